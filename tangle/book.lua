@@ -1,0 +1,176 @@
+-- book.lua: reads noweb's markup stream into a model of the book that every other tool of the loom shares.
+-- The stream is line based ("@begin code 3", "@defn name", "@text ...", "@use name", "@nl", "@end code 3").
+--
+--   local Book = require "book"
+--   local book = Book.read(io.stdin)
+--   book.chapters[i]  { file, base, label ("06", "A"), first (line of the stream) }
+--   book.chunks[i]    { name, chapter (index), file, line, part, items = { {kind="text"|"use"|"nl", text, line} } }
+--   book.names[name]  { parts = {chunk indices}, uses = { {chunk, line} } }
+--
+-- Every message has the form  file:line: what is wrong -- what to do  and is collected, so that one run tells all.
+local Book = {}
+Book.__index = Book
+
+function Book.is_root(name) return name:match("^[%w_%-%./]+%.%a+$") ~= nil and name:find("/") ~= nil end
+
+-- Chapters are named NN-name.nw (a number) or X-name.nw (an appendix, a capital letter).
+function Book.label_of(base, fallback)
+  local n = base:match("^(%d+)%-")
+  if n then return n end
+  return base:match("^(%u)%-") or fallback
+end
+
+function Book:complain(file, line, what, remedy)
+  self.errors[#self.errors + 1] = string.format("%s:%d: %s -- %s", file, line, what, remedy)
+end
+
+function Book:finish()          -- print what was collected, stop when there was anything
+  if #self.errors == 0 then return end
+  for _, e in ipairs(self.errors) do io.stderr:write(e, "\n") end
+  io.stderr:write(string.format("%d error%s in the chapters.\n", #self.errors, #self.errors == 1 and "" or "s"))
+  os.exit(1)
+end
+
+function Book.read(stream)
+  local self = setmetatable({ chapters = {}, chunks = {}, names = {}, errors = {} }, Book)
+  local chapter, chunk, line, kind
+  for l in stream:lines() do
+    local key, rest = l:match("^@(%S+) ?(.*)$")
+    if key == "file" then
+      local base = rest:match("([^/]+)%.nw$") or rest
+      chapter = { file = rest, base = base, label = Book.label_of(base, "X" .. #self.chapters + 1), index = #self.chapters + 1 }
+      self.chapters[chapter.index] = chapter
+      line = 1
+    elseif key == "begin" then
+      kind = rest:match("^%a+")
+      if kind == "code" then
+        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1 }
+        self.chunks[chunk.index] = chunk
+      end
+    elseif key == "defn" and kind == "code" then
+      chunk.name = rest
+      local name = self.names[rest] or { parts = {}, uses = {} }
+      self.names[rest] = name
+      name.parts[#name.parts + 1] = chunk.index
+      chunk.part = #name.parts
+    elseif key == "use" and kind == "code" then
+      chunk.items[#chunk.items + 1] = { kind = "use", text = rest, line = line }
+      local name = self.names[rest] or { parts = {}, uses = {} }
+      self.names[rest] = name
+      name.uses[#name.uses + 1] = { chunk = chunk.index, line = line }
+    elseif key == "text" and kind == "code" then
+      chunk.items[#chunk.items + 1] = { kind = "text", text = rest, line = line }
+    elseif key == "nl" then
+      if kind == "code" then chunk.items[#chunk.items + 1] = { kind = "nl", line = line } end
+      line = line + 1
+    elseif key == "index" and rest:match("^nl") then
+      line = line + 1
+    elseif key == "fatal" then
+      self:complain(chapter and chapter.file or "?", line or 1, "noweb cannot read this line: " .. rest,
+        "in prose write [[code]] around double angle brackets, or put an @ before them")
+    elseif key == "end" then
+      kind = nil
+    end
+  end
+  return self
+end
+
+------------------------------------------------------------------------------------------------------------- checks
+-- Undefined, unused, recursive chunks, and chunks that are used before the chapter that defines them.
+function Book:check_chunks()
+  for name, n in pairs(self.names) do
+    if #n.parts == 0 then
+      for _, u in ipairs(n.uses) do
+        self:complain(self.chunks[u.chunk].file, u.line, "chunk <<" .. name .. ">> is used but nowhere defined",
+          "define it with <<" .. name .. ">>=, mend its spelling" .. (self:nearest(name)) ..
+          ", or, if a shift was meant, write @<< and @>>")
+      end
+    elseif #n.uses == 0 and not Book.is_root(name) then
+      local c = self.chunks[n.parts[1]]
+      self:complain(c.file, c.line, "chunk <<" .. name .. ">> is defined but never used",
+        "use it in a chunk, delete it, or name it as a file (dir/name.c)")
+    else
+      local defined = self.chunks[n.parts[1]].chapter
+      for _, u in ipairs(n.uses) do
+        local c = self.chunks[u.chunk]
+        if c.chapter < defined then
+          self:complain(c.file, u.line, "chunk <<" .. name .. ">> is used here but first defined later, in " ..
+            self.chapters[defined].file, "define its first part in this chapter or an earlier one, or move the use")
+        end
+      end
+    end
+  end
+  self:check_cycles()
+  self:check_lines()
+  table.sort(self.errors)
+end
+
+-- A chunk reference must stand alone on its line: the generated files put the chunk's name there as a comment.
+function Book:check_lines()
+  for _, c in ipairs(self.chunks) do
+    local line_has_text, line_has_use = false, false
+    for _, it in ipairs(c.items) do
+      if it.kind == "nl" then line_has_text, line_has_use = false, false
+      elseif it.kind == "use" then
+        if line_has_text or line_has_use then self:alone(c, it) end
+        line_has_use = true
+      elseif it.text:match("%S") then
+        if line_has_use then self:alone(c, it) end
+        line_has_text = true
+      end
+    end
+  end
+end
+
+function Book:alone(c, it)
+  self:complain(c.file, it.line, "a chunk reference shares its line with other text",
+    "put the reference on a line of its own; if a shift was meant, write @<< and @>>")
+end
+
+function Book:check_cycles()
+  local state = {}
+  local function visit(name, trail)
+    if state[name] == "done" then return end
+    local n = self.names[name]
+    if #n.parts == 0 then return end
+    if state[name] == "open" then
+      local c = self.chunks[n.parts[1]]
+      self:complain(c.file, c.line, "chunk <<" .. name .. ">> contains itself: " .. table.concat(trail, " -> ") .. " -> " .. name,
+        "break the circle: one of these chunks must not use the next")
+      return
+    end
+    state[name] = "open"
+    for _, p in ipairs(n.parts) do
+      for _, it in ipairs(self.chunks[p].items) do
+        if it.kind == "use" then
+          trail[#trail + 1] = name
+          visit(it.text, trail)
+          trail[#trail] = nil
+        end
+      end
+    end
+    state[name] = "done"
+  end
+  local names = {}
+  for name in pairs(self.names) do names[#names + 1] = name end
+  table.sort(names)
+  for _, name in ipairs(names) do visit(name, {}) end
+end
+
+-- The defined chunk whose name is closest to a misspelled one, as a hint for the message.
+function Book:nearest(name)
+  local best, best_score = nil, 0
+  local words = {}
+  for w in name:lower():gmatch("%w+") do words[w] = true end
+  for other, n in pairs(self.names) do
+    if #n.parts > 0 then
+      local hit, all = 0, 0
+      for w in other:lower():gmatch("%w+") do all = all + 1; if words[w] then hit = hit + 1 end end
+      local score = hit / (all + 1)
+      if hit > 0 and (score > best_score or (score == best_score and best and other < best)) then best, best_score = other, score end
+    end
+  end
+  return best and best_score >= 0.4 and " (did you mean <<" .. best .. ">>?)" or ""
+end
+
+return Book
