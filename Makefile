@@ -3,14 +3,47 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := all
 .DELETE_ON_ERROR:
 .SECONDARY:
+.SUFFIXES:
 
 CHAPTERS := $(sort $(wildcard chapters/*.nw))
+# EXTRA=path/to/my-chapter.nw adds a chapter that lives elsewhere
 EXTRA    ?=
 NW       := $(CHAPTERS) $(EXTRA)
 CC       ?= cc
 STD      := -std=c11 -ffp-contract=off -fno-math-errno
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wdouble-promotion -Wfloat-conversion -Wundef -Wvla -Werror
 CFLAGS   ?= -O2 -g
+export MAKE EXTRA
+
+.PHONY: all help clean watch
+all:
+	@tangle/all
+
+help:
+	@echo "make                    install what is missing, tangle, build, weave, run the first simulation"
+	@echo "make check              run every test (NO_INSTALL=1: with what is here)"
+	@echo "make tangle             chapters to C: src-generated/ and build/lines/"
+	@echo "make engine             the library: build/lib/"
+	@echo "make programs           the testbed, the headless testbed, the lab: build/bin/"
+	@echo "make test               the unit tests"
+	@echo "make book | html | pdf  weave: build/book/html/index.html, build/book/weft.pdf"
+	@echo "make upto CHAPTER=7     the program as it stands after a chapter, compiled and tested (upto-all: every chapter)"
+	@echo "make EXTRA=my.nw TARGET with a chapter of your own that lives elsewhere"
+	@echo "make watch              tangle, build and weave again whenever a chapter is saved"
+	@echo "make data               measure again what the book's plots and tables show (book/data/)"
+	@echo "make mutate             plant mutants and count how many the tests catch (long)"
+	@echo "make install PREFIX=... and make uninstall"
+	@echo "make clean              remove build/"
+
+clean:
+	rm -rf build
+
+# Looks at the chapters twice a second; a save makes what depends on it.
+watch:
+	@echo "watching chapters/ -- stop with Ctrl-C"
+	@last=; while sleep 0.5; do now=$$(stat -c '%n %Y' chapters/*.nw $(EXTRA) | sha1sum); \
+	  if [ "$$now" != "$$last" ]; then last=$$now; \
+	    $(MAKE) --no-print-directory engine && { [ ! -x build/bin/weft-headless ] || $(MAKE) --no-print-directory programs; } && $(MAKE) --no-print-directory html && echo "$$(date +%T) made again" || echo "$$(date +%T) mend the error above and save again"; fi; done
 
 include tangle/engine.mk
 include tangle/book.mk

@@ -1,34 +1,61 @@
-# compile.mk: compiles one tangled tree.  make -f tangle/compile.mk SRC=build/lines OUT=build lib|test|programs
-# Used for the developer build, for sanitizer and double builds, for `make upto`, and for builds from src-generated/.
+# compile.mk: compiles one tangled tree.
+#   make -f tangle/compile.mk SRC=build/lines OUT=build lib        the engine: static, shared, collision alone, pkg-config, CMake
+#   make -f tangle/compile.mk SRC=build/lines OUT=build test       tests/test_*.c (or TESTS=..., or all up to UPTO=n)
+# Used for the developer build, for sanitizer and double builds, for `make upto`, and for builds from src-generated/ alone.
 SRC ?= src-generated
 OUT ?= build
 STD ?= -std=c11 -ffp-contract=off -fno-math-errno
 WARN ?= -Wall -Wextra
 CFLAGS ?= -O2 -g
+PREFIX ?= /usr/local
+VERSION := 0.1.0
 UPTO ?= 99
-TESTS ?= $(shell for t in tests/test_*.c; do n=$$(basename $$t | sed -E 's/test_0*([0-9]+)_.*/\1/'); [ "$$n" -le "$(UPTO)" ] 2>/dev/null && echo $$t; done)
+TESTS ?= $(shell for t in tests/test_*.c; do n=$$(echo $$t | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p'); [ -n "$$n" ] && [ "$$n" -le "$(UPTO)" ] && echo $$t; done)
 
-LIBSRC := $(wildcard $(foreach d,core math collision dynamics engine,$(SRC)/$(d)/*.c))
-LIBOBJ := $(LIBSRC:$(SRC)/%.c=$(OUT)/obj/%.o)
+COMPONENTS := core math collision dynamics engine
+sources = $(sort $(wildcard $(foreach d,$(1),$(SRC)/$(d)/*.c)))
+objects = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(call sources,$(1)))
+LIBOBJ := $(call objects,$(COMPONENTS))
+# what the lab and the testbed are made of, but for their main programs: linked into tests too
+EXTOBJ := $(filter-out %_main.o,$(call objects,lab testbed))
 INC    := -I$(SRC)/include -I$(SRC)
-# tests may use the lab's and testbed's tangled code too, all but their main programs
-EXTSRC := $(filter-out %_main.c,$(wildcard $(SRC)/lab/*.c $(SRC)/testbed/*.c))
-EXTOBJ := $(EXTSRC:$(SRC)/%.c=$(OUT)/obj/%.o)
+COMPILE = $(CC) $(STD) $(WARN) $(CFLAGS) $(INC)
 TESTBIN := $(TESTS:tests/%.c=$(OUT)/tests/%)
+SHARED := $(if $(filter Darwin,$(shell uname -s)),libweft.dylib,libweft.so)
 
-.PHONY: lib test
+.PHONY: lib test tests
 .SECONDARY:
-lib: $(OUT)/lib/libweft.a
-$(OUT)/lib/libweft.a: $(LIBOBJ)
-	@mkdir -p $(@D); rm -f $@; ar rcs $@ $^
+.DELETE_ON_ERROR:
+lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake
+
 $(OUT)/obj/%.o: $(SRC)/%.c
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(WARN) $(CFLAGS) $(INC) -fPIC -MMD -MP -c $< -o $@
-$(OUT)/lib/libweft-extra.a: $(EXTOBJ)
-	@mkdir -p $(@D); rm -f $@; ar rcs $@ $^
+	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -MMD -MP -c $< -o $@
+archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
+$(OUT)/lib/libweft.a: $(LIBOBJ) ; $(archive)
+$(OUT)/lib/libweft-collision.a: $(call objects,core math collision) ; $(archive)
+$(OUT)/lib/libweft-extra.a: $(EXTOBJ) ; $(archive)
+$(OUT)/lib/libweft.so: $(LIBOBJ)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,libweft.so.0 -o $@.$(VERSION) $^ -lm
+	@ln -sf libweft.so.$(VERSION) $@.0 && ln -sf libweft.so.0 $@
+$(OUT)/lib/libweft.dylib: $(LIBOBJ)
+	@mkdir -p $(@D)
+	@$(CC) $(CFLAGS) -dynamiclib -install_name @rpath/libweft.dylib -o $@ $^ -lm
+
+# Users of a double build must see the same reals as the library: the switch travels in the package files.
+SWITCHES := $(filter -DWF_%,$(CFLAGS))
+$(OUT)/lib/pkgconfig/weft.pc: tangle/weft.pc.in $(LIBOBJ)
+	@mkdir -p $(@D)
+	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
+$(OUT)/lib/cmake/weft/weftConfig.cmake: tangle/weftConfig.cmake.in $(LIBOBJ)
+	@mkdir -p $(@D)
+	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
+
 $(OUT)/tests/%: tests/%.c $(OUT)/lib/libweft.a $(OUT)/lib/libweft-extra.a $(wildcard tests/*.h)
 	@mkdir -p $(@D)
-	$(CC) $(STD) $(WARN) $(CFLAGS) $(INC) -Itests $< $(OUT)/lib/libweft-extra.a $(OUT)/lib/libweft.a -lcmocka -lm -o $@
+	@$(COMPILE) -Itests $< $(OUT)/lib/libweft-extra.a $(OUT)/lib/libweft.a -lcmocka -lm -o $@
+tests: $(TESTBIN)
 test: $(TESTBIN)
-	@for t in $(TESTBIN); do echo "== $$t"; $$t || exit 1; done
+	@for t in $(TESTBIN); do $$t >$$t.log 2>&1 && echo "  ok    $$(basename $$t): $$(grep -c '^\[       OK' $$t.log) tests" || { echo "  FAIL  $$t"; grep -vE '^\[( RUN|       OK)' $$t.log | tail -40; exit 1; }; done
 -include $(LIBOBJ:.o=.d) $(EXTOBJ:.o=.d)

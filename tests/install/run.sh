@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# The engine as others meet it: installed, found by pkg-config and by CMake, static and shared; and built from the committed
+# C by a machine that has a compiler and make but neither noweb nor TeX.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+top=$PWD work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+say() { echo "install: $1"; }
+
+make --no-print-directory engine >/dev/null
+make --no-print-directory install DESTDIR="$work/stage" PREFIX=/opt/weft >/dev/null
+sed -i "s|^prefix=.*|prefix=$work/stage/opt/weft|" "$work/stage/opt/weft/lib/pkgconfig/weft.pc"
+export PKG_CONFIG_PATH=$work/stage/opt/weft/lib/pkgconfig
+cc -std=c11 tests/install/user.c $(pkg-config --cflags --libs weft) -lm -o "$work/user-shared"
+LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-shared" && say "pkg-config, shared: ok"
+cc -std=c11 tests/install/user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-static"
+"$work/user-static" && say "pkg-config, static: ok"
+cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/stage/opt/weft" >"$work/log" 2>&1 && cmake --build "$work/cmake" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$work/cmake/user" && "$work/cmake/user_shared" && say "CMake, static and shared: ok"
+
+# every public header compiles alone, so that a user may include just one
+for h in "$work"/stage/opt/weft/include/weft/*.h; do
+  case $h in *_rows.h) continue ;; esac
+  echo "#include <weft/$(basename "$h")>" | cc -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$work/stage/opt/weft/include" -x c -fsyntax-only - || { echo "$h does not compile alone"; exit 1; }
+done
+say "every header compiles alone: ok"
+
+make --no-print-directory uninstall DESTDIR="$work/stage" PREFIX=/opt/weft
+[ -z "$(find "$work/stage" -type f)" ] || { echo "uninstall left files:"; find "$work/stage" -type f; exit 1; }
+say "uninstall leaves nothing: ok"
+
+# a machine with only a compiler: the tools below are all that PATH holds
+mkdir -p "$work/bin" "$work/src"
+for t in bash sh make cc gcc as ld ar cp ln rm mkdir ls sed grep awk cat uname id env dirname basename head tail sort tr cut printf date expr test find wc mktemp tput uniq xargs chmod touch cmp install pwd echo true false; do
+  p=$(command -v $t 2>/dev/null) && case $p in /*) ln -sf "$p" "$work/bin/$t" ;; esac
+done
+git ls-files -z | tar --null -T - -cf - 2>/dev/null | tar -xf - -C "$work/src"
+out=$(cd "$work/src" && env -i HOME="$work" PATH="$work/bin" NO_INSTALL=1 make 2>&1) || { echo "$out"; echo "make fails on a machine with only a compiler"; exit 1; }
+grep -q 'libweft.a' <<<"$out" && [ -f "$work/src/build/lib/libweft.a" ] || { echo "$out"; exit 1; }
+grep -q 'noweb' <<<"$out" && grep -q 'no book' <<<"$out" || { echo "$out"; echo "make does not say what the machine lacks"; exit 1; }
+cc -std=c11 -I"$work/src/src-generated/include" tests/install/user.c "$work/src/build/lib/libweft.a" -lm -o "$work/user-bare" && "$work/user-bare"
+say "compiler only, from the committed C: ok"

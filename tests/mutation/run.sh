@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Plants mutants in the engine, one at a time, and counts how many the unit tests catch.
+#   tests/mutation/run.sh [-n SHARE] [-j JOBS] [file ...]     SHARE: plant every SHARE-th mutant (default 1: all)
+# Files are paths in the tangled tree; by default math, shapes, mass, bodies, forces, integrators, broad and narrow phase,
+# contacts, impulses. Writes book/data/mutation.csv (one row a mutant) and prints the share caught and the survivors.
+# A mutant that does not compile is not counted. One that never ends is caught (by the time limit).
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+share=1 jobs=2
+while getopts n:j: o; do case $o in n) share=$OPTARG ;; j) jobs=$OPTARG ;; *) exit 2 ;; esac; done
+shift $((OPTIND - 1))
+lua=$(tangle/lua) || exit 1
+work=${MUTATION_DIR:-build/mutation}; rm -rf "$work"; mkdir -p "$work"
+tangle/tangle --lines "$work/base/lines" chapters/*.nw || exit 1
+if [ $# -gt 0 ]; then files=("$@"); else
+  files=(); for f in include/weft/math.h math/math.c include/weft/shape.h collision/*.c include/weft/body.h dynamics/*.c; do
+    for g in "$work"/base/lines/$f; do [ -f "$g" ] && files+=("${g#"$work"/base/lines/}"); done; done
+fi
+export CC=${CC:-gcc} CFLAGS="-O0"
+for j in $(seq "$jobs"); do                                     # each worker has a built tree of its own
+  cp -r "$work/base" "$work/w$j"
+  make --no-print-directory -f tangle/compile.mk SRC="$work/w$j/lines" OUT="$work/w$j" UPTO=26 test >"$work/w$j.log" 2>&1 ||
+    { echo "mutation: the unmutated tests fail -- mend them first"; tail -20 "$work/w$j.log"; exit 1; }
+done
+: > "$work/queue"
+for f in "${files[@]}"; do
+  $lua tests/mutation/mutants.lua list "$work/base/lines/$f" | awk -v f="$f" -v s="$share" 'NR % s == 0 { print f "\t" $0 }' >> "$work/queue"
+done
+total=$(wc -l < "$work/queue"); echo "mutation: $total mutants in ${#files[@]} files, $jobs workers"
+worker() {
+  local j=$1 w="$work/w$1" f k where op old new verdict by tests first
+  awk -v j="$j" -v n="$jobs" 'NR % n == j % n' "$work/queue" | while IFS=$'\t' read -r f k where op old new; do
+    $lua tests/mutation/mutants.lua plant "$work/base/lines/$f" "$k" "$w/lines/$f"
+    first=$(echo "$where" | sed -nE 's|.*chapters/0*([0-9]+)-.*|\1|p')
+    by=-
+    if ! make --no-print-directory -f tangle/compile.mk WARN=-w SRC="$w/lines" OUT="$w" UPTO=26 lib >"$w.log" 2>&1; then verdict=invalid
+    else
+      verdict=survived
+      for t in tests/test_*.c; do
+        n=$(echo "$t" | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p')
+        { [ -n "$n" ] && [ "$n" -ge "${first:-0}" ] && [ "$n" -le 26 ]; } || continue
+        b=$(basename "$t" .c)
+        if ! make --no-print-directory -f tangle/compile.mk WARN=-w SRC="$w/lines" OUT="$w" UPTO=26 "$w/tests/$b" >"$w.log" 2>&1; then verdict=invalid; break; fi
+        if ! timeout 60 "$w/tests/$b" >/dev/null 2>&1; then verdict=caught; by=$b; break; fi
+      done
+    fi
+    printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$where" "$op" "$old" "$new" "$verdict" "$by" >> "$w.rows"
+    cp "$work/base/lines/$f" "$w/lines/$f"
+  done
+}
+for j in $(seq "$jobs"); do : > "$work/w$j.rows"; worker "$j" & done
+while sleep 15; do
+  done_=$(cat "$work"/w*.rows | wc -l)
+  printf '\r%d of %d' "$done_" "$total"
+  [ "$(jobs -r | wc -l)" -eq 0 ] && break
+done; wait; echo
+sort -t: -k1,1 -k2,2n "$work"/w*.rows > "$work/all.rows"
+caught=$(awk -F'\t' '$5 == "caught"' "$work/all.rows" | wc -l); survived=$(awk -F'\t' '$5 == "survived"' "$work/all.rows" | wc -l)
+invalid=$(awk -F'\t' '$5 == "invalid"' "$work/all.rows" | wc -l)
+{
+  echo "# command: make mutate SHARE=$share"
+  echo "# every ${share}th mutant; caught $caught, survived $survived, did not compile $invalid; share caught $(awk -v c="$caught" -v s="$survived" 'BEGIN { printf "%.1f", 100 * c / (c + s) }') %"
+  echo "place,operator,original,mutant,verdict,caught by"
+  awk -F'\t' '{ for (i = 1; i <= 6; i++) printf "\"%s\"%s", $i, i < 6 ? "," : "\n" }' "$work/all.rows"
+} > "$work/mutation.csv"
+[ -z "${MUTATION_KEEP:-}" ] && cp "$work/mutation.csv" book/data/mutation.csv
+awk -F'\t' '{ split($1, a, ":"); t[a[1]]++; if ($5 == "caught") c[a[1]]++; if ($5 == "survived") s[a[1]]++ }
+  END { for (f in t) printf "%-34s %4d caught, %3d survived: %5.1f %%\n", f, c[f], s[f], 100 * c[f] / (c[f] + s[f] + 1e-9) }' "$work/all.rows" | sort
+echo "survivors:"; awk -F'\t' '$5 == "survived" { print "  " $1 ": " $3 " -> " $4 " (" $2 ")" }' "$work/all.rows"
+echo "mutation: caught $caught of $((caught + survived))"
+[ $((caught * 100)) -ge $(((caught + survived) * 90)) ] || { echo "mutation: fewer than 90 % were caught"; exit 1; }
