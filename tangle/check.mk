@@ -8,7 +8,7 @@ mutate:
 	@tests/mutation/run.sh -n $(SHARE)
 # Measures again everything that is deterministic and everything that is not, and writes book/data/.
 data: programs
-	@for m in $$(build/bin/weft-lab list --names); do echo "measuring $$m"; build/bin/weft-lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
+	@for m in $$(build/bin/weft-lab list | awk '{ print $$1 }'); do echo "measuring $$m"; build/bin/weft-lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
 # Records the hash of every scene; do it when a change of the engine's arithmetic is meant.
 golden: programs
 	@build/bin/weft-headless --record > tests/golden/scenes.csv && wc -l tests/golden/scenes.csv
