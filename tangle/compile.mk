@@ -34,7 +34,8 @@ $(OUT)/obj/%.o: $(SRC)/%.c
 archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
 $(OUT)/lib/libweft.a: $(LIBOBJ) ; $(archive)
 $(OUT)/lib/libweft-collision.a: $(call objects,core math collision) ; $(archive)
-$(OUT)/lib/libweft-extra.a: $(EXTOBJ) ; $(archive)
+include tangle/font.mk
+$(OUT)/lib/libweft-extra.a: $(EXTOBJ) $(FONTOBJ) ; $(archive)
 $(OUT)/lib/libweft.so: $(LIBOBJ)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -shared -Wl,-soname,libweft.so.0 -o $@.$(VERSION) $^ -lm
