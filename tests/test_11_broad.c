@@ -1,0 +1,627 @@
+/* Chapter 11: broad phases. Every row of the table gives the pairs of an oracle that knows nothing of trees. */
+#include "testing.h"
+#include "weft/broad.h"
+
+enum { MAX_PROXIES = 600, MAX_PAIRS = MAX_PROXIES * (MAX_PROXIES - 1) / 2 };
+
+typedef struct World {
+    wfRect bounds[MAX_PROXIES];
+    uint8_t flags[MAX_PROXIES];
+    wfProxies in;
+} World;
+
+static World world;
+static wfPair found[MAX_PAIRS], wanted[MAX_PAIRS];
+static _Alignas(16) uint8_t memory[1 << 22];
+
+static wfPairList list_of(int32_t capacity)
+{
+    wfPairList list = { found, -1, capacity, -1 };
+    return list;
+}
+
+static wfPool pool_of(size_t bytes)
+{
+    wfPool pool;
+    assert_true(bytes <= sizeof memory);
+    memset(memory, 0xA5, sizeof memory);        /* scratch holds rubbish: nobody may rely on its being clear */
+    assert_ok(wfPoolInit(&pool, bytes, memory));
+    return pool;
+}
+
+static wfRect rect(double x0, double y0, double x1, double y1)
+{
+    wfRect r = { wfV2((wfReal)x0, (wfReal)y0), wfV2((wfReal)x1, (wfReal)y1) };
+    return r;
+}
+
+static void start_world(void)
+{
+    memset(&world, 0, sizeof world);
+    world.in.bounds = world.bounds;
+    world.in.flags = world.flags;
+}
+
+static int32_t put(wfRect r, int flags)
+{
+    int32_t i = world.in.count++;
+    world.bounds[i] = r;
+    world.flags[i] = (uint8_t)flags;
+    return i;
+}
+
+enum { MOVING = WF_PROXY_LIVE | WF_PROXY_MOVES, STILL = WF_PROXY_LIVE };
+
+/* The oracle: separated along x or along y, said the other way round than in the engine. */
+static int oracle(wfPair *pairs)
+{
+    int n = 0;
+    for (int32_t i = 0; i < world.in.count; i++)
+        for (int32_t j = i + 1; j < world.in.count; j++) {
+            int fi = world.flags[i], fj = world.flags[j];
+            wfRect p = world.bounds[i], q = world.bounds[j];
+            if (!(fi & WF_PROXY_LIVE) || !(fj & WF_PROXY_LIVE)) continue;
+            if (!(fi & WF_PROXY_MOVES) && !(fj & WF_PROXY_MOVES)) continue;
+            if (p.max.x < q.min.x || q.max.x < p.min.x || p.max.y < q.min.y || q.max.y < p.min.y) continue;
+            pairs[n].a = i;
+            pairs[n++].b = j;
+        }
+    return n;
+}
+
+static void assert_same_pairs(const wfPairList *list, const wfPair *want, int n)
+{
+    assert_int_equal(list->count, n);
+    for (int i = 0; i < n; i++) {
+        assert_int_equal(list->pairs[i].a, want[i].a);
+        assert_int_equal(list->pairs[i].b, want[i].b);
+    }
+}
+
+/* Runs every row; scratch is exactly what the row asks for and must be given back. */
+static void assert_all_rows(void)
+{
+    int n = oracle(wanted);
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        wfPool pool = pool_of(wfBroadPhaseTable[row].scratch(world.in.count, n));
+        wfPairList list = list_of(n);
+        assert_ok(wfFindPairs(row, &world.in, &pool, &list));
+        assert_same_pairs(&list, wanted, n);
+        assert_int_equal(pool.used, 0);
+        assert_true(list.tests >= n && list.tests <= (int64_t)world.in.count * (world.in.count - 1) / 2);
+    }
+}
+
+/* Random worlds of several kinds. Coordinates are often on a coarse lattice, so that boxes touch split lines and each
+   other exactly; some worlds are one point, some have an outlier a billion times farther away than the rest. */
+static void random_world(wfRandom *r)
+{
+    int kind = (int)wfRandomBelow(r, 6), n = 2 + (int)wfRandomBelow(r, 40);
+    start_world();
+    for (int i = 0; i < n; i++) {
+        wfVec2 at = random_v2(r, -8, 8), size = random_v2(r, 0, 2);
+        if (kind == 1) at = wfV2((wfReal)((int)wfRandomBelow(r, 17) - 8), (wfReal)((int)wfRandomBelow(r, 17) - 8));
+        if (kind == 1) size = wfV2((wfReal)wfRandomBelow(r, 3), (wfReal)wfRandomBelow(r, 3));
+        if (kind == 2) at = wfV2(3, 4), size = wfV2(0, 0);
+        if (kind == 3) at = wfAddScaled(wfV2((wfReal)(i % 3), 0), WF_R(0.001), at), size = wfScale(WF_R(0.001), size);
+        if (kind == 4 && i == 0) at = wfV2(1e9f, -1e9f);
+        if (kind == 5 && i % 7 == 0) size = wfScale(5, size);
+        wfRect box = { at, wfAdd(at, size) };
+        uint32_t dice = wfRandomBelow(r, 8);
+        put(box, dice == 0 ? 0 : dice < 3 ? STILL : MOVING);
+        if (dice == 0) world.bounds[i].min.x = (wfReal)NAN;   /* not live: must not be looked at */
+    }
+}
+
+static void test_names(void **state)
+{
+    (void)state;
+    assert_true(wfBroadPhaseCount >= 2);
+    for (int i = 0; i < wfBroadPhaseCount; i++) {
+        assert_int_equal(wfFindBroadPhase(wfBroadPhaseTable[i].name), i);
+        assert_true(strlen(wfBroadPhaseTable[i].text) > 0);
+    }
+    assert_true(wfFindBroadPhase("brute-force") >= 0);
+    assert_true(wfFindBroadPhase("quad-tree") >= 0);
+    assert_int_equal(wfFindBroadPhase("no-such-thing"), -1);
+    assert_int_equal(wfFindBroadPhase(NULL), -1);
+}
+
+static void test_by_hand(void **state)
+{
+    (void)state;
+    start_world();
+    put(rect(0, 0, 2, 2), MOVING);
+    put(rect(1, 1, 3, 3), MOVING);      /* overlaps 0 */
+    put(rect(2, 0, 4, 0.5), MOVING);    /* touches 0 along x = 2 */
+    put(rect(5, 5, 6, 6), STILL);
+    put(rect(5.5, 5.5, 7, 7), STILL);   /* two that stand still: no pair */
+    put(rect(6, 6, 8, 8), MOVING);      /* touches 3 in a corner, overlaps 4 */
+    put(rect(0, 0, 9, 9), WF_PROXY_MOVES);   /* not live */
+    static const wfPair want[] = { { 0, 1 }, { 0, 2 }, { 3, 5 }, { 4, 5 } };
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        wfPool pool = pool_of(wfBroadPhaseTable[row].scratch(7, 4));
+        wfPairList list = list_of(100);
+        assert_ok(wfFindPairs(row, &world.in, &pool, &list));
+        assert_same_pairs(&list, want, 4);
+    }
+}
+
+static void test_small_worlds(void **state)
+{
+    (void)state;
+    start_world();
+    assert_all_rows();                          /* nobody */
+    put(rect(1, 2, 3, 4), MOVING);
+    assert_all_rows();                          /* alone */
+    put(rect(1, 2, 3, 4), 0);
+    assert_all_rows();                          /* beside somebody who is not there */
+    start_world();
+    for (int i = 0; i < 100; i++) put(rect(7, -7, 7, -7), MOVING);
+    assert_all_rows();                          /* a hundred points at one place: 4950 pairs */
+    assert_int_equal(oracle(wanted), 4950);
+}
+
+static void test_random_worlds(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(11);
+    for (int i = 0; i < 5000; i++) {
+        random_world(&r);
+        assert_all_rows();
+    }
+}
+
+static void test_large_world(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(12);
+    start_world();
+    for (int i = 0; i < MAX_PROXIES; i++) {
+        wfVec2 at = random_v2(&r, 0, 40);
+        wfRect box = { at, wfAdd(at, wfV2(1, 1)) };
+        put(box, i % 5 ? MOVING : STILL);
+    }
+    assert_all_rows();
+}
+
+/* 3.4e38 is near the end of the floats: the middle of such a world must not overflow. */
+static void test_huge_world(void **state)
+{
+    (void)state;
+    start_world();
+    put(rect(-3e38, -3e38, 3e38, 3e38), STILL);
+    for (int i = 0; i < 20; i++) put(rect(3e38 / (i + 1), -2e38, 3e38, 1e38), MOVING);
+    put(rect(-3e38, 2e38, -3e38, 2e38), MOVING);
+    assert_all_rows();
+}
+
+static void test_counts_tests(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 64; i++) put(rect(3 * (i % 8), 3 * (i / 8), 3 * (i % 8) + 1, 3 * (i / 8) + 1), MOVING);
+    wfPool pool = pool_of(sizeof memory);
+    wfPairList list = list_of(0);
+    assert_ok(wfFindPairs(wfFindBroadPhase("brute-force"), &world.in, &pool, &list));
+    assert_int_equal(list.tests, 64 * 63 / 2);
+    assert_ok(wfFindPairs(wfFindBroadPhase("quad-tree"), &world.in, &pool, &list));
+    /* an 8 by 8 grid is cut between its boxes into 16 leaves of 4: 6 tests in each, none between leaves */
+    assert_int_equal(list.tests, 16 * 6);
+    world.flags[0] = world.flags[1] = STILL;
+    assert_ok(wfFindPairs(wfFindBroadPhase("brute-force"), &world.in, &pool, &list));
+    assert_int_equal(list.tests, 64 * 63 / 2 - 1);
+}
+
+static void test_full(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), MOVING);     /* each touches the next two */
+    int n = oracle(wanted);
+    assert_int_equal(n, 39 + 38);
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        wfPool pool = pool_of(sizeof memory);
+        wfPairList list = list_of(n - 1);
+        assert_result(WF_ERROR_FULL, wfFindPairs(row, &world.in, &pool, &list));
+        assert_int_equal(list.count, 0);
+        assert_int_equal(pool.used, 0);
+        list = list_of(0);
+        assert_result(WF_ERROR_FULL, wfFindPairs(row, &world.in, &pool, &list));
+    }
+}
+
+static void test_no_memory(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), MOVING);
+    int row = wfFindBroadPhase("quad-tree");
+    size_t enough = wfBroadPhaseTable[row].scratch(40, 77), low = 0;
+    for (size_t bytes = 0; bytes < enough; bytes += 16) {
+        wfPool pool = pool_of(bytes);
+        wfPairList list = list_of(1000);
+        wfResult result = wfFindPairs(row, &world.in, &pool, &list);
+        assert_true(result == WF_OK || result == WF_ERROR_MEMORY);
+        if (result == WF_ERROR_MEMORY) {
+            low = bytes;
+            assert_int_equal(list.count, 0);
+        }
+        assert_int_equal(pool.used, 0);
+    }
+    assert_true(low + 512 > enough);            /* the promise is not wasteful by more than its alignment */
+}
+
+static void test_bad_input(void **state)
+{
+    (void)state;
+    wfPool pool = pool_of(sizeof memory);
+    wfPairList list = list_of(10);
+    start_world();
+    put(rect(0, 0, 1, 1), MOVING);
+    put(rect(0, 0, 1, 1), MOVING);
+    assert_result(WF_ERROR_UNKNOWN, wfFindPairs(-1, &world.in, &pool, &list));
+    assert_result(WF_ERROR_UNKNOWN, wfFindPairs(wfBroadPhaseCount, &world.in, &pool, &list));
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, NULL, &pool, &list));
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, &world.in, NULL, &list));
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, &world.in, &pool, NULL));
+        for (int k = 0; k < BAD_REAL_COUNT * 4; k++) {
+            wfRect good = world.bounds[1];
+            wfReal *e = k % 4 < 2 ? world.bounds[1].min.E : world.bounds[1].max.E;
+            e[k % 2] = BAD_REALS[k / 4];
+            assert_result(WF_ERROR_NOT_FINITE, wfFindPairs(row, &world.in, &pool, &list));
+            assert_int_equal(list.count, 0);
+            world.bounds[1] = good;
+        }
+        world.bounds[1] = rect(1, 0, 0, 1);
+        assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &list));
+        world.bounds[1] = rect(0, 1, 1, 0);
+        assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &list));
+        world.bounds[1] = rect(0, 0, 1, 1);
+        wfProxies bad = world.in;
+        bad.count = -1;
+        assert_result(WF_ERROR_RANGE, wfFindPairs(row, &bad, &pool, &list));
+        bad = world.in;
+        bad.flags = NULL;
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, &bad, &pool, &list));
+        bad = world.in;
+        bad.bounds = NULL;
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, &bad, &pool, &list));
+        wfPairList wrong = { NULL, 0, 5, 0 };
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, &world.in, &pool, &wrong));
+        wrong = list_of(-1);
+        assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &wrong));
+    }
+}
+
+static void test_sorting(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(13);
+    for (int round = 0; round < 300; round++) {
+        int32_t proxies = 2 + (int32_t)wfRandomBelow(&r, 12);
+        wfPairList list = list_of(64);
+        list.count = 0;
+        int32_t n = (int32_t)wfRandomBelow(&r, 60);
+        for (int32_t i = 0; i < n; i++)
+            assert_true(wfPushPair(&list, (int32_t)wfRandomBelow(&r, (uint32_t)proxies),
+                                   (int32_t)wfRandomBelow(&r, (uint32_t)proxies)));
+        int sum = 0, after = 0;
+        for (int32_t i = 0; i < n; i++) sum += 100 * found[i].a + found[i].b;
+        wfPool pool = pool_of(4096);
+        assert_ok(wfSortPairs(&list, proxies, &pool));
+        for (int32_t i = 0; i < n; i++) {
+            after += 100 * found[i].a + found[i].b;
+            assert_true(found[i].a <= found[i].b);
+            if (i) assert_true(100 * found[i - 1].a + found[i - 1].b <= 100 * found[i].a + found[i].b);
+        }
+        assert_int_equal(after, sum);
+        pool = pool_of(0);
+        assert_result(WF_ERROR_MEMORY, wfSortPairs(&list, proxies, &pool));
+    }
+}
+
+/* ---- the quad tree itself ---- */
+
+static wfQuadTree make_tree(wfPool *pool, wfRect root, int32_t proxies, int32_t nodes, int32_t depth, int32_t bucket)
+{
+    wfQuadTreeDef def = { root, proxies, nodes, depth, bucket };
+    wfQuadTree tree;
+    *pool = pool_of(wfQuadTreeSize(proxies, nodes));
+    assert_ok(wfQuadTreeInit(&tree, pool, &def));
+    return tree;
+}
+
+/* Walks the whole tree and recomputes everything that it says about itself. */
+static void assert_tree(const wfQuadTree *tree, const uint8_t *in)
+{
+    int32_t total = 0;
+    for (int32_t n = 0; n < tree->nodeHigh; n++) {
+        if (!wfQuadTreeUses(tree, n)) continue;
+        const wfQuadNode *node = &tree->nodes[n];
+        int32_t count = 0, below = 0, previous = -1;
+        for (int32_t p = node->first; p >= 0; p = tree->links[p].next) {
+            assert_int_equal(tree->links[p].node, n);
+            assert_int_equal(tree->links[p].previous, previous);
+            assert_true(in[p]);
+            previous = p;
+            count++;
+        }
+        for (int s = 0; s < 4; s++) {
+            if (node->child[s] < 0) continue;
+            const wfQuadNode *child = &tree->nodes[node->child[s]];
+            assert_true(wfQuadTreeUses(tree, node->child[s]));
+            assert_int_equal(child->parent, n);
+            assert_int_equal(child->sector, s);
+            assert_int_equal(child->depth, node->depth + 1);
+            below += child->count + child->below;
+        }
+        assert_int_equal(node->count, count);
+        assert_int_equal(node->below, below);
+        if (n > 0) assert_true(count + below > 0);          /* empty nodes have been given back */
+        if (!node->split) assert_true(below == 0);
+        if (!node->split && node->depth < tree->depthLimit) assert_true(count <= tree->bucket);
+        total += count;
+    }
+    assert_int_equal(total, tree->count);
+    assert_int_equal(tree->nodes[0].count + tree->nodes[0].below, total);
+}
+
+/* With bucket 0 a proxy is in the smallest node that holds it: found again here by halving rectangles. */
+static void assert_smallest(const wfQuadTree *tree, int32_t proxy)
+{
+    int32_t sectors[WF_QUAD_MAX_DEPTH];
+    wfRect r = tree->bounds[proxy], cell = wfQuadTreeRect(tree, 0);
+    int32_t node = wfQuadTreeNodeOf(tree, proxy);
+    int depth = wfQuadTreePath(tree, node, sectors), d = 0;
+    for (; d < tree->depthLimit; d++) {
+        double mx = ((double)cell.min.x + (double)cell.max.x) / 2, my = ((double)cell.min.y + (double)cell.max.y) / 2;
+        int left = (double)r.max.x < mx, right = (double)r.min.x > mx;
+        int low = (double)r.max.y < my, high = (double)r.min.y > my;
+        if (!(left || right) || !(low || high)) break;
+        assert_true(d < depth);
+        assert_int_equal(sectors[d], (right ? 1 : 0) + (high ? 2 : 0));
+        if (left) cell.max.x = (wfReal)mx; else cell.min.x = (wfReal)mx;
+        if (low) cell.max.y = (wfReal)my; else cell.min.y = (wfReal)my;
+    }
+    assert_int_equal(d, depth);
+    wfRect told = wfQuadTreeRect(tree, node);               /* root of 16 m, powers of two: exact */
+    assert_true(told.min.x == cell.min.x && told.min.y == cell.min.y);
+    assert_true(told.max.x == cell.max.x && told.max.y == cell.max.y);
+}
+
+/* TC06 of the report: objects in the top left of the world are in the top left node, and so on. */
+static void test_tc06_nodes(void **state)
+{
+    (void)state;
+    wfPool pool;
+    wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), 8, 64, 2, 0);
+    int32_t sectors[WF_QUAD_MAX_DEPTH];
+    static const struct { double x, y; int s0, s1; } places[] = {
+        { -6, 6, WF_TOP_LEFT, WF_TOP_LEFT },        { 6, 7, WF_TOP_RIGHT, WF_TOP_RIGHT },
+        { -7, -5, WF_BOTTOM_LEFT, WF_BOTTOM_LEFT }, { 5, -6, WF_BOTTOM_RIGHT, WF_BOTTOM_RIGHT },
+        { 2, -6, WF_BOTTOM_RIGHT, WF_BOTTOM_LEFT }, { -2, 6, WF_TOP_LEFT, WF_TOP_RIGHT },
+    };
+    for (int i = 0; i < 6; i++) {
+        double x = places[i].x, y = places[i].y;
+        assert_ok(wfQuadTreeInsert(&tree, i, rect(x - 0.5, y - 0.5, x + 0.5, y + 0.5)));
+        assert_int_equal(wfQuadTreePath(&tree, wfQuadTreeNodeOf(&tree, i), sectors), 2);
+        assert_int_equal(sectors[0], places[i].s0);
+        assert_int_equal(sectors[1], places[i].s1);
+    }
+    assert_ok(wfQuadTreeInsert(&tree, 6, rect(-0.5, 3, 0.5, 4)));       /* across the middle line */
+    assert_int_equal(wfQuadTreeNodeOf(&tree, 6), 0);
+    assert_ok(wfQuadTreeInsert(&tree, 7, rect(-3, 3.5, -1, 4.5)));      /* top left, across its own line */
+    assert_int_equal(wfQuadTreePath(&tree, wfQuadTreeNodeOf(&tree, 7), sectors), 1);
+    assert_int_equal(sectors[0], WF_TOP_LEFT);
+    wfRect r = wfQuadTreeRect(&tree, wfQuadTreeNodeOf(&tree, 7));
+    assert_true(r.min.x == -8 && r.min.y == 0 && r.max.x == 0 && r.max.y == 8);
+    assert_int_equal(tree.nodes[0].sector, WF_QUAD_ROOT);
+}
+
+static void test_sectors(void **state)
+{
+    (void)state;
+    wfVec2 c = wfV2(1, 2);
+    assert_int_equal(wfQuadSector(c, rect(-1, 0, 0, 1)), WF_BOTTOM_LEFT);
+    assert_int_equal(wfQuadSector(c, rect(2, 0, 3, 1)), WF_BOTTOM_RIGHT);
+    assert_int_equal(wfQuadSector(c, rect(-1, 3, 0, 4)), WF_TOP_LEFT);
+    assert_int_equal(wfQuadSector(c, rect(2, 3, 3, 4)), WF_TOP_RIGHT);
+    assert_int_equal(wfQuadSector(c, rect(-1, 0, 1, 1)), -1);      /* touches x = 1 from the left */
+    assert_int_equal(wfQuadSector(c, rect(1, 0, 3, 1)), -1);
+    assert_int_equal(wfQuadSector(c, rect(-1, 0, 0, 2)), -1);
+    assert_int_equal(wfQuadSector(c, rect(2, 2, 3, 4)), -1);
+    assert_int_equal(wfQuadSector(c, rect(-9, -9, 9, 9)), -1);
+}
+
+static void test_insert_remove_move(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(14);
+    for (int round = 0; round < 60; round++) {
+        static uint8_t in[64];
+        wfPool pool;
+        int32_t bucket = (int32_t)wfRandomBelow(&r, 4), depth = (int32_t)wfRandomBelow(&r, 6);
+        wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), 64, 400, depth, bucket);
+        memset(in, 0, sizeof in);
+        for (int step = 0; step < 400; step++) {
+            int32_t p = (int32_t)wfRandomBelow(&r, 64);
+            wfVec2 at = random_v2(&r, -9, 9), size = random_v2(&r, 0, 1);    /* some lie outside the root */
+            wfRect box = { at, wfAdd(at, size) };
+            uint32_t what = wfRandomBelow(&r, 3);
+            assert_result(what == 0 ? in[p] ? WF_ERROR_RANGE : WF_OK : in[p] ? WF_OK : WF_ERROR_RANGE,
+                          what == 0 ? wfQuadTreeInsert(&tree, p, box)
+                          : what == 1 ? wfQuadTreeRemove(&tree, p) : wfQuadTreeMove(&tree, p, box));
+            if (what < 2) in[p] = what == 0;
+            if (step % 8 == 0) assert_tree(&tree, in);
+            if (bucket == 0 && in[p]) assert_smallest(&tree, p);
+        }
+        for (int32_t p = 0; p < 64; p++) {
+            assert_int_equal(wfQuadTreeNodeOf(&tree, p) >= 0, in[p]);
+            if (in[p]) assert_ok(wfQuadTreeRemove(&tree, p));
+        }
+        for (int32_t n = 1; n < tree.nodeHigh; n++) assert_false(wfQuadTreeUses(&tree, n));
+        assert_int_equal(tree.nodes[0].count + tree.nodes[0].below + tree.count, 0);
+        assert_int_equal(tree.nodes[0].split, 0);
+        assert_true(wfQuadTreeUses(&tree, 0));
+    }
+}
+
+/* A tree that has run out of nodes is slower, not wrong; nodes that were given back are used again. */
+static void test_few_nodes(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(15);
+    for (int32_t nodes = 1; nodes < 12; nodes++) {
+        random_world(&r);
+        for (int32_t i = 0; i < world.in.count; i++) {
+            world.flags[i] = MOVING;
+            if (isnan(world.bounds[i].min.x)) world.bounds[i].min.x = world.bounds[i].max.x;
+        }
+        int n = oracle(wanted);
+        wfPool pool, rest;
+        wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), MAX_PROXIES, nodes, 6, 0);
+        for (int32_t i = 0; i < world.in.count; i++) assert_ok(wfQuadTreeInsert(&tree, i, world.bounds[i]));
+        for (int again = 0; again < 3; again++)
+            for (int32_t i = 0; i < world.in.count; i++) assert_ok(wfQuadTreeMove(&tree, i, world.bounds[i]));
+        assert_true(tree.nodeHigh <= nodes);
+        wfPairList list = list_of(n);
+        list.count = 0;
+        list.tests = 0;
+        assert_ok(wfQuadTreePairs(&tree, WF_QUAD_DESCEND, NULL, &list));
+        static _Alignas(16) uint8_t more[1 << 18];
+        assert_ok(wfPoolInit(&rest, sizeof more, more));
+        assert_ok(wfSortPairs(&list, world.in.count, &rest));
+        assert_same_pairs(&list, wanted, n);
+    }
+}
+
+/* The report's rule, pairs within one node only, and the pair that it loses. */
+static void test_report_rule_misses(void **state)
+{
+    (void)state;
+    wfPool pool;
+    wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), 4, 64, 4, 0);
+    assert_ok(wfQuadTreeInsert(&tree, 0, rect(-1, 2, 1, 4)));           /* lies on the middle line: in the root */
+    assert_ok(wfQuadTreeInsert(&tree, 1, rect(0.5, 2.5, 2.5, 3.5)));    /* overlaps it, but is in the top right */
+    assert_int_equal(wfQuadTreeNodeOf(&tree, 0), 0);
+    assert_true(wfQuadTreeNodeOf(&tree, 1) > 0);
+    assert_true(wfRectOverlap(tree.bounds[0], tree.bounds[1]));
+    for (int reach = WF_QUAD_SAME_NODE; reach <= WF_QUAD_DESCEND; reach++) {
+        wfPairList list = list_of(4);
+        list.count = 0;
+        list.tests = 0;
+        assert_ok(wfQuadTreePairs(&tree, (wfQuadReach)reach, NULL, &list));
+        assert_int_equal(list.count, reach == WF_QUAD_SAME_NODE ? 0 : 1);
+    }
+}
+
+/* The same for random trees: the report's pairs are some of the pairs, the two cures agree, and descending never
+   tests more boxes than climbing. */
+static void test_reaches_agree(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(16);
+    static _Alignas(16) uint8_t more[1 << 18];
+    wfPool rest;
+    int lost = 0, saved = 0;
+    for (int round = 0; round < 400; round++) {
+        random_world(&r);
+        int n = oracle(wanted);
+        wfPool pool = pool_of(sizeof memory);
+        wfQuadTree tree;
+        assert_ok(wfQuadTreeBuild(&tree, &pool, &world.in));
+        int64_t tests[3];
+        for (int reach = WF_QUAD_SAME_NODE; reach <= WF_QUAD_DESCEND; reach++) {
+            wfPairList list = list_of(MAX_PAIRS);
+            list.count = 0;
+            list.tests = 0;
+            assert_ok(wfQuadTreePairs(&tree, (wfQuadReach)reach, world.flags, &list));
+            tests[reach] = list.tests;
+            assert_ok(wfPoolInit(&rest, sizeof more, more));
+            assert_ok(wfSortPairs(&list, world.in.count, &rest));
+            if (reach == WF_QUAD_SAME_NODE) {
+                assert_true(list.count <= n);
+                lost += n - list.count;
+            } else {
+                assert_same_pairs(&list, wanted, n);
+            }
+        }
+        assert_true(tests[WF_QUAD_DESCEND] <= tests[WF_QUAD_CLIMB]);
+        if (tests[WF_QUAD_DESCEND] < tests[WF_QUAD_CLIMB]) saved++;
+        if (n == 0) continue;
+        wfPairList full = list_of(n - 1);
+        full.count = 0;
+        full.tests = 0;
+        assert_result(WF_ERROR_FULL, wfQuadTreePairs(&tree, WF_QUAD_CLIMB, world.flags, &full));
+        assert_int_equal(full.count, 0);
+    }
+    assert_true(lost > 100);
+    assert_true(saved > 50);
+}
+
+static void test_bad_trees(void **state)
+{
+    (void)state;
+    wfPool pool = pool_of(sizeof memory);
+    wfQuadTree tree;
+    wfQuadTreeDef good = { rect(-1, -1, 1, 1), 4, 8, 3, 0 }, bad;
+    assert_result(WF_ERROR_NULL, wfQuadTreeInit(NULL, &pool, &good));
+    assert_result(WF_ERROR_NULL, wfQuadTreeInit(&tree, NULL, &good));
+    assert_result(WF_ERROR_NULL, wfQuadTreeInit(&tree, &pool, NULL));
+    assert_result(WF_ERROR_NULL, wfQuadTreeBuild(NULL, &pool, &world.in));
+    assert_result(WF_ERROR_NULL, wfQuadTreeBuild(&tree, NULL, &world.in));
+    assert_result(WF_ERROR_NULL, wfQuadTreeBuild(&tree, &pool, NULL));
+    assert_result(WF_ERROR_NULL, wfQuadTreePairs(NULL, WF_QUAD_CLIMB, NULL, NULL));
+    assert_result(WF_ERROR_NULL, wfQuadTreeInsert(NULL, 0, good.root));
+#define REFUSED(result, field, value) (bad = good, bad.field = (value), assert_result(result, wfQuadTreeInit(&tree, &pool, &bad)))
+    REFUSED(WF_ERROR_RANGE, proxies, -1);
+    REFUSED(WF_ERROR_RANGE, nodes, 0);
+    REFUSED(WF_ERROR_RANGE, depth, -1);
+    REFUSED(WF_ERROR_RANGE, depth, WF_QUAD_MAX_DEPTH + 1);
+    REFUSED(WF_ERROR_RANGE, bucket, -1);
+    REFUSED(WF_ERROR_RANGE, root.min.x, 2);
+    REFUSED(WF_ERROR_RANGE, root.max.y, -2);
+    REFUSED(WF_ERROR_NOT_FINITE, root.min.y, (wfReal)NAN);
+    REFUSED(WF_ERROR_NOT_FINITE, root.max.x, (wfReal)INFINITY);
+    wfPool little = pool_of(64);
+    assert_result(WF_ERROR_MEMORY, wfQuadTreeInit(&tree, &little, &good));
+    assert_int_equal(little.used, 0);
+
+    pool = pool_of(sizeof memory);
+    assert_ok(wfQuadTreeInit(&tree, &pool, &good));
+    assert_ok(wfQuadTreeInsert(&tree, 1, rect(0.25, 0.25, 0.5, 0.5)));
+    int32_t node = wfQuadTreeNodeOf(&tree, 1);
+    assert_result(WF_ERROR_RANGE, wfQuadTreeInsert(&tree, 1, good.root));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeInsert(&tree, 4, good.root));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeInsert(&tree, -1, good.root));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeRemove(&tree, 0));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeRemove(&tree, 99));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeMove(&tree, 0, good.root));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeMove(&tree, 1, rect(1, 0, 0, 1)));
+    assert_result(WF_ERROR_NOT_FINITE, wfQuadTreeMove(&tree, 1, rect(0, 0, NAN, 1)));
+    assert_result(WF_ERROR_RANGE, wfQuadTreeInsert(&tree, 2, rect(0, 1, 1, 0)));
+    assert_result(WF_ERROR_NOT_FINITE, wfQuadTreeInsert(&tree, 2, rect(0, -INFINITY, 1, 0)));
+    assert_int_equal(wfQuadTreeNodeOf(&tree, 1), node);
+    assert_int_equal(wfQuadTreeNodeOf(&tree, 2), -1);
+    assert_int_equal(wfQuadTreeNodeOf(&tree, -1), -1);
+    assert_int_equal(wfQuadTreeNodeOf(NULL, 0), -1);
+    assert_int_equal(tree.count, 1);
+    assert_false(wfQuadTreeUses(&tree, -1));
+    assert_false(wfQuadTreeUses(&tree, tree.nodeHigh));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_names), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_small_worlds),
+        cmocka_unit_test(test_random_worlds), cmocka_unit_test(test_large_world), cmocka_unit_test(test_huge_world),
+        cmocka_unit_test(test_counts_tests), cmocka_unit_test(test_full), cmocka_unit_test(test_no_memory),
+        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_sorting), cmocka_unit_test(test_tc06_nodes),
+        cmocka_unit_test(test_sectors), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
+        cmocka_unit_test(test_report_rule_misses), cmocka_unit_test(test_reaches_agree),
+        cmocka_unit_test(test_bad_trees),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
