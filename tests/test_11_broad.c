@@ -600,9 +600,9 @@ static void test_bad_trees(void **state)
     assert_result(WF_ERROR_RANGE, wfQuadTreeRemove(&tree, 99));
     assert_result(WF_ERROR_RANGE, wfQuadTreeMove(&tree, 0, good.root));
     assert_result(WF_ERROR_RANGE, wfQuadTreeMove(&tree, 1, rect(1, 0, 0, 1)));
-    assert_result(WF_ERROR_NOT_FINITE, wfQuadTreeMove(&tree, 1, rect(0, 0, NAN, 1)));
+    assert_result(WF_ERROR_NOT_FINITE, wfQuadTreeMove(&tree, 1, rect(0, 0, (double)NAN, 1)));
     assert_result(WF_ERROR_RANGE, wfQuadTreeInsert(&tree, 2, rect(0, 1, 1, 0)));
-    assert_result(WF_ERROR_NOT_FINITE, wfQuadTreeInsert(&tree, 2, rect(0, -INFINITY, 1, 0)));
+    assert_result(WF_ERROR_NOT_FINITE, wfQuadTreeInsert(&tree, 2, rect(0, -(double)INFINITY, 1, 0)));
     assert_int_equal(wfQuadTreeNodeOf(&tree, 1), node);
     assert_int_equal(wfQuadTreeNodeOf(&tree, 2), -1);
     assert_int_equal(wfQuadTreeNodeOf(&tree, -1), -1);
