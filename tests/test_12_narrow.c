@@ -266,10 +266,10 @@ static void test_coincident_circles(void **state)
     assert_near2(s.normal, wfV2(0, 1), 0);
     s = sat(&a, at(0, 0, 0), &b, at(0.001, 0, 0));
     assert_near2(s.normal, wfV2(1, 0), ROUNDING);
-    wfShape speck = circle(0, 0, 1e-6);                                  /* small, but not coincident */
-    s = sat(&speck, at(0, 0, 0), &speck, at(1e-6, 0, 0));
+    wfShape speck = circle(0, 0, 1e-5);                                  /* small, but not coincident */
+    s = sat(&speck, at(0, 0, 0), &speck, at(1e-5, 0, 0));
     assert_near2(s.normal, wfV2(1, 0), ROUNDING);
-    assert_near(s.distance, -1e-6, 1e-12);
+    assert_near(s.distance, -1e-5, 1e-11);
 }
 
 static void test_box_and_circle(void **state)
@@ -532,7 +532,7 @@ static void test_scales(void **state)
     wfSeparation s = sat(&slab, at(0, 0, 0), &pebble, at(3, 1.0009, 0));
     assert_near2(s.normal, wfV2(0, 1), ROUNDING);
     assert_near(s.distance, -0.0001, 500 * 4 * (double)WF_EPSILON);
-    for (int e = -3; e <= 6; e++) {
+    for (int e = -3; e <= 5; e++) {
         double k = pow(10, e);
         wfShape a = box(2 * k, k), b = box(k, k), c = circle(0, 0, k);
         s = sat(&a, at(0, 0, 0), &b, at(2.75 * k, 0.25 * k, 0));
