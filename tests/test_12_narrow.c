@@ -63,7 +63,7 @@ static int wrap(const P *in, int n, P *out)
 /* The signed distance of two polygons: that of the origin from the Minkowski difference B - A. */
 static double minkowski(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb)
 {
-    P all[WF_MAX_VERTICES * WF_MAX_VERTICES], hull[WF_MAX_VERTICES * WF_MAX_VERTICES];
+    static P all[WF_MAX_VERTICES * WF_MAX_VERTICES], hull[WF_MAX_VERTICES * WF_MAX_VERTICES];
     int n = 0;
     for (int i = 0; i < a->count; i++)
         for (int j = 0; j < b->count; j++) all[n++] = sub(place(xb, b->vertices[j]), place(xa, a->vertices[i]));
