@@ -24,7 +24,7 @@ static wfPool pool_of(size_t bytes)
 {
     wfPool pool;
     assert_true(bytes <= sizeof memory);
-    memset(memory, 0xA5, sizeof memory);        /* scratch holds rubbish: nobody may rely on its being clear */
+    memset(memory, 0xA5, bytes);        /* scratch holds rubbish: nobody may rely on its being clear */
     assert_ok(wfPoolInit(&pool, bytes, memory));
     return pool;
 }
