@@ -1,0 +1,611 @@
+-- filter.lua: pandoc's side of the weave (pandoc >= 2.17): one chapter's Markdown to a page of HTML or a chapter of TeX.
+-- Metadata: weave (directory of db.lua), base (chapter), root (of the repository), teacher, missing (draw a box for figures
+-- that are not there), figures (directory with figures/ and plots/), data (directory for the page's previews).
+local dir = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
+package.path = dir .. "?.lua;" .. package.path
+local Code = require "weave-code"
+local html, tex = FORMAT:match("html") ~= nil, FORMAT:match("latex") ~= nil
+local esc = html and Code.html or Code.tex
+local db, mine, bib, here, root, teacher, missing_allowed, figures_dir, data_dir
+local stringify = pandoc.utils.stringify
+local errors, previews, cited, cited_order = {}, {}, {}, {}
+
+local function raw(s) return pandoc.RawInline(html and "html" or "latex", s) end
+local function rawb(s) return pandoc.RawBlock(html and "html" or "latex", s) end
+local function fail(...) errors[#errors + 1] = string.format(...) end
+local function href(page, id) return Code.href(db, page, here, id) end
+
+------------------------------------------------------------------------------------------------------ cross references
+local function ref(id)
+  local l = db.labels[id] or db.labels[id:sub(1, 1):lower() .. id:sub(2)]
+  if not l then return nil end
+  if not db.labels[id] then id = id:sub(1, 1):lower() .. id:sub(2) end
+  local text = Code.ref_text(l)
+  if html then
+    return raw(string.format('<a class="xref %s" href="%s"%s>%s</a>', l.kind, href(l.page, id),
+      l.title and ' title="' .. Code.html(l.title) .. '"' or "", (Code.html(text):gsub(" ", "\u{a0}", 1))))
+  end
+  return raw("\\hyperlink{" .. id .. "}{" .. Code.tex(text):gsub(" ", "~", 1) .. "}")
+end
+
+local function source(id)
+  if not cited[id] then cited[id] = true; cited_order[#cited_order + 1] = id end
+  return bib[id] or { author = id, year = "?", key = id }
+end
+local function linked(id, text)
+  if html then return '<a class="cite" href="' .. "#ref-" .. id .. '">' .. Code.html(text) .. "</a>" end
+  return "\\hyperlink{ref-" .. id .. "}{" .. Code.tex(text) .. "}"
+end
+local function cite(el)
+  local first = el.citations[1]
+  local kind = first.id:match("^(%a+):")
+  if kind and Code.kind_name[kind:lower()] then
+    local r = pandoc.List {}
+    for i, c in ipairs(el.citations) do
+      if i > 1 then r:insert(pandoc.Str(i == #el.citations and " and " or ", ")) end
+      r:extend(c.prefix)
+      if #c.prefix > 0 then r:insert(pandoc.Space()) end
+      r:insert(ref(c.id) or raw(esc(c.id .. "?")))
+      r:extend(c.suffix)
+    end
+    return r
+  end
+  local r = pandoc.List {}
+  if first.mode == "AuthorInText" and #el.citations == 1 then
+    local b = source(first.id)
+    r:insert(raw(linked(first.id, b.author .. " (" .. b.year)))
+    if #first.suffix > 0 then r:insert(pandoc.Str(", ")); r:extend(first.suffix) end
+    r:insert(raw(linked(first.id, ")")))
+    return r
+  end
+  r:insert(pandoc.Str("("))
+  for i, c in ipairs(el.citations) do
+    local b = source(c.id)
+    if i > 1 then r:insert(pandoc.Str("; ")) end
+    r:extend(c.prefix)
+    if #c.prefix > 0 then r:insert(pandoc.Space()) end
+    r:insert(raw(linked(c.id, c.mode == "SuppressAuthor" and b.year or b.author .. " " .. b.year)))
+    r:extend(c.suffix)
+  end
+  r:insert(pandoc.Str(")"))
+  return r
+end
+
+------------------------------------------------------------------------------------------- code in prose, linked
+local function inline_code(el)
+  local text = el.text
+  local c_code = el.classes:includes("c") or text:match("^[%a_][%w_]*$") or text:match("^[%a_][%w_]*%(")
+  local toks = Code.lex(text)
+  local line, previous = {}, nil
+  for _, t in ipairs(toks) do
+    local idents = c_code and t[1] == "id" and previous ~= "." and previous ~= "->" and db.idents[t[2]]
+    local target = idents and idents[1]
+    if target and not (target.static and #idents > 1) then
+      line[#line + 1] = { "ref", t[2], target.target, target.kind .. " " .. t[2] .. ", chunk " .. target.num }
+    elseif t[1] == "id" then line[#line + 1] = { "", t[2] }
+    else line[#line + 1] = { "", t[2] } end
+    if t[1] ~= "sp" then previous = t[2] end
+  end
+  if html then return raw("<code>" .. Code.line_html(db, line, here) .. "</code>") end
+  local s = {}                                        -- may break after _ ( , and at lower|Upper
+  for _, t in ipairs(line) do
+    local x = Code.tex_code(t[2]):gsub("\\_", "\\_\\wBreak{}"):gsub("\\ ", " "):gsub("(%l%l)(%u%l)", "%1\\wBreak{}%2"):gsub("([,/%(%.])", "%1\\wBreak{}")
+    s[#s + 1] = t[1] == "ref" and "\\wId{" .. t[3]:match("#(.*)$") .. "}{" .. x .. "}" or x
+  end
+  return raw("\\wInline{" .. table.concat(s) .. "}")
+end
+
+---------------------------------------------------------------------------------------------------------------- chunks
+local function chunk_link(id, named)
+  local c = db.chunks[id]
+  if html then
+    return '<a class="cref" href="' .. href(c.page, id) .. '">' .. (named and '<span class="nm">' .. Code.name(db, c.name, "html") .. "</span> " or "") .. "<b>" .. c.num .. "</b></a>"
+  end
+  return (named and "\\wName{" .. Code.name(db, c.name, "tex") .. "}~" or "") .. "\\wRef{" .. id .. "}{" .. c.num .. "}"
+end
+
+local function chunk(k)
+  local c = mine.chunks[k]
+  local feet = {}
+  local function list(label, ids, named, most)
+    if #ids == 0 then return end
+    local r = {}
+    for i, id in ipairs(ids) do
+      if most and i > most then r[#r + 1] = "\u{2026}" break end
+      r[#r + 1] = chunk_link(id, named)
+    end
+    feet[#feet + 1] = (html and "<span><i>" .. label .. "</i> " or label .. " ") .. table.concat(r, ", ") .. (html and "</span>" or "")
+  end
+  list("Continues", { c.previous })
+  list("Continued in", { c.following })
+  if c.part == 1 then list("Used in", c.used, true, 8) end
+  if #c.eqs > 0 then
+    local r = {}
+    for _, id in ipairs(c.eqs) do
+      local l = db.labels[id]
+      r[#r + 1] = html and '<a class="xref eq" href="' .. href(l.page, id) .. '">(' .. l.num .. ")</a>" or "\\hyperlink{" .. id .. "}{(" .. l.num .. ")}"
+    end
+    feet[#feet + 1] = (html and "<span><i>Equations</i> " or "Equations ") .. table.concat(r, ", ") .. (html and "</span>" or "")
+  end
+  if #c.defs > 0 then
+    local r = {}
+    for _, d in ipairs(c.defs) do
+      local users = {}
+      for i, u in ipairs(d.uses) do
+        if i > 6 then users[#users + 1] = "\u{2026}" break end
+        users[#users + 1] = chunk_link(u)
+      end
+      r[#r + 1] = (html and '<a href="#' .. d.anchor .. '"><code>' .. d.name .. "</code></a>" or "\\wId{" .. d.anchor .. "}{\\wFootCode{" .. Code.tex(d.name):gsub("\\_", "\\_\\wBreak{}") .. "}}") ..
+        (#users > 0 and " (" .. table.concat(users, " ") .. ")" or "")
+    end
+    feet[#feet + 1] = (html and "<span><i>Defines</i> " or "Defines ") .. table.concat(r, ", ") .. (html and "</span>" or "")
+  end
+  if html then
+    local rows = {}
+    for i, l in ipairs(c.lines) do rows[i] = Code.line_html(db, l, here) end
+    local whole = c.source and ' <a class="whole" href="' .. c.source .. '">whole file</a>' or ""
+    local body = "<pre><code>" .. table.concat(rows, "\n") .. "\n</code></pre>"
+    local head = '<figcaption><a class="num" href="#' .. c.id .. '">' .. c.num .. '</a> <span class="name">\u{27e8}' .. Code.name(db, c.name, "html") ..
+      "\u{27e9}" .. (c.part > 1 and '<span class="pl">+</span>' or "") .. "\u{2261}</span>" .. whole .. '<span class="src">' .. Code.html(c.file) .. ":" .. c.line .. "</span></figcaption>"
+    local foot = #feet > 0 and "<footer>" .. table.concat(feet, " ") .. "</footer>" or ""
+    previews[#previews + 1] = { c.id, head .. body }
+    return rawb('<figure class="chunk" id="' .. c.id .. '">' .. head .. "\n" .. body .. "\n" .. foot .. "</figure>")
+  end
+  local indexed = {}
+  local function index(name, defining)
+    if indexed[name .. tostring(defining)] then return "" end
+    indexed[name .. tostring(defining)] = true
+    return "\\wIx" .. (defining and "Def" or "Use") .. "{" .. Code.tex(name) .. "}{" .. name:gsub("_", "\\_") .. "}"
+  end
+  local rows = {}
+  for i, l in ipairs(c.lines) do
+    local glue = (i == 1 or i == 2 and #c.lines > 3 or i >= #c.lines - 1) and "N" or ""     -- no lone line at a page's foot or head
+    if i == #c.lines and #feet == 0 then glue = "" end
+    rows[i] = "\\wL" .. glue .. "{" .. Code.line_tex(db, l, index) .. "}"
+  end
+  return rawb(string.format("\\wChunk{%s}{%s}{%s}{%s}{%s}{%s}%%\n%s\n\\wFoot{%s}", c.id, c.num, Code.name(db, c.name, "tex"),
+    c.part > 1 and "\\wPlus" or "", Code.tex(c.file) .. ":" .. c.line, c.part == 1 and Code.tex(c.name:lower():gsub("[^%w ]", "")) or "",
+    table.concat(rows, "\n"), table.concat(feet, ". ") .. (#feet > 0 and "." or "")))
+end
+
+------------------------------------------------------------------------------------------------------------- equations
+local function inlines(list)
+  local i, r = 1, pandoc.List {}
+  while i <= #list do
+    local m = list[i]
+    if m.t == "Math" and m.mathtype == "DisplayMath" then
+      local j = i + 1
+      while list[j] and (list[j].t == "Space" or list[j].t == "SoftBreak") do j = j + 1 end
+      local id = list[j] and list[j].t == "Str" and list[j].text:match("^{#(eq:[%w_%-]+)}$")
+      local l = id and db.labels[id]
+      if l then
+        local users = (db.eqs[id] or {}).chunks or {}
+        local links = {}
+        for k, u in ipairs(users) do
+          if k > 6 then links[#links + 1] = "\u{2026}" break end
+          links[#links + 1] = chunk_link(u)
+        end
+        if html then
+          r:insert(raw('<span class="eq" id="' .. id .. '"><span class="eqm">'))
+          r:insert(m)
+          r:insert(raw('</span><span class="eqs"><a class="eqn" href="#' .. id .. '">(' .. l.num .. ")</a>" ..
+            (#links > 0 and '<span class="eqc" title="chunks of code that use this equation"><i>Code</i> ' .. table.concat(links, " ") .. "</span>" or "") .. "</span></span>"))
+          previews[#previews + 1] = { id, m }
+        else
+          r:insert(raw("\\wEq{" .. id .. "}\\begin{equation}\\tag{" .. l.num .. "}" .. m.text .. "\\end{equation}" ..
+            (#links > 0 and "\\wEqCode{" .. table.concat(links, ", ") .. "}" or "")))
+        end
+        i = j + 1
+      else
+        r:insert(tex and raw("\\[" .. m.text .. "\\]") or m)
+        i = i + 1
+      end
+    else
+      r:insert(m)
+      i = i + 1
+    end
+  end
+  return r
+end
+
+---------------------------------------------------------------------------------------------- figures, plots, data
+local function command_of_csv(path)
+  for l in (Code.read(root .. path) or ""):gmatch("[^\n]+") do
+    local c = l:match("^#%s*command:%s*(.+)$") or l:match("^#%s*(weft%-lab run .+)$")
+    if c then return (c:gsub("^weft%-lab", "build/bin/weft-lab")) end
+    if not l:match("^#") then break end
+  end
+end
+local function commands_of_plot(name)
+  local list, seen = {}, {}
+  local gp = Code.read(root .. "book/plots/" .. name .. ".gp") or ""
+  local function add(c) if c and not seen[c] then seen[c] = true; list[#list + 1] = c end end
+  for c in gp:gmatch("#%s*command:%s*([^\n]+)") do add(c) end
+  for csv in gp:gmatch("(book/data/[%w_%-]+%.csv)") do add(command_of_csv(csv)) end
+  return list
+end
+local function command_line(list)
+  if #list == 0 then return "" end
+  local r = {}
+  for i, c in ipairs(list) do r[i] = html and "<code>" .. Code.html(c) .. "</code>" or "\\wInline{" .. Code.tex_code(c):gsub("\\ ", " ") .. "}" end
+  return html and '<span class="made">Measured by ' .. table.concat(r, ", ") .. "</span>" or "\\wMade{Measured by " .. table.concat(r, ", ") .. "}"
+end
+
+-- gnuplot writes colours; style.gp uses only these, and the page's style sheet says what they are in the dark.
+local plot_roles = { ["#24324a"] = "line", ["#b9b5a8"] = "faint", ["#2f6db5"] = "body", ["#b3572f"] = "body2", ["#8a3fa0"] = "accent", ["#2e7d4f"] = "good",
+  ["#c0392b"] = "bad", ["#33373f"] = "text", ["#fdfcf9"] = "paper", ["black"] = "text", ["#000000"] = "text" }
+local function inline_svg(svg, prefix, caption)
+  svg = svg:gsub("^.-(<svg)", "%1"):gsub("<!%-%-.-%-%->", ""):gsub("<%?.-%?>", ""):gsub("<!DOCTYPE.->", "")
+  svg = svg:gsub("<title>.-</title>", ""):gsub("<desc>.-</desc>", "")
+  local w, h = svg:match('<svg[^>]-%swidth="([%d%.]+)'), svg:match('<svg[^>]-%sheight="([%d%.]+)')
+  local tag = svg:match("<svg[^>]*>")
+  local new = tag:gsub('%swidth="[^"]*"', ""):gsub('%sheight="[^"]*"', "")
+  if not tag:find("viewBox", 1, true) and w and h then new = new:gsub("^<svg", '<svg viewBox="0 0 ' .. w .. " " .. h .. '"') end
+  new = new:gsub("^<svg", '<svg role="img" aria-label="' .. Code.html(caption):gsub("%%", "%%%%") .. '"')
+  svg = svg:gsub("<svg[^>]*>", function() return new end, 1)
+  svg = svg:gsub('%sid="([^"]+)"', ' id="' .. prefix .. '-%1"'):gsub("%sid='([^']+)'", " id='" .. prefix .. "-%1'")
+  svg = svg:gsub("url%(#", "url(#" .. prefix .. "-"):gsub("(href=[\"'])#", "%1#" .. prefix .. "-"):gsub("url%('#", "url('#" .. prefix .. "-")
+  if svg:find("gnuplot", 1, true) then
+    svg = svg:gsub("rgb%(%s*(%d+),%s*(%d+),%s*(%d+)%)", function(r, g, b)
+      local role = plot_roles[string.format("#%02x%02x%02x", tonumber(r), tonumber(g), tonumber(b))]
+      return role and "var(--ink-" .. role .. ")"
+    end)
+    svg = svg:gsub("(%a+)=(['\"])(black)%2", function(a, q) return (a == "fill" or a == "stroke") and a .. "=" .. q .. "var(--ink-text)" .. q end)
+    svg = svg:gsub('(%a+)="(#%x%x%x%x%x%x)"', function(a, c) local role = plot_roles[c:lower()] return role and a .. '="var(--ink-' .. role .. ')"' end)
+    svg = svg:gsub('font%-family="[^"]*"', "")
+  end
+  return svg
+end
+
+local function figure(el)
+  if #el.content ~= 1 or el.content[1].t ~= "Image" then return nil end
+  local im = el.content[1]
+  local path, id = im.src, im.identifier
+  local l = db.labels[id]
+  local width = im.attributes.width
+  local plot = path:match("^plots/(.+)%.svg$")
+  local commands = plot and command_line(commands_of_plot(plot)) or ""
+  local file
+  for _, p in ipairs { figures_dir .. path, root .. path, root .. "book/" .. path } do
+    local f = io.open(p, "rb")
+    if f then f:close(); file = p break end
+  end
+  local caption_text = stringify(im.caption)
+  if not file and not missing_allowed then fail("%s: figure %s was not made -- run: make figures", mine.file, path) end
+  local r = pandoc.List {}
+  if html then
+    local picture
+    if not file then picture = '<div class="missing">' .. Code.html(path) .. " is not drawn yet</div>"
+    elseif path:match("%.svg$") then picture = inline_svg(Code.read(file), (id ~= "" and id or path):gsub("[^%w]+", "-"), caption_text)
+    else picture = '<img src="' .. path .. '" alt="' .. Code.html(caption_text) .. '">' end
+    r:insert(rawb('<figure class="fig' .. (plot and " plot" or "") .. '"' .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><div class="pic"' ..
+      (width and ' style="width:' .. width .. '"' or "") .. ">" .. picture .. "</div><figcaption>" .. (l and "<b>Figure " .. l.num .. ".</b> " or "")))
+    r:insert(pandoc.Plain(im.caption))
+    r:insert(rawb(commands .. "</figcaption></figure>"))
+  else
+    local w = width and width:match("^(%d+)%%$")
+    w = w and tonumber(w) / 100 or 0.8
+    local body = file and "\\includegraphics[width=" .. w .. "\\linewidth]{" .. file:gsub("%.svg$", ".pdf") .. "}" or "\\wMissing{" .. Code.tex(path) .. "}"
+    r:insert(rawb("\\begin{wFigure}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. body .. "\n\\wCaption{" .. (l and "Figure~" .. l.num or "") .. "}{"))
+    r:insert(pandoc.Plain(im.caption))
+    r:insert(rawb(commands .. "}\\end{wFigure}"))
+  end
+  return r
+end
+
+local function csv_rows(path)
+  local rows = {}
+  for l in (Code.read(root .. path) or ""):gmatch("[^\r\n]+") do
+    if not l:match("^#") and l:match("%S") then
+      local row = {}
+      for cell in (l .. ","):gmatch("([^,]*),") do row[#row + 1] = cell:match('^%s*"?(.-)"?%s*$') end
+      rows[#rows + 1] = row
+    end
+  end
+  return rows
+end
+local function parse_inlines(s)
+  local b = pandoc.read(s, "markdown-smart").blocks[1]
+  return b and b.content or pandoc.List {}
+end
+-- {.data file="book/data/x.csv" columns="a,b=Heading,c" where="a=1" caption="..." #tbl:x}
+local function data_table(el)
+  local a = el.attributes
+  local rows = csv_rows(a.file or "")
+  if #rows == 0 then
+    if not missing_allowed then fail("%s: data file %s is not there or empty -- measure it with build/bin/weft-lab", mine.file, a.file or "?") end
+    return rawb(html and '<div class="missing">' .. Code.html(a.file or "?") .. " is not measured yet</div>" or "\\wMissing{" .. Code.tex(a.file or "?") .. "}")
+  end
+  local header = table.remove(rows, 1)
+  local at = {}
+  for i, name in ipairs(header) do at[name] = i end
+  local columns = {}
+  if a.columns then
+    for spec in (a.columns .. ","):gmatch("%s*([^,]*),") do
+      local name, title = spec:match("^(.-)%s*=%s*(.*)$")
+      name = name or spec
+      if not at[name] then fail("%s: %s has no column '%s' -- it has: %s", mine.file, a.file, name, table.concat(header, ", "))
+      else columns[#columns + 1] = { at[name], title or name } end
+    end
+  else for i, name in ipairs(header) do columns[i] = { i, name } end end
+  local where, value = (a.where or ""):match("^%s*(.-)%s*=%s*(.-)%s*$")
+  local numeric, cells = {}, {}
+  for j = 1, #columns do numeric[j] = true end
+  for _, row in ipairs(rows) do
+    if not where or row[at[where] or 0] == value then
+      local line = {}
+      for j, col in ipairs(columns) do
+        local cell = row[col[1]] or ""
+        if cell ~= "" and not tonumber(cell) then numeric[j] = false end
+        line[j] = cell
+      end
+      cells[#cells + 1] = line
+    end
+  end
+  local function show(cell)                            -- 1.25e-06 as 1.25 x 10^-6
+    local m, e = cell:match("^(%-?[%d%.]+)[eE]([+-]?%d+)$")
+    if not m then
+      if tonumber(cell) and cell:match("^%-") then return html and "\u{2212}" .. cell:sub(2) or "$-$" .. cell:sub(2) end
+      return esc(cell)
+    end
+    e = tostring(math.tointeger(tonumber(e)))
+    if html then return Code.html(m:gsub("^%-", "\u{2212}")) .. "\u{a0}\u{b7}\u{a0}10<sup>" .. e:gsub("^%-", "\u{2212}") .. "</sup>" end
+    return "$" .. m .. "\\cdot10^{" .. e .. "}$"
+  end
+  local id, l = el.identifier, db.labels[el.identifier]
+  local command = command_of_csv(a.file)
+  local r = pandoc.List {}
+  local caption = pandoc.Plain(pandoc.List(pandoc.walk_block(pandoc.Plain(parse_inlines(a.caption or "")), { Cite = cite, Code = inline_code }).content))
+  if html then
+    local t = { '<div class="tbl"' .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><table class="data"><thead><tr>' }
+    for j, col in ipairs(columns) do t[#t + 1] = "<th" .. (numeric[j] and ' class="n"' or "") .. ">" .. Code.html(col[2]) .. "</th>" end
+    t[#t + 1] = "</tr></thead><tbody>"
+    for _, line in ipairs(cells) do
+      t[#t + 1] = "<tr>"
+      for j, cell in ipairs(line) do t[#t + 1] = "<td" .. (numeric[j] and ' class="n"' or "") .. ">" .. show(cell) .. "</td>" end
+      t[#t + 1] = "</tr>"
+    end
+    t[#t + 1] = '</tbody></table><div class="cap">' .. (l and "<b>Table " .. l.num .. ".</b> " or "")
+    r:insert(rawb(table.concat(t)))
+    r:insert(caption)
+    r:insert(rawb(command_line { command } .. "</div></div>"))
+  else
+    local spec, head, body = {}, {}, {}
+    for j, col in ipairs(columns) do spec[j] = numeric[j] and "r" or "l"; head[j] = "\\textbf{" .. Code.tex(col[2]) .. "}" end
+    for i, line in ipairs(cells) do
+      local t = {}
+      for j, cell in ipairs(line) do t[j] = show(cell) end
+      body[i] = table.concat(t, " & ") .. "\\\\"
+    end
+    r:insert(rawb("\\begin{wTable}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wFit{\\begin{tabular}{" .. table.concat(spec) .. "}\\toprule " ..
+      table.concat(head, " & ") .. "\\\\\\midrule\n" .. table.concat(body, "\n") .. "\n\\bottomrule\\end{tabular}}\n\\wCaption{" .. (l and "Table~" .. l.num or "") .. "}{"))
+    r:insert(caption)
+    r:insert(rawb(command_line { command } .. "}\\end{wTable}"))
+  end
+  return r
+end
+
+local function table_block(el)
+  local last = el.caption.long[#el.caption.long]
+  local id
+  if last then
+    local ins = last.content
+    local s = ins[#ins]
+    id = s and s.t == "Str" and s.text:match("^{#(tbl:[%w_%-]+)}$")
+    if id then
+      ins:remove()
+      while #ins > 0 and ins[#ins].t == "Space" do ins:remove() end
+    end
+  end
+  local l = id and db.labels[id]
+  local caption = last and last.content or pandoc.List {}
+  el.caption.long = pandoc.List {}
+  local r = pandoc.List {}
+  if html then
+    r:insert(rawb('<div class="tbl"' .. (id and ' id="' .. id .. '"' or "") .. ">"))
+    r:insert(el)
+    r:insert(rawb('<div class="cap">' .. (l and "<b>Table " .. l.num .. ".</b> " or "")))
+    r:insert(pandoc.Plain(caption))
+    r:insert(rawb("</div></div>"))
+  else
+    r:insert(rawb("\\begin{wLongTable}" .. (id and "\\wLabel{" .. id .. "}" or "") .. (#caption > 0 and "\\wCaptionAbove{" .. (l and "Table~" .. l.num or "") .. "}{" or "")))
+    if #caption > 0 then
+      r:insert(pandoc.Plain(caption))
+      r:insert(rawb("}"))
+    end
+    r:insert(el)
+    r:insert(rawb("\\end{wLongTable}"))
+  end
+  return r
+end
+
+----------------------------------------------------------------------------------------------------------------- boxes
+local function box(kind, title, extra, blocks, id)
+  local r = pandoc.List {}
+  if html then
+    r:insert(rawb('<aside class="box ' .. kind .. '"' .. (id and ' id="' .. id .. '"' or "") .. '><p class="title">' .. title .. (extra and ' <span class="extra">' .. extra .. "</span>" or "") .. "</p>"))
+    r:extend(blocks)
+    r:insert(rawb("</aside>"))
+  else
+    r:insert(rawb("\\begin{wBox}{" .. kind .. "}{" .. title .. "}{" .. (extra or "") .. "}" .. (id and "\\wLabel{" .. id .. "}" or "")))
+    r:extend(blocks)
+    r:insert(rawb("\\end{wBox}"))
+  end
+  return r
+end
+local dot = html and " \u{b7} " or "\\enspace\\textperiodcentered\\enspace "
+local function div(el)
+  local a, c = el.attributes, el.classes
+  local function code(s) return html and "<code>" .. Code.html(s) .. "</code>" or "\\wInline{" .. Code.tex_code(s):gsub("\\_", "\\_\\wBreak{}") .. "}" end
+  if c:includes("exercise") then
+    local l = db.labels[el.identifier]
+    local extra = {}
+    local d = tonumber(a.difficulty or 1) or 1
+    extra[#extra + 1] = html and '<span title="difficulty ' .. d .. ' of 5">' .. string.rep("\u{2605}", d) .. "</span>" or string.rep("$\\star$", d)
+    if a.kind then extra[#extra + 1] = esc(a.kind) end
+    if a.points then extra[#extra + 1] = esc(a.points) .. (a.points == "1" and " point" or " points") end
+    if a.minutes then extra[#extra + 1] = esc(a.minutes) .. " min" end
+    if a.test then extra[#extra + 1] = code(a.test) end
+    return box("exercise", "Exercise " .. (l and l.num or "?"), table.concat(extra, dot), el.content, el.identifier ~= "" and el.identifier or nil)
+  elseif c:includes("solution") then
+    if not teacher then return {} end
+    local l = db.labels[a["for"] or ""]
+    return box("solution", "Solution of " .. (l and "Exercise " .. l.num or "an exercise"), nil, el.content)
+  elseif c:includes("goals") then
+    return box("goals", "Goals", a.report and (html and "the report: " or "the report: ") .. esc(a.report) or nil, el.content)
+  elseif c:includes("test") then
+    return box("test", "Test", a.file and code(a.file) or nil, el.content)
+  elseif c:includes("data") then return data_table(el) end
+  for _, k in ipairs { "note", "warning", "history", "physics", "aside" } do
+    if c:includes(k) then return box(k, a.title and Code.plain(a.title):gsub(".+", esc) or (k:gsub("^%l", string.upper)), nil, el.content, el.identifier ~= "" and el.identifier or nil) end
+  end
+end
+
+local function code_block(el)
+  if el.classes:includes("data") then return data_table(el) end
+  local is_c = el.classes:includes("c")
+  local inside, rows = false, {}
+  for l in (el.text .. "\n"):gmatch("(.-)\n") do
+    local line = {}
+    if is_c then
+      local toks
+      toks, inside = Code.lex(l, inside)
+      local previous
+      for _, t in ipairs(toks) do
+        local idents = t[1] == "id" and previous ~= "." and previous ~= "->" and db.idents[t[2]]
+        if t[1] == "id" and Code.keywords[t[2]] then line[#line + 1] = { "kw", t[2] }
+        elseif idents and not idents[1].static then line[#line + 1] = { "ref", t[2], idents[1].target, idents[1].kind .. " " .. t[2] }
+        elseif t[1] == "id" then line[#line + 1] = { "", t[2] }
+        else line[#line + 1] = t end
+        if t[1] ~= "sp" then previous = t[2] end
+      end
+    else line[1] = { "", l } end
+    rows[#rows + 1] = html and Code.line_html(db, line, here) or "\\wL{" .. Code.line_tex(db, line) .. "}"
+  end
+  if html then return rawb('<pre class="block"><code>' .. table.concat(rows, "\n") .. "</code></pre>") end
+  return rawb("\\wBlock\n" .. table.concat(rows, "\n") .. "\n\\wEndBlock")
+end
+
+---------------------------------------------------------------------------------------------------------- the document
+local function header(el)
+  local l = db.labels[el.identifier]
+  if not l then return nil end
+  if html then
+    el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(Code.ref_text(l)) or l.num) .. "</span> "))
+    el.content:insert(raw('<a class="anchor" href="#' .. el.identifier .. '" aria-label="link to this section">\u{b6}</a>'))
+    return el
+  end
+  local command = ({ "chapter", "section", "subsection", "subsubsection" })[el.level] or "paragraph"
+  local r = pandoc.List { rawb("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{"), pandoc.Plain(el.content), rawb("}\\wLabel{" .. el.identifier .. "}") }
+  return r
+end
+
+local function contents(m)
+  local t, part = {}, nil
+  for _, e in ipairs(db.entries) do
+    if e.part ~= part then
+      if part then t[#t + 1] = "</ol>" end
+      part = e.part
+      t[#t + 1] = '<p class="part">' .. Code.html(part) .. "</p><ol>"
+    end
+    local is_here = e.page == here and not e.planned
+    if e.planned then t[#t + 1] = '<li class="planned" title="planned"><span class="n">' .. e.num .. "</span> " .. Code.html(e.title) .. "</li>"
+    else
+      t[#t + 1] = '<li' .. (is_here and ' class="here"' or "") .. '><a href="' .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. Code.html(Code.plain(e.title)) .. "</a>"
+      if is_here then
+        t[#t + 1] = "<ol>"
+        for _, h in ipairs(db.heads) do
+          if h.page == here and h.level == 2 then t[#t + 1] = '<li><a href="#' .. h.id .. '"><span class="n">' .. h.num .. "</span> " .. Code.html(Code.plain(h.title)) .. "</a></li>" end
+        end
+        t[#t + 1] = "</ol>"
+      end
+      t[#t + 1] = "</li>"
+    end
+  end
+  t[#t + 1] = "</ol>"
+  return table.concat(t)
+end
+
+local function meta(m)
+  local function get(k, default) return m[k] and stringify(m[k]) or default end
+  local weave = get("weave", "build/weave")
+  root = get("root", "") ~= "" and get("root") .. "/" or ""
+  teacher, missing_allowed = get("teacher") == "true", get("missing") == "true"
+  figures_dir, data_dir = get("figures", "build/book/html") .. "/", get("data", nil)
+  db = dofile(weave .. "/db.lua")
+  mine = dofile(weave .. "/" .. get("base") .. ".lua")
+  local f = loadfile(weave .. "/bib.lua")
+  bib = f and f() or {}
+  here = mine.base .. ".html"
+  local written, me = {}, nil
+  for _, e in ipairs(db.entries) do
+    if not e.planned then
+      written[#written + 1] = e
+      if e.page == here then me = #written end
+    end
+  end
+  local function nav(e)
+    return e and pandoc.MetaMap { href = pandoc.MetaString(e.page), title = pandoc.MetaString(e.num .. " " .. Code.plain(e.title)) } or nil
+  end
+  m.prev, m.next = nav(written[me - 1]), nav(written[me + 1])
+  m.toc = pandoc.MetaBlocks { rawb(contents(m)) }
+  m.pagetitle = pandoc.MetaString(written[me].num .. " " .. Code.plain(written[me].title))
+  m.page = pandoc.MetaString(mine.base)
+  return m
+end
+
+-- The page's chunks and equations as a script, so that other pages can show them, from file:// too.
+local function write_previews()
+  if not html or not data_dir then return end
+  local function quote(s) return '"' .. s:gsub('[\\"]', "\\%0"):gsub("\n", "\\n"):gsub("</", "<\\/") .. '"' end
+  local maths, n = {}, 0
+  for _, p in ipairs(previews) do if type(p[2]) ~= "string" then maths[#maths + 1] = pandoc.Para { p[2] } end end
+  local rendered = {}
+  if #maths > 0 then
+    local text = pandoc.write(pandoc.Pandoc(maths), "html", pandoc.WriterOptions { html_math_method = "mathml" })
+    for p in text:gmatch("<p>(.-)</p>") do rendered[#rendered + 1] = p end
+  end
+  local t = {}
+  for _, p in ipairs(previews) do
+    local s = p[2]
+    if type(s) ~= "string" then
+      n = n + 1
+      s = '<span class="eq"><span class="eqm">' .. (rendered[n] or "") .. '</span><span class="eqn">(' .. db.labels[p[1]].num .. ")</span></span>"
+    end
+    t[#t + 1] = quote(p[1]) .. ":" .. quote(s)
+  end
+  Code.write_if_changed(data_dir .. "/" .. mine.base .. ".js", "WEFT.add(" .. quote(here) .. ",{\n" .. table.concat(t, ",\n") .. "});\n")
+end
+
+local function finish(doc)
+  if html and #cited_order > 0 then
+    table.sort(cited_order, function(a, b) return (bib[a] or { order = a }).order < (bib[b] or { order = b }).order end)
+    local t = { '<section class="sources"><h2>Sources</h2><ul>' }
+    for _, id in ipairs(cited_order) do
+      local b = bib[id]
+      t[#t + 1] = '<li id="ref-' .. id .. '">' .. (b and b.html or Code.html(id)) .. "</li>"
+    end
+    t[#t + 1] = "</ul></section>"
+    doc.blocks:insert(rawb(table.concat(t)))
+  end
+  write_previews()
+  if #errors > 0 then
+    table.sort(errors)
+    for _, e in ipairs(errors) do io.stderr:write(e, "\n") end
+    os.exit(1)
+  end
+  return doc
+end
+
+return {
+  { Meta = meta },
+  { Cite = cite },
+  { Code = inline_code, CodeBlock = code_block,
+    RawBlock = function(el)
+      if el.format == "weftchunk" then return chunk(tonumber(el.text)) end
+      if el.text:match("^%s*\\newcommand") or el.text:match("^%s*\\renewcommand") then return {} end
+    end,
+    Para = figure, Div = div, Table = table_block },
+  { Inlines = inlines, Header = header },
+  { Pandoc = finish },
+}

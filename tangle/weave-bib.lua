@@ -1,0 +1,28 @@
+-- weave-bib.lua: a pandoc filter that runs after citeproc and writes the bibliography as a Lua table:
+--   [key] = { author = "Baraff", year = "1994", order = n, html = "...", tex = "..." }
+local dir = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
+package.path = dir .. "?.lua;" .. package.path
+local Code = require "weave-code"
+function Pandoc(doc)
+  local bib, order = {}, 0
+  pandoc.walk_block(pandoc.Div(doc.blocks), { Div = function(d)
+    local key = d.identifier:match("^key%-(.+)$")
+    if key then
+      local s = pandoc.utils.stringify(d)
+      local author, year = s:match("^(.-)%s*%(([^%(%)]*)%)%s*$")
+      bib[key] = bib[key] or {}
+      bib[key].author, bib[key].year = author or s, year or "n.d."
+    end
+    key = d.identifier:match("^ref%-(.+)$")
+    if key then
+      order = order + 1
+      bib[key] = bib[key] or {}
+      local b = bib[key]
+      b.order = order
+      b.html = pandoc.write(pandoc.Pandoc { pandoc.Plain(pandoc.utils.blocks_to_inlines(d.content)) }, "html"):gsub("%s+$", "")
+      b.tex = pandoc.write(pandoc.Pandoc { pandoc.Plain(pandoc.utils.blocks_to_inlines(d.content)) }, "latex"):gsub("%s+$", "")
+    end
+  end })
+  Code.write_if_changed(pandoc.utils.stringify(doc.meta.out), "return " .. Code.serialise(bib):gsub("},%[", "},\n[") .. "\n")
+  return pandoc.Pandoc {}
+end

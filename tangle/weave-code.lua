@@ -1,0 +1,208 @@
+-- weave-code.lua: what weave.lua and filter.lua share: a lexer for C, and code, names and links as HTML and as TeX.
+local M = {}
+
+M.keywords = {}
+for w in ([[auto break case char const continue default do double else enum extern float for goto if inline int long register
+  restrict return short signed sizeof static struct switch typedef union unsigned void volatile while bool true false NULL
+  _Static_assert _Alignas _Alignof _Bool _Generic _Noreturn]]):gmatch("%S+") do M.keywords[w] = true end
+
+M.kind_name = { eq = "Eq.", fig = "Figure", tbl = "Table", sec = "Section", ex = "Exercise" }
+
+function M.read(path)
+  local f = io.open(path, "rb")
+  if not f then return nil end
+  local s = f:read("a")
+  f:close()
+  return s
+end
+
+function M.write_if_changed(path, text)
+  if M.read(path) == text then return false end
+  local f = assert(io.open(path, "wb"))
+  f:write(text)
+  f:close()
+  return true
+end
+
+-- A Lua value as text, with sorted keys, so that the same value always gives the same bytes.
+function M.serialise(v)
+  if type(v) == "table" then
+    local t, n = {}, #v
+    for i = 1, n do t[#t + 1] = M.serialise(v[i]) end
+    local keys = {}
+    for k in pairs(v) do
+      if not (math.type(k) == "integer" and k >= 1 and k <= n) then keys[#keys + 1] = k end
+    end
+    table.sort(keys, function(a, b) return tostring(a) < tostring(b) end)
+    for _, k in ipairs(keys) do
+      t[#t + 1] = "[" .. (type(k) == "number" and tostring(k) or string.format("%q", k)) .. "]=" .. M.serialise(v[k])
+    end
+    return "{" .. table.concat(t, ",") .. "}"
+  elseif type(v) == "string" then return (string.format("%q", v):gsub("\\\n", "\\n"))
+  else return tostring(v) end
+end
+
+------------------------------------------------------------------------------------------------------------- lexer
+-- Splits one line of C into { class, text }; `inside` says that the line begins within a comment.
+-- Classes: "" (other), "sp", "id", "nu", "st", "co", "pp". Returns the tokens and whether the line ends in a comment.
+function M.lex(s, inside)
+  local out, i, n = {}, 1, #s
+  local function put(class, a, b) out[#out + 1] = { class, s:sub(a, b) }; i = b + 1 end
+  if inside then
+    local _, b = s:find("*/", 1, true)
+    if not b then
+      if n > 0 then put("co", 1, n) end
+      return out, true
+    end
+    put("co", 1, b)
+  end
+  local directive = s:match("^%s*#%s*(%a+)")
+  while i <= n do
+    local _, b = s:find("^%s+", i)
+    if b then put("sp", i, b) goto next end
+    if s:sub(i, i + 1) == "/*" then
+      _, b = s:find("*/", i + 2, true)
+      if not b then put("co", i, n) return out, true end
+      put("co", i, b) goto next
+    end
+    if s:sub(i, i + 1) == "//" then put("co", i, n) goto next end
+    local c = s:sub(i, i)
+    if c == '"' or c == "'" then
+      local j = i + 1
+      while j <= n and s:sub(j, j) ~= c do j = j + (s:sub(j, j) == "\\" and 2 or 1) end
+      put("st", i, math.min(j, n)) goto next
+    end
+    if c == "<" and directive == "include" then
+      _, b = s:find("^<[^>]*>", i)
+      if b then put("st", i, b) goto next end
+    end
+    _, b = s:find("^#%s*%a+", i)
+    if b and s:sub(1, i - 1):match("^%s*$") then put("pp", i, b) goto next end
+    _, b = s:find("^%.?%d[%w%.]*", i)
+    if b then
+      while s:sub(b, b):match("[eEpP]") and s:sub(b + 1, b + 1):match("[+-]") do
+        local _, e = s:find("^%d*%a*", b + 2)
+        b = e
+      end
+      put("nu", i, b) goto next
+    end
+    _, b = s:find("^[%a_][%w_]*", i)
+    if b then put("id", i, b) goto next end
+    _, b = s:find("^%->", i)
+    put("", i, b or i)
+    ::next::
+  end
+  return out, false
+end
+
+----------------------------------------------------------------------------------------------------------- escapes
+function M.html(s) return (s:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" })) end
+
+local tex_map = { ["\\"] = "\\textbackslash{}", ["{"] = "\\{", ["}"] = "\\}", ["#"] = "\\#", ["$"] = "\\$", ["%"] = "\\%",
+  ["&"] = "\\&", ["_"] = "\\_", ["^"] = "\\textasciicircum{}", ["~"] = "\\textasciitilde{}" }
+function M.tex(s) return (s:gsub("[\\{}#%$%%&_%^~]", tex_map)) end
+local code_map = { ["`"] = "\\textasciigrave{}", ["'"] = "\\textquotesingle{}", ['"'] = "\\textquotedbl{}", ["-"] = "{-}", ["<"] = "{<}", [">"] = "{>}", [" "] = "\\ " }
+for k, v in pairs(tex_map) do code_map[k] = v end
+function M.tex_code(s) return (s:gsub("[\\{}#%$%%&_%^~`'\"%-<> ]", code_map)) end
+
+-- Markdown as plain words: for titles, tooltips, the search index.
+function M.plain(s)
+  s = s:gsub("%[%[(.-)%]%]", "%1"):gsub("`([^`]*)`{[^}]*}", "%1"):gsub("!?%[([^%]]*)%]%b()", "%1"):gsub("%s*{[#%.][^}]*}", "")
+  s = s:gsub("%$(.-)%$", function(m) return (m:gsub("\\%a+", function(w) return w:match("^\\math") and "" or w:sub(2) end):gsub("[{}]", "")) end)
+  s = s:gsub("%*%*?([^%*]+)%*%*?", "%1"):gsub("[`\\]", ""):gsub("%-%-%-", "\u{2014}"):gsub("%-%-", "\u{2013}")
+  return s
+end
+
+-------------------------------------------------------------------------------------------------------- references
+-- "Eq. (7.3)", "Section 7.2", "Chapter 7", "Appendix A"
+function M.ref_text(label)
+  if label.kind == "eq" then return "Eq. (" .. label.num .. ")" end
+  if label.kind == "sec" and not label.num:find(".", 1, true) then
+    return (label.num:match("^%u$") and "Appendix " or "Chapter ") .. label.num
+  end
+  return M.kind_name[label.kind] .. " " .. label.num
+end
+
+-- The name of a chunk (Markdown: [[code]], `code`, $math$, @eq:x) as HTML or TeX; db.labels gives the numbers.
+function M.name(db, name, format)
+  local esc = format == "html" and M.html or M.tex
+  if name:match("^[%w_%-%./]+%.%a+$") and name:find("/") then
+    return format == "html" and "<code>" .. esc(name) .. "</code>" or "\\texttt{" .. esc(name) .. "}"
+  end
+  local out, i = {}, 1
+  while i <= #name do
+    local a, b, x = name:find("^%[%[(.-)%]%]", i)
+    if not a then a, b, x = name:find("^`(.-)`", i) end
+    if a then out[#out + 1] = format == "html" and "<code>" .. esc(x) .. "</code>" or "\\texttt{" .. esc(x) .. "}" goto next end
+    a, b, x = name:find("^%$(.-)%$", i)
+    if a then out[#out + 1] = format == "html" and "<i>" .. esc(M.plain("$" .. x .. "$")) .. "</i>" or "$" .. x .. "$" goto next end
+    a, b, x = name:find("^@(%a+:[%w_%-]*%w)", i)
+    if a then
+      local l = db.labels[x:sub(1, 1):lower() .. x:sub(2)]
+      local text = l and M.ref_text(l) or x
+      out[#out + 1] = format == "html" and esc(text):gsub(" ", "\u{a0}") or esc(text):gsub(" ", "~")
+      goto next
+    end
+    a, b, x = name:find("^%*([^%*]+)%*", i)
+    if a then out[#out + 1] = format == "html" and "<em>" .. esc(x) .. "</em>" or "\\emph{" .. esc(x) .. "}" goto next end
+    a, b = name:find("^[^%[`%$@%*]+", i)
+    if not a then a, b = i, i end
+    out[#out + 1] = esc(name:sub(a, b))
+    ::next::
+    i = b + 1
+  end
+  return table.concat(out)
+end
+
+function M.href(db, page, here, id) return (page == here and "" or db.up .. page) .. (id and "#" .. id or "") end
+
+------------------------------------------------------------------------------------------------------ code, rendered
+-- A line is a list of tokens: { class, text [, target, title] } where class is one of the lexer's, or
+--   "kw" keyword, "ref" an identifier (target "page#anchor"), "def" the place that defines it (target = anchor),
+--   "eq" a reference in a comment (target = label), "use" a chunk reference (text = its name).
+function M.line_html(db, line, here, tokens_only)
+  local out = {}
+  for _, t in ipairs(line) do
+    local class, text = t[1], M.html(t[2])
+    if class == "" or class == "sp" or class == "id" then out[#out + 1] = text
+    elseif class == "ref" then
+      local page, id = t[3]:match("^(.-)#(.*)$")
+      out[#out + 1] = '<a class="id" href="' .. M.href(db, page, here, id) .. '"' .. (t[4] and ' title="' .. M.html(t[4]) .. '"' or "") .. ">" .. text .. "</a>"
+    elseif class == "def" then
+      out[#out + 1] = tokens_only and "<dfn>" .. text .. "</dfn>" or '<dfn id="' .. t[3] .. '">' .. text .. "</dfn>"
+    elseif class == "eq" then
+      local l = db.labels[t[3]]
+      out[#out + 1] = '<a class="co" href="' .. M.href(db, l.page, here, t[3]) .. '">' .. M.html(M.ref_text(l)) .. "</a>"
+    elseif class == "use" then
+      local n = db.names[t[2]]
+      if n and n.id then
+        out[#out + 1] = '<a class="use" href="' .. M.href(db, n.page, here, n.id) .. '">\u{27e8}' .. M.name(db, t[2], "html") .. " <b>" .. n.num .. "</b>\u{27e9}</a>"
+      else
+        out[#out + 1] = '<span class="use lost">\u{27e8}' .. M.name(db, t[2], "html") .. " ?\u{27e9}</span>"
+      end
+    else out[#out + 1] = '<span class="' .. class .. '">' .. text .. "</span>" end
+  end
+  return table.concat(out)
+end
+
+local tex_class = { co = "wCo", st = "wSt", pp = "wPp", nu = "wNu", kw = "wKw" }
+function M.line_tex(db, line, index)
+  local out = {}
+  for _, t in ipairs(line) do
+    local class, text = t[1], M.tex_code(t[2])
+    if tex_class[class] then out[#out + 1] = "\\" .. tex_class[class] .. "{" .. text .. "}"
+    elseif class == "ref" then
+      out[#out + 1] = (index and index(t[2], false) or "") .. "\\wId{" .. t[3]:match("#(.*)$") .. "}{" .. text .. "}"
+    elseif class == "def" then
+      out[#out + 1] = (index and index(t[2], true) or "") .. "\\wDef{" .. t[3] .. "}{" .. text .. "}"
+    elseif class == "eq" then
+      out[#out + 1] = "\\wCo{\\hyperlink{" .. t[3] .. "}{" .. M.tex_code(M.ref_text(db.labels[t[3]])) .. "}}"
+    elseif class == "use" then
+      local n = db.names[t[2]]
+      out[#out + 1] = "\\wUse{" .. (n and n.id or "") .. "}{" .. (n and n.num or "?") .. "}{" .. M.name(db, t[2], "tex") .. "}"
+    else out[#out + 1] = text end
+  end
+  return table.concat(out)
+end
+
+return M

@@ -1,0 +1,294 @@
+-- weave-pages.lua: the pages that need no pandoc: index, lists, bibliography, assembled sources, search index; and what TeX needs
+-- to put the chapters together.
+local Code = require "weave-code"
+local Pages = {}
+local h = Code.html
+
+-- pandoc's template language, as much of it as book/page.html uses
+local function fill(template, values)
+  local s = template:gsub("%$if%((%w+)%)%$(.-)%$endif%$", function(k, body) return values[k] and body or "" end)
+  return (s:gsub("%$(%w+)%.?(%w*)%$", function(k, f)
+    local v = values[k]
+    if f ~= "" then v = v and v[f] end
+    return v or ""
+  end))
+end
+
+local function contents(db, up)
+  local t, part = {}, nil
+  for _, e in ipairs(db.entries) do
+    if e.part ~= part then
+      if part then t[#t + 1] = "</ol>" end
+      part = e.part
+      t[#t + 1] = '<p class="part">' .. h(part) .. "</p><ol>"
+    end
+    if e.planned then t[#t + 1] = '<li class="planned" title="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. "</li>"
+    else t[#t + 1] = '<li><a href="' .. up .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. h(Code.plain(e.title)) .. "</a></li>" end
+  end
+  t[#t + 1] = "</ol>"
+  return table.concat(t)
+end
+
+local lists = { { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
+  { "sources.html", "Assembled sources" }, { "bibliography.html", "Bibliography" } }
+local function list_links()
+  local t = {}
+  for _, l in ipairs(lists) do t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end
+  return "<ul>" .. table.concat(t) .. "</ul>"
+end
+
+function Pages.write(w)
+  local db, book, html_dir = w.db, w.book, w.html
+  local template = Code.read(w.root .. "book/page.html") or "$body$"
+  local toc = contents(db, "")
+  local function page(name, title, body, extra)
+    if not html_dir then return end
+    local v = { pagetitle = h(title), toc = toc, body = body, page = "" }
+    for k, x in pairs(extra or {}) do v[k] = x end
+    Code.write_if_changed(html_dir .. "/" .. name, fill(template, v))
+  end
+  local function chunk_link(id) local c = db.chunks[id] return '<a class="cref" href="' .. c.page .. "#" .. id .. '"><b>' .. c.num .. "</b></a>" end
+
+  ---------------------------------------------------------------------------------------------------------- index page
+  do
+    local t, part, open = {}, nil, false
+    local cover = Code.read(w.root .. "book/cover.svg")
+    local written, first = 0, nil
+    for _, e in ipairs(db.entries) do
+      if not e.planned then
+        written = written + 1
+        first = first or e
+      end
+    end
+    t[#t + 1] = '<header class="cover">' .. (cover and '<div class="coverpic">' .. cover:gsub("^.-(<svg)", "%1") .. "</div>" or "") ..
+      '<h1 class="booktitle">Weft</h1><p class="subtitle">A textbook that builds into a rigid-body physics engine</p></header>'
+    t[#t + 1] = '<section class="how"><p>Each chapter interleaves the physics, its derivation and the C code. The code that you read is the code that runs: it is taken from these pages and compiled.</p><ul>' ..
+      "<li>Code comes in named, numbered chunks. Click a \u{27e8}chunk\u{27e9} to go to it, rest on it to see it, click with Shift to open it in place.</li>" ..
+      "<li>Every identifier leads to its definition. Every chunk says where it is used and in which line of which file it stands.</li>" ..
+      "<li>Beside each numbered equation stand the chunks that compute it; <a href=\"formulas.html\">Formulas and their code</a> lists them all.</li>" ..
+      "<li>Press <kbd>/</kbd> to search: headings, chunks, identifiers, equations, and every paragraph.</li></ul>" ..
+      (first and '<p><a class="start" href="' .. first.page .. '">Begin with chapter ' .. first.num .. " \u{2192}</a></p>" or "") .. "</section>"
+    t[#t + 1] = '<section class="contents"><h2>Contents</h2>'
+    for _, e in ipairs(db.entries) do
+      if e.part ~= part then
+        if part then t[#t + 1] = "</ol>" end
+        part = e.part
+        t[#t + 1] = "<h3>" .. (e.part_number <= 7 and "Part " .. e.part_number .. ": " or "") .. h(part) .. "</h3><ol>"
+      end
+      if e.planned then t[#t + 1] = '<li class="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. " <small>planned</small></li>"
+      else
+        t[#t + 1] = '<li><a href="' .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. h(Code.plain(e.title)) .. "</a>"
+        local s = {}
+        for _, x in ipairs(db.heads) do
+          if x.page == e.page and x.level == 2 then s[#s + 1] = '<a href="' .. x.page .. "#" .. x.id .. '">' .. h(Code.plain(x.title)) .. "</a>" end
+        end
+        t[#t + 1] = (#s > 0 and '<p class="secs">' .. table.concat(s, " \u{b7} ") .. "</p>" or "") .. "</li>"
+      end
+    end
+    t[#t + 1] = "</ol><h3>Lists</h3>" .. list_links() .. "</section>"
+    t[#t + 1] = '<p class="licence">The code is free under the MIT licence, the text and the figures under <a href="https://creativecommons.org/licenses/by/4.0/">CC BY 4.0</a>.</p>'
+    page("index.html", "Weft", table.concat(t))
+  end
+
+  ---------------------------------------------------------------------------------------------------- list of chunks
+  do
+    local t, chapter = { "<h1>List of chunks</h1><p>In the order of the book; continued chunks give the numbers of all their parts.</p>" }, nil
+    for _, c in ipairs(book.chunks) do
+      if c.part == 1 then
+        if c.chapter ~= chapter then
+          if chapter then t[#t + 1] = "</ul>" end
+          chapter = c.chapter
+          local e = book.chapters[chapter].entry
+          t[#t + 1] = "<h2>" .. e.num .. " " .. h(Code.plain(e.title)) .. '</h2><ul class="plainlist">'
+        end
+        local parts = {}
+        for _, p in ipairs(book.names[c.name].parts) do parts[#parts + 1] = chunk_link(book.chunks[p].id) end
+        t[#t + 1] = '<li>\u{27e8}' .. Code.name(db, c.name, "html") .. "\u{27e9} " .. table.concat(parts, " ") .. "</li>"
+      end
+    end
+    t[#t + 1] = "</ul>"
+    page("chunks.html", "List of chunks", table.concat(t))
+  end
+
+  ---------------------------------------------------------------------------------------------- index of identifiers
+  do
+    local names = {}
+    for name in pairs(db.idents) do if not name:match("_H$") then names[#names + 1] = name end end
+    local function sort_key(n) return (n:gsub("^wf", ""):gsub("^WF_", ""):lower()) end
+    table.sort(names, function(a, b)
+      local x, y = sort_key(a), sort_key(b)
+      if x ~= y then return x < y end
+      return a < b
+    end)
+    local t, letter = { '<h1>Index of identifiers</h1><p>Sorted without the prefix <code>wf</code>. Bold: the chunk that defines it; then the chunks that use it.</p><ul class="plainlist idx">' }, nil
+    for _, name in ipairs(names) do
+      local l = sort_key(name):sub(1, 1):upper()
+      if l ~= letter then letter = l; t[#t + 1] = '<li class="letter">' .. h(l) .. "</li>" end
+      for _, d in ipairs(db.idents[name]) do
+        local uses = {}
+        for _, tag in ipairs(w.tags[name]) do
+          if tag.main and book.chunks[tag.chunk].page .. "#" .. tag.anchor == d.target then
+            for _, id in ipairs(w.keyed(w.uses_of[tag])) do uses[#uses + 1] = chunk_link(id) end
+          end
+        end
+        t[#t + 1] = '<li><code><a href="' .. d.target .. '">' .. h(name) .. "</a></code> <small>" .. d.kind .. (d.static and " in " .. h(d.file) or "") .. "</small> <b>" .. d.num .. "</b>" ..
+          (#uses > 0 and ' <span class="uses">' .. table.concat(uses, " ") .. "</span>" or "") .. "</li>"
+      end
+    end
+    t[#t + 1] = "</ul>"
+    page("identifiers.html", "Index of identifiers", table.concat(t))
+  end
+
+  -------------------------------------------------------------------------------------------------- assembled sources
+  local function indexed_lines(r)
+    local rows, inside = {}, false
+    for i, l in ipairs(r.lines) do
+      local toks
+      toks, inside = Code.lex(l.text, inside)
+      local row, previous = {}, nil
+      local hidden = w.locals[r.name] and w.locals[r.name][i]
+      for _, t in ipairs(toks) do
+        if t[1] == "id" and Code.keywords[t[2]] then row[#row + 1] = { "kw", t[2] }
+        elseif t[1] == "id" and previous ~= "." and previous ~= "->" and not (hidden and hidden[t[2]]) then
+          local target = w.resolve(t[2], r.name)
+          if target then row[#row + 1] = { "ref", t[2], book.chunks[target.chunk].page .. "#" .. target.anchor, w.kind_text[target.kind] .. " " .. t[2] .. ", chunk " .. book.chunks[target.chunk].num }
+          else row[#row + 1] = { "", t[2] } end
+        else row[#row + 1] = t end
+        if t[1] ~= "sp" then previous = t[2] end
+      end
+      rows[i] = row
+    end
+    return rows
+  end
+  local files = {}
+  for _, r in ipairs(w.roots) do
+    local rows = indexed_lines(r)
+    local t = { '<h1><code>' .. h(r.name) .. "</code></h1><p>" .. #r.lines .. " lines, as in <code>src-generated/" .. h(r.name) ..
+      '</code>. The number before a line leads to the chunk that it comes from.</p><pre class="assembled"><code>' }
+    local last, chunks = nil, {}
+    for i, l in ipairs(r.lines) do
+      local c = l.chunk and book.chunks[l.chunk]
+      local mark = ""
+      if c then
+        if not chunks[c.id] then chunks[c.id] = true; chunks[#chunks + 1] = c.id end
+        local shown = c.id ~= last
+        mark = '<a class="ln' .. (shown and " first" or "") .. '" href="' .. c.page .. "#" .. c.id .. '" title="chunk ' .. c.num .. " \u{27e8}" .. h(Code.plain(c.name)) .. '\u{27e9}"><i>' .. c.num .. "</i>" .. i .. "</a>"
+        last = c.id
+      else mark = '<span class="ln">' .. i .. "</span>" end
+      t[#t + 1] = '<span class="row" id="L' .. i .. '">' .. mark .. Code.line_html(db, rows[i], r.page, true) .. "\n</span>"
+    end
+    t[#t + 1] = "</code></pre>"
+    page(r.page, r.name, table.concat(t))
+    files[#files + 1] = { name = r.name, page = r.page, lines = #r.lines, chunks = chunks }
+  end
+  db.files = files
+  do
+    local t, folder = { "<h1>Assembled sources</h1><p>Every file that the chapters make, in full, each line linked to its chunk.</p>" }, nil
+    t[#t + 1] = Pages.file_table(db)
+    page("sources.html", "Assembled sources", table.concat(t))
+  end
+  Code.write_if_changed(w.out .. "/files.lua", "return " .. Code.serialise(files):gsub("},{", "},\n{") .. "\n")
+
+  -------------------------------------------------------------------------------------------------------- bibliography
+  do
+    local f = loadfile(w.out .. "/bib.lua")
+    local bib = f and f() or {}
+    local keys = {}
+    for _, k in ipairs(db.cited) do if bib[k] and bib[k].order then keys[#keys + 1] = k end end
+    table.sort(keys, function(a, b) return bib[a].order < bib[b].order end)
+    local t, x = { '<h1>Bibliography</h1><ul class="plainlist refs">' }, {}
+    for _, k in ipairs(keys) do
+      t[#t + 1] = '<li id="ref-' .. k .. '">' .. bib[k].html .. "</li>"
+      x[#x + 1] = "\\wSource{ref-" .. k .. "}{" .. bib[k].tex .. "}"
+    end
+    t[#t + 1] = "</ul>"
+    page("bibliography.html", "Bibliography", table.concat(t))
+    Code.write_if_changed(w.out .. "/bibliography.tex", table.concat(x, "\n") .. "\n")
+  end
+
+  -------------------------------------------------------------------------------- formulas: made by pandoc from Markdown
+  do
+    local t = { "---\nbase: formulas\n---\n\n# Formulas and their code\n\nEvery numbered equation of the book, with the chunks of code that compute it. An equation without a chunk is a step of a derivation.\n\n" }
+    for _, ch in ipairs(book.chapters) do
+      local text = table.concat(ch.md)
+      local any
+      for math, id in text:gmatch("%$%$(.-)%$%$ {#(eq:[%w_%-]+)}") do
+        if not any then t[#t + 1] = "\n## " .. ch.num .. " " .. ch.title .. "\n\n"; any = true end
+        t[#t + 1] = "$$" .. math .. "$$ {#" .. id .. "}\n\n"
+      end
+    end
+    Code.write_if_changed(w.out .. "/formulas.txt", table.concat(t))
+  end
+
+  -------------------------------------------------------------------------------------------------------- search index
+  if html_dir then
+    local function q(s) return '"' .. s:gsub('[\\"]', "\\%0"):gsub("[\n\r\t]", " "):gsub("</", "<\\/") .. '"' end
+    local pages, number, t = {}, {}, {}
+    local function page_number(p)
+      if not number[p] then pages[#pages + 1] = q(p); number[p] = #pages - 1 end
+      return number[p]
+    end
+    local function add(kind, title, p, id, text) t[#t + 1] = "[" .. q(kind) .. "," .. q(title) .. "," .. page_number(p) .. "," .. q(id or "") .. (text and "," .. q(text) or "") .. "]" end
+    for _, s in ipairs(w.search) do add(s.kind, s.title, s.page, s.id, s.text) end
+    for _, c in ipairs(book.chunks) do if c.part == 1 then add("chunk", c.num .. " \u{27e8}" .. Code.plain(c.name):gsub("@(%a+:[%w_%-]+)", function(id) return w.labels[id] and Code.ref_text(w.labels[id]) or id end) .. "\u{27e9}", c.page, c.id) end end
+    local names = {}
+    for name in pairs(db.idents) do if not name:match("_H$") then names[#names + 1] = name end end
+    table.sort(names)
+    for _, name in ipairs(names) do
+      for _, d in ipairs(db.idents[name]) do
+        local p, id = d.target:match("^(.-)#(.*)$")
+        add("ident", name, p, id, d.kind .. ", chunk " .. d.num)
+      end
+    end
+    for _, f in ipairs(files) do add("file", f.name, f.page, "", f.lines .. " lines") end
+    os.execute("mkdir -p '" .. html_dir .. "/data'")
+    Code.write_if_changed(html_dir .. "/data/search.js", "WEFT.index([" .. table.concat(pages, ",") .. "],[\n" .. table.concat(t, ",\n") .. "]);\n")
+  end
+
+  --------------------------------------------------------------------------------------------------- the frame for TeX
+  do
+    local t, part = {}, nil
+    local appendix = false
+    for _, e in ipairs(db.entries) do
+      if e.part ~= part then
+        part = e.part
+        if part == "Appendices" then t[#t + 1] = "\\wAppendices" elseif e.part_number <= 7 then t[#t + 1] = "\\wPart{" .. e.part_number .. "}{" .. Code.tex(part) .. "}" else t[#t + 1] = "\\wPart{}{" .. Code.tex(part) .. "}" end
+      end
+      if e.planned then t[#t + 1] = "\\wPlanned{" .. e.num .. "}{" .. Code.tex(e.title) .. "}"
+      else
+        t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{tex/" .. e.base .. "}"
+      end
+    end
+    Code.write_if_changed(w.out .. "/chapters.tex", table.concat(t, "\n") .. "\n")
+    local l = {}
+    for _, c in ipairs(book.chunks) do
+      if c.part == 1 then
+        l[#l + 1] = "\\wListed{" .. c.id .. "}{" .. c.num .. "}{" .. Code.name(db, c.name, "tex") .. "}"
+      end
+    end
+    Code.write_if_changed(w.out .. "/chunklist.tex", table.concat(l, "\n") .. "\n")
+  end
+end
+
+-- The files of the program by component, with their length and their chapters: for sources.html and for Appendix D.
+function Pages.file_table(db)
+  local t, folder = {}, nil
+  for _, f in ipairs(db.files) do
+    local dir = f.name:match("^(.*)/")
+    if dir ~= folder then
+      if folder then t[#t + 1] = "</tbody></table>" end
+      folder = dir
+      t[#t + 1] = "<h3><code>" .. h(dir) .. '/</code></h3><table class="files"><tbody>'
+    end
+    t[#t + 1] = '<tr><td><a href="' .. f.page .. '"><code>' .. h(f.name:match("[^/]+$")) .. '</code></a></td><td class="n">' .. f.lines .. " lines</td><td>"
+    for i, id in ipairs(f.chunks) do
+      local c = db.chunks[id]
+      t[#t + 1] = '<a class="cref" href="' .. c.page .. "#" .. id .. '"><b>' .. c.num .. "</b></a> "
+    end
+    t[#t + 1] = "</td></tr>"
+  end
+  if folder then t[#t + 1] = "</tbody></table>" end
+  return table.concat(t)
+end
+
+return Pages

@@ -1,0 +1,704 @@
+-- weave.lua: from noweb's markup to what the pages are made of.
+--
+--   lua weave.lua OUT [--tolerant] [--html DIR] < stream
+--
+-- OUT/db.lua      what every page needs: numbers of labels, names of chunks, definitions of identifiers, contents
+-- OUT/BASE.md     one chapter as pandoc Markdown, each chunk replaced by a marker
+-- OUT/BASE.lua    its chunks, lexed, each identifier resolved
+-- OUT/chapters.tex, OUT/pages.list, and in DIR the pages that need no pandoc (index, lists, assembled sources, search index)
+-- All are written only when they change, so that make remakes only the pages that must change.
+-- With --tolerant, errors are told but what can be woven is woven.
+local here = arg[0]:match("^(.*/)") or "./"
+package.path = here .. "?.lua;" .. package.path
+local Book, Code = require "book", require "weave-code"
+
+local out, tolerant, html_dir
+do
+  local i = 1
+  while arg[i] do
+    if arg[i] == "--tolerant" then tolerant = true
+    elseif arg[i] == "--html" then i = i + 1; html_dir = arg[i]
+    else out = arg[i] end
+    i = i + 1
+  end
+  assert(out, "usage: lua weave.lua OUT [--tolerant] [--html DIR] < stream")
+end
+local root = os.getenv("WEFT_ROOT") or here:gsub("[^/]+/$", "")
+if root == "" then root = "./" end
+
+local stream = io.read("a")
+local tmp = assert(io.tmpfile())
+tmp:write(stream)
+tmp:seek("set")
+local book = Book.read(tmp)
+tmp:close()
+book:check_chunks()
+local chunks_good = #book.errors == 0
+local warnings = {}
+local function warn(file, line, what, remedy)
+  warnings[#warnings + 1] = string.format("%s:%d: warning: %s -- %s", file, line, what, remedy)
+end
+
+----------------------------------------------------------------------------------- the plan: every chapter, written or not
+local entries, entry_of = {}, {}           -- of the contents; by label
+do
+  local parts = {}
+  for l in ((Code.read(root .. "book/plan.tsv") or "") .. "\n"):gmatch("(.-)\n") do
+    local label, part, title, report = l:match("^([^#\t]+)\t([^\t]*)\t([^\t]*)\t?([^\t]*)$")
+    if label then
+      if not parts[part] then parts[#parts + 1] = part; parts[part] = #parts end
+      local e = { label = label, part = part, part_number = parts[part], title = title, report = report, planned = true }
+      entries[#entries + 1] = e
+      entry_of[label] = e
+    end
+  end
+end
+local function number_of(label) return (label:gsub("^0+(%d)", "%1")) end
+for _, c in ipairs(book.chapters) do
+  local e = entry_of[c.label]
+  if not e or not e.planned then                                    -- not in the plan: a student's chapter
+    if e then
+      book:complain(c.file, 1, "chapter number " .. c.label .. " is taken by " .. e.file, "give one of the two files another number")
+    end
+    e = { label = c.label, part = "Chapters of your own", part_number = 99, title = c.base }
+    entries[#entries + 1] = e
+    entry_of[c.label] = e
+  end
+  e.planned = nil
+  c.entry, c.num = e, number_of(c.label)
+  e.num, e.base, e.file, e.page = c.num, c.base, c.file, c.base .. ".html"
+end
+for _, e in ipairs(entries) do e.num = e.num or number_of(e.label) end
+
+local labels, heads, where = {}, {}, {}      -- labels by id; headings in order; where[id] = "file:line"
+local db = { up = "", labels = labels, heads = heads, names = {}, chunks = {}, idents = {}, entries = entries, eqs = {} }
+
+------------------------------------------------------------------------------------------------- chunks: numbers, ids
+local function slug(s)
+  s = Code.plain(s):lower():gsub("[^%w]+", "-"):gsub("^%-+", ""):gsub("%-+$", "")
+  return s == "" and "chunk" or s
+end
+do
+  local taken, count = {}, {}
+  for _, c in ipairs(book.chunks) do
+    local chapter = book.chapters[c.chapter]
+    count[c.chapter] = (count[c.chapter] or 0) + 1
+    c.k = count[c.chapter]
+    c.num = chapter.num .. "." .. c.k
+    c.page, c.base = chapter.entry.page, chapter.base
+    c.name = c.name or "?"
+    local n = book.names[c.name]
+    if not n.slug then
+      local s = "c-" .. slug(c.name)
+      while taken[s] do s = s .. "-x" end
+      taken[s] = true
+      n.slug = s
+    end
+    c.id = n.slug .. (c.part > 1 and "-" .. c.part or "")
+    db.chunks[c.id] = { num = c.num, page = c.page, name = c.name, part = c.part }
+  end
+  for name, n in pairs(book.names) do
+    local first = book.chunks[n.parts[1]]
+    if first then db.names[name] = { id = first.id, num = first.num, page = first.page } end
+  end
+end
+
+------------------------------------------------------------------------------------- documentation: text, labels, checks
+local bib_keys = {}
+for key in (Code.read(root .. "book/refs.bib") or ""):gmatch("@%a+%s*{%s*([^,%s]+)%s*,") do bib_keys[key] = true end
+local refs_seen = {}                         -- { file, line, id } of every cross reference
+local images = {}                            -- { file, line, path }
+local search = {}                            -- { kind, title, page, id, text }
+local cited = {}
+
+local function add_label(chapter, line, id, kind, num, title)
+  if labels[id] then
+    book:complain(chapter.file, line, "label " .. id .. " is defined twice, first at " .. where[id], "give one of the two another id")
+    return
+  end
+  where[id] = chapter.file .. ":" .. line
+  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title }
+  return labels[id]
+end
+
+local function count_label(chapter, line, id)
+  local kind = id:match("^(%a+):")
+  chapter.count[kind] = (chapter.count[kind] or 0) + 1
+  local l = add_label(chapter, line, id, kind, chapter.num .. "." .. chapter.count[kind])
+  return l
+end
+
+local function heading(chapter, line, level, text)
+  local id = text:match("{#([^%s}]+)")
+  local title = text:gsub("%s*{[^}]*}%s*$", "")
+  local num
+  if level == 1 then
+    if chapter.title then
+      book:complain(chapter.file, line, "a second heading of level 1", "a chapter has one title; write ## for a section")
+      return
+    end
+    chapter.title = title
+    num = chapter.num
+  elseif level <= 3 then
+    chapter.sec = chapter.sec or { 0, 0 }
+    chapter.sec[level - 1] = chapter.sec[level - 1] + 1
+    if level == 2 then chapter.sec[2] = 0 end
+    num = chapter.num .. "." .. chapter.sec[1] .. (level == 3 and "." .. chapter.sec[2] or "")
+  else return text end
+  if not id then
+    id = "s-" .. chapter.label:lower() .. "-" .. slug(title)
+    while labels[id] do id = id .. "-x" end
+    text = title .. " {#" .. id .. "}"
+  end
+  local l = add_label(chapter, line, id, "sec", num, Code.plain(title))
+  if not l then return text end
+  chapter.here = id
+  local h = { level = level, num = num, id = id, title = title, page = chapter.entry.page }
+  if level == 1 then chapter.entry.title, chapter.entry.id = title, id end
+  heads[#heads + 1] = h
+  search[#search + 1] = { kind = "sec", title = num .. " " .. Code.plain(title), page = h.page, id = id }
+  return text
+end
+
+-- Without code, math and attributes: what is left is prose, in which references, citations and stray HTML are looked for.
+local function bare(l)
+  return (l:gsub("``.-``", " "):gsub("`[^`]*`", " "):gsub("%$%$.-%$%$", " "):gsub("%$[^%$]*%$", " "):gsub("\\.", " "))
+end
+
+local function check_prose(chapter, line, l)
+  local text = bare(l)
+  for before, key in (" " .. text):gmatch("([^%w@])@([%a][%w_:%-%./]*)") do
+    key = key:gsub("[%.:%-/]+$", "")
+    local kind, id = key:match("^(%a+):(.+)$")
+    if kind and Code.kind_name[kind:lower()] then
+      refs_seen[#refs_seen + 1] = { chapter.file, line, kind:lower() .. ":" .. id }
+    elseif before:match("[%s%[%(;%-]") then
+      cited[key] = true
+      if not bib_keys[key] then
+        book:complain(chapter.file, line, "no source @" .. key .. " in book/refs.bib",
+          "add the source to book/refs.bib, mend the key, or put an @ that is no citation in backticks")
+      end
+    end
+  end
+  for id in text:gmatch("%]%(#([^%)]+)%)") do refs_seen[#refs_seen + 1] = { chapter.file, line, id } end
+  local tag = text:match("<(/?%a[%w%.%-_/]*)[^>]*>") 
+  if tag and not text:match("<https?:[^>]*>") and not text:match("<mailto:[^>]*>") then
+    book:complain(chapter.file, line, "<" .. tag .. "> in prose reads as HTML and would vanish from the page", "put it in backticks")
+  end
+  for cap, path in l:gmatch("!%[(.-)%]%(([^%)%s]+)%)") do images[#images + 1] = { chapter.file, line, path, cap } end
+end
+
+-- One line of documentation. Keeps the state of the chapter: fences, paragraphs, counters. Returns the line to emit.
+local function doc_line(chapter, line, l)
+  local fence = l:match("^%s*(```+)") or l:match("^%s*(~~~+)")
+  if chapter.fence then
+    if fence and #fence >= #chapter.fence and l:match("^%s*[`~]+%s*$") then chapter.fence = nil end
+    return l
+  end
+  if fence then
+    chapter.fence, chapter.fence_line = fence, line
+    for id in l:gmatch("#(tbl:[%w_%-]+)") do count_label(chapter, line, id) end
+    local file = l:match("%.data.-file=\"([^\"]*)\"")
+    if l:match("{[^}]*%.data") then
+      if not file then
+        book:complain(chapter.file, line, "a .data block without a file", 'write {.data file="book/data/NAME.csv"}')
+      elseif not Code.read(root .. file) then
+        book:complain(chapter.file, line, "data file " .. file .. " is not there", "measure it: build/bin/weft-lab run " ..
+          (file:match("([^/]+)%.csv$") or "NAME") .. " > " .. file)
+      end
+    end
+    return l
+  end
+  local display = chapter.display
+  local _, dollars = l:gsub("`[^`]*`", ""):gsub("%$%$", "")
+  if dollars % 2 == 1 then chapter.display = not display end
+  local marks, title = l:match("^(#+)%s+(.*)$")
+  if marks and not display then l = marks .. " " .. (heading(chapter, line, #marks, title) or title) end
+  for id, rest in l:gmatch("{#(eq:[%w_%-]+)([^}]*)}") do
+    local e = count_label(chapter, line, id)
+    if e then
+      e.theory = rest:match("%.theory") and true or nil
+      db.eqs[id] = { page = chapter.entry.page, num = e.num }
+      chapter.eq_lines = chapter.eq_lines or {}
+      search[#search + 1] = { kind = "eq", title = "Eq. (" .. e.num .. ")", page = chapter.entry.page, id = id, text = id:sub(4):gsub("%-", " ") .. " " .. (chapter.title and Code.plain(chapter.title) or "") }
+    end
+    if not l:match("%$%$%s*{#eq:") then
+      book:complain(chapter.file, line, "label " .. id .. " does not follow a closing $$", "write the label on the line that ends the equation: $$ ... $$ {#" .. id .. "}")
+    end
+  end
+  l = l:gsub("(%$%$)%s*{#(eq:[%w_%-]+)[^}]*}", "%1 {#%2}")
+  for id in l:gmatch("{[^}]*#(fig:[%w_%-]+)") do
+    count_label(chapter, line, id)
+    local cap = l:match("!%[(.-)%]%(") 
+    if labels[id] then search[#search + 1] = { kind = "fig", title = "Figure " .. labels[id].num, page = chapter.entry.page, id = id, text = Code.plain(cap or "") } end
+  end
+  for id in l:gmatch("{[^}]*#(tbl:[%w_%-]+)") do count_label(chapter, line, id) end
+  if l:match("^:::") then
+    for id in l:gmatch("#(ex:[%w_%-]+)") do
+      count_label(chapter, line, id)
+      if labels[id] then search[#search + 1] = { kind = "ex", title = "Exercise " .. labels[id].num, page = chapter.entry.page, id = id } end
+    end
+  end
+  if not display and dollars == 0 then check_prose(chapter, line, l) end
+  -- the search index: paragraphs, each under the heading that it stands below
+  if l:match("%S") and not display and not marks and not l:match("^:::") and not l:match("^%$%$") then
+    chapter.para = (chapter.para and chapter.para .. " " or "") .. l
+  elseif chapter.para then
+    search[#search + 1] = { kind = "text", title = "", page = chapter.entry.page, id = chapter.here, text = Code.plain(chapter.para):gsub("%s+", " ") }
+    chapter.para = nil
+  end
+  return l
+end
+
+local function join_image_lines(text) return text end
+do
+  local chapter, kind, line, k
+  local text, quote = "", nil
+  local ci = 0
+  for l in stream:gmatch("([^\n]*)\n") do
+    local key, rest = l:match("^@(%S+) ?(.*)$")
+    if key == "file" then
+      if chapter and chapter.para then doc_line(chapter, line, "") end
+      ci = ci + 1
+      chapter = book.chapters[ci]
+      chapter.count, chapter.md, line, k = {}, {}, 1, 0
+    elseif key == "begin" then
+      kind = rest:match("^%a+")
+      text, quote = "", nil
+      if kind == "code" then
+        k = k + 1
+        if chapter.fence then
+          book:complain(chapter.file, chapter.fence_line, "this fence is still open where a chunk begins", "close it with " .. chapter.fence)
+          chapter.fence = nil
+        end
+        if chapter.display then
+          book:complain(chapter.file, line, "a display equation is still open where a chunk begins", "close it with $$")
+          chapter.display = nil
+        end
+      end
+    elseif kind ~= "code" and key == "text" then
+      if quote then quote = quote .. rest else text = text .. rest end
+    elseif kind ~= "code" and key == "use" then quote = (quote or "") .. "<<" .. rest .. ">>"
+    elseif key == "quote" then quote = ""
+    elseif key == "endquote" then
+      local _, ticks = text:gsub("`", "")
+      if chapter.fence or ticks % 2 == 1 then text = text .. "[[" .. quote .. "]]"
+      else text = text .. "`" .. quote .. "`{.c}" end
+      quote = nil
+    elseif key == "nl" then
+      if kind ~= "code" and kind then
+        if quote then quote = quote .. " "
+        else
+          chapter.md[#chapter.md + 1] = doc_line(chapter, line, text) .. "\n"
+          text = ""
+        end
+      end
+      line = line + 1
+    elseif key == "index" and rest:match("^nl") then line = line + 1
+    elseif key == "end" then
+      if kind == "code" then
+        if chapter.para then doc_line(chapter, line, "") end
+        chapter.md[#chapter.md + 1] = "\n```{=weftchunk}\n" .. k .. "\n```\n\n"
+      elseif text ~= "" then
+        chapter.md[#chapter.md + 1] = doc_line(chapter, line, text) .. "\n"
+        text = ""
+      end
+      kind = nil
+    end
+  end
+  if chapter and chapter.para then doc_line(chapter, line, "") end
+end
+for _, c in ipairs(book.chapters) do
+  if not c.title then
+    book:complain(c.file, 1, "the chapter has no title", "begin it with  # Title {#sec:name}")
+    c.entry.title, c.entry.id = c.base, "top"
+  end
+  if c.fence then book:complain(c.file, c.fence_line, "this fence is never closed", "close it with " .. c.fence) end
+end
+for _, r in ipairs(refs_seen) do
+  if not labels[r[3]] then
+    local best, score = nil, 0                                   -- a hint: the label that shares most letters
+    local stem = r[3]:match(":(.*)") or r[3]
+    for id in pairs(labels) do
+      local s = id:match(":(.*)")
+      if s then
+        local hit = 0
+        for w in stem:gmatch("%w+") do if s:find(w, 1, true) then hit = hit + #w end end
+        if hit > score or (hit == score and best and hit > 0 and id < best) then best, score = id, hit end
+      end
+    end
+    book:complain(r[1], r[2], "nothing is labelled " .. r[3], "label it {#" .. r[3] .. "} or mend the reference" ..
+      (best and " (did you mean @" .. best .. "?)" or ""))
+  end
+end
+
+---------------------------------------------------------------------------------------- images: who makes them?
+do
+  local drawn = {}
+  for _, c in ipairs(book.chunks) do
+    if c.name == "rows of the figure table" then
+      for _, it in ipairs(c.items) do
+        if it.kind == "text" then for name in it.text:gmatch('{%s*"([%w_%-]+)"') do drawn[name] = true end end
+      end
+    end
+  end
+  for _, im in ipairs(images) do
+    local file, line, path = im[1], im[2], im[3]
+    local name = path:match("^figures/([%w_%-]+)%.svg$")
+    local plot = path:match("^plots/([%w_%-]+)%.svg$")
+    if name then
+      if not drawn[name] then
+        book:complain(file, line, "no function draws " .. path, 'add a row { "' .. name .. '", ... } to <<rows of the figure table>> or mend the name')
+      end
+    elseif plot then
+      if not Code.read(root .. "book/plots/" .. plot .. ".gp") then
+        book:complain(file, line, "no script plots " .. path, "write book/plots/" .. plot .. ".gp or mend the name")
+      end
+    elseif not path:match("^https?:") and not Code.read(root .. path) and not Code.read(root .. "book/" .. path) then
+      book:complain(file, line, "no file " .. path, "draw it as figures/NAME.svg, plot it as plots/NAME.svg, or put the file there")
+    end
+  end
+end
+
+------------------------------------------------------------------------- the assembled files, and where each line came from
+local function lines_of(c)                    -- a chunk's lines: { line = n, text = ..., use = name }
+  if c.lines then return c.lines end
+  local lines, cur = {}, nil
+  for _, it in ipairs(c.items) do
+    if it.kind == "nl" then
+      if cur then lines[#lines + 1] = cur end
+      cur = { line = it.line + 1, text = "" }
+    elseif cur then
+      if it.kind == "use" then cur.use, cur.indent = it.text, cur.text else cur.text = cur.text .. it.text end
+    end
+  end
+  if cur and (cur.text ~= "" or cur.use) then lines[#lines + 1] = cur end
+  c.lines = lines
+  return lines
+end
+
+local roots, root_names = {}, {}
+for name, n in pairs(book.names) do
+  if #n.parts > 0 and Book.is_root(name) then root_names[#root_names + 1] = name end
+end
+table.sort(root_names)
+local function expand(name)
+  local result, depth = {}, 0
+  local function walk(chunk_name, indent)
+    depth = depth + 1
+    local n = book.names[chunk_name]
+    if depth < 60 and n then
+      for _, p in ipairs(n.parts) do
+        local c = book.chunks[p]
+        for _, l in ipairs(lines_of(c)) do
+          if l.use then walk(l.use, indent .. l.indent:gsub("%S", " "))
+          else result[#result + 1] = { text = (l.text ~= "" and indent or "") .. l.text, chunk = p, line = l.line } end
+        end
+      end
+    end
+    depth = depth - 1
+  end
+  walk(name, "")
+  return result
+end
+
+local src = out .. "/src"
+local function sh(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
+local function tangled()                       -- the same files as src-generated/, comments and all
+  local files = {}
+  for _, c in ipairs(book.chapters) do files[#files + 1] = sh(c.file) end
+  return os.execute(sh(here .. "tangle") .. " " .. sh(src) .. " " .. table.concat(files, " ") .. " 2>" .. sh(out .. "/tangle.log"))
+end
+local use_tangled = chunks_good and tangled()
+if not use_tangled then
+  os.execute("rm -rf " .. sh(src))
+  for _, name in ipairs(root_names) do os.execute("mkdir -p " .. sh(src .. "/" .. name:match("^(.*)/"))) end
+end
+for _, name in ipairs(root_names) do
+  local expected = expand(name)
+  local r = { name = name, lines = {} }
+  if use_tangled then
+    local i = 1
+    for text in (Code.read(src .. "/" .. name) or ""):gmatch("([^\n]*)\n?") do
+      local e = expected[i]
+      if e and (e.text == text or e.text:gsub("%s+$", "") == text:gsub("%s+$", "")) then
+        r.lines[#r.lines + 1] = { text = text, chunk = e.chunk, line = e.line }
+        i = i + 1
+      else
+        r.lines[#r.lines + 1] = { text = text, chunk = e and e.chunk, comment = true }
+      end
+    end
+    while #r.lines > 0 and r.lines[#r.lines].text == "" and r.lines[#r.lines].comment do r.lines[#r.lines] = nil end
+    if i <= #expected then
+      io.stderr:write(string.format("weave: %s: line %d of the assembled source is not where it should be (%s)\n", name, i, expected[i].text))
+      os.exit(1)
+    end
+  else
+    local t = {}
+    for i, e in ipairs(expected) do r.lines[i] = e; t[i] = e.text end
+    local f = assert(io.open(src .. "/" .. name, "w"))
+    f:write(table.concat(t, "\n"), "\n")
+    f:close()
+  end
+  roots[#roots + 1] = r
+  roots[name] = r
+  r.id = "f-" .. name:gsub("[^%w]+", "-")
+  r.page = "source-" .. name:gsub("[^%w]+", "-") .. ".html"
+  for i, l in ipairs(r.lines) do                -- each chunk line: where it ends up
+    if l.chunk and not l.comment then
+      local c = book.chunks[l.chunk]
+      c.at = c.at or {}
+      c.at[l.line] = c.at[l.line] or { r, i }
+      c.roots = c.roots or {}
+      c.roots[name] = true
+    end
+  end
+end
+
+------------------------------------------------------------------------------------ identifiers, found by universal-ctags
+local tags, locals = {}, {}                    -- tags[name] = { definitions }; locals[file][line] = set of names
+local priority = { f = 1, d = 2, s = 3, u = 3, g = 3, t = 4, e = 5, v = 6, p = 8, x = 9 }
+local kind_text = { f = "function", d = "macro", s = "struct", u = "union", g = "enum", t = "type", e = "constant", v = "variable", p = "prototype", x = "declaration" }
+do
+  local p = assert(io.popen("cd " .. sh(src) .. " && ctags --options=NONE --languages=C --langmap=C:.c.h --kinds-C=defgpstuvxlz --fields=+nKe-k " ..
+    "--fields=+k-K --excmd=number --sort=no -f - -R . 2>" .. "/dev/null"))
+  local functions = {}
+  local pending = {}
+  for l in p:lines() do
+    local name, file, line, kind, rest = l:match("^([^\t]+)\t([^\t]+)\t(%d+);\"\t(%a)(.*)$")
+    if name and not name:match("^__anon") then
+      file = file:gsub("^%./", "")
+      line = tonumber(line)
+      if kind == "l" or kind == "z" then
+        pending[#pending + 1] = { file, line, name, rest:match("function:([%w_]+)") }
+      elseif priority[kind] then
+        local r = roots[file]
+        local src_line = r and r.lines[line]
+        if kind == "f" then functions[file .. ":" .. name] = { line, tonumber(rest:match("end:(%d+)")) or line } end
+        if src_line and src_line.chunk and not src_line.comment then
+          tags[name] = tags[name] or {}
+          table.insert(tags[name], { name = name, kind = kind, file = file, chunk = src_line.chunk, line = src_line.line, static =
+            (rest:match("\tfile:") and not file:match("%.h$")) and true or nil, order = #tags[name] })
+        end
+      end
+    end
+  end
+  p:close()
+  for _, x in ipairs(pending) do                -- a local name hides the global one within its function
+    local f = x[4] and functions[x[1] .. ":" .. x[4]]
+    if f then
+      locals[x[1]] = locals[x[1]] or {}
+      for i = f[1], f[2] do
+        locals[x[1]][i] = locals[x[1]][i] or {}
+        locals[x[1]][i][x[3]] = true
+      end
+    end
+  end
+  for name, list in pairs(tags) do
+    table.sort(list, function(a, b)
+      if priority[a.kind] ~= priority[b.kind] then return priority[a.kind] < priority[b.kind] end
+      return a.order < b.order
+    end)
+  end
+end
+local function is_definition(t) return priority[t.kind] < 8 end
+-- an anchor for every definition; names that several files define for themselves get the file's name added
+for name, list in pairs(tags) do
+  local n, first = 0, {}
+  for _, t in ipairs(list) do
+    if is_definition(t) and not first[t.file] then
+      n = n + 1
+      t.anchor = n == 1 and "d-" .. name or "d-" .. name .. "-" .. n
+      first[t.file] = t
+      t.main = true
+    end
+  end
+  for _, t in ipairs(list) do
+    if not is_definition(t) then list.header = list.header or (t.file:match("%.h$") and t.file) end
+  end
+end
+-- the definition that a name means in a file, and the earliest chapter from which it may be used
+local function resolve(name, file)
+  local list = tags[name]
+  if not list then return nil end
+  local own, global, earliest
+  for _, t in ipairs(list) do
+    if t.file == file or not t.static then
+      local c = book.chunks[t.chunk].chapter
+      earliest = math.min(earliest or c, c)
+      if t.main then
+        if t.file == file then own = own or t elseif not t.static then global = global or t end
+      end
+    end
+  end
+  return own or global, earliest, list
+end
+
+----------------------------------------------------------------------------------- chunks: lexed, resolved, cross referenced
+local uses_of = {}                             -- uses_of[definition] = list of chunk indices
+local eq_users = {}                            -- eq_users[label] = list of chunk indices
+local function add_once(list, x) if list[#list] ~= x then list[#list + 1] = x end end
+local told = {}
+for index, c in ipairs(book.chunks) do
+  c.tokens, c.defs, c.eqs = {}, {}, {}
+  local root_name = c.roots and next(c.roots)
+  local function eq_use(id)
+    if labels[id] and not c.eqs[id] then
+      c.eqs[id] = true
+      c.eqs[#c.eqs + 1] = id
+      eq_users[id] = eq_users[id] or {}
+      add_once(eq_users[id], index)
+    end
+  end
+  local function ref_in_code(id, line)
+    id = id:sub(1, 1):lower() .. id:sub(2):gsub("[%-_]+$", "")
+    if not labels[id] then
+      local key = c.file .. line .. id
+      if not told[key] then
+        told[key] = true
+        book:complain(c.file, line, "nothing is labelled " .. id, "label it {#" .. id .. "} or mend the reference in the code")
+      end
+      return
+    end
+    if id:match("^eq:") then eq_use(id) end
+  end
+  for id in c.name:gmatch("@(%a+:[%w_%-]+)") do
+    if Code.kind_name[id:match("^%a+"):lower()] then ref_in_code(id, c.line) end
+  end
+  local inside = false
+  for _, l in ipairs(lines_of(c)) do
+    local row = {}
+    local code = l.use and l.indent or l.text
+    local columns = utf8.len(l.text) or #l.text
+    if not l.use and columns > 92 then
+      book:complain(c.file, l.line, "this line of code has " .. columns .. " columns; the book's page holds 92", "break it")
+    end
+    if code:find("\t", 1, true) then book:complain(c.file, l.line, "a tab in code", "use spaces") end
+    local toks
+    toks, inside = Code.lex(code, inside)
+    local place = c.at and c.at[l.line]
+    local hidden = place and locals[place[1].name] and locals[place[1].name][place[2]]
+    local previous
+    for _, t in ipairs(toks) do
+      local class, text = t[1], t[2]
+      if class == "id" then
+        if Code.keywords[text] then row[#row + 1] = { "kw", text }
+        elseif previous == "." or previous == "->" or (hidden and hidden[text]) then row[#row + 1] = { "", text }
+        else
+          local target, earliest, list = resolve(text, place and place[1].name)
+          local mine
+          for _, d in ipairs(list or {}) do
+            if d.main and d.chunk == index and d.line == l.line then mine = d end
+          end
+          if mine and not mine.placed then
+            mine.placed = true
+            row[#row + 1] = { "def", text, mine.anchor }
+            c.defs[#c.defs + 1] = mine
+          elseif target then
+            local tc = book.chunks[target.chunk]
+            if mine or (target.chunk == index and target.line == l.line) then row[#row + 1] = { "", text }
+            else
+              local header = list.header
+              row[#row + 1] = { "ref", text, tc.page .. "#" .. target.anchor,
+                kind_text[target.kind] .. " " .. text .. ", chunk " .. tc.num .. (header and header ~= target.file and ", declared in " .. header:gsub("^include/", "") or "") }
+              uses_of[target] = uses_of[target] or {}
+              if target.chunk ~= index then add_once(uses_of[target], index) end
+            end
+          else row[#row + 1] = { "", text } end
+          if earliest and earliest > c.chapter and not told[c.file .. text] then
+            told[c.file .. text] = true
+            book:complain(c.file, l.line, text .. " is used here but first declared later, in " .. book.chapters[earliest].file,
+              "move its declaration to this chapter or an earlier one, or move the use")
+          end
+        end
+      elseif class == "co" then                 -- /* eq:x */ becomes a link that shows the number
+        local i = 1
+        while true do
+          local a, b, id = text:find("@?%f[%a](eq:[%w_%-]*%w)", i)
+          if not a then break end
+          if a > i then row[#row + 1] = { "co", text:sub(i, a - 1) } end
+          ref_in_code(id, l.line)
+          row[#row + 1] = labels[id] and { "eq", id, id } or { "co", id }
+          i = b + 1
+        end
+        if i <= #text then row[#row + 1] = { "co", text:sub(i) } end
+      else row[#row + 1] = { class, text } end
+      if class ~= "sp" then previous = text end
+    end
+    if l.use then row[#row + 1] = { "use", l.use } end
+    c.tokens[#c.tokens + 1] = row
+  end
+end
+for id, e in pairs(db.eqs) do
+  local l = labels[id]
+  e.chunks = {}
+  for _, k in ipairs(eq_users[id] or {}) do e.chunks[#e.chunks + 1] = book.chunks[k].id end
+  if #e.chunks == 0 and not l.theory then
+    local file, line = where[id]:match("^(.*):(%d+)$")
+    warn(file, tonumber(line), "no code refers to equation " .. id,
+      "write @" .. id .. " in a chunk's name or " .. id .. " in a comment of the code, or mark it {#" .. id .. " .theory}")
+  end
+end
+for name, list in pairs(tags) do
+  local shown = {}
+  for _, t in ipairs(list) do
+    if t.main then
+      local c = book.chunks[t.chunk]
+      if not t.placed then t.anchor = c.id end   -- made by a macro: the chunk is as near as can be
+      shown[#shown + 1] = { target = c.page .. "#" .. t.anchor, num = c.num, kind = kind_text[t.kind], file = t.file, static = t.static }
+    end
+  end
+  if #shown > 0 then
+    shown.header = list.header
+    db.idents[name] = shown
+  end
+end
+
+--------------------------------------------------------------------------------------------------- what is handed on
+local function keyed(list)                     -- chunk indices as ids, without repeats
+  local r, seen = {}, {}
+  for _, k in ipairs(list or {}) do
+    local id = book.chunks[k].id
+    if not seen[id] then seen[id] = true; r[#r + 1] = id end
+  end
+  return r
+end
+os.execute("mkdir -p " .. sh(out))
+for i, ch in ipairs(book.chapters) do
+  local mine = { file = ch.file, base = ch.base, label = ch.label, num = ch.num, chunks = {} }
+  for index, c in ipairs(book.chunks) do
+    if c.chapter == i then
+      local n = book.names[c.name]
+      local users = {}
+      for _, u in ipairs(n.uses) do users[#users + 1] = u.chunk end
+      local defs = {}
+      for _, d in ipairs(c.defs) do
+        defs[#defs + 1] = { name = d.name, anchor = d.anchor, kind = kind_text[d.kind], uses = keyed(uses_of[d]) }
+      end
+      local files = {}
+      if Book.is_root(c.name) then files[1] = c.name end
+      mine.chunks[c.k] = { num = c.num, id = c.id, name = c.name, part = c.part, file = c.file, line = c.line, lines = c.tokens, defs = defs,
+        eqs = { table.unpack(c.eqs) }, used = keyed(users), previous = c.part > 1 and book.chunks[n.parts[c.part - 1]].id or nil,
+        following = c.part < #n.parts and book.chunks[n.parts[c.part + 1]].id or nil, source = files[1] and roots[files[1]].page or nil }
+    end
+  end
+  Code.write_if_changed(out .. "/" .. ch.base .. ".lua", "return " .. Code.serialise(mine):gsub("},%[", "},\n[") .. "\n")
+  Code.write_if_changed(out .. "/" .. ch.base .. ".md", table.concat(ch.md))
+end
+db.cited = {}
+for k in pairs(cited) do db.cited[#db.cited + 1] = k end
+table.sort(db.cited)
+Code.write_if_changed(out .. "/db.lua", "return " .. Code.serialise(db):gsub("},%[", "},\n[") .. "\n")
+
+local Pages = require "weave-pages"
+Pages.write { book = book, db = db, out = out, html = html_dir, root = root, roots = roots, tags = tags, uses_of = uses_of, keyed = keyed,
+  search = search, labels = labels, kind_text = kind_text, images = images, resolve = resolve, locals = locals }
+
+table.sort(warnings)
+for _, w in ipairs(warnings) do io.stderr:write(w, "\n") end
+if #book.errors > 0 then
+  table.sort(book.errors)
+  for _, e in ipairs(book.errors) do io.stderr:write(e, "\n") end
+  io.stderr:write(string.format("%d error%s in the chapters.\n", #book.errors, #book.errors == 1 and "" or "s"))
+  if not tolerant then os.exit(1) end
+end
