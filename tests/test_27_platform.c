@@ -346,7 +346,7 @@ static void options_are_read_and_checked(void **state)
     layer_options o;
     assert_null(options_of(&o, ""));
     assert_true(!o.scene && !o.png && !o.input && !o.record && !o.log && !o.command && o.steps == -1 && o.scale == 1);
-    assert_null(options_of(&o, "--scene stack --steps 600 --png a.png --input b --record c --log d --size 640x480 --scale 2 --hash"));
+    assert_null(options_of(&o, "--scene stack --steps 600 --png a.png --input b --save-input c --log d --size 640x480 --scale 2 --hash"));
     assert_string_equal(o.scene, "stack");
     assert_string_equal(o.png, "a.png");
     assert_string_equal(o.input, "b");
