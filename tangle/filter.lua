@@ -6,7 +6,7 @@ package.path = dir .. "?.lua;" .. package.path
 local Code = require "weave-code"
 local html, tex = FORMAT:match("html") ~= nil, FORMAT:match("latex") ~= nil
 local esc = html and Code.html or Code.tex
-local db, mine, bib, here, root, teacher, missing_allowed, figures_dir, data_dir
+local db, mine, bib, here, weave, root, teacher, missing_allowed, figures_dir, data_dir
 local stringify = pandoc.utils.stringify
 local errors, previews, cited, cited_order = {}, {}, {}, {}
 
@@ -90,7 +90,7 @@ local function inline_code(el)
   local s = {}                                        -- may break after _ ( , and at lower|Upper
   for _, t in ipairs(line) do
     local x = Code.tex_code(t[2]):gsub("\\_", "\\_\\wBreak{}"):gsub("\\ ", " "):gsub("(%l%l)(%u%l)", "%1\\wBreak{}%2"):gsub("([,/%(%.])", "%1\\wBreak{}")
-    s[#s + 1] = t[1] == "ref" and "\\wId{" .. t[3]:match("#(.*)$") .. "}{" .. x .. "}" or x
+    s[#s + 1] = t[1] == "ref" and "\\wId{" .. Code.tex_id(t[3]:match("#(.*)$")) .. "}{" .. x .. "}" or x
   end
   return raw("\\wInline{" .. table.concat(s) .. "}")
 end
@@ -135,7 +135,7 @@ local function chunk(k)
         if i > 6 then users[#users + 1] = "\u{2026}" break end
         users[#users + 1] = chunk_link(u)
       end
-      r[#r + 1] = (html and '<a href="#' .. d.anchor .. '"><code>' .. d.name .. "</code></a>" or "\\wId{" .. d.anchor .. "}{\\wFootCode{" .. Code.tex(d.name):gsub("\\_", "\\_\\wBreak{}") .. "}}") ..
+      r[#r + 1] = (html and '<a href="#' .. d.anchor .. '"><code>' .. d.name .. "</code></a>" or "\\wId{" .. Code.tex_id(d.anchor) .. "}{\\wFootCode{" .. Code.tex(d.name):gsub("\\_", "\\_\\wBreak{}") .. "}}") ..
         (#users > 0 and " (" .. table.concat(users, " ") .. ")" or "")
     end
     feet[#feet + 1] = (html and "<span><i>Defines</i> " or "Defines ") .. table.concat(r, ", ") .. (html and "</span>" or "")
@@ -155,7 +155,7 @@ local function chunk(k)
   local function index(name, defining)
     if indexed[name .. tostring(defining)] then return "" end
     indexed[name .. tostring(defining)] = true
-    return "\\wIx" .. (defining and "Def" or "Use") .. "{" .. Code.tex(name) .. "}{" .. name:gsub("_", "\\_") .. "}"
+    return "\\wIx{" .. name:gsub("^wf", ""):gsub("^WF_", ""):gsub("_", "") .. "}{" .. name:gsub("_", "\\_") .. "}{" .. (defining and "wDefPage" or "wUsePage") .. "}"
   end
   local rows = {}
   for i, l in ipairs(c.lines) do
@@ -188,12 +188,13 @@ local function inlines(list)
         if html then
           r:insert(raw('<span class="eq" id="' .. id .. '"><span class="eqm">'))
           r:insert(m)
-          r:insert(raw('</span><span class="eqs"><a class="eqn" href="#' .. id .. '">(' .. l.num .. ")</a>" ..
+          r:insert(raw('</span><span class="eqs"><a class="eqn" href="' .. href(l.page, id) .. '">(' .. l.num .. ")</a>" ..
             (#links > 0 and '<span class="eqc" title="chunks of code that use this equation"><i>Code</i> ' .. table.concat(links, " ") .. "</span>" or "") .. "</span></span>"))
           previews[#previews + 1] = { id, m }
         else
-          r:insert(raw("\\wEq{" .. id .. "}\\begin{equation}\\tag{" .. l.num .. "}" .. m.text .. "\\end{equation}" ..
-            (#links > 0 and "\\wEqCode{" .. table.concat(links, ", ") .. "}" or "")))
+          local few = {}
+          for k = 1, math.min(#links, 3) do few[k] = links[k] end
+          r:insert(raw("\\wLabel{" .. id .. "}\\begin{equation}\\tag*{\\wTag{" .. l.num .. "}{" .. table.concat(few, ", ") .. (#links > 3 and ", \u{2026}" or "") .. "}}" .. m.text .. "\\end{equation}"))
         end
         i = j + 1
       else
@@ -232,8 +233,8 @@ local function command_line(list)
 end
 
 -- gnuplot writes colours; style.gp uses only these, and the page's style sheet says what they are in the dark.
-local plot_roles = { ["#24324a"] = "line", ["#b9b5a8"] = "faint", ["#2f6db5"] = "body", ["#b3572f"] = "body2", ["#8a3fa0"] = "accent", ["#2e7d4f"] = "good",
-  ["#c0392b"] = "bad", ["#33373f"] = "text", ["#fdfcf9"] = "paper", ["black"] = "text", ["#000000"] = "text" }
+local plot_roles = { ["#1f2933"] = "line", ["#87919c"] = "faint", ["#0067a5"] = "body", ["#9c4279"] = "body2", ["#a85800"] = "accent", ["#00775a"] = "good",
+  ["#c4391a"] = "bad", ["#1a202c"] = "text", ["#ffffff"] = "paper", ["#000000"] = "text" }
 local function inline_svg(svg, prefix, caption)
   svg = svg:gsub("^.-(<svg)", "%1"):gsub("<!%-%-.-%-%->", ""):gsub("<%?.-%?>", ""):gsub("<!DOCTYPE.->", "")
   svg = svg:gsub("<title>.-</title>", ""):gsub("<desc>.-</desc>", "")
@@ -248,10 +249,10 @@ local function inline_svg(svg, prefix, caption)
   if svg:find("gnuplot", 1, true) then
     svg = svg:gsub("rgb%(%s*(%d+),%s*(%d+),%s*(%d+)%)", function(r, g, b)
       local role = plot_roles[string.format("#%02x%02x%02x", tonumber(r), tonumber(g), tonumber(b))]
-      return role and "var(--ink-" .. role .. ")"
+      return role and "var(--mark-" .. role .. ")"
     end)
-    svg = svg:gsub("(%a+)=(['\"])(black)%2", function(a, q) return (a == "fill" or a == "stroke") and a .. "=" .. q .. "var(--ink-text)" .. q end)
-    svg = svg:gsub('(%a+)="(#%x%x%x%x%x%x)"', function(a, c) local role = plot_roles[c:lower()] return role and a .. '="var(--ink-' .. role .. ')"' end)
+    svg = svg:gsub("(%a+)=(['\"])(black)%2", function(a, q) return (a == "fill" or a == "stroke") and a .. "=" .. q .. "var(--mark-text)" .. q end)
+    svg = svg:gsub('(%a+)="(#%x%x%x%x%x%x)"', function(a, c) local role = plot_roles[c:lower()] return role and a .. '="var(--mark-' .. role .. ')"' end)
     svg = svg:gsub('font%-family="[^"]*"', "")
   end
   return svg
@@ -433,6 +434,21 @@ local function box(kind, title, extra, blocks, id)
   end
   return r
 end
+-- ::: {.files} the files that the chapters make
+local function file_list()
+  local files = dofile(weave .. "/files.lua")
+  if html then
+    db.files = files
+    return rawb(require("weave-pages").file_table(db))
+  end
+  local t, folder = {}, nil
+  for _, f in ipairs(files) do
+    local links = {}
+    for i, id in ipairs(f.chunks) do links[i] = chunk_link(id) end
+    t[#t + 1] = "\\wFile{" .. Code.tex(f.name):gsub("/", "/\\wBreak{}") .. "}{" .. f.lines .. "}{" .. table.concat(links, ", ") .. "}"
+  end
+  return rawb(table.concat(t, "\n"))
+end
 local dot = html and " \u{b7} " or "\\enspace\\textperiodcentered\\enspace "
 local function div(el)
   local a, c = el.attributes, el.classes
@@ -455,7 +471,8 @@ local function div(el)
     return box("goals", "Goals", a.report and (html and "the report: " or "the report: ") .. esc(a.report) or nil, el.content)
   elseif c:includes("test") then
     return box("test", "Test", a.file and code(a.file) or nil, el.content)
-  elseif c:includes("data") then return data_table(el) end
+  elseif c:includes("data") then return data_table(el)
+  elseif c:includes("files") then return file_list() end
   for _, k in ipairs { "note", "warning", "history", "physics", "aside" } do
     if c:includes(k) then return box(k, a.title and Code.plain(a.title):gsub(".+", esc) or (k:gsub("^%l", string.upper)), nil, el.content, el.identifier ~= "" and el.identifier or nil) end
   end
@@ -528,7 +545,7 @@ end
 
 local function meta(m)
   local function get(k, default) return m[k] and stringify(m[k]) or default end
-  local weave = get("weave", "build/weave")
+  weave = get("weave", "build/weave")
   root = get("root", "") ~= "" and get("root") .. "/" or ""
   teacher, missing_allowed = get("teacher") == "true", get("missing") == "true"
   figures_dir, data_dir = get("figures", "build/book/html") .. "/", get("data", nil)
@@ -547,16 +564,16 @@ local function meta(m)
   local function nav(e)
     return e and pandoc.MetaMap { href = pandoc.MetaString(e.page), title = pandoc.MetaString(e.num .. " " .. Code.plain(e.title)) } or nil
   end
-  m.prev, m.next = nav(written[me - 1]), nav(written[me + 1])
+  if me then m.prev, m.next = nav(written[me - 1]), nav(written[me + 1]) end
   m.toc = pandoc.MetaBlocks { rawb(contents(m)) }
-  m.pagetitle = pandoc.MetaString(written[me].num .. " " .. Code.plain(written[me].title))
+  m.pagetitle = pandoc.MetaString(me and written[me].num .. " " .. Code.plain(written[me].title) or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
 end
 
 -- The page's chunks and equations as a script, so that other pages can show them, from file:// too.
 local function write_previews()
-  if not html or not data_dir then return end
+  if not html or not data_dir or #mine.chunks == 0 and #previews == 0 or mine.base == "formulas" then return end
   local function quote(s) return '"' .. s:gsub('[\\"]', "\\%0"):gsub("\n", "\\n"):gsub("</", "<\\/") .. '"' end
   local maths, n = {}, 0
   for _, p in ipairs(previews) do if type(p[2]) ~= "string" then maths[#maths + 1] = pandoc.Para { p[2] } end end
@@ -579,7 +596,11 @@ end
 
 local function finish(doc)
   if html and #cited_order > 0 then
-    table.sort(cited_order, function(a, b) return (bib[a] or { order = a }).order < (bib[b] or { order = b }).order end)
+    table.sort(cited_order, function(a, b) 
+      local x, y = bib[a] and bib[a].order or 1e9, bib[b] and bib[b].order or 1e9
+      if x ~= y then return x < y end
+      return a < b
+    end)
     local t = { '<section class="sources"><h2>Sources</h2><ul>' }
     for _, id in ipairs(cited_order) do
       local b = bib[id]

@@ -96,6 +96,7 @@ function M.lex(s, inside)
 end
 
 ----------------------------------------------------------------------------------------------------------- escapes
+function M.tex_id(id) return (id:gsub("_", "=")) end
 function M.html(s) return (s:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" })) end
 
 local tex_map = { ["\\"] = "\\textbackslash{}", ["{"] = "\\{", ["}"] = "\\}", ["#"] = "\\#", ["$"] = "\\$", ["%"] = "\\%",
@@ -192,9 +193,9 @@ function M.line_tex(db, line, index)
     local class, text = t[1], M.tex_code(t[2])
     if tex_class[class] then out[#out + 1] = "\\" .. tex_class[class] .. "{" .. text .. "}"
     elseif class == "ref" then
-      out[#out + 1] = (index and index(t[2], false) or "") .. "\\wId{" .. t[3]:match("#(.*)$") .. "}{" .. text .. "}"
+      out[#out + 1] = (index and index(t[2], false) or "") .. "\\wId{" .. M.tex_id(t[3]:match("#(.*)$")) .. "}{" .. text .. "}"
     elseif class == "def" then
-      out[#out + 1] = (index and index(t[2], true) or "") .. "\\wDef{" .. t[3] .. "}{" .. text .. "}"
+      out[#out + 1] = (index and index(t[2], true) or "") .. "\\wDef{" .. M.tex_id(t[3]) .. "}{" .. text .. "}"
     elseif class == "eq" then
       out[#out + 1] = "\\wCo{\\hyperlink{" .. t[3] .. "}{" .. M.tex_code(M.ref_text(db.labels[t[3]])) .. "}}"
     elseif class == "use" then

@@ -208,7 +208,7 @@ function Pages.write(w)
 
   -------------------------------------------------------------------------------- formulas: made by pandoc from Markdown
   do
-    local t = { "---\nbase: formulas\n---\n\n# Formulas and their code\n\nEvery numbered equation of the book, with the chunks of code that compute it. An equation without a chunk is a step of a derivation.\n\n" }
+    local t = { "# Formulas and their code\n\nEvery numbered equation of the book, with the chunks of code that compute it. An equation without a chunk is a step of a derivation.\n\n" }
     for _, ch in ipairs(book.chapters) do
       local text = table.concat(ch.md)
       local any
@@ -217,7 +217,8 @@ function Pages.write(w)
         t[#t + 1] = "$$" .. math .. "$$ {#" .. id .. "}\n\n"
       end
     end
-    Code.write_if_changed(w.out .. "/formulas.txt", table.concat(t))
+    Code.write_if_changed(w.out .. "/formulas.md", table.concat(t))
+    Code.write_if_changed(w.out .. "/formulas.lua", 'return {["base"]="formulas",["chunks"]={},["file"]="formulas.md",["label"]=""}\n')
   end
 
   -------------------------------------------------------------------------------------------------------- search index
@@ -256,13 +257,18 @@ function Pages.write(w)
       end
       if e.planned then t[#t + 1] = "\\wPlanned{" .. e.num .. "}{" .. Code.tex(e.title) .. "}"
       else
-        t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{tex/" .. e.base .. "}"
+        t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{ch/" .. e.base .. "}"
       end
     end
     Code.write_if_changed(w.out .. "/chapters.tex", table.concat(t, "\n") .. "\n")
     local l = {}
+    local chapter
     for _, c in ipairs(book.chunks) do
       if c.part == 1 then
+        if c.chapter ~= chapter then
+          chapter = c.chapter
+          l[#l + 1] = "\\wListedChapter{" .. book.chapters[chapter].num .. " " .. Code.tex(Code.plain(book.chapters[chapter].title or "")) .. "}"
+        end
         l[#l + 1] = "\\wListed{" .. c.id .. "}{" .. c.num .. "}{" .. Code.name(db, c.name, "tex") .. "}"
       end
     end

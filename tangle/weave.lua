@@ -185,7 +185,7 @@ local function check_prose(chapter, line, l)
   if tag and not text:match("<https?:[^>]*>") and not text:match("<mailto:[^>]*>") then
     book:complain(chapter.file, line, "<" .. tag .. "> in prose reads as HTML and would vanish from the page", "put it in backticks")
   end
-  for cap, path in l:gmatch("!%[(.-)%]%(([^%)%s]+)%)") do images[#images + 1] = { chapter.file, line, path, cap } end
+  for path in text:gmatch("%]%(([^%)%s]+%.%a+)%)%s*{") do images[#images + 1] = { chapter.file, line, path } end
 end
 
 -- One line of documentation. Keeps the state of the chapter: fences, paragraphs, counters. Returns the line to emit.
@@ -209,6 +209,18 @@ local function doc_line(chapter, line, l)
     end
     return l
   end
+  -- a block of code that is only indented: after an empty line, outside a list
+  local blank = not l:match("%S")
+  if l:match("^    ") and (chapter.indented or chapter.blank and not chapter.in_list) and not chapter.display then
+    chapter.indented = true
+    return l
+  end
+  if not blank then
+    chapter.indented = false
+    if l:match("^%s*[%-%*%+]%s") or l:match("^%s*%d+[%.%)]%s") then chapter.in_list = true
+    elseif l:match("^%S") and chapter.blank then chapter.in_list = false end
+  end
+  chapter.blank = blank
   local display = chapter.display
   local _, dollars = l:gsub("`[^`]*`", ""):gsub("%$%$", "")
   if dollars % 2 == 1 then chapter.display = not display end
@@ -229,7 +241,7 @@ local function doc_line(chapter, line, l)
   l = l:gsub("(%$%$)%s*{#(eq:[%w_%-]+)[^}]*}", "%1 {#%2}")
   for id in l:gmatch("{[^}]*#(fig:[%w_%-]+)") do
     count_label(chapter, line, id)
-    local cap = l:match("!%[(.-)%]%(") 
+    local cap = ((chapter.para and chapter.para .. " " or "") .. l):match(".*!%[(.-)%]%(")
     if labels[id] then search[#search + 1] = { kind = "fig", title = "Figure " .. labels[id].num, page = chapter.entry.page, id = id, text = Code.plain(cap or "") } end
   end
   for id in l:gmatch("{[^}]*#(tbl:[%w_%-]+)") do count_label(chapter, line, id) end
@@ -250,7 +262,6 @@ local function doc_line(chapter, line, l)
   return l
 end
 
-local function join_image_lines(text) return text end
 do
   local chapter, kind, line, k
   local text, quote = "", nil
@@ -475,7 +486,8 @@ do
         local r = roots[file]
         local src_line = r and r.lines[line]
         if kind == "f" then functions[file .. ":" .. name] = { line, tonumber(rest:match("end:(%d+)")) or line } end
-        if src_line and src_line.chunk and not src_line.comment then
+        local guard = kind == "d" and name:match("_H$") and file:match("%.h$")
+        if src_line and src_line.chunk and not src_line.comment and not guard then
           tags[name] = tags[name] or {}
           table.insert(tags[name], { name = name, kind = kind, file = file, chunk = src_line.chunk, line = src_line.line, static =
             (rest:match("\tfile:") and not file:match("%.h$")) and true or nil, order = #tags[name] })
