@@ -287,9 +287,9 @@ local function figure(el)
     local w = width and width:match("^(%d+)%%$")
     w = w and tonumber(w) / 100 or 0.8
     local body = file and "\\includegraphics[width=" .. w .. "\\linewidth]{" .. file:gsub("%.svg$", ".pdf") .. "}" or "\\wMissing{" .. Code.tex(path) .. "}"
-    r:insert(rawb("\\begin{wFigure}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. body .. "\n\\wCaption{" .. (l and "Figure~" .. l.num or "") .. "}{"))
+    im.caption:insert(1, raw("\\begin{wFigure}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. body .. "\n\\wCaption{" .. (l and "Figure~" .. l.num or "") .. "}{"))
+    im.caption:insert(raw(commands .. "}\\end{wFigure}"))
     r:insert(pandoc.Plain(im.caption))
-    r:insert(rawb(commands .. "}\\end{wFigure}"))
   end
   return r
 end
@@ -513,8 +513,9 @@ local function header(el)
     return el
   end
   local command = ({ "chapter", "section", "subsection", "subsubsection" })[el.level] or "paragraph"
-  local r = pandoc.List { rawb("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{"), pandoc.Plain(el.content), rawb("}\\wLabel{" .. el.identifier .. "}") }
-  return r
+  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{"))
+  el.content:insert(raw("}\\wLabel{" .. el.identifier .. "}"))
+  return pandoc.Plain(el.content)
 end
 
 local function contents(m)
