@@ -1,47 +1,49 @@
 # engine.mk: from chapters to C, from C to the library, the programs and the tests.
 # Developer builds compile build/lines/, whose #line directives name the chapters; src-generated/ is the same code for people.
-LINES := build/lines
+# BUILD=dir puts everything that is made elsewhere (the committed src-generated/ is then left alone).
+BUILD ?= build
+LINES := $(BUILD)/lines
 SUBMAKE = $(MAKE) --no-print-directory CC="$(CC)" CFLAGS="$(CFLAGS)" STD="$(STD)" WARN="$(WARN)" PREFIX="$(PREFIX)"
 PREFIX ?= /usr/local
 
 .PHONY: tangle engine programs test upto upto-all install uninstall
-tangle: build/tangle.stamp
-build/tangle.stamp: $(NW) $(wildcard tangle/*.lua) tangle/tangle
-	@mkdir -p build
+tangle: $(BUILD)/tangle.stamp
+$(BUILD)/tangle.stamp: $(NW) $(wildcard tangle/*.lua) tangle/tangle
+	@mkdir -p $(BUILD)
 	@tangle/tangle --lines $(LINES) $(NW)
-	@$(if $(EXTRA),,tangle/tangle src-generated $(CHAPTERS))
+	@$(if $(EXTRA)$(filter-out build,$(BUILD)),,tangle/tangle src-generated $(CHAPTERS))
 	@touch $@
 
 # The list of sources is known only after tangling, so a second make does the compiling.
-engine: build/tangle.stamp
-	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=build lib
-programs: build/tangle.stamp
-	@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=build programs
-test: build/tangle.stamp
-	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=build test
+engine: $(BUILD)/tangle.stamp
+	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) lib
+programs: $(BUILD)/tangle.stamp
+	@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) programs
+test: $(BUILD)/tangle.stamp
+	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) test
 
 # The program as it stands after chapter n: tangled from the chapters up to n alone, compiled, and tested.
 upto:
 	@[ -n "$(CHAPTER)" ] || { echo "upto: which chapter? -- type: make upto CHAPTER=7"; exit 2; }
-	@tangle/tangle --lines --upto $(CHAPTER) build/upto/$(CHAPTER)/lines $(NW)
-	@$(MAKE) --no-print-directory -f tangle/compile.mk SRC=build/upto/$(CHAPTER)/lines OUT=build/upto/$(CHAPTER) UPTO=$(CHAPTER) \
+	@tangle/tangle --lines --upto $(CHAPTER) $(BUILD)/upto/$(CHAPTER)/lines $(NW)
+	@$(MAKE) --no-print-directory -f tangle/compile.mk SRC=$(BUILD)/upto/$(CHAPTER)/lines OUT=$(BUILD)/upto/$(CHAPTER) UPTO=$(CHAPTER) \
 	   CC="$(CC)" CFLAGS="-O1" STD="$(STD)" WARN="$(WARN)" lib test
-	@echo "upto: the program as it stands after chapter $(CHAPTER) compiles and passes its tests (build/upto/$(CHAPTER))."
+	@echo "upto: the program as it stands after chapter $(CHAPTER) compiles and passes its tests ($(BUILD)/upto/$(CHAPTER))."
 upto-all:
 	@for n in $$(ls chapters | sed -nE 's/^0*([0-9]+)-.*\.nw$$/\1/p' | sort -n); do \
-	   $(MAKE) --no-print-directory upto CHAPTER=$$n >build/upto-$$n.log 2>&1 && tail -1 build/upto-$$n.log || { cat build/upto-$$n.log; exit 1; }; done
+	   $(MAKE) --no-print-directory upto CHAPTER=$$n >$(BUILD)/upto-$$n.log 2>&1 && tail -1 $(BUILD)/upto-$$n.log || { cat $(BUILD)/upto-$$n.log; exit 1; }; done
 
-install: build/lib/libweft.a
+install: $(BUILD)/lib/libweft.a
 	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/bin
 	@install -m 644 src-generated/include/weft/*.h $(DESTDIR)$(PREFIX)/include/weft/
-	@install -m 644 build/lib/libweft.a build/lib/libweft-collision.a $(DESTDIR)$(PREFIX)/lib/
-	@cp -P build/lib/libweft.so* build/lib/libweft.dylib $(DESTDIR)$(PREFIX)/lib/ 2>/dev/null || true
-	@sed 's|^prefix=.*|prefix=$(PREFIX)|' build/lib/pkgconfig/weft.pc > $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc
-	@install -m 644 build/lib/cmake/weft/weftConfig.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
-	@for p in weft-testbed weft-headless weft-lab; do [ -x build/bin/$$p ] && install -m 755 build/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
+	@install -m 644 $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(DESTDIR)$(PREFIX)/lib/
+	@cp -P $(BUILD)/lib/libweft.so* $(BUILD)/lib/libweft.dylib $(DESTDIR)$(PREFIX)/lib/ 2>/dev/null || true
+	@sed 's|^prefix=.*|prefix=$(PREFIX)|' $(BUILD)/lib/pkgconfig/weft.pc > $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc
+	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfig.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
+	@for p in weft-testbed weft-headless weft-lab; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
 	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/lib, pkg-config name weft, CMake package weft"
 uninstall:
 	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc
 	@rm -f $(DESTDIR)$(PREFIX)/lib/libweft* $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab)
-build/lib/libweft.a:
-	@$(if $(wildcard build/tangle.stamp),$(MAKE) --no-print-directory engine,$(SUBMAKE) -f tangle/compile.mk SRC=src-generated OUT=build lib)
+$(BUILD)/lib/libweft.a:
+	@$(if $(wildcard $(BUILD)/tangle.stamp),$(MAKE) --no-print-directory engine,$(SUBMAKE) -f tangle/compile.mk SRC=src-generated OUT=$(BUILD) lib)

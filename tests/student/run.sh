@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# A student's chapter needs no edit elsewhere. The same file is tried in both ways: named with EXTRA=, and dropped into
+# chapters/ of a copy. Its integrator must be in the program, measured by the test that runs over all rows; its scene in
+# the testbed, run by the test of the scenes; and both in the book.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+chapter=tests/student/60-leapfrog.nw
+check() {      # the directory of the build, the arguments for make
+  local out=$1; shift
+  make --no-print-directory BUILD="$out" "$@" programs >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  "$out/bin/weft-headless" --list | grep -q "leapfrog fountain" || { echo "the scene is not in the testbed's list"; return 1; }
+  "$out/bin/weft-headless" --scene "leapfrog fountain" --steps 120 --hash >"$out.log" || { cat "$out.log"; return 1; }
+  for t in test_10_integration test_30_scenes; do
+    make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  done
+  grep -E '^leapfrog +order 2' "$out/tests/test_10_integration.log" || { echo "the test did not measure the student's integrator"; return 1; }
+  make --no-print-directory BUILD="$out" "$@" html >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  [ -f "$out/book/html/60-leapfrog.html" ] && grep -q 'Leapfrog, by a student' "$out/book/html/index.html" || { echo "the chapter is not in the book"; return 1; }
+  grep -q '60-leapfrog.html' "$out/book/html/10-integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
+}
+before=$(git status --porcelain 2>/dev/null | grep -v '^??' || true)
+rm -rf build/student; mkdir -p build/student
+check build/student EXTRA=$chapter
+echo "EXTRA=$chapter: in the program, the tests and the book"
+[ "$before" = "$(git status --porcelain 2>/dev/null | grep -v '^??' || true)" ] || { echo "a tracked file was changed:"; git status --short; exit 1; }
+
+copy=$(mktemp -d); trap 'rm -rf "$copy"' EXIT
+git ls-files -z | xargs -0 cp --parents -t "$copy"
+cp $chapter "$copy/chapters/"
+(cd "$copy" && mkdir -p build && check build)
+echo "dropped into chapters/: in the program, the tests and the book"
