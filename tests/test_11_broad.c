@@ -330,6 +330,7 @@ static wfQuadTree make_tree(wfPool *pool, wfRect root, int32_t proxies, int32_t 
     wfQuadTree tree;
     *pool = pool_of(wfQuadTreeSize(proxies, nodes));
     assert_ok(wfQuadTreeInit(&tree, pool, &def));
+    assert_int_equal(tree.nodeHigh, 1);
     return tree;
 }
 
@@ -443,7 +444,7 @@ static void test_insert_remove_move(void **state)
         static uint8_t in[64];
         wfPool pool;
         int32_t bucket = (int32_t)wfRandomBelow(&r, 4), depth = (int32_t)wfRandomBelow(&r, 6);
-        wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), 64, 400, depth, bucket);
+        wfQuadTree tree = make_tree(&pool, rect(-8, -4, 8, 4), 64, 400, depth, bucket);
         memset(in, 0, sizeof in);
         for (int step = 0; step < 400; step++) {
             int32_t p = (int32_t)wfRandomBelow(&r, 64);
@@ -565,7 +566,7 @@ static void test_bad_trees(void **state)
 {
     (void)state;
     wfPool pool = pool_of(sizeof memory);
-    wfQuadTree tree;
+    wfQuadTree tree = { 0 };
     wfQuadTreeDef good = { rect(-1, -1, 1, 1), 4, 8, 3, 0 }, bad;
     assert_result(WF_ERROR_NULL, wfQuadTreeInit(NULL, &pool, &good));
     assert_result(WF_ERROR_NULL, wfQuadTreeInit(&tree, NULL, &good));
@@ -573,7 +574,9 @@ static void test_bad_trees(void **state)
     assert_result(WF_ERROR_NULL, wfQuadTreeBuild(NULL, &pool, &world.in));
     assert_result(WF_ERROR_NULL, wfQuadTreeBuild(&tree, NULL, &world.in));
     assert_result(WF_ERROR_NULL, wfQuadTreeBuild(&tree, &pool, NULL));
-    assert_result(WF_ERROR_NULL, wfQuadTreePairs(NULL, WF_QUAD_CLIMB, NULL, NULL));
+    wfPairList list = list_of(4);
+    assert_result(WF_ERROR_NULL, wfQuadTreePairs(NULL, WF_QUAD_CLIMB, NULL, &list));
+    assert_result(WF_ERROR_NULL, wfQuadTreePairs(&tree, WF_QUAD_CLIMB, NULL, NULL));
     assert_result(WF_ERROR_NULL, wfQuadTreeInsert(NULL, 0, good.root));
 #define REFUSED(result, field, value) (bad = good, bad.field = (value), assert_result(result, wfQuadTreeInit(&tree, &pool, &bad)))
     REFUSED(WF_ERROR_RANGE, proxies, -1);
