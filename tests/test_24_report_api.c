@@ -207,7 +207,7 @@ static void math_operations(void **unused)
 {
     (void)unused;
     assert_true(Square(3) == 9);
-    assert_ulps(DegToRadians(180), 3.14159265358979, 1, 4);
+    assert_ulps(DegToRadians(180), 3.14159265358979324, 1, 4);
     assert_true(SquareRoot(16) == 4);
     assert_true(AbsoluteValue(-2) == 2);
     assert_ulps(Sin(1), 0.84147098480789651, 1, 1);
