@@ -1,0 +1,715 @@
+/* Scenes and the testbed (chapter 30): every row of the scene table, the camera, the hand, the game played by scripts.
+ * tests/golden/scenes.csv holds each scene's hash after 600 steps (`make golden` records them). */
+#include "testing.h"
+#include "testbed/camera.h"
+#include "testbed/hand.h"
+#include "testbed/platform.h"
+#include "testbed/scene.h"
+#include "testbed/view.h"
+
+enum { STEPS = 600 };
+
+bool write_png(const char *path, const frame_buffer *buffer) { (void)path, (void)buffer; return false; }
+
+/* ---- every scene ---- */
+static void every_scene_keeps_its_promises(void **state)
+{
+    (void)state;
+    assert_true(wfSceneCount >= 20);
+    for (int i = 0; i < wfSceneCount; i++) {
+        const wfScene *s = &wfSceneTable[i];
+        wfSceneReport r = wfWatchScene(s, STEPS);
+        if (r.result != WF_OK) fail_msg("%s: %s in step %d", s->name, wfResultName(r.result), (int)r.steps);
+        if (r.steps != STEPS) fail_msg("%s stopped after %d steps", s->name, (int)r.steps);
+        if (!r.finite) fail_msg("%s: a number is not finite", s->name);
+        if (s->energyBound >= 0 && !(r.gain <= (double)s->energyBound))
+            fail_msg("%s gained %g J, promised %g", s->name, r.gain, (double)s->energyBound);
+        if (s->depthBound >= 0 && !(r.deepest <= (double)s->depthBound))
+            fail_msg("%s sank %g m, promised %g", s->name, r.deepest, (double)s->depthBound);
+    }
+}
+
+static void every_scene_is_well_described(void **state)
+{
+    (void)state;
+    for (int i = 0; i < wfSceneCount; i++) {
+        const wfScene *s = &wfSceneTable[i];
+        assert_true(s->category && s->category[0] && s->name && s->name[0] && s->text && s->text[0] && s->build);
+        if (strlen(s->name) >= GAME_NAME_SIZE) fail_msg("%s: the name is too long", s->name);
+        assert_true(s->chapter > 0 && s->viewHeight > 0 && wfIsFinite(s->viewX) && wfIsFinite(s->viewY));
+        char hyphens[64];
+        snprintf(hyphens, sizeof hyphens, "%s", s->name);
+        for (char *c = hyphens; *c; c++) if (*c == ' ') *c = '-';
+        if (wfFindScene(s->name) != i) fail_msg("two scenes are called %s", s->name);
+        assert_int_equal(wfFindScene(hyphens), i);
+    }
+    assert_int_equal(wfFindScene(""), -1);
+    assert_int_equal(wfFindScene("no such scene"), -1);
+}
+
+static void every_scene_has_its_hash(void **state)
+{
+    (void)state;
+    if (sizeof(wfReal) != sizeof(float)) skip();    /* the file is of the float engine */
+    FILE *f = fopen("tests/golden/scenes.csv", "r");
+    if (!f) fail_msg("tests/golden/scenes.csv is missing: make golden");
+    char line[200], name[100];
+    int rows = 0;
+    while (fgets(line, sizeof line, f)) {
+        int steps;
+        unsigned long long hash;
+        if (sscanf(line, "%99[^,],%d,%llx", name, &steps, &hash) != 3) continue;
+        int row = wfFindScene(name);
+        if (row < 0) fail_msg("%s is in the file but not in the table: make golden", name);
+        wfSceneReport r = wfWatchScene(&wfSceneTable[row], steps);
+        if (r.hash != hash)
+            fail_msg("%s: %016llx after %d steps, recorded %016llx; if the change is meant: make golden", name,
+                     (unsigned long long)r.hash, steps, hash);
+        rows++;
+    }
+    fclose(f);
+    assert_true(rows >= 20);                        /* a student's scene may have no line */
+}
+
+static void a_scene_runs_the_same_again_and_in_lent_memory(void **state)
+{
+    (void)state;
+    static _Alignas(WF_POOL_ALIGN) uint8_t permanent[8 * 1024 * 1024], transient[8 * 1024 * 1024];
+    for (int i = 0; i < wfSceneCount; i++) {
+        const wfScene *s = &wfSceneTable[i];
+        wfMemory lent = { .permanent = permanent, .permanentSize = sizeof permanent,
+                          .transient = transient, .transientSize = sizeof transient };
+        wfWorld world;
+        memset(permanent, i + 1, sizeof permanent);
+        assert_ok(wfOpenScene(s, &lent, &world));
+        for (int k = 0; k < 60; k++) {
+            wfSceneInput in = wfSceneInputAt(s, k);
+            assert_ok(wfStepScene(s, &world, &in));
+        }
+        wfSceneReport r = wfWatchScene(s, 60);
+        if (r.hash != wfHashWorld(&world)) fail_msg("%s: not the same when run again", s->name);
+    }
+    wfMemory tiny = { .permanent = permanent, .permanentSize = 64, .transient = transient, .transientSize = 64 };
+    wfWorld world;
+    assert_result(WF_ERROR_MEMORY, wfOpenScene(&wfSceneTable[0], &tiny, &world));
+}
+
+static wfResult build_badly(wfWorld *world)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    def.mass = -1;
+    return wfAddBodyToWorld(world, &def, NULL);
+}
+
+static wfResult build_doomed(wfWorld *world)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    def.mass = 1;
+    def.velocity = wfV2((wfReal)3e37, 0);
+    return wfAddBodyToWorld(world, &def, NULL);
+}
+
+static void a_bad_scene_is_reported(void **state)
+{
+    (void)state;
+    wfScene bad = { .category = "x", .name = "bad", .text = "t", .chapter = 30, .build = build_badly, .viewHeight = 1 };
+    wfSceneReport r = wfWatchScene(&bad, 10);
+    assert_true(r.result != WF_OK);
+    assert_int_equal(r.steps, 0);
+    if (sizeof(wfReal) == sizeof(float)) {          /* overflows a float's square: the world refuses the step, or goes on */
+        bad.build = build_doomed;
+        r = wfWatchScene(&bad, 100);
+        assert_true(r.finite);
+    }
+}
+
+static void the_wandering_hand_stays_in_view(void **state)
+{
+    (void)state;
+    for (int i = 0; i < wfSceneCount; i++) {
+        const wfScene *s = &wfSceneTable[i];
+        wfVec2 low = wfV2(WF_HUGE, WF_HUGE), high = wfV2(-WF_HUGE, -WF_HUGE);
+        for (int64_t k = 0; k < 3000; k += 7) {
+            wfSceneInput in = wfSceneInputAt(s, k);
+            low = wfMin2(low, in.mouse);
+            high = wfMax2(high, in.mouse);
+            assert_true(in.turn >= -WF_PI && in.turn <= WF_PI && in.choice >= 0);
+        }
+        assert_true(high.y <= s->viewY + s->viewHeight / 2 && low.y >= s->viewY - s->viewHeight / 2);
+        assert_true(high.y - low.y > s->viewHeight / 2 && high.x - low.x > s->viewHeight / 2);
+    }
+}
+
+/* ---- what single scenes show ---- */
+static void tc01_distances_are_as_one_over_mass(void **state)
+{
+    (void)state;
+    /* s = F t^2 / 2m is exact for a constant force: 1 N for 240 steps of 1/60 s, i.e. 8/m m. The rounding of the sum over
+     * 240 steps of numbers below 16 is below 240 * eps * 16. */
+    const wfScene *s = &wfSceneTable[wfFindScene("TC01 masses")];
+    wfWorld world;
+    assert_ok(wfOpenScene(s, NULL, &world));
+    wfSceneInput in = { .choice = 0 };
+    for (int k = 0; k < 240; k++) assert_ok(wfStepScene(s, &world, &in));
+    wfBodyView v = wfWorldBodies(&world);
+    for (int i = 0; i < 4; i++) assert_near(v.state[i].p.x + 5, 8.0 / (i + 1), 240 * (double)WF_EPSILON * 16);
+    wfDestroyWorld(&world);
+}
+
+static void tc02_spin_grows_with_the_arm(void **state)
+{
+    (void)state;
+    const wfScene *s = &wfSceneTable[wfFindScene("TC02 arms")];
+    wfWorld world;
+    assert_ok(wfOpenScene(s, NULL, &world));
+    wfSceneInput in = { .choice = 0 };
+    for (int k = 0; k < 10; k++) assert_ok(wfStepScene(s, &world, &in));
+    wfBodyView v = wfWorldBodies(&world);
+    assert_true(v.state[0].w == 0);
+    for (int i = 1; i < 4; i++) {                   /* torque -F r, inertia m (1 + 1) / 12 = 1/3: w = -3 * 0.15 i t, while */
+        double w = -3 * 0.15 * i * 10 / 60;         /* the body has turned by w t / 2 < 0.02 rad only: cos > 0.9998 */
+        assert_near(v.state[i].w, w, 3e-4 * fabs(w));
+        assert_near(v.state[i].p.x, v.state[0].p.x, 1e-6);
+    }
+    wfDestroyWorld(&world);
+}
+
+static void tc05_colours_follow_the_contacts(void **state)
+{
+    (void)state;
+    const wfScene *s = &wfSceneTable[wfFindScene("TC05 colours")];
+    static uint8_t list[256 * 1024];
+    static _Alignas(WF_POOL_ALIGN) uint8_t scratch[64 * 1024];
+    const struct { double x, y; int red; } at[] = { { -4, 2, 2 }, { 0, 0, 0 }, { 4, 2, 2 }, { 0, -2, 2 }, { -2, 0, 0 } };
+    wfWorld world;
+    assert_ok(wfOpenScene(s, NULL, &world));
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+        wfSceneInput in = { .mouse = wfV2((wfReal)at[k].x, (wfReal)at[k].y), .choice = 0 };
+        assert_ok(wfStepScene(s, &world, &in));
+        wfDraw d;
+        wfPool pool;
+        wfDrawInit(&d, list, sizeof list);
+        assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
+        wfDrawWorld(&world, WF_SHOW_TOUCHING, &pool, &d);
+        int red = 0, white = 0;
+        for (int i = 0; i < d.count; i++) {
+            red += wfDrawAt(&d, i)->fill == WF_INK_BAD;
+            white += wfDrawAt(&d, i)->fill == WF_INK_PAPER;
+        }
+        assert_int_equal(red, at[k].red);
+        assert_int_equal(red + white, wfBodyCount(&world));
+    }
+    wfDestroyWorld(&world);
+}
+
+static void tc08_overlap_goes_and_no_velocity_comes(void **state)
+{
+    (void)state;
+    const wfScene *s = &wfSceneTable[wfFindScene("TC08 positional correction")];
+    wfWorld world;
+    wfSeparation gap;
+    assert_ok(wfOpenScene(s, NULL, &world));
+    /* The testing box, half sizes 0.9 and 0.6, above the ball of radius 1 at (4, 2), which doesn't move. */
+    for (double overlap = 0.02; overlap < 0.5; overlap *= 1.7) {
+        wfSceneInput in = { .mouse = wfV2(4, (wfReal)(2 + 1 + 0.6 - overlap)) };
+        assert_ok(wfStepScene(s, &world, &in));
+        wfBodyView v = wfWorldBodies(&world);
+        assert_ok(wfSeparate(0, &v.shapes[0], wfBodyTransform(&v.state[0]), &v.shapes[7],
+                             wfBodyTransform(&v.state[7]), &gap));
+        assert_true(wfLength(v.state[0].v) < WF_R(1e-5) && wfAbs(v.state[0].w) < WF_R(1e-5));
+        assert_near(gap.distance, -0.001, 1e-4);    /* the slop of the scene is left; 1e-4: floats near 1000 in this world */
+        assert_true(v.state[7].p.x == 4 && v.state[7].p.y == 2);
+    }
+    wfDestroyWorld(&world);
+}
+
+/* ---- drawing ---- */
+static void every_scene_and_overlay_can_be_drawn(void **state)
+{
+    (void)state;
+    static uint8_t list[1024 * 1024];
+    static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
+    for (int i = 0; i < wfSceneCount; i++) {
+        const wfScene *s = &wfSceneTable[i];
+        wfWorld world;
+        wfDraw d;
+        wfPool pool;
+        wfSceneInput in;
+        assert_ok(wfOpenScene(s, NULL, &world));
+        for (int k = 0; k < 90; k++) in = wfSceneInputAt(s, k), assert_ok(wfStepScene(s, &world, &in));
+        uint64_t hash = wfHashWorld(&world);
+        wfDrawInit(&d, list, sizeof list);
+        assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
+        wfDrawWorld(&world, 0xffffffffu, &pool, &d);
+        if (s->draw) s->draw(&world, &d, &in);
+        if (d.refused || d.overflow) fail_msg("%s: %d commands refused, %d too many", s->name, (int)d.refused, (int)d.overflow);
+        assert_true(d.count > 0);
+        assert_true(hash == wfHashWorld(&world));   /* looking changes nothing */
+        assert_int_equal(pool.used, 0);
+        wfDestroyWorld(&world);
+    }
+    for (int i = 0; i < wfOverlayCount; i++)
+        for (int j = 0; j < i; j++)
+            assert_true(wfOverlayTable[i].bit != wfOverlayTable[j].bit && wfOverlayTable[i].key != wfOverlayTable[j].key);
+}
+
+static void overlays_show_pairs_and_contacts_where_they_are(void **state)
+{
+    (void)state;
+    static uint8_t list[1024 * 1024];
+    static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
+    const wfScene *s = &wfSceneTable[wfFindScene("shapes")];
+    wfWorld world;
+    assert_ok(wfOpenScene(s, NULL, &world));
+    wfSceneInput in = { .choice = 0 };
+    for (int k = 0; k < 120; k++) assert_ok(wfStepScene(s, &world, &in));
+    int32_t pairs, contacts, points = 0, seenPairs = 0, seenPoints = 0;
+    const wfPair *pair = wfWorldPairs(&world, &pairs);
+    const wfContact *contact = wfWorldContacts(&world, &contacts);
+    for (int i = 0; i < contacts; i++) points += contact[i].manifold.count;
+    assert_true(pairs > 20 && points > 20);
+    wfBodyView v = wfWorldBodies(&world);
+    wfDraw d, plain;
+    wfPool pool;
+    static uint8_t list2[1024 * 1024];
+    assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
+    wfDrawInit(&plain, list2, sizeof list2);
+    wfDrawWorld(&world, 0, &pool, &plain);
+    wfDrawInit(&d, list, sizeof list);
+    wfDrawWorld(&world, WF_SHOW_PAIRS | WF_SHOW_CONTACTS, &pool, &d);
+    for (int i = plain.count; i < d.count; i++) {   /* what the overlays added */
+        const wfDrawCommand *c = wfDrawAt(&d, i);
+        const float *xy = wfDrawPoints(&d, c);
+        if (c->kind == WF_DRAW_POINT) seenPoints++;
+        if (c->kind != WF_DRAW_LINE) continue;
+        int found = 0;
+        for (int p = 0; p < pairs; p++)
+            found |= xy[0] == (float)v.state[pair[p].a].p.x && xy[1] == (float)v.state[pair[p].a].p.y &&
+                     xy[2] == (float)v.state[pair[p].b].p.x && xy[3] == (float)v.state[pair[p].b].p.y;
+        assert_true(found);
+        seenPairs++;
+    }
+    assert_int_equal(seenPairs, pairs);
+    assert_int_equal(seenPoints, points);
+    wfDestroyWorld(&world);
+}
+
+/* ---- the camera ---- */
+static camera random_camera(wfRandom *r)
+{
+    return (camera){ .x = (float)wfRandomReal(r, -50, 50), .y = (float)wfRandomReal(r, -50, 50),
+                     .height = (float)wfRandomReal(r, 1, 100), .left = (float)wfRandomReal(r, 0, 300),
+                     .top = (float)wfRandomReal(r, 0, 200), .wide = (float)wfRandomReal(r, 100, 2000),
+                     .high = (float)wfRandomReal(r, 100, 1500) };
+}
+
+static void the_camera_sees_where_it_should(void **state)
+{
+    (void)state;
+    camera c = { .x = 3, .y = 5, .height = 10, .left = 100, .top = 50, .wide = 800, .high = 500 };
+    float p[2], w[2];
+    assert_near(camera_scale(&c), 50, 0);
+    camera_see(&c, 3, 5, p);                        /* the middle of the free part */
+    assert_near(p[0], 500, 0);
+    assert_near(p[1], 300, 0);
+    camera_see(&c, 4, 7, p);                        /* right and up: y of the pixel gets smaller */
+    assert_near(p[0], 550, 0);
+    assert_near(p[1], 200, 0);
+    camera_pick(&c, 100, 550, w);                   /* lower left corner of the free part */
+    assert_near(w[0], 3 - 8, 1e-5);
+    assert_near(w[1], 0, 1e-5);
+    camera_pan(&c, 50, -100);                       /* pulled right and up: the world goes along */
+    camera_see(&c, 4, 7, p);
+    assert_near(p[0], 600, 1e-3);
+    assert_near(p[1], 100, 1e-3);
+    float view[4];
+    camera_window(&c, 1000, 600, view);
+    camera_see(&c, view[0], view[1], p);
+    assert_near(p[0], 0, 1e-3);
+    assert_near(p[1], 600, 1e-3);
+    camera_see(&c, view[2], view[3], p);
+    assert_near(p[0], 1000, 1e-3);
+    assert_near(p[1], 0, 1e-3);
+}
+
+static void picking_inverts_seeing_and_zoom_keeps_the_point(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(30);
+    for (int run = 0; run < 10000; run++) {
+        camera c = random_camera(&r), before = c;
+        float px = (float)wfRandomReal(&r, 0, 2000), py = (float)wfRandomReal(&r, 0, 1500), w[2], p[2], after[2];
+        camera_pick(&c, px, py, w);
+        camera_see(&c, w[0], w[1], p);
+        /* World numbers are below 2050 * 100 / 100 + 50 < 2200 m; an error of one ulp of these, times the scale of at most
+         * 1500 px / 1 m, and a few roundings more: 8 eps * 2200 * scale. */
+        double scale = (double)camera_scale(&c), eps = 1.2e-7;
+        assert_near(p[0], px, 8 * eps * 2200 * (scale + 1));
+        assert_near(p[1], py, 8 * eps * 2200 * (scale + 1));
+        float f = (float)wfRandomReal(&r, WF_R(0.5), 2);
+        camera_zoom(&c, f, px, py);
+        camera_pick(&c, px, py, after);
+        assert_near(after[0], w[0], 16 * eps * 4500);
+        assert_near(after[1], w[1], 16 * eps * 4500);
+        assert_near(c.height * f, before.height, 4 * eps * (double)before.height);
+    }
+    camera c = random_camera(&r), before = c;
+    camera_zoom(&c, 0, 1, 1);
+    camera_zoom(&c, -1, 1, 1);
+    camera_zoom(&c, NAN, 1, 1);
+    camera_zoom(&c, INFINITY, 1, 1);
+    camera_zoom(&c, 1e9f, 1, 1);
+    assert_memory_equal(&c, &before, sizeof c);
+}
+
+/* ---- the hand ---- */
+static void the_hand_follows_the_exact_recurrence(void **state)
+{
+    (void)state;
+    /* A particle of 2 kg from rest at d0: d_n = (d0 + b n) mu^n, mu = 1/(1 + omega h); d_1 fixes b. Rounding: n steps of a
+     * map whose powers are bounded by (1 + n); so n^2 eps |d0| is more than enough. */
+    const double omegaH[] = { 0.01, 0.1, 0.5, 1, 3, 30 };
+    for (size_t k = 0; k < sizeof omegaH / sizeof *omegaH; k++) {
+        wfReal h = WF_R(0.0625), omega = (wfReal)(omegaH[k] / 0.0625);
+        wfBodyState b = { .p = wfV2(3, -4), .invMass = WF_R(0.5) };
+        double mu = 1 / (1 + (double)omega * (double)h), last = 5;
+        double d1 = 1 - omegaH[k] * omegaH[k] * mu * mu, slope = d1 / mu - 1;
+        for (int n = 1; n <= 60; n++) {
+            wfApplyImpulse(&b, wfHandImpulse(&b, b.p, wfV2(0, 0), omega, h), b.p);
+            b.p = wfAddScaled(b.p, h, b.v);
+            double want = (1 + slope * n) * pow(mu, n);
+            assert_near2(b.p, wfV2((wfReal)(3 * want), (wfReal)(-4 * want)), n * n * 2 * (double)WF_EPSILON * 5 + 1e-30);
+            double distance = (double)wfLength(b.p);
+            assert_true(distance <= last * (1 + 1e-6) + 1e-6);     /* never grows: critically damped */
+            last = distance;
+        }
+    }
+}
+
+static void the_hand_gives_the_grip_its_velocity(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(31);
+    for (int run = 0; run < 5000; run++) {
+        wfBodyState b = { .p = random_v2(&r, -5, 5), .v = random_v2(&r, -5, 5), .w = wfRandomReal(&r, -5, 5),
+                          .invMass = wfRandomReal(&r, WF_R(0.1), 2), .invInertia = wfRandomReal(&r, 0, 2) };
+        wfVec2 grip = wfAdd(b.p, random_v2(&r, -2, 2)), target = random_v2(&r, -5, 5), v = wfVelocityAt(&b, grip);
+        double omega = (double)wfRandomReal(&r, 1, 50), h = (double)wfRandomReal(&r, WF_R(0.001), WF_R(0.1)), spin = (double)b.w;
+        wfVec2 j = wfHandImpulse(&b, grip, target, (wfReal)omega, (wfReal)h);
+        double arm = (double)wfCross(wfSub(grip, b.p), j);
+        wfApplyImpulse(&b, j, grip);
+        double q = (1 + omega * h) * (1 + omega * h);
+        wfVec2 want = wfV2((wfReal)(((double)v.x - h * omega * omega * ((double)grip.x - (double)target.x)) / q),
+                           (wfReal)(((double)v.y - h * omega * omega * ((double)grip.y - (double)target.y)) / q));
+        /* Solving K J = change loses the condition of K: at most 1 + m r^2 / I < 1 + 20 * 8 in these ranges. */
+        assert_near2(wfVelocityAt(&b, grip), want, 400 * (double)WF_EPSILON * (60 + (double)wfLength(want)));
+        assert_near((double)b.w - spin, (double)b.invInertia * arm, 100 * (double)WF_EPSILON * (10 + fabs(spin) + fabs(arm)));
+    }
+    wfBodyState fixed = { .p = wfV2(1, 1) };
+    wfVec2 j = wfHandImpulse(&fixed, wfV2(1, 1), wfV2(9, 9), 25, WF_R(0.01));
+    assert_true(j.x == 0 && j.y == 0);
+}
+
+/* ---- the game ---- */
+typedef struct play { game_memory memory; frame_buffer buffer; char text[16384]; } play;
+
+static void begin(play *p, int width, int height)
+{
+    memset(p, 0, sizeof *p);
+    p->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
+                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE };
+    p->buffer = (frame_buffer){ calloc((size_t)(width * height), 4), width, height, width, 1 };
+    assert_true(p->memory.permanent && p->memory.transient && p->buffer.pixels);
+}
+
+static void end(play *p)
+{
+    free(p->memory.permanent);
+    free(p->memory.transient);
+    free(p->buffer.pixels);
+}
+
+static void run(play *p, const char *script)
+{
+    input_script s;
+    game_input in;
+    input_script_open(&s, script);
+    int got;
+    while ((got = input_script_next(&s, &in)) == 1)
+        game_update_and_render(&p->memory, &in, &p->buffer);
+    if (got < 0) fail_msg("line %d of '%s': %s", (int)s.line, script, s.error);
+    size_t n = game_describe(&p->memory, p->text, sizeof p->text);
+    assert_true(n < sizeof p->text);
+}
+
+/* The n-th number behind a label at the beginning of a line of the description. */
+static double fact(const play *p, const char *label, int n)
+{
+    size_t length = strlen(label);
+    for (const char *line = p->text; line; line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL) {
+        if (strncmp(line, label, length) != 0 || line[length] != ' ') continue;
+        const char *at = line + length;
+        for (int k = 0; ; k++) {
+            while (*at && *at != '\n' && !strchr("-0123456789", *at)) at++;
+            if (!*at || *at == '\n') break;
+            char *after;
+            double x = strtod(at, &after);
+            if (k == n) return x;
+            at = after;
+        }
+    }
+    fail_msg("nothing is said of '%s' in\n%s", label, p->text);
+    return 0;
+}
+
+static void click(play *p, const char *widget)
+{
+    char label[64], script[200];
+    snprintf(label, sizeof label, "widget %s pixel", widget);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\n", fact(p, label, 0), fact(p, label, 1));
+    run(p, script);
+}
+
+static int is_scene(const play *p, const char *name)
+{
+    char line[80];
+    snprintf(line, sizeof line, "scene %s\n", name);
+    return strstr(p->text, line) == p->text;
+}
+
+static void pause_step_and_reset_work(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 900, 600);
+    run(&p, "scene stack-of-boxes\nwait 10\n");
+    assert_true(is_scene(&p, "stack of boxes"));
+    assert_int_equal(fact(&p, "steps", 0), 10);
+    run(&p, "key p\nwait 10\n");
+    assert_int_equal(fact(&p, "paused", 0), 1);
+    assert_int_equal(fact(&p, "steps", 0), 10);
+    run(&p, "key o\nwait 5\nkey o\nframe\n");
+    assert_int_equal(fact(&p, "steps", 0), 12);
+    run(&p, "key space\nwait 4\n");
+    assert_int_equal(fact(&p, "paused", 0), 0);
+    assert_int_equal(fact(&p, "steps", 0), 16);
+    run(&p, "steps 0\nkey r\nframe\n");
+    assert_int_equal(fact(&p, "steps", 0), 0);
+    click(&p, "Step");
+    click(&p, "Step");
+    assert_int_equal(fact(&p, "steps", 0), 2);
+    assert_int_equal(fact(&p, "paused", 0), 1);
+    click(&p, "Run");
+    assert_int_equal(fact(&p, "paused", 0), 0);
+    click(&p, "Pause");                             /* the button's name says at once what it does now */
+    assert_int_equal(fact(&p, "paused", 0), 1);
+    click(&p, "Reset");
+    assert_int_equal(fact(&p, "steps", 0), 0);
+    end(&p);
+}
+
+static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 1200);
+    run(&p, "steps 0\nframe\n");
+    assert_true(is_scene(&p, wfSceneTable[0].name));
+    run(&p, "key [\nframe\n");
+    assert_true(is_scene(&p, wfSceneTable[wfSceneCount - 1].name));
+    run(&p, "key ]\nframe\n");
+    assert_true(is_scene(&p, wfSceneTable[0].name));
+    click(&p, "Next");
+    assert_true(is_scene(&p, wfSceneTable[1].name));
+    click(&p, "Previous");
+    assert_true(is_scene(&p, wfSceneTable[0].name));
+    for (int i = wfSceneCount - 1; i >= 0; i--) {
+        click(&p, wfSceneTable[i].name);
+        assert_true(is_scene(&p, wfSceneTable[i].name));
+    }
+    run(&p, "key tab\nframe\n");
+    assert_int_equal(fact(&p, "list", 0), 0);
+    run(&p, "scene nowhere\nframe\n");              /* unknown: stays */
+    assert_true(is_scene(&p, wfSceneTable[0].name));
+    end(&p);
+}
+
+static void overlays_keys_and_views_answer(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 700);
+    run(&p, "scene pyramid\nsteps 0\nframe\n");
+    for (int i = 0; i < wfOverlayCount; i++) {
+        double show = fact(&p, "show", 0);
+        char script[40];
+        click(&p, wfOverlayTable[i].name);
+        assert_int_equal((uint32_t)fact(&p, "show", 0), (uint32_t)show ^ wfOverlayTable[i].bit);
+        snprintf(script, sizeof script, "key %c\nframe\n", wfOverlayTable[i].key);
+        run(&p, script);
+        assert_int_equal(fact(&p, "show", 0), show);
+    }
+    click(&p, "Dark");
+    assert_int_equal(fact(&p, "dark", 0), 1);
+    run(&p, "key d\nkey ?\nframe\n");
+    assert_int_equal(fact(&p, "dark", 0), 0);
+    assert_int_equal(fact(&p, "keys", 0), 1);
+    double x = fact(&p, "view", 0), y = fact(&p, "view", 1), height = fact(&p, "view", 2);
+    run(&p, "move 600 400\nframe\ndown right\nframe\nmove 700 450\nframe\nup right\nframe\nwheel 2\nframe\n");
+    assert_true(fact(&p, "view", 0) < x && fact(&p, "view", 1) > y);   /* the world was pulled right and down */
+    assert_near(fact(&p, "view", 2), height / (1.15 * 1.15), 1e-3);
+    click(&p, "Home");
+    assert_near(fact(&p, "view", 0), x, 1e-4);
+    assert_near(fact(&p, "view", 1), y, 1e-4);
+    assert_near(fact(&p, "view", 2), height, 1e-4);
+    end(&p);
+}
+
+static void a_body_is_held_dragged_and_thrown(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 700);
+    run(&p, "scene stack-of-boxes\nsteps 1\nwait 20\n");
+    char script[300];
+    double px = fact(&p, "body 6", 2), py = fact(&p, "body 6", 3), x = fact(&p, "body 6", 0), y = fact(&p, "body 6", 1);
+    snprintf(script, sizeof script, "move %g %g\nframe\ndown left\nframe\n", px, py);
+    run(&p, script);
+    assert_int_equal(fact(&p, "held", 0), 6);
+    run(&p, "frame\n");                             /* a script begins with all buttons up */
+    assert_int_equal(fact(&p, "held", 0), -1);
+    snprintf(script, sizeof script, "key r\nsteps 0\nframe\nsteps 1\nmove %g %g\ndown left\nframe\nmove %g %g\nwait 90\n",
+             px, py, px + 200, py - 20);
+    run(&p, script);
+    assert_int_equal(fact(&p, "held", 0), 6);
+    /* After 1.5 s the spring (25/s) has long settled; what is left is the sag g (1 + omega h)^2 / omega^2 = 0.031 m, and the
+     * box hangs from a grip that was a pixel off its centre. */
+    assert_near(fact(&p, "body 6", 2), px + 200, 6);
+    assert_near(fact(&p, "body 6", 3), py - 20, 12);
+    assert_true(fact(&p, "body 6", 0) > x + 1 && fact(&p, "body 6", 1) > y);
+    /* Throw it: moving up and away by 20 pixels a frame, then let go. */
+    strcpy(script, "");
+    char *at = script;
+    at += sprintf(at, "move %g %g\ndown left\nframe\n", fact(&p, "body 6", 2), fact(&p, "body 6", 3));
+    for (int k = 1; k <= 6; k++) at += sprintf(at, "move %g %g\nframe\n", px + 200 + 20 * k, py - 20 - 10 * k);
+    strcpy(at, "up left\nframe\n");
+    run(&p, script);
+    double fx = fact(&p, "body 6", 0);
+    assert_int_equal(fact(&p, "held", 0), -1);
+    run(&p, "wait 10\n");
+    assert_true(fact(&p, "body 6", 0) > fx + 0.5);  /* it flies on */
+    end(&p);
+}
+
+static void a_static_body_cannot_be_taken(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 700);
+    run(&p, "scene cradle\nsteps 0\nmove 300 350\nframe\n");
+    run(&p, "move 222 350\ndown left\nframe\n");
+    assert_int_equal(fact(&p, "held", 0), -1);
+    end(&p);
+}
+
+static const char *const LONG_PLAY = "scene shapes\nsteps 1\nwait 40\nmove 640 400\nframe\ndown left\nwait 5\nmove 700 200\n"
+    "wait 20\nmove 800 300\nwait 10\nup left\nwait 10\nkey 1\nkey 5\nwheel -1\nwait 10\n";
+static const char *const SECOND_HALF = "key 3\nmove 500 300\nsteps 1\nwait 60\n";
+
+static void the_same_input_makes_the_same_pixels(void **state)
+{
+    (void)state;
+    play a, b;
+    begin(&a, 640, 480);
+    begin(&b, 640, 480);
+    run(&a, LONG_PLAY);
+    run(&b, LONG_PLAY);
+    assert_memory_equal(a.buffer.pixels, b.buffer.pixels, 640 * 480 * 4);
+    assert_string_equal(a.text, b.text);
+    end(&a);
+    end(&b);
+}
+
+static void memory_moves_and_the_game_goes_on(void **state)
+{
+    (void)state;
+    play a, b;
+    begin(&a, 640, 480);
+    begin(&b, 640, 480);
+    run(&a, LONG_PLAY);
+    memcpy(b.memory.permanent, a.memory.permanent, GAME_PERMANENT_SIZE);
+    memset(b.memory.transient, 0x5a, GAME_TRANSIENT_SIZE);          /* transient memory may hold anything */
+    run(&a, SECOND_HALF);
+    run(&b, SECOND_HALF);
+    assert_string_equal(a.text, b.text);
+    assert_memory_equal(a.buffer.pixels, b.buffer.pixels, 640 * 480 * 4);
+    end(&a);
+    end(&b);
+}
+
+static void the_clock_decides_when_asked(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 320, 240);
+    run(&p, "scene free-fall\nsteps -1\nseconds 0.1\nwait 10\n");   /* 1 s, in frames of 6 steps */
+    assert_in_range((int)fact(&p, "steps", 0), 59, 60);
+    run(&p, "key r\nsteps -1\nseconds 3600\nframe\n");              /* a night's sleep: the bound */
+    assert_int_equal(fact(&p, "steps", 0), STEP_CLOCK_MOST);
+    end(&p);
+}
+
+static void strange_pictures_are_survived(void **state)
+{
+    (void)state;
+    const int sizes[][2] = { { 1, 1 }, { 64, 64 }, { 200, 50 }, { 3, 900 }, { 2000, 30 } };
+    for (int i = 0; i < 5; i++) {
+        play p;
+        begin(&p, sizes[i][0], sizes[i][1]);
+        run(&p, "scene pyramid\nwait 3\nmove 2 2\ndown left\nkey ?\nkey d\nwait 3\nwheel 30\nframe\nwheel -60\nframe\n");
+        p.buffer.scale = 0;
+        run(&p, "wait 2\nclick left\nframe\n");
+        p.buffer.scale = NAN;
+        run(&p, "wait 2\n");
+        end(&p);
+    }
+    play p;                                         /* no pixels: updates all the same */
+    begin(&p, 640, 480);
+    uint32_t *pixels = p.buffer.pixels;
+    p.buffer.pixels = NULL;
+    run(&p, "scene shapes\nwait 50\n");
+    assert_int_equal(fact(&p, "steps", 0), 50);
+    p.buffer.pixels = pixels;
+    char small[20];
+    memset(small, 'X', sizeof small);
+    assert_true(game_describe(&p.memory, small, 10) > 10);
+    assert_int_equal(small[9], 0);
+    assert_int_equal(small[10], 'X');
+    end(&p);
+    begin(&p, 64, 64);                              /* before the first call there is nothing to tell */
+    assert_true(game_describe(&p.memory, p.text, sizeof p.text) > 0);
+    assert_string_equal(p.text, "scene none\n");
+    end(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_scene_keeps_its_promises), cmocka_unit_test(every_scene_is_well_described),
+        cmocka_unit_test(every_scene_has_its_hash), cmocka_unit_test(a_scene_runs_the_same_again_and_in_lent_memory),
+        cmocka_unit_test(a_bad_scene_is_reported), cmocka_unit_test(the_wandering_hand_stays_in_view),
+        cmocka_unit_test(tc01_distances_are_as_one_over_mass), cmocka_unit_test(tc02_spin_grows_with_the_arm),
+        cmocka_unit_test(tc05_colours_follow_the_contacts), cmocka_unit_test(tc08_overlap_goes_and_no_velocity_comes),
+        cmocka_unit_test(every_scene_and_overlay_can_be_drawn),
+        cmocka_unit_test(overlays_show_pairs_and_contacts_where_they_are),
+        cmocka_unit_test(the_camera_sees_where_it_should),
+        cmocka_unit_test(picking_inverts_seeing_and_zoom_keeps_the_point),
+        cmocka_unit_test(the_hand_follows_the_exact_recurrence), cmocka_unit_test(the_hand_gives_the_grip_its_velocity),
+        cmocka_unit_test(pause_step_and_reset_work), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
+        cmocka_unit_test(overlays_keys_and_views_answer), cmocka_unit_test(a_body_is_held_dragged_and_thrown),
+        cmocka_unit_test(a_static_body_cannot_be_taken), cmocka_unit_test(the_same_input_makes_the_same_pixels),
+        cmocka_unit_test(memory_moves_and_the_game_goes_on), cmocka_unit_test(the_clock_decides_when_asked),
+        cmocka_unit_test(strange_pictures_are_survived)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
