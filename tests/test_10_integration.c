@@ -146,7 +146,7 @@ static double measured_order(int row, Rig (*make)(void), double (*error)(const R
         double x = log(span / steps), y = log(e);
         sx += x; sy += y; sxx += x * x; sxy += x * y; n++;
     }
-    if (n < 2) return NAN;
+    if (n < 2) return (double)NAN;
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
