@@ -266,19 +266,21 @@ static void test_bad_input(void **state)
         assert_result(WF_ERROR_NULL, wfFindPairs(row, NULL, &pool, &list));
         assert_result(WF_ERROR_NULL, wfFindPairs(row, &world.in, NULL, &list));
         assert_result(WF_ERROR_NULL, wfFindPairs(row, &world.in, &pool, NULL));
-        for (int k = 0; k < BAD_REAL_COUNT * 4; k++) {
-            wfRect good = world.bounds[1];
-            wfReal *e = k % 4 < 2 ? world.bounds[1].min.E : world.bounds[1].max.E;
-            e[k % 2] = BAD_REALS[k / 4];
+        for (int k = 0; k < BAD_REAL_COUNT * 8; k++) {
+            wfRect *r = &world.bounds[k % 2], good = *r;
+            wfReal *e = k / 2 % 4 < 2 ? r->min.E : r->max.E;
+            e[k / 2 % 2] = BAD_REALS[k / 8];
             assert_result(WF_ERROR_NOT_FINITE, wfFindPairs(row, &world.in, &pool, &list));
             assert_int_equal(list.count, 0);
-            world.bounds[1] = good;
+            *r = good;
         }
-        world.bounds[1] = rect(1, 0, 0, 1);
-        assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &list));
-        world.bounds[1] = rect(0, 1, 1, 0);
-        assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &list));
-        world.bounds[1] = rect(0, 0, 1, 1);
+        for (int i = 0; i < 2; i++) {
+            world.bounds[i] = rect(1, 0, 0, 1);
+            assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &list));
+            world.bounds[i] = rect(0, 1, 1, 0);
+            assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &list));
+            world.bounds[i] = rect(0, 0, 1, 1);
+        }
         wfProxies bad = world.in;
         bad.count = -1;
         assert_result(WF_ERROR_RANGE, wfFindPairs(row, &bad, &pool, &list));
@@ -288,7 +290,11 @@ static void test_bad_input(void **state)
         bad = world.in;
         bad.bounds = NULL;
         assert_result(WF_ERROR_NULL, wfFindPairs(row, &bad, &pool, &list));
-        wfPairList wrong = { NULL, 0, 5, 0 };
+        bad.count = 1;
+        assert_result(WF_ERROR_NULL, wfFindPairs(row, &bad, &pool, &list));
+        bad.count = 0;
+        assert_ok(wfFindPairs(row, &bad, &pool, &list));        /* nobody needs no arrays */
+        wfPairList wrong = { NULL, 0, 1, 0 };
         assert_result(WF_ERROR_NULL, wfFindPairs(row, &world.in, &pool, &wrong));
         wrong = list_of(-1);
         assert_result(WF_ERROR_RANGE, wfFindPairs(row, &world.in, &pool, &wrong));
@@ -562,6 +568,27 @@ static void test_reaches_agree(void **state)
     assert_true(saved > 50);
 }
 
+/* What lies beside the arrays must not be read: neither rubbish that looks like a node nor one that looks like none. */
+static void test_bad_proxies(void **state)
+{
+    (void)state;
+    for (int fill = 0; fill < 2; fill++) {
+        wfPool pool = pool_of(sizeof memory);
+        memset(memory, fill ? 0xFF : 0, sizeof memory);
+        wfQuadTreeDef def = { rect(-1, -1, 1, 1), 4, 8, 3, 0 };
+        wfQuadTree tree;
+        assert_ok(wfQuadTreeInit(&tree, &pool, &def));
+        static const int32_t wrong[] = { -1, 4, 5, INT32_MIN, INT32_MAX };
+        for (int i = 0; i < 5; i++) {
+            assert_int_equal(wfQuadTreeNodeOf(&tree, wrong[i]), WF_QUAD_NONE);
+            if (i > 2) continue;                /* the far ones only where nothing may be written by a mistake */
+            assert_result(WF_ERROR_RANGE, wfQuadTreeInsert(&tree, wrong[i], def.root));
+            assert_result(WF_ERROR_RANGE, wfQuadTreeRemove(&tree, wrong[i]));
+            assert_result(WF_ERROR_RANGE, wfQuadTreeMove(&tree, wrong[i], def.root));
+        }
+    }
+}
+
 static void test_bad_trees(void **state)
 {
     (void)state;
@@ -624,7 +651,7 @@ int main(void)
         cmocka_unit_test(test_bad_input), cmocka_unit_test(test_sorting), cmocka_unit_test(test_tc06_nodes),
         cmocka_unit_test(test_sectors), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
         cmocka_unit_test(test_report_rule_misses), cmocka_unit_test(test_reaches_agree),
-        cmocka_unit_test(test_bad_trees),
+        cmocka_unit_test(test_bad_proxies), cmocka_unit_test(test_bad_trees),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -226,6 +226,17 @@ static void test_relative_pose(void **state)
     wfShape b = box(3, 4), c = circle(7, 8, 2);
     assert_near(wfShapeReach(&b), 5, ROUNDING);
     assert_near(wfShapeReach(&c), 2, 0);
+    for (int i = 0; i < 500; i++) {                          /* from the centroid, not from the origin; also below 1 m */
+        wfShape s = random_polygon(&r);
+        if (i % 2) {
+            wfVec2 little[3] = { wfV2(0, 0), wfV2(WF_R(0.1), 0), random_v2(&r, WF_R(0.05), WF_R(0.2)) };
+            assert_ok(wfMakePolygon(little, 3, &s));
+        }
+        double far = 0;
+        for (int k = 0; k < s.count; k++) far = fmax(far, hypot((double)s.vertices[k].x - (double)s.centre.x,
+                                                               (double)s.vertices[k].y - (double)s.centre.y));
+        assert_near(wfShapeReach(&s), far, ROUNDING);
+    }
 }
 
 static void test_circles(void **state)
@@ -508,6 +519,14 @@ static void test_ties(void **state)
     assert_near2(s.normal, wfV2(0, 1), ROUNDING);
     s = sat(&b, at(0, 0, 0), &c, at(-0.01, 0.02, 0));
     assert_near2(s.normal, wfV2(0, 1), ROUNDING);
+    /* the tie is a share of the smaller shape: a marble and a pebble 4 mm off the middle of a table */
+    wfShape table = box(8, 8), marble = circle(0, 0, 0.01), pebble = box(0.01, 0.01);
+    for (int k = 0; k < 4; k++) {
+        wfTransform x = at(k == 0 ? 0.004 : k == 1 ? -0.004 : 0, k == 2 ? 0.004 : k == 3 ? -0.004 : 0, 0);
+        assert_near2(sat(&table, at(0, 0, 0), &marble, x).normal, wfScale(250, x.p), 250 * ROUNDING);
+        assert_near2(sat(&table, at(0, 0, 0), &pebble, x).normal, wfScale(250, x.p), 250 * ROUNDING);
+        assert_near2(sat(&pebble, x, &table, at(0, 0, 0)).normal, wfScale(-250, x.p), 250 * ROUNDING);
+    }
 }
 
 /* Bodies that are apart by less than the tie are still apart. */
