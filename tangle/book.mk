@@ -1,5 +1,5 @@
 # book.mk: the book. `make html`, `make pdf`, `make book` (both). BUILD=dir puts it elsewhere; TOLERANT=1 tells errors and goes on;
-# TEACHER=1 keeps the solutions.
+# TEACHER=1 keeps the solutions; STRICT=1 makes an equation that no code refers to an error.
 BUILD    ?= build
 W        := $(BUILD)/weave
 HTML     := $(BUILD)/book/html
@@ -15,7 +15,7 @@ book: html pdf
 $(W)/.stamp: $(NW) $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv)
 	@mkdir -p $(W) $(HTML)/data
 	@tangle/bib $(W)
-	@tangle/weave $(if $(TOLERANT),--tolerant) --html $(HTML) $(W) $(NW)
+	@tangle/weave $(if $(TOLERANT),--tolerant) $(if $(STRICT),--strict) --html $(HTML) $(W) $(NW)
 	@touch $@
 $(W)/db.lua $(W)/files.lua: $(W)/.stamp ;
 $(W)/%.md $(W)/%.lua: $(W)/.stamp ;
@@ -27,13 +27,22 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 	@touch $@
 
 # -- HTML
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/fonts/.stamp
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua | $(W)/figures.stamp
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
 $(HTML)/book.css $(HTML)/book.js: $(HTML)/%: book/%
 	@mkdir -p $(@D); cp $< $@
+
+# The fonts travel with the pages (GUST and OFL licences allow it), so that they look alike on a machine that lacks them.
+$(HTML)/fonts/.stamp:
+	@mkdir -p $(@D)
+	@for f in texgyrepagella-regular.otf texgyrepagella-bold.otf texgyrepagella-italic.otf texgyrepagella-bolditalic.otf texgyrepagella-math.otf; do \
+	  p=$$(kpsewhich $$f 2>/dev/null) && [ -n "$$p" ] && cp "$$p" $(@D)/ || true; done
+	@for f in Regular Bold Italic; do \
+	  p=$$(find /usr/share/fonts /usr/local/share/fonts $$HOME/Library/Fonts /Library/Fonts -name "JetBrainsMono-$$f.ttf" 2>/dev/null | head -1); [ -z "$$p" ] || cp "$$p" $(@D)/; done
+	@touch $@
 
 # -- PDF
 $(TEXDIR)/ch/%.tex: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/macros.tex $(W)/bib.lua | $(W)/figures.stamp

@@ -186,6 +186,7 @@ local function inlines(list)
           links[#links + 1] = chunk_link(u)
         end
         if html then
+          m.text = m.text:gsub("\\Big[lrm]", "\\Big"):gsub("\\Bigg[lrm]", "\\Bigg")     -- pandoc does not know all of these
           r:insert(raw('<span class="eq" id="' .. id .. '"><span class="eqm">'))
           r:insert(m)
           r:insert(raw('</span><span class="eqs"><a class="eqn" href="' .. href(l.page, id) .. '">(' .. l.num .. ")</a>" ..
@@ -198,6 +199,7 @@ local function inlines(list)
         end
         i = j + 1
       else
+        if html then m.text = m.text:gsub("\\Big[lrm]", "\\Big"):gsub("\\Bigg[lrm]", "\\Bigg") end
         r:insert(tex and raw("\\[" .. m.text .. "\\]") or m)
         i = i + 1
       end
@@ -513,8 +515,8 @@ local function header(el)
     return el
   end
   local command = ({ "chapter", "section", "subsection", "subsubsection" })[el.level] or "paragraph"
-  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{"))
-  el.content:insert(raw("}\\wLabel{" .. el.identifier .. "}"))
+  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{\\wLabel{" .. el.identifier .. "}"))
+  el.content:insert(raw("}"))
   return pandoc.Plain(el.content)
 end
 
@@ -581,7 +583,7 @@ local function write_previews()
   local rendered = {}
   if #maths > 0 then
     local text = pandoc.write(pandoc.Pandoc(maths), "html", pandoc.WriterOptions { html_math_method = "mathml" })
-    for p in text:gmatch("<p>(.-)</p>") do rendered[#rendered + 1] = p end
+    for p in Code.calm_brackets(text):gmatch("<p>(.-)</p>") do rendered[#rendered + 1] = p end
   end
   local t = {}
   for _, p in ipairs(previews) do

@@ -128,13 +128,13 @@ end
 function M.name(db, name, format)
   local esc = format == "html" and M.html or M.tex
   if name:match("^[%w_%-%./]+%.%a+$") and name:find("/") then
-    return format == "html" and "<code>" .. esc(name) .. "</code>" or "\\texttt{" .. esc(name) .. "}"
+    return format == "html" and "<code>" .. esc(name) .. "</code>" or "\\wNameCode{" .. esc(name) .. "}"
   end
   local out, i = {}, 1
   while i <= #name do
     local a, b, x = name:find("^%[%[(.-)%]%]", i)
     if not a then a, b, x = name:find("^`(.-)`", i) end
-    if a then out[#out + 1] = format == "html" and "<code>" .. esc(x) .. "</code>" or "\\texttt{" .. esc(x) .. "}" goto next end
+    if a then out[#out + 1] = format == "html" and "<code>" .. esc(x) .. "</code>" or "\\wNameCode{" .. esc(x) .. "}" goto next end
     a, b, x = name:find("^%$(.-)%$", i)
     if a then out[#out + 1] = format == "html" and "<i>" .. esc(M.plain("$" .. x .. "$")) .. "</i>" or "$" .. x .. "$" goto next end
     a, b, x = name:find("^@(%a+:[%w_%-]*%w)", i)
@@ -156,6 +156,44 @@ function M.name(db, name, format)
 end
 
 function M.href(db, page, here, id) return (page == here and "" or db.up .. page) .. (id and "#" .. id or "") end
+
+-- MathML by pandoc marks every bracket as stretchy; Chromium sets those with wide gaps. Only brackets around tall things keep it.
+function M.calm_brackets(s)
+  s = s:gsub('minsize="([%d%.]+)" maxsize="[%d%.]+" stretchy="false"', function(size)     -- \\big and its kin
+    if tonumber(size) < 1.5 then return 'stretchy="false"' end
+    return 'minsize="' .. size .. 'em" maxsize="' .. size .. 'em" stretchy="true" symmetric="true"'
+  end)
+  local tall = { "<mfrac", "<mtable", "<munder", "<mover", "<msqrt", "<mroot", "<mo>\u{2211}", "<mo>\u{222b}" }
+  local open = '<mo stretchy="true" form="prefix">'
+  local close = '<mo stretchy="true" form="postfix">'
+  local stack, marks, i = {}, {}, 1
+  while true do
+    local a, b = s:find('<mo stretchy="true" form="p%a+">', i)
+    local m = s:find("</math>", i, true)
+    if m and (not a or m < a) then stack = {} end
+    if not a then break end
+    if s:sub(a, b) == open then stack[#stack + 1] = a
+    else
+      local from = table.remove(stack)
+      if from then
+        local inner, is_tall = s:sub(from, a), false
+        for _, t in ipairs(tall) do is_tall = is_tall or inner:find(t, 1, true) ~= nil end
+        if not is_tall then marks[from] = true; marks[a] = true end
+      end
+    end
+    i = b + 1
+  end
+  local out, last = {}, 1
+  local list = {}
+  for k in pairs(marks) do list[#list + 1] = k end
+  table.sort(list)
+  for _, k in ipairs(list) do
+    out[#out + 1] = s:sub(last, k - 1) .. '<mo stretchy="false"'
+    last = k + #'<mo stretchy="true"'
+  end
+  out[#out + 1] = s:sub(last)
+  return table.concat(out)
+end
 
 ------------------------------------------------------------------------------------------------------ code, rendered
 -- A line is a list of tokens: { class, text [, target, title] } where class is one of the lexer's, or

@@ -248,17 +248,20 @@ function Pages.write(w)
 
   --------------------------------------------------------------------------------------------------- the frame for TeX
   do
-    local t, part = {}, nil
-    local appendix = false
+    local t, part, planned, written = {}, nil, {}, {}
+    for _, e in ipairs(db.entries) do                 -- a part has a page of its own when it has several chapters
+      planned[e.part] = (planned[e.part] or 0) + 1
+      if not e.planned then written[e.part] = (written[e.part] or 0) + 1 end
+    end
     for _, e in ipairs(db.entries) do
       if e.part ~= part then
         part = e.part
-        if part == "Appendices" then t[#t + 1] = "\\wAppendices" elseif e.part_number <= 7 then t[#t + 1] = "\\wPart{" .. e.part_number .. "}{" .. Code.tex(part) .. "}" else t[#t + 1] = "\\wPart{}{" .. Code.tex(part) .. "}" end
+        local page = planned[part] > 1 and written[part]
+        if part == "Appendices" then t[#t + 1] = "\\wAppendices"
+        else t[#t + 1] = "\\w" .. (page and "Part" or "QuietPart") .. "{" .. (e.part_number <= 7 and e.part_number or "") .. "}{" .. Code.tex(part) .. "}" end
       end
       if e.planned then t[#t + 1] = "\\wPlanned{" .. e.num .. "}{" .. Code.tex(e.title) .. "}"
-      else
-        t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{ch/" .. e.base .. "}"
-      end
+      else t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{ch/" .. e.base .. "}" end
     end
     Code.write_if_changed(w.out .. "/chapters.tex", table.concat(t, "\n") .. "\n")
     local l = {}

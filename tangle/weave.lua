@@ -1,27 +1,29 @@
 -- weave.lua: from noweb's markup to what the pages are made of.
 --
---   lua weave.lua OUT [--tolerant] [--html DIR] < stream
+--   lua weave.lua OUT [--tolerant] [--strict] [--html DIR] < stream
 --
 -- OUT/db.lua      what every page needs: numbers of labels, names of chunks, definitions of identifiers, contents
 -- OUT/BASE.md     one chapter as pandoc Markdown, each chunk replaced by a marker
 -- OUT/BASE.lua    its chunks, lexed, each identifier resolved
 -- OUT/chapters.tex, OUT/pages.list, and in DIR the pages that need no pandoc (index, lists, assembled sources, search index)
 -- All are written only when they change, so that make remakes only the pages that must change.
+-- With --strict, a numbered equation that no code refers to is an error, not a warning.
 -- With --tolerant, errors are told but what can be woven is woven.
 local here = arg[0]:match("^(.*/)") or "./"
 package.path = here .. "?.lua;" .. package.path
 local Book, Code = require "book", require "weave-code"
 
-local out, tolerant, html_dir
+local out, tolerant, strict, html_dir
 do
   local i = 1
   while arg[i] do
     if arg[i] == "--tolerant" then tolerant = true
+    elseif arg[i] == "--strict" then strict = true
     elseif arg[i] == "--html" then i = i + 1; html_dir = arg[i]
     else out = arg[i] end
     i = i + 1
   end
-  assert(out, "usage: lua weave.lua OUT [--tolerant] [--html DIR] < stream")
+  assert(out, "usage: lua weave.lua OUT [--tolerant] [--strict] [--html DIR] < stream")
 end
 local root = os.getenv("WEFT_ROOT") or here:gsub("[^/]+/$", "")
 if root == "" then root = "./" end
@@ -36,6 +38,7 @@ book:check_chunks()
 local chunks_good = #book.errors == 0
 local warnings = {}
 local function warn(file, line, what, remedy)
+  if strict then book:complain(file, line, what, remedy) return end
   warnings[#warnings + 1] = string.format("%s:%d: warning: %s -- %s", file, line, what, remedy)
 end
 
@@ -188,6 +191,9 @@ local function check_prose(chapter, line, l)
   for path in text:gmatch("%]%(([^%)%s]+%.%a+)%)%s*{") do images[#images + 1] = { chapter.file, line, path } end
 end
 
+local boxes = {}
+for b in ("goals note warning history physics aside test exercise solution data files columns"):gmatch("%a+") do boxes[b] = true end
+
 -- One line of documentation. Keeps the state of the chapter: fences, paragraphs, counters. Returns the line to emit.
 local function doc_line(chapter, line, l)
   local fence = l:match("^%s*(```+)") or l:match("^%s*(~~~+)")
@@ -223,7 +229,7 @@ local function doc_line(chapter, line, l)
   chapter.blank = blank
   local display = chapter.display
   local _, dollars = l:gsub("`[^`]*`", ""):gsub("%$%$", "")
-  if dollars % 2 == 1 then chapter.display = not display end
+  if dollars % 2 == 1 then chapter.display = not display and line or nil end
   local marks, title = l:match("^(#+)%s+(.*)$")
   if marks and not display then l = marks .. " " .. (heading(chapter, line, #marks, title) or title) end
   for id, rest in l:gmatch("{#(eq:[%w_%-]+)([^}]*)}") do
@@ -246,6 +252,17 @@ local function doc_line(chapter, line, l)
   end
   for id in l:gmatch("{[^}]*#(tbl:[%w_%-]+)") do count_label(chapter, line, id) end
   if l:match("^:::") then
+    chapter.divs = chapter.divs or {}
+    if l:match("^:::+%s*$") then
+      if #chapter.divs == 0 then book:complain(chapter.file, line, "this ::: closes nothing", "delete it, or open a box with ::: {.note}")
+      else table.remove(chapter.divs) end
+    else chapter.divs[#chapter.divs + 1] = line end
+    local class = l:match("^:::+%s*{%s*%.([%w_%-]+)")
+    if class and not boxes[class] then
+      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files")
+    end
+    local solved = l:match("%.solution.-for=[\"']?([%w:_%-]+)")
+    if solved then refs_seen[#refs_seen + 1] = { chapter.file, line, solved } end
     for id in l:gmatch("#(ex:[%w_%-]+)") do
       count_label(chapter, line, id)
       if labels[id] then search[#search + 1] = { kind = "ex", title = "Exercise " .. labels[id].num, page = chapter.entry.page, id = id } end
@@ -283,7 +300,7 @@ do
           chapter.fence = nil
         end
         if chapter.display then
-          book:complain(chapter.file, line, "a display equation is still open where a chunk begins", "close it with $$")
+          book:complain(chapter.file, chapter.display, "this display equation is still open where a chunk begins", "close it with $$")
           chapter.display = nil
         end
       end
@@ -324,15 +341,17 @@ for _, c in ipairs(book.chapters) do
     book:complain(c.file, 1, "the chapter has no title", "begin it with  # Title {#sec:name}")
     c.entry.title, c.entry.id = c.base, "top"
   end
+  for _, at in ipairs(c.divs or {}) do book:complain(c.file, at, "this box is never closed", "close it with ::: on a line of its own") end
+  if c.display then book:complain(c.file, c.display, "this display equation is never closed", "close it with $$") end
   if c.fence then book:complain(c.file, c.fence_line, "this fence is never closed", "close it with " .. c.fence) end
 end
 for _, r in ipairs(refs_seen) do
   if not labels[r[3]] then
     local best, score = nil, 0                                   -- a hint: the label that shares most letters
-    local stem = r[3]:match(":(.*)") or r[3]
+    local kind, stem = r[3]:match("^(%a+):(.*)")
     for id in pairs(labels) do
       local s = id:match(":(.*)")
-      if s then
+      if s and kind == id:match("^%a+") then
         local hit = 0
         for w in stem:gmatch("%w+") do if s:find(w, 1, true) then hit = hit + #w end end
         if hit > score or (hit == score and best and hit > 0 and id < best) then best, score = id, hit end
