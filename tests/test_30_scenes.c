@@ -484,27 +484,27 @@ static void pause_step_and_reset_work(void **state)
     begin(&p, 900, 600);
     run(&p, "scene stack-of-boxes\nwait 10\n");
     assert_true(is_scene(&p, "stack of boxes"));
-    assert_int_equal(fact(&p, "steps", 0), 10);
+    assert_int_equal((int)fact(&p, "steps", 0), 10);
     run(&p, "key p\nwait 10\n");
-    assert_int_equal(fact(&p, "paused", 0), 1);
-    assert_int_equal(fact(&p, "steps", 0), 10);
+    assert_int_equal((int)fact(&p, "paused", 0), 1);
+    assert_int_equal((int)fact(&p, "steps", 0), 10);
     run(&p, "key o\nwait 5\nkey o\nframe\n");
-    assert_int_equal(fact(&p, "steps", 0), 12);
+    assert_int_equal((int)fact(&p, "steps", 0), 12);
     run(&p, "key space\nwait 4\n");
-    assert_int_equal(fact(&p, "paused", 0), 0);
-    assert_int_equal(fact(&p, "steps", 0), 16);
+    assert_int_equal((int)fact(&p, "paused", 0), 0);
+    assert_int_equal((int)fact(&p, "steps", 0), 16);
     run(&p, "steps 0\nkey r\nframe\n");
-    assert_int_equal(fact(&p, "steps", 0), 0);
+    assert_int_equal((int)fact(&p, "steps", 0), 0);
     click(&p, "Step");
     click(&p, "Step");
-    assert_int_equal(fact(&p, "steps", 0), 2);
-    assert_int_equal(fact(&p, "paused", 0), 1);
+    assert_int_equal((int)fact(&p, "steps", 0), 2);
+    assert_int_equal((int)fact(&p, "paused", 0), 1);
     click(&p, "Run");
-    assert_int_equal(fact(&p, "paused", 0), 0);
+    assert_int_equal((int)fact(&p, "paused", 0), 0);
     click(&p, "Pause");                             /* the button's name says at once what it does now */
-    assert_int_equal(fact(&p, "paused", 0), 1);
+    assert_int_equal((int)fact(&p, "paused", 0), 1);
     click(&p, "Reset");
-    assert_int_equal(fact(&p, "steps", 0), 0);
+    assert_int_equal((int)fact(&p, "steps", 0), 0);
     end(&p);
 }
 
@@ -528,7 +528,7 @@ static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
         assert_true(is_scene(&p, wfSceneTable[i].name));
     }
     run(&p, "key tab\nframe\n");
-    assert_int_equal(fact(&p, "list", 0), 0);
+    assert_int_equal((int)fact(&p, "list", 0), 0);
     run(&p, "scene nowhere\nframe\n");              /* unknown: stays */
     assert_true(is_scene(&p, wfSceneTable[0].name));
     end(&p);
@@ -547,13 +547,13 @@ static void overlays_keys_and_views_answer(void **state)
         assert_int_equal((uint32_t)fact(&p, "show", 0), (uint32_t)show ^ wfOverlayTable[i].bit);
         snprintf(script, sizeof script, "key %c\nframe\n", wfOverlayTable[i].key);
         run(&p, script);
-        assert_int_equal(fact(&p, "show", 0), show);
+        assert_int_equal((int)fact(&p, "show", 0), show);
     }
     click(&p, "Dark");
-    assert_int_equal(fact(&p, "dark", 0), 1);
+    assert_int_equal((int)fact(&p, "dark", 0), 1);
     run(&p, "key d\nkey ?\nframe\n");
-    assert_int_equal(fact(&p, "dark", 0), 0);
-    assert_int_equal(fact(&p, "keys", 0), 1);
+    assert_int_equal((int)fact(&p, "dark", 0), 0);
+    assert_int_equal((int)fact(&p, "keys", 0), 1);
     double x = fact(&p, "view", 0), y = fact(&p, "view", 1), height = fact(&p, "view", 2);
     run(&p, "move 600 400\nframe\ndown right\nframe\nmove 700 450\nframe\nup right\nframe\nwheel 2\nframe\n");
     assert_true(fact(&p, "view", 0) < x && fact(&p, "view", 1) > y);   /* the world was pulled right and down */
@@ -575,13 +575,13 @@ static void a_body_is_held_dragged_and_thrown(void **state)
     double px = fact(&p, "body 6", 2), py = fact(&p, "body 6", 3), x = fact(&p, "body 6", 0), y = fact(&p, "body 6", 1);
     snprintf(script, sizeof script, "move %g %g\nframe\ndown left\nframe\n", px, py);
     run(&p, script);
-    assert_int_equal(fact(&p, "held", 0), 6);
+    assert_int_equal((int)fact(&p, "held", 0), 6);
     run(&p, "frame\n");                             /* a script begins with all buttons up */
-    assert_int_equal(fact(&p, "held", 0), -1);
+    assert_int_equal((int)fact(&p, "held", 0), -1);
     snprintf(script, sizeof script, "key r\nsteps 0\nframe\nsteps 1\nmove %g %g\ndown left\nframe\nmove %g %g\nwait 90\n",
              px, py, px + 200, py - 20);
     run(&p, script);
-    assert_int_equal(fact(&p, "held", 0), 6);
+    assert_int_equal((int)fact(&p, "held", 0), 6);
     /* After 1.5 s the spring (25/s) has long settled; what is left is the sag g (1 + omega h)^2 / omega^2 = 0.031 m, and the
      * box hangs from a grip that was a pixel off its centre. */
     assert_near(fact(&p, "body 6", 2), px + 200, 6);
@@ -595,7 +595,7 @@ static void a_body_is_held_dragged_and_thrown(void **state)
     strcpy(at, "up left\nframe\n");
     run(&p, script);
     double fx = fact(&p, "body 6", 0);
-    assert_int_equal(fact(&p, "held", 0), -1);
+    assert_int_equal((int)fact(&p, "held", 0), -1);
     run(&p, "wait 10\n");
     assert_true(fact(&p, "body 6", 0) > fx + 0.5);  /* it flies on */
     end(&p);
@@ -608,7 +608,7 @@ static void a_static_body_cannot_be_taken(void **state)
     begin(&p, 1100, 700);
     run(&p, "scene cradle\nsteps 0\nmove 300 350\nframe\n");
     run(&p, "move 222 350\ndown left\nframe\n");
-    assert_int_equal(fact(&p, "held", 0), -1);
+    assert_int_equal((int)fact(&p, "held", 0), -1);
     end(&p);
 }
 
@@ -655,7 +655,7 @@ static void the_clock_decides_when_asked(void **state)
     run(&p, "scene free-fall\nsteps -1\nseconds 0.1\nwait 10\n");   /* 1 s, in frames of 6 steps */
     assert_in_range((int)fact(&p, "steps", 0), 59, 60);
     run(&p, "key r\nsteps -1\nseconds 3600\nframe\n");              /* a night's sleep: the bound */
-    assert_int_equal(fact(&p, "steps", 0), STEP_CLOCK_MOST);
+    assert_int_equal((int)fact(&p, "steps", 0), STEP_CLOCK_MOST);
     end(&p);
 }
 
@@ -678,7 +678,7 @@ static void strange_pictures_are_survived(void **state)
     uint32_t *pixels = p.buffer.pixels;
     p.buffer.pixels = NULL;
     run(&p, "scene shapes\nwait 50\n");
-    assert_int_equal(fact(&p, "steps", 0), 50);
+    assert_int_equal((int)fact(&p, "steps", 0), 50);
     p.buffer.pixels = pixels;
     char small[20];
     memset(small, 'X', sizeof small);
