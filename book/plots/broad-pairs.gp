@@ -1,0 +1,11 @@
+load 'book/plots/style.gp'
+set logscale xy
+set xrange [12:6000]
+set xlabel 'boxes'
+set ylabel 'box tests'
+set format y '10^{%T}'
+set key top left
+plot '< grep ^uniform book/data/broad-pairs.csv' using 2:5 with linespoints title 'brute force', \
+     '' using 2:7 with linespoints title 'quad tree, climbing', \
+     '' using 2:9 with linespoints title 'quad tree, descending', \
+     '' using 2:3 with lines lc rgb faint title 'pairs that there are'
