@@ -184,9 +184,10 @@ local function check_prose(chapter, line, l)
     end
   end
   for id in text:gmatch("%]%(#([^%)]+)%)") do refs_seen[#refs_seen + 1] = { chapter.file, line, id } end
-  local tag = text:match("<(/?%a[%w%.%-_/]*)[^>]*>") 
-  if tag and not text:match("<https?:[^>]*>") and not text:match("<mailto:[^>]*>") then
-    book:complain(chapter.file, line, "<" .. tag .. "> in prose reads as HTML and would vanish from the page", "put it in backticks")
+  for tag in text:gmatch("<(/?%a[^>]*)>") do
+    if not tag:match("^https?:") and not tag:match("^mailto:") then
+      book:complain(chapter.file, line, "<" .. tag .. "> in prose reads as HTML and would vanish from the page", "put it in backticks")
+    end
   end
   for path in text:gmatch("%]%(([^%)%s]+%.%a+)%)%s*{") do images[#images + 1] = { chapter.file, line, path } end
 end
@@ -347,14 +348,15 @@ for _, c in ipairs(book.chapters) do
 end
 for _, r in ipairs(refs_seen) do
   if not labels[r[3]] then
-    local best, score = nil, 0                                   -- a hint: the label that shares most letters
+    local best, score = nil, 0.5                                 -- a hint: the label of its kind that shares most pairs of letters
     local kind, stem = r[3]:match("^(%a+):(.*)")
     for id in pairs(labels) do
-      local s = id:match(":(.*)")
-      if s and kind == id:match("^%a+") then
-        local hit = 0
-        for w in stem:gmatch("%w+") do if s:find(w, 1, true) then hit = hit + #w end end
-        if hit > score or (hit == score and best and hit > 0 and id < best) then best, score = id, hit end
+      if kind and kind == id:match("^(%a+):") then
+        local s, pairs_of, hit = id:match(":(.*)"), {}, 0
+        for i = 1, #s - 1 do pairs_of[s:sub(i, i + 1)] = true end
+        for i = 1, #stem - 1 do if pairs_of[stem:sub(i, i + 1)] then hit = hit + 1 end end
+        local near = 2 * hit / (#s + #stem - 2)
+        if near > score or (near == score and best and id < best) then best, score = id, near end
       end
     end
     book:complain(r[1], r[2], "nothing is labelled " .. r[3], "label it {#" .. r[3] .. "} or mend the reference" ..
@@ -604,7 +606,6 @@ for index, c in ipairs(book.chunks) do
     if not l.use and columns > 92 then
       book:complain(c.file, l.line, "this line of code has " .. columns .. " columns; the book's page holds 92", "break it")
     end
-    if code:find("\t", 1, true) then book:complain(c.file, l.line, "a tab in code", "use spaces") end
     local toks
     toks, inside = Code.lex(code, inside)
     local place = c.at and c.at[l.line]

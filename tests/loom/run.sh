@@ -1,0 +1,357 @@
+#!/usr/bin/env bash
+# The loom's messages: small broken books, each of which must be refused with the right file, line and a remedy;
+# and a small whole book whose numbers must agree in HTML and TeX. All of it works in a directory of its own.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+repo=$PWD
+work=$(mktemp -d); trap 'rm -rf "$work"' EXIT
+passed=0 failed=0
+ok() { passed=$((passed + 1)); echo "ok   $1"; }
+bad() { failed=$((failed + 1)); echo "FAIL $1"; sed 's/^/       /' "$work/log" | head -12; }
+
+# A book in a directory of its own: book NAME, then chapters by  chapter FILE < text
+book() {
+  dir=$work/$1; rm -rf "$dir"; mkdir -p "$dir/chapters" "$dir/book/plots" "$dir/book/data"
+  cp book/macros.tex book/page.html "$dir/book/"
+  printf '01\tIntroduction\tOne\t1\n02\tImplementation\tTwo\t2\n03\tImplementation\tThree\t3\nA\tAppendices\tPrimer\tA\n' > "$dir/book/plan.tsv"
+  printf '@book{newton1687, author={Newton, Isaac}, title={Principia}, year={1687}, publisher={Streater}, address={London}}\n' > "$dir/book/refs.bib"
+}
+chapter() { cat > "$dir/chapters/$1"; }
+line() { grep -n -- "$2" "$dir/chapters/$1" | head -1 | cut -d: -f1; }      # the line that holds a mark
+weave() { (cd "$dir" && WEFT_ROOT=$dir/ "$repo/tangle/weave" "$@" --html out/html out/weave chapters/*.nw) >"$work/log" 2>&1; }
+# refuse WHAT FILE LINE words remedy-words: the weave fails with  FILE:LINE: ...words... -- ...remedy...
+refuse() {
+  if weave ${strict:-}; then bad "$1: was accepted"; return; fi
+  if grep -qE "^chapters/$2:$3: .*$4.* -- .*$5" "$work/log"; then ok "$1"; else bad "$1: no message for chapters/$2:$3"; fi
+}
+# the same for the tangler
+refuse_tangle() {
+  if (cd "$dir" && "$repo/tangle/tangle" out/src chapters/*.nw) >"$work/log" 2>&1; then bad "$1: was tangled"; return; fi
+  if grep -qE "^chapters/$2:$3: .*$4.* -- .*$5" "$work/log"; then ok "$1 (tangle)"; else bad "$1 (tangle): no message for chapters/$2:$3"; fi
+}
+
+# ---- chunks
+book undefined; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+int a;
+<<count the sheep>>
+@
+<<count the sheeps>>=
+int sheep;
+@
+X
+refuse "an undefined chunk" 01-one.nw 5 'count the sheep.* nowhere defined' 'count the sheeps'
+refuse_tangle "an undefined chunk" 01-one.nw 5 'count the sheep.* nowhere defined' 'did you mean'
+refuse "an unused chunk" 01-one.nw 7 'count the sheeps.* never used' 'use it'
+
+book cycle; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+<<hen>>
+@
+<<hen>>=
+<<egg>>
+@
+<<egg>>=
+<<hen>>
+@
+X
+refuse "a chunk cycle" 01-one.nw '[69]' 'contains itself: .*egg' 'break the circle'
+refuse_tangle "a chunk cycle" 01-one.nw '[69]' 'contains itself' 'break the circle'
+
+book shift; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+int a(int b) { return b << 2 | b >> 3; }
+@
+X
+refuse "a shift read as a chunk" 01-one.nw 4 'shares its line|nowhere defined' '@<<'
+refuse_tangle "a shift read as a chunk" 01-one.nw 4 'shares its line|nowhere defined' '@<<'
+
+book later; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+<<parts that come later>>
+@
+X
+chapter 02-two.nw <<'X'
+# Two {#sec:two}
+
+<<parts that come later>>=
+int late;
+@
+X
+refuse "a chunk used before its chapter" 01-one.nw 4 'first defined later, in chapters/02-two.nw' 'define its first part'
+refuse_tangle "a chunk used before its chapter" 01-one.nw 4 'first defined later' 'define its first part'
+
+# ---- identifiers: what a later chapter defines
+book identifiers; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+<<functions of a>>
+@
+<<functions of a>>=
+static int early(void) { return 1; }
+int a(void)
+{
+    return early() + wfLate(2);
+}
+@
+X
+chapter 02-two.nw <<'X'
+# Two {#sec:two}
+
+<<core/b.c>>=
+int wfLate(int n);
+int wfLate(int n) { return n; }
+static int hidden(void) { return 1; }
+@
+X
+refuse "an identifier used before its chapter" 01-one.nw 10 'wfLate is used here but first declared later, in chapters/02-two.nw' 'move'
+sed -i 's/wfLate(2)/hidden/; s/int a(void)/int a(int hidden)/' "$dir/chapters/01-one.nw"
+if weave; then ok "a parameter may have the name of another file's static"; else bad "a parameter was taken for another file's static"; fi
+sed -i 's/int a(int hidden)/int a(void)/; s/+ hidden/+ 2/' "$dir/chapters/01-one.nw"
+sed -i 's/^int wfLate(int n);/#define LATE(early) ((early) + 1)/' "$dir/chapters/02-two.nw"
+if weave; then ok "statics are their own file's affair"; else bad "statics are their own file's affair"; fi
+
+# ---- labels, references, citations
+book labels; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+As @eq:momentum says, and @sec:nowhere, and [@leibniz1686].
+
+$$ p = m v $$ {#eq:momentun .theory}
+
+## Again {#sec:one}
+
+See [here](#lost-place). A mail@example.org is no citation, nor is `@code`.
+X
+refuse "a broken reference, with a hint" 01-one.nw 3 'nothing is labelled eq:momentum' 'did you mean @eq:momentun'
+refuse "a broken section reference" 01-one.nw 3 'nothing is labelled sec:nowhere' 'label it'
+refuse "a missing source" 01-one.nw 3 'no source @leibniz1686' 'refs.bib'
+refuse "a label defined twice" 01-one.nw 7 'sec:one is defined twice, first at chapters/01-one.nw:1' 'another id'
+refuse "a broken link" 01-one.nw 9 'nothing is labelled lost-place' 'label it'
+[ "$(grep -c '^chapters/' "$work/log")" -eq 5 ] && ok "all in one run, and nothing else" || bad "there should be five messages"
+
+book code-reference; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+int a; /* eq:lost */
+<<go by @eq:gone>>
+@
+<<go by @eq:gone>>=
+int b;
+@
+X
+refuse "a broken reference in a comment" 01-one.nw 4 'nothing is labelled eq:lost' 'reference in the code'
+refuse "a broken reference in a chunk's name" 01-one.nw 7 'nothing is labelled eq:gone' 'label it'
+
+book equations; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+$$ a = b $$ {#eq:lonely}
+
+$$ a = c $$ {#eq:thought .theory}
+
+$$ a = d $$ {#eq:used}
+
+<<core/a.c>>=
+int a; /* eq:used */
+@
+X
+if weave && grep -qE '^chapters/01-one.nw:3: warning: no code refers to equation eq:lonely -- .*theory' "$work/log" &&
+   [ "$(grep -c warning "$work/log")" -eq 1 ]; then ok "an equation without code is a warning"; else bad "an equation without code should be a warning"; fi
+strict=--strict refuse "an equation without code, strictly" 01-one.nw 3 'no code refers to equation eq:lonely' 'theory'
+
+# ---- pictures, data
+book pictures; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<lab/figures.c>>=
+<<rows of the figure table>>
+@
+<<rows of the figure table>>=
+{ "known", 0 },
+@
+
+![Known.](figures/known.svg){#fig:known}
+
+![A caption
+of two lines.](figures/unknown.svg){#fig:unknown}
+
+![A plot.](plots/slope.svg){#fig:slope}
+
+![A photograph.](book/photo.png){#fig:photo}
+
+```{.data file="book/data/nothing.csv" caption="None." #tbl:nothing}
+```
+X
+refuse "a figure that nothing draws" 01-one.nw 13 'no function draws figures/unknown.svg' 'rows of the figure table'
+refuse "a plot without a script" 01-one.nw 15 'no script plots plots/slope.svg' 'book/plots/slope.gp'
+refuse "a picture that is not there" 01-one.nw 17 'no file book/photo.png' 'put the file there'
+refuse "data that is not there" 01-one.nw 19 'data file book/data/nothing.csv is not there' 'weft-lab run nothing'
+grep -q known.svg "$work/log" | grep -v unknown && bad "a drawn figure was refused" || ok "a drawn figure is accepted"
+
+# ---- slips in the prose
+book slips; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+Include <stdio.h> here; `<stdlib.h>` is well, and so is $a<b$, and <https://example.org>.
+
+::: {.nota title="x"}
+Text.
+:::
+
+:::
+
+# Two titles
+
+    indented code with <tags> is well
+
+<<core/a.c>>=
+int wfLongNamesThatGoOnAndOn(int first, int second, int third, int fourth, int fifth, int sixth);
+@
+
+::: {.note}
+Never closed.
+
+$$ a = b {#eq:open}
+X
+refuse "HTML by accident" 01-one.nw 3 '<stdio.h> in prose' 'backticks'
+refuse "an unknown box" 01-one.nw 5 'no box is called .nota' '.note'
+refuse "a ::: too many" 01-one.nw 9 'closes nothing' 'delete'
+refuse "a second title" 01-one.nw 11 'second heading of level 1' '##'
+refuse "code that is too wide" 01-one.nw 16 'has 97 columns' 'break it'
+refuse "a box that stays open" 01-one.nw 19 'never closed' ':::'
+refuse "an equation that stays open" 01-one.nw 22 'never closed' 'close it'
+refuse "a label without its equation" 01-one.nw 22 'does not follow a closing' 'on the line that ends'
+[ "$(grep -c '^chapters/.*<' "$work/log")" -eq 1 ] && ok "code, math and addresses are left alone" || bad "only <stdio.h> is an accident"
+
+book fences; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+```
+int a;
+
+<<core/a.c>>=
+int a;
+@
+X
+refuse "a fence that stays open" 01-one.nw 3 'still open' 'close it'
+book untitled; chapter 01-one.nw <<'X'
+Just text.
+X
+refuse "a chapter without a title" 01-one.nw 1 'no title' '# Title'
+book twins; printf '# One {#sec:one}\n' | chapter 02-one.nw; printf '# Two {#sec:two}\n' | chapter 02-two.nw
+refuse "two chapters with one number" 02-two.nw 1 'number 02 is taken by chapters/02-one.nw' 'another number'
+
+# ---- a whole small book: numbers agree in HTML and TeX, links lead somewhere
+book whole; chapter 02-two.nw <<'X'
+# Two *things* {#sec:two}
+
+::: {.goals report="5.1"}
+- see @eq:twice in @sec:two-code
+:::
+
+$$ y = 2 x $$ {#eq:twice}
+
+## Code {#sec:two-code}
+
+<<core/two.c>>=
+<<double by @eq:twice>>
+@
+<<double by @eq:twice>>=
+int wfDouble(int x) { return 2 * x; } /* eq:twice */
+@
+<<double by @eq:twice>>=
+int wfQuadruple(int x) { return wfDouble(wfDouble(x)); }
+@
+### Deep {#sec:two-deep}
+
+: Numbers. {#tbl:numbers}
+
+| a | b |
+|---|---|
+| 1 | 2 |
+
+```{.data file="book/data/x.csv" columns="n=Count,e=Error" caption="Measured." #tbl:measured}
+```
+
+::: {.exercise #ex:first points=2 difficulty=1 minutes=5 kind=program}
+Use [[wfQuadruple(3)]].
+:::
+
+::: {.solution for="ex:first"}
+Secret answer.
+:::
+X
+printf '# command: build/bin/weft-lab run x\nn,e\n1,2.5e-06\n2,-0.25\n' > "$dir/book/data/x.csv"
+chapter A-primer.nw <<'X'
+# Primer {#sec:primer}
+
+By @Eq:twice, @tbl:measured, @ex:first, @sec:two-deep and @sec:two; [@newton1687, law II]. [[wfDouble]] is in C.
+
+$$ a = 1 $$ {#eq:a .theory}
+
+<<core/primer.c>>=
+int wfPrimer(void) { return wfDouble(1); }
+@
+X
+if weave && cp book/macros.tex "$dir/book/" && BIB=$dir/book/refs.bib tangle/bib "$dir/out/weave" && weave; then ok "a whole book is accepted"; else bad "a whole book is accepted"; fi
+for b in 02-two A-primer; do
+  WEFT_ROOT=$dir tangle/page html $b "$dir/out/weave" "$dir/out/html/$b.html" >>"$work/log" 2>&1 || bad "page $b"
+  WEFT_ROOT=$dir tangle/page latex $b "$dir/out/weave" "$dir/out/$b.tex" >>"$work/log" 2>&1 || bad "TeX $b"
+done
+WEFT_ROOT=$dir tangle/page html formulas "$dir/out/weave" "$dir/out/html/formulas.html" >>"$work/log" 2>&1
+html=$dir/out/html/02-two.html tex=$dir/out/02-two.tex
+has() { if grep -qF -- "$2" "$1"; then ok "$3"; else echo "looked for: $2" > "$work/log"; bad "$3"; fi; }
+hasnt() { if grep -qF -- "$2" "$1"; then echo "found: $2" > "$work/log"; bad "$3"; else ok "$3"; fi; }
+has "$html" '>(2.1)</a>' "equation number in HTML";           has "$tex" '\wTag{2.1}' "the same in TeX"
+has "$html" '<b>Table 2.1.</b>' "table number in HTML";        has "$tex" 'Table~2.1' "the same in TeX"
+has "$html" '<b>Table 2.2.</b>' "data table number in HTML";   has "$tex" 'Table~2.2' "the same in TeX"
+has "$html" 'Exercise 2.1' "exercise number in HTML";          has "$tex" 'Exercise 2.1' "the same in TeX"
+has "$html" '>2.1.1</span>' "subsection number in HTML"
+for k in 1 2 3; do has "$html" ">2.$k</a> <span class=\"name\"" "chunk 2.$k in HTML"; has "$tex" "}{2.$k}{" "chunk 2.$k in TeX"; done
+has "$html" 'Measured by <code>build/bin/weft-lab run x</code>' "the command under the table"; has "$tex" 'Measured by' "the same in TeX"
+has "$html" '10<sup>' "powers of ten"; has "$html" '>Count</th>' "a column's heading"
+has "$html" 'Code</i> <a class="cref" href="#c-double-by-eq-twice"><b>2.2</b></a> <a class="cref" href="#c-double-by-eq-twice-2"><b>2.3</b></a>' "an equation leads to its code"
+has "$html" 'Equations</i> <a class="xref eq" href="#eq:twice">(2.1)</a>' "code leads back to its equation"
+has "$html" '<dfn id="d-wfDouble">' "a definition has an anchor"
+has "$html" 'href="#d-wfDouble"' "a use leads to the definition"
+has "$dir/out/html/A-primer.html" 'href="02-two.html#d-wfDouble"' "across chapters, too"
+has "$dir/out/html/A-primer.html" '>Eq. (2.1)</a>' "a reference says the number"
+has "$dir/out/html/A-primer.html" '>Appendix A</span>' "appendices are called so"
+has "$dir/out/html/A-primer.html" 'id="ref-newton1687"' "the source is listed on the page"
+hasnt "$html" 'Secret answer' "solutions stay away from readers"
+has "$dir/out/html/index.html" '<li class="planned"><span class="n">3</span> Three' "a planned chapter is listed without a link"
+has "$dir/out/html/formulas.html" '02-two.html#c-double-by-eq-twice' "the list of formulas leads to the code"
+has "$dir/out/html/source-core-two-c.html" '02-two.html#c-double-by-eq-twice' "assembled lines lead to their chunk"
+has "$dir/out/weave/chapters.tex" '\wPlanned{3}{Three}' "planned in the PDF's contents, too"
+WEFT_ROOT=$dir tangle/page html 02-two "$dir/out/weave" "$dir/out/teacher.html" -M teacher=true >"$work/log" 2>&1
+has "$dir/out/teacher.html" 'Secret answer' "solutions are there for teachers"
+cp book/book.css book/book.js "$dir/out/html/"
+if $(tangle/lua) tests/loom/links.lua "$dir/out/html" >"$work/log" 2>&1; then ok "every link of the small book leads somewhere: $(tail -1 "$work/log")"; else bad "broken links"; fi
+sed -i 's/id="d-wfDouble"/id="gone"/' "$html"
+if $(tangle/lua) tests/loom/links.lua "$dir/out/html" >"$work/log" 2>&1; then bad "the link checker sees nothing"; else ok "the link checker sees a lost anchor"; fi
+
+# ---- a formula that cannot be set
+book formula; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+Text.
+
+$$ x = \unknowncommand{2} $$ {#eq:x .theory}
+X
+weave
+if WEFT_ROOT=$dir tangle/page html 01-one "$dir/out/weave" "$dir/out/html/01-one.html" >"$work/log" 2>&1; then bad "an impossible formula was set"
+elif grep -qE '^chapters/01-one.nw:5: this formula cannot become MathML.* -- ' "$work/log"; then ok "an impossible formula"; else bad "an impossible formula: no message for line 5"; fi
+
+echo "loom: $passed passed, $failed failed"
+[ $failed -eq 0 ]
