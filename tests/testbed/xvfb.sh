@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# The testbed in a real window: a virtual screen (Xvfb), the program, and xdotool, which moves the real pointer of that screen.
+#   tests/testbed/xvfb.sh [PROGRAM] [OUTDIR]        default build/bin/weft-testbed, build
+# The program's --log tells where bodies and buttons are and what came of it. Leaves OUTDIR/testbed.png.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+program=${1:-build/bin/weft-testbed}
+out=${2:-build}
+for tool in Xvfb xdotool import; do
+  command -v $tool >/dev/null || { echo "xvfb.sh: $tool is missing -- install xvfb, xdotool, imagemagick"; exit 1; }
+done
+[ -x "$program" ] || { echo "xvfb.sh: $program is missing -- make programs"; exit 1; }
+mkdir -p "$out"
+work=$(mktemp -d)
+xvfb='' app=''
+clean() {
+  [ -z "$app" ] || kill "$app" 2>/dev/null || true
+  [ -z "$app" ] || wait "$app" 2>/dev/null || true
+  [ -z "$xvfb" ] || kill "$xvfb" 2>/dev/null || true
+  [ -z "$xvfb" ] || wait "$xvfb" 2>/dev/null || true
+  rm -rf "$work"
+}
+trap clean EXIT
+
+# -- no screen at all
+SDL_VIDEODRIVER=dummy timeout 60 "$program" --scene free-fall --steps 30 --log "$work/dummy"
+grep -qx 'scene free fall' "$work/dummy"
+
+# -- a screen, the program on it
+Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
+xvfb=$!
+for i in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
+[ -s "$work/display" ] || { echo "xvfb.sh: the virtual screen did not start"; exit 1; }
+export DISPLAY=:$(cat "$work/display")
+log=$work/log
+SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --size 1100x700 --log "$log" &
+app=$!
+for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
+[ -s "$log" ] || { echo "xvfb.sh: the testbed did not start"; exit 1; }
+window=$(xdotool search --sync --onlyvisible --pid "$app" | head -1)
+eval "$(xdotool getwindowgeometry --shell "$window" | sed 's/^/win_/')"
+xdotool windowfocus --sync "$window" 2>/dev/null || true
+
+fail() { echo "FAIL  $*"; sed 's/^/  | /' "$log" | head -30; import -window root "$out/testbed-failed.png" || true; exit 1; }
+fact() { sed -n "s/^$1 //p" "$log" | head -1; }                          # the rest of the line that begins so
+# until WHAT CONDITION: waits up to 10 s for it
+until_true() { local what=$1; shift; for i in $(seq 100); do "$@" && { echo "ok    $what"; return; }; sleep 0.1; done; fail "$what"; }
+is() { [ "$(fact "$1")" = "$2" ]; }
+is_not() { [ "$(fact "$1")" != "$2" ]; }
+more() { [ "$(fact "$1")" -gt "$2" ]; }
+at() { xdotool mousemove --sync $((win_X + ${1%.*})) $((win_Y + ${2%.*})); sleep 0.06; }
+spot() { sed -n "s/^$1 .*pixel //p" "$log" | head -1; }                  # where a body or a widget is
+widget() { sed -n "s/^widget $1 pixel //p" "$log" | head -1; }
+click() { local p; p=$(widget "$1"); [ -n "$p" ] || fail "no widget $1"; at $p; xdotool click 1; }
+key() { xdotool key --window 0 "$1"; }
+less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }'; }
+
+until_true "the window shows the scene" is scene "stack of boxes"
+until_true "time goes on" more steps 30
+
+# -- pause, single step, run: by the mouse and by keys
+click Pause
+until_true "Pause stops time" is paused 1
+sleep 0.4; was=$(fact steps); sleep 0.5
+[ "$(fact steps)" = "$was" ] || fail "time went on while paused"
+click Step
+until_true "Step makes one step" is steps $((was + 1))
+key o
+until_true "key O makes one more" is steps $((was + 2))
+key p
+until_true "key P runs again" is paused 0
+
+# -- pick up the top box, carry it aside, let go
+set -- $(spot 'body 6')
+from=$1
+at "$1" "$2"
+xdotool mousedown 1
+until_true "the top box is held" is held 6
+for i in 1 2 3 4 5 6 7 8 9 10; do at $((${from%.*} + 20 * i)) $((${2%.*} - 4 * i)); done
+carried() { set -- $(spot 'body 6'); less $((${from%.*} + 180)) "$1" && less "$1" $((${from%.*} + 220)); }
+until_true "it came along by 200 pixels" carried
+import -window root "$out/testbed.png"
+xdotool mouseup 1
+until_true "it is let go" is held -1
+fallen() { set -- $(fact 'body 6'); less "$4" 1; }
+until_true "and falls to the floor" fallen
+
+# -- throw: a quick drag with the button released on the way
+key r
+sleep 0.4
+set -- $(spot 'body 6')
+from=$1
+at "$1" "$2"
+xdotool mousedown 1
+until_true "the box is held again" is held 6
+for i in 1 2 3 4 5 6; do xdotool mousemove $((win_X + ${1%.*} + 40 * i)) $((win_Y + ${2%.*} - 15 * i)); sleep 0.03; done
+xdotool mouseup 1
+flew() { set -- $(spot 'body 6'); less $((${from%.*} + 260)) "$1"; }
+until_true "it is thrown beyond where the mouse let go" flew
+
+# -- scenes: the list, the buttons, the keys
+click 'pyramid'
+until_true "a click in the list opens the scene" is scene pyramid
+click Next
+until_true "Next opens the next" is_not scene pyramid
+key bracketleft
+until_true "key [ goes back" is scene pyramid
+
+# -- overlays, the view, the theme
+click contacts
+until_true "the check box contacts is set" is show 1
+key 1
+until_true "key 1 clears it" is show 0
+view=$(fact view)
+at 700 350
+xdotool click 4
+until_true "the wheel zooms" is_not view "$view"
+view=$(fact view)
+xdotool mousedown 3; at 760 390; xdotool mouseup 3
+until_true "the right button moves the view" is_not view "$view"
+key h
+key d
+until_true "key D makes it dark" is dark 1
+key Tab
+until_true "Tab hides the list" is list 0
+import -window root "$work/dark.png"
+[ "$(convert "$work/dark.png" -crop 1000x600+100+100 -resize 1x1 -format '%[fx:mean<0.4]' info:)" = 1 ] || fail "the dark picture is not dark"
+
+# -- the end: a polite signal is a request to quit; the program leaves with 0
+kill -TERM "$app"
+rc=0; wait "$app" || rc=$?
+app=
+[ $rc = 0 ] || fail "the program left with $rc"
+echo "ok    it ends when asked"
+[ "$(convert "$out/testbed.png" -unique-colors -format '%w' info:)" -gt 20 ] || fail "the screenshot is empty"
+echo "the testbed works in a real window; screenshot in $out/testbed.png"
