@@ -81,6 +81,7 @@ static void each_call_stores_its_command(void **state)
     assert_true(wfDrawPoints(&d, wfDrawAt(&d, 7))[0] == 3 && wfDrawPoints(&d, wfDrawAt(&d, 7))[1] == 4);
     assert_string_equal(wfDrawString(&d, wfDrawAt(&d, 7)), "abc");
     assert_string_equal(wfDrawString(&d, wfDrawAt(&d, 0)), "");
+    assert_int_equal(wfDrawAt(&d, 0)->length, 0);
 }
 
 static void the_list_keeps_copies(void **state)
@@ -207,6 +208,7 @@ static void any_memory_will_do(void **state)
     (void)state;
     wfDraw d;
     wfDrawInit(&d, NULL, 100);
+    assert_int_equal(d.size, 0);
     wfDrawLine(&d, 0, 0, 1, 1, 1, WF_INK_LINE);
     assert_int_equal(d.count, 0);
     assert_int_equal(d.overflow, 1);
@@ -216,6 +218,9 @@ static void any_memory_will_do(void **state)
             wfDrawInit(&d, memory + skip, bytes);
             wfDrawLine(&d, 1, 2, 3, 4, 1, WF_INK_LINE);
             assert_int_equal(d.count + d.overflow, 1);
+            assert_int_equal((uintptr_t)d.base % 8, 0);
+            assert_int_equal(d.size % 8, 0);
+            assert_true(d.size <= bytes && d.size + 14 >= bytes);  /* 7 to align, 7 to round */
             if (bytes >= 47) assert_int_equal(d.count, 1);  /* 40 and at most 7 to align */
             if (bytes < 40) assert_int_equal(d.overflow, 1);
             for (size_t i = 0; i < 128; i++)
@@ -302,6 +307,9 @@ static void views_must_have_a_size(void **state)
     wfDrawView(&d, 0, NAN, 1, 1);
     assert_int_equal(d.refused, 8);
     assert_true(d.view[0] == -1 && d.view[1] == -2 && d.view[2] == 3 && d.view[3] == 4);
+    wfDrawView(&d, 0, 0, WF_DRAW_SMALLEST, WF_DRAW_SMALLEST);
+    assert_int_equal(d.refused, 8);
+    assert_true(d.view[2] == WF_DRAW_SMALLEST && d.view[3] == WF_DRAW_SMALLEST);
 }
 
 static void roles_have_names(void **state)

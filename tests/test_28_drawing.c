@@ -94,11 +94,14 @@ static void arrows_have_a_tip_and_two_barbs(void **state)
         a = wfMakeArrow(x0, y0, x1, y1, 1);
         double length = hypot((double)(x1 - x0), (double)(y1 - y0)), head = length < 8.5 ? length : 8.5;
         double mx = 0.5 * ((double)a.head[2] + (double)a.head[4]), my = 0.5 * ((double)a.head[3] + (double)a.head[5]);
-        assert_near(hypot((double)x1 - mx, (double)y1 - my), head, 1e-3);
+        double ux = length > 0 ? (double)(x1 - x0) / length : 0, uy = length > 0 ? (double)(y1 - y0) / length : 0;
+        assert_near(mx, (double)x1 - head * ux, 1e-3);
+        assert_near(my, (double)y1 - head * uy, 1e-3);
+        assert_near(a.endX, (double)x1 - 0.8 * head * ux, 1e-3);
+        assert_near(a.endY, (double)y1 - 0.8 * head * uy, 1e-3);
         assert_near(hypot((double)(a.head[2] - a.head[4]), (double)(a.head[3] - a.head[5])), 0.8 * head, 1e-3);
         double across = (double)(a.head[2] - a.head[4]) * (double)(x1 - x0) + (double)(a.head[3] - a.head[5]) * (double)(y1 - y0);
         assert_near(across / (length + 1), 0, 1e-3);
-        assert_near(hypot((double)x1 - (double)a.endX, (double)y1 - (double)a.endY), 0.8 * head, 1e-3);
     }
     a = wfMakeArrow(3, 4, 3, 4, 1);  /* no direction: a head of no size, and no NaN */
     for (int i = 0; i < 6; i++) assert_near(a.head[i], i % 2 ? 4 : 3, 0);
@@ -118,6 +121,8 @@ static void utf8_is_read_and_bad_bytes_are_replaced(void **state)
         { "\xed\xa0\x80", { 0xfffd, 0 } },                  /* half of a UTF-16 pair */
         { "\xf4\x90\x80\x80", { 0xfffd, 0 } },              /* beyond U+10FFFF */
         { "\xff" "a", { 0xfffd, 'a', 0 } },
+        { "\x80\x80", { 0xfffd, 0xfffd, 0 } },
+        { "\xf8\x80\x80\x80", { 0xfffd, 0xfffd, 0xfffd, 0xfffd, 0 } },
         { "\xef\xbf\xbf\xf4\x8f\xbf\xbf", { 0xffff, 0x10ffff, 0 } },
         { "\xc2\x80\xe0\xa0\x80\xf0\x90\x80\x80", { 0x80, 0x800, 0x10000, 0 } },
         { "\xee\x80\x80\xed\x9f\xbf", { 0xe000, 0xd7ff, 0 } },
@@ -731,6 +736,16 @@ static void glyphs_are_found(void **state)
     assert_int_equal(wfNearestSize(&none, 10), -1);
     assert_null(wfFindGlyph(&none, 10, 'A'));
     assert_near(wfTextWidth(&none, 10, "A"), 0, 0);
+    wfFont empty = FONT;  /* sizes, but no letters */
+    empty.glyphCount = 0;
+    assert_null(wfFindGlyph(&empty, 10, 'A'));
+    assert_near(wfTextWidth(&empty, 10, "A"), 0, 0);
+    wfDraw d = new_list();
+    frame_buffer f = new_frame();
+    wfDrawText(&d, 20, 30, 10, WF_INK_TEXT, -1, "A");
+    wfRenderList(&d, &empty, &wfLightPalette, &f);
+    wfRenderList(&d, &none, &wfLightPalette, &f);
+    assert_ink(&f, 22, 30, PAPER);
 }
 
 static void letters_stand_on_their_point(void **state)
