@@ -466,6 +466,21 @@ static void test_seen_width(void **s)
     assert_ok(wfMakePolygon(p, 3, &t));
     assert_ulps(wfSeenWidth(&t, wfTransformIdentity(), wfV2(1, 0), &middle), 6, 4, 6);
     assert_ulps2(middle, wfV2(1, 3), 8, 3);                         /* in line with the centroid (1, 2), 1 m above it */
+    wfRandom r = random_stream(95);
+    for (int k = 0; k < 200; k++) {                                 /* by definition: no corner is outside, two are on the edges */
+        wfShape shape = random_polygon(&r);
+        wfVec2 u = random_unit(&r), side = wfPerpCCW(u);
+        at = random_transform(&r, 2);
+        wfReal width = wfSeenWidth(&shape, at, u, &middle), low = 9, high = -9;
+        for (int i = 0; i < shape.count; i++) {
+            wfReal x = wfDot(side, wfSub(wfApply(at, shape.vertices[i]), middle));
+            low = wfMinR(low, x);
+            high = wfMaxR(high, x);
+        }
+        assert_ulps(high, (double)width / 2, 16, 4);
+        assert_ulps(low, (double)-width / 2, 16, 4);
+        assert_ulps(wfDot(u, wfSub(middle, wfApply(at, shape.centre))), 0, 16, 4);
+    }
 }
 
 /* The sum of the pulse over any steps that fit D a whole number of times (2 or more) is 1, whatever the phase. */
@@ -632,6 +647,11 @@ static void test_bad_parameters(void **s)
                 f.param[i] = BAD_REALS[k];
                 assert_result(WF_ERROR_NOT_FINITE, wfCheckForce(&f));
             }
+        f = any_force(kind);
+        if (wfForceTable[kind].params < WF_FORCE_PARAMS) f.param[wfForceTable[kind].params] = BAD_REALS[0];
+        assert_ok(wfCheckForce(&f));                                /* what is not in use is not looked at */
+        assert_int_equal(f.b, -1);
+        assert_int_equal(f.a, kind == WF_FORCE_SPRING || kind == WF_FORCE_BUNGEE ? 0 : -1);
         f = any_force(kind);
         f.a = -2; assert_result(WF_ERROR_RANGE, wfCheckForce(&f));
         f = any_force(kind);
