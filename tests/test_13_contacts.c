@@ -452,6 +452,78 @@ static void test_ties_never_lose_a_contact(void **state)
     }
 }
 
+/* A reference edge that has nothing right below it, as a tie may choose it: the deepest corner is used as it is. Both
+   ways round, and once with the other body's edge slanting down past the end. */
+static void test_nothing_below_the_edge(void **state)
+{
+    (void)state;
+    wfShape a = box(1, 1);
+    int top = 0;
+    while (a.normals[top].y < 0.5f) top++;
+    static const struct { double x, y, turn; } cases[] = {
+        { 2.5, 1.5, 10 }, { -2.5, 1.5, -10 }, { 3, 1.2, 80 }, { -3, 1.2, 20 },
+    };
+    for (int i = 0; i < 4; i++) {
+        wfTransform xa = at(0, 0, 0), xb = at(cases[i].x, cases[i].y, cases[i].turn);
+        P low = { 0, 1e9 };
+        int vertex = -1;
+        for (int k = 0; k < 4; k++) {
+            P v = place(xb, a.vertices[k]);
+            if (v.y < low.y) low = v, vertex = k;
+        }
+        wfManifold m;
+        wfSeparation s = { (wfReal)(low.y - 1), wfV2(0, 1), 0, top };
+        wfMakeManifold(&a, xa, &a, xb, &s, &m);
+        assert_int_equal(m.count, 1);
+        assert_near(m.points[0].depth, 1 - low.y, ROUNDING);
+        assert_near2(m.points[0].point, wfV2((wfReal)low.x, (wfReal)((low.y + 1) / 2)), ROUNDING);
+        assert_int_equal(m.points[0].feature, wfFeature(1, vertex, top));
+        wfSeparation t = { (wfReal)(low.y - 1), wfV2(0, -1), 1, top };
+        wfMakeManifold(&a, xb, &a, xa, &t, &m);
+        assert_int_equal(m.count, 1);
+        assert_near(m.points[0].depth, 1 - low.y, ROUNDING);
+        assert_near2(m.points[0].point, wfV2((wfReal)low.x, (wfReal)((low.y + 1) / 2)), ROUNDING);
+        assert_int_equal(m.points[0].feature, wfFeature(0, vertex, top));
+        s.distance = (wfReal)-0.001;                    /* and if even that corner is above the edge: no contact */
+        xb.p.y += 3;
+        wfMakeManifold(&a, xa, &a, xb, &s, &m);
+        assert_int_equal(m.count, 0);
+    }
+    /* an incident edge that ends exactly at the side plane has no length below the edge: one point, not two at one place */
+    wfSeparation s = { (wfReal)-0.5, wfV2(0, 1), 0, top };
+    wfManifold m;
+    wfMakeManifold(&a, at(0, 0, 0), &a, at(2, 1.5, 0), &s, &m);
+    assert_int_equal(m.count, 1);
+    assert_near(m.points[0].depth, 0.5, ROUNDING);
+}
+
+/* Without an owner the better aligned body is the reference, and A if both are. */
+static void test_reference_by_alignment(void **state)
+{
+    (void)state;
+    wfShape a = box(1, 1);
+    double r2 = sqrt(2);
+    wfSeparation s = { (wfReal)-0.1, wfV2(0, 1), WF_NO_EDGE, WF_NO_EDGE };
+    wfManifold m, w;
+    for (int swap = 0; swap < 2; swap++) {              /* A stands on its corner, so B is the reference; and the other way */
+        wfTransform lower = at(0, 0, swap ? 0 : 45), upper = at(0, 1 + r2 - 0.1, swap ? 45 : 0);
+        wfMakeManifold(&a, lower, &a, upper, &s, &m);
+        assert_int_equal(m.count, 1);
+        assert_near(m.points[0].depth, 0.1, ROUNDING);
+        assert_near2(m.points[0].point, wfV2(0, (wfReal)(swap ? 0.95 : r2 - 0.05)), ROUNDING);
+        assert_int_equal(m.points[0].feature >> 16, swap);
+    }
+    wfSeparation own = { (wfReal)-0.1, wfV2(0, 1), 0, 0 };
+    while (a.normals[own.edge].y < 0.5f) own.edge++;
+    wfMakeManifold(&a, at(0, 0, 0), &a, at(0.5, 1.9, 0), &s, &m);
+    wfMakeManifold(&a, at(0, 0, 0), &a, at(0.5, 1.9, 0), &own, &w);
+    assert_int_equal(m.count, 2);
+    for (int k = 0; k < 2; k++) {
+        assert_near2(m.points[k].point, w.points[k].point, 0);
+        assert_int_equal(m.points[k].feature, w.points[k].feature);
+    }
+}
+
 static void test_bad_input(void **state)
 {
     (void)state;
@@ -493,6 +565,7 @@ int main(void)
         cmocka_unit_test(test_random_contacts), cmocka_unit_test(test_swap), cmocka_unit_test(test_rigid_motion),
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_features_persist),
         cmocka_unit_test(test_without_an_edge), cmocka_unit_test(test_ties_never_lose_a_contact),
+        cmocka_unit_test(test_nothing_below_the_edge), cmocka_unit_test(test_reference_by_alignment),
         cmocka_unit_test(test_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

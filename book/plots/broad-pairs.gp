@@ -3,7 +3,7 @@ set logscale xy
 set xrange [12:6000]
 set xlabel 'boxes'
 set ylabel 'box tests'
-set format y '10^{%T}'
+set format y '%.0f'
 set key top left
 plot '< grep ^uniform book/data/broad-pairs.csv' using 2:5 with linespoints title 'brute force', \
      '' using 2:7 with linespoints title 'quad tree, climbing', \
