@@ -19,6 +19,7 @@ $(W)/.stamp: $(NW) $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard bo
 	@touch $@
 $(W)/db.lua $(W)/files.lua: $(W)/.stamp ;
 $(W)/%.md $(W)/%.lua: $(W)/.stamp ;
+$(W)/%.assets: $(W)/figures.stamp ;
 
 # -- figures: drawn by the program of the chapters, plotted from the data that the lab wrote
 figures: $(W)/figures.stamp
@@ -28,7 +29,7 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 
 # -- HTML
 html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/fonts/.stamp
-$(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua | $(W)/figures.stamp
+$(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
@@ -45,7 +46,7 @@ $(HTML)/fonts/.stamp:
 	@touch $@
 
 # -- PDF
-$(TEXDIR)/ch/%.tex: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/macros.tex $(W)/bib.lua | $(W)/figures.stamp
+$(TEXDIR)/ch/%.tex: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page latex $* $(W) $@ $(PAGEMETA)
 pdf: $(BUILD)/book/weft.pdf
 $(BUILD)/book/weft.pdf: $(BASES:%=$(TEXDIR)/ch/%.tex) book/book.tex tangle/pdf $(W)/figures.stamp

@@ -317,7 +317,7 @@ local function data_table(el)
   local rows = csv_rows(a.file or "")
   if #rows == 0 then
     if not missing_allowed then fail("%s: data file %s is not there or empty -- measure it with build/bin/weft-lab", mine.file, a.file or "?") end
-    return rawb(html and '<div class="missing">' .. Code.html(a.file or "?") .. " is not measured yet</div>" or "\\wMissing{" .. Code.tex(a.file or "?") .. "}")
+    return rawb(html and '<div class="missing" id="' .. el.identifier .. '">' .. Code.html(a.file or "?") .. " is not measured yet</div>" or "\\wMissing{" .. Code.tex(a.file or "?") .. "}")
   end
   local header = table.remove(rows, 1)
   local at = {}

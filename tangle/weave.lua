@@ -189,11 +189,29 @@ local function check_prose(chapter, line, l)
       book:complain(chapter.file, line, "<" .. tag .. "> in prose reads as HTML and would vanish from the page", "put it in backticks")
     end
   end
-  for path in text:gmatch("%]%(([^%)%s]+%.%a+)%)%s*{") do images[#images + 1] = { chapter.file, line, path } end
+  for path in text:gmatch("%]%(([^%)%s]+%.%a+)%)%s*{") do
+    chapter.assets = chapter.assets or {}
+    chapter.assets[#chapter.assets + 1] = path
+    images[#images + 1] = { chapter.file, line, path }
+  end
 end
 
 local boxes = {}
 for b in ("goals note warning history physics aside test exercise solution data files columns"):gmatch("%a+") do boxes[b] = true end
+
+local function check_data(chapter, line, l)
+  local file = l:match('file="([^"]*)"')
+  if not file then
+    book:complain(chapter.file, line, "a .data block without a file", 'write {.data file="book/data/NAME.csv"}')
+    return
+  end
+  chapter.assets = chapter.assets or {}
+  chapter.assets[#chapter.assets + 1] = file
+  if not Code.read(root .. file) then
+    book:complain(chapter.file, line, "data file " .. file .. " is not there", "measure it: build/bin/weft-lab run " ..
+      (file:match("([^/]+)%.csv$") or "NAME") .. " > " .. file)
+  end
+end
 
 -- One line of documentation. Keeps the state of the chapter: fences, paragraphs, counters. Returns the line to emit.
 local function doc_line(chapter, line, l)
@@ -205,15 +223,7 @@ local function doc_line(chapter, line, l)
   if fence then
     chapter.fence, chapter.fence_line = fence, line
     for id in l:gmatch("#(tbl:[%w_%-]+)") do count_label(chapter, line, id) end
-    local file = l:match("%.data.-file=\"([^\"]*)\"")
-    if l:match("{[^}]*%.data") then
-      if not file then
-        book:complain(chapter.file, line, "a .data block without a file", 'write {.data file="book/data/NAME.csv"}')
-      elseif not Code.read(root .. file) then
-        book:complain(chapter.file, line, "data file " .. file .. " is not there", "measure it: build/bin/weft-lab run " ..
-          (file:match("([^/]+)%.csv$") or "NAME") .. " > " .. file)
-      end
-    end
+    if l:match("{[^}]*%.data") then check_data(chapter, line, l) end
     return l
   end
   -- a block of code that is only indented: after an empty line, outside a list
@@ -258,6 +268,7 @@ local function doc_line(chapter, line, l)
       if #chapter.divs == 0 then book:complain(chapter.file, line, "this ::: closes nothing", "delete it, or open a box with ::: {.note}")
       else table.remove(chapter.divs) end
     else chapter.divs[#chapter.divs + 1] = line end
+    if l:match("^:::+%s*{[^}]*%.data") then check_data(chapter, line, l) end
     local class = l:match("^:::+%s*{%s*%.([%w_%-]+)")
     if class and not boxes[class] then
       book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files")
@@ -716,6 +727,7 @@ for i, ch in ipairs(book.chapters) do
   end
   Code.write_if_changed(out .. "/" .. ch.base .. ".lua", "return " .. Code.serialise(mine):gsub("},%[", "},\n[") .. "\n")
   Code.write_if_changed(out .. "/" .. ch.base .. ".md", table.concat(ch.md))
+  Code.write_if_changed(out .. "/" .. ch.base .. ".uses", table.concat(ch.assets or {}, "\n") .. "\n")
 end
 db.cited = {}
 for k in pairs(cited) do db.cited[#db.cited + 1] = k end

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# The woven book: every link leads somewhere, every definition has its anchor, numbers agree in HTML, TeX and PDF, the pages'
+# script works from file:// in a browser, a prose edit remakes one page.   tests/loom/book.sh [BUILD]
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+build=${1:-build}
+html=$build/book/html tex=$build/tex w=$build/weave
+lua=$(tangle/lua)
+work=$(mktemp -d); trap 'rm -rf "$work" "$html/selftest.html"' EXIT
+failed=0
+bad() { failed=$((failed + 1)); echo "FAIL $*"; }
+
+# ---- what should be there
+for f in index chunks identifiers sources bibliography formulas; do [ -s "$html/$f.html" ] || bad "$html/$f.html is not there"; done
+for c in chapters/*.nw; do
+  b=$(basename "$c" .nw)
+  [ -s "$html/$b.html" ] || bad "no page for $c"
+  [ -s "$tex/ch/$b.tex" ] || bad "no TeX for $c"
+done
+$lua tests/loom/links.lua "$html" || bad "links"
+$lua tests/loom/agree.lua "$w" "$html" "$tex/ch" || bad "numbers"
+grep -lE 'not (drawn|measured) yet' "$html"/*.html && bad "a figure or a table is missing"
+
+# ---- the PDF
+if [ -s "$build/book/weft.pdf" ]; then
+  if command -v pdftotext >/dev/null; then
+    pdftotext -layout "$build/book/weft.pdf" "$work/text"
+    pages=$(pdfinfo "$build/book/weft.pdf" | sed -nE 's/^Pages: +//p')
+    for c in chapters/*.nw; do
+      title=$(sed -nE '1,5s/^# ([^{]*[^ {]).*/\1/p' "$c" | head -1 | sed 's/[*`]//g')
+      grep -qF -- "${title:0:24}" "$work/text" || bad "the PDF does not show '$title'"
+    done
+    for want in 'List of chunks' 'Index of identifiers' 'Bibliography' 'planned' 'MIT licence' 'CC BY 4.0'; do grep -qF "$want" "$work/text" || bad "the PDF lacks '$want'"; done
+    if grep -qF '??' "$work/text"; then bad "the PDF holds ??: $(grep -nF -m3 '??' "$work/text")"; fi
+    over=$(grep -c '^Overfull \\hbox' "$tex/weft.log"); [ "$over" -le 5 ] || bad "$over lines of the PDF stand out of the page by more than 1 pt"
+    lost=$(grep -c 'Missing character' "$tex/weft.log"); [ "$lost" -eq 0 ] || bad "$lost characters are missing in the PDF: $(grep -m1 'Missing character' "$tex/weft.log")"
+    grep -q 'undefined references' "$tex/weft.log" && bad "the PDF has undefined references"
+    grep -q 'name{.*} has been referenced but does not exist' "$tex/weft.log" && bad "the PDF has links that lead nowhere: $(grep -m2 'has been referenced but' "$tex/weft.log")"
+    echo "weft.pdf: $pages pages"
+  fi
+else bad "$build/book/weft.pdf is not there"; fi
+
+# ---- in a browser, from file://
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+if [ -n "$browser" ]; then
+  page=$(ls "$html" | grep -E '^11-|^05-|^01-' | tail -1)
+  sed 's|</body>|<script src="selftest.js"></script></body>|' "$html/$page" > "$html/selftest.html"
+  cp tests/loom/selftest.js "$html/selftest.js"
+  timeout 60 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update \
+    --disable-sync --user-data-dir="$work/profile" --enable-logging=stderr --virtual-time-budget=12000 --dump-dom "file://$(cd "$html" && pwd)/selftest.html" > "$work/dom" 2> "$work/console"
+  rm -f "$html/selftest.js" "$html/selftest.html"
+  grep -E 'CONSOLE.*(Error|error)' "$work/console" && bad "errors in the browser's console"
+  result=$(grep -oE 'SELFTEST [^<]*' "$work/dom" | tail -1)
+  echo "browser: ${result:-no result}"
+  case $result in 'SELFTEST ok'*) ;; *) bad "the page's script in the browser" ;; esac
+else echo "no browser here: the page's script is not tested"; fi
+
+[ $failed -eq 0 ] && echo "the book: $(ls "$html"/*.html | wc -l) pages, all links lead somewhere, numbers agree in HTML, TeX and PDF"
+[ $failed -eq 0 ]

@@ -1,0 +1,48 @@
+// Runs within a page, from file://: search, theme, preview, a chunk opened in place. Writes SELFTEST ok, or what failed.
+(async () => {
+  const say = t => { const p = document.createElement('p'); p.textContent = 'SELFTEST ' + t; document.body.append(p); };
+  const wait = ms => new Promise(f => setTimeout(f, ms));
+  const $ = id => document.getElementById(id);
+  const done = [];
+  try {
+    await wait(300);
+    const theme = document.documentElement.dataset.theme;
+    $('theme').click();
+    if (document.documentElement.dataset.theme === theme) throw 'the theme button';
+    $('theme').click();
+    done.push('theme');
+    $('q').value = 'wfPoolPush';
+    $('q').dispatchEvent(new Event('input'));
+    await wait(1500);
+    const first = document.querySelector('#hits a');
+    if (!first || !first.textContent.includes('wfPoolPush') || !first.getAttribute('href').includes('#d-wfPoolPush')) throw 'search for an identifier: ' + (first && first.outerHTML);
+    $('q').value = 'momentum body';
+    $('q').dispatchEvent(new Event('input'));
+    await wait(300);
+    if (document.querySelectorAll('#hits a').length < 3) throw 'search in the text';
+    done.push('search');
+    // a chunk of this page and one of another page, opened in place
+    for (const far of [false, true]) {
+      const a = [...document.querySelectorAll('.chunk a.use, .chunk footer a.cref')].find(x => x.matches('a.use') && x.getAttribute('href').startsWith('#') !== far);
+      if (!a) continue;
+      a.dispatchEvent(new MouseEvent('click', { bubbles: true, cancelable: true, shiftKey: true }));
+      await wait(900);
+      if (!a.nextElementSibling || !a.nextElementSibling.matches('.inl') || !a.nextElementSibling.textContent.trim()) throw 'a chunk in place' + (far ? ' from another page' : '');
+      a.dispatchEvent(new MouseEvent('click', { bubbles: true, cancelable: true, shiftKey: true }));
+      if (a.nextElementSibling && a.nextElementSibling.matches('.inl')) throw 'closing a chunk';
+      done.push(far ? 'chunk of another page' : 'chunk of this page');
+    }
+    const scripts = new Set([...document.querySelectorAll('main a.cref, main a.id')].map(x => x.getAttribute('href').split('#')[0]).filter(Boolean));
+    const other = [...scripts].find(p => /^\d\d-/.test(p));
+    if (other) {
+      const a = document.querySelector('main a.id[href^="' + other + '"], main a.cref[href^="' + other + '"]');
+      const matches = a.matches.bind(a);
+      a.matches = s => s === ':hover' || matches(s);
+      a.dispatchEvent(new MouseEvent('mouseover', { bubbles: true }));
+      await wait(1500);
+      if (!$('pop') || !$('pop').textContent.trim()) throw 'the preview of a chunk in ' + other;
+      done.push('preview of another page');
+    }
+    say('ok: ' + done.join(', '));
+  } catch (e) { say('failed: ' + e + ' (after ' + done.join(', ') + ')'); }
+})();
