@@ -15,8 +15,8 @@ ifneq ($(call mainof,testbed/bake_font_main.c),)
   ifeq ($(STB),)
     LACK += no weft-headless and weft-testbed without stb (Debian: libstb-dev, Fedora: stb-devel);
   else
-    PROGRAMS += $(if $(call mainof,testbed/headless_main.c),weft-headless)
-    ifneq ($(call mainof,testbed/sdl_main.c),)
+    PROGRAMS += $(if $(call mainof,testbed/game.c),weft-headless)
+    ifneq ($(call mainof,testbed/game.c),)
       ifeq ($(SDL_LIBS),)
         LACK += no weft-testbed without SDL2 (Debian: libsdl2-dev, Fedora: SDL2-devel);
       else
