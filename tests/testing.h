@@ -89,7 +89,8 @@ static inline wfTransform random_transform(wfRandom *r, wfReal extent)
 /* A number between 2^-bits and 2^bits of either sign, every binary order of magnitude equally likely. */
 static inline wfReal random_wide(wfRandom *r, int bits)
 {
-    double a = ldexp(1 + wfRandomU32(r) * 0x1p-32, (int)wfRandomBelow(r, (uint32_t)(2 * bits)) - bits);
+    double digits = 1 + wfRandomU32(r) * 0x1p-32;        /* two draws in one call would have no fixed order */
+    double a = ldexp(digits, (int)wfRandomBelow(r, (uint32_t)(2 * bits)) - bits);
     return (wfReal)((wfRandomU32(r) & 1) ? -a : a);
 }
 #endif
