@@ -354,7 +354,9 @@ static void discs_and_rings_have_their_area(void **state)
         float p[6] = { 20, 20, radii[i], 0, 0, 0 };
         double r = (double)radii[i];
         assert_near(average_total(cover_disc, p, 1, 16), pi * r * r, 4 * 2 * pi * (r + 0.5) / (16 * 16));
-        /* small discs have a small area: the relative error is small too, since the kinks lie on one cell */
+        /* The kinks are two circles, so the errors of the cells on them have both signs and nearly cancel: held to 0.3 %,
+         * less than half of what the correction by 1/12 would change if it were 1/13. */
+        if (radii[i] >= 0.57f && radii[i] <= 1) assert_near(average_total(cover_disc, p, 1, 32) / (pi * r * r), 1, 0.003);
         assert_near(average_total(cover_disc, p, 1, 16) / (pi * r * r), 1, 0.02);
     }
     float ring[6] = { 20, 20, 12, 1.5f, 0, 0 }, thin[6] = { 20, 20, 12, 0.2f, 0, 0 };
