@@ -390,6 +390,8 @@ static void test_vectors_of_three(void **state)
     assert_true(from.x == 3 && from.y == 7 && from.z == -9);
     assert_true(neg.x == -1 && neg.y == 2 && neg.z == -3);
     assert_true(two.x == 2 && two.y == -4 && two.z == 6);
+    two = wfScale3(3, b);
+    assert_true(two.x == 12 && two.y == 15 && two.z == -18);
     assert_true(wfDot3(a, b) == -24);
     assert_true(cross.x == -3 && cross.y == 18 && cross.z == 13);
     assert_true(wfLengthSq3(a) == 14 && wfLength3(wfV3(2, -3, 6)) == 7);
@@ -423,6 +425,8 @@ static void test_vectors_of_four(void **state)
     assert_true(from.x == 3 && from.y == 7 && from.z == -9 && from.w == 2);
     assert_true(neg.x == -1 && neg.y == 2 && neg.z == -3 && neg.w == -5);
     assert_true(two.x == 2 && two.y == -4 && two.z == 6 && two.w == 10);
+    two = wfScale4(3, b);
+    assert_true(two.x == 12 && two.y == 15 && two.z == -18 && two.w == 21);
     assert_true(wfDot4(a, b) == 11 && wfLengthSq4(a) == 39 && wfLength4(wfV4(1, -1, 1, -1)) == 2);
     assert_true(wfDistanceSq4(a, b) == 143 && wfDistance4(wfV4(0, 0, 0, 1), wfV4(5, 5, 5, 6)) == 10);
     wfVec4 n = wfNormalize4(wfV4(-2, 2, 2, -2)), zero = wfNormalize4(wfV4(0, 0, 0, 0));
@@ -469,7 +473,7 @@ static void test_matrices_by_hand(void **state)
     same22(wfMat22Mul(a, b), wfMat22Make(19, 22, 43, 50), 0);
     same22(wfMat22Add(a, b), wfMat22Make(6, 8, 10, 12), 0);
     same22(wfMat22Sub(a, b), wfMat22Make(-4, -4, -4, -4), 0);
-    same22(wfMat22Scale(2, a), wfMat22Make(2, 4, 6, 8), 0);
+    same22(wfMat22Scale(3, b), wfMat22Make(15, 18, 21, 24), 0);
     same22(wfMat22Transpose(a), wfMat22Make(1, 3, 2, 4), 0);
     assert_true(wfMat22Det(a) == -2);
     same22(wfMat22Inverse(a), wfMat22Make(-2, 1, 1.5, -0.5), 4 * (double)WF_EPSILON);
