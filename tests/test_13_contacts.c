@@ -137,6 +137,25 @@ static void test_box_on_table(void **state)
     (void)low;
 }
 
+/* Equal boxes exactly on each other, overlapping and just touching: the points bear the names of the upper corners, for
+   an end that lies on the side plane has not been cut. */
+static void test_flush(void **state)
+{
+    (void)state;
+    wfShape b = box(1, 1);
+    for (int touch = 0; touch < 2; touch++) {
+        wfManifold m = collide(&b, at(0, 0, 0), &b, at(0, touch ? 2 : 1.75, 0));
+        assert_int_equal(m.count, 2);
+        for (int k = 0; k < 2; k++) {
+            assert_near(m.points[k].depth, touch ? 0 : 0.25, 0);
+            assert_false(signbit(m.points[k].depth));
+            assert_int_equal(m.points[k].feature >> 16, 1);
+            assert_near2(m.points[k].point, wfAdd(b.vertices[m.points[k].feature >> 8 & 255],
+                                                  wfV2(0, touch ? 2 : WF_R(1.875))), 0);
+        }
+    }
+}
+
 /* The same box hangs over the edge: one point is clipped to the table's corner and bears its name. */
 static void test_overhang(void **state)
 {
@@ -485,7 +504,7 @@ static void test_nothing_below_the_edge(void **state)
         assert_near2(m.points[0].point, wfV2((wfReal)low.x, (wfReal)((low.y + 1) / 2)), ROUNDING);
         assert_int_equal(m.points[0].feature, wfFeature(0, vertex, top));
         s.distance = (wfReal)-0.001;                    /* and if even that corner is above the edge: no contact */
-        xb.p.y += 3;
+        xb.p.y += (wfReal)(1.25 - low.y);
         wfMakeManifold(&a, xa, &a, xb, &s, &m);
         assert_int_equal(m.count, 0);
     }
@@ -495,6 +514,13 @@ static void test_nothing_below_the_edge(void **state)
     wfMakeManifold(&a, at(0, 0, 0), &a, at(2, 1.5, 0), &s, &m);
     assert_int_equal(m.count, 1);
     assert_near(m.points[0].depth, 0.5, ROUNDING);
+    int first = 0;                                      /* both lower corners are as deep: the first one */
+    while (a.vertices[first].y > 0) first++;
+    assert_int_equal(m.points[0].feature, wfFeature(1, first, top));
+    s.distance = 0;                                     /* a corner that just touches the edge's line counts */
+    wfMakeManifold(&a, at(0, 0, 0), &a, at(2.5, 2, 0), &s, &m);
+    assert_int_equal(m.count, 1);
+    assert_near(m.points[0].depth, 0, 0);
 }
 
 /* Without an owner the better aligned body is the reference, and A if both are. */
@@ -538,6 +564,7 @@ static void test_bad_input(void **state)
         memset(&m, 0x77, sizeof m);
         assert_int_equal(wfCollide(shapes[k & 1], bad, shapes[k >> 1], o, &m), 0);
         assert_int_equal(m.count, 0);
+        assert_near2(m.normal, wfV2(0, 0), 0);
         assert_int_equal(wfCollide(NULL, o, shapes[k >> 1], o, &m), 0);
         assert_int_equal(wfCollide(shapes[k & 1], o, NULL, o, &m), 0);
         assert_int_equal(wfCollide(&none, o, shapes[k >> 1], o, &m), 0);
@@ -560,7 +587,7 @@ static void test_bad_input(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_features), cmocka_unit_test(test_box_on_table), cmocka_unit_test(test_overhang),
+        cmocka_unit_test(test_features), cmocka_unit_test(test_box_on_table), cmocka_unit_test(test_flush), cmocka_unit_test(test_overhang),
         cmocka_unit_test(test_corner_on_table), cmocka_unit_test(test_tilt), cmocka_unit_test(test_circles),
         cmocka_unit_test(test_random_contacts), cmocka_unit_test(test_swap), cmocka_unit_test(test_rigid_motion),
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_features_persist),
