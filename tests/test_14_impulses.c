@@ -528,6 +528,7 @@ static void rows_are_found_by_name(void **unused)
         assert_non_null(wfSolverTable[i].text);
         assert_non_null(wfSolverTable[i].velocity);
         assert_non_null(wfSolverTable[i].position);
+        assert_true(wfSolverTable[i].scratch(10, 20) >= 10 * sizeof(wfVec2));
     }
     assert_int_equal(wfFindSolver("no such solver"), -1);
     assert_int_equal(wfFindSolver(NULL), -1);

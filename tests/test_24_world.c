@@ -1064,6 +1064,27 @@ static void broad_phases_agree_through_the_pipeline(void **unused)
     }
 }
 
+static void an_empty_world_and_one_of_a_single_body(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.bodyCapacity = 1;
+    def.forceCapacity = 0;
+    for (int b = 0; b < wfBroadPhaseCount; b++) {
+        wfWorld world;
+        def.broadPhase = b;
+        assert_ok(wfCreateWorld(&def, &world));
+        steps(&world, 3);
+        assert_int_equal(wfBodyCount(&world), 0);
+        wfForce pull = wfGravity(wfV2(0, 1));
+        assert_result(WF_ERROR_FULL, wfAddForceToWorld(&world, &pull, NULL));
+        wfBodyId id = add(&world, ball_def(0, 0, 1));
+        steps(&world, 3);
+        assert_near(info(&world, id).velocity.y, -9.81 * 3 / 60, 1e-5);
+        wfDestroyWorld(&world);
+    }
+}
+
 static void energy_by_hand(void **unused)
 {
     (void)unused;
@@ -1188,6 +1209,7 @@ int main(void)
         cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_carries_a_body),
         cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
         cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
+        cmocka_unit_test(an_empty_world_and_one_of_a_single_body),
         cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing),
         cmocka_unit_test(angles_stay_in_one_turn), cmocka_unit_test(the_page_of_stages),
     };
