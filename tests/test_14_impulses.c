@@ -317,6 +317,31 @@ static void box_on_a_ledge(void **unused)
     assert_ulps(box.w, 0.6 / 1.06, 16, 1);
 }
 
+static void two_points_are_told_apart_at_any_mass(void **unused)
+{
+    (void)unused;
+    wfReal j[2];
+    for (int k = -4; k <= 4; k++) {
+        double mass = pow(10, k);
+        wfBodyState s[2] = { still(0, 0, 0, 0), moving(0, 0.5, 0, -1, 0, mass, mass / 6) };
+        wfContact c = two_points(0, 1, wfV2(0, 1), wfV2(WF_R(-0.5), 0), wfV2(WF_R(0.5), 0), 0);
+        assert_true(wfResolveTwoPoints(&s[0], &s[1], &c.manifold, 0, j));
+        assert_ulps(j[0], mass / 2, 16, mass);
+        assert_near(s[1].v.y, 0, 16 * WF_EPSILON);
+        assert_near(s[1].w, 0, 16 * WF_EPSILON);
+    }
+    const wfReal parting[] = { 0, WF_R(0.25) };         /* told apart, and not pushed */
+    for (int k = 0; k < 2; k++) {
+        wfBodyState s[2] = { still(0, 0, 0, 0), moving(0, 0.5, 0, 0, 0, 1, 1.0 / 6) }, before;
+        s[1].v.y = parting[k];
+        before = s[1];
+        wfContact c = two_points(0, 1, wfV2(0, 1), wfV2(WF_R(-0.5), 0), wfV2(WF_R(0.5), 0), 0);
+        assert_true(wfResolveTwoPoints(&s[0], &s[1], &c.manifold, 0, j));
+        assert_true(j[0] == 0 && j[1] == 0);
+        assert_memory_equal(&s[1], &before, sizeof before);
+    }
+}
+
 static void random_two_point_contacts_meet_their_conditions(void **unused)
 {
     (void)unused;
@@ -630,6 +655,18 @@ static void missing_parts_are_refused(void **unused)
     k.in.state = NULL;
     refused(&k, WF_ERROR_NULL);
     good_case(&k);
+    k.in.state = NULL;
+    k.in.bodyCount = 1;
+    k.in.contactCount = 0;
+    assert_result(WF_ERROR_NULL, wfSolveVelocities(0, &k.in));
+    good_case(&k);
+    k.c.a = 1;                                      /* the order of the two is free */
+    k.c.b = 0;
+    assert_ok(wfCheckSolve(&k.in));
+    k.c.manifold.count = 0;
+    k.c.restitution = 1;
+    assert_ok(wfCheckSolve(&k.in));
+    good_case(&k);
     const int rows[] = { -1, wfSolverCount, 1 << 30 };
     for (int i = 0; i < 3; i++) {
         assert_result(WF_ERROR_UNKNOWN, wfSolveVelocities(rows[i], &k.in));
@@ -667,7 +704,7 @@ int main(void)
         cmocka_unit_test(random_bounces_obey_the_laws),
         cmocka_unit_test(a_list_of_contacts_keeps_momentum_and_never_adds_energy),
         cmocka_unit_test(flat_landing_does_not_spin), cmocka_unit_test(one_point_after_the_other_spins),
-        cmocka_unit_test(box_on_a_ledge), cmocka_unit_test(random_two_point_contacts_meet_their_conditions),
+        cmocka_unit_test(box_on_a_ledge), cmocka_unit_test(two_points_are_told_apart_at_any_mass), cmocka_unit_test(random_two_point_contacts_meet_their_conditions),
         cmocka_unit_test(points_that_cannot_be_told_apart), cmocka_unit_test(slow_contacts_do_not_bounce),
         cmocka_unit_test(the_faster_of_two_points_decides), cmocka_unit_test(a_kick_runs_through_a_row_of_balls),
         cmocka_unit_test(overlap_is_shared_by_inverse_mass), cmocka_unit_test(a_floor_does_not_yield),
