@@ -430,7 +430,7 @@ local function box(kind, title, extra, blocks, id)
     r:extend(blocks)
     r:insert(rawb("</aside>"))
   else
-    r:insert(rawb("\\begin{wBox}{" .. kind .. "}{" .. title .. "}{" .. (extra or "") .. "}" .. (id and "\\wLabel{" .. id .. "}" or "")))
+    r:insert(rawb("\\begin{wBox}{" .. kind .. "}{" .. (id and "\\wLabel{" .. id .. "}" or "") .. title .. "}{" .. (extra or "") .. "}"))
     r:extend(blocks)
     r:insert(rawb("\\end{wBox}"))
   end

@@ -4,7 +4,14 @@ local dir = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
 package.path = dir .. "?.lua;" .. package.path
 local Code = require "weave-code"
 function Pandoc(doc)
-  local bib, order = {}, 0
+  local bib, order, authors = {}, 0, {}
+  -- pages show single entries, so "---. 2011." becomes the author's name again
+  local function named(format, s)
+    local author = s:match("^(.-)%.%s+%d%d%d%d") or s:match("^(.-)%.%s+n%.d")
+    if author and not author:match("^\u{2014}") and not author:match("^%-%-") then authors[format] = author
+    elseif author and authors[format] then s = authors[format] .. s:sub(#author + 1) end
+    return s
+  end
   pandoc.walk_block(pandoc.Div(doc.blocks), { Div = function(d)
     local key = d.identifier:match("^key%-(.+)$")
     if key then
@@ -20,7 +27,9 @@ function Pandoc(doc)
       local b = bib[key]
       b.order = order
       b.html = pandoc.write(pandoc.Pandoc { pandoc.Plain(pandoc.utils.blocks_to_inlines(d.content)) }, "html"):gsub("%s+$", "")
+      b.html = named("html", b.html)
       b.tex = pandoc.write(pandoc.Pandoc { pandoc.Plain(pandoc.utils.blocks_to_inlines(d.content)) }, "latex"):gsub("%s+$", "")
+      b.tex = named("tex", b.tex)
     end
   end })
   Code.write_if_changed(pandoc.utils.stringify(doc.meta.out), "return " .. Code.serialise(bib):gsub("},%[", "},\n[") .. "\n")

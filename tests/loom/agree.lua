@@ -38,7 +38,7 @@ for id, l in pairs(db.labels) do
     want("tables", l.page .. " (TeX)", t, "\\wLabel{" .. id .. "}"); want("tables", l.page .. " (TeX)", t, "{Table~" .. l.num .. "}")
   elseif l.kind == "ex" then
     want("exercises", l.page, h, 'id="' .. id .. '"><p class="title">Exercise ' .. l.num)
-    want("exercises", l.page .. " (TeX)", t, "{Exercise " .. l.num .. "}")
+    want("exercises", l.page .. " (TeX)", t, "\\wLabel{" .. id .. "}Exercise " .. l.num .. "}")
   elseif l.num:find(".", 1, true) then
     want("sections", l.page, h, 'id="' .. id .. '"><span class="secnum">' .. l.num .. "</span>")
   end
