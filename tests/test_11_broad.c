@@ -442,6 +442,42 @@ static void test_sectors(void **state)
     assert_int_equal(wfQuadSector(c, rect(-9, -9, 9, 9)), -1);
 }
 
+/* Which quarters a box reaches into: told by hand for a tree with all four. */
+static void test_reach(void **state)
+{
+    (void)state;
+    wfPool pool;
+    wfQuadTree tree = make_tree(&pool, rect(-8, -4, 8, 4), 8, 16, 1, 0);
+    for (int i = 0; i < 4; i++) {
+        double x = i & 1 ? 4 : -4, y = i & 2 ? 2 : -2;
+        assert_ok(wfQuadTreeInsert(&tree, i, rect(x, y, x + 1, y + 1)));
+    }
+    static const struct { double x0, y0, x1, y1; int sectors; } cases[] = {     /* bits of the sectors reached */
+        { -2, -2, -1, -1, 1 }, { 1, -2, 2, -1, 2 }, { -2, 1, -1, 2, 4 }, { 1, 1, 2, 2, 8 }, { -1, 1, 1, 2, 12 },
+        { -1, -2, 1, -1, 3 },  { 1, -1, 2, 1, 10 }, { -2, -1, -1, 1, 5 }, { -1, -1, 1, 1, 15 }, { -1, -1, 0, 0, 1 },
+        { 0, 0, 1, 1, 8 },     { 0, 0, 0, 0, 0 },   { 50, -3, 60, 3, 10 }, { -2, 0, -1, 1, 4 }, { 0, -2, 1, -1, 2 },
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        int32_t reached[4];
+        wfRect r = rect(cases[i].x0, cases[i].y0, cases[i].x1, cases[i].y1);
+        int n = wfQuadTreeReach(&tree, 0, r, reached), bits = 0;
+        for (int k = 0; k < n; k++) bits |= 1 << tree.nodes[reached[k]].sector;
+        assert_int_equal(bits, cases[i].sectors);
+    }
+    int32_t none[4], child = wfQuadTreeNodeOf(&tree, 3);
+    assert_int_equal(wfQuadTreeReach(&tree, child, rect(-9, -9, 9, 9), none), 0);       /* a leaf has no children */
+    assert_ok(wfQuadTreeRemove(&tree, 3));
+    assert_int_equal(wfQuadTreeReach(&tree, 0, rect(1, 1, 2, 2), none), 0);             /* nor is one that is gone reached */
+    /* the box that the chapter follows down */
+    wfQuadTree wide = make_tree(&pool, rect(-8, -8, 8, 8), 2, 16, 5, 0);
+    int32_t sectors[WF_QUAD_MAX_DEPTH];
+    assert_ok(wfQuadTreeInsert(&wide, 0, rect(5, 1, 6, 2)));
+    assert_int_equal(wfQuadTreePath(&wide, wfQuadTreeNodeOf(&wide, 0), sectors), 2);
+    assert_true(sectors[0] == WF_TOP_RIGHT && sectors[1] == WF_BOTTOM_RIGHT);
+    assert_ok(wfQuadTreeInsert(&wide, 1, rect(4.9, 0.9, 5.9, 1.9)));
+    assert_true(wfQuadTreePath(&wide, wfQuadTreeNodeOf(&wide, 1), sectors) > 2);
+}
+
 static void test_insert_remove_move(void **state)
 {
     (void)state;
@@ -649,7 +685,7 @@ int main(void)
         cmocka_unit_test(test_random_worlds), cmocka_unit_test(test_large_world), cmocka_unit_test(test_huge_world),
         cmocka_unit_test(test_counts_tests), cmocka_unit_test(test_full), cmocka_unit_test(test_no_memory),
         cmocka_unit_test(test_bad_input), cmocka_unit_test(test_sorting), cmocka_unit_test(test_tc06_nodes),
-        cmocka_unit_test(test_sectors), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
+        cmocka_unit_test(test_sectors), cmocka_unit_test(test_reach), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
         cmocka_unit_test(test_report_rule_misses), cmocka_unit_test(test_reaches_agree),
         cmocka_unit_test(test_bad_proxies), cmocka_unit_test(test_bad_trees),
     };
