@@ -376,6 +376,7 @@ static void test_length_and_direction_at_the_extremes(void **state)
         assert_near2(wfNormalize(wfV2(BAD_REALS[i], BAD_REALS[i])), wfV2(0, 0), 0);
         assert_false(wfIsFinite(wfLength(wfV2(BAD_REALS[i], 1))));
     }
+    assert_true(wfLength(wfV2(1, BAD_REALS[2])) > h);            /* infinite, not NaN */
 }
 
 static void test_vectors_of_three(void **state)
@@ -601,6 +602,8 @@ static void test_laws_of_rotations(void **state)
     assert_true(wfRotIdentity().c == 1 && wfRotIdentity().s == 0);
     assert_true(wfRotNormalize((wfRot){ 0, 0 }).c == 1 && wfRotNormalize((wfRot){ 0, 0 }).s == 0);
     assert_true(wfRotNormalize((wfRot){ BAD_REALS[0], 0 }).c == 1);
+    assert_true(wfRotNormalize((wfRot){ 0, -5 }).c == 0 && wfRotNormalize((wfRot){ 0, -5 }).s == -1);
+    assert_true(wfRotNormalize((wfRot){ -5, 0 }).c == -1 && wfRotNormalize((wfRot){ -5, 0 }).s == 0);
 }
 
 static void test_laws_of_transforms(void **state)
