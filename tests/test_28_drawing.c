@@ -530,6 +530,106 @@ static void every_command_leaves_its_ink(void **state)
     assert_ink(&f, 85, H - 61, PAPER);
 }
 
+/* Two pictures of the same thing, drawn in two ways: no byte differs by more than `most'. */
+static void assert_same_picture(const frame_buffer *a, const uint32_t *other, int most)
+{
+    int drawn = 0;
+    for (int y = 0; y < H; y++)
+        for (int x = 0; x < W; x++) {
+            const uint8_t *p = at(a, x, y), *q = (const uint8_t *)(other + y * PITCH + x);
+            for (int k = 0; k < 4; k++)
+                if (abs(p[k] - q[k]) > most) fail_msg("pixel (%d, %d) differs: %d and %d", x, y, p[k], q[k]);
+            if (p[0] != PAPER.r) drawn++;
+        }
+    assert_true(drawn > 50);
+}
+
+static uint32_t kept[H * PITCH];
+static void keep_picture(const frame_buffer *f) { memcpy(kept, f->pixels, ((H - 1) * PITCH + W) * sizeof *kept); }
+
+/* An arrow is its shaft and its head: drawn as a line and a polygon in the same ink it gives the same picture. */
+static void arrows_are_shaft_and_head(void **state)
+{
+    (void)state;
+    wfPalette one = wfLightPalette;
+    memcpy(one.area, one.mark, sizeof one.area);
+    const float ends[4][4] = { { 10, 10, 60, 50 }, { 70, 12, 30, 40 }, { 80, 50, 20, 47 }, { 40, 55, 44, 9 } };
+    for (int i = 0; i < 4; i++) {
+        const float *e = ends[i];
+        wfDraw d = new_list();
+        frame_buffer f = new_frame();
+        wfDrawArrow(&d, e[0], e[1], e[2], e[3], 4, WF_INK_BAD);
+        wfRenderList(&d, NULL, &one, &f);
+        keep_picture(&f);
+        d = new_list();
+        f = new_frame();
+        wfArrow a = wfMakeArrow(e[0], H - e[1], e[2], H - e[3], 4);
+        float head[6];
+        for (int k = 0; k < 6; k++) head[k] = k % 2 ? H - a.head[k] : a.head[k];
+        wfDrawLine(&d, e[0], e[1], a.endX, H - a.endY, 4, WF_INK_BAD);
+        wfDrawPolygon(&d, head, 3, 0, WF_INK_NONE, WF_INK_BAD);
+        wfRenderList(&d, NULL, &one, &f);
+        assert_same_picture(&f, kept, 1);
+    }
+}
+
+/* A dashed line is lines of 6 pixels with gaps of 5 from its start on, also when it starts outside of the picture. */
+static void dashes_are_short_lines(void **state)
+{
+    (void)state;
+    const float ends[5][4] = { { 10, 10, 80, 55 }, { 80, 52, 12, 8 }, { 30, 60, 30, 3 }, { -300, -160, 300, 210 }, { 50, 900, 20, -700 } };
+    for (int i = 0; i < 10; i++) {
+        const float *e = ends[i / 2];
+        float unit = i % 2 ? 2 : 1;
+        wfDraw d = new_list();
+        frame_buffer f = new_frame();
+        f.scale = unit;
+        wfDrawDashed(&d, e[0], e[1], e[2], e[3], 2, WF_INK_BAD);
+        render(&d, &f);
+        keep_picture(&f);
+        d = new_list();
+        f = new_frame();
+        f.scale = unit;
+        double length = hypot((double)(e[2] - e[0]), (double)(e[3] - e[1]));
+        double ux = (double)(e[2] - e[0]) / length, uy = (double)(e[3] - e[1]) / length;
+        for (double from = 0; from < length; from += 11 * (double)unit) {
+            double to = from + 6 * (double)unit < length ? from + 6 * (double)unit : length;
+            wfDrawLine(&d, (float)((double)e[0] + from * ux), (float)((double)e[1] + from * uy),
+                       (float)((double)e[0] + to * ux), (float)((double)e[1] + to * uy), 2, WF_INK_BAD);
+        }
+        render(&d, &f);
+        assert_same_picture(&f, kept, 3);  /* places up to 1000 in floats: 6e-5 px, times a slope of the root in mixing */
+    }
+}
+
+/* What is covered in part is mixed in part; a transparent ink is mixed even where it covers all. */
+static void shares_are_mixed(void **state)
+{
+    (void)state;
+    wfDraw d = new_list();
+    frame_buffer f = new_frame();
+    wfPalette glass = wfLightPalette;
+    glass.area[WF_INK_BAD].a = 128;
+    const float box[8] = { 10.25f, 10, 30.5f, 10, 30.5f, 30, 10.25f, 30 };
+    wfDrawPolygon(&d, box, 4, 0, WF_INK_NONE, WF_INK_BAD);
+    for (int k = 0; k < 2; k++) {
+        const wfPalette *p = k ? &glass : &wfLightPalette;
+        wfClearFrame(&f, PAPER);
+        wfRenderList(&d, NULL, p, &f);
+        const float shares[4] = { 0.75f, 1, 0.5f, 0 };
+        const int columns[4] = { 10, 20, 30, 31 };
+        for (int i = 0; i < 4; i++) {
+            uint8_t want[4] = { PAPER.r, PAPER.g, PAPER.b, 255 };
+            wfBlend(want, p->area[WF_INK_BAD], shares[i]);
+            const uint8_t *got = at(&f, columns[i], 40);
+            for (int c = 0; c < 4; c++) assert_true(abs(got[c] - want[c]) <= 1);
+        }
+    }
+    uint8_t half[4] = { PAPER.r, PAPER.g, PAPER.b, 255 };
+    wfBlend(half, AREA(WF_INK_BAD), 128.0f / 255);
+    assert_memory_equal(at(&f, 20, 40), half, 4);
+}
+
 static void closed_outlines_are_closed(void **state)
 {
     (void)state;
@@ -935,7 +1035,8 @@ int main(void)
         cmocka_unit_test(distance_is_nearly_area), cmocka_unit_test(upright_lines_are_exact),
         cmocka_unit_test(far_away_ends_do_no_harm), cmocka_unit_test(blending_keeps_its_identities),
         cmocka_unit_test(half_the_light_is_not_half_the_byte), cmocka_unit_test(every_command_leaves_its_ink),
-        cmocka_unit_test(closed_outlines_are_closed), cmocka_unit_test(roles_of_none_draw_nothing),
+        cmocka_unit_test(closed_outlines_are_closed), cmocka_unit_test(arrows_are_shaft_and_head),
+        cmocka_unit_test(dashes_are_short_lines), cmocka_unit_test(shares_are_mixed), cmocka_unit_test(roles_of_none_draw_nothing),
         cmocka_unit_test(later_commands_lie_on_top), cmocka_unit_test(dense_screens_get_wider_lines),
         cmocka_unit_test(wide_pictures_are_drawn_in_strips), cmocka_unit_test(nothing_is_drawn_outside),
         cmocka_unit_test(bad_pictures_are_left_alone), cmocka_unit_test(the_same_list_gives_the_same_pixels),
