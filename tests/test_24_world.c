@@ -644,6 +644,47 @@ static void memory_may_be_handed_over(void **unused)
     p[0] = 1;
 }
 
+static void deepen_stack(int rubbish)                     /* leaves rubbish where later calls put their locals */
+{
+    volatile uint8_t bytes[8192];
+    for (size_t i = 0; i < sizeof bytes; i++) bytes[i] = (uint8_t)rubbish;
+}
+
+static void equal_worlds_are_equal_byte_for_byte(void **unused)
+{
+    (void)unused;
+    _Alignas(16) static uint8_t p[2][1 << 18], t[2][1 << 18];
+    wfWorldDef def = wfDefaultWorldDef();
+    def.bodyCapacity = 16;
+    for (int k = 0; k < 2; k++) {
+        wfWorld world;
+        memset(p[k], k == 0 ? 0x33 : 0xcc, sizeof p[k]);
+        memset(t[k], k == 0 ? 0x55 : 0xaa, sizeof t[k]);
+        size_t permanent, transient;
+        assert_ok(wfWorldSize(&def, &permanent, &transient));
+        assert_true(permanent <= sizeof p[k] && transient <= sizeof t[k]);
+        def.memory = (wfMemory){ p[k], permanent, t[k], transient, 0 };
+        deepen_stack(k == 0 ? 0x77 : 0x88);
+        assert_ok(wfCreateWorld(&def, &world));
+        add(&world, floor_def());
+        for (int i = 0; i < 10; i++) {
+            wfBodyDef d = i % 2 ? box_def(i % 3, 1 + i, 0.4) : ball_def(i % 3, 1 + i, 0.4);
+            deepen_stack(k == 0 ? 0x77 : 0x88);
+            add(&world, d);
+        }
+        wfForce drag = wfDrag(WF_R(0.1), 0);
+        assert_ok(wfAddForceToWorld(&world, &drag, NULL));
+        for (int i = 0; i < 60; i++) {
+            deepen_stack(k == 0 ? 0x77 : 0x88);
+            steps(&world, 1);
+        }
+        assert_ok(wfRemoveBodyFromWorld(&world, wfBodyAt(&world, 4)));
+        steps(&world, 30);
+        memset(p[k] + permanent, 0, sizeof p[k] - permanent);
+    }
+    assert_memory_equal(p[0], p[1], sizeof p[0]);
+}
+
 static void handles_of_nothing_are_refused(void **unused)
 {
     (void)unused;
@@ -1203,7 +1244,7 @@ int main(void)
         cmocka_unit_test(a_world_with_holes_equals_one_without), cmocka_unit_test(a_world_moves_house_every_step),
         cmocka_unit_test(a_snapshot_goes_back_in_time), cmocka_unit_test(equal_worlds_have_equal_hashes_and_others_do_not),
         cmocka_unit_test(the_layout_is_what_was_asked_for), cmocka_unit_test(memory_may_be_handed_over),
-        cmocka_unit_test(handles_of_nothing_are_refused), cmocka_unit_test(too_many_pairs_leave_the_world_as_it_was),
+        cmocka_unit_test(equal_worlds_are_equal_byte_for_byte), cmocka_unit_test(handles_of_nothing_are_refused), cmocka_unit_test(too_many_pairs_leave_the_world_as_it_was),
         cmocka_unit_test(overflow_is_an_error_and_spreads_to_no_one), cmocka_unit_test(bad_world_definitions_are_refused),
         cmocka_unit_test(bad_body_definitions_are_refused), cmocka_unit_test(bad_numbers_reach_no_body),
         cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_carries_a_body),
