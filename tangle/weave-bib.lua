@@ -32,6 +32,6 @@ function Pandoc(doc)
       b.tex = named("tex", b.tex)
     end
   end })
-  Code.write_if_changed(pandoc.utils.stringify(doc.meta.out), "return " .. Code.serialise(bib):gsub("},%[", "},\n[") .. "\n")
+  Code.write_if_changed(pandoc.utils.stringify(doc.meta.out), "return " .. Code.serialise(bib) .. "\n")
   return pandoc.Pandoc {}
 end

@@ -25,21 +25,47 @@ function M.write_if_changed(path, text)
 end
 
 -- A Lua value as text, with sorted keys, so that the same value always gives the same bytes.
+local quoted = {}
+local function quote(s)
+  local q = quoted[s]
+  if not q then
+    q = string.format("%q", s)
+    if q:find("\n", 1, true) then q = q:gsub("\\\n", "\\n") end
+    quoted[s] = q
+  end
+  return q
+end
+local function put(out, v)
+  local kind = type(v)
+  if kind == "string" then out[#out + 1] = quote(v)
+  elseif kind == "table" then
+    local n = #v
+    out[#out + 1] = "{"
+    for i = 1, n do
+      put(out, v[i])
+      out[#out + 1] = ","
+    end
+    local all = 0
+    for _ in pairs(v) do all = all + 1 end
+    if all > n then                                      -- what is beside the list
+      local keys = {}
+      for k in pairs(v) do
+        if not (math.type(k) == "integer" and k >= 1 and k <= n) then keys[#keys + 1] = k end
+      end
+      table.sort(keys, function(a, b) return tostring(a) < tostring(b) end)
+      for _, k in ipairs(keys) do
+        out[#out + 1] = "[" .. (type(k) == "number" and tostring(k) or quote(k)) .. "]="
+        put(out, v[k])
+        out[#out + 1] = "\n,"
+      end
+    end
+    out[#out + 1] = "}"
+  else out[#out + 1] = tostring(v) end
+end
 function M.serialise(v)
-  if type(v) == "table" then
-    local t, n = {}, #v
-    for i = 1, n do t[#t + 1] = M.serialise(v[i]) end
-    local keys = {}
-    for k in pairs(v) do
-      if not (math.type(k) == "integer" and k >= 1 and k <= n) then keys[#keys + 1] = k end
-    end
-    table.sort(keys, function(a, b) return tostring(a) < tostring(b) end)
-    for _, k in ipairs(keys) do
-      t[#t + 1] = "[" .. (type(k) == "number" and tostring(k) or string.format("%q", k)) .. "]=" .. M.serialise(v[k])
-    end
-    return "{" .. table.concat(t, ",") .. "}"
-  elseif type(v) == "string" then return (string.format("%q", v):gsub("\\\n", "\\n"))
-  else return tostring(v) end
+  local out = {}
+  put(out, v)
+  return table.concat(out)
 end
 
 ------------------------------------------------------------------------------------------------------------- lexer

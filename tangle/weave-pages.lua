@@ -140,29 +140,15 @@ function Pages.write(w)
   end
 
   -------------------------------------------------------------------------------------------------- assembled sources
-  local function indexed_lines(r)
-    local rows, inside = {}, false
-    for i, l in ipairs(r.lines) do
-      local toks
-      toks, inside = Code.lex(l.text, inside)
-      local row, previous = {}, nil
-      local hidden = w.locals[r.name] and w.locals[r.name][i]
-      for _, t in ipairs(toks) do
-        if t[1] == "id" and Code.keywords[t[2]] then row[#row + 1] = { "kw", t[2] }
-        elseif t[1] == "id" and previous ~= "." and previous ~= "->" and not (hidden and hidden[t[2]]) then
-          local target = w.resolve(t[2], r.name)
-          if target then row[#row + 1] = { "ref", t[2], book.chunks[target.chunk].page .. "#" .. target.anchor, w.kind_text[target.kind] .. " " .. t[2] .. ", chunk " .. book.chunks[target.chunk].num }
-          else row[#row + 1] = { "", t[2] } end
-        else row[#row + 1] = t end
-        if t[1] ~= "sp" then previous = t[2] end
-      end
-      rows[i] = row
-    end
-    return rows
+  local function line_html(l, r)                -- the line as its chunk has it, moved in
+    if l.comment or not l.chunk then return '<span class="co">' .. h(l.text) .. "</span>" end
+    local c = book.chunks[l.chunk]
+    local row = c.row_at[l.line]
+    local indent = #l.text:match("^ *") - #(row[1] and row[1][1] == "" and row[1][2]:match("^ *") or "")
+    return string.rep(" ", indent) .. Code.line_html(db, row, r.page, true)
   end
   local files = {}
   for _, r in ipairs(w.roots) do
-    local rows = indexed_lines(r)
     local t = { '<h1><code>' .. h(r.name) .. "</code></h1><p>" .. #r.lines .. " lines, as in <code>src-generated/" .. h(r.name) ..
       '</code>. The number before a line leads to the chunk that it comes from.</p><pre class="assembled"><code>' }
     local last, chunks = nil, {}
@@ -175,7 +161,7 @@ function Pages.write(w)
         mark = '<a class="ln' .. (shown and " first" or "") .. '" href="' .. c.page .. "#" .. c.id .. '" title="chunk ' .. c.num .. " \u{27e8}" .. h(Code.plain(c.name)) .. '\u{27e9}"><i>' .. c.num .. "</i>" .. i .. "</a>"
         last = c.id
       else mark = '<span class="ln">' .. i .. "</span>" end
-      t[#t + 1] = '<span class="row" id="L' .. i .. '">' .. mark .. Code.line_html(db, rows[i], r.page, true) .. "\n</span>"
+      t[#t + 1] = '<span class="row" id="L' .. i .. '">' .. mark .. line_html(l, r) .. "\n</span>"
     end
     t[#t + 1] = "</code></pre>"
     page(r.page, r.name, table.concat(t))
@@ -187,7 +173,7 @@ function Pages.write(w)
     t[#t + 1] = Pages.file_table(db)
     page("sources.html", "Assembled sources", table.concat(t))
   end
-  Code.write_if_changed(w.out .. "/files.lua", "return " .. Code.serialise(files):gsub("},{", "},\n{") .. "\n")
+  Code.write_if_changed(w.out .. "/files.lua", "return " .. Code.serialise(files) .. "\n")
 
   -------------------------------------------------------------------------------------------------------- bibliography
   do

@@ -447,15 +447,26 @@ end
 
 local src = out .. "/src"
 local function sh(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
-local function tangled()                       -- the same files as src-generated/, comments and all
-  local files = {}
-  for _, c in ipairs(book.chapters) do files[#files + 1] = sh(c.file) end
-  return os.execute(sh(here .. "tangle") .. " " .. sh(src) .. " " .. table.concat(files, " ") .. " 2>" .. sh(out .. "/tangle.log"))
+local function make_directories()
+  local seen, list = {}, { "mkdir -p", sh(src) }
+  for _, name in ipairs(root_names) do
+    local d = src .. "/" .. name:match("^(.*)/")
+    if not seen[d] then seen[d] = true; list[#list + 1] = sh(d) end
+  end
+  os.execute(table.concat(list, " "))
+end
+local function tangled()                       -- the same files as src-generated/, comments and all, from the same stream
+  local lua, lib = os.getenv("WEFT_LUA"), os.getenv("NOWEB_LIB")
+  if not (lua and lib and Code.read(out .. "/stream") == stream) then return false end
+  make_directories()
+  return os.execute(lua .. " " .. sh(here .. "tangle.lua") .. " plain " .. sh(out .. "/roots") .. " < " .. sh(out .. "/stream") .. " > " .. sh(out .. "/annotated") ..
+    " && cd " .. sh(src) .. " && " .. sh(lib .. "/mnt") .. " -all < ../annotated 2> ../tangle.log && find . -type f | sed 's|^./||' | sort > ../there && sort -u ../roots > ../roots.sorted" ..
+    " && comm -23 ../there ../roots.sorted | xargs -r rm -f")
 end
 local use_tangled = chunks_good and tangled()
 if not use_tangled then
   os.execute("rm -rf " .. sh(src))
-  for _, name in ipairs(root_names) do os.execute("mkdir -p " .. sh(src .. "/" .. name:match("^(.*)/"))) end
+  make_directories()
 end
 for _, name in ipairs(root_names) do
   local expected = expand(name)
@@ -669,7 +680,16 @@ for index, c in ipairs(book.chunks) do
       if class ~= "sp" then previous = text end
     end
     if l.use then row[#row + 1] = { "use", l.use } end
+    local short = {}                            -- neighbours that are shown alike become one
+    for _, t in ipairs(row) do
+      local last = short[#short]
+      if (t[1] == "" or t[1] == "sp") and last and last[1] == "" then last[2] = last[2] .. t[2]
+      else short[#short + 1] = t[1] == "sp" and { "", t[2] } or t end
+    end
+    row = short
     c.tokens[#c.tokens + 1] = row
+    c.row_at = c.row_at or {}
+    c.row_at[l.line] = row
   end
 end
 for id, e in pairs(db.eqs) do
@@ -725,14 +745,14 @@ for i, ch in ipairs(book.chapters) do
         following = c.part < #n.parts and book.chunks[n.parts[c.part + 1]].id or nil, source = files[1] and roots[files[1]].page or nil }
     end
   end
-  Code.write_if_changed(out .. "/" .. ch.base .. ".lua", "return " .. Code.serialise(mine):gsub("},%[", "},\n[") .. "\n")
+  Code.write_if_changed(out .. "/" .. ch.base .. ".lua", "return " .. Code.serialise(mine) .. "\n")
   Code.write_if_changed(out .. "/" .. ch.base .. ".md", table.concat(ch.md))
   Code.write_if_changed(out .. "/" .. ch.base .. ".uses", table.concat(ch.assets or {}, "\n") .. "\n")
 end
 db.cited = {}
 for k in pairs(cited) do db.cited[#db.cited + 1] = k end
 table.sort(db.cited)
-Code.write_if_changed(out .. "/db.lua", "return " .. Code.serialise(db):gsub("},%[", "},\n[") .. "\n")
+Code.write_if_changed(out .. "/db.lua", "return " .. Code.serialise(db) .. "\n")
 
 local Pages = require "weave-pages"
 Pages.write { book = book, db = db, out = out, html = html_dir, root = root, roots = roots, tags = tags, uses_of = uses_of, keyed = keyed,
