@@ -955,6 +955,7 @@ static void svg_says_the_same_as_the_pixels(void **state)
     wfDrawPolyline(&d, tri, 2, 3, WF_INK_TEXT);
     wfDrawPoint(&d, 85.5f, 55.5f, 6, WF_INK_BAD);
     wfDrawText(&d, 1, 2, 13, WF_INK_TEXT, 0, "a<b & \xe2\x8a\xa5 \x01");
+    wfDrawText(&d, 1, 2, 13, WF_INK_TEXT, -1, "\t~\x7f\xef\xbf\xbe\xef\xbf\xbf\x1f\n\xc2\x80>");
     const char *s = svg_of(&d, 192);
     assert_says(s, "viewBox=\"0 0 192 128\" width=\"192\" height=\"128\"");
     assert_says(s, "<line class=\"s-good\" stroke=\"#00775a\" stroke-width=\"3\" x1=\"8\" y1=\"107\" x2=\"80\" y2=\"107.5\"/>");
@@ -967,6 +968,7 @@ static void svg_says_the_same_as_the_pixels(void **state)
     assert_says(s, "<polyline class=\"s-text\" stroke=\"#1a202c\" stroke-width=\"3\" points=\"120,120 180,120\"/>");
     assert_says(s, "<circle class=\"t-bad\" fill=\"#c4391a\" cx=\"171\" cy=\"17\" r=\"3\"/>");
     assert_says(s, "<text class=\"t-text\" fill=\"#1a202c\" x=\"2\" y=\"124\" font-size=\"13\" text-anchor=\"middle\">a&#60;b &#38; &#8869; &#65533;</text>");
+    assert_says(s, "text-anchor=\"start\"> ~&#65533;&#65533;&#65533;&#65533; &#128;&#62;</text>");
     assert_string_equal(s + strlen(s) - 7, "</svg>\n");
     assert_string_equal(s, svg_of(&d, 192));
     for (const char *c = s; *c; c++) assert_true(*c == '\n' || (*c >= 32 && *c < 127));
