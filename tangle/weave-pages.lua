@@ -232,6 +232,17 @@ function Pages.write(w)
     Code.write_if_changed(html_dir .. "/data/search.js", "WEFT.index([" .. table.concat(pages, ",") .. "],[\n" .. table.concat(t, ",\n") .. "]);\n")
   end
 
+  ------------------------------------------------------------- pages of chapters and files that are no more must not stay
+  if html_dir then
+    local keep = { ["formulas.html"] = true, ["index.html"] = true }
+    for _, l in ipairs(lists) do keep[l[1]] = true end
+    for _, e in ipairs(db.entries) do if e.page then keep[e.page] = true end end
+    for _, f in ipairs(files) do keep[f.page] = true end
+    local p = io.popen("cd '" .. html_dir .. "' && ls *.html 2>/dev/null")
+    for name in p:lines() do if not keep[name] then os.remove(html_dir .. "/" .. name) end end
+    p:close()
+  end
+
   --------------------------------------------------------------------------------------------------- the frame for TeX
   do
     local t, part, planned, written = {}, nil, {}, {}
