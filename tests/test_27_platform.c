@@ -114,6 +114,12 @@ static void clock_refuses_nonsense(void **state)
     assert_true(clock.left == 0);
     assert_int_equal(step_clock_advance(&clock, inf, 1.0 / 60, 8), 8);
     assert_true(clock.left == 0);
+    assert_int_equal(step_clock_advance(&clock, 0.2, 1.0 / 60, 8), 8);      /* 12 steps: beyond the bound */
+    assert_true(clock.left == 0);
+    assert_int_equal(step_clock_advance(&clock, 1.5, 1, 1), 1);             /* a bound of one step */
+    assert_true(clock.left == 0.5);
+    assert_int_equal(step_clock_advance(&clock, 2.5, 1, 1), 1);
+    assert_true(clock.left == 0);
     /* Just below the bound nothing is forgotten; at the bound all is. */
     assert_int_equal(step_clock_advance(&clock, 8.5, 1, 8), 8);
     assert_true(clock.left == 0.5);
