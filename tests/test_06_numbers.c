@@ -215,6 +215,8 @@ static void test_arc_tangent(void **state)
     assert_true(wfAtan2(0, 0) == 0);
     wfReal big = WF_HUGE, tiny = 16 * WF_EPSILON / WF_HUGE;      /* the ends of the number range; tiny is subnormal */
     check_atan2(big, big);  check_atan2(big, -big / 2);  check_atan2(-big / 3, big);  check_atan2(big, 1);
+    wfReal least = tiny / 4;
+    check_atan2(3 * least, 7 * least);  check_atan2(-7 * least, 3 * least);      /* whole multiples of the least number */
     check_atan2(tiny, tiny);  check_atan2(tiny, -tiny);  check_atan2(tiny, 1);  check_atan2(-tiny, -1);
 }
 
