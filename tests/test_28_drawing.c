@@ -28,6 +28,21 @@ static frame_buffer new_frame(void)
     return f;
 }
 
+static const char *svg_of(const wfDraw *d, int width)
+{
+    static char text[2][16384];
+    static int turn;
+    char *t = text[turn ^= 1];
+    FILE *out = tmpfile();
+    assert_non_null(out);
+    assert_int_equal(wfWriteSvg(d, width, out), 0);
+    rewind(out);
+    t[fread(t, 1, sizeof text[0] - 1, out)] = 0;
+    fclose(out);
+    return t;
+}
+#define assert_says(text, part) do { if (!strstr(text, part)) fail_msg("no %s in\n%s", part, text); } while (0)
+
 static void assert_guards(void)
 {
     for (int y = 0; y < H + 2 * GUARD; y++)
@@ -661,12 +676,21 @@ static void roles_of_none_draw_nothing(void **state)
     wfDrawLine(&d, 0, 0, 60, 60, 0, WF_INK_LINE);
     wfDrawLine(&d, 0, 0, 60, 60, 3, WF_INK_NONE);
     wfDrawPoint(&d, 5, 5, 9, WF_INK_NONE);
+    wfDrawText(&d, 5, 5, 9, WF_INK_NONE, 0, "none");
     wfDrawArrow(&d, 0, 0, 60, 60, 0, WF_INK_LINE);
     wfDrawDashed(&d, 0, 0, 60, 60, 0, WF_INK_LINE);
-    assert_int_equal(d.count, 8);
+    assert_int_equal(d.count, 9);
     render(&d, &f);
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) assert_ink(&f, x, y, PAPER);
+    const char *s = svg_of(&d, 96);  /* nor does SVG: there is nothing between its first and its last line */
+    assert_string_equal(strchr(s, '\n'), "\n</svg>\n");
+    d = new_list();
+    wfDrawPolygon(&d, box, 4, 1, WF_INK_LINE, WF_INK_LINE);  /* but the first of the roles is one */
+    wfDrawPoint(&d, 5, 5, 9, WF_INK_LINE);
+    s = svg_of(&d, 96);
+    assert_says(s, "<polygon class=\"s-line f-line\" fill=\"#1f2933\" stroke=\"#1f2933\" stroke-width=\"1\"");
+    assert_says(s, "<circle class=\"t-line\" fill=\"#1f2933\"");
 }
 
 static void later_commands_lie_on_top(void **state)
@@ -924,21 +948,6 @@ static void the_baked_font_is_sound(void **state)
 }
 
 /* ---- the page's back end ---- */
-
-static const char *svg_of(const wfDraw *d, int width)
-{
-    static char text[2][16384];
-    static int turn;
-    char *t = text[turn ^= 1];
-    FILE *out = tmpfile();
-    assert_non_null(out);
-    assert_int_equal(wfWriteSvg(d, width, out), 0);
-    rewind(out);
-    t[fread(t, 1, sizeof text[0] - 1, out)] = 0;
-    fclose(out);
-    return t;
-}
-#define assert_says(text, part) do { if (!strstr(text, part)) fail_msg("no %s in\n%s", part, text); } while (0)
 
 static void svg_says_the_same_as_the_pixels(void **state)
 {
