@@ -157,6 +157,9 @@ static void what_the_report_leaves_open(void **unused)
         assert_null(None.memory.permanent);
         DestroyWorld(&None);
     }
+    physics_world Slow = CreateWorld(1);                        /* a whole second is allowed */
+    assert_non_null(Slow.memory.permanent);
+    DestroyWorld(&Slow);
     physics_world World = CreateWorld();
     poly_body Wall = MakePolyBody(V2(1, 1), 0);                 /* mass 0: never moves */
     assert_ok(AddBodyToWorld(&World, &Wall));
@@ -187,6 +190,10 @@ static void bad_bodies_are_refused(void **unused)
     Scaled->Transform = Mat23(1, 0, 0, 0, -1, 0);               /* nor a mirror */
     assert_result(WF_ERROR_RANGE, AddBodyToWorld(&World, &Scaled));
     Scaled->Transform = Mat23(1, 1, 0, 0, 1, 0);                /* nor a shear */
+    assert_result(WF_ERROR_RANGE, AddBodyToWorld(&World, &Scaled));
+    Scaled->Transform = Mat23(WF_R(0.95), 0, 0, 0, WF_R(0.95), 0);
+    assert_result(WF_ERROR_RANGE, AddBodyToWorld(&World, &Scaled));
+    Scaled->Transform = Mat23(WF_R(1.05), 0, 0, 0, WF_R(1.05), 0);
     assert_result(WF_ERROR_RANGE, AddBodyToWorld(&World, &Scaled));
     poly_body Light = MakePolyBody(V2(1, 1), -1);
     assert_int_not_equal(AddBodyToWorld(&World, &Light), WF_OK);

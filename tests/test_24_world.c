@@ -176,6 +176,44 @@ static void damping_does_not_depend_on_the_step(void **unused)
     assert_true(error[0] / error[1] > 3.5 && error[0] / error[1] < 5);
 }
 
+static void damping_and_material_can_be_changed(void **unused)
+{
+    (void)unused;
+    wfWorld world = make_world(4);
+    assert_ok(wfSetGravity(&world, wfV2(0, 0)));
+    wfBodyDef d = ball_def(0, 5, 0.5);
+    d.velocity = wfV2(2, 0);
+    d.angularVelocity = 2;
+    wfBodyId id = add(&world, d);
+    assert_ok(wfSetBodyDamping(&world, id, WF_R(0.5), WF_R(0.25)));
+    steps(&world, 60);
+    assert_near(info(&world, id).velocity.x, 2 * exp(-0.5), 1e-5);
+    assert_near(info(&world, id).angularVelocity, 2 * exp(-0.25), 1e-5);
+    assert_ok(wfSetBodyDamping(&world, id, 0, 0));
+    steps(&world, 60);
+    assert_near(info(&world, id).velocity.x, 2 * exp(-0.5), 1e-5);
+    assert_ok(wfSetBodyMaterial(&world, id, 1, 0));
+    assert_ok(wfSetBodyMaterial(&world, id, 0, 3));
+    assert_ok(wfSetBodyMaterial(&world, id, WF_R(0.5), WF_R(0.75)));
+    assert_near(info(&world, id).restitution, 0.5, 0);
+    assert_near(info(&world, id).friction, 0.75, 0);
+    wfDestroyWorld(&world);
+}
+
+static void a_heavy_body_that_cannot_turn_still_collides(void **unused)
+{
+    (void)unused;
+    wfWorld world = make_world(4);
+    add(&world, floor_def());
+    wfBodyDef d = box_def(0, 0.5, 0.5);
+    d.mass = 50;
+    d.fixedRotation = 1;
+    wfBodyId id = add(&world, d);
+    steps(&world, 120);
+    assert_near(info(&world, id).position.y, 0.5, 0.02);
+    wfDestroyWorld(&world);
+}
+
 static void pushes_act_for_one_step(void **unused)
 {
     (void)unused;
@@ -228,6 +266,8 @@ static void position_is_that_of_the_origin(void **unused)
     assert_ok(wfSetBodyTransform(&world, id, wfV2(0, 0), 0));
     assert_near2(info(&world, id).centre, wfV2(2, 0), 1e-6);
     assert_near2(info(&world, id).position, wfV2(0, 0), 1e-6);
+    assert_ok(wfSetBodyTransform(&world, id, wfV2(1, 1), WF_PI / 2));
+    assert_near2(info(&world, id).centre, wfV2(1, 3), 1e-6);
     wfDestroyWorld(&world);
 }
 
@@ -486,9 +526,16 @@ static void removal_takes_forces_and_contacts_along(void **unused)
     const wfContact *c = wfWorldContacts(&world, &n);
     assert_int_equal(n, 1);
     assert_true(c[0].a == wfBodyIndex(&world, ground) && c[0].b == wfBodyIndex(&world, b));
-    wfWorldPairs(&world, &n);
+    const wfPair *p = wfWorldPairs(&world, &n);
     assert_int_equal(n, 1);
+    assert_true(p[0].a == 0 && p[0].b == 2);
+    static const wfBodyState nothing;                     /* its place is clean */
+    static const wfShape formless;
+    assert_memory_equal(&wfWorldBodies(&world).state[1], &nothing, sizeof nothing);
+    assert_memory_equal(&wfWorldBodies(&world).shapes[1], &formless, sizeof formless);
+    assert_int_equal(wfWorldBodies(&world).alive[1], 0);
     steps(&world, 10);
+    assert_memory_equal(&wfWorldBodies(&world).state[1], &nothing, sizeof nothing);
     wfDestroyWorld(&world);
 }
 
@@ -573,6 +620,23 @@ static void equal_worlds_have_equal_hashes_and_others_do_not(void **unused)
     assert_true(wfHashWorld(&one) == wfHashWorld(&two));
     assert_ok(wfSetBodyVelocity(&two, id, b.velocity, b.angularVelocity + WF_R(0.001)));
     assert_true(wfHashWorld(&one) != wfHashWorld(&two));
+    assert_ok(wfSetBodyVelocity(&two, id, b.velocity, b.angularVelocity));
+    for (int32_t i = 0; i < wfBodyCount(&one); i++)       /* every body and every number counts */
+        for (int field = 0; field < 6; field++) {
+            wfBodyId at = wfBodyAt(&two, i);
+            void *before = copy_of(&two);
+            b = info(&two, at);
+            wfReal *place[] = { &b.position.x, &b.position.y, &b.angle, &b.velocity.x, &b.velocity.y, &b.angularVelocity };
+            *place[field] += WF_R(0.25);
+            assert_ok(wfSetBodyTransform(&two, at, b.position, b.angle));
+            if (b.type != WF_STATIC) assert_ok(wfSetBodyVelocity(&two, at, b.velocity, b.angularVelocity));
+            if (b.type != WF_STATIC || field < 3) assert_true(wfHashWorld(&one) != wfHashWorld(&two));
+            memcpy(two.memory.permanent, before, two.memory.permanentSize);
+            free(before);
+            assert_true(wfHashWorld(&one) == wfHashWorld(&two));
+        }
+    assert_ok(wfSetBodyMass(&two, id, 5));
+    assert_true(wfHashWorld(&one) != wfHashWorld(&two));
     wfDestroyWorld(&one);
     wfDestroyWorld(&two);
 }
@@ -592,10 +656,10 @@ static void the_layout_is_what_was_asked_for(void **unused)
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         const wfRegion *r = &region[i];
         assert_int_equal(r->offset % 16, 0);
-        assert_true(r->offset >= end[r->chunk]);          /* none overlaps the one before */
+        assert_int_equal(r->offset, (end[r->chunk] + 15) / 16 * 16);      /* right after the one before */
         end[r->chunk] = r->offset + r->count * r->each;
-        assert_true(end[r->chunk] <= size[r->chunk]);
     }
+    for (int k = 0; k < 2; k++) assert_int_equal(size[k], (end[k] + 15) / 16 * 16);
     assert_int_equal(region[WF_REGION_STATE].count, 37);
     assert_int_equal(region[WF_REGION_STATE].each, sizeof(wfBodyState));
     assert_int_equal(region[WF_REGION_PAIRS].count, 11);
@@ -608,6 +672,28 @@ static void the_layout_is_what_was_asked_for(void **unused)
     int32_t n;
     assert_ptr_equal((const uint8_t *)wfWorldContacts(&world, &n), base + region[WF_REGION_CONTACTS].offset);
     wfDestroyWorld(&world);
+}
+
+static void capacities_left_open_are_chosen(void **unused)
+{
+    (void)unused;
+    static const int32_t cases[][5] = {         /* bodies, pairs, contacts given; pairs, contacts got */
+        { 1, 0, 0, 1, 1 }, { 4, 0, 0, 6, 6 }, { 33, 0, 0, 528, 528 }, { 34, 0, 0, 544, 544 }, { 100, 0, 0, 1600, 1600 },
+        { 100, 50, 0, 50, 50 }, { 100, 0, 9, 1600, 9 }, { 100, 7, 70, 7, 70 } };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        wfWorldDef def = wfDefaultWorldDef(), got;
+        def.bodyCapacity = cases[i][0];
+        def.pairCapacity = cases[i][1];
+        def.contactCapacity = cases[i][2];
+        def.restingSteps = 0;
+        def.slop = 0;
+        wfWorld world;
+        assert_ok(wfCreateWorld(&def, &world));
+        assert_ok(wfGetWorldDef(&world, &got));
+        assert_int_equal(got.pairCapacity, cases[i][3]);
+        assert_int_equal(got.contactCapacity, cases[i][4]);
+        wfDestroyWorld(&world);
+    }
 }
 
 static void memory_may_be_handed_over(void **unused)
@@ -875,6 +961,10 @@ static void bad_body_definitions_are_refused(void **unused)
     d.angularVelocity = 1;
     assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&world, &d, &id));
     d = box_def(0, 0, 1);
+    d.type = WF_STATIC;
+    d.shape.vertices[1].x = (wfReal)NAN;
+    assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
+    d = box_def(0, 0, 1);
     d.density = 0;                                        /* no mass from either */
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
     d = wfDefaultBodyDef();                               /* a particle without a mass */
@@ -1037,6 +1127,38 @@ static void a_hand_carries_a_body(void **unused)
     wfDestroyWorld(&world);
 }
 
+static void a_hand_is_as_stiff_as_the_step_allows(void **unused)
+{
+    (void)unused;
+    /* 1 kg, I = 1/6, arm^2 = 1/2: 1/m + r^2/I = 4. At 1 ms the grip is 10 pi per second, at 0.1 s it is 5. */
+    const double dt[] = { 0.001, 0.1 }, rate[] = { 31.41592653589793, 5 };
+    for (int k = 0; k < 2; k++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.dt = (wfReal)dt[k];
+        wfWorld world;
+        assert_ok(wfCreateWorld(&def, &world));
+        wfBodyId id = add(&world, box_def(2, 3, 0.5));
+        wfForceId hand;
+        wfForce f;
+        assert_ok(wfGrabBody(&world, id, wfV2(WF_R(2.5), WF_R(3.5)), &hand));
+        assert_ok(wfGetForce(&world, hand, &f));
+        assert_ulps(f.hand.stiffness, rate[k] * rate[k] / 4, 32, rate[k] * rate[k]);
+        assert_ulps(f.hand.damping, 2 * rate[k] / 4, 32, rate[k]);
+        assert_ulps(f.hand.spin, 2 * (1.0 / 6 + 0.5), 32, 2);
+        assert_near2(f.hand.local, wfV2(WF_R(0.5), WF_R(0.5)), 1e-6);
+        assert_near2(f.hand.target, wfV2(WF_R(2.5), WF_R(3.5)), 0);
+        /* Held where it is, moving: the brake by hand. v = (1, 2), no spin yet. */
+        assert_ok(wfSetBodyVelocity(&world, id, wfV2(1, 2), 0));
+        assert_ok(wfSetGravity(&world, wfV2(0, 0)));
+        assert_ok(wfSetMethods(&world, wfFindIntegrator("symplectic-euler"), -1, -1, -1));
+        steps(&world, 1);
+        double c = 2 * rate[k] / 4 * dt[k];
+        assert_near2(info(&world, id).velocity, wfV2((wfReal)(1 - c), (wfReal)(2 - 2 * c)), 1e-5);
+        assert_near(info(&world, id).angularVelocity, -c * (0.5 * 2 - 0.5 * 1) * 6, 1e-5);
+        wfDestroyWorld(&world);
+    }
+}
+
 static void settings_are_kept(void **unused)
 {
     (void)unused;
@@ -1082,7 +1204,11 @@ static void every_combination_of_rows_runs_a_pile(void **unused)
             for (int s = 0; s < wfSolverCount; s++)
                 for (int n = 0; n < wfNarrowPhaseCount; n++) {
                     wfWorld world = pile(12);
+                    wfWorldDef got;
                     assert_ok(wfSetMethods(&world, i, b, n, s));
+                    assert_ok(wfSetMethods(&world, -1, -1, -1, -1));
+                    assert_ok(wfGetWorldDef(&world, &got));
+                    assert_true(got.integrator == i && got.broadPhase == b && got.narrowPhase == n && got.solver == s);
                     steps(&world, 120);
                     double kinetic, potential;
                     assert_ok(wfWorldEnergy(&world, &kinetic, &potential));
@@ -1140,6 +1266,13 @@ static void energy_by_hand(void **unused)
     assert_ok(wfWorldEnergy(&world, &kinetic, &potential));
     assert_near(kinetic, 12.5 + 3, 1e-5);
     assert_near(potential, 9.81 * 3, 1e-4);
+    wfForce gone = wfSpringToPoint(0, wfV2(0, 0), wfV2(0, 1), 0, 100, 0), spring = wfSpringToPoint(0, wfV2(0, 0), wfV2(0, 1), 1, 8, 0);
+    wfForceId first;
+    assert_ok(wfAddForceToWorld(&world, &gone, &first));
+    assert_ok(wfAddForceToWorld(&world, &spring, NULL));
+    assert_ok(wfRemoveForceFromWorld(&world, first));
+    assert_ok(wfWorldEnergy(&world, NULL, &potential));
+    assert_near(potential, 9.81 * 3 + 8 * 1.0 / 2, 1e-4);     /* stretched from 1 to 2 m */
     assert_ok(wfWorldMomentum(&world, p, &l));
     assert_near(p[0], 3, 1e-6);
     assert_near(p[1], 4, 1e-6);
@@ -1235,7 +1368,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_flight_is_the_parabola), cmocka_unit_test(gravity_scale_and_kinds_of_body),
-        cmocka_unit_test(damping_does_not_depend_on_the_step), cmocka_unit_test(pushes_act_for_one_step),
+        cmocka_unit_test(damping_does_not_depend_on_the_step), cmocka_unit_test(damping_and_material_can_be_changed),
+        cmocka_unit_test(a_heavy_body_that_cannot_turn_still_collides), cmocka_unit_test(pushes_act_for_one_step),
         cmocka_unit_test(position_is_that_of_the_origin), cmocka_unit_test(mass_comes_from_density_or_as_given),
         cmocka_unit_test(ball_bounces_to_e_squared_h), cmocka_unit_test(two_balls_trade_velocities),
         cmocka_unit_test(a_gas_keeps_momentum_and_energy), cmocka_unit_test(a_box_comes_to_rest),
@@ -1243,12 +1377,12 @@ int main(void)
         cmocka_unit_test(stale_ids_are_refused_everywhere), cmocka_unit_test(removal_takes_forces_and_contacts_along),
         cmocka_unit_test(a_world_with_holes_equals_one_without), cmocka_unit_test(a_world_moves_house_every_step),
         cmocka_unit_test(a_snapshot_goes_back_in_time), cmocka_unit_test(equal_worlds_have_equal_hashes_and_others_do_not),
-        cmocka_unit_test(the_layout_is_what_was_asked_for), cmocka_unit_test(memory_may_be_handed_over),
+        cmocka_unit_test(the_layout_is_what_was_asked_for), cmocka_unit_test(capacities_left_open_are_chosen), cmocka_unit_test(memory_may_be_handed_over),
         cmocka_unit_test(equal_worlds_are_equal_byte_for_byte), cmocka_unit_test(handles_of_nothing_are_refused), cmocka_unit_test(too_many_pairs_leave_the_world_as_it_was),
         cmocka_unit_test(overflow_is_an_error_and_spreads_to_no_one), cmocka_unit_test(bad_world_definitions_are_refused),
         cmocka_unit_test(bad_body_definitions_are_refused), cmocka_unit_test(bad_numbers_reach_no_body),
         cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_carries_a_body),
-        cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
+        cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
         cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
         cmocka_unit_test(an_empty_world_and_one_of_a_single_body),
         cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing),
