@@ -607,6 +607,55 @@ static void test_who_feels_a_force(void **s)
     }
 }
 
+/* Body 0 may be the second one as well as any other: springs, ropes and suns are the same with a and b exchanged. */
+static void test_body_zero_is_a_body(void **s)
+{
+    (void)s;
+    Rig rig = new_rig(2);
+    rig.state[0].p = wfV2(0, 0.5f);
+    rig.state[1].p = wfV2(4, 3.5f);                                 /* 5 m away */
+    rig.state[0].v = wfV2(1, 0);
+    wfVec2 a = wfV2(0, 0);
+    wfForce f[4] = { wfSpring(1, a, 0, a, 1, 10, 5), wfBungee(1, a, 0, a, 1, 10, 5), wfPointGravity(wfV2(9, 9), 25, 0) };
+    f[2].a = 1;
+    f[2].b = 0;
+    f[3] = f[2];
+    f[3].a = -1;
+    const double pull[4] = { 36, 36, 3, 3 };                        /* 10 * 4 - 5 * 0.8; 3 kg * 25 / 25 */
+    for (int i = 0; i < 4; i++) {
+        apply(&rig, f[i], 0);
+        assert_ulps2(rig.out[0].force, wfV2((wfReal)(pull[i] * 0.8), (wfReal)(pull[i] * 0.6)), 8, pull[i]);
+        assert_near2(wfAdd(rig.out[0].force, rig.out[1].force), wfV2(0, 0), 0);
+        assert_ulps(energy(&rig, f[i]), i < 2 ? 80 : -15, 8, 80);
+    }
+    rig.state[1].p = wfV2(0, 0.75f);                                /* a quarter away: 3 * 25 / 0.25 */
+    assert_ulps(energy(&rig, f[2]), -300, 8, 300);
+}
+
+/* What can only move, and what can only turn: a push through the centre and beside it. */
+static void test_half_free_bodies(void **s)
+{
+    (void)s;
+    Rig rig = new_rig(2);
+    rig.state[0].invInertia = 0;                                    /* a particle of 2 kg */
+    rig.state[1].invMass = 0;                                       /* a wheel on an axle */
+    apply(&rig, wfGravity(wfV2(0, -8)), 0);
+    assert_near2(rig.out[0].force, wfV2(0, -16), 0);
+    assert_near2(rig.out[1].force, wfV2(0, 0), 0);
+    apply(&rig, wfSpringToPoint(1, wfV2(0, 1), wfV2(3, 1), 1, 10, 0), 0);
+    assert_ulps(rig.out[1].torque, -20, 8, 20);
+    Rig more = new_rig(4);                                          /* a view of three of four bodies ends after the third */
+    more.count = 3;
+    wfForce f = wfGravity(wfV2(0, -8));
+    apply(&more, f, 0);
+    assert_true(pushed(&more, 2) && !pushed(&more, 3));
+    f.a = 3;
+    apply(&more, f, 0);
+    assert_false(pushed(&more, 3));
+    apply(&more, wfSpring(0, wfV2(0, 0), 3, wfV2(5, 5), 1, 3, 0), 0);
+    assert_false(pushed(&more, 0));
+}
+
 /* A spring to a body that is gone pulls nobody; one to a static body pulls one side. */
 static void test_spring_to_the_missing(void **s)
 {
@@ -691,7 +740,8 @@ int main(void)
         cmocka_unit_test(test_bungee_only_pulls), cmocka_unit_test(test_drag), cmocka_unit_test(test_submerged_part),
         cmocka_unit_test(test_submerged_cases), cmocka_unit_test(test_buoyancy), cmocka_unit_test(test_floats_and_settles),
         cmocka_unit_test(test_seen_width), cmocka_unit_test(test_explosion_gives_its_impulse), cmocka_unit_test(test_explosion_in_space),
-        cmocka_unit_test(test_wind), cmocka_unit_test(test_who_feels_a_force), cmocka_unit_test(test_spring_to_the_missing),
+        cmocka_unit_test(test_wind), cmocka_unit_test(test_who_feels_a_force), cmocka_unit_test(test_spring_to_the_missing), cmocka_unit_test(test_body_zero_is_a_body),
+        cmocka_unit_test(test_half_free_bodies),
         cmocka_unit_test(test_bad_parameters),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
