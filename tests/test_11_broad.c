@@ -272,6 +272,7 @@ static void test_bad_input(void **state)
             e[k / 2 % 2] = BAD_REALS[k / 8];
             assert_result(WF_ERROR_NOT_FINITE, wfFindPairs(row, &world.in, &pool, &list));
             assert_int_equal(list.count, 0);
+            assert_int_equal(list.tests, 0);
             *r = good;
         }
         for (int i = 0; i < 2; i++) {
