@@ -1011,6 +1011,29 @@ static void svg_refuses_bad_widths(void **state)
     fclose(out);
 }
 
+static void svg_fits_any_view(void **state)
+{
+    (void)state;
+    wfDraw d = new_list();
+    wfDrawView(&d, -2, 1, 6, 5);
+    wfDrawLine(&d, -2, 1, 6, 5, 1, WF_INK_LINE);
+    const char *s = svg_of(&d, 800);
+    assert_says(s, "viewBox=\"0 0 800 400\"");
+    assert_says(s, "x1=\"0\" y1=\"400\" x2=\"800\" y2=\"0\"");
+}
+
+static void a_full_disk_is_told(void **state)
+{
+    (void)state;
+    FILE *full = fopen("/dev/full", "w");
+    if (full == NULL) skip();  /* only some systems have it */
+    setvbuf(full, NULL, _IONBF, 0);
+    wfDraw d = new_list();
+    assert_int_equal(wfWriteSvg(&d, 100, full), -1);
+    assert_int_equal(wfWriteSvgStyle(full), -1);
+    fclose(full);
+}
+
 static void the_style_sheet_knows_every_role(void **state)
 {
     (void)state;
@@ -1054,7 +1077,7 @@ int main(void)
         cmocka_unit_test(glyphs_are_found), cmocka_unit_test(letters_stand_on_their_point),
         cmocka_unit_test(letters_are_cut_at_the_border), cmocka_unit_test(the_baked_font_is_sound),
         cmocka_unit_test(svg_says_the_same_as_the_pixels), cmocka_unit_test(svg_numbers_are_short),
-        cmocka_unit_test(svg_refuses_bad_widths), cmocka_unit_test(the_style_sheet_knows_every_role),
+        cmocka_unit_test(svg_refuses_bad_widths), cmocka_unit_test(svg_fits_any_view), cmocka_unit_test(a_full_disk_is_told), cmocka_unit_test(the_style_sheet_knows_every_role),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
