@@ -787,6 +787,14 @@ static void a_tampered_shape_is_found_out(void **state)
     for (int i = 0; i < 5; i++) s.vertices[i] = good.vertices[2 * i % 5];
     for (int i = 0; i < 5; i++) s.normals[i] = wfPerpCW(wfNormalize(wfSub(s.vertices[(i + 1) % 5], s.vertices[i])));
     assert_result(WF_ERROR_NOT_CONVEX, wfCheckShape(&s));
+    for (int n = 3; n <= 8; n++) {                                         /* eq:shapes-turns: listed twice, goes round twice */
+        wfVec2 ring[8];
+        s = polygon(ring, regular(ring, n, wfV2(0, 0), 1, 0.3));
+        assert_ok(wfCheckShape(&s));
+        for (int i = 0; i < n; i++) { s.vertices[n + i] = s.vertices[i]; s.normals[n + i] = s.normals[i]; }
+        s.count = 2 * n;
+        assert_result(WF_ERROR_NOT_CONVEX, wfCheckShape(&s));
+    }
     s = (wfShape){ .kind = WF_SHAPE_CIRCLE, .radius = -1 };
     assert_result(WF_ERROR_SIZE, wfCheckShape(&s));
     s = (wfShape){ .kind = WF_SHAPE_NONE, .radius = 1 };
