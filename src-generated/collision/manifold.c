@@ -42,7 +42,7 @@ typedef struct Facing {
     const wfShape *ref, *inc;
     wfTransform xr, xi;
     int32_t r, i;
-    int refIsB;
+    bool refIsB;
 } Facing;
 
 static Facing faceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
@@ -51,8 +51,9 @@ static Facing faceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
     int32_t edge = s->edge;
     int owner = s->owner;
     if (owner < 0) owner = bestAligned(a, xa, b, xb, s->normal, &edge);
-    Facing f = { a, b, xa, xb, edge, 0, 0 };
-    if (owner == 1) f = (Facing){ b, a, xb, xa, edge, 0, 1 };
+    Facing f = { .ref = a, .inc = b, .xr = xa, .xi = xb, .r = edge };
+    if (owner == 1)
+        f = (Facing){ .ref = b, .inc = a, .xr = xb, .xi = xa, .r = edge, .refIsB = true };
     WF_ASSERT(edge >= 0 && edge < f.ref->count);
     wfVec2 n = wfRotate(wfRelativePose(f.xi, f.xr).q, f.ref->normals[f.r]);
     f.i = facingEdge(f.inc, wfNeg(n));
@@ -65,7 +66,8 @@ typedef struct ClipPoint {
     uint32_t feature;
 } ClipPoint;
 
-/* by how much x lies beyond the limit: above it (side 1) or below it (side -1) */
+/* cuts the end off at x = limit, if it lies above it (side 1) or below it (side -1);
+   false: nothing would be left */
 static bool clipEnd(ClipPoint *end, const ClipPoint *other, wfReal limit, wfReal side,
                     uint32_t feature)
 {
@@ -140,7 +142,7 @@ static ClipPoint deepestVertex(const Facing *f)
 {
     wfTransform rel = wfRelativePose(f->xr, f->xi);
     wfVec2 n = f->ref->normals[f->r], t = wfPerpCCW(n), origin = f->ref->vertices[f->r];
-    ClipPoint deepest = { .at = wfV2(0, WF_HUGE) };
+    ClipPoint deepest = { .at = wfV2(WF_HUGE, WF_HUGE) };
     for (int32_t k = 0; k < f->inc->count; k++) {
         wfVec2 w = wfSub(wfApply(rel, f->inc->vertices[k]), origin);
         if (wfDot(n, w) >= deepest.at.y) continue;

@@ -288,28 +288,29 @@ static bool pairsAbove(const wfQuadTree *tree, const uint8_t *flags, int32_t a,
     return true;
 }
 /* <find pairs in the quad tree> */
-/* pushes the children of node n that r reaches into, by eq:broad-reach */
-static int pushReached(const wfQuadTree *tree, int32_t n, wfRect r, int32_t *stack,
-                       int size)
+int wfQuadTreeReach(const wfQuadTree *tree, int32_t n, wfRect r, int32_t *reached)
 {
     const wfQuadNode *node = &tree->nodes[n];
-    bool reach[] = { r.min.x < node->centre.x, r.max.x > node->centre.x };
-    bool rise[] = { r.min.y < node->centre.y, r.max.y > node->centre.y };
+    /* eq:broad-reach */
+    bool across[] = { r.min.x < node->centre.x, r.max.x > node->centre.x };
+    bool along[] = { r.min.y < node->centre.y, r.max.y > node->centre.y };
+    int count = 0;
     for (int s = 0; s < 4; s++)
-        if (node->child[s] != WF_QUAD_NONE && reach[s & 1] && rise[s >> 1])
-            stack[size++] = node->child[s];
-    return size;
+        if (node->child[s] != WF_QUAD_NONE && across[s & 1] && along[s >> 1])
+            reached[count++] = node->child[s];
+    return count;
 }
-
+/* <find pairs in the quad tree> */
 static bool pairsBelow(const wfQuadTree *tree, const uint8_t *flags, int32_t a,
                        wfPairList *out)
 {
     int32_t stack[WF_QUAD_STACK];
-    int size = pushReached(tree, tree->links[a].node, tree->bounds[a], stack, 0);
+    wfRect r = tree->bounds[a];
+    int size = wfQuadTreeReach(tree, tree->links[a].node, r, stack);
     while (size > 0) {
         int32_t n = stack[--size];
         if (!offerList(tree, flags, a, tree->nodes[n].first, out)) return false;
-        size = pushReached(tree, n, tree->bounds[a], stack, size);
+        size += wfQuadTreeReach(tree, n, r, stack + size);
     }
     return true;
 }

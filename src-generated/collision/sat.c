@@ -171,8 +171,7 @@ static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
     else if (circleA) circlePolygon(a, xa, b, xb, &found);
     else if (circleB) polygonCircle(a, xa, b, xb, &found);
     else polygonPolygon(a, xa, b, xb, &found);
-    wfVec3 all = wfV3(found.normal.x, found.normal.y, found.distance);
-    if (!wfIsFinite(wfDot3(all, wfV3(0, 0, 0)))) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(found.distance)) return WF_ERROR_NOT_FINITE;
     *out = found;
     return WF_OK;
 }

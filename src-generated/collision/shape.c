@@ -46,6 +46,17 @@ static wfResult check_edge(const wfShape *s, int e, wfReal tolerance)
     return fits ? WF_OK : WF_ERROR_NOT_CONVEX;
 }
 /* <check a shape> */
+/* <add up the turns of a ring by eq:shapes-turns> */
+static wfReal sum_turns(const wfShape *s)
+{
+    wfReal sum = 0;
+    for (int i = 0; i < s->count; i++) {
+        wfVec2 from = s->normals[i], to = s->normals[(i + 1) % s->count];
+        sum += wfAtan2(wfCross(from, to), wfDot(from, to));
+    }
+    return sum;
+}
+
 static wfResult check_ring(const wfShape *s)
 {
     wfReal size;
@@ -56,6 +67,7 @@ static wfResult check_ring(const wfShape *s)
         result = check_edge(s, e, WF_HULL_TOLERANCE * size);
         if (result != WF_OK) return result;
     }
+    if (sum_turns(s) > 3 * WF_PI) return WF_ERROR_NOT_CONVEX;
     polygon_area(s->vertices, s->count, &centroid);
     bool centred = wfDistance(centroid, s->centre) <= WF_SHAPE_SLACK * size;
     return centred ? WF_OK : WF_ERROR_NOT_CONVEX;

@@ -27,19 +27,21 @@ static wfReal mass_of(const wfBodyView *bodies, int32_t i)
     wfReal inverse = bodies->state[i].invMass;
     return inverse > 0 ? 1 / inverse : 0;
 }
-
+/* <choose the bodies that a force acts on> */
 static const wfShape *shape_of(const wfBodyView *bodies, int32_t i)
 {
     return bodies->shapes && bodies->props[i].shape >= 0 ? &bodies->shapes[i] : NULL;
 }
 /* <force generators> */
-static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                          wfBodyForces *out)
 {
     (void)time;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!feels(bodies, i)) continue;
         wfReal weight = mass_of(bodies, i) * bodies->props[i].gravityScale;
-        wfApplyForceToCentre(&out[i], wfScale(weight, f->gravity.g));   /* eq:force-gravity */
+        /* eq:force-gravity */
+        wfApplyForceToCentre(&out[i], wfScale(weight, f->gravity.g));
     }
 }
 
@@ -49,7 +51,8 @@ static wfReal gravity_energy(const wfForce *f, const wfBodyView *bodies)
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!feels(bodies, i)) continue;
         wfReal weight = mass_of(bodies, i) * bodies->props[i].gravityScale;
-        sum -= weight * wfDot(f->gravity.g, bodies->state[i].p);        /* eq:force-gravity-energy */
+        /* eq:force-gravity-energy */
+        sum -= weight * wfDot(f->gravity.g, bodies->state[i].p);
     }
     return sum;
 }
@@ -64,7 +67,8 @@ static bool is_pulled(const wfForce *f, const wfBodyView *bodies, int32_t i)
     return feels(bodies, i) && i != f->b && (f->b < 0 || is_there(bodies, f->b));
 }
 
-static void point_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void point_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                        wfBodyForces *out)
 {
     (void)time;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
@@ -72,14 +76,14 @@ static void point_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
         /* <pull body i to the centre by eq:force-point> */
         wfVec2 r = wfSub(bodies->state[i].p, attractor(f, bodies));
         wfReal s = wfLength(wfV2(wfLength(r), f->point.softening));
-        if (s == 0) continue;                                   /* right in the centre: no direction */
+        if (s == 0) continue;  /* right in the centre: no direction */
         wfReal pull = mass_of(bodies, i) * f->point.strength / (s * s);
         wfVec2 force = wfScale(-pull, wfScale(1 / s, r));
         wfApplyForceToCentre(&out[i], force);
         if (f->b >= 0) wfApplyForceToCentre(&out[f->b], wfNeg(force));
     }
 }
-
+/* <force generators> */
 static wfReal point_energy(const wfForce *f, const wfBodyView *bodies)
 {
     wfReal sum = 0;
@@ -125,8 +129,8 @@ static Stretch stretch_of(const wfForce *f, const wfBodyView *bodies)
     return s;
 }
 /* <force generators> */
-static void pull_ends(const wfForce *f, const wfBodyView *bodies, const Stretch *s, wfReal tension,
-                      wfBodyForces *out)
+static void pull_ends(const wfForce *f, const wfBodyView *bodies, const Stretch *s,
+                      wfReal tension, wfBodyForces *out)
 {
     wfVec2 force = wfScale(-tension, s->along);
     if (feels(bodies, f->a)) wfApplyForce(&out[f->a], &bodies->state[f->a], force, s->a);
@@ -139,17 +143,20 @@ static wfReal tension_of(const wfForce *f, const Stretch *s)
     return f->spring.stiffness * (s->length - f->spring.rest) + f->spring.damping * s->rate;
 }
 
-static void spring_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void spring_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                         wfBodyForces *out)
 {
     (void)time;
     Stretch s = stretch_of(f, bodies);
-    if (s.there) pull_ends(f, bodies, &s, tension_of(f, &s), out);      /* eq:force-spring */
+    if (s.there) pull_ends(f, bodies, &s, tension_of(f, &s), out);  /* eq:force-spring */
 }
-
+/* <force generators> */
 static wfReal spring_energy(const wfForce *f, const wfBodyView *bodies)
 {
     Stretch s = stretch_of(f, bodies);
-    return s.there ? f->spring.stiffness * wfSquare(s.length - f->spring.rest) / 2 : 0;
+    if (!s.there) return 0;
+    /* eq:force-spring-energy */
+    return f->spring.stiffness * wfSquare(s.length - f->spring.rest) / 2;
 }
 
 static wfResult spring_check(const wfForce *f)
@@ -158,12 +165,13 @@ static wfResult spring_check(const wfForce *f)
     return f->spring.stiffness >= 0 && f->spring.damping >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
 /* <force generators> */
-static void bungee_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void bungee_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                         wfBodyForces *out)
 {
     (void)time;
     Stretch s = stretch_of(f, bodies);
     if (!s.there || s.length <= f->spring.rest) return;
-    pull_ends(f, bodies, &s, wfMaxR(0, tension_of(f, &s)), out);        /* eq:force-bungee */
+    pull_ends(f, bodies, &s, wfMaxR(0, tension_of(f, &s)), out);  /* eq:force-bungee */
 }
 
 static wfReal bungee_energy(const wfForce *f, const wfBodyView *bodies)
@@ -172,7 +180,8 @@ static wfReal bungee_energy(const wfForce *f, const wfBodyView *bodies)
     return s.there && s.length > f->spring.rest ? spring_energy(f, bodies) : 0;
 }
 /* <force generators> */
-static void drag_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void drag_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                       wfBodyForces *out)
 {
     (void)time;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
@@ -189,7 +198,7 @@ static wfResult drag_check(const wfForce *f)
 }
 /* <force generators> */
 /* <cut a polygon at the surface> */
-/* Corners of the part below y = depth of the polygon turned by q; origin at the shape's centre. */
+/* Corners of what is below y = depth, of a polygon turned by q about its centre. */
 static int cut_polygon(const wfShape *shape, wfRot q, wfReal depth, wfVec2 *out)
 {
     int n = 0;
@@ -234,7 +243,7 @@ static wfSubmerged submerged_polygon(const wfShape *shape, wfRot q, wfReal depth
 }
 /* <cut a circle at the surface> */
 /* <half of x minus sin x, without cancellation> */
-/* (x - sin x) / 2; for small x by its power series, 10 terms of which reach the rounding of a double. */
+/* For small x by @eq:force-x-minus-sine, 10 terms of which reach a double's rounding. */
 static wfReal half_x_minus_sine(wfReal x)
 {
     if (x > 1) return (x - wfSin(x)) / 2;
@@ -249,7 +258,7 @@ static wfReal half_x_minus_sine(wfReal x)
 static wfSubmerged submerged_circle(wfReal r, wfReal depth)
 {
     wfSubmerged s = { .area = 0 };
-    wfReal u = wfClamp(-depth / r, -1, 1);              /* cosine of half the wetted angle */
+    wfReal u = wfClamp(-depth / r, -1, 1);  /* cosine of half the wetted angle */
     wfReal sine = wfSqrt((1 - u) * (1 + u)), half = wfAtan2(sine, u);
     wfReal g = half_x_minus_sine(2 * half);
     s.area = r * r * g;                                 /* eq:force-segment-area */
@@ -266,24 +275,28 @@ wfSubmerged wfSubmergedPart(const wfShape *shape, wfTransform placed, wfReal sur
     wfSubmerged none = { .area = 0, .centre = placed.p };
     if (!shape || shape->kind == WF_SHAPE_NONE) return none;
     wfVec2 centre = wfApply(placed, shape->centre);
-    wfReal depth = surfaceY - centre.y;                 /* of the shape's centre, upwards negative */
+    wfReal depth = surfaceY - centre.y;  /* of the shape's centre, upwards negative */
     none.centre = centre;
-    wfSubmerged s = shape->kind == WF_SHAPE_CIRCLE ? submerged_circle(shape->radius, depth)
-                                                   : submerged_polygon(shape, placed.q, depth);
+    bool round = shape->kind == WF_SHAPE_CIRCLE;
+    wfSubmerged s = round ? submerged_circle(shape->radius, depth)
+                          : submerged_polygon(shape, placed.q, depth);
     if (!(s.area > 0)) return none;
     s.centre = wfAdd(centre, s.centre);
     return s;
 }
 /* <force generators> */
-static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                           wfBodyForces *out)
 {
     (void)time;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!feels(bodies, i)) continue;
         const wfBodyState *b = &bodies->state[i];
-        wfSubmerged s = wfSubmergedPart(shape_of(bodies, i), wfBodyTransform(b), f->buoyancy.surfaceY);
+        wfSubmerged s = wfSubmergedPart(shape_of(bodies, i), wfBodyTransform(b),
+                                        f->buoyancy.surfaceY);
         if (!(s.area > 0)) continue;
-        wfReal mass = f->buoyancy.density * s.area;     /* of the fluid that had to make room */
+        /* of the fluid that had to make room */
+        wfReal mass = f->buoyancy.density * s.area;
         /* <lift body i by eq:force-archimedes> */
         wfApplyForce(&out[i], b, wfV2(0, mass * f->buoyancy.g), s.centre);
         /* <slow body i down by eq:force-water-drag> */
@@ -301,7 +314,8 @@ static wfReal buoyancy_energy(const wfForce *f, const wfBodyView *bodies)
         wfTransform placed = wfBodyTransform(&bodies->state[i]);
         wfSubmerged s = wfSubmergedPart(shape_of(bodies, i), placed, f->buoyancy.surfaceY);
         wfReal depth = f->buoyancy.surfaceY - s.centre.y;
-        sum += f->buoyancy.density * s.area * f->buoyancy.g * depth;    /* eq:force-water-energy */
+        /* eq:force-water-energy */
+        sum += f->buoyancy.density * s.area * f->buoyancy.g * depth;
     }
     return sum;
 }
@@ -312,29 +326,33 @@ static wfResult buoyancy_check(const wfForce *f)
     return f->buoyancy.drag >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
 /* <force generators> */
-wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction, wfVec2 *middle)
+wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
+                   wfVec2 *middle)
 {
     if (middle) *middle = placed.p;
     if (!shape || shape->kind == WF_SHAPE_NONE) return WF_PARTICLE_WIDTH;
     wfVec2 centre = wfApply(placed, shape->centre), side = wfPerpCCW(direction);
     wfReal low = -shape->radius, high = shape->radius;  /* what a circle shows */
     for (int i = 0; i < shape->count; i++) {
-        wfReal x = wfDot(side, wfRotate(placed.q, wfSub(shape->vertices[i], shape->centre)));
+        wfVec2 corner = wfRotate(placed.q, wfSub(shape->vertices[i], shape->centre));
+        wfReal x = wfDot(side, corner);
         low = i == 0 ? x : wfMinR(low, x);
         high = i == 0 ? x : wfMaxR(high, x);
     }
     if (middle) *middle = wfAddScaled(centre, (low + high) / 2, side);
-    return high - low;
+    return high - low;                                  /* eq:force-width */
 }
 /* <force generators> */
 static wfReal blast_profile(const wfForce *f, wfReal time)
 {
     wfReal x = (time - f->explosion.start) / f->explosion.duration;
     if (!(x > 0 && x < 1)) return 0;
-    return 2 * wfSquare(wfSin(WF_PI * x)) / f->explosion.duration;      /* eq:force-blast-time */
+    /* eq:force-blast-time */
+    return 2 * wfSquare(wfSin(WF_PI * x)) / f->explosion.duration;
 }
 
-static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                            wfBodyForces *out)
 {
     wfReal now = f->explosion.strength * blast_profile(f, time);
     for (int32_t i = first_of(f); now != 0 && i < end_of(f, bodies); i++) {
@@ -344,23 +362,26 @@ static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal t
         wfReal fall = 1 - wfLength(r) / f->explosion.radius;
         if (!(fall > 0)) continue;
         wfReal width = wfSeenWidth(shape_of(bodies, i), wfBodyTransform(b), away, &middle);
-        wfApplyForce(&out[i], b, wfScale(now * fall * fall * width, away), middle);
+        wfReal push = now * fall * fall * width;                        /* eq:force-blast */
+        wfApplyForce(&out[i], b, wfScale(push, away), middle);
     }
 }
-
+/* <force generators> */
 static wfResult explosion_check(const wfForce *f)
 {
     return f->explosion.radius > 0 && f->explosion.duration > 0 ? WF_OK : WF_ERROR_RANGE;
 }
 /* <force generators> */
-static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                       wfBodyForces *out)
 {
     (void)time;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!feels(bodies, i)) continue;
         const wfBodyState *b = &bodies->state[i];
         wfVec2 u = wfSub(f->wind.velocity, b->v), middle;
-        wfReal width = wfSeenWidth(shape_of(bodies, i), wfBodyTransform(b), wfNormalize(u), &middle);
+        wfReal width = wfSeenWidth(shape_of(bodies, i), wfBodyTransform(b),
+                                   wfNormalize(u), &middle);
         wfReal c = f->wind.coefficient * width * wfLength(u);
         wfApplyForce(&out[i], b, wfScale(c, u), middle);                /* eq:force-wind */
     }
@@ -371,15 +392,16 @@ static wfResult wind_check(const wfForce *f)
     return f->wind.coefficient >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
 /* <force generators> */
-static void hand_apply(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out)
+static void hand_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                       wfBodyForces *out)
 {
     (void)time;
     if (!is_there(bodies, f->a) || !feels(bodies, f->a)) return;
     const wfBodyState *s = &bodies->state[f->a];
     wfVec2 point = wfApply(wfBodyTransform(s), f->hand.local);
-    wfVec2 pull = wfScale(f->hand.stiffness, wfSub(f->hand.target, point));  /* eq:world-hand */
+    wfVec2 pull = wfScale(f->hand.stiffness, wfSub(f->hand.target, point));
     wfVec2 force = wfAddScaled(pull, -f->hand.damping, wfVelocityAt(s, point));
-    wfApplyForce(&out[f->a], s, force, point);
+    wfApplyForce(&out[f->a], s, force, point);              /* eq:world-hand */
     wfApplyTorque(&out[f->a], -f->hand.spin * s->w);
 }
 
@@ -432,21 +454,21 @@ wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening)
                       .point = { centre, strength, softening } };
 }
 
-wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest, wfReal stiffness,
-                 wfReal damping)
+wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
+                 wfReal stiffness, wfReal damping)
 {
     return (wfForce){ .kind = WF_FORCE_SPRING, .a = a, .b = b,
                       .spring = { localA, localB, rest, stiffness, damping } };
 }
 
-wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest, wfReal stiffness,
-                        wfReal damping)
+wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
+                        wfReal stiffness, wfReal damping)
 {
     return wfSpring(a, localA, -1, point, rest, stiffness, damping);
 }
-
-wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest, wfReal stiffness,
-                 wfReal damping)
+/* <make forces> */
+wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
+                 wfReal stiffness, wfReal damping)
 {
     wfForce f = wfSpring(a, localA, b, localB, rest, stiffness, damping);
     f.kind = WF_FORCE_BUNGEE;
@@ -455,7 +477,8 @@ wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest
 /* <make forces> */
 wfForce wfDrag(wfReal linear, wfReal quadratic)
 {
-    return (wfForce){ .kind = WF_FORCE_DRAG, .a = -1, .b = -1, .drag = { linear, quadratic } };
+    return (wfForce){ .kind = WF_FORCE_DRAG, .a = -1, .b = -1,
+                      .drag = { linear, quadratic } };
 }
 
 wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag)
@@ -464,7 +487,8 @@ wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag)
                       .buoyancy = { surfaceY, density, g, drag } };
 }
 
-wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start, wfReal duration)
+wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start,
+                    wfReal duration)
 {
     return (wfForce){ .kind = WF_FORCE_EXPLOSION, .a = -1, .b = -1,
                       .explosion = { centre, strength, radius, start, duration } };
@@ -472,7 +496,8 @@ wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start,
 
 wfForce wfWind(wfVec2 velocity, wfReal coefficient)
 {
-    return (wfForce){ .kind = WF_FORCE_WIND, .a = -1, .b = -1, .wind = { velocity, coefficient } };
+    return (wfForce){ .kind = WF_FORCE_WIND, .a = -1, .b = -1,
+                      .wind = { velocity, coefficient } };
 }
 /* <check a force> */
 wfResult wfCheckForce(const wfForce *f)

@@ -10,8 +10,8 @@ typedef struct Acceleration {
 } Acceleration;
 
 /* Fills `out' by @eq:int-newton. */
-static void find_accelerations(const wfIntegration *in, const wfBodyState *state, wfReal time,
-                               wfBodyForces *forces, Acceleration *out)
+static void find_accelerations(const wfIntegration *in, const wfBodyState *state,
+                               wfReal time, wfBodyForces *forces, Acceleration *out)
 {
     memset(forces, 0, (size_t)in->count * sizeof *forces);
     in->forces(in->context, state, in->count, time, forces);
@@ -27,7 +27,7 @@ static void kick(wfBodyState *s, wfReal h, const Acceleration *a)
     s->v = wfAddScaled(s->v, h, a->linear);
     s->w += h * a->angular;
 }
-
+/* <find the accelerations> */
 static void drift(wfBodyState *s, wfReal h, wfVec2 v, wfReal w)
 {
     s->p = wfAddScaled(s->p, h, v);
@@ -59,8 +59,11 @@ static bool reserve(const wfIntegration *in, int accelerations, bool trial, Scra
     wfPoolRewind(in->scratch, s->mark);
     return false;
 }
-
-static void release(const wfIntegration *in, const Scratch *s) { wfPoolRewind(in->scratch, s->mark); }
+/* <reserve scratch for a step> */
+static void release(const wfIntegration *in, const Scratch *s)
+{
+    wfPoolRewind(in->scratch, s->mark);
+}
 /* <integrators> */
 static size_t euler_scratch(int32_t count) { return scratch_size(count, 1, false); }
 
@@ -114,7 +117,8 @@ static wfResult verlet(const wfIntegration *in)
     for (int32_t i = 0; i < in->count; i++) {
         /* <end the step by eq:int-verlet-v> */
         wfBodyState *b = &in->state[i];
-        Acceleration sum = { wfAdd(begin[i].linear, end[i].linear), begin[i].angular + end[i].angular };
+        Acceleration sum = { wfAdd(begin[i].linear, end[i].linear),
+                             begin[i].angular + end[i].angular };
         b->p = s.trial[i].p;
         b->angle = s.trial[i].angle;
         kick(b, in->h / 2, &sum);
@@ -125,7 +129,7 @@ static wfResult verlet(const wfIntegration *in)
 /* <integrators> */
 static size_t rk4_scratch(int32_t count) { return scratch_size(count, 4, true); }
 
-/* Tries every body after h seconds of its velocity at the stage before and acceleration `a'. */
+/* Tries every body after h seconds of the stage before's velocity and acceleration. */
 static void try_stage(const wfIntegration *in, wfReal h, const Acceleration *before,
                       const Acceleration *a, wfBodyState *trial)
 {
@@ -137,13 +141,14 @@ static void try_stage(const wfIntegration *in, wfReal h, const Acceleration *bef
         kick(&trial[i], h, &a[i]);
     }
 }
-
+/* <integrators> */
 static wfResult rk4(const wfIntegration *in)
 {
     Scratch s;
     if (!reserve(in, 4, true, &s)) return WF_ERROR_MEMORY;
     wfReal h = in->h, t = in->time;
-    Acceleration *a1 = s.a, *a2 = a1 + in->count, *a3 = a2 + in->count, *a4 = a3 + in->count;
+    Acceleration *a1 = s.a, *a2 = a1 + in->count, *a3 = a2 + in->count;
+    Acceleration *a4 = a3 + in->count;
     /* <evaluate the four stages of eq:int-rk4-stages> */
     find_accelerations(in, in->state, t, s.forces, a1);
     try_stage(in, h / 2, NULL, a1, s.trial);
@@ -174,7 +179,7 @@ static size_t midpoint_scratch(int32_t count) { return scratch_size(count, 2, tr
 /* <judge a change of the midpoint's acceleration> */
 enum { MIDPOINT_ROUNDS = 100 };
 
-/* A change of velocity as a share of the velocity, and of what rounding makes of the place. */
+/* A change of velocity as a share of the velocity and of the rounding of the place. */
 static wfReal share(wfReal change, wfReal speed, wfReal place, wfReal h)
 {
     return change == 0 ? 0 : change / (speed + 16 * wfSqrt(WF_EPSILON) * place / h);
@@ -185,12 +190,12 @@ static wfReal change_of(const wfBodyState *b, wfReal h, const Acceleration *old,
 {
     wfReal dv = h * wfDistance(old->linear, new->linear);
     wfReal dw = h * wfAbs(new->angular - old->angular);
-    wfReal linear = share(dv, wfLength(b->v) + h * wfLength(new->linear), wfLength(b->p), h);
-    wfReal angular = share(dw, wfAbs(b->w) + h * wfAbs(new->angular), 1, h);
-    return linear + angular;
+    wfReal v = wfLength(b->v) + h * wfLength(new->linear);
+    wfReal w = wfAbs(b->w) + h * wfAbs(new->angular);
+    return share(dv, v, wfLength(b->p), h) + share(dw, w, 1, h);
 }
 
-/* One more round of @eq:int-midpoint-iteration: by how much the answer still changed, or NaN. */
+/* One more round of @eq:int-midpoint-iteration: how much the answer changed, or NaN. */
 static wfReal midpoint_round(const wfIntegration *in, Scratch *s)
 {
     Acceleration *old = s->a, *new = s->a + in->count;
@@ -211,7 +216,7 @@ static wfReal midpoint_round(const wfIntegration *in, Scratch *s)
     }
     return wfIsFinite(sum) ? worst : sum;
 }
-
+/* <integrators> */
 static wfResult implicit_midpoint(const wfIntegration *in)
 {
     Scratch s;
@@ -261,7 +266,8 @@ int wfFindIntegrator(const char *name)
 wfResult wfIntegrate(int method, const wfIntegration *in)
 {
     if (method < 0 || method >= wfIntegratorCount) return WF_ERROR_UNKNOWN;
-    if (!in || !in->forces || !in->scratch || (!in->state && in->count > 0)) return WF_ERROR_NULL;
+    if (!in || !in->forces || !in->scratch) return WF_ERROR_NULL;
+    if (!in->state && in->count > 0) return WF_ERROR_NULL;
     if (in->count < 0) return WF_ERROR_RANGE;
     if (!wfIsFinite(in->h) || !wfIsFinite(in->time)) return WF_ERROR_NOT_FINITE;
     return wfIntegratorTable[method].step(in);

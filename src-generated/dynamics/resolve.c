@@ -170,15 +170,21 @@ static wfResult correct_positions(const wfSolve *in)
     return WF_OK;
 }
 /* <contact solvers> */
+static size_t correct_scratch(int32_t bodies, int32_t contacts)
+{
+    (void)contacts;
+    return sizeof(wfVec2) * (size_t)bodies + WF_POOL_ALIGN;
+}
+
 static wfResult resolve_together(const wfSolve *in) { return resolve_velocities(in, true); }
 static wfResult resolve_singly(const wfSolve *in) { return resolve_velocities(in, false); }
 /* <the solver table> */
 const wfSolverRow wfSolverTable[] = {
     /* <rows of the solver table> */
     { "impulse", "the report's resolver, two points of a contact together",
-      resolve_together, correct_positions },
+      resolve_together, correct_positions, correct_scratch },
     { "impulse-by-point", "the report's resolver, one point after the other",
-      resolve_singly, correct_positions },
+      resolve_singly, correct_positions, correct_scratch },
 };
 const int wfSolverCount = (int)(sizeof wfSolverTable / sizeof *wfSolverTable);
 

@@ -9,11 +9,17 @@ wfWorldDef wfDefaultWorldDef(void)
     return (wfWorldDef){
         .gravity = wfV2(0, WF_R(-9.81)), .dt = WF_R(1.0) / 60,
         .bodyCapacity = 256, .forceCapacity = 64,
-        .integrator = wfFindIntegrator("verlet"), .broadPhase = wfFindBroadPhase("quad-tree"),
+        .integrator = wfFindIntegrator("verlet"),
+        .broadPhase = wfFindBroadPhase("quad-tree"),
         .narrowPhase = wfFindNarrowPhase("sat"), .solver = wfFindSolver("impulse"),
         .iterations = 8, .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005)
     };
 }
+/* <identify the block> */
+/* A constant that differs between builds whose blocks differ. */
+#define WF_BLOCK_MAGIC (0x57454654u + 0x100000000u * ((uint64_t)sizeof(wfHeader) \
+    + 3 * sizeof(wfShape) + 7 * sizeof(wfBodyProps) + 31 * sizeof(wfContact) \
+    + 127 * sizeof(wfForce) + 1021 * sizeof(wfBodyState)))
 /* <check a world's definition> */
 static bool is_row(int32_t row, int count) { return row >= 0 && row < count; }
 
@@ -21,33 +27,25 @@ static wfResult check_methods(const wfWorldDef *d)
 {
     bool known = is_row(d->integrator, wfIntegratorCount)
               && is_row(d->broadPhase, wfBroadPhaseCount)
-              && is_row(d->narrowPhase, wfNarrowPhaseCount) && is_row(d->solver, wfSolverCount);
+              && is_row(d->narrowPhase, wfNarrowPhaseCount)
+              && is_row(d->solver, wfSolverCount);
     return known ? WF_OK : WF_ERROR_UNKNOWN;
 }
-
+/* <check a world's definition> */
 static wfResult check_world_def(const wfWorldDef *d)
 {
     if (d == NULL) return WF_ERROR_NULL;
     if (!wfIsFinite2(d->gravity) || !wfIsFinite(d->dt)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(d->restingSteps) || !wfIsFinite(d->positionShare) || !wfIsFinite(d->slop))
-        return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(d->restingSteps) || !wfIsFinite(d->slop)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(d->positionShare)) return WF_ERROR_NOT_FINITE;
     if (!(d->dt > 0) || d->restingSteps < 0 || d->slop < 0) return WF_ERROR_RANGE;
-    if (d->positionShare < 0 || d->positionShare > 1 || d->iterations < 1) return WF_ERROR_RANGE;
-    if (d->bodyCapacity < 1 || d->bodyCapacity > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
-    if (d->forceCapacity < 0 || d->forceCapacity > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
-    if (d->pairCapacity < 0 || d->pairCapacity > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
-    if (d->contactCapacity < 0 || d->contactCapacity > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
+    if (d->positionShare < 0 || d->positionShare > 1) return WF_ERROR_RANGE;
+    if (d->iterations < 1 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
+    const int32_t capacity[] = { d->bodyCapacity, d->forceCapacity, d->pairCapacity,
+                                 d->contactCapacity };
+    for (int i = 0; i < 4; i++)
+        if (capacity[i] < 0 || capacity[i] > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
     return check_methods(d);
-}
-/* <check a world's definition> */
-static uint64_t block_magic(void)
-{
-    uint64_t h = wfHashBytes(WF_HASH_SEED, "weft world 1", 12);
-    const size_t sizes[] = { sizeof(wfHeader), sizeof(wfBodyState), sizeof(wfBodyProps),
-        sizeof(wfShape), sizeof(wfForce), sizeof(wfContact), sizeof(wfBodyForces) };
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        h = wfHashU32(h, (uint32_t)sizes[i]);
-    return wfHashU32(h, 0x01020304);  /* in this machine's words; chapter 25 reads the others */
 }
 /* <choose the capacities that were left open> */
 static wfWorldDef complete(const wfWorldDef *def)
@@ -66,11 +64,13 @@ static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
 static size_t stage_scratch(const wfWorldDef *d)
 {
-    size_t most = sizeof(wfVec2) * (size_t)d->bodyCapacity;  /* contact solver: chapter 14 */
+    size_t most = 0;
     for (int i = 0; i < wfIntegratorCount; i++)
         most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
     for (int i = 0; i < wfBroadPhaseCount; i++)
         most = larger(most, wfBroadPhaseTable[i].scratch(d->bodyCapacity, d->pairCapacity));
+    for (int i = 0; i < wfSolverCount; i++)
+        most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, d->contactCapacity));
     return most + WF_POOL_ALIGN;
 }
 /* <list the regions of the block> */
@@ -80,25 +80,25 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
     size_t pairs = (size_t)d->pairCapacity, contacts = (size_t)d->contactCapacity;
     const wfRegion list[WF_REGION_COUNT] = {
         /* <rows of the block's regions> */
-        [WF_REGION_HEADER]        = { "header",               0, 1,        sizeof(wfHeader),     0 },
-        [WF_REGION_BODY_SLOTS]    = { "body slots",           0, bodies,   sizeof(wfSlot),       0 },
-        [WF_REGION_ALIVE]         = { "alive",                0, bodies,   sizeof(uint8_t),      0 },
-        [WF_REGION_STATE]         = { "states",               0, bodies,   sizeof(wfBodyState),  0 },
-        [WF_REGION_APPLIED]       = { "applied forces",       0, bodies,   sizeof(wfBodyForces), 0 },
-        [WF_REGION_PROPS]         = { "properties",           0, bodies,   sizeof(wfBodyProps),  0 },
-        [WF_REGION_SHAPES]        = { "shapes",               0, bodies,   sizeof(wfShape),      0 },
-        [WF_REGION_FORCE_SLOTS]   = { "force slots",          0, forces,   sizeof(wfSlot),       0 },
-        [WF_REGION_FORCES]        = { "forces",               0, forces,   sizeof(wfForce),      0 },
-        [WF_REGION_PAIRS]         = { "pairs",                0, pairs,    sizeof(wfPair),       0 },
-        [WF_REGION_CONTACTS]      = { "contacts",             0, contacts, sizeof(wfContact),    0 },
+        [WF_REGION_HEADER]        = { "header", 0, 1, sizeof(wfHeader), 0 },
+        [WF_REGION_BODY_SLOTS]    = { "body slots", 0, bodies, sizeof(wfSlot), 0 },
+        [WF_REGION_ALIVE]         = { "alive", 0, bodies, sizeof(uint8_t), 0 },
+        [WF_REGION_STATE]         = { "states", 0, bodies, sizeof(wfBodyState), 0 },
+        [WF_REGION_APPLIED]       = { "applied forces", 0, bodies, sizeof(wfBodyForces), 0 },
+        [WF_REGION_PROPS]         = { "properties", 0, bodies, sizeof(wfBodyProps), 0 },
+        [WF_REGION_SHAPES]        = { "shapes", 0, bodies, sizeof(wfShape), 0 },
+        [WF_REGION_FORCE_SLOTS]   = { "force slots", 0, forces, sizeof(wfSlot), 0 },
+        [WF_REGION_FORCES]        = { "forces", 0, forces, sizeof(wfForce), 0 },
+        [WF_REGION_PAIRS]         = { "pairs", 0, pairs, sizeof(wfPair), 0 },
+        [WF_REGION_CONTACTS]      = { "contacts", 0, contacts, sizeof(wfContact), 0 },
         /* <rows of the block's regions> */
-        [WF_REGION_NEW_STATE]     = { "states, in the making", 1, bodies,     sizeof(wfBodyState), 0 },
-        [WF_REGION_ACTIVE_FORCES] = { "forces in action",     1, forces + 1, sizeof(wfForce),     0 },
-        [WF_REGION_BOUNDS]        = { "bounds",               1, bodies,     sizeof(wfRect),      0 },
-        [WF_REGION_FLAGS]         = { "flags",                1, bodies,     sizeof(uint8_t),     0 },
-        [WF_REGION_NEW_PAIRS]     = { "pairs, in the making", 1, pairs,      sizeof(wfPair),      0 },
-        [WF_REGION_NEW_CONTACTS]  = { "contacts, in the making", 1, contacts, sizeof(wfContact),  0 },
-        [WF_REGION_SCRATCH]       = { "scratch of the stages", 1, stage_scratch(d), 1,            0 },
+        [WF_REGION_NEW_STATE]     = { "new states", 1, bodies, sizeof(wfBodyState), 0 },
+        [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, forces + 1, sizeof(wfForce), 0 },
+        [WF_REGION_BOUNDS]        = { "bounds", 1, bodies, sizeof(wfRect), 0 },
+        [WF_REGION_FLAGS]         = { "flags", 1, bodies, sizeof(uint8_t), 0 },
+        [WF_REGION_NEW_PAIRS]     = { "new pairs", 1, pairs, sizeof(wfPair), 0 },
+        [WF_REGION_NEW_CONTACTS]  = { "new contacts", 1, contacts, sizeof(wfContact), 0 },
+        [WF_REGION_SCRATCH]       = { "scratch", 1, stage_scratch(d), 1, 0 },
     };
     memcpy(out, list, sizeof list);
 }
@@ -111,7 +111,8 @@ static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_
         wfRegion *r = &region[i];
         size_t *end = &size[r->chunk];
         if (r->count > (PTRDIFF_MAX - WF_POOL_ALIGN) / r->each) return false;
-        size_t bytes = (r->count * r->each + WF_POOL_ALIGN - 1) & ~(size_t)(WF_POOL_ALIGN - 1);
+        size_t bytes = r->count * r->each + WF_POOL_ALIGN - 1;  /* eq:world-offset */
+        bytes &= ~(size_t)(WF_POOL_ALIGN - 1);
         if (bytes > PTRDIFF_MAX - *end) return false;
         r->offset = *end;
         *end += bytes;
@@ -119,28 +120,33 @@ static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_
     return true;
 }
 /* <lay out the block> */
-wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT])
+static wfResult plan(const wfWorldDef *def, wfWorldDef *full,
+                     wfRegion region[WF_REGION_COUNT], size_t size[2])
 {
-    if (out == NULL) return WF_ERROR_NULL;
     wfResult result = check_world_def(def);
     if (result != WF_OK) return result;
-    wfWorldDef d = complete(def);
-    wfRegion region[WF_REGION_COUNT];
-    size_t size[2];
-    if (!lay_out(&d, region, size)) return WF_ERROR_MEMORY;
-    memcpy(out, region, sizeof region);
-    return WF_OK;
+    *full = complete(def);
+    return lay_out(full, region, size) ? WF_OK : WF_ERROR_MEMORY;
 }
 
-wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient)
+wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT])
 {
-    if (permanent == NULL || transient == NULL) return WF_ERROR_NULL;
-    wfResult result = check_world_def(def);
-    if (result != WF_OK) return result;
-    wfWorldDef d = complete(def);
+    wfWorldDef full;
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
-    if (!lay_out(&d, region, size)) return WF_ERROR_MEMORY;
+    wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &full, region, size);
+    if (result == WF_OK) memcpy(out, region, sizeof region);
+    return result;
+}
+/* <lay out the block> */
+wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient)
+{
+    wfWorldDef full;
+    wfRegion region[WF_REGION_COUNT];
+    size_t size[2];
+    if (permanent == NULL || transient == NULL) return WF_ERROR_NULL;
+    wfResult result = plan(def, &full, region, size);
+    if (result != WF_OK) return result;
     *permanent = size[0];
     *transient = size[1];
     return WF_OK;
@@ -153,7 +159,8 @@ static wfResult take_memory(const wfWorldDef *def, const size_t size[2], wfMemor
              && given->permanentSize == 0 && given->transientSize == 0;
     if (none) return wfAllocateMemory(out, size[0], size[1]);
     if (given->permanent == NULL || given->transient == NULL) return WF_ERROR_MEMORY;
-    if (given->permanentSize < size[0] || given->transientSize < size[1]) return WF_ERROR_MEMORY;
+    if (given->permanentSize < size[0]) return WF_ERROR_MEMORY;
+    if (given->transientSize < size[1]) return WF_ERROR_MEMORY;
     if ((uintptr_t)given->permanent % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
     if ((uintptr_t)given->transient % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
     *out = *given;
@@ -165,7 +172,7 @@ static wfResult take_memory(const wfWorldDef *def, const size_t size[2], wfMemor
 static void write_header(const wfWorldDef *d, const wfRegion *region, const size_t size[2],
                          wfHeader *head)
 {
-    *head = (wfHeader){ .magic = block_magic(), .bytes = size[0], .scratchBytes = size[1],
+    *head = (wfHeader){ .magic = WF_BLOCK_MAGIC, .bytes = size[0], .scratchBytes = size[1],
         .gravity = d->gravity, .dt = d->dt, .restingSteps = d->restingSteps,
         .positionShare = d->positionShare, .slop = d->slop, .bodyCapacity = d->bodyCapacity,
         .forceCapacity = d->forceCapacity, .pairCapacity = d->pairCapacity,
@@ -174,27 +181,24 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
         .iterations = d->iterations };
     for (int i = 0; i < WF_REGION_COUNT; i++) head->offset[i] = region[i].offset;
 }
-
+/* <create a world> */
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
 {
-    if (out == NULL) return WF_ERROR_NULL;
-    wfResult result = check_world_def(def);
-    if (result != WF_OK) return result;
-    wfWorldDef d = complete(def);
+    wfWorldDef d;
+    wfWorld world;
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
-    if (!lay_out(&d, region, size)) return WF_ERROR_MEMORY;
-    wfWorld world;
-    result = take_memory(&d, size, &world.memory);
+    wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &d, region, size);
+    if (result == WF_OK) result = take_memory(&d, size, &world.memory);
     if (result != WF_OK) return result;
     /* <start the empty world> */
     uint8_t *base = world.memory.permanent;
     wfHeader *head = world.memory.permanent;
     write_header(&d, region, size, head);
-    wfSlotsInit(&head->bodySlots, (wfSlot *)(void *)(base + region[WF_REGION_BODY_SLOTS].offset),
-                d.bodyCapacity);
-    wfSlotsInit(&head->forceSlots, (wfSlot *)(void *)(base + region[WF_REGION_FORCE_SLOTS].offset),
-                d.forceCapacity);
+    void *bodySlots = base + region[WF_REGION_BODY_SLOTS].offset;
+    void *forceSlots = base + region[WF_REGION_FORCE_SLOTS].offset;
+    wfSlotsInit(&head->bodySlots, bodySlots, d.bodyCapacity);
+    wfSlotsInit(&head->forceSlots, forceSlots, d.forceCapacity);
     *out = world;
     return WF_OK;
 }
@@ -211,7 +215,7 @@ static wfResult check_block(const wfMemory *m)
     if ((uintptr_t)m->transient % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
     if (m->permanentSize < sizeof(wfHeader)) return WF_ERROR_MEMORY;
     const wfHeader *head = m->permanent;
-    if (head->magic != block_magic()) return WF_ERROR_NOT_A_WORLD;
+    if (head->magic != WF_BLOCK_MAGIC) return WF_ERROR_NOT_A_WORLD;
     if (head->bytes > m->permanentSize || head->scratchBytes > m->transientSize)
         return WF_ERROR_MEMORY;
     return WF_OK;
@@ -250,13 +254,14 @@ void *wfTransient(const wfBlock *b, int region)
 /* <open a block> */
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
 {
-    return (wfBodyView){ .count = b->head->bodySlots.high, .state = state, .props = b->props,
-                         .shapes = b->shapes, .alive = b->alive };
+    return (wfBodyView){ .count = b->head->bodySlots.high, .state = state,
+                         .props = b->props, .shapes = b->shapes, .alive = b->alive };
 }
 /* <settings of a world> */
 wfWorldDef wfSettings(const wfHeader *h)
 {
-    return (wfWorldDef){ .gravity = h->gravity, .dt = h->dt, .bodyCapacity = h->bodyCapacity,
+    return (wfWorldDef){ .gravity = h->gravity, .dt = h->dt,
+        .bodyCapacity = h->bodyCapacity,
         .forceCapacity = h->forceCapacity, .pairCapacity = h->pairCapacity,
         .contactCapacity = h->contactCapacity, .integrator = h->integrator,
         .broadPhase = h->broadPhase, .narrowPhase = h->narrowPhase, .solver = h->solver,

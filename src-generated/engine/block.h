@@ -23,7 +23,8 @@ typedef struct wfHeader {
     int32_t    pairCount, contactCount;   /* of the last step */
 } wfHeader;
 /* <the block's arrays> */
-/* The block's arrays as pointers: made from the offsets when a call begins, never stored. */
+/* The block's arrays as pointers: made from the offsets when a call begins, never
+ * stored. */
 typedef struct wfBlock {
     wfHeader     *head;
     wfSlot       *bodySlots;

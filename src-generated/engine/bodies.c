@@ -32,7 +32,10 @@ int32_t wfBodyIndex(const wfWorld *world, wfBodyId id)
     return open_body(world, id, &b, &i) == WF_OK ? i : -1;
 }
 
-bool wfBodyIsValid(const wfWorld *world, wfBodyId id) { return wfBodyIndex(world, id) >= 0; }
+bool wfBodyIsValid(const wfWorld *world, wfBodyId id)
+{
+    return wfBodyIndex(world, id) >= 0;
+}
 /* <find a body by its id> */
 wfBodyId wfBodyAt(const wfWorld *world, int32_t index)
 {
@@ -211,8 +214,9 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     b.state[i].angle = angle;
     return WF_OK;
 }
-
-wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity, wfReal angularVelocity)
+/* <change a body> */
+wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
+                           wfReal angularVelocity)
 {
     wfBlock b;
     int32_t i;
@@ -237,7 +241,8 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
     return wfSetMass(&b.state[i], &b.props[i], mass, inertia);
 }
 /* <change a body> */
-wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution, wfReal friction)
+wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
+                           wfReal friction)
 {
     wfBlock b;
     int32_t i;

@@ -90,7 +90,8 @@ static uint64_t hash_state(uint64_t h, const wfBodyState *s)
 {
     const wfReal number[] = { s->p.x, s->p.y, s->angle, s->v.x, s->v.y, s->w,
                               s->invMass, s->invInertia };
-    for (size_t i = 0; i < sizeof number / sizeof *number; i++) h = wfHashReal(h, number[i]);
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        h = wfHashReal(h, number[i]);
     return h;
 }
 

@@ -9,7 +9,7 @@ physics_world wfReportCreateWorld(const real32 *Dt, size_t Count)
     wfWorldDef Def = wfDefaultWorldDef();
     Def.dt = Count == 0 ? WF_R(1.0) / 30 : Dt[1];
     Def.bodyCapacity = 1024;
-    if (Def.dt <= 1) wfCreateWorld(&Def, &World);  /* above 1 s: surely milliseconds were meant */
+    if (Def.dt <= 1) wfCreateWorld(&Def, &World);  /* above: milliseconds were meant */
     return World;
 }
 /* <make the report's body> */
@@ -33,8 +33,8 @@ static wfResult define(const poly_body_data *Body, wfBodyDef *Out)
     const real32 Loose = WF_R(0.001);
     real32 Along = T.E11 * T.E11 + T.E21 * T.E21;
     bool Unit = Along > 1 - Loose && Along < 1 + Loose;
-    bool Square = wfAbs(T.E11 - T.E22) < Loose && wfAbs(T.E12 + T.E21) < Loose;
-    if (!Unit || !Square) return WF_ERROR_RANGE;
+    bool Turned = wfAbs(T.E11 - T.E22) < Loose && wfAbs(T.E12 + T.E21) < Loose;
+    if (!Unit || !Turned) return WF_ERROR_RANGE;
     Out->type = Body->Mass == 0 ? WF_STATIC : WF_DYNAMIC;
     Out->position = V2(T.E13, T.E23);
     Out->angle = wfAtan2(T.E21, T.E11);
@@ -56,7 +56,7 @@ wfResult wfReportAddBody(physics_world *World, void *Body)
     wfResult Result = define(Given, &Def);
     return Result == WF_OK ? wfAddBodyToWorld(World, &Def, &Given->Id) : Result;
 }
-
+/* <add the report's bodies> */
 static poly_body_data *pick(poly_body *const *List, poly_body_data *Row, int32 i)
 {
     if (List == NULL) return &Row[i];

@@ -18,16 +18,17 @@ struct wfStep {
     wfContact   *contacts;
     int32_t      contactCount;
 };
-/* <stages of a step> */
+/* <copy the states> */
 static wfResult copy_states(struct wfStep *s)
 {
     s->count = s->b.head->bodySlots.high;
     s->state = wfTransient(&s->b, WF_REGION_NEW_STATE);
     memcpy(s->state, s->b.state, (size_t)s->count * sizeof *s->state);
-    size_t scratch = (size_t)(s->b.head->scratchBytes - s->b.head->offset[WF_REGION_SCRATCH]);
+    const wfHeader *head = s->b.head;
+    size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
     return wfPoolInit(&s->scratch, scratch, wfTransient(&s->b, WF_REGION_SCRATCH));
 }
-
+/* <list the forces of the step> */
 static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
@@ -37,7 +38,7 @@ static wfResult list_forces(struct wfStep *s)
             s->forces[s->forceCount++] = s->b.forces[i];
     return WF_OK;
 }
-/* <stages of a step> */
+/* <damp the states by eq:world-split> */
 static wfResult damp_half(struct wfStep *s)
 {
     wfReal half = s->b.head->dt / 2;
@@ -48,7 +49,7 @@ static wfResult damp_half(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <stages of a step> */
+/* <integrate the step> */
 static void forces_on(void *context, const wfBodyState *state, int count, wfReal time,
                       wfBodyForces *out)
 {
@@ -69,7 +70,7 @@ static wfResult integrate(struct wfStep *s)
                          .scratch = &s->scratch };
     return wfIntegratorTable[head->integrator].step(&in);
 }
-/* <stages of a step> */
+/* <check the new states> */
 static wfResult check_states(struct wfStep *s)
 {
     for (int32_t i = 0; i < s->count; i++) {
@@ -78,7 +79,7 @@ static wfResult check_states(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <stages of a step> */
+/* <bound the bodies> */
 static void bound_bodies(const wfBlock *b, const wfBodyState *state, int32_t count,
                          wfRect *bounds, uint8_t *flags)
 {
@@ -98,7 +99,7 @@ static wfResult find_bounds(struct wfStep *s)
     bound_bodies(&s->b, s->state, s->count, s->bounds, s->flags);
     return WF_OK;
 }
-/* <stages of a step> */
+/* <find the pairs> */
 static wfResult find_pairs(struct wfStep *s)
 {
     wfProxies proxies = { .count = s->count, .bounds = s->bounds, .flags = s->flags };
@@ -106,7 +107,7 @@ static wfResult find_pairs(struct wfStep *s)
                              .capacity = s->b.head->pairCapacity };
     return wfFindPairs(s->b.head->broadPhase, &proxies, &s->scratch, &s->pairs);
 }
-/* <stages of a step> */
+/* <find the contacts> */
 static wfResult touch(const struct wfStep *s, wfPair pair, wfContact *out)
 {
     const wfShape *a = &s->b.shapes[pair.a], *b = &s->b.shapes[pair.b];
@@ -121,7 +122,7 @@ static wfResult touch(const struct wfStep *s, wfPair pair, wfContact *out)
     if (result == WF_OK) wfMakeManifold(a, xa, b, xb, &found, &out->manifold);
     return result;
 }
-
+/* <find the contacts> */
 static wfResult find_contacts(struct wfStep *s)
 {
     s->contacts = wfTransient(&s->b, WF_REGION_NEW_CONTACTS);
@@ -135,7 +136,7 @@ static wfResult find_contacts(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <stages of a step> */
+/* <resolve the contacts> */
 static wfSolve to_solve(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
@@ -156,7 +157,7 @@ static wfResult solve_positions(struct wfStep *s)
     wfSolve solve = to_solve(s);
     return wfSolvePositions(s->b.head->solver, &solve);
 }
-/* <stages of a step> */
+/* <commit the step> */
 static wfResult commit(struct wfStep *s)
 {
     wfHeader *head = s->b.head;
@@ -171,36 +172,17 @@ static wfResult commit(struct wfStep *s)
     head->steps++;
     return WF_OK;
 }
-/* <stages of a step> */
-wfResult wfWorldProxies(const wfWorld *world, wfPool *pool, wfProxies *out)
-{
-    wfBlock b;
-    if (pool == NULL || out == NULL) return WF_ERROR_NULL;
-    wfResult result = wfOpenBlock(world, &b);
-    if (result != WF_OK) return result;
-    int32_t count = b.head->bodySlots.high;
-    size_t mark = wfPoolMark(pool);
-    wfRect *bounds = wfPoolPushArray(pool, count, wfRect);
-    uint8_t *flags = wfPoolPushArray(pool, count, uint8_t);
-    if (bounds == NULL || flags == NULL) {
-        wfPoolRewind(pool, mark);
-        return WF_ERROR_MEMORY;
-    }
-    bound_bodies(&b, b.state, count, bounds, flags);
-    *out = (wfProxies){ .count = count, .bounds = bounds, .flags = flags };
-    return WF_OK;
-}
 /* <the table of stages> */
 const wfStageRow wfStageTable[] = {
     /* <rows of the stage table> */
     { "copy", "copy the states, so that a step that fails has changed nothing",
       "states", "new states", copy_states },
     { "forces", "list gravity and the registered forces that act",
-      "forces", "forces in action", list_forces },
+      "forces", "active forces", list_forces },
     { "damp", "damp the velocities over the first half of the step",
       "properties", "new states", damp_half },
     { "integrate", "let the forces act: new velocities, new places",
-      "forces in action, applied forces, properties, shapes", "new states", integrate },
+      "active and applied forces", "new states", integrate },
     { "damp again", "damp the velocities over the second half",
       "properties", "new states", damp_half },
     { "check", "stop here if a number has overflowed",
@@ -219,7 +201,8 @@ const wfStageRow wfStageTable[] = {
     { "check again", "stop here if a number has overflowed",
       "new states", "", check_states },
     { "commit", "the new states become the world",
-      "new states, new pairs, new contacts", "states, pairs, contacts, applied forces", commit },
+      "new states, new pairs, new contacts", "states, pairs, contacts, applied forces",
+      commit },
 };
 const int wfStageCount = (int)(sizeof wfStageTable / sizeof *wfStageTable);
 /* <step the world> */
@@ -231,111 +214,22 @@ wfResult wfStepWorld(wfWorld *world)
         result = wfStageTable[i].run(&step);
     return result;
 }
-/* <forces in a world> */
-static int32_t force_slot(const wfBlock *b, wfForceId id)
-{
-    if (id.index < 1 || id.index > (uint32_t)b->head->forceCapacity) return -1;
-    int32_t i = (int32_t)(id.index - 1);
-    return wfSlotAlive(&b->head->forceSlots, b->forceSlots, i, id.generation) ? i : -1;
-}
-
-static wfResult open_force(const wfWorld *world, wfForceId id, wfBlock *b, int32_t *index)
-{
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
-    *index = force_slot(b, id);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
-}
-
-static bool is_place(const wfBlock *b, int32_t i)
-{
-    return i == -1 || (i >= 0 && i < b->head->bodySlots.high && b->alive[i]);
-}
-
-static wfResult check_world_force(const wfBlock *b, const wfForce *f)
-{
-    if (f == NULL) return WF_ERROR_NULL;
-    if (!is_place(b, f->a) || !is_place(b, f->b)) return WF_ERROR_STALE_ID;
-    return wfCheckForce(f);
-}
-/* <forces in a world> */
-wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
+/* <give a broad phase's proxies> */
+wfResult wfWorldProxies(const wfWorld *world, wfPool *pool, wfProxies *out)
 {
     wfBlock b;
+    if (pool == NULL || out == NULL) return WF_ERROR_NULL;
     wfResult result = wfOpenBlock(world, &b);
-    if (result == WF_OK) result = check_world_force(&b, force);
     if (result != WF_OK) return result;
-    int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
-    if (i < 0) return WF_ERROR_FULL;
-    b.forces[i] = *force;
-    if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
+    int32_t count = b.head->bodySlots.high;
+    size_t mark = wfPoolMark(pool);
+    wfRect *bounds = wfPoolPushArray(pool, count, wfRect);
+    uint8_t *flags = wfPoolPushArray(pool, count, uint8_t);
+    if (bounds == NULL || flags == NULL) {
+        wfPoolRewind(pool, mark);
+        return WF_ERROR_MEMORY;
+    }
+    bound_bodies(&b, b.state, count, bounds, flags);
+    *out = (wfProxies){ .count = count, .bounds = bounds, .flags = flags };
     return WF_OK;
-}
-
-wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
-{
-    wfBlock b;
-    int32_t i;
-    wfResult result = open_force(world, id, &b, &i);
-    if (result != WF_OK) return result;
-    memset(&b.forces[i], 0, sizeof b.forces[i]);
-    return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
-}
-/* <forces in a world> */
-wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out)
-{
-    wfBlock b;
-    int32_t i;
-    wfResult result = out == NULL ? WF_ERROR_NULL : open_force(world, id, &b, &i);
-    if (result == WF_OK) *out = b.forces[i];
-    return result;
-}
-
-wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
-{
-    wfBlock b;
-    int32_t i;
-    wfResult result = open_force(world, id, &b, &i);
-    if (result == WF_OK) result = check_world_force(&b, force);
-    if (result == WF_OK) b.forces[i] = *force;
-    return result;
-}
-/* <forces in a world> */
-static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
-{
-    const wfBodyState *s = &b->state[i];
-    const wfBodyProps *p = &b->props[i];
-    wfReal arm = wfLengthSq(wfSub(point, s->p));
-    wfReal lightest = 1 / (s->invMass + arm * s->invInertia);     /* eq:world-handmass */
-    wfReal rate = wfMinR(WF_HAND_RATE, WF_R(0.5) / b->head->dt);  /* eq:world-handrate */
-    wfForce f = { .kind = wfFindForce("hand"), .a = i, .b = -1 };
-    f.hand.local = wfApplyInv(wfBodyTransform(s), point);
-    f.hand.target = point;
-    f.hand.stiffness = lightest * rate * rate;
-    f.hand.damping = 2 * lightest * rate;
-    f.hand.spin = p->inertia > 0 ? 2 * (p->inertia + p->mass * arm) : 0;
-    return f;
-}
-/* <forces in a world> */
-wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out)
-{
-    wfBlock b;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
-    if (result != WF_OK) return result;
-    int32_t i = wfBodyIndex(world, id);
-    if (i < 0) return WF_ERROR_STALE_ID;
-    if (!wfIsFinite2(point)) return WF_ERROR_NOT_FINITE;
-    if (b.props[i].type != WF_DYNAMIC) return WF_ERROR_RANGE;
-    wfForce f = hand_for(&b, i, point);
-    return wfAddForceToWorld(world, &f, out);
-}
-
-wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point)
-{
-    wfForce f;
-    wfResult result = wfGetForce(world, hand, &f);
-    if (result != WF_OK) return result;
-    if (f.kind != wfFindForce("hand")) return WF_ERROR_RANGE;
-    f.hand.target = point;
-    return wfSetForce(world, hand, &f);
 }

@@ -4,7 +4,7 @@
 
 float camera_scale(const camera *c)
 {
-    return c->high / c->height;                                     /* eq:camera-scale */
+    return c->high / c->height;             /* eq:camera-scale */
 }
 
 static float middle(float from, float size) { return from + size / 2; }
@@ -27,7 +27,7 @@ void camera_pick(const camera *c, float px, float py, float world[2])
 void camera_zoom(camera *c, float factor, float px, float py)
 {
     float height = c->height / factor;
-    if (!(height >= 1e-3f && height <= 1e5f))       /* also false for a factor of 0 or NaN */
+    if (!(height >= 1e-3f && height <= 1e5f))   /* also for a factor of 0 or NaN */
         return;
     float m[2];
     camera_pick(c, px, py, m);

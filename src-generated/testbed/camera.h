@@ -6,17 +6,17 @@
 
 /* What is looked at, and where in the picture it is seen. */
 typedef struct camera {
-    float x, y, height;         /* m: world point in the middle, height of the world shown, > 0 */
-    float left, top;            /* pixels: upper left corner of the part that is free for it */
+    float x, y, height;         /* m: point in the middle; height of the world shown */
+    float left, top;            /* pixels: corner of the part that is free for it */
     float wide, high;           /* pixels: size of that part, > 0 */
 } camera;
 
 enum { CAMERA_X, CAMERA_Y };
-float camera_scale(const camera *c);                                /* pixels to the metre */
+float camera_scale(const camera *c);            /* pixels to the metre */
 void camera_see(const camera *c, float x, float y, float pixel[2]);
 void camera_pick(const camera *c, float px, float py, float world[2]);
-/* Zooms by a factor (> 1: nearer) so that the world under the pixel stays under it; the height
-   shown stays between 1 mm and 100 km. */
+/* Zooms by a factor (> 1: nearer) so that the world under the pixel stays under it; the
+   height shown stays between 1 mm and 100 km. */
 void camera_zoom(camera *c, float factor, float px, float py);
 /* Moves the camera as if the world were pulled by so many pixels. */
 void camera_pan(camera *c, float px, float py);

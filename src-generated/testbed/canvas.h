@@ -16,6 +16,7 @@ typedef struct wfPixelMap { float scale, offsetX, offsetY; } wfPixelMap;
 wfPixelMap wfMapView(const float view[4], float widthPx, float heightPx);
 static inline float wfPixelX(wfPixelMap m, float x) { return m.scale * x + m.offsetX; }
 static inline float wfPixelY(wfPixelMap m, float y) { return m.offsetY - m.scale * y; }
+/* Back to world units, by eq:draw-inverse. */
 static inline float wfWorldX(wfPixelMap m, float px) { return (px - m.offsetX) / m.scale; }
 static inline float wfWorldY(wfPixelMap m, float px) { return (m.offsetY - px) / m.scale; }
 /* <the shape of an arrow> */

@@ -14,10 +14,10 @@
 typedef struct game_widget { char name[GAME_NAME_SIZE]; float x, y; } game_widget;
 
 typedef struct game_state {
-    int32_t begun, opened;              /* 1 after the first call; 1 while there is a world */
+    int32_t begun, opened;              /* after the first call; while there is a world */
     int32_t row, result;                /* the scene, and how its last call went */
     int32_t paused, single;             /* single: steps to be made although paused */
-    int32_t dark, list, keys;           /* dark palette; show the list; show the key sheet */
+    int32_t dark, list, keys;           /* dark palette; list, key sheet are shown */
     uint32_t show;                      /* overlays */
     step_clock clock;
     camera camera;
@@ -25,10 +25,10 @@ typedef struct game_state {
     wfBodyId held;                      /* index 0: nothing */
     wfVec2 grip;                        /* where it is held, in the body's frame, m */
     float mouse_x, mouse_y;             /* of the last frame, pixels */
-    int32_t moved, panning;             /* the mouse was moved, ever; the world is being pulled */
+    int32_t moved, panning;             /* the mouse ever moved; world is being pulled */
     float scroll;                       /* of the list, interface units */
     int32_t reveal;                     /* 1: scroll to the scene's row */
-    float width, height, scale;         /* of the last picture: interface units, pixels a unit */
+    float width, height, scale;         /* of the last picture: units, pixels a unit */
     int32_t widget_count;               /* where buttons are, for game_describe */
     game_widget widgets[96];
 } game_state;
@@ -54,13 +54,15 @@ static wfMemory world_memory(const game_memory *memory)
 
 static void begin_call(game *g, const game_memory *memory, const game_input *input)
 {
-    *g = (game){ .state = memory->permanent, .input = input, .memory = world_memory(memory) };
+    *g = (game){ .state = memory->permanent, .input = input,
+                 .memory = world_memory(memory) };
     if (g->state->opened && wfOpenWorld(&g->memory, &g->world) != WF_OK)
         g->state->opened = 0;
     if (g->state->row >= 0 && g->state->row < wfSceneCount)
         g->scene = &wfSceneTable[g->state->row];
     size_t half = g->memory.transientSize;
-    wfPoolInit(&g->scratch, memory->transient_size - half, (uint8_t *)memory->transient + half);
+    wfPoolInit(&g->scratch, memory->transient_size - half,
+               (uint8_t *)memory->transient + half);
 }
 /* <open a scene in the game> */
 static void look_home(game *g)
@@ -73,7 +75,7 @@ static void look_home(game *g)
 static void open_scene(game *g, int row)
 {
     game_state *s = g->state;
-    row = ((row % wfSceneCount) + wfSceneCount) % wfSceneCount;     /* after the last, the first */
+    row = (row + wfSceneCount) % wfSceneCount;      /* after the last, the first */
     bool same = s->row == row && s->opened;
     s->row = row;
     g->scene = &wfSceneTable[row];
@@ -110,7 +112,8 @@ static void ui_box(ui *u, float x, float y, float w, float h, int line, int fill
         wfDrawPolygon(u->draw, xy, 4, 1, line, fill);
 }
 
-static void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text)
+static void ui_text(ui *u, float x, float y, float size, int role, int anchor,
+                    const char *text)
 {
     if (u->draw)
         wfDrawText(u->draw, x, u->g->state->height - y, size, role, anchor, text);
@@ -134,7 +137,8 @@ static bool ui_area(ui *u, const char *name, float x, float y, float w, float h)
 static bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 24);
-    ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT, on ? WF_INK_ACCENT : WF_INK_PAPER);
+    ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
+           on ? WF_INK_ACCENT : WF_INK_PAPER);
     ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
     return ui_area(u, name, x, y, w, 24);
 }
@@ -142,7 +146,8 @@ static bool ui_button(ui *u, const char *name, float x, float y, float w, bool o
 static bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 19);
-    ui_box(u, x, y + 3, 12, 12, hot ? WF_INK_ACCENT : WF_INK_LINE, on ? WF_INK_ACCENT : WF_INK_PAPER);
+    ui_box(u, x, y + 3, 12, 12, hot ? WF_INK_ACCENT : WF_INK_LINE,
+           on ? WF_INK_ACCENT : WF_INK_PAPER);
     if (on && u->draw) {
         float top = u->g->state->height - y;
         float tick[] = { x + 3, top - 9, x + 5.5f, top - 12, x + 9.5f, top - 6 };
@@ -156,7 +161,8 @@ static bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 19);
     if (on || hot)
-        ui_box(u, x, y, w, 19, on ? WF_INK_ACCENT : WF_INK_FAINT, on ? WF_INK_ACCENT : WF_INK_FAINT);
+        ui_box(u, x, y, w, 19, on ? WF_INK_ACCENT : WF_INK_FAINT,
+               on ? WF_INK_ACCENT : WF_INK_FAINT);
     ui_text(u, x + 8, y + 13.5f, 13, WF_INK_TEXT, -1, name);
     return ui_area(u, name, x, y, w, 19);
 }
@@ -178,7 +184,7 @@ static void reveal_row(game_state *s, float y, float room)
     if (y < LIST_TOP) s->scroll -= LIST_TOP - y;
     s->reveal = 0;
 }
-
+/* <the interface> */
 static int ui_list(ui *u)
 {
     game_state *s = u->g->state;
@@ -230,16 +236,17 @@ static void ui_panel(ui *u)
 static void ui_buttons(ui *u, float x)
 {
     game_state *s = u->g->state;
-    if (ui_button(u, s->paused ? "Run" : "Pause", x, 10, 60, s->paused)) s->paused = !s->paused;
+    const char *pause = s->paused ? "Run" : "Pause", *dark = s->dark ? "Light" : "Dark";
+    if (ui_button(u, pause, x, 10, 60, s->paused)) s->paused = !s->paused;
     if (ui_button(u, "Step", x + 66, 10, 48, false)) s->paused = s->single = 1;
     if (ui_button(u, "Reset", x + 120, 10, 52, false)) open_scene(u->g, s->row);
     if (ui_button(u, "Previous", x + 190, 10, 72, false)) open_scene(u->g, s->row - 1);
     if (ui_button(u, "Next", x + 268, 10, 48, false)) open_scene(u->g, s->row + 1);
     if (ui_button(u, "Home", x + 334, 10, 52, false)) look_home(u->g);
-    if (ui_button(u, s->dark ? "Light" : "Dark", x + 392, 10, 48, false)) s->dark = !s->dark;
+    if (ui_button(u, dark, x + 392, 10, 48, false)) s->dark = !s->dark;
     if (ui_button(u, "Keys", x + 446, 10, 48, s->keys)) s->keys = !s->keys;
 }
-
+/* <the interface> */
 static void ui_state(ui *u, float x)
 {
     const game *g = u->g;
@@ -249,7 +256,8 @@ static void ui_state(ui *u, float x)
     int32_t contacts;
     wfWorldContacts(&g->world, &contacts);
     wfWorldEnergy(&g->world, &kinetic, &potential);
-    snprintf(line, sizeof line, "%s   step %llu   %.2f s   %d bodies   %d contacts   energy %.4g J",
+    snprintf(line, sizeof line,
+             "%s   step %llu   %.2f s   %d bodies   %d contacts   energy %.4g J",
              s->paused ? "paused" : "running", (unsigned long long)wfWorldSteps(&g->world),
              wfWorldTime(&g->world), (int)wfBodyCount(&g->world), (int)contacts,
              kinetic + potential);
@@ -265,7 +273,8 @@ static void ui_key_sheet(ui *u, float x)
     static const char *const sheet[][2] = {
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
         { "[ and ]", "previous, next scene" }, { "Tab", "hide or show the list" },
-        { "H", "look at the whole scene" }, { "+ and -", "zoom" }, { "arrows", "move the view" },
+        { "H", "look at the whole scene" }, { "+ and -", "zoom" },
+        { "arrows", "move the view" },
         { "Q and E", "turn the testing body" }, { "T", "change its shape" },
         { "1 to 8", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "?", "this sheet" },
@@ -281,7 +290,7 @@ static void ui_key_sheet(ui *u, float x)
         ui_text(u, x + 100, y, 13, WF_INK_TEXT, -1, sheet[i][1]);
     }
 }
-
+/* <the interface> */
 static void ui_all(ui *u)
 {
     game_state *s = u->g->state;
@@ -313,7 +322,7 @@ static void obey_view_key(game *g, int32_t key)
     default: break;
     }
 }
-
+/* <obey the keys> */
 static void obey_key(game *g, int32_t key)
 {
     game_state *s = g->state;
@@ -372,7 +381,7 @@ static void find_mouse(game *g)
     else if (wfWorldSteps(&g->world) > 0)               /* what the last step was given */
         s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world) - 1);
 }
-
+/* <obey the mouse> */
 static void obey_mouse(game *g, bool over)
 {
     game_state *s = g->state;
@@ -420,7 +429,8 @@ static void step_world(game *g)
     wfGetWorldDef(&g->world, &def);
     int32_t steps = g->input->steps;
     if (steps < 0)
-        steps = step_clock_advance(&s->clock, g->input->seconds, (double)def.dt, STEP_CLOCK_MOST);
+        steps = step_clock_advance(&s->clock, g->input->seconds, (double)def.dt,
+                                   STEP_CLOCK_MOST);
     if (s->paused)
         steps = s->single;
     s->single = 0;
@@ -503,8 +513,9 @@ static void measure_picture(game_state *s, const frame_buffer *buffer)
     s->width = (float)buffer->width / s->scale;
     s->height = (float)buffer->height / s->scale;
 }
-
-void game_update_and_render(game_memory *memory, const game_input *input, frame_buffer *buffer)
+/* <update and render> */
+void game_update_and_render(game_memory *memory, const game_input *input,
+                            frame_buffer *buffer)
 {
     game g;
     begin_call(&g, memory, input);
@@ -584,7 +595,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
             (double)s->widgets[i].y);
     return w.used;
 }
-
+/* <describe the game> */
 bool game_knows_scene(const char *name)
 {
     return wfFindScene(name) >= 0;

@@ -2,7 +2,8 @@
  * and type make. MIT licence. */
 #include "testbed/hand.h"
 
-wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega, wfReal h)
+wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega,
+                     wfReal h)
 {
     if (body->invMass <= 0)
         return wfV2(0, 0);

@@ -5,8 +5,10 @@
 /* A hand that pulls at a point of a body. Chapter 30. */
 #include "weft/body.h"
 
-/* The impulse (N s) for one step of h seconds that makes the point `grip' of the body (world, m)
-   approach `target' like a critically damped spring of angular frequency omega (rad/s):
-   chapter 30, eq:hand-velocity and eq:hand-matrix. Zero for a body that is not dynamic. */
-wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega, wfReal h);
+/* The impulse (N s) for one step of h seconds that makes the point `grip' of the body
+   (world, m) approach `target' like a critically damped spring of angular frequency omega
+   (rad/s): chapter 30, eq:hand-velocity and eq:hand-matrix. Zero for a body that is not
+   dynamic. */
+wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega,
+                     wfReal h);
 #endif

@@ -80,16 +80,17 @@ static int hash_scene(const layer_options *options)
 static int record_hashes(const layer_options *options)
 {
     int steps = options->steps < 0 ? 600 : options->steps;
-    printf("# weft-headless --record: hash of each scene's state after so many steps (float)\n");
+    printf("# weft-headless --record: hash of each scene's state after so many steps\n");
     printf("scene,steps,hash\n");
     for (int i = 0; i < wfSceneCount; i++) {
         wfSceneReport r = wfWatchScene(&wfSceneTable[i], steps);
-        printf("%s,%d,%016llx\n", wfSceneTable[i].name, (int)r.steps, (unsigned long long)r.hash);
+        printf("%s,%d,%016llx\n", wfSceneTable[i].name, (int)r.steps,
+               (unsigned long long)r.hash);
         if (r.result != WF_OK) return 1;
     }
     return 0;
 }
-
+/* <commands of the headless program> */
 static int watch_scenes(const layer_options *options)
 {
     int steps = options->steps < 0 ? 600 : options->steps;
@@ -99,13 +100,15 @@ static int watch_scenes(const layer_options *options)
         const wfScene *s = &wfSceneTable[i];
         if (options->scene && wfFindScene(options->scene) != i) continue;
         wfSceneReport r = wfWatchScene(s, steps);
-        printf("%-26s %6d %6d %9d %12.4g %10.3g %10.3g%s\n", s->name, (int)r.steps, (int)r.bodies,
-               (int)r.contacts, r.energy, r.gain, r.deepest, r.finite ? "" : "  NOT FINITE");
+        printf("%-26s %6d %6d %9d %12.4g %10.3g %10.3g%s\n", s->name, (int)r.steps,
+               (int)r.bodies, (int)r.contacts, r.energy, r.gain, r.deepest,
+               r.finite ? "" : "  NOT FINITE");
     }
     return 0;
 }
 /* <commands of the headless program> */
-static void print_first_row(const wfWorld *world, const wfBodyState *ball, const wfBodyState *was)
+static void print_first_row(const wfWorld *world, const wfBodyState *ball,
+                            const wfBodyState *was)
 {
     int32_t contacts, touching = 0;
     double kinetic, potential, t = wfWorldTime(world);
@@ -114,12 +117,14 @@ static void print_first_row(const wfWorld *world, const wfBodyState *ball, const
     int32_t index = (int32_t)(ball - wfWorldBodies(world).state);
     for (int32_t i = 0; i < contacts; i++)
         touching += contact[i].a == index || contact[i].b == index;
-    if (wfWorldEnergy(world, &kinetic, &potential) != WF_OK || wfGetGravity(world, &g) != WF_OK)
+    if (wfWorldEnergy(world, &kinetic, &potential) != WF_OK ||
+        wfGetGravity(world, &g) != WF_OK)
         return;
     printf("  %6.2f  %9.4f", t, (double)ball->p.y);
-    bool free = (double)ball->v.x == (double)was->v.x && !touching;    /* nothing has touched it yet */
-    if (free)
-        printf("  %9.4f", (double)was->p.y + (double)was->v.y * t + (double)g.y / 2 * t * t);
+    bool unhurt = ball->v.x <= was->v.x && ball->v.x >= was->v.x && !touching;
+    if (unhurt)                                     /* nothing has touched it yet */
+        printf("  %9.4f",
+               (double)was->p.y + (double)was->v.y * t + (double)g.y / 2 * t * t);
     else
         printf("  %9s", "-");
     printf("  %10.3f  %8d\n", kinetic + potential, (int)contacts);
@@ -133,7 +138,8 @@ static int first_simulation(const layer_options *options)
     wfBodyView v = wfWorldBodies(&world);
     const wfBodyState *ball = &v.state[v.count - 1], was = *ball;
     printf("%s: %s\n", scene->name, scene->text);
-    printf("  %6s  %9s  %9s  %10s  %8s\n", "time s", "height m", "exact m", "energy J", "contacts");
+    printf("  %6s  %9s  %9s  %10s  %8s\n", "time s", "height m", "exact m", "energy J",
+           "contacts");
     wfResult result = WF_OK;
     for (int step = 0; step <= 120 && result == WF_OK; step++) {
         if (step % 12 == 0)
@@ -157,13 +163,15 @@ static const headless_command command_table[] = {
     { "--table", "run scenes and tell what they kept: energy, overlap", watch_scenes },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
     { "--record", "the hashes of all scenes, for tests/golden/scenes.csv", record_hashes },
-    { "--first", "the first simulation: a table, and a picture in the file named", first_simulation },
+    { "--first", "the first simulation: a table, and a picture in the file named",
+      first_simulation },
 };
 /* <tell how the headless program is used> */
 static int usage(void)
 {
-    fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE] [--png FILE]\n"
-          "                     [--save-input FILE] [--log FILE] [--size WxH] [--scale S]\n", stderr);
+    fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
+          "      [--png FILE] [--save-input FILE] [--log FILE] [--size WxH] [--scale S]\n",
+          stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);
     return 2;

@@ -33,7 +33,8 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
 {
     *out = (layer_options){ .steps = -1, .width = 1100, .height = 700, .scale = 1 };
     struct { const char *name, **place; } texts[] = {
-        { "--scene", &out->scene }, { "--input", &out->input }, { "--save-input", &out->record },
+        { "--scene", &out->scene }, { "--input", &out->input },
+        { "--save-input", &out->record },
         { "--png", &out->png }, { "--log", &out->log }
     };
     for (int i = 1; i < argc; i++) {
@@ -66,7 +67,7 @@ static bool complain(const char *what, const char *name)
 static char *read_text(const char *path)
 {
     FILE *file = fopen(path, "rb");
-    char *text = calloc(1, (1 << 20) + 1);             /* a script of 1 MB lasts for hours */
+    char *text = calloc(1, (1 << 20) + 1);         /* a script of 1 MB lasts for hours */
     size_t used = file && text ? fread(text, 1, 1 << 20, file) : 0;
     bool whole = file && text && feof(file) && !memchr(text, 0, used);
     if (file) fclose(file);
@@ -105,7 +106,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     l->last.steps = 1;                                  /* as input_script_open begins */
     return true;
 }
-
+/* <begin and end a platform layer> */
 void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);

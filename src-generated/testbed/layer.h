@@ -8,10 +8,10 @@
 
 /* <options of a platform layer> */
 typedef struct layer_options {
-    const char *scene, *input, *record, *png, *log;    /* NULL: not given */
-    const char *command, *argument;                    /* an option that is not in the table; a word */
-    int32_t steps;                                     /* -1: not given */
-    int32_t width, height;                             /* interface units */
+    const char *scene, *input, *record, *png, *log;     /* NULL: not given */
+    const char *command, *argument;     /* an option not in the table; a bare word */
+    int32_t steps;                      /* -1: not given */
+    int32_t width, height;              /* interface units */
     float scale;
 } layer_options;
 
@@ -29,8 +29,9 @@ typedef struct layer {
     int64_t frames;
 } layer;
 
-/* Gets memory and a picture of width x height pixels, opens the files that the options name.
-   False, with a word to stderr, when something is not to be had; close it all the same. */
+/* Gets memory and a picture of width x height pixels, opens the files that the options
+   name. False, with a word to stderr, when something is not to be had; close it all the
+   same. */
 bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t height);
 bool layer_resize(layer *l, int32_t width, int32_t height);
 void layer_close(layer *l);

@@ -19,7 +19,8 @@ enum { GAME_PERMANENT_SIZE = 48 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 *
 /* <the input of one frame> */
 enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
 
-enum {  /* Keys: a printable character stands for itself, as the layout of the keyboard has it. */
+/* Keys: a printable character stands for itself, as the keyboard's layout has it. */
+enum {
     GAME_KEY_BACKSPACE = 8, GAME_KEY_TAB = 9, GAME_KEY_ENTER = 13, GAME_KEY_ESCAPE = 27,
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN
@@ -27,35 +28,37 @@ enum {  /* Keys: a printable character stands for itself, as the layout of the k
 
 enum { GAME_MAX_KEYS = 8, GAME_NAME_SIZE = 40 };
 
-/* All that the user and the clock did since the last call: plain data, to be copied and compared. */
+/* All that the user and the clock did since the last call: plain data. */
 typedef struct game_input {
     double seconds;             /* time since the last call, s */
-    int32_t steps;              /* simulate just so many steps; -1: as many as `seconds' asks for */
-    float mouse_x, mouse_y;     /* pixels of the frame buffer, from the upper left corner, y down */
-    float wheel;                /* notches turned in this frame, positive away from the user */
+    int32_t steps;              /* simulate so many steps; -1: as many as fit in seconds */
+    float mouse_x, mouse_y;     /* pixels from the upper left corner, y down */
+    float wheel;                /* notches in this frame, positive away from the user */
     uint32_t held;              /* buttons that are down at the end of this frame */
-    uint32_t pressed, released; /* buttons that went down, went up in this frame; both may be set */
-    int32_t key_count;          /* keys that went down in this frame, in the order of their coming */
+    uint32_t pressed, released; /* buttons that went down, up in this frame; or both */
+    int32_t key_count;          /* keys that went down in this frame, in order */
     int32_t keys[GAME_MAX_KEYS];
-    char scene[GAME_NAME_SIZE]; /* a scene to be opened (command line, tests); "" for none */
+    char scene[GAME_NAME_SIZE]; /* a scene to be opened (by a command line); or "" */
 } game_input;
 /* <the picture to be filled> */
 /* To be filled by the game. Without pixels (NULL) the game updates and draws nothing. */
 typedef struct frame_buffer {
-    uint32_t *pixels;           /* each of four bytes in the order red, green, blue, alpha */
+    uint32_t *pixels;           /* each four bytes: red, green, blue, alpha */
     int32_t width, height;      /* pixels */
     int32_t pitch;              /* pixels from one row to the next, at least width */
-    float scale;                /* pixels to one unit of the interface: 1, or 2 on dense screens */
+    float scale;                /* pixels to one unit of the interface, 1 or more */
 } frame_buffer;
 /* <the services of the game> */
 /* The whole game: advances the simulation by the input and fills the picture. */
-void game_update_and_render(game_memory *memory, const game_input *input, frame_buffer *buffer);
+void game_update_and_render(game_memory *memory, const game_input *input,
+                            frame_buffer *buffer);
 
 /* Is there a scene of this name? */
 bool game_knows_scene(const char *name);
 
-/* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel 400 300'
-   ... For logs and tests. Returns the length; the text is cut to fit into size bytes. */
+/* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel
+   400 300' ... For logs and tests. Returns the length; the text is cut to fit into size
+   bytes. */
 size_t game_describe(const game_memory *memory, char *text, size_t size);
 
 /* Writes the picture as a PNG file (chapter 28). False when the file can't be written. */
@@ -66,9 +69,10 @@ typedef struct step_clock { double left; } step_clock;
 
 enum { STEP_CLOCK_MOST = 8 };
 
-/* The number of steps of dt seconds that are due after `seconds' more, at most `most' (chapter 27,
-   eq:clock-steps and eq:clock-bound). Time beyond the bound is forgotten. A number of seconds that
-   is negative or not a number counts as none; a dt that is not positive makes no steps. */
+/* The number of steps of dt seconds that are due after `seconds' more, at most `most'
+   (chapter 27, eq:clock-steps and eq:clock-bound). Time beyond the bound is forgotten. A
+   number of seconds that is negative or not a number counts as none; a dt that is not
+   positive makes no steps. */
 int32_t step_clock_advance(step_clock *clock, double seconds, double dt, int32_t most);
 /* <input as text> */
 /* Reads inputs from a text of the words of chapter 27's table. */
@@ -82,10 +86,11 @@ typedef struct input_script {
 
 void input_script_open(input_script *script, const char *text);
 
-/* The next frame's input. 1: here it is; 0: the text is at its end; -1: error and line say why. */
+/* The next frame's input. 1: here it is; 0: the end; -1: error and line say why. */
 int input_script_next(input_script *script, game_input *out);
 
-/* Appends the lines that turn the input `last' into `now', and `frame'. Returns the bytes needed;
-   when they are size or more, nothing of use was written. */
-size_t input_script_write(char *text, size_t size, const game_input *last, const game_input *now);
+/* Appends the lines that turn the input `last' into `now', and `frame'. Returns the bytes
+   needed; when they are size or more, nothing of use was written. */
+size_t input_script_write(char *text, size_t size, const game_input *last,
+                          const game_input *now);
 #endif

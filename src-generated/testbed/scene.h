@@ -20,19 +20,20 @@ enum {
     WF_SHOW_TREE = 16, WF_SHOW_VELOCITIES = 32, WF_SHOW_NUMBERS = 64, WF_SHOW_TOUCHING = 128
 };
 
-/* Name the fields when you fill one in: later chapters may add some, and 0 or NULL is "none". */
+/* Name the fields when you fill one in: later chapters may add some; 0 or NULL is none. */
 typedef struct wfScene {
-    const char *category, *name;            /* for the list; a name has less than 40 letters */
+    const char *category, *name;            /* for the list; a name: below 40 letters */
     const char *text;                       /* one sentence: what to look for */
     int32_t chapter;                        /* whose matter it shows */
     void (*define)(wfWorldDef *def);        /* changes the settings; NULL: the defaults */
     wfResult (*build)(wfWorld *world);      /* puts bodies and forces in */
-    void (*update)(wfWorld *world, const wfSceneInput *in);     /* before each step, or NULL */
-    void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);  /* after the bodies */
+    void (*update)(wfWorld *world, const wfSceneInput *in);  /* before each step; or NULL */
+    /* draws over the bodies; or NULL */
+    void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
     uint32_t show;                          /* overlays to begin with */
-    wfReal energyBound;                     /* J it may gain in all; negative: not checked */
-    wfReal depthBound;                      /* m: deepest overlap allowed; negative: not checked */
+    wfReal energyBound;                     /* J it may gain; negative: not checked */
+    wfReal depthBound;                      /* m: deepest overlap; negative: not checked */
 } wfScene;
 /* <the table of scenes> */
 extern const wfScene wfSceneTable[];
@@ -40,12 +41,12 @@ extern const int wfSceneCount;
 /* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space. */
 int wfFindScene(const char *name);
 /* <declarations of running a scene> */
-/* Makes the scene's world in the memory handed over, or in its own (memory NULL or all zero).
-   The errors of wfCreateWorld and of the scene's own calls; then no world is left. */
+/* Makes the scene's world in the memory handed over, or in its own (memory NULL or all
+   zero). The errors of wfCreateWorld and of the scene's calls; then no world is left. */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out);
 /* Lets the scene act, then steps its world: the errors of wfStepWorld. */
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in);
-/* What a hand that nobody moves would do at this step: wander over the view, turn, change shape. */
+/* What a hand that nobody moves does at this step: wander over the view, turn, change. */
 wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step);
 /* <declarations of running a scene> */
 typedef struct wfSceneReport {

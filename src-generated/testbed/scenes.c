@@ -84,7 +84,8 @@ enum { TESTING_BODIES = 5 };
 static void put_testing_bodies(Maker *m)
 {
     wfBodyDef shape[TESTING_BODIES] = {
-        box(m, 0, 0, WF_R(0.9), WF_R(0.6)), ball(m, 0, 0, WF_R(0.8)), regular(m, 0, 0, 1, 3),
+        box(m, 0, 0, WF_R(0.9), WF_R(0.6)), ball(m, 0, 0, WF_R(0.8)),
+        regular(m, 0, 0, 1, 3),
         regular(m, 0, 0, 1, 5), box(m, 0, 0, WF_R(1.4), WF_R(0.2))
     };
     for (int i = 0; i < TESTING_BODIES; i++) {
@@ -93,7 +94,7 @@ static void put_testing_bodies(Maker *m)
         put(m, &shape[i]);
     }
 }
-
+/* <helpers of the scenes> */
 /* Which body of the world is the testing body now. */
 static int32_t testing_body(const wfSceneInput *in)
 {
@@ -117,7 +118,8 @@ static wfResult build_gallery(wfWorld *world)
     put_testing_bodies(&m);
     wfBodyDef still[] = {
         box(&m, -4, 2, 1, WF_R(0.7)), regular(&m, 0, 2, WF_R(1.1), 5), ball(&m, 4, 2, 1),
-        ball(&m, -4, -2, WF_R(0.7)), regular(&m, 0, -2, WF_R(1.2), 3), box(&m, 4, -2, WF_R(0.4), WF_R(1.3))
+        ball(&m, -4, -2, WF_R(0.7)), regular(&m, 0, -2, WF_R(1.2), 3),
+        box(&m, 4, -2, WF_R(0.4), WF_R(1.3))
     };
     for (int i = 0; i < 6; i++) {
         still[i].type = WF_STATIC;
@@ -142,7 +144,7 @@ static wfResult build_free_fall(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_parabola(wfDraw *d, wfVec2 from, wfVec2 v, wfVec2 g, wfReal floor)
 {
     wfVec2 last = from;
@@ -180,15 +182,15 @@ static wfResult build_spring_orbit(wfWorld *world)
     far.userData = WF_INK_GOOD;
     int32_t a = wfBodyIndex(world, put(&m, &mass)), b = wfBodyIndex(world, put(&m, &near));
     int32_t c = wfBodyIndex(world, put(&m, &far));
-    wfForce force[] = { wfSpringToPoint(a, wfV2(0, 0), wfV2(-5, 0), 0, 9, 0),
-                        wfPointGravity(wfV2(4, 0), ORBIT_GM, 0), wfPointGravity(wfV2(4, 0), ORBIT_GM, 0) };
+    wfForce pull = wfPointGravity(wfV2(4, 0), ORBIT_GM, 0);
+    wfForce force[] = { wfSpringToPoint(a, wfV2(0, 0), wfV2(-5, 0), 0, 9, 0), pull, pull };
     force[1].a = b;
     force[2].a = c;
     for (int i = 0; i < 3; i++)
         push(&m, &force[i]);
     return m.result;
 }
-
+/* <scenes> */
 static void draw_spring_orbit(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -201,7 +203,8 @@ static void draw_spring_orbit(const wfWorld *world, wfDraw *d, const wfSceneInpu
     wfDrawCircle(d, -5, 2 * (float)spring.c, 0.36f, 2, WF_INK_ACCENT, WF_INK_NONE);
     wfDrawPoint(d, 4, 0, 14, WF_INK_ACCENT);
     wfDrawCircle(d, 4, 0, 2, 1, WF_INK_FAINT, WF_INK_NONE);
-    wfDrawCircle(d, 4 + 2 * (float)orbit.c, 2 * (float)orbit.s, 0.26f, 2, WF_INK_ACCENT, WF_INK_NONE);
+    wfDrawCircle(d, 4 + 2 * (float)orbit.c, 2 * (float)orbit.s, 0.26f, 2, WF_INK_ACCENT,
+                 WF_INK_NONE);
 }
 /* <scenes> */
 static void pull_to_centre(void *context, const wfBodyState *state, int count, wfReal time,
@@ -213,7 +216,7 @@ static void pull_to_centre(void *context, const wfBodyState *state, int count, w
         wfApplyForceToCentre(&out[i], wfScale(-1 / (r2 * r), state[i].p));
     }
 }
-
+/* <scenes> */
 static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, float *xy)
 {
     _Alignas(WF_POOL_ALIGN) uint8_t bytes[4096];
@@ -234,7 +237,8 @@ static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, float *xy)
     wfDrawPoint(d, WF_XY(middle), 8, WF_INK_ACCENT);
     if (n > 1)
         wfDrawPolyline(d, xy, n, 1.5f, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
-    wfDrawPoint(d, (float)(middle.x + planet.p.x), (float)(middle.y + planet.p.y), 8, WF_INK_LINE);
+    wfDrawPoint(d, (float)(middle.x + planet.p.x), (float)(middle.y + planet.p.y), 8,
+                WF_INK_LINE);
     wfDrawText(d, (float)middle.x, (float)middle.y - 2, 13, WF_INK_TEXT, 0,
                wfIntegratorTable[row].name);
 }
@@ -252,7 +256,8 @@ static void draw_integrators(const wfWorld *world, wfDraw *d, const wfSceneInput
     (void)in;
     int steps = 1 + (int)(wfWorldSteps(world) / 4 % MOST);
     for (int row = 0; row < wfIntegratorCount && row < 6; row++)
-        draw_orbit(d, row, steps, wfV2(4 * (wfReal)(row % 3), row < 3 ? 0 : WF_R(-4.6)), xy);
+        draw_orbit(d, row, steps, wfV2(4 * (wfReal)(row % 3), row < 3 ? 0 : WF_R(-4.6)),
+                   xy);
 }
 /* <scenes> */
 static wfResult build_bungee(wfWorld *world)
@@ -307,7 +312,7 @@ static wfResult build_net(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_net(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -349,10 +354,10 @@ static wfResult build_wind(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     for (int i = 0; i < 12; i++) {
-        wfReal size = WF_R(0.2) + WF_R(0.08) * (wfReal)(i % 4);
+        wfReal size = WF_R(0.2) + WF_R(0.03) * (wfReal)(i % 4);     /* each in a lane */
         wfBodyDef b = i % 2 ? box(&m, 0, 0, WF_R(1.4) * size, WF_R(0.3) * size)
                             : regular(&m, 0, 0, size, 3 + i % 5);
-        b.position = wfV2(i < 6 ? -6 : -5, WF_R(1.1) * (wfReal)(i % 6));
+        b.position = wfV2(-6, WF_R(1.3) * (wfReal)(i % 6) + (i < 6 ? 0 : WF_R(0.65)));
         b.density = i < 6 ? WF_R(0.4) : 2;
         b.angle = wfWrapAngle((wfReal)i);
         b.userData = i < 6 ? WF_INK_GOOD : WF_INK_BODY;
@@ -362,13 +367,14 @@ static wfResult build_wind(wfWorld *world)
     push(&m, &wind);
     return m.result;
 }
-
+/* <scenes> */
 static wfResult build_explosion(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     put_wall(&m, 0, WF_R(-0.5), 11, WF_R(0.5), 0);
     for (int i = 0; i < 30; i++) {
-        wfBodyDef b = box(&m, WF_R(0.62) * ((wfReal)(i % 6) - WF_R(2.5)), 0, WF_R(0.3), WF_R(0.3));
+        wfBodyDef b = box(&m, WF_R(0.62) * ((wfReal)(i % 6) - WF_R(2.5)), 0, WF_R(0.3),
+                          WF_R(0.3));
         b.position.y = WF_R(0.3) + WF_R(0.6) * (wfReal)(i / 6);
         b.userData = (uint64_t)((i + i / 6) % 2 ? WF_INK_BODY : WF_INK_BODY2);
         put(&m, &b);
@@ -386,7 +392,8 @@ static wfResult build_ball_and_wall(wfWorld *world)
     put_wall(&m, 0, WF_R(-0.5), 16, WF_R(0.5), 0);
     for (int row = 0; row < 8; row++)
         for (int column = 0; column < 3; column++) {
-            wfBodyDef b = box(&m, 1 + WF_R(1.02) * (wfReal)column, 0, WF_R(0.5), WF_R(0.25));
+            wfBodyDef b = box(&m, 1 + WF_R(1.02) * (wfReal)column, 0, WF_R(0.5),
+                              WF_R(0.25));
             b.position.y = WF_R(0.25) + WF_R(0.5) * (wfReal)row;
             b.userData = (uint64_t)((row + column) % 2 ? WF_INK_BODY : WF_INK_GOOD);
             put(&m, &b);
@@ -398,13 +405,14 @@ static wfResult build_ball_and_wall(wfWorld *world)
     put(&m, &b);
     return m.result;
 }
-
+/* <scenes> */
 static void draw_ball_and_wall(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
     wfVec2 g;
     if (wfGetGravity(world, &g) == WF_OK)
-        draw_parabola(d, wfV2(wallBallX, wallBallY), wfV2(wallBallV, wallBallW), g, WF_R(0.6));
+        draw_parabola(d, wfV2(wallBallX, wallBallY), wfV2(wallBallV, wallBallW), g,
+                      WF_R(0.6));
 }
 /* <scenes> */
 static wfResult build_bouncing(wfWorld *world)
@@ -424,7 +432,8 @@ static void draw_bouncing(const wfWorld *world, wfDraw *d, const wfSceneInput *i
 {
     (void)world, (void)in;
     for (int i = 0; i < 9; i++)
-        wfDrawTextf(d, 1.5f * (float)(i - 4), -0.35f, 13, WF_INK_TEXT, 0, "e = %.3g", i / 8.0);
+        wfDrawTextf(d, 1.5f * (float)(i - 4), -0.35f, 13, WF_INK_TEXT, 0, "e = %.3g",
+                    i / 8.0);
 }
 /* <scenes> */
 static wfResult build_cradle(wfWorld *world)
@@ -461,7 +470,8 @@ static wfResult build_pyramid(wfWorld *world)
     for (int row = 0; row < 8; row++)
         for (int i = 0; i < 8 - row; i++) {
             wfReal x = WF_R(1.1) * ((wfReal)i - WF_R(0.5) * (wfReal)(7 - row));
-            wfBodyDef b = box(&m, x, WF_R(0.3) + WF_R(0.6) * (wfReal)row, WF_R(0.5), WF_R(0.3));
+            wfBodyDef b = box(&m, x, WF_R(0.3) + WF_R(0.6) * (wfReal)row, WF_R(0.5),
+                              WF_R(0.3));
             b.userData = row % 2 ? WF_INK_BODY : WF_INK_GOOD;
             put(&m, &b);
         }
@@ -480,9 +490,11 @@ static wfResult build_shapes(wfWorld *world)
     }
     for (int i = 0; i < 40; i++) {
         wfReal x = WF_R(1.2) * (wfReal)(i % 7 - 3) + WF_R(0.1) * (wfReal)(i % 3);
-        wfReal y = 2 + WF_R(1.2) * (wfReal)(i / 7), r = WF_R(0.35) + WF_R(0.03) * (wfReal)(i % 5);
+        wfReal y = 2 + WF_R(1.2) * (wfReal)(i / 7);
+        wfReal r = WF_R(0.35) + WF_R(0.03) * (wfReal)(i % 5);
         wfBodyDef b = i % 3 == 0 ? ball(&m, x, y, r) : regular(&m, x, y, r, 3 + i % 5);
-        static const uint8_t ink[] = { WF_INK_BODY, WF_INK_GOOD, WF_INK_BODY2, WF_INK_ACCENT };
+        static const uint8_t ink[] = { WF_INK_BODY, WF_INK_GOOD, WF_INK_BODY2,
+                                       WF_INK_ACCENT };
         b.userData = ink[i % 4];
         b.angle = wfWrapAngle((wfReal)i);
         b.restitution = WF_R(0.2);
@@ -502,8 +514,9 @@ static wfResult build_forces(wfWorld *world)
     }
     return m.result;
 }
-
-/* Pulls to the right, with 1 N, for the first four seconds: body i at so much times i above its centre. */
+/* <scenes> */
+/* Pulls to the right, with 1 N, for the first four seconds: body i at so much times i
+   above its centre. */
 static void pull_right(wfWorld *world, wfReal above)
 {
     if (wfWorldTime(world) > 4)
@@ -546,7 +559,7 @@ static wfResult build_rotation(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void update_rotation(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -558,7 +571,8 @@ static void draw_arms(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     (void)in;
     wfBodyView v = wfWorldBodies(world);
     for (int32_t i = 0; i < v.count && wfWorldTime(world) <= 4; i++) {
-        wfVec2 arm = wfRotate(wfRotation(v.state[i].angle), wfV2(0, WF_R(0.15) * (wfReal)i));
+        wfVec2 arm = wfRotate(wfRotation(v.state[i].angle),
+                              wfV2(0, WF_R(0.15) * (wfReal)i));
         wfVec2 from = wfAdd(v.state[i].p, arm), to = wfAdd(from, wfV2(1, 0));
         wfDrawLine(d, WF_XY(v.state[i].p), WF_XY(from), 1.5f, WF_INK_LINE);
         wfDrawPoint(d, WF_XY(v.state[i].p), 6, WF_INK_LINE);
@@ -566,7 +580,7 @@ static void draw_arms(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     }
 }
 /* <scenes> */
-/* The standing body that is closest to the testing body, by the narrow phase; -1 for none. */
+/* The standing body closest to the testing body, by the narrow phase; -1 for none. */
 static int32_t closest_body(const wfBodyView *v, int32_t test, wfSeparation *best)
 {
     int32_t found = -1;
@@ -583,13 +597,15 @@ static int32_t closest_body(const wfBodyView *v, int32_t test, wfSeparation *bes
 }
 
 /* The bar that a body covers on the axis through `origin', `lift' beside it. */
-static void draw_projection(wfDraw *d, const wfBodyView *v, int32_t i, wfVec2 origin, wfVec2 axis,
-                            wfReal lift, int role)
+static void draw_projection(wfDraw *d, const wfBodyView *v, int32_t i, wfVec2 origin,
+                            wfVec2 axis, wfReal lift, int role)
 {
-    wfProjection p = wfProject(&v->shapes[v->props[i].shape], wfBodyTransform(&v->state[i]), axis);
+    wfProjection p = wfProject(&v->shapes[v->props[i].shape],
+                               wfBodyTransform(&v->state[i]), axis);
     wfReal o = wfDot(origin, axis);
     wfVec2 base = wfAddScaled(origin, lift, wfPerpCCW(axis));
-    wfVec2 from = wfAddScaled(base, p.min - o, axis), to = wfAddScaled(base, p.max - o, axis);
+    wfVec2 from = wfAddScaled(base, p.min - o, axis);
+    wfVec2 to = wfAddScaled(base, p.max - o, axis);
     wfDrawLine(d, WF_XY(from), WF_XY(to), 5, role);
 }
 /* <scenes> */
@@ -601,17 +617,18 @@ static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     if (near < 0)
         return;
     int role = s.distance < 0 ? WF_INK_BAD : WF_INK_GOOD;
-    wfVec2 origin = wfLerp(v.state[test].p, v.state[near].p, WF_R(0.5)), side = wfPerpCCW(s.normal);
+    wfVec2 origin = wfLerp(v.state[test].p, v.state[near].p, WF_R(0.5));
+    wfVec2 side = wfPerpCCW(s.normal);
     if (wfDot(side, origin) > 0)
-        side = wfNeg(side);                         /* beside the bodies, towards the middle */
+        side = wfNeg(side);                 /* beside the bodies, towards the middle */
     wfVec2 aside = wfAddScaled(origin, 2, side);
     wfVec2 from = wfAddScaled(aside, -3, s.normal), to = wfAddScaled(aside, 3, s.normal);
     wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, WF_INK_LINE);
     draw_projection(d, &v, test, aside, s.normal, WF_R(0.08), WF_INK_BODY2);
     draw_projection(d, &v, near, aside, s.normal, WF_R(-0.08), WF_INK_BODY);
-    wfVec2 label = wfAddScaled(aside, WF_R(0.5), side), tip = wfAdd(origin, s.normal);
-    wfDrawTextf(d, WF_XY(label), 13, role, 0, "%s %.2f m", s.distance < 0 ? "overlap" : "gap",
-                (double)wfAbs(s.distance));
+    wfVec2 label = wfAddScaled(aside, 1, side), tip = wfAdd(origin, s.normal);
+    wfDrawTextf(d, WF_XY(label), 13, role, 0, "%s %.2f m",
+                s.distance < 0 ? "overlap" : "gap", (double)wfAbs(s.distance));
     wfDrawArrow(d, WF_XY(origin), WF_XY(tip), 2, role);
 }
 
@@ -628,9 +645,11 @@ static void draw_clip(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int32_t i = TESTING_BODIES; i < v.count; i++) {
         wfManifold m;
         wfTransform xa = wfBodyTransform(&v.state[test]), xb = wfBodyTransform(&v.state[i]);
-        int count = wfCollide(&v.shapes[v.props[test].shape], xa, &v.shapes[v.props[i].shape], xb, &m);
+        int count = wfCollide(&v.shapes[v.props[test].shape], xa,
+                              &v.shapes[v.props[i].shape], xb, &m);
         for (int p = 0; p < count; p++) {
-            wfVec2 at = m.points[p].point, to = wfAddScaled(at, m.points[p].depth, m.normal);
+            wfVec2 at = m.points[p].point;
+            wfVec2 to = wfAddScaled(at, m.points[p].depth, m.normal);
             wfDrawPoint(d, WF_XY(at), 9, WF_INK_ACCENT);
             wfDrawArrow(d, WF_XY(at), WF_XY(to), 2, WF_INK_BAD);
             wfDrawTextf(d, (float)at.x + 0.12f, (float)at.y + 0.12f, 13, WF_INK_TEXT, -1,
@@ -646,7 +665,8 @@ static wfResult build_drift(wfWorld *world)
     wfRandomSeed(&r, 6);
     put_room(&m, 9, 5, 1);
     for (int i = 0; i < 60; i++) {
-        wfReal x = WF_R(1.5) * (wfReal)(i % 10) - WF_R(6.75), y = 1 + WF_R(1.5) * (wfReal)(i / 10);
+        wfReal x = WF_R(1.5) * (wfReal)(i % 10) - WF_R(6.75);
+        wfReal y = 1 + WF_R(1.5) * (wfReal)(i / 10);
         wfReal size = wfRandomReal(&r, WF_R(0.12), WF_R(0.45));
         wfBodyDef b = i % 3 == 0 ? ball(&m, x, y, size)
                     : i % 3 == 1 ? box(&m, x, y, size, WF_R(0.6) * size)
@@ -681,8 +701,9 @@ static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
         if (node < 0 || v.props[i].type == WF_STATIC)
             continue;
         int depth = wfQuadTreePath(tree, node, path);
-        wfDrawTextf(d, (float)v.state[i].p.x, (float)v.state[i].p.y + 0.3f, 11, WF_INK_TEXT, 0,
-                    "%s%s%s", depth > 0 ? sector[path[0]] : "root", depth > 1 ? " " : "",
+        wfVec2 above = wfAdd(v.state[i].p, wfV2(0, WF_R(0.3)));
+        wfDrawTextf(d, WF_XY(above), 11, WF_INK_TEXT, 0, "%s%s%s",
+                    depth > 0 ? sector[path[0]] : "root", depth > 1 ? " " : "",
                     depth > 1 ? sector[path[1]] : "");
     }
 }
@@ -700,7 +721,8 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         return;
     int32_t best = -1;
     for (int32_t n = 0; n < tree.nodeHigh; n++)
-        if (wfQuadTreeUses(&tree, n) && wfRectHasPoint(wfQuadTreeRect(&tree, n), in->mouse) &&
+        if (wfQuadTreeUses(&tree, n) &&
+            wfRectHasPoint(wfQuadTreeRect(&tree, n), in->mouse) &&
             (best < 0 || tree.nodes[n].depth > tree.nodes[best].depth))
             best = n;
     if (best >= 0)
@@ -722,7 +744,8 @@ static void draw_wish(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfTransform wish = wfMakeTransform(in->mouse, in->turn);
     const wfShape *s = &v.shapes[v.props[test].shape];
     for (int32_t i = 0; s->kind == WF_SHAPE_POLYGON && i < s->count; i++) {
-        wfVec2 a = wfApply(wish, s->vertices[i]), b = wfApply(wish, s->vertices[(i + 1) % s->count]);
+        wfVec2 a = wfApply(wish, s->vertices[i]);
+        wfVec2 b = wfApply(wish, s->vertices[(i + 1) % s->count]);
         wfDrawDashed(d, WF_XY(a), WF_XY(b), 1.5f, WF_INK_ACCENT);
     }
     if (s->kind == WF_SHAPE_CIRCLE)
@@ -733,18 +756,18 @@ static void draw_wish(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
     { .category = "Motion", .name = "free fall", .chapter = 10,
-      .text = "Balls on the parabolas that they must follow: dashed is exact, the ball is simulated.",
+      .text = "Balls on the parabolas that they must follow: dashed is exact.",
       .build = build_free_fall, .draw = draw_free_fall,
       .viewX = WF_R(2.5), .viewY = WF_R(3.6), .viewHeight = 9,
       .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
     /* <rows of the scene table> */
     { .category = "Motion", .name = "spring and orbit", .chapter = 10,
-      .text = "A mass on a spring and a planet on a circle: rings show where they exactly must be.",
+      .text = "A mass on a spring, a planet on a circle: rings show where they must be.",
       .define = without_gravity, .build = build_spring_orbit, .draw = draw_spring_orbit,
       .viewX = 1, .viewY = 0, .viewHeight = 9, .energyBound = WF_R(0.001), .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Motion", .name = "integrators", .chapter = 10,
-      .text = "The same circular orbit by each integrator, thirty steps to a turn. Some keep it.",
+      .text = "The same orbit by each integrator, thirty steps to a turn. Some keep it.",
       .define = without_gravity, .build = build_nothing, .draw = draw_integrators,
       .viewX = 4, .viewY = WF_R(-2.4), .viewHeight = 10, .energyBound = 0, .depthBound = -1 },
     /* <rows of the scene table> */
@@ -765,8 +788,9 @@ const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
     { .category = "Forces", .name = "wind", .chapter = 9,
       .text = "A wind of 5 m/s, no weight: green bodies are light, blue ones heavy.",
-      .define = without_gravity, .build = build_wind, .viewX = 0, .viewY = WF_R(2.5), .viewHeight = 9,
-      .show = WF_SHOW_VELOCITIES, .energyBound = -1, .depthBound = WF_R(0.4) },
+      .define = without_gravity, .build = build_wind,
+      .viewX = 0, .viewY = WF_R(3.5), .viewHeight = 9, .show = WF_SHOW_VELOCITIES,
+      .energyBound = -1, .depthBound = WF_R(0.4) },
     { .category = "Forces", .name = "explosion", .chapter = 9,
       .text = "After one second a charge goes off at the foot of the wall.",
       .build = build_explosion, .viewX = 0, .viewY = 3, .viewHeight = 9,
@@ -775,7 +799,7 @@ const wfScene wfSceneTable[] = {
     { .category = "Collision", .name = "ball and wall", .chapter = 14,
       .text = "A ball on its exact parabola (dashed) meets a wall of loose bricks.",
       .build = build_ball_and_wall, .draw = draw_ball_and_wall,
-      .viewX = WF_R(-1.7), .viewY = WF_R(3.6), .viewHeight = 10,
+      .viewX = WF_R(-1.2), .viewY = WF_R(3.8), .viewHeight = WF_R(10.5),
       .energyBound = 1, .depthBound = WF_R(0.3) },
     /* <rows of the scene table> */
     { .category = "Collision", .name = "bouncing circles", .chapter = 14,
@@ -795,7 +819,7 @@ const wfScene wfSceneTable[] = {
       .build = build_stack, .viewX = 0, .viewY = 3, .viewHeight = 8, .show = WF_SHOW_CONTACTS,
       .energyBound = 1, .depthBound = WF_R(0.2) },
     { .category = "Collision", .name = "pyramid", .chapter = 14,
-      .text = "Each box rests on two. Without friction (chapter 15) the load drives the rows apart.",
+      .text = "Each box rests on two. Without friction the load drives the rows apart.",
       .build = build_pyramid, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = 7,
       .energyBound = 1, .depthBound = WF_R(0.2) },
     /* <rows of the scene table> */
@@ -805,33 +829,36 @@ const wfScene wfSceneTable[] = {
       .energyBound = 1, .depthBound = WF_R(0.4) },
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC01 masses", .chapter = 8,
-      .text = "The same force on masses 1 to 4: the lightest goes four times as far as the heaviest.",
-      .define = without_gravity, .build = build_forces, .update = update_forces, .draw = draw_forces,
-      .viewX = WF_R(0.5), .viewY = WF_R(2.2), .viewHeight = 8, .energyBound = -1, .depthBound = -1 },
+      .text = "The same force on masses 1 to 4: distances are as 1, 1/2, 1/3, 1/4.",
+      .define = without_gravity, .build = build_forces, .update = update_forces,
+      .draw = draw_forces, .viewX = WF_R(0.5), .viewY = WF_R(2.2), .viewHeight = 8,
+      .energyBound = -1, .depthBound = -1 },
     { .category = "Test cases", .name = "TC02 arms", .chapter = 8,
-      .text = "The same force ever farther from the centre of mass: all go as far, but spin differently.",
+      .text = "The same force, ever farther off the centre: all go as far, but spin.",
       .define = without_gravity, .build = build_rotation, .update = update_rotation,
       .draw = draw_arms, .viewX = WF_R(0.5), .viewY = WF_R(2.2), .viewHeight = 8,
       .energyBound = -1, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC03 separating axis", .chapter = 12,
-      .text = "Move the mouse: the axis on which the closest body is least (or most) apart. T, Q, E.",
-      .define = rest_softly, .build = build_gallery, .update = place_testing_body, .draw = draw_axis,
-      .viewX = 0, .viewY = 0, .viewHeight = 9, .energyBound = -1, .depthBound = -1 },
+      .text = "The axis on which the closest body overlaps least, or is farthest. T, Q, E.",
+      .define = rest_softly, .build = build_gallery, .update = place_testing_body,
+      .draw = draw_axis, .viewX = 0, .viewY = 0, .viewHeight = 9,
+      .energyBound = -1, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC04 contact points", .chapter = 13,
-      .text = "The points where the testing body touches the others, and how deep (red arrows).",
-      .define = rest_softly, .build = build_gallery, .update = place_testing_body, .draw = draw_clip,
-      .viewX = 0, .viewY = 0, .viewHeight = 9, .energyBound = -1, .depthBound = -1 },
+      .text = "Where the testing body touches the others, and how deep (red arrows).",
+      .define = rest_softly, .build = build_gallery, .update = place_testing_body,
+      .draw = draw_clip, .viewX = 0, .viewY = 0, .viewHeight = 9,
+      .energyBound = -1, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC05 colours", .chapter = 12,
-      .text = "A body that touches another is red, else white. T changes the shape, Q and E turn it.",
+      .text = "A body that touches another is red, else white. T, Q, E change it.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
       .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_TOUCHING,
       .energyBound = -1, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC06 quad tree", .chapter = 11,
-      .text = "Each body says which node holds it; the node under the mouse is marked with its bodies.",
+      .text = "Each body says which node holds it; the node under the mouse is marked.",
       .define = without_gravity, .build = build_drift, .draw = draw_nodes,
       .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_TREE,
       .energyBound = 1, .depthBound = WF_R(0.3) },

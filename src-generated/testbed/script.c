@@ -9,12 +9,14 @@
 typedef struct named_code { const char *name; int32_t code; } named_code;
 
 static const named_code button_names[] = {
-    { "left", GAME_BUTTON_LEFT }, { "middle", GAME_BUTTON_MIDDLE }, { "right", GAME_BUTTON_RIGHT },
+    { "left", GAME_BUTTON_LEFT }, { "middle", GAME_BUTTON_MIDDLE },
+    { "right", GAME_BUTTON_RIGHT },
     { NULL, 0 }
 };
 static const named_code key_names[] = {
-    { "backspace", GAME_KEY_BACKSPACE }, { "tab", GAME_KEY_TAB }, { "enter", GAME_KEY_ENTER },
-    { "escape", GAME_KEY_ESCAPE }, { "space", GAME_KEY_SPACE }, { "delete", GAME_KEY_DELETE },
+    { "backspace", GAME_KEY_BACKSPACE }, { "tab", GAME_KEY_TAB },
+    { "enter", GAME_KEY_ENTER }, { "escape", GAME_KEY_ESCAPE }, { "space", GAME_KEY_SPACE },
+    { "delete", GAME_KEY_DELETE },
     { "left", GAME_KEY_LEFT }, { "right", GAME_KEY_RIGHT }, { "up", GAME_KEY_UP },
     { "down", GAME_KEY_DOWN }, { "home", GAME_KEY_HOME }, { "end", GAME_KEY_END },
     { "page-up", GAME_KEY_PAGE_UP }, { "page-down", GAME_KEY_PAGE_DOWN },
@@ -55,7 +57,7 @@ static void forget_moment(game_input *input)
 /* <read words and numbers> */
 typedef struct script_line { char word[3][GAME_NAME_SIZE]; int count; } script_line;
 
-/* Splits the text up to the end of the line into words; returns where the next line begins. */
+/* Splits the text up to the end of the line into words; returns the next line's begin. */
 static const char *split_line(const char *at, script_line *out)
 {
     memset(out, 0, sizeof *out);
@@ -71,11 +73,11 @@ static const char *split_line(const char *at, script_line *out)
             if (index < 3 && length < GAME_NAME_SIZE - 1)
                 out->word[index][length++] = *at;
         while (*at && (unsigned char)*at < 32 && !strchr("\t\r\n", *at))
-            at++;                                   /* other control characters separate words */
+            at++;                   /* other control characters separate words */
     }
     return *at ? at + 1 : at;
 }
-
+/* <read words and numbers> */
 static bool read_number(const char *word, double least, double most, double *out)
 {
     char *end;
@@ -128,7 +130,8 @@ static const char *do_number(const script_line *line, input_script *script)
         return NULL;
     }
     bool frames = strcmp(word, "wait") == 0 || strcmp(word, "steps") == 0;
-    if (!read_number(line->word[1], frames ? -1 : -1e6, 1e6, &a) || (frames && a != (int32_t)a))
+    if (!read_number(line->word[1], frames ? -1 : -1e6, 1e6, &a) ||
+        (frames && a != (int32_t)a))
         return frames ? "a whole number is wanted" : "a number is wanted";
     if (strcmp(word, "wait") == 0) script->waiting = a > 0 ? (int32_t)a : 0;
     else if (strcmp(word, "steps") == 0) now->steps = (int32_t)a;
@@ -149,7 +152,8 @@ static bool is_one_of(const char *word, const char *const *list)
 static const char *do_line(const script_line *line, input_script *script)
 {
     static const char *const buttons[] = { "down", "up", "click", NULL };
-    static const char *const numbers[] = { "move", "wait", "steps", "wheel", "seconds", NULL };
+    static const char *const numbers[] = { "move", "wait", "steps", "wheel", "seconds",
+                                           NULL };
     const char *word = line->word[0];
     if (strcmp(word, "frame") == 0) {
         script->waiting = 1;
@@ -218,8 +222,9 @@ static void add_buttons(text_end *end, const game_input *now)
         if (up && !held) add_word(end, "up", b->name);
     }
 }
-
-size_t input_script_write(char *text, size_t size, const game_input *last, const game_input *now)
+/* <write a frame of a script> */
+size_t input_script_write(char *text, size_t size, const game_input *last,
+                          const game_input *now)
 {
     text_end end = { text, size, 0 };
     if (now->scene[0]) add_word(&end, "scene", now->scene);
@@ -227,7 +232,8 @@ size_t input_script_write(char *text, size_t size, const game_input *last, const
     if (now->steps != last->steps) add_number(&end, "steps", now->steps, 17);
     if (now->mouse_x != last->mouse_x || now->mouse_y != last->mouse_y) {
         char place[80];
-        snprintf(place, sizeof place, "%.9g %.9g", (double)now->mouse_x, (double)now->mouse_y);
+        snprintf(place, sizeof place, "%.9g %.9g", (double)now->mouse_x,
+                 (double)now->mouse_y);
         add_word(&end, "move", place);
     }
     add_buttons(&end, now);

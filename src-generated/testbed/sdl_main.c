@@ -37,7 +37,8 @@ static bool open_window(sdl_app *app, const layer_options *o)
 {
     if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_TIMER) != 0) return false;
     float s = o->scale;
-    app->window = SDL_CreateWindow("Weft testbed", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED,
+    app->window = SDL_CreateWindow("Weft testbed", SDL_WINDOWPOS_CENTERED,
+                                   SDL_WINDOWPOS_CENTERED,
         (int)((float)o->width * s), (int)((float)o->height * s),
         SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
     if (!app->window) return false;
@@ -63,7 +64,8 @@ static int32_t key_of(SDL_Keycode code)
         { SDLK_BACKSPACE, GAME_KEY_BACKSPACE }, { SDLK_TAB, GAME_KEY_TAB },
         { SDLK_RETURN, GAME_KEY_ENTER }, { SDLK_ESCAPE, GAME_KEY_ESCAPE },
         { SDLK_DELETE, GAME_KEY_DELETE }, { SDLK_LEFT, GAME_KEY_LEFT },
-        { SDLK_RIGHT, GAME_KEY_RIGHT }, { SDLK_UP, GAME_KEY_UP }, { SDLK_DOWN, GAME_KEY_DOWN },
+        { SDLK_RIGHT, GAME_KEY_RIGHT }, { SDLK_UP, GAME_KEY_UP },
+        { SDLK_DOWN, GAME_KEY_DOWN },
         { SDLK_HOME, GAME_KEY_HOME }, { SDLK_END, GAME_KEY_END },
         { SDLK_PAGEUP, GAME_KEY_PAGE_UP }, { SDLK_PAGEDOWN, GAME_KEY_PAGE_DOWN }
     };

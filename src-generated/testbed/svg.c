@@ -42,7 +42,7 @@ static void put_ink(FILE *out, const char *attribute, wfInk ink)
 static void put_mark(FILE *out, int role)
 {
     fprintf(out, " class=\"t-%s\"", wfInkName(role));
-    put_ink(out, "fill", wfLightPalette.mark[role < 0 ? WF_INK_LINE : role]);
+    put_ink(out, "fill", wfLightPalette.mark[role]);
 }
 
 static void put_style(FILE *out, const wfDrawCommand *c)
@@ -119,6 +119,7 @@ static void put_letters(FILE *out, const wfDrawCommand *c, float x, float y,
 static void put_command(FILE *out, const wfDraw *list, const wfDrawCommand *c,
                         wfPixelMap map)
 {
+    if (c->fill < 0 && (c->line < 0 || c->size == 0)) return;  /* nothing to be seen */
     const float *xy = wfDrawPoints(list, c);
     float x = wfPixelX(map, xy[0]), y = wfPixelY(map, xy[1]);
     switch (c->kind) {

@@ -4,7 +4,8 @@
 #include "testbed/view.h"
 
 /* <draw a shape> */
-void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole, int fillRole)
+void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
+                 int fillRole)
 {
     wfVec2 centre = wfApply(xf, shape->centre);
     float xy[2 * WF_MAX_VERTICES];
@@ -46,7 +47,7 @@ static void draw_normals(const wfWorld *world, wfPool *scratch, wfDraw *d)
             wfDrawArrow(d, WF_XY(at), WF_XY(to), 1.5f, WF_INK_GOOD);
         }
 }
-
+/* <draw the overlays> */
 static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -54,7 +55,8 @@ static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
     const wfPair *pair = wfWorldPairs(world, &count);
     wfBodyView v = wfWorldBodies(world);
     for (int32_t i = 0; i < count; i++)
-        wfDrawLine(d, WF_XY(v.state[pair[i].a].p), WF_XY(v.state[pair[i].b].p), 1.5f, WF_INK_BAD);
+        wfDrawLine(d, WF_XY(v.state[pair[i].a].p), WF_XY(v.state[pair[i].b].p), 1.5f,
+                   WF_INK_BAD);
 }
 /* <draw the overlays> */
 static void draw_rect(wfDraw *d, wfRect r, float width, int role)
@@ -113,7 +115,8 @@ const wfOverlay wfOverlayTable[] = {
     { "pairs", "potential pairs of the broad phase", WF_SHOW_PAIRS, '3', draw_pairs },
     { "bounds", "boxes round the bodies", WF_SHOW_BOUNDS, '4', draw_bounds },
     { "tree", "the quad tree's nodes", WF_SHOW_TREE, '5', draw_tree },
-    { "velocities", "the way of a tenth of a second", WF_SHOW_VELOCITIES, '6', draw_velocities },
+    { "velocities", "the way of a tenth of a second", WF_SHOW_VELOCITIES, '6',
+      draw_velocities },
     { "numbers", "index of each body", WF_SHOW_NUMBERS, '7', draw_numbers },
     { "touching", "red when in contact, else white", WF_SHOW_TOUCHING, '8', NULL },
 };
@@ -143,7 +146,8 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint
         line = red ? WF_INK_BAD : WF_INK_LINE;
         fill = red ? WF_INK_BAD : WF_INK_PAPER;
     }
-    wfDrawShape(d, index >= 0 ? &v->shapes[index] : &particle, wfBodyTransform(&v->state[i]),
+    wfDrawShape(d, index >= 0 ? &v->shapes[index] : &particle,
+                wfBodyTransform(&v->state[i]),
                 line, fill);
 }
 /* <draw a world> */

@@ -9,14 +9,15 @@ typedef struct wfOverlay {
     const char *name, *text;
     uint32_t bit;               /* WF_SHOW_... */
     char key;                   /* switches it on and off */
-    void (*draw)(const wfWorld *world, wfPool *scratch, wfDraw *d);  /* NULL: see wfDrawWorld */
+    void (*draw)(const wfWorld *world, wfPool *scratch, wfDraw *d);  /* or NULL: a colour */
 } wfOverlay;
 extern const wfOverlay wfOverlayTable[];
 extern const int wfOverlayCount;
 
-/* Draws all bodies, and the overlays whose bits are set. What doesn't fit in the scratch memory
-   or in the list is left out. */
+/* Draws all bodies, and the overlays whose bits are set. What doesn't fit in the scratch
+   memory or in the list is left out. */
 void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
 /* One shape at a place, with a line that shows how it is turned. */
-void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole, int fillRole);
+void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
+                 int fillRole);
 #endif

@@ -121,5 +121,7 @@ bool wfQuadTreeUses(const wfQuadTree *tree, int32_t node);    /* is it a node in
 wfRect wfQuadTreeRect(const wfQuadTree *tree, int32_t node);  /* the node's rectangle, m */
 /* The sectors from the root to the node, room for WF_QUAD_MAX_DEPTH; returns how many. */
 int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors);
+/* The children of a node that the bounds reach into, room for 4; returns how many. */
+int wfQuadTreeReach(const wfQuadTree *tree, int32_t node, wfRect bounds, int32_t *reached);
 int wfQuadSector(wfVec2 centre, wfRect bounds);   /* the quarter that holds it, or NONE */
 #endif

@@ -9,7 +9,7 @@ typedef struct wfContactPoint {
     wfVec2 point;        /* world frame, m: halfway between the two surfaces */
     wfVec2 armA, armB;   /* the same from the origins of A and B, world directions, m */
     wfReal depth;        /* m, along the normal; >= 0 */
-    uint32_t feature;    /* which vertex on which edge: the same as long as they touch there */
+    uint32_t feature;    /* which vertex on which edge: the same while they touch there */
 } wfContactPoint;
 
 /* Report 5.6: collision_data. */

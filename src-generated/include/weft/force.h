@@ -7,8 +7,8 @@
 #include "weft/shape.h"
 
 /* <what a force generator sees> */
-/* The bodies, read only. `state' may be a state that an integrator only tries. Shapes are relative to the
-   centre of mass. A body whose props.shape is negative is a particle. */
+/* The bodies, read only. `state' may be a state that an integrator only tries. Shapes are
+   relative to the centre of mass. A body whose props.shape is negative is a particle. */
 typedef struct wfBodyView {
     int32_t count;
     const wfBodyState *state;
@@ -72,8 +72,10 @@ typedef struct wfForce {
     };
 } wfForce;
 /* <declarations of the force table> */
-/* Adds what `f' does to the sums of the bodies that it acts on; time in s. Trusts f: see wfCheckForce. */
-typedef void wfForceFn(const wfForce *f, const wfBodyView *bodies, wfReal time, wfBodyForces *out);
+/* Adds what `f' does to the sums of the bodies that it acts on; time in s. Trusts f: see
+   wfCheckForce. */
+typedef void wfForceFn(const wfForce *f, const wfBodyView *bodies, wfReal time,
+                       wfBodyForces *out);
 /* Potential energy of one body in the field of f, J, or of a pair. */
 typedef wfReal wfForceEnergyFn(const wfForce *f, const wfBodyView *bodies);
 /* WF_OK if the parameters, all of them finite, are in range. */
@@ -91,10 +93,11 @@ extern const wfForceRow wfForceTable[];
 extern const int wfForceKinds;
 int wfFindForce(const char *name);      /* the row of that name, -1 if there is none    */
 /* <declarations of the force table> */
-/* WF_ERROR_NULL, _UNKNOWN (kind), _RANGE (an index below -1, a parameter out of range), _NOT_FINITE. */
+/* WF_ERROR_NULL, _UNKNOWN (kind), _RANGE (an index below -1, a parameter out of range),
+   _NOT_FINITE. */
 wfResult wfCheckForce(const wfForce *f);
-/* Adds n checked forces to out, one sum for each body. A force on a body that is not there does nothing;
-   bodies with invMass and invInertia 0 feel nothing. */
+/* Adds n checked forces to out, one sum for each body. A force on a body that is not
+   there does nothing; bodies with invMass and invInertia 0 feel nothing. */
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out);
 /* The potential energy of n checked forces, J; those without a potential count 0. */
@@ -105,15 +108,16 @@ wfForce wfGravity(wfVec2 g);
 wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening);
 wfForce wfDrag(wfReal linear, wfReal quadratic);
 wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag);
-wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start, wfReal duration);
+wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start,
+                    wfReal duration);
 wfForce wfWind(wfVec2 velocity, wfReal coefficient);
 /* Forces between a point of body a and a point of body b, or of the world. */
-wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest, wfReal stiffness,
-                 wfReal damping);
-wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest, wfReal stiffness,
-                        wfReal damping);
-wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest, wfReal stiffness,
-                 wfReal damping);
+wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
+                 wfReal stiffness, wfReal damping);
+wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
+                        wfReal stiffness, wfReal damping);
+wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
+                 wfReal stiffness, wfReal damping);
 /* <declarations of what fluids need> */
 /* The part of a placed shape that is below the line y = surfaceY. */
 typedef struct wfSubmerged {
@@ -122,8 +126,10 @@ typedef struct wfSubmerged {
     wfReal inertia;             /* m^4: its second moment of area about centre          */
 } wfSubmerged;
 wfSubmerged wfSubmergedPart(const wfShape *shape, wfTransform placed, wfReal surfaceY);
-/* How wide the placed shape is for somebody who looks along `direction' (unit), m. `middle', unless NULL, is
-   the world point in the middle of what is seen. A particle counts as WF_PARTICLE_WIDTH wide. */
+/* How wide the placed shape is for somebody who looks along `direction' (unit), m.
+   `middle', unless NULL, is the world point in the middle of what is seen. A particle
+   counts as WF_PARTICLE_WIDTH wide. */
 #define WF_PARTICLE_WIDTH 1
-wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction, wfVec2 *middle);
+wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
+                   wfVec2 *middle);
 #endif

@@ -2,9 +2,10 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_REPORT_H
 #define WEFT_REPORT_H
-/* The names of the report's Appendices B and C over Weft's own, C11 (no C++: _Generic stands in
- * for overloading, variadic macros for default arguments). Chapter 24 lists every difference.
- * Units: m, kg, s; angles in degrees where a name says Deg, else radians. */
+/* The names of the report's Appendices B and C over Weft's own, C11 (no C++: _Generic
+ * stands in for overloading, variadic macros for default arguments). Chapter 24 lists
+ * every difference. Units: m, kg, s; angles in degrees where a name says Deg, else
+ * radians. */
 #include "weft/world.h"
 
 /* <the report's types> */
@@ -32,10 +33,13 @@ static inline v4 V4(real32 X, real32 Y, real32 Z, real32 W) { return wfV4(X, Y, 
 static inline v2 PerpCW(v2 A) { return wfPerpCW(A); }
 static inline v2 PerpCCW(v2 A) { return wfPerpCCW(A); }
 #define Inner(A, B)        _Generic((A), v2: wfDot, v3: wfDot3, v4: wfDot4)((A), (B))
-#define LenSq(A)           _Generic((A), v2: wfLengthSq, v3: wfLengthSq3, v4: wfLengthSq4)(A)
+#define LenSq(A) \
+    _Generic((A), v2: wfLengthSq, v3: wfLengthSq3, v4: wfLengthSq4)(A)
 #define Len_SLOW(A)        _Generic((A), v2: wfLength, v3: wfLength3, v4: wfLength4)(A)
-#define VectorFromTo(A, B) _Generic((A), v2: wfFromTo, v3: wfFromTo3, v4: wfFromTo4)((A), (B))
-#define GetUnitVector(A)   _Generic((A), v2: wfNormalize, v3: wfNormalize3, v4: wfNormalize4)(A)
+#define VectorFromTo(A, B) \
+    _Generic((A), v2: wfFromTo, v3: wfFromTo3, v4: wfFromTo4)((A), (B))
+#define GetUnitVector(A) \
+    _Generic((A), v2: wfNormalize, v3: wfNormalize3, v4: wfNormalize4)(A)
 #define DistanceSq(A, B) \
     _Generic((A), v2: wfDistanceSq, v3: wfDistanceSq3, v4: wfDistanceSq4)((A), (B))
 /* <the report's vectors> */
@@ -63,26 +67,44 @@ static inline mat23 wfReportMat23(const real32 *E, size_t Count)
 {
     return Count == 0 ? wfMat23Identity() : wfMat23Make(E[1], E[2], E[3], E[4], E[5], E[6]);
 }
-/* Mat22() is the identity, Mat22(E11, E12, E21, E22) what it says; Mat23 likewise with six. */
+/* Mat22() is the identity, Mat22(E11, E12, E21, E22) what it says; Mat23 likewise with
+ * six. */
 #define Mat22(...) \
     wfReportMat22(WF_REPORT_LIST(4, 4, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__))
 #define Mat23(...) \
     wfReportMat23(WF_REPORT_LIST(6, 6, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__))
 /* <the report's matrices> */
-static inline mat22 RotationMat22Rad(real32 AngleRadian) { return wfMat22RotationRad(AngleRadian); }
-static inline mat22 RotationMat22Deg(real32 AngleDegree) { return wfMat22RotationDeg(AngleDegree); }
-static inline mat23 RotationMat23Rad(real32 AngleRadian) { return wfMat23RotationRad(AngleRadian); }
-static inline mat23 RotationMat23Deg(real32 AngleDegree) { return wfMat23RotationDeg(AngleDegree); }
+static inline mat22 RotationMat22Rad(real32 AngleRadian)
+{
+    return wfMat22RotationRad(AngleRadian);
+}
+static inline mat22 RotationMat22Deg(real32 AngleDegree)
+{
+    return wfMat22RotationDeg(AngleDegree);
+}
+static inline mat23 RotationMat23Rad(real32 AngleRadian)
+{
+    return wfMat23RotationRad(AngleRadian);
+}
+static inline mat23 RotationMat23Deg(real32 AngleDegree)
+{
+    return wfMat23RotationDeg(AngleDegree);
+}
 static inline mat22 Transpose(mat22 A) { return wfMat22Transpose(A); }
 static inline mat23 MakeMat23(mat22 A) { return wfMat23From22(A); }
 static inline mat22 MakeMat22(mat23 A) { return wfMat22From23(A); }
 #define Inverse(A) _Generic((A), mat22: wfMat22Inverse, mat23: wfMat23Inverse)(A)
 #define AddRotationRad(A, AngleRadian) \
-    _Generic((A), mat22: wfMat22AddRotationRad, mat23: wfMat23AddRotationRad)((A), (AngleRadian))
+    _Generic((A), mat22: wfMat22AddRotationRad, \
+                  mat23: wfMat23AddRotationRad)((A), (AngleRadian))
 #define AddRotationDeg(A, AngleDegree) \
-    _Generic((A), mat22: wfMat22AddRotationDeg, mat23: wfMat23AddRotationDeg)((A), (AngleDegree))
+    _Generic((A), mat22: wfMat22AddRotationDeg, \
+                  mat23: wfMat23AddRotationDeg)((A), (AngleDegree))
 /* <the report's matrices> */
-static inline mat23 wfReportMove(real32 X, real32 Y) { return wfMat23Translation(wfV2(X, Y)); }
+static inline mat23 wfReportMove(real32 X, real32 Y)
+{
+    return wfMat23Translation(wfV2(X, Y));
+}
 static inline mat23 wfReportMove2(v2 By) { return wfMat23Translation(By); }
 static inline mat23 wfReportMove3(v3 By) { return wfMat23Translation(wfV2(By.X, By.Y)); }
 #define WF_REPORT_MOVE_XY(X, Y) wfReportMove((X), (Y))
@@ -98,7 +120,8 @@ static inline mat23 wfReportAdd(mat23 A, real32 X, real32 Y)
 static inline mat23 wfReportAdd2(mat23 A, v2 By) { return wfMat23AddTranslation(A, By); }
 static inline mat23 wfReportAdd3(mat23 A, v3 By) { return wfReportAdd(A, By.X, By.Y); }
 #define WF_REPORT_ADD_XY(A, X, Y) wfReportAdd((A), (X), (Y))
-#define WF_REPORT_ADD_V(A, V)     _Generic((V), v2: wfReportAdd2, v3: wfReportAdd3)((A), (V))
+#define WF_REPORT_ADD_V(A, V) \
+    _Generic((V), v2: wfReportAdd2, v3: wfReportAdd3)((A), (V))
 /* AddTranslation(A, X, Y), (A, v2) or (A, v3). */
 #define AddTranslation(...) \
     WF_REPORT_FOURTH(__VA_ARGS__, WF_REPORT_ADD_XY, WF_REPORT_ADD_V, ~, ~)(__VA_ARGS__)
@@ -173,18 +196,19 @@ typedef struct poly_body_data {
 /* An array of one, so that Body->Transform and &Body are both right. */
 typedef poly_body_data poly_body[1];
 /* <the report's pipeline> */
-/* CreateWorld() or CreateWorld(dt), dt in seconds, default 1/30, at most 1. When it fails, the
- * handle is empty and every call with it returns WF_ERROR_NULL. */
+/* CreateWorld() or CreateWorld(dt), dt in seconds, default 1/30, at most 1. When it
+ * fails, the handle is empty and every call with it returns WF_ERROR_NULL. */
 #define CreateWorld(...) \
     wfReportCreateWorld(WF_REPORT_LIST(1, 1, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__))
-/* MakePolyBody(Dimensions, Mass, Orientation = 0, LinearDamping = 0.35, AngularDamping = 0.9):
- * an initializer. Orientation is in degrees. */
+/* MakePolyBody(Dimensions, Mass, Orientation = 0, LinearDamping = 0.35, AngularDamping =
+ * 0.9): an initializer. Orientation is in degrees. */
 #define MakePolyBody(...) { MakePolyBodyValue(__VA_ARGS__) }
 #define MakePolyBodyValue(Dimensions, ...) \
     wfReportPolyBody((Dimensions), WF_REPORT_LIST(1, 4, __VA_ARGS__), \
                      WF_REPORT_COUNT(__VA_ARGS__))
-/* AddBodyToWorld(&World, &Body) or AddBodyToWorld(&World, &BodyArray, NumOfBodies), where
- * BodyArray holds pointers to bodies, or bodies. All are added, or none: wfAddBodyToWorld. */
+/* AddBodyToWorld(&World, &Body) or AddBodyToWorld(&World, &BodyArray, NumOfBodies),
+ * where BodyArray holds pointers to bodies, or bodies. All are added, or none:
+ * wfAddBodyToWorld. */
 #define AddBodyToWorld(...) \
     WF_REPORT_FOURTH(__VA_ARGS__, WF_REPORT_ADD_MANY, WF_REPORT_ADD_ONE, ~, ~)(__VA_ARGS__)
 /* StepWorld(World) or StepWorld(&World). */
@@ -195,7 +219,8 @@ typedef poly_body_data poly_body[1];
     _Generic((Body), poly_body *: wfReportAddBody, poly_body_data *: wfReportAddBody) \
         ((World), (Body))
 #define WF_REPORT_ADD_MANY(World, Bodies, Count) \
-    _Generic((Bodies)[0], poly_body **: wfReportAddPointers, poly_body_data *: wfReportAddBodies, \
+    _Generic((Bodies)[0], \
+        poly_body **: wfReportAddPointers, poly_body_data *: wfReportAddBodies, \
         poly_body *: _Generic((Bodies), poly_body **: wfReportAddPointers, \
                               default: wfReportAddBodies))((World), (Bodies), (Count))
 /* <the report's pipeline> */
@@ -206,8 +231,8 @@ wfResult wfReportAddBody(physics_world *World, void *Body);
 wfResult wfReportAddPointers(physics_world *World, const void *Pointers, int32 Count);
 wfResult wfReportAddBodies(physics_world *World, void *Bodies, int32 Count);
 wfResult wfReportStep(physics_world World);
-/* Not in the report, which leaves no way to look or to end: reads Transform and velocities of
- * a body that was added; takes it out of the world; ends a world. */
+/* Not in the report, which leaves no way to look or to end: reads Transform and
+ * velocities of a body that was added; takes it out of the world; ends a world. */
 wfResult UpdateBody(const physics_world *World, poly_body *Body);
 wfResult RemoveBodyFromWorld(physics_world *World, poly_body *Body);
 void DestroyWorld(physics_world *World);

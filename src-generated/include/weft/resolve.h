@@ -33,7 +33,7 @@ typedef struct wfSolve {
     wfReal           restingSpeed;   /* m/s: slower approaches do not bounce */
     wfReal           positionShare;  /* share of the overlap removed in a step, 0 to 1 */
     wfReal           slop;           /* overlap left alone, m, >= 0 */
-    wfPool          *scratch;        /* room for bodyCount vectors */
+    wfPool          *scratch;        /* room for the row's scratch(bodies, contacts) */
 } wfSolve;
 /* <declarations of the parts of an impulse> */
 /* Normal velocity at a point, m/s, by eq:impulses-approach: negative when the bodies
@@ -77,10 +77,12 @@ wfReal wfMixRestitution(wfReal a, wfReal b);
 wfReal wfMixFriction(wfReal a, wfReal b);
 /* <declarations of the solver table> */
 typedef wfResult wfSolverFn(const wfSolve *in);
+typedef size_t wfSolverScratchFn(int32_t bodies, int32_t contacts);
 typedef struct wfSolverRow {
     const char *name, *text;
-    wfSolverFn *velocity;    /* makes touching bodies part; changes v and w */
-    wfSolverFn *position;    /* takes overlap away; changes p and angle */
+    wfSolverFn *velocity;        /* makes touching bodies part; changes v and w */
+    wfSolverFn *position;        /* takes overlap away; changes p and angle */
+    wfSolverScratchFn *scratch;  /* bytes of scratch that always suffice for both */
 } wfSolverRow;
 extern const wfSolverRow wfSolverTable[];
 extern const int wfSolverCount;

@@ -27,6 +27,8 @@ WF_RESULT(WF_ERROR_NOT_CONVEX,
 WF_RESULT(WF_ERROR_MASS,
           "a mass or an inertia is out of range: see WF_MIN_MASS and its neighbours")
 /* <rows of the result table> */
-WF_RESULT(WF_ERROR_NO_CONVERGENCE, "an implicit step found no solution: use a shorter step or softer forces")
+WF_RESULT(WF_ERROR_NO_CONVERGENCE,
+          "an implicit step found no solution: use a shorter step or softer forces")
 /* <rows of the result table> */
-WF_RESULT(WF_ERROR_NOT_A_WORLD, "these bytes are no world of this build: create one, or open a copy of one")
+WF_RESULT(WF_ERROR_NOT_A_WORLD,
+          "these bytes are no world of this build: create one, or open a copy of one")

@@ -3,9 +3,10 @@
 #ifndef WEFT_WORLD_H
 #define WEFT_WORLD_H
 /* The world and its pipeline: chapter 24 (the report's sections 4.5.3, 4.5.4 and A.3).
- * Units: kg, m, s, rad; angles counter-clockwise. Every call that can fail returns a wfResult
- * and then has changed nothing. A call given a world that was never created, or was destroyed,
- * returns WF_ERROR_NULL (no block) or WF_ERROR_NOT_A_WORLD (the block holds something else). */
+ * Units: kg, m, s, rad; angles counter-clockwise. Every call that can fail returns a
+ * wfResult and then has changed nothing. A call given a world that was never created, or
+ * was destroyed, returns WF_ERROR_NULL (no block) or WF_ERROR_NOT_A_WORLD (the block
+ * holds something else). */
 #include "weft/body.h"
 #include "weft/broad.h"
 #include "weft/contact.h"
@@ -18,8 +19,8 @@
 #include "weft/shape.h"
 
 /* <the world's handle and ids> */
-/* A world by value: where its two chunks of memory are, and nothing else. All state is in the
- * chunks: memory.permanent can be copied, moved and saved as bytes. */
+/* A world by value: where its two chunks of memory are, and nothing else. All state is
+ * in the chunks: memory.permanent can be copied, moved and saved as bytes. */
 typedef struct wfWorld { wfMemory memory; } wfWorld;
 /* Names of things in a world, by value. index counts from 1; 0 is "none". An id of a thing
  * that was removed stays invalid for ever, even when its place is taken again. */
@@ -38,12 +39,13 @@ typedef struct wfWorldDef {
     int32_t narrowPhase;
     int32_t solver;
     int32_t iterations;        /* passes of the contact solver, >= 1 */
-    wfReal  restingSteps;      /* approaches of so many steps of gravity do not bounce, >= 0 */
+    wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, m, >= 0 */
     wfMemory memory;           /* handed over; all zero: allocated at creation */
 } wfWorldDef;
-/* Standard gravity downwards, 60 steps a second, 256 bodies, 64 forces, the default rows. */
+/* Standard gravity downwards, 60 steps a second, 256 bodies, 64 forces, the default
+ * rows. */
 wfWorldDef wfDefaultWorldDef(void);
 /* <what a body is made from> */
 typedef struct wfBodyDef {
@@ -62,16 +64,19 @@ typedef struct wfBodyDef {
     wfReal   gravityScale;     /* multiplies gravity */
     uint64_t userData;         /* yours */
 } wfBodyDef;
-/* A dynamic particle at the origin, at rest, density 1, no mass of its own, friction 0.5. */
+/* A dynamic particle at the origin, at rest, density 1, no mass of its own, friction
+ * 0.5. */
 wfBodyDef wfDefaultBodyDef(void);
 /* <declarations of making a world> */
 /* Bytes of the two chunks that wfCreateWorld needs. WF_ERROR_NULL, _NOT_FINITE, _RANGE,
  * _UNKNOWN (no such row of a table), _MEMORY (sizes beyond size_t). */
 wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient);
 /* Makes a world in def->memory, or in memory of its own when that is all zero. Errors of
- * wfWorldSize; WF_ERROR_MEMORY: no memory, chunks too small, or not aligned to WF_POOL_ALIGN. */
+ * wfWorldSize; WF_ERROR_MEMORY: no memory, chunks too small, or not aligned to
+ * WF_POOL_ALIGN. */
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out);
-/* Frees memory that the world owns and clears the handle. NULL and empty handles are fine. */
+/* Frees memory that the world owns and clears the handle. NULL and empty handles are
+ * fine. */
 void wfDestroyWorld(wfWorld *world);
 /* A handle for a world whose block was copied or moved to memory->permanent; the transient
  * chunk may be any memory of the right size. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
@@ -99,17 +104,6 @@ wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT]);
 /* Most elements of any array of a world. Keeps every index and count within int32_t. */
 #define WF_MAX_CAPACITY (1 << 24)
 /* <declarations of bodies in a world> */
-/* Adds a body; `out` may be NULL. WF_ERROR_NULL, _NOT_FINITE, _RANGE (see wfBodyDef), _FULL,
- * and the errors of wfCheckShape. */
-wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out);
-/* Removes a body and the forces that hang on it. WF_ERROR_STALE_ID. */
-wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id);
-bool wfBodyIsValid(const wfWorld *world, wfBodyId id);
-/* Index of a body in the arrays of wfWorldBodies, -1 for a stale id; and back, index 0 in the
- * id for a place that is empty. */
-int32_t wfBodyIndex(const wfWorld *world, wfBodyId id);
-wfBodyId wfBodyAt(const wfWorld *world, int32_t index);
-/* <declarations of bodies in a world> */
 typedef struct wfBodyInfo {
     int32_t  type;
     wfVec2   position;         /* of the body's origin, m */
@@ -125,19 +119,33 @@ typedef struct wfBodyInfo {
 wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out);
 /* The body's shape as it was given, in the frame of its origin. */
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out);
+/* <declarations of bodies in a world> */
+/* Adds a body; `out` may be NULL. WF_ERROR_NULL, _NOT_FINITE, _RANGE (see wfBodyDef),
+ * _FULL, and the errors of wfCheckShape. */
+wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out);
+/* Removes a body and the forces that hang on it. WF_ERROR_STALE_ID. */
+wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id);
+bool wfBodyIsValid(const wfWorld *world, wfBodyId id);
+/* Index of a body in the arrays of wfWorldBodies, -1 for a stale id; and back, index 0
+ * in the id for a place that is empty. */
+int32_t wfBodyIndex(const wfWorld *world, wfBodyId id);
+wfBodyId wfBodyAt(const wfWorld *world, int32_t index);
 /* <declarations of pushing bodies> */
 /* All: WF_ERROR_STALE_ID, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE where stated. */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle);
 /* Velocity of the centre of mass. RANGE: a static body cannot move. */
-wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity, wfReal angularVelocity);
-/* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in proportion. */
+wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
+                           wfReal angularVelocity);
+/* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
+ * proportion. */
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
 /* Restitution 0 to 1, friction >= 0. */
-wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution, wfReal friction);
+wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
+                           wfReal friction);
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
 /* <declarations of pushing bodies> */
-/* A force (N) at a world point, or a torque (N m), that acts throughout the next step and is
- * then forgotten. Several add up. */
+/* A force (N) at a world point, or a torque (N m), that acts throughout the next step
+ * and is then forgotten. Several add up. */
 wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 point);
 wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque);
 /* A kick (N s) at a world point, or of spin (N m s): changes the velocity at once. */
@@ -155,14 +163,16 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 wfResult wfSetGravity(wfWorld *world, wfVec2 gravity);
 wfResult wfGetGravity(const wfWorld *world, wfVec2 *out);
 /* <declarations of forces in a world> */
-/* A hand that holds a body at a world point: a spring stiff enough to follow and soft enough
- * to be stable at the world's step. Move the hand with wfDragHand; let go with
- * wfRemoveForceFromWorld. Errors of wfAddForceToWorld; WF_ERROR_RANGE: not a dynamic body. */
+/* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is
+ * long. */
+#define WF_HAND_RATE (2 * WF_PI * 5)
+/* <declarations of forces in a world> */
+/* A hand that holds a body at a world point: a spring stiff enough to follow and soft
+ * enough to be stable at the world's step. Move the hand with wfDragHand; let go with
+ * wfRemoveForceFromWorld. Errors of wfAddForceToWorld; WF_ERROR_RANGE: not a dynamic
+ * body. */
 wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
 wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point);
-/* <declarations of forces in a world> */
-/* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is long. */
-#define WF_HAND_RATE (2 * WF_PI * 5)
 /* <declarations of stepping> */
 /* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
@@ -185,8 +195,9 @@ typedef struct wfStageRow {
 extern const wfStageRow wfStageTable[];
 extern const int wfStageCount;
 /* <declarations of looking at a world> */
-/* The world's own arrays, to read and not to keep: valid until the next call that changes the
- * world. For an empty handle the count is 0. Shapes are relative to the centre of mass. */
+/* The world's own arrays, to read and not to keep: valid until the next call that
+ * changes the world. For an empty handle the count is 0. Shapes are relative to the
+ * centre of mass. */
 wfBodyView wfWorldBodies(const wfWorld *world);
 /* Pairs of the broad phase and contacts of the narrow phase of the last step. */
 const wfPair *wfWorldPairs(const wfWorld *world, int32_t *count);
@@ -199,13 +210,16 @@ int32_t wfForceCount(const wfWorld *world);
 double wfWorldTime(const wfWorld *world);      /* s since creation */
 uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
 /* <declarations of looking at a world> */
-/* Kinetic energy of the dynamic bodies, and potential energy in gravity and in the registered
- * forces that have one, J. Either pointer may be NULL. */
+/* Kinetic energy of the dynamic bodies, and potential energy in gravity and in the
+ * registered forces that have one, J. Either pointer may be NULL. */
 wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential);
-/* Momentum of the dynamic bodies, kg m/s, and angular momentum about the origin, kg m^2/s. */
+/* Momentum of the dynamic bodies, kg m/s, and angular momentum about the origin, kg
+ * m^2/s. */
 wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular);
-/* A number for the state of all live bodies: equal states, equal numbers, on any machine. */
+/* A number for the state of all live bodies: equal states, equal numbers, on any
+ * machine. */
 uint64_t wfHashWorld(const wfWorld *world);
-/* The body whose shape covers the point, the last added first (highest index). False: none. */
+/* The body whose shape covers the point, the last added first (highest index). False:
+ * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
 #endif
