@@ -965,6 +965,12 @@ static void bad_body_definitions_are_refused(void **unused)
     d.shape.vertices[1].x = (wfReal)NAN;
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
     d = box_def(0, 0, 1);
+    d.type = WF_STATIC;
+    wfVec2 swap = d.shape.vertices[1];                    /* a bow tie is no shape for a wall either */
+    d.shape.vertices[1] = d.shape.vertices[2];
+    d.shape.vertices[2] = swap;
+    assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
+    d = box_def(0, 0, 1);
     d.density = 0;                                        /* no mass from either */
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
     d = wfDefaultBodyDef();                               /* a particle without a mass */
