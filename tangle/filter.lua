@@ -380,10 +380,10 @@ local function data_table(el)
       for j, cell in ipairs(line) do t[j] = show(cell) end
       body[i] = table.concat(t, " & ") .. "\\\\"
     end
-    r:insert(rawb("\\begin{wTable}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wFit{\\begin{tabular}{" .. table.concat(spec) .. "}\\toprule " ..
+    caption.content:insert(1, raw("\\begin{wTable}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wFit{\\begin{tabular}{" .. table.concat(spec) .. "}\\toprule " ..
       table.concat(head, " & ") .. "\\\\\\midrule\n" .. table.concat(body, "\n") .. "\n\\bottomrule\\end{tabular}}\n\\wCaption{" .. (l and "Table~" .. l.num or "") .. "}{"))
+    caption.content:insert(raw(command_line { command } .. "}\\end{wTable}"))
     r:insert(caption)
-    r:insert(rawb(command_line { command } .. "}\\end{wTable}"))
   end
   return r
 end
@@ -411,12 +411,15 @@ local function table_block(el)
     r:insert(pandoc.Plain(caption))
     r:insert(rawb("</div></div>"))
   else
-    r:insert(rawb("\\begin{wLongTable}" .. (id and "\\wLabel{" .. id .. "}" or "") .. (#caption > 0 and "\\wCaptionAbove{" .. (l and "Table~" .. l.num or "") .. "}{" or "")))
-    if #caption > 0 then
-      r:insert(pandoc.Plain(caption))
-      r:insert(rawb("}"))
-    end
-    r:insert(el)
+    -- the caption stands in the table's first head, so that it stays with the table and is not repeated
+    if #caption > 0 then el.caption.long = pandoc.List { pandoc.Plain { pandoc.Str("WEFTCAPTION") } } end
+    local text = pandoc.write(pandoc.Pandoc { el }, "latex-smart")
+    local words = pandoc.write(pandoc.Pandoc { pandoc.Plain(caption) }, "latex-smart"):gsub("%s+$", "")
+    text = text:gsub("\\caption{WEFTCAPTION}%s*\\tabularnewline", function()
+      return "\\multicolumn{" .. #el.colspecs .. "}{@{}l@{}}{" .. (id and "\\wLabel{" .. id .. "}" or "") .. "\\wTableCaption{" .. (l and "Table~" .. l.num or "") .. "}{" .. words .. "}}\\\\[3pt]"
+    end)
+    r:insert(rawb("\\begin{wLongTable}" .. (#caption == 0 and id and "\\wLabel{" .. id .. "}" or "")))
+    r:insert(rawb(text))
     r:insert(rawb("\\end{wLongTable}"))
   end
   return r
@@ -484,8 +487,10 @@ local function code_block(el)
   if el.classes:includes("data") then return data_table(el) end
   local is_c = el.classes:includes("c")
   local inside, rows = false, {}
+  local _, last = el.text:gsub("\n", "")
+  last = last + 1
   for l in (el.text .. "\n"):gmatch("(.-)\n") do
-    local line = {}
+    local line, n = {}, #rows + 1
     if is_c then
       local toks
       toks, inside = Code.lex(l, inside)
@@ -499,7 +504,8 @@ local function code_block(el)
         if t[1] ~= "sp" then previous = t[2] end
       end
     else line[1] = { "", l } end
-    rows[#rows + 1] = html and Code.line_html(db, line, here) or "\\wL{" .. Code.line_tex(db, line) .. "}"
+    rows[#rows + 1] = html and Code.line_html(db, line, here) or
+      "\\wL" .. ((n <= 2 or n == last - 1 or n == last - 2) and n < last and "N" or "") .. "{" .. Code.line_tex(db, line) .. "}"
   end
   if html then return rawb('<pre class="block"><code>' .. table.concat(rows, "\n") .. "</code></pre>") end
   return rawb("\\wBlock\n" .. table.concat(rows, "\n") .. "\n\\wEndBlock")

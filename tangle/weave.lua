@@ -532,8 +532,13 @@ do
         local guard = kind == "d" and name:match("_H$") and file:match("%.h$")
         if src_line and src_line.chunk and not src_line.comment and not guard then
           tags[name] = tags[name] or {}
-          table.insert(tags[name], { name = name, kind = kind, file = file, chunk = src_line.chunk, line = src_line.line, static =
-            (rest:match("\tfile:") and not file:match("%.h$")) and true or nil, order = #tags[name] })
+          local same                            -- a chunk that stands in two files defines its names once
+          for _, t in ipairs(tags[name]) do
+            if t.chunk == src_line.chunk and t.line == src_line.line and t.kind == kind then same = t end
+          end
+          if same then same.files[file] = true
+          else table.insert(tags[name], { files = { [file] = true }, name = name, kind = kind, file = file, chunk = src_line.chunk, line = src_line.line, static =
+            (rest:match("\tfile:") and not file:match("%.h$")) and true or nil, order = #tags[name] }) end
         end
       end
     end
@@ -578,11 +583,11 @@ local function resolve(name, file)
   if not list then return nil end
   local own, global, earliest
   for _, t in ipairs(list) do
-    if t.file == file or not t.static then
+    if t.files[file] or not t.static then
       local c = book.chunks[t.chunk].chapter
       earliest = math.min(earliest or c, c)
       if t.main then
-        if t.file == file then own = own or t elseif not t.static then global = global or t end
+        if t.files[file] then own = own or t elseif not t.static then global = global or t end
       end
     end
   end
@@ -594,6 +599,7 @@ local uses_of = {}                             -- uses_of[definition] = list of 
 local eq_users = {}                            -- eq_users[label] = list of chunk indices
 local function add_once(list, x) if list[#list] ~= x then list[#list + 1] = x end end
 local told = {}
+local pointers = {}                            -- tokens and the definitions that they point at
 for index, c in ipairs(book.chunks) do
   c.tokens, c.defs, c.eqs = {}, {}, {}
   local root_name = c.roots and next(c.roots)
@@ -655,6 +661,7 @@ for index, c in ipairs(book.chunks) do
               local header = list.header
               row[#row + 1] = { "ref", text, tc.page .. "#" .. target.anchor,
                 kind_text[target.kind] .. " " .. text .. ", chunk " .. tc.num .. (header and header ~= target.file and ", declared in " .. header:gsub("^include/", "") or "") }
+              pointers[#pointers + 1] = { row[#row], target, tc }
               uses_of[target] = uses_of[target] or {}
               if target.chunk ~= index then add_once(uses_of[target], index) end
             end
@@ -692,6 +699,9 @@ for index, c in ipairs(book.chunks) do
     c.row_at[l.line] = row
   end
 end
+for _, p in ipairs(pointers) do                -- a definition that a macro makes has no place: its chunk is as near as can be
+  if not p[2].placed then p[1][3] = p[3].page .. "#" .. p[3].id end
+end
 for id, e in pairs(db.eqs) do
   local l = labels[id]
   e.chunks = {}
@@ -707,7 +717,7 @@ for name, list in pairs(tags) do
   for _, t in ipairs(list) do
     if t.main then
       local c = book.chunks[t.chunk]
-      if not t.placed then t.anchor = c.id end   -- made by a macro: the chunk is as near as can be
+      if not t.placed then t.anchor = c.id end
       shown[#shown + 1] = { target = c.page .. "#" .. t.anchor, num = c.num, kind = kind_text[t.kind], file = t.file, static = t.static }
     end
   end

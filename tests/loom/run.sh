@@ -120,6 +120,24 @@ sed -i 's/int a(int hidden)/int a(void)/; s/+ hidden/+ 2/' "$dir/chapters/01-one
 sed -i 's/^int wfLate(int n);/#define LATE(early) ((early) + 1)/' "$dir/chapters/02-two.nw"
 if weave; then ok "statics are their own file's affair"; else bad "statics are their own file's affair"; fi
 
+# a chunk that stands in two files defines its names once
+book twice; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+<<counting>>
+int a(void) { return count(); }
+@
+<<core/b.c>>=
+<<counting>>
+int b(void) { return count(); }
+@
+<<counting>>=
+static int count(void) { return 1; }
+@
+X
+if weave && [ "$(grep -o '"d-count[^"]*"' "$dir/out/weave/01-one.lua" | sort -u | wc -l)" -eq 1 ]; then ok "a chunk in two files defines once"; else bad "a chunk in two files defines once"; fi
+
 # ---- labels, references, citations
 book labels; chapter 01-one.nw <<'X'
 # One {#sec:one}
