@@ -160,6 +160,19 @@ static void test_small_worlds(void **state)
     for (int i = 0; i < 100; i++) put(rect(7, -7, 7, -7), MOVING);
     assert_all_rows();                          /* a hundred points at one place: 4950 pairs */
     assert_int_equal(oracle(wanted), 4950);
+    start_world();                              /* the root is the rectangle around those who live, the first one too */
+    put(rect(-90, -90, 90, 90), 0);
+    put(rect(-4, 1, -2, 2), MOVING);
+    put(rect(0, -2, 12, 0), STILL);
+    wfPool pool = pool_of(wfQuadTreeSize(3, wfQuadTreeNodes(3)));
+    wfQuadTree tree;
+    assert_ok(wfQuadTreeBuild(&tree, &pool, &world.in));
+    wfRect root = wfQuadTreeRect(&tree, 0);
+    assert_true(root.min.x == -4 && root.min.y == -2 && root.max.x == 12 && root.max.y == 2);
+    world.flags[0] = STILL;
+    pool = pool_of(sizeof memory);
+    assert_ok(wfQuadTreeBuild(&tree, &pool, &world.in));
+    assert_true(wfQuadTreeRect(&tree, 0).max.y == 90);
 }
 
 static void test_random_worlds(void **state)
