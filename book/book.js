@@ -46,7 +46,7 @@
   }));
   window.WEFT = {
     add(page, chunks) { pages[page] = chunks; },
-    index(names, rows) { index = { names, rows, lower: rows.map(r => (r[1] + ' ' + (r[4] || '')).toLowerCase()) }; },
+    index(names, rows) { index = { names, rows, titles: new Map(rows.filter(r => r[0] === 'sec').map(r => [r[2] + '#' + r[3], r[1]])), lower: rows.map(r => (r[1] + ' ' + (r[4] || '')).toLowerCase()) }; },
   };
 
   // -- search: every word must occur; titles count more than text, beginnings more than middles
@@ -88,7 +88,7 @@
     hits.innerHTML = found.map(r => {
       const page = index.names[r[2]];
       const url = page + (r[0] === 'text' ? '?hl=' + encodeURIComponent(query) : '') + (r[3] ? '#' + r[3] : '');
-      const where = r[0] === 'text' ? page.replace('.html', '') : r[1];
+      const where = r[0] === 'text' ? index.titles.get(r[2] + '#' + r[3]) || page.replace('.html', '') : r[1];
       return `<a href="${escape(url)}"><small>${kinds[r[0]] || r[0]}</small>${r[0] === 'text' ? escape(where) : mark(where, words)}` +
         (r[4] ? `<p>${snippet(r[4], words)}</p>` : '') + '</a>';
     }).join('') || '<div class="none">Nothing found.</div>';

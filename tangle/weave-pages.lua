@@ -216,7 +216,15 @@ function Pages.write(w)
       return number[p]
     end
     local function add(kind, title, p, id, text) t[#t + 1] = "[" .. q(kind) .. "," .. q(title) .. "," .. page_number(p) .. "," .. q(id or "") .. (text and "," .. q(text) or "") .. "]" end
-    for _, s in ipairs(w.search) do add(s.kind, s.title, s.page, s.id, s.text) end
+    local function readable(text)                 -- numbers for references, no marks of citations and tables
+      if not text then return nil end
+      text = text:gsub("@(%a+:[%w_%-]*%w)", function(id)
+        local l = w.labels[id:sub(1, 1):lower() .. id:sub(2)]
+        return l and Code.ref_text(l)
+      end)
+      return (text:gsub("%[@([%w_%-]+)", "[%1"):gsub("%s*|[%s|:%-]*", " \u{b7} "))
+    end
+    for _, s in ipairs(w.search) do add(s.kind, s.title, s.page, s.id, readable(s.text)) end
     for _, c in ipairs(book.chunks) do if c.part == 1 then add("chunk", c.num .. " \u{27e8}" .. Code.plain(c.name):gsub("@(%a+:[%w_%-]+)", function(id) return w.labels[id] and Code.ref_text(w.labels[id]) or id end) .. "\u{27e9}", c.page, c.id) end end
     local names = {}
     for name in pairs(db.idents) do if not name:match("_H$") then names[#names + 1] = name end end
