@@ -134,6 +134,15 @@ static void the_type_decides_what_moves(void **state)
     wfBodyProps empty = { .type = WF_STATIC };                            /* no mass was ever set                    */
     assert_ok(wfSetBodyType(&s, &empty, WF_DYNAMIC));
     assert_true(s.invMass == 0 && s.invInertia == 0 && wfBodyIsFinite(&s));
+    const wfReal none[] = { -1, WF_MIN_INERTIA / 2, WF_MIN_INERTIA * WF_MIN_INERTIA / 4, (wfReal)NAN, (wfReal)INFINITY };
+    for (int i = 0; i < 5; i++) {                                         /* filled in by hand, with what is no mass */
+        empty = (wfBodyProps){ .type = WF_STATIC, .mass = none[i], .inertia = none[i] };
+        assert_ok(wfSetBodyType(&s, &empty, WF_DYNAMIC));
+        assert_true(s.invMass == 0 && s.invInertia == 0);
+    }
+    empty = (wfBodyProps){ .type = WF_STATIC, .mass = WF_MIN_MASS, .inertia = WF_MIN_INERTIA };
+    assert_ok(wfSetBodyType(&s, &empty, WF_DYNAMIC));
+    assert_true(s.invMass == 1 / WF_MIN_MASS && s.invInertia == 1 / WF_MIN_INERTIA);
 }
 
 static void a_state_that_is_not_finite_is_seen(void **state)
