@@ -601,6 +601,56 @@ static void a_body_is_held_dragged_and_thrown(void **state)
     end(&p);
 }
 
+static void a_narrow_window_shows_the_whole_scene(void **state)
+{
+    (void)state;
+    /* 10 m of height want 15.9 m of width; 400 pixels of width give 400 / 15.9 pixels to the metre, 600 of height 60. */
+    camera c = { .x = 0, .y = 0, .height = 10, .wide = 400, .high = 600 };
+    assert_near(camera_scale(&c), 400 / 15.9, 1e-4);
+    c.wide = 4000;
+    assert_near(camera_scale(&c), 60, 1e-4);
+    play p;
+    begin(&p, 640, 480);
+    run(&p, "scene free-fall\nsteps 0\nframe\n");
+    assert_int_equal((int)fact(&p, "list", 0), 0);      /* no room for it */
+    click(&p, "List");
+    assert_int_equal((int)fact(&p, "list", 0), 1);
+    click(&p, "List");
+    assert_int_equal((int)fact(&p, "list", 0), 0);
+    end(&p);
+    begin(&p, 800, 480);
+    run(&p, "steps 0\nframe\n");
+    assert_int_equal((int)fact(&p, "list", 0), 1);
+    end(&p);
+}
+
+static void bodies_behind_the_text_are_not_taken(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 700);
+    run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
+    /* Pull the world down until the top box is behind the lines at the lower edge, 20 pixels above it. */
+    double px = fact(&p, "body 6", 2), py = fact(&p, "body 6", 3);
+    char script[300];
+    snprintf(script, sizeof script, "steps 0\nmove 900 200\nframe\ndown right\nframe\nmove 900 %g\nframe\nup right\nframe\n"
+             "move %g 680\nframe\ndown left\nframe\n", 200 + 680 - py, px);
+    run(&p, script);
+    assert_near(fact(&p, "body 6", 3), 680, 1);
+    assert_int_equal((int)fact(&p, "held", 0), -1);
+    /* The same press 30 pixels higher, with the box there, takes it. */
+    run(&p, "steps 0\nmove 900 300\nframe\ndown right\nframe\nmove 900 260\nframe\nup right\nframe\n");
+    snprintf(script, sizeof script, "steps 0\nmove %g 640\nframe\ndown left\nwait 1\n", px);
+    input_script s;
+    game_input in;
+    input_script_open(&s, script);
+    while (input_script_next(&s, &in) == 1)
+        game_update_and_render(&p.memory, &in, &p.buffer);
+    game_describe(&p.memory, p.text, sizeof p.text);
+    assert_int_equal((int)fact(&p, "held", 0), 6);
+    end(&p);
+}
+
 static void a_static_body_cannot_be_taken(void **state)
 {
     (void)state;
@@ -707,6 +757,8 @@ int main(void)
         cmocka_unit_test(the_hand_follows_the_exact_recurrence), cmocka_unit_test(the_hand_gives_the_grip_its_velocity),
         cmocka_unit_test(pause_step_and_reset_work), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
         cmocka_unit_test(overlays_keys_and_views_answer), cmocka_unit_test(a_body_is_held_dragged_and_thrown),
+        cmocka_unit_test(a_narrow_window_shows_the_whole_scene),
+        cmocka_unit_test(bodies_behind_the_text_are_not_taken),
         cmocka_unit_test(a_static_body_cannot_be_taken), cmocka_unit_test(the_same_input_makes_the_same_pixels),
         cmocka_unit_test(memory_moves_and_the_game_goes_on), cmocka_unit_test(the_clock_decides_when_asked),
         cmocka_unit_test(strange_pictures_are_survived)
