@@ -40,8 +40,9 @@ bool wfBodyIsFinite(const wfBodyState *s)
 static void set_inverses(wfBodyState *state, const wfBodyProps *props)
 {
     bool dynamic = props->type == WF_DYNAMIC;
-    state->invMass = dynamic && props->mass > 0 ? 1 / props->mass : 0;
-    state->invInertia = dynamic && props->inertia > 0 ? 1 / props->inertia : 0;
+    bool heavy = props->mass >= WF_MIN_MASS, turns = props->inertia >= WF_MIN_INERTIA;
+    state->invMass = dynamic && heavy ? 1 / props->mass : 0;
+    state->invInertia = dynamic && turns ? 1 / props->inertia : 0;
 }
 
 wfResult wfSetMass(wfBodyState *state, wfBodyProps *props, wfReal mass, wfReal inertia)

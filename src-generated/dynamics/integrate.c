@@ -174,11 +174,7 @@ static wfResult rk4(const wfIntegration *in)
     return WF_OK;
 }
 /* <integrators> */
-static size_t midpoint_scratch(int32_t count) { return scratch_size(count, 2, true); }
-
 /* <judge a change of the midpoint's acceleration> */
-enum { MIDPOINT_ROUNDS = 100 };
-
 /* A change of velocity as a share of the velocity and of the rounding of the place. */
 static wfReal share(wfReal change, wfReal speed, wfReal place, wfReal h)
 {
@@ -194,43 +190,223 @@ static wfReal change_of(const wfBodyState *b, wfReal h, const Acceleration *old,
     wfReal w = wfAbs(b->w) + h * wfAbs(new->angular);
     return share(dv, v, wfLength(b->p), h) + share(dw, w, 1, h);
 }
-
-/* One more round of @eq:int-midpoint-iteration: how much the answer changed, or NaN. */
-static wfReal midpoint_round(const wfIntegration *in, Scratch *s)
+/* <judge a change of the midpoint's acceleration> */
+/* The largest change of all the bodies; NaN or infinite if one is. */
+static wfReal largest_change(const wfIntegration *in, const Acceleration *old,
+                             const Acceleration *new)
 {
-    Acceleration *old = s->a, *new = s->a + in->count;
-    for (int32_t i = 0; i < in->count; i++) {
-        /* <try the midpoint of body i by eq:int-midpoint-state> */
-        wfBodyState *mid = &s->trial[i];
-        *mid = in->state[i];
-        kick(mid, in->h / 2, &old[i]);
-        drift(mid, in->h / 2, mid->v, mid->w);
-    }
-    find_accelerations(in, s->trial, in->time + in->h / 2, s->forces, new);
     wfReal worst = 0, sum = 0;
     for (int32_t i = 0; i < in->count; i++) {
         wfReal change = change_of(&in->state[i], wfAbs(in->h), &old[i], &new[i]);
         worst = wfMaxR(worst, change);
         sum += change;
-        old[i] = new[i];
     }
     return wfIsFinite(sum) ? worst : sum;
 }
+
+/* The accelerations at the midpoint to which `guess` leads; `out` may be `guess`. */
+static void look_at_midpoint(const wfIntegration *in, Scratch *s,
+                             const Acceleration *guess, Acceleration *out)
+{
+    for (int32_t i = 0; i < in->count; i++) {
+        /* <try the midpoint of body i by eq:int-midpoint-state> */
+        wfBodyState *mid = &s->trial[i];
+        *mid = in->state[i];
+        kick(mid, in->h / 2, &guess[i]);
+        drift(mid, in->h / 2, mid->v, mid->w);
+    }
+    find_accelerations(in, s->trial, in->time + in->h / 2, s->forces, out);
+}
+
+/* One more round of @eq:int-midpoint-iteration: how much the answer changed, or NaN. */
+static wfReal midpoint_round(const wfIntegration *in, Scratch *s)
+{
+    Acceleration *old = s->a, *new = s->a + in->count;
+    look_at_midpoint(in, s, old, new);
+    wfReal change = largest_change(in, old, new);
+    memcpy(old, new, (size_t)in->count * sizeof *old);
+    return change;
+}
 /* <integrators> */
+enum {
+    MIDPOINT_ROUNDS = 100,      /* of the iteration                                     */
+    NEWTON_ROUNDS = 30,         /* of Newton's method                                   */
+    NEWTON_QUESTIONS = 60,      /* in one of its rounds                                 */
+    NEWTON_HALVES = 10,         /* how often its step is halved                         */
+    NEWTON_WAYS = 4,            /* that are remembered                                  */
+    NEWTON_ARRAYS = 4 + 2 * NEWTON_WAYS
+};
+
+typedef struct Newton {
+    const wfIntegration *in;
+    Scratch *s;
+    Acceleration *guess, *found;            /* and what acts at its midpoint            */
+    Acceleration *rest;                     /* of the mismatch                          */
+    Acceleration *step;                     /* to the next guess                        */
+    Acceleration *way[NEWTON_WAYS], *image[NEWTON_WAYS];
+} Newton;
+
+static Newton begin_newton(const wfIntegration *in, Scratch *s)
+{
+    size_t n = (size_t)in->count;
+    Newton newton = { in, s, s->a, s->a + n, s->a + 2 * n, s->a + 3 * n, { 0 }, { 0 } };
+    for (size_t k = 0; k < NEWTON_WAYS; k++) {
+        newton.way[k] = s->a + (4 + 2 * k) * n;
+        newton.image[k] = newton.way[k] + n;
+    }
+    return newton;
+}
+/* <integrators> */
+static wfReal product(const Newton *n, const Acceleration *a, const Acceleration *b)
+{
+    wfReal sum = 0;                                                 /* eq:int-product */
+    for (int32_t i = 0; i < n->in->count; i++) {
+        wfReal m = n->in->state[i].invMass, j = n->in->state[i].invInertia;
+        if (m > 0) sum += wfDot(a[i].linear, b[i].linear) / m;
+        if (j > 0) sum += a[i].angular * b[i].angular / j;
+    }
+    return sum;
+}
+
+/* a += f b */
+static void add_share(const Newton *n, Acceleration *a, wfReal f, const Acceleration *b)
+{
+    for (int32_t i = 0; i < n->in->count; i++) {
+        a[i].linear = wfAddScaled(a[i].linear, f, b[i].linear);
+        a[i].angular += f * b[i].angular;
+    }
+}
+
+static void copy(const Newton *n, Acceleration *to, const Acceleration *from)
+{
+    memcpy(to, from, (size_t)n->in->count * sizeof *to);
+}
+
+static void scale_both(const Newton *n, wfReal f, Acceleration *p, Acceleration *q)
+{
+    for (int32_t i = 0; i < n->in->count; i++) {
+        p[i].linear = wfScale(f, p[i].linear), p[i].angular *= f;
+        q[i].linear = wfScale(f, q[i].linear), q[i].angular *= f;
+    }
+}
+/* <integrators> */
+/* Finds what acts at the midpoint of `guess`, and the mismatch, which goes to rest. */
+static wfReal mismatch(const Newton *n, const Acceleration *guess, Acceleration *found)
+{
+    look_at_midpoint(n->in, n->s, guess, found);
+    copy(n, n->rest, found);
+    add_share(n, n->rest, -1, guess);                               /* eq:int-mismatch */
+    return product(n, n->rest, n->rest);
+}
+/* <integrators> */
+static wfReal little_way(const Newton *n, const Acceleration *p)
+{
+    wfReal h = wfAbs(n->in->h), most = 0;
+    for (int32_t i = 0; i < n->in->count; i++) {
+        const wfBodyState *b = &n->in->state[i];
+        wfReal reach = 1 + wfLength(b->p) + h * wfLength(b->v);
+        most = wfMaxR(most, wfMaxR(wfLength(p[i].linear) / reach, wfAbs(p[i].angular)));
+    }
+    return wfSqrt(WF_EPSILON) / (h * h / 4 * most);
+}
+
+/* q = S p by @eq:int-slope. */
+static void ask(const Newton *n, const Acceleration *p, Acceleration *q)
+{
+    wfReal epsilon = little_way(n, p);
+    copy(n, q, n->guess);
+    add_share(n, q, epsilon, p);
+    look_at_midpoint(n->in, n->s, q, q);
+    for (int32_t i = 0; i < n->in->count; i++) {
+        wfVec2 turn = wfSub(q[i].linear, n->found[i].linear);
+        q[i].linear = wfAddScaled(p[i].linear, -1 / epsilon, turn);
+        q[i].angular = p[i].angular - (q[i].angular - n->found[i].angular) / epsilon;
+    }
+}
+/* <integrators> */
+/* Finds the step d with S d = rest, or nearly, where size is the rest's square. */
+static void find_newton_step(const Newton *n, wfReal size)
+{
+    memset(n->step, 0, (size_t)n->in->count * sizeof *n->step);
+    wfReal left = size;
+    for (int k = 0; k < NEWTON_QUESTIONS && left > 16 * WF_EPSILON * size; k++) {
+        int slot = k % NEWTON_WAYS, known = k < NEWTON_WAYS ? k : NEWTON_WAYS;
+        Acceleration *p = n->way[slot], *q = n->image[slot];
+        copy(n, p, n->rest);
+        ask(n, p, q);
+        /* <straighten way and image by eq:int-straighten> */
+        for (int j = 0; j < known; j++) {
+            if (j == slot) continue;
+            wfReal f = product(n, q, n->image[j]);
+            add_share(n, q, -f, n->image[j]);
+            add_share(n, p, -f, n->way[j]);
+        }
+        wfReal length = wfSqrt(product(n, q, q));
+        if (!(length > 0)) return;
+        scale_both(n, 1 / length, p, q);
+        wfReal f = product(n, n->rest, q);                          /* eq:int-way */
+        add_share(n, n->step, f, p);
+        add_share(n, n->rest, -f, q);
+        left = product(n, n->rest, n->rest);
+    }
+}
+/* <integrators> */
+static wfResult newton_midpoint(const wfIntegration *in, Scratch *s)
+{
+    Newton newton = begin_newton(in, s), *n = &newton;
+    memset(n->guess, 0, (size_t)in->count * sizeof *n->guess);
+    wfReal size = mismatch(n, n->guess, n->found);
+    for (int round = 0; round < NEWTON_ROUNDS && wfIsFinite(size); round++) {
+        find_newton_step(n, size);
+        copy(n, n->rest, n->guess);
+        add_share(n, n->rest, 1, n->step);
+        wfReal change = largest_change(in, n->guess, n->rest);
+        if (change <= 4 * WF_EPSILON) {
+            copy(n, n->guess, n->rest);
+            return WF_OK;
+        }
+        bool shorter = false;
+        /* <go along the step until the mismatch is shorter> */
+        wfReal part = 1;
+        for (int k = 0; k < NEWTON_HALVES && !shorter; k++, part /= 2) {
+            Acceleration *guess = n->way[0], *found = n->image[0];
+            copy(n, guess, n->guess);
+            add_share(n, guess, part, n->step);
+            wfReal now = mismatch(n, guess, found);
+            if (!(now < size)) continue;
+            shorter = true;
+            size = now;
+            copy(n, n->guess, guess);
+            copy(n, n->found, found);
+        }
+        if (!shorter && change <= wfSqrt(WF_EPSILON)) return WF_OK;
+        if (!shorter) break;
+    }
+    return WF_ERROR_NO_CONVERGENCE;
+}
+/* <integrators> */
+static size_t midpoint_scratch(int32_t count)
+{
+    return scratch_size(count, NEWTON_ARRAYS, true);
+}
+
 static wfResult implicit_midpoint(const wfIntegration *in)
 {
     Scratch s;
-    if (!reserve(in, 2, true, &s)) return WF_ERROR_MEMORY;
+    if (!reserve(in, NEWTON_ARRAYS, true, &s)) return WF_ERROR_MEMORY;
     wfResult result = WF_ERROR_NO_CONVERGENCE;
     find_accelerations(in, in->state, in->time, s.forces, s.a);
-    /* <iterate until the midpoint stands still> */
+    /* <iterate as long as that is quick> */
     wfReal change = WF_HUGE, before;
-    for (int round = 0; round < MIDPOINT_ROUNDS && result != WF_OK; round++) {
+    bool quick = true;
+    for (int round = 0; round < MIDPOINT_ROUNDS && quick && result != WF_OK; round++) {
         before = change;
         change = midpoint_round(in, &s);
-        bool stalled = change >= before && change <= wfSqrt(WF_EPSILON);
-        if (change <= 4 * WF_EPSILON || stalled) result = WF_OK;
+        bool small = change <= wfSqrt(WF_EPSILON);
+        if (change <= 4 * WF_EPSILON || (small && change >= before)) result = WF_OK;
+        quick = small || change <= before / 2;
     }
+    if (result != WF_OK) result = newton_midpoint(in, &s);
     for (int32_t i = 0; result == WF_OK && i < in->count; i++) {
         /* <step body i by eq:int-midpoint> */
         wfBodyState *b = &in->state[i], half = *b;

@@ -973,7 +973,7 @@ static void orbit_pull(void *context, const wfBodyState *state, int count, wfRea
 static int figure_path(const char *method, wfBodyState *body, wfForce *force, double h,
                        int steps, float *xy)
 {
-    _Alignas(WF_POOL_ALIGN) uint8_t bytes[1024];
+    _Alignas(WF_POOL_ALIGN) uint8_t bytes[2048];
     wfPool pool;
     if (wfPoolInit(&pool, sizeof bytes, bytes) != WF_OK) return 0;
     wfIntegration in = { .state = body, .count = 1, .h = (wfReal)h, .forces = orbit_pull,
@@ -1969,24 +1969,6 @@ static void figure_drawing_stages(wfDraw *d, const wfFigureInput *in)
     wfDrawDashed(d, 4.12f, 0.05f, 4.12f, 1.5f, 1, WF_INK_FAINT);
 }
 /* <figures> */
-static void figure_scenes_wall(wfDraw *d, const wfFigureInput *in)
-{
-    (void)in;
-    static _Alignas(WF_POOL_ALIGN) uint8_t bytes[64 * 1024];
-    const wfScene *scene = &wfSceneTable[wfFindScene("ball and wall")];
-    wfWorld world;
-    wfPool scratch;
-    wfPoolInit(&scratch, sizeof bytes, bytes);
-    if (wfOpenScene(scene, NULL, &world) != WF_OK) return;
-    wfSceneInput still = { .mouse = { { 0, 0 } } };
-    for (int step = 0; step < 100; step++)
-        wfStepScene(scene, &world, &still);
-    wfDrawView(d, -10, -0.6f, 8, 6);
-    wfDrawWorld(&world, 0, &scratch, d);
-    scene->draw(&world, d, &still);
-    wfDestroyWorld(&world);
-}
-/* <figures> */
 static void draw_scene(wfDraw *d, const char *name, int steps, uint32_t show)
 {
     static _Alignas(WF_POOL_ALIGN) uint8_t bytes[256 * 1024];
@@ -2005,6 +1987,13 @@ static void draw_scene(wfDraw *d, const char *name, int steps, uint32_t show)
     wfDestroyWorld(&world);
 }
 /* <figures> */
+static void figure_scenes_wall(wfDraw *d, const wfFigureInput *in)
+{
+    (void)in;
+    wfDrawView(d, -10, -0.6f, 8, 6);
+    draw_scene(d, "ball and wall", 100, 0);
+}
+
 static void figure_scenes_axis(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -2113,19 +2102,19 @@ static void figure_primer_pipeline(wfDraw *d, const wfFigureInput *in)
     static const char *const passed[4] = { "force, torque", "places", "pairs", "contacts" };
     (void)in;
     for (int i = 0; i < 5; i++) {
-        float x = 0.2f + 2.55f * (float)i;
-        float box[8] = { x, 0.8f, x + 2.05f, 0.8f, x + 2.05f, 1.7f, x, 1.7f };
+        float x = 0.2f + 2.75f * (float)i;
+        float box[8] = { x, 0.8f, x + 2.25f, 0.8f, x + 2.25f, 1.7f, x, 1.7f };
         wfDrawPolygon(d, box, 4, 1.5f, WF_INK_LINE, WF_INK_BODY);
-        wfDrawText(d, x + 1.025f, 1.18f, 12, WF_INK_TEXT, 0, stage[i]);
+        wfDrawText(d, x + 1.125f, 1.18f, 11, WF_INK_TEXT, 0, stage[i]);
         if (i == 4) break;
-        wfDrawArrow(d, x + 2.08f, 1.25f, x + 2.52f, 1.25f, 1.5f, WF_INK_ACCENT);
-        wfDrawText(d, x + 2.3f, 1.95f, 11, WF_INK_TEXT, 0, passed[i]);
+        wfDrawArrow(d, x + 2.28f, 1.25f, x + 2.72f, 1.25f, 1.5f, WF_INK_ACCENT);
+        wfDrawText(d, x + 2.5f, 1.95f, 11, WF_INK_TEXT, 0, passed[i]);
     }
     /* <lead the velocities and places back to the first stage> */
-    wfDrawLine(d, 11.4f, 0.75f, 11.4f, 0.35f, 1.5f, WF_INK_ACCENT);
-    wfDrawLine(d, 11.4f, 0.35f, 1.2f, 0.35f, 1.5f, WF_INK_ACCENT);
-    wfDrawArrow(d, 1.2f, 0.35f, 1.2f, 0.75f, 1.5f, WF_INK_ACCENT);
-    wfDrawText(d, 6.3f, 0.08f, 11, WF_INK_TEXT, 0, "velocities and places, the next step");
+    wfDrawLine(d, 12.3f, 0.75f, 12.3f, 0.35f, 1.5f, WF_INK_ACCENT);
+    wfDrawLine(d, 12.3f, 0.35f, 1.3f, 0.35f, 1.5f, WF_INK_ACCENT);
+    wfDrawArrow(d, 1.3f, 0.35f, 1.3f, 0.75f, 1.5f, WF_INK_ACCENT);
+    wfDrawText(d, 6.8f, 0.08f, 11, WF_INK_TEXT, 0, "velocities and places, the next step");
 }
 /* <figures> */
 enum { CRATE_POINTS = 9, CRATE_SPRINGS = 20 };
@@ -2165,6 +2154,7 @@ static void move_crate(wfBodyState *point, wfForce *springs, int steps)
         if (wfIntegrate(wfFindIntegrator("verlet"), &in) != WF_OK) return;
 }
 
+/* <figures> */
 static void draw_crate(wfDraw *d, const wfBodyState *point, const wfForce *spring, int role)
 {
     for (int i = 0; i < CRATE_SPRINGS; i++)
@@ -2261,6 +2251,7 @@ static void draw_analytic_oracle(wfDraw *d)
     wfDrawText(d, 1.5f, 0.2f, 14, WF_INK_TEXT, 0, "analytic");
 }
 
+/* <figures> */
 static void draw_algebraic_oracle(wfDraw *d)
 {
     wfVec2 o = wfV2(4.6f, 1.3f), arrow = wfV2(1.15f, 0.25f);
@@ -2278,7 +2269,7 @@ static void draw_box_with_word(wfDraw *d, float x, float y, float width, const c
 {
     float box[8] = { x, y, x + width, y, x + width, y + 0.6f, x, y + 0.6f };
     wfDrawPolygon(d, box, 4, 1.5f, WF_INK_LINE, WF_INK_BODY);
-    wfDrawText(d, x + width / 2, y + 0.22f, 13, WF_INK_TEXT, 0, word);
+    wfDrawText(d, x + width / 2, y + 0.22f, 12, WF_INK_TEXT, 0, word);
 }
 
 static void figure_req_oracles(wfDraw *d, const wfFigureInput *in)
@@ -2409,11 +2400,11 @@ const wfFigureRow wfFigureTable[] = {
     { "scenes-buoyancy", figure_scenes_buoyancy, 16.4f, 7.2f, 0, { { 0 } } },
     { "scenes-camera", figure_scenes_camera, 11.6f, 4.8f, 0, { { 0 } } },
     /* <rows of the figure table> */
-    { "primer-pipeline", figure_primer_pipeline, 12.7f, 2.3f, 0, { { 0 } } },
+    { "primer-pipeline", figure_primer_pipeline, 13.65f, 2.3f, 0, { { 0 } } },
     /* <rows of the figure table> */
     { "intro-crates", figure_intro_crates, 12.2f, 3.4f, 0, { { 0 } } },
     /* <rows of the figure table> */
-    { "intro-fall", figure_intro_fall, 9.3f, 6.5f, 0, { { 0 } } },
+    { "intro-fall", figure_intro_fall, 10.1f, 6.5f, 0, { { 0 } } },
     /* <rows of the figure table> */
     { "req-oracles", figure_req_oracles, 11.8f, 3.3f, 0, { { 0 } } },
 };

@@ -2,9 +2,12 @@
  * chapter and type make. MIT licence. */
 #include "testbed/camera.h"
 
+static const float viewShape = 1.59f;       /* width of a scene to its height, at most */
+
 float camera_scale(const camera *c)
 {
-    return c->high / c->height;             /* eq:camera-scale */
+    float high = c->high / c->height, wide = c->wide / (viewShape * c->height);
+    return high < wide ? high : wide;       /* eq:camera-scale */
 }
 
 static float middle(float from, float size) { return from + size / 2; }

@@ -6,7 +6,7 @@
 
 /* What is looked at, and where in the picture it is seen. */
 typedef struct camera {
-    float x, y, height;         /* m: point in the middle; height of the world shown */
+    float x, y, height;         /* m: point in the middle; height to be shown, at least */
     float left, top;            /* pixels: corner of the part that is free for it */
     float wide, high;           /* pixels: size of that part, > 0 */
 } camera;

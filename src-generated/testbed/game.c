@@ -168,6 +168,8 @@ static bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 }
 /* <the interface> */
 enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 112, ROW = 19 };
+enum { HEAD = 92, FOOT = 48 };          /* heights of the strips above, below the scene */
+enum { LIST_ROOM = 800 };               /* a window narrower than this begins without list */
 
 static float list_length(void)
 {
@@ -237,14 +239,15 @@ static void ui_buttons(ui *u, float x)
 {
     game_state *s = u->g->state;
     const char *pause = s->paused ? "Run" : "Pause", *dark = s->dark ? "Light" : "Dark";
-    if (ui_button(u, pause, x, 10, 60, s->paused)) s->paused = !s->paused;
-    if (ui_button(u, "Step", x + 66, 10, 48, false)) s->paused = s->single = 1;
-    if (ui_button(u, "Reset", x + 120, 10, 52, false)) open_scene(u->g, s->row);
-    if (ui_button(u, "Previous", x + 190, 10, 72, false)) open_scene(u->g, s->row - 1);
-    if (ui_button(u, "Next", x + 268, 10, 48, false)) open_scene(u->g, s->row + 1);
-    if (ui_button(u, "Home", x + 334, 10, 52, false)) look_home(u->g);
-    if (ui_button(u, dark, x + 392, 10, 48, false)) s->dark = !s->dark;
-    if (ui_button(u, "Keys", x + 446, 10, 48, s->keys)) s->keys = !s->keys;
+    if (ui_button(u, "List", x, 10, 44, s->list)) s->list = !s->list;
+    if (ui_button(u, pause, x + 62, 10, 60, s->paused)) s->paused = !s->paused;
+    if (ui_button(u, "Step", x + 128, 10, 48, false)) s->paused = s->single = 1;
+    if (ui_button(u, "Reset", x + 182, 10, 52, false)) open_scene(u->g, s->row);
+    if (ui_button(u, "Previous", x + 252, 10, 72, false)) open_scene(u->g, s->row - 1);
+    if (ui_button(u, "Next", x + 330, 10, 48, false)) open_scene(u->g, s->row + 1);
+    if (ui_button(u, "Home", x + 396, 10, 52, false)) look_home(u->g);
+    if (ui_button(u, dark, x + 454, 10, 48, false)) s->dark = !s->dark;
+    if (ui_button(u, "Keys", x + 508, 10, 48, s->keys)) s->keys = !s->keys;
 }
 /* <the interface> */
 static void ui_state(ui *u, float x)
@@ -257,7 +260,7 @@ static void ui_state(ui *u, float x)
     wfWorldContacts(&g->world, &contacts);
     wfWorldEnergy(&g->world, &kinetic, &potential);
     snprintf(line, sizeof line,
-             "%s   step %llu   %.2f s   %d bodies   %d contacts   energy %.4g J",
+             "%s   step %llu   %.2f s   bodies %d   contacts %d   energy %.4g J",
              s->paused ? "paused" : "running", (unsigned long long)wfWorldSteps(&g->world),
              wfWorldTime(&g->world), (int)wfBodyCount(&g->world), (int)contacts,
              kinetic + potential);
@@ -291,12 +294,22 @@ static void ui_key_sheet(ui *u, float x)
     }
 }
 /* <the interface> */
+/* A strip of paper over the whole width: what is under it can't be clicked. */
+static void ui_strip(ui *u, float y, float h)
+{
+    ui_box(u, -2, y, u->g->state->width + 4, h, WF_INK_PAPER, WF_INK_PAPER);
+    if (ui_inside(u, 0, y, u->g->state->width, h))
+        u->over = true;
+}
+
 static void ui_all(ui *u)
 {
     game_state *s = u->g->state;
     float x = s->list ? LIST_WIDTH + 16 : 16;
     if (u->draw)
         s->widget_count = 0;
+    ui_strip(u, -2, HEAD);
+    ui_strip(u, s->height - FOOT + 2, FOOT);
     if (s->list)
         ui_panel(u);
     ui_buttons(u, x);
@@ -364,9 +377,9 @@ static void place_camera(game *g)
     float left = s->list ? LIST_WIDTH : 0, k = s->scale;
     camera *c = &s->camera;
     c->left = left * k;
-    c->top = 92 * k;
+    c->top = HEAD * k;
     c->wide = (s->width - left) * k;
-    c->high = (s->height - 92 - 48) * k;
+    c->high = (s->height - HEAD - FOOT) * k;
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
 }
@@ -502,7 +515,8 @@ static void begin_game(game *g)
 {
     game_state *s = g->state;
     if (s->begun) return;
-    s->begun = s->list = 1;
+    s->begun = 1;
+    s->list = s->width >= LIST_ROOM;
     s->row = -1;
     open_scene(g, 0);
 }
@@ -520,10 +534,10 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game g;
     begin_call(&g, memory, input);
     game_state *s = g.state;
+    measure_picture(s, buffer);
     begin_game(&g);
     if (input->scene[0] && wfFindScene(input->scene) >= 0)
         open_scene(&g, wfFindScene(input->scene));
-    measure_picture(s, buffer);
     ui u = { .g = &g, .x = input->mouse_x / s->scale, .y = input->mouse_y / s->scale,
              .click = input->pressed & GAME_BUTTON_LEFT };
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++)

@@ -503,17 +503,21 @@ static wfResult build_shapes(wfWorld *world)
     return m.result;
 }
 /* <scenes> */
-static wfResult build_forces(wfWorld *world)
+/* Four boxes above each other; each weighs so much more than the one above it, kg. */
+static wfResult build_column(wfWorld *world, wfReal first, wfReal more)
 {
     Maker m = { world, WF_OK };
     for (int i = 0; i < 4; i++) {
         wfBodyDef b = box(&m, -5, WF_R(4.5) - WF_R(1.5) * (wfReal)i, WF_R(0.5), WF_R(0.5));
-        b.mass = (wfReal)(i + 1);
+        b.mass = first + more * (wfReal)i;
         b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
         put(&m, &b);
     }
     return m.result;
 }
+
+static wfResult build_forces(wfWorld *world) { return build_column(world, 1, 1); }
+static wfResult build_rotation(wfWorld *world) { return build_column(world, 2, 0); }
 /* <scenes> */
 /* Pulls to the right, with 1 N, for the first four seconds: body i at so much times i
    above its centre. */
@@ -546,18 +550,6 @@ static void draw_forces(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         if (wfWorldTime(world) <= 4)
             wfDrawArrow(d, x + 0.5f, y, x + 1.5f, y, 2, WF_INK_ACCENT);
     }
-}
-
-static wfResult build_rotation(wfWorld *world)
-{
-    Maker m = { world, WF_OK };
-    for (int i = 0; i < 4; i++) {
-        wfBodyDef b = box(&m, -5, WF_R(4.5) - WF_R(1.5) * (wfReal)i, WF_R(0.5), WF_R(0.5));
-        b.mass = 2;
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
-    }
-    return m.result;
 }
 /* <scenes> */
 static void update_rotation(wfWorld *world, const wfSceneInput *in)
@@ -682,11 +674,8 @@ static wfResult build_drift(wfWorld *world)
 /* <scenes> */
 static void mark_node(const wfWorld *world, wfDraw *d, const wfQuadTree *tree, int32_t node)
 {
-    wfRect r = wfQuadTreeRect(tree, node);
-    float xy[] = { (float)r.min.x, (float)r.min.y, (float)r.max.x, (float)r.min.y,
-                   (float)r.max.x, (float)r.max.y, (float)r.min.x, (float)r.max.y };
     wfBodyView v = wfWorldBodies(world);
-    wfDrawPolygon(d, xy, 4, 4, WF_INK_ACCENT, WF_INK_NONE);
+    wfDrawRect(d, wfQuadTreeRect(tree, node), 4, WF_INK_ACCENT);
     for (int32_t i = 0; i < v.count; i++)
         if (v.alive[i] && wfQuadTreeNodeOf(tree, i) == node)
             wfDrawPoint(d, WF_XY(v.state[i].p), 10, WF_INK_ACCENT);

@@ -59,11 +59,11 @@ static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
                    WF_INK_BAD);
 }
 /* <draw the overlays> */
-static void draw_rect(wfDraw *d, wfRect r, float width, int role)
+void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role)
 {
     float xy[] = { (float)r.min.x, (float)r.min.y, (float)r.max.x, (float)r.min.y,
                    (float)r.max.x, (float)r.max.y, (float)r.min.x, (float)r.max.y };
-    wfDrawPolygon(d, xy, 4, width, role, WF_INK_NONE);
+    wfDrawPolygon(d, xy, 4, widthPx, role, WF_INK_NONE);
 }
 
 static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
@@ -73,7 +73,7 @@ static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
         return;
     for (int32_t i = 0; i < proxies.count; i++)
         if (proxies.flags[i] & WF_PROXY_LIVE)
-            draw_rect(d, proxies.bounds[i], 1, WF_INK_FAINT);
+            wfDrawRect(d, proxies.bounds[i], 1, WF_INK_FAINT);
 }
 
 static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
@@ -85,7 +85,7 @@ static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
         return;
     for (int32_t n = 0; n < tree.nodeHigh; n++)
         if (wfQuadTreeUses(&tree, n))
-            draw_rect(d, wfQuadTreeRect(&tree, n), 1.5f, WF_INK_GOOD);
+            wfDrawRect(d, wfQuadTreeRect(&tree, n), 1.5f, WF_INK_GOOD);
 }
 /* <draw the overlays> */
 static void draw_velocities(const wfWorld *world, wfPool *scratch, wfDraw *d)

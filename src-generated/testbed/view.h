@@ -17,6 +17,8 @@ extern const int wfOverlayCount;
 /* Draws all bodies, and the overlays whose bits are set. What doesn't fit in the scratch
    memory or in the list is left out. */
 void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
+/* The outline of a rectangle. */
+void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role);
 /* One shape at a place, with a line that shows how it is turned. */
 void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
                  int fillRole);
