@@ -42,7 +42,7 @@ clean:
 # Looks at the chapters twice a second; a save makes what depends on it.
 watch:
 	@echo "watching chapters/ -- stop with Ctrl-C"
-	@last=; while sleep 0.5; do now=$$(stat -c '%n %Y' chapters/*.nw $(EXTRA) | sha1sum); \
+	@last=; while sleep 0.5; do now=$$(cksum chapters/*.nw $(EXTRA) | cksum); \
 	  if [ "$$now" != "$$last" ]; then last=$$now; \
 	    $(MAKE) --no-print-directory engine && { [ ! -x build/bin/weft-headless ] || $(MAKE) --no-print-directory programs; } && $(MAKE) --no-print-directory html && echo "$$(date +%T) made again" || echo "$$(date +%T) mend the error above and save again"; fi; done
 
