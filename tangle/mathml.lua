@@ -1,3 +1,12 @@
--- mathml.lua: the last touch to a page: brackets that need not stretch do not (see weave-code.lua).  lua mathml.lua < page > page
+-- mathml.lua: the last touch to a page's formulas.  lua mathml.lua < page > page
+-- Brackets that need not stretch do not (see weave-code.lua); the rest are signs that pandoc writes in a way that browsers
+-- set badly: a norm's bars, an upright d, dots above a letter, a minus that is a sign and not a difference.
 package.path = (arg[0]:match("^(.*/)") or "./") .. "?.lua;" .. package.path
-io.write((require "weave-code").calm_brackets(io.read("a")))
+local s = (require "weave-code").calm_brackets(io.read("a"))
+s = s:gsub("\u{2225}", "\u{2016}")
+s = s:gsub('<mstyle mathvariant="normal"><mi>([^<]*)</mi></mstyle>', '<mi mathvariant="normal">%1</mi>')
+s = s:gsub('(<mo accent="true">)\u{307}(</mo>)', "%1\u{2d9}%2")
+s = s:gsub('(<mo accent="true">)\u{308}(</mo>)', "%1\u{a8}%2")
+s = s:gsub('(form="prefix">[^<]*</mo>)<mo>\u{2212}</mo>', '%1<mo form="prefix">\u{2212}</mo>')
+s = s:gsub('(<mo>[,=\u{2190}]+</mo>)<mo>\u{2212}</mo>', '%1<mo form="prefix">\u{2212}</mo>')
+io.write(s)
