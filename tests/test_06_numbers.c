@@ -573,6 +573,7 @@ static void test_rotation_turns_left(void **state)
     assert_near2(wfRotateInv(wfRotation(WF_PI / 2), x), wfV2(0, -1), (double)WF_EPSILON);
     assert_near2(wfMat23MulV(wfMat23TransformDeg(wfV2(10, 20), 90), x), wfV2(10, 21), 0);
     assert_near2(wfMat23MulV(wfMat23TransformRad(wfV2(10, 20), WF_PI / 2), x), wfV2(10, 21), 4 * (double)WF_EPSILON);
+    assert_near2(wfMat23MulV(wfMat23RotationRad(WF_PI / 2), x), wfV2(0, 1), (double)WF_EPSILON);
     same22(wfMat22AddRotationDeg(wfMat22Make(1, 2, 3, 4), 90), wfMat22Make(2, -1, 4, -3), 0);
     same22(wfMat22AddRotationRad(wfMat22Make(1, 2, 3, 4), WF_PI / 2), wfMat22Make(2, -1, 4, -3), 8 * (double)WF_EPSILON);
     same23(wfMat23AddRotationDeg(wfMat23Make(1, 2, 5, 3, 4, 6), 90), wfMat23Make(2, -1, 5, 4, -3, 6), 0);
@@ -759,6 +760,8 @@ static void test_random_is_even(void **state)
         assert_true(wfIsFinite(x));
     }
     assert_true(wfRandomReal(&r, 3, 3) == 3);
+    for (int k = 0; k < 1000; k++)                                /* (1 - u) 0.1 + u 0.1 is not always 0.1 */
+        assert_true(wfRandomReal(&r, WF_R(0.1), WF_R(0.1)) == WF_R(0.1));
 }
 
 /* 3 * 2^30 boxes do not divide 2^32: with a bare % the low third would come up twice as often. */
