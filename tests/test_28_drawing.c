@@ -929,6 +929,11 @@ static void letters_are_cut_at_the_border(void **state)
         if (i == 2) assert_ink(&f, 43, H - 1, MARK(WF_INK_TEXT));
         if (i == 3) assert_ink(&f, 43, 0, MARK(WF_INK_TEXT));
     }
+    wfDraw d = new_list();  /* the pen at -3.3 goes to the nearest pixel, -3: the letter covers -2 to 1 */
+    frame_buffer f = new_frame();
+    wfDrawText(&d, -3.3f, 30, 10, WF_INK_TEXT, -1, "A");
+    wfRenderList(&d, &FONT, &wfLightPalette, &f);
+    for (int x = 0; x < 4; x++) assert_ink(&f, x, H - 32, x < 2 ? MARK(WF_INK_TEXT) : PAPER);
 }
 
 static void the_baked_font_is_sound(void **state)
