@@ -121,6 +121,9 @@ static void arrows_have_a_tip_and_two_barbs(void **state)
     a = wfMakeArrow(-1e19f, 5, 1e19f, 5, 2);  /* the square of its length is no float; its barbs are 0.4 * 11 from it */
     assert_near(a.head[3], 5 + 4.4, 1e-5);
     assert_near(a.head[5], 5 - 4.4, 1e-5);
+    a = wfMakeArrow(3, 4, 3.5f, 4, 1);  /* half a pixel long: all of it is head */
+    assert_near(a.head[2], 3, 1e-6);
+    assert_near(a.head[3], 4 + 0.4 * 0.5, 1e-6);
     a = wfMakeArrow(3, 4, 3, 4, 1);  /* no direction: a head of no size, and no NaN */
     for (int i = 0; i < 6; i++) assert_near(a.head[i], i % 2 ? 4 : 3, 0);
 }
@@ -913,6 +916,22 @@ static void letters_stand_on_their_point(void **state)
     }
 }
 
+/* The first role has the number 0, which is a role like any other; so has a width below 1 pixel. */
+static void the_first_role_and_thin_lines_are_drawn(void **state)
+{
+    (void)state;
+    const float box[8] = { 10, 10, 20, 10, 20, 20, 10, 20 };
+    wfDraw d = new_list();
+    frame_buffer f = new_frame();
+    wfDrawPolygon(&d, box, 4, 0, WF_INK_NONE, 0);
+    wfDrawLine(&d, 30, 10.5f, 40, 10.5f, 1, 0);
+    wfDrawLine(&d, 50, 10.5f, 60, 10.5f, 0.5f, 0);
+    wfRenderList(&d, NULL, &wfLightPalette, &f);
+    assert_ink(&f, 15, H - 16, AREA(0));
+    assert_ink(&f, 35, H - 11, MARK(0));
+    assert_int_not_equal(f.pixels[(H - 11) * f.pitch + 55], f.pixels[0]);
+}
+
 static void letters_are_cut_at_the_border(void **state)
 {
     (void)state;
@@ -1090,6 +1109,7 @@ int main(void)
         cmocka_unit_test(wide_pictures_are_drawn_in_strips), cmocka_unit_test(nothing_is_drawn_outside),
         cmocka_unit_test(bad_pictures_are_left_alone), cmocka_unit_test(the_same_list_gives_the_same_pixels),
         cmocka_unit_test(glyphs_are_found), cmocka_unit_test(letters_stand_on_their_point),
+        cmocka_unit_test(the_first_role_and_thin_lines_are_drawn),
         cmocka_unit_test(letters_are_cut_at_the_border), cmocka_unit_test(the_baked_font_is_sound),
         cmocka_unit_test(svg_says_the_same_as_the_pixels), cmocka_unit_test(svg_numbers_are_short),
         cmocka_unit_test(svg_refuses_bad_widths), cmocka_unit_test(svg_fits_any_view), cmocka_unit_test(a_full_disk_is_told), cmocka_unit_test(the_style_sheet_knows_every_role),
