@@ -827,7 +827,157 @@ static void handles_of_nothing_are_refused(void **unused)
     wfDestroyWorld(&world);
 }
 
+static void bodies_and_forces_of_no_world_are_refused(void **unused)
+{
+    (void)unused;
+    wfWorld none = { .memory = { .owned = 0 } };
+    wfWorld *worlds[] = { NULL, &none };
+    for (int i = 0; i < 2; i++) {
+        wfWorld *w = worlds[i];
+        wfBodyId id = { 1, 1 }, nobody = wfBodyAt(w, 0);
+        wfForceId f = { 1, 1 };
+        wfForce force = wfGravity(wfV2(0, 0));
+        wfShape shape;
+        wfVec2 v = wfV2(1, 2);
+        _Alignas(16) uint8_t memory[256];
+        wfPool pool;
+        wfProxies proxies;
+        assert_ok(wfPoolInit(&pool, sizeof memory, memory));
+        assert_result(WF_ERROR_NULL, wfGetBodyShape(w, id, &shape));
+        assert_result(WF_ERROR_NULL, wfSetBodyTransform(w, id, v, 0));
+        assert_result(WF_ERROR_NULL, wfSetBodyVelocity(w, id, v, 0));
+        assert_result(WF_ERROR_NULL, wfSetBodyMass(w, id, 1));
+        assert_result(WF_ERROR_NULL, wfSetBodyMaterial(w, id, 0, 0));
+        assert_result(WF_ERROR_NULL, wfSetBodyDamping(w, id, 0, 0));
+        assert_result(WF_ERROR_NULL, wfApplyForceToBody(w, id, v, v));
+        assert_result(WF_ERROR_NULL, wfApplyTorqueToBody(w, id, 1));
+        assert_result(WF_ERROR_NULL, wfApplyImpulseToBody(w, id, v, v));
+        assert_result(WF_ERROR_NULL, wfApplyAngularImpulseToBody(w, id, 1));
+        assert_result(WF_ERROR_NULL, wfGetForce(w, f, &force));
+        assert_result(WF_ERROR_NULL, wfSetForce(w, f, &force));
+        assert_result(WF_ERROR_NULL, wfRemoveForceFromWorld(w, f));
+        assert_result(WF_ERROR_NULL, wfGrabBody(w, id, v, &f));
+        assert_result(WF_ERROR_NULL, wfDragHand(w, f, v));
+        assert_result(WF_ERROR_NULL, wfWorldProxies(w, &pool, &proxies));
+        assert_int_equal(pool.used, 0);
+        assert_false(wfBodyIsValid(w, id));
+        assert_int_equal(wfBodyIndex(w, id), -1);
+        assert_true(nobody.index == 0 && nobody.generation == 0);
+    }
+    wfWorld world = make_world(2);
+    wfBodyId ball = add(&world, ball_def(0, 0, 1));
+    assert_result(WF_ERROR_NULL, wfGrabBody(&world, ball, wfV2(0, 0), NULL));
+    assert_result(WF_ERROR_NULL, wfAddBodyToWorld(&world, NULL, NULL));
+    assert_result(WF_ERROR_NULL, wfAddForceToWorld(&world, NULL, NULL));
+    wfDestroyWorld(&world);
+}
+
+static void handles_askew_are_refused(void **unused)      /* an address that is no multiple of 16, in either chunk */
+{
+    (void)unused;
+    wfWorld world = make_world(2), out = world;
+    for (int chunk = 0; chunk < 2; chunk++) {
+        wfWorld askew = world;
+        void **at = chunk == 0 ? &askew.memory.permanent : &askew.memory.transient;
+        *at = (uint8_t *)*at + 8;
+        askew.memory.permanentSize -= 8;
+        assert_result(WF_ERROR_MEMORY, wfStepWorld(&askew));
+        assert_result(WF_ERROR_MEMORY, wfOpenWorld(&askew.memory, &out));
+        *at = NULL;
+        assert_result(WF_ERROR_NULL, wfStepWorld(&askew));
+    }
+    assert_memory_equal(&out, &world, sizeof out);
+    wfDestroyWorld(&world);
+}
+
+static void ids_of_neighbours_and_of_no_one(void **unused)
+{
+    (void)unused;
+    wfWorld world = make_world(3);
+    wfBodyId a = add(&world, ball_def(0, 0, 1)), b = add(&world, ball_def(3, 0, 1));
+    add(&world, ball_def(6, 0, 1));
+    assert_ok(wfRemoveBodyFromWorld(&world, b));
+    assert_int_equal(wfBodyAt(&world, 1).index, 0);       /* an empty place, and places that never were */
+    assert_int_equal(wfBodyAt(&world, -1).index, 0);
+    assert_int_equal(wfBodyAt(&world, 3).index, 0);
+    assert_int_equal(wfBodyAt(&world, INT32_MAX).index, 0);
+    wfBodyId d = add(&world, ball_def(3, 0, 1));          /* as in the chapter's figure */
+    assert_true(d.index == b.index && d.generation == b.generation + 1);
+    assert_true(wfBodyIsValid(&world, d) && wfBodyIsValid(&world, a) && !wfBodyIsValid(&world, b));
+    wfDestroyWorld(&world);
+}
+
 /* ------------------------------------------------------------------------------ a step that fails */
+
+static void the_hash_is_of_states_and_names_alone(void **unused)
+{
+    (void)unused;
+    wfWorld small = pile(6), large = make_world(100);
+    for (int i = 0; i < 7; i++) {                         /* the same bodies in a world with more room */
+        wfBodyDef d = i == 0 ? floor_def() : (i - 1) % 2 ? box_def((i - 1) % 5 - 2, 1 + (i - 1) / 5, 0.4)
+                                                         : ball_def((i - 1) % 5 - 2, 1 + (i - 1) / 5, 0.4);
+        if (i > 0) {
+            d.restitution = WF_R(0.3);
+            d.angularVelocity = (wfReal)((i - 1) % 3);
+            d.linearDamping = (i - 1) % 4 == 0 ? WF_R(0.1) : 0;
+        }
+        add(&large, d);
+    }
+    for (int i = 0; i < 60; i++) {
+        assert_true(wfHashWorld(&small) == wfHashWorld(&large));
+        steps(&small, 1);
+        steps(&large, 1);
+    }
+    uint64_t before = wfHashWorld(&small);
+    wfBodyId id = wfBodyAt(&small, 2);
+    assert_ok(wfApplyForceToBody(&small, id, wfV2(1, 0), wfV2(0, 0)));
+    assert_ok(wfSetBodyMaterial(&small, id, 1, 1));       /* causes, not states */
+    assert_ok(wfSetGravity(&small, wfV2(1, 1)));
+    memset(small.memory.transient, 0xab, small.memory.transientSize);
+    assert_true(wfHashWorld(&small) == before);
+    steps(&small, 1);
+    steps(&large, 1);
+    assert_true(wfHashWorld(&small) != wfHashWorld(&large));
+    wfDestroyWorld(&small);
+    wfDestroyWorld(&large);
+}
+
+static void a_body_replaced_by_its_equal_changes_the_hash(void **unused)
+{
+    (void)unused;
+    wfWorld world = make_world(3);
+    wfBodyDef d = ball_def(1, 2, 0.5);
+    wfBodyId id = add(&world, d);
+    uint64_t before = wfHashWorld(&world);
+    assert_ok(wfRemoveBodyFromWorld(&world, id));
+    assert_true(wfHashWorld(&world) == WF_HASH_SEED);     /* nothing was fed in */
+    add(&world, d);
+    assert_true(wfHashWorld(&world) != before);
+    wfDestroyWorld(&world);
+}
+
+static void sums_are_added_in_double(void **unused)       /* 2^24 + 1 has no float */
+{
+    (void)unused;
+    wfWorld world = make_world(3);
+    double kinetic, potential, linear[2];
+    assert_ok(wfSetGravity(&world, wfV2(0, -1)));
+    wfBodyDef d = ball_def(0, 1, 0.5);
+    d.mass = 16777216;
+    add(&world, d);
+    d = ball_def(9, 1, 0.5);
+    d.mass = 1;
+    d.velocity = wfV2(1, 0);
+    add(&world, d);
+    assert_ok(wfWorldEnergy(&world, &kinetic, &potential));
+    assert_true(potential == 16777217.0);
+    assert_true(kinetic == 0.5);
+    d.mass = 16777216;
+    add(&world, d);
+    assert_ok(wfWorldMomentum(&world, linear, NULL));
+    assert_true(linear[0] == 16777217.0 && linear[1] == 0);
+    wfDestroyWorld(&world);
+}
 
 static void too_many_pairs_leave_the_world_as_it_was(void **unused)
 {
@@ -1391,6 +1541,9 @@ int main(void)
         cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
         cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
         cmocka_unit_test(an_empty_world_and_one_of_a_single_body),
+        cmocka_unit_test(bodies_and_forces_of_no_world_are_refused), cmocka_unit_test(handles_askew_are_refused),
+        cmocka_unit_test(ids_of_neighbours_and_of_no_one), cmocka_unit_test(the_hash_is_of_states_and_names_alone),
+        cmocka_unit_test(a_body_replaced_by_its_equal_changes_the_hash), cmocka_unit_test(sums_are_added_in_double),
         cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing),
         cmocka_unit_test(angles_stay_in_one_turn), cmocka_unit_test(the_page_of_stages),
     };
