@@ -236,7 +236,7 @@ enum {
     NEWTON_WAYS = 4,            /* that are remembered                                  */
     NEWTON_ARRAYS = 4 + 2 * NEWTON_WAYS
 };
-
+/* <integrators> */
 typedef struct Newton {
     const wfIntegration *in;
     Scratch *s;
@@ -267,7 +267,7 @@ static wfReal product(const Newton *n, const Acceleration *a, const Acceleration
     }
     return sum;
 }
-
+/* <integrators> */
 /* a += f b */
 static void add_share(const Newton *n, Acceleration *a, wfReal f, const Acceleration *b)
 {
@@ -329,7 +329,7 @@ static void find_newton_step(const Newton *n, wfReal size)
 {
     memset(n->step, 0, (size_t)n->in->count * sizeof *n->step);
     wfReal left = size;
-    for (int k = 0; k < NEWTON_QUESTIONS && left > 16 * WF_EPSILON * size; k++) {
+    for (int k = 0; k < NEWTON_QUESTIONS && left > wfSquare(16 * WF_EPSILON) * size; k++) {
         int slot = k % NEWTON_WAYS, known = k < NEWTON_WAYS ? k : NEWTON_WAYS;
         Acceleration *p = n->way[slot], *q = n->image[slot];
         copy(n, p, n->rest);
@@ -365,7 +365,8 @@ static wfResult newton_midpoint(const wfIntegration *in, Scratch *s)
             copy(n, n->guess, n->rest);
             return WF_OK;
         }
-        bool shorter = false;
+        bool shorter = false, small = change <= wfSqrt(WF_EPSILON);
+        wfReal before = size;
         /* <go along the step until the mismatch is shorter> */
         wfReal part = 1;
         for (int k = 0; k < NEWTON_HALVES && !shorter; k++, part /= 2) {
@@ -379,7 +380,7 @@ static wfResult newton_midpoint(const wfIntegration *in, Scratch *s)
             copy(n, n->guess, guess);
             copy(n, n->found, found);
         }
-        if (!shorter && change <= wfSqrt(WF_EPSILON)) return WF_OK;
+        if (small && size > before / 4) return WF_OK;   /* a square: not half as long */
         if (!shorter) break;
     }
     return WF_ERROR_NO_CONVERGENCE;
@@ -427,7 +428,7 @@ const wfIntegratorRow wfIntegratorTable[] = {
     { "verlet", "half a kick, drift, half a kick: exact in free flight",
       2, true, 2, verlet, verlet_scratch },
     { "rk4", "the classical Runge-Kutta method", 4, false, 4, rk4, rk4_scratch },
-    { "implicit-midpoint", "a kick by the force halfway, found by iteration",
+    { "implicit-midpoint", "a kick by the force halfway: stable for every spring",
       2, true, 0, implicit_midpoint, midpoint_scratch },
 };
 const int wfIntegratorCount = (int)(sizeof wfIntegratorTable / sizeof *wfIntegratorTable);

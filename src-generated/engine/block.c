@@ -20,6 +20,13 @@ wfWorldDef wfDefaultWorldDef(void)
 #define WF_BLOCK_MAGIC (0x57454654u + 0x100000000u * ((uint64_t)sizeof(wfHeader) \
     + 3 * sizeof(wfShape) + 7 * sizeof(wfBodyProps) + 31 * sizeof(wfContact) \
     + 127 * sizeof(wfForce) + 1021 * sizeof(wfBodyState)))
+/* <check numbers> */
+bool wfAllFinite(const wfReal *number, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!wfIsFinite(number[i])) return false;
+    return true;
+}
 /* <check a world's definition> */
 static bool is_row(int32_t row, int count) { return row >= 0 && row < count; }
 
@@ -35,9 +42,9 @@ static wfResult check_methods(const wfWorldDef *d)
 static wfResult check_world_def(const wfWorldDef *d)
 {
     if (d == NULL) return WF_ERROR_NULL;
-    if (!wfIsFinite2(d->gravity) || !wfIsFinite(d->dt)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(d->restingSteps) || !wfIsFinite(d->slop)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(d->positionShare)) return WF_ERROR_NOT_FINITE;
+    const wfReal number[] = { d->gravity.x, d->gravity.y, d->dt, d->restingSteps,
+                              d->positionShare, d->slop };
+    if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
     if (!(d->dt > 0) || d->restingSteps < 0 || d->slop < 0) return WF_ERROR_RANGE;
     if (d->positionShare < 0 || d->positionShare > 1) return WF_ERROR_RANGE;
     if (d->iterations < 1 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
@@ -151,6 +158,11 @@ wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient
     *transient = size[1];
     return WF_OK;
 }
+/* <is a chunk good enough> */
+static bool holds(const void *chunk, size_t size, size_t need)
+{
+    return (uintptr_t)chunk % WF_POOL_ALIGN == 0 && size >= need;
+}
 /* <create a world> */
 static wfResult take_memory(const wfWorldDef *def, const size_t size[2], wfMemory *out)
 {
@@ -159,10 +171,8 @@ static wfResult take_memory(const wfWorldDef *def, const size_t size[2], wfMemor
              && given->permanentSize == 0 && given->transientSize == 0;
     if (none) return wfAllocateMemory(out, size[0], size[1]);
     if (given->permanent == NULL || given->transient == NULL) return WF_ERROR_MEMORY;
-    if (given->permanentSize < size[0]) return WF_ERROR_MEMORY;
-    if (given->transientSize < size[1]) return WF_ERROR_MEMORY;
-    if ((uintptr_t)given->permanent % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
-    if ((uintptr_t)given->transient % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
+    if (!holds(given->permanent, given->permanentSize, size[0])) return WF_ERROR_MEMORY;
+    if (!holds(given->transient, given->transientSize, size[1])) return WF_ERROR_MEMORY;
     *out = *given;
     out->owned = 0;
     memset(out->permanent, 0, size[0]);
@@ -207,13 +217,20 @@ void wfDestroyWorld(wfWorld *world)
 {
     if (world != NULL) wfFreeMemory(&world->memory);
 }
+/* <find the slot that an id names> */
+int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
+                   uint32_t generation)
+{
+    if (index < 1 || index > (uint32_t)s->capacity) return -1;
+    int32_t i = (int32_t)(index - 1);
+    return wfSlotAlive(s, slots, i, generation) ? i : -1;
+}
 /* <open a block> */
 static wfResult check_block(const wfMemory *m)
 {
     if (m->permanent == NULL || m->transient == NULL) return WF_ERROR_NULL;
-    if ((uintptr_t)m->permanent % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
-    if ((uintptr_t)m->transient % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
-    if (m->permanentSize < sizeof(wfHeader)) return WF_ERROR_MEMORY;
+    if (!holds(m->permanent, m->permanentSize, sizeof(wfHeader))) return WF_ERROR_MEMORY;
+    if (!holds(m->transient, m->transientSize, 0)) return WF_ERROR_MEMORY;
     const wfHeader *head = m->permanent;
     if (head->magic != WF_BLOCK_MAGIC) return WF_ERROR_NOT_A_WORLD;
     if (head->bytes > m->permanentSize || head->scratchBytes > m->transientSize)

@@ -48,4 +48,11 @@ void *wfTransient(const wfBlock *b, int region);
 wfWorldDef wfSettings(const wfHeader *head);
 /* All bodies as a view of the given states. */
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state);
+/* The slot that an id names, or -1. */
+int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
+                   uint32_t generation);
+/* The id of the living body at place i. */
+wfBodyId wfIdOfBody(const wfBlock *b, int32_t i);
+/* True when no number is NaN or infinite. */
+bool wfAllFinite(const wfReal *number, size_t count);
 #endif

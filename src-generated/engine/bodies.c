@@ -10,18 +10,11 @@ wfBodyDef wfDefaultBodyDef(void)
                         .gravityScale = 1 };
 }
 /* <find a body by its id> */
-static int32_t slot_of(const wfBlock *b, wfBodyId id)
-{
-    if (id.index < 1 || id.index > (uint32_t)b->head->bodyCapacity) return -1;
-    int32_t i = (int32_t)(id.index - 1);
-    return wfSlotAlive(&b->head->bodySlots, b->bodySlots, i, id.generation) ? i : -1;
-}
-
 static wfResult open_body(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
 {
     wfResult result = wfOpenBlock(world, b);
     if (result != WF_OK) return result;
-    *index = slot_of(b, id);
+    *index = wfFindSlot(&b->head->bodySlots, b->bodySlots, id.index, id.generation);
     return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
 }
 
@@ -37,30 +30,32 @@ bool wfBodyIsValid(const wfWorld *world, wfBodyId id)
     return wfBodyIndex(world, id) >= 0;
 }
 /* <find a body by its id> */
+wfBodyId wfIdOfBody(const wfBlock *b, int32_t i)
+{
+    return (wfBodyId){ (uint32_t)i + 1, b->bodySlots[i].generation };
+}
+
 wfBodyId wfBodyAt(const wfWorld *world, int32_t index)
 {
     wfBlock b;
     wfBodyId none = { 0, 0 };
     if (wfOpenBlock(world, &b) != WF_OK) return none;
     if (index < 0 || index >= b.head->bodySlots.high || !b.alive[index]) return none;
-    return (wfBodyId){ (uint32_t)index + 1, b.bodySlots[index].generation };
+    return wfIdOfBody(&b, index);
 }
 /* <check a body's definition> */
-static wfResult check_numbers(const wfBodyDef *d)
+static bool numbers_are_finite(const wfBodyDef *d)
 {
     const wfReal number[] = { d->position.x, d->position.y, d->angle, d->velocity.x,
         d->velocity.y, d->angularVelocity, d->density, d->mass, d->restitution, d->friction,
         d->linearDamping, d->angularDamping, d->gravityScale };
-    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
-        if (!wfIsFinite(number[i])) return WF_ERROR_NOT_FINITE;
-    return WF_OK;
+    return wfAllFinite(number, sizeof number / sizeof *number);
 }
 
 static wfResult check_body_def(const wfBodyDef *d)
 {
     if (d == NULL) return WF_ERROR_NULL;
-    wfResult result = check_numbers(d);
-    if (result != WF_OK) return result;
+    if (!numbers_are_finite(d)) return WF_ERROR_NOT_FINITE;
     if (d->type < 0 || d->type >= WF_BODY_TYPES) return WF_ERROR_RANGE;
     if (d->density < 0 || d->mass < 0 || d->friction < 0) return WF_ERROR_RANGE;
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
@@ -126,7 +121,7 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     b.shapes[i] = made.shape;
     b.applied[i] = (wfBodyForces){ .torque = 0 };
     b.alive[i] = 1;
-    if (out != NULL) *out = (wfBodyId){ (uint32_t)i + 1, b.bodySlots[i].generation };
+    if (out != NULL) *out = wfIdOfBody(&b, i);
     return WF_OK;
 }
 /* <remove a body> */
@@ -254,7 +249,7 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
     b.props[i].friction = friction;
     return WF_OK;
 }
-
+/* <change a body> */
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular)
 {
     wfBlock b;
@@ -308,7 +303,7 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
     b.state[i] = kicked;
     return WF_OK;
 }
-
+/* <push a body in a world> */
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point)
 {
     return kick(world, id, impulse, &point, 0);

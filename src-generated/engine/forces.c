@@ -4,18 +4,11 @@
 #include "engine/block.h"
 
 /* <forces in a world> */
-static int32_t force_slot(const wfBlock *b, wfForceId id)
-{
-    if (id.index < 1 || id.index > (uint32_t)b->head->forceCapacity) return -1;
-    int32_t i = (int32_t)(id.index - 1);
-    return wfSlotAlive(&b->head->forceSlots, b->forceSlots, i, id.generation) ? i : -1;
-}
-
 static wfResult open_force(const wfWorld *world, wfForceId id, wfBlock *b, int32_t *index)
 {
     wfResult result = wfOpenBlock(world, b);
     if (result != WF_OK) return result;
-    *index = force_slot(b, id);
+    *index = wfFindSlot(&b->head->forceSlots, b->forceSlots, id.index, id.generation);
     return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
 }
 

@@ -51,6 +51,16 @@ uint64_t wfWorldSteps(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->steps : 0;
 }
 /* <add up the energy of a world> */
+static double energy_in(const wfForce *force, const wfBodyView *bodies)
+{
+    if (force->a >= 0) return (double)wfForceEnergy(force, 1, bodies);
+    wfForce one = *force;
+    double sum = 0;
+    for (one.a = 0; one.a < bodies->count; one.a++)
+        sum += (double)wfForceEnergy(&one, 1, bodies);
+    return sum;
+}
+/* <add up the energy of a world> */
 wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
 {
     wfBlock b;
@@ -58,12 +68,12 @@ wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
     if (result != WF_OK) return result;
     wfBodyView bodies = wfViewOf(&b, b.state);
     wfForce gravity = wfGravity(b.head->gravity);
-    double moving = 0, stored = (double)wfForceEnergy(&gravity, 1, &bodies);
+    double moving = 0, stored = energy_in(&gravity, &bodies);
     for (int32_t i = 0; i < bodies.count; i++)
         moving += (double)wfKineticEnergy(&b.state[i]);
     for (int32_t i = 0; i < b.head->forceSlots.high; i++)
         if (b.forceSlots[i].next == WF_SLOT_LIVE)
-            stored += (double)wfForceEnergy(&b.forces[i], 1, &bodies);
+            stored += energy_in(&b.forces[i], &bodies);
     if (kinetic != NULL) *kinetic = moving;
     if (potential != NULL) *potential = stored;
     return WF_OK;
@@ -116,7 +126,7 @@ bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
     for (int32_t i = b.head->bodySlots.high - 1; i >= 0; i--) {
         if (!b.alive[i] || b.props[i].shape < 0) continue;
         if (!wfShapeContains(&b.shapes[i], wfBodyTransform(&b.state[i]), point)) continue;
-        if (out != NULL) *out = (wfBodyId){ (uint32_t)i + 1, b.bodySlots[i].generation };
+        if (out != NULL) *out = wfIdOfBody(&b, i);
         return true;
     }
     return false;

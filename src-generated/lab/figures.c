@@ -41,6 +41,8 @@
 #include "testbed/scene.h"
 #include "testbed/view.h"
 /* <headers of the figures> */
+#include "testbed/layout.h"
+/* <headers of the figures> */
 #include "testbed/camera.h"
 /* <headers of the figures> */
 #include "lab/taste.h"
@@ -502,8 +504,9 @@ static void figure_numbers_transform(wfDraw *d, const wfFigureInput *in)
         xy[2 * i] = (float)c.x;
         xy[2 * i + 1] = (float)c.y;
     }
-    wfVec2 at = wfAdd(o, p), w = wfApply(t, v), middle = wfAddScaled(o, WF_R(0.5), p);
     wfDrawPolygon(d, xy, 4, 1.5f, WF_INK_LINE, WF_INK_BODY);
+    /* <draw the axes and the point of the transform> */
+    wfVec2 at = wfAdd(o, p), w = wfApply(t, v), middle = wfAddScaled(o, WF_R(0.5), p);
     figure_vector(d, o, wfV2(WF_R(1.0), 0), WF_INK_LINE, "x");
     figure_vector(d, o, wfV2(0, WF_R(1.0)), WF_INK_LINE, "y");
     figure_vector(d, at, wfRotate(t.q, wfV2(1, 0)), WF_INK_BODY2, "");
@@ -795,7 +798,7 @@ static void figure_forces_spring(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < 2; i++) {
         forces_arrow(d, end[i], sum[i].force, WF_R(0.7), WF_INK_ACCENT);
         wfDrawPoint(d, WF_XY(b[i].p), 5, WF_INK_LINE);
-        wfDrawTextf(d, (float)b[i].p.x, (float)b[i].p.y - 1, 13, WF_INK_TEXT, 0,
+        wfDrawTextf(d, (float)b[i].p.x, (float)b[i].p.y - 1.2f, 13, WF_INK_TEXT, 0,
                     "torque %+.2f", (double)sum[i].torque);
     }
 }
@@ -1554,10 +1557,10 @@ static void figure_contacts_clip(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawLine(d, 0.8f, 2.4f, 5.2f, 2.4f, 3, WF_INK_LINE);
     for (int i = 0; i < m.count; i++) {
+        /* <write the name of contact point i> */
         wfVec2 p = m.points[i].point;
         uint32_t f = m.points[i].feature;
-        wfDrawTextf(d, (float)p.x + 0.12f, (float)p.y + 0.05f, 12, WF_INK_TEXT, -1, "%d",
-                    i + 1);
+        wfDrawTextf(d, (float)p.x + 0.12f, (float)p.y + 0.05f, 12, WF_INK_TEXT, -1, "%d", i + 1);
         wfDrawTextf(d, 1, 1.5f - 0.4f * (float)i, 12, WF_INK_TEXT, -1,
                     "%d: corner %u of %c on edge %u, %.2f m", i + 1, f >> 8 & 255,
                     f >> 16 ? 'B' : 'A', f & 255, (double)m.points[i].depth);
@@ -1653,8 +1656,80 @@ static void figure_world_block(wfDraw *d, const wfFigureInput *in)
                     r->name, r->count, r->each);
     }
     for (int k = 0; k < 2; k++)
-        wfDrawTextf(d, 0.2f + 5.6f * (float)k, 5.72f, 13, WF_INK_TEXT, -1, "%s, %zu kB",
+        wfDrawTextf(d, 0.2f + 5.6f * (float)k, 5.8f, 13, WF_INK_TEXT, -1, "%s, %zu kB",
                     k == 0 ? "permanent" : "transient", (size[k] + 512) / 1024);
+}
+/* <figures> */
+static void figure_world_three(wfDraw *d, const wfFigureInput *in)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfRegion region[WF_REGION_COUNT];
+    size_t size[2];
+    (void)in;
+    def.bodyCapacity = 3;
+    def.forceCapacity = 1;
+    if (wfWorldRegions(&def, region) != WF_OK) return;
+    if (wfWorldSize(&def, &size[0], &size[1]) != WF_OK) return;
+    float scale = 6.0f / (float)size[0], y = 5.3f;
+    for (int i = 0; i < WF_REGION_COUNT && region[i].chunk == 0; i++, y -= 0.44f) {
+        const wfRegion *r = &region[i];
+        size_t next = region[i + 1].chunk == 0 ? region[i + 1].offset : size[0];
+        /* <draw one array of the small block> */
+        size_t used = r->count * r->each;
+        float x0 = 2.1f + scale * (float)r->offset, x1 = x0 + scale * (float)used;
+        float x2 = 2.1f + scale * (float)next;
+        float box[8] = { x0, y, x1, y, x1, y + 0.3f, x0, y + 0.3f };
+        float pad[8] = { x1, y, x2, y, x2, y + 0.3f, x1, y + 0.3f };
+        wfDrawPolygon(d, box, 4, 1, WF_INK_LINE, WF_INK_BODY);
+        if (next > r->offset + used) wfDrawPolygon(d, pad, 4, 1, WF_INK_LINE, WF_INK_ACCENT);
+        wfDrawLine(d, x2, y, x2, y - 0.14f, 0.7f, WF_INK_FAINT);
+        wfDrawText(d, 1.9f, y + 0.07f, 11, WF_INK_TEXT, 1, r->name);
+        wfDrawTextf(d, 10.5f, y + 0.07f, 11, WF_INK_TEXT, 1, "at %zu: %zu x %zu", r->offset,
+                    r->count, r->each);
+    }
+    wfDrawTextf(d, 10.5f, 0.15f, 12, WF_INK_TEXT, 1, "%zu bytes in all", size[0]);
+}
+/* <figures> */
+static void draw_places(wfDraw *d, const wfWorld *world, wfBodyId old, float y,
+                        const char *text, const char *const name[3])
+{
+    wfDrawText(d, 0.1f, y + 0.35f, 12, WF_INK_TEXT, -1, text);
+    for (int i = 0; i < 3; i++) {
+        wfBodyId id = wfBodyAt(world, i);
+        float x = 2.5f + 1.5f * (float)i;
+        float box[8] = { x, y, x + 1.3f, y, x + 1.3f, y + 0.9f, x, y + 0.9f };
+        wfDrawPolygon(d, box, 4, 1.2f, WF_INK_LINE,
+                      id.index != 0 ? WF_INK_BODY : WF_INK_PAPER);
+        wfDrawText(d, x + 0.65f, y + 0.52f, 13, WF_INK_TEXT, 0,
+                   id.index != 0 ? name[i] : "free");
+        if (id.index != 0)
+            wfDrawTextf(d, x + 0.65f, y + 0.16f, 11, WF_INK_TEXT, 0, "id (%u, %u)",
+                        (unsigned)id.index, (unsigned)id.generation);
+    }
+    bool valid = wfBodyIsValid(world, old);
+    wfDrawTextf(d, 7.3f, y + 0.35f, 12, valid ? WF_INK_GOOD : WF_INK_BAD, -1,
+                "(%u, %u): %s", (unsigned)old.index, (unsigned)old.generation,
+                valid ? "valid" : "refused");
+}
+/* <figures> */
+static void figure_world_ids(wfDraw *d, const wfFigureInput *in)
+{
+    const char *const before[3] = { "A", "B", "C" }, *const after[3] = { "A", "D", "C" };
+    wfWorldDef def = wfDefaultWorldDef();
+    wfBodyDef particle = wfDefaultBodyDef();
+    wfBodyId id[3];
+    wfWorld world;
+    (void)in;
+    def.bodyCapacity = 3;
+    particle.mass = 1;
+    if (wfCreateWorld(&def, &world) != WF_OK) return;
+    for (int i = 0; i < 3; i++) wfAddBodyToWorld(&world, &particle, &id[i]);
+    draw_places(d, &world, id[1], 2.5f, "three added", before);
+    wfRemoveBodyFromWorld(&world, id[1]);
+    draw_places(d, &world, id[1], 1.3f, "B removed", before);
+    wfAddBodyToWorld(&world, &particle, NULL);
+    draw_places(d, &world, id[1], 0.1f, "D added", after);
+    wfDestroyWorld(&world);
 }
 /* <figures> */
 static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
@@ -1682,7 +1757,7 @@ static void platform_box(wfDraw *d, float x, float y, float w, float h, int fill
     wfDrawPolygon(d, xy, 4, 1.5f, WF_INK_LINE, fill);
     wfDrawText(d, x + w / 2, y + h / 2 - 0.1f, 14, WF_INK_TEXT, 0, name);
 }
-
+/* <figures> */
 static void figure_platform_service(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -1722,6 +1797,7 @@ static void figure_platform_clock(wfDraw *d, const wfFigureInput *in)
             wfDrawPolygon(d, step, 4, 1.5f, WF_INK_LINE,
                           i % 2 ? WF_INK_FAINT : WF_INK_BODY);
         }
+        /* <draw what is left in the accumulator> */
         wfDrawDashed(d, next, 1.1f, next, 1.9f, 1, WF_INK_FAINT);
         if (clock.left > 0.01) {
             float y = 1.25f + 0.1f * (float)(i % 2);
@@ -2019,7 +2095,207 @@ static void figure_scenes_buoyancy(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
     wfDrawView(d, -8.2f, -5.1f, 8.2f, 2.1f);
-    draw_scene(d, "buoyancy", 600, 0);
+    draw_scene(d, "buoyancy", 2000, 0);
+}
+/* <figures> */
+/* The part of a scene's world that a tile shows: from (x, y) on, so many metres wide. */
+typedef struct SceneTile { const char *name; int steps; float x, y, wide; } SceneTile;
+typedef struct TilePlace {
+    float x, y, wide, high, scale;
+    const SceneTile *tile;
+} TilePlace;
+
+static float between(float x, float least, float most)
+{
+    return x < least ? least : x > most ? most : x;
+}
+
+/* Brings a command's points into the tile; false when all of them are off one side. */
+static bool tile_points(const TilePlace *p, const float *from, int32_t count, float *to)
+{
+    bool right = false, left = false, above = false, below = false;
+    for (int32_t i = 0; i < count; i++) {
+        float x = (from[2 * i] - p->tile->x) * p->scale;
+        float y = (from[2 * i + 1] - p->tile->y) * p->scale;
+        right |= x >= 0, left |= x <= p->wide, above |= y >= 0, below |= y <= p->high;
+        to[2 * i] = p->x + between(x, 0, p->wide);
+        to[2 * i + 1] = p->y + between(y, 0, p->high);
+    }
+    return right && left && above && below;
+}
+/* <figures> */
+static void copy_command(wfDraw *d, const wfDraw *from, int i, const TilePlace *p)
+{
+    const wfDrawCommand *c = wfDrawAt(from, i);
+    float xy[2 * 64], size = 0.7f * c->size;
+    int role = c->line == WF_INK_NONE ? c->fill : c->line;
+    if (c->count > 64 || !tile_points(p, wfDrawPoints(from, c), c->count, xy))
+        return;
+    switch ((wfDrawKind)c->kind) {
+    case WF_DRAW_POINT: wfDrawPoint(d, xy[0], xy[1], size, role); break;
+    case WF_DRAW_LINE: wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], size, c->line); break;
+    case WF_DRAW_ARROW: wfDrawArrow(d, xy[0], xy[1], xy[2], xy[3], size, c->line); break;
+    case WF_DRAW_DASHED: wfDrawDashed(d, xy[0], xy[1], xy[2], xy[3], size, c->line); break;
+    case WF_DRAW_CIRCLE:
+        wfDrawCircle(d, xy[0], xy[1], p->scale * c->radius, size, c->line, c->fill); break;
+    case WF_DRAW_POLYGON: wfDrawPolygon(d, xy, c->count, size, c->line, c->fill); break;
+    case WF_DRAW_POLYLINE: wfDrawPolyline(d, xy, c->count, size, c->line); break;
+    case WF_DRAW_TEXT:
+        wfDrawText(d, xy[0], xy[1], 0.4f * c->size, role, c->anchor,
+                   wfDrawString(from, c));
+        break;
+    default: break;
+    }
+}
+/* <figures> */
+static void draw_gallery(wfDraw *d, const SceneTile *tile, int count, int columns)
+{
+    static _Alignas(WF_POOL_ALIGN) uint8_t bytes[512 * 1024];
+    const float wide = 4, high = 2.5f, across = 4.3f, down = 3.2f;
+    float top = down * (float)((count + columns - 1) / columns) - 2.6f;
+    for (int i = 0; i < count; i++) {
+        TilePlace p = { 0.05f + across * (float)(i % columns),
+                        top - down * (float)(i / columns),
+                        wide, high, wide / tile[i].wide, &tile[i] };
+        float frame[] = { p.x, p.y, p.x + wide, p.y, p.x + wide, p.y + high,
+                          p.x, p.y + high };
+        wfDraw own;
+        wfDrawInit(&own, bytes, sizeof bytes);
+        draw_scene(&own, tile[i].name, tile[i].steps,
+                   wfSceneTable[wfFindScene(tile[i].name)].show);
+        for (int k = 0; k < own.count; k++)
+            copy_command(d, &own, k, &p);
+        wfDrawPolygon(d, frame, 4, 1, WF_INK_FAINT, WF_INK_NONE);
+        wfDrawTextf(d, p.x + wide / 2, p.y - 0.36f, 11, WF_INK_TEXT, 0, "%s, step %d",
+                    tile[i].name, tile[i].steps);
+    }
+}
+/* <figures> */
+static void figure_scenes_motion(wfDraw *d, const wfFigureInput *in)
+{
+    static const SceneTile tile[] = {
+        { "free fall", 85, -5.2f, -0.7f, 15.4f },
+        { "spring and orbit", 100, -6, -4.6f, 14.7f }
+    };
+    (void)in;
+    draw_gallery(d, tile, 2, 2);
+}
+
+static void figure_scenes_forces(wfDraw *d, const wfFigureInput *in)
+{
+    static const SceneTile tile[] = {
+        { "bungee", 75, -8, -4.2f, 16 }, { "spring net", 110, -7.2f, -4, 14.4f },
+        { "wind", 120, -7.5f, -1, 15 }, { "explosion", 85, -8, -1, 16 }
+    };
+    (void)in;
+    draw_gallery(d, tile, 4, 2);
+}
+/* <figures> */
+static void figure_scenes_collision(wfDraw *d, const wfFigureInput *in)
+{
+    static const SceneTile tile[] = {
+        { "bouncing circles", 100, -7, -1, 14 }, { "cradle", 75, -7, -4.4f, 14 },
+        { "stack of boxes", 300, -6, -0.8f, 12 }, { "pyramid", 150, -6, -0.8f, 12 },
+        { "shapes", 60, -8, -1.2f, 16 }, { "shapes", 300, -8, -1.2f, 16 }
+    };
+    (void)in;
+    draw_gallery(d, tile, 6, 2);
+}
+
+static void figure_scenes_cases(wfDraw *d, const wfFigureInput *in)
+{
+    static const SceneTile tile[] = {
+        { "TC01 masses", 200, -6, -1.2f, 12 }, { "TC02 arms", 200, -6, -1.2f, 12 },
+        { "TC04 contact points", 150, -6.2f, -3.9f, 12.4f },
+        { "TC05 colours", 150, -6.2f, -3.9f, 12.4f },
+        { "TC07 pairs", 200, -10.2f, -1.3f, 20.4f },
+        { "TC08 positional correction", 150, -6.2f, -3.9f, 12.4f }
+    };
+    (void)in;
+    draw_gallery(d, tile, 6, 2);
+}
+/* <figures> */
+/* A rectangle of the interface: units from the upper left corner, y down. */
+static void window_box(wfDraw *d, const camera *c, float x, float y, float w, float h,
+                       int fill)
+{
+    float a[2], b[2];
+    camera_pick(c, x, y + h, a);
+    camera_pick(c, x + w, y, b);
+    float xy[] = { a[0], a[1], b[0], a[1], b[0], b[1], a[0], b[1] };
+    wfDrawPolygon(d, xy, 4, 0.8f, WF_INK_FAINT, fill);
+}
+/* <figures> */
+static void window_text(wfDraw *d, const camera *c, float x, float y, int role, int anchor,
+                        const char *text)
+{
+    float a[2];
+    camera_pick(c, x, y, a);
+    wfDrawText(d, a[0], a[1], 5.6f, role, anchor, text);
+}
+
+static void window_mark(wfDraw *d, const camera *c, float x, float y, const char *letter)
+{
+    float a[2];
+    camera_pick(c, x, y, a);
+    wfDrawCircle(d, a[0], a[1], 20 / camera_scale(c), 1, WF_INK_ACCENT, WF_INK_ACCENT);
+    camera_pick(c, x, y + 9, a);
+    wfDrawText(d, a[0], a[1], 11, WF_INK_TEXT, 0, letter);
+}
+/* <figures> */
+static void window_list(wfDraw *d, const camera *c, const char *open)
+{
+    float y = LIST_TOP;
+    window_box(d, c, 0, 0, LIST_WIDTH, 700, WF_INK_PAPER);
+    for (int i = 0; i < wfSceneCount && i < 24; i++) {
+        const wfScene *s = &wfSceneTable[i];
+        if (i == 0 || strcmp(s->category, wfSceneTable[i - 1].category) != 0) {
+            window_text(d, c, 10, y + 14, WF_INK_ACCENT, -1, s->category);
+            y += ROW;
+        }
+        if (strcmp(s->name, open) == 0)
+            window_box(d, c, 8, y, LIST_WIDTH - 16, ROW, WF_INK_ACCENT);
+        window_text(d, c, 16, y + 14, WF_INK_TEXT, -1, s->name);
+        y += ROW;
+    }
+    for (int i = 0; i < wfOverlayCount; i++) {
+        float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
+        y = 700 - LIST_BOTTOM + 27 + (float)(i / 2 * ROW);
+        window_box(d, c, x, y + 3, 12, 12, WF_INK_PAPER);
+        window_text(d, c, x + 17, y + 14, WF_INK_TEXT, -1, wfOverlayTable[i].name);
+    }
+}
+/* <figures> */
+static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
+{
+    (void)in;
+    static const char *const button[] = { "List", "Pause", "Step", "Reset", "Previous",
+                                          "Next", "Home", "Dark", "Keys" };
+    const wfScene *s = &wfSceneTable[wfFindScene("shapes")];
+    camera c = { (float)s->viewX, (float)s->viewY, (float)s->viewHeight, LIST_WIDTH, HEAD,
+                 1100 - LIST_WIDTH, 700 - HEAD - FOOT };
+    float view[4];
+    camera_window(&c, 1100, 700, view);
+    wfDrawView(d, view[0], view[1], view[2], view[3]);
+    draw_scene(d, s->name, 100, 0);
+    window_box(d, &c, -2, -2, 1104, HEAD, WF_INK_PAPER);
+    window_box(d, &c, -2, 700 - FOOT + 2, 1104, FOOT, WF_INK_PAPER);
+    window_list(d, &c, s->name);
+    for (int i = 0; i < 9; i++) {
+        window_box(d, &c, 224 + 62 * (float)i, 10, 56, 24, WF_INK_PAPER);
+        window_text(d, &c, 252 + 62 * (float)i, 27, WF_INK_TEXT, 0, button[i]);
+    }
+    window_text(d, &c, 224, 60, WF_INK_TEXT, -1, s->name);
+    window_text(d, &c, 224, 80, WF_INK_TEXT, -1, s->text);
+    window_text(d, &c, 224, 675, WF_INK_TEXT, -1, "running, step 100, 1.67 s, ...");
+    window_box(d, &c, 1, 1, 1098, 698, WF_INK_NONE);
+    /* <mark the parts of the window by letters> */
+    static const struct { const char *letter; float x, y; } mark[] = {
+        { "A", 170, 200 }, { "B", 184, 568 }, { "C", 810, 22 }, { "D", 680, 66 },
+        { "E", 650, 180 }, { "F", 470, 674 }
+    };
+    for (int i = 0; i < 6; i++)
+        window_mark(d, &c, mark[i].x, mark[i].y, mark[i].letter);
 }
 /* <figures> */
 static void camera_rect(wfDraw *d, float x, float y, float w, float h, int line, int fill)
@@ -2375,6 +2651,10 @@ const wfFigureRow wfFigureTable[] = {
     /* <rows of the figure table> */
     { "world-block", figure_world_block, 11.4f, 6.1f, 0, {{0}} },
     /* <rows of the figure table> */
+    { "world-three", figure_world_three, 10.7f, 5.9f, 0, {{0}} },
+    /* <rows of the figure table> */
+    { "world-ids", figure_world_ids, 9.6f, 3.6f, 0, {{0}} },
+    /* <rows of the figure table> */
     { "world-stages", figure_world_stages, 14.2f, 8.2f, 0, {{0}} },
     /* <rows of the figure table> */
     { "platform-service", figure_platform_service, 8.9f, 4.8f, 0, { { 0 } } },
@@ -2393,6 +2673,11 @@ const wfFigureRow wfFigureTable[] = {
     { "drawing-blend", figure_drawing_blend, 6.4f, 4.9f, 0, {{0}} },
     /* <rows of the figure table> */
     { "scenes-wall", figure_scenes_wall, 18, 6.6f, 0, { { 0 } } },
+    { "scenes-window", figure_scenes_window, 11, 7, 0, { { 0 } } },
+    { "scenes-motion", figure_scenes_motion, 8.4f, 3.2f, 0, { { 0 } } },
+    { "scenes-forces", figure_scenes_forces, 8.4f, 6.4f, 0, { { 0 } } },
+    { "scenes-collision", figure_scenes_collision, 8.4f, 9.6f, 0, { { 0 } } },
+    { "scenes-cases", figure_scenes_cases, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-hand", figure_scenes_hand, 8.9f, 4.4f, 0, { { 0 } } },
     { "scenes-axis", figure_scenes_axis, 12.4f, 8.4f, 0, { { 0 } } },
     { "scenes-tree", figure_scenes_tree, 10.6f, 6.8f, 0, { { 0 } } },

@@ -166,7 +166,7 @@ static double exponential_near_zero(double r)        /* eq:numbers-exp-series */
     for (int k = 14; k >= 1; k--) p = 1 + p * (r * one_over[k]);
     return p;
 }
-
+/* <the exponential> */
 static double power_of_two(int n)                    /* -1022 <= n <= 1023 */
 {
     union { uint64_t bits; double real; } u = { (uint64_t)(n + 1023) << 52 };
@@ -272,5 +272,5 @@ wfReal wfRandomReal(wfRandom *r, wfReal lo, wfReal hi)
 #else
     wfReal u = (wfReal)(wfRandomU32(r) >> 8) * 0x1p-24f;
 #endif
-    return (1 - u) * lo + u * hi;
+    return wfClamp((1 - u) * lo + u * hi, lo, hi);
 }

@@ -30,7 +30,7 @@ wfPixelMap wfMapView(const float view[4], float widthPx, float heightPx)
 wfArrow wfMakeArrow(float x0, float y0, float x1, float y1, float widthPx)
 {
     float dx = x1 - x0, dy = y1 - y0;
-    float length = (float)wfSqrt(dx * dx + dy * dy);
+    float length = (float)wfLength(wfV2(dx, dy));
     float head = 6 + 2.5f * widthPx;
     if (head > length) head = length;
     float ux = length > 0 ? dx / length : 0, uy = length > 0 ? dy / length : 0;

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "testbed/camera.h"
 #include "testbed/hand.h"
+#include "testbed/layout.h"
 #include "testbed/platform.h"
 #include "testbed/raster.h"
 #include "testbed/scene.h"
@@ -71,7 +72,7 @@ static void look_home(game *g)
     g->state->camera.y = (float)g->scene->viewY;
     g->state->camera.height = (float)g->scene->viewHeight;
 }
-
+/* <open a scene in the game> */
 static void open_scene(game *g, int row)
 {
     game_state *s = g->state;
@@ -111,7 +112,7 @@ static void ui_box(ui *u, float x, float y, float w, float h, int line, int fill
     if (u->draw)
         wfDrawPolygon(u->draw, xy, 4, 1, line, fill);
 }
-
+/* <the interface> */
 static void ui_text(ui *u, float x, float y, float size, int role, int anchor,
                     const char *text)
 {
@@ -133,7 +134,7 @@ static bool ui_area(ui *u, const char *name, float x, float y, float w, float h)
     }
     return inside && u->click;
 }
-
+/* <the interface> */
 static bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 24);
@@ -156,7 +157,7 @@ static bool ui_check(ui *u, const char *name, float x, float y, float w, bool on
     ui_text(u, x + 17, y + 13.5f, 13, WF_INK_TEXT, -1, name);
     return ui_area(u, name, x, y, w, 19);
 }
-
+/* <the interface> */
 static bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 19);
@@ -167,10 +168,6 @@ static bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y, w, 19);
 }
 /* <the interface> */
-enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 112, ROW = 19 };
-enum { HEAD = 92, FOOT = 48 };          /* heights of the strips above, below the scene */
-enum { LIST_ROOM = 800 };               /* a window narrower than this begins without list */
-
 static float list_length(void)
 {
     int rows = wfSceneCount;
@@ -370,7 +367,7 @@ static void take_hold(game *g)
     s->held = id;
     s->grip = wfApplyInv(wfBodyTransform(body), s->input.mouse);
 }
-
+/* <obey the mouse> */
 static void place_camera(game *g)
 {
     game_state *s = g->state;
@@ -568,7 +565,7 @@ static void say(writer *w, const char *format, ...)
     va_end(list);
     w->used += n > 0 ? (size_t)n : 0;
 }
-
+/* <describe the game> */
 static void say_bodies(writer *w, const game *g)
 {
     wfBodyView v = wfWorldBodies(&g->world);
@@ -600,6 +597,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         g.scene->name, (int)s->paused, (unsigned long long)wfWorldSteps(&g.world),
         (int)wfBodyCount(&g.world), (int)contacts,
         s->held.index ? (int)wfBodyIndex(&g.world, s->held) : -1, (unsigned)s->show);
+    /* <say how the interface and the view stand> */
     say(&w, "list %d\ndark %d\nkeys %d\nview %.4f %.4f %.4f\nhash %016llx\n", (int)s->list,
         (int)s->dark, (int)s->keys, (double)s->camera.x, (double)s->camera.y,
         (double)s->camera.height, (unsigned long long)wfHashWorld(&g.world));

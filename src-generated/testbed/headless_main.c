@@ -67,7 +67,7 @@ static const wfScene *scene_of(const layer_options *options, const char *otherwi
     if (row < 0) complain("no such scene; --list names them all");
     return row < 0 ? NULL : &wfSceneTable[row];
 }
-
+/* <commands of the headless program> */
 static int hash_scene(const layer_options *options)
 {
     const wfScene *scene = scene_of(options, "free fall");

@@ -45,6 +45,7 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
         bool size = strcmp(name, "--size") == 0;
         bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0;
         if (!place && !size && !amount) {
+            /* <keep a command or its argument> */
             const char **word = name[0] == '-' ? &out->command : &out->argument;
             if (*word) return "more than one command";
             *word = name;
@@ -75,7 +76,7 @@ static char *read_text(const char *path)
     free(text);
     return NULL;
 }
-
+/* <begin and end a platform layer> */
 bool layer_resize(layer *l, int32_t width, int32_t height)
 {
     if (width < 1 || height < 1 || width > 32768 || height > 32768) return false;

@@ -314,7 +314,7 @@ static void paint_dashes(frame_buffer *target, const stencil *s, wfInk ink, floa
     double t0 = 0, t1 = 1;
     if (!clip_range((double)x0, (double)dx, -16, target->width + 16, &t0, &t1)) return;
     if (!clip_range((double)y0, (double)dy, -16, target->height + 16, &t0, &t1)) return;
-    float length = (float)wfSqrt(dx * dx + dy * dy), dash = 6 * unit, period = 11 * unit;
+    float length = (float)wfLength(wfV2(dx, dy)), dash = 6 * unit, period = 11 * unit;
     float first = period * (float)wfFloor((wfReal)((float)t0 * length / period));
     for (int i = 0; i < MOST_DASHES; i++) {
         float from = first + (float)i * period, to = from + dash;

@@ -44,7 +44,7 @@ static wfBodyDef ball(Maker *m, wfReal x, wfReal y, wfReal radius)
     note(m, wfMakeCircle(wfV2(0, 0), radius, &def.shape));
     return def;
 }
-
+/* <helpers of the scenes> */
 static wfBodyDef regular(Maker *m, wfReal x, wfReal y, wfReal radius, int corners)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -100,7 +100,7 @@ static int32_t testing_body(const wfSceneInput *in)
 {
     return (int32_t)((uint32_t)in->choice % TESTING_BODIES);
 }
-
+/* <helpers of the scenes> */
 static void place_testing_body(wfWorld *world, const wfSceneInput *in)
 {
     for (int32_t i = 0; i < TESTING_BODIES; i++) {
@@ -303,6 +303,7 @@ static wfResult build_net(wfWorld *world)
             push(&m, &s);
         last = body;
     }
+    /* <drop three balls on the net> */
     for (int i = 0; i < 3; i++) {
         wfBodyDef b = ball(&m, WF_R(0.9) * (wfReal)(i - 1), 3 + (wfReal)i, WF_R(0.4));
         b.mass = 1;
@@ -341,7 +342,7 @@ static wfResult build_buoyancy(wfWorld *world)
     push(&m, &water);
     return m.result;
 }
-
+/* <scenes> */
 static void draw_water(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)world, (void)in;
@@ -432,8 +433,8 @@ static void draw_bouncing(const wfWorld *world, wfDraw *d, const wfSceneInput *i
 {
     (void)world, (void)in;
     for (int i = 0; i < 9; i++)
-        wfDrawTextf(d, 1.5f * (float)(i - 4), -0.35f, 13, WF_INK_TEXT, 0, "e = %.3g",
-                    i / 8.0);
+        wfDrawTextf(d, 1.5f * (float)(i - 4), -0.35f, 13, WF_INK_TEXT, 0, "%s%.3g",
+                    i == 0 ? "e = " : "", i / 8.0);
 }
 /* <scenes> */
 static wfResult build_cradle(wfWorld *world)
@@ -587,7 +588,7 @@ static int32_t closest_body(const wfBodyView *v, int32_t test, wfSeparation *bes
     }
     return found;
 }
-
+/* <scenes> */
 /* The bar that a body covers on the axis through `origin', `lift' beside it. */
 static void draw_projection(wfDraw *d, const wfBodyView *v, int32_t i, wfVec2 origin,
                             wfVec2 axis, wfReal lift, int role)
@@ -618,12 +619,12 @@ static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, WF_INK_LINE);
     draw_projection(d, &v, test, aside, s.normal, WF_R(0.08), WF_INK_BODY2);
     draw_projection(d, &v, near, aside, s.normal, WF_R(-0.08), WF_INK_BODY);
-    wfVec2 label = wfAddScaled(aside, 1, side), tip = wfAdd(origin, s.normal);
-    wfDrawTextf(d, WF_XY(label), 13, role, 0, "%s %.2f m",
+    wfVec2 label = wfAddScaled(aside, WF_R(0.4), side), tip = wfAdd(origin, s.normal);
+    wfDrawTextf(d, WF_XY(label), 13, role, side.x < 0 ? 1 : -1, "%s %.2f m",
                 s.distance < 0 ? "overlap" : "gap", (double)wfAbs(s.distance));
     wfDrawArrow(d, WF_XY(origin), WF_XY(tip), 2, role);
 }
-
+/* <scenes> */
 static void rest_softly(wfWorldDef *def)
 {
     def->gravity = wfV2(0, 0);
@@ -680,7 +681,7 @@ static void mark_node(const wfWorld *world, wfDraw *d, const wfQuadTree *tree, i
         if (v.alive[i] && wfQuadTreeNodeOf(tree, i) == node)
             wfDrawPoint(d, WF_XY(v.state[i].p), 10, WF_INK_ACCENT);
 }
-
+/* <scenes> */
 static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
 {
     static const char *const sector[] = { "BL", "BR", "TL", "TR" };
@@ -768,22 +769,22 @@ const wfScene wfSceneTable[] = {
     { .category = "Forces", .name = "spring net", .chapter = 9,
       .text = "Knots joined by damped springs catch three balls.",
       .build = build_net, .draw = draw_net, .viewX = 0, .viewY = WF_R(0.5), .viewHeight = 10,
-      .energyBound = 1, .depthBound = WF_R(0.5) },
+      .energyBound = 1, .depthBound = WF_R(0.2) },
     /* <rows of the scene table> */
     { .category = "Forces", .name = "buoyancy", .chapter = 9,
       .text = "Densities 0.2, 0.5, 0.9 and 1.5 in water of 1: three pairs float, one sinks.",
       .build = build_buoyancy, .draw = draw_water, .viewX = 0, .viewY = -1, .viewHeight = 8,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.3) },
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.15) },
     /* <rows of the scene table> */
     { .category = "Forces", .name = "wind", .chapter = 9,
       .text = "A wind of 5 m/s, no weight: green bodies are light, blue ones heavy.",
       .define = without_gravity, .build = build_wind,
       .viewX = 0, .viewY = WF_R(3.5), .viewHeight = 9, .show = WF_SHOW_VELOCITIES,
-      .energyBound = -1, .depthBound = WF_R(0.4) },
+      .energyBound = -1, .depthBound = WF_R(0.2) },
     { .category = "Forces", .name = "explosion", .chapter = 9,
       .text = "After one second a charge goes off at the foot of the wall.",
       .build = build_explosion, .viewX = 0, .viewY = 3, .viewHeight = 9,
-      .energyBound = -1, .depthBound = WF_R(0.5) },
+      .energyBound = -1, .depthBound = WF_R(0.25) },
     /* <rows of the scene table> */
     { .category = "Collision", .name = "ball and wall", .chapter = 14,
       .text = "A ball on its exact parabola (dashed) meets a wall of loose bricks.",
@@ -795,7 +796,7 @@ const wfScene wfSceneTable[] = {
       .text = "Nine balls whose restitution goes from 0 to 1 in eighths.",
       .build = build_bouncing, .draw = draw_bouncing,
       .viewX = 0, .viewY = WF_R(3.2), .viewHeight = WF_R(8.8),
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.25) },
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
     /* <rows of the scene table> */
     { .category = "Collision", .name = "cradle", .chapter = 14,
       .text = "Newton's cradle without strings: the velocity goes through the row.",
@@ -806,7 +807,7 @@ const wfScene wfSceneTable[] = {
     { .category = "Collision", .name = "stack of boxes", .chapter = 14,
       .text = "Six boxes that should simply stand there. Pull one out, or throw one at them.",
       .build = build_stack, .viewX = 0, .viewY = 3, .viewHeight = 8, .show = WF_SHOW_CONTACTS,
-      .energyBound = 1, .depthBound = WF_R(0.2) },
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.05) },
     { .category = "Collision", .name = "pyramid", .chapter = 14,
       .text = "Each box rests on two. Without friction the load drives the rows apart.",
       .build = build_pyramid, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = 7,
@@ -850,12 +851,12 @@ const wfScene wfSceneTable[] = {
       .text = "Each body says which node holds it; the node under the mouse is marked.",
       .define = without_gravity, .build = build_drift, .draw = draw_nodes,
       .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_TREE,
-      .energyBound = 1, .depthBound = WF_R(0.3) },
+      .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
     { .category = "Test cases", .name = "TC07 pairs", .chapter = 11,
       .text = "A red line joins each potential pair: boxes round the bodies that overlap.",
       .define = without_gravity, .build = build_drift,
       .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_PAIRS | WF_SHOW_BOUNDS,
-      .energyBound = 1, .depthBound = WF_R(0.3) },
+      .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC08 positional correction", .chapter = 14,
       .text = "Press the body against another: it is moved out until the edges barely touch.",

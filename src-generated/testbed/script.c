@@ -104,7 +104,7 @@ static const char *do_button(const script_line *line, game_input *now)
     }
     return NULL;
 }
-
+/* <carry out one line of a script> */
 static const char *do_key(const script_line *line, game_input *now)
 {
     int32_t key = key_of(line->word[1]);
@@ -148,7 +148,7 @@ static bool is_one_of(const char *word, const char *const *list)
             return true;
     return false;
 }
-
+/* <carry out one line of a script> */
 static const char *do_line(const script_line *line, input_script *script)
 {
     static const char *const buttons[] = { "down", "up", "click", NULL };
@@ -175,7 +175,7 @@ void input_script_open(input_script *script, const char *text)
     script->at = text;
     script->now.steps = 1;
 }
-
+/* <read the next frame of a script> */
 int input_script_next(input_script *script, game_input *out)
 {
     if (script->error)

@@ -34,7 +34,7 @@ static void draw_contacts(const wfWorld *world, wfPool *scratch, wfDraw *d)
         for (int32_t p = 0; p < contact[i].manifold.count; p++)
             wfDrawPoint(d, WF_XY(contact[i].manifold.points[p].point), 7, WF_INK_ACCENT);
 }
-
+/* <draw the overlays> */
 static void draw_normals(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -75,7 +75,7 @@ static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
         if (proxies.flags[i] & WF_PROXY_LIVE)
             wfDrawRect(d, proxies.bounds[i], 1, WF_INK_FAINT);
 }
-
+/* <draw the overlays> */
 static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     wfProxies proxies;
@@ -131,7 +131,7 @@ static bool is_touching(const wfWorld *world, int32_t body)
             return true;
     return false;
 }
-
+/* <draw a world> */
 static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint32_t show,
                       wfDraw *d)
 {

@@ -43,7 +43,7 @@ static inline wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
     return a < lo ? lo : a > hi ? hi : a;
 }
 /* <functions of one real number> */
-#ifndef __GNUC__                        /* gcc and clang need no library for it */
+#ifndef __GNUC__             /* gcc and clang: no library, given -fno-math-errno */
 #define WF_NATIVE_SQRT(a) ((wfReal)sqrt((double)(a)))
 #elif defined WF_DOUBLE
 #define WF_NATIVE_SQRT(a) __builtin_sqrt(a)
@@ -98,7 +98,8 @@ wfReal wfAtan2(wfReal y, wfReal x);
 wfReal wfArcCos(wfReal a);
 /* <angles and elementary functions> */
 /* e to the power a. Error: at most 0.50001 ulp in float, 2.5 ulp in double. What is too
-   large becomes WF_HUGE, what is too small 0; a NaN counts as 0. Eq. numbers-exp. */
+   large (in double: a > 709) becomes WF_HUGE, what is too small (a < -708) 0; a NaN counts
+   as 0. Eq. numbers-exp. */
 wfReal wfExp(wfReal a);
 /* <vectors of the plane> */
 typedef union wfVec2 {
@@ -558,5 +559,5 @@ typedef struct wfRandom { uint64_t state, inc; } wfRandom;
 void     wfRandomSeed(wfRandom *r, uint64_t seed);         /* starts a stream */
 uint32_t wfRandomU32(wfRandom *r);                         /* 0 .. 2^32 - 1 */
 uint32_t wfRandomBelow(wfRandom *r, uint32_t n);           /* 0 .. n - 1; 0 for n = 0 */
-wfReal   wfRandomReal(wfRandom *r, wfReal lo, wfReal hi);  /* lo <= result <= hi */
+wfReal   wfRandomReal(wfRandom *r, wfReal lo, wfReal hi);  /* lo <= hi; both included */
 #endif

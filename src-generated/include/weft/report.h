@@ -18,6 +18,22 @@ typedef wfMat22 mat22;         /* E11 .. E22 or E[4] */
 typedef wfMat23 mat23;         /* E11 .. E23 or E[6] */
 typedef union rectangle2 { struct { v2 Min, Max; }; wfRect Weft; } rectangle2;
 typedef union circle2 { struct { v2 Center; real32 Radius; }; wfCircle2 Weft; } circle2;
+/* <count and list the arguments> */
+/* How many numbers were given, none included. */
+#define WF_REPORT_COUNT(...) (sizeof((real32[]){ 0, __VA_ARGS__ }) / sizeof(real32) - 1)
+/* <count and list the arguments> */
+/* The numbers after a leading 0. A negative array size stops the compiler unless there are
+ * none, or least to most. */
+#define WF_REPORT_LIST(least, most, ...) \
+    ((real32[]){ 0, __VA_ARGS__ } + 0 * sizeof(char[ \
+        WF_REPORT_COUNT(__VA_ARGS__) == 0 || (WF_REPORT_COUNT(__VA_ARGS__) >= (least) \
+            && WF_REPORT_COUNT(__VA_ARGS__) <= (most)) ? 1 : -1]))
+/* Two arguments for a function: the list, and how long it is. */
+#define WF_REPORT_NUMBERS(least, most, ...) \
+    WF_REPORT_LIST(least, most, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__)
+/* <choose by the number of arguments> */
+/* The fourth argument: picks a macro by the number of arguments before it. */
+#define WF_REPORT_FOURTH(a, b, c, d, ...) d
 /* <the report's math operations> */
 static inline real32 Square(real32 A) { return wfSquare(A); }
 static inline real32 DegToRadians(real32 Degrees) { return wfRadians(Degrees); }
@@ -48,17 +64,6 @@ static inline v2 PerpCCW(v2 A) { return wfPerpCCW(A); }
 #define Sub(A, B)          _Generic((A), v2: wfSub, v3: wfSub3, v4: wfSub4)((A), (B))
 #define Scale(S, A)        _Generic((A), v2: wfScale, v3: wfScale3, v4: wfScale4)((S), (A))
 /* <the report's matrices> */
-/* How many numbers were given, none included. */
-#define WF_REPORT_COUNT(...) (sizeof((real32[]){ 0, __VA_ARGS__ }) / sizeof(real32) - 1)
-/* The numbers after a leading 0. A negative array size stops the compiler unless there are
- * none, or least to most. */
-#define WF_REPORT_LIST(least, most, ...) \
-    ((real32[]){ 0, __VA_ARGS__ } + 0 * sizeof(char[ \
-        WF_REPORT_COUNT(__VA_ARGS__) == 0 || (WF_REPORT_COUNT(__VA_ARGS__) >= (least) \
-            && WF_REPORT_COUNT(__VA_ARGS__) <= (most)) ? 1 : -1]))
-/* The fourth argument: picks a macro by the number of arguments before it. */
-#define WF_REPORT_FOURTH(a, b, c, d, ...) d
-/* <the report's matrices> */
 static inline mat22 wfReportMat22(const real32 *E, size_t Count)
 {
     return Count == 0 ? wfMat22Identity() : wfMat22Make(E[1], E[2], E[3], E[4]);
@@ -69,37 +74,23 @@ static inline mat23 wfReportMat23(const real32 *E, size_t Count)
 }
 /* Mat22() is the identity, Mat22(E11, E12, E21, E22) what it says; Mat23 likewise with
  * six. */
-#define Mat22(...) \
-    wfReportMat22(WF_REPORT_LIST(4, 4, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__))
-#define Mat23(...) \
-    wfReportMat23(WF_REPORT_LIST(6, 6, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__))
+#define Mat22(...) wfReportMat22(WF_REPORT_NUMBERS(4, 4, __VA_ARGS__))
+#define Mat23(...) wfReportMat23(WF_REPORT_NUMBERS(6, 6, __VA_ARGS__))
 /* <the report's matrices> */
-static inline mat22 RotationMat22Rad(real32 AngleRadian)
-{
-    return wfMat22RotationRad(AngleRadian);
-}
-static inline mat22 RotationMat22Deg(real32 AngleDegree)
-{
-    return wfMat22RotationDeg(AngleDegree);
-}
-static inline mat23 RotationMat23Rad(real32 AngleRadian)
-{
-    return wfMat23RotationRad(AngleRadian);
-}
-static inline mat23 RotationMat23Deg(real32 AngleDegree)
-{
-    return wfMat23RotationDeg(AngleDegree);
-}
+static inline mat22 RotationMat22Rad(real32 Angle) { return wfMat22RotationRad(Angle); }
+static inline mat22 RotationMat22Deg(real32 Angle) { return wfMat22RotationDeg(Angle); }
+static inline mat23 RotationMat23Rad(real32 Angle) { return wfMat23RotationRad(Angle); }
+static inline mat23 RotationMat23Deg(real32 Angle) { return wfMat23RotationDeg(Angle); }
 static inline mat22 Transpose(mat22 A) { return wfMat22Transpose(A); }
 static inline mat23 MakeMat23(mat22 A) { return wfMat23From22(A); }
 static inline mat22 MakeMat22(mat23 A) { return wfMat22From23(A); }
 #define Inverse(A) _Generic((A), mat22: wfMat22Inverse, mat23: wfMat23Inverse)(A)
-#define AddRotationRad(A, AngleRadian) \
+#define AddRotationRad(A, Angle) \
     _Generic((A), mat22: wfMat22AddRotationRad, \
-                  mat23: wfMat23AddRotationRad)((A), (AngleRadian))
-#define AddRotationDeg(A, AngleDegree) \
+                  mat23: wfMat23AddRotationRad)((A), (Angle))
+#define AddRotationDeg(A, Angle) \
     _Generic((A), mat22: wfMat22AddRotationDeg, \
-                  mat23: wfMat23AddRotationDeg)((A), (AngleDegree))
+                  mat23: wfMat23AddRotationDeg)((A), (Angle))
 /* <the report's matrices> */
 static inline mat23 wfReportMove(real32 X, real32 Y)
 {
@@ -198,14 +189,12 @@ typedef poly_body_data poly_body[1];
 /* <the report's pipeline> */
 /* CreateWorld() or CreateWorld(dt), dt in seconds, default 1/30, at most 1. When it
  * fails, the handle is empty and every call with it returns WF_ERROR_NULL. */
-#define CreateWorld(...) \
-    wfReportCreateWorld(WF_REPORT_LIST(1, 1, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__))
+#define CreateWorld(...) wfReportCreateWorld(WF_REPORT_NUMBERS(1, 1, __VA_ARGS__))
 /* MakePolyBody(Dimensions, Mass, Orientation = 0, LinearDamping = 0.35, AngularDamping =
  * 0.9): an initializer. Orientation is in degrees. */
 #define MakePolyBody(...) { MakePolyBodyValue(__VA_ARGS__) }
 #define MakePolyBodyValue(Dimensions, ...) \
-    wfReportPolyBody((Dimensions), WF_REPORT_LIST(1, 4, __VA_ARGS__), \
-                     WF_REPORT_COUNT(__VA_ARGS__))
+    wfReportPolyBody((Dimensions), WF_REPORT_NUMBERS(1, 4, __VA_ARGS__))
 /* AddBodyToWorld(&World, &Body) or AddBodyToWorld(&World, &BodyArray, NumOfBodies),
  * where BodyArray holds pointers to bodies, or bodies. All are added, or none:
  * wfAddBodyToWorld. */

@@ -92,7 +92,7 @@ int wfFindSolver(const char *name);  /* row, or -1 */
  * shares, restitution out of range), WF_ERROR_NOT_FINITE (any number). */
 wfResult wfCheckSolve(const wfSolve *in);
 /* Check, then run a row's velocity or position half. WF_ERROR_UNKNOWN: no such row.
- * On any error of the check the states are as before. */
+ * WF_ERROR_MEMORY: scratch too small. On any error the states are as before. */
 wfResult wfSolveVelocities(int solver, const wfSolve *in);
 wfResult wfSolvePositions(int solver, const wfSolve *in);
 #endif

@@ -7,6 +7,7 @@
  * wfResult and then has changed nothing. A call given a world that was never created, or
  * was destroyed, returns WF_ERROR_NULL (no block) or WF_ERROR_NOT_A_WORLD (the block
  * holds something else). */
+/* <headers of the world> */
 #include "weft/body.h"
 #include "weft/broad.h"
 #include "weft/contact.h"
@@ -23,7 +24,7 @@
  * in the chunks: memory.permanent can be copied, moved and saved as bytes. */
 typedef struct wfWorld { wfMemory memory; } wfWorld;
 /* Names of things in a world, by value. index counts from 1; 0 is "none". An id of a thing
- * that was removed stays invalid for ever, even when its place is taken again. */
+ * that was removed stays invalid, even when its place is taken again. */
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
 typedef struct wfForceId { uint32_t index, generation; } wfForceId;
 /* <what a world is made from> */
