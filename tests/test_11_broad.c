@@ -835,14 +835,18 @@ static void test_sweep_axes(void **state)
     }
     int32_t ids[100];
     for (int i = 0; i < 100; i++) ids[i] = i;
-    for (int axis = 0; axis < 2; axis++) {              /* a row and a tower, of boxes and of points */
-        for (int size = 0; size < 2; size++) {
-            start_world();
-            for (int i = 0; i < 100; i++)
-                put(axis ? rect(0, 3 * i, size, 3 * i + size) : rect(3 * i, 0, 3 * i + size, size), MOVING);
-            assert_int_equal(wfSweepAxis(&world.in, ids, 100), axis);
-            assert_int_equal(tests_of("sweep-and-prune"), 0);
+    for (int k = 0; k < 8; k++) {       /* a row and a tower, of boxes and of points, at the origin and far from it */
+        int axis = k & 1, size = k >> 1 & 1;
+        double x = k & 4 ? 3000 : 0, y = k & 4 ? -5000 : 0;
+        start_world();
+        for (int i = 0; i < 64; i++) {
+            double along = 3 * (i * 37 % 64);           /* in no order */
+            if (axis) put(rect(x, y + along, x + size, y + along + size), MOVING);
+            else put(rect(x + along, y, x + along + size, y + size), MOVING);
         }
+        assert_int_equal(wfSweepAxis(&world.in, ids, 64), axis);
+        assert_int_equal(tests_of("sweep-and-prune"), 0);
+        assert_int_equal(tests_of("aabb-tree"), 16 * 6 + 15);   /* the tree is cut across the row, not along it */
     }
     assert_int_equal(wfSweepAxis(&world.in, ids, 0), 0);
 }
