@@ -200,7 +200,7 @@ static void test_small_worlds(void **state)
     wfRect root = wfQuadTreeRect(&tree, 0);
     assert_true(root.min.x == -4 && root.min.y == -2 && root.max.x == 12 && root.max.y == 2);
     world.flags[0] = STILL;
-    pool = pool_of(sizeof memory);
+    pool = pool_of(sizeof memory - MARGIN);
     assert_ok(wfQuadTreeBuild(&tree, &pool, &world.in));
     assert_true(wfQuadTreeRect(&tree, 0).max.y == 90);
 }
