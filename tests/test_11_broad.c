@@ -14,6 +14,8 @@ static World world;
 static wfPair found[MAX_PAIRS], wanted[MAX_PAIRS];
 static _Alignas(16) uint8_t memory[1 << 22];
 
+enum { MARGIN = 1024 };                 /* behind the scratch: nobody may write there */
+
 static wfPairList list_of(int32_t capacity)
 {
     wfPairList list = { found, -1, capacity, -1 };
@@ -23,8 +25,8 @@ static wfPairList list_of(int32_t capacity)
 static wfPool pool_of(size_t bytes)
 {
     wfPool pool;
-    assert_true(bytes <= sizeof memory);
-    memset(memory, 0xA5, bytes);        /* scratch holds rubbish: nobody may rely on its being clear */
+    assert_true(bytes <= sizeof memory - MARGIN);
+    memset(memory, 0xA5, bytes + MARGIN);       /* scratch holds rubbish: nobody may rely on its being clear */
     assert_ok(wfPoolInit(&pool, bytes, memory));
     return pool;
 }
@@ -83,29 +85,55 @@ static void assert_all_rows(void)
 {
     int n = oracle(wanted);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
-        wfPool pool = pool_of(wfBroadPhaseTable[row].scratch(world.in.count, n));
+        size_t bytes = wfBroadPhaseTable[row].scratch(world.in.count, n);
+        int64_t all = (int64_t)world.in.count * (world.in.count - 1) / 2;
+        wfPool pool = pool_of(bytes);
         wfPairList list = list_of(n);
         assert_ok(wfFindPairs(row, &world.in, &pool, &list));
         assert_same_pairs(&list, wanted, n);
         assert_int_equal(pool.used, 0);
-        assert_true(list.tests >= n && list.tests <= (int64_t)world.in.count * (world.in.count - 1) / 2);
+        for (size_t i = 0; i < MARGIN; i++)
+            if (memory[bytes + i] != 0xA5) fail_msg("%s writes behind its scratch", wfBroadPhaseTable[row].name);
+        /* no pair is tested twice; a tree of boxes may also test its nodes: fewer of these than pairs of leaves, twice */
+        if (row == wfFindBroadPhase("aabb-tree")) all *= 2;
+        assert_true(list.tests >= n && list.tests <= all);
     }
 }
 
 /* Random worlds of several kinds. Coordinates are often on a coarse lattice, so that boxes touch split lines and each
    other exactly; some worlds are one point, some have an outlier a billion times farther away than the rest. */
+enum { KINDS = 12 };
+
+static void random_box(wfRandom *r, int kind, int i, wfVec2 *at, wfVec2 *size)
+{
+    *at = random_v2(r, -8, 8);
+    *size = random_v2(r, 0, 2);
+    if (kind == 1) *at = wfV2((wfReal)((int)wfRandomBelow(r, 17) - 8), (wfReal)((int)wfRandomBelow(r, 17) - 8));
+    if (kind == 1) *size = wfV2((wfReal)wfRandomBelow(r, 3), (wfReal)wfRandomBelow(r, 3));
+    if (kind == 2) *at = wfV2(3, 4), *size = wfV2(0, 0);
+    if (kind == 3) *at = wfAddScaled(wfV2((wfReal)(i % 3), 0), WF_R(0.001), *at), *size = wfScale(WF_R(0.001), *size);
+    if (kind == 4 && i == 0) *at = wfV2(1e9f, -1e9f);
+    if (kind == 5 && i % 7 == 0) *size = wfScale(5, *size);
+    if (kind == 6) {                                                    /* sizes from 2^-10 to 2^10 */
+        wfReal s = wfAbs(random_wide(r, 10));
+        *at = wfScale(20, *at);
+        *size = wfRandomBelow(r, 4) ? wfV2(s, s) : wfV2(s, wfAbs(random_wide(r, 10)));
+    }
+    if (kind == 7) *at = wfAdd(wfV2(3e37f, -2e38f), wfScale(1e37f, *at)), *size = wfScale(1e37f, *size);
+    if (kind == 8) *at = wfV2(3, (wfReal)wfRandomBelow(r, 30)), *size = wfV2(0, 0);     /* points on a line */
+    if (kind == 9) *at = wfV2(wfRandomReal(r, 0, WF_R(0.2)), (wfReal)i), *size = wfV2(1, 1);    /* a tower */
+    if (kind == 10 && i > 0) *size = wfScale(WF_R(0.05), *size);        /* a floor under small things */
+    if (kind == 10 && i == 0) *at = wfV2(-50, -1), *size = wfV2(100, 1);
+    if (kind == 11) *at = wfV2((wfReal)(i / 4), wfRandomReal(r, 0, 1)), *size = i & 1 ? wfV2(1, 1) : wfV2(4, 4);
+}
+
 static void random_world(wfRandom *r)
 {
-    int kind = (int)wfRandomBelow(r, 6), n = 2 + (int)wfRandomBelow(r, 40);
+    int kind = (int)wfRandomBelow(r, KINDS), n = (int)wfRandomBelow(r, 42);
     start_world();
     for (int i = 0; i < n; i++) {
-        wfVec2 at = random_v2(r, -8, 8), size = random_v2(r, 0, 2);
-        if (kind == 1) at = wfV2((wfReal)((int)wfRandomBelow(r, 17) - 8), (wfReal)((int)wfRandomBelow(r, 17) - 8));
-        if (kind == 1) size = wfV2((wfReal)wfRandomBelow(r, 3), (wfReal)wfRandomBelow(r, 3));
-        if (kind == 2) at = wfV2(3, 4), size = wfV2(0, 0);
-        if (kind == 3) at = wfAddScaled(wfV2((wfReal)(i % 3), 0), WF_R(0.001), at), size = wfScale(WF_R(0.001), size);
-        if (kind == 4 && i == 0) at = wfV2(1e9f, -1e9f);
-        if (kind == 5 && i % 7 == 0) size = wfScale(5, size);
+        wfVec2 at, size;
+        random_box(r, kind, i, &at, &size);
         wfRect box = { at, wfAdd(at, size) };
         uint32_t dice = wfRandomBelow(r, 8);
         put(box, dice == 0 ? 0 : dice < 3 ? STILL : MOVING);
@@ -116,13 +144,15 @@ static void random_world(wfRandom *r)
 static void test_names(void **state)
 {
     (void)state;
-    assert_true(wfBroadPhaseCount >= 2);
+    assert_true(wfBroadPhaseCount >= 6);
     for (int i = 0; i < wfBroadPhaseCount; i++) {
         assert_int_equal(wfFindBroadPhase(wfBroadPhaseTable[i].name), i);
         assert_true(strlen(wfBroadPhaseTable[i].text) > 0);
     }
     assert_true(wfFindBroadPhase("brute-force") >= 0);
     assert_true(wfFindBroadPhase("quad-tree") >= 0);
+    static const char *const more[] = { "grid", "spatial-hash", "sweep-and-prune", "aabb-tree" };
+    for (int i = 0; i < 4; i++) assert_true(wfFindBroadPhase(more[i]) >= 0);
     assert_int_equal(wfFindBroadPhase("no-such-thing"), -1);
     assert_int_equal(wfFindBroadPhase(NULL), -1);
 }
@@ -170,7 +200,7 @@ static void test_small_worlds(void **state)
     wfRect root = wfQuadTreeRect(&tree, 0);
     assert_true(root.min.x == -4 && root.min.y == -2 && root.max.x == 12 && root.max.y == 2);
     world.flags[0] = STILL;
-    pool = pool_of(sizeof memory);
+    pool = pool_of(sizeof memory - MARGIN);
     assert_ok(wfQuadTreeBuild(&tree, &pool, &world.in));
     assert_true(wfQuadTreeRect(&tree, 0).max.y == 90);
 }
@@ -179,7 +209,7 @@ static void test_random_worlds(void **state)
 {
     (void)state;
     wfRandom r = random_stream(11);
-    for (int i = 0; i < 5000; i++) {
+    for (int i = 0; i < 10000; i++) {
         random_world(&r);
         assert_all_rows();
     }
@@ -209,18 +239,32 @@ static void test_huge_world(void **state)
     assert_all_rows();
 }
 
+static int64_t tests_of(const char *name)
+{
+    wfPool pool = pool_of(sizeof memory - MARGIN);
+    wfPairList list = list_of(MAX_PAIRS);
+    assert_ok(wfFindPairs(wfFindBroadPhase(name), &world.in, &pool, &list));
+    return list.tests;
+}
+
 static void test_counts_tests(void **state)
 {
     (void)state;
     start_world();
     for (int i = 0; i < 64; i++) put(rect(3 * (i % 8), 3 * (i / 8), 3 * (i % 8) + 1, 3 * (i / 8) + 1), MOVING);
-    wfPool pool = pool_of(sizeof memory);
+    wfPool pool = pool_of(sizeof memory - MARGIN);
     wfPairList list = list_of(0);
     assert_ok(wfFindPairs(wfFindBroadPhase("brute-force"), &world.in, &pool, &list));
     assert_int_equal(list.tests, 64 * 63 / 2);
     assert_ok(wfFindPairs(wfFindBroadPhase("quad-tree"), &world.in, &pool, &list));
     /* an 8 by 8 grid is cut between its boxes into 16 leaves of 4: 6 tests in each, none between leaves */
     assert_int_equal(list.tests, 16 * 6);
+    /* a box of 1 makes cells of 2, but 12 by 12 of them are more than 2 x 64 + 4, so they are of 4: in them lie the rows
+       0 and 3, 3 and 6, 9, 12 and 15, 15 and 18, 21. So 8 + 2 x 4 of the 8 x 8 pairs of rows share a cell, likewise columns */
+    assert_int_equal(tests_of("grid"), (16 * 16 - 64) / 2);
+    assert_int_equal(tests_of("spatial-hash"), 0);              /* cells of 2 hold one each, and what collides is not tested */
+    assert_int_equal(tests_of("sweep-and-prune"), 8 * 28);      /* those in a column meet */
+    assert_int_equal(tests_of("aabb-tree"), 16 * 6 + 15);       /* 16 leaves of 4; once for the children of each of 15 nodes */
     world.flags[0] = world.flags[1] = STILL;
     assert_ok(wfFindPairs(wfFindBroadPhase("brute-force"), &world.in, &pool, &list));
     assert_int_equal(list.tests, 64 * 63 / 2 - 1);
@@ -234,7 +278,7 @@ static void test_full(void **state)
     int n = oracle(wanted);
     assert_int_equal(n, 39 + 38);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
-        wfPool pool = pool_of(sizeof memory);
+        wfPool pool = pool_of(sizeof memory - MARGIN);
         wfPairList list = list_of(n - 1);
         assert_result(WF_ERROR_FULL, wfFindPairs(row, &world.in, &pool, &list));
         assert_int_equal(list.count, 0);
@@ -248,27 +292,27 @@ static void test_no_memory(void **state)
 {
     (void)state;
     start_world();
-    for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), MOVING);
-    int row = wfFindBroadPhase("quad-tree");
-    size_t enough = wfBroadPhaseTable[row].scratch(40, 77), low = 0;
-    for (size_t bytes = 0; bytes < enough; bytes += 16) {
-        wfPool pool = pool_of(bytes);
-        wfPairList list = list_of(1000);
-        wfResult result = wfFindPairs(row, &world.in, &pool, &list);
-        assert_true(result == WF_OK || result == WF_ERROR_MEMORY);
-        if (result == WF_ERROR_MEMORY) {
-            low = bytes;
-            assert_int_equal(list.count, 0);
+    for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), i % 9 ? MOVING : STILL);
+    int n = oracle(wanted);
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        size_t enough = wfBroadPhaseTable[row].scratch(40, n), low = 0;
+        for (size_t bytes = 0; bytes < enough; bytes += 16) {
+            wfPool pool = pool_of(bytes);
+            wfPairList list = list_of(1000);
+            wfResult result = wfFindPairs(row, &world.in, &pool, &list);
+            assert_true(result == WF_OK || result == WF_ERROR_MEMORY);
+            assert_int_equal(list.count, result == WF_OK ? n : 0);
+            if (result == WF_ERROR_MEMORY) low = bytes;
+            assert_int_equal(pool.used, 0);
         }
-        assert_int_equal(pool.used, 0);
+        if (enough > 0) assert_true(low + 512 > enough);    /* the promise is not wasteful by more than its alignment */
     }
-    assert_true(low + 512 > enough);            /* the promise is not wasteful by more than its alignment */
 }
 
 static void test_bad_input(void **state)
 {
     (void)state;
-    wfPool pool = pool_of(sizeof memory);
+    wfPool pool = pool_of(sizeof memory - MARGIN);
     wfPairList list = list_of(10);
     start_world();
     put(rect(0, 0, 1, 1), MOVING);
@@ -554,6 +598,314 @@ static void test_few_nodes(void **state)
     }
 }
 
+/* Scratch sizes never go down, and do not overflow where an int32_t does. */
+static void test_scratch_sizes(void **state)
+{
+    (void)state;
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        size_t last = 0;
+        for (int32_t n = 1; n <= (sizeof(size_t) > 4 ? 1 << 29 : 1 << 20); n *= 2) {
+            size_t bytes = wfBroadPhaseTable[row].scratch(n, n);
+            assert_true(bytes >= last);
+            if (row > 0) assert_true(bytes / (size_t)n >= sizeof(wfPair));
+            last = bytes;
+        }
+        if (sizeof(size_t) > 4)
+            assert_true(wfBroadPhaseTable[row].scratch(1 << 30, 0) >= wfBroadPhaseTable[row].scratch(1 << 29, 0));
+    }
+}
+
+/* A world that lives: boxes move, come and go, and each call of a row knows nothing of the one before. */
+static void test_living_world(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(21);
+    start_world();
+    for (int i = 0; i < 60; i++) put(rect(i % 8, i / 8, i % 8 + 1.2, i / 8 + 1.2), i % 6 ? MOVING : STILL);
+    for (int step = 0; step < 500; step++) {
+        for (int i = 0; i < 60; i++) {
+            wfVec2 by = random_v2(&r, WF_R(-0.2), WF_R(0.2));
+            if (!(world.flags[i] & WF_PROXY_MOVES)) continue;
+            world.bounds[i] = (wfRect){ wfAdd(world.bounds[i].min, by), wfAdd(world.bounds[i].max, by) };
+        }
+        int who = (int)wfRandomBelow(&r, 60);           /* one goes or comes back */
+        world.flags[who] = (uint8_t)(world.flags[who] ^ WF_PROXY_LIVE);
+        assert_all_rows();
+    }
+}
+
+/* Two that stand still are not even tested: neither alone nor beside somebody who moves elsewhere. */
+static void test_still_ones(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 300; i++) put(rect(i % 20, i / 20, i % 20 + 2, i / 20 + 2), STILL);
+    put(rect(0, 0, 300, 1), STILL);
+    for (int row = 0; row < wfBroadPhaseCount; row++) assert_int_equal(tests_of(wfBroadPhaseTable[row].name), 0);
+    assert_all_rows();
+    int32_t ball = put(rect(5.25, 5.25, 5.75, 5.75), MOVING);
+    assert_int_equal(oracle(wanted), 4);
+    for (int row = 0; row < wfBroadPhaseCount; row++) assert_true(tests_of(wfBroadPhaseTable[row].name) <= 301);
+    assert_true(tests_of("grid") <= 4 * 9 + 1);         /* four cells of 4 x 4 m at the most, and the long one */
+    assert_true(tests_of("aabb-tree") < 100);
+    assert_all_rows();
+    world.bounds[ball] = rect(-50, -50, -49, -49);      /* alone */
+    assert_int_equal(tests_of("spatial-hash"), 1);      /* the long one */
+    assert_int_equal(tests_of("sweep-and-prune"), 0);
+    assert_int_equal(tests_of("aabb-tree"), 1);         /* root against root */
+}
+
+/* Boxes that cover too many cells meet everybody once; two of them meet each other once. */
+static void test_large_boxes(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 30; i++) put(rect(10 * i, 0, 10 * i + 1, 1), MOVING);
+    int32_t a = put(rect(0, 3, 300, 4), MOVING);
+    assert_int_equal(tests_of("spatial-hash"), 30);
+    int32_t b = put(rect(0, 3.5, 300, 5), MOVING);
+    assert_int_equal(tests_of("spatial-hash"), 61);
+    assert_int_equal(tests_of("grid"), 61);             /* 2 x 32 + 4 cells of at least 4.4 m: still too many for them */
+    assert_int_equal(oracle(wanted), 1);
+    assert_all_rows();
+    world.flags[a] = STILL;
+    assert_int_equal(tests_of("spatial-hash"), 61);
+    world.flags[b] = STILL;
+    assert_int_equal(tests_of("spatial-hash"), 60);
+    for (int i = 0; i < 29; i++) world.flags[i] = STILL;
+    assert_int_equal(tests_of("spatial-hash"), 2);
+    assert_all_rows();
+    /* 16 cells are few enough, 17 are too many */
+    start_world();
+    for (int i = 0; i < 30; i++) put(rect(100 * i + 0.5, 0.5, 100 * i + 1.5, 1.5), MOVING);
+    a = put(rect(0.5, 20, 31.5, 21), MOVING);
+    assert_int_equal(tests_of("spatial-hash"), 0);
+    world.bounds[a].max.x = 32.5f;
+    assert_int_equal(tests_of("spatial-hash"), 30);
+}
+
+/* More cells than there is room for: who comes too late is compared with everybody, and no pair is lost. */
+static void test_too_many_cells(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 100; i++) {
+        double w = i % 2 ? 1 : 6;                       /* median 1 or 6: cells of 2 or 12 */
+        put(rect(i % 10, i / 10, i % 10 + w, i / 10 + w), MOVING);
+    }
+    put(rect(0, 0, 1, 1), MOVING);
+    assert_all_rows();
+}
+
+static void test_sort_and_select(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(17);
+    wfKeyed items[70], spare[70], sorted[70];
+    for (int round = 0; round < 2000; round++) {
+        int32_t n = (int32_t)wfRandomBelow(&r, 71), distinct = 1 + (int32_t)wfRandomBelow(&r, 80), shape = round % 4;
+        for (int32_t i = 0; i < n; i++) {
+            wfReal key = (wfReal)wfRandomBelow(&r, (uint32_t)distinct);
+            items[i] = (wfKeyed){ shape == 0 ? (wfReal)i : shape == 1 ? (wfReal)-i : key, i };
+        }
+        for (int32_t i = 0; i < n; i++) {               /* by insertion, stable */
+            int32_t k = i;
+            for (; k > 0 && sorted[k - 1].key > items[i].key; k--) sorted[k] = sorted[k - 1];
+            sorted[k] = items[i];
+        }
+        for (int t = 0; n > 0 && t < 3; t++) {
+            wfKeyed some[70];
+            int32_t k = (int32_t)wfRandomBelow(&r, (uint32_t)n), sum = 0;
+            memcpy(some, items, sizeof items);
+            wfSelectKeyed(some, n, k);
+            assert_true(some[k].key == sorted[k].key);
+            for (int32_t i = 0; i < n; i++) {
+                assert_true(i < k ? some[i].key <= some[k].key : some[i].key >= some[k].key);
+                assert_true(some[i].key == items[some[i].index].key);
+                sum += some[i].index;
+            }
+            assert_int_equal(sum, n * (n - 1) / 2);
+        }
+        wfSortKeyed(items, spare, n);
+        for (int32_t i = 0; i < n; i++) {
+            assert_true(items[i].key == sorted[i].key);
+            assert_int_equal(items[i].index, sorted[i].index);
+        }
+    }
+}
+
+static void assert_cells(const wfCells *cells, wfRect r, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
+{
+    wfCellRange c = wfCellsOf(cells, r);
+    assert_int_equal(c.x0, x0);
+    assert_int_equal(c.y0, y0);
+    assert_int_equal(c.x1, x1);
+    assert_int_equal(c.y1, y1);
+}
+
+static void test_cells(void **state)
+{
+    (void)state;
+    int32_t far = 1 << 30;
+    wfCells grid = wfGridCells(rect(-4, 2, 8, 10), 2, 100);     /* 6 by 4 cells, and one more for the far border */
+    assert_true(grid.side == 2);
+    assert_cells(&grid, rect(-4, 2, 8, 10), 0, 0, 6, 4);
+    assert_cells(&grid, rect(-1, 3, 1, 5), 1, 0, 2, 1);
+    assert_cells(&grid, rect(-100, -100, 100, 100), 0, 0, 6, 4);
+    assert_true(wfGridCells(rect(-4, 2, 8, 10), 2, 35).side == 2);
+    assert_true(wfGridCells(rect(-4, 2, 8, 10), 2, 34).side == 4);
+    assert_true(wfGridCells(rect(0, 0, 1000, 1), 1, 4).side == 500);
+    assert_true(wfGridCells(rect(3, 3, 3, 3), 0, 4).side == 1);
+    wfCells huge = wfGridCells(rect(-3e38, -3e38, 3e38, 3e38), 1, 4);
+    assert_true((huge.limits.x1 + 1) * (huge.limits.y1 + 1) <= 4);
+    wfCells hash = wfHashCells(0.5f);
+    assert_cells(&hash, rect(-1.25, 0, 1.25, 0.5), -3, 0, 2, 1);
+    assert_cells(&hash, rect(-3e38, -1e9, 1e9, 3e38), -far, -far, far, far);
+    assert_true(wfHashCells(0).side > 0);
+    assert_true(wfHashCells((wfReal)INFINITY).side < (wfReal)INFINITY);
+}
+
+/* eq:broad-home rests on this: what is farther to the right is never in a column farther to the left. */
+static void test_cells_are_monotone(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(18);
+    for (int i = 0; i < 20000; i++) {
+        wfVec2 p = wfV2(random_wide(&r, 60), random_wide(&r, 60)), q = wfV2(random_wide(&r, 60), random_wide(&r, 60));
+        wfRect all = wfRectMinMax(p, q);
+        wfReal side = wfAbs(random_wide(&r, 60));
+        wfVec2 t = wfV2(wfRandomReal(&r, 0, 1), wfRandomReal(&r, 0, 1));
+        wfVec2 m = wfV2(all.min.x + t.x * (all.max.x - all.min.x), all.min.y + t.y * (all.max.y - all.min.y));
+        m = wfMin2(wfMax2(m, all.min), all.max);
+        wfCells cells = i & 1 ? wfHashCells(side) : wfGridCells(all, side, 4 + i % 500);
+        wfCellRange low = wfCellsOf(&cells, (wfRect){ all.min, m }), high = wfCellsOf(&cells, (wfRect){ m, all.max });
+        assert_true(low.x0 <= low.x1 && low.x1 == high.x0 && high.x0 <= high.x1);
+        assert_true(low.y0 <= low.y1 && low.y1 == high.y0 && high.y0 <= high.y1);
+        if (i & 1) continue;
+        assert_true((int64_t)(cells.limits.x1 + 1) * (cells.limits.y1 + 1) <= 4 + i % 500);
+    }
+}
+
+/* The scrambled cells of a filled square fall into the blocks about as balls thrown at random would: of 4096 balls in
+   4096 blocks 4096 (1 - 1/e) = 2589 blocks are hit, with a spread of some 32. Ten of these are allowed. */
+static void test_hash_spreads(void **state)
+{
+    (void)state;
+    static uint8_t hit[4096];
+    for (int shape = 0; shape < 4; shape++) {
+        int w = 64 << shape, blocks = 0;
+        memset(hit, 0, sizeof hit);
+        for (int i = 0; i < 4096; i++) hit[wfHashCell(i % w - 7, i / w - 9) & 4095] = 1;
+        for (int k = 0; k < 4096; k++) blocks += hit[k];
+        assert_true(blocks > 2589 - 320);
+    }
+    assert_true(wfHashCell(1, 2) != wfHashCell(2, 1));
+}
+
+/* Two cells of one box in one block: the box stands in it twice, its pairs must not. */
+static void test_hash_collides(void **state)
+{
+    (void)state;
+    int seen = 0;
+    for (int32_t y = 0; y < 400; y++) {
+        uint32_t one = wfHashCell(5, y) & 15, two = wfHashCell(6, y) & 15;
+        if (one != two) continue;
+        seen++;
+        start_world();
+        for (int i = 0; i < 3; i++) put(rect(11.5, 2 * y + 0.5, 12.5, 2 * y + 1.5), MOVING);   /* cells of 2 m */
+        assert_int_equal(tests_of("spatial-hash"), 3);
+        assert_all_rows();
+    }
+    assert_true(seen > 5);
+}
+
+static void test_sweep_axes(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(19);
+    for (int round = 0; round < 1000; round++) {
+        random_world(&r);
+        int n = oracle(wanted);
+        for (int axis = -1; axis < 2; axis++) {
+            wfPool pool = pool_of(wfSweepScratch(world.in.count, n));
+            wfPairList list = list_of(n);
+            assert_ok(wfSweepAlong(axis, &world.in, &pool, &list));
+            assert_same_pairs(&list, wanted, n);
+        }
+    }
+    int32_t ids[100];
+    for (int i = 0; i < 100; i++) ids[i] = i;
+    for (int k = 0; k < 8; k++) {       /* a row and a tower, of boxes and of points, at the origin and far from it */
+        int axis = k & 1, size = k >> 1 & 1;
+        double x = k & 4 ? 3000 : 0, y = k & 4 ? -5000 : 0;
+        start_world();
+        for (int i = 0; i < 64; i++) {
+            double along = 3 * (i * 37 % 64);           /* in no order */
+            if (axis) put(rect(x, y + along, x + size, y + along + size), MOVING);
+            else put(rect(x + along, y, x + along + size, y + size), MOVING);
+        }
+        assert_int_equal(wfSweepAxis(&world.in, ids, 64), axis);
+        assert_int_equal(tests_of("sweep-and-prune"), 0);
+        assert_int_equal(tests_of("aabb-tree"), 16 * 6 + 15);   /* the tree is cut across the row, not along it */
+    }
+    assert_int_equal(wfSweepAxis(&world.in, ids, 0), 0);
+}
+
+static int box_depth(const wfBoxTree *t, int32_t n, int32_t *leaves)
+{
+    const wfBoxNode *p = &t->nodes[n];
+    for (int32_t i = p->first; i < p->first + p->count; i++)
+        assert_true(wfRectContains(p->box, t->bounds[t->items[i].index]));
+    if (p->right < 0) {
+        assert_true(p->count <= WF_BOX_LEAF);
+        *leaves += p->count;
+        return 0;
+    }
+    const wfBoxNode *l = &t->nodes[n + 1], *r = &t->nodes[p->right];
+    assert_true(l->first == p->first && l->first + l->count == r->first && l->count + r->count == p->count);
+    assert_true(r->count - l->count == 0 || r->count - l->count == 1);          /* halves: in balance */
+    wfRect both = wfRectUnion(l->box, r->box);
+    assert_memory_equal(&both, &p->box, sizeof both);
+    int a = box_depth(t, n + 1, leaves), b = box_depth(t, p->right, leaves);
+    return 1 + (a > b ? a : b);
+}
+
+static void test_box_tree(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(20);
+    static wfBoxNode nodes[MAX_PROXIES + 1];
+    static wfKeyed items[MAX_PROXIES];
+    for (int32_t n = 1; n <= MAX_PROXIES; n += n < 40 ? 1 : 37) {
+        start_world();
+        for (int32_t i = 0; i < n; i++) {
+            wfVec2 at, size;
+            random_box(&r, n % KINDS, i, &at, &size);
+            put((wfRect){ at, wfAdd(at, size) }, MOVING);
+            items[i].index = i;
+        }
+        wfBoxTree tree = { world.bounds, nodes, items, 0 };
+        int32_t leaves = 0, levels = 0, most = WF_BOX_LEAF;
+        for (; most < n; most *= 2) levels++;           /* eq:broad-depth */
+        assert_int_equal(wfBoxTreeBuild(&tree, 0, n), 0);
+        assert_int_equal(box_depth(&tree, 0, &leaves), levels);
+        assert_int_equal(leaves, n);
+        assert_true(tree.nodeCount <= n + 1);
+    }
+}
+
+static void test_list_live(void **state)
+{
+    (void)state;
+    start_world();
+    static const int flags[] = { STILL, MOVING, 0, WF_PROXY_MOVES, MOVING, STILL };
+    for (int i = 0; i < 6; i++) put(rect(0, 0, 1, 1), flags[i]);
+    int32_t ids[6], movers = -1;
+    assert_int_equal(wfListLive(&world.in, ids, &movers), 4);
+    assert_int_equal(movers, 2);
+    assert_true(ids[0] == 1 && ids[1] == 4 && ids[2] == 0 && ids[3] == 5);
+}
+
 /* The report's rule, pairs within one node only, and the pair that it loses. */
 static void test_report_rule_misses(void **state)
 {
@@ -586,7 +938,7 @@ static void test_reaches_agree(void **state)
     for (int round = 0; round < 400; round++) {
         random_world(&r);
         int n = oracle(wanted);
-        wfPool pool = pool_of(sizeof memory);
+        wfPool pool = pool_of(sizeof memory - MARGIN);
         wfQuadTree tree;
         assert_ok(wfQuadTreeBuild(&tree, &pool, &world.in));
         int64_t tests[3];
@@ -623,7 +975,7 @@ static void test_bad_proxies(void **state)
 {
     (void)state;
     for (int fill = 0; fill < 2; fill++) {
-        wfPool pool = pool_of(sizeof memory);
+        wfPool pool = pool_of(sizeof memory - MARGIN);
         memset(memory, fill ? 0xFF : 0, sizeof memory);
         wfQuadTreeDef def = { rect(-1, -1, 1, 1), 4, 8, 3, 0 };
         wfQuadTree tree;
@@ -642,7 +994,7 @@ static void test_bad_proxies(void **state)
 static void test_bad_trees(void **state)
 {
     (void)state;
-    wfPool pool = pool_of(sizeof memory);
+    wfPool pool = pool_of(sizeof memory - MARGIN);
     wfQuadTree tree = { 0 };
     wfQuadTreeDef good = { rect(-1, -1, 1, 1), 4, 8, 3, 0 }, bad;
     assert_result(WF_ERROR_NULL, wfQuadTreeInit(NULL, &pool, &good));
@@ -669,7 +1021,7 @@ static void test_bad_trees(void **state)
     assert_result(WF_ERROR_MEMORY, wfQuadTreeInit(&tree, &little, &good));
     assert_int_equal(little.used, 0);
 
-    pool = pool_of(sizeof memory);
+    pool = pool_of(sizeof memory - MARGIN);
     assert_ok(wfQuadTreeInit(&tree, &pool, &good));
     assert_ok(wfQuadTreeInsert(&tree, 1, rect(0.25, 0.25, 0.5, 0.5)));
     int32_t node = wfQuadTreeNodeOf(&tree, 1);
@@ -701,6 +1053,10 @@ int main(void)
         cmocka_unit_test(test_bad_input), cmocka_unit_test(test_sorting), cmocka_unit_test(test_tc06_nodes),
         cmocka_unit_test(test_sectors), cmocka_unit_test(test_reach), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
         cmocka_unit_test(test_report_rule_misses), cmocka_unit_test(test_reaches_agree),
+        cmocka_unit_test(test_scratch_sizes), cmocka_unit_test(test_living_world), cmocka_unit_test(test_still_ones), cmocka_unit_test(test_large_boxes), cmocka_unit_test(test_too_many_cells),
+        cmocka_unit_test(test_sort_and_select), cmocka_unit_test(test_cells), cmocka_unit_test(test_cells_are_monotone),
+        cmocka_unit_test(test_hash_spreads), cmocka_unit_test(test_hash_collides), cmocka_unit_test(test_sweep_axes),
+        cmocka_unit_test(test_box_tree), cmocka_unit_test(test_list_live),
         cmocka_unit_test(test_bad_proxies), cmocka_unit_test(test_bad_trees),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
