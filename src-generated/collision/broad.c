@@ -101,6 +101,81 @@ static size_t quadTreeScratch(int32_t proxies, int32_t pairs)
          + sizeof(wfPair) * (size_t)pairs + sizeof(int32_t) * ((size_t)proxies + 1)
          + 2 * WF_POOL_ALIGN;
 }
+/* <broad phases> */
+/* <list the live proxies> */
+int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
+{
+    int32_t n = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        int wanted = pass == 0 ? WF_PROXY_LIVE | WF_PROXY_MOVES : WF_PROXY_LIVE;
+        for (int32_t i = 0; i < in->count; i++)
+            if ((in->flags[i] & (WF_PROXY_LIVE | WF_PROXY_MOVES)) == wanted) ids[n++] = i;
+        if (pass == 0) *movers = n;
+    }
+    return n;
+}
+/* <list the live proxies> */
+wfResult wfFinishPairs(bool room, int32_t proxies, wfPool *scratch, size_t mark,
+                       wfPairList *out)
+{
+    wfResult result = room ? wfSortPairs(out, proxies, scratch) : WF_ERROR_FULL;
+    if (result != WF_OK) out->count = 0;
+    wfPoolRewind(scratch, mark);
+    return result;
+}
+
+size_t wfSortPairsSize(int32_t proxies, int32_t pairs)
+{
+    return sizeof(wfPair) * (size_t)pairs + sizeof(int32_t) * ((size_t)proxies + 1)
+         + 2 * WF_POOL_ALIGN;
+}
+/* <sort and select by a key> */
+static void mergeRows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mid,
+                      int32_t right)
+{
+    int32_t i = left, j = mid, k = left;
+    if (mid < right && from[mid].key < from[mid - 1].key)
+        while (i < mid && j < right)
+            to[k++] = from[j].key < from[i].key ? from[j++] : from[i++];
+    while (i < mid) to[k++] = from[i++];
+    while (j < right) to[k++] = from[j++];
+}
+
+void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n)
+{
+    wfKeyed *from = items, *to = spare;
+    for (int64_t width = 1; width < n; width *= 2) {
+        for (int64_t left = 0; left < n; left += 2 * width) {
+            int64_t mid = left + width < n ? left + width : n;
+            int64_t right = mid + width < n ? mid + width : n;
+            mergeRows(from, to, (int32_t)left, (int32_t)mid, (int32_t)right);
+        }
+        wfKeyed *swap = from;
+        from = to;
+        to = swap;
+    }
+    if (from != items && n > 0) memcpy(items, from, (size_t)n * sizeof *items);
+}
+/* <sort and select by a key> */
+void wfSelectKeyed(wfKeyed *items, int32_t n, int32_t k)
+{
+    for (int32_t low = 0, high = n - 1; low < high;) {
+        wfReal a = items[low].key, b = items[low + (high - low) / 2].key;
+        wfReal pivot = wfMaxR(wfMinR(a, b), wfMinR(wfMaxR(a, b), items[high].key));
+        int32_t i = low, j = high;
+        while (i <= j) {
+            while (items[i].key < pivot) i++;
+            while (pivot < items[j].key) j--;
+            if (i > j) break;
+            wfKeyed swap = items[i];
+            items[i++] = items[j];
+            items[j--] = swap;
+        }
+        if (k <= j) high = j;
+        else if (k >= i) low = i;
+        else return;
+    }
+}
 /* <the broad phase table> */
 wfResult wfFindPairs(int method, const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
@@ -118,6 +193,14 @@ const wfBroadPhaseRow wfBroadPhaseTable[] = {
     { "brute-force", "tests every pair of boxes", bruteForcePairs, bruteForceScratch },
     /* <rows of the broad phase table> */
     { "quad-tree", "cuts the world into quarters", quadTreePairs, quadTreeScratch },
+    /* <rows of the broad phase table> */
+    { "grid", "compares who shares a cell of a grid", wfGridPairs, wfGridScratch },
+    /* <rows of the broad phase table> */
+    { "spatial-hash", "a grid without borders", wfHashPairs, wfHashScratch },
+    /* <rows of the broad phase table> */
+    { "sweep-and-prune", "sorts along an axis and sweeps", wfSweepPairs, wfSweepScratch },
+    /* <rows of the broad phase table> */
+    { "aabb-tree", "groups boxes in common boxes", wfBoxTreePairs, wfBoxTreeScratch },
 };
 const int wfBroadPhaseCount = (int)(sizeof wfBroadPhaseTable / sizeof *wfBroadPhaseTable);
 

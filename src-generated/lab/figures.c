@@ -1251,6 +1251,145 @@ static void figure_broad_reach(wfDraw *d, const wfFigureInput *in)
     broadRect(d, asker, 2.5f, WF_INK_GOOD, WF_INK_NONE);
 }
 /* <figures> */
+static void figure_broad_grid(wfDraw *d, const wfFigureInput *in)
+{
+    BroadFigure f;
+    wfProxies world = broadFigureWorld(&f, 34, 8, 8, 0.9f, 21);
+    wfVec2 at = wfV2((wfReal)in->handle[0][0], (wfReal)in->handle[0][1]);
+    f.bounds[0] = wfRectCenterHalfDim(at, wfV2(WF_R(0.55), WF_R(0.45)));
+    wfRect all = { wfV2(0, 0), wfV2(8, 8) };
+    wfCells cells = wfGridCells(all, WF_R(1.3), 100);
+    wfCellRange mine = wfCellsOf(&cells, f.bounds[0]);
+    for (int32_t y = 0; y <= cells.limits.y1; y++)
+        for (int32_t x = 0; x <= cells.limits.x1; x++) {
+            bool in_it = x >= mine.x0 && x <= mine.x1 && y >= mine.y0 && y <= mine.y1;
+            wfVec2 corner = wfV2((wfReal)x * cells.side, (wfReal)y * cells.side);
+            wfRect cell = { corner, wfAdd(corner, wfV2(cells.side, cells.side)) };
+            cell.max = wfMin2(cell.max, all.max);
+            broadRect(d, cell, 1, WF_INK_FAINT, in_it ? WF_INK_FAINT : WF_INK_NONE);
+        }
+    for (int i = 0; i < world.count; i++)
+        broadRect(d, f.bounds[i], i ? 1.5f : 2.5f, i ? WF_INK_BODY : WF_INK_GOOD,
+                  WF_INK_NONE);
+    wfPairList list = { f.pairs, 0, BROAD_FIGURE_MOST * BROAD_FIGURE_MOST, 0 };
+    wfFindPairs(wfFindBroadPhase("grid"), &world, &f.pool, &list);
+    int count = 0;                                   /* sorted: those of box 0 come first */
+    while (count < list.count && list.pairs[count].a == 0) count++;
+    broadPairLines(d, &f, count, WF_INK_BAD);
+}
+/* <figures> */
+enum { BROAD_BLOCKS = 16, BROAD_CELLS = 128 };
+
+/* the cells that some box touches, each once; returns how many */
+static int broadUsedCells(const wfProxies *world, const wfCells *cells, int32_t (*used)[2])
+{
+    int count = 0;
+    for (int i = 0; i < world->count; i++) {
+        wfCellRange r = wfCellsOf(cells, world->bounds[i]);
+        for (int32_t y = r.y0; y <= r.y1; y++)
+            for (int32_t x = r.x0; x <= r.x1; x++) {
+                int k = 0;
+                while (k < count && (used[k][0] != x || used[k][1] != y)) k++;
+                if (k < count || count == BROAD_CELLS) continue;
+                used[count][0] = x;
+                used[count++][1] = y;
+            }
+    }
+    return count;
+}
+/* <figures> */
+static void figure_broad_hash(wfDraw *d, const wfFigureInput *in)
+{
+    BroadFigure f;
+    int32_t used[BROAD_CELLS][2], share[BROAD_BLOCKS] = { 0 };
+    wfProxies world = broadFigureWorld(&f, 7, 10, 6, 0.8f, 4);
+    wfVec2 at = wfV2((wfReal)in->handle[0][0], (wfReal)in->handle[0][1]);
+    for (int i = 0; i < world.count; i++) {
+        f.bounds[i].min.y += 2;
+        f.bounds[i].max.y += 2;
+    }
+    f.bounds[0] = wfRectCenterHalfDim(at, wfV2(WF_R(0.4), WF_R(0.3)));
+    wfCells cells = wfHashCells(1);
+    int count = broadUsedCells(&world, &cells, used), fullest = 0;
+    for (int i = 0; i < count; i++)
+        share[wfHashCell(used[i][0], used[i][1]) % BROAD_BLOCKS]++;
+    for (int k = 0; k < BROAD_BLOCKS; k++) if (share[k] > share[fullest]) fullest = k;
+    /* <draw the cells, the blocks, and the lines of the fullest block> */
+    for (int i = 0; i < count; i++) {
+        float x = (float)used[i][0], y = (float)used[i][1];
+        wfRect cell = { wfV2((wfReal)x, (wfReal)y), wfV2((wfReal)x + 1, (wfReal)y + 1) };
+        broadRect(d, cell, 1, WF_INK_FAINT, WF_INK_NONE);
+        if ((int)(wfHashCell(used[i][0], used[i][1]) % BROAD_BLOCKS) != fullest) continue;
+        broadRect(d, cell, 1, WF_INK_FAINT, WF_INK_FAINT);
+        wfDrawLine(d, 0.5f + 0.6f * (float)fullest, 1, x + 0.5f, y + 0.5f, 1.2f, WF_INK_BAD);
+    }
+    for (int k = 0; k < BROAD_BLOCKS; k++) {
+        wfReal x = WF_R(0.2) + WF_R(0.6) * (wfReal)k;
+        wfRect block = { wfV2(x, WF_R(0.4)), wfV2(x + WF_R(0.6), 1) };
+        broadRect(d, block, 1.5f, WF_INK_LINE, k == fullest ? WF_INK_FAINT : WF_INK_NONE);
+        if (share[k])
+            wfDrawTextf(d, (float)x + 0.3f, 0.58f, 14, WF_INK_TEXT, 0, "%d", (int)share[k]);
+    }
+    for (int i = 0; i < world.count; i++)
+        broadRect(d, f.bounds[i], 2, i ? WF_INK_BODY : WF_INK_ACCENT, WF_INK_NONE);
+}
+/* <figures> */
+static void figure_broad_sweep(wfDraw *d, const wfFigureInput *in)
+{
+    BroadFigure f;
+    wfKeyed items[BROAD_FIGURE_MOST], spare[BROAD_FIGURE_MOST];
+    wfProxies world = broadFigureWorld(&f, 16, 10, 5, 0.9f, 3);
+    wfVec2 at = wfV2((wfReal)in->handle[0][0], (wfReal)in->handle[0][1]);
+    for (int i = 0; i < world.count; i++) {
+        f.bounds[i].min.y += 3;
+        f.bounds[i].max.y += 3;
+    }
+    f.bounds[0] = wfRectCenterHalfDim(at, wfV2(WF_R(0.8), WF_R(0.4)));
+    for (int i = 0; i < world.count; i++)
+        items[i] = (wfKeyed){ f.bounds[i].min.x, i };
+    wfSortKeyed(items, spare, world.count);
+    wfRect me = f.bounds[0];
+    bool active = false;
+    wfDrawDashed(d, (float)me.min.x, 0, (float)me.min.x, 8, 1, WF_INK_FAINT);
+    wfDrawDashed(d, (float)me.max.x, 0, (float)me.max.x, 8, 1, WF_INK_FAINT);
+    for (int k = 0; k < world.count; k++) {
+        wfRect r = f.bounds[items[k].index];
+        bool mine = items[k].index == 0, met = active && items[k].key <= me.max.x;
+        int role = mine ? WF_INK_GOOD : met ? WF_INK_ACCENT : WF_INK_BODY;
+        float y = 2.75f - 0.17f * (float)k;
+        broadRect(d, r, mine ? 2.5f : 1.5f, role, WF_INK_NONE);
+        wfDrawLine(d, (float)r.min.x, y, (float)r.max.x, y, 3.5f, role);
+        active = active || mine;
+    }
+}
+/* <figures> */
+static void broadBoxes(wfDraw *d, const wfBoxTree *tree, int32_t n, float widthPx)
+{
+    const wfBoxNode *node = &tree->nodes[n];
+    bool leaf = node->right < 0;
+    broadRect(d, wfRectGrow(node->box, WF_R(0.05)), widthPx,
+              leaf ? WF_INK_GOOD : WF_INK_LINE, WF_INK_NONE);
+    if (leaf) return;
+    broadBoxes(d, tree, n + 1, widthPx * 0.6f);
+    broadBoxes(d, tree, node->right, widthPx * 0.6f);
+}
+
+static void figure_broad_boxes(wfDraw *d, const wfFigureInput *in)
+{
+    BroadFigure f;
+    wfBoxNode nodes[BROAD_FIGURE_MOST + 1];
+    wfKeyed items[BROAD_FIGURE_MOST];
+    wfProxies world = broadFigureWorld(&f, 28, 8, 8, 0.6f, 8);
+    wfVec2 at = wfV2((wfReal)in->handle[0][0], (wfReal)in->handle[0][1]);
+    f.bounds[0] = wfRectCenterHalfDim(at, wfV2(WF_R(0.3), WF_R(0.25)));
+    for (int i = 0; i < world.count; i++) items[i].index = i;
+    wfBoxTree tree = { f.bounds, nodes, items, 0 };
+    broadBoxes(d, &tree, wfBoxTreeBuild(&tree, 0, world.count), 4);
+    for (int i = 0; i < world.count; i++)
+        broadRect(d, f.bounds[i], 1.5f, i ? WF_INK_BODY : WF_INK_ACCENT,
+                  i ? WF_INK_NONE : WF_INK_ACCENT);
+}
+/* <figures> */
 static void narrowShape(wfDraw *d, const wfShape *s, wfTransform xf, int line, int fill)
 {
     float xy[2 * WF_MAX_VERTICES];
@@ -2632,6 +2771,10 @@ const wfFigureRow wfFigureTable[] = {
     { "broad-reach", figure_broad_reach, 8.0f, 8.0f, 1, { { 4.3f, 5.0f } } },
     { "broad-lines", figure_broad_lines, 9.0f, 5.0f, 1, { { 4.6f, 2.6f } } },
     { "broad-tree", figure_broad_tree, 8.0f, 8.0f, 0, { { 0 } } },
+    { "broad-grid", figure_broad_grid, 8.0f, 8.0f, 1, { { 4.1f, 4.0f } } },
+    { "broad-hash", figure_broad_hash, 10.0f, 8.0f, 1, { { 7.4f, 5.0f } } },
+    { "broad-sweep", figure_broad_sweep, 10.0f, 8.0f, 1, { { 4.2f, 5.6f } } },
+    { "broad-boxes", figure_broad_boxes, 8.0f, 8.0f, 1, { { 6.5f, 7.2f } } },
     { "broad-missed", figure_broad_missed, 8.0f, 5.0f, 2, { { 4.3f, 3.7f }, { 5.3f, 4.0f } } },
     /* <rows of the figure table> */
     { "narrow-shadows", figure_narrow_shadows, 9.0f, 6.4f, 1, { { 5.5f, 4.4f } } },

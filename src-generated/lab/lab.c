@@ -671,16 +671,25 @@ static int measure_integrators_midpoint(FILE *out)
     return 0;
 }
 /* <measurements> */
-enum { BROAD_MOST = 4096, BROAD_PAIRS = 1 << 18 };
+enum { BROAD_MOST = 100000, BROAD_PAIRS = 1 << 20, BROAD_SCENES = 5 };
+static const char *const broadScenes[] = { "uniform", "mixed", "clustered", "tower",
+                                           "crowd" };
 
 typedef struct BroadWorld {
     wfRect bounds[BROAD_MOST];
     uint8_t flags[BROAD_MOST];
-    wfPair pairs[BROAD_PAIRS];
-    _Alignas(WF_POOL_ALIGN) uint8_t scratch[1 << 22];
+    wfPair pairs[BROAD_PAIRS], others[BROAD_PAIRS];
+    _Alignas(WF_POOL_ALIGN) uint8_t scratch[1 << 25];
+    double seconds[BROAD_MOST / 1000];
 } BroadWorld;
 
-static void fillBroadWorld(BroadWorld *world, int n, bool mixed)
+static BroadWorld *broadWorld(void)      /* one for all measurements: it is large */
+{
+    static BroadWorld world;
+    return &world;
+}
+/* <measurements> */
+static void fillBroadWorld(BroadWorld *world, int n, int scene, int frame)
 {
     wfRandom random;
     wfRandomSeed(&random, 11);
@@ -688,10 +697,34 @@ static void fillBroadWorld(BroadWorld *world, int n, bool mixed)
     for (int i = 0; i < n; i++) {
         wfReal x = wfRandomReal(&random, 0, side), y = wfRandomReal(&random, 0, side);
         wfReal w = wfRandomReal(&random, WF_R(0.5), WF_R(1.5));
-        if (mixed) w = WF_R(0.3) / wfRandomReal(&random, WF_R(0.02), 1);
-        world->bounds[i] = wfRectCenterDim(wfV2(x, y), wfV2(w, w));
         world->flags[i] = WF_PROXY_LIVE | WF_PROXY_MOVES;
+        /* <place box i of the scene> */
+        if (scene == 1) w = WF_R(0.3) / wfRandomReal(&random, WF_R(0.02), 1);
+        if (scene == 2) {
+            wfRandom place;
+            wfRandomSeed(&place, 1000 + (uint64_t)i / 50);
+            x = 5 * x / side + wfRandomReal(&place, 0, 7 * side) + wfRandomReal(&random, 0, 5);
+            y = 5 * y / side + wfRandomReal(&place, 0, 7 * side) + wfRandomReal(&random, 0, 5);
+        }
+        if (scene == 3) {
+            x = x / (10 * side);
+            y = (wfReal)i;
+            w = 1;
+        }
+        if (scene == 4) {
+            bool pillar = i % 10 == 0;
+            wfReal vx = wfRandomReal(&random, -1, 1), vy = wfRandomReal(&random, -1, 1);
+            wfReal t = (wfReal)(pillar ? 0 : frame) / 60;
+            x = (x + vx * t) / 2;
+            y = (y + vy * t) / 2;
+            w = WF_R(0.6);
+            if (pillar) world->flags[i] = WF_PROXY_LIVE;
+        }
+        world->bounds[i] = wfRectCenterDim(wfV2(x, y), wfV2(w, w));
     }
+    if (scene != 3) return;
+    world->bounds[0] = wfRectMinMax(wfV2(-10, -1), wfV2(10, WF_R(0.5)));     /* a floor */
+    world->flags[0] = WF_PROXY_LIVE;
 }
 /* <measurements> */
 /* how many tests a rule of the quad tree takes, or -1; *pairs: how many pairs it finds */
@@ -715,29 +748,59 @@ static int64_t countByTree(BroadWorld *world, int n, wfQuadReach reach, int *pai
     return list.tests;
 }
 
-static int64_t countByBruteForce(BroadWorld *world, int n, int *pairs)
+static int64_t countByRow(BroadWorld *world, int row, int n, wfPair *to, int *pairs)
 {
     wfProxies in = { n, world->bounds, world->flags };
-    wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
-    wfPool none = { 0 };
-    if (wfFindPairs(wfFindBroadPhase("brute-force"), &in, &none, &list) != WF_OK) return -1;
+    wfPairList list = { to, 0, BROAD_PAIRS, 0 };
+    wfPool pool;
+    if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return -1;
+    if (wfFindPairs(row, &in, &pool, &list) != WF_OK) return -1;
     *pairs = list.count;
     return list.tests;
 }
 /* <measurements> */
-static int measureBroadScene(FILE *out, BroadWorld *world, bool mixed)
+enum { BROAD_COLUMNS = 8 };
+static const char *const broadOthers[] = { "grid", "spatial-hash", "sweep-and-prune",
+                                           "aabb-tree" };
+
+/* <measurements> */
+/* fills the eight columns; false if a method failed or found other pairs */
+static bool countBroadTests(BroadWorld *world, int n, int64_t *now, int *pairs, int *report)
 {
-    int64_t before[3] = { 0, 0, 0 };
-    for (int n = 16; n <= BROAD_MOST; n *= 2) {
-        int pairs = 0, report = 0, climbed = -1, descended = -1;
-        fillBroadWorld(world, n, mixed);
-        int64_t now[3] = { countByBruteForce(world, n, &pairs),
-                           countByTree(world, n, WF_QUAD_CLIMB, &climbed),
-                           countByTree(world, n, WF_QUAD_DESCEND, &descended) };
-        if (countByTree(world, n, WF_QUAD_SAME_NODE, &report) < 0) return 1;
-        if (now[0] < 0 || climbed != pairs || descended != pairs) return 1;
-        fprintf(out, "%s,%d,%d,%d", mixed ? "mixed" : "uniform", n, pairs, report);
-        for (int k = 0; k < 3; k++) {
+    int found[BROAD_COLUMNS] = { 0 };
+    wfProxies in = { n, world->bounds, world->flags };
+    wfPairList list = { world->others, 0, BROAD_PAIRS, 0 };
+    wfPool pool;
+    bool same = true;
+    if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return false;
+    if (wfSweepAlong(0, &in, &pool, &list) != WF_OK) return false;
+    now[7] = list.tests;
+    found[7] = list.count;
+    if (countByTree(world, n, WF_QUAD_SAME_NODE, report) < 0) return false;
+    now[1] = countByTree(world, n, WF_QUAD_CLIMB, &found[1]);
+    now[2] = countByTree(world, n, WF_QUAD_DESCEND, &found[2]);
+    now[0] = countByRow(world, wfFindBroadPhase("brute-force"), n, world->pairs, &found[0]);
+    for (int k = 0; k < 4; k++) {
+        int row = wfFindBroadPhase(broadOthers[k]);
+        now[3 + k] = countByRow(world, row, n, world->others, &found[3 + k]);
+        size_t bytes = (size_t)found[0] * sizeof *world->pairs;
+        same = same && memcmp(world->pairs, world->others, bytes) == 0;
+    }
+    for (int k = 1; k < BROAD_COLUMNS; k++)
+        same = same && found[k] == found[0] && now[k] >= 0;
+    *pairs = found[0];
+    return same;
+}
+/* <measurements> */
+static int measureBroadScene(FILE *out, BroadWorld *world, int scene)
+{
+    int64_t before[BROAD_COLUMNS] = { 0 }, now[BROAD_COLUMNS];
+    for (int n = 16; n <= 4096; n *= 2) {
+        int pairs = 0, report = 0;
+        fillBroadWorld(world, n, scene, 0);
+        if (!countBroadTests(world, n, now, &pairs, &report)) return 1;
+        fprintf(out, "%s,%d,%d,%d", broadScenes[scene], n, pairs, report);
+        for (int k = 0; k < BROAD_COLUMNS; k++) {
             fprintf(out, ",%lld,", (long long)now[k]);
             if (before[k]) fprintf(out, "%.2f", (double)now[k] / (double)before[k]);
             before[k] = now[k];
@@ -746,13 +809,91 @@ static int measureBroadScene(FILE *out, BroadWorld *world, bool mixed)
     }
     return 0;
 }
-/* <measurements> */
+
 static int measure_broad_pairs(FILE *out)
 {
-    static BroadWorld world;
+    int failed = 0;
     fprintf(out, "scene,n,pairs,report,brute,brute_growth,climb,climb_growth,"
-                 "descend,descend_growth\n");
-    return measureBroadScene(out, &world, false) || measureBroadScene(out, &world, true);
+                 "descend,descend_growth,grid,grid_growth,hash,hash_growth,"
+                 "sweep,sweep_growth,boxes,boxes_growth,sweep_x,sweep_x_growth\n");
+    for (int scene = 0; scene < BROAD_SCENES && !failed; scene++)
+        failed = measureBroadScene(out, broadWorld(), scene);
+    return failed;
+}
+/* <measurements> */
+/* the time of one call in s, by row, in batches that last a millisecond; -1: failed */
+static double timeBroadRow(BroadWorld *world, int row, int n, int scene, int *pairs)
+{
+    enum { RUNS = 7 };
+    double *seconds = world->seconds;
+    int batch = 1;
+    for (int run = 0; run < RUNS;) {
+        if (scene == 4) fillBroadWorld(world, n, scene, run);     /* the crowd walks on */
+        clock_t start = clock();
+        for (int i = 0; i < batch; i++)
+            if (countByRow(world, row, n, world->pairs, pairs) < 0) return -1;
+        double took = (double)(clock() - start) / CLOCKS_PER_SEC;
+        if (run == 0 && took < 0.001 && batch < 1 << 20) { batch *= 2; continue; }
+        int k = run++;
+        for (; k > 0 && seconds[k - 1] > took / batch; k--) seconds[k] = seconds[k - 1];
+        seconds[k] = took / batch;
+    }
+    return seconds[RUNS / 2];
+}
+
+/* <measurements> */
+/* the time of one box test of brute force, s */
+static double timeBoxTest(BroadWorld *world)
+{
+    int pairs, row = wfFindBroadPhase("brute-force");
+    fillBroadWorld(world, 1000, 0, 0);
+    return timeBroadRow(world, row, 1000, 0, &pairs) / (500.0 * 999);
+}
+/* <measurements> */
+enum { BROAD_ROWS = 64 };                /* more rows than the table will ever have */
+
+static int timeBroadScene(FILE *out, BroadWorld *world, int scene)
+{
+    double last[BROAD_ROWS] = { 0 }, before[BROAD_ROWS] = { 0 }, now[BROAD_ROWS];
+    for (int n = 10; n <= BROAD_MOST; n *= 10) {
+        int pairs = 0;
+        for (int row = 0; row < wfBroadPhaseCount; row++) {
+            now[row] = 0;                /* left out: it would take too long */
+            bool slow = before[row] > 0 && last[row] * last[row] / before[row] > 4e8;
+            if (slow || (n > 100 && last[row] <= 0)) continue;
+            double unit = timeBoxTest(world);
+            fillBroadWorld(world, n, scene, 0);
+            double took = timeBroadRow(world, row, n, scene, &pairs);
+            if (took < 0) return 1;
+            now[row] = took / (0.5 * (unit + timeBoxTest(world)));
+        }
+        fprintf(out, "%s,%d,%d", broadScenes[scene], n, pairs);
+        for (int row = 0; row < wfBroadPhaseCount; row++) {
+            /* <write the time of a row and its exponent> */
+            double each = now[row] / n;
+            if (now[row] > 0) fprintf(out, each < 100 ? ",%.1f," : ",%.0f,", each);
+            else fprintf(out, ",,");
+            if (now[row] > 0 && last[row] > 0)                    /* eq:broad-exponent */
+                fprintf(out, "%.2f", log10(now[row] / last[row]));
+            before[row] = last[row];
+            last[row] = now[row];
+        }
+        fprintf(out, "\n");
+    }
+    return 0;
+}
+/* <measurements> */
+static int measure_broad_time(FILE *out)
+{
+    int failed = 0;
+    fprintf(out, "scene,n,pairs");
+    for (int row = 0; row < wfBroadPhaseCount; row++)
+        fprintf(out, ",%s,%s growth", wfBroadPhaseTable[row].name,
+                wfBroadPhaseTable[row].name);
+    fprintf(out, "\n");
+    for (int scene = 0; scene < BROAD_SCENES && !failed; scene++)
+        failed = timeBroadScene(out, broadWorld(), scene);
+    return failed;
 }
 /* <measurements> */
 static int measure_narrow_far(FILE *out)
@@ -1235,6 +1376,9 @@ const wfMeasureRow wfMeasureTable[] = {
     /* <rows of the measurement table> */
     { "broad-pairs", "box tests that each broad phase takes, by number of boxes",
       measure_broad_pairs },
+    /* <rows of the measurement table> */
+    { "broad-time", "time for each box in box tests of brute force, and growth exponents",
+      measure_broad_time },
     /* <rows of the measurement table> */
     { "narrow-far", "change of a computed depth far from the origin", measure_narrow_far },
     /* <rows of the measurement table> */

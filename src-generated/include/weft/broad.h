@@ -58,6 +58,76 @@ bool wfPushPair(wfPairList *list, int32_t a, int32_t b);
 
 /* Sorts pairs of proxies 0..proxies-1 by (a, b) in O(pairs + proxies).  WF_ERROR_MEMORY. */
 wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch);
+/* <declarations of the broad phases> */
+/* Writes the live proxies to ids (room for in->count), those that move first, each group in
+   rising order.  Returns how many; *movers: how many of them move. */
+int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers);
+
+/* How a row ends: sorts the pairs (room) or empties the list (WF_ERROR_FULL); gives scratch
+   back to the mark. */
+wfResult wfFinishPairs(bool room, int32_t proxies, wfPool *scratch, size_t mark,
+                       wfPairList *out);
+size_t wfSortPairsSize(int32_t proxies, int32_t pairs);   /* bytes wfSortPairs takes */
+
+/* One counted box test (eq:broad-overlap); appends {a, b} if they overlap.  False: full. */
+static inline bool wfOfferPair(wfPairList *out, wfRect ra, int32_t a, wfRect rb, int32_t b)
+{
+    out->tests++;
+    return !wfRectOverlap(ra, rb) || wfPushPair(out, a, b);
+}
+/* <declarations of the broad phases> */
+typedef struct wfKeyed { wfReal key; int32_t index; } wfKeyed;
+
+/* Sorts by key, equal keys keep their order; spare has room for n.  No key may be NaN. */
+void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n);
+/* Rearranges: items[k] is what it would be if sorted; none before it is greater, none
+   behind it smaller.  0 <= k < n. */
+void wfSelectKeyed(wfKeyed *items, int32_t n, int32_t k);
+/* <declarations of the broad phases> */
+/* Square cells.  The cell of a point by eq:broad-cell, kept within the limits. */
+typedef struct wfCellRange { int32_t x0, y0, x1, y1; } wfCellRange;  /* ends included */
+typedef struct wfCells {
+    wfVec2 origin;                /* m */
+    wfReal side;                  /* m, > 0 */
+    wfCellRange limits;
+} wfCells;
+
+/* A grid over the world of cells at least so large, of at most `most` cells (>= 4). */
+wfCells wfGridCells(wfRect world, wfReal side, int32_t most);
+/* Cells without borders: a billion of them to each side of (0, 0). */
+wfCells wfHashCells(wfReal side);
+wfCellRange wfCellsOf(const wfCells *cells, wfRect r);    /* the cells that r touches */
+uint32_t wfHashCell(int32_t x, int32_t y);                /* eq:broad-hash */
+/* <declarations of the broad phases> */
+/* The rows of cells.c: trust their input, as every row. */
+wfBroadPhaseFn wfGridPairs, wfHashPairs;
+wfBroadScratchFn wfGridScratch, wfHashScratch;
+/* <declarations of the broad phases> */
+/* Sweeps along x (0), along y (1), or along the axis of wfSweepAxis (-1). */
+wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out);
+/* The axis, 0 or 1, along which fewer of the n listed boxes should meet. */
+int wfSweepAxis(const wfProxies *in, const int32_t *ids, int32_t n);
+wfBroadPhaseFn wfSweepPairs;
+wfBroadScratchFn wfSweepScratch;
+/* <declarations of the broad phases> */
+enum { WF_BOX_LEAF = 4 };                      /* so many proxies at most in a leaf */
+
+/* A node of a tree of boxes: the common box of items first .. first + count - 1.  Its left
+   child is the node behind it; right is its right child, or -1 for a leaf. */
+typedef struct wfBoxNode { wfRect box; int32_t first, count, right; } wfBoxNode;
+
+typedef struct wfBoxTree {
+    const wfRect *bounds;
+    wfBoxNode *nodes;
+    wfKeyed *items;               /* the proxies, those of one node side by side */
+    int32_t nodeCount;
+} wfBoxTree;
+
+/* Adds a tree over items first .. first + count - 1 (count > 0), returns its root.  There
+   must be room for count + 1 nodes. */
+int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count);
+wfBroadPhaseFn wfBoxTreePairs;
+wfBroadScratchFn wfBoxTreeScratch;
 /* <the quad tree's data> */
 enum { WF_BOTTOM_LEFT, WF_BOTTOM_RIGHT, WF_TOP_LEFT, WF_TOP_RIGHT, WF_QUAD_ROOT };
 enum { WF_QUAD_NONE = -1, WF_QUAD_MAX_DEPTH = 16, WF_QUAD_BUCKET = 6,
