@@ -447,6 +447,8 @@ static void test_trace(void **state)
             P e = sub(of(step->points[1]), of(step->points[0])), out = { e.y, -e.x };
             /* the answer is not within the edge, and no difference is farther out than the answer */
             assert_true(dot(out, sub(of(step->points[2]), of(step->points[0]))) >= -tol * size(e) - tol);
+            if (step[-1].phase == WF_GJK_EXPAND || step[-1].count == 3)       /* the origin is inside the polygon */
+                if (t.steps[d.iterations - 1].count == 3) assert_true(dot(out, of(step->points[0])) >= -tol * size(e) - tol);
             points++;
         }
         grown += points;
@@ -454,6 +456,34 @@ static void test_trace(void **state)
         if (s.distance > 0) assert_int_equal(points, 0);
     }
     assert_true(walked > 4000 && grown > 2000);
+}
+
+/* The walk over the regions finds by itself what is clearly apart, in no more steps than there are pairs of edges, and
+   leaves what overlaps to GJK. */
+static void test_walk(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(27);
+    int walked = 0, left = 0;
+    for (int i = 0; i < 20000; i++) {
+        wfShape a = random_shape(&r, 1), b = random_shape(&r, 1);
+        wfTransform xa = random_transform(&r, 2), xb = random_transform(&r, 2);
+        Outline oa = outline(&a, xa, xa.p), ob = outline(&b, xb, xa.p);
+        oa.radius = ob.radius = 0;                                     /* the cores */
+        double truth = exact(&oa, &ob);
+        wfSeparation s;
+        int32_t steps = -1;
+        assert_ok(wfWalkVoronoi(&a, xa, &b, xb, &s, &steps));
+        if (truth > 0.01) {
+            assert_true(steps >= 1 && steps <= oa.n * ob.n && steps <= oa.n + ob.n);   /* once round each, at most */
+            walked += steps;
+        } else if (truth <= 0) {
+            assert_int_equal(steps, 0);
+            left++;
+        }
+    }
+    print_message("walked %d, left %d\n", walked, left);
+    assert_true(left > 2000 && walked > 10000);
 }
 
 static void test_bad_input(void **state)
@@ -484,6 +514,13 @@ static void test_bad_input(void **state)
     assert_result(WF_ERROR_NULL, wfTraceGjk(&b, ok, NULL, ok, &s, &t));
     assert_result(WF_ERROR_NULL, wfTraceGjk(&b, ok, &b, ok, NULL, &t));
     assert_result(WF_ERROR_NULL, wfTraceGjk(&b, ok, &b, ok, &s, NULL));
+    int32_t steps = 77;
+    assert_result(WF_ERROR_NULL, wfWalkVoronoi(NULL, ok, &b, ok, &s, &steps));
+    assert_result(WF_ERROR_NULL, wfWalkVoronoi(&b, ok, NULL, ok, &s, &steps));
+    assert_result(WF_ERROR_NULL, wfWalkVoronoi(&b, ok, &b, ok, NULL, &steps));
+    assert_result(WF_ERROR_NULL, wfWalkVoronoi(&b, ok, &b, ok, &s, NULL));
+    assert_result(WF_ERROR_UNKNOWN, wfWalkVoronoi(&b, ok, &none, ok, &s, &steps));
+    assert_int_equal(steps, 77);
     for (int bad = 0; bad < BAD_REAL_COUNT; bad++)
         for (int field = 0; field < 4; field++) {
             wfTransform x = ok;
@@ -515,7 +552,7 @@ int main(void)
         cmocka_unit_test(test_the_reference), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_random_pairs),
         cmocka_unit_test(test_unequal_sizes), cmocka_unit_test(test_touching), cmocka_unit_test(test_degenerate_pairs),
         cmocka_unit_test(test_nearly_parallel), cmocka_unit_test(test_swap_and_motion),
-        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_walk), cmocka_unit_test(test_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
