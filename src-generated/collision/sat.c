@@ -179,6 +179,10 @@ static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
 const wfNarrowPhaseRow wfNarrowPhaseTable[] = {
     /* <rows of the narrow phase table> */
     { "sat", "separating axes: edge normals of both shapes", satSeparate },
+    /* <rows of the narrow phase table> */
+    { "gjk", "GJK for the distance, EPA for the depth", wfSeparateGjk },
+    /* <rows of the narrow phase table> */
+    { "voronoi", "a walk over Voronoi regions, GJK and EPA where it fails", wfSeparateVoronoi },
 };
 const int wfNarrowPhaseCount =
     (int)(sizeof wfNarrowPhaseTable / sizeof *wfNarrowPhaseTable);

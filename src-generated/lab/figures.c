@@ -1601,6 +1601,186 @@ static void figure_narrow_regions(wfDraw *d, const wfFigureInput *in)
                 (double)wfAbs(s.distance));
 }
 /* <figures> */
+typedef struct GjkPanel { wfVec2 origin; wfReal scale; } GjkPanel;
+
+static wfVec2 onPanel(GjkPanel p, wfVec2 v) { return wfAddScaled(p.origin, p.scale, v); }
+
+static void gjkSimplex(wfDraw *d, GjkPanel at, const wfVec2 *v, int n, float px, int role)
+{
+    float xy[6];
+    for (int i = 0; i < n; i++) {
+        wfVec2 p = onPanel(at, v[i]);
+        xy[2 * i] = (float)p.x;
+        xy[2 * i + 1] = (float)p.y;
+        wfDrawPoint(d, WF_XY(p), 7, role);
+    }
+    if (n == 2) wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], px, role);
+    if (n == 3) wfDrawPolygon(d, xy, 3, px, role, WF_INK_NONE);
+}
+
+/* the outline of B - A, for the reader; the engine does not make it */
+static void gjkOutline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape *b,
+                       wfTransform rel)
+{
+    wfVec2 points[WF_MAX_VERTICES * WF_MAX_VERTICES];
+    int n = 0;
+    for (int i = 0; i < a->count; i++)
+        for (int j = 0; j < b->count; j++)
+            points[n++] = wfSub(wfApply(rel, b->vertices[j]), a->vertices[i]);
+    wfShape hull;
+    if (wfMakePolygon(points, n, &hull) != WF_OK) return;
+    for (int i = 0; i < hull.count; i++)
+        narrowSegment(d, onPanel(at, hull.vertices[i]),
+                      onPanel(at, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 1.5f,
+                      WF_INK_FAINT);
+    wfDrawPoint(d, WF_XY(at.origin), 6, WF_INK_LINE);
+}
+/* <figures> */
+/* the two shapes at the left; the relative pose of B, or false */
+static bool gjkPair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
+                    wfTransform *xa, wfTransform *xb)
+{
+    wfVec2 round[8], five[5];
+    for (int i = 0; i < 8; i++) {
+        wfRot q = wfRotation(2 * WF_PI * (wfReal)i / 8 + WF_R(0.5));
+        round[i] = wfV2(WF_R(1.4) * q.c, q.s);
+    }
+    for (int i = 0; i < 5; i++) {
+        wfRot q = wfRotation(2 * WF_PI * (wfReal)i / 5);
+        five[i] = wfV2(q.c, WF_R(0.8) * q.s);
+    }
+    if (wfMakePolygon(round, 8, a) != WF_OK || wfMakePolygon(five, 5, b) != WF_OK)
+        return false;
+    *xa = wfMakeTransform(wfV2(WF_R(1.7), 3), 0);
+    *xb = wfMakeTransform(narrowHandle(in, 0), 0);
+    narrowShape(d, a, *xa, WF_INK_BODY, WF_INK_BODY);
+    narrowShape(d, b, *xb, WF_INK_BODY2, WF_INK_BODY2);
+    return true;
+}
+
+static void gjkEmpty(wfDraw *d, const char *text)
+{
+    wfDrawText(d, 8.8f, 3.6f, 14, WF_INK_TEXT, 0, text);
+}
+/* <figures> */
+static void figure_narrow_gjk(wfDraw *d, const wfFigureInput *in)
+{
+    wfShape a, b;
+    wfTransform xa, xb;
+    wfSeparation s;
+    wfGjkTrace t;
+    wfDistanceResult r;
+    if (!gjkPair(d, in, &a, &b, &xa, &xb)) return;
+    if (wfTraceGjk(&a, xa, &b, xb, &s, &t) != WF_OK) return;
+    if (wfShapeDistance(&a, xa, &b, xb, &r) != WF_OK) return;
+    narrowSegment(d, r.pointA, r.pointB, 2, WF_INK_ACCENT);
+    wfDrawPoint(d, WF_XY(r.pointA), 7, WF_INK_ACCENT);
+    wfDrawPoint(d, WF_XY(r.pointB), 7, WF_INK_ACCENT);
+    wfDrawTextf(d, 0.2f, 0.8f, 14, WF_INK_TEXT, -1, "distance %.3f m", (double)r.distance);
+    wfDrawTextf(d, 0.2f, 0.2f, 14, WF_INK_TEXT, -1, "answers: %d", (int)r.iterations);
+    for (int k = 0; k < 4 && k < t.count; k++) {
+        if (t.steps[k].phase != WF_GJK_WALK) break;
+        wfReal x = WF_R(5.9) + WF_R(4.4) * (wfReal)(k % 2);
+        GjkPanel at = { wfV2(x, k < 2 ? WF_R(4.4) : WF_R(0.6)), WF_R(0.8) };
+        /* <draw the simplex of step k> */
+        const wfGjkStep *step = &t.steps[k];
+        gjkOutline(d, at, &a, &b, wfRelativePose(xa, xb));
+        gjkSimplex(d, at, step->points, step->count, 2.5f, WF_INK_ACCENT);
+        wfVec2 nearest = onPanel(at, step->nearest);
+        if (step->count < 3) wfDrawArrow(d, WF_XY(nearest), WF_XY(at.origin), 1.5f, WF_INK_GOOD);
+        wfDrawTextf(d, (float)at.origin.x + 0.2f, (float)at.origin.y - 0.1f, 15, WF_INK_TEXT, -1,
+                    "%d", k + 1);
+    }
+}
+/* <figures> */
+/* the polygon before step k: the hull of GJK's last simplex and of all answers before it */
+static void gjkRing(wfDraw *d, GjkPanel at, const wfGjkTrace *t, int first, int k)
+{
+    wfVec2 points[3 + WF_GJK_STEPS];
+    int n = 0;
+    wfShape hull;
+    const wfGjkStep *last = &t->steps[first - 1];
+    for (int i = 0; i < last->count; i++) points[n++] = last->points[i];
+    for (int i = 0; i < k && n < 3 + WF_GJK_STEPS; i++)
+        points[n++] = t->steps[first + i].points[2];
+    if (wfMakePolygon(points, n, &hull) != WF_OK) return;
+    for (int i = 0; i < hull.count; i++)
+        narrowSegment(d, onPanel(at, hull.vertices[i]),
+                      onPanel(at, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 2,
+                      WF_INK_LINE);
+}
+/* <figures> */
+static void figure_narrow_epa(wfDraw *d, const wfFigureInput *in)
+{
+    wfShape a, b;
+    wfTransform xa, xb;
+    wfSeparation s;
+    wfGjkTrace t;
+    if (!gjkPair(d, in, &a, &b, &xa, &xb)) return;
+    if (wfTraceGjk(&a, xa, &b, xb, &s, &t) != WF_OK) return;
+    int first = 0;
+    while (first < t.count && t.steps[first].phase == WF_GJK_WALK) first++;
+    if (first == t.count) { gjkEmpty(d, "apart: nothing to grow"); return; }
+    wfVec2 tip = wfAddScaled(xb.p, -s.distance, s.normal);
+    wfDrawArrow(d, WF_XY(xb.p), WF_XY(tip), 2.5f, WF_INK_ACCENT);
+    wfDrawTextf(d, 0.2f, 0.8f, 14, WF_INK_TEXT, -1, "depth %.3f m", -(double)s.distance);
+    wfDrawTextf(d, 0.2f, 0.2f, 14, WF_INK_TEXT, -1, "answers: %d + %d", first,
+                t.count - first);
+    int shown = t.count - first;
+    for (int k = 0; k < shown; k++) {
+        if (k > 2 && k < shown - 1) continue;               /* three and the last */
+        int place = k < 3 ? k : 3;
+        wfReal x = WF_R(6.4) + WF_R(4.6) * (wfReal)(place % 2);
+        GjkPanel at = { wfV2(x, place < 2 ? WF_R(5.3) : WF_R(1.6)), WF_R(0.8) };
+        /* <draw the polygon of step k> */
+        gjkOutline(d, at, &a, &b, wfRelativePose(xa, xb));
+        gjkRing(d, at, &t, first, k);
+        const wfGjkStep *step = &t.steps[first + k];
+        gjkSimplex(d, at, step->points, 2, 3.5f, WF_INK_ACCENT);
+        wfVec2 answer = onPanel(at, step->points[2]);
+        wfDrawCircle(d, WF_XY(answer), 0.1f, 2, WF_INK_GOOD, WF_INK_NONE);
+        if (k == shown - 1) {
+            wfVec2 way = onPanel(at, wfRotateInv(xa.q, wfScale(s.distance, s.normal)));
+            wfDrawArrow(d, WF_XY(at.origin), WF_XY(way), 1.5f, WF_INK_GOOD);
+        }
+        wfDrawTextf(d, (float)at.origin.x - 1.4f, (float)at.origin.y - 1.3f, 15, WF_INK_TEXT, 0,
+                    "%d", k + 1);
+    }
+}
+/* <figures> */
+static void figure_narrow_simplex(wfDraw *d, const wfFigureInput *in)
+{
+    wfShape triangle, dot;
+    wfVec2 corners[3] = { wfV2(-WF_R(1.6), -WF_R(0.9)), wfV2(WF_R(1.7), -WF_R(0.7)),
+                          wfV2(WF_R(0.1), WF_R(1.3)) };
+    wfVec2 origin = narrowHandle(in, 0), place = wfV2(WF_R(3.4), WF_R(2.4));
+    wfSeparation s;
+    wfGjkTrace t;
+    if (wfMakePolygon(corners, 3, &triangle) != WF_OK) return;
+    if (wfMakeCircle(wfV2(0, 0), WF_R(0.01), &dot) != WF_OK) return;
+    wfTransform xd = wfMakeTransform(origin, 0), xt = wfMakeTransform(place, 0);
+    for (int i = 0; i < 3; i++) {
+        wfVec2 v = wfApply(xt, triangle.vertices[i]);
+        wfVec2 after = wfAddScaled(v, 6, triangle.normals[i]);
+        wfVec2 before = wfAddScaled(v, 6, triangle.normals[i ? i - 1 : 2]);
+        wfDrawDashed(d, WF_XY(v), WF_XY(after), 1, WF_INK_FAINT);
+        wfDrawDashed(d, WF_XY(v), WF_XY(before), 1, WF_INK_FAINT);
+    }
+    narrowShape(d, &triangle, xt, WF_INK_BODY, WF_INK_BODY);
+    if (wfTraceGjk(&dot, xd, &triangle, xt, &s, &t) != WF_OK) return;
+    /* <draw what is kept of the simplex> */
+    int last = 0;
+    while (last + 1 < t.count && t.steps[last + 1].phase == WF_GJK_WALK) last++;
+    const wfGjkStep *kept = &t.steps[last];
+    GjkPanel at = { origin, 1 };
+    gjkSimplex(d, at, kept->points, kept->count, 4, WF_INK_ACCENT);
+    wfVec2 nearest = onPanel(at, kept->nearest);
+    if (kept->count < 3) wfDrawArrow(d, WF_XY(origin), WF_XY(nearest), 2, WF_INK_GOOD);
+    wfDrawPoint(d, WF_XY(origin), 8, WF_INK_LINE);
+    static const char *const names[4] = { "", "a corner", "an edge", "the whole triangle" };
+    wfDrawTextf(d, 0.2f, 0.2f, 14, WF_INK_TEXT, -1, "keeps %s", names[kept->count]);
+}
+/* <figures> */
 /* the points of a manifold, with a rod from surface to surface */
 static void contactPoints(wfDraw *d, const wfManifold *m, int role)
 {
@@ -2783,6 +2963,10 @@ const wfFigureRow wfFigureTable[] = {
     { "narrow-minkowski", figure_narrow_minkowski, 9.5f, 5.0f, 1, { { 2.7f, 2.7f } } },
     { "narrow-tie", figure_narrow_tie, 5.0f, 4.6f, 1, { { 3.4f, 3.0f } } },
     { "narrow-regions", figure_narrow_regions, 7.0f, 5.2f, 1, { { 5.2f, 3.4f } } },
+    /* <rows of the figure table> */
+    { "narrow-simplex", figure_narrow_simplex, 7.0f, 4.8f, 1, { { 5.2f, 3.4f } } },
+    { "narrow-gjk", figure_narrow_gjk, 14.2f, 7.6f, 1, { { 3.3f, 4.7f } } },
+    { "narrow-epa", figure_narrow_epa, 13.6f, 7.4f, 1, { { 2.5f, 3.5f } } },
     /* <rows of the figure table> */
     { "contacts-kinds", figure_contacts_kinds, 12.0f, 3.9f, 0, { { 0 } } },
     { "contacts-report", figure_contacts_report, 10.0f, 4.0f, 0, { { 0 } } },

@@ -918,6 +918,146 @@ static int measure_narrow_far(FILE *out)
     return 0;
 }
 /* <measurements> */
+static wfResult regularPolygon(int corners, wfShape *out)
+{
+    wfVec2 v[WF_MAX_VERTICES];
+    for (int i = 0; i < corners; i++) {
+        wfRot q = wfRotation(2 * WF_PI * (wfReal)i / (wfReal)corners);
+        v[i] = wfV2(q.c, q.s);
+    }
+    return wfMakePolygon(v, corners, out);
+}
+
+typedef struct GjkCount { long pairs, walk, grow; int walkMost, growMost; } GjkCount;
+
+static void countSteps(const wfGjkTrace *t, GjkCount *c)
+{
+    int walk = 0;
+    while (walk < t->count && t->steps[walk].phase == WF_GJK_WALK) walk++;
+    int grow = t->count - walk;
+    c->pairs++;
+    c->walk += walk;
+    c->grow += grow;
+    if (walk > c->walkMost) c->walkMost = walk;
+    if (grow > c->growMost) c->growMost = grow;
+}
+/* <measurements> */
+static int measure_narrow_gjk(FILE *out)
+{
+    wfRandom r;
+    wfRandomSeed(&r, 12);
+    fprintf(out, "corners,sat_dots,apart_mean,apart_max,apart_dots,overlap_mean,"
+                 "epa_mean,epa_max,overlap_dots\n");
+    for (int n = 3; n <= WF_MAX_VERTICES; n = n == 3 ? 4 : n * 2) {
+        wfShape s;
+        GjkCount count[2] = { { 0 }, { 0 } };
+        if (regularPolygon(n, &s) != WF_OK) return 1;
+        for (int i = 0; i < 20000; i++) {
+            /* <separate a random pair and count its steps> */
+            wfGjkTrace t;
+            wfSeparation sep;
+            wfReal turnA = wfRandomReal(&r, -WF_PI, WF_PI), turnB = wfRandomReal(&r, -WF_PI, WF_PI);
+            wfReal x = wfRandomReal(&r, -3, 3), y = wfRandomReal(&r, -3, 3);
+            wfTransform xa = wfMakeTransform(wfV2(0, 0), turnA);
+            wfTransform xb = wfMakeTransform(wfV2(x, y), turnB);
+            if (wfTraceGjk(&s, xa, &s, xb, &sep, &t) != WF_OK) return 1;
+            countSteps(&t, &count[sep.distance <= 0]);
+        }
+        const GjkCount *apart = &count[0], *over = &count[1];
+        double pairs = (double)apart->pairs, overs = (double)over->pairs;
+        fprintf(out, "%d,%d,%.2f,%d,%.0f,%.2f,%.2f,%d,%.0f\n", n, 2 * n * n,
+                (double)apart->walk / pairs, apart->walkMost,
+                (double)apart->walk / pairs * 2 * n, (double)over->walk / overs,
+                (double)over->grow / overs, over->growMost,
+                (double)(over->walk + over->grow) / overs * 2 * n);
+    }
+    return 0;
+}
+/* <measurements> */
+static void countFlips(const char *row, wfVec2 at, wfReal turn, int shakes, int flips[2])
+{
+    wfRandom r;
+    wfShape box;
+    wfSeparation was = { .owner = WF_NO_EDGE };
+    wfRandomSeed(&r, 7);
+    wfMakeBox(1, 1, &box);
+    for (int i = 0; i < shakes; i++) {
+        wfReal dx = wfRandomReal(&r, -WF_R(1e-6), WF_R(1e-6));
+        wfReal dy = wfRandomReal(&r, -WF_R(1e-6), WF_R(1e-6));
+        wfReal dturn = wfRandomReal(&r, -WF_R(1e-6), WF_R(1e-6));
+        wfTransform xa = wfMakeTransform(wfV2(0, 0), 0);
+        wfTransform xb = wfMakeTransform(wfAdd(at, wfV2(dx, dy)), turn + dturn);
+        wfSeparation s;
+        if (wfSeparate(wfFindNarrowPhase(row), &box, xa, &box, xb, &s) != WF_OK) return;
+        flips[0] += i > 0 && wfDistance(s.normal, was.normal) > WF_R(0.01);
+        flips[1] += i > 0 && s.owner != was.owner;
+        was = s;
+    }
+}
+/* <measurements> */
+static int measure_narrow_flips(FILE *out)
+{
+    static const struct { const char *name; wfReal x, y, degrees; } pairs[] = {
+        { "box on box", 0, WF_R(1.9), 0 }, { "corner in corner", WF_R(1.9), WF_R(1.9), 0 },
+        { "one in the other", 0, 0, 0 }, { "corner on face", 0, WF_R(2.3), 45 },
+    };
+    fprintf(out, "pair,shakes,sat_normal,sat_owner,gjk_normal,gjk_owner\n");
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
+        int sat[2] = { 0 }, gjk[2] = { 0 }, shakes = 1000;
+        wfVec2 at = wfV2(pairs[i].x, pairs[i].y);
+        countFlips("sat", at, wfRadians(pairs[i].degrees), shakes, sat);
+        countFlips("gjk", at, wfRadians(pairs[i].degrees), shakes, gjk);
+        fprintf(out, "%s,%d,%d,%d,%d,%d\n", pairs[i].name, shakes, sat[0], sat[1], gjk[0],
+                gjk[1]);
+    }
+    return 0;
+}
+/* <measurements> */
+typedef struct HardCase {
+    const char *name;
+    wfReal halfA[2], halfB[2], at[2], degrees;
+    double exact;
+} HardCase;
+
+static const HardCase hardCases[] = {
+    { "faces touch", { 1, 1 }, { 1, 1 }, { 2, 0 }, 0, 0 },
+    { "corners touch", { 1, 1 }, { 1, 1 }, { 2, 2 }, 0, 0 },
+    { "coincident", { 1, 1 }, { 1, 1 }, { 0, 0 }, 0, -2 },
+    { "nested", { 2, 1 }, { WF_R(0.25), WF_R(0.25) }, { 1, WF_R(0.25) }, 0, -1 },
+    { "needle through a box", { 1, WF_R(1e-4) }, { 1, 1 }, { WF_R(0.5), WF_R(0.25) }, 0,
+      -0.7501 },
+    { "needle beside a needle", { 1, WF_R(1e-4) }, { 1, WF_R(1e-4) }, { 0, WF_R(5e-4) }, 0,
+      3e-4 },
+    { "edges parallel but for 0.1 mrad", { 1, 1 }, { 1, 1 }, { 0, WF_R(2.5) },
+      WF_R(5.729578e-3), 0.4999 },
+    { "corner to corner", { 1, 1 }, { 1, 1 }, { 5, 6 }, 0, 5 },
+    { "1 mm over 1 km", { 500, 1 }, { WF_R(5e-4), WF_R(5e-4) }, { 3, WF_R(1.001) }, 0,
+      5e-4 },
+    { "1 mm into 1 km", { 500, 1 }, { WF_R(5e-4), WF_R(5e-4) }, { 3, 1 }, 0, -5e-4 },
+};
+/* <measurements> */
+static int measure_narrow_hard(FILE *out)
+{
+    fprintf(out, "case,exact,sat,gjk,steps,epa\n");
+    for (size_t i = 0; i < sizeof hardCases / sizeof *hardCases; i++) {
+        const HardCase *h = &hardCases[i];
+        wfShape a, b;
+        wfSeparation sat, gjk;
+        wfGjkTrace t;
+        GjkCount count = { 0 };
+        if (wfMakeBox(h->halfA[0], h->halfA[1], &a) != WF_OK) return 1;
+        if (wfMakeBox(h->halfB[0], h->halfB[1], &b) != WF_OK) return 1;
+        wfTransform xa = wfMakeTransform(wfV2(0, 0), 0);
+        wfTransform xb = wfMakeTransform(wfV2(h->at[0], h->at[1]), wfRadians(h->degrees));
+        if (wfSeparate(wfFindNarrowPhase("sat"), &a, xa, &b, xb, &sat) != WF_OK) return 1;
+        if (wfTraceGjk(&a, xa, &b, xb, &gjk, &t) != WF_OK) return 1;
+        countSteps(&t, &count);
+        fprintf(out, "%s,%.6g,%.6g,%.6g,%ld,%ld\n", h->name, h->exact,
+                (double)sat.distance, (double)gjk.distance, count.walk, count.grow);
+    }
+    return 0;
+}
+/* <measurements> */
 /* the middle of the points of a manifold along x, weighted by their depths */
 static wfReal contactMiddle(const wfManifold *m)
 {
@@ -1381,6 +1521,10 @@ const wfMeasureRow wfMeasureTable[] = {
       measure_broad_time },
     /* <rows of the measurement table> */
     { "narrow-far", "change of a computed depth far from the origin", measure_narrow_far },
+    /* <rows of the measurement table> */
+    { "narrow-gjk", "steps and dot products of GJK and EPA", measure_narrow_gjk },
+    { "narrow-flips", "changes of normal and owner under noise", measure_narrow_flips },
+    { "narrow-hard", "hard cases for narrow phases", measure_narrow_hard },
     /* <rows of the measurement table> */
     { "contacts-tilt", "contact points under a tilted box, by angles and by clipping",
       measure_contacts_tilt },

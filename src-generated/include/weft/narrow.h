@@ -56,4 +56,58 @@ wfTransform wfRelativePose(wfTransform xa, wfTransform xb);
 
 /* The greatest distance of a vertex from the shape's centre, or the radius, m. */
 wfReal wfShapeReach(const wfShape *shape);
+/* <declarations of the narrow phases> */
+/* The nearest points of two shapes. */
+typedef struct wfDistanceResult {
+    wfReal distance;         /* m; 0 when they touch or overlap */
+    wfVec2 pointA, pointB;   /* world frame, m; overlapping: one point in both, twice */
+    wfVec2 normal;           /* unit, world frame, from A to B; (0, 0) when they overlap */
+    int32_t iterations;      /* support points asked for: 1 to WF_GJK_STEPS */
+} wfDistanceResult;
+#define WF_GJK_STEPS (3 * WF_MAX_VERTICES)   /* eq:narrow-cap */
+
+/* Distance and nearest points by GJK (gilbert1988; eq:narrow-stop).  A particle is a point.
+   The distance is exact to 16 WF_EPSILON times the largest coordinate of a vertex or centre
+   of either shape, as A's body sees it, and WF_EPSILON times the radii.  WF_ERROR_NULL;
+   _UNKNOWN: a kind of shape that does not exist; _NOT_FINITE: a transform holds NaN or
+   infinity, or the distance overflows.  After an error *out is unchanged. */
+wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                         wfDistanceResult *out);
+/* <declarations of the narrow phases> */
+/* What the rows promise.  All: the sign of `distance` says whether the shapes overlap, and
+   moving B by -distance along `normal` leaves no overlap (both to rounding).
+   "sat"  overlapping: the depth, or up to WF_AXIS_TIE times the smaller reach more, with
+          the first edge among those; apart: the greatest gap over the edges' normals (with
+          a circle: the distance).  owner and edge are set unless both are circles.
+   "gjk"  overlapping: the depth, no ties; of equally good ways out rounding may choose any.
+          apart: the distance.  owner and edge only when it came upon an edge, mostly when
+          polygons overlap. */
+wfResult wfSeparateGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                       wfSeparation *out);
+/* <declarations of the narrow phases> */
+/* The row "voronoi": nearest points by a walk over the Voronoi regions (mirtich1998), and
+   "gjk" for the rest.  It promises what "gjk" promises. */
+wfResult wfSeparateVoronoi(const wfShape *a, wfTransform xa, const wfShape *b,
+                           wfTransform xb, wfSeparation *out);
+
+/* The same, and *steps: pairs of edges looked at, 0 if it was left to "gjk". */
+wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                       wfSeparation *out, int32_t *steps);
+/* <declarations of the narrow phases> */
+enum { WF_GJK_WALK, WF_GJK_EXPAND };
+typedef struct wfGjkStep {
+    int32_t phase;          /* WF_GJK_WALK: a simplex; _EXPAND: an edge and its answer */
+    int32_t count;          /* points: 1 to 3 */
+    wfVec2 points[3];       /* of B - A, in A's frame, m */
+    wfVec2 nearest;         /* of the simplex; (0, 0) for _EXPAND */
+} wfGjkStep;
+
+typedef struct wfGjkTrace {
+    int32_t count;
+    wfGjkStep steps[3 * WF_GJK_STEPS];
+} wfGjkTrace;
+
+/* The row "gjk" once more, with a record of its steps.  The row's errors, and _NULL. */
+wfResult wfTraceGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                    wfSeparation *out, wfGjkTrace *trace);
 #endif
