@@ -30,6 +30,11 @@ if [ -s "$build/book/weft.pdf" ]; then
       title=$(sed -nE '1,5s/^# ([^{]*[^ {]).*/\1/p' "$c" | head -1 | sed 's/[*`]//g')
       grep -qF -- "${title:0:24}" "$work/text" || bad "the PDF does not show '$title'"
     done
+    # every numbered figure and table of the pages is in print too: nothing fell off a page's foot
+    grep -ohE '<b>(Figure|Table) ?[0-9A-Z]+\.[0-9]+' "$html"/[0-9A-Z]*-*.html | sed 's/<b>//; s/\xc2\xa0/ /' | sort -u > "$work/numbered"
+    tr '\n\f' '  ' < "$work/text" | sed 's/\xc2\xa0/ /g; s/  */ /g' > "$work/flat"
+    while read -r want; do grep -qE "$(sed 's/\./\\./' <<<"$want")\." "$work/flat" || bad "the PDF lacks $want"; done < "$work/numbered"
+    [ "$(wc -l < "$work/numbered")" -gt 50 ] || bad "only $(wc -l < "$work/numbered") numbered figures and tables were looked for"
     for want in 'List of chunks' 'Index of identifiers' 'Bibliography' 'planned' 'MIT licence' 'CC BY 4.0'; do grep -qF "$want" "$work/text" || bad "the PDF lacks '$want'"; done
     if grep -qF '??' "$work/text"; then bad "the PDF holds ??: $(grep -nF -m3 '??' "$work/text")"; fi
     over=$(grep -c '^Overfull \\hbox' "$tex/weft.log"); [ "$over" -le 5 ] || bad "$over lines of the PDF stand out of the page by more than 1 pt"
