@@ -2054,18 +2054,19 @@ static void figure_world_ids(wfDraw *d, const wfFigureInput *in)
 static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
+    wfDrawView(d, -1.7f, 0, 15.7f, 10.9f);
     for (int i = 0; i < wfStageCount; i++) {
         const wfStageRow *s = &wfStageTable[i];
-        float y = 0.62f * (float)(wfStageCount - 1 - i) + 0.1f;
-        float box[8] = { 5.7f, y, 8.3f, y, 8.3f, y + 0.42f, 5.7f, y + 0.42f };
+        float y = 0.84f * (float)(wfStageCount - 1 - i) + 0.1f;
+        float box[8] = { 5.6f, y, 8.4f, y, 8.4f, y + 0.58f, 5.6f, y + 0.58f };
         wfDrawPolygon(d, box, 4, 1.2f, WF_INK_LINE, WF_INK_BODY);
-        wfDrawText(d, 7.0f, y + 0.14f, 12, WF_INK_TEXT, 0, s->name);
-        wfDrawText(d, 5.3f, y + 0.14f, 11, WF_INK_TEXT, 1, s->reads);
-        wfDrawArrow(d, 5.35f, y + 0.21f, 5.68f, y + 0.21f, 1, WF_INK_FAINT);
-        wfDrawText(d, 8.75f, y + 0.14f, 11, WF_INK_TEXT, -1, s->writes);
+        wfDrawText(d, 7.0f, y + 0.19f, 11, WF_INK_TEXT, 0, s->name);
+        wfDrawText(d, 5.3f, y + 0.19f, 11, WF_INK_TEXT, 1, s->reads);
+        wfDrawArrow(d, 5.35f, y + 0.29f, 5.58f, y + 0.29f, 1, WF_INK_FAINT);
+        wfDrawText(d, 8.75f, y + 0.19f, 11, WF_INK_TEXT, -1, s->writes);
         if (s->writes[0] != 0)
-            wfDrawArrow(d, 8.32f, y + 0.21f, 8.7f, y + 0.21f, 1, WF_INK_FAINT);
-        if (i > 0) wfDrawArrow(d, 7.0f, y + 0.62f, 7.0f, y + 0.43f, 1.2f, WF_INK_ACCENT);
+            wfDrawArrow(d, 8.42f, y + 0.29f, 8.7f, y + 0.29f, 1, WF_INK_FAINT);
+        if (i > 0) wfDrawArrow(d, 7.0f, y + 0.84f, 7.0f, y + 0.59f, 1.2f, WF_INK_ACCENT);
     }
 }
 /* <figures> */
@@ -2982,7 +2983,7 @@ const wfFigureRow wfFigureTable[] = {
     /* <rows of the figure table> */
     { "world-ids", figure_world_ids, 9.6f, 3.6f, 0, {{0}} },
     /* <rows of the figure table> */
-    { "world-stages", figure_world_stages, 14.2f, 8.2f, 0, {{0}} },
+    { "world-stages", figure_world_stages, 17.4f, 10.9f, 0, {{0}} },
     /* <rows of the figure table> */
     { "platform-service", figure_platform_service, 8.9f, 4.8f, 0, { { 0 } } },
     { "platform-clock", figure_platform_clock, 8.1f, 3.1f, 0, { { 0 } } },
