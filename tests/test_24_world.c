@@ -1252,6 +1252,39 @@ static void forces_are_registered_and_checked(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* The hand's numbers are checked like any force's: seven of them, each finite; a body to hold and no second one. */
+static void a_hand_checks_its_numbers(void **unused)
+{
+    (void)unused;
+    wfForce good;
+    memset(&good, 0, sizeof good);
+    good.kind = wfFindForce("hand");
+    good.a = 0;
+    good.b = -1;
+    assert_true(good.kind >= 0);
+    assert_int_equal(wfForceTable[good.kind].params, 7);
+    assert_ok(wfCheckForce(&good));                      /* no stiffness, no brakes: allowed, and does nothing */
+    wfForce bad = good;
+    bad.a = -1;
+    assert_result(WF_ERROR_RANGE, wfCheckForce(&bad));
+    bad = good, bad.b = 0;
+    assert_result(WF_ERROR_RANGE, wfCheckForce(&bad));
+    wfReal *brakes[3] = { &bad.hand.stiffness, &bad.hand.damping, &bad.hand.spin };
+    for (int i = 0; i < 3; i++) {
+        bad = good;
+        *brakes[i] = 0.5f;
+        assert_ok(wfCheckForce(&bad));
+        *brakes[i] = -0.5f;
+        assert_result(WF_ERROR_RANGE, wfCheckForce(&bad));
+    }
+    for (int i = 0; i < 7; i++)
+        for (int k = 0; k < BAD_REAL_COUNT; k++) {
+            bad = good;
+            bad.param[i] = BAD_REALS[k];
+            assert_result(WF_ERROR_NOT_FINITE, wfCheckForce(&bad));
+        }
+}
+
 static void a_hand_carries_a_body(void **unused)
 {
     (void)unused;
@@ -1537,7 +1570,8 @@ int main(void)
         cmocka_unit_test(equal_worlds_are_equal_byte_for_byte), cmocka_unit_test(handles_of_nothing_are_refused), cmocka_unit_test(too_many_pairs_leave_the_world_as_it_was),
         cmocka_unit_test(overflow_is_an_error_and_spreads_to_no_one), cmocka_unit_test(bad_world_definitions_are_refused),
         cmocka_unit_test(bad_body_definitions_are_refused), cmocka_unit_test(bad_numbers_reach_no_body),
-        cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_carries_a_body),
+        cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_checks_its_numbers),
+ cmocka_unit_test(a_hand_carries_a_body),
         cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
         cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
         cmocka_unit_test(an_empty_world_and_one_of_a_single_body),

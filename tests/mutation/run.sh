@@ -58,11 +58,34 @@ while sleep 15; do
   [ "$(jobs -r | wc -l)" -eq 0 ] && break
 done; wait; echo
 sort -t: -k1,1 -k2,2n "$work"/w*.rows > "$work/all.rows"
+# A survivor that the optimising compiler turns into the very same code is no mistake at all (it stands in a line for the other
+# precision, say): it is called equivalent and not counted. Only identical code counts as proof; the rest stay survivors.
+same_code() {      # place, operator, original, mutant: true if every mutant of that description compiles to the base's code
+  local f k found=0
+  while IFS=$'\t' read -r f k; do
+    case $f in *.c) ;; *) return 1 ;; esac
+    found=1
+    $lua tests/mutation/mutants.lua plant "$work/base/lines/$f" "$k" "$work/mutant.c"
+    for v in base mutant; do
+      [ $v = base ] && c="$work/base/lines/$f" || c="$work/mutant.c"
+      gcc -std=c11 -ffp-contract=off -fno-math-errno -O2 -w -x c -I"$work/base/lines/include" -I"$work/base/lines" -S -o "$work/$v.s" "$c" || return 1
+      sed -i '/^\t\.file/d' "$work/$v.s"
+    done
+    cmp -s "$work/base.s" "$work/mutant.s" || return 1
+  done < <(awk -F'\t' -v w="$1" -v o="$2" -v a="$3" -v b="$4" '$3 == w && $4 == o && $5 == a && $6 == b { print $1 "\t" $2 }' "$work/queue")
+  [ $found -eq 1 ]
+}
+while IFS=$'\t' read -r where op old new verdict by; do
+  [ "$verdict" = survived ] && same_code "$where" "$op" "$old" "$new" && verdict=equivalent
+  printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$where" "$op" "$old" "$new" "$verdict" "$by"
+done < "$work/all.rows" > "$work/judged.rows"
+mv "$work/judged.rows" "$work/all.rows"
+equivalent=$(awk -F'\t' '$5 == "equivalent"' "$work/all.rows" | wc -l)
 caught=$(awk -F'\t' '$5 == "caught"' "$work/all.rows" | wc -l); survived=$(awk -F'\t' '$5 == "survived"' "$work/all.rows" | wc -l)
 invalid=$(awk -F'\t' '$5 == "invalid"' "$work/all.rows" | wc -l)
 {
   echo "# command: make mutate SHARE=$share"
-  echo "# every ${share}th mutant; caught $caught, survived $survived, did not compile $invalid; share caught $(awk -v c="$caught" -v s="$survived" 'BEGIN { printf "%.1f", 100 * c / (c + s) }') %"
+  echo "# every ${share}th mutant; caught $caught, survived $survived, same code $equivalent, did not compile $invalid; share caught $(awk -v c="$caught" -v s="$survived" 'BEGIN { printf "%.1f", 100 * c / (c + s) }') %"
   echo "place,operator,original,mutant,verdict,caught by"
   awk -F'\t' '{ for (i = 1; i <= 6; i++) printf "\"%s\"%s", $i, i < 6 ? "," : "\n" }' "$work/all.rows"
 } > "$work/mutation.csv"
