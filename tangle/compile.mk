@@ -23,12 +23,16 @@ COMPILE = $(CC) $(STD) $(WARN) $(CFLAGS) $(INC)
 TESTBIN := $(TESTS:tests/%.c=$(OUT)/tests/%)
 SHARED := $(if $(filter Darwin,$(shell uname -s)),libweft.dylib,libweft.so)
 
+# Objects are made again when the compiler or its flags change: a float object never meets a double one.
+FLAGS := $(OUT)/flags
+$(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS)' | cmp -s - $(FLAGS) || echo '$(CC) $(STD) $(CFLAGS)' > $(FLAGS))
+
 .PHONY: lib test tests
 .SECONDARY:
 .DELETE_ON_ERROR:
 lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake
 
-$(OUT)/obj/%.o: $(SRC)/%.c
+$(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
 	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -MMD -MP -c $< -o $@
 archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
@@ -53,7 +57,7 @@ $(OUT)/lib/cmake/weft/weftConfig.cmake: tangle/weftConfig.cmake.in $(LIBOBJ)
 	@mkdir -p $(@D)
 	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
 
-$(OUT)/tests/%: tests/%.c $(OUT)/lib/libweft.a $(OUT)/lib/libweft-extra.a $(wildcard tests/*.h)
+$(OUT)/tests/%: tests/%.c $(FLAGS) $(OUT)/lib/libweft.a $(OUT)/lib/libweft-extra.a $(wildcard tests/*.h)
 	@mkdir -p $(@D)
 	@$(COMPILE) -Itests $< $(OUT)/lib/libweft-extra.a $(OUT)/lib/libweft.a -lcmocka -lm -o $@
 tests: $(TESTBIN)

@@ -17,6 +17,15 @@ cc -std=c11 tests/install/user.c $(pkg-config --cflags weft) "$work/stage/opt/we
 cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/stage/opt/weft" >"$work/log" 2>&1 && cmake --build "$work/cmake" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/cmake/user" && "$work/cmake/user_shared" && say "CMake, static and shared: ok"
 
+# the same in double precision, in a build directory of its own: the switch travels with the package files
+make --no-print-directory BUILD=build/check/real64 engine CFLAGS="-O2 -DWF_DOUBLE" WARN= >/dev/null
+make --no-print-directory BUILD=build/check/real64 install DESTDIR="$work/d" PREFIX=/opt/weft >/dev/null
+sed -i "s|^prefix=.*|prefix=$work/d/opt/weft|" "$work/d/opt/weft/lib/pkgconfig/weft.pc"
+flags=$(PKG_CONFIG_PATH=$work/d/opt/weft/lib/pkgconfig pkg-config --cflags weft)
+[[ $flags == *-DWF_DOUBLE* ]] || { echo "weft.pc of a double build does not say -DWF_DOUBLE: $flags"; exit 1; }
+cc -std=c11 tests/install/user.c $flags "$work/d/opt/weft/lib/libweft.a" -lm -o "$work/user-double" && "$work/user-double"
+say "double precision: ok"
+
 # every public header compiles alone, so that a user may include just one
 for h in "$work"/stage/opt/weft/include/weft/*.h; do
   case $h in *_rows.h) continue ;; esac
