@@ -1,6 +1,7 @@
 /* Chapter 12: distance by GJK and depth by EPA, against the other rows and against a slow reference in double that
    walks no simplex: all pairs of corners and edges for the distance, all differences for the depth. */
 #include "testing.h"
+#include "shapes.h"
 #include "weft/narrow.h"
 
 typedef struct P { double x, y; } P;
@@ -90,26 +91,7 @@ static double exact(const Outline *a, const Outline *b)
     return greatest + coats < 0 ? greatest : least - coats;
 }
 
-static wfShape circle(double x, double y, double r)
-{
-    wfShape s;
-    assert_ok(wfMakeCircle(wfV2((wfReal)x, (wfReal)y), (wfReal)r, &s));
-    return s;
-}
-
-static wfShape box(double w, double h)
-{
-    wfShape s;
-    assert_ok(wfMakeBox((wfReal)w, (wfReal)h, &s));
-    return s;
-}
-
-static wfTransform at(double x, double y, double degrees)
-{
-    return wfMakeTransform(wfV2((wfReal)x, (wfReal)y), (wfReal)(degrees * 3.14159265358979 / 180));
-}
-
-static wfShape random_polygon(wfRandom *r, wfReal scale)
+static wfShape random_sized_polygon(wfRandom *r, wfReal scale)
 {
     wfShape s;
     wfVec2 points[WF_MAX_VERTICES], shift = random_v2(r, -WF_R(0.5), WF_R(0.5));
@@ -125,7 +107,7 @@ static wfShape random_shape(wfRandom *r, wfReal scale)
     if (wfRandomBelow(r, 4) == 0)
         return circle((double)wfRandomReal(r, -scale, scale), (double)wfRandomReal(r, -scale, scale),
                       (double)wfRandomReal(r, WF_R(0.1) * scale, scale));
-    return random_polygon(r, scale);
+    return random_sized_polygon(r, scale);
 }
 
 /* No coordinate that enters, as A sees it, is greater than M. The relative pose costs 4 roundings of M, a corner of B 4

@@ -1,6 +1,7 @@
 /* Chapter 12: how far two shapes are apart. The oracles work in double and know no separating axes: Minkowski
    differences with a gift-wrapped hull, dense directions, and the nearest point of an outline. */
 #include "testing.h"
+#include "shapes.h"
 #include "weft/narrow.h"
 
 typedef struct P { double x, y; } P;
@@ -84,37 +85,6 @@ static double dense(const wfShape *a, wfTransform xa, const wfShape *b, wfTransf
         best = fmax(best, near - far);
     }
     return best;
-}
-
-static wfShape circle(double x, double y, double r)
-{
-    wfShape s;
-    assert_ok(wfMakeCircle(wfV2((wfReal)x, (wfReal)y), (wfReal)r, &s));
-    return s;
-}
-
-static wfShape box(double w, double h)
-{
-    wfShape s;
-    assert_ok(wfMakeBox((wfReal)w, (wfReal)h, &s));
-    return s;
-}
-
-static wfTransform at(double x, double y, double degrees)
-{
-    return wfMakeTransform(wfV2((wfReal)x, (wfReal)y), (wfReal)(degrees * 3.14159265358979 / 180));
-}
-
-/* a polygon of 3 to 16 points in a square of side 2 about a point that is not the origin */
-static wfShape random_polygon(wfRandom *r)
-{
-    wfShape s;
-    wfVec2 points[WF_MAX_VERTICES], shift = random_v2(r, -WF_R(0.5), WF_R(0.5));
-    do {
-        int n = 3 + (int)wfRandomBelow(r, WF_MAX_VERTICES - 2);
-        for (int i = 0; i < n; i++) points[i] = wfAdd(shift, n > 8 ? random_unit(r) : random_v2(r, -1, 1));
-        if (wfMakePolygon(points, n, &s) == WF_OK) return s;
-    } while (1);
 }
 
 static wfSeparation sat(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb)

@@ -1,6 +1,7 @@
 /* Chapter 13: contact points. By hand where the answer is plain; else by what must hold of every contact, checked in
    double against the outlines of both bodies. */
 #include "testing.h"
+#include "shapes.h"
 #include "weft/contact.h"
 
 typedef struct P { double x, y; } P;
@@ -28,36 +29,6 @@ static double off_outline(const wfShape *s, wfTransform xf, P q)
         least = fmin(least, hypot(q.x - a.x - t * ex, q.y - a.y - t * ey));
     }
     return least;
-}
-
-static wfShape circle(double x, double y, double r)
-{
-    wfShape s;
-    assert_ok(wfMakeCircle(wfV2((wfReal)x, (wfReal)y), (wfReal)r, &s));
-    return s;
-}
-
-static wfShape box(double w, double h)
-{
-    wfShape s;
-    assert_ok(wfMakeBox((wfReal)w, (wfReal)h, &s));
-    return s;
-}
-
-static wfTransform at(double x, double y, double degrees)
-{
-    return wfMakeTransform(wfV2((wfReal)x, (wfReal)y), (wfReal)(degrees * 3.14159265358979 / 180));
-}
-
-static wfShape random_polygon(wfRandom *r)
-{
-    wfShape s;
-    wfVec2 points[WF_MAX_VERTICES], shift = random_v2(r, -WF_R(0.5), WF_R(0.5));
-    do {
-        int n = 3 + (int)wfRandomBelow(r, WF_MAX_VERTICES - 2);
-        for (int i = 0; i < n; i++) points[i] = wfAdd(shift, n > 8 ? random_unit(r) : random_v2(r, -1, 1));
-        if (wfMakePolygon(points, n, &s) == WF_OK) return s;
-    } while (1);
 }
 
 /* Coordinates stay below 8 m, and each number is a short sum of products of them. */

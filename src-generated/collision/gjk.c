@@ -463,7 +463,7 @@ static wfReal lookAcross(const Difference *D, const Side *a, const Side *b, wfVe
     else return wfLength(d);
     return wfDot(*normal, d);
 }
-
+/* <separate by a walk over the regions> */
 wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                        wfSeparation *out, int32_t *steps)
 {
@@ -489,7 +489,7 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     *out = found;
     return WF_OK;
 }
-
+/* <separate by a walk over the regions> */
 wfResult wfSeparateVoronoi(const wfShape *a, wfTransform xa, const wfShape *b,
                            wfTransform xb, wfSeparation *out)
 {

@@ -1617,7 +1617,7 @@ static void gjkSimplex(wfDraw *d, GjkPanel at, const wfVec2 *v, int n, float px,
     if (n == 2) wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], px, role);
     if (n == 3) wfDrawPolygon(d, xy, 3, px, role, WF_INK_NONE);
 }
-
+/* <figures> */
 /* the outline of B - A, for the reader; the engine does not make it */
 static void gjkOutline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape *b,
                        wfTransform rel)
