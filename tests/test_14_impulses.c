@@ -44,7 +44,7 @@ static wfContact two_points(int32_t a, int32_t b, wfVec2 normal, wfVec2 p, wfVec
     return c;
 }
 
-static wfSolve problem(wfBodyState *state, int bodies, const wfContact *contacts, int count, wfPool *pool)
+static wfSolve problem(wfBodyState *state, int bodies, wfContact *contacts, int count, wfPool *pool)
 {
     return (wfSolve){ .state = state, .bodyCount = bodies, .contacts = contacts, .contactCount = count,
                       .h = WF_R(0.01), .iterations = 1, .positionShare = 1, .scratch = pool };
@@ -501,7 +501,7 @@ static void slop_and_share(void **unused)
     wfContact c = contact_at(0, 1, wfV2(0, 1), wfV2(0, 0), 0.4, 0);
     wfPool pool = scratch();
     wfSolve in = problem(s, 2, &c, 1, &pool);
-    in.slop = WF_R(0.1);
+    c.slop = WF_R(0.1);
     in.positionShare = WF_R(0.25);
     in.iterations = 4;
     assert_ok(wfSolvePositions(0, &in));
@@ -558,8 +558,9 @@ static void rows_are_found_by_name(void **unused)
     for (int i = 0; i < wfSolverCount; i++) {
         assert_int_equal(wfFindSolver(wfSolverTable[i].name), i);
         assert_non_null(wfSolverTable[i].text);
-        assert_non_null(wfSolverTable[i].velocity);
-        assert_non_null(wfSolverTable[i].position);
+        bool whole = wfSolverTable[i].step != NULL;              /* two halves or one whole */
+        assert_true(whole == (wfSolverTable[i].velocity == NULL));
+        assert_true(whole == (wfSolverTable[i].position == NULL));
         assert_true(wfSolverTable[i].scratch(10, 20) >= 10 * sizeof(wfVec2));
     }
     assert_int_equal(wfFindSolver("no such solver"), -1);
@@ -575,7 +576,7 @@ static void materials_mix(void **unused)
     assert_true(wfMixFriction(0, 5) == 0);
 }
 
-typedef struct Case { wfBodyState s[2]; wfContact c; wfPool pool; wfSolve in; } Case;
+typedef struct Case { wfBodyState s[2]; wfBodyForces f[2]; wfContact c; wfPool pool; wfSolve in; } Case;
 
 static void good_case(Case *k)
 {
@@ -585,8 +586,10 @@ static void good_case(Case *k)
     k->c.manifold.points[0].depth = k->c.manifold.points[1].depth = WF_R(0.1);
     k->pool = scratch();
     k->in = problem(k->s, 2, &k->c, 1, &k->pool);
+    memset(k->f, 0, sizeof k->f);
+    k->in.forces = k->f;
     k->in.restingSpeed = WF_R(0.1);
-    k->in.slop = WF_R(0.01);
+    k->c.slop = WF_R(0.01);
 }
 
 static void refused(Case *k, wfResult want)
@@ -596,6 +599,8 @@ static void refused(Case *k, wfResult want)
     for (int row = 0; row < wfSolverCount; row++) {
         assert_result(want, wfSolveVelocities(row, &k->in));
         assert_result(want, wfSolvePositions(row, &k->in));
+        if (k->in.substeps == 0) k->in.substeps = 1;
+        assert_result(want, wfSolveStep(row, &k->in));
     }
     assert_memory_equal(before, k->s, sizeof before);
 }
@@ -607,11 +612,12 @@ static void bad_numbers_are_refused(void **unused)
         for (int field = 0; ; field++) {
             Case k;
             good_case(&k);
-            wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.in.slop, &k.c.restitution,
+            wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.c.slop, &k.c.restitution,
                 &k.c.friction, &k.c.manifold.normal.x, &k.c.manifold.normal.y, &k.c.manifold.points[0].point.x,
                 &k.c.manifold.points[1].point.y, &k.c.manifold.points[0].depth, &k.c.manifold.points[1].depth,
                 &k.s[1].p.x, &k.s[1].p.y, &k.s[0].angle, &k.s[1].v.x, &k.s[0].v.y, &k.s[1].w, &k.s[1].invMass,
-                &k.s[1].invInertia };
+                &k.s[1].invInertia, &k.c.rolling, &k.c.surfaceSpeed, &k.c.rollingImpulse, &k.c.manifold.points[0].armA.x,
+                &k.c.manifold.points[1].armB.y, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque };
             if (field == (int)(sizeof place / sizeof *place)) break;
             *place[field] = BAD_REALS[b];
             refused(&k, WF_ERROR_NOT_FINITE);
@@ -623,22 +629,24 @@ static void numbers_out_of_range_are_refused(void **unused)
     (void)unused;
     for (int field = 0; ; field++) {
         static const struct { int at; double value; } bad[] = { { 0, 0 }, { 0, -1 }, { 1, -0.1 }, { 2, -0.1 }, { 2, 1.1 },
-            { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -0.1 }, { 6, -1 }, { 7, -1 } };
+            { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -0.1 }, { 6, -1 }, { 7, -1 }, { 8, -0.1 } };
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
-        wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.in.slop, &k.c.restitution,
-            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia };
+        wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.c.slop, &k.c.restitution,
+            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia, &k.c.rolling };
         *place[bad[field].at] = (wfReal)bad[field].value;
         refused(&k, WF_ERROR_RANGE);
     }
     for (int field = 0; ; field++) {
         static const struct { int at, value; } bad[] = { { 0, -1 }, { 1, -1 }, { 2, 0 }, { 2, -5 }, { 3, -1 }, { 3, 2 },
-            { 3, 1 }, { 4, -1 }, { 4, 2 }, { 4, 0 }, { 5, -1 }, { 5, 3 }, { 0, 1 } };
+            { 3, 1 }, { 4, -1 }, { 4, 2 }, { 4, 0 }, { 5, -1 }, { 5, 3 }, { 0, 1 },
+            { 6, -1 } };
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
-        int32_t *place[] = { &k.in.bodyCount, &k.in.contactCount, &k.in.iterations, &k.c.a, &k.c.b, &k.c.manifold.count };
+        int32_t *place[] = { &k.in.bodyCount, &k.in.contactCount, &k.in.iterations, &k.c.a, &k.c.b, &k.c.manifold.count,
+            &k.in.substeps };
         *place[bad[field].at] = bad[field].value;
         refused(&k, WF_ERROR_RANGE);
     }
@@ -678,7 +686,12 @@ static void missing_parts_are_refused(void **unused)
     for (int i = 0; i < 3; i++) {
         assert_result(WF_ERROR_UNKNOWN, wfSolveVelocities(rows[i], &k.in));
         assert_result(WF_ERROR_UNKNOWN, wfSolvePositions(rows[i], &k.in));
+        assert_result(WF_ERROR_UNKNOWN, wfSolveStep(rows[i], &k.in));
     }
+    assert_result(WF_ERROR_RANGE, wfSolveStep(0, &k.in));       /* no substeps */
+    k.in.substeps = 1;
+    assert_result(WF_ERROR_UNKNOWN, wfSolveStep(0, &k.in));     /* a row with two halves makes no steps */
+    assert_result(WF_ERROR_NULL, wfSolveStep(0, NULL));
     k.in.state = NULL;                              /* nothing at all is fine */
     k.in.contacts = NULL;
     k.in.bodyCount = k.in.contactCount = 0;
