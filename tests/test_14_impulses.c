@@ -617,7 +617,7 @@ static void bad_numbers_are_refused(void **unused)
                 &k.c.manifold.points[1].point.y, &k.c.manifold.points[0].depth, &k.c.manifold.points[1].depth,
                 &k.s[1].p.x, &k.s[1].p.y, &k.s[0].angle, &k.s[1].v.x, &k.s[0].v.y, &k.s[1].w, &k.s[1].invMass,
                 &k.s[1].invInertia, &k.c.rolling, &k.c.surfaceSpeed, &k.c.rollingImpulse, &k.c.manifold.points[0].armA.x,
-                &k.c.manifold.points[1].armB.y, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque };
+                &k.c.manifold.points[1].armB.y, &k.c.manifold.points[0].normalImpulse, &k.c.manifold.points[1].tangentImpulse, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque };
             if (field == (int)(sizeof place / sizeof *place)) break;
             *place[field] = BAD_REALS[b];
             refused(&k, WF_ERROR_NOT_FINITE);
