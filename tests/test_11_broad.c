@@ -855,7 +855,7 @@ static int box_depth(const wfBoxTree *t, int32_t n, int32_t *leaves)
 {
     const wfBoxNode *p = &t->nodes[n];
     for (int32_t i = p->first; i < p->first + p->count; i++)
-        assert_true(wfRectContains(p->box, t->bounds[t->items[i].index]));
+        assert_true(wfRectContains(p->box, t->in->bounds[t->items[i].index]));
     if (p->right < 0) {
         assert_true(p->count <= WF_BOX_LEAF);
         *leaves += p->count;
@@ -884,7 +884,7 @@ static void test_box_tree(void **state)
             put((wfRect){ at, wfAdd(at, size) }, MOVING);
             items[i].index = i;
         }
-        wfBoxTree tree = { world.bounds, nodes, items, 0 };
+        wfBoxTree tree = { &world.in, nodes, items, 0 };
         int32_t leaves = 0, levels = 0, most = WF_BOX_LEAF;
         for (; most < n; most *= 2) levels++;           /* eq:broad-depth */
         assert_int_equal(wfBoxTreeBuild(&tree, 0, n), 0);
@@ -946,7 +946,7 @@ static void test_reaches_agree(void **state)
             wfPairList list = list_of(MAX_PAIRS);
             list.count = 0;
             list.tests = 0;
-            assert_ok(wfQuadTreePairs(&tree, (wfQuadReach)reach, world.flags, &list));
+            assert_ok(wfQuadTreePairs(&tree, (wfQuadReach)reach, &world.in, &list));
             tests[reach] = list.tests;
             assert_ok(wfPoolInit(&rest, sizeof more, more));
             assert_ok(wfSortPairs(&list, world.in.count, &rest));
@@ -963,7 +963,7 @@ static void test_reaches_agree(void **state)
         wfPairList full = list_of(n - 1);
         full.count = 0;
         full.tests = 0;
-        assert_result(WF_ERROR_FULL, wfQuadTreePairs(&tree, WF_QUAD_CLIMB, world.flags, &full));
+        assert_result(WF_ERROR_FULL, wfQuadTreePairs(&tree, WF_QUAD_CLIMB, &world.in, &full));
         assert_int_equal(full.count, 0);
     }
     assert_true(lost > 100);
