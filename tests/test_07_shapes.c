@@ -764,7 +764,8 @@ static void a_tampered_shape_is_found_out(void **state)
     TAMPER(WF_ERROR_TOO_FEW, s.count = 2);
     TAMPER(WF_ERROR_TOO_FEW, s.count = -5);
     TAMPER(WF_ERROR_TOO_MANY, s.count = 17);
-    TAMPER(WF_ERROR_RANGE, s.radius = 1);
+    TAMPER(WF_ERROR_RANGE, s.radius = -1);
+    TAMPER(WF_OK, s.radius = 1);
     TAMPER(WF_ERROR_RANGE, s.kind = WF_SHAPE_NONE);
     TAMPER(WF_ERROR_RANGE, s.kind = WF_SHAPE_CIRCLE; s.radius = 1);
     TAMPER(WF_ERROR_NOT_FINITE, s.vertices[3].x = (wfReal)NAN);
