@@ -16,9 +16,9 @@ static P of(wfVec2 v) { return (P){ (double)v.x, (double)v.y }; }
 /* The shape where `seen` sees it when it is at xf; the difference of the positions first, in double. */
 static Outline outline(const wfShape *s, wfTransform xf, wfVec2 seen)
 {
-    Outline o = { .n = s->kind == WF_SHAPE_POLYGON ? s->count : 1, .radius = (double)s->radius };
+    Outline o = { .n = s->count > 0 ? s->count : 1, .radius = (double)s->radius };
     for (int i = 0; i < o.n; i++) {
-        P v = of(s->kind == WF_SHAPE_POLYGON ? s->vertices[i] : s->centre);
+        P v = of(s->count > 0 ? s->vertices[i] : s->centre);
         double c = (double)xf.q.c, d = (double)xf.q.s;
         o.v[i] = (P){ (double)xf.p.x - (double)seen.x + c * v.x - d * v.y,
                       (double)xf.p.y - (double)seen.y + d * v.x + c * v.y };
@@ -66,7 +66,7 @@ static double gap(const Outline *a, const Outline *b, P n)
 
 static double best_edge(const Outline *a, const Outline *b, double best)
 {
-    for (int i = 0; a->n > 2 && i < a->n; i++) {
+    for (int i = 0; a->n > 1 && i < a->n; i++) {                        /* a segment has two sides */
         P e = sub(a->v[(i + 1) % a->n], a->v[i]);
         best = fmax(best, gap(a, b, (P){ e.y, -e.x }));
     }
@@ -86,28 +86,10 @@ static double exact(const Outline *a, const Outline *b)
             overlap = overlap || edges_cross(p, q, s, t);
             least = fmin(least, fmin(point_segment(p, s, t), point_segment(s, p, q)));
         }
-    double greatest = best_edge(b, a, best_edge(a, b, -1e300));
-    if (overlap) assert_true(greatest + coats <= 1e-12 * (size(a->v[0]) + size(b->v[0])));
-    return greatest + coats < 0 ? greatest : least - coats;
-}
-
-static wfShape random_sized_polygon(wfRandom *r, wfReal scale)
-{
-    wfShape s;
-    wfVec2 points[WF_MAX_VERTICES], shift = random_v2(r, -WF_R(0.5), WF_R(0.5));
-    do {
-        int n = 3 + (int)wfRandomBelow(r, WF_MAX_VERTICES - 2);
-        for (int i = 0; i < n; i++) points[i] = wfScale(scale, wfAdd(shift, n > 8 ? random_unit(r) : random_v2(r, -1, 1)));
-        if (wfMakePolygon(points, n, &s) == WF_OK) return s;
-    } while (1);
-}
-
-static wfShape random_shape(wfRandom *r, wfReal scale)
-{
-    if (wfRandomBelow(r, 4) == 0)
-        return circle((double)wfRandomReal(r, -scale, scale), (double)wfRandomReal(r, -scale, scale),
-                      (double)wfRandomReal(r, WF_R(0.1) * scale, scale));
-    return random_sized_polygon(r, scale);
+    /* collinear segments are apart although no side has a gap: below the last digits of a double, the distance decides */
+    double greatest = best_edge(b, a, best_edge(a, b, -1e300)), sure = 1e-12 * (size(a->v[0]) + size(b->v[0]));
+    if (overlap) assert_true(greatest + coats <= sure);
+    return overlap || greatest + coats < -sure ? greatest : least - coats;
 }
 
 /* No coordinate that enters, as A sees it, is greater than M. The relative pose costs 4 roundings of M, a corner of B 4
@@ -126,7 +108,7 @@ static double tie(const wfShape *a, const wfShape *b)
 
 static int most_steps(const wfShape *a, const wfShape *b)
 {
-    int n = a->kind == WF_SHAPE_POLYGON ? a->count : 1, m = b->kind == WF_SHAPE_POLYGON ? b->count : 1;
+    int n = a->count > 0 ? a->count : 1, m = b->count > 0 ? b->count : 1;
     return n + m + (n < m ? n : m);                                    /* eq:narrow-cap */
 }
 
@@ -161,11 +143,14 @@ static void check_distance(const wfShape *a, wfTransform xa, const wfShape *b, w
     } else assert_near2(r.normal, wfV2(0, 0), 0);
 }
 
+static bool is_bare(const wfShape *s) { return s->kind == WF_SHAPE_POLYGON && s->radius == 0; }
+
 /* every row: what narrow.h promises of it */
 static void check_rows(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb, double truth, double tol)
 {
     Outline oa = outline(a, xa, xa.p), ob = outline(b, xb, xa.p);
-    bool circles = a->kind == WF_SHAPE_CIRCLE || b->kind == WF_SHAPE_CIRCLE;
+    bool round = a->radius + b->radius > 0;
+    bool circle_face = round && (is_bare(a) || is_bare(b)) && (a->kind == WF_SHAPE_CIRCLE || b->kind == WF_SHAPE_CIRCLE);
     double deepest = 1e300, shallowest = -1e300;
     for (int row = 0; row < wfNarrowPhaseCount; row++) {
         wfSeparation s;
@@ -176,7 +161,7 @@ static void check_rows(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
         assert_ulps(wfLength(s.normal), 1, 4, 1);
         if (fabs(truth) > tol) assert_true((truth > 0) == (d > 0));
         if (truth <= 0) assert_near(d, truth, tol + (sat ? tie(a, b) : 0));
-        else if (sat && !circles) assert_true(d <= truth + tol);
+        else if (sat && !round) assert_true(d <= truth + tol);
         else assert_near(d, truth, tol);
         /* the normal is one along which this is the gap: it leads out by what was said */
         double g = gap(&oa, &ob, of(s.normal));
@@ -185,9 +170,9 @@ static void check_rows(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
         assert_true(s.owner >= -1 && s.owner <= 1);
         if (s.owner >= 0) {                                            /* the normal is that of the edge that is named */
             const wfShape *who = s.owner ? b : a;
-            assert_true(who->kind == WF_SHAPE_POLYGON && s.edge >= 0 && s.edge < who->count);
+            assert_true(s.edge >= 0 && s.edge < who->count);
             wfVec2 n = wfRotate((s.owner ? xb : xa).q, who->normals[s.edge]);
-            if (truth <= -tol && !circles) assert_near2(s.owner ? wfNeg(n) : n, s.normal, 16 * (double)WF_EPSILON);
+            if (!circle_face) assert_near2(s.owner ? wfNeg(n) : n, s.normal, 16 * (double)WF_EPSILON);
         } else assert_int_equal(s.edge, -1);
     }
     if (truth <= 0) assert_true(shallowest - deepest <= tie(a, b) + 2 * tol);
@@ -271,7 +256,7 @@ static void test_random_pairs(void **state)
     for (int i = 0; i < 20000; i++) {
         static const wfReal scales[] = { 1, WF_R(0.001), 1000, WF_R(0.1), 30 };
         wfReal scale = scales[i % 5];
-        wfShape a = random_shape(&r, scale), b = random_shape(&r, scale);
+        wfShape a = any_shape(&r, scale), b = any_shape(&r, scale);
         wfReal spread = scale * (i % 3 ? 1 : 3);
         wfTransform xa = random_transform(&r, spread), xb = random_transform(&r, spread);
         double truth = check(&a, xa, &b, xb);
@@ -288,7 +273,7 @@ static void test_unequal_sizes(void **state)
     for (int i = 0; i < 6000; i++) {
         wfReal big = WF_R(1.0), small = i % 2 ? WF_R(0.001) : WF_R(0.03);
         if (i % 3 == 0) big = 1000, small *= 10;
-        wfShape a = random_shape(&r, big), b = random_shape(&r, small);
+        wfShape a = any_shape(&r, big), b = any_shape(&r, small);
         wfTransform xa = random_transform(&r, big), xb = random_transform(&r, big);
         if (i % 4) check(&a, xa, &b, xb);
         else check(&b, xb, &a, xa);
@@ -302,7 +287,7 @@ static void test_touching(void **state)
     wfRandom r = random_stream(23);
     for (int i = 0; i < 8000; i++) {
         wfReal scale = i % 3 == 0 ? WF_R(0.001) : i % 3 == 1 ? 1 : 1000;
-        wfShape a = random_shape(&r, scale), b = random_shape(&r, scale);
+        wfShape a = any_shape(&r, scale), b = any_shape(&r, scale);
         wfTransform xa = wfMakeTransform(wfV2(0, 0), random_angle(&r)), xb = random_transform(&r, 3 * scale);
         wfDistanceResult d = distance(&a, xa, &b, xb);
         static const double more[] = { 1, 0.999999, 1.000001, 0.9999, 1.0001, 1.001 };
@@ -352,12 +337,44 @@ static void test_nearly_parallel(void **state)
             }
 }
 
+/* Every pair of kinds in the poses at which rules for separate kinds go wrong: axes that cross, lie on one line, end where the
+   other begins, are parallel or nearly; cores that touch in a corner, along an edge, or are the same; coats far thinner and far
+   thicker than their cores; at 1 mm, 1 m and 1 km. */
+static void test_degenerate_kinds(void **state)
+{
+    (void)state;
+    static const double sizes[] = { 0.001, 1, 1000 };
+    for (int k = 0; k < 3; k++) {
+        double z = sizes[k];
+        wfShape shapes[12] = {
+            box(z, z), rounded_box(z, z / 2, z / 8), rounded_box(z / 4, z / 4, 3 * z), rounded_box(z, z, z * 1e-4), circle(0, 0, z / 2),
+            capsule(-z, 0, z, 0, z / 2), capsule(0, -z, 0, z, z * 1e-4), capsule(-z / 8, 0, z / 8, 0, 2 * z), capsule(z, 0, -z, 0, z / 2),
+            segment(-z, 0, z, 0), segment(0, z, 0, -z), circle(z, z, z * 0.01),
+        };
+        wfVec2 ghost = wfV2((wfReal)(-3 * z), (wfReal)z), p = wfV2((wfReal)-z, 0), q = wfV2((wfReal)z, 0);
+        assert_ok(wfMakeLink(ghost, p, q, wfNeg(ghost), &shapes[11]));
+        const double places[][2] = {
+            { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2.5, 0 }, { 0, 1 }, { 1, 1 }, { 2, 1 }, { 2, 2 }, { 0, 2 }, { 0.5, 0.25 }, { 3, 0 }, { 1.5, 0.5 },
+            { 0, 1.125 }, { 2.25, 0 }, { 0, 1e-7 }, { 2.0000002, 0 }, { 1, 1e-6 }, { 0.25, 0.5 }, { 6, 6 }, { 0, 4 },
+        };
+        static const double turns[] = { 0, 90, 180, 45, 1e-5, 1e-3, 90.00001, 30 };
+        for (size_t i = 0; i < 12 * 12; i++)
+            for (size_t at_ = 0; at_ < sizeof places / sizeof *places; at_++)
+                for (size_t t = 0; t < 8; t++)
+                    for (int turned = 0; turned < 3; turned++) {
+                        wfTransform xa = at(z * turned, -z * turned, 37.0 * turned);
+                        wfTransform xb = wfTransformMul(xa, at(z * places[at_][0], z * places[at_][1], turns[t]));
+                        check(&shapes[i / 12], xa, &shapes[i % 12], xb);
+                    }
+    }
+}
+
 static void test_swap_and_motion(void **state)
 {
     (void)state;
     wfRandom r = random_stream(24);
     for (int i = 0; i < 4000; i++) {
-        wfShape a = random_shape(&r, 1), b = random_shape(&r, 1);
+        wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
         wfTransform xa = random_transform(&r, 2), xb = random_transform(&r, 2), move = random_transform(&r, 3);
         double tol = 2 * rounding(&a, xa, &b, xb);
         wfDistanceResult d = distance(&a, xa, &b, xb), e = distance(&b, xb, &a, xa);
@@ -379,7 +396,7 @@ static void test_far_from_the_origin(void **state)
     (void)state;
     wfRandom r = random_stream(25);
     for (int i = 0; i < 1000; i++) {
-        wfShape a = random_shape(&r, 1), b = random_shape(&r, 1);
+        wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
         wfReal bx = (wfReal)wfRandomBelow(&r, 4096) / 1024, by = (wfReal)wfRandomBelow(&r, 4096) / 1024;
         wfTransform xa = wfMakeTransform(wfV2(0, 0), random_angle(&r)), xb = wfMakeTransform(wfV2(bx, by), random_angle(&r));
         wfDistanceResult d = distance(&a, xa, &b, xb);
@@ -400,7 +417,7 @@ static void test_trace(void **state)
     static wfGjkTrace t;
     int walked = 0, grown = 0;
     for (int i = 0; i < 4000; i++) {
-        wfShape a = random_shape(&r, 1), b = random_shape(&r, 1);
+        wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
         wfTransform xa = random_transform(&r, 1), xb = random_transform(&r, 1);
         wfSeparation s, u;
         memset(&s, 0, sizeof s);
@@ -448,7 +465,7 @@ static void test_walk(void **state)
     wfRandom r = random_stream(27);
     int walked = 0, left = 0;
     for (int i = 0; i < 20000; i++) {
-        wfShape a = random_shape(&r, 1), b = random_shape(&r, 1);
+        wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
         wfTransform xa = random_transform(&r, 2), xb = random_transform(&r, 2);
         Outline oa = outline(&a, xa, xa.p), ob = outline(&b, xb, xa.p);
         oa.radius = ob.radius = 0;                                     /* the cores */
@@ -465,7 +482,7 @@ static void test_walk(void **state)
         }
     }
     print_message("walked %d, left %d\n", walked, left);
-    assert_true(left > 2000 && walked > 10000);
+    assert_true(left > 1000 && walked > 10000);
 }
 
 static void test_bad_input(void **state)
@@ -533,7 +550,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_reference), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_random_pairs),
         cmocka_unit_test(test_unequal_sizes), cmocka_unit_test(test_touching), cmocka_unit_test(test_degenerate_pairs),
-        cmocka_unit_test(test_nearly_parallel), cmocka_unit_test(test_swap_and_motion),
+        cmocka_unit_test(test_nearly_parallel), cmocka_unit_test(test_degenerate_kinds), cmocka_unit_test(test_swap_and_motion),
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_walk), cmocka_unit_test(test_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
