@@ -43,7 +43,7 @@ static void the_default_is_a_falling_particle(void **state)
     assert_int_equal(p.type, WF_DYNAMIC);
     assert_int_equal(p.shape, -1);
     assert_true(p.mass == 1 && p.inertia == 0 && p.gravityScale == 1);
-    assert_true(p.linearDamping == 0 && p.angularDamping == 0 && p.restitution == 0 && p.friction == 0);
+    assert_true(p.linearDamping == 0 && p.angularDamping == 0 && p.givenMass == 0 && p.fixedRotation == 0);
     assert_true(p.localCentre.x == 0 && p.localCentre.y == 0 && p.userData == 0);
 }
 
@@ -52,9 +52,9 @@ static void bad_properties_are_refused(void **state)
     (void)state;
     wfBodyProps good = wfDefaultBodyProps(), p = good;
     assert_result(WF_ERROR_NULL, wfCheckBodyProps(NULL));
-    wfReal *number[] = { &p.mass, &p.inertia, &p.linearDamping, &p.angularDamping, &p.gravityScale, &p.restitution, &p.friction,
+    wfReal *number[] = { &p.mass, &p.inertia, &p.linearDamping, &p.angularDamping, &p.gravityScale, &p.givenMass,
                          &p.localCentre.x, &p.localCentre.y };
-    for (int i = 0; i < 9; i++) for (int k = 0; k < BAD_REAL_COUNT; k++) {
+    for (int i = 0; i < 8; i++) for (int k = 0; k < BAD_REAL_COUNT; k++) {
         p = good;
         *number[i] = BAD_REALS[k];
         assert_result(WF_ERROR_NOT_FINITE, wfCheckBodyProps(&p));
@@ -64,17 +64,14 @@ static void bad_properties_are_refused(void **state)
     PROPS(WF_ERROR_UNKNOWN, p.type = WF_BODY_TYPES);
     PROPS(WF_ERROR_RANGE, p.linearDamping = WF_R(-0.001));
     PROPS(WF_ERROR_RANGE, p.angularDamping = WF_R(-0.001));
-    PROPS(WF_ERROR_RANGE, p.restitution = WF_R(-0.001));
-    PROPS(WF_ERROR_RANGE, p.restitution = WF_R(1.001));
-    PROPS(WF_ERROR_RANGE, p.friction = WF_R(-0.001));
+    PROPS(WF_ERROR_RANGE, p.givenMass = WF_R(-0.001));
     PROPS(WF_ERROR_MASS, p.mass = 0);
     PROPS(WF_ERROR_MASS, p.mass = -1);
     PROPS(WF_ERROR_MASS, p.inertia = -1);
     PROPS(WF_OK, p.mass = 0; p.type = WF_STATIC);
     PROPS(WF_OK, p.mass = 0; p.type = WF_KINEMATIC);
-    PROPS(WF_OK, p.restitution = 1);
     PROPS(WF_OK, p.gravityScale = -2);
-    PROPS(WF_OK, p.friction = 3);
+    PROPS(WF_OK, p.givenMass = 3);
     PROPS(WF_OK, p.linearDamping = 100; p.angularDamping = 100);
 }
 
