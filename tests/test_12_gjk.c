@@ -94,11 +94,11 @@ static double exact(const Outline *a, const Outline *b)
 
 /* No coordinate that enters, as A sees it, is greater than M. The relative pose costs 4 roundings of M, a corner of B 4
    more, and each of the two bounds of the distance 8 (eq:narrow-stop, with u not quite of unit length): 24 WF_EPSILON M
-   and a few for the coats and the way back. */
+   and a few for the coats and the way back. The reference rounds as well, to double. */
 static double rounding(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb)
 {
     double m = hypot((double)xb.p.x - (double)xa.p.x, (double)xb.p.y - (double)xa.p.y);
-    return 32 * (double)WF_EPSILON * (m + (double)wfShapeExtent(a) + (double)wfShapeExtent(b));
+    return 32 * ((double)WF_EPSILON + 2.3e-16) * (m + (double)wfShapeExtent(a) + (double)wfShapeExtent(b));
 }
 
 static double tie(const wfShape *a, const wfShape *b)
