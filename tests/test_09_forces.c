@@ -307,6 +307,15 @@ static bool row_of(const wfShape *s, wfTransform at, double y, double *x0, doubl
         double x = (double)a.x + ((double)b.x - (double)a.x) * (y - ay) / (by - ay);
         *x0 = fmin(*x0, x); *x1 = fmax(*x1, x);
     }
+    for (int i = 0; s->radius > 0 && i < s->count; i++) {               /* a coat: the disks of the corners, the edges moved out */
+        wfVec2 a = wfApply(at, s->vertices[i]), b = wfApply(at, s->vertices[(i + 1) % s->count]);
+        double r = (double)s->radius, h = y - (double)a.y, l = hypot((double)b.x - (double)a.x, (double)b.y - (double)a.y);
+        double nx = ((double)b.y - (double)a.y) / l, ny = ((double)a.x - (double)b.x) / l, ay = (double)a.y + r * ny, by = (double)b.y + r * ny;
+        if (fabs(h) < r) { *x0 = fmin(*x0, (double)a.x - sqrt(r * r - h * h)); *x1 = fmax(*x1, (double)a.x + sqrt(r * r - h * h)); }
+        if ((ay < y) == (by < y)) continue;
+        double x = (double)a.x + r * nx + ((double)b.x - (double)a.x) * (y - ay) / (by - ay);
+        *x0 = fmin(*x0, x); *x1 = fmax(*x1, x);
+    }
     return *x0 < *x1;
 }
 
@@ -332,8 +341,11 @@ static void test_submerged_part(void **s)
 {
     (void)s;
     wfRandom r = random_stream(92);
-    for (int k = 0; k < 300; k++) {
+    for (int k = 0; k < 900; k++) {
         wfShape shape = k & 1 ? random_polygon(&r) : disk((double)wfRandomReal(&r, WF_R(0.3), 1));
+        wfReal coat = wfRandomReal(&r, WF_R(0.01), WF_R(0.7));
+        if (k % 3 == 1) assert_ok(wfMakeCapsule(random_v2(&r, -1, 1), random_v2(&r, -1, 1), coat, &shape));
+        if (k % 6 == 5) assert_ok(wfMakeRoundedPolygon(shape.vertices, shape.count, coat, &shape));
         if (!(k & 3)) wfShapeMove(&shape, random_v2(&r, -1, 1));
         wfTransform at = random_transform(&r, 1);
         wfRect bounds = wfShapeBounds(&shape, at);
@@ -345,6 +357,38 @@ static void test_submerged_part(void **s)
         assert_near2(got.centre, wfV2((wfReal)want.x, (wfReal)want.y), 1e-4 / want.area);
         assert_near(got.inertia, want.second, 2e-4);
     }
+}
+
+/* Drowned, a coat's part is the whole shape, with chapter 7's numbers; half a capsule is a capsule's half; bare segments displace nothing. */
+static void test_submerged_coats(void **s)
+{
+    (void)s;
+    wfRandom r = random_stream(94);
+    for (int k = 0; k < 300; k++) {
+        wfShape shape = random_polygon(&r);
+        wfReal coat = wfRandomReal(&r, WF_R(0.001), 1);
+        if (k & 1) assert_ok(wfMakeCapsule(random_v2(&r, -1, 1), random_v2(&r, -1, 1), coat, &shape));
+        else assert_ok(wfMakeRoundedPolygon(shape.vertices, shape.count, coat, &shape));
+        wfTransform at = random_transform(&r, 1);
+        wfSubmerged all = wfSubmergedPart(&shape, at, 9), dry = wfSubmergedPart(&shape, at, -9);
+        wfMassData m;
+        assert_ok(wfShapeMass(&shape, 1, &m));
+        assert_near(all.area, m.area, 64 * (double)WF_EPSILON * 16);
+        assert_near2(all.centre, wfApply(at, m.centre), 64 * (double)WF_EPSILON * 4);
+        assert_near(all.inertia, m.inertia, 64 * (double)WF_EPSILON * 40);
+        assert_near(dry.area, 0, 0);
+        assert_near(dry.inertia, 0, 0);
+    }
+    wfShape c;
+    assert_ok(wfMakeCapsule(wfV2(-1, 0), wfV2(1, 0), WF_R(0.5), &c));
+    wfTransform at = { { { 3, 1 } }, { 1, 0 } };
+    double area = 1 + PI / 8, deep = (0.25 + 2 * 0.125 / 3) / area;              /* the half: 2 by 0.5, and two quarter disks */
+    assert_near(wfSubmergedPart(&c, at, 1).area, area, 8 * (double)WF_EPSILON);
+    assert_near2(wfSubmergedPart(&c, at, 1).centre, wfV2(3, (wfReal)(1 - deep)), 16 * (double)WF_EPSILON);
+    assert_near(wfSubmergedPart(&c, at, WF_R(0.75)).area, 2 * 0.25 + 0.25 * (PI / 3 - sin(PI / 3) * cos(PI / 3)), 16 * (double)WF_EPSILON);
+    assert_ok(wfMakeSegment(wfV2(-1, -1), wfV2(1, 1), &c));
+    assert_near(wfSubmergedPart(&c, at, 1).area, 0, 0);
+    assert_near2(wfSubmergedPart(&c, at, 1).centre, wfV2(3, 1), 0);
 }
 
 /* Exact cases: dry, drowned, half. And slivers: area 4/3 sqrt(2r) d^1.5 for a circle, half the square for a tilted box. */
@@ -739,7 +783,7 @@ int main(void)
         cmocka_unit_test(test_table), cmocka_unit_test(test_force_is_minus_the_slope_of_energy),
         cmocka_unit_test(test_buoyancy_is_minus_the_slope_of_its_energy), cmocka_unit_test(test_gravity),
         cmocka_unit_test(test_point_gravity), cmocka_unit_test(test_spring), cmocka_unit_test(test_pairs_conserve),
-        cmocka_unit_test(test_bungee_only_pulls), cmocka_unit_test(test_drag), cmocka_unit_test(test_submerged_part),
+        cmocka_unit_test(test_bungee_only_pulls), cmocka_unit_test(test_drag), cmocka_unit_test(test_submerged_part), cmocka_unit_test(test_submerged_coats),
         cmocka_unit_test(test_submerged_cases), cmocka_unit_test(test_buoyancy), cmocka_unit_test(test_floats_and_settles),
         cmocka_unit_test(test_seen_width), cmocka_unit_test(test_explosion_gives_its_impulse), cmocka_unit_test(test_explosion_in_space),
         cmocka_unit_test(test_wind), cmocka_unit_test(test_who_feels_a_force), cmocka_unit_test(test_spring_to_the_missing), cmocka_unit_test(test_body_zero_is_a_body),
