@@ -858,7 +858,7 @@ static void bodies_and_forces_of_no_world_are_refused(void **unused)
         assert_result(WF_ERROR_NULL, wfRemoveForceFromWorld(w, f));
         assert_result(WF_ERROR_NULL, wfGrabBody(w, id, v, &f));
         assert_result(WF_ERROR_NULL, wfDragHand(w, f, v));
-        assert_result(WF_ERROR_NULL, wfWorldProxies(w, &pool, &proxies));
+        assert_result(WF_ERROR_NULL, wfWorldProxies(w, &proxies));
         assert_int_equal(pool.used, 0);
         assert_false(wfBodyIsValid(w, id));
         assert_int_equal(wfBodyIndex(w, id), -1);
@@ -1501,21 +1501,15 @@ static void proxies_for_drawing(void **unused)
     wfWorld world = make_world(4);
     add(&world, floor_def());
     add(&world, ball_def(2, 3, 0.5));
-    _Alignas(16) uint8_t memory[1024];
-    wfPool pool;
     wfProxies proxies;
-    assert_ok(wfPoolInit(&pool, sizeof memory, memory));
-    assert_ok(wfWorldProxies(&world, &pool, &proxies));
+    assert_ok(wfWorldProxies(&world, &proxies));
     assert_int_equal(proxies.count, 2);
     assert_near2(proxies.bounds[1].min, wfV2(WF_R(1.5), WF_R(2.5)), 1e-6);
     assert_near2(proxies.bounds[1].max, wfV2(WF_R(2.5), WF_R(3.5)), 1e-6);
     assert_int_equal(proxies.flags[0], WF_PROXY_LIVE);
     assert_int_equal(proxies.flags[1], WF_PROXY_LIVE | WF_PROXY_MOVES);
-    assert_ok(wfPoolInit(&pool, 16, memory));
-    assert_result(WF_ERROR_MEMORY, wfWorldProxies(&world, &pool, &proxies));
-    assert_int_equal(pool.used, 0);
-    assert_result(WF_ERROR_NULL, wfWorldProxies(&world, NULL, &proxies));
-    assert_result(WF_ERROR_NULL, wfWorldProxies(&world, &pool, NULL));
+    assert_result(WF_ERROR_NULL, wfWorldProxies(NULL, &proxies));
+    assert_result(WF_ERROR_NULL, wfWorldProxies(&world, NULL));
     wfDestroyWorld(&world);
 }
 
