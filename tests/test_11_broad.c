@@ -1,16 +1,6 @@
 /* Chapter 11: broad phases. Every row of the table gives the pairs of an oracle that knows nothing of trees. */
-#include "testing.h"
-#include "weft/broad.h"
+#include "boxes.h"
 
-enum { MAX_PROXIES = 600, MAX_PAIRS = MAX_PROXIES * (MAX_PROXIES - 1) / 2 };
-
-typedef struct World {
-    wfRect bounds[MAX_PROXIES];
-    uint8_t flags[MAX_PROXIES];
-    wfProxies in;
-} World;
-
-static World world;
 static wfPair found[MAX_PAIRS], wanted[MAX_PAIRS];
 static _Alignas(16) uint8_t memory[1 << 22];
 
@@ -31,55 +21,6 @@ static wfPool pool_of(size_t bytes)
     return pool;
 }
 
-static wfRect rect(double x0, double y0, double x1, double y1)
-{
-    wfRect r = { wfV2((wfReal)x0, (wfReal)y0), wfV2((wfReal)x1, (wfReal)y1) };
-    return r;
-}
-
-static void start_world(void)
-{
-    memset(&world, 0, sizeof world);
-    world.in.bounds = world.bounds;
-    world.in.flags = world.flags;
-}
-
-static int32_t put(wfRect r, int flags)
-{
-    int32_t i = world.in.count++;
-    world.bounds[i] = r;
-    world.flags[i] = (uint8_t)flags;
-    return i;
-}
-
-enum { MOVING = WF_PROXY_LIVE | WF_PROXY_MOVES, STILL = WF_PROXY_LIVE };
-
-/* The oracle: separated along x or along y, said the other way round than in the engine. */
-static int oracle(wfPair *pairs)
-{
-    int n = 0;
-    for (int32_t i = 0; i < world.in.count; i++)
-        for (int32_t j = i + 1; j < world.in.count; j++) {
-            int fi = world.flags[i], fj = world.flags[j];
-            wfRect p = world.bounds[i], q = world.bounds[j];
-            if (!(fi & WF_PROXY_LIVE) || !(fj & WF_PROXY_LIVE)) continue;
-            if (!(fi & WF_PROXY_MOVES) && !(fj & WF_PROXY_MOVES)) continue;
-            if (p.max.x < q.min.x || q.max.x < p.min.x || p.max.y < q.min.y || q.max.y < p.min.y) continue;
-            pairs[n].a = i;
-            pairs[n++].b = j;
-        }
-    return n;
-}
-
-static void assert_same_pairs(const wfPairList *list, const wfPair *want, int n)
-{
-    assert_int_equal(list->count, n);
-    for (int i = 0; i < n; i++) {
-        assert_int_equal(list->pairs[i].a, want[i].a);
-        assert_int_equal(list->pairs[i].b, want[i].b);
-    }
-}
-
 /* Runs every row; scratch is exactly what the row asks for and must be given back. */
 static void assert_all_rows(void)
 {
@@ -97,47 +38,6 @@ static void assert_all_rows(void)
         /* no pair is tested twice; a tree of boxes may also test its nodes: fewer of these than pairs of leaves, twice */
         if (strstr(wfBroadPhaseTable[row].name, "-tree") && row != wfFindBroadPhase("quad-tree")) all *= 2;
         assert_true(list.tests >= n && list.tests <= all);
-    }
-}
-
-/* Random worlds of several kinds. Coordinates are often on a coarse lattice, so that boxes touch split lines and each
-   other exactly; some worlds are one point, some have an outlier a billion times farther away than the rest. */
-enum { KINDS = 12 };
-
-static void random_box(wfRandom *r, int kind, int i, wfVec2 *at, wfVec2 *size)
-{
-    *at = random_v2(r, -8, 8);
-    *size = random_v2(r, 0, 2);
-    if (kind == 1) *at = wfV2((wfReal)((int)wfRandomBelow(r, 17) - 8), (wfReal)((int)wfRandomBelow(r, 17) - 8));
-    if (kind == 1) *size = wfV2((wfReal)wfRandomBelow(r, 3), (wfReal)wfRandomBelow(r, 3));
-    if (kind == 2) *at = wfV2(3, 4), *size = wfV2(0, 0);
-    if (kind == 3) *at = wfAddScaled(wfV2((wfReal)(i % 3), 0), WF_R(0.001), *at), *size = wfScale(WF_R(0.001), *size);
-    if (kind == 4 && i == 0) *at = wfV2(1e9f, -1e9f);
-    if (kind == 5 && i % 7 == 0) *size = wfScale(5, *size);
-    if (kind == 6) {                                                    /* sizes from 2^-10 to 2^10 */
-        wfReal s = wfAbs(random_wide(r, 10));
-        *at = wfScale(20, *at);
-        *size = wfRandomBelow(r, 4) ? wfV2(s, s) : wfV2(s, wfAbs(random_wide(r, 10)));
-    }
-    if (kind == 7) *at = wfAdd(wfV2(3e37f, -2e38f), wfScale(1e37f, *at)), *size = wfScale(1e37f, *size);
-    if (kind == 8) *at = wfV2(3, (wfReal)wfRandomBelow(r, 30)), *size = wfV2(0, 0);     /* points on a line */
-    if (kind == 9) *at = wfV2(wfRandomReal(r, 0, WF_R(0.2)), (wfReal)i), *size = wfV2(1, 1);    /* a tower */
-    if (kind == 10 && i > 0) *size = wfScale(WF_R(0.05), *size);        /* a floor under small things */
-    if (kind == 10 && i == 0) *at = wfV2(-50, -1), *size = wfV2(100, 1);
-    if (kind == 11) *at = wfV2((wfReal)(i / 4), wfRandomReal(r, 0, 1)), *size = i & 1 ? wfV2(1, 1) : wfV2(4, 4);
-}
-
-static void random_world(wfRandom *r)
-{
-    int kind = (int)wfRandomBelow(r, KINDS), n = (int)wfRandomBelow(r, 42);
-    start_world();
-    for (int i = 0; i < n; i++) {
-        wfVec2 at, size;
-        random_box(r, kind, i, &at, &size);
-        wfRect box = { at, wfAdd(at, size) };
-        uint32_t dice = wfRandomBelow(r, 8);
-        put(box, dice == 0 ? 0 : dice < 3 ? STILL : MOVING);
-        if (dice == 0) world.bounds[i].min.x = (wfReal)NAN;   /* not live: must not be looked at */
     }
 }
 
