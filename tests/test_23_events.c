@@ -240,7 +240,7 @@ static void test_a_landing(void **state)
     wfManifold m;
     wfHitEvent hit;
     wfTouch t = touch(0, 1, 1, 1);
-    assert_int_equal(wfCollide(&table, at(0, 0, 0), &crate, at(1, WF_R(1.99), 0), &m), 2);
+    assert_int_equal(wfCollide(&table, at(0, 0, 0), &crate, at(1, 1.99, 0), &m), 2);
     wfTwist still = { wfV2(0, 0), 0 }, falling = { wfV2(2, -5), -1 };
     assert_true(wfMakeHit(&t, &m, still, falling, 1, &hit));
     assert_near(hit.speed, 6, 1e-5);                            /* its right corner, 1 m from the middle */

@@ -435,17 +435,17 @@ static void test_overlap(void **state)
     (void)state;
     bool yes = false;
     wfShape b = box(1, 1), c = circle(0, 0, 1), s = segment(-1, 0, 1, 0), none = { 0 };
-    assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(WF_R(1.75), 0, 0), &yes));
+    assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(1.75, 0, 0), &yes));
     assert_true(yes);
     assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(2, 0, 0), &yes));                 /* touching counts */
     assert_true(yes);
-    assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(WF_R(2.001), 0, 0), &yes));
+    assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(2.001, 0, 0), &yes));
     assert_false(yes);
-    assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(WF_R(1.75), WF_R(1.75), 0), &yes));
+    assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(1.75, 1.75, 0), &yes));
     assert_false(yes);                                                             /* the corner's distance is 1.06 */
     assert_ok(wfOverlap(&s, at(0, 0, 0), &s, at(0, 0, 90), &yes));
     assert_true(yes);
-    assert_ok(wfOverlap(&s, at(0, 0, 0), &s, at(0, WF_R(1.5), 90), &yes));
+    assert_ok(wfOverlap(&s, at(0, 0, 0), &s, at(0, 1.5, 90), &yes));
     assert_false(yes);
     assert_ok(wfOverlap(&b, at(0, 0, 0), &none, at(0, 0, 0), &yes));
     assert_false(yes);
