@@ -153,4 +153,22 @@ static inline wfShape random_shape(wfRandom *r)
     }
 }
 
+/* Bodies that fly through a square, turning by up to so many radians. */
+static inline Pair random_pair(wfRandom *r, double reach, double turns)
+{
+    Pair p;
+    p.a = random_shape(r);
+    p.b = random_shape(r);
+    wfReal far = (wfReal)reach, turn = (wfReal)turns;
+    p.sa.from = random_v2(r, -far, far);
+    p.sa.to = random_v2(r, -far, far);
+    p.sb.from = random_v2(r, -far, far);
+    p.sb.to = random_v2(r, -far, far);
+    p.sa.angleFrom = random_angle(r);
+    p.sa.angleTo = p.sa.angleFrom + wfRandomReal(r, -turn, turn);
+    p.sb.angleFrom = random_angle(r);
+    p.sb.angleTo = p.sb.angleFrom + wfRandomReal(r, -turn, turn);
+    return p;
+}
+
 #endif

@@ -329,6 +329,27 @@ static void test_the_core_stops_what_touches_already(void **state)
     assert_near(1 - 0.1 - 19.9 * (double)stop.t, inner / 4, inner / 4 / 64);
 }
 
+/* An unfinished search stops the body where it was given up: nothing is touched before. */
+static void test_an_unfinished_search_stops_too(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(2122);
+    long open = 0;
+    for (int i = 0; i < 3000; i++) {
+        Pair p = random_pair(&r, 3, 200);
+        p.a = p.b = box(1, 0.05);
+        wfImpact hit;
+        wfStop stop;
+        assert_ok(wfTimeOfImpact(&p.a, p.sa, &p.b, p.sb, &hit));
+        if (hit.kind != WF_IMPACT_UNFINISHED) continue;
+        wfObstacle o = { &p.b, p.sb };
+        assert_ok(wfStopAtFirst(&p.a, p.sa, &o, 1, 1, &stop));
+        assert_true(stop.obstacle == 0 && stop.t == hit.t && stop.impact.kind == WF_IMPACT_UNFINISHED);
+        open++;
+    }
+    assert_true(open > 10);
+}
+
 #define STOP_UNCHANGED(result, call) do { wfStop out_, before_; memset(&out_, 0x5a, sizeof out_); before_ = out_; wfStop *out = &out_; \
     assert_result(result, call); assert_memory_equal(&out_, &before_, sizeof out_); } while (0)
 
@@ -355,7 +376,7 @@ static void test_bad_stops(void **state)
     STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfStopAtFirst(&a, nan, good, 0, 1, out));
     STOP_UNCHANGED(WF_ERROR_RANGE, wfStopAtFirst(&a, far, good, 2, 1, out));
     STOP_UNCHANGED(WF_ERROR_RANGE, wfStopAtFirst(&a, s, good, -1, 1, out));
-    static const double mosts[] = { -1e-3, 1.001, NAN, INFINITY };
+    static const double mosts[] = { -1e-3, 1.001, (double)NAN, (double)INFINITY };
     for (int i = 0; i < 4; i++) STOP_UNCHANGED(WF_ERROR_RANGE, wfStopAtFirst(&a, s, good, 2, (wfReal)mosts[i], out));
     assert_ok(wfStopAtFirst(&a, s, NULL, 0, WF_R(0.5), &stop));
     assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == WF_R(0.5) && !stop.core && stop.impact.steps == 0);
@@ -374,6 +395,7 @@ int main(void)
         cmocka_unit_test(test_who_is_fast),
         cmocka_unit_test(test_stop_at_the_first),
         cmocka_unit_test(test_the_core_stops_what_touches_already),
+        cmocka_unit_test(test_an_unfinished_search_stops_too),
         cmocka_unit_test(test_bad_stops),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

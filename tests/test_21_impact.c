@@ -32,24 +32,6 @@ static wfImpact check_impact(const Pair *p, int samples, Tally *tally)
     return r;
 }
 
-/* Bodies that fly through a square, turning by up to so many radians. */
-static Pair random_pair(wfRandom *r, double reach, double turns)
-{
-    Pair p;
-    p.a = random_shape(r);
-    p.b = random_shape(r);
-    wfReal far = (wfReal)reach, turn = (wfReal)turns;
-    p.sa.from = random_v2(r, -far, far);
-    p.sa.to = random_v2(r, -far, far);
-    p.sb.from = random_v2(r, -far, far);
-    p.sb.to = random_v2(r, -far, far);
-    p.sa.angleFrom = random_angle(r);
-    p.sa.angleTo = p.sa.angleFrom + wfRandomReal(r, -turn, turn);
-    p.sb.angleFrom = random_angle(r);
-    p.sb.angleTo = p.sb.angleFrom + wfRandomReal(r, -turn, turn);
-    return p;
-}
-
 static void scale_pair(Pair *p, double by)
 {
     p->a = scaled(p->a, by);
@@ -398,6 +380,36 @@ static void test_bullets_do_not_tunnel(void **state)
     assert_true(tally.kinds[WF_IMPACT_TOUCH] > 590);
 }
 
+/* Two rods that spin many times and miss each other: the search gives up, says so, and what it says is true. */
+static void test_unfinished_is_honest(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(2111);
+    long open = 0, touched = 0;
+    for (int i = 0; i < 1500; i++) {
+        Pair p = random_pair(&r, 3, 200);
+        p.a = p.b = box(1, 0.05);
+        wfImpact hit, next;
+        assert_ok(wfTimeOfImpact(&p.a, p.sa, &p.b, p.sb, &hit));
+        if (hit.kind != WF_IMPACT_UNFINISHED) continue;
+        open++;
+        assert_true(hit.t > 0 && hit.t < 1 && hit.steps == WF_IMPACT_STEPS);
+        check_impact(&p, 4000, NULL);
+        for (int k = 0; k < 40 && hit.kind == WF_IMPACT_UNFINISHED; k++) {      /* asked again from there, it goes on */
+            Pair q = p;
+            q.sa.from = wfSweepAt(p.sa, hit.t).p, q.sb.from = wfSweepAt(p.sb, hit.t).p;
+            q.sa.angleFrom += hit.t * (p.sa.angleTo - p.sa.angleFrom), q.sb.angleFrom += hit.t * (p.sb.angleTo - p.sb.angleFrom);
+            assert_ok(wfTimeOfImpact(&q.a, q.sa, &q.b, q.sb, &next));
+            assert_true(next.kind != WF_IMPACT_OVERLAP && next.t > 0);
+            p = q;
+            hit = next;
+        }
+        assert_true(hit.kind == WF_IMPACT_TOUCH || hit.kind == WF_IMPACT_APART);
+        touched += hit.kind == WF_IMPACT_TOUCH;
+    }
+    assert_true(open > 10 && touched > 5);
+}
+
 /* ---- the beginning of the motion ---- */
 
 static void test_overlap_at_the_beginning(void **state)
@@ -661,6 +673,7 @@ int main(void)
         cmocka_unit_test(test_spinning_rod),
         cmocka_unit_test(test_many_turns),
         cmocka_unit_test(test_bullets_do_not_tunnel),
+        cmocka_unit_test(test_unfinished_is_honest),
         cmocka_unit_test(test_overlap_at_the_beginning),
         cmocka_unit_test(test_near_bodies_may_move),
         cmocka_unit_test(test_grazing),
