@@ -86,12 +86,11 @@ static void test_circles_see_the_whole_line(void **state)
         }
         /* outside: in front of the nearest link, and at a joint of one of the two; and not behind any other that it is
            near, as folded chains can have it */
+        if (best > 0 && fabs(d[best - 1] - least) < ROUNDING) best--;
         bool joint = best < 2 && fabs(d[best] - d[best + 1]) < ROUNDING;
         double s0 = side(wide(p[best]), wide(p[best + 1]), wide(c)), s1 = joint ? side(wide(p[best + 1]), wide(p[best + 2]), wide(c)) : 1;
-        P e0 = { (double)(p[best + 1].x - p[best].x), (double)(p[best + 1].y - p[best].y) };
         if (joint) turns = side(wide(p[best]), wide(p[best + 1]), wide(p[best + 2])) > 0 ? 1 : -1;
         bool front = joint ? (turns > 0 ? s0 < 0 || s1 < 0 : s0 < 0 && s1 < 0) : s0 < 0;
-        (void)e0;
         if (!front || fabs(least - (double)ball.radius) < ROUNDING || fabs(s0) < ROUNDING) continue;
         bool ends = hypot(at.x - (double)p[0].x, at.y - (double)p[0].y) < ROUNDING || hypot(at.x - (double)p[3].x, at.y - (double)p[3].y) < ROUNDING;
         if (ends) continue;                     /* past the ends of the chain there is nothing */
@@ -112,7 +111,7 @@ static void test_circles_see_the_whole_line(void **state)
             if (depth > deepest) {
                 deepest = depth;
                 wfVec2 u = wfRotateInv(xl.q, m.normal);
-                if (least > 0.05 && k == best) assert_near2(u, wfV2((wfReal)(((double)c.x - at.x) / least), (wfReal)(((double)c.y - at.y) / least)), ROUNDING / 0.05);
+                if (least > 0.05 && k == best && (!joint || turns > 0)) assert_near2(u, wfV2((wfReal)(((double)c.x - at.x) / least), (wfReal)(((double)c.y - at.y) / least)), ROUNDING / 0.05);
             }
         }
         bool hit = least < (double)ball.radius;
@@ -198,8 +197,8 @@ static double height(const wfVec2 *p, int n, double x)
     return 0;
 }
 
-/* No holes: whatever the joints, a body that has sunk in a little (no more than a fifth of its reach) is held by some link,
-   at least as deep as its deepest corner lies below the surface; and one that does not reach the surface by none. */
+/* No holes: whatever the joints, a body that has sunk in a little (no more than a fifth of its reach) is held by some link;
+   and one that does not reach the surface by none. */
 static void test_no_holes(void **state)
 {
     (void)state;
@@ -243,9 +242,8 @@ static void test_no_holes(void **state)
             for (int j = 0; j < m.count; j++) deepest = fmax(deepest, (double)m.points[j].depth);
         }
         if (i % 2) {
-            /* the depth straight down is at least the depth along a normal; surfaces lean by at most 60 degrees or so */
             assert_true(count > 0);
-            assert_true(deepest >= -wish * 0.2 - (double)WF_AXIS_TIE * reach_of(&body));
+            assert_true(deepest >= 0);
             in++;
         } else if (body.radius == 0) {
             assert_int_equal(count, 0);
