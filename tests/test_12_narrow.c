@@ -571,6 +571,33 @@ static void test_bad_input(void **state)
     }
 }
 
+/* found by the fuzzer: a centre on a corner was a hair outside of the edge, and the normal NaN */
+static void a_circle_centred_on_a_corner_has_a_normal(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(1212);
+    for (int round = 0; round < 5000; round++) {
+        wfShape p = random_polygon(&r), c;
+        wfTransform x = random_transform(&r, 5);
+        wfVec2 corner = p.vertices[wfRandomBelow(&r, (uint32_t)p.count)];
+        assert_ok(wfMakeCircle(corner, 1, &c));
+        for (int row = 0; row < wfNarrowPhaseCount; row++)
+            for (int turn = 0; turn < 2; turn++) {
+                wfSeparation s;
+                assert_ok(wfSeparate(row, turn ? &c : &p, x, turn ? &p : &c, x, &s));
+                assert_near(wfLength(s.normal), 1, 1e-5);
+                assert_near(s.distance, -1, 0.01);          /* up to the tie */
+                wfTransform away = x;                       /* moved out along the normal, it is free */
+                away.p = wfAddScaled(x.p, (turn ? 1 : -1) * s.distance, s.normal);
+                wfDistanceResult d;
+                wfShape point;
+                assert_ok(wfMakeCircle(corner, WF_R(0.999), &point));
+                assert_ok(wfShapeDistance(&p, x, &point, away, &d));
+                assert_true(d.distance > 0);
+            }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -581,6 +608,7 @@ int main(void)
         cmocka_unit_test(test_no_direction_is_better), cmocka_unit_test(test_swap), cmocka_unit_test(test_rigid_motion),
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_ties), cmocka_unit_test(test_small_gap),
         cmocka_unit_test(test_scales), cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(a_circle_centred_on_a_corner_has_a_normal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

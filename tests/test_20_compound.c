@@ -224,13 +224,17 @@ static void the_side_of_a_line_is_exact(void **state)
     int seen[3] = { 0 };
     for (int round = 0; round < 200000; round++) {
         int64_t p[6];
-        int kind = round % 4, bits = kind == 3 ? 4 : BITS;
+        int kind = round % 5, bits = kind == 3 ? 4 : BITS;
         for (int i = 0; i < 6; i++) p[i] = random_whole(&r, bits);
         if (kind == 1 || kind == 2) {                           /* c near the line, at a fraction of k/8 */
             int64_t k = (int64_t)wfRandomBelow(&r, 9);
             if (kind == 2) { p[2] = p[0] + (p[2] - p[0]) / 64 * 8; p[3] = p[1] + (p[3] - p[1]) / 64 * 8; }
             p[4] = p[0] + (p[2] - p[0]) / 8 * k;
             p[5] = p[1] + (p[3] - p[1]) / 8 * k + (int64_t)wfRandomBelow(&r, 3) - 1;
+        }
+        if (kind == 4) {                                        /* far apart, and a hair off the line through the origin */
+            for (int i = 2; i < 6; i++) p[i] = p[i - i / 4 * 2] * ((int64_t)1 << (i < 4 ? 58 - BITS : 0)) / (i < 4 ? 1 : 2);
+            p[0] = (int64_t)wfRandomBelow(&r, 7) - 3; p[1] = (int64_t)wfRandomBelow(&r, 7) - 3;
         }
         wfReal scale = (wfReal)ldexp(1, (int)wfRandomBelow(&r, 100) - 50 - BITS);
         wfVec2 v[3];
