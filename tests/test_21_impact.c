@@ -513,6 +513,30 @@ static void test_symmetries(void **state)
     assert_true((double)same > 2.95 * (double)all);
 }
 
+static wfVec2 on_grid(wfVec2 v) { return wfV2(wfFloor(v.x * 512) / 512, wfFloor(v.y * 512) / 512); }
+
+/* 8 km from the origin all digits of the answer are the same: places on a grid that floats still hold out there */
+static void test_far_from_the_origin(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(2112);
+    wfVec2 offset = wfV2(8192, -4096);
+    for (int i = 0; i < 300; i++) {
+        Pair p = random_pair(&r, 5, 2), far;
+        wfVec2 *near[4] = { &p.sa.from, &p.sa.to, &p.sb.from, &p.sb.to };
+        for (int k = 0; k < 4; k++) *near[k] = on_grid(*near[k]);
+        far = p;
+        wfVec2 *moved[4] = { &far.sa.from, &far.sa.to, &far.sb.from, &far.sb.to };
+        for (int k = 0; k < 4; k++) *moved[k] = wfAdd(*near[k], offset);
+        wfImpact a, b;
+        assert_ok(wfTimeOfImpact(&p.a, p.sa, &p.b, p.sb, &a));
+        assert_ok(wfTimeOfImpact(&far.a, far.sa, &far.b, far.sb, &b));
+        assert_ulps2(b.point, wfAdd(a.point, offset), 4, 8192);
+        b.point = a.point;
+        assert_memory_equal(&a, &b, sizeof a);
+    }
+}
+
 /* Played backwards, a flight that touches nothing still touches nothing, and one through a body stops on the other side. */
 static void test_time_reversal(void **state)
 {
@@ -678,6 +702,7 @@ int main(void)
         cmocka_unit_test(test_near_bodies_may_move),
         cmocka_unit_test(test_grazing),
         cmocka_unit_test(test_symmetries),
+        cmocka_unit_test(test_far_from_the_origin),
         cmocka_unit_test(test_time_reversal),
         cmocka_unit_test(test_particles_and_links),
         cmocka_unit_test(test_bad_input),
