@@ -96,6 +96,23 @@ static void sums_agree_with_a_slow_sum_in_any_order(void **state)
     }
 }
 
+static void two_parts_do_not_care_who_comes_first(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(33);
+    for (int round = 0; round < 2000; round++) {
+        wfMassData p[3], ab, ba;
+        for (int i = 0; i < 2; i++) {
+            p[i] = (wfMassData){ wfAbs(random_wide(&r, 10)), random_v2(&r, -100, 100), wfAbs(random_wide(&r, 10)), 1 };
+            p[i].centre = wfAdd(p[i].centre, wfV2(3000, -7000));
+        }
+        p[2] = p[0];
+        assert_ok(wfCombineMasses(p, 2, &ab));
+        assert_ok(wfCombineMasses(p + 1, 2, &ba));
+        assert_memory_equal(&ab, &ba, sizeof ab);              /* not even the last bit */
+    }
+}
+
 static void halves_make_the_whole(void **state)
 {
     (void)state;
@@ -169,6 +186,9 @@ static void bad_parts_are_refused(void **state)
     p[1].inertia = WF_MAX_INERTIA; UNTOUCHED(WF_ERROR_MASS, (p[2].inertia = WF_MAX_INERTIA, wfCombineMasses(p, 3, &out)), out);
     p[1].inertia = p[2].inertia = WF_MAX_INERTIA / 4; assert_ok(wfCombineMasses(p, 3, &out));
     p[1].mass = p[2].mass = WF_MAX_MASS; UNTOUCHED(WF_ERROR_MASS, wfCombineMasses(p, 3, &out), out);
+    p[0] = part((double)WF_MAX_MASS, 2, 3, 1); p[0].mass = WF_MAX_MASS; p[0].inertia = WF_MAX_INERTIA;
+    assert_ok(wfCombineMasses(p, 1, &out));                     /* the limits themselves are allowed */
+    assert_true(out.mass == WF_MAX_MASS && out.inertia == WF_MAX_INERTIA);
     p[0] = part(1, 2, 3, 0); UNTOUCHED(WF_ERROR_MASS, wfCombineMasses(p, 1, &out), out);         /* a point cannot turn */
     p[0] = part(0, 2, 3, 0); UNTOUCHED(WF_ERROR_MASS, wfCombineMasses(p, 1, &out), out);
     p[1] = part((double)WF_MIN_MASS, 0, 0, (double)WF_MIN_INERTIA);
@@ -895,6 +915,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_points_have_the_reduced_mass),
         cmocka_unit_test(sums_agree_with_a_slow_sum_in_any_order),
+        cmocka_unit_test(two_parts_do_not_care_who_comes_first),
         cmocka_unit_test(halves_make_the_whole),
         cmocka_unit_test(what_overlaps_counts_twice),
         cmocka_unit_test(bad_parts_are_refused),
