@@ -1,6 +1,6 @@
 load 'book/plots/style.gp'
 set logscale xy
-set xrange [12:6000]
+set xrange [8:7000]
 set xlabel 'boxes'
 set ylabel 'box tests'
 set format y '%.0f'
@@ -11,5 +11,6 @@ plot '< grep ^uniform book/data/broad-pairs.csv' using 2:5 with linespoints titl
      '' using 2:9 with linespoints title 'quad tree, descending', \
      '' using 2:15 with linespoints title 'sweep and prune', \
      '' using 2:17 with linespoints title 'tree of boxes', \
+     '' using 2:19 with linespoints title 'dynamic tree', \
      '' using 2:11 with linespoints title 'grid', \
      '' using 2:3 with lines lc rgb faint title 'pairs that there are'

@@ -12,4 +12,5 @@ plot '< grep ^'.world.', book/data/broad-time.csv' using 2:4 with linespoints ti
      '' using 2:8 with linespoints title 'grid', \
      '' using 2:10 with linespoints title 'spatial hash', \
      '' using 2:12 with linespoints title 'sweep and prune', \
-     '' using 2:14 with linespoints title 'tree of boxes'
+     '' using 2:14 with linespoints title 'tree of boxes', \
+     '' using 2:16 with linespoints title 'dynamic tree'
