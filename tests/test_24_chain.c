@@ -1,0 +1,103 @@
+/* Chapter 24: a thousand tiles in the world. A chain of links is one smooth line: whatever slides or rolls along it does not
+ * hop. Oracles: the straight line, the closed form of rolling and sliding. */
+#include "testing.h"
+#include "weft/weft.h"
+
+enum { TILES = 1000 };
+
+static wfBodyId add(wfWorld *world, wfBodyDef def)
+{
+    wfBodyId id;
+    assert_ok(wfAddBodyToWorld(world, &def, &id));
+    return id;
+}
+
+static wfBodyInfo info(const wfWorld *world, wfBodyId id)
+{
+    wfBodyInfo out;
+    assert_ok(wfGetBody(world, id, &out));
+    return out;
+}
+
+/* A straight chain of tiles 1 m wide from x = 10 - TILES to 10, outside up: listed from right to left. */
+static wfWorld tiled(const char *solver, wfReal friction)
+{
+    static wfShape link[TILES];
+    static wfVec2 point[TILES + 1];
+    static wfShapeDef defs[TILES];
+    wfWorldDef def = wfDefaultWorldDef();
+    def.bodyCapacity = 4;
+    def.shapeCapacity = TILES + 4;
+    def.solver = wfFindSolver(solver);
+    wfWorld world = { .memory = { .owned = 0 } };
+    assert_ok(wfCreateWorld(&def, &world));
+    for (int i = 0; i <= TILES; i++) point[i] = wfV2((wfReal)(TILES - 10 - i), 0);
+    int count;
+    assert_ok(wfMakeChain(point, TILES + 1, false, link, TILES, &count));
+    assert_int_equal(count, TILES);
+    for (int i = 0; i < TILES; i++) {
+        defs[i] = wfDefaultShapeDef();
+        defs[i].shape = link[i];
+        defs[i].friction = friction;
+    }
+    wfBodyDef ground = wfDefaultBodyDef();
+    ground.type = WF_STATIC;
+    wfBodyId id = add(&world, ground);
+    assert_ok(wfAddShapesToBody(&world, id, defs, TILES, NULL));
+    return world;
+}
+
+static wfBodyDef slider(int kind, wfReal friction)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    if (kind == 0) assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.25), &def.shape));
+    else if (kind == 1) assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &def.shape));
+    else assert_ok(wfMakeCapsule(wfV2(WF_R(-0.5), 0), wfV2(WF_R(0.5), 0), WF_R(0.25), &def.shape));
+    def.position = wfV2(0, kind == 1 ? WF_R(0.5) : WF_R(0.25));
+    def.friction = friction;
+    return def;
+}
+
+static void nobody_hops_over_a_thousand_tiles(void **unused)
+{
+    (void)unused;
+    static const char *const solvers[] = { "sequential", "soft" };
+    for (int s = 0; s < 2; s++)
+        for (int kind = 0; kind < 4; kind++) {             /* box, ball, capsule; and a ball that rolls */
+            bool rolls = kind == 3;
+            wfReal rough = rolls ? WF_R(0.8) : 0, spun = rolls ? -80 : 0;
+            wfWorld world = tiled(solvers[s], rough);
+            wfBodyId id = add(&world, slider(rolls ? 1 : kind, rough));
+            for (int i = 0; i < 60; i++) assert_ok(wfStepWorld(&world));       /* it settles */
+            assert_ok(wfSetBodyVelocity(&world, id, wfV2(40, 0), spun));
+            for (int i = 0; rolls && i < 60; i++) assert_ok(wfStepWorld(&world));      /* it sinks by the slop: v = w (r - slop) */
+            wfBodyInfo start = info(&world, id);
+            double worst = 0, spin = 0, low = 1e9, high = -1e9;
+            for (int i = 0; i < 1400; i++) {                                   /* 40 / 60 m a step: 933 tiles */
+                assert_ok(wfStepWorld(&world));
+                wfBodyInfo b = info(&world, id);
+                worst = fmax(worst, fabs((double)b.velocity.y));
+                spin = fmax(spin, fabs((double)(b.angularVelocity - start.angularVelocity)));
+                low = fmin(low, (double)b.position.y);
+                high = fmax(high, (double)b.position.y);
+            }
+            wfBodyInfo b = info(&world, id);
+            if (getenv("SHOW")) printf("%s %d: vy %.3g spin %.3g y %.8f..%.8f vx %.8f x %.3f\n", solvers[s], kind, worst, spin, low, high, (double)b.velocity.x, (double)b.position.x);
+            assert_true((double)b.position.x > 900);
+            assert_near(b.velocity.x, start.velocity.x, 40 * 64 * (double)WF_EPSILON + 1e-9);
+            assert_near(b.velocity.x, 40, rolls ? 0.2 : 40 * 64 * (double)WF_EPSILON);
+            /* Within rounding: the points of contact have x up to 940 m, rounded to half of 64e-6 m in float, which are
+             * arms of up to half a metre to a gravity that is taken away anew in each step. */
+            assert_true(worst < 256 * (double)WF_EPSILON + 1e-9 && spin < 4096 * (double)WF_EPSILON + 1e-9);
+            assert_true(high - low < 1e-4);                      /* the soft solver sinks on by hundredths of a millimetre */
+            wfDestroyWorld(&world);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nobody_hops_over_a_thousand_tiles),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
