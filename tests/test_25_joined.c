@@ -1,0 +1,351 @@
+/* Chapter 25: joints in a world. */
+#include "testing.h"
+#include "weft/world.h"
+
+static wfWorld open_world(void)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    def.solver = wfFindSolver("soft");
+    assert_true(def.solver >= 0);
+    assert_ok(wfCreateWorld(&def, &w));
+    return w;
+}
+
+static wfBodyId box(wfWorld *w, int type, double x, double y, double wide, double high)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    wfBodyId id;
+    def.type = type, def.position = wfV2((wfReal)x, (wfReal)y);
+    assert_ok(wfMakeBox((wfReal)wide, (wfReal)high, &def.shape));
+    assert_ok(wfAddBodyToWorld(w, &def, &id));
+    return id;
+}
+
+static wfJointId pin(wfWorld *w, const char *kind, wfBodyId a, wfBodyId b, double x, double y)
+{
+    wfVec2 at = wfV2((wfReal)x, (wfReal)y);
+    wfJoint j;
+    wfJointId id;
+    assert_ok(wfJoinBodies(w, kind, a, b, at, at, wfV2(1, 0), &j));
+    assert_ok(wfAddJointToWorld(w, &j, &id));
+    return id;
+}
+
+static wfBodyInfo info(const wfWorld *w, wfBodyId id)
+{
+    wfBodyInfo i;
+    assert_ok(wfGetBody(w, id, &i));
+    return i;
+}
+
+static void run(wfWorld *w, int steps)
+{
+    for (int i = 0; i < steps; i++) assert_ok(wfStepWorld(w));
+}
+
+static void test_weight_is_borne(void **state)
+{
+    (void)state;
+    wfWorld w = open_world();
+    wfBodyId top = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), load = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
+    wfJointId j = pin(&w, "weld", top, load, 0, 4);
+    run(&w, 240);
+    wfVec2 force;
+    wfReal torque;
+    assert_ok(wfGetJointLoad(&w, j, &force, &torque));
+    assert_near2(force, wfV2(0, WF_R(9.81)), 0.01);             /* 1 kg */
+    assert_near(torque, 0, 0.01);
+    assert_near(info(&w, load).position.y, 3, 1e-3);
+    assert_int_equal(wfJointCount(&w), 1);
+    wfDestroyWorld(&w);
+}
+
+static void test_bridge_stands(void **state)
+{
+    (void)state;
+    wfWorld w = open_world();
+    wfBodyId left = box(&w, WF_STATIC, -6, 0, 1, 0.1), right = box(&w, WF_STATIC, 6, 0, 1, 0.1), last = left, plank[10];
+    for (int i = 0; i < 10; i++) {
+        plank[i] = box(&w, WF_DYNAMIC, -4.5 + i, 0, 0.5, 0.1);
+        pin(&w, "revolute", last, plank[i], -5 + i, 0);
+        last = plank[i];
+    }
+    pin(&w, "revolute", last, right, 5, 0);
+    wfBodyId crate = box(&w, WF_DYNAMIC, 0.3, 1, 0.5, 0.5);
+    run(&w, 600);
+    for (int i = 0; i < 10; i++) {
+        wfBodyInfo p = info(&w, plank[i]);
+        assert_true(p.position.y > WF_R(-1.0) && p.position.y < WF_R(0.01));
+        assert_true(wfLength(p.velocity) < WF_R(0.05));
+    }
+    assert_near(info(&w, crate).velocity.y, 0, 0.05);
+    assert_true(info(&w, crate).position.y > WF_R(-0.5));
+    wfDestroyWorld(&w);
+}
+
+/* wheels of radius r that turn at omega roll at omega r */
+static void test_cart_drives(void **state)
+{
+    (void)state;
+    wfWorld w = open_world();
+    box(&w, WF_STATIC, 0, -1, 100, 1);
+    wfBodyId cart = box(&w, WF_DYNAMIC, 0, 0.9, 1, 0.25);
+    wfBodyDef def = wfDefaultBodyDef();
+    assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.4), &def.shape));
+    for (int i = 0; i < 2; i++) {
+        wfBodyId wheel;
+        wfJoint j;
+        def.position = wfV2(i ? WF_R(0.7) : WF_R(-0.7), WF_R(0.4));
+        assert_ok(wfAddBodyToWorld(&w, &def, &wheel));
+        assert_ok(wfJoinBodies(&w, "wheel", cart, wheel, def.position, def.position, wfV2(0, 1), &j));
+        wfTuneJoint(&j, 1, 5, 1);
+        j.flags |= WF_JOINT_MOTOR;
+        j.motorSpeed = -5, j.motorForce = 10;
+        assert_ok(wfAddJointToWorld(&w, &j, NULL));
+    }
+    run(&w, 300);
+    wfReal x = info(&w, cart).position.x;
+    run(&w, 60);
+    /* 2 m/s less the tilt of the cart: it is level, so 1 % for the contact's sinking into the ground */
+    assert_near(info(&w, cart).position.x - x, 2, 0.02);
+    assert_near(info(&w, cart).angle, 0, 0.1);
+    wfDestroyWorld(&w);
+}
+
+static void test_breaks_and_is_listed_once(void **state)
+{
+    (void)state;
+    wfWorld w = open_world();
+    wfBodyId top = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), load = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
+    wfJointId id = pin(&w, "revolute", top, load, 0, 4);
+    wfJoint j;
+    int32_t count = 9;
+    run(&w, 60);
+    assert_non_null(wfBrokenJoints(&w, &count));
+    assert_int_equal(count, 0);
+    assert_ok(wfGetJoint(&w, id, &j));
+    j.breakForce = 9;
+    assert_ok(wfSetJoint(&w, id, &j));
+    run(&w, 1);
+    const wfJointId *broken = wfBrokenJoints(&w, &count);
+    assert_int_equal(count, 1);
+    assert_int_equal(broken[0].index, id.index);
+    assert_int_equal(broken[0].generation, id.generation);
+    assert_ok(wfGetJoint(&w, id, &j));
+    assert_true((j.flags & WF_JOINT_BROKEN) != 0);
+    run(&w, 30);
+    wfBrokenJoints(&w, &count);
+    assert_int_equal(count, 0);
+    assert_near(info(&w, load).velocity.y, -9.81 / 2, 0.01);
+    assert_ok(wfRemoveJointFromWorld(&w, id));
+    assert_int_equal(wfJointCount(&w), 0);
+    assert_result(WF_ERROR_STALE_ID, wfRemoveJointFromWorld(&w, id));
+    wfDestroyWorld(&w);
+}
+
+static void test_joined_do_not_collide(void **state)
+{
+    (void)state;
+    for (int collide = 0; collide < 2; collide++) {
+        wfWorld w = open_world();
+        assert_ok(wfSetGravity(&w, wfV2(0, 0)));
+        wfBodyId a = box(&w, WF_DYNAMIC, 0, 0, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0.8, 0.1, 0.5, 0.5);
+        wfBodyId c = box(&w, WF_DYNAMIC, 0, 5, 0.5, 0.5), d = box(&w, WF_DYNAMIC, 0.8, 5, 0.5, 0.5);     /* not joined */
+        wfJoint j;
+        assert_ok(wfJoinBodies(&w, "turn", b, a, wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
+        j.flags = collide ? WF_JOINT_COLLIDE : 0;
+        assert_ok(wfAddJointToWorld(&w, &j, NULL));
+        run(&w, 1);
+        int32_t count;
+        const wfContact *contact = wfWorldContacts(&w, &count);
+        bool ab = false, cd = false;
+        for (int32_t i = 0; i < count; i++) {
+            ab = ab || (contact[i].a == wfBodyIndex(&w, a) && contact[i].b == wfBodyIndex(&w, b));
+            cd = cd || (contact[i].a == wfBodyIndex(&w, c) && contact[i].b == wfBodyIndex(&w, d));
+        }
+        assert_int_equal(ab, collide);
+        assert_true(cd);
+        wfDestroyWorld(&w);
+    }
+}
+
+/* Many joints in any order: the sorted list must find each pair, and no other. */
+static void test_every_joined_pair_is_found(void **state)
+{
+    (void)state;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    wfBodyId id[12];
+    bool joined[12][12] = { { false } };
+    uint32_t seed = 5;
+    def.solver = wfFindSolver("soft");
+    assert_ok(wfCreateWorld(&def, &w));
+    assert_ok(wfSetGravity(&w, wfV2(0, 0)));
+    for (int i = 0; i < 12; i++) id[i] = box(&w, WF_DYNAMIC, 0.01 * i, 0, 0.5, 0.5);        /* all in one heap */
+    for (int k = 0; k < 30; k++) {
+        seed = seed * 1664525u + 1013904223u;
+        int a = (int)((seed >> 8) % 12), b = (int)((seed >> 16) % 12);
+        wfJoint j;
+        if (a == b) continue;
+        assert_ok(wfJoinBodies(&w, "turn", id[a], id[b], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
+        j.flags = WF_JOINT_SPRING;
+        assert_ok(wfAddJointToWorld(&w, &j, NULL));
+        joined[a][b] = joined[b][a] = true;
+    }
+    run(&w, 1);
+    int32_t count;
+    const wfPair *pair = wfWorldPairs(&w, &count);
+    int want = 0;
+    for (int a = 0; a < 12; a++)
+        for (int b = a + 1; b < 12; b++) want += !joined[a][b];
+    assert_int_equal(count, want);
+    for (int32_t i = 0; i < count; i++) assert_false(joined[pair[i].a][pair[i].b]);
+    wfDestroyWorld(&w);
+}
+
+static void test_goes_with_its_body(void **state)
+{
+    (void)state;
+    for (int which = 0; which < 2; which++) {
+        wfWorld w = open_world();
+        wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
+        wfBodyId c = box(&w, WF_DYNAMIC, 3, 3, 0.5, 0.5);
+        wfJointId ab = pin(&w, "revolute", a, b, 0, 4), ac = pin(&w, "revolute", a, c, 2, 4);
+        run(&w, 3);
+        assert_ok(wfRemoveBodyFromWorld(&w, which ? a : b));
+        wfJoint j;
+        assert_result(WF_ERROR_STALE_ID, wfGetJoint(&w, ab, &j));
+        assert_result(which ? WF_ERROR_STALE_ID : WF_OK, wfGetJoint(&w, ac, &j));
+        assert_int_equal(wfJointCount(&w), which ? 0 : 1);
+        wfBodyId d = box(&w, WF_DYNAMIC, 10, 10, 0.5, 0.5);         /* takes the free place and is not tied to anything */
+        run(&w, 30);
+        assert_near(info(&w, d).position.x, 10, 0);
+        wfJointId other = pin(&w, "weld", d, c, 5, 5);
+        if (!which) assert_true(other.index == ab.index && other.generation != ab.generation);
+        wfDestroyWorld(&w);
+    }
+}
+
+static void test_moved_block_and_failed_step(void **state)
+{
+    (void)state;
+    wfWorld w = open_world();
+    wfBodyId top = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), one = box(&w, WF_DYNAMIC, 1, 4, 0.4, 0.1);
+    wfBodyId two = box(&w, WF_DYNAMIC, 2, 4, 0.4, 0.1);
+    pin(&w, "revolute", top, one, 0.5, 4);
+    pin(&w, "revolute", one, two, 1.5, 4);
+    run(&w, 10);
+    wfMemory m = w.memory;
+    m.permanent = aligned_alloc(64, (m.permanentSize + 63) / 64 * 64);
+    memcpy(m.permanent, w.memory.permanent, m.permanentSize);
+    m.transient = aligned_alloc(64, (m.transientSize + 63) / 64 * 64);
+    wfWorld copy;
+    assert_ok(wfOpenWorld(&m, &copy));
+    run(&w, 100);
+    run(&copy, 100);
+    assert_memory_equal(w.memory.permanent, m.permanent, m.permanentSize);
+    /* the step fails by an overflow: not a byte of it is seen */
+    wfReal huge = sizeof(wfReal) == 4 ? (wfReal)3e38 : (wfReal)1.7e308;
+    assert_ok(wfApplyForceToBody(&w, two, wfV2(huge, 0), info(&w, two).centre));
+    assert_ok(wfSetTimeStep(&w, 60));
+    memcpy(m.permanent, w.memory.permanent, m.permanentSize);
+    wfResult result = wfStepWorld(&w);
+    assert_true(result != WF_OK);
+    assert_memory_equal(w.memory.permanent, m.permanent, m.permanentSize);
+    free(m.permanent);
+    free(m.transient);
+    wfDestroyWorld(&w);
+}
+
+static void test_bad_input(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(), none = { { 0 } };
+    wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5), stale = { 99, 1 };
+    wfVec2 o = wfV2(0, 0), x = wfV2(1, 0);
+    wfJoint j, was;
+    memset(&j, 0xEE, sizeof j);
+    was = j;
+    assert_result(WF_ERROR_NULL, wfJoinBodies(NULL, "weld", a, b, o, o, x, &j));
+    assert_result(WF_ERROR_NULL, wfJoinBodies(&none, "weld", a, b, o, o, x, &j));
+    assert_result(WF_ERROR_NULL, wfJoinBodies(&w, NULL, a, b, o, o, x, &j));
+    assert_result(WF_ERROR_NULL, wfJoinBodies(&w, "weld", a, b, o, o, x, NULL));
+    assert_result(WF_ERROR_STALE_ID, wfJoinBodies(&w, "weld", stale, b, o, o, x, &j));
+    assert_result(WF_ERROR_STALE_ID, wfJoinBodies(&w, "weld", a, stale, o, o, x, &j));
+    assert_result(WF_ERROR_UNKNOWN, wfJoinBodies(&w, "glue", a, b, o, o, x, &j));
+    assert_result(WF_ERROR_RANGE, wfJoinBodies(&w, "weld", a, a, o, o, x, &j));
+    assert_result(WF_ERROR_RANGE, wfJoinBodies(&w, "weld", a, b, o, o, o, &j));
+    for (int k = 0; k < BAD_REAL_COUNT; k++) {
+        wfVec2 bad = wfV2(BAD_REALS[k], 0);
+        assert_result(WF_ERROR_NOT_FINITE, wfJoinBodies(&w, "weld", a, b, bad, o, x, &j));
+        assert_result(WF_ERROR_NOT_FINITE, wfJoinBodies(&w, "weld", a, b, o, bad, x, &j));
+        assert_result(WF_ERROR_NOT_FINITE, wfJoinBodies(&w, "weld", a, b, o, o, bad, &j));
+    }
+    assert_memory_equal(&j, &was, sizeof j);
+    assert_ok(wfJoinBodies(&w, "weld", a, b, o, o, x, &j));
+    wfJointId id, no = { 7, 7 };
+    assert_result(WF_ERROR_NULL, wfAddJointToWorld(&w, NULL, &id));
+    assert_result(WF_ERROR_NULL, wfAddJointToWorld(&none, &j, &id));
+    was = j;
+    j.b = 50;
+    assert_result(WF_ERROR_STALE_ID, wfAddJointToWorld(&w, &j, &id));
+    j = was, j.stiffness = (wfReal)NAN;
+    assert_result(WF_ERROR_NOT_FINITE, wfAddJointToWorld(&w, &j, &id));
+    j = was;
+    for (int i = 0; i < 64; i++) assert_ok(wfAddJointToWorld(&w, &j, &id));
+    assert_result(WF_ERROR_FULL, wfAddJointToWorld(&w, &j, NULL));
+    assert_int_equal(wfJointCount(&w), 64);
+    assert_int_equal(wfWorldJointPlaces(&w), 64);
+    assert_result(WF_ERROR_STALE_ID, wfGetJoint(&w, no, &j));
+    assert_result(WF_ERROR_NULL, wfGetJoint(&w, id, NULL));
+    assert_result(WF_ERROR_STALE_ID, wfSetJoint(&w, no, &was));
+    assert_result(WF_ERROR_NULL, wfSetJoint(&w, id, NULL));
+    j = was, j.motorForce = -1;
+    assert_result(WF_ERROR_RANGE, wfSetJoint(&w, id, &j));
+    assert_result(WF_ERROR_STALE_ID, wfRemoveJointFromWorld(&w, no));
+    assert_result(WF_ERROR_STALE_ID, wfGetJointLoad(&w, no, NULL, NULL));
+    assert_ok(wfGetJointLoad(&w, id, NULL, NULL));
+    assert_int_equal(wfJointAt(&w, -1).index, 0);
+    assert_int_equal(wfJointAt(&w, 64).index, 0);
+    assert_int_equal(wfJointAt(&none, 0).index, 0);
+    assert_int_equal(wfJointAt(&w, 63).index, 64);
+    int32_t count = 5;
+    assert_null(wfBrokenJoints(&none, &count));
+    assert_int_equal(count, 0);
+    wfDestroyWorld(&w);
+}
+
+/* A world whose solver cannot keep joints says so: at once, or at the step when the solver was changed later. */
+static void test_solver_that_keeps_no_joints(void **state)
+{
+    (void)state;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    def.solver = wfFindSolver("impulse");
+    assert_ok(wfCreateWorld(&def, &w));
+    wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
+    wfJoint j;
+    assert_ok(wfJoinBodies(&w, "weld", a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
+    assert_result(WF_ERROR_SOLVER, wfAddJointToWorld(&w, &j, NULL));
+    assert_ok(wfSetMethods(&w, -1, -1, -1, wfFindSolver("soft")));
+    assert_ok(wfAddJointToWorld(&w, &j, NULL));
+    run(&w, 10);
+    assert_ok(wfSetMethods(&w, -1, -1, -1, wfFindSolver("impulse")));
+    wfReal y = info(&w, b).position.y;
+    assert_result(WF_ERROR_SOLVER, wfStepWorld(&w));
+    assert_near(info(&w, b).position.y, y, 0);
+    wfDestroyWorld(&w);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_weight_is_borne), cmocka_unit_test(test_bridge_stands), cmocka_unit_test(test_cart_drives),
+        cmocka_unit_test(test_breaks_and_is_listed_once), cmocka_unit_test(test_joined_do_not_collide),
+        cmocka_unit_test(test_every_joined_pair_is_found), cmocka_unit_test(test_goes_with_its_body),
+        cmocka_unit_test(test_moved_block_and_failed_step), cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_solver_that_keeps_no_joints),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
