@@ -1,5 +1,7 @@
 load 'book/plots/style.gp'
 set logscale xy
+set linetype 7 lc rgb good lw 2 pt 6 ps 0.9 dt 2
+set linetype cycle 7
 set xrange [7:200000]
 set yrange [2:60000]
 set xlabel 'boxes'
