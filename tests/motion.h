@@ -139,7 +139,8 @@ static inline wfShape random_shape(wfRandom *r)
         return circle((double)p.x, (double)p.y, (double)wfRandomReal(r, WF_R(0.05), 1));
     case 3:
         p = random_unit(r);
-        q = wfScale(wfRandomReal(r, WF_R(0.2), 1), random_unit(r));
+        q = random_unit(r);
+        q = wfScale(wfRandomReal(r, WF_R(0.2), 1), q);
         assert_ok(wfMakeCapsule(p, wfNeg(q), wfRandomReal(r, WF_R(0.02), WF_R(0.3)), &s));
         return s;
     case 4:

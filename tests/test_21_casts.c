@@ -98,13 +98,18 @@ static void test_random_casts(void **state)
     wfRandom r = random_stream(2120);
     long kinds[4] = { 0 };
     for (int i = 0; i < 3000; i++) {
-        Case c = { .a = random_shape(&r), .b = random_shape(&r) };
+        Case c;
+        c.a = random_shape(&r);
+        c.b = random_shape(&r);
         wfReal far = i % 3 == 0 ? 3 : i % 3 == 1 ? 6 : 40;
         c.xa = random_transform(&r, far);
         c.xb = random_transform(&r, i % 7 == 0 ? 500 : far);
         if (i % 7 == 0) c.xa.p = wfAdd(c.xa.p, c.xb.p);
-        c.by = i % 2 ? random_v2(&r, -2 * far, 2 * far)
-                     : wfScale(wfRandomReal(&r, WF_R(0.3), 2), wfAdd(wfSub(c.xb.p, c.xa.p), random_v2(&r, -1, 1)));
+        c.by = random_v2(&r, -2 * far, 2 * far);
+        if (i % 2 == 0) {
+            wfReal share = wfRandomReal(&r, WF_R(0.3), 2);
+            c.by = wfScale(share, wfAdd(wfSub(c.xb.p, c.xa.p), random_v2(&r, -1, 1)));
+        }
         check_cast(&c, kinds);
     }
     for (int k = 0; k < 3; k++) assert_true(kinds[k] > 100);
@@ -256,13 +261,16 @@ static void test_stop_at_the_first(void **state)
         enum { N = 12 };
         wfShape shapes[N], body = random_shape(&r);
         wfObstacle list[N], turned[N];
-        wfSweep flight = { random_v2(&r, -8, 8), random_v2(&r, -8, 8), 0, wfRandomReal(&r, -3, 3) };
+        wfSweep flight = { .angleTo = wfRandomReal(&r, -3, 3) };
+        flight.from = random_v2(&r, -8, 8);
+        flight.to = random_v2(&r, -8, 8);
         wfReal least = 1;
         int first = WF_NO_OBSTACLE;
         for (int k = 0; k < N; k++) {
             shapes[k] = random_shape(&r);
             list[k].shape = &shapes[k];
-            list[k].sweep = wfSweepStill(random_v2(&r, -8, 8), random_angle(&r));
+            wfVec2 place = random_v2(&r, -8, 8);
+            list[k].sweep = wfSweepStill(place, random_angle(&r));
             if (k % 3 == 0) list[k].sweep.to = random_v2(&r, -8, 8);
             turned[N - 1 - k] = list[k];
             wfImpact hit;

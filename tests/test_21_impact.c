@@ -48,7 +48,11 @@ static void test_a_sweep_keeps_its_ends(void **state)
     (void)state;
     wfRandom r = random_stream(2100);
     for (int i = 0; i < 200; i++) {
-        wfSweep s = { random_v2(&r, -1000, 1000), random_v2(&r, -1000, 1000), wfRandomReal(&r, -50, 50), wfRandomReal(&r, -50, 50) };
+        wfSweep s;
+        s.from = random_v2(&r, -1000, 1000);
+        s.to = random_v2(&r, -1000, 1000);
+        s.angleFrom = wfRandomReal(&r, -50, 50);
+        s.angleTo = wfRandomReal(&r, -50, 50);
         wfTransform a = wfSweepAt(s, 0), b = wfSweepAt(s, 1), m = wfSweepAt(s, WF_R(0.25));
         wfTransform wantA = wfMakeTransform(s.from, s.angleFrom), wantB = wfMakeTransform(s.to, s.angleTo);
         assert_memory_equal(&a, &wantA, sizeof a);
