@@ -132,9 +132,9 @@ static void many_passes_find_the_answer(void **unused)
         wfSolve in = problem(h.s, N, h.c, C, &pool);
         in.iterations = 30000;         /* wedges converge slowly */
         assert_ok(wfSolveVelocities(wfFindSolver("sequential"), &in));
-        /* The energy is the thing that is unique and well conditioned: it is flat at its lowest point, so errors of the
-         * velocities, some tens of roundings of 10 m/s and 3 kg, enter to the first power with the impulses' help. */
-        assert_near(energy_of(h.s, N), least, 1e-4 * (1 + size) * (double)WF_EPSILON / 1.2e-7);
+        /* The energy at the lowest point is unique, and flat there: what the passes have left undone, and errors of the
+         * velocities of some tens of roundings, enter to the second power or with small impulses. */
+        assert_near(energy_of(h.s, N), least, 1e-4 * (1 + size));
         int n = 0;
         for (int i = 0; i < C; i++)
             for (int k = 0; k < h.c[i].manifold.count; k++, n++) {
@@ -192,13 +192,7 @@ static void with_friction_the_laws_hold(void **unused)
         assert_near(spin1, spin0, 20000 * (double)WF_EPSILON);
         assert_true(energy_of(h.s, N) <= energy * (1 + 1000 * (double)WF_EPSILON));
         for (int i = 0; i < C; i++) {
-            wfReal sum = 0;
-            for (int k = 0; k < h.c[i].manifold.count; k++) {
-                const wfContactPoint *p = &h.c[i].manifold.points[k];
-                assert_true(p->normalImpulse >= 0);
-                sum += p->normalImpulse;
-            }
-            (void)sum;
+            for (int k = 0; k < h.c[i].manifold.count; k++) assert_true(h.c[i].manifold.points[k].normalImpulse >= 0);
         }
     }
 }
