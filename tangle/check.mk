@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check mutate data golden
+.PHONY: check mutate data golden coverage fuzz
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -12,3 +12,10 @@ data: programs
 # Records the hash of every scene; do it when a change of the engine's arithmetic is meant.
 golden: programs
 	@build/bin/weft-headless --record > tests/golden/scenes.csv && wc -l tests/golden/scenes.csv
+# Which lines of collision do the unit tests run? Writes book/data/coverage.csv.
+coverage:
+	@OUT=book/data/coverage.csv tests/coverage/run.sh
+# Feeds random bytes to collision for so many SECONDS; KEEP=1 keeps in tests/fuzz/corpus what was learned.
+SECONDS ?= 600
+fuzz:
+	@tests/fuzz/run.sh $(SECONDS)

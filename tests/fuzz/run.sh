@@ -15,7 +15,7 @@ clang -fsanitize=fuzzer "$work/probe.c" -o "$work/probe" 2>/dev/null ||
 tangle/tangle --lines "$work/lines" chapters/*.nw || exit 1
 rm -f "$work"/crash-* "$work"/timeout-* "$work"/oom-*
 sanitize="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all $flags"
-make --no-print-directory -s -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=clang CFLAGS="-fsanitize=fuzzer-no-link $sanitize" \
+make --no-print-directory -s -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=clang CFLAGS="-fsanitize=fuzzer-no-link $sanitize" \
   "$work/lib/libweft-collision.a" >"$work/log" || { cat "$work/log"; exit 1; }
 # shellcheck disable=SC2086
 clang -std=c11 -ffp-contract=off -fno-math-errno -fsanitize=fuzzer $sanitize -I"$work/lines/include" tests/fuzz/fuzz_collision.c \
