@@ -555,6 +555,10 @@ static void tampered_coats_are_found_out(void **state)
     TAMPER(WF_OK, s.centre = V(1.001, 0));
     assert_ok(wfMakeLink(wfV2(-1, 1), wfV2(0, 0), wfV2(2, 0), wfV2(3, 1), &good));
     TAMPER(WF_OK, s.kind = WF_SHAPE_SEGMENT);
+    for (int n = 0; n <= WF_MAX_VERTICES + 1; n++) {                 /* two corners, no more and no less */
+        TAMPER(n == 2 ? WF_OK : WF_ERROR_RANGE, s.count = n);
+        TAMPER(n == 2 ? WF_OK : WF_ERROR_RANGE, s.count = n; s.kind = WF_SHAPE_SEGMENT);
+    }
     TAMPER(WF_ERROR_COAT, s.kind = WF_SHAPE_CAPSULE);
     TAMPER(WF_ERROR_RANGE, s.radius = 1);
     TAMPER(WF_ERROR_NOT_FINITE, s.vertices[2].x = (wfReal)NAN);

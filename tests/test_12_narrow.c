@@ -173,6 +173,7 @@ static void test_overlap_and_escape(void **state)
     assert_near(wfAxisEscape(a, d), 0, 0);
     assert_near(wfAxisEscape(d, a), 0, 0);
     assert_near(wfAxisEscape(a, e), 0, 0);
+    assert_near(wfAxisEscape(a, a), 10, 0);                  /* equally far both ways: ahead */
     wfRandom r = random_stream(2);
     for (int i = 0; i < 2000; i++) {                         /* moving by it parts them, moving by less does not */
         wfReal p0 = wfRandomReal(&r, -4, 4), q0 = wfRandomReal(&r, -4, 4);
@@ -499,6 +500,75 @@ static void test_ties(void **state)
     }
 }
 
+static void found(wfSeparation s, double distance, double nx, double ny, int owner, int edge)
+{
+    assert_near(s.distance, distance, ROUNDING);
+    assert_near2(s.normal, wfV2((wfReal)nx, (wfReal)ny), ROUNDING);
+    assert_int_equal(s.owner, owner);
+    assert_int_equal(s.edge, edge);
+}
+
+/* What a contact is built from: whose edge, and which; nobody's for two corners, and for the end of a segment. */
+static void test_edges_of_cores(void **state)
+{
+    (void)state;
+    wfShape b = rounded_box(2, 1, 0.5), c = capsule(-1, 0, 1, 0, 0.25), d = circle(0, 0, 0.5), g = segment(1, 0, -1, 0), sharp = box(1, 1);
+    found(sat(&b, at(0, 0, 0), &c, at(0, 1.65, 0)), -0.1, 0, 1, 0, 2);             /* side on top: A's edge, as both are as good */
+    found(sat(&c, at(0, 1.65, 0), &b, at(0, 0, 0)), -0.1, 0, -1, 0, 0);
+    found(sat(&c, at(0, 1.65, 180), &b, at(0, 0, 0)), -0.1, 0, -1, 0, 1);
+    found(sat(&b, at(0, 0, 0), &c, at(0, 2.65, 90)), -0.1, 0, 1, 0, 2);            /* on end */
+    found(sat(&c, at(0, 2.65, 90), &b, at(0, 0, 0)), -0.1, 0, -1, 1, 2);
+    found(sat(&b, at(0, 0, 0), &c, at(4, 0, 0)), 0.25, 1, 0, 0, 1);
+    found(sat(&b, at(0, 0, 0), &b, at(7, 6, 0)), 4, 0.6, 0.8, WF_NO_EDGE, WF_NO_EDGE);           /* 3, 4, 5, less both coats */
+    found(sat(&b, at(7, 6, 0), &b, at(0, 0, 0)), 4, -0.6, -0.8, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&b, at(0, 0, 0), &b, at(4.3, -2.4, 0)), -0.5, 0.6, -0.8, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&c, at(0, 0, 0), &c, at(2.4, 0, 0)), -0.1, 1, 0, WF_NO_EDGE, WF_NO_EDGE);          /* end to end */
+    found(sat(&c, at(0, 0, 0), &c, at(-2.6, 0, 180)), 0.1, -1, 0, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&c, at(0, 0, 0), &c, at(1.5, 0, 0)), -0.5, 0, -1, 0, 0);             /* in one line, overlapping: off sideways */
+    found(sat(&c, at(0, 0, 0), &c, at(0, 0.75, 90)), -0.75, 0, 1, 0, 1);           /* crossed: B up by a quarter, and both coats */
+    found(sat(&c, at(0, 0, 0), &c, at(0.75, 0, 90)), -0.75, 1, 0, 1, 1);           /* B, upright, leaves over A's end: its own side */
+    found(sat(&d, at(1, 0, 0), &c, at(1, 0.5, 0)), -0.25, 0, 1, 1, 0);             /* a circle at a capsule's side, and at its end */
+    found(sat(&c, at(1, 0.5, 0), &d, at(1, 0, 0)), -0.25, 0, -1, 0, 0);
+    found(sat(&c, at(0, 0, 0), &d, at(1.3, 0.4, 0)), -0.25, 0.6, 0.8, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&d, at(1.3, 0.4, 0), &c, at(0, 0, 0)), -0.25, -0.6, -0.8, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&c, at(0, 0, 0), &d, at(0.5, 0, 0)), -0.75, 0, -1, 0, 0);            /* centre on the axis: the first side */
+    found(sat(&d, at(3.3, 1.9, 0), &b, at(0, 0, 0)), 0.58113883, -1.3 / 1.58113883, -0.9 / 1.58113883, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&d, at(0, 1.9, 0), &b, at(0, 0, 0)), -0.1, 0, -1, 1, 2);
+    found(sat(&g, at(0, 0, 0), &sharp, at(0, 0.9, 0)), -0.1, 0, 1, 0, 0);          /* the right side of a way to the left is up */
+    found(sat(&g, at(0, 0, 0), &sharp, at(0, -0.9, 0)), -0.1, 0, -1, 0, 1);
+    found(sat(&sharp, at(0, 0.9, 0), &g, at(0, 0, 0)), -0.1, 0, -1, 0, 0);
+    found(sat(&g, at(0, 0, 0), &d, at(0, 0.4, 0)), -0.1, 0, 1, 0, 0);
+    found(sat(&g, at(0, 0, 0), &g, at(2.5, 0, 0)), 0.5, 1, 0, WF_NO_EDGE, WF_NO_EDGE);           /* bare, and in one line */
+    wfRandom r = random_stream(13);
+    for (int i = 0; i < 500; i++) {                           /* near ties stay ties while coats overlap */
+        wfVec2 shake = random_v2(&r, -WF_R(1e-4), WF_R(1e-4));
+        wfSeparation s = sat(&b, at(0, 0, 0), &b, wfMakeTransform(wfAdd(shake, wfV2(WF_R(0.3), WF_R(2.95))), shake.x));
+        assert_true(s.owner == 0 && s.edge == 2);
+        s = sat(&c, at(0, 0, 0), &c, wfMakeTransform(wfAdd(shake, wfV2(WF_R(0.3), WF_R(0.45))), shake.y));
+        assert_true(s.owner == 0 && s.edge == 1);
+    }
+    wfSeparation s = sat(&b, at(0, 0, 0), &b, wfMakeTransform(wfV2(WF_R(0.3), WF_R(2.95)), WF_R(0.01)));
+    assert_true(s.owner == 0 && s.edge == 2);                 /* the corner of the turned one comes first: A's edge is better */
+    s = sat(&b, wfMakeTransform(wfV2(WF_R(0.3), WF_R(2.95)), WF_R(0.01)), &b, at(0, 0, 0));
+    assert_true(s.owner == 1 && s.edge == 2);
+}
+
+static void test_projections_of_coats(void **state)
+{
+    (void)state;
+    wfShape c = capsule(-1, 0, 1, 0, 0.25), b = rounded_box(3, 4, 2), g = segment(0, 0, 0, 6), n = { .kind = WF_SHAPE_NONE };
+    wfProjection p = wfProject(&c, at(2, 3, 90), wfV2(0, 1));
+    assert_near(p.min, 1.75, ROUNDING);
+    assert_near(p.max, 4.25, ROUNDING);
+    p = wfProject(&c, at(2, 3, 90), wfV2(2, 0));              /* an axis of length 2 doubles coat and core */
+    assert_near(p.min, 3.5, ROUNDING);
+    assert_near(p.max, 4.5, ROUNDING);
+    assert_near(wfShapeReach(&c), 1.25, ROUNDING);
+    assert_near(wfShapeReach(&b), 7, ROUNDING);
+    assert_near(wfShapeReach(&g), 3, ROUNDING);
+    assert_near(wfShapeReach(&n), 0, 0);
+}
+
 /* Bodies that are apart by less than the tie are still apart. */
 static void test_small_gap(void **state)
 {
@@ -607,7 +677,7 @@ int main(void)
         cmocka_unit_test(test_boxes_by_hand), cmocka_unit_test(test_false_overlap), cmocka_unit_test(test_random_polygons),
         cmocka_unit_test(test_no_direction_is_better), cmocka_unit_test(test_swap), cmocka_unit_test(test_rigid_motion),
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_ties), cmocka_unit_test(test_small_gap),
-        cmocka_unit_test(test_scales), cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_scales), cmocka_unit_test(test_edges_of_cores), cmocka_unit_test(test_projections_of_coats), cmocka_unit_test(test_bad_input),
         cmocka_unit_test(a_circle_centred_on_a_corner_has_a_normal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
