@@ -515,8 +515,21 @@ static int check_mesh(const wfMesh *m, double *smallest)
     assert_int_equal(halves, m->cornerCount + 2 * (pieces - 1));
     double want = doubled_area(m->corners, m->cornerCount);
     assert_true(want > 0);
-    assert_near(area, want, 1e-13 * m->cornerCount * want + 1e-15 * m->cornerCount);
+    assert_near(area, want, 1e-12 * m->cornerCount * want);
     return pieces;
+}
+
+/* each diagonal that is left is needed at an end */
+static void check_needed(const wfMesh *m)
+{
+    const wfHalfEdge *e = m->edges;
+    for (int32_t h = 0; h < m->edgeCount; h++) {
+        int32_t t = e[h].twin;
+        if (e[h].from == WF_MESH_NONE || t == WF_MESH_NONE) continue;
+        wfVec2 x = m->corners[e[e[h].prev].from], y = m->corners[e[e[e[t].next].next].from];
+        wfVec2 z = m->corners[e[e[t].prev].from], w = m->corners[e[e[e[h].next].next].from];
+        assert_true(wfOrientation(x, m->corners[e[h].from], y) < 0 || wfOrientation(z, m->corners[e[t].from], w) < 0);
+    }
 }
 
 static int reflex_corners(const wfMesh *m)
@@ -537,6 +550,8 @@ static void meshes_keep_their_promises(void **state)
         wfPool pool = fresh();
         if (round % 2) random_star(&r, n, corner); else random_tangle(&r, n, corner);
         if (round % 3 == 0) reverse(corner, n);
+        wfReal scale = (wfReal)ldexp(1, round % 5 * 6 - 12);    /* a power of two: the same mesh at every size */
+        for (int i = 0; i < n; i++) corner[i] = wfScale(scale, corner[i]);
         assert_ok(wfCutEars(corner, n, &pool, &m));
         assert_int_equal(check_mesh(&m, &before), n - 2);
         for (int i = 0; i < m.edgeCount; i++) assert_int_equal(m.edges[i].next, i % 3 == 2 ? i - 2 : i + 1);
@@ -556,15 +571,30 @@ static void meshes_keep_their_promises(void **state)
         assert_int_equal(check_mesh(&m, &merged), pieces);
         assert_true(pieces <= 2 * reflex + 1);
         assert_true(pieces >= (reflex + 1) / 2 + 1);
-        for (int32_t h = 0; h < m.edgeCount; h++) {             /* each diagonal that is left is needed at an end */
-            const wfHalfEdge *e = m.edges;
-            int32_t t = e[h].twin;
-            if (e[h].from == WF_MESH_NONE || t == WF_MESH_NONE) continue;
-            wfVec2 x = m.corners[e[e[h].prev].from], y = m.corners[e[e[e[t].next].next].from];
-            wfVec2 z = m.corners[e[e[t].prev].from], w = m.corners[e[e[e[h].next].next].from];
-            bool needed = wfOrientation(x, m.corners[e[h].from], y) < 0 || wfOrientation(z, m.corners[e[t].from], w) < 0;
-            assert_true(needed);
+        check_needed(&m);
+    }
+}
+
+/* corners in rows and columns: diagonals run along sides, angles are straight */
+static void meshes_on_a_lattice_merge_along_lines(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(34);
+    for (int round = 0; round < 20000; round++) {
+        int n = 6 + (int)wfRandomBelow(&r, 4);
+        for (int i = 0; i < n; i++) {
+            uint32_t at = wfRandomU32(&r);
+            corner[i] = wfV2((wfReal)(at % 4), (wfReal)(at / 4 % 4));
         }
+        while (untangle(corner, n)) { }
+        wfPool pool = fresh();
+        wfMesh m;
+        double smallest;
+        if (wfCutEars(corner, n, &pool, &m) != WF_OK) continue;
+        wfFlipMesh(&m);
+        int pieces = wfMergeMesh(&m);
+        assert_int_equal(check_mesh(&m, &smallest), pieces);
+        check_needed(&m);
     }
 }
 
@@ -929,6 +959,7 @@ int main(void)
         cmocka_unit_test(the_broom_has_its_tolerance),
         cmocka_unit_test(the_broom_refuses_what_is_no_outline),
         cmocka_unit_test(meshes_keep_their_promises),
+        cmocka_unit_test(meshes_on_a_lattice_merge_along_lines),
         cmocka_unit_test(pieces_fill_the_outline),
         cmocka_unit_test(mass_is_the_outlines),
         cmocka_unit_test(known_outlines_have_known_pieces),
