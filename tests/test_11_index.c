@@ -471,6 +471,49 @@ static void test_rays_on_a_lattice(void **state)
     }
 }
 
+typedef struct First { const wfBoxCast *cast; int visits; int32_t last; bool rising, falling; } First;
+
+/* counts visits, notes their order, and shortens the cast to what it has met */
+static wfReal visit_in_order(void *context, int32_t proxy, wfReal most)
+{
+    First *f = context;
+    wfReal t;
+    if (f->visits++ > 0 && proxy < f->last) f->rising = false;
+    if (f->visits > 1 && proxy > f->last) f->falling = false;
+    f->last = proxy;
+    return f->cast && wfCastMeets(f->cast, world.bounds[proxy], &t) ? t : most;
+}
+
+/* Boxes in a line are shown from near to far, whichever way the cast goes, and one that was shortened sees no more than the
+   neighbours of the first: work is saved, not only told right. */
+static void test_near_before_far(void **state)
+{
+    (void)state;
+    for (int shape = 0; shape < 3; shape++) {
+        start_world();
+        for (int i = 0; i < 200; i++) {
+            double x = shape == 1 ? 0 : 3 * i, y = shape == 0 ? 0 : 3 * i;
+            put(rect(x, y, x + 1, y + 1), MOVING);
+        }
+        wfVec2 half = wfV2(WF_R(0.5), WF_R(0.5)), a = wfAdd(world.bounds[0].min, half), b = wfAdd(world.bounds[199].min, half);
+        for (int row = 1; row < wfBroadPhaseCount; row++) {
+            wfPool pool = pool_of(sizeof memory - MARGIN);
+            memset(index_a, 0, sizeof index_a);
+            assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
+            for (int back = 0; back < 2; back++) {
+                wfBoxCast c = { back ? b : a, back ? wfSub(a, b) : wfSub(b, a), wfV2(0, 0), 1 };
+                First all = { NULL, 0, 0, true, true }, few = { &c, 0, 0, true, true };
+                assert_ok(wfCastIndex(row, &world.in, index_a, &c, visit_in_order, &all));
+                assert_int_equal(all.visits, 200);
+                bool strict = row == wfFindBroadPhase("dynamic-tree") || row == wfFindBroadPhase("sweep-and-prune");
+                if (strict) assert_true(back ? all.falling : all.rising);       /* the others show a leaf or a step as it is */
+                assert_ok(wfCastIndex(row, &world.in, index_a, &c, visit_in_order, &few));
+                if (shape == 2 || row != wfFindBroadPhase("quad-tree")) assert_true(few.visits <= 8);   /* its row is its tower */
+            }
+        }
+    }
+}
+
 static void test_cast_predicate(void **state)
 {
     (void)state;
@@ -1022,7 +1065,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_filter_rule), cmocka_unit_test(test_pair_wanted), cmocka_unit_test(test_filters_come_before_tests),
         cmocka_unit_test(test_filters_by_hand), cmocka_unit_test(test_cast_predicate), cmocka_unit_test(test_living_worlds),
-        cmocka_unit_test(test_many_rays), cmocka_unit_test(test_rays_on_a_lattice),
+        cmocka_unit_test(test_many_rays), cmocka_unit_test(test_rays_on_a_lattice), cmocka_unit_test(test_near_before_far),
         cmocka_unit_test(test_update_errors), cmocka_unit_test(test_question_errors), cmocka_unit_test(test_strange_indices),
         cmocka_unit_test(test_tree_changes), cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_tree_stays_low),
         cmocka_unit_test(test_tree_by_hand), cmocka_unit_test(test_fat_boxes), cmocka_unit_test(test_tree_is_left_alone),
