@@ -1,0 +1,586 @@
+/* Chapter 17: soft contacts in substeps. Oracles: implicit Euler for a damped spring in double precision, Hooke's law, the
+ * parabola, the schoolbook's distances, and the energy of a ball that bounces a thousand times. */
+#include "testing.h"
+#include "weft/narrow.h"
+#include "weft/resolve.h"
+
+static _Alignas(16) uint8_t memory[1 << 16];
+static const double PI = 3.14159265358979323846;
+
+static wfBodyState body(double x, double y, double vx, double vy, double w, double mass, double inertia)
+{
+    return (wfBodyState){ .p = wfV2((wfReal)x, (wfReal)y), .v = wfV2((wfReal)vx, (wfReal)vy), .w = (wfReal)w,
+        .invMass = mass > 0 ? (wfReal)(1 / mass) : 0, .invInertia = inertia > 0 ? (wfReal)(1 / inertia) : 0 };
+}
+
+static wfSolve problem(wfBodyState *s, int bodies, wfContact *c, int contacts, wfPool *pool)
+{
+    assert_ok(wfPoolInit(pool, sizeof memory, memory));
+    return (wfSolve){ .state = s, .bodyCount = bodies, .contacts = c, .contactCount = contacts, .h = WF_R(0.01),
+                      .iterations = 1, .substeps = 4, .scratch = pool };
+}
+
+static wfResult soft(const wfSolve *in) { return wfSolveStep(wfFindSolver("soft"), in); }
+
+/* ------------------------------------------------------------------------------ a small world */
+
+enum { THINGS = 24, TOUCHES = 64 };
+typedef struct Bench {
+    wfShape shape[THINGS];
+    wfBodyState s[THINGS];
+    wfBodyForces f[THINGS];
+    wfContact c[TOUCHES], old[TOUCHES];
+    int n, contacts, substeps, passes;
+    wfReal h, e, mu, rolling, belt, resting;
+    wfVec2 g;
+    bool backwards;
+} Bench;
+
+static void start(Bench *b, int substeps)
+{
+    memset(b, 0, sizeof *b);
+    b->h = WF_R(1.0) / 60;
+    b->substeps = substeps;
+    b->passes = 1;
+    b->mu = WF_R(0.5);
+    b->g = wfV2(0, WF_R(-9.81));
+    assert_ok(wfMakeBox(200, 1, &b->shape[0]));
+    b->s[0] = body(0, -1, 0, 0, 0, 0, 0);
+    b->n = 1;
+}
+
+static int disc(Bench *b, double x, double y)
+{
+    assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &b->shape[b->n]));
+    b->s[b->n] = body(x, y, 0, 0, 0, 1, 0.125);
+    return b->n++;
+}
+
+static int box(Bench *b, double x, double y, double w, double h)
+{
+    assert_ok(wfMakeBox((wfReal)(w / 2), (wfReal)(h / 2), &b->shape[b->n]));
+    b->s[b->n] = body(x, y, 0, 0, 0, 1, (w * w + h * h) / 12);
+    return b->n++;
+}
+
+static void find(Bench *b)
+{
+    int old = b->contacts;
+    memcpy(b->old, b->c, sizeof b->c);
+    b->contacts = 0;
+    for (int i = 0; i < b->n; i++)
+        for (int k = i + 1; k < b->n; k++) {
+            wfTransform xi = wfBodyTransform(&b->s[i]), xk = wfBodyTransform(&b->s[k]);
+            wfReal margin = 2 * b->h * (wfLength(wfSub(b->s[i].v, b->s[k].v)) + wfAbs(b->s[i].w) + wfAbs(b->s[k].w) + WF_R(0.2)) + WF_R(0.02);
+            wfContact c = { .a = i, .b = k, .restitution = b->e, .friction = b->mu, .rolling = b->rolling, .surfaceSpeed = b->belt };
+            wfSeparation s;
+            assert_ok(wfSeparate(0, &b->shape[i], xi, &b->shape[k], xk, &s));
+            wfMakeManifoldWithin(&b->shape[i], xi, &b->shape[k], xk, &s, margin, &c.manifold);
+            if (c.manifold.count == 0) continue;
+            for (int j = 0; j < old; j++)
+                if (b->old[j].a == i && b->old[j].b == k) wfCarryImpulses(&b->old[j], &c);
+            assert_true(b->contacts < TOUCHES);
+            b->c[b->contacts++] = c;
+        }
+    for (int i = 0; b->backwards && i < b->contacts / 2; i++) {
+        wfContact c = b->c[i];
+        b->c[i] = b->c[b->contacts - 1 - i];
+        b->c[b->contacts - 1 - i] = c;
+    }
+}
+
+static void steps(Bench *b, int n)
+{
+    for (int i = 0; i < n; i++) {
+        wfPool pool;
+        find(b);
+        for (int k = 0; k < b->n; k++)
+            b->f[k].force = b->s[k].invMass > 0 ? wfScale(1 / b->s[k].invMass, b->g) : wfV2(0, 0);
+        wfSolve in = problem(b->s, b->n, b->c, b->contacts, &pool);
+        in.h = b->h;
+        in.substeps = b->substeps;
+        in.iterations = b->passes;
+        in.restingSpeed = b->resting;
+        in.forces = b->f;
+        assert_ok(soft(&in));
+        assert_true(pool.used == 0);
+    }
+}
+
+static double energy_of(const Bench *b)
+{
+    double e = 0;
+    for (int i = 1; i < b->n; i++)
+        e += (double)wfKineticEnergy(&b->s[i]) - (double)wfDot(b->g, b->s[i].p) / (double)b->s[i].invMass;
+    return e;
+}
+
+/* ------------------------------------------------------------------------------ flight */
+
+static void flight_is_a_parabola(void **unused)
+{
+    (void)unused;
+    for (int n = 1; n <= 64; n *= 2) {
+        wfBodyState s[3] = { body(1, 2, 3, 4, 5, 2, 0.5), body(0, 0, -1, 2, 3, 0, 0), body(7, 8, 0, 0, 0, 4, 0) };
+        wfBodyForces f[3] = { { wfV2(8, -16), WF_R(1.5) }, { wfV2(5, 5), 5 }, { wfV2(0, 0), 9 } };
+        wfPool pool;
+        wfSolve in = problem(s, 3, NULL, 0, &pool);
+        in.h = WF_R(0.125);
+        in.substeps = n;
+        in.forces = f;
+        assert_ok(soft(&in));
+        /* a = (4, -8), 3: x + v h + a h^2 / 2; each substep rounds a few times */
+        double tolerance = (8 + 4 * n) * (double)WF_EPSILON;
+        assert_near2(s[0].p, wfV2(WF_R(1.40625), WF_R(2.4375)), 2 * tolerance);
+        assert_near2(s[0].v, wfV2(WF_R(3.5), 3), 4 * tolerance);
+        assert_near(s[0].angle, 5 * 0.125 + 3 * 0.0078125, tolerance);
+        assert_near(s[0].w, 5.375, 5 * tolerance);
+        assert_near2(s[1].p, wfV2(WF_R(-0.125), WF_R(0.25)), tolerance);         /* moves as it is told */
+        assert_near(s[1].angle, 0.375, tolerance);
+        assert_true(s[1].v.x == -1 && s[1].v.y == 2 && s[1].w == 3);
+        assert_true(s[2].p.x == 7 && s[2].w == 0);
+    }
+    wfBodyState s = body(0, 0, 1, 0, 0, 1, 1);                                    /* no forces at all */
+    wfPool pool;
+    wfSolve in = problem(&s, 1, NULL, 0, &pool);
+    assert_ok(soft(&in));
+    assert_ulps(s.p.x, 0.01, 8, 0.01);
+}
+
+/* ------------------------------------------------------------------------------ the spring */
+
+static wfContact under(const wfBodyState *s, double depth)
+{
+    wfContact c = { .a = 0, .b = 1, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
+    c.manifold.points[0] = (wfContactPoint){ .point = wfV2(0, 0), .armA = wfSub(wfV2(0, 0), s[0].p),
+        .armB = wfSub(wfV2(0, 0), s[1].p), .depth = (wfReal)depth, .feature = WF_FEATURE_CIRCLE };
+    return c;
+}
+
+static void one_substep_is_implicit_euler(void **unused)
+{
+    (void)unused;
+    static const double speed[] = { 0, -0.5, 0.1 };
+    for (int k = 0; k < 3; k++) {
+        double mass = 3, dt = 0.01, g = -0.1, u = speed[k], K = 1 / mass;
+        double omega = 2 * PI / 4 / dt, stiff = omega * omega / K, damp = 2 * 10 * omega / K;
+        /* lambda = -dt (stiff (g + dt u') + damp u'), u' = u + K lambda, solved for u' */
+        double after = (u - K * dt * stiff * g) / (1 + K * dt * (stiff * dt + damp));
+        wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 1, 0, u, 0, mass, 1) };
+        wfContact c = under(s, -g);
+        wfPool pool;
+        wfSolve in = problem(s, 2, &c, 1, &pool);
+        in.substeps = 1;
+        assert_ok(soft(&in));
+        /* the first kick is half a substep: the spring's impulse is counted twice there, and a single pass knows half of it */
+        assert_near((double)s[1].p.y - 1, dt * after, 0.02 * fabs(dt * after) + 1e-7);
+        assert_near(s[1].v.y, fmax(u, 0), 2e-6);                                  /* and the relaxing sweep takes it back */
+    }
+}
+
+static void rest_is_where_hooke_says(void **unused)
+{
+    (void)unused;
+    for (int n = 1; n <= 16; n *= 2) {
+        Bench b;
+        start(&b, n);
+        int d = disc(&b, 0, 0.5);
+        steps(&b, 600);
+        double delta = 4 / (60.0 * n * 2 * PI), sunk = 9.81 * delta * delta;      /* eq:soft-squash, K F = g */
+        assert_near(0.5 - (double)b.s[d].p.y, sunk, 0.02 * sunk + 4e-7);
+        assert_near(b.s[d].v.y, 0, 1e-6);
+        assert_near(b.c[0].manifold.points[0].normalImpulse, 9.81 / 60, 2e-5);    /* the weight, for any n */
+        wfVec2 p = b.s[d].p;
+        steps(&b, 60);
+        assert_near2(b.s[d].p, p, 1e-6);
+    }
+}
+
+static void stacks_sink_as_predicted(void **unused)
+{
+    (void)unused;
+    for (int n = 4; n <= 16; n *= 2) {
+        Bench b;
+        start(&b, n);
+        for (int i = 0; i < 10; i++) box(&b, 0, i + 0.5, 1, 1);
+        steps(&b, 600);
+        double delta = 4 / (60.0 * n * 2 * PI), sunk = 9.81 / 2 * (2.5 * 10 + 5 * 45) * delta * delta;    /* eq:soft-stack */
+        assert_near(9.5 - (double)b.s[10].p.y, sunk, 0.02 * sunk + 2e-5);
+        assert_near(b.s[10].v.y, 0, 2e-3);
+        assert_near(b.s[10].p.x, 0, 0.02);
+        wfReal weight = b.c[0].manifold.points[0].normalImpulse + b.c[0].manifold.points[1].normalImpulse;
+        assert_near(weight, 98.1 / 60, 0.02);
+    }
+}
+
+static void deep_overlaps_part_without_a_leap(void **unused)
+{
+    (void)unused;
+    Bench b;
+    start(&b, 4);
+    int d = disc(&b, 0, 0.3);
+    double top = 0;
+    for (int i = 0; i < 120; i++) {
+        steps(&b, 1);
+        top = fmax(top, (double)b.s[d].p.y);
+        assert_true(b.s[d].v.y < WF_R(0.05));
+    }
+    assert_true(top < 0.5001);
+    assert_near(b.s[d].p.y, 0.5, 5e-4);
+}
+
+static void points_apart_close_and_stop(void **unused)
+{
+    (void)unused;
+    for (int n = 1; n <= 8; n *= 2) {
+        wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.52, 0, -5, 0, 2, 1) };
+        wfContact c = under(s, -0.02);
+        wfPool pool;
+        c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
+        wfSolve in = problem(s, 2, &c, 1, &pool);
+        in.substeps = n;
+        assert_ok(soft(&in));
+        assert_near(s[1].p.y, 0.5, 1e-6);
+        assert_near(s[1].v.y, 0, 1e-6);
+        s[1] = body(0, 0.52, 0, -1, 0, 2, 1);                                     /* does not get there: is left alone */
+        c = under(s, -0.02);
+        c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
+        assert_ok(soft(&in));
+        assert_near(s[1].p.y, 0.51, 1e-6);
+        assert_near(s[1].v.y, -1, 1e-6);
+    }
+}
+
+/* ------------------------------------------------------------------------------ sliding and rolling */
+
+static void a_box_stops_where_it_should(void **unused)
+{
+    (void)unused;
+    for (int n = 1; n <= 4; n *= 4) {
+        Bench b;
+        start(&b, n);
+        int k = box(&b, 0, 0.5, 4, 1);
+        steps(&b, 60);
+        double from = (double)b.s[k].p.x;
+        b.s[k].v.x = 10;
+        steps(&b, 180);
+        assert_near((double)b.s[k].p.x - from, 100 / 9.81, n == 1 ? 5e-3 : 1e-3);
+        assert_near(b.s[k].v.x, 0, 1e-6);
+        from = (double)b.s[k].p.x;
+        steps(&b, 120);
+        assert_near(b.s[k].p.x, from, 2e-5);
+    }
+}
+
+static void a_slope_holds_without_creep(void **unused)
+{
+    (void)unused;
+    static const double steep[] = { 0.5, 0.95, 0.999, 1.002 };
+    for (int k = 0; k < 4; k++) {
+        Bench b;
+        double angle = atan(0.5 * steep[k]);
+        start(&b, 4);
+        b.g = wfV2((wfReal)(9.81 * sin(angle)), (wfReal)(-9.81 * cos(angle)));
+        int i = box(&b, 0, 0.5, 1, 1);
+        steps(&b, 300);
+        double from = (double)b.s[i].p.x;
+        steps(&b, 300);
+        double moved = (double)b.s[i].p.x - from;
+        if (steep[k] < 1) assert_near(moved, 0, 1e-5);
+        else assert_true(moved > 0.01);
+    }
+}
+
+static void discs_roll_and_resist(void **unused)
+{
+    (void)unused;
+    Bench b;
+    double angle = 20 * PI / 180, want = 9.81 * sin(angle) / 3 * 4;
+    start(&b, 4);
+    b.g = wfV2((wfReal)(9.81 * sin(angle)), (wfReal)(-9.81 * cos(angle)));
+    int d = disc(&b, 0, 0.5);
+    steps(&b, 120);
+    assert_near(b.s[d].p.x, want, 1e-3 * want);                                   /* the 0.1 %, and better */
+    assert_near(b.s[d].v.x, -0.5 * (double)b.s[d].w, 2e-3);
+    assert_near(b.s[d].p.y, 0.5, 1e-3);
+    start(&b, 4);
+    b.rolling = WF_R(0.02);
+    d = disc(&b, 0, 0.5);
+    steps(&b, 60);
+    b.s[d].v.x = 2;
+    b.s[d].w = -4;
+    steps(&b, 60);
+    assert_near(b.s[d].v.x, 2 - 2 * 0.02 * 9.81 / 3 / 0.5, 2e-3);                 /* eq:friction-resist */
+    assert_true(b.c[0].rollingImpulse > 0);
+    steps(&b, 600);
+    assert_near(b.s[d].w, 0, 1e-5);
+    start(&b, 4);                                                                 /* a belt */
+    b.belt = WF_R(-1.5);
+    int k = box(&b, 0, 0.5, 2, 1);
+    steps(&b, 120);
+    assert_near(b.s[k].v.x, -1.5, 1e-4);
+}
+
+/* ------------------------------------------------------------------------------ bounces */
+
+static void a_ball_keeps_its_energy(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 4; k++) {
+        Bench b;
+        start(&b, k % 2 ? 4 : 1);
+        b.e = 1;
+        int d = disc(&b, 0, 0.5 + 0.3 + 0.917 * k);
+        double from = energy_of(&b) - 0.5 * 9.81;
+        for (int bounces = 0; bounces < 1000; ) {
+            bool down = b.s[d].v.y < 0;
+            steps(&b, 1);
+            if (down && b.s[d].v.y > 0) bounces++;
+            assert_true(b.s[d].p.y > WF_R(0.5) - 1e-3);
+        }
+        double worst = sizeof(wfReal) == 4 ? 1e-3 : 1e-11;                        /* roundings only */
+        assert_near((energy_of(&b) - 0.5 * 9.81) / from, 1, worst);
+    }
+}
+
+static void restitution_gives_the_height(void **unused)
+{
+    (void)unused;
+    for (int flat = 0; flat < 2; flat++) {
+        Bench b;
+        start(&b, 4);
+        b.e = WF_R(0.5);
+        int d = flat ? box(&b, 0, 2.5, 1, 1) : disc(&b, 0, 2.5);
+        double top = 0;
+        for (int i = 0; i < 80; i++) {
+            bool up = b.s[d].v.y > 0;
+            steps(&b, 1);
+            if (up) top = fmax(top, (double)b.s[d].p.y);
+        }
+        assert_near(top - 0.5, 2 * 0.25, 1e-3);
+        assert_near(b.s[d].w, 0, 1e-5);
+        assert_near(b.s[d].p.x, 0, 1e-5);
+        b.resting = 100;                                                          /* nothing is fast enough to bounce now */
+        b.s[d] = body(0, 2.5, 0, 0, 0, 1, 0.2);
+        for (int i = 0; i < 120; i++) {
+            steps(&b, 1);
+            assert_true(b.s[d].v.y < WF_R(0.02));                                 /* but for what one pass leaves undone */
+        }
+    }
+}
+
+static void a_ball_at_rest_does_not_bounce(void **unused)
+{
+    (void)unused;
+    Bench b;
+    start(&b, 4);
+    b.e = 1;                                                                      /* and no resting speed at all */
+    int d = disc(&b, 0, 0.5);
+    for (int i = 0; i < 300; i++) {
+        steps(&b, 1);
+        assert_near(b.s[d].v.y, 0, 2e-3);
+        assert_near(b.s[d].p.y, 0.5, 2e-4);
+    }
+}
+
+static void tilted_boxes_keep_their_energy(void **unused)
+{
+    (void)unused;
+    Bench b;
+    start(&b, 4);
+    b.e = 1;
+    b.mu = 0;
+    int k = box(&b, 0, 3, 1, 1);
+    b.s[k].angle = WF_R(0.3);
+    double from = energy_of(&b);
+    steps(&b, 1800);
+    assert_near(energy_of(&b) / from, 1, 1e-4);
+    assert_true(fabs((double)b.s[k].v.y) + fabs((double)b.s[k].w) > 0.1);
+}
+
+static void cradles_at_any_distance_in_any_order(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 20; k++) {
+        Bench b;
+        start(&b, 1 + k % 4);
+        b.g = wfV2(0, 0);
+        b.e = 1;
+        b.mu = 0;
+        b.backwards = k % 2;
+        disc(&b, -1.2 - 0.013 * k, 10);
+        for (int i = 0; i < 5; i++) disc(&b, i, 10);
+        b.s[1].v.x = 3;
+        steps(&b, 30);
+        for (int i = 1; i <= 6; i++) assert_near(b.s[i].v.x, i == 6 ? 3 : 0, 1e-5);
+        /* and at the right time: all that was lost is the way of the first ball */
+        assert_near(b.s[6].p.x, 4 + 3 * 0.5 - (0.2 + 0.013 * k), 1e-4);
+    }
+}
+
+/* ------------------------------------------------------------------------------ laws */
+
+static void random_heaps_keep_momentum_and_gain_no_energy(void **unused)
+{
+    (void)unused;
+    enum { N = 6, C = 10 };
+    wfRandom r = random_stream(17);
+    for (int round = 0; round < 300; round++) {
+        wfBodyState s[N];
+        wfContact c[C];
+        wfPool pool;
+        double before = 0, after = 0;
+        wfVec2 sum = wfV2(0, 0), now = wfV2(0, 0);
+        for (int i = 0; i < N; i++) {
+            s[i] = body(0, 0, 0, 0, (double)wfRandomReal(&r, -3, 3), (double)wfRandomReal(&r, WF_R(0.5), 3), (double)wfRandomReal(&r, WF_R(0.2), 2));
+            s[i].p = random_v2(&r, -2, 2);
+            s[i].v = random_v2(&r, -3, 3);
+            before += (double)wfKineticEnergy(&s[i]);
+            sum = wfAdd(sum, wfMomentum(&s[i]));
+        }
+        for (int i = 0; i < C; i++) {
+            int a = (int)wfRandomBelow(&r, N - 1), b = a + 1 + (int)wfRandomBelow(&r, (uint32_t)(N - 1 - a));
+            c[i] = (wfContact){ .a = a, .b = b, .friction = wfRandomReal(&r, 0, 1), .rolling = wfRandomReal(&r, 0, WF_R(0.3)),
+                .restitution = round % 2 ? wfRandomReal(&r, 0, 1) : 0, .manifold = { .normal = random_unit(&r), .count = 1 + i % 2 } };
+            for (int k = 0; k < 2; k++) {
+                wfVec2 p = random_v2(&r, -2, 2);
+                c[i].manifold.points[k] = (wfContactPoint){ .point = p, .armA = wfSub(p, s[a].p), .armB = wfSub(p, s[b].p), .feature = (uint32_t)k };
+            }
+        }
+        wfSolve in = problem(s, N, c, C, &pool);
+        in.h = WF_R(0.002);
+        assert_ok(soft(&in));
+        for (int i = 0; i < N; i++) after += (double)wfKineticEnergy(&s[i]), now = wfAdd(now, wfMomentum(&s[i]));
+        assert_near2(now, sum, 8000 * (double)WF_EPSILON);
+        assert_true(after <= before * (1 + 1e-5));
+    }
+}
+
+typedef struct Log { int begins, softs, hards; wfReal share[8]; } Log;
+
+static void log_begin(void *context, const wfSolve *in, const struct wfMoved *moved, wfReal dt, wfReal share)
+{
+    Log *log = context;
+    assert_true(in != NULL && moved != NULL);
+    assert_ulps(dt, 0.005, 4, 0.005);
+    if (log->begins < 8) log->share[log->begins] = share;
+    log->begins++;
+}
+
+static void log_solve(void *context, const wfSolve *in, const struct wfMoved *moved, wfReal dt, int32_t pass, bool is_soft)
+{
+    Log *log = context;
+    assert_true(in != NULL && moved != NULL && pass >= 0 && pass < 3);
+    assert_ulps(dt, 0.005, 4, 0.005);
+    if (is_soft) log->softs++;
+    else log->hards++;
+}
+
+static void other_laws_have_their_turn(void **unused)
+{
+    (void)unused;
+    wfBodyState s[2] = { body(0, 0, 0, 0, 0, 1, 1), body(1, 0, 0, 0, 0, 1, 1) };
+    Log log = { 0 };
+    wfLaws laws = { &log, log_begin, log_solve };
+    wfPool pool;
+    wfSolve in = problem(s, 2, NULL, 0, &pool);
+    in.substeps = 2;
+    in.iterations = 3;
+    in.laws = &laws;
+    assert_ok(soft(&in));
+    assert_true(log.begins == 3 && log.softs == 6 && log.hards == 9);
+    assert_near(log.share[0], 0.25, 1e-6);                                        /* of a step; then of the kick before */
+    assert_near(log.share[1], 2, 1e-6);
+    assert_near(log.share[2], 0.5, 1e-6);
+}
+
+static void what_is_carried_over(void **unused)
+{
+    (void)unused;
+    wfContact before = { .rollingImpulse = 7, .manifold = { .normal = wfV2(0, 1), .count = 2 } }, now = before;
+    for (int k = 0; k < 2; k++) {
+        before.manifold.points[k] = (wfContactPoint){ .armA = wfV2((wfReal)(8 * k), 0), .feature = (uint32_t)(10 + k),
+            .normalImpulse = (wfReal)(3 + k), .tangentImpulse = (wfReal)(-1 - k) };
+        now.manifold.points[k] = before.manifold.points[k];
+        now.manifold.points[k].normalImpulse = now.manifold.points[k].tangentImpulse = 99;
+    }
+    now.rollingImpulse = 0;
+    wfContact c = now;
+    wfCarryImpulses(&before, &c);                                                 /* by name */
+    assert_true(c.manifold.points[0].normalImpulse == 3 && c.manifold.points[1].normalImpulse == 4);
+    assert_true(c.manifold.points[0].tangentImpulse == -1 && c.manifold.points[1].tangentImpulse == -2 && c.rollingImpulse == 7);
+    static const struct { double x; uint32_t feature; int want; } at[] = { { 8.9, 50, 4 }, { 9.2, 50, 0 }, { 7.2, 50, 4 }, { 6.9, 50, 0 },
+        { 0.5, 10, 3 }, { 0.2, 50, 0 } };
+    for (int i = 0; i < 6; i++) {                                                 /* by place: an eighth of 8 m or so */
+        c = now;
+        c.manifold.points[1].feature = at[i].feature;
+        c.manifold.points[1].armA.x = (wfReal)at[i].x;
+        wfCarryImpulses(&before, &c);
+        assert_near(c.manifold.points[0].normalImpulse, 3, 0);
+        assert_near(c.manifold.points[1].normalImpulse, at[i].want, 0);
+        assert_near(c.manifold.points[1].tangentImpulse, at[i].want ? 2 - at[i].want : 0, 0);
+    }
+    c = now;                                                                      /* both names gone */
+    c.manifold.points[0].feature = 60;
+    c.manifold.points[1].feature = 61;
+    wfCarryImpulses(&before, &c);
+    assert_true(c.manifold.points[0].normalImpulse == 3 && c.manifold.points[1].normalImpulse == 4);
+    c.manifold.normal = wfV2(0, -1);                                              /* turned over: nothing is kept */
+    wfCarryImpulses(&before, &c);
+    assert_true(c.manifold.points[0].normalImpulse == 0 && c.manifold.points[1].normalImpulse == 0);
+    c = now;                                                                      /* a single point has no size: names alone */
+    c.manifold.count = 1;
+    c.manifold.points[0].feature = 60;
+    wfCarryImpulses(&before, &c);
+    assert_true(c.manifold.points[0].normalImpulse == 0);
+}
+
+static void too_little_room_changes_nothing(void **unused)
+{
+    (void)unused;
+    int row = wfFindSolver("soft");
+    wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5, 0, -1, 0, 2, 1) }, t[2] = { s[0], s[1] };
+    wfContact c = under(s, 0.1), d = c;
+    wfPool pool;
+    wfSolve in = problem(s, 2, &c, 1, &pool);
+    size_t enough = wfSolverTable[row].scratch(2, 1);
+    bool done = false;
+    for (size_t size = 0; size <= enough && !done; size += 4) {
+        pool.size = size;
+        wfResult result = soft(&in);
+        done = result == WF_OK;
+        if (done) break;
+        assert_result(WF_ERROR_MEMORY, result);
+        assert_memory_equal(s, t, sizeof s);
+        assert_memory_equal(&c, &d, sizeof c);
+        assert_true(pool.used == 0);
+    }
+    assert_true(done);
+    assert_true(s[1].v.y != t[1].v.y);
+    pool.size = sizeof memory;
+    in.substeps = 0;
+    assert_result(WF_ERROR_RANGE, soft(&in));
+    in.substeps = -1;
+    assert_result(WF_ERROR_RANGE, soft(&in));
+    in.substeps = 4;
+    assert_result(WF_ERROR_UNKNOWN, wfSolveVelocities(row, &in));
+    assert_result(WF_ERROR_UNKNOWN, wfSolvePositions(row, &in));
+    wfSolve none = { .h = 1, .iterations = 1, .substeps = 1, .scratch = &pool };
+    assert_ok(soft(&none));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(flight_is_a_parabola), cmocka_unit_test(one_substep_is_implicit_euler),
+        cmocka_unit_test(rest_is_where_hooke_says), cmocka_unit_test(stacks_sink_as_predicted),
+        cmocka_unit_test(deep_overlaps_part_without_a_leap), cmocka_unit_test(points_apart_close_and_stop),
+        cmocka_unit_test(a_box_stops_where_it_should), cmocka_unit_test(a_slope_holds_without_creep),
+        cmocka_unit_test(discs_roll_and_resist), cmocka_unit_test(a_ball_keeps_its_energy),
+        cmocka_unit_test(restitution_gives_the_height), cmocka_unit_test(a_ball_at_rest_does_not_bounce),
+        cmocka_unit_test(tilted_boxes_keep_their_energy), cmocka_unit_test(cradles_at_any_distance_in_any_order),
+        cmocka_unit_test(random_heaps_keep_momentum_and_gain_no_energy), cmocka_unit_test(other_laws_have_their_turn),
+        cmocka_unit_test(what_is_carried_over), cmocka_unit_test(too_little_room_changes_nothing),
+    };
+    return cmocka_run_group_tests_name("17 soft contacts", tests, NULL, NULL);
+}
