@@ -201,6 +201,7 @@ static void test_thin(void **state)
     expect(cast(&s, id, wfV2(-3, 0), wfV2(4, 0)), 0.5, -1, 0, -1, 0, 0);           /* head on, from either end */
     expect(cast(&s, id, wfV2(3, 0), wfV2(-4, 0)), 0.5, 1, 0, 1, 0, 0);
     expect(cast(&s, id, wfV2(-3, 0), wfV2(2, 0)), 1, -1, 0, -1, 0, 0);
+    expect(cast(&s, id, wfV2(WF_R(-1.5), 0), wfV2(2, 0)), 0.25, -1, 0, -1, 0, 0);
     expect(cast(&s, id, wfV2(WF_R(0.5), 0), wfV2(4, 0)), 0, 0.5, 0, 0, 0, 0);      /* begins on it */
     expect(cast(&s, id, wfV2(1, 0), wfV2(4, 0)), 0, 1, 0, 0, 0, 0);
     expect(cast(&s, id, wfV2(WF_R(0.5), 0), wfV2(0, 0)), 0, 0.5, 0, 0, 0, 0);

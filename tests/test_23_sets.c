@@ -606,6 +606,11 @@ static void test_bad_input(void **state)
     assert_memory_equal(&hit, &same, sizeof hit);
     assert_memory_equal(&c, &sameC, sizeof c);
     assert_int_equal(n, -7);
+    wfShape none = { 0 };                                     /* a particle may ask, and finds nothing */
+    assert_ok(wfSetOverlap(set, &none, id, NULL, list, 10, &n));
+    assert_int_equal(n, 0);
+    assert_ok(wfSetCastShape(set, &none, id, ray.by, NULL, &hit));
+    assert_int_equal(hit.shape, WF_NO_SHAPE);
     x = world.set;                                            /* an empty set is a set */
     x.proxies = (wfProxies){ .count = 0 };
     x.shapes = NULL;
