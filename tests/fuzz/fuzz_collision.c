@@ -102,7 +102,7 @@ static void check_shape(const wfShape *s)
 static bool make(Input *in, wfShape *s)
 {
     wfVec2 p[24];
-    uint32_t kind = byte(in) % 12, n = byte(in) % 25;
+    uint32_t kind = byte(in) % 16, n = byte(in) % 25;
     bool made = false;
     switch (kind) {
     case 0: p[0] = vector(in); made = CALL("circle", *s, wfMakeCircle(p[0], real(in), s)); break;
@@ -119,6 +119,26 @@ static bool make(Input *in, wfShape *s)
     case 9: for (int i = 0; i < 4; i++) p[i] = vector(in);
         made = CALL("link", *s, wfMakeLink(p[0], p[1], p[2], p[3], s)); break;
     case 10: *s = (wfShape){ .kind = WF_SHAPE_NONE, .centre = tame_vector(in, 100) }; made = true; break;
+    case 12: case 13: {                         /* a regular polygon, with a coat or without: nearly always good */
+        wfVec2 at = tame_vector(in, 4);
+        wfReal size = WF_R(0.1) + wfAbs(tame(in, 4)), turn = tame(in, 4), coat = kind == 13 ? wfAbs(tame(in, 2)) : 0;
+        n = 3 + n % 14;
+        for (uint32_t i = 0; i < n; i++) {
+            wfRot q = wfRotation(turn + 2 * WF_PI * (wfReal)i / (wfReal)n);
+            p[i] = wfAddScaled(at, size, wfV2(q.c, q.s));
+        }
+        made = CALL("regular polygon", *s, wfMakeRoundedPolygon(p, (int)n, coat, s));
+        break; }
+    case 14: {
+        wfReal w = WF_R(0.05) + wfAbs(tame(in, 4)), h = WF_R(0.05) + wfAbs(tame(in, 4));
+        made = CALL("tame box", *s, wfMakeRoundedBox(w, h, n % 2 ? wfAbs(tame(in, 1)) : 0, s));
+        break; }
+    case 15:
+        p[0] = tame_vector(in, 4);
+        p[1] = wfAdd(p[0], wfV2(WF_R(0.5), tame(in, 2)));
+        made = n % 2 ? CALL("tame capsule", *s, wfMakeCapsule(p[0], p[1], WF_R(0.01) + wfAbs(tame(in, 1)), s))
+                     : CALL("tame link", *s, wfMakeLink(wfV2(-9, tame(in, 4)), p[0], p[1], wfV2(9, tame(in, 4)), s));
+        break;
     default:                                    /* a structure filled in by hand: good only if the check says so */
         memset(s, 0, sizeof *s);
         s->kind = (int32_t)byte(in) % 9 - 1;
@@ -163,6 +183,7 @@ static void test_pair(Input *in)
     wfShape a, b;
     if (!make(in, &a) || !make(in, &b)) return;
     wfTransform xa = pose(in), xb = pose(in);
+    if (byte(in) < 128) xb.p = wfAdd(xa.p, tame_vector(in, 4));
     shown[0] = &a; shown[1] = &b; shownAt[0] = xa; shownAt[1] = xb;
     bool rotations = a_rotation(xa) && a_rotation(xb), poses = finite_pose(xa) && finite_pose(xb);
     wfReal lowest = WF_HUGE, highest = -WF_HUGE, gjk = 0;
