@@ -336,11 +336,33 @@ static wfSweep motion(Input *in)
     return s;
 }
 
+/* until the time that it named, no more than the noise of the coordinates is missing from the gap that counts as touching */
+static void check_free(const wfShape *a, wfSweep sa, const wfShape *b, wfSweep sb, const wfImpact *hit)
+{
+    bool solid = a->kind != WF_SHAPE_NONE && b->kind != WF_SHAPE_NONE && a->kind != WF_SHAPE_LINK && b->kind != WF_SHAPE_LINK;
+    if (!solid || hit->kind == WF_IMPACT_OVERLAP) return;
+    wfReal far = wfLength(sa.from) + wfLength(sa.to) + wfLength(sb.from) + wfLength(sb.to);
+    wfReal turn = wfAbs(sa.angleFrom) + wfAbs(sa.angleTo) + wfAbs(sb.angleFrom) + wfAbs(sb.angleTo);
+    wfReal noise = 64 * WF_EPSILON * (far + (1 + turn) * (largest(a) + largest(b)));
+    doing = "on the way to the impact";
+    for (int k = 0; k <= 8; k++) {
+        wfReal t = hit->t * (wfReal)k / 8;
+        wfDistanceResult d;
+        shownAt[0] = wfSweepAt(sa, t); shownAt[1] = wfSweepAt(sb, t);
+        MUST(wfShapeDistance(a, shownAt[0], b, shownAt[1], &d) == WF_OK);
+        if (d.distance < hit->near / 2 - noise)
+            fprintf(stderr, "kind %d t %g of %g: distance %g, near %g, noise %g\n", (int)hit->kind, (double)t, (double)hit->t, (double)d.distance,
+                (double)hit->near, (double)noise);
+        MUST(d.distance >= hit->near / 2 - noise);
+    }
+}
+
 static void test_motion(Input *in)
 {
     wfShape a, b;
     if (!make(in, &a) || !make(in, &b)) return;
     wfSweep sa = motion(in), sb = motion(in);
+    if (byte(in) < 128) { sb.from = wfAdd(sa.from, tame_vector(in, 9)); sb.to = wfAdd(sa.to, tame_vector(in, 9)); }
     wfImpact hit;
     if (CALL("impact", hit, wfTimeOfImpact(&a, sa, &b, sb, &hit))) {
         MUST(hit.kind >= 0 && hit.kind <= WF_IMPACT_UNFINISHED && hit.t >= 0 && hit.t <= 1);
@@ -349,6 +371,8 @@ static void test_motion(Input *in)
         if (hit.kind == WF_IMPACT_APART) MUST(hit.t == 1);
         if (hit.kind == WF_IMPACT_OVERLAP) MUST(hit.t == 0);
         if (hit.kind == WF_IMPACT_TOUCH) MUST(unit(hit.normal));
+        shown[0] = &a; shown[1] = &b;
+        check_free(&a, sa, &b, sb, &hit);
     }
     wfTransform xa = pose(in), xb = pose(in);
     wfCast cast;
