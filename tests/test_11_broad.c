@@ -510,6 +510,7 @@ static void test_scratch_sizes(void **state)
             if (row > 0) assert_true(bytes / (size_t)n >= sizeof(wfPair));
             last = bytes;
         }
+        if (row == wfFindBroadPhase("brute-force")) assert_int_equal(wfBroadPhaseTable[row].scratch(100, 100), 0);
         if (sizeof(size_t) > 4)
             assert_true(wfBroadPhaseTable[row].scratch(1 << 30, 0) >= wfBroadPhaseTable[row].scratch(1 << 29, 0));
     }
@@ -700,6 +701,16 @@ static void test_hash_spreads(void **state)
         assert_true(blocks > 2589 - 320);
     }
     assert_true(wfHashCell(1, 2) != wfHashCell(2, 1));
+    for (int64_t x = -3; x < 4; x++)                    /* eq:broad-hash, in 64 bits */
+        for (int64_t y = -3; y < 4; y++) {
+            uint64_t h = ((uint64_t)x * 2654435761u + (uint64_t)y * 2246822507u) & 0xFFFFFFFF;
+            assert_int_equal(wfHashCell((int32_t)x, (int32_t)y), h ^ h / 32768);
+        }
+    for (int axis = 0; axis < 2; axis++) {              /* points have no size: the cells then follow from the world's */
+        start_world();
+        for (int i = 0; i < 100; i++) put(axis ? rect(0, 0.01 * i, 0, 0.01 * i) : rect(0.01 * i, 0, 0.01 * i, 0), MOVING);
+        assert_int_equal(tests_of("spatial-hash"), 0);
+    }
 }
 
 /* Two cells of one box in one block: the box stands in it twice, its pairs must not. */

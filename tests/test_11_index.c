@@ -489,13 +489,15 @@ static wfReal visit_in_order(void *context, int32_t proxy, wfReal most)
 static void test_near_before_far(void **state)
 {
     (void)state;
-    for (int shape = 0; shape < 3; shape++) {
+    for (int k = 0; k < 9; k++) {
+        int shape = k % 3;
+        double unit = k < 3 ? 1 : k < 6 ? 0x1p-12 : 0x1p12;             /* no unit knob */
         start_world();
         for (int i = 0; i < 200; i++) {
             double x = shape == 1 ? 0 : 3 * i, y = shape == 0 ? 0 : 3 * i;
-            put(rect(x, y, x + 1, y + 1), MOVING);
+            put(rect(unit * x, unit * y, unit * (x + 1), unit * (y + 1)), MOVING);
         }
-        wfVec2 half = wfV2(WF_R(0.5), WF_R(0.5)), a = wfAdd(world.bounds[0].min, half), b = wfAdd(world.bounds[199].min, half);
+        wfVec2 half = wfV2((wfReal)unit / 2, (wfReal)unit / 2), a = wfAdd(world.bounds[0].min, half), b = wfAdd(world.bounds[199].min, half);
         for (int row = 1; row < wfBroadPhaseCount; row++) {
             wfPool pool = pool_of(sizeof memory - MARGIN);
             memset(index_a, 0, sizeof index_a);
