@@ -407,6 +407,7 @@ static void test_needles(void **state)
         double sign = mirror ? -1 : 1;
         wfVec2 p[3], t[3];
         wfShape links[2], body;
+        /* the numbers are those of a random test that found them */
         for (int k = 0; k < 3; k++) {
             p[k] = wfV2((wfReal)crests[second][k][0], (wfReal)crests[second][k][1]);
             t[k] = wfV2((wfReal)(sign * triangle[k][0]), (wfReal)triangle[k][1]);
@@ -415,13 +416,20 @@ static void test_needles(void **state)
         if (second) body = capsule(sign * 0.755197, -0.0708527, sign * 0.524369, -0.071431, 0.0345541);
         else assert_ok(wfMakePolygon(t, 3, &body));
         wfTransform frame = wfMakeTransform(random_v2(&r, -1, 1), random_angle(&r)), own = wfMakeTransform(random_v2(&r, -1, 1), random_angle(&r));
-        /* the same body, placed by another frame of its own */
+        /* the same body, in a frame of its own and with another first corner; and the chain off its body's origin */
         wfShape moved = body;
         for (int k = 0; k < body.count; k++) {
-            moved.vertices[k] = wfApplyInv(own, body.vertices[k]);
-            moved.normals[k] = wfRotateInv(own.q, body.normals[k]);
+            int from = (k + i / 4) % body.count;
+            moved.vertices[k] = wfApplyInv(own, body.vertices[from]);
+            moved.normals[k] = wfRotateInv(own.q, body.normals[from]);
         }
         moved.centre = wfApplyInv(own, body.centre);
+        wfVec2 off = random_v2(&r, -1, 1);
+        for (int k = 0; k < 2; k++) {
+            for (int v = 0; v < 4; v++) links[k].vertices[v] = wfAdd(links[k].vertices[v], off);
+            links[k].centre = wfAdd(links[k].centre, off);
+        }
+        own.p = wfAdd(own.p, off);
         wfManifold m;
         wfTransform xb = wfTransformMul(frame, own);
         assert_int_equal(collide(&links[mirror], frame, &moved, xb, 0, &m), 0);
