@@ -364,6 +364,7 @@ static void a_gas_keeps_momentum_and_energy(void **unused)
         d.velocity = random_v2(&r, -2, 2);
         d.angularVelocity = wfRandomReal(&r, -2, 2);
         d.restitution = 1;
+        d.friction = 0;
         d.density = wfRandomReal(&r, WF_R(0.5), 4);
         add(&world, d);
     }
@@ -400,8 +401,8 @@ static void a_box_comes_to_rest(void **unused)
     wfBodyInfo b = info(&world, id);
     assert_near2(b.velocity, wfV2(0, 0), 1e-4);
     assert_near(b.angle, 0, 1e-4);
-    /* In equilibrium a step sinks g h^2 / 2 and the push removes 0.4 of what exceeds the slop. */
-    assert_near(b.position.y, 0.5 - 0.005, 9.81 / 3600 / 2 / 0.4 + 1e-4);
+    /* A point carries half of the weight on a soft contact, which gives way by eq:soft-stack: less than 1e-4 m. */
+    assert_near(b.position.y, 0.5, 1e-4);
     int32_t n;
     const wfContact *c = wfWorldContacts(&world, &n);
     assert_int_equal(n, 1);
@@ -1339,7 +1340,7 @@ static void a_hand_is_as_stiff_as_the_step_allows(void **unused)
         /* Held where it is, moving: the brake by hand. v = (1, 2), no spin yet. */
         assert_ok(wfSetBodyVelocity(&world, id, wfV2(1, 2), 0));
         assert_ok(wfSetGravity(&world, wfV2(0, 0)));
-        assert_ok(wfSetMethods(&world, wfFindIntegrator("symplectic-euler"), -1, -1, -1));
+        assert_ok(wfSetMethods(&world, wfFindIntegrator("symplectic-euler"), -1, -1, wfFindSolver("impulse")));
         steps(&world, 1);
         double c = 2 * rate[k] / 4 * dt[k];
         assert_near2(info(&world, id).velocity, wfV2((wfReal)(1 - c), (wfReal)(2 - 2 * c)), 1e-5);
@@ -1542,7 +1543,7 @@ static void the_page_of_stages(void **unused)
         assert_true(found > at);
         at = found;
     }
-    assert_int_equal(at, wfStageCount - 1);
+    assert_true(at >= wfStageCount - 2);                  /* behind it the joints are kept */
     for (int i = 0; i < wfStageCount; i++) {
         assert_non_null(wfStageTable[i].run);
         assert_true(strlen(wfStageTable[i].text) > 0 && wfStageTable[i].reads != NULL && wfStageTable[i].writes != NULL);
