@@ -410,7 +410,7 @@ static void gaps_follow_turns_to_second_order(void **unused)
 static void cradles_pass_on_the_full_speed(void **unused)
 {
     (void)unused;
-    enum { BALLS = 6 };
+    enum { BALLS = 9 };
     for (int backwards = 0; backwards < 2; backwards++) {
         wfBodyState s[BALLS];
         wfContact c[BALLS - 1];
