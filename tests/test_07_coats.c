@@ -302,7 +302,12 @@ static void containment_is_nearness_to_the_core(void **state)
         }
     }
     assert_true(in > 3000 && out > 3000);
-    wfShape thin = segment(0, 0, 2, 0), cap = capsule(0, 0, 2, 0, 0.5);
+    wfShape thin = segment(0, 0, 2, 0), cap = capsule(0, 0, 2, 0, 0.5), bare = box(1, 1), round = rounded_box(1, 1, 1), disc = circle(0, 0, 1);
+    for (int i = 0; i < 2 * BAD_REAL_COUNT; i++) {                   /* a point that is none is nowhere */
+        wfVec2 p = i & 1 ? wfV2(BAD_REALS[i / 2], 0) : wfV2(0, BAD_REALS[i / 2]);
+        const wfShape *all[] = { &thin, &cap, &bare, &round, &disc };
+        for (int k = 0; k < 5; k++) assert_false(wfShapeContains(all[k], HERE, p));
+    }
     assert_false(wfShapeContains(&thin, HERE, wfV2(1, 0)));          /* nothing is inside of a line */
     assert_true(wfShapeContains(&cap, HERE, V(2.5, 0)));             /* exactly on the rim: inside */
     assert_true(wfShapeContains(&cap, HERE, V(1, -0.5)));
