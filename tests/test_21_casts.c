@@ -244,6 +244,11 @@ static void test_who_is_fast(void **state)
         assert_true(wfSweepIsFast(&shapes[i], fast));
         assert_false(wfSweepIsFast(&shapes[i], wfSweepStill(wfV2(1, 2), 3)));
     }
+    wfShape away;                                                   /* a box of half size 0.5 about (3, 3) */
+    wfVec2 corners[4] = { wfV2(WF_R(2.5), WF_R(2.5)), wfV2(WF_R(3.5), WF_R(2.5)), wfV2(WF_R(3.5), WF_R(3.5)), wfV2(WF_R(2.5), WF_R(3.5)) };
+    assert_ok(wfMakePolygon(corners, 4, &away));
+    assert_true(wfSweepIsFast(&away, (wfSweep){ wfV2(0, 0), wfV2(WF_R(0.51), 0), 0, 0 }));
+    assert_false(wfSweepIsFast(&away, (wfSweep){ wfV2(0, 0), wfV2(WF_R(0.49), 0), 0, 0 }));
     wfShape off = circle(2, 0, 0.5);                                /* an extent of 2: a turn alone is fast */
     assert_true(wfSweepIsFast(&off, (wfSweep){ wfV2(0, 0), wfV2(0, 0), 0, WF_R(0.26) }));
     assert_false(wfSweepIsFast(&off, (wfSweep){ wfV2(0, 0), wfV2(0, 0), 0, -WF_R(0.24) }));

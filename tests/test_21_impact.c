@@ -600,6 +600,27 @@ static void test_particles_and_links(void **state)
     }
 }
 
+/* Which side a shape is on is told by its centre, at the beginning, also close to the line and for links far from their body's origin. */
+static void test_sides_of_a_link(void **state)
+{
+    (void)state;
+    wfShape link, ball = circle(0.5, 0, 0.1);
+    assert_ok(wfMakeLink(wfV2(4, 3), wfV2(2, 3), wfV2(-2, 3), wfV2(-4, 3), &link));         /* outside is +y */
+    for (int k = 0; k < 8; k++) {
+        double angle = k / 2 * 1.5707963267948966, side = k % 2 ? 1 : -1, c = cos(angle), s = sin(angle);
+        double x = 7, y = -2, off = 0.15 * side, ox = -s * (3 + off) - 0.5, oy = c * (3 + off);  /* the ball's centre is 0.15 off the line */
+        wfSweep at_ = wfSweepStill(wfV2((wfReal)x, (wfReal)y), (wfReal)angle);
+        wfSweep move = { wfV2((wfReal)(x + ox), (wfReal)(y + oy)), wfV2((wfReal)(x + ox + s * 2 * side), (wfReal)(y + oy - c * 2 * side)), 0, 0 };
+        wfImpact hit[2];
+        assert_ok(wfTimeOfImpact(&link, at_, &ball, move, &hit[0]));
+        assert_ok(wfTimeOfImpact(&ball, move, &link, at_, &hit[1]));
+        for (int h = 0; h < 2; h++) {
+            assert_int_equal(hit[h].kind, side > 0 ? WF_IMPACT_TOUCH : WF_IMPACT_APART);
+            if (side > 0) assert_near(2 * (double)hit[h].t, 0.05, 1e-3);
+        }
+    }
+}
+
 /* ---- bad input ---- */
 
 #define UNCHANGED(result, call) do { wfImpact out_, before_; memset(&out_, 0x5a, sizeof out_); before_ = out_; wfImpact *out = &out_; \
@@ -709,6 +730,7 @@ int main(void)
         cmocka_unit_test(test_far_from_the_origin),
         cmocka_unit_test(test_time_reversal),
         cmocka_unit_test(test_particles_and_links),
+        cmocka_unit_test(test_sides_of_a_link),
         cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_wild_numbers),
     };
