@@ -1,10 +1,7 @@
 /* Chapter 23: what began, goes on and ended; hits. The oracle compares every touch with every other. */
 #include "testing.h"
 #include "shapes.h"
-#include "weft/events.h"
-#if __has_include("weft/collision.h")
 #include "weft/collision.h"
-#endif
 
 enum { MOST = 300 };
 
