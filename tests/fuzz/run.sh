@@ -28,5 +28,5 @@ echo "fuzz: the $(find tests/fuzz/corpus -type f | wc -l) inputs of the corpus k
 [ "$seconds" -eq 0 ] && exit 0
 run -seed="${SEED:-20}" -max_total_time="$seconds" "$work/found" tests/fuzz/corpus
 if [ -n "${KEEP:-}" ]; then mkdir -p "$work/merged"; rm -f "$work"/merged/*
-  run -merge=1 "$work/merged" tests/fuzz/corpus "$work/found" && rm -f tests/fuzz/corpus/* && cp "$work"/merged/* tests/fuzz/corpus/; fi
+  run -set_cover_merge=1 -use_counters=0 "$work/merged" tests/fuzz/corpus "$work/found" && rm -f tests/fuzz/corpus/* && cp "$work"/merged/* tests/fuzz/corpus/; fi
 echo "fuzz: $(sed -nE 's/^Done ([0-9]+) runs in ([0-9]+) second.*/\1 inputs in \2 s/p' "$work/log" | tail -1), no promise was broken"
