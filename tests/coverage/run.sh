@@ -11,8 +11,10 @@ rm -rf "$work/lines/testbed"                          # not measured, slow to bu
 rm -f "$work"/lines/lab/{lab,figures,lab_main,figures_main}.c
 tests=$(ls tests/test_{07,11,12,13,20,21,23}*.c 2>/dev/null)
 find "$work" -name '*.gcda' -delete
-make --no-print-directory -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=gcc CFLAGS="-O0 -g --coverage" WARN=-w TESTS="$(echo $tests)" test \
+make --no-print-directory -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=gcc CFLAGS="-O0 -g --coverage" WARN=-w TESTS="$(echo $tests)" tests \
   >"$work/log" 2>&1 || { grep -v '^  cc' "$work/log" | tail -30; exit 1; }
+for t in $tests; do basename "$t" .c; done | xargs -P 2 -I{} sh -c "$work/tests/{} >$work/{}.log 2>&1 || echo {}" > "$work/failed"
+[ -s "$work/failed" ] && { echo "coverage: these tests fail:" $(cat "$work/failed"); exit 1; }
 for o in "$work"/obj/collision/*.gcno; do             # gcov's text: count : line : source, and the file that #line names
   gcov -t -o "$work/obj/collision" "$o" 2>/dev/null | awk -v c="collision/$(basename "$o" .gcno).c" -F: '
     $3 == "Source" { file = $4; next }
