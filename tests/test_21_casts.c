@@ -249,6 +249,10 @@ static void test_who_is_fast(void **state)
     assert_ok(wfMakePolygon(corners, 4, &away));
     assert_true(wfSweepIsFast(&away, (wfSweep){ wfV2(0, 0), wfV2(WF_R(0.51), 0), 0, 0 }));
     assert_false(wfSweepIsFast(&away, (wfSweep){ wfV2(0, 0), wfV2(WF_R(0.49), 0), 0, 0 }));
+    wfVec2 roof[3] = { wfV2(0, 0), wfV2(4, 0), wfV2(2, 1) };         /* its lowest edge alone is as near as 1/3 */
+    assert_ok(wfMakePolygon(roof, 3, &away));
+    assert_true(wfSweepIsFast(&away, (wfSweep){ wfV2(0, 0), wfV2(WF_R(0.34), 0), 0, 0 }));
+    assert_false(wfSweepIsFast(&away, (wfSweep){ wfV2(0, 0), wfV2(WF_R(0.33), 0), 0, 0 }));
     wfShape off = circle(2, 0, 0.5);                                /* an extent of 2: a turn alone is fast */
     assert_true(wfSweepIsFast(&off, (wfSweep){ wfV2(0, 0), wfV2(0, 0), 0, WF_R(0.26) }));
     assert_false(wfSweepIsFast(&off, (wfSweep){ wfV2(0, 0), wfV2(0, 0), 0, -WF_R(0.24) }));
@@ -362,6 +366,12 @@ static void test_the_inner_copy_stops_what_touches_already(void **state)
         down.from.y = 1;                                                 /* touches, exactly */
         assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
         assert_true(stop.obstacle == 0 && stop.inner && 1 - 41 * (double)stop.t >= 0.75);
+        down.from.y = 1 + 8 * WF_EPSILON;                                /* nearer than rounding can tell */
+        wfImpact outline;
+        assert_ok(wfTimeOfImpact(body, down, &floor, list[0].sweep, &outline));
+        assert_true(at_once(&outline));
+        assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
+        assert_true(stop.obstacle == 0 && stop.inner && stop.t > 0 && 1 - 41 * (double)stop.t >= 0.75);
         wfSweep dip = { wfV2(0, 3), wfV2(6, WF_R(0.8)), 0, 0 };          /* a fifth deep at the end: harmless; a third is not */
         assert_ok(wfStopAtFirst(body, dip, list, 1, 1, &stop));
         assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == 1);
@@ -447,6 +457,7 @@ static void test_bad_stops(void **state)
     wfStop stop;
     STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(NULL, s, good, 2, 1, out));
     STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(&a, s, NULL, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(&a, s, NULL, 1, 1, out));
     assert_result(WF_ERROR_NULL, wfStopAtFirst(&a, s, good, 2, 1, NULL));
     STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(&a, s, none, 2, 1, out));
     STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfStopAtFirst(&a, s, odd, 2, 1, out));
