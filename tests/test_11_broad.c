@@ -596,6 +596,11 @@ static void test_too_many_cells(void **state)
     }
     put(rect(0, 0, 1, 1), MOVING);
     assert_all_rows();
+    /* eight boxes of 1 m on the corners of cells of 2 m: four entries each, and room for three times eight. So six of them
+       are entered and two are large: 2 x 6 tests and one between the two */
+    start_world();
+    for (int i = 0; i < 8; i++) put(rect(8 * i - 0.5, -0.5, 8 * i + 0.5, 0.5), MOVING);
+    assert_int_equal(tests_of("spatial-hash"), 13);
 }
 
 static void test_sort_and_select(void **state)
@@ -760,6 +765,12 @@ static void test_sweep_axes(void **state)
         assert_int_equal(tests_of("aabb-tree"), 16 * 6 + 15);   /* the tree is cut across the row, not along it */
     }
     assert_int_equal(wfSweepAxis(&world.in, ids, 0), 0);
+    start_world();
+    for (int i = 0; i < 9; i++) put(rect(0, 3 * i, 0, 3 * i + 1), MOVING);      /* upright lines above each other */
+    assert_int_equal(wfSweepAxis(&world.in, ids, 9), 1);
+    start_world();
+    for (int i = 0; i < 9; i++) put(rect(3 * i, 0, 3 * i + 1, 0), MOVING);      /* level lines side by side */
+    assert_int_equal(wfSweepAxis(&world.in, ids, 9), 0);
 }
 
 static int box_depth(const wfBoxTree *t, int32_t n, int32_t *leaves)
