@@ -546,9 +546,9 @@ static void other_laws_have_their_turn(void **unused)
     in.laws = &laws;
     assert_ok(soft(&in));
     assert_true(log.begins == 3 && log.softs == 6 && log.hards == 9);
-    assert_near(log.share[0], 0.25, 1e-6);                                        /* of a step; then of the kick before */
-    assert_near(log.share[1], 2, 1e-6);
-    assert_near(log.share[2], 0.5, 1e-6);
+    assert_near(log.share[0], 0.0025, 1e-8);                                      /* s: how long each kick is */
+    assert_near(log.share[1], 0.005, 1e-8);
+    assert_near(log.share[2], 0.0025, 1e-8);
 }
 
 static void what_is_carried_over(void **unused)
