@@ -668,6 +668,29 @@ static void a_circle_centred_on_a_corner_has_a_normal(void **state)
     }
 }
 
+/* found by the fuzzer: a distance that wfLength cuts off at the greatest real gave a normal that is no unit */
+static void a_distance_that_overflows_is_refused(void **state)
+{
+    (void)state;
+    wfShape shapes[2];
+    assert_ok(wfMakeCircle(wfV2(WF_R(0.5), 0), 1, &shapes[0]));
+    assert_ok(wfMakeBox(1, 1, &shapes[1]));
+    const wfReal far[] = { WF_HUGE, WF_HUGE * WF_R(0.9), WF_HUGE * WF_R(0.75), WF_HUGE * WF_R(0.4) };
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 4; i++)
+            for (int row = 0; row < wfNarrowPhaseCount; row++) {
+                wfTransform xa = at(-2, -2, 30), xb = { wfV2(far[k], far[k]), { 1, 0 } };
+                wfSeparation s = { .distance = 77 };
+                wfDistanceResult d = { .distance = 77 };
+                if (wfSeparate(row, &shapes[i / 2], xa, &shapes[i % 2], xb, &s) == WF_OK)
+                    assert_near(wfLength(s.normal), 1, 1e-5);
+                else assert_true(s.distance == 77);
+                if (wfShapeDistance(&shapes[i / 2], xa, &shapes[i % 2], xb, &d) == WF_OK)
+                    assert_near(wfLength(d.normal), 1, 1e-5);
+                else assert_true(d.distance == 77);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -679,6 +702,7 @@ int main(void)
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_ties), cmocka_unit_test(test_small_gap),
         cmocka_unit_test(test_scales), cmocka_unit_test(test_edges_of_cores), cmocka_unit_test(test_projections_of_coats), cmocka_unit_test(test_bad_input),
         cmocka_unit_test(a_circle_centred_on_a_corner_has_a_normal),
+        cmocka_unit_test(a_distance_that_overflows_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
