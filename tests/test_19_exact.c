@@ -10,7 +10,6 @@ static double number(double least, double most)
     seed = seed * 6364136223846793005u + 1442695040888963407u;
     return least + (most - least) * (double)(seed >> 11) / 9007199254740992.0;
 }
-static wfReal real(double least, double most) { return (wfReal)number(least, most); }
 
 enum { MOST = 2100 };
 static wfBodyState state[MOST];
