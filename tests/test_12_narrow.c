@@ -532,7 +532,7 @@ static void test_edges_of_cores(void **state)
     found(sat(&c, at(0, 0, 0), &d, at(1.3, 0.4, 0)), -0.25, 0.6, 0.8, WF_NO_EDGE, WF_NO_EDGE);
     found(sat(&d, at(1.3, 0.4, 0), &c, at(0, 0, 0)), -0.25, -0.6, -0.8, WF_NO_EDGE, WF_NO_EDGE);
     found(sat(&c, at(0, 0, 0), &d, at(0.5, 0, 0)), -0.75, 0, -1, 0, 0);            /* centre on the axis: the first side */
-    found(sat(&d, at(3.3, 1.9, 0), &b, at(0, 0, 0)), 0.58113883, -1.3 / 1.58113883, -0.9 / 1.58113883, WF_NO_EDGE, WF_NO_EDGE);
+    found(sat(&d, at(3.3, 1.9, 0), &b, at(0, 0, 0)), sqrt(2.5) - 1, -1.3 / sqrt(2.5), -0.9 / sqrt(2.5), WF_NO_EDGE, WF_NO_EDGE);
     found(sat(&d, at(0, 1.9, 0), &b, at(0, 0, 0)), -0.1, 0, -1, 1, 2);
     found(sat(&g, at(0, 0, 0), &sharp, at(0, 0.9, 0)), -0.1, 0, 1, 0, 0);          /* the right side of a way to the left is up */
     found(sat(&g, at(0, 0, 0), &sharp, at(0, -0.9, 0)), -0.1, 0, -1, 0, 1);
