@@ -1532,6 +1532,54 @@ static void angles_stay_in_one_turn(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* The default solver holds forces constant over a step and takes them in its middle: position Verlet. For a spring of angular
+ * frequency w its energy stays within (w h)^2 / 4 of the true one, however long it swings (here 50 turns). At its start it
+ * would gain a share of w^2 h^2 in each step. */
+static void a_spring_keeps_its_energy_under_the_default_solver(void **unused)
+{
+    (void)unused;
+    wfWorld world = make_world(4);
+    assert_ok(wfSetGravity(&world, wfV2(0, 0)));
+    wfBodyDef d = ball_def(3, 0, 0.5);
+    d.mass = 1;
+    wfBodyId id = add(&world, d);
+    wfForce spring = wfSpringToPoint(wfBodyIndex(&world, id), wfV2(0, 0), wfV2(0, 0), 2, 25, 0);       /* w = 5, w h = 1/12 */
+    assert_ok(wfAddForceToWorld(&world, &spring, NULL));
+    double k, p, start, worst = 0;
+    assert_ok(wfWorldEnergy(&world, &k, &p));
+    start = k + p;
+    for (int i = 0; i < 4000; i++) {
+        steps(&world, 1);
+        assert_ok(wfWorldEnergy(&world, &k, &p));
+        worst = fmax(worst, fabs(k + p - start) / start);
+    }
+    assert_near(start, 12.5, 1e-4);
+    assert_true(worst < 1.0 / 144 / 4 * 1.1 + 1e-4);
+    wfDestroyWorld(&world);
+}
+
+/* What could be met within the step is in its list of contacts: nothing fast passes a thin wall that stands. */
+static void nothing_passes_a_thin_wall(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 20; k++) {
+        wfWorld world = make_world(4);
+        assert_ok(wfSetGravity(&world, wfV2(0, 0)));
+        wfBodyDef wall = box_def(0, 0, 1);
+        assert_ok(wfMakeBox(WF_R(0.02), 2, &wall.shape));
+        wall.type = WF_STATIC;
+        add(&world, wall);
+        wfBodyDef bullet = k % 2 ? ball_def(-7 - 0.13 * k, 0.3, 0.05) : box_def(-7 - 0.13 * k, 0.3, 0.05);
+        bullet.velocity = wfV2((wfReal)(k < 10 ? 300 : 10000), 0);
+        bullet.angularVelocity = (wfReal)k;
+        bullet.friction = 0;
+        wfBodyId id = add(&world, bullet);
+        steps(&world, 30);
+        assert_true(info(&world, id).position.x < 0);
+        wfDestroyWorld(&world);
+    }
+}
+
 static void the_page_of_stages(void **unused)
 {
     (void)unused;
@@ -1568,7 +1616,8 @@ int main(void)
         cmocka_unit_test(overflow_is_an_error_and_spreads_to_no_one), cmocka_unit_test(bad_world_definitions_are_refused),
         cmocka_unit_test(bad_body_definitions_are_refused), cmocka_unit_test(bad_numbers_reach_no_body),
         cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_checks_its_numbers),
- cmocka_unit_test(a_hand_carries_a_body),
+ cmocka_unit_test(a_hand_carries_a_body), cmocka_unit_test(a_spring_keeps_its_energy_under_the_default_solver),
+        cmocka_unit_test(nothing_passes_a_thin_wall),
         cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
         cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
         cmocka_unit_test(an_empty_world_and_one_of_a_single_body),
