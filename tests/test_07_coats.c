@@ -468,6 +468,11 @@ static void sizes_have_limits(void **state)
         assert_refused(WF_ERROR_SIZE, wfMakeCapsule(wfV2(x, y), wfV2(y, x), coat, &s));
         assert_ok(wfMakeCapsule(wfV2(x, y), wfV2(y, x), most / 5, &s));
     }
+    for (int k = -1; k <= 1; k += 2) {                               /* out along one axis only */
+        wfReal x = (wfReal)k * near;
+        assert_refused(WF_ERROR_SIZE, wfMakeCapsule(wfV2(x, 0), wfV2(x / 2, 0), coat, &s));
+        assert_refused(WF_ERROR_SIZE, wfMakeCapsule(wfV2(0, x / 2), wfV2(0, x), coat, &s));
+    }
     assert_refused(WF_ERROR_SIZE, wfMakeRoundedBox(near, near, coat, &s));
     assert_ok(wfMakeRoundedBox(near, near, most / 5, &s));
     assert_ok(wfMakeSegment(o, wfV2(least, 0), &s));
@@ -581,7 +586,10 @@ static void tampered_coats_are_found_out(void **state)
     TAMPER(WF_ERROR_NOT_CONVEX, s.radius = 0);
     TAMPER(WF_ERROR_RANGE, s.radius = -s.radius);
     TAMPER(WF_ERROR_COAT, s = bare; s.radius = WF_R(1e-5));
-    TAMPER(WF_ERROR_RANGE, s = circle(0, 0, 1); s.count = 2);
+    for (int n = 1; n <= 3; n++) {
+        TAMPER(WF_ERROR_RANGE, s = circle(0, 0, 1); s.count = n);
+        TAMPER(WF_ERROR_RANGE, s = (wfShape){ .kind = WF_SHAPE_NONE }; s.count = n);
+    }
 }
 
 static void the_coat_has_its_sentence(void **state)
