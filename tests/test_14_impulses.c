@@ -652,6 +652,9 @@ static void numbers_out_of_range_are_refused(void **unused)
     }
 }
 
+static void no_begin(void *c, const wfSolve *in, const wfMoved *m, wfReal dt, wfReal t) { (void)c, (void)in, (void)m, (void)dt, (void)t; }
+static void no_solve(void *c, const wfSolve *in, const wfMoved *m, wfReal dt, int32_t pass, bool is_soft) { (void)c, (void)in, (void)m, (void)dt, (void)pass, (void)is_soft; }
+
 static void missing_parts_are_refused(void **unused)
 {
     (void)unused;
@@ -674,6 +677,12 @@ static void missing_parts_are_refused(void **unused)
     k.in.bodyCount = 1;
     k.in.contactCount = 0;
     assert_result(WF_ERROR_NULL, wfSolveVelocities(0, &k.in));
+    for (int missing = 0; missing < 2; missing++) { /* laws that have only one of their functions */
+        wfLaws laws = { .begin = missing ? NULL : no_begin, .solve = missing ? no_solve : NULL };
+        good_case(&k);
+        k.in.laws = &laws;
+        refused(&k, WF_ERROR_NULL);
+    }
     good_case(&k);
     k.c.a = 1;                                      /* the order of the two is free */
     k.c.b = 0;
