@@ -280,6 +280,19 @@ static void test_unequal_sizes(void **state)
     }
 }
 
+/* A splinter kilometres away: its edge is shorter than the rounding of its corners as A sees them, and regions are guesswork. */
+static void test_far_splinters(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(29);
+    for (int i = 0; i < 20000; i++) {
+        wfShape a = any_shape(&r, i % 2 ? 1 : WF_R(0.01)), b = any_shape(&r, WF_R(0.001));
+        wfTransform xa = random_transform(&r, 1), xb = random_transform(&r, i % 3 ? 30000 : 1000);
+        if (i % 4) check(&a, xa, &b, xb);
+        else check(&b, xb, &a, xa);
+    }
+}
+
 /* Random pairs brought into touch along the reference's own direction of approach, then moved by next to nothing. */
 static void test_touching(void **state)
 {
@@ -571,7 +584,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_reference), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_random_pairs),
-        cmocka_unit_test(test_unequal_sizes), cmocka_unit_test(test_touching), cmocka_unit_test(test_degenerate_pairs),
+        cmocka_unit_test(test_unequal_sizes), cmocka_unit_test(test_far_splinters), cmocka_unit_test(test_touching), cmocka_unit_test(test_degenerate_pairs),
         cmocka_unit_test(test_nearly_parallel), cmocka_unit_test(test_degenerate_kinds), cmocka_unit_test(test_swap_and_motion),
         cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_walk), cmocka_unit_test(test_mean_steps), cmocka_unit_test(test_bad_input),
     };
