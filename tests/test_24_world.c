@@ -1386,6 +1386,43 @@ static void settings_are_kept(void **unused)
     wfDestroyWorld(&world);
 }
 
+static void all_settings_can_be_changed(void **unused)
+{
+    (void)unused;
+    wfWorld world = pile(10);
+    wfWorldDef def, got;
+    assert_ok(wfGetWorldDef(&world, &def));
+    def.gravity = wfV2(1, 2);
+    def.dt = WF_R(0.125);
+    def.integrator = wfFindIntegrator("symplectic-euler");
+    def.broadPhase = wfFindBroadPhase("brute-force");
+    def.narrowPhase = wfFindNarrowPhase("gjk");
+    def.solver = wfFindSolver("sequential");
+    def.iterations = 3, def.substeps = 7, def.reuse = 0, def.queries = 0;
+    def.restingSteps = 5, def.hitSteps = 9, def.positionShare = WF_R(0.25), def.slop = WF_R(0.0625);
+    assert_ok(wfSetWorldDef(&world, &def));
+    assert_ok(wfGetWorldDef(&world, &got));
+    assert_memory_equal(&got, &def, sizeof got);
+    def.bodyCapacity = 1, def.events = 0;                 /* not looked at, but for sense */
+    assert_ok(wfSetWorldDef(&world, &def));
+    assert_ok(wfGetWorldDef(&world, &got));
+    assert_true(got.bodyCapacity == 11 && got.events == 1);
+    void *bytes = copy_of(&world);
+    def.substeps = 0;
+    assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
+    def.substeps = 1;
+    def.hitSteps = -1;
+    assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
+    def.hitSteps = 0;
+    def.reuse = 2;
+    assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
+    assert_result(WF_ERROR_NULL, wfSetWorldDef(&world, NULL));
+    assert_result(WF_ERROR_NULL, wfSetWorldDef(NULL, &got));
+    assert_unchanged(&world, bytes);
+    steps(&world, 3);
+    wfDestroyWorld(&world);
+}
+
 static void every_combination_of_rows_runs_a_pile(void **unused)
 {
     (void)unused;
@@ -1618,7 +1655,7 @@ int main(void)
         cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_checks_its_numbers),
  cmocka_unit_test(a_hand_carries_a_body), cmocka_unit_test(a_spring_keeps_its_energy_under_the_default_solver),
         cmocka_unit_test(nothing_passes_a_thin_wall),
-        cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
+        cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(all_settings_can_be_changed), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
         cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
         cmocka_unit_test(an_empty_world_and_one_of_a_single_body),
         cmocka_unit_test(bodies_and_forces_of_no_world_are_refused), cmocka_unit_test(handles_askew_are_refused),
