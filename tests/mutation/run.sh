@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Plants mutants in the engine, one at a time, and counts how many the unit tests catch.
-#   tests/mutation/run.sh [-n SHARE] [-j JOBS] [file ...]     SHARE: plant every SHARE-th mutant (default 1: all)
+#   tests/mutation/run.sh [-n SHARE] [-j JOBS] [-t CHAPTERS] [file ...]     SHARE: plant every SHARE-th mutant (default 1: all)
+# CHAPTERS: whose tests are run, as 07|1[1-3] (default: 05 to 26).
 # Files are paths in the tangled tree; by default math, shapes, mass, bodies, forces, integrators, broad and narrow phase,
 # contacts, impulses. Writes book/data/mutation.csv (one row a mutant) and prints the share caught and the survivors.
 # A mutant that does not compile is not counted. One that never ends is caught (by the time limit).
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-share=1 jobs=2
-while getopts n:j: o; do case $o in n) share=$OPTARG ;; j) jobs=$OPTARG ;; *) exit 2 ;; esac; done
+share=1 jobs=2 chapters='0[5-9]|1[0-9]|2[0-6]'
+while getopts n:j:t: o; do case $o in n) share=$OPTARG ;; j) jobs=$OPTARG ;; t) chapters=$OPTARG ;; *) exit 2 ;; esac; done
 shift $((OPTIND - 1))
 lua=$(tangle/lua) || exit 1
 work=${MUTATION_DIR:-build/mutation}; rm -rf "$work"; mkdir -p "$work"
@@ -18,7 +19,7 @@ if [ $# -gt 0 ]; then files=("$@"); else
     for g in "$work"/base/lines/$f; do [ -f "$g" ] && files+=("${g#"$work"/base/lines/}"); done; done
 fi
 export CC=${CC:-gcc} CFLAGS="-O0"
-tests=$(ls tests/test_*.c | grep -E 'test_(0[5-9]|1[0-9]|2[0-6])[a-z]*_')
+tests=$(ls tests/test_*.c | grep -E "test_($chapters)[a-z]*_")
 compile() { make --no-print-directory -f tangle/compile.mk WARN=-w SRC="$1/lines" OUT="$1" TESTS="$tests" "${@:2}"; }
 for j in $(seq "$jobs"); do                                     # each worker has a built tree of its own
   cp -r "$work/base" "$work/w$j"
