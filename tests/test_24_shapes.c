@@ -213,6 +213,28 @@ static void a_given_mass_stays(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* Two rods of 1 kg each, a T: both turn about their own middles with m l^2 / 12, and these are 0.5 m off the centre. */
+static void rods_share_a_given_mass(void **unused)
+{
+    (void)unused;
+    wfWorld world = make_world(2, 4);
+    wfBodyDef d = wfDefaultBodyDef();
+    wfShapeDef stem = wfDefaultShapeDef(), eye = disc(0, 5, 1);
+    assert_ok(wfMakeSegment(wfV2(-1, 0), wfV2(1, 0), &d.shape));
+    assert_ok(wfMakeSegment(wfV2(0, 0), wfV2(0, -2), &stem.shape));
+    eye.sensor = 1;
+    d.mass = 2;
+    wfBodyId id = add(&world, d);
+    assert_near(info(&world, id).inertia, 2 * 4.0 / 12, 1e-6);
+    hang(&world, id, eye);                                /* a sensor changes nothing */
+    assert_near(info(&world, id).inertia, 2 * 4.0 / 12, 1e-6);
+    hang(&world, id, stem);
+    assert_near(info(&world, id).mass, 2, 0);
+    assert_near2(info(&world, id).centre, wfV2(0, WF_R(-0.5)), 1e-6);
+    assert_near(info(&world, id).inertia, 2 * (4.0 / 12 + 0.25), 1e-5);
+    wfDestroyWorld(&world);
+}
+
 static void the_ground_keeps_its_centre(void **unused)
 {
     (void)unused;
@@ -498,6 +520,7 @@ int main(void)
         cmocka_unit_test(a_dumb_bell_weighs_what_its_parts_weigh),
         cmocka_unit_test(removal_in_every_order),
         cmocka_unit_test(a_given_mass_stays),
+        cmocka_unit_test(rods_share_a_given_mass),
         cmocka_unit_test(the_ground_keeps_its_centre),
         cmocka_unit_test(parts_of_one_body_never_meet_and_contacts_name_them),
         cmocka_unit_test(materials_and_filters_are_the_shapes),
