@@ -299,6 +299,87 @@ static void overlays_show_pairs_and_contacts_where_they_are(void **state)
     wfDestroyWorld(&world);
 }
 
+/* ---- joints ---- */
+static wfSceneInput run_scene(const char *name, int steps, wfWorld *world)
+{
+    const wfScene *s = &wfSceneTable[wfFindScene(name)];
+    wfSceneInput in = { .choice = 0 };
+    assert_ok(wfOpenScene(s, NULL, world));
+    for (int k = 0; k < steps; k++) in = wfSceneInputAt(s, k), assert_ok(wfStepScene(s, world, &in));
+    return in;
+}
+
+static void joints_are_drawn_where_they_hold_and_red_when_broken(void **state)
+{
+    (void)state;
+    static uint8_t list[1024 * 1024];
+    static _Alignas(WF_POOL_ALIGN) uint8_t scratch[64 * 1024];
+    wfWorld world;
+    run_scene("weak bridge", 200, &world);
+    int broken = 0, whole = 0, red = 0, lines = 0;
+    for (int i = 0; i < wfWorldJointPlaces(&world); i++) {
+        wfJoint j;
+        if (wfGetJoint(&world, wfJointAt(&world, i), &j) != WF_OK) continue;
+        if (j.flags & WF_JOINT_BROKEN) broken++;
+        else whole++;
+    }
+    assert_true(broken > 0 && whole > 0);           /* the ball is too heavy for some, not for all */
+    wfPool pool;
+    wfDraw plain, d;
+    assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
+    wfDrawInit(&d, list, sizeof list);
+    wfDrawWorld(&world, 0, &pool, &d);
+    plain = d;
+    wfDrawInit(&d, list, sizeof list);
+    wfDrawWorld(&world, WF_SHOW_JOINTS, &pool, &d);
+    for (int i = plain.count; i < d.count; i++) {
+        const wfDrawCommand *c = wfDrawAt(&d, i);
+        red += c->kind == WF_DRAW_POINT && c->fill == WF_INK_BAD;
+        lines += c->kind == WF_DRAW_LINE;
+    }
+    assert_int_equal(red, 2 * broken);              /* both anchors, and no line between them */
+    assert_int_equal(lines, whole);
+    assert_int_equal(d.count - plain.count, 2 * broken + 3 * whole);
+    wfDestroyWorld(&world);
+}
+
+static void machines_do_what_their_texts_say(void **state)
+{
+    (void)state;
+    wfWorld world;
+    wfJoint j;
+    /* Wheels 1 : 2 : 3 in gear (joints 4, 5 and 7 are the axles): turns as 1 : -1/2 : 1/3, within a degree. */
+    run_scene("gears and ratchet", 600, &world);
+    double turn[3];
+    const int axle[] = { 4, 5, 7 };
+    for (int i = 0; i < 3; i++) assert_ok(wfGetJoint(&world, wfJointAt(&world, axle[i]), &j)), turn[i] = (double)(j.turnB - j.turnA);
+    assert_true(turn[0] > 25);                      /* pi a second for ten seconds: 31.4, less what starting took */
+    assert_near(turn[1], -turn[0] / 2, 0.017);
+    assert_near(turn[2], turn[0] / 3, 0.017);
+    assert_ok(wfGetJoint(&world, wfJointAt(&world, 0), &j));
+    assert_true(wfAbs(j.turnB) > 3);                /* five strokes of about 1.4 rad, one way */
+    wfDestroyWorld(&world);
+    /* No stop is passed by more than a tenth: it is met at some 10 rad/s, 0.04 rad a substep, and gives a little. */
+    run_scene("ragdolls", 300, &world);
+    for (int i = 0; i < wfJointCount(&world); i++) {
+        assert_ok(wfGetJoint(&world, wfJointAt(&world, i), &j));
+        wfReal turn2 = j.turnB - j.turnA;
+        assert_true(turn2 > j.lower - WF_R(0.1) && turn2 < j.upper + WF_R(0.1));
+    }
+    wfDestroyWorld(&world);
+    /* The ton: on its arc when all joints are solved at once, below it when one by one. */
+    const char *const name[] = { "ton joint by joint", "ton all at once" };
+    for (int i = 0; i < 2; i++) {
+        run_scene(name[i], 300, &world);
+        wfBodyView v = wfWorldBodies(&world);
+        double off = (double)wfLength(v.state[v.count - 1].p) - 11;
+        assert_true(wfJointsSolvedTogether(&world) == (i == 1));
+        if (i == 0) assert_true(off > 0.05);
+        else assert_true(fabs(off) < 0.01);         /* a thousandth of its length */
+        wfDestroyWorld(&world);
+    }
+}
+
 /* ---- the camera ---- */
 static camera random_camera(wfRandom *r)
 {
@@ -756,6 +837,8 @@ int main(void)
         cmocka_unit_test(tc01_distances_are_as_one_over_mass), cmocka_unit_test(tc02_spin_grows_with_the_arm),
         cmocka_unit_test(tc05_colours_follow_the_contacts), cmocka_unit_test(tc08_overlap_goes_and_no_velocity_comes),
         cmocka_unit_test(every_scene_and_overlay_can_be_drawn),
+        cmocka_unit_test(joints_are_drawn_where_they_hold_and_red_when_broken),
+        cmocka_unit_test(machines_do_what_their_texts_say),
         cmocka_unit_test(overlays_show_pairs_and_contacts_where_they_are),
         cmocka_unit_test(the_camera_sees_where_it_should),
         cmocka_unit_test(picking_inverts_seeing_and_zoom_keeps_the_point),
