@@ -22,16 +22,17 @@ programs: $(BUILD)/tangle.stamp
 test: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) test
 
-# The program as it stands after chapter n: tangled from the chapters up to n alone, compiled, and tested.
+# The program as it stands after chapter n: tangled from the chapters up to n alone, compiled, and tested. For all chapters in turn,
+# each prefix runs the tests of its last chapter: those of the others have just run on the prefix before.
 upto:
 	@[ -n "$(CHAPTER)" ] || { echo "upto: which chapter? -- type: make upto CHAPTER=7"; exit 2; }
 	@tangle/tangle --lines --upto $(CHAPTER) $(BUILD)/upto/$(CHAPTER)/lines $(NW)
 	@$(MAKE) --no-print-directory -f tangle/compile.mk SRC=$(BUILD)/upto/$(CHAPTER)/lines OUT=$(BUILD)/upto/$(CHAPTER) UPTO=$(CHAPTER) \
-	   CC="$(CC)" CFLAGS="-O1" STD="$(STD)" WARN="$(WARN)" lib test
+	   CC="$(CC)" CFLAGS="-O1" STD="$(STD)" WARN="$(WARN)" $(if $(filter own,$(UPTO_TESTS)),TESTS="$(wildcard tests/test_$(CHAPTER)_*.c tests/test_0$(CHAPTER)_*.c)") lib test
 	@echo "upto: the program as it stands after chapter $(CHAPTER) compiles and passes its tests ($(BUILD)/upto/$(CHAPTER))."
 upto-all:
 	@for n in $$(ls chapters | sed -nE 's/^0*([0-9]+)-.*\.nw$$/\1/p' | sort -n); do \
-	   $(MAKE) --no-print-directory upto CHAPTER=$$n >$(BUILD)/upto-$$n.log 2>&1 && tail -1 $(BUILD)/upto-$$n.log || { cat $(BUILD)/upto-$$n.log; exit 1; }; done
+	   $(MAKE) --no-print-directory upto CHAPTER=$$n UPTO_TESTS=own >$(BUILD)/upto-$$n.log 2>&1 && tail -1 $(BUILD)/upto-$$n.log || { cat $(BUILD)/upto-$$n.log; exit 1; }; done
 
 install: $(BUILD)/lib/libweft.a
 	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/bin

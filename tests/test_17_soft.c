@@ -336,7 +336,7 @@ static void a_ball_keeps_its_energy(void **unused)
             bool down = b.s[d].v.y < 0;
             steps(&b, 1);
             if (down && b.s[d].v.y > 0) bounces++;
-            assert_true(b.s[d].p.y > WF_R(0.5) - 1e-3);
+            assert_true(b.s[d].p.y > WF_R(0.5) - WF_R(1e-3));
         }
         double worst = sizeof(wfReal) == 4 ? 1e-3 : 1e-11;                        /* roundings only */
         assert_near((energy_of(&b) - 0.5 * 9.81) / from, 1, worst);
