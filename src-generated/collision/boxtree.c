@@ -5,9 +5,9 @@
 /* <build a tree of boxes> */
 static wfRect boxAround(const wfBoxTree *tree, int32_t first, int32_t count)
 {
-    wfRect box = tree->bounds[tree->items[first].index];
+    wfRect box = tree->in->bounds[tree->items[first].index];
     for (int32_t i = first + 1; i < first + count; i++)
-        box = wfRectUnion(box, tree->bounds[tree->items[i].index]);
+        box = wfRectUnion(box, tree->in->bounds[tree->items[i].index]);
     return box;
 }
 
@@ -15,11 +15,11 @@ int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count)
 {
     int32_t n = tree->nodeCount++, half = count / 2;
     wfRect box = boxAround(tree, first, count);
-    tree->nodes[n] = (wfBoxNode){ box, first, count, -1 };
+    tree->nodes[n] = (wfBoxNode){ box, first, count, WF_BOX_NONE };
     if (count <= WF_BOX_LEAF) return n;
     bool wide = box.max.x - box.min.x >= box.max.y - box.min.y;
     for (int32_t i = first; i < first + count; i++) {
-        wfRect r = tree->bounds[tree->items[i].index];
+        wfRect r = tree->in->bounds[tree->items[i].index];
         wfVec2 middle = wfAdd(wfScale(0.5f, r.min), wfScale(0.5f, r.max));
         tree->items[i].key = wide ? middle.x : middle.y;
     }
@@ -29,20 +29,23 @@ int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count)
     return n;
 }
 /* <find pairs in trees of boxes> */
+static bool isBoxLeaf(const wfBoxNode *node) { return node->right == WF_BOX_NONE; }
+
 static bool pairsBetween(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *out)
 {
     const wfBoxNode *p = &t->nodes[a], *q = &t->nodes[b];
+    const wfRect *bounds = t->in->bounds;
     out->tests++;
     if (!wfRectOverlap(p->box, q->box)) return true;
-    if (p->right >= 0 && (q->right < 0 || p->count >= q->count))
+    if (!isBoxLeaf(p) && (isBoxLeaf(q) || p->count >= q->count))
         return pairsBetween(t, a + 1, b, out) && pairsBetween(t, p->right, b, out);
-    if (q->right >= 0)
+    if (!isBoxLeaf(q))
         return pairsBetween(t, a, b + 1, out) && pairsBetween(t, a, q->right, out);
     for (int32_t i = p->first; i < p->first + p->count; i++) {
         int32_t one = t->items[i].index;
         for (int32_t j = q->first; j < q->first + q->count; j++) {
             int32_t two = t->items[j].index;
-            if (!wfOfferPair(out, t->bounds[one], one, t->bounds[two], two)) return false;
+            if (!wfOfferPair(t->in, out, bounds[one], one, bounds[two], two)) return false;
         }
     }
     return true;
@@ -51,47 +54,122 @@ static bool pairsBetween(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *o
 static bool pairsWithin(const wfBoxTree *t, int32_t n, wfPairList *out)
 {
     const wfBoxNode *p = &t->nodes[n];
-    if (p->right >= 0)
+    const wfRect *bounds = t->in->bounds;
+    if (!isBoxLeaf(p))
         return pairsWithin(t, n + 1, out) && pairsWithin(t, p->right, out)
             && pairsBetween(t, n + 1, p->right, out);
     for (int32_t i = p->first; i < p->first + p->count; i++) {
         int32_t one = t->items[i].index;
         for (int32_t j = i + 1; j < p->first + p->count; j++) {
             int32_t two = t->items[j].index;
-            if (!wfOfferPair(out, t->bounds[one], one, t->bounds[two], two)) return false;
+            if (!wfOfferPair(t->in, out, bounds[one], one, bounds[two], two)) return false;
         }
     }
     return true;
 }
 /* <the row of the tree of boxes> */
-wfResult wfBoxTreePairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
+typedef struct BoxHead { int32_t moving, still; } BoxHead;    /* roots, or WF_BOX_NONE */
+
+size_t wfBoxTreeIndexSize(int32_t proxies)
 {
-    size_t mark = wfPoolMark(scratch), n = (size_t)in->count;
-    wfBoxTree t = { .bounds = in->bounds };
-    out->count = 0;
-    out->tests = 0;
-    int32_t movers = 0, *ids = wfPoolPushArray(scratch, n, int32_t);
-    t.items = wfPoolPushArray(scratch, n, wfKeyed);
-    t.nodes = wfPoolPushArray(scratch, n + 2, wfBoxNode);
-    if (!ids || !t.items || !t.nodes) {
-        wfPoolRewind(scratch, mark);
-        return WF_ERROR_MEMORY;
-    }
+    size_t n = (size_t)proxies;
+    return sizeof(BoxHead) + n * sizeof(wfKeyed) + (n + 2) * sizeof(wfBoxNode)
+         + 3 * WF_POOL_ALIGN;
+}
+
+static wfBoxTree openBoxes(const wfProxies *in, const void *index, BoxHead **head)
+{
+    wfPool pool = wfOpenIndex(index, wfBoxTreeIndexSize(in->count));
+    wfBoxTree t = { .in = in };
+    *head = wfPoolPushStruct(&pool, BoxHead);
+    t.items = wfPoolPushArray(&pool, in->count, wfKeyed);
+    t.nodes = wfPoolPushArray(&pool, in->count + 2, wfBoxNode);
+    return t;
+}
+/* <the row of the tree of boxes> */
+wfResult wfBoxTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
+{
+    BoxHead *head;
+    size_t mark = wfPoolMark(scratch);
+    int32_t movers = 0, *ids = wfPoolPushArray(scratch, in->count, int32_t);
+    if (!ids || bytes < wfBoxTreeIndexSize(in->count)) return WF_ERROR_MEMORY;
+    wfBoxTree t = openBoxes(in, index, &head);
     int32_t live = wfListLive(in, ids, &movers);
     for (int32_t i = 0; i < live; i++) t.items[i].index = ids[i];
-    bool room = true;
-    if (movers > 0) {
-        int32_t moving = wfBoxTreeBuild(&t, 0, movers);
-        room = pairsWithin(&t, moving, out);
-        if (room && live > movers)
-            room = pairsBetween(&t, moving, wfBoxTreeBuild(&t, movers, live - movers), out);
-    }
-    return wfFinishPairs(room, in->count, scratch, mark, out);
+    head->moving = head->still = WF_BOX_NONE;
+    if (movers > 0) head->moving = wfBoxTreeBuild(&t, 0, movers);
+    if (live > movers) head->still = wfBoxTreeBuild(&t, movers, live - movers);
+    wfPoolRewind(scratch, mark);
+    return WF_OK;
+}
+/* <the row of the tree of boxes> */
+wfResult wfBoxTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
+                        wfPairList *out)
+{
+    BoxHead *head;
+    wfBoxTree t = openBoxes(in, index, &head);
+    out->count = 0;
+    out->tests = 0;
+    bool anybody = head->moving != WF_BOX_NONE;
+    bool room = !anybody || pairsWithin(&t, head->moving, out);
+    if (room && anybody && head->still != WF_BOX_NONE)
+        room = pairsBetween(&t, head->moving, head->still, out);
+    return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
 /* <the row of the tree of boxes> */
 size_t wfBoxTreeScratch(int32_t proxies, int32_t pairs)
 {
-    size_t n = (size_t)proxies;
-    return n * (sizeof(int32_t) + sizeof(wfKeyed)) + (n + 2) * sizeof(wfBoxNode)
-         + 3 * WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
+    return wfBoxTreeIndexSize(proxies) + WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
+}
+/* <ask a tree of boxes> */
+static bool queryBoxes(const wfBoxTree *t, int32_t n, wfRect area, wfVisitFn *visit,
+                       void *context)
+{
+    const wfBoxNode *node = &t->nodes[n];
+    if (!wfRectOverlap(node->box, area)) return true;
+    if (!isBoxLeaf(node))
+        return queryBoxes(t, n + 1, area, visit, context)
+            && queryBoxes(t, node->right, area, visit, context);
+    for (int32_t i = node->first; i < node->first + node->count; i++) {
+        int32_t p = t->items[i].index;
+        if (wfRectOverlap(t->in->bounds[p], area) && !visit(context, p)) return false;
+    }
+    return true;
+}
+
+void wfBoxTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
+                    void *context)
+{
+    BoxHead *head;
+    wfBoxTree t = openBoxes(in, index, &head);
+    if (head->moving == WF_BOX_NONE || queryBoxes(&t, head->moving, area, visit, context))
+        if (head->still != WF_BOX_NONE) queryBoxes(&t, head->still, area, visit, context);
+}
+/* <ask a tree of boxes> */
+static bool castBoxes(const wfBoxTree *t, int32_t n, wfBoxCast *c, wfCastVisitFn *visit,
+                      void *context)
+{
+    const wfBoxNode *node = &t->nodes[n];
+    if (!isBoxLeaf(node)) {
+        wfReal left, right;
+        bool l = wfCastMeets(c, t->nodes[n + 1].box, &left);
+        bool r = wfCastMeets(c, t->nodes[node->right].box, &right);
+        int32_t first = l && r && right < left ? node->right : n + 1;
+        int32_t second = first == n + 1 ? node->right : n + 1;
+        return (!l || castBoxes(t, first, c, visit, context))
+            && (!r || castBoxes(t, second, c, visit, context));
+    }
+    for (int32_t i = node->first; i < node->first + node->count; i++)
+        if (!wfOfferCast(t->in, c, t->items[i].index, visit, context)) return false;
+    return true;
+}
+/* <ask a tree of boxes> */
+void wfBoxTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
+                   wfCastVisitFn *visit, void *context)
+{
+    BoxHead *head;
+    wfBoxTree t = openBoxes(in, index, &head);
+    wfBoxCast c = *cast;
+    if (head->still == WF_BOX_NONE || castBoxes(&t, head->still, &c, visit, context))
+        if (head->moving != WF_BOX_NONE) castBoxes(&t, head->moving, &c, visit, context);
 }

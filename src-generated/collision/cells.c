@@ -4,21 +4,24 @@
 #include "weft/broad.h"
 
 /* <find the cells of a box> */
-static int32_t cellAlong(wfReal x, wfReal origin, wfReal side, int32_t low, int32_t high)
+static int32_t cellAlong(wfReal x, wfReal origin, wfReal perMetre, int32_t low,
+                         int32_t high)
 {
-    wfReal q = (x - origin) / side;                       /* eq:broad-cell */
+    wfReal q = (x - origin) * perMetre;                   /* eq:broad-cell */
     if (!(q > (wfReal)low)) return low;
-    return q >= (wfReal)high ? high : (int32_t)wfFloor(q);
+    if (q >= (wfReal)high) return high;
+    int32_t cell = (int32_t)q;
+    return cell - (q < (wfReal)cell);
 }
 
 wfCellRange wfCellsOf(const wfCells *c, wfRect r)
 {
     wfCellRange l = c->limits;
     wfCellRange cells = {
-        cellAlong(r.min.x, c->origin.x, c->side, l.x0, l.x1),
-        cellAlong(r.min.y, c->origin.y, c->side, l.y0, l.y1),
-        cellAlong(r.max.x, c->origin.x, c->side, l.x0, l.x1),
-        cellAlong(r.max.y, c->origin.y, c->side, l.y0, l.y1),
+        cellAlong(r.min.x, c->origin.x, c->perMetre, l.x0, l.x1),
+        cellAlong(r.min.y, c->origin.y, c->perMetre, l.y0, l.y1),
+        cellAlong(r.max.x, c->origin.x, c->perMetre, l.x0, l.x1),
+        cellAlong(r.max.y, c->origin.y, c->perMetre, l.y0, l.y1),
     };
     return cells;
 }
@@ -31,7 +34,7 @@ wfCells wfGridCells(wfRect world, wfReal side, int32_t most)
     side = wfMinR(wfMaxR(side, wfMaxR(w, h) / (wfReal)most), far);
     if (!(side > 0)) side = 1;           /* everything is at one point */
     while ((w / side + 1) * (h / side + 1) > (wfReal)most) side *= 2;
-    wfCells cells = { world.min, side,
+    wfCells cells = { world.min, side, 1 / side,
                       { 0, 0, (int32_t)(w / side), (int32_t)(h / side) } };
     return cells;
 }
@@ -46,7 +49,8 @@ wfCells wfHashCells(wfReal side)
 {
     int32_t far = 1 << 30;
     side = wfMinR(side, WF_R(1e38));
-    wfCells cells = { wfV2(0, 0), side > 0 ? side : 1, { -far, -far, far, far } };
+    if (!(side > 0)) side = 1;
+    wfCells cells = { wfV2(0, 0), side, 1 / side, { -far, -far, far, far } };
     return cells;
 }
 /* <the table of cells> */
@@ -54,50 +58,114 @@ enum { WF_CELLS_MOST = 16, WF_ENTRIES_PER_BOX = 3 };
 
 typedef struct CellEntry { int32_t box, x, y, home; } CellEntry;
 
+typedef struct CellHead {
+    wfCells cells;
+    wfRect world;                 /* around all boxes */
+    int32_t buckets;              /* how many blocks of entries; a power of two if hashed */
+    int32_t n, movers, larges;    /* live proxies, those that move, those in no cell */
+} CellHead;
+
 typedef struct CellTable {
     const wfProxies *in;
-    wfCells cells;
     bool hashed;
-    int32_t buckets;              /* how many blocks of entries; a power of two if hashed */
-    int32_t n, movers;            /* live proxies, those that move first */
-    int32_t *ids;                 /* [n] */
-    bool *large;                  /* [n] by place in ids: written into no cell */
+    CellHead *head;
+    int32_t *ids;                 /* [n] the live, those that move first */
+    int32_t *large;               /* [larges] those that are written into no cell */
+    wfCellRange *boxCells;        /* by proxy: its cells; none if it is large */
     int32_t *start;               /* [buckets + 1] where each block begins */
-    CellEntry *entries;           /* [n * WF_ENTRIES_PER_BOX] */
+    CellEntry *entries;           /* [count * WF_ENTRIES_PER_BOX] */
 } CellTable;
-
-static int32_t bucketOf(const CellTable *t, int32_t x, int32_t y)
+/* <the table of cells> */
+/* at least two for each box, but not more than an int32_t can count */
+static int32_t bucketsFor(int32_t proxies, bool hashed)
 {
-    if (t->hashed) return (int32_t)(wfHashCell(x, y) & (uint32_t)(t->buckets - 1));
-    return y * (t->cells.limits.x1 + 1) + x;
+    int32_t most = 1 << 30, buckets = 16;
+    if (!hashed) return proxies < most / 2 - 4 ? 2 * proxies + 4 : most;
+    while (buckets / 2 < proxies && buckets < most) buckets *= 2;
+    return buckets;
+}
+
+static size_t cellBytes(int32_t proxies, bool hashed)
+{
+    size_t each = 2 * sizeof(int32_t) + sizeof(wfCellRange)
+                + WF_ENTRIES_PER_BOX * sizeof(CellEntry);
+    return sizeof(CellHead) + (size_t)proxies * each + 6 * WF_POOL_ALIGN
+         + sizeof(int32_t) * ((size_t)bucketsFor(proxies, hashed) + 1);
 }
 /* <the table of cells> */
-/* goes through the cells of all boxes: counts them (write false) or writes the entries */
-static void visitCells(CellTable *t, bool write)
+static CellTable openCells(const wfProxies *in, const void *index, bool hashed)
 {
-    int64_t used = 0, room = (int64_t)t->n * WF_ENTRIES_PER_BOX;
-    for (int32_t i = 0; i < t->n; i++) {
-        wfCellRange r = wfCellsOf(&t->cells, t->in->bounds[t->ids[i]]);
-        int64_t many = ((int64_t)r.x1 - r.x0 + 1) * ((int64_t)r.y1 - r.y0 + 1);
-        t->large[i] = many > WF_CELLS_MOST || used + many > room;
-        if (t->large[i]) continue;
+    CellTable t = { .in = in, .hashed = hashed };
+    size_t n = (size_t)in->count, buckets = (size_t)bucketsFor(in->count, hashed);
+    wfPool pool = wfOpenIndex(index, cellBytes(in->count, hashed));
+    t.head = wfPoolPushStruct(&pool, CellHead);
+    t.ids = wfPoolPushArray(&pool, n, int32_t);
+    t.large = wfPoolPushArray(&pool, n, int32_t);
+    t.boxCells = wfPoolPushArray(&pool, n, wfCellRange);
+    t.start = wfPoolPushArray(&pool, buckets + 1, int32_t);
+    t.entries = wfPoolPushArray(&pool, n * WF_ENTRIES_PER_BOX, CellEntry);
+    return t;
+}
+/* <the table of cells> */
+static int32_t bucketOf(const CellTable *t, int32_t x, int32_t y)
+{
+    if (t->hashed) return (int32_t)(wfHashCell(x, y) & (uint32_t)(t->head->buckets - 1));
+    return y * (t->head->cells.limits.x1 + 1) + x;
+}
+
+static int64_t cellsIn(wfCellRange r)
+{
+    return ((int64_t)r.x1 - r.x0 + 1) * ((int64_t)r.y1 - r.y0 + 1);
+}
+
+static bool isLarge(wfCellRange r) { return r.x1 < r.x0; }       /* it has no cells */
+/* <the table of cells> */
+static void countCells(CellTable *t)
+{
+    int64_t used = 0, room = (int64_t)t->in->count * WF_ENTRIES_PER_BOX;
+    CellHead *h = t->head;
+    for (int32_t i = 0; i < h->n; i++) {
+        int32_t box = t->ids[i];
+        wfCellRange r = wfCellsOf(&h->cells, t->in->bounds[box]);
+        int64_t many = cellsIn(r);
+        if (many > WF_CELLS_MOST || used + many > room) {
+            t->large[h->larges++] = box;
+            t->boxCells[box] = (wfCellRange){ 0, 0, -1, -1 };
+            continue;
+        }
+        t->boxCells[box] = r;
         used += many;
         for (int32_t y = r.y0; y <= r.y1; y++)
+            for (int32_t x = r.x0; x <= r.x1; x++) t->start[bucketOf(t, x, y) + 1]++;
+    }
+}
+/* <the table of cells> */
+static void writeCells(CellTable *t)
+{
+    for (int32_t i = 0; i < t->head->n; i++) {
+        int32_t box = t->ids[i];
+        wfCellRange r = t->boxCells[box];
+        for (int32_t y = r.y0; y <= r.y1; y++)
             for (int32_t x = r.x0; x <= r.x1; x++) {
-                int32_t *at = &t->start[bucketOf(t, x, y)];
-                if (!write) { at[1]++; continue; }
-                CellEntry e = { t->ids[i], x, y, (x == r.x0) | (y == r.y0) << 1 };
-                t->entries[(*at)++] = e;
+                CellEntry e = { box, x, y, (x == r.x0) | (y == r.y0) << 1 };
+                t->entries[t->start[bucketOf(t, x, y)]++] = e;
             }
     }
 }
 /* <the table of cells> */
 static void fillCells(CellTable *t)
 {
-    memset(t->start, 0, sizeof *t->start * ((size_t)t->buckets + 1));
-    visitCells(t, false);
-    for (int32_t k = 0; k < t->buckets; k++) t->start[k + 1] += t->start[k];
-    visitCells(t, true);
+    int32_t buckets = t->head->buckets;
+    memset(t->start, 0, sizeof *t->start * ((size_t)buckets + 1));
+    t->head->larges = 0;
+    countCells(t);
+    for (int32_t k = 1; k < buckets; k++) t->start[k] += t->start[k - 1];
+    writeCells(t);
+}
+
+static int32_t blockStart(const CellTable *t, int32_t k)
+{
+    return k > 0 ? t->start[k - 1] : 0;
 }
 /* <look for pairs in the cells> */
 static bool pairsInBlock(const CellTable *t, int32_t from, int32_t to, wfPairList *out)
@@ -110,7 +178,8 @@ static bool pairsInBlock(const CellTable *t, int32_t from, int32_t to, wfPairLis
             CellEntry f = t->entries[j];
             if ((e.home | f.home) != 3) continue;              /* eq:broad-home */
             if (e.x != f.x || e.y != f.y) continue;            /* only if hashed */
-            if (!wfOfferPair(out, bounds[e.box], e.box, bounds[f.box], f.box)) return false;
+            if (!wfOfferPair(t->in, out, bounds[e.box], e.box, bounds[f.box], f.box))
+                return false;
         }
     }
     return true;
@@ -119,15 +188,129 @@ static bool pairsInBlock(const CellTable *t, int32_t from, int32_t to, wfPairLis
 static bool pairsOfLarge(const CellTable *t, wfPairList *out)
 {
     const wfRect *bounds = t->in->bounds;
-    for (int32_t i = 0; i < t->n; i++) {
-        if (!t->large[i]) continue;
-        int32_t a = t->ids[i], end = i < t->movers ? t->n : t->movers;
+    for (int32_t i = 0; i < t->head->larges; i++) {
+        int32_t a = t->large[i];
+        bool moves = (t->in->flags[a] & WF_PROXY_MOVES) != 0;
+        int32_t end = moves ? t->head->n : t->head->movers;
         for (int32_t j = 0; j < end; j++) {
-            if (t->large[j] && j <= i) continue;
-            if (!wfOfferPair(out, bounds[a], a, bounds[t->ids[j]], t->ids[j])) return false;
+            int32_t b = t->ids[j];
+            if (isLarge(t->boxCells[b])) continue;
+            if (!wfOfferPair(t->in, out, bounds[a], a, bounds[b], b)) return false;
+        }
+        for (int32_t j = i + 1; moves && j < t->head->larges; j++) {
+            int32_t b = t->large[j];
+            if (!wfOfferPair(t->in, out, bounds[a], a, bounds[b], b)) return false;
         }
     }
     return true;
+}
+/* <look for boxes in the cells> */
+static bool visitCell(const CellTable *t, int32_t x, int32_t y, int32_t home, wfRect area,
+                      wfVisitFn *visit, void *context)
+{
+    int32_t k = bucketOf(t, x, y);
+    for (int32_t i = blockStart(t, k); i < t->start[k]; i++) {
+        CellEntry e = t->entries[i];
+        if (e.x != x || e.y != y || (e.home | home) != 3) continue;
+        if (wfRectOverlap(t->in->bounds[e.box], area) && !visit(context, e.box))
+            return false;
+    }
+    return true;
+}
+
+static bool visitList(const CellTable *t, const int32_t *ids, int32_t n, wfRect area,
+                      wfVisitFn *visit, void *context)
+{
+    for (int32_t i = 0; i < n; i++)
+        if (wfRectOverlap(t->in->bounds[ids[i]], area) && !visit(context, ids[i]))
+            return false;
+    return true;
+}
+/* <look for boxes in the cells> */
+static void queryCells(const CellTable *t, wfRect area, wfVisitFn *visit, void *context)
+{
+    wfCellRange r = wfCellsOf(&t->head->cells, area);
+    if (cellsIn(r) > t->head->n) {
+        visitList(t, t->ids, t->head->n, area, visit, context);
+        return;
+    }
+    if (!visitList(t, t->large, t->head->larges, area, visit, context)) return;
+    for (int32_t y = r.y0; y <= r.y1; y++)
+        for (int32_t x = r.x0; x <= r.x1; x++) {
+            int32_t home = (x == r.x0) | (y == r.y0) << 1;
+            if (!visitCell(t, x, y, home, area, visit, context)) return;
+        }
+}
+/* <look for boxes in the cells> */
+static bool rangesMeet(wfCellRange a, wfCellRange b)
+{
+    return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+}
+
+/* offers those in the cells of r who have none in `before`, the range of the last step */
+static bool castIntoRange(const CellTable *t, wfCellRange r, wfCellRange before,
+                          wfBoxCast *cast, wfCastVisitFn *visit, void *context)
+{
+    for (int32_t y = r.y0; y <= r.y1; y++)
+        for (int32_t x = r.x0; x <= r.x1; x++) {
+            wfCellRange here = { x, y, x, y };
+            if (rangesMeet(here, before)) continue;
+            int32_t k = bucketOf(t, x, y), home = (x == r.x0) | (y == r.y0) << 1;
+            for (int32_t i = blockStart(t, k); i < t->start[k]; i++) {
+                CellEntry e = t->entries[i];
+                if (e.x != x || e.y != y || (e.home | home) != 3) continue;
+                if (rangesMeet(t->boxCells[e.box], before)) continue;
+                if (!wfOfferCast(t->in, cast, e.box, visit, context)) return false;
+            }
+        }
+    return true;
+}
+/* <look for boxes in the cells> */
+/* how many steps the cast makes between the fractions t0 and t1; 0: too many, or none */
+static int32_t castSteps(const CellTable *t, const wfBoxCast *c, wfReal t0, wfReal t1)
+{
+    wfReal way = wfMaxR(wfAbs(c->by.x), wfAbs(c->by.y)) * (t1 - t0);
+    wfReal steps = way * t->head->cells.perMetre;
+    wfCellRange r = wfCellsOf(&t->head->cells, wfRectCenterHalfDim(c->from, c->half));
+    if (!(steps < 2 * (wfReal)t->head->n) || cellsIn(r) > t->head->n) return 0;
+    return (int32_t)steps + 1;
+}
+
+/* what the moving box covers between two fractions, padded by eq:broad-pad */
+static wfRect castArea(const wfBoxCast *c, wfReal t0, wfReal t1, wfVec2 pad)
+{
+    wfVec2 a = wfAddScaled(c->from, t0, c->by), b = wfAddScaled(c->from, t1, c->by);
+    wfVec2 half = wfAdd(c->half, pad);
+    wfRect r = wfRectMinMax(a, b);
+    return (wfRect){ wfSub(r.min, half), wfAdd(r.max, half) };
+}
+/* <look for boxes in the cells> */
+static void castCells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *visit,
+                      void *context)
+{
+    wfBoxCast c = *cast;
+    wfReal t0 = 0, t1 = c.most;
+    const wfRect w = t->head->world;
+    for (int32_t i = 0; i < t->head->larges; i++)
+        if (!wfOfferCast(t->in, &c, t->large[i], visit, context)) return;
+    if (!wfCutSlab(c.from.x, c.by.x, w.min.x - c.half.x, w.max.x + c.half.x, &t0, &t1)
+        || !wfCutSlab(c.from.y, c.by.y, w.min.y - c.half.y, w.max.y + c.half.y, &t0, &t1))
+        return;
+    int32_t steps = castSteps(t, &c, t0, t1);
+    /* <if there are too many steps, offer all that are in cells> */
+    for (int32_t i = 0; steps == 0 && i < t->head->n; i++)
+        if (!isLarge(t->boxCells[t->ids[i]])
+            && !wfOfferCast(t->in, &c, t->ids[i], visit, context)) return;
+    wfCellRange before = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };     /* none */
+    wfVec2 pad = wfSub(wfPadCast(c).half, c.half);
+    for (int32_t k = 0; k < steps; k++) {
+        wfReal from = t0 + (t1 - t0) * ((wfReal)k / (wfReal)steps);
+        wfReal to = k + 1 < steps ? t0 + (t1 - t0) * ((wfReal)(k + 1) / (wfReal)steps) : t1;
+        if (from > c.most) return;
+        wfCellRange r = wfCellsOf(&t->head->cells, castArea(&c, from, to, pad));
+        if (!castIntoRange(t, r, before, &c, visit, context)) return;
+        before = r;
+    }
 }
 /* <choose cells for points> */
 static wfReal spreadOf(wfRect world)
@@ -135,96 +318,129 @@ static wfReal spreadOf(wfRect world)
     return wfMaxR(world.max.x - world.min.x, world.max.y - world.min.y);
 }
 /* <rows made of cells> */
-/* the median of the longer sides; 0 if there is nobody or no memory */
-static wfReal typicalSide(const CellTable *t, wfPool *pool)
+enum { SAMPLE = 255 };
+
+/* the median of the longer sides, of a sample; 0 if there is nobody */
+static wfReal typicalSide(const CellTable *t)
 {
-    size_t mark = wfPoolMark(pool);
-    wfKeyed *items = wfPoolPushArray(pool, (size_t)t->n, wfKeyed);
-    wfReal side = 0;
-    for (int32_t i = 0; items && i < t->n; i++) {
-        wfRect r = t->in->bounds[t->ids[i]];
+    wfKeyed items[SAMPLE];
+    wfRandom lot;
+    wfRandomSeed(&lot, 1);
+    int32_t n = t->head->n, few = n < SAMPLE ? n : SAMPLE;
+    for (int32_t i = 0; i < few; i++) {
+        int32_t k = few < n ? (int32_t)wfRandomBelow(&lot, (uint32_t)n) : i;
+        wfRect r = t->in->bounds[t->ids[k]];
         items[i].key = wfMaxR(r.max.x - r.min.x, r.max.y - r.min.y);
     }
-    if (items && t->n > 0) {
-        wfSelectKeyed(items, t->n, t->n / 2);
-        side = items[t->n / 2].key;
-    }
-    wfPoolRewind(pool, mark);
-    return side;
+    if (few > 0) wfSelectKeyed(items, few, few / 2);
+    return few > 0 ? items[few / 2].key : 0;
 }
 /* <rows made of cells> */
-/* at least two for each box, but not more than an int32_t can count */
-static int32_t bucketsFor(int32_t proxies, bool hashed)
+static void chooseCells(CellTable *t)
 {
-    int32_t most = 1 << 30, buckets = 16;
-    if (!hashed) return proxies < most / 2 - 4 ? 2 * proxies + 4 : most;
-    while (buckets / 2 < proxies && buckets < most) buckets *= 2;
-    return buckets;
+    CellHead *h = t->head;
+    wfReal side = 2 * typicalSide(t);
+    h->world = (wfRect){ wfV2(0, 0), wfV2(0, 0) };
+    if (h->n > 0) h->world = t->in->bounds[t->ids[0]];
+    for (int32_t i = 1; i < h->n; i++)
+        h->world = wfRectUnion(h->world, t->in->bounds[t->ids[i]]);
+    int32_t most = bucketsFor(h->n, t->hashed);
+    h->cells = t->hashed
+             ? wfHashCells(side > 0 ? side : spreadOf(h->world) / (wfReal)most)
+             : wfGridCells(h->world, side, most);
+    wfCellRange l = h->cells.limits;
+    h->buckets = t->hashed ? most : (l.x1 + 1) * (l.y1 + 1);
+}
+/* <rows made of cells> */
+static wfResult updateCells(const wfProxies *in, void *index, size_t bytes, bool hashed)
+{
+    if (bytes < cellBytes(in->count, hashed)) return WF_ERROR_MEMORY;
+    CellTable t = openCells(in, index, hashed);
+    t.head->n = wfListLive(in, t.ids, &t.head->movers);
+    chooseCells(&t);
+    fillCells(&t);
+    return WF_OK;
 }
 
-static void chooseCells(CellTable *t, wfPool *pool)
+static wfResult cellPairs(const wfProxies *in, const void *index, bool hashed,
+                          wfPool *scratch, wfPairList *out)
 {
-    wfReal side = 2 * typicalSide(t, pool);
-    wfRect world = { wfV2(0, 0), wfV2(0, 0) };
-    if (t->n > 0) world = t->in->bounds[t->ids[0]];
-    for (int32_t i = 1; i < t->n; i++)
-        world = wfRectUnion(world, t->in->bounds[t->ids[i]]);
-    int32_t most = bucketsFor(t->n, t->hashed);
-    t->cells = t->hashed ? wfHashCells(side > 0 ? side : spreadOf(world) / (wfReal)most)
-                         : wfGridCells(world, side, most);
-    wfCellRange l = t->cells.limits;
-    t->buckets = t->hashed ? most : (l.x1 + 1) * (l.y1 + 1);
-}
-/* <rows made of cells> */
-static wfResult cellPairs(const wfProxies *in, wfPool *scratch, wfPairList *out,
-                          bool hashed)
-{
-    size_t mark = wfPoolMark(scratch), n = (size_t)in->count;
-    CellTable t = { .in = in, .hashed = hashed };
+    CellTable t = openCells(in, index, hashed);
     out->count = 0;
     out->tests = 0;
-    t.ids = wfPoolPushArray(scratch, n, int32_t);
-    if (!t.ids) return WF_ERROR_MEMORY;
-    t.n = wfListLive(in, t.ids, &t.movers);
-    chooseCells(&t, scratch);
-    t.large = wfPoolPushArray(scratch, n, bool);
-    t.start = wfPoolPushArray(scratch, (size_t)bucketsFor(in->count, hashed) + 1, int32_t);
-    t.entries = wfPoolPushArray(scratch, n * WF_ENTRIES_PER_BOX, CellEntry);
-    if (!t.large || !t.start || !t.entries) {
-        wfPoolRewind(scratch, mark);
-        return WF_ERROR_MEMORY;
-    }
-    fillCells(&t);
     bool room = pairsOfLarge(&t, out);
-    for (int32_t k = 0; room && k < t.buckets; k++)
-        room = pairsInBlock(&t, k > 0 ? t.start[k - 1] : 0, t.start[k], out);
-    return wfFinishPairs(room, in->count, scratch, mark, out);
+    for (int32_t k = 0; room && k < t.head->buckets; k++)
+        room = pairsInBlock(&t, blockStart(&t, k), t.start[k], out);
+    return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
 /* <rows made of cells> */
 static size_t cellScratch(int32_t proxies, int32_t pairs, bool hashed)
 {
-    size_t n = (size_t)proxies;
-    return n * (sizeof(int32_t) + sizeof(bool) + WF_ENTRIES_PER_BOX * sizeof(CellEntry))
-         + sizeof(int32_t) * ((size_t)bucketsFor(proxies, hashed) + 1)
-         + 4 * WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
-}
-
-wfResult wfGridPairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
-{
-    return cellPairs(in, scratch, out, false);
+    return cellBytes(proxies, hashed) + WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
 }
 
 size_t wfGridScratch(int32_t proxies, int32_t pairs)
 {
     return cellScratch(proxies, pairs, false);
 }
-/* <rows made of cells> */
-wfResult wfHashPairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
+
+size_t wfGridIndexSize(int32_t proxies) { return cellBytes(proxies, false); }
+
+wfResult wfGridUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
-    return cellPairs(in, scratch, out, true);
+    (void)scratch;
+    return updateCells(in, index, bytes, false);
+}
+/* <rows made of cells> */
+wfResult wfGridPairs(const wfProxies *in, const void *index, wfPool *scratch,
+                     wfPairList *out)
+{
+    return cellPairs(in, index, false, scratch, out);
 }
 
+void wfGridQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
+                 void *context)
+{
+    CellTable t = openCells(in, index, false);
+    queryCells(&t, area, visit, context);
+}
+
+void wfGridCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
+                wfCastVisitFn *visit, void *context)
+{
+    CellTable t = openCells(in, index, false);
+    castCells(&t, cast, visit, context);
+}
+/* <rows made of cells> */
 size_t wfHashScratch(int32_t proxies, int32_t pairs)
 {
     return cellScratch(proxies, pairs, true);
+}
+
+size_t wfHashIndexSize(int32_t proxies) { return cellBytes(proxies, true); }
+
+wfResult wfHashUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
+{
+    (void)scratch;
+    return updateCells(in, index, bytes, true);
+}
+
+wfResult wfHashPairs(const wfProxies *in, const void *index, wfPool *scratch,
+                     wfPairList *out)
+{
+    return cellPairs(in, index, true, scratch, out);
+}
+/* <rows made of cells> */
+void wfHashQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
+                 void *context)
+{
+    CellTable t = openCells(in, index, true);
+    queryCells(&t, area, visit, context);
+}
+
+void wfHashCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
+                wfCastVisitFn *visit, void *context)
+{
+    CellTable t = openCells(in, index, true);
+    castCells(&t, cast, visit, context);
 }

@@ -93,7 +93,7 @@ static Simplex nearestOfTriangle(Corner p, Corner q, Corner s)
 /* <set up the difference> */
 static bool isPoint(const wfShape *s)
 {
-    return s->kind != WF_SHAPE_POLYGON;
+    return s->count == 0;
 }
 
 static void makeDifference(const wfShape *a, wfTransform xa, const wfShape *b,
@@ -207,7 +207,7 @@ wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfT
     r.pointA = wfApply(xa, r.pointA);
     r.pointB = wfApply(xa, r.pointB);
     r.normal = wfRotate(xa.q, r.normal);
-    if (!wfIsFinite(r.distance) || !wfIsFinite2(r.pointA) || !wfIsFinite2(r.pointB))
+    if (!(r.distance < WF_HUGE / 2) || !wfIsFinite2(r.pointA) || !wfIsFinite2(r.pointB))
         return WF_ERROR_NOT_FINITE;
     *out = r;
     return WF_OK;
@@ -260,10 +260,10 @@ static void startRing(const Difference *D, const Simplex *x, Ring *ring)
 {
     ring->n = x->n;
     for (int32_t k = 0; k < x->n; k++) ring->c[k] = x->c[k];
-    if (x->n == 1) {
-        ring->c[1] = support(D, wfV2(1, 0));
-        if (sameCorner(ring->c[1], ring->c[0])) ring->c[1] = support(D, wfV2(-1, 0));
-        ring->n = 2;
+    for (int32_t k = 0; x->n == 1 && ring->n == 1 && k < 4; k++) {
+        static const int8_t way[4][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
+        ring->c[1] = support(D, wfV2(way[k][0], way[k][1]));
+        if (!sameCorner(ring->c[1], ring->c[0])) ring->n = 2;
     }
     wfVec2 one = wfSub(ring->c[1].d, ring->c[0].d);
     if (x->n == 3 && wfCross(one, wfSub(ring->c[2].d, ring->c[0].d)) < 0) {
@@ -343,7 +343,7 @@ static wfResult separate(const wfShape *a, wfTransform xa, const wfShape *b, wfT
     found.distance = x.length - (a->radius + b->radius);
     found.normal = wfRotate(xa.q, x.u);
     if (x.n == 3 || x.length <= D.noise) deepest(&D, &x, xa, &found, trace);
-    if (!wfIsFinite(found.distance)) return WF_ERROR_NOT_FINITE;
+    if (!(wfAbs(found.distance) < WF_HUGE / 2)) return WF_ERROR_NOT_FINITE;
     *out = found;
     return WF_OK;
 }
@@ -480,7 +480,8 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     if (!walked) return wfSeparateGjk(a, xa, b, xb, out);
     wfReal length = lookAcross(&D, &sa, &sb, &normal);
     wfReal low = wfDot(normal, support(&D, wfNeg(normal)).d);       /* eq:narrow-stop */
-    bool proved = length > D.noise && length - low <= D.noise;
+    wfReal upper = wfDistance(pointOf(&sa), pointOf(&sb));
+    bool proved = length > D.noise && upper - low <= D.noise;
     if (!proved) return wfSeparateGjk(a, xa, b, xb, out);
     wfSeparation found = { .owner = WF_NO_EDGE, .edge = WF_NO_EDGE };
     found.distance = length - (a->radius + b->radius);

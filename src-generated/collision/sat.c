@@ -8,16 +8,16 @@ wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis)
 {
     wfVec2 local = wfRotateInv(xf.q, axis);
     wfReal origin = wfDot(axis, xf.p);
-    wfReal middle = wfDot(local, shape->centre), spread = 0;
-    if (shape->kind == WF_SHAPE_CIRCLE) spread = shape->radius * wfLength(axis);
-    wfProjection all = { middle - spread, middle + spread };
-    for (int32_t i = 0; shape->kind == WF_SHAPE_POLYGON && i < shape->count; i++) {
+    wfReal middle = wfDot(local, shape->centre);
+    wfReal spread = shape->radius * wfLength(axis);
+    wfProjection all = { middle, middle };
+    for (int32_t i = 0; i < shape->count; i++) {
         wfReal at = wfDot(local, shape->vertices[i]);
         all.min = wfMinR(all.min, at);
         all.max = wfMaxR(all.max, at);
     }
-    all.min += origin;
-    all.max += origin;
+    all.min = all.min - spread + origin;
+    all.max = all.max + spread + origin;
     return all;
 }
 /* <project a shape onto an axis by eq:narrow-projection> */
@@ -45,11 +45,10 @@ wfTransform wfRelativePose(wfTransform xa, wfTransform xb)
 /* <see B from A by eq:narrow-relative> */
 wfReal wfShapeReach(const wfShape *shape)
 {
-    if (shape->kind == WF_SHAPE_CIRCLE) return shape->radius;
     wfReal far = 0;
     for (int32_t i = 0; i < shape->count; i++)
         far = wfMaxR(far, wfDistanceSq(shape->vertices[i], shape->centre));
-    return wfSqrt(far);
+    return wfSqrt(far) + shape->radius;
 }
 /* <separate two circles by eq:narrow-circles> */
 static void circleCircle(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
@@ -64,12 +63,12 @@ static void circleCircle(const wfShape *a, wfTransform xa, const wfShape *b, wfT
     out->owner = out->edge = WF_NO_EDGE;
 }
 /* <choose an axis by eq:narrow-tie> */
-/* the first of n gaps that is as good as the greatest */
-static int32_t chooseAxis(const wfReal *gaps, int32_t n, wfReal tie)
+/* the first of n gaps of cores in coats that is as good as the greatest */
+static int32_t chooseAxis(const wfReal *gaps, int32_t n, wfReal coats, wfReal tie)
 {
     wfReal best = gaps[0];
     for (int32_t i = 1; i < n; i++) best = wfMaxR(best, gaps[i]);
-    wfReal enough = best <= 0 ? best - tie : best;
+    wfReal enough = best - coats <= 0 ? best - tie : best;
     int32_t k = 0;
     while (k < n - 1 && gaps[k] < enough) k++;
     return k;
@@ -87,7 +86,7 @@ static void polygonPoint(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
     wfReal gaps[WF_MAX_VERTICES];
     for (int32_t i = 0; i < p->count; i++)
         gaps[i] = wfDot(p->normals[i], wfSub(c, p->vertices[i]));
-    int32_t k = chooseAxis(gaps, p->count, tie);
+    int32_t k = chooseAxis(gaps, p->count, 0, tie);
     out->edge = k;
     out->owner = 0;
     out->normal = p->normals[k];
@@ -100,7 +99,8 @@ static void polygonPoint(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
         v = next;
     }
     wfVec2 d = wfSub(c, v);
-    wfReal length = wfLength(d);            /* above 0: the centre is outside */
+    wfReal length = wfLength(d), noise = 4 * WF_EPSILON * (wfLength(c) + wfLength(v));
+    if (length <= noise) return;
     out->normal = wfScale(1 / length, d);
     out->distance = length - radius;
 }
@@ -128,30 +128,129 @@ static wfReal leastGap(wfVec2 normal, wfVec2 p, const wfVec2 *v, int32_t n)
     for (int32_t i = 0; i < n; i++) least = wfMinR(least, wfDot(normal, wfSub(v[i], p)));
     return least;
 }
-/* <separate two polygons> */
-static void polygonPolygon(const wfShape *a, wfTransform xa, const wfShape *b,
-                           wfTransform xb, wfSeparation *out)
+/* <list the gaps of the edges of a core> */
+/* a shape's corners and normals as A sees them: 1 corner for a point, 2 for a segment */
+typedef struct Core {
+    int32_t n;
+    const wfVec2 *v, *normals;
+} Core;
+
+static int32_t edgesOf(const Core *core) { return core->n > 1 ? core->n : 0; }
+/* <count the ends of a core> */
+static int32_t endsOf(const Core *core) { return core->n == 2 ? 2 : 0; }
+
+static wfReal *listEdges(const Core *core, const Core *other, wfReal *gaps)
+{
+    for (int32_t i = 0; i < edgesOf(core); i++)
+        *gaps++ = leastGap(core->normals[i], core->v[i], other->v, other->n);
+    return gaps;
+}
+/* <list the gaps of the edges of a core> */
+/* an edge of a core, or an end of a segment's */
+typedef struct Face {
+    wfVec2 axis, from, to;              /* the axis from A to B */
+    int32_t ofB, edge;                  /* edge: WF_NO_EDGE for an end */
+} Face;
+
+static Face faceAt(const Core *cores, int32_t k)
+{
+    Face f = { .edge = WF_NO_EDGE };
+    int32_t first = edgesOf(&cores[0]), edges = first + edgesOf(&cores[1]);
+    f.ofB = k < edges ? k >= first : k - edges >= endsOf(&cores[0]);
+    const Core *core = &cores[f.ofB];
+    int32_t i = k < edges ? k - f.ofB * first : k - edges - f.ofB * endsOf(&cores[0]);
+    wfVec2 outward = k < edges ? core->normals[i] : wfPerpCW(core->normals[i]);
+    if (k < edges) f.edge = i;
+    f.from = f.to = core->v[i];
+    if (k < edges) f.to = core->v[i + 1 < core->n ? i + 1 : 0];
+    f.axis = f.ofB ? wfNeg(outward) : outward;
+    return f;
+}
+/* <list the gaps of the ends of a core> */
+static wfReal *listEnds(const Core *core, const Core *other, wfReal *gaps)
+{
+    for (int32_t i = 0; i < endsOf(core); i++) {
+        wfVec2 outward = wfPerpCW(core->normals[i]);    /* at v[i], away from the other */
+        *gaps++ = leastGap(outward, core->v[i], other->v, other->n);
+    }
+    return gaps;
+}
+/* <find the nearest corners> */
+/* from the nearest point of the segment from a to b to c */
+static wfVec2 fromSegment(wfVec2 a, wfVec2 b, wfVec2 c)
+{
+    wfVec2 e = wfSub(b, a), p = wfSub(c, a), q = wfSub(c, b);
+    wfReal along = wfDot(p, e), back = -wfDot(q, e);
+    if (along <= 0) return p;                               /* eq:narrow-regions */
+    if (back <= 0) return q;
+    return wfAddScaled(p, -along / (along + back), e);
+}
+
+/* how far a difference of coordinates may be off: eq:narrow-noise */
+static wfReal noiseOf(const Core *cores)
+{
+    wfReal size = 0;
+    for (int32_t k = 0; k < 2; k++)
+        for (int32_t i = 0; i < cores[k].n; i++)
+            size = wfMaxR(size, wfLengthSq(cores[k].v[i]));
+    return 4 * WF_EPSILON * wfSqrt(size);
+}
+/* <find the nearest corners> */
+static void cornerToCorner(const Core *cores, const wfReal *gaps, int32_t n, wfReal coats,
+                           wfSeparation *out)
+{
+    wfReal best = gaps[0], least = WF_HUGE, noise = noiseOf(cores);
+    wfVec2 way = wfV2(0, 0);
+    for (int32_t i = 1; i < n; i++) best = wfMaxR(best, gaps[i]);
+    if (best <= 0) return;                                  /* the cores overlap */
+    for (int32_t i = 0; i < n; i++) {
+        if (gaps[i] < best - noise) continue;
+        Face f = faceAt(cores, i);
+        const Core *other = &cores[!f.ofB];
+        for (int32_t k = 0; k < other->n; k++) {
+            wfVec2 d = fromSegment(f.from, f.to, other->v[k]);
+            wfReal length = wfLength(d);
+            if (length < least) least = length, way = f.ofB ? wfNeg(d) : d;
+        }
+    }
+    if (!(least - best > noise)) return;                    /* eq:narrow-corner */
+    out->distance = least - coats;
+    out->normal = wfScale(1 / least, way);
+    out->owner = out->edge = WF_NO_EDGE;
+}
+/* <find the nearest corners> */
+static bool isBare(const wfShape *s)
+{
+    return s->kind == WF_SHAPE_POLYGON && s->radius == 0;
+}
+/* <separate two cores> */
+static void coreCore(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                     wfSeparation *out)
 {
     wfTransform rel = wfRelativePose(xa, xb);
-    wfVec2 corners[WF_MAX_VERTICES], axes[2 * WF_MAX_VERTICES];
-    wfReal gaps[2 * WF_MAX_VERTICES];
-    int32_t na = a->count, nb = b->count;
-    for (int32_t j = 0; j < nb; j++) corners[j] = wfApply(rel, b->vertices[j]);
-    /* <measure the gaps of A's and of B's edges by eq:narrow-edge-gap> */
-    for (int32_t i = 0; i < na; i++) {
-        axes[i] = a->normals[i];
-        gaps[i] = leastGap(axes[i], a->vertices[i], corners, nb);
+    wfVec2 corners[WF_MAX_VERTICES], normals[WF_MAX_VERTICES];
+    wfReal gaps[2 * WF_MAX_VERTICES + 4], coats = a->radius + b->radius;
+    /* <see both cores from A> */
+    bool pointA = a->count == 0, pointB = b->count == 0;
+    for (int32_t j = 0; j < b->count; j++) {
+        corners[j] = wfApply(rel, b->vertices[j]);
+        normals[j] = wfRotate(rel.q, b->normals[j]);
     }
-    for (int32_t j = 0; j < nb; j++) {
-        wfVec2 outward = wfRotate(rel.q, b->normals[j]);
-        axes[na + j] = wfNeg(outward);
-        gaps[na + j] = leastGap(outward, corners[j], a->vertices, na);
-    }
-    int32_t k = chooseAxis(gaps, na + nb, tieOf(a, b));
-    out->distance = gaps[k];
-    out->normal = wfRotate(xa.q, axes[k]);
-    out->owner = k < na ? 0 : 1;
-    out->edge = k < na ? k : k - na;
+    if (pointB) corners[0] = wfApply(rel, b->centre);
+    const Core cores[2] = {
+        { pointA ? 1 : a->count, pointA ? &a->centre : a->vertices, a->normals },
+        { pointB ? 1 : b->count, corners, normals },
+    };
+    wfReal *end = listEdges(&cores[1], &cores[0], listEdges(&cores[0], &cores[1], gaps));
+    end = listEnds(&cores[1], &cores[0], listEnds(&cores[0], &cores[1], end));
+    int32_t n = (int32_t)(end - gaps), k = chooseAxis(gaps, n, coats, tieOf(a, b));
+    Face f = faceAt(cores, k);
+    out->distance = gaps[k] - coats;
+    out->normal = f.axis;
+    out->owner = f.edge == WF_NO_EDGE ? WF_NO_EDGE : f.ofB;
+    out->edge = f.edge;
+    if (coats > 0) cornerToCorner(cores, gaps, n, coats, out);
+    out->normal = wfRotate(xa.q, out->normal);
 }
 /* <narrow phases> */
 static bool isFinitePose(wfTransform x)
@@ -163,15 +262,15 @@ static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
                             wfTransform xb, wfSeparation *out)
 {
     bool circleA = a->kind == WF_SHAPE_CIRCLE, circleB = b->kind == WF_SHAPE_CIRCLE;
-    if (!circleA && a->kind != WF_SHAPE_POLYGON) return WF_ERROR_UNKNOWN;
-    if (!circleB && b->kind != WF_SHAPE_POLYGON) return WF_ERROR_UNKNOWN;
+    if (a->kind <= WF_SHAPE_NONE || a->kind >= WF_SHAPE_KINDS) return WF_ERROR_UNKNOWN;
+    if (b->kind <= WF_SHAPE_NONE || b->kind >= WF_SHAPE_KINDS) return WF_ERROR_UNKNOWN;
     if (!isFinitePose(xa) || !isFinitePose(xb)) return WF_ERROR_NOT_FINITE;
     wfSeparation found;
     if (circleA && circleB) circleCircle(a, xa, b, xb, &found);
-    else if (circleA) circlePolygon(a, xa, b, xb, &found);
-    else if (circleB) polygonCircle(a, xa, b, xb, &found);
-    else polygonPolygon(a, xa, b, xb, &found);
-    if (!wfIsFinite(found.distance)) return WF_ERROR_NOT_FINITE;
+    else if (circleA && isBare(b)) circlePolygon(a, xa, b, xb, &found);
+    else if (isBare(a) && circleB) polygonCircle(a, xa, b, xb, &found);
+    else coreCore(a, xa, b, xb, &found);
+    if (!(wfAbs(found.distance) < WF_HUGE / 2)) return WF_ERROR_NOT_FINITE;
     *out = found;
     return WF_OK;
 }

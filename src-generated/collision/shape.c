@@ -27,6 +27,48 @@ static wfReal polygon_area(const wfVec2 *p, int n, wfVec2 *centroid)
     *centroid = wfAddScaled(p[0], 1 / area, moment);            /* eq:shapes-centroid */
     return area;
 }
+/* <measure a turn> */
+/* by how much the outline turns at corner i, rad: eq:shapes-turns */
+static wfReal turn_at(const wfShape *s, int i)
+{
+    wfVec2 from = s->normals[(i + s->count - 1) % s->count], to = s->normals[i];
+    return wfAtan2(wfCross(from, to), wfDot(from, to));
+}
+/* <measure the area and the centroid of core and coat> */
+static wfReal area_and_centroid(const wfShape *s, wfVec2 *centroid)
+{
+    const wfVec2 *p = s->vertices;
+    wfReal area = 0, r = s->radius;
+    *centroid = s->count == 2 ? wfLerp(p[0], p[1], WF_R(0.5)) : s->centre;
+    if (s->count == 0) return WF_PI * wfSquare(r);
+    if (s->count > 2) area = polygon_area(p, s->count, centroid);
+    if (r == 0) return area;
+    wfVec2 moment = wfScale(area, wfSub(*centroid, p[0]));
+    for (int i = 0; i < s->count; i++) {
+        wfVec2 a = wfSub(p[i], p[0]), b = wfSub(p[(i + 1) % s->count], p[0]);
+        wfReal strip = r * wfDistance(a, b), sector = wfSquare(r) * turn_at(s, i) / 2;
+        area += strip + sector;                                 /* eq:shapes-steiner */
+        moment = wfAddScaled(moment, strip / 2, wfAdd(a, b));
+        moment = wfAddScaled(moment, sector, a);        /* eq:shapes-steiner-centroid */
+    }
+    if (s->count > 2) *centroid = wfAddScaled(p[0], 1 / area, moment);
+    return area;
+}
+/* <check a coat> */
+static wfResult check_coat(const wfShape *s)
+{
+    wfReal size, r = s->radius;
+    if (r == 0) return WF_OK;
+    wfResult result = wfHullSize(s->vertices, s->count, &size);
+    if (result != WF_OK) return result;
+    bool thin = 2 * r < WF_HULL_TOLERANCE * size;       /* eq:shapes-coat-limits */
+    if (thin || size < WF_HULL_TOLERANCE * 2 * r) return WF_ERROR_COAT;
+    for (int i = 0; i < s->count; i++) {
+        wfVec2 v = s->vertices[i];
+        if (wfMaxR(wfAbs(v.x), wfAbs(v.y)) + r > WF_MAX_SIZE) return WF_ERROR_SIZE;
+    }
+    return WF_OK;
+}
 /* <check an edge of a ring> */
 #define WF_SHAPE_SLACK WF_R(1e-3)       /* what normals and centroid may be off */
 
@@ -50,10 +92,7 @@ static wfResult check_edge(const wfShape *s, int e, wfReal tolerance)
 static wfReal sum_turns(const wfShape *s)
 {
     wfReal sum = 0;
-    for (int i = 0; i < s->count; i++) {
-        wfVec2 from = s->normals[i], to = s->normals[(i + 1) % s->count];
-        sum += wfAtan2(wfCross(from, to), wfDot(from, to));
-    }
+    for (int i = 0; i < s->count; i++) sum += turn_at(s, i);
     return sum;
 }
 
@@ -68,9 +107,55 @@ static wfResult check_ring(const wfShape *s)
         if (result != WF_OK) return result;
     }
     if (sum_turns(s) > 3 * WF_PI) return WF_ERROR_NOT_CONVEX;
-    polygon_area(s->vertices, s->count, &centroid);
+    result = check_coat(s);
+    if (result != WF_OK) return result;
+    area_and_centroid(s, &centroid);
     bool centred = wfDistance(centroid, s->centre) <= WF_SHAPE_SLACK * size;
     return centred ? WF_OK : WF_ERROR_NOT_CONVEX;
+}
+/* <check a shape> */
+static wfResult check_ghosts(const wfShape *s, wfReal size)
+{
+    wfReal all, least = wfMaxR(WF_MIN_SIZE, WF_HULL_TOLERANCE * size);
+    const wfVec2 *v = s->vertices;
+    wfResult result = wfHullSize(v, 4, &all);
+    if (result != WF_OK) return result;
+    bool apart = wfDistance(v[2], v[0]) >= least && wfDistance(v[3], v[1]) >= least;
+    return apart ? WF_OK : WF_ERROR_DEGENERATE;
+}
+
+static wfResult check_between(const wfShape *s)
+{
+    wfReal size;
+    wfVec2 p = s->vertices[0], q = s->vertices[1];
+    wfVec2 right = wfPerpCW(wfNormalize(wfSub(q, p)));
+    wfResult result = wfHullSize(s->vertices, 2, &size);
+    if (p.x == q.x && p.y == q.y) return WF_ERROR_DEGENERATE;
+    if (result != WF_OK) return result;
+    if (s->kind == WF_SHAPE_LINK) result = check_ghosts(s, size);
+    if (result != WF_OK) return result;
+    bool fits = wfDistance(right, s->normals[0]) <= WF_SHAPE_SLACK
+             && wfDistance(wfNeg(right), s->normals[1]) <= WF_SHAPE_SLACK
+             && wfDistance(wfLerp(p, q, WF_R(0.5)), s->centre) <= WF_SHAPE_SLACK * size;
+    if (!fits) return WF_ERROR_NOT_CONVEX;
+    return s->kind == WF_SHAPE_CAPSULE && s->radius == 0 ? WF_ERROR_COAT : check_coat(s);
+}
+/* <check a shape> */
+static wfResult check_kind(const wfShape *s)
+{
+    static const struct { int8_t least, most; bool coat; } rule[WF_SHAPE_KINDS] = {
+        [WF_SHAPE_CIRCLE] = { 0, 0, true },
+        [WF_SHAPE_POLYGON] = { 3, WF_MAX_VERTICES, true },
+        [WF_SHAPE_CAPSULE] = { 2, 2, true },
+        [WF_SHAPE_SEGMENT] = { 2, 2, false },
+        [WF_SHAPE_LINK] = { 2, 2, false },
+    };
+    if (s->kind < 0 || s->kind >= WF_SHAPE_KINDS) return WF_ERROR_UNKNOWN;
+    bool few = s->count < rule[s->kind].least, many = s->count > rule[s->kind].most;
+    if (s->kind == WF_SHAPE_POLYGON && few) return WF_ERROR_TOO_FEW;
+    if (s->kind == WF_SHAPE_POLYGON && many) return WF_ERROR_TOO_MANY;
+    if (few || many || (s->radius != 0 && !rule[s->kind].coat)) return WF_ERROR_RANGE;
+    return WF_OK;
 }
 /* <check a shape> */
 wfResult wfCheckShape(const wfShape *shape)
@@ -79,15 +164,12 @@ wfResult wfCheckShape(const wfShape *shape)
     if (!shape) return WF_ERROR_NULL;
     if (!wfIsFinite2(shape->centre) || !wfIsFinite(shape->radius))
         return WF_ERROR_NOT_FINITE;
-    bool round = shape->kind == WF_SHAPE_CIRCLE, ring = shape->kind == WF_SHAPE_POLYGON;
-    if (!round && !ring && shape->kind != WF_SHAPE_NONE) return WF_ERROR_UNKNOWN;
-    if (!round && shape->radius != 0) return WF_ERROR_RANGE;
-    if (!ring && shape->count != 0) return WF_ERROR_RANGE;
-    if (round) return wfMakeCircle(shape->centre, shape->radius, &circle);
-    if (!ring) return WF_OK;
-    if (shape->count < 3) return WF_ERROR_TOO_FEW;
-    if (shape->count > WF_MAX_VERTICES) return WF_ERROR_TOO_MANY;
-    return check_ring(shape);
+    wfResult result = check_kind(shape);
+    if (result != WF_OK || shape->kind == WF_SHAPE_NONE) return result;
+    if (shape->kind == WF_SHAPE_CIRCLE)
+        return wfMakeCircle(shape->centre, shape->radius, &circle);
+    if (shape->radius < 0) return WF_ERROR_RANGE;
+    return shape->count == 2 ? check_between(shape) : check_ring(shape);
 }
 /* <make a box> */
 wfResult wfMakeOrientedBox(wfVec2 centre, wfReal halfWidth, wfReal halfHeight, wfReal angle,
@@ -119,59 +201,130 @@ wfResult wfMakeBox(wfReal halfWidth, wfReal halfHeight, wfShape *out)
     return wfMakeOrientedBox(wfV2(0, 0), halfWidth, halfHeight, 0, out);
 }
 /* <make a polygon> */
-static void set_ring(wfShape *s, const wfVec2 *ring, int count)
+static void set_ring(wfShape *s, const wfVec2 *ring, int count, wfReal radius)
 {
-    *s = (wfShape){ .kind = WF_SHAPE_POLYGON, .count = count };
+    *s = (wfShape){ .kind = WF_SHAPE_POLYGON, .count = count, .radius = radius };
     for (int i = 0; i < count; i++) {
         wfVec2 edge = wfSub(ring[(i + 1) % count], ring[i]);
         s->vertices[i] = ring[i];
         s->normals[i] = wfPerpCW(wfNormalize(edge));
     }
-    polygon_area(ring, count, &s->centre);
+    area_and_centroid(s, &s->centre);
+}
+/* <make a rounded polygon> */
+wfResult wfMakeRoundedPolygon(const wfVec2 *points, int n, wfReal radius, wfShape *out)
+{
+    wfVec2 ring[2 * WF_MAX_VERTICES];
+    wfShape made;
+    int count = 0;
+    if (!points || !out) return WF_ERROR_NULL;
+    if (!wfIsFinite(radius)) return WF_ERROR_NOT_FINITE;
+    if (radius < 0) return WF_ERROR_RANGE;
+    wfResult result = wfHullRing(points, n, ring, 2 * WF_MAX_VERTICES, &count);
+    if (result != WF_OK) return result;
+    if (count > WF_MAX_VERTICES) return WF_ERROR_TOO_MANY;
+    set_ring(&made, ring, count, radius);
+    result = check_coat(&made);
+    if (result == WF_OK) *out = made;
+    return result;
 }
 
 wfResult wfMakePolygon(const wfVec2 *points, int n, wfShape *out)
 {
-    wfVec2 ring[2 * WF_MAX_VERTICES];
-    int count = 0;
-    if (!points || !out) return WF_ERROR_NULL;
-    wfResult result = wfHullRing(points, n, ring, 2 * WF_MAX_VERTICES, &count);
+    return wfMakeRoundedPolygon(points, n, 0, out);
+}
+/* <make a rounded polygon> */
+wfResult wfMakeRoundedBox(wfReal halfWidth, wfReal halfHeight, wfReal radius, wfShape *out)
+{
+    wfShape box;
+    if (!out) return WF_ERROR_NULL;
+    wfResult result = wfMakeBox(halfWidth, halfHeight, &box);
     if (result != WF_OK) return result;
-    if (count > WF_MAX_VERTICES) return WF_ERROR_TOO_MANY;
-    set_ring(out, ring, count);
-    return WF_OK;
+    box.radius = radius;
+    result = wfCheckShape(&box);
+    if (result == WF_OK) *out = box;
+    return result;
+}
+/* <make a capsule, a segment or a link> */
+static wfResult make_between(wfShape s, wfShape *out)
+{
+    if (!out) return WF_ERROR_NULL;
+    wfVec2 along = wfNormalize(wfSub(s.vertices[1], s.vertices[0]));
+    s.count = 2;
+    s.centre = wfLerp(s.vertices[0], s.vertices[1], WF_R(0.5));
+    s.normals[0] = wfPerpCW(along);
+    s.normals[1] = wfNeg(s.normals[0]);
+    wfResult result = wfCheckShape(&s);
+    if (result == WF_OK) *out = s;
+    return result;
+}
+
+wfResult wfMakeCapsule(wfVec2 p, wfVec2 q, wfReal radius, wfShape *out)
+{
+    wfShape s = { .kind = WF_SHAPE_CAPSULE, .radius = radius, .vertices = { p, q } };
+    return make_between(s, out);
+}
+/* <make a capsule, a segment or a link> */
+wfResult wfMakeSegment(wfVec2 p, wfVec2 q, wfShape *out)
+{
+    return make_between((wfShape){ .kind = WF_SHAPE_SEGMENT, .vertices = { p, q } }, out);
+}
+
+wfResult wfMakeLink(wfVec2 before, wfVec2 p, wfVec2 q, wfVec2 after, wfShape *out)
+{
+    wfShape s = { .kind = WF_SHAPE_LINK, .vertices = { p, q, before, after } };
+    return make_between(s, out);
 }
 /* <move a shape> */
 void wfShapeMove(wfShape *shape, wfVec2 by)
 {
+    int held = shape->kind == WF_SHAPE_LINK ? 4 : shape->count;     /* with the ghosts */
     shape->centre = wfAdd(shape->centre, by);
-    for (int i = 0; i < shape->count; i++)
-        shape->vertices[i] = wfAdd(shape->vertices[i], by);
+    for (int i = 0; i < held; i++) shape->vertices[i] = wfAdd(shape->vertices[i], by);
 }
 /* <answer questions about a shape> */
 wfRect wfShapeBounds(const wfShape *shape, wfTransform placed)
 {
-    wfVec2 first = shape->kind == WF_SHAPE_POLYGON ? shape->vertices[0] : shape->centre;
+    wfVec2 first = shape->count > 0 ? shape->vertices[0] : shape->centre;
     wfVec2 at = wfApply(placed, first), reach = wfV2(shape->radius, shape->radius);
-    wfRect bounds = { wfSub(at, reach), wfAdd(at, reach) };
+    wfRect bounds = { at, at };
     for (int i = 1; i < shape->count; i++) {
         wfVec2 p = wfApply(placed, shape->vertices[i]);
         bounds.min = wfMin2(bounds.min, p);
         bounds.max = wfMax2(bounds.max, p);
     }
+    bounds.min = wfSub(bounds.min, reach);
+    bounds.max = wfAdd(bounds.max, reach);
     return bounds;
 }
 /* <answer questions about a shape> */
+static bool outside_core(const wfShape *shape, wfVec2 q)
+{
+    for (int i = 0; i < shape->count; i++) {                    /* eq:shapes-inside */
+        wfVec2 fromCorner = wfSub(q, shape->vertices[i]);
+        if (!(wfDot(shape->normals[i], fromCorner) <= 0)) return true;     /* also NaN */
+    }
+    return shape->kind != WF_SHAPE_POLYGON;
+}
+
+static wfReal edge_distance_sq(wfVec2 a, wfVec2 b, wfVec2 q)
+{
+    wfVec2 along = wfSub(b, a), arm = wfSub(q, a);
+    wfReal t = wfClamp(wfDot(arm, along) / wfLengthSq(along), 0, 1);
+    return wfDistanceSq(arm, wfScale(t, along));
+}
+
 bool wfShapeContains(const wfShape *shape, wfTransform placed, wfVec2 point)
 {
     wfVec2 q = wfApplyInv(placed, point);
     if (shape->kind == WF_SHAPE_CIRCLE)
         return wfDistanceSq(q, shape->centre) <= wfSquare(shape->radius);
-    for (int i = 0; i < shape->count; i++) {                    /* eq:shapes-inside */
-        wfVec2 fromCorner = wfSub(q, shape->vertices[i]);
-        if (wfDot(shape->normals[i], fromCorner) > 0) return false;
+    bool inside = !outside_core(shape, q);
+    for (int i = 0; shape->radius > 0 && !inside && i < shape->count; i++) {
+        wfVec2 a = shape->vertices[i], b = shape->vertices[(i + 1) % shape->count];
+        inside = edge_distance_sq(a, b, q) <= wfSquare(shape->radius);
     }
-    return shape->kind == WF_SHAPE_POLYGON;
+    return inside;
 }
 /* <answer questions about a shape> */
 int wfShapeSupport(const wfShape *shape, wfVec2 direction)
@@ -187,25 +340,49 @@ int wfShapeSupport(const wfShape *shape, wfVec2 direction)
 wfReal wfShapeExtent(const wfShape *shape)
 {
     wfReal extent = 0;
-    if (shape->kind != WF_SHAPE_POLYGON) return wfLength(shape->centre) + shape->radius;
+    if (shape->count == 0) return wfLength(shape->centre) + shape->radius;
     for (int i = 0; i < shape->count; i++)
         extent = wfMaxR(extent, wfLength(shape->vertices[i]));
-    return extent;
+    return extent + shape->radius;
+}
+/* <answer questions about a shape> */
+static int put_arc(wfVec2 centre, wfVec2 normal, wfReal turn, wfReal radius, wfVec2 *out)
+{
+    int chords = 1 + (int)wfFloor(turn * WF_RIM_TURN / (2 * WF_PI));
+    for (int k = 0; k <= chords; k++) {
+        wfRot by = wfRotation(turn * (wfReal)k / (wfReal)chords);
+        out[k] = wfAddScaled(centre, radius, wfRotate(by, normal));
+    }
+    return chords + 1;
+}
+
+int wfShapeOutline(const wfShape *shape, wfTransform placed, wfVec2 out[WF_RIM_POINTS])
+{
+    int n = 0;
+    if (shape->kind == WF_SHAPE_CIRCLE)
+        n = put_arc(shape->centre, wfV2(1, 0), 2 * WF_PI, shape->radius, out) - 1;
+    for (int i = 0; i < shape->count; i++) {
+        wfVec2 v = shape->vertices[i];
+        wfVec2 before = shape->normals[(i + shape->count - 1) % shape->count];
+        if (shape->radius > 0)
+            n += put_arc(v, before, turn_at(shape, i), shape->radius, out + n);
+        else
+            out[n++] = v;
+    }
+    for (int i = 0; i < n; i++) out[i] = wfApply(placed, out[i]);
+    return n;
 }
 /* <compute the mass data of a shape> */
 wfReal wfShapeArea(const wfShape *shape)
 {
     wfVec2 centroid;
-    if (shape->kind == WF_SHAPE_POLYGON)
-        return polygon_area(shape->vertices, shape->count, &centroid);
-    return WF_PI * wfSquare(shape->radius);
+    return area_and_centroid(shape, &centroid);
 }
 
 wfVec2 wfShapeCentroid(const wfShape *shape)
 {
-    wfVec2 centroid = shape->centre;
-    if (shape->kind == WF_SHAPE_POLYGON)
-        polygon_area(shape->vertices, shape->count, &centroid);
+    wfVec2 centroid;
+    area_and_centroid(shape, &centroid);
     return centroid;
 }
 /* <compute the mass data of a shape> */
@@ -220,12 +397,26 @@ static wfReal polygon_inertia(const wfVec2 *p, int n, wfVec2 about)
     }
     return sum;
 }
+/* <sum the inertia of a coat by eq:shapes-steiner-inertia> */
+/* what a coat adds to its core, but for the disk that its sectors make together */
+static wfReal coat_inertia(const wfShape *s, wfVec2 about)
+{
+    wfReal sum = 0, r = s->radius;
+    for (int i = 0; i < s->count; i++) {
+        wfVec2 a = wfSub(s->vertices[i], about);
+        wfVec2 b = wfSub(s->vertices[(i + 1) % s->count], about);
+        wfReal l = wfDistance(a, b), q = (wfLengthSq(a) + wfDot(a, b) + wfLengthSq(b)) / 3;
+        wfReal corner = wfCross(a, b) + turn_at(s, i) * wfLengthSq(a) / 2;
+        sum += r * (l * q + r * (corner + r * l));
+    }
+    return sum;
+}
 /* <choose the inertia at unit density> */
 static wfReal unit_inertia(const wfShape *shape, wfVec2 centroid)
 {
-    if (shape->kind == WF_SHAPE_POLYGON)
-        return polygon_inertia(shape->vertices, shape->count, centroid);
-    return WF_PI * wfSquare(wfSquare(shape->radius)) / 2;       /* eq:shapes-disk */
+    wfReal disk = WF_PI * wfSquare(wfSquare(shape->radius)) / 2;    /* eq:shapes-disk */
+    wfReal core = polygon_inertia(shape->vertices, shape->count, centroid);
+    return shape->radius > 0 ? core + coat_inertia(shape, centroid) + disk : core;
 }
 
 wfResult wfShapeMassOf(const wfShape *shape, wfReal mass, wfMassData *out)
@@ -239,8 +430,11 @@ wfResult wfShapeMassOf(const wfShape *shape, wfReal mass, wfMassData *out)
     d.centre = wfShapeCentroid(shape);
     d.mass = mass;
     bool light = !(mass >= WF_MIN_MASS), heavy = !(mass <= WF_MAX_MASS);
-    if (light || heavy || d.area <= 0) return WF_ERROR_MASS;
-    d.inertia = mass * (unit_inertia(shape, d.centre) / d.area);
+    bool rod = shape->count == 2 && shape->radius == 0;
+    if (light || heavy || (d.area <= 0 && !rod)) return WF_ERROR_MASS;
+    wfReal length = wfDistance(shape->vertices[0], shape->vertices[1]);
+    d.inertia = rod ? mass * wfSquare(length) / 12              /* eq:shapes-rod */
+                    : mass * (unit_inertia(shape, d.centre) / d.area);
     bool inRange = d.inertia >= WF_MIN_INERTIA && d.inertia <= WF_MAX_INERTIA;
     if (!inRange) return WF_ERROR_MASS;
     *out = d;

@@ -20,10 +20,16 @@ int wfSweepAxis(const wfProxies *in, const int32_t *ids, int32_t n)
     return across * height > along * width;
 }
 /* <sweep over sorted boxes> */
-typedef struct SweepList { wfKeyed *items; wfRect *boxes; int32_t n; } SweepList;
+typedef struct SweepList {
+    const wfProxies *in;
+    wfKeyed *items;
+    wfRect *boxes;
+    wfReal *reach;
+    int32_t n;
+} SweepList;
 
 static wfReal side(wfVec2 v, int axis) { return axis == 0 ? v.x : v.y; }
-
+/* <sweep over sorted boxes> */
 /* offers box i of a together with those of b from `from` on that begin before i ends */
 static bool offerActive(const SweepList *a, int32_t i, const SweepList *b, int32_t from,
                         int axis, wfPairList *out)
@@ -31,7 +37,7 @@ static bool offerActive(const SweepList *a, int32_t i, const SweepList *b, int32
     wfRect r = a->boxes[i];
     wfReal end = side(r.max, axis);
     for (int32_t j = from; j < b->n && b->items[j].key <= end; j++)     /* eq:broad-sweep */
-        if (!wfOfferPair(out, r, a->items[i].index, b->boxes[j], b->items[j].index))
+        if (!wfOfferPair(a->in, out, r, a->items[i].index, b->boxes[j], b->items[j].index))
             return false;
     return true;
 }
@@ -59,50 +65,162 @@ static bool sweepTwo(const SweepList *a, const SweepList *b, bool strict, int ax
     return room;
 }
 /* <sweep over sorted boxes> */
-static bool makeSweepList(SweepList *list, const wfProxies *in, const int32_t *ids,
-                          int32_t n, int axis, wfKeyed *spare, wfPool *pool)
+typedef struct SweepHead { int32_t axis, movers, live; } SweepHead;
+
+typedef struct SweepIndex {
+    SweepHead *head;
+    wfKeyed *items;               /* [live] first the movers, then the rest, each sorted */
+    wfRect *boxes;                /* [live] their boxes */
+    wfReal *reach;                /* [live] how far anybody up to here reaches */
+} SweepIndex;
+
+size_t wfSweepIndexSize(int32_t proxies)
 {
-    list->n = n;
-    list->items = wfPoolPushArray(pool, (size_t)n, wfKeyed);
-    list->boxes = wfPoolPushArray(pool, (size_t)n, wfRect);
-    if (!list->items || !list->boxes) return false;
-    for (int32_t i = 0; i < n; i++) {
-        list->items[i].key = side(in->bounds[ids[i]].min, axis);
-        list->items[i].index = ids[i];
-    }
-    wfSortKeyed(list->items, spare, n);
-    for (int32_t i = 0; i < n; i++) list->boxes[i] = in->bounds[list->items[i].index];
-    return true;
+    size_t each = sizeof(wfKeyed) + sizeof(wfRect) + sizeof(wfReal);
+    return sizeof(SweepHead) + (size_t)proxies * each + 4 * WF_POOL_ALIGN;
 }
 /* <sweep over sorted boxes> */
-wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out)
+static SweepIndex openSweep(const wfProxies *in, const void *index)
+{
+    wfPool pool = wfOpenIndex(index, wfSweepIndexSize(in->count));
+    SweepIndex s = { .head = wfPoolPushStruct(&pool, SweepHead) };
+    s.items = wfPoolPushArray(&pool, in->count, wfKeyed);
+    s.boxes = wfPoolPushArray(&pool, in->count, wfRect);
+    s.reach = wfPoolPushArray(&pool, in->count, wfReal);
+    return s;
+}
+
+static SweepList sweepPart(const wfProxies *in, const SweepIndex *s, bool moving)
+{
+    int32_t first = moving ? 0 : s->head->movers;
+    int32_t n = moving ? s->head->movers : s->head->live - first;
+    return (SweepList){ in, s->items + first, s->boxes + first, s->reach + first, n };
+}
+/* <sweep over sorted boxes> */
+static void fillSweepList(SweepList list, const int32_t *ids, int axis, wfKeyed *spare)
+{
+    for (int32_t i = 0; i < list.n; i++)
+        list.items[i] = (wfKeyed){ side(list.in->bounds[ids[i]].min, axis), ids[i] };
+    wfSortKeyed(list.items, spare, list.n);
+    for (int32_t i = 0; i < list.n; i++) {
+        wfRect r = list.in->bounds[list.items[i].index];
+        wfReal end = side(r.max, axis);
+        list.boxes[i] = r;
+        list.reach[i] = i > 0 ? wfMaxR(list.reach[i - 1], end) : end;
+    }
+}
+/* <sweep over sorted boxes> */
+static wfResult updateSweep(int axis, const wfProxies *in, void *index, wfPool *scratch)
 {
     size_t mark = wfPoolMark(scratch), n = (size_t)in->count;
-    int32_t movers = 0, live = 0;
-    SweepList m, s;
-    out->count = 0;
-    out->tests = 0;
     int32_t *ids = wfPoolPushArray(scratch, n, int32_t);
     wfKeyed *spare = wfPoolPushArray(scratch, n, wfKeyed);
-    if (ids) live = wfListLive(in, ids, &movers);
-    if (ids && axis < 0) axis = wfSweepAxis(in, ids, live);
-    if (!ids || !spare || !makeSweepList(&m, in, ids, movers, axis, spare, scratch)
-        || !makeSweepList(&s, in, ids + movers, live - movers, axis, spare, scratch)) {
+    if (!ids || !spare) {
         wfPoolRewind(scratch, mark);
         return WF_ERROR_MEMORY;
     }
-    bool room = sweepOne(&m, axis, out) && sweepTwo(&m, &s, false, axis, out)
-             && sweepTwo(&s, &m, true, axis, out);
-    return wfFinishPairs(room, in->count, scratch, mark, out);
+    SweepIndex s = openSweep(in, index);
+    s.head->live = wfListLive(in, ids, &s.head->movers);
+    s.head->axis = axis < 0 ? wfSweepAxis(in, ids, s.head->live) : axis;
+    fillSweepList(sweepPart(in, &s, true), ids, s.head->axis, spare);
+    fillSweepList(sweepPart(in, &s, false), ids + s.head->movers, s.head->axis, spare);
+    wfPoolRewind(scratch, mark);
+    return WF_OK;
 }
 /* <sweep over sorted boxes> */
-wfResult wfSweepPairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
+wfResult wfSweepPairs(const wfProxies *in, const void *index, wfPool *scratch,
+                      wfPairList *out)
 {
-    return wfSweepAlong(-1, in, scratch, out);
+    SweepIndex s = openSweep(in, index);
+    SweepList moving = sweepPart(in, &s, true), still = sweepPart(in, &s, false);
+    int axis = s.head->axis;
+    out->count = 0;
+    out->tests = 0;
+    bool room = sweepOne(&moving, axis, out)
+             && sweepTwo(&moving, &still, false, axis, out)
+             && sweepTwo(&still, &moving, true, axis, out);
+    return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
+}
+/* <ask a sorted list> */
+/* the places [*first, *last) of those that may overlap [low, high] along the axis */
+static void sweepRange(const SweepList *l, wfReal low, wfReal high, int32_t *first,
+                       int32_t *last)
+{
+    int32_t a = 0, b = l->n;
+    while (a < b) {
+        int32_t mid = a + (b - a) / 2;
+        if (l->items[mid].key <= high) a = mid + 1;
+        else b = mid;
+    }
+    *last = a;
+    for (a = 0; a < b;) {
+        int32_t mid = a + (b - a) / 2;
+        if (l->reach[mid] < low) a = mid + 1;
+        else b = mid;
+    }
+    *first = a;
+}
+/* <ask a sorted list> */
+void wfSweepQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
+                  void *context)
+{
+    SweepIndex s = openSweep(in, index);
+    int axis = s.head->axis;
+    for (int part = 0; part < 2; part++) {
+        SweepList l = sweepPart(in, &s, part == 0);
+        int32_t first, last;
+        sweepRange(&l, side(area.min, axis), side(area.max, axis), &first, &last);
+        for (int32_t i = first; i < last; i++)
+            if (wfRectOverlap(l.boxes[i], area) && !visit(context, l.items[i].index))
+                return;
+    }
+}
+/* <ask a sorted list> */
+static bool castInList(const SweepList *l, int axis, wfBoxCast *c, wfCastVisitFn *visit,
+                       void *context)
+{
+    wfBoxCast wide = wfPadCast(*c);
+    wfReal from = side(c->from, axis), half = side(wide.half, axis);
+    wfReal to = from + c->most * side(c->by, axis);
+    int32_t first, last;
+    sweepRange(l, wfMinR(from, to) - half, wfMaxR(from, to) + half, &first, &last);
+    for (int32_t k = first; k < last; k++) {
+        int32_t i = to < from ? last - 1 - (k - first) : k;
+        if (!wfOfferCast(l->in, c, l->items[i].index, visit, context)) return false;
+    }
+    return true;
+}
+
+void wfSweepCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
+                 wfCastVisitFn *visit, void *context)
+{
+    SweepIndex s = openSweep(in, index);
+    SweepList moving = sweepPart(in, &s, true), still = sweepPart(in, &s, false);
+    wfBoxCast c = *cast;
+    if (castInList(&still, s.head->axis, &c, visit, context))
+        castInList(&moving, s.head->axis, &c, visit, context);
+}
+/* <the row of sweep and prune> */
+wfResult wfSweepUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
+{
+    if (bytes < wfSweepIndexSize(in->count)) return WF_ERROR_MEMORY;
+    return updateSweep(-1, in, index, scratch);
+}
+
+wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out)
+{
+    size_t mark = wfPoolMark(scratch);
+    void *index = wfPoolPush(scratch, wfSweepIndexSize(in->count), WF_POOL_ALIGN);
+    wfResult result = index ? updateSweep(axis, in, index, scratch) : WF_ERROR_MEMORY;
+    if (result == WF_OK) result = wfSweepPairs(in, index, scratch, out);
+    wfPoolRewind(scratch, mark);
+    return result;
 }
 
 size_t wfSweepScratch(int32_t proxies, int32_t pairs)
 {
-    return (size_t)proxies * (sizeof(int32_t) + 2 * sizeof(wfKeyed) + sizeof(wfRect))
-         + 6 * WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
+    size_t each = sizeof(int32_t) + sizeof(wfKeyed);
+    size_t build = (size_t)proxies * each + 2 * WF_POOL_ALIGN;
+    size_t sort = wfSortPairsSize(proxies, pairs);
+    return wfSweepIndexSize(proxies) + WF_POOL_ALIGN + (build > sort ? build : sort);
 }

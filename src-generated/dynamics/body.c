@@ -22,12 +22,12 @@ wfResult wfCheckBodyProps(const wfBodyProps *p)
 {
     if (!p) return WF_ERROR_NULL;
     bool finite = wfIsFinite(p->linearDamping) && wfIsFinite(p->angularDamping)
-               && wfIsFinite(p->gravityScale) && wfIsFinite(p->restitution)
-               && wfIsFinite(p->friction) && wfIsFinite2(p->localCentre);
+               && wfIsFinite(p->gravityScale) && wfIsFinite(p->givenMass)
+               && wfIsFinite2(p->localCentre);
     if (!finite) return WF_ERROR_NOT_FINITE;
     if (p->type < 0 || p->type >= WF_BODY_TYPES) return WF_ERROR_UNKNOWN;
     if (p->linearDamping < 0 || p->angularDamping < 0) return WF_ERROR_RANGE;
-    if (p->restitution < 0 || p->restitution > 1 || p->friction < 0) return WF_ERROR_RANGE;
+    if (p->givenMass < 0) return WF_ERROR_RANGE;
     return p->type == WF_DYNAMIC ? check_masses(p->mass, p->inertia) : WF_OK;
 }
 

@@ -28,9 +28,14 @@ static wfReal mass_of(const wfBodyView *bodies, int32_t i)
     return inverse > 0 ? 1 / inverse : 0;
 }
 /* <choose the bodies that a force acts on> */
-static const wfShape *shape_of(const wfBodyView *bodies, int32_t i)
+static int32_t first_shape(const wfBodyView *bodies, int32_t i)
 {
-    return bodies->shapes && bodies->props[i].shape >= 0 ? &bodies->shapes[i] : NULL;
+    return bodies->shapes ? bodies->props[i].shape : -1;
+}
+
+static int32_t shape_after(const wfBodyView *bodies, int32_t k)
+{
+    return bodies->next ? bodies->next[k] : -1;
 }
 /* <force generators> */
 static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
@@ -255,11 +260,10 @@ static wfReal half_x_minus_sine(wfReal x)
     return sum;
 }
 
-static wfSubmerged submerged_circle(wfReal r, wfReal depth)
+/* what an arc of the angle 2 half cuts off, seen from the circle's centre, the arc below */
+static wfSubmerged circle_segment(wfReal r, wfReal half, wfReal sine, wfReal u)
 {
     wfSubmerged s = { .area = 0 };
-    wfReal u = wfClamp(-depth / r, -1, 1);  /* cosine of half the wetted angle */
-    wfReal sine = wfSqrt((1 - u) * (1 + u)), half = wfAtan2(sine, u);
     wfReal g = half_x_minus_sine(2 * half);
     s.area = r * r * g;                                 /* eq:force-segment-area */
     if (!(s.area > 0)) return s;
@@ -270,6 +274,94 @@ static wfSubmerged submerged_circle(wfReal r, wfReal depth)
     return s;
 }
 
+static wfSubmerged submerged_circle(wfReal r, wfReal depth)
+{
+    wfReal u = wfClamp(-depth / r, -1, 1);  /* cosine of half the wetted angle */
+    wfReal sine = wfSqrt((1 - u) * (1 + u));
+    return circle_segment(r, wfAtan2(sine, u), sine, u);
+}
+/* <cut a coat at the surface> */
+/* The part of a coated shape that is under water, piece by piece. */
+typedef struct Pieces {
+    wfReal radius, depth;
+    int corners, caps;
+    wfVec2 ring[6 * WF_MAX_VERTICES];
+    wfSubmerged cap[3 * WF_MAX_VERTICES + 1];   /* and, at the end, the polygon */
+} Pieces;
+
+/* the directions u0, u1 of an arc, and those between them in which the surface cuts it */
+static int cut_arc(const Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1, wfVec2 out[4])
+{
+    wfReal k = (p->depth - v.y) / p->radius;
+    int n = 0;
+    out[n++] = u0;
+    if (wfAbs(k) < 1) {
+        wfReal x = wfSqrt((1 - k) * (1 + k));
+        wfVec2 cut[2] = { wfV2(x, k), wfV2(-x, k) };
+        for (int i = 0; i < 2; i++)                     /* eq:force-arc */
+            if (wfCross(u0, cut[i]) > 0 && wfCross(cut[i], u1) > 0) out[n++] = cut[i];
+        bool swapped = n == 3 && wfCross(out[1], out[2]) < 0;
+        if (swapped) out[1] = cut[1], out[2] = cut[0];
+    }
+    out[n++] = u1;
+    return n;
+}
+/* <cut a coat at the surface> */
+static void add_arc(Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1)
+{
+    wfVec2 u[4];
+    int n = cut_arc(p, v, u0, u1, u);
+    for (int i = 0; i + 1 < n; i++) {
+        wfReal half = wfAtan2(wfCross(u[i], u[i + 1]), wfDot(u[i], u[i + 1])) / 2;
+        wfRot turn = wfRotation(half);
+        wfVec2 middle = wfRotate(turn, u[i]);
+        if (!(v.y + p->radius * middle.y < p->depth)) continue;
+        wfSubmerged cap = circle_segment(p->radius, half, turn.s, turn.c);
+        cap.centre = wfAddScaled(v, 0 - cap.centre.y, middle);
+        if (cap.area > 0) p->cap[p->caps++] = cap;
+        p->ring[p->corners++] = wfAddScaled(v, p->radius, u[i]);
+        p->ring[p->corners++] = wfAddScaled(v, p->radius, u[i + 1]);
+    }
+}
+
+static void add_edge(Pieces *p, wfVec2 a, wfVec2 b)
+{
+    if ((a.y < p->depth) == (b.y < p->depth)) return;   /* the arcs have its ends */
+    wfReal t = (p->depth - a.y) / (b.y - a.y);          /* eq:force-cut */
+    p->ring[p->corners++] = wfV2(a.x + t * (b.x - a.x), p->depth);
+}
+/* <cut a coat at the surface> */
+static wfSubmerged sum_pieces(const wfSubmerged *piece, int n)
+{
+    wfSubmerged sum = { .area = 0 };
+    wfVec2 moment = wfV2(0, 0);
+    for (int i = 0; i < n; i++) {
+        sum.area += piece[i].area;
+        moment = wfAddScaled(moment, piece[i].area, piece[i].centre);
+    }
+    if (!(sum.area > 0)) return sum;
+    sum.centre = wfScale(1 / sum.area, moment);
+    for (int i = 0; i < n; i++)
+        sum.inertia += piece[i].inertia
+                     + piece[i].area * wfDistanceSq(piece[i].centre, sum.centre);
+    return sum;
+}
+
+static wfSubmerged submerged_coat(const wfShape *shape, wfRot q, wfReal depth)
+{
+    Pieces p = { .radius = shape->radius, .depth = depth };
+    for (int i = 0; i < shape->count; i++) {
+        int before = (i + shape->count - 1) % shape->count, next = (i + 1) % shape->count;
+        wfVec2 v = wfRotate(q, wfSub(shape->vertices[i], shape->centre));
+        wfVec2 w = wfRotate(q, wfSub(shape->vertices[next], shape->centre));
+        wfVec2 n = wfRotate(q, shape->normals[i]);
+        add_arc(&p, v, wfRotate(q, shape->normals[before]), n);
+        add_edge(&p, wfAddScaled(v, p.radius, n), wfAddScaled(w, p.radius, n));
+    }
+    p.cap[p.caps++] = polygon_moments(p.ring, p.corners);
+    return sum_pieces(p.cap, p.caps);
+}
+
 wfSubmerged wfSubmergedPart(const wfShape *shape, wfTransform placed, wfReal surfaceY)
 {
     wfSubmerged none = { .area = 0, .centre = placed.p };
@@ -277,14 +369,29 @@ wfSubmerged wfSubmergedPart(const wfShape *shape, wfTransform placed, wfReal sur
     wfVec2 centre = wfApply(placed, shape->centre);
     wfReal depth = surfaceY - centre.y;  /* of the shape's centre, upwards negative */
     none.centre = centre;
-    bool round = shape->kind == WF_SHAPE_CIRCLE;
-    wfSubmerged s = round ? submerged_circle(shape->radius, depth)
-                          : submerged_polygon(shape, placed.q, depth);
+    bool coat = shape->radius > 0;
+    wfSubmerged s = none;
+    if (shape->kind == WF_SHAPE_CIRCLE) s = submerged_circle(shape->radius, depth);
+    else if (coat) s = submerged_coat(shape, placed.q, depth);
+    else if (shape->count > 2) s = submerged_polygon(shape, placed.q, depth);
     if (!(s.area > 0)) return none;
     s.centre = wfAdd(centre, s.centre);
     return s;
 }
 /* <force generators> */
+/* <lift and brake one part> */
+static void float_part(const wfForce *f, const wfBodyState *b, const wfSubmerged *s,
+                       wfBodyForces *out)
+{
+    wfReal mass = f->buoyancy.density * s->area;  /* of the fluid that had to make room */
+    wfReal rate = f->buoyancy.drag;
+    wfVec2 lift = wfV2(0, mass * f->buoyancy.g);             /* eq:force-archimedes */
+    wfApplyForce(out, b, lift, s->centre);
+    wfVec2 drag = wfScale(-rate * mass, wfVelocityAt(b, s->centre));
+    wfApplyForce(out, b, drag, s->centre);                   /* eq:force-water-drag */
+    wfApplyTorque(out, -rate * f->buoyancy.density * s->inertia * b->w);
+}
+
 static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                            wfBodyForces *out)
 {
@@ -292,17 +399,12 @@ static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal ti
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!feels(bodies, i)) continue;
         const wfBodyState *b = &bodies->state[i];
-        wfSubmerged s = wfSubmergedPart(shape_of(bodies, i), wfBodyTransform(b),
-                                        f->buoyancy.surfaceY);
-        if (!(s.area > 0)) continue;
-        /* of the fluid that had to make room */
-        wfReal mass = f->buoyancy.density * s.area;
-        /* <lift body i by eq:force-archimedes> */
-        wfApplyForce(&out[i], b, wfV2(0, mass * f->buoyancy.g), s.centre);
-        /* <slow body i down by eq:force-water-drag> */
-        wfReal rate = f->buoyancy.drag;
-        wfApplyForce(&out[i], b, wfScale(-rate * mass, wfVelocityAt(b, s.centre)), s.centre);
-        wfApplyTorque(&out[i], -rate * f->buoyancy.density * s.inertia * b->w);
+        wfTransform placed = wfBodyTransform(b);
+        for (int32_t k = first_shape(bodies, i); k >= 0; k = shape_after(bodies, k)) {
+            wfSubmerged s = wfSubmergedPart(&bodies->shapes[k], placed,
+                                            f->buoyancy.surfaceY);
+            if (s.area > 0) float_part(f, b, &s, &out[i]);
+        }
     }
 }
 /* <force generators> */
@@ -312,10 +414,13 @@ static wfReal buoyancy_energy(const wfForce *f, const wfBodyView *bodies)
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!feels(bodies, i)) continue;
         wfTransform placed = wfBodyTransform(&bodies->state[i]);
-        wfSubmerged s = wfSubmergedPart(shape_of(bodies, i), placed, f->buoyancy.surfaceY);
-        wfReal depth = f->buoyancy.surfaceY - s.centre.y;
-        /* eq:force-water-energy */
-        sum += f->buoyancy.density * s.area * f->buoyancy.g * depth;
+        for (int32_t k = first_shape(bodies, i); k >= 0; k = shape_after(bodies, k)) {
+            wfSubmerged s = wfSubmergedPart(&bodies->shapes[k], placed,
+                                            f->buoyancy.surfaceY);
+            wfReal depth = f->buoyancy.surfaceY - s.centre.y;
+            /* eq:force-water-energy */
+            sum += f->buoyancy.density * s.area * f->buoyancy.g * depth;
+        }
     }
     return sum;
 }
@@ -332,15 +437,38 @@ wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
     if (middle) *middle = placed.p;
     if (!shape || shape->kind == WF_SHAPE_NONE) return WF_PARTICLE_WIDTH;
     wfVec2 centre = wfApply(placed, shape->centre), side = wfPerpCCW(direction);
-    wfReal low = -shape->radius, high = shape->radius;  /* what a circle shows */
+    wfReal low = 0, high = 0;                           /* a circle's core: its centre */
     for (int i = 0; i < shape->count; i++) {
         wfVec2 corner = wfRotate(placed.q, wfSub(shape->vertices[i], shape->centre));
         wfReal x = wfDot(side, corner);
         low = i == 0 ? x : wfMinR(low, x);
         high = i == 0 ? x : wfMaxR(high, x);
     }
+    low -= shape->radius;
+    high += shape->radius;
     if (middle) *middle = wfAddScaled(centre, (low + high) / 2, side);
     return high - low;                                  /* eq:force-width */
+}
+/* <force generators> */
+static wfReal body_width(const wfBodyView *bodies, int32_t i, wfVec2 direction,
+                         wfVec2 *middle)
+{
+    const wfBodyState *b = &bodies->state[i];
+    wfTransform placed = wfBodyTransform(b);
+    int32_t k = first_shape(bodies, i);
+    const wfShape *first = k < 0 ? NULL : &bodies->shapes[k];
+    wfReal width = wfSeenWidth(first, placed, direction, middle);
+    if (k < 0 || shape_after(bodies, k) < 0) return width;
+    wfVec2 side = wfPerpCCW(direction);
+    wfReal low = wfDot(side, wfSub(*middle, b->p)) - width / 2, high = low + width;
+    for (k = shape_after(bodies, k); k >= 0; k = shape_after(bodies, k)) {
+        width = wfSeenWidth(&bodies->shapes[k], placed, direction, middle);
+        wfReal x = wfDot(side, wfSub(*middle, b->p));
+        low = wfMinR(low, x - width / 2);
+        high = wfMaxR(high, x + width / 2);
+    }
+    *middle = wfAddScaled(b->p, (low + high) / 2, side);
+    return high - low;
 }
 /* <force generators> */
 static wfReal blast_profile(const wfForce *f, wfReal time)
@@ -361,7 +489,7 @@ static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal t
         wfVec2 r = wfSub(b->p, f->explosion.centre), away = wfNormalize(r), middle;
         wfReal fall = 1 - wfLength(r) / f->explosion.radius;
         if (!(fall > 0)) continue;
-        wfReal width = wfSeenWidth(shape_of(bodies, i), wfBodyTransform(b), away, &middle);
+        wfReal width = body_width(bodies, i, away, &middle);
         wfReal push = now * fall * fall * width;                        /* eq:force-blast */
         wfApplyForce(&out[i], b, wfScale(push, away), middle);
     }
@@ -380,8 +508,7 @@ static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
         if (!feels(bodies, i)) continue;
         const wfBodyState *b = &bodies->state[i];
         wfVec2 u = wfSub(f->wind.velocity, b->v), middle;
-        wfReal width = wfSeenWidth(shape_of(bodies, i), wfBodyTransform(b),
-                                   wfNormalize(u), &middle);
+        wfReal width = body_width(bodies, i, wfNormalize(u), &middle);
         wfReal c = f->wind.coefficient * width * wfLength(u);
         wfApplyForce(&out[i], b, wfScale(c, u), middle);                /* eq:force-wind */
     }

@@ -12,6 +12,12 @@ static wfResult open_force(const wfWorld *world, wfForceId id, wfBlock *b, int32
     return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
 }
 
+static wfResult change_force(const wfWorld *world, wfForceId id, wfBlock *b, int32_t *index)
+{
+    wfResult result = open_force(world, id, b, index);
+    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
+}
+
 static bool is_place(const wfBlock *b, int32_t i)
 {
     return i == -1 || (i >= 0 && i < b->head->bodySlots.high && b->alive[i]);
@@ -27,7 +33,7 @@ static wfResult check_world_force(const wfBlock *b, const wfForce *f)
 wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
 {
     wfBlock b;
-    wfResult result = wfOpenBlock(world, &b);
+    wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = check_world_force(&b, force);
     if (result != WF_OK) return result;
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
@@ -41,7 +47,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = open_force(world, id, &b, &i);
+    wfResult result = change_force(world, id, &b, &i);
     if (result != WF_OK) return result;
     memset(&b.forces[i], 0, sizeof b.forces[i]);
     return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
@@ -60,7 +66,7 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = open_force(world, id, &b, &i);
+    wfResult result = change_force(world, id, &b, &i);
     if (result == WF_OK) result = check_world_force(&b, force);
     if (result == WF_OK) b.forces[i] = *force;
     return result;
@@ -85,7 +91,7 @@ static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
 wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out)
 {
     wfBlock b;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
     int32_t i = wfBodyIndex(world, id);
     if (i < 0) return WF_ERROR_STALE_ID;

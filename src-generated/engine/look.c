@@ -50,6 +50,56 @@ uint64_t wfWorldSteps(const wfWorld *world)
     wfBlock b;
     return wfOpenBlock(world, &b) == WF_OK ? b.head->steps : 0;
 }
+/* <look at the arrays of a world> */
+wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
+{
+    wfBlock b;
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
+    if (result == WF_OK) *out = wfProxiesOf(&b, b.bounds, b.flags);
+    return result;
+}
+/* <look at the events of a world> */
+const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count)
+{
+    wfBlock b;
+    bool good = wfOpenBlock(world, &b) == WF_OK && kind >= 0 && kind < WF_EVENT_KINDS;
+    if (count != NULL) *count = good ? b.head->eventCount[kind] : 0;
+    if (!good) return NULL;
+    const wfTouchEvent *first = b.events;
+    for (int i = 0; i < kind; i++) first += b.head->eventCount[i];
+    return first;
+}
+
+const wfHit *wfWorldHits(const wfWorld *world, int32_t *count)
+{
+    wfBlock b;
+    bool open = wfOpenBlock(world, &b) == WF_OK;
+    if (count != NULL) *count = open ? b.head->hitCount : 0;
+    return open ? b.hits : NULL;
+}
+/* <look at the events of a world> */
+wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out)
+{
+    wfBlock block;
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &block);
+    if (result != WF_OK) return result;
+    int32_t i = wfShapeIndex(world, a), k = wfShapeIndex(world, b);
+    if (i < 0 || k < 0) return WF_ERROR_STALE_ID;
+    int32_t low = 0, high = block.head->contactCount;
+    int32_t first = i < k ? i : k, second = i < k ? k : i;
+    while (low < high) {
+        int32_t middle = low + (high - low) / 2;
+        const wfContact *c = &block.contacts[middle];
+        bool less = c->shapeA < first || (c->shapeA == first && c->shapeB < second);
+        if (less) low = middle + 1;
+        else high = middle;
+    }
+    const wfContact *c = &block.contacts[low];
+    bool found = low < block.head->contactCount && c->shapeA == first
+              && c->shapeB == second;
+    if (found) *out = *c;
+    return found ? WF_OK : WF_ERROR_UNKNOWN;
+}
 /* <add up the energy of a world> */
 static double energy_in(const wfForce *force, const wfBodyView *bodies)
 {
@@ -124,8 +174,11 @@ bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
     wfBlock b;
     if (wfOpenBlock(world, &b) != WF_OK || !wfIsFinite2(point)) return false;
     for (int32_t i = b.head->bodySlots.high - 1; i >= 0; i--) {
-        if (!b.alive[i] || b.props[i].shape < 0) continue;
-        if (!wfShapeContains(&b.shapes[i], wfBodyTransform(&b.state[i]), point)) continue;
+        wfTransform placed = wfBodyTransform(&b.state[i]);
+        bool found = false;
+        for (int32_t k = b.props[i].shape; k >= 0 && !found; k = b.next[k])
+            found = wfShapeContains(&b.shapes[k], placed, point);
+        if (!found) continue;
         if (out != NULL) *out = wfIdOfBody(&b, i);
         return true;
     }

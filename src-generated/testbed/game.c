@@ -276,7 +276,7 @@ static void ui_key_sheet(ui *u, float x)
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
         { "arrows", "move the view" },
         { "Q and E", "turn the testing body" }, { "T", "change its shape" },
-        { "1 to 8", "show contacts, normals, ..." }, { "D", "dark or light" },
+        { "1 to 9", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "?", "this sheet" },
     };
     int rows = (int)(sizeof sheet / sizeof *sheet);

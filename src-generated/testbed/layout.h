@@ -3,7 +3,7 @@
 #ifndef TESTBED_LAYOUT_H
 #define TESTBED_LAYOUT_H
 /* Where the testbed's interface is, in interface units. Chapter 30. */
-enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 112, ROW = 19 };
+enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 131, ROW = 19 };
 enum { HEAD = 92, FOOT = 48 };          /* heights of the strips above, below the scene */
 enum { LIST_ROOM = 800 };               /* narrower windows begin without the list */
 #endif

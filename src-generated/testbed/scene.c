@@ -39,7 +39,7 @@ wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *i
 {
     if (scene->update)
         scene->update(world, in);
-    return wfStepWorld(world);
+    return wfStepWorldWith(world, scene->hooks);
 }
 /* <wander over the view> */
 wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step)

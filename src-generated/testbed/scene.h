@@ -17,7 +17,8 @@ typedef struct wfSceneInput {
 /* Overlays, to be switched on and off by the user; a scene says which it begins with. */
 enum {
     WF_SHOW_CONTACTS = 1, WF_SHOW_NORMALS = 2, WF_SHOW_PAIRS = 4, WF_SHOW_BOUNDS = 8,
-    WF_SHOW_TREE = 16, WF_SHOW_VELOCITIES = 32, WF_SHOW_NUMBERS = 64, WF_SHOW_TOUCHING = 128
+    WF_SHOW_TREE = 16, WF_SHOW_VELOCITIES = 32, WF_SHOW_NUMBERS = 64,
+    WF_SHOW_TOUCHING = 128, WF_SHOW_JOINTS = 256
 };
 
 /* Name the fields when you fill one in: later chapters may add some; 0 or NULL is none. */
@@ -30,6 +31,7 @@ typedef struct wfScene {
     void (*update)(wfWorld *world, const wfSceneInput *in);  /* before each step; or NULL */
     /* draws over the bodies; or NULL */
     void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);
+    const wfHooks *hooks;                   /* that each step asks; or NULL */
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
     uint32_t show;                          /* overlays to begin with */
     wfReal energyBound;                     /* J it may gain; negative: not checked */

@@ -5,6 +5,8 @@
 #include "testbed/view.h"
 /* <headers of the scenes> */
 #include "weft/integrate.h"
+/* <headers of the scenes> */
+#include "weft/joint.h"
 
 /* <helpers of the scenes> */
 typedef struct Maker { wfWorld *world; wfResult result; } Maker;
@@ -78,6 +80,15 @@ static void put_room(Maker *m, wfReal w, wfReal h, wfReal restitution)
 }
 
 static void without_gravity(wfWorldDef *def) { def->gravity = wfV2(0, 0); }
+
+/* A solver that leaves the motion to the integrator. */
+static void integrated(wfWorldDef *def) { def->solver = wfFindSolver("impulse"); }
+
+static void integrated_freely(wfWorldDef *def)
+{
+    integrated(def);
+    without_gravity(def);
+}
 /* <helpers of the scenes> */
 enum { TESTING_BODIES = 5 };
 
@@ -127,6 +138,123 @@ static wfResult build_gallery(wfWorld *world)
         put(&m, &still[i]);
     }
     return m.result;
+}
+/* <helpers of the scenes> */
+static void softly(wfWorldDef *def)
+{
+    def->solver = wfFindSolver("soft");
+    def->shapeCapacity = 512;
+}
+
+static wfShapeId hang(Maker *m, wfBodyId body, const wfShapeDef *def)
+{
+    wfShapeId id = { 0 };
+    if (m->result == WF_OK) note(m, wfAddShapeToBody(m->world, body, def, &id));
+    return id;
+}
+
+/* Hangs a box on a body; x, y: its middle in the body's frame. */
+static void hang_box(Maker *m, wfBodyId body, wfReal x, wfReal y, wfReal halfWidth,
+                     wfReal halfHeight, wfReal density)
+{
+    wfShapeDef def = wfDefaultShapeDef();
+    def.density = density;
+    note(m, wfMakeOrientedBox(wfV2(x, y), halfWidth, halfHeight, 0, &def.shape));
+    hang(m, body, &def);
+}
+/* <helpers of the scenes> */
+enum { CHAIN_MOST = 201 };
+
+static void put_chain(Maker *m, const wfVec2 *point, int count)
+{
+    wfShape link[CHAIN_MOST];
+    wfBodyDef ground = wfDefaultBodyDef();
+    int links = 0;
+    ground.type = WF_STATIC;
+    note(m, wfMakeChain(point, count, false, link, CHAIN_MOST, &links));
+    wfBodyId body = put(m, &ground);
+    for (int i = 0; i < links; i++) {
+        wfShapeDef def = wfDefaultShapeDef();
+        def.shape = link[i];
+        hang(m, body, &def);
+    }
+}
+
+static void put_valley(Maker *m, wfReal halfWidth, wfReal depth)
+{
+    wfVec2 point[CHAIN_MOST];
+    for (int i = 0; i < CHAIN_MOST; i++) {
+        wfReal t = 1 - 2 * (wfReal)i / (CHAIN_MOST - 1);
+        point[i] = wfV2(halfWidth * t, depth * t * t * t * t);
+    }
+    put_chain(m, point, CHAIN_MOST);
+}
+/* <helpers of the scenes> */
+static void hang_sensor(Maker *m, wfBodyId body, const wfShape *shape)
+{
+    wfShapeDef def = wfDefaultShapeDef();
+    def.shape = *shape;
+    def.sensor = 1;
+    hang(m, body, &def);
+}
+
+/* The middle of a shape, in the world; false for a name that is stale. */
+static bool middle_of(const wfWorld *world, wfShapeId id, wfVec2 *out)
+{
+    wfShapeView s = wfWorldShapes(world);
+    wfBodyView v = wfWorldBodies(world);
+    int32_t k = wfShapeIndex(world, id);
+    if (k < 0) return false;
+    *out = wfApply(wfBodyTransform(&v.state[s.owners[k]]), s.shapes[k].centre);
+    return true;
+}
+/* <helpers of the scenes> */
+static void jointly(wfWorldDef *def)
+{
+    softly(def);
+    def->jointCapacity = 64;
+}
+
+/* A joint at rest between two points of the world; its axis is upright. */
+static wfJoint joint_from(Maker *m, const char *kind, wfBodyId a, wfBodyId b, wfVec2 from,
+                          wfVec2 to)
+{
+    wfJoint j = { .kind = 0 };
+    if (m->result == WF_OK)
+        note(m, wfJoinBodies(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
+    return j;
+}
+
+static void join(Maker *m, const wfJoint *joint)
+{
+    if (m->result == WF_OK)
+        note(m, wfAddJointToWorld(m->world, joint, NULL));
+}
+
+static void pin(Maker *m, wfBodyId a, wfBodyId b, wfVec2 at)
+{
+    wfJoint j = joint_from(m, "revolute", a, b, at, at);
+    join(m, &j);
+}
+/* <helpers of the scenes> */
+static wfBodyId put_nail(Maker *m, wfReal x, wfReal y)
+{
+    wfBodyDef nail = wfDefaultBodyDef();
+    nail.type = WF_STATIC;
+    nail.position = wfV2(x, y);
+    nail.userData = WF_INK_LINE;
+    return put(m, &nail);
+}
+
+static wfBodyId put_in_group(Maker *m, const wfBodyDef *def, int32_t group)
+{
+    wfShapeDef shape;
+    wfBodyId body = put(m, def);
+    if (m->result != WF_OK) return body;
+    note(m, wfGetShape(m->world, wfFirstShape(m->world, body), &shape));
+    shape.filter.group = group;
+    note(m, wfSetShape(m->world, wfFirstShape(m->world, body), &shape));
+    return body;
 }
 /* <scenes> */
 static const wfReal fallSpeed[3][2] = { { 0, 0 }, { 3, 4 }, { 5, 7 } };
@@ -452,6 +580,19 @@ static wfResult build_cradle(wfWorld *world)
     return m.result;
 }
 /* <scenes> */
+static wfResult build_tower(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
+    for (int i = 0; i < 20; i++) {
+        wfBodyDef b = box(&m, i % 3 == 0 ? WF_R(0.01) : WF_R(-0.01) * (wfReal)(i % 2),
+                          (wfReal)i + WF_R(0.5), WF_R(0.5), WF_R(0.5));
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
 static wfResult build_stack(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -678,7 +819,7 @@ static void mark_node(const wfWorld *world, wfDraw *d, const wfQuadTree *tree, i
     wfBodyView v = wfWorldBodies(world);
     wfDrawRect(d, wfQuadTreeRect(tree, node), 4, WF_INK_ACCENT);
     for (int32_t i = 0; i < v.count; i++)
-        if (v.alive[i] && wfQuadTreeNodeOf(tree, i) == node)
+        if (v.props[i].shape >= 0 && wfQuadTreeNodeOf(tree, v.props[i].shape) == node)
             wfDrawPoint(d, WF_XY(v.state[i].p), 10, WF_INK_ACCENT);
 }
 /* <scenes> */
@@ -687,7 +828,8 @@ static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
     static const char *const sector[] = { "BL", "BR", "TL", "TR" };
     wfBodyView v = wfWorldBodies(world);
     for (int32_t i = 0; i < v.count; i++) {
-        int32_t path[WF_QUAD_MAX_DEPTH], node = v.alive[i] ? wfQuadTreeNodeOf(tree, i) : -1;
+        int32_t path[WF_QUAD_MAX_DEPTH], shape = v.alive[i] ? v.props[i].shape : -1;
+        int32_t node = shape >= 0 ? wfQuadTreeNodeOf(tree, shape) : -1;
         if (node < 0 || v.props[i].type == WF_STATIC)
             continue;
         int depth = wfQuadTreePath(tree, node, path);
@@ -706,7 +848,7 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfProxies proxies;
     wfQuadTree tree;
     if (wfPoolInit(&pool, BYTES, bytes) != WF_OK ||
-        wfWorldProxies(world, &pool, &proxies) != WF_OK ||
+        wfWorldProxies(world, &proxies) != WF_OK ||
         wfQuadTreeBuild(&tree, &pool, &proxies) != WF_OK)
         return;
     int32_t best = -1;
@@ -722,7 +864,7 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 /* <scenes> */
 static void push_out_at_once(wfWorldDef *def)
 {
-    def->gravity = wfV2(0, 0);
+    integrated_freely(def);
     def->positionShare = 1;
     def->slop = WF_R(0.001);
 }
@@ -733,14 +875,796 @@ static void draw_wish(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     int32_t test = testing_body(in);
     wfTransform wish = wfMakeTransform(in->mouse, in->turn);
     const wfShape *s = &v.shapes[v.props[test].shape];
-    for (int32_t i = 0; s->kind == WF_SHAPE_POLYGON && i < s->count; i++) {
-        wfVec2 a = wfApply(wish, s->vertices[i]);
-        wfVec2 b = wfApply(wish, s->vertices[(i + 1) % s->count]);
+    wfVec2 rim[WF_RIM_POINTS];
+    int n = wfShapeOutline(s, wish, rim);
+    for (int i = 0; s->kind != WF_SHAPE_CIRCLE && i < n; i++) {
+        wfVec2 a = rim[i], b = rim[(i + 1) % n];
         wfDrawDashed(d, WF_XY(a), WF_XY(b), 1.5f, WF_INK_ACCENT);
     }
     if (s->kind == WF_SHAPE_CIRCLE)
         wfDrawCircle(d, WF_XY(in->mouse), (float)s->radius, 1, WF_INK_ACCENT, WF_INK_NONE);
     wfDrawArrow(d, WF_XY(in->mouse), WF_XY(v.state[test].p), 2, WF_INK_BAD);
+}
+/* <scenes> */
+static void put_rider(Maker *m, const wfBodyDef *def)
+{
+    wfShapeDef shape;
+    wfBodyId body = put(m, def);
+    if (m->result != WF_OK) return;
+    note(m, wfGetShape(m->world, wfFirstShape(m->world, body), &shape));
+    shape.filter.group = -1;
+    note(m, wfSetShape(m->world, wfFirstShape(m->world, body), &shape));
+}
+
+static wfResult build_tiles(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_valley(&m, 9, 6);
+    wfBodyDef rider[3] = { ball(&m, WF_R(-6.9), 3, WF_R(0.5)),
+                           box(&m, WF_R(5.5), WF_R(1.4), WF_R(0.5), WF_R(0.3)),
+                           ball(&m, WF_R(6.5), WF_R(3.2), 1) };
+    note(&m, wfMakeCapsule(wfV2(WF_R(-0.4), 0), wfV2(WF_R(0.4), 0), WF_R(0.3),
+                           &rider[2].shape));
+    for (int i = 0; i < 3; i++) {
+        rider[i].friction = i == 0 ? 1 : 0;
+        rider[i].angle = i == 0 ? 0 : WF_R(0.5);
+        rider[i].userData = (uint64_t)(i == 0 ? WF_INK_GOOD : i == 1 ? WF_INK_BODY2
+                                                                     : WF_INK_BODY);
+        put_rider(&m, &rider[i]);
+    }
+    return m.result;
+}
+/* <scenes> */
+static const wfReal hammerX = WF_R(-6.0), hammerY = 2, hammerV = WF_R(2.5), hammerW = 9;
+
+static wfBodyId put_hammer(Maker *m, wfReal x, wfReal y)
+{
+    wfBodyDef def = box(m, x, y, WF_R(0.7), WF_R(0.08));
+    def.density = WF_R(0.7);
+    def.userData = WF_INK_BODY2;
+    wfBodyId body = put(m, &def);
+    hang_box(m, body, WF_R(0.8), 0, WF_R(0.2), WF_R(0.4), 8);
+    return body;
+}
+
+static void throw_hammer(Maker *m, wfReal spin)
+{
+    wfBodyInfo now;
+    wfBodyId body = put_hammer(m, 0, 0);
+    if (m->result == WF_OK) note(m, wfGetBody(m->world, body, &now));
+    if (m->result != WF_OK) return;
+    wfVec2 start = wfSub(wfV2(hammerX, hammerY), now.centre);
+    note(m, wfSetBodyTransform(m->world, body, start, 0));
+    note(m, wfSetBodyVelocity(m->world, body, wfV2(hammerV, hammerW), spin));
+}
+/* <scenes> */
+static wfResult build_hammers(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 12, WF_R(0.5), 0);
+    throw_hammer(&m, -7);
+    put_hammer(&m, 1, WF_R(0.5));
+    wfBodyDef bell = ball(&m, 2, 4, WF_R(0.5)), ell = box(&m, 7, 1, WF_R(0.8), WF_R(0.2));
+    bell.userData = WF_INK_GOOD;
+    wfBodyId id = put(&m, &bell);
+    hang_box(&m, id, 1, 0, WF_R(0.6), WF_R(0.1), 1);
+    wfShapeDef end = wfDefaultShapeDef();
+    note(&m, wfMakeCircle(wfV2(2, 0), WF_R(0.5), &end.shape));
+    hang(&m, id, &end);
+    id = put(&m, &ell);
+    hang_box(&m, id, WF_R(-0.6), WF_R(0.7), WF_R(0.2), WF_R(0.5), 1);
+    ell.position = wfV2(6, 4);
+    ell.angle = WF_R(0.6);
+    id = put(&m, &ell);
+    hang_box(&m, id, 0, 0, WF_R(0.2), WF_R(0.8), 1);
+    return m.result;
+}
+
+static void draw_hammers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfVec2 g;
+    if (wfGetGravity(world, &g) == WF_OK)
+        draw_parabola(d, wfV2(hammerX, hammerY), wfV2(hammerV, hammerW), g, WF_R(0.4));
+}
+/* <scenes> */
+static void put_outline(Maker *m, const wfVec2 *outline, int corners, wfVec2 at, int role)
+{
+    _Alignas(WF_POOL_ALIGN) uint8_t room[16384];
+    wfShape piece[16];
+    wfPool scratch;
+    int count = 0;
+    note(m, wfPoolInit(&scratch, sizeof room, room));
+    note(m, wfDecompose(outline, corners, piece, 16, &count, &scratch));
+    wfBodyDef def = wfDefaultBodyDef();
+    wfBodyId id = { 0 };
+    def.position = at;
+    def.userData = (uint64_t)role;
+    for (int i = 0; i < count; i++) {
+        wfShapeDef part = wfDefaultShapeDef();
+        def.shape = part.shape = piece[i];
+        if (i == 0) id = put(m, &def);
+        else hang(m, id, &part);
+    }
+}
+/* <scenes> */
+static wfResult build_outlines(wfWorld *world)
+{
+    static const wfVec2 arrow[7] = { { { WF_R(-1.4), WF_R(-0.15) } },
+        { { 0, WF_R(-0.15) } }, { { 0, WF_R(-0.6) } }, { { WF_R(0.9), 0 } },
+        { { 0, WF_R(0.6) } }, { { 0, WF_R(0.15) } }, { { WF_R(-1.4), WF_R(0.15) } } };
+    static const wfVec2 shoe[8] = { { { -1, -1 } }, { { 1, -1 } }, { { 1, 1 } },
+        { { WF_R(0.6), 1 } }, { { WF_R(0.6), WF_R(-0.6) } },
+        { { WF_R(-0.6), WF_R(-0.6) } }, { { WF_R(-0.6), 1 } },
+        { { -1, 1 } } };
+    Maker m = { world, WF_OK };
+    wfVec2 star[10];
+    for (int i = 0; i < 10; i++) {
+        wfRot q = wfRotation(wfWrapAngle(WF_PI * (wfReal)i / 5));
+        wfReal r = i % 2 ? WF_R(0.45) : WF_R(1.1);
+        star[i] = wfV2(r * q.c, r * q.s);
+    }
+    put_room(&m, 6, 5, 0);
+    for (int i = 0; i < 4; i++) {
+        wfReal x = WF_R(2.5) * (wfReal)i - 4;
+        put_outline(&m, shoe, 8, wfV2(x, 2), WF_INK_BODY);
+        put_outline(&m, star, 10, wfV2(x, 5), WF_INK_ACCENT);
+        put_outline(&m, arrow, 7, wfV2(x, WF_R(7.5)), WF_INK_GOOD);
+    }
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_round(wfWorld *world)
+{
+    static const uint64_t role[3] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD };
+    Maker m = { world, WF_OK };
+    put_valley(&m, 7, 8);
+    for (int i = 0; i < 24; i++) {
+        wfReal x = (wfReal)(i % 4) * WF_R(1.9) - WF_R(2.8);
+        wfReal y = 2 + WF_R(1.6) * (wfReal)(i / 4), end = WF_R(0.45);
+        wfBodyDef b = box(&m, x, y, 1, 1);
+        wfVec2 corner[3] = { wfV2(-WF_R(0.5), -WF_R(0.3)), wfV2(WF_R(0.5), -WF_R(0.3)),
+                             wfV2(0, WF_R(0.5)) }, a = wfV2(-end, 0), c = wfV2(end, 0);
+        wfReal half = WF_R(0.5), low = WF_R(0.3);
+        if (i % 3 == 0) note(&m, wfMakeCapsule(a, c, WF_R(0.3), &b.shape));
+        if (i % 3 == 1) note(&m, wfMakeRoundedBox(half, low, WF_R(0.15), &b.shape));
+        if (i % 3 == 2) note(&m, wfMakeRoundedPolygon(corner, 3, WF_R(0.12), &b.shape));
+        b.angle = (wfReal)(i % 7) - 3;
+        b.userData = role[i % 3];
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_gate(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_room(&m, 7, 4, WF_R(0.5));
+    wfBodyDef slope = box(&m, -4, 6, 3, WF_R(0.1)), place = wfDefaultBodyDef();
+    wfVec2 corner[3] = { wfV2(0, 0), wfV2(3, -1), wfV2(3, 1) };
+    wfShape gate, fan;
+    slope.type = place.type = WF_STATIC;
+    slope.angle = WF_R(-0.3);
+    put(&m, &slope);
+    note(&m, wfMakeBox(WF_R(1.2), WF_R(0.8), &gate));
+    note(&m, wfMakePolygon(corner, 3, &fan));
+    place.position = wfV2(WF_R(0.5), 3);
+    hang_sensor(&m, put(&m, &place), &gate);
+    place.type = WF_KINEMATIC;  /* turns about its origin, the corner of the fan */
+    place.position = wfV2(WF_R(3.5), WF_R(2.5));
+    place.angularVelocity = 1;
+    hang_sensor(&m, put(&m, &place), &fan);
+    for (int i = 0; i < 10; i++) {
+        wfBodyDef b = ball(&m, WF_R(-6.3) + WF_R(0.5) * (wfReal)i, WF_R(7.5), WF_R(0.22));
+        b.restitution = WF_R(0.6);
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+static void draw_gate(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    for (int kind = WF_SENSE_BEGIN; kind <= WF_SENSE_STAY; kind++) {
+        int32_t count;
+        wfVec2 at;
+        const wfTouchEvent *event = wfWorldEvents(world, kind, &count);
+        for (int32_t i = 0; i < count; i++)
+            if (middle_of(world, event[i].b, &at))
+                wfDrawCircle(d, WF_XY(at), 0.35f, 2, WF_INK_ACCENT, WF_INK_NONE);
+    }
+}
+/* <scenes> */
+static wfResult build_sieve(wfWorld *world)
+{
+    static const int role[3] = { WF_INK_BODY, WF_INK_GOOD, WF_INK_BODY2 };
+    Maker m = { world, WF_OK };
+    put_room(&m, 5, 5, 0);
+    for (int i = 0; i < 33; i++) {
+        bool plate = i < 3;
+        uint64_t colour = (uint64_t)2 << (i % 3);
+        wfReal x = WF_R(0.8) * (wfReal)(i % 10) - WF_R(3.7);
+        wfReal y = WF_R(7.5) + (wfReal)(i / 10) / 2;
+        wfBodyDef b = plate ? box(&m, 0, WF_R(2.4) * (wfReal)i + 1, WF_R(4.4), WF_R(0.1))
+                            : ball(&m, x, y, WF_R(0.22));
+        b.type = plate ? WF_STATIC : WF_DYNAMIC;
+        b.userData = (uint64_t)role[i % 3];
+        wfBodyId id = put(&m, &b);
+        wfShapeDef shape;
+        if (m.result != WF_OK) return m.result;
+        note(&m, wfGetShape(world, wfFirstShape(world, id), &shape));
+        shape.filter.category = colour;
+        shape.filter.mask = plate ? colour : 1 | 14;
+        note(&m, wfSetShape(world, wfFirstShape(world, id), &shape));
+    }
+    return m.result;
+}
+/* <scenes> */
+/* <the hook of a one-way platform> */
+enum { ONE_WAY = 1000 };
+
+static void one_way(void *context, const wfHookView *v, const wfContact *c,
+                    wfContactChange *change)
+{
+    (void)context;
+    bool first = v->shapes.props[c->shapeA].userData == ONE_WAY;
+    if (!first && v->shapes.props[c->shapeB].userData != ONE_WAY) return;
+    const wfBodyState *a = &v->bodies.state[c->a], *b = &v->bodies.state[c->b];
+    wfReal up = first ? c->manifold.normal.y : -c->manifold.normal.y;
+    wfReal depth = 0, speed = 0, carried = 0;
+    for (int32_t i = 0; i < c->manifold.count; i++) {
+        const wfContactPoint *p = &c->manifold.points[i];
+        wfReal u = wfRelativeNormalVelocity(a, b, p->point, c->manifold.normal);
+        depth = wfMaxR(depth, p->depth);
+        speed = wfMaxR(speed, -u);
+        carried += p->normalImpulse;
+    }
+    bool landed = depth <= c->slop + v->dt * speed;  /* eq:world-oneway */
+    change->enabled = up > WF_R(0.7) && (landed || carried > 0);
+}
+
+static const wfHooks oneWayHooks = { NULL, NULL, one_way };
+
+static wfResult build_one_way(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_room(&m, 6, 5, 0);
+    for (int i = 0; i < 3; i++) {
+        wfBodyDef plank = wfDefaultBodyDef();
+        plank.type = WF_STATIC;
+        plank.position = wfV2(i == 1 ? 2 : -2, WF_R(2.2) + 2 * (wfReal)i);
+        wfBodyId id = put(&m, &plank);
+        wfShapeDef shape = wfDefaultShapeDef();
+        shape.userData = ONE_WAY;
+        note(&m, wfMakeBox(WF_R(2.5), WF_R(0.12), &shape.shape));
+        hang(&m, id, &shape);
+    }
+    for (int i = 0; i < 8; i++) {
+        wfBodyDef b = ball(&m, WF_R(1.4) * (wfReal)i - 5, WF_R(0.3), WF_R(0.3));
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void kick_upwards(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    uint64_t step = wfWorldSteps(world);
+    wfBodyView v = wfWorldBodies(world);
+    for (int32_t i = 0; i < v.count && step % 120 == 60; i++)
+        if (v.props[i].type == WF_DYNAMIC && v.state[i].p.y < WF_R(0.4))
+            wfSetBodyVelocity(world, wfBodyAt(world, i), wfV2(0, 7 + (wfReal)(i % 4)), 0);
+}
+/* <scenes> */
+static wfResult build_conveyors(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_room(&m, 6, 5, 0);
+    for (int i = 0; i < 3; i++) {
+        wfBodyDef belt = wfDefaultBodyDef();
+        belt.type = WF_STATIC;
+        belt.position = wfV2(i % 2 ? 1 : -1, WF_R(1.5) + WF_R(2.4) * (wfReal)i);
+        wfBodyId id = put(&m, &belt);
+        wfShapeDef shape = wfDefaultShapeDef();
+        shape.surfaceSpeed = (wfReal)(i % 2 ? -2 : 2);
+        note(&m, wfMakeRoundedBox(4, WF_R(0.25), WF_R(0.2), &shape.shape));
+        hang(&m, id, &shape);
+    }
+    for (int i = 0; i < 9; i++) {
+        wfReal x = WF_R(0.9) * (wfReal)(i % 3) - 3;
+        wfReal y = WF_R(7.2) + WF_R(0.8) * (wfReal)(i / 3);
+        wfBodyDef b = box(&m, x, y, WF_R(0.35), WF_R(0.25));
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_BODY2;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void draw_conveyors(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfShapeView s = wfWorldShapes(world);
+    wfBodyView v = wfWorldBodies(world);
+    for (int32_t k = 0; k < s.count; k++) {
+        if (s.props[k].surfaceSpeed == 0) continue;
+        wfVec2 at = v.state[s.owners[k]].p;
+        float x = (float)at.x, y = (float)at.y;
+        float half = 0.3f * (float)s.props[k].surfaceSpeed;
+        wfDrawArrow(d, x - half, y, x + half, y, 2, WF_INK_ACCENT);
+    }
+}
+/* <scenes> */
+static wfResult build_probe(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_room(&m, 7, 4, WF_R(0.9));
+    for (int i = 0; i < 14; i++) {
+        wfReal x = WF_R(1.6) * (wfReal)(i % 7) - 5, y = 2 + 3 * (wfReal)(i / 7);
+        wfBodyDef b = i % 3 == 0 ? ball(&m, x, y, WF_R(0.5))
+                                 : regular(&m, x, y, WF_R(0.6), 2 + i % 3 + i % 4);
+        b.velocity = wfV2((wfReal)(i % 5 - 2), (wfReal)(i % 3 - 1));
+        b.angularVelocity = (wfReal)(i % 4) - WF_R(1.5);
+        b.restitution = 1;
+        b.friction = 0;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void float_softly(wfWorldDef *def)
+{
+    softly(def);
+    def->gravity = wfV2(0, 0);
+}
+/* <scenes> */
+static void draw_probe(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    wfRayHit hit;
+    wfClosest near;
+    wfShape probe;
+    for (int i = 0; i < 24; i++) {
+        wfRot q = wfRotation(wfWrapAngle(2 * WF_PI * (wfReal)i / 24));
+        wfRay ray = { in->mouse, wfV2(12 * q.c, 12 * q.s) };
+        if (wfWorldCastRay(world, ray, NULL, &hit) != WF_OK || hit.shape == WF_NO_SHAPE)
+            continue;
+        wfVec2 tip = wfAddScaled(hit.point, WF_R(0.25), hit.normal);
+        wfDrawLine(d, WF_XY(in->mouse), WF_XY(hit.point), 1, WF_INK_FAINT);
+        wfDrawLine(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
+    }
+    if (wfWorldClosest(world, in->mouse, 10, NULL, &near) == WF_OK
+        && near.shape != WF_NO_SHAPE)
+        wfDrawLine(d, WF_XY(in->mouse), WF_XY(near.point), 3, WF_INK_ACCENT);
+    wfTransform at = wfMakeTransform(in->mouse, in->turn);
+    if (wfMakeBox(WF_R(0.4), WF_R(0.25), &probe) != WF_OK) return;
+    if (wfWorldCastShape(world, &probe, at, wfV2(0, -10), NULL, &hit) != WF_OK) return;
+    wfDrawShape(d, &probe, at, WF_INK_ACCENT, WF_INK_NONE);
+    at.p.y -= 10 * hit.fraction;
+    wfDrawShape(d, &probe, at, WF_INK_BAD, WF_INK_NONE);
+    wfDrawDashed(d, WF_XY(in->mouse), WF_XY(at.p), 1, WF_INK_BAD);
+}
+/* <scenes> */
+static wfResult build_hits(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_room(&m, 6, 4, WF_R(0.3));
+    for (int i = 0; i < 18; i++) {
+        wfReal x = WF_R(1.7) * (wfReal)(i % 6) - WF_R(4.3), y = 2 + 2 * (wfReal)(i / 6);
+        wfBodyDef b = i % 2 ? ball(&m, x, y, WF_R(0.4))
+                            : box(&m, x, y, WF_R(0.4), WF_R(0.3));
+        b.restitution = WF_R(0.6);
+        b.angularVelocity = (wfReal)(i % 5) - 2;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void draw_hits(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    int32_t count;
+    const wfHit *hit = wfWorldHits(world, &count);
+    for (int32_t i = 0; i < count; i++)
+        wfDrawCircle(d, WF_XY(hit[i].point), 0.1f * (float)hit[i].speed, 3, WF_INK_BAD,
+                     WF_INK_NONE);
+    const wfTouchEvent *event = wfWorldEvents(world, WF_TOUCH_BEGIN, &count);
+    for (int32_t i = 0; i < count; i++) {
+        wfVec2 a, b;
+        if (middle_of(world, event[i].a, &a) && middle_of(world, event[i].b, &b))
+            wfDrawLine(d, WF_XY(a), WF_XY(b), 2, WF_INK_ACCENT);
+    }
+}
+/* <scenes> */
+static wfResult build_pendulums(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    for (int i = 0; i < 2; i++) {
+        wfVec2 at = wfV2(i == 0 ? WF_R(-4.2) : WF_R(2.5), 0);
+        wfBodyId last = put_nail(&m, at.x, at.y);
+        for (int k = 0; k <= i; k++) {
+            wfReal half = i == 0 ? WF_R(1.5) : 1;
+            wfBodyDef rod = box(&m, at.x + half, at.y, half, WF_R(0.08));
+            rod.userData = (uint64_t)(k ? WF_INK_BODY2 : WF_INK_BODY);
+            wfBodyId id = put_in_group(&m, &rod, -1);
+            pin(&m, last, id, at);
+            at.x += 2 * half;
+            last = id;
+        }
+    }
+    return m.result;
+}
+
+static void draw_level(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)world, (void)in;
+    wfDrawDashed(d, -8, 0, 8, 0, 1.5f, WF_INK_GOOD);
+}
+/* <scenes> */
+enum { BRIDGE_PLANKS = 16 };
+
+/* Where hinge i is: on a parabola that sags by a metre. */
+static wfVec2 bridge_hinge(int i)
+{
+    wfReal t = 2 * (wfReal)i / BRIDGE_PLANKS - 1;
+    return wfV2(WF_R(0.45) * BRIDGE_PLANKS * t, 2 + t * t);
+}
+/* <scenes> */
+static void put_bridge(Maker *m, wfReal strength)
+{
+    wfReal end = WF_R(0.45) * BRIDGE_PLANKS;
+    wfBodyId left = put_nail(m, -end, 3), right = put_nail(m, end, 3), last = left;
+    for (int i = 0; i <= BRIDGE_PLANKS; i++) {
+        wfBodyId next = right;
+        wfVec2 at = bridge_hinge(i), to = bridge_hinge(i + 1);
+        if (i < BRIDGE_PLANKS) {
+            wfVec2 middle = wfLerp(at, to, WF_R(0.5)), way = wfSub(to, at);
+            wfBodyDef plank = box(m, middle.x, middle.y, wfLength(way) / 2, WF_R(0.1));
+            plank.angle = wfAtan2(way.y, way.x);
+            plank.friction = WF_R(0.6);
+            next = put(m, &plank);
+        }
+        wfJoint j = joint_from(m, "revolute", last, next, at, at);
+        j.breakForce = strength;
+        join(m, &j);
+        last = next;
+    }
+    put_wall(m, -end - WF_R(1.2), WF_R(1.5), 1, WF_R(1.6), 0);
+    put_wall(m, end + WF_R(1.2), WF_R(1.5), 1, WF_R(1.6), 0);
+    put_wall(m, 0, WF_R(-0.5), end + WF_R(2.2), WF_R(0.5), 0);
+}
+/* <scenes> */
+static void put_crates(Maker *m)
+{
+    for (int i = 0; i < 5; i++) {
+        wfReal x = WF_R(1.8) * (wfReal)(i - 2);
+        wfBodyDef b = i % 2 ? ball(m, x, 5, WF_R(0.4))
+                            : box(m, x, WF_R(4.2), WF_R(0.45), WF_R(0.45));
+        b.friction = WF_R(0.6);
+        b.userData = (uint64_t)(i % 2 ? WF_INK_GOOD : WF_INK_BODY2);
+        put(m, &b);
+    }
+}
+
+static wfResult build_bridge(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_bridge(&m, 0);
+    put_crates(&m);
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_weak_bridge(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_bridge(&m, 400);
+    put_crates(&m);
+    wfBodyDef b = ball(&m, WF_R(0.9), 7, WF_R(0.6));
+    b.density = 5;
+    b.userData = WF_INK_GOOD;
+    put(&m, &b);
+    return m.result;
+}
+/* <scenes> */
+static void put_road(Maker *m)
+{
+    wfVec2 point[CHAIN_MOST];
+    for (int i = 0; i < CHAIN_MOST; i++) {
+        wfReal x = 9 - 18 * (wfReal)i / (CHAIN_MOST - 1), high = WF_R(0.02) * (x + 9);
+        wfReal turns = x / 2 - wfFloor(x / 2);
+        point[i] = wfV2(x, high * wfSin(wfWrapAngle(2 * WF_PI * turns)));
+    }
+    put_chain(m, point, CHAIN_MOST);
+    put_wall(m, WF_R(-9.5), 2, WF_R(0.5), 3, 0);
+    put_wall(m, WF_R(9.5), 2, WF_R(0.5), 3, 0);
+}
+/* <scenes> */
+static wfResult build_cart(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyDef body = box(&m, -6, WF_R(1.1), 1, WF_R(0.25));
+    wfBodyId cart = put(&m, &body);
+    for (int i = 0; i < 2; i++) {
+        wfBodyDef wheel = ball(&m, WF_R(-6.7) + WF_R(1.4) * (wfReal)i, WF_R(0.5),
+                               WF_R(0.4));
+        wheel.friction = 1;
+        wheel.userData = WF_INK_BODY2;
+        wfBodyId id = put(&m, &wheel);
+        wfJoint j = joint_from(&m, "wheel", cart, id, wheel.position, wheel.position);
+        wfTuneJoint(&j, WF_R(0.5), 2, WF_R(0.5));
+        j.flags |= WF_JOINT_MOTOR | WF_JOINT_LIMITS;
+        j.lower = WF_R(-0.25), j.upper = WF_R(0.25);
+        j.motorSpeed = -8, j.motorForce = 4;
+        join(&m, &j);
+    }
+    put_road(&m);
+    return m.result;
+}
+/* <scenes> */
+static void drive_cart(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    wfReal x = wfWorldBodies(world).state[0].p.x;
+    for (int32_t i = 0; i < 2 && wfAbs(x) > WF_R(6.5); i++) {
+        wfJoint j;
+        if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) continue;
+        j.motorSpeed = x < 0 ? -8 : 8;      /* turning clockwise drives to the right */
+        wfSetJoint(world, wfJointAt(world, i), &j);
+    }
+}
+/* <scenes> */
+static void put_yard(Maker *m)
+{
+    put_wall(m, WF_R(-6.5), WF_R(3.5), WF_R(0.3), WF_R(3.62), 0);
+    put_wall(m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
+    for (int i = 0; i < 4; i++) {
+        wfReal x = 2 + WF_R(1.2) * (wfReal)i;
+        wfBodyDef crate = box(m, x, WF_R(0.4), WF_R(0.4), WF_R(0.4));
+        crate.userData = WF_INK_GOOD;
+        put(m, &crate);
+    }
+}
+/* <scenes> */
+static wfResult build_crane(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyDef beam = box(&m, 0, 7, 6, WF_R(0.12));
+    wfBodyDef cab = box(&m, -4, 7, WF_R(0.5), WF_R(0.2));
+    wfBodyDef load = box(&m, -4, WF_R(3.5), WF_R(0.5), WF_R(0.5));
+    beam.type = WF_STATIC;
+    cab.density = load.density = 4;
+    cab.userData = WF_INK_BODY2;
+    wfBodyId rail = put(&m, &beam), trolley = put(&m, &cab), weight = put(&m, &load);
+    wfJoint j = { .kind = 0 };
+    if (m.result == WF_OK)
+        note(&m, wfJoinBodies(world, "prismatic", rail, trolley, cab.position,
+                              cab.position, wfV2(1, 0), &j));
+    j.flags = WF_JOINT_MOTOR | WF_JOINT_LIMITS;
+    j.lower = 0, j.upper = 8, j.motorForce = 10;
+    join(&m, &j);
+    j = joint_from(&m, "distance", trolley, weight, cab.position, wfV2(-4, 4));
+    j.flags = WF_JOINT_MOTOR | WF_JOINT_LIMITS;
+    j.lower = 1, j.upper = 6, j.motorForce = 80;
+    join(&m, &j);
+    put_yard(&m);
+    return m.result;
+}
+/* <scenes> */
+static void work_crane(wfWorld *world, const wfSceneInput *in)
+{
+    static const wfReal across[] = { 0, 1, 0, 0, -1, 0 };
+    static const wfReal rope[] = { -1, 0, 1, -1, 0, 1 };
+    (void)in;
+    int phase = (int)(wfWorldSteps(world) / 180 % 6);
+    for (int32_t i = 0; i < 2; i++) {
+        wfJoint j;
+        if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) continue;
+        j.motorSpeed = i == 0 ? 2 * across[phase] : WF_R(0.7) * rope[phase];
+        wfSetJoint(world, wfJointAt(world, i), &j);
+    }
+}
+/* <scenes> */
+static wfBodyId put_wheel(Maker *m, wfBodyId frame, wfReal x, wfReal y, wfReal radius,
+                          wfJoint *axle)
+{
+    wfBodyDef wheel = ball(m, x, y, radius);
+    wfBodyId id = put_in_group(m, &wheel, -1);
+    *axle = joint_from(m, "revolute", frame, id, wfV2(x, y), wfV2(x, y));
+    return id;
+}
+/* <scenes> */
+static void put_gears(Maker *m, wfBodyId frame)
+{
+    wfBodyId last = { 0 };
+    wfReal x = WF_R(-6.8);
+    for (int i = 0; i < 3; i++) {
+        wfReal radius = WF_R(0.6) * (wfReal)(i + 1);
+        wfJoint axle;
+        x += radius;
+        wfBodyId id = put_wheel(m, frame, x, 0, radius, &axle);
+        x += radius;
+        if (i == 0) axle.flags = WF_JOINT_MOTOR, axle.motorSpeed = WF_PI;
+        axle.motorForce = 100;
+        join(m, &axle);
+        if (i > 0) {
+            wfJoint gear = joint_from(m, "gear", last, id, wfV2(x, 0), wfV2(x, 0));
+            gear.ratio = (wfReal)(i + 1) / (wfReal)i;
+            join(m, &gear);
+        }
+        last = id;
+    }
+}
+/* <scenes> */
+static wfResult build_gears(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyId frame = put_nail(&m, 3, 0);
+    wfJoint axle, click;
+    wfBodyDef bar = box(&m, 3, WF_R(1.2), WF_R(0.12), WF_R(1.2));
+    bar.userData = WF_INK_BODY2;
+    wfBodyId wheel = put_wheel(&m, frame, 3, 0, WF_R(1.4), &axle);
+    wfBodyId lever = put_in_group(&m, &bar, -1);
+    join(&m, &axle);
+    axle = joint_from(&m, "revolute", frame, lever, wfV2(3, 0), wfV2(3, 0));
+    axle.flags = WF_JOINT_MOTOR | WF_JOINT_LIMITS;
+    axle.lower = WF_R(-0.8), axle.upper = WF_R(0.8), axle.motorForce = 200;
+    join(&m, &axle);
+    for (int i = 0; i < 2; i++) {
+        click = joint_from(&m, "ratchet", i ? frame : lever, wheel, wfV2(3, 0), wfV2(3, 0));
+        click.ratio = WF_PI / 12;
+        join(&m, &click);
+    }
+    put_gears(&m, frame);
+    return m.result;
+}
+/* <scenes> */
+static void rock_lever(wfWorld *world, const wfSceneInput *in)
+{
+    wfJoint j;
+    (void)in;
+    if (wfGetJoint(world, wfJointAt(world, 1), &j) != WF_OK) return;
+    j.motorSpeed = wfWorldSteps(world) / 60 % 2 ? WF_R(-1.8) : WF_R(1.8);
+    wfSetJoint(world, wfJointAt(world, 1), &j);
+}
+/* <scenes> */
+enum { SPRINGS = 6 };
+
+static wfResult build_springs(wfWorld *world)
+{
+    static const wfReal ratio[] = { 0, WF_R(0.05), WF_R(0.2), WF_R(0.5), 1, 3 };
+    Maker m = { world, WF_OK };
+    wfBodyDef beam = box(&m, 0, 5, 7, WF_R(0.2));
+    beam.type = WF_STATIC;
+    wfBodyId bar = put(&m, &beam);
+    for (int i = 0; i < SPRINGS; i++) {
+        wfReal x = WF_R(2.2) * ((wfReal)i - WF_R(2.5));
+        wfBodyDef b = box(&m, x, 2, WF_R(0.45), WF_R(0.45));
+        b.mass = WF_R(0.8);
+        b.userData = (uint64_t)(i % 2 ? WF_INK_BODY2 : WF_INK_BODY);
+        wfBodyId id = put(&m, &b);
+        wfVec2 at = wfV2(x, WF_R(2.45));
+        wfJoint j = joint_from(&m, "prismatic", bar, id, at, at);
+        wfTuneJoint(&j, b.mass, WF_R(0.5), ratio[i]);
+        join(&m, &j);
+    }
+    return m.result;
+}
+/* <scenes> */
+static void draw_springs(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfVec2 g;
+    wfReal omega = 2 * WF_PI * WF_R(0.5);
+    if (wfGetGravity(world, &g) != WF_OK) return;
+    float y = 2 + (float)(g.y / (omega * omega));
+    wfDrawDashed(d, -7, y, 7, y, 1.5f, WF_INK_GOOD);
+}
+/* <scenes> */
+typedef struct Limb { int8_t parent; float x0, y0, x1, y1, radius, lower, upper; } Limb;
+
+/* Each hangs from its parent at (x0, y0), standing, metres. Stops in rad. */
+static const Limb dollLimb[] = {
+    { -1, 0, 1.0f, 0, 1.5f, 0.17f, 0, 0 },                      /* trunk */
+    { 0, 0, 1.72f, 0, 1.95f, 0.14f, -0.5f, 0.5f },              /* head */
+    { 0, 0, 1.5f, 0, 1.15f, 0.08f, -1.0f, 2.5f },               /* arms: upper, lower */
+    { 2, 0, 1.15f, 0, 0.8f, 0.07f, 0, 2.4f },
+    { 0, 0, 1.5f, 0, 1.15f, 0.08f, -1.0f, 2.5f },
+    { 4, 0, 1.15f, 0, 0.8f, 0.07f, 0, 2.4f },
+    { 0, 0, 0.95f, 0, 0.5f, 0.1f, -0.4f, 1.8f },                /* legs */
+    { 6, 0, 0.5f, 0, 0.08f, 0.08f, -2.4f, 0 },
+    { 0, 0, 0.95f, 0, 0.5f, 0.1f, -0.4f, 1.8f },
+    { 8, 0, 0.5f, 0, 0.08f, 0.08f, -2.4f, 0 },
+};
+enum { LIMBS = (int)(sizeof dollLimb / sizeof *dollLimb) };
+/* <scenes> */
+static void put_doll(Maker *m, wfReal x, wfReal y, int32_t group, int role)
+{
+    wfBodyId limb[LIMBS];
+    for (int i = 0; i < LIMBS; i++) {
+        const Limb *l = &dollLimb[i];
+        wfBodyDef b = wfDefaultBodyDef();
+        wfVec2 from = wfV2(l->x0, l->y0), to = wfV2(l->x1, l->y1);
+        wfVec2 middle = wfLerp(from, to, WF_R(0.5));
+        b.position = wfAdd(wfV2(x, y), middle);
+        b.userData = (uint64_t)role;
+        b.friction = WF_R(0.5);
+        note(m, wfMakeCapsule(wfSub(from, middle), wfSub(to, middle), l->radius, &b.shape));
+        limb[i] = put_in_group(m, &b, group);
+        if (l->parent < 0) continue;
+        wfVec2 at = wfAdd(wfV2(x, y), from);
+        wfJoint j = joint_from(m, "revolute", limb[l->parent], limb[i], at, at);
+        j.flags = WF_JOINT_LIMITS;
+        j.lower = l->lower, j.upper = l->upper;
+        join(m, &j);
+    }
+}
+/* <scenes> */
+static wfResult build_ragdolls(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    static const int role[] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD };
+    put_room(&m, 5, WF_R(4.5), 0);
+    for (int i = 0; i < 3; i++) {
+        wfBodyDef post = ball(&m, 3 * (wfReal)(i - 1) + WF_R(0.3), 2 + (wfReal)(i % 2),
+                              WF_R(0.5));
+        post.type = WF_STATIC;
+        put(&m, &post);
+        put_doll(&m, 3 * (wfReal)(i - 1), 5 + WF_R(0.7) * (wfReal)i, -1 - i, role[i]);
+    }
+    return m.result;
+}
+/* <scenes> */
+enum { LINKS = 20 };
+
+static wfResult build_heavy_chain(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfRot q = wfRotation(WF_R(-0.9));
+    wfVec2 down = wfV2(q.c, q.s), at = wfV2(0, 0);
+    wfBodyId last = put_nail(&m, 0, 0);
+    for (int i = 0; i <= LINKS; i++) {
+        wfReal half = i < LINKS ? WF_R(0.25) : 1;
+        wfVec2 middle = wfAddScaled(at, half, down);
+        wfBodyDef b = i < LINKS ? box(&m, middle.x, middle.y, half, WF_R(0.06))
+                                : ball(&m, middle.x, middle.y, half);
+        b.angle = WF_R(-0.9);
+        b.mass = i < LINKS ? 1 : 1000;
+        b.userData = (uint64_t)(i < LINKS ? WF_INK_BODY : WF_INK_BODY2);
+        wfBodyId id = put_in_group(&m, &b, -1);
+        pin(&m, last, id, at);
+        at = wfAddScaled(at, 2 * half, down);
+        last = id;
+    }
+    return m.result;
+}
+
+static void finely(wfWorldDef *def)
+{
+    jointly(def);
+    def->substeps = 16;
+}
+/* <scenes> */
+static void exactly(wfWorldDef *def)
+{
+    finely(def);
+    def->exactJoints = 1;
+}
+/* <scenes> */
+static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    float xy[2 * 41];
+    wfBodyView v = wfWorldBodies(world);
+    wfReal length = LINKS * WF_R(0.5) + 1;
+    for (int i = 0; i <= 40; i++) {
+        wfRot q = wfRotation(-WF_PI * (wfReal)i / 40);
+        xy[2 * i] = (float)(length * q.c);
+        xy[2 * i + 1] = (float)(length * q.s);
+    }
+    wfDrawPolyline(d, xy, 41, 1.5f, WF_INK_GOOD);
+    if (v.count < LINKS + 2) return;
+    wfVec2 load = v.state[LINKS + 1].p;
+    wfDrawTextf(d, (float)load.x, (float)load.y - 1.6f, 14, WF_INK_TEXT, 0,
+                "off by %.3f m", (double)(wfLength(load) - length));
 }
 
 const wfScene wfSceneTable[] = {
@@ -753,12 +1677,12 @@ const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
     { .category = "Motion", .name = "spring and orbit", .chapter = 10,
       .text = "A mass on a spring, a planet on a circle: rings show where they must be.",
-      .define = without_gravity, .build = build_spring_orbit, .draw = draw_spring_orbit,
+      .define = integrated_freely, .build = build_spring_orbit, .draw = draw_spring_orbit,
       .viewX = 1, .viewY = 0, .viewHeight = 9, .energyBound = WF_R(0.001), .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Motion", .name = "integrators", .chapter = 10,
       .text = "The same orbit by each integrator, thirty steps to a turn. Some keep it.",
-      .define = without_gravity, .build = build_nothing, .draw = draw_integrators,
+      .define = integrated_freely, .build = build_nothing, .draw = draw_integrators,
       .viewX = 4, .viewY = WF_R(-2.4), .viewHeight = 10, .energyBound = 0, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Forces", .name = "bungee", .chapter = 9,
@@ -806,12 +1730,18 @@ const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
     { .category = "Collision", .name = "stack of boxes", .chapter = 14,
       .text = "Six boxes that should simply stand there. Pull one out, or throw one at them.",
-      .build = build_stack, .viewX = 0, .viewY = 3, .viewHeight = 8, .show = WF_SHOW_CONTACTS,
+      .define = integrated, .build = build_stack, .viewX = 0, .viewY = 3, .viewHeight = 8,
+      .show = WF_SHOW_CONTACTS,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.05) },
     { .category = "Collision", .name = "pyramid", .chapter = 14,
       .text = "Each box rests on two. Without friction the load drives the rows apart.",
-      .build = build_pyramid, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = 7,
+      .define = integrated, .build = build_pyramid,
+      .viewX = 0, .viewY = WF_R(2.3), .viewHeight = 7,
       .energyBound = 1, .depthBound = WF_R(0.2) },
+    { .category = "Collision", .name = "tower", .chapter = 17,
+      .text = "Twenty boxes, each a little askew, and the default solver: it stands.",
+      .build = build_tower, .viewX = 0, .viewY = 10, .viewHeight = 23,
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
     /* <rows of the scene table> */
     { .category = "Collision", .name = "shapes", .chapter = 13,
       .text = "Circles and polygons of three to seven corners fall into a bowl.",
@@ -863,5 +1793,114 @@ const wfScene wfSceneTable[] = {
       .define = push_out_at_once, .build = build_gallery, .update = place_testing_body,
       .draw = draw_wish, .viewX = 0, .viewY = 0, .viewHeight = 9,
       .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Shapes", .name = "tiled valley", .chapter = 13,
+      .text = "Two hundred tiles make one smooth valley: nothing stumbles over a seam.",
+      .define = softly, .build = build_tiles, .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 9,
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
+    { .category = "Shapes", .name = "hammers", .chapter = 20,
+      .text = "Bodies of several shapes turn about their common centre of mass.",
+      .define = softly, .build = build_hammers, .draw = draw_hammers,
+      .viewX = 0, .viewY = 3, .viewHeight = 9, .energyBound = 1, .depthBound = WF_R(0.3) },
+    /* <rows of the scene table> */
+    { .category = "Shapes", .name = "outlines", .chapter = 20,
+      .text = "Outlines that are not convex, cut into convex pieces, hook into each other.",
+      .define = softly, .build = build_outlines, .viewX = 0, .viewY = 5, .viewHeight = 12,
+      .energyBound = 2, .depthBound = WF_R(0.35) },
+    /* <rows of the scene table> */
+    { .category = "Shapes", .name = "round edges", .chapter = 7,
+      .text = "Capsules, rounded boxes and rounded triangles in a bowl of links.",
+      .define = softly, .build = build_round, .viewX = 0, .viewY = 5, .viewHeight = 11,
+      .energyBound = 2, .depthBound = WF_R(0.3) },
+    /* <rows of the scene table> */
+    { .category = "Events", .name = "gate", .chapter = 24,
+      .text = "Two sensors, one that turns: whoever is in one of them has a ring.",
+      .define = softly, .build = build_gate, .draw = draw_gate,
+      .viewX = 0, .viewY = 4, .viewHeight = 11, .energyBound = WF_R(0.5),
+      .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Events", .name = "sieve", .chapter = 11,
+      .text = "Filters: each floor carries the balls of its own colour.",
+      .define = softly, .build = build_sieve, .viewX = 0, .viewY = 5, .viewHeight = 11,
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Events", .name = "one way", .chapter = 24,
+      .text = "A hook lets through what comes from below and carries what comes from above.",
+      .define = softly, .build = build_one_way, .update = kick_upwards, .hooks = &oneWayHooks,
+      .viewX = 0, .viewY = WF_R(4.5), .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Events", .name = "conveyors", .chapter = 15,
+      .text = "Belts whose surface runs carry crates to and fro.",
+      .define = softly, .build = build_conveyors, .draw = draw_conveyors,
+      .viewX = 0, .viewY = 5, .viewHeight = 11, .energyBound = -1, .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Events", .name = "probe", .chapter = 23,
+      .text = "Rays, the nearest point, and a box that is cast down, asked at every frame.",
+      .define = float_softly, .build = build_probe, .draw = draw_probe,
+      .viewX = 0, .viewY = 4, .viewHeight = 9, .energyBound = -1, .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Events", .name = "hits", .chapter = 24,
+      .text = "A ring for every hit, as wide as it was fast; a line where a touch begins.",
+      .define = softly, .build = build_hits, .draw = draw_hits,
+      .viewX = 0, .viewY = 4, .viewHeight = 9, .energyBound = 1, .depthBound = WF_R(0.25) },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "pendulums", .chapter = 18,
+      .text = "One rod comes back to the dashed line. Two in a row do what nobody can tell.",
+      .define = jointly, .build = build_pendulums, .draw = draw_level,
+      .viewX = 0, .viewY = -1, .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = WF_R(0.1), .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "bridge", .chapter = 25,
+      .text = "Planks on hinges: the bridge takes the shape of its load.",
+      .define = jointly, .build = build_bridge,
+      .viewX = 0, .viewY = 3, .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+    { .category = "Joints", .name = "weak bridge", .chapter = 18,
+      .text = "The same bridge with hinges that break, and a ball that is too heavy for it.",
+      .define = jointly, .build = build_weak_bridge,
+      .viewX = 0, .viewY = 3, .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.3) },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "cart", .chapter = 25,
+      .text = "Wheels on springs, with motors, on bumps that get higher to the right.",
+      .define = jointly, .build = build_cart, .update = drive_cart,
+      .viewX = 0, .viewY = 2, .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "crane", .chapter = 18,
+      .text = "A trolley, and a winch that pulls and never pushes, worked by the clock.",
+      .define = jointly, .build = build_crane, .update = work_crane,
+      .viewX = 0, .viewY = WF_R(3.5), .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "gears and ratchet", .chapter = 18,
+      .text = "Wheels of radius 1, 2, 3 in gear; a lever rocks, and its wheel only turns.",
+      .define = jointly, .build = build_gears, .update = rock_lever,
+      .viewX = WF_R(-0.6), .viewY = WF_R(0.2), .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "springs", .chapter = 18,
+      .text = "Damped by 0, 0.05, 0.2, 0.5, 1 and 3 times the critical: who is first at rest?",
+      .define = jointly, .build = build_springs, .draw = draw_springs,
+      .viewX = 0, .viewY = 2, .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = WF_R(0.2), .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "ragdolls", .chapter = 18,
+      .text = "Capsules on hinges with stops: no knee bends forward, however they fall.",
+      .define = jointly, .build = build_ragdolls,
+      .viewX = 0, .viewY = WF_R(4.4), .viewHeight = 10, .show = WF_SHOW_JOINTS,
+      .energyBound = 1, .depthBound = WF_R(0.35) },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "ton joint by joint", .chapter = 18,
+      .text = "A ton on links of a kilogram: its centre belongs on the arc. The joints give.",
+      .define = finely, .build = build_heavy_chain, .draw = draw_heavy_chain,
+      .viewX = 0, .viewY = -6, .viewHeight = 17, .show = WF_SHOW_JOINTS,
+      .energyBound = 10, .depthBound = -1 },
+    { .category = "Joints", .name = "ton all at once", .chapter = 19,
+      .text = "The same ton and the same links, all joints solved together: no gap.",
+      .define = exactly, .build = build_heavy_chain, .draw = draw_heavy_chain,
+      .viewX = 0, .viewY = -6, .viewHeight = 17, .show = WF_SHOW_JOINTS,
+      .energyBound = 10, .depthBound = -1 },
 };
 const int wfSceneCount = (int)(sizeof wfSceneTable / sizeof *wfSceneTable);

@@ -8,18 +8,20 @@ void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
                  int fillRole)
 {
     wfVec2 centre = wfApply(xf, shape->centre);
-    float xy[2 * WF_MAX_VERTICES];
+    float xy[2 * WF_RIM_POINTS];
     if (shape->kind == WF_SHAPE_CIRCLE) {
         wfVec2 rim = wfAdd(centre, wfRotate(xf.q, wfV2(shape->radius, 0)));
         wfDrawCircle(d, WF_XY(centre), (float)shape->radius, 1.5f, lineRole, fillRole);
         wfDrawLine(d, WF_XY(centre), WF_XY(rim), 1.5f, lineRole);
-    } else if (shape->kind == WF_SHAPE_POLYGON) {
-        for (int32_t i = 0; i < shape->count; i++) {
-            wfVec2 corner = wfApply(xf, shape->vertices[i]);
-            xy[2 * i] = (float)corner.x;
-            xy[2 * i + 1] = (float)corner.y;
+    } else if (shape->kind != WF_SHAPE_NONE) {
+        wfVec2 rim[WF_RIM_POINTS];
+        int n = wfShapeOutline(shape, xf, rim);
+        for (int i = 0; i < n; i++) {
+            xy[2 * i] = (float)rim[i].x;
+            xy[2 * i + 1] = (float)rim[i].y;
         }
-        wfDrawPolygon(d, xy, shape->count, 1.5f, lineRole, fillRole);
+        if (n > 2) wfDrawPolygon(d, xy, n, 1.5f, lineRole, fillRole);
+        else wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], 2.5f, lineRole);
     } else {
         wfDrawPoint(d, WF_XY(xf.p), 7, lineRole);
     }
@@ -54,9 +56,14 @@ static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
     int32_t count;
     const wfPair *pair = wfWorldPairs(world, &count);
     wfBodyView v = wfWorldBodies(world);
-    for (int32_t i = 0; i < count; i++)
-        wfDrawLine(d, WF_XY(v.state[pair[i].a].p), WF_XY(v.state[pair[i].b].p), 1.5f,
-                   WF_INK_BAD);
+    wfShapeView s = wfWorldShapes(world);
+    for (int32_t i = 0; i < count; i++) {
+        const wfBodyState *a = &v.state[s.owners[pair[i].a]];
+        const wfBodyState *b = &v.state[s.owners[pair[i].b]];
+        wfVec2 from = wfApply(wfBodyTransform(a), s.shapes[pair[i].a].centre);
+        wfVec2 to = wfApply(wfBodyTransform(b), s.shapes[pair[i].b].centre);
+        wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, WF_INK_BAD);
+    }
 }
 /* <draw the overlays> */
 void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role)
@@ -69,7 +76,8 @@ void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role)
 static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     wfProxies proxies;
-    if (wfWorldProxies(world, scratch, &proxies) != WF_OK)
+    (void)scratch;
+    if (wfWorldProxies(world, &proxies) != WF_OK)
         return;
     for (int32_t i = 0; i < proxies.count; i++)
         if (proxies.flags[i] & WF_PROXY_LIVE)
@@ -80,7 +88,7 @@ static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     wfProxies proxies;
     wfQuadTree tree;
-    if (wfWorldProxies(world, scratch, &proxies) != WF_OK ||
+    if (wfWorldProxies(world, &proxies) != WF_OK ||
         wfQuadTreeBuild(&tree, scratch, &proxies) != WF_OK)
         return;
     for (int32_t n = 0; n < tree.nodeHigh; n++)
@@ -107,6 +115,127 @@ static void draw_numbers(const wfWorld *world, wfPool *scratch, wfDraw *d)
         if (v.alive[i])
             wfDrawTextf(d, WF_XY(v.state[i].p), 13, WF_INK_TEXT, 0, "%d", (int)i);
 }
+/* <draw joints> */
+static void draw_zigzag(wfDraw *d, wfVec2 from, wfVec2 to)
+{
+    enum { POINTS = 12 };
+    float xy[2 * POINTS];
+    wfVec2 along = wfSub(to, from), across = wfScale(WF_R(0.06), wfPerpCCW(along));
+    for (int i = 0; i < POINTS; i++) {
+        wfReal t = i < 2 ? WF_R(0.1) * (wfReal)i : i > POINTS - 3 ? 1 - WF_R(0.1) *
+                   (wfReal)(POINTS - 1 - i) : WF_R(0.1) + WF_R(0.8) * (wfReal)(i - 1) /
+                   (POINTS - 3);
+        wfReal side = i < 2 || i > POINTS - 3 ? 0 : i % 2 ? 1 : -1;
+        wfVec2 at = wfAddScaled(wfAddScaled(from, t, along), side, across);
+        xy[2 * i] = (float)at.x;
+        xy[2 * i + 1] = (float)at.y;
+    }
+    wfDrawPolyline(d, xy, POINTS, 1.5f, WF_INK_ACCENT);
+}
+/* <draw joints> */
+typedef struct SeenJoint {
+    wfJoint j;
+    wfTransform a, b;           /* where the bodies are */
+    wfVec2 from, to;            /* anchors in the world */
+} SeenJoint;
+
+static void see_line(wfDraw *d, const SeenJoint *s)
+{
+    wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
+}
+
+static void see_distance(wfDraw *d, const SeenJoint *s)
+{
+    wfReal length = wfLength(wfSub(s->to, s->from));
+    bool rope = (s->j.flags & WF_JOINT_LIMITS) && length < WF_R(0.99) * s->j.upper;
+    if (s->j.flags & WF_JOINT_SPRING) draw_zigzag(d, s->from, s->to);
+    else if (rope && !(s->j.flags & WF_JOINT_MOTOR))
+        wfDrawDashed(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
+    else see_line(d, s);
+}
+
+static void see_pulley(wfDraw *d, const SeenJoint *s)
+{
+    float xy[] = { (float)s->from.x, (float)s->from.y, (float)s->j.groundA.x,
+                   (float)s->j.groundA.y, (float)s->j.groundB.x, (float)s->j.groundB.y,
+                   (float)s->to.x, (float)s->to.y };
+    wfDrawPolyline(d, xy, 4, 1.5f, WF_INK_ACCENT);
+}
+/* <draw joints> */
+static void see_hinge(wfDraw *d, const SeenJoint *s)
+{
+    wfReal turn = s->j.turnB - s->j.turnA;
+    const wfReal stop[] = { s->j.lower, s->j.upper };
+    wfVec2 arm = wfScale(WF_R(0.7), wfSub(s->b.p, s->to));
+    for (int i = 0; (s->j.flags & WF_JOINT_LIMITS) && i < 2; i++) {
+        wfRot missing = wfRotation(wfWrapAngle(stop[i] - turn));
+        wfVec2 end = wfAdd(s->to, wfRotate(missing, arm));
+        wfDrawLine(d, WF_XY(s->to), WF_XY(end), 1, WF_INK_LINE);
+    }
+    see_line(d, s);
+}
+/* <draw joints> */
+static void see_slide(wfDraw *d, const SeenJoint *s)
+{
+    wfVec2 axis = wfRotate(s->a.q, s->j.axis);
+    wfVec2 low = wfAddScaled(s->from, s->j.lower, axis);
+    wfVec2 high = wfAddScaled(s->from, s->j.upper, axis);
+    wfReal past = wfDot(axis, wfSub(s->a.p, s->to));
+    if (s->j.flags & WF_JOINT_LIMITS)
+        wfDrawLine(d, WF_XY(low), WF_XY(high), 1, WF_INK_LINE);
+    if (s->j.flags & WF_JOINT_SPRING)
+        draw_zigzag(d, wfAddScaled(s->to, past, axis), s->to);
+    else see_line(d, s);
+}
+
+static void see_turning(wfDraw *d, const SeenJoint *s)
+{
+    wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, WF_INK_ACCENT);
+}
+
+static void see_hand(wfDraw *d, const SeenJoint *s)
+{
+    wfDrawLine(d, WF_XY(s->j.groundB), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
+}
+/* <draw joints> */
+typedef struct JointLook {
+    const char *kind;
+    void (*draw)(wfDraw *d, const SeenJoint *s);
+} JointLook;
+
+static const JointLook jointLook[] = {
+    { "revolute", see_hinge }, { "distance", see_distance }, { "prismatic", see_slide },
+    { "wheel", see_slide }, { "pulley", see_pulley }, { "gear", see_turning },
+    { "ratchet", see_turning }, { "turn", see_turning }, { "hand", see_hand },
+};
+
+static void draw_joint(wfDraw *d, const SeenJoint *s)
+{
+    bool broken = (s->j.flags & WF_JOINT_BROKEN) != 0;
+    void (*draw)(wfDraw *, const SeenJoint *) = see_line;
+    for (size_t i = 0; i < sizeof jointLook / sizeof *jointLook; i++)
+        if (strcmp(jointLook[i].kind, wfJointTable[s->j.kind].name) == 0)
+            draw = jointLook[i].draw;
+    if (!broken) draw(d, s);
+    if (draw == see_turning || (draw == see_hand && broken)) return;
+    wfDrawPoint(d, WF_XY(s->from), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
+    wfDrawPoint(d, WF_XY(s->to), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
+}
+/* <draw joints> */
+static void draw_joints(const wfWorld *world, wfPool *scratch, wfDraw *d)
+{
+    (void)scratch;
+    wfBodyView v = wfWorldBodies(world);
+    for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
+        SeenJoint s;
+        if (wfGetJoint(world, wfJointAt(world, i), &s.j) != WF_OK) continue;
+        s.a = wfBodyTransform(&v.state[s.j.a]);
+        s.b = wfBodyTransform(&v.state[s.j.b]);
+        s.from = wfApply(s.a, s.j.localA);
+        s.to = wfApply(s.b, s.j.localB);
+        draw_joint(d, &s);
+    }
+}
 /* <the table of overlays> */
 const wfOverlay wfOverlayTable[] = {
     /* <rows of the overlay table> */
@@ -119,6 +248,8 @@ const wfOverlay wfOverlayTable[] = {
       draw_velocities },
     { "numbers", "index of each body", WF_SHOW_NUMBERS, '7', draw_numbers },
     { "touching", "red when in contact, else white", WF_SHOW_TOUCHING, '8', NULL },
+    { "joints", "anchors, ropes, springs, stops; red: broken", WF_SHOW_JOINTS, '9',
+      draw_joints },
 };
 const int wfOverlayCount = (int)(sizeof wfOverlayTable / sizeof *wfOverlayTable);
 /* <draw a world> */
@@ -136,7 +267,7 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint
                       wfDraw *d)
 {
     wfShape particle = { .kind = WF_SHAPE_NONE };
-    int32_t index = v->props[i].shape;
+    wfTransform xf = wfBodyTransform(&v->state[i]);
     int role = (int)(v->props[i].userData & 15);
     int line = role ? role : WF_INK_BODY, fill = line;
     if (v->props[i].type == WF_STATIC && !role)
@@ -146,9 +277,10 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint
         line = red ? WF_INK_BAD : WF_INK_LINE;
         fill = red ? WF_INK_BAD : WF_INK_PAPER;
     }
-    wfDrawShape(d, index >= 0 ? &v->shapes[index] : &particle,
-                wfBodyTransform(&v->state[i]),
-                line, fill);
+    if (v->props[i].shape < 0) wfDrawShape(d, &particle, xf, line, fill);
+    wfShapeView s = wfWorldShapes(world);
+    for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k])
+        wfDrawShape(d, &v->shapes[k], xf, line, s.props[k].sensor ? WF_INK_NONE : fill);
 }
 /* <draw a world> */
 void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d)

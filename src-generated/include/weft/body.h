@@ -38,17 +38,17 @@ typedef struct wfBodyProps {
     wfReal linearDamping;   /* 1/s, 0 or more: v shrinks by exp(-c h)                     */
     wfReal angularDamping;  /* 1/s, 0 or more                                             */
     wfReal gravityScale;    /* 1: falls as everything does                                */
-    wfReal restitution;     /* 0 to 1: speed after a bounce over speed before             */
-    wfReal friction;        /* 0 or more: Coulomb's coefficient                           */
+    wfReal givenMass;       /* kg: what the caller set; 0: it follows from the shapes     */
     wfVec2 localCentre;     /* m: the centre of mass in the frame that the shape came in  */
-    int32_t shape;          /* index into the shapes, or -1: a particle                   */
+    int32_t shape;          /* index of the first of its shapes, or -1: a particle        */
+    int32_t fixedRotation;  /* 1: no torque turns it                                      */
     uint64_t userData;      /* the caller's own                                           */
 } wfBodyProps;
 /* <declarations of body set-up> */
 /* A dynamic particle of mass 1 without damping. */
 wfBodyProps wfDefaultBodyProps(void);
 /* WF_OK, or what is wrong: WF_ERROR_NULL, _NOT_FINITE, _UNKNOWN (type), _MASS, _RANGE (a
-   damping or friction below 0, a restitution outside 0 to 1). */
+   damping or a given mass below 0). */
 wfResult wfCheckBodyProps(const wfBodyProps *props);
 /* True if no number of the state is NaN or infinite. */
 bool wfBodyIsFinite(const wfBodyState *state);

@@ -8,12 +8,14 @@
 
 /* <what a force generator sees> */
 /* The bodies, read only. `state' may be a state that an integrator only tries. Shapes are
-   relative to the centre of mass. A body whose props.shape is negative is a particle. */
+   relative to the centre of mass. props.shape is the first shape of a body, negative for a
+   particle; next[k] is the shape of the same body that follows shape k, or -1. */
 typedef struct wfBodyView {
     int32_t count;
     const wfBodyState *state;
     const wfBodyProps *props;
-    const wfShape *shapes;      /* one for each body; may be NULL: all are particles    */
+    const wfShape *shapes;      /* of all bodies; may be NULL: all are particles        */
+    const int32_t *next;        /* may be NULL: no body has more than one shape         */
     const uint8_t *alive;       /* 0: an empty place; may be NULL: all are alive        */
 } wfBodyView;
 /* <kinds of force> */

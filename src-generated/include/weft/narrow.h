@@ -6,10 +6,10 @@
 #include "weft/math.h"
 #include "weft/shape.h"
 /* <declarations of the projections> */
-/* The interval that a shape covers on an axis.  Unit axis: in m along it. */
+/* What a shape, coat included, covers on an axis.  Unit axis: in m along it. */
 typedef struct wfProjection { wfReal min, max; } wfProjection;
 
-/* eq:narrow-projection.  A shape without a surface gives its centre alone. */
+/* eq:narrow-projection.  A particle gives its centre alone. */
 wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis);
 /* <declarations of the projections> */
 /* The report's SATAxisOverlap: smallest maximum minus biggest minimum, m; below 0 a gap. */
@@ -23,8 +23,10 @@ wfReal wfAxisEscape(wfProjection a, wfProjection b);
 typedef struct wfSeparation {
     wfReal distance;  /* m; below 0: the shapes overlap, and this is minus the depth */
     wfVec2 normal;    /* unit, world frame, from A to B: moving B along it parts them */
-    int32_t owner;    /* whose edge has this normal: 0 A's, 1 B's, WF_NO_EDGE nobody's */
-    int32_t edge;     /* that edge, from vertex `edge` to the next, or WF_NO_EDGE */
+    int32_t owner;    /* whose core's edge has this normal: 0 A's, 1 B's; WF_NO_EDGE: it is
+                         nobody's, but leads from corner to corner or along a segment */
+    int32_t edge;     /* that edge, from vertex `edge` to the next (of a core of two corners
+                         0, on its right, or 1, on its left), or WF_NO_EDGE */
 } wfSeparation;
 enum { WF_NO_EDGE = -1 };
 /* <what a narrow phase finds> */
@@ -77,11 +79,14 @@ wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfT
 /* What the rows promise.  All: the sign of `distance` says whether the shapes overlap, and
    moving B by -distance along `normal` leaves no overlap (both to rounding).
    "sat"  overlapping: the depth, or up to WF_AXIS_TIE times the smaller reach more, with
-          the first edge among those; apart: the greatest gap over the edges' normals (with
-          a circle: the distance).  owner and edge are set unless both are circles.
+          the first edge among those; apart: with a coat or a circle the distance, else the
+          greatest gap over the edges' normals.  owner and edge name the edge whose normal
+          it is.  (A circle beside a bare polygon: the edge with the greatest gap, also when
+          the normal is turned to its corner.  Two circles: WF_NO_EDGE.)
    "gjk"  overlapping: the depth, no ties; of equally good ways out rounding may choose any.
           apart: the distance.  owner and edge only when it came upon an edge, mostly when
-          polygons overlap. */
+          the cores overlap.
+   A link is a segment here, solid from both sides; weft/contact.h looks at its ghosts. */
 wfResult wfSeparateGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                        wfSeparation *out);
 /* <declarations of the narrow phases> */
