@@ -4163,6 +4163,17 @@ static void figure_scenes_forces(wfDraw *d, const wfFigureInput *in)
     draw_gallery(d, tile, 4, 2);
 }
 /* <figures> */
+static void figure_scenes_joints(wfDraw *d, const wfFigureInput *in)
+{
+    static const SceneTile tile[] = {
+        { "bridge", 120, -8, -0.6f, 16 }, { "weak bridge", 64, -8, -0.6f, 16 },
+        { "cart", 240, -3.6f, -1.6f, 11 }, { "crane", 420, -7.5f, -0.6f, 15 },
+        { "springs", 60, -7.2f, -2.6f, 14.4f }, { "ragdolls", 62, -5.6f, -0.6f, 11.2f }
+    };
+    (void)in;
+    draw_gallery(d, tile, 6, 2);
+}
+/* <figures> */
 static void figure_scenes_collision(wfDraw *d, const wfFigureInput *in)
 {
     static const SceneTile tile[] = {
@@ -4219,7 +4230,7 @@ static void window_list(wfDraw *d, const camera *c, const char *open)
 {
     float y = LIST_TOP;
     window_box(d, c, 0, 0, LIST_WIDTH, 700, WF_INK_PAPER);
-    for (int i = 0; i < wfSceneCount && i < 24; i++) {
+    for (int i = 0; i < wfSceneCount && i < 23; i++) {
         const wfScene *s = &wfSceneTable[i];
         if (i == 0 || strcmp(s->category, wfSceneTable[i - 1].category) != 0) {
             window_text(d, c, 10, y + 14, WF_INK_ACCENT, -1, s->category);
@@ -4263,7 +4274,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_box(d, &c, 1, 1, 1098, 698, WF_INK_NONE);
     /* <mark the parts of the window by letters> */
     static const struct { const char *letter; float x, y; } mark[] = {
-        { "A", 170, 200 }, { "B", 184, 549 }, { "C", 810, 22 }, { "D", 680, 66 },
+        { "A", 170, 200 }, { "B", 188, 582 }, { "C", 810, 22 }, { "D", 680, 66 },
         { "E", 650, 180 }, { "F", 470, 674 }
     };
     for (int i = 0; i < 6; i++)
@@ -4708,6 +4719,7 @@ const wfFigureRow wfFigureTable[] = {
     { "scenes-motion", figure_scenes_motion, 8.4f, 3.2f, 0, { { 0 } } },
     { "scenes-forces", figure_scenes_forces, 8.4f, 6.4f, 0, { { 0 } } },
     { "scenes-collision", figure_scenes_collision, 8.4f, 9.6f, 0, { { 0 } } },
+    { "scenes-joints", figure_scenes_joints, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-cases", figure_scenes_cases, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-hand", figure_scenes_hand, 8.9f, 4.4f, 0, { { 0 } } },
     { "scenes-axis", figure_scenes_axis, 12.4f, 8.4f, 0, { { 0 } } },
