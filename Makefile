@@ -10,8 +10,8 @@ CHAPTERS := $(sort $(wildcard chapters/*.nw))
 EXTRA    ?=
 NW       := $(CHAPTERS) $(EXTRA)
 CC       ?= cc
-# gcc 12 makes fused vfmaddsub of a b +- c d in its SLP vectoriser although contraction is off: another bit, so that is off too
-STD      := -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize
+# gcc 12 makes fused vfmaddsub of a b +- c d in its vectorisers although contraction is off: another bit, so they are off too
+STD      := -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -fno-tree-loop-vectorize
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wdouble-promotion -Wfloat-conversion -Wundef -Wvla -Werror
 CFLAGS   ?= -O2 -g
 export MAKE EXTRA
