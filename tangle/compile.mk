@@ -4,7 +4,7 @@
 # Used for the developer build, for sanitizer and double builds, for `make upto`, and for builds from src-generated/ alone.
 SRC ?= src-generated
 OUT ?= build
-STD ?= -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-slp-vectorize -fno-tree-loop-vectorize
+STD ?= -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize
 WARN ?= -Wall -Wextra
 CFLAGS ?= -O2 -g
 PREFIX ?= /usr/local
