@@ -200,7 +200,7 @@ static void edit(wfWorld *world, wfRandom *r, int what)
     case 4: if (last.index != 0) { assert_ok(wfGetShape(world, last, &def)); def.filter.mask ^= 1; assert_ok(wfSetShape(world, last, &def)); } break;
     case 5: if (id.index != 1) assert_ok(wfChangeBodyType(world, id, b.type == WF_DYNAMIC ? WF_KINEMATIC : WF_DYNAMIC)); break;
     case 6: if (last.index != 0) { assert_ok(wfGetShape(world, last, &def)); def.sensor ^= 1; assert_ok(wfSetShape(world, last, &def)); } break;
-    default: { wfBodyDef d = ball_def(b.position.x, b.position.y + 1, 0.3); wfAddBodyToWorld(world, &d, NULL); }
+    default: { wfBodyDef d = ball_def((double)b.position.x, (double)b.position.y + 1, 0.3); wfAddBodyToWorld(world, &d, NULL); }
     }
 }
 

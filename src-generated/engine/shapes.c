@@ -176,7 +176,10 @@ static void place_shape(wfBlock *b, int32_t k, int32_t body, const wfShape *shap
 static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
 {
     b->head->sensorCount += def->sensor - b->materials[k].sensor;
-    b->filters[k] = def->filter;
+    memset(&b->filters[k], 0, sizeof b->filters[k]);    /* its hole, too */
+    b->filters[k].category = def->filter.category;
+    b->filters[k].mask = def->filter.mask;
+    b->filters[k].group = def->filter.group;
     b->materials[k] = (wfShapeProps){ .density = def->density,
         .restitution = def->restitution, .friction = def->friction,
         .rolling = def->rolling, .surfaceSpeed = def->surfaceSpeed,

@@ -213,6 +213,7 @@ typedef struct wfShapeProps {
     wfReal   density, restitution, friction, rolling, surfaceSpeed;
     wfReal   reach;            /* m: wfShapeReach, from its middle to its rim */
     int32_t  sensor;
+    int32_t  spare;            /* 0: without it there would be a hole in the bytes */
     uint64_t userData;
 } wfShapeProps;
 /* The world's own arrays of shapes, to read and not to keep. owners[k] is the index of the
