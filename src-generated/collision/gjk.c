@@ -481,7 +481,7 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     wfReal length = lookAcross(&D, &sa, &sb, &normal);
     wfReal low = wfDot(normal, support(&D, wfNeg(normal)).d);       /* eq:narrow-stop */
     wfReal upper = wfDistance(pointOf(&sa), pointOf(&sb));
-    bool proved = length > D.noise && upper - low <= D.noise;
+    bool proved = wfIsFinite(length) && length > D.noise && upper - low <= D.noise;
     if (!proved) return wfSeparateGjk(a, xa, b, xb, out);
     wfSeparation found = { .owner = WF_NO_EDGE, .edge = WF_NO_EDGE };
     found.distance = length - (a->radius + b->radius);
