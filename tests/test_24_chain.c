@@ -1,23 +1,10 @@
 /* Chapter 24: a thousand tiles in the world. A chain of links is one smooth line: whatever slides or rolls along it does not
  * hop. Oracles: the straight line, the closed form of rolling and sliding. */
 #include "testing.h"
+#include "world.h"
 #include "weft/weft.h"
 
 enum { TILES = 1000 };
-
-static wfBodyId add(wfWorld *world, wfBodyDef def)
-{
-    wfBodyId id;
-    assert_ok(wfAddBodyToWorld(world, &def, &id));
-    return id;
-}
-
-static wfBodyInfo info(const wfWorld *world, wfBodyId id)
-{
-    wfBodyInfo out;
-    assert_ok(wfGetBody(world, id, &out));
-    return out;
-}
 
 /* A straight chain of tiles 1 m wide from x = 10 - TILES to 10, outside up: listed from right to left. */
 static wfWorld tiled(const char *solver, wfReal friction)

@@ -1,6 +1,7 @@
 /* Chapter 24: contacts that last, events, sensors, filters, hooks. Oracles: a state machine for each pair of shapes that
  * allows begin, stay ..., end and nothing else; free fall; bytes compared around steps that fail. */
 #include "testing.h"
+#include "world.h"
 #include "weft/weft.h"
 
 /* ------------------------------------------------------------------------------ helpers */
@@ -27,49 +28,6 @@ static wfBodyDef box_def(double x, double y, double hw, double hh)
     def.position = wfV2((wfReal)x, (wfReal)y);
     assert_ok(wfMakeBox((wfReal)hw, (wfReal)hh, &def.shape));
     return def;
-}
-
-static wfBodyDef ball_def(double x, double y, double radius)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeCircle(wfV2(0, 0), (wfReal)radius, &def.shape));
-    return def;
-}
-
-static wfBodyDef floor_def(void)                          /* its top is y = 0 */
-{
-    wfBodyDef def = box_def(0, -1, 50, 1);
-    def.type = WF_STATIC;
-    return def;
-}
-
-static wfBodyId add(wfWorld *world, wfBodyDef def)
-{
-    wfBodyId id;
-    assert_ok(wfAddBodyToWorld(world, &def, &id));
-    return id;
-}
-
-static wfBodyInfo info(const wfWorld *world, wfBodyId id)
-{
-    wfBodyInfo out;
-    assert_ok(wfGetBody(world, id, &out));
-    return out;
-}
-
-static void *copy_of(const wfWorld *world)
-{
-    void *bytes = malloc(world->memory.permanentSize);
-    assert_non_null(bytes);
-    memcpy(bytes, world->memory.permanent, world->memory.permanentSize);
-    return bytes;
-}
-
-static void assert_unchanged(const wfWorld *world, void *bytes)
-{
-    assert_memory_equal(world->memory.permanent, bytes, world->memory.permanentSize);
-    free(bytes);
 }
 
 static int32_t count_of(const wfWorld *world, int kind)

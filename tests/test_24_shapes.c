@@ -1,6 +1,7 @@
 /* Chapter 24: shapes as things of their own. Oracles: masses, centres and inertias by hand and by sums in double; the
  * velocity of material points before and after; bytes compared around calls that fail. */
 #include "testing.h"
+#include "world.h"
 #include "weft/weft.h"
 
 static wfWorld make_world(int bodies, int shapes)
@@ -36,39 +37,11 @@ static wfBodyDef body_of(wfShapeDef shape)
     return def;
 }
 
-static wfBodyId add(wfWorld *world, wfBodyDef def)
-{
-    wfBodyId id;
-    assert_ok(wfAddBodyToWorld(world, &def, &id));
-    return id;
-}
-
 static wfShapeId hang(wfWorld *world, wfBodyId body, wfShapeDef def)
 {
     wfShapeId id;
     assert_ok(wfAddShapeToBody(world, body, &def, &id));
     return id;
-}
-
-static wfBodyInfo info(const wfWorld *world, wfBodyId id)
-{
-    wfBodyInfo out;
-    assert_ok(wfGetBody(world, id, &out));
-    return out;
-}
-
-static void *copy_of(const wfWorld *world)
-{
-    void *bytes = malloc(world->memory.permanentSize);
-    assert_non_null(bytes);
-    memcpy(bytes, world->memory.permanent, world->memory.permanentSize);
-    return bytes;
-}
-
-static void assert_unchanged(const wfWorld *world, void *bytes)
-{
-    assert_memory_equal(world->memory.permanent, bytes, world->memory.permanentSize);
-    free(bytes);
 }
 
 static wfVec2 velocity_at(wfBodyInfo b, wfVec2 point)

@@ -1,6 +1,7 @@
 /* Chapter 24: the world. Oracles: the parabola, conservation laws, bytes compared before and after; every field of
  * every definition fed with bad numbers; a world that moves house between any two steps. */
 #include "testing.h"
+#include "world.h"
 #include "weft/weft.h"
 
 /* ------------------------------------------------------------------------------ helpers */
@@ -22,54 +23,9 @@ static wfBodyDef box_def(double x, double y, double half)
     return def;
 }
 
-static wfBodyDef ball_def(double x, double y, double radius)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeCircle(wfV2(0, 0), (wfReal)radius, &def.shape));
-    return def;
-}
-
-static wfBodyDef floor_def(void)                          /* its top is y = 0 */
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.type = WF_STATIC;
-    def.position = wfV2(0, -1);
-    assert_ok(wfMakeBox(50, 1, &def.shape));
-    return def;
-}
-
-static wfBodyId add(wfWorld *world, wfBodyDef def)
-{
-    wfBodyId id;
-    assert_ok(wfAddBodyToWorld(world, &def, &id));
-    return id;
-}
-
-static wfBodyInfo info(const wfWorld *world, wfBodyId id)
-{
-    wfBodyInfo out;
-    assert_ok(wfGetBody(world, id, &out));
-    return out;
-}
-
 static void steps(wfWorld *world, int n)
 {
     for (int i = 0; i < n; i++) assert_ok(wfStepWorld(world));
-}
-
-static void *copy_of(const wfWorld *world)
-{
-    void *bytes = malloc(world->memory.permanentSize);
-    assert_non_null(bytes);
-    memcpy(bytes, world->memory.permanent, world->memory.permanentSize);
-    return bytes;
-}
-
-static void assert_unchanged(const wfWorld *world, void *bytes)
-{
-    assert_memory_equal(world->memory.permanent, bytes, world->memory.permanentSize);
-    free(bytes);
 }
 
 static wfWorld pile(int n)                                /* a busy world: boxes and balls over a floor */

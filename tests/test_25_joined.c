@@ -1,5 +1,6 @@
 /* Chapter 25: joints in a world. */
 #include "testing.h"
+#include "world.h"
 #include "weft/world.h"
 
 static wfWorld open_world(void)
@@ -30,13 +31,6 @@ static wfJointId pin(wfWorld *w, const char *kind, wfBodyId a, wfBodyId b, doubl
     assert_ok(wfJoinBodies(w, kind, a, b, at, at, wfV2(1, 0), &j));
     assert_ok(wfAddJointToWorld(w, &j, &id));
     return id;
-}
-
-static wfBodyInfo info(const wfWorld *w, wfBodyId id)
-{
-    wfBodyInfo i;
-    assert_ok(wfGetBody(w, id, &i));
-    return i;
 }
 
 static void run(wfWorld *w, int steps)

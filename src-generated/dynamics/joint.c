@@ -453,6 +453,16 @@ static void holds_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p
 /* <add up what the joints bore> */
 bool wfIsBroken(const wfJoint *j) { return (j->flags & WF_JOINT_BROKEN) != 0; }
 
+void wfAddJointLoad(const wfJoint *j, const wfJointRow *row, wfReal angleB, wfVec2 *force,
+                    wfReal *torque)
+{
+    wfVec2 r = wfRotate(wfRotation(angleB), j->localB);
+    for (int k = 0; k < WF_JOINT_ROWS; k++) {                       /* eq:joints-load */
+        *force = wfAddScaled(*force, j->impulse[k], row[k].jB);
+        *torque += j->impulse[k] * (row[k].wB - wfCross(r, row[k].jB));
+    }
+}
+
 static void add_loads(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
     for (int32_t i = 0; i < set->count; i++) {
@@ -460,13 +470,7 @@ static void add_loads(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
         wfJointWork *w = &set->work[i];
         if (wfIsBroken(j)) continue;
         wfJointPair p = wfPairOf(in, moved, j);
-        wfVec2 r = wfRotate(wfRotation(p.hereB.angle), j->localB);
-        for (int k = 0; k < WF_JOINT_ROWS; k++) {
-            const wfJointRow *row = &w->row[k];
-            wfReal twist = row->wB - wfCross(r, row->jB);           /* eq:joints-load */
-            w->load = wfAddScaled(w->load, j->impulse[k], row->jB);
-            w->twist += j->impulse[k] * twist;
-        }
+        wfAddJointLoad(j, w->row, p.hereB.angle, &w->load, &w->twist);
     }
 }
 /* <make taut links sluggish> */
@@ -579,13 +583,7 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
         wfJoint *j = &set->joints[i];
         wfJointWork *w = &set->work[i];
         if (wfIsBroken(j)) continue;
-        /* <add the load of the last half of a substep> */
-        wfVec2 r = wfRotate(wfRotation(in->state[j->b].angle), j->localB);
-        for (int k = 0; k < WF_JOINT_ROWS; k++) {
-            const wfJointRow *row = &w->row[k];
-            w->load = wfAddScaled(w->load, j->impulse[k], row->jB);
-            w->twist += j->impulse[k] * (row->wB - wfCross(r, row->jB));
-        }
+        wfAddJointLoad(j, w->row, in->state[j->b].angle, &w->load, &w->twist);
         wfReal force = wfLength(w->load) / in->h, torque = wfAbs(w->twist) / in->h;
         bool snaps = (j->breakForce > 0 && force > j->breakForce)
                   || (j->breakTorque > 0 && torque > j->breakTorque);

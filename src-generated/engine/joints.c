@@ -124,13 +124,10 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
     const wfBodyState *sB = &b.state[joint->b];
     wfJointRow row[WF_JOINT_ROWS] = { { .law = WF_ROW_OFF } };
     wfReal rate = (wfReal)b.head->substeps / b.head->dt, twist = 0;
-    wfVec2 sum = wfV2(0, 0), r = wfRotate(wfRotation(sB->angle), joint->localB);
+    wfVec2 sum = wfV2(0, 0);
     wfJointTable[joint->kind].build(joint, &b.state[joint->a], sB, row);
-    for (int k = 0; k < WF_JOINT_ROWS; k++) {
-        sum = wfAddScaled(sum, joint->impulse[k], row[k].jB);
-        twist += joint->impulse[k] * (row[k].wB - wfCross(r, row[k].jB));
-    }
-    if (force != NULL) *force = wfScale(rate, sum);             /* eq:joints-load */
+    wfAddJointLoad(joint, row, sB->angle, &sum, &twist);
+    if (force != NULL) *force = wfScale(rate, sum);
     if (torque != NULL) *torque = rate * twist;
     return WF_OK;
 }

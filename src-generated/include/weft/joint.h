@@ -104,6 +104,10 @@ typedef struct wfJointStep {
 wfResult wfCheckJoint(const wfJoint *joint);
 /* Brings turnA and turnB up to date, and lets a ratchet click. wfStepJoints does it. */
 void wfTrackJoint(wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB);
+/* Adds what the joint's impulses do along its rows to B: to *force (N s) and, about B's
+   anchor, to *torque (N m s). eq:joints-load */
+void wfAddJointLoad(const wfJoint *joint, const wfJointRow *rows, wfReal angleB,
+                    wfVec2 *force, wfReal *torque);
 /* Bytes that wfBeginJoints takes. */
 size_t wfJointScratch(int32_t bodies, int32_t joints);
 /* Before a solver's step: makes *laws, to be given to it. The set must stay where it is.
