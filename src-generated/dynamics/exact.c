@@ -153,33 +153,6 @@ static void eliminate_pair(Matrix *m, int32_t p, const Edge *to_i, const Edge *t
             else m->value[at].v[s][r] -= sum;
         }
 }
-/* <factor a block of the diagonal> */
-static void factor_own(Matrix *m, int32_t p, const wfReal *size)
-{
-    Block *l = &m->own[p];
-    for (int i = 0; i < 3; i++) {
-        wfReal d = l->v[i][i];
-        for (int k = 0; k < i; k++) {
-            wfReal sum = l->v[i][k];
-            for (int t = 0; t < k; t++) sum -= l->v[i][t] * l->v[k][t] * m->pivot[p][t];
-            l->v[i][k] = m->pivot[p][k] > 0 ? sum / m->pivot[p][k] : 0;
-            d -= l->v[i][k] * l->v[i][k] * m->pivot[p][k];
-        }
-        m->pivot[p][i] = d > WF_JOINT_SINGULAR * size[i] ? d : 0;
-    }
-}
-
-/* y = K_pp^-1 y */
-static void solve_own(const Matrix *m, int32_t p, wfReal *y)
-{
-    const Block *l = &m->own[p];
-    const wfReal *d = m->pivot[p];
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < i; k++) y[i] -= l->v[i][k] * y[k];
-    for (int i = 0; i < 3; i++) y[i] = d[i] > 0 ? y[i] / d[i] : 0;
-    for (int i = 2; i >= 0; i--)
-        for (int k = i + 1; k < 3; k++) y[i] -= d[i] > 0 ? l->v[k][i] * y[k] : 0;
-}
 /* <factor the matrix> */
 static void factor_matrix(Matrix *m, const wfJointSet *set)
 {
@@ -188,7 +161,7 @@ static void factor_matrix(Matrix *m, const wfJointSet *set)
         wfReal size[3] = { 0, 0, 0 };
         for (int32_t r = 0; r < set->work[p].holds; r++)
             size[r] = set->work[p].own[set->work[p].hold[r]];
-        factor_own(m, p, size);
+        wfFactorBlock(m->own[p].v, size, m->pivot[p]);
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             const Edge *i = &m->edge[e];
             if (m->rank[i->to] < n) continue;
@@ -196,7 +169,7 @@ static void factor_matrix(Matrix *m, const wfJointSet *set)
                 wfReal *w = m->ratio[i->block].v[r];
                 for (int s = 0; s < 3; s++)
                     w[s] = entry(&m->value[i->block], i->to < p, r, s);
-                solve_own(m, p, w);
+                wfSolveBlock(m->own[p].v, m->pivot[p], w);
             }
         }
         /* <eliminate joint p> */
@@ -225,7 +198,7 @@ static void solve_matrix(Matrix *m)
     }
     for (int32_t n = m->count - 1; n >= 0; n--) {
         int32_t p = m->order[n];
-        solve_own(m, p, m->x[p]);
+        wfSolveBlock(m->own[p].v, m->pivot[p], m->x[p]);
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             int32_t i = m->edge[e].to;
             if (m->rank[i] < n) continue;

@@ -273,34 +273,46 @@ wfReal wfCoupling(const wfJointRow *r, const wfJointRow *s, const wfBodyState *a
          + b->invMass * wfDot(r->jB, s->jB) + b->invInertia * r->wB * s->wB;
 }                                                                   /* eq:joints-matrix */
 /* <factor the rows that hold> */
-static void factor_holds(wfJointWork *w, const wfBodyState *a, const wfBodyState *b)
+void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot)
 {
-    for (int i = 0; i < w->holds; i++) {
-        const wfJointRow *r = &w->row[w->hold[i]];
-        wfReal own = wfCoupling(r, r, a, b), d = own;
+    for (int i = 0; i < 3; i++) {
+        wfReal d = l[i][i];
         for (int k = 0; k < i; k++) {
-            wfReal l = wfCoupling(r, &w->row[w->hold[k]], a, b);
-            for (int m = 0; m < k; m++)
-                l -= w->factor[i][m] * w->factor[k][m] * w->pivot[m];
-            w->factor[i][k] = w->pivot[k] > 0 ? l / w->pivot[k] : 0;
-            d -= w->factor[i][k] * w->factor[i][k] * w->pivot[k];
+            wfReal sum = l[i][k];
+            for (int m = 0; m < k; m++) sum -= l[i][m] * l[k][m] * pivot[m];
+            l[i][k] = pivot[k] > 0 ? sum / pivot[k] : 0;
+            d -= l[i][k] * l[i][k] * pivot[k];
         }
-        w->pivot[i] = d > WF_JOINT_SINGULAR * own ? d : 0;          /* eq:joints-block */
+        pivot[i] = d > WF_JOINT_SINGULAR * size[i] ? d : 0;         /* eq:joints-block */
     }
 }
+
+static void factor_holds(wfJointWork *w, const wfBodyState *a, const wfBodyState *b)
+{
+    wfReal size[3] = { 0, 0, 0 };
+    memset(w->factor, 0, sizeof w->factor);
+    for (int i = 0; i < w->holds; i++) {
+        const wfJointRow *r = &w->row[w->hold[i]];
+        for (int k = 0; k <= i; k++)
+            w->factor[i][k] = wfCoupling(r, &w->row[w->hold[k]], a, b);
+        size[i] = w->factor[i][i];
+    }
+    wfFactorBlock(w->factor, size, w->pivot);
+}
 /* <solve for the rows that hold> */
-/* Solves K x = -e. */
+void wfSolveBlock(const wfReal l[3][3], const wfReal *pivot, wfReal *x)
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < i; k++) x[i] -= l[i][k] * x[k];
+    for (int i = 0; i < 3; i++) x[i] = pivot[i] > 0 ? x[i] / pivot[i] : 0;
+    for (int i = 2; i >= 0; i--)
+        for (int k = i + 1; k < 3; k++) x[i] -= pivot[i] > 0 ? l[k][i] * x[k] : 0;
+}
+
 static void solve_holds(const wfJointWork *w, const wfReal *e, wfReal *x)
 {
-    for (int i = 0; i < w->holds; i++) {
-        x[i] = -e[i];
-        for (int k = 0; k < i; k++) x[i] -= w->factor[i][k] * x[k];
-    }
-    for (int i = 0; i < w->holds; i++) x[i] = w->pivot[i] > 0 ? x[i] / w->pivot[i] : 0;
-    for (int i = w->holds - 1; i >= 0; i--) {
-        for (int k = i + 1; k < w->holds; k++) x[i] -= w->factor[k][i] * x[k];
-        if (!(w->pivot[i] > 0)) x[i] = 0;
-    }
+    for (int i = 0; i < 3; i++) x[i] = -e[i];
+    wfSolveBlock(w->factor, w->pivot, x);
 }
 /* <two bodies as a joint sees them> */
 static wfBodyState moved_by(wfBodyState s, const wfMoved *m)

@@ -23,6 +23,10 @@ typedef struct wfJointPair { wfBodyState *a, *b, hereA, hereB; } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
 bool wfIsBroken(const wfJoint *j);
+/* Of K (its lower half in l, 0 where there is no row) makes L; size: what pivots are
+ * compared with. Then x becomes K^-1 x. eq:joints-block */
+void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot);
+void wfSolveBlock(const wfReal l[3][3], const wfReal *pivot, wfReal *x);
 wfGiving wfGivingOf(const wfJointSet *set);
 wfJointPair wfPairOf(const wfSolve *in, const wfMoved *moved, const wfJoint *j);
 /* The rows of a joint where its bodies will be in a time h. */
