@@ -161,6 +161,7 @@ static void factor_matrix(Matrix *m, const wfJointSet *set)
         wfReal size[3] = { 0, 0, 0 };
         for (int32_t r = 0; r < set->work[p].holds; r++)
             size[r] = set->work[p].own[set->work[p].hold[r]];
+        const Block *own = &m->own[p];
         wfFactorBlock(m->own[p].v, size, m->pivot[p]);
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             const Edge *i = &m->edge[e];
@@ -169,7 +170,7 @@ static void factor_matrix(Matrix *m, const wfJointSet *set)
                 wfReal *w = m->ratio[i->block].v[r];
                 for (int s = 0; s < 3; s++)
                     w[s] = entry(&m->value[i->block], i->to < p, r, s);
-                wfSolveBlock(m->own[p].v, m->pivot[p], w);
+                wfSolveBlock(own->v, m->pivot[p], w);
             }
         }
         /* <eliminate joint p> */
@@ -198,7 +199,8 @@ static void solve_matrix(Matrix *m)
     }
     for (int32_t n = m->count - 1; n >= 0; n--) {
         int32_t p = m->order[n];
-        wfSolveBlock(m->own[p].v, m->pivot[p], m->x[p]);
+        const Block *own = &m->own[p];
+        wfSolveBlock(own->v, m->pivot[p], m->x[p]);
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             int32_t i = m->edge[e].to;
             if (m->rank[i] < n) continue;
