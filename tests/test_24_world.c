@@ -1342,6 +1342,17 @@ static void settings_are_kept(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* Field by field: between the fields there may be holes, and what is in a hole is nobody's business. */
+static void assert_same_def(const wfWorldDef *a, const wfWorldDef *b)
+{
+#define SAME(field) assert_memory_equal(&a->field, &b->field, sizeof a->field)
+    SAME(gravity); SAME(dt); SAME(bodyCapacity); SAME(shapeCapacity); SAME(forceCapacity); SAME(pairCapacity); SAME(contactCapacity);
+    SAME(integrator); SAME(broadPhase); SAME(narrowPhase); SAME(solver); SAME(iterations); SAME(substeps); SAME(restingSteps);
+    SAME(hitSteps); SAME(positionShare); SAME(slop); SAME(reuse); SAME(events); SAME(queries);
+    SAME(memory.permanent); SAME(memory.transient); SAME(memory.permanentSize); SAME(memory.transientSize); SAME(memory.owned);
+#undef SAME
+}
+
 static void all_settings_can_be_changed(void **unused)
 {
     (void)unused;
@@ -1358,7 +1369,7 @@ static void all_settings_can_be_changed(void **unused)
     def.restingSteps = 5, def.hitSteps = 9, def.positionShare = WF_R(0.25), def.slop = WF_R(0.0625);
     assert_ok(wfSetWorldDef(&world, &def));
     assert_ok(wfGetWorldDef(&world, &got));
-    assert_memory_equal(&got, &def, sizeof got);
+    assert_same_def(&got, &def);
     def.bodyCapacity = 1, def.events = 0;                 /* not looked at, but for sense */
     assert_ok(wfSetWorldDef(&world, &def));
     assert_ok(wfGetWorldDef(&world, &got));

@@ -317,7 +317,11 @@ static void test_solver_that_keeps_no_joints(void **state)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     def.solver = wfFindSolver("impulse");
+    def.jointCapacity = 5, def.exactJoints = 1;
     assert_ok(wfCreateWorld(&def, &w));
+    wfWorldDef told;
+    assert_ok(wfGetWorldDef(&w, &told));
+    assert_true(told.jointCapacity == 5 && told.exactJoints == 1);
     wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
     wfJoint j;
     assert_ok(wfJoinBodies(&w, "weld", a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
