@@ -3,6 +3,7 @@
 #ifndef WEFT_SOFT_H
 #define WEFT_SOFT_H
 /* Soft contacts: chapter 17. */
-#include "dynamics/substep.h"
+#include "weft/resolve.h"
 wfSolverFn wfSoftStep;
+wfSolverScratchFn wfSoftScratch;
 #endif
