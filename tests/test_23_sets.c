@@ -4,6 +4,7 @@
 #include "shapes.h"
 #include "weft/query.h"
 #include "weft/impact.h"
+#include "weft/narrow.h"
 
 enum { MOST = 400 };
 
@@ -420,6 +421,88 @@ static void test_closest(void **state)
     assert_true(found > 500 && none > 200);
 }
 
+static bool same_closest(wfClosest a, wfClosest b)
+{
+    return a.shape == b.shape && a.distance == b.distance && a.point.x == b.point.x && a.point.y == b.point.y
+        && a.normal.x == b.normal.x && a.normal.y == b.normal.y;
+}
+
+/* a shape asks how far it is from the set: the distances of all pairs, the least of them, the lowest index */
+static void test_distance(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(14);
+    int apart = 0, over = 0, none = 0;
+    for (int i = 0; i < 40; i++) {
+        random_world(&r, (int32_t)wfRandomBelow(&r, i < 20 ? 20 : 150), i % 2 ? 3 : 40);
+        for (int method = 0; method < wfBroadPhaseCount; method++) {
+            use(method, i % 4 != 3);
+            for (int k = 0; k < 6; k++) {
+                wfFilter f;
+                const wfFilter *filter = some_filter(&r, &f);
+                wfShape s = any_shape(&r, k == 5 ? 8 : WF_R(0.5));
+                if (k == 4) memset(&s, 0, sizeof s);                             /* a particle asks too */
+                wfTransform xf = random_transform(&r, i % 2 ? 6 : 40);
+                wfReal within = (wfReal[]){ 1, 1000, WF_HUGE, 0, 5, 100 }[k];
+                wfClosest want = { .shape = WF_NO_SHAPE }, got;
+                for (int32_t j = 0; j < world.count; j++) {
+                    wfDistanceResult d;
+                    if (!allowed(filter, j)) continue;
+                    assert_ok(wfShapeDistance(&world.shapes[j], world.places[j], &s, xf, &d));
+                    if (d.distance > within || (want.shape >= 0 && d.distance >= want.distance)) continue;
+                    want = (wfClosest){ j, d.distance, d.pointA, d.normal };
+                }
+                assert_ok(wfSetDistance(&world.set, &s, xf, within, filter, &got));
+                assert_true(same_closest(got, want));
+                if (got.shape < 0) none++; else if (got.distance > 0) apart++; else over++;
+            }
+        }
+    }
+    assert_true(apart > 500 && over > 150 && none > 100);
+}
+
+/* A box of 2 m between a wall at x = 5 and a ball about (-7, 1): 4 m to the wall, 5 m to the ball. Turned by 45 degrees
+   its corner comes nearer by sqrt(2) - 1. In front of the wall's twin the lower index answers. The same at every size. */
+static void test_distance_by_hand(void **state)
+{
+    (void)state;
+    for (int size = -10; size <= 10; size += 5)
+        for (int method = 0; method < wfBroadPhaseCount; method++) {
+            wfReal k = (wfReal)ldexp(1, size);
+            double e = 16 * 8 * (double)WF_EPSILON * (double)k;
+            begin_world(3);
+            for (int32_t i = 0; i < 2; i++) {
+                assert_ok(wfMakeBox(k, 5 * k, &world.shapes[i]));
+                world.places[i] = wfMakeTransform(wfV2(6 * k, 0), 0);
+            }
+            assert_ok(wfMakeCircle(wfV2(0, 0), k, &world.shapes[2]));
+            world.places[2] = wfMakeTransform(wfV2(-7 * k, k), 0);
+            bound();
+            use(method, true);
+            wfShape crate;
+            wfClosest c;
+            assert_ok(wfMakeBox(k, k, &crate));
+            assert_ok(wfSetDistance(&world.set, &crate, at(0, 0, 0), 100 * k, NULL, &c));
+            assert_int_equal(c.shape, 0);
+            assert_near(c.distance, 4 * (double)k, e);
+            assert_near(c.point.x, 5 * (double)k, e);
+            assert_near2(c.normal, wfV2(-1, 0), e / (double)k);
+            assert_ok(wfSetDistance(&world.set, &crate, wfMakeTransform(wfV2(0, 0), WF_PI / 4), 100 * k, NULL, &c));
+            assert_near(c.distance, (5 - sqrt(2)) * (double)k, e);
+            wfReal by = c.distance;
+            assert_near2(wfAddScaled(c.point, by, c.normal), wfV2((wfReal)sqrt(2) * k, 0), e);      /* the crate's corner */
+            world.flags[0] = world.flags[1] = 0;
+            use(method, true);
+            assert_ok(wfSetDistance(&world.set, &crate, at(0, 0, 0), 100 * k, NULL, &c));
+            assert_int_equal(c.shape, 2);
+            assert_near(c.distance, 5 * (double)k, e);
+            assert_ok(wfSetDistance(&world.set, &crate, at(0, 0, 0), WF_R(4.9) * k, NULL, &c));
+            assert_true(c.shape == WF_NO_SHAPE && c.distance == 0 && c.normal.x == 0);
+            assert_ok(wfSetDistance(&world.set, &crate, wfMakeTransform(wfV2(-7 * k, 0), 0), 0, NULL, &c));
+            assert_true(c.shape == 2 && c.distance == 0 && c.normal.x == 0 && c.normal.y == 0);
+        }
+}
+
 /* a distance so small that a share of it is zero: the search must end */
 static void test_tiny_distance(void **state)
 {
@@ -538,6 +621,7 @@ static void test_bad_input(void **state)
         assert_result(want, wfSetOverlap(set_, &s, id, NULL, list, 10, &n)); \
         assert_result(want, wfSetOverlapArea(set_, area, NULL, list, 10, &n)); \
         assert_result(want, wfSetOverlapPoint(set_, wfV2(0, 0), NULL, list, 10, &n)); \
+        assert_result(want, wfSetDistance(set_, &s, id, 5, NULL, &c)); \
         assert_result(want, wfSetClosest(set_, wfV2(0, 0), 5, NULL, &c)); } while (0)
     ALL(WF_ERROR_NULL, NULL);
     wfShapeSet x = world.set;
@@ -589,6 +673,10 @@ static void test_bad_input(void **state)
     assert_result(WF_ERROR_NULL, wfSetOverlapPoint(set, wfV2(0, 0), NULL, NULL, 10, &n));
     assert_result(WF_ERROR_NULL, wfSetClosest(set, wfV2(0, 0), 5, NULL, NULL));
     assert_result(WF_ERROR_RANGE, wfSetClosest(set, wfV2(0, 0), -1, NULL, &c));
+    assert_result(WF_ERROR_NULL, wfSetDistance(set, NULL, id, 5, NULL, &c));
+    assert_result(WF_ERROR_NULL, wfSetDistance(set, &s, id, 5, NULL, NULL));
+    assert_result(WF_ERROR_RANGE, wfSetDistance(set, &s, id, -1, NULL, &c));
+    assert_result(WF_ERROR_UNKNOWN, wfSetDistance(set, &odd, id, 5, NULL, &c));
     wfRect upside = { wfV2(1, 1), wfV2(-1, -1) };
     assert_result(WF_ERROR_RANGE, wfSetOverlapArea(set, upside, NULL, list, 10, &n));
     for (int k = 0; k < BAD_REAL_COUNT; k++) {
@@ -611,6 +699,8 @@ static void test_bad_input(void **state)
         assert_result(WF_ERROR_NOT_FINITE, wfSetClosest(set, wfV2(bad, 0), 5, NULL, &c));
         assert_result(WF_ERROR_NOT_FINITE, wfSetClosest(set, wfV2(0, bad), 5, NULL, &c));
         assert_result(WF_ERROR_NOT_FINITE, wfSetClosest(set, wfV2(0, 0), bad, NULL, &c));
+        assert_result(WF_ERROR_NOT_FINITE, wfSetDistance(set, &s, t, 5, NULL, &c));
+        assert_result(WF_ERROR_NOT_FINITE, wfSetDistance(set, &s, id, bad, NULL, &c));
     }
     assert_memory_equal(&hit, &same, sizeof hit);
     assert_memory_equal(&c, &sameC, sizeof c);
@@ -641,6 +731,8 @@ int main(void)
         cmocka_unit_test(test_overlaps),
         cmocka_unit_test(test_odd_areas),
         cmocka_unit_test(test_closest),
+        cmocka_unit_test(test_distance),
+        cmocka_unit_test(test_distance_by_hand),
         cmocka_unit_test(test_tiny_distance),
         cmocka_unit_test(test_work),
         cmocka_unit_test(test_groups),

@@ -75,6 +75,18 @@ static void answers_by_hand(void **unused)
             assert_near2(near.point, wfV2(5, 1), e);
             assert_ok(wfWorldClosest(&world, wfV2(5, 3), WF_R(1.5), NULL, &near));
             assert_int_equal(near.shape, WF_NO_SHAPE);
+            assert_ok(wfWorldDistance(&world, &probe, wfMakeTransform(wfV2(5, 3), 0), 5, NULL, &near));
+            assert_int_equal(near.shape, wfShapeIndex(&world, wfFirstShape(&world, a)));
+            assert_near(near.distance, 1.5, 4 * e);
+            assert_near2(near.normal, wfV2(0, 1), e);
+            assert_ok(wfWorldCastShapeAll(&world, &probe, wfTransformIdentity(), wfV2(10, 0), NULL, hits, 4, &n));
+            assert_int_equal(n, 2);
+            assert_near(hits[0].fraction, 0.35, 0.01);
+            assert_near(hits[1].fraction, 0.75, 0.01);
+            assert_ok(wfWorldOverlapPoint(&world, wfV2(9, 3), NULL, found, 4, &n));
+            assert_true(n == 1 && found[0] == wfShapeIndex(&world, roof));
+            assert_ok(wfWorldOverlapPoint(&world, wfV2(7, 0), NULL, found, 4, &n));
+            assert_int_equal(n, 0);
             assert_ok(wfStepWorld(&world));
         }
         wfDestroyWorld(&world);
@@ -105,6 +117,12 @@ static uint64_t ask_all(const wfWorld *world)
         for (int k = 0; k < n && k < 16; k++) h = wfHashU32(h, (uint32_t)found[k]);
         assert_ok(wfWorldClosest(world, p, 20, NULL, &near));
         h = wfHashReal(wfHashU32(h, (uint32_t)near.shape), near.distance);
+        assert_ok(wfWorldDistance(world, &probe, wfMakeTransform(p, d.y), 20, NULL, &near));
+        h = wfHashReal(wfHashU32(h, (uint32_t)near.shape), near.distance);
+        assert_ok(wfWorldOverlapPoint(world, p, NULL, found, 16, &n));
+        for (int k = 0; k < n && k < 16; k++) h = wfHashU32(h, (uint32_t)found[k]);
+        assert_ok(wfWorldCastShapeAll(world, &probe, wfMakeTransform(p, d.x), d, NULL, hits, 16, &n));
+        for (int k = 0; k < n && k < 16; k++) h = wfHashReal(wfHashU32(h, (uint32_t)hits[k].shape), hits[k].fraction);
     }
     return h;
 }
@@ -181,6 +199,9 @@ static void questions_change_nothing_and_bad_ones_are_refused(void **unused)
         assert_result(WF_ERROR_NOT_FINITE, wfWorldOverlap(&world, &probe, askew, NULL, found, 2, &n));
         assert_result(WF_ERROR_NOT_FINITE, wfWorldOverlapArea(&world, (wfRect){ .min = bad, .max = good }, NULL, found, 2, &n));
         assert_result(WF_ERROR_NOT_FINITE, wfWorldClosest(&world, bad, 1, NULL, &near));
+        assert_result(WF_ERROR_NOT_FINITE, wfWorldDistance(&world, &probe, askew, 1, NULL, &near));
+        assert_result(WF_ERROR_NOT_FINITE, wfWorldOverlapPoint(&world, bad, NULL, found, 2, &n));
+        assert_result(WF_ERROR_NOT_FINITE, wfWorldCastShapeAll(&world, &probe, askew, good, NULL, &hit, 1, &n));
     }
     wfVec2 o = wfV2(0, 0);
     assert_result(WF_ERROR_NULL, wfWorldCastRay(&world, (wfRay){ o, o }, NULL, NULL));
@@ -190,6 +211,9 @@ static void questions_change_nothing_and_bad_ones_are_refused(void **unused)
     assert_result(WF_ERROR_NULL, wfWorldOverlap(&none, &probe, wfTransformIdentity(), NULL, found, 2, &n));
     assert_result(WF_ERROR_NULL, wfWorldOverlapArea(&none, wfRectMinMax(o, o), NULL, found, 2, &n));
     assert_result(WF_ERROR_NULL, wfWorldClosest(&none, o, 1, NULL, &near));
+    assert_result(WF_ERROR_NULL, wfWorldDistance(&none, &probe, wfTransformIdentity(), 1, NULL, &near));
+    assert_result(WF_ERROR_NULL, wfWorldOverlapPoint(&none, o, NULL, found, 2, &n));
+    assert_result(WF_ERROR_NULL, wfWorldCastShapeAll(&none, &probe, wfTransformIdentity(), o, NULL, &hit, 1, &n));
     assert_result(WF_ERROR_NULL, wfIndexWorld(&none));
     assert_true(hit.shape == 77 && near.shape == 77 && n == 77);
     assert_memory_equal(world.memory.permanent, bytes, world.memory.permanentSize);

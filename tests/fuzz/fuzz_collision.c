@@ -315,6 +315,8 @@ static void test_set(Input *in)
         if (ok) MUST(near.distance >= 0 && near.shape < set.n);
         if (!method) firstNear = near;
         MUST(near.shape == firstNear.shape && same(near.distance, firstNear.distance) && same2(near.point, firstNear.point));
+        ok = CALL("distance from a set", near, wfSetDistance(&q, &probe, x, within, f, &near));
+        if (ok) MUST(near.distance >= 0 && near.distance <= within && near.shape < set.n && (near.shape < 0 || wfIsFinite2(near.point)));
         doing = "overlap with a set";
         wfResult result = wfSetOverlap(&q, &probe, x, f, list, 8, &count);
         MUST(result != WF_OK || (count >= 0 && count <= set.n));
