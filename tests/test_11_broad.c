@@ -509,6 +509,8 @@ static void test_scratch_sizes(void **state)
             assert_true(bytes >= last);
             if (row > 0) assert_true(bytes / (size_t)n >= sizeof(wfPair));
             last = bytes;
+            size_t index = wfIndexSize(row, n), more = wfIndexSize(row, n + 1);          /* no sum runs over */
+            assert_true(more >= index && (index == 0 || index / (size_t)n >= sizeof(int32_t)));
         }
         if (row == wfFindBroadPhase("brute-force")) assert_int_equal(wfBroadPhaseTable[row].scratch(100, 100), 0);
         if (sizeof(size_t) > 4)
@@ -638,6 +640,21 @@ static void test_sort_and_select(void **state)
             assert_int_equal(items[i].index, sorted[i].index);
         }
     }
+}
+
+/* What is sorted already, either way, or all alike, costs no more than what is not: parts that shrink by one at each step
+   would make 10^10 comparisons of these. */
+static void test_select_in_order(void **state)
+{
+    (void)state;
+    enum { MANY = 200000 };
+    static wfKeyed items[MANY];
+    for (int shape = 0; shape < 3; shape++)
+        for (int32_t k = 0; k < MANY; k += MANY / 2 - 1) {
+            for (int32_t i = 0; i < MANY; i++) items[i] = (wfKeyed){ (wfReal)(shape == 0 ? i : shape == 1 ? MANY - 1 - i : 7), i };
+            wfSelectKeyed(items, MANY, k);
+            assert_true(items[k].key == (wfReal)(shape == 2 ? 7 : k));
+        }
 }
 
 static void assert_cells(const wfCells *cells, wfRect r, int32_t x0, int32_t y0, int32_t x1, int32_t y1)
@@ -976,7 +993,7 @@ int main(void)
         cmocka_unit_test(test_sectors), cmocka_unit_test(test_reach), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
         cmocka_unit_test(test_report_rule_misses), cmocka_unit_test(test_reaches_agree),
         cmocka_unit_test(test_scratch_sizes), cmocka_unit_test(test_living_world), cmocka_unit_test(test_still_ones), cmocka_unit_test(test_large_boxes), cmocka_unit_test(test_too_many_cells),
-        cmocka_unit_test(test_sort_and_select), cmocka_unit_test(test_cells), cmocka_unit_test(test_cells_are_monotone),
+        cmocka_unit_test(test_sort_and_select), cmocka_unit_test(test_select_in_order), cmocka_unit_test(test_cells), cmocka_unit_test(test_cells_are_monotone),
         cmocka_unit_test(test_hash_spreads), cmocka_unit_test(test_hash_collides), cmocka_unit_test(test_sweep_axes),
         cmocka_unit_test(test_box_tree), cmocka_unit_test(test_list_live),
         cmocka_unit_test(test_bad_proxies), cmocka_unit_test(test_bad_trees),

@@ -379,7 +379,7 @@ static void test_living_worlds(void **state)
     wfRandom r = random_stream(32);
     static _Alignas(16) uint8_t kept[16][1 << 15];
     size_t room[16];
-    for (int round = 0; round < 2500; round++) {
+    for (int round = 0; round < 10000; round++) {
         int kind = random_world(&r);
         random_filters(&r);
         for (int row = 0; row < wfBroadPhaseCount; row++) {
@@ -388,7 +388,7 @@ static void test_living_worlds(void **state)
             memset(kept[row], 0, room[row]);
             memset(kept[row] + room[row], 0xA5, MARGIN);
         }
-        for (int step = 0; step < 4; step++) {
+        for (int step = 0; step < (round % 4 ? 2 : 4); step++) {
             wfRect area = random_area(&r, kind);
             wfBoxCast cast = random_cast(&r, kind);
             int n = oracle(wanted);
@@ -976,7 +976,14 @@ static void test_tree_is_left_alone(void **state)
     for (int i = 0; i < 10; i++) put(rect(4 * i, 0, 4 * i + 1, 1), MOVING);
     size_t bytes = wfIndexSize(row, 20);
     memset(index_a, 0, bytes);
+    wfPool none = pool_of(0);
+    assert_result(WF_ERROR_MEMORY, wfTreeUpdate(&world.in, index_a, wfTreeSize(9), &none));
     assert_int_equal(update_changes(bytes), 10);
+    for (int i = 0; i < 10; i++) {                              /* nobody knows yet where they go: the same margin on all sides */
+        wfRect fat = wfFatBox(world.bounds[i], wfV2(0, 0), WF_TREE_RATIO), has = wfTreeOpen(index_a + 16).nodes[i].box;
+        assert_true(has.min.x == fat.min.x && has.max.x == fat.max.x && has.min.y == fat.min.y && has.max.y == fat.max.y);
+        assert_true(world.bounds[i].min.y - has.min.y == has.max.y - world.bounds[i].max.y && has.max.y > 1);
+    }
     for (int i = 0; i < 100; i++) {                             /* trembles by less than w/64 */
         double x = i % 2 ? 0.015 : -0.015;
         world.bounds[2] = rect(8 + x, x, 9 + x, 1 + x);
