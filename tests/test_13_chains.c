@@ -354,6 +354,39 @@ static void test_joints_by_hand(void **state)
     assert_int_equal(collide(&alone, at(0, 0, 0), &bar, at(0, -0.2, -20), 0, &m), 0);
 }
 
+/* A joint that sticks out, blunt and sharp, from a millimetre's sides to a kilometre's: a ball on its tip, in every
+   direction of the fan, and a box that lies on it are held, along the direction and as deep as they are. */
+static void test_tips_of_every_size(void **state)
+{
+    (void)state;
+    static const double turns[] = { 20, 60, 89, 91, 120, 150 };
+    for (int t = 0; t < 6; t++)
+        for (int size = -10; size <= 10; size += 5) {
+            double k = ldexp(1, size), half = turns[t] * 3.14159265358979 / 360;
+            wfVec2 p[3] = { wfV2((wfReal)(k * cos(half)), (wfReal)(-k * sin(half))), wfV2(0, 0),
+                            wfV2((wfReal)(-k * cos(half)), (wfReal)(-k * sin(half))) };
+            wfShape links[2], ball = circle(0, 0, 0.25 * k), cube = box(0.5 * k, 0.5 * k);
+            wfManifold m;
+            chain(p, 3, links);
+            for (int way = -9; way <= 9; way += 3) {
+                double a = half * way / 10, x = sin(a), y = cos(a);
+                int held = 0;
+                for (int i = 0; i < 2; i++) {
+                    if (collide(&links[i], at(0, 0, 0), &ball, at(0.2 * k * x, 0.2 * k * y, 0), 0, &m) == 0) continue;
+                    held++;
+                    assert_near2(m.normal, wfV2((wfReal)x, (wfReal)y), 1e-5);
+                    assert_near(m.points[0].depth, 0.05 * k, 1e-5 * k);
+                }
+                assert_true(held > 0 && (held == 2 || half + fabs(a) > 1.5));   /* who is behind a link is not its affair */
+            }
+            for (int i = 0; i < 2; i++) {
+                assert_int_equal(collide(&links[i], at(0, 0, 0), &cube, at(0, 0.49 * k, 0), 0, &m), 1);
+                assert_near2(m.normal, wfV2(0, 1), 1e-6);
+                assert_near(m.points[0].depth, 0.01 * k, 1e-5 * k);
+            }
+        }
+}
+
 /* three points of a chain, or their mirror image, whose links are then listed the other way round */
 static void crest_of(const wfVec2 *p, bool mirror, double scale, wfShape *links)
 {
@@ -618,7 +651,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_circles_see_the_whole_line), cmocka_unit_test(test_cores_keep_to_the_surface),
         cmocka_unit_test(test_no_holes), cmocka_unit_test(test_joints_by_hand),
-        cmocka_unit_test(test_cuts_belong_to_the_neighbour), cmocka_unit_test(test_needles), cmocka_unit_test(test_thousand_tiles),
+        cmocka_unit_test(test_cuts_belong_to_the_neighbour), cmocka_unit_test(test_tips_of_every_size), cmocka_unit_test(test_needles), cmocka_unit_test(test_thousand_tiles),
         cmocka_unit_test(test_rides), cmocka_unit_test(test_from_behind), cmocka_unit_test(test_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
