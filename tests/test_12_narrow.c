@@ -623,6 +623,12 @@ static void test_bad_input(void **state)
             assert_result(WF_ERROR_UNKNOWN, wfSeparate(wfNarrowPhaseCount, a, ok, b, ok, &s));
             assert_result(WF_ERROR_UNKNOWN, wfSeparate(row, &none, ok, b, ok, &s));
             assert_result(WF_ERROR_UNKNOWN, wfSeparate(row, a, ok, &none, ok, &s));
+            for (int kind = -1; kind <= WF_SHAPE_KINDS; kind += WF_SHAPE_KINDS + 1) {       /* just below, just beyond */
+                wfShape odd = *a;
+                odd.kind = kind;
+                assert_result(WF_ERROR_UNKNOWN, wfSeparate(row, &odd, ok, b, ok, &s));
+                assert_result(WF_ERROR_UNKNOWN, wfSeparate(row, b, ok, &odd, ok, &s));
+            }
             for (int bad = 0; bad < BAD_REAL_COUNT; bad++)
                 for (int field = 0; field < 4; field++) {
                     wfTransform x = ok;

@@ -4,7 +4,7 @@
 -- The file comes from the tree with #line directives, so that a mutant is named by its place in the chapter.
 -- Operators: + and - exchanged, * and / exchanged, a unary minus dropped, comparisons turned round or their equality changed,
 -- && and || exchanged, a literal doubled (or 0 made 1, 1 made 2), += and -= exchanged, wfAdd/wfSub, wfMinR/wfMaxR, sin/cos,
--- wfPerpCW/wfPerpCCW, wfRotate/wfRotateInv, wfApply/wfApplyInv, .x and .y exchanged.
+-- wfPerpCW/wfPerpCCW, wfRotate/wfRotateInv, wfApply/wfApplyInv, .x and .y exchanged. Lengths of arrays are left alone.
 local mode, file, number, out = arg[1], arg[2], tonumber(arg[3]), arg[4]
 local f = assert(io.open(file)); local text = f:read("a"); f:close()
 
@@ -85,6 +85,8 @@ for k, t in ipairs(tokens) do
       if t.s == "*" and (n.s == "*" or TYPES[p.s] or p.s:match("^wf[A-Z]%w*$") and n.kind == "id" and tokens[k + 2] and tokens[k + 2].s:match("^[=;,%)]$") and p.a + #p.s + 1 == t.a and n.a == t.b + 1) then
         -- a declaration of a pointer, not a product
       else add(t, "exchange", SWAP[t.s]) end
+    elseif t.kind == "num" and p.s == "[" and n.s == "]" and tokens[k - 3] and tokens[k - 3].kind == "id" then
+      -- the length of an array where it is declared: one place more is never looked at
     elseif t.kind == "num" then
       local v = t.s
       if v:match("^%d+$") then add(t, "literal", v == "0" and "1" or tostring(tonumber(v) + 1))
