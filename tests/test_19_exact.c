@@ -53,7 +53,7 @@ static void worst_rows(double *error, double *rate)
         wfJointRow row[WF_JOINT_ROWS];
         memset(row, 0, sizeof row);
         const wfBodyState *a = &state[joint[i].a], *b = &state[joint[i].b];
-        wfJointTable[joint[i].kind].build(&joint[i], a, b, row);
+        wfBuildJoint(&joint[i], a, b, row);
         for (int k = 0; k < WF_JOINT_ROWS; k++) {
             if (row[k].law != WF_ROW_HOLD) continue;
             double u = (double)(wfDot(row[k].jA, a->v) + row[k].wA * a->w + wfDot(row[k].jB, b->v) + row[k].wB * b->w);

@@ -1,6 +1,7 @@
 /* Weft: collision/shapeset.c, tangled from chapters/23-events-and-queries.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/impact.h"
+#include "weft/narrow.h"
 #include "weft/query.h"
 
 /* <check the set> */
@@ -317,19 +318,32 @@ wfResult wfSetOverlapPoint(const wfShapeSet *set, wfVec2 point, const wfFilter *
 typedef struct Search {
     const wfShapeSet *set;
     const wfFilter *filter;
-    wfVec2 point;
+    const wfShape *shape;         /* the shape that asks, or NULL: the point from.min */
+    wfTransform placed;
+    wfRect from;                  /* bounds of what asks */
     wfReal within;
     wfClosest best;
     wfResult result;
 } Search;
 
+static wfResult gapTo(const Search *q, int32_t proxy, wfClosest *out)
+{
+    const wfShape *other = &q->set->shapes[proxy];
+    wfTransform placed = q->set->place(q->set->context, proxy);
+    wfDistanceResult d;
+    if (!q->shape) return wfClosestPoint(other, placed, q->from.min, out);
+    wfResult result = wfShapeDistance(other, placed, q->shape, q->placed, &d);
+    if (result != WF_OK) return result;
+    *out = (wfClosest){ proxy, d.distance, d.pointA, d.normal };
+    return WF_OK;
+}
+/* <the nearest shape of a set> */
 static bool searchVisitor(void *context, int32_t proxy)
 {
     Search *q = context;
     wfClosest c;
     if (!wanted(q->set, q->filter, proxy)) return true;
-    q->result = wfClosestPoint(&q->set->shapes[proxy],
-                               q->set->place(q->set->context, proxy), q->point, &c);
+    q->result = gapTo(q, proxy, &c);
     if (q->result != WF_OK) return false;
     if (c.distance > q->within) return true;
     c.shape = proxy;
@@ -351,11 +365,12 @@ static wfReal guessHalf(Search *q)
     return q->best.distance / wfSqrt((wfReal)stride);
 }
 /* <the nearest shape of a set> */
-static wfRect squareAbout(wfVec2 p, wfReal half)
+static wfRect squareAbout(wfRect from, wfReal half)
 {
-    wfVec2 h = wfAdd(wfV2(half, half), roomFor(p, wfV2(half, half)));
-    wfVec2 top = wfV2(WF_HUGE, WF_HUGE), bottom = wfNeg(top);
-    return (wfRect){ wfMax2(wfSub(p, h), bottom), wfMin2(wfAdd(p, h), top) };
+    wfVec2 h = wfV2(half, half), top = wfV2(WF_HUGE, WF_HUGE), bottom = wfNeg(top);
+    wfVec2 low = wfSub(from.min, wfAdd(h, roomFor(from.min, h)));
+    wfVec2 high = wfAdd(from.max, wfAdd(h, roomFor(from.max, h)));
+    return (wfRect){ wfMax2(low, bottom), wfMin2(high, top) };
 }
 
 static wfResult search(Search *q)
@@ -366,7 +381,7 @@ static wfResult search(Search *q)
         wfReal most = q->best.shape == WF_NO_SHAPE ? q->within : q->best.distance;
         half = wfMinR(half, most);
         wfResult result = wfQueryIndex(set->method, &set->proxies, set->index,
-                                       squareAbout(q->point, half), searchVisitor, q);
+                                       squareAbout(q->from, half), searchVisitor, q);
         if (result != WF_OK) return result;
         if (half >= q->within) break;
         if (q->best.shape != WF_NO_SHAPE && q->best.distance <= half) break;
@@ -375,17 +390,35 @@ static wfResult search(Search *q)
     return q->result;
 }
 /* <the nearest shape of a set> */
+static wfResult runSearch(Search *q, wfClosest *out)
+{
+    wfResult result = checkSet(q->set);
+    if (result != WF_OK) return result;
+    if (!out) return WF_ERROR_NULL;
+    if (!wfIsFinite2(q->from.min) || !wfIsFinite2(q->from.max)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(q->within)) return WF_ERROR_NOT_FINITE;
+    if (q->within < 0) return WF_ERROR_RANGE;
+    q->best.shape = WF_NO_SHAPE;
+    result = search(q);
+    if (result == WF_OK) *out = q->best;
+    return result;
+}
+/* <the nearest shape of a set> */
 wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,
                       const wfFilter *filter, wfClosest *out)
 {
-    Search q = { .set = set, .filter = filter, .point = point, .within = within,
-                 .best = { .shape = WF_NO_SHAPE } };
-    wfResult result = checkSet(set);
+    Search q = { .set = set, .filter = filter, .from = { point, point },
+                 .within = within };
+    return runSearch(&q, out);
+}
+
+wfResult wfSetDistance(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
+                       wfReal within, const wfFilter *filter, wfClosest *out)
+{
+    Search q = { .set = set, .filter = filter, .shape = shape, .placed = placed,
+                 .within = within };
+    wfResult result = checkAsker(shape);
     if (result != WF_OK) return result;
-    if (!out) return WF_ERROR_NULL;
-    if (!wfIsFinite2(point) || !wfIsFinite(within)) return WF_ERROR_NOT_FINITE;
-    if (within < 0) return WF_ERROR_RANGE;
-    result = search(&q);
-    if (result == WF_OK) *out = q.best;
-    return result;
+    q.from = wfShapeBounds(shape, placed);
+    return runSearch(&q, out);
 }

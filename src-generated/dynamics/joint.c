@@ -3,23 +3,34 @@
 #include <string.h>
 #include "dynamics/jointwork.h"
 
-/* <look at the anchors> */
-typedef struct Anchors { wfVec2 rA, rB, d; } Anchors;
-
-static Anchors anchors_of(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB)
-{
-    Anchors at = { .rA = wfRotate(wfRotation(sA->angle), j->localA),
-                   .rB = wfRotate(wfRotation(sB->angle), j->localB) };
-    at.d = wfAdd(wfSub(sB->p, sA->p), wfSub(at.rB, at.rA));   /* eq:joints-constraint */
-    return at;
-}
 /* <follow an angle without jumps> */
 static wfReal follow(wfReal turn, wfReal angle)
 {
     return turn + wfWrapAngle(angle - turn);                        /* eq:joints-follow */
 }
+/* <look at the bodies> */
+static wfJointSight see(const wfJoint *j, const wfPlace *a, const wfPlace *b)
+{
+    wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
+        .bow = 1, .qA = a->q, .pA = wfAdd(a->p, a->d), .pB = wfAdd(b->p, b->d),
+        .turnA = follow(j->turnA, a->angle), .turnB = follow(j->turnB, b->angle) };
+    wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));
+    at.d = wfAdd(apart, wfSub(at.rB, at.rA));               /* eq:joints-constraint */
+    at.lever = at.d;
+    return at;
+}
+
+int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
+                     wfJointRow *rows)
+{
+    wfPlace a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
+    wfPlace b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
+    wfJointSight at = see(j, &a, &b);
+    memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
+    return wfJointTable[j->kind].build(j, &at, rows);
+}
 /* <build rows> */
-static wfJointRow along(wfVec2 u, const Anchors *at)
+static wfJointRow along(wfVec2 u, const wfJointSight *at)
 {
     return (wfJointRow){ .law = WF_ROW_HOLD, .jA = wfNeg(u), .wA = -wfCross(at->rA, u),
                          .jB = u, .wB = wfCross(at->rB, u),      /* eq:joints-rod */
@@ -27,16 +38,15 @@ static wfJointRow along(wfVec2 u, const Anchors *at)
                          .least = -WF_JOINT_UNLIMITED };
 }
 
-static void pin(const Anchors *at, wfJointRow *rows)
+static void pin(const wfJointSight *at, wfJointRow *rows)
 {
     rows[0] = along(wfV2(1, 0), at);
     rows[1] = along(wfV2(0, 1), at);
 }
 /* <build rows> */
-static wfJointRow turning(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                          wfReal rest)
+static wfJointRow turning(const wfJointSight *at, wfReal rest)
 {
-    wfReal turn = follow(j->turnB, sB->angle) - follow(j->turnA, sA->angle);
+    wfReal turn = at->turnB - at->turnA;
     return (wfJointRow){ .law = WF_ROW_HOLD, .wA = -1, .wB = 1,     /* eq:joints-turn */
                          .error = turn - rest,
                          .least = -WF_JOINT_UNLIMITED, .most = WF_JOINT_UNLIMITED };
@@ -58,179 +68,234 @@ static void stops(wfJointRow row, wfReal coordinate, wfReal lower, wfReal upper,
     rows[1].error = upper - coordinate;
 }
 /* <build rows> */
-/* Adds spring, motor and stops on the coordinate of `row`, whose error counts from j->rest,
-   in rows[0..3]. */
-static void extras(const wfJoint *j, wfJointRow row, wfJointRow *rows)
-{
-    wfReal coordinate = row.error + j->rest;
-    if (j->flags & WF_JOINT_SPRING) {
-        rows[0] = row;
-        rows[0].law = WF_ROW_SPRING;
-        rows[0].stiffness = j->stiffness;
-        rows[0].damping = j->damping;
-    }
-    if (j->flags & WF_JOINT_MOTOR) {
-        rows[1] = row;
-        rows[1].law = WF_ROW_DRIVE;
-        rows[1].speed = j->motorSpeed;
-        rows[1].most = j->motorForce;
-        rows[1].least = -j->motorForce;
-    }
-    if (j->flags & WF_JOINT_LIMITS) stops(row, coordinate, j->lower, j->upper, &rows[2]);
-}
-/* <build rows> */
-static wfJointRow along_axis(wfVec2 u, const Anchors *at)
-{
-    wfJointRow row = along(u, at);
-    row.wA = -wfCross(wfAdd(at->rA, at->d), u);                     /* eq:joints-axis */
-    return row;
-}
-/* <kinds of joint> */
-static void build_revolute(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                           wfJointRow *rows)
-{
-    Anchors at = anchors_of(j, sA, sB);
-    pin(&at, rows);
-    extras(j, turning(j, sA, sB, j->rest), &rows[2]);
-}
-
-static void build_weld(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                       wfJointRow *rows)
-{
-    Anchors at = anchors_of(j, sA, sB);
-    pin(&at, rows);
-    rows[2] = turning(j, sA, sB, j->rest);
-    if (!(j->flags & WF_JOINT_SPRING)) return;
-    rows[2].law = WF_ROW_SPRING;                /* a weld that gives: a leaf spring */
-    rows[2].stiffness = j->stiffness;
-    rows[2].damping = j->damping;
-}
-
-static void build_turn(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                       wfJointRow *rows)
-{
-    extras(j, turning(j, sA, sB, j->rest), rows);   /* no anchors */
-}
-/* <kinds of joint> */
-static void build_distance(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                           wfJointRow *rows)
-{
-    Anchors at = anchors_of(j, sA, sB);
-    wfReal length = wfLength(at.d);
-    wfVec2 u = length > 0 ? wfScale(1 / length, at.d) : wfV2(1, 0);
-    wfJointRow rod = along(u, &at);
-    rod.error = length - j->rest;               /* eq:joints-constraint */
-    if (!(j->flags & (WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS))) rows[0] = rod;
-    extras(j, rod, &rows[1]);
-    if (j->flags & WF_JOINT_MOTOR) rows[2].most = 0;    /* a rope cannot push */
-}
-/* <kinds of joint> */
-static void build_prismatic(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                            wfJointRow *rows)
-{
-    Anchors at = anchors_of(j, sA, sB);
-    wfVec2 t = wfRotate(wfRotation(sA->angle), j->axis);
-    wfJointRow slide = along_axis(t, &at);
-    slide.error -= j->rest;
-    rows[0] = along_axis(wfPerpCCW(t), &at);
-    rows[1] = turning(j, sA, sB, j->angle);
-    extras(j, slide, &rows[2]);
-}
-
-static void build_wheel(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                        wfJointRow *rows)
-{
-    Anchors at = anchors_of(j, sA, sB);
-    wfVec2 t = wfRotate(wfRotation(sA->angle), j->axis);
-    wfJointRow slide = along_axis(t, &at);
-    slide.error -= j->rest;
-    rows[0] = along_axis(wfPerpCCW(t), &at);
-    extras(j, slide, &rows[1]);
-    if (!(j->flags & WF_JOINT_MOTOR)) return;
-    wfReal most = rows[2].most;
-    rows[2] = turning(j, sA, sB, 0);
-    rows[2].law = WF_ROW_DRIVE;
-    rows[2].speed = j->motorSpeed, rows[2].most = most, rows[2].least = -most;
-}
-/* <kinds of joint> */
-static void build_pulley(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                         wfJointRow *rows)
-{
-    Anchors at = anchors_of(j, sA, sB);
-    wfVec2 dA = wfAdd(wfSub(sA->p, j->groundA), at.rA);
-    wfVec2 dB = wfAdd(wfSub(sB->p, j->groundB), at.rB);
-    wfVec2 uA = wfNormalize(dA), uB = wfScale(j->ratio, wfNormalize(dB));
-    rows[0] = (wfJointRow){ .law = WF_ROW_LIMIT,                    /* eq:joints-pulley */
-        .jA = wfNeg(uA), .wA = -wfCross(at.rA, uA), .jB = wfNeg(uB),
-        .wB = -wfCross(at.rB, uB), .most = WF_JOINT_UNLIMITED,
-        .error = j->rest - wfLength(dA) - j->ratio * wfLength(dB) };
-}
-
-static void build_gear(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                       wfJointRow *rows)
-{
-    rows[0] = turning(j, sA, sB, 0);
-    rows[0].wA = 1;                                                 /* eq:joints-gear */
-    rows[0].wB = j->ratio;
-    rows[0].error = follow(j->turnA, sA->angle)
-                  + j->ratio * follow(j->turnB, sB->angle) - j->rest;
-}
-
-static void build_ratchet(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                          wfJointRow *rows)
-{
-    rows[0] = turning(j, sA, sB, j->rest);
-    rows[0].law = WF_ROW_LIMIT;
-}
-/* <kinds of joint> */
-static wfJointRow springy(const wfJoint *j, wfJointRow row, wfReal most)
+static wfJointRow springy(wfJointRow row, wfReal k, wfReal c, wfReal most)
 {
     row.law = WF_ROW_SPRING;
-    row.stiffness = j->stiffness, row.damping = j->damping;
+    row.stiffness = k, row.damping = c;
     row.most = most, row.least = -most;
     return row;
 }
 
-static void build_hand(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                       wfJointRow *rows)
+static wfJointRow driven(wfJointRow row, wfReal speed, wfReal most)
 {
-    (void)sA;
-    wfVec2 r = wfRotate(wfRotation(sB->angle), j->localB);
-    Anchors at = { .rB = r, .d = wfAdd(wfSub(sB->p, j->groundB), r) };
-    for (int i = 0; i < 2; i++) {
-        rows[i] = springy(j, along(wfV2(i == 0, i == 1), &at), j->motorForce);
-        rows[i].jA = wfV2(0, 0), rows[i].wA = 0;
-    }
+    row.law = WF_ROW_DRIVE;
+    row.speed = speed;
+    row.most = most, row.least = -most;
+    return row;
+}
+
+/* Adds spring, motor and stops on the coordinate of `row`, whose error counts from j->rest,
+   in rows[0..3]; how many of them it filled. */
+static int32_t extras(const wfJoint *j, wfJointRow row, wfJointRow *rows)
+{
+    bool spring = j->flags & WF_JOINT_SPRING, motor = j->flags & WF_JOINT_MOTOR;
+    bool stop = j->flags & WF_JOINT_LIMITS;
+    wfReal most = j->springForce > 0 ? j->springForce : WF_JOINT_UNLIMITED;
+    rows[0].law = rows[1].law = WF_ROW_OFF;
+    if (spring) rows[0] = springy(row, j->stiffness, j->damping, most);
+    if (motor) rows[1] = driven(row, j->motorSpeed, j->motorForce);
+    if (stop) stops(row, row.error + j->rest, j->lower, j->upper, &rows[2]);
+    return stop ? 4 : motor ? 2 : spring ? 1 : 0;
+}
+/* <build rows> */
+static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
+{
+    wfJointRow row = along(u, at);
+    row.wA = -wfCross(wfAdd(at->rA, at->lever), u);                 /* eq:joints-axis */
+    return row;
 }
 /* <kinds of joint> */
-static void build_servo(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                        wfJointRow *rows)
+static int32_t build_revolute(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
-    Anchors at = anchors_of(j, sA, sB);
+    pin(at, rows);
+    return 2 + extras(j, turning(at, j->rest), &rows[2]);
+}
+
+static int32_t build_weld(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfReal most = j->springForce > 0 ? j->springForce : WF_JOINT_UNLIMITED;
+    pin(at, rows);
+    rows[2] = turning(at, j->rest);
+    if (j->flags & WF_JOINT_SPRING)             /* a weld that gives: a leaf spring */
+        rows[2] = springy(rows[2], j->stiffness, j->damping, most);
+    return 3;
+}
+
+static int32_t build_turn(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    return extras(j, turning(at, j->rest), rows);   /* no anchors */
+}
+/* <kinds of joint> */
+static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfReal length = wfLength(at->d) * at->bow;
+    wfVec2 u = length > 0 ? wfScale(1 / length, at->d) : wfV2(1, 0);
+    wfJointRow rod = along(u, at);
+    rod.error = length - j->rest;               /* eq:joints-constraint */
+    rows[0] = rod;
+    if (j->flags & (WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS))
+        rows[0].law = WF_ROW_OFF;
+    int32_t count = 1 + extras(j, rod, &rows[1]);
+    if (j->flags & WF_JOINT_MOTOR) rows[2].most = 0;    /* a rope cannot push */
+    return count;
+}
+/* <kinds of joint> */
+static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfVec2 t = wfRotate(at->qA, j->axis);
+    wfJointRow slide = along_axis(t, at);
+    slide.error -= j->rest;
+    rows[0] = along_axis(wfPerpCCW(t), at);
+    rows[1] = turning(at, j->angle);
+    return 2 + extras(j, slide, &rows[2]);
+}
+
+static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfVec2 t = wfRotate(at->qA, j->axis);
+    wfJointRow slide = along_axis(t, at);
+    slide.error -= j->rest;
+    rows[0] = along_axis(wfPerpCCW(t), at);
+    int32_t count = 1 + extras(j, slide, &rows[1]);
+    if (j->flags & WF_JOINT_MOTOR)
+        rows[2] = driven(turning(at, 0), j->motorSpeed, j->motorForce);
+    return count;
+}
+/* <kinds of joint> */
+static int32_t build_pulley(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfVec2 dA = wfAdd(wfSub(at->pA, j->groundA), at->rA);
+    wfVec2 dB = wfAdd(wfSub(at->pB, j->groundB), at->rB);
+    wfVec2 uA = wfNormalize(dA), uB = wfScale(j->ratio, wfNormalize(dB));
+    rows[0] = (wfJointRow){ .law = WF_ROW_LIMIT,                    /* eq:joints-pulley */
+        .jA = wfNeg(uA), .wA = -wfCross(at->rA, uA), .jB = wfNeg(uB),
+        .wB = -wfCross(at->rB, uB), .most = WF_JOINT_UNLIMITED,
+        .error = j->rest - wfLength(dA) - j->ratio * wfLength(dB) };
+    return 1;
+}
+
+static int32_t build_gear(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    rows[0] = turning(at, 0);
+    rows[0].wA = 1;                                                 /* eq:joints-gear */
+    rows[0].wB = j->ratio;
+    rows[0].error = at->turnA + j->ratio * at->turnB - j->rest;
+    return 1;
+}
+
+static int32_t build_ratchet(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    rows[0] = turning(at, j->rest);
+    rows[0].law = WF_ROW_LIMIT;
+    return 1;
+}
+
+static void click(wfJoint *j)
+{
+    wfReal passed = wfFloor((j->turnB - j->turnA - j->rest) / j->ratio);
+    if (passed > 0) j->rest += passed * j->ratio;
+}
+/* <kinds of joint> */
+/* C and its derivatives for a body that slides along t; eq:joints-rack. */
+static wfReal slides_along(wfVec2 t, wfVec2 p, wfVec2 r, wfVec2 *j, wfReal *w)
+{
+    *j = t;
+    *w = wfCross(r, t);
+    return wfDot(t, wfAdd(p, r));
+}
+
+static int32_t build_rack(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfJointRow row = turning(at, 0);
+    row.error = slides_along(j->groundA, at->pA, at->rA, &row.jA, &row.wA);
+    row.wB = j->ratio;
+    row.error += j->ratio * at->turnB - j->rest;
+    rows[0] = row;
+    return 1;
+}
+
+static int32_t build_linkage(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfJointRow row = turning(at, 0);
+    wfReal slide = slides_along(j->groundB, at->pB, at->rB, &row.jB, &row.wB);
+    row.error = slides_along(j->groundA, at->pA, at->rA, &row.jA, &row.wA);
+    row.error += j->ratio * slide - j->rest;
+    row.jB = wfScale(j->ratio, row.jB), row.wB *= j->ratio;
+    rows[0] = row;
+    return 1;
+}
+/* <kinds of joint> */
+/* Two rows that are one force, no more than `most` in any direction. */
+static void in_a_plane(wfJointRow *rows) { rows[0].plane = 1; }
+
+static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfJointSight see = { .rB = at->rB };
+    see.d = wfAdd(wfSub(at->pB, j->groundB), at->rB);
+    for (int i = 0; i < 2; i++) {
+        rows[i] = springy(along(wfV2(i == 0, i == 1), &see), j->stiffness, j->damping,
+                          j->motorForce);
+        rows[i].jA = wfV2(0, 0), rows[i].wA = 0;
+    }
+    in_a_plane(rows);
+    return 2;
+}
+/* <kinds of joint> */
+static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
     for (int i = 0; i < 2; i++)
-        rows[i] = springy(j, along(wfV2(i == 0, i == 1), &at), j->motorForce);
-    rows[2] = springy(j, turning(j, sA, sB, j->angle), j->ratio * j->motorForce);
-    rows[2].stiffness *= j->ratio * j->ratio;   /* forces at a lever of `ratio` metres */
-    rows[2].damping *= j->ratio * j->ratio;
+        rows[i] = springy(along(wfV2(i == 0, i == 1), at), j->stiffness, j->damping,
+                          j->motorForce);
+    in_a_plane(rows);
+    rows[2] = springy(turning(at, j->angle), arm * arm * j->stiffness,
+                      arm * arm * j->damping, wfAbs(arm) * j->motorForce);
+    return 3;
+}
+
+static int32_t build_friction(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    for (int i = 0; i < 2; i++)
+        rows[i] = driven(along_axis(wfV2(i == 0, i == 1), at), 0, j->motorForce);
+    in_a_plane(rows);
+    rows[2] = driven(turning(at, 0), 0, wfAbs(j->ratio) * j->motorForce);
+    return 3;
+}
+/* <kinds of joint> */
+static int32_t build_none(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+{
+    (void)j, (void)at, (void)rows;
+    return 0;
 }
 /* <the joint table> */
 const wfJointKindRow wfJointTable[] = {
     /* <rows of the joint table> */
-    { "revolute", "a hinge: two points stay together", build_revolute },
-    { "weld", "two bodies become one; with a spring it gives", build_weld },
-    { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn },
+    { "revolute", "a hinge: two points stay together", build_revolute, NULL },
+    { "weld", "two bodies become one; with a spring it gives", build_weld, NULL },
+    { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn, NULL },
     /* <rows of the joint table> */
-    { "distance", "a rod, a spring, a rope or a winch between two points", build_distance },
+    { "distance", "a rod, a spring, a rope or a winch between two points", build_distance,
+      NULL },
     /* <rows of the joint table> */
-    { "prismatic", "a slide: B moves along an axis of A and does not turn", build_prismatic },
-    { "wheel", "B turns freely and moves along an axis of A; also a groove", build_wheel },
+    { "prismatic", "a slide: B moves along an axis of A and does not turn", build_prismatic,
+      NULL },
+    { "wheel", "B turns freely and moves along an axis of A; also a groove", build_wheel,
+      NULL },
     /* <rows of the joint table> */
-    { "pulley", "a rope over two wheels", build_pulley },
-    { "gear", "two turns in a fixed ratio", build_gear },
-    { "ratchet", "B turns one way only", build_ratchet },
+    { "pulley", "a rope over two wheels", build_pulley, NULL },
+    { "gear", "two turns in a fixed ratio", build_gear, NULL },
+    { "ratchet", "B turns one way only", build_ratchet, click },
     /* <rows of the joint table> */
-    { "hand", "pulls a point of B to a point of the world, with bounded force", build_hand },
-    { "servo", "pulls B to a place and a turn as A sees it, with bounded force", build_servo },
+    { "rack", "A's slide and B's turn in a fixed ratio", build_rack, NULL },
+    { "linkage", "two slides in a fixed ratio", build_linkage, NULL },
+    /* <rows of the joint table> */
+    { "hand", "pulls a point of B to a point of the world, with bounded force", build_hand,
+      NULL },
+    { "servo", "pulls B to a place and a turn as A sees it, with bounded force", build_servo,
+      NULL },
+    { "friction", "B slides and turns on A, rubbing; a top view's ground", build_friction,
+      NULL },
+    { "filter", "no law; joined bodies do not collide", build_none, NULL },
 };
 const int wfJointKinds = (int)(sizeof wfJointTable / sizeof *wfJointTable);
 
@@ -241,15 +306,16 @@ int wfFindJoint(const char *name)
     return -1;
 }
 /* <count the turns> */
+static void track(wfJoint *j, wfReal angleA, wfReal angleB)
+{
+    j->turnA = follow(j->turnA, angleA);
+    j->turnB = follow(j->turnB, angleB);
+    if (wfJointTable[j->kind].track != NULL) wfJointTable[j->kind].track(j);
+}
+
 void wfTrackJoint(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB)
 {
-    j->turnA = follow(j->turnA, sA->angle);
-    j->turnB = follow(j->turnB, sB->angle);
-    /* <let the ratchet click> */
-    if (j->kind == wfFindJoint("ratchet")) {
-        wfReal passed = wfFloor((j->turnB - j->turnA - j->rest) / j->ratio);
-        if (passed > 0) j->rest += passed * j->ratio;
-    }
+    track(j, sA->angle, sB->angle);
 }
 /* <push along a row> */
 void wfPushRow(const wfJointRow *r, wfReal impulse, wfBodyState *a, wfBodyState *b)
@@ -276,14 +342,14 @@ wfReal wfCoupling(const wfJointRow *r, const wfJointRow *s, const wfBodyState *a
 void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot)
 {
     for (int i = 0; i < 3; i++) {
-        wfReal d = l[i][i];
+        wfReal d = l[i][i], by[3] = { 0, 0, 0 };
         for (int k = 0; k < i; k++) {
-            wfReal sum = l[i][k];
-            for (int m = 0; m < k; m++) sum -= l[i][m] * l[k][m] * pivot[m];
-            l[i][k] = pivot[k] > 0 ? sum / pivot[k] : 0;
-            d -= l[i][k] * l[i][k] * pivot[k];
+            by[k] = l[i][k];
+            for (int m = 0; m < k; m++) by[k] -= by[m] * l[k][m];
+            l[i][k] = by[k] * pivot[k];
+            d -= l[i][k] * by[k];
         }
-        pivot[i] = d > WF_JOINT_SINGULAR * size[i] ? d : 0;         /* eq:joints-block */
+        pivot[i] = d > WF_JOINT_SINGULAR * size[i] ? 1 / d : 0;     /* eq:joints-block */
     }
 }
 
@@ -302,11 +368,11 @@ static void factor_holds(wfJointWork *w, const wfBodyState *a, const wfBodyState
 /* <solve for the rows that hold> */
 void wfSolveBlock(const wfReal l[3][3], const wfReal *pivot, wfReal *x)
 {
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < i; k++) x[i] -= l[i][k] * x[k];
-    for (int i = 0; i < 3; i++) x[i] = pivot[i] > 0 ? x[i] / pivot[i] : 0;
-    for (int i = 2; i >= 0; i--)
-        for (int k = i + 1; k < 3; k++) x[i] -= pivot[i] > 0 ? l[k][i] * x[k] : 0;
+    x[1] -= l[1][0] * x[0];
+    x[2] -= l[2][0] * x[0] + l[2][1] * x[1];
+    for (int i = 0; i < 3; i++) x[i] *= pivot[i];
+    x[1] -= l[2][1] * x[2];
+    x[0] -= l[1][0] * x[1] + l[2][0] * x[2];
 }
 
 static void solve_holds(const wfJointWork *w, const wfReal *e, wfReal *x)
@@ -315,58 +381,86 @@ static void solve_holds(const wfJointWork *w, const wfReal *e, wfReal *x)
     wfSolveBlock(w->factor, w->pivot, x);
 }
 /* <two bodies as a joint sees them> */
-static wfBodyState moved_by(wfBodyState s, const wfMoved *m)
+static wfPlace place_of(const wfBodyState *s, const wfMoved *m, wfRot q)
 {
-    s.p = wfAdd(s.p, m->d);
-    s.angle += m->turn;
-    return s;
+    return (wfPlace){ .p = s->p, .d = m->d, .q = q, .angle = s->angle + m->turn };
+}
+
+static wfJointPair pair_of(const wfJointSet *set, const wfSolve *in, const wfMoved *moved,
+                           const wfJoint *j)
+{
+    wfBodyState *a = &in->state[j->a], *b = &in->state[j->b];
+    return (wfJointPair){ a, b, place_of(a, &moved[j->a], set->turned[j->a]),
+                          place_of(b, &moved[j->b], set->turned[j->b]) };
 }
 
 wfJointPair wfPairOf(const wfSolve *in, const wfMoved *moved, const wfJoint *j)
 {
-    wfJointPair p = { .a = &in->state[j->a], .b = &in->state[j->b] };
-    p.hereA = moved_by(*p.a, &moved[j->a]);
-    p.hereB = moved_by(*p.b, &moved[j->b]);
-    return p;
+    wfBodyState *a = &in->state[j->a], *b = &in->state[j->b];
+    wfRot qA = wfRotation(a->angle + moved[j->a].turn);
+    wfRot qB = wfRotation(b->angle + moved[j->b].turn);
+    return (wfJointPair){ a, b, place_of(a, &moved[j->a], qA),
+                          place_of(b, &moved[j->b], qB) };
 }
 /* <prepare a joint> */
 static void weigh(wfJointWork *w, const wfJointPair *p)
 {
-    for (int i = 0; i < WF_JOINT_ROWS; i++)
+    for (int i = 0; i < w->rows; i++)
         w->own[i] = wfCoupling(&w->row[i], &w->row[i], p->a, p->b);
     factor_holds(w, p->a, p->b);
 }
 
 static void build(wfJoint *j, const wfJointPair *p, wfJointWork *w)
 {
-    memset(w->row, 0, sizeof w->row);
-    wfTrackJoint(j, &p->hereA, &p->hereB);
-    wfJointTable[j->kind].build(j, &p->hereA, &p->hereB, w->row);
+    track(j, p->hereA.angle, p->hereB.angle);
+    wfJointSight at = see(j, &p->hereA, &p->hereB);
+    w->rows = wfJointTable[j->kind].build(j, &at, w->row);
     w->holds = 0;
-    for (int i = 0; i < WF_JOINT_ROWS; i++) {
+    w->arm = at.rB;
+    for (int i = 0; i < w->rows; i++) {
         wfJointRow *r = &w->row[i];
+        if (r->law == WF_ROW_OFF) continue;
         if (!(wfCoupling(r, r, p->a, p->b) > 0)) r->law = WF_ROW_OFF;
         if (r->law == WF_ROW_HOLD) w->hold[w->holds++] = i;
     }
+    for (int i = w->rows; i < WF_JOINT_ROWS; i++) j->impulse[i] = 0;
     weigh(w, p);
 }
 /* <prepare a joint> */
-static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal last,
-                    wfJointWork *w)
+/* Keeps an impulse, or the two of a plane, within what the row's force does in t. */
+static void bound(const wfJointRow *r, wfReal t, wfReal *x)
 {
-    weigh(w, p);
-    for (int i = 0; i < WF_JOINT_ROWS; i++) {
+    if (!r->plane) {
+        x[0] = wfClamp(x[0], t * r->least, t * r->most);
+        return;
+    }
+    wfReal length = wfLength(wfV2(x[0], x[1])), most = t * r->most;
+    if (length > most) x[0] *= most / length, x[1] *= most / length;
+}
+
+static void prepare_soft(wfJoint *j, wfReal h, wfReal t, wfJointWork *w, int i)
+{
+    wfJointRow *r = &w->row[i];
+    wfReal give = h * r->stiffness + r->damping;
+    bool spring = r->law == WF_ROW_SPRING;
+    w->gamma[i] = spring && give > 0 ? 1 / (t * give) : 0;          /* eq:joints-gamma */
+    w->bias[i] = spring && give > 0 ? r->stiffness * r->error / give : 0;
+    if (spring && !(give > 0)) r->law = WF_ROW_OFF;
+    else bound(r, t, &j->impulse[i]);
+}
+/* <prepare a joint> */
+static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal last,
+                    wfJointWork *w, bool holds)
+{
+    for (int i = 0; i < w->rows; i++) {
         wfJointRow *r = &w->row[i];
-        wfReal give = h * r->stiffness + r->damping;
-        bool spring = r->law == WF_ROW_SPRING;
-        if (spring && !(give > 0)) r->law = WF_ROW_OFF;
-        j->impulse[i] = r->law == WF_ROW_OFF ? 0 : j->impulse[i] * (t / last);
+        if (r->law == WF_ROW_HOLD && !holds) continue;      /* somebody else pushes it */
+        w->gamma[i] = 0;
+        j->impulse[i] *= t / last;
+        if (r->law == WF_ROW_DRIVE || r->law == WF_ROW_SPRING) prepare_soft(j, h, t, w, i);
+        if (r->law == WF_ROW_OFF) j->impulse[i] = 0;
         if (r->law == WF_ROW_OFF) continue;
-        w->gamma[i] = spring ? 1 / (t * give) : 0;                  /* eq:joints-gamma */
-        w->bias[i] = spring ? r->stiffness * r->error / give : 0;
         w->mass[i] = 1 / (w->own[i] + w->gamma[i]);
-        if (r->law == WF_ROW_DRIVE || spring)
-            j->impulse[i] = wfClamp(j->impulse[i], t * r->least, t * r->most);
         wfPushRow(r, j->impulse[i], p->a, p->b);
     }
 }
@@ -380,35 +474,67 @@ wfGiving wfGivingOf(const wfJointSet *in)
                      .impulse = give / (1 + give) };
 }
 /* <solve the rows that give> */
+static void push_by(wfJoint *j, const wfJointWork *w, int i, wfReal more,
+                    const wfJointPair *p)
+{
+    wfPushRow(&w->row[i], more, p->a, p->b);
+    j->impulse[i] += more;
+}
+
 static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
                        const wfJointPair *p)
 {
     const wfJointRow *r = &w->row[i];
-    wfReal lack = wfRateOf(r, p->a, p->b) - r->speed;
-    lack += w->bias[i] + w->gamma[i] * j->impulse[i];
-    wfReal sum = j->impulse[i] - w->mass[i] * lack;                 /* eq:joints-again */
-    sum = wfClamp(sum, t * r->least, t * r->most);
-    wfPushRow(r, sum - j->impulse[i], p->a, p->b);
-    j->impulse[i] = sum;
+    for (int k = i; k <= i + r->plane; k++) {
+        wfReal lack = wfRateOf(&w->row[k], p->a, p->b) - r->speed;
+        lack += w->bias[k] + w->gamma[k] * j->impulse[k];
+        push_by(j, w, k, -w->mass[k] * lack, p);                    /* eq:joints-again */
+    }
+    wfReal sum[2] = { j->impulse[i], i + 1 < WF_JOINT_ROWS ? j->impulse[i + 1] : 0 };
+    bound(r, t, sum);
+    for (int k = i; k <= i + r->plane; k++)
+        if (sum[k - i] < j->impulse[k] || sum[k - i] > j->impulse[k])
+            push_by(j, w, k, sum[k - i] - j->impulse[k], p);
 }
 /* <look where the bodies will be> */
+static wfRot turn_on(wfRot q, wfReal turn)
+{
+    wfReal x = turn * turn;
+    if (x > WF_R(1.0) / 64) return wfRotMul(wfRotation(turn), q);
+    wfReal c = 1 - x / 2 * (1 - x * (WF_R(1.0) / 12) * (1 - x * (WF_R(1.0) / 30)
+                 * (1 - x * (WF_R(1.0) / 56))));
+    wfReal s = turn * (1 - x * (WF_R(1.0) / 6) * (1 - x * (WF_R(1.0) / 20)
+                 * (1 - x * (WF_R(1.0) / 42))));
+    return wfRotMul((wfRot){ c, s }, q);
+}
+
+static wfPlace will_be(wfPlace at, const wfBodyState *s, wfReal h)
+{
+    wfReal turn = h * s->w;
+    at.d = wfAddScaled(at.d, h, s->v);
+    at.angle += turn;
+    at.q = turn_on(at.q, turn);
+    return at;
+}
+
 void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *rows)
 {
-    wfBodyState qa = p->hereA, qb = p->hereB;                       /* eq:joints-aim */
-    qa.p = wfAddScaled(qa.p, h, p->a->v), qa.angle += h * p->a->w;
-    qb.p = wfAddScaled(qb.p, h, p->b->v), qb.angle += h * p->b->w;
-    memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
-    wfJointTable[j->kind].build(j, &qa, &qb, rows);
+    wfPlace qa = will_be(p->hereA, p->a, h), qb = will_be(p->hereB, p->b, h);
+    wfJointSight at = see(j, &qa, &qb);                             /* eq:joints-aim */
+    wfJointTable[j->kind].build(j, &at, rows);
 }
 /* <aim a joint at the end of the substep> */
 static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                      const wfJointPair *p)
 {
     wfJointRow then[WF_JOINT_ROWS];
-    for (int i = 0; i < WF_JOINT_ROWS; i++)
-        if (w->row[i].law >= WF_ROW_DRIVE) solve_soft(j, w, i, t, p);
+    for (int i = 0; i < w->rows; i++) {
+        if (w->row[i].law < WF_ROW_DRIVE) continue;
+        solve_soft(j, w, i, t, p);
+        i += w->row[i].plane;
+    }
     /* <aim the limits> */
-    for (int i = 0; i < WF_JOINT_ROWS; i++) {
+    for (int i = 0; i < w->rows; i++) {
         if (w->row[i].law != WF_ROW_LIMIT) continue;
         wfLookAhead(j, h, p, then);
         wfReal over = wfMinR(w->row[i].error, 0);
@@ -442,7 +568,7 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
 /* <make the velocities tangent> */
 static void limits_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p)
 {
-    for (int i = 0; i < WF_JOINT_ROWS; i++) {
+    for (int i = 0; i < w->rows; i++) {
         const wfJointRow *r = &w->row[i];
         if (r->law != WF_ROW_LIMIT || !(j->impulse[i] > 0)) continue;
         wfReal sum = j->impulse[i] - wfRateOf(r, p->a, p->b) / w->own[i];
@@ -475,14 +601,12 @@ void wfAddJointLoad(const wfJoint *j, const wfJointRow *row, wfReal angleB, wfVe
     }
 }
 
-static void add_loads(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
+static void add_load(const wfJoint *j, wfJointWork *w)
 {
-    for (int32_t i = 0; i < set->count; i++) {
-        const wfJoint *j = &set->joints[i];
-        wfJointWork *w = &set->work[i];
-        if (wfIsBroken(j)) continue;
-        wfJointPair p = wfPairOf(in, moved, j);
-        wfAddJointLoad(j, w->row, p.hereB.angle, &w->load, &w->twist);
+    for (int k = 0; k < w->rows; k++) {                             /* eq:joints-load */
+        const wfJointRow *r = &w->row[k];
+        w->load = wfAddScaled(w->load, j->impulse[k], r->jB);
+        w->twist += j->impulse[k] * (r->wB - wfCross(w->arm, r->jB));
     }
 }
 /* <make taut links sluggish> */
@@ -491,56 +615,69 @@ static void remember_inertias(wfJointSet *set, const wfSolve *in)
     for (int32_t i = 0; i < set->bodies; i++) set->inverse[i] = in->state[i].invInertia;
 }
 
-static void stiffen(wfJointSet *set, const wfSolve *in, const wfMoved *moved, wfReal h)
+static void add_stiffness(wfJointSet *set, int32_t i)
 {
-    for (int32_t i = 0; i < set->bodies; i++) set->stiffness[i] = 0;
-    for (int32_t i = 0; i < set->count; i++) {
-        const wfJoint *j = &set->joints[i];
-        if (wfIsBroken(j)) continue;
-        /* <add the geometric stiffness of one joint> */
-        wfJointPair p = wfPairOf(in, moved, j);
-        Anchors at = anchors_of(j, &p.hereA, &p.hereB);
-        wfVec2 fA = wfV2(0, 0), fB = wfV2(0, 0);
-        for (int k = 0; k < WF_JOINT_ROWS; k++) {
-            fA = wfAddScaled(fA, j->impulse[k] / set->last, set->work[i].row[k].jA);
-            fB = wfAddScaled(fB, j->impulse[k] / set->last, set->work[i].row[k].jB);
-        }
-        set->stiffness[j->a] += wfDot(at.rA, fA);                       /* eq:joints-geometric */
-        set->stiffness[j->b] += wfDot(at.rB, fB);
+    const wfJoint *j = &set->joints[i];
+    const wfJointWork *w = &set->work[i];
+    wfVec2 rA = wfRotate(set->turned[j->a], j->localA), fA = wfV2(0, 0), fB = fA;
+    for (int k = 0; k < w->rows; k++) {
+        fA = wfAddScaled(fA, j->impulse[k], w->row[k].jA);
+        fB = wfAddScaled(fB, j->impulse[k], w->row[k].jB);
     }
+    set->stiffness[j->a] += wfDot(rA, fA) / set->last;          /* eq:joints-geometric */
+    set->stiffness[j->b] += wfDot(w->arm, fB) / set->last;
+}
+
+/* Has any inertia changed? */
+static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
+{
+    bool changed = false;
     for (int32_t i = 0; i < set->bodies; i++) {
         wfReal inertia = h * h * set->stiffness[i], inverse = set->inverse[i];
         bool taut = inertia * inverse > 1;                      /* eq:joints-sluggish */
-        set->changed = set->changed || taut || in->state[i].invInertia != inverse;
+        changed = changed || taut || in->state[i].invInertia != inverse;
         in->state[i].invInertia = taut ? 1 / inertia : inverse;
     }
+    set->changed = set->changed || changed;
+    return changed;
 }
 /* <keep joints as other laws> */
-static void rebuild(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
+static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
-    for (int32_t i = 0; !set->built && i < set->count; i++) {
-        wfJointPair p = wfPairOf(in, moved, &set->joints[i]);
-        if (!wfIsBroken(&set->joints[i])) build(&set->joints[i], &p, &set->work[i]);
+    for (int32_t i = 0; i < set->bodies; i++) {
+        set->turned[i] = wfRotation(in->state[i].angle + moved[i].turn);
+        set->stiffness[i] = 0;
     }
-    set->changed = set->changed || !set->built;
-    set->built = true;
+    set->changed = set->built = true;
+}
+
+static void rebuild(wfJointSet *set, int32_t i, const wfJointPair *p)
+{
+    build(&set->joints[i], p, &set->work[i]);
+    if (set->start == NULL) add_stiffness(set, i);
 }
 
 static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
                          wfReal t)
 {
     wfJointSet *set = context;
-    bool first = !(set->last > 0);
+    bool first = !(set->last > 0), build_them = !set->built;
     if (first) set->last = dt;
     if (first) remember_inertias(set, in);
-    rebuild(set, in, moved);
-    stiffen(set, in, moved, dt);
+    if (build_them) look_round(set, in, moved);
+    for (int32_t i = 0; build_them && i < set->count; i++) {
+        wfJointPair p = pair_of(set, in, moved, &set->joints[i]);
+        if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
+    }
+    bool heavier = set->start == NULL && stiffen(set, in, dt);
     for (int32_t i = 0; i < set->count; i++) {
-        wfJointPair p = wfPairOf(in, moved, &set->joints[i]);
-        if (!wfIsBroken(&set->joints[i]))
-            prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i]);
+        wfJointPair p = pair_of(set, in, moved, &set->joints[i]);
+        if (wfIsBroken(&set->joints[i])) continue;
+        if (heavier) weigh(&set->work[i], &p);
+        prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i], set->start == NULL);
     }
     set->last = t;
+    if (set->start != NULL) set->start(set, in, moved, dt, t);
 }
 /* <keep joints as other laws> */
 static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
@@ -548,14 +685,15 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
 {
     wfJointSet *set = context;
     wfGiving give = wfGivingOf(set);
-    if (soft) set->built = false;           /* the bodies are about to move */
-    if (!soft && !set->built) add_loads(set, in, moved);
-    if (!soft) rebuild(set, in, moved);
+    bool renew = !soft && !set->built;
+    if (renew) look_round(set, in, moved);
     for (int32_t k = 0; k < set->count; k++) {
-        int32_t i = pass % 2 == 0 ? k : set->count - 1 - k;
+        int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
         wfJoint *j = &set->joints[i];
         if (wfIsBroken(j)) continue;
-        wfJointPair p = wfPairOf(in, moved, j);
+        wfJointPair p = pair_of(set, in, moved, j);
+        if (renew) add_load(j, &set->work[i]);
+        if (renew) rebuild(set, i, &p);
         if (soft) aim_soft(j, &set->work[i], dt, set->last, give, &p);
         else limits_tangent(j, &set->work[i], &p);
         if (set->together != NULL) continue;
@@ -563,12 +701,14 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
         else holds_tangent(j, &set->work[i], &p);
     }
     if (set->together != NULL) set->together(set, in, moved, dt, soft);
+    if (soft) set->built = false;           /* the bodies are about to move */
 }
 /* <begin and end a step of joints> */
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
-    return (size_t)joints * sizeof(wfJointWork) + 2 * (size_t)bodies * sizeof(wfReal)
-         + 3 * WF_POOL_ALIGN;
+    size_t body = 2 * sizeof(wfReal) + sizeof(wfRot);
+    return (size_t)joints * sizeof(wfJointWork) + (size_t)bodies * body
+         + 4 * WF_POOL_ALIGN;
 }
 
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
@@ -578,9 +718,14 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     set->work = wfPoolPushArray(scratch, set->count, wfJointWork);
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
-    bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL;
+    set->turned = wfPoolPushArray(scratch, bodies, wfRot);
+    bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
+             || set->turned == NULL;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
-    for (int32_t i = 0; i < set->count; i++) set->work[i] = (wfJointWork){ .holds = 0 };
+    for (int32_t i = 0; i < set->count; i++) {
+        wfJointWork *w = &set->work[i];
+        w->load = wfV2(0, 0), w->twist = 0, w->rows = w->holds = 0;
+    }
     set->last = 0;
     set->built = false;
     *laws = (wfLaws){ set, begin_joints, solve_joints };
@@ -595,7 +740,7 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
         wfJoint *j = &set->joints[i];
         wfJointWork *w = &set->work[i];
         if (wfIsBroken(j)) continue;
-        wfAddJointLoad(j, w->row, in->state[j->b].angle, &w->load, &w->twist);
+        add_load(j, w);
         wfReal force = wfLength(w->load) / in->h, torque = wfAbs(w->twist) / in->h;
         bool snaps = (j->breakForce > 0 && force > j->breakForce)
                   || (j->breakTorque > 0 && torque > j->breakTorque);
@@ -610,7 +755,7 @@ static bool numbers_are_finite(const wfJoint *j)
     const wfReal number[] = { j->localA.x, j->localA.y, j->localB.x, j->localB.y, j->axis.x,
         j->axis.y, j->groundA.x, j->groundA.y, j->groundB.x, j->groundB.y, j->rest,
         j->angle, j->ratio, j->lower, j->upper, j->stiffness, j->damping, j->motorSpeed,
-        j->motorForce, j->breakForce, j->breakTorque, j->turnA, j->turnB };
+        j->motorForce, j->springForce, j->breakForce, j->breakTorque, j->turnA, j->turnB };
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         if (!wfIsFinite(number[i])) return false;
     for (int i = 0; i < WF_JOINT_ROWS; i++)
@@ -625,6 +770,7 @@ wfResult wfCheckJoint(const wfJoint *j)
     if (!numbers_are_finite(j)) return WF_ERROR_NOT_FINITE;
     if (j->a < 0 || j->b < 0 || j->a == j->b) return WF_ERROR_RANGE;
     if (j->stiffness < 0 || j->damping < 0 || j->motorForce < 0) return WF_ERROR_RANGE;
+    if (j->springForce < 0) return WF_ERROR_RANGE;
     if (j->breakForce < 0 || j->breakTorque < 0) return WF_ERROR_RANGE;
     if (j->lower > j->upper || j->ratio == 0) return WF_ERROR_RANGE;
     if (wfAbs(wfLength(j->axis) - 1) > WF_R(0.001)) return WF_ERROR_RANGE;
@@ -681,6 +827,14 @@ wfResult wfStepJoints(const wfJointStep *in)
     wfPoolRewind(in->scratch, mark);
     return result;
 }
+/* <set a ratio> */
+void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal ratio)
+{
+    wfJointRow rows[WF_JOINT_ROWS];
+    j->ratio = ratio;
+    wfBuildJoint(j, sA, sB, rows);
+    j->rest += rows[0].law == WF_ROW_HOLD ? rows[0].error : -rows[0].error;
+}
 /* <make joints> */
 wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t b,
                     const wfBodyState *sB, wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis)
@@ -691,11 +845,15 @@ wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t 
         .localB = wfRotateInv(qB, wfSub(anchorB, sB->p)),
         .axis = wfRotateInv(qA, wfNormalize(axis)), .groundB = anchorB,
         .turnA = sA->angle, .turnB = sB->angle, .angle = sB->angle - sA->angle };
-    wfVec2 d = wfSub(anchorB, anchorA);
+    wfVec2 d = wfSub(anchorB, anchorA), along = wfNormalize(axis);
+    bool ties = j.kind == wfFindJoint("gear") || j.kind == wfFindJoint("rack")
+             || j.kind == wfFindJoint("linkage");
     bool turns = j.kind == wfFindJoint("revolute") || j.kind == wfFindJoint("weld")
               || j.kind == wfFindJoint("turn") || j.kind == wfFindJoint("ratchet");
     bool slides = j.kind == wfFindJoint("prismatic") || j.kind == wfFindJoint("wheel");
-    j.rest = turns ? j.angle : slides ? wfDot(d, wfNormalize(axis)) : wfLength(d);
+    j.rest = turns ? j.angle : slides ? wfDot(d, along) : ties ? 0 : wfLength(d);
+    if (ties) j.groundA = j.groundB = along;
+    if (ties) wfSetRatio(&j, sA, sB, 1);
     return j;
 }
 /* <make joints> */

@@ -8,18 +8,20 @@
 /* <what a joint works with during a step> */
 /* A joint's rows with what solving them takes. */
 typedef struct wfJointWork {
-    wfJointRow row[WF_JOINT_ROWS];
+    int32_t rows;                       /* how many rows the kind filled */
+    int32_t hold[3], holds;             /* which rows are HOLD, how many */
+    wfReal factor[3][3], pivot[3];      /* their K = L D L^T; 1 / D */
+    wfVec2 arm;                         /* m: from B's centre to its anchor */
+    wfVec2 load;                        /* N s: sum over the step, what B got */
+    wfReal twist;                       /* N m s: about B's anchor */
     wfReal own[WF_JOINT_ROWS];          /* K of each row */
     wfReal mass[WF_JOINT_ROWS];         /* 1 / (K + gamma) */
     wfReal gamma[WF_JOINT_ROWS], bias[WF_JOINT_ROWS];
-    int32_t hold[3], holds;             /* which rows are HOLD, how many */
-    wfReal factor[3][3], pivot[3];      /* their K = L D L^T */
-    wfVec2 load;                        /* N s: sum over the step, what B got */
-    wfReal twist;                       /* N m s: about B's anchor */
+    wfJointRow row[WF_JOINT_ROWS];
 } wfJointWork;
 /* <what a joint works with during a step> */
-/* The bodies that get the impulses, and copies that stand where they have got to. */
-typedef struct wfJointPair { wfBodyState *a, *b, hereA, hereB; } wfJointPair;
+/* The bodies that get the impulses, and where they have got to. */
+typedef struct wfJointPair { wfBodyState *a, *b; wfPlace hereA, hereB; } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
 bool wfIsBroken(const wfJoint *j);

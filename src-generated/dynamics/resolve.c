@@ -298,7 +298,7 @@ const wfSolverRow wfSolverTable[] = {
       wfSequentialBaumgarte, wfNothingLeft, wfSequentialScratch, NULL },
     /* <rows of the solver table> */
     { "soft", "contacts that give a little, in substeps",
-      NULL, NULL, wfSoftScratch, wfSoftStep },
+      NULL, NULL, wfSubstepScratch, wfSoftStep },
 };
 const int wfSolverCount = (int)(sizeof wfSolverTable / sizeof *wfSolverTable);
 

@@ -3,7 +3,6 @@
 #ifndef WEFT_SOFT_H
 #define WEFT_SOFT_H
 /* Soft contacts: chapter 17. */
-#include "weft/resolve.h"
+#include "dynamics/substep.h"
 wfSolverFn wfSoftStep;
-wfSolverScratchFn wfSoftScratch;
 #endif

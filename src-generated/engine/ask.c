@@ -48,6 +48,17 @@ wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransfor
     if (result != WF_OK) return result;
     return wfSetCastShape(&set, shape, placed, by, filter, out);
 }
+
+wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
+                             wfTransform placed, wfVec2 by, const wfFilter *filter,
+                             wfRayHit *hits, int32_t capacity, int32_t *count)
+{
+    wfBlock b;
+    wfShapeSet set;
+    wfResult result = open_set(world, &b, &set);
+    if (result != WF_OK) return result;
+    return wfSetCastShapeAll(&set, shape, placed, by, filter, hits, capacity, count);
+}
 /* <ask a world> */
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
@@ -70,6 +81,16 @@ wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *f
     return wfSetOverlapArea(&set, area, filter, shapes, capacity, count);
 }
 
+wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
+                             int32_t *shapes, int32_t capacity, int32_t *count)
+{
+    wfBlock b;
+    wfShapeSet set;
+    wfResult result = open_set(world, &b, &set);
+    if (result != WF_OK) return result;
+    return wfSetOverlapPoint(&set, point, filter, shapes, capacity, count);
+}
+/* <ask a world> */
 wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out)
 {
@@ -77,4 +98,14 @@ wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
     wfShapeSet set;
     wfResult result = open_set(world, &b, &set);
     return result == WF_OK ? wfSetClosest(&set, point, within, filter, out) : result;
+}
+
+wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                         wfReal within, const wfFilter *filter, wfClosest *out)
+{
+    wfBlock b;
+    wfShapeSet set;
+    wfResult result = open_set(world, &b, &set);
+    if (result != WF_OK) return result;
+    return wfSetDistance(&set, shape, placed, within, filter, out);
 }

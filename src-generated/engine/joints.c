@@ -125,7 +125,7 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
     wfJointRow row[WF_JOINT_ROWS] = { { .law = WF_ROW_OFF } };
     wfReal rate = (wfReal)b.head->substeps / b.head->dt, twist = 0;
     wfVec2 sum = wfV2(0, 0);
-    wfJointTable[joint->kind].build(joint, &b.state[joint->a], sB, row);
+    wfBuildJoint(joint, &b.state[joint->a], sB, row);
     wfAddJointLoad(joint, row, sB->angle, &sum, &twist);
     if (force != NULL) *force = wfScale(rate, sum);
     if (torque != NULL) *torque = rate * twist;

@@ -2660,7 +2660,7 @@ static void joints_rows(wfDraw *d, const wfJoint *j, const wfBodyState *s)
     static const int inks[] = { WF_INK_FAINT, WF_INK_BAD, WF_INK_ACCENT, WF_INK_GOOD,
                                 WF_INK_BODY2 };
     wfJointRow row[WF_JOINT_ROWS] = { { .law = WF_ROW_OFF } };
-    wfJointTable[j->kind].build(j, &s[0], &s[1], row);
+    wfBuildJoint(j, &s[0], &s[1], row);
     wfVec2 a = wfApply(wfBodyTransform(&s[0]), j->localA);
     wfVec2 b = wfApply(wfBodyTransform(&s[1]), j->localB);
     wfDrawLine(d, WF_XY(a), WF_XY(b), 1, WF_INK_FAINT);

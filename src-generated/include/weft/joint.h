@@ -27,6 +27,7 @@ typedef struct wfJointRow {
     wfReal speed;               /* DRIVE: the wanted rate of C, m/s or rad/s */
     wfReal least, most;         /* DRIVE and SPRING: bounds of the force, N or N m */
     wfReal stiffness, damping;  /* SPRING: k and c, N/m and N s/m */
+    int32_t plane;              /* 1: `most` is for the vector of this row and the next */
 } wfJointRow;
 /* <a joint> */
 enum { WF_JOINT_ROWS = 6 };
@@ -46,24 +47,46 @@ typedef struct wfJoint {
     wfReal ratio;               /* of a pulley or gear; rad: a tooth of a ratchet, > 0 */
     wfReal lower, upper;        /* LIMITS of the coordinate */
     wfReal stiffness, damping;  /* SPRING: N/m, N s/m, or N m/rad, N m s/rad; >= 0 */
+    wfReal springForce;         /* SPRING: greatest force or torque, N or N m; 0: no bound */
     wfReal motorSpeed;          /* MOTOR: m/s or rad/s */
     wfReal motorForce;          /* MOTOR: greatest force or torque, N or N m, >= 0 */
     wfReal breakForce, breakTorque;     /* N, N m: beyond these it breaks; 0: never */
     wfReal turnA, turnB;        /* rad: how far the bodies have turned, whole turns too */
     wfReal impulse[WF_JOINT_ROWS];      /* N s or N m s of each row in the last substep */
+    wfReal given[3];            /* chapter 19: kept from one substep to the next, N s */
 } wfJoint;
+/* <what a joint sees> */
+/* A body at one moment, for joints. */
+typedef struct wfPlace {
+    wfVec2 p, d;            /* m: where it was when the step began; how far it went since */
+    wfRot q;
+    wfReal angle;           /* rad */
+} wfPlace;
+/* What a joint sees of its two bodies, in the directions of the world. */
+typedef struct wfJointSight {
+    wfVec2 rA, rB;          /* m: the arms, from the centres of mass to the anchors */
+    wfVec2 d;               /* m: from A's anchor to B's */
+    wfVec2 lever;           /* m: d, as an arm of A (along a way, chapter 19, not quite) */
+    wfReal bow;             /* 1; along a way: its mean length of d by the length of d */
+    wfRot qA;               /* A's rotation */
+    wfVec2 pA, pB;          /* m: the centres of mass */
+    wfReal turnA, turnB;    /* rad: the turns of the bodies, without jumps */
+} wfJointSight;
 /* <declarations of the joint table> */
-/* Fills rows[0..WF_JOINT_ROWS-1], all OFF before, for bodies that are where sA, sB say. A
-   law keeps its place in the list. Trusts the joint. */
-typedef void wfJointFn(const wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB,
-                       wfJointRow *rows);
+/* Fills rows, some of WF_JOINT_ROWS, from what the joint sees; says how many it filled. A
+   law keeps its place in the list; one that is not in force is OFF. Trusts the joint. */
+typedef int32_t wfJointFn(const wfJoint *joint, const wfJointSight *at, wfJointRow *rows);
 typedef struct wfJointKindRow {
     const char *name, *text;
     wfJointFn *build;
+    void (*track)(wfJoint *joint);  /* after its turns were counted; NULL: nothing to do */
 } wfJointKindRow;
 extern const wfJointKindRow wfJointTable[];
 extern const int wfJointKinds;
 int wfFindJoint(const char *name);      /* the row of that name, -1 if there is none */
+/* All WF_JOINT_ROWS of a joint whose bodies are where sA, sB say; returns as `build`. */
+int32_t wfBuildJoint(const wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB,
+                     wfJointRow *rows);
 /* <a set of joints> */
 /* The joints of a step as the other laws of wfSolve: chapters 14 and 17. */
 typedef struct wfJointSet {
@@ -73,9 +96,13 @@ typedef struct wfJointSet {
     struct wfJointWork *work;   /* [count]; wfBeginJoints takes it from the pool */
     wfReal *stiffness;          /* [bodies] eq:joints-geometric; N m/rad */
     wfReal *inverse;            /* [bodies] their true inverse inertias */
+    wfRot *turned;              /* [bodies] their rotations when the rows were built */
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
+    /* Pushes the rows that hold after a kick for t: chapter 19. NULL: as last time. */
+    void (*start)(struct wfJointSet *set, const wfSolve *in, const struct wfMoved *moved,
+                  wfReal dt, wfReal t);
     /* Solves all rows that hold at once: chapter 19. NULL: joint by joint. */
     void (*together)(struct wfJointSet *set, const wfSolve *in,
                      const struct wfMoved *moved, wfReal dt, bool soft);
@@ -135,6 +162,9 @@ wfJoint wfRope(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *s
                wfVec2 anchorA, wfVec2 anchorB, wfReal length);
 wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
                 wfVec2 anchor, wfVec2 axis);
+/* Sets the ratio of a gear, rack, linkage or pulley (its wheels must have been set), and the
+   rest to what it is as the bodies are. */
+void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal ratio);
 /* Stiffness (N/m) and damping (N s/m) that make the joint's SPRING swing at `frequency`
    (Hz) with the damping ratio `ratio` (1: no swing), for the effective mass `mass` (kg, or
    kg m^2 for a turn). eq:joints-frequency */

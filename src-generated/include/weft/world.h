@@ -421,13 +421,20 @@ wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filt
                            wfRayHit *hits, int32_t capacity, int32_t *count);
 wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
                           wfVec2 by, const wfFilter *filter, wfRayHit *out);
+wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
+                             wfTransform placed, wfVec2 by, const wfFilter *filter,
+                             wfRayHit *hits, int32_t capacity, int32_t *count);
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
 wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *filter,
                             int32_t *shapes, int32_t capacity, int32_t *count);
+wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
+                             int32_t *shapes, int32_t capacity, int32_t *count);
 wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out);
+wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                         wfReal within, const wfFilter *filter, wfClosest *out);
 /* <declarations of queries> */
 /* Brings the index for queries up to date after changes between two steps. Not needed: a
  * step does it, and queries are right without, only slower. */
