@@ -212,7 +212,7 @@ static void solve_matrix(Matrix *m)
 }
 /* <solve all rows that hold> */
 static void right_side(Matrix *m, const wfJointSet *set, const wfSolve *in,
-                       const wfMoved *moved, wfReal dt, bool soft)
+                       wfReal dt, bool soft)
 {
     memset(m->x, 0, (size_t)m->count * sizeof *m->x);
     for (int32_t i = 0; i < m->count; i++) {
@@ -220,7 +220,7 @@ static void right_side(Matrix *m, const wfJointSet *set, const wfSolve *in,
         const wfJointWork *w = &set->work[i];
         wfJointRow then[WF_JOINT_ROWS];
         if (wfIsBroken(j)) continue;
-        wfJointPair p = wfPairOf(in, moved, j);
+        wfJointPair p = wfPairOf(set, in, j);
         if (soft) wfLookAhead(j, dt, &p, then);
         for (int32_t k = 0; k < w->holds; k++)                  /* eq:exact-system */
             m->x[i][k] = soft ? -then[w->hold[k]].error / dt
@@ -232,13 +232,14 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
                            wfReal dt, bool soft)
 {
     Matrix *m = set->matrix;
+    (void)moved;
     if (set->changed) {
         memset(m->own, 0, (size_t)m->count * sizeof *m->own);
         fill_matrix(m, set, in);
         factor_matrix(m, set);
         set->changed = false;
     }
-    right_side(m, set, in, moved, dt, soft);
+    right_side(m, set, in, dt, soft);
     solve_matrix(m);
     for (int32_t i = 0; i < m->count; i++) {
         wfJoint *j = &set->joints[i];

@@ -9,7 +9,7 @@ static wfReal follow(wfReal turn, wfReal angle)
     return turn + wfWrapAngle(angle - turn);                        /* eq:joints-follow */
 }
 /* <look at the bodies> */
-static wfJointSight see(const wfJoint *j, const wfPlace *a, const wfPlace *b)
+static inline wfJointSight see(const wfJoint *j, const wfPlace *a, const wfPlace *b)
 {
     wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
         .bow = 1, .qA = a->q, .pA = wfAdd(a->p, a->d), .pB = wfAdd(b->p, b->d),
@@ -381,26 +381,10 @@ static void solve_holds(const wfJointWork *w, const wfReal *e, wfReal *x)
     wfSolveBlock(w->factor, w->pivot, x);
 }
 /* <two bodies as a joint sees them> */
-static wfPlace place_of(const wfBodyState *s, const wfMoved *m, wfRot q)
+wfJointPair wfPairOf(const wfJointSet *set, const wfSolve *in, const wfJoint *j)
 {
-    return (wfPlace){ .p = s->p, .d = m->d, .q = q, .angle = s->angle + m->turn };
-}
-
-static wfJointPair pair_of(const wfJointSet *set, const wfSolve *in, const wfMoved *moved,
-                           const wfJoint *j)
-{
-    wfBodyState *a = &in->state[j->a], *b = &in->state[j->b];
-    return (wfJointPair){ a, b, place_of(a, &moved[j->a], set->turned[j->a]),
-                          place_of(b, &moved[j->b], set->turned[j->b]) };
-}
-
-wfJointPair wfPairOf(const wfSolve *in, const wfMoved *moved, const wfJoint *j)
-{
-    wfBodyState *a = &in->state[j->a], *b = &in->state[j->b];
-    wfRot qA = wfRotation(a->angle + moved[j->a].turn);
-    wfRot qB = wfRotation(b->angle + moved[j->b].turn);
-    return (wfJointPair){ a, b, place_of(a, &moved[j->a], qA),
-                          place_of(b, &moved[j->b], qB) };
+    return (wfJointPair){ &in->state[j->a], &in->state[j->b], &set->place[j->a],
+                          &set->place[j->b] };
 }
 /* <prepare a joint> */
 static void weigh(wfJointWork *w, const wfJointPair *p)
@@ -412,8 +396,8 @@ static void weigh(wfJointWork *w, const wfJointPair *p)
 
 static void build(wfJoint *j, const wfJointPair *p, wfJointWork *w)
 {
-    track(j, p->hereA.angle, p->hereB.angle);
-    wfJointSight at = see(j, &p->hereA, &p->hereB);
+    track(j, p->hereA->angle, p->hereB->angle);
+    wfJointSight at = see(j, p->hereA, p->hereB);
     w->rows = wfJointTable[j->kind].build(j, &at, w->row);
     w->holds = 0;
     w->arm = at.rB;
@@ -497,7 +481,7 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
             push_by(j, w, k, sum[k - i] - j->impulse[k], p);
 }
 /* <look where the bodies will be> */
-static wfRot turn_on(wfRot q, wfReal turn)
+static inline wfRot turn_on(wfRot q, wfReal turn)
 {
     wfReal x = turn * turn;
     if (x > WF_R(1.0) / 64) return wfRotMul(wfRotation(turn), q);
@@ -508,13 +492,11 @@ static wfRot turn_on(wfRot q, wfReal turn)
     return wfRotMul((wfRot){ c, s }, q);
 }
 
-static wfPlace will_be(wfPlace at, const wfBodyState *s, wfReal h)
+static inline wfPlace will_be(const wfPlace *at, const wfBodyState *s, wfReal h)
 {
     wfReal turn = h * s->w;
-    at.d = wfAddScaled(at.d, h, s->v);
-    at.angle += turn;
-    at.q = turn_on(at.q, turn);
-    return at;
+    return (wfPlace){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
+                      .q = turn_on(at->q, turn), .angle = at->angle + turn };
 }
 
 void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *rows)
@@ -619,7 +601,7 @@ static void add_stiffness(wfJointSet *set, int32_t i)
 {
     const wfJoint *j = &set->joints[i];
     const wfJointWork *w = &set->work[i];
-    wfVec2 rA = wfRotate(set->turned[j->a], j->localA), fA = wfV2(0, 0), fB = fA;
+    wfVec2 rA = wfRotate(set->place[j->a].q, j->localA), fA = wfV2(0, 0), fB = fA;
     for (int k = 0; k < w->rows; k++) {
         fA = wfAddScaled(fA, j->impulse[k], w->row[k].jA);
         fB = wfAddScaled(fB, j->impulse[k], w->row[k].jB);
@@ -645,7 +627,8 @@ static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
 static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
     for (int32_t i = 0; i < set->bodies; i++) {
-        set->turned[i] = wfRotation(in->state[i].angle + moved[i].turn);
+        wfReal angle = in->state[i].angle + moved[i].turn;
+        set->place[i] = (wfPlace){ in->state[i].p, moved[i].d, wfRotation(angle), angle };
         set->stiffness[i] = 0;
     }
     set->changed = set->built = true;
@@ -666,12 +649,12 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (first) remember_inertias(set, in);
     if (build_them) look_round(set, in, moved);
     for (int32_t i = 0; build_them && i < set->count; i++) {
-        wfJointPair p = pair_of(set, in, moved, &set->joints[i]);
+        wfJointPair p = wfPairOf(set, in, &set->joints[i]);
         if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
     }
     bool heavier = set->start == NULL && stiffen(set, in, dt);
     for (int32_t i = 0; i < set->count; i++) {
-        wfJointPair p = pair_of(set, in, moved, &set->joints[i]);
+        wfJointPair p = wfPairOf(set, in, &set->joints[i]);
         if (wfIsBroken(&set->joints[i])) continue;
         if (heavier) weigh(&set->work[i], &p);
         prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i], set->start == NULL);
@@ -691,7 +674,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
         int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
         wfJoint *j = &set->joints[i];
         if (wfIsBroken(j)) continue;
-        wfJointPair p = pair_of(set, in, moved, j);
+        wfJointPair p = wfPairOf(set, in, j);
         if (renew) add_load(j, &set->work[i]);
         if (renew) rebuild(set, i, &p);
         if (soft) aim_soft(j, &set->work[i], dt, set->last, give, &p);
@@ -706,7 +689,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
 /* <begin and end a step of joints> */
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
-    size_t body = 2 * sizeof(wfReal) + sizeof(wfRot);
+    size_t body = 2 * sizeof(wfReal) + sizeof(wfPlace);
     return (size_t)joints * sizeof(wfJointWork) + (size_t)bodies * body
          + 4 * WF_POOL_ALIGN;
 }
@@ -718,9 +701,9 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     set->work = wfPoolPushArray(scratch, set->count, wfJointWork);
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
-    set->turned = wfPoolPushArray(scratch, bodies, wfRot);
+    set->place = wfPoolPushArray(scratch, bodies, wfPlace);
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
-             || set->turned == NULL;
+             || set->place == NULL;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
     for (int32_t i = 0; i < set->count; i++) {
         wfJointWork *w = &set->work[i];

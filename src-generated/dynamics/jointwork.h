@@ -21,7 +21,10 @@ typedef struct wfJointWork {
 } wfJointWork;
 /* <what a joint works with during a step> */
 /* The bodies that get the impulses, and where they have got to. */
-typedef struct wfJointPair { wfBodyState *a, *b; wfPlace hereA, hereB; } wfJointPair;
+typedef struct wfJointPair {
+    wfBodyState *a, *b;
+    const wfPlace *hereA, *hereB;
+} wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
 bool wfIsBroken(const wfJoint *j);
@@ -30,7 +33,8 @@ bool wfIsBroken(const wfJoint *j);
 void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot);
 void wfSolveBlock(const wfReal l[3][3], const wfReal *pivot, wfReal *x);
 wfGiving wfGivingOf(const wfJointSet *set);
-wfJointPair wfPairOf(const wfSolve *in, const wfMoved *moved, const wfJoint *j);
+/* The places are those of when the rows were built. */
+wfJointPair wfPairOf(const wfJointSet *set, const wfSolve *in, const wfJoint *j);
 /* The rows of a joint where its bodies will be in a time h. */
 void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *rows);
 /* eq:joints-force, eq:joints-rate, eq:joints-matrix. */

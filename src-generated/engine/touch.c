@@ -25,15 +25,20 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
 wfReal wfWayOfShape(const struct wfStep *s, int32_t k)
 {
     int32_t i = s->b.owners[k];
-    return s->b.head->dt * (wfLength(velocity_to_be(s, i)) + rim_speed(s, i, k));
+    wfReal is = wfLength(s->state[i].v), to_be = wfLength(velocity_to_be(s, i));
+    return s->b.head->dt * (wfMaxR(is, to_be) + rim_speed(s, i, k));
 }
 
 static wfReal way_of_pair(const struct wfStep *s, wfPair p)
 {
     int32_t a = s->b.owners[p.a], b = s->b.owners[p.b];
-    wfVec2 apart = wfSub(velocity_to_be(s, b), velocity_to_be(s, a));
-    wfReal speed = wfLength(apart) + rim_speed(s, a, p.a) + rim_speed(s, b, p.b);
-    return s->b.head->dt * speed;  /* eq:world-way */
+    wfVec2 va = s->state[a].v, vb = s->state[b].v;
+    wfVec2 toA = velocity_to_be(s, a), toB = velocity_to_be(s, b);
+    wfReal free = wfLengthSq(wfSub(toB, toA));
+    wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
+    wfReal u = wfSqrt(wfMaxR(free, held));
+    wfReal rims = rim_speed(s, a, p.a) + rim_speed(s, b, p.b);
+    return s->b.head->dt * (u + rims);  /* eq:world-way */
 }
 /* <walk along the contacts of the last step> */
 /* Where the three fingers are in the lists of the last step. */

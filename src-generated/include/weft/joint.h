@@ -96,7 +96,7 @@ typedef struct wfJointSet {
     struct wfJointWork *work;   /* [count]; wfBeginJoints takes it from the pool */
     wfReal *stiffness;          /* [bodies] eq:joints-geometric; N m/rad */
     wfReal *inverse;            /* [bodies] their true inverse inertias */
-    wfRot *turned;              /* [bodies] their rotations when the rows were built */
+    wfPlace *place;             /* [bodies] where they were when the rows were built */
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
