@@ -125,4 +125,24 @@ static inline int random_world(wfRandom *r)
     }
     return kind;
 }
+/* ---- what a broad phase is given: lists for the pairs, and memory with a border ---- */
+
+static wfPair found[MAX_PAIRS], wanted[MAX_PAIRS];
+enum { MARGIN = 1024 };                 /* behind each block: nobody may write there */
+static _Alignas(16) uint8_t memory[(1 << 22) + MARGIN];
+
+static inline wfPairList list_of(int32_t capacity)
+{
+    wfPairList list = { found, -1, capacity, -1 };
+    return list;
+}
+
+static inline wfPool pool_of(size_t bytes)
+{
+    wfPool pool;
+    assert_true(bytes <= sizeof memory - MARGIN);
+    memset(memory, 0xA5, bytes + MARGIN);       /* scratch holds rubbish: nobody may rely on its being clear */
+    assert_ok(wfPoolInit(&pool, bytes, memory));
+    return pool;
+}
 #endif

@@ -3,14 +3,8 @@
 #define WEFT_TEST_MOTION_H
 #include "weft/impact.h"
 #include "weft/narrow.h"
+#include "plane.h"
 
-typedef struct P { double x, y; } P;
-typedef struct Outline { int n; P v[WF_MAX_VERTICES]; double radius; } Outline;
-
-static inline P sub(P a, P b) { return (P){ a.x - b.x, a.y - b.y }; }
-static inline double dot(P a, P b) { return a.x * b.x + a.y * b.y; }
-static inline double cross(P a, P b) { return a.x * b.y - a.y * b.x; }
-static inline double size(P a) { return hypot(a.x, a.y); }
 
 /* The core of a moving shape at the time t, in double, seen from a place that is near. */
 static inline Outline outline_at(const wfShape *s, wfSweep m, double t, P seen)
@@ -26,26 +20,6 @@ static inline Outline outline_at(const wfShape *s, wfSweep m, double t, P seen)
     return o;
 }
 
-static inline double point_segment(P q, P a, P b)
-{
-    P e = sub(b, a);
-    double l = dot(e, e), t = l > 0 ? dot(sub(q, a), e) / l : 0;
-    t = fmin(fmax(t, 0), 1);
-    return size(sub(q, (P){ a.x + t * e.x, a.y + t * e.y }));
-}
-
-static inline double point_outline(P q, const Outline *o)
-{
-    double least = 1e300;
-    bool inside = o->n > 2;
-    for (int i = 0; i < o->n; i++) {
-        P a = o->v[i], b = o->v[(i + 1) % o->n];
-        least = fmin(least, point_segment(q, a, b));
-        if (cross(sub(b, a), sub(q, a)) <= 0) inside = false;
-    }
-    return inside ? 0 : least;
-}
-
 static inline bool edges_cross(P a, P b, P c, P d)
 {
     double s = cross(sub(b, a), sub(c, a)), t = cross(sub(b, a), sub(d, a));
@@ -57,8 +31,8 @@ static inline bool edges_cross(P a, P b, P c, P d)
 static inline double outline_distance(const Outline *a, const Outline *b)
 {
     double least = 1e300;
-    for (int i = 0; i < a->n; i++) least = fmin(least, point_outline(a->v[i], b));
-    for (int j = 0; j < b->n; j++) least = fmin(least, point_outline(b->v[j], a));
+    for (int i = 0; i < a->n; i++) least = fmin(least, fmax(point_outline(a->v[i], b), 0));
+    for (int j = 0; j < b->n; j++) least = fmin(least, fmax(point_outline(b->v[j], a), 0));
     for (int i = 0; a->n > 1 && i < a->n; i++)
         for (int j = 0; b->n > 1 && j < b->n; j++)
             if (edges_cross(a->v[i], a->v[(i + 1) % a->n], b->v[j], b->v[(j + 1) % b->n])) return 0;

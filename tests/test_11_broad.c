@@ -1,26 +1,6 @@
 /* Chapter 11: broad phases. Every row of the table gives the pairs of an oracle that knows nothing of trees. */
 #include "boxes.h"
 
-static wfPair found[MAX_PAIRS], wanted[MAX_PAIRS];
-static _Alignas(16) uint8_t memory[1 << 22];
-
-enum { MARGIN = 1024 };                 /* behind the scratch: nobody may write there */
-
-static wfPairList list_of(int32_t capacity)
-{
-    wfPairList list = { found, -1, capacity, -1 };
-    return list;
-}
-
-static wfPool pool_of(size_t bytes)
-{
-    wfPool pool;
-    assert_true(bytes <= sizeof memory - MARGIN);
-    memset(memory, 0xA5, bytes + MARGIN);       /* scratch holds rubbish: nobody may rely on its being clear */
-    assert_ok(wfPoolInit(&pool, bytes, memory));
-    return pool;
-}
-
 /* Runs every row; scratch is exactly what the row asks for and must be given back. */
 static void assert_all_rows(void)
 {

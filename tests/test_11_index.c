@@ -2,25 +2,7 @@
    move, grow and shrink; errors that change nothing; the dynamic tree from inside. */
 #include "boxes.h"
 
-static wfPair found[MAX_PAIRS], wanted[MAX_PAIRS];
-static _Alignas(16) uint8_t memory[1 << 21], index_a[1 << 20], index_b[1 << 20], index_c[1 << 20];
-
-enum { MARGIN = 256 };                  /* behind each block: nobody may write there */
-
-static wfPairList list_of(int32_t capacity)
-{
-    wfPairList list = { found, -1, capacity, -1 };
-    return list;
-}
-
-static wfPool pool_of(size_t bytes)
-{
-    wfPool pool;
-    assert_true(bytes <= sizeof memory - MARGIN);
-    memset(memory, 0xA5, bytes + MARGIN);
-    assert_ok(wfPoolInit(&pool, bytes, memory));
-    return pool;
-}
+static _Alignas(16) uint8_t index_a[1 << 20], index_b[1 << 20], index_c[1 << 20];
 
 static void assert_untouched(const uint8_t *end)
 {
@@ -114,7 +96,7 @@ static bool counting_filter(const void *context, int32_t a, int32_t b)
 
 static int64_t tests_of(int row, int *pairs)
 {
-    wfPool pool = pool_of(sizeof memory - MARGIN);
+    wfPool pool = pool_of(1 << 21);
     wfPairList list = list_of(MAX_PAIRS);
     assert_ok(wfFindPairs(row, &world.in, &pool, &list));
     if (pairs) *pairs = list.count;
@@ -427,7 +409,7 @@ static void test_many_rays(void **state)
             put((wfRect){ at, wfAdd(at, size) }, i % 3 ? MOVING : STILL);
         }
         for (int row = 0; row < wfBroadPhaseCount; row++) {
-            wfPool pool = pool_of(sizeof memory - MARGIN);
+            wfPool pool = pool_of(1 << 21);
             memset(index_a, 0, sizeof index_a);
             assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
             wfRandom same = random_stream(34 + (uint64_t)round);
@@ -453,7 +435,7 @@ static void test_rays_on_a_lattice(void **state)
     start_world();
     for (int i = 0; i < 100; i++) put(rect(2 * (i % 10), 2 * (i / 10), 2 * (i % 10) + 1, 2 * (i / 10) + 1), MOVING);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
-        wfPool pool = pool_of(sizeof memory - MARGIN);
+        wfPool pool = pool_of(1 << 21);
         memset(index_a, 0, sizeof index_a);
         assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
         for (int x = -2; x < 22; x++)
@@ -499,7 +481,7 @@ static void test_near_before_far(void **state)
         }
         wfVec2 half = wfV2((wfReal)unit / 2, (wfReal)unit / 2), a = wfAdd(world.bounds[0].min, half), b = wfAdd(world.bounds[199].min, half);
         for (int row = 1; row < wfBroadPhaseCount; row++) {
-            wfPool pool = pool_of(sizeof memory - MARGIN);
+            wfPool pool = pool_of(1 << 21);
             memset(index_a, 0, sizeof index_a);
             assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
             for (int back = 0; back < 2; back++) {
@@ -567,7 +549,7 @@ static void test_update_errors(void **state)
     for (int row = 0; row < wfBroadPhaseCount; row++) {
         fill_some();
         size_t bytes = index_bytes(row);
-        wfPool pool = pool_of(sizeof memory - MARGIN), little = { 0 };
+        wfPool pool = pool_of(1 << 21), little = { 0 };
         memset(index_a, 0, sizeof index_a);
         if (wfBroadPhaseTable[row].update == NULL) {
             assert_int_equal(bytes, 0);
@@ -630,7 +612,7 @@ static void test_question_errors(void **state)
     fill_some();
     int n = oracle(wanted);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
-        wfPool pool = pool_of(sizeof memory - MARGIN);
+        wfPool pool = pool_of(1 << 21);
         Seen seen = { .count = 0 };
         wfRect area = rect(0, 0, 5, 5);
         wfBoxCast cast = { wfV2(0, 0), wfV2(1, 0), wfV2(0, 0), 1 };
@@ -699,7 +681,7 @@ static void test_strange_indices(void **state)
     int n = oracle(wanted);
     memset(index_a, 0, sizeof index_a);
     for (int maker = 0; maker < wfBroadPhaseCount; maker++) {
-        wfPool pool = pool_of(sizeof memory - MARGIN);
+        wfPool pool = pool_of(1 << 21);
         assert_ok(wfUpdateIndex(maker, &world.in, index_a, sizeof index_a, &pool));     /* over what the last one left */
         for (int row = 0; row < wfBroadPhaseCount; row++) {
             wfPairList list = list_of(n);
@@ -1042,7 +1024,7 @@ static void test_the_past_is_not_seen(void **state)
             if (step == 5) assert_ok(wfUpdateIndex(row, &world.in, index_b, bytes, &pool));
         }
         int n = oracle(wanted);
-        wfPool pool = pool_of(sizeof memory - MARGIN);
+        wfPool pool = pool_of(1 << 21);
         for (int k = 0; k < 2; k++) {
             wfPairList list = list_of(n);
             assert_ok(wfIndexPairs(row, &world.in, k ? index_a : index_b, &pool, &list));

@@ -2,16 +2,8 @@
    walks no simplex: all pairs of corners and edges for the distance, all differences for the depth. */
 #include "testing.h"
 #include "shapes.h"
+#include "plane.h"
 #include "weft/narrow.h"
-
-typedef struct P { double x, y; } P;
-typedef struct Outline { int n; P v[WF_MAX_VERTICES]; double radius; } Outline;
-
-static P sub(P a, P b) { return (P){ a.x - b.x, a.y - b.y }; }
-static double dot(P a, P b) { return a.x * b.x + a.y * b.y; }
-static double cross(P a, P b) { return a.x * b.y - a.y * b.x; }
-static double size(P a) { return hypot(a.x, a.y); }
-static P of(wfVec2 v) { return (P){ (double)v.x, (double)v.y }; }
 
 /* The shape where `seen` sees it when it is at xf; the difference of the positions first, in double. */
 static Outline outline(const wfShape *s, wfTransform xf, wfVec2 seen)
@@ -24,27 +16,6 @@ static Outline outline(const wfShape *s, wfTransform xf, wfVec2 seen)
                       (double)xf.p.y - (double)seen.y + d * v.x + c * v.y };
     }
     return o;
-}
-
-static double point_segment(P q, P a, P b)
-{
-    P e = sub(b, a);
-    double l = dot(e, e), t = l > 0 ? dot(sub(q, a), e) / l : 0;
-    t = fmin(fmax(t, 0), 1);
-    return size(sub(q, (P){ a.x + t * e.x, a.y + t * e.y }));
-}
-
-/* < 0: inside by that much (distance from the outline) */
-static double point_outline(P q, const Outline *o)
-{
-    double least = 1e300;
-    bool inside = o->n > 2;
-    for (int i = 0; i < o->n; i++) {
-        P a = o->v[i], b = o->v[(i + 1) % o->n];
-        least = fmin(least, point_segment(q, a, b));
-        if (cross(sub(b, a), sub(q, a)) <= 0) inside = false;
-    }
-    return inside ? -least : least;
 }
 
 static bool edges_cross(P a, P b, P c, P d)

@@ -2,32 +2,8 @@
    differences with a gift-wrapped hull, dense directions, and the nearest point of an outline. */
 #include "testing.h"
 #include "shapes.h"
+#include "plane.h"
 #include "weft/narrow.h"
-
-typedef struct P { double x, y; } P;
-
-static P sub(P a, P b) { P r = { a.x - b.x, a.y - b.y }; return r; }
-static double dot(P a, P b) { return a.x * b.x + a.y * b.y; }
-static double cross(P a, P b) { return a.x * b.y - a.y * b.x; }
-static double size(P a) { return sqrt(dot(a, a)); }
-static P of(wfVec2 v) { P r = { (double)v.x, (double)v.y }; return r; }
-
-static P place(wfTransform xf, wfVec2 v)
-{
-    double c = (double)xf.q.c, s = (double)xf.q.s;
-    P r = { (double)xf.p.x + c * (double)v.x - s * (double)v.y, (double)xf.p.y + s * (double)v.x + c * (double)v.y };
-    return r;
-}
-
-/* distance from q to the segment a b */
-static double to_segment(P q, P a, P b)
-{
-    P e = sub(b, a);
-    double t = dot(sub(q, a), e) / dot(e, e);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    P nearest = { a.x + t * e.x, a.y + t * e.y };
-    return size(sub(q, nearest));
-}
 
 /* signed distance of q from a convex outline, below 0 inside; the outline may turn either way */
 static double to_outline(P q, const P *v, int n)
@@ -36,7 +12,7 @@ static double to_outline(P q, const P *v, int n)
     int left = 0, right = 0;
     for (int i = 0; i < n; i++) {
         P a = v[i], b = v[(i + 1) % n];
-        double d = to_segment(q, a, b);
+        double d = point_segment(q, a, b);
         if (d < least) least = d;
         if (cross(sub(b, a), sub(q, a)) > 0) left++; else right++;
     }

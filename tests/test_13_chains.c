@@ -2,10 +2,10 @@
    broken line, computed in double. And then a thousand tiles, hills and valleys, and bodies that come from behind. */
 #include "testing.h"
 #include "shapes.h"
+#include "plane.h"
 #include "weft/body.h"
 #include "weft/contact.h"
 
-typedef struct P { double x, y; } P;
 enum { MOST = 64 };
 
 /* the chain of n points, with ghosts straight on at the ends; n - 1 links, the solid on the left */

@@ -2,9 +2,8 @@
    used again. The reference is the distance of two cores in double, by brute force over all pairs of edges. */
 #include "testing.h"
 #include "shapes.h"
+#include "plane.h"
 #include "weft/contact.h"
-
-typedef struct P { double x, y; } P;
 
 /* Coordinates stay below 8 m, and each number is a short sum of products of them. */
 #define ROUNDING (32 * (double)WF_EPSILON * 8)
@@ -14,13 +13,6 @@ static double tie(const wfShape *a, const wfShape *b)
     return (double)WF_AXIS_TIE * fmin((double)wfShapeReach(a), (double)wfShapeReach(b)) + 4 * ROUNDING;
 }
 
-static P place(wfTransform xf, wfVec2 v)
-{
-    double c = (double)xf.q.c, s = (double)xf.q.s;
-    P r = { (double)xf.p.x + c * (double)v.x - s * (double)v.y, (double)xf.p.y + s * (double)v.x + c * (double)v.y };
-    return r;
-}
-
 static int core(const wfShape *s, wfTransform xf, P *out)
 {
     if (s->count == 0) { out[0] = place(xf, s->centre); return 1; }
@@ -28,18 +20,11 @@ static int core(const wfShape *s, wfTransform xf, P *out)
     return s->count;
 }
 
-static double from_segment(P a, P b, P c)
-{
-    double ex = b.x - a.x, ey = b.y - a.y, l = ex * ex + ey * ey, t = l > 0 ? ((c.x - a.x) * ex + (c.y - a.y) * ey) / l : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return hypot(c.x - a.x - t * ex, c.y - a.y - t * ey);
-}
-
 /* distance of a point from the outline of a core */
 static double from_outline(const P *v, int n, P c)
 {
     double least = 1e300;
-    for (int i = 0; i < n; i++) least = fmin(least, from_segment(v[i], v[(i + 1) % n], c));
+    for (int i = 0; i < n; i++) least = fmin(least, point_segment(c, v[i], v[(i + 1) % n]));
     return least;
 }
 

@@ -2,16 +2,8 @@
    double against the outlines of both bodies. */
 #include "testing.h"
 #include "shapes.h"
+#include "plane.h"
 #include "weft/contact.h"
-
-typedef struct P { double x, y; } P;
-
-static P place(wfTransform xf, wfVec2 v)
-{
-    double c = (double)xf.q.c, s = (double)xf.q.s;
-    P r = { (double)xf.p.x + c * (double)v.x - s * (double)v.y, (double)xf.p.y + s * (double)v.x + c * (double)v.y };
-    return r;
-}
 
 /* distance of q from the outline of a shape (not signed) */
 static double off_outline(const wfShape *s, wfTransform xf, P q)

@@ -3,30 +3,8 @@
    place where the ray enters by bisection before that minimum. */
 #include "testing.h"
 #include "shapes.h"
+#include "plane.h"
 #include "weft/query.h"
-
-typedef struct P { double x, y; } P;
-
-static P sub(P a, P b) { P r = { a.x - b.x, a.y - b.y }; return r; }
-static double dot(P a, P b) { return a.x * b.x + a.y * b.y; }
-static double size(P a) { return sqrt(dot(a, a)); }
-static P of(wfVec2 v) { P r = { (double)v.x, (double)v.y }; return r; }
-
-static P place(wfTransform xf, wfVec2 v)
-{
-    double c = (double)xf.q.c, s = (double)xf.q.s;
-    P r = { (double)xf.p.x + c * (double)v.x - s * (double)v.y, (double)xf.p.y + s * (double)v.x + c * (double)v.y };
-    return r;
-}
-
-static double to_segment(P q, P a, P b)
-{
-    P e = sub(b, a);
-    double t = dot(sub(q, a), e) / dot(e, e);
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    P nearest = { a.x + t * e.x, a.y + t * e.y };
-    return size(sub(q, nearest));
-}
 
 /* distance from a placed shape, below 0 inside */
 static double away(const wfShape *s, wfTransform xf, P q)
@@ -36,7 +14,7 @@ static double away(const wfShape *s, wfTransform xf, P q)
     bool inside = s->count > 2;
     for (int i = 0; i < s->count; i++) {
         P a = place(xf, s->vertices[i]), b = place(xf, s->vertices[(i + 1) % s->count]), e = sub(b, a), w = sub(q, a);
-        least = fmin(least, to_segment(q, a, b));
+        least = fmin(least, point_segment(q, a, b));
         if (e.x * w.y - e.y * w.x < 0) inside = false;
     }
     return (inside ? -least : least) - (double)s->radius;
