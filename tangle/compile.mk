@@ -34,7 +34,7 @@ lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(OUT)/lib/$(SHARED) $(
 
 $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
-	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -MMD -MP -c $< -o $@
+	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -fno-semantic-interposition -MMD -MP -c $< -o $@
 archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
 $(OUT)/lib/libweft.a: $(LIBOBJ) ; $(archive)
 $(OUT)/lib/libweft-collision.a: $(call objects,core math collision) ; $(archive)
