@@ -1,0 +1,415 @@
+/* Chapters 15 and 24: static and dynamic friction, mixing rules, known pairs, what a hook may change about a contact. Oracles: the
+ * schoolbook (slip angle, acceleration, stopping distance, the stick-slip oscillator of eq:friction-violin), mixing by hand. */
+#include "testing.h"
+#include "world.h"
+#include "weft/weft.h"
+
+static const double G = 9.81;
+
+static wfWorld tilted(const char *solver, double angle)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.solver = wfFindSolver(solver);
+    def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    return world;
+}
+
+static wfBodyId lay(wfWorld *world, double y, double halfWidth, double halfHeight, int type, wfShapeDef what)
+{
+    wfBodyDef d = wfDefaultBodyDef();
+    d.type = type;
+    d.position = wfV2(0, (wfReal)y);
+    d.mass = type == WF_DYNAMIC ? 1 : 0;
+    wfBodyId id = add(world, d);
+    if (what.shape.kind == WF_SHAPE_NONE) assert_ok(wfMakeBox((wfReal)halfWidth, (wfReal)halfHeight, &what.shape));
+    assert_ok(wfAddShapeToBody(world, id, &what, NULL));
+    return id;
+}
+
+static wfShapeDef rough(double slides, double holds)
+{
+    wfShapeDef s = wfDefaultShapeDef();
+    s.friction = (wfReal)slides;
+    s.staticFriction = (wfReal)holds;
+    return s;
+}
+
+static void run(wfWorld *world, int steps) { for (int i = 0; i < steps; i++) assert_ok(wfStepWorld(world)); }
+static double along(wfWorld *world, wfBodyId id) { return (double)info(world, id).position.x; }
+static double speed(wfWorld *world, wfBodyId id) { return (double)info(world, id).velocity.x; }
+
+static void the_coefficient_by_hand(void **unused)
+{
+    (void)unused;
+    static const struct { double slides, holds, wanted, normal, want; } c[] = { { 0.25, 0.5, 1, 2, 0.5 }, { 0.25, 0.5, -1, 2, 0.5 },
+        { 0.25, 0.5, 1.001, 2, 0.25 }, { 0.25, 0.5, -1.001, 2, 0.25 }, { 0.5, 0.25, 0, 1, 0.5 }, { 0.5, 0.5, 9, 1, 0.5 }, { 0.5, 1, 0, 0, 1 },
+        { 0.5, 0, 1, 1, 0.5 } };
+    for (size_t i = 0; i < sizeof c / sizeof *c; i++)
+        assert_true(wfFrictionNow((wfReal)c[i].slides, (wfReal)c[i].holds, (wfReal)c[i].wanted, (wfReal)c[i].normal) == (wfReal)c[i].want);
+}
+
+/* It holds up to arctan mu_s, and beyond it goes with g (sin - mu cos): eq:friction-slip, eq:friction-breakaway. A box of 2 by 1 does
+ * not tip before tan = 2. The sequential solver creeps by half a step of gravity (eq:friction-creep); the soft one not at all. */
+static void it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one(void **unused)
+{
+    (void)unused;
+    const char *const solvers[] = { "soft", "sequential" };
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 4; i++) {
+            const double share[] = { 0.8, 0.99, 1.01, 1.2 }, slides = 0.4, holds = 0.6;
+            double angle = atan(holds * share[i]), a = G * (sin(angle) - slides * cos(angle));
+            wfWorld world = tilted(solvers[k], angle);
+            lay(&world, -1, 500, 1, WF_STATIC, rough(slides, holds));
+            wfBodyId id = lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, rough(slides, holds));
+            run(&world, 60);
+            double v = speed(&world, id);
+            if (share[i] < 1) {
+                double creep = k == 1 ? 0.5 * G * sin(angle) / 60 : 0, before = along(&world, id);
+                run(&world, 240);
+                assert_near(along(&world, id) - before, 4 * creep, 1e-3 + 0.02 * 4 * creep);
+            } else {                                      /* the mean over two seconds: rounding and the solver's softness, 0.1 % */
+                run(&world, 120);
+                assert_near((speed(&world, id) - v) / 2, a, 2e-3 * a);
+            }
+            wfDestroyWorld(&world);
+        }
+}
+
+/* Between the two angles both are possible: what lies lies, what slides goes on. A contact that held is found to slide only after a
+ * half substep with the static limit, eq:sequential-slides: (mu_s - mu) g cos dt / 2 of speed, and as much again for the solver. */
+static void between_the_two_angles_it_depends_on_how_it_began(void **unused)
+{
+    (void)unused;
+    for (int push = 0; push < 2; push++) {
+        double angle = atan(0.5), a = G * (sin(angle) - 0.4 * cos(angle));
+        wfWorld world = tilted("soft", angle);
+        lay(&world, -1, 500, 1, WF_STATIC, rough(0.4, 0.6));
+        wfBodyId id = lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, rough(0.4, 0.6));
+        run(&world, 60);
+        assert_ok(wfSetBodyVelocity(&world, id, wfV2(push ? 1 : 0, 0), 0));
+        run(&world, 120);
+        assert_near(speed(&world, id), push ? 1 + 2 * a : 0, 0.2 * G * cos(angle) / 240);
+        wfDestroyWorld(&world);
+    }
+}
+
+/* It stops after v^2 / 2 mu g; half a substep with the static limit costs (mu_s - mu) g dt / 2 of speed, and so the way v / mu g of that. */
+static void it_stops_as_the_dynamic_one_says(void **unused)
+{
+    (void)unused;
+    wfWorld world = tilted("soft", 0);
+    lay(&world, -1, 500, 1, WF_STATIC, rough(0.4, 0.6));
+    wfBodyId id = lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, rough(0.4, 0.6));
+    run(&world, 60);
+    double x = along(&world, id), want = 25 / (2 * 0.4 * G);
+    assert_ok(wfSetBodyVelocity(&world, id, wfV2(5, 0), 0));
+    run(&world, 120);
+    assert_near(along(&world, id) - x, want, 5e-4 * want + 5 / (0.4 * G) * 0.2 * G / 480);
+    assert_near(speed(&world, id), 0, 1e-5);
+    wfDestroyWorld(&world);
+}
+
+/* The string and the bow: places and tone by eq:friction-violin. Time is known to a step, places to V h. */
+static void a_bow_makes_a_tone(void **unused)
+{
+    (void)unused;
+    const double k = 20, belt = 0.1, slides = 0.4, holds = 0.6, omega = sqrt(k), d = (holds - slides) * G / k;
+    const double tone = 2 * d / belt + (3.14159265358979 + 2 * atan(belt / (omega * d))) / omega;
+    wfWorld world = tilted("soft", 0);
+    wfShapeDef bow = rough(slides, holds);
+    bow.surfaceSpeed = (wfReal)belt;
+    lay(&world, -1, 500, 1, WF_STATIC, bow);
+    wfBodyId id = lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, rough(slides, holds));
+    assert_ok(wfSetTimeStep(&world, WF_R(1.0) / 240));
+    double low = 1, high = 0, last = 0;
+    int slips = 0, first = 0, at = 0;
+    bool down = false;
+    for (int i = 0; i < 240 * 16; i++) {
+        double x = along(&world, id);
+        wfBodyInfo now = info(&world, id);
+        assert_ok(wfApplyForceToBody(&world, id, wfV2((wfReal)(-k * x), 0), now.centre));
+        run(&world, 1);
+        x = along(&world, id);
+        if (i > 960) low = fmin(low, x), high = fmax(high, x);
+        if (!down && x < last - 2e-4) { if (slips++ == 0) first = i; at = i; down = true; }
+        if (x > last) down = false;
+        last = x;
+    }
+    /* The break is seen a substep late, and so at the other end; places are read once a step; and a force held over a step makes half a swing wider by
+     * pi omega h / 2 of itself. */
+    double step = 4 * belt / 240 + d * 3.15 * omega / 240 / 2;
+    assert_near(high, holds * G / k, step);
+    assert_near(low, (2 * slides - holds) * G / k, step);
+    assert_true(slips >= 5);
+    assert_near((at - first) / 240.0 / (slips - 1), tone, 0.02 * tone);
+    wfDestroyWorld(&world);
+}
+
+static void mixing_by_hand(void **unused)
+{
+    (void)unused;
+    static const struct { const char *name; double a, b, want; } c[] = { { "geometric-mean", 0.25, 1, 0.5 }, { "geometric-mean", 0, 5, 0 },
+        { "minimum", 0.25, 1, 0.25 }, { "maximum", 0.25, 1, 1 }, { "average", 0.25, 1, 0.625 }, { "product", 0.25, 0.5, 0.125 } };
+    for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+        int row = wfFindMix(c[i].name);
+        assert_true(row >= 0 && row < wfMixCount);
+        assert_ulps(wfMixTable[row].mix((wfReal)c[i].a, (wfReal)c[i].b), c[i].want, 2, 1);
+        assert_ulps(wfMixTable[row].mix((wfReal)c[i].b, (wfReal)c[i].a), c[i].want, 2, 1);
+    }
+    assert_int_equal(wfFindMix("harmonic"), -1);
+    assert_int_equal(wfFindMix(NULL), -1);
+    for (int row = 0; row < wfMixCount; row++)            /* two numbers from 0 to 1 make one from 0 to 1 */
+        for (int i = 0; i <= 10; i++)
+            for (int k = 0; k <= 10; k++) {
+                wfReal m = wfMixTable[row].mix((wfReal)i / 10, (wfReal)k / 10);
+                assert_true(m >= 0 && m <= 1);
+            }
+}
+
+static const wfContact *only_contact(const wfWorld *world)
+{
+    int32_t count;
+    const wfContact *c = wfWorldContacts(world, &count);
+    assert_int_equal(count, 1);
+    return c;
+}
+
+static wfWorld pair_of(const wfWorldDef *def, int32_t a, int32_t b)
+{
+    wfWorld world;
+    assert_ok(wfCreateWorld(def, &world));
+    wfShapeDef one = rough(0.25, 0.5), two = rough(1, 0);
+    one.restitution = WF_R(0.25), one.rolling = WF_R(0.5), one.material = a;
+    two.restitution = WF_R(0.75), two.rolling = WF_R(0.125), two.material = b;
+    lay(&world, -1, 50, 1, WF_STATIC, one);
+    lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, two);
+    return world;
+}
+
+static void a_world_mixes_by_its_rules(void **unused)
+{
+    (void)unused;
+    static const struct { const char *name; double friction, holds, bounce, rolling; } c[] = {
+        { "geometric-mean", 0.5, 0.70710678, 0.4330127, 0.25 }, { "minimum", 0.25, 0.5, 0.25, 0.125 }, { "maximum", 1, 1, 0.75, 0.5 },
+        { "average", 0.625, 0.75, 0.5, 0.3125 }, { "product", 0.25, 0.5, 0.1875, 0.0625 } };
+    for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+        wfWorldDef def = wfDefaultWorldDef(), got;
+        def.frictionMix = def.restitutionMix = def.rollingMix = wfFindMix(c[i].name);
+        wfWorld world = pair_of(&def, 0, 0);
+        run(&world, 1);
+        const wfContact *k = only_contact(&world);
+        assert_ulps(k->friction, c[i].friction, 2, 1);
+        assert_near(k->staticFriction, c[i].holds, 1e-6);
+        assert_near(k->restitution, c[i].bounce, 1e-6);
+        assert_ulps(k->rolling, c[i].rolling, 2, 1);
+        assert_ok(wfGetWorldDef(&world, &got));
+        assert_true(got.frictionMix == def.frictionMix && got.rollingMix == def.rollingMix && got.restitutionMix == def.restitutionMix);
+        got.frictionMix = 0, got.restitutionMix = 1, got.rollingMix = 2;
+        assert_ok(wfSetWorldDef(&world, &got));
+        wfWorldDef again;
+        assert_ok(wfGetWorldDef(&world, &again));
+        assert_true(again.frictionMix == 0 && again.restitutionMix == 1 && again.rollingMix == 2);
+        void *bytes = copy_of(&world);
+        int32_t *place[] = { &got.frictionMix, &got.restitutionMix, &got.rollingMix };
+        for (int p = 0; p < 3; p++)
+            for (int bad = 0; bad < 2; bad++) {
+                int32_t was = *place[p];
+                *place[p] = bad ? wfMixCount : -1;
+                assert_result(WF_ERROR_UNKNOWN, wfSetWorldDef(&world, &got));
+                *place[p] = was;
+            }
+        assert_unchanged(&world, bytes);
+        wfDestroyWorld(&world);
+    }
+    wfWorldDef bad = wfDefaultWorldDef();
+    wfWorld none;
+    bad.pairMaterials = -1;
+    assert_result(WF_ERROR_RANGE, wfCreateWorld(&bad, &none));
+}
+
+static void who_knows_the_pair_need_not_mix(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.pairMaterials = 3;
+    wfWorld world = pair_of(&def, 7, 3);
+    wfPairMaterial m = { WF_R(0.5), 2, 3, WF_R(0.0625) }, got, other = { 1, 1, 1, 1 };
+    assert_ok(wfSetPairMaterial(&world, 3, 7, &m));
+    assert_ok(wfSetPairMaterial(&world, 9, 1, &other));
+    assert_ok(wfSetPairMaterial(&world, 7, 7, &other));
+    assert_result(WF_ERROR_FULL, wfSetPairMaterial(&world, 3, 3, &other));
+    assert_ok(wfGetPairMaterial(&world, 7, 3, &got));
+    assert_true(got.restitution == m.restitution && got.friction == 2 && got.staticFriction == 3 && got.rolling == m.rolling);
+    assert_ok(wfGetPairMaterial(&world, 1, 9, &got));
+    assert_true(got.friction == 1);
+    assert_result(WF_ERROR_UNKNOWN, wfGetPairMaterial(&world, 3, 3, &got));
+    run(&world, 1);
+    const wfContact *c = only_contact(&world);
+    assert_true(c->friction == 2 && c->staticFriction == 3 && c->restitution == m.restitution && c->rolling == m.rolling);
+    m.friction = WF_R(1.5);                               /* known better now */
+    assert_ok(wfSetPairMaterial(&world, 7, 3, &m));
+    run(&world, 1);
+    assert_true(only_contact(&world)->friction == WF_R(1.5));
+    assert_ok(wfSetPairMaterial(&world, 7, 3, NULL));     /* and forgotten: mixed again; twice is no error */
+    assert_ok(wfSetPairMaterial(&world, 7, 3, NULL));
+    assert_result(WF_ERROR_UNKNOWN, wfGetPairMaterial(&world, 7, 3, &got));
+    assert_ok(wfGetPairMaterial(&world, 7, 7, &got));
+    run(&world, 1);
+    assert_ulps(only_contact(&world)->friction, 0.5, 2, 1);
+    assert_ok(wfSetPairMaterial(&world, 2, 2, &m));       /* there is room again */
+    void *bytes = copy_of(&world);
+    assert_result(WF_ERROR_FULL, wfSetPairMaterial(&world, 5, 5, &m));
+    assert_result(WF_ERROR_RANGE, wfSetPairMaterial(&world, 0, 1, &m));
+    assert_result(WF_ERROR_RANGE, wfSetPairMaterial(&world, 1, -1, &m));
+    assert_result(WF_ERROR_RANGE, wfGetPairMaterial(&world, 1, 0, &got));
+    assert_result(WF_ERROR_NULL, wfGetPairMaterial(&world, 1, 1, NULL));
+    assert_result(WF_ERROR_NULL, wfSetPairMaterial(NULL, 1, 1, &m));
+    for (int f = 0; f < 4; f++) {
+        wfPairMaterial bad = m;
+        wfReal *place[] = { &bad.restitution, &bad.friction, &bad.staticFriction, &bad.rolling };
+        for (int i = 0; i < BAD_REAL_COUNT; i++) {
+            *place[f] = BAD_REALS[i];
+            assert_result(WF_ERROR_NOT_FINITE, wfSetPairMaterial(&world, 2, 2, &bad));
+        }
+        *place[f] = WF_R(-0.125);
+        assert_result(WF_ERROR_RANGE, wfSetPairMaterial(&world, 2, 2, &bad));
+    }
+    m.restitution = WF_R(1.01);
+    assert_result(WF_ERROR_RANGE, wfSetPairMaterial(&world, 2, 2, &m));
+    assert_unchanged(&world, bytes);
+    wfDestroyWorld(&world);
+}
+
+/* Many pairs, in any order: the list is a map, like one that is searched from end to end. */
+static void the_list_of_pairs_is_a_map(void **unused)
+{
+    (void)unused;
+    enum { N = 6 };
+    wfRandom r = random_stream(3);
+    wfWorldDef def = wfDefaultWorldDef();
+    def.pairMaterials = N * (N + 1) / 2;
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    wfReal known[N + 1][N + 1];
+    memset(known, 0, sizeof known);
+    for (int i = 0; i < 2000; i++) {
+        int32_t a = 1 + (int32_t)wfRandomBelow(&r, N), b = 1 + (int32_t)wfRandomBelow(&r, N);
+        wfPairMaterial m = { .friction = (wfReal)(i + 1) }, got;
+        bool forget = wfRandomBelow(&r, 3) == 0;
+        assert_ok(wfSetPairMaterial(&world, a, b, forget ? NULL : &m));
+        known[a][b] = known[b][a] = forget ? 0 : m.friction;
+        a = 1 + (int32_t)wfRandomBelow(&r, N), b = 1 + (int32_t)wfRandomBelow(&r, N);
+        assert_result(known[a][b] > 0 ? WF_OK : WF_ERROR_UNKNOWN, wfGetPairMaterial(&world, a, b, &got));
+        if (known[a][b] > 0) assert_true(got.friction == known[a][b]);
+    }
+    wfDestroyWorld(&world);
+}
+
+static void shapes_refuse_bad_materials(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world = pair_of(&def, 0, 0);
+    wfShapeId id = wfShapeAt(&world, 1);
+    wfShapeDef got, s;
+    assert_ok(wfGetShape(&world, id, &got));
+    got.staticFriction = WF_R(1.25), got.material = 5;
+    assert_ok(wfSetShape(&world, id, &got));
+    assert_ok(wfGetShape(&world, id, &s));
+    assert_true(s.staticFriction == WF_R(1.25) && s.material == 5);
+    void *bytes = copy_of(&world);
+    for (int i = 0; i < BAD_REAL_COUNT; i++) {
+        s = got, s.staticFriction = BAD_REALS[i];
+        assert_result(WF_ERROR_NOT_FINITE, wfSetShape(&world, id, &s));
+    }
+    s = got, s.staticFriction = WF_R(-0.5);
+    assert_result(WF_ERROR_RANGE, wfSetShape(&world, id, &s));
+    s = got, s.material = -1;
+    assert_result(WF_ERROR_RANGE, wfSetShape(&world, id, &s));
+    assert_unchanged(&world, bytes);
+    assert_ok(wfSetBodyMaterial(&world, wfBodyAt(&world, 1), 0, WF_R(0.75)));      /* static and dynamic alike */
+    assert_ok(wfGetShape(&world, id, &s));
+    assert_true(s.staticFriction == 0 && s.friction == WF_R(0.75));
+    wfDestroyWorld(&world);
+}
+
+typedef struct Change { wfContactChange was, to; int asked; } Change;
+static void change_contact(void *context, const wfHookView *view, const wfContact *c, wfContactChange *change)
+{
+    (void)view, (void)c;
+    Change *k = context;
+    k->was = *change;
+    *change = k->to;
+    k->asked++;
+}
+
+/* A hook sees what would be used, and what it says is used: ice becomes rubber for one contact, in each of the five numbers. */
+static void a_hook_overrides_one_contact(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world = pair_of(&def, 0, 0);
+    Change k = { .to = { .enabled = 1, .friction = WF_R(0.125), .staticFriction = 4, .rolling = 2, .surfaceSpeed = 0 } };
+    wfHooks hooks = { .context = &k, .preSolve = change_contact };
+    assert_ok(wfStepWorldWith(&world, &hooks));
+    assert_true(k.asked == 1 && k.was.enabled == 1 && k.was.restitution == WF_R(0.75) && k.was.rolling == WF_R(0.5));
+    assert_ulps(k.was.friction, 0.5, 2, 1);
+    assert_near(k.was.staticFriction, 0.70710678, 1e-6);
+    const wfContact *c = only_contact(&world);
+    assert_true(c->friction == WF_R(0.125) && c->staticFriction == 4 && c->rolling == 2 && c->restitution == 0 && c->surfaceSpeed == 0);
+    void *bytes = copy_of(&world);
+    for (int f = 0; f < 5; f++) {
+        const Change good = k;
+        wfReal *place[] = { &k.to.restitution, &k.to.friction, &k.to.staticFriction, &k.to.rolling, &k.to.surfaceSpeed };
+        for (int i = 0; i < BAD_REAL_COUNT; i++) {
+            *place[f] = BAD_REALS[i];
+            assert_result(WF_ERROR_NOT_FINITE, wfStepWorldWith(&world, &hooks));
+        }
+        *place[f] = WF_R(-0.5);
+        if (f < 4) assert_result(WF_ERROR_RANGE, wfStepWorldWith(&world, &hooks));
+        k = good;
+    }
+    assert_unchanged(&world, bytes);
+    /* held by static friction alone against a pull of g/2, then let go: it slides with g/2 - g/8 */
+    assert_ok(wfSetGravity(&world, wfV2((wfReal)(G / 2), (wfReal)-G)));
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    assert_near(info(&world, wfBodyAt(&world, 1)).velocity.x, 0, 1e-5);
+    k.to.staticFriction = 0;
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    assert_near(info(&world, wfBodyAt(&world, 1)).velocity.x, G / 2 - G / 8, 1e-2);
+    wfDestroyWorld(&world);
+}
+
+/* A wheel on a slope of one in ten: rolling resistance from the hook holds it (tan < rho / r), and lets it go when the hook says 0. */
+static void a_hook_sets_rolling_resistance(void **unused)
+{
+    (void)unused;
+    wfWorld world = tilted("soft", atan(0.1));
+    wfShapeDef wheel = wfDefaultShapeDef();
+    assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &wheel.shape));
+    lay(&world, -1, 500, 1, WF_STATIC, wfDefaultShapeDef());
+    wfBodyId id = lay(&world, 0.5, 0, 0, WF_DYNAMIC, wheel);
+    Change k = { .to = { .enabled = 1, .friction = 1, .rolling = WF_R(0.06) } };
+    wfHooks hooks = { .context = &k, .preSolve = change_contact };
+    for (int i = 0; i < 120; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    assert_near(along(&world, id), 0, 1e-3);
+    k.to.rolling = 0;
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    assert_near(speed(&world, id), 2 * G * sin(atan(0.1)) / 3, 1e-2);
+    wfDestroyWorld(&world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_coefficient_by_hand), cmocka_unit_test(it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one),
+        cmocka_unit_test(between_the_two_angles_it_depends_on_how_it_began), cmocka_unit_test(it_stops_as_the_dynamic_one_says),
+        cmocka_unit_test(a_bow_makes_a_tone), cmocka_unit_test(mixing_by_hand), cmocka_unit_test(a_world_mixes_by_its_rules),
+        cmocka_unit_test(who_knows_the_pair_need_not_mix), cmocka_unit_test(the_list_of_pairs_is_a_map),
+        cmocka_unit_test(shapes_refuse_bad_materials), cmocka_unit_test(a_hook_overrides_one_contact),
+        cmocka_unit_test(a_hook_sets_rolling_resistance),
+    };
+    return cmocka_run_group_tests_name("24 materials", tests, NULL, NULL);
+}
