@@ -67,9 +67,8 @@ static int jointOf(const wfShape *link, wfVec2 u)
 {
     wfVec2 e = sideOf(link);
     if (wfDot(link->normals[0], u) < 0) return -1;
-    if (wfDot(e, u) <= 0 && inFan(sideBefore(link), e, u)) return 0;
-    if (wfDot(e, u) >= 0 && inFan(e, sideAfter(link), u)) return 1;
-    return -1;
+    if (inFan(sideBefore(link), e, u)) return 0;
+    return inFan(e, sideAfter(link), u) ? 1 : -1;
 }
 
 /* least component of the other core's corners along the link's normal, from the link */

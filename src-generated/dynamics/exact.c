@@ -4,6 +4,15 @@
 #include "weft/exact.h"
 #include "dynamics/jointwork.h"
 
+/* <velocities and ways> */
+typedef struct Line { wfVec2 jA, jB; wfReal wA, wB; } Line;     /* eq:joints-rate */
+typedef struct Motion { wfVec2 v; wfReal w; } Motion;
+/* The turn of a body from here to the end of a substep. */
+typedef struct Way {
+    wfRot arm, mean;            /* turns an arm into r_* of eq:exact-arm; the mean */
+    wfReal lever;               /* of eq:exact-slide */
+    wfPlace end;
+} Way;
 /* <the matrix of all joints> */
 typedef struct Edge { int32_t to, block, next; } Edge;
 typedef struct Block { wfReal v[3][3]; } Block;     /* rows: the joint of higher number */
@@ -17,6 +26,18 @@ typedef struct Matrix {
     Block *value, *ratio;       /* [room] K of the pair; K_ip / K_pp of a pair done with */
     Block *own;                 /* [count] K of a joint, then its factors */
     wfReal (*pivot)[3], (*x)[3];    /* [count] */
+    Line (*line)[3];            /* [count] the rows that hold, as they are solved */
+    wfReal *inverse;            /* [bodies] 1/I as the matrix sees it; 1/(kg m^2) */
+    /* <what a way through a substep takes> */
+    Motion *free;               /* [bodies] velocities but for the joints' push */
+    Motion *left;               /* [bodies] velocities when we were last done with them */
+    Motion *next;               /* [bodies] what this round is about to add */
+    Way *way;                   /* [bodies] */
+    wfReal *bend;               /* [bodies] sum of r.lambda, kg m^2/s: eq:exact-inertia */
+    wfReal (*impulse)[3];       /* [count] lambda, N s: half of what the joint does */
+    wfReal (*before)[3];        /* [count] what was pushed since the last move, N s */
+    bool begun, moved, lost;    /* the step has begun; a half is owed; it was not solved */
+    bool rigid;                 /* the factors are of the lines with the true inertia */
 } Matrix;
 /* <find and add blocks> */
 static int32_t block_of(const Matrix *m, int32_t i, int32_t k)
@@ -95,40 +116,40 @@ static bool join_neighbours(Matrix *m, const wfJoint *joints, const wfBodyState 
     return true;
 }
 /* <fill the matrix> */
-/* What row r of joint i and row s of joint k have to do with each other. */
-static wfReal shared(const wfJointSet *set, const wfSolve *in, int32_t i, int32_t r,
-                     int32_t k, int32_t s)
+/* Adds to k what a body that joints i and k share has to do with their rows; of which end
+   of each joint it is: 0 or 1. */
+static void add_shared(const Matrix *m, const wfBodyState *state, int32_t body, int32_t i,
+                       int iEnd, int32_t k, int kEnd, Block *out)
 {
-    const wfJoint *one = &set->joints[i], *two = &set->joints[k];
-    const wfJointRow *u = &set->work[i].row[set->work[i].hold[r]];
-    const wfJointRow *v = &set->work[k].row[set->work[k].hold[s]];
-    wfReal sum = 0;
-    for (int side = 0; side < 4; side++) {                      /* eq:joints-matrix */
-        int32_t body = side & 1 ? one->b : one->a;
-        if (body != (side & 2 ? two->b : two->a)) continue;
-        const wfBodyState *b = &in->state[body];
-        wfVec2 ju = side & 1 ? u->jB : u->jA, jv = side & 2 ? v->jB : v->jA;
-        wfReal wu = side & 1 ? u->wB : u->wA, wv = side & 2 ? v->wB : v->wA;
-        sum += b->invMass * wfDot(ju, jv) + b->invInertia * wu * wv;
-    }
-    return sum;
+    wfReal mass = state[body].invMass, inertia = m->inverse[body];
+    for (int r = 0; r < 3; r++)
+        for (int s = 0; s < 3; s++) {
+            const Line *u = &m->line[i][r], *v = &m->line[k][s];
+            wfVec2 ju = iEnd ? u->jB : u->jA, jv = kEnd ? v->jB : v->jA;
+            wfReal wu = iEnd ? u->wB : u->wA, wv = kEnd ? v->wB : v->wA;
+            out->v[r][s] += mass * wfDot(ju, jv) + inertia * wu * wv;
+        }                                                       /* eq:joints-matrix */
 }
 /* <fill the matrix> */
+static void fill_block(const Matrix *m, const wfJointSet *set, const wfSolve *in,
+                       int32_t i, int32_t k, Block *out)
+{
+    const wfJoint *one = &set->joints[i], *two = &set->joints[k];
+    memset(out, 0, sizeof *out);
+    if (one->a == two->a) add_shared(m, in->state, one->a, i, 0, k, 0, out);
+    if (one->a == two->b) add_shared(m, in->state, one->a, i, 0, k, 1, out);
+    if (one->b == two->a) add_shared(m, in->state, one->b, i, 1, k, 0, out);
+    if (one->b == two->b) add_shared(m, in->state, one->b, i, 1, k, 1, out);
+}
+
 static void fill_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
     memset(m->value, 0, (size_t)m->blocks * sizeof *m->value);
     for (int32_t i = 0; i < m->count; i++) {
-        if (wfIsBroken(&set->joints[i])) continue;
-        int32_t rows = set->work[i].holds;
-        for (int32_t r = 0; r < rows; r++)
-            for (int32_t s = 0; s < rows; s++)
-                m->own[i].v[r][s] = shared(set, in, i, r, i, s);
+        fill_block(m, set, in, i, i, &m->own[i]);
         for (int32_t e = m->head[i]; e >= 0; e = m->edge[e].next) {
             int32_t k = m->edge[e].to;
-            if (k > i || wfIsBroken(&set->joints[k])) continue;
-            for (int32_t r = 0; r < rows; r++)
-                for (int32_t s = 0; s < set->work[k].holds; s++)
-                    m->value[m->edge[e].block].v[r][s] = shared(set, in, i, r, k, s);
+            if (k < i) fill_block(m, set, in, i, k, &m->value[m->edge[e].block]);
         }
     }
 }
@@ -154,13 +175,22 @@ static void eliminate_pair(Matrix *m, int32_t p, const Edge *to_i, const Edge *t
         }
 }
 /* <factor the matrix> */
-static void factor_matrix(Matrix *m, const wfJointSet *set)
+/* K of a row before anything was taken from it. */
+static wfReal own_size(const Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t i,
+                       int r)
+{
+    const Line *l = &m->line[i][r];
+    int32_t a = set->joints[i].a, b = set->joints[i].b;
+    return in->state[a].invMass * wfDot(l->jA, l->jA) + m->inverse[a] * l->wA * l->wA
+         + in->state[b].invMass * wfDot(l->jB, l->jB) + m->inverse[b] * l->wB * l->wB;
+}
+
+static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->count; n++) {
         int32_t p = m->order[n];
-        wfReal size[3] = { 0, 0, 0 };
-        for (int32_t r = 0; r < set->work[p].holds; r++)
-            size[r] = set->work[p].own[set->work[p].hold[r]];
+        wfReal size[3];
+        for (int r = 0; r < 3; r++) size[r] = own_size(m, set, in, p, r);
         const Block *own = &m->own[p];
         wfFactorBlock(m->own[p].v, size, m->pivot[p]);
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
@@ -210,56 +240,361 @@ static void solve_matrix(Matrix *m)
         }
     }
 }
-/* <solve all rows that hold> */
-static void right_side(Matrix *m, const wfJointSet *set, const wfSolve *in,
-                       wfReal dt, bool soft)
+/* <the way through a substep> */
+static wfReal sine_over(wfReal x)               /* sin x / x */
 {
-    memset(m->x, 0, (size_t)m->count * sizeof *m->x);
+    wfReal y = x * x;
+    if (y > WF_R(1.0) / 64) return wfRotation(x).s / x;
+    return 1 - y * (WF_R(1.0) / 6) * (1 - y * (WF_R(1.0) / 20) * (1 - y * (WF_R(1.0) / 42)));
+}
+
+static Way way_of(const wfPlace *from, const Motion *v, wfReal h)
+{
+    wfReal turn = h * v->w, s = sine_over(turn / 2);
+    wfRot half = wfTurnOn(from->q, turn / 2);
+    Way way = { .end = { .p = from->p, .d = wfAddScaled(from->d, h, v->v),
+                         .q = wfTurnOn(from->q, turn), .angle = from->angle + turn } };
+    way.mean = (wfRot){ (from->q.c + way.end.q.c) / 2, (from->q.s + way.end.q.s) / 2 };
+    way.arm = (wfRot){ s * half.c, s * half.s };                /* eq:exact-arm */
+    wfReal c = wfAbs(turn) < 3 ? half.c * way.mean.c + half.s * way.mean.s : 1;
+    way.lever = s / c;
+    return way;
+}
+/* <the way through a substep> */
+static wfJointSight see_along(const wfJoint *j, const wfPlace *a, const wfPlace *b,
+                              const Way *wa, const Way *wb)
+{
+    wfJointSight begin = wfSee(j, a, b), end = wfSee(j, &wa->end, &wb->end);
+    wfJointSight at = { .rA = wfRotate(wa->arm, j->localA),
+        .rB = wfRotate(wb->arm, j->localB), .d = wfLerp(begin.d, end.d, WF_R(0.5)),
+        .qA = wa->mean, .pA = wfLerp(begin.pA, end.pA, WF_R(0.5)),
+        .pB = wfLerp(begin.pB, end.pB, WF_R(0.5)), .bow = 1,
+        .turnA = (begin.turnA + end.turnA) / 2, .turnB = (begin.turnB + end.turnB) / 2 };
+    wfReal length = wfLength(at.d), both = wfLength(begin.d) + wfLength(end.d);
+    if (length > 0) at.bow = both / (2 * length);               /* eq:exact-rod */
+    at.lever = wfScale(wa->lever, at.d);                        /* eq:exact-slide */
+    return at;
+}
+/* <the way through a substep> */
+static Line line_of(const wfJointRow *r)
+{
+    return (Line){ r->jA, r->jB, r->wA, r->wB };
+}
+
+static void push_line(const Line *l, wfReal push, const wfJoint *j, const wfSolve *in,
+                      const wfReal *inverse, Motion *v)
+{
+    Motion *a = &v[j->a], *b = &v[j->b];                        /* eq:joints-force */
+    a->v = wfAddScaled(a->v, push * in->state[j->a].invMass, l->jA);
+    a->w += push * inverse[j->a] * l->wA;
+    b->v = wfAddScaled(b->v, push * in->state[j->b].invMass, l->jB);
+    b->w += push * inverse[j->b] * l->wB;
+}
+
+static wfReal rate_of(const Line *l, const wfJoint *j, const Motion *v)
+{
+    const Motion *a = &v[j->a], *b = &v[j->b];                  /* eq:joints-rate */
+    return wfDot(l->jA, a->v) + l->wA * a->w + wfDot(l->jB, b->v) + l->wB * b->w;
+}
+/* <Newton's method for all joints> */
+/* What a row's error is measured by: lengths in m for a row that pulls, else turns. */
+static wfReal row_size(const wfJoint *j, const wfPlace *a, const wfPlace *b, const Line *l)
+{
+    if (wfLengthSq(l->jA) + wfLengthSq(l->jB) > 0)
+        return wfLength(j->localA) + wfLength(j->localB) + wfDistance(a->p, b->p)
+             + wfLength(a->d) + wfLength(b->d);
+    return 2 + wfAbs(l->wA * j->turnA) + wfAbs(l->wB * j->turnB);
+}
+
+static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i)
+{
+    const wfJoint *j = &set->joints[i];
+    const wfJointWork *w = &set->work[i];
+    const wfPlace *a = &set->place[j->a], *b = &set->place[j->b];
+    const Way *wa = &m->way[j->a], *wb = &m->way[j->b];
+    wfJointRow along[WF_JOINT_ROWS], then[WF_JOINT_ROWS];
+    wfJointSight chord = see_along(j, a, b, wa, wb), end = wfSee(j, &wa->end, &wb->end);
+    wfReal worst = 0;
+    wfJointTable[j->kind].build(j, &chord, along);
+    wfJointTable[j->kind].build(j, &end, then);
+    for (int k = 0; k < w->holds; k++) {
+        Line *l = &m->line[i][k];
+        *l = line_of(&along[w->hold[k]]);
+        m->x[i][k] = then[w->hold[k]].error;
+        worst = wfMaxR(worst, wfAbs(m->x[i][k]) / row_size(j, a, b, l));
+    }
+    return worst;
+}
+/* <Newton's method for all joints> */
+/* The velocities of the free motion and the present push, in `next`; how the pull bends. */
+static void push_all(Matrix *m, const wfJointSet *set, const wfSolve *in)
+{
+    memcpy(m->next, m->free, (size_t)in->bodyCount * sizeof *m->next);
+    memset(m->bend, 0, (size_t)in->bodyCount * sizeof *m->bend);
     for (int32_t i = 0; i < m->count; i++) {
         const wfJoint *j = &set->joints[i];
-        const wfJointWork *w = &set->work[i];
-        wfJointRow then[WF_JOINT_ROWS];
-        if (wfIsBroken(j)) continue;
-        wfJointPair p = wfPairOf(set, in, j);
-        if (soft) wfLookAhead(j, dt, &p, then);
-        for (int32_t k = 0; k < w->holds; k++)                  /* eq:exact-system */
-            m->x[i][k] = soft ? -then[w->hold[k]].error / dt
-                              : -wfRateOf(&w->row[w->hold[k]], p.a, p.b);
+        wfVec2 fA = wfV2(0, 0), fB = fA;
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            const Line *l = &m->line[i][k];
+            push_line(l, m->impulse[i][k], j, in, set->inverse, m->next);
+            fA = wfAddScaled(fA, m->impulse[i][k], l->jA);
+            fB = wfAddScaled(fB, m->impulse[i][k], l->jB);
+        }
+        m->bend[j->a] += wfDot(wfRotate(m->way[j->a].arm, j->localA), fA);
+        m->bend[j->b] += wfDot(wfRotate(m->way[j->b].arm, j->localB), fB);
+    }
+}
+/* <Newton's method for all joints> */
+static void stiffen_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
+{
+    for (int32_t i = 0; i < in->bodyCount; i++) {               /* eq:exact-inertia */
+        wfReal more = 1 + h / 2 * m->bend[i] * set->inverse[i];
+        m->inverse[i] = set->inverse[i] / wfMaxR(more, WF_R(0.5));
+    }
+    fill_matrix(m, set, in);
+    factor_matrix(m, set, in);
+}
+
+/* eq:exact-step: from the gaps in x and the velocities in `next`, to new velocities. */
+static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
+{
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        wfBodyState *s = &in->state[b];
+        wfReal part = set->inverse[b] > 0 ? m->inverse[b] / set->inverse[b] : 0;
+        m->next[b].v = wfSub(m->next[b].v, s->v);
+        m->next[b].w = part * (m->next[b].w - s->w);
+    }
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++)
+            m->x[i][k] = -m->x[i][k] / h - rate_of(&m->line[i][k], &set->joints[i], m->next);
+    solve_matrix(m);
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->next);
+            m->impulse[i][k] += m->x[i][k];
+        }
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        in->state[b].v = wfAdd(in->state[b].v, m->next[b].v);
+        in->state[b].w += m->next[b].w;
+    }
+}
+/* <Newton's method for all joints> */
+static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
+{
+    wfReal worst = 0;
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        Motion now = { in->state[b].v, in->state[b].w };
+        m->way[b] = way_of(&set->place[b], &now, h);
+    }
+    for (int32_t i = 0; i < m->count; i++)
+        if (set->work[i].holds > 0) worst = wfMaxR(worst, look_along(m, set, i));
+    push_all(m, set, in);
+    return worst;
+}
+
+static void take_velocities(Matrix *m, const wfSolve *in)
+{
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        in->state[b].v = m->next[b].v, in->state[b].w = m->next[b].w;
+        m->left[b] = m->next[b];
+    }
+}
+/* <Newton's method for all joints> */
+static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
+{
+    wfReal before = 0, gap = look_at_all(m, set, in, h);
+    for (int round = 0; round < WF_EXACT_ROUNDS; round++) {
+        if (round > 0 && !(gap > WF_EXACT_ROUNDING)) break;
+        bool slow = round > 0 && (gap > before / 10 || gap > WF_R(1e-6));
+        if (round > 2 && gap > before / 2 && gap < 4 * WF_EXACT_ROUNDING) break;
+        if (set->changed || slow) stiffen_matrix(m, set, in, h);
+        set->changed = false;
+        newton_step(m, set, in, h);
+        before = gap;
+        gap = look_at_all(m, set, in, h);
+    }
+    take_velocities(m, in);
+    return gap;
+}
+/* <solve all rows that hold> */
+/* x: what takes the rates away; becomes what is to be pushed. eq:exact-given */
+static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bool moved)
+{
+    for (int k = 0; k < 3; k++) {
+        wfReal taken = -x[k], most = wfAbs(taken);
+        if (k >= w->holds) j->given[k] = 0;
+        else if (moved)
+            j->given[k] = wfClamp((taken + j->given[k]) / 2, -most, most);
+        if (!last) x[k] += j->given[k];
     }
 }
 /* <solve all rows that hold> */
+/* Takes off what is not tangent, of the velocities in `next`; pushes the states. */
+static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool last)
+{
+    memset(m->x, 0, (size_t)m->count * sizeof *m->x);
+    memcpy(m->inverse, set->inverse, (size_t)in->bodyCount * sizeof *m->inverse);
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
+            m->x[i][k] = -rate_of(&m->line[i][k], &set->joints[i], m->next);
+        }
+    fill_matrix(m, set, in);
+    factor_matrix(m, set, in);
+    solve_matrix(m);
+    for (int32_t i = 0; i < m->count; i++) {
+        give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved);
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->free);
+            m->before[i][k] += m->x[i][k];
+        }
+    }
+    set->changed = true;
+}
+/* <solve all rows that hold> */
+/* Half of the last push, along its chord; then what has come since we were here last:
+   all of it in `free`, what belongs to the time until now in `next`. */
+static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal share)
+{
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        const wfBodyState *s = &in->state[b];
+        wfVec2 dv = wfSub(s->v, m->left[b].v);
+        wfReal dw = s->w - m->left[b].w;
+        m->free[b] = (Motion){ s->v, s->w };
+        m->next[b] = (Motion){ wfAddScaled(m->left[b].v, share, dv),
+                               m->left[b].w + share * dw };
+    }
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->impulse[i][k];
+            push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
+            push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
+            m->before[i][k] = push;
+            if (m->lost) m->impulse[i][k] = 0;
+        }
+    m->lost = false;
+}
+
+static void note_impulses(const Matrix *m, wfJointSet *set, bool both)
+{
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            wfReal *sum = &set->joints[i].impulse[set->work[i].hold[k]];
+            *sum = m->before[i][k] + (both ? m->impulse[i][k] : 0);
+        }
+}
+/* <solve all rows that hold> */
+/* The impulses of a whole substep, from the last step. */
+static void begin_with_old(Matrix *m, const wfJointSet *set)
+{
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++)
+            m->impulse[i][k] = set->joints[i].impulse[set->work[i].hold[k]] / 2;
+}
+/* <solve all rows that hold> */
+static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
+                           wfReal dt, wfReal t)
+{
+    Matrix *m = set->matrix;
+    bool first = !m->begun, last = m->begun && t < dt;
+    (void)moved;
+    m->begun = true;
+    if (first) begin_with_old(m, set);
+    arrive(m, set, in, first ? 0 : last ? 1 : WF_R(0.5));
+    make_tangent(m, set, in, last);
+    memcpy(m->next, m->free, (size_t)in->bodyCount * sizeof *m->next);
+    for (int32_t i = 0; i < m->count && !last; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++)        /* the first guess */
+            push_line(&m->line[i][k], m->impulse[i][k], &set->joints[i], in, set->inverse,
+                      m->next);
+    take_velocities(m, in);
+    note_impulses(m, set, !last);
+    m->moved = false;
+}
+/* <solve all rows that hold> */
+/* Adds what others have done since; have they? */
+static bool take_in(Matrix *m, const wfSolve *in)
+{
+    bool some = false;
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        const wfBodyState *s = &in->state[b];
+        wfVec2 dv = wfSub(s->v, m->left[b].v);
+        wfReal dw = s->w - m->left[b].w;
+        some = some || wfLengthSq(dv) > 0 || dw > 0 || dw < 0;
+        m->free[b].v = wfAdd(m->free[b].v, dv), m->free[b].w += dw;
+        m->next[b] = m->left[b] = (Motion){ s->v, s->w };
+    }
+    return some;
+}
+
+static void answer(Matrix *m, wfJointSet *set, const wfSolve *in)
+{
+    if (!m->rigid) {
+        memcpy(m->inverse, set->inverse, (size_t)in->bodyCount * sizeof *m->inverse);
+        fill_matrix(m, set, in);
+        factor_matrix(m, set, in);
+        m->rigid = set->changed = true;
+    }
+    for (int32_t i = 0; i < m->count; i++)
+        for (int k = 0; k < 3; k++)
+            m->x[i][k] = -rate_of(&m->line[i][k], &set->joints[i], m->next);
+    solve_matrix(m);
+    for (int32_t i = 0; i < m->count; i++)
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->next);
+            if (m->moved) m->impulse[i][k] += m->x[i][k];
+            else m->before[i][k] += m->x[i][k];     /* the step is over */
+        }
+    take_velocities(m, in);
+}
+/* <solve all rows that hold> */
+static void give_up(Matrix *m, wfJointSet *set)
+{
+    set->unsolved++;
+    m->lost = true;
+    for (int32_t i = 0; i < m->count; i++)
+        for (int k = 0; k < 3; k++) set->joints[i].given[k] = 0;
+}
+
 static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
                            wfReal dt, bool soft)
 {
     Matrix *m = set->matrix;
+    bool some = take_in(m, in);
     (void)moved;
-    if (set->changed) {
-        memset(m->own, 0, (size_t)m->count * sizeof *m->own);
-        fill_matrix(m, set, in);
-        factor_matrix(m, set);
-        set->changed = false;
+    if (!soft && some) answer(m, set, in);
+    if (soft) m->rigid = false;
+    if (soft && (some || !m->moved)) {
+        m->moved = true;
+        m->lost = false;
+        if (!(newton(m, set, in, dt) < WF_EXACT_LOST)) give_up(m, set);
     }
-    right_side(m, set, in, dt, soft);
-    solve_matrix(m);
-    for (int32_t i = 0; i < m->count; i++) {
-        wfJoint *j = &set->joints[i];
-        const wfJointWork *w = &set->work[i];
-        for (int32_t k = 0; !wfIsBroken(j) && k < w->holds; k++) {
-            wfPushRow(&w->row[w->hold[k]], m->x[i][k], &in->state[j->a], &in->state[j->b]);
-            j->impulse[w->hold[k]] += m->x[i][k];
-        }
-    }
+    note_impulses(m, set, soft || m->moved);
 }
 /* <take room for the matrix> */
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 3 * sizeof(int32_t) + sizeof(Block) + 6 * sizeof(wfReal);
+    size_t each = 3 * sizeof(int32_t) + sizeof(Block) + 12 * sizeof(wfReal)
+                + 3 * sizeof(Line);
     size_t pairs = 2 * sizeof(Edge) + 2 * sizeof(Block);
-    return sizeof(Matrix) + n * each + room * pairs
-         + ((size_t)bodies + 2 * n) * sizeof(int32_t) + 12 * WF_POOL_ALIGN;
+    size_t body = 3 * sizeof(Motion) + sizeof(Way) + 2 * sizeof(wfReal) + sizeof(int32_t);
+    return sizeof(Matrix) + n * each + room * pairs + (size_t)bodies * body
+         + 2 * n * sizeof(int32_t) + 20 * WF_POOL_ALIGN;
 }
 
+static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
+{
+    m->free = wfPoolPushArray(pool, bodies, Motion);
+    m->left = wfPoolPushArray(pool, bodies, Motion);
+    m->next = wfPoolPushArray(pool, bodies, Motion);
+    m->way = wfPoolPushArray(pool, bodies, Way);
+    m->inverse = wfPoolPushArray(pool, bodies, wfReal);
+    m->bend = wfPoolPushArray(pool, bodies, wfReal);
+    return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
+        && m->inverse != NULL && m->bend != NULL;
+}
+/* <take room for the matrix> */
 static Matrix *take_matrix(int32_t count, wfPool *pool)
 {
     Matrix *m = wfPoolPushArray(pool, 1, Matrix);
@@ -272,12 +607,17 @@ static Matrix *take_matrix(int32_t count, wfPool *pool)
     m->value = wfPoolPushArray(pool, m->room, Block);
     m->ratio = wfPoolPushArray(pool, m->room, Block);
     m->own = wfPoolPushArray(pool, count, Block);
-    wfReal *numbers = wfPoolPushArray(pool, 6 * count, wfReal);
-    if (numbers == NULL || m->own == NULL || m->ratio == NULL) return NULL;
-    if (m->value == NULL) return NULL;
+    wfReal *numbers = wfPoolPushArray(pool, 12 * count, wfReal);
+    Line *lines = wfPoolPushArray(pool, 3 * count, Line);
+    if (numbers == NULL || m->own == NULL || m->ratio == NULL || lines == NULL) return NULL;
+    if (m->value == NULL || m->edge == NULL || m->order == NULL) return NULL;
+    memset(lines, 0, 3 * (size_t)count * sizeof *lines);
+    memset(numbers, 0, 12 * (size_t)count * sizeof *numbers);
+    m->line = (Line(*)[3])lines;
     m->pivot = (wfReal(*)[3])numbers;
-    m->x = m->pivot + count;
-    return m->edge != NULL && m->order != NULL && m->rank != NULL ? m : NULL;
+    m->x = m->pivot + count, m->impulse = m->x + count;
+    m->before = m->impulse + count;
+    return m->rank != NULL && m->head != NULL ? m : NULL;
 }
 /* <take room for the matrix> */
 wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
@@ -287,13 +627,16 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
     Matrix *m = take_matrix(set->count, scratch);
     int32_t *first = wfPoolPushArray(scratch, in->bodyCount, int32_t);
     int32_t *next = wfPoolPushArray(scratch, 2 * set->count, int32_t);
-    if (m == NULL || first == NULL || next == NULL) return WF_ERROR_MEMORY;
+    bool room = m != NULL && take_bodies(m, in->bodyCount, scratch);
+    if (!room || first == NULL || next == NULL) return WF_ERROR_MEMORY;
     for (int32_t i = 0; i < m->count; i++) m->head[i] = m->rank[i] = -1;
     if (!join_neighbours(m, set->joints, in->state, in->bodyCount, first, next)
         || !put_in_order(m)) return WF_ERROR_FULL;
+    for (int32_t b = 0; b < in->bodyCount; b++)
+        m->left[b] = (Motion){ in->state[b].v, in->state[b].w };
     set->matrix = m;
+    set->start = start_together;
     set->together = solve_together;
-    set->period = 0;
     return WF_OK;
 }
 /* <count what a factorisation takes> */

@@ -3,32 +3,6 @@
 #include <string.h>
 #include "dynamics/jointwork.h"
 
-/* <follow an angle without jumps> */
-static wfReal follow(wfReal turn, wfReal angle)
-{
-    return turn + wfWrapAngle(angle - turn);                        /* eq:joints-follow */
-}
-/* <look at the bodies> */
-static inline wfJointSight see(const wfJoint *j, const wfPlace *a, const wfPlace *b)
-{
-    wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
-        .bow = 1, .qA = a->q, .pA = wfAdd(a->p, a->d), .pB = wfAdd(b->p, b->d),
-        .turnA = follow(j->turnA, a->angle), .turnB = follow(j->turnB, b->angle) };
-    wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));
-    at.d = wfAdd(apart, wfSub(at.rB, at.rA));               /* eq:joints-constraint */
-    at.lever = at.d;
-    return at;
-}
-
-int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
-                     wfJointRow *rows)
-{
-    wfPlace a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
-    wfPlace b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
-    wfJointSight at = see(j, &a, &b);
-    memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
-    return wfJointTable[j->kind].build(j, &at, rows);
-}
 /* <build rows> */
 static wfJointRow along(wfVec2 u, const wfJointSight *at)
 {
@@ -305,11 +279,21 @@ int wfFindJoint(const char *name)
         if (strcmp(wfJointTable[i].name, name) == 0) return i;
     return -1;
 }
+/* <build all rows of a joint> */
+int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
+                     wfJointRow *rows)
+{
+    wfPlace a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
+    wfPlace b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
+    wfJointSight at = wfSee(j, &a, &b);
+    memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
+    return wfJointTable[j->kind].build(j, &at, rows);
+}
 /* <count the turns> */
 static void track(wfJoint *j, wfReal angleA, wfReal angleB)
 {
-    j->turnA = follow(j->turnA, angleA);
-    j->turnB = follow(j->turnB, angleB);
+    j->turnA = wfFollow(j->turnA, angleA);
+    j->turnB = wfFollow(j->turnB, angleB);
     if (wfJointTable[j->kind].track != NULL) wfJointTable[j->kind].track(j);
 }
 
@@ -397,7 +381,7 @@ static void weigh(wfJointWork *w, const wfJointPair *p)
 static void build(wfJoint *j, const wfJointPair *p, wfJointWork *w)
 {
     track(j, p->hereA->angle, p->hereB->angle);
-    wfJointSight at = see(j, p->hereA, p->hereB);
+    wfJointSight at = wfSee(j, p->hereA, p->hereB);
     w->rows = wfJointTable[j->kind].build(j, &at, w->row);
     w->holds = 0;
     w->arm = at.rB;
@@ -481,28 +465,17 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
             push_by(j, w, k, sum[k - i] - j->impulse[k], p);
 }
 /* <look where the bodies will be> */
-static inline wfRot turn_on(wfRot q, wfReal turn)
-{
-    wfReal x = turn * turn;
-    if (x > WF_R(1.0) / 64) return wfRotMul(wfRotation(turn), q);
-    wfReal c = 1 - x / 2 * (1 - x * (WF_R(1.0) / 12) * (1 - x * (WF_R(1.0) / 30)
-                 * (1 - x * (WF_R(1.0) / 56))));
-    wfReal s = turn * (1 - x * (WF_R(1.0) / 6) * (1 - x * (WF_R(1.0) / 20)
-                 * (1 - x * (WF_R(1.0) / 42))));
-    return wfRotMul((wfRot){ c, s }, q);
-}
-
 static inline wfPlace will_be(const wfPlace *at, const wfBodyState *s, wfReal h)
 {
     wfReal turn = h * s->w;
     return (wfPlace){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
-                      .q = turn_on(at->q, turn), .angle = at->angle + turn };
+                      .q = wfTurnOn(at->q, turn), .angle = at->angle + turn };
 }
 
 void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *rows)
 {
     wfPlace qa = will_be(p->hereA, p->a, h), qb = will_be(p->hereB, p->b, h);
-    wfJointSight at = see(j, &qa, &qb);                             /* eq:joints-aim */
+    wfJointSight at = wfSee(j, &qa, &qb);                             /* eq:joints-aim */
     wfJointTable[j->kind].build(j, &at, rows);
 }
 /* <aim a joint at the end of the substep> */

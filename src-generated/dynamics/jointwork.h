@@ -27,6 +27,34 @@ typedef struct wfJointPair {
 } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
+/* <follow an angle without jumps> */
+static inline wfReal wfFollow(wfReal turn, wfReal angle)
+{
+    return turn + wfWrapAngle(angle - turn);                        /* eq:joints-follow */
+}
+/* <look at the bodies> */
+static inline wfJointSight wfSee(const wfJoint *j, const wfPlace *a, const wfPlace *b)
+{
+    wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
+        .bow = 1, .qA = a->q, .pA = wfAdd(a->p, a->d), .pB = wfAdd(b->p, b->d),
+        .turnA = wfFollow(j->turnA, a->angle), .turnB = wfFollow(j->turnB, b->angle) };
+    wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));
+    at.d = wfAdd(apart, wfSub(at.rB, at.rA));               /* eq:joints-constraint */
+    at.lever = at.d;
+    return at;
+}
+/* <turn on by a small angle> */
+static inline wfRot wfTurnOn(wfRot q, wfReal turn)
+{
+    wfReal x = turn * turn;
+    if (x > WF_R(1.0) / 64) return wfRotMul(wfRotation(turn), q);
+    wfReal c = 1 - x / 2 * (1 - x * (WF_R(1.0) / 12) * (1 - x * (WF_R(1.0) / 30)
+                 * (1 - x * (WF_R(1.0) / 56))));
+    wfReal s = turn * (1 - x * (WF_R(1.0) / 6) * (1 - x * (WF_R(1.0) / 20)
+                 * (1 - x * (WF_R(1.0) / 42))));
+    return wfRotMul((wfRot){ c, s }, q);
+}
+
 bool wfIsBroken(const wfJoint *j);
 /* Of K (its lower half in l, 0 where there is no row) makes L; size: what pivots are
  * compared with. Then x becomes K^-1 x. eq:joints-block */

@@ -6,6 +6,9 @@
 #include "weft/joint.h"
 
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
+#define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
+#define WF_EXACT_ROUNDING (2 * WF_EPSILON)  /* gaps that are done, as a share of arms */
+#define WF_EXACT_LOST WF_R(1e-3)    /* gaps beyond it: the substep was not solved */
 /* Bytes of scratch that wfExactJoints takes. */
 size_t wfExactScratch(int32_t bodies, int32_t joints);
 /* After wfBeginJoints, before the solver's step: the rows that hold are solved together.

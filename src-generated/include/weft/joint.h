@@ -108,6 +108,7 @@ typedef struct wfJointSet {
                      const struct wfMoved *moved, wfReal dt, bool soft);
     void *matrix;               /* what `together` works with */
     bool changed;               /* the rows are new: set here, cleared there */
+    int32_t unsolved;           /* substeps that chapter 19 could not solve */
 } wfJointSet;
 /* <what a step of joints is given> */
 /* Bodies that are joined and touch nothing. The step changes state and joints. */
