@@ -33,17 +33,21 @@ end
 
 function Book.read(stream)
   local self = setmetatable({ chapters = {}, chunks = {}, names = {}, errors = {} }, Book)
-  local chapter, chunk, line, kind
+  local chapter, chunk, line, kind, open
   for l in stream:lines() do
     local key, rest = l:match("^@(%S+) ?(.*)$")
     if key == "file" then
       local base = rest:match("([^/]+)%.nw$") or rest
       chapter = { file = rest, base = base, label = Book.label_of(base, "X" .. #self.chapters + 1), index = #self.chapters + 1 }
       self.chapters[chapter.index] = chapter
-      line = 1
+      line, open = 1, nil
     elseif key == "begin" then
       kind = rest:match("^%a+")
       if kind == "code" then
+        if open then                        -- code follows code with no word of documentation: the @ between them is missing
+          self:complain(chapter.file, line, "a chunk begins here, but <<" .. open .. ">> was not ended",
+            "write a line with @ alone where its code ends; what stands below it is taken for code until then")
+        end
         chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1 }
         self.chunks[chunk.index] = chunk
       end
@@ -69,6 +73,7 @@ function Book.read(stream)
       self:complain(chapter and chapter.file or "?", line or 1, "noweb cannot read this line: " .. rest,
         "in prose write [[code]] around double angle brackets, or put an @ before them")
     elseif key == "end" then
+      open = kind == "code" and chunk.name or nil
       kind = nil
     end
   end

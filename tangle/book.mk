@@ -5,14 +5,14 @@ W        := $(BUILD)/weave
 HTML     := $(BUILD)/book/html
 TEXDIR   := $(BUILD)/tex
 BASES    := $(basename $(notdir $(NW)))
-LOOM     := $(wildcard tangle/*.lua) tangle/weave tangle/page
+LOOM     := $(wildcard tangle/*.lua) tangle/weave tangle/markup tangle/page
 PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true)
 
 .PHONY: book html pdf figures
 book: html pdf
 
 # -- the material: one pass over all chapters; the files in $(W) are written only when they change
-$(W)/.stamp: $(NW) $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv)
+$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv)
 	@mkdir -p $(W) $(HTML)/data
 	@tangle/bib $(W)
 	@tangle/weave $(if $(TOLERANT),--tolerant) $(if $(STRICT),--strict) --html $(HTML) $(W) $(NW)

@@ -6,9 +6,13 @@ LINES := $(BUILD)/lines
 SUBMAKE = $(MAKE) --no-print-directory CC="$(CC)" CFLAGS="$(CFLAGS)" STD="$(STD)" WARN="$(WARN)" PREFIX="$(PREFIX)"
 PREFIX ?= /usr/local
 
-.PHONY: tangle engine programs test upto upto-all install uninstall
+.PHONY: FORCE tangle engine programs test upto upto-all install uninstall
 tangle: $(BUILD)/tangle.stamp
-$(BUILD)/tangle.stamp: $(NW) $(wildcard tangle/*.lua) tangle/tangle
+# Which chapters there are is a source too: it changes when EXTRA does, or when a chapter goes.
+$(BUILD)/chapters.list: FORCE
+	@mkdir -p $(BUILD); echo '$(NW)' | cmp -s - $@ || echo '$(NW)' > $@
+FORCE: ;
+$(BUILD)/tangle.stamp: $(NW) $(BUILD)/chapters.list $(wildcard tangle/*.lua) tangle/tangle tangle/markup
 	@mkdir -p $(BUILD)
 	@tangle/tangle --lines $(LINES) $(NW)
 	@$(if $(EXTRA)$(filter-out build,$(BUILD)),,tangle/tangle src-generated $(CHAPTERS))

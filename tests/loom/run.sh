@@ -72,6 +72,33 @@ X
 refuse "a shift read as a chunk" 01-one.nw 4 'shares its line|nowhere defined' '@<<'
 refuse_tangle "a shift read as a chunk" 01-one.nw 4 'shares its line|nowhere defined' '@<<'
 
+book prose; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+In C, 1 << 4 is sixteen.
+
+<<core/a.c>>=
+int a;
+@
+X
+refuse "a shift in prose" 01-one.nw 3 '<< in prose' 'write @<<'
+refuse_tangle "a shift in prose" 01-one.nw 3 '<< in prose' 'write @<<'
+
+book open; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+<<core/a.c>>=
+int a;
+
+Here the at sign was forgotten.
+
+<<core/b.c>>=
+int b;
+@
+X
+refuse "a chunk that is not ended" 01-one.nw 8 'core/a.c>> was not ended' '@ alone'
+refuse_tangle "a chunk that is not ended" 01-one.nw 8 'core/a.c>> was not ended' '@ alone'
+
 book later; chapter 01-one.nw <<'X'
 # One {#sec:one}
 
