@@ -1053,6 +1053,88 @@ static void test_tree_counts(void **state)
     assert_int_equal(pairs, 1);
 }
 
+/* The near pairs are those of all leaves whose fat boxes overlap, by brute force, and in order. */
+static void assert_near_pairs(const wfTree *tree)
+{
+    int n = 0;
+    for (int32_t i = 0; i < world.in.count; i++)
+        for (int32_t k = i + 1; k < world.in.count; k++) {
+            if (!wfTreeHolds(tree, i) || !wfTreeHolds(tree, k)) continue;
+            if (tree->nodes[i].movers + tree->nodes[k].movers == 0) continue;
+            if (oracle_apart(tree->nodes[i].box, tree->nodes[k].box)) continue;
+            assert_in_range(n, 0, tree->head->nearCount - 1);
+            assert_true(tree->near[n].a == i && tree->near[n].b == k);
+            n++;
+        }
+    assert_int_equal(n, tree->head->nearCount);
+}
+
+/* Three hundred boxes, of which some share moves far, comes, goes, or changes its kind in each step: the list is begun,
+   mended and dropped, and the pairs are right all the time. */
+static void test_near_pairs(void **state)
+{
+    (void)state;
+    int row = wfFindBroadPhase("dynamic-tree"), had = 0, mended = 0, lacked = 0;
+    wfRandom r = random_stream(77);
+    start_world();
+    for (int i = 0; i < 300; i++) {
+        wfVec2 at = random_v2(&r, 0, 30);
+        put((wfRect){ at, wfAdd(at, random_v2(&r, WF_R(0.5), 2)) }, i % 5 ? MOVING : STILL);
+    }
+    size_t bytes = wfIndexSize(row, 300);
+    memset(index_a, 0, bytes);
+    bool before = false;
+    for (int step = 0; step < 300; step++) {
+        uint32_t share = step % 60 < 20 ? 2 : step % 60 < 40 ? 0 : 40;      /* of 100 */
+        for (int i = 0; i < 300; i++) {
+            if (wfRandomBelow(&r, 100) >= share) continue;
+            wfVec2 by = random_v2(&r, -3, 3);
+            world.bounds[i] = (wfRect){ wfAdd(world.bounds[i].min, by), wfAdd(world.bounds[i].max, by) };
+            if (wfRandomBelow(&r, 4) == 0) world.flags[i] = (uint8_t)(wfRandomBelow(&r, 3) ? MOVING : wfRandomBelow(&r, 2) ? STILL : 0);
+        }
+        wfPool pool = pool_of(1 << 20);
+        int64_t changes = step > 0 ? wfTreeOpen(index_a + 16).head->changes : 0;
+        assert_ok(wfUpdateIndex(row, &world.in, index_a, bytes, &pool));
+        wfTree tree = wfTreeOpen(index_a + 16);
+        bool has = wfTreeHasNear(&tree);
+        had += has, lacked += !has, mended += has && before && tree.head->changes > changes;
+        if (has) assert_near_pairs(&tree);
+        wfPairList list = list_of(MAX_PAIRS);
+        assert_ok(wfIndexPairs(row, &world.in, index_a, &pool, &list));
+        assert_same_pairs(&list, wanted, oracle(wanted));
+        before = has;
+    }
+    assert_true(had > 100 && lacked > 80 && mended > 50);
+    wfTree tree = wfTreeOpen(index_a + 16);             /* a box that was moved by hand: the list is of no use */
+    world.flags[7] = MOVING;
+    assert_true(update_changes(bytes) >= 0);
+    assert_ok(wfTreeMove(&tree, 7, rect(0, 0, 30, 30)));
+    assert_false(wfTreeHasNear(&tree));
+}
+
+/* More near pairs than there is room for, or no scratch: no list, the same pairs. */
+static void test_near_pairs_without_room(void **state)
+{
+    (void)state;
+    int row = wfFindBroadPhase("dynamic-tree");
+    for (int crowd = 0; crowd < 2; crowd++) {
+        start_world();
+        for (int i = 0; i < 60; i++) put(rect(crowd ? 0 : i, 0, (crowd ? 0 : i) + 1.5, 1), MOVING);
+        size_t bytes = wfIndexSize(row, 60);
+        memset(index_a, 0, bytes);
+        for (int step = 0; step < 3; step++) {
+            wfPool pool = pool_of(crowd ? 1 << 20 : 64);
+            assert_ok(wfUpdateIndex(row, &world.in, index_a, bytes, &pool));
+            wfTree tree = wfTreeOpen(index_a + 16);
+            assert_false(wfTreeHasNear(&tree));
+            pool = pool_of(1 << 20);
+            wfPairList list = list_of(MAX_PAIRS);
+            assert_ok(wfIndexPairs(row, &world.in, index_a, &pool, &list));
+            assert_same_pairs(&list, wanted, oracle(wanted));
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1062,6 +1144,7 @@ int main(void)
         cmocka_unit_test(test_update_errors), cmocka_unit_test(test_question_errors), cmocka_unit_test(test_strange_indices),
         cmocka_unit_test(test_tree_changes), cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_tree_stays_low),
         cmocka_unit_test(test_tree_by_hand), cmocka_unit_test(test_fat_boxes), cmocka_unit_test(test_tree_is_left_alone),
+        cmocka_unit_test(test_near_pairs), cmocka_unit_test(test_near_pairs_without_room),
         cmocka_unit_test(test_the_past_is_not_seen), cmocka_unit_test(test_tree_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
