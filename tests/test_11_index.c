@@ -482,6 +482,7 @@ static void test_near_before_far(void **state)
         wfVec2 half = wfV2((wfReal)unit / 2, (wfReal)unit / 2), a = wfAdd(world.bounds[0].min, half), b = wfAdd(world.bounds[199].min, half);
         for (int row = 1; row < wfBroadPhaseCount; row++) {
             wfPool pool = pool_of(1 << 21);
+            if (index_bytes(row) == 0) continue;                    /* a row without an index shows all boxes as they come */
             memset(index_a, 0, sizeof index_a);
             assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
             for (int back = 0; back < 2; back++) {

@@ -1,21 +1,24 @@
 #!/usr/bin/env bash
-# A student's chapter needs no edit elsewhere. The same file is tried in both ways: named with EXTRA=, and dropped into
-# chapters/ of a copy. Its integrator must be in the program, measured by the test that runs over all rows; its scene in
-# the testbed, run by the test of the scenes; and both in the book.
+# A student's chapter needs no edit elsewhere. The same files are tried in both ways: named with EXTRA=, and dropped into
+# chapters/ of a copy. One has an integrator and a scene, the other a broad phase. Each must be in the program, held to its
+# promises by the tests that run over all rows, and in the book.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 chapter=tests/student/60-leapfrog.nw
+both="$chapter tests/student/61-median.nw"
+tests="test_10_integration test_30_scenes test_11_broad test_11_index test_23_sets"
 check() {      # the directory of the build, the arguments for make
   local out=$1; shift
   make --no-print-directory BUILD="$out" "$@" programs >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   "$out/bin/weft-headless" --list | grep -q "leapfrog fountain" || { echo "the scene is not in the testbed's list"; return 1; }
   "$out/bin/weft-headless" --scene "leapfrog fountain" --steps 120 --hash >"$out.log" || { cat "$out.log"; return 1; }
-  for t in test_10_integration test_30_scenes; do
+  for t in $tests; do
     make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   done
   make --no-print-directory BUILD="$out" "$@" html >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   [ -f "$out/book/html/60-leapfrog.html" ] && grep -q 'Leapfrog, by a student' "$out/book/html/index.html" || { echo "the chapter is not in the book"; return 1; }
   grep -q '60-leapfrog.html' "$out/book/html/10-integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
+  grep -q '61-median.html' "$out/book/html/11-broad-phase.html" || { echo "the broad phases' chapter does not link to the student's row"; return 1; }
 }
 # The test of the integrators must measure the student's row, not only list it: a row that claims too high an order fails.
 boasting() {
@@ -29,13 +32,13 @@ boasting() {
 }
 before=$(git status --porcelain -- chapters src-generated 2>/dev/null || true)
 rm -rf build/student; mkdir -p build/student
-check build/student EXTRA=$chapter
+check build/student EXTRA="$both"
 boasting
-echo "EXTRA=$chapter: in the program, the tests and the book"
+echo "EXTRA=\"$both\": in the program, the tests and the book"
 [ "$before" = "$(git status --porcelain -- chapters src-generated 2>/dev/null || true)" ] || { echo "a tracked file was changed:"; git status --short -- chapters src-generated; exit 1; }
 
 copy=$(mktemp -d); trap 'rm -rf "$copy"' EXIT
 git ls-files -z | xargs -0 cp --parents -t "$copy"
-cp $chapter "$copy/chapters/"
+cp $both "$copy/chapters/"
 (cd "$copy" && mkdir -p build && check build)
 echo "dropped into chapters/: in the program, the tests and the book"
