@@ -23,9 +23,9 @@ static void every_scene_keeps_its_promises(void **state)
         if (r.steps != STEPS) fail_msg("%s stopped after %d steps", s->name, (int)r.steps);
         if (!r.finite) fail_msg("%s: a number is not finite", s->name);
         if (s->energyBound >= 0 && !(r.gain <= (double)s->energyBound))
-            fail_msg("%s gained %g J, promised %g", s->name, r.gain, (double)s->energyBound);
+            fail_msg("%s gained %g J, promised %g (its row's energyBound; below 0: no promise)", s->name, r.gain, (double)s->energyBound);
         if (s->depthBound >= 0 && !(r.deepest <= (double)s->depthBound))
-            fail_msg("%s sank %g m, promised %g", s->name, r.deepest, (double)s->depthBound);
+            fail_msg("%s sank %g m, promised %g (its row's depthBound; below 0: no promise)", s->name, r.deepest, (double)s->depthBound);
     }
 }
 
@@ -34,9 +34,12 @@ static void every_scene_is_well_described(void **state)
     (void)state;
     for (int i = 0; i < wfSceneCount; i++) {
         const wfScene *s = &wfSceneTable[i];
-        assert_true(s->category && s->category[0] && s->name && s->name[0] && s->text && s->text[0] && s->build);
+        if (!s->name || !s->name[0]) fail_msg("row %d of the scene table has no .name", i);
+        if (!s->category || !s->category[0] || !s->text || !s->text[0] || !s->build)
+            fail_msg("%s: its row needs .category, .text and .build", s->name);
         if (strlen(s->name) >= GAME_NAME_SIZE) fail_msg("%s: the name is too long", s->name);
-        assert_true(s->chapter > 0 && s->viewHeight > 0 && wfIsFinite(s->viewX) && wfIsFinite(s->viewY));
+        if (s->chapter <= 0 || !(s->viewHeight > 0) || !wfIsFinite(s->viewX) || !wfIsFinite(s->viewY))
+            fail_msg("%s: its row needs .chapter, and what is seen at first: .viewX, .viewY (the middle, m) and .viewHeight (m)", s->name);
         char hyphens[64];
         snprintf(hyphens, sizeof hyphens, "%s", s->name);
         for (char *c = hyphens; *c; c++) if (*c == ' ') *c = '-';
@@ -136,7 +139,8 @@ static void the_wandering_hand_stays_in_view(void **state)
             assert_true(in.turn >= -WF_PI && in.turn <= WF_PI && in.choice >= 0);
         }
         assert_true(high.y <= s->viewY + s->viewHeight / 2 && low.y >= s->viewY - s->viewHeight / 2);
-        assert_true(high.y - low.y > s->viewHeight / 2 && high.x - low.x > s->viewHeight / 2);
+        if (!(high.y - low.y > s->viewHeight / 2 && high.x - low.x > s->viewHeight / 2))
+            fail_msg("%s: the hand does not get about in a view that is %g m high", s->name, (double)s->viewHeight);
     }
 }
 
