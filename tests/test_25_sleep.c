@@ -1,0 +1,1003 @@
+/* Chapter 25: sleep in a world. */
+#include "testing.h"
+#include "world.h"
+#include "weft/world.h"
+
+static wfWorld open_world(int32_t sleep)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    def.sleep = sleep;
+    assert_ok(wfCreateWorld(&def, &w));
+    return w;
+}
+
+static wfBodyDef box_def(double x, double y, double wide, double high)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    def.position = wfV2((wfReal)x, (wfReal)y);
+    assert_ok(wfMakeBox((wfReal)wide, (wfReal)high, &def.shape));
+    return def;
+}
+
+static void run(wfWorld *w, int steps)
+{
+    for (int i = 0; i < steps; i++) assert_ok(wfStepWorld(w));
+}
+
+/* Steps until nobody who may sleep is awake; fails after a while. Returns how many steps it took. */
+static int settle(wfWorld *w, int32_t sleepers)
+{
+    for (int i = 0; i < 1200; i++) {
+        if (wfWorldRest(w).asleep == sleepers) return i;
+        assert_ok(wfStepWorld(w));
+    }
+    fail_msg("only %d of %d sleep after 20 s", wfWorldRest(w).asleep, sleepers);
+    return 0;
+}
+
+/* A floor, and on it a crate: the simplest sleeper. */
+typedef struct Scene { wfWorld w; wfBodyId floor, crate; } Scene;
+
+static Scene crate_on_floor(void)
+{
+    Scene s = { .w = open_world(1) };
+    s.floor = add(&s.w, floor_def());
+    s.crate = add(&s.w, box_def(0, 0.5, 0.5, 0.5));
+    settle(&s.w, 1);
+    assert_false(wfIsAwake(&s.w, s.crate));
+    return s;
+}
+
+static wfShapeId only_shape(const wfWorld *w, wfBodyId id) { return wfFirstShape(w, id); }
+
+static int32_t events(const wfWorld *w, int kind)
+{
+    int32_t count;
+    wfWorldEvents(w, kind, &count);
+    return count;
+}
+
+/* --- falling asleep --- */
+
+static void test_off_by_default(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(wfDefaultWorldDef().sleep);
+    assert_int_equal(wfDefaultWorldDef().sleep, 0);
+    add(&w, floor_def());
+    wfBodyId crate = add(&w, box_def(0, 0.5, 0.5, 0.5));
+    run(&w, 300);
+    assert_true(wfIsAwake(&w, crate));
+    assert_int_equal(wfWorldRest(&w).asleep, 0);
+    wfDestroyWorld(&w);
+}
+
+static void test_a_crate_falls_asleep_after_the_time(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    wfBodyId crate = add(&w, box_def(0, 0.5, 0.5, 0.5));
+    int steps = settle(&w, 1);
+    assert_true(steps >= 30 && steps <= 60);              /* half a second at rest, and what it takes to settle */
+    wfBodyInfo i = info(&w, crate);
+    assert_true(i.velocity.x == 0 && i.velocity.y == 0 && i.angularVelocity == 0);
+    assert_near(i.position.y, 0.5, 0.01);
+    run(&w, 100);
+    wfBodyInfo later = info(&w, crate);
+    assert_memory_equal(&i.position, &later.position, sizeof i.position);
+    assert_false(wfIsAwake(&w, crate));
+    assert_int_equal(wfWorldRest(&w).awake, 0);
+    wfDestroyWorld(&w);
+}
+
+static void test_stacks_sleep_as_islands(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    wfBodyId id[3][5];
+    for (int s = 0; s < 3; s++)
+        for (int i = 0; i < 5; i++) id[s][i] = add(&w, box_def(-5 + 5 * s, 0.5 + i, 0.5, 0.5));
+    run(&w, 10);
+    assert_int_equal(wfWorldRest(&w).islands, 3);
+    for (int s = 0; s < 3; s++)
+        for (int i = 1; i < 5; i++) assert_int_equal(wfBodyIsland(&w, id[s][0]), wfBodyIsland(&w, id[s][i]));
+    assert_true(wfBodyIsland(&w, id[0][0]) != wfBodyIsland(&w, id[1][0]));
+    settle(&w, 15);
+    assert_int_equal(wfBodyIsland(&w, id[1][4]), wfBodyIndex(&w, id[1][0]));
+    assert_ok(wfWakeBody(&w, id[1][2]));                  /* one wakes: its island, and no other */
+    for (int s = 0; s < 3; s++)
+        for (int i = 0; i < 5; i++) assert_int_equal(wfIsAwake(&w, id[s][i]), s == 1);
+    wfDestroyWorld(&w);
+}
+
+static void test_never_sleeps(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    wfBodyDef top = box_def(0, 1.5, 0.5, 0.5);
+    top.neverSleeps = 1;
+    wfBodyId below = add(&w, box_def(0, 0.5, 0.5, 0.5)), above = add(&w, top), alone = add(&w, box_def(5, 0.5, 0.5, 0.5));
+    run(&w, 300);
+    assert_true(wfIsAwake(&w, below) && wfIsAwake(&w, above));
+    assert_false(wfIsAwake(&w, alone));
+    assert_result(WF_ERROR_RANGE, wfPutToSleep(&w, above));
+    assert_ok(wfSetNeverSleeps(&w, above, 0));
+    settle(&w, 3);
+    assert_ok(wfSetNeverSleeps(&w, below, 1));
+    assert_true(wfIsAwake(&w, below) && wfIsAwake(&w, above));
+    run(&w, 300);
+    assert_true(wfIsAwake(&w, above));
+    assert_result(WF_ERROR_RANGE, wfSetNeverSleeps(&w, above, 2));
+    wfDestroyWorld(&w);
+}
+
+static void test_put_to_sleep_in_the_air(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    wfBodyId b = add(&w, box_def(0, 10, 0.5, 0.5));
+    run(&w, 5);
+    assert_ok(wfPutToSleep(&w, b));
+    run(&w, 1);
+    assert_false(wfIsAwake(&w, b));
+    wfReal y = info(&w, b).position.y;
+    run(&w, 60);
+    assert_true(info(&w, b).position.y == y);             /* that is what was asked for */
+    assert_ok(wfWakeBody(&w, b));
+    run(&w, 10);
+    assert_true(info(&w, b).position.y < y);
+    wfDestroyWorld(&w);
+}
+
+static void test_nobody_sleeps_in_flight(void **state)
+{
+    (void)state;
+    const double gravity[4] = { 9.81, 0.1, 0.01, 0.001 };
+    for (int g = 0; g < 4; g++) {
+        wfWorld w = open_world(1);
+        assert_ok(wfSetGravity(&w, wfV2(0, (wfReal)-gravity[g])));
+        wfBodyDef ball = ball_def(0, 10, 0.5);
+        ball.velocity.y = (wfReal)sqrt(gravity[g]);                /* its top after 1 / sqrt(g) s */
+        wfBodyId id = add(&w, ball);
+        for (int i = 0; i < (int)(120 / sqrt(gravity[g])); i++) {
+            run(&w, 1);
+            assert_true(wfIsAwake(&w, id));
+        }
+        wfDestroyWorld(&w);
+    }
+}
+
+static void test_weightless_bodies_drift_on(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    assert_ok(wfSetGravity(&w, wfV2(0, 0)));
+    wfBodyDef slow = ball_def(0, 0, 0.5);
+    slow.velocity.x = WF_R(0.001);
+    wfBodyId drifts = add(&w, slow), rests = add(&w, ball_def(5, 5, 0.5));
+    run(&w, 600);
+    assert_true(wfIsAwake(&w, drifts));
+    assert_near(info(&w, drifts).position.x, 0.01, 1e-4);
+    assert_false(wfIsAwake(&w, rests));                   /* its velocity is zero: nothing is lost */
+    wfDestroyWorld(&w);
+}
+
+/* --- what wakes --- */
+
+#define WAKES(scene, call) do { assert_ok(call); run(&(scene).w, 1); assert_true(wfIsAwake(&(scene).w, (scene).crate)); } while (0)
+#define FALLS(scene) do { run(&(scene).w, 30); assert_true(info(&(scene).w, (scene).crate).position.y < WF_R(0.3)); } while (0)
+#define END(scene) wfDestroyWorld(&(scene).w)
+
+static void test_support_is_removed(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    WAKES(s, wfRemoveBodyFromWorld(&s.w, s.floor));
+    FALLS(s); END(s);
+    s = crate_on_floor();
+    WAKES(s, wfRemoveShapeFromWorld(&s.w, only_shape(&s.w, s.floor)));
+    FALLS(s); END(s);
+}
+
+static void test_support_is_moved(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    WAKES(s, wfSetBodyTransform(&s.w, s.floor, wfV2(0, -4), 0));
+    FALLS(s); END(s);
+}
+
+static void test_support_changes_shape_filter_or_sensor(void **state)
+{
+    (void)state;
+    for (int what = 0; what < 3; what++) {
+        Scene s = crate_on_floor();
+        wfShapeDef def;
+        assert_ok(wfGetShape(&s.w, only_shape(&s.w, s.floor), &def));
+        if (what == 0) assert_ok(wfMakeBox(50, WF_R(0.5), &def.shape));
+        if (what == 1) def.filter.mask = 0;
+        if (what == 2) def.sensor = 1;
+        WAKES(s, wfSetShape(&s.w, only_shape(&s.w, s.floor), &def));
+        FALLS(s); END(s);
+    }
+}
+
+static void test_support_begins_to_move(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 2; way++) {
+        wfWorld w = open_world(1);
+        wfBodyDef lift = floor_def();
+        lift.type = WF_KINEMATIC;
+        wfBodyId platform = add(&w, lift), crate = add(&w, box_def(0, 0.5, 0.5, 0.5));
+        settle(&w, 1);
+        assert_ok(wfSetBodyVelocity(&w, platform, way == 0 ? wfV2(0, -1) : wfV2(1, 0), 0));
+        run(&w, 60);
+        assert_true(wfIsAwake(&w, crate));                /* and stays awake, as long as it is carried */
+        wfBodyInfo i = info(&w, crate);
+        if (way == 0) assert_near(i.position.y, -0.5, 0.02);
+        else assert_true(i.position.x > WF_R(0.5));
+        run(&w, 120);
+        assert_true(wfIsAwake(&w, crate));
+        assert_ok(wfSetBodyVelocity(&w, platform, wfV2(0, 0), 0));
+        settle(&w, 1);
+        wfDestroyWorld(&w);
+    }
+}
+
+static void test_kinematic_body_comes_along(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfBodyDef ram = box_def(-3, 0.6, 0.5, 0.4);
+    ram.type = WF_KINEMATIC;
+    ram.velocity = wfV2(1, 0);
+    add(&s.w, ram);
+    run(&s.w, 60);
+    assert_false(wfIsAwake(&s.w, s.crate));               /* it is not there yet */
+    run(&s.w, 120);
+    assert_true(wfIsAwake(&s.w, s.crate));
+    assert_near(info(&s.w, s.crate).position.x, 1.0, 0.05);        /* -3 + 3 s + half of each */
+    END(s);
+}
+
+static void test_gravity_and_laws_change(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    WAKES(s, wfSetGravity(&s.w, wfV2(0, 5)));
+    run(&s.w, 60);
+    assert_true(info(&s.w, s.crate).position.y > 1), END(s);
+    s = crate_on_floor();
+    assert_ok(wfSetGravity(&s.w, wfV2(0, WF_R(-9.81))));  /* the same again is no change */
+    run(&s.w, 1);
+    assert_false(wfIsAwake(&s.w, s.crate)), END(s);
+    s = crate_on_floor();
+    WAKES(s, wfSetTimeStep(&s.w, WF_R(1.0) / 120)); END(s);
+    s = crate_on_floor();
+    WAKES(s, wfSetMethods(&s.w, -1, -1, -1, wfFindSolver("impulse"))); END(s);
+    s = crate_on_floor();
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(&s.w, &def));
+    def.sleep = 0;
+    WAKES(s, wfSetWorldDef(&s.w, &def));
+    run(&s.w, 300);
+    assert_true(wfIsAwake(&s.w, s.crate)), END(s);
+}
+
+static void test_material_changes(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    wfBodyDef slope = floor_def();
+    slope.angle = WF_R(0.3);
+    slope.friction = 1;
+    wfBodyDef block = box_def(0, 0, 0.5, 0.5);
+    block.friction = 1;
+    block.angle = WF_R(0.3);
+    block.position = wfAdd(slope.position, wfV2((wfReal)(-1.5 * sin(0.3)), (wfReal)(1.5 * cos(0.3))));
+    wfBodyId hill = add(&w, slope), b = add(&w, block);
+    settle(&w, 1);
+    wfReal x = info(&w, b).position.x;
+    assert_ok(wfSetBodyMaterial(&w, hill, 0, 0));         /* of what it lies on */
+    run(&w, 60);
+    assert_true(info(&w, b).position.x < x - WF_R(0.5));
+    assert_ok(wfSetBodyMaterial(&w, hill, 0, 9));
+    settle(&w, 1);
+    x = info(&w, b).position.x;
+    assert_ok(wfSetBodyMaterial(&w, b, 0, 0));            /* its own */
+    run(&w, 60);
+    assert_true(info(&w, b).position.x < x - WF_R(0.5));
+    wfDestroyWorld(&w);
+}
+
+static void test_a_belt_is_switched_on(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfShapeDef def;
+    assert_ok(wfGetShape(&s.w, only_shape(&s.w, s.floor), &def));
+    def.surfaceSpeed = 2;
+    WAKES(s, wfSetShape(&s.w, only_shape(&s.w, s.floor), &def));
+    run(&s.w, 60);
+    assert_true(wfAbs(info(&s.w, s.crate).position.x) > WF_R(0.5));
+    END(s);
+}
+
+static void test_pushes(void **state)
+{
+    (void)state;
+    wfVec2 at = wfV2(0, WF_R(0.5));
+    Scene s = crate_on_floor();
+    assert_ok(wfApplyForceToBody(&s.w, s.crate, wfV2(0, 0), at));  /* nothing is nothing */
+    assert_ok(wfApplyImpulseToBody(&s.w, s.crate, wfV2(0, 0), at));
+    assert_ok(wfApplyTorqueToBody(&s.w, s.crate, 0));
+    run(&s.w, 1);
+    assert_false(wfIsAwake(&s.w, s.crate));
+    WAKES(s, wfApplyForceToBody(&s.w, s.crate, wfV2(1, 0), at));
+    settle(&s.w, 1);
+    WAKES(s, wfApplyTorqueToBody(&s.w, s.crate, 1));
+    settle(&s.w, 1);
+    WAKES(s, wfApplyImpulseToBody(&s.w, s.crate, wfV2(0, 2), at));
+    assert_true(info(&s.w, s.crate).velocity.y > 1);
+    settle(&s.w, 1);
+    WAKES(s, wfApplyAngularImpulseToBody(&s.w, s.crate, WF_R(0.1)));
+    settle(&s.w, 1);
+    WAKES(s, wfSetBodyVelocity(&s.w, s.crate, wfV2(1, 1), 0));
+    settle(&s.w, 1);
+    WAKES(s, wfSetBodyMass(&s.w, s.crate, 2));
+    settle(&s.w, 1);
+    for (int i = 0; i < 60; i++) {                        /* who is pushed all the time does not sleep */
+        assert_ok(wfApplyForceToBody(&s.w, s.crate, wfV2(WF_R(0.01), 0), at));
+        run(&s.w, 1);
+        assert_true(wfIsAwake(&s.w, s.crate));
+    }
+    END(s);
+}
+
+static void test_type_and_shapes_change(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    WAKES(s, wfChangeBodyType(&s.w, s.floor, WF_DYNAMIC));
+    FALLS(s); END(s);
+    s = crate_on_floor();
+    assert_ok(wfChangeBodyType(&s.w, s.crate, WF_STATIC));
+    run(&s.w, 1);
+    assert_int_equal(wfWorldRest(&s.w).asleep, 0);
+    WAKES(s, wfChangeBodyType(&s.w, s.crate, WF_DYNAMIC));
+    settle(&s.w, 1);
+    wfShapeDef more = wfDefaultShapeDef();
+    wfShapeId id;
+    assert_ok(wfMakeCircle(wfV2(2, 0), WF_R(0.4), &more.shape));
+    more.density = 4;
+    assert_ok(wfAddShapeToBody(&s.w, s.crate, &more, &id));
+    assert_true(wfIsAwake(&s.w, s.crate));
+    run(&s.w, 60);
+    assert_true(info(&s.w, s.crate).angle < WF_R(-0.01));          /* it tips over */
+    settle(&s.w, 1);
+    WAKES(s, wfRemoveShapeFromWorld(&s.w, id)); END(s);
+}
+
+static void test_neighbour_is_removed_or_teleported(void **state)
+{
+    (void)state;
+    for (int what = 0; what < 2; what++) {
+        wfWorld w = open_world(1);
+        add(&w, floor_def());
+        wfBodyId id[3];
+        for (int i = 0; i < 3; i++) id[i] = add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
+        settle(&w, 3);
+        if (what == 0) assert_ok(wfRemoveBodyFromWorld(&w, id[1]));
+        else assert_ok(wfSetBodyTransform(&w, id[1], wfV2(20, 5), 0));
+        run(&w, 120);
+        assert_near(info(&w, id[2]).position.y, 1.5, 0.02);        /* it does not hang where it was */
+        if (what == 1) assert_near(info(&w, id[1]).position.y, 0.5, 0.02);
+        settle(&w, what == 0 ? 2 : 3);
+        wfDestroyWorld(&w);
+    }
+}
+
+static void test_something_is_put_into_a_sleeper(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 4; way++) {
+        Scene s = crate_on_floor();
+        wfBodyDef wall = box_def(0.8, 0.5, 0.5, 0.5);
+        wall.type = way == 1 ? WF_KINEMATIC : way == 2 ? WF_DYNAMIC : WF_STATIC;
+        if (way == 3) wall.position.x = 20;
+        wfBodyId id = add(&s.w, wall);
+        if (way == 3) assert_ok(wfSetBodyTransform(&s.w, id, wfV2(WF_R(0.8), WF_R(0.5)), 0));
+        run(&s.w, 120);
+        assert_true(info(&s.w, s.crate).position.x < WF_R(-0.05));         /* pushed out */
+        END(s);
+    }
+}
+
+static void test_the_far_neighbour_sleeps_on(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfBodyDef wall = box_def(3, 0.5, 0.5, 0.5);
+    wall.type = WF_STATIC;
+    wfBodyId id = add(&s.w, wall), other = add(&s.w, box_def(-4, 0.5, 0.5, 0.5));
+    run(&s.w, 10);
+    assert_false(wfIsAwake(&s.w, s.crate));
+    assert_ok(wfRemoveBodyFromWorld(&s.w, id));
+    assert_ok(wfApplyImpulseToBody(&s.w, other, wfV2(0, 1), wfV2(-4, WF_R(0.5))));
+    run(&s.w, 10);
+    assert_ok(wfRemoveBodyFromWorld(&s.w, other));
+    run(&s.w, 1);
+    assert_false(wfIsAwake(&s.w, s.crate));
+    END(s);
+}
+
+static void test_joints(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    wfBodyDef hook = wfDefaultBodyDef();
+    hook.type = WF_STATIC;
+    hook.position = wfV2(0, 5);
+    wfBodyId top = add(&w, hook), lamp = add(&w, box_def(0, 3, 0.2, 0.2)), low = add(&w, box_def(0, 1, 0.2, 0.2));
+    wfJoint j;
+    wfJointId upper, lower;
+    assert_ok(wfJoinBodies(&w, "revolute", top, lamp, wfV2(0, 5), wfV2(0, 5), wfV2(1, 0), &j));
+    assert_ok(wfAddJointToWorld(&w, &j, &upper));
+    assert_ok(wfJoinBodies(&w, "revolute", lamp, low, wfV2(0, 2), wfV2(0, 2), wfV2(1, 0), &j));
+    assert_ok(wfAddJointToWorld(&w, &j, &lower));
+    settle(&w, 2);                                        /* held by a joint alone */
+    assert_int_equal(wfBodyIsland(&w, lamp), wfBodyIsland(&w, low));
+    wfVec2 force;
+    assert_ok(wfGetJointLoad(&w, upper, &force, NULL));
+    assert_near(force.y, 2 * 0.16 * 9.81, 0.02 * 9.81);   /* it still bears both */
+    assert_ok(wfGetJoint(&w, upper, &j));
+    j.flags |= WF_JOINT_MOTOR, j.motorSpeed = 1, j.motorForce = 20;
+    assert_ok(wfSetJoint(&w, upper, &j));
+    run(&w, 10);
+    assert_true(wfIsAwake(&w, low) && wfAbs(info(&w, lamp).angularVelocity) > WF_R(0.1));
+    j.flags &= ~WF_JOINT_MOTOR;
+    assert_ok(wfSetJoint(&w, upper, &j));
+    assert_ok(wfSetBodyDamping(&w, lamp, 3, 3));
+    assert_ok(wfSetBodyDamping(&w, low, 3, 3));
+    settle(&w, 2);
+    assert_ok(wfRemoveJointFromWorld(&w, lower));
+    assert_true(wfIsAwake(&w, lamp) && wfIsAwake(&w, low));
+    run(&w, 30);
+    assert_true(info(&w, low).position.y < WF_R(0.5));    /* falls */
+    assert_ok(wfRemoveBodyFromWorld(&w, low));
+    settle(&w, 1);
+    assert_ok(wfRemoveBodyFromWorld(&w, top));            /* the joint goes with it */
+    run(&w, 30);
+    assert_true(info(&w, lamp).position.y < WF_R(2.5));
+    wfDestroyWorld(&w);
+}
+
+static void test_forces(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfForceId id;
+    wfForce f = { .kind = wfFindForce("drag"), .a = wfBodyIndex(&s.w, s.crate), .b = -1 };
+    WAKES(s, wfAddForceToWorld(&s.w, &f, &id));
+    settle(&s.w, 1);                                      /* steady: it may sleep in spite of it */
+    assert_ok(wfGetForce(&s.w, id, &f));
+    WAKES(s, wfSetForce(&s.w, id, &f));
+    settle(&s.w, 1);
+    WAKES(s, wfRemoveForceFromWorld(&s.w, id));
+    settle(&s.w, 1);
+    wfForceId hand;
+    assert_ok(wfGrabBody(&s.w, s.crate, wfV2(0, WF_R(0.5)), &hand));
+    assert_true(wfIsAwake(&s.w, s.crate));
+    settle(&s.w, 1);
+    assert_ok(wfDragHand(&s.w, hand, wfV2(0, 3)));
+    run(&s.w, 120);
+    assert_true(info(&s.w, s.crate).position.y > 2);
+    settle(&s.w, 1);                                      /* hangs from the hand at rest */
+    WAKES(s, wfRemoveForceFromWorld(&s.w, hand));
+    run(&s.w, 120);
+    assert_near(info(&s.w, s.crate).position.y, 0.5, 0.02);
+    END(s);
+}
+
+static void test_an_unsteady_force_lets_nobody_sleep(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    int kind = wfFindForce("explosion");
+    assert_false(wfForceTable[kind].steady);
+    for (int i = 0; i < wfForceKinds; i++) assert_true(wfForceTable[i].steady || i == kind);
+    wfForce f = { .kind = kind, .a = -1, .b = -1 };
+    f.explosion.centre = wfV2(100, 100);
+    f.explosion.duration = 1;
+    f.explosion.radius = 1;
+    wfResult added = wfAddForceToWorld(&s.w, &f, NULL);
+    assert_int_equal(added, WF_OK);
+    run(&s.w, 300);
+    assert_true(wfIsAwake(&s.w, s.crate));
+    END(s);
+}
+
+/* --- hits --- */
+
+static void test_hit_by_a_ball(void **state)
+{
+    (void)state;
+    /* e = 1, equal masses: they swap their velocities, in the step in which they meet, although one of them sleeps. */
+    wfWorld w = open_world(1);
+    assert_ok(wfSetGravity(&w, wfV2(0, 0)));
+    wfBodyDef a = ball_def(0, 0, 0.5), b = ball_def(3, 0, 0.5);
+    a.restitution = b.restitution = 1;
+    wfBodyId target = add(&w, b);
+    settle(&w, 1);
+    a.velocity.x = 5;
+    wfBodyId ball = add(&w, a);
+    for (int i = 0; i < 60; i++) {
+        run(&w, 1);
+        double sum = (double)info(&w, ball).velocity.x + (double)info(&w, target).velocity.x;
+        assert_near(sum, 5, 1e-5);
+    }
+    assert_near(info(&w, target).velocity.x, 5, 1e-4);
+    assert_near(info(&w, ball).velocity.x, 0, 1e-4);
+    wfDestroyWorld(&w);
+}
+
+static void test_a_sleeping_cradle(void **state)
+{
+    (void)state;
+    /* Five balls with gaps of a millimetre: awake all of them wait for 0.02 s each; the last takes over the speed. */
+    wfWorld w = open_world(1);
+    assert_ok(wfSetGravity(&w, wfV2(0, 0)));
+    wfBodyId id[5];
+    for (int i = 0; i < 5; i++) {
+        wfBodyDef b = ball_def(1.001 * i, 0, 0.5);
+        b.restitution = 1;
+        id[i] = add(&w, b);
+    }
+    settle(&w, 5);
+    wfBodyDef a = ball_def(-3, 0, 0.5);
+    a.restitution = 1;
+    a.velocity.x = 6;
+    add(&w, a);
+    run(&w, 60);
+    assert_near(info(&w, id[4]).velocity.x, 6, 1e-3);
+    for (int i = 0; i < 4; i++) assert_near(info(&w, id[i]).velocity.x, 0, 1e-3);
+    wfDestroyWorld(&w);
+}
+
+static void test_a_stack_is_hit_wakes_and_sleeps_again(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    for (int i = 0; i < 8; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
+    for (int i = 0; i < 8; i++) add(&w, box_def(10, 0.5 + i, 0.5, 0.5));
+    settle(&w, 16);
+    wfBodyDef ball = ball_def(-4, 7.5, 0.4);
+    ball.velocity = wfV2(12, 3);
+    wfBodyId id = add(&w, ball);
+    int32_t most = 0;
+    for (int i = 0; i < 60; i++) {
+        run(&w, 1);
+        int32_t awake = wfWorldRest(&w).awake;
+        most = awake > most ? awake : most;
+        assert_true(awake == 1 || awake == 9);            /* the ball; the ball and the stack that it hit */
+    }
+    assert_int_equal(most, 9);
+    settle(&w, 17);
+    assert_true(wfAbs(info(&w, id).position.y) < 9);
+    wfDestroyWorld(&w);
+}
+
+/* --- nothing is told of it --- */
+
+static void test_no_events_from_sleep(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    wfBodyDef sensor = box_def(0, 1, 2, 2);
+    sensor.type = WF_STATIC;
+    wfBodyId place = add(&w, sensor);
+    wfShapeDef def;
+    assert_ok(wfGetShape(&w, only_shape(&w, place), &def));
+    def.sensor = 1;
+    assert_ok(wfSetShape(&w, only_shape(&w, place), &def));
+    wfBodyId id[3];
+    for (int i = 0; i < 3; i++) id[i] = add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
+    run(&w, 5);
+    int begins = 0, ends = 0;
+    for (int i = 0; i < 600; i++) {
+        run(&w, 1);
+        begins += events(&w, WF_TOUCH_BEGIN) + events(&w, WF_SENSE_BEGIN);
+        ends += events(&w, WF_TOUCH_END) + events(&w, WF_SENSE_END);
+        assert_int_equal(events(&w, WF_SENSE_STAY), 3);   /* the sensor sees who sleeps in it */
+        if (i == 200 || i == 400) assert_int_equal(wfWorldRest(&w).asleep, 3);
+        if (i == 200) assert_ok(wfWakeBody(&w, id[1]));
+        if (i == 400) assert_ok(wfSetBodyVelocity(&w, id[2], wfV2(0, 0), 0));
+        if (i == 201) assert_int_equal(events(&w, WF_TOUCH_STAY), 3);
+    }
+    assert_int_equal(begins, 0);
+    assert_int_equal(ends, 0);
+    assert_int_equal(wfWorldRest(&w).asleep, 3);
+    assert_int_equal(events(&w, WF_TOUCH_STAY), 0);       /* nobody speaks of those who sleep */
+    assert_ok(wfRemoveBodyFromWorld(&w, id[2]));
+    run(&w, 1);
+    assert_int_equal(events(&w, WF_TOUCH_END), 1);        /* and their end is told, once */
+    assert_int_equal(events(&w, WF_SENSE_END), 1);
+    assert_int_equal(events(&w, WF_TOUCH_STAY), 2);
+    wfDestroyWorld(&w);
+}
+
+static void test_two_sleepers_removed_at_once(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    wfBodyId a = add(&w, box_def(0, 0.5, 0.5, 0.5)), b = add(&w, box_def(0, 1.5, 0.5, 0.5));
+    settle(&w, 2);
+    assert_ok(wfRemoveBodyFromWorld(&w, a));
+    assert_ok(wfRemoveBodyFromWorld(&w, b));
+    add(&w, box_def(0, 0.5, 0.5, 0.5));                   /* a new tenant of the place */
+    run(&w, 1);
+    assert_int_equal(events(&w, WF_TOUCH_END), 2);
+    assert_int_equal(events(&w, WF_TOUCH_BEGIN), 1);
+    wfDestroyWorld(&w);
+}
+
+static void test_a_moving_sensor_sees_sleepers(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfBodyDef eye = box_def(-5, 1, 0.5, 2);
+    eye.type = WF_KINEMATIC;
+    wfBodyId id = add(&s.w, eye);
+    wfShapeDef def;
+    assert_ok(wfGetShape(&s.w, only_shape(&s.w, id), &def));
+    def.sensor = 1;
+    assert_ok(wfSetShape(&s.w, only_shape(&s.w, id), &def));
+    settle(&s.w, 1);
+    assert_ok(wfSetBodyVelocity(&s.w, id, wfV2(2, 0), 0));
+    int begins = 0, ends = 0;
+    for (int i = 0; i < 300; i++) {
+        run(&s.w, 1);
+        assert_false(wfIsAwake(&s.w, s.crate));           /* it is seen, and not disturbed */
+        begins += events(&s.w, WF_SENSE_BEGIN), ends += events(&s.w, WF_SENSE_END);
+    }
+    /* the sensor's box meets the floor as well, once for all */
+    assert_true(begins >= 1 && begins <= 2);
+    assert_int_equal(ends, 1);
+    END(s);
+}
+
+static void test_contacts_of_sleepers_can_be_read(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfContact c;
+    int32_t count;
+    assert_ok(wfGetContact(&s.w, only_shape(&s.w, s.crate), only_shape(&s.w, s.floor), &c));
+    wfReal sum = 0;
+    for (int i = 0; i < c.manifold.count; i++) sum += c.manifold.points[i].normalImpulse;
+    assert_near(sum * 60, 9.81, 0.1);                     /* 1 kg, 60 steps a second */
+    wfWorldContacts(&s.w, &count);
+    assert_int_equal(count, 1);
+    wfWorldPairs(&s.w, &count);
+    assert_int_equal(count, 1);
+    wfRayHit hit;
+    assert_ok(wfWorldCastRay(&s.w, (wfRay){ .from = wfV2(-5, WF_R(0.5)), .by = wfV2(10, 0) }, NULL, &hit));
+    assert_int_equal(hit.shape, wfShapeIndex(&s.w, only_shape(&s.w, s.crate)));
+    END(s);
+}
+
+/* --- motion --- */
+
+static void pile(wfWorld *w, int n)
+{
+    add(w, floor_def());
+    for (int side = -1; side <= 1; side += 2) {
+        wfBodyDef wall = box_def(side * 4.5, 4, 0.5, 5);
+        wall.type = WF_STATIC;
+        add(w, wall);
+    }
+    for (int i = 0; i < n; i++) add(w, i % 3 ? box_def(-2.5 + (i * 7 % 11) * 0.5, 1 + i * 0.5, 0.3, 0.3)
+                                            : ball_def(-2.5 + (i * 7 % 11) * 0.5, 1 + i * 0.5, 0.35));
+}
+
+static void test_the_same_until_the_first_sleep_and_nearly_so_after(void **state)
+{
+    (void)state;
+    wfWorld on = open_world(1), off = open_world(0);
+    pile(&on, 40), pile(&off, 40);
+    int first = -1, last = -1;
+    double worst = 0;
+    for (int step = 0; step < 1500; step++) {
+        run(&on, 1), run(&off, 1);
+        int32_t asleep = wfWorldRest(&on).asleep;
+        if (first < 0 && asleep > 0) first = step;
+        if (first < 0) assert_true(wfHashWorld(&on) == wfHashWorld(&off));
+        if (asleep == 40 && last < 0) last = step;
+    }
+    assert_true(first > 30 && last >= first);
+    wfBodyView a = wfWorldBodies(&on), b = wfWorldBodies(&off);
+    for (int32_t i = 0; i < a.count; i++) worst = fmax(worst, (double)wfDistance(a.state[i].p, b.state[i].p));
+    assert_true(worst < 0.3);                             /* the heaps differ by less than half a body */
+    wfDestroyWorld(&on), wfDestroyWorld(&off);
+}
+
+static void test_waking_is_seamless(void **state)
+{
+    (void)state;
+    /* A stack that is woken without any cause must not jump: its contacts bear what they bore. */
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    wfBodyId id[10];
+    for (int i = 0; i < 10; i++) id[i] = add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
+    settle(&w, 10);
+    wfReal y = info(&w, id[9]).position.y;
+    assert_ok(wfWakeBody(&w, id[0]));
+    for (int i = 0; i < 20; i++) {
+        run(&w, 1);
+        assert_true(wfLength(info(&w, id[9]).velocity) < WF_R(0.02));
+        assert_near(info(&w, id[9]).position.y, y, 2e-4);
+    }
+    settle(&w, 10);
+    wfDestroyWorld(&w);
+}
+
+/* --- cost --- */
+
+static void test_sleepers_cost_no_pairs_and_no_contacts(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    pile(&w, 40);
+    settle(&w, 40);
+    run(&w, 1);
+    wfRestCounts c = wfWorldRest(&w);
+    assert_int_equal(c.pairs, 0);
+    assert_int_equal(c.contacts, 0);
+    assert_true(c.pairsKept > 40 && c.contactsKept > 40);
+    assert_int_equal(c.awake, 0);
+    assert_int_equal(c.islands, 0);
+    wfBodyDef far = ball_def(30, 0.5, 0.5);
+    far.velocity.x = 1;
+    add(&w, far);
+    run(&w, 5);
+    c = wfWorldRest(&w);
+    assert_int_equal(c.awake, 1);
+    assert_int_equal(c.pairs, 1);                         /* the ball and the floor */
+    assert_int_equal(c.contacts, 1);
+    wfDestroyWorld(&w);
+}
+
+/* --- bytes --- */
+
+static void test_a_copy_sleeps_and_wakes_alike(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1), copy;
+    pile(&w, 20);
+    run(&w, 200);
+    wfMemory m;
+    assert_ok(wfAllocateMemory(&m, w.memory.permanentSize, w.memory.transientSize));
+    for (int round = 0; round < 3; round++) {
+        memcpy(m.permanent, w.memory.permanent, w.memory.permanentSize);
+        memset(m.transient, 0xA5, m.transientSize);
+        assert_ok(wfOpenWorld(&m, &copy));
+        for (int i = 0; i < 200; i++) {
+            run(&w, 1), run(&copy, 1);
+            assert_true(wfHashWorld(&w) == wfHashWorld(&copy));
+            assert_memory_equal(m.permanent, w.memory.permanent, w.memory.permanentSize);
+            if (i == 100) {
+                wfBodyDef ball = ball_def(0, 9, 0.3);
+                ball.velocity.y = -10;
+                add(&w, ball), add(&copy, ball);
+            }
+        }
+    }
+    wfFreeMemory(&m);
+    wfDestroyWorld(&w);
+}
+
+static void test_the_hash_tells_sleepers(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    uint64_t asleep = wfHashWorld(&s.w);
+    assert_ok(wfWakeBody(&s.w, s.crate));
+    assert_true(wfHashWorld(&s.w) != asleep);
+    END(s);
+}
+
+static void test_a_failed_step_changes_nothing(void **state)
+{
+    (void)state;
+    /* The ball wakes the stack, and there is no room for all the contacts: every byte stays, sleepers sleep. */
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    def.sleep = 1;
+    def.pairCapacity = 4;
+    assert_ok(wfCreateWorld(&def, &w));
+    add(&w, floor_def());
+    for (int i = 0; i < 4; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
+    settle(&w, 4);
+    wfBodyDef ball = ball_def(0, 6, 0.5);
+    ball.velocity.y = -20;
+    add(&w, ball);
+    wfResult result = WF_OK;
+    for (int i = 0; i < 30 && result == WF_OK; i++) {
+        void *before = copy_of(&w);
+        result = wfStepWorld(&w);
+        if (result == WF_OK) free(before);
+        else assert_unchanged(&w, before);
+    }
+    assert_int_equal(result, WF_ERROR_FULL);
+    assert_int_equal(wfWorldRest(&w).asleep, 4);
+    wfDestroyWorld(&w);
+}
+
+static void test_every_solver_and_broad_phase(void **state)
+{
+    (void)state;
+    /* One scene, all rows: a stack sleeps, is hit, and its support goes. Broad phases must agree to the bit. */
+    for (int solver = 0; solver < wfSolverCount; solver++) {
+        uint64_t hash = 0;
+        for (int broad = 0; broad < wfBroadPhaseCount; broad++) {
+            wfWorldDef def = wfDefaultWorldDef();
+            wfWorld w;
+            def.sleep = 1, def.solver = solver, def.broadPhase = broad;
+            assert_ok(wfCreateWorld(&def, &w));
+            wfBodyId floor = add(&w, floor_def());
+            for (int i = 0; i < 3; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
+            for (int i = 0; i < 600 && wfWorldRest(&w).asleep < 3; i++) run(&w, 1);
+            wfBodyDef ball = ball_def(-3, 1.5, 0.4);
+            ball.velocity.x = 6;
+            wfBodyId id = add(&w, ball);
+            run(&w, 120);
+            assert_ok(wfRemoveBodyFromWorld(&w, floor));
+            run(&w, 60);
+            assert_true(info(&w, id).position.y < -2);
+            assert_int_equal(wfWorldRest(&w).asleep, 0);
+            if (broad == 0) hash = wfHashWorld(&w);
+            assert_true(hash == wfHashWorld(&w));
+            wfDestroyWorld(&w);
+        }
+    }
+}
+
+static void test_whatever_is_done_nobody_floats(void **state)
+{
+    (void)state;
+    /* Random edits of a world that likes to sleep. Whenever all sleep, waking them must not set anything moving. */
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    uint32_t seed = 3;
+    wfBodyId id[30];
+    def.sleep = 1;
+    def.sleepTime = WF_R(0.2);
+    assert_ok(wfCreateWorld(&def, &w));
+    add(&w, floor_def());
+    for (int i = 0; i < 30; i++) id[i] = add(&w, box_def(-6 + 2 * (i % 6), 0.5 + i / 6, 0.5, 0.5));
+    for (int round = 0; round < 60; round++) {
+        run(&w, 40);
+        seed = seed * 1664525u + 1013904223u;
+        int who = (int)(seed >> 8) % 30, what = (int)(seed >> 20) % 6;
+        wfBodyInfo i = info(&w, id[who]);
+        if (what == 0) {
+            assert_ok(wfRemoveBodyFromWorld(&w, id[who]));
+            id[who] = add(&w, box_def((double)i.position.x, 8, 0.5, 0.5));
+        }
+        if (what == 1) assert_ok(wfSetBodyTransform(&w, id[who], wfV2(i.position.x, 8), 0));
+        if (what == 2) assert_ok(wfApplyImpulseToBody(&w, id[who], wfV2(2, 2), i.position));
+        if (what == 3) assert_ok(wfChangeBodyType(&w, id[who], i.type == WF_STATIC ? WF_DYNAMIC : WF_STATIC));
+        if (what == 4) assert_ok(wfSetBodyMaterial(&w, id[who], 0, WF_R(0.1)));
+        if (what == 5 && i.type == WF_DYNAMIC) assert_ok(wfSetBodyMass(&w, id[who], 3));
+        wfRestCounts c = wfWorldRest(&w);
+        assert_true(c.awake >= 0 && c.asleep >= 0 && c.awake + c.asleep <= 30);
+    }
+    for (int i = 0; i < 30; i++)
+        if (info(&w, id[i]).type == WF_STATIC) assert_ok(wfChangeBodyType(&w, id[i], WF_DYNAMIC));
+    settle(&w, 30);
+    wfVec2 at[30];
+    for (int i = 0; i < 30; i++) at[i] = info(&w, id[i]).position;
+    wfWorldDef now;
+    assert_ok(wfGetWorldDef(&w, &now));
+    now.sleep = 0;
+    assert_ok(wfSetWorldDef(&w, &now));
+    run(&w, 60);
+    for (int i = 0; i < 30; i++) assert_near2(info(&w, id[i]).position, at[i], 0.05);
+    wfDestroyWorld(&w);
+}
+
+static void test_bad_input(void **state)
+{
+    (void)state;
+    Scene s = crate_on_floor();
+    wfBodyId stale = { 77, 1 };
+    assert_false(wfIsAwake(&s.w, stale));
+    assert_int_equal(wfBodyIsland(&s.w, stale), -1);
+    assert_int_equal(wfBodyIsland(&s.w, s.floor), -1);
+    assert_result(WF_ERROR_STALE_ID, wfWakeBody(&s.w, stale));
+    assert_result(WF_ERROR_STALE_ID, wfPutToSleep(&s.w, stale));
+    assert_result(WF_ERROR_STALE_ID, wfSetNeverSleeps(&s.w, stale, 1));
+    assert_result(WF_ERROR_RANGE, wfPutToSleep(&s.w, s.floor));
+    assert_result(WF_ERROR_NULL, wfWakeBody(NULL, s.crate));
+    assert_int_equal(wfWorldRest(NULL).awake, 0);
+    wfWorldDef def;
+    void *before = copy_of(&s.w);
+    assert_ok(wfGetWorldDef(&s.w, &def));
+    wfWorldDef bad = def;
+    bad.sleepTime = 0;
+    assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
+    bad = def, bad.sleepShare = -1;
+    assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
+    bad = def, bad.sleep = 2;
+    assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
+    for (int i = 0; i < BAD_REAL_COUNT; i++) {
+        bad = def, bad.sleepTime = BAD_REALS[i];
+        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&s.w, &bad));
+        bad = def, bad.sleepShare = BAD_REALS[i];
+        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&s.w, &bad));
+    }
+    wfBodyDef body = box_def(0, 5, 0.5, 0.5);
+    body.neverSleeps = 3;
+    assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&s.w, &body, NULL));
+    assert_unchanged(&s.w, before);
+    END(s);
+    wfWorld off = open_world(0);
+    wfBodyId id = add(&off, box_def(0, 5, 0.5, 0.5));
+    assert_result(WF_ERROR_RANGE, wfPutToSleep(&off, id));
+    assert_ok(wfWakeBody(&off, id));
+    wfDestroyWorld(&off);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_off_by_default),
+        cmocka_unit_test(test_a_crate_falls_asleep_after_the_time),
+        cmocka_unit_test(test_stacks_sleep_as_islands),
+        cmocka_unit_test(test_never_sleeps),
+        cmocka_unit_test(test_put_to_sleep_in_the_air),
+        cmocka_unit_test(test_nobody_sleeps_in_flight),
+        cmocka_unit_test(test_weightless_bodies_drift_on),
+        cmocka_unit_test(test_support_is_removed),
+        cmocka_unit_test(test_support_is_moved),
+        cmocka_unit_test(test_support_changes_shape_filter_or_sensor),
+        cmocka_unit_test(test_support_begins_to_move),
+        cmocka_unit_test(test_kinematic_body_comes_along),
+        cmocka_unit_test(test_gravity_and_laws_change),
+        cmocka_unit_test(test_material_changes),
+        cmocka_unit_test(test_a_belt_is_switched_on),
+        cmocka_unit_test(test_pushes),
+        cmocka_unit_test(test_type_and_shapes_change),
+        cmocka_unit_test(test_neighbour_is_removed_or_teleported),
+        cmocka_unit_test(test_something_is_put_into_a_sleeper),
+        cmocka_unit_test(test_the_far_neighbour_sleeps_on),
+        cmocka_unit_test(test_joints),
+        cmocka_unit_test(test_forces),
+        cmocka_unit_test(test_an_unsteady_force_lets_nobody_sleep),
+        cmocka_unit_test(test_hit_by_a_ball),
+        cmocka_unit_test(test_a_sleeping_cradle),
+        cmocka_unit_test(test_a_stack_is_hit_wakes_and_sleeps_again),
+        cmocka_unit_test(test_no_events_from_sleep),
+        cmocka_unit_test(test_two_sleepers_removed_at_once),
+        cmocka_unit_test(test_a_moving_sensor_sees_sleepers),
+        cmocka_unit_test(test_contacts_of_sleepers_can_be_read),
+        cmocka_unit_test(test_the_same_until_the_first_sleep_and_nearly_so_after),
+        cmocka_unit_test(test_waking_is_seamless),
+        cmocka_unit_test(test_sleepers_cost_no_pairs_and_no_contacts),
+        cmocka_unit_test(test_a_copy_sleeps_and_wakes_alike),
+        cmocka_unit_test(test_the_hash_tells_sleepers),
+        cmocka_unit_test(test_a_failed_step_changes_nothing),
+        cmocka_unit_test(test_every_solver_and_broad_phase),
+        cmocka_unit_test(test_whatever_is_done_nobody_floats),
+        cmocka_unit_test(test_bad_input),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
