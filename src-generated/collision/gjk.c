@@ -412,7 +412,7 @@ static wfReal gapOf(const Side *s, int32_t i, wfVec2 c)
     wfVec2 e = wfNormalize(wfSub(s->v[after(s, i)], s->v[i]));
     return wfDot(wfPerpCW(e), wfSub(c, s->v[i]));
 }
-
+/* <walk over the regions by eq:narrow-neighbour> */
 /* turns to the edge that has something nearer to c than the place where we are */
 static enum Move turnTo(Side *s, wfVec2 c)
 {

@@ -347,8 +347,9 @@ wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
     return WF_OK;
 }
 /* <stop at the first of many> */
-static wfReal innerRadius(const wfShape *s)                         /* eq:impact-fast */
+wfReal wfInnerRadius(const wfShape *s)                              /* eq:impact-fast */
 {
+    if (!s) return 0;
     wfReal inner = s->count > 0 ? WF_HUGE : 0;
     for (int32_t i = 0; i < s->count; i++)
         inner = wfMinR(inner, wfDot(s->normals[i], wfSub(s->vertices[i], s->centre)));
@@ -360,15 +361,15 @@ bool wfSweepIsFast(const wfShape *shape, wfSweep sweep)
     if (!shape) return false;
     Mover m = makeMover(shape, sweep.angleFrom, sweep.angleTo);
     wfReal way = wfDistance(sweep.from, sweep.to) + wfAbs(m.turn) * m.extent;
-    return way > innerRadius(shape);
+    return way > wfInnerRadius(shape);
 }
 /* <stop at the first of many> */
-static wfShape innerCopy(const wfShape *s)                      /* eq:impact-inner */
+static wfShape innerCopy(const wfShape *s, wfReal share)        /* eq:impact-inner */
 {
     wfShape copy = *s;
-    copy.radius = WF_IMPACT_INNER * s->radius;
+    copy.radius = share * s->radius;
     for (int32_t i = 0; i < s->count; i++)
-        copy.vertices[i] = wfLerp(s->centre, s->vertices[i], WF_IMPACT_INNER);
+        copy.vertices[i] = wfLerp(s->centre, s->vertices[i], share);
     return copy;
 }
 
@@ -377,13 +378,24 @@ static bool isAtOnce(const wfImpact *i)
     return i->kind == WF_IMPACT_OVERLAP || (i->kind == WF_IMPACT_TOUCH && i->t <= 0);
 }
 
+/* The largest inner copy that is free at the beginning, and what it meets. */
+static wfResult meetInner(const wfShape *shape, wfSweep sweep, const wfObstacle *other,
+                          wfReal most, wfImpact *out)
+{
+    wfReal share = WF_IMPACT_INNER;
+    for (;; share -= WF_R(0.25)) {
+        wfShape copy = innerCopy(shape, share);
+        wfResult found = impactUntil(&copy, sweep, other->shape, other->sweep, most,
+                                     WF_ADVANCE_CURVE, out, NULL);
+        if (found != WF_OK || !isAtOnce(out) || share < WF_R(0.3)) return found;
+    }
+}
+/* <stop at the first of many> */
 static wfResult meet(const wfShape *shape, wfSweep sweep, const wfObstacle *other,
                      wfReal most, wfReal end, wfStop *out)
 {
     wfImpact first;
-    wfShape copy = innerCopy(shape);
-    wfResult found = impactUntil(&copy, sweep, other->shape, other->sweep, most,
-                                 WF_ADVANCE_CURVE, &out->impact, NULL);
+    wfResult found = meetInner(shape, sweep, other, most, &out->impact);
     out->inner = true;
     if (found != WF_OK || out->impact.kind == WF_IMPACT_APART) return found;
     if (isAtOnce(&out->impact)) return WF_OK;
@@ -409,6 +421,7 @@ wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *ob
         wfResult met = meet(shape, sweep, &obstacles[i], most, stop.t, &next);
         if (met != WF_OK) return met;
         next.t = next.impact.t;
+        next.stuck = stop.stuck = stop.stuck || isAtOnce(&next.impact);
         if (next.impact.kind == WF_IMPACT_APART || isAtOnce(&next.impact)) continue;
         if (next.t < stop.t || stop.obstacle == WF_NO_OBSTACLE) stop = next;
     }

@@ -45,8 +45,8 @@ wfFacing wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
     if (owner == 1)
         f = (wfFacing){ .ref = b, .inc = a, .xr = xb, .xi = xa, .r = edge, .refIsB = true };
     WF_ASSERT(edge >= 0 && edge < f.ref->count);
-    wfVec2 n = wfRotate(wfRelativePose(f.xi, f.xr).q, f.ref->normals[f.r]);
-    f.i = facingEdge(f.inc, wfNeg(n));
+    f.rel = wfRelativePose(f.xr, f.xi);
+    f.i = facingEdge(f.inc, wfNeg(wfRotateInv(f.rel.q, f.ref->normals[f.r])));
     return f;
 }
 /* <choose the reference edge> */
@@ -84,11 +84,10 @@ static int widestGap(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
 /* <take the incident edge into the frame of eq:contacts-frame> */
 wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends)
 {
-    wfTransform rel = wfRelativePose(f->xr, f->xi);
     int32_t r2 = nextVertex(f->ref, f->r), i2 = nextVertex(f->inc, f->i);
     wfVec2 origin = f->ref->vertices[f->r], n = f->ref->normals[f->r], t = wfPerpCCW(n);
-    wfVec2 w[] = { wfSub(wfApply(rel, f->inc->vertices[f->i]), origin),
-                   wfSub(wfApply(rel, f->inc->vertices[i2]), origin) };
+    wfVec2 w[] = { wfSub(wfApply(f->rel, f->inc->vertices[f->i]), origin),
+                   wfSub(wfApply(f->rel, f->inc->vertices[i2]), origin) };
     for (int k = 0; k < 2; k++) ends[k].at = wfV2(wfDot(t, w[k]), wfDot(n, w[k]));
     ends[0].feature = wfFeature(!f->refIsB, f->i, f->r);
     ends[1].feature = wfFeature(!f->refIsB, i2, f->r);
@@ -161,11 +160,10 @@ void wfCircleContact(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
 /* <find the deepest corner> */
 wfClipPoint wfDeepestVertex(const wfFacing *f)
 {
-    wfTransform rel = wfRelativePose(f->xr, f->xi);
     wfVec2 n = f->ref->normals[f->r], t = wfPerpCCW(n), origin = f->ref->vertices[f->r];
     wfClipPoint deepest = { .at = wfV2(WF_HUGE, WF_HUGE) };
     for (int32_t k = 0; k < f->inc->count; k++) {
-        wfVec2 w = wfSub(wfApply(rel, f->inc->vertices[k]), origin);
+        wfVec2 w = wfSub(wfApply(f->rel, f->inc->vertices[k]), origin);
         if (wfDot(n, w) >= deepest.at.y) continue;
         deepest.at = wfV2(wfDot(t, w), wfDot(n, w));                /* eq:contacts-frame */
         deepest.feature = wfFeature(!f->refIsB, k, f->r);

@@ -8,7 +8,7 @@
 /* Edge r of the reference shape gives the normal; edge i of the incident one faces it. */
 typedef struct wfFacing {
     const wfShape *ref, *inc;
-    wfTransform xr, xi;
+    wfTransform xr, xi, rel;    /* rel: the incident shape as the reference sees it */
     int32_t r, i;
     bool refIsB;
 } wfFacing;

@@ -35,14 +35,6 @@ wfReal wfAxisEscape(wfProjection a, wfProjection b)
     return ahead <= back ? ahead : -back;
 }
 /* <see B from A by eq:narrow-relative> */
-wfTransform wfRelativePose(wfTransform xa, wfTransform xb)
-{
-    wfTransform rel;
-    rel.p = wfRotateInv(xa.q, wfSub(xb.p, xa.p));
-    rel.q = wfRotMul(wfRotInverse(xa.q), xb.q);
-    return rel;
-}
-/* <see B from A by eq:narrow-relative> */
 wfReal wfShapeReach(const wfShape *shape)
 {
     wfReal far = 0;

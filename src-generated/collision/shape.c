@@ -306,7 +306,7 @@ static bool outside_core(const wfShape *shape, wfVec2 q)
     }
     return shape->kind != WF_SHAPE_POLYGON;
 }
-
+/* <answer questions about a shape> */
 static wfReal edge_distance_sq(wfVec2 a, wfVec2 b, wfVec2 q)
 {
     wfVec2 along = wfSub(b, a), arm = wfSub(q, a);
@@ -355,7 +355,7 @@ static int put_arc(wfVec2 centre, wfVec2 normal, wfReal turn, wfReal radius, wfV
     }
     return chords + 1;
 }
-
+/* <answer questions about a shape> */
 int wfShapeOutline(const wfShape *shape, wfTransform placed, wfVec2 out[WF_RIM_POINTS])
 {
     int n = 0;

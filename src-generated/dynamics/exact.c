@@ -18,10 +18,13 @@ typedef struct Edge { int32_t to, block, next; } Edge;
 typedef struct Block { wfReal v[3][3]; } Block;     /* rows: the joint of higher number */
 
 typedef struct Matrix {
-    int32_t count;              /* joints */
+    int32_t count, ordered;     /* joints; those that are solved together */
     int32_t blocks, room;       /* blocks off the diagonal: in use, and at most */
     int32_t *head;              /* [count] first edge of a joint, or -1 */
     int32_t *rank, *order;      /* [count] when a joint is taken out; the joints by rank */
+    int32_t *list;              /* [count] the joints to take out */
+    int32_t *first, *after;     /* [bodies], [2 count] lists of the joints of a body */
+    int32_t *body, bodies;      /* [bodies] those that move and have such joints; how many */
     Edge *edge;                 /* [2 room] */
     Block *value, *ratio;       /* [room] K of the pair; K_ip / K_pp of a pair done with */
     Block *own;                 /* [count] K of a joint, then its factors */
@@ -82,38 +85,48 @@ static bool fill_in(Matrix *m, int32_t p)
     return true;
 }
 /* <order the joints> */
-/* Takes all joints out, those with few neighbours first; adds the fill. False: no room. */
-static bool put_in_order(Matrix *m)
+/* Takes the joints of a list out, those with few neighbours first; adds the fill. False: no
+   room, or it takes more than `most` products of blocks. */
+static bool put_in_order(Matrix *m, const int32_t *list, int32_t count, int64_t most)
 {
-    int32_t found = 0, degree = 1;
-    while (found < m->count) {
-        int32_t before = found;
-        for (int32_t i = 0; i < m->count; i++) {
-            if (m->rank[i] >= 0 || neighbours_left(m, i) > degree) continue;
-            if (!fill_in(m, i)) return false;
-            m->order[found] = i;
-            m->rank[i] = found++;
+    int32_t end = m->ordered + count, degree = 1;
+    int64_t products = 0;
+    while (m->ordered < end) {
+        int32_t before = m->ordered;
+        for (int32_t n = 0; n < count; n++) {
+            int32_t i = list[n], left = m->rank[i] < 0 ? neighbours_left(m, i) : 0;
+            if (m->rank[i] >= 0 || left > degree) continue;
+            products += (int64_t)left * (left + 1) / 2;
+            if (products > most || !fill_in(m, i)) return false;
+            m->order[m->ordered] = i;
+            m->rank[i] = m->ordered++;
         }
-        degree = found > before ? 1 : degree + 1;
+        degree = m->ordered > before ? 1 : degree + 1;
     }
     return true;
 }
 /* <join up the joints that share a body> */
+static bool can_move(const wfBodyState *s) { return s->invMass > 0 || s->invInertia > 0; }
+
+/* Joins up those joints of a list that share a body. first: -1 for every body, and left so;
+   next: [2 joints] */
 static bool join_neighbours(Matrix *m, const wfJoint *joints, const wfBodyState *state,
-                            int32_t bodies, int32_t *first, int32_t *next)
+                            const int32_t *list, int32_t count, int32_t *first,
+                            int32_t *next)
 {
-    for (int32_t b = 0; b < bodies; b++) first[b] = -1;
-    for (int32_t i = 0; i < 2 * m->count; i++) {
-        const wfJoint *j = &joints[i / 2];
-        int32_t body = i % 2 ? j->b : j->a;
-        const wfBodyState *s = &state[body];
-        if (wfIsBroken(j) || !(s->invMass > 0 || s->invInertia > 0)) continue;
-        for (int32_t k = first[body]; k >= 0; k = next[k])
-            if (k / 2 != i / 2 && join_up(m, i / 2, k / 2) < 0) return false;
-        next[i] = first[body];
-        first[body] = i;
+    bool room = true;
+    for (int32_t n = 0; room && n < 2 * count; n++) {
+        int32_t i = list[n / 2], end = 2 * i + n % 2;
+        int32_t body = n % 2 ? joints[i].b : joints[i].a;
+        if (wfIsBroken(&joints[i]) || !can_move(&state[body])) continue;
+        for (int32_t k = first[body]; room && k >= 0; k = next[k])
+            room = k / 2 == i || join_up(m, i, k / 2) >= 0;
+        next[end] = first[body];
+        first[body] = end;
     }
-    return true;
+    for (int32_t n = 0; n < count; n++)
+        first[joints[list[n]].a] = first[joints[list[n]].b] = -1;
+    return room;
 }
 /* <fill the matrix> */
 /* Adds to k what a body that joints i and k share has to do with their rows; of which end
@@ -145,8 +158,11 @@ static void fill_block(const Matrix *m, const wfJointSet *set, const wfSolve *in
 static void fill_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
     memset(m->value, 0, (size_t)m->blocks * sizeof *m->value);
-    for (int32_t i = 0; i < m->count; i++) {
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         fill_block(m, set, in, i, i, &m->own[i]);
+        for (int k = 0; k < set->work[i].holds; k++)            /* eq:exact-give */
+            m->own[i].v[k][k] += set->give * set->work[i].own[set->work[i].hold[k]];
         for (int32_t e = m->head[i]; e >= 0; e = m->edge[e].next) {
             int32_t k = m->edge[e].to;
             if (k < i) fill_block(m, set, in, i, k, &m->value[m->edge[e].block]);
@@ -187,7 +203,7 @@ static wfReal own_size(const Matrix *m, const wfJointSet *set, const wfSolve *in
 
 static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
-    for (int32_t n = 0; n < m->count; n++) {
+    for (int32_t n = 0; n < m->ordered; n++) {
         int32_t p = m->order[n];
         wfReal size[3];
         for (int r = 0; r < 3; r++) size[r] = own_size(m, set, in, p, r);
@@ -217,7 +233,7 @@ static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 /* <solve the system> */
 static void solve_matrix(Matrix *m)
 {
-    for (int32_t n = 0; n < m->count; n++) {
+    for (int32_t n = 0; n < m->ordered; n++) {
         int32_t p = m->order[n];
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             int32_t i = m->edge[e].to;
@@ -227,7 +243,7 @@ static void solve_matrix(Matrix *m)
                     m->x[i][r] -= m->ratio[m->edge[e].block].v[r][s] * m->x[p][s];
         }
     }
-    for (int32_t n = m->count - 1; n >= 0; n--) {
+    for (int32_t n = m->ordered - 1; n >= 0; n--) {
         int32_t p = m->order[n];
         const Block *own = &m->own[p];
         wfSolveBlock(own->v, m->pivot[p], m->x[p]);
@@ -297,6 +313,17 @@ static wfReal rate_of(const Line *l, const wfJoint *j, const Motion *v)
     return wfDot(l->jA, a->v) + l->wA * a->w + wfDot(l->jB, b->v) + l->wB * b->w;
 }
 /* <Newton's method for all joints> */
+static void copy_bodies(const Matrix *m, const Motion *from, Motion *to)
+{
+    for (int32_t n = 0; n < m->bodies; n++) to[m->body[n]] = from[m->body[n]];
+}
+
+static void true_inertias(Matrix *m, const wfJointSet *set)
+{
+    for (int32_t n = 0; n < m->bodies; n++)
+        m->inverse[m->body[n]] = set->inverse[m->body[n]];
+}
+
 /* What a row's error is measured by: lengths in m for a row that pulls, else turns. */
 static wfReal row_size(const wfJoint *j, const wfPlace *a, const wfPlace *b, const Line *l)
 {
@@ -306,7 +333,8 @@ static wfReal row_size(const wfJoint *j, const wfPlace *a, const wfPlace *b, con
     return 2 + wfAbs(l->wA * j->turnA) + wfAbs(l->wB * j->turnB);
 }
 
-static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i)
+static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep,
+                         wfReal h)
 {
     const wfJoint *j = &set->joints[i];
     const wfJointWork *w = &set->work[i];
@@ -320,7 +348,8 @@ static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i)
     for (int k = 0; k < w->holds; k++) {
         Line *l = &m->line[i][k];
         *l = line_of(&along[w->hold[k]]);
-        m->x[i][k] = then[w->hold[k]].error;
+        m->x[i][k] = then[w->hold[k]].error - keep * w->row[w->hold[k]].error
+                   + h * set->give * w->own[w->hold[k]] * m->impulse[i][k];
         worst = wfMaxR(worst, wfAbs(m->x[i][k]) / row_size(j, a, b, l));
     }
     return worst;
@@ -329,9 +358,10 @@ static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i)
 /* The velocities of the free motion and the present push, in `next`; how the pull bends. */
 static void push_all(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
-    memcpy(m->next, m->free, (size_t)in->bodyCount * sizeof *m->next);
-    memset(m->bend, 0, (size_t)in->bodyCount * sizeof *m->bend);
-    for (int32_t i = 0; i < m->count; i++) {
+    copy_bodies(m, m->free, m->next);
+    for (int32_t n = 0; n < m->bodies; n++) m->bend[m->body[n]] = 0;
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         const wfJoint *j = &set->joints[i];
         wfVec2 fA = wfV2(0, 0), fB = fA;
         for (int32_t k = 0; k < set->work[i].holds; k++) {
@@ -347,7 +377,8 @@ static void push_all(Matrix *m, const wfJointSet *set, const wfSolve *in)
 /* <Newton's method for all joints> */
 static void stiffen_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {
-    for (int32_t i = 0; i < in->bodyCount; i++) {               /* eq:exact-inertia */
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t i = m->body[n];                                 /* eq:exact-inertia */
         wfReal more = 1 + h / 2 * m->bend[i] * set->inverse[i];
         m->inverse[i] = set->inverse[i] / wfMaxR(more, WF_R(0.5));
     }
@@ -358,22 +389,28 @@ static void stiffen_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in, 
 /* eq:exact-step: from the gaps in x and the velocities in `next`, to new velocities. */
 static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {
-    for (int32_t b = 0; b < in->bodyCount; b++) {
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
         wfBodyState *s = &in->state[b];
         wfReal part = set->inverse[b] > 0 ? m->inverse[b] / set->inverse[b] : 0;
         m->next[b].v = wfSub(m->next[b].v, s->v);
         m->next[b].w = part * (m->next[b].w - s->w);
     }
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)
             m->x[i][k] = -m->x[i][k] / h - rate_of(&m->line[i][k], &set->joints[i], m->next);
+    }
     solve_matrix(m);
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->next);
             m->impulse[i][k] += m->x[i][k];
         }
-    for (int32_t b = 0; b < in->bodyCount; b++) {
+    }
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
         in->state[b].v = wfAdd(in->state[b].v, m->next[b].v);
         in->state[b].w += m->next[b].w;
     }
@@ -381,20 +418,23 @@ static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfR
 /* <Newton's method for all joints> */
 static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {
-    wfReal worst = 0;
-    for (int32_t b = 0; b < in->bodyCount; b++) {
+    wfReal worst = 0, keep = wfGivingOf(set).keep;
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
         Motion now = { in->state[b].v, in->state[b].w };
         m->way[b] = way_of(&set->place[b], &now, h);
     }
-    for (int32_t i = 0; i < m->count; i++)
-        if (set->work[i].holds > 0) worst = wfMaxR(worst, look_along(m, set, i));
+    for (int32_t n = 0; n < m->ordered; n++)
+        if (set->work[m->order[n]].holds > 0)
+            worst = wfMaxR(worst, look_along(m, set, m->order[n], keep, h));
     push_all(m, set, in);
     return worst;
 }
 
 static void take_velocities(Matrix *m, const wfSolve *in)
 {
-    for (int32_t b = 0; b < in->bodyCount; b++) {
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
         in->state[b].v = m->next[b].v, in->state[b].w = m->next[b].w;
         m->left[b] = m->next[b];
     }
@@ -433,16 +473,19 @@ static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bo
 static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool last)
 {
     memset(m->x, 0, (size_t)m->count * sizeof *m->x);
-    memcpy(m->inverse, set->inverse, (size_t)in->bodyCount * sizeof *m->inverse);
-    for (int32_t i = 0; i < m->count; i++)
+    true_inertias(m, set);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
             m->x[i][k] = -rate_of(&m->line[i][k], &set->joints[i], m->next);
         }
+    }
     fill_matrix(m, set, in);
     factor_matrix(m, set, in);
     solve_matrix(m);
-    for (int32_t i = 0; i < m->count; i++) {
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved);
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->free);
@@ -456,7 +499,8 @@ static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool las
    all of it in `free`, what belongs to the time until now in `next`. */
 static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal share)
 {
-    for (int32_t b = 0; b < in->bodyCount; b++) {
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
         const wfBodyState *s = &in->state[b];
         wfVec2 dv = wfSub(s->v, m->left[b].v);
         wfReal dw = s->w - m->left[b].w;
@@ -464,7 +508,8 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
         m->next[b] = (Motion){ wfAddScaled(m->left[b].v, share, dv),
                                m->left[b].w + share * dw };
     }
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->impulse[i][k];
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
@@ -472,24 +517,29 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
             m->before[i][k] = push;
             if (m->lost) m->impulse[i][k] = 0;
         }
+    }
     m->lost = false;
 }
 
 static void note_impulses(const Matrix *m, wfJointSet *set, bool both)
 {
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             wfReal *sum = &set->joints[i].impulse[set->work[i].hold[k]];
             *sum = m->before[i][k] + (both ? m->impulse[i][k] : 0);
         }
+    }
 }
 /* <solve all rows that hold> */
 /* The impulses of a whole substep, from the last step. */
 static void begin_with_old(Matrix *m, const wfJointSet *set)
 {
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)
             m->impulse[i][k] = set->joints[i].impulse[set->work[i].hold[k]] / 2;
+    }
 }
 /* <solve all rows that hold> */
 static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
@@ -502,11 +552,13 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     if (first) begin_with_old(m, set);
     arrive(m, set, in, first ? 0 : last ? 1 : WF_R(0.5));
     make_tangent(m, set, in, last);
-    memcpy(m->next, m->free, (size_t)in->bodyCount * sizeof *m->next);
-    for (int32_t i = 0; i < m->count && !last; i++)
+    copy_bodies(m, m->free, m->next);
+    for (int32_t n = 0; n < m->ordered && !last; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)        /* the first guess */
             push_line(&m->line[i][k], m->impulse[i][k], &set->joints[i], in, set->inverse,
                       m->next);
+    }
     take_velocities(m, in);
     note_impulses(m, set, !last);
     m->moved = false;
@@ -516,7 +568,8 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
 static bool take_in(Matrix *m, const wfSolve *in)
 {
     bool some = false;
-    for (int32_t b = 0; b < in->bodyCount; b++) {
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
         const wfBodyState *s = &in->state[b];
         wfVec2 dv = wfSub(s->v, m->left[b].v);
         wfReal dw = s->w - m->left[b].w;
@@ -530,21 +583,25 @@ static bool take_in(Matrix *m, const wfSolve *in)
 static void answer(Matrix *m, wfJointSet *set, const wfSolve *in)
 {
     if (!m->rigid) {
-        memcpy(m->inverse, set->inverse, (size_t)in->bodyCount * sizeof *m->inverse);
+        true_inertias(m, set);
         fill_matrix(m, set, in);
         factor_matrix(m, set, in);
         m->rigid = set->changed = true;
     }
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int k = 0; k < 3; k++)
             m->x[i][k] = -rate_of(&m->line[i][k], &set->joints[i], m->next);
+    }
     solve_matrix(m);
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->next);
             if (m->moved) m->impulse[i][k] += m->x[i][k];
             else m->before[i][k] += m->x[i][k];     /* the step is over */
         }
+    }
     take_velocities(m, in);
 }
 /* <solve all rows that hold> */
@@ -552,8 +609,10 @@ static void give_up(Matrix *m, wfJointSet *set)
 {
     set->unsolved++;
     m->lost = true;
-    for (int32_t i = 0; i < m->count; i++)
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
         for (int k = 0; k < 3; k++) set->joints[i].given[k] = 0;
+    }
 }
 
 static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
@@ -575,12 +634,13 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 3 * sizeof(int32_t) + sizeof(Block) + 12 * sizeof(wfReal)
+    size_t each = 6 * sizeof(int32_t) + sizeof(Block) + 12 * sizeof(wfReal)
                 + 3 * sizeof(Line);
     size_t pairs = 2 * sizeof(Edge) + 2 * sizeof(Block);
-    size_t body = 3 * sizeof(Motion) + sizeof(Way) + 2 * sizeof(wfReal) + sizeof(int32_t);
+    size_t body = 3 * sizeof(Motion) + sizeof(Way) + 2 * sizeof(wfReal)
+                + 4 * sizeof(int32_t);
     return sizeof(Matrix) + n * each + room * pairs + (size_t)bodies * body
-         + 2 * n * sizeof(int32_t) + 20 * WF_POOL_ALIGN;
+         + 26 * WF_POOL_ALIGN;
 }
 
 static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
@@ -591,58 +651,192 @@ static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
     m->way = wfPoolPushArray(pool, bodies, Way);
     m->inverse = wfPoolPushArray(pool, bodies, wfReal);
     m->bend = wfPoolPushArray(pool, bodies, wfReal);
+    m->body = wfPoolPushArray(pool, bodies, int32_t);
+    m->first = wfPoolPushArray(pool, bodies, int32_t);
+    for (int32_t b = 0; m->first != NULL && b < bodies; b++) m->first[b] = -1;
     return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
-        && m->inverse != NULL && m->bend != NULL;
+        && m->inverse != NULL && m->bend != NULL && m->body != NULL && m->first != NULL;
 }
 /* <take room for the matrix> */
-static Matrix *take_matrix(int32_t count, wfPool *pool)
+static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
 {
-    Matrix *m = wfPoolPushArray(pool, 1, Matrix);
-    if (m == NULL) return NULL;
-    *m = (Matrix){ .count = count, .room = count * WF_EXACT_BLOCKS };
     m->head = wfPoolPushArray(pool, count, int32_t);
     m->rank = wfPoolPushArray(pool, count, int32_t);
     m->order = wfPoolPushArray(pool, count, int32_t);
-    m->edge = wfPoolPushArray(pool, 2 * m->room, Edge);
-    m->value = wfPoolPushArray(pool, m->room, Block);
-    m->ratio = wfPoolPushArray(pool, m->room, Block);
+    m->list = wfPoolPushArray(pool, count, int32_t);
+    m->after = wfPoolPushArray(pool, 2 * count, int32_t);
     m->own = wfPoolPushArray(pool, count, Block);
     wfReal *numbers = wfPoolPushArray(pool, 12 * count, wfReal);
     Line *lines = wfPoolPushArray(pool, 3 * count, Line);
-    if (numbers == NULL || m->own == NULL || m->ratio == NULL || lines == NULL) return NULL;
-    if (m->value == NULL || m->edge == NULL || m->order == NULL) return NULL;
+    if (numbers == NULL || lines == NULL) return false;
     memset(lines, 0, 3 * (size_t)count * sizeof *lines);
     memset(numbers, 0, 12 * (size_t)count * sizeof *numbers);
     m->line = (Line(*)[3])lines;
     m->pivot = (wfReal(*)[3])numbers;
     m->x = m->pivot + count, m->impulse = m->x + count;
     m->before = m->impulse + count;
-    return m->rank != NULL && m->head != NULL ? m : NULL;
+    for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
+        m->head[i] = m->rank[i] = -1;
+    return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
+        && m->after != NULL && m->own != NULL;
+}
+/* <take room for the matrix> */
+static Matrix *take_matrix(int32_t count, int32_t bodies, wfPool *pool)
+{
+    Matrix *m = wfPoolPushArray(pool, 1, Matrix);
+    if (m == NULL) return NULL;
+    *m = (Matrix){ .count = count, .room = count * WF_EXACT_BLOCKS };
+    m->edge = wfPoolPushArray(pool, 2 * m->room, Edge);
+    m->value = wfPoolPushArray(pool, m->room, Block);
+    m->ratio = wfPoolPushArray(pool, m->room, Block);
+    if (m->edge == NULL || m->value == NULL || m->ratio == NULL) return NULL;
+    return take_joints(m, count, pool) && take_bodies(m, bodies, pool) ? m : NULL;
+}
+/* <take room for the matrix> */
+static void list_bodies(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t count)
+{
+    for (int32_t n = 0; n < 2 * count; n++) {
+        const wfJoint *j = &set->joints[m->list[n / 2]];
+        int32_t b = n % 2 ? j->b : j->a;
+        if (m->first[b] >= 0) continue;
+        m->first[b] = 0;
+        m->left[b] = (Motion){ in->state[b].v, in->state[b].w };
+        m->body[m->bodies++] = b;
+    }
+}
+
+static wfResult assemble(Matrix *m, wfJointSet *set, const wfSolve *in)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < m->count; i++)
+        if (set->alone == NULL || !set->alone[i]) m->list[count++] = i;
+    if (count == 0) return WF_OK;
+    if (!join_neighbours(m, set->joints, in->state, m->list, count, m->first, m->after)
+        || !put_in_order(m, m->list, count, INT64_MAX)) return WF_ERROR_FULL;
+    list_bodies(m, set, in, count);
+    set->matrix = m;
+    set->start = start_together;
+    set->together = solve_together;
+    return WF_OK;
 }
 /* <take room for the matrix> */
 wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
 {
     if (set == NULL || in == NULL || scratch == NULL) return WF_ERROR_NULL;
     if (set->count == 0) return WF_OK;
-    Matrix *m = take_matrix(set->count, scratch);
-    int32_t *first = wfPoolPushArray(scratch, in->bodyCount, int32_t);
-    int32_t *next = wfPoolPushArray(scratch, 2 * set->count, int32_t);
-    bool room = m != NULL && take_bodies(m, in->bodyCount, scratch);
-    if (!room || first == NULL || next == NULL) return WF_ERROR_MEMORY;
-    for (int32_t i = 0; i < m->count; i++) m->head[i] = m->rank[i] = -1;
-    if (!join_neighbours(m, set->joints, in->state, in->bodyCount, first, next)
-        || !put_in_order(m)) return WF_ERROR_FULL;
-    for (int32_t b = 0; b < in->bodyCount; b++)
-        m->left[b] = (Motion){ in->state[b].v, in->state[b].w };
-    set->matrix = m;
-    set->start = start_together;
-    set->together = solve_together;
-    return WF_OK;
+    Matrix *m = take_matrix(set->count, in->bodyCount, scratch);
+    return m == NULL ? WF_ERROR_MEMORY : assemble(m, set, in);
+}
+/* <judge the machines> */
+static int32_t root_of(int32_t *parent, int32_t b)
+{
+    while (parent[b] != b) {
+        parent[b] = parent[parent[b]];              /* halve the way for the next one */
+        b = parent[b];
+    }
+    return b;
+}
+
+/* A body of the joint that can move, or -1. */
+static int32_t mover_of(const wfJoint *j, const wfBodyState *state)
+{
+    return wfIsBroken(j) ? -1 : can_move(&state[j->a]) ? j->a
+         : can_move(&state[j->b]) ? j->b : -1;
+}
+
+static void join_machines(const wfJointSet *set, const wfSolve *in, int32_t *parent)
+{
+    for (int32_t b = 0; b < in->bodyCount; b++) parent[b] = b;
+    for (int32_t i = 0; i < set->count; i++) {
+        const wfJoint *j = &set->joints[i];
+        if (wfIsBroken(j) || !can_move(&in->state[j->a])) continue;
+        if (!can_move(&in->state[j->b])) continue;
+        int32_t a = root_of(parent, j->a), b = root_of(parent, j->b);
+        parent[a > b ? a : b] = a > b ? b : a;
+    }
+}
+/* <judge the machines> */
+static void take_away_blocks(Matrix *m, const int32_t *list, int32_t count)
+{
+    for (int32_t n = 0; n < count; n++) m->head[list[n]] = m->rank[list[n]] = -1;
+    m->blocks = m->ordered = 0;
+}
+
+static bool is_cheap(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t *degree,
+                     const int32_t *list, int32_t count, wfReal most)
+{
+    int64_t blocks = 0, limit = INT64_MAX;
+    for (int32_t n = 0; n < 2 * count; n++) {
+        const wfJoint *j = &set->joints[list[n / 2]];
+        int32_t b = n % 2 ? j->b : j->a;
+        if (can_move(&in->state[b])) blocks += degree[b]++;
+    }
+    for (int32_t n = 0; n < count; n++)
+        degree[set->joints[list[n]].a] = degree[set->joints[list[n]].b] = 0;
+    if (most >= 0) limit = (int64_t)(most * (wfReal)count);
+    if (blocks > (int64_t)count * WF_EXACT_BLOCKS) return false;
+    m->room = count * WF_EXACT_BLOCKS;
+    bool good = join_neighbours(m, set->joints, in->state, list, count, m->first, m->after)
+             && put_in_order(m, list, count, limit);
+    take_away_blocks(m, list, count);
+    return good;
+}
+/* <judge the machines> */
+/* Sorts the joints by machine into m->list, by counting; start: [bodies + 1]. */
+static void list_machines(Matrix *m, const wfJointSet *set, const wfSolve *in,
+                          int32_t *parent, int32_t *start)
+{
+    memset(start, 0, ((size_t)in->bodyCount + 1) * sizeof *start);
+    for (int pass = 0; pass < 2; pass++) {
+        for (int32_t i = 0; i < set->count; i++) {
+            int32_t b = mover_of(&set->joints[i], in->state);
+            if (b < 0) continue;
+            int32_t *at = &start[root_of(parent, b)];
+            if (pass == 0) at[1]++;
+            else m->list[(*at)++] = i;
+        }
+        for (int32_t b = 0; pass == 0 && b < in->bodyCount; b++) start[b + 1] += start[b];
+    }
+    for (int32_t b = in->bodyCount; b > 0; b--) start[b] = start[b - 1];
+    start[0] = 0;
+}
+
+static void judge(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal most,
+                  int32_t *parent, int32_t *start, uint8_t *alone)
+{
+    memset(alone, 1, (size_t)set->count);
+    join_machines(set, in, parent);
+    list_machines(m, set, in, parent, start);
+    memset(parent, 0, (size_t)in->bodyCount * sizeof *parent);  /* degrees from here on */
+    for (int32_t b = 0; b < in->bodyCount; b++) {
+        int32_t from = start[b], count = start[b + 1] - from;
+        if (count == 0) continue;
+        bool cheap = is_cheap(m, set, in, parent, &m->list[from], count, most);
+        for (int32_t n = 0; n < count; n++) alone[m->list[from + n]] = !cheap;
+    }
+    m->room = m->count * WF_EXACT_BLOCKS;
+}
+/* <judge the machines> */
+wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
+                         bool known, wfPool *scratch)
+{
+    if (set == NULL || in == NULL || alone == NULL || scratch == NULL) return WF_ERROR_NULL;
+    if (set->count == 0) return WF_OK;
+    Matrix *m = take_matrix(set->count, in->bodyCount, scratch);
+    if (m == NULL) return WF_ERROR_MEMORY;
+    size_t mark = wfPoolMark(scratch);
+    int32_t *parent = known ? NULL : wfPoolPushArray(scratch, in->bodyCount, int32_t);
+    int32_t *start = known ? NULL : wfPoolPushArray(scratch, in->bodyCount + 1, int32_t);
+    if (!known && (parent == NULL || start == NULL)) return WF_ERROR_MEMORY;
+    if (!known) judge(m, set, in, most, parent, start, alone);
+    wfPoolRewind(scratch, mark);
+    set->alone = alone;
+    return assemble(m, set, in);
 }
 /* <count what a factorisation takes> */
 static void count_pairs(const Matrix *m, wfExactCount *out)
 {
-    for (int32_t n = 0; n < m->count; n++) {
+    for (int32_t n = 0; n < m->ordered; n++) {
         int64_t later = 0;
         for (int32_t e = m->head[m->order[n]]; e >= 0; e = m->edge[e].next)
             later += m->rank[m->edge[e].to] > n;
@@ -656,15 +850,15 @@ wfResult wfCountExact(const wfJoint *joints, int32_t count, const wfBodyState *s
     if (joints == NULL || state == NULL || scratch == NULL || out == NULL)
         return WF_ERROR_NULL;
     size_t mark = wfPoolMark(scratch);
-    Matrix *m = take_matrix(count, scratch);
-    int32_t *first = wfPoolPushArray(scratch, bodies, int32_t);
-    int32_t *next = wfPoolPushArray(scratch, 2 * count, int32_t);
-    wfResult result = m == NULL || first == NULL || next == NULL ? WF_ERROR_MEMORY : WF_OK;
-    for (int32_t i = 0; result == WF_OK && i < count; i++) m->head[i] = m->rank[i] = -1;
-    if (result == WF_OK && !join_neighbours(m, joints, state, bodies, first, next))
+    Matrix *m = take_matrix(count, bodies, scratch);
+    wfResult result = m == NULL ? WF_ERROR_MEMORY : WF_OK;
+    for (int32_t i = 0; result == WF_OK && i < count; i++) m->list[i] = i;
+    if (result == WF_OK && !join_neighbours(m, joints, state, m->list, count, m->first,
+                                           m->after))
         result = WF_ERROR_FULL;
     wfExactCount found = { .blocks = result == WF_OK ? m->blocks : 0 };
-    if (result == WF_OK && !put_in_order(m)) result = WF_ERROR_FULL;
+    if (result == WF_OK && !put_in_order(m, m->list, count, INT64_MAX))
+        result = WF_ERROR_FULL;
     if (result == WF_OK) {
         found.fill = m->blocks - found.blocks;
         count_pairs(m, &found);

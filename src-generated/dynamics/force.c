@@ -542,24 +542,24 @@ static wfResult hand_check(const wfForce *f)
 const wfForceRow wfForceTable[] = {
     /* <rows of the force table> */
     [WF_FORCE_GRAVITY] = { "gravity", "the same acceleration for all",
-        2, gravity_apply, gravity_energy, NULL },
+        2, gravity_apply, gravity_energy, NULL, true },
     [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
-        4, point_apply, point_energy, point_check },
+        4, point_apply, point_energy, point_check, true },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
-        7, spring_apply, spring_energy, spring_check },
+        7, spring_apply, spring_energy, spring_check, true },
     [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
-        7, bungee_apply, bungee_energy, spring_check },
+        7, bungee_apply, bungee_energy, spring_check, true },
     [WF_FORCE_DRAG] = { "drag", "resistance as the speed and as its square",
-        2, drag_apply, NULL, drag_check },
+        2, drag_apply, NULL, drag_check, true },
     [WF_FORCE_BUOYANCY] = { "buoyancy", "the lift and the resistance of a fluid",
-        4, buoyancy_apply, buoyancy_energy, buoyancy_check },
+        4, buoyancy_apply, buoyancy_energy, buoyancy_check, true },
     [WF_FORCE_EXPLOSION] = { "explosion", "a push away from a point that lasts a while",
-        6, explosion_apply, NULL, explosion_check },
+        6, explosion_apply, NULL, explosion_check, false },
     [WF_FORCE_WIND] = { "wind", "moving air pushes what stands in its way",
-        3, wind_apply, NULL, wind_check },
+        3, wind_apply, NULL, wind_check, true },
     /* <rows of the force table> */
     { "hand", "a spring and a brake that hold a point of a body at a point of the world",
-        7, hand_apply, NULL, hand_check },
+        7, hand_apply, NULL, hand_check, true },
 };
 const int wfForceKinds = (int)(sizeof wfForceTable / sizeof *wfForceTable);
 

@@ -596,6 +596,112 @@ static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
     set->changed = set->changed || changed;
     return changed;
 }
+/* <solve plain hinges> */
+static bool is_plain_hinge(const wfJoint *j)
+{
+    int32_t more = WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS | WF_JOINT_BROKEN;
+    return wfJointTable[j->kind].build == build_revolute && !(j->flags & more);
+}
+
+static void take_pin(wfJointSet *set, int32_t i)
+{
+    const wfJoint *j = &set->joints[i];
+    set->pins[i] = (wfPin){ .on = 1, .a = j->a, .b = j->b,
+                            .impulse = wfV2(j->impulse[0], j->impulse[1]) };
+}
+
+static void weigh_pin(wfPin *q, const wfBodyState *a, const wfBodyState *b)
+{
+    wfReal m = a->invMass + b->invMass, iA = a->invInertia, iB = b->invInertia;
+    wfReal xx = m + iA * q->rA.y * q->rA.y + iB * q->rB.y * q->rB.y;
+    wfReal xy = -(iA * q->rA.x * q->rA.y + iB * q->rB.x * q->rB.y);
+    wfReal yy = m + iA * q->rA.x * q->rA.x + iB * q->rB.x * q->rB.x;
+    q->dx = xx > 0 ? 1 / xx : 0;                                    /* eq:joints-pin */
+    q->l = xy * q->dx;
+    wfReal d = yy - q->l * xy;
+    q->dy = d > WF_JOINT_SINGULAR * yy ? 1 / d : 0;                 /* eq:joints-block */
+}
+/* <solve plain hinges> */
+static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
+{
+    wfPin *q = &set->pins[i];
+    const wfJoint *j = &set->joints[i];
+    const wfPlace *a = p->hereA, *b = p->hereB;
+    q->rA = wfRotate(a->q, j->localA);
+    q->rB = wfRotate(b->q, j->localB);
+    wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));
+    q->d = wfAdd(apart, wfSub(q->rB, q->rA));               /* eq:joints-constraint */
+    weigh_pin(q, p->a, p->b);
+    set->stiffness[q->a] -= wfDot(q->rA, q->impulse) / set->last;
+    set->stiffness[q->b] += wfDot(q->rB, q->impulse) / set->last;
+}
+
+static void renew_pin(wfJointSet *set, const wfSolve *in, int32_t i)
+{
+    wfJointPair p = wfPairOf(set, in, &set->joints[i]);
+    set->pins[i].load = wfAdd(set->pins[i].load, set->pins[i].impulse);
+    build_pin(set, &p, i);
+}
+/* <solve plain hinges> */
+static inline void push_pin(wfPin *q, wfVec2 j, wfBodyState *a, wfBodyState *b)
+{
+    a->v = wfAddScaled(a->v, -a->invMass, j);                       /* eq:joints-force */
+    a->w -= a->invInertia * wfCross(q->rA, j);
+    b->v = wfAddScaled(b->v, b->invMass, j);
+    b->w += b->invInertia * wfCross(q->rB, j);
+}
+
+static inline wfVec2 divide_pin(const wfPin *q, wfVec2 e)           /* K^-1 e */
+{
+    wfReal y = (e.y - q->l * e.x) * q->dy;
+    return wfV2(e.x * q->dx - q->l * y, y);
+}
+
+static inline wfVec2 arm_change(wfVec2 r, wfReal turn)
+{
+    wfRot less = wfIsSmallTurn(turn) ? wfSmallTurn(turn) : wfRotation(turn);
+    if (!wfIsSmallTurn(turn)) less.c -= 1;
+    return wfV2(less.c * r.x - less.s * r.y, less.s * r.x + less.c * r.y);
+}
+/* <solve plain hinges> */
+static void warm_pin(wfPin *q, const wfSolve *in, bool heavier, wfReal share)
+{
+    wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
+    if (heavier) weigh_pin(q, a, b);
+    q->impulse = wfScale(share, q->impulse);
+    push_pin(q, q->impulse, a, b);
+}
+
+static void aim_pin(wfPin *q, const wfSolve *in, wfReal h, wfReal t, wfGiving give)
+{
+    wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
+    wfVec2 arms = wfSub(arm_change(q->rB, h * b->w), arm_change(q->rA, h * a->w));
+    wfVec2 way = wfAddScaled(arms, 1 - give.keep, q->d);
+    wfVec2 e = wfAddScaled(wfSub(b->v, a->v), 1 / h, way);          /* eq:joints-newton */
+    wfVec2 more = wfScale(-give.mass, divide_pin(q, e));            /* eq:joints-give */
+    more = wfAddScaled(more, -give.impulse * (h / t), q->impulse);
+    push_pin(q, more, a, b);
+    q->impulse = wfAdd(q->impulse, more);
+}
+
+static void relax_pin(wfPin *q, const wfSolve *in)
+{
+    wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
+    wfVec2 ofA = wfAdd(a->v, wfCrossSV(a->w, q->rA));
+    wfVec2 ofB = wfAdd(b->v, wfCrossSV(b->w, q->rB));
+    wfVec2 more = wfNeg(divide_pin(q, wfSub(ofB, ofA)));            /* eq:joints-pin */
+    push_pin(q, more, a, b);
+    q->impulse = wfAdd(q->impulse, more);
+}
+
+static void leave_pin(wfJointSet *set, const wfSolve *in, int32_t i)
+{
+    const wfPin *q = &set->pins[i];
+    wfJoint *j = &set->joints[i];
+    track(j, in->state[q->a].angle, in->state[q->b].angle);
+    for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] = k < 2 ? q->impulse.E[k] : 0;
+    set->work[i].load = wfAdd(q->load, q->impulse);
+}
 /* <keep joints as other laws> */
 static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
@@ -607,10 +713,26 @@ static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
     set->changed = set->built = true;
 }
 
+/* Are the rows of this joint that hold solved by themselves? */
+static bool is_alone(const wfJointSet *set, int32_t i)
+{
+    return set->together == NULL || (set->alone != NULL && set->alone[i]);
+}
+
 static void rebuild(wfJointSet *set, int32_t i, const wfJointPair *p)
 {
+    if (set->pins[i].on) {
+        build_pin(set, p, i);
+        return;
+    }
     build(&set->joints[i], p, &set->work[i]);
-    if (set->start == NULL) add_stiffness(set, i);
+    if (is_alone(set, i)) add_stiffness(set, i);
+}
+
+static void choose_pins(wfJointSet *set)
+{
+    for (int32_t i = 0; i < set->count; i++)
+        if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
 }
 
 static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
@@ -620,17 +742,23 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
     bool first = !(set->last > 0), build_them = !set->built;
     if (first) set->last = dt;
     if (first) remember_inertias(set, in);
+    if (first) choose_pins(set);
     if (build_them) look_round(set, in, moved);
     for (int32_t i = 0; build_them && i < set->count; i++) {
         wfJointPair p = wfPairOf(set, in, &set->joints[i]);
         if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
     }
-    bool heavier = set->start == NULL && stiffen(set, in, dt);
+    bool heavier = stiffen(set, in, dt);
     for (int32_t i = 0; i < set->count; i++) {
+        if (set->pins[i].on) {
+            warm_pin(&set->pins[i], in, heavier, t / set->last);
+            continue;
+        }
         wfJointPair p = wfPairOf(set, in, &set->joints[i]);
         if (wfIsBroken(&set->joints[i])) continue;
         if (heavier) weigh(&set->work[i], &p);
-        prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i], set->start == NULL);
+        prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i],
+                set->start == NULL || is_alone(set, i));
     }
     set->last = t;
     if (set->start != NULL) set->start(set, in, moved, dt, t);
@@ -645,6 +773,12 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (renew) look_round(set, in, moved);
     for (int32_t k = 0; k < set->count; k++) {
         int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
+        if (set->pins[i].on) {
+            if (renew) renew_pin(set, in, i);
+            if (soft) aim_pin(&set->pins[i], in, dt, set->last, give);
+            else relax_pin(&set->pins[i], in);
+            continue;
+        }
         wfJoint *j = &set->joints[i];
         if (wfIsBroken(j)) continue;
         wfJointPair p = wfPairOf(set, in, j);
@@ -652,7 +786,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
         if (renew) rebuild(set, i, &p);
         if (soft) aim_soft(j, &set->work[i], dt, set->last, give, &p);
         else limits_tangent(j, &set->work[i], &p);
-        if (set->together != NULL) continue;
+        if (!is_alone(set, i)) continue;
         if (soft) aim_holds(j, &set->work[i], dt, set->last, give, &p);
         else holds_tangent(j, &set->work[i], &p);
     }
@@ -663,8 +797,8 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
     size_t body = 2 * sizeof(wfReal) + sizeof(wfPlace);
-    return (size_t)joints * sizeof(wfJointWork) + (size_t)bodies * body
-         + 4 * WF_POOL_ALIGN;
+    size_t joint = sizeof(wfJointWork) + sizeof(wfPin);
+    return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
 
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
@@ -675,12 +809,14 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
     set->place = wfPoolPushArray(scratch, bodies, wfPlace);
+    set->pins = wfPoolPushArray(scratch, set->count, wfPin);
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
-             || set->place == NULL;
+             || set->place == NULL || set->pins == NULL;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
     for (int32_t i = 0; i < set->count; i++) {
         wfJointWork *w = &set->work[i];
         w->load = wfV2(0, 0), w->twist = 0, w->rows = w->holds = 0;
+        set->pins[i].on = 0;
     }
     set->last = 0;
     set->built = false;
@@ -696,7 +832,8 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
         wfJoint *j = &set->joints[i];
         wfJointWork *w = &set->work[i];
         if (wfIsBroken(j)) continue;
-        add_load(j, w);
+        if (set->pins[i].on) leave_pin(set, in, i);
+        else add_load(j, w);
         wfReal force = wfLength(w->load) / in->h, torque = wfAbs(w->twist) / in->h;
         bool snaps = (j->breakForce > 0 && force > j->breakForce)
                   || (j->breakTorque > 0 && torque > j->breakTorque);
@@ -771,7 +908,8 @@ wfResult wfStepJoints(const wfJointStep *in)
     size_t mark = wfPoolMark(in->scratch);
     wfLaws laws;
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
-                       .period = in->period, .damping = in->damping };
+                       .period = in->period, .damping = in->damping,
+                       .give = WF_JOINT_GIVE };
     wfSolve solve = { .state = in->state, .bodyCount = in->bodyCount, .h = in->h,
         .iterations = in->passes, .forces = in->forces, .substeps = in->substeps,
         .laws = &laws, .scratch = in->scratch };

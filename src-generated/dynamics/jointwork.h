@@ -27,6 +27,14 @@ typedef struct wfJointPair {
 } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
+/* <what a joint works with during a step> */
+/* A hinge without spring, motor and stops: eq:joints-pin. */
+typedef struct wfPin {
+    int32_t on, a, b;           /* 1: this joint is one; the bodies */
+    wfVec2  rA, rB, d;          /* m: arms; from A's anchor to B's */
+    wfReal  l, dx, dy;          /* K = L D L^T: L21, 1 / D1, 1 / D2 */
+    wfVec2  impulse, load;      /* N s: in the last substep; summed over the step */
+} wfPin;
 /* <follow an angle without jumps> */
 static inline wfReal wfFollow(wfReal turn, wfReal angle)
 {
@@ -44,17 +52,25 @@ static inline wfJointSight wfSee(const wfJoint *j, const wfPlace *a, const wfPla
     return at;
 }
 /* <turn on by a small angle> */
-static inline wfRot wfTurnOn(wfRot q, wfReal turn)
+static inline bool wfIsSmallTurn(wfReal turn) { return turn * turn <= WF_R(1.0) / 64; }
+
+/* Cosine less one, and sine. */
+static inline wfRot wfSmallTurn(wfReal turn)
 {
     wfReal x = turn * turn;
-    if (x > WF_R(1.0) / 64) return wfRotMul(wfRotation(turn), q);
-    wfReal c = 1 - x / 2 * (1 - x * (WF_R(1.0) / 12) * (1 - x * (WF_R(1.0) / 30)
-                 * (1 - x * (WF_R(1.0) / 56))));
+    wfReal c = x / 2 * (1 - x * (WF_R(1.0) / 12) * (1 - x * (WF_R(1.0) / 30)
+             * (1 - x * (WF_R(1.0) / 56))));
     wfReal s = turn * (1 - x * (WF_R(1.0) / 6) * (1 - x * (WF_R(1.0) / 20)
                  * (1 - x * (WF_R(1.0) / 42))));
-    return wfRotMul((wfRot){ c, s }, q);
+    return (wfRot){ -c, s };
 }
 
+static inline wfRot wfTurnOn(wfRot q, wfReal turn)
+{
+    if (!wfIsSmallTurn(turn)) return wfRotMul(wfRotation(turn), q);
+    wfRot small = wfSmallTurn(turn);
+    return wfRotMul((wfRot){ 1 + small.c, small.s }, q);
+}
 bool wfIsBroken(const wfJoint *j);
 /* Of K (its lower half in l, 0 where there is no row) makes L; size: what pivots are
  * compared with. Then x becomes K^-1 x. eq:joints-block */

@@ -3,88 +3,81 @@
 #include "dynamics/prepared.h"
 
 /* <make contacts ready> */
-static wfReal inverse_mass_along(const wfBodyState *a, const wfBodyState *b,
-                                 const wfPreparedPoint *p, wfVec2 direction)
+static wfReal inverse_or_zero(wfReal k) { return k > 0 ? 1 / k : 0; }
+
+static wfReal effective_mass(const wfBodyState *a, const wfBodyState *b, wfReal leverA,
+                             wfReal leverB)
 {
-    wfReal ca = wfCross(p->rA, direction), cb = wfCross(p->rB, direction);
-    wfReal k = a->invMass + b->invMass;
-    return k + ca * ca * a->invInertia + cb * cb * b->invInertia;   /* eq:impulses-k */
+    wfReal k = a->invMass + b->invMass;                             /* eq:impulses-k */
+    k = k + leverA * leverA * a->invInertia + leverB * leverB * b->invInertia;
+    return inverse_or_zero(k);
 }
 
-static wfReal inverse_or_zero(wfReal k) { return k > 0 ? 1 / k : 0; }
+static void prepare_point(const wfBodyState *a, const wfBodyState *b,
+                          const wfContactPoint *from, wfVec2 n, wfVec2 t,
+                          wfPreparedPoint *p)
+{
+    bool round = from->feature == WF_FEATURE_CIRCLE;
+    *p = (wfPreparedPoint){
+        .nA = wfCross(from->armA, n), .nB = wfCross(from->armB, n),
+        .tA = wfCross(from->armA, t), .tB = wfCross(from->armB, t),
+        .upA = round ? 0 : wfDot(from->armA, n), .upB = round ? 0 : wfDot(from->armB, n),
+        .gap = -from->depth, .now = -from->depth,
+        .normal = from->normalImpulse, .tangent = from->tangentImpulse };
+    p->massN = effective_mass(a, b, p->nA, p->nB);
+    p->massT = effective_mass(a, b, p->tA, p->tB);
+}
 /* <make contacts ready> */
 void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
 {
     const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
     const wfManifold *m = &c->manifold;
-    *out = (wfPrepared){ .a = c->a, .b = c->b, .count = m->count, .n = m->normal,
-        .t = wfContactTangent(m->normal), .friction = c->friction, .rolling = c->rolling,
-        .surfaceSpeed = c->surfaceSpeed, .spin = c->rollingImpulse,
-        .massSpin = inverse_or_zero(a->invInertia + b->invInertia) };
-    for (int32_t i = 0; i < m->count; i++) {
-        const wfContactPoint *from = &m->points[i];
-        wfPreparedPoint *p = &out->p[i];
-        *p = (wfPreparedPoint){ .rA = from->armA, .rB = from->armB, .gap = -from->depth,
-            .normal = from->normalImpulse, .tangent = from->tangentImpulse,
-            .round = from->feature == WF_FEATURE_CIRCLE };
-        p->massN = inverse_or_zero(inverse_mass_along(a, b, p, out->n));
-        p->massT = inverse_or_zero(inverse_mass_along(a, b, p, out->t));
-    }
+    bool rolls = c->rolling > 0;
+    out->a = c->a;
+    out->b = c->b;
+    out->count = m->count;
+    out->n = m->normal;
+    out->t = wfContactTangent(m->normal);
+    out->slides = c->friction;
+    out->holds = wfMaxR(c->staticFriction, c->friction);
+    out->sliding = c->sliding;
+    out->friction = c->sliding ? out->slides : out->holds;
+    out->rolling = c->rolling;
+    out->surfaceSpeed = c->surfaceSpeed;
+    out->spin = rolls ? c->rollingImpulse : 0;
+    out->massSpin = rolls ? inverse_or_zero(a->invInertia + b->invInertia) : 0;
+    for (int32_t i = 0; i < m->count; i++)
+        prepare_point(a, b, &m->points[i], out->n, out->t, &out->p[i]);
 }
 /* <make contacts ready> */
-void wfKickPair(const wfSolve *in, const wfPrepared *c, const wfPreparedPoint *p, wfReal j,
-                wfVec2 direction)
+void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m)
 {
-    wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
-    a->v = wfAddScaled(a->v, -j * a->invMass, direction);       /* eq:impulses-linear */
-    a->w -= j * wfCross(p->rA, direction) * a->invInertia;      /* eq:impulses-angular */
-    b->v = wfAddScaled(b->v, j * b->invMass, direction);
-    b->w += j * wfCross(p->rB, direction) * b->invInertia;
-}
-
-wfReal wfPairVelocity(const wfSolve *in, const wfPrepared *c, const wfPreparedPoint *p,
-                      wfVec2 direction)
-{
-    const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
-    wfVec2 ofA = wfAdd(a->v, wfCrossSV(a->w, p->rA));
-    wfVec2 ofB = wfAdd(b->v, wfCrossSV(b->w, p->rB));
-    return wfDot(wfSub(ofB, ofA), direction);
-}
-/* <make contacts ready> */
-static void spin_pair(const wfSolve *in, const wfPrepared *c, wfReal j)
-{
-    in->state[c->a].w -= j * in->state[c->a].invInertia;
-    in->state[c->b].w += j * in->state[c->b].invInertia;
-}
-
-void wfSolveFriction(const wfSolve *in, wfPrepared *c)      /* eq:sequential-friction */
-{
-    wfReal sum = 0;
+    wfReal wanted = 0, normal = 0;
+    if (!(c->holds > c->slides)) return;
     for (int32_t i = 0; i < c->count; i++) {
-        wfPreparedPoint *p = &c->p[i];
-        wfReal slide = wfPairVelocity(in, c, p, c->t) - c->surfaceSpeed;
-        wfReal limit = c->friction * p->normal, before = p->tangent;
-        p->tangent = wfClamp(before - p->massT * slide, -limit, limit);
-        wfKickPair(in, c, p, p->tangent - before, c->t);
-        sum += p->normal;
+        const wfPreparedPoint *p = &c->p[i];
+        wfReal slide = wfTangentRate(m, p) - c->surfaceSpeed;
+        wanted += p->tangent - p->massT * slide / (wfReal)c->count;
+        normal += p->normal;
     }
-    wfReal limit = c->rolling * sum, before = c->spin;
-    wfReal spin = in->state[c->b].w - in->state[c->a].w;
-    c->spin = wfClamp(before - c->massSpin * spin, -limit, limit);
-    spin_pair(in, c, c->spin - before);
+    c->sliding = wfAbs(wanted) > c->friction * normal;      /* eq:sequential-slides */
+    c->friction = c->sliding ? c->slides : c->holds;
 }
 /* <make contacts ready> */
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share)
 {
+    wfPairMotion m = wfTakePair(in, c);
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
         p->normal *= share;
         p->tangent *= share;
-        wfKickPair(in, c, p, p->normal, c->n);
-        wfKickPair(in, c, p, p->tangent, c->t);
+        wfPushPoint(&m, p, p->normal);
+        wfDragPoint(&m, p, p->tangent);
     }
     c->spin *= share;
-    spin_pair(in, c, c->spin);
+    m.wA -= c->spin * m.iA;
+    m.wB += c->spin * m.iB;
+    wfGivePair(in, c, &m);
 }
 
 void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
@@ -94,18 +87,5 @@ void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
         out->manifold.points[i].tangentImpulse = share * c->p[i].tangent;
     }
     out->rollingImpulse = share * c->spin;
-}
-/* <make contacts ready> */
-static wfVec2 arm_moved(const wfPreparedPoint *p, wfVec2 r, wfReal turn)
-{
-    wfVec2 moved = wfCrossSV(turn, r);
-    return p->round ? moved : wfAddScaled(moved, -turn * turn / 2, r);
-}
-
-wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p, const wfMoved *a,
-                const wfMoved *b)
-{
-    wfVec2 ofA = wfAdd(a->d, arm_moved(p, p->rA, a->turn));
-    wfVec2 ofB = wfAdd(b->d, arm_moved(p, p->rB, b->turn));
-    return p->gap + wfDot(wfSub(ofB, ofA), c->n);       /* eq:sequential-gap */
+    out->sliding = c->sliding;
 }

@@ -7,37 +7,117 @@
 
 /* <a contact made ready> */
 typedef struct wfPreparedPoint {
-    wfVec2 rA, rB;            /* arms, m */
+    wfReal nA, nB, tA, tB;    /* levers, m: rA x n, rB x n, rA x t, rB x t */
+    wfReal upA, upB;          /* m: arms along the normal; 0 for a circle's contact */
     wfReal gap;               /* m when the contact was found: minus its depth */
+    wfReal now;               /* m: where the bodies are now, for who keeps it so */
     wfReal massN, massT;      /* kg: effective masses along normal and tangent */
     wfReal normal, tangent;   /* N s: applied so far, the sums that are clamped */
-    bool   round;             /* a circle's contact: the arm does not turn with the body */
 } wfPreparedPoint;
 
 typedef struct wfPrepared {
     int32_t a, b, count;
     wfVec2  n, t;
-    wfReal  friction, rolling, surfaceSpeed;
+    wfReal  friction, rolling, surfaceSpeed;    /* friction: the one in force */
+    wfReal  slides, holds;    /* mu and mu_s >= mu; sliding: which is in force */
     wfReal  massSpin, spin;   /* kg m^2; N m s applied so far */
+    int32_t sliding;
     wfPreparedPoint p[2];
 } wfPrepared;
+
+/* Two bodies as their contact sees them. */
+typedef struct wfPairMotion {
+    wfReal vn, vt;            /* m/s: b's velocity seen from a, along normal and tangent */
+    wfReal wA, wB;            /* rad/s */
+    wfReal jn, jt;            /* N s: the sums of the impulses given since they were taken */
+    wfReal m, iA, iB;         /* sum of the inverse masses; inverse inertias */
+} wfPairMotion;
 /* <declarations of prepared contacts> */
 void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out);
-/* Adds impulse j (N s) along a direction at point p, to b and from a. */
-void wfKickPair(const wfSolve *in, const wfPrepared *c, const wfPreparedPoint *p, wfReal j,
-                wfVec2 direction);
-/* Velocity of b's point seen from a's along a direction, m/s. */
-wfReal wfPairVelocity(const wfSolve *in, const wfPrepared *c, const wfPreparedPoint *p,
-                      wfVec2 direction);
-/* The gap at a point when a and b have moved, m; negative: overlap. eq:sequential-gap */
-wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p, const wfMoved *a,
-                const wfMoved *b);
+
+static inline wfPairMotion wfTakePair(const wfSolve *in, const wfPrepared *c)
+{
+    const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
+    wfVec2 v = wfSub(b->v, a->v);
+    return (wfPairMotion){ .vn = wfDot(v, c->n), .vt = wfDot(v, c->t), .wA = a->w,
+        .wB = b->w, .m = a->invMass + b->invMass, .iA = a->invInertia,
+        .iB = b->invInertia };
+}
+
+static inline void wfGivePair(const wfSolve *in, const wfPrepared *c, const wfPairMotion *m)
+{
+    wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
+    wfVec2 j = wfAddScaled(wfScale(m->jn, c->n), m->jt, c->t);
+    a->v = wfAddScaled(a->v, -a->invMass, j);                   /* eq:impulses-linear */
+    b->v = wfAddScaled(b->v, b->invMass, j);
+    a->w = m->wA;
+    b->w = m->wB;
+}
+/* <declarations of prepared contacts> */
+/* How fast a point's gap opens, m/s; an impulse j (N s) along the normal there. */
+static inline wfReal wfNormalRate(const wfPairMotion *m, const wfPreparedPoint *p)
+{
+    return m->vn + (p->nB * m->wB - p->nA * m->wA);     /* eq:sequential-rate-of-point */
+}
+
+static inline void wfPushPoint(wfPairMotion *m, const wfPreparedPoint *p, wfReal j)
+{
+    m->vn += j * m->m;                                  /* eq:sequential-kick-in-frame */
+    m->jn += j;
+    m->wA -= j * p->nA * m->iA;
+    m->wB += j * p->nB * m->iB;
+}
+
+/* The same along the tangent: how fast it slides, and an impulse against that. */
+static inline wfReal wfTangentRate(const wfPairMotion *m, const wfPreparedPoint *p)
+{
+    return m->vt + (p->tB * m->wB - p->tA * m->wA);
+}
+
+static inline void wfDragPoint(wfPairMotion *m, const wfPreparedPoint *p, wfReal j)
+{
+    m->vt += j * m->m;
+    m->jt += j;
+    m->wA -= j * p->tA * m->iA;
+    m->wB += j * p->tB * m->iB;
+}
+/* <declarations of prepared contacts> */
 /* Applies the impulses of the contact times `share`, and keeps them as its sums. */
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share);
-/* One pass over friction and rolling: eq:sequential-friction. */
-void wfSolveFriction(const wfSolve *in, wfPrepared *c);
 /* Writes the sums times `share` into the contact. */
 void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out);
+/* <declarations of prepared contacts> */
+/* One pass over friction and rolling: eq:sequential-friction. */
+static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
+{
+    wfReal sum = 0;
+    for (int32_t i = 0; i < c->count; i++) {
+        wfPreparedPoint *p = &c->p[i];
+        wfReal limit = c->friction * p->normal, before = p->tangent;
+        wfReal to = before - p->massT * (wfTangentRate(m, p) - c->surfaceSpeed);
+        p->tangent = wfMaxR(-limit, wfMinR(limit, to));
+        wfDragPoint(m, p, p->tangent - before);
+        sum += p->normal;
+    }
+    if (!(c->rolling > 0)) return;
+    wfReal limit = c->rolling * sum, before = c->spin;
+    c->spin = wfClamp(before - c->massSpin * (m->wB - m->wA), -limit, limit);
+    m->wA -= (c->spin - before) * m->iA;
+    m->wB += (c->spin - before) * m->iB;
+}
+/* <declarations of prepared contacts> */
+/* After the passes of a step or substep: does the contact slide? eq:sequential-slides */
+void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m);
+/* <declarations of prepared contacts> */
+/* The gap at a point when a and b have moved, m; negative: overlap. */
+static inline wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p,
+                              const wfMoved *a, const wfMoved *b)
+{
+    wfReal straight = wfDot(wfSub(b->d, a->d), c->n);           /* eq:sequential-gap */
+    wfReal first = p->nB * b->turn - p->nA * a->turn;
+    wfReal second = p->upB * b->turn * b->turn - p->upA * a->turn * a->turn;
+    return p->gap + (straight + (first - second / 2));
+}
 /* <declarations of prepared contacts> */
 /* A contact that approaches faster than restingSpeed bounces and rubs, at the places and
  * velocities of these two bodies. False, and nothing done, if it is slower, or if it has no

@@ -119,9 +119,6 @@ static wfReal restitution_of(const wfContact *c, const wfBodyState *a, const wfB
     }
     return -fastest > restingSpeed ? c->restitution : 0;
 }
-/* <mix two materials> */
-wfReal wfMixRestitution(wfReal a, wfReal b) { return wfMaxR(a, b); }
-wfReal wfMixFriction(wfReal a, wfReal b) { return wfSqrt(a) * wfSqrt(b); }
 /* <contact solvers> */
 static void resolve_contact(const wfSolve *in, const wfContact *c, bool together)
 {
@@ -198,6 +195,12 @@ wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, w
     return j;
 }
 /* <contact solvers> */
+wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal)
+{
+    bool held = holds > slides && wfAbs(wanted) <= holds * normal;
+    return held ? holds : slides;                           /* eq:friction-static */
+}
+/* <contact solvers> */
 wfReal wfResistRolling(wfBodyState *a, wfBodyState *b, wfReal limit)
 {
     wfReal k = a->invInertia + b->invInertia;
@@ -208,8 +211,37 @@ wfReal wfResistRolling(wfBodyState *a, wfBodyState *b, wfReal limit)
     return j;
 }
 /* <contact solvers> */
-wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
-wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
+static wfReal mix_average(wfReal a, wfReal b) { return a / 2 + b / 2; }
+static wfReal mix_product(wfReal a, wfReal b) { return a * b; }
+static wfReal mix_minimum(wfReal a, wfReal b) { return wfMinR(a, b); }
+static wfReal mix_maximum(wfReal a, wfReal b) { return wfMaxR(a, b); }
+
+const wfMixRow wfMixTable[] = {
+    /* <rows of the mixing table> */
+    { "geometric-mean", "the root of the product: ice wins, equals keep", wfMixFriction },
+    { "minimum", "the smaller of the two", mix_minimum },
+    { "maximum", "the greater of the two", mix_maximum },
+    { "average", "half the sum", mix_average },
+    { "product", "one times the other", mix_product },
+};
+const int wfMixCount = (int)(sizeof wfMixTable / sizeof *wfMixTable);
+
+int wfFindMix(const char *name)
+{
+    for (int row = 0; name != NULL && row < wfMixCount; row++)
+        if (strcmp(wfMixTable[row].name, name) == 0) return row;
+    return -1;
+}
+/* <contact solvers> */
+static wfReal coefficient_now(const wfBodyState *a, const wfBodyState *b,
+                              const wfContact *c, wfReal normal)
+{
+    if (!(c->staticFriction > c->friction)) return c->friction;
+    wfVec2 t = wfContactTangent(c->manifold.normal), at = c->manifold.points[0].point;
+    wfReal slide = wfRelativeNormalVelocity(a, b, at, t) - c->surfaceSpeed;
+    wfReal wanted = slide * wfEffectiveMass(a, b, at, t);
+    return wfFrictionNow(c->friction, c->staticFriction, wanted, normal);
+}
 /* <contact solvers> */
 static void rub(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
 {
@@ -218,12 +250,13 @@ static void rub(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
     if (!(m->count == 2 && wfResolveTwoPoints(a, b, m, e, j)))
         for (int32_t i = 0; i < m->count; i++)
             j[i] = wfResolvePoint(a, b, m->points[i].point, m->normal, e);
+    for (int32_t i = 0; i < m->count; i++) sum += j[i];
+    wfReal mu = coefficient_now(a, b, c, sum);
     for (int32_t i = 0; i < m->count; i++) {
         wfContactPoint *p = &m->points[i];
-        wfReal limit = c->friction * j[i];                  /* eq:friction-limit */
+        wfReal limit = mu * j[i];                           /* eq:friction-limit */
         p->normalImpulse += j[i];
         p->tangentImpulse += wfRubPoint(a, b, p->point, m->normal, limit, c->surfaceSpeed);
-        sum += j[i];
     }
     c->rollingImpulse += wfResistRolling(a, b, c->rolling * sum);
 }
@@ -254,13 +287,22 @@ static bool has_feature(const wfManifold *m, uint32_t feature)
     return false;
 }
 
+static bool has_all_names(const wfManifold *old, const wfManifold *m)
+{
+    for (int32_t i = 0; i < m->count; i++)
+        if (!has_feature(old, m->points[i].feature)) return false;
+    return true;
+}
+
 void wfCarryImpulses(const wfContact *before, wfContact *now)
 {
     const wfManifold *old = &before->manifold;
     wfManifold *m = &now->manifold;
     wfKeepImpulses(old, m);
     now->rollingImpulse = before->rollingImpulse;
+    now->sliding = before->sliding;
     if (m->count < 2 || !(wfDot(old->normal, m->normal) > 0)) return;
+    if (has_all_names(old, m)) return;
     wfReal near = wfLength(wfSub(m->points[1].armA, m->points[0].armA)) / 8;
     for (int32_t k = 0; k < m->count; k++)
         for (int32_t i = 0; i < old->count; i++) {
@@ -319,8 +361,9 @@ static wfResult check_contact(const wfContact *c, int32_t bodyCount)
     if (!wfIsFinite(c->restitution) || !wfIsFinite(c->friction)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->rolling) || !wfIsFinite(c->surfaceSpeed)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->rollingImpulse) || !wfIsFinite(c->slop)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(c->staticFriction)) return WF_ERROR_NOT_FINITE;
     if (c->restitution < 0 || c->restitution > 1 || c->friction < 0) return WF_ERROR_RANGE;
-    if (c->rolling < 0 || c->slop < 0) return WF_ERROR_RANGE;
+    if (c->rolling < 0 || c->slop < 0 || c->staticFriction < 0) return WF_ERROR_RANGE;
     if (!wfIsFinite2(m->normal)) return WF_ERROR_NOT_FINITE;
     if (m->count < 0 || m->count > 2) return WF_ERROR_RANGE;
     for (int32_t i = 0; i < m->count; i++) {

@@ -3,15 +3,16 @@
 #include "dynamics/prepared.h"
 
 /* <the passes of sequential impulses> */
-static void push_contact(const wfSolve *in, wfPrepared *c, wfReal share, wfReal slop)
+static void push_contact(const wfSolve *in, wfPrepared *c, wfPairMotion *m, wfReal share,
+                         wfReal slop)
 {
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
-        wfReal u = wfPairVelocity(in, c, p, c->n), before = p->normal;
+        wfReal u = wfNormalRate(m, p), before = p->normal;
         wfReal deep = -p->gap - slop;                            /* eq:sequential-target */
         wfReal want = p->gap > 0 ? -p->gap / in->h : share * wfMaxR(deep, 0) / in->h;
         p->normal = wfMaxR(before + p->massN * (want - u), 0);   /* eq:sequential-clamp */
-        wfKickPair(in, c, p, p->normal - before, c->n);
+        wfPushPoint(m, p, p->normal - before);
     }
 }
 /* <the passes of sequential impulses> */
@@ -28,9 +29,9 @@ static void part_contact(const wfSolve *in, wfPrepared *c, wfMoved *moved, wfRea
         p->normal = wfMaxR(before + push, 0);                   /* eq:sequential-clamp */
         wfReal j = p->normal - before;                          /* kg m */
         ma->d = wfAddScaled(ma->d, -j * a->invMass, c->n);
-        ma->turn -= j * wfCross(p->rA, c->n) * a->invInertia;
+        ma->turn -= j * p->nA * a->invInertia;
         mb->d = wfAddScaled(mb->d, j * b->invMass, c->n);
-        mb->turn += j * wfCross(p->rB, c->n) * b->invInertia;
+        mb->turn += j * p->nB * b->invInertia;
     }
 }
 /* <the passes of sequential impulses> */
@@ -87,8 +88,11 @@ static wfResult sequential(const wfSolve *in, wfReal share)
     }
     for (int32_t pass = 0; pass < in->iterations; pass++)
         for (int32_t i = 0; i < in->contactCount; i++) {
-            wfSolveFriction(in, &c[i]);
-            push_contact(in, &c[i], share, in->contacts[i].slop);
+            wfPairMotion m = wfTakePair(in, &c[i]);
+            wfSolveFriction(&c[i], &m);
+            push_contact(in, &c[i], &m, share, in->contacts[i].slop);
+            wfGivePair(in, &c[i], &m);
+            if (pass + 1 == in->iterations) wfJudgeFriction(&c[i], &m);
         }
     for (int32_t i = 0; i < in->contactCount; i++)
         wfStoreImpulses(&c[i], 1, &in->contacts[i]);

@@ -19,38 +19,59 @@ static Softness softness_of(wfReal dt)
                        .impulse = 1 / (1 + a) };
 }
 /* <a step in substeps> */
-/* soft: NULL after the bodies have moved */
-static void push_softly(wfSubsteps *s, wfPrepared *c, const Softness *soft)
+typedef struct Case { wfReal rate, mass, give; } Case;
+
+/* What points want that overlap, are apart but were pushed, are apart. soft: NULL after
+ * the bodies have moved. */
+static void list_cases(const wfSubsteps *s, const Softness *soft, Case out[3])
 {
-    const wfSolve *in = s->in;
+    Case ahead = { 1 / s->dt, 1, 0 };                           /* eq:sequential-target */
+    out[0] = (Case){ 0, 1, 0 };
+    out[1] = ahead;
+    out[2] = (Case){ 0, 0, 0 };
+    if (soft == NULL) return;
+    out[0] = (Case){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
+    out[2] = ahead;
+}
+
+static inline void push_softly(const Case *cases, wfPrepared *c, wfPairMotion *m)
+{
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
-        wfReal gap = wfGapNow(c, p, &s->moved[c->a], &s->moved[c->b]), before = p->normal;
-        wfReal u = wfPairVelocity(in, c, p, c->n), j;
-        if (gap > 0 && soft == NULL && !(before > 0)) continue;
-        if (gap > 0)
-            j = -p->massN * (u + gap / s->dt);                  /* eq:sequential-target */
-        else if (soft == NULL)
-            j = -p->massN * u;
-        else
-            j = -p->massN * soft->mass * (u + soft->bias * gap)
-                - soft->impulse * before * (s->dt / s->kick); /* eq:soft-pass */
-        p->normal = wfMaxR(before + j, 0);                      /* eq:sequential-clamp */
-        wfKickPair(in, c, p, p->normal - before, c->n);
+        wfReal gap = p->now, before = p->normal;
+        const Case *k = &cases[gap > 0 ? 1 + !(before > 0) : 0];
+        wfReal u = wfNormalRate(m, p);
+        wfReal j = -p->massN * k->mass * (u + k->rate * gap) - k->give * before;
+        p->normal = wfMaxR(0, before + j);                      /* eq:sequential-clamp */
+        wfPushPoint(m, p, p->normal - before);                  /* eq:soft-pass */
     }
 }
 /* <a step in substeps> */
+static void judge(wfSubsteps *s)
+{
+    for (int32_t i = 0; i < s->in->contactCount; i++) {
+        if (!(s->c[i].holds > s->c[i].slides)) continue;
+        wfPairMotion m = wfTakePair(s->in, &s->c[i]);
+        wfJudgeFriction(&s->c[i], &m);
+    }
+}
+
 static void sweep(wfSubsteps *s, const Softness *soft)
 {
     const wfLaws *laws = s->in->laws;
+    Case cases[3];
+    list_cases(s, soft, cases);
     for (int32_t pass = 0; pass < s->in->iterations; pass++) {
         if (laws != NULL)
             laws->solve(laws->context, s->in, s->moved, s->dt, pass, soft != NULL);
         for (int32_t i = 0; i < s->in->contactCount; i++) {
-            push_softly(s, &s->c[i], soft);
-            wfSolveFriction(s->in, &s->c[i]);
+            wfPairMotion m = wfTakePair(s->in, &s->c[i]);
+            push_softly(cases, &s->c[i], &m);
+            wfSolveFriction(&s->c[i], &m);
+            wfGivePair(s->in, &s->c[i], &m);
         }
     }
+    if (soft == NULL) judge(s);
 }
 /* <a step in substeps> */
 static void finish(wfSubsteps *s)

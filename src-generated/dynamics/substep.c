@@ -19,6 +19,15 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
         in->laws->begin(in->laws->context, in, s->moved, s->dt, t);
 }
 
+void wfFindGaps(wfSubsteps *s)
+{
+    for (int32_t i = 0; i < s->in->contactCount; i++) {
+        wfPrepared *c = &s->c[i];
+        const wfMoved *a = &s->moved[c->a], *b = &s->moved[c->b];
+        for (int32_t k = 0; k < c->count; k++) c->p[k].now = wfGapNow(c, &c->p[k], a, b);
+    }
+}
+
 void wfDrift(wfSubsteps *s)
 {
     for (int32_t i = 0; i < s->in->bodyCount; i++) {
@@ -26,6 +35,7 @@ void wfDrift(wfSubsteps *s)
         m->d = wfAddScaled(m->d, s->dt, s->in->state[i].v);
         m->turn += s->dt * s->in->state[i].w;
     }
+    wfFindGaps(s);
 }
 /* <bounce at the time of impact> */
 static wfMotion at_time(const wfSubsteps *s, int32_t i, wfReal t)
@@ -42,13 +52,14 @@ static wfMotion at_time(const wfSubsteps *s, int32_t i, wfReal t)
 static wfReal impact_time(const wfSubsteps *s, const wfPrepared *c,
                           const wfPreparedPoint *p)
 {
-    const wfSolve *in = s->in;
     wfReal gap = wfGapNow(c, p, &s->moved[c->a], &s->moved[c->b]), never = 2 * s->dt;
-    wfReal after = wfPairVelocity(in, c, p, c->n), least = in->restingSpeed;
+    wfPairMotion seen = wfTakePair(s->in, c);
+    wfReal after = wfNormalRate(&seen, p), least = s->in->restingSpeed;
     if (gap + s->dt * after >= 0) return never;
     wfMotion a = at_time(s, c->a, 0), b = at_time(s, c->b, 0);
-    wfVec2 ofA = wfAdd(a.v, wfCrossSV(a.w, p->rA)), ofB = wfAdd(b.v, wfCrossSV(b.w, p->rB));
-    wfReal u = wfDot(wfSub(ofB, ofA), c->n), rate = 2 * (after - u) / s->dt;
+    seen.vn = wfDot(wfSub(b.v, a.v), c->n);
+    seen.wA = a.w, seen.wB = b.w;
+    wfReal u = wfNormalRate(&seen, p), rate = 2 * (after - u) / s->dt;
     wfReal square = u * u - 2 * rate * gap;                 /* eq:soft-impact */
     if (!(u < 0) || !(square > least * least)) return never;
     return 2 * gap / (wfSqrt(square) - u);
@@ -71,6 +82,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
 {
     const wfSolve *in = s->in;
     const wfPrepared *c = &s->c[at];
+    const wfContactPoint *found = in->contacts[at].manifold.points;
     wfContact hit = in->contacts[at];
     wfReal t = s->dt;
     hit.manifold.count = 0;
@@ -79,12 +91,12 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
         if (ti > s->dt) continue;
         t = wfMinR(t, ti);
         wfContactPoint *p = &hit.manifold.points[hit.manifold.count++];
-        p->point = wfSub(c->p[i].rA, c->p[0].rA);
+        p->point = wfSub(found[i].armA, found[0].armA);
     }
     if (hit.manifold.count == 0) return false;
     wfMotion ma = at_time(s, c->a, t), mb = at_time(s, c->b, t);
     wfBodyState a = in->state[c->a], b = in->state[c->b];
-    a.p = wfNeg(c->p[0].rA), b.p = wfNeg(c->p[0].rB);
+    a.p = wfNeg(found[0].armA), b.p = wfNeg(found[0].armB);
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;
     if (!wfBounce(&a, &b, &hit, in->restingSpeed)) return false;
     give(s, c->a, &a, ma, t);
@@ -96,14 +108,16 @@ enum { BOUNCE_PASSES = 8 };
 
 void wfBounceAll(wfSubsteps *s)
 {
-    bool some = true;
+    bool some = true, any = false;
     for (int32_t pass = 0; some && pass < BOUNCE_PASSES; pass++) {
         some = false;
         for (int32_t i = 0; i < s->in->contactCount; i++) {
             int32_t at = pass % 2 == 0 ? i : s->in->contactCount - 1 - i;
             if (s->in->contacts[at].restitution > 0 && bounce_contact(s, at)) some = true;
         }
+        any = any || some;
     }
+    if (any) wfFindGaps(s);
 }
 /* <take room for substeps> */
 wfResult wfTakeSubsteps(wfSubsteps *s)

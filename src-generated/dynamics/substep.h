@@ -27,6 +27,9 @@ wfResult wfTakeSubsteps(wfSubsteps *s);
 void wfKick(wfSubsteps *s, wfReal t, wfReal last);
 /* All bodies move for a substep with the velocities that they have. */
 void wfDrift(wfSubsteps *s);
+/* Each point's `now`, from where the bodies are. The two that move them, wfDrift and
+ * wfBounceAll, do it themselves. */
+void wfFindGaps(wfSubsteps *s);
 /* What collides in this substep, and has restitution, bounces at the time of impact. */
 void wfBounceAll(wfSubsteps *s);
 size_t wfSubstepScratch(int32_t bodies, int32_t contacts);

@@ -12,10 +12,18 @@ wfWorldDef wfDefaultWorldDef(void)
         /* <default capacities> */
         .forceCapacity = 64,
         /* <default capacities> */
-        .jointCapacity = 64, .exactJoints = 0,
+        .pairMaterials = 16,
+        /* <default capacities> */
+        .jointCapacity = 64, .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP,
+        /* <default capacities> */
+        .impacts = 16,
+        /* <default capacities> */
+        .sleep = 0, .sleepTime = WF_R(0.5), .sleepShare = WF_R(0.04),
         .integrator = wfFindIntegrator("verlet"),
         .broadPhase = wfFindBroadPhase("dynamic-tree"),
         .narrowPhase = wfFindNarrowPhase("sat"), .solver = wfFindSolver("soft"),
+        .frictionMix = wfFindMix("geometric-mean"),
+        .restitutionMix = wfFindMix("maximum"), .rollingMix = wfFindMix("maximum"),
         .iterations = 8, .substeps = 4, .restingSteps = 2, .hitSteps = 6,
         .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1, .events = 1,
         .queries = 1 };
@@ -41,7 +49,9 @@ static wfResult check_methods(const wfWorldDef *d)
     bool known = is_row(d->integrator, wfIntegratorCount)
               && is_row(d->broadPhase, wfBroadPhaseCount)
               && is_row(d->narrowPhase, wfNarrowPhaseCount)
-              && is_row(d->solver, wfSolverCount);
+              && is_row(d->solver, wfSolverCount) && is_row(d->frictionMix, wfMixCount)
+              && is_row(d->restitutionMix, wfMixCount)
+              && is_row(d->rollingMix, wfMixCount);
     return known ? WF_OK : WF_ERROR_UNKNOWN;
 }
 /* <check a world's definition> */
@@ -62,10 +72,25 @@ static wfResult check_world_def(const wfWorldDef *d)
         /* <capacities to check> */
         d->bodyCapacity, d->shapeCapacity, d->forceCapacity, d->pairCapacity, d->contactCapacity,
         /* <capacities to check> */
+        d->pairMaterials,
+        /* <capacities to check> */
         d->jointCapacity,
+        /* <capacities to check> */
+        d->impacts,
     };
     for (size_t i = 0; i < sizeof capacity / sizeof *capacity; i++)
         if (capacity[i] < 0 || capacity[i] > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
+    /* <check further settings> */
+    if (d->bodyCapacity > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
+    /* <check further settings> */
+    if (d->exactJoints < WF_JOINTS_ONE_BY_ONE || d->exactJoints > WF_JOINTS_AUTO)
+        return WF_ERROR_RANGE;
+    if (!wfIsFinite(d->exactCost)) return WF_ERROR_NOT_FINITE;
+    if (d->exactCost < 0) return WF_ERROR_RANGE;
+    /* <check further settings> */
+    if (!wfIsFinite(d->sleepTime) || !wfIsFinite(d->sleepShare)) return WF_ERROR_NOT_FINITE;
+    if (d->sleep != 0 && d->sleep != 1) return WF_ERROR_RANGE;
+    if (d->sleep && (!(d->sleepTime > 0) || d->sleepShare < 0)) return WF_ERROR_RANGE;
     return check_methods(d);
 }
 /* <choose the capacities that were left open> */
@@ -142,9 +167,11 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_HITS]          = { "hits", 0, touches, sizeof(wfHit), 0 },
         /* <rows of the block's regions> */
         [WF_REGION_NEW_STATE]     = { "new states", 1, bodies, sizeof(wfBodyState), 0 },
+        [WF_REGION_PRESENT]       = { "present", 1, bodies, sizeof(uint8_t), 0 },
         [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, forces + 1, sizeof(wfForce), 0 },
         [WF_REGION_SUMS]          = { "sums of forces", 1, bodies, sizeof(wfBodyForces), 0 },
         [WF_REGION_PLACES]        = { "places", 1, bodies, sizeof(wfTransform), 0 },
+        [WF_REGION_RIMS]          = { "rim speeds", 1, shapes, sizeof(wfReal), 0 },
         [WF_REGION_NEW_BOUNDS]    = { "new bounds", 1, shapes, sizeof(wfRect), 0 },
         [WF_REGION_NEW_FLAGS]     = { "new flags", 1, shapes, sizeof(uint8_t), 0 },
         [WF_REGION_NEW_INDEX]     = { "new index", 1, index, 1, 0 },
@@ -156,17 +183,42 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_NEW_HITS]      = { "new hits", 1, touches, sizeof(wfHit), 0 },
         [WF_REGION_SCRATCH]       = { "scratch", 1, stage_scratch(d), 1, 0 },
         /* <rows of the block's regions> */
+        [WF_REGION_PAIR_MATERIALS] = { "pairs of materials", 0, (size_t)d->pairMaterials,
+                                       sizeof(wfKnownPair), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_JOINT_SLOTS] = { "joint slots", 0, (size_t)d->jointCapacity, sizeof(wfSlot), 0 },
         [WF_REGION_JOINTS]      = { "joints", 0, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
         [WF_REGION_BROKEN]      = { "broken joints", 0, (size_t)d->jointCapacity,
                                     sizeof(wfJointId), 0 },
+        [WF_REGION_ALONE]       = { "joints alone", 0, (size_t)d->jointCapacity, 1, 0 },
+        [WF_REGION_NEW_ALONE]   = { "new joints alone", 1, (size_t)d->jointCapacity, 1, 0 },
         [WF_REGION_NEW_JOINTS]  = { "new joints", 1, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
+        [WF_REGION_JOINT_PLACES] = { "places of joints", 1, (size_t)d->jointCapacity,
+                                    sizeof(int32_t), 0 },
         [WF_REGION_JOINED]      = { "joined bodies", 1, (size_t)d->jointCapacity, sizeof(wfPair),
                                     0 },
         [WF_REGION_JOINT_WORK]  = { "rows of joints", 1, wfJointScratch(d->bodyCapacity,
                                     d->jointCapacity), 1, 0 },
         [WF_REGION_EXACT]       = { "matrix of joints", 1, d->exactJoints ?
                                     wfExactScratch(d->bodyCapacity, d->jointCapacity) : 0, 1, 0 },
+        /* <rows of the block's regions> */
+        [WF_REGION_FLIGHTS]     = { "flights", 1, (size_t)d->bodyCapacity, sizeof(wfFlight), 0 },
+        [WF_REGION_FLIGHT_OF]   = { "flight of each body", 1, (size_t)d->bodyCapacity,
+                                    sizeof(int32_t), 0 },
+        [WF_REGION_STRIKES]     = { "strikes", 1, (size_t)d->pairCapacity, sizeof(wfStrike), 0 },
+        [WF_REGION_SPARED]      = { "spared pairs", 1, (size_t)d->shapeCapacity, sizeof(wfPair),
+                                    0 },
+        [WF_REGION_NEAR]        = { "shapes near a flight", 1, (size_t)d->shapeCapacity,
+                                    sizeof(int32_t), 0 },
+        /* <rows of the block's regions> */
+        [WF_REGION_REST]        = { "rest", 0, bodies, sizeof(uint8_t), 0 },
+        [WF_REGION_CLOCKS]      = { "clocks of rest", 0, bodies, sizeof(wfReal), 0 },
+        [WF_REGION_RINGS]       = { "rings of sleepers", 0, bodies, sizeof(int32_t), 0 },
+        [WF_REGION_ISLANDS]     = { "islands", 0, bodies, sizeof(int32_t), 0 },
+        [WF_REGION_WOKEN]       = { "woken", 1, bodies, sizeof(uint8_t), 0 },
+        [WF_REGION_NEW_CLOCKS]  = { "new clocks of rest", 1, bodies, sizeof(wfReal), 0 },
+        [WF_REGION_NEW_ISLANDS] = { "new islands", 1, wfIslandScratch(d->bodyCapacity)
+                                    + bodies * (sizeof(int32_t) + 2) + 4 * WF_POOL_ALIGN, 1, 0 },
     };
     memcpy(out, list, sizeof list);
 }
@@ -251,10 +303,19 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
         .forceCapacity = d->forceCapacity, .pairCapacity = d->pairCapacity,
         .contactCapacity = d->contactCapacity,
         /* <capacities that the header keeps> */
+        .pairMaterials = d->pairMaterials,
+        /* <capacities that the header keeps> */
         .jointCapacity = d->jointCapacity, .exactJoints = d->exactJoints,
+        .exactCost = d->exactCost,
+        /* <capacities that the header keeps> */
+        .impacts = d->impacts,
+        /* <capacities that the header keeps> */
+        .sleep = d->sleep, .sleepTime = d->sleepTime, .sleepShare = d->sleepShare,
         .integrator = d->integrator,
         .broadPhase = d->broadPhase, .narrowPhase = d->narrowPhase, .solver = d->solver,
         .iterations = d->iterations, .substeps = d->substeps, .hitSteps = d->hitSteps,
+        .frictionMix = d->frictionMix, .restitutionMix = d->restitutionMix,
+        .rollingMix = d->rollingMix,
         .reuse = d->reuse, .events = d->events, .queries = d->queries };
     for (int i = 0; i < WF_REGION_COUNT; i++) head->offset[i] = region[i].offset;
 }
@@ -360,27 +421,53 @@ wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
                          .props = b->props, .shapes = b->shapes, .next = b->next,
                          .alive = b->alive };
 }
-/* <forget contacts> */
-void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
+/* <disturb a body> */
+void wfDisturb(wfBlock *b, int32_t i)
 {
-    int32_t kept = 0;
-    for (int32_t i = 0; i < b->head->contactCount; i++) {
-        const wfContact *c = &b->contacts[i];
-        bool ofBody = c->a == body || c->b == body;
-        bool ofShape = c->shapeA == shape || c->shapeB == shape;
-        if (!ofBody && !ofShape) b->contacts[kept++] = b->contacts[i];
-    }
-    b->head->contactCount = kept;
-    kept = 0;
+    (void)b, (void)i;
+    /* <what it means that something was done to body i> */
+    /* In this chapter nothing: all bodies are awake. */
+    /* <what it means that something was done to body i> */
+    wfRouse(b, i);
+}
+
+void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second)
+{
+    if (first < 0) wfDisturb(b, -1);
+    else if (b->props[first].type == WF_DYNAMIC) wfDisturb(b, first);
+    if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfDisturb(b, second);
+}
+/* <forget contacts> */
+static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
+{
+    int32_t left = 0, before = b->head->kept.pairs;
     for (int32_t i = 0; i < b->head->pairCount; i++) {
         wfPair p = b->pairs[i];
         bool ofBody = body >= 0 && (b->owners[p.a] == body || b->owners[p.b] == body);
         bool ofShape = p.a == shape || p.b == shape;
+        if ((ofBody || ofShape) && i < before) b->head->kept.pairs--;
         if (ofBody || ofShape) continue;
-        b->pairs[kept] = p;
-        b->caches[kept++] = b->caches[i];
+        b->pairs[left] = p;
+        b->caches[left++] = b->caches[i];
     }
-    b->head->pairCount = kept;
+    b->head->pairCount = left;
+}
+
+void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
+{
+    int32_t left = 0, before = b->head->kept.contacts;
+    for (int32_t i = 0; i < b->head->contactCount; i++) {
+        wfContact c = b->contacts[i];
+        bool ofBody = c.a == body || c.b == body;
+        bool ofShape = c.shapeA == shape || c.shapeB == shape;
+        if ((ofBody || ofShape) && i < before) b->head->kept.contacts--;
+        if (!ofBody && !ofShape) b->contacts[left++] = c;
+        else wfDisturbEnds(b, c.a, c.b);
+    }
+    b->head->contactCount = left;
+    forget_pairs(b, body, shape);
+    if (body >= 0) wfDisturb(b, body);
+    if (shape >= 0) wfDisturbEnds(b, b->owners[shape], -1);
 }
 /* <settings of a world> */
 wfWorldDef wfSettings(const wfHeader *h)
@@ -388,13 +475,22 @@ wfWorldDef wfSettings(const wfHeader *h)
     return (wfWorldDef){ .gravity = h->gravity, .dt = h->dt,
         .bodyCapacity = h->bodyCapacity, .shapeCapacity = h->shapeCapacity,
         /* <capacities that the header tells> */
+        .pairMaterials = h->pairMaterials,
+        /* <capacities that the header tells> */
         .forceCapacity = h->forceCapacity, .pairCapacity = h->pairCapacity,
         .contactCapacity = h->contactCapacity,
         /* <capacities that the header tells> */
         .jointCapacity = h->jointCapacity, .exactJoints = h->exactJoints,
+        .exactCost = h->exactCost,
+        /* <capacities that the header tells> */
+        .impacts = h->impacts,
+        /* <capacities that the header tells> */
+        .sleep = h->sleep, .sleepTime = h->sleepTime, .sleepShare = h->sleepShare,
         .integrator = h->integrator,
         .broadPhase = h->broadPhase, .narrowPhase = h->narrowPhase, .solver = h->solver,
         .iterations = h->iterations, .substeps = h->substeps, .hitSteps = h->hitSteps,
+        .frictionMix = h->frictionMix, .restitutionMix = h->restitutionMix,
+        .rollingMix = h->rollingMix,
         .reuse = h->reuse, .events = h->events, .queries = h->queries,
         .restingSteps = h->restingSteps,
         .positionShare = h->positionShare, .slop = h->slop };
@@ -413,6 +509,12 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     wfResult result = check_world_def(d);
     if (result != WF_OK) return result;
     wfHeader *h = b->head;
+    /* <tell if the laws change> */
+    bool same = h->gravity.x == d->gravity.x && h->gravity.y == d->gravity.y
+             && h->dt == d->dt && h->solver == d->solver && h->substeps == d->substeps
+             && h->iterations == d->iterations && h->positionShare == d->positionShare
+             && h->slop == d->slop && h->restingSteps == d->restingSteps;
+    if (!same) wfDisturb(b, -1);
     h->gravity = d->gravity;
     h->dt = d->dt;
     h->integrator = d->integrator;
@@ -425,8 +527,20 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     h->hitSteps = d->hitSteps;
     h->positionShare = d->positionShare;
     h->slop = d->slop;
+    h->frictionMix = d->frictionMix;
+    h->restitutionMix = d->restitutionMix;
+    h->rollingMix = d->rollingMix;
     h->reuse = d->reuse;
     h->queries = d->queries;
+    /* <change further settings> */
+    /* Later chapters have more. */
+    /* <change further settings> */
+    h->impacts = d->impacts;
+    /* <change further settings> */
+    if (!d->sleep) wfDisturb(b, -1);
+    h->sleep = d->sleep;
+    h->sleepTime = d->sleepTime;
+    h->sleepShare = d->sleepShare;
     if (!d->queries) h->indexStale = 1;
     return WF_OK;
 }

@@ -6,6 +6,10 @@
 #include "weft/world.h"
 
 /* <the block's header> */
+/* How much of the lists of a step is handed on, untouched, from one step to the next: so
+ * many of the first entries, which are sorted by themselves. */
+typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
+
 typedef struct wfHeader {
     uint64_t   magic;          /* says: a world, of this layout and precision */
     uint64_t   bytes;          /* of the permanent chunk in use */
@@ -19,13 +23,29 @@ typedef struct wfHeader {
     int32_t bodyCapacity, shapeCapacity, forceCapacity, pairCapacity, contactCapacity;
     int32_t integrator, broadPhase, narrowPhase, solver;
     int32_t iterations, substeps, reuse, events, queries;
+    int32_t frictionMix, restitutionMix, rollingMix;
+    /* <settings that a world keeps> */
+    int32_t pairMaterials, knownPairs;
     /* <settings that a world keeps> */
     int32_t jointCapacity, exactJoints;
     wfSlots jointSlots;
+    wfReal exactCost;
     int32_t brokenCount;       /* joints that broke in the last step */
-    int32_t together;          /* 1: the last step solved all joints at once */
+    int32_t together;          /* joints that the last step solved together */
+    int32_t unsolved;          /* substeps of the last step that chapter 19 did not solve */
+    uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
+    /* <settings that a world keeps> */
+    int32_t impacts;
+    int32_t fastCount, impactCount, heldCount;  /* of the last step */
+    /* <settings that a world keeps> */
+    int32_t sleep;
+    wfReal  sleepTime, sleepShare;
+    int32_t asleep;            /* how many bodies sleep */
+    int32_t roused;            /* 1: since the last step somebody may have woken */
+    int32_t islandCount;       /* of the last step: islands that were awake, at its end */
     wfSlots    bodySlots, shapeSlots, forceSlots;
     int32_t    pairCount, contactCount, touchCount, hitCount;   /* of the last step */
+    wfKept     kept;           /* how many of them the next step will not look at */
     int32_t    eventCount[WF_EVENT_KINDS];
     int32_t    sensorCount;    /* shapes that are sensors */
     int32_t    indexStale;     /* 1: the bounds have changed since the index was made */
@@ -61,6 +81,11 @@ typedef struct wfBlock {
     uint8_t      *transient;
 } wfBlock;
 /* <declarations of the block> */
+typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
+/* What two shapes' materials make together: known, or mixed by the world's rules. */
+wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
+                              const wfShapeProps *two);
+/* <declarations of the block> */
 /* Checks a handle and finds the arrays. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
 /* The same for a call that changes the world. WF_ERROR_BUSY. */
@@ -89,6 +114,10 @@ void wfBoundBody(wfBlock *b, int32_t i);
 wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags);
 /* Forgets the contacts and pairs of a body (-1: none) and of a shape (-1: none). */
 void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape);
+/* Something was done to body i from outside (-1: to all); to both ends of a force, a joint
+ * or a contact, as far as they are dynamic. */
+void wfDisturb(wfBlock *b, int32_t i);
+void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second);
 /* What body i would be if it had this type; and making it so. */
 wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
                      wfBodyProps *props);
@@ -104,4 +133,57 @@ wfResult wfLeaveOutJoined(struct wfStep *s);
 wfResult wfTakeJoints(struct wfStep *s);
 wfResult wfJudgeJoints(struct wfStep *s);
 wfResult wfKeepJoints(struct wfStep *s);
+/* <declarations of the block> */
+/* A body that is followed through a step. Times are shares of the step. */
+typedef struct wfFlight {
+    int32_t body, impacts;     /* whose it is; how many it has had */
+    int32_t own, other;        /* the shapes that meet next; other -1: nobody */
+    wfReal  since, next;       /* when the leg begins; when they meet, above 1: never */
+    wfSweep leg;               /* the motion from `since` to the end of the step */
+    wfVec2  gain;              /* m/s and rad/s: what the step has added to the velocity */
+    wfReal  spin;
+    wfReal  reach;             /* m: no point of the body is farther from its centre */
+    wfRect  box;               /* round the leg */
+    wfVec2  point, normal;     /* where they meet: halfway, and from `own` to `other` */
+    bool    fast, held, lost;  /* looks for others; waits; does not know what comes */
+} wfFlight;
+/* A collision that was dealt with at its own moment. */
+typedef struct wfStrike {
+    wfPair pair;
+    wfVec2 point, normal;      /* world, m; unit, from pair.a to pair.b */
+    wfReal speed, impulse;     /* m/s before it; N s */
+} wfStrike;
+/* <declarations of the block> */
+/* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
+ * therefore followed? eq:impact-fast */
+static inline bool wfIsFollowed(const wfBlock *b, int32_t k, wfReal way)
+{
+    wfReal least = b->head->slop * b->materials[k].reach;
+    return b->head->impacts > 0 && way > wfMaxR(b->materials[k].inner, least);
+}
+/* <declarations of the block> */
+/* Stages of fast bodies, and what they need from others: chapter 25. */
+wfResult wfFlyFirst(struct wfStep *s);
+wfResult wfFlyLast(struct wfStep *s);
+wfResult wfTellStrikes(struct wfStep *s);
+wfResult wfFindPairsAgain(struct wfStep *s);
+wfContact wfStartContact(const struct wfStep *s, wfPair p);
+wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
+/* Is there a joint that keeps the bodies a and b from colliding? */
+bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);
+/* <declarations of the block> */
+/* Sleep, chapter 25. A new or a cleared place; who is disturbed, and by what. */
+void wfBeginRest(wfBlock *b, int32_t i, int32_t never);
+void wfRouse(wfBlock *b, int32_t i);
+void wfRouseNear(wfBlock *b, int32_t k);
+bool wfSleeps(const wfBlock *b, int32_t i);
+/* <declarations of the block> */
+void wfLeaveOutSleepers(struct wfStep *s);
+void wfWakeInStep(struct wfStep *s, int32_t i);
+bool wfMovesNow(const struct wfStep *s, int32_t i);
+int32_t wfOldTouches(const struct wfStep *s, wfTouch *out);
+void wfAddSensed(const struct wfStep *s, wfTouchList *stay);
+void wfKeepRest(struct wfStep *s);
+wfResult wfPlaceSleepers(struct wfStep *s);
+wfResult wfFindIslands(struct wfStep *s);
 #endif

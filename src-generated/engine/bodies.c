@@ -69,6 +69,10 @@ static wfResult check_body_def(const wfBodyDef *d)
     if (wfAbs(d->angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
     bool moves = d->velocity.x != 0 || d->velocity.y != 0 || d->angularVelocity != 0;
     if (d->type == WF_STATIC && moves) return WF_ERROR_RANGE;
+    /* <check what else a body is made from> */
+    if (d->fixedRotation != 0 && d->fixedRotation != 1) return WF_ERROR_RANGE;
+    /* <check what else a body is made from> */
+    if (d->neverSleeps != 0 && d->neverSleeps != 1) return WF_ERROR_RANGE;
     return d->shape.kind == WF_SHAPE_NONE ? WF_OK : wfCheckShape(&d->shape);
 }
 /* <make a body from its definition> */
@@ -133,6 +137,8 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     own.restitution = def->restitution;
     own.friction = def->friction;
     if (formed) wfHangShape(&b, i, &own);
+    /* <give body i the shape of its definition> */
+    wfBeginRest(&b, i, def->neverSleeps);
     if (out != NULL) *out = wfIdOfBody(&b, i);
     return WF_OK;
 }
@@ -158,11 +164,14 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
     for (int32_t f = 0; f < b.head->forceSlots.high; f++) {
         bool live = b.forceSlots[f].next == WF_SLOT_LIVE;
         if (!live || (b.forces[f].a != i && b.forces[f].b != i)) continue;
+        wfDisturbEnds(&b, b.forces[f].a, b.forces[f].b);
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
         memset(&b.forces[f], 0, sizeof b.forces[f]);
     }
     /* <remove the forces that hang on body i> */
     wfDropJoints(&b, i);
+    /* <remove the forces that hang on body i> */
+    wfBeginRest(&b, i, 0);
     wfSlotGive(&b.head->bodySlots, b.bodySlots, i, id.generation);
     clear_place(&b, i);
     return WF_OK;
@@ -231,8 +240,12 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (result != WF_OK) return result;
     if (!wfIsFinite2(velocity) || !wfIsFinite(angularVelocity)) return WF_ERROR_NOT_FINITE;
     if (b.props[i].type == WF_STATIC) return WF_ERROR_RANGE;
-    b.state[i].v = velocity;
-    b.state[i].w = angularVelocity;
+    wfBodyState *s = &b.state[i];
+    bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
+    bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
+    s->v = velocity;
+    s->w = angularVelocity;
+    if (moved != moves || b.props[i].type == WF_DYNAMIC) wfDisturb(&b, i);
     return WF_OK;
 }
 /* <change a body> */
@@ -247,6 +260,7 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
     wfReal inertia = b.props[i].inertia * (mass / b.props[i].mass);
     result = wfSetMass(&b.state[i], &b.props[i], mass, inertia);
     if (result == WF_OK) b.props[i].givenMass = mass;
+    if (result == WF_OK) wfDisturb(&b, i);
     return result;
 }
 /* <change a body> */
@@ -279,7 +293,9 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
     for (int32_t k = b.props[i].shape; k >= 0; k = b.next[k]) {
         b.materials[k].restitution = restitution;
         b.materials[k].friction = friction;
+        b.materials[k].staticFriction = 0;
     }
+    wfDisturb(&b, i);
     return WF_OK;
 }
 /* <change a body> */
@@ -306,6 +322,7 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     wfApplyForce(&sums, &b.state[i], force, point);
     if (!wfIsFinite2(sums.force) || !wfIsFinite(sums.torque)) return WF_ERROR_NOT_FINITE;
     b.applied[i] = sums;
+    if (force.x != 0 || force.y != 0) wfDisturb(&b, i);
     return WF_OK;
 }
 
@@ -317,6 +334,7 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
     if (result != WF_OK) return result;
     if (!wfIsFinite(b.applied[i].torque + torque)) return WF_ERROR_NOT_FINITE;
     wfApplyTorque(&b.applied[i], torque);
+    if (torque != 0) wfDisturb(&b, i);
     return WF_OK;
 }
 /* <push a body in a world> */
@@ -334,6 +352,7 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
     wfApplyAngularImpulse(&kicked, spin);
     if (!wfBodyIsFinite(&kicked)) return WF_ERROR_NOT_FINITE;
     b.state[i] = kicked;
+    if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfDisturb(&b, i);
     return WF_OK;
 }
 /* <push a body in a world> */

@@ -39,6 +39,7 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
     if (i < 0) return WF_ERROR_FULL;
     b.forces[i] = *force;
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
     return WF_OK;
 }
@@ -49,6 +50,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
     int32_t i;
     wfResult result = change_force(world, id, &b, &i);
     if (result != WF_OK) return result;
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     memset(&b.forces[i], 0, sizeof b.forces[i]);
     return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
 }
@@ -68,8 +70,11 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
     int32_t i;
     wfResult result = change_force(world, id, &b, &i);
     if (result == WF_OK) result = check_world_force(&b, force);
-    if (result == WF_OK) b.forces[i] = *force;
-    return result;
+    if (result != WF_OK) return result;
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
+    b.forces[i] = *force;
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
+    return WF_OK;
 }
 /* <forces in a world> */
 static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)

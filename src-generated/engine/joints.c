@@ -5,14 +5,20 @@
 #include "engine/step.h"
 
 /* <find the arrays of the joints> */
-typedef struct Joints { wfSlot *slots; wfJoint *joints; wfJointId *broken; } Joints;
+typedef struct Joints {
+    wfSlot *slots;
+    wfJoint *joints;
+    wfJointId *broken;
+    uint8_t *alone;
+} Joints;
 
 static Joints joints_of(const wfBlock *b)
 {
     uint8_t *base = (uint8_t *)b->head;
     return (Joints){ (void *)(base + b->head->offset[WF_REGION_JOINT_SLOTS]),
                      (void *)(base + b->head->offset[WF_REGION_JOINTS]),
-                     (void *)(base + b->head->offset[WF_REGION_BROKEN]) };
+                     (void *)(base + b->head->offset[WF_REGION_BROKEN]),
+                     base + b->head->offset[WF_REGION_ALONE] };
 }
 
 static bool is_live(const Joints *j, int32_t i) { return j->slots[i].next == WF_SLOT_LIVE; }
@@ -76,6 +82,7 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     int32_t i = wfSlotTake(&b.head->jointSlots, j.slots);
     if (i < 0) return WF_ERROR_FULL;
     j.joints[i] = *joint;
+    wfDisturbEnds(&b, joint->a, joint->b);
     if (out != NULL) *out = (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };
     return WF_OK;
 }
@@ -87,6 +94,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
     int32_t i;
     wfResult result = change_joint(world, id, &b, &j, &i);
     if (result != WF_OK) return result;
+    wfDisturbEnds(&b, j.joints[i].a, j.joints[i].b);
     memset(&j.joints[i], 0, sizeof j.joints[i]);
     return wfSlotGive(&b.head->jointSlots, j.slots, i, id.generation);
 }
@@ -109,8 +117,11 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
     if (joint == NULL) return WF_ERROR_NULL;
     wfResult result = change_joint(world, id, &b, &j, &i);
     if (result == WF_OK) result = check_world_joint(&b, joint);
-    if (result == WF_OK) j.joints[i] = *joint;
-    return result;
+    if (result != WF_OK) return result;
+    wfDisturbEnds(&b, j.joints[i].a, j.joints[i].b);
+    j.joints[i] = *joint;
+    wfDisturbEnds(&b, joint->a, joint->b);
+    return WF_OK;
 }
 /* <add, change and remove joints> */
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque)
@@ -159,7 +170,20 @@ int32_t wfJointCount(const wfWorld *world)
 bool wfJointsSolvedTogether(const wfWorld *world)
 {
     wfBlock b;
-    return wfOpenBlock(world, &b) == WF_OK && b.head->together != 0;
+    if (wfOpenBlock(world, &b) != WF_OK || b.head->together == 0) return false;
+    return b.head->together == wfJointCount(world);
+}
+
+int32_t wfJointsTogether(const wfWorld *world)
+{
+    wfBlock b;
+    return wfOpenBlock(world, &b) == WF_OK ? b.head->together : 0;
+}
+
+int32_t wfUnsolvedSubsteps(const wfWorld *world)
+{
+    wfBlock b;
+    return wfOpenBlock(world, &b) == WF_OK ? b.head->unsolved : 0;
 }
 
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count)
@@ -177,6 +201,7 @@ void wfDropJoints(wfBlock *b, int32_t body)
     for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
         if (!is_live(&j, i)) continue;
         if (j.joints[i].a != body && j.joints[i].b != body) continue;
+        wfDisturbEnds(b, j.joints[i].a, j.joints[i].b);
         wfSlotGive(&b->head->jointSlots, j.slots, i, j.slots[i].generation);
         memset(&j.joints[i], 0, sizeof j.joints[i]);
     }
@@ -187,19 +212,19 @@ static bool comes_before(wfPair a, wfPair b)
     return a.a != b.a ? a.a < b.a : a.b < b.b;
 }
 
-static int32_t list_joined(const struct wfStep *s, wfPair *out)
+/* sorted; -1: no memory */
+static int32_t list_joined(struct wfStep *s, wfPair *out)
 {
     int32_t count = 0;
     Joints j = joints_of(&s->b);
     for (int32_t i = 0; i < s->b.head->jointSlots.high; i++) {
         if (!is_live(&j, i)) continue;
         if (j.joints[i].flags & (WF_JOINT_COLLIDE | WF_JOINT_BROKEN)) continue;
-        int32_t a = j.joints[i].a, b = j.joints[i].b, at = count++;
-        wfPair pair = { a < b ? a : b, a < b ? b : a };
-        for (; at > 0 && comes_before(pair, out[at - 1]); at--) out[at] = out[at - 1];
-        out[at] = pair;
+        int32_t a = j.joints[i].a, b = j.joints[i].b;
+        out[count++] = (wfPair){ a < b ? a : b, a < b ? b : a };
     }
-    return count;
+    wfPairList list = { .pairs = out, .count = count, .capacity = count };
+    return wfSortPairs(&list, s->count, &s->scratch) == WF_OK ? count : -1;
 }
 /* <leave out pairs that are joined> */
 static bool is_joined(const wfPair *list, int32_t count, wfPair pair)
@@ -217,6 +242,7 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
 {
     wfPair *list = wfTransient(&s->b, WF_REGION_JOINED);
     int32_t count = list_joined(s, list), kept = 0;
+    if (count < 0) return WF_ERROR_MEMORY;
     for (int32_t i = 0; count > 0 && i < s->pairs.count; i++) {
         wfPair p = s->pairs.pairs[i];
         int32_t a = s->b.owners[p.a], b = s->b.owners[p.b];
@@ -224,7 +250,50 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
         if (!is_joined(list, count, owners)) s->pairs.pairs[kept++] = p;
     }
     if (count > 0) s->pairs.count = kept;
+    s->joinedCount = count;
     return WF_OK;
+}
+/* <leave out pairs that are joined> */
+bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b)
+{
+    wfPair owners = { a < b ? a : b, a < b ? b : a };
+    return is_joined(wfTransient(&s->b, WF_REGION_JOINED), s->joinedCount, owners);
+}
+/* <hand the joints to the solver> */
+/* A number for who is joined to whom and who can move; never 0. */
+static uint64_t fingerprint(const struct wfStep *s)
+{
+    uint64_t sum = 1;
+    for (int32_t i = 0; i < s->jointSet.count; i++) {
+        const wfJoint *j = &s->jointSet.joints[i];
+        const wfBodyState *a = &s->state[j->a], *b = &s->state[j->b];
+        uint64_t who = (uint64_t)j->a << 32 | (uint64_t)j->b;
+        uint64_t how = (j->flags & WF_JOINT_BROKEN ? 1u : 0u)
+                     | (a->invMass > 0 || a->invInertia > 0 ? 2u : 0u)
+                     | (b->invMass > 0 || b->invInertia > 0 ? 4u : 0u);
+        sum = (sum ^ who) * 0x9E3779B97F4A7C15u;
+        sum = ((sum ^ sum >> 29) + how) * 0xBF58476D1CE4E5B9u;
+        sum ^= sum >> 32;
+    }
+    return sum | 1;
+}
+
+static wfResult solve_machines(struct wfStep *s)
+{
+    const wfHeader *h = s->b.head;
+    wfSolve states = { .state = s->state, .bodyCount = s->count };
+    uint8_t *alone = wfTransient(&s->b, WF_REGION_NEW_ALONE);
+    const uint8_t *before = joints_of(&s->b).alone;
+    wfPool pool;
+    wfResult result = wfPoolInit(&pool, wfExactScratch(h->bodyCapacity, h->jointCapacity),
+                                 wfTransient(&s->b, WF_REGION_EXACT));
+    if (result != WF_OK) return result;
+    s->machines = fingerprint(s);
+    bool known = s->machines == h->machines;
+    if (known) memcpy(alone, before, (size_t)s->jointSet.count);
+    return wfExactMachines(&s->jointSet, &states,
+                           h->exactJoints == WF_JOINTS_AUTO ? h->exactCost : -1, alone,
+                           known, &pool);
 }
 /* <hand the joints to the solver> */
 wfResult wfTakeJoints(struct wfStep *s)
@@ -232,10 +301,16 @@ wfResult wfTakeJoints(struct wfStep *s)
     wfJoint *copy = wfTransient(&s->b, WF_REGION_NEW_JOINTS);
     Joints j = joints_of(&s->b);
     int32_t count = 0;
-    for (int32_t i = 0; i < s->b.head->jointSlots.high; i++)
-        if (is_live(&j, i)) copy[count++] = j.joints[i];
+    s->jointPlaces = wfTransient(&s->b, WF_REGION_JOINT_PLACES);
+    for (int32_t i = 0; i < s->b.head->jointSlots.high; i++) {
+        if (!is_live(&j, i)) continue;
+        if (!s->present[j.joints[i].a] || !s->present[j.joints[i].b]) continue;
+        s->jointPlaces[count] = i;
+        copy[count++] = j.joints[i];
+    }
     s->jointSet = (wfJointSet){ .joints = copy, .count = count,
-                                .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING };
+                                .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
+                                .give = WF_JOINT_GIVE };
     if (count == 0) return WF_OK;
     if (!wfSolverSteps(s)) return WF_ERROR_SOLVER;
     wfPool pool;
@@ -244,12 +319,7 @@ wfResult wfTakeJoints(struct wfStep *s)
     if (result == WF_OK) result = wfBeginJoints(&s->jointSet, s->count, &pool,
                                                   &s->jointLaws);
     if (result == WF_OK) s->laws = &s->jointLaws;
-    if (result != WF_OK || !s->b.head->exactJoints) return result;
-    bytes = wfExactScratch(s->b.head->bodyCapacity, s->b.head->jointCapacity);
-    result = wfPoolInit(&pool, bytes, wfTransient(&s->b, WF_REGION_EXACT));
-    wfSolve states = { .state = s->state, .bodyCount = s->count };
-    if (result == WF_OK) result = wfExactJoints(&s->jointSet, &states, &pool);
-    return result == WF_ERROR_FULL ? WF_OK : result;    /* too entangled: one by one */
+    return result == WF_OK && s->b.head->exactJoints ? solve_machines(s) : result;
 }
 /* <hand the joints to the solver> */
 wfResult wfJudgeJoints(struct wfStep *s)
@@ -264,12 +334,18 @@ wfResult wfKeepJoints(struct wfStep *s)
 {
     wfHeader *head = s->b.head;
     Joints j = joints_of(&s->b);
-    int32_t at = 0;
     head->brokenCount = 0;
-    head->together = s->jointSet.together != NULL;
-    for (int32_t i = 0; i < head->jointSlots.high; i++) {
-        if (!is_live(&j, i)) continue;
-        const wfJoint *now = &s->jointSet.joints[at++];
+    head->together = 0;
+    head->unsolved = s->jointSet.unsolved;
+    for (int32_t i = 0; s->jointSet.together != NULL && i < s->jointSet.count; i++)
+        head->together += !s->jointSet.alone[i];
+    if (head->exactJoints && s->jointSet.count > 0 && head->machines != s->machines) {
+        memcpy(j.alone, s->jointSet.alone, (size_t)s->jointSet.count);
+        head->machines = s->machines;
+    }
+    for (int32_t at = 0; at < s->jointSet.count; at++) {
+        int32_t i = s->jointPlaces[at];
+        const wfJoint *now = &s->jointSet.joints[at];
         if ((now->flags & WF_JOINT_BROKEN) && !(j.joints[i].flags & WF_JOINT_BROKEN))
             j.broken[head->brokenCount++] =
                 (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };

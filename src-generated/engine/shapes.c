@@ -26,11 +26,12 @@ wfShapeId wfIdOfShape(const wfBlock *b, int32_t k)
 /* <check a shape's definition> */
 static wfResult check_shape_def(const wfShapeDef *d)
 {
-    const wfReal number[] = { d->density, d->restitution, d->friction, d->rolling,
-                              d->surfaceSpeed };
+    const wfReal number[] = { d->density, d->restitution, d->friction, d->staticFriction,
+                              d->rolling, d->surfaceSpeed };
     if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
     if (d->density < 0 || d->friction < 0 || d->rolling < 0) return WF_ERROR_RANGE;
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
+    if (d->staticFriction < 0 || d->material < 0) return WF_ERROR_RANGE;
     if (d->sensor != 0 && d->sensor != 1) return WF_ERROR_RANGE;
     return d->shape.kind == WF_SHAPE_NONE ? WF_ERROR_RANGE : wfCheckShape(&d->shape);
 }
@@ -102,6 +103,7 @@ void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyPro
     wfVec2 shift = wfSub(b->props[i].localCentre, props->localCentre);
     b->state[i] = *state;
     b->props[i] = *props;
+    if (props->type == WF_DYNAMIC) wfDisturb(b, i);
     wfBoundBody(b, i);  /* what moves and what does not may have changed */
     if (shift.x == 0 && shift.y == 0) return;
     for (int32_t k = props->shape; k >= 0; k = b->next[k])
@@ -126,9 +128,10 @@ static void tell_shape(const wfBlock *b, int32_t k, wfShapeDef *out)
 {
     const wfShapeProps *p = &b->materials[k];
     *out = (wfShapeDef){ .shape = b->shapes[k], .density = p->density,
-        .restitution = p->restitution, .friction = p->friction, .rolling = p->rolling,
+        .restitution = p->restitution, .friction = p->friction,
+        .staticFriction = p->staticFriction, .rolling = p->rolling,
         .surfaceSpeed = p->surfaceSpeed, .filter = b->filters[k], .sensor = p->sensor,
-        .userData = p->userData };
+        .material = p->material, .userData = p->userData };
     wfShapeMove(&out->shape, b->props[b->owners[k]].localCentre);
 }
 
@@ -182,9 +185,11 @@ static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
     b->filters[k].group = def->filter.group;
     b->materials[k] = (wfShapeProps){ .density = def->density,
         .restitution = def->restitution, .friction = def->friction,
+        .staticFriction = def->staticFriction,
         .rolling = def->rolling, .surfaceSpeed = def->surfaceSpeed,
-        .reach = wfShapeReach(&def->shape), .sensor = def->sensor,
-        .userData = def->userData };
+        .reach = wfShapeReach(&def->shape), .inner = wfInnerRadius(&def->shape),
+        .sensor = def->sensor, .material = def->material, .userData = def->userData };
+    b->materials[k].arm = b->materials[k].reach - def->shape.radius;
 }
 /* <shapes in a world> */
 int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
@@ -294,6 +299,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     if (reshaped || meets_others(&old, def)) wfForgetContacts(&b, -1, k);
     if (reshaped) place_shape(&b, k, b.owners[k], &def->shape);
     write_material(&b, k, def);
+    wfDisturb(&b, b.owners[k]);
     wfBoundShape(&b, k);
     return WF_OK;
 }

@@ -10,6 +10,12 @@ static wfResult copy_states(struct wfStep *s)
     s->shapeCount = s->b.head->shapeSlots.high;
     s->state = wfTransient(&s->b, WF_REGION_NEW_STATE);
     memcpy(s->state, s->b.state, (size_t)s->count * sizeof *s->state);
+    s->present = wfTransient(&s->b, WF_REGION_PRESENT);
+    memcpy(s->present, s->b.alive, (size_t)s->count);
+    /* <say which bodies do not take part> */
+    s->kept = s->b.head->kept;     /* in this chapter nothing is */
+    /* <say which bodies do not take part> */
+    wfLeaveOutSleepers(s);
     s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
                             .shapes = wfShapesOf(&s->b), .dt = s->b.head->dt };
     const wfHeader *head = s->b.head;
@@ -39,7 +45,7 @@ static wfResult damp_half(struct wfStep *s)
     wfReal half = s->b.head->dt / 2;
     for (int32_t i = 0; i < s->count; i++) {
         const wfBodyProps *p = &s->b.props[i];
-        if (p->type == WF_DYNAMIC)
+        if (s->present[i] && p->type == WF_DYNAMIC)
             wfDampVelocity(&s->state[i], p->linearDamping, p->angularDamping, half);
     }
     return WF_OK;
@@ -50,6 +56,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
 {
     const struct wfStep *s = context;
     wfBodyView bodies = wfViewOf(&s->b, state);
+    bodies.alive = s->present;
     for (int i = 0; i < count; i++) {
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
         wfApplyTorque(&out[i], s->b.applied[i].torque);
@@ -67,6 +74,7 @@ static wfResult sum_forces(struct wfStep *s)
     memset(s->sums, 0, (size_t)s->count * sizeof *s->sums);
     for (int32_t i = 0; i < s->count; i++) {
         middle[i] = s->state[i];
+        if (!s->present[i]) continue;
         middle[i].p = wfAddScaled(middle[i].p, half, middle[i].v);
         middle[i].angle = wfWrapAngle(middle[i].angle + half * middle[i].w);
     }
@@ -88,19 +96,30 @@ static wfResult integrate(struct wfStep *s)
 static wfResult check_states(struct wfStep *s)
 {
     for (int32_t i = 0; i < s->count; i++) {
+        if (!s->present[i]) continue;
         if (!wfBodyIsFinite(&s->state[i])) return WF_ERROR_NOT_FINITE;
         wfWrapBodyAngle(&s->state[i]);
     }
     return WF_OK;
 }
 /* <bound the shapes> */
+static bool can_move(const wfBodyState *s)
+{
+    return s->invMass > 0 || s->invInertia > 0 || s->v.x != 0 || s->v.y != 0 || s->w != 0;
+}
+
 static uint8_t flag_shape(const wfBlock *b, const wfBodyState *state, int32_t k)
 {
     int32_t i = b->owners[k];
     if (i < 0) return 0;
     bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
-    bool passes = b->head->sensorCount > 0 && b->props[i].type == WF_KINEMATIC;
-    return (uint8_t)(WF_PROXY_LIVE | (moves || passes ? WF_PROXY_MOVES : 0));
+    bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
+    /* <who else looks out for what is kinematic> */
+    /* In this chapter nobody but sensors. */
+    /* <who else looks out for what is kinematic> */
+    seen = seen || (b->head->asleep > 0 && can_move(&state[i]));
+    return (uint8_t)(WF_PROXY_LIVE
+                     | (moves || (kinematic && seen) ? WF_PROXY_MOVES : 0));
 }
 
 static wfRect bound_one(const wfBlock *b, int32_t k, wfTransform placed)
@@ -116,6 +135,10 @@ void wfBoundShape(wfBlock *b, int32_t k)
     b->bounds[k] = bound_one(b, k, placed);
     b->flags[k] = flag_shape(b, b->state, k);
     b->head->indexStale = 1;
+    /* <tell whom the box of shape k meets> */
+    /* In this chapter nobody has to know. */
+    /* <tell whom the box of shape k meets> */
+    wfRouseNear(b, k);
 }
 
 void wfBoundBody(wfBlock *b, int32_t i)
@@ -126,11 +149,22 @@ void wfBoundBody(wfBlock *b, int32_t i)
 static wfResult find_bounds(struct wfStep *s)
 {
     s->places = wfTransient(&s->b, WF_REGION_PLACES);
+    s->rims = wfTransient(&s->b, WF_REGION_RIMS);
     s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
     s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
-    for (int32_t i = 0; i < s->count; i++) s->places[i] = wfBodyTransform(&s->state[i]);
+    for (int32_t i = 0; i < s->count; i++) {
+        if (!s->present[i]) continue;
+        s->places[i] = wfBodyTransform(&s->state[i]);
+        s->movers += can_move(&s->state[i]);
+    }
     for (int32_t k = 0; k < s->shapeCount; k++) {
         int32_t i = s->b.owners[k];
+        if (i >= 0 && !s->present[i]) {
+            s->bounds[k] = s->b.bounds[k];
+            s->flags[k] = WF_PROXY_LIVE;
+            s->rims[k] = 0;
+            continue;
+        }
         s->flags[k] = flag_shape(&s->b, s->state, k);
         s->bounds[k] = bound_one(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
         wfReal more = i >= 0 && wfSolverSteps(s) ? wfWayOfShape(s, k) : 0;
@@ -148,6 +182,11 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
     bool senses = wfIsSensor(&s->b, a) || wfIsSensor(&s->b, b);
     if (wfIsSensor(&s->b, a) && wfIsSensor(&s->b, b)) return false;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
+    /* <who else makes no pair> */
+    /* In this chapter nobody. */
+    /* <who else makes no pair> */
+    if (!senses && !wfMovesNow(s, s->b.owners[a]) && !wfMovesNow(s, s->b.owners[b]))
+        return false;
     const wfHooks *hooks = s->hooks;
     return hooks == NULL || hooks->filter == NULL
         || hooks->filter(hooks->context, &s->view, a, b);
@@ -168,11 +207,16 @@ static wfResult find_pairs(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
-    bool own = s->hooks != NULL && s->hooks->filter != NULL;
-    if (own || head->sensorCount > 0) proxies.custom = pair_rule, proxies.context = s;
+    bool rule = s->hooks != NULL && s->hooks->filter != NULL;
+    /* <who needs the rule for pairs> */
+    rule = rule || head->sensorCount > 0;
+    /* <who needs the rule for pairs> */
+    rule = rule || head->asleep > 0;
+    if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
-                             .capacity = head->pairCapacity };
+                             .capacity = head->pairCapacity - s->kept.pairs };
     size_t bytes = index_bytes(head);
+    if (s->movers == 0 && !(head->queries && head->indexStale)) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
     s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
     memcpy(s->index, s->b.index, bytes);
@@ -180,6 +224,12 @@ static wfResult find_pairs(struct wfStep *s)
                                     &s->scratch);
     if (result != WF_OK) return result;
     return wfIndexPairs(head->broadPhase, &proxies, s->index, &s->scratch, &s->pairs);
+}
+/* <find the pairs> */
+wfResult wfFindPairsAgain(struct wfStep *s)
+{
+    wfResult result = find_bounds(s);
+    return result == WF_OK ? find_pairs(s) : result;
 }
 /* <resolve the contacts> */
 static wfSolve to_solve(struct wfStep *s)
@@ -195,8 +245,9 @@ static wfSolve to_solve(struct wfStep *s)
 static wfResult solve_velocities(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
+    if (s->movers == 0) return WF_OK;
     if (!wfSolverSteps(s)) return wfSolveVelocities(s->b.head->solver, &solve);
-    wfResult result = wfSolveStep(s->b.head->solver, &solve);
+    wfResult result = wfSolverTable[s->b.head->solver].step(&solve);
     return result == WF_OK ? damp_half(s) : result;
 }
 
@@ -214,8 +265,10 @@ static wfResult find_index(struct wfStep *s)
     memset(moved, wfSolverSteps(s) ? 1 : 0, (size_t)s->count);
     for (int32_t i = 0; i < s->contactCount; i++)
         moved[s->contacts[i].a] = moved[s->contacts[i].b] = 1;
-    for (int32_t i = 0; i < s->count; i++)
+    for (int32_t i = 0; i < s->count; i++) {
+        if (!s->present[i]) moved[i] = 0;
         if (moved[i]) s->places[i] = wfBodyTransform(&s->state[i]);
+    }
     for (int32_t k = 0; k < s->shapeCount; k++) {
         int32_t i = s->b.owners[k];
         if (i >= 0 && moved[i]) s->bounds[k] = bound_one(&s->b, k, s->places[i]);
@@ -250,27 +303,38 @@ static void copy_back(void *to, const void *from, int32_t count, size_t each)
 
 static wfResult commit(struct wfStep *s)
 {
+    /* <before the step becomes the world> */
     wfHeader *head = s->b.head;
+    /* <before the step becomes the world> */
+    wfKeepRest(s);
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
     memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
     copy_back(s->b.bounds, s->bounds, s->shapeCount, sizeof *s->bounds);
     copy_back(s->b.flags, s->flags, s->shapeCount, sizeof *s->flags);
-    copy_back(s->b.pairs, s->pairs.pairs, s->pairs.count, sizeof *s->b.pairs);
-    copy_back(s->b.caches, s->caches, s->pairs.count, sizeof *s->caches);
-    copy_back(s->b.contacts, s->contacts, s->contactCount, sizeof *s->contacts);
-    copy_back(s->b.touches, s->touches, s->touchCount, sizeof *s->touches);
+    int32_t pairs = s->pairs.count, at = s->kept.pairs;
+    copy_back(s->b.pairs + at, s->pairs.pairs, pairs, sizeof *s->b.pairs);
+    copy_back(s->b.caches + at, s->caches, pairs, sizeof *s->caches);
+    copy_back(s->b.contacts + s->kept.contacts, s->contacts, s->contactCount,
+              sizeof *s->contacts);
+    copy_back(s->b.touches + s->kept.touches, s->touches, s->touchCount,
+              sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
     if (s->index != NULL) memcpy(s->b.index, s->index, index_bytes(head));
     /* <count what was committed> */
-    head->pairCount = s->pairs.count;
-    head->contactCount = s->contactCount;
-    head->touchCount = s->touchCount;
+    head->kept = s->kept;
+    head->pairCount = s->kept.pairs + s->pairs.count;
+    head->contactCount = s->kept.contacts + s->contactCount;
+    head->touchCount = s->kept.touches + s->touchCount;
     head->hitCount = s->hitCount;
     memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
     head->indexStale = !head->queries;
     head->time += (double)head->dt;
     head->steps++;
+    /* <count what was committed> */
+    head->fastCount = s->fastCount;
+    head->impactCount = s->impactCount;
+    head->heldCount = s->heldCount;
     return WF_OK;
 }
 /* <the table of stages> */
@@ -299,6 +363,12 @@ const wfStageRow wfStageTable[] = {
       "new pairs, joints", "new pairs", wfLeaveOutJoined },
     { "joints", "copy the joints, for the solver to keep",
       "joints", "new joints", wfTakeJoints },
+    /* <stages that find pairs> */
+    { "impacts", "follow fast bodies to what they hit (a solver that does not step)",
+      "states, new states, joints", "new states, new pairs, strikes", wfFlyFirst },
+    /* <stages that find pairs> */
+    { "sleepers met", "place the sleepers whose boxes somebody has met",
+      "new pairs, new states", "places", wfPlaceSleepers },
     { "narrow phase", "find the pairs that touch, and where",
       "new pairs, new states, contacts", "new contacts, touches, hits", wfFindContacts },
     /* <stages that mend> */
@@ -309,12 +379,21 @@ const wfStageRow wfStageTable[] = {
     /* <stages that mend> */
     { "loads", "see what the joints bore, and which of them broke",
       "new joints", "new joints", wfJudgeJoints },
+    /* <stages that mend> */
+    { "late impacts", "the same, behind a solver that steps",
+      "states, new states, joints", "new states, strikes", wfFlyLast },
+    { "strikes", "what was struck was touched, and hit",
+      "strikes", "new touches, hits", wfTellStrikes },
     { "check again", "stop here if a number has overflowed",
       "new states", "", check_states },
     { "events", "say what began, goes on and ended",
       "new touches, touches", "new events", wfTellEvents },
+    /* <stages before the end> */
     { "index", "prepare the answers to queries",
       "new states, shapes", "new bounds, new index", find_index },
+    /* <stages before the end> */
+    { "islands", "let islands that rest fall asleep",
+      "new contacts, new joints, new states", "new states, clocks of rest", wfFindIslands },
     { "commit", "what is new becomes the world",
       "all that is new", "all that is permanent", commit },
     /* <rows of the stage table> */
@@ -329,8 +408,13 @@ wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks)
     wfResult result = wfChangeBlock(world, &step.b);
     if (result != WF_OK) return result;
     step.b.head->busy = hooks != NULL;
-    for (int i = 0; i < wfStageCount && result == WF_OK; i++)
+    for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
         result = wfStageTable[i].run(&step);
+        if (result != WF_OK || !step.again) continue;
+        step = (struct wfStep){ .b = step.b, .hooks = hooks,
+                                .restarts = step.restarts + 1 };
+        i = -1;
+    }
     step.b.head->busy = 0;
     return result;
 }

@@ -14,12 +14,18 @@ struct wfStep {
     wfHookView       view;        /* what they get to see */
     int32_t          count;       /* places for bodies in use */
     int32_t          shapeCount;  /* and for shapes */
+    uint8_t         *present;     /* 1: a body that takes part in the step */
+    int32_t          movers;      /* how many of them can move, or do */
+    wfKept           kept;        /* of the last step, and not to be looked at again */
+    int32_t          again;       /* 1: begin this step anew */
+    int32_t          restarts;    /* how often it was begun anew */
     wfBodyState     *state;       /* the new states */
     wfForce         *forces;      /* the forces that act in this step */
     int32_t          forceCount;
     /* <arrays of the second half> */
     wfBodyForces    *sums;        /* of the forces, for a solver that steps */
     wfTransform     *places;      /* of the bodies, from the new states */
+    wfReal          *rims;        /* m/s: how fast shapes may turn, for a solver that steps */
     wfRect          *bounds;      /* of the shapes, and their flags */
     uint8_t         *flags;
     void            *index;       /* of the broad phase, or NULL */
@@ -31,16 +37,35 @@ struct wfStep {
     int32_t          touchCount;
     wfHit           *hits;
     int32_t          hitCount;
+    wfReal           hitSpeed;    /* m/s: faster approaches are hits */
     const wfLaws    *laws;        /* other laws than contacts, or NULL */
     wfTouchEvent    *events;
     int32_t          eventTotal, eventCount[WF_EVENT_KINDS];
     /* <arrays of the second half> */
+    uint64_t         machines;    /* a fingerprint of who is joined to whom */
     wfJointSet       jointSet;    /* copies of the joints, and what solving them takes */
     wfLaws           jointLaws;
+    int32_t         *jointPlaces; /* from which place each of them was copied */
+    /* <arrays of the second half> */
+    int32_t          joinedCount; /* pairs of joined bodies, sorted, in their region */
+    wfFlight        *flights;
+    int32_t         *flightOf;    /* of each body, or -1; valid when there are flights */
+    int32_t          flightCount, fastCount, impactCount, heldCount;
+    wfReal           slack;       /* m: no other body moves farther */
+    wfStrike        *strikes;     /* in the order of their pairs */
+    int32_t          strikeCount;
+    wfPair          *spared;      /* pairs that a hook lets pass each other in this step */
+    int32_t          sparedCount;
+    /* <arrays of the second half> */
+    uint8_t         *woken;       /* 1: slept before this step, and takes part */
+    int32_t          roused;      /* 1: some of what was kept is kept no longer */
+    int32_t          tired;       /* how many fall asleep at the end */
+    wfReal          *clocks;      /* new clocks of rest */
+    wfIslands        islands;
 };
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverSteps(const struct wfStep *s);
-wfReal wfWayOfShape(const struct wfStep *s, int32_t k);
+wfReal wfWayOfShape(struct wfStep *s, int32_t k);   /* notes its rim speed, too */
 /* Is it a sensor, and could a contact change its body's velocity? */
 static inline bool wfIsSensor(const wfBlock *b, int32_t k)
 {

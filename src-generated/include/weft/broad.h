@@ -362,7 +362,7 @@ int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors);
 int wfQuadTreeReach(const wfQuadTree *tree, int32_t node, wfRect bounds, int32_t *reached);
 int wfQuadSector(wfVec2 centre, wfRect bounds);   /* the quarter that holds it, or NONE */
 /* <declarations of the dynamic tree> */
-enum { WF_TREE_NONE = -1, WF_TREE_OUT = -2, WF_TREE_RATIO = 4 };
+enum { WF_TREE_NONE = -1, WF_TREE_OUT = -2, WF_TREE_RATIO = 4, WF_TREE_NEAR = 8 };
 
 /* A node: nodes 0 .. capacity - 1 are the leaves of the proxies of these numbers, the
    others hold two children. */
@@ -381,6 +381,8 @@ typedef struct wfTreeHead {
     int32_t root, freeNode, count;
     uint32_t step;                /* how often the tree was updated */
     int64_t changes;              /* how many boxes were put in, taken out or moved */
+    int64_t nearChanges;          /* `changes` when the list of near pairs was made */
+    int32_t nearCount;            /* of near pairs; WF_TREE_NONE: there is no list */
 } wfTreeHead;
 
 /* Where the parts of the block are; made by wfTreeOpen. */
@@ -388,6 +390,7 @@ typedef struct wfTree {
     wfTreeHead *head;
     wfTreeNode *nodes;
     wfTreePlace *places;
+    wfPair *near;                 /* leaves whose fat boxes overlap, sorted */
 } wfTree;
 /* <declarations of the dynamic tree> */
 size_t wfTreeSize(int32_t capacity);    /* bytes of a tree for proxies 0 .. capacity - 1 */
@@ -405,6 +408,13 @@ bool wfTreeHolds(const wfTree *tree, int32_t proxy);
 /* A box with a margin for one that moves by `way` (m) in a step, by eq:broad-fat. */
 wfRect wfFatBox(wfRect box, wfVec2 way, wfReal ratio);
 int32_t wfTreeDepth(const wfTree *tree);   /* steps from the root to the deepest leaf */
+/* <declarations of the dynamic tree> */
+/* Is the list of near pairs that of the boxes as they are? */
+static inline bool wfTreeHasNear(const wfTree *tree)
+{
+    const wfTreeHead *h = tree->head;
+    return h->nearCount >= 0 && h->nearChanges == h->changes;
+}
 /* <declarations of the dynamic tree> */
 /* The row of dynamictree.c: trusts its input. */
 wfBroadScratchFn wfTreeScratch;

@@ -6,6 +6,7 @@
 #include "weft/joint.h"
 
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
+#define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
 #define WF_EXACT_ROUNDING (2 * WF_EPSILON)  /* gaps that are done, as a share of arms */
 #define WF_EXACT_LOST WF_R(1e-3)    /* gaps beyond it: the substep was not solved */
@@ -16,6 +17,12 @@ size_t wfExactScratch(int32_t bodies, int32_t joints);
    _FULL: the joints are too entangled for WF_EXACT_BLOCKS. After an error they are solved
    one by one. */
 wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch);
+/* The same, machine by machine: one whose factorisation takes more than `most` products of
+   blocks a joint (WF_EXACT_CHEAP is a good value; < 0: no limit), or more room than there
+   is, is solved joint by joint. alone: [set->count], kept as long as the set; 1: joint by
+   joint. known: it has been filled for these joints before. WF_ERROR_NULL, _MEMORY. */
+wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
+                         bool known, wfPool *scratch);
 /* <declarations of counting> */
 typedef struct wfExactCount {
     int32_t blocks, fill;       /* pairs of joints that share a body; that were filled in */

@@ -89,6 +89,7 @@ typedef struct wfForceRow {
     wfForceFn *apply;
     wfForceEnergyFn *energy;    /* NULL: the force has no potential                     */
     wfForceCheckFn *check;      /* NULL: any finite numbers will do                     */
+    bool steady;                /* the same as long as the bodies that it names rest    */
 } wfForceRow;
 
 extern const wfForceRow wfForceTable[];

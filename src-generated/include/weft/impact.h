@@ -98,6 +98,8 @@ typedef struct wfCast {
 wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
                      const wfShape *target, wfTransform placedTarget, wfCast *out);
 /* <declarations of stops> */
+/* The distance of the centroid from the nearest edge, and the coat, m; NULL: 0. */
+wfReal wfInnerRadius(const wfShape *shape);
 /* eq:impact-fast: may this body pass through something in this step?  NULL: no. */
 bool wfSweepIsFast(const wfShape *shape, wfSweep sweep);
 
@@ -112,6 +114,7 @@ typedef struct wfStop {
     int32_t obstacle;           /* the first in the way, or WF_NO_OBSTACLE */
     wfReal t;                   /* the body may move until then: wfSweepUntil */
     bool inner;                 /* it touched already: t is the inner copy's */
+    bool stuck;                 /* something touched even the inner copy from the start */
     wfImpact impact;            /* with it; if there is none, all 0 but t */
 } wfStop;
 enum { WF_NO_OBSTACLE = -1 };

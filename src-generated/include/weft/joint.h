@@ -12,6 +12,7 @@
 /* <limits of joints> */
 #define WF_JOINT_PERIOD 4       /* substeps, > 0: good values of eq:joints-period ... */
 #define WF_JOINT_DAMPING 2      /* ... for chains and machines */
+#define WF_JOINT_GIVE WF_R(1e-5)    /* >= 0: how much joints give that are solved together */
 /* A row whose pivot is a smaller share of its own K says nothing new. */
 #define WF_JOINT_SINGULAR (32 * WF_EPSILON)
 /* <a row of a joint> */
@@ -93,7 +94,9 @@ typedef struct wfJointSet {
     wfJoint *joints;
     int32_t count;
     wfReal period, damping;     /* P and zeta of eq:joints-period; P = 0: rigid */
+    wfReal give;                /* chapter 19: rows give by this share of their K, >= 0 */
     struct wfJointWork *work;   /* [count]; wfBeginJoints takes it from the pool */
+    struct wfPin *pins;         /* [count] plain hinges among them: eq:joints-pin */
     wfReal *stiffness;          /* [bodies] eq:joints-geometric; N m/rad */
     wfReal *inverse;            /* [bodies] their true inverse inertias */
     wfPlace *place;             /* [bodies] where they were when the rows were built */
@@ -107,6 +110,7 @@ typedef struct wfJointSet {
     void (*together)(struct wfJointSet *set, const wfSolve *in,
                      const struct wfMoved *moved, wfReal dt, bool soft);
     void *matrix;               /* what `together` works with */
+    const uint8_t *alone;       /* [count] 1: not together, but by itself; NULL: none */
     bool changed;               /* the rows are new: set here, cleared there */
     int32_t unsolved;           /* substeps that chapter 19 could not solve */
 } wfJointSet;

@@ -19,6 +19,15 @@ wfReal wfAxisOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
 /* How far B must move along the axis to be free of A on it, the shorter way: above 0 along
    the axis, below 0 against it, 0 when the intervals do not overlap.  eq:narrow-escape. */
 wfReal wfAxisEscape(wfProjection a, wfProjection b);
+/* <declarations of the projections> */
+/* The pose of B as A sees it: applying it takes B's frame to A's.  eq:narrow-relative */
+static inline wfTransform wfRelativePose(wfTransform xa, wfTransform xb)
+{
+    wfTransform rel;
+    rel.p = wfRotateInv(xa.q, wfSub(xb.p, xa.p));
+    rel.q = wfRotMul(wfRotInverse(xa.q), xb.q);
+    return rel;
+}
 /* <what a narrow phase finds> */
 typedef struct wfSeparation {
     wfReal distance;  /* m; below 0: the shapes overlap, and this is minus the depth */
@@ -52,9 +61,6 @@ int wfFindNarrowPhase(const char *name);   /* the row of that name, -1 if there 
 /* Checks its arguments (WF_ERROR_NULL, _UNKNOWN), then calls row `method`. */
 wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape *b,
                     wfTransform xb, wfSeparation *out);
-
-/* The pose of B as A sees it: applying it takes B's frame to A's. */
-wfTransform wfRelativePose(wfTransform xa, wfTransform xb);
 
 /* The greatest distance of a vertex from the shape's centre, or the radius, m. */
 wfReal wfShapeReach(const wfShape *shape);

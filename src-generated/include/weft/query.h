@@ -105,7 +105,7 @@ wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,
 
 /* The same for a shape that asks: how far is it from the set?  By wfShapeDistance.
    out->point is the nearest point of the shape that was found, and point + distance *
-   normal is the asker's.  Where they overlap: distance 0, a point of both, normal (0, 0). */
+   normal is the asker's.  If they overlap: distance 0, a point of both, normal (0, 0). */
 wfResult wfSetDistance(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
                        wfReal within, const wfFilter *filter, wfClosest *out);
 #endif

@@ -18,8 +18,10 @@
 typedef struct wfContact {
     int32_t    a, b;
     int32_t    shapeA, shapeB;  /* which shapes touch; the solver does not look */
+    int32_t    sliding, spare;  /* 1: did not hold last time (chapter 16); 0 */
     wfReal     restitution;     /* e of eq:impulses-newton, 0 to 1 */
     wfReal     friction;        /* coefficient of friction >= 0; unused until chapter 15 */
+    wfReal     staticFriction;  /* while nothing slides; below `friction`: the same */
     wfReal     rolling;         /* m, >= 0: length of rolling resistance, chapter 15 */
     wfReal     surfaceSpeed;    /* m/s: how fast b's surface runs over a's, chapter 15 */
     wfReal     rollingImpulse;  /* N m s that a solver applied against rolling */
@@ -101,8 +103,8 @@ wfReal wfRestingSpeed(wfVec2 gravity, wfReal h, wfReal steps);
 /* <declarations of the parts of an impulse> */
 /* One number for a pair of materials: the greater restitution; the geometric mean of the
  * coefficients of friction. */
-wfReal wfMixRestitution(wfReal a, wfReal b);
-wfReal wfMixFriction(wfReal a, wfReal b);
+static inline wfReal wfMixRestitution(wfReal a, wfReal b) { return wfMaxR(a, b); }
+static inline wfReal wfMixFriction(wfReal a, wfReal b) { return wfSqrt(a) * wfSqrt(b); }
 /* <declarations of the parts of an impulse> */
 /* The direction along the surfaces, a quarter turn clockwise from the normal: to the right
  * on a floor. eq:friction-tangent */
@@ -112,17 +114,29 @@ wfVec2 wfContactTangent(wfVec2 normal);
 wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, wfReal limit,
                   wfReal surfaceSpeed);
 /* <declarations of the parts of an impulse> */
+/* The coefficient that limits friction, eq:friction-static: `holds` (static) if it is enough
+ * to give `wanted`, N s, under a normal impulse of `normal`, N s >= 0; else `slides`. */
+wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal);
+/* <declarations of the parts of an impulse> */
 /* Takes the relative spin w_B - w_A away with an angular impulse of at most `limit`
  * (N m s, >= 0) either way; returns it, N m s. eq:friction-rolling */
 wfReal wfResistRolling(wfBodyState *a, wfBodyState *b, wfReal limit);
 /* <declarations of the parts of an impulse> */
+/* Rules by which two materials' numbers (>= 0) become one for the pair. */
+typedef wfReal wfMixFn(wfReal a, wfReal b);
+typedef struct wfMixRow { const char *name, *text; wfMixFn *mix; } wfMixRow;
+extern const wfMixRow wfMixTable[];
+extern const int wfMixCount;
+int wfFindMix(const char *name);        /* the row of that name, -1 if there is none */
+/* <declarations of the parts of an impulse> */
 /* One number for a pair of surfaces: the greater length of rolling resistance, m; the sum
  * of the speeds with which they run clockwise, m/s (eq:friction-belt). */
-wfReal wfMixRolling(wfReal a, wfReal b);
-wfReal wfMixSurfaceSpeed(wfReal a, wfReal b);
+static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
+static inline wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
 /* <declarations of the parts of an impulse> */
 /* Gives `now` the impulses of `before`, the contact of the same shapes in the last step:
- * by name (wfKeepImpulses), by place if a name has changed, and that of rolling. */
+ * by name (wfKeepImpulses), by place if a name has changed, that of rolling, and whether
+ * it slides. */
 void wfCarryImpulses(const wfContact *before, wfContact *now);
 /* <declarations of the solver table> */
 typedef wfResult wfSolverFn(const wfSolve *in);

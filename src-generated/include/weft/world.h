@@ -15,6 +15,7 @@
 #include "weft/core.h"
 #include "weft/events.h"
 #include "weft/force.h"
+#include "weft/impact.h"
 #include "weft/integrate.h"
 #include "weft/math.h"
 #include "weft/narrow.h"
@@ -24,6 +25,8 @@
 /* <headers of the world> */
 #include "weft/exact.h"
 #include "weft/joint.h"
+/* <headers of the world> */
+#include "weft/island.h"
 
 /* <the world's handle and ids> */
 /* A world by value: where its two chunks of memory are, and nothing else. All state is
@@ -34,6 +37,10 @@ typedef struct wfWorld { wfMemory memory; } wfWorld;
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
 typedef struct wfShapeId { uint32_t index, generation; } wfShapeId;
 typedef struct wfForceId { uint32_t index, generation; } wfForceId;
+/* <the world's handle and ids> */
+/* wfWorldDef.exactJoints: solve together none; all that there is room for; those for which
+ * it costs no more than exactCost. */
+enum { WF_JOINTS_ONE_BY_ONE, WF_JOINTS_TOGETHER, WF_JOINTS_AUTO };
 /* <the world's handle and ids> */
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
 /* <what a world is made from> */
@@ -47,8 +54,13 @@ typedef struct wfWorldDef {
     int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
     int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
     /* <how much a world has room for> */
+    int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
+    /* <how much a world has room for> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
-    int32_t exactJoints;       /* 1: all joints are solved at once, chapter 19 */
+    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
+    wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
+    /* <how much a world has room for> */
+    int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
     int32_t integrator;        /* rows of the tables of chapters 10, 11, 12, 14 */
     int32_t broadPhase;
     int32_t narrowPhase;
@@ -59,9 +71,16 @@ typedef struct wfWorldDef {
     wfReal  hitSteps;          /* faster ones than so many are hits, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
+    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of the table of chapter 15 */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
     int32_t events;            /* 1: events are listed */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
+    /* <more settings of a world> */
+    /* later chapters have more */
+    /* <more settings of a world> */
+    int32_t sleep;             /* 1: islands that rest are left out of the step */
+    wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
+    wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
     wfMemory memory;           /* handed over; all zero: allocated at creation */
 } wfWorldDef;
 /* Standard gravity downwards, 60 steps a second, 256 bodies, 64 forces, the default
@@ -82,6 +101,10 @@ typedef struct wfBodyDef {
     wfReal   friction;         /* >= 0 */
     wfReal   linearDamping, angularDamping;  /* 1/s, >= 0 */
     wfReal   gravityScale;     /* multiplies gravity */
+    /* <more of what a body is made from> */
+    /* a later chapter has more */
+    /* <more of what a body is made from> */
+    int32_t  neverSleeps;      /* 1: it, and what hangs together with it, stays awake */
     uint64_t userData;         /* yours */
 } wfBodyDef;
 /* A dynamic particle at the origin, at rest, density 1, no mass of its own, friction
@@ -93,14 +116,24 @@ typedef struct wfShapeDef {
     wfReal   density;          /* kg/m^2 >= 0; 0: weighs nothing */
     wfReal   restitution;      /* 0 to 1 */
     wfReal   friction;         /* >= 0 */
+    wfReal   staticFriction;   /* >= 0: while nothing slides; below friction: the same */
     wfReal   rolling;          /* m, >= 0: length of rolling resistance (chapter 15) */
     wfReal   surfaceSpeed;     /* m/s: the surface runs so fast along itself, a belt */
     wfFilter filter;           /* whom it may touch */
     int32_t  sensor;           /* 1: notices who is in it, stops nobody, weighs nothing */
+    int32_t  material;         /* >= 0, yours: a name for wfSetPairMaterial; 0: none */
     uint64_t userData;         /* yours */
 } wfShapeDef;
 /* No shape yet; density 1, friction 0.5, the default filter, all else 0. */
 wfShapeDef wfDefaultShapeDef(void);
+/* <what a shape is made from> */
+/* What is known of a pair of materials. */
+typedef struct wfPairMaterial {
+    wfReal restitution;        /* 0 to 1 */
+    wfReal friction;           /* >= 0 */
+    wfReal staticFriction;     /* >= 0: while nothing slides; below friction: the same */
+    wfReal rolling;            /* m, >= 0 */
+} wfPairMaterial;
 /* <declarations of making a world> */
 /* Bytes of the two chunks that wfCreateWorld needs. WF_ERROR_NULL, _NOT_FINITE, _RANGE,
  * _UNKNOWN (no such row of a table), _MEMORY (sizes beyond size_t). */
@@ -132,14 +165,25 @@ enum {
     WF_REGION_FLAGS, WF_REGION_INDEX, WF_REGION_FORCE_SLOTS, WF_REGION_FORCES, WF_REGION_PAIRS,
     WF_REGION_CACHES, WF_REGION_CONTACTS, WF_REGION_TOUCHES, WF_REGION_EVENTS, WF_REGION_HITS,
     /* <regions of the permanent chunk> */
-    WF_REGION_JOINT_SLOTS, WF_REGION_JOINTS, WF_REGION_BROKEN,
+    WF_REGION_PAIR_MATERIALS,
+    /* <regions of the permanent chunk> */
+    WF_REGION_JOINT_SLOTS, WF_REGION_JOINTS, WF_REGION_BROKEN, WF_REGION_ALONE,
+    /* <regions of the permanent chunk> */
+    WF_REGION_REST, WF_REGION_CLOCKS, WF_REGION_RINGS, WF_REGION_ISLANDS,
     /* <regions of the transient chunk> */
-    WF_REGION_NEW_STATE, WF_REGION_ACTIVE_FORCES, WF_REGION_SUMS, WF_REGION_PLACES,
-    WF_REGION_NEW_BOUNDS, WF_REGION_NEW_FLAGS, WF_REGION_NEW_INDEX, WF_REGION_NEW_PAIRS,
+    WF_REGION_NEW_STATE, WF_REGION_PRESENT, WF_REGION_ACTIVE_FORCES, WF_REGION_SUMS,
+    WF_REGION_PLACES, WF_REGION_RIMS, WF_REGION_NEW_BOUNDS, WF_REGION_NEW_FLAGS,
+    WF_REGION_NEW_INDEX, WF_REGION_NEW_PAIRS,
     WF_REGION_NEW_CACHES, WF_REGION_NEW_CONTACTS, WF_REGION_NEW_TOUCHES, WF_REGION_NEW_EVENTS,
     WF_REGION_NEW_HITS,
     /* <regions of the transient chunk> */
-    WF_REGION_NEW_JOINTS, WF_REGION_JOINED, WF_REGION_JOINT_WORK, WF_REGION_EXACT,
+    WF_REGION_NEW_JOINTS, WF_REGION_JOINT_PLACES, WF_REGION_JOINED,
+    WF_REGION_JOINT_WORK, WF_REGION_EXACT, WF_REGION_NEW_ALONE,
+    /* <regions of the transient chunk> */
+    WF_REGION_FLIGHTS, WF_REGION_FLIGHT_OF, WF_REGION_STRIKES, WF_REGION_SPARED,
+    WF_REGION_NEAR,
+    /* <regions of the transient chunk> */
+    WF_REGION_WOKEN, WF_REGION_NEW_CLOCKS, WF_REGION_NEW_ISLANDS,
     WF_REGION_SCRATCH,
     WF_REGION_COUNT
 };
@@ -178,6 +222,13 @@ bool wfBodyIsValid(const wfWorld *world, wfBodyId id);
 int32_t wfBodyIndex(const wfWorld *world, wfBodyId id);
 wfBodyId wfBodyAt(const wfWorld *world, int32_t index);
 /* <declarations of shapes in a world> */
+/* From now on shapes of materials a and b (>= 1, in either order; may be equal) meet with
+ * these numbers; NULL: they are mixed again. WF_ERROR_RANGE, _NOT_FINITE, _FULL (the
+ * world's pairMaterials). */
+wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m);
+/* WF_ERROR_UNKNOWN: nothing is known of that pair. */
+wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMaterial *out);
+/* <declarations of shapes in a world> */
 /* Hangs shapes on a body, all or none; `out` (room for count ids) may be NULL. The body's
  * mass, centre and inertia follow, unless its mass was given: then that is kept. No point
  * of its material moves or changes its velocity. WF_ERROR_NULL, _STALE_ID, _NOT_FINITE,
@@ -210,10 +261,12 @@ int32_t wfShapeCount(const wfWorld *world);
 
 /* What is known of a shape besides its geometry. */
 typedef struct wfShapeProps {
-    wfReal   density, restitution, friction, rolling, surfaceSpeed;
+    wfReal   density, restitution, friction, staticFriction, rolling, surfaceSpeed;
     wfReal   reach;            /* m: wfShapeReach, from its middle to its rim */
-    int32_t  sensor;
-    int32_t  spare;            /* 0: without it there would be a hole in the bytes */
+    wfReal   arm;              /* m: the same of its core, without the coat */
+    wfReal   inner;            /* m: wfInnerRadius, from its middle to the nearest edge */
+    wfReal   spare;            /* 0: without it there would be a hole in the bytes */
+    int32_t  sensor, material;
     uint64_t userData;
 } wfShapeProps;
 /* The world's own arrays of shapes, to read and not to keep. owners[k] is the index of the
@@ -239,7 +292,7 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
 /* Makes a body WF_STATIC, WF_KINEMATIC or WF_DYNAMIC. Static: it stops. Dynamic: it has the
  * mass that was given, or that of its shapes (errors of wfShapeMass, RANGE: no mass). */
 wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type);
-/* Restitution 0 to 1, friction >= 0: of all the body's shapes. */
+/* Restitution 0 to 1, friction >= 0, static and dynamic: of all the body's shapes. */
 wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
                            wfReal friction);
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
@@ -305,6 +358,8 @@ typedef struct wfContactChange {
     int32_t enabled;           /* 0: contact and touch do not exist in this step */
     wfReal  restitution;       /* 0 to 1 */
     wfReal  friction;          /* >= 0 */
+    wfReal  staticFriction;    /* >= 0: while nothing slides; below friction: the same */
+    wfReal  rolling;           /* m, >= 0 */
     wfReal  surfaceSpeed;      /* m/s */
 } wfContactChange;
 /* <declarations of hooks> */
@@ -376,6 +431,14 @@ uint64_t wfHashWorld(const wfWorld *world);
  * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
 /* <declarations of looking at a world> */
+/* What became of fast bodies in the last step. */
+typedef struct wfFastReport {
+    int32_t bodies;            /* that were followed, since they were fast */
+    int32_t impacts;           /* collisions that were solved at their moment */
+    int32_t held;              /* bodies that lost the rest of the step: too many impacts */
+} wfFastReport;
+wfResult wfGetFastReport(const wfWorld *world, wfFastReport *out);
+/* <declarations of looking at a world> */
 /* <flags of a joint in a world> */
 enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
 /* <declarations of joints in a world> */
@@ -399,9 +462,12 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint);
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque);
 /* <declarations of joints in a world> */
 int32_t wfJointCount(const wfWorld *world);
-/* Did the last step solve all joints at once? False without exactJoints, without joints, or
- * if they were too entangled (chapter 19) and had to be solved one by one. */
+/* Joints that the last step solved together (chapter 19), and whether these were all. */
+int32_t wfJointsTogether(const wfWorld *world);
 bool wfJointsSolvedTogether(const wfWorld *world);
+/* Substeps of the last step in which the joints that are solved together could not be: a
+ * load that snapped a chain tight, say. They were taken inelastically. */
+int32_t wfUnsolvedSubsteps(const wfWorld *world);
 /* Joint number i of 0 .. wfWorldJointPlaces - 1; index 0 in the id: an empty place. */
 wfJointId wfJointAt(const wfWorld *world, int32_t i);
 int32_t wfWorldJointPlaces(const wfWorld *world);
@@ -409,6 +475,30 @@ int32_t wfWorldJointPlaces(const wfWorld *world);
  * still there, with the flag WF_JOINT_BROKEN, and can be removed, or mended by
  * wfSetJoint. */
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count);
+/* <declarations of looking at a world> */
+/* Does the body take part in steps? False: it sleeps, or there is no such body. */
+bool wfIsAwake(const wfWorld *world, wfBodyId id);
+/* Wakes a body and its island; one that is not dynamic: those that touch it. Do this when
+ * a hook of yours would now answer otherwise. WF_ERROR_STALE_ID, _BUSY. */
+wfResult wfWakeBody(wfWorld *world, wfBodyId id);
+/* Lets the body's island sleep at the end of the next step, however it moves; it stays
+ * where it is until something wakes it. _STALE_ID, _BUSY; _RANGE: the world has no sleep,
+ * the body is not dynamic or never sleeps. */
+wfResult wfPutToSleep(wfWorld *world, wfBodyId id);
+/* May it sleep? never: 0 or 1 (else _RANGE). 1 wakes it. */
+wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never);
+/* A number that all bodies of an island share, awake or asleep: the index of one of them.
+ * -1: no such body, or one without an island (not dynamic; no sleep; not stepped yet). */
+int32_t wfBodyIsland(const wfWorld *world, wfBodyId id);
+/* <declarations of looking at a world> */
+/* How much of a world rests: bodies awake (dynamic and kinematic) and asleep; islands that
+ * are awake; pairs and contacts that the last step looked at, and those that it kept. */
+typedef struct wfRestCounts {
+    int32_t awake, asleep, islands;
+    int32_t pairs, contacts;
+    int32_t pairsKept, contactsKept;
+} wfRestCounts;
+wfRestCounts wfWorldRest(const wfWorld *world);
 /* <declarations of queries> */
 /* Questions about the shapes as they stand, answered by chapter 23, whose header says more.
  * Shapes in the answers are indices of wfWorldShapes: wfShapeAt makes ids of them. Sensors
