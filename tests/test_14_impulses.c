@@ -617,7 +617,8 @@ static void bad_numbers_are_refused(void **unused)
                 &k.c.manifold.points[1].point.y, &k.c.manifold.points[0].depth, &k.c.manifold.points[1].depth,
                 &k.s[1].p.x, &k.s[1].p.y, &k.s[0].angle, &k.s[1].v.x, &k.s[0].v.y, &k.s[1].w, &k.s[1].invMass,
                 &k.s[1].invInertia, &k.c.rolling, &k.c.surfaceSpeed, &k.c.rollingImpulse, &k.c.manifold.points[0].armA.x,
-                &k.c.manifold.points[1].armB.y, &k.c.manifold.points[0].normalImpulse, &k.c.manifold.points[1].tangentImpulse, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque };
+                &k.c.manifold.points[1].armB.y, &k.c.manifold.points[0].normalImpulse, &k.c.manifold.points[1].tangentImpulse, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque,
+                &k.in.contactPeriod, &k.in.contactDamping, &k.in.recoverySpeed };
             if (field == (int)(sizeof place / sizeof *place)) break;
             *place[field] = BAD_REALS[b];
             refused(&k, WF_ERROR_NOT_FINITE);
@@ -629,24 +630,25 @@ static void numbers_out_of_range_are_refused(void **unused)
     (void)unused;
     for (int field = 0; ; field++) {
         static const struct { int at; double value; } bad[] = { { 0, 0 }, { 0, -1 }, { 1, -0.1 }, { 2, -0.1 }, { 2, 1.1 },
-            { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -0.1 }, { 6, -1 }, { 7, -1 }, { 8, -0.1 } };
+            { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -0.1 }, { 6, -1 }, { 7, -1 }, { 8, -0.1 }, { 9, -1 }, { 10, -1 }, { 11, -1 } };
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
         wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.c.slop, &k.c.restitution,
-            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia, &k.c.rolling };
+            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia, &k.c.rolling, &k.in.contactPeriod,
+            &k.in.contactDamping, &k.in.recoverySpeed };
         *place[bad[field].at] = (wfReal)bad[field].value;
         refused(&k, WF_ERROR_RANGE);
     }
     for (int field = 0; ; field++) {
         static const struct { int at, value; } bad[] = { { 0, -1 }, { 1, -1 }, { 2, 0 }, { 2, -5 }, { 3, -1 }, { 3, 2 },
             { 3, 1 }, { 4, -1 }, { 4, 2 }, { 4, 0 }, { 5, -1 }, { 5, 3 }, { 0, 1 },
-            { 6, -1 } };
+            { 6, -1 }, { 7, -1 }, { 7, 2 } };
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
         int32_t *place[] = { &k.in.bodyCount, &k.in.contactCount, &k.in.iterations, &k.c.a, &k.c.b, &k.c.manifold.count,
-            &k.in.substeps };
+            &k.in.substeps, &k.in.columns };
         *place[bad[field].at] = bad[field].value;
         refused(&k, WF_ERROR_RANGE);
     }

@@ -988,18 +988,20 @@ static void bad_world_definitions_are_refused(void **unused)
     (void)unused;
     wfWorld world = { .memory = { .owned = 0 } };
     size_t p = 7, t = 7;
-    for (int field = 0; field < 6; field++)
+    for (int field = 0; field < 9; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
             wfWorldDef d = wfDefaultWorldDef();
-            wfReal *place[] = { &d.gravity.x, &d.gravity.y, &d.dt, &d.restingSteps, &d.positionShare, &d.slop };
+            wfReal *place[] = { &d.gravity.x, &d.gravity.y, &d.dt, &d.restingSteps, &d.positionShare, &d.slop, &d.contactPeriod,
+                &d.contactDamping, &d.recoverySteps };
             *place[field] = BAD_REALS[b];
             assert_result(WF_ERROR_NOT_FINITE, wfCreateWorld(&d, &world));
             assert_result(WF_ERROR_NOT_FINITE, wfWorldSize(&d, &p, &t));
         }
-    static const struct { int field; double value; } range[] = { { 0, 0 }, { 0, -1 }, { 1, -1 }, { 2, -0.1 }, { 2, 1.1 }, { 3, -1 } };
+    static const struct { int field; double value; } range[] = { { 0, 0 }, { 0, -1 }, { 1, -1 }, { 2, -0.1 }, { 2, 1.1 }, { 3, -1 },
+        { 4, 0 }, { 4, -1 }, { 5, 0 }, { 5, -1 }, { 6, -1 } };
     for (size_t i = 0; i < sizeof range / sizeof *range; i++) {
         wfWorldDef d = wfDefaultWorldDef();
-        wfReal *place[] = { &d.dt, &d.restingSteps, &d.positionShare, &d.slop };
+        wfReal *place[] = { &d.dt, &d.restingSteps, &d.positionShare, &d.slop, &d.contactPeriod, &d.contactDamping, &d.recoverySteps };
         *place[range[i].field] = (wfReal)range[i].value;
         assert_result(WF_ERROR_RANGE, wfCreateWorld(&d, &world));
     }
@@ -1348,6 +1350,7 @@ static void assert_same_def(const wfWorldDef *a, const wfWorldDef *b)
 #define SAME(field) assert_memory_equal(&a->field, &b->field, sizeof a->field)
     SAME(gravity); SAME(dt); SAME(bodyCapacity); SAME(shapeCapacity); SAME(forceCapacity); SAME(pairCapacity); SAME(contactCapacity);
     SAME(integrator); SAME(broadPhase); SAME(narrowPhase); SAME(solver); SAME(iterations); SAME(substeps); SAME(restingSteps);
+    SAME(contactPeriod); SAME(contactDamping); SAME(recoverySteps); SAME(columns);
     SAME(hitSteps); SAME(positionShare); SAME(slop); SAME(reuse); SAME(events); SAME(queries);
     SAME(memory.permanent); SAME(memory.transient); SAME(memory.permanentSize); SAME(memory.transientSize); SAME(memory.owned);
 #undef SAME
@@ -1367,6 +1370,7 @@ static void all_settings_can_be_changed(void **unused)
     def.solver = wfFindSolver("sequential");
     def.iterations = 3, def.substeps = 7, def.reuse = 0, def.queries = 0;
     def.restingSteps = 5, def.hitSteps = 9, def.positionShare = WF_R(0.25), def.slop = WF_R(0.0625);
+    def.contactPeriod = 3, def.contactDamping = 5, def.recoverySteps = 7, def.columns = 0;
     assert_ok(wfSetWorldDef(&world, &def));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_same_def(&got, &def);
