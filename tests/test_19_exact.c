@@ -22,7 +22,7 @@ static wfJointStep step_of(int substeps, int passes)
     wfPoolInit(&pool, sizeof memory, memory);
     return (wfJointStep){ .state = state, .bodyCount = bodies, .joints = joint, .jointCount = joints, .forces = forces,
         .h = WF_R(1.0) / 60, .substeps = substeps, .passes = passes, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
-        .scratch = &pool, .prepare = wfExactJoints };
+        .give = WF_JOINT_GIVE, .scratch = &pool, .prepare = wfExactJoints };
 }
 
 static void add_body(double x, double y, double m)
