@@ -5,5 +5,4 @@
 /* Soft contacts: chapter 17. */
 #include "dynamics/substep.h"
 wfSolverFn wfSoftStep;
-wfSolverScratchFn wfSoftScratch;
 #endif

@@ -25,8 +25,6 @@ wfWorldDef wfDefaultWorldDef(void)
         .frictionMix = wfFindMix("geometric-mean"),
         .restitutionMix = wfFindMix("maximum"), .rollingMix = wfFindMix("maximum"),
         .iterations = 8, .substeps = 4, .restingSteps = 2, .hitSteps = 6,
-        .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
-        .recoverySteps = 12, .columns = 1,
         .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1, .events = 1,
         .queries = 1 };
 }
@@ -61,15 +59,12 @@ static wfResult check_world_def(const wfWorldDef *d)
 {
     if (d == NULL) return WF_ERROR_NULL;
     const wfReal number[] = { d->gravity.x, d->gravity.y, d->dt, d->restingSteps,
-                              d->hitSteps, d->positionShare, d->slop, d->contactPeriod,
-                              d->contactDamping, d->recoverySteps };
+                              d->hitSteps, d->positionShare, d->slop };
     if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
     if (!(d->dt > 0) || d->restingSteps < 0 || d->slop < 0) return WF_ERROR_RANGE;
     if (d->hitSteps < 0 || d->substeps < 1) return WF_ERROR_RANGE;
-    if (!(d->contactPeriod > 0) || !(d->contactDamping > 0) || d->recoverySteps < 0)
-        return WF_ERROR_RANGE;
-    const int32_t choice[] = { d->reuse, d->events, d->queries, d->columns };
-    for (int i = 0; i < 4; i++)
+    const int32_t choice[] = { d->reuse, d->events, d->queries };
+    for (int i = 0; i < 3; i++)
         if (choice[i] != 0 && choice[i] != 1) return WF_ERROR_RANGE;
     if (d->positionShare < 0 || d->positionShare > 1) return WF_ERROR_RANGE;
     if (d->iterations < 1 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
@@ -213,8 +208,6 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_STRIKES]     = { "strikes", 1, (size_t)d->pairCapacity, sizeof(wfStrike), 0 },
         [WF_REGION_SPARED]      = { "spared pairs", 1, (size_t)d->shapeCapacity, sizeof(wfPair),
                                     0 },
-        [WF_REGION_FRESH]       = { "fresh flights", 1, (size_t)d->bodyCapacity, sizeof(int32_t),
-                                    0 },
         [WF_REGION_NEAR]        = { "shapes near a flight", 1, (size_t)d->shapeCapacity,
                                     sizeof(int32_t), 0 },
         /* <rows of the block's regions> */
@@ -322,9 +315,7 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
         .broadPhase = d->broadPhase, .narrowPhase = d->narrowPhase, .solver = d->solver,
         .iterations = d->iterations, .substeps = d->substeps, .hitSteps = d->hitSteps,
         .frictionMix = d->frictionMix, .restitutionMix = d->restitutionMix,
-        .rollingMix = d->rollingMix, .contactPeriod = d->contactPeriod,
-        .contactDamping = d->contactDamping, .recoverySteps = d->recoverySteps,
-        .columns = d->columns,
+        .rollingMix = d->rollingMix,
         .reuse = d->reuse, .events = d->events, .queries = d->queries };
     for (int i = 0; i < WF_REGION_COUNT; i++) head->offset[i] = region[i].offset;
 }
@@ -499,9 +490,7 @@ wfWorldDef wfSettings(const wfHeader *h)
         .broadPhase = h->broadPhase, .narrowPhase = h->narrowPhase, .solver = h->solver,
         .iterations = h->iterations, .substeps = h->substeps, .hitSteps = h->hitSteps,
         .frictionMix = h->frictionMix, .restitutionMix = h->restitutionMix,
-        .rollingMix = h->rollingMix, .contactPeriod = h->contactPeriod,
-        .contactDamping = h->contactDamping, .recoverySteps = h->recoverySteps,
-        .columns = h->columns,
+        .rollingMix = h->rollingMix,
         .reuse = h->reuse, .events = h->events, .queries = h->queries,
         .restingSteps = h->restingSteps,
         .positionShare = h->positionShare, .slop = h->slop };
@@ -524,9 +513,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     bool same = h->gravity.x == d->gravity.x && h->gravity.y == d->gravity.y
              && h->dt == d->dt && h->solver == d->solver && h->substeps == d->substeps
              && h->iterations == d->iterations && h->positionShare == d->positionShare
-             && h->slop == d->slop && h->restingSteps == d->restingSteps
-             && h->contactPeriod == d->contactPeriod && h->contactDamping == d->contactDamping
-             && h->recoverySteps == d->recoverySteps && h->columns == d->columns;
+             && h->slop == d->slop && h->restingSteps == d->restingSteps;
     if (!same) wfDisturb(b, -1);
     h->gravity = d->gravity;
     h->dt = d->dt;
@@ -537,10 +524,6 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     h->iterations = d->iterations;
     h->substeps = d->substeps;
     h->restingSteps = d->restingSteps;
-    h->contactPeriod = d->contactPeriod;
-    h->contactDamping = d->contactDamping;
-    h->recoverySteps = d->recoverySteps;
-    h->columns = d->columns;
     h->hitSteps = d->hitSteps;
     h->positionShare = d->positionShare;
     h->slop = d->slop;

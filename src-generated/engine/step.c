@@ -238,9 +238,6 @@ static wfSolve to_solve(struct wfStep *s)
     return (wfSolve){ .state = s->state, .bodyCount = s->count, .contacts = s->contacts,
         .contactCount = s->contactCount, .h = head->dt, .iterations = head->iterations,
         .restingSpeed = wfRestingSpeed(head->gravity, head->dt, head->restingSteps),
-        .recoverySpeed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps),
-        .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
-        .columns = head->columns,
         .positionShare = head->positionShare, .forces = s->sums,
         .substeps = head->substeps, .laws = s->laws, .scratch = &s->scratch };
 }

@@ -1641,13 +1641,12 @@ static void finely(wfWorldDef *def)
 {
     jointly(def);
     def->substeps = 16;
-    def->exactJoints = WF_JOINTS_ONE_BY_ONE;
 }
 /* <scenes> */
 static void exactly(wfWorldDef *def)
 {
-    jointly(def);
-    def->exactJoints = WF_JOINTS_TOGETHER;
+    finely(def);
+    def->exactJoints = 1;
 }
 /* <scenes> */
 static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput *in)

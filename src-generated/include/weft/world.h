@@ -71,11 +71,6 @@ typedef struct wfWorldDef {
     wfReal  hitSteps;          /* faster ones than so many are hits, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
-    wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
-    wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
-    wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
-                                * make a body, >= 0; 0 or no gravity: no limit */
-    int32_t columns;           /* 1: towers are solved at once, 0: by passes */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of the table of chapter 15 */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
     int32_t events;            /* 1: events are listed */
@@ -186,7 +181,7 @@ enum {
     WF_REGION_JOINT_WORK, WF_REGION_EXACT, WF_REGION_NEW_ALONE,
     /* <regions of the transient chunk> */
     WF_REGION_FLIGHTS, WF_REGION_FLIGHT_OF, WF_REGION_STRIKES, WF_REGION_SPARED,
-    WF_REGION_NEAR, WF_REGION_FRESH,
+    WF_REGION_NEAR,
     /* <regions of the transient chunk> */
     WF_REGION_WOKEN, WF_REGION_NEW_CLOCKS, WF_REGION_NEW_ISLANDS,
     WF_REGION_SCRATCH,
