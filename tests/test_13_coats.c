@@ -302,6 +302,29 @@ static void test_margins(void **state)
     assert_int_equal(make(sat, &table, at(0, 0, 0), &b, at(0, 1.99, 1), WF_R(0.005), &m), 1);
 }
 
+/* Two boxes face each other, B turned by theta and shifted by x. Along A's normal the gap is y - cos/2 - sin - 1/2, along
+   B's y cos - x sin - 1/2 - sin - cos/2: B's is greater by about -x theta, here 0.00015. That is less than a tie. If they
+   overlap the normal is A's, exactly; across a gap there are no ties (the sign of the gap would be at stake), and it is B's. */
+static void test_ties_only_in_touch(void **state)
+{
+    (void)state;
+    const double theta = 0.0005;
+    for (int size = -10; size <= 10; size += 10)
+        for (int apart = 0; apart < 2; apart++) {
+            double k = ldexp(1, size), y = apart ? 1.06 : 0.99;
+            wfShape a = box(k, 0.5 * k), b = box(k, 0.5 * k);
+            wfManifold m;
+            assert_true(0.3 * theta < (double)WF_AXIS_TIE);
+            assert_int_equal(make(wfFindNarrowPhase("sat"), &a, at(0, 0, 0), &b, at(-0.3 * k, y * k, theta * 180 / 3.14159265358979), (wfReal)(0.2 * k), &m), 2);
+            assert_near2(m.normal, wfV2((wfReal)(apart ? -sin(theta) : 0), (wfReal)(apart ? cos(theta) : 1)), apart ? 1e-7 : 0);
+            /* A's right corner is beyond B's lower edge, B's left corner beyond A's upper one: the edges face each other from
+               x = -1 to 0.7. Along A's normal B's edge is at y - 1/2 + (x + 0.3) theta there, seen from A's top at 1/2. */
+            double low = y - 1 - 0.7 * theta, high = y - 1 + theta;
+            assert_near(-fmax((double)m.points[0].depth, (double)m.points[1].depth) / k, low, 2e-6);
+            assert_near(-fmin((double)m.points[0].depth, (double)m.points[1].depth) / k, high, 2e-6);
+        }
+}
+
 static void give(wfManifold *m, int k, double normal, double tangent)
 {
     m->points[k].normalImpulse = (wfReal)normal;
@@ -598,7 +621,7 @@ static void test_reuse_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_kinds), cmocka_unit_test(test_coats_by_hand), cmocka_unit_test(test_flat_corner), cmocka_unit_test(test_margins),
+        cmocka_unit_test(test_all_kinds), cmocka_unit_test(test_coats_by_hand), cmocka_unit_test(test_flat_corner), cmocka_unit_test(test_margins), cmocka_unit_test(test_ties_only_in_touch),
         cmocka_unit_test(test_keep_by_hand), cmocka_unit_test(test_impulses_never_jump), cmocka_unit_test(test_a_slide_loses_nothing),
         cmocka_unit_test(test_reuse_is_bounded), cmocka_unit_test(test_reuse_limit), cmocka_unit_test(test_reuse_in_place),
         cmocka_unit_test(test_reuse_refuses),
