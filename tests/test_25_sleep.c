@@ -313,6 +313,12 @@ static void test_material_changes(void **state)
     run(&w, 60);
     assert_true(info(&w, b).position.x < x - WF_R(0.5));
     wfDestroyWorld(&w);
+    Scene s = crate_on_floor();
+    wfPairMaterial known = { .friction = WF_R(0.1) };
+    WAKES(s, wfSetPairMaterial(&s.w, 1, 2, &known));
+    settle(&s.w, 1);
+    WAKES(s, wfSetPairMaterial(&s.w, 1, 2, NULL));
+    END(s);
 }
 
 static void test_a_belt_is_switched_on(void **state)
