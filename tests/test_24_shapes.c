@@ -487,6 +487,56 @@ static void the_mouse_finds_every_part(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* The usual ways to spoil a polygon. The maker refuses what has no good reading, and takes the hull of the rest; the world,
+   given the corners as they are, refuses all of them, with a sentence that says what to do, and not a byte of it changes. */
+static void spoilt_polygons_change_nothing(void **unused)
+{
+    (void)unused;
+    const wfReal nan = (wfReal)NAN, inf = (wfReal)INFINITY, s = WF_R(1e-30), l = WF_R(1e30);
+    const struct { const char *what; int n; wfReal p[5][2]; wfResult made; } bad[] = {
+        { "NaN", 4, { { 0, 0 }, { 1, 0 }, { 1, nan }, { 0, 1 } }, WF_ERROR_NOT_FINITE },
+        { "infinite", 4, { { 0, 0 }, { inf, 0 }, { 1, 1 }, { 0, 1 } }, WF_ERROR_NOT_FINITE },
+        { "no area", 4, { { 1, 1 }, { 1, 1 }, { 1, 1 }, { 1, 1 } }, WF_ERROR_SIZE },
+        { "collinear", 4, { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 } }, WF_ERROR_DEGENERATE },
+        { "a corner twice", 5, { { 0, 0 }, { 1, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, WF_OK },
+        { "clockwise", 4, { { 0, 0 }, { 0, 1 }, { 1, 1 }, { 1, 0 } }, WF_OK },
+        { "a dent", 4, { { 0, 0 }, { 2, 0 }, { WF_R(0.5), WF_R(0.5) }, { 0, 2 } }, WF_OK },
+        { "crossed", 4, { { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } }, WF_OK },
+        { "two corners", 2, { { 0, 0 }, { 1, 0 } }, WF_ERROR_TOO_FEW },
+        { "1e-30", 4, { { 0, 0 }, { s, 0 }, { s, s }, { 0, s } }, WF_ERROR_SIZE },
+        { "1e30", 4, { { 0, 0 }, { l, 0 }, { l, l }, { 0, l } }, WF_ERROR_SIZE },
+    };
+    wfWorld world = make_world(4, 8);
+    wfBodyId id = add(&world, body_of(disc(0, 0, 1))), none;
+    wfShapeId shape;
+    assert_ok(wfStepWorld(&world));
+    void *bytes = copy_of(&world);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        wfVec2 p[5];
+        wfShape made, raw = { .kind = WF_SHAPE_POLYGON, .count = bad[i].n };
+        for (int k = 0; k < bad[i].n; k++) p[k] = raw.vertices[k] = wfV2(bad[i].p[k][0], bad[i].p[k][1]);
+        for (int k = 0; k < bad[i].n; k++) {
+            raw.normals[k] = wfNormalize(wfPerpCW(wfSub(p[(k + 1) % bad[i].n], p[k])));
+            raw.centre = wfAddScaled(raw.centre, 1 / (wfReal)bad[i].n, p[k]);
+        }
+        wfResult result = wfMakePolygon(p, bad[i].n, &made);
+        if (result != bad[i].made) fail_msg("%s: the maker says %s", bad[i].what, wfResultName(result));
+        if (result == WF_OK) assert_ok(wfCheckShape(&made));
+        result = wfCheckShape(&raw);
+        if (result == WF_OK) fail_msg("%s passes for a polygon", bad[i].what);
+        if (strlen(wfResultText(result)) < 20 || !strchr(wfResultText(result), ':')) fail_msg("%s: what is to be done?", bad[i].what);
+        wfShapeDef def = wfDefaultShapeDef();
+        def.shape = raw;
+        wfBodyDef body = body_of(def);
+        assert_result(result, wfAddBodyToWorld(&world, &body, &none));
+        assert_result(result, wfAddShapeToBody(&world, id, &def, &shape));
+        assert_result(result, wfSetShape(&world, wfFirstShape(&world, id), &def));
+        assert_memory_equal(bytes, world.memory.permanent, world.memory.permanentSize);
+    }
+    free(bytes);
+    wfDestroyWorld(&world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -498,7 +548,7 @@ int main(void)
         cmocka_unit_test(parts_of_one_body_never_meet_and_contacts_name_them),
         cmocka_unit_test(materials_and_filters_are_the_shapes),
         cmocka_unit_test(a_type_can_change),
-        cmocka_unit_test(bad_shapes_change_nothing),
+        cmocka_unit_test(bad_shapes_change_nothing), cmocka_unit_test(spoilt_polygons_change_nothing),
         cmocka_unit_test(names_of_shapes_are_for_ever),
         cmocka_unit_test(forces_see_all_shapes),
         cmocka_unit_test(the_mouse_finds_every_part),
