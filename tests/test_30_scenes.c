@@ -602,7 +602,7 @@ static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 1200);
+    begin(&p, 1100, 2000);                          /* as high as the list of scenes is long */
     run(&p, "steps 0\nframe\n");
     assert_true(is_scene(&p, wfSceneTable[0].name));
     run(&p, "key [\nframe\n");
