@@ -1350,7 +1350,7 @@ static void assert_same_def(const wfWorldDef *a, const wfWorldDef *b)
 #define SAME(field) assert_memory_equal(&a->field, &b->field, sizeof a->field)
     SAME(gravity); SAME(dt); SAME(bodyCapacity); SAME(shapeCapacity); SAME(forceCapacity); SAME(pairCapacity); SAME(contactCapacity);
     SAME(integrator); SAME(broadPhase); SAME(narrowPhase); SAME(solver); SAME(iterations); SAME(substeps); SAME(restingSteps);
-    SAME(contactPeriod); SAME(contactDamping); SAME(recoverySteps); SAME(columns);
+    SAME(contactPeriod); SAME(contactDamping); SAME(recoverySteps); SAME(columns); SAME(colours);
     SAME(hitSteps); SAME(positionShare); SAME(slop); SAME(reuse); SAME(events); SAME(queries);
     SAME(memory.permanent); SAME(memory.transient); SAME(memory.permanentSize); SAME(memory.transientSize); SAME(memory.owned);
 #undef SAME
@@ -1368,7 +1368,7 @@ static void all_settings_can_be_changed(void **unused)
     def.broadPhase = wfFindBroadPhase("brute-force");
     def.narrowPhase = wfFindNarrowPhase("gjk");
     def.solver = wfFindSolver("sequential");
-    def.iterations = 3, def.substeps = 7, def.reuse = 0, def.queries = 0;
+    def.iterations = 3, def.substeps = 7, def.reuse = 0, def.colours = 0, def.queries = 0;
     def.restingSteps = 5, def.hitSteps = 9, def.positionShare = WF_R(0.25), def.slop = WF_R(0.0625);
     def.contactPeriod = 3, def.contactDamping = 5, def.recoverySteps = 7, def.columns = 0;
     assert_ok(wfSetWorldDef(&world, &def));
