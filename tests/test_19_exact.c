@@ -76,6 +76,13 @@ static void machine(int kind, int n)
     if (kind == 4) tie("weld", 1, 2), tie("weld", 1, 2);           /* more than is needed */
 }
 
+/* m: how far a row with K (1/kg) opens under f newtons: eq:exact-loss's spring, k = 2 beta / (h^2 s K), and a tenth more */
+static double give_of(double f, double K, int substeps)
+{
+    double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD, beta = turn / (2 * WF_JOINT_DAMPING + turn), h = 1 / (60.0 * substeps);
+    return 1.1 * f * h * h * (double)WF_JOINT_GIVE * K / (2 * beta);
+}
+
 static void test_all_rows_are_kept(void **unused)
 {
     (void)unused;
@@ -87,7 +94,7 @@ static void test_all_rows_are_kept(void **unused)
             double error, rate;
             worst_rows(&error, &rate);
             /* places to 8 m, speeds to 10 m/s: rounding of sums over the joints; a Newton step leaves the square of (omega h) */
-            assert_near(error, 0, 400 * (double)WF_EPSILON + 1e-9);
+            assert_near(error, 0, 400 * (double)WF_EPSILON + give_of(200, 20, 16));
             assert_near(rate, 0, 4000 * (double)WF_EPSILON + 1e-6);
         }
 }
@@ -120,10 +127,10 @@ static void test_weight_of_a_chain(void **unused)
     wfJointStep in = step_of(4, 1);
     for (int i = 0; i < 10; i++) assert_ok(wfStepJoints(&in));
     /* a gap that is left to rounding, a few eps of 2 m, is a force of m gap / h^2 */
-    for (int i = 0; i < 40; i++) assert_near(joint[i].impulse[1] * 240, 9.81 * (40 - i), 40 * 8 * (double)WF_EPSILON * 240 * 240);
+    for (int i = 0; i < 40; i++) assert_near(joint[i].impulse[1] * 240, 9.81 * (40 - i), 40 * 8 * (double)WF_EPSILON * 240 * 240 + 1e-4);
     double error, rate;
     worst_rows(&error, &rate);
-    assert_near(error, 0, 64 * 40 * (double)WF_EPSILON);
+    assert_near(error, 0, 64 * 40 * (double)WF_EPSILON + give_of(9.81 * 40, 2, 4));
 }
 
 static void test_heavy_load(void **unused)
@@ -236,6 +243,16 @@ static void test_bad_input(void **unused)
     assert_result(WF_ERROR_NULL, wfExactJoints(&set, &in, NULL));
     assert_ok(wfExactJoints(&set, &in, &pool));
     assert_null(set.together);
+    uint8_t alone[8];
+    assert_result(WF_ERROR_NULL, wfExactMachines(NULL, &in, 8, alone, false, &pool));
+    assert_result(WF_ERROR_NULL, wfExactMachines(&set, NULL, 8, alone, false, &pool));
+    assert_result(WF_ERROR_NULL, wfExactMachines(&set, &in, 8, NULL, false, &pool));
+    assert_result(WF_ERROR_NULL, wfExactMachines(&set, &in, 8, alone, false, NULL));
+    assert_ok(wfExactMachines(&set, &in, 8, alone, false, &pool));
+    set.joints = joint, set.count = joints, in.state = state, in.bodyCount = bodies;
+    wfPoolInit(&pool, 256, memory);
+    assert_result(WF_ERROR_MEMORY, wfExactMachines(&set, &in, 8, alone, false, &pool));
+    set.count = 0, wfPoolInit(&pool, sizeof memory, memory);
     for (size_t size = 256; size < wfExactScratch(bodies, joints) / 2; size += 256) {
         wfPoolInit(&pool, size, memory);
         assert_result(WF_ERROR_MEMORY, wfCountExact(joint, joints, state, bodies, &pool, &c));
@@ -244,12 +261,197 @@ static void test_bad_input(void **unused)
     assert_ok(wfCountExact(joint, joints, state, bodies, &pool, &c));
 }
 
+static double energy_of(void)
+{
+    double e = 0;
+    for (int i = 1; i < bodies; i++)
+        e += (double)wfKineticEnergy(&state[i]) + (state[i].invMass > 0 ? 9.81 * (double)state[i].p.y / (double)state[i].invMass : 0);
+    return e;
+}
+
+/* Every kind that holds: two bodies that fly, joined, without forces. The rows of the chord do no work (eq:exact-work), so
+   the kinetic energy stays to rounding, whatever the turn in a substep; with tangents it would be wrong in the third order. */
+static void test_every_kind_keeps_energy(void **unused)
+{
+    (void)unused;
+    int tried = 0;
+    for (int kind = 0; kind < wfJointKinds; kind++)
+        for (int round = 0; round < 4; round++) {
+            begin();
+            add_body(number(0, 1), number(0, 1), 1), add_body(number(1.5, 2.5), number(0, 1), number(0.5, 2));
+            forces[1].force = forces[2].force = wfV2(0, 0);
+            const char *name = wfJointTable[kind].name;
+            bool pinned = kind == wfFindJoint("revolute") || kind == wfFindJoint("weld");
+            wfVec2 a = wfV2((wfReal)number(0, 1), 1), b = pinned ? a : wfV2(2, (wfReal)number(0, 1));
+            joint[joints++] = wfMakeJoint(name, 1, &state[1], 2, &state[2], a, b, pinned ? wfV2(1, 0) : wfSub(b, a));
+            wfJointRow row[WF_JOINT_ROWS];
+            wfBuildJoint(&joint[0], &state[1], &state[2], row);
+            if (row[0].law != WF_ROW_HOLD) continue;
+            state[1].v = wfV2(1, 2), state[1].w = 5, state[2].v = wfV2(-1, 1), state[2].w = -7;
+            wfJointStep in = step_of(4, 1);
+            in.give = 0;
+            assert_ok(wfStepJoints(&in));                           /* the first takes off what is not tangent */
+            double e0 = (double)(wfKineticEnergy(&state[1]) + wfKineticEnergy(&state[2]));
+            for (int i = 0; i < 120; i++) assert_ok(wfStepJoints(&in));
+            double e1 = (double)(wfKineticEnergy(&state[1]) + wfKineticEnergy(&state[2]));
+            /* 480 substeps that round; and what is given back is not quite what is taken off (eq:exact-given): the difference
+               from one substep to the next is of the third order in w h = 0.03, its square times 480 is 3.5e-7 */
+            assert_near(e1 / e0, 1, 480 * 2 * (double)WF_EPSILON + 1e-6);
+            tried++;
+        }
+    assert_true(tried >= 4 * 7);
+}
+
+static void test_pendulum(void **unused)
+{
+    (void)unused;
+    double a = 1, b = sqrt(0.5);
+    for (int i = 0; i < 40; i++) { double m = (a + b) / 2; b = sqrt(a * b); a = m; }
+    double exact = 2 * 3.14159265358979 * sqrt((1 + 1 / 6.0) / 9.81) / a, first = 0, last = 0, off = 0;
+    int turns = -1;
+    begin();
+    add_body(1, 0, 1);
+    joint[joints++] = wfHinge(0, &state[0], 1, &state[1], wfV2(0, 0));
+    wfJointStep in = step_of(4, 1);
+    for (int i = 0; i < 3600; i++) {
+        double before = (double)state[1].w;
+        assert_ok(wfStepJoints(&in));
+        off = fmax(off, fabs(energy_of()) / 9.81);
+        if (!(before < 0 && (double)state[1].w >= 0)) continue;
+        last = (i + 1 - (double)state[1].w / ((double)state[1].w - before)) / 60;
+        if (turns++ < 0) first = last;
+    }
+    /* issue 4 asks for 1e-6: double has it. In float 14400 substeps round a speed of up to 4 m/s by 2e-7 each: a walk of
+       120 * 4 * 2e-7 = 1e-4 J of 9.81 at one sigma */
+    assert_near(off, 0, sizeof(wfReal) == 8 ? 1e-6 : 4e-5);
+    assert_near((last - first) / turns / exact, 1, 0.0005);
+}
+
+/* A ton on twenty kilograms, with four substeps, taut and slack in turns: no energy is gained. What rounding lets through is
+   a gap of some eps times the pull of 1e4 N: 1e-4 of the 2e5 J at most. */
+static void test_swinging_load(void **unused)
+{
+    (void)unused;
+    for (int degrees = 30; degrees <= 150; degrees += 40) {
+        double angle = degrees * 3.14159265358979 / 180, most = 0, first, level = 0;
+        begin();
+        for (int i = 1; i <= 20; i++) {
+            add_body((i - 0.5) * sin(angle), -(i - 0.5) * cos(angle), i == 20 ? 1000 : 1);
+            state[i].angle = (wfReal)angle, level += 9.81 * (i - 0.5) * (i == 20 ? 1000 : 1);
+        }
+        for (int i = 1; i <= 20; i++)
+            joint[joints++] = wfHinge(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)((i - 1) * sin(angle)), (wfReal)(-(i - 1) * cos(angle))));
+        wfJointStep in = step_of(4, 1);
+        first = energy_of();
+        for (int i = 0; i < 480; i++) {
+            assert_ok(wfStepJoints(&in));
+            most = fmax(most, (energy_of() - first) / level);
+        }
+        assert_true(most < 1e-4);
+        if (degrees < 80) assert_near(energy_of() / level, first / level, 1e-3);
+        double error, rate;
+        worst_rows(&error, &rate);
+        assert_near(error, 0, 20 * 1e-4);                           /* 1e-4 of its length, in the worst moment */
+    }
+}
+
+/* Eleven joints over a span of exactly ten planks: the rows contradict one another, and still it stands. What each joint
+   gives is eq:exact-loss's spring, k = 2 beta / (h^2 gamma) with gamma = s K, K = 1/m or 2/m: sag d with pull T = W L / 8 d
+   and a longer chain by 8 d^2 / 3 L. */
+static void test_straight_bridge(void **unused)
+{
+    (void)unused;
+    begin();
+    for (int i = 1; i <= 10; i++) add_body(i - 0.5, 0, 1);
+    for (int i = 1; i <= 10; i++) joint[joints++] = wfHinge(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)(i - 1), 0));
+    joint[joints++] = wfHinge(10, &state[10], 0, &state[0], wfV2(10, 0));
+    wfJointStep in = step_of(4, 1);
+    double lowest = 0, fastest = 0;
+    for (int i = 0; i < 600; i++) {
+        assert_ok(wfStepJoints(&in));
+        fastest = 0;
+        for (int k = 1; k <= 10; k++) {
+            lowest = fmin(lowest, (double)state[k].p.y);
+            fastest = fmax(fastest, (double)wfLength(state[k].v));
+        }
+    }
+    double soft = give_of(1, 9 * 2 + 2, 4) / 1.1;                    /* m/N, all joints together */
+    double sag = cbrt(10 * 9.81 * 10 * soft / 8 * 3 * 10 / 8);
+    assert_near(lowest, -sag, sag);                                 /* it swings in at first; at rest near the half of it */
+    assert_near(state[5].p.y, -sag, 0.3 * sag);                     /* a parabola for a polygon of ten planks */
+    assert_true(fastest < 0.05);
+}
+
+/* What cannot be solved is counted, adds no energy and stays finite. */
+static void test_unsolvable_is_counted(void **unused)
+{
+    (void)unused;
+    int32_t lost = 0, all = 0;
+    begin();
+    for (int i = 1; i <= 8; i++) add_body(number(-1, 1), number(-1, 1), i % 2 ? 1 : 1000), forces[i].force = wfV2(0, 0);
+    for (int i = 1; i <= 8; i++) tie("revolute", i - 1, i);
+    for (int i = 1; i <= 8; i++) state[i].w = (wfReal)number(-3000, 3000);
+    wfJointStep in = step_of(1, 1);
+    in.unsolved = &lost;
+    for (int i = 0; i < 60; i++) {
+        assert_ok(wfStepJoints(&in));
+        all += lost;
+        for (int b = 1; b <= 8; b++) assert_true(wfBodyIsFinite(&state[b]));
+    }
+    assert_true(all > 0);
+}
+
+/* A chain, a car of three bodies and a dense block of joints in one set: judged apart, and the verdict can be kept. */
+static void test_machines(void **unused)
+{
+    (void)unused;
+    static uint8_t alone[2][MOST];
+    static wfBodyState end[2][64];
+    for (int known = 0; known < 2; known++) {
+        seed = 17;
+        begin();
+        for (int i = 1; i <= 8; i++) add_body(i, 0, 1), tie("revolute", i - 1, i);      /* 8 joints of a chain */
+        for (int i = 0; i < 7; i++) add_body(20 + i, 0, 1);
+        for (int i = 0; i < 7; i++)
+            for (int k = 0; k < i; k++) tie("distance", 9 + k, 9 + i);                  /* 21 joints, each with each */
+        add_body(40, 0, 1), add_body(41, 0, 1);
+        tie("weld", 16, 17), tie("weld", 0, 0 + 16);
+        joint[joints - 1].flags = WF_JOINT_BROKEN;
+        wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING, .give = WF_JOINT_GIVE };
+        wfSolve in = { .state = state, .bodyCount = bodies, .h = WF_R(1.0) / 60, .substeps = 4, .iterations = 1, .scratch = &pool, .forces = forces };
+        wfLaws laws;
+        in.laws = &laws;
+        wfPoolInit(&pool, sizeof memory, memory);
+        assert_ok(wfBeginJoints(&set, bodies, &pool, &laws));
+        if (known) memcpy(alone[1], alone[0], sizeof alone[0]);
+        assert_ok(wfExactMachines(&set, &in, WF_EXACT_CHEAP, alone[known], known != 0, &pool));
+        for (int i = 0; i < joints; i++) assert_int_equal(alone[known][i], (i >= 8 && i < 29) || i == joints - 1);
+        assert_ok(wfSolveStep(wfFindSolver("soft"), &in));
+        wfEndJoints(&set, &in);
+        memcpy(end[known], state, sizeof end[known]);
+    }
+    assert_memory_equal(end[0], end[1], sizeof end[0]);
+    /* with a limit of nothing only joints that are by themselves are cheap; without one all that has room is */
+    for (int limit = 0; limit < 2; limit++) {
+        wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD };
+        wfSolve in = { .state = state, .bodyCount = bodies };
+        wfPoolInit(&pool, sizeof memory, memory);
+        assert_ok(wfExactMachines(&set, &in, limit ? -1 : 0, alone[0], false, &pool));
+        int together = 0;
+        for (int i = 0; i < joints; i++) together += !alone[0][i];
+        assert_int_equal(together, limit ? 8 + 1 : 1);              /* each with each: 210 blocks of 21 joints, and there is room for 168 */
+        assert_true((set.together != NULL) == (together > 0));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_rows_are_kept), cmocka_unit_test(test_agrees_with_passes), cmocka_unit_test(test_weight_of_a_chain),
         cmocka_unit_test(test_heavy_load), cmocka_unit_test(test_fill), cmocka_unit_test(test_pendulums_are_apart),
         cmocka_unit_test(test_too_entangled), cmocka_unit_test(test_broken_joints_are_left_out), cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_every_kind_keeps_energy), cmocka_unit_test(test_pendulum), cmocka_unit_test(test_swinging_load),
+        cmocka_unit_test(test_straight_bridge), cmocka_unit_test(test_unsolvable_is_counted), cmocka_unit_test(test_machines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
