@@ -920,6 +920,29 @@ static void test_whatever_is_done_nobody_floats(void **state)
     wfDestroyWorld(&w);
 }
 
+typedef struct Meddler { wfWorld *world; wfBodyId id; wfResult got[3]; } Meddler;
+
+static void meddle(void *context, const wfHookView *view, const wfContact *contact, wfContactChange *change)
+{
+    Meddler *m = context;
+    (void)view, (void)contact, (void)change;
+    m->got[0] = wfWakeBody(m->world, m->id);
+    m->got[1] = wfPutToSleep(m->world, m->id);
+    m->got[2] = wfSetNeverSleeps(m->world, m->id, 1);
+}
+
+static void test_hooks_may_not_wake(void **state)
+{
+    (void)state;
+    wfWorld w = open_world(1);
+    add(&w, floor_def());
+    Meddler m = { .world = &w, .id = add(&w, box_def(0, 0.5, 0.5, 0.5)) };
+    wfHooks hooks = { .context = &m, .preSolve = meddle };
+    assert_ok(wfStepWorldWith(&w, &hooks));
+    for (int i = 0; i < 3; i++) assert_int_equal(m.got[i], WF_ERROR_BUSY);
+    wfDestroyWorld(&w);
+}
+
 static void test_bad_input(void **state)
 {
     (void)state;
@@ -1003,6 +1026,7 @@ int main(void)
         cmocka_unit_test(test_a_failed_step_changes_nothing),
         cmocka_unit_test(test_every_solver_and_broad_phase),
         cmocka_unit_test(test_whatever_is_done_nobody_floats),
+        cmocka_unit_test(test_hooks_may_not_wake),
         cmocka_unit_test(test_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
