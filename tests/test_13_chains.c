@@ -387,6 +387,36 @@ static void test_tips_of_every_size(void **state)
         }
 }
 
+/* Links look ahead like all shapes: with a margin they report gaps up to it, on their own edge, at a joint that sticks out
+   and for coats, from either side of the pair, at every size. */
+static void test_links_look_ahead(void **state)
+{
+    (void)state;
+    for (int size = -10; size <= 10; size += 10) {
+        double k = ldexp(1, size);
+        wfVec2 crest[3] = { wfV2((wfReal)k, (wfReal)-k), wfV2(0, 0), wfV2((wfReal)-k, (wfReal)-k) };
+        wfShape flat, peak[2], bodies[4] = { box(0.5 * k, 0.5 * k), rounded_box(0.4 * k, 0.4 * k, 0.1 * k),
+                                             capsule(-0.5 * k, 0, 0.5 * k, 0, 0.5 * k), circle(0, 0, 0.5 * k) };
+        assert_ok(wfMakeLink(wfV2((wfReal)(9 * k), 0), wfV2((wfReal)(3 * k), 0), wfV2((wfReal)(-3 * k), 0), wfV2((wfReal)(-9 * k), 0), &flat));
+        chain(crest, 3, peak);
+        for (int b = 0; b < 4; b++)
+            for (int gap = -1; gap <= 3; gap++)
+                for (int swap = 0; swap < 2; swap++) {
+                    double g = 0.03 * gap, margin = 0.05;               /* -0.03, 0, 0.03 are seen, 0.06 and 0.09 are not */
+                    wfTransform here = at(0, 0, 0), there = at(0.2 * k, (0.5 + g) * k, 0), tip = at(0, (0.5 + g) * k, 0);
+                    wfManifold m;
+                    int n = swap ? collide(&bodies[b], there, &flat, here, (wfReal)(margin * k), &m) : collide(&flat, here, &bodies[b], there, (wfReal)(margin * k), &m);
+                    assert_int_equal(n, g > margin ? 0 : b == 3 ? 1 : 2);
+                    for (int i = 0; i < n; i++) assert_near(m.points[i].depth, -g * k, 1e-6 * k);
+                    if (n) assert_near2(m.normal, wfV2(0, swap ? -1 : 1), 1e-6);
+                    n = swap ? collide(&bodies[b], tip, &peak[0], here, (wfReal)(margin * k), &m) : collide(&peak[0], here, &bodies[b], tip, (wfReal)(margin * k), &m);
+                    assert_int_equal(n, g > margin ? 0 : 1);
+                    for (int i = 0; i < n; i++) assert_near(m.points[i].depth, -g * k, 1e-6 * k);
+                    if (n) assert_near2(m.normal, wfV2(0, swap ? -1 : 1), 1e-6);
+                }
+    }
+}
+
 /* three points of a chain, or their mirror image, whose links are then listed the other way round */
 static void crest_of(const wfVec2 *p, bool mirror, double scale, wfShape *links)
 {
@@ -651,7 +681,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_circles_see_the_whole_line), cmocka_unit_test(test_cores_keep_to_the_surface),
         cmocka_unit_test(test_no_holes), cmocka_unit_test(test_joints_by_hand),
-        cmocka_unit_test(test_cuts_belong_to_the_neighbour), cmocka_unit_test(test_tips_of_every_size), cmocka_unit_test(test_needles), cmocka_unit_test(test_thousand_tiles),
+        cmocka_unit_test(test_cuts_belong_to_the_neighbour), cmocka_unit_test(test_tips_of_every_size), cmocka_unit_test(test_links_look_ahead),
+        cmocka_unit_test(test_needles), cmocka_unit_test(test_thousand_tiles),
         cmocka_unit_test(test_rides), cmocka_unit_test(test_from_behind), cmocka_unit_test(test_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
