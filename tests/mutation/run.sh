@@ -4,7 +4,8 @@
 # CHAPTERS: whose tests are run, as 07|1[1-3] (default: 05 to 26).
 # Files are paths in the tangled tree; by default math, shapes, mass, bodies, forces, integrators, broad and narrow phase,
 # contacts, impulses. Writes book/data/mutation.csv (one row a mutant) and prints the share caught and the survivors.
-# A mutant that does not compile is not counted. One that never ends is caught (by the time limit).
+# A mutant that does not compile is not counted. One that never ends is caught (by the time limit). What the tests of its chapter let
+# pass they run once more under the sanitizers, as make check does: reading beyond an array is a mistake that no value need show.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 share=1 jobs=2 chapters='0[5-9]|1[0-9]|2[0-6]'
@@ -31,6 +32,19 @@ for f in "${files[@]}"; do
   $lua tests/mutation/mutants.lua list "$work/base/lines/$f" | awk -v f="$f" -v s="$share" 'NR % s == 0 { print f "\t" $0 }' >> "$work/queue"
 done
 total=$(wc -l < "$work/queue"); echo "mutation: $total mutants in ${#files[@]} files, $jobs workers"
+# the tests of the mutant's chapter, with address and undefined-behaviour sanitizers; true: they noticed
+sanitized() {      # worker's tree, chapter
+  local t b n
+  command -v clang >/dev/null || return 1
+  for t in $tests; do
+    n=$(echo "$t" | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p'); [ "$n" = "$2" ] || continue
+    b=$(basename "$t" .c)
+    CC=clang CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" make --no-print-directory -f tangle/compile.mk WARN=-w \
+      SRC="$1/lines" OUT="$1/sanitized" TESTS="$t" "$1/sanitized/tests/$b" >"$1.log" 2>&1 || return 1
+    timeout 300 "$1/sanitized/tests/$b" >/dev/null 2>&1 || return 0
+  done
+  return 1
+}
 worker() {
   local j=$1 w="$work/w$1" f k where op old new verdict by b n t first
   awk -v j="$j" -v n="$jobs" 'NR % n == j % n' "$work/queue" | while IFS=$'\t' read -r f k where op old new; do
@@ -47,6 +61,7 @@ worker() {
         if ! compile "$w" "$w/tests/$b" >"$w.log" 2>&1; then verdict=invalid; break; fi
         if ! timeout 60 "$w/tests/$b" >/dev/null 2>&1; then verdict=caught; by=$b; break; fi
       done
+      [ $verdict = survived ] && sanitized "$w" "${first:-0}" && { verdict=caught; by=sanitizers; }
     fi
     printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$where" "$op" "$old" "$new" "$verdict" "$by" >> "$w.rows"
     cp "$work/base/lines/$f" "$w/lines/$f"
