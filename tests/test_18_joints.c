@@ -404,6 +404,172 @@ static void test_hand_and_servo(void **state)
     assert_near(s[1].angle, 1, 1e-3);
 }
 
+/* A wheel of radius 0.5 on its axle and a rod that slides: v = -0.5 w. A force F on the rod moves m + I / r^2. */
+static void test_rack_and_linkage(void **state)
+{
+    (void)state;
+    wfBodyState s[3] = { { .invMass = 0 }, body(0, 1), body(2, 0) };
+    wfBodyForces f[3] = { { .torque = 0 }, { .force = wfV2(3, 0) }, { .torque = 0 } };
+    wfJoint j[3] = { wfSlide(0, &s[0], 1, &s[1], s[1].p, wfV2(1, 0)), wfHinge(0, &s[0], 2, &s[2], s[2].p),
+                     wfMakeJoint("rack", 1, &s[1], 2, &s[2], s[1].p, s[2].p, wfV2(1, 0)) };
+    s[1].angle = 0, s[2].angle = WF_R(0.3), j[1].turnB = j[2].turnB = WF_R(0.3);
+    wfSetRatio(&j[2], &s[1], &s[2], WF_R(0.5));
+    wfJointRow row[WF_JOINT_ROWS];
+    assert_int_equal(wfBuildJoint(&j[2], &s[1], &s[2], row), 1);
+    assert_near(row[0].error, 0, 4 * (double)WF_EPSILON);               /* at rest as the bodies are, whatever the ratio */
+    wfJointStep in = step_of(s, 3, j, 3, f);
+    in.passes = 8;
+    for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+    double a = 3 / (1 + 1 / 6.0 / 0.25);
+    assert_near(s[1].v.x, a, 0.01 * a);
+    assert_near(s[2].w, -a / 0.5, 0.01 * a);
+    assert_near(s[1].p.x, a / 2, 0.01 * a);
+    assert_near(wfWrapAngle(s[2].angle - WF_R(0.3)), -a, 0.02 * a);
+    /* a lift and its counterweight: slides along y, B twice as far the other way: x_A + 2 x_B */
+    wfBodyState l[3] = { { .invMass = 0 }, body(0, 0), body(2, 0) };
+    wfBodyForces g[3] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) }, { .force = wfV2(0, WF_R(-9.81)) } };
+    wfJoint k[3] = { wfSlide(0, &l[0], 1, &l[1], l[1].p, wfV2(0, 1)), wfSlide(0, &l[0], 2, &l[2], l[2].p, wfV2(0, 1)),
+                     wfMakeJoint("linkage", 1, &l[1], 2, &l[2], l[1].p, l[2].p, wfV2(0, 1)) };
+    wfSetRatio(&k[2], &l[1], &l[2], 2);
+    in = step_of(l, 3, k, 3, g);
+    in.passes = 8;
+    for (int i = 0; i < 30; i++) assert_ok(wfStepJoints(&in));
+    /* vA = -2 vB; g (-vA - vB) is the power: vA' (1 + 1/4) = -g (1 - 1/2) */
+    assert_near(l[1].v.y, -0.5 * 9.81 * 0.5 / 1.25, 0.02);
+    assert_near(l[2].v.y, 0.25 * 9.81 * 0.5 / 1.25, 0.01);
+}
+
+/* Seen from above: v^2 / (2 mu g) in every direction, and a force below the bound moves nothing. */
+static void test_friction(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 8; n++) {
+        double angle = 0.37 + n * 0.7;
+        wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
+        wfJoint j = wfMakeJoint("friction", 0, &s[0], 1, &s[1], s[1].p, s[1].p, wfV2(1, 0));
+        j.motorForce = 4, j.ratio = WF_R(0.1);                          /* N; N m for each N */
+        s[1].v = wfV2((wfReal)(3 * cos(angle)), (wfReal)(3 * sin(angle)));
+        wfBodyForces f[2] = { { .torque = 0 }, { .torque = 0 } };
+        wfJointStep in = step_of(s, 2, &j, 1, f);
+        for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+        assert_near(wfLength(s[1].v), 0, 1e-4);
+        assert_near(s[1].p.x, 9 / 8.0 * cos(angle), 0.01);              /* a substep's way at first order: 3 / 240 */
+        assert_near(s[1].p.y, 9 / 8.0 * sin(angle), 0.01);
+        wfVec2 was = s[1].p;
+        f[1].force = wfV2((wfReal)(3.9 * cos(angle)), (wfReal)(3.9 * sin(angle))), f[1].torque = WF_R(0.39);
+        for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+        assert_near2(s[1].p, was, 1e-4);
+        f[1].force = wfV2((wfReal)(5 * cos(angle)), (wfReal)(5 * sin(angle))), f[1].torque = WF_R(0.5);
+        for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+        assert_near(wfLength(s[1].v), 1, 0.01);                         /* (5 - 4) N on 1 kg */
+        assert_near(s[1].w, 6 * 0.1, 0.01);                             /* (0.5 - 0.4) N m on 1/6 */
+    }
+}
+
+/* The bound of a hand is the same in every direction, that of a spring holds. */
+static void test_bounds_of_forces(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 8; n++) {
+        double angle = 0.2 + n * 0.8;
+        wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
+        wfJoint j = wfMakeJoint("hand", 0, &s[0], 1, &s[1], s[1].p, s[1].p, wfV2(1, 0));
+        j.groundB = wfV2((wfReal)(100 * cos(angle)), (wfReal)(100 * sin(angle))), j.motorForce = 2;
+        wfTuneJoint(&j, 1, 5, 1);
+        wfJointStep in = step_of(s, 2, &j, 1, NULL);
+        for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+        assert_near(wfLength(s[1].v), 2, 2e-3);
+        assert_near(wfCross(s[1].v, j.groundB) / 100, 0, 2e-3);
+    }
+    wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
+    wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    j.flags = WF_JOINT_SPRING, j.stiffness = 1000, j.rest = 1, j.springForce = 3;
+    wfJointStep in = step_of(s, 2, &j, 1, NULL);
+    for (int i = 0; i < 12; i++) assert_ok(wfStepJoints(&in));
+    assert_near(s[1].v.x, -3 * 0.2, 1e-3);
+}
+
+/* A slide joint: free between its ends, and no further. A groove: a pin that slides along an axis between two ends. */
+static void test_slide_and_groove(void **state)
+{
+    (void)state;
+    wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
+    wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    j.flags = WF_JOINT_LIMITS, j.lower = 1, j.upper = 3;
+    s[1].v = wfV2(2, 0);
+    wfJointStep in = step_of(s, 2, &j, 1, NULL);
+    for (int i = 0; i < 24; i++) assert_ok(wfStepJoints(&in));
+    assert_near(s[1].p.x, 2.8, 1e-5);
+    for (int i = 0; i < 60; i++) {
+        assert_ok(wfStepJoints(&in));
+        assert_true(s[1].p.x < WF_R(3.0001));
+    }
+    assert_near(s[1].v.x, 0, 1e-3);                                     /* inelastic */
+    s[1].v = wfV2(-2, 0);
+    for (int i = 0; i < 90; i++) {
+        assert_ok(wfStepJoints(&in));
+        assert_true(s[1].p.x > WF_R(0.9999));
+    }
+    wfBodyState g[2] = { { .invMass = 0 }, body(0, 0) };
+    wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(1, WF_R(-9.81)), .torque = 1 } };
+    j = wfMakeJoint("wheel", 0, &g[0], 1, &g[1], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0));
+    j.flags = WF_JOINT_LIMITS, j.lower = -1, j.upper = 1;
+    in = step_of(g, 2, &j, 1, f);
+    for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+    assert_near(g[1].p.x, 0.5, 1e-3);                                   /* t^2 / 2: not held along the groove */
+    for (int i = 0; i < 240; i++) assert_ok(wfStepJoints(&in));
+    assert_near(g[1].p.x, 1, 1e-3);
+    assert_near(g[1].p.y, 0, 1e-3);
+    assert_near(g[1].w, 30, 0.01);                                      /* and turns freely */
+}
+
+/* Rotary spring and rotary limit: the kind "turn" without any anchor. */
+static void test_rotary(void **state)
+{
+    (void)state;
+    wfBodyState s[2] = { { .invMass = 0 }, body(5, 5) };
+    wfJoint j = wfMakeJoint("turn", 0, &s[0], 1, &s[1], s[1].p, s[1].p, wfV2(1, 0));
+    wfTuneJoint(&j, WF_R(1.0) / 6, 1, WF_R(0.05));
+    s[1].angle = j.turnB = WF_R(0.4);
+    wfJointStep in = step_of(s, 2, &j, 1, NULL);
+    in.substeps = 64;
+    double omega = 2 * 3.14159265358979, damped = omega * sqrt(1 - 0.0025);
+    for (int i = 1; i <= 90; i++) {
+        assert_ok(wfStepJoints(&in));
+        double t = i / 60.0, x = 0.4 * exp(-0.05 * omega * t) * (cos(damped * t) + 0.05 / sqrt(0.9975) * sin(damped * t));
+        assert_near(s[1].angle, x, 0.4 * 0.0103);                       /* as test_spring: h omega^2 / 2 more damping */
+    }
+    assert_near2(s[1].p, wfV2(5, 5), 0);
+    j.flags = WF_JOINT_LIMITS, j.lower = -1, j.upper = 2;
+    s[1].w = 3;
+    for (int i = 0; i < 120; i++) {
+        assert_ok(wfStepJoints(&in));
+        assert_true(s[1].angle < WF_R(2.001));
+    }
+    assert_near(s[1].w, 0, 1e-2);
+}
+
+/* A rope that is too weak everywhere tears at one place, and nothing is left to break. */
+static void test_only_the_worst_breaks(void **state)
+{
+    (void)state;
+    wfBodyState s[6];
+    wfBodyForces f[6];
+    wfJoint j[5];
+    memset(s, 0, sizeof s), memset(f, 0, sizeof f);
+    for (int i = 1; i <= 5; i++) {
+        s[i] = body(0, 0.5 - i), f[i].force = wfV2(0, WF_R(-9.81));
+        j[i - 1] = wfHinge(i - 1, &s[i - 1], i, &s[i], wfV2(0, (wfReal)(1 - i)));
+    }
+    wfJointStep in = step_of(s, 6, j, 5, f);
+    for (int i = 0; i < 240; i++) assert_ok(wfStepJoints(&in));
+    for (int i = 0; i < 5; i++) j[i].breakForce = 5;                    /* each bears 9.81 N or more */
+    assert_ok(wfStepJoints(&in));
+    for (int i = 0; i < 5; i++) assert_int_equal((j[i].flags & WF_JOINT_BROKEN) != 0, i == 0);
+    for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
+    for (int i = 1; i < 5; i++) assert_int_equal(j[i].flags & WF_JOINT_BROKEN, 0);
+}
+
 static double stretch(int links, double load, int substeps)
 {
     wfBodyState s[24];
@@ -533,11 +699,12 @@ static void test_bad_input(void **state)
     BAD(WF_ERROR_RANGE, in.passes = 0);
     BAD(WF_ERROR_RANGE, in.period = -1);
     BAD(WF_ERROR_RANGE, in.damping = -1);
+    BAD(WF_ERROR_RANGE, in.give = -1);
     BAD(WF_ERROR_MEMORY, wfPoolInit(&pool, 64, memory));
     for (int b = 0; b < BAD_REAL_COUNT; b++) {
         wfReal *number[] = { &j.localA.x, &j.localA.y, &j.localB.x, &j.localB.y, &j.axis.x, &j.axis.y, &j.groundA.x, &j.groundA.y,
             &j.groundB.x, &j.groundB.y, &j.rest, &j.angle, &j.ratio, &j.lower, &j.upper, &j.stiffness, &j.damping, &j.motorSpeed,
-            &j.motorForce, &j.springForce, &j.breakForce, &j.breakTorque, &j.turnA, &j.turnB, &j.impulse[0], &j.impulse[5], &in.h, &in.period, &in.damping };
+            &j.motorForce, &j.springForce, &j.breakForce, &j.breakTorque, &j.turnA, &j.turnB, &j.impulse[0], &j.impulse[5], &in.h, &in.period, &in.damping, &in.give };
         for (size_t n = 0; n < sizeof number / sizeof *number; n++) BAD(WF_ERROR_NOT_FINITE, *number[n] = BAD_REALS[b]);
         wfBodyForces f[2] = { { .torque = 0 }, { .torque = BAD_REALS[b] } };
         BAD(WF_ERROR_NOT_FINITE, in.forces = f);
@@ -552,7 +719,7 @@ static void test_bad_input(void **state)
 static void test_table(void **state)
 {
     (void)state;
-    assert_true(wfJointKinds >= 11);
+    assert_true(wfJointKinds >= 15);
     for (int i = 0; i < wfJointKinds; i++) {
         assert_int_equal(wfFindJoint(wfJointTable[i].name), i);
         assert_true(strlen(wfJointTable[i].text) > 10);
@@ -568,7 +735,9 @@ int main(void)
         cmocka_unit_test(test_motors), cmocka_unit_test(test_wheel_and_slide), cmocka_unit_test(test_pulley),
         cmocka_unit_test(test_gear_and_ratchet), cmocka_unit_test(test_hand_and_servo), cmocka_unit_test(test_chain_converges),
         cmocka_unit_test(test_period_zero_is_rigid), cmocka_unit_test(test_turns_are_counted), cmocka_unit_test(test_singular),
-        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_table),
+        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_table), cmocka_unit_test(test_rack_and_linkage),
+        cmocka_unit_test(test_friction), cmocka_unit_test(test_bounds_of_forces), cmocka_unit_test(test_slide_and_groove),
+        cmocka_unit_test(test_rotary), cmocka_unit_test(test_only_the_worst_breaks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -317,11 +317,11 @@ static void test_solver_that_keeps_no_joints(void **state)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     def.solver = wfFindSolver("impulse");
-    def.jointCapacity = 5, def.exactJoints = 1;
+    def.jointCapacity = 5, def.exactJoints = WF_JOINTS_TOGETHER, def.exactCost = 3, def.jointGive = WF_R(1e-4);
     assert_ok(wfCreateWorld(&def, &w));
     wfWorldDef told;
     assert_ok(wfGetWorldDef(&w, &told));
-    assert_true(told.jointCapacity == 5 && told.exactJoints == 1);
+    assert_true(told.jointCapacity == 5 && told.exactJoints == WF_JOINTS_TOGETHER && told.exactCost == 3 && told.jointGive == def.jointGive);
     wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
     wfJoint j;
     assert_ok(wfJoinBodies(&w, "weld", a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
@@ -336,6 +336,140 @@ static void test_solver_that_keeps_no_joints(void **state)
     wfDestroyWorld(&w);
 }
 
+static void chain(wfWorld *w, double x, int links)
+{
+    wfBodyId last = box(w, WF_STATIC, x, 10, 0.2, 0.2);
+    for (int i = 0; i < links; i++) {
+        wfBodyId next = box(w, WF_DYNAMIC, x + 0.5 + i, 10, 0.4, 0.1);
+        pin(w, "revolute", last, next, x + i, 10);
+        last = next;
+    }
+}
+
+/* a net of n x n bodies and 2 n (n - 1) joints, which is dear to solve together */
+static void net(wfWorld *w, double x, int n)
+{
+    wfBodyId id[8][8];
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < n; k++) {
+            id[i][k] = box(w, WF_DYNAMIC, x + k, -i, 0.3, 0.3);
+            if (i > 0) pin(w, "revolute", id[i - 1][k], id[i][k], x + k, 0.5 - i);
+            if (k > 0) pin(w, "revolute", id[i][k - 1], id[i][k], x + k - 0.5, -i);
+        }
+}
+
+static void test_world_decides(void **state)
+{
+    (void)state;
+    const int want[3][2] = { { 0, 0 }, { 6 + 112, 6 + 112 }, { 6, 6 } };    /* one by one, together, auto */
+    for (int how = 0; how < 3; how++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        wfWorld w;
+        assert_int_equal(def.exactJoints, WF_JOINTS_AUTO);
+        def.exactJoints = how, def.jointCapacity = 256;
+        assert_ok(wfCreateWorld(&def, &w));
+        chain(&w, 20, 6);
+        net(&w, 0, 8);
+        assert_int_equal(wfJointCount(&w), 6 + 112);
+        run(&w, 1);
+        assert_int_equal(wfJointsTogether(&w), want[how][0]);
+        run(&w, 30);
+        assert_int_equal(wfJointsTogether(&w), want[how][1]);
+        assert_int_equal(wfJointsSolvedTogether(&w), how == WF_JOINTS_TOGETHER);
+        assert_int_equal(wfUnsolvedSubsteps(&w), 0);
+        /* a joint that ties the chain to the net makes one machine of them: dear; without it all is as before */
+        wfJointId tie = pin(&w, "revolute", (wfBodyId){ 8, wfBodyAt(&w, 7).generation }, wfBodyAt(&w, 20), 10, 5);
+        wfJoint j;
+        assert_ok(wfGetJoint(&w, tie, &j));
+        j.flags = 0;
+        wfVec2 where = wfV2(10, 5);
+        assert_ok(wfJoinBodies(&w, "distance", wfBodyAt(&w, 6), wfBodyAt(&w, 20), where, where, wfV2(1, 0), &j));
+        assert_ok(wfSetJoint(&w, tie, &j));
+        run(&w, 1);
+        assert_int_equal(wfJointsTogether(&w), how == WF_JOINTS_TOGETHER ? 6 + 113 : 0);
+        assert_ok(wfRemoveJointFromWorld(&w, tie));
+        run(&w, 1);
+        assert_int_equal(wfJointsTogether(&w), want[how][0]);
+        /* the price that is cheap can be changed */
+        assert_ok(wfGetWorldDef(&w, &def));
+        def.exactCost = 1000;
+        assert_ok(wfSetWorldDef(&w, &def));
+        run(&w, 1);
+        assert_int_equal(wfJointsTogether(&w), how ? 6 + 112 : 0);
+        def.exactCost = -1;
+        assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
+        def.exactCost = (wfReal)NAN;
+        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&w, &def));
+        def.exactCost = 8, def.jointGive = -1;
+        assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
+        def.jointGive = 0, def.exactJoints = 3;
+        assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
+        wfDestroyWorld(&w);
+    }
+}
+
+/* What a user gets who changes nothing: twenty links of a kilogram with a ton do not stretch by 1 % (issue 4), and swing. */
+static void test_default_chain(void **state)
+{
+    (void)state;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    assert_ok(wfCreateWorld(&def, &w));
+    wfBodyId last = box(&w, WF_STATIC, 0, 20.2, 0.2, 0.2), load = last;
+    for (int i = 0; i < 20; i++) {
+        wfBodyDef b = wfDefaultBodyDef();
+        b.position = wfV2(0, WF_R(19.5) - (wfReal)i), b.mass = i == 19 ? 1000 : 1;
+        assert_ok(wfMakeBox(WF_R(0.1), WF_R(0.5), &b.shape));
+        assert_ok(wfAddBodyToWorld(&w, &b, &load));
+        pin(&w, "revolute", last, load, 0, 20 - i);
+        last = load;
+    }
+    run(&w, 120);
+    assert_near(info(&w, load).position.y, 0.5, 20 * 1e-5);             /* 0.001 % */
+    assert_ok(wfSetBodyVelocity(&w, load, wfV2(5, 0), 0));
+    for (int i = 0; i < 300; i++) {
+        run(&w, 1);
+        wfVec2 r = wfSub(info(&w, load).position, wfV2(0, 20));
+        assert_true(wfLength(r) < WF_R(19.501));
+    }
+    assert_int_equal(wfUnsolvedSubsteps(&w), 0);
+    wfDestroyWorld(&w);
+}
+
+/* Every row of the solver table keeps every kind of joint, or says that it does not, and what to do. */
+static void test_every_solver_and_kind(void **state)
+{
+    (void)state;
+    int kept = 0, refused = 0;
+    for (int solver = 0; solver < wfSolverCount; solver++)
+        for (int kind = 0; kind < wfJointKinds; kind++) {
+            wfWorldDef def = wfDefaultWorldDef();
+            wfWorld w;
+            wfJoint j;
+            def.solver = solver, def.iterations = 8;
+            assert_ok(wfCreateWorld(&def, &w));
+            wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
+            assert_ok(wfJoinBodies(&w, wfJointTable[kind].name, a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
+            wfResult result = wfAddJointToWorld(&w, &j, NULL);
+            if (result != WF_OK) {
+                assert_result(WF_ERROR_SOLVER, result);
+                assert_non_null(strstr(wfResultText(result), "soft"));
+                refused++;
+                wfDestroyWorld(&w);
+                continue;
+            }
+            run(&w, 60);
+            wfBodyInfo now = info(&w, b);
+            assert_true(wfIsFinite2(now.position));
+            bool holds = !strcmp(wfJointTable[kind].name, "revolute") || !strcmp(wfJointTable[kind].name, "weld")
+                      || !strcmp(wfJointTable[kind].name, "prismatic") || !strcmp(wfJointTable[kind].name, "wheel");
+            if (holds) assert_near(now.position.y, 3, 0.01);            /* it hangs on what holds, and else falls */
+            kept++;
+            wfDestroyWorld(&w);
+        }
+    assert_true(kept >= wfJointKinds && refused >= wfJointKinds);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -344,6 +478,7 @@ int main(void)
         cmocka_unit_test(test_every_joined_pair_is_found), cmocka_unit_test(test_goes_with_its_body),
         cmocka_unit_test(test_moved_block_and_failed_step), cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_solver_that_keeps_no_joints),
+        cmocka_unit_test(test_world_decides), cmocka_unit_test(test_default_chain), cmocka_unit_test(test_every_solver_and_kind),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
