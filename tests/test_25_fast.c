@@ -259,14 +259,19 @@ static void an_impact_is_newtons(void **state)
 static void a_ball_between_walls_loses_no_time(void **state)
 {
     (void)state;
-    for (int solver = 0; solver < wfSolverCount; solver += 2) {
+    const double speeds[4] = { 200, 97, 311, 701 };
+    for (int n = 0; n < 8; n++) {
+        /* a solver that does not step bounces what a picture shows in the wall, a little late: at 200 m/s there is no such picture */
+        bool soft = n < 4;
+        double v = soft ? speeds[n] : 200;
+        int solver = soft ? wfFindSolver("soft") : n - 4;
         wfWorldDef def = calm(wfSolverTable[solver].name);
         wfWorld w = open_world(&def);
         wfBodyDef left = wall_of(0.2, 2), right = left, bd = body_of(0, 0.05);
         left.position = wfV2(-WF_R(0.6), 0), right.position = wfV2(WF_R(0.6), 0);
         left.restitution = right.restitution = bd.restitution = 1;
         left.friction = right.friction = bd.friction = 0;
-        bd.velocity = wfV2(200, 0);
+        bd.velocity = wfV2((wfReal)v, 0);
         add(&w, left), add(&w, right);
         wfBodyId ball = add(&w, bd);
         int impacts = 0;
@@ -275,13 +280,13 @@ static void a_ball_between_walls_loses_no_time(void **state)
             impacts += report(&w).impacts;
             assert_int_equal(report(&w).held, 0);
             double speed = fabs((double)info(&w, ball).velocity.x), x = (double)info(&w, ball).position.x;
-            assert_ulps(speed, 200, 2.0 * impacts + 4, 200);
+            assert_ulps(speed, v, 2.0 * v * i / 60 / 0.9 + 8, v);
             /* the walls are met at most 1/256 of the radius early: the way is longer by twice that at each impact */
-            double way = 200.0 / 60 * i, least = 0.9, slack = 2 * impacts * (0.05 / 256 + 16 * (double)WF_EPSILON);
+            double way = v / 60 * i, least = 0.9, slack = 2 * (way / 0.9 + 1) * (0.05 / 256 + 16 * (double)WF_EPSILON);
             double folded = fmod(way + least / 2, 2 * least), at = folded < least ? folded - least / 2 : 3 * least / 2 - folded;
             if (slack < 0.1) assert_near(x, at, slack);
         }
-        assert_in_range(impacts, 215, 235);                  /* 200 m in rooms of 0.9 m */
+        assert_in_range(impacts, v > 100 ? 0.8 * v / 0.9 : 0.5 * v / 0.9, 1.02 * v / 0.9);     /* rooms of 0.9 m */
         wfDestroyWorld(&w);
     }
 }
