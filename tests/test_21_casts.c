@@ -274,11 +274,11 @@ static wfShape inner_copy(const wfShape *s, wfReal sigma)            /* eq:impac
 static bool at_once(const wfImpact *i) { return i->kind == WF_IMPACT_OVERLAP || (i->kind == WF_IMPACT_TOUCH && i->t == 0); }
 
 /* The rule of sec:impact-core for one obstacle, by two whole times of impact; 2: it does not stop. */
-static wfReal stop_of_one(const wfShape *body, wfSweep flight, const wfObstacle *o, bool *inner)
+static wfReal stop_with(const wfShape *body, wfSweep flight, const wfObstacle *o, wfReal share, bool *inner)
 {
-    static const wfReal sigma[3] = { WF_R(0.75), WF_R(0.5), WF_R(0.25) };
+    const wfReal sigma[4] = { share, WF_R(0.75), WF_R(0.5), WF_R(0.25) };
     wfImpact in = { .kind = WF_IMPACT_OVERLAP }, out;
-    for (int i = 0; i < 3 && at_once(&in); i++) {                    /* the largest copy that is free decides */
+    for (int i = 0; i < 4 && at_once(&in); i++) {                    /* the largest copy that is free decides */
         wfShape copy = inner_copy(body, sigma[i]);
         assert_ok(wfTimeOfImpact(&copy, flight, o->shape, o->sweep, &in));
     }
@@ -289,11 +289,16 @@ static wfReal stop_of_one(const wfShape *body, wfSweep flight, const wfObstacle 
     return *inner ? in.t : out.t;
 }
 
+static wfReal stop_of_one(const wfShape *body, wfSweep flight, const wfObstacle *o, bool *inner)
+{
+    return stop_with(body, flight, o, WF_R(0.75), inner);
+}
+
 static void test_stop_at_the_first(void **state)
 {
     (void)state;
     wfRandom r = random_stream(2121);
-    long stopped = 0, inners = 0, passed = 0, stucks = 0;
+    long stopped = 0, inners = 0, passed = 0, stucks = 0, grazed = 0;
     for (int i = 0; i < 600; i++) {
         enum { N = 12 };
         wfShape shapes[N], body = random_shape(&r);
@@ -319,6 +324,14 @@ static void test_stop_at_the_first(void **state)
             assert_ok(wfTimeOfImpact(&core, flight, list[k].shape, list[k].sweep, &hit));
             stuck = stuck || at_once(&hit);
             if (t < least) least = t, first = k, deep = inner;
+            wfReal share = k % 2 ? WF_R(0.96875) : 1;                    /* larger copies: what grazes counts */
+            wfStop one;
+            bool early;
+            wfReal graze = stop_with(&body, flight, &list[k], share, &early);
+            assert_ok(wfStopAtOne(&body, flight, &list[k], share, &one));
+            assert_true(one.t == (graze > 1 ? 1 : graze) && (one.obstacle == 0) == (graze <= 1));
+            if (graze <= 1) assert_true(one.inner == early);
+            grazed += graze < t;
             assert_ok(wfTimeOfImpact(&body, flight, &shapes[k], list[k].sweep, &hit));
             passed += hit.kind == WF_IMPACT_TOUCH && t > 1;
         }
@@ -343,7 +356,19 @@ static void test_stop_at_the_first(void **state)
         assert_ok(wfStopAtFirst(&body, flight, twice, 3, 1, &half));
         assert_true(half.obstacle == 0 && half.t == least);
     }
-    assert_true(stopped > 200 && inners > 10 && passed > 30 && stucks > 10);
+    assert_true(stopped > 200 && inners > 10 && passed > 30 && stucks > 10 && grazed > 30);
+    wfShape ball = circle(0, 0, 1);
+    wfObstacle one = { &ball, wfSweepStill(wfV2(5, 0), 0) };
+    wfSweep still = wfSweepStill(wfV2(0, 0), 0);
+    wfStop stop = { .t = 7 };
+    assert_result(WF_ERROR_NULL, wfStopAtOne(NULL, still, &one, 1, &stop));
+    assert_result(WF_ERROR_NULL, wfStopAtOne(&ball, still, NULL, 1, &stop));
+    assert_result(WF_ERROR_NULL, wfStopAtOne(&ball, still, &one, 1, NULL));
+    const wfReal bad[4] = { WF_R(0.7499), WF_R(1.0001), (wfReal)NAN, -1 };
+    for (int i = 0; i < 4; i++) assert_result(WF_ERROR_RANGE, wfStopAtOne(&ball, still, &one, bad[i], &stop));
+    one.shape = NULL;
+    assert_result(WF_ERROR_NULL, wfStopAtOne(&ball, still, &one, 1, &stop));
+    assert_true(stop.t == 7);
 }
 
 /* A body lies 0.1 deep in the floor. Whatever pushes it, its inner copy does not get through, and it may roll and slide. */
