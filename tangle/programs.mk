@@ -26,6 +26,10 @@ ifneq ($(call mainof,testbed/bake_font_main.c),)
   endif
 endif
 
+# the scenes of chapter 32 in Box2D 3, if its prefix is named: BOX2D3=/usr/local
+BOX2D3 ?=
+PROGRAMS += $(if $(BOX2D3),$(if $(call mainof,lab/box2d_main.c),weft-box2d))
+
 .PHONY: programs
 programs: $(PROGRAMS:%=$(OUT)/bin/%)
 	@$(if $(strip $(LACK)),echo "programs: $(LACK) install them and say make again")
@@ -41,5 +45,7 @@ $(OUT)/bin/weft-headless: $(OUT)/obj/testbed/headless_main.o $(OUT)/obj/testbed/
 	$(call LINK)
 $(OUT)/bin/weft-testbed: $(OUT)/obj/testbed/sdl_main.o $(OUT)/obj/testbed/stb/png.o $(WEFT_LIBS)
 	$(call LINK,$(SDL_LIBS))
+$(OUT)/bin/weft-box2d: $(SRC)/lab/box2d_main.c
+	@mkdir -p $(@D); $(CC) -O2 -isystem $(BOX2D3)/include $< -L$(BOX2D3)/lib -lbox2d -lm -lpthread -o $@
 $(OUT)/obj/testbed/sdl_main.o: private INC += $(SDL_INC)
 -include $(wildcard $(OUT)/obj/lab/*_main.d $(OUT)/obj/testbed/*_main.d $(OUT)/obj/testbed/stb/*.d)

@@ -1,0 +1,97 @@
+/* Chapter 32: the heavy scenes are what they say. Times are measured, not tested. */
+#include "testing.h"
+#include "lab/loads.h"
+#include "weft/weft.h"
+#include "weft/joint.h"
+
+static wfWorld made(const labLoad *load)
+{
+    wfWorldDef def = labLoadDef(load);
+    wfWorld world;
+    assert_true(def.gravity.x == 0 && def.gravity.y == -10);
+    assert_int_equal(wfCreateWorld(&def, &world), WF_OK);
+    assert_int_equal(load->build(&world), WF_OK);
+    return world;
+}
+
+static void counts(void **unused)
+{
+    (void)unused;
+    const int32_t bodies[LAB_LOADS] = { 5003, 5051, 10000 }, joints[LAB_LOADS] = { 0, 0, 19800 };
+    const int32_t fixed[LAB_LOADS] = { 3, 1, 7 };
+    for (int i = 0; i < LAB_LOADS; i++) {
+        wfWorld world = made(&labLoads[i]);
+        wfBodyView v = wfWorldBodies(&world);
+        assert_int_equal(labLoads[i].bodies, bodies[i]);
+        assert_int_equal(labLoads[i].joints, joints[i]);
+        assert_int_equal(wfBodyCount(&world), bodies[i]);
+        assert_int_equal(wfJointCount(&world), joints[i]);
+        int32_t still = 0;
+        for (int32_t k = 0; k < v.count; k++) {
+            still += v.state[k].invMass == 0;
+            int32_t shapes = 0;
+            for (wfShapeId s = wfFirstShape(&world, wfBodyAt(&world, k)); s.index; s = wfNextShape(&world, s)) shapes++;
+            assert_int_equal(shapes, 1);
+        }
+        assert_int_equal(still, fixed[i]);
+        wfDestroyWorld(&world);
+    }
+}
+
+/* Masses by area and density 1; places by the text; every hinge is closed where it is built. */
+static void places(void **unused)
+{
+    (void)unused;
+    const double pi = 3.14159265358979, mass[LAB_LOADS] = { pi / 4, 1, pi * 0.16 };
+    for (int i = 0; i < LAB_LOADS; i++) {
+        wfWorld world = made(&labLoads[i]);
+        wfBodyView v = wfWorldBodies(&world);
+        for (int32_t k = 0; k < v.count; k++)
+            if (v.state[k].invMass > 0) assert_near(1 / v.state[k].invMass, mass[i], 1e-5);
+        const wfBodyState *last = &v.state[v.count - 1];
+        if (i == 0) assert_near2(last->p, wfV2((wfReal)(-24 + 1.01 * (4999 % 48)), (wfReal)(0.5 + 1.01 * 104)), 1e-4);
+        if (i == 1) assert_near2(last->p, wfV2(0, WF_R(99.5)), 1e-4);
+        if (i == 2) assert_near2(last->p, wfV2(99, -99), 1e-4);
+        for (int32_t k = 0; k < labLoads[i].joints; k += 97) {
+            wfJoint j;
+            assert_int_equal(wfGetJoint(&world, wfJointAt(&world, k), &j), WF_OK);
+            assert_near2(wfAdd(v.state[j.a].p, j.localA), wfAdd(v.state[j.b].p, j.localB), 1e-4);
+            assert_near(wfLength(j.localA), 0.5, 1e-5);
+        }
+        wfDestroyWorld(&world);
+    }
+}
+
+/* Rows of n, n - 1, ... boxes: n on the floor, two under each of the n (n - 1) / 2 others, and n (n - 1) / 2 neighbours. */
+static void contacts_of_a_pyramid(void **unused)
+{
+    (void)unused;
+    for (int32_t n = 1; n <= 12; n++) {
+        wfWorldDef def = labLoadDef(&labLoads[1]);
+        wfWorld world;
+        int32_t count = 0, boxes = n * (n + 1) / 2;
+        def.bodyCapacity = boxes + 1;
+        assert_int_equal(wfCreateWorld(&def, &world), WF_OK);
+        assert_int_equal(labPyramid(&world, n), WF_OK);
+        assert_int_equal(wfBodyCount(&world), boxes + 1);
+        assert_int_equal(wfStepWorld(&world), WF_OK);
+        wfWorldContacts(&world, &count);
+        assert_int_equal(count, n + 3 * (n * (n - 1) / 2));
+        wfDestroyWorld(&world);
+    }
+}
+
+static void what_moves_is_small(void **unused)
+{
+    (void)unused;
+    assert_in_range(sizeof(wfBodyState), 1, 8 * sizeof(wfReal));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(counts), cmocka_unit_test(places), cmocka_unit_test(contacts_of_a_pyramid),
+        cmocka_unit_test(what_moves_is_small),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
