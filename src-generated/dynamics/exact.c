@@ -24,12 +24,14 @@ typedef struct Matrix {
     int32_t *rank, *order;      /* [count] when a joint is taken out; the joints by rank */
     int32_t *list;              /* [count] the joints to take out */
     int32_t *first, *after;     /* [bodies], [2 count] lists of the joints of a body */
-    int32_t *body, bodies;      /* [bodies] those that move and have such joints; how many */
+    int32_t *body, bodies;      /* [bodies] those that have such joints; how many */
     Edge *edge;                 /* [2 room] */
     Block *value, *ratio;       /* [room] K of the pair; K_ip / K_pp of a pair done with */
     Block *own;                 /* [count] K of a joint, then its factors */
     wfReal (*pivot)[3], (*x)[3];    /* [count] */
     Line (*line)[3];            /* [count] the rows that hold, as they are solved */
+    int32_t *rows;              /* [count] how many of them there are */
+    int32_t hinge;              /* the row of "revolute" in the table of joints */
     wfReal *inverse;            /* [bodies] 1/I as the matrix sees it; 1/(kg m^2) */
     /* <what a way through a substep takes> */
     Motion *free;               /* [bodies] velocities but for the joints' push */
@@ -39,6 +41,7 @@ typedef struct Matrix {
     wfReal *bend;               /* [bodies] sum of r.lambda, kg m^2/s: eq:exact-inertia */
     wfReal (*impulse)[3];       /* [count] lambda, N s: half of what the joint does */
     wfReal (*before)[3];        /* [count] what was pushed since the last move, N s */
+    wfReal (*size)[3];          /* [count] 1 / what an error is measured by, 1/m or 1/rad */
     bool begun, moved, lost;    /* the step has begun; a half is owed; it was not solved */
     bool rigid;                 /* the factors are of the lines with the true inertia */
 } Matrix;
@@ -135,8 +138,8 @@ static void add_shared(const Matrix *m, const wfBodyState *state, int32_t body, 
                        int iEnd, int32_t k, int kEnd, Block *out)
 {
     wfReal mass = state[body].invMass, inertia = m->inverse[body];
-    for (int r = 0; r < 3; r++)
-        for (int s = 0; s < 3; s++) {
+    for (int r = 0; r < m->rows[i]; r++)
+        for (int s = 0; s < m->rows[k]; s++) {
             const Line *u = &m->line[i][r], *v = &m->line[k][s];
             wfVec2 ju = iEnd ? u->jB : u->jA, jv = kEnd ? v->jB : v->jA;
             wfReal wu = iEnd ? u->wB : u->wA, wv = kEnd ? v->wB : v->wA;
@@ -180,14 +183,14 @@ static void eliminate_pair(Matrix *m, int32_t p, const Edge *to_i, const Edge *t
 {
     int32_t i = to_i->to, k = to_k->to;
     const Block *w = &m->ratio[to_i->block], *kp = &m->value[to_k->block];
-    int32_t at = i == k ? -1 : block_of(m, i, k);
-    for (int r = 0; r < 3; r++)
-        for (int s = 0; s < 3; s++) {
+    Block *at = i == k ? &m->own[i] : &m->value[block_of(m, i, k)];
+    for (int r = 0; r < m->rows[i]; r++)
+        for (int s = 0; s < m->rows[k]; s++) {
             wfReal sum = 0;
-            for (int t = 0; t < 3; t++) sum += w->v[r][t] * entry(kp, k < p, s, t);
-            if (i == k) m->own[i].v[r][s] -= sum;               /* eq:exact-eliminate */
-            else if (i > k) m->value[at].v[r][s] -= sum;
-            else m->value[at].v[s][r] -= sum;
+            for (int t = 0; t < m->rows[p]; t++)
+                sum += w->v[r][t] * entry(kp, k < p, s, t);
+            if (i >= k) at->v[r][s] -= sum;                     /* eq:exact-eliminate */
+            else at->v[s][r] -= sum;
         }
 }
 /* <factor the matrix> */
@@ -206,13 +209,14 @@ static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t p = m->order[n];
         wfReal size[3];
-        for (int r = 0; r < 3; r++) size[r] = own_size(m, set, in, p, r);
+        for (int r = 0; r < 3; r++)
+            size[r] = r < m->rows[p] ? own_size(m, set, in, p, r) : 0;
         const Block *own = &m->own[p];
         wfFactorBlock(m->own[p].v, size, m->pivot[p]);
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             const Edge *i = &m->edge[e];
             if (m->rank[i->to] < n) continue;
-            for (int r = 0; r < 3; r++) {                       /* eq:exact-ratio */
+            for (int r = 0; r < m->rows[i->to]; r++) {          /* eq:exact-ratio */
                 wfReal *w = m->ratio[i->block].v[r];
                 for (int s = 0; s < 3; s++)
                     w[s] = entry(&m->value[i->block], i->to < p, r, s);
@@ -238,8 +242,8 @@ static void solve_matrix(Matrix *m)
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             int32_t i = m->edge[e].to;
             if (m->rank[i] < n) continue;
-            for (int r = 0; r < 3; r++)
-                for (int s = 0; s < 3; s++)
+            for (int r = 0; r < m->rows[i]; r++)
+                for (int s = 0; s < m->rows[p]; s++)
                     m->x[i][r] -= m->ratio[m->edge[e].block].v[r][s] * m->x[p][s];
         }
     }
@@ -250,8 +254,8 @@ static void solve_matrix(Matrix *m)
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             int32_t i = m->edge[e].to;
             if (m->rank[i] < n) continue;
-            for (int r = 0; r < 3; r++)
-                for (int s = 0; s < 3; s++)
+            for (int r = 0; r < m->rows[i]; r++)
+                for (int s = 0; s < m->rows[p]; s++)
                     m->x[p][s] -= m->ratio[m->edge[e].block].v[r][s] * m->x[i][r];
         }
     }
@@ -261,7 +265,8 @@ static wfReal sine_over(wfReal x)               /* sin x / x */
 {
     wfReal y = x * x;
     if (y > WF_R(1.0) / 64) return wfRotation(x).s / x;
-    return 1 - y * (WF_R(1.0) / 6) * (1 - y * (WF_R(1.0) / 20) * (1 - y * (WF_R(1.0) / 42)));
+    return 1 - y * (WF_R(1.0) / 6) * (1 - y * (WF_R(1.0) / 20)
+             * (1 - y * (WF_R(1.0) / 42)));
 }
 
 static Way way_of(const wfPlace *from, const Motion *v, wfReal h)
@@ -325,16 +330,32 @@ static void true_inertias(Matrix *m, const wfJointSet *set)
 }
 
 /* What a row's error is measured by: lengths in m for a row that pulls, else turns. */
-static wfReal row_size(const wfJoint *j, const wfPlace *a, const wfPlace *b, const Line *l)
+static void note_size(Matrix *m, const wfJointSet *set, int32_t i)
 {
-    if (wfLengthSq(l->jA) + wfLengthSq(l->jB) > 0)
-        return wfLength(j->localA) + wfLength(j->localB) + wfDistance(a->p, b->p)
-             + wfLength(a->d) + wfLength(b->d);
-    return 2 + wfAbs(l->wA * j->turnA) + wfAbs(l->wB * j->turnB);
+    const wfJoint *j = &set->joints[i];
+    const wfPlace *a = &set->place[j->a], *b = &set->place[j->b];
+    wfReal lengths = wfLength(j->localA) + wfLength(j->localB) + wfDistance(a->p, b->p)
+                   + wfLength(a->d) + wfLength(b->d);
+    for (int k = 0; k < m->rows[i]; k++) {
+        const Line *l = &m->line[i][k];
+        bool pulls = wfLengthSq(l->jA) + wfLengthSq(l->jB) > 0;
+        wfReal turns = 2 + wfAbs(l->wA * j->turnA) + wfAbs(l->wB * j->turnB);
+        m->size[i][k] = 1 / (pulls ? lengths : turns);
+    }
 }
 
-static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep,
-                         wfReal h)
+/* The gap that is left of row k when its error at the end is `then`, by its size. */
+static wfReal note_gap(Matrix *m, const wfJointSet *set, int32_t i, int k, wfReal then,
+                       wfReal keep, wfReal h)
+{
+    const wfJointWork *w = &set->work[i];
+    int32_t row = w->hold[k];
+    m->x[i][k] = then - keep * w->row[row].error
+               + h * set->give * w->own[row] * m->impulse[i][k];    /* eq:exact-give */
+    return wfAbs(m->x[i][k]) * m->size[i][k];
+}
+
+static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep, wfReal h)
 {
     const wfJoint *j = &set->joints[i];
     const wfJointWork *w = &set->work[i];
@@ -346,13 +367,27 @@ static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal kee
     wfJointTable[j->kind].build(j, &chord, along);
     wfJointTable[j->kind].build(j, &end, then);
     for (int k = 0; k < w->holds; k++) {
-        Line *l = &m->line[i][k];
-        *l = line_of(&along[w->hold[k]]);
-        m->x[i][k] = then[w->hold[k]].error - keep * w->row[w->hold[k]].error
-                   + h * set->give * w->own[w->hold[k]] * m->impulse[i][k];
-        worst = wfMaxR(worst, wfAbs(m->x[i][k]) / row_size(j, a, b, l));
+        m->line[i][k] = line_of(&along[w->hold[k]]);
+        worst = wfMaxR(worst, note_gap(m, set, i, k, then[w->hold[k]].error, keep, h));
     }
     return worst;
+}
+/* <Newton's method for all joints> */
+static wfReal look_along_hinge(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep,
+                               wfReal h)
+{
+    const wfJoint *j = &set->joints[i];
+    const Way *wa = &m->way[j->a], *wb = &m->way[j->b];
+    wfVec2 rA = wfRotate(wa->arm, j->localA), rB = wfRotate(wb->arm, j->localB);
+    Line *l = m->line[i];
+    l[0].jA.x = l[1].jA.y = -1, l[0].jB.x = l[1].jB.y = 1;
+    l[0].jA.y = l[1].jA.x = l[0].jB.y = l[1].jB.x = 0;
+    l[0].wA = rA.y, l[1].wA = -rA.x, l[0].wB = -rB.y, l[1].wB = rB.x;   /* eq:joints-rod */
+    wfVec2 eA = wfRotate(wa->end.q, j->localA), eB = wfRotate(wb->end.q, j->localB);
+    wfVec2 d = wfAdd(wfSub(wb->end.p, wa->end.p), wfSub(wb->end.d, wa->end.d));
+    d = wfAdd(d, wfSub(eB, eA));
+    return wfMaxR(note_gap(m, set, i, 0, d.x, keep, h),
+                  note_gap(m, set, i, 1, d.y, keep, h));
 }
 /* <Newton's method for all joints> */
 /* The velocities of the free motion and the present push, in `next`; how the pull bends. */
@@ -399,7 +434,8 @@ static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfR
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)
-            m->x[i][k] = -m->x[i][k] / h - rate_of(&m->line[i][k], &set->joints[i], m->next);
+            m->x[i][k] = -m->x[i][k] / h
+                       - rate_of(&m->line[i][k], &set->joints[i], m->next);
     }
     solve_matrix(m);
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -424,9 +460,13 @@ static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, w
         Motion now = { in->state[b].v, in->state[b].w };
         m->way[b] = way_of(&set->place[b], &now, h);
     }
-    for (int32_t n = 0; n < m->ordered; n++)
-        if (set->work[m->order[n]].holds > 0)
-            worst = wfMaxR(worst, look_along(m, set, m->order[n], keep, h));
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        if (m->rows[i] == 0) continue;
+        bool hinge = m->rows[i] == 2 && set->joints[i].kind == m->hinge;
+        worst = wfMaxR(worst, hinge ? look_along_hinge(m, set, i, keep, h)
+                                    : look_along(m, set, i, keep, h));
+    }
     push_all(m, set, in);
     return worst;
 }
@@ -440,6 +480,15 @@ static void take_velocities(Matrix *m, const wfSolve *in)
     }
 }
 /* <Newton's method for all joints> */
+static bool is_taut(const Matrix *m, const wfJointSet *set, wfReal h)
+{
+    for (int32_t n = 0; n < m->bodies; n++) {
+        wfReal more = h / 2 * m->bend[m->body[n]] * set->inverse[m->body[n]];
+        if (wfAbs(more) > WF_EXACT_TAUT) return true;
+    }
+    return false;
+}
+/* <Newton's method for all joints> */
 static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
 {
     wfReal before = 0, gap = look_at_all(m, set, in, h);
@@ -447,7 +496,7 @@ static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
         if (round > 0 && !(gap > WF_EXACT_ROUNDING)) break;
         bool slow = round > 0 && (gap > before / 10 || gap > WF_R(1e-6));
         if (round > 2 && gap > before / 2 && gap < 4 * WF_EXACT_ROUNDING) break;
-        if (set->changed || slow) stiffen_matrix(m, set, in, h);
+        if (slow || (set->changed && is_taut(m, set, h))) stiffen_matrix(m, set, in, h);
         set->changed = false;
         newton_step(m, set, in, h);
         before = gap;
@@ -476,6 +525,7 @@ static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool las
     true_inertias(m, set);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
+        m->rows[i] = set->work[i].holds;
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
             m->x[i][k] = -rate_of(&m->line[i][k], &set->joints[i], m->next);
@@ -561,6 +611,7 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     }
     take_velocities(m, in);
     note_impulses(m, set, !last);
+    for (int32_t n = 0; n < m->ordered && !last; n++) note_size(m, set, m->order[n]);
     m->moved = false;
 }
 /* <solve all rows that hold> */
@@ -634,13 +685,13 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 6 * sizeof(int32_t) + sizeof(Block) + 12 * sizeof(wfReal)
+    size_t each = 7 * sizeof(int32_t) + sizeof(Block) + 15 * sizeof(wfReal)
                 + 3 * sizeof(Line);
     size_t pairs = 2 * sizeof(Edge) + 2 * sizeof(Block);
     size_t body = 3 * sizeof(Motion) + sizeof(Way) + 2 * sizeof(wfReal)
                 + 4 * sizeof(int32_t);
     return sizeof(Matrix) + n * each + room * pairs + (size_t)bodies * body
-         + 26 * WF_POOL_ALIGN;
+         + 28 * WF_POOL_ALIGN;
 }
 
 static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
@@ -664,28 +715,30 @@ static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
     m->rank = wfPoolPushArray(pool, count, int32_t);
     m->order = wfPoolPushArray(pool, count, int32_t);
     m->list = wfPoolPushArray(pool, count, int32_t);
+    m->rows = wfPoolPushArray(pool, count, int32_t);
     m->after = wfPoolPushArray(pool, 2 * count, int32_t);
     m->own = wfPoolPushArray(pool, count, Block);
-    wfReal *numbers = wfPoolPushArray(pool, 12 * count, wfReal);
+    wfReal *numbers = wfPoolPushArray(pool, 15 * count, wfReal);
     Line *lines = wfPoolPushArray(pool, 3 * count, Line);
     if (numbers == NULL || lines == NULL) return false;
     memset(lines, 0, 3 * (size_t)count * sizeof *lines);
-    memset(numbers, 0, 12 * (size_t)count * sizeof *numbers);
+    memset(numbers, 0, 15 * (size_t)count * sizeof *numbers);
     m->line = (Line(*)[3])lines;
     m->pivot = (wfReal(*)[3])numbers;
     m->x = m->pivot + count, m->impulse = m->x + count;
-    m->before = m->impulse + count;
+    m->before = m->impulse + count, m->size = m->before + count;
     for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
         m->head[i] = m->rank[i] = -1;
     return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
-        && m->after != NULL && m->own != NULL;
+        && m->after != NULL && m->own != NULL && m->rows != NULL;
 }
 /* <take room for the matrix> */
 static Matrix *take_matrix(int32_t count, int32_t bodies, wfPool *pool)
 {
     Matrix *m = wfPoolPushArray(pool, 1, Matrix);
     if (m == NULL) return NULL;
-    *m = (Matrix){ .count = count, .room = count * WF_EXACT_BLOCKS };
+    *m = (Matrix){ .count = count, .room = count * WF_EXACT_BLOCKS,
+                   .hinge = wfFindJoint("revolute") };
     m->edge = wfPoolPushArray(pool, 2 * m->room, Edge);
     m->value = wfPoolPushArray(pool, m->room, Block);
     m->ratio = wfPoolPushArray(pool, m->room, Block);

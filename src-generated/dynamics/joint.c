@@ -420,11 +420,12 @@ static void prepare_soft(wfJoint *j, wfReal h, wfReal t, wfJointWork *w, int i)
 static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal last,
                     wfJointWork *w, bool holds)
 {
+    for (int i = 0; i < w->rows; i++)
+        if (holds || w->row[i].law != WF_ROW_HOLD) j->impulse[i] *= t / last;
     for (int i = 0; i < w->rows; i++) {
         wfJointRow *r = &w->row[i];
         if (r->law == WF_ROW_HOLD && !holds) continue;      /* somebody else pushes it */
         w->gamma[i] = 0;
-        j->impulse[i] *= t / last;
         if (r->law == WF_ROW_DRIVE || r->law == WF_ROW_SPRING) prepare_soft(j, h, t, w, i);
         if (r->law == WF_ROW_OFF) j->impulse[i] = 0;
         if (r->law == WF_ROW_OFF) continue;
@@ -824,23 +825,56 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     return WF_OK;
 }
 /* <begin and end a step of joints> */
+/* How much too much a joint bore: its load by its strength, 0 if it is strong enough. */
+static wfReal overload(const wfJoint *j, const wfJointWork *w, wfReal h)
+{
+    wfReal force = wfLength(w->load) / h, torque = wfAbs(w->twist) / h, most = 0;
+    if (j->breakForce > 0 && force > j->breakForce) most = force / j->breakForce;
+    if (j->breakTorque > 0 && torque > j->breakTorque)
+        most = wfMaxR(most, torque / j->breakTorque);
+    return most;
+}
+
+static wfReal *overload_of(const wfJointSet *set, int32_t body)
+{
+    return set->inverse[body] > 0 ? &set->stiffness[body] : NULL;
+}
+
+static void note_overload(const wfJointSet *set, int32_t body, wfReal over)
+{
+    wfReal *most = overload_of(set, body);
+    if (most != NULL) *most = wfMaxR(*most, over);
+}
+/* <begin and end a step of joints> */
+static void break_worst(wfJointSet *set, wfReal h)
+{
+    for (int32_t i = 0; i < set->bodies; i++) set->stiffness[i] = 0;
+    for (int pass = 0; pass < 2; pass++)
+        for (int32_t i = 0; i < set->count; i++) {
+            wfJoint *j = &set->joints[i];
+            wfReal over = wfIsBroken(j) ? 0 : overload(j, &set->work[i], h);
+            const wfReal *a = overload_of(set, j->a), *b = overload_of(set, j->b);
+            if (!(over > 0)) continue;
+            if (pass == 0) note_overload(set, j->a, over), note_overload(set, j->b, over);
+            if (pass == 0 || (a != NULL && *a > over) || (b != NULL && *b > over)) continue;
+            j->flags |= WF_JOINT_BROKEN;
+            memset(j->impulse, 0, sizeof j->impulse);
+        }
+}
+
 void wfEndJoints(wfJointSet *set, const wfSolve *in)
 {
-    for (int32_t i = 0; set->count > 0 && i < set->bodies; i++)
-        in->state[i].invInertia = set->inverse[i];
+    wfReal dt = in->h / (wfReal)in->substeps;
+    if (set->count == 0) return;
+    for (int32_t i = 0; i < set->bodies; i++) in->state[i].invInertia = set->inverse[i];
     for (int32_t i = 0; i < set->count; i++) {
         wfJoint *j = &set->joints[i];
-        wfJointWork *w = &set->work[i];
         if (wfIsBroken(j)) continue;
         if (set->pins[i].on) leave_pin(set, in, i);
-        else add_load(j, w);
-        wfReal force = wfLength(w->load) / in->h, torque = wfAbs(w->twist) / in->h;
-        bool snaps = (j->breakForce > 0 && force > j->breakForce)
-                  || (j->breakTorque > 0 && torque > j->breakTorque);
-        wfReal dt = in->h / (wfReal)in->substeps;
-        for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] *= snaps ? 0 : dt / set->last;
-        if (snaps) j->flags |= WF_JOINT_BROKEN;
+        else add_load(j, &set->work[i]);
+        for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] *= dt / set->last;
     }
+    break_worst(set, in->h);
 }
 /* <check a joint> */
 static bool numbers_are_finite(const wfJoint *j)
@@ -878,6 +912,8 @@ static wfResult check_step(const wfJointStep *in)
     if (in->jointCount > 0 && in->joints == NULL) return WF_ERROR_NULL;
     if (!wfIsFinite(in->h)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(in->period) || !wfIsFinite(in->damping)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(in->give)) return WF_ERROR_NOT_FINITE;
+    if (in->give < 0) return WF_ERROR_RANGE;
     if (in->h <= 0 || in->substeps < 1 || in->passes < 1) return WF_ERROR_RANGE;
     if (in->period < 0 || in->damping < 0) return WF_ERROR_RANGE;
     wfResult result = WF_OK;
@@ -909,7 +945,7 @@ wfResult wfStepJoints(const wfJointStep *in)
     wfLaws laws;
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
-                       .give = WF_JOINT_GIVE };
+                       .give = in->give };
     wfSolve solve = { .state = in->state, .bodyCount = in->bodyCount, .h = in->h,
         .iterations = in->passes, .forces = in->forces, .substeps = in->substeps,
         .laws = &laws, .scratch = in->scratch };
@@ -918,6 +954,7 @@ wfResult wfStepJoints(const wfJointStep *in)
         result = in->prepare(&set, &solve, in->scratch);
     if (result == WF_OK) result = wfSolveStep(wfFindSolver("soft"), &solve);
     if (result == WF_OK) wfEndJoints(&set, &solve);
+    if (result == WF_OK && in->unsolved != NULL) *in->unsolved = set.unsolved;
     wfPoolRewind(in->scratch, mark);
     return result;
 }

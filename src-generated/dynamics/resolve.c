@@ -340,7 +340,7 @@ const wfSolverRow wfSolverTable[] = {
       wfSequentialBaumgarte, wfNothingLeft, wfSequentialScratch, NULL },
     /* <rows of the solver table> */
     { "soft", "contacts that give a little, in substeps",
-      NULL, NULL, wfSubstepScratch, wfSoftStep },
+      NULL, NULL, wfSoftScratch, wfSoftStep },
 };
 const int wfSolverCount = (int)(sizeof wfSolverTable / sizeof *wfSolverTable);
 
@@ -402,6 +402,12 @@ wfResult wfCheckSolve(const wfSolve *in)
     if (!wfIsFinite(in->positionShare)) return WF_ERROR_NOT_FINITE;
     if (in->h <= 0 || in->restingSpeed < 0) return WF_ERROR_RANGE;
     if (in->positionShare < 0 || in->positionShare > 1) return WF_ERROR_RANGE;
+    if (!wfIsFinite(in->contactPeriod + in->contactDamping) ||
+        !wfIsFinite(in->recoverySpeed))
+        return WF_ERROR_NOT_FINITE;
+    if (in->contactPeriod < 0 || in->contactDamping < 0 || in->recoverySpeed < 0 ||
+        in->columns < 0 || in->columns > 1)
+        return WF_ERROR_RANGE;
     wfResult result = WF_OK;
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         result = check_state(&in->state[i]);

@@ -5,4 +5,5 @@
 /* Soft contacts: chapter 17. */
 #include "dynamics/substep.h"
 wfSolverFn wfSoftStep;
+wfSolverScratchFn wfSoftScratch;
 #endif

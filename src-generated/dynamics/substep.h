@@ -17,6 +17,8 @@ typedef struct wfSubsteps {
     wfPrepared    *c;
     wfMoved       *moved;        /* since the beginning of the step */
     wfMotion      *before;       /* velocities before the last kick */
+    int32_t       *order;        /* c[k] is contact order[k] of in->contacts */
+    int32_t       *at;           /* and contact i is c[at[i]] */
     wfReal         dt;           /* a substep, s */
     wfReal         kick;         /* what the last kick was for: dt or dt/2, s */
 } wfSubsteps;

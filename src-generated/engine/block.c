@@ -15,6 +15,7 @@ wfWorldDef wfDefaultWorldDef(void)
         .pairMaterials = 16,
         /* <default capacities> */
         .jointCapacity = 64, .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP,
+        .jointGive = WF_JOINT_GIVE,
         /* <default capacities> */
         .impacts = 16,
         /* <default capacities> */
@@ -25,6 +26,8 @@ wfWorldDef wfDefaultWorldDef(void)
         .frictionMix = wfFindMix("geometric-mean"),
         .restitutionMix = wfFindMix("maximum"), .rollingMix = wfFindMix("maximum"),
         .iterations = 8, .substeps = 4, .restingSteps = 2, .hitSteps = 6,
+        .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
+        .recoverySteps = 24, .columns = 1, .colours = 1,
         .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1, .events = 1,
         .queries = 1 };
 }
@@ -59,12 +62,16 @@ static wfResult check_world_def(const wfWorldDef *d)
 {
     if (d == NULL) return WF_ERROR_NULL;
     const wfReal number[] = { d->gravity.x, d->gravity.y, d->dt, d->restingSteps,
-                              d->hitSteps, d->positionShare, d->slop };
+                              d->hitSteps, d->positionShare, d->slop, d->contactPeriod,
+                              d->contactDamping, d->recoverySteps };
     if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
     if (!(d->dt > 0) || d->restingSteps < 0 || d->slop < 0) return WF_ERROR_RANGE;
     if (d->hitSteps < 0 || d->substeps < 1) return WF_ERROR_RANGE;
-    const int32_t choice[] = { d->reuse, d->events, d->queries };
-    for (int i = 0; i < 3; i++)
+    if (!(d->contactPeriod > 0) || !(d->contactDamping > 0) || d->recoverySteps < 0)
+        return WF_ERROR_RANGE;
+    const int32_t choice[] = { d->reuse, d->events, d->queries, d->columns,
+                               d->colours };
+    for (int i = 0; i < 5; i++)
         if (choice[i] != 0 && choice[i] != 1) return WF_ERROR_RANGE;
     if (d->positionShare < 0 || d->positionShare > 1) return WF_ERROR_RANGE;
     if (d->iterations < 1 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
@@ -85,8 +92,8 @@ static wfResult check_world_def(const wfWorldDef *d)
     /* <check further settings> */
     if (d->exactJoints < WF_JOINTS_ONE_BY_ONE || d->exactJoints > WF_JOINTS_AUTO)
         return WF_ERROR_RANGE;
-    if (!wfIsFinite(d->exactCost)) return WF_ERROR_NOT_FINITE;
-    if (d->exactCost < 0) return WF_ERROR_RANGE;
+    if (!wfIsFinite(d->exactCost) || !wfIsFinite(d->jointGive)) return WF_ERROR_NOT_FINITE;
+    if (d->exactCost < 0 || d->jointGive < 0) return WF_ERROR_RANGE;
     /* <check further settings> */
     if (!wfIsFinite(d->sleepTime) || !wfIsFinite(d->sleepShare)) return WF_ERROR_NOT_FINITE;
     if (d->sleep != 0 && d->sleep != 1) return WF_ERROR_RANGE;
@@ -208,6 +215,8 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_STRIKES]     = { "strikes", 1, (size_t)d->pairCapacity, sizeof(wfStrike), 0 },
         [WF_REGION_SPARED]      = { "spared pairs", 1, (size_t)d->shapeCapacity, sizeof(wfPair),
                                     0 },
+        [WF_REGION_FRESH]       = { "fresh flights", 1, (size_t)d->bodyCapacity, sizeof(int32_t),
+                                    0 },
         [WF_REGION_NEAR]        = { "shapes near a flight", 1, (size_t)d->shapeCapacity,
                                     sizeof(int32_t), 0 },
         /* <rows of the block's regions> */
@@ -306,7 +315,7 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
         .pairMaterials = d->pairMaterials,
         /* <capacities that the header keeps> */
         .jointCapacity = d->jointCapacity, .exactJoints = d->exactJoints,
-        .exactCost = d->exactCost,
+        .exactCost = d->exactCost, .jointGive = d->jointGive,
         /* <capacities that the header keeps> */
         .impacts = d->impacts,
         /* <capacities that the header keeps> */
@@ -315,7 +324,9 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
         .broadPhase = d->broadPhase, .narrowPhase = d->narrowPhase, .solver = d->solver,
         .iterations = d->iterations, .substeps = d->substeps, .hitSteps = d->hitSteps,
         .frictionMix = d->frictionMix, .restitutionMix = d->restitutionMix,
-        .rollingMix = d->rollingMix,
+        .rollingMix = d->rollingMix, .contactPeriod = d->contactPeriod,
+        .contactDamping = d->contactDamping, .recoverySteps = d->recoverySteps,
+        .columns = d->columns, .colours = d->colours,
         .reuse = d->reuse, .events = d->events, .queries = d->queries };
     for (int i = 0; i < WF_REGION_COUNT; i++) head->offset[i] = region[i].offset;
 }
@@ -481,7 +492,7 @@ wfWorldDef wfSettings(const wfHeader *h)
         .contactCapacity = h->contactCapacity,
         /* <capacities that the header tells> */
         .jointCapacity = h->jointCapacity, .exactJoints = h->exactJoints,
-        .exactCost = h->exactCost,
+        .exactCost = h->exactCost, .jointGive = h->jointGive,
         /* <capacities that the header tells> */
         .impacts = h->impacts,
         /* <capacities that the header tells> */
@@ -490,7 +501,9 @@ wfWorldDef wfSettings(const wfHeader *h)
         .broadPhase = h->broadPhase, .narrowPhase = h->narrowPhase, .solver = h->solver,
         .iterations = h->iterations, .substeps = h->substeps, .hitSteps = h->hitSteps,
         .frictionMix = h->frictionMix, .restitutionMix = h->restitutionMix,
-        .rollingMix = h->rollingMix,
+        .rollingMix = h->rollingMix, .contactPeriod = h->contactPeriod,
+        .contactDamping = h->contactDamping, .recoverySteps = h->recoverySteps,
+        .columns = h->columns, .colours = h->colours,
         .reuse = h->reuse, .events = h->events, .queries = h->queries,
         .restingSteps = h->restingSteps,
         .positionShare = h->positionShare, .slop = h->slop };
@@ -511,9 +524,13 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     wfHeader *h = b->head;
     /* <tell if the laws change> */
     bool same = h->gravity.x == d->gravity.x && h->gravity.y == d->gravity.y
-             && h->dt == d->dt && h->solver == d->solver && h->substeps == d->substeps
+             && h->solver == d->solver && h->substeps == d->substeps
              && h->iterations == d->iterations && h->positionShare == d->positionShare
-             && h->slop == d->slop && h->restingSteps == d->restingSteps;
+             && h->slop == d->slop && h->restingSteps == d->restingSteps
+             && h->contactPeriod == d->contactPeriod && h->contactDamping == d->contactDamping
+             && h->recoverySteps == d->recoverySteps && h->columns == d->columns
+             && h->frictionMix == d->frictionMix && h->rollingMix == d->rollingMix
+             && h->restitutionMix == d->restitutionMix;
     if (!same) wfDisturb(b, -1);
     h->gravity = d->gravity;
     h->dt = d->dt;
@@ -524,16 +541,27 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     h->iterations = d->iterations;
     h->substeps = d->substeps;
     h->restingSteps = d->restingSteps;
+    h->contactPeriod = d->contactPeriod;
+    h->contactDamping = d->contactDamping;
+    h->recoverySteps = d->recoverySteps;
+    h->columns = d->columns;
     h->hitSteps = d->hitSteps;
     h->positionShare = d->positionShare;
     h->slop = d->slop;
     h->frictionMix = d->frictionMix;
     h->restitutionMix = d->restitutionMix;
     h->rollingMix = d->rollingMix;
+    h->colours = d->colours;
     h->reuse = d->reuse;
     h->queries = d->queries;
     /* <change further settings> */
     /* Later chapters have more. */
+    /* <change further settings> */
+    bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;   /* else there is no room for one */
+    if (matrix) h->exactJoints = d->exactJoints;
+    if (h->exactCost < d->exactCost || h->exactCost > d->exactCost) h->machines = 0;
+    h->exactCost = d->exactCost;
+    h->jointGive = d->jointGive;
     /* <change further settings> */
     h->impacts = d->impacts;
     /* <change further settings> */

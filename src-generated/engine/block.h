@@ -20,16 +20,17 @@ typedef struct wfHeader {
     /* <settings that a world keeps> */
     wfVec2  gravity;
     wfReal  dt, restingSteps, hitSteps, positionShare, slop;
+    wfReal  contactPeriod, contactDamping, recoverySteps;
     int32_t bodyCapacity, shapeCapacity, forceCapacity, pairCapacity, contactCapacity;
     int32_t integrator, broadPhase, narrowPhase, solver;
-    int32_t iterations, substeps, reuse, events, queries;
+    int32_t iterations, substeps, reuse, events, queries, columns, colours;
     int32_t frictionMix, restitutionMix, rollingMix;
     /* <settings that a world keeps> */
     int32_t pairMaterials, knownPairs;
     /* <settings that a world keeps> */
     int32_t jointCapacity, exactJoints;
     wfSlots jointSlots;
-    wfReal exactCost;
+    wfReal exactCost, jointGive;
     int32_t brokenCount;       /* joints that broke in the last step */
     int32_t together;          /* joints that the last step solved together */
     int32_t unsolved;          /* substeps of the last step that chapter 19 did not solve */
@@ -146,6 +147,7 @@ typedef struct wfFlight {
     wfRect  box;               /* round the leg */
     wfVec2  point, normal;     /* where they meet: halfway, and from `own` to `other` */
     bool    fast, held, lost;  /* looks for others; waits; does not know what comes */
+    bool    fresh;             /* its leg has just been changed */
 } wfFlight;
 /* A collision that was dealt with at its own moment. */
 typedef struct wfStrike {

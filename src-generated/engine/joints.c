@@ -310,7 +310,7 @@ wfResult wfTakeJoints(struct wfStep *s)
     }
     s->jointSet = (wfJointSet){ .joints = copy, .count = count,
                                 .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
-                                .give = WF_JOINT_GIVE };
+                                .give = s->b.head->jointGive };
     if (count == 0) return WF_OK;
     if (!wfSolverSteps(s)) return WF_ERROR_SOLVER;
     wfPool pool;

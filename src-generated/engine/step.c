@@ -58,6 +58,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
     for (int i = 0; i < count; i++) {
+        if (!s->present[i]) continue;
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
         wfApplyTorque(&out[i], s->b.applied[i].torque);
     }
@@ -238,8 +239,12 @@ static wfSolve to_solve(struct wfStep *s)
     return (wfSolve){ .state = s->state, .bodyCount = s->count, .contacts = s->contacts,
         .contactCount = s->contactCount, .h = head->dt, .iterations = head->iterations,
         .restingSpeed = wfRestingSpeed(head->gravity, head->dt, head->restingSteps),
+        .recoverySpeed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps),
+        .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
+        .columns = head->columns,
         .positionShare = head->positionShare, .forces = s->sums,
-        .substeps = head->substeps, .laws = s->laws, .scratch = &s->scratch };
+        .substeps = head->substeps, .colours = head->colours, .laws = s->laws,
+        .scratch = &s->scratch };
 }
 
 static wfResult solve_velocities(struct wfStep *s)

@@ -192,7 +192,7 @@ static wfResult hit_by_strike(struct wfStep *s, const wfStrike *strike)
     s->hits[at] = hit;
     return WF_OK;
 }
-
+/* <note the touches> */
 wfResult wfTellStrikes(struct wfStep *s)
 {
     if (!s->b.head->events || s->strikeCount == 0) return WF_OK;

@@ -2682,7 +2682,7 @@ static void figure_joints_kinds(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
     for (int k = 0; k < wfJointKinds; k++) {
-        float x = 3.1f * (float)(k % 4), y = 2.6f * (float)(2 - k / 4);
+        float x = 3.1f * (float)(k % 4), y = 2.6f * (float)(3 - k / 4);
         wfBodyState s[2] = { { .p = wfV2((wfReal)x + WF_R(0.8), (wfReal)y + WF_R(0.9)) },
             { .p = wfV2((wfReal)x + WF_R(2.1), (wfReal)y + WF_R(1.1)),
               .angle = WF_R(0.3) } };
@@ -2691,7 +2691,8 @@ static void figure_joints_kinds(wfDraw *d, const wfFigureInput *in)
         wfVec2 middle = wfV2((wfReal)x + WF_R(1.5), (wfReal)y + WF_R(0.95));
         wfJoint j = pinned ? wfMakeJoint(name, 0, s, 1, s + 1, middle, middle, wfV2(1, 0))
                            : wfMakeJoint(name, 0, s, 1, s + 1, s[0].p, s[1].p, wfV2(1, 0));
-        j.groundA = wfAdd(s[0].p, wfV2(0, 1)), j.groundB = wfAdd(s[1].p, wfV2(0, 1));
+        if (k == wfFindJoint("pulley") || k == wfFindJoint("hand"))
+            j.groundA = wfAdd(s[0].p, wfV2(0, 1)), j.groundB = wfAdd(s[1].p, wfV2(0, 1));
         j.stiffness = 1;
         if (k == wfFindJoint("turn") || k == wfFindJoint("wheel")) j.flags = WF_JOINT_MOTOR;
         joints_box(d, &s[0], 0.55f, 0.3f, WF_INK_BODY);
@@ -3673,6 +3674,57 @@ static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
     }
 }
 /* <figures> */
+static void fast_flight(wfDraw *d, wfReal angle, int rate, int impacts, int role)
+{
+    wfWorldDef wd = wfDefaultWorldDef();
+    wfBodyDef b = wfDefaultBodyDef();
+    wfBodyId id;
+    wfBodyInfo now = { .position = { { WF_R(0.6), WF_R(0.5) } } };
+    wfWorld w;
+    wd.gravity = wfV2(0, 0);
+    wd.dt = WF_R(1.0) / (wfReal)rate;
+    wd.solver = wfFindSolver("sequential");
+    wd.impacts = impacts;
+    if (wfCreateWorld(&wd, &w) != WF_OK) return;
+    b.type = WF_STATIC, b.friction = 0, b.restitution = 1;
+    /* <build the room of the figure> */
+    for (int i = 0; i < 4; i++) {
+        b.position = i < 2 ? wfV2(i == 0 ? 0 : 6, WF_R(1.5)) : wfV2(3, i == 2 ? 0 : 3);
+        wfMakeBox(i < 2 ? WF_R(0.01) : 3, i < 2 ? WF_R(1.5) : WF_R(0.01), &b.shape);
+        wfAddBodyToWorld(&w, &b, NULL);
+        if (rate == 60 && impacts > 0) forces_shape(d, &b.shape,
+            wfMakeTransform(b.position, 0), WF_INK_LINE);
+    }
+    wfMakeCircle(wfV2(0, 0), WF_R(0.05), &b.shape);
+    for (int i = 0; i < 4; i++) {
+        b.position = wfV2(WF_R(1.8) + WF_R(2.2) * (wfReal)(i % 2), 1 + (wfReal)(i / 2));
+        wfAddBodyToWorld(&w, &b, NULL);
+        if (rate == 60 && impacts > 0) forces_shape(d, &b.shape,
+            wfMakeTransform(b.position, 0), WF_INK_LINE);
+    }
+    wfRot q = wfRotation(angle);
+    b.type = WF_DYNAMIC, b.position = now.position;
+    b.velocity = wfV2(60 * q.c, 60 * q.s);
+    wfAddBodyToWorld(&w, &b, &id);
+    for (int i = 0; i < rate / 10; i++) {
+        wfVec2 from = now.position;
+        if (wfStepWorld(&w) != WF_OK || wfGetBody(&w, id, &now) != WF_OK) break;
+        wfDrawLine(d, WF_XY(from), WF_XY(now.position), rate > 60 ? 1 : 1.6f, role);
+        if (rate == 60) wfDrawPoint(d, WF_XY(now.position), 5, role);
+    }
+    wfDestroyWorld(&w);
+}
+/* <figures> */
+static void figure_fast_legs(wfDraw *d, const wfFigureInput *in)
+{
+    wfReal x = (wfReal)in->handle[0][0] - WF_R(0.6);
+    wfReal angle = wfAtan2((wfReal)in->handle[0][1] - WF_R(0.5), x);
+    wfDrawView(d, -0.3f, -0.3f, 6.3f, 3.3f);
+    fast_flight(d, angle, 60, 0, WF_INK_BAD);
+    fast_flight(d, angle, 60, 16, WF_INK_GOOD);
+    fast_flight(d, angle, 60000, 0, WF_INK_TEXT);
+}
+/* <figures> */
 static wfBodyId joined_box(wfWorld *w, double x, double y, double wide, double high,
                            int32_t type)
 {
@@ -4301,6 +4353,25 @@ static void figure_scenes_collision(wfDraw *d, const wfFigureInput *in)
     draw_gallery(d, tile, 6, 2);
 }
 
+static void figure_scenes_classics(wfDraw *d, const wfFigureInput *in)
+{
+    static const SceneTile tile[] = {
+        { "card house", 300, -5.2f, -0.5f, 10.4f }, { "arch", 300, -6.2f, -0.8f, 12.4f },
+        { "dominoes", 120, -8, -2.5f, 16 }, { "hung cradle", 70, -4.8f, 0.4f, 9.6f },
+        { "tumbler", 300, -7.2f, -0.4f, 14.4f },
+        { "Galton board", 700, -9.4f, -0.4f, 18.8f }
+    };
+    (void)in;
+    draw_gallery(d, tile, 6, 2);
+}
+
+static void figure_scenes_solvers(wfDraw *d, const wfFigureInput *in)
+{
+    (void)in;
+    wfDrawView(d, -2.6f, -6.6f, 12.6f, 4.6f);
+    draw_scene(d, "solvers", 149, 0);
+}
+
 static void figure_scenes_cases(wfDraw *d, const wfFigureInput *in)
 {
     static const SceneTile tile[] = {
@@ -4779,7 +4850,7 @@ const wfFigureRow wfFigureTable[] = {
     /* <rows of the figure table> */
     { "soft-path", figure_soft_path, 7.8f, 3.2f, 1, { { 0.3f, 2.2f } } },
     /* <rows of the figure table> */
-    { "joints-kinds", figure_joints_kinds, 12.4f, 7.8f, 0, {{0}} },
+    { "joints-kinds", figure_joints_kinds, 12.4f, 10.4f, 0, {{0}} },
     /* <rows of the figure table> */
     { "joints-aim", figure_joints_aim, 5.6f, 3.6f, 0, {{0}} },
     /* <rows of the figure table> */
@@ -4815,6 +4886,8 @@ const wfFigureRow wfFigureTable[] = {
     /* <rows of the figure table> */
     { "world-stages", figure_world_stages, 17.4f, 12.3f, 0, {{0}} },
     /* <rows of the figure table> */
+    { "fast-legs", figure_fast_legs, 6.6f, 3.6f, 1, { { 2.0f, 1.7f } } },
+    /* <rows of the figure table> */
     { "joined-machines", figure_joined_machines, 16.4f, 7.6f, 0, {{0}} },
     /* <rows of the figure table> */
     { "sleep-stacks", figure_sleep_stacks, 19.2f, 6.0f, 0, {{0}} },
@@ -4839,6 +4912,8 @@ const wfFigureRow wfFigureTable[] = {
     { "scenes-window", figure_scenes_window, 11, 7, 0, { { 0 } } },
     { "scenes-motion", figure_scenes_motion, 8.4f, 3.2f, 0, { { 0 } } },
     { "scenes-forces", figure_scenes_forces, 8.4f, 6.4f, 0, { { 0 } } },
+    { "scenes-classics", figure_scenes_classics, 8.4f, 9.6f, 0, { { 0 } } },
+    { "scenes-solvers", figure_scenes_solvers, 15.2f, 11.2f, 0, { { 0 } } },
     { "scenes-collision", figure_scenes_collision, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-joints", figure_scenes_joints, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-cases", figure_scenes_cases, 8.4f, 9.6f, 0, { { 0 } } },

@@ -65,6 +65,8 @@
 /* <headers of the measurements> */
 #include "weft/world.h"
 /* <headers of the measurements> */
+#include "weft/world.h"
+/* <headers of the measurements> */
 #include "testbed/platform.h"
 #include "weft/integrate.h"
 /* <headers of the measurements> */
@@ -2533,7 +2535,7 @@ static void labMakeChain(labChain *c, int links, double load, int substeps, int 
     c->step = (wfJointStep){ .state = c->state, .bodyCount = links + 1, .joints = c->joint,
         .jointCount = links, .forces = c->forces, .h = WF_R(1.0) / 60, .substeps = substeps,
         .passes = passes, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
-        .scratch = &c->pool };
+        .give = WF_JOINT_GIVE, .scratch = &c->pool };
 }
 /* <measurements> */
 /* How far the load is below its place, m: the last value and, in *worst, the greatest. */
@@ -2671,6 +2673,69 @@ static int measure_joints_spring(FILE *out)
     return 0;
 }
 /* <measurements> */
+typedef struct labPeer { const char *engine, *theirs, *kind, *set; int32_t flags; } labPeer;
+
+static const labPeer labPeers[] = {
+    { "Box2D 2 and 3", "distance", "distance", "", 0 },
+    { "Box2D 3", "distance with spring and limits", "distance", "stiffness and upper",
+      WF_JOINT_SPRING | WF_JOINT_LIMITS },
+    { "Box2D 2 and 3", "revolute", "revolute", "", 0 },
+    { "Box2D 2 and 3", "revolute with motor and limits", "revolute",
+      "motorSpeed and lower and upper",
+      WF_JOINT_MOTOR | WF_JOINT_LIMITS },
+    { "Box2D 3", "revolute with spring", "revolute", "stiffness", WF_JOINT_SPRING },
+    { "Box2D 2 and 3", "prismatic", "prismatic", "", 0 },
+    { "Box2D 2", "pulley", "pulley", "groundA and groundB and ratio", 0 },
+    { "Box2D 2", "gear of two revolutes", "gear", "ratio", 0 },
+    { "Box2D 2", "gear of prismatic and revolute", "rack", "ratio", 0 },
+    { "Box2D 2", "gear of two prismatics", "linkage", "ratio", 0 },
+    { "Box2D 2 and 3", "mouse", "hand", "groundB and motorForce", 0 },
+    { "Box2D 2 and 3", "wheel", "wheel", "stiffness and motorSpeed",
+      WF_JOINT_SPRING | WF_JOINT_MOTOR },
+    { "Box2D 2 and 3", "weld", "weld", "", 0 },
+    { "Box2D 2 and 3", "weld that gives", "weld", "stiffness", WF_JOINT_SPRING },
+    { "Box2D 2", "friction", "friction", "motorForce and ratio", 0 },
+    { "Box2D 2", "rope", "distance", "upper", WF_JOINT_LIMITS },
+    { "Box2D 2 and 3", "motor", "servo", "stiffness and motorForce", 0 },
+    { "Box2D 3", "filter (null)", "filter", "", 0 },
+    { "Chipmunk", "pin", "distance", "", 0 },
+    { "Chipmunk", "slide", "distance", "lower and upper", WF_JOINT_LIMITS },
+    { "Chipmunk", "pivot", "revolute", "", 0 },
+    { "Chipmunk", "groove", "wheel", "lower and upper", WF_JOINT_LIMITS },
+    { "Chipmunk", "damped spring", "distance", "stiffness and damping", WF_JOINT_SPRING },
+    { "Chipmunk", "damped rotary spring", "turn", "stiffness and damping",
+      WF_JOINT_SPRING },
+    { "Chipmunk", "rotary limit", "turn", "lower and upper", WF_JOINT_LIMITS },
+    { "Chipmunk", "ratchet", "ratchet", "ratio (a tooth)", 0 },
+    { "Chipmunk", "gear", "gear", "ratio", 0 },
+    { "Chipmunk", "simple motor", "turn", "motorSpeed and motorForce", WF_JOINT_MOTOR },
+    { "", "winch", "distance", "upper and negative motorSpeed",
+      WF_JOINT_MOTOR | WF_JOINT_LIMITS },
+};
+/* <measurements> */
+static int measure_joints_peers(FILE *out)
+{
+    fprintf(out, "engine,joint,kind,set,hold,limit,drive,spring\n");
+    for (size_t i = 0; i < sizeof labPeers / sizeof *labPeers; i++) {
+        const labPeer *p = &labPeers[i];
+        wfBodyState s[2] = { { .p = wfV2(0, 0) }, { .p = wfV2(2, 1), .invMass = 1 } };
+        wfJointRow row[WF_JOINT_ROWS];
+        int count[5] = { 0 };
+        if (wfFindJoint(p->kind) < 0) return 1;
+        wfJoint j = wfMakeJoint(p->kind, 0, &s[0], 1, &s[1], s[0].p, s[1].p, wfV2(1, 0));
+        j.flags = p->flags;
+        j.stiffness = 1, j.motorForce = 1, j.lower = -1, j.upper = 3;
+        if (wfCheckJoint(&j) != WF_OK) return 1;
+        wfBuildJoint(&j, &s[0], &s[1], row);
+        for (int k = 0; k < WF_JOINT_ROWS; k++) count[row[k].law]++;
+        fprintf(out, "%s,%s,%s,%s", p->engine[0] ? p->engine : "-", p->theirs, p->kind,
+                p->set[0] ? p->set : "-");
+        fprintf(out, ",%d,%d,%d,%d\n", count[WF_ROW_HOLD], count[WF_ROW_LIMIT],
+                count[WF_ROW_DRIVE], count[WF_ROW_SPRING]);
+    }
+    return 0;
+}
+/* <measurements> */
 static double labWidestGap(const labChain *c)
 {
     double widest = 0;
@@ -2681,6 +2746,133 @@ static double labWidestGap(const labChain *c)
         widest = fmax(widest, (double)wfDistance(a, b));
     }
     return widest;
+}
+/* <measurements> */
+/* Turns a chain about its first hinge, rad. */
+static void labTurnChain(labChain *c, double angle)
+{
+    wfRot q = wfRotation((wfReal)angle);
+    for (int i = 1; i < c->step.bodyCount; i++) {
+        c->state[i].p = wfRotate(q, c->state[i].p);
+        c->state[i].angle = (wfReal)angle;
+    }
+    for (int i = 0; i < c->step.jointCount; i++) {
+        wfJoint *j = &c->joint[i];
+        wfVec2 at = wfApply(wfBodyTransform(&c->state[j->b]), j->localB);
+        *j = wfHinge(j->a, &c->state[j->a], j->b, &c->state[j->b], at);
+    }
+}
+
+static double labChainEnergy(const labChain *c)
+{
+    double sum = 0;
+    for (int i = 1; i < c->step.bodyCount; i++)
+        sum += (double)wfKineticEnergy(&c->state[i])
+             + 9.81 * (double)c->state[i].p.y / (double)c->state[i].invMass;
+    return sum;
+}
+/* <measurements> */
+typedef struct labSwings { labChain c; double first, level; int32_t unsolved; } labSwings;
+static _Alignas(WF_POOL_ALIGN) unsigned char labSwingRoom[1 << 18];
+/* how: 0 one by one, 1 rigidly and with many passes, 2 all at once */
+static void labMakeSwing(labSwings *s, int how, int links, double load, double degrees,
+                         int substeps)
+{
+    labMakeChain(&s->c, links, load, substeps, how == 1 ? 400 : 1);
+    s->level = -labChainEnergy(&s->c);
+    labTurnChain(&s->c, degrees * 3.14159265358979 / 180);
+    s->first = labChainEnergy(&s->c);
+    wfPoolInit(&s->c.pool, sizeof labSwingRoom, labSwingRoom);
+    if (how == 1) s->c.step.period = 0;
+    s->c.step.unsolved = &s->unsolved;
+    if (how == 2) s->c.step.prepare = wfExactJoints;
+}
+
+/* The gain of energy so far, %. */
+static double labSwingGain(labSwings *s)
+{
+    return 100 * (labChainEnergy(&s->c) - s->first) / s->level;
+}
+/* <measurements> */
+static int measure_exact_swing(FILE *out)
+{
+    static labSwings s[3];
+    bool over[3] = { false, false, false };
+    for (int how = 0; how < 3; how++) labMakeSwing(&s[how], how, 20, 1000, 60, 4);
+    fprintf(out, "time,one by one,rigidly 400 passes,all at once\n");
+    for (int i = 0; i <= 600; i++) {
+        for (int how = 0; how < 3 && i > 0; how++)
+            if (!over[how]) over[how] = wfStepJoints(&s[how].c.step) != WF_OK;
+        if (i % 6 != 0) continue;
+        fprintf(out, "%.1f", i / 60.0);
+        for (int how = 0; how < 3; how++) {
+            double gain = over[how] ? 1e9 : labSwingGain(&s[how]);
+            over[how] = over[how] || !(gain < 100);
+            if (over[how]) fprintf(out, ",");
+            else fprintf(out, ",%.2f", 100 + gain);
+        }
+        fprintf(out, "\n");
+    }
+    return 0;
+}
+/* <measurements> */
+static int measure_exact_swings(FILE *out)
+{
+    static const double degrees[] = { 10, 60, 80, 90, 120, 150 };
+    fprintf(out, "amplitude,substeps,one,all,gain,unsolved\n");
+    for (int n = 0; n < 8; n++) {
+        double angle = n < 6 ? degrees[n] : 60, end[2], most = 0;
+        int substeps = n < 6 ? 4 : n == 6 ? 2 : 8, lost = 0;
+        for (int how = 0; how < 2; how++) {
+            static labSwings s;
+            labMakeSwing(&s, 2 * how, 20, 1000, angle, substeps);
+            for (int i = 0; i < 3600; i++) {
+                if (wfStepJoints(&s.c.step) != WF_OK) return 1;
+                double gain = labSwingGain(&s);
+                if (how == 1) most = fmax(most, gain), lost += s.unsolved;
+            }
+            end[how] = labSwingGain(&s);
+        }
+        fprintf(out, "%g,%d,%.1f,%.3g,%.2g,%d\n", angle, substeps, end[0], end[1], most,
+                lost);
+    }
+    return 0;
+}
+/* <measurements> */
+static double labPendulum(double give, int substeps, double *period)
+{
+    static labSwings s;
+    double first = 0, last = 0, mean = 0;
+    int turns = -1;
+    labMakeSwing(&s, 2, 1, 1, 90, substeps);
+    s.c.state[1].p = wfV2(1, 0);
+    s.c.joint[0] = wfHinge(0, &s.c.state[0], 1, &s.c.state[1], wfV2(0, 0));
+    s.c.step.give = (wfReal)give;
+    for (int i = 0; i < 3600; i++) {
+        double before = (double)s.c.state[1].w;
+        wfStepJoints(&s.c.step);
+        double now = (double)s.c.state[1].w;
+        if (i >= 3000) mean += labSwingEnergy(&s.c.state[1]) / 600;
+        if (!(before < 0 && now >= 0)) continue;
+        last = (i + 1 - now / (now - before)) / 60;
+        if (turns++ < 0) first = last;
+    }
+    *period = (last - first) / turns;
+    return 1e6 * mean / 9.81;
+}
+
+static int measure_exact_pendulum(FILE *out)
+{
+    double exact = 2 * 3.14159265358979 * sqrt((1 + 1 / 6.0) / 9.81), period, free;
+    exact /= labMean(1, sqrt(0.5));
+    fprintf(out, "substeps,energy,period,free\n");
+    for (int substeps = 1; substeps <= 32; substeps *= 2) {
+        free = labPendulum(0, substeps, &period);
+        double energy = labPendulum((double)WF_JOINT_GIVE, substeps, &period);
+        fprintf(out, "%d,%.1f,%.4f,%.1f\n", substeps, energy, 100 * (period / exact - 1),
+                free);
+    }
+    return 0;
 }
 /* <measurements> */
 static int measure_exact_gap(FILE *out)
@@ -2703,6 +2895,33 @@ static int measure_exact_gap(FILE *out)
         }
         fprintf(out, "\n");
     }
+    return 0;
+}
+/* <measurements> */
+static double labTimeChain(int links, int how)
+{
+    static labSwings s;
+    static wfExactCount count;
+    double best = 1e9;
+    for (int n = 0; n < 5; n++) {
+        labMakeSwing(&s, how == 1 ? 2 : 0, links, 1, 60, 4);
+        clock_t start = clock();
+        for (int i = 0; i < 50; i++) {
+            wfPoolInit(&s.c.pool, sizeof labSwingRoom, labSwingRoom);
+            if (how < 2) wfStepJoints(&s.c.step);
+            else wfCountExact(s.c.joint, links, s.c.state, links + 1, &s.c.pool, &count);
+        }
+        best = fmin(best, (double)(clock() - start) / CLOCKS_PER_SEC / 50);
+    }
+    return 1e6 * best;
+}
+
+static int measure_exact_time(FILE *out)
+{
+    fprintf(out, "machine,joints,one,all,order\n");
+    for (int links = 5; links <= 20; links *= 2)
+        fprintf(out, "chain,%d,%.1f,%.1f,%.2f\n", links, labTimeChain(links, 0),
+                labTimeChain(links, 1), labTimeChain(links, 2));
     return 0;
 }
 /* <measurements> */
@@ -3578,6 +3797,75 @@ static int measure_queries_school(FILE *out)
     return 0;
 }
 /* <measurements> */
+enum { HEAP_BODIES = 400, HEAP_WIDE = 20, HEAP_SETTLE = 400, HEAP_BATCH = 20 };
+
+static wfResult heap_shape(int corners, wfShape *out)
+{
+    wfVec2 v[WF_MAX_VERTICES];
+    if (corners == 2)
+        return wfMakeCapsule(wfV2(-WF_R(0.3), 0), wfV2(WF_R(0.3), 0), WF_R(0.2), out);
+    if (corners == 4) return wfMakeBox(WF_R(0.4), WF_R(0.4), out);
+    for (int i = 0; i < corners; i++) {
+        wfRot q = wfRotation(2 * WF_PI * (wfReal)i / (wfReal)corners);
+        v[i] = wfV2(WF_R(0.45) * q.c, WF_R(0.45) * q.s);
+    }
+    return wfMakePolygon(v, corners, out);
+}
+
+/* a floor, two walls, and bodies in rows, each a little out of line */
+static wfResult fill_heap(wfWorld *world, int corners)
+{
+    wfRandom r;
+    wfResult result = WF_OK;
+    wfRandomSeed(&r, 24);
+    for (int i = 0; i < HEAP_BODIES + 3 && result == WF_OK; i++) {
+        wfBodyDef b = wfDefaultBodyDef();
+        int k = i - 3;
+        if (i == 0) result = wfMakeBox(30, 1, &b.shape);
+        else if (i < 3) result = wfMakeBox(1, 60, &b.shape);
+        else result = heap_shape(corners, &b.shape);
+        b.type = i < 3 ? WF_STATIC : WF_DYNAMIC;
+        b.position = i == 0 ? wfV2(0, -1) : wfV2(i == 1 ? -12 : 12, 60);
+        wfReal aside = wfRandomReal(&r, -WF_R(0.2), WF_R(0.2));
+        if (i > 2)
+            b.position = wfV2((wfReal)(k % HEAP_WIDE) - WF_R(9.5) + aside,
+                              (wfReal)(k / HEAP_WIDE) + WF_R(0.6));
+        if (result == WF_OK) result = wfAddBodyToWorld(world, &b, NULL);
+    }
+    for (int i = 0; i < HEAP_SETTLE && result == WF_OK; i++) result = wfStepWorld(world);
+    return result;
+}
+/* <measurements> */
+static int measure_world_reuse(FILE *out)
+{
+    static const int corners[] = { 2, 4, 8, 16 };
+    static const char *const names[] = { "capsules", "boxes", "8 corners", "16 corners" };
+    fprintf(out, "bodies,contacts,fresh,reuse,gain\n");
+    for (int row = 0; row < 4; row++) {
+        wfWorld world[2];
+        double least[2] = { 1e9, 1e9 };
+        int32_t contacts = 0;
+        for (int reuse = 0; reuse < 2; reuse++) {
+            wfWorldDef def = wfDefaultWorldDef();
+            def.reuse = reuse;
+            def.bodyCapacity = HEAP_BODIES + 3;
+            if (wfCreateWorld(&def, &world[reuse]) != WF_OK) return 1;
+            if (fill_heap(&world[reuse], corners[row]) != WF_OK) return 1;
+        }
+        for (int batch = 0; batch < 18; batch++) {
+            clock_t start = clock();
+            for (int i = 0; i < HEAP_BATCH; i++) wfStepWorld(&world[batch & 1]);
+            double took = 1e3 * (double)(clock() - start) / CLOCKS_PER_SEC / HEAP_BATCH;
+            if (took < least[batch & 1]) least[batch & 1] = took;
+        }
+        wfWorldContacts(&world[1], &contacts);
+        fprintf(out, "%s,%d,%.2f,%.2f,%.0f\n", names[row], (int)contacts, least[0],
+                least[1], 100 * (1 - least[1] / least[0]));
+        for (int reuse = 0; reuse < 2; reuse++) wfDestroyWorld(&world[reuse]);
+    }
+    return 0;
+}
+/* <measurements> */
 static double apex_after_bounce(double drop, double dt)
 {
     wfWorldDef wd = wfDefaultWorldDef();
@@ -3641,6 +3929,249 @@ static int measure_world_layout(FILE *out)
         if (i > WF_REGION_HITS && r->chunk == 0) continue;  /* of later chapters */
         fprintf(out, "%s,%s,%zu,%zu,%zu,%zu\n", r->chunk == 0 ? "permanent" : "transient",
                 r->name, r->offset, r->count, r->each, r->offset + r->count * r->each);
+    }
+    return 0;
+}
+/* <measurements> */
+typedef struct FastShot {
+    const char *solver;
+    int kind, wall, impacts;    /* wall: 0 stands, 1 is dynamic and light, 2 heavy */
+    double speed, spin;
+} FastShot;
+
+static void fast_bullet(int kind, wfBodyDef *def)
+{
+    wfReal r = WF_R(0.05);
+    *def = wfDefaultBodyDef();
+    if (kind == 0) wfMakeCircle(wfV2(0, 0), r, &def->shape);
+    if (kind == 1) wfMakeBox(r, r, &def->shape);
+    if (kind == 2) wfMakeCapsule(wfV2(-r, 0), wfV2(r, 0), r / 2, &def->shape);
+    if (kind == 3) wfMakeBox(4 * r, r / 4, &def->shape);
+}
+
+static wfWorldDef fast_world(const char *solver, int bodies, int impacts)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.gravity = wfV2(0, 0);
+    def.bodyCapacity = bodies;
+    def.solver = wfFindSolver(solver);
+    def.impacts = impacts;
+    return def;
+}
+/* <measurements> */
+static int fast_through(const FastShot *s, int phase)
+{
+    wfWorldDef wd = fast_world(s->solver, 2, s->impacts);
+    wfBodyDef sheet = wfDefaultBodyDef(), bullet;
+    wfBodyInfo a, b;
+    wfBodyId ids[2];
+    wfWorld w;
+    int through = 0;
+    double step = s->speed / 60;
+    if (wfCreateWorld(&wd, &w) != WF_OK) return 0;
+    wfMakeBox(WF_R(0.01), 50, &sheet.shape);
+    sheet.type = s->wall == 0 ? WF_STATIC : WF_DYNAMIC;
+    if (s->wall == 1) sheet.mass = WF_R(0.04), sheet.fixedRotation = 1;
+    fast_bullet(s->kind, &bullet);
+    bullet.position = wfV2((wfReal)(-1.5 * step - 1 - step * phase / 20),
+                           WF_R(0.01) * (wfReal)phase);
+    bullet.angle = WF_R(0.1) * (wfReal)phase;
+    bullet.velocity = wfV2((wfReal)s->speed, 0);
+    bullet.angularVelocity = (wfReal)s->spin;
+    wfAddBodyToWorld(&w, &sheet, &ids[0]);
+    wfAddBodyToWorld(&w, &bullet, &ids[1]);
+    for (int i = 0; i < 6; i++) {
+        if (wfStepWorld(&w) != WF_OK) break;
+        wfGetBody(&w, ids[0], &a), wfGetBody(&w, ids[1], &b);
+        wfVec2 at = wfRotateInv(wfRotation(a.angle), wfSub(b.position, a.position));
+        if (at.x > 0 && wfAbs(at.y) < 50) through = 1;
+    }
+    wfDestroyWorld(&w);
+    return through;
+}
+/* <measurements> */
+static int fast_count(FastShot s)
+{
+    int sum = 0;
+    for (s.kind = 0; s.kind < 4; s.kind++)
+        for (int phase = 0; phase < 20; phase++) sum += fast_through(&s, phase);
+    return sum;
+}
+
+static int measure_fast_tunnel(FILE *out)
+{
+    static const double speeds[6] = { 10, 100, 300, 1000, 1e4, 1e5 };
+    static const double spins[3] = { 0, 1000, 10000 };
+    fprintf(out, "speed,seq_static,seq_dynamic,soft_static,soft_dynamic,on\n");
+    for (int i = 0; i < 6; i++) {
+        FastShot s = { .speed = speeds[i] };
+        int on = 0;
+        fprintf(out, "%g", s.speed);
+        for (int k = 0; k < 4; k++) {
+            s.solver = k < 2 ? "sequential" : "soft", s.wall = k % 2;
+            fprintf(out, ",%d", fast_count(s));
+        }
+        s.impacts = 16;
+        for (int k = 0; k < wfSolverCount * 9; k++) {
+            s.solver = wfSolverTable[k / 9].name, s.wall = k / 3 % 3, s.spin = spins[k % 3];
+            on += fast_count(s);
+        }
+        fprintf(out, ",%d\n", on);
+    }
+    return 0;
+}
+/* <measurements> */
+static double fast_ghost(double gap, int impacts)
+{
+    double worst = 0;
+    for (int phase = 0; phase < 20; phase++) {
+        wfWorldDef wd = fast_world("soft", 2, impacts);
+        wfBodyDef post = wfDefaultBodyDef(), bullet;
+        wfBodyId id;
+        wfBodyInfo b;
+        wfWorld w;
+        if (wfCreateWorld(&wd, &w) != WF_OK) return 0;
+        wfMakeBox(WF_R(0.1), 1, &post.shape);
+        post.type = WF_STATIC;
+        fast_bullet(0, &bullet);
+        bullet.position = wfV2(-8 - WF_R(0.25) * (wfReal)phase, (wfReal)(1.05 + gap));
+        bullet.velocity = wfV2(300, 0);
+        wfAddBodyToWorld(&w, &post, NULL);
+        wfAddBodyToWorld(&w, &bullet, &id);
+        for (int i = 0; i < 6; i++) wfStepWorld(&w);
+        wfGetBody(&w, id, &b);
+        double change = (double)wfDistance(b.velocity, bullet.velocity);
+        if (change > worst) worst = change;
+        wfDestroyWorld(&w);
+    }
+    return worst;
+}
+
+static int measure_fast_ghost(FILE *out)
+{
+    static const double gaps[5] = { 0.001, 0.003, 0.01, 0.03, 0.1 };
+    fprintf(out, "gap,off,on\n");
+    for (int i = 0; i < 5; i++)
+        fprintf(out, "%g,%.1f,%.1f\n", 1000 * gaps[i], fast_ghost(gaps[i], 0),
+                fast_ghost(gaps[i], 16));
+    return 0;
+}
+/* <measurements> */
+static double fast_way(double speed, int impacts)
+{
+    wfWorldDef wd = fast_world("soft", 3, impacts);
+    wfBodyDef wall = wfDefaultBodyDef(), ball;
+    wfFastReport report;
+    wfBodyId id;
+    wfBodyInfo b;
+    wfWorld w;
+    double rooms = 0;
+    if (wfCreateWorld(&wd, &w) != WF_OK) return 0;
+    wfMakeBox(WF_R(0.1), 1, &wall.shape);
+    wall.type = WF_STATIC, wall.restitution = 1, wall.friction = 0;
+    for (int side = -1; side <= 1; side += 2) {
+        wall.position = wfV2(WF_R(0.6) * (wfReal)side, 0);
+        wfAddBodyToWorld(&w, &wall, NULL);
+    }
+    fast_bullet(0, &ball);
+    ball.restitution = 1, ball.friction = 0;
+    ball.velocity = wfV2((wfReal)speed, 0);
+    wfAddBodyToWorld(&w, &ball, &id);
+    bool right = true;
+    for (int i = 0; i < 60; i++) {
+        wfStepWorld(&w);
+        wfGetFastReport(&w, &report);
+        wfGetBody(&w, id, &b);
+        bool now = b.velocity.x > 0, turned = now != right;
+        rooms += report.impacts + ((report.impacts % 2 != 0) != turned ? 1 : 0);
+        right = now;
+    }
+    double x = b.velocity.x > 0 ? (double)b.position.x : -(double)b.position.x;
+    wfDestroyWorld(&w);
+    return 0.9 * rooms + x;
+}
+
+static int measure_fast_stop(FILE *out)
+{
+    static const double speeds[5] = { 11, 31, 97, 311, 701 };
+    fprintf(out, "speed,one,theory,all\n");
+    for (int i = 0; i < 5; i++) {
+        double v = speeds[i], mean = v / (1 + v / 60 / (2 * 0.9)), most = 0.9 * 60;
+        fprintf(out, "%g,%.1f,%.1f,%.1f\n", v, 100 * fast_way(v, 1) / v,
+                100 * (mean < most ? mean : most) / v, 100 * fast_way(v, 16) / v);
+    }
+    return 0;
+}
+/* <measurements> */
+static void fast_room(wfWorld *w, wfReal half)
+{
+    wfBodyDef wall = wfDefaultBodyDef();
+    wall.type = WF_STATIC, wall.restitution = 1;
+    for (int i = 0; i < 4; i++) {
+        wfReal at = (i % 2 ? 1 : -1) * (half + 1);
+        wall.position = i < 2 ? wfV2(at, 0) : wfV2(0, at);
+        wfMakeBox(i < 2 ? 1 : half + 2, i < 2 ? half + 2 : 1, &wall.shape);
+        wfAddBodyToWorld(w, &wall, NULL);
+    }
+}
+
+static void fast_crowd(wfWorld *w, int count, bool bullets)
+{
+    wfRandom r;
+    wfRandomSeed(&r, 25);
+    for (int i = 0; i < count; i++) {
+        wfBodyDef b = wfDefaultBodyDef();
+        int side = bullets ? 32 : 60;
+        wfReal radius = bullets ? WF_R(0.1) : WF_R(0.5), pitch = bullets ? 3 : WF_R(1.02);
+        wfMakeCircle(wfV2(0, 0), radius, &b.shape);
+        b.position = wfV2(pitch * ((wfReal)(i % side) - (wfReal)side / 2),
+                          pitch * (wfReal)(i / side) - WF_R(49.4));
+        if (bullets) {
+            wfRot q = wfRotation(wfRandomReal(&r, -WF_PI, WF_PI));
+            b.velocity = wfV2(300 * q.c, 300 * q.s);
+            b.restitution = 1;
+        }
+        wfAddBodyToWorld(w, &b, NULL);
+    }
+}
+/* <measurements> */
+/* ms for a step; below 0: refused */
+static double fast_clock(int count, bool bullets, int impacts, wfFastReport *sum)
+{
+    wfWorldDef wd = fast_world("soft", count + 4, impacts);
+    wfFastReport now;
+    wfWorld w;
+    bool good = true;
+    int steps = bullets ? 20 : 40;
+    if (!bullets) wd.gravity = wfV2(0, WF_R(-9.81));
+    if (wfCreateWorld(&wd, &w) != WF_OK) return -1;
+    fast_room(&w, 50);
+    fast_crowd(&w, count, bullets);
+    wfStepWorld(&w);
+    clock_t start = clock();
+    for (int i = 0; i < steps && good; i++) {
+        good = wfStepWorld(&w) == WF_OK;
+        wfGetFastReport(&w, &now);
+        sum->bodies += now.bodies, sum->impacts += now.impacts;
+    }
+    double took = 1000 * (double)(clock() - start) / CLOCKS_PER_SEC / steps;
+    sum->bodies /= steps, sum->impacts /= steps;
+    wfDestroyWorld(&w);
+    return good ? took : -1;
+}
+/* <measurements> */
+static int measure_fast_cost(FILE *out)
+{
+    static const int counts[4] = { 5000, 10, 100, 1000 };
+    fprintf(out, "scene,off,on,fast,impacts\n");
+    for (int i = 0; i < 4; i++) {
+        wfFastReport sum = { 0, 0, 0 }, none = { 0, 0, 0 };
+        double off = fast_clock(counts[i], i > 0, 0, &none);
+        double on = fast_clock(counts[i], i > 0, 16, &sum);
+        fprintf(out, "%s of %d,", i == 0 ? "a heap" : "bullets", counts[i]);
+        if (off < 0) fprintf(out, "--,");
+        else fprintf(out, "%.3f,", off);
+        fprintf(out, "%.3f,%d,%d\n", on, (int)sum.bodies, (int)sum.impacts);
     }
     return 0;
 }
@@ -4042,6 +4573,7 @@ const wfMeasureRow wfMeasureTable[] = {
     { "soft-tower", "the tallest tower that stands, by substeps", measure_soft_tower },
     { "soft-target", "what the default solver reaches", measure_soft_target },
     /* <rows of the measurement table> */
+    { "joints-peers", "how the joints of other engines are made", measure_joints_peers },
     { "joints-spring", "a chain on the stiffest springs that survive, and on joints",
       measure_joints_spring },
     { "joints-rigid", "a loaded chain aimed rigidly and softly", measure_joints_rigid },
@@ -4052,6 +4584,13 @@ const wfMeasureRow wfMeasureTable[] = {
     /* <rows of the measurement table> */
     { "exact-gap", "the widest gap in a loaded chain, one by one and all at once",
       measure_exact_gap },
+    { "exact-swing", "energy of a swinging chain with a ton at its end, by method",
+      measure_exact_swing },
+    { "exact-swings", "the same for a minute, by amplitude", measure_exact_swings },
+    { "exact-pendulum", "energy and period of a pendulum, solved exactly",
+      measure_exact_pendulum },
+    { "exact-time", "time of a step of chains, one by one and all at once (clock)",
+      measure_exact_time },
     { "exact-cost", "blocks and fill of the matrices of some machines",
       measure_exact_cost },
     /* <rows of the measurement table> */
@@ -4081,11 +4620,21 @@ const wfMeasureRow wfMeasureTable[] = {
     { "queries-work", "shapes looked at per question, by broad phase", measure_queries_work },
     { "queries-time", "time of a question, in percent of a scan's", measure_queries_time },
     /* <rows of the measurement table> */
+    { "world-reuse-time", "ms for a step of a heap at rest, manifolds fresh and used again",
+      measure_world_reuse },
+    /* <rows of the measurement table> */
     { "world-bounce", "relative error of the apex after one bounce, e = 1, by step",
       measure_world_bounce },
     /* <rows of the measurement table> */
     { "world-layout", "where each array lies in a world of three bodies and one force",
       measure_world_layout },
+    /* <rows of the measurement table> */
+    { "fast-tunnel", "bullets that get through a sheet, by speed", measure_fast_tunnel },
+    { "fast-ghost", "how a bullet is deflected by a corner that it passes",
+      measure_fast_ghost },
+    { "fast-stop", "the way of a ball between two walls, waiting and going on",
+      measure_fast_stop },
+    { "fast-cost", "what a step costs with and without fast bodies", measure_fast_cost },
     /* <rows of the measurement table> */
     { "sleep-time", "ms of a step with all awake, all asleep, and one awake",
       measure_sleep_time },

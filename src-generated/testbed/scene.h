@@ -18,7 +18,7 @@ typedef struct wfSceneInput {
 enum {
     WF_SHOW_CONTACTS = 1, WF_SHOW_NORMALS = 2, WF_SHOW_PAIRS = 4, WF_SHOW_BOUNDS = 8,
     WF_SHOW_TREE = 16, WF_SHOW_VELOCITIES = 32, WF_SHOW_NUMBERS = 64,
-    WF_SHOW_TOUCHING = 128, WF_SHOW_JOINTS = 256
+    WF_SHOW_TOUCHING = 128, WF_SHOW_JOINTS = 256, WF_SHOW_ISLANDS = 512
 };
 
 /* Name the fields when you fill one in: later chapters may add some; 0 or NULL is none. */

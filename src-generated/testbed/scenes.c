@@ -7,6 +7,9 @@
 #include "weft/integrate.h"
 /* <headers of the scenes> */
 #include "weft/joint.h"
+/* <headers of the scenes> */
+#include <math.h>
+#include "testbed/classics.h"
 
 /* <helpers of the scenes> */
 typedef struct Maker { wfWorld *world; wfResult result; } Maker;
@@ -1641,12 +1644,13 @@ static void finely(wfWorldDef *def)
 {
     jointly(def);
     def->substeps = 16;
+    def->exactJoints = WF_JOINTS_ONE_BY_ONE;
 }
 /* <scenes> */
 static void exactly(wfWorldDef *def)
 {
-    finely(def);
-    def->exactJoints = 1;
+    jointly(def);
+    def->exactJoints = WF_JOINTS_TOGETHER;
 }
 /* <scenes> */
 static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -1665,6 +1669,470 @@ static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput
     wfVec2 load = v.state[LINKS + 1].p;
     wfDrawTextf(d, (float)load.x, (float)load.y - 1.6f, 14, WF_INK_TEXT, 0,
                 "off by %.3f m", (double)(wfLength(load) - length));
+}
+/* <scenes> */
+static void sleeping(wfWorldDef *def) { def->sleep = 1; }
+
+static wfResult build_islands(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 9, WF_R(0.5), 0);
+    put_wall(&m, -7, 5, 1, WF_R(0.1), 0);
+    for (int i = 0; i < 20; i++) {
+        wfReal x = WF_R(2.2) * (wfReal)(i / 4) - 4;
+        wfBodyDef b = box(&m, x, WF_R(0.4) + WF_R(0.8) * (wfReal)(i % 4), WF_R(0.4),
+                          WF_R(0.4));
+        put(&m, &b);
+    }
+    wfBodyDef b = ball(&m, WF_R(-6.5), WF_R(5.4), WF_R(0.3));
+    b.density = 3;
+    put(&m, &b);
+    return m.result;
+}
+
+static void kick_the_last(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    if (wfWorldSteps(world) != 420) return;
+    int32_t last = wfBodyCount(world) - 1;
+    wfVec2 at = wfWorldBodies(world).state[last].p;
+    wfApplyImpulseToBody(world, wfBodyAt(world, last), wfV2(4, 0), at);
+}
+/* <scenes> */
+static wfResult build_support(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
+    wfBodyDef plank = box(&m, 0, WF_R(3.1), 3, WF_R(0.1));
+    plank.type = WF_STATIC;
+    put(&m, &plank);
+    put_wall(&m, WF_R(-2.5), WF_R(1.5), WF_R(0.2), WF_R(1.5), 0);
+    put_wall(&m, WF_R(2.5), WF_R(1.5), WF_R(0.2), WF_R(1.5), 0);
+    for (int i = 0; i < 12; i++) {
+        wfReal x = (wfReal)(i % 3) - 1, y = WF_R(3.6) + WF_R(0.8) * (wfReal)(i / 3);
+        wfBodyDef b = box(&m, x, y, WF_R(0.45), WF_R(0.4));
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void take_the_plank(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    if (wfWorldSteps(world) == 360) wfRemoveBodyFromWorld(world, wfBodyAt(world, 1));
+}
+/* <scenes> */
+static wfResult build_card_house(wfWorld *world)
+{
+    return wfBuildCardHouse(world, 5, 0, 1);
+}
+
+static wfResult build_arch(wfWorld *world) { return wfBuildArch(world, 20, 0.12); }
+
+static wfResult build_overhang(wfWorld *world)
+{
+    return wfBuildOverhang(world, 10, WF_R(0.9));
+}
+
+static void draw_overhang(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    float end = (float)v.state[v.count - 1].p.x + 0.5f;
+    wfDrawDashed(d, 0, 0, 0, 4.2f, 1, WF_INK_FAINT);
+    wfDrawDashed(d, end, 1, end, 4.2f, 1, WF_INK_FAINT);
+    wfDrawArrow(d, 0, 1.2f, end, 1.2f, 2, WF_INK_ACCENT);
+    wfDrawTextf(d, end / 2, 1.3f, 14, WF_INK_TEXT, 0, "%.3f m", (double)end);
+}
+/* <scenes> */
+static wfResult build_heavy_pairs(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
+    wfReal mass = 1;
+    for (int i = 0; i < 3; i++, mass *= 10)
+        for (int k = 0; k < 2; k++) {
+            wfBodyDef b = box(&m, WF_R(2.5) * (wfReal)(i - 1), WF_R(0.5) + (wfReal)k,
+                              WF_R(0.5), WF_R(0.5));
+            b.mass = k ? mass : 1;
+            b.userData = k ? WF_INK_BODY2 : WF_INK_GOOD;
+            put(&m, &b);
+        }
+    return m.result;
+}
+
+static void draw_masses(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    for (int32_t i = 0; i < v.count; i++)
+        if (v.alive[i] && v.state[i].invMass > 0)
+            wfDrawTextf(d, WF_XY(v.state[i].p), 14, WF_INK_TEXT, 0, "%.0f kg",
+                        1 / (double)v.state[i].invMass);
+}
+/* <scenes> */
+static wfResult build_one_place(wfWorld *world) { return wfBuildCoincident(world, 40); }
+
+static void with_room_for_pairs(wfWorldDef *def)
+{
+    def->pairCapacity = def->contactCapacity = 2048;
+}
+/* <scenes> */
+static wfResult build_dominoes(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    for (int i = 0; i < 30; i++) {
+        wfBodyDef b = box(&m, WF_R(0.45) * (wfReal)i - 6, WF_R(0.5), WF_R(0.08),
+                          WF_R(0.5));
+        b.friction = WF_R(0.4);
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    wfBodyDef b = ball(&m, -8, WF_R(0.35), WF_R(0.35));
+    b.velocity = wfV2(3, 0);
+    b.angularVelocity = -3 / WF_R(0.35);
+    b.userData = WF_INK_BODY2;
+    put(&m, &b);
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_tumbler(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyDef drum = wfDefaultBodyDef();
+    drum.type = WF_KINEMATIC;
+    drum.position = wfV2(0, 4);
+    drum.angularVelocity = WF_R(0.63);
+    drum.userData = WF_INK_LINE;
+    wfBodyId id = put(&m, &drum);
+    for (int side = -1; side <= 1; side += 2) {
+        hang_box(&m, id, 3 * (wfReal)side, 0, WF_R(0.2), WF_R(3.2), 1);
+        hang_box(&m, id, 0, 3 * (wfReal)side, WF_R(3.2), WF_R(0.2), 1);
+    }
+    for (int i = 0; i < 120; i++) {
+        wfReal x = WF_R(0.42) * ((wfReal)(i % 12) - WF_R(5.5));
+        wfReal y = WF_R(2.2) + WF_R(0.42) * (wfReal)(i / 12);
+        wfBodyDef b = i % 3 ? box(&m, x, y, WF_R(0.17), WF_R(0.17))
+                            : ball(&m, x, y, WF_R(0.19));
+        b.userData = i % 3 == 0 ? WF_INK_BODY2 : i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+enum { GALTON_ROWS = 8, GALTON_BALLS = 80 };
+
+static void hang_pegs(Maker *m, wfBodyId board)
+{
+    wfShapeDef peg = wfDefaultShapeDef();
+    peg.friction = 0;
+    for (int row = 0; row < GALTON_ROWS; row++)
+        for (int i = 0; i <= row + 2; i++) {
+            wfVec2 at = wfV2((wfReal)i - (wfReal)(row + 2) / 2, 8);
+            at.y -= WF_R(0.8) * (wfReal)row;
+            note(m, wfMakeCircle(at, WF_R(0.25), &peg.shape));
+            hang(m, board, &peg);
+        }
+}
+
+static wfResult build_galton(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyDef def = wfDefaultBodyDef();
+    def.type = WF_STATIC;
+    wfBodyId board = put(&m, &def);
+    hang_pegs(&m, board);
+    hang_box(&m, board, 0, WF_R(-0.5), WF_R(5.6), WF_R(0.5), 1);
+    for (int i = 0; i <= GALTON_ROWS + 1; i++)
+        hang_box(&m, board, (wfReal)i - WF_R(4.5), 1, WF_R(0.05), 1, 1);
+    for (int side = -1; side <= 1; side += 2) {
+        wfReal s = (wfReal)side;
+        hang_box(&m, board, WF_R(5.3) * s, WF_R(4.4), WF_R(0.2), WF_R(5.4), 1);
+    }
+    for (int i = 0; i < GALTON_BALLS; i++) {
+        wfReal x = WF_R(0.4) * ((wfReal)(i % 20) - WF_R(9.5));
+        wfBodyDef b = ball(&m, x, WF_R(10.2) + WF_R(0.4) * (wfReal)(i / 20), WF_R(0.16));
+        b.type = WF_STATIC;
+        b.friction = 0;
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_BODY2;
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+static void release_a_ball(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    int64_t step = (int64_t)(wfWorldTime(world) * 60 + 0.5);
+    if (step % 12 != 0 || step / 12 >= GALTON_BALLS) return;
+    int32_t i = (int32_t)(step / 12);
+    wfBodyId id = wfBodyAt(world, i + 1);
+    wfReal x = WF_R(0.001) * (wfReal)(i * 7919 % 101 - 50);
+    if (wfChangeBodyType(world, id, WF_DYNAMIC) == WF_OK)
+        wfSetBodyTransform(world, id, wfV2(x, WF_R(9.2)), 0);
+}
+
+static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    int arrived = 0;
+    for (int32_t i = 0; i < v.count; i++)
+        arrived += v.alive[i] && v.state[i].invMass > 0 && v.state[i].p.y < 2;
+    float ways = 1, last = 0;
+    for (int k = 0; k <= GALTON_ROWS; k++) {
+        /* a bin is 1 m wide; three balls side by side in it make a layer of 0.29 m */
+        float high = (float)arrived * ways / 256 / 3 * 0.29f, x = (float)k - 4.5f;
+        wfDrawLine(d, x, last, x, high, 1.5f, WF_INK_ACCENT);
+        wfDrawLine(d, x, high, x + 1, high, 1.5f, WF_INK_ACCENT);
+        last = high;
+        ways = ways * (float)(GALTON_ROWS - k) / (float)(k + 1);
+    }
+    wfDrawLine(d, 4.5f, last, 4.5f, 0, 1.5f, WF_INK_ACCENT);
+}
+/* <scenes> */
+static wfResult build_hung_cradle(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    for (int i = 0; i < 5; i++) {
+        wfReal x = (wfReal)(i - 2);
+        wfBodyId nail = put_nail(&m, x, 5);
+        wfBodyDef b = ball(&m, x, 2, WF_R(0.5));
+        wfRot q = wfRotation(WF_R(-0.85));
+        if (i == 0) b.position = wfV2(x + 3 * q.s, 5 - 3 * q.c);
+        b.restitution = 1;
+        b.friction = 0;
+        b.userData = i == 0 ? WF_INK_ACCENT : WF_INK_BODY;
+        wfBodyId id = put(&m, &b);
+        wfJoint rod = joint_from(&m, "distance", nail, id, wfV2(x, 5), b.position);
+        join(&m, &rod);
+    }
+    return m.result;
+}
+/* <scenes> */
+static const wfReal rampFriction[4][3] = { { WF_R(0.7), 0, 0 }, /* mu, mu_s, a push */
+    { WF_R(0.4), WF_R(0.6), 0 }, { WF_R(0.4), WF_R(0.6), 1 }, { WF_R(0.3), WF_R(0.4), 0 } };
+
+static wfResult build_ramp(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    wfRot q = wfRotation(WF_R(-0.4636476));                 /* arctan 1/2 */
+    wfBodyDef slope = box(&m, 0, WF_R(3.2), 8, WF_R(0.2));
+    slope.type = WF_STATIC;
+    slope.angle = WF_R(-0.4636476);
+    slope.friction = 1;
+    put(&m, &slope);
+    for (int i = 0; i < 4; i++) {
+        wfReal along = WF_R(2.2) * (wfReal)i - WF_R(6.2);
+        wfBodyDef b = wfDefaultBodyDef();
+        wfShapeDef s = wfDefaultShapeDef();
+        wfVec2 off = wfV2(along * q.c - WF_R(0.5) * q.s, along * q.s + WF_R(0.5) * q.c);
+        b.mass = 1;
+        b.position = wfAdd(slope.position, off);
+        b.angle = slope.angle;
+        b.velocity = wfV2(rampFriction[i][2] * q.c, rampFriction[i][2] * q.s);
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        wfBodyId id = put(&m, &b);
+        note(&m, wfMakeBox(WF_R(0.5), WF_R(0.3), &s.shape));
+        /* the ramp has 1: the geometric mean is the root of the box's own */
+        s.friction = rampFriction[i][0] * rampFriction[i][0];
+        s.staticFriction = rampFriction[i][1] * rampFriction[i][1];
+        hang(&m, id, &s);
+    }
+    return m.result;
+}
+/* <scenes> */
+static void draw_ramp(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    for (int i = 0; i < 4 && i + 2 < v.count; i++) {
+        const wfReal *mu = rampFriction[i];
+        double held = (double)wfMaxR(mu[0], mu[1]);
+        wfVec2 at = v.state[i + 2].p;
+        wfDrawTextf(d, (float)at.x, (float)at.y + 0.6f, 13, WF_INK_TEXT, 0, "%.1f / %.1f",
+                    held, (double)mu[0]);
+    }
+}
+/* <scenes> */
+enum { RACERS = 4 };
+static const wfReal raceSlope = WF_R(-0.2), raceDrop = WF_R(2.6);
+
+static wfVec2 race_start(int lane)
+{
+    return wfV2(-7, WF_R(1.6) + raceDrop * (wfReal)(RACERS - lane));
+}
+
+/* Hangs what makes a racer: 0 box, 1 heavy middle, 2 plain disc, 3 heavy rim. */
+static void hang_racer(Maker *m, wfBodyId id, int lane)
+{
+    wfShapeDef s = wfDefaultShapeDef();
+    s.friction = lane == 0 ? 0 : 1;
+    if (lane == 0) note(m, wfMakeBox(WF_R(0.4), WF_R(0.4), &s.shape));
+    else note(m, wfMakeCircle(wfV2(0, 0), WF_R(0.4), &s.shape));
+    s.density = lane == 2 || lane == 0 ? 1 : WF_R(0.1);
+    hang(m, id, &s);
+    for (int i = 0; i < 8 && lane == 3; i++) {
+        wfRot q = wfRotation(wfWrapAngle(2 * WF_PI * (wfReal)i / 8));
+        wfVec2 at = wfV2(WF_R(0.34) * q.c, WF_R(0.34) * q.s);
+        note(m, wfMakeCircle(at, WF_R(0.05), &s.shape));
+        s.density = 100;
+        hang(m, id, &s);
+    }
+    if (lane != 1) return;
+    note(m, wfMakeCircle(wfV2(0, 0), WF_R(0.12), &s.shape));
+    s.density = 20;
+    hang(m, id, &s);
+}
+/* <scenes> */
+static wfResult build_race(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfRot q = wfRotation(raceSlope);
+    put_wall(&m, WF_R(8.5), 7, WF_R(0.5), 7, 0);
+    for (int lane = 0; lane < RACERS; lane++) {
+        wfVec2 at = race_start(lane);
+        wfVec2 under = wfV2(8 * q.c + WF_R(0.5) * q.s, 8 * q.s - WF_R(0.5) * q.c);
+        wfVec2 middle = wfAdd(at, under);
+        wfBodyDef slope = box(&m, middle.x, middle.y, WF_R(8.4), WF_R(0.1)), racer;
+        slope.type = WF_STATIC;
+        slope.angle = raceSlope;
+        slope.friction = lane == 0 ? 0 : 1;
+        put(&m, &slope);
+        racer = wfDefaultBodyDef();
+        racer.mass = lane == 1 || lane == 3 ? 0 : 1;
+        racer.type = WF_STATIC;         /* until it has a shape that weighs something */
+        racer.position = at;
+        racer.angle = raceSlope;
+        racer.userData = lane % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        wfBodyId id = put(&m, &racer);
+        hang_racer(&m, id, lane);
+        if (m.result == WF_OK) note(&m, wfChangeBodyType(world, id, WF_DYNAMIC));
+    }
+    return m.result;
+}
+/* <scenes> */
+static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    wfRot q = wfRotation(raceSlope);
+    wfReal t = (wfReal)wfWorldTime(world);
+    for (int lane = 0; lane < RACERS && 2 * lane + 2 < v.count; lane++) {
+        const wfBodyState *s = &v.state[2 * lane + 2];
+        wfReal k = lane == 0 ? 0 : s->invMass / (s->invInertia * WF_R(0.16));
+        wfReal way = wfMinR(WF_R(9.81) * -q.s / (1 + k) * t * t / 2, WF_R(14.9));
+        wfVec2 at = wfAdd(race_start(lane), wfV2(way * q.c, way * q.s));
+        wfDrawDashed(d, (float)at.x, (float)at.y - 0.6f, (float)at.x, (float)at.y + 0.9f,
+                     1.5f, WF_INK_ACCENT);
+        wfDrawTextf(d, -7.6f, (float)race_start(lane).y + 0.6f, 13, WF_INK_TEXT, -1,
+                    "I = %.2f m r^2", (double)k);
+    }
+}
+/* <scenes> */
+enum { TRIAL_BOXES = 8, TRIAL_STEPS = 360 };
+static const wfReal trialSlope = WF_R(-0.4434);             /* arctan(0.95 / 2) */
+
+static wfResult build_trial(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.2), WF_R(2.3), WF_R(0.2), 0);
+    wfBodyDef slope = box(&m, WF_R(0.3), WF_R(0.75), WF_R(0.9), WF_R(0.1));
+    slope.type = WF_STATIC;
+    slope.angle = trialSlope;
+    put(&m, &slope);
+    wfRot q = wfRotation(trialSlope);
+    wfBodyDef sledge = box(&m, 0, 0, WF_R(0.25), WF_R(0.15));
+    sledge.angle = trialSlope;
+    sledge.position = wfAdd(slope.position, wfV2(WF_R(-0.4) * q.c - WF_R(0.25) * q.s,
+                                                 WF_R(-0.4) * q.s + WF_R(0.25) * q.c));
+    put(&m, &sledge);
+    wfBodyDef b = ball(&m, WF_R(1.8), WF_R(2.2), WF_R(0.2));
+    b.restitution = 1;
+    put(&m, &b);
+    for (int i = 0; i < TRIAL_BOXES; i++) {
+        b = box(&m, WF_R(-1.5), WF_R(0.2) + WF_R(0.4) * (wfReal)i, WF_R(0.2), WF_R(0.2));
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+/* A little world after so many steps of one solver; its error if it has come to grief. */
+static wfResult run_trial(int solver, int passes, int steps, wfWorld *out)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.solver = solver;
+    def.iterations = passes;
+    def.bodyCapacity = 16;
+    wfResult result = wfCreateWorld(&def, out);
+    if (result != WF_OK) return result;
+    result = build_trial(out);
+    while (result == WF_OK && steps-- > 0) result = wfStepWorld(out);
+    return result;
+}
+
+static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
+{
+    static const uint8_t ink[3] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD };
+    wfBodyView v = wfWorldBodies(world);
+    wfShapeView s = wfWorldShapes(world);
+    for (int32_t k = 0; k < s.count; k++) {
+        int32_t i = s.owners[k];
+        if (i < 0) continue;
+        wfTransform xf = wfBodyTransform(&v.state[i]);
+        if (xf.p.y < -1) continue;                          /* has fallen off */
+        xf.p = wfAdd(xf.p, at);
+        int fill = v.state[i].invMass > 0 ? ink[i == 2 ? 1 : i % 2 * 2] : WF_INK_PAPER;
+        wfDrawShape(d, &s.shapes[k], xf, WF_INK_LINE, fill);
+    }
+}
+/* <scenes> */
+static void write_length(wfDraw *d, float x, float y, double length)
+{
+    if (fabs(length) > 1) wfDrawText(d, x, y, 12, WF_INK_BAD, 0, "gone");
+    else wfDrawTextf(d, x, y, 12, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
+}
+
+static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
+{
+    wfBodyView v = wfWorldBodies(world);
+    float x = (float)at.x, y = (float)at.y;
+    wfBodyState sledge = v.state[2], ball = v.state[3], top = v.state[v.count - 1];
+    wfRot q = wfRotation(trialSlope);
+    double sunk = 0.4 * TRIAL_BOXES - 0.2 - (double)top.p.y, v2 = (double)ball.v.y;
+    double crept = ((double)sledge.p.x - 0.3 + 0.4 * (double)q.c + 0.25 * (double)q.s)
+                   / (double)q.c;
+    double energy = (v2 * v2 / 2 + 9.81 * ((double)ball.p.y - 0.2)) / (9.81 * 2);
+    wfDrawDashed(d, x - 1.9f, y + 0.4f * TRIAL_BOXES, x - 1.1f, y + 0.4f * TRIAL_BOXES, 1,
+                 WF_INK_BAD);
+    wfDrawDashed(d, x + 1.4f, y + 2.4f, x + 2.2f, y + 2.4f, 1, WF_INK_BAD);
+    wfVec2 foot = wfV2(WF_R(-0.15) * q.c - WF_R(0.1) * q.s + WF_R(0.3) + at.x,
+                       WF_R(-0.15) * q.s + WF_R(0.1) * q.c + WF_R(0.75) + at.y);
+    wfVec2 head = wfAdd(foot, wfV2(WF_R(-0.5) * q.s, WF_R(0.5) * q.c));
+    wfDrawDashed(d, WF_XY(foot), WF_XY(head), 1, WF_INK_BAD);
+    wfDrawText(d, x + 0.3f, y + 3.5f, 13, WF_INK_ACCENT, 0, name);
+    write_length(d, x - 1.5f, y - 0.7f, sunk);
+    write_length(d, x + 0.2f, y - 0.7f, crept);
+    wfDrawTextf(d, x + 1.8f, y - 0.7f, 12, WF_INK_TEXT, 0, "%.1f %%", 100 * energy);
+}
+/* <scenes> */
+static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    int steps = (int)(wfWorldSteps(world) % TRIAL_STEPS);
+    int passes = 1 << (in->choice + 3) % 5;
+    for (int row = 0; row < wfSolverCount && row < 9; row++) {
+        wfVec2 at = wfV2(5 * (wfReal)(row % 3), WF_R(-5.4) * (wfReal)(row / 3));
+        wfWorld trial = { .memory = { .owned = 0 } };
+        wfResult result = run_trial(row, passes, steps, &trial);
+        if (result == WF_OK) {
+            draw_bodies_at(&trial, d, at);
+            draw_marks(&trial, d, at, wfSolverTable[row].name);
+        }
+        wfDestroyWorld(&trial);
+    }
+    wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1, "passes: %d", passes);
 }
 
 const wfScene wfSceneTable[] = {
@@ -1902,5 +2370,74 @@ const wfScene wfSceneTable[] = {
       .define = exactly, .build = build_heavy_chain, .draw = draw_heavy_chain,
       .viewX = 0, .viewY = -6, .viewHeight = 17, .show = WF_SHOW_JOINTS,
       .energyBound = 10, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Sleep", .name = "islands", .chapter = 25,
+      .text = "Stacks fall asleep. After 7 s a ball is kicked from its shelf: whom does it wake?",
+      .define = sleeping, .build = build_islands, .update = kick_the_last,
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 9, .show = WF_SHOW_ISLANDS,
+      .energyBound = -1, .depthBound = WF_R(0.2) },
+    { .category = "Sleep", .name = "support removed", .chapter = 25,
+      .text = "All sleep; after 6 s the plank under them is gone. Nobody may hang in the air.",
+      .define = sleeping, .build = build_support, .update = take_the_plank,
+      .viewX = 0, .viewY = 3, .viewHeight = 9, .show = WF_SHOW_ISLANDS,
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "card house", .chapter = 30,
+      .text = "Five storeys of cards lean on each other. Take one out.",
+      .build = build_card_house, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = WF_R(6.2),
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
+    { .category = "Classics", .name = "arch", .chapter = 30,
+      .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
+      .build = build_arch, .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 7,
+      .show = WF_SHOW_CONTACTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
+    { .category = "Classics", .name = "overhang", .chapter = 30,
+      .text = "Ten blocks hang over the edge by 90 % of what is possible.",
+      .build = build_overhang, .draw = draw_overhang, .viewX = 0, .viewY = 2,
+      .viewHeight = 5, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "heavy on light", .chapter = 17,
+      .text = "One box on another, equal, ten times and a hundred times as heavy.",
+      .build = build_heavy_pairs, .draw = draw_masses, .viewX = 0, .viewY = WF_R(1.4),
+      .viewHeight = 5, .energyBound = WF_R(0.5), .depthBound = WF_R(0.03) },
+    { .category = "Classics", .name = "one place", .chapter = 17,
+      .text = "Forty boxes are born in the same place, and have to come apart.",
+      .define = with_room_for_pairs, .build = build_one_place,
+      .viewX = 0, .viewY = WF_R(3.6), .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "dominoes", .chapter = 30,
+      .text = "A wave runs through thirty stones with a speed of its own.",
+      .build = build_dominoes, .viewX = 0, .viewY = WF_R(2.2), .viewHeight = WF_R(9.5),
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "tumbler", .chapter = 20,
+      .text = "A drum turns and never lets its heap come to rest.",
+      .build = build_tumbler, .viewX = 0, .viewY = 4, .viewHeight = 10,
+      .energyBound = -1, .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "Galton board", .chapter = 30,
+      .text = "Left or right at each peg: the line is the binomial distribution.",
+      .define = softly, .build = build_galton, .update = release_a_ball, .draw = draw_galton,
+      .viewX = 0, .viewY = WF_R(5.6), .viewHeight = WF_R(13.6),
+      .energyBound = -1, .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "hung cradle", .chapter = 18,
+      .text = "Five touching balls on rods. One comes in, and one goes out.",
+      .build = build_hung_cradle, .viewX = 0, .viewY = WF_R(3.4), .viewHeight = 6,
+      .show = WF_SHOW_JOINTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.08) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "ramp", .chapter = 15,
+      .text = "Static over dynamic friction, on a slope of 1/2: who holds, who slides?",
+      .build = build_ramp, .draw = draw_ramp, .viewX = 0, .viewY = WF_R(3.4), .viewHeight = 10,
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "rolling race", .chapter = 15,
+      .text = "Ice, a heavy middle, a plain disc, a heavy rim: the dashed lines are exact.",
+      .build = build_race, .draw = draw_race, .viewX = 0, .viewY = WF_R(6.6), .viewHeight = 14,
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "solvers", .chapter = 17,
+      .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
+      .build = build_nothing, .draw = draw_solvers,
+      .viewX = 5, .viewY = -3, .viewHeight = 16, .energyBound = 0, .depthBound = -1 },
 };
 const int wfSceneCount = (int)(sizeof wfSceneTable / sizeof *wfSceneTable);

@@ -250,6 +250,7 @@ const wfOverlay wfOverlayTable[] = {
     { "touching", "red when in contact, else white", WF_SHOW_TOUCHING, '8', NULL },
     { "joints", "anchors, ropes, springs, stops; red: broken", WF_SHOW_JOINTS, '9',
       draw_joints },
+    { "islands", "who hangs together; faint: asleep", WF_SHOW_ISLANDS, '0', NULL },
 };
 const int wfOverlayCount = (int)(sizeof wfOverlayTable / sizeof *wfOverlayTable);
 /* <draw a world> */
@@ -261,6 +262,18 @@ static bool is_touching(const wfWorld *world, int32_t body)
         if ((contact[i].a == body || contact[i].b == body) && contact[i].manifold.count > 0)
             return true;
     return false;
+}
+/* <draw a world> */
+static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, int *line,
+                          int *fill)
+{
+    static const uint8_t ink[] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD, WF_INK_ACCENT,
+                                   WF_INK_BAD };
+    wfBodyId id = wfBodyAt(world, i);
+    int32_t island = wfBodyIsland(world, id);
+    if (v->props[i].type == WF_STATIC) return;
+    *line = island < 0 ? WF_INK_LINE : ink[island % 5];
+    *fill = wfIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 /* <draw a world> */
 static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint32_t show,
@@ -277,6 +290,7 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint
         line = red ? WF_INK_BAD : WF_INK_LINE;
         fill = red ? WF_INK_BAD : WF_INK_PAPER;
     }
+    if (show & WF_SHOW_ISLANDS) colour_island(world, v, i, &line, &fill);
     if (v->props[i].shape < 0) wfDrawShape(d, &particle, xf, line, fill);
     wfShapeView s = wfWorldShapes(world);
     for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k])

@@ -9,6 +9,7 @@
 #define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
 #define WF_EXACT_ROUNDING (2 * WF_EPSILON)  /* gaps that are done, as a share of arms */
+#define WF_EXACT_TAUT WF_R(0.03)    /* share by which I' may differ in the first round */
 #define WF_EXACT_LOST WF_R(1e-3)    /* gaps beyond it: the substep was not solved */
 /* Bytes of scratch that wfExactJoints takes. */
 size_t wfExactScratch(int32_t bodies, int32_t joints);

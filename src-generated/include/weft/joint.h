@@ -12,7 +12,7 @@
 /* <limits of joints> */
 #define WF_JOINT_PERIOD 4       /* substeps, > 0: good values of eq:joints-period ... */
 #define WF_JOINT_DAMPING 2      /* ... for chains and machines */
-#define WF_JOINT_GIVE WF_R(1e-5)    /* >= 0: how much joints give that are solved together */
+#define WF_JOINT_GIVE WF_R(1e-5)    /* >= 0: how joints give that are solved together */
 /* A row whose pivot is a smaller share of its own K says nothing new. */
 #define WF_JOINT_SINGULAR (32 * WF_EPSILON)
 /* <a row of a joint> */
@@ -48,7 +48,7 @@ typedef struct wfJoint {
     wfReal ratio;               /* of a pulley or gear; rad: a tooth of a ratchet, > 0 */
     wfReal lower, upper;        /* LIMITS of the coordinate */
     wfReal stiffness, damping;  /* SPRING: N/m, N s/m, or N m/rad, N m s/rad; >= 0 */
-    wfReal springForce;         /* SPRING: greatest force or torque, N or N m; 0: no bound */
+    wfReal springForce;         /* SPRING: greatest force, N or N m; 0: no bound */
     wfReal motorSpeed;          /* MOTOR: m/s or rad/s */
     wfReal motorForce;          /* MOTOR: greatest force or torque, N or N m, >= 0 */
     wfReal breakForce, breakTorque;     /* N, N m: beyond these it breaks; 0: never */
@@ -126,9 +126,11 @@ typedef struct wfJointStep {
     int32_t substeps;           /* >= 1: in so many parts */
     int32_t passes;             /* >= 1: over the joints in each */
     wfReal period, damping;     /* P and zeta of eq:joints-period; P = 0: rigid */
+    wfReal give;                /* >= 0: WF_JOINT_GIVE for chapter 19; 0: rigid */
     wfPool *scratch;            /* room for wfJointStepScratch bytes; given back */
     /* Called once before the step: chapter 19's wfExactJoints. NULL: joint by joint. */
     wfResult (*prepare)(wfJointSet *set, const wfSolve *in, wfPool *scratch);
+    int32_t *unsolved;          /* out: substeps that chapter 19 could not solve; or NULL */
 } wfJointStep;
 /* <declarations of joints> */
 /* WF_ERROR_NULL, _UNKNOWN (kind), _NOT_FINITE, _RANGE (a body with itself, a negative
@@ -167,8 +169,8 @@ wfJoint wfRope(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *s
                wfVec2 anchorA, wfVec2 anchorB, wfReal length);
 wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
                 wfVec2 anchor, wfVec2 axis);
-/* Sets the ratio of a gear, rack, linkage or pulley (its wheels must have been set), and the
-   rest to what it is as the bodies are. */
+/* Sets the ratio of a gear, rack, linkage or pulley (its wheels must have been set), and
+   the rest to what it is as the bodies are. */
 void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal ratio);
 /* Stiffness (N/m) and damping (N s/m) that make the joint's SPRING swing at `frequency`
    (Hz) with the damping ratio `ratio` (1: no swing), for the effective mass `mass` (kg, or

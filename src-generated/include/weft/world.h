@@ -59,6 +59,7 @@ typedef struct wfWorldDef {
     int32_t jointCapacity;     /* joints at most, >= 0 */
     int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
     wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
+    wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
     /* <how much a world has room for> */
     int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
     int32_t integrator;        /* rows of the tables of chapters 10, 11, 12, 14 */
@@ -67,11 +68,17 @@ typedef struct wfWorldDef {
     int32_t solver;
     int32_t iterations;        /* passes of the contact solver, >= 1 */
     int32_t substeps;          /* of solvers that step by themselves, >= 1 */
+    int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
     wfReal  hitSteps;          /* faster ones than so many are hits, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
-    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of the table of chapter 15 */
+    wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
+    wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
+    wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
+                                * make a body, >= 0; 0 or no gravity: no limit */
+    int32_t columns;           /* 1: towers are solved at once, 0: by passes */
+    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
     int32_t events;            /* 1: events are listed */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
@@ -181,7 +188,7 @@ enum {
     WF_REGION_JOINT_WORK, WF_REGION_EXACT, WF_REGION_NEW_ALONE,
     /* <regions of the transient chunk> */
     WF_REGION_FLIGHTS, WF_REGION_FLIGHT_OF, WF_REGION_STRIKES, WF_REGION_SPARED,
-    WF_REGION_NEAR,
+    WF_REGION_NEAR, WF_REGION_FRESH,
     /* <regions of the transient chunk> */
     WF_REGION_WOKEN, WF_REGION_NEW_CLOCKS, WF_REGION_NEW_ISLANDS,
     WF_REGION_SCRATCH,
@@ -341,7 +348,8 @@ typedef struct wfHit {
 enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STAY,
        WF_SENSE_END, WF_EVENT_KINDS };
 /* <declarations of events> */
-/* What happened in the last step that succeeded. Arrays of the world's own, each sorted by
+/* What happened in the last step that succeeded. (A touch of two that sleep is not told as
+ * going on; a sensor's is.) Arrays of the world's own, each sorted by
  * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
  * step, whatever is added or removed meanwhile. A call that does not step changes nothing
  * in them. */
@@ -407,7 +415,8 @@ extern const int wfStageCount;
  * centre of mass. */
 wfBodyView wfWorldBodies(const wfWorld *world);
 /* Pairs of shapes of the broad phase and contacts of the narrow phase of the last step, as
- * far as they are still true. */
+ * far as they are still true; first those of bodies that sleep (chapter 25), then those of
+ * all others, each part sorted by the indices of the shapes. */
 const wfPair *wfWorldPairs(const wfWorld *world, int32_t *count);
 const wfContact *wfWorldContacts(const wfWorld *world, int32_t *count);
 /* Boxes around the shapes as they stand: what a broad phase reads, to build and draw its
