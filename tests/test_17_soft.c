@@ -4,7 +4,7 @@
 #include "weft/narrow.h"
 #include "weft/resolve.h"
 
-static _Alignas(16) uint8_t memory[1 << 16];
+static _Alignas(16) uint8_t memory[1 << 18];
 static const double PI = 3.14159265358979323846;
 
 static wfBodyState body(double x, double y, double vx, double vy, double w, double mass, double inertia)
@@ -24,14 +24,15 @@ static wfResult soft(const wfSolve *in) { return wfSolveStep(wfFindSolver("soft"
 
 /* ------------------------------------------------------------------------------ a small world */
 
-enum { THINGS = 24, TOUCHES = 64 };
+enum { THINGS = 64, TOUCHES = 512 };
+static int atOnce;      /* are towers solved at once? Tests marked so run both ways */
 typedef struct Bench {
     wfShape shape[THINGS];
     wfBodyState s[THINGS];
     wfBodyForces f[THINGS];
     wfContact c[TOUCHES], old[TOUCHES];
-    int n, contacts, substeps, passes;
-    wfReal h, e, mu, rolling, belt, resting;
+    int n, contacts, substeps, passes, columns;
+    wfReal h, e, mu, rolling, belt, resting, recovery;
     wfVec2 g;
     bool backwards;
 } Bench;
@@ -42,6 +43,7 @@ static void start(Bench *b, int substeps)
     b->h = WF_R(1.0) / 60;
     b->substeps = substeps;
     b->passes = 1;
+    b->columns = atOnce;
     b->mu = WF_R(0.5);
     b->g = wfV2(0, WF_R(-9.81));
     assert_ok(wfMakeBox(200, 1, &b->shape[0]));
@@ -101,6 +103,8 @@ static void steps(Bench *b, int n)
         in.substeps = b->substeps;
         in.iterations = b->passes;
         in.restingSpeed = b->resting;
+        in.columns = b->columns;
+        in.recoverySpeed = b->recovery;
         in.forces = b->f;
         assert_ok(soft(&in));
         assert_true(pool.used == 0);
@@ -163,7 +167,7 @@ static void one_substep_is_implicit_euler(void **unused)
     static const double speed[] = { 0, -0.5, 0.1 };
     for (int k = 0; k < 3; k++) {
         double mass = 3, dt = 0.01, g = -0.1, u = speed[k], K = 1 / mass;
-        double omega = 2 * PI / 4 / dt, stiff = omega * omega / K, damp = 2 * 10 * omega / K;
+        double omega = 2 * PI / WF_CONTACT_PERIOD / dt, stiff = omega * omega / K, damp = 2 * WF_CONTACT_DAMPING * omega / K;
         /* lambda = -dt (stiff (g + dt u') + damp u'), u' = u + K lambda, solved for u' */
         double after = (u - K * dt * stiff * g) / (1 + K * dt * (stiff * dt + damp));
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 1, 0, u, 0, mass, 1) };
@@ -186,7 +190,7 @@ static void rest_is_where_hooke_says(void **unused)
         start(&b, n);
         int d = disc(&b, 0, 0.5);
         steps(&b, 600);
-        double delta = 4 / (60.0 * n * 2 * PI), sunk = 9.81 * delta * delta;      /* eq:soft-squash, K F = g */
+        double delta = WF_CONTACT_PERIOD / (60.0 * n * 2 * PI), sunk = 9.81 * delta * delta;      /* eq:soft-squash, K F = g */
         assert_near(0.5 - (double)b.s[d].p.y, sunk, 0.02 * sunk + 4e-7);
         assert_near(b.s[d].v.y, 0, 1e-6);
         assert_near(b.c[0].manifold.points[0].normalImpulse, 9.81 / 60, 2e-5);    /* the weight, for any n */
@@ -204,7 +208,7 @@ static void stacks_sink_as_predicted(void **unused)
         start(&b, n);
         for (int i = 0; i < 10; i++) box(&b, 0, i + 0.5, 1, 1);
         steps(&b, 600);
-        double delta = 4 / (60.0 * n * 2 * PI), sunk = 9.81 / 2 * (2.5 * 10 + 5 * 45) * delta * delta;    /* eq:soft-stack */
+        double delta = WF_CONTACT_PERIOD / (60.0 * n * 2 * PI), sunk = 9.81 / 2 * (2.5 * 10 + 5 * 45) * delta * delta;    /* eq:soft-stack */
         assert_near(9.5 - (double)b.s[10].p.y, sunk, 0.02 * sunk + 2e-5);
         assert_near(b.s[10].v.y, 0, 2e-3);
         assert_near(b.s[10].p.x, 0, 0.02);
@@ -626,19 +630,184 @@ static void too_little_room_changes_nothing(void **unused)
     assert_ok(soft(&none));
 }
 
+/* ------------------------------------------------------------------------------ towers */
+
+static void tower(Bench *b, int boxes, uint32_t seed)
+{
+    wfRandom r = random_stream(seed);
+    start(b, 4);
+    b->columns = 1;
+    for (int i = 0; i < boxes; i++) box(b, (double)wfRandomReal(&r, WF_R(-0.01), WF_R(0.01)), i + 0.5, 1, 1);
+}
+
+static double fastest_of(const Bench *b)
+{
+    double v = 0;
+    for (int i = 1; i < b->n; i++) v = fmax(v, (double)wfLength(b->s[i].v) + fabs((double)b->s[i].w));
+    return v;
+}
+
+static wfReal press(const wfContact *c) { return c->manifold.points[0].normalImpulse + (c->manifold.count > 1 ? c->manifold.points[1].normalImpulse : 0); }
+
+/* Three times as high as passes hold (eq:soft-tower: 17). The places are multiples of 4e-6 m in float at a height of 60 m, and
+ * each contact has two of them: 0.2 mm at most for the sum of 60, and a hundredth of that is what we see. */
+static void towers_stand(void **unused)
+{
+    (void)unused;
+    for (uint32_t seed = 1; seed <= 3; seed++) {
+        static Bench b;
+        tower(&b, 60, seed);
+        double x = (double)b.s[60].p.x;
+        steps(&b, 240);
+        assert_near(b.s[60].p.y, 59.5, 2e-4);
+        assert_near(b.s[60].p.x, x, 1e-3);
+        assert_true(fastest_of(&b) < 1e-3);
+        for (int i = 0; i < b.contacts; i++) assert_near(press(&b.c[i]) * 60 / WF_R(9.81), 60 - i, 60 * 1e-3);
+    }
+    static Bench b;
+    tower(&b, 60, 1);
+    b.columns = 0;
+    steps(&b, 240);
+    assert_true(fabs((double)b.s[60].p.y - 59.5) > 0.1);                          /* and passes: squashed at least */
+}
+
+static void heavy_on_light(void **unused)
+{
+    (void)unused;
+    for (double ratio = 10; ratio < 2e6; ratio *= 10) {
+        Bench b;
+        start(&b, 4);
+        b.columns = 1;
+        box(&b, 0, 0.5, 1, 1);
+        int k = box(&b, 0, 1.5, 1, 1);
+        b.s[k].invMass = (wfReal)(1 / ratio);
+        b.s[k].invInertia = (wfReal)(6 / ratio);
+        double low = 1.5;
+        for (int i = 0; i < 300; i++) steps(&b, 1), low = fmin(low, (double)b.s[k].p.y);
+        assert_near(low, 1.5, 1e-3);                                              /* the aim was 1e-2, at a ratio of 1e3 */
+        assert_near(b.s[k].p.x, 0, 1e-3);
+        assert_near(press(&b.c[0]) * 60 / WF_R(9.81) / (wfReal)(ratio + 1), 1, 1e-3);
+    }
+}
+
+/* A tree with branches: a plank with three stacks, one of them a heavy one. Every contact bears what is above it. */
+static void branches_bear_what_is_above(void **unused)
+{
+    (void)unused;
+    Bench b;
+    start(&b, 4);
+    b.columns = 1;
+    box(&b, 0, 0.5, 10, 1);
+    for (int i = 0; i < 9; i++) {
+        int k = box(&b, 3 * (i % 3) - 3, 1.5 + i / 3, 1, 1);
+        if (i % 3 == 1) b.s[k].invMass = WF_R(0.05), b.s[k].invInertia = WF_R(0.3);
+    }
+    steps(&b, 120);
+    assert_true(fastest_of(&b) < 1e-4);
+    for (int i = 0; i < b.contacts; i++) {
+        const wfContact *c = &b.c[i];
+        if (c->manifold.count < 2) continue;
+        int above = c->b < 2 ? 67 : (c->b - 2) % 3 == 1 ? 20 * (3 - (c->b - 2) / 3) : 3 - (c->b - 2) / 3;
+        assert_near(press(c) * 60 / WF_R(9.81), above, 1e-3 * 67);
+    }
+    b.mu = 0;                                                                     /* what has no friction any more does not hold */
+    b.g.x = 1;
+    steps(&b, 30);
+    for (int i = 1; i < b.n; i++) assert_near(b.s[i].v.x, 0.5, 0.02);
+}
+
+/* What is no tree goes by passes, whatever is asked for: to the bit. */
+static void bridges_are_no_trees(void **unused)
+{
+    (void)unused;
+    Bench b[2];
+    for (int k = 0; k < 2; k++) {
+        start(&b[k], 4);
+        b[k].columns = k;
+        box(&b[k], -1, 0.5, 1, 1);
+        box(&b[k], 1, 0.5, 1, 1);
+        box(&b[k], 0, 1.5, 4, 1);
+        box(&b[k], 0, 2.5, 1, 1);
+        steps(&b[k], 60);
+    }
+    assert_memory_equal(b[0].s, b[1].s, sizeof b[0].s);
+}
+
+/* Two dozen boxes born in one place: no faster than a fall from where the topmost can get (24 boxes: 24 m would be 22 m/s; the
+ * heap is a third of that), and after ten seconds nothing overlaps but by what the springs give (some mm). */
+static void many_born_in_one_place(void **unused)
+{
+    (void)unused;
+    static Bench b;
+    start(&b, 4);
+    b.resting = WF_R(0.327);
+    b.recovery = WF_R(3.9);
+    for (int i = 0; i < 24; i++) box(&b, 0, 2, 1, 1);
+    double worst = 0, deep = 0;
+    for (int i = 0; i < 600; i++) {
+        steps(&b, 1);
+        for (int k = 1; k < b.n; k++) worst = fmax(worst, (double)wfLength(b.s[k].v));
+    }
+    for (int i = 0; i < b.contacts; i++)
+        for (int k = 0; k < b.c[i].manifold.count; k++) deep = fmax(deep, (double)b.c[i].manifold.points[k].depth);
+    assert_true(worst < 12);
+    assert_true(deep < 0.01);
+    assert_true(fastest_of(&b) < 0.1);
+}
+
+static void settings_of_the_spring(void **unused)
+{
+    (void)unused;
+    for (int k = 1; k <= 2; k++) {                                                /* eq:soft-squash with another period */
+        wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5, 0, 0, 0, 1, 0.2) };
+        wfContact c = under(s, 0);
+        wfBodyForces f[2] = { { wfV2(0, 0), 0 }, { wfV2(0, -10), 0 } };
+        c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
+        for (int i = 0; i < 2000; i++) {
+            wfPool pool;
+            wfSolve in = problem(s, 2, &c, 1, &pool);
+            in.forces = f;
+            in.contactPeriod = (wfReal)(4 * k);
+            in.contactDamping = (wfReal)k;
+            c.manifold.points[0].depth = WF_R(0.5) - s[1].p.y;
+            assert_ok(soft(&in));
+        }
+        double sunk = 10 * pow(4 * k * 0.01 / 4 / 2 / PI, 2);
+        assert_near(0.5 - (double)s[1].p.y, sunk, 0.02 * sunk + 1e-6);
+    }
+}
+
+static int solve_at_once(void **unused)
+{
+    (void)unused;
+    atOnce = 1;
+    return 0;
+}
+
+static int solve_by_passes(void **unused)
+{
+    (void)unused;
+    atOnce = 0;
+    return 0;
+}
+
+#define BOTH(f) cmocka_unit_test(f), { #f " (at once)", f, solve_at_once, solve_by_passes, NULL }
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(flight_is_a_parabola), cmocka_unit_test(one_substep_is_implicit_euler),
         cmocka_unit_test(rest_is_where_hooke_says), cmocka_unit_test(stacks_sink_as_predicted),
-        cmocka_unit_test(deep_overlaps_part_without_a_leap), cmocka_unit_test(points_apart_close_and_stop),
-        cmocka_unit_test(a_box_stops_where_it_should), cmocka_unit_test(a_slope_holds_without_creep),
-        cmocka_unit_test(discs_roll_and_resist), cmocka_unit_test(a_ball_keeps_its_energy),
+        BOTH(deep_overlaps_part_without_a_leap), cmocka_unit_test(points_apart_close_and_stop),
+        BOTH(a_box_stops_where_it_should), BOTH(a_slope_holds_without_creep),
+        BOTH(discs_roll_and_resist), BOTH(a_ball_keeps_its_energy),
         cmocka_unit_test(one_bounce_is_exact), cmocka_unit_test(a_plank_that_lands_flat_or_on_one_end),
-        cmocka_unit_test(restitution_gives_the_height), cmocka_unit_test(a_ball_at_rest_does_not_bounce),
-        cmocka_unit_test(tilted_boxes_keep_their_energy), cmocka_unit_test(cradles_at_any_distance_in_any_order),
+        BOTH(restitution_gives_the_height), BOTH(a_ball_at_rest_does_not_bounce),
+        BOTH(tilted_boxes_keep_their_energy), BOTH(cradles_at_any_distance_in_any_order),
         cmocka_unit_test(random_heaps_keep_momentum_and_gain_no_energy), cmocka_unit_test(other_laws_have_their_turn),
         cmocka_unit_test(what_is_carried_over), cmocka_unit_test(too_little_room_changes_nothing),
+        cmocka_unit_test(towers_stand), cmocka_unit_test(heavy_on_light), cmocka_unit_test(branches_bear_what_is_above),
+        cmocka_unit_test(bridges_are_no_trees), cmocka_unit_test(many_born_in_one_place), cmocka_unit_test(settings_of_the_spring),
     };
     return cmocka_run_group_tests_name("17 soft contacts", tests, NULL, NULL);
 }
