@@ -1008,7 +1008,7 @@ static void bad_world_definitions_are_refused(void **unused)
     static const struct { int field, value; wfResult want; } whole[] = { { 0, 0, WF_ERROR_RANGE }, { 0, -1, WF_ERROR_RANGE },
         { 0, WF_MAX_CAPACITY + 1, WF_ERROR_RANGE }, { 1, -1, WF_ERROR_RANGE }, { 1, WF_MAX_CAPACITY + 1, WF_ERROR_RANGE },
         { 2, -1, WF_ERROR_RANGE }, { 2, WF_MAX_CAPACITY + 1, WF_ERROR_RANGE }, { 3, -1, WF_ERROR_RANGE },
-        { 3, WF_MAX_CAPACITY + 1, WF_ERROR_RANGE }, { 4, 0, WF_ERROR_RANGE }, { 4, -1, WF_ERROR_RANGE }, { 5, -1, WF_ERROR_UNKNOWN },
+        { 3, WF_MAX_CAPACITY + 1, WF_ERROR_RANGE }, { 4, -2, WF_ERROR_RANGE }, { 4, -1, WF_ERROR_RANGE }, { 5, -1, WF_ERROR_UNKNOWN },
         { 5, 1000, WF_ERROR_UNKNOWN }, { 6, -1, WF_ERROR_UNKNOWN }, { 6, 1000, WF_ERROR_UNKNOWN }, { 7, -1, WF_ERROR_UNKNOWN },
         { 7, 1000, WF_ERROR_UNKNOWN }, { 8, -1, WF_ERROR_UNKNOWN }, { 8, 1000, WF_ERROR_UNKNOWN } };
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
