@@ -382,6 +382,26 @@ static void test_straight_bridge(void **unused)
     assert_true(fastest < 0.05);
 }
 
+/* A wheel on an axle through its middle, a particle at a nail: no arm has a length, and there is nothing to divide by. */
+static void test_no_arms(void **unused)
+{
+    (void)unused;
+    int32_t lost = 7;
+    begin();
+    add_body(0, 0, 1), add_body(0, 0, 2), add_body(0, 0, 1);
+    state[3].invInertia = 0;
+    for (int i = 1; i <= 3; i++) joint[joints++] = wfMakeJoint(i == 2 ? "wheel" : "revolute", 0, &state[0], i, &state[i], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0));
+    forces[1].torque = 1;
+    wfJointStep in = step_of(4, 1);
+    in.unsolved = &lost;
+    for (int i = 0; i < 60; i++) {
+        assert_ok(wfStepJoints(&in));
+        assert_int_equal(lost, 0);
+    }
+    assert_near(state[1].w, 6, 1e-3);
+    for (int i = 1; i <= 3; i++) assert_near2(state[i].p, wfV2(0, 0), 1e-6);
+}
+
 /* What cannot be solved is counted, adds no energy and stays finite. */
 static void test_unsolvable_is_counted(void **unused)
 {
@@ -451,7 +471,7 @@ int main(void)
         cmocka_unit_test(test_heavy_load), cmocka_unit_test(test_fill), cmocka_unit_test(test_pendulums_are_apart),
         cmocka_unit_test(test_too_entangled), cmocka_unit_test(test_broken_joints_are_left_out), cmocka_unit_test(test_bad_input),
         cmocka_unit_test(test_every_kind_keeps_energy), cmocka_unit_test(test_pendulum), cmocka_unit_test(test_swinging_load),
-        cmocka_unit_test(test_straight_bridge), cmocka_unit_test(test_unsolvable_is_counted), cmocka_unit_test(test_machines),
+        cmocka_unit_test(test_straight_bridge), cmocka_unit_test(test_no_arms), cmocka_unit_test(test_unsolvable_is_counted), cmocka_unit_test(test_machines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
