@@ -945,6 +945,91 @@ static void test_whatever_is_done_nobody_floats(void **state)
     wfDestroyWorld(&w);
 }
 
+/* What two shapes may tell: begin, then stay or nothing, then end. Nothing else, whoever sleeps and wakes meanwhile. */
+typedef struct Known { wfTouchEvent of[400]; int count; } Known;
+
+static int find_known(const Known *k, const wfTouchEvent *e)
+{
+    for (int i = 0; i < k->count; i++) {
+        const wfTouchEvent *o = &k->of[i];
+        if (o->a.index == e->a.index && o->b.index == e->b.index && o->a.generation == e->a.generation
+            && o->b.generation == e->b.generation) return i;
+    }
+    return -1;
+}
+
+static void watch(const wfWorld *w, Known known[2])
+{
+    for (int kind = 0; kind < WF_EVENT_KINDS; kind++) {
+        int32_t count;
+        const wfTouchEvent *e = wfWorldEvents(w, kind, &count);
+        Known *k = &known[kind / 3];
+        for (int32_t i = 0; i < count; i++) {
+            int at = find_known(k, &e[i]);
+            assert_int_equal(at >= 0, kind % 3 != WF_TOUCH_BEGIN);
+            if (kind % 3 == WF_TOUCH_BEGIN && k->count < 400) k->of[k->count++] = e[i];
+            if (kind % 3 == WF_TOUCH_END) k->of[at] = k->of[--k->count];
+        }
+    }
+}
+
+static void edit(wfWorld *w, wfBodyId *id, int n, uint32_t *seed)
+{
+    *seed = *seed * 1664525u + 1013904223u;
+    int who = (int)(*seed >> 8) % n, what = (int)(*seed >> 20) % 9;
+    wfBodyInfo i = info(w, id[who]);
+    wfShapeDef def;
+    wfShapeId k = wfFirstShape(w, id[who]);
+    assert_ok(wfGetShape(w, k, &def));
+    switch (what) {
+    case 0:
+        assert_ok(wfRemoveBodyFromWorld(w, id[who]));
+        id[who] = add(w, box_def((double)i.position.x, 6, 0.5, 0.5));
+        break;
+    case 1: assert_ok(wfSetBodyTransform(w, id[who], wfV2(i.position.x, i.position.y + 2), WF_R(0.2))); break;
+    case 2: assert_ok(wfApplyImpulseToBody(w, id[who], wfV2(3, 1), i.position)); break;
+    case 3: assert_ok(wfChangeBodyType(w, id[who], (i.type + 1) % WF_BODY_TYPES)); break;
+    case 4: def.sensor = !def.sensor; wfSetShape(w, k, &def); break;
+    case 5: def.filter.mask ^= 1; assert_ok(wfSetShape(w, k, &def)); break;
+    case 6: if (i.type == WF_KINEMATIC) assert_ok(wfSetBodyVelocity(w, id[who], wfV2(WF_R(0.5), 0), 0)); break;
+    case 7: if (i.type == WF_KINEMATIC) assert_ok(wfSetBodyVelocity(w, id[who], wfV2(0, 0), 0)); break;
+    default: if (i.type == WF_DYNAMIC) assert_ok(wfPutToSleep(w, id[who])); break;
+    }
+}
+
+static void test_whatever_is_done_the_events_fit(void **state)
+{
+    (void)state;
+    wfWorld w[2];
+    static Known known[2];
+    wfBodyId id[2][20];
+    uint32_t seed[2] = { 11, 11 };
+    int32_t slept = 0;
+    known[0].count = known[1].count = 0;
+    for (int k = 0; k < 2; k++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.sleep = 1;
+        def.sleepTime = WF_R(0.15);
+        if (k == 1) def.broadPhase = wfFindBroadPhase("brute-force") >= 0 ? wfFindBroadPhase("brute-force") : 0;
+        assert_ok(wfCreateWorld(&def, &w[k]));
+        add(&w[k], floor_def());
+        for (int i = 0; i < 20; i++) id[k][i] = add(&w[k], box_def(-4 + 2 * (i % 5), 0.5 + i / 5, 0.5, 0.5));
+    }
+    for (int step = 0; step < 1500; step++) {
+        for (int k = 0; k < 2; k++) {
+            if (step % 12 == 0) edit(&w[k], id[k], 20, &seed[k]);
+            run(&w[k], 1);
+        }
+        watch(&w[0], known);
+        slept += wfWorldRest(&w[0]).asleep;
+        assert_true(wfHashWorld(&w[0]) == wfHashWorld(&w[1]));
+        wfRestCounts c = wfWorldRest(&w[0]);
+        assert_true(c.awake >= 0 && c.asleep >= 0 && c.contactsKept <= c.pairsKept);
+    }
+    assert_true(slept > 1500);                            /* it was worth it: one sleeper at least, on the mean */
+    wfDestroyWorld(&w[0]), wfDestroyWorld(&w[1]);
+}
+
 typedef struct Meddler { wfWorld *world; wfBodyId id; wfResult got[3]; } Meddler;
 
 static void meddle(void *context, const wfHookView *view, const wfContact *contact, wfContactChange *change)
@@ -1052,6 +1137,7 @@ int main(void)
         cmocka_unit_test(test_a_failed_step_changes_nothing),
         cmocka_unit_test(test_every_solver_and_broad_phase),
         cmocka_unit_test(test_whatever_is_done_nobody_floats),
+        cmocka_unit_test(test_whatever_is_done_the_events_fit),
         cmocka_unit_test(test_hooks_may_not_wake),
         cmocka_unit_test(test_bad_input),
     };
