@@ -16,6 +16,7 @@ static wfWorld tiled(const char *solver, wfReal friction)
     def.bodyCapacity = 4;
     def.shapeCapacity = TILES + 4;
     def.solver = wfFindSolver(solver);
+    def.iterations = 8;                    /* between two tiles a box stands on two contacts: to rounding, not to one pass */
     wfWorld world = { .memory = { .owned = 0 } };
     assert_ok(wfCreateWorld(&def, &world));
     for (int i = 0; i <= TILES; i++) point[i] = wfV2((wfReal)(TILES - 10 - i), 0);
@@ -71,12 +72,12 @@ static void nobody_hops_over_a_thousand_tiles(void **unused)
             wfBodyInfo b = info(&world, id);
             if (getenv("SHOW")) printf("%s %d: vy %.3g spin %.3g y %.8f..%.8f vx %.8f x %.3f\n", solvers[s], kind, worst, spin, low, high, (double)b.velocity.x, (double)b.position.x);
             assert_true((double)b.position.x > 900);
-            assert_near(b.velocity.x, start.velocity.x, 40 * 64 * (double)WF_EPSILON + 1e-9);
+            /* A ball that rolls is geared by r - overlap: when the overlap changes, so do spin and speed. */
+            double gears = rolls ? 80 * (high - low) / 0.5 : 0;
+            assert_near(b.velocity.x, start.velocity.x, 40 * 64 * (double)WF_EPSILON + 1e-9 + gears / 2);
             assert_near(b.velocity.x, 40, rolls ? 0.2 : 40 * 64 * (double)WF_EPSILON);
             /* Within rounding: the points of contact have x up to 940 m, rounded to half of 64e-6 m in float, which are
              * arms of up to half a metre to a gravity that is taken away anew in each step. */
-            /* A ball that rolls spins with v / (r - overlap): when the overlap changes, so does the spin. */
-            double gears = rolls ? 80 * (high - low) / 0.5 : 0;
             assert_true(worst < 256 * (double)WF_EPSILON + 1e-9 && spin < 4096 * (double)WF_EPSILON + 1e-9 + gears);
             assert_true(high - low < 1e-4);                      /* the soft solver sinks on by hundredths of a millimetre */
             wfDestroyWorld(&world);

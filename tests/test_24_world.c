@@ -696,7 +696,7 @@ static void deepen_stack(int rubbish)                     /* leaves rubbish wher
 static void equal_worlds_are_equal_byte_for_byte(void **unused)
 {
     (void)unused;
-    _Alignas(16) static uint8_t p[2][1 << 18], t[2][1 << 18];
+    _Alignas(16) static uint8_t p[2][1 << 19], t[2][1 << 19];
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 16;
     for (int k = 0; k < 2; k++) {
