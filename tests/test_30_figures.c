@@ -93,7 +93,7 @@ static void an_arch_stands_and_a_thinner_one_falls(void **unused)
 {
     (void)unused;
     wfWorld world = room_for(32);
-    assert_ok(wfBuildArch(&world, 20, 0.12));
+    assert_ok(wfBuildArch(&world, 20, 0.135));
     assert_near(strayed(world, 600), 0, 0.25);
     world = room_for(32);
     assert_ok(wfBuildArch(&world, 20, 0.1));              /* under the limit: lies on the ground */
