@@ -19,7 +19,7 @@ static wfSolve solve_of(wfPool *pool, double h, int substeps)
 {
     wfPoolInit(pool, sizeof memory, memory);
     return (wfSolve){ .state = state, .bodyCount = bodies, .contacts = contact, .contactCount = contacts, .h = (wfReal)h,
-        .iterations = 8, .positionShare = WF_R(0.4), .substeps = substeps, .scratch = pool, .report = &report };
+        .iterations = 1, .positionShare = WF_R(0.4), .substeps = substeps, .scratch = pool, .report = &report };
 }
 
 static void step(double h, int substeps, bool pulled)
