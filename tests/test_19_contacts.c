@@ -558,6 +558,23 @@ static void test_belt_and_rolling(void **unused)
     assert_near(state[1].w, 0, 1e-5);
 }
 
+/* A ball that is about to bounce, and less than a millionth above the floor when the step ends, must not be stopped before. */
+static void test_speed_is_kept_for_the_bounce(void **unused)
+{
+    (void)unused;
+    clear_boxes();
+    bodies = 2;
+    assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &shape[1]));
+    state[1] = (wfBodyState){ .p = wfV2(0, WF_R(0.55) + WF_R(2.5e-7)), .v = wfV2(0, -3), .invMass = 1, .invInertia = 8 };
+    for (int i = 0; i < 2; i++) {
+        touch(1);
+        assert_int_equal(contacts, 1);
+        contact[0].restitution = 1;
+        step(1.0 / 60, 4, false);
+        assert_near(state[1].v.y, i == 0 ? -3 : 3, 1e-5);
+    }
+}
+
 /* A box found in the floor is lifted out without a velocity. */
 static void test_overlap(void **unused)
 {
@@ -610,7 +627,8 @@ int main(void)
         cmocka_unit_test(test_every_combination), cmocka_unit_test(test_random_graphs), cmocka_unit_test(test_momentum_and_energy),
         cmocka_unit_test(test_no_room), cmocka_unit_test(test_too_little_scratch), cmocka_unit_test(test_tower),
         cmocka_unit_test(test_heavy_on_light), cmocka_unit_test(test_more_contacts_than_equations),
-        cmocka_unit_test(test_friction_of_a_box), cmocka_unit_test(test_belt_and_rolling), cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_friction_of_a_box), cmocka_unit_test(test_belt_and_rolling), cmocka_unit_test(test_speed_is_kept_for_the_bounce),
+        cmocka_unit_test(test_overlap),
         cmocka_unit_test(test_heaps_lose_energy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
