@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Times the scenes of chapter 32 in Box2D 3 and here, one after the other, and writes book/data/performance-peers-time.csv.
+#   tests/peers/run.sh 'LABEL=PREFIX' ...       each PREFIX is an installed Box2D 3 (PREFIX/include, PREFIX/lib)
+# For example, with a build for wide instructions and one with BOX2D_DISABLE_SIMD:
+#   tests/peers/run.sh 'Box2D 3.2 with wide instructions=/opt/box2d' 'Box2D 3.2 without=/opt/box2d-plain'
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+[ $# -gt 0 ] || { sed -n 2,5p "$0"; exit 2; }
+make --no-print-directory programs >/dev/null
+mkdir -p build/peers; out=build/peers/performance-peers-time.csv
+{
+  echo "# command: tests/peers/run.sh; $(${CC:-cc} --version | head -1), -O2, one thread"
+  echo "# $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)"
+  echo "engine,pile,pyramid,grid"
+} > "$out"
+for peer in "$@"; do
+  prefix=${peer#*=}
+  [ -f "$prefix/include/box2d/box2d.h" ] || { echo "peers: no Box2D 3 in $prefix -- name the prefix it was installed to"; exit 1; }
+  ${CC:-cc} -O2 -isystem "$prefix/include" build/lines/lab/box2d_main.c -L"$prefix/lib" -lbox2d -lm -lpthread -o build/peers/weft-box2d
+  build/peers/weft-box2d > build/peers/rows
+  cat build/peers/rows >&2
+  printf '%s' "${peer%%=*}" >> "$out"
+  awk -F, '{ sub(/ ms$/, "", $NF); printf ",%s", $NF } END { print "" }' build/peers/rows >> "$out"
+done
+build/bin/weft-lab run performance-passes-time | awk -F, '!/^#/ && !/^passes/ {
+  printf "this engine, %s %s in a sweep,%s,%s,%s\n", $1, $1 == 1 ? "pass" : "passes", $2, $3, $4 }' | sed 's/^\(this engine\), \([^,]*\),/"\1, \2",/' >> "$out"
+cat "$out"; mv "$out" book/data/performance-peers-time.csv
