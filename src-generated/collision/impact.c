@@ -380,10 +380,9 @@ static bool isAtOnce(const wfImpact *i)
 
 /* The largest inner copy that is free at the beginning, and what it meets. */
 static wfResult meetInner(const wfShape *shape, wfSweep sweep, const wfObstacle *other,
-                          wfReal most, wfImpact *out)
+                          wfReal share, wfReal most, wfImpact *out)
 {
-    wfReal share = WF_IMPACT_INNER;
-    for (;; share -= WF_R(0.25)) {
+    for (;; share = share > WF_IMPACT_INNER ? WF_IMPACT_INNER : share - WF_R(0.25)) {
         wfShape copy = innerCopy(shape, share);
         wfResult found = impactUntil(&copy, sweep, other->shape, other->sweep, most,
                                      WF_ADVANCE_CURVE, out, NULL);
@@ -392,10 +391,10 @@ static wfResult meetInner(const wfShape *shape, wfSweep sweep, const wfObstacle 
 }
 /* <stop at the first of many> */
 static wfResult meet(const wfShape *shape, wfSweep sweep, const wfObstacle *other,
-                     wfReal most, wfReal end, wfStop *out)
+                     wfReal share, wfReal most, wfReal end, wfStop *out)
 {
     wfImpact first;
-    wfResult found = meetInner(shape, sweep, other, most, &out->impact);
+    wfResult found = meetInner(shape, sweep, other, share, most, &out->impact);
     out->inner = true;
     if (found != WF_OK || out->impact.kind == WF_IMPACT_APART) return found;
     if (isAtOnce(&out->impact)) return WF_OK;
@@ -407,18 +406,16 @@ static wfResult meet(const wfShape *shape, wfSweep sweep, const wfObstacle *othe
     return WF_OK;
 }
 /* <stop at the first of many> */
-wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
-                       int32_t count, wfReal most, wfStop *out)
+static wfResult stopAmong(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
+                          int32_t count, wfReal share, wfReal most, wfStop *out)
 {
-    if (!shape || !out || (count > 0 && !obstacles)) return WF_ERROR_NULL;
-    if (count < 0 || !(most >= 0 && most <= 1)) return WF_ERROR_RANGE;
     wfResult checked = isKind(shape) ? checkSweep(sweep) : WF_ERROR_UNKNOWN;
     if (checked != WF_OK) return checked;
     wfStop stop = { .obstacle = WF_NO_OBSTACLE, .t = most, .impact = { .t = most } };
     for (int32_t i = 0; i < count; i++) {
         wfStop next = { .obstacle = i };
         if (!obstacles[i].shape) return WF_ERROR_NULL;
-        wfResult met = meet(shape, sweep, &obstacles[i], most, stop.t, &next);
+        wfResult met = meet(shape, sweep, &obstacles[i], share, most, stop.t, &next);
         if (met != WF_OK) return met;
         next.t = next.impact.t;
         next.stuck = stop.stuck = stop.stuck || isAtOnce(&next.impact);
@@ -427,4 +424,20 @@ wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *ob
     }
     *out = stop;
     return WF_OK;
+}
+/* <stop at the first of many> */
+wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
+                       int32_t count, wfReal most, wfStop *out)
+{
+    if (!shape || !out || (count > 0 && !obstacles)) return WF_ERROR_NULL;
+    if (count < 0 || !(most >= 0 && most <= 1)) return WF_ERROR_RANGE;
+    return stopAmong(shape, sweep, obstacles, count, WF_IMPACT_INNER, most, out);
+}
+
+wfResult wfStopAtOne(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacle,
+                     wfReal share, wfStop *out)
+{
+    if (!shape || !obstacle || !out) return WF_ERROR_NULL;
+    if (!(share >= WF_IMPACT_INNER && share <= 1)) return WF_ERROR_RANGE;
+    return stopAmong(shape, sweep, obstacle, 1, share, 1, out);
 }

@@ -242,8 +242,8 @@ static void edgeContacts(const wfFacing *f, bool apart, wfReal margin, wfManifol
     if (some && (apart || wfEndsTouch(f, ends))) wfAddEnds(f, ends, margin, out);
     if (out->count > 0 || apart) return;
     wfClipPoint deepest = wfDeepestVertex(f);
-    if (deepest.at.y <= 0) wfAddClipped(f, &deepest, out);
-    else if (some) wfAddEnds(f, ends, margin, out);
+    if (some && deepest.at.y >= 0) wfAddEnds(f, ends, margin, out);
+    if (out->count == 0 && deepest.at.y <= 0) wfAddClipped(f, &deepest, out);
 }
 /* <make a manifold> */
 static void coreContacts(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,

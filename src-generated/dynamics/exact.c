@@ -40,6 +40,7 @@ typedef struct Matrix {
     Way *way;                   /* [bodies] */
     wfReal *bend;               /* [bodies] sum of r.lambda, kg m^2/s: eq:exact-inertia */
     wfReal (*impulse)[3];       /* [count] lambda, N s: half of what the joint does */
+    wfReal (*smooth)[3];        /* [count] the same before others answered, N s */
     wfReal (*before)[3];        /* [count] what was pushed since the last move, N s */
     wfReal (*size)[3];          /* [count] 1 / what an error is measured by, 1/m or 1/rad */
     bool begun, moved, lost;    /* the step has begun; a half is owed; it was not solved */
@@ -329,18 +330,27 @@ static void true_inertias(Matrix *m, const wfJointSet *set)
         m->inverse[m->body[n]] = set->inverse[m->body[n]];
 }
 
+/* m: how far from its centre a body's mass is; 0 for one that cannot turn or move. */
+static wfReal spread(const wfBodyState *s, wfReal inverse)
+{
+    return inverse > 0 ? wfSqrt(s->invMass / inverse) : 0;
+}
+
 /* What a row's error is measured by: lengths in m for a row that pulls, else turns. */
-static void note_size(Matrix *m, const wfJointSet *set, int32_t i)
+static void note_size(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t i)
 {
     const wfJoint *j = &set->joints[i];
     const wfPlace *a = &set->place[j->a], *b = &set->place[j->b];
     wfReal lengths = wfLength(j->localA) + wfLength(j->localB) + wfDistance(a->p, b->p)
-                   + wfLength(a->d) + wfLength(b->d);
+                   + wfLength(a->d) + wfLength(b->d)
+                   + spread(&in->state[j->a], set->inverse[j->a])
+                   + spread(&in->state[j->b], set->inverse[j->b]);
     for (int k = 0; k < m->rows[i]; k++) {
         const Line *l = &m->line[i][k];
         bool pulls = wfLengthSq(l->jA) + wfLengthSq(l->jB) > 0;
         wfReal turns = 2 + wfAbs(l->wA * j->turnA) + wfAbs(l->wB * j->turnB);
-        m->size[i][k] = 1 / (pulls ? lengths : turns);
+        wfReal size = pulls ? lengths : turns;
+        m->size[i][k] = size > 0 ? 1 / size : 0;
     }
 }
 
@@ -507,11 +517,12 @@ static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
 }
 /* <solve all rows that hold> */
 /* x: what takes the rates away; becomes what is to be pushed. eq:exact-given */
-static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bool moved)
+static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bool moved,
+                      bool struck)
 {
     for (int k = 0; k < 3; k++) {
         wfReal taken = -x[k], most = wfAbs(taken);
-        if (k >= w->holds) j->given[k] = 0;
+        if (k >= w->holds || struck) j->given[k] = 0;
         else if (moved)
             j->given[k] = wfClamp((taken + j->given[k]) / 2, -most, most);
         if (!last) x[k] += j->given[k];
@@ -536,7 +547,8 @@ static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool las
     solve_matrix(m);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved);
+        give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved,
+                  in->contactCount > 0);
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->free);
             m->before[i][k] += m->x[i][k];
@@ -561,10 +573,11 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->impulse[i][k];
+            wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->smooth[i][k];
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
             m->before[i][k] = push;
+            if (m->moved) m->impulse[i][k] = (m->smooth[i][k] + m->impulse[i][k]) / 2;
             if (m->lost) m->impulse[i][k] = 0;
         }
     }
@@ -611,7 +624,7 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     }
     take_velocities(m, in);
     note_impulses(m, set, !last);
-    for (int32_t n = 0; n < m->ordered && !last; n++) note_size(m, set, m->order[n]);
+    for (int32_t n = 0; n < m->ordered && !last; n++) note_size(m, set, in, m->order[n]);
     m->moved = false;
 }
 /* <solve all rows that hold> */
@@ -675,9 +688,12 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     if (!soft && some) answer(m, set, in);
     if (soft) m->rigid = false;
     if (soft && (some || !m->moved)) {
+        bool first = !m->moved;
         m->moved = true;
         m->lost = false;
         if (!(newton(m, set, in, dt) < WF_EXACT_LOST)) give_up(m, set);
+        for (int32_t n = 0; first && n < m->ordered; n++)
+            memcpy(m->smooth[m->order[n]], m->impulse[m->order[n]], sizeof *m->smooth);
     }
     note_impulses(m, set, soft || m->moved);
 }
@@ -685,13 +701,13 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 7 * sizeof(int32_t) + sizeof(Block) + 15 * sizeof(wfReal)
+    size_t each = 7 * sizeof(int32_t) + sizeof(Block) + 18 * sizeof(wfReal)
                 + 3 * sizeof(Line);
     size_t pairs = 2 * sizeof(Edge) + 2 * sizeof(Block);
     size_t body = 3 * sizeof(Motion) + sizeof(Way) + 2 * sizeof(wfReal)
                 + 4 * sizeof(int32_t);
     return sizeof(Matrix) + n * each + room * pairs + (size_t)bodies * body
-         + 28 * WF_POOL_ALIGN;
+         + 30 * WF_POOL_ALIGN;
 }
 
 static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
@@ -718,15 +734,16 @@ static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
     m->rows = wfPoolPushArray(pool, count, int32_t);
     m->after = wfPoolPushArray(pool, 2 * count, int32_t);
     m->own = wfPoolPushArray(pool, count, Block);
-    wfReal *numbers = wfPoolPushArray(pool, 15 * count, wfReal);
+    wfReal *numbers = wfPoolPushArray(pool, 18 * count, wfReal);
     Line *lines = wfPoolPushArray(pool, 3 * count, Line);
     if (numbers == NULL || lines == NULL) return false;
     memset(lines, 0, 3 * (size_t)count * sizeof *lines);
-    memset(numbers, 0, 15 * (size_t)count * sizeof *numbers);
+    memset(numbers, 0, 18 * (size_t)count * sizeof *numbers);
     m->line = (Line(*)[3])lines;
     m->pivot = (wfReal(*)[3])numbers;
     m->x = m->pivot + count, m->impulse = m->x + count;
     m->before = m->impulse + count, m->size = m->before + count;
+    m->smooth = m->size + count;
     for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
         m->head[i] = m->rank[i] = -1;
     return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL

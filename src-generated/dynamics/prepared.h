@@ -29,7 +29,7 @@ typedef struct wfPrepared {
 typedef struct wfPairMotion {
     wfReal vn, vt;            /* m/s: b's velocity seen from a, along normal and tangent */
     wfReal wA, wB;            /* rad/s */
-    wfReal jn, jt;            /* N s: the sums of the impulses given since they were taken */
+    wfReal jn, jt;            /* N s: the sums of the impulses given since then */
     wfReal m, iA, iB;         /* sum of the inverse masses; inverse inertias */
 } wfPairMotion;
 /* <declarations of prepared contacts> */

@@ -92,7 +92,8 @@ static wfResult sequential(const wfSolve *in, wfReal share)
             wfSolveFriction(&c[i], &m);
             push_contact(in, &c[i], &m, share, in->contacts[i].slop);
             wfGivePair(in, &c[i], &m);
-            if (pass + 1 == in->iterations) wfJudgeFriction(&c[i], &m);
+            wfPairMotion seen = m;      /* a copy to hand out: m can stay in registers */
+            if (pass + 1 == in->iterations) wfJudgeFriction(&c[i], &seen);
         }
     for (int32_t i = 0; i < in->contactCount; i++)
         wfStoreImpulses(&c[i], 1, &in->contacts[i]);

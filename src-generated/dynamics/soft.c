@@ -73,7 +73,7 @@ static inline void push_softly(const Case *cases, const Deep *deep, wfPrepared *
 static void sweep_columns(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     if (soft == NULL) wfSolveColumns(s, t, 0, 0, 0);
-    else wfSolveColumns(s, t, soft->bias, soft->impulse / soft->mass, soft->fastest);
+    else wfSolveColumns(s, t, soft->bias, WF_COLUMN_GIVE, soft->fastest);
 }
 
 static void judge(wfSubsteps *s)
@@ -150,6 +150,7 @@ static void finish(wfSubsteps *s, wfColumns *t)
     wfKick(s, s->dt / 2, s->kick);
     sweep(s, t, NULL);
     for (int32_t i = 0; i < in->bodyCount; i++) {
+        if (in->present != NULL && !in->present[i]) continue;
         in->state[i].p = wfAdd(in->state[i].p, s->moved[i].d);
         in->state[i].angle += s->moved[i].turn;
     }

@@ -10,6 +10,7 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
     s->kick = t;
     for (int32_t i = 0; i < in->bodyCount; i++) {
         wfBodyState *b = &in->state[i];
+        if (in->present != NULL && !in->present[i]) continue;
         s->before[i] = (wfMotion){ b->v, b->w };
         if (in->forces == NULL) continue;
         b->v = wfAddScaled(b->v, t * b->invMass, in->forces[i].force);
@@ -33,6 +34,7 @@ void wfDrift(wfSubsteps *s)
 {
     for (int32_t i = 0; i < s->in->bodyCount; i++) {
         wfMoved *m = &s->moved[i];
+        if (s->in->present != NULL && !s->in->present[i]) continue;
         m->d = wfAddScaled(m->d, s->dt, s->in->state[i].v);
         m->turn += s->dt * s->in->state[i].w;
     }

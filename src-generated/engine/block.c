@@ -25,7 +25,7 @@ wfWorldDef wfDefaultWorldDef(void)
         .narrowPhase = wfFindNarrowPhase("sat"), .solver = wfFindSolver("soft"),
         .frictionMix = wfFindMix("geometric-mean"),
         .restitutionMix = wfFindMix("maximum"), .rollingMix = wfFindMix("maximum"),
-        .iterations = 8, .substeps = 4, .restingSteps = 2, .hitSteps = 6,
+        .iterations = 0, .substeps = 4, .restingSteps = 2, .hitSteps = 6,
         .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
         .recoverySteps = 24, .columns = 1, .colours = 1,
         .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1, .events = 1,
@@ -74,7 +74,7 @@ static wfResult check_world_def(const wfWorldDef *d)
     for (int i = 0; i < 5; i++)
         if (choice[i] != 0 && choice[i] != 1) return WF_ERROR_RANGE;
     if (d->positionShare < 0 || d->positionShare > 1) return WF_ERROR_RANGE;
-    if (d->iterations < 1 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
+    if (d->iterations < 0 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
     const int32_t capacity[] = {
         /* <capacities to check> */
         d->bodyCapacity, d->shapeCapacity, d->forceCapacity, d->pairCapacity, d->contactCapacity,
@@ -116,6 +116,11 @@ static wfWorldDef complete(const wfWorldDef *def)
 /* <measure the scratch that the stages need> */
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
+static size_t solver_scratch(const wfWorldDef *d, int row)
+{
+    return wfSolverTable[row].scratch(d->bodyCapacity, d->contactCapacity);
+}
+
 static size_t stage_scratch(const wfWorldDef *d)
 {
     size_t most = 0;
@@ -125,7 +130,8 @@ static size_t stage_scratch(const wfWorldDef *d)
     for (int i = 0; i < wfBroadPhaseCount; i++)
         most = larger(most, wfBroadPhaseTable[i].scratch(shapes, pairs));
     for (int i = 0; i < wfSolverCount; i++)
-        most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, d->contactCapacity));
+        if (i == d->solver || i != wfFindSolver(WF_SOLVER_LARGE))
+            most = larger(most, solver_scratch(d, i));
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
     most = larger(most, sizeof(wfBodyState) * (size_t)d->bodyCapacity + WF_POOL_ALIGN);
@@ -313,6 +319,8 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
         .contactCapacity = d->contactCapacity,
         /* <capacities that the header keeps> */
         .pairMaterials = d->pairMaterials,
+        /* <capacities that the header keeps> */
+        .large = d->solver == wfFindSolver(WF_SOLVER_LARGE),
         /* <capacities that the header keeps> */
         .jointCapacity = d->jointCapacity, .exactJoints = d->exactJoints,
         .exactCost = d->exactCost, .jointGive = d->jointGive,
@@ -522,6 +530,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
     wfResult result = check_world_def(d);
     if (result != WF_OK) return result;
     wfHeader *h = b->head;
+    if (d->solver == wfFindSolver(WF_SOLVER_LARGE) && !h->large) return WF_ERROR_MEMORY;
     /* <tell if the laws change> */
     bool same = h->gravity.x == d->gravity.x && h->gravity.y == d->gravity.y
              && h->solver == d->solver && h->substeps == d->substeps

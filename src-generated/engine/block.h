@@ -28,6 +28,9 @@ typedef struct wfHeader {
     /* <settings that a world keeps> */
     int32_t pairMaterials, knownPairs;
     /* <settings that a world keeps> */
+    wfSolveReport report;         /* of the last step */
+    int32_t large;                /* 1: created with room for the solver WF_SOLVER_LARGE */
+    /* <settings that a world keeps> */
     int32_t jointCapacity, exactJoints;
     wfSlots jointSlots;
     wfReal exactCost, jointGive;

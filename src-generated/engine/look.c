@@ -194,3 +194,11 @@ bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
     }
     return false;
 }
+/* <tell how the solver fared> */
+wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out)
+{
+    wfBlock b;
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
+    if (result == WF_OK) *out = b.head->report;
+    return result;
+}

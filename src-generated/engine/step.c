@@ -12,6 +12,7 @@ static wfResult copy_states(struct wfStep *s)
     memcpy(s->state, s->b.state, (size_t)s->count * sizeof *s->state);
     s->present = wfTransient(&s->b, WF_REGION_PRESENT);
     memcpy(s->present, s->b.alive, (size_t)s->count);
+    s->all = true;
     /* <say which bodies do not take part> */
     s->kept = s->b.head->kept;     /* in this chapter nothing is */
     /* <say which bodies do not take part> */
@@ -233,18 +234,24 @@ wfResult wfFindPairsAgain(struct wfStep *s)
     return result == WF_OK ? find_pairs(s) : result;
 }
 /* <resolve the contacts> */
+int32_t wfPassesOf(const wfHeader *head)
+{
+    return head->iterations > 0 ? head->iterations : wfUsualPasses(head->solver);
+}
+
 static wfSolve to_solve(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     return (wfSolve){ .state = s->state, .bodyCount = s->count, .contacts = s->contacts,
-        .contactCount = s->contactCount, .h = head->dt, .iterations = head->iterations,
+        .contactCount = s->contactCount, .h = head->dt, .iterations = wfPassesOf(head),
         .restingSpeed = wfRestingSpeed(head->gravity, head->dt, head->restingSteps),
         .recoverySpeed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
         .columns = head->columns,
         .positionShare = head->positionShare, .forces = s->sums,
         .substeps = head->substeps, .colours = head->colours, .laws = s->laws,
-        .scratch = &s->scratch };
+        .scratch = &s->scratch, .report = &s->report,
+        .present = s->all ? NULL : s->present };
 }
 
 static wfResult solve_velocities(struct wfStep *s)
@@ -336,6 +343,8 @@ static wfResult commit(struct wfStep *s)
     head->indexStale = !head->queries;
     head->time += (double)head->dt;
     head->steps++;
+    /* <count what was committed> */
+    head->report = s->report;
     /* <count what was committed> */
     head->fastCount = s->fastCount;
     head->impactCount = s->impactCount;

@@ -16,6 +16,7 @@ struct wfStep {
     int32_t          shapeCount;  /* and for shapes */
     uint8_t         *present;     /* 1: a body that takes part in the step */
     int32_t          movers;      /* how many of them can move, or do */
+    bool             all;         /* all bodies are present */
     wfKept           kept;        /* of the last step, and not to be looked at again */
     int32_t          again;       /* 1: begin this step anew */
     int32_t          restarts;    /* how often it was begun anew */
@@ -42,6 +43,8 @@ struct wfStep {
     wfTouchEvent    *events;
     int32_t          eventTotal, eventCount[WF_EVENT_KINDS];
     /* <arrays of the second half> */
+    wfSolveReport report;         /* of the solver, if it makes one */
+    /* <arrays of the second half> */
     uint64_t         machines;    /* a fingerprint of who is joined to whom */
     wfJointSet       jointSet;    /* copies of the joints, and what solving them takes */
     wfLaws           jointLaws;
@@ -65,6 +68,7 @@ struct wfStep {
 };
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverSteps(const struct wfStep *s);
+int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */
 wfReal wfWayOfShape(struct wfStep *s, int32_t k);   /* notes its rim speed, too */
 /* Is it a sensor, and could a contact change its body's velocity? */
 static inline bool wfIsSensor(const wfBlock *b, int32_t k)

@@ -1529,6 +1529,163 @@ static void rock_lever(wfWorld *world, const wfSceneInput *in)
     wfSetJoint(world, wfJointAt(world, 1), &j);
 }
 /* <scenes> */
+static wfJoint joint_along(Maker *m, const char *kind, wfBodyId a, wfBodyId b, wfVec2 at,
+                           wfVec2 axis)
+{
+    wfJoint j = { .kind = 0 };
+    if (m->result == WF_OK) note(m, wfJoinBodies(m->world, kind, a, b, at, at, axis, &j));
+    return j;
+}
+
+static void put_crank(Maker *m, wfBodyId frame)
+{
+    wfJoint axle, slide;
+    wfBodyId wheel = put_wheel(m, frame, -5, 0, 1, &axle);
+    wfBodyDef rod = box(m, WF_R(-2.5), 0, WF_R(1.5), WF_R(0.07));
+    wfBodyDef piston = box(m, -1, 0, WF_R(0.4), WF_R(0.3));
+    rod.userData = WF_INK_BODY2;
+    wfBodyId arm = put_in_group(m, &rod, -1), head = put_in_group(m, &piston, -1);
+    axle.flags = WF_JOINT_MOTOR, axle.motorSpeed = WF_PI, axle.motorForce = 100;
+    join(m, &axle);
+    pin(m, wheel, arm, wfV2(-4, 0));
+    pin(m, arm, head, wfV2(-1, 0));
+    slide = joint_along(m, "prismatic", frame, head, wfV2(-1, 0), wfV2(1, 0));
+    join(m, &slide);
+}
+/* <scenes> */
+static wfResult build_crank(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyId frame = put_nail(&m, 3, 0);
+    wfJoint axle, slide, rack;
+    wfBodyId wheel = put_wheel(&m, frame, 3, 0, WF_R(0.8), &axle);
+    wfBodyDef teeth = box(&m, WF_R(3.95), 0, WF_R(0.15), 3);
+    teeth.userData = WF_INK_BODY2;
+    wfBodyId rod = put_in_group(&m, &teeth, -1);
+    axle.flags = WF_JOINT_MOTOR, axle.motorForce = 100;
+    join(&m, &axle);
+    slide = joint_along(&m, "prismatic", frame, rod, wfV2(WF_R(3.95), 0), wfV2(0, 1));
+    join(&m, &slide);
+    rack = joint_along(&m, "rack", rod, wheel, wfV2(WF_R(3.8), 0), wfV2(0, 1));
+    rack.ratio = WF_R(-0.8);            /* its rim goes up where the rod does */
+    join(&m, &rack);
+    put_crank(&m, frame);
+    return m.result;
+}
+
+static void turn_pinion(wfWorld *world, const wfSceneInput *in)
+{
+    wfJoint j;
+    (void)in;
+    if (wfGetJoint(world, wfJointAt(world, 0), &j) != WF_OK) return;
+    j.motorSpeed = (wfWorldSteps(world) + 60) / 120 % 2 ? WF_R(-1.5) : WF_R(1.5);
+    wfSetJoint(world, wfJointAt(world, 0), &j);
+}
+/* <scenes> */
+static void put_slides(Maker *m)
+{
+    wfBodyDef ends = ball(m, -7, 2, WF_R(0.35)), peg = ball(m, -4, 3, WF_R(0.3));
+    wfBodyId nail = put_nail(m, -7, 3), hung = put(m, &ends), pin_there;
+    wfJoint j = joint_from(m, "distance", nail, hung, wfV2(-7, 3), wfV2(-7, 2));
+    j.flags = WF_JOINT_LIMITS, j.lower = WF_R(0.6), j.upper = WF_R(2.2);
+    join(m, &j);
+    peg.userData = WF_INK_BODY2;
+    nail = put_nail(m, -4, 3), pin_there = put(m, &peg);
+    j = joint_along(m, "wheel", nail, pin_there, wfV2(-4, 3), wfV2(1, WF_R(-0.4)));
+    j.flags = WF_JOINT_LIMITS, j.lower = WF_R(-1.2), j.upper = WF_R(1.2);
+    join(m, &j);
+}
+
+static void put_pulley(Maker *m)
+{
+    wfBodyId end[2];
+    for (int i = 0; i < 2; i++) {
+        wfReal x = WF_R(-1.2) + WF_R(1.5) * (wfReal)i;
+        wfBodyDef b = box(m, x, 1, WF_R(0.3), WF_R(0.3));
+        b.mass = (wfReal)(i + 1);
+        end[i] = put(m, &b);
+        put_nail(m, x, 4);
+    }
+    wfVec2 a = wfV2(WF_R(-1.2), WF_R(1.3)), b = wfV2(WF_R(0.3), WF_R(1.3));
+    wfJoint j = joint_from(m, "pulley", end[0], end[1], a, b);
+    j.groundA = wfV2(WF_R(-1.2), 4), j.groundB = wfV2(WF_R(0.3), 4);
+    j.rest = 2 * WF_R(2.7);
+    join(m, &j);
+    j = joint_from(m, "distance", put_nail(m, WF_R(-1.2), 4), end[0],
+                   wfV2(WF_R(-1.2), 4), a);
+    j.flags = WF_JOINT_LIMITS, j.lower = WF_R(0.5), j.upper = 10;
+    join(m, &j);
+}
+/* <scenes> */
+static void put_turns(Maker *m)
+{
+    for (int i = 0; i < 3; i++) {
+        wfReal x = WF_R(2.6) + WF_R(2.3) * (wfReal)i;
+        wfBodyId nail = put_nail(m, x, 3);
+        wfBodyDef bar = i < 2 ? box(m, x + WF_R(0.7), 3, WF_R(0.8), WF_R(0.1))
+                              : ball(m, x, 3, WF_R(0.8));
+        bar.userData = (uint64_t)(i % 2 ? WF_INK_BODY2 : WF_INK_BODY);
+        wfBodyId id = put_in_group(m, &bar, -1);
+        pin(m, nail, id, wfV2(x, 3));
+        wfJoint j = joint_from(m, "turn", nail, id, wfV2(x, 3), wfV2(x, 3));
+        j.flags = i == 1 ? WF_JOINT_LIMITS : WF_JOINT_MOTOR;
+        j.lower = WF_R(-0.6), j.upper = WF_R(0.6);
+        j.motorSpeed = 4, j.motorForce = 2;
+        if (i == 0) j.flags = 0, j.rest = WF_R(0.8);
+        if (i == 0) wfTuneJoint(&j, WF_R(0.8), 1, WF_R(0.1));
+        join(m, &j);
+    }
+}
+
+static wfResult build_small(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_slides(&m);
+    put_pulley(&m);
+    put_turns(&m);
+    return m.result;
+}
+/* <scenes> */
+static void on_table(wfWorldDef *def)
+{
+    jointly(def);
+    def->gravity = wfV2(0, 0);
+}
+
+static wfResult build_table(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyId table = put_nail(&m, 0, 0);
+    wfBodyDef block = box(&m, 3, 0, WF_R(0.5), WF_R(0.5));
+    block.userData = WF_INK_BODY2;
+    wfBodyId led = put(&m, &block);
+    wfJoint j = joint_from(&m, "servo", table, led, wfV2(3, 0), wfV2(3, 0));
+    j.motorForce = 60;
+    wfTuneJoint(&j, 1, 3, 1);
+    join(&m, &j);
+    for (int i = 0; i < 9; i++) {
+        wfVec2 at = wfScale(WF_R(1.7), wfV2((wfReal)(i % 3 - 1), (wfReal)(i / 3 - 1)));
+        wfBodyDef disc = ball(&m, at.x, at.y, WF_R(0.45));
+        j = joint_from(&m, "friction", table, put(&m, &disc), at, at);
+        j.motorForce = 2, j.ratio = WF_R(0.3);
+        j.flags = WF_JOINT_COLLIDE;
+        join(&m, &j);
+    }
+    return m.result;
+}
+/* <scenes> */
+static void lead_block(wfWorld *world, const wfSceneInput *in)
+{
+    wfJoint j;
+    (void)in;
+    if (wfGetJoint(world, wfJointAt(world, 0), &j) != WF_OK) return;
+    wfReal angle = wfWrapAngle(WF_R(1.2) * (wfReal)(wfWorldSteps(world) % 3600) / 60);
+    wfRot q = wfRotation(angle);
+    wfReal far = WF_R(2.6) + WF_R(0.8) * q.c;           /* a circle off the middle */
+    j.localA = wfScale(far, wfV2(q.c, q.s));
+    wfSetJoint(world, wfJointAt(world, 0), &j);
+}
+/* <scenes> */
 enum { SPRINGS = 6 };
 
 static wfResult build_springs(wfWorld *world)
@@ -1722,6 +1879,84 @@ static void take_the_plank(wfWorld *world, const wfSceneInput *in)
     if (wfWorldSteps(world) == 360) wfRemoveBodyFromWorld(world, wfBodyAt(world, 1));
 }
 /* <scenes> */
+static wfResult build_bullets(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 16, WF_R(0.5), 0);
+    put_wall(&m, 5, WF_R(3.5), WF_R(0.01), WF_R(1.2), 0);
+    wfBodyDef plate = box(&m, 2, WF_R(0.75), WF_R(0.01), WF_R(0.75));
+    plate.density = 40;
+    plate.userData = WF_INK_ACCENT;
+    put(&m, &plate);
+    for (int i = 0; i < 8; i++) {
+        wfBodyDef b = ball(&m, -9 + WF_R(0.3) * (wfReal)i, WF_R(0.1), WF_R(0.1));
+        b.density = 5;
+        b.userData = i % 2 ? WF_INK_BODY2 : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void update_bullets(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    int shot = (int)(wfWorldSteps(world) % 16800);
+    if (shot % 240 == 0)
+        wfSetBodyTransform(world, wfBodyAt(world, 2), wfV2(2, WF_R(0.75)), 0);
+    if (shot % 30 != 15) return;
+    wfBodyId id = wfBodyAt(world, 3 + shot / 30 % 8);
+    wfReal y = shot / 30 % 2 ? WF_R(3.5) : WF_R(1.2);
+    wfReal aside = WF_R(0.37) * (wfReal)(shot / 30 % 7);
+    wfSetBodyTransform(world, id, wfV2(-10 - aside, y), 0);
+    wfSetBodyVelocity(world, id, wfV2(300, 0), 0);
+}
+/* <scenes> */
+static wfResult build_bullet_room(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    for (int i = 0; i < 4; i++) {
+        wfBodyDef wall = i < 2 ? box(&m, i == 0 ? -6 : 6, 4, WF_R(0.01), 4)
+                               : box(&m, 0, i == 2 ? 0 : 8, 6, WF_R(0.01));
+        wall.type = WF_STATIC;
+        wall.restitution = 1, wall.friction = 0;
+        put(&m, &wall);
+    }
+    for (int i = 0; i < 24; i++) {
+        wfBodyDef b = ball(&m, WF_R(-4.5) + WF_R(1.8) * (wfReal)(i % 6),
+                           WF_R(1.3) + WF_R(1.8) * (wfReal)(i / 6), WF_R(0.15));
+        wfRot q = wfRotation(wfWrapAngle(WF_R(2.4) * (wfReal)i));
+        b.velocity = wfV2(120 * q.c, 120 * q.s);
+        b.restitution = 1, b.friction = 0;
+        b.userData = i % 3 ? WF_INK_BODY : WF_INK_ACCENT;
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_fan(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 12, WF_R(0.5), 0);
+    put_wall(&m, WF_R(11.5), 6, WF_R(0.5), 6, WF_R(0.5));
+    put_wall(&m, WF_R(-11.5), 6, WF_R(0.5), 6, WF_R(0.5));
+    put_wall(&m, 0, WF_R(12.5), 12, WF_R(0.5), WF_R(0.5));
+    wfBodyDef slope = box(&m, -7, WF_R(1.2), 5, WF_R(0.2)), blade;
+    slope.type = WF_STATIC, slope.angle = -WF_R(0.35);
+    put(&m, &slope);
+    blade = box(&m, 2, WF_R(1.8), WF_R(1.5), WF_R(0.02));
+    blade.type = WF_KINEMATIC, blade.angularVelocity = WF_R(57.6);
+    blade.userData = WF_INK_ACCENT;
+    put(&m, &blade);
+    for (int i = 0; i < 16; i++) {
+        wfBodyDef b = ball(&m, -10 + WF_R(0.5) * (wfReal)(i % 8), 4 + (wfReal)(i / 8),
+                           WF_R(0.2));
+        b.restitution = WF_R(0.3);
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
 static wfResult build_card_house(wfWorld *world)
 {
     return wfBuildCardHouse(world, 5, 0, 1);
@@ -1729,9 +1964,15 @@ static wfResult build_card_house(wfWorld *world)
 
 static wfResult build_arch(wfWorld *world) { return wfBuildArch(world, 20, 0.12); }
 
+static void with_more_passes(wfWorldDef *def)
+{
+    def->substeps = 8;
+    def->iterations = 16;
+}
+
 static wfResult build_overhang(wfWorld *world)
 {
-    return wfBuildOverhang(world, 10, WF_R(0.9));
+    return wfBuildOverhang(world, 10, WF_R(0.99));
 }
 
 static void draw_overhang(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -1750,7 +1991,7 @@ static wfResult build_heavy_pairs(wfWorld *world)
     Maker m = { world, WF_OK };
     put_wall(&m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
     wfReal mass = 1;
-    for (int i = 0; i < 3; i++, mass *= 10)
+    for (int i = 0; i < 3; i++, mass *= 100)
         for (int k = 0; k < 2; k++) {
             wfBodyDef b = box(&m, WF_R(2.5) * (wfReal)(i - 1), WF_R(0.5) + (wfReal)k,
                               WF_R(0.5), WF_R(0.5));
@@ -1771,6 +2012,8 @@ static void draw_masses(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
                         1 / (double)v.state[i].invMass);
 }
 /* <scenes> */
+static wfResult build_high_tower(wfWorld *world) { return wfBuildTower(world, 100, 1); }
+
 static wfResult build_one_place(wfWorld *world) { return wfBuildCoincident(world, 40); }
 
 static void with_room_for_pairs(wfWorldDef *def)
@@ -2091,8 +2334,8 @@ static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
 /* <scenes> */
 static void write_length(wfDraw *d, float x, float y, double length)
 {
-    if (fabs(length) > 1) wfDrawText(d, x, y, 12, WF_INK_BAD, 0, "gone");
-    else wfDrawTextf(d, x, y, 12, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
+    if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "gone");
+    else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
 }
 
 static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
@@ -2113,9 +2356,9 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     wfVec2 head = wfAdd(foot, wfV2(WF_R(-0.5) * q.s, WF_R(0.5) * q.c));
     wfDrawDashed(d, WF_XY(foot), WF_XY(head), 1, WF_INK_BAD);
     wfDrawText(d, x + 0.3f, y + 3.5f, 13, WF_INK_ACCENT, 0, name);
-    write_length(d, x - 1.5f, y - 0.7f, sunk);
-    write_length(d, x + 0.2f, y - 0.7f, crept);
-    wfDrawTextf(d, x + 1.8f, y - 0.7f, 12, WF_INK_TEXT, 0, "%.1f %%", 100 * energy);
+    write_length(d, x - 1.6f, y - 0.75f, sunk);
+    write_length(d, x + 0.1f, y - 0.75f, crept);
+    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.1f %%", 100 * energy);
 }
 /* <scenes> */
 static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -2348,6 +2591,24 @@ const wfScene wfSceneTable[] = {
       .viewX = WF_R(-0.6), .viewY = WF_R(0.2), .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = -1 },
     /* <rows of the scene table> */
+    { .category = "Joints", .name = "crank and rack", .chapter = 18,
+      .text = "A crank drives a piston; a wheel runs along a toothed rod.",
+      .define = jointly, .build = build_crank, .update = turn_pinion,
+      .viewX = WF_R(-0.5), .viewY = 0, .viewHeight = 8, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "small machines", .chapter = 18,
+      .text = "Slide, groove, pulley, rotary spring, rotary limit, motor.",
+      .define = jointly, .build = build_small,
+      .viewX = 0, .viewY = WF_R(2.2), .viewHeight = 9, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
+    { .category = "Joints", .name = "seen from above", .chapter = 18,
+      .text = "Discs that rub on a table, and a block that is led round among them.",
+      .define = on_table, .build = build_table, .update = lead_block,
+      .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
     { .category = "Joints", .name = "springs", .chapter = 18,
       .text = "Damped by 0, 0.05, 0.2, 0.5, 1 and 3 times the critical: who is first at rest?",
       .define = jointly, .build = build_springs, .draw = draw_springs,
@@ -2372,7 +2633,7 @@ const wfScene wfSceneTable[] = {
       .energyBound = 10, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Sleep", .name = "islands", .chapter = 25,
-      .text = "Stacks fall asleep. After 7 s a ball is kicked from its shelf: whom does it wake?",
+      .text = "Stacks fall asleep. After 7 s a ball is kicked off its shelf. Who wakes?",
       .define = sleeping, .build = build_islands, .update = kick_the_last,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 9, .show = WF_SHOW_ISLANDS,
       .energyBound = -1, .depthBound = WF_R(0.2) },
@@ -2382,27 +2643,49 @@ const wfScene wfSceneTable[] = {
       .viewX = 0, .viewY = 3, .viewHeight = 9, .show = WF_SHOW_ISLANDS,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.2) },
     /* <rows of the scene table> */
+    { .category = "Fast bodies", .name = "bullets", .chapter = 25,
+      .text = "300 m/s, a falling plate, a hanging sheet, 2 cm each: none gets through.",
+      .build = build_bullets, .update = update_bullets,
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
+      .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Fast bodies", .name = "bullet room", .chapter = 25,
+      .text = "Twenty-four balls at 120 m/s between walls of 2 cm: nobody gets out.",
+      .define = without_gravity, .build = build_bullet_room,
+      .viewX = 0, .viewY = 4, .viewHeight = 9,
+      .energyBound = 12, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Fast bodies", .name = "fan", .chapter = 25,
+      .text = "A blade that turns by 55 degrees in a step bats away what rolls into its way.",
+      .build = build_fan, .viewX = 0, .viewY = 6, .viewHeight = 14,
+      .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
     { .category = "Classics", .name = "card house", .chapter = 30,
       .text = "Five storeys of cards lean on each other. Take one out.",
       .build = build_card_house, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = WF_R(6.2),
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
     { .category = "Classics", .name = "arch", .chapter = 30,
       .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
-      .build = build_arch, .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 7,
+      .define = with_more_passes, .build = build_arch,
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 7,
       .show = WF_SHOW_CONTACTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
     { .category = "Classics", .name = "overhang", .chapter = 30,
-      .text = "Ten blocks hang over the edge by 90 % of what is possible.",
+      .text = "Ten blocks hang over the edge by 99 % of what is possible.",
       .build = build_overhang, .draw = draw_overhang, .viewX = 0, .viewY = 2,
-      .viewHeight = 5, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
+      .viewHeight = 5, .energyBound = WF_R(0.2), .depthBound = WF_R(0.02) },
     /* <rows of the scene table> */
     { .category = "Classics", .name = "heavy on light", .chapter = 17,
-      .text = "One box on another, equal, ten times and a hundred times as heavy.",
+      .text = "One box on another: equal, a hundred and ten thousand times as heavy.",
       .build = build_heavy_pairs, .draw = draw_masses, .viewX = 0, .viewY = WF_R(1.4),
-      .viewHeight = 5, .energyBound = WF_R(0.5), .depthBound = WF_R(0.03) },
+      .viewHeight = 5, .energyBound = WF_R(0.5), .depthBound = WF_R(0.01) },
+    { .category = "Classics", .name = "tower of a hundred", .chapter = 17,
+      .text = "A hundred boxes, each a hundredth askew, and the default settings.",
+      .build = build_high_tower, .viewX = 0, .viewY = 50, .viewHeight = 112,
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.01) },
     { .category = "Classics", .name = "one place", .chapter = 17,
       .text = "Forty boxes are born in the same place, and have to come apart.",
       .define = with_room_for_pairs, .build = build_one_place,
-      .viewX = 0, .viewY = WF_R(3.6), .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8, .energyBound = -1, .depthBound = -1 },
     /* <rows of the scene table> */
     { .category = "Classics", .name = "dominoes", .chapter = 30,
       .text = "A wave runs through thirty stones with a speed of its own.",
@@ -2418,7 +2701,7 @@ const wfScene wfSceneTable[] = {
       .text = "Left or right at each peg: the line is the binomial distribution.",
       .define = softly, .build = build_galton, .update = release_a_ball, .draw = draw_galton,
       .viewX = 0, .viewY = WF_R(5.6), .viewHeight = WF_R(13.6),
-      .energyBound = -1, .depthBound = WF_R(0.2) },
+      .energyBound = -1, .depthBound = WF_R(0.25) },
     /* <rows of the scene table> */
     { .category = "Classics", .name = "hung cradle", .chapter = 18,
       .text = "Five touching balls on rods. One comes in, and one goes out.",
@@ -2438,6 +2721,7 @@ const wfScene wfSceneTable[] = {
     { .category = "Classics", .name = "solvers", .chapter = 17,
       .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
       .build = build_nothing, .draw = draw_solvers,
-      .viewX = 5, .viewY = -3, .viewHeight = 16, .energyBound = 0, .depthBound = -1 },
+      .viewX = 5, .viewY = WF_R(-4.4), .viewHeight = 18, .energyBound = 0,
+      .depthBound = -1 },
 };
 const int wfSceneCount = (int)(sizeof wfSceneTable / sizeof *wfSceneTable);

@@ -24,6 +24,24 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch);
    joint. known: it has been filled for these joints before. WF_ERROR_NULL, _MEMORY. */
 wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
                          bool known, wfPool *scratch);
+/* <limits of the exact solver> */
+#define WF_EXACT_ROOM 6             /* blocks that there is room for, a body or contact */
+#define WF_EXACT_TOUCH WF_R(1e-6)   /* eta of eq:exact-target: gaps that count as closed */
+#define WF_EXACT_EAGER 1e-3         /* share of the speeds: a first guess of who touches */
+#define WF_EXACT_AGREE 1e-5         /* share of the speeds: contacts and other laws agree */
+#define WF_EXACT_PLACES 1e-4        /* kappa when overlap is taken away */
+#define WF_EXACT_STIFFEST 1e-3      /* kappa of the first careful step */
+#define WF_EXACT_GIVE 1e-10         /* of eq:exact-nearest */
+/* eq:exact-rounding: errors, as shares of the speeds and of K times the impulses, up to
+   which a problem is solved. */
+#define WF_EXACT_SPEEDS (WF_EPSILON > 1e-10f ? (double)WF_EPSILON : 1e-10)
+#define WF_EXACT_PUSHES 1e-10
+#define WF_EXACT_TALLEST 1e4        /* more than K sum / speed in what one builds */
+enum { WF_EXACT_BETWEEN = 4 };      /* sweeps before shorter steps are tried */
+/* For each of wfSolve's iterations: systems in whole steps and in shorter ones, sweeps at
+   the end; turns of joints and contacts. */
+enum { WF_EXACT_SYSTEMS = 8, WF_EXACT_CAREFUL = 40 };
+enum { WF_EXACT_SWEEPS = 64, WF_EXACT_TURNS = 8 };
 /* <declarations of counting> */
 typedef struct wfExactCount {
     int32_t blocks, fill;       /* pairs of joints that share a body; that were filled in */

@@ -125,4 +125,8 @@ enum { WF_NO_OBSTACLE = -1 };
    wfTimeOfImpact.  After an error *out is unchanged. */
 wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
                        int32_t count, wfReal most, wfStop *out);
+/* The same for one obstacle, with a larger inner copy that is asked first: share is its
+   size, WF_IMPACT_INNER to 1.  WF_ERROR_RANGE: any other. */
+wfResult wfStopAtOne(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacle,
+                     wfReal share, wfStop *out);
 #endif

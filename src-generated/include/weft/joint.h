@@ -43,7 +43,8 @@ typedef struct wfJoint {
     int32_t flags;              /* WF_JOINT_SPRING, _MOTOR, _LIMITS; _BROKEN */
     wfVec2 localA, localB;      /* m: the anchors */
     wfVec2 axis;                /* unit, in A's frame */
-    wfVec2 groundA, groundB;    /* m, world: a pulley's wheels; groundB: a hand's target */
+    wfVec2 groundA, groundB;    /* m, world: a pulley's wheels; groundB: a hand's target;
+                                   a rack's and a linkage's directions of sliding, unit */
     wfReal rest, angle;         /* m or rad: coordinate at rest; rad: B's turn at rest */
     wfReal ratio;               /* of a pulley or gear; rad: a tooth of a ratchet, > 0 */
     wfReal lower, upper;        /* LIMITS of the coordinate */

@@ -66,7 +66,7 @@ typedef struct wfWorldDef {
     int32_t broadPhase;
     int32_t narrowPhase;
     int32_t solver;
-    int32_t iterations;        /* passes of the contact solver, >= 1 */
+    int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
     int32_t substeps;          /* of solvers that step by themselves, >= 1 */
     int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
@@ -391,7 +391,8 @@ wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks);
  * WF_ERROR_NOT_FINITE: a number overflowed, as when forces are far too large. */
 wfResult wfStepWorld(wfWorld *world);
 wfResult wfSetTimeStep(wfWorld *world, wfReal dt);
-/* Changes the rows that a world uses while it runs; -1 keeps what is. WF_ERROR_UNKNOWN. */
+/* Changes the rows that a world uses while it runs; -1 keeps what is. WF_ERROR_UNKNOWN;
+ * WF_ERROR_MEMORY: "exact" in a world that was created with another solver. */
 wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
                       int solver);
 /* The settings that the world has now, as a definition (its memory field is zero). */
@@ -409,6 +410,10 @@ typedef struct wfStageRow {
 } wfStageRow;
 extern const wfStageRow wfStageTable[];
 extern const int wfStageCount;
+/* <declarations of looking at a world> */
+/* How the solver of the last step fared: "exact" tells how many problems it has solved and
+ * how many not; other solvers leave zeros. WF_ERROR_NULL. */
+wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out);
 /* <declarations of looking at a world> */
 /* The world's own arrays, to read and not to keep: valid until the next call that
  * changes the world. For an empty handle the count is 0. Shapes are relative to the
