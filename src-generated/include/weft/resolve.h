@@ -59,7 +59,7 @@ typedef struct wfSolveReport {
     int32_t factored;         /* matrices that were factored for it */
     int32_t blocks;           /* blocks in all matrices */
     int32_t longest;          /* systems that the hardest problem took; its course: */
-    wfReal  course[WF_REPORT_COURSE];   /* m/s: the error before it, after one system, ... */
+    wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
 } wfSolveReport;
 /* <what the solver reads> */
