@@ -41,6 +41,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
     out->slides = c->friction;
     out->holds = wfMaxR(c->staticFriction, c->friction);
     out->sliding = c->sliding;
+    out->bounces = c->restitution > 0;
     out->friction = c->sliding ? out->slides : out->holds;
     out->rolling = c->rolling;
     out->surfaceSpeed = c->surfaceSpeed;

@@ -21,7 +21,7 @@ typedef struct wfPrepared {
     wfReal  friction, rolling, surfaceSpeed;    /* friction: the one in force */
     wfReal  slides, holds;    /* mu and mu_s >= mu; sliding: which is in force */
     wfReal  massSpin, spin;   /* kg m^2; N m s applied so far */
-    int32_t sliding;
+    int32_t sliding, bounces; /* bounces: 1 if it has restitution */
     wfPreparedPoint p[2];
 } wfPrepared;
 

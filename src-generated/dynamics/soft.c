@@ -25,16 +25,18 @@ static Softness softness_of(const wfSolve *in, wfReal dt)
 /* <a step in substeps> */
 typedef struct Case { wfReal rate, mass, give; } Case;
 
-/* What points want that overlap, are apart but were pushed, are apart, overlap deeply.
- * soft: NULL after the bodies have moved. */
-static void list_cases(const wfSubsteps *s, const Softness *soft, Case out[4])
+enum { CASES = 5 };
+
+/* What points want that overlap, are apart but were pushed, are apart, overlap deeply, are
+ * about to bounce. soft: NULL after the bodies have moved. */
+static void list_cases(const wfSubsteps *s, const Softness *soft, Case out[CASES])
 {
     Case ahead = { 1 / s->dt, 1, 0 };                           /* eq:sequential-target */
     out[0] = out[3] = (Case){ 0, 1, 0 };
     out[1] = ahead;
-    out[2] = (Case){ 0, 0, 0 };
+    out[2] = out[4] = (Case){ 0, 0, 0 };
     if (soft == NULL) return;
-    out[0] = (Case){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
+    out[0] = out[4] = (Case){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
     out[2] = ahead;
 }
 
@@ -43,7 +45,7 @@ typedef struct Deep { wfReal gap, bias, give, rest; } Deep;
 
 static Deep deep_for(const wfSubsteps *s, const Softness *soft)
 {
-    if (soft == NULL) return (Deep){ .gap = -WF_HUGE };
+    if (soft == NULL) return (Deep){ .gap = -WF_HUGE, .rest = s->in->restingSpeed };
     return (Deep){ soft->deep, soft->bias, soft->impulse / soft->mass * s->dt / s->kick,
                    s->in->restingSpeed };
 }
@@ -56,14 +58,23 @@ static inline bool is_deep(const Deep *deep, const wfPreparedPoint *p)
     return -deep->bias * p->now - borne > deep->rest;           /* eq:soft-recovery */
 }
 
+static inline int case_of(const wfPrepared *c, const wfPreparedPoint *p, wfReal u,
+                          const Deep *deep)
+{
+    bool pushed = p->normal > 0;
+    if (p->now > 0) return 1 + !pushed;
+    if (is_deep(deep, p)) return 3;
+    return c->bounces && !pushed && -u > deep->rest ? 4 : 0;    /* eq:soft-coming */
+}
+
 static inline void push_softly(const Case *cases, const Deep *deep, wfPrepared *c,
                                wfPairMotion *m)
 {
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
         wfReal gap = p->now, before = p->normal;
-        const Case *k = &cases[gap > 0 ? 1 + !(before > 0) : 3 * is_deep(deep, p)];
         wfReal u = wfNormalRate(m, p);
+        const Case *k = &cases[case_of(c, p, u, deep)];
         wfReal j = -p->massN * k->mass * (u + k->rate * gap) - k->give * before;
         p->normal = wfMaxR(0, before + j);                      /* eq:sequential-clamp */
         wfPushPoint(m, p, p->normal - before);                  /* eq:soft-pass */
@@ -88,7 +99,7 @@ static void judge(wfSubsteps *s)
 static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     const wfLaws *laws = s->in->laws;
-    Case cases[4];
+    Case cases[CASES];
     Deep deep = deep_for(s, soft);
     list_cases(s, soft, cases);
     for (int32_t pass = 0; pass < s->in->iterations; pass++) {

@@ -58,14 +58,14 @@ static wfReal impact_time(const wfSubsteps *s, const wfPrepared *c,
     wfReal gap = wfGapNow(c, p, &s->moved[c->a], &s->moved[c->b]), never = 2 * s->dt;
     wfPairMotion seen = wfTakePair(s->in, c);
     wfReal after = wfNormalRate(&seen, p), least = s->in->restingSpeed;
-    if (gap + s->dt * after >= 0) return never;
+    if (after + 1 / s->dt * gap >= 0) return never;     /* eq:soft-ahead, as push_softly */
     wfMotion a = at_time(s, c->a, 0), b = at_time(s, c->b, 0);
     seen.vn = wfDot(wfSub(b.v, a.v), c->n);
     seen.wA = a.w, seen.wB = b.w;
     wfReal u = wfNormalRate(&seen, p), rate = 2 * (after - u) / s->dt;
     wfReal square = u * u - 2 * rate * gap;                 /* eq:soft-impact */
     if (!(u < 0) || !(square > least * least)) return never;
-    return 2 * gap / (wfSqrt(square) - u);
+    return wfMinR(2 * gap / (wfSqrt(square) - u), s->dt);
 }
 /* <bounce at the time of impact> */
 static void give(wfSubsteps *s, int32_t i, const wfBodyState *hit, wfMotion was, wfReal t)
