@@ -465,6 +465,31 @@ static void test_mean_steps(void **state)
 
 /* The walk over the regions finds by itself what is clearly apart, in no more steps than there are pairs of edges, and
    leaves what overlaps to GJK. */
+/* The point of a wedge sticks 1/16 into the core of a capsule from the side, well away from its ends. The shortest way out is
+   across the capsule's side: the core with two corners owns the edge, whether it comes first or second. */
+static void test_a_segment_owns_its_side(void **state)
+{
+    (void)state;
+    wfShape capsule, wedge;
+    wfVec2 corners[3] = { wfV2(0, 0), wfV2(1, 4), wfV2(-1, 4) };
+    assert_ok(wfMakeCapsule(wfV2(-3, 0), wfV2(3, 0), WF_R(0.25), &capsule));
+    assert_ok(wfMakePolygon(corners, 3, &wedge));
+    int gjk = wfFindNarrowPhase("gjk");
+    wfTransform here = wfTransformIdentity();
+    for (int i = -4; i <= 4; i++) {
+        wfTransform at = { .p = wfV2((wfReal)i / 2, WF_R(-0.0625)), .q = here.q };
+        wfSeparation first, second;
+        assert_ok(wfSeparate(gjk, &capsule, here, &wedge, at, &first));
+        assert_ok(wfSeparate(gjk, &wedge, at, &capsule, here, &second));
+        assert_int_equal(first.owner, 0);
+        assert_int_equal(second.owner, 1);
+        assert_near(first.distance, -0.3125, 8 * WF_EPSILON);      /* the radius and a sixteenth */
+        assert_near(second.distance, -0.3125, 8 * WF_EPSILON);
+        assert_near(first.normal.y, 1, 4 * WF_EPSILON);
+        assert_near(second.normal.y, -1, 4 * WF_EPSILON);
+    }
+}
+
 static void test_walk(void **state)
 {
     (void)state;
@@ -557,7 +582,7 @@ int main(void)
         cmocka_unit_test(test_the_reference), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_random_pairs),
         cmocka_unit_test(test_unequal_sizes), cmocka_unit_test(test_far_splinters), cmocka_unit_test(test_touching), cmocka_unit_test(test_degenerate_pairs),
         cmocka_unit_test(test_nearly_parallel), cmocka_unit_test(test_degenerate_kinds), cmocka_unit_test(test_swap_and_motion),
-        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_walk), cmocka_unit_test(test_mean_steps), cmocka_unit_test(test_bad_input),
+        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_a_segment_owns_its_side), cmocka_unit_test(test_walk), cmocka_unit_test(test_mean_steps), cmocka_unit_test(test_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -655,6 +655,23 @@ static void test_from_behind(void **state)
 }
 
 /* A link and a shape far from everything, and bad numbers: nothing, and nothing broken. */
+/* The margin is part of what is seen: a box exactly as far above a link as the margin is wide has its two points, one rounding
+   farther it has none. All numbers are powers of two, so the gap is exact. */
+static void test_margin_to_the_bit(void **state)
+{
+    (void)state;
+    const wfVec2 p[2] = { wfV2(4, 0), wfV2(-4, 0) };
+    wfShape link, box;
+    wfManifold m;
+    chain(p, 2, &link);
+    assert_ok(wfMakeBox(1, 1, &box));
+    wfTransform here = wfTransformIdentity(), above = { .p = wfV2(0, WF_R(1.5)), .q = here.q };
+    assert_int_equal(collide(&link, here, &box, above, WF_R(0.5), &m), 2);
+    assert_near(m.points[0].depth, -0.5, 0);
+    assert_near(m.points[1].depth, -0.5, 0);
+    assert_int_equal(collide(&link, here, &box, above, WF_R(0.5) - WF_EPSILON / 4, &m), 0);
+}
+
 static void test_nothing(void **state)
 {
     (void)state;
@@ -683,7 +700,7 @@ int main(void)
         cmocka_unit_test(test_no_holes), cmocka_unit_test(test_joints_by_hand),
         cmocka_unit_test(test_cuts_belong_to_the_neighbour), cmocka_unit_test(test_tips_of_every_size), cmocka_unit_test(test_links_look_ahead),
         cmocka_unit_test(test_needles), cmocka_unit_test(test_thousand_tiles),
-        cmocka_unit_test(test_rides), cmocka_unit_test(test_from_behind), cmocka_unit_test(test_nothing),
+        cmocka_unit_test(test_rides), cmocka_unit_test(test_from_behind), cmocka_unit_test(test_margin_to_the_bit), cmocka_unit_test(test_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
