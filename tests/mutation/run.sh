@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Plants mutants in the engine, one at a time, and counts how many the unit tests catch.
-#   tests/mutation/run.sh [-n SHARE] [-j JOBS] [-t CHAPTERS] [file ...]     SHARE: plant every SHARE-th mutant (default 1: all)
+#   tests/mutation/run.sh [-n SHARE] [-j JOBS] [-t CHAPTERS] [-r] [file ...]     SHARE: plant every SHARE-th mutant (default 1: all)
+# -r: only the survivors of the record are planted again (tests have been added, the chapters are the same), and the record brought up to date.
 # CHAPTERS: whose tests are run, as 07|1[1-3] (default: 05 to 26).
 # Files are paths in the tangled tree; by default math, shapes, mass, bodies, forces, integrators, broad and narrow phase,
 # contacts, impulses. Writes book/data/mutation.csv (one row a mutant) and prints the share caught and the survivors.
@@ -8,8 +9,8 @@
 # pass they run once more under the sanitizers, as make check does: reading beyond an array is a mistake that no value need show.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-share=1 jobs=2 chapters='0[5-9]|1[0-9]|2[0-6]'
-while getopts n:j:t: o; do case $o in n) share=$OPTARG ;; j) jobs=$OPTARG ;; t) chapters=$OPTARG ;; *) exit 2 ;; esac; done
+share=1 jobs=2 retry= chapters='0[5-9]|1[0-9]|2[0-6]'
+while getopts n:j:t:r o; do case $o in r) retry=1 ;; n) share=$OPTARG ;; j) jobs=$OPTARG ;; t) chapters=$OPTARG ;; *) exit 2 ;; esac; done
 shift $((OPTIND - 1))
 lua=$(tangle/lua) || exit 1
 work=${MUTATION_DIR:-build/mutation}; rm -rf "$work"; mkdir -p "$work"
@@ -31,6 +32,11 @@ done
 for f in "${files[@]}"; do
   $lua tests/mutation/mutants.lua list "$work/base/lines/$f" | awk -v f="$f" -v s="$share" 'NR % s == 0 { print f "\t" $0 }' >> "$work/queue"
 done
+if [ -n "$retry" ]; then
+  sed -n '/^"/{ s/^"//; s/"$//; s/","/\t/g; p; }' "${RECORD:-book/data/mutation.csv}" > "$work/record"
+  awk -F'\t' -v OFS='\t' 'NR == FNR { if ($5 == "survived") again[$1, $2, $3, $4] = 1; next } ($3, $4, $5, $6) in again' "$work/record" "$work/queue" > "$work/q" && mv "$work/q" "$work/queue"
+  awk -F'\t' '$5 != "survived"' "$work/record" > "$work/kept.rows"
+else : > "$work/kept.rows"; fi
 total=$(wc -l < "$work/queue"); echo "mutation: $total mutants in ${#files[@]} files, $jobs workers"
 # the tests of the mutant's chapter, with address and undefined-behaviour sanitizers; true: they noticed
 sanitized() {      # worker's tree, chapter
@@ -95,7 +101,7 @@ while IFS=$'\t' read -r where op old new verdict by; do
   [ "$verdict" = survived ] && same_code "$where" "$op" "$old" "$new" && verdict=equivalent
   printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$where" "$op" "$old" "$new" "$verdict" "$by"
 done < "$work/all.rows" > "$work/judged.rows"
-mv "$work/judged.rows" "$work/all.rows"
+sort -t: -k1,1 -k2,2n "$work/judged.rows" "$work/kept.rows" > "$work/all.rows"
 equivalent=$(awk -F'\t' '$5 == "equivalent"' "$work/all.rows" | wc -l)
 caught=$(awk -F'\t' '$5 == "caught"' "$work/all.rows" | wc -l); survived=$(awk -F'\t' '$5 == "survived"' "$work/all.rows" | wc -l)
 invalid=$(awk -F'\t' '$5 == "invalid"' "$work/all.rows" | wc -l)
