@@ -33,7 +33,7 @@ static bool is_ground(const wfBodyState *b)
 {
     return b->invMass == 0 && b->invInertia == 0;
 }
-
+/* <find the trees> */
 static void list_touches(Search *q)
 {
     const wfSolve *in = q->s->in;
@@ -65,7 +65,7 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
     limb->upside = q->s->c[contact].a == body;
     return true;
 }
-
+/* <find the trees> */
 static bool grow(Search *q, int32_t root)
 {
     for (int32_t at = root; at < q->t->count; at++) {
@@ -103,7 +103,7 @@ wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
     for (int32_t i = 0; i < t->count; i++) t->held[t->limb[i].contact] = 1;
     return WF_OK;
 }
-
+/* <find the trees> */
 size_t wfColumnScratch(int32_t bodies, int32_t contacts)
 {
     size_t body = sizeof(wfLimb) + sizeof(int32_t) + 1, contact = 2 * sizeof(int32_t) + 1;
@@ -210,7 +210,7 @@ static bool fold(wfLimb *l, wfLimb *below)
             }
     return true;
 }
-
+/* <solve one limb> */
 static void unfold(wfLimb *l, const wfLimb *below)
 {
     static const wfReal still[3] = { 0, 0, 0 };
@@ -236,7 +236,7 @@ static void point_pushes(const wfLimb *l, wfReal out[2])
     out[0] = l->push[0] / 2 - l->push[1];                       /* eq:soft-mean */
     out[1] = l->push[0] / 2 + l->push[1];
 }
-
+/* <solve the trees> */
 /* how fast a point that was left out will approach, beyond what it may, m/s */
 static wfReal approach(const wfSubsteps *s, const Law *law, const wfLimb *l,
                        const wfLimb *below, const wfPreparedPoint *p)
@@ -274,7 +274,7 @@ static int32_t check_points(const wfSubsteps *s, const Law *law, wfLimb *l,
     l->points = bear;
     return bear == 0 ? LIMB_FAILS : LIMB_AGAIN;
 }
-
+/* <solve the trees> */
 static int32_t check_foot(const wfSubsteps *s, const wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
@@ -296,7 +296,7 @@ static void open_limb(const wfSubsteps *s, wfColumns *t, int32_t at)
         if (c->p[k].normal > 0 || !(c->p[k].now > near)) l->points |= 1 << k;
     if (l->points == 0) t->limb[l->root].state = LIMB_FAILS;
 }
-
+/* <solve the trees> */
 static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 {
     wfPrepared *c = &s->c[l->contact];
@@ -355,7 +355,7 @@ static void check_trees(const wfSubsteps *s, const Law *law, wfColumns *t)
         if (l->state == LIMB_AGAIN) l->state = LIMB_OPEN;
     }
 }
-
+/* <solve the trees> */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest)
 {

@@ -57,7 +57,7 @@ static wfJointRow driven(wfJointRow row, wfReal speed, wfReal most)
     row.most = most, row.least = -most;
     return row;
 }
-
+/* <build rows> */
 /* Adds spring, motor and stops on the coordinate of `row`, whose error counts from j->rest,
    in rows[0..3]; how many of them it filled. */
 static int32_t extras(const wfJoint *j, wfJointRow row, wfJointRow *rows)
@@ -156,7 +156,7 @@ static int32_t build_gear(const wfJoint *j, const wfJointSight *at, wfJointRow *
     rows[0].error = at->turnA + j->ratio * at->turnB - j->rest;
     return 1;
 }
-
+/* <kinds of joint> */
 static int32_t build_ratchet(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     rows[0] = turning(at, j->rest);
@@ -503,7 +503,7 @@ static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiv
         j->impulse[i] = sum;
     }
 }
-
+/* <aim a joint at the end of the substep> */
 static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                       const wfJointPair *p)
 {
@@ -583,7 +583,7 @@ static void add_stiffness(wfJointSet *set, int32_t i)
     set->stiffness[j->a] += wfDot(rA, fA) / set->last;          /* eq:joints-geometric */
     set->stiffness[j->b] += wfDot(w->arm, fB) / set->last;
 }
-
+/* <make taut links sluggish> */
 /* Has any inertia changed? */
 static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
 {
@@ -672,7 +672,7 @@ static void warm_pin(wfPin *q, const wfSolve *in, bool heavier, wfReal share)
     q->impulse = wfScale(share, q->impulse);
     push_pin(q, q->impulse, a, b);
 }
-
+/* <solve plain hinges> */
 static void aim_pin(wfPin *q, const wfSolve *in, wfReal h, wfReal t, wfGiving give)
 {
     wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
@@ -694,7 +694,7 @@ static void relax_pin(wfPin *q, const wfSolve *in)
     push_pin(q, more, a, b);
     q->impulse = wfAdd(q->impulse, more);
 }
-
+/* <solve plain hinges> */
 static void leave_pin(wfJointSet *set, const wfSolve *in, int32_t i)
 {
     const wfPin *q = &set->pins[i];
@@ -713,7 +713,7 @@ static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
     }
     set->changed = set->built = true;
 }
-
+/* <keep joints as other laws> */
 /* Are the rows of this joint that hold solved by themselves? */
 static bool is_alone(const wfJointSet *set, int32_t i)
 {
@@ -735,7 +735,7 @@ static void choose_pins(wfJointSet *set)
     for (int32_t i = 0; i < set->count; i++)
         if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
 }
-
+/* <keep joints as other laws> */
 static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
                          wfReal t)
 {
@@ -801,7 +801,7 @@ size_t wfJointScratch(int32_t bodies, int32_t joints)
     size_t joint = sizeof(wfJointWork) + sizeof(wfPin);
     return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
-
+/* <begin and end a step of joints> */
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
 {
     if (set == NULL || scratch == NULL || laws == NULL) return WF_ERROR_NULL;
@@ -861,7 +861,7 @@ static void break_worst(wfJointSet *set, wfReal h)
             memset(j->impulse, 0, sizeof j->impulse);
         }
 }
-
+/* <begin and end a step of joints> */
 void wfEndJoints(wfJointSet *set, const wfSolve *in)
 {
     wfReal dt = in->h / (wfReal)in->substeps;

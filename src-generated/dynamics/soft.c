@@ -39,7 +39,7 @@ static void list_cases(const wfSubsteps *s, const Softness *soft, Case out[CASES
     out[0] = out[4] = (Case){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
     out[2] = ahead;
 }
-
+/* <a step in substeps> */
 /* What tells a deep overlap from one that is pressed: no gap above `gap` is one. */
 typedef struct Deep { wfReal gap, bias, give, rest; } Deep;
 
@@ -57,7 +57,7 @@ static inline bool is_deep(const Deep *deep, const wfPreparedPoint *p)
     wfReal borne = deep->give * p->normal / p->massN;
     return -deep->bias * p->now - borne > deep->rest;           /* eq:soft-recovery */
 }
-
+/* <a step in substeps> */
 static inline int case_of(const wfPrepared *c, const wfPreparedPoint *p, wfReal u,
                           const Deep *deep)
 {
@@ -95,7 +95,7 @@ static void judge(wfSubsteps *s)
         wfJudgeFriction(&s->c[i], &m);
     }
 }
-
+/* <a step in substeps> */
 static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     const wfLaws *laws = s->in->laws;
@@ -131,7 +131,7 @@ static bool part_point(const wfPreparedPoint *p, const wfPrepared *c, const wfSo
     mb->turn += j * p->nB * b->invInertia;
     return true;
 }
-
+/* <a step in substeps> */
 static void part_deep(wfSubsteps *s, const Softness *soft, wfMoved *aside)
 {
     bool some = false;
@@ -191,7 +191,7 @@ wfResult wfSoftStep(const wfSolve *in)
     wfPoolRewind(in->scratch, mark);
     return result;
 }
-
+/* <a step in substeps> */
 size_t wfSoftScratch(int32_t bodies, int32_t contacts)
 {
     size_t aside = sizeof(wfMoved) * (size_t)bodies + WF_POOL_ALIGN;

@@ -20,7 +20,7 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
     if (in->laws != NULL)
         in->laws->begin(in->laws->context, in, s->moved, s->dt, t);
 }
-
+/* <kick and drift> */
 void wfFindGaps(wfSubsteps *s)
 {
     for (int32_t i = 0; i < s->in->contactCount; i++) {
@@ -137,7 +137,7 @@ static wfResult put_in_order(wfSubsteps *s)
     }
     return result;
 }
-
+/* <take room for substeps> */
 wfResult wfTakeSubsteps(wfSubsteps *s)
 {
     const wfSolve *in = s->in;

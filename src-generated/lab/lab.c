@@ -2327,7 +2327,7 @@ static double ball_energy(const labBench *b)
     const wfBodyState *s = &b->state[1];
     return (double)wfKineticEnergy(s) + 9.81 * ((double)s->p.y - 0.5);
 }
-
+/* <measurements> */
 /* the change of energy after so many bounces, as a share */
 static double after_bounces(const char *solver, double height, int bounces)
 {
@@ -2513,7 +2513,7 @@ static bool tower_stays(labBench *b)
     }
     return true;
 }
-
+/* <measurements> */
 static bool passes_hold(int boxes, int substeps)
 {
     static labBench b;
@@ -2539,7 +2539,7 @@ static int measure_soft_tower(FILE *out)
     }
     return 0;
 }
-
+/* <measurements> */
 static int measure_soft_columns(FILE *out)
 {
     static labBench b;
@@ -2575,7 +2575,7 @@ static double heavy_sinks(double ratio, int columns)
     }
     return 1.5 - low;
 }
-
+/* <measurements> */
 static int measure_soft_heavy(FILE *out)
 {
     fprintf(out, "ratio,passes,columns\n");
@@ -2609,7 +2609,7 @@ static void lab_spawn(double steps, double *peak, double *way, double *deep)
         for (int k = 0; k < b.contact[i].manifold.count; k++)
             *deep = fmax(*deep, (double)b.contact[i].manifold.points[k].depth);
 }
-
+/* <measurements> */
 static int measure_soft_spawn(FILE *out)
 {
     fprintf(out, "setting,peak,moved,overlap\n");
@@ -2677,7 +2677,7 @@ static double labHang(labChain *c, int steps, double *worst)
     }
     return off;
 }
-
+/* <measurements> */
 static int measure_joints_chain(FILE *out)
 {
     fprintf(out, "substeps,load 1,load 10,load 100,load 1000\n");
@@ -2754,7 +2754,7 @@ static void labSwing(FILE *out, int substeps)
     fprintf(out, "%d,%.3f,%.4f,%.2g\n", substeps, -100 * mean / 9.81,
             100 * ((last - first) / turns / exact - 1), 1000 * gap);
 }
-
+/* <measurements> */
 static int measure_joints_pendulum(FILE *out)
 {
     fprintf(out, "substeps,energy,period,gap\n");
@@ -2776,7 +2776,7 @@ static bool labSpringsSurvive(double k, int rate)
     }
     return true;
 }
-
+/* <measurements> */
 static int measure_joints_spring(FILE *out)
 {
     fprintf(out, "rate,stiffness,spring,joint\n");
