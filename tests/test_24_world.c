@@ -1634,10 +1634,35 @@ static void what_is_held_by_a_third_is_met_in_the_first_step(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* One box on a floor: "exact" has a problem in every substep and solves all of them; other solvers report nothing. */
+static void the_solver_reports(void **unused)
+{
+    (void)unused;
+    const char *const solvers[] = { "exact", "soft" };
+    for (int k = 0; k < 2; k++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        wfSolveReport r;
+        def.solver = wfFindSolver(solvers[k]);
+        wfWorld world;
+        assert_ok(wfCreateWorld(&def, &world));
+        add(&world, floor_def());
+        add(&world, box_def(0, 0.5, 0.5));
+        memset(&r, 0xEE, sizeof r);
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfGetSolveReport(&world, &r));
+        if (k == 0) assert_true(r.solved >= def.substeps);
+        else assert_int_equal(r.solved, 0);
+        assert_true(r.unsolved == 0 && r.apart == 0 && r.residual >= 0);
+        assert_int_equal(wfGetSolveReport(&world, NULL), WF_ERROR_NULL);
+        assert_int_equal(wfGetSolveReport(NULL, &r), WF_ERROR_NULL);
+        wfDestroyWorld(&world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(free_flight_is_the_parabola), cmocka_unit_test(gravity_scale_and_kinds_of_body),
+        cmocka_unit_test(the_solver_reports), cmocka_unit_test(free_flight_is_the_parabola), cmocka_unit_test(gravity_scale_and_kinds_of_body),
         cmocka_unit_test(damping_does_not_depend_on_the_step), cmocka_unit_test(damping_and_material_can_be_changed),
         cmocka_unit_test(a_heavy_body_that_cannot_turn_still_collides), cmocka_unit_test(pushes_act_for_one_step),
         cmocka_unit_test(position_is_that_of_the_origin), cmocka_unit_test(mass_comes_from_density_or_as_given),

@@ -329,7 +329,7 @@ static void true_inertias(Matrix *m, const wfJointSet *set)
     for (int32_t n = 0; n < m->bodies; n++)
         m->inverse[m->body[n]] = set->inverse[m->body[n]];
 }
-
+/* <Newton's method for all joints> */
 /* m: how far from its centre a body's mass is; 0 for one that cannot turn or move. */
 static wfReal spread(const wfBodyState *s, wfReal inverse)
 {
@@ -353,7 +353,7 @@ static void note_size(Matrix *m, const wfJointSet *set, const wfSolve *in, int32
         m->size[i][k] = size > 0 ? 1 / size : 0;
     }
 }
-
+/* <Newton's method for all joints> */
 /* The gap that is left of row k when its error at the end is `then`, by its size. */
 static wfReal note_gap(Matrix *m, const wfJointSet *set, int32_t i, int k, wfReal then,
                        wfReal keep, wfReal h)
@@ -430,7 +430,7 @@ static void stiffen_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in, 
     fill_matrix(m, set, in);
     factor_matrix(m, set, in);
 }
-
+/* <Newton's method for all joints> */
 /* eq:exact-step: from the gaps in x and the velocities in `next`, to new velocities. */
 static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {

@@ -129,7 +129,7 @@ static wfReal shorter_arm(const Exact *e, int32_t i, int32_t k)
     const wfContactPoint *p = &found_of(e, i)->points[k];
     return wfMinR(wfLength(p->armA), wfLength(p->armB));
 }
-
+/* <load and store contacts> */
 static void load_contact(Exact *e, int32_t i, bool soft)
 {
     const wfPrepared *c = &e->s.c[i];

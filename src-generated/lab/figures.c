@@ -2506,7 +2506,7 @@ static wfContact path_contact(wfBodyState *state, wfReal j0, wfReal j1)
     }
     return c;
 }
-
+/* <figures> */
 /* the two impulses after so many passes that may only push */
 static wfVec2 path_pushed(int passes)
 {
@@ -2519,7 +2519,7 @@ static wfVec2 path_pushed(int passes)
     }
     return wfV2(j[0], j[1]);
 }
-
+/* <figures> */
 /* the same with sums that are clamped, from a beginning */
 static wfVec2 path_after(int passes, wfReal j0, wfReal j1)
 {
