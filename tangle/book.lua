@@ -6,8 +6,10 @@
 --   book.chapters[i]  { file, base, label ("06", "A"), first (line of the stream) }
 --   book.chunks[i]    { name, chapter (index), file, line, part, items = { {kind="text"|"use"|"nl", text, line} } }
 --   book.names[name]  { parts = {chunk indices}, uses = { {chunk, line} } }
+--   book.parts[word]  { needs = {words}, file, line }   what may be left out of an engine (parts.lua); chunk.only = {words}
 --
 -- Every message has the form  file:line: what is wrong -- what to do  and is collected, so that one run tells all.
+local Parts = require "parts"
 local Book = {}
 Book.__index = Book
 
@@ -32,8 +34,9 @@ function Book:finish()          -- print what was collected, stop when there was
 end
 
 function Book.read(stream)
-  local self = setmetatable({ chapters = {}, chunks = {}, names = {}, errors = {} }, Book)
+  local self = setmetatable({ chapters = {}, chunks = {}, names = {}, errors = {}, parts = {}, part_uses = {} }, Book)
   local chapter, chunk, line, kind, open
+  local reader, said                       -- of the marks in the documentation, and its line so far
   for l in stream:lines() do
     local key, rest = l:match("^@(%S+) ?(.*)$")
     if key == "file" then
@@ -41,14 +44,16 @@ function Book.read(stream)
       chapter = { file = rest, base = base, label = Book.label_of(base, "X" .. #self.chapters + 1), index = #self.chapters + 1 }
       self.chapters[chapter.index] = chapter
       line, open = 1, nil
+      reader, said = Parts.reader(self, chapter), ""
     elseif key == "begin" then
       kind = rest:match("^%a+")
+      said = ""
       if kind == "code" then
         if open then                        -- code follows code with no word of documentation: the @ between them is missing
           self:complain(chapter.file, line, "a chunk begins here, but <<" .. open .. ">> was not ended",
             "write a line with @ alone where its code ends; what stands below it is taken for code until then")
         end
-        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1 }
+        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1, only = reader.here() }
         self.chunks[chunk.index] = chunk
       end
     elseif key == "defn" and kind == "code" then
@@ -64,7 +69,12 @@ function Book.read(stream)
       name.uses[#name.uses + 1] = { chunk = chunk.index, line = line }
     elseif key == "text" and kind == "code" then
       chunk.items[#chunk.items + 1] = { kind = "text", text = rest, line = line }
+    elseif kind == "docs" and (key == "text" or key == "use") then said = said .. rest
     elseif key == "nl" then
+      if kind == "docs" then
+        reader.line(line, said)
+        said = ""
+      end
       if kind == "code" then chunk.items[#chunk.items + 1] = { kind = "nl", line = line } end
       line = line + 1
     elseif key == "index" and rest:match("^nl") then
@@ -77,6 +87,7 @@ function Book.read(stream)
       kind = nil
     end
   end
+  Parts.close(self)
   return self
 end
 
@@ -107,6 +118,7 @@ function Book:check_chunks()
   end
   self:check_cycles()
   self:check_lines()
+  Parts.check(self)
   table.sort(self.errors)
 end
 

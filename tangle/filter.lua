@@ -146,7 +146,7 @@ local function chunk(k)
     local whole = c.source and ' <a class="whole" href="' .. c.source .. '">whole file</a>' or ""
     local body = "<pre><code>" .. table.concat(rows, "\n") .. "\n</code></pre>"
     local head = '<figcaption><a class="num" href="#' .. c.id .. '">' .. c.num .. '</a> <span class="name">\u{27e8}' .. Code.name(db, c.name, "html") ..
-      "\u{27e9}" .. (c.part > 1 and '<span class="pl">+</span>' or "") .. "\u{2261}</span>" .. whole .. '<span class="src">' .. Code.html(c.file) .. ":" .. c.line .. "</span></figcaption>"
+      "\u{27e9}" .. (c.part > 1 and '<span class="pl">+</span>' or "") .. "\u{2261}</span>" .. (c.only and '<span class="only">only with ' .. Code.html(c.only) .. "</span>" or "") .. whole .. '<span class="src">' .. Code.html(c.file) .. ":" .. c.line .. "</span></figcaption>"
     local foot = #feet > 0 and "<footer>" .. table.concat(feet, " ") .. "</footer>" or ""
     previews[#previews + 1] = { c.id, head .. body }
     return rawb('<figure class="chunk" id="' .. c.id .. '">' .. head .. "\n" .. body .. "\n" .. foot .. "</figure>")
@@ -164,7 +164,7 @@ local function chunk(k)
     rows[i] = "\\wL" .. glue .. "{" .. Code.line_tex(db, l, index) .. "}"
   end
   return rawb(string.format("\\wChunk{%s}{%s}{%s}{%s}{%s}{%s}%%\n%s\n\\wFoot{%s}", c.id, c.num, Code.name(db, c.name, "tex"),
-    c.part > 1 and "\\wPlus" or "", Code.tex(c.file) .. ":" .. c.line, c.part == 1 and Code.tex(c.name:lower():gsub("[^%w ]", "")) or "",
+    c.part > 1 and "\\wPlus" or "", (c.only and "only with \\textbf{" .. Code.tex(c.only) .. "}, " or "") .. Code.tex(c.file) .. ":" .. c.line, c.part == 1 and Code.tex(c.name:lower():gsub("[^%w ]", "")) or "",
     table.concat(rows, "\n"), table.concat(feet, ". ") .. (#feet > 0 and "." or "")))
 end
 
@@ -473,11 +473,16 @@ local function div(el)
     local l = db.labels[a["for"] or ""]
     return box("solution", "Solution of " .. (l and "Exercise " .. l.num or "an exercise"), nil, el.content)
   elseif c:includes("goals") then
-    return box("goals", "Goals", a.report and (html and "the report: " or "the report: ") .. esc(a.report) or nil, el.content)
+    local told = a.report and "the report: " .. esc(a.report) or nil
+    if a.part and a.part ~= "" then
+      told = (told and told .. (html and " \u{b7} " or " \\textperiodcentered{} ") or "") .. "may be left out: " .. esc(a.part)
+    end
+    return box("goals", "Goals", told, el.content)
   elseif c:includes("test") then
     return box("test", "Test", a.file and code(a.file) or nil, el.content)
   elseif c:includes("data") then return data_table(el)
-  elseif c:includes("files") then return file_list() end
+  elseif c:includes("files") then return file_list()
+  elseif c:includes("only") then return el.content end
   for _, k in ipairs { "note", "warning", "history", "physics", "aside" } do
     if c:includes(k) then return box(k, a.title and Code.plain(a.title):gsub(".+", esc) or (k:gsub("^%l", string.upper)), nil, el.content, el.identifier ~= "" and el.identifier or nil) end
   end
@@ -517,6 +522,10 @@ local function header(el)
   if not l then return nil end
   if html then
     el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(Code.ref_text(l)) or l.num) .. "</span> "))
+    if el.attributes.part then
+      el.content:insert(raw('<span class="only">only with ' .. Code.html(el.attributes.part:gsub(" ", " and ")) .. "</span>"))
+      el.attributes.part = nil
+    end
     el.content:insert(raw('<a class="anchor" href="#' .. el.identifier .. '" aria-label="link to this section">\u{b6}</a>'))
     return el
   end

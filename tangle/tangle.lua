@@ -1,14 +1,15 @@
 -- tangle.lua: the filter between noweb's markup and noweb's mnt.
 --
---   lua tangle.lua (plain|lines) ROOTS-FILE < stream > stream
+--   lua tangle.lua (plain|lines) ROOTS-FILE [PARTS-FILE [only WORDS] [without WORDS]] < stream > stream
 --
 -- It checks the book's chunks, writes the list of the files that the book makes to ROOTS-FILE, and adds to the stream
 --   plain   a header for each file and each chunk's name as a comment  (src-generated/, for people)
 --   lines   a '*' after each file name, which makes mnt write #line    (build/lines/, for compilers and debuggers)
+-- With PARTS-FILE, only the engine is written, and of it only the chosen parts (parts.lua); the file gets their names.
 package.path = (arg[0]:match("^(.*/)") or "./") .. "?.lua;" .. package.path
-local Book = require "book"
-local mode, roots_file = arg[1], arg[2]
-assert(mode == "plain" or mode == "lines", "usage: lua tangle.lua (plain|lines) ROOTS-FILE < stream")
+local Book, Parts = require "book", require "parts"
+local mode, roots_file, parts_file = arg[1], arg[2], arg[3]
+assert(mode == "plain" or mode == "lines", "usage: lua tangle.lua (plain|lines) ROOTS-FILE [PARTS-FILE ...] < stream")
 
 local text = io.read("a")
 local tmp = assert(io.tmpfile())
@@ -19,6 +20,17 @@ tmp:close()
 book:check_chunks()
 book:finish()
 
+local keep                                      -- nil: everything
+if parts_file then
+  local how = {}
+  for i = 4, #arg, 2 do how[arg[i]] = arg[i + 1] end
+  local chosen = Parts.choose(book, how)
+  keep = Parts.reached(book, chosen)
+  local f = assert(io.open(parts_file, "w"))
+  for _, w in ipairs(Parts.list(chosen)) do f:write(w, "\n") end
+  f:close()
+end
+
 -- The chapters that have a hand in a file: found by walking the file's chunks.
 local function chapters_of(root)
   local seen, list = {}, {}
@@ -27,8 +39,10 @@ local function chapters_of(root)
     seen[name] = true
     for _, p in ipairs(book.names[name].parts) do
       local c = book.chunks[p]
+      if keep and not keep[p] then goto next end
       list[book.chapters[c.chapter].base] = true
       for _, it in ipairs(c.items) do if it.kind == "use" then walk(it.text) end end
+      ::next::
     end
   end
   walk(root)
@@ -64,17 +78,28 @@ local roots = assert(io.open(roots_file, "w"))
 local listed = {}
 local out, index = {}, 0
 local function put(l) out[#out + 1] = l end
-local pending
+local pending, absent                           -- absent: the chunk is not in this engine and becomes documentation
 for l in text:gmatch("([^\n]*)\n") do
   local key, rest = l:match("^@(%S+) ?(.*)$")
-  if key == "defn" then
+  if key == "begin" and rest:match("^code") and keep and not keep[index + 1] then
+    absent = true
+    put("@begin docs " .. rest:match("%d+"))
+  elseif absent then
+    if key == "defn" then index = index + 1
+    elseif key == "nl" then put("@nl")
+    elseif key == "end" then
+      put("@end docs " .. rest:match("%d+"))
+      absent = nil
+    end
+  elseif key == "defn" then
     index = index + 1
     local c = book.chunks[index]
     local root = Book.is_root(rest)
-    if root and not listed[rest] then listed[rest] = true; roots:write(rest, "\n") end
+    local first_time = root and not listed[rest]
+    if first_time then listed[rest] = true; roots:write(rest, "\n") end
     put("@defn " .. rest .. (mode == "lines" and root and "*" or ""))
     if mode == "plain" then
-      if root and c.part == 1 then pending = header(rest)
+      if root and first_time then pending = header(rest)
       elseif not root and rest ~= "" then pending = { "/* <" .. plain_name(rest) .. "> */" } end
     end
   elseif key == "nl" and pending then

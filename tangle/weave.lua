@@ -11,7 +11,7 @@
 -- With --tolerant, errors are told but what can be woven is woven.
 local here = arg[0]:match("^(.*/)") or "./"
 package.path = here .. "?.lua;" .. package.path
-local Book, Code = require "book", require "weave-code"
+local Book, Code, Parts = require "book", require "weave-code", require "parts"
 
 local out, tolerant, strict, html_dir
 do
@@ -197,7 +197,7 @@ local function check_prose(chapter, line, l)
 end
 
 local boxes = {}
-for b in ("goals note warning history physics aside test exercise solution data files columns"):gmatch("%a+") do boxes[b] = true end
+for b in ("goals note warning history physics aside test exercise solution data files columns only"):gmatch("%a+") do boxes[b] = true end
 
 local function check_data(chapter, line, l)
   local file = l:match('file="([^"]*)"')
@@ -271,7 +271,7 @@ local function doc_line(chapter, line, l)
     if l:match("^:::+%s*{[^}]*%.data") then check_data(chapter, line, l) end
     local class = l:match("^:::+%s*{%s*%.([%w_%-]+)")
     if class and not boxes[class] then
-      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files")
+      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files .only")
     end
     local solved = l:match("%.solution.-for=[\"']?([%w:_%-]+)")
     if solved then refs_seen[#refs_seen + 1] = { chapter.file, line, solved } end
@@ -594,6 +594,21 @@ local function resolve(name, file)
   return own or global, earliest, list
 end
 
+-- The parts without which a name has no definition where it is used in chunk c: nil if it has one (parts.lua).
+local function lacks(name, file, c, list)
+  local made, best = false, nil
+  for _, t in ipairs(list or {}) do made = made or (t.main and t.kind == "f" and (t.files[file] or not t.static)) end
+  for _, t in ipairs(list or {}) do
+    if (t.files[file] or not t.static) and (not made or t.main) then
+      local with, missing = book.chunks[t.chunk].with, {}
+      if Parts.within(with, c.with) then return nil end
+      for w in pairs(with) do if not c.with[w] then missing[w] = true end end
+      best = best or missing
+    end
+  end
+  return best
+end
+
 ----------------------------------------------------------------------------------- chunks: lexed, resolved, cross referenced
 local uses_of = {}                             -- uses_of[definition] = list of chunk indices
 local eq_users = {}                            -- eq_users[label] = list of chunk indices
@@ -670,6 +685,12 @@ for index, c in ipairs(book.chunks) do
             told[c.file .. text] = true
             book:complain(c.file, l.line, text .. " is used here but first declared later, in " .. book.chapters[earliest].file,
               "move its declaration to this chapter or an earlier one, or move the use")
+          end
+          local missing = c.roots and not mine and lacks(text, place and place[1].name, c, list)
+          if missing and not told[c.file .. text .. l.line] then
+            told[c.file .. text .. l.line] = true
+            book:complain(c.file, l.line, text .. " is used here, but is defined only with " .. Parts.say(Parts.short(book, missing)),
+              "mark this code as belonging to that part, too (a section or a box with part=), or put the call into a chunk that the part adds to")
           end
         end
       elseif class == "co" then                 -- /* eq:x */ becomes a link that shows the number
@@ -750,7 +771,7 @@ for i, ch in ipairs(book.chapters) do
       end
       local files = {}
       if Book.is_root(c.name) then files[1] = c.name end
-      mine.chunks[c.k] = { num = c.num, id = c.id, name = c.name, part = c.part, file = c.file, line = c.line, lines = c.tokens, defs = defs,
+      mine.chunks[c.k] = { num = c.num, id = c.id, name = c.name, part = c.part, only = Parts.margin(book, c), file = c.file, line = c.line, lines = c.tokens, defs = defs,
         eqs = { table.unpack(c.eqs) }, used = keyed(users), previous = c.part > 1 and book.chunks[n.parts[c.part - 1]].id or nil,
         following = c.part < #n.parts and book.chunks[n.parts[c.part + 1]].id or nil, source = files[1] and roots[files[1]].page or nil }
     end

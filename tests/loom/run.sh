@@ -165,6 +165,110 @@ static int count(void) { return 1; }
 X
 if weave && [ "$(grep -o '"d-count[^"]*"' "$dir/out/weave/01-one.lua" | sort -u | wc -l)" -eq 1 ]; then ok "a chunk in two files defines once"; else bad "a chunk in two files defines once"; fi
 
+# ---- parts that may be left out
+book parts; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+::: {.goals report="1" parts="bells; whistles: bells"}
+- make noise
+:::
+
+<<core/a.c>>=
+<<headers of a>>
+int a(void)
+{
+    int loud = 0;
+    <<make noise>>
+    return loud;
+}
+@
+<<make noise>>=
+/* as much as there is */
+@
+<<headers of a>>=
+/* none yet */
+@
+X
+chapter 02-two.nw <<'X'
+# Two {#sec:two}
+
+## Bells {#sec:two-bells part="bells"}
+
+<<make noise>>=
+loud += wfRing();
+@
+<<headers of a>>=
+int wfRing(void);
+@
+<<core/bell.c>>=
+int wfRing(void) { return <<how loud>> 1; }
+@
+
+## Not only bells {#sec:two-other}
+
+::: {.only part="whistles"}
+<<make noise>>=
+loud += wfPlay() + wfRing();
+@
+<<headers of a>>=
+int wfPlay(void);
+@
+<<core/whistle.c>>=
+int wfPlay(void) { return 2; }
+@
+:::
+X
+sed -i 's/<<how loud>> //' "$dir/chapters/02-two.nw"
+parts_tangle() { (cd "$dir" && "$repo/tangle/tangle" "$@" out/parts chapters/*.nw) >"$work/log" 2>&1; }
+noise() { parts_tangle "$@" && (cd "$dir/out/parts" && ls core | tr '\n' ' '; grep -c 'loud +=' core/a.c; tr '\n' ' ' < parts) > "$work/got" 2>&1; tr '\n' ' ' < "$work/got"; }
+expect_parts() { if [ "$2" = "$3" ]; then ok "$1"; else echo "expected: $3|got: $2|" > "$work/log"; bad "$1"; fi; }
+if weave; then ok "a book with parts"; else bad "a book with parts"; fi
+expect_parts "no part" "$(noise --only '')" "a.c 0 "
+expect_parts "a part with what it needs" "$(noise --only whistles)" "a.c bell.c whistle.c 2 bells whistles "
+expect_parts "one part alone" "$(noise --only bells)" "a.c bell.c 1 bells "
+expect_parts "without a part, and without what needs it" "$(noise --without bells)" "a.c 0 "
+expect_parts "without one that nobody needs" "$(noise --without whistles)" "a.c bell.c 1 bells "
+if parts_tangle --only bell; then bad "an unknown part was tangled"; elif grep -q 'no part is called bell (did you mean bells?) -- the parts are bells, whistles' "$work/log"; then ok "an unknown part"; else bad "an unknown part: no message"; fi
+grep -q '"only"\]="whistles"' "$dir/out/weave/02-two.lua" && ok "the margin says with what" || bad "the margin should say: whistles"
+sed -i 's/part="bells"/part="bell"/' "$dir/chapters/02-two.nw"
+refuse "a section of an unknown part" 02-two.nw 3 'no part is called bell' 'the parts are bells, whistles'
+refuse_tangle "a section of an unknown part" 02-two.nw 3 'no part is called bell' 'the parts are bells, whistles'
+book lost-part; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+::: {.goals report="1" parts="bells; whistles: flutes; drums"}
+- make noise
+:::
+
+## Bells {#sec:one-bells part="bells"}
+
+<<core/bell.c>>=
+int wfRing(void);
+int wfRing(void) { return 1; }
+@
+<<make noise>>=
+wfRing();
+@
+
+## All {#sec:one-all}
+
+<<core/a.c>>=
+int a(void)
+{
+    <<make noise>>
+    return wfRing();
+}
+@
+
+::: {.only}
+:::
+X
+refuse "a need that is no part" 01-one.nw 3 'part whistles needs flutes' 'declare it'
+refuse "a chunk that may have no definition" 01-one.nw 22 'make noise>> is used here, but is defined only with bells, in chapters/01-one.nw:13' 'first piece'
+refuse_tangle "a chunk that may have no definition" 01-one.nw 22 'defined only with bells' 'first piece'
+refuse "an identifier that may have no definition" 01-one.nw 23 'wfRing is used here, but is defined only with bells' 'mark this code'
+refuse "a box that does not say with what" 01-one.nw 27 'does not say with what' 'part='
+
 # ---- labels, references, citations
 book labels; chapter 01-one.nw <<'X'
 # One {#sec:one}
