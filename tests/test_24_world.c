@@ -1374,11 +1374,12 @@ static void all_settings_can_be_changed(void **unused)
     assert_ok(wfSetWorldDef(&world, &def));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_same_def(&got, &def);
-    def.bodyCapacity = 1, def.events = 0;                 /* not looked at, but for sense */
-    assert_ok(wfSetWorldDef(&world, &def));
-    assert_ok(wfGetWorldDef(&world, &got));
-    assert_true(got.bodyCapacity == 11 && got.events == 1);
     void *bytes = copy_of(&world);
+    def.bodyCapacity = 12;                                /* built into the block */
+    assert_result(WF_ERROR_BUILT_IN, wfSetWorldDef(&world, &def));
+    def.bodyCapacity = 11, def.events = 0;
+    assert_result(WF_ERROR_BUILT_IN, wfSetWorldDef(&world, &def));
+    def.events = 1;
     def.substeps = 0;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
     def.substeps = 1;
