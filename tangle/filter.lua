@@ -260,6 +260,26 @@ local function inline_svg(svg, prefix, caption)
   return svg
 end
 
+-- Figures that move: weft-figures --live has listed them, with how many handles they have and whether time changes them.
+local live
+local function live_row(name)
+  if not live then
+    live = {}
+    for n, handles, moves in (Code.read(weave .. "/live.list") or ""):gmatch("(%S+) (%d+) (%d)\n") do live[n] = { handles, moves == "1" } end
+  end
+  return live[name]
+end
+-- What the page's script must know of a figure: its row or its scene, and where its code is.
+local function live_data(path)
+  local name, scene = path:match("^figures/(.+)%.svg$"), path:match("^scenes/(.+)%-%d+%.svg$")
+  local row = name and live_row(name)
+  local code = name and db.idents["figure_" .. name:gsub("%-", "_")]
+  local at = code and code[1] and code[1].target
+  if scene then return ' data-scene="' .. scene:gsub("%-", " ") .. '"' end
+  if not row then return "" end
+  return ' data-live="' .. name .. '"' .. (row[2] and ' data-moves="1"' or "") .. (at and ' data-code="' .. at .. '"' or "")
+end
+
 local function figure(el)
   if #el.content ~= 1 or el.content[1].t ~= "Image" then return nil end
   local im = el.content[1]
@@ -281,7 +301,7 @@ local function figure(el)
     if not file then picture = '<div class="missing">' .. Code.html(path) .. " is not drawn yet</div>"
     elseif path:match("%.svg$") then picture = inline_svg(Code.read(file), (id ~= "" and id or path):gsub("[^%w]+", "-"), caption_text)
     else picture = '<img src="' .. path .. '" alt="' .. Code.html(caption_text) .. '">' end
-    r:insert(rawb('<figure class="fig' .. (plot and " plot" or "") .. '"' .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><div class="pic"' ..
+    r:insert(rawb('<figure class="fig' .. (plot and " plot" or "") .. '"' .. live_data(path) .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><div class="pic"' ..
       (width and ' style="width:' .. width .. '"' or "") .. ">" .. picture .. "</div><figcaption>" .. (l and "<b>Figure " .. l.num .. ".</b> " or "")))
     r:insert(pandoc.Plain(im.caption))
     r:insert(rawb(commands .. "</figcaption></figure>"))

@@ -1,0 +1,261 @@
+// Weft's live figures and simulations: the tangled code as WebAssembly. Works from file://; without it the frozen pictures stay.
+// A figure is <figure data-live="NAME" data-code="HREF">, a simulation <figure data-scene="NAME" data-code="HREF">.
+(() => {
+  'use strict';
+  const here = document.currentScript.src.replace(/[^/]*$/, '');
+  const utf8 = new TextEncoder(), words = new TextDecoder();
+  let module = null;
+  // the module comes as a script of base64, since a page from a disk may not fetch
+  const load = () => module || (module = new Promise((done, fail) => {
+    window.WEFT_LIVE = text => {
+      const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+      WebAssembly.compile(bytes).then(done, fail);
+    };
+    const s = document.createElement('script');
+    s.src = here + 'live-wasm.js';
+    s.onerror = () => fail(new Error('live-wasm.js is missing'));
+    document.head.append(s);
+  }));
+  const instance = async () => (await WebAssembly.instantiate(await load(), {})).exports;
+  const put = (x, at, text) => {
+    const bytes = utf8.encode(text);
+    new Uint8Array(x.memory.buffer, at, bytes.length + 1).set([...bytes, 0]);
+    return bytes.length;
+  };
+  const button = (text, label, act) => {
+    const b = document.createElement('button');
+    b.type = 'button'; b.textContent = text; b.title = label; b.setAttribute('aria-label', label);
+    b.onclick = act;
+    return b;
+  };
+  const bar = (figure, ...things) => {
+    const d = document.createElement('div');
+    d.className = 'live-bar';
+    d.append(...things);
+    if (figure.dataset.code) {
+      const a = document.createElement('a');
+      a.href = figure.dataset.code; a.textContent = 'view the code';
+      d.append(a);
+    }
+    figure.querySelector('.pic').after(d);
+    return d;
+  };
+
+  // -- figures: handles to drag, a time to run; one instance serves them all, since it keeps nothing between two drawings
+  let shared = null;
+  const figureModule = () => shared || (shared = instance());
+  const ns = 'http://www.w3.org/2000/svg';
+  const makeFigure = async figure => {
+    const x = await figureModule(), name = figure.dataset.live, svg = figure.querySelector('.pic svg');
+    put(x, x.live_text(), name);
+    const row = x.live_find();
+    if (row < 0 || !svg) return;
+    const count = x.live_handles(), wide = x.live_width(row), high = x.live_height(row), unit = 480 / wide;
+    const home = Array.from(new Float32Array(x.memory.buffer, x.live_handle(), 2 * count));
+    let at = home.slice(), time = 0, playing = 0, seen = true;
+    const ink = document.createElementNS(ns, 'g'), grips = document.createElementNS(ns, 'g');
+    svg.replaceChildren(ink, grips);
+    const draw = () => {
+      put(x, x.live_text(), name);
+      x.live_find();
+      new Float32Array(x.memory.buffer, x.live_handle(), 2 * count).set(at);
+      const length = x.live_draw(row, time);
+      if (length) {
+        const text = words.decode(new Uint8Array(x.memory.buffer, x.live_text(), length));
+        ink.innerHTML = text.slice(text.indexOf('>') + 1, text.lastIndexOf('</svg>'));
+      }
+      [...grips.children].forEach((g, i) => {
+        g.setAttribute('cx', at[2 * i] * unit);
+        g.setAttribute('cy', (high - at[2 * i + 1]) * unit);
+        g.setAttribute('aria-valuetext', at[2 * i].toFixed(2) + ', ' + at[2 * i + 1].toFixed(2));
+      });
+    };
+    const move = (i, px, py) => {
+      at[2 * i] = Math.min(wide, Math.max(0, px));
+      at[2 * i + 1] = Math.min(high, Math.max(0, py));
+      draw();
+    };
+    for (let i = 0; i < count; i++) {
+      const g = document.createElementNS(ns, 'circle');
+      g.setAttribute('r', 9); g.setAttribute('class', 'grip'); g.setAttribute('tabindex', 0);
+      g.setAttribute('role', 'slider'); g.setAttribute('aria-valuemin', 0); g.setAttribute('aria-valuemax', 100); g.setAttribute('aria-valuenow', 50);
+      g.setAttribute('aria-label', 'point ' + (i + 1) + ' of ' + count + ': drag it, or use the arrow keys');
+      g.addEventListener('pointerdown', e => { g.setPointerCapture(e.pointerId); e.preventDefault(); g.focus(); });
+      g.addEventListener('pointermove', e => {
+        if (!g.hasPointerCapture(e.pointerId)) return;
+        const r = svg.getBoundingClientRect();
+        move(i, (e.clientX - r.left) / r.width * wide, high - (e.clientY - r.top) / r.height * high);
+      });
+      g.addEventListener('keydown', e => {
+        const step = (e.shiftKey ? 0.2 : 0.04) * wide / 8;
+        const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
+        if (!way) return;
+        e.preventDefault();
+        move(i, at[2 * i] + way[0] * step, at[2 * i + 1] + way[1] * step);
+      });
+      grips.append(g);
+    }
+    const tools = [];
+    if (figure.dataset.moves) {
+      let last = 0;
+      const tick = now => {
+        if (playing && seen && !document.hidden) { if (last) time += Math.min(0.1, (now - last) / 1000); draw(); }
+        last = now;
+        if (playing) playing = requestAnimationFrame(tick);
+      };
+      const play = button('Play', 'let time run', () => {
+        if (playing) { cancelAnimationFrame(playing); playing = 0; } else { last = 0; playing = requestAnimationFrame(tick); }
+        play.textContent = playing ? 'Pause' : 'Play';
+      });
+      tools.push(play);
+    }
+    tools.push(button('Reset', 'as it was', () => { at = home.slice(); time = 0; draw(); }));
+    const hint = document.createElement('span');
+    hint.textContent = count ? 'drag the ring' + (count > 1 ? 's' : '') : '';
+    bar(figure, ...tools, hint);
+    figure.liveSeen = is => { seen = is; };
+    figure.classList.add('live');
+    draw();
+  };
+
+  // -- simulations: the whole testbed on a canvas; each has a memory of its own, and few may run at once
+  const running = [];
+  const keyOf = e => ({ Backspace: 8, Tab: 9, Enter: 13, Escape: 27, ' ': 32, Delete: 127, ArrowLeft: 128, ArrowRight: 129, ArrowUp: 130, ArrowDown: 131,
+    Home: 132, End: 133, PageUp: 134, PageDown: 135 }[e.key] || (e.key.length === 1 && e.key.codePointAt(0) < 127 ? e.key.codePointAt(0) : 0));
+  const makeGame = async (canvas, scene, options = {}) => {
+    const x = await instance(), pen = canvas.getContext('2d');
+    let last = 0, on = false, dark = null, touches = new Map(), pinch = 0;
+    const open = name => x.web_open(put(x, x.web_name(), name));
+    if (scene) open(scene);
+    const frame = (seconds, steps) => {
+      const scale = Math.max(1, Math.min(3, devicePixelRatio || 1)), box = canvas.getBoundingClientRect();
+      const w = Math.max(64, Math.round(box.width * scale)), h = Math.max(64, Math.round(box.height * scale));
+      const night = document.documentElement.dataset.theme === 'dark';
+      if (night !== dark) { if (dark !== null || night) x.web_key(100); dark = night; }
+      const at = x.web_frame(w, h, scale, seconds, steps);
+      if (!at) return;
+      if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
+      pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
+    };
+    const tick = now => {
+      if (!on) return;
+      frame(last ? Math.min(0.25, (now - last) / 1000) : 0, -1);
+      last = now;
+      requestAnimationFrame(tick);
+    };
+    const place = e => {
+      const r = canvas.getBoundingClientRect();
+      x.web_mouse((e.clientX - r.left) / r.width * canvas.width, (e.clientY - r.top) / r.height * canvas.height);
+    };
+    const bit = e => e.button === 2 ? 4 : e.button === 1 ? 2 : 1;
+    canvas.addEventListener('pointerdown', e => {
+      canvas.focus(); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e); place(e);
+      if (touches.size === 1) x.web_button(bit(e), 1); else x.web_button(1, 0);
+      e.preventDefault();
+    });
+    canvas.addEventListener('pointermove', e => {
+      if (touches.has(e.pointerId)) touches.set(e.pointerId, e);
+      if (touches.size === 2) {                        // two fingers: zoom
+        const [a, b] = [...touches.values()], d = Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+        if (pinch) x.web_wheel(Math.log(d / pinch) * 5);
+        pinch = d;
+      } else place(e);
+    });
+    const up = e => { touches.delete(e.pointerId); pinch = 0; x.web_button(bit(e), 0); };
+    canvas.addEventListener('pointerup', up);
+    canvas.addEventListener('pointercancel', up);
+    canvas.addEventListener('contextmenu', e => e.preventDefault());
+    canvas.addEventListener('wheel', e => {
+      if (!options.whole && document.activeElement !== canvas) return;   // the page scrolls until the picture was clicked
+      e.preventDefault();
+      x.web_wheel(-e.deltaY / (e.deltaMode ? 3 : 100));
+    }, { passive: false });
+    canvas.addEventListener('keydown', e => {
+      const k = e.ctrlKey || e.metaKey || e.altKey ? 0 : keyOf(e);
+      if (!k || (k === 9 && !options.whole)) return;   // in a page, Tab goes on to the next thing
+      if (k === 27 && !options.whole) { canvas.blur(); return; }
+      e.preventDefault();
+      x.web_key(k);
+    });
+    const game = {
+      exports: x, frame, open,
+      describe: () => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe())),
+      run() { if (!on) { on = true; last = 0; requestAnimationFrame(tick); } },
+      stop() { on = false; },
+      running: () => on,
+    };
+    canvas.game = game;
+    return game;
+  };
+  const makeScene = figure => {
+    const pic = figure.querySelector('.pic'), frozen = pic.firstElementChild;
+    let canvas = null, game = null, wanted = false;
+    const start = async () => {
+      if (!canvas) {
+        const box = frozen.getBoundingClientRect();
+        canvas = document.createElement('canvas');
+        canvas.tabIndex = 0;
+        canvas.setAttribute('role', 'application');
+        canvas.setAttribute('aria-label', 'simulation ' + figure.dataset.scene + ': P pauses, O makes one step, R begins again, ? shows all keys, Escape leaves');
+        canvas.style.aspectRatio = box.width + '/' + Math.max(box.height, 0.56 * box.width);
+        frozen.hidden = true;
+        frozen.style.display = 'none';
+        pic.append(canvas);
+        game = await makeGame(canvas, figure.dataset.scene);
+        running.push(figure);
+        if (running.length > 3) running.shift().liveEnd();
+      }
+      wanted = true;
+      game.run();
+    };
+    const play = button('Run it', 'run this simulation here', () => {
+      if (wanted) { wanted = false; if (game) game.stop(); } else start();
+      play.textContent = wanted || !game ? 'Pause' : 'Go on';
+    });
+    const reset = button('Reset', 'begin again', () => { if (game) { game.open(figure.dataset.scene); game.frame(0, 0); } });
+    figure.liveEnd = () => {
+      wanted = false;
+      if (game) game.stop();
+      if (canvas) canvas.remove();
+      canvas = game = null;
+      frozen.hidden = false;
+      frozen.style.display = '';
+      play.textContent = 'Run it';
+    };
+    figure.liveSeen = is => { if (game) { if (is && wanted) game.run(); else game.stop(); } };
+    const whole = document.createElement('a');
+    whole.href = 'testbed.html#' + encodeURIComponent(figure.dataset.scene);
+    whole.textContent = 'open in the testbed';
+    bar(figure, play, reset, whole);
+    figure.classList.add('live');
+  };
+
+  // -- what is scrolled to wakes up, what is out of view rests
+  const wake = figure => {
+    if (figure.liveMade) return;
+    figure.liveMade = true;
+    if (figure.dataset.live) makeFigure(figure).catch(e => { figure.dataset.liveError = e.message; });
+    else makeScene(figure);
+  };
+  const begin = () => {
+    const all = document.querySelectorAll('figure[data-live], figure[data-scene]');
+    if (!('WebAssembly' in window) || !('IntersectionObserver' in window)) return;
+    const watch = new IntersectionObserver(list => {
+      for (const e of list) {
+        if (e.isIntersecting) wake(e.target);
+        if (e.target.liveSeen) e.target.liveSeen(e.isIntersecting);
+      }
+    }, { rootMargin: '200px 0px' });
+    all.forEach(f => watch.observe(f));
+    const whole = document.getElementById('testbed');
+    if (whole) {
+      const scene = () => decodeURIComponent(location.hash.slice(1));
+      makeGame(whole, scene(), { whole: true }).then(game => {
+        addEventListener('hashchange', () => game.open(scene()));
+        game.run();
+        whole.focus();
+      });
+    }
+  };
+  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin); else begin();
+})();
