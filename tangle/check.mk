@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check mutate data golden coverage fuzz
+.PHONY: check mutate data golden coverage fuzz portability
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -7,11 +7,16 @@ check:
 mutate:
 	@tests/mutation/run.sh -n $(SHARE)
 # Measures again everything that is deterministic and everything that is not, and writes book/data/.
-data: programs
-	@for m in $$(build/bin/weft-lab list | awk '{ print $$1 }'); do echo "measuring $$m"; build/bin/weft-lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
+data: programs programs-double
+	@for m in $$(build/bin/weft-lab list | awk '{ print $$1 }'); do echo "measuring $$m"; lab=build/bin/weft-lab; case $$m in *-double) lab=build/double/bin/weft-lab;; esac; $$lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
 # Records the hash of every scene; do it when a change of the engine's arithmetic is meant.
-golden: programs
-	@build/bin/weft-headless --record > tests/golden/scenes.csv && wc -l tests/golden/scenes.csv
+golden: programs programs-double
+	@build/bin/weft-headless --record > tests/golden/scenes.csv && build/double/bin/weft-headless --record > tests/golden/scenes-double.csv && wc -l tests/golden/*.csv
+# Every scene on every platform that can be emulated; STEPS=n: other than the recorded number. Installs cross compilers and emulators
+# (2 GB), goes on where it was interrupted, and writes book/data/portability.csv.
+portability:
+	@tangle/install portability || echo "Going on with what is here."
+	@tests/portability/run.sh; rc=$$?; tests/portability/run.sh --table > build/portability/table.csv && cp build/portability/table.csv book/data/portability.csv; exit $$rc
 # Which lines of collision do the unit tests run? Writes book/data/coverage.csv.
 coverage:
 	@OUT=book/data/coverage.csv tests/coverage/run.sh

@@ -3,19 +3,20 @@
 # again and must give the committed file byte for byte; every file in book/data/ must have a measurement that writes it.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-make --no-print-directory programs >/dev/null || exit 1
+make --no-print-directory programs programs-double >/dev/null || exit 1
 bad=0 n=0
 for m in $(build/bin/weft-lab list --exact); do
   n=$((n + 1))
   if [ ! -f "book/data/$m.csv" ]; then echo "book/data/$m.csv is missing -- type: make data"; bad=1; continue; fi
-  build/bin/weft-lab run "$m" > build/check-data.csv || { bad=1; continue; }
+  lab=build/bin/weft-lab; case $m in *-double) lab=build/double/bin/weft-lab ;; esac
+  $lab run "$m" > build/check-data.csv || { bad=1; continue; }
   cmp -s build/check-data.csv "book/data/$m.csv" || {
     echo "book/data/$m.csv is not what 'weft-lab run $m' gives now -- look at the difference, then type: make data"
     diff "book/data/$m.csv" build/check-data.csv | head -6; bad=1; }
 done
 for f in book/data/*.csv; do
   b=$(basename "$f" .csv)
-  [ "$b" = mutation ] || [ "$b" = coverage ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] && continue
+  [ "$b" = mutation ] || [ "$b" = portability ] || [ "$b" = coverage ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] && continue
   build/bin/weft-lab list | awk '{ print $1 }' | grep -qx "$b" || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
 [ $bad -eq 0 ] && echo "$n exact measurements give the committed files again, byte for byte"
