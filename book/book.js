@@ -18,6 +18,9 @@
     show();
   };
 
+  // -- a formula that is wider than the page can be scrolled by keys, too
+  for (const e of document.querySelectorAll('.eqm, .eqm math, main math[display="block"], .tbl, pre')) if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+
   // -- contents
   $('menu').onclick = () => $('menu').setAttribute('aria-expanded', document.body.classList.toggle('menu'));
   $('toc').addEventListener('click', e => { if (e.target.closest('a')) document.body.classList.remove('menu'); });

@@ -87,7 +87,7 @@
         move(i, (e.clientX - r.left) / r.width * wide, high - (e.clientY - r.top) / r.height * high);
       });
       g.addEventListener('keydown', e => {
-        const step = (e.shiftKey ? 0.2 : 0.04) * wide / 8;
+        const step = (e.shiftKey ? 1 / 16 : 1 / 128) * wide;
         const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
         if (!way) return;
         e.preventDefault();

@@ -1,0 +1,160 @@
+// pages.mjs: the book's live pages in a real browser, opened from the disk, used as a reader would.
+//   node tests/web/pages.mjs build/book/html [PAGE ...]      needs playwright-core and axe-core (tests/web/run.sh brings them)
+import { createRequire } from 'node:module';
+import { readdirSync, readFileSync } from 'node:fs';
+import { resolve, join } from 'node:path';
+const require = createRequire(join(process.cwd(), 'build/node/'));
+const { chromium } = require('playwright-core');
+const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+const [dir, ...only] = process.argv.slice(2);
+const html = resolve(dir), url = page => 'file://' + join(html, page);
+const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
+let failed = 0, figures = 0, scenes = 0, checks = 0;
+const fail = text => { failed++; console.log('pages: ' + text); };
+const check = (truth, text) => { checks++; if (!truth) fail(text); return truth; };
+
+const open = async (context, file) => {
+  const page = await context.newPage(), name = file;
+  page.on('console', m => { if (m.type() === 'error') fail(`${name}: the console says: ${m.text()}`); });
+  page.on('pageerror', e => fail(`${name}: ${e.message}`));
+  page.on('request', r => { if (!r.url().startsWith('file:') && !r.url().startsWith('data:')) fail(`${name}: it asks the network for ${r.url()}`); });
+  await page.goto(url(file));
+  return page;
+};
+const ink = figure => figure.locator('svg > g').first().evaluate(g => g.innerHTML);
+
+const tryFigure = async (page, figure, name, where) => {
+  const frozen = await figure.locator('.pic svg').evaluate(s => s.querySelectorAll('*:not(g)').length);
+  await figure.scrollIntoViewIfNeeded();
+  try { await page.waitForFunction(f => f.classList.contains('live') || f.dataset.liveError, await figure.elementHandle(), { timeout: 15000 }); }
+  catch { return fail(`${where}: figure ${name} does not come alive`); }
+  figures++;
+  const home = await ink(figure);
+  check(Math.abs(await figure.locator('svg > g').first().evaluate(g => g.querySelectorAll('*').length) - frozen) <= 1,
+    `${where}: figure ${name} draws other things than the frozen one`);
+  const grips = figure.locator('.grip'), count = await grips.count();
+  for (let i = 0; i < count; i++) {
+    const grip = grips.nth(i);
+    await grip.scrollIntoViewIfNeeded();
+    const b = await grip.boundingBox(), pic = await figure.locator('svg').first().boundingBox();
+    const x = b.x + b.width / 2, y = b.y + b.height / 2;
+    const dx = x - pic.x > pic.width / 2 ? -100 : 100, dy = y - pic.y > pic.height / 2 ? -34 : 34;
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx, y + dy, { steps: 3 });
+    await page.mouse.up();
+    check(await ink(figure) !== home, `${where}: dragging handle ${i + 1} of ${name} changes nothing`);
+    await figure.getByRole('button', { name: 'as it was' }).click();
+    check(await ink(figure) === home, `${where}: ${name} is not as it was after Reset`);
+  }
+  if (count) {
+    await grips.first().focus();
+    for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowLeft');
+    for (let i = 0; i < 2; i++) await page.keyboard.press('Shift+ArrowUp');
+    check(await ink(figure) !== home, `${where}: the arrow keys change nothing in ${name}`);
+    await figure.getByRole('button', { name: 'as it was' }).click();
+  }
+  if (await figure.getAttribute('data-moves')) {
+    await figure.getByRole('button', { name: 'let time run' }).click();
+    await page.waitForTimeout(400);
+    check(await ink(figure) !== home, `${where}: time runs, and ${name} does not move`);
+    await figure.getByRole('button', { name: 'let time run' }).click();
+  }
+  const code = await figure.getAttribute('data-code');
+  check(code && await page.evaluate(c => !c.startsWith('#') || !!document.getElementById(c.slice(1)), code), `${where}: ${name} has no link to its code`);
+};
+
+const steps = figure => figure.locator('canvas').evaluate(c => Number(c.game.describe().match(/^steps (\d+)$/m)[1]));
+const tryScene = async (page, figure, name, where) => {
+  await figure.scrollIntoViewIfNeeded();
+  await figure.getByRole('button', { name: 'run this simulation here' }).click();
+  const canvas = figure.locator('canvas');
+  try { await canvas.waitFor({ timeout: 15000 }); await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await canvas.elementHandle(), { timeout: 15000 }); }
+  catch { return fail(`${where}: the simulation ${name} does not run`); }
+  scenes++;
+  check(await canvas.evaluate((c, n) => c.game.describe().startsWith('scene ' + n + '\n'), name), `${where}: another scene than ${name} runs`);
+  const b = await canvas.boundingBox(), shot = async () => (await canvas.screenshot()).toString('base64');
+  const before = await shot();
+  await page.waitForTimeout(150);
+  await page.mouse.move(b.x + b.width / 2, b.y + b.height / 2);
+  await page.mouse.down({ button: 'right' });
+  await page.mouse.move(b.x + b.width / 2 + 60, b.y + b.height / 2 + 20, { steps: 3 });
+  await page.mouse.up({ button: 'right' });
+  await page.waitForTimeout(100);
+  check(await shot() !== before, `${where}: the simulation ${name} shows the same picture, running and dragged`);
+  await page.evaluate(() => scrollTo(0, document.body.scrollHeight * (scrollY < document.body.scrollHeight / 2 ? 1 : 0)));
+  await page.waitForTimeout(250);
+  const away = await steps(figure);
+  await page.waitForTimeout(300);
+  check(await steps(figure) === away, `${where}: ${name} goes on when it is out of view`);
+};
+
+const pages = readdirSync(html).filter(f => /^\d\d-.*\.html$/.test(f) && (!only.length || only.includes(f)));
+const desk = await browser.newContext({ viewport: { width: 1100, height: 900 }, reducedMotion: 'no-preference' });
+for (const file of pages) {
+  const text = readFileSync(join(html, file), 'utf8');
+  if (!/data-(live|scene)=/.test(text)) continue;
+  const page = await open(desk, file);
+  const list = page.locator('figure[data-live]'), sims = page.locator('figure[data-scene]');
+  for (let i = 0; i < await list.count(); i++) await tryFigure(page, list.nth(i), await list.nth(i).getAttribute('data-live'), file);
+  for (let i = 0; i < await sims.count(); i++) await tryScene(page, sims.nth(i), await sims.nth(i).getAttribute('data-scene'), file);
+  check(await page.evaluate(() => [...document.querySelectorAll('math')].slice(0, 20).every(m => m.getBoundingClientRect().width > 0)), `${file}: formulas are not shown`);
+  await page.close();
+}
+
+// the whole testbed: a key pauses it, a mouse moves a body, another size is another picture
+const bed = await open(desk, 'testbed.html#stack of boxes');
+const canvas = bed.locator('#testbed'), said = () => canvas.evaluate(c => c.game.describe());
+await bed.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && /^steps [1-9]\d/m.test(c.game.describe()); }, { timeout: 20000 });
+check((await said()).startsWith('scene stack of boxes'), 'testbed.html: the scene named in the address is not shown');
+const pixel = (await said()).match(/^body 6 x (\S+) y (\S+) pixel (\S+) (\S+)$/m), area = await canvas.boundingBox();
+if (check(pixel, 'testbed.html: the sixth body is not in view')) {
+  await bed.mouse.move(area.x + +pixel[3], area.y + +pixel[4]);
+  await bed.mouse.down();
+  await bed.mouse.move(area.x + +pixel[3] + 120, area.y + +pixel[4] - 60, { steps: 10 });
+  await bed.waitForTimeout(600);
+  const moved = (await said()).match(/^body 6 x (\S+) y (\S+)/m);
+  check(Math.abs(moved[1] - pixel[1]) > 0.5, `testbed.html: the body at x ${pixel[1]} m was pulled and is at ${moved[1]} m`);
+  await bed.mouse.up();
+}
+await bed.keyboard.press('p');
+await bed.waitForTimeout(200);
+check(/^paused 1$/m.test(await said()), 'testbed.html: P does not pause');
+await bed.setViewportSize({ width: 700, height: 500 });
+await bed.waitForTimeout(300);
+check(await canvas.evaluate(c => c.width === Math.round(c.getBoundingClientRect().width * devicePixelRatio)), 'testbed.html: the picture does not follow the window');
+await bed.close();
+
+// a finger
+const phone = await browser.newContext({ viewport: { width: 420, height: 800 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+const touch = await open(phone, '12-narrow-phase.html');
+const fig = touch.locator('figure[data-live="narrow-shadows"]');
+await fig.scrollIntoViewIfNeeded();
+await touch.waitForSelector('figure[data-live="narrow-shadows"].live');
+const was = await ink(fig), at = await fig.locator('.grip').first().boundingBox();
+const cdp = await phone.newCDPSession(touch), p = [at.x + at.width / 2, at.y + at.height / 2];
+await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x: p[0], y: p[1] }] });
+for (let i = 1; i < 5; i++) await cdp.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ x: p[0] - 10 * i, y: p[1] + 8 * i }] });
+await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+check(await ink(fig) !== was, '12-narrow-phase.html: a finger cannot drag a handle');
+await touch.close();
+
+// without JavaScript the frozen figures are there
+const plain = await browser.newContext({ javaScriptEnabled: false });
+const still = await plain.newPage();
+await still.goto(url('12-narrow-phase.html'));
+check(await still.locator('figure[data-live] svg').count() > 3, '12-narrow-phase.html: without JavaScript there is no figure');
+
+// accessibility, by axe
+for (const file of ['index.html', '12-narrow-phase.html', 'testbed.html'].filter(f => !only.length || only.includes(f))) {
+  const page = await open(desk, file);
+  await page.evaluate(axe);
+  const found = await page.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa'], preload: false }));
+  for (const v of found.violations) fail(`${file}: ${v.id} (${v.impact}): ${v.help}, ${v.nodes.length} times, first: ${v.nodes[0].html.slice(0, 140)}`);
+  checks++;
+  await page.close();
+}
+await browser.close();
+console.log(`pages: ${figures} figures and ${scenes} simulations came alive; ${checks} checks, ${failed} failed`);
+process.exit(failed ? 1 : 0);
