@@ -275,7 +275,11 @@ local function live_data(path)
   local row = name and live_row(name)
   local code = name and db.idents["figure_" .. name:gsub("%-", "_")]
   local at = code and code[1] and code[1].target
-  if scene then return ' data-scene="' .. scene:gsub("%-", " ") .. '"' end
+  if scene then
+    local fn = ("\n" .. (Code.read(weave .. "/scenes.list") or "")):match("\n" .. scene:lower():gsub("%-", " ") .. "|([%w_]+)")
+    local built = fn and db.idents[fn]
+    return ' data-scene="' .. scene:gsub("%-", " ") .. '"' .. (built and built[1] and ' data-code="' .. built[1].target .. '"' or "")
+  end
   if not row then return "" end
   return ' data-live="' .. name .. '"' .. (row[2] and ' data-moves="1"' or "") .. (at and ' data-code="' .. at .. '"' or "")
 end

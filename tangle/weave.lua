@@ -376,9 +376,18 @@ for _, r in ipairs(refs_seen) do
 end
 
 ---------------------------------------------------------------------------------------- images: who makes them?
+local scenes = {}                                      -- scene -> the function that builds it
 do
   local drawn = {}
   for _, c in ipairs(book.chunks) do
+    if c.name == "rows of the scene table" then
+      local rows = {}
+      for _, it in ipairs(c.items) do if it.kind == "text" then rows[#rows + 1] = it.text end end
+      for row in table.concat(rows, "\n"):gmatch("%b{}") do
+        local name = row:match('%.name%s*=%s*"([^"]+)"')
+        if name then scenes[name:lower()] = row:match("%.build%s*=%s*([%w_]+)") or "" end
+      end
+    end
     if c.name == "rows of the figure table" then
       for _, it in ipairs(c.items) do
         if it.kind == "text" then for name in it.text:gmatch('{%s*"([%w_%-]+)"') do drawn[name] = true end end
@@ -389,7 +398,12 @@ do
     local file, line, path = im[1], im[2], im[3]
     local name = path:match("^figures/([%w_%-]+)%.svg$")
     local plot = path:match("^plots/([%w_%-]+)%.svg$")
-    if name then
+    local scene = path:match("^scenes/([%w_%-]+)%-%d+%.svg$")
+    if scene then
+      if not scenes[scene:gsub("%-", " "):lower()] then
+        book:complain(file, line, "no scene is called " .. scene, "a frozen scene is scenes/NAME-STEPS.svg, with - for blanks; build/bin/weft-headless --list names them")
+      end
+    elseif name then
       if not drawn[name] then
         book:complain(file, line, "no function draws " .. path, 'add a row { "' .. name .. '", ... } to <<rows of the figure table>> or mend the name')
       end
@@ -758,6 +772,11 @@ local function keyed(list)                     -- chunk indices as ids, without 
   return r
 end
 os.execute("mkdir -p " .. sh(out))
+local scene_lines = {}
+for name, fn in pairs(scenes) do scene_lines[#scene_lines + 1] = name .. "|" .. fn end
+table.sort(scene_lines)
+Code.write_if_changed(out .. "/scenes.list", table.concat(scene_lines, "\n") .. "\n")
+
 for i, ch in ipairs(book.chapters) do
   local mine = { file = ch.file, base = ch.base, label = ch.label, num = ch.num, chunks = {} }
   for index, c in ipairs(book.chunks) do
