@@ -1,0 +1,757 @@
+/* Chapter 26: snapshots, comparison, growth, rewind, replay, save files. Oracles: the world that was not touched; a second
+ * implementation of the checksum's promise (all single bits, all bursts); every prefix and every flipped bit of a file. */
+#include "testing.h"
+#include "world.h"
+#include "weft/save.h"
+
+/* ------------------------------------------------------------------------------ a busy world */
+
+static wfWorldDef busy_def(int bodies)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.bodyCapacity = bodies;
+    def.sleep = 1;
+    return def;
+}
+
+static wfBodyDef box_def(double x, double y, double half)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    def.position = wfV2((wfReal)x, (wfReal)y);
+    assert_ok(wfMakeBox((wfReal)half, (wfReal)half, &def.shape));
+    return def;
+}
+
+static void fill(wfWorld *world, int n)         /* boxes, balls, a sensor, springs, hinges, materials */
+{
+    wfBodyId id[100], ground = add(world, floor_def());
+    for (int i = 0; i < n; i++) {
+        wfBodyDef d = i % 2 ? box_def(i % 5 - 2, 1 + i / 5, 0.4) : ball_def(i % 5 - 2, 1 + i / 5, 0.4);
+        d.restitution = WF_R(0.3);
+        d.angularVelocity = (wfReal)(i % 3);
+        id[i % 100] = add(world, d);
+    }
+    wfShapeDef zone = wfDefaultShapeDef();
+    assert_ok(wfMakeBox(2, 1, &zone.shape));
+    zone.sensor = 1;
+    assert_ok(wfAddShapeToBody(world, ground, &zone, NULL));
+    if (n < 4) return;
+    wfForce spring = wfSpring(wfBodyIndex(world, id[0]), wfV2(0, 0), wfBodyIndex(world, id[1]), wfV2(0, 0), 1, 20, 1);
+    assert_ok(wfAddForceToWorld(world, &spring, NULL));
+    wfJoint hinge;
+    assert_ok(wfJoinBodies(world, "revolute", id[2], id[3], wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &hinge));
+    assert_ok(wfAddJointToWorld(world, &hinge, NULL));
+    wfPairMaterial ice = { .friction = WF_R(0.01) };
+    assert_ok(wfSetPairMaterial(world, 1, 2, &ice));
+}
+
+static wfWorld busy_with(int n, int steps, int more)     /* room for so many bodies more */
+{
+    wfWorldDef def = busy_def(n + 1 + more);
+    def.shapeCapacity = n + 2 + more;
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    fill(&world, n);
+    for (int i = 0; i < steps; i++) assert_ok(wfStepWorld(&world));
+    return world;
+}
+
+static wfWorld busy(int n, int steps) { return busy_with(n, steps, 0); }
+
+static void assert_same(const wfWorld *a, const wfWorld *b)
+{
+    wfDifference d;
+    wfResult result = wfCompareWorlds(a, b, &d);
+    if (result == WF_ERROR_DIFFERENT) print_error("%s %d: %s (byte %zu): %.17g, %.17g\n", d.region, (int)d.element, d.field, d.byte, d.one, d.two);
+    assert_int_equal(result, WF_OK);
+    assert_true(wfHashWorld(a) == wfHashWorld(b));
+}
+
+static void *bytes_of(size_t n)
+{
+    void *p = malloc(n ? n : 1);
+    assert_non_null(p);
+    return p;
+}
+
+/* ------------------------------------------------------------------------------ snapshots */
+
+static void a_snapshot_takes_the_world_back(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy_with(30, 40, 3), twin;
+    size_t size = wfSnapshotSize(&world), got = 0;
+    void *bytes = bytes_of(size);
+    assert_ok(wfSnapshotWorld(&world, bytes, size, &got));
+    assert_int_equal(got, size);
+    assert_true(size < world.memory.permanentSize);
+    assert_ok(wfCloneWorld(&world, NULL, &twin));
+    assert_same(&world, &twin);
+    uint64_t now = wfHashWorld(&world), then;
+    for (int i = 0; i < 50; i++) {
+        wfBodyDef d = ball_def(i, 20, 0.2);
+        if (i == 5) assert_ok(wfRemoveBodyFromWorld(&world, wfBodyAt(&world, 3)));
+        if (i == 7) add(&world, d);
+        if (i == 9) assert_ok(wfRemoveBodyFromWorld(&world, wfBodyAt(&world, 7)));
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&twin));
+    }
+    then = wfHashWorld(&twin);
+    assert_true(then != now && then != wfHashWorld(&world));
+    assert_ok(wfRestoreWorld(&world, bytes, size));
+    assert_true(wfHashWorld(&world) == now);
+    assert_ok(wfCheckWorld(&world, NULL));
+    for (int i = 0; i < 50; i++) assert_ok(wfStepWorld(&world));
+    assert_same(&world, &twin);
+    wfBodyId a = add(&world, ball_def(50, 9, 0.2)), b = add(&twin, ball_def(50, 9, 0.2));  /* ids go on as if the other time had not been */
+    assert_int_equal(a.index, b.index);
+    assert_int_equal(a.generation, b.generation);
+    free(bytes);
+    wfDestroyWorld(&world);
+    wfDestroyWorld(&twin);
+}
+
+static void restoring_clears_what_the_snapshot_had_not(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = busy_def(60);
+    wfWorld world, fresh;
+    assert_ok(wfCreateWorld(&def, &world));
+    fill(&world, 5);
+    size_t size = wfSnapshotSize(&world);
+    void *bytes = bytes_of(size);
+    assert_ok(wfSnapshotWorld(&world, bytes, size, &size));
+    for (int i = 0; i < 20; i++) {                          /* sensors and generations in places that were untouched */
+        wfBodyId id = add(&world, ball_def(i, 30, 0.1));
+        wfShapeDef s = wfDefaultShapeDef();
+        assert_ok(wfMakeCircle(wfV2(0, 0), 1, &s.shape));
+        s.sensor = 1;
+        assert_ok(wfAddShapeToBody(&world, id, &s, NULL));
+        if (i % 3 == 0) assert_ok(wfRemoveBodyFromWorld(&world, id));
+    }
+    assert_ok(wfRestoreWorld(&world, bytes, size));
+    assert_ok(wfCreateWorld(&def, &fresh));
+    assert_ok(wfRestoreWorld(&fresh, bytes, size));
+    for (int i = 0; i < 10; i++) {
+        wfBodyId a = add(&world, ball_def(3 * i, 30, 0.1)), b = add(&fresh, ball_def(3 * i, 30, 0.1));
+        assert_memory_equal(&a, &b, sizeof a);
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&fresh));
+        assert_ok(wfCheckWorld(&world, NULL));
+    }
+    assert_same(&world, &fresh);
+    free(bytes);
+    wfDestroyWorld(&world);
+    wfDestroyWorld(&fresh);
+}
+
+static void bad_snapshots_are_refused(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(10, 5), small = busy(3, 5);
+    size_t size = wfSnapshotSize(&world), got = 77;
+    uint8_t *bytes = bytes_of(size + 1);
+    assert_result(WF_ERROR_NULL, wfSnapshotWorld(&world, NULL, size, &got));
+    assert_result(WF_ERROR_NULL, wfSnapshotWorld(NULL, bytes, size, &got));
+    assert_result(WF_ERROR_NULL, wfSnapshotWorld(&world, bytes, size, NULL));
+    assert_result(WF_ERROR_MEMORY, wfSnapshotWorld(&world, bytes, size - 1, &got));
+    assert_int_equal(got, 77);
+    assert_ok(wfSnapshotWorld(&world, bytes, size, &got));
+    void *before = copy_of(&world);
+    assert_result(WF_ERROR_NULL, wfRestoreWorld(&world, NULL, size));
+    assert_result(WF_ERROR_TRUNCATED, wfRestoreWorld(&world, bytes, size - 1));
+    assert_result(WF_ERROR_TRUNCATED, wfRestoreWorld(&world, bytes, size + 1));
+    assert_result(WF_ERROR_TRUNCATED, wfRestoreWorld(&world, bytes, 10));
+    bytes[0] ^= 1;
+    assert_result(WF_ERROR_NOT_A_WORLD, wfRestoreWorld(&world, bytes, size));
+    bytes[0] ^= 1;
+    assert_unchanged(&world, before);
+    before = copy_of(&small);
+    assert_result(WF_ERROR_FULL, wfRestoreWorld(&small, bytes, size));
+    assert_unchanged(&small, before);
+    wfWorld none = { .memory = { .owned = 0 } };
+    assert_int_equal(wfSnapshotSize(&none), 0);
+    assert_result(WF_ERROR_NULL, wfRestoreWorld(&none, bytes, size));
+    assert_result(WF_ERROR_NULL, wfCloneWorld(&world, NULL, NULL));
+    wfMemory tiny = { .permanent = bytes, .permanentSize = 16, .transient = bytes, .transientSize = 16 };
+    assert_result(WF_ERROR_MEMORY, wfCloneWorld(&world, &tiny, &none));
+    free(bytes);
+    wfDestroyWorld(&world);
+    wfDestroyWorld(&small);
+}
+
+static void the_first_difference_has_a_name(void **unused)
+{
+    (void)unused;
+    wfWorld a = busy(10, 5), b;
+    wfDifference d;
+    assert_ok(wfCloneWorld(&a, NULL, &b));
+    assert_ok(wfCompareWorlds(&a, &b, &d));
+    assert_null(d.region);
+    wfBodyId id = wfBodyAt(&b, 4);
+    wfBodyInfo was = info(&b, id);
+    assert_ok(wfSetBodyVelocity(&b, id, was.velocity, was.angularVelocity + WF_R(0.5)));
+    assert_result(WF_ERROR_DIFFERENT, wfCompareWorlds(&a, &b, &d));
+    assert_string_equal(d.region, "states");
+    assert_string_equal(d.field, "w");
+    assert_int_equal(d.element, 4);
+    assert_near(d.two - d.one, 0.5, 1e-6);
+    assert_ok(wfSetBodyVelocity(&b, id, was.velocity, was.angularVelocity));
+    wfCompareWorlds(&a, &b, &d);
+    assert_true(d.region == NULL || strcmp(d.region, "states") != 0);
+    wfDestroyWorld(&b);
+    assert_ok(wfCloneWorld(&a, NULL, &b));
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(&b, &def));
+    def.slop *= 2;
+    assert_ok(wfSetWorldDef(&b, &def));
+    assert_result(WF_ERROR_DIFFERENT, wfCompareWorlds(&a, &b, &d));
+    assert_string_equal(d.region, "header");
+    assert_string_equal(d.field, "slop");
+    assert_near(d.two, 2 * d.one, 1e-6);
+    assert_result(WF_ERROR_DIFFERENT, wfCompareWorlds(&a, &b, NULL));
+    assert_result(WF_ERROR_NULL, wfCompareWorlds(&a, NULL, &d));
+    wfDestroyWorld(&b);
+    b = busy(11, 0);
+    assert_result(WF_ERROR_DIFFERENT, wfCompareWorlds(&a, &b, &d));
+    wfDestroyWorld(&a);
+    wfDestroyWorld(&b);
+}
+
+/* ------------------------------------------------------------------------------ growth */
+
+static void a_world_grows_and_nobody_notices(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(20, 30), twin = busy(20, 30);
+    wfWorldDef room;
+    wfBodyId id = wfBodyAt(&world, 5);
+    assert_result(WF_ERROR_FULL, wfAddBodyToWorld(&world, &(wfBodyDef){ .type = WF_STATIC, .gravityScale = 1 }, NULL));
+    assert_ok(wfGetWorldDef(&world, &room));
+    room.bodyCapacity = 100, room.shapeCapacity = 300, room.pairCapacity = 5000, room.contactCapacity = 5000;
+    room.jointCapacity = 100, room.forceCapacity = 70;
+    room.gravity = wfV2(5, 5);                              /* not looked at */
+    assert_ok(wfGrowWorld(&world, &room));
+    assert_same(&world, &twin);
+    assert_ok(wfCheckWorld(&world, NULL));
+    assert_true(wfBodyIsValid(&world, id));
+    for (int i = 0; i < 60; i++) {
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&twin));
+        assert_same(&world, &twin);
+    }
+    add(&world, ball_def(0, 30, 1));
+    assert_ok(wfGetWorldDef(&twin, &room));                 /* and back would lose one */
+    void *before = copy_of(&world);
+    assert_result(WF_ERROR_FULL, wfGrowWorld(&world, &room));
+    assert_result(WF_ERROR_NULL, wfGrowWorld(&world, NULL));
+    room.bodyCapacity = -1;
+    assert_result(WF_ERROR_RANGE, wfGrowWorld(&world, &room));
+    assert_unchanged(&world, before);
+    wfDestroyWorld(&world);
+    wfDestroyWorld(&twin);
+}
+
+/* ------------------------------------------------------------------------------ rewind */
+
+static void the_ring_keeps_the_newest(void **unused)
+{
+    (void)unused;
+    enum { STEPS = 200 };
+    static uint64_t hash[STEPS + 1];
+    for (int memory = 1; memory <= 3; memory++) {           /* room for few, some, many */
+        wfWorld world = busy_with(12, 0, 3);
+        size_t size = (size_t)memory * 40001;
+        _Alignas(16) static uint8_t bytes[3 * 40001 + 16];
+        memset(bytes, 0xab, sizeof bytes);
+        wfRewind ring;
+        uint64_t oldest, newest;
+        assert_ok(wfRewindInit(&ring, bytes, size));
+        assert_result(WF_ERROR_UNKNOWN, wfRewindReach(&ring, &oldest, &newest));
+        assert_result(WF_ERROR_UNKNOWN, wfRewindTo(&ring, &world, 0));
+        for (int i = 0; i <= STEPS; i++) {
+            hash[i] = wfHashWorld(&world);
+            assert_ok(wfRewindKeep(&ring, &world));
+            assert_ok(wfRewindReach(&ring, &oldest, &newest));
+            assert_int_equal(newest, i);
+            assert_int_equal(newest - oldest + 1, ring.count);
+            if (i == 60) add(&world, ball_def(0, 10, 0.3)); /* pieces of another size */
+            if (i == 90) assert_ok(wfRemoveBodyFromWorld(&world, wfBodyAt(&world, 2)));
+            if (i < STEPS) assert_ok(wfStepWorld(&world));
+        }
+        for (size_t i = size; i < sizeof bytes; i++) assert_int_equal(bytes[i], 0xab);
+        assert_true(ring.count > 1);
+        assert_result(WF_ERROR_UNKNOWN, wfRewindTo(&ring, &world, oldest - 1));
+        for (uint64_t back = newest; back >= oldest && back <= newest; back--) {
+            assert_ok(wfRewindTo(&ring, &world, back));
+            assert_int_equal(wfWorldSteps(&world), back);
+            assert_true(wfHashWorld(&world) == hash[back]);
+        }
+        assert_int_equal(ring.count, 1);
+        wfDestroyWorld(&world);
+    }
+}
+
+static void bad_rings_are_refused(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(5, 1);
+    _Alignas(16) uint8_t bytes[256];
+    wfRewind ring = { .size = 0 };
+    assert_result(WF_ERROR_NULL, wfRewindInit(NULL, bytes, 256));
+    assert_result(WF_ERROR_NULL, wfRewindInit(&ring, NULL, 256));
+    assert_result(WF_ERROR_MEMORY, wfRewindInit(&ring, bytes + 1, 200));
+    assert_result(WF_ERROR_NULL, wfRewindKeep(&ring, &world));
+    assert_result(WF_ERROR_NULL, wfRewindTo(&ring, &world, 0));
+    assert_ok(wfRewindInit(&ring, bytes, sizeof bytes));
+    assert_result(WF_ERROR_MEMORY, wfRewindKeep(&ring, &world));
+    assert_int_equal(ring.count, 0);
+    wfDestroyWorld(&world);
+}
+
+/* Eight frames late: the world goes back, takes the input that came late, and catches up. */
+static void rollback_is_as_if_it_had_been_known(void **unused)
+{
+    (void)unused;
+    wfWorld late = busy(20, 0), early = busy(20, 0);
+    enum { DELAY = 8, STEPS = 120 };
+    size_t size = (DELAY + 2) * (wfSnapshotSize(&late) + 60000);
+    wfMemory memory;
+    assert_ok(wfAllocateMemory(&memory, size, 0));
+    wfRewind ring;
+    assert_ok(wfRewindInit(&ring, memory.permanent, size));
+    for (int i = 0; i < STEPS; i++) {
+        bool pushed = i % 10 == 3 && i < STEPS - DELAY;     /* at these steps somebody far away kicks a body */
+        wfBodyId id = wfBodyAt(&early, 1 + i % 20);
+        if (pushed) assert_ok(wfApplyImpulseToBody(&early, id, wfV2(WF_R(0.5), 1), wfV2(0, 1)));
+        assert_ok(wfStepWorld(&early));
+        int now = i, told = i - DELAY;                      /* of which `late` hears DELAY steps later */
+        assert_ok(wfRewindKeep(&ring, &late));
+        if (told >= 0 && told % 10 == 3) {
+            assert_ok(wfRewindTo(&ring, &late, (uint64_t)told));
+            assert_ok(wfApplyImpulseToBody(&late, wfBodyAt(&late, 1 + told % 20), wfV2(WF_R(0.5), 1), wfV2(0, 1)));
+            for (int k = told; k < now; k++) {
+                assert_ok(wfStepWorld(&late));
+                assert_ok(wfRewindKeep(&ring, &late));
+            }
+        }
+        assert_ok(wfStepWorld(&late));
+    }
+    for (int k = 0; k < DELAY; k++) {                       /* the last word has come */
+        assert_ok(wfStepWorld(&early));
+        assert_ok(wfStepWorld(&late));
+    }
+    assert_same(&late, &early);
+    wfFreeMemory(&memory);
+    wfDestroyWorld(&late);
+    wfDestroyWorld(&early);
+}
+
+/* ------------------------------------------------------------------------------ replay */
+
+static wfInputId give(wfWorld *w, wfJournal *j, wfInput in)
+{
+    wfInputId id = { 0, 0 };
+    assert_ok(wfGiveInput(w, j, &in, &id));
+    return id;
+}
+
+static wfInput input(int kind, uint32_t index, uint32_t generation, wfVec2 at, wfVec2 by, wfReal x, wfReal y)
+{
+    wfInput in = { .kind = kind, .index = index, .generation = generation };
+    in.with.at = at, in.with.by = by, in.with.x = x, in.with.y = y;
+    return in;
+}
+
+/* A session with every kind of input. */
+static void play(wfWorld *w, wfJournal *j, int steps, bool odd)
+{
+    wfInputId crate = { 0, 0 }, hand = { 0, 0 }, part = { 0, 0 }, rope = { 0, 0 }, wind = { 0, 0 };
+    for (int i = 0; i < steps; i++) {
+        wfBodyId b = wfBodyAt(w, 2 + i % 3);
+        wfInput of = input(0, b.index, b.generation, wfV2(0, 1), wfV2(1, 2), WF_R(0.25), WF_R(0.5));
+        if (i == 4) crate = give(w, j, (wfInput){ .kind = WF_INPUT_ADD_BODY, .body = box_def(3, 6, 0.3) });
+        if (i == 6) of.kind = WF_INPUT_VELOCITY, give(w, j, of);
+        if (i == 8) hand = give(w, j, input(WF_INPUT_GRAB, crate.index, crate.generation, info(w, (wfBodyId){ crate.index, crate.generation }).position, wfV2(0, 0), 0, 0));
+        if (i > 8 && i < 20) give(w, j, input(WF_INPUT_DRAG, hand.index, hand.generation, wfV2((wfReal)i / 8, 4), wfV2(0, 0), 0, 0));
+        if (i == 20) give(w, j, (wfInput){ .kind = WF_INPUT_REMOVE_FORCE, .index = hand.index, .generation = hand.generation });
+        if (i == 22) of.kind = WF_INPUT_IMPULSE, give(w, j, of);
+        if (i == 23) of.kind = WF_INPUT_SPIN, give(w, j, of);
+        if (i == 24) of.kind = WF_INPUT_PUSH, give(w, j, of);
+        if (i == 25) of.kind = WF_INPUT_TWIST, give(w, j, of);
+        if (i == 26) of.kind = WF_INPUT_MASS, of.with.x = 3, give(w, j, of);
+        if (i == 27) of.kind = WF_INPUT_DAMPING, give(w, j, of);
+        if (i == 28) of.kind = WF_INPUT_MATERIAL, give(w, j, of);
+        if (i == 29) of.kind = WF_INPUT_TRANSFORM, of.with.at = wfV2(4, 5), give(w, j, of);
+        if (i == 30) give(w, j, input(WF_INPUT_GRAVITY, 0, 0, wfV2(0, 0), wfV2(odd ? WF_R(0.001) : 0, -9), 0, 0));
+        if (i == 31) give(w, j, input(WF_INPUT_DT, 0, 0, wfV2(0, 0), wfV2(0, 0), WF_R(0.0125), 0));
+        if (i == 32) {
+            wfInput s = { .kind = WF_INPUT_ADD_SHAPE, .index = crate.index, .generation = crate.generation, .shape = wfDefaultShapeDef() };
+            assert_ok(wfMakeCircle(wfV2(WF_R(0.5), 0), WF_R(0.2), &s.shape.shape));
+            part = give(w, j, s);
+            s.kind = WF_INPUT_SET_SHAPE, s.index = part.index, s.generation = part.generation, s.shape.friction = 1;
+            give(w, j, s);
+        }
+        if (i == 33) {
+            wfInput f = { .kind = WF_INPUT_ADD_FORCE, .force = wfDrag(WF_R(0.1), 0) };
+            wind = give(w, j, f);
+            f.kind = WF_INPUT_SET_FORCE, f.index = wind.index, f.generation = wind.generation, f.force = wfDrag(WF_R(0.2), 0);
+            give(w, j, f);
+        }
+        if (i == 34) {
+            wfInput q = { .kind = WF_INPUT_ADD_JOINT };
+            assert_ok(wfJoinBodies(w, "distance", b, (wfBodyId){ crate.index, crate.generation }, info(w, b).position, wfV2(3, 5), wfV2(1, 0), &q.joint));
+            rope = give(w, j, q);
+            q.kind = WF_INPUT_SET_JOINT, q.index = rope.index, q.generation = rope.generation, q.joint.rest *= 2;
+            give(w, j, q);
+        }
+        if (i == 50) give(w, j, (wfInput){ .kind = WF_INPUT_REMOVE_JOINT, .index = rope.index, .generation = rope.generation });
+        if (i == 51) give(w, j, (wfInput){ .kind = WF_INPUT_REMOVE_SHAPE, .index = part.index, .generation = part.generation });
+        if (i == 52) of.kind = WF_INPUT_TYPE, of.with.number = WF_KINEMATIC, give(w, j, of);
+        if (i == 53) of.kind = WF_INPUT_NEVER_SLEEPS, of.with.number = 1, give(w, j, of);
+        if (i == 54) of.kind = WF_INPUT_WAKE, give(w, j, of);
+        if (i == 55) give(w, j, (wfInput){ .kind = WF_INPUT_SLEEP, .index = crate.index, .generation = crate.generation });
+        if (i == 56) give(w, j, (wfInput){ .kind = WF_INPUT_REMOVE_BODY, .index = crate.index, .generation = crate.generation });
+        assert_ok(wfStepNoted(w, j, NULL));
+    }
+}
+
+static wfWorld stage(void)
+{
+    wfWorldDef def = busy_def(40);
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    fill(&world, 12);
+    return world;
+}
+
+static void a_replay_has_the_same_bits(void **unused)
+{
+    (void)unused;
+    enum { ROOM = 1 << 16, STEPS = 300 };
+    static uint8_t bytes[ROOM];
+    for (int trail = 0; trail <= 1; trail++) {
+        wfJournal j;
+        wfWorld played = stage(), shown = stage();
+        assert_ok(wfJournalInit(&j, bytes, ROOM, trail));
+        play(&played, &j, STEPS, false);
+        wfReplay r = { .journal = &j };
+        int32_t stepped = 1, n = 0;
+        for (;;) {
+            assert_ok(wfReplayStep(&r, &shown, NULL, &stepped));
+            if (!stepped) break;
+            n++;
+        }
+        assert_int_equal(n, STEPS);
+        assert_same(&played, &shown);
+        if (!trail) assert_true(j.used < 8000);
+        wfDestroyWorld(&played);
+        wfDestroyWorld(&shown);
+    }
+}
+
+static void a_divergence_has_step_body_and_field(void **unused)
+{
+    (void)unused;
+    enum { ROOM = 1 << 16, STEPS = 80 };
+    static uint8_t one[ROOM], two[ROOM];
+    wfJournal j, k;
+    wfDivergence d;
+    wfWorld a = stage(), b = stage();
+    assert_ok(wfJournalInit(&j, one, ROOM, 1));
+    assert_ok(wfJournalInit(&k, two, ROOM, 1));
+    play(&a, &j, STEPS, false);
+    play(&b, &k, STEPS, true);                              /* another gravity before step 31 */
+    wfDestroyWorld(&a);
+    wfDestroyWorld(&b);
+    a = stage(), b = stage();
+    wfReplay r = { .journal = &j }, s = { .journal = &k };
+    assert_result(WF_ERROR_DIVERGED, wfFindDivergence(&r, &a, &s, &b, NULL, &d));
+    assert_int_equal(d.step, 31);
+    assert_string_equal(d.what.region, "states");
+    assert_string_equal(d.what.field, "p.x");
+    assert_true(d.body.index == (uint32_t)d.what.element + 1);
+    wfDestroyWorld(&a);
+    wfDestroyWorld(&b);
+
+    a = stage(), b = stage();                               /* the same journal twice never parts */
+    r = (wfReplay){ .journal = &j }, s = (wfReplay){ .journal = &j };
+    assert_ok(wfFindDivergence(&r, &a, &s, &b, NULL, &d));
+    assert_null(d.what.region);
+    wfDestroyWorld(&a);
+    wfDestroyWorld(&b);
+
+    a = stage();                                            /* a world that began otherwise is told by the trail */
+    assert_ok(wfSetGravity(&a, wfV2(0, -8)));
+    r = (wfReplay){ .journal = &j };
+    int32_t stepped;
+    assert_result(WF_ERROR_DIVERGED, wfReplayStep(&r, &a, NULL, &stepped));
+    wfDestroyWorld(&a);
+}
+
+static void bad_journals_are_refused(void **unused)
+{
+    (void)unused;
+    uint8_t bytes[200];
+    wfJournal j;
+    wfWorld world = stage();
+    int32_t stepped;
+    assert_result(WF_ERROR_NULL, wfJournalInit(NULL, bytes, 200, 0));
+    assert_result(WF_ERROR_NULL, wfJournalInit(&j, NULL, 200, 0));
+    assert_result(WF_ERROR_RANGE, wfJournalInit(&j, bytes, 200, 2));
+    assert_ok(wfJournalInit(&j, bytes, 30, 0));
+    void *before = copy_of(&world);
+    assert_result(WF_ERROR_FULL, wfStepNoted(&world, &j, NULL));
+    wfInput in = { .kind = WF_INPUT_GRAVITY };
+    assert_result(WF_ERROR_FULL, wfGiveInput(&world, &j, &in, NULL));
+    in.kind = WF_INPUT_KINDS;
+    assert_result(WF_ERROR_UNKNOWN, wfGiveInput(&world, NULL, &in, NULL));
+    in.kind = -1;
+    assert_result(WF_ERROR_UNKNOWN, wfGiveInput(&world, NULL, &in, NULL));
+    assert_result(WF_ERROR_NULL, wfGiveInput(&world, NULL, NULL, NULL));
+    in = (wfInput){ .kind = WF_INPUT_REMOVE_BODY, .index = 99, .generation = 1 };
+    assert_ok(wfJournalInit(&j, bytes, 200, 0));
+    assert_result(WF_ERROR_STALE_ID, wfGiveInput(&world, &j, &in, NULL));
+    assert_int_equal(j.used, 0);
+    assert_unchanged(&world, before);
+
+    wfRandom random = random_stream(26);                    /* any bytes at all: an error, or a world in order */
+    for (int n = 0; n < 3000; n++) {
+        for (int i = 0; i < 200; i++) bytes[i] = (uint8_t)wfRandomU32(&random);
+        int32_t kind = (int32_t)wfRandomBelow(&random, WF_INPUT_KINDS + 2) - 2;
+        uint32_t size = wfRandomBelow(&random, 2) ? (uint32_t)sizeof in.with : 0;
+        memcpy(bytes, &kind, 4);
+        memcpy(bytes + 4, &size, 4);
+        j = (wfJournal){ .bytes = bytes, .size = 200, .used = wfRandomBelow(&random, 201) };
+        wfReplay r = { .journal = &j };
+        for (int i = 0; i < 3 && wfReplayStep(&r, &world, NULL, &stepped) == WF_OK && stepped; i++) { }
+    }
+    assert_ok(wfCheckWorld(&world, NULL));
+    wfDestroyWorld(&world);
+}
+
+/* ------------------------------------------------------------------------------ save files */
+
+static void a_save_comes_back(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(30, 60), loaded;
+    size_t size = wfSaveSize(&world), got;
+    uint8_t *bytes = bytes_of(size);
+    wfSaveInfo info;
+    assert_ok(wfSaveToBytes(&world, bytes, size, &got));
+    assert_int_equal(got, size);
+    assert_ok(wfReadSaveInfo(bytes, size, &info));
+    assert_int_equal(info.version, WF_SAVE_VERSION);
+    assert_int_equal(info.realBytes, sizeof(wfReal));
+    assert_int_equal(info.steps, 60);
+    assert_int_equal(info.size, size);
+    assert_true(info.layout == wfLayoutHash() && info.hash == wfHashWorld(&world));
+    assert_ok(wfLoadFromBytes(bytes, size, NULL, &loaded));
+    for (int i = 0; i < 100; i++) {
+        assert_same(&world, &loaded);
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&loaded));
+    }
+    assert_result(WF_ERROR_MEMORY, wfSaveToBytes(&world, bytes, 100, &got));
+    assert_result(WF_ERROR_NULL, wfSaveToBytes(&world, NULL, size, &got));
+    assert_result(WF_ERROR_NULL, wfLoadFromBytes(bytes, size, NULL, NULL));
+    assert_result(WF_ERROR_NULL, wfLoadFromBytes(NULL, size, NULL, &loaded));
+    free(bytes);
+    wfDestroyWorld(&world);
+    wfDestroyWorld(&loaded);
+}
+
+static bool is_damage(wfResult r) { return r == WF_ERROR_NOT_A_SAVE || r == WF_ERROR_TRUNCATED || r == WF_ERROR_CHECKSUM; }
+
+/* All prefixes and all flipped bits of a small world, every 97th of a larger one. */
+static void damage_is_always_noticed(void **unused)
+{
+    (void)unused;
+    for (int large = 0; large <= 1; large++) {
+        wfWorld world = busy(large ? 60 : 2, 20), out = { .memory = { .owned = 0 } };
+        size_t size = wfSaveSize(&world), got, by = large ? 97 : 1;
+        uint8_t *bytes = bytes_of(size);
+        assert_ok(wfSaveToBytes(&world, bytes, size, &got));
+        for (size_t n = 0; n < size; n += by) {
+            uint8_t *part = bytes_of(n);                    /* of its own, so that a sanitizer sees a read beyond */
+            memcpy(part, bytes, n);
+            if (!is_damage(wfLoadFromBytes(part, n, NULL, &out))) fail_msg("a file cut after %zu bytes was taken", n);
+            free(part);
+        }
+        for (size_t bit = 0; bit < 8 * size; bit += by) {
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+            if (!is_damage(wfLoadFromBytes(bytes, size, NULL, &out))) fail_msg("bit %zu was flipped and the file taken", bit);
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        }
+        assert_null(out.memory.permanent);
+        free(bytes);
+        wfDestroyWorld(&world);
+    }
+}
+
+static void bursts_are_always_noticed(void **unused)
+{
+    (void)unused;
+    uint8_t b[40];
+    wfRandom random = random_stream(64);
+    for (int i = 0; i < 40; i++) b[i] = (uint8_t)wfRandomU32(&random);
+    uint64_t sum = wfChecksum(b, 40);
+    for (int first = 0; first < 320; first++)
+        for (int length = 1; length <= 64 && first + length <= 320; length++)
+            for (int n = 0; n < 4; n++) {                   /* its two ends flip, in between chance, or all, or none */
+                uint8_t c[40];
+                memcpy(c, b, 40);
+                for (int k = 0; k < length; k++) {
+                    bool end = k == 0 || k == length - 1;
+                    if (end || n == 1 || (n > 1 && wfRandomU32(&random) & 1)) c[(first + k) / 8] ^= (uint8_t)(1u << (first + k) % 8);
+                }
+                assert_true(wfChecksum(c, 40) != sum);
+            }
+    for (int bit = 63; bit < 320; bit += 64)                /* what cancels without the shift: the top bits of two words */
+        for (int other = bit + 64; other < 320; other += 64) {
+            uint8_t c[40];
+            memcpy(c, b, 40);
+            c[bit / 8] ^= 0x80, c[other / 8] ^= 0x80;
+            assert_true(wfChecksum(c, 40) != sum);
+        }
+    assert_true(wfChecksum(b, 39) != sum);
+}
+
+/* Made-up files: right checksum, another version, order, precision or layout. */
+static void seal(uint8_t *b, size_t size)
+{
+    uint64_t sum = wfChecksum(b, size - 8);
+    for (int i = 0; i < 8; i++) b[size - 8 + (size_t)i] = (uint8_t)(sum >> (8 * i));
+}
+
+static void strangers_are_refused_by_name(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(5, 5), out = { .memory = { .owned = 0 } };
+    size_t size = wfSaveSize(&world), got;
+    uint8_t *bytes = bytes_of(size), *b = bytes_of(size);
+    wfSaveInfo info;
+    assert_ok(wfSaveToBytes(&world, bytes, size, &got));
+    static const struct { int at, value; wfResult want; } change[] = {
+        { 8, 0, WF_ERROR_VERSION }, { 8, 2, WF_ERROR_VERSION }, { 11, 1, WF_ERROR_VERSION },
+        { 12, -1, WF_ERROR_BYTE_ORDER }, { 13, -2, WF_ERROR_PRECISION }, { 14, 2, WF_ERROR_NOT_A_SAVE },
+        { 16, -3, WF_ERROR_LAYOUT }, { 40, -3, WF_ERROR_INVALID }, { 24, -3, WF_ERROR_TRUNCATED }, { 0, -3, WF_ERROR_NOT_A_SAVE },
+    };
+    for (size_t i = 0; i < sizeof change / sizeof *change; i++) {
+        memcpy(b, bytes, size);
+        int at = change[i].at, v = change[i].value;
+        b[at] = (uint8_t)(v == -1 ? 3 - b[at] : v == -2 ? 12 - b[at] : v == -3 ? b[at] ^ 1 : v);
+        seal(b, size);
+        assert_result(change[i].want, wfLoadFromBytes(b, size, NULL, &out));
+        if (change[i].want == WF_ERROR_VERSION) assert_ok(wfReadSaveInfo(b, size, &info));
+        assert_null(out.memory.permanent);
+    }
+    free(bytes);
+    free(b);
+    wfDestroyWorld(&world);
+}
+
+/* A step may be told to take for ever, by numbers that are allowed: so many substeps, so fast a body. That is no harm. */
+static bool is_patient(const wfWorld *w)
+{
+    wfWorldDef d;
+    wfBodyView v = wfWorldBodies(w);
+    if (wfGetWorldDef(w, &d) != WF_OK || d.substeps > 100 || d.iterations > 100 || d.impacts > 100 || d.dt > 1) return false;
+    for (int32_t i = 0; i < v.count; i++) {
+        wfReal most = wfMaxR(wfLength(v.state[i].v), wfAbs(v.state[i].w));
+        if (most > 100 || wfLength(v.state[i].p) > 1000 || v.state[i].invMass > 1000 || v.state[i].invInertia > 1e5f) return false;
+    }
+    return wfLength(d.gravity) < 1000;
+}
+
+/* Any byte of the image may be anything: an error, or a world that keeps its rules and steps. */
+static void hostile_files_do_no_harm(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(12, 30), out;
+    size_t size = wfSaveSize(&world), got;
+    uint8_t *bytes = bytes_of(size), *b = bytes_of(size);
+    assert_ok(wfSaveToBytes(&world, bytes, size, &got));
+    wfMemory room;
+    assert_ok(wfAllocateMemory(&room, world.memory.permanentSize, world.memory.transientSize));
+    wfRandom random = random_stream(99);
+    int taken = 0, refused = 0;
+    for (int n = 0; n < 6000; n++) {
+        memcpy(b, bytes, size);
+        for (int k = (int)wfRandomBelow(&random, 3); k >= 0; k--) {
+            size_t at = 48 + wfRandomBelow(&random, (uint32_t)(size - 56)) / 4 * 4;
+            uint32_t value = wfRandomBelow(&random, 2) ? wfRandomBelow(&random, 40) - 3 : wfRandomU32(&random);
+            memcpy(b + at, &value, at + 4 <= size - 8 ? 4 : 1);
+        }
+        b[40] = b[41] = 0;
+        seal(b, size);
+        wfSaveInfo info;
+        assert_ok(wfReadSaveInfo(b, size, &info));
+        wfResult result = wfLoadFromBytes(b, size, &room, &out);
+        if (result == WF_ERROR_INVALID) {                   /* the hash of the states, too, is the attacker's to choose */
+            wfWorld probe;
+            if (wfOpenWorld(&room, &probe) == WF_OK && wfCheckWorld(&probe, NULL) == WF_OK) out = probe, result = WF_OK;
+        }
+        if (result != WF_OK) { refused++; continue; }
+        taken++;
+        if (is_patient(&out)) for (int i = 0; i < 3; i++) wfStepWorld(&out);
+    }
+    assert_true(taken > 500 && refused > 500);
+    wfFreeMemory(&room);
+    free(bytes);
+    free(b);
+    wfDestroyWorld(&world);
+}
+
+static void files_are_replaced_as_a_whole(void **unused)
+{
+    (void)unused;
+    char path[200], fresh[220];
+    snprintf(path, sizeof path, "%s/weft-save-test-%p.weft", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp", (void *)path);
+    snprintf(fresh, sizeof fresh, "%s.new", path);
+    wfWorld world = busy(10, 3), out;
+    assert_ok(wfSaveToFile(&world, path));
+    assert_ok(wfStepWorld(&world));
+    assert_ok(wfSaveToFile(&world, path));
+    assert_null(fopen(fresh, "rb"));
+    assert_ok(wfLoadFromFile(path, &out));
+    assert_same(&world, &out);
+    wfDestroyWorld(&out);
+    FILE *f = fopen(path, "ab");
+    fputc(0, f);
+    fclose(f);
+    assert_result(WF_ERROR_TRUNCATED, wfLoadFromFile(path, &out));
+    remove(path);
+    assert_result(WF_ERROR_FILE, wfLoadFromFile(path, &out));
+    assert_result(WF_ERROR_FILE, wfSaveToFile(&world, "/nowhere/at/all.weft"));
+    assert_result(WF_ERROR_FILE, wfSaveToFile(&world, ""));
+    assert_result(WF_ERROR_NULL, wfSaveToFile(&world, NULL));
+    assert_result(WF_ERROR_NULL, wfLoadFromFile(NULL, &out));
+    assert_result(WF_ERROR_FILE, wfLoadFromFile("/tmp", &out));
+    wfDestroyWorld(&world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_snapshot_takes_the_world_back),
+        cmocka_unit_test(restoring_clears_what_the_snapshot_had_not),
+        cmocka_unit_test(bad_snapshots_are_refused),
+        cmocka_unit_test(the_first_difference_has_a_name),
+        cmocka_unit_test(a_world_grows_and_nobody_notices),
+        cmocka_unit_test(the_ring_keeps_the_newest),
+        cmocka_unit_test(bad_rings_are_refused),
+        cmocka_unit_test(rollback_is_as_if_it_had_been_known),
+        cmocka_unit_test(a_replay_has_the_same_bits),
+        cmocka_unit_test(a_divergence_has_step_body_and_field),
+        cmocka_unit_test(bad_journals_are_refused),
+        cmocka_unit_test(a_save_comes_back),
+        cmocka_unit_test(damage_is_always_noticed),
+        cmocka_unit_test(bursts_are_always_noticed),
+        cmocka_unit_test(strangers_are_refused_by_name),
+        cmocka_unit_test(hostile_files_do_no_harm),
+        cmocka_unit_test(files_are_replaced_as_a_whole),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
