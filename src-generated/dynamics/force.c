@@ -106,6 +106,11 @@ static wfResult point_check(const wfForce *f)
 {
     return f->point.softening >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
+
+static void point_move(wfForce *f, wfVec2 by)
+{
+    if (f->b < 0) f->point.centre = wfSub(f->point.centre, by);
+}
 /* <force generators> */
 typedef struct Stretch {
     bool there;                 /* both ends exist                              */
@@ -168,6 +173,11 @@ static wfResult spring_check(const wfForce *f)
 {
     if (f->a < 0 || f->a == f->b || f->spring.rest < 0) return WF_ERROR_RANGE;
     return f->spring.stiffness >= 0 && f->spring.damping >= 0 ? WF_OK : WF_ERROR_RANGE;
+}
+
+static void spring_move(wfForce *f, wfVec2 by)
+{
+    if (f->b < 0) f->spring.localB = wfSub(f->spring.localB, by);
 }
 /* <force generators> */
 static void bungee_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
@@ -430,6 +440,8 @@ static wfResult buoyancy_check(const wfForce *f)
     if (f->buoyancy.density < 0 || f->buoyancy.g < 0) return WF_ERROR_RANGE;
     return f->buoyancy.drag >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
+
+static void buoyancy_move(wfForce *f, wfVec2 by) { f->buoyancy.surfaceY -= by.y; }
 /* <force generators> */
 wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
                    wfVec2 *middle)
@@ -499,6 +511,11 @@ static wfResult explosion_check(const wfForce *f)
 {
     return f->explosion.radius > 0 && f->explosion.duration > 0 ? WF_OK : WF_ERROR_RANGE;
 }
+
+static void explosion_move(wfForce *f, wfVec2 by)
+{
+    f->explosion.centre = wfSub(f->explosion.centre, by);
+}
 /* <force generators> */
 static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out)
@@ -538,28 +555,33 @@ static wfResult hand_check(const wfForce *f)
     bool good = f->hand.stiffness >= 0 && f->hand.damping >= 0 && f->hand.spin >= 0;
     return good ? WF_OK : WF_ERROR_RANGE;
 }
+
+static void hand_move(wfForce *f, wfVec2 by)
+{
+    f->hand.target = wfSub(f->hand.target, by);
+}
 /* <the force table> */
 const wfForceRow wfForceTable[] = {
     /* <rows of the force table> */
     [WF_FORCE_GRAVITY] = { "gravity", "the same acceleration for all",
-        2, gravity_apply, gravity_energy, NULL, true },
+        2, gravity_apply, gravity_energy, NULL, true, NULL },
     [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
-        4, point_apply, point_energy, point_check, true },
+        4, point_apply, point_energy, point_check, true, point_move },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
-        7, spring_apply, spring_energy, spring_check, true },
+        7, spring_apply, spring_energy, spring_check, true, spring_move },
     [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
-        7, bungee_apply, bungee_energy, spring_check, true },
+        7, bungee_apply, bungee_energy, spring_check, true, spring_move },
     [WF_FORCE_DRAG] = { "drag", "resistance as the speed and as its square",
-        2, drag_apply, NULL, drag_check, true },
+        2, drag_apply, NULL, drag_check, true, NULL },
     [WF_FORCE_BUOYANCY] = { "buoyancy", "the lift and the resistance of a fluid",
-        4, buoyancy_apply, buoyancy_energy, buoyancy_check, true },
+        4, buoyancy_apply, buoyancy_energy, buoyancy_check, true, buoyancy_move },
     [WF_FORCE_EXPLOSION] = { "explosion", "a push away from a point that lasts a while",
-        6, explosion_apply, NULL, explosion_check, false },
+        6, explosion_apply, NULL, explosion_check, false, explosion_move },
     [WF_FORCE_WIND] = { "wind", "moving air pushes what stands in its way",
-        3, wind_apply, NULL, wind_check, true },
+        3, wind_apply, NULL, wind_check, true, NULL },
     /* <rows of the force table> */
     { "hand", "a spring and a brake that hold a point of a body at a point of the world",
-        7, hand_apply, NULL, hand_check, true },
+        7, hand_apply, NULL, hand_check, true, hand_move },
 };
 const int wfForceKinds = (int)(sizeof wfForceTable / sizeof *wfForceTable);
 

@@ -966,6 +966,16 @@ void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal
     wfBuildJoint(j, sA, sB, rows);
     j->rest += rows[0].law == WF_ROW_HOLD ? rows[0].error : -rows[0].error;
 }
+/* <set a ratio> */
+void wfMoveJoint(wfJoint *j, wfVec2 by)
+{
+    bool pulley = j->kind == wfFindJoint("pulley");
+    bool linkage = j->kind == wfFindJoint("linkage");
+    if (pulley) j->groundA = wfSub(j->groundA, by);
+    if (pulley || j->kind == wfFindJoint("hand")) j->groundB = wfSub(j->groundB, by);
+    if (linkage || j->kind == wfFindJoint("rack")) j->rest -= wfDot(j->groundA, by);
+    if (linkage) j->rest -= j->ratio * wfDot(j->groundB, by);
+}
 /* <make joints> */
 wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t b,
                     const wfBodyState *sB, wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis)

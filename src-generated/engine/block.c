@@ -7,29 +7,35 @@
 wfWorldDef wfDefaultWorldDef(void)
 {
     return (wfWorldDef){
-        .gravity = wfV2(0, WF_R(-9.81)), .dt = WF_R(1.0) / 60,
-        .bodyCapacity = 256,
-        /* <default capacities> */
+        /* <defaults of the settings> */
+        .gravity = wfV2(0, WF_R(-9.81)), .dt = WF_R(1.0) / 60, .bodyCapacity = 256,
+        .integrator = wfFindIntegrator("verlet"),
+        /* <defaults of the settings> */
         .forceCapacity = 64,
-        /* <default capacities> */
+        /* <defaults of the settings> */
+        .broadPhase = wfFindBroadPhase("dynamic-tree"), .narrowPhase = wfFindNarrowPhase("sat"),
+        .solver = wfFindSolver("soft"), .substeps = 4,
+        /* <defaults of the settings> */
+        .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005),
+        .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
+        .recoverySteps = 24, .colours = 1, .columns = 1, .reuse = 1,
+        /* <defaults of the settings> */
+        .frictionMix = wfFindMix("geometric-mean"), .restitutionMix = wfFindMix("maximum"),
+        .rollingMix = wfFindMix("maximum"),
+        /* <defaults of the settings> */
+        .events = 1, .hitSteps = 6,
+        /* <defaults of the settings> */
+        .queries = 1,
+        /* <defaults of the settings> */
         .pairMaterials = 16,
-        /* <default capacities> */
+        /* <defaults of the settings> */
         .jointCapacity = 64, .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP,
         .jointGive = WF_JOINT_GIVE,
-        /* <default capacities> */
+        /* <defaults of the settings> */
         .impacts = 16,
-        /* <default capacities> */
+        /* <defaults of the settings> */
         .sleep = 0, .sleepTime = WF_R(0.5), .sleepShare = WF_R(0.04),
-        .integrator = wfFindIntegrator("verlet"),
-        .broadPhase = wfFindBroadPhase("dynamic-tree"),
-        .narrowPhase = wfFindNarrowPhase("sat"), .solver = wfFindSolver("soft"),
-        .frictionMix = wfFindMix("geometric-mean"),
-        .restitutionMix = wfFindMix("maximum"), .rollingMix = wfFindMix("maximum"),
-        .iterations = 0, .substeps = 4, .restingSteps = 2, .hitSteps = 6,
-        .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
-        .recoverySteps = 24, .columns = 1, .colours = 1,
-        .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1, .events = 1,
-        .queries = 1 };
+    };
 }
 /* <identify the block> */
 /* A constant that differs between builds whose blocks differ. */
@@ -37,69 +43,6 @@ wfWorldDef wfDefaultWorldDef(void)
     + 3 * sizeof(wfShape) + 7 * sizeof(wfBodyProps) + 31 * sizeof(wfContact) \
     + 127 * sizeof(wfForce) + 1021 * sizeof(wfBodyState) + 8191 * sizeof(wfShapeProps) \
     + 65537 * sizeof(wfManifoldCache)))
-/* <check numbers> */
-bool wfAllFinite(const wfReal *number, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if (!wfIsFinite(number[i])) return false;
-    return true;
-}
-/* <check a world's definition> */
-static bool is_row(int32_t row, int count) { return row >= 0 && row < count; }
-
-static wfResult check_methods(const wfWorldDef *d)
-{
-    bool known = is_row(d->integrator, wfIntegratorCount)
-              && is_row(d->broadPhase, wfBroadPhaseCount)
-              && is_row(d->narrowPhase, wfNarrowPhaseCount)
-              && is_row(d->solver, wfSolverCount) && is_row(d->frictionMix, wfMixCount)
-              && is_row(d->restitutionMix, wfMixCount)
-              && is_row(d->rollingMix, wfMixCount);
-    return known ? WF_OK : WF_ERROR_UNKNOWN;
-}
-/* <check a world's definition> */
-static wfResult check_world_def(const wfWorldDef *d)
-{
-    if (d == NULL) return WF_ERROR_NULL;
-    const wfReal number[] = { d->gravity.x, d->gravity.y, d->dt, d->restingSteps,
-                              d->hitSteps, d->positionShare, d->slop, d->contactPeriod,
-                              d->contactDamping, d->recoverySteps };
-    if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
-    if (!(d->dt > 0) || d->restingSteps < 0 || d->slop < 0) return WF_ERROR_RANGE;
-    if (d->hitSteps < 0 || d->substeps < 1) return WF_ERROR_RANGE;
-    if (!(d->contactPeriod > 0) || !(d->contactDamping > 0) || d->recoverySteps < 0)
-        return WF_ERROR_RANGE;
-    const int32_t choice[] = { d->reuse, d->events, d->queries, d->columns,
-                               d->colours };
-    for (int i = 0; i < 5; i++)
-        if (choice[i] != 0 && choice[i] != 1) return WF_ERROR_RANGE;
-    if (d->positionShare < 0 || d->positionShare > 1) return WF_ERROR_RANGE;
-    if (d->iterations < 0 || d->bodyCapacity < 1) return WF_ERROR_RANGE;
-    const int32_t capacity[] = {
-        /* <capacities to check> */
-        d->bodyCapacity, d->shapeCapacity, d->forceCapacity, d->pairCapacity, d->contactCapacity,
-        /* <capacities to check> */
-        d->pairMaterials,
-        /* <capacities to check> */
-        d->jointCapacity,
-        /* <capacities to check> */
-        d->impacts,
-    };
-    for (size_t i = 0; i < sizeof capacity / sizeof *capacity; i++)
-        if (capacity[i] < 0 || capacity[i] > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
-    /* <check further settings> */
-    if (d->bodyCapacity > WF_MAX_CAPACITY) return WF_ERROR_RANGE;
-    /* <check further settings> */
-    if (d->exactJoints < WF_JOINTS_ONE_BY_ONE || d->exactJoints > WF_JOINTS_AUTO)
-        return WF_ERROR_RANGE;
-    if (!wfIsFinite(d->exactCost) || !wfIsFinite(d->jointGive)) return WF_ERROR_NOT_FINITE;
-    if (d->exactCost < 0 || d->jointGive < 0) return WF_ERROR_RANGE;
-    /* <check further settings> */
-    if (!wfIsFinite(d->sleepTime) || !wfIsFinite(d->sleepShare)) return WF_ERROR_NOT_FINITE;
-    if (d->sleep != 0 && d->sleep != 1) return WF_ERROR_RANGE;
-    if (d->sleep && (!(d->sleepTime > 0) || d->sleepShare < 0)) return WF_ERROR_RANGE;
-    return check_methods(d);
-}
 /* <choose the capacities that were left open> */
 static wfWorldDef complete(const wfWorldDef *def)
 {
@@ -258,7 +201,7 @@ static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_
 static wfResult plan(const wfWorldDef *def, wfWorldDef *full,
                      wfRegion region[WF_REGION_COUNT], size_t size[2])
 {
-    wfResult result = check_world_def(def);
+    wfResult result = wfCheckWorldDef(def, NULL);
     if (result != WF_OK) return result;
     *full = complete(def);
     return lay_out(full, region, size) ? WF_OK : WF_ERROR_MEMORY;
@@ -311,31 +254,10 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
                          wfHeader *head)
 {
     *head = (wfHeader){ .magic = WF_BLOCK_MAGIC, .bytes = size[0], .scratchBytes = size[1],
-        .gravity = d->gravity, .dt = d->dt, .restingSteps = d->restingSteps,
-        .positionShare = d->positionShare, .slop = d->slop, .bodyCapacity = d->bodyCapacity,
-        .shapeCapacity = d->shapeCapacity,
-        /* <capacities that the header keeps> */
-        .forceCapacity = d->forceCapacity, .pairCapacity = d->pairCapacity,
-        .contactCapacity = d->contactCapacity,
-        /* <capacities that the header keeps> */
-        .pairMaterials = d->pairMaterials,
-        /* <capacities that the header keeps> */
+        /* <what else the header begins with> */
         .large = d->solver == wfFindSolver(WF_SOLVER_LARGE),
-        /* <capacities that the header keeps> */
-        .jointCapacity = d->jointCapacity, .exactJoints = d->exactJoints,
-        .exactCost = d->exactCost, .jointGive = d->jointGive,
-        /* <capacities that the header keeps> */
-        .impacts = d->impacts,
-        /* <capacities that the header keeps> */
-        .sleep = d->sleep, .sleepTime = d->sleepTime, .sleepShare = d->sleepShare,
-        .integrator = d->integrator,
-        .broadPhase = d->broadPhase, .narrowPhase = d->narrowPhase, .solver = d->solver,
-        .iterations = d->iterations, .substeps = d->substeps, .hitSteps = d->hitSteps,
-        .frictionMix = d->frictionMix, .restitutionMix = d->restitutionMix,
-        .rollingMix = d->rollingMix, .contactPeriod = d->contactPeriod,
-        .contactDamping = d->contactDamping, .recoverySteps = d->recoverySteps,
-        .columns = d->columns, .colours = d->colours,
-        .reuse = d->reuse, .events = d->events, .queries = d->queries };
+    };
+    wfKeepSettings(d, head);
     for (int i = 0; i < WF_REGION_COUNT; i++) head->offset[i] = region[i].offset;
 }
 /* <create a world> */
@@ -489,34 +411,6 @@ void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
     if (shape >= 0) wfDisturbEnds(b, b->owners[shape], -1);
 }
 /* <settings of a world> */
-wfWorldDef wfSettings(const wfHeader *h)
-{
-    return (wfWorldDef){ .gravity = h->gravity, .dt = h->dt,
-        .bodyCapacity = h->bodyCapacity, .shapeCapacity = h->shapeCapacity,
-        /* <capacities that the header tells> */
-        .pairMaterials = h->pairMaterials,
-        /* <capacities that the header tells> */
-        .forceCapacity = h->forceCapacity, .pairCapacity = h->pairCapacity,
-        .contactCapacity = h->contactCapacity,
-        /* <capacities that the header tells> */
-        .jointCapacity = h->jointCapacity, .exactJoints = h->exactJoints,
-        .exactCost = h->exactCost, .jointGive = h->jointGive,
-        /* <capacities that the header tells> */
-        .impacts = h->impacts,
-        /* <capacities that the header tells> */
-        .sleep = h->sleep, .sleepTime = h->sleepTime, .sleepShare = h->sleepShare,
-        .integrator = h->integrator,
-        .broadPhase = h->broadPhase, .narrowPhase = h->narrowPhase, .solver = h->solver,
-        .iterations = h->iterations, .substeps = h->substeps, .hitSteps = h->hitSteps,
-        .frictionMix = h->frictionMix, .restitutionMix = h->restitutionMix,
-        .rollingMix = h->rollingMix, .contactPeriod = h->contactPeriod,
-        .contactDamping = h->contactDamping, .recoverySteps = h->recoverySteps,
-        .columns = h->columns, .colours = h->colours,
-        .reuse = h->reuse, .events = h->events, .queries = h->queries,
-        .restingSteps = h->restingSteps,
-        .positionShare = h->positionShare, .slop = h->slop };
-}
-
 wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
 {
     wfBlock b;
@@ -525,60 +419,42 @@ wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
     return result;
 }
 /* <settings of a world> */
-static wfResult change_settings(wfBlock *b, const wfWorldDef *d)
+static bool same_setting(const wfSetting *s, const wfWorldDef *a, const wfWorldDef *b)
 {
-    wfResult result = check_world_def(d);
+    for (int part = 0; part < 2; part++) {
+        double one = wfSettingValue(a, s, part), two = wfSettingValue(b, s, part);
+        if (one < two || one > two) return false;
+    }
+    return true;
+}
+
+static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
+{
+    wfResult result = wfCheckWorldDef(def, NULL);
     if (result != WF_OK) return result;
     wfHeader *h = b->head;
-    if (d->solver == wfFindSolver(WF_SOLVER_LARGE) && !h->large) return WF_ERROR_MEMORY;
-    /* <tell if the laws change> */
-    bool same = h->gravity.x == d->gravity.x && h->gravity.y == d->gravity.y
-             && h->solver == d->solver && h->substeps == d->substeps
-             && h->iterations == d->iterations && h->positionShare == d->positionShare
-             && h->slop == d->slop && h->restingSteps == d->restingSteps
-             && h->contactPeriod == d->contactPeriod && h->contactDamping == d->contactDamping
-             && h->recoverySteps == d->recoverySteps && h->columns == d->columns
-             && h->frictionMix == d->frictionMix && h->rollingMix == d->rollingMix
-             && h->restitutionMix == d->restitutionMix;
+    wfWorldDef is = wfSettings(h), d = complete(def);
+    bool same = true;                                   /* the laws */
+    for (int i = 0; i < wfSettingCount; i++) {
+        const wfSetting *s = &wfSettingTable[i];
+        if (same_setting(s, &is, &d)) continue;
+        if (s->builtIn) return WF_ERROR_BUILT_IN;
+        if (s->law) same = false;
+    }
+    if (d.solver == wfFindSolver(WF_SOLVER_LARGE) && !h->large) return WF_ERROR_MEMORY;
+    /* <what else a change of the settings needs> */
+    /* Later chapters need more. */
+    /* <what else a change of the settings needs> */
+    bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;
+    if (matrix != (d.exactJoints != WF_JOINTS_ONE_BY_ONE)) return WF_ERROR_MEMORY;
     if (!same) wfDisturb(b, -1);
-    h->gravity = d->gravity;
-    h->dt = d->dt;
-    h->integrator = d->integrator;
-    h->broadPhase = d->broadPhase;
-    h->narrowPhase = d->narrowPhase;
-    h->solver = d->solver;
-    h->iterations = d->iterations;
-    h->substeps = d->substeps;
-    h->restingSteps = d->restingSteps;
-    h->contactPeriod = d->contactPeriod;
-    h->contactDamping = d->contactDamping;
-    h->recoverySteps = d->recoverySteps;
-    h->columns = d->columns;
-    h->hitSteps = d->hitSteps;
-    h->positionShare = d->positionShare;
-    h->slop = d->slop;
-    h->frictionMix = d->frictionMix;
-    h->restitutionMix = d->restitutionMix;
-    h->rollingMix = d->rollingMix;
-    h->colours = d->colours;
-    h->reuse = d->reuse;
-    h->queries = d->queries;
-    /* <change further settings> */
-    /* Later chapters have more. */
-    /* <change further settings> */
-    bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;   /* else there is no room for one */
-    if (matrix) h->exactJoints = d->exactJoints;
-    if (h->exactCost < d->exactCost || h->exactCost > d->exactCost) h->machines = 0;
-    h->exactCost = d->exactCost;
-    h->jointGive = d->jointGive;
-    /* <change further settings> */
-    h->impacts = d->impacts;
-    /* <change further settings> */
-    if (!d->sleep) wfDisturb(b, -1);
-    h->sleep = d->sleep;
-    h->sleepTime = d->sleepTime;
-    h->sleepShare = d->sleepShare;
-    if (!d->queries) h->indexStale = 1;
+    /* <before the settings change> */
+    if (!d.queries) h->indexStale = 1;
+    /* <before the settings change> */
+    if (h->exactCost < d.exactCost || h->exactCost > d.exactCost) h->machines = 0;
+    /* <before the settings change> */
+    if (!d.sleep) wfDisturb(b, -1);
+    wfKeepSettings(&d, h);
     return WF_OK;
 }
 

@@ -17,37 +17,74 @@ typedef struct wfHeader {
     uint64_t   steps;
     double     time;           /* s */
     uint64_t   offset[WF_REGION_COUNT];
-    /* <settings that a world keeps> */
-    wfVec2  gravity;
-    wfReal  dt, restingSteps, hitSteps, positionShare, slop;
-    wfReal  contactPeriod, contactDamping, recoverySteps;
-    int32_t bodyCapacity, shapeCapacity, forceCapacity, pairCapacity, contactCapacity;
-    int32_t integrator, broadPhase, narrowPhase, solver;
-    int32_t iterations, substeps, reuse, events, queries, columns, colours;
-    int32_t frictionMix, restitutionMix, rollingMix;
-    /* <settings that a world keeps> */
-    int32_t pairMaterials, knownPairs;
-    /* <settings that a world keeps> */
+    /* <the settings of a world> */
+    wfVec2  gravity;           /* m/s^2 */
+    wfReal  dt;                /* length of a step, s, > 0 */
+    int32_t bodyCapacity;      /* bodies at most, >= 1 */
+    int32_t integrator;        /* row of chapter 10's table */
+    /* <the settings of a world> */
+    int32_t forceCapacity;     /* registered forces at most, >= 0 */
+    /* <the settings of a world> */
+    int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
+    int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
+    int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
+    int32_t broadPhase;        /* rows of the tables of chapters 11, 12, 14 */
+    int32_t narrowPhase;
+    int32_t solver;
+    int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
+    int32_t substeps;          /* of solvers that step by themselves, >= 1 */
+    /* <the settings of a world> */
+    wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
+    wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
+    wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
+    wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
+    wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
+    wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
+                                * make a body, >= 0; 0 or no gravity: no limit */
+    int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
+    int32_t columns;           /* 1: towers are solved at once, 0: by passes */
+    int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
+    /* <the settings of a world> */
+    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
+    /* <the settings of a world> */
+    int32_t events;            /* 1: events are listed */
+    wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
+    /* <the settings of a world> */
+    int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
+    /* <the settings of a world> */
+    int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
+    /* <the settings of a world> */
+    int32_t jointCapacity;     /* joints at most, >= 0 */
+    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
+    wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
+    wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
+    /* <the settings of a world> */
+    int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
+    /* <the settings of a world> */
+    int32_t sleep;             /* 1: islands that rest are left out of the step */
+    wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
+    wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
+    /* <what else a world keeps> */
+    wfSlots bodySlots, shapeSlots, forceSlots;
+    /* <what else a world keeps> */
+    int32_t knownPairs;
+    /* <what else a world keeps> */
     wfSolveReport report;         /* of the last step */
     int32_t large;                /* 1: created with room for the solver WF_SOLVER_LARGE */
-    /* <settings that a world keeps> */
-    int32_t jointCapacity, exactJoints;
+    /* <what else a world keeps> */
+    wfFar   origin;            /* m: where (0, 0) is; no stage reads it */
+    /* <what else a world keeps> */
     wfSlots jointSlots;
-    wfReal exactCost, jointGive;
     int32_t brokenCount;       /* joints that broke in the last step */
     int32_t together;          /* joints that the last step solved together */
     int32_t unsolved;          /* substeps of the last step that chapter 19 did not solve */
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
-    /* <settings that a world keeps> */
-    int32_t impacts;
+    /* <what else a world keeps> */
     int32_t fastCount, impactCount, heldCount;  /* of the last step */
-    /* <settings that a world keeps> */
-    int32_t sleep;
-    wfReal  sleepTime, sleepShare;
+    /* <what else a world keeps> */
     int32_t asleep;            /* how many bodies sleep */
     int32_t roused;            /* 1: since the last step somebody may have woken */
     int32_t islandCount;       /* of the last step: islands that were awake, at its end */
-    wfSlots    bodySlots, shapeSlots, forceSlots;
     int32_t    pairCount, contactCount, touchCount, hitCount;   /* of the last step */
     wfKept     kept;           /* how many of them the next step will not look at */
     int32_t    eventCount[WF_EVENT_KINDS];
@@ -97,8 +134,9 @@ wfResult wfChangeBlock(const wfWorld *world, wfBlock *out);
 wfShapeView wfShapesOf(const wfBlock *b);
 /* An array of the transient chunk. */
 void *wfTransient(const wfBlock *b, int region);
-/* The settings of a header, as a definition. */
+/* The settings of a header, as a definition; and from a definition that was checked. */
 wfWorldDef wfSettings(const wfHeader *head);
+void wfKeepSettings(const wfWorldDef *def, wfHeader *head);
 /* All bodies as a view of the given states. */
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state);
 /* The slot that an id names, or -1. */
@@ -137,6 +175,9 @@ wfResult wfLeaveOutJoined(struct wfStep *s);
 wfResult wfTakeJoints(struct wfStep *s);
 wfResult wfJudgeJoints(struct wfStep *s);
 wfResult wfKeepJoints(struct wfStep *s);
+/* <declarations of the block> */
+/* Tells the joints that every place is called by less `by`: chapter 25. */
+void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* <declarations of the block> */
 /* A body that is followed through a step. Times are shares of the step. */
 typedef struct wfFlight {

@@ -206,6 +206,13 @@ void wfDropJoints(wfBlock *b, int32_t body)
         memset(&j.joints[i], 0, sizeof j.joints[i]);
     }
 }
+/* <drop the joints of a body> */
+void wfMoveJoints(wfBlock *b, wfVec2 by)
+{
+    Joints j = joints_of(b);
+    for (int32_t i = 0; i < b->head->jointSlots.high; i++)
+        if (is_live(&j, i)) wfMoveJoint(&j.joints[i], by);
+}
 /* <leave out pairs that are joined> */
 static bool comes_before(wfPair a, wfPair b)
 {

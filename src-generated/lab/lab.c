@@ -4385,6 +4385,118 @@ static int measure_world_bounce(FILE *out)
     return 0;
 }
 /* <measurements> */
+enum { FAR_SLIDE, FAR_ROLL, FAR_SWING, FAR_THINGS };
+
+static bool build_far(wfVec2 o, wfWorld *world, wfBodyId id[FAR_THINGS])
+{
+    wfWorldDef wd = wfDefaultWorldDef();
+    wfBodyDef ground = wfDefaultBodyDef(), box, disk, ball;
+    if (wfCreateWorld(&wd, world) != WF_OK) return false;
+    ground.type = WF_STATIC;
+    ground.position = wfAdd(o, wfV2(0, -1));
+    wfMakeBox(60, 1, &ground.shape);
+    wfAddBodyToWorld(world, &ground, NULL);
+    box = disk = ball = wfDefaultBodyDef();
+    wfMakeBox(WF_R(0.5), WF_R(0.5), &box.shape);
+    box.position = wfAdd(o, wfV2(0, WF_R(0.5)));
+    box.velocity = wfV2(5, 0);
+    wfMakeCircle(wfV2(0, 0), WF_R(0.5), &disk.shape);
+    disk.position = wfAdd(o, wfV2(-20, WF_R(0.5)));
+    disk.velocity = wfV2(-2, 0);
+    disk.angularVelocity = 4;
+    wfMakeCircle(wfV2(0, 0), WF_R(0.25), &ball.shape);
+    ball.position = wfAdd(o, wfV2(20, 5));
+    bool made = wfAddBodyToWorld(world, &box, &id[FAR_SLIDE]) == WF_OK
+             && wfAddBodyToWorld(world, &disk, &id[FAR_ROLL]) == WF_OK
+             && wfAddBodyToWorld(world, &ball, &id[FAR_SWING]) == WF_OK;
+    if (!made) return false;
+    wfForce spring = wfSpringToPoint(wfBodyIndex(world, id[FAR_SWING]), wfV2(0, 0),
+                                     wfAdd(o, wfV2(18, 8)), 2, 4, 0);
+    return wfAddForceToWorld(world, &spring, NULL) == WF_OK;
+}
+/* <measurements> */
+static void run_far(double distance, bool hasOrigin, double way[FAR_THINGS][2])
+{
+    wfWorld world;
+    wfBodyId id[FAR_THINGS];
+    wfBodyInfo from[FAR_THINGS], to;
+    wfFar far = { distance, -0.3 * distance };
+    wfVec2 o = hasOrigin ? wfV2(0, 0) : wfV2((wfReal)far.x, (wfReal)far.y);
+    memset(way, 0, FAR_THINGS * sizeof *way);
+    if (!build_far(o, &world, id)) return;
+    if (hasOrigin) wfSetWorldOrigin(&world, far);
+    for (int i = 0; i < FAR_THINGS; i++) wfGetBody(&world, id[i], &from[i]);
+    for (int step = 0; step < 300; step++) wfStepWorld(&world);
+    for (int i = 0; i < FAR_THINGS; i++) {
+        wfGetBody(&world, id[i], &to);
+        way[i][0] = (double)to.position.x - (double)from[i].position.x;
+        way[i][1] = (double)to.position.y - (double)from[i].position.y;
+    }
+    wfDestroyWorld(&world);
+}
+
+static double far_error(double a[2], double b[2])
+{
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+}
+/* <measurements> */
+static int measure_world_far(FILE *out)
+{
+    double home[FAR_THINGS][2], way[FAR_THINGS][2], error[FAR_THINGS];
+    run_far(0, false, home);
+    fprintf(out, "distance (m),gap (m),slide (m),roll (m),swing (m),with origin (m)\n");
+    for (int power = -1; power <= 12; power++) {
+        double distance = power < 0 ? 0 : pow(10, power);
+        double gap = (double)WF_EPSILON, worst = 0;
+        for (double d = 2; d <= distance; d *= 2) gap *= 2;     /* eq:numbers-gap */
+        run_far(distance, false, way);
+        for (int i = 0; i < FAR_THINGS; i++) error[i] = far_error(way[i], home[i]);
+        run_far(distance, true, way);
+        for (int i = 0; i < FAR_THINGS; i++)
+            worst = fmax(worst, far_error(way[i], home[i]));
+        fprintf(out, "%g,%.2g,%.2g,%.2g,%.2g,%.2g\n", distance, gap, error[FAR_SLIDE],
+                error[FAR_ROLL], error[FAR_SWING], worst);
+    }
+    return 0;
+}
+/* <measurements> */
+static int measure_world_flight(FILE *out)
+{
+    static const double limit[3] = { 1e30, 1000, 10 };          /* m */
+    wfWorldDef wd = wfDefaultWorldDef();
+    wfBodyDef def = wfDefaultBodyDef();
+    wfWorld world[3];
+    wfBodyId id[3];
+    wd.gravity = wfV2(0, 0);
+    def.mass = 1;
+    def.velocity = wfV2(1000, 0);
+    for (int k = 0; k < 3; k++)
+        if (wfCreateWorld(&wd, &world[k]) != WF_OK ||
+            wfAddBodyToWorld(&world[k], &def, &id[k]) != WF_OK) return 1;
+    fprintf(out, "time (s),way (m),at rest (m),within 1000 m (m),within 10 m (m)\n");
+    for (int second = 1, step = 0; second <= 1200; second++) {
+        for (; step < 60 * second; step++)
+            for (int k = 0; k < 3; k++) {
+                wfBodyInfo info;
+                wfGetBody(&world[k], id[k], &info);
+                wfCentreWorld(&world[k], info.position, (wfReal)limit[k], NULL);
+                wfStepWorld(&world[k]);
+            }
+        /* <say how far the probes are from where they must be> */
+        bool asked = second == 1 || second == 10 || second == 60 || second % 300 == 0;
+        double way = 1000.0 * (double)wd.dt * step;
+        if (asked) fprintf(out, "%d,%.0f", second, way);
+        for (int k = 0; k < 3 && asked; k++) {
+            wfFar at = { 0, 0 };
+            wfFarPosition(&world[k], id[k], &at);
+            fprintf(out, ",%.2g", fabs(at.x - way));
+        }
+        if (asked) fprintf(out, "\n");
+    }
+    for (int k = 0; k < 3; k++) wfDestroyWorld(&world[k]);
+    return 0;
+}
+/* <measurements> */
 static int measure_world_layout(FILE *out)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -5273,6 +5385,11 @@ const wfMeasureRow wfMeasureTable[] = {
     /* <rows of the measurement table> */
     { "world-bounce", "relative error of the apex after one bounce, e = 1, by step",
       measure_world_bounce },
+    /* <rows of the measurement table> */
+    { "world-far", "by how much a scene far away goes wrong, in floats", measure_world_far },
+    { "world-far-double", "the same, by a lab compiled with doubles", measure_world_far },
+    { "world-flight", "where a fast probe is, by how the origin moves along",
+      measure_world_flight },
     /* <rows of the measurement table> */
     { "world-layout", "where each array lies in a world of three bodies and one force",
       measure_world_layout },

@@ -10,6 +10,12 @@
 #include "testbed/scene.h"
 /* <headers of the headless program> */
 enum { FIRST_PICTURE = 80 };                /* the step at which the picture is taken */
+/* <headers of the headless program> */
+#include <stdlib.h>
+#include <string.h>
+#include "testbed/svg.h"
+#include "testbed/view.h"
+enum { FROZEN_WIDTH = 640, FROZEN_BYTES = 1 << 22 };
 
 typedef struct headless_command {
     const char *name, *text;
@@ -155,6 +161,46 @@ static int first_simulation(const layer_options *options)
     if (result != WF_OK || !picture.png) return result != WF_OK;
     return play(&picture);
 }
+/* <commands of the headless program> */
+/* What the scene looks like after the steps, in a window of 16 to 10. */
+static wfResult freeze(const wfScene *scene, int32_t steps, wfDraw *d, wfPool *scratch)
+{
+    wfWorld world;
+    wfSceneInput in = wfSceneInputAt(scene, 0);
+    wfResult result = wfOpenScene(scene, NULL, &world);
+    if (result != WF_OK) return result;
+    for (int32_t i = 0; i < steps && result == WF_OK; i++) {
+        in = wfSceneInputAt(scene, i);
+        result = wfStepScene(scene, &world, &in);
+    }
+    float high = (float)scene->viewHeight, wide = 1.6f * high;
+    float x = (float)scene->viewX, y = (float)scene->viewY;
+    wfDrawView(d, x - wide / 2, y - high / 2, x + wide / 2, y + high / 2);
+    wfDrawWorld(&world, scene->show, scratch, d);
+    if (scene->draw) scene->draw(&world, d, &in);
+    wfDestroyWorld(&world);
+    return result;
+}
+/* <commands of the headless program> */
+static int freeze_scene(const layer_options *options)
+{
+    const wfScene *scene = scene_of(options, "");
+    uint8_t *bytes = malloc(2 * FROZEN_BYTES);
+    FILE *out = options->argument ? fopen(options->argument, "wb") : NULL;
+    int failed = !scene || !bytes || !out;
+    if (!out) complain("--svg needs the name of a file that can be written");
+    if (!failed) {
+        wfDraw list;
+        wfPool scratch;
+        wfDrawInit(&list, bytes, FROZEN_BYTES);
+        wfPoolInit(&scratch, FROZEN_BYTES, bytes + FROZEN_BYTES);
+        failed = freeze(scene, options->steps < 0 ? 0 : options->steps, &list, &scratch) ||
+                 list.overflow || wfWriteSvg(&list, FROZEN_WIDTH, out) != 0;
+    }
+    if (out) failed |= fclose(out) != 0;
+    free(bytes);
+    return failed;
+}
 static const headless_command command_table[] = {
     /* <rows of the headless command table> */
     { "--play", "play frames (this is the default)", play },
@@ -162,6 +208,7 @@ static const headless_command command_table[] = {
     { "--list", "list the scenes", list_scenes },
     { "--table", "run scenes and tell what they kept: energy, overlap", watch_scenes },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
+    { "--svg", "a scene after --steps as a vector picture, in the file named", freeze_scene },
     { "--record", "the hashes of all scenes, for tests/golden/scenes.csv", record_hashes },
     { "--first", "the first simulation: a table, and a picture in the file named",
       first_simulation },

@@ -3,13 +3,19 @@
 #ifndef WEFT_SVG_H
 #define WEFT_SVG_H
 /* A display list as an SVG picture. Source: chapter 28. */
+#include <stddef.h>
 #include <stdio.h>
 #include "testbed/canvas.h"
 
-/* Writes the list as a picture widthPx wide (1 to 16384) and as high as its view asks for.
- * Strokes have the class s-ROLE, areas f-ROLE, points, heads and text t-ROLE.
- * Returns 0, or -1 when the file could not be written or the width is out of range. */
+/* The list as a picture widthPx wide (1 to 16384) and as high as its view asks for.
+ * Strokes have the class s-ROLE, areas f-ROLE, points, heads and text t-ROLE. Returns the
+ * bytes of the text, a closing NUL not counted; what doesn't fit into size bytes is cut
+ * off. 0: the width is out of range. */
+size_t wfSvgText(const wfDraw *list, int widthPx, char *text, size_t size);
+/* The style sheet that colours the classes, for light and for dark pages; as above. */
+size_t wfSvgStyleText(char *text, size_t size);
+/* The same into files. 0, or -1: no memory, the file could not be written, or a bad
+ * width. */
 int wfWriteSvg(const wfDraw *list, int widthPx, FILE *out);
-/* Writes the style sheet that colours the classes, for light and for dark pages. */
 int wfWriteSvgStyle(FILE *out);
 #endif

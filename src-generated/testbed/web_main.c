@@ -23,7 +23,11 @@ EXPORT("web_open") int web_open(int length)
     return game_knows_scene(input.scene);
 }
 
-EXPORT("web_mouse") void web_mouse(float x, float y) { input.mouse_x = x; input.mouse_y = y; }
+EXPORT("web_mouse") void web_mouse(float x, float y)
+{
+    input.mouse_x = x;
+    input.mouse_y = y;
+}
 
 EXPORT("web_button") void web_button(uint32_t button, int down)
 {

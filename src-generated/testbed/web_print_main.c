@@ -7,15 +7,15 @@
 #define STB_SPRINTF_STATIC
 #include <stb_sprintf.h>
 
-int vsnprintf(char *text, size_t size, const char *format, va_list list);
-int snprintf(char *text, size_t size, const char *format, ...);
+int web_vsnprintf(char *text, size_t size, const char *format, va_list list);
+int web_snprintf(char *text, size_t size, const char *format, ...);
 
-int vsnprintf(char *text, size_t size, const char *format, va_list list)
+int web_vsnprintf(char *text, size_t size, const char *format, va_list list)
 {
     return stbsp_vsnprintf(text, (int)size, format, list);
 }
 
-int snprintf(char *text, size_t size, const char *format, ...)
+int web_snprintf(char *text, size_t size, const char *format, ...)
 {
     va_list list;
     va_start(list, format);

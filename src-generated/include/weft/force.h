@@ -82,6 +82,8 @@ typedef void wfForceFn(const wfForce *f, const wfBodyView *bodies, wfReal time,
 typedef wfReal wfForceEnergyFn(const wfForce *f, const wfBodyView *bodies);
 /* WF_OK if the parameters, all of them finite, are in range. */
 typedef wfResult wfForceCheckFn(const wfForce *f);
+/* Every place of the world is called by less `by' from now on: those that f names, too. */
+typedef void wfForceMoveFn(wfForce *f, wfVec2 by);
 
 typedef struct wfForceRow {
     const char *name, *text;
@@ -90,6 +92,7 @@ typedef struct wfForceRow {
     wfForceEnergyFn *energy;    /* NULL: the force has no potential                     */
     wfForceCheckFn *check;      /* NULL: any finite numbers will do                     */
     bool steady;                /* the same as long as the bodies that it names rest    */
+    wfForceMoveFn *move;        /* NULL: it names no place of the world                 */
 } wfForceRow;
 
 extern const wfForceRow wfForceTable[];

@@ -173,6 +173,9 @@ wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *
 /* Sets the ratio of a gear, rack, linkage or pulley (its wheels must have been set), and
    the rest to what it is as the bodies are. */
 void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal ratio);
+/* The same joint when every place of the world is called by less `by` (chapter 24): wheels
+   and targets move; a rack's and a linkage's rest is rounded anew. */
+void wfMoveJoint(wfJoint *j, wfVec2 by);
 /* Stiffness (N/m) and damping (N s/m) that make the joint's SPRING swing at `frequency`
    (Hz) with the damping ratio `ratio` (1: no swing), for the effective mass `mass` (kg, or
    kg m^2 for a turn). eq:joints-frequency */

@@ -45,46 +45,50 @@ enum { WF_JOINTS_ONE_BY_ONE, WF_JOINTS_TOGETHER, WF_JOINTS_AUTO };
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
 /* <what a world is made from> */
 typedef struct wfWorldDef {
+    /* <the settings of a world> */
     wfVec2  gravity;           /* m/s^2 */
     wfReal  dt;                /* length of a step, s, > 0 */
     int32_t bodyCapacity;      /* bodies at most, >= 1 */
-    int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
-    /* <how much a world has room for> */
+    int32_t integrator;        /* row of chapter 10's table */
+    /* <the settings of a world> */
     int32_t forceCapacity;     /* registered forces at most, >= 0 */
+    /* <the settings of a world> */
+    int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
     int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
     int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
-    /* <how much a world has room for> */
-    int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
-    /* <how much a world has room for> */
-    int32_t jointCapacity;     /* joints at most, >= 0 */
-    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
-    wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
-    wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
-    /* <how much a world has room for> */
-    int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
-    int32_t integrator;        /* rows of the tables of chapters 10, 11, 12, 14 */
-    int32_t broadPhase;
+    int32_t broadPhase;        /* rows of the tables of chapters 11, 12, 14 */
     int32_t narrowPhase;
     int32_t solver;
     int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
     int32_t substeps;          /* of solvers that step by themselves, >= 1 */
-    int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
+    /* <the settings of a world> */
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
-    wfReal  hitSteps;          /* faster ones than so many are hits, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
     wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
     wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
                                 * make a body, >= 0; 0 or no gravity: no limit */
+    int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
     int32_t columns;           /* 1: towers are solved at once, 0: by passes */
-    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
+    /* <the settings of a world> */
+    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
+    /* <the settings of a world> */
     int32_t events;            /* 1: events are listed */
+    wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
+    /* <the settings of a world> */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
-    /* <more settings of a world> */
-    /* later chapters have more */
-    /* <more settings of a world> */
+    /* <the settings of a world> */
+    int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
+    /* <the settings of a world> */
+    int32_t jointCapacity;     /* joints at most, >= 0 */
+    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
+    wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
+    wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
+    /* <the settings of a world> */
+    int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
+    /* <the settings of a world> */
     int32_t sleep;             /* 1: islands that rest are left out of the step */
     wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
     wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
@@ -142,6 +146,41 @@ typedef struct wfPairMaterial {
     wfReal rolling;            /* m, >= 0 */
 } wfPairMaterial;
 /* <declarations of making a world> */
+/* <declarations of the table of settings> */
+enum { WF_SETTING_INT, WF_SETTING_SWITCH, WF_SETTING_REAL, WF_SETTING_VEC2, WF_SETTING_ROW,
+       WF_SETTING_CHOICE };
+/* One setting of a world: a field of wfWorldDef, and what may stand there. */
+typedef struct wfSetting {
+    const char *name;          /* of the field */
+    size_t      offset;        /* of the field in wfWorldDef, bytes */
+    size_t      kept;          /* the engine's: where a world keeps it */
+    int32_t     kind;          /* INT, SWITCH (0 or 1), ROW and CHOICE: int32_t; REAL:
+                                * wfReal; VEC2: wfVec2, both parts within the range */
+    int32_t     above;         /* 1: greater than `least`; 0: `least` itself is fine */
+    double      least, most;
+    int32_t     builtIn;       /* 1: built into the block; not to be changed later */
+    int32_t     law;           /* 1: a change of it wakes all that sleep */
+    const char *unit, *text;   /* unit may be NULL: a plain number */
+    const void *rows;          /* ROW: a table; CHOICE: names. See wfSettingRowName */
+    const int  *rowCount;
+    size_t      rowSize;
+} wfSetting;
+extern const wfSetting wfSettingTable[];
+extern const int wfSettingCount;
+/* The row of that name, NULL if there is none. */
+const wfSetting *wfFindSetting(const char *name);
+/* <declarations of the table of settings> */
+/* A setting's value in a definition; part is 0, or 1 for the y of a WF_SETTING_VEC2. */
+double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part);
+/* Writes it, if it is allowed there: WF_ERROR_NULL, _NOT_FINITE, _RANGE, _UNKNOWN (no such
+ * row of a table, no such part). */
+wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double value);
+/* The name of a row that a ROW or a CHOICE may have, or NULL; and back, -1: no such. */
+const char *wfSettingRowName(const wfSetting *s, int row);
+int wfFindSettingRow(const wfSetting *s, const char *name);
+/* Checks a definition, as wfCreateWorld does. `fault` may be NULL; it gets the setting that
+ * is at fault, or NULL when none is. WF_ERROR_NULL, _NOT_FINITE, _RANGE, _UNKNOWN. */
+wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault);
 /* Bytes of the two chunks that wfCreateWorld needs. WF_ERROR_NULL, _NOT_FINITE, _RANGE,
  * _UNKNOWN (no such row of a table), _MEMORY (sizes beyond size_t). */
 wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient);
@@ -397,8 +436,9 @@ wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrow
                       int solver);
 /* The settings that the world has now, as a definition (its memory field is zero). */
 wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out);
-/* Changes them: read, alter, set. Capacities, `events` and memory are built into the block
- * and are not looked at. Errors of wfWorldSize. */
+/* Changes them: read, alter, set. The memory field is not looked at. Errors of wfWorldSize;
+ * WF_ERROR_BUILT_IN: a setting differs that is built into the block, as a capacity
+ * (wfSetting.builtIn); WF_ERROR_MEMORY: the world has no room for that method. */
 wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def);
 /* <declarations of stepping> */
 struct wfStep;
@@ -543,4 +583,31 @@ wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform
 /* Brings the index for queries up to date after changes between two steps. Not needed: a
  * step does it, and queries are right without, only slower. */
 wfResult wfIndexWorld(wfWorld *world);
+/* <declarations of far worlds> */
+/* A place anywhere, m: doubles in every build. */
+typedef struct wfFar { double x, y; } wfFar;
+/* Where the world's own (0, 0) is. To set it is to say so: bodies and all else come along,
+ * no step and no hash sees it. A new world is at (0, 0). WF_ERROR_NOT_FINITE. */
+wfResult wfSetWorldOrigin(wfWorld *world, wfFar origin);
+wfResult wfGetWorldOrigin(const wfWorld *world, wfFar *out);
+/* <declarations of far worlds> */
+/* From the world's own coordinates (m) to places, and back. A place that is too far away
+ * for a wfReal: WF_ERROR_RANGE. WF_ERROR_NOT_FINITE. */
+wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out);
+wfResult wfFromFar(const wfWorld *world, wfFar place, wfVec2 *out);
+/* Where the body's origin is; and putting it there: wfSetBodyTransform. */
+wfResult wfFarPosition(const wfWorld *world, wfBodyId id, wfFar *out);
+wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle);
+/* <declarations of far worlds> */
+/* Moves the origin by `by` (m): whatever names a place in the world gets by less, so that
+ * all stay where they are. Contacts, events and sleep go on; no gap or overlap changes,
+ * except for bodies that had to be rounded (eq:world-far-exact): *rounded tells how many,
+ * and may be NULL. WF_ERROR_NOT_FINITE; WF_ERROR_RANGE: origin + by is no double. What
+ * the program keeps in the world's coordinates it has to move itself. */
+wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
+/* The same when `place` (the world's own coordinates: of a body, of the camera) is farther
+ * than `limit` (m, > 0) from the origin along x or y, by as much as brings it within half
+ * of that; *by tells how much, (0, 0) most of the time, and may be NULL. Call it before a
+ * step. */
+wfResult wfCentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by);
 #endif
