@@ -10,7 +10,12 @@ CFLAGS ?= -O2 -g
 PREFIX ?= /usr/local
 VERSION := 0.1.0
 UPTO ?= 99
-TESTS ?= $(shell for t in tests/test_*.c; do n=$$(echo $$t | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p'); [ -n "$$n" ] && [ "$$n" -le "$(UPTO)" ] && echo $$t; done)
+# An engine with some of its parts alone (a file `parts` in its tree) runs the tests that say what they need, if it has that.
+PARTS_FILE := $(wildcard $(SRC)/parts)
+APPLY = $(shell for t in tests/test_*.c; do n=$$(sed -n 's|^/\* needs: \(.*\) \*/$$|\1|p' $$t); [ -n "$$n" ] || continue; ok=1; for w in $$n; do \
+   [ $$w = nothing ] || grep -qx -- $$w $(PARTS_FILE) || ok=; done; [ -n "$$ok" ] && echo $$t; done)
+TESTS ?= $(if $(PARTS_FILE),$(APPLY),$(ALL_TESTS))
+ALL_TESTS = $(shell for t in tests/test_*.c; do n=$$(echo $$t | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p'); [ -n "$$n" ] && [ "$$n" -le "$(UPTO)" ] && echo $$t; done)
 
 COMPONENTS := core math collision dynamics engine
 sources = $(sort $(wildcard $(foreach d,$(1),$(SRC)/$(d)/*.c)))
@@ -57,9 +62,10 @@ $(OUT)/lib/cmake/weft/weftConfig.cmake: tangle/weftConfig.cmake.in $(LIBOBJ)
 	@mkdir -p $(@D)
 	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
 
-$(OUT)/tests/%: tests/%.c $(FLAGS) $(OUT)/lib/libweft.a $(OUT)/lib/libweft-extra.a $(wildcard tests/*.h)
+EXTRA_LIB := $(if $(PARTS_FILE),,$(OUT)/lib/libweft-extra.a)
+$(OUT)/tests/%: tests/%.c $(FLAGS) $(OUT)/lib/libweft.a $(EXTRA_LIB) $(wildcard tests/*.h)
 	@mkdir -p $(@D)
-	@$(COMPILE) -Itests $< $(OUT)/lib/libweft-extra.a $(OUT)/lib/libweft.a -lcmocka -lm -o $@
+	@$(COMPILE) -Itests $< $(EXTRA_LIB) $(OUT)/lib/libweft.a -lcmocka -lm -o $@
 tests: $(TESTBIN)
 test: $(TESTBIN)
 	@for t in $(TESTBIN); do $$t >$$t.log 2>&1 && echo "  ok    $$(basename $$t): $$(grep -c '^\[       OK' $$t.log) tests" || { echo "  FAIL  $$t"; grep -vE '^\[( RUN|       OK)' $$t.log | tail -40; exit 1; }; done

@@ -19,8 +19,28 @@ $(BUILD)/tangle.stamp: $(NW) $(BUILD)/chapters.list $(wildcard tangle/*.lua) tan
 	@touch $@
 
 # The list of sources is known only after tangling, so a second make does the compiling.
+# With ONLY="parts", WITHOUT="parts" or FOR=scene.json the engine has some of its parts alone (chapter 04); it is then made in build/parts/,
+# with a tree for people (src) beside that of the compiler (lines), and everything else stays as it is. ONLY= (nothing) is the least engine.
+CHOSEN := $(if $(filter command,$(firstword $(origin ONLY))),yes)$(if $(filter command,$(firstword $(origin WITHOUT))),yes)$(if $(filter command,$(firstword $(origin FOR))),yes)
+FOR_PARTS = $(if $(FOR),$(shell tangle/needs '$(FOR)' || echo '?'))
+NOTHING :=
+SPACE := $(NOTHING) $(NOTHING)
+PART_NAME ?= $(subst $(SPACE),+,$(strip $(if $(FOR),for $(basename $(notdir $(FOR)))) $(if $(filter command,$(firstword $(origin ONLY))),only $(or $(ONLY),nothing)) $(if $(WITHOUT),without $(WITHOUT))))
+PART_DIR = $(if $(filter build,$(BUILD)),build/parts/$(PART_NAME),$(BUILD))
+PART_CHOICE = $(if $(FOR),--only '$(FOR_PARTS)')$(if $(filter command,$(firstword $(origin ONLY))),--only '$(ONLY)') $(if $(WITHOUT),--without '$(WITHOUT)')
+ifeq ($(CHOSEN),)
 engine: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) lib
+else
+.PHONY: parts-tangled
+parts-tangled:
+	@mkdir -p $(PART_DIR)
+	@tangle/tangle --lines $(PART_CHOICE) $(PART_DIR)/lines $(NW)
+	@tangle/tangle $(PART_CHOICE) $(PART_DIR)/src $(NW)
+engine: parts-tangled
+	@$(SUBMAKE) -f tangle/compile.mk SRC=$(PART_DIR)/lines OUT=$(PART_DIR) lib
+	@echo "engine: $(PART_DIR)/lib, headers in $(PART_DIR)/src/include; its parts: $$(tr '\n' ' ' < $(PART_DIR)/lines/parts | sed 's/^$$/none/')"
+endif
 programs: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) programs
 # the lab and the headless testbed with doubles: for golden hashes, and for measurements whose names end in -double

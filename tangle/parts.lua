@@ -9,8 +9,9 @@
 --   ::: {.only part="joints sleep"}  ...  :::         the chunks in this box; two words: only with both
 -- A chunk that is used by chunks of a part alone belongs to that part too, without a mark.
 --
--- The testbed and the lab are made of all parts and belong to none. Three promises are checked on the whole book, so that they hold for every choice of parts:
---   every part that is named is declared; a chunk has a definition in every engine in which it is used;
+-- The testbed and the lab are made of all parts and belong to none.
+-- Promises that are checked on the whole book, so that they hold for every choice of parts:
+--   every part that is named is declared; a chunk, and a file, is there in every engine in which it is used;
 --   no identifier is used where the part that defines it may be absent (weave.lua).
 local M = {}
 
@@ -190,6 +191,7 @@ function M.check(book)
       end
     end
   end
+  M.check_includes(book)
   for name, n in pairs(book.names) do
     for _, u in ipairs(n.uses) do
       local user, found = book.chunks[u.chunk], #n.parts == 0
@@ -205,6 +207,30 @@ function M.check(book)
         book:complain(user.file, u.line, "chunk <<" .. name .. ">> is used here, but is defined only with " .. M.say(others) ..
           ", in " .. book.chunks[n.parts[1]].file .. ":" .. book.chunks[n.parts[1]].line,
           "define a first piece of it, if only a comment, outside of that part, or mark the use as part of it")
+      end
+    end
+  end
+end
+
+-- A file that is included must be there wherever the line that includes it is.
+function M.check_includes(book)
+  for _, c in ipairs(book.chunks) do
+    for _, it in ipairs(c.items) do
+      local path = it.kind == "text" and it.text:match('^%s*#%s*include%s*"([^"]+)"')
+      local n = path and (book.names[path] or book.names["include/" .. path])
+      if n and #n.parts > 0 then
+        local missing, found
+        for _, k in ipairs(n.parts) do
+          local with = book.chunks[k].with
+          if M.within(with, c.with) then found = true end
+          missing = missing or with
+        end
+        if not found then
+          local beyond = {}
+          for w in pairs(missing) do if not c.with[w] then beyond[w] = true end end
+          book:complain(c.file, it.line, path .. " is included here, but is there only with " .. M.say(M.short(book, beyond)),
+            "mark the line as part of it, or let a piece of the file belong to all engines that include it")
+        end
       end
     end
   end
