@@ -23,19 +23,28 @@ objects = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(call sources,$(1)))
 LIBOBJ := $(call objects,$(COMPONENTS))
 # what the lab and the testbed are made of, but for their main programs: linked into tests too
 EXTOBJ := $(filter-out %_main.o,$(call objects,lab testbed))
-INC    := -I$(SRC)/include -I$(SRC)
+# Scenes as text (chapter 26) are a library of their own, which stands on cJSON. Without cJSON, or with CJSON= on purpose, it is left out,
+# and what would use it is compiled with -DWF_NO_JSON.
+CJSON   ?= $(shell pkg-config --libs libcjson 2>/dev/null)
+JSONOBJ := $(if $(CJSON),$(call objects,json))
+JSONLIB := $(if $(JSONOBJ),$(OUT)/lib/libweft-json.a)
+JSONINC := $(if $(JSONOBJ),$(patsubst %,-isystem %,$(filter-out /usr/include,$(shell pkg-config --variable=includedir libcjson))),-DWF_NO_JSON)
+INC    := -I$(SRC)/include -I$(SRC) $(JSONINC)
 COMPILE = $(CC) $(STD) $(WARN) $(CFLAGS) $(INC)
-TESTBIN := $(TESTS:tests/%.c=$(OUT)/tests/%)
+TESTBIN := $(patsubst tests/%.c,$(OUT)/tests/%,$(if $(JSONOBJ),$(TESTS),$(filter-out tests/%_json.c,$(TESTS))))
+# what a test or a program is linked with, in this order
+EXTRA_LIB := $(if $(PARTS_FILE),,$(OUT)/lib/libweft-extra.a)
+WEFT_LIBS := $(EXTRA_LIB) $(JSONLIB) $(OUT)/lib/libweft.a
 SHARED := $(if $(filter Darwin,$(shell uname -s)),libweft.dylib,libweft.so)
 
 # Objects are made again when the compiler or its flags change: a float object never meets a double one.
 FLAGS := $(OUT)/flags
-$(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS)' | cmp -s - $(FLAGS) || echo '$(CC) $(STD) $(CFLAGS)' > $(FLAGS))
+$(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS) $(JSONINC)' | cmp -s - $(FLAGS) || echo '$(CC) $(STD) $(CFLAGS) $(JSONINC)' > $(FLAGS))
 
 .PHONY: lib test tests
 .SECONDARY:
 .DELETE_ON_ERROR:
-lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake
+lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(JSONLIB) $(JSONLIB:$(OUT)/lib/lib%.a=$(OUT)/lib/pkgconfig/%.pc) $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake
 
 $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
@@ -43,6 +52,7 @@ $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
 $(OUT)/lib/libweft.a: $(LIBOBJ) ; $(archive)
 $(OUT)/lib/libweft-collision.a: $(call objects,core math collision) ; $(archive)
+$(OUT)/lib/libweft-json.a: $(JSONOBJ) ; $(archive)
 include tangle/font.mk
 $(OUT)/lib/libweft-extra.a: $(EXTOBJ) $(FONTOBJ) ; $(archive)
 $(OUT)/lib/libweft.so: $(LIBOBJ)
@@ -55,18 +65,17 @@ $(OUT)/lib/libweft.dylib: $(LIBOBJ)
 
 # Users of a double build must see the same reals as the library: the switch travels in the package files.
 SWITCHES := $(filter -DWF_%,$(CFLAGS))
-$(OUT)/lib/pkgconfig/weft.pc: tangle/weft.pc.in $(LIBOBJ)
+$(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/pkgconfig/weft-json.pc: $(OUT)/lib/pkgconfig/%.pc: tangle/%.pc.in $(LIBOBJ)
 	@mkdir -p $(@D)
 	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
 $(OUT)/lib/cmake/weft/weftConfig.cmake: tangle/weftConfig.cmake.in $(LIBOBJ)
 	@mkdir -p $(@D)
 	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
 
-EXTRA_LIB := $(if $(PARTS_FILE),,$(OUT)/lib/libweft-extra.a)
-$(OUT)/tests/%: tests/%.c $(FLAGS) $(OUT)/lib/libweft.a $(EXTRA_LIB) $(wildcard tests/*.h)
+$(OUT)/tests/%: tests/%.c $(FLAGS) $(WEFT_LIBS) $(wildcard tests/*.h)
 	@mkdir -p $(@D)
-	@$(COMPILE) -Itests $< $(EXTRA_LIB) $(OUT)/lib/libweft.a -lcmocka -lm -o $@
+	@$(COMPILE) -Itests $< $(WEFT_LIBS) $(CJSON) -lcmocka -lm -o $@
 tests: $(TESTBIN)
 test: $(TESTBIN)
 	@for t in $(TESTBIN); do $$t >$$t.log 2>&1 && echo "  ok    $$(basename $$t): $$(grep -c '^\[       OK' $$t.log) tests" || { echo "  FAIL  $$t"; grep -vE '^\[( RUN|       OK)' $$t.log | tail -40; exit 1; }; done
--include $(LIBOBJ:.o=.d) $(EXTOBJ:.o=.d)
+-include $(LIBOBJ:.o=.d) $(EXTOBJ:.o=.d) $(JSONOBJ:.o=.d)

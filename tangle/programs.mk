@@ -7,7 +7,7 @@ mainof = $(wildcard $(SRC)/$(1))
 SDL_LIBS := $(shell pkg-config --libs sdl2 2>/dev/null)
 SDL_INC  := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags sdl2 2>/dev/null))
 PROGRAMS := $(if $(call mainof,lab/lab_main.c),weft-lab) $(if $(call mainof,lab/figures_main.c),weft-figures)
-LACK :=
+LACK := $(if $(CJSON),,no scenes as text without cJSON (Debian: libcjson-dev, Fedora: cjson-devel);)
 ifneq ($(call mainof,testbed/bake_font_main.c),)
   ifeq ($(FONT),)
     LACK += the testbed has no text without DejaVuSans.ttf (Debian: fonts-dejavu-core, Fedora: dejavu-sans-fonts);
@@ -35,8 +35,7 @@ programs: $(PROGRAMS:%=$(OUT)/bin/%)
 	@$(if $(strip $(LACK)),echo "programs: $(LACK) install them and say make again")
 
 # A program: its main file, what it needs beside the libraries, the libraries.
-WEFT_LIBS := $(OUT)/lib/libweft-extra.a $(OUT)/lib/libweft.a
-LINK = @mkdir -p $(@D); $(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(WEFT_LIBS) $(1) -lm -o $@
+LINK = @mkdir -p $(@D); $(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(WEFT_LIBS) $(CJSON) $(1) -lm -o $@
 $(OUT)/bin/weft-lab: $(OUT)/obj/lab/lab_main.o $(WEFT_LIBS)
 	$(call LINK)
 $(OUT)/bin/weft-figures: $(OUT)/obj/lab/figures_main.o $(WEFT_LIBS)

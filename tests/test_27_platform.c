@@ -43,6 +43,11 @@ void game_update_and_render(game_memory *memory, const game_input *input, frame_
                 (uint32_t)(x * 7 + y * 131 + t->clicks * 65537 + (int)t->x * 257 + t->steps);
 }
 bool game_knows_scene(const char *name) { return strcmp(name, "toy") == 0; }
+bool game_reads_scene(const char *text, char *error, size_t size)
+{
+    snprintf(error, size, "line 1: not a toy");
+    return strcmp(text, "toy") == 0;
+}
 size_t game_describe(const game_memory *memory, char *text, size_t size)
 {
     const toy *t = memory->permanent;

@@ -1,0 +1,541 @@
+/* Chapter 26, scenes as text. Oracles: the engine's own calls for the same scene; random bit patterns; a list of bad texts with the
+ * place that each error must name; the text of what was read, which must be the text that was read. */
+#include "testing.h"
+#include "world.h"
+#include "weft/json.h"
+#include "weft/weft.h"
+#include <cjson/cJSON.h>
+
+static wfWorld read_text(const char *text)
+{
+    wfWorld world = { .memory = { .owned = 0 } };
+    wfTextError e;
+    if (wfReadScene(text, strlen(text), NULL, &world, NULL, &e) != WF_OK)
+        fail_msg("%s, line %d: %s\n%s", e.where, (int)e.line, e.what, text);
+    return world;
+}
+
+static char *write_text(const wfWorld *world)
+{
+    char *text = NULL;
+    assert_ok(wfWriteScene(world, NULL, &text));
+    return text;
+}
+
+/* ------------------------------------------------------------------------------ numbers */
+
+static uint64_t next_random(uint64_t *s)
+{
+    *s ^= *s << 13, *s ^= *s >> 7, *s ^= *s << 17;
+    return *s;
+}
+
+static wfReal any_real(uint64_t *seed, int how)           /* any finite pattern of bits; some subnormal, some zero */
+{
+    union { wfReal real; uint32_t word[sizeof(wfReal) / 4]; } u = { .real = 0 };
+    do {
+        for (size_t i = 0; i < sizeof(wfReal) / 4; i++) u.word[i] = (uint32_t)(next_random(seed) >> 20);
+        size_t top = sizeof(wfReal) / 4 - 1;
+        if (how % 4 == 1) u.word[top] &= sizeof(wfReal) == 4 ? 0x807fffffu : 0x800fffffu;       /* exponent 0: subnormal */
+        if (how % 97 == 2) u.real = how % 2 ? (wfReal)0 : -(wfReal)0;
+        if (how % 4 == 3) u.real = (wfReal)((int)(next_random(seed) % 2000000) - 1000000) / 1000;   /* as people write */
+    } while (!wfIsFinite(u.real));
+    return u.real;
+}
+
+static void numbers_keep_their_bits(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 88172645463325252u;
+    for (int round = 0; round < 20; round++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.bodyCapacity = 500;
+        def.gravity = wfV2(any_real(&seed, 0), any_real(&seed, 1));
+        wfWorld world;
+        assert_ok(wfCreateWorld(&def, &world));
+        for (int i = 0; i < 500; i++) {
+            wfBodyDef b = wfDefaultBodyDef();
+            b.mass = 1;
+            b.position = wfV2(any_real(&seed, i), any_real(&seed, i + 1));
+            b.velocity = wfV2(any_real(&seed, i + 2), any_real(&seed, i));
+            b.angularVelocity = any_real(&seed, i + 1);
+            b.userData = next_random(&seed) >> (i % 64);
+            add(&world, b);
+        }
+        char *text = write_text(&world);
+        wfWorld read = read_text(text);
+        wfBodyView a = wfWorldBodies(&world), b = wfWorldBodies(&read);
+        assert_memory_equal(a.state, b.state, 500 * sizeof *a.state);
+        for (int i = 0; i < 500; i++) assert_int_equal(a.props[i].userData, b.props[i].userData);
+        wfVec2 g;
+        assert_ok(wfGetGravity(&read, &g));
+        assert_memory_equal(&g, &def.gravity, sizeof g);
+        wfFreeText(text);
+        wfDestroyWorld(&world);
+        wfDestroyWorld(&read);
+    }
+}
+
+static void eight_digits_are_too_few(void **unused)       /* eq:save-digits: between 1000 and 1024 floats lie closer than decimals */
+{
+    (void)unused;
+    int shared = 0;
+    float last = 1000;
+    for (float x = nextafterf(last, 2000); x < 1001; last = x, x = nextafterf(x, 2000)) {
+        char a[32], b[32];
+        snprintf(a, sizeof a, "%.8g", (double)last), snprintf(b, sizeof b, "%.8g", (double)x);
+        shared += strcmp(a, b) == 0;
+        snprintf(a, sizeof a, "%.9g", (double)last), snprintf(b, sizeof b, "%.9g", (double)x);
+        assert_string_not_equal(a, b);
+    }
+    assert_true(shared > 0);
+}
+
+/* ------------------------------------------------------------------------------ a scene */
+
+static const char *const seesaw =
+    "{ \"weft\": 1, \"name\": \"a seesaw\", \"text\": \"It tips.\",\n"
+    "  \"view\": { \"x\": 1, \"y\": 2, \"height\": 8 },\n"
+    "  \"settings\": { \"gravity\": [0, -10], \"solver\": \"soft\", \"substeps\": 6, \"reuse\": false },\n"
+    "  \"bodies\": [\n"
+    "    { \"name\": \"ground\", \"type\": \"static\", \"shapes\": [\n"
+    "        { \"kind\": \"segment\", \"from\": [-10, 0], \"to\": [10, 0] } ] },\n"
+    "    { \"name\": \"plank\", \"position\": [0, 1], \"angle\": 0.25, \"shapes\": [\n"
+    "        { \"kind\": \"box\", \"halfWidth\": 3, \"halfHeight\": 0.125, \"friction\": 0.75, \"density\": 2 } ] },\n"
+    "    { \"position\": [2, 3], \"velocity\": [0, -1], \"linearDamping\": 0.5, \"shapes\": [\n"
+    "        { \"kind\": \"circle\", \"radius\": 0.5, \"restitution\": 0.5, \"material\": 3, \"mask\": \"0xffffffffffffffff\" } ] }\n"
+    "  ],\n"
+    "  \"joints\": [ { \"kind\": \"revolute\", \"a\": \"ground\", \"b\": 1, \"anchor\": [0, 1] } ],\n"
+    "  \"forces\": [ { \"kind\": \"drag\", \"a\": 2, \"linear\": 0.5, \"quadratic\": 0.25 } ],\n"
+    "  \"pairMaterials\": [ { \"a\": 3, \"b\": 4, \"friction\": 0.125 } ]\n"
+    "}\n";
+
+static wfWorld seesaw_by_hand(void)                       /* the same by the engine's calls */
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.gravity = wfV2(0, -10);
+    def.solver = wfFindSolver("soft");
+    def.substeps = 6;
+    def.reuse = 0;
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    wfBodyDef ground = wfDefaultBodyDef(), plank = ground, ball = ground;
+    ground.type = WF_STATIC;
+    assert_ok(wfMakeSegment(wfV2(-10, 0), wfV2(10, 0), &ground.shape));
+    plank.position = wfV2(0, 1);
+    plank.angle = WF_R(0.25);
+    plank.friction = WF_R(0.75);
+    plank.density = 2;
+    assert_ok(wfMakeBox(3, WF_R(0.125), &plank.shape));
+    ball.position = wfV2(2, 3);
+    ball.velocity = wfV2(0, -1);
+    ball.linearDamping = WF_R(0.5);
+    ball.restitution = WF_R(0.5);
+    assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &ball.shape));
+    wfBodyId g = add(&world, ground), p = add(&world, plank), b = add(&world, ball);
+    wfShapeDef s;
+    assert_ok(wfGetShape(&world, wfFirstShape(&world, b), &s));
+    s.material = 3;
+    assert_ok(wfSetShape(&world, wfFirstShape(&world, b), &s));
+    wfJoint j;
+    assert_ok(wfJoinBodies(&world, "revolute", g, p, wfV2(0, 1), wfV2(0, 1), wfV2(1, 0), &j));
+    assert_ok(wfAddJointToWorld(&world, &j, NULL));
+    wfForce f = wfDrag(WF_R(0.5), WF_R(0.25));
+    f.a = wfBodyIndex(&world, b);
+    assert_ok(wfAddForceToWorld(&world, &f, NULL));
+    wfPairMaterial m = { .friction = WF_R(0.125) };
+    assert_ok(wfSetPairMaterial(&world, 3, 4, &m));
+    return world;
+}
+
+static void a_text_is_what_the_calls_make(void **unused)
+{
+    (void)unused;
+    wfSceneInfo info;
+    wfWorld read, made = seesaw_by_hand();
+    assert_ok(wfReadScene(seesaw, strlen(seesaw), NULL, &read, &info, NULL));
+    assert_string_equal(info.name, "a seesaw");
+    assert_string_equal(info.text, "It tips.");
+    assert_near(info.viewX, 1, 0), assert_near(info.viewY, 2, 0), assert_near(info.viewHeight, 8, 0);
+    assert_true(info.energyBound < 0 && info.depthBound < 0);
+    for (int i = 0; i < 200; i++) {
+        assert_int_equal(wfHashWorld(&read), wfHashWorld(&made));
+        assert_ok(wfStepWorld(&read));
+        assert_ok(wfStepWorld(&made));
+    }
+    wfPairMaterial m;
+    assert_ok(wfGetPairMaterial(&read, 4, 3, &m));
+    assert_near(m.friction, 0.125, 0);
+    wfDestroyWorld(&read);
+    wfDestroyWorld(&made);
+}
+
+static void text_of_what_was_read_is_the_text(void **unused)
+{
+    (void)unused;
+    wfWorld world = read_text(seesaw);
+    for (int i = 0; i < 100; i++) {
+        char *first = write_text(&world);
+        wfWorld read = read_text(first);
+        char *second = write_text(&read);
+        assert_string_equal(first, second);
+        wfFreeText(first), wfFreeText(second);
+        wfDestroyWorld(&read);
+        assert_ok(wfStepWorld(&world));
+    }
+    wfDestroyWorld(&world);
+}
+
+/* ------------------------------------------------------------------------------ shapes */
+
+static void shape_is(const char *text, const wfShape *want, int count)
+{
+    char scene[2000];
+    snprintf(scene, sizeof scene, "{\"weft\": 1, \"bodies\": [{\"type\": \"static\", \"shapes\": [%s]}]}", text);
+    wfWorld world = read_text(scene);
+    assert_int_equal(wfShapeCount(&world), count);
+    wfShapeView v = wfWorldShapes(&world);
+    for (int i = 0; i < count; i++) assert_memory_equal(&v.shapes[i], &want[i], sizeof *want);
+    char *back = write_text(&world);                      /* and out and in again */
+    wfWorld again = read_text(back);
+    v = wfWorldShapes(&again);
+    assert_int_equal(wfShapeCount(&again), count);
+    for (int i = 0; i < count; i++) assert_memory_equal(&v.shapes[i], &want[i], sizeof *want);
+    wfFreeText(back);
+    wfDestroyWorld(&world), wfDestroyWorld(&again);
+}
+
+static void every_form_makes_its_shape(void **unused)
+{
+    (void)unused;
+    wfShape s[8];
+    int n;
+    assert_ok(wfMakeCircle(wfV2(1, 2), 3, s));
+    shape_is("{\"kind\": \"circle\", \"centre\": [1, 2], \"radius\": 3}", s, 1);
+    assert_ok(wfMakeBox(1, 2, s));
+    shape_is("{\"kind\": \"box\", \"halfWidth\": 1, \"halfHeight\": 2}", s, 1);
+    assert_ok(wfMakeOrientedBox(wfV2(3, 4), 1, 2, WF_R(0.3), s));
+    shape_is("{\"kind\": \"box\", \"halfWidth\": 1, \"halfHeight\": 2, \"centre\": [3, 4], \"angle\": 0.3}", s, 1);
+    const wfVec2 tri[3] = { wfV2(0, 0), wfV2(2, 0), wfV2(1, WF_R(1.5)) };
+    assert_ok(wfMakePolygon(tri, 3, s));
+    shape_is("{\"kind\": \"polygon\", \"vertices\": [[1, 1.5], [0, 0], [2, 0], [1, 0.5]]}", s, 1);
+    assert_ok(wfMakeRoundedPolygon(tri, 3, WF_R(0.25), s));
+    shape_is("{\"kind\": \"polygon\", \"radius\": 0.25, \"vertices\": [[0, 0], [2, 0], [1, 1.5]]}", s, 1);
+    const wfVec2 square[4] = { wfV2(-1, -1), wfV2(1, -1), wfV2(1, 1), wfV2(-1, 1) };
+    assert_ok(wfMakeRoundedPolygon(square, 4, WF_R(0.25), s));
+    shape_is("{\"kind\": \"box\", \"halfWidth\": 1, \"halfHeight\": 1, \"radius\": 0.25}", s, 1);
+    assert_ok(wfMakeCapsule(wfV2(-1, 0), wfV2(1, 0), WF_R(0.5), s));
+    shape_is("{\"kind\": \"capsule\", \"from\": [-1, 0], \"to\": [1, 0], \"radius\": 0.5}", s, 1);
+    assert_ok(wfMakeSegment(wfV2(-1, 0), wfV2(1, 0), s));
+    shape_is("{\"kind\": \"segment\", \"from\": [-1, 0], \"to\": [1, 0]}", s, 1);
+    assert_ok(wfMakeLink(wfV2(2, 1), wfV2(1, 0), wfV2(-1, 0), wfV2(-2, 1), s));
+    shape_is("{\"kind\": \"link\", \"before\": [2, 1], \"from\": [1, 0], \"to\": [-1, 0], \"after\": [-2, 1]}", s, 1);
+    const wfVec2 way[4] = { wfV2(4, 1), wfV2(2, 0), wfV2(0, 0), wfV2(-2, 1) };
+    assert_ok(wfMakeChain(way, 4, false, s, 8, &n));
+    shape_is("{\"kind\": \"chain\", \"vertices\": [[4, 1], [2, 0], [0, 0], [-2, 1]]}", s, n);
+    assert_ok(wfMakeChain(way, 4, true, s, 8, &n));
+    shape_is("{\"kind\": \"chain\", \"loop\": true, \"vertices\": [[4, 1], [2, 0], [0, 0], [-2, 1]]}", s, n);
+}
+
+static void an_outline_is_cut_up(void **unused)
+{
+    (void)unused;
+    wfWorld world = read_text("{\"weft\": 1, \"bodies\": [{\"shapes\": [{\"kind\": \"outline\", \"density\": 2, \"vertices\": "
+                              "[[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]}]}]}");
+    assert_true(wfShapeCount(&world) >= 2);
+    assert_near(info(&world, wfBodyAt(&world, 0)).mass, 6, 12 * (double)WF_EPSILON);      /* an L of 3 m^2, 2 kg/m^2 */
+    wfDestroyWorld(&world);
+}
+
+/* ------------------------------------------------------------------------------ what is easily lost */
+
+static void what_is_easily_lost(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.sleep = 1;
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    wfBodyDef d = ball_def(3, 4, 0.5);
+    wfBodyId first = add(&world, d);
+    d.neverSleeps = 1;
+    d.fixedRotation = 1;
+    d.gravityScale = WF_R(-0.5);
+    d.mass = 7;
+    d.userData = UINT64_MAX;
+    wfBodyId light = add(&world, d), gone = add(&world, d);
+    d = ball_def(0, 0, 1);
+    d.type = WF_KINEMATIC;
+    d.angularVelocity = 2;
+    assert_ok(wfMakeCircle(wfV2(WF_R(0.3), WF_R(0.1)), 1, &d.shape));
+    wfBodyId turning = add(&world, d);
+    wfShapeDef more = wfDefaultShapeDef();                /* its place comes after those of later bodies */
+    more.sensor = 1;
+    more.filter = (wfFilter){ (uint64_t)1 << 63, 5, -2 };
+    more.surfaceSpeed = 3, more.rolling = WF_R(0.1), more.staticFriction = WF_R(0.9), more.userData = 12;
+    assert_ok(wfMakeBox(1, 1, &more.shape));
+    assert_ok(wfAddShapeToBody(&world, first, &more, NULL));
+    assert_ok(wfRemoveBodyFromWorld(&world, gone));
+    assert_ok(wfApplyForceToBody(&world, first, wfV2(1, 2), wfV2(0, 0)));
+    (void)light, (void)turning;
+    char *text = write_text(&world);
+    wfWorld read = read_text(text);
+    assert_int_equal(wfBodyCount(&read), 3);
+    wfBodyId one = wfBodyAt(&read, 0), two = wfBodyAt(&read, 1);
+    assert_false(wfNeverSleeps(&read, one));
+    assert_true(wfNeverSleeps(&read, two));
+    assert_int_equal(wfWorldBodies(&read).props[1].fixedRotation, 1);
+    assert_int_equal(info(&read, two).userData, UINT64_MAX);
+    assert_near(info(&read, two).mass, 7, 0);
+    assert_near(info(&read, two).gravityScale, -0.5, 0);
+    wfShapeView was = wfWorldShapes(&world), is = wfWorldShapes(&read);
+    int32_t k = was.next[was.props[0].sensor ? 0 : wfWorldBodies(&world).props[0].shape];
+    int32_t m = is.next[wfWorldBodies(&read).props[0].shape];
+    assert_int_equal(is.props[m].sensor, 1);
+    assert_memory_equal(&is.props[m], &was.props[k], sizeof *is.props);
+    assert_int_equal(is.filters[m].category, (uint64_t)1 << 63);
+    assert_int_equal(is.filters[m].mask, 5);
+    assert_int_equal(is.filters[m].group, -2);
+    for (int i = 0; i < 30; i++) {                        /* the push, the pivot, the place of the sensor */
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&read));
+    }
+    assert_memory_equal(&wfWorldBodies(&world).state[0], &wfWorldBodies(&read).state[0], sizeof(wfBodyState));
+    assert_memory_equal(&wfWorldBodies(&world).state[3], &wfWorldBodies(&read).state[2], sizeof(wfBodyState));
+    assert_near(wfWorldTime(&read), wfWorldTime(&world), 0);
+    assert_int_equal(wfWorldSteps(&read), wfWorldSteps(&world));
+    wfFreeText(text);
+    wfDestroyWorld(&world), wfDestroyWorld(&read);
+}
+
+/* ------------------------------------------------------------------------------ errors */
+
+static const struct { const char *text, *where; int line; wfResult result; const char *what; } bad[] = {
+    { "", "", 1, WF_ERROR_TEXT, "not JSON" },
+    { "{ \"weft\": 1,\n \"bodies\": [ 1 2 ] }", "", 2, WF_ERROR_TEXT, "not JSON" },
+    { "{ \"weft\": 1 } x", "", 1, WF_ERROR_TEXT, "not JSON: `x'" },
+    { "[]", "", 1, WF_ERROR_TEXT, "must be an object" },
+    { "{}", "", 1, WF_ERROR_TEXT, "begins with \"weft\": 1" },
+    { "{ \"weft\": 2 }", "weft", 1, WF_ERROR_RANGE, "must be <= 1" },
+    { "{ \"weft\": 1,\n\n \"colour\": 3 }", "colour", 3, WF_ERROR_UNKNOWN, "there is no field `colour'" },
+    { "{ \"weft\": 1, \"bodys\": [] }", "bodys", 1, WF_ERROR_UNKNOWN, "did you mean `bodies'?" },
+    { "{ \"weft\": 1,\n\"weft\": 1 }", "weft", 2, WF_ERROR_TEXT, "is there twice" },
+    { "{ \"weft\": 1, \"bodies\": {} }", "bodies", 1, WF_ERROR_TEXT, "must be an array" },
+    { "{ \"weft\": 1, \"settings\": { \"gravity\": [0] } }", "settings.gravity", 1, WF_ERROR_TEXT, "array of 2 numbers" },
+    { "{ \"weft\": 1, \"settings\": { \"gravity\": [0,\n\"1\"] } }", "settings.gravity[1]", 2, WF_ERROR_TEXT, "must be a number" },
+    { "{ \"weft\": 1, \"settings\": { \"dt\": 0 } }", "settings.dt", 1, WF_ERROR_RANGE, "must be > 0" },
+    { "{ \"weft\": 1, \"settings\": { \"dt\": 1e999 } }", "settings.dt", 1, WF_ERROR_NOT_FINITE, "too large" },
+    { "{ \"weft\": 1, \"settings\": { \"dt\": 1e-400 } }", "settings.dt", 1, WF_ERROR_RANGE, "must be > 0" },
+    { "{ \"weft\": 1, \"settings\": { \"substeps\": 2.5 } }", "settings.substeps", 1, WF_ERROR_RANGE, "whole number" },
+    { "{ \"weft\": 1, \"settings\": { \"substeps\": 1e12 } }", "settings.substeps", 1, WF_ERROR_NOT_FINITE, "too large" },
+    { "{ \"weft\": 1, \"settings\": { \"reuse\": 1 } }", "settings.reuse", 1, WF_ERROR_TEXT, "true or false" },
+    { "{ \"weft\": 1, \"settings\": { \"solver\": \"sofd\" } }", "settings.solver", 1, WF_ERROR_UNKNOWN, "did you mean `soft'?" },
+    { "{ \"weft\": 1, \"settings\": { \"bodyCapacity\": 1 }, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}] }", "settings.bodyCapacity", 1,
+      WF_ERROR_FULL, "is 1, but the scene has 2" },
+    { "{ \"weft\": 1, \"bodies\": [ {} ] }", "bodies[0]", 1, WF_ERROR_RANGE, "or `mass'" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"mass\": 1e-30 } ] }", "bodies[0]", 1, WF_ERROR_MASS, "mass" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"type\": \"static\", \"velocity\": [1, 0] } ] }", "bodies[0]", 1, WF_ERROR_RANGE, "no velocity" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"mass\": 1, \"pivot\": [1, 0] } ] }", "bodies[0].pivot", 1, WF_ERROR_TEXT, "centre of mass" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"mass\": 1, \"userData\": -1 } ] }", "bodies[0].userData", 1, WF_ERROR_RANGE, "0x1f" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"mass\": 1, \"userData\": \"0x\" } ] }", "bodies[0].userData", 1, WF_ERROR_RANGE, "0x1f" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"mass\": 1,\n\"name\": \"a name that is far too long for a body in this text\" } ] }",
+      "bodies[0].name", 2, WF_ERROR_RANGE, "longer than 39" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1 },\n\n{ \"kind\": \"circle\",\n \"radius\": -1 } ] } ] }",
+      "bodies[0].shapes[1].radius", 4, WF_ERROR_RANGE, "must be >= 0" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"circle\" } ] } ] }", "bodies[0].shapes[0]", 1, WF_ERROR_TEXT,
+      "a circle needs `radius'" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1, \"halfWidth\": 1 } ] } ] }",
+      "bodies[0].shapes[0].halfWidth", 1, WF_ERROR_TEXT, "a circle has none" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"radius\": 1 } ] } ] }", "bodies[0].shapes[0]", 1, WF_ERROR_TEXT, "needs `kind'" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"circle\", \"radius\": 0 } ] } ] }", "bodies[0].shapes[0]", 1, WF_ERROR_SIZE,
+      "WF_MIN_SIZE" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"polygon\", \"vertices\": [[0, 0], [1, 0], [2, 0]] } ] } ] }",
+      "bodies[0].shapes[0]", 1, WF_ERROR_DEGENERATE, "on a line" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"polygon\", \"vertices\": [] } ] } ] }", "bodies[0].shapes[0].vertices", 1,
+      WF_ERROR_TEXT, "points" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"shapes\": [ { \"kind\": \"outline\",\n\"vertices\": [[0, 0], [2, 2], [2, 0], [0, 2]] } ] } ] }",
+      "bodies[0].shapes[0]", 1, WF_ERROR_CROSSES, "cross" },
+    { "{ \"weft\": 1, \"joints\": [ { \"kind\": \"revolute\", \"a\": 0, \"b\": 1 } ] }", "joints[0].a", 1, WF_ERROR_STALE_ID, "no body" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1, \"name\": \"x\"}, {\"mass\": 1, \"name\": \"x\"}], \"joints\": "
+      "[ { \"kind\": \"revolute\", \"a\": 0, \"b\": \"x\" } ] }", "joints[0].b", 1, WF_ERROR_STALE_ID, "more than one body" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"revolut\", \"a\": 0, \"b\": 1 } ] }",
+      "joints[0].kind", 1, WF_ERROR_UNKNOWN, "`revolute'" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 1, \"b\": 1 } ] }",
+      "joints[0]", 1, WF_ERROR_RANGE, "with itself" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0, \"b\": 1,\n\"lower\": 2 } ] }",
+      "joints[0].lower", 2, WF_ERROR_RANGE, "above `upper'" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0 } ] }", "joints[0]", 1,
+      WF_ERROR_TEXT, "needs `a' and `b'" },
+    { "{ \"weft\": 1, \"settings\": { \"solver\": \"impulse\" }, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": "
+      "[ { \"kind\": \"weld\", \"a\": 0, \"b\": 1 } ] }", "joints[0]", 1, WF_ERROR_SOLVER, "solver" },
+    { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"sprin\" } ] }", "forces[0].kind", 1, WF_ERROR_UNKNOWN, "`spring'" },
+    { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"linear\": -1 } ] }", "forces[0]", 1, WF_ERROR_RANGE, "range" },
+    { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"lineal\": 1 } ] }", "forces[0].lineal", 1, WF_ERROR_UNKNOWN, "`linear'" },
+    { "{ \"weft\": 1, \"pairMaterials\": [ { \"a\": 1 } ] }", "pairMaterials[0]", 1, WF_ERROR_TEXT, "`a' and `b'" },
+};
+
+static void errors_say_where_and_what(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        wfWorld world = { .memory = { .owned = 7 } };
+        wfTextError e;
+        wfResult result = wfReadScene(bad[i].text, strlen(bad[i].text), NULL, &world, NULL, &e);
+        if (result != bad[i].result || e.result != result || strcmp(e.where, bad[i].where) != 0 || e.line != bad[i].line
+            || strstr(e.what, bad[i].what) == NULL)
+            fail_msg("%s\n  %s: `%s', line %d: %s", bad[i].text, wfResultName(result), e.where, (int)e.line, e.what);
+        assert_int_equal(world.memory.owned, 7);          /* untouched */
+        assert_int_equal(wfReadScene(bad[i].text, strlen(bad[i].text), NULL, &world, NULL, NULL), result);
+    }
+}
+
+static void bad_texts_leave_memory_alone(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    size_t permanent, transient;
+    assert_ok(wfWorldSize(&def, &permanent, &transient));
+    wfMemory memory;
+    assert_ok(wfAllocateMemory(&memory, permanent, transient));
+    memory.owned = 0;
+    def.memory = memory;
+    wfWorld world, read;
+    assert_ok(wfCreateWorld(&def, &world));
+    add(&world, ball_def(0, 0, 1));
+    void *before = copy_of(&world);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_int_equal(wfReadScene(bad[i].text, strlen(bad[i].text), &memory, &read, NULL, NULL), bad[i].result);
+    wfMemory less = memory;
+    less.permanentSize -= 16;
+    assert_result(WF_ERROR_MEMORY, wfReadScene("{\"weft\": 1}", 11, &less, &read, NULL, NULL));
+    less = memory;
+    less.transient = (uint8_t *)less.transient + 1;
+    assert_result(WF_ERROR_MEMORY, wfReadScene("{\"weft\": 1}", 11, &less, &read, NULL, NULL));
+    assert_unchanged(&world, before);
+    const char *good = "{\"weft\": 1, \"bodies\": [{\"mass\": 2}]}";
+    assert_ok(wfReadScene(good, strlen(good), &memory, &read, NULL, NULL));
+    assert_ptr_equal(read.memory.permanent, memory.permanent);
+    assert_int_equal(wfBodyCount(&read), 1);
+    assert_ok(wfStepWorld(&read));
+    wfDestroyWorld(&read);
+    memory.owned = 1;
+    wfFreeMemory(&memory);
+}
+
+static void limits_of_a_text(void **unused)
+{
+    (void)unused;
+    wfWorld world;
+    wfTextError e;
+    char deep[4 * WF_SCENE_DEPTH + 100] = "{\"weft\": 1, \"bodies\": ";
+    for (int i = 0; i < WF_SCENE_DEPTH; i++) strcat(deep, "[");
+    assert_result(WF_ERROR_TEXT, wfReadScene(deep, strlen(deep), NULL, &world, NULL, &e));
+    assert_non_null(strstr(e.what, "deeper"));
+    assert_result(WF_ERROR_TEXT, wfReadScene("{   ", (size_t)WF_SCENE_BYTES + 1, NULL, &world, NULL, &e));
+    assert_non_null(strstr(e.what, "longer"));
+    assert_result(WF_ERROR_NULL, wfReadScene(NULL, 0, NULL, &world, NULL, &e));
+    assert_result(WF_ERROR_NULL, wfReadScene("{}", 2, NULL, NULL, NULL, &e));
+    assert_result(WF_ERROR_NULL, wfWriteScene(NULL, NULL, NULL));
+    assert_ok(wfReadScene("\xEF\xBB\xBF{\"weft\": 1}", 14, NULL, &world, NULL, NULL));      /* with an editor's mark */
+    wfDestroyWorld(&world);
+    assert_ok(wfReadScene("{\"weft\": 1}xyz", 11, NULL, &world, NULL, NULL));               /* the length counts, no zero byte is needed */
+    wfDestroyWorld(&world);
+}
+
+/* ------------------------------------------------------------------------------ exact */
+
+static char *with(const char *text, const char *from, const char *to)
+{
+    const char *at = strstr(text, from);
+    assert_non_null(at);
+    char *out = malloc(strlen(text) + strlen(to) + 1);
+    size_t before = (size_t)(at - text);
+    memcpy(out, text, before);
+    strcpy(out + before, to);
+    strcat(out, at + strlen(from));
+    return out;
+}
+
+static void a_change_by_hand_is_noticed(void **unused)
+{
+    (void)unused;
+    char *plain = with(seesaw, "\"halfHeight\": 0.125,", "\"halfHeight\": 0.125, \"centre\": [0.3, 0.1],");
+    char *two = with(plain, "\"density\": 2 }", "\"density\": 2 }, { \"kind\": \"circle\", \"radius\": 0.3, \"centre\": [0.7, 0.77] }");
+    wfWorld world = read_text(two), read;
+    char *text = write_text(&world);
+    for (int i = 0; i < 100 && !strstr(text, "\"exact\""); i++) {      /* until rounding has left a trace */
+        assert_ok(wfStepWorld(&world));
+        wfFreeText(text);
+        text = write_text(&world);
+    }
+    assert_non_null(strstr(text, "\"exact\""));
+    char position[100];
+    const char *plank = strstr(strchr(strstr(text, "\"bodies\""), '}') , "\"position\": [");
+    assert_non_null(plank);
+    size_t length = (size_t)(strchr(plank, ']') + 1 - plank);
+    memcpy(position, plank, length);
+    position[length] = 0;
+    wfTextError e;
+    char *moved = with(text, position, "\"position\": [0.5, 3]");
+    assert_result(WF_ERROR_TEXT, wfReadScene(moved, strlen(moved), NULL, &read, NULL, &e));
+    assert_non_null(strstr(e.where, "exact"));
+    assert_non_null(strstr(e.what, "delete this `exact'"));
+    char *other = with(moved, "\"digits\": ", "\"digits\": 1");                             /* another machine's bits: left alone */
+    assert_ok(wfReadScene(other, strlen(other), NULL, &read, NULL, &e));
+    wfDestroyWorld(&read);
+    wfDestroyWorld(&world);
+    wfFreeText(text);
+    free(plain), free(two), free(moved), free(other);
+}
+
+/* ------------------------------------------------------------------------------ memory */
+
+static int left;
+static void *scarce(size_t n) { return left-- > 0 ? malloc(n) : NULL; }
+
+static void every_failed_allocation_is_an_error(void **unused)
+{
+    (void)unused;
+    cJSON_Hooks hooks = { scarce, free };
+    char *plain = with(seesaw, "\"density\": 2 }", "\"density\": 2 }, { \"kind\": \"outline\", \"vertices\": [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2]] }");
+    wfWorld world = read_text(plain), read;
+    assert_ok(wfStepWorld(&world));
+    char *text = NULL;
+    int reads = 0, writes = 0, schemas = 0;
+    wfTextError e;
+    cJSON_InitHooks(&hooks);
+    for (bool good = false; !good; reads++) {
+        left = reads;
+        good = wfReadScene(plain, strlen(plain), NULL, &read, NULL, &e) == WF_OK;
+        if (!good) assert_int_equal(e.result, WF_ERROR_MEMORY);
+    }
+    wfDestroyWorld(&read);
+    for (bool good = false; !good; writes++) {
+        left = writes;
+        wfResult result = wfWriteScene(&world, NULL, &text);
+        good = result == WF_OK;
+        if (!good) assert_int_equal(result, WF_ERROR_MEMORY);
+    }
+    for (char *schema = NULL; schema == NULL; schemas++) {
+        left = schemas;
+        schema = wfWriteSceneSchema();
+        if (schema) wfFreeText(schema);
+    }
+    cJSON_InitHooks(NULL);
+    assert_true(reads > 50 && writes > 100 && schemas > 1000);
+    free(text);
+    free(plain);
+    wfDestroyWorld(&world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(numbers_keep_their_bits), cmocka_unit_test(eight_digits_are_too_few),
+        cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
+        cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost),
+        cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(limits_of_a_text),
+        cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(every_failed_allocation_is_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

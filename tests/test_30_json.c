@@ -1,0 +1,95 @@
+/* Chapter 26, over all scenes of chapter 30: a world that is written as text and read again is the same world to the bit, and where
+ * nothing touches it stays the same. */
+#include "testing.h"
+#include "testbed/scene.h"
+#include "weft/json.h"
+
+static bool same_bits(const void *a, const void *b, size_t n) { return memcmp(a, b, n) == 0; }
+
+/* The bodies of two worlds, in order and without the empty places. */
+static void assert_same_bodies(const wfWorld *one, const wfWorld *two, const char *name)
+{
+    wfBodyView a = wfWorldBodies(one), b = wfWorldBodies(two);
+    int32_t k = 0;
+    for (int32_t i = 0; i < a.count; i++) {
+        if (!a.alive[i]) continue;
+        while (k < b.count && !b.alive[k]) k++;
+        if (k == b.count) fail_msg("%s: bodies are missing", name);
+        if (!same_bits(&a.state[i], &b.state[k], sizeof *a.state)) fail_msg("%s: the state of body %d differs", name, (int)i);
+        wfBodyProps p = a.props[i], q = b.props[k];
+        p.shape = q.shape = 0;
+        if (p.mass != q.mass || p.inertia != q.inertia || p.type != q.type || p.linearDamping != q.linearDamping
+            || p.angularDamping != q.angularDamping || p.gravityScale != q.gravityScale || p.fixedRotation != q.fixedRotation
+            || p.userData != q.userData || !same_bits(&p.localCentre, &q.localCentre, sizeof p.localCentre))
+            fail_msg("%s: the properties of body %d differ", name, (int)i);
+        k++;
+    }
+    assert_int_equal(wfBodyCount(one), wfBodyCount(two));
+    assert_int_equal(wfShapeCount(one), wfShapeCount(two));
+    assert_int_equal(wfJointCount(one), wfJointCount(two));
+    assert_int_equal(wfForceCount(one), wfForceCount(two));
+}
+
+/* How far the first steps after reading lead apart, in m. */
+static double drift(const wfScene *scene, wfWorld *one, wfWorld *two, int steps, bool *touched)
+{
+    double most = 0;
+    for (int s = 0; s < steps; s++) {
+        wfSceneInput in = wfSceneInputAt(scene, (int64_t)wfWorldSteps(one));
+        int32_t contacts;
+        wfWorldContacts(one, &contacts);
+        if (contacts > 0) *touched = true;
+        assert_ok(wfStepScene(scene, one, &in));
+        assert_ok(wfStepScene(scene, two, &in));
+    }
+    wfBodyView a = wfWorldBodies(one), b = wfWorldBodies(two);
+    for (int32_t i = 0, k = 0; i < a.count; i++) {
+        if (!a.alive[i]) continue;
+        while (!b.alive[k]) k++;
+        double dx = (double)(a.state[i].p.x - b.state[k].p.x), dy = (double)(a.state[i].p.y - b.state[k].p.y);
+        double d = sqrt(dx * dx + dy * dy);
+        if (d > most) most = d;
+        k++;
+    }
+    return most;
+}
+
+static bool has_sleepers(const wfWorld *world) { return wfWorldRest(world).asleep > 0; }
+
+static void every_scene_is_read_as_it_was(void **unused)
+{
+    (void)unused;
+    int future = 0;
+    for (int row = 0; row < wfSceneCount; row++) {
+        const wfScene *scene = &wfSceneTable[row];
+        wfWorld world, read;
+        wfTextError error;
+        char *text;
+        assert_ok(wfOpenScene(scene, NULL, &world));
+        for (int s = 0; s < 60; s++) {
+            wfSceneInput in = wfSceneInputAt(scene, s);
+            assert_ok(wfStepScene(scene, &world, &in));
+        }
+        assert_ok(wfWriteScene(&world, NULL, &text));
+        if (wfReadScene(text, strlen(text), NULL, &read, NULL, &error) != WF_OK)
+            fail_msg("%s: %s, line %d: %s", scene->name, error.where, (int)error.line, error.what);
+        assert_same_bodies(&world, &read, scene->name);
+        bool touched = has_sleepers(&world);
+        double d = drift(scene, &world, &read, 60, &touched);
+        if (getenv("VERBOSE")) print_message("%-26s %6zu bytes  %s %.3g m\n", scene->name, strlen(text), touched ? "touches" : "free   ", d);
+        if (!touched) {
+            if (d > 0) fail_msg("%s: nothing touched, and yet the future differs by %g m", scene->name, d);
+            future++;
+        }
+        wfFreeText(text);
+        wfDestroyWorld(&world);
+        wfDestroyWorld(&read);
+    }
+    assert_true(future >= 10);                            /* the promise about the future was put to the test */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(every_scene_is_read_as_it_was) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
