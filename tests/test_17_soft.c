@@ -762,6 +762,54 @@ static void bridges_are_no_trees(void **unused)
     assert_memory_equal(b[0].s, b[1].s, sizeof b[0].s);
 }
 
+/* A plank on two trestles and a box in its middle: one loop through the ground. Each trestle bears half. By passes the plank sags by
+   eq:soft-squash (F K is g/2 at least, so 0.1 mm); at once by no more than the gap that counts as a touch and the roundings of 1 m. */
+static void a_loop_bears_its_load(void **unused)
+{
+    (void)unused;
+    wfReal high[2];
+    for (int k = 0; k < 2; k++) {
+        Bench b;
+        start(&b, 4);
+        b.columns = 1 + k;
+        for (int i = 0; i < 2; i++) b.s[box(&b, 4 * i - 2, 0.5, 1, 1)].invMass = 0, b.s[1 + i].invInertia = 0;
+        int plank = box(&b, 0, 1.25, 6, 0.5), load = box(&b, 0, 2, 1, 1);
+        b.s[load].invMass = WF_R(0.1), b.s[load].invInertia = WF_R(0.6);
+        steps(&b, 300);
+        high[k] = b.s[load].p.y;
+        assert_true(fastest_of(&b) < 1e-4);
+        for (int i = 0; k == 1 && i < b.contacts; i++)
+            if (b.c[i].b == plank && b.c[i].manifold.count == 2) assert_near(press(&b.c[i]) * 60, 5.5 * 9.81, 1e-3 * 54);
+    }
+    assert_true(high[0] < 2 - WF_R(5e-4));
+    assert_near(high[1], 2, 1e-5);
+}
+
+/* A stone in a gap that is narrower by 2 %: both walls want it elsewhere, and nothing can give. No speed may come of it, nor from a
+   slim wedge, whose sides would have to leave the walls ten times as fast as they overlap them. eq:soft-calm */
+static void what_is_wedged_stays(void **unused)
+{
+    (void)unused;
+    for (int slim = 0; slim < 2; slim++) {
+        Bench b;
+        start(&b, 4);
+        b.columns = 2;
+        b.g = wfV2(0, 0);
+        for (int i = 0; i < 2; i++) {
+            int wall = box(&b, i ? 1.48 : -1.48, 5, 2, 8);
+            b.s[wall].invMass = b.s[wall].invInertia = 0;
+            b.s[wall].angle = WF_R(0.05) * (wfReal)(slim * (i ? -1 : 1));
+        }
+        int stone = box(&b, 0, 5, 1, 1);
+        wfVec2 v[4] = { wfV2(WF_R(-0.525), WF_R(-0.5)), wfV2(WF_R(0.525), WF_R(-0.5)), wfV2(WF_R(0.475), WF_R(0.5)), wfV2(WF_R(-0.475), WF_R(0.5)) };
+        if (slim) assert_ok(wfMakePolygon(v, 4, &b.shape[stone]));
+        for (int i = 0; i < 120; i++) {
+            steps(&b, 1);
+            assert_true(fastest_of(&b) < 0.05);                                   /* 2 cm, at b = 23/s, would be 0.46 m/s */
+        }
+    }
+}
+
 /* Two dozen boxes born in one place: no faster than a fall from where the topmost can get (24 boxes: 24 m would be 22 m/s; the
  * heap is a third of that), and after ten seconds nothing overlaps but by what the springs give (some mm). */
 static void many_born_in_one_place(void **unused)
@@ -837,7 +885,7 @@ int main(void)
         cmocka_unit_test(random_heaps_keep_momentum_and_gain_no_energy), cmocka_unit_test(other_laws_have_their_turn),
         cmocka_unit_test(what_is_carried_over), cmocka_unit_test(too_little_room_changes_nothing),
         cmocka_unit_test(towers_stand), cmocka_unit_test(heavy_on_light), cmocka_unit_test(branches_bear_what_is_above),
-        cmocka_unit_test(bridges_are_no_trees), cmocka_unit_test(many_born_in_one_place), cmocka_unit_test(settings_of_the_spring),
+        cmocka_unit_test(bridges_are_no_trees), cmocka_unit_test(a_loop_bears_its_load), cmocka_unit_test(what_is_wedged_stays), cmocka_unit_test(many_born_in_one_place), cmocka_unit_test(settings_of_the_spring),
     };
     return cmocka_run_group_tests_name("17 soft contacts", tests, NULL, NULL);
 }
