@@ -488,6 +488,85 @@ static void a_change_by_hand_is_noticed(void **unused)
     free(plain), free(two), free(moved), free(other);
 }
 
+/* ------------------------------------------------------------------------------ R.U.B.E. */
+
+static const char *const rube =                            /* 40490fdb is pi, 3f800000 is 1 */
+    "{ \"gravity\": { \"x\": 0, \"y\": -10 }, \"stepsPerSecond\": 50, \"velocityIterations\": 8, \"allowSleep\": false,\n"
+    "  \"image\": [], \"collisionbitplanes\": {},\n"
+    "  \"body\": [\n"
+    "    { \"name\": \"floor\", \"type\": 0, \"position\": 0, \"fixture\": [ { \"friction\": 0.5, \"chain\": { \"vertices\": {\n"
+    "        \"x\": [-10, 0, 10], \"y\": [0, 0, 1] } } } ] },\n"
+    "    { \"type\": 2, \"position\": { \"x\": 3, \"y\": 4 }, \"angle\": \"3f800000\", \"massData-mass\": 2, \"awake\": true, \"fixture\": [ {\n"
+    "        \"density\": 1, \"polygon\": { \"vertices\": { \"x\": [-1, 1, 1, -1], \"y\": [-0.5, -0.5, 0.5, 0.5] } } } ] },\n"
+    "    { \"type\": 2, \"position\": { \"x\": 3, \"y\": 6 }, \"massData-mass\": 4, \"fixture\": [ { \"density\": 1, \"restitution\": 0.5,\n"
+    "        \"filter-maskBits\": 3, \"circle\": { \"center\": { \"x\": 0.5, \"y\": 0 }, \"radius\": 1 } } ] } ],\n"
+    "  \"joint\": [ { \"type\": \"distance\", \"bodyA\": 1, \"bodyB\": 2, \"anchorA\": 0, \"anchorB\": { \"x\": 0.5, \"y\": 0 },\n"
+    "        \"length\": 2, \"frequency\": 1, \"dampingRatio\": 0.25 } ] }";
+
+static void a_scene_of_others_is_translated(void **unused)
+{
+    (void)unused;
+    char *text = NULL;
+    wfTextError e;
+    if (wfTranslateRube(rube, strlen(rube), &text, &e) != WF_OK) fail_msg("%s, line %d: %s", e.where, (int)e.line, e.what);
+    wfWorld world = read_text(text);
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(&world, &def));
+    assert_near(def.gravity.y, -10, 0);
+    assert_ulps(def.dt, 0.02, 1, 0.02);
+    assert_int_equal(def.sleep, 0);
+    assert_int_equal(wfShapeCount(&world), 4);            /* a chain of two sides, two shapes */
+    wfBodyInfo box = info(&world, wfBodyAt(&world, 1)), disc = info(&world, wfBodyAt(&world, 2));
+    assert_near(box.angle, 1, 0);
+    assert_near(box.mass, 2, 0);
+    assert_near(disc.mass, 4, 0);
+    assert_near2(disc.centre, wfV2(WF_R(3.5), 6), 16 * (double)WF_EPSILON);
+    wfJoint j;
+    assert_ok(wfGetJoint(&world, wfJointAt(&world, 0), &j));
+    double m = 1 / (1 / 2.0 + 1 / 4.0), turn = 2 * 3.14159265358979323846;       /* eq:save-rube */
+    assert_ulps(j.stiffness, m * turn * turn, 2, m * turn * turn);
+    assert_ulps(j.damping, 2 * m * 0.25 * turn, 2, m * turn);
+    assert_near(j.rest, 2, 0);
+    assert_near2(j.localB, wfV2(0, 0), 16 * (double)WF_EPSILON);
+    wfShapeDef s;
+    assert_ok(wfGetShape(&world, wfFirstShape(&world, wfBodyAt(&world, 2)), &s));
+    assert_int_equal(s.filter.mask, 3);
+    assert_int_equal(s.filter.category, 1);
+    for (int i = 0; i < 100; i++) assert_ok(wfStepWorld(&world));
+    wfFreeText(text);
+    wfDestroyWorld(&world);
+}
+
+static void what_would_move_otherwise_is_refused(void **unused)
+{
+    (void)unused;
+    static const struct { const char *from, *to, *where, *what; int line; } wrong[] = {
+        { "\"type\": \"distance\"", "\"type\": \"motor\"", "joint[0].type", "not translated", 10 },
+        { "\"awake\": true", "\"active\": false", "body[1].active", "takes no part", 6 },
+        { "\"awake\": true", "\"inertiaScale\": 2", "body[1].inertiaScale", "not known", 6 },
+        { "\"image\": []", "\"autoClearForces\": false", "autoClearForces", "one step", 2 },
+        { "\"massData-mass\": 4,", "", "body[2]", "massData-mass", 8 },
+        { "\"bodyB\": 2", "\"bodyB\": 3", "joint[0].bodyB", "no body", 10 },
+        { "\"3f800000\"", "\"7f800000\"", "body[1].angle", "hexadecimal", 6 },
+        { "\"y\": [-0.5, -0.5, 0.5, 0.5]", "\"y\": [0.5]", "body[1].fixture[0].polygon", "vertices", 7 },
+        { "\"type\": 0", "\"type\": 7", "body[0]", "0, 1 or 2", 4 },
+        { "\"stepsPerSecond\": 50", "\"stepsPerSecond\": 0", "stepsPerSecond", "> 0", 1 },
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char *text = with(rube, wrong[i].from, wrong[i].to), *out = NULL;
+        wfTextError e;
+        assert_result(WF_ERROR_TEXT, wfTranslateRube(text, strlen(text), &out, &e));
+        if (strcmp(e.where, wrong[i].where) != 0 || e.line != wrong[i].line || strstr(e.what, wrong[i].what) == NULL)
+            fail_msg("%s: `%s', line %d: %s", wrong[i].to, e.where, (int)e.line, e.what);
+        assert_null(out);
+        free(text);
+    }
+    wfWorld world;
+    wfTextError e;
+    assert_result(WF_ERROR_TEXT, wfReadScene(rube, strlen(rube), NULL, &world, NULL, &e));
+    assert_non_null(strstr(e.what, "R.U.B.E."));
+}
+
 /* ------------------------------------------------------------------------------ memory */
 
 static int left;
@@ -516,6 +595,15 @@ static void every_failed_allocation_is_an_error(void **unused)
         good = result == WF_OK;
         if (!good) assert_int_equal(result, WF_ERROR_MEMORY);
     }
+    int others = 0;
+    char *translated = NULL;
+    for (bool good = false; !good; others++) {
+        left = others;
+        wfResult result = wfTranslateRube(rube, strlen(rube), &translated, NULL);
+        good = result == WF_OK;
+        if (!good) assert_int_equal(result, WF_ERROR_MEMORY);
+    }
+    free(translated);
     for (char *schema = NULL; schema == NULL; schemas++) {
         left = schemas;
         schema = wfWriteSceneSchema();
@@ -535,7 +623,8 @@ int main(void)
         cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
         cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost),
         cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(limits_of_a_text),
-        cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(every_failed_allocation_is_an_error),
+        cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(a_scene_of_others_is_translated),
+        cmocka_unit_test(what_would_move_otherwise_is_refused), cmocka_unit_test(every_failed_allocation_is_an_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
