@@ -832,6 +832,106 @@ static void strange_pictures_are_survived(void **state)
     end(&p);
 }
 
+/* ---- settings, search and time (chapter 30) ---- */
+static void a_setting_is_changed_kept_and_forgotten(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 1400);                                          /* high enough for all settings */
+    run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
+    double x = fact(&p, "widget gravity.y pixel", 0), y = fact(&p, "widget gravity.y pixel", 1);
+    char script[300];
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\n", x, y, x + 160, y);
+    run(&p, script);
+    run(&p, "steps 1\nwait 60\n");
+    double up = fact(&p, "body 2 x", 1);                            /* gravity was pulled by 160 units: by 4 of its usual sizes, 9.81/4 each */
+    uint64_t pulled = 0;
+    sscanf(strstr(p.text, "hash "), "hash %llx", (unsigned long long *)&pulled);
+    run(&p, "steps 0\nkey r\nframe\n");                            /* reset: the wish stays */
+    run(&p, "steps 1\nwait 60\n");
+    assert_near(fact(&p, "body 2 x", 1), up, 0);
+    run(&p, "steps 0\nscene tower\nframe\nscene stack-of-boxes\nframe\n");
+    run(&p, "steps 1\nwait 60\n");
+    uint64_t own = 0;
+    sscanf(strstr(p.text, "hash "), "hash %llx", (unsigned long long *)&own);
+    play q;
+    begin(&q, 1100, 1400);
+    run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 60\n");
+    uint64_t plain = 1;
+    sscanf(strstr(q.text, "hash "), "hash %llx", (unsigned long long *)&plain);
+    assert_true(own == plain);
+    assert_true(pulled != plain);
+    end(&p);
+    end(&q);
+}
+
+static void a_solver_is_chosen_from_its_list(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 1400);
+    run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
+    click(&p, "solver");
+    click(&p, "sequential");
+    run(&p, "steps 1\nwait 120\n");
+    play q;
+    begin(&q, 1100, 1400);
+    run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 120\n");
+    assert_string_not_equal(strstr(p.text, "hash "), strstr(q.text, "hash "));
+    assert_near(fact(&p, "steps", 0), 120, 0);                      /* and it runs */
+    end(&p);
+    end(&q);
+}
+
+static void time_goes_back_and_on_again_to_the_same_bits(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 700);
+    run(&p, "steps 1\nscene dominoes\nwait 120\n");
+    char then[17], now[17];
+    sscanf(strstr(p.text, "hash "), "hash %16s", then);
+    run(&p, "steps 0\nkey ,\nframe\n");
+    double step = fact(&p, "steps", 0);
+    assert_true(step < 120 && step > 100);
+    assert_near(fact(&p, "paused", 0), 1, 0);
+    assert_near(fact(&p, "back", 0), 1, 0);
+    for (int i = 0; i < 200 && fact(&p, "steps", 0) < 120; i++) run(&p, "steps 0\nkey .\nframe\n");
+    assert_near(fact(&p, "back", 0), 0, 0);
+    sscanf(strstr(p.text, "hash "), "hash %16s", now);
+    assert_string_equal(now, then);
+    double x = fact(&p, "widget time pixel", 0), y = fact(&p, "widget time pixel", 1);
+    char script[300];
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nframe\nup left\nframe\n", x, y);
+    run(&p, script);                                                /* the middle of the bar is the middle of the time that is kept */
+    assert_near(fact(&p, "steps", 0), 60, 4);
+    end(&p);
+}
+
+static void three_letters_and_enter_open_a_scene(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 1100, 700);
+    run(&p, "steps 0\nframe\nkey /\nframe\nkey t\nkey a\nkey h\nframe\nkey enter\nframe\n");
+    assert_true(is_scene(&p, "tower of a hundred"));
+    run(&p, "steps 1\nkey p\nwait 3\n");                           /* and letters are keys again */
+    assert_near(fact(&p, "paused", 0), 1, 0);
+    end(&p);
+}
+
+static void time_runs_slower(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, 900, 600);
+    run(&p, "seconds 0.1\nsteps -1\nscene tower\nframe\nkey <\nkey <\nframe\n");
+    double from = fact(&p, "steps", 0);
+    run(&p, "seconds 0.1\nsteps -1\nwait 40\n");                   /* four seconds on the wall, one in the world */
+    assert_near(fact(&p, "steps", 0) - from, 60, 1.5);
+    end(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -847,7 +947,12 @@ int main(void)
         cmocka_unit_test(the_camera_sees_where_it_should),
         cmocka_unit_test(picking_inverts_seeing_and_zoom_keeps_the_point),
         cmocka_unit_test(the_hand_follows_the_exact_recurrence), cmocka_unit_test(the_hand_gives_the_grip_its_velocity),
-        cmocka_unit_test(pause_step_and_reset_work), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
+        cmocka_unit_test(pause_step_and_reset_work),
+        cmocka_unit_test(a_setting_is_changed_kept_and_forgotten),
+        cmocka_unit_test(a_solver_is_chosen_from_its_list),
+        cmocka_unit_test(time_goes_back_and_on_again_to_the_same_bits),
+        cmocka_unit_test(three_letters_and_enter_open_a_scene),
+        cmocka_unit_test(time_runs_slower), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
         cmocka_unit_test(overlays_keys_and_views_answer), cmocka_unit_test(a_body_is_held_dragged_and_thrown),
         cmocka_unit_test(a_narrow_window_shows_the_whole_scene),
         cmocka_unit_test(bodies_behind_the_text_are_not_taken),

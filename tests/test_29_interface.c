@@ -1,0 +1,216 @@
+/* The testbed's interface (chapter 29): widgets as calls, tested as functions of values. */
+#include "testing.h"
+#include "testbed/ui.h"
+
+static ui_memory memory;
+static game_input input;
+
+static void press(float x, float y) { input.mouse_x = x, input.mouse_y = y; input.pressed = input.held = GAME_BUTTON_LEFT; }
+static void hold(float x, float y) { input.mouse_x = x, input.mouse_y = y; input.pressed = 0; input.held = GAME_BUTTON_LEFT; }
+static void let_go(void) { input.pressed = input.held = 0; }
+static ui look(void) { return ui_look(&memory, &input, 400, 300, 1); }
+static int fresh(void **state)
+{
+    (void)state;
+    memory = (ui_memory){ 0 };
+    input = (game_input){ 0 };
+    return 0;
+}
+
+/* ---- areas ---- */
+static void a_click_hits_what_is_under_it(void **state)
+{
+    (void)state;
+    for (int x = 0; x < 120; x++) {
+        press((float)x, 20);
+        ui u = look();
+        bool a = ui_button(&u, "a", 10, 10, 40, false), b = ui_button(&u, "b", 60, 10, 40, false);
+        assert_int_equal(a, x >= 10 && x < 50);
+        assert_int_equal(b, x >= 60 && x < 100);
+        assert_int_equal(u.over, a || b);
+        ui_finish(&u, 0);
+    }
+    let_go();
+    ui u = look();
+    assert_false(ui_button(&u, "a", 0, 0, 400, false));
+}
+
+static void the_walk_with_a_pen_has_no_click(void **state)
+{
+    (void)state;
+    static _Alignas(8) uint8_t bytes[1 << 16];
+    wfDraw d;
+    wfDrawInit(&d, bytes, sizeof bytes);
+    press(20, 20);
+    ui u = look();
+    assert_true(ui_button(&u, "a", 10, 10, 40, false));
+    ui_finish(&u, 0);
+    ui_show(&u, &d);
+    assert_false(ui_button(&u, "a", 10, 10, 40, false));
+    ui_finish(&u, 0);
+    assert_int_equal(memory.place_count, 1);
+    assert_string_equal(memory.places[0].name, "a");
+    assert_near(memory.places[0].x, 30, 0);
+    assert_near(memory.places[0].y, 22, 0);
+    assert_true(d.count > 0);
+}
+
+/* ---- keys ---- */
+static int pressed_by_keys(int32_t key, int widgets)
+{
+    int which = 0;
+    input = (game_input){ .key_count = 1, .keys = { key }, .mouse_x = -1 };
+    ui u = look();
+    for (int i = 1; i <= widgets; i++) {
+        char name[8];
+        snprintf(name, sizeof name, "w%d", i);
+        if (ui_button(&u, name, 10, 30.0f * (float)i, 40, false)) which = i;
+    }
+    ui_finish(&u, 0);
+    return which;
+}
+
+static void the_keys_reach_every_widget_and_come_round(void **state)
+{
+    (void)state;
+    assert_int_equal(pressed_by_keys(GAME_KEY_ENTER, 5), 0);
+    for (int i = 1; i <= 11; i++) {
+        pressed_by_keys(GAME_KEY_PAGE_DOWN, 5);
+        assert_int_equal(pressed_by_keys(GAME_KEY_ENTER, 5), (i - 1) % 5 + 1);
+    }
+    pressed_by_keys(GAME_KEY_PAGE_UP, 5);
+    assert_int_equal(pressed_by_keys(GAME_KEY_ENTER, 5), 5);
+    pressed_by_keys(GAME_KEY_ESCAPE, 5);
+    assert_int_equal(pressed_by_keys(GAME_KEY_ENTER, 5), 0);
+}
+
+/* ---- numbers ---- */
+static void a_pull_obeys_the_three_laws(void **state)
+{
+    (void)state;
+    ui_range slider = { 0, 2, 0.5, false }, open = { 0, 1e30, 1, false }, any = { -1e30, 1e30, 3, false }, whole = { 1, 64, 4, true };
+    assert_near(ui_pulled(0.5, 40, slider), 1, 1e-15);             /* a quarter of 160 units is a quarter of the range */
+    assert_near(ui_pulled(0.5, 1e4, slider), 2, 0);
+    assert_near(ui_pulled(0.5, -1e4, slider), 0, 0);
+    assert_near(ui_pulled(1000, 40, open), 2000, 0);               /* doubled every 40 */
+    assert_near(ui_pulled(1000, -80, open), 250, 0);
+    assert_near(ui_pulled(0, 40, open), 1, 0);                     /* zero can't be doubled */
+    assert_near(ui_pulled(0, -40, open), 0, 0);
+    assert_near(ui_pulled(-9, 80, any), -3, 0);                    /* the usual size every 40 */
+    for (int d = -200; d <= 200; d++) {
+        double v = ui_pulled(4, d, whole);
+        assert_true(v == floor(v) && v >= 1 && v <= 64);
+    }
+}
+
+static void pulled_there_and_back_is_the_same_to_the_bit(void **state)
+{
+    (void)state;
+    ui_range open = { 0, 1e30, 1, false };
+    double value = 1.0 / 60, first = value;
+    for (int i = 0; i <= 60; i++) {
+        float x = 360 + 3.0f * (float)(i <= 30 ? i : 60 - i);
+        if (i == 0) press(x, 20); else hold(x, 300);               /* far off the number: it is held all the same */
+        ui u = look();
+        bool hit = ui_number(&u, "dt", 10, 10, 380, &value, open, false);
+        ui_finish(&u, 0);
+        if (i == 30) { assert_true(hit); assert_true(value > 4 * first); }
+    }
+    assert_true(value == first);
+    let_go();
+    ui u = look();
+    assert_int_equal(memory.active, 0);
+    assert_false(ui_number(&u, "dt", 10, 10, 380, &value, open, false));
+}
+
+/* ---- choices ---- */
+static int32_t three(const void *of) { (void)of; return 3; }
+static const char *which(const void *of, int row) { return row < 3 ? ((const char *const *)of)[row] : NULL; }
+
+static void an_open_list_lies_on_top(void **state)
+{
+    (void)state;
+    static const char *const names[3] = { "euler", "verlet", "rk4" };
+    ui_names list = { three, which, names };
+    int now = 0, under = 0;
+    for (int frame = 0; frame < 2; frame++) {
+        if (frame == 0) press(350, 20); else press(350, 10 + UI_LINE + 1.5f * 19);      /* open it; then take the second row */
+        ui u = look();
+        bool hit = ui_choice(&u, "integrator", 10, 10, 380, &now, list, false);
+        under += ui_button(&u, "below", 250, 10 + UI_LINE + 19, 140, false);
+        ui_finish(&u, 0);
+        let_go();
+        assert_int_equal(hit, frame == 1);
+        assert_int_equal(memory.open != 0, frame == 0);
+    }
+    assert_int_equal(now, 1);
+    assert_int_equal(under, 0);
+    press(350, 20);                                                 /* open, and close it by a click elsewhere */
+    ui u = look();
+    ui_choice(&u, "integrator", 10, 10, 380, &now, list, false);
+    ui_finish(&u, 0);
+    press(5, 290);
+    u = look();
+    ui_choice(&u, "integrator", 10, 10, 380, &now, list, false);
+    ui_finish(&u, 0);
+    assert_int_equal(memory.open, 0);
+    assert_int_equal(now, 1);
+}
+
+/* ---- the search ---- */
+static bool fits(const char *q, const char *n)       /* all ways of placing the letters, slowly */
+{
+    if (!*q) return true;
+    for (; *n; n++)
+        if ((*n | 32) == (*q | 32) && fits(q + 1, n + 1)) return true;
+    return false;
+}
+
+static void the_search_finds_what_a_slow_one_finds(void **state)
+{
+    (void)state;
+    uint32_t seed = 1;
+    for (int i = 0; i < 20000; i++) {
+        char name[12] = { 0 }, query[5] = { 0 };
+        for (int k = 0; k < 11; k++) { seed = seed * 1664525u + 1013904223u; name[k] = "abcAB x"[seed >> 24 & 7 ? (seed >> 24 & 7) - 1 : 0]; }
+        for (int k = 0; k < 1 + i % 4; k++) { seed = seed * 1664525u + 1013904223u; query[k] = "abcx"[seed >> 24 & 3]; }
+        assert_int_equal(ui_fit(query, name) >= 0, fits(query, name));
+    }
+    assert_true(ui_fit("tah", "tower of a hundred") >= 0);
+    assert_true(ui_fit("ca", "card house") > ui_fit("ca", "TC04 contact points"));
+    assert_near(ui_fit("ca", "card house"), 6.75, 0);               /* worked out in the chapter */
+    assert_true(ui_fit("ca", "cart") > ui_fit("ca", "card house"));
+    assert_true(ui_fit("ca", "arch") < 0);
+}
+
+static void the_line_takes_letters_only_when_asked(void **state)
+{
+    (void)state;
+    assert_false(ui_takes(&memory, 'p'));
+    assert_true(ui_takes(&memory, '/'));
+    for (const char *c = "card"; *c; c++) assert_true(ui_takes(&memory, *c));
+    assert_string_equal(memory.query, "card");
+    assert_true(ui_takes(&memory, GAME_KEY_BACKSPACE));
+    assert_string_equal(memory.query, "car");
+    assert_false(ui_takes(&memory, GAME_KEY_ENTER));
+    for (int i = 0; i < 100; i++) ui_takes(&memory, 'x');           /* longer than there is room for */
+    assert_int_equal(strlen(memory.query), UI_QUERY - 1);
+    assert_true(ui_takes(&memory, GAME_KEY_ESCAPE));
+    assert_string_equal(memory.query, "");
+    assert_false(ui_takes(&memory, 'p'));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(a_click_hits_what_is_under_it, fresh),
+        cmocka_unit_test_setup(the_walk_with_a_pen_has_no_click, fresh),
+        cmocka_unit_test_setup(the_keys_reach_every_widget_and_come_round, fresh),
+        cmocka_unit_test_setup(a_pull_obeys_the_three_laws, fresh),
+        cmocka_unit_test_setup(pulled_there_and_back_is_the_same_to_the_bit, fresh),
+        cmocka_unit_test_setup(an_open_list_lies_on_top, fresh),
+        cmocka_unit_test_setup(the_search_finds_what_a_slow_one_finds, fresh),
+        cmocka_unit_test_setup(the_line_takes_letters_only_when_asked, fresh),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
