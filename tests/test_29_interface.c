@@ -62,7 +62,7 @@ static int pressed_by_keys(int32_t key, int widgets)
     input = (game_input){ .key_count = 1, .keys = { key }, .mouse_x = -1 };
     ui u = look();
     for (int i = 1; i <= widgets; i++) {
-        char name[8];
+        char name[16];
         snprintf(name, sizeof name, "w%d", i);
         if (ui_button(&u, name, 10, 30.0f * (float)i, 40, false)) which = i;
     }
