@@ -469,7 +469,13 @@ static void a_divergence_has_step_body_and_field(void **unused)
     assert_result(WF_ERROR_DIVERGED, wfFindDivergence(&r, &a, &s, &b, NULL, &d));
     assert_int_equal(d.step, 31);
     assert_string_equal(d.what.region, "states");
-    assert_string_equal(d.what.field, "p.x");
+    static const char *const name[8] = { "p.x", "p.y", "angle", "v.x", "v.y", "w", "invMass", "invInertia" };
+    wfBodyView va = wfWorldBodies(&a), vb = wfWorldBodies(&b);
+    int first = 0;                                          /* the first real that differs, found the simple way */
+    while (memcmp((const wfReal *)va.state + first, (const wfReal *)vb.state + first, sizeof(wfReal)) == 0) first++;
+    assert_int_equal(d.what.element, first / 8);
+    assert_string_equal(d.what.field, name[first % 8]);
+    assert_near(d.what.two, ((const wfReal *)vb.state)[first], 0);
     assert_true(d.body.index == (uint32_t)d.what.element + 1);
     wfDestroyWorld(&a);
     wfDestroyWorld(&b);
@@ -515,6 +521,10 @@ static void bad_journals_are_refused(void **unused)
     assert_int_equal(j.used, 0);
     assert_unchanged(&world, before);
 
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(&world, &def));
+    def.impacts = 0;                                        /* to follow what flies with 1e30 m/s takes patience */
+    assert_ok(wfSetWorldDef(&world, &def));
     wfRandom random = random_stream(26);                    /* any bytes at all: an error, or a world in order */
     for (int n = 0; n < 3000; n++) {
         for (int i = 0; i < 200; i++) bytes[i] = (uint8_t)wfRandomU32(&random);
