@@ -11,7 +11,8 @@ data: programs programs-double
 	@for m in $$(build/bin/weft-lab list | awk '{ print $$1 }'); do echo "measuring $$m"; lab=build/bin/weft-lab; case $$m in *-double) lab=build/double/bin/weft-lab;; esac; $$lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
 # Records the hash of every scene; do it when a change of the engine's arithmetic is meant.
 golden: programs programs-double
-	@build/bin/weft-headless --record > tests/golden/scenes.csv && build/double/bin/weft-headless --record > tests/golden/scenes-double.csv && wc -l tests/golden/*.csv
+	@build/bin/weft-headless --record > tests/golden/scenes.csv && build/double/bin/weft-headless --record > tests/golden/scenes-double.csv
+	@tests/json/run.sh --record > tests/golden/files.csv; wc -l tests/golden/*.csv
 # Every scene on every platform that can be emulated; STEPS=n: other than the recorded number. Installs cross compilers and emulators
 # (2 GB), goes on where it was interrupted, and writes book/data/portability.csv.
 portability:
