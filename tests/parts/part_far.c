@@ -1,0 +1,24 @@
+/* needs: far */
+/* A world that lies 10^12 m away falls as it does at home. */
+#include "part.h"
+
+int part_far(void);
+int part_far(void)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world;
+    wfBodyDef body = part_particle(0, 100);
+    wfBodyId id;
+    wfFar place;
+    OK(wfCreateWorld(&def, &world));
+    OK(wfSetWorldOrigin(&world, (wfFar){ 1e12, 0 }));
+    OK(wfAddBodyToWorld(&world, &body, &id));
+    CHECK(part_steps(&world, 60) == 0);
+    OK(wfFarPosition(&world, id, &place));
+    NEAR(place.y, 100 - 9.81 / 2, 1e-3);
+    NEAR(place.x - 1e12, 0, 1e-3);
+    OK(wfMoveOrigin(&world, wfV2(0, 64), NULL));
+    NEAR(part_place(&world, id).y, 36 - 9.81 / 2, 1e-3);
+    wfDestroyWorld(&world);
+    return 0;
+}
