@@ -1,0 +1,3 @@
+/* The least program as one of a machine's. */
+int least(void);
+int main(void) { return least(); }

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# The parts of the engine (chapter 04, section "Parts that may be left out"): the least engine, each part alone with what it needs, each
+# left out with what needs it, and the whole are tangled, compiled with warnings as errors, linked with the small tests that apply,
+# and run. Then the sizes that the price list promises are checked.
+#   tests/parts/run.sh            all of that, without optimization
+#   tests/parts/run.sh NAME ...   these parts alone and left out
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+out=build/check/parts; mkdir -p "$out"
+CC=${CC:-gcc}
+flags="-std=c11 -O0 -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wfloat-conversion -Wundef -Wvla -Werror"
+tangle/tangle --lines --without "" "$out/whole/lines" chapters/*.nw || exit 1
+all=$(cat "$out/whole/lines/parts")
+parts=${*:-$all}
+for p in $parts; do grep -qx -- "$p" "$out/whole/lines/parts" || { echo "tests/parts/run.sh: no part is called $p -- the parts are: "$all; exit 1; }; done
+
+# One engine: engine NAME (--only|--without) "parts". Says what went wrong, or one line.
+engine() {
+  local name=$1 dir=$out/$1 tests=() t w ok
+  rm -rf "$dir/lines"; mkdir -p "$dir"
+  tangle/tangle --lines "$2" "$3" "$dir/lines" chapters/*.nw >"$dir/log" 2>&1 || { echo "FAIL  $name: not tangled"; sed 's/^/      /' "$dir/log" | head -8; return 1; }
+  # the same parts as an engine that was built already: nothing new
+  w=$(sort "$dir/lines/parts" | cksum | tr -d ' ')
+  if ! mkdir "$out/seen.$w" 2>/dev/null; then echo "same  $name"; return 0; fi
+  for t in tests/parts/part_*.c; do
+    ok=1
+    for w in $(sed -n 's|^/\* needs: \(.*\) \*/$|\1|p' "$t"); do [ "$w" = nothing ] || grep -qx -- "$w" "$dir/lines/parts" || ok=; done
+    [ -n "$ok" ] && tests+=("$t")
+  done
+  { for t in "${tests[@]}"; do t=$(basename "$t" .c); echo "int $t(void);"; done
+    echo "int main(void) { return 0"
+    for t in "${tests[@]}"; do t=$(basename "$t" .c); echo "|| $t()"; done
+    echo "; }"; } > "$dir/main.c"
+  $CC $flags -I"$dir/lines/include" -I"$dir/lines" -Itests/parts $(ls "$dir"/lines/{core,math,collision,dynamics,engine}/*.c 2>/dev/null) "${tests[@]}" "$dir/main.c" -lm -o "$dir/run" >"$dir/log" 2>&1 ||
+    { echo "FAIL  $name: not compiled"; grep -E "error|undefined" "$dir/log" | head -8 | sed 's/^/      /'; return 1; }
+  timeout 60 "$dir/run" >"$dir/log" 2>&1 || { echo "FAIL  $name: a test failed"; sed 's/^/      /' "$dir/log" | head -8; return 1; }
+  echo "ok    $name: $(wc -l < "$dir/lines/parts") parts, ${#tests[@]} tests"
+  rm -rf "$dir/run" "$dir/lines"
+}
+export -f engine; export out CC flags
+rm -rf "$out"/seen.*
+{ [ $# -eq 0 ] && { echo "whole --without "; echo "least --only "; }
+  for p in $parts; do echo "only-$p --only $p"; echo "without-$p --without $p"; done; } |
+  xargs -P "$(nproc 2>/dev/null || echo 2)" -d '\n' -n 1 bash -c 'set -- $0; engine "$1" "$2" "${3:-}"' | tee "$out/result"
+rm -rf "$out"/seen.*
+failed=$(grep -c '^FAIL' "$out/result")
+[ $# -eq 0 ] && { bash tests/parts/size.sh || failed=$((failed + 1)); }
+echo "parts: $(grep -c '^ok' "$out/result") engines built and tested, $failed failed"
+[ "$failed" -eq 0 ]
