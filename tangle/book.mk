@@ -28,13 +28,19 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 	@touch $@
 
 # -- HTML
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html $(HTML)/live-wasm.js $(HTML)/fonts/.stamp
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html $(HTML)/live-wasm.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
 $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html: $(HTML)/%: book/%
 	@mkdir -p $(@D); cp $< $@
+
+# -- the gallery: every scene, drawn by the program that the figures' tree makes
+$(HTML)/gallery.html: $(W)/figures.stamp tangle/gallery
+	@if $(MAKE) --no-print-directory -j2 -f tangle/programs.mk SRC=$(W)/src OUT=$(BUILD)/plain CC="$(CC)" CFLAGS="-O1" STD="-std=c11 -ffp-contract=off -fno-math-errno" WARN="-w" \
+	    $(BUILD)/plain/bin/weft-headless >$(BUILD)/gallery.log 2>&1; then tangle/gallery $(BUILD)/plain/bin/weft-headless $(HTML); \
+	 else echo "book: no gallery without weft-headless -- see $(BUILD)/gallery.log"; fi
 
 # -- live figures: the tangled code as WebAssembly. Without the tools the pages keep their frozen figures.
 $(HTML)/live-wasm.js: $(W)/.stamp tangle/web.mk

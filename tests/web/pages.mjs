@@ -147,7 +147,7 @@ await still.goto(url('12-narrow-phase.html'));
 check(await still.locator('figure[data-live] svg').count() > 3, '12-narrow-phase.html: without JavaScript there is no figure');
 
 // accessibility, by axe
-for (const file of ['index.html', '12-narrow-phase.html', 'testbed.html'].filter(f => !only.length || only.includes(f))) {
+for (const file of ['index.html', '12-narrow-phase.html', 'testbed.html', 'gallery.html'].filter(f => !only.length || only.includes(f))) {
   const page = await open(desk, file);
   await page.evaluate(axe);
   const found = await page.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa'], preload: false }));
