@@ -17,7 +17,8 @@ golden: programs programs-double
 # (2 GB), goes on where it was interrupted, and writes book/data/portability.csv.
 portability:
 	@tangle/install portability || echo "Going on with what is here."
-	@tests/portability/run.sh; rc=$$?; tests/portability/run.sh --table > build/portability/table.csv && cp build/portability/table.csv book/data/portability.csv; exit $$rc
+	@tests/portability/run.sh; rc=$$?; tests/portability/run.sh --table > build/portability/table.csv && cp build/portability/table.csv book/data/portability.csv; \
+	   tests/portability/run.sh --leaks; tests/portability/run.sh --leaks --table > build/portability/leaks.csv && cp build/portability/leaks.csv book/data/portability-leaks.csv; exit $$rc
 # Which lines of collision do the unit tests run? Writes book/data/coverage.csv.
 coverage:
 	@OUT=book/data/coverage.csv tests/coverage/run.sh

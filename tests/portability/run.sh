@@ -3,21 +3,30 @@
 # by an emulator where need be, and its hashes are compared with tests/golden/.
 #   tests/portability/run.sh [NAME ...]     all platforms whose tools are here, or those named; the slow ones come last
 #   tests/portability/run.sh --cheap        those that need no cross compiler (`make check`)
+#   tests/portability/run.sh --leaks        builds with flags that the project forbids, whose bits must differ
 #   tests/portability/run.sh --table        the finished ones as book/data/portability.csv shows them (what make portability writes)
 # STEPS=n  steps of each scene; without it as many as the golden files have. Other numbers are compared with the first build instead.
 # JOBS=n   compilations at a time (default 2). What was finished is kept in build/portability and not run again unless a source, a
 # flag or STEPS changes; a run that was interrupted goes on with the next scene. Exit status: 0 equal, 1 not, 77 nothing could be run.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
-out=build/portability here=tests/portability
+out=${OUT:-build/portability} here=tests/portability
 mkdir -p $out
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
 golden() { case $1 in float) echo tests/golden/scenes.csv ;; double) echo tests/golden/scenes-double.csv ;; esac; }
 recorded=$(awk -F, '$2 ~ /^[0-9]+$/ { print $2; exit }' tests/golden/scenes.csv)
 STEPS=${STEPS:-${recorded:-1000}}
 std=$(sed -n 's/^STD ?= //p' tangle/compile.mk)
-mapfile -t sources < <(ls build/lines/{core,math,collision,dynamics,engine}/*.c; ls build/lines/testbed/{scene,scenes,classics,view}.c; echo $here/scenes.c)
-sums=$(find build/lines/include build/lines/{core,math,collision,dynamics,engine} build/lines/testbed $here/scenes.c -name '*.[ch]' | sort | xargs cat | cksum)
+# The sources as they are now, without #line: neither tangling again while this runs nor a change of prose makes anything be built anew.
+names=$(cd build/lines && ls {core,math,collision,dynamics,engine}/*.c testbed/{scene,scenes,classics,view}.c)
+new=$out/src.new.$$
+mkdir -p $new
+(cd build/lines && cp -r include core math collision dynamics engine testbed "../../$new/"); cp $here/scenes.c $new/
+find $new -name '*.[ch]' -exec sed -i '/^#line/d' {} +
+sums=$(cd $new && find . -name '*.[ch]' | sort | xargs cat | cksum | tr ' ' -)
+export src=$out/src-$sums
+if [ -d "$src" ]; then rm -rf "$new"; touch "$src"; else mv $new "$src"; fi
+sources=(); for f in $names scenes.c; do sources+=("$src/$f"); done
 
 trim() { local s=$1; s=${s#"${s%%[![:space:]]*}"}; echo "${s%"${s##*[![:space:]]}"}"; }
 lacks() {      # what of the list is not here
@@ -37,7 +46,8 @@ build() {      # directory, compiler, flags: the program, anew when something ch
   rm -rf "$d"; mkdir -p "$d"
   local program=$d/scenes
   case $cc in *wasm32*) program=$program.wasm; ld=-Wl,-z,stack-size=1048576 ;; *mingw*) program=$program.exe; ld=-static ;; esac
-  printf '%s\n' "${sources[@]}" | xargs -P "${JOBS:-2}" -I{} bash -c 'o=$0/$(echo "$1" | tr / -).o; '"$cc $std -w $flags -Ibuild/lines/include -Ibuild/lines"' -c "$1" -o "$o"' "$d" {} || return 1
+  printf '%s\n' "${sources[@]}" | D=$d CMD="$cc $std -w $flags -I$src/include -I$src" xargs -P "${JOBS:-2}" -I{} \
+    bash -c '$CMD -c "$1" -o "$D/$(echo "${1#"$src"/}" | tr / -).o"' _ {} || return 1
   # shellcheck disable=SC2086
   $cc $flags $ld "$d"/*.o -lm -o "$program" || return 1
   printf '%s' "$key" > "$d/key"
@@ -63,38 +73,51 @@ version() {    # of a compiler, and of what runs the program
 wanted() {     # the hashes to be compared with: golden, or the first build of these reals
   local g; g=$(golden "$1")
   if [ -f "$g" ] && awk -F, -v s="$STEPS" '$2 ~ /^[0-9]+$/ && $2 != s { bad = 1 } END { exit bad }' "$g"; then grep -E ',[0-9]+,[0-9a-f]{16}$' "$g"
-  elif [ -f "$out/want-$1-$STEPS.csv" ]; then cat "$out/want-$1-$STEPS.csv"; fi
+  elif [ -f "$out/want-$1-$STEPS-$sums.csv" ]; then cat "$out/want-$1-$STEPS-$sums.csv"; fi
 }
 
-only=() cheap= table=
-for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; *) only+=("$a") ;; esac; done
+only=() cheap= table= leaks=
+for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; *) only+=("$a") ;; esac; done
 ran=0 unequal=0 skipped=
+[ -n "$table" ] && printf '%s\n' "# make portability${leaks:+ (the leaks)}" '# every scene on every platform: how many have the same hash, and the first that has not' \
+  'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
 rows() { grep -vE '^(#|$)' $here/platforms.txt; }
 for name in "${only[@]}"; do grep -qE "^$name +\|" $here/platforms.txt || { echo "portability: no platform called $name -- they are the first column of $here/platforms.txt"; exit 2; }; done
-while IFS='|' read -r name platform iscleap reals cc flags by needs; do
-  name=$(trim "$name") platform=$(trim "$platform") reals=$(trim "$reals") cc=$(trim "$cc") flags=$(trim "$flags") by=$(trim "$by") needs=$(trim "$needs")
-  [ -n "$table" ] && { [ -f "$out/$name/row" ] && cat "$out/$name/row"; continue; }
+while IFS='|' read -r name platform kind reals cc flags by needs; do
+  kind=$(trim "$kind") name=$(trim "$name") platform=$(trim "$platform") reals=$(trim "$reals") cc=$(trim "$cc") flags=$(trim "$flags") by=$(trim "$by") needs=$(trim "$needs")
+  [ ${#only[@]} -eq 0 ] && [ "$kind" = leak ] && [ -z "$leaks" ] && continue
+  [ -n "$leaks" ] && [ "$kind" != leak ] && continue
+  if [ -n "$table" ]; then      # only what was run with the sources as they are
+    [[ -f "$out/$name/row" && -f "$out/$name/done-$STEPS" && "$(cat "$out/$name/key")" == *"|$sums" ]] && cat "$out/$name/row"
+    continue
+  fi
   [ ${#only[@]} -gt 0 ] && [[ " ${only[*]} " != *" $name "* ]] && continue
-  [ -n "$cheap" ] && [ "$(trim "$iscleap")" != cheap ] && continue
+  [ -n "$cheap" ] && [ "$kind" != cheap ] && continue
   lack=$(lacks "$needs" | tr '\n' ' ')
   [ -n "$lack" ] && { echo "skip  $name: not here: $lack"; skipped="$skipped $name"; continue; }
   d=$out/$name; all=$flags; [ "$reals" = double ] && all="$flags -DWF_DOUBLE"
-  build "$d" "$cc" "$all" > $out/build.log 2>&1 || { tail -15 $out/build.log; echo "FAIL  $name: does not compile"; unequal=$((unequal + 1)); continue; }
+  build "$d" "$cc" "$all" > $out/build-$name.log 2>&1 || { tail -15 $out/build-$name.log; echo "FAIL  $name: does not compile"; unequal=$((unequal + 1)); continue; }
   got=$d/hashes-$STEPS.csv; touch "$got"
   if [ ! -f "$d/done-$STEPS" ]; then
     first=$(wc -l < "$got"); t=$SECONDS
     launch "$d" "$by" "$STEPS" "$first" >> "$got" </dev/null || { echo "FAIL  $name: the program stopped after $(wc -l < "$got") scenes"; unequal=$((unequal + 1)); continue; }
     touch "$d/done-$STEPS"; echo $((SECONDS - t)) > "$d/seconds"
   fi
-  [ -n "$(wanted "$reals")" ] || cp "$got" "$out/want-$reals-$STEPS.csv"
+  [ -n "$(wanted "$reals")" ] || cp "$got" "$out/want-$reals-$STEPS-$sums.csv"
   ran=$((ran + 1))
   difference=$(diff <(wanted "$reals") "$got" | sed -nE 's/^> ([^,]*),.*/\1/p; s/^< ([^,]*),.*/\1/p' | head -1)
   scenes=$(wc -l < "$got"); equal=$(comm -12 <(wanted "$reals" | sort) <(sort "$got") | wc -l)
-  echo "$platform,$(version "$cc" "$by" | sed 's/, /,/; /,/!s/$/,/'),$flags,$reals,$STEPS,$scenes,$equal,${difference:-none}" > "$d/row"
+  echo "$platform,$(version "$cc" "$by" | sed 's/, /,/; /,/!s/$/,/'),$(echo "$flags" | sed -E 's/ -([UD]__|fno-sanitize)[^ ]*//g'),$reals,$STEPS,$scenes,$equal,${difference:-none}" > "$d/row"
+  if [ "$kind" = leak ]; then      # here it is the difference that is looked for
+    [ -n "$difference" ] && echo "ok    $name: $((scenes - equal)) of $scenes scenes differ, as they should" ||
+      { unequal=$((unequal + 1)); echo "FAIL  $name: no scene differs -- does this flag leak no longer?"; }
+    continue
+  fi
   [ -n "$difference" ] && { unequal=$((unequal + 1)); echo "FAIL  $name: $equal of $scenes scenes; the first that differs: $difference"; } ||
     echo "ok    $name: $scenes scenes, $STEPS steps, $(cat "$d/seconds") s"
 done < <(rows)
 [ -n "$table" ] && exit 0
 [ $ran -eq 0 ] && [ $unequal -eq 0 ] && { echo "portability: no platform could be run:$skipped"; exit 77; }
 [ $unequal -gt 0 ] && { echo "portability: $unequal platforms differ -- look at build/portability/NAME/hashes-$STEPS.csv; if a change of arithmetic is meant: make golden"; exit 1; }
+[ -n "$leaks" ] && { echo "$ran ways to get other bits, each of which gives them"; exit 0; }
 echo "one hash a scene on $ran platforms, $STEPS steps${skipped:+; without tools:$skipped}"

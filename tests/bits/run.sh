@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# run.sh: keeps out of the engine what gives another machine other bits.  Each rule looks at the engine as it was compiled and as it is
+# tangled, and is then shown a planted mistake that it must catch.
+#   tests/bits/run.sh
+# The rules, with the reasons in chapter 06 (Why two compilers disagree):
+#   calls      no function of the C library but those that move bytes, compare text, allocate, and (file.c) files: above all no libm
+#   flags      contraction off, no fast mathematics, in every makefile that compiles
+#   guards     chapter 06 does not let itself be compiled with -ffast-math, nor where floats are kept in wider registers
+#   fused      no fused multiply-add in objects that were allowed to use this machine's own instructions
+#   addresses  no pointer made a number, none printed, but where memory is aligned; no qsort, whose order of equals is nobody's promise
+#   outside    no clock, no random numbers of the C library, no locale, no threads' order
+#   hashes     what is hashed are numbers, never structures with padding: wfHashBytes is for bytes that somebody wrote one by one
+#   casts, unwritten   the scenes run under the sanitizers (platforms clang-casts and clang-memory of tests/portability)
+set -uo pipefail
+cd "$(dirname "$0")/../.." || exit 1
+work=build/bits bad=0 out=${OUT:-build/portability}
+rm -rf $work; mkdir -p $work
+tests/portability/run.sh gcc-O2 clang-O2 gcc-double gcc-native clang-native clang-casts clang-memory > $work/log 2>&1 || { cat $work/log; exit 1; }
+src=$(ls -td $out/src-* | head -1)
+std=$(sed -n 's/^STD ?= //p' tangle/compile.mk)
+components='core math collision dynamics engine'
+
+# Each rule prints what is wrong, a line each with the remedy, and nothing when all is well.
+rule_calls() {     # a directory with objects
+  local o
+  for o in "$1"/{core,math,collision,dynamics,engine}-*.o; do
+    [ -f "$o" ] || continue
+    local allowed='memcpy|memmove|memset|memcmp|strcmp|strncmp|strlen|calloc|free|vsnprintf|snprintf|__assert_fail|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail'
+    case $o in */engine-file*) allowed="$allowed|f[a-z]+|rename|remove|unlink|open|close|write|read|__errno_location|fileno|getpid|strerror" ;; esac
+    nm -u "$o" | awk '{ print $2 }' | grep -vE "^(wf[A-Z].*|$allowed)$" | while read -r s; do
+      nm "$1"/*.o 2>/dev/null | grep -qE " [TtDdRrBb] $s\$" || echo "$o calls $s -- write it with the engine's own functions (chapter 06), or say in tests/bits/run.sh why it is the same everywhere"; done
+  done
+}
+rule_flags() {     # makefiles
+  local f
+  for f in "$@"; do
+    grep -nE -e '-(ffast-math|Ofast|funsafe-math|fassociative-math|freciprocal-math|ffinite-math|fno-signed-zeros|mfpmath=387|ffp-contract=(fast|on))' "$f" | sed "s|^|$f:|; s|\$| -- this flag lets the compiler choose another rounding|"
+    grep -E '^STD *[:?]?=' "$f" | grep -qv -e '-ffp-contract=off' && echo "$f: its STD lacks -ffp-contract=off"
+  done
+}
+rule_guards() {    # an include directory: compiling must fail
+  local flags
+  for flags in "-O2 -ffast-math" "-O2 -m32 -mfpmath=387 -mno-sse" "-O2 -Ofast"; do
+    echo '#include "weft/math.h"' | gcc -std=c11 $flags -I"$1" -x c -fsyntax-only - 2>/dev/null && echo "weft/math.h can be compiled with $flags -- it has to refuse (chapter 06)"
+  done
+}
+rule_fused() {     # a directory with objects
+  local o
+  for o in "$1"/*.o; do
+    objdump -d --no-show-raw-insn "$o" | grep -oE '\bvfn?m(add|sub)[a-z0-9]*\b' | sort | uniq -c | head -3 | sed "s|^|$o: |; s|\$| -- a fused product: is -ffp-contract=off there? gcc's vectorisers make them anyway, so they are off|"
+  done
+}
+rule_addresses() { # a directory with sources
+  local c
+  for c in $components; do
+    grep -rnE '\(u?intptr_t\)|%p\b|\bqsort\b|\bbsearch\b' "$1/$c" 2>/dev/null | grep -vE '\(uintptr_t\)[a-z]+\)? *(% WF_POOL_ALIGN|& \(WF_POOL_ALIGN - 1\)|& 7u)' |
+      sed 's|$| -- an address differs from run to run: use an index; sort by counting or with a total order (chapter 11)|'
+  done
+}
+rule_outside() {
+  local c
+  for c in $components; do
+    grep -rnE '\b(rand|srand|random|time|clock|clock_gettime|getenv|setlocale|pthread_[a-z]+|thrd_[a-z]+)\(' "$1/$c" 2>/dev/null |
+      grep -vE 'engine/file\.c' | grep -vE '^[^:]*:[0-9]+: */?\*' | sed 's|$| -- a step may depend on nothing but the world (wfRandom is the same everywhere)|'
+  done
+}
+rule_hashes() {
+  grep -rnE 'wfHashBytes\([^;]*sizeof' "$1/collision" "$1/dynamics" "$1/engine" 2>/dev/null | grep -vE 'engine/save\.c' |
+    sed 's|$| -- padding and byte order would be hashed: hash the fields, by wfHashReal and wfHashU32|'
+}
+check() {          # name of the rule, what it is to look at
+  local rule=$1; shift
+  local out; out=$("rule_$rule" "$@")
+  [ -z "$out" ] && return 0
+  echo "$out" | sed "s/^/$rule: /"; bad=1
+}
+caught() {         # name of the rule, planted directory or file: it must complain
+  local rule=$1; shift
+  [ -n "$("rule_$rule" "$@")" ] || { echo "$rule: does not see the mistake that was planted in $*"; bad=1; }
+}
+plant() {          # where, flags, source: compiles a planted mistake
+  mkdir -p "$(dirname "$1")"
+  printf '%s\n' "$3" | gcc $2 -x c -c - -o "$1" || { echo "the planted $1 does not compile"; bad=1; }
+}
+
+for d in gcc-O2 clang-O2 gcc-double; do check calls $out/$d; done
+plant $work/calls/math-sine.o "$std -O2" 'double sin(double); double wfPlanted(double a) { return sin(a); }'
+plant $work/calls2/math-root.o "$std -O2 -fmath-errno" 'float sqrtf(float); float wfPlanted(float a) { return sqrtf(a); }'
+caught calls $work/calls; caught calls $work/calls2
+
+check flags Makefile tangle/*.mk
+printf 'STD := -std=c11\n' > $work/one.mk; printf 'CFLAGS := -O3 -ffast-math\nSTD := -ffp-contract=off\n' > $work/two.mk
+caught flags $work/one.mk; caught flags $work/two.mk
+
+check guards "$src/include"
+mkdir -p $work/guards/weft; sed '/__FAST_MATH__/,/#endif/d; /FLT_EVAL_METHOD/,/;/d' "$src/include/weft/math_own.h" > $work/guards/weft/math_own.h
+cp "$src"/include/weft/{core,math,result_rows}.h $work/guards/weft/ 2>/dev/null
+caught guards $work/guards
+
+if grep -qw fma /proc/cpuinfo; then
+  for d in gcc-native clang-native; do check fused $out/$d; done
+  plant $work/fused/fused.o "-O2 -march=native -ffp-contract=fast" 'float wfPlanted(float a, float b, float c) { return a * b + c; }'
+  caught fused $work/fused
+else echo "fused: not looked at, for this processor has no fused instructions"; fi
+
+for rule in addresses outside hashes; do check $rule "$src"; done
+mkdir -p $work/sources/{core,math,collision,dynamics,engine}
+echo 'int wfPlanted(void *a, void *b) { return (uintptr_t)a < (uintptr_t)b; }' > $work/sources/engine/planted.c; caught addresses $work/sources
+echo 'void wfPlanted(int *a, int n) { qsort(a, n, sizeof *a, compare); }' > $work/sources/engine/planted.c; caught addresses $work/sources
+echo 'float wfPlanted(void) { return rand() / 2.0f; }' > $work/sources/engine/planted.c; caught outside $work/sources
+echo 'uint64_t wfPlanted(const wfContact *c) { return wfHashBytes(1, c, sizeof *c); }' > $work/sources/engine/planted.c; caught hashes $work/sources
+
+# The sanitizers have run the scenes (above); do they see what they are there for?
+sanitized() {      # flags, source: the program must stop
+  printf '%s\n' "$2" | clang -O1 $1 -fno-sanitize-recover=all -x c - -o $work/planted 2>/dev/null || { echo "clang $1 does not work here"; bad=1; return; }
+  $work/planted x >/dev/null 2>&1 && { echo "clang $1 does not see the planted mistake"; bad=1; }
+}
+sanitized -fsanitize=float-cast-overflow 'int main(int n, char **v) { volatile float a = 1e20f * n; (void)v; return (int)a == 7; }'
+sanitized -fsanitize=memory '#include <stdio.h>
+int main(int n, char **v) { struct { char a; int b; } x; volatile unsigned char *p = (void *)&x; unsigned h = 0; x.a = (char)n; x.b = 1; (void)v; for (unsigned i = 0; i < sizeof x; i++) h = h * 31 + p[i]; if (h & 1) puts("odd"); return 0; }'
+
+[ $bad -eq 0 ] && echo "nothing in the engine makes other bits on another machine: 9 rules, each of which catches what was planted for it"
+exit $bad
