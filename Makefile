@@ -32,7 +32,9 @@ help:
 	@echo "make EXTRA=my.nw TARGET with a chapter of your own that lives elsewhere"
 	@echo "make watch              tangle, build and weave again whenever a chapter is saved"
 	@echo "make data               measure again what the book's plots and tables show (book/data/)"
+	@echo "make amalgam            the engine as two files: build/amalgam/weft.h, weft.c"
 	@echo "make mutate             plant mutants and count how many the tests catch (long)"
+	@echo "make abuse CALLS=10000000 and make soak STEPS=1000000: random calls, and a long run, with everything checked"
 	@echo "make install PREFIX=... and make uninstall"
 	@echo "make clean              remove build/"
 
@@ -49,3 +51,4 @@ watch:
 include tangle/engine.mk
 include tangle/book.mk
 include tangle/check.mk
+include tangle/elsewhere.mk

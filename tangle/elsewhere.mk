@@ -1,0 +1,17 @@
+# elsewhere.mk: the engine in two files, and the long runs against the whole world.
+.PHONY: amalgam abuse soak
+# build/amalgam/weft.h and weft.c, from the chapters (EXTRA= too); without noweb from the committed C.
+AMALGAM := $(BUILD)/amalgam
+amalgam:
+	@mkdir -p $(AMALGAM)
+	@if command -v noweb >/dev/null; then tangle/tangle $(AMALGAM)/tree $(NW) && tangle/amalgam $(AMALGAM)/tree $(AMALGAM); else tangle/amalgam src-generated $(AMALGAM); fi
+	@echo "$(AMALGAM)/weft.h, $(AMALGAM)/weft.c: compile weft.c with -ffp-contract=off -fno-math-errno"
+# CALLS random calls of the whole API with everything checked behind each; writes book/data/abuse.csv.
+CALLS ?= 10000000
+SEED ?= 1
+abuse:
+	@OUT=book/data/abuse.csv tests/abuse/run.sh $(CALLS) $(SEED)
+# STEPS steps of a scene with everything in it; writes book/data/soak.csv.
+STEPS ?= 1000000
+soak:
+	@OUT=book/data/soak.csv tests/soak/run.sh $(STEPS)

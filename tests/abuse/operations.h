@@ -1,0 +1,776 @@
+/* operations.h: an operation for every function of the world's API. Included by abuse.c. */
+
+/* ---- a world's life ---------------------------------------------------------------------------------------------------- */
+static wfResult op_world_size(Session *s)
+{
+    wfWorldDef d = world_def(s);
+    size_t permanent = 1, transient = 1;
+    int32_t fault = 0; (void)fault;
+    wfResult r = wfWorldSize(below(s, 20) ? &d : NULL, &permanent, &transient);
+    MUST((int)r >= 0 && r < WF_RESULT_COUNT);
+    if (r != WF_OK) MUST(permanent == 1 && transient == 1);
+    return r;
+}
+static wfResult op_regions(Session *s)
+{
+    static wfRegion list[WF_REGION_COUNT];
+    wfWorldDef d = world_def(s);
+    return wfWorldRegions(below(s, 20) ? &d : NULL, below(s, 20) ? list : NULL);
+}
+static wfResult op_create(Session *s)           /* another world beside, with too little memory or enough, and away again */
+{
+    wfWorldDef d = world_def(s);
+    wfWorld other = { { 0 } };
+    size_t size[2];
+    if (wfWorldSize(&d, &size[0], &size[1]) != WF_OK) { wfResult r = wfCreateWorld(&d, &other); MUST(r != WF_OK && !other.memory.permanent); return r; }
+    if (size[0] > 1 << 22 || size[1] > 1 << 23) return WF_ERROR_MEMORY;
+    uint8_t *a = aligned_alloc(16, size[0]), *b = aligned_alloc(16, size[1]);
+    size_t less = below(s, 3) ? 0 : 1 + below(s, (uint32_t)size[0]), shift = below(s, 4) ? 0 : 8;
+    d.memory = (wfMemory){ a + shift, size[0] - less, b, size[1], 0 };
+    wfResult r = shift && !less ? WF_ERROR_MEMORY : wfCreateWorld(&d, below(s, 30) ? &other : NULL);
+    if (less || shift) MUST(r != WF_OK);
+    if (r == WF_OK) MUST(wfStepWorld(&other) != WF_ERROR_NULL);
+    if (below(s, 2)) wfDestroyWorld(&other);
+    wfDestroyWorld(&other);
+    wfDestroyWorld(NULL);
+    free(a); free(b);
+    return r;
+}
+static wfResult op_destroy(Session *s)          /* and once more; every call on it fails; then there is a new one */
+{
+    wfWorld old;
+    if (s->inHook) return WF_OK;
+    drop_world(s);
+    old = s->world;
+    wfDestroyWorld(&s->world);
+    MUST(wfStepWorld(&old) == WF_ERROR_NULL && wfBodyCount(&old) == 0);
+    make_world(s);
+    return WF_OK;
+}
+static wfResult op_open(Session *s)             /* the block moves to another address; the old place is filled with rubbish */
+{
+    wfMemory m = s->world.memory;
+    wfWorld moved;
+    if (s->inHook || !s->given) return WF_ERROR_NULL;
+    m.permanent = s->chunk[1 - s->side];
+    memcpy(m.permanent, s->world.memory.permanent, s->size[0]);
+    if (below(s, 16) == 0) {
+        wfMemory bad = m;
+        if (below(s, 2)) bad.permanentSize = below(s, (uint32_t)s->size[0]); else bad.transientSize = below(s, (uint32_t)s->size[1]);
+        MUST(wfOpenWorld(&bad, &moved) != WF_OK && wfOpenWorld(NULL, &moved) != WF_OK && wfOpenWorld(&m, NULL) != WF_OK);
+    }
+    MUST(wfOpenWorld(&m, &moved) == WF_OK);
+    memset(s->world.memory.permanent, 0xab, s->size[0]);
+    s->world = moved;
+    s->side = 1 - s->side;
+    return WF_OK;
+}
+
+/* ---- bodies ------------------------------------------------------------------------------------------------------------- */
+static wfResult op_add_body(Session *s)
+{
+    wfBodyDef d = wfDefaultBodyDef();
+    wfBodyId id = { 0, 0 };
+    d.type = chance(s, 180) ? WF_DYNAMIC : whole(s, 0, 2);
+    d.position = vector(s, 5);
+    d.angle = real(s, 3);
+    d.velocity = d.type == WF_STATIC ? wfV2(0, 0) : vector(s, chance(s, 20) ? 500 : 5);
+    d.angularVelocity = d.type == WF_STATIC ? 0 : real(s, 10);
+    if (chance(s, 220)) d.shape = shape(s);
+    d.density = WF_R(0.1) + more(s, 5);
+    if (d.shape.kind == WF_SHAPE_NONE || chance(s, 40)) d.mass = WF_R(0.1) + more(s, 5);
+    bool before = s->poisoned;
+    d.restitution = more(s, 1); d.friction = more(s, 1);
+    s->poisoned = s->poisoned || before;
+    d.fixedRotation = chance(s, 20) ? yes(s) : 0;
+    if (chance(s, 30)) { d.linearDamping = more(s, 2); d.angularDamping = more(s, 2); d.gravityScale = real(s, 2); }
+    d.neverSleeps = chance(s, 20) ? yes(s) : 0;
+    wfResult r = CALL(wfAddBodyToWorld(handle(s), &d, &id));
+    if (r == WF_OK) { MUST(!s->inHook); learn(&s->bodies, id.index, id.generation, 0, 0, 0); }
+    if (r == WF_OK) { wfShapeId h = wfFirstShape(&s->world, id); if (h.index) learn(&s->shapes, h.index, h.generation, 0, 0, id.index); }
+    return r;
+}
+static wfResult op_remove_body(Session *s)
+{
+    if (s->bodies.alive > 1 && chance(s, 150)) return WF_ERROR_UNKNOWN;         /* let some of them live */
+    wfBodyId id = pick_bodies(s);
+    wfResult r = CALL(wfRemoveBodyFromWorld(handle(s), id));
+    if (r != WF_OK) return r;
+    MUST(!s->inHook);
+    int32_t i = (int32_t)id.index - 1;
+    forget(&s->bodies, find(&s->bodies, id.index, id.generation));
+    for (int k = 0; k < s->shapes.count; k++) if (s->shapes.list[k].owner == id.index) forget(&s->shapes, k);
+    for (int k = 0; k < s->forces.count; k++) if (s->forces.list[k].a == i || s->forces.list[k].b == i) forget(&s->forces, k);
+    for (int k = 0; k < s->joints.count; k++) if (s->joints.list[k].a == i || s->joints.list[k].b == i) forget(&s->joints, k);
+    MUST(wfRemoveBodyFromWorld(&s->world, id) == WF_ERROR_STALE_ID);
+    return r;
+}
+static wfResult op_get_body(Session *s)
+{
+    wfBodyInfo info;
+    return CALL(wfGetBody(handle(s), pick_bodies(s), below(s, 40) ? &info : NULL));
+}
+static wfResult op_get_body_shape(Session *s)
+{
+    wfShape out;
+    return CALL(wfGetBodyShape(handle(s), pick_bodies(s), below(s, 40) ? &out : NULL));
+}
+static wfResult op_names(Session *s)            /* ids and indices, back and forth */
+{
+    const wfWorld *w = handle(s);
+    wfBodyId b = pick_bodies(s);
+    bool staleBody = stale;
+    wfShapeId h = (stale = false, pick_shapes(s));
+    bool staleShape = stale;
+    bool bad = s->badHandle;
+    MUST(wfBodyIsValid(w, b) == (!bad && !staleBody) && wfShapeIsValid(w, h) == (!bad && !staleShape));
+    MUST((wfBodyIndex(w, b) >= 0) == (!bad && !staleBody) && (wfShapeIndex(w, h) >= 0) == (!bad && !staleShape));
+    int32_t i = whole(s, -3, 40);
+    if (bad) MUST(wfBodyAt(w, i).index == 0 && wfShapeAt(w, i).index == 0 && wfJointAt(w, i).index == 0);
+    wfBodyId at = wfBodyAt(w, i);
+    if (at.index) MUST(wfBodyIsValid(w, at) && wfBodyIndex(w, at) == i);
+    wfShapeId shapeAt = wfShapeAt(w, i);
+    if (shapeAt.index) MUST(wfShapeIsValid(w, shapeAt) && wfShapeIndex(w, shapeAt) == i);
+    if (bad || staleShape) MUST(wfShapeBody(w, h).index == 0 && wfNextShape(w, h).index == 0);
+    if (bad || staleBody) MUST(wfFirstShape(w, b).index == 0);
+    return WF_OK;
+}
+
+/* ---- shapes and materials ---------------------------------------------------------------------------------------------------- */
+static wfShapeDef shape_def(Session *s)
+{
+    wfShapeDef d = wfDefaultShapeDef();
+    d.shape = shape(s);
+    if (d.shape.kind == WF_SHAPE_NONE) wfMakeCircle(wfV2(0, 0), WF_R(0.2), &d.shape);
+    d.density = more(s, 3);
+    d.restitution = more(s, 1); d.friction = more(s, 1);
+    if (chance(s, 60)) { d.staticFriction = more(s, 1); d.rolling = more(s, WF_R(0.1)); d.surfaceSpeed = real(s, 3); }
+    if (chance(s, 60)) d.filter = (wfFilter){ next(s), next(s), (int32_t)below(s, 5) - 2 };
+    d.sensor = chance(s, 40) ? yes(s) : 0;
+    d.material = chance(s, 60) ? whole(s, 0, 3) : 0;
+    return d;
+}
+static wfResult op_add_shape(Session *s)
+{
+    wfShapeDef d = shape_def(s);
+    wfShapeId id = { 0, 0 };
+    wfBodyId body = pick_bodies(s);
+    wfResult r = CALL(wfAddShapeToBody(handle(s), body, &d, &id));
+    if (r == WF_OK) { MUST(!s->inHook); learn(&s->shapes, id.index, id.generation, 0, 0, body.index); }
+    return r;
+}
+static wfResult op_add_shapes(Session *s)
+{
+    wfShapeDef list[4];
+    wfShapeId ids[4] = { { 0, 0 } };
+    int32_t n = chance(s, 8) ? whole(s, -1, 4) : (int32_t)below(s, 5);
+    for (int i = 0; i < 4; i++) { bool p = s->poisoned; list[i] = shape_def(s); if (i >= n) s->poisoned = p; }
+    if (n > 4) n = -1;
+    wfBodyId body = pick_bodies(s);
+    wfResult r = CALL(wfAddShapesToBody(handle(s), body, n > 0 || below(s, 2) ? list : NULL, n, ids));
+    if (r == WF_OK) MUST(!s->inHook || n == 0);
+    if (r == WF_OK) for (int i = 0; i < n; i++) learn(&s->shapes, ids[i].index, ids[i].generation, 0, 0, body.index);
+    return r;
+}
+static wfResult op_remove_shape(Session *s)
+{
+    wfShapeId id = pick_shapes(s);
+    wfResult r = CALL(wfRemoveShapeFromWorld(handle(s), id));
+    if (r == WF_OK) { MUST(!s->inHook); forget(&s->shapes, find(&s->shapes, id.index, id.generation)); }
+    if (r == WF_OK) MUST(wfRemoveShapeFromWorld(&s->world, id) == WF_ERROR_STALE_ID);
+    return r;
+}
+static wfResult op_get_shape(Session *s)
+{
+    wfShapeDef d;
+    return CALL(wfGetShape(handle(s), pick_shapes(s), below(s, 40) ? &d : NULL));
+}
+static wfResult op_set_shape(Session *s)
+{
+    wfShapeId id = pick_shapes(s);
+    wfShapeDef d = shape_def(s), now;
+    if (chance(s, 100) && wfGetShape(&s->world, id, &now) == WF_OK) { d = now; s->poisoned = false; d.friction = more(s, 1); }
+    wfResult r = CALL(wfSetShape(handle(s), id, &d));
+    if (s->inHook) MUST(r != WF_OK);
+    return r;
+}
+static wfResult op_set_pair_material(Session *s)
+{
+    wfPairMaterial m = { more(s, 1), more(s, 1), more(s, 1), more(s, WF_R(0.1)) };
+    int32_t a = whole(s, 1, 3), b = whole(s, 1, 3);
+    bool none = below(s, 6) == 0;
+    if (none) s->poisoned = false;
+    return CALL(wfSetPairMaterial(handle(s), a, b, none ? NULL : &m));
+}
+static wfResult op_get_pair_material(Session *s)
+{
+    wfPairMaterial m;
+    int32_t a = whole(s, 1, 3), b = whole(s, 1, 3);
+    return CALL(wfGetPairMaterial(handle(s), a, b, below(s, 30) ? &m : NULL));
+}
+
+/* ---- pushing and changing bodies --------------------------------------------------------------------------------------------- */
+static wfResult op_set_transform(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfVec2 p = vector(s, 5);
+    wfReal angle = real(s, 4);
+    wfResult r = CALL(wfSetBodyTransform(handle(s), id, p, angle));
+    if (s->inHook) MUST(r != WF_OK);
+    return r;
+}
+static wfResult op_set_velocity(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfVec2 v = vector(s, chance(s, 30) ? 1000 : 5);
+    wfReal w = real(s, 10);
+    return CALL(wfSetBodyVelocity(handle(s), id, v, w));
+}
+static wfResult op_set_mass(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfReal mass = chance(s, 20) ? tens(s, -30, 30) : more(s, 5);
+    return CALL(wfSetBodyMass(handle(s), id, mass));
+}
+static wfResult op_change_type(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    int type = chance(s, 200) ? WF_DYNAMIC : whole(s, 0, 2);
+    return CALL(wfChangeBodyType(handle(s), id, type));
+}
+static wfResult op_set_material(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfReal e = more(s, 1), mu = more(s, 1);
+    return CALL(wfSetBodyMaterial(handle(s), id, e, mu));
+}
+static wfResult op_set_damping(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfReal a = more(s, 2), b = more(s, 2);
+    return CALL(wfSetBodyDamping(handle(s), id, a, b));
+}
+static wfResult op_apply_force(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfVec2 f = vector(s, 50), p = vector(s, 5);
+    return CALL(wfApplyForceToBody(handle(s), id, f, p));
+}
+static wfResult op_apply_torque(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfReal t = real(s, 50);
+    return CALL(wfApplyTorqueToBody(handle(s), id, t));
+}
+static wfResult op_apply_impulse(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfVec2 f = vector(s, 5), p = vector(s, 5);
+    return CALL(wfApplyImpulseToBody(handle(s), id, f, p));
+}
+static wfResult op_apply_spin(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfReal j = real(s, 5);
+    return CALL(wfApplyAngularImpulseToBody(handle(s), id, j));
+}
+
+/* ---- forces ------------------------------------------------------------------------------------------------------------------- */
+static wfForce force(Session *s)
+{
+    wfForce f;
+    memset(&f, 0, sizeof f);
+    int32_t a = pick_index(s), b = pick_index(s);
+    stale = false;                              /* a force names indices: whether they are empty is the engine's to say */
+    switch (below(s, 9)) {
+    case 0: f = wfGravity(vector(s, 5)); break;
+    case 1: f = wfPointGravity(vector(s, 5), real(s, 20), more(s, 1)); break;
+    case 2: f = wfDrag(more(s, 1), more(s, 1)); break;
+    case 3: f = wfBuoyancy(real(s, 3), more(s, 3), more(s, 10), more(s, 3)); break;
+    case 4: f = wfExplosion(vector(s, 3), real(s, 30), more(s, 5), real(s, 5), more(s, 2)); break;
+    case 5: f = wfWind(vector(s, 9), more(s, 1)); break;
+    case 6: f = wfSpring(a, vector(s, 1), b, vector(s, 1), more(s, 2), more(s, 100), more(s, 5)); break;
+    case 7: f = wfBungee(a, vector(s, 1), b, vector(s, 1), more(s, 2), more(s, 100), more(s, 5)); break;
+    default: f = wfSpringToPoint(a, vector(s, 1), vector(s, 4), more(s, 2), more(s, 100), more(s, 5)); break;
+    }
+    if (chance(s, 20)) f.a = a;
+    if (chance(s, (uint32_t)s->wild)) f.kind = whole(s, -1, wfForceKinds);
+    return f;
+}
+static wfResult op_add_force(Session *s)
+{
+    wfForce f = force(s);
+    wfForceId id = { 0, 0 };
+    wfResult r = CALL_LOOSE(wfAddForceToWorld(handle(s), below(s, 50) ? &f : NULL, &id));
+    if (r == WF_OK) { MUST(!s->inHook); learn(&s->forces, id.index, id.generation, f.a, f.b, 0); }
+    return r;
+}
+static wfResult op_remove_force(Session *s)
+{
+    wfForceId id = pick_forces(s);
+    wfResult r = CALL(wfRemoveForceFromWorld(handle(s), id));
+    if (r == WF_OK) { MUST(!s->inHook); forget(&s->forces, find(&s->forces, id.index, id.generation)); }
+    return r;
+}
+static wfResult op_get_force(Session *s)
+{
+    wfForce f;
+    return CALL(wfGetForce(handle(s), pick_forces(s), below(s, 40) ? &f : NULL));
+}
+static wfResult op_set_force(Session *s)
+{
+    wfForce f = force(s);
+    wfForceId id = pick_forces(s);
+    wfResult r = CALL_LOOSE(wfSetForce(handle(s), id, &f));
+    if (r == WF_OK) { Thing *t = &s->forces.list[find(&s->forces, id.index, id.generation)]; t->a = f.a; t->b = f.b; }
+    return r;
+}
+static wfResult op_gravity(Session *s)
+{
+    wfVec2 g = vector(s, 10);
+    return CALL(wfSetGravity(handle(s), g));
+}
+static wfResult op_get_gravity(Session *s)
+{
+    wfVec2 g;
+    wfResult r = CALL(wfGetGravity(handle(s), below(s, 40) ? &g : NULL));
+    if (r == WF_OK) MUST(wfIsFinite2(g));
+    return r;
+}
+static wfResult op_grab(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfVec2 p = vector(s, 5);
+    wfForceId hand = { 0, 0 };
+    wfResult r = CALL(wfGrabBody(handle(s), id, p, &hand));
+    if (r == WF_OK) { MUST(!s->inHook); learn(&s->forces, hand.index, hand.generation, (int32_t)id.index - 1, -1, 0); }
+    return r;
+}
+static wfResult op_drag(Session *s)
+{
+    wfForceId id = pick_forces(s);
+    wfVec2 p = vector(s, 5);
+    return CALL(wfDragHand(handle(s), id, p));
+}
+
+/* ---- joints ------------------------------------------------------------------------------------------------------------------- */
+static const char *joint_kind(Session *s) { return below(s, 40) ? wfJointTable[below(s, (uint32_t)wfJointKinds)].name : below(s, 2) ? "glue" : NULL; }
+static wfResult join(Session *s, wfJoint *j)
+{
+    wfBodyId a = pick_bodies(s), b = pick_bodies(s);
+    wfVec2 anchorA = vector(s, 3), anchorB = vector(s, 3), axis = vector(s, 1);
+    wfResult r = CALL_LOOSE(wfJoinBodies(handle(s), joint_kind(s), a, b, anchorA, anchorB, axis, j));
+    if (r != WF_OK) return r;
+    j->flags = (int32_t)below(s, 32);
+    if (chance(s, 200)) j->flags &= WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS | WF_JOINT_COLLIDE;
+    j->lower = real(s, 1) - 1; j->upper = j->lower + more(s, 2);
+    j->stiffness = more(s, 100); j->damping = more(s, 5); j->springForce = more(s, 50);
+    j->motorSpeed = real(s, 5); j->motorForce = more(s, 50);
+    if (chance(s, 60)) { j->breakForce = more(s, 50); j->breakTorque = more(s, 50); }
+    if (chance(s, (uint32_t)s->wild)) (&j->localA.x)[below(s, 12)] = wild(s);
+    if (chance(s, (uint32_t)s->wild)) (&j->kind)[below(s, 4)] = whole(s, -2, 30);
+    return r;
+}
+static wfResult op_join(Session *s)
+{
+    wfJoint j;
+    return join(s, &j);
+}
+static wfResult op_add_joint(Session *s)
+{
+    wfJoint j;
+    wfJointId id = { 0, 0 };
+    if (join(s, &j) != WF_OK) return WF_ERROR_UNKNOWN;
+    stale = false;
+    wfResult r = CALL_LOOSE(wfAddJointToWorld(handle(s), &j, &id));
+    if (r == WF_OK) { MUST(!s->inHook); learn(&s->joints, id.index, id.generation, j.a, j.b, 0); }
+    return r;
+}
+static wfResult op_remove_joint(Session *s)
+{
+    wfJointId id = pick_joints(s);
+    wfResult r = CALL(wfRemoveJointFromWorld(handle(s), id));
+    if (r == WF_OK) { MUST(!s->inHook); forget(&s->joints, find(&s->joints, id.index, id.generation)); }
+    return r;
+}
+static wfResult op_get_joint(Session *s)
+{
+    wfJoint j;
+    wfVec2 f;
+    wfReal t;
+    wfJointId id = pick_joints(s);
+    wfResult r = CALL(wfGetJoint(handle(s), id, below(s, 40) ? &j : NULL));
+    if (r == WF_OK) MUST(wfGetJointLoad(&s->world, id, below(s, 4) ? &f : NULL, below(s, 4) ? &t : NULL) == WF_OK);
+    return r;
+}
+static wfResult op_joint_load(Session *s)
+{
+    wfVec2 f = wfV2(0, 0);
+    wfReal t = 0;
+    return CALL(wfGetJointLoad(handle(s), pick_joints(s), &f, &t));
+}
+static wfResult op_set_joint(Session *s)
+{
+    wfJoint j;
+    wfJointId id = pick_joints(s);
+    stale = false;
+    if (chance(s, 128) || wfGetJoint(&s->world, id, &j) != WF_OK) { if (join(s, &j) != WF_OK) return WF_ERROR_UNKNOWN; }
+    else { j.motorSpeed = real(s, 5); j.flags &= ~WF_JOINT_BROKEN; }
+    stale = find(&s->joints, id.index, id.generation) < 0;
+    wfResult r = CALL_LOOSE(wfSetJoint(handle(s), id, &j));
+    if (r == WF_OK) { Thing *t = &s->joints.list[find(&s->joints, id.index, id.generation)]; t->a = j.a; t->b = j.b; }
+    return r;
+}
+static wfResult op_look_at_joints(Session *s)
+{
+    const wfWorld *w = handle(s);
+    int32_t n = -1, places = wfWorldJointPlaces(w), seenJoints = 0;
+    for (int32_t i = 0; i < places; i++) seenJoints += wfJointAt(w, i).index != 0;
+    MUST(seenJoints == wfJointCount(w) && wfJointsTogether(w) >= 0 && wfUnsolvedSubsteps(w) >= 0);
+    (void)wfJointsSolvedTogether(w);
+    const wfJointId *broken_ = wfBrokenJoints(w, &n);
+    MUST(n >= 0 && (n == 0 || broken_ != NULL));
+    return WF_OK;
+}
+
+/* ---- sleep -------------------------------------------------------------------------------------------------------------------- */
+static wfResult op_wake(Session *s) { return CALL(wfWakeBody(handle(s), pick_bodies(s))); }
+static wfResult op_put_to_sleep(Session *s) { return CALL(wfPutToSleep(handle(s), pick_bodies(s))); }
+static wfResult op_never_sleeps(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    int32_t never = yes(s);
+    return CALL(wfSetNeverSleeps(handle(s), id, never));
+}
+static wfResult op_look_at_sleep(Session *s)
+{
+    const wfWorld *w = handle(s);
+    wfBodyId id = pick_bodies(s);
+    wfRestCounts c = wfWorldRest(w);
+    MUST(c.awake >= 0 && c.asleep >= 0 && c.islands >= 0 && c.awake + c.asleep <= s->bodies.alive);
+    if (s->badHandle || stale) MUST(!wfIsAwake(w, id) && wfBodyIsland(w, id) == -1);
+    else MUST(wfBodyIsland(w, id) >= -1);
+    return WF_OK;
+}
+
+/* ---- steps and settings --------------------------------------------------------------------------------------------------------- */
+static Session *hooked;
+static int hookManners;                         /* 0: good; 1: says what it likes; 2: bad numbers; 3: meddles */
+static void meddle(Session *s);
+static bool filter_hook(void *context, const wfHookView *view, int32_t a, int32_t b)
+{
+    Session *s = context;
+    MUST(a >= 0 && a < b && b < view->shapes.count);
+    if (hookManners == 3 && chance(s, 30)) meddle(s);
+    return hookManners == 1 ? below(s, 2) : (a + b) % 5 != 0;
+}
+static void contact_hook(void *context, const wfHookView *view, const wfContact *c, wfContactChange *change)
+{
+    Session *s = context;
+    MUST(c->a >= 0 && c->b < view->bodies.count && wfIsFinite2(c->manifold.normal));
+    if (hookManners == 3 && chance(s, 30)) meddle(s);
+    if (hookManners == 1) change->enabled = (int32_t)below(s, 2);
+    if (hookManners == 2) (&change->restitution)[below(s, 5)] = wild(s);
+}
+static wfResult op_step_with(Session *s)
+{
+    wfHooks hooks = { s, below(s, 3) ? filter_hook : NULL, below(s, 3) ? contact_hook : NULL };
+    hookManners = (int)below(s, 4);
+    hooked = s;
+    wfWorld *w = handle(s);
+    bool bad = s->badHandle;
+    wfResult r = wfStepWorldWith(w, below(s, 10) ? &hooks : NULL);
+    MUST((int)r >= 0 && r < WF_RESULT_COUNT && (!bad || r != WF_OK));
+    if (s->inHook) MUST(r != WF_OK);
+    if (r == WF_OK) tally->steps++;
+    return r;
+}
+static wfResult op_step(Session *s)
+{
+    wfResult r = WF_OK;
+    for (uint32_t n = 1 + below(s, 3); n > 0 && r == WF_OK; n--) {
+        r = CALL(wfStepWorld(handle(s)));
+        if (s->inHook) MUST(r != WF_OK);
+        if (r == WF_OK) tally->steps++;
+        if (n > 1 && r == WF_OK && s->made) memcpy(s->shadow, s->world.memory.permanent, s->size[0]);
+    }
+    return r;
+}
+static wfResult op_time_step(Session *s)
+{
+    wfReal dt = chance(s, 200) ? WF_R(1.0) / 60 : more(s, WF_R(0.2));
+    return CALL(wfSetTimeStep(handle(s), dt));
+}
+static wfResult op_methods(Session *s)
+{
+    int a = whole(s, -1, wfIntegratorCount - 1), b = whole(s, -1, wfBroadPhaseCount - 1), c = whole(s, -1, wfNarrowPhaseCount - 1);
+    int d = chance(s, 100) ? whole(s, -1, wfSolverCount - 1) : wfFindSolver("soft");
+    return CALL(wfSetMethods(handle(s), a, b, c, d));
+}
+static wfResult op_get_def(Session *s)
+{
+    wfWorldDef d;
+    return CALL(wfGetWorldDef(handle(s), below(s, 40) ? &d : NULL));
+}
+static wfResult op_set_def(Session *s)
+{
+    wfWorldDef d = world_def(s), now;
+    wfResult r = wfGetWorldDef(&s->world, &now);
+    if (r == WF_OK && chance(s, 230)) {         /* what is built in stays */
+        d.bodyCapacity = now.bodyCapacity; d.shapeCapacity = now.shapeCapacity; d.forceCapacity = now.forceCapacity;
+        d.jointCapacity = now.jointCapacity; d.pairCapacity = now.pairCapacity; d.contactCapacity = now.contactCapacity;
+        d.pairMaterials = now.pairMaterials; d.events = now.events; d.impacts = now.impacts; d.exactJoints = now.exactJoints;
+    }
+    return CALL(wfSetWorldDef(handle(s), &d));
+}
+static wfResult op_settings(Session *s)         /* the table of settings, by name */
+{
+    wfWorldDef d = wfDefaultWorldDef();
+    const wfSetting *row = &wfSettingTable[below(s, (uint32_t)wfSettingCount)], *fault = NULL;
+    MUST(wfFindSetting(row->name) == row && wfFindSetting("no such thing") == NULL && wfFindSetting(NULL) == NULL);
+    int part = whole(s, 0, 1);
+    double v = (double)wild(s);
+    (void)wfSettingRowName(row, whole(s, -1, 9));
+    (void)wfFindSettingRow(row, "soft");
+    (void)wfSettingValue(&d, row, part);
+    wfResult r = wfPutSetting(&d, row, part, v);
+    MUST((int)r >= 0 && r < WF_RESULT_COUNT);
+    if (s->poisoned) MUST(r != WF_OK);
+    wfResult again = wfCheckWorldDef(&d, &fault);
+    if (r == WF_OK && again != WF_OK) MUST(fault != NULL);
+    return r;
+}
+
+/* ---- looking -------------------------------------------------------------------------------------------------------------------- */
+static wfResult op_look(Session *s)
+{
+    const wfWorld *w = handle(s);
+    int32_t n = -1;
+    wfBodyId hit;
+    wfVec2 p = vector(s, 5);
+    bool poisoned = s->poisoned;
+    (void)wfWorldBodies(w); (void)wfWorldShapes(w); (void)wfWorldPairs(w, &n); (void)wfWorldContacts(w, &n);
+    (void)wfWorldTime(w); (void)wfWorldSteps(w); (void)wfHashWorld(w);
+    MUST(wfBodyCount(w) >= 0 && wfShapeCount(w) >= 0 && wfForceCount(w) >= 0);
+    if (wfBodyAtPoint(w, p, &hit)) MUST(!poisoned && !s->badHandle && wfBodyIsValid(w, hit));
+    return WF_OK;
+}
+static wfResult op_events(Session *s)
+{
+    const wfWorld *w = handle(s);
+    int32_t n = -1;
+    (void)wfWorldEvents(w, whole(s, 0, WF_EVENT_KINDS - 1), &n);
+    MUST(n >= 0);
+    const wfHit *hits = wfWorldHits(w, &n);
+    MUST(n >= 0);
+    for (int32_t i = 0; i < n; i++) MUST(wfIsFinite(hits[i].speed) && wfIsFinite2(hits[i].point));
+    return WF_OK;
+}
+static wfResult op_get_contact(Session *s)
+{
+    wfContact c;
+    wfShapeId a = pick_shapes(s), b = pick_shapes(s);
+    return CALL(wfGetContact(handle(s), a, b, below(s, 30) ? &c : NULL));
+}
+static wfResult op_energy(Session *s)
+{
+    double k, p;
+    return CALL(wfWorldEnergy(handle(s), below(s, 9) ? &k : NULL, below(s, 9) ? &p : NULL));
+}
+static wfResult op_momentum(Session *s)
+{
+    double p[2], l;
+    return CALL(wfWorldMomentum(handle(s), below(s, 9) ? p : NULL, below(s, 9) ? &l : NULL));
+}
+static wfResult op_proxies(Session *s)
+{
+    wfProxies p;
+    wfResult r = CALL(wfWorldProxies(handle(s), below(s, 30) ? &p : NULL));
+    if (r == WF_OK) for (int32_t i = 0; i < p.count; i++) MUST(!(p.flags[i] & WF_PROXY_LIVE) || !(p.bounds[i].min.x > p.bounds[i].max.x));
+    return r;
+}
+static wfResult op_reports(Session *s)
+{
+    wfSolveReport solve;
+    wfFastReport fast;
+    wfWorld *w = handle(s);
+    wfResult r = CALL(wfGetSolveReport(w, below(s, 30) ? &solve : NULL)), q = wfGetFastReport(w, below(s, 30) ? &fast : NULL);
+    MUST((int)q >= 0 && q < WF_RESULT_COUNT && (!s->badHandle || q != WF_OK));
+    return r;
+}
+
+/* ---- queries --------------------------------------------------------------------------------------------------------------------- */
+static const wfFilter *filter(Session *s)
+{
+    static wfFilter f;
+    f = (wfFilter){ next(s), next(s), (int32_t)below(s, 5) - 2 };
+    return below(s, 3) ? NULL : &f;
+}
+static wfTransform pose(Session *s)
+{
+    wfVec2 p = vector(s, 5);
+    wfReal angle = real(s, 3);
+    return wfMakeTransform(p, angle);
+}
+static void hit_is_good(const Session *s, wfRayHit h)
+{
+    MUST(h.fraction >= 0 && h.fraction <= 1 && wfIsFinite2(h.point) && h.shape >= -1);
+    if (h.shape >= 0) MUST(wfShapeAt(&s->world, h.shape).index != 0);
+}
+static wfResult op_cast_ray(Session *s)
+{
+    wfRay ray = { vector(s, 6), vector(s, 10) };
+    wfRayHit hit, list[8];
+    int32_t n = -1, room = whole(s, 0, 8);
+    const wfFilter *f = filter(s);
+    if (room > 8) room = -1;
+    wfWorld *w = handle(s);
+    wfResult r = CALL(wfWorldCastRay(w, ray, f, below(s, 30) ? &hit : NULL));
+    if (r == WF_OK) hit_is_good(s, hit);
+    wfResult all = CALL(wfWorldCastRayAll(w, ray, f, list, room, &n));
+    if (all == WF_OK && r == WF_OK) MUST((n > 0) == (hit.shape >= 0) && (n == 0 || room < 1 || list[0].fraction == hit.fraction));
+    return r;
+}
+static wfResult op_cast_shape(Session *s)
+{
+    wfShape moving = shape(s);
+    wfTransform x = pose(s);
+    wfVec2 by = vector(s, 10);
+    wfRayHit hit, list[8];
+    int32_t n = -1, room = (int32_t)below(s, 9);
+    const wfFilter *f = filter(s);
+    wfWorld *w = handle(s);
+    wfResult r = CALL_LOOSE(wfWorldCastShape(w, &moving, x, by, f, &hit));
+    if (r == WF_OK) hit_is_good(s, hit);
+    (void)CALL_LOOSE(wfWorldCastShapeAll(w, &moving, x, by, f, list, room, &n));
+    return r;
+}
+static wfResult op_overlap(Session *s)
+{
+    wfShape probe = shape(s);
+    wfTransform x = pose(s);
+    int32_t list[8], n = -1, room = whole(s, 0, 8);
+    if (room > 8) room = -1;
+    wfResult r = CALL_LOOSE(wfWorldOverlap(handle(s), &probe, x, filter(s), list, room, &n));
+    if (r == WF_OK) for (int32_t i = 0; i < n && i < room; i++) MUST(wfShapeAt(&s->world, list[i]).index != 0);
+    return r;
+}
+static wfResult op_overlap_area(Session *s)
+{
+    wfVec2 a = vector(s, 5), b = vector(s, 5);
+    wfRect area = { .min = a, .max = b };
+    int32_t list[8], n = -1;
+    return CALL(wfWorldOverlapArea(handle(s), area, filter(s), list, 8, below(s, 30) ? &n : NULL));
+}
+static wfResult op_overlap_point(Session *s)
+{
+    wfVec2 p = vector(s, 5);
+    int32_t list[8], n = -1;
+    return CALL(wfWorldOverlapPoint(handle(s), p, filter(s), list, 8, &n));
+}
+static wfResult op_closest(Session *s)
+{
+    wfVec2 p = vector(s, 5);
+    wfReal within = more(s, 10);
+    wfClosest c;
+    wfResult r = CALL(wfWorldClosest(handle(s), p, within, filter(s), &c));
+    if (r == WF_OK) MUST(c.shape >= -1 && c.distance >= 0);
+    return r;
+}
+static wfResult op_distance(Session *s)
+{
+    wfShape probe = shape(s);
+    wfTransform x = pose(s);
+    wfReal within = more(s, 10);
+    wfClosest c;
+    return CALL_LOOSE(wfWorldDistance(handle(s), &probe, x, within, filter(s), &c));
+}
+static wfResult op_index(Session *s) { return CALL(wfIndexWorld(handle(s))); }
+
+#define OP(group, weight, kind, function, ...) { #function, group, weight, kind, __VA_ARGS__ }
+const Operation operations[] = {
+    OP("worlds", 6, READS, wfWorldSize, op_world_size, false),
+    OP("worlds", 2, READS, wfWorldRegions, op_regions, false),
+    OP("worlds", 6, READS, wfCreateWorld, op_create, false),
+    OP("worlds", 1, CHANGES, wfDestroyWorld, op_destroy, true),
+    OP("worlds", 10, READS, wfOpenWorld, op_open, false),
+    OP("bodies", 90, CHANGES, wfAddBodyToWorld, op_add_body, false),
+    OP("bodies", 24, CHANGES, wfRemoveBodyFromWorld, op_remove_body, false),
+    OP("bodies", 8, READS, wfGetBody, op_get_body, false),
+    OP("bodies", 4, READS, wfGetBodyShape, op_get_body_shape, false),
+    OP("bodies", 10, READS, wfBodyIsValid wfBodyIndex wfBodyAt wfShapeIsValid wfShapeIndex wfShapeAt wfShapeBody wfFirstShape wfNextShape, op_names, true),
+    OP("shapes", 30, CHANGES, wfAddShapeToBody, op_add_shape, false),
+    OP("shapes", 10, CHANGES, wfAddShapesToBody, op_add_shapes, false),
+    OP("shapes", 24, CHANGES, wfRemoveShapeFromWorld, op_remove_shape, false),
+    OP("shapes", 6, READS, wfGetShape, op_get_shape, false),
+    OP("shapes", 14, CHANGES, wfSetShape, op_set_shape, false),
+    OP("shapes", 4, CHANGES, wfSetPairMaterial, op_set_pair_material, false),
+    OP("shapes", 3, READS, wfGetPairMaterial, op_get_pair_material, false),
+    OP("changes", 20, CHANGES, wfSetBodyTransform, op_set_transform, false),
+    OP("changes", 20, CHANGES, wfSetBodyVelocity, op_set_velocity, false),
+    OP("changes", 10, CHANGES, wfSetBodyMass, op_set_mass, false),
+    OP("changes", 12, CHANGES, wfChangeBodyType, op_change_type, false),
+    OP("changes", 6, CHANGES, wfSetBodyMaterial, op_set_material, false),
+    OP("changes", 5, CHANGES, wfSetBodyDamping, op_set_damping, false),
+    OP("pushes", 10, CHANGES, wfApplyForceToBody, op_apply_force, false),
+    OP("pushes", 5, CHANGES, wfApplyTorqueToBody, op_apply_torque, false),
+    OP("pushes", 10, CHANGES, wfApplyImpulseToBody, op_apply_impulse, false),
+    OP("pushes", 5, CHANGES, wfApplyAngularImpulseToBody, op_apply_spin, false),
+    OP("forces", 18, CHANGES, wfAddForceToWorld, op_add_force, false),
+    OP("forces", 12, CHANGES, wfRemoveForceFromWorld, op_remove_force, false),
+    OP("forces", 4, READS, wfGetForce, op_get_force, false),
+    OP("forces", 6, CHANGES, wfSetForce, op_set_force, false),
+    OP("forces", 4, CHANGES, wfSetGravity, op_gravity, false),
+    OP("forces", 2, READS, wfGetGravity, op_get_gravity, false),
+    OP("forces", 6, CHANGES, wfGrabBody, op_grab, false),
+    OP("forces", 5, CHANGES, wfDragHand, op_drag, false),
+    OP("joints", 4, READS, wfJoinBodies, op_join, false),
+    OP("joints", 40, CHANGES, wfAddJointToWorld, op_add_joint, false),
+    OP("joints", 16, CHANGES, wfRemoveJointFromWorld, op_remove_joint, false),
+    OP("joints", 6, READS, wfGetJoint, op_get_joint, false),
+    OP("joints", 4, READS, wfGetJointLoad, op_joint_load, false),
+    OP("joints", 14, CHANGES, wfSetJoint, op_set_joint, false),
+    OP("joints", 4, READS, wfJointCount wfJointsTogether wfJointsSolvedTogether wfUnsolvedSubsteps wfJointAt wfWorldJointPlaces wfBrokenJoints, op_look_at_joints, true),
+    OP("sleep", 5, CHANGES, wfWakeBody, op_wake, false),
+    OP("sleep", 14, CHANGES, wfPutToSleep, op_put_to_sleep, false),
+    OP("sleep", 4, CHANGES, wfSetNeverSleeps, op_never_sleeps, false),
+    OP("sleep", 5, READS, wfIsAwake wfBodyIsland wfWorldRest, op_look_at_sleep, true),
+    OP("steps", 100, CHANGES, wfStepWorld, op_step, false),
+    OP("steps", 40, CHANGES, wfStepWorldWith, op_step_with, false),
+    OP("settings", 4, CHANGES, wfSetTimeStep, op_time_step, false),
+    OP("settings", 8, CHANGES, wfSetMethods, op_methods, false),
+    OP("settings", 3, READS, wfGetWorldDef, op_get_def, false),
+    OP("settings", 8, CHANGES, wfSetWorldDef, op_set_def, false),
+    OP("settings", 6, READS, wfPutSetting wfFindSetting wfSettingValue wfSettingRowName wfFindSettingRow wfCheckWorldDef, op_settings, false),
+    OP("looking", 8, READS, wfWorldBodies wfWorldShapes wfWorldPairs wfWorldContacts wfBodyCount wfShapeCount wfForceCount wfWorldTime wfWorldSteps wfHashWorld wfBodyAtPoint, op_look, true),
+    OP("looking", 6, READS, wfWorldEvents wfWorldHits, op_events, true),
+    OP("looking", 5, READS, wfGetContact, op_get_contact, false),
+    OP("looking", 3, READS, wfWorldEnergy, op_energy, false),
+    OP("looking", 3, READS, wfWorldMomentum, op_momentum, false),
+    OP("looking", 3, READS, wfWorldProxies, op_proxies, false),
+    OP("looking", 3, READS, wfGetSolveReport wfGetFastReport, op_reports, false),
+    OP("queries", 12, READS, wfWorldCastRay wfWorldCastRayAll, op_cast_ray, false),
+    OP("queries", 8, READS, wfWorldCastShape wfWorldCastShapeAll, op_cast_shape, false),
+    OP("queries", 6, READS, wfWorldOverlap, op_overlap, false),
+    OP("queries", 5, READS, wfWorldOverlapArea, op_overlap_area, false),
+    OP("queries", 4, READS, wfWorldOverlapPoint, op_overlap_point, false),
+    OP("queries", 6, READS, wfWorldClosest, op_closest, false),
+    OP("queries", 5, READS, wfWorldDistance, op_distance, false),
+    OP("queries", 6, CHANGES, wfIndexWorld, op_index, false),
+};
+const int operationCount = (int)(sizeof operations / sizeof *operations);
+
+/* A hook that calls whatever it likes: what changes the world must be refused. */
+static void meddle(Session *s)
+{
+    if (s->inHook) return;
+    const Operation *op = &operations[below(s, (uint32_t)operationCount)];
+    uint64_t random = s->random;
+    bool oldStale = stale;
+    s->inHook = true;
+    wfResult r = run_operation(s, op);
+    if (op->kind == CHANGES && !op->silent) MUST(r != WF_OK || op->run == op_add_shapes);
+    s->inHook = false;
+    stale = oldStale;
+    s->random = random + 1;
+}

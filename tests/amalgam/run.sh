@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# The engine in two files: made from the chapters, compiled as C11 and as C++17 by gcc and clang with every warning an error,
+# in single and in double precision; three scenes must have the hashes that they have with the library.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+work=build/check/amalgam; mkdir -p "$work"
+make --no-print-directory BUILD="$work" amalgam >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+a=$work/amalgam
+strict="-O1 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -Wall -Wextra -Wshadow -Werror -I$a"
+one() {       # what it is called, the compiler, its language, further flags
+  local name=$1 cc=$2 language=$3 out=$work/$1; shift 3
+  # shellcheck disable=SC2086
+  $cc $language $strict "$@" -c "$a/weft.c" -o "$out.o" 2>"$out.log" && $cc $language $strict "$@" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$out-scenes.o" 2>>"$out.log" &&
+    $cc "$out.o" "$out-scenes.o" -o "$out" 2>>"$out.log" && "$out" >"$out.txt" 2>>"$out.log" || { echo "$name:"; head -20 "$out.log"; return 1; }
+}
+c="-x c -std=c11 -Wpedantic -Wstrict-prototypes -Wmissing-prototypes -Wdouble-promotion" cxx="-x c++ -std=c++17"
+jobs=() fail=0
+wait_two() { while [ ${#jobs[@]} -ge "$1" ]; do wait "${jobs[0]}" || fail=1; jobs=("${jobs[@]:1}"); done; }
+for build in "gcc-c gcc|$c" "clang-c clang|$c" "gcc-c++ g++|$cxx" "clang-c++ clang++|$cxx"; do
+  set -- ${build%%|*}; language=${build#*|}
+  one "$1" "$2" "$language" & jobs+=($!); wait_two 2
+  one "$1-double" "$2" "${language/-Wdouble-promotion/}" -DWF_DOUBLE & jobs+=($!); wait_two 2
+done
+wait_two 1
+[ $fail -eq 0 ] || exit 1
+# the library's hashes
+[ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
+for precision in "" -double; do
+  flags=${precision:+-DWF_DOUBLE}
+  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$work/lib$precision" CC=gcc CFLAGS="-O1 $flags" "$work/lib$precision/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+  # shellcheck disable=SC2086
+  gcc -std=c11 -O1 $flags -Ibuild/lines/include '-DWEFT_HEADER="weft/weft.h"' tests/amalgam/scenes.c "$work/lib$precision/lib/libweft.a" -lm -o "$work/library$precision" && "$work/library$precision" >"$work/library$precision.txt" || exit 1
+  for build in gcc-c clang-c gcc-c++ clang-c++; do
+    diff "$work/library$precision.txt" "$work/$build$precision.txt" || { echo "amalgam: $build$precision has other hashes than the library"; exit 1; }
+  done
+done
+cmp -s "$work/library.txt" "$work/library-double.txt" && { echo "amalgam: single and double precision have the same hashes"; exit 1; }
+lines=$(cat "$a"/weft.[hc] | wc -l)
+echo "weft.h and weft.c ($lines lines): as C11 and C++17, by gcc and clang, float and double, the library's hashes for three scenes"
