@@ -110,16 +110,14 @@ local function cast(text)
           return returns_void[name] and not line:match("^%s*void %*") and "WF_ANY_POINTER(" .. name .. list .. ")" or name .. list end))
       end
       line = wrap(line)
-      line = line:gsub("%(void %*%)(%b())", "WF_ANY_POINTER%1")
       line = line:gsub("^(%s+[%w_ ]-%*?[%w_%.%->]+ = )([%w_%.%->]-)([%a_][%w_]*);$", function(left, path, name)
         return void[name] and not left:match("void %*") and left .. "WF_ANY_POINTER(" .. path .. name .. ");" or nil end)
     end
     line = line:gsub("(%.[%w_]+ = )([%w_%.%->]-)%.([%a_][%w_]*)([, ])", function(left, path, name, after)
       return void[name] and left .. "WF_ANY_POINTER(" .. path .. "." .. name .. ")" .. after or nil end)
-    line = line:gsub("^(#define [%w_]+%(%w+%) )%(void %*%)(%b())$", "%1WF_ANY_POINTER%2")
     lines[#lines + 1] = line
   end
-  return table.concat(lines, "\n", 1, #lines - 1)
+  return (table.concat(lines, "\n", 1, #lines - 1):gsub("%(const void %*%)(%b())", "WF_ANY_POINTER%1"):gsub("%(void %*%)(%b())", "WF_ANY_POINTER%1"))
 end
 -- Fields that are named in an initialiser must come in the order of the struct.
 local orders = {}                       -- of a struct: the place and the type of each field

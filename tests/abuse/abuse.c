@@ -309,6 +309,9 @@ static void check_all(Session *s)
     wfFault fault;
     wfResult r = wfCheckWorld(&s->world, &fault);
     if (r != WF_OK) {
+        if (tracing > 0) { wfShape g = wfWorldShapes(&s->world).shapes[fault.element < wfWorldShapes(&s->world).count ? fault.element : 0];
+            printf("shape kind %d count %d radius %.9g: %s\n", g.kind, g.count, (double)g.radius, wfResultName(wfCheckShape(&g)));
+            for (int k = 0; k < g.count; k++) printf("  %.9g %.9g\n", (double)g.vertices[k].x, (double)g.vertices[k].y); }
         snprintf(tally->broken, sizeof tally->broken, "wfCheckWorld: %s[%lld]: %s", fault.region, (long long)fault.element, fault.rule);
         abort();
     }

@@ -22,12 +22,13 @@ static int list_calls(uint64_t seed, uint64_t session, Call *out)
 }
 static uint64_t session_seed(uint64_t seed, uint64_t session) { return seed * 31337 + session; }
 
+static unsigned patience = 6;                    /* s, for 64 calls */
 static void play(uint64_t worldSeed, const Call *calls, int count)
 {
     static Session s;
     begin_session(&s, worldSeed);
     for (int i = 0; i < count; i++) {
-        if (i % 64 == 0) alarm(20);
+        if (i % 64 == 0) alarm(patience);
         tally->now = calls[i];
         tally->at = i;
         do_call(&s, calls[i]);
@@ -58,6 +59,7 @@ static int shrink(uint64_t worldSeed, Call *calls, int count)
 {
     static Call fewer[SESSION_CALLS];
     int runs = 0;
+    patience = 2;
     for (int part = count / 2 ? count / 2 : 1; part >= 1; part /= 2) {
         for (int from = 0; from < count && runs < MOST_RUNS;) {
             int to = from + part < count ? from + part : count, n = 0;
@@ -78,6 +80,7 @@ static void report(uint64_t seed, uint64_t session, int at)
     if (at + 1 < count) count = at + 1;
     printf("FINDING: seed %llu, session %llu, call %d: %s\n", (unsigned long long)seed, (unsigned long long)session, at,
         want[0] ? want : "a crash, a hang or a sanitizer's complaint");
+    patience = 2;
     if (still(worldSeed, calls, count)) count = shrink(worldSeed, calls, count);
     else printf("(not found again from its own list)\n");
     printf("# weft-abuse --script: %s\nworld %llu\n", want, (unsigned long long)worldSeed);
