@@ -210,6 +210,7 @@ static void make_world(Session *s)
         if (tries > 20) s->wild = 0;
         s->def = world_def(s);
         s->wild = wildness;
+        if (s->def.substeps > 99 || s->def.iterations > 99) continue;
         wfResult r = wfWorldSize(&s->def, &s->size[0], &s->size[1]);
         if (r != WF_OK || s->size[0] > 1 << 22 || s->size[1] > 1 << 23) continue;
         for (int i = 0; i < 2; i++) s->chunk[i] = aligned_alloc(16, s->size[0]);
@@ -379,6 +380,7 @@ void do_call(Session *s, Call call)
     wfResult r = run_operation(s, op);
     tally->calls[call.op][op->silent ? WF_RESULT_COUNT : r]++;
     tally->done++;
+    if (tracing > 0 && s->made) { wfBodyView v = wfWorldBodies(&s->world); for (int i = 0; i < v.count; i++) printf("     body %d type %d invMass %g invInertia %g mass %g inertia %g\n", i, v.props[i].type, (double)v.state[i].invMass, (double)v.state[i].invInertia, (double)v.props[i].mass, (double)v.props[i].inertia); }
     if (tracing > 0) printf("  %-28s %s\n", op->name, op->silent ? "" : wfResultName(r));
     if (!s->made) return;
     bool same = memcmp(s->world.memory.permanent, s->shadow, s->size[0]) == 0;

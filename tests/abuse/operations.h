@@ -521,6 +521,8 @@ static wfResult op_set_def(Session *s)
         d.jointCapacity = now.jointCapacity; d.pairCapacity = now.pairCapacity; d.contactCapacity = now.contactCapacity;
         d.pairMaterials = now.pairMaterials; d.events = now.events; d.impacts = now.impacts; d.exactJoints = now.exactJoints;
     }
+    if (d.substeps > 99) d.substeps = 99;       /* who asks for a million passes gets them, and we would wait for ever */
+    if (d.iterations > 99) d.iterations = 99;
     return CALL(wfSetWorldDef(handle(s), &d));
 }
 static wfResult op_settings(Session *s)         /* the table of settings, by name */
