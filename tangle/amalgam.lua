@@ -20,8 +20,9 @@ end
 
 -- ---- what stands in for #include ------------------------------------------------------------------------------------------
 -- A header of Weft's is put where it is first asked for; one without a guard (a list of rows) wherever it is asked for. A
--- system's header goes to the top of the file: nothing of the language may be between extern "C" and its brace.
-local done, system = {}, {}
+-- header that every compiler has goes to the top of the file; others stay where they are, under their conditions.
+local done, system, first = {}, {}, {}
+local free = { ["<stdbool.h>"] = true, ["<stddef.h>"] = true, ["<stdint.h>"] = true, ["<float.h>"] = true, ["<string.h>"] = true }
 local function find(name)
   local f = io.open(src .. "/include/" .. name)
   if f then f:close(); return "include/" .. name end
@@ -35,8 +36,10 @@ local function inline(name, sink)
   for line in (text .. "\n"):gmatch("(.-)\n") do
     local own, theirs = line:match('^#include "([^"]+)"'), line:match("^#include (<[^>]+>)")
     if own then inline(find(own), sink)
-    elseif theirs and (theirs == "<assert.h>" or theirs == "<stdlib.h>" or theirs == "<math.h>") then sink[#sink + 1] = line
-    elseif theirs then system[theirs] = true
+    elseif line:match("^%s*#define _%u[%u_]+ ") then  -- what asks system headers for more
+      local name = line:match("#define (%S+)")
+      first[#first + 1] = "#ifndef " .. name .. "\n" .. line .. "\n#endif"
+    elseif theirs and free[theirs] then system[theirs] = true
     else sink[#sink + 1] = line end
   end
 end
@@ -63,6 +66,14 @@ local function own_names(text)
 end
 -- The text with the names of a table replaced: not in strings and comments, not members behind . and ->.
 local function rename(text, names)
+  local inside = {}                     -- the bodies of structs: what is declared there are members
+  for from, to in text:gmatch("struct%s*[%w_]*%s*()%b{}()") do inside[#inside + 1] = { from, to } end
+  local function is_member(from, to)
+    if text:sub(from - 2, from - 1) == "(*" and text:sub(to + 1, to + 2) == ")(" then return true end
+    if not text:sub(to + 1, to + 1):match("[;,%[]") then return false end
+    for _, range in ipairs(inside) do if range[1] < from and to < range[2] then return true end end
+    return false
+  end
   local parts, at, before = {}, 1, ""
   while at <= #text do
     local from, to = text:find("^/%*.-%*/", at)
@@ -73,7 +84,7 @@ local function rename(text, names)
       from, to = text:find("^[%a_][%w_]*", at)
       if from then
         local word = text:sub(from, to)
-        parts[#parts + 1] = names[word] and not before:match("[%.>]$") and names[word] or word
+        parts[#parts + 1] = names[word] and not before:match("[%.>]$") and not is_member(from, to) and names[word] or word
         before = word
       else
         to = at
@@ -115,6 +126,8 @@ local function cast(text)
     end
     line = line:gsub("(%.[%w_]+ = )([%w_%.%->]-)%.([%a_][%w_]*)([, ])", function(left, path, name, after)
       return void[name] and left .. "WF_ANY_POINTER(" .. path .. "." .. name .. ")" .. after or nil end)
+    line = line:gsub("(%.[%w_]+ = )([%a_][%w_]*)([, ])", function(left, name, after)
+      return void[name] and left .. "WF_ANY_POINTER(" .. name .. ")" .. after or nil end)
     lines[#lines + 1] = line
   end
   return (table.concat(lines, "\n", 1, #lines - 1):gsub("%(const void %*%)(%b())", "WF_ANY_POINTER%1"):gsub("%(void %*%)(%b())", "WF_ANY_POINTER%1"))
@@ -198,7 +211,7 @@ local function undesignate(text)
   return (text:gsub("= (%b{})", function(rows)
     if not rows:match("^{%s*%[WF_") then return nil end
     local next = 0
-    return "= " .. rows:gsub("%[(WF_[%w_]+)%] = ", function(name)
+    return "= " .. rows:gsub("%[(WF_[%w_]+)%]%s*= ", function(name)
       local place = places[name] or fail("which number is " .. name .. ", the place of a row? -- write it in an enum that counts from 0")
       local gap = place - next
       if gap < 0 then fail("the row of " .. name .. " comes too late in its table -- put the rows in the order of their enum") end
@@ -210,6 +223,10 @@ end
 local keywords = {}
 for word in ("new delete class this template typename try catch throw operator private public protected virtual using namespace and or not xor friend export mutable"):gmatch("%a+") do
   keywords[word] = word .. "_"
+end
+local libc = {}
+for word in ("link unlink open close read write index rename remove access pipe dup select sync y0 y1 j0 j1 gamma div signal"):gmatch("%w+") do
+  libc[word] = true                     -- functions of system headers, should a source have a name like theirs
 end
 
 -- ---- weft.h ------------------------------------------------------------------------------------------------------------------
@@ -282,7 +299,7 @@ for _, file in ipairs(files) do
   local names = {}
   for word, other in pairs(keywords) do names[word] = other end
   for word in pairs(own_names(read(file.name))) do
-    if #owners[word] > 1 then names[word] = word:match("^%u[%u%d_]+$") and word .. "_IN_" .. file.stem:upper() or word .. "_in_" .. file.stem end
+    if #owners[word] > 1 or libc[word] then names[word] = word:match("^%u[%u%d_]+$") and word .. "_IN_" .. file.stem:upper() or word .. "_in_" .. file.stem end
   end
   local text = rename(file.text, names)
   sources[#sources + 1] = undesignate(order(cast(text)))
@@ -290,6 +307,8 @@ end
 system["<string.h>"] = nil
 local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
    cc -std=c11 -O2 -ffp-contract=off -fno-math-errno -c weft.c   (the two -f switches keep the same bits on every machine) */
+]] .. table.concat(first, "\n") .. [[
+
 #include "weft.h"
 ]] .. includes() .. [[
 
@@ -315,6 +334,9 @@ static inline size_t wfTextLength(const char *a)
     while (a[n] != 0) n++;
     return n;
 }
+#ifndef WF_NO_FILES
+#define WF_NO_FILES
+#endif
 #define strcmp wfTextOrder
 #define strlen wfTextLength
 #else

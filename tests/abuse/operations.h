@@ -447,6 +447,8 @@ static wfResult op_look_at_sleep(Session *s)
     const wfWorld *w = handle(s);
     wfBodyId id = pick_bodies(s);
     wfRestCounts c = wfWorldRest(w);
+    bool never = wfNeverSleeps(w, id);
+    MUST(!never || (!s->badHandle && !stale));
     MUST(c.awake >= 0 && c.asleep >= 0 && c.islands >= 0 && c.awake + c.asleep <= s->bodies.alive);
     if (s->badHandle || stale) MUST(!wfIsAwake(w, id) && wfBodyIsland(w, id) == -1);
     else MUST(wfBodyIsland(w, id) >= -1);
@@ -601,6 +603,133 @@ static wfResult op_reports(Session *s)
     return r;
 }
 
+/* ---- far places ----------------------------------------------------------------------------------------------------------------- */
+static wfFar far_place(Session *s)
+{
+    static const double sizes[] = { 0, 1, 1e5, 1e12, 1e20, 1e300 };
+    double size = sizes[below(s, 6)];
+    wfFar at = { size * (double)real(s, 1), size * (double)real(s, 1) };
+    return at;
+}
+static wfResult op_far(Session *s)
+{
+    wfWorld *w = handle(s);
+    wfFar at, origin;
+    wfVec2 local = vector(s, 5), back;
+    wfBodyId id = pick_bodies(s);
+    wfResult r = CALL_LOOSE(wfFarPosition(w, id, &at));
+    stale = false;
+    bool poisoned = s->poisoned;
+    wfResult q = CALL_LOOSE(wfGetWorldOrigin(w, below(s, 9) ? &origin : NULL));
+    (void)q;
+    q = CALL_LOOSE(wfToFar(w, local, &at));
+    if (poisoned) MUST(q != WF_OK);
+    if (q == WF_OK) (void)CALL_LOOSE(wfFromFar(w, at, &back));
+    (void)CALL_LOOSE(wfFromFar(w, far_place(s), &back));
+    return r;
+}
+static wfResult op_set_origin(Session *s)
+{
+    wfFar at = far_place(s);
+    return CALL(wfSetWorldOrigin(handle(s), at));
+}
+static wfResult op_move_origin(Session *s)
+{
+    wfVec2 by = vector(s, chance(s, 40) ? 1000 : 8);
+    int32_t rounded = -1;
+    wfResult r = CALL(wfMoveOrigin(handle(s), by, below(s, 4) ? &rounded : NULL));
+    if (s->inHook) MUST(r != WF_OK);
+    return r;
+}
+static wfResult op_centre(Session *s)
+{
+    wfVec2 at = vector(s, 50), by;
+    wfReal limit = more(s, 60);
+    return CALL(wfCentreWorld(handle(s), at, limit, below(s, 4) ? &by : NULL));
+}
+static wfResult op_set_far(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfFar at = { 0, 0 };
+    wfReal angle = real(s, 3);
+    bool bad = !s->made;
+    if (!bad && chance(s, 200)) (void)wfFarPosition(&s->world, id, &at);
+    else at = far_place(s);
+    return CALL(wfSetFarPosition(handle(s), id, at, angle));
+}
+
+/* ---- saving ----------------------------------------------------------------------------------------------------------------------- */
+static wfResult op_snapshot(Session *s)         /* there and back: the world is the same for all that is to come */
+{
+    wfWorld *w = handle(s);
+    if (s->badHandle || s->inHook) { size_t n; uint8_t b[8]; return CALL(wfSnapshotWorld(w, b, sizeof b, &n)); }
+    size_t room = wfSnapshotSize(w), size = 0;
+    uint8_t *bytes = malloc(room + 1);
+    uint64_t hash = wfHashWorld(w);
+    MUST(room > 0 && wfSnapshotWorld(w, bytes, room - 1, &size) != WF_OK && wfSnapshotWorld(w, bytes, room, &size) == WF_OK && size <= room);
+    wfWorld clone;
+    MUST(wfCloneWorld(w, NULL, &clone) == WF_OK);
+    MUST(wfCompareWorlds(w, &clone, NULL) == WF_OK && wfHashWorld(&clone) == hash);
+    wfResult there = wfStepWorld(&clone);
+    MUST(wfRestoreWorld(&clone, bytes, size) == WF_OK && wfCompareWorlds(w, &clone, NULL) == WF_OK);
+    MUST(wfStepWorld(&clone) == there);
+    wfDestroyWorld(&clone);
+    MUST(wfRestoreWorld(w, bytes, below(s, (uint32_t)size)) != WF_OK);
+    wfResult r = wfRestoreWorld(w, bytes, size);
+    MUST(r == WF_OK && wfHashWorld(w) == hash);
+    free(bytes);
+    return r;
+}
+static wfResult op_save(Session *s)             /* whole it is loaded; with a bit turned round it is not */
+{
+    wfWorld *w = handle(s), other;
+    if (s->badHandle) { size_t n; uint8_t b[8]; return CALL(wfSaveToBytes(w, b, sizeof b, &n)); }
+    if (s->inHook) return WF_ERROR_BUSY;
+    size_t room = wfSaveSize(w), size = 0;
+    uint8_t *bytes = malloc(room);
+    MUST(wfSaveToBytes(w, bytes, room, &size) == WF_OK);
+    MUST(wfLoadFromBytes(bytes, size, NULL, &other) == WF_OK && wfHashWorld(&other) == wfHashWorld(w));
+    wfDestroyWorld(&other);
+    size_t at = ((size_t)next(s) << 8 | below(s, 256)) % size;
+    bytes[at] ^= (uint8_t)(1 << below(s, 8));
+    wfResult r = wfLoadFromBytes(bytes, size, NULL, &other);
+    MUST(r != WF_OK);
+    free(bytes);
+    return WF_OK;
+}
+static wfResult op_grow(Session *s)             /* a world of its own memory gets more room */
+{
+    wfWorldDef d;
+    wfWorld *w = handle(s);
+    if (s->badHandle || s->inHook || s->given || s->def.bodyCapacity > 40) { wfResult r = wfGetWorldDef(w, &d); return r == WF_OK ? WF_ERROR_BUILT_IN : r; }
+    MUST(wfGetWorldDef(w, &d) == WF_OK);
+    d.bodyCapacity += (int32_t)below(s, 3); d.forceCapacity += (int32_t)below(s, 2);
+    if (chance(s, 60)) d.bodyCapacity -= 2;
+    wfWorldDef before = s->def;
+    wfResult r = wfGrowWorld(w, &d);
+    if (r != WF_OK) return r;
+    s->def = before;
+    s->def.bodyCapacity = d.bodyCapacity; s->def.forceCapacity = d.forceCapacity;
+    for (int i = 0; i < 2; i++) { free(s->chunk[i]); s->size[i] = i ? w->memory.transientSize : w->memory.permanentSize; }
+    for (int i = 0; i < 2; i++) s->chunk[i] = aligned_alloc(16, (s->size[0] + 15) / 16 * 16);
+    free(s->shadow);
+    s->shadow = calloc(1, s->size[0]);
+    return r;
+}
+static wfResult op_rewind(Session *s)
+{
+    static _Alignas(16) uint8_t bytes[1 << 18];
+    wfWorld *w = handle(s);
+    wfRewind ring;
+    uint64_t oldest, newest;
+    MUST(wfRewindInit(&ring, bytes, sizeof bytes) == WF_OK && wfRewindReach(&ring, &oldest, &newest) == WF_ERROR_UNKNOWN);
+    wfResult r = CALL(wfRewindKeep(&ring, w));
+    if (r != WF_OK || s->inHook) return r == WF_OK ? WF_ERROR_BUSY : r;
+    MUST(wfRewindReach(&ring, &oldest, &newest) == WF_OK && oldest == newest && newest == wfWorldSteps(w));
+    MUST(newest == 0 || wfRewindTo(&ring, w, newest - 1) == WF_ERROR_UNKNOWN);
+    return wfRewindTo(&ring, w, newest + below(s, 3));
+}
+
 /* ---- queries --------------------------------------------------------------------------------------------------------------------- */
 static const wfFilter *filter(Session *s)
 {
@@ -736,7 +865,7 @@ const Operation operations[] = {
     OP("sleep", 5, CHANGES, wfWakeBody, op_wake, false),
     OP("sleep", 14, CHANGES, wfPutToSleep, op_put_to_sleep, false),
     OP("sleep", 4, CHANGES, wfSetNeverSleeps, op_never_sleeps, false),
-    OP("sleep", 5, READS, wfIsAwake wfBodyIsland wfWorldRest, op_look_at_sleep, true),
+    OP("sleep", 5, READS, wfIsAwake wfNeverSleeps wfBodyIsland wfWorldRest, op_look_at_sleep, true),
     OP("steps", 100, CHANGES, wfStepWorld, op_step, false),
     OP("steps", 40, CHANGES, wfStepWorldWith, op_step_with, false),
     OP("settings", 4, CHANGES, wfSetTimeStep, op_time_step, false),
@@ -751,6 +880,15 @@ const Operation operations[] = {
     OP("looking", 3, READS, wfWorldMomentum, op_momentum, false),
     OP("looking", 3, READS, wfWorldProxies, op_proxies, false),
     OP("looking", 3, READS, wfGetSolveReport wfGetFastReport, op_reports, false),
+    OP("looking", 5, READS, wfFarPosition wfGetWorldOrigin wfToFar wfFromFar, op_far, false),
+    OP("changes", 1, CHANGES, wfSetWorldOrigin, op_set_origin, false),
+    OP("changes", 3, CHANGES, wfMoveOrigin, op_move_origin, false),
+    OP("changes", 2, CHANGES, wfCentreWorld, op_centre, false),
+    OP("changes", 4, CHANGES, wfSetFarPosition, op_set_far, false),
+    OP("saving", 3, CHANGES, wfSnapshotWorld wfRestoreWorld wfCloneWorld wfCompareWorlds, op_snapshot, false),
+    OP("saving", 2, READS, wfSaveToBytes wfLoadFromBytes, op_save, false),
+    OP("saving", 2, CHANGES, wfGrowWorld, op_grow, false),
+    OP("saving", 3, CHANGES, wfRewindKeep wfRewindTo wfRewindReach, op_rewind, false),
     OP("queries", 12, READS, wfWorldCastRay wfWorldCastRayAll, op_cast_ray, false),
     OP("queries", 8, READS, wfWorldCastShape wfWorldCastShapeAll, op_cast_shape, false),
     OP("queries", 6, READS, wfWorldOverlap, op_overlap, false),

@@ -3,6 +3,7 @@
    Sessions run in child processes, so that a crash or a hang is a finding like any other. */
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include "abuse.h"
@@ -22,20 +23,25 @@ static int list_calls(uint64_t seed, uint64_t session, Call *out)
 }
 static uint64_t session_seed(uint64_t seed, uint64_t session) { return seed * 31337 + session; }
 
-static unsigned patience = 6;                    /* s, for 64 calls */
+static unsigned patience = 6;                   /* s, for 64 calls */
+static void wait_at_most(unsigned seconds)      /* of this process's own time: other work on the machine does not count */
+{
+    struct itimerval limit = { { 0, 0 }, { (time_t)seconds, 0 } };
+    setitimer(ITIMER_PROF, &limit, NULL);
+}
 static void play(uint64_t worldSeed, const Call *calls, int count)
 {
     static Session s;
     begin_session(&s, worldSeed);
     for (int i = 0; i < count; i++) {
-        if (i % 64 == 0) alarm(patience);
+        if (i % 64 == 0) wait_at_most(patience);
         tally->now = calls[i];
         tally->at = i;
         do_call(&s, calls[i]);
     }
     tally->at = count;
     end_session(&s);
-    alarm(0);
+    wait_at_most(0);
 }
 
 /* ---- making a finding small -------------------------------------------------------------------------------------------- */

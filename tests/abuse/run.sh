@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Random calls of the whole API of a world, good, bad and absurd, with every promise checked behind each (abuse.c says which).
+#   tests/abuse/run.sh                 what CI does: is every function called? then calls under the sanitizers, and some under valgrind
+#   tests/abuse/run.sh CALLS [SEED]    so many calls without sanitizers; OUT=FILE writes the record
+#   FUZZ=60 tests/abuse/run.sh         libFuzzer chooses the calls, for so many seconds
+# A finding is printed as a script of a few calls; build/abuse/weft-abuse --script FILE runs it again.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+work=build/abuse; mkdir -p "$work"
+[ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
+functions() { sed -nE '/^typedef/d; s/^[a-zA-Z].*[ *](wf[A-Z][A-Za-z0-9]*)\(.*/\1/p' build/lines/include/weft/world.h | sort -u; }
+for f in $(functions); do
+  grep -qw "$f" tests/abuse/abuse.c tests/abuse/operations.h || { echo "abuse: no random call calls $f of weft/world.h -- give it an operation in tests/abuse/operations.h"; missing=1; }
+done
+[ -z "${missing-}" ] || exit 1
+build() {     # directory, compiler, flags
+  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$work/$1" CC="$2" CFLAGS="$3" WARN=-w "$work/$1/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+  # shellcheck disable=SC2086
+  $2 -std=gnu11 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror $3 ${4-} -Ibuild/lines/include -Itests/abuse tests/abuse/abuse.c "tests/abuse/${5:-weft_abuse.c}" \
+    "$work/$1/lib/libweft.a" -lm -o "$work/$1/${6:-weft-abuse}" || exit 1
+}
+if [ -n "${FUZZ-}" ]; then
+  build fuzz clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fsanitize=fuzzer-no-link" "-fsanitize=fuzzer" fuzz_world.c fuzz-world
+  mkdir -p "$work/found"
+  "$work/fuzz/fuzz-world" -max_total_time="$FUZZ" -max_len=4096 -print_funcs=0 -artifact_prefix="$work/" "$work/found" >"$work/log" 2>&1 || { grep -vE '^#[0-9]+|^INFO' "$work/log" | head -30; exit 1; }
+  echo "abuse: $(sed -nE 's/^Done ([0-9]+) runs in ([0-9]+) second.*/\1 sessions in \2 s/p' "$work/log"), chosen by libFuzzer: nothing is broken"
+  exit 0
+fi
+if [ $# -gt 0 ]; then
+  build plain gcc "-O2 -g"
+  exec "$work/plain/weft-abuse" "${2:-1}" "$1" ${OUT:+--csv "$OUT"}
+fi
+build sanitized clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+build plain gcc "-O2 -g"
+build double gcc "-O2 -g -DWF_DOUBLE"
+"$work/sanitized/weft-abuse" 3 120000 || exit 1
+"$work/plain/weft-abuse" 4 150000 || exit 1
+"$work/double/weft-abuse" 5 100000 || exit 1
+if command -v valgrind >/dev/null; then
+  WEFT_ABUSE_ALONE=1 valgrind -q --error-exitcode=9 --exit-on-first-error=yes "$work/plain/weft-abuse" 6 3000 >"$work/valgrind.log" 2>&1 || { tail -30 "$work/valgrind.log"; echo "abuse: valgrind complains"; exit 1; }
+fi
+echo "abuse: $(functions | wc -l) functions, 370000 calls with everything checked, by gcc and under the sanitizers, float and double: nothing is broken"
