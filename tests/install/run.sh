@@ -8,12 +8,16 @@ say() { echo "install: $1"; }
 
 make --no-print-directory engine >/dev/null
 make --no-print-directory install DESTDIR="$work/stage" PREFIX=/opt/weft >/dev/null
-sed -i "s|^prefix=.*|prefix=$work/stage/opt/weft|" "$work/stage/opt/weft/lib/pkgconfig/weft.pc"
+sed -i "s|^prefix=.*|prefix=$work/stage/opt/weft|" "$work"/stage/opt/weft/lib/pkgconfig/weft*.pc
 export PKG_CONFIG_PATH=$work/stage/opt/weft/lib/pkgconfig
 cc -std=c11 tests/install/user.c $(pkg-config --cflags --libs weft) -lm -o "$work/user-shared"
 LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-shared" && say "pkg-config, shared: ok"
 cc -std=c11 tests/install/user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-static"
 "$work/user-static" && say "pkg-config, static: ok"
+if [ -f "$work/stage/opt/weft/lib/libweft-json.a" ]; then
+  cc -std=c11 tests/install/json_user.c $(pkg-config --cflags --libs weft-json) -lm -o "$work/user-json"
+  LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-json" && say "pkg-config, scenes as text: ok"
+fi
 cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/stage/opt/weft" >"$work/log" 2>&1 && cmake --build "$work/cmake" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/cmake/user" && "$work/cmake/user_shared" && say "CMake, static and shared: ok"
 
