@@ -412,6 +412,13 @@ static void play(wfWorld *w, wfJournal *j, int steps, bool odd)
         if (i == 54) of.kind = WF_INPUT_WAKE, give(w, j, of);
         if (i == 55) give(w, j, (wfInput){ .kind = WF_INPUT_SLEEP, .index = crate.index, .generation = crate.generation });
         if (i == 56) give(w, j, (wfInput){ .kind = WF_INPUT_REMOVE_BODY, .index = crate.index, .generation = crate.generation });
+        if (i == 57) {
+            wfInput m = { .kind = WF_INPUT_PAIR, .index = 1, .generation = 3 };
+            m.pair.friction = WF_R(0.125);
+            give(w, j, m);
+        }
+        if (i == 58) give(w, j, input(WF_INPUT_SETTING, (uint32_t)(wfFindSetting("slop") - wfSettingTable), 0, wfV2(0, 0), wfV2(0, 0), WF_R(0.01), 0));
+        if (i == 59) give(w, j, input(WF_INPUT_MOVE_ORIGIN, 0, 0, wfV2(0, 0), wfV2(16, 0), 0, 0));
         assert_ok(wfStepNoted(w, j, NULL));
     }
 }
