@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check mutate data golden coverage fuzz portability
+.PHONY: check mutate data golden coverage fuzz portability windows
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -26,3 +26,9 @@ coverage:
 SECONDS ?= 600
 fuzz:
 	@tests/fuzz/run.sh $(SECONDS)
+
+# The testbed as a native program for Windows, and a test that uses it under Wine. BUILD/windows/weft-testbed.exe
+windows: $(BUILD)/tangle.stamp
+	@tangle/install windows testbed || echo "Going on with what is here."
+	@$(MAKE) --no-print-directory -f tangle/windows.mk SRC=$(LINES) OUT=$(BUILD)/windows CC="$(CC)"
+	@echo "made: $(BUILD)/windows/weft-testbed.exe"; tests/testbed/wine.sh

@@ -354,13 +354,6 @@ wfResult wfSeparateGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     return separate(a, xa, b, xb, out, NULL);
 }
 /* <separate by GJK and EPA> */
-wfResult wfTraceGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                    wfSeparation *out, wfGjkTrace *trace)
-{
-    if (!a || !b || !out || !trace) return WF_ERROR_NULL;
-    trace->count = 0;
-    return separate(a, xa, b, xb, out, trace);
-}
 /* <walk over the regions by eq:narrow-neighbour> */
 /* one body's edge, seen from a point: from corner i to the next, share t of the way */
 typedef struct Side {
@@ -496,4 +489,12 @@ wfResult wfSeparateVoronoi(const wfShape *a, wfTransform xa, const wfShape *b,
 {
     int32_t steps;
     return wfWalkVoronoi(a, xa, b, xb, out, &steps);
+}
+/* <separate by GJK and EPA> */
+wfResult wfTraceGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                    wfSeparation *out, wfGjkTrace *trace)
+{
+    if (!a || !b || !out || !trace) return WF_ERROR_NULL;
+    trace->count = 0;
+    return separate(a, xa, b, xb, out, trace);
 }

@@ -24,7 +24,7 @@ wfResult wfPoolInit(wfPool *pool, size_t size, void *base)
 {
     if (!pool || (!base && size > 0)) return WF_ERROR_NULL;
     if ((uintptr_t)base % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
-    *pool = (wfPool){ base, size, 0 };
+    *pool = (wfPool){ (uint8_t *)base, size, 0 };
     return WF_OK;
 }
 /* <the pool> */
@@ -58,7 +58,10 @@ void wfPoolRewind(wfPool *pool, size_t mark)
 
 size_t wfPoolRoom(const wfPool *pool) { return pool->size - pool->used; }
 /* <the engine's memory> */
-#ifndef WF_NATIVE_ALLOC
+#if defined WF_FREESTANDING && !defined WF_NATIVE_ALLOC
+#define WF_NATIVE_ALLOC(size) (uint8_t *)((void)(size), NULL)
+#define WF_NATIVE_FREE(block) ((void)(block))
+#elif !defined WF_NATIVE_ALLOC
 #include <stdlib.h>
 #define WF_NATIVE_ALLOC(size) calloc(1, (size))      /* cleared bytes, or NULL */
 #define WF_NATIVE_FREE(block) free(block)

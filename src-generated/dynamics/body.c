@@ -33,8 +33,10 @@ wfResult wfCheckBodyProps(const wfBodyProps *p)
 
 bool wfBodyIsFinite(const wfBodyState *s)
 {
-    return wfIsFinite2(s->p) && wfIsFinite(s->angle) && wfIsFinite2(s->v)
-        && wfIsFinite(s->w) && wfIsFinite(s->invMass) && wfIsFinite(s->invInertia);
+    wfReal sum = (s->p.x - s->p.x) + (s->p.y - s->p.y) + (s->v.x - s->v.x)
+               + (s->v.y - s->v.y) + (s->angle - s->angle) + (s->w - s->w)
+               + (s->invMass - s->invMass) + (s->invInertia - s->invInertia);
+    return sum == 0;                    /* NaN if one of them is not finite */
 }
 /* <set up a body> */
 static void set_inverses(wfBodyState *state, const wfBodyProps *props)
@@ -84,12 +86,6 @@ void wfWrapBodyAngle(wfBodyState *state)
 {
     state->angle = wfWrapAngle(state->angle);                   /* eq:bodies-wrap */
 }
-/* <damp a body> */
-void wfDampVelocity(wfBodyState *state, wfReal linear, wfReal angular, wfReal h)
-{
-    if (linear != 0) state->v = wfScale(wfExp(-linear * h), state->v);  /* eq:bodies-damp */
-    if (angular != 0) state->w *= wfExp(-angular * h);
-}
 /* <push a body> */
 void wfApplyForce(wfBodyForces *sums, const wfBodyState *state, wfVec2 force, wfVec2 point)
 {
@@ -130,4 +126,10 @@ wfReal wfAngularMomentum(const wfBodyState *s, wfVec2 about)    /* eq:bodies-mom
 {
     wfReal passing = wfCross(wfSub(s->p, about), wfMomentum(s));
     return back(s->invInertia) * s->w + passing;
+}
+/* <damp a body> */
+void wfDampVelocity(wfBodyState *state, wfReal linear, wfReal angular, wfReal h)
+{
+    if (linear != 0) state->v = wfScale(wfExp(-linear * h), state->v);  /* eq:bodies-damp */
+    if (angular != 0) state->w *= wfExp(-angular * h);
 }

@@ -10,12 +10,15 @@ typedef struct Search {
     wfColumns *t;
     int32_t *first;             /* by body: its first entry in `next`, -1: none */
     int32_t *next;              /* two entries for each contact: of its a, of its b */
-    uint8_t *seen;
+    int32_t *limb;              /* by body: its limb, NOT_SEEN or GIVEN_UP */
+    int32_t loops, link[WF_COLUMN_LOOPS];   /* of this tree: contacts that close loops */
 } Search;
+
+enum { NOT_SEEN = -1, GIVEN_UP = -2 };
 
 #define COLUMN_NEAR (WF_R(1.0) / 64)    /* a gap of this share of the slop is a touch */
 
-static wfReal near_gap(const wfSubsteps *s, int32_t contact)
+wfReal wfNearGap(const wfSubsteps *s, int32_t contact)
 {
     return COLUMN_NEAR * s->in->contacts[s->order[contact]].slop;
 }
@@ -23,7 +26,7 @@ static wfReal near_gap(const wfSubsteps *s, int32_t contact)
 static bool touches(const wfSubsteps *s, int32_t contact)
 {
     const wfPrepared *c = &s->c[contact];
-    wfReal near = near_gap(s, contact);
+    wfReal near = wfNearGap(s, contact);
     for (int32_t k = 0; k < c->count; k++)
         if (c->p[k].normal > 0 || !(c->p[k].gap > near)) return true;
     return false;
@@ -37,7 +40,7 @@ static bool is_ground(const wfBodyState *b)
 static void list_touches(Search *q)
 {
     const wfSolve *in = q->s->in;
-    for (int32_t i = 0; i < in->bodyCount; i++) q->first[i] = -1, q->seen[i] = 0;
+    for (int32_t i = 0; i < in->bodyCount; i++) q->first[i] = -1, q->limb[i] = NOT_SEEN;
     for (int32_t i = in->contactCount - 1; i >= 0; i--) {
         q->t->held[i] = 0;
         if (!touches(q->s, i)) continue;
@@ -49,68 +52,119 @@ static void list_touches(Search *q)
     }
 }
 /* <find the trees> */
-/* The body on the other side of `from` joins the tree; false: it can't be one. */
+static void put_limb(wfLimb *l, int32_t contact, int32_t body, int32_t below)
+{
+    l->contact = contact;
+    l->body = body;
+    l->below = below;
+}
+
+/* The body joins the tree; false: it can't be one. */
 static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
 {
     const wfBodyState *b = &q->s->in->state[body];
-    if (q->seen[body] || !(b->invMass > 0) || !(b->invInertia > 0)) return false;
-    if (q->s->c[contact].rolling > 0) return false;
+    if (q->limb[body] != NOT_SEEN) return false;
+    if (!(b->invMass > 0) || !(b->invInertia > 0)) return false;
+    if (q->s->c[contact].rolling > 0 || q->t->count == q->t->room) return false;
     int32_t at = q->t->count++;
-    q->seen[body] = 1;
-    wfLimb *limb = &q->t->limb[at];
-    limb->body = body;
-    limb->below = below;
-    limb->contact = contact;
-    limb->root = below < 0 ? at : q->t->limb[below].root;
-    limb->upside = q->s->c[contact].a == body;
+    q->limb[body] = at;
+    put_limb(&q->t->limb[at], contact, body, below);
+    q->t->limb[at].over = at;
+    q->t->limb[at].root = below < 0 ? at : q->t->limb[below].root;
+    q->t->limb[at].upside = q->s->c[contact].a == body;
     return true;
 }
+
 /* <find the trees> */
+/* A contact whose other end is no news. */
+static bool add_link(Search *q, int32_t contact)
+{
+    if (q->loops == q->s->in->columns - 1 || q->s->c[contact].rolling > 0) return false;
+    q->link[q->loops++] = contact;
+    return true;
+}
+
 static bool grow(Search *q, int32_t root)
 {
     for (int32_t at = root; at < q->t->count; at++) {
         const wfLimb *limb = &q->t->limb[at];
         for (int32_t e = q->first[limb->body]; e >= 0; e = q->next[e]) {
             const wfPrepared *c = &q->s->c[e / 2];
-            if (e / 2 == limb->contact) continue;
-            if (!add_limb(q, e / 2, e % 2 == 0 ? c->b : c->a, at)) return false;
+            int32_t body = e % 2 == 0 ? c->b : c->a, known = q->limb[body];
+            if (e / 2 == limb->contact || known > at) continue;
+            bool fixed = is_ground(&q->s->in->state[body]);
+            bool well = fixed || known >= 0 ? add_link(q, e / 2)
+                                            : add_limb(q, e / 2, body, at);
+            if (!well) return false;
         }
     }
     return true;
 }
+/* <find the trees> */
+/* The links come after the limbs, each with its limbs; false: there is no room. */
+static bool close_loops(Search *q, int32_t root)
+{
+    wfColumns *t = q->t;
+    int32_t limbs = t->count - root;
+    t->limb[root].end = t->count;
+    if (q->loops > limbs || q->loops > t->room - t->count) return false;
+    for (int32_t i = 0; i < q->loops; i++) {
+        const wfPrepared *c = &q->s->c[q->link[i]];
+        int32_t a = q->limb[c->a], b = q->limb[c->b];
+        bool upside = is_ground(&q->s->in->state[c->b]);
+        wfLimb *link = &t->limb[t->count++];
+        put_limb(link, q->link[i], upside ? c->a : c->b, upside || a < 0 ? -1 : a);
+        link->over = upside ? a : b;
+        link->root = root;
+        link->upside = upside;
+    }
+    t->limb[root].links = t->count;
+    t->limb[root].given_up = false;
+    return true;
+}
+
+/* <find the trees> */
+static void try_root(Search *q, int32_t contact)
+{
+    const wfPrepared *c = &q->s->c[contact];
+    const wfBodyState *state = q->s->in->state;
+    bool onA = is_ground(&state[c->a]), onB = is_ground(&state[c->b]);
+    int32_t root = q->t->count, body = onA ? c->b : c->a;
+    if (onA == onB || q->limb[body] != NOT_SEEN || !touches(q->s, contact)) return;
+    q->loops = 0;
+    if (!add_limb(q, contact, body, -1)) return;
+    if (grow(q, root) && close_loops(q, root)) return;
+    while (q->t->count > root) q->limb[q->t->limb[--q->t->count].body] = GIVEN_UP;
+}
+
 /* <find the trees> */
 wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
     Search q = { .s = s, .t = t };
     t->count = 0;
-    t->limb = wfPoolPushArray(in->scratch, in->bodyCount, wfLimb);
+    t->room = 2 * in->bodyCount;
+    t->limb = wfPoolPushArray(in->scratch, t->room, wfLimb);
     t->held = wfPoolPushArray(in->scratch, in->contactCount, uint8_t);
     q.first = wfPoolPushArray(in->scratch, in->bodyCount, int32_t);
     q.next = wfPoolPushArray(in->scratch, 2 * in->contactCount, int32_t);
-    q.seen = wfPoolPushArray(in->scratch, in->bodyCount, uint8_t);
+    q.limb = wfPoolPushArray(in->scratch, in->bodyCount, int32_t);
     if (t->limb == NULL || t->held == NULL || q.first == NULL || q.next == NULL ||
-        q.seen == NULL)
+        q.limb == NULL)
         return WF_ERROR_MEMORY;
     list_touches(&q);
-    for (int32_t i = 0; in->columns != 0 && i < in->contactCount; i++) {
-        const wfPrepared *c = &s->c[i];
-        bool onA = is_ground(&in->state[c->a]), onB = is_ground(&in->state[c->b]);
-        int32_t root = t->count, body = onA ? c->b : c->a;
-        if (onA == onB || q.seen[body] || !touches(s, i)) continue;
-        if (!add_limb(&q, i, body, -1) || !grow(&q, root)) t->count = root;
-    }
-    for (int32_t i = 0; i < t->count; i++) t->held[t->limb[i].contact] = 1;
+    for (int32_t i = 0; in->columns != 0 && i < in->contactCount; i++) try_root(&q, i);
     return WF_OK;
 }
 /* <find the trees> */
 size_t wfColumnScratch(int32_t bodies, int32_t contacts)
 {
-    size_t body = sizeof(wfLimb) + sizeof(int32_t) + 1, contact = 2 * sizeof(int32_t) + 1;
+    size_t body = 2 * sizeof(wfLimb) + 2 * sizeof(int32_t);
+    size_t contact = 2 * sizeof(int32_t) + 1;
     return body * (size_t)bodies + contact * (size_t)contacts + 5 * WF_POOL_ALIGN;
 }
 /* <solve one limb> */
-typedef struct Law { wfReal bias, give, fastest; } Law;
+typedef struct Law { wfReal bias, give, fastest, loop, noise; } Law;
 
 static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal wrong,
                     wfReal soft)
@@ -121,7 +175,7 @@ static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal wr
     up[1] = down[1] = sign * d.y;
     up[2] = sign * (l->upside ? leverA : leverB);
     down[2] = sign * (l->upside ? leverB : leverA);
-    l->wrong[l->rows] = wrong;
+    l->wave.wrong[l->rows] = wrong;
     l->soft[l->rows++] = soft;
 }
 
@@ -132,12 +186,14 @@ static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPrepare
     return rate + wfMaxR(law->bias * p->now, -law->fastest);    /* eq:soft-follow */
 }
 
-static void add_friction(wfLimb *l, const wfPrepared *c, const wfPairMotion *m)
+static void add_friction(wfLimb *l, const wfPrepared *c, const wfPairMotion *m,
+                         wfReal give)
 {
     const wfPreparedPoint *p = &c->p[l->points == 2], *q = &c->p[l->points > 1];
     if (!(c->friction > 0)) return;
     wfReal rate = (wfTangentRate(m, p) + wfTangentRate(m, q)) / 2;
-    add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, rate - c->surfaceSpeed, 0);
+    add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, rate - c->surfaceSpeed,
+            give / p->massT);
 }
 /* <solve one limb> */
 static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
@@ -149,7 +205,8 @@ static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
     wfReal e[2], soft[2];
     for (int32_t k = 0; k < c->count; k++) {
         e[k] = what_is_wrong(s, law, &p[k], wfNormalRate(&m, &p[k]));
-        soft[k] = p[k].now > 0 ? 0 : law->give / p[k].massN;
+        wfReal give = p[k].now > 0 ? 0 : law->give;
+        soft[k] = wfMaxR(give, law->loop) / p[k].massN;
     }
     l->rows = 0;
     if (l->points == 3) {                                       /* eq:soft-mean */
@@ -157,11 +214,12 @@ static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
                 (e[0] + e[1]) / 2, (soft[0] + soft[1]) / 4);
         add_row(l, wfV2(0, 0), p[1].nA - p[0].nA, p[1].nB - p[0].nB, e[1] - e[0],
                 soft[0] + soft[1]);
-    } else
+    } else if (l->points != 0)
         add_row(l, c->n, one->nA, one->nB, e[one - p], soft[one - p]);
-    add_friction(l, c, &m);
+    if (l->points != 0) add_friction(l, c, &m, law->loop);
     memset(l->mass, 0, sizeof l->mass);
-    memset(l->load, 0, sizeof l->load);
+    memset(l->wave.load, 0, sizeof l->wave.load);
+    memset(l->wave.push, 0, sizeof l->wave.push);
     l->mass[0][0] = l->mass[1][1] = 1 / b->invMass;
     l->mass[2][2] = 1 / b->invInertia;
 }
@@ -198,114 +256,127 @@ static bool fold(wfLimb *l, wfLimb *below)
         for (int32_t k = 0; k < 3; k++) eased[i][k] = dot3(l->up[i], l->ease[k]);
         for (int32_t j = 0; j <= i; j++) S[i][j] = S[j][i] = dot3(eased[i], l->up[j]);
         S[i][i] = S[i][i] * (1 + 4 * WF_EPSILON) + l->soft[i];
-        l->wrong[i] += dot3(eased[i], l->load);                 /* eq:soft-limb-impulse */
     }
     if (!invert(l->rows, S, l->hold)) return false;
     for (int32_t i = 0; below != NULL && i < l->rows; i++)
         for (int32_t j = 0; j < l->rows; j++)
-            for (int32_t k = 0; k < 3; k++) {                   /* eq:soft-fold */
-                wfReal share = l->down[i][k] * l->hold[i][j];
-                for (int32_t n = 0; n < 3; n++) below->mass[k][n] += share * l->down[j][n];
-                below->load[k] += share * l->wrong[j];
-            }
+            for (int32_t k = 0; k < 3; k++)                     /* eq:soft-fold */
+                for (int32_t n = 0; n < 3; n++)
+                    below->mass[k][n] += l->down[i][k] * l->hold[i][j] * l->down[j][n];
     return true;
 }
+
+static void carry_down(const wfLimb *l, wfWave *w, wfWave *below)
+{
+    wfReal eased[3];
+    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(l->ease[k], w->load);
+    for (int32_t i = 0; i < l->rows; i++)
+        w->wrong[i] += dot3(l->up[i], eased);                   /* eq:soft-limb-impulse */
+    for (int32_t i = 0; below != NULL && i < l->rows; i++)
+        for (int32_t j = 0; j < l->rows; j++)
+            for (int32_t k = 0; k < 3; k++)                     /* eq:soft-fold */
+                below->load[k] += l->down[i][k] * l->hold[i][j] * w->wrong[j];
+}
 /* <solve one limb> */
-static void unfold(wfLimb *l, const wfLimb *below)
+static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
 {
     static const wfReal still[3] = { 0, 0, 0 };
     const wfReal *under = below == NULL ? still : below->gain;
-    wfReal lack[3], force[3] = { l->load[0], l->load[1], l->load[2] };
-    for (int32_t i = 0; i < l->rows; i++) lack[i] = dot3(l->down[i], under) - l->wrong[i];
+    wfReal lack[3], force[3] = { w->load[0], w->load[1], w->load[2] };
+    for (int32_t i = 0; i < l->rows; i++) lack[i] = dot3(l->down[i], under) - w->wrong[i];
     for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-limb-impulse */
-        l->push[i] = 0;
-        for (int32_t j = 0; j < l->rows; j++) l->push[i] += l->hold[i][j] * lack[j];
-        for (int32_t k = 0; k < 3; k++) force[k] += l->up[i][k] * l->push[i];
+        w->push[i] = 0;
+        for (int32_t j = 0; j < l->rows; j++) w->push[i] += l->hold[i][j] * lack[j];
+        for (int32_t k = 0; k < 3; k++) force[k] += l->up[i][k] * w->push[i];
     }
-    for (int32_t k = 0; k < 3; k++) l->gain[k] = dot3(l->ease[k], force);
+    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(l->ease[k], force);
 }
 /* <solve the trees> */
-enum { COLUMN_TRIES = 3 };
-enum { LIMB_OPEN, LIMB_AGAIN, LIMB_DONE, LIMB_FAILS };     /* the state of a root */
+enum { COLUMN_TRIES = 3, CAREFUL_TRIES = 64 };
+enum { LIMB_OPEN, LIMB_RIGHT, LIMB_FAILS };                /* the state of a root */
 
-static void point_pushes(const wfLimb *l, wfReal out[2])
+static void point_pushes(const wfLimb *l, const wfPrepared *c, wfReal out[2])
 {
-    out[0] = (l->points & 1) ? l->push[0] : 0;
-    out[1] = (l->points & 2) ? l->push[0] : 0;
+    const wfReal *push = l->wave.push;
+    out[0] = (l->points & 1) ? push[0] : -c->p[0].normal;       /* eq:soft-let-go */
+    out[1] = (l->points & 2) ? push[0] : -c->p[1].normal;
     if (l->points != 3) return;
-    out[0] = l->push[0] / 2 - l->push[1];                       /* eq:soft-mean */
-    out[1] = l->push[0] / 2 + l->push[1];
+    out[0] = push[0] / 2 - push[1];                             /* eq:soft-mean */
+    out[1] = push[0] / 2 + push[1];
+}
+
+static wfLimb *below_of(const wfColumns *t, const wfLimb *l)
+{
+    return l->below < 0 ? NULL : &t->limb[l->below];
 }
 /* <solve the trees> */
 /* how fast a point that was left out will approach, beyond what it may, m/s */
-static wfReal approach(const wfSubsteps *s, const Law *law, const wfLimb *l,
-                       const wfLimb *below, const wfPreparedPoint *p)
+static wfReal approach(const wfSubsteps *s, const Law *law, const wfColumns *t,
+                       const wfLimb *l, const wfPreparedPoint *p)
 {
     const wfPrepared *c = &s->c[l->contact];
+    const wfLimb *below = below_of(t, l);
+    const wfReal *own = t->limb[l->over].wave.gain;
     wfPairMotion m = wfTakePair(s->in, c);
-    wfReal gain[3] = { l->gain[0], l->gain[1], l->gain[2] }, sign = l->upside ? -1 : 1;
-    for (int32_t k = 0; below != NULL && k < 2; k++) gain[k] -= below->gain[k];
-    wfReal turn = l->gain[2], under = below == NULL ? 0 : below->gain[2];
+    wfReal gain[3] = { own[0], own[1], own[2] }, sign = l->upside ? -1 : 1;
+    for (int32_t k = 0; below != NULL && k < 2; k++) gain[k] -= below->wave.gain[k];
+    wfReal turn = own[2], under = below == NULL ? 0 : below->wave.gain[2];
     m.vn += sign * (gain[0] * c->n.x + gain[1] * c->n.y);
     m.wA += l->upside ? turn : under;
     m.wB += l->upside ? under : turn;
     return -what_is_wrong(s, law, p, wfNormalRate(&m, p));
 }
 /* <solve the trees> */
-static int32_t check_points(const wfSubsteps *s, const Law *law, wfLimb *l,
-                            const wfLimb *below)
+static bool points_are_right(const wfSubsteps *s, const Law *law, const wfColumns *t,
+                             wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
     int32_t bear = l->points;
     wfReal more[2];
-    point_pushes(l, more);
+    point_pushes(l, c, more);
     for (int32_t k = 0; k < c->count; k++) {
         int32_t bit = 1 << k;
-        if (l->points & bit) {
-            if (c->p[k].normal + more[k] >= 0) continue;
-            bear &= ~bit;
-            l->dropped |= bit;
-        } else if (approach(s, law, l, below, &c->p[k]) > 0) {
-            if (l->dropped & bit) return LIMB_FAILS;
-            bear |= bit;
-        }
+        if (bear & bit ? c->p[k].normal + more[k] < -law->noise
+                       : approach(s, law, t, l, &c->p[k]) > 0)
+            l->points ^= bit;
     }
-    if (bear == l->points) return LIMB_DONE;
-    l->points = bear;
-    return bear == 0 ? LIMB_FAILS : LIMB_AGAIN;
+    return l->points == bear;
 }
 /* <solve the trees> */
-static int32_t check_foot(const wfSubsteps *s, const wfLimb *l)
+static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
-    wfReal normal = l->push[0], tangent = c->friction > 0 ? l->push[l->rows - 1] : 0;
+    wfReal normal = l->wave.push[0];
+    wfReal tangent = c->friction > 0 && l->rows > 0 ? l->wave.push[l->rows - 1] : 0;
     for (int32_t k = 0; k < c->count; k++)
         normal += c->p[k].normal, tangent += c->p[k].tangent;
-    return wfAbs(tangent) > c->friction * normal ? LIMB_FAILS : LIMB_DONE;
+    return wfAbs(tangent) > c->friction * normal;
 }
 /* <solve the trees> */
 static void open_limb(const wfSubsteps *s, wfColumns *t, int32_t at)
 {
     wfLimb *l = &t->limb[at];
     const wfPrepared *c = &s->c[l->contact];
-    wfReal near = near_gap(s, l->contact);
-    l->points = l->dropped = 0;
+    wfReal near = wfNearGap(s, l->contact);
+    l->points = 0;
     l->state = LIMB_OPEN;
-    t->held[l->contact] = 1;
-    for (int32_t k = 0; k < c->count; k++)
+    for (int32_t k = 0; k < c->count; k++) {
+        l->at[k] = c->p[k].normal;
         if (c->p[k].normal > 0 || !(c->p[k].now > near)) l->points |= 1 << k;
-    if (l->points == 0) t->limb[l->root].state = LIMB_FAILS;
+    }
 }
 /* <solve the trees> */
 static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 {
     wfPrepared *c = &s->c[l->contact];
-    int32_t state = t->limb[l->root].state;
-    if (state != LIMB_DONE) t->held[l->contact] = 0;
-    if (state != LIMB_DONE) return;
+    const wfLimb *root = &t->limb[l->root];
+    t->held[l->contact] = root->state != LIMB_RIGHT ? WF_HELD_NOT
+                        : root->links > root->end ? WF_HELD_IN_LOOP : WF_HELD_IN_TREE;
+    if (!t->held[l->contact]) return;
     wfPairMotion m = wfTakePair(s->in, c);
-    wfReal more[2], drag = c->friction > 0 ? l->push[l->rows - 1] : 0;
-    point_pushes(l, more);
+    bool rubs = c->friction > 0 && l->rows > 0;
+    wfReal more[2], drag = rubs ? l->wave.push[l->rows - 1] : 0;
+    point_pushes(l, c, more);
     for (int32_t k = 0; k < c->count; k++) {
         wfReal share = l->points == 3 ? drag / 2 : (l->points >> k & 1) ? drag : 0;
         c->p[k].normal = wfMaxR(c->p[k].normal + more[k], 0);
@@ -316,52 +387,230 @@ static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
     wfGivePair(s->in, c, &m);
 }
 /* <solve the trees> */
-static wfLimb *below_of(const wfColumns *t, const wfLimb *l)
+static void run_wave(wfColumns *t, const wfLimb *root, bool extra)
 {
-    return l->below < 0 ? NULL : &t->limb[l->below];
+    int32_t from = root->root;
+    for (int32_t i = root->end - 1; i >= from; i--) {
+        wfLimb *l = &t->limb[i], *below = below_of(t, l);
+        wfWave *under = below == NULL ? NULL : extra ? &below->extra : &below->wave;
+        carry_down(l, extra ? &l->extra : &l->wave, under);
+    }
+    for (int32_t i = from; i < root->end; i++) {
+        wfLimb *l = &t->limb[i], *below = below_of(t, l);
+        const wfWave *under = below == NULL ? NULL : extra ? &below->extra : &below->wave;
+        carry_up(l, extra ? &l->extra : &l->wave, under);
+    }
+}
+/* <close the loops> */
+enum { LINK_ROWS = 3 * WF_COLUMN_LOOPS };
+typedef struct LinkRow { int32_t limb, row; } LinkRow;
+
+/* The rate of a link's row, by what its limbs gain. */
+static wfReal link_rate(const wfColumns *t, const wfLimb *l, int32_t row, bool extra)
+{
+    const wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
+    wfReal rate = dot3(l->up[row], extra ? over->extra.gain : over->wave.gain);
+    if (below == NULL) return rate;
+    return rate - dot3(l->down[row], extra ? below->extra.gain : below->wave.gain);
 }
 
-/* One try at all trees that are not yet solved; false if there are none. */
-static bool try_trees(const wfSubsteps *s, const Law *law, wfColumns *t)
+/* <close the loops> */
+static void load_link(wfColumns *t, const wfLimb *l, int32_t row, wfReal push)
 {
-    bool some = false;
-    for (int32_t i = 0; i < t->count; i++)
-        if (t->limb[t->limb[i].root].state == LIMB_OPEN)
-            make_rows(s, law, &t->limb[i]), some = true;
-    for (int32_t i = t->count - 1; i >= 0; i--) {
-        wfLimb *l = &t->limb[i], *root = &t->limb[l->root];
-        if (root->state == LIMB_OPEN && !fold(l, below_of(t, l))) root->state = LIMB_FAILS;
-    }
-    for (int32_t i = 0; i < t->count; i++) {
-        wfLimb *l = &t->limb[i];
-        if (t->limb[l->root].state == LIMB_OPEN) unfold(l, below_of(t, l));
-    }
-    return some;
-}
-/* <solve the trees> */
-static void check_trees(const wfSubsteps *s, const Law *law, wfColumns *t)
-{
-    for (int32_t i = 0; i < t->count; i++) {
-        wfLimb *l = &t->limb[i], *root = &t->limb[l->root];
-        if (root->state != LIMB_OPEN && root->state != LIMB_AGAIN) continue;
-        int32_t points = check_points(s, law, l, below_of(t, l));
-        if (points == LIMB_DONE && root->state == LIMB_OPEN) points = check_foot(s, l);
-        if (points != LIMB_DONE) root->state = points;
-    }
-    for (int32_t i = 0; i < t->count; i++) {
-        wfLimb *l = &t->limb[i];
-        if (l->root != i) continue;
-        if (l->state == LIMB_OPEN) l->state = LIMB_DONE;
-        if (l->state == LIMB_AGAIN) l->state = LIMB_OPEN;
+    wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
+    for (int32_t k = 0; k < 3; k++) {
+        over->extra.load[k] += push * l->up[row][k];
+        if (below != NULL) below->extra.load[k] -= push * l->down[row][k];
     }
 }
-/* <solve the trees> */
+
+static void clear_extra(wfColumns *t, const wfLimb *root)
+{
+    for (int32_t i = root->root; i < root->end; i++)
+        memset(&t->limb[i].extra, 0, sizeof t->limb[i].extra);
+}
+/* <close the loops> */
+/* x = -(A)^-1 x for a symmetric positive matrix, of which the lower half is given. */
+static bool solve_dense(int32_t n, wfReal A[LINK_ROWS][LINK_ROWS], wfReal x[LINK_ROWS])
+{
+    for (int32_t k = 0; k < n; k++) {
+        if (!(A[k][k] > 0)) return false;
+        for (int32_t i = k + 1; i < n; i++) {
+            wfReal share = A[i][k] / A[k][k];
+            for (int32_t j = i; j < n; j++) A[j][i] -= share * A[j][k];
+            x[i] -= share * x[k];
+        }
+    }
+    for (int32_t k = n - 1; k >= 0; k--) {
+        for (int32_t i = k + 1; i < n; i++) x[k] += A[i][k] * x[i];
+        x[k] /= -A[k][k];
+    }
+    return true;
+}
+/* <close the loops> */
+/* The matrix of eq:soft-links in the lower half of A; its right side. The rows' number. */
+static int32_t ask_links(wfColumns *t, const wfLimb *root, LinkRow *row,
+                         wfReal A[LINK_ROWS][LINK_ROWS], wfReal x[LINK_ROWS])
+{
+    int32_t n = 0;
+    for (int32_t i = root->end; i < root->links; i++)
+        for (int32_t k = 0; k < t->limb[i].rows; k++) row[n++] = (LinkRow){ i, k };
+    for (int32_t i = 0; i < n; i++) {
+        const wfLimb *l = &t->limb[row[i].limb];
+        x[i] = l->wave.wrong[row[i].row] + link_rate(t, l, row[i].row, false);
+        clear_extra(t, root);
+        load_link(t, l, row[i].row, 1);
+        run_wave(t, root, true);
+        for (int32_t k = i; k < n; k++)
+            A[k][i] = link_rate(t, &t->limb[row[k].limb], row[k].row, true);
+        A[i][i] += l->soft[row[i].row];
+    }
+    return n;
+}
+
+static bool solve_links(wfColumns *t, const wfLimb *root)
+{
+    wfReal A[LINK_ROWS][LINK_ROWS], x[LINK_ROWS];
+    LinkRow row[LINK_ROWS];
+    int32_t n = ask_links(t, root, row, A, x);
+    if (!solve_dense(n, A, x)) return false;
+    clear_extra(t, root);
+    for (int32_t i = 0; i < n; i++) {
+        load_link(t, &t->limb[row[i].limb], row[i].row, x[i]);
+        t->limb[row[i].limb].wave.push[row[i].row] = x[i];
+    }
+    run_wave(t, root, true);
+    for (int32_t i = root->root; i < root->end; i++)
+        for (int32_t k = 0; k < 3; k++) {
+            t->limb[i].wave.push[k] += t->limb[i].extra.push[k];
+            t->limb[i].wave.gain[k] += t->limb[i].extra.gain[k];
+        }
+    return true;
+}
+/* <try the trees> */
+/* What the points that are left out have been given goes to the loads, eq:soft-let-go. */
+static void let_go(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
+{
+    const wfPrepared *c = &s->c[l->contact];
+    wfReal sign = l->upside ? WF_R(-1.0) : WF_R(1.0);
+    for (int32_t k = 0; k < c->count; k++) {
+        const wfPreparedPoint *p = &c->p[k];
+        if ((l->points >> k & 1) || !(p->normal > 0)) continue;
+        wfReal give = -sign * p->normal, *load = t->limb[l->over].wave.load;
+        load[0] += give * c->n.x, load[1] += give * c->n.y;     /* eq:soft-let-go */
+        load[2] += give * (l->upside ? p->nA : p->nB);
+        if (l->below < 0) continue;
+        load = t->limb[l->below].wave.load;
+        load[0] -= give * c->n.x, load[1] -= give * c->n.y;
+        load[2] -= give * (l->upside ? p->nB : p->nA);
+    }
+}
+
+/* <try the trees> */
+static bool try_tree(const wfSubsteps *s, const Law *law, wfColumns *t, const wfLimb *root)
+{
+    for (int32_t i = root->root; i < root->links; i++) make_rows(s, law, &t->limb[i]);
+    for (int32_t i = root->root; i < root->links; i++) let_go(s, t, &t->limb[i]);
+    for (int32_t i = root->end - 1; i >= root->root; i--)
+        if (!fold(&t->limb[i], below_of(t, &t->limb[i]))) return false;
+    run_wave(t, root, false);
+    return root->links == root->end || solve_links(t, root);
+}
+/* <try the trees> */
+/* A few tries, each with the guess that the one before leads to. */
+static void try_quickly(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
+{
+    for (int32_t n = 0; n < COLUMN_TRIES && root->state == LIMB_OPEN; n++) {
+        bool right = true;
+        if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
+        for (int32_t i = root->root; i < root->links; i++)
+            if (!points_are_right(s, law, t, &t->limb[i])) right = false;
+        if (right && root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
+    }
+}
+/* <try the trees> */
+/* Goes from the sums `at` towards those of the last try, until one is 0: its point. */
+static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns *t,
+                                 const wfLimb *root)
+{
+    wfReal share = 1, more[2];
+    wfLimb *limb = NULL;
+    int32_t point = 0;
+    for (int32_t pass = 0; pass < 2; pass++)
+        for (int32_t i = root->root; i < root->links; i++) {
+            wfLimb *l = &t->limb[i];
+            const wfPrepared *c = &s->c[l->contact];
+            point_pushes(l, c, more);
+            for (int32_t k = 0; k < c->count; k++) {
+                wfReal aim = c->p[k].normal + more[k], from = l->at[k];
+                if (pass == 1) l->at[k] = wfMaxR(from + share * (aim - from), 0);
+                else if ((l->points >> k & 1) && aim < -law->noise &&
+                         from < share * (from - aim))
+                    share = from / (from - aim), limb = l, point = k;   /* eq:soft-ratio */
+            }
+        }
+    if (limb == NULL) return false;
+    limb->at[point] = 0;
+    limb->points &= ~(1 << point);
+    return true;
+}
+
+/* <try the trees> */
+static bool take_in_worst(const wfSubsteps *s, const Law *law, wfColumns *t,
+                          const wfLimb *root)
+{
+    wfReal worst = 0;
+    wfLimb *limb = NULL;
+    int32_t point = 0;
+    for (int32_t i = root->root; i < root->links; i++) {
+        wfLimb *l = &t->limb[i];
+        const wfPrepared *c = &s->c[l->contact];
+        for (int32_t k = 0; k < c->count; k++) {
+            if (l->points >> k & 1) continue;
+            wfReal mine = approach(s, law, t, l, &c->p[k]);
+            if (mine > worst) worst = mine, limb = l, point = k;
+        }
+    }
+    if (limb != NULL) limb->points |= 1 << point;
+    return limb != NULL;
+}
+
+/* <try the trees> */
+static void try_carefully(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
+{
+    for (int32_t i = root->root; i < root->links; i++) open_limb(s, t, i);
+    for (int32_t n = 0; n < CAREFUL_TRIES && root->state == LIMB_OPEN; n++) {
+        if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
+        else if (!go_until_one_lets_go(s, law, t, root) && !take_in_worst(s, law, t, root))
+            root->state = LIMB_RIGHT;
+    }
+}
+/* <try the trees> */
+static wfReal push_noise(const wfSubsteps *s, const wfColumns *t, const wfLimb *root)
+{
+    wfReal most = 0;
+    for (int32_t i = root->root; i < root->links; i++) {
+        const wfPrepared *c = &s->c[t->limb[i].contact];
+        for (int32_t k = 0; k < c->count; k++) most = wfMaxR(most, c->p[k].normal);
+    }
+    return 16 * WF_EPSILON * most;
+}
+/* <try the trees> */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest)
 {
-    Law law = { bias, give, fastest };
-    for (int32_t i = 0; i < t->count; i++) open_limb(s, t, i);
-    for (int32_t n = 0; n < COLUMN_TRIES && try_trees(s, &law, t); n++)
-        check_trees(s, &law, t);
-    for (int32_t i = 0; i < t->count; i++) close_limb(s, t, &t->limb[i]);
+    for (int32_t at = 0; at < t->count; at = t->limb[at].links) {
+        wfLimb *root = &t->limb[at];
+        if (root->given_up) continue;
+        bool loops = root->links > root->end;
+        Law law = { loops ? 0 : bias, give, fastest, loops ? WF_COLUMN_GIVE : 0,
+                    loops ? push_noise(s, t, root) : 0 };
+        for (int32_t i = at; i < root->links; i++) open_limb(s, t, i);
+        try_quickly(s, &law, t, root);
+        if (loops && root->state == LIMB_OPEN) try_carefully(s, &law, t, root);
+        for (int32_t i = at; i < root->links && root->state == LIMB_RIGHT; i++)
+            if (foot_slips(s, &t->limb[i])) root->state = LIMB_FAILS;
+        for (int32_t i = at; i < root->links; i++) close_limb(s, t, &t->limb[i]);
+        root->given_up = loops && root->state != LIMB_RIGHT;
+    }
 }

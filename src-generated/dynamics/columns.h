@@ -6,29 +6,43 @@
 #include "dynamics/substep.h"
 
 /* <declarations of columns> */
-/* A body that stands on one contact, and on it whatever stands there: a limb of a tree. */
+/* What runs down a tree and up again, for one right side of eq:soft-contact-rows. */
+typedef struct wfWave {
+    wfReal load[3], wrong[3];    /* p: what comes down from above, N s; e */
+    wfReal push[3], gain[3];     /* f and D */
+} wfWave;
+
+/* A body that stands on one contact, and on it whatever stands there: a limb of a tree. Or
+ * a link: a contact that closes a loop, between two limbs or a limb and the ground. */
 typedef struct wfLimb {
     int32_t body, below;         /* below: limb that it stands on; -1: the ground */
     int32_t contact, root;       /* root: the limb of its tree that is on the ground */
-    int32_t points, dropped;     /* bits of the points that bear, of those that do not */
+    int32_t over;                /* the limb of `body`; another one: this is a link */
+    int32_t end, links;          /* of a root: where its limbs end, and its links */
+    int32_t points;              /* bits of the points that bear */
     int32_t rows, state;
     bool    upside;              /* the body is the contact's a */
+    bool    given_up;            /* a root with loops: by passes for the rest of the step */
     wfReal  up[3][3], down[3][3];           /* J and G */
     wfReal  mass[3][3], ease[3][3];         /* of the body and all above it; inverse */
-    wfReal  load[3];                        /* p: what comes down from above, N s */
-    wfReal  hold[3][3], soft[3], wrong[3];  /* inverse of S; of Gamma; e */
-    wfReal  push[3], gain[3];               /* f and D */
+    wfReal  hold[3][3], soft[3];            /* inverse of S; of Gamma */
+    wfWave  wave, extra;         /* of the tree alone; of a push at a link */
+    wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
 } wfLimb;
 
 typedef struct wfColumns {
     wfLimb  *limb;               /* each after the one that it stands on */
-    int32_t  count;
-    uint8_t *held;               /* by contact: 1 if it is solved here */
+    int32_t  count, room;
+    uint8_t *held;               /* by contact: is it solved here? */
 } wfColumns;
+
+enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP };
 /* <declarations of columns> */
 /* Finds the trees among the contacts that touch. WF_ERROR_MEMORY. */
 wfResult wfFindColumns(const wfSubsteps *s, wfColumns *out);
 size_t wfColumnScratch(int32_t bodies, int32_t contacts);
+/* A gap of no more counts as a touch, m. */
+wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
 /* Solves all trees: b and gamma K of eq:soft-follow, and how fast overlap is left at most.
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,

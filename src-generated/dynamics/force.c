@@ -10,11 +10,6 @@ static bool feels(const wfBodyView *bodies, int32_t i)
     return bodies->state[i].invMass > 0 || bodies->state[i].invInertia > 0;
 }
 
-static bool is_there(const wfBodyView *bodies, int32_t i)
-{
-    return i >= 0 && i < bodies->count && (!bodies->alive || bodies->alive[i]);
-}
-
 static int32_t first_of(const wfForce *f) { return f->a < 0 ? 0 : f->a; }
 
 static int32_t end_of(const wfForce *f, const wfBodyView *bodies)
@@ -28,6 +23,11 @@ static wfReal mass_of(const wfBodyView *bodies, int32_t i)
     return inverse > 0 ? 1 / inverse : 0;
 }
 /* <choose the bodies that a force acts on> */
+static bool is_there(const wfBodyView *bodies, int32_t i)
+{
+    return i >= 0 && i < bodies->count && (!bodies->alive || bodies->alive[i]);
+}
+
 static int32_t first_shape(const wfBodyView *bodies, int32_t i)
 {
     return bodies->shapes ? bodies->props[i].shape : -1;
@@ -50,6 +50,7 @@ static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal tim
     }
 }
 
+/* <force generators> */
 static wfReal gravity_energy(const wfForce *f, const wfBodyView *bodies)
 {
     wfReal sum = 0;
@@ -563,8 +564,15 @@ static void hand_move(wfForce *f, wfVec2 by)
 /* <the force table> */
 const wfForceRow wfForceTable[] = {
     /* <rows of the force table> */
-    [WF_FORCE_GRAVITY] = { "gravity", "the same acceleration for all",
-        2, gravity_apply, gravity_energy, NULL, true, NULL },
+    [WF_FORCE_GRAVITY] = { .name = "gravity", .text = "the same acceleration for all",
+        .params = 2, .apply = gravity_apply,
+        /* <the energy of gravity> */
+        /* which not every engine has to add up */
+        /* <the energy of gravity> */
+        .energy = gravity_energy,
+        .steady = true,
+    },
+    /* <rows of the force table> */
     [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
         4, point_apply, point_energy, point_check, true, point_move },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
@@ -597,6 +605,7 @@ wfForce wfGravity(wfVec2 g)
     return (wfForce){ .kind = WF_FORCE_GRAVITY, .a = -1, .b = -1, .gravity = { g } };
 }
 
+/* <make forces> */
 wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening)
 {
     return (wfForce){ .kind = WF_FORCE_POINT_GRAVITY, .a = -1, .b = -1,
@@ -667,6 +676,7 @@ void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, 
         wfForceTable[forces[i].kind].apply(&forces[i], bodies, time, out);
 }
 
+/* <add up forces> */
 wfReal wfForceEnergy(const wfForce *forces, int n, const wfBodyView *bodies)
 {
     wfReal sum = 0;

@@ -16,21 +16,32 @@ static void find_accelerations(const wfIntegration *in, const wfBodyState *state
     memset(forces, 0, (size_t)in->count * sizeof *forces);
     in->forces(in->context, state, in->count, time, forces);
     for (int32_t i = 0; i < in->count; i++) {
-        wfReal m = state[i].invMass, j = state[i].invInertia;
-        out[i].linear = m > 0 ? wfScale(m, forces[i].force) : wfV2(0, 0);
-        out[i].angular = j > 0 ? j * forces[i].torque : 0;
+        wfReal m = state[i].invMass;
+        out[i] = (Acceleration){ .angular = 0 };
+        if (m > 0) out[i].linear = wfScale(m, forces[i].force);
+        /* <find the angular acceleration> */
+        /* of what turns */
+        /* <find the angular acceleration> */
+        if (state[i].invInertia > 0) out[i].angular = state[i].invInertia * forces[i].torque;
     }
 }
 
 static void kick(wfBodyState *s, wfReal h, const Acceleration *a)
 {
     s->v = wfAddScaled(s->v, h, a->linear);
+    /* <kick the spin> */
+    /* likewise */
+    /* <kick the spin> */
     s->w += h * a->angular;
 }
 /* <find the accelerations> */
 static void drift(wfBodyState *s, wfReal h, wfVec2 v, wfReal w)
 {
+    (void)w;
     s->p = wfAddScaled(s->p, h, v);
+    /* <drift the angle> */
+    /* likewise */
+    /* <drift the angle> */
     s->angle += h * w;
 }
 /* <reserve scratch for a step> */
@@ -82,6 +93,8 @@ static wfResult explicit_euler(const wfIntegration *in)
     return WF_OK;
 }
 /* <integrators> */
+static size_t symplectic_scratch(int32_t count) { return scratch_size(count, 1, false); }
+
 static wfResult symplectic_euler(const wfIntegration *in)
 {
     Scratch s;
@@ -423,11 +436,15 @@ const wfIntegratorRow wfIntegratorTable[] = {
     /* <rows of the integrator table> */
     { "explicit-euler", "drift with the old velocity, then kick: gains energy",
       1, false, 1, explicit_euler, euler_scratch },
+    /* <rows of the integrator table> */
     { "symplectic-euler", "kick, then drift with the new velocity",
-      1, true, 1, symplectic_euler, euler_scratch },
+      1, true, 1, symplectic_euler, symplectic_scratch },
+    /* <rows of the integrator table> */
     { "verlet", "half a kick, drift, half a kick: exact in free flight",
       2, true, 2, verlet, verlet_scratch },
+    /* <rows of the integrator table> */
     { "rk4", "the classical Runge-Kutta method", 4, false, 4, rk4, rk4_scratch },
+    /* <rows of the integrator table> */
     { "implicit-midpoint", "a kick by the force halfway: stable for every spring",
       2, true, 0, implicit_midpoint, midpoint_scratch },
 };

@@ -865,7 +865,7 @@ static void break_worst(wfJointSet *set, wfReal h)
 void wfEndJoints(wfJointSet *set, const wfSolve *in)
 {
     wfReal dt = in->h / (wfReal)in->substeps;
-    if (set->count == 0) return;
+    if (set->count == 0 || !(set->last > 0)) return;
     for (int32_t i = 0; i < set->bodies; i++) in->state[i].invInertia = set->inverse[i];
     for (int32_t i = 0; i < set->count; i++) {
         wfJoint *j = &set->joints[i];

@@ -413,7 +413,7 @@ wfResult wfCheckSolve(const wfSolve *in)
         !wfIsFinite(in->recoverySpeed))
         return WF_ERROR_NOT_FINITE;
     if (in->contactPeriod < 0 || in->contactDamping < 0 || in->recoverySpeed < 0 ||
-        in->columns < 0 || in->columns > 1)
+        in->columns < 0 || in->columns > 1 + WF_COLUMN_LOOPS)
         return WF_ERROR_RANGE;
     wfResult result = WF_OK;
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)

@@ -132,7 +132,8 @@ static bool part_point(const wfPreparedPoint *p, const wfPrepared *c, const wfSo
     return true;
 }
 /* <a step in substeps> */
-static void part_deep(wfSubsteps *s, const Softness *soft, wfMoved *aside)
+static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
+                      wfMoved *aside)
 {
     bool some = false;
     wfReal most = soft->fastest * s->dt, share = soft->bias * s->dt;
@@ -140,7 +141,8 @@ static void part_deep(wfSubsteps *s, const Softness *soft, wfMoved *aside)
     for (int32_t i = 0; i < s->in->contactCount; i++)
         for (int32_t k = 0; k < s->c[i].count; k++) {
             wfPreparedPoint *p = &s->c[i].p[k];
-            if (!is_deep(&deep, p)) continue;
+            bool loop = t->held[i] == WF_HELD_IN_LOOP && p->now < -wfNearGap(s, i);
+            if (!loop && !is_deep(&deep, p)) continue;
             some = part_point(p, &s->c[i], s->in, wfMinR(-p->now * share, most), aside);
         }
     if (!some) return;
@@ -184,7 +186,7 @@ wfResult wfSoftStep(const wfSolve *in)
         wfBounceAll(&s);
         sweep(&s, &columns, &soft);
         wfDrift(&s);
-        part_deep(&s, &soft, aside);
+        part_deep(&s, &columns, &soft, aside);
         sweep(&s, &columns, NULL);
     }
     if (result == WF_OK) finish(&s, &columns);

@@ -20,6 +20,16 @@ static wfResult open_set(const wfWorld *world, wfBlock *b, wfShapeSet *set)
     return WF_OK;
 }
 /* <ask a world> */
+static wfResult open_probe(const wfWorld *world, const wfShape *shape, wfBlock *b,
+                           wfShapeSet *set)
+{
+    wfResult result = open_set(world, b, set);
+    if (result != WF_OK) return result;
+    if (shape == NULL) return WF_ERROR_NULL;
+    if (shape->kind == WF_SHAPE_NONE && shape->count == 0) return WF_OK;    /* a point */
+    return wfCheckShape(shape);
+}
+/* <ask a world> */
 wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out)
 {
@@ -44,7 +54,7 @@ wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransfor
 {
     wfBlock b;
     wfShapeSet set;
-    wfResult result = open_set(world, &b, &set);
+    wfResult result = open_probe(world, shape, &b, &set);
     if (result != WF_OK) return result;
     return wfSetCastShape(&set, shape, placed, by, filter, out);
 }
@@ -55,7 +65,7 @@ wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
 {
     wfBlock b;
     wfShapeSet set;
-    wfResult result = open_set(world, &b, &set);
+    wfResult result = open_probe(world, shape, &b, &set);
     if (result != WF_OK) return result;
     return wfSetCastShapeAll(&set, shape, placed, by, filter, hits, capacity, count);
 }
@@ -66,7 +76,7 @@ wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform 
 {
     wfBlock b;
     wfShapeSet set;
-    wfResult result = open_set(world, &b, &set);
+    wfResult result = open_probe(world, shape, &b, &set);
     if (result != WF_OK) return result;
     return wfSetOverlap(&set, shape, placed, filter, shapes, capacity, count);
 }
@@ -105,7 +115,7 @@ wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform
 {
     wfBlock b;
     wfShapeSet set;
-    wfResult result = open_set(world, &b, &set);
+    wfResult result = open_probe(world, shape, &b, &set);
     if (result != WF_OK) return result;
     return wfSetDistance(&set, shape, placed, within, filter, out);
 }

@@ -4,6 +4,11 @@
 #include "engine/block.h"
 
 /* <the default world> */
+/* <what the defaults need> */
+/* a helper or two, in later groups */
+/* <what the defaults need> */
+static int32_t row_or_first(int row) { return row < 0 ? 0 : row; }
+
 wfWorldDef wfDefaultWorldDef(void)
 {
     return (wfWorldDef){
@@ -13,12 +18,14 @@ wfWorldDef wfDefaultWorldDef(void)
         /* <defaults of the settings> */
         .forceCapacity = 64,
         /* <defaults of the settings> */
-        .broadPhase = wfFindBroadPhase("dynamic-tree"), .narrowPhase = wfFindNarrowPhase("sat"),
-        .solver = wfFindSolver("soft"), .substeps = 4,
+        .broadPhase = row_or_first(wfFindBroadPhase("dynamic-tree")),
+        .narrowPhase = wfFindNarrowPhase("sat"), .solver = row_or_first(wfFindSolver("soft")),
+        .substeps = 4,
         /* <defaults of the settings> */
-        .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005),
+        .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1,
+        /* <defaults of the settings> */
         .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
-        .recoverySteps = 24, .colours = 1, .columns = 1, .reuse = 1,
+        .recoverySteps = 24, .colours = 1, .columns = 3,
         /* <defaults of the settings> */
         .frictionMix = wfFindMix("geometric-mean"), .restitutionMix = wfFindMix("maximum"),
         .rollingMix = wfFindMix("maximum"),
@@ -29,8 +36,9 @@ wfWorldDef wfDefaultWorldDef(void)
         /* <defaults of the settings> */
         .pairMaterials = 16,
         /* <defaults of the settings> */
-        .jointCapacity = 64, .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP,
-        .jointGive = WF_JOINT_GIVE,
+        .jointCapacity = 64,
+        /* <defaults of the settings> */
+        .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP, .jointGive = WF_JOINT_GIVE,
         /* <defaults of the settings> */
         .impacts = 16,
         /* <defaults of the settings> */
@@ -39,14 +47,23 @@ wfWorldDef wfDefaultWorldDef(void)
 }
 /* <identify the block> */
 /* A constant that differs between builds whose blocks differ. */
-#define WF_BLOCK_MAGIC (0x57454654u + 0x100000000u * ((uint64_t)sizeof(wfHeader) \
-    + 3 * sizeof(wfShape) + 7 * sizeof(wfBodyProps) + 31 * sizeof(wfContact) \
-    + 127 * sizeof(wfForce) + 1021 * sizeof(wfBodyState) + 8191 * sizeof(wfShapeProps) \
-    + 65537 * sizeof(wfManifoldCache)))
+#define WF_BLOCK_MAGIC (0x57454654u + 0x100000000u * (uint64_t)STORED_TYPES)
+enum {
+    STORED_TYPES = sizeof(wfHeader) + 7 * sizeof(wfBodyProps) + 127 * sizeof(wfForce)
+    + 1021 * sizeof(wfBodyState)
+    /* <other types that a block stores> */
+    /* each times a factor of its own */
+    /* <other types that a block stores> */
+    + 3 * sizeof(wfShape) + 31 * sizeof(wfContact) + 8191 * sizeof(wfShapeProps)
+    + 65537 * sizeof(wfManifoldCache)
+};
 /* <choose the capacities that were left open> */
 static wfWorldDef complete(const wfWorldDef *def)
 {
     wfWorldDef d = *def;
+    /* <leave no capacity open> */
+    /* the number of bodies is the user's to say */
+    /* <leave no capacity open> */
     if (d.shapeCapacity == 0) d.shapeCapacity = d.bodyCapacity;
     int64_t n = d.shapeCapacity;
     int64_t all = n * (n - 1) / 2, some = 16 * n;
@@ -59,25 +76,24 @@ static wfWorldDef complete(const wfWorldDef *def)
 /* <measure the scratch that the stages need> */
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
-static size_t solver_scratch(const wfWorldDef *d, int row)
-{
-    return wfSolverTable[row].scratch(d->bodyCapacity, d->contactCapacity);
-}
-
 static size_t stage_scratch(const wfWorldDef *d)
 {
     size_t most = 0;
     for (int i = 0; i < wfIntegratorCount; i++)
         most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
+    /* <see what other stages need> */
+    /* the stages that only copy need none */
+    /* <see what other stages need> */
     int32_t shapes = d->shapeCapacity, pairs = d->pairCapacity;
     for (int i = 0; i < wfBroadPhaseCount; i++)
         most = larger(most, wfBroadPhaseTable[i].scratch(shapes, pairs));
     for (int i = 0; i < wfSolverCount; i++)
         if (i == d->solver || i != wfFindSolver(WF_SOLVER_LARGE))
-            most = larger(most, solver_scratch(d, i));
+            most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, d->contactCapacity));
+    most = larger(most, sizeof(wfBodyState) * (size_t)d->bodyCapacity + WF_POOL_ALIGN);
+    /* <see what other stages need> */
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
-    most = larger(most, sizeof(wfBodyState) * (size_t)d->bodyCapacity + WF_POOL_ALIGN);
     return most + WF_POOL_ALIGN;
 }
 /* <measure the scratch that the stages need> */
@@ -91,19 +107,26 @@ static size_t index_size(const wfWorldDef *d)
 /* <list the regions of the block> */
 static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
 {
-    size_t bodies = (size_t)d->bodyCapacity, forces = (size_t)d->forceCapacity;
-    size_t shapes = (size_t)d->shapeCapacity;
+    /* <count what the arrays hold> */
+    size_t bodies = (size_t)d->bodyCapacity, active = 1;     /* gravity */
+    /* <count what the arrays hold> */
+    size_t forces = (size_t)d->forceCapacity;
+    active += forces;
+    /* <count what the arrays hold> */
+    size_t shapes = (size_t)d->shapeCapacity, index = index_size(d);
     size_t pairs = (size_t)d->pairCapacity, contacts = (size_t)d->contactCapacity;
+    /* <count what the arrays hold> */
     size_t touches = d->events ? pairs : 0;
-    size_t index = index_size(d);
     const wfRegion list[WF_REGION_COUNT] = {
         /* <rows of the block's regions> */
         [WF_REGION_HEADER]        = { "header", 0, 1, sizeof(wfHeader), 0 },
         [WF_REGION_BODY_SLOTS]    = { "body slots", 0, bodies, sizeof(wfSlot), 0 },
         [WF_REGION_ALIVE]         = { "alive", 0, bodies, sizeof(uint8_t), 0 },
         [WF_REGION_STATE]         = { "states", 0, bodies, sizeof(wfBodyState), 0 },
-        [WF_REGION_APPLIED]       = { "applied forces", 0, bodies, sizeof(wfBodyForces), 0 },
         [WF_REGION_PROPS]         = { "properties", 0, bodies, sizeof(wfBodyProps), 0 },
+        /* <rows of the block's regions> */
+        [WF_REGION_APPLIED]       = { "applied forces", 0, bodies, sizeof(wfBodyForces), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_SHAPE_SLOTS]   = { "shape slots", 0, shapes, sizeof(wfSlot), 0 },
         [WF_REGION_SHAPES]        = { "shapes", 0, shapes, sizeof(wfShape), 0 },
         [WF_REGION_OWNERS]        = { "owners of shapes", 0, shapes, sizeof(int32_t), 0 },
@@ -113,18 +136,22 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_BOUNDS]        = { "bounds", 0, shapes, sizeof(wfRect), 0 },
         [WF_REGION_FLAGS]         = { "flags", 0, shapes, sizeof(uint8_t), 0 },
         [WF_REGION_INDEX]         = { "index", 0, index, 1, 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_FORCE_SLOTS]   = { "force slots", 0, forces, sizeof(wfSlot), 0 },
         [WF_REGION_FORCES]        = { "forces", 0, forces, sizeof(wfForce), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_PAIRS]         = { "pairs", 0, pairs, sizeof(wfPair), 0 },
         [WF_REGION_CACHES]        = { "caches", 0, pairs, sizeof(wfManifoldCache), 0 },
         [WF_REGION_CONTACTS]      = { "contacts", 0, contacts, sizeof(wfContact), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_TOUCHES]       = { "touches", 0, touches, sizeof(wfTouch), 0 },
         [WF_REGION_EVENTS]        = { "events", 0, 2 * touches, sizeof(wfTouchEvent), 0 },
         [WF_REGION_HITS]          = { "hits", 0, touches, sizeof(wfHit), 0 },
         /* <rows of the block's regions> */
         [WF_REGION_NEW_STATE]     = { "new states", 1, bodies, sizeof(wfBodyState), 0 },
         [WF_REGION_PRESENT]       = { "present", 1, bodies, sizeof(uint8_t), 0 },
-        [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, forces + 1, sizeof(wfForce), 0 },
+        [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, active, sizeof(wfForce), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_SUMS]          = { "sums of forces", 1, bodies, sizeof(wfBodyForces), 0 },
         [WF_REGION_PLACES]        = { "places", 1, bodies, sizeof(wfTransform), 0 },
         [WF_REGION_RIMS]          = { "rim speeds", 1, shapes, sizeof(wfReal), 0 },
@@ -134,9 +161,11 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_NEW_PAIRS]     = { "new pairs", 1, pairs, sizeof(wfPair), 0 },
         [WF_REGION_NEW_CACHES]    = { "new caches", 1, pairs, sizeof(wfManifoldCache), 0 },
         [WF_REGION_NEW_CONTACTS]  = { "new contacts", 1, contacts, sizeof(wfContact), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_NEW_TOUCHES]   = { "new touches", 1, touches, sizeof(wfTouch), 0 },
         [WF_REGION_NEW_EVENTS]    = { "new events", 1, 2 * touches, sizeof(wfTouchEvent), 0 },
         [WF_REGION_NEW_HITS]      = { "new hits", 1, touches, sizeof(wfHit), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_SCRATCH]       = { "scratch", 1, stage_scratch(d), 1, 0 },
         /* <rows of the block's regions> */
         [WF_REGION_PAIR_MATERIALS] = { "pairs of materials", 0, (size_t)d->pairMaterials,
@@ -146,8 +175,6 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_JOINTS]      = { "joints", 0, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
         [WF_REGION_BROKEN]      = { "broken joints", 0, (size_t)d->jointCapacity,
                                     sizeof(wfJointId), 0 },
-        [WF_REGION_ALONE]       = { "joints alone", 0, (size_t)d->jointCapacity, 1, 0 },
-        [WF_REGION_NEW_ALONE]   = { "new joints alone", 1, (size_t)d->jointCapacity, 1, 0 },
         [WF_REGION_NEW_JOINTS]  = { "new joints", 1, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
         [WF_REGION_JOINT_PLACES] = { "places of joints", 1, (size_t)d->jointCapacity,
                                     sizeof(int32_t), 0 },
@@ -155,6 +182,9 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
                                     0 },
         [WF_REGION_JOINT_WORK]  = { "rows of joints", 1, wfJointScratch(d->bodyCapacity,
                                     d->jointCapacity), 1, 0 },
+        /* <rows of the block's regions> */
+        [WF_REGION_ALONE]       = { "joints alone", 0, (size_t)d->jointCapacity, 1, 0 },
+        [WF_REGION_NEW_ALONE]   = { "new joints alone", 1, (size_t)d->jointCapacity, 1, 0 },
         [WF_REGION_EXACT]       = { "matrix of joints", 1, d->exactJoints ?
                                     wfExactScratch(d->bodyCapacity, d->jointCapacity) : 0, 1, 0 },
         /* <rows of the block's regions> */
@@ -255,6 +285,8 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
 {
     *head = (wfHeader){ .magic = WF_BLOCK_MAGIC, .bytes = size[0], .scratchBytes = size[1],
         /* <what else the header begins with> */
+        .steps = 0,
+        /* <what else the header begins with> */
         .large = d->solver == wfFindSolver(WF_SOLVER_LARGE),
     };
     wfKeepSettings(d, head);
@@ -274,14 +306,16 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     uint8_t *base = world.memory.permanent;
     wfHeader *head = world.memory.permanent;
     write_header(&d, region, size, head);
-    void *bodySlots = base + region[WF_REGION_BODY_SLOTS].offset;
-    void *shapeSlots = base + region[WF_REGION_SHAPE_SLOTS].offset;
-    void *forceSlots = base + region[WF_REGION_FORCE_SLOTS].offset;
+    wfSlot *bodySlots = (void *)(base + region[WF_REGION_BODY_SLOTS].offset);
     wfSlotsInit(&head->bodySlots, bodySlots, d.bodyCapacity);
+    /* <start the empty world> */
+    wfSlot *shapeSlots = (void *)(base + region[WF_REGION_SHAPE_SLOTS].offset);
     wfSlotsInit(&head->shapeSlots, shapeSlots, d.shapeCapacity);
+    /* <start the empty world> */
+    wfSlot *forceSlots = (void *)(base + region[WF_REGION_FORCE_SLOTS].offset);
     wfSlotsInit(&head->forceSlots, forceSlots, d.forceCapacity);
     /* <start the empty world> */
-    void *jointSlots = base + region[WF_REGION_JOINT_SLOTS].offset;
+    wfSlot *jointSlots = (void *)(base + region[WF_REGION_JOINT_SLOTS].offset);
     wfSlotsInit(&head->jointSlots, jointSlots, d.jointCapacity);
     *out = world;
     return WF_OK;
@@ -330,17 +364,25 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
 #define ARRAY(region) (void *)(base + h->offset[region])
     *out = (wfBlock){ .head = h, .bodySlots = ARRAY(WF_REGION_BODY_SLOTS),
         .alive = ARRAY(WF_REGION_ALIVE), .state = ARRAY(WF_REGION_STATE),
-        .applied = ARRAY(WF_REGION_APPLIED), .props = ARRAY(WF_REGION_PROPS),
+        .props = ARRAY(WF_REGION_PROPS),
+        .transient = world->memory.transient,
+        /* <find more arrays of the block> */
+        /* as the structure has them */
+        /* <find more arrays of the block> */
+        .applied = ARRAY(WF_REGION_APPLIED),
+        /* <find more arrays of the block> */
+        .forceSlots = ARRAY(WF_REGION_FORCE_SLOTS), .forces = ARRAY(WF_REGION_FORCES),
+        /* <find more arrays of the block> */
         .shapeSlots = ARRAY(WF_REGION_SHAPE_SLOTS), .shapes = ARRAY(WF_REGION_SHAPES),
         .owners = ARRAY(WF_REGION_OWNERS), .next = ARRAY(WF_REGION_NEXT_SHAPES),
         .filters = ARRAY(WF_REGION_FILTERS), .materials = ARRAY(WF_REGION_SHAPE_PROPS),
-        .forceSlots = ARRAY(WF_REGION_FORCE_SLOTS),
-        .forces = ARRAY(WF_REGION_FORCES), .pairs = ARRAY(WF_REGION_PAIRS),
         .bounds = ARRAY(WF_REGION_BOUNDS), .flags = ARRAY(WF_REGION_FLAGS),
-        .index = ARRAY(WF_REGION_INDEX), .caches = ARRAY(WF_REGION_CACHES),
-        .contacts = ARRAY(WF_REGION_CONTACTS), .touches = ARRAY(WF_REGION_TOUCHES),
-        .events = ARRAY(WF_REGION_EVENTS), .hits = ARRAY(WF_REGION_HITS),
-        .transient = world->memory.transient };
+        .index = ARRAY(WF_REGION_INDEX), .pairs = ARRAY(WF_REGION_PAIRS),
+        .caches = ARRAY(WF_REGION_CACHES), .contacts = ARRAY(WF_REGION_CONTACTS),
+        /* <find more arrays of the block> */
+        .touches = ARRAY(WF_REGION_TOUCHES), .events = ARRAY(WF_REGION_EVENTS),
+        .hits = ARRAY(WF_REGION_HITS),
+    };
 #undef ARRAY
     return WF_OK;
 }
@@ -358,9 +400,14 @@ void *wfTransient(const wfBlock *b, int region)
 /* <open a block> */
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
 {
-    return (wfBodyView){ .count = b->head->bodySlots.high, .state = state,
-                         .props = b->props, .shapes = b->shapes, .next = b->next,
-                         .alive = b->alive };
+    wfBodyView view = { .count = b->head->bodySlots.high, .state = state,
+                        .props = b->props, .alive = b->alive };
+    /* <show the shapes as well> */
+    /* where there are any */
+    /* <show the shapes as well> */
+    view.shapes = b->shapes;
+    view.next = b->next;
+    return view;
 }
 /* <disturb a body> */
 void wfDisturb(wfBlock *b, int32_t i)
@@ -377,38 +424,6 @@ void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second)
     if (first < 0) wfDisturb(b, -1);
     else if (b->props[first].type == WF_DYNAMIC) wfDisturb(b, first);
     if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfDisturb(b, second);
-}
-/* <forget contacts> */
-static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
-{
-    int32_t left = 0, before = b->head->kept.pairs;
-    for (int32_t i = 0; i < b->head->pairCount; i++) {
-        wfPair p = b->pairs[i];
-        bool ofBody = body >= 0 && (b->owners[p.a] == body || b->owners[p.b] == body);
-        bool ofShape = p.a == shape || p.b == shape;
-        if ((ofBody || ofShape) && i < before) b->head->kept.pairs--;
-        if (ofBody || ofShape) continue;
-        b->pairs[left] = p;
-        b->caches[left++] = b->caches[i];
-    }
-    b->head->pairCount = left;
-}
-
-void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
-{
-    int32_t left = 0, before = b->head->kept.contacts;
-    for (int32_t i = 0; i < b->head->contactCount; i++) {
-        wfContact c = b->contacts[i];
-        bool ofBody = c.a == body || c.b == body;
-        bool ofShape = c.shapeA == shape || c.shapeB == shape;
-        if ((ofBody || ofShape) && i < before) b->head->kept.contacts--;
-        if (!ofBody && !ofShape) b->contacts[left++] = c;
-        else wfDisturbEnds(b, c.a, c.b);
-    }
-    b->head->contactCount = left;
-    forget_pairs(b, body, shape);
-    if (body >= 0) wfDisturb(b, body);
-    if (shape >= 0) wfDisturbEnds(b, b->owners[shape], -1);
 }
 /* <settings of a world> */
 wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
@@ -441,13 +456,17 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
         if (s->builtIn) return WF_ERROR_BUILT_IN;
         if (s->law) same = false;
     }
-    if (d.solver == wfFindSolver(WF_SOLVER_LARGE) && !h->large) return WF_ERROR_MEMORY;
     /* <what else a change of the settings needs> */
     /* Later chapters need more. */
+    /* <what else a change of the settings needs> */
+    bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
+    if (large && !h->large) return WF_ERROR_MEMORY;
     /* <what else a change of the settings needs> */
     bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;
     if (matrix != (d.exactJoints != WF_JOINTS_ONE_BY_ONE)) return WF_ERROR_MEMORY;
     if (!same) wfDisturb(b, -1);
+    /* <before the settings change> */
+    /* what was true may be so no longer */
     /* <before the settings change> */
     if (!d.queries) h->indexStale = 1;
     /* <before the settings change> */
@@ -505,4 +524,36 @@ wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrow
     if (narrowPhase != -1) d.narrowPhase = narrowPhase;
     if (solver != -1) d.solver = solver;
     return change_settings(&b, &d);
+}
+/* <forget contacts> */
+static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
+{
+    int32_t left = 0, before = b->head->kept.pairs;
+    for (int32_t i = 0; i < b->head->pairCount; i++) {
+        wfPair p = b->pairs[i];
+        bool ofBody = body >= 0 && (b->owners[p.a] == body || b->owners[p.b] == body);
+        bool ofShape = p.a == shape || p.b == shape;
+        if ((ofBody || ofShape) && i < before) b->head->kept.pairs--;
+        if (ofBody || ofShape) continue;
+        b->pairs[left] = p;
+        b->caches[left++] = b->caches[i];
+    }
+    b->head->pairCount = left;
+}
+
+void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
+{
+    int32_t left = 0, before = b->head->kept.contacts;
+    for (int32_t i = 0; i < b->head->contactCount; i++) {
+        wfContact c = b->contacts[i];
+        bool ofBody = c.a == body || c.b == body;
+        bool ofShape = c.shapeA == shape || c.shapeB == shape;
+        if ((ofBody || ofShape) && i < before) b->head->kept.contacts--;
+        if (!ofBody && !ofShape) b->contacts[left++] = c;
+        else wfDisturbEnds(b, c.a, c.b);
+    }
+    b->head->contactCount = left;
+    forget_pairs(b, body, shape);
+    if (body >= 0) wfDisturb(b, body);
+    if (shape >= 0) wfDisturbEnds(b, b->owners[shape], -1);
 }

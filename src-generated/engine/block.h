@@ -6,10 +6,13 @@
 #include "weft/world.h"
 
 /* <the block's header> */
+/* <types of what a world keeps> */
+/* what later lines keep together */
+/* <types of what a world keeps> */
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
 typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
-
+#define WF_SOLVER_LARGE "exact"     /* takes many times the room of others: chapter 19 */
 typedef struct wfHeader {
     uint64_t   magic;          /* says: a world, of this layout and precision */
     uint64_t   bytes;          /* of the permanent chunk in use */
@@ -37,13 +40,15 @@ typedef struct wfHeader {
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
+    int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
+    /* <the settings of a world> */
     wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
     wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
                                 * make a body, >= 0; 0 or no gravity: no limit */
     int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
-    int32_t columns;           /* 1: towers are solved at once, 0: by passes */
-    int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
+    int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
+                                * with up to n loops, chapter 17 */
     /* <the settings of a world> */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
     /* <the settings of a world> */
@@ -55,6 +60,7 @@ typedef struct wfHeader {
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
     /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
+    /* <the settings of a world> */
     int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
     wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
     wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
@@ -65,7 +71,17 @@ typedef struct wfHeader {
     wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
     wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
     /* <what else a world keeps> */
-    wfSlots bodySlots, shapeSlots, forceSlots;
+    wfSlots bodySlots;
+    /* <what else a world keeps> */
+    wfSlots forceSlots;
+    /* <what else a world keeps> */
+    wfSlots shapeSlots;
+    int32_t pairCount, contactCount;   /* of the last step */
+    wfKept kept;               /* how much of the lists the next step will not look at */
+    int32_t sensorCount;       /* shapes that are sensors */
+    int32_t indexStale;        /* 1: the bounds have changed since the index was made */
+    /* <what else a world keeps> */
+    int32_t touchCount, hitCount, eventCount[WF_EVENT_KINDS];
     /* <what else a world keeps> */
     int32_t knownPairs;
     /* <what else a world keeps> */
@@ -76,6 +92,7 @@ typedef struct wfHeader {
     /* <what else a world keeps> */
     wfSlots jointSlots;
     int32_t brokenCount;       /* joints that broke in the last step */
+    /* <what else a world keeps> */
     int32_t together;          /* joints that the last step solved together */
     int32_t unsolved;          /* substeps of the last step that chapter 19 did not solve */
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
@@ -85,11 +102,6 @@ typedef struct wfHeader {
     int32_t asleep;            /* how many bodies sleep */
     int32_t roused;            /* 1: since the last step somebody may have woken */
     int32_t islandCount;       /* of the last step: islands that were awake, at its end */
-    int32_t    pairCount, contactCount, touchCount, hitCount;   /* of the last step */
-    wfKept     kept;           /* how many of them the next step will not look at */
-    int32_t    eventCount[WF_EVENT_KINDS];
-    int32_t    sensorCount;    /* shapes that are sensors */
-    int32_t    indexStale;     /* 1: the bounds have changed since the index was made */
     int32_t    busy;           /* 1: a step runs that calls the user's functions */
 } wfHeader;
 /* <the block's arrays> */
@@ -100,29 +112,36 @@ typedef struct wfBlock {
     wfSlot       *bodySlots;
     uint8_t      *alive;       /* 1 for a live body */
     wfBodyState  *state;
-    wfBodyForces *applied;     /* what the user applied for the next step */
     wfBodyProps  *props;
+    uint8_t      *transient;
+    /* <more arrays of the block> */
+    /* those of forces, shapes, contacts and events, where the engine has them */
+    /* <more arrays of the block> */
+    wfBodyForces *applied;     /* what the user applied for the next step */
+    /* <more arrays of the block> */
+    wfSlot       *forceSlots;
+    wfForce      *forces;
+    /* <more arrays of the block> */
     wfSlot       *shapeSlots;
     wfShape      *shapes;      /* relative to the centre of mass */
     int32_t      *owners;      /* the body of a shape, or -1: an empty place */
     int32_t      *next;        /* the next shape of the same body, or -1 */
     wfFilter     *filters;
     wfShapeProps *materials;
-    wfSlot       *forceSlots;
-    wfForce      *forces;
     wfRect       *bounds;      /* of the shapes as they stand */
     uint8_t      *flags;
     void         *index;
-    wfPair       *pairs;       /* all that follows: of the last step */
+    wfPair       *pairs;       /* of the last step */
     wfManifoldCache *caches;   /* one for each pair */
     wfContact    *contacts;
-    wfTouch      *touches;
+    /* <more arrays of the block> */
+    wfTouch      *touches;     /* of the last step */
     wfTouchEvent *events;
     wfHit        *hits;
-    uint8_t      *transient;
 } wfBlock;
 /* <declarations of the block> */
 typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
+/* <declarations of the block> */
 /* What two shapes' materials make together: known, or mixed by the world's rules. */
 wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two);
@@ -131,7 +150,6 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
 wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
 /* The same for a call that changes the world. WF_ERROR_BUSY. */
 wfResult wfChangeBlock(const wfWorld *world, wfBlock *out);
-wfShapeView wfShapesOf(const wfBlock *b);
 /* An array of the transient chunk. */
 void *wfTransient(const wfBlock *b, int region);
 /* The settings of a header, as a definition; and from a definition that was checked. */
@@ -144,6 +162,14 @@ int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
                    uint32_t generation);
 /* The id of the living body at place i. */
 wfBodyId wfIdOfBody(const wfBlock *b, int32_t i);
+/* Something was done to body i from outside (-1: to all); to both ends of a force, a joint
+ * or a contact, as far as they are dynamic. */
+void wfDisturb(wfBlock *b, int32_t i);
+void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second);
+/* True when no number is NaN or infinite. */
+bool wfAllFinite(const wfReal *number, size_t count);
+/* <declarations of the block> */
+wfShapeView wfShapesOf(const wfBlock *b);
 wfShapeId wfIdOfShape(const wfBlock *b, int32_t k);
 /* How many more shapes there is room for; hang one on a body (-1: no room), or drop it. */
 int32_t wfFreeShapes(const wfBlock *b);
@@ -156,16 +182,12 @@ void wfBoundBody(wfBlock *b, int32_t i);
 wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags);
 /* Forgets the contacts and pairs of a body (-1: none) and of a shape (-1: none). */
 void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape);
-/* Something was done to body i from outside (-1: to all); to both ends of a force, a joint
- * or a contact, as far as they are dynamic. */
-void wfDisturb(wfBlock *b, int32_t i);
-void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second);
 /* What body i would be if it had this type; and making it so. */
 wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
                      wfBodyProps *props);
 void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyProps *props);
-/* True when no number is NaN or infinite. */
-bool wfAllFinite(const wfReal *number, size_t count);
+/* Is it a shape, as it is stored, or at least when moved by the centre of mass? */
+wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre);
 /* <declarations of the block> */
 /* Removes the joints of a body: chapter 25. */
 void wfDropJoints(wfBlock *b, int32_t body);
@@ -211,10 +233,13 @@ static inline bool wfIsFollowed(const wfBlock *b, int32_t k, wfReal way)
 /* Stages of fast bodies, and what they need from others: chapter 25. */
 wfResult wfFlyFirst(struct wfStep *s);
 wfResult wfFlyLast(struct wfStep *s);
-wfResult wfTellStrikes(struct wfStep *s);
 wfResult wfFindPairsAgain(struct wfStep *s);
 wfContact wfStartContact(const struct wfStep *s, wfPair p);
+/* <declarations of the block> */
+wfResult wfTellStrikes(struct wfStep *s);
+/* <declarations of the block> */
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
+/* <declarations of the block> */
 /* Is there a joint that keeps the bodies a and b from colliding? */
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);
 /* <declarations of the block> */
@@ -227,9 +252,10 @@ bool wfSleeps(const wfBlock *b, int32_t i);
 void wfLeaveOutSleepers(struct wfStep *s);
 void wfWakeInStep(struct wfStep *s, int32_t i);
 bool wfMovesNow(const struct wfStep *s, int32_t i);
-int32_t wfOldTouches(const struct wfStep *s, wfTouch *out);
-void wfAddSensed(const struct wfStep *s, wfTouchList *stay);
 void wfKeepRest(struct wfStep *s);
 wfResult wfPlaceSleepers(struct wfStep *s);
 wfResult wfFindIslands(struct wfStep *s);
+/* <declarations of the block> */
+int32_t wfOldTouches(const struct wfStep *s, wfTouch *out);
+void wfAddSensed(const struct wfStep *s, wfTouchList *stay);
 #endif

@@ -6,8 +6,13 @@
 /* <the default body> */
 wfBodyDef wfDefaultBodyDef(void)
 {
-    return (wfBodyDef){ .type = WF_DYNAMIC, .density = 1, .friction = WF_R(0.5),
-                        .gravityScale = 1 };
+    return (wfBodyDef){
+        .type = WF_DYNAMIC, .gravityScale = 1,
+        /* <more of the default body> */
+        /* its material, if it has one */
+        /* <more of the default body> */
+        .density = 1, .friction = WF_R(0.5),
+    };
 }
 /* <find a body by its id> */
 static wfResult open_body(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
@@ -52,9 +57,17 @@ wfBodyId wfBodyAt(const wfWorld *world, int32_t index)
 /* <check a body's definition> */
 static bool numbers_are_finite(const wfBodyDef *d)
 {
-    const wfReal number[] = { d->position.x, d->position.y, d->angle, d->velocity.x,
-        d->velocity.y, d->angularVelocity, d->density, d->mass, d->restitution, d->friction,
-        d->linearDamping, d->angularDamping, d->gravityScale };
+    const wfReal number[] = { d->position.x, d->position.y, d->velocity.x, d->velocity.y,
+        d->mass, d->gravityScale,
+        /* <more numbers in a definition> */
+        /* as there are fields */
+        /* <more numbers in a definition> */
+        d->angle, d->angularVelocity,
+        /* <more numbers in a definition> */
+        d->linearDamping, d->angularDamping,
+        /* <more numbers in a definition> */
+        d->density, d->restitution, d->friction,
+    };
     return wfAllFinite(number, sizeof number / sizeof *number);
 }
 
@@ -63,17 +76,25 @@ static wfResult check_body_def(const wfBodyDef *d)
     if (d == NULL) return WF_ERROR_NULL;
     if (!numbers_are_finite(d)) return WF_ERROR_NOT_FINITE;
     if (d->type < 0 || d->type >= WF_BODY_TYPES) return WF_ERROR_RANGE;
-    if (d->density < 0 || d->mass < 0 || d->friction < 0) return WF_ERROR_RANGE;
-    if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
-    if (d->linearDamping < 0 || d->angularDamping < 0) return WF_ERROR_RANGE;
-    if (wfAbs(d->angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
-    bool moves = d->velocity.x != 0 || d->velocity.y != 0 || d->angularVelocity != 0;
+    if (d->mass < 0) return WF_ERROR_RANGE;
+    wfResult result = WF_OK;
+    bool moves = d->velocity.x != 0 || d->velocity.y != 0;
     if (d->type == WF_STATIC && moves) return WF_ERROR_RANGE;
     /* <check what else a body is made from> */
+    /* as there are fields */
+    /* <check what else a body is made from> */
     if (d->fixedRotation != 0 && d->fixedRotation != 1) return WF_ERROR_RANGE;
+    if (wfAbs(d->angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
+    if (d->type == WF_STATIC && d->angularVelocity != 0) return WF_ERROR_RANGE;
+    /* <check what else a body is made from> */
+    if (d->linearDamping < 0 || d->angularDamping < 0) return WF_ERROR_RANGE;
+    /* <check what else a body is made from> */
+    if (d->density < 0 || d->friction < 0) return WF_ERROR_RANGE;
+    if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
+    if (d->shape.kind != WF_SHAPE_NONE) result = wfCheckShape(&d->shape);
     /* <check what else a body is made from> */
     if (d->neverSleeps != 0 && d->neverSleeps != 1) return WF_ERROR_RANGE;
-    return d->shape.kind == WF_SHAPE_NONE ? WF_OK : wfCheckShape(&d->shape);
+    return result;
 }
 /* <make a body from its definition> */
 typedef struct newBody {
@@ -84,15 +105,15 @@ typedef struct newBody {
 static wfResult weigh(const wfBodyDef *d, wfMassData *out)
 {
     *out = (wfMassData){ .mass = d->mass };
-    if (d->shape.kind == WF_SHAPE_NONE) {
-        if (d->type == WF_DYNAMIC && !(d->mass > 0)) return WF_ERROR_RANGE;
-        return WF_OK;
-    }
-    if (d->type == WF_DYNAMIC && d->mass > 0) return wfShapeMassOf(&d->shape, d->mass, out);
-    if (d->type == WF_DYNAMIC) return wfShapeMass(&d->shape, d->density, out);
-    out->mass = 0;
-    out->centre = wfShapeCentroid(&d->shape);
-    return WF_OK;
+    /* <weigh its shape, if it has one> */
+    /* a particle has none */
+    /* <weigh its shape, if it has one> */
+    bool formed = d->shape.kind != WF_SHAPE_NONE, dynamic = d->type == WF_DYNAMIC;
+    if (formed && dynamic && d->mass > 0) return wfShapeMassOf(&d->shape, d->mass, out);
+    if (formed && dynamic) return wfShapeMass(&d->shape, d->density, out);
+    if (formed) *out = (wfMassData){ .centre = wfShapeCentroid(&d->shape) };
+    if (formed) return WF_OK;
+    return d->type == WF_DYNAMIC && !(d->mass > 0) ? WF_ERROR_RANGE : WF_OK;
 }
 /* <make a body from its definition> */
 static wfResult make_body(const wfBodyDef *d, newBody *out)
@@ -100,16 +121,24 @@ static wfResult make_body(const wfBodyDef *d, newBody *out)
     wfMassData mass;
     wfResult result = weigh(d, &mass);
     if (result != WF_OK) return result;
-    *out = (newBody){ .props = { .type = d->type, .shape = -1, .givenMass = d->mass,
-        .linearDamping = d->linearDamping, .angularDamping = d->angularDamping,
-        .gravityScale = d->gravityScale, .fixedRotation = d->fixedRotation,
-        .localCentre = mass.centre, .userData = d->userData } };
+    *out = (newBody){ .state = { .p = d->position, .v = d->velocity },
+        .props = { .type = d->type, .shape = -1, .givenMass = d->mass,
+                   .gravityScale = d->gravityScale, .localCentre = mass.centre,
+                   .userData = d->userData } };
+    /* <give the body its angle and its damping> */
+    /* a particle that nothing slows down has neither */
+    /* <give the body its angle and its damping> */
     wfReal angle = wfWrapAngle(d->angle);
     wfTransform origin = wfMakeTransform(d->position, angle);
-    out->state = (wfBodyState){ .p = wfApply(origin, mass.centre), .angle = angle,
-                                .v = d->velocity, .w = d->angularVelocity };
-    if (d->type != WF_DYNAMIC) return WF_OK;
+    out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
+    out->state.angle = angle;
+    out->state.w = d->angularVelocity;
+    out->props.fixedRotation = d->fixedRotation;
     if (d->fixedRotation) mass.inertia = 0;
+    /* <give the body its angle and its damping> */
+    out->props.linearDamping = d->linearDamping;
+    out->props.angularDamping = d->angularDamping;
+    if (d->type != WF_DYNAMIC) return WF_OK;
     return wfSetMass(&out->state, &out->props, mass.mass, mass.inertia);
 }
 /* <add a body> */
@@ -122,14 +151,18 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     if (result == WF_OK) result = make_body(def, &made);
     if (result == WF_OK && !wfBodyIsFinite(&made.state)) result = WF_ERROR_NOT_FINITE;
     if (result != WF_OK) return result;
-    bool formed = def->shape.kind != WF_SHAPE_NONE;
     if (b.head->bodySlots.count == b.head->bodySlots.capacity) return WF_ERROR_FULL;
+    /* <look for room for its shape> */
+    /* a particle needs none */
+    /* <look for room for its shape> */
+    bool formed = def->shape.kind != WF_SHAPE_NONE;
     if (wfFreeShapes(&b) < (formed ? 1 : 0)) return WF_ERROR_FULL;
     int32_t i = wfSlotTake(&b.head->bodySlots, b.bodySlots);
     b.state[i] = made.state;
     b.props[i] = made.props;
-    b.applied[i] = (wfBodyForces){ .torque = 0 };
     b.alive[i] = 1;
+    /* <give body i the shape of its definition> */
+    /* and gets none */
     /* <give body i the shape of its definition> */
     wfShapeDef own = wfDefaultShapeDef();
     own.shape = def->shape;
@@ -147,9 +180,12 @@ static void clear_place(wfBlock *b, int32_t i)
 {
     memset(&b->state[i], 0, sizeof b->state[i]);
     memset(&b->props[i], 0, sizeof b->props[i]);
-    memset(&b->applied[i], 0, sizeof b->applied[i]);
     b->props[i].shape = -1;
     b->alive[i] = 0;
+    /* <clear what else there is of body i> */
+    /* as there are arrays */
+    /* <clear what else there is of body i> */
+    memset(&b->applied[i], 0, sizeof b->applied[i]);
 }
 
 wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
@@ -158,9 +194,12 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
     int32_t i;
     wfResult result = change_body(world, id, &b, &i);
     if (result != WF_OK) return result;
+    /* <remove what hangs on body i> */
+    /* shapes, forces and more, where there are any */
+    /* <remove what hangs on body i> */
     wfForgetContacts(&b, i, -1);
     while (b.props[i].shape >= 0) wfDropShape(&b, b.props[i].shape);
-    /* <remove the forces that hang on body i> */
+    /* <remove what hangs on body i> */
     for (int32_t f = 0; f < b.head->forceSlots.high; f++) {
         bool live = b.forceSlots[f].next == WF_SLOT_LIVE;
         if (!live || (b.forces[f].a != i && b.forces[f].b != i)) continue;
@@ -168,9 +207,9 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
         memset(&b.forces[f], 0, sizeof b.forces[f]);
     }
-    /* <remove the forces that hang on body i> */
+    /* <remove what hangs on body i> */
     wfDropJoints(&b, i);
-    /* <remove the forces that hang on body i> */
+    /* <remove what hangs on body i> */
     wfBeginRest(&b, i, 0);
     wfSlotGive(&b.head->bodySlots, b.bodySlots, i, id.generation);
     clear_place(&b, i);
@@ -181,7 +220,7 @@ static wfVec2 origin_of(const wfBodyState *s, const wfBodyProps *p)
 {
     return wfApply(wfBodyTransform(s), wfNeg(p->localCentre));  /* eq:world-origin */
 }
-
+/* <tell about a body> */
 wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
 {
     wfBlock b;
@@ -190,11 +229,20 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
     if (result != WF_OK) return result;
     const wfBodyState *s = &b.state[i];
     const wfBodyProps *p = &b.props[i];
-    *out = (wfBodyInfo){ .type = p->type, .position = origin_of(s, p), .angle = s->angle,
-        .centre = s->p, .velocity = s->v, .angularVelocity = s->w, .mass = p->mass,
-        .inertia = p->inertia, .linearDamping = p->linearDamping,
-        .angularDamping = p->angularDamping, .gravityScale = p->gravityScale,
+    *out = (wfBodyInfo){ .type = p->type, .position = s->p, .centre = s->p,
+        .velocity = s->v, .mass = p->mass, .gravityScale = p->gravityScale,
         .userData = p->userData };
+    /* <tell the rest about the body> */
+    /* of a particle that is all */
+    /* <tell the rest about the body> */
+    out->position = origin_of(s, p);
+    out->angle = s->angle;
+    out->angularVelocity = s->w;
+    out->inertia = p->inertia;
+    /* <tell the rest about the body> */
+    out->linearDamping = p->linearDamping;
+    out->angularDamping = p->angularDamping;
+    /* <tell the rest about the body> */
     if (p->shape >= 0) out->restitution = b.materials[p->shape].restitution;
     if (p->shape >= 0) out->friction = b.materials[p->shape].friction;
     return WF_OK;
@@ -221,11 +269,21 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     if (result != WF_OK) return result;
     if (!wfIsFinite2(position) || !wfIsFinite(angle)) return WF_ERROR_NOT_FINITE;
     if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
+    wfVec2 centre = position;
+    bool turns = false;
+    /* <turn the body to its angle> */
+    /* An engine without rotation knows the angle 0. */
+    /* <turn the body to its angle> */
+    turns = true;
     angle = wfWrapAngle(angle);
-    wfVec2 centre = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
+    centre = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
+    if (!turns && angle != 0) return WF_ERROR_RANGE;
     if (!wfIsFinite2(centre)) return WF_ERROR_NOT_FINITE;
     b.state[i].p = centre;
     b.state[i].angle = angle;
+    /* <what it means that body i was moved by hand> */
+    /* nothing to a particle */
+    /* <what it means that body i was moved by hand> */
     wfForgetContacts(&b, i, -1);
     wfBoundBody(&b, i);
     return WF_OK;

@@ -53,8 +53,11 @@ static bool check_counts(Check *c)
     const wfHeader *h = c->b.head;
     const wfRegion *r = c->region;
     size_t events = 0;
-    bool good = wfIsFinite((wfReal)h->time) && h->time >= 0 && is_choice(h->indexStale)
-             && is_choice(h->large) && h->report.solved >= 0;
+    bool good = h->time >= 0 && h->time - h->time == 0 && is_choice(h->indexStale);
+    /* <check what else the header says> */
+    good = good && is_choice(h->large) && h->report.solved >= 0;
+    /* <check what else the header says> */
+    good = good && h->origin.x - h->origin.x == 0 && h->origin.y - h->origin.y == 0;
     for (int k = 0; k < WF_EVENT_KINDS; k++) {
         good = good && h->eventCount[k] >= 0;
         events += good ? (size_t)h->eventCount[k] : 0;
@@ -142,13 +145,10 @@ static bool check_bodies(Check *c)
 /* <check the shapes> */
 static bool is_shape(const wfShape *stored, wfVec2 centre)
 {
-    wfShape given = *stored;
     if (stored->kind == WF_SHAPE_NONE) return false;
-    if (wfCheckShape(stored) == WF_OK) return true;
     if (!wfIsFinite2(centre) || stored->count < 0 || stored->count > WF_MAX_VERTICES)
         return false;
-    wfShapeMove(&given, centre);
-    return wfCheckShape(&given) == WF_OK;
+    return wfCheckMovedShape(stored, centre) == WF_OK;
 }
 
 static bool is_material(const wfShapeProps *p)

@@ -77,32 +77,32 @@ static bool is_exact_move(wfReal after, wfReal before, wfReal by)
 /* <move the origin of a world> */
 static void move_lists(wfBlock *b, wfVec2 by)
 {
-    for (int32_t i = 0; i < b->head->contactCount; i++) {
-        wfManifold *m = &b->contacts[i].manifold;
-        for (int32_t k = 0; k < m->count; k++)
-            m->points[k].point = wfSub(m->points[k].point, by);
-    }
-    for (int32_t i = 0; i < b->head->hitCount; i++)
-        b->hits[i].point = wfSub(b->hits[i].point, by);
-    for (int32_t i = 0; i < b->head->forceSlots.high; i++) {
-        if (b->forceSlots[i].next != WF_SLOT_LIVE) continue;
-        wfForceMoveFn *move = wfForceTable[b->forces[i].kind].move;
-        if (move != NULL) move(&b->forces[i], by);
-    }
+    (void)b, (void)by;
     /* <move what else names places> */
-    /* In this chapter nothing. */
+    /* besides bodies */
     /* <move what else names places> */
-    wfMoveJoints(b, by);
-}
-
-static void move_shapes(wfBlock *b)
-{
     for (int32_t k = 0; k < b->head->shapeSlots.high; k++) {
         int32_t i = b->owners[k];
         if (i < 0) continue;
         b->bounds[k] = wfShapeBounds(&b->shapes[k], wfBodyTransform(&b->state[i]));
     }
     b->head->indexStale = 1;
+    for (int32_t i = 0; i < b->head->contactCount; i++) {
+        wfManifold *m = &b->contacts[i].manifold;
+        for (int32_t k = 0; k < m->count; k++)
+            m->points[k].point = wfSub(m->points[k].point, by);
+    }
+    /* <move what else names places> */
+    for (int32_t i = 0; i < b->head->hitCount; i++)
+        b->hits[i].point = wfSub(b->hits[i].point, by);
+    /* <move what else names places> */
+    for (int32_t i = 0; i < b->head->forceSlots.high; i++) {
+        if (b->forceSlots[i].next != WF_SLOT_LIVE) continue;
+        wfForceMoveFn *move = wfForceTable[b->forces[i].kind].move;
+        if (move != NULL) move(&b->forces[i], by);
+    }
+    /* <move what else names places> */
+    wfMoveJoints(b, by);
 }
 /* <move the origin of a world> */
 static wfResult check_move(const wfBlock *b, wfVec2 by, wfFar *to)
@@ -133,7 +133,6 @@ wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded)
     }
     b.head->origin = to;
     move_lists(&b, by);
-    move_shapes(&b);
     if (rounded != NULL) *rounded = lost;
     return WF_OK;
 }

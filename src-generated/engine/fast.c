@@ -7,7 +7,7 @@ enum { FLIGHT_TURNS = 1000 };   /* of a sweep; who makes more is swept by so man
 enum { FLIGHT_PASSES = 64 };    /* over what was struck before, after each impact */
 enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the other */
 #define FLIGHT_WINDOW 16384     /* of reaches: looked at at once, eq:fast-window */
-#define FLIGHT_WINDOWS 256      /* and no smaller share than one of so many */
+#define FLIGHT_WINDOWS 256      /* and no smaller share of the step than one of so many */
 
 /* <find the flights of a step> */
 static wfSweep sweep_of(const struct wfStep *s, int32_t i)
@@ -156,10 +156,16 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
     wfPair p = { k < other ? k : other, k < other ? other : k };
     for (int32_t n = 0; n < s->sparedCount; n++)
         if (s->spared[n].a == p.a && s->spared[n].b == p.b) return false;
+    bool may = true;
+    /* <who else is not met> */
+    /* who is joined, and whom the user does not want */
+    /* <who else is not met> */
     if (wfIsJoined(s, i, j)) return false;
+    /* <who else is not met> */
     const wfHooks *hooks = s->hooks;
-    return hooks == NULL || hooks->filter == NULL
-        || hooks->filter(hooks->context, &s->view, p.a, p.b);
+    if (hooks != NULL && hooks->filter != NULL)
+        may = hooks->filter(hooks->context, &s->view, p.a, p.b);
+    return may;
 }
 /* <find who may be in the way> */
 /* Can a shape come near a flight from t on? The least distance of two centres that move
@@ -302,8 +308,8 @@ static wfReal window_end(const struct wfStep *s, const wfFlight *f, int32_t k, w
 {
     wfReal way = way_of(s, k, leg_from(s, f->body, t));
     wfReal most = FLIGHT_WINDOW * s->b.materials[k].reach;
-    wfReal share = way > most ? wfMaxR(most / way, WF_R(1.0) / FLIGHT_WINDOWS) : 1;
-    return share < 1 ? wfMinR(t + share * (1 - t), 1) : 1;
+    if (!(way > most)) return 1;
+    return wfMinR(t + wfMaxR(most / way * (1 - t), WF_R(1.0) / FLIGHT_WINDOWS), 1);
 }
 
 static wfSweep leg_between(const struct wfStep *s, int32_t i, wfReal t, wfReal end)
@@ -553,18 +559,22 @@ static void point_of_search(struct wfStep *s, const wfFlight *f, wfReal t,
 static wfResult ask_to_pass(struct wfStep *s, wfContact *c, const wfBodyState two[2],
                             bool *pass)
 {
-    const int32_t who[2] = { c->a, c->b };
+    wfResult result = WF_OK;
+    (void)s, (void)two;
     *pass = c->manifold.count == 0;
-    if (*pass || s->hooks == NULL || s->hooks->preSolve == NULL) return WF_OK;
+    /* <ask the user at the moment of the impact> */
+    /* where the engine has hooks */
+    /* <ask the user at the moment of the impact> */
+    const int32_t who[2] = { c->a, c->b };
     wfBodyState kept[2];
     bool enabled = true;
+    if (*pass || s->hooks == NULL || s->hooks->preSolve == NULL) return WF_OK;
     for (int i = 0; i < 2; i++) kept[i] = s->state[who[i]], s->state[who[i]] = two[i];
-    wfResult result = wfAskAboutContact(s, c, &enabled);
+    result = wfAskAboutContact(s, c, &enabled);
     for (int i = 0; i < 2; i++) s->state[who[i]] = kept[i];
     *pass = !enabled;
     return result;
 }
-
 /* <let two bodies collide at their moment> */
 static bool is_fresh(const struct wfStep *s, int32_t i)
 {
@@ -627,6 +637,9 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
         s->spared[s->sparedCount++] = p;
         return WF_OK;
     }
+    /* <wake whom the impact concerns> */
+    /* where anybody sleeps */
+    /* <wake whom the impact concerns> */
     for (int i = 0; i < 2 && !pass; i++) wfWakeInStep(s, who[i]);
     if (s->again) return WF_OK;
     if (!pass) result = strike(s, p, who, t, &c);
@@ -729,7 +742,11 @@ static wfResult fly(struct wfStep *s)
     for (int32_t n = 0; n < s->flightCount; n++)
         wfWrapBodyAngle(&s->state[s->flights[n].body]);
     result = wfFindPairsAgain(s);
-    return result == WF_OK ? wfLeaveOutJoined(s) : result;
+    /* <leave out pairs once more> */
+    /* those that are joined */
+    /* <leave out pairs once more> */
+    if (result == WF_OK) result = wfLeaveOutJoined(s);
+    return result;
 }
 
 wfResult wfFlyFirst(struct wfStep *s) { return wfSolverSteps(s) ? WF_OK : fly(s); }

@@ -76,6 +76,12 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     return WF_OK;
 }
+
+int32_t wfForceCount(const wfWorld *world)
+{
+    wfBlock b;
+    return wfOpenBlock(world, &b) == WF_OK ? b.head->forceSlots.count : 0;
+}
 /* <forces in a world> */
 static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
 {

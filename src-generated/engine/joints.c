@@ -9,7 +9,6 @@ typedef struct Joints {
     wfSlot *slots;
     wfJoint *joints;
     wfJointId *broken;
-    uint8_t *alone;
 } Joints;
 
 static Joints joints_of(const wfBlock *b)
@@ -17,8 +16,7 @@ static Joints joints_of(const wfBlock *b)
     uint8_t *base = (uint8_t *)b->head;
     return (Joints){ (void *)(base + b->head->offset[WF_REGION_JOINT_SLOTS]),
                      (void *)(base + b->head->offset[WF_REGION_JOINTS]),
-                     (void *)(base + b->head->offset[WF_REGION_BROKEN]),
-                     base + b->head->offset[WF_REGION_ALONE] };
+                     (void *)(base + b->head->offset[WF_REGION_BROKEN]) };
 }
 
 static bool is_live(const Joints *j, int32_t i) { return j->slots[i].next == WF_SLOT_LIVE; }
@@ -186,6 +184,7 @@ int32_t wfUnsolvedSubsteps(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->unsolved : 0;
 }
 
+/* <look at the joints of a world> */
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count)
 {
     wfBlock b;
@@ -285,12 +284,17 @@ static uint64_t fingerprint(const struct wfStep *s)
     return sum | 1;
 }
 
+static uint8_t *verdicts(const wfBlock *b)
+{
+    return (uint8_t *)b->head + b->head->offset[WF_REGION_ALONE];
+}
+
 static wfResult solve_machines(struct wfStep *s)
 {
     const wfHeader *h = s->b.head;
     wfSolve states = { .state = s->state, .bodyCount = s->count };
     uint8_t *alone = wfTransient(&s->b, WF_REGION_NEW_ALONE);
-    const uint8_t *before = joints_of(&s->b).alone;
+    const uint8_t *before = verdicts(&s->b);
     wfPool pool;
     wfResult result = wfPoolInit(&pool, wfExactScratch(h->bodyCapacity, h->jointCapacity),
                                  wfTransient(&s->b, WF_REGION_EXACT));
@@ -316,8 +320,7 @@ wfResult wfTakeJoints(struct wfStep *s)
         copy[count++] = j.joints[i];
     }
     s->jointSet = (wfJointSet){ .joints = copy, .count = count,
-                                .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
-                                .give = s->b.head->jointGive };
+                                .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING };
     if (count == 0) return WF_OK;
     if (!wfSolverSteps(s)) return WF_ERROR_SOLVER;
     wfPool pool;
@@ -326,7 +329,12 @@ wfResult wfTakeJoints(struct wfStep *s)
     if (result == WF_OK) result = wfBeginJoints(&s->jointSet, s->count, &pool,
                                                   &s->jointLaws);
     if (result == WF_OK) s->laws = &s->jointLaws;
-    return result == WF_OK && s->b.head->exactJoints ? solve_machines(s) : result;
+    /* <solve the joints together, if that is wanted> */
+    /* see chapter 19 */
+    /* <solve the joints together, if that is wanted> */
+    s->jointSet.give = s->b.head->jointGive;
+    if (result == WF_OK && s->b.head->exactJoints) result = solve_machines(s);
+    return result;
 }
 /* <hand the joints to the solver> */
 wfResult wfJudgeJoints(struct wfStep *s)
@@ -342,12 +350,15 @@ wfResult wfKeepJoints(struct wfStep *s)
     wfHeader *head = s->b.head;
     Joints j = joints_of(&s->b);
     head->brokenCount = 0;
+    /* <keep what was solved together> */
+    /* where some may be */
+    /* <keep what was solved together> */
     head->together = 0;
     head->unsolved = s->jointSet.unsolved;
     for (int32_t i = 0; s->jointSet.together != NULL && i < s->jointSet.count; i++)
         head->together += !s->jointSet.alone[i];
     if (head->exactJoints && s->jointSet.count > 0 && head->machines != s->machines) {
-        memcpy(j.alone, s->jointSet.alone, (size_t)s->jointSet.count);
+        memcpy(verdicts(&s->b), s->jointSet.alone, (size_t)s->jointSet.count);
         head->machines = s->machines;
     }
     for (int32_t at = 0; at < s->jointSet.count; at++) {

@@ -11,6 +11,7 @@ wfBodyView wfWorldBodies(const wfWorld *world)
     return wfViewOf(&b, b.state);
 }
 
+/* <look at the arrays of a world> */
 const wfPair *wfWorldPairs(const wfWorld *world, int32_t *count)
 {
     wfBlock b;
@@ -33,12 +34,6 @@ int32_t wfBodyCount(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->bodySlots.count : 0;
 }
 
-int32_t wfForceCount(const wfWorld *world)
-{
-    wfBlock b;
-    return wfOpenBlock(world, &b) == WF_OK ? b.head->forceSlots.count : 0;
-}
-
 double wfWorldTime(const wfWorld *world)
 {
     wfBlock b;
@@ -57,99 +52,6 @@ wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result == WF_OK) *out = wfProxiesOf(&b, b.bounds, b.flags);
     return result;
-}
-/* <look at the events of a world> */
-const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count)
-{
-    wfBlock b;
-    bool good = wfOpenBlock(world, &b) == WF_OK && kind >= 0 && kind < WF_EVENT_KINDS;
-    if (count != NULL) *count = good ? b.head->eventCount[kind] : 0;
-    if (!good) return NULL;
-    const wfTouchEvent *first = b.events;
-    for (int i = 0; i < kind; i++) first += b.head->eventCount[i];
-    return first;
-}
-
-const wfHit *wfWorldHits(const wfWorld *world, int32_t *count)
-{
-    wfBlock b;
-    bool open = wfOpenBlock(world, &b) == WF_OK;
-    if (count != NULL) *count = open ? b.head->hitCount : 0;
-    return open ? b.hits : NULL;
-}
-/* <look at the events of a world> */
-static const wfContact *search(const wfBlock *b, int32_t low, int32_t end, wfPair pair)
-{
-    int32_t high = end;
-    while (low < high) {
-        int32_t middle = low + (high - low) / 2;
-        const wfContact *c = &b->contacts[middle];
-        bool less = c->shapeA < pair.a || (c->shapeA == pair.a && c->shapeB < pair.b);
-        if (less) low = middle + 1;
-        else high = middle;
-    }
-    const wfContact *c = &b->contacts[low];
-    return low < end && c->shapeA == pair.a && c->shapeB == pair.b ? c : NULL;
-}
-
-wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out)
-{
-    wfBlock block;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &block);
-    if (result != WF_OK) return result;
-    int32_t i = wfShapeIndex(world, a), k = wfShapeIndex(world, b);
-    if (i < 0 || k < 0) return WF_ERROR_STALE_ID;
-    wfPair pair = { i < k ? i : k, i < k ? k : i };
-    int32_t kept = block.head->kept.contacts, count = block.head->contactCount;
-    const wfContact *c = search(&block, kept, count, pair);
-    if (c == NULL) c = search(&block, 0, kept, pair);
-    if (c != NULL) *out = *c;
-    return c != NULL ? WF_OK : WF_ERROR_UNKNOWN;
-}
-/* <add up the energy of a world> */
-static double energy_in(const wfForce *force, const wfBodyView *bodies)
-{
-    if (force->a >= 0) return (double)wfForceEnergy(force, 1, bodies);
-    wfForce one = *force;
-    double sum = 0;
-    for (one.a = 0; one.a < bodies->count; one.a++)
-        sum += (double)wfForceEnergy(&one, 1, bodies);
-    return sum;
-}
-/* <add up the energy of a world> */
-wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
-{
-    wfBlock b;
-    wfResult result = wfOpenBlock(world, &b);
-    if (result != WF_OK) return result;
-    wfBodyView bodies = wfViewOf(&b, b.state);
-    wfForce gravity = wfGravity(b.head->gravity);
-    double moving = 0, stored = energy_in(&gravity, &bodies);
-    for (int32_t i = 0; i < bodies.count; i++)
-        moving += (double)wfKineticEnergy(&b.state[i]);
-    for (int32_t i = 0; i < b.head->forceSlots.high; i++)
-        if (b.forceSlots[i].next == WF_SLOT_LIVE)
-            stored += energy_in(&b.forces[i], &bodies);
-    if (kinetic != NULL) *kinetic = moving;
-    if (potential != NULL) *potential = stored;
-    return WF_OK;
-}
-/* <add up the momentum of a world> */
-wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular)
-{
-    wfBlock b;
-    wfResult result = wfOpenBlock(world, &b);
-    if (result != WF_OK) return result;
-    double x = 0, y = 0, turn = 0;
-    for (int32_t i = 0; i < b.head->bodySlots.high; i++) {
-        wfVec2 p = wfMomentum(&b.state[i]);
-        x += (double)p.x;
-        y += (double)p.y;
-        turn += (double)wfAngularMomentum(&b.state[i], wfV2(0, 0));
-    }
-    if (linear != NULL) linear[0] = x, linear[1] = y;
-    if (angular != NULL) *angular = turn;
-    return WF_OK;
 }
 /* <hash a world> */
 static uint64_t hash_state(uint64_t h, const wfBodyState *s)
@@ -178,6 +80,73 @@ uint64_t wfHashWorld(const wfWorld *world)
     }
     return h;
 }
+/* <add up the energy of a world> */
+static double energy_in(const wfForce *force, const wfBodyView *bodies)
+{
+    if (force->a >= 0) return (double)wfForceEnergy(force, 1, bodies);
+    wfForce one = *force;
+    double sum = 0;
+    for (one.a = 0; one.a < bodies->count; one.a++)
+        sum += (double)wfForceEnergy(&one, 1, bodies);
+    return sum;
+}
+/* <add up the energy of a world> */
+wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
+{
+    wfBlock b;
+    wfResult result = wfOpenBlock(world, &b);
+    if (result != WF_OK) return result;
+    wfBodyView bodies = wfViewOf(&b, b.state);
+    wfForce gravity = wfGravity(b.head->gravity);
+    double moving = 0, stored = energy_in(&gravity, &bodies);
+    for (int32_t i = 0; i < bodies.count; i++)
+        moving += (double)wfKineticEnergy(&b.state[i]);
+    /* <add the energy of the registered forces> */
+    /* where there are any */
+    /* <add the energy of the registered forces> */
+    for (int32_t i = 0; i < b.head->forceSlots.high; i++)
+        if (b.forceSlots[i].next == WF_SLOT_LIVE)
+            stored += energy_in(&b.forces[i], &bodies);
+    if (kinetic != NULL) *kinetic = moving;
+    if (potential != NULL) *potential = stored;
+    return WF_OK;
+}
+/* <add up the momentum of a world> */
+wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular)
+{
+    wfBlock b;
+    wfResult result = wfOpenBlock(world, &b);
+    if (result != WF_OK) return result;
+    double x = 0, y = 0, turn = 0;
+    for (int32_t i = 0; i < b.head->bodySlots.high; i++) {
+        wfVec2 p = wfMomentum(&b.state[i]);
+        x += (double)p.x;
+        y += (double)p.y;
+        turn += (double)wfAngularMomentum(&b.state[i], wfV2(0, 0));
+    }
+    if (linear != NULL) linear[0] = x, linear[1] = y;
+    if (angular != NULL) *angular = turn;
+    return WF_OK;
+}
+/* <look at the events of a world> */
+const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count)
+{
+    wfBlock b;
+    bool good = wfOpenBlock(world, &b) == WF_OK && kind >= 0 && kind < WF_EVENT_KINDS;
+    if (count != NULL) *count = good ? b.head->eventCount[kind] : 0;
+    if (!good) return NULL;
+    const wfTouchEvent *first = b.events;
+    for (int i = 0; i < kind; i++) first += b.head->eventCount[i];
+    return first;
+}
+
+const wfHit *wfWorldHits(const wfWorld *world, int32_t *count)
+{
+    wfBlock b;
+    bool open = wfOpenBlock(world, &b) == WF_OK;
+    if (count != NULL) *count = open ? b.head->hitCount : 0;
+    return open ? b.hits : NULL;
+}
 /* <find the body at a point> */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
 {
@@ -201,4 +170,33 @@ wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out)
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result == WF_OK) *out = b.head->report;
     return result;
+}
+/* <look at the contact of two shapes> */
+static const wfContact *search(const wfBlock *b, int32_t low, int32_t end, wfPair pair)
+{
+    int32_t high = end;
+    while (low < high) {
+        int32_t middle = low + (high - low) / 2;
+        const wfContact *c = &b->contacts[middle];
+        bool less = c->shapeA < pair.a || (c->shapeA == pair.a && c->shapeB < pair.b);
+        if (less) low = middle + 1;
+        else high = middle;
+    }
+    const wfContact *c = &b->contacts[low];
+    return low < end && c->shapeA == pair.a && c->shapeB == pair.b ? c : NULL;
+}
+
+wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out)
+{
+    wfBlock block;
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &block);
+    if (result != WF_OK) return result;
+    int32_t i = wfShapeIndex(world, a), k = wfShapeIndex(world, b);
+    if (i < 0 || k < 0) return WF_ERROR_STALE_ID;
+    wfPair pair = { i < k ? i : k, i < k ? k : i };
+    int32_t kept = block.head->kept.contacts, count = block.head->contactCount;
+    const wfContact *c = search(&block, kept, count, pair);
+    if (c == NULL) c = search(&block, 0, kept, pair);
+    if (c != NULL) *out = *c;
+    return c != NULL ? WF_OK : WF_ERROR_UNKNOWN;
 }

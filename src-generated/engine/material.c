@@ -3,6 +3,9 @@
 #include <string.h>
 #include "engine/block.h"
 
+/* <find a known pair> */
+/* where pairs may be known */
+/* <find a known pair> */
 static wfKnownPair *known_pairs(const wfBlock *b)
 {
     return (void *)((uint8_t *)b->head + b->head->offset[WF_REGION_PAIR_MATERIALS]);
@@ -29,12 +32,14 @@ static bool is_pair(const wfBlock *b, int32_t at, int32_t one, int32_t two)
     if (at >= b->head->knownPairs) return false;
     return (k->a == one && k->b == two) || (k->a == two && k->b == one);
 }
-
 /* <mix what two shapes are made of> */
 wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two)
 {
     const wfHeader *h = b->head;
+    /* <look whether the pair is known> */
+    /* and mix if it is not */
+    /* <look whether the pair is known> */
     if (one->material > 0 && two->material > 0 && h->knownPairs > 0) {
         int32_t at = place_of_pair(b, one->material, two->material);
         if (is_pair(b, at, one->material, two->material)) return known_pairs(b)[at].m;

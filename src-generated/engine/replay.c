@@ -183,6 +183,32 @@ static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
     if (in->kind == WF_INPUT_SLEEP) return wfPutToSleep(w, body_of(in));
     return wfSetNeverSleeps(w, body_of(in), in->with.number);
 }
+/* <inputs> */
+static wfResult set_pair(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    if (in->index > INT32_MAX || in->generation > INT32_MAX) return WF_ERROR_RANGE;
+    return wfSetPairMaterial(w, (int32_t)in->index, (int32_t)in->generation, &in->pair);
+}
+/* <inputs> */
+static wfResult set_setting(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    wfWorldDef def;
+    (void)made;
+    if (in->index >= (uint32_t)wfSettingCount || in->generation > 1)
+        return WF_ERROR_UNKNOWN;
+    wfResult result = wfGetWorldDef(w, &def);
+    if (result == WF_OK)
+        result = wfPutSetting(&def, &wfSettingTable[in->index], (int)in->generation,
+                              (double)in->with.x);
+    return result == WF_OK ? wfSetWorldDef(w, &def) : result;
+}
+/* <inputs> */
+static wfResult move_origin(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    return wfMoveOrigin(w, in->with.by, NULL);
+}
 /* <the table of inputs> */
 #define NUMBERS sizeof(((wfInput *)0)->with)
 static const struct { const char *name; size_t size; GiveFn *give; }
@@ -220,6 +246,12 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_WAKE]         = { "wake", 0, set_rest },
     [WF_INPUT_SLEEP]        = { "sleep", 0, set_rest },
     [WF_INPUT_NEVER_SLEEPS] = { "never sleeps", NUMBERS, set_rest },
+    /* <rows of the input table> */
+    [WF_INPUT_PAIR]        = { "pair of materials", sizeof(wfPairMaterial), set_pair },
+    /* <rows of the input table> */
+    [WF_INPUT_SETTING]     = { "setting", NUMBERS, set_setting },
+    /* <rows of the input table> */
+    [WF_INPUT_MOVE_ORIGIN] = { "move origin", NUMBERS, move_origin },
 };
 
 static wfResult give(wfWorld *world, const wfInput *in, wfInputId *made)
@@ -233,7 +265,10 @@ typedef struct Entry { int32_t kind; uint32_t size, index, generation; } Entry;
 
 static size_t entry_size(size_t size) { return sizeof(Entry) + ((size + 7) & ~(size_t)7); }
 
-static bool has_room(const wfJournal *j, size_t bytes) { return bytes <= j->size - j->used; }
+static bool has_room(const wfJournal *j, size_t bytes)
+{
+    return bytes <= j->size - j->used;
+}
 
 static void note(wfJournal *j, Entry entry, const void *from)
 {

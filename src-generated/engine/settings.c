@@ -58,6 +58,8 @@ const wfSetting wfSettingTable[] = {
       .text = "removed in a step" },
     { WF_SETTING(slop), WF_REAL, WF_FROM(0), .law = 1, .unit = "of the smaller reach",
       .text = "overlap that is left alone" },
+    { WF_SETTING(reuse), WF_SWITCH, .text = "contacts of pairs that hardly moved are kept" },
+    /* <rows of the table of settings> */
     { WF_SETTING(contactPeriod), WF_REAL, WF_ABOVE(0), .law = 1, .unit = "substeps",
       .text = "period of a contact's spring (chapter 17)" },
     { WF_SETTING(contactDamping), WF_REAL, WF_ABOVE(0), .law = 1,
@@ -65,8 +67,8 @@ const wfSetting wfSettingTable[] = {
     { WF_SETTING(recoverySteps), WF_REAL, WF_FROM(0), .law = 1, .unit = "steps of gravity",
       .text = "overlap is left no faster than that; 0 or no gravity: no limit" },
     { WF_SETTING(colours), WF_SWITCH, .text = "contacts are solved by colours (chapter 17)" },
-    { WF_SETTING(columns), WF_SWITCH, .law = 1, .text = "towers are solved at once" },
-    { WF_SETTING(reuse), WF_SWITCH, .text = "contacts of pairs that hardly moved are kept" },
+    { WF_SETTING(columns), WF_COUNTED, WF_BETWEEN(0, 1 + WF_COLUMN_LOOPS), .law = 1,
+      .text = "1: towers are solved at once; 1 + n: with up to n loops (chapter 17)" },
     /* <rows of the table of settings> */
     { WF_SETTING(frictionMix), WF_ROW(Mix), .law = 1, .text = "of two shapes' friction" },
     { WF_SETTING(restitutionMix), WF_ROW(Mix), .law = 1, .text = "of their restitution" },
@@ -82,6 +84,7 @@ const wfSetting wfSettingTable[] = {
       .text = "pairs of materials that may be known" },
     /* <rows of the table of settings> */
     { WF_SETTING(jointCapacity), WF_COUNTED, WF_CAPACITY(0), .text = "joints at most" },
+    /* <rows of the table of settings> */
     { WF_SETTING(exactJoints), WF_CHOICE(wfExactNames), .text = "joints solved together" },
     { WF_SETTING(exactCost), WF_REAL, WF_FROM(0),
       .text = "AUTO: products of blocks a joint, at most" },

@@ -32,7 +32,12 @@ static wfResult check_shape_def(const wfShapeDef *d)
     if (d->density < 0 || d->friction < 0 || d->rolling < 0) return WF_ERROR_RANGE;
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
     if (d->staticFriction < 0 || d->material < 0) return WF_ERROR_RANGE;
-    if (d->sensor != 0 && d->sensor != 1) return WF_ERROR_RANGE;
+    bool may = false;
+    /* <see whether a shape may be a sensor> */
+    /* not unless the engine knows sensors */
+    /* <see whether a shape may be a sensor> */
+    may = true;
+    if (d->sensor != 0 && (d->sensor != 1 || !may)) return WF_ERROR_RANGE;
     return d->shape.kind == WF_SHAPE_NONE ? WF_ERROR_RANGE : wfCheckShape(&d->shape);
 }
 /* <weigh the shapes of a body> */
@@ -73,10 +78,39 @@ static wfResult weigh_plan(const bodyPlan *plan, wfReal even, wfMassData *out)
     return result;
 }
 /* <weigh the shapes of a body> */
+/* <check the forms of a body's shapes> */
+wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre)
+{
+    wfShape given = *stored;
+    wfResult result = wfCheckShape(stored);
+    if (result == WF_OK) return WF_OK;
+    wfShapeMove(&given, centre);          /* at a limit of size: as the user gave it */
+    return wfCheckShape(&given) == WF_OK ? WF_OK : result;
+}
+
+static wfResult check_forms(const bodyPlan *plan, wfVec2 centre)
+{
+    const wfBlock *b = plan->b;
+    wfVec2 old = b->props[plan->body].localCentre, shift = wfSub(old, centre);
+    wfResult result = WF_OK;
+    bool moves = shift.x != 0 || shift.y != 0;
+    for (int32_t k = b->props[plan->body].shape; moves && k >= 0; k = b->next[k]) {
+        wfShape moved = b->shapes[k];
+        wfShapeMove(&moved, shift);
+        if (k != plan->without && result == WF_OK) result = wfCheckMovedShape(&moved, centre);
+    }
+    for (int32_t k = 0; k < plan->count; k++) {
+        wfShape moved = plan->more[k].shape;
+        wfShapeMove(&moved, wfNeg(centre));
+        if (result == WF_OK) result = wfCheckMovedShape(&moved, centre);
+    }
+    return result;
+}
+
 static wfResult plan_body(const bodyPlan *plan, wfBodyState *state, wfBodyProps *props)
 {
     wfMassData m;
-    if (props->type != WF_DYNAMIC) return WF_OK;
+    if (props->type != WF_DYNAMIC) return check_forms(plan, props->localCentre);
     wfReal given = props->givenMass;
     wfResult result = weigh_plan(plan, 0, &m);
     if (result == WF_OK && !(m.mass > 0) && given > 0) result = weigh_plan(plan, given, &m);
@@ -95,7 +129,8 @@ static wfResult plan_body(const bodyPlan *plan, wfBodyState *state, wfBodyProps 
     state->p = wfAdd(state->p, shift);
     props->localCentre = m.centre;
     result = wfSetMass(state, props, m.mass, m.inertia);
-    return result == WF_OK && !wfBodyIsFinite(state) ? WF_ERROR_NOT_FINITE : result;
+    if (result == WF_OK && !wfBodyIsFinite(state)) return WF_ERROR_NOT_FINITE;
+    return result == WF_OK ? check_forms(plan, props->localCentre) : result;
 }
 /* <weigh the shapes of a body> */
 void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyProps *props)
@@ -121,7 +156,7 @@ wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
     props->type = type;
     wfResult result = plan_body(&plan, state, props);
     if (result != WF_OK || type == WF_DYNAMIC) return result;
-    return wfSetBodyType(state, props, type);
+    return wfSetBodyType(state, props, (wfBodyType)type);
 }
 /* <tell about a shape> */
 static void tell_shape(const wfBlock *b, int32_t k, wfShapeDef *out)
@@ -187,9 +222,13 @@ static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
         .restitution = def->restitution, .friction = def->friction,
         .staticFriction = def->staticFriction,
         .rolling = def->rolling, .surfaceSpeed = def->surfaceSpeed,
-        .reach = wfShapeReach(&def->shape), .inner = wfInnerRadius(&def->shape),
+        .reach = wfShapeReach(&def->shape),
         .sensor = def->sensor, .material = def->material, .userData = def->userData };
     b->materials[k].arm = b->materials[k].reach - def->shape.radius;
+    /* <note what else matters about shape k> */
+    /* to bodies that are not fast, nothing */
+    /* <note what else matters about shape k> */
+    b->materials[k].inner = wfInnerRadius(&def->shape);
 }
 /* <shapes in a world> */
 int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)

@@ -104,6 +104,9 @@ static void count_kept(struct wfStep *s)
         s->kept.pairs += keeps(s, b->pairs[i].a, b->pairs[i].b);
     for (int32_t i = 0; i < b->head->kept.contacts; i++)
         s->kept.contacts += keeps(s, b->contacts[i].shapeA, b->contacts[i].shapeB);
+    /* <count the touches of sleepers> */
+    /* where touches are noted */
+    /* <count the touches of sleepers> */
     for (int32_t i = 0; i < b->head->kept.touches; i++)
         s->kept.touches += keeps(s, b->touches[i].a, b->touches[i].b);
 }
@@ -213,10 +216,6 @@ static void link_contacts(const struct wfStep *s, Links *l)
         bool both = l->moves[c->a] && l->moves[c->b];
         if (both || presses(c)) link_bodies(s, l, c->a, c->b);
     }
-    for (int32_t i = 0; i < s->jointSet.count; i++) {
-        const wfJoint *j = &s->jointSet.joints[i];
-        if (!(j->flags & WF_JOINT_BROKEN)) link_bodies(s, l, j->a, j->b);
-    }
 }
 /* <find the links of islands> */
 static void link_force(const struct wfStep *s, Links *l, const wfForce *f)
@@ -245,13 +244,25 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
     if (l->marks == NULL) return WF_ERROR_MEMORY;
     wfPlant(l->parent, s->count);
     for (int32_t i = 0; i < s->count; i++) {
+        bool pushed = false;
+        /* <see whether body i is pushed> */
+        /* from outside */
+        /* <see whether body i is pushed> */
         const wfBodyForces *f = &s->b.applied[i];
-        bool pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
+        pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
         l->moves[i] = s->present[i] && (s->state[i].invMass > 0
                                         || s->state[i].invInertia > 0);
         l->marks[i] = pushed || (r.flags[i] & REST_NEVER) ? LINK_RESTLESS : 0;
     }
     link_contacts(s, l);
+    /* <link what joints and forces hold together> */
+    /* where there are any */
+    /* <link what joints and forces hold together> */
+    for (int32_t i = 0; i < s->jointSet.count; i++) {
+        const wfJoint *j = &s->jointSet.joints[i];
+        if (!(j->flags & WF_JOINT_BROKEN)) link_bodies(s, l, j->a, j->b);
+    }
+    /* <link what joints and forces hold together> */
     for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
         if (s->b.forceSlots[i].next == WF_SLOT_LIVE) link_force(s, l, &s->b.forces[i]);
     return WF_OK;
@@ -402,9 +413,12 @@ static void sort_lists(struct wfStep *s)
                     0 };
     List contacts = { (uint8_t *)b->contacts, (uint8_t *)s->contacts, sizeof(wfContact),
                       offsetof(wfContact, shapeA) };
-    List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouch), 0 };
     sort_out(s, pairs, caches, &kept.pairs, &s->pairs.count);
     sort_out(s, contacts, none, &kept.contacts, &s->contactCount);
+    /* <sort out the touches> */
+    /* where touches are noted */
+    /* <sort out the touches> */
+    List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouch), 0 };
     if (b->head->events) sort_out(s, touches, none, &kept.touches, &s->touchCount);
     s->kept = kept;
 }
@@ -502,6 +516,14 @@ wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never)
     if (never) r.flags[i] = REST_NEVER;
     else r.flags[i] &= REST_ASLEEP | REST_SENT;
     return WF_OK;
+}
+
+bool wfNeverSleeps(const wfWorld *world, wfBodyId id)
+{
+    wfBlock b;
+    int32_t i = wfBodyIndex(world, id);
+    if (i < 0 || wfOpenBlock(world, &b) != WF_OK) return false;
+    return (rest_of(&b).flags[i] & REST_NEVER) != 0;
 }
 /* <calls about rest> */
 int32_t wfBodyIsland(const wfWorld *world, wfBodyId id)

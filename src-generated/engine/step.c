@@ -7,18 +7,21 @@
 static wfResult copy_states(struct wfStep *s)
 {
     s->count = s->b.head->bodySlots.high;
-    s->shapeCount = s->b.head->shapeSlots.high;
     s->state = wfTransient(&s->b, WF_REGION_NEW_STATE);
     memcpy(s->state, s->b.state, (size_t)s->count * sizeof *s->state);
     s->present = wfTransient(&s->b, WF_REGION_PRESENT);
     memcpy(s->present, s->b.alive, (size_t)s->count);
     s->all = true;
     /* <say which bodies do not take part> */
+    /* in this chapter all do */
+    /* <say which bodies do not take part> */
+    s->shapeCount = s->b.head->shapeSlots.high;
     s->kept = s->b.head->kept;     /* in this chapter nothing is */
     /* <say which bodies do not take part> */
-    wfLeaveOutSleepers(s);
     s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
                             .shapes = wfShapesOf(&s->b), .dt = s->b.head->dt };
+    /* <say which bodies do not take part> */
+    wfLeaveOutSleepers(s);
     const wfHeader *head = s->b.head;
     size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
     return wfPoolInit(&s->scratch, scratch, wfTransient(&s->b, WF_REGION_SCRATCH));
@@ -28,19 +31,18 @@ static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
     s->forces[s->forceCount++] = wfGravity(s->b.head->gravity);
+    /* <list the registered forces> */
+    /* those of chapter 9 */
+    /* <list the registered forces> */
     for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
         if (s->b.forceSlots[i].next == WF_SLOT_LIVE)
             s->forces[s->forceCount++] = s->b.forces[i];
     return WF_OK;
 }
+/* <damp the states> */
+/* where anything damps them */
+/* <damp the states> */
 /* <damp the states by eq:world-split> */
-static wfResult damp_half(struct wfStep *s);
-
-static wfResult damp_again(struct wfStep *s)
-{
-    return wfSolverSteps(s) ? WF_OK : damp_half(s);  /* then it comes after the solver */
-}
-
 static wfResult damp_half(struct wfStep *s)
 {
     wfReal half = s->b.head->dt / 2;
@@ -51,6 +53,16 @@ static wfResult damp_half(struct wfStep *s)
     }
     return WF_OK;
 }
+/* <damp the states by eq:world-split> */
+static wfResult damp_again(struct wfStep *s)
+{
+    bool later = false;                     /* after a solver that steps by itself */
+    /* <see whether the second half comes later> */
+    /* with contacts it may */
+    /* <see whether the second half comes later> */
+    later = wfSolverSteps(s);
+    return later ? WF_OK : damp_half(s);
+}
 /* <integrate the step> */
 static void forces_on(void *context, const wfBodyState *state, int count, wfReal time,
                       wfBodyForces *out)
@@ -58,6 +70,10 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     const struct wfStep *s = context;
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
+    (void)count;
+    /* <add what the user applied> */
+    /* where that is possible */
+    /* <add what the user applied> */
     for (int i = 0; i < count; i++) {
         if (!s->present[i]) continue;
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
@@ -88,6 +104,9 @@ static wfResult sum_forces(struct wfStep *s)
 static wfResult integrate(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
+    /* <leave it to a solver that steps by itself> */
+    /* where there is one */
+    /* <leave it to a solver that steps by itself> */
     if (wfSolverSteps(s)) return sum_forces(s);
     wfIntegration in = { .state = s->state, .count = s->count, .time = (wfReal)head->time,
                          .h = head->dt, .forces = forces_on, .context = s,
@@ -100,10 +119,17 @@ static wfResult check_states(struct wfStep *s)
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i]) continue;
         if (!wfBodyIsFinite(&s->state[i])) return WF_ERROR_NOT_FINITE;
+        /* <take full turns off the angle of body i> */
+        /* which nothing has turned */
+        /* <take full turns off the angle of body i> */
         wfWrapBodyAngle(&s->state[i]);
     }
-    return WF_OK;
+    double end = s->b.head->time + (double)s->b.head->dt;
+    return wfIsFinite((wfReal)end) ? WF_OK : WF_ERROR_NOT_FINITE;
 }
+/* <the second half of the step> */
+/* whom have they met? */
+/* <the second half of the step> */
 /* <bound the shapes> */
 static bool can_move(const wfBodyState *s)
 {
@@ -178,20 +204,35 @@ static wfResult find_bounds(struct wfStep *s)
     return WF_OK;
 }
 /* <find the pairs> */
+bool wfHasMass(const struct wfStep *s, int32_t k)
+{
+    const wfBodyState *state = &s->state[s->b.owners[k]];
+    return state->invMass > 0 || state->invInertia > 0;
+}
+
 static bool pair_rule(const void *context, int32_t a, int32_t b)
 {
     const struct wfStep *s = context;
-    bool senses = wfIsSensor(&s->b, a) || wfIsSensor(&s->b, b);
-    if (wfIsSensor(&s->b, a) && wfIsSensor(&s->b, b)) return false;
+    bool senses = false, may = true;
+    /* <see whether the pair senses> */
+    /* It does if one of the two is a sensor. */
+    /* <see whether the pair senses> */
+    bool first = wfIsSensor(&s->b, a), second = wfIsSensor(&s->b, b);
+    if (first && second) return false;
+    senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
     /* <who else makes no pair> */
-    /* In this chapter nobody. */
+    /* In this chapter nobody else. */
     /* <who else makes no pair> */
     if (!senses && !wfMovesNow(s, s->b.owners[a]) && !wfMovesNow(s, s->b.owners[b]))
         return false;
+    /* <ask the user about the pair> */
+    /* See the section on hooks. */
+    /* <ask the user about the pair> */
     const wfHooks *hooks = s->hooks;
-    return hooks == NULL || hooks->filter == NULL
-        || hooks->filter(hooks->context, &s->view, a, b);
+    if (hooks != NULL && hooks->filter != NULL)
+        may = hooks->filter(hooks->context, &s->view, a, b);
+    return may;
 }
 
 wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags)
@@ -209,16 +250,24 @@ static wfResult find_pairs(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
-    bool rule = s->hooks != NULL && s->hooks->filter != NULL;
+    bool rule = false, asked = false;
+    /* <who needs the rule for pairs> */
+    /* Who has none of what follows does without. */
     /* <who needs the rule for pairs> */
     rule = rule || head->sensorCount > 0;
     /* <who needs the rule for pairs> */
+    rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
+    /* <who needs the rule for pairs> */
     rule = rule || head->asleep > 0;
+    /* <who needs the index> */
+    /* Who moves. */
+    /* <who needs the index> */
+    asked = head->queries && head->indexStale;
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
                              .capacity = head->pairCapacity - s->kept.pairs };
     size_t bytes = index_bytes(head);
-    if (s->movers == 0 && !(head->queries && head->indexStale)) return WF_OK;
+    if (s->movers == 0 && !asked) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
     s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
     memcpy(s->index, s->b.index, bytes);
@@ -245,13 +294,17 @@ static wfSolve to_solve(struct wfStep *s)
     return (wfSolve){ .state = s->state, .bodyCount = s->count, .contacts = s->contacts,
         .contactCount = s->contactCount, .h = head->dt, .iterations = wfPassesOf(head),
         .restingSpeed = wfRestingSpeed(head->gravity, head->dt, head->restingSteps),
+        .positionShare = head->positionShare, .forces = s->sums,
+        .substeps = head->substeps, .laws = s->laws,
+        .scratch = &s->scratch, .report = &s->report,
+        .present = s->all ? NULL : s->present,
+        /* <what else a solver is told> */
+        /* what only one solver wants to know */
+        /* <what else a solver is told> */
         .recoverySpeed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
-        .columns = head->columns,
-        .positionShare = head->positionShare, .forces = s->sums,
-        .substeps = head->substeps, .colours = head->colours, .laws = s->laws,
-        .scratch = &s->scratch, .report = &s->report,
-        .present = s->all ? NULL : s->present };
+        .columns = head->columns, .colours = head->colours,
+    };
 }
 
 static wfResult solve_velocities(struct wfStep *s)
@@ -260,7 +313,11 @@ static wfResult solve_velocities(struct wfStep *s)
     if (s->movers == 0) return WF_OK;
     if (!wfSolverSteps(s)) return wfSolveVelocities(s->b.head->solver, &solve);
     wfResult result = wfSolverTable[s->b.head->solver].step(&solve);
-    return result == WF_OK ? damp_half(s) : result;
+    /* <damp the states behind the solver> */
+    /* the second half of the damping */
+    /* <damp the states behind the solver> */
+    if (result == WF_OK) result = damp_half(s);
+    return result;
 }
 
 static wfResult solve_positions(struct wfStep *s)
@@ -286,10 +343,15 @@ static wfResult find_index(struct wfStep *s)
         if (i >= 0 && moved[i]) s->bounds[k] = bound_one(&s->b, k, s->places[i]);
     }
     wfPoolRewind(&s->scratch, mark);
+    wfResult result = WF_OK;
+    /* <bring the index up to date> */
+    /* for queries, and only for them */
+    /* <bring the index up to date> */
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
-    if (s->index == NULL || !s->b.head->queries) return WF_OK;
-    return wfUpdateIndex(s->b.head->broadPhase, &proxies, s->index,
-                         index_bytes(s->b.head), &s->scratch);
+    if (s->index != NULL && s->b.head->queries)
+        result = wfUpdateIndex(s->b.head->broadPhase, &proxies, s->index,
+                               index_bytes(s->b.head), &s->scratch);
+    return result;
 }
 /* <keep the index for queries> */
 wfResult wfIndexWorld(wfWorld *world)
@@ -320,7 +382,11 @@ static wfResult commit(struct wfStep *s)
     /* <before the step becomes the world> */
     wfKeepRest(s);
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
+    /* <commit what was found> */
+    /* contacts and events, where there are any */
+    /* <commit what was found> */
     memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
+    /* <commit what was found> */
     copy_back(s->b.bounds, s->bounds, s->shapeCount, sizeof *s->bounds);
     copy_back(s->b.flags, s->flags, s->shapeCount, sizeof *s->flags);
     int32_t pairs = s->pairs.count, at = s->kept.pairs;
@@ -328,21 +394,26 @@ static wfResult commit(struct wfStep *s)
     copy_back(s->b.caches + at, s->caches, pairs, sizeof *s->caches);
     copy_back(s->b.contacts + s->kept.contacts, s->contacts, s->contactCount,
               sizeof *s->contacts);
+    if (s->index != NULL) memcpy(s->b.index, s->index, index_bytes(head));
+    /* <commit what was found> */
     copy_back(s->b.touches + s->kept.touches, s->touches, s->touchCount,
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
-    if (s->index != NULL) memcpy(s->b.index, s->index, index_bytes(head));
+    /* <count what was committed> */
+    head->time += (double)head->dt;
+    head->steps++;
     /* <count what was committed> */
     head->kept = s->kept;
     head->pairCount = s->kept.pairs + s->pairs.count;
     head->contactCount = s->kept.contacts + s->contactCount;
+    head->indexStale = 1;
+    /* <count what was committed> */
+    head->indexStale = !head->queries;
+    /* <count what was committed> */
     head->touchCount = s->kept.touches + s->touchCount;
     head->hitCount = s->hitCount;
     memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
-    head->indexStale = !head->queries;
-    head->time += (double)head->dt;
-    head->steps++;
     /* <count what was committed> */
     head->report = s->report;
     /* <count what was committed> */
@@ -358,12 +429,16 @@ const wfStageRow wfStageTable[] = {
       "states", "new states", copy_states },
     { "forces", "list gravity and the registered forces that act",
       "forces", "active forces", list_forces },
+    /* <rows of the stage table> */
     { "damp", "damp the velocities over the first half of the step",
       "properties", "new states", damp_half },
+    /* <rows of the stage table> */
     { "integrate", "let the forces act: new velocities, new places",
       "active and applied forces", "new states, sums of forces", integrate },
+    /* <rows of the stage table> */
     { "damp again", "damp the velocities over the second half",
       "properties", "new states", damp_again },
+    /* <rows of the stage table> */
     { "check", "stop here if a number has overflowed",
       "new states", "", check_states },
     /* <rows of the stage table> */
@@ -396,12 +471,17 @@ const wfStageRow wfStageTable[] = {
     /* <stages that mend> */
     { "late impacts", "the same, behind a solver that steps",
       "states, new states, joints", "new states, strikes", wfFlyLast },
+    /* <stages that mend> */
     { "strikes", "what was struck was touched, and hit",
       "strikes", "new touches, hits", wfTellStrikes },
     { "check again", "stop here if a number has overflowed",
       "new states", "", check_states },
+    /* <rows of the stage table> */
     { "events", "say what began, goes on and ended",
       "new touches, touches", "new events", wfTellEvents },
+    /* <rows of the stage table> */
+    /* <stages before the end> */
+    /* whatever has to be ready before that */
     /* <stages before the end> */
     { "index", "prepare the answers to queries",
       "new states, shapes", "new bounds, new index", find_index },
@@ -416,21 +496,41 @@ const wfStageRow wfStageTable[] = {
 };
 const int wfStageCount = (int)(sizeof wfStageTable / sizeof *wfStageTable);
 /* <step the world> */
+static wfResult run_stages(struct wfStep *step)
+{
+    wfResult result = WF_OK;
+    for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
+        result = wfStageTable[i].run(step);
+        /* <begin anew if a stage says so> */
+        /* no stage of this chapter does */
+        /* <begin anew if a stage says so> */
+        if (result == WF_OK && step->again) {
+            *step = (struct wfStep){ .b = step->b, .restarts = step->restarts + 1,
+                /* <what a step keeps that begins anew> */
+                /* whom to ask, if the user has hooks */
+                /* <what a step keeps that begins anew> */
+                .hooks = step->hooks,
+            };
+            i = -1;
+        }
+    }
+    return result;
+}
+
+wfResult wfStepWorld(wfWorld *world)
+{
+    struct wfStep step = { .count = 0 };
+    wfResult result = wfChangeBlock(world, &step.b);
+    return result == WF_OK ? run_stages(&step) : result;
+}
+/* <step the world for hooks> */
 wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks)
 {
     struct wfStep step = { .hooks = hooks };
     wfResult result = wfChangeBlock(world, &step.b);
     if (result != WF_OK) return result;
     step.b.head->busy = hooks != NULL;
-    for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
-        result = wfStageTable[i].run(&step);
-        if (result != WF_OK || !step.again) continue;
-        step = (struct wfStep){ .b = step.b, .hooks = hooks,
-                                .restarts = step.restarts + 1 };
-        i = -1;
-    }
+    result = run_stages(&step);
     step.b.head->busy = 0;
     return result;
 }
-
-wfResult wfStepWorld(wfWorld *world) { return wfStepWorldWith(world, NULL); }

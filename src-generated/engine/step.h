@@ -10,20 +10,20 @@
 struct wfStep {
     wfBlock          b;
     wfPool           scratch;
-    const wfHooks   *hooks;       /* the user's functions, or NULL */
-    wfHookView       view;        /* what they get to see */
     int32_t          count;       /* places for bodies in use */
-    int32_t          shapeCount;  /* and for shapes */
     uint8_t         *present;     /* 1: a body that takes part in the step */
-    int32_t          movers;      /* how many of them can move, or do */
     bool             all;         /* all bodies are present */
-    wfKept           kept;        /* of the last step, and not to be looked at again */
     int32_t          again;       /* 1: begin this step anew */
     int32_t          restarts;    /* how often it was begun anew */
     wfBodyState     *state;       /* the new states */
     wfForce         *forces;      /* the forces that act in this step */
     int32_t          forceCount;
     /* <arrays of the second half> */
+    /* those of an engine that knows no contacts end here */
+    /* <arrays of the second half> */
+    int32_t          shapeCount;  /* places for shapes in use */
+    int32_t          movers;      /* how many bodies can move, or do */
+    wfKept           kept;        /* of the last step, and not to be looked at again */
     wfBodyForces    *sums;        /* of the forces, for a solver that steps */
     wfTransform     *places;      /* of the bodies, from the new states */
     wfReal          *rims;        /* m/s: how fast shapes may turn, for a solver that steps */
@@ -34,23 +34,28 @@ struct wfStep {
     wfManifoldCache *caches;      /* one for each pair */
     wfContact       *contacts;
     int32_t          contactCount;
+    const wfLaws    *laws;        /* other laws than contacts, or NULL */
+    /* <arrays of the second half> */
     wfTouch         *touches;
     int32_t          touchCount;
     wfHit           *hits;
     int32_t          hitCount;
     wfReal           hitSpeed;    /* m/s: faster approaches are hits */
-    const wfLaws    *laws;        /* other laws than contacts, or NULL */
     wfTouchEvent    *events;
     int32_t          eventTotal, eventCount[WF_EVENT_KINDS];
     /* <arrays of the second half> */
+    const wfHooks   *hooks;       /* the user's functions, or NULL */
+    wfHookView       view;        /* what they get to see */
+    /* <arrays of the second half> */
     wfSolveReport report;         /* of the solver, if it makes one */
     /* <arrays of the second half> */
-    uint64_t         machines;    /* a fingerprint of who is joined to whom */
+    int32_t          joinedCount; /* pairs of joined bodies, sorted, in their region */
     wfJointSet       jointSet;    /* copies of the joints, and what solving them takes */
     wfLaws           jointLaws;
     int32_t         *jointPlaces; /* from which place each of them was copied */
     /* <arrays of the second half> */
-    int32_t          joinedCount; /* pairs of joined bodies, sorted, in their region */
+    uint64_t         machines;    /* a fingerprint of who is joined to whom */
+    /* <arrays of the second half> */
     wfFlight        *flights;
     int32_t         *flightOf;    /* of each body, or -1; valid when there are flights */
     int32_t          flightCount, fastCount, impactCount, heldCount;
@@ -66,6 +71,9 @@ struct wfStep {
     wfReal          *clocks;      /* new clocks of rest */
     wfIslands        islands;
 };
+/* <declarations of the stages> */
+/* that stand in files of their own */
+/* <declarations of the stages> */
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverSteps(const struct wfStep *s);
 int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */
@@ -76,7 +84,7 @@ static inline bool wfIsSensor(const wfBlock *b, int32_t k)
     return b->materials[k].sensor != 0;
 }
 bool wfHasMass(const struct wfStep *s, int32_t k);
-/* Two stages. */
-wfResult wfFindContacts(struct wfStep *s);
-wfResult wfTellEvents(struct wfStep *s);
+wfResult wfFindContacts(struct wfStep *s);      /* a stage */
+/* <declarations of the stages> */
+wfResult wfTellEvents(struct wfStep *s);        /* a stage */
 #endif

@@ -59,7 +59,8 @@ static wfReal way_of_pair(const struct wfStep *s, wfPair p)
 /* Where the three fingers are in the lists of the last step, and where these end. What is
  * not found is looked for on the walk after this one, if there is one. */
 typedef struct wfWalk {
-    int32_t pair, contact, touch, pairs, contacts, touches;
+    int32_t pair, contact, pairs, contacts;
+    int32_t touch, touches;    /* stay 0 where no touches are noted */
     struct wfWalk *after;
 } wfWalk;
 
@@ -99,6 +100,9 @@ static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
               && t->stampB == b->shapeSlots[p.b].generation;
     return found || (w->after != NULL && touched_before(b, w->after, p));
 }
+/* <what contacts are made for besides> */
+/* for events, sensors and hooks */
+/* <what contacts are made for besides> */
 /* <note the touches> */
 enum { TOUCH_SURE = WF_TOUCH_USER };
 #define SENSOR_STAMP 0x80000000u
@@ -120,6 +124,13 @@ static wfTouch stamp_touch(const struct wfStep *s, wfPair p, uint32_t flags)
     return stamped;
 }
 /* <note the touches> */
+static wfReal deepest(const wfManifold *m)
+{
+    wfReal depth = -WF_HUGE;
+    for (int32_t i = 0; i < m->count; i++) depth = wfMaxR(depth, m->points[i].depth);
+    return depth;
+}
+
 static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
 {
     const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
@@ -217,13 +228,8 @@ static wfReal struck(const struct wfStep *s, int32_t a, int32_t b)
               && s->strikes[low].pair.b == b;
     return found ? s->strikes[low].impulse : 0;
 }
+/* <what contacts are made for besides> */
 /* <sense who is in a sensor> */
-bool wfHasMass(const struct wfStep *s, int32_t k)
-{
-    const wfBodyState *state = &s->state[s->b.owners[k]];
-    return state->invMass > 0 || state->invInertia > 0;
-}
-
 static wfResult sense_pair(struct wfStep *s, int32_t i)
 {
     wfPair p = s->pairs.pairs[i];
@@ -237,6 +243,7 @@ static wfResult sense_pair(struct wfStep *s, int32_t i)
     s->touches[s->touchCount++] = stamp_touch(s, p, side);
     return WF_OK;
 }
+/* <what contacts are made for besides> */
 /* <ask the user about a contact> */
 static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
 {
@@ -296,28 +303,30 @@ static void drop_gaps(wfManifold *m, wfReal margin)
         if (m->points[i].depth >= -margin) m->points[kept++] = m->points[i];
     m->count = kept;
 }
-
-static wfReal deepest(const wfManifold *m)
-{
-    wfReal depth = -WF_HUGE;
-    for (int32_t i = 0; i < m->count; i++) depth = wfMaxR(depth, m->points[i].depth);
-    return depth;
-}
 /* <make the contacts> */
 static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
 {
     wfPair p = s->pairs.pairs[i];
     wfContact c = start_contact(s, p);
     const wfContact *old = old_contact(&s->b, w, p);
-    bool was = touched_before(&s->b, w, p);
+    bool was = false, enabled = true;
+    /* <see whether the pair p touched before> */
+    /* Without events nobody remembers. */
+    /* <see whether the pair p touched before> */
+    was = touched_before(&s->b, w, p);
     wfReal ahead = wfSolverSteps(s) ? way_of_pair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, c.slop) : ahead;
     wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], &c);
     if (result != WF_OK || c.manifold.count == 0) return result;
     if (old != NULL) wfCarryImpulses(old, &c);
-    bool enabled = true;
+    /* <ask whether the contact c is wanted> */
+    /* The user may be asked: section "Hooks". */
+    /* <ask whether the contact c is wanted> */
     if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, &c, &enabled);
     if (result != WF_OK || !enabled) return result;
+    /* <note the touch of the contact c> */
+    /* For events, and only for them. */
+    /* <note the touch of the contact c> */
     bool is = wfTouchesNow(was, -deepest(&c.manifold), c.slop);
     note_touch(s, &c, is);
     drop_gaps(&c.manifold, ahead);
@@ -337,8 +346,7 @@ wfResult wfFindContacts(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     wfWalk walk = { .pair = head->kept.pairs, .contact = head->kept.contacts,
-                    .touch = head->kept.touches, .pairs = head->pairCount,
-                    .contacts = head->contactCount, .touches = head->touchCount };
+                    .pairs = head->pairCount, .contacts = head->contactCount };
     /* <where else contacts of the last step may be> */
     walk.after = NULL;
     /* <where else contacts of the last step may be> */
@@ -348,19 +356,31 @@ wfResult wfFindContacts(struct wfStep *s)
     wfResult result = WF_OK;
     s->caches = wfTransient(&s->b, WF_REGION_NEW_CACHES);
     s->contacts = wfTransient(&s->b, WF_REGION_NEW_CONTACTS);
+    /* <begin to note touches> */
+    /* for events */
+    /* <begin to note touches> */
+    walk.touch = head->kept.touches;
+    walk.touches = head->touchCount;
     s->touches = wfTransient(&s->b, WF_REGION_NEW_TOUCHES);
     s->hits = wfTransient(&s->b, WF_REGION_NEW_HITS);
-    s->hitSpeed = wfRestingSpeed(s->b.head->gravity, s->b.head->dt, s->b.head->hitSteps);
+    s->hitSpeed = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
     for (int32_t i = 0; i < s->pairs.count && result == WF_OK; i++) {
+        /* <leave a sensor's pair to its own function> */
+        /* where there are sensors */
+        /* <leave a sensor's pair to its own function> */
         wfPair p = s->pairs.pairs[i];
-        bool senses = wfIsSensor(&s->b, p.a) || wfIsSensor(&s->b, p.b);
-        result = senses ? sense_pair(s, i) : touch_pair(s, &walk, i);
+        if (wfIsSensor(&s->b, p.a) || wfIsSensor(&s->b, p.b)) {
+            result = sense_pair(s, i);
+            continue;
+        }
+        result = touch_pair(s, &walk, i);
     }
     return result;
 }
 /* <make the contacts> */
 wfContact wfStartContact(const struct wfStep *s, wfPair p) { return start_contact(s, p); }
 
+/* <make the contacts> */
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled)
 {
     return ask_hook(s, c, enabled);

@@ -10,6 +10,7 @@ const char *const wfGeometry = "centre radius halfWidth halfHeight angle from to
 bool wfHasWord(const char *list, const char *word)
 {
     size_t n = strlen(word);
+    if (n == 0 || strchr(word, ' ') != NULL) return false;
     for (const char *at = list; (at = strstr(at, word)) != NULL; at += n)
         if ((at == list || at[-1] == ' ') && (at[n] == 0 || at[n] == ' ')) return true;
     return false;

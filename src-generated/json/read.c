@@ -505,16 +505,32 @@ static bool read_part(Reader *r, const char *name, wfFields fields)
     return item == NULL || wfReadFields(&r->t, item, fields, nothing, &r->root);
 }
 
+/* "needs": names. */
+static bool read_needs(Reader *r)
+{
+    const cJSON *list;
+    int32_t count;
+    if (!find_list(r, r->t.root, "needs", &list, &count)) return false;
+    for (const cJSON *c = first_of(list); c != NULL; c = c->next)
+        if (!cJSON_IsString(c))
+            return wfTextFail(&r->t, c, WF_ERROR_TEXT, "must be a name");
+    return true;
+}
+
 static bool read_root(Reader *r)
 {
     static const char *const also[] = { "settings", "needs", "bodies", "joints", "forces",
                                         "pairMaterials", "view", "promises", NULL };
     r->root = (wfRootText){ .info = { .energyBound = -1, .depthBound = -1 } };
+    if (wfChild(r->t.root, "weft") == NULL && wfChild(r->t.root, "body") != NULL)
+        return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
+            "this looks like a scene of R.U.B.E.: translate it first");
     if (!wfReadFields(&r->t, r->t.root, wfRootFields, also, &r->root)) return false;
     if (r->root.version == 0)
         return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
             "a scene begins with \"weft\": %d", WF_SCENE_VERSION);
-    return read_part(r, "view", wfViewFields) && read_part(r, "promises", wfPromiseFields);
+    return read_part(r, "view", wfViewFields) && read_part(r, "promises", wfPromiseFields)
+        && read_needs(r);
 }
 
 static bool read_all(Reader *r)

@@ -246,6 +246,9 @@ static void describe_root(Schema *s, cJSON *in)
     with_fields(s, object_in(s, properties, "settings"), wfSettingFields(list));
     with_fields(s, object_in(s, properties, "view"), wfViewFields);
     with_fields(s, object_in(s, properties, "promises"), wfPromiseFields);
+    cJSON *needs = object_in(s, properties, "needs");
+    say(s, needs, "type", "array");
+    say(s, object_in(s, needs, "items"), "type", "string");
     list_in(s, properties, "bodies", "#/$defs/body");
     list_in(s, properties, "joints", "#/$defs/joint");
     list_in(s, properties, "forces", "#/$defs/force");

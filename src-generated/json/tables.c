@@ -251,7 +251,9 @@ static wfField field_of(const wfSetting *s)
 
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS])
 {
-    int count = wfSettingCount < WF_MOST_SETTINGS ? wfSettingCount : WF_MOST_SETTINGS;
-    for (int i = 0; i < count; i++) out[i] = field_of(&wfSettingTable[i]);
+    int count = 0;
+    for (int i = 0; i < wfSettingCount && count < WF_MOST_SETTINGS; i++)
+        if (wfSettingTable[i].kind <= WF_SETTING_CHOICE)
+            out[count++] = field_of(&wfSettingTable[i]);
     return (wfFields){ out, count };
 }

@@ -9,14 +9,16 @@
 #include "testbed/platform.h"
 #include "testbed/raster.h"
 #include "testbed/scene.h"
+#include "testbed/scene_file.h"
+#include "testbed/ui.h"
 #include "testbed/view.h"
+#include "weft/save.h"
 
 /* <the state of the game> */
-typedef struct game_widget { char name[GAME_NAME_SIZE]; float x, y; } game_widget;
-
 typedef struct game_state {
     int32_t begun, opened;              /* after the first call; while there is a world */
     int32_t row, result;                /* the scene, and how its last call went */
+    wfSceneInfo info;                   /* of the scene that was brought along as text */
     int32_t paused, single;             /* single: steps to be made although paused */
     int32_t dark, list, keys;           /* dark palette; list, key sheet are shown */
     uint32_t show;                      /* overlays */
@@ -30,8 +32,17 @@ typedef struct game_state {
     float scroll;                       /* of the list, interface units */
     int32_t reveal;                     /* 1: scroll to the scene's row */
     float width, height, scale;         /* of the last picture: units, pixels a unit */
-    int32_t widget_count;               /* where buttons are, for game_describe */
-    game_widget widgets[96];
+    ui_memory ui;
+    /* <what the game remembers of settings and time> */
+    int32_t panel, enter;               /* settings are shown; Enter was pressed */
+    float panel_scroll;
+    uint8_t changed[128];               /* which settings the user has changed ... */
+    double wanted[128][2];              /* ... and to what */
+    /* <what the game remembers of settings and time> */
+    size_t ring_oldest, ring_newest;    /* the ring's record, but for its address */
+    int32_t ring_count;
+    int32_t back;                       /* 1: the world was taken back, and stands there */
+    double rate;                        /* of time: 1 is as on the wall; 0: not set yet */
 } game_state;
 /* <the state of the game> */
 /* What one call works with. Gone when it returns. */
@@ -41,26 +52,56 @@ typedef struct game {
     wfMemory memory;                    /* of the world */
     wfWorld world;
     const wfScene *scene;
+    const char *text;                   /* of a scene that was brought along, or NULL */
+    wfScene guest;                      /* that scene */
     wfPool scratch;                     /* the other half of transient memory */
+    wfRewind ring;                      /* of snapshots, in the rest of permanent memory */
 } game;
+/* <find the ring in the game's memory> */
+enum { RING_BYTES = 16 * 1024 * 1024 };
+
+static void find_ring(game *g, const game_memory *memory)
+{
+    uint8_t *end = (uint8_t *)memory->permanent + memory->permanent_size;
+    g->ring = (wfRewind){ end - RING_BYTES, RING_BYTES, g->state->ring_oldest,
+                          g->state->ring_newest, g->state->ring_count };
+}
+
+static void note_ring(game *g)
+{
+    g->state->ring_oldest = g->ring.oldest;
+    g->state->ring_newest = g->ring.newest;
+    g->state->ring_count = g->ring.count;
+}
 /* <find the world in the game's memory> */
 static wfMemory world_memory(const game_memory *memory)
 {
     size_t begin = (sizeof(game_state) + WF_POOL_ALIGN - 1) / WF_POOL_ALIGN * WF_POOL_ALIGN;
     size_t half = memory->transient_size / 2 / WF_POOL_ALIGN * WF_POOL_ALIGN;
     return (wfMemory){ .permanent = (uint8_t *)memory->permanent + begin,
-                       .permanentSize = memory->permanent_size - begin,
+                       .permanentSize = memory->permanent_size - begin - RING_BYTES,
                        .transient = memory->transient, .transientSize = half };
+}
+
+/* The scenes of the table, and behind them the one that was brought along. */
+static int scene_count(const game *g) { return wfSceneCount + (g->text != NULL); }
+
+static const wfScene *scene_at(const game *g, int row)
+{
+    return row < wfSceneCount ? &wfSceneTable[row] : &g->guest;
 }
 
 static void begin_call(game *g, const game_memory *memory, const game_input *input)
 {
     *g = (game){ .state = memory->permanent, .input = input,
                  .memory = world_memory(memory) };
+    find_ring(g, memory);
     if (g->state->opened && wfOpenWorld(&g->memory, &g->world) != WF_OK)
         g->state->opened = 0;
-    if (g->state->row >= 0 && g->state->row < wfSceneCount)
-        g->scene = &wfSceneTable[g->state->row];
+    g->text = memory->text;
+    wfSceneOfText(g->text, &g->state->info, &g->guest);
+    if (g->state->row >= 0 && g->state->row < scene_count(g))
+        g->scene = scene_at(g, g->state->row);
     size_t half = g->memory.transientSize;
     wfPoolInit(&g->scratch, memory->transient_size - half,
                (uint8_t *)memory->transient + half);
@@ -73,13 +114,15 @@ static void look_home(game *g)
     g->state->camera.height = (float)g->scene->viewHeight;
 }
 /* <open a scene in the game> */
+static void keep_wishes(game *g);                   /* of sec:scenes-settings */
+
 static void open_scene(game *g, int row)
 {
     game_state *s = g->state;
-    row = (row + wfSceneCount) % wfSceneCount;      /* after the last, the first */
+    row = (row + scene_count(g)) % scene_count(g);  /* after the last, the first */
     bool same = s->row == row && s->opened;
     s->row = row;
-    g->scene = &wfSceneTable[row];
+    g->scene = scene_at(g, row);
     s->result = wfOpenScene(g->scene, &g->memory, &g->world);
     s->opened = s->result == WF_OK;
     s->clock = (step_clock){ 0 };
@@ -87,92 +130,22 @@ static void open_scene(game *g, int row)
     s->single = 0;
     s->input = (wfSceneInput){ 0 };
     s->reveal = 1;
+    s->back = 0;
+    wfRewindInit(&g->ring, g->ring.bytes, RING_BYTES);
+    note_ring(g);
+    if (same) keep_wishes(g);
     if (!same) {
+        memset(s->changed, 0, sizeof s->changed);
         s->show = g->scene->show;
         look_home(g);
     }
 }
 /* <the interface> */
-typedef struct ui {
-    game *g;
-    wfDraw *draw;               /* NULL in the walk that looks for clicks */
-    float x, y;                 /* the mouse, interface units from the upper left corner */
-    bool click, over;           /* the button went down; the mouse is over the interface */
-} ui;
-
-static bool ui_inside(const ui *u, float x, float y, float w, float h)
+static float list_length(const game *g)
 {
-    return u->x >= x && u->x < x + w && u->y >= y && u->y < y + h;
-}
-
-static void ui_box(ui *u, float x, float y, float w, float h, int line, int fill)
-{
-    float top = u->g->state->height - y;            /* the pen's y goes up */
-    float xy[] = { x, top - h, x + w, top - h, x + w, top, x, top };
-    if (u->draw)
-        wfDrawPolygon(u->draw, xy, 4, 1, line, fill);
-}
-/* <the interface> */
-static void ui_text(ui *u, float x, float y, float size, int role, int anchor,
-                    const char *text)
-{
-    if (u->draw)
-        wfDrawText(u->draw, x, u->g->state->height - y, size, role, anchor, text);
-}
-/* <the interface> */
-static bool ui_area(ui *u, const char *name, float x, float y, float w, float h)
-{
-    game_state *s = u->g->state;
-    bool inside = ui_inside(u, x, y, w, h);
-    if (inside)
-        u->over = true;
-    if (u->draw && s->widget_count < (int32_t)(sizeof s->widgets / sizeof *s->widgets)) {
-        game_widget *widget = &s->widgets[s->widget_count++];
-        snprintf(widget->name, sizeof widget->name, "%s", name);
-        widget->x = (x + w / 2) * s->scale;
-        widget->y = (y + h / 2) * s->scale;
-    }
-    return inside && u->click;
-}
-/* <the interface> */
-static bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
-{
-    bool hot = ui_inside(u, x, y, w, 24);
-    ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
-           on ? WF_INK_ACCENT : WF_INK_PAPER);
-    ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
-    return ui_area(u, name, x, y, w, 24);
-}
-/* <the interface> */
-static bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
-{
-    bool hot = ui_inside(u, x, y, w, 19);
-    ui_box(u, x, y + 3, 12, 12, hot ? WF_INK_ACCENT : WF_INK_LINE,
-           on ? WF_INK_ACCENT : WF_INK_PAPER);
-    if (on && u->draw) {
-        float top = u->g->state->height - y;
-        float tick[] = { x + 3, top - 9, x + 5.5f, top - 12, x + 9.5f, top - 6 };
-        wfDrawPolyline(u->draw, tick, 3, 1.5f, WF_INK_TEXT);
-    }
-    ui_text(u, x + 17, y + 13.5f, 13, WF_INK_TEXT, -1, name);
-    return ui_area(u, name, x, y, w, 19);
-}
-/* <the interface> */
-static bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
-{
-    bool hot = ui_inside(u, x, y, w, 19);
-    if (on || hot)
-        ui_box(u, x, y, w, 19, on ? WF_INK_ACCENT : WF_INK_FAINT,
-               on ? WF_INK_ACCENT : WF_INK_FAINT);
-    ui_text(u, x + 8, y + 13.5f, 13, WF_INK_TEXT, -1, name);
-    return ui_area(u, name, x, y, w, 19);
-}
-/* <the interface> */
-static float list_length(void)
-{
-    int rows = wfSceneCount;
-    for (int i = 0; i < wfSceneCount; i++)
-        if (i == 0 || strcmp(wfSceneTable[i].category, wfSceneTable[i - 1].category) != 0)
+    int rows = scene_count(g);
+    for (int i = 0; i < scene_count(g); i++)
+        if (i == 0 || strcmp(scene_at(g, i)->category, scene_at(g, i - 1)->category) != 0)
             rows++;
     return (float)(rows * ROW);
 }
@@ -184,14 +157,14 @@ static void reveal_row(game_state *s, float y, float room)
     s->reveal = 0;
 }
 /* <the interface> */
-static int ui_list(ui *u)
+static int list_scenes(ui *u, game *g)
 {
-    game_state *s = u->g->state;
+    game_state *s = g->state;
     float room = s->height - LIST_TOP - LIST_BOTTOM, y = LIST_TOP - s->scroll;
     int chosen = -1;
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *scene = &wfSceneTable[i];
-        if (i == 0 || strcmp(scene->category, wfSceneTable[i - 1].category) != 0) {
+    for (int i = 0; i < scene_count(g); i++) {
+        const wfScene *scene = scene_at(g, i);
+        if (i == 0 || strcmp(scene->category, scene_at(g, i - 1)->category) != 0) {
             if (y >= LIST_TOP && y + ROW <= LIST_TOP + room)
                 ui_text(u, 10, y + 14, 13, WF_INK_ACCENT, -1, scene->category);
             y += ROW;
@@ -206,50 +179,77 @@ static int ui_list(ui *u)
     return chosen;
 }
 /* <the interface> */
-static void ui_panel(ui *u)
+static int list_found(ui *u, game *g)
 {
-    game_state *s = u->g->state;
+    const game_state *s = g->state;
+    bool told[512] = { false };
+    float y = LIST_TOP, room = s->height - LIST_TOP - LIST_BOTTOM;
+    int chosen = -1, count = scene_count(g) < 512 ? scene_count(g) : 512;
+    for (int rank = 0; y + ROW <= LIST_TOP + room; rank++, y += ROW) {
+        float most = -1;
+        int best = -1;
+        for (int i = 0; i < count; i++) {
+            float fit = told[i] ? -1 : ui_fit(s->ui.query, scene_at(g, i)->name);
+            if (fit > most) most = fit, best = i;
+        }
+        if (best < 0) break;
+        told[best] = true;
+        if (ui_row(u, scene_at(g, best)->name, 8, y, LIST_WIDTH - 16, rank == 0) ||
+            (rank == 0 && !u->draw && s->ui.typing && s->enter))
+            chosen = best;
+    }
+    return chosen;
+}
+/* <the interface> */
+static void list_panel(ui *u, game *g)
+{
+    game_state *s = g->state;
     ui_box(u, -2, -2, LIST_WIDTH + 2, s->height + 4, WF_INK_FAINT, WF_INK_PAPER);
     ui_text(u, 12, 28, 16, WF_INK_TEXT, -1, "Weft");
-    ui_text(u, LIST_WIDTH - 12, 28, 13, WF_INK_LINE, 1, "Tab hides this");
-    int chosen = ui_list(u);
-    if (chosen >= 0)
-        open_scene(u->g, chosen);
+    ui_query(u, "find", 62, 12, LIST_WIDTH - 74);
+    int chosen = s->ui.query[0] ? list_found(u, g) : list_scenes(u, g);
+    if (chosen >= 0) {
+        open_scene(g, chosen);
+        s->ui.typing = 0;
+        s->ui.query[0] = 0;
+    }
     float y = s->height - LIST_BOTTOM + 14;
     ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
     for (int i = 0; i < wfOverlayCount; i++) {
         const wfOverlay *o = &wfOverlayTable[i];
         float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
-        if (ui_check(u, o->name, x, y + 13 + (float)(i / 2 * ROW), 84, s->show & o->bit))
+        float line = y + 13 + (float)(i / 2 * ROW);
+        if (ui_check(u, o->name, x, line, 84, s->show & o->bit))
             s->show ^= o->bit;
+        ui_tip(u, o->name, o->text, x, line, 84, ROW);
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
         u->over = true;
-        float most = list_length() - (s->height - LIST_TOP - LIST_BOTTOM);
-        if (!u->draw) s->scroll -= u->g->input->wheel * 3 * ROW;
+        float most = list_length(g) - (s->height - LIST_TOP - LIST_BOTTOM);
+        if (!u->draw) s->scroll -= g->input->wheel * 3 * ROW;
         if (s->scroll > most) s->scroll = most;
         if (s->scroll < 0) s->scroll = 0;
     }
 }
 /* <the interface> */
-static void ui_buttons(ui *u, float x)
+static void buttons(ui *u, game *g, float x)
 {
-    game_state *s = u->g->state;
+    game_state *s = g->state;
     const char *pause = s->paused ? "Run" : "Pause", *dark = s->dark ? "Light" : "Dark";
     if (ui_button(u, "List", x, 10, 44, s->list)) s->list = !s->list;
     if (ui_button(u, pause, x + 62, 10, 60, s->paused)) s->paused = !s->paused;
     if (ui_button(u, "Step", x + 128, 10, 48, false)) s->paused = s->single = 1;
-    if (ui_button(u, "Reset", x + 182, 10, 52, false)) open_scene(u->g, s->row);
-    if (ui_button(u, "Previous", x + 252, 10, 72, false)) open_scene(u->g, s->row - 1);
-    if (ui_button(u, "Next", x + 330, 10, 48, false)) open_scene(u->g, s->row + 1);
-    if (ui_button(u, "Home", x + 396, 10, 52, false)) look_home(u->g);
+    if (ui_button(u, "Reset", x + 182, 10, 52, false)) open_scene(g, s->row);
+    if (ui_button(u, "Previous", x + 252, 10, 72, false)) open_scene(g, s->row - 1);
+    if (ui_button(u, "Next", x + 330, 10, 48, false)) open_scene(g, s->row + 1);
+    if (ui_button(u, "Home", x + 396, 10, 52, false)) look_home(g);
     if (ui_button(u, dark, x + 454, 10, 48, false)) s->dark = !s->dark;
     if (ui_button(u, "Keys", x + 508, 10, 48, s->keys)) s->keys = !s->keys;
+    if (ui_button(u, "Settings", x + 574, 10, 66, s->panel)) s->panel = !s->panel;
 }
 /* <the interface> */
-static void ui_state(ui *u, float x)
+static void state_line(ui *u, const game *g, float x)
 {
-    const game *g = u->g;
     const game_state *s = g->state;
     char line[200];
     double kinetic = 0, potential = 0;
@@ -268,7 +268,7 @@ static void ui_state(ui *u, float x)
             "drag: hold and throw   right drag: move the view   wheel: zoom   ?: all keys");
 }
 /* <the interface> */
-static void ui_key_sheet(ui *u, float x)
+static void key_sheet(ui *u, float x)
 {
     static const char *const sheet[][2] = {
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
@@ -276,7 +276,10 @@ static void ui_key_sheet(ui *u, float x)
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
         { "arrows", "move the view" },
         { "Q and E", "turn the testing body" }, { "T", "change its shape" },
-        { "1 to 9", "show contacts, normals, ..." }, { "D", "dark or light" },
+        { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
+        { "S", "the settings of the world" }, { "/", "find a scene" },
+        { ", and .", "back and forth in time" }, { "< and >", "slower, faster" },
+        { "PgDn, PgUp", "to the next, last widget" }, { "Enter", "press it" },
         { "?", "this sheet" },
     };
     int rows = (int)(sizeof sheet / sizeof *sheet);
@@ -291,30 +294,175 @@ static void ui_key_sheet(ui *u, float x)
     }
 }
 /* <the interface> */
-/* A strip of paper over the whole width: what is under it can't be clicked. */
-static void ui_strip(ui *u, float y, float h)
+static void keep_wishes(game *g)
 {
-    ui_box(u, -2, y, u->g->state->width + 4, h, WF_INK_PAPER, WF_INK_PAPER);
-    if (ui_inside(u, 0, y, u->g->state->width, h))
+    game_state *s = g->state;
+    wfWorldDef def;
+    if (!s->opened || wfGetWorldDef(&g->world, &def) != WF_OK) return;
+    for (int i = 0; i < wfSettingCount && i < 128; i++)
+        for (int part = 0; s->changed[i] && part < 2; part++)
+            wfPutSetting(&def, &wfSettingTable[i], part, s->wanted[i][part]);
+    s->result = wfSetWorldDef(&g->world, &def);
+}
+
+/* Gives one setting another value. If the world refuses, it says why, and keeps its own. */
+static void change_setting(game *g, int i, int part, double value)
+{
+    game_state *s = g->state;
+    const wfSetting *row = &wfSettingTable[i];
+    wfWorldDef def;
+    if (i >= 128 || wfGetWorldDef(&g->world, &def) != WF_OK) return;
+    wfResult result = wfPutSetting(&def, row, part, value);
+    if (result == WF_OK) result = wfSetWorldDef(&g->world, &def);
+    s->result = result;
+    if (result != WF_OK) return;
+    s->changed[i] = 1;
+    for (int k = 0; k < 2; k++) s->wanted[i][k] = wfSettingValue(&def, row, k);
+}
+/* <the interface> */
+static ui_range range_of(const wfSetting *row, int part)
+{
+    wfWorldDef usual = wfDefaultWorldDef();
+    double size = wfSettingValue(&usual, row, part);
+    size = size < 0 ? -size : size;
+    return (ui_range){ row->least, row->most, size > 0 ? size / 4 : 1,
+                       row->kind == WF_SETTING_INT };
+}
+
+static int32_t row_count(const void *of)
+{
+    int n = 0;
+    while (wfSettingRowName(of, n)) n++;
+    return n;
+}
+
+static const char *row_name(const void *of, int row) { return wfSettingRowName(of, row); }
+/* <the interface> */
+static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part, float y)
+{
+    const wfSetting *row = &wfSettingTable[i];
+    bool changed = i < 128 && g->state->changed[i];
+    float x = u->width - SETTINGS_WIDTH + 12, w = SETTINGS_WIDTH - 24;
+    double value = wfSettingValue(def, row, part);
+    char name[GAME_NAME_SIZE];
+    snprintf(name, sizeof name, "%s%s", row->name,
+             row->kind != WF_SETTING_VEC2 ? "" : part ? ".y" : ".x");
+    int choice = (int)value;
+    bool hit = false;
+    if (row->builtIn) {
+        char text[32];
+        snprintf(text, sizeof text, "%.6g", value);
+        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, name);
+        ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, text);
+    } else if (row->kind == WF_SETTING_SWITCH) {
+        hit = ui_check(u, name, x, y, w, value != 0);
+        if (hit) value = value == 0;
+    } else if (row->kind == WF_SETTING_ROW || row->kind == WF_SETTING_CHOICE) {
+        hit = ui_choice(u, name, x, y, w, &choice, (ui_names){ row_count, row_name, row },
+                        changed);
+        value = choice;
+    } else {
+        hit = ui_number(u, name, x, y, w, &value, range_of(row, part), changed);
+    }
+    ui_tip(u, name, row->text, x, y, w, UI_LINE);
+    if (hit) change_setting(g, i, part, value);
+}
+/* <the interface> */
+static void settings_panel(ui *u, game *g)
+{
+    game_state *s = g->state;
+    float x = u->width - SETTINGS_WIDTH, bottom = u->height - FOOT, length = 0;
+    float y = HEAD + 34 - s->panel_scroll;
+    wfWorldDef def;
+    if (wfGetWorldDef(&g->world, &def) != WF_OK) return;
+    ui_box(u, x, HEAD, SETTINGS_WIDTH + 2, bottom - HEAD, WF_INK_FAINT, WF_INK_PAPER);
+    for (int i = 0; i < wfSettingCount; i++)
+        for (int part = 0; part < (wfSettingTable[i].kind == WF_SETTING_VEC2 ? 2 : 1);
+             part++, y += UI_LINE, length += UI_LINE)
+            if (y >= HEAD + 34 && y + UI_LINE <= bottom)
+                setting_line(u, g, &def, i, part, y);
+    if (ui_button(u, "As the scene has it", x + 12, HEAD + 6, SETTINGS_WIDTH - 24, false)) {
+        memset(s->changed, 0, sizeof s->changed);
+        open_scene(g, s->row);
+    }
+    if (!ui_inside(u, x, HEAD, SETTINGS_WIDTH, bottom - HEAD)) return;
+    u->over = true;
+    float most = length - (bottom - HEAD - 34);
+    if (!u->draw) s->panel_scroll -= g->input->wheel * 3 * UI_LINE;
+    if (s->panel_scroll > most) s->panel_scroll = most;
+    if (s->panel_scroll < 0) s->panel_scroll = 0;
+}
+/* <the interface> */
+/* Shows the world as it was at a step before this one (counted from the first step), or as
+ * near before as is kept; the ring forgets nothing yet. */
+static void go_back(game *g, uint64_t before)
+{
+    wfRewind copy = g->ring;
+    if (before == 0 || wfRewindTo(&copy, &g->world, before - 1) != WF_OK) return;
+    g->state->back = g->state->paused = 1;
+    g->state->result = WF_OK;
+    g->state->held = (wfBodyId){ 0 };
+}
+
+/* Time runs on from where the world stands: what came after is forgotten. */
+static void stay_there(game *g)
+{
+    if (!g->state->back) return;
+    wfRewindTo(&g->ring, &g->world, wfWorldSteps(&g->world));
+    g->state->back = 0;
+    note_ring(g);
+}
+/* <the interface> */
+static void time_bar(ui *u, game *g)
+{
+    game_state *s = g->state;
+    uint64_t oldest, newest, now = wfWorldSteps(&g->world);
+    float left = (s->list ? LIST_WIDTH + 16 : 16), y = u->height - FOOT - 14;
+    float w = u->width - left - (s->panel ? SETTINGS_WIDTH : 0) - 16;
+    if (wfRewindReach(&g->ring, &oldest, &newest) != WF_OK || newest <= oldest || w < 80)
+        return;
+    if (!s->back && now > newest) newest = now;
+    float part = (float)(now > oldest ? now - oldest : 0) / (float)(newest - oldest);
+    if (part > 1) part = 1;
+    ui_box(u, left, y + 4, w, 4, WF_INK_NONE, WF_INK_FAINT);
+    ui_box(u, left, y + 4, w * part, 4, WF_INK_NONE, WF_INK_BODY);
+    ui_box(u, left + w * part - 4, y, 8, 12, WF_INK_LINE,
+           s->back ? WF_INK_ACCENT : WF_INK_PAPER);
+    ui_tip(u, "time", "Pull to go back in time. Run, and it goes on from there.", left, y,
+           w, 12);
+    if (ui_area(u, "time", left - 4, y - 2, w + 8, 16)) u->memory->active = 1;
+    if (u->draw || u->memory->active != 1 || !u->held) return;
+    float at = (u->x - left) / w;
+    at = at < 0 ? 0 : at > 1 ? 1 : at;
+    go_back(g, 1 + oldest + (uint64_t)((double)at * (double)(newest - oldest)));
+}
+/* <the interface> */
+/* A strip of paper over the whole width: what is under it can't be clicked. */
+static void strip(ui *u, float y, float h)
+{
+    ui_box(u, -2, y, u->width + 4, h, WF_INK_PAPER, WF_INK_PAPER);
+    if (ui_inside(u, 0, y, u->width, h))
         u->over = true;
 }
 
-static void ui_all(ui *u)
+static void interface(ui *u, game *g, double seconds)
 {
-    game_state *s = u->g->state;
+    game_state *s = g->state;
     float x = s->list ? LIST_WIDTH + 16 : 16;
-    if (u->draw)
-        s->widget_count = 0;
-    ui_strip(u, -2, HEAD);
-    ui_strip(u, s->height - FOOT + 2, FOOT);
+    strip(u, -2, HEAD);
+    strip(u, s->height - FOOT + 2, FOOT);
     if (s->list)
-        ui_panel(u);
-    ui_buttons(u, x);
-    ui_text(u, x, 62, 16, WF_INK_TEXT, -1, u->g->scene->name);
-    ui_text(u, x, 82, 13, WF_INK_TEXT, -1, u->g->scene->text);
-    ui_state(u, x);
+        list_panel(u, g);
+    if (s->panel)
+        settings_panel(u, g);
+    buttons(u, g, x);
+    ui_text(u, x, 62, 16, WF_INK_TEXT, -1, g->scene->name);
+    ui_text(u, x, 82, 13, WF_INK_TEXT, -1, g->scene->text);
+    state_line(u, g, x);
+    time_bar(u, g);
     if (s->keys)
-        ui_key_sheet(u, x);
+        key_sheet(u, x);
+    ui_finish(u, seconds);
 }
 /* <obey the keys> */
 static void obey_view_key(game *g, int32_t key)
@@ -333,6 +481,11 @@ static void obey_view_key(game *g, int32_t key)
     }
 }
 /* <obey the keys> */
+static void set_rate(game_state *s, double rate)
+{
+    s->rate = rate < 1.0 / 16 ? 1.0 / 16 : rate > 8 ? 8 : rate;
+}
+/* <obey the keys> */
 static void obey_key(game *g, int32_t key)
 {
     game_state *s = g->state;
@@ -344,11 +497,16 @@ static void obey_key(game *g, int32_t key)
     case ']': open_scene(g, s->row + 1); break;
     case GAME_KEY_TAB: s->list = !s->list; break;
     case 'd': case 'D': s->dark = !s->dark; break;
+    case 's': case 'S': s->panel = !s->panel; break;
+    case ',': go_back(g, wfWorldSteps(&g->world)); break;
+    case '.': s->paused = s->single = 1; break;
+    case '<': set_rate(s, s->rate / 2); break;
+    case '>': set_rate(s, s->rate * 2); break;
     case '?': s->keys = !s->keys; break;
     case 'q': case 'Q': s->input.turn = wfWrapAngle(s->input.turn + WF_R(0.1)); break;
     case 'e': case 'E': s->input.turn = wfWrapAngle(s->input.turn - WF_R(0.1)); break;
     case 't': case 'T': s->input.choice++; break;
-    default: obey_view_key(g, key); break;
+    default: if (!s->ui.focus) obey_view_key(g, key); break;
     }
     for (int i = 0; i < wfOverlayCount; i++)
         if (key == wfOverlayTable[i].key)
@@ -372,11 +530,12 @@ static void place_camera(game *g)
 {
     game_state *s = g->state;
     float left = s->list ? LIST_WIDTH : 0, k = s->scale;
+    float right = s->panel && s->width > 700 ? SETTINGS_WIDTH : 0;
     camera *c = &s->camera;
     c->left = left * k;
     c->top = HEAD * k;
-    c->wide = (s->width - left) * k;
-    c->high = (s->height - HEAD - FOOT) * k;
+    c->wide = (s->width - left - right) * k;
+    c->high = (s->height - HEAD - FOOT - 18) * k;
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
 }
@@ -432,6 +591,19 @@ static void pull(game *g, wfReal h)
     wfApplyAngularImpulseToBody(&g->world, s->held, spin);
 }
 /* <step the game's world> */
+/* Every so many steps, eq:scenes-reach. */
+static void keep_moment(game *g, wfReal h)
+{
+    double size = (double)wfSnapshotSize(&g->world);
+    uint64_t every = 1 + (uint64_t)(10 / (double)h * size / RING_BYTES), oldest, newest;
+    uint64_t now = wfWorldSteps(&g->world);
+    if (wfRewindReach(&g->ring, &oldest, &newest) == WF_OK && now >= newest &&
+        now < newest + every)
+        return;
+    wfRewindKeep(&g->ring, &g->world);
+    note_ring(g);
+}
+/* <step the game's world> */
 static void step_world(game *g)
 {
     game_state *s = g->state;
@@ -439,12 +611,14 @@ static void step_world(game *g)
     wfGetWorldDef(&g->world, &def);
     int32_t steps = g->input->steps;
     if (steps < 0)
-        steps = step_clock_advance(&s->clock, g->input->seconds, (double)def.dt,
-                                   STEP_CLOCK_MOST);
+        steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
+                                   (double)def.dt, STEP_CLOCK_MOST);
     if (s->paused)
         steps = s->single;
     s->single = 0;
+    if (steps > 0) stay_there(g);
     for (; steps > 0; steps--) {
+        keep_moment(g, def.dt);
         if (!s->moved)
             s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
         pull(g, def.dt);
@@ -478,14 +652,13 @@ static void draw_world(game *g, frame_buffer *buffer, const wfPalette *palette)
     wfPoolRewind(&g->scratch, mark);
 }
 /* <draw the frame> */
-static void ui_scale_bar(ui *u)
+static void scale_bar(ui *u, const game_state *s)
 {
-    const game_state *s = u->g->state;
     float unit = camera_scale(&s->camera) / s->scale, length = 1e-3f;
     static const float factor[] = { 2, 2.5f, 2 };
     for (int i = 0; i < 30 && length * factor[i % 3] * unit <= 120; i++)
         length *= factor[i % 3];
-    float x = s->width - 16, y = 18, w = length * unit;
+    float x = s->width - 16, y = 10, w = length * unit;
     if (s->width < 760) return;                     /* it would cover the line of state */
     wfDrawLine(u->draw, x - w, y, x, y, 2, WF_INK_LINE);
     wfDrawLine(u->draw, x - w, y - 4, x - w, y + 4, 2, WF_INK_LINE);
@@ -500,10 +673,9 @@ static void draw_interface(game *g, ui *u, frame_buffer *buffer, const wfPalette
     wfDraw d;
     wfDrawInit(&d, memory, memory ? bytes : 0);
     wfDrawView(&d, 0, 0, g->state->width, g->state->height);
-    u->draw = &d;
-    u->click = false;
-    ui_all(u);
-    ui_scale_bar(u);
+    ui_show(u, &d);
+    interface(u, g, g->input->seconds);
+    scale_bar(u, g->state);
     wfRenderList(&d, &wfBakedFont, palette, buffer);
     wfPoolRewind(&g->scratch, mark);
 }
@@ -513,9 +685,12 @@ static void begin_game(game *g)
     game_state *s = g->state;
     if (s->begun) return;
     s->begun = 1;
+    s->rate = 1;
     s->list = s->width >= LIST_ROOM;
     s->row = -1;
-    open_scene(g, 0);
+    if (g->text) wfCheckSceneText(g->text, &s->info, NULL);
+    wfSceneOfText(g->text, &s->info, &g->guest);
+    open_scene(g, g->text ? wfSceneCount : 0);
 }
 
 static void measure_picture(game_state *s, const frame_buffer *buffer)
@@ -535,11 +710,13 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     begin_game(&g);
     if (input->scene[0] && wfFindScene(input->scene) >= 0)
         open_scene(&g, wfFindScene(input->scene));
-    ui u = { .g = &g, .x = input->mouse_x / s->scale, .y = input->mouse_y / s->scale,
-             .click = input->pressed & GAME_BUTTON_LEFT };
-    for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++)
-        obey_key(&g, input->keys[i]);
-    ui_all(&u);
+    ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
+    s->enter = 0;
+    for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
+        if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
+        if (!ui_takes(&s->ui, input->keys[i])) obey_key(&g, input->keys[i]);
+    }
+    interface(&u, &g, 0);
     place_camera(&g);
     obey_mouse(&g, u.over);
     if (s->opened)
@@ -598,17 +775,28 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         (int)wfBodyCount(&g.world), (int)contacts,
         s->held.index ? (int)wfBodyIndex(&g.world, s->held) : -1, (unsigned)s->show);
     /* <say how the interface and the view stand> */
-    say(&w, "list %d\ndark %d\nkeys %d\nview %.4f %.4f %.4f\nhash %016llx\n", (int)s->list,
-        (int)s->dark, (int)s->keys, (double)s->camera.x, (double)s->camera.y,
+    say(&w, "list %d\npanel %d\nback %d\nrate %g\ndark %d\nkeys %d\n", (int)s->list,
+        (int)s->panel, (int)s->back, s->rate, (int)s->dark, (int)s->keys);
+    say(&w, "view %.4f %.4f %.4f\nhash %016llx\n", (double)s->camera.x, (double)s->camera.y,
         (double)s->camera.height, (unsigned long long)wfHashWorld(&g.world));
     say_bodies(&w, &g);
-    for (int32_t i = 0; i < s->widget_count; i++)
-        say(&w, "widget %s pixel %.1f %.1f\n", s->widgets[i].name, (double)s->widgets[i].x,
-            (double)s->widgets[i].y);
+    for (int32_t i = 0; i < s->ui.place_count; i++)
+        say(&w, "widget %s pixel %.1f %.1f\n", s->ui.places[i].name,
+            (double)s->ui.places[i].x, (double)s->ui.places[i].y);
     return w.used;
 }
 /* <describe the game> */
 bool game_knows_scene(const char *name)
 {
     return wfFindScene(name) >= 0;
+}
+
+bool game_reads_scene(const char *text, char *error, size_t size)
+{
+    wfTextError e;
+    wfSceneInfo info;
+    if (wfCheckSceneText(text, &info, &e) == WF_OK) return true;
+    snprintf(error, size, "line %d: %s%s%s", (int)e.line, e.where, e.where[0] ? " " : "",
+             e.what);
+    return false;
 }

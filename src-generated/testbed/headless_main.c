@@ -7,7 +7,10 @@
 /* <headers of the headless program> */
 #include <stdio.h>
 /* <headers of the headless program> */
+#include <stdlib.h>
+#include <string.h>
 #include "testbed/scene.h"
+#include "testbed/scene_file.h"
 /* <headers of the headless program> */
 enum { FIRST_PICTURE = 80 };                /* the step at which the picture is taken */
 /* <headers of the headless program> */
@@ -67,25 +70,73 @@ static int list_scenes(const layer_options *options)
     return 0;
 }
 
-static const wfScene *scene_of(const layer_options *options, const char *otherwise)
+/* <find the scene that is meant> */
+typedef struct named_scene {
+    wfScene scene;
+    wfSceneInfo info;
+    char *text;                             /* of the file; or NULL */
+} named_scene;
+
+static bool is_file(const char *word)
 {
-    int row = wfFindScene(options->scene ? options->scene : otherwise);
+    size_t length = word ? strlen(word) : 0;
+    return length > 5 && strcmp(word + length - 5, ".json") == 0;
+}
+
+static char *whole_file(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    long size = file && fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    char *text = size >= 0 ? calloc(1, (size_t)size + 1) : NULL;
+    bool read = text && fseek(file, 0, SEEK_SET) == 0
+             && fread(text, 1, (size_t)size, file) == (size_t)size;
+    if (file) fclose(file);
+    if (read) return text;
+    free(text);
+    return NULL;
+}
+/* <find the scene that is meant> */
+static bool open_file(const char *path, named_scene *out)
+{
+    wfTextError e;
+    out->text = whole_file(path);
+    if (!out->text) return complain("can't read the scene's file");
+    if (wfCheckSceneText(out->text, &out->info, &e) != WF_OK) {
+        fprintf(stderr, "%s:%d: %s%s%s\n", path, (int)e.line, e.where,
+                e.where[0] ? ": " : "", e.what);
+        free(out->text);
+        return false;
+    }
+    wfSceneOfText(out->text, &out->info, &out->scene);
+    return true;
+}
+
+static const wfScene *scene_of(const layer_options *options, const char *otherwise,
+                               named_scene *made)
+{
+    *made = (named_scene){ .text = NULL };
+    if (is_file(options->argument))
+        return open_file(options->argument, made) ? &made->scene : NULL;
+    const char *name = options->scene ? options->scene : otherwise;
+    int row = wfFindScene(name);
     if (row < 0) complain("no such scene; --list names them all");
     return row < 0 ? NULL : &wfSceneTable[row];
 }
 /* <commands of the headless program> */
 static int hash_scene(const layer_options *options)
 {
-    const wfScene *scene = scene_of(options, "free fall");
+    named_scene made;
+    const wfScene *scene = scene_of(options, "free fall", &made);
     if (!scene) return 1;
-    wfSceneReport r = wfWatchScene(scene, options->steps < 0 ? 600 : options->steps);
+    wfSceneReport r = wfWatchScene(scene, options->steps < 0 ? 1000 : options->steps);
     printf("%016llx\n", (unsigned long long)r.hash);
+    free(made.text);
     return r.result == WF_OK ? 0 : 1;
 }
 /* <commands of the headless program> */
 static int record_hashes(const layer_options *options)
 {
-    int steps = options->steps < 0 ? 600 : options->steps;
+    int steps = options->steps < 0 ? 1000 : options->steps;
     printf("# weft-headless --record: hash of each scene's state after so many steps\n");
     printf("scene,steps,hash\n");
     for (int i = 0; i < wfSceneCount; i++) {
@@ -97,20 +148,97 @@ static int record_hashes(const layer_options *options)
     return 0;
 }
 /* <commands of the headless program> */
+/* Prints a scene's row; 1: it broke a promise. */
+static int watch(const wfScene *s, int steps)
+{
+    wfSceneReport r = wfWatchScene(s, steps);
+    printf("%-26s %6d %6d %9d %12.4g %10.3g %10.3g%s\n", s->name, (int)r.steps,
+           (int)r.bodies, (int)r.contacts, r.energy, r.gain, r.deepest,
+           r.finite ? "" : "  NOT FINITE");
+    double energy = (double)s->energyBound, depth = (double)s->depthBound;
+    bool kept = r.result == WF_OK && r.finite && (energy < 0 || r.gain <= energy)
+             && (depth < 0 || r.deepest <= depth);
+    return !kept;
+}
+
 static int watch_scenes(const layer_options *options)
 {
-    int steps = options->steps < 0 ? 600 : options->steps;
+    int steps = options->steps < 0 ? 600 : options->steps, broken = 0;
+    named_scene made = { .text = NULL };
+    bool file = is_file(options->argument);
+    if (file && !open_file(options->argument, &made)) return 1;
     printf("%-26s %6s %6s %9s %12s %10s %10s\n", "scene", "steps", "bodies", "contacts",
            "energy (J)", "gain (J)", "depth (m)");
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
-        if (options->scene && wfFindScene(options->scene) != i) continue;
-        wfSceneReport r = wfWatchScene(s, steps);
-        printf("%-26s %6d %6d %9d %12.4g %10.3g %10.3g%s\n", s->name, (int)r.steps,
-               (int)r.bodies, (int)r.contacts, r.energy, r.gain, r.deepest,
-               r.finite ? "" : "  NOT FINITE");
+    for (int i = 0; i < wfSceneCount && !file; i++)
+        if (!options->scene || wfFindScene(options->scene) == i)
+            broken += watch(&wfSceneTable[i], steps);
+    if (file) broken = watch(&made.scene, steps);
+    free(made.text);
+    return broken > 0;
+}
+/* <commands of the headless program> */
+static int translate_rube(const layer_options *options)
+{
+#ifdef WF_NO_JSON
+    (void)options;
+    return complain("this program was built without cJSON") + 1;
+#else
+    const char *path = options->argument ? options->argument : "";
+    char *text = whole_file(path), *out = NULL;
+    wfTextError e;
+    if (!text) return complain("--from-rube needs a file that can be read") + 1;
+    wfResult result = wfTranslateRube(text, strlen(text), &out, &e);
+    if (result == WF_OK) puts(out);
+    else
+        fprintf(stderr, "%s:%d: %s%s%s\n", path, (int)e.line, e.where,
+                e.where[0] ? ": " : "", e.what);
+    wfFreeText(out);
+    free(text);
+    return result != WF_OK;
+#endif
+}
+/* <commands of the headless program> */
+static int export_scene(const layer_options *options)
+{
+#ifdef WF_NO_JSON
+    (void)options;
+    return complain("this program was built without cJSON") + 1;
+#else
+    named_scene made;
+    wfWorld world;
+    char *text = NULL;
+    const wfScene *s = scene_of(options, options->argument ? options->argument
+                                                           : "free fall", &made);
+    wfResult result = s ? wfOpenScene(s, NULL, &world) : WF_ERROR_NULL;
+    for (int step = 0; step < options->steps && result == WF_OK; step++) {
+        wfSceneInput in = wfSceneInputAt(s, step);
+        result = wfStepScene(s, &world, &in);
     }
-    return 0;
+    wfSceneInfo info = { .energyBound = -1, .depthBound = -1 };
+    if (s) snprintf(info.name, sizeof info.name, "%s", s->name);
+    if (s) snprintf(info.text, sizeof info.text, "%s", s->text);
+    if (s) info.viewX = s->viewX, info.viewY = s->viewY, info.viewHeight = s->viewHeight;
+    if (result == WF_OK) result = wfWriteScene(&world, &info, &text);
+    if (result == WF_OK) puts(text);
+    else if (s) complain(wfResultText(result));
+    wfFreeText(text);
+    if (s) wfDestroyWorld(&world);
+    free(made.text);
+    return result != WF_OK;
+#endif
+}
+/* <commands of the headless program> */
+static int print_schema(const layer_options *options)
+{
+    (void)options;
+#ifdef WF_NO_JSON
+    return complain("this program was built without cJSON") + 1;
+#else
+    char *text = wfWriteSceneSchema();
+    if (text) puts(text);
+    wfFreeText(text);
+    return text == NULL;
+#endif
 }
 /* <commands of the headless program> */
 static void print_first_row(const wfWorld *world, const wfBodyState *ball,
@@ -138,7 +266,10 @@ static void print_first_row(const wfWorld *world, const wfBodyState *ball,
 /* <commands of the headless program> */
 static int first_simulation(const layer_options *options)
 {
-    const wfScene *scene = scene_of(options, "ball and wall");
+    named_scene made;                       /* of the table: a word names the picture */
+    layer_options table = *options;
+    table.argument = NULL;
+    const wfScene *scene = scene_of(&table, "ball and wall", &made);
     wfWorld world;
     if (!scene || wfOpenScene(scene, NULL, &world) != WF_OK) return 1;
     wfBodyView v = wfWorldBodies(&world);
@@ -184,7 +315,10 @@ static wfResult freeze(const wfScene *scene, int32_t steps, wfDraw *d, wfPool *s
 /* <commands of the headless program> */
 static int freeze_scene(const layer_options *options)
 {
-    const wfScene *scene = scene_of(options, "");
+    named_scene none;                       /* the bare word names the picture */
+    layer_options table = *options;
+    table.argument = NULL;
+    const wfScene *scene = scene_of(&table, "", &none);
     uint8_t *bytes = malloc(2 * FROZEN_BYTES);
     FILE *out = options->argument ? fopen(options->argument, "wb") : NULL;
     int failed = !scene || !bytes || !out;
@@ -207,6 +341,9 @@ static const headless_command command_table[] = {
     /* <rows of the headless command table> */
     { "--list", "list the scenes", list_scenes },
     { "--table", "run scenes and tell what they kept: energy, overlap", watch_scenes },
+    { "--export", "a scene as JSON after --steps", export_scene },
+    { "--schema", "the JSON Schema of scenes", print_schema },
+    { "--from-rube", "translate a scene of R.U.B.E., in the file named", translate_rube },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
     { "--svg", "a scene after --steps as a vector picture, in the file named", freeze_scene },
     { "--record", "the hashes of all scenes, for tests/golden/scenes.csv", record_hashes },
@@ -217,7 +354,8 @@ static const headless_command command_table[] = {
 static int usage(void)
 {
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
-          "      [--png FILE] [--save-input FILE] [--log FILE] [--size WxH] [--scale S]\n",
+          "      [--png FILE] [--save-input FILE] [--log FILE] [--size WxH] [--scale S]\n"
+          "      [SCENE.json]\n",
           stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);

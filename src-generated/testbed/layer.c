@@ -65,11 +65,13 @@ static bool complain(const char *what, const char *name)
     return false;
 }
 
+enum { MOST_TEXT = 1 << 24 };   /* bytes: a script of hours, a scene of 20,000 bodies */
+
 static char *read_text(const char *path)
 {
     FILE *file = fopen(path, "rb");
-    char *text = calloc(1, (1 << 20) + 1);         /* a script of 1 MB lasts for hours */
-    size_t used = file && text ? fread(text, 1, 1 << 20, file) : 0;
+    char *text = calloc(1, MOST_TEXT + 1);
+    size_t used = file && text ? fread(text, 1, MOST_TEXT, file) : 0;
     bool whole = file && text && feof(file) && !memchr(text, 0, used);
     if (file) fclose(file);
     if (whole) return text;
@@ -87,6 +89,16 @@ bool layer_resize(layer *l, int32_t width, int32_t height)
     return true;
 }
 /* <begin and end a platform layer> */
+static bool open_scene_file(layer *l, const char *path)
+{
+    char error[400];
+    size_t length = path ? strlen(path) : 0;
+    if (length < 5 || strcmp(path + length - 5, ".json") != 0) return true;
+    if (!(l->scene = read_text(path))) return complain("can't read the scene", path);
+    l->memory.text = l->scene;
+    return game_reads_scene(l->scene, error, sizeof error) || complain(path, error);
+}
+/* <begin and end a platform layer> */
 bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t height)
 {
     memset(l, 0, sizeof *l);
@@ -102,6 +114,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     if (options->input && !(l->text = read_text(options->input)))
         return complain("can't read the input script", options->input);
     if (l->text) input_script_open(&l->script, l->text);
+    if (!open_scene_file(l, options->argument)) return false;
     if (options->record && !(l->record = fopen(options->record, "w")))
         return complain("can't write", options->record);
     l->last.steps = 1;                                  /* as input_script_open begins */
@@ -112,6 +125,7 @@ void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);
     free(l->text);
+    free(l->scene);
     free(l->buffer.pixels);
     free(l->memory.permanent);
     free(l->memory.transient);
@@ -126,8 +140,10 @@ static void write_log(const layer *l)
     FILE *file = fopen(path, "w");
     if (!file) return;
     fwrite(text, 1, length < sizeof text ? length : sizeof text - 1, file);
-    if (fclose(file) == 0)
+    if (fclose(file) == 0 && rename(path, l->options->log) != 0) {
+        remove(l->options->log);            /* Windows does not rename onto a file */
         rename(path, l->options->log);
+    }
 }
 
 static void record_input(layer *l, const game_input *input)

@@ -23,6 +23,7 @@ typedef struct layer {
     game_memory memory;
     frame_buffer buffer;
     char *text;                 /* of the input script */
+    char *scene;                /* of a file with a scene */
     input_script script;
     FILE *record;
     game_input last;            /* the input of the last frame */

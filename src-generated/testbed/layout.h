@@ -5,5 +5,6 @@
 /* Where the testbed's interface is, in interface units. Chapter 30. */
 enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 131, ROW = 19 };
 enum { HEAD = 92, FOOT = 48 };          /* heights of the strips above, below the scene */
+enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
 enum { LIST_ROOM = 800 };               /* narrower windows begin without the list */
 #endif

@@ -13,6 +13,7 @@ typedef struct game_memory {
     size_t permanent_size;      /* bytes; GAME_PERMANENT_SIZE or more */
     void *transient;            /* of use within one call only */
     size_t transient_size;      /* bytes; GAME_TRANSIENT_SIZE or more */
+    const char *text;           /* a scene as text that the user brought along, or NULL */
 } game_memory;
 
 enum { GAME_PERMANENT_SIZE = 48 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
@@ -55,6 +56,10 @@ void game_update_and_render(game_memory *memory, const game_input *input,
 
 /* Is there a scene of this name? */
 bool game_knows_scene(const char *name);
+
+/* Can the game open this scene, as text (chapter 26)? If not, error says why: "line 7:
+   bodies[2].mass must be > 0". */
+bool game_reads_scene(const char *text, char *error, size_t size);
 
 /* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel
    400 300' ... For logs and tests. Returns the length; the text is cut to fit into size

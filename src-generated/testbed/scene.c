@@ -18,6 +18,8 @@ int wfFindScene(const char *name)
 /* <open and step a scene> */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
+    if (scene->open)
+        return scene->open(scene, memory, out);
     wfWorldDef def = wfDefaultWorldDef();
     if (scene->define)
         scene->define(&def);

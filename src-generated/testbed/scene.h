@@ -36,6 +36,9 @@ typedef struct wfScene {
     uint32_t show;                          /* overlays to begin with */
     wfReal energyBound;                     /* J it may gain; negative: not checked */
     wfReal depthBound;                      /* m: deepest overlap; negative: not checked */
+    /* instead of define and build: makes the world from a text; or NULL */
+    wfResult (*open)(const struct wfScene *scene, const wfMemory *memory, wfWorld *out);
+    const char *source;                     /* the text */
 } wfScene;
 /* <the table of scenes> */
 extern const wfScene wfSceneTable[];

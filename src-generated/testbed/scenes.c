@@ -1964,12 +1964,6 @@ static wfResult build_card_house(wfWorld *world)
 
 static wfResult build_arch(wfWorld *world) { return wfBuildArch(world, 20, 0.12); }
 
-static void with_more_passes(wfWorldDef *def)
-{
-    def->substeps = 8;
-    def->iterations = 16;
-}
-
 static wfResult build_overhang(wfWorld *world)
 {
     return wfBuildOverhang(world, 10, WF_R(0.99));
@@ -2666,7 +2660,7 @@ const wfScene wfSceneTable[] = {
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
     { .category = "Classics", .name = "arch", .chapter = 30,
       .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
-      .define = with_more_passes, .build = build_arch,
+      .build = build_arch,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 7,
       .show = WF_SHOW_CONTACTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
     { .category = "Classics", .name = "overhang", .chapter = 30,

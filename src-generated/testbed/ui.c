@@ -137,7 +137,8 @@ bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y, w, 19);
 }
 /* <a number that is dragged> */
-/* The value v0 after a pull by d units: eq:interface-linear, -double, -usual. */
+/* The value v0 after a pull by d units: eq:interface-linear for a number with two ends,
+ * eq:interface-double for one above zero, eq:interface-usual for others. */
 double ui_pulled(double v0, double d, ui_range r)
 {
     double v;
@@ -180,8 +181,8 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     if (m->active == id && u->held)
         *value = ui_pulled(m->grip, (double)(u->x - m->grip_x), r);
     else if (u->turn && u->index == m->focus)
-        *value = ui_pulled(*value, r.whole ? u->turn * 160 / (r.most - r.least) : u->turn * 10,
-                           r);
+        *value = ui_pulled(*value, r.whole ? u->turn * 160 / (r.most - r.least)
+                                           : u->turn * 10, r);
     return *value != was;
 }
 /* <a choice among names> */
@@ -209,11 +210,11 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 {
     ui_memory *m = u->memory;
     int count = names.count(names.of), was = *now, row;
-    float left = x + w - 128;
-    bool hot = ui_inside(u, left, y, 128, UI_LINE), open = m->open == id_of(name);
+    float left = x + w - 148;
+    bool hot = ui_inside(u, left, y, 148, UI_LINE), open = m->open == id_of(name);
     const char *text = names.name(names.of, *now);
     ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
-    ui_box(u, left, y + 1, 128, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
+    ui_box(u, left, y + 1, 148, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
     ui_text(u, left + 6, y + 15, 13, WF_INK_TEXT, -1, text ? text : "?");
     ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, "▼");
@@ -223,9 +224,9 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
         u->click = false;
         u->over = true;
     }
-    bool pressed = ui_area(u, name, left, y, 128, UI_LINE);
+    bool pressed = ui_area(u, name, left, y, 148, UI_LINE);
     if (pressed && u->enter) *now = (*now + 1) % count;
-    else if (pressed) open_menu(u, name, left, y + UI_LINE, 128, count);
+    else if (pressed) open_menu(u, name, left, y + UI_LINE, 148, count);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
     if (u->draw && m->open == id_of(name)) {

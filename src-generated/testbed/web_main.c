@@ -7,7 +7,7 @@
 #define EXPORT(name) __attribute__((export_name(name)))
 enum { MOST_WIDTH = 3840, MOST_HEIGHT = 2160, NAME_BYTES = 64 };
 
-static uint8_t permanent[GAME_PERMANENT_SIZE], transient[GAME_TRANSIENT_SIZE];
+_Alignas(64) static uint8_t permanent[GAME_PERMANENT_SIZE], transient[GAME_TRANSIENT_SIZE];
 static uint32_t pixels[MOST_WIDTH * MOST_HEIGHT];
 static char text[1 << 16];
 static game_input input;
@@ -47,7 +47,8 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
                                         int steps)
 {
     if (width < 1 || width > MOST_WIDTH || height < 1 || height > MOST_HEIGHT) return NULL;
-    game_memory memory = { permanent, sizeof permanent, transient, sizeof transient };
+    game_memory memory = { permanent, sizeof permanent, transient,
+                           sizeof transient, NULL };
     frame_buffer picture = { pixels, width, height, width, scale };
     input.seconds = seconds;
     input.steps = steps;
@@ -62,7 +63,8 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
 /* What is going on, in words, in web_name(); returns the length. */
 EXPORT("web_describe") size_t web_describe(void)
 {
-    game_memory memory = { permanent, sizeof permanent, transient, sizeof transient };
+    game_memory memory = { permanent, sizeof permanent, transient,
+                           sizeof transient, NULL };
     size_t length = game_describe(&memory, text, sizeof text);
     return length < sizeof text ? length : sizeof text - 1;
 }

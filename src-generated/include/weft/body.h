@@ -34,6 +34,7 @@ typedef struct wfBodyForces {
 /* What is read once a step or less. */
 typedef struct wfBodyProps {
     int32_t type;           /* a wfBodyType                                               */
+    int32_t spare;          /* 0: without it there would be a hole in the bytes           */
     wfReal mass, inertia;   /* kg, kg m^2; remembered while the type is not dynamic       */
     wfReal linearDamping;   /* 1/s, 0 or more: v shrinks by exp(-c h)                     */
     wfReal angularDamping;  /* 1/s, 0 or more                                             */

@@ -258,43 +258,6 @@ static inline bool wfOfferCast(const wfProxies *in, wfBoxCast *cast, int32_t pro
     return cast->most >= 0;
 }
 /* <declarations of the questions> */
-/* The row of quadtree.c: its functions trust their input, as those of every row. */
-wfBroadScratchFn wfQuadScratch;
-wfRowIndexSizeFn wfQuadIndexSize;
-wfRowUpdateFn wfQuadUpdate;
-wfRowPairsFn wfQuadPairs;
-wfRowQueryFn wfQuadQuery;
-wfRowCastFn wfQuadCast;
-/* <declarations of the questions> */
-/* The rows of cells.c: trust their input, as every row. */
-wfBroadScratchFn wfGridScratch, wfHashScratch;
-wfRowIndexSizeFn wfGridIndexSize, wfHashIndexSize;
-wfRowUpdateFn wfGridUpdate, wfHashUpdate;
-wfRowPairsFn wfGridPairs, wfHashPairs;
-wfRowQueryFn wfGridQuery, wfHashQuery;
-wfRowCastFn wfGridCast, wfHashCast;
-/* <declarations of the questions> */
-/* Finds the pairs, sweeping along x (0), along y (1), or along the axis of wfSweepAxis
-   (-1).  Scratch as wfSweepScratch says. */
-wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out);
-/* The axis, 0 or 1, along which fewer of the n listed boxes should meet. */
-int wfSweepAxis(const wfProxies *in, const int32_t *ids, int32_t n);
-
-/* The row of sweep.c: trusts its input. */
-wfBroadScratchFn wfSweepScratch;
-wfRowIndexSizeFn wfSweepIndexSize;
-wfRowUpdateFn wfSweepUpdate;
-wfRowPairsFn wfSweepPairs;
-wfRowQueryFn wfSweepQuery;
-wfRowCastFn wfSweepCast;
-/* <declarations of the questions> */
-/* The row of boxtree.c: trusts its input. */
-wfBroadScratchFn wfBoxTreeScratch;
-wfRowIndexSizeFn wfBoxTreeIndexSize;
-wfRowUpdateFn wfBoxTreeUpdate;
-wfRowPairsFn wfBoxTreePairs;
-wfRowQueryFn wfBoxTreeQuery;
-wfRowCastFn wfBoxTreeCast;
 /* <the quad tree's data> */
 enum { WF_BOTTOM_LEFT, WF_BOTTOM_RIGHT, WF_TOP_LEFT, WF_TOP_RIGHT, WF_QUAD_ROOT };
 enum { WF_QUAD_NONE = -1, WF_QUAD_MAX_DEPTH = 16, WF_QUAD_BUCKET = 6,
@@ -361,6 +324,52 @@ int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors);
 /* The children of a node that the bounds reach into, room for 4; returns how many. */
 int wfQuadTreeReach(const wfQuadTree *tree, int32_t node, wfRect bounds, int32_t *reached);
 int wfQuadSector(wfVec2 centre, wfRect bounds);   /* the quarter that holds it, or NONE */
+/* <declarations of the questions> */
+/* The row of quadtree.c: its functions trust their input, as those of every row. */
+wfBroadScratchFn wfQuadScratch;
+wfRowIndexSizeFn wfQuadIndexSize;
+wfRowUpdateFn wfQuadUpdate;
+wfRowPairsFn wfQuadPairs;
+wfRowQueryFn wfQuadQuery;
+wfRowCastFn wfQuadCast;
+/* <declarations of the questions> */
+/* The rows of cells.c: trust their input, as every row. */
+wfBroadScratchFn wfGridScratch;
+wfRowIndexSizeFn wfGridIndexSize;
+wfRowUpdateFn wfGridUpdate;
+wfRowPairsFn wfGridPairs;
+wfRowQueryFn wfGridQuery;
+wfRowCastFn wfGridCast;
+/* <declarations of the questions> */
+wfBroadScratchFn wfHashScratch;
+wfRowIndexSizeFn wfHashIndexSize;
+wfRowUpdateFn wfHashUpdate;
+wfRowPairsFn wfHashPairs;
+wfRowQueryFn wfHashQuery;
+wfRowCastFn wfHashCast;
+/* <declarations of the questions> */
+/* Finds the pairs, sweeping along x (0), along y (1), or along the axis of wfSweepAxis
+   (-1).  Scratch as wfSweepScratch says. */
+wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out);
+/* The axis, 0 or 1, along which fewer of the n listed boxes should meet. */
+int wfSweepAxis(const wfProxies *in, const int32_t *ids, int32_t n);
+
+/* The row of sweep.c: trusts its input. */
+wfBroadScratchFn wfSweepScratch;
+wfRowIndexSizeFn wfSweepIndexSize;
+wfRowUpdateFn wfSweepUpdate;
+wfRowPairsFn wfSweepPairs;
+wfRowQueryFn wfSweepQuery;
+wfRowCastFn wfSweepCast;
+/* <declarations of the questions> */
+/* The row of boxtree.c: trusts its input. */
+wfBroadScratchFn wfBoxTreeScratch;
+wfRowIndexSizeFn wfBoxTreeIndexSize;
+wfRowUpdateFn wfBoxTreeUpdate;
+wfRowPairsFn wfBoxTreePairs;
+wfRowQueryFn wfBoxTreeQuery;
+wfRowCastFn wfBoxTreeCast;
+/* <declarations of the questions> */
 /* <declarations of the dynamic tree> */
 enum { WF_TREE_NONE = -1, WF_TREE_OUT = -2, WF_TREE_RATIO = 4, WF_TREE_NEAR = 8 };
 

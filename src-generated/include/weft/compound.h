@@ -16,6 +16,9 @@
 wfResult wfCombineMasses(const wfMassData *parts, int n, wfMassData *out);
 /* The same for n >= 1 shapes of one density (kg/m^2). Also what wfShapeMass returns. */
 wfResult wfShapesMass(const wfShape *shapes, int n, wfReal density, wfMassData *out);
+/* <what can be done with outlines> */
+/* cutting them into convex pieces, making chains: the part "compounds" */
+/* <what can be done with outlines> */
 /* <declarations of the outlines> */
 /* 1 if c is to the left of the way from a to b, -1 to the right, 0 exactly on the line (eq:
    compound-orientation). Exact if each coordinate is 0 or between 1e-100 and 1e100. */

@@ -11,7 +11,7 @@
 /* <assertions> */
 /* WF_ASSERT(x): x is true unless the engine itself is wrong. Never for a user's input. */
 #ifndef WF_ASSERT
-#ifdef NDEBUG
+#if defined NDEBUG || defined WF_FREESTANDING
 #define WF_ASSERT(x) ((void)sizeof(!(x)))
 #else
 #include <assert.h>

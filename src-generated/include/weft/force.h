@@ -106,11 +106,14 @@ wfResult wfCheckForce(const wfForce *f);
    there does nothing; bodies with invMass and invInertia 0 feel nothing. */
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out);
+/* <declarations of the force table> */
 /* The potential energy of n checked forces, J; those without a potential count 0. */
 wfReal wfForceEnergy(const wfForce *forces, int n, const wfBodyView *bodies);
 /* <declarations of force makers> */
-/* Forces on every body (a = -1); set .a to the index of one body to have it alone. */
+/* A force on every body (a = -1); set .a to the index of one body to have it alone. */
 wfForce wfGravity(wfVec2 g);
+/* <declarations of force makers> */
+/* Likewise. */
 wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening);
 wfForce wfDrag(wfReal linear, wfReal quadratic);
 wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag);

@@ -51,5 +51,31 @@ WF_RESULT(WF_ERROR_BUSY,
 WF_RESULT(WF_ERROR_SOLVER,
           "this world's solver keeps contacts only: choose one that keeps joints, as soft")
 /* <rows of the result table> */
+WF_RESULT(WF_ERROR_DIFFERENT,
+          "two worlds that were compared are not the same: wfDifference says where")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_DIVERGED,
+          "a replay has another hash than the recording: wfFindDivergence says where")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_NOT_A_SAVE, "these bytes are no saved world: look for another file")
+WF_RESULT(WF_ERROR_TRUNCATED,
+          "there are fewer bytes than there should be, or more: copy the file again")
+WF_RESULT(WF_ERROR_CHECKSUM,
+          "the bytes were damaged since they were written: take an older copy")
+WF_RESULT(WF_ERROR_VERSION,
+          "saved in another version of the format: save it as text with its own program")
+WF_RESULT(WF_ERROR_BYTE_ORDER,
+          "saved on a machine with the other byte order: save it as text there")
+WF_RESULT(WF_ERROR_PRECISION,
+          "saved in the other precision, float or double: save it as text there")
+WF_RESULT(WF_ERROR_LAYOUT,
+          "saved by a build whose worlds look otherwise: save it as text with that one")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_FILE,
+          "a file cannot be opened, read or written: see errno for the system's reason")
+/* <rows of the result table> */
 WF_RESULT(WF_ERROR_INVALID,
           "the world breaks its own rules: wfCheckWorld says which; load another")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_TEXT,
+          "the text is no scene: its wfTextError says what is wrong and where")

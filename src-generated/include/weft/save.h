@@ -6,6 +6,205 @@
 #define WEFT_SAVE_H
 #include "weft/world.h"
 
+/* <declarations of snapshots> */
+/* Bytes of a snapshot of the world as it is now; 0: not a world. */
+size_t wfSnapshotSize(const wfWorld *world);
+/* Writes a snapshot, and to *size how many bytes it has. Between two steps; the bytes may
+ * lie anywhere. WF_ERROR_NULL, _BUSY, _MEMORY: capacity is too small. */
+wfResult wfSnapshotWorld(const wfWorld *world, void *bytes, size_t capacity, size_t *size);
+/* Makes a world what a snapshot shows: of itself, or of another one of this program.
+ * WF_ERROR_NULL, _BUSY, _TRUNCATED, _NOT_A_WORLD, _INVALID: not a snapshot's bytes; _FULL,
+ * _BUILT_IN: the world has not the room, or not the parts. Trusts the rest: what comes from
+ * outside is for wfLoadFromBytes. */
+wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size);
+/* A second world like the first, in memory of its own, or in `memory` unless that is NULL
+ * (sizes: wfWorldSize of wfGetWorldDef). Errors of wfCreateWorld. */
+wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out);
+/* <declarations of comparing> */
+/* Where two worlds differ first. */
+typedef struct wfDifference {
+    const char *region;        /* its name, as in wfWorldRegions; NULL: nowhere */
+    int32_t     element;       /* of the region: the index of a body, a shape, a pair ... */
+    const char *field;         /* its name, or "byte" */
+    size_t      byte;          /* of the element */
+    double      one, two;      /* what stands there, if the field has a name */
+} wfDifference;
+
+/* Are two worlds of one precision the same, bit for bit, in all that the next step reads?
+ * Capacities may differ. WF_ERROR_DIFFERENT, and where; `out` may be NULL. */
+wfResult wfCompareWorlds(const wfWorld *a, const wfWorld *b, wfDifference *out);
+/* <declarations of a larger block> */
+/* Moves a world into a block with the room that `room` names (read it by wfGetWorldDef and
+ * raise what is built in; its memory: handed over, or zero for the world's own). Ids, state
+ * and future stay; the old block is freed if the world owned it. Errors of wfCreateWorld;
+ * WF_ERROR_FULL: there is more in the world than that; _BUILT_IN; _BUSY. */
+wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room);
+/* <declarations of rewinding> */
+/* A ring of snapshots in memory that the user gives: the newest push out the oldest. */
+typedef struct wfRewind {
+    uint8_t *bytes;
+    size_t   size;
+    size_t   oldest, newest;   /* where those snapshots are kept */
+    int32_t  count;            /* how many are kept */
+} wfRewind;
+
+/* Starts an empty ring. WF_ERROR_NULL; WF_ERROR_MEMORY: not aligned to WF_POOL_ALIGN. */
+wfResult wfRewindInit(wfRewind *ring, void *bytes, size_t size);
+/* Keeps the world as it is. WF_ERROR_MEMORY: it would not fit even into an empty ring; the
+ * ring is unchanged. Errors of wfSnapshotWorld. */
+wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world);
+/* Takes the world back to the newest snapshot that was kept at `step` (wfWorldSteps) or
+ * before, and forgets those behind it. WF_ERROR_UNKNOWN: nothing so old is kept. Errors of
+ * wfRestoreWorld. */
+wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step);
+/* The steps of the oldest and the newest snapshot. WF_ERROR_UNKNOWN: the ring is empty. */
+wfResult wfRewindReach(const wfRewind *ring, uint64_t *oldest, uint64_t *newest);
+/* <declarations of inputs> */
+/* A call as a value. `index` and `generation` are the id of what is changed: a body, a
+ * shape, a force or a joint. */
+typedef struct wfInput {
+    int32_t  kind;             /* WF_INPUT_... */
+    uint32_t index, generation;
+    union {
+        struct { wfVec2 at, by; wfReal x, y; int32_t number; } with;
+        /* <what else an input may hold> */
+        wfBodyDef body;
+        /* <what else an input may hold> */
+        wfShapeDef shape;
+        /* <what else an input may hold> */
+        wfForce force;
+        /* <what else an input may hold> */
+        wfJoint joint;
+        /* <what else an input may hold> */
+        wfPairMaterial pair;
+    };
+} wfInput;
+typedef struct wfInputId { uint32_t index, generation; } wfInputId;
+
+enum {
+    /* <kinds of input> */
+    WF_INPUT_ADD_BODY,             /* body */
+    WF_INPUT_REMOVE_BODY,
+    WF_INPUT_TRANSFORM,            /* at: m; x: angle, rad */
+    WF_INPUT_VELOCITY,             /* by: m/s; x: rad/s */
+    WF_INPUT_MASS,                 /* x: kg */
+    WF_INPUT_TYPE,                 /* number: WF_STATIC, ... */
+    WF_INPUT_DAMPING,              /* x, y: linear, angular, 1/s */
+    WF_INPUT_PUSH,                 /* by: N, at: m, for one step */
+    WF_INPUT_TWIST,                /* x: N m, for one step */
+    WF_INPUT_IMPULSE,              /* by: N s, at: m */
+    WF_INPUT_SPIN,                 /* x: N m s */
+    WF_INPUT_GRAVITY,              /* by: m/s^2 */
+    WF_INPUT_DT,                   /* x: s */
+    /* <kinds of input> */
+    WF_INPUT_ADD_SHAPE,            /* shape; the id is the body's */
+    WF_INPUT_REMOVE_SHAPE,
+    WF_INPUT_SET_SHAPE,            /* shape */
+    WF_INPUT_MATERIAL,             /* x: restitution, y: friction; of a body */
+    /* <kinds of input> */
+    WF_INPUT_ADD_FORCE,            /* force */
+    WF_INPUT_REMOVE_FORCE,
+    WF_INPUT_SET_FORCE,            /* force */
+    WF_INPUT_GRAB,                 /* at: m; the id is the body's */
+    WF_INPUT_DRAG,                 /* at: m; the id is the hand's */
+    /* <kinds of input> */
+    WF_INPUT_ADD_JOINT,            /* joint */
+    WF_INPUT_REMOVE_JOINT,
+    WF_INPUT_SET_JOINT,            /* joint */
+    /* <kinds of input> */
+    WF_INPUT_WAKE, WF_INPUT_SLEEP,
+    WF_INPUT_NEVER_SLEEPS,         /* number: 0 or 1 */
+    /* <kinds of input> */
+    WF_INPUT_PAIR,                 /* pair; index, generation: the two materials */
+    /* <kinds of input> */
+    WF_INPUT_SETTING,              /* index: row of wfSettingTable; generation: its part; x */
+    /* <kinds of input> */
+    WF_INPUT_MOVE_ORIGIN,          /* by: m */
+    WF_INPUT_KINDS
+};
+/* <declarations of the journal> */
+/* What was done to a world, in memory that the user gives. */
+typedef struct wfJournal {
+    uint8_t *bytes;
+    size_t   size, used;
+    size_t   run;              /* where the entry of the last run of steps is, or `used` */
+    int32_t  trail;            /* 1: the hash of the world is noted after every step */
+} wfJournal;
+
+/* Starts an empty journal. WF_ERROR_NULL; _RANGE: trail is 0 or 1. */
+wfResult wfJournalInit(wfJournal *journal, void *bytes, size_t size, int32_t trail);
+/* Carries out an input and notes it, unless it fails: then nothing has changed, and there
+ * is nothing to note. journal, made may be NULL; *made: the id of what was added. Errors of
+ * the call; WF_ERROR_UNKNOWN: no such kind; _FULL: the journal is, nothing was done. */
+wfResult wfGiveInput(wfWorld *world, wfJournal *journal, const wfInput *input,
+                     wfInputId *made);
+/* wfStepWorldWith, noted. WF_ERROR_FULL: the journal is, the world did not step. */
+wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfHooks *hooks);
+/* <declarations of the journal> */
+/* A finger on a journal. All zero but for the journal: at its beginning. */
+typedef struct wfReplay {
+    const wfJournal *journal;
+    size_t   at;               /* the next entry */
+    uint64_t left;             /* steps that are left of the run before it */
+} wfReplay;
+
+/* Carries out what the journal says, up to and with the next step; *stepped: 0 when there
+ * is none left. hooks as at recording. Errors of the inputs and of the step;
+ * WF_ERROR_DIVERGED: the hash after the step is not the noted one; _INVALID: no journal of
+ * this program. */
+wfResult wfReplayStep(wfReplay *replay, wfWorld *world, const wfHooks *hooks,
+                      int32_t *stepped);
+/* <declarations of the journal> */
+/* Where two runs part. */
+typedef struct wfDivergence {
+    uint64_t     step;         /* wfWorldSteps of the first worlds that differ */
+    wfBodyId     body;         /* whose state differs; index 0: it is not a body's */
+    wfDifference what;         /* region NULL: they never part */
+} wfDivergence;
+
+/* Replays two journals side by side, each in its world, until the worlds differ or both
+ * end. WF_ERROR_DIVERGED, and where; errors of the replays other than that. */
+wfResult wfFindDivergence(wfReplay *one, wfWorld *a, wfReplay *two, wfWorld *b,
+                          const wfHooks *hooks, wfDivergence *out);
+/* <declarations of save files> */
+#define WF_SAVE_VERSION 1
+/* What the header of a file says. */
+typedef struct wfSaveInfo {
+    uint32_t version;
+    int32_t  highestFirst;     /* 1: the machine had the highest byte first */
+    int32_t  realBytes;        /* 4: float, 8: double */
+    int32_t  holds;            /* 1: a world */
+    uint64_t layout;           /* wfLayoutHash of the program that wrote it */
+    uint64_t size, steps, hash;
+} wfSaveInfo;
+
+/* Reads a header, and sees whether the file is whole; knows nothing of versions. WF_ERROR_
+ * NULL, _NOT_A_SAVE, _TRUNCATED (or too long), _CHECKSUM. */
+wfResult wfReadSaveInfo(const void *bytes, size_t size, wfSaveInfo *out);
+/* Bytes that a save takes now; 0: not a world. And the save itself: WF_ERROR_NULL, _BUSY,
+ * _MEMORY: capacity is too small. */
+size_t wfSaveSize(const wfWorld *world);
+wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_t *size);
+/* <declarations of save files> */
+/* A new world from a save, in its own memory or in `memory` unless that is NULL. Believes
+ * nothing: whatever the bytes are, what comes back has passed wfCheckWorld. Errors of
+ * wfReadSaveInfo; WF_ERROR_VERSION, _BYTE_ORDER, _PRECISION, _LAYOUT; _INVALID: whole, and
+ * yet no world; of wfCreateWorld. */
+wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
+                         wfWorld *out);
+/* A number for what a block looks like in this program: other layout, other number. */
+uint64_t wfLayoutHash(void);
+/* Differs for any two inputs that differ within 64 neighbouring bits: eq:save-sum. */
+uint64_t wfChecksum(const void *bytes, size_t n);
+/* <declarations of save files> */
+#ifndef WF_NO_FILES
+/* Saves to path + ".new", brings it to the disk and renames it to path: at every moment
+ * path is the old file or the new one, whole. Needs memory of wfSaveSize for a moment, and
+ * a path of less than 4000 bytes. Errors of wfSaveToBytes; WF_ERROR_FILE. */
+wfResult wfSaveToFile(const wfWorld *world, const char *path);
+/* Errors of wfLoadFromBytes; WF_ERROR_FILE: it cannot be read; _MEMORY. */
+wfResult wfLoadFromFile(const char *path, wfWorld *out);
+#endif
 /* <declarations of checking a world> */
 /* What is wrong with a block, and where. */
 typedef struct wfFault {
@@ -15,7 +214,7 @@ typedef struct wfFault {
 } wfFault;
 
 /* Does the block keep all rules that a step relies on? Asked of any bytes, of which only
- * the header's magic must be right. `fault` may be NULL. The transient chunk is scratch paper.
+ * the header's magic must be right. `fault` may be NULL. Writes to the transient chunk.
  * WF_ERROR_INVALID: it does not; WF_ERROR_BUSY (from a hook); those of a bad handle. */
 wfResult wfCheckWorld(const wfWorld *world, wfFault *fault);
 #endif

@@ -40,6 +40,16 @@ typedef struct wfShape {
     wfVec2 normals[WF_MAX_VERTICES];    /* unit, outward; normals[i] belongs to the edge
                                    from vertices[i] to vertices[(i + 1) % count]          */
 } wfShape;
+/* <the shape type> */
+typedef struct wfMassData {
+    wfReal mass;                /* kg                                                     */
+    wfVec2 centre;              /* m: the centre of mass in the body's frame              */
+    wfReal inertia;             /* kg m^2: moment of inertia about the centre of mass     */
+    wfReal area;                /* m^2                                                    */
+} wfMassData;
+/* <what can be done with shapes> */
+/* the functions of chapter 07 are here if the engine has the part "shapes" */
+/* <what can be done with shapes> */
 /* <declarations of the shape makers> */
 /* A circle. WF_ERROR_NULL, _NOT_FINITE, _SIZE. */
 wfResult wfMakeCircle(wfVec2 centre, wfReal radius, wfShape *out);
@@ -105,13 +115,6 @@ int wfShapeOutline(const wfShape *shape, wfTransform placed, wfVec2 out[WF_RIM_P
 /* m^2, and in the body's frame m. A particle has area 0 and its centroid at its centre. */
 wfReal wfShapeArea(const wfShape *shape);
 wfVec2 wfShapeCentroid(const wfShape *shape);
-
-typedef struct wfMassData {
-    wfReal mass;                /* kg                                                     */
-    wfVec2 centre;              /* m: the centre of mass in the body's frame              */
-    wfReal inertia;             /* kg m^2: moment of inertia about the centre of mass     */
-    wfReal area;                /* m^2                                                    */
-} wfMassData;
 /* <declarations of area and mass> */
 /* Mass data of a shape of one density (kg/m^2), exact for every kind. WF_ERROR_NULL,
    _NOT_FINITE, _MASS (also for a particle, a segment and a link, which have no area), and

@@ -9,22 +9,27 @@
  * holds something else). */
 /* <headers of the world> */
 #include "weft/body.h"
+#include "weft/core.h"
+#include "weft/force.h"
+#include "weft/integrate.h"
+#include "weft/math.h"
+#include "weft/shape.h"
+/* <headers of the world> */
 #include "weft/broad.h"
 #include "weft/compound.h"
 #include "weft/contact.h"
-#include "weft/core.h"
-#include "weft/events.h"
-#include "weft/force.h"
-#include "weft/impact.h"
-#include "weft/integrate.h"
-#include "weft/math.h"
 #include "weft/narrow.h"
-#include "weft/query.h"
 #include "weft/resolve.h"
-#include "weft/shape.h"
+/* <headers of the world> */
+#include "weft/events.h"
+/* <headers of the world> */
+#include "weft/query.h"
+/* <headers of the world> */
+#include "weft/impact.h"
+/* <headers of the world> */
+#include "weft/joint.h"
 /* <headers of the world> */
 #include "weft/exact.h"
-#include "weft/joint.h"
 /* <headers of the world> */
 #include "weft/island.h"
 
@@ -65,13 +70,15 @@ typedef struct wfWorldDef {
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
+    int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
+    /* <the settings of a world> */
     wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
     wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
                                 * make a body, >= 0; 0 or no gravity: no limit */
     int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
-    int32_t columns;           /* 1: towers are solved at once, 0: by passes */
-    int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
+    int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
+                                * with up to n loops, chapter 17 */
     /* <the settings of a world> */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
     /* <the settings of a world> */
@@ -83,6 +90,7 @@ typedef struct wfWorldDef {
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
     /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
+    /* <the settings of a world> */
     int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
     wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
     wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
@@ -101,26 +109,32 @@ wfWorldDef wfDefaultWorldDef(void);
 typedef struct wfBodyDef {
     int32_t  type;             /* WF_STATIC, WF_KINEMATIC, WF_DYNAMIC */
     wfVec2   position;         /* of the body's origin, m */
-    wfReal   angle;            /* rad */
     wfVec2   velocity;         /* of the centre of mass, m/s */
-    wfReal   angularVelocity;  /* rad/s */
-    wfShape  shape;            /* in the body's frame; kind WF_SHAPE_NONE: a particle */
-    wfReal   density;          /* kg/m^2 > 0, used when mass is 0 */
     wfReal   mass;             /* kg; 0: from the density. A particle needs one */
-    int32_t  fixedRotation;    /* 1: never turns */
-    wfReal   restitution;      /* 0 to 1 */
-    wfReal   friction;         /* >= 0 */
-    wfReal   linearDamping, angularDamping;  /* 1/s, >= 0 */
     wfReal   gravityScale;     /* multiplies gravity */
     /* <more of what a body is made from> */
-    /* a later chapter has more */
+    /* what follows is there as far as the engine has these parts */
+    /* <more of what a body is made from> */
+    wfReal   angle;            /* rad */
+    wfReal   angularVelocity;  /* rad/s */
+    int32_t  fixedRotation;    /* 1: never turns */
+    /* <more of what a body is made from> */
+    wfReal   linearDamping, angularDamping;  /* 1/s, >= 0 */
+    /* <more of what a body is made from> */
+    wfShape  shape;            /* in the body's frame; kind WF_SHAPE_NONE: a particle */
+    wfReal   density;          /* kg/m^2 > 0, used when mass is 0 */
+    wfReal   restitution;      /* 0 to 1 */
+    wfReal   friction;         /* >= 0 */
     /* <more of what a body is made from> */
     int32_t  neverSleeps;      /* 1: it, and what hangs together with it, stays awake */
     uint64_t userData;         /* yours */
 } wfBodyDef;
-/* A dynamic particle at the origin, at rest, density 1, no mass of its own, friction
- * 0.5. */
+/* A dynamic particle at the origin, at rest, no mass of its own; density 1 and friction
+ * 0.5, should it get a shape. */
 wfBodyDef wfDefaultBodyDef(void);
+/* <what may be in a world besides bodies> */
+/* shapes, forces, events, hooks and queries, as the engine has them */
+/* <what may be in a world besides bodies> */
 /* <what a shape is made from> */
 typedef struct wfShapeDef {
     wfShape  shape;            /* in the frame of the body's origin */
@@ -145,6 +159,170 @@ typedef struct wfPairMaterial {
     wfReal staticFriction;     /* >= 0: while nothing slides; below friction: the same */
     wfReal rolling;            /* m, >= 0 */
 } wfPairMaterial;
+/* <declarations of shapes in a world> */
+/* From now on shapes of materials a and b (>= 1, in either order; may be equal) meet with
+ * these numbers; NULL: they are mixed again. WF_ERROR_RANGE, _NOT_FINITE, _FULL (the
+ * world's pairMaterials). */
+wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m);
+/* WF_ERROR_UNKNOWN: nothing is known of that pair. */
+wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMaterial *out);
+/* <declarations of shapes in a world> */
+/* Hangs shapes on a body, all or none; `out` (room for count ids) may be NULL. The body's
+ * mass, centre and inertia follow, unless its mass was given: then that is kept. No point
+ * of its material moves or changes its velocity. WF_ERROR_NULL, _STALE_ID, _NOT_FINITE,
+ * _RANGE (see wfShapeDef, count < 0), _FULL, and the errors of wfCheckShape (of a shape
+ * that loses its form so far from the centre of mass, too) and of wfShapeMass. */
+wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs,
+                           int32_t count, wfShapeId *out);
+wfResult wfAddShapeToBody(wfWorld *world, wfBodyId body, const wfShapeDef *def,
+                          wfShapeId *out);
+/* Takes a shape away; mass, centre and inertia follow. Without any shape that weighs
+ * something, a dynamic body becomes a particle of the mass that it had. WF_ERROR_STALE_ID,
+ * _MASS (what is left is too light), those of wfCheckShape (as for adding). */
+wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id);
+/* What a shape is now, as a definition, in the frame of its body's origin. */
+wfResult wfGetShape(const wfWorld *world, wfShapeId id, wfShapeDef *out);
+/* Changes a shape: read it, alter the copy, set it. Checked like a new one. */
+wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def);
+/* <declarations of shapes in a world> */
+bool wfShapeIsValid(const wfWorld *world, wfShapeId id);
+/* Index of a shape in the arrays of wfWorldShapes, -1 for a stale id; and back, index 0 in
+ * the id for a place that is empty. */
+int32_t wfShapeIndex(const wfWorld *world, wfShapeId id);
+wfShapeId wfShapeAt(const wfWorld *world, int32_t index);
+/* The body that a shape hangs on; the first shape of a body, and the one after a shape, in
+ * the order in which they were added. Index 0 in the id: none. */
+wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id);
+wfShapeId wfFirstShape(const wfWorld *world, wfBodyId id);
+wfShapeId wfNextShape(const wfWorld *world, wfShapeId id);
+int32_t wfShapeCount(const wfWorld *world);
+
+/* What is known of a shape besides its geometry. */
+typedef struct wfShapeProps {
+    wfReal   density, restitution, friction, staticFriction, rolling, surfaceSpeed;
+    wfReal   reach;            /* m: wfShapeReach, from its middle to its rim */
+    wfReal   arm;              /* m: the same of its core, without the coat */
+    wfReal   inner;            /* m: wfInnerRadius, from its middle to the nearest edge */
+    wfReal   spare;            /* 0: without it there would be a hole in the bytes */
+    int32_t  sensor, material;
+    uint64_t userData;
+} wfShapeProps;
+/* The world's own arrays of shapes, to read and not to keep. owners[k] is the index of the
+ * body of shape k, or -1: an empty place. For an empty handle the count is 0. */
+typedef struct wfShapeView {
+    int32_t             count;
+    const wfShape      *shapes;      /* relative to the centre of mass */
+    const int32_t      *owners;
+    const int32_t      *next;        /* the next shape of the same body, or -1 */
+    const wfFilter     *filters;
+    const wfShapeProps *props;
+} wfShapeView;
+wfShapeView wfWorldShapes(const wfWorld *world);
+/* <what may be in a world besides bodies> */
+/* <declarations of forces in a world> */
+/* Registers a force of chapter 9; `out` may be NULL. Its a and b are body indices
+ * (wfBodyIndex) or -1. WF_ERROR_FULL, WF_ERROR_STALE_ID (a or b names an empty place), and
+ * whatever the force's own check finds wrong. */
+wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out);
+wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id);
+/* Read, or change, a registered force; a change is checked like a new one. */
+wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out);
+wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
+int32_t wfForceCount(const wfWorld *world);
+/* <declarations of forces in a world> */
+/* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is
+ * long. */
+#define WF_HAND_RATE (2 * WF_PI * 5)
+/* <declarations of forces in a world> */
+/* A hand that holds a body at a world point: a spring stiff enough to follow and soft
+ * enough to be stable at the world's step. Move the hand with wfDragHand; let go with
+ * wfRemoveForceFromWorld. Errors of wfAddForceToWorld; WF_ERROR_RANGE: not a dynamic
+ * body. */
+wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
+wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point);
+/* <what may be in a world besides bodies> */
+/* <declarations of events> */
+/* Two shapes, and how hard they press: the sum over their points, N s; 0 for a sensor and
+ * for what has ended. For a sensor's events a is the sensor. The ids of an end may be
+ * stale: the shape was removed. */
+typedef struct wfTouchEvent { wfShapeId a, b; wfReal impulse; } wfTouchEvent;
+/* Two shapes came together faster than hitSteps allows. */
+typedef struct wfHit {
+    wfShapeId a, b;
+    wfVec2    point;           /* world, m: where they approached fastest */
+    wfVec2    normal;          /* unit, from a to b */
+    wfReal    speed;           /* of the approach, m/s, before the contact was solved */
+} wfHit;
+enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STAY,
+       WF_SENSE_END, WF_EVENT_KINDS };
+/* <declarations of events> */
+/* What happened in the last step that succeeded. (A touch of two that sleep is not told as
+ * going on; a sensor's is.) Arrays of the world's own, each sorted by
+ * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
+ * step, whatever is added or removed meanwhile. A call that does not step changes nothing
+ * in them. */
+const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count);
+const wfHit *wfWorldHits(const wfWorld *world, int32_t *count);
+/* <what may be in a world besides bodies> */
+/* <declarations of hooks> */
+/* What a hook may look at: the bodies as they are at this moment, the shapes. */
+typedef struct wfHookView { wfBodyView bodies; wfShapeView shapes; wfReal dt; } wfHookView;
+/* What a hook may change about a contact, for this step only. */
+typedef struct wfContactChange {
+    int32_t enabled;           /* 0: contact and touch do not exist in this step */
+    wfReal  restitution;       /* 0 to 1 */
+    wfReal  friction;          /* >= 0 */
+    wfReal  staticFriction;    /* >= 0: while nothing slides; below friction: the same */
+    wfReal  rolling;           /* m, >= 0 */
+    wfReal  surfaceSpeed;      /* m/s */
+} wfContactChange;
+/* <declarations of hooks> */
+/* Functions of the user's that a step asks; each may be NULL. They must not change the
+ * world (WF_ERROR_BUSY if they try) and give the same answer to the same question within a
+ * step. */
+typedef struct wfHooks {
+    void *context;             /* handed to both */
+    /* May the shapes with these indices meet? Asked after the filters, a < b. */
+    bool (*filter)(void *context, const wfHookView *view, int32_t a, int32_t b);
+    /* Shown every contact before it is solved; `change` holds what will be used. */
+    void (*preSolve)(void *context, const wfHookView *view, const wfContact *contact,
+                     wfContactChange *change);
+} wfHooks;
+/* wfStepWorld with hooks (may be NULL). Further errors: WF_ERROR_RANGE, WF_ERROR_NOT_FINITE
+ * (a hook gave such a number); WF_ERROR_BUSY (called from a hook). */
+wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks);
+/* <what may be in a world besides bodies> */
+/* <declarations of queries> */
+/* Questions about the shapes as they stand, answered by chapter 23, whose header says more.
+ * Shapes in the answers are indices of wfWorldShapes: wfShapeAt makes ids of them. Sensors
+ * are shapes: give them a category of their own to leave them out. filter: who may be
+ * found; NULL: all. Further errors: those of a bad handle, and of wfCheckShape for a shape
+ * that asks. Any number of threads may ask at
+ * the same time, as long as nobody changes the world. */
+wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
+                        wfRayHit *out);
+wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
+                           wfRayHit *hits, int32_t capacity, int32_t *count);
+wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                          wfVec2 by, const wfFilter *filter, wfRayHit *out);
+wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
+                             wfTransform placed, wfVec2 by, const wfFilter *filter,
+                             wfRayHit *hits, int32_t capacity, int32_t *count);
+wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                        const wfFilter *filter, int32_t *shapes, int32_t capacity,
+                        int32_t *count);
+wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *filter,
+                            int32_t *shapes, int32_t capacity, int32_t *count);
+wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
+                             int32_t *shapes, int32_t capacity, int32_t *count);
+wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
+                        const wfFilter *filter, wfClosest *out);
+wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                         wfReal within, const wfFilter *filter, wfClosest *out);
+/* <declarations of queries> */
+/* Brings the index for queries up to date after changes between two steps. Not needed: a
+ * step does it, and queries are right without, only slower. */
+wfResult wfIndexWorld(wfWorld *world);
 /* <declarations of making a world> */
 /* <declarations of the table of settings> */
 enum { WF_SETTING_INT, WF_SETTING_SWITCH, WF_SETTING_REAL, WF_SETTING_VEC2, WF_SETTING_ROW,
@@ -156,14 +334,14 @@ typedef struct wfSetting {
     size_t      kept;          /* the engine's: where a world keeps it */
     int32_t     kind;          /* INT, SWITCH (0 or 1), ROW and CHOICE: int32_t; REAL:
                                 * wfReal; VEC2: wfVec2, both parts within the range */
-    int32_t     above;         /* 1: greater than `least`; 0: `least` itself is fine */
+    const void *rows;          /* ROW: a table; CHOICE: names. See wfSettingRowName */
+    size_t      rowSize;
+    const int  *rowCount;
     double      least, most;
+    int32_t     above;         /* 1: greater than `least`; 0: `least` itself is fine */
     int32_t     builtIn;       /* 1: built into the block; not to be changed later */
     int32_t     law;           /* 1: a change of it wakes all that sleep */
     const char *unit, *text;   /* unit may be NULL: a plain number */
-    const void *rows;          /* ROW: a table; CHOICE: names. See wfSettingRowName */
-    const int  *rowCount;
-    size_t      rowSize;
 } wfSetting;
 extern const wfSetting wfSettingTable[];
 extern const int wfSettingCount;
@@ -205,26 +383,42 @@ typedef struct wfRegion {
 enum {
     /* <regions of the block> */
     /* <regions of the permanent chunk> */
-    WF_REGION_HEADER, WF_REGION_BODY_SLOTS, WF_REGION_ALIVE, WF_REGION_STATE, WF_REGION_APPLIED,
-    WF_REGION_PROPS, WF_REGION_SHAPE_SLOTS, WF_REGION_SHAPES, WF_REGION_OWNERS,
+    WF_REGION_HEADER, WF_REGION_BODY_SLOTS, WF_REGION_ALIVE, WF_REGION_STATE,
+    /* <regions of the permanent chunk> */
+    WF_REGION_APPLIED,
+    /* <regions of the permanent chunk> */
+    WF_REGION_PROPS,
+    /* <regions of the permanent chunk> */
+    WF_REGION_SHAPE_SLOTS, WF_REGION_SHAPES, WF_REGION_OWNERS,
     WF_REGION_NEXT_SHAPES, WF_REGION_FILTERS, WF_REGION_SHAPE_PROPS, WF_REGION_BOUNDS,
-    WF_REGION_FLAGS, WF_REGION_INDEX, WF_REGION_FORCE_SLOTS, WF_REGION_FORCES, WF_REGION_PAIRS,
-    WF_REGION_CACHES, WF_REGION_CONTACTS, WF_REGION_TOUCHES, WF_REGION_EVENTS, WF_REGION_HITS,
+    WF_REGION_FLAGS, WF_REGION_INDEX,
+    /* <regions of the permanent chunk> */
+    WF_REGION_FORCE_SLOTS, WF_REGION_FORCES,
+    /* <regions of the permanent chunk> */
+    WF_REGION_PAIRS, WF_REGION_CACHES, WF_REGION_CONTACTS,
+    /* <regions of the permanent chunk> */
+    WF_REGION_TOUCHES, WF_REGION_EVENTS, WF_REGION_HITS,
     /* <regions of the permanent chunk> */
     WF_REGION_PAIR_MATERIALS,
     /* <regions of the permanent chunk> */
-    WF_REGION_JOINT_SLOTS, WF_REGION_JOINTS, WF_REGION_BROKEN, WF_REGION_ALONE,
+    WF_REGION_JOINT_SLOTS, WF_REGION_JOINTS, WF_REGION_BROKEN,
+    /* <regions of the permanent chunk> */
+    WF_REGION_ALONE,
     /* <regions of the permanent chunk> */
     WF_REGION_REST, WF_REGION_CLOCKS, WF_REGION_RINGS, WF_REGION_ISLANDS,
     /* <regions of the transient chunk> */
-    WF_REGION_NEW_STATE, WF_REGION_PRESENT, WF_REGION_ACTIVE_FORCES, WF_REGION_SUMS,
-    WF_REGION_PLACES, WF_REGION_RIMS, WF_REGION_NEW_BOUNDS, WF_REGION_NEW_FLAGS,
-    WF_REGION_NEW_INDEX, WF_REGION_NEW_PAIRS,
-    WF_REGION_NEW_CACHES, WF_REGION_NEW_CONTACTS, WF_REGION_NEW_TOUCHES, WF_REGION_NEW_EVENTS,
-    WF_REGION_NEW_HITS,
+    WF_REGION_NEW_STATE, WF_REGION_PRESENT, WF_REGION_ACTIVE_FORCES,
+    /* <regions of the transient chunk> */
+    WF_REGION_SUMS, WF_REGION_PLACES, WF_REGION_RIMS, WF_REGION_NEW_BOUNDS,
+    WF_REGION_NEW_FLAGS, WF_REGION_NEW_INDEX, WF_REGION_NEW_PAIRS, WF_REGION_NEW_CACHES,
+    WF_REGION_NEW_CONTACTS,
+    /* <regions of the transient chunk> */
+    WF_REGION_NEW_TOUCHES, WF_REGION_NEW_EVENTS, WF_REGION_NEW_HITS,
     /* <regions of the transient chunk> */
     WF_REGION_NEW_JOINTS, WF_REGION_JOINT_PLACES, WF_REGION_JOINED,
-    WF_REGION_JOINT_WORK, WF_REGION_EXACT, WF_REGION_NEW_ALONE,
+    WF_REGION_JOINT_WORK,
+    /* <regions of the transient chunk> */
+    WF_REGION_EXACT, WF_REGION_NEW_ALONE,
     /* <regions of the transient chunk> */
     WF_REGION_FLIGHTS, WF_REGION_FLIGHT_OF, WF_REGION_STRIKES, WF_REGION_SPARED,
     WF_REGION_NEAR, WF_REGION_FRESH,
@@ -242,19 +436,27 @@ wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT]);
 typedef struct wfBodyInfo {
     int32_t  type;
     wfVec2   position;         /* of the body's origin, m */
-    wfReal   angle;            /* rad, -pi to pi */
     wfVec2   centre;           /* of mass, world coordinates, m */
     wfVec2   velocity;         /* of the centre of mass, m/s */
+    wfReal   mass;             /* kg */
+    wfReal   gravityScale;
+    /* <what else is told of a body> */
+    /* as far as the engine has it */
+    /* <what else is told of a body> */
+    wfReal   angle;            /* rad, -pi to pi */
     wfReal   angularVelocity;  /* rad/s */
-    wfReal   mass, inertia;    /* kg, kg m^2 about the centre of mass; 0 when not dynamic */
+    wfReal   inertia;          /* kg m^2 about the centre of mass; 0 when not dynamic */
+    /* <what else is told of a body> */
+    wfReal   linearDamping, angularDamping;  /* 1/s */
+    /* <what else is told of a body> */
     wfReal   restitution, friction;  /* of its first shape; 0 for a particle */
-    wfReal   linearDamping, angularDamping, gravityScale;
     uint64_t userData;
 } wfBodyInfo;
-/* WF_ERROR_NULL, WF_ERROR_STALE_ID for all of these. */
+/* WF_ERROR_NULL, WF_ERROR_STALE_ID. */
 wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out);
+/* <declarations of bodies in a world> */
 /* The body's first shape as it was given, in the frame of its origin; of kind
- * WF_SHAPE_NONE for a particle. */
+ * WF_SHAPE_NONE for a particle. WF_ERROR_NULL, WF_ERROR_STALE_ID. */
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out);
 /* <declarations of bodies in a world> */
 /* Adds a body; `out` may be NULL. WF_ERROR_NULL, _NOT_FINITE, _RANGE (see wfBodyDef),
@@ -267,65 +469,6 @@ bool wfBodyIsValid(const wfWorld *world, wfBodyId id);
  * in the id for a place that is empty. */
 int32_t wfBodyIndex(const wfWorld *world, wfBodyId id);
 wfBodyId wfBodyAt(const wfWorld *world, int32_t index);
-/* <declarations of shapes in a world> */
-/* From now on shapes of materials a and b (>= 1, in either order; may be equal) meet with
- * these numbers; NULL: they are mixed again. WF_ERROR_RANGE, _NOT_FINITE, _FULL (the
- * world's pairMaterials). */
-wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m);
-/* WF_ERROR_UNKNOWN: nothing is known of that pair. */
-wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMaterial *out);
-/* <declarations of shapes in a world> */
-/* Hangs shapes on a body, all or none; `out` (room for count ids) may be NULL. The body's
- * mass, centre and inertia follow, unless its mass was given: then that is kept. No point
- * of its material moves or changes its velocity. WF_ERROR_NULL, _STALE_ID, _NOT_FINITE,
- * _RANGE (see wfShapeDef, count < 0), _FULL, and the errors of wfCheckShape and
- * wfShapeMass. */
-wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs,
-                           int32_t count, wfShapeId *out);
-wfResult wfAddShapeToBody(wfWorld *world, wfBodyId body, const wfShapeDef *def,
-                          wfShapeId *out);
-/* Takes a shape away; mass, centre and inertia follow. Without any shape that weighs
- * something, a dynamic body becomes a particle of the mass that it had. WF_ERROR_STALE_ID,
- * _MASS (what is left is too light). */
-wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id);
-/* What a shape is now, as a definition, in the frame of its body's origin. */
-wfResult wfGetShape(const wfWorld *world, wfShapeId id, wfShapeDef *out);
-/* Changes a shape: read it, alter the copy, set it. Checked like a new one. */
-wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def);
-/* <declarations of shapes in a world> */
-bool wfShapeIsValid(const wfWorld *world, wfShapeId id);
-/* Index of a shape in the arrays of wfWorldShapes, -1 for a stale id; and back, index 0 in
- * the id for a place that is empty. */
-int32_t wfShapeIndex(const wfWorld *world, wfShapeId id);
-wfShapeId wfShapeAt(const wfWorld *world, int32_t index);
-/* The body that a shape hangs on; the first shape of a body, and the one after a shape, in
- * the order in which they were added. Index 0 in the id: none. */
-wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id);
-wfShapeId wfFirstShape(const wfWorld *world, wfBodyId id);
-wfShapeId wfNextShape(const wfWorld *world, wfShapeId id);
-int32_t wfShapeCount(const wfWorld *world);
-
-/* What is known of a shape besides its geometry. */
-typedef struct wfShapeProps {
-    wfReal   density, restitution, friction, staticFriction, rolling, surfaceSpeed;
-    wfReal   reach;            /* m: wfShapeReach, from its middle to its rim */
-    wfReal   arm;              /* m: the same of its core, without the coat */
-    wfReal   inner;            /* m: wfInnerRadius, from its middle to the nearest edge */
-    wfReal   spare;            /* 0: without it there would be a hole in the bytes */
-    int32_t  sensor, material;
-    uint64_t userData;
-} wfShapeProps;
-/* The world's own arrays of shapes, to read and not to keep. owners[k] is the index of the
- * body of shape k, or -1: an empty place. For an empty handle the count is 0. */
-typedef struct wfShapeView {
-    int32_t             count;
-    const wfShape      *shapes;      /* relative to the centre of mass */
-    const int32_t      *owners;
-    const int32_t      *next;        /* the next shape of the same body, or -1 */
-    const wfFilter     *filters;
-    const wfShapeProps *props;
-} wfShapeView;
-wfShapeView wfWorldShapes(const wfWorld *world);
 /* <declarations of pushing bodies> */
 /* All: WF_ERROR_STALE_ID, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE where stated. */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle);
@@ -335,13 +478,15 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
  * proportion. It is a given mass from now on: new shapes do not change it. */
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
+/* <declarations of pushing bodies> */
+wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
+/* <declarations of pushing bodies> */
 /* Makes a body WF_STATIC, WF_KINEMATIC or WF_DYNAMIC. Static: it stops. Dynamic: it has the
  * mass that was given, or that of its shapes (errors of wfShapeMass, RANGE: no mass). */
 wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type);
 /* Restitution 0 to 1, friction >= 0, static and dynamic: of all the body's shapes. */
 wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
                            wfReal friction);
-wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
 /* <declarations of pushing bodies> */
 /* A force (N) at a world point, or a torque (N m), that acts throughout the next step
  * and is then forgotten. Several add up. */
@@ -350,96 +495,25 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque);
 /* A kick (N s) at a world point, or of spin (N m s): changes the velocity at once. */
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point);
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse);
-/* <declarations of forces in a world> */
-/* Registers a force of chapter 9; `out` may be NULL. Its a and b are body indices
- * (wfBodyIndex) or -1. WF_ERROR_FULL, WF_ERROR_STALE_ID (a or b names an empty place), and
- * whatever the force's own check finds wrong. */
-wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out);
-wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id);
-/* Read, or change, a registered force; a change is checked like a new one. */
-wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out);
-wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
-wfResult wfSetGravity(wfWorld *world, wfVec2 gravity);
-wfResult wfGetGravity(const wfWorld *world, wfVec2 *out);
-/* <declarations of forces in a world> */
-/* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is
- * long. */
-#define WF_HAND_RATE (2 * WF_PI * 5)
-/* <declarations of forces in a world> */
-/* A hand that holds a body at a world point: a spring stiff enough to follow and soft
- * enough to be stable at the world's step. Move the hand with wfDragHand; let go with
- * wfRemoveForceFromWorld. Errors of wfAddForceToWorld; WF_ERROR_RANGE: not a dynamic
- * body. */
-wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
-wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point);
-/* <declarations of events> */
-/* Two shapes, and how hard they press: the sum over their points, N s; 0 for a sensor and
- * for what has ended. For a sensor's events a is the sensor. The ids of an end may be
- * stale: the shape was removed. */
-typedef struct wfTouchEvent { wfShapeId a, b; wfReal impulse; } wfTouchEvent;
-/* Two shapes came together faster than hitSteps allows. */
-typedef struct wfHit {
-    wfShapeId a, b;
-    wfVec2    point;           /* world, m: where they approached fastest */
-    wfVec2    normal;          /* unit, from a to b */
-    wfReal    speed;           /* of the approach, m/s, before the contact was solved */
-} wfHit;
-enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STAY,
-       WF_SENSE_END, WF_EVENT_KINDS };
-/* <declarations of events> */
-/* What happened in the last step that succeeded. (A touch of two that sleep is not told as
- * going on; a sensor's is.) Arrays of the world's own, each sorted by
- * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
- * step, whatever is added or removed meanwhile. A call that does not step changes nothing
- * in them. */
-const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count);
-const wfHit *wfWorldHits(const wfWorld *world, int32_t *count);
-/* The contact of two shapes in the last step, either one first. WF_ERROR_STALE_ID;
- * WF_ERROR_UNKNOWN: they have none. */
-wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out);
-/* <declarations of hooks> */
-/* What a hook may look at: the bodies as they are at this moment, the shapes. */
-typedef struct wfHookView { wfBodyView bodies; wfShapeView shapes; wfReal dt; } wfHookView;
-/* What a hook may change about a contact, for this step only. */
-typedef struct wfContactChange {
-    int32_t enabled;           /* 0: contact and touch do not exist in this step */
-    wfReal  restitution;       /* 0 to 1 */
-    wfReal  friction;          /* >= 0 */
-    wfReal  staticFriction;    /* >= 0: while nothing slides; below friction: the same */
-    wfReal  rolling;           /* m, >= 0 */
-    wfReal  surfaceSpeed;      /* m/s */
-} wfContactChange;
-/* <declarations of hooks> */
-/* Functions of the user's that a step asks; each may be NULL. They must not change the
- * world (WF_ERROR_BUSY if they try) and give the same answer to the same question within a
- * step. */
-typedef struct wfHooks {
-    void *context;             /* handed to both */
-    /* May the shapes with these indices meet? Asked after the filters, a < b. */
-    bool (*filter)(void *context, const wfHookView *view, int32_t a, int32_t b);
-    /* Shown every contact before it is solved; `change` holds what will be used. */
-    void (*preSolve)(void *context, const wfHookView *view, const wfContact *contact,
-                     wfContactChange *change);
-} wfHooks;
-/* wfStepWorld with hooks (may be NULL). Further errors: WF_ERROR_RANGE, WF_ERROR_NOT_FINITE
- * (a hook gave such a number); WF_ERROR_BUSY (called from a hook). */
-wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks);
 /* <declarations of stepping> */
 /* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
  * WF_ERROR_NOT_FINITE: a number overflowed, as when forces are far too large. */
 wfResult wfStepWorld(wfWorld *world);
 wfResult wfSetTimeStep(wfWorld *world, wfReal dt);
-/* Changes the rows that a world uses while it runs; -1 keeps what is. WF_ERROR_UNKNOWN;
- * WF_ERROR_MEMORY: "exact" in a world that was created with another solver. */
-wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
-                      int solver);
+wfResult wfSetGravity(wfWorld *world, wfVec2 gravity);
+wfResult wfGetGravity(const wfWorld *world, wfVec2 *out);
 /* The settings that the world has now, as a definition (its memory field is zero). */
 wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out);
 /* Changes them: read, alter, set. The memory field is not looked at. Errors of wfWorldSize;
  * WF_ERROR_BUILT_IN: a setting differs that is built into the block, as a capacity
  * (wfSetting.builtIn); WF_ERROR_MEMORY: the world has no room for that method. */
 wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def);
+/* <declarations of stepping> */
+/* Changes the rows that a world uses while it runs; -1 keeps what is. WF_ERROR_UNKNOWN;
+ * WF_ERROR_MEMORY: "exact" in a world that was created with another solver. */
+wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
+                      int solver);
 /* <declarations of stepping> */
 struct wfStep;
 typedef wfResult wfStageFn(struct wfStep *step);
@@ -459,6 +533,7 @@ wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out);
  * changes the world. For an empty handle the count is 0. Shapes are relative to the
  * centre of mass. */
 wfBodyView wfWorldBodies(const wfWorld *world);
+/* <declarations of looking at a world> */
 /* Pairs of shapes of the broad phase and contacts of the narrow phase of the last step, as
  * far as they are still true; first those of bodies that sleep (chapter 25), then those of
  * all others, each part sorted by the indices of the shapes. */
@@ -467,8 +542,11 @@ const wfContact *wfWorldContacts(const wfWorld *world, int32_t *count);
 /* Boxes around the shapes as they stand: what a broad phase reads, to build and draw its
  * tree with. Arrays of the world's own. */
 wfResult wfWorldProxies(const wfWorld *world, wfProxies *out);
+/* The contact of two shapes in the last step, either one first. WF_ERROR_STALE_ID;
+ * WF_ERROR_UNKNOWN: they have none. */
+wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out);
+/* <declarations of looking at a world> */
 int32_t wfBodyCount(const wfWorld *world);
-int32_t wfForceCount(const wfWorld *world);
 double wfWorldTime(const wfWorld *world);      /* s since creation */
 uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
 /* <declarations of looking at a world> */
@@ -478,12 +556,42 @@ wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
 /* Momentum of the dynamic bodies, kg m/s, and angular momentum about the origin, kg
  * m^2/s. */
 wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular);
+/* <declarations of looking at a world> */
 /* A number for the state of all live bodies: equal states, equal numbers, on any
  * machine. */
 uint64_t wfHashWorld(const wfWorld *world);
+/* <declarations of looking at a world> */
 /* The body of which a shape covers the point, the last added first (highest index). False:
  * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
+/* <declarations of looking at a world> */
+/* <declarations of far worlds> */
+/* A place anywhere, m: doubles in every build. */
+typedef struct wfFar { double x, y; } wfFar;
+/* Where the world's own (0, 0) is. To set it is to say so: bodies and all else come along,
+ * no step and no hash sees it. A new world is at (0, 0). WF_ERROR_NOT_FINITE. */
+wfResult wfSetWorldOrigin(wfWorld *world, wfFar origin);
+wfResult wfGetWorldOrigin(const wfWorld *world, wfFar *out);
+/* <declarations of far worlds> */
+/* From the world's own coordinates (m) to places, and back. A place that is too far away
+ * for a wfReal: WF_ERROR_RANGE. WF_ERROR_NOT_FINITE. */
+wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out);
+wfResult wfFromFar(const wfWorld *world, wfFar place, wfVec2 *out);
+/* Where the body's origin is; and putting it there: wfSetBodyTransform. */
+wfResult wfFarPosition(const wfWorld *world, wfBodyId id, wfFar *out);
+wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle);
+/* <declarations of far worlds> */
+/* Moves the origin by `by` (m): whatever names a place in the world gets by less, so that
+ * all stay where they are. Contacts, events and sleep go on; no gap or overlap changes,
+ * except for bodies that had to be rounded (eq:world-far-exact): *rounded tells how many,
+ * and may be NULL. WF_ERROR_NOT_FINITE; WF_ERROR_RANGE: origin + by is no double. What
+ * the program keeps in the world's coordinates it has to move itself. */
+wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
+/* The same when `place` (the world's own coordinates: of a body, of the camera) is farther
+ * than `limit` (m, > 0) from the origin along x or y, by as much as brings it within half
+ * of that; *by tells how much, (0, 0) most of the time, and may be NULL. Call it before a
+ * step. */
+wfResult wfCentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by);
 /* <declarations of looking at a world> */
 /* What became of fast bodies in the last step. */
 typedef struct wfFastReport {
@@ -516,12 +624,6 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint);
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque);
 /* <declarations of joints in a world> */
 int32_t wfJointCount(const wfWorld *world);
-/* Joints that the last step solved together (chapter 19), and whether these were all. */
-int32_t wfJointsTogether(const wfWorld *world);
-bool wfJointsSolvedTogether(const wfWorld *world);
-/* Substeps of the last step in which the joints that are solved together could not be: a
- * load that snapped a chain tight, say. They were taken inelastically. */
-int32_t wfUnsolvedSubsteps(const wfWorld *world);
 /* Joint number i of 0 .. wfWorldJointPlaces - 1; index 0 in the id: an empty place. */
 wfJointId wfJointAt(const wfWorld *world, int32_t i);
 int32_t wfWorldJointPlaces(const wfWorld *world);
@@ -529,6 +631,13 @@ int32_t wfWorldJointPlaces(const wfWorld *world);
  * still there, with the flag WF_JOINT_BROKEN, and can be removed, or mended by
  * wfSetJoint. */
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count);
+/* <declarations of joints in a world> */
+/* Joints that the last step solved together (chapter 19), and whether these were all. */
+int32_t wfJointsTogether(const wfWorld *world);
+bool wfJointsSolvedTogether(const wfWorld *world);
+/* Substeps of the last step in which the joints that are solved together could not be: a
+ * load that snapped a chain tight, say. They were taken inelastically. */
+int32_t wfUnsolvedSubsteps(const wfWorld *world);
 /* <declarations of looking at a world> */
 /* Does the body take part in steps? False: it sleeps, or there is no such body. */
 bool wfIsAwake(const wfWorld *world, wfBodyId id);
@@ -541,6 +650,7 @@ wfResult wfWakeBody(wfWorld *world, wfBodyId id);
 wfResult wfPutToSleep(wfWorld *world, wfBodyId id);
 /* May it sleep? never: 0 or 1 (else _RANGE). 1 wakes it. */
 wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never);
+bool wfNeverSleeps(const wfWorld *world, wfBodyId id);
 /* A number that all bodies of an island share, awake or asleep: the index of one of them.
  * -1: no such body, or one without an island (not dynamic; no sleep; not stepped yet). */
 int32_t wfBodyIsland(const wfWorld *world, wfBodyId id);
@@ -553,61 +663,4 @@ typedef struct wfRestCounts {
     int32_t pairsKept, contactsKept;
 } wfRestCounts;
 wfRestCounts wfWorldRest(const wfWorld *world);
-/* <declarations of queries> */
-/* Questions about the shapes as they stand, answered by chapter 23, whose header says more.
- * Shapes in the answers are indices of wfWorldShapes: wfShapeAt makes ids of them. Sensors
- * are shapes: give them a category of their own to leave them out. filter: who may be
- * found; NULL: all. Further errors: those of a bad handle. Any number of threads may ask at
- * the same time, as long as nobody changes the world. */
-wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
-                        wfRayHit *out);
-wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
-                           wfRayHit *hits, int32_t capacity, int32_t *count);
-wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
-                          wfVec2 by, const wfFilter *filter, wfRayHit *out);
-wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
-                             wfTransform placed, wfVec2 by, const wfFilter *filter,
-                             wfRayHit *hits, int32_t capacity, int32_t *count);
-wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
-                        const wfFilter *filter, int32_t *shapes, int32_t capacity,
-                        int32_t *count);
-wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *filter,
-                            int32_t *shapes, int32_t capacity, int32_t *count);
-wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
-                             int32_t *shapes, int32_t capacity, int32_t *count);
-wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
-                        const wfFilter *filter, wfClosest *out);
-wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
-                         wfReal within, const wfFilter *filter, wfClosest *out);
-/* <declarations of queries> */
-/* Brings the index for queries up to date after changes between two steps. Not needed: a
- * step does it, and queries are right without, only slower. */
-wfResult wfIndexWorld(wfWorld *world);
-/* <declarations of far worlds> */
-/* A place anywhere, m: doubles in every build. */
-typedef struct wfFar { double x, y; } wfFar;
-/* Where the world's own (0, 0) is. To set it is to say so: bodies and all else come along,
- * no step and no hash sees it. A new world is at (0, 0). WF_ERROR_NOT_FINITE. */
-wfResult wfSetWorldOrigin(wfWorld *world, wfFar origin);
-wfResult wfGetWorldOrigin(const wfWorld *world, wfFar *out);
-/* <declarations of far worlds> */
-/* From the world's own coordinates (m) to places, and back. A place that is too far away
- * for a wfReal: WF_ERROR_RANGE. WF_ERROR_NOT_FINITE. */
-wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out);
-wfResult wfFromFar(const wfWorld *world, wfFar place, wfVec2 *out);
-/* Where the body's origin is; and putting it there: wfSetBodyTransform. */
-wfResult wfFarPosition(const wfWorld *world, wfBodyId id, wfFar *out);
-wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle);
-/* <declarations of far worlds> */
-/* Moves the origin by `by` (m): whatever names a place in the world gets by less, so that
- * all stay where they are. Contacts, events and sleep go on; no gap or overlap changes,
- * except for bodies that had to be rounded (eq:world-far-exact): *rounded tells how many,
- * and may be NULL. WF_ERROR_NOT_FINITE; WF_ERROR_RANGE: origin + by is no double. What
- * the program keeps in the world's coordinates it has to move itself. */
-wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
-/* The same when `place` (the world's own coordinates: of a body, of the camera) is farther
- * than `limit` (m, > 0) from the origin along x or y, by as much as brings it within half
- * of that; *by tells how much, (0, 0) most of the time, and may be NULL. Call it before a
- * step. */
-wfResult wfCentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by);
 #endif
