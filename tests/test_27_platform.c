@@ -458,6 +458,18 @@ static void a_layer_ends_and_complains(void **state)
     o = (layer_options){ .steps = 1, .scale = 1 };
     assert_false(layer_open(&l, &o, 0, 32));
     layer_close(&l);
+    const char *file = put("scene.json", "toy");           /* a file with a scene comes along as text, if the game can read it */
+    o = (layer_options){ .argument = file, .steps = 1, .scale = 1 };
+    assert_true(layer_open(&l, &o, 64, 32));
+    assert_string_equal(l.memory.text, "toy");
+    layer_close(&l);
+    file = put("scene.json", "toys");
+    assert_false(layer_open(&l, &o, 64, 32));
+    layer_close(&l);
+    remove(file);
+    assert_false(layer_open(&l, &o, 64, 32));
+    layer_close(&l);
+    o = (layer_options){ .steps = 1, .scale = 1 };
     assert_true(layer_open(&l, &o, 64, 32));
     assert_true(layer_resize(&l, 128, 96));
     assert_true(l.buffer.width == 128 && l.buffer.height == 96);

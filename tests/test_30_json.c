@@ -1,7 +1,9 @@
 /* Chapter 26, over all scenes of chapter 30: a world that is written as text and read again is the same world to the bit, and where
  * nothing touches it stays the same. */
 #include "testing.h"
+#include "testbed/platform.h"
 #include "testbed/scene.h"
+#include "testbed/scene_file.h"
 #include "weft/json.h"
 
 static bool same_bits(const void *a, const void *b, size_t n) { return memcmp(a, b, n) == 0; }
@@ -88,8 +90,45 @@ static void every_scene_is_read_as_it_was(void **unused)
     assert_true(future >= 10);                            /* the promise about the future was put to the test */
 }
 
+/* A text that the platform brings along is the last scene of the list, and steps like the world that is read from it. */
+static void the_testbed_opens_a_text(void **unused)
+{
+    (void)unused;
+    const char *text = "{\"weft\": 1, \"name\": \"a guest\", \"view\": {\"x\": 1, \"y\": 2, \"height\": 5}, \"bodies\": "
+                       "[{\"position\": [1, 4], \"shapes\": [{\"kind\": \"circle\", \"radius\": 0.5}]}]}";
+    char error[200], said[16384];
+    assert_true(game_reads_scene(text, error, sizeof error));
+    assert_false(game_reads_scene("{\"weft\": 1,\n\"bodies\": 3}", error, sizeof error));
+    assert_string_equal(error, "line 2: bodies must be an array: [ ... ]");
+    game_memory memory = { calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE, calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, text };
+    frame_buffer nothing = { NULL, 320, 240, 320, 1 };
+    assert_true(memory.permanent && memory.transient);
+    game_input in = { .steps = 0 };
+    game_update_and_render(&memory, &in, &nothing);
+    in.steps = 30;
+    game_update_and_render(&memory, &in, &nothing);
+    game_describe(&memory, said, sizeof said);
+    assert_non_null(strstr(said, "scene a guest\n"));
+    wfSceneInfo info;
+    wfScene scene;
+    wfWorld world;
+    assert_ok(wfCheckSceneText(text, &info, NULL));
+    wfSceneOfText(text, &info, &scene);
+    assert_near(scene.viewHeight, 5, 0);
+    assert_true(scene.depthBound < 0);
+    assert_ok(wfOpenScene(&scene, NULL, &world));
+    for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
+    char y[64];
+    snprintf(y, sizeof y, " y %.9g", (double)wfWorldBodies(&world).state[0].p.y);
+    y[6] = 0;                                             /* as many digits as the description surely has */
+    assert_non_null(strstr(said, y));
+    wfDestroyWorld(&world);
+    free(memory.permanent);
+    free(memory.transient);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(every_scene_is_read_as_it_was) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(every_scene_is_read_as_it_was), cmocka_unit_test(the_testbed_opens_a_text) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
