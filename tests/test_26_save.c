@@ -721,6 +721,82 @@ static void hostile_files_do_no_harm(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* One number is broken by hand, in a copy; the fault names its region. */
+static void broken_rules_are_named(void **unused)
+{
+    (void)unused;
+    enum { NAN_ = -1, INT_ = 0, BYTE_ = 1 };
+    static const struct { int region, element; size_t offset; int kind, value; } broken[] = {
+        { WF_REGION_BODY_SLOTS, 3, offsetof(wfSlot, generation), INT_, 0 },
+        { WF_REGION_BODY_SLOTS, 3, offsetof(wfSlot, next), INT_, 2 },
+        { WF_REGION_ALIVE, 4, 0, BYTE_, 0 },
+        { WF_REGION_STATE, 5, offsetof(wfBodyState, p.x), NAN_, 0 },
+        { WF_REGION_STATE, 5, offsetof(wfBodyState, invMass), NAN_, 0 },
+        { WF_REGION_APPLIED, 5, offsetof(wfBodyForces, torque), NAN_, 0 },
+        { WF_REGION_PROPS, 2, offsetof(wfBodyProps, type), INT_, 7 },
+        { WF_REGION_PROPS, 2, offsetof(wfBodyProps, shape), INT_, 9999 },
+        { WF_REGION_PROPS, 2, offsetof(wfBodyProps, shape), INT_, 0 },
+        { WF_REGION_SHAPES, 1, offsetof(wfShape, count), INT_, 99 },
+        { WF_REGION_SHAPES, 1, offsetof(wfShape, kind), INT_, WF_SHAPE_KINDS },
+        { WF_REGION_SHAPES, 2, offsetof(wfShape, radius), NAN_, 0 },
+        { WF_REGION_OWNERS, 2, 0, INT_, 1 << 20 },
+        { WF_REGION_OWNERS, 2, 0, INT_, -1 },
+        { WF_REGION_NEXT_SHAPES, 2, 0, INT_, -9 },
+        { WF_REGION_SHAPE_PROPS, 2, offsetof(wfShapeProps, friction), NAN_, 0 },
+        { WF_REGION_BOUNDS, 2, 0, NAN_, 0 },
+        { WF_REGION_FLAGS, 2, 0, BYTE_, 0 },
+        { WF_REGION_FORCES, 0, offsetof(wfForce, kind), INT_, 1000 },
+        { WF_REGION_FORCES, 0, offsetof(wfForce, a), INT_, 1000 },
+        { WF_REGION_PAIRS, 0, offsetof(wfPair, b), INT_, 1000 },
+        { WF_REGION_CONTACTS, 0, offsetof(wfContact, a), INT_, -5 },
+        { WF_REGION_CONTACTS, 0, offsetof(wfContact, manifold.count), INT_, 3 },
+        { WF_REGION_CONTACTS, 0, offsetof(wfContact, manifold.points[0].normalImpulse), NAN_, 0 },
+        { WF_REGION_TOUCHES, 0, offsetof(wfTouch, b), INT_, 1000 },
+        { WF_REGION_PAIR_MATERIALS, 0, 0, INT_, 0 },
+        { WF_REGION_JOINTS, 0, offsetof(wfJoint, a), INT_, 1000 },
+        { WF_REGION_JOINTS, 0, offsetof(wfJoint, kind), INT_, -1 },
+        { WF_REGION_ALONE, 0, 0, BYTE_, 9 },
+        { WF_REGION_RINGS, 2, 0, INT_, 3 },
+        { WF_REGION_REST, 2, 0, BYTE_, 8 },
+        { WF_REGION_CLOCKS, 2, 0, NAN_, 0 },
+        { WF_REGION_ISLANDS, 2, 0, INT_, 1000 },
+    };
+    wfWorld world = busy(20, 40);
+    wfWorldDef def;
+    wfRegion region[WF_REGION_COUNT];
+    wfFault fault;
+    assert_ok(wfGetWorldDef(&world, &def));
+    assert_ok(wfWorldRegions(&def, region));
+    assert_ok(wfCheckWorld(&world, &fault));
+    assert_null(fault.rule);
+    uint8_t *whole = copy_of(&world);
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+        const wfRegion *r = &region[broken[i].region];
+        uint8_t *at = (uint8_t *)world.memory.permanent + r->offset + (size_t)broken[i].element * r->each + broken[i].offset;
+        if (broken[i].kind == NAN_) memcpy(at, &BAD_REALS[0], sizeof(wfReal));
+        else if (broken[i].kind == INT_) memcpy(at, &broken[i].value, sizeof(int32_t));
+        else *at = (uint8_t)broken[i].value;
+        wfResult result = wfCheckWorld(&world, &fault);
+        if (result != WF_ERROR_INVALID) fail_msg("row %zu, in %s: %s", i, r->name, wfResultName(result));
+        assert_non_null(fault.rule);
+        bool near = fault.element == broken[i].element || fault.element == 0 || strcmp(fault.region, r->name) != 0;
+        if (!near) fail_msg("row %zu, in %s %d: told %s %d: %s", i, r->name, broken[i].element, fault.region, (int)fault.element, fault.rule);
+        memcpy(world.memory.permanent, whole, world.memory.permanentSize);
+    }
+    for (size_t at = 8; at < region[WF_REGION_HEADER].each; at += 4) {      /* the header: no word of it makes the check fall */
+        for (int k = 0; k < 3; k++) {
+            static const int32_t value[] = { -1, INT32_MAX, 12345 };
+            memcpy((uint8_t *)world.memory.permanent + at, &value[k], 4);
+            wfCheckWorld(&world, &fault);
+            memcpy((uint8_t *)world.memory.permanent + at, whole + at, 4);
+        }
+    }
+    assert_ok(wfCheckWorld(&world, NULL));
+    assert_result(WF_ERROR_NULL, wfCheckWorld(NULL, &fault));
+    free(whole);
+    wfDestroyWorld(&world);
+}
+
 static void files_are_replaced_as_a_whole(void **unused)
 {
     (void)unused;
@@ -768,6 +844,7 @@ int main(void)
         cmocka_unit_test(bursts_are_always_noticed),
         cmocka_unit_test(strangers_are_refused_by_name),
         cmocka_unit_test(hostile_files_do_no_harm),
+        cmocka_unit_test(broken_rules_are_named),
         cmocka_unit_test(files_are_replaced_as_a_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
