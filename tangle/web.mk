@@ -10,7 +10,7 @@ SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
 STB := $(firstword $(foreach d,/usr/include/stb /usr/local/include/stb /opt/homebrew/include/stb /usr/include /usr/local/include,$(if $(wildcard $(d)/stb_sprintf.h),$(d))))
 FLAGS := --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
-         -ffunction-sections -fdata-sections -DNDEBUG -DWF_NO_JSON -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
+         -ffunction-sections -fdata-sections -DNDEBUG -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
 FONT_SIZES := 13 26
 SOURCES := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)) \
            $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c,$(wildcard $(SRC)/testbed/*.c)) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c \

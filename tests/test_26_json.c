@@ -535,6 +535,16 @@ static void a_scene_of_others_is_translated(void **unused)
     for (int i = 0; i < 100; i++) assert_ok(wfStepWorld(&world));
     wfFreeText(text);
     wfDestroyWorld(&world);
+    char *weighed = with(rube, "\"massData-mass\": 4,", "\"massData-mass\": 4, \"massData-center\": { \"x\": 0.5, \"y\": 0 }, \"massData-I\": 3,");
+    assert_ok(wfTranslateRube(weighed, strlen(weighed), &text, NULL));          /* m r^2 / 2 + m c^2 = 2 + 1 */
+    wfFreeText(text);
+    free(weighed);
+    char *flat = with(rube, "\"y\": [-0.5, -0.5, 0.5, 0.5]", "\"y\": [0, 0, 0, 0]");
+    text = NULL;
+    assert_result(WF_ERROR_DEGENERATE, wfTranslateRube(flat, strlen(flat), &text, &e));
+    assert_non_null(strstr(e.what, "bodies[1].shapes[0]"));
+    assert_null(text);
+    free(flat);
 }
 
 static void what_would_move_otherwise_is_refused(void **unused)
@@ -549,6 +559,9 @@ static void what_would_move_otherwise_is_refused(void **unused)
         { "\"bodyB\": 2", "\"bodyB\": 3", "joint[0].bodyB", "no body", 10 },
         { "\"3f800000\"", "\"7f800000\"", "body[1].angle", "hexadecimal", 6 },
         { "\"y\": [-0.5, -0.5, 0.5, 0.5]", "\"y\": [0.5]", "body[1].fixture[0].polygon", "vertices", 7 },
+        { "\"massData-mass\": 4,", "\"massData-mass\": 4, \"massData-center\": { \"x\": 0.9, \"y\": 0 },", "body[2].massData-center",
+          "elsewhere", 8 },
+        { "\"massData-mass\": 4,", "\"massData-mass\": 4, \"massData-I\": 2.0,", "body[2].massData-I", "another", 8 },
         { "\"type\": 0", "\"type\": 7", "body[0]", "0, 1 or 2", 4 },
         { "\"stepsPerSecond\": 50", "\"stepsPerSecond\": 0", "stepsPerSecond", "> 0", 1 },
     };

@@ -6,7 +6,7 @@
 #   tests/json/run.sh --record   the hashes of the files, for tests/golden/files.csv
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-headless=build/bin/weft-headless steps=600
+headless=build/bin/weft-headless steps=1000
 [ -x $headless ] || { echo "json: no $headless -- type: make programs"; exit 1; }
 $headless --schema > /dev/null 2>&1 || { echo "json: $headless was built without cJSON -- install libcjson-dev and type: make programs"; exit 77; }
 record() {
