@@ -215,7 +215,7 @@ end
 local function command_of_csv(path)
   for l in (Code.read(root .. path) or ""):gmatch("[^\n]+") do
     local c = l:match("^#%s*command:%s*(.+)$") or l:match("^#%s*(weft%-lab run .+)$")
-    if c then return (c:gsub("^weft%-lab", "build/bin/weft-lab")) end
+    if c then return (c:gsub("^weft%-lab", c:match("%-double$") and "build/double/bin/weft-lab" or "build/bin/weft-lab")) end
     if not l:match("^#") then break end
   end
 end

@@ -79,7 +79,7 @@ wanted() {     # the hashes to be compared with: golden, or the first build of t
 only=() cheap= table= leaks=
 for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; *) only+=("$a") ;; esac; done
 ran=0 unequal=0 skipped=
-[ -n "$table" ] && printf '%s\n' "# make portability${leaks:+ (the leaks)}" '# every scene on every platform: how many have the same hash, and the first that has not' \
+[ -n "$table" ] && printf '%s\n' "# command: make portability" '# every scene on every platform: how many have the same hash, and the first that has not' \
   'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
 rows() { grep -vE '^(#|$)' $here/platforms.txt; }
 for name in "${only[@]}"; do grep -qE "^$name +\|" $here/platforms.txt || { echo "portability: no platform called $name -- they are the first column of $here/platforms.txt"; exit 2; }; done

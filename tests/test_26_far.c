@@ -1,0 +1,54 @@
+/* The origin of a world (chapter 24) is part of it: it is copied, rewound and grown with the rest (chapter 26). */
+#include "testing.h"
+#include "world.h"
+#include "weft/save.h"
+
+static void assert_at(const wfWorld *world, double x, double y)
+{
+    wfFar o = { 0, 0 };
+    assert_ok(wfGetWorldOrigin(world, &o));
+    assert_true(o.x == x && o.y == y);
+}
+
+static void a_grown_world_is_where_it_was(void **state)
+{
+    (void)state;
+    wfWorldDef wd = wfDefaultWorldDef();
+    wfWorld world;
+    assert_ok(wfCreateWorld(&wd, &world));
+    add(&world, floor_def());
+    add(&world, ball_def(0, 3, 0.5));
+    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e12, -3e11 }));
+    for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
+    uint64_t hash = wfHashWorld(&world);
+    wd.bodyCapacity *= 2;
+    assert_ok(wfGrowWorld(&world, &wd));
+    assert_at(&world, 1e12, -3e11);
+    assert_true(wfHashWorld(&world) == hash);
+    wfDestroyWorld(&world);
+}
+
+static void a_snapshot_goes_back_to_where_it_was(void **state)
+{
+    (void)state;
+    wfWorldDef wd = wfDefaultWorldDef();
+    wfWorld world;
+    assert_ok(wfCreateWorld(&wd, &world));
+    add(&world, ball_def(5000, 3, 0.5));
+    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e6, 0 }));
+    void *before = copy_of(&world);
+    assert_ok(wfMoveOrigin(&world, wfV2(4096, 0), NULL));
+    assert_at(&world, 1e6 + 4096, 0);
+    memcpy(world.memory.permanent, before, world.memory.permanentSize);
+    assert_at(&world, 1e6, 0);
+    assert_unchanged(&world, before);
+    wfDestroyWorld(&world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_grown_world_is_where_it_was), cmocka_unit_test(a_snapshot_goes_back_to_where_it_was)
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
