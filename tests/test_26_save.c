@@ -257,12 +257,12 @@ static void a_world_grows_and_nobody_notices(void **unused)
 static void the_ring_keeps_the_newest(void **unused)
 {
     (void)unused;
-    enum { STEPS = 200 };
+    enum { STEPS = 200, UNIT = 10001 * sizeof(wfReal) };
     static uint64_t hash[STEPS + 1];
     for (int memory = 1; memory <= 3; memory++) {           /* room for few, some, many */
         wfWorld world = busy_with(12, 0, 3);
-        size_t size = (size_t)memory * 40001;
-        _Alignas(16) static uint8_t bytes[3 * 40001 + 16];
+        size_t size = (size_t)memory * UNIT;
+        _Alignas(16) static uint8_t bytes[3 * UNIT + 16];
         memset(bytes, 0xab, sizeof bytes);
         wfRewind ring;
         uint64_t oldest, newest;
