@@ -46,7 +46,7 @@ watch:
 	@echo "watching chapters/ -- stop with Ctrl-C"
 	@last=; while sleep 0.5; do now=$$(cksum chapters/*.nw $(EXTRA) | cksum); \
 	  if [ "$$now" != "$$last" ]; then last=$$now; \
-	    $(MAKE) --no-print-directory engine && { [ ! -x build/bin/weft-headless ] || $(MAKE) --no-print-directory programs; } && $(MAKE) --no-print-directory html && echo "$$(date +%T) made again" || echo "$$(date +%T) mend the error above and save again"; fi; done
+	    $(MAKE) --no-print-directory game && echo "$$(date +%T) the game is new" && $(MAKE) --no-print-directory engine && { [ ! -x build/bin/weft-headless ] || $(MAKE) --no-print-directory programs; } && $(MAKE) --no-print-directory html && echo "$$(date +%T) made again" || echo "$$(date +%T) mend the error above and save again"; fi; done
 
 include tangle/engine.mk
 include tangle/book.mk

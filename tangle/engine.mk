@@ -6,7 +6,7 @@ LINES := $(BUILD)/lines
 SUBMAKE = $(MAKE) --no-print-directory CC="$(CC)" CFLAGS="$(CFLAGS)" STD="$(STD)" WARN="$(WARN)" PREFIX="$(PREFIX)"
 PREFIX ?= /usr/local
 
-.PHONY: FORCE tangle engine programs programs-double test upto upto-all install uninstall
+.PHONY: FORCE tangle engine game programs programs-double test upto upto-all install uninstall
 tangle: $(BUILD)/tangle.stamp
 # Which chapters there are is a source too: it changes when EXTRA does, or when a chapter goes.
 $(BUILD)/chapters.list: FORCE
@@ -47,6 +47,8 @@ programs: $(BUILD)/tangle.stamp
 programs-double: $(BUILD)/tangle.stamp
 	@$(MAKE) --no-print-directory -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD)/double CC="$(CC)" CFLAGS="$(CFLAGS) -DWF_DOUBLE" STD="$(STD)" WARN=-w \
 	   $(BUILD)/double/bin/weft-lab $(BUILD)/double/bin/weft-headless
+game: $(BUILD)/tangle.stamp
+	@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) game
 test: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) test
 

@@ -44,6 +44,12 @@ $(OUT)/bin/weft-headless: $(OUT)/obj/testbed/headless_main.o $(OUT)/obj/testbed/
 	$(call LINK)
 $(OUT)/bin/weft-testbed: $(OUT)/obj/testbed/sdl_main.o $(OUT)/obj/testbed/stb/png.o $(WEFT_LIBS)
 	$(call LINK,$(SDL_LIBS))
+# The game as a library that a running testbed takes up (chapter 27): its own engine inside, put in place in one go.
+GAMEOBJ := $(filter $(OUT)/obj/testbed/%,$(EXTOBJ)) $(FONTOBJ)
+$(OUT)/lib/libweft-game.so: $(GAMEOBJ) $(WEFT_LIBS) $(OUT)/obj/testbed/stb/png.o
+	@mkdir -p $(@D); $(CC) $(CFLAGS) -shared -Wl,-Bsymbolic $(GAMEOBJ) $(OUT)/obj/testbed/stb/png.o $(WEFT_LIBS) $(CJSON) -lm -o $@.new && mv $@.new $@
+.PHONY: game
+game: $(OUT)/lib/libweft-game.so
 $(OUT)/bin/weft-box2d: $(SRC)/lab/box2d_main.c
 	@mkdir -p $(@D); $(CC) -O2 -isystem $(BOX2D3)/include $< -L$(BOX2D3)/lib -lbox2d -lm -lpthread -o $@
 $(OUT)/obj/testbed/sdl_main.o: private INC += $(SDL_INC)

@@ -13,7 +13,7 @@ FLAGS := --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=
          -ffunction-sections -fdata-sections -DNDEBUG -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
 FONT_SIZES := 13 26
 SOURCES := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)) \
-           $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c,$(wildcard $(SRC)/testbed/*.c)) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c \
+           $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c,$(wildcard $(SRC)/testbed/*.c)) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c \
            $(SRC)/lab/figures.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c)
 OBJECTS := $(SOURCES:$(SRC)/%.c=$(OUT)/obj/%.o) $(OUT)/obj/font_atlas.o
 
