@@ -12,6 +12,7 @@ data: programs programs-double
 # Records the hash of every scene; do it when a change of the engine's arithmetic is meant.
 golden: programs programs-double
 	@build/bin/weft-headless --record > tests/golden/scenes.csv && build/double/bin/weft-headless --record > tests/golden/scenes-double.csv
+	@build/bin/weft-headless --schema > testbed/scenes/scene.schema.json
 	@tests/json/run.sh --record > tests/golden/files.csv; wc -l tests/golden/*.csv
 # Every scene on every platform that can be emulated; STEPS=n: other than the recorded number. Installs cross compilers and emulators
 # (2 GB), goes on where it was interrupted, and writes book/data/portability.csv.
