@@ -33,7 +33,7 @@ static void names_find_rows(void **unused)
         const wfSetting *s = &wfSettingTable[i];
         assert_ptr_equal(wfFindSetting(s->name), s);      /* so names are unique, too */
         assert_true(s->text != NULL && s->text[0] != 0 && strlen(s->text) < 80);
-        bool named = s->kind == WF_SETTING_ROW || s->kind == WF_SETTING_CHOICE;
+        bool named = s->kind == WF_SETTING_ROW || s->kind == WF_SETTING_CHOICE || s->kind == WF_SETTING_SET;
         assert_true(named == (wfSettingRowName(s, 0) != NULL));
         for (int row = 0; named && row < *s->rowCount; row++)
             assert_int_equal(wfFindSettingRow(s, wfSettingRowName(s, row)), row);
@@ -87,6 +87,7 @@ static void every_good_value_is_kept(void **unused)
     (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
+        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_24_needs.c */
         double good[3];
         int count = good_values(s, good);
         for (int k = 0; k < count; k++)
@@ -116,6 +117,7 @@ static void every_bad_value_is_refused_by_name(void **unused)
     const wfSetting *fault;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
+        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_24_needs.c */
         bool real = s->kind == WF_SETTING_REAL || s->kind == WF_SETTING_VEC2;
         double bad[4];
         int count = bad_values(s, bad);
@@ -178,6 +180,7 @@ static void settings_change_unless_they_are_built_in(void **unused)
     (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
+        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_24_needs.c */
         wfWorldDef def = wfDefaultWorldDef(), is, got;
         wfWorld world;
         def.bodyCapacity = 20;

@@ -1,0 +1,491 @@
+/* Needs, chapter 24: a world is made for what its scene requires, refuses the rest by name, and infers and explains itself. */
+#include "testing.h"
+#include "world.h"
+
+static wfWorld made_for(uint32_t needs)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world;
+    def.bodyCapacity = 40;
+    def.needs = needs;
+    assert_ok(wfCreateWorld(&def, &world));
+    return world;
+}
+
+static void steps(wfWorld *world, int n)
+{
+    for (int i = 0; i < n; i++) assert_ok(wfStepWorld(world));
+}
+
+static uint32_t needs_of(const wfWorld *world)
+{
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(world, &def));
+    return def.needs;
+}
+
+static void the_table_is_in_order(void **unused)
+{
+    (void)unused;
+    uint32_t before = 0;
+    for (int i = 0; i < wfNeedCount; i++) {
+        const wfNeedRow *row = &wfNeedTable[i];
+        assert_true(row->bit != 0 && (row->bit & (row->bit - 1)) == 0 && (before & row->bit) == 0);
+        assert_int_equal(row->implies & ~before, 0);           /* so one walk from the end closes a set */
+        assert_int_equal(wfFindNeed(row->name), i);
+        assert_true(row->text[0] != 0 && row->error != WF_OK);
+        char bit[64] = "WF_NEED_";                             /* the sentence of the error names the bit */
+        for (size_t k = 0; k < strlen(row->name); k++) bit[8 + k] = (char)(row->name[k] - 32);
+        assert_non_null(strstr(wfResultText(row->error), bit));
+        before |= row->bit;
+    }
+    assert_int_equal(wfAllNeeds(), before);
+    assert_int_equal(wfFindNeed("no such need"), -1);
+    assert_int_equal(wfFindNeed(NULL), -1);
+    for (uint32_t set = 0; set <= before; set += 37)           /* closed is closed, and never smaller */
+        assert_true(wfCloseNeeds(wfCloseNeeds(set)) == wfCloseNeeds(set) && (wfCloseNeeds(set) & set) == set);
+}
+
+static void the_default_is_all_of_them(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    assert_int_equal(def.needs, wfAllNeeds());
+    wfWorld world = made_for(wfAllNeeds());
+    assert_int_equal(needs_of(&world), wfAllNeeds());
+    for (int i = 0; i < wfStageCount; i++) {
+        wfStageReport r;
+        assert_ok(wfExplainStage(&world, i, &r));
+        assert_true(r.runs);
+    }
+    wfDestroyWorld(&world);
+    def.needs |= 1u << 31;                                     /* a need that nobody knows */
+    const wfSetting *fault;
+    assert_result(WF_ERROR_UNKNOWN, wfCheckWorldDef(&def, &fault));
+    assert_string_equal(fault->name, "needs");
+    const wfSetting *needs = wfFindSetting("needs");
+    assert_result(WF_ERROR_UNKNOWN, wfPutSetting(&def, needs, 0, 4294967295.0));
+    assert_result(WF_ERROR_RANGE, wfPutSetting(&def, needs, 0, -1));
+    assert_result(WF_ERROR_RANGE, wfPutSetting(&def, needs, 0, 0.5));
+    assert_ok(wfPutSetting(&def, needs, 0, (double)wfAllNeeds()));
+    assert_int_equal(def.needs, wfAllNeeds());
+    assert_string_equal(wfSettingRowName(needs, 0), wfNeedTable[0].name);
+}
+
+static void a_need_brings_along_what_it_implies(void **unused)
+{
+    (void)unused;
+    wfWorld world = made_for(WF_NEED_SENSORS);
+    uint32_t needs = needs_of(&world);                         /* "soft" steps by itself */
+    assert_int_equal(needs, WF_NEED_SENSORS | WF_NEED_EVENTS | WF_NEED_CONTACTS | WF_NEED_SHAPES | WF_NEED_SUBSTEPS);
+    wfDestroyWorld(&world);
+    wfWorldDef def = wfDefaultWorldDef();
+    def.needs = WF_NEED_CONTACTS;
+    def.solver = wfFindSolver("sequential");
+    assert_ok(wfCreateWorld(&def, &world));
+    assert_int_equal(needs_of(&world), WF_NEED_CONTACTS | WF_NEED_SHAPES);
+    wfDestroyWorld(&world);
+}
+
+/* ---- doors ---- */
+typedef struct Door {
+    uint32_t need;
+    wfResult (*knock)(wfWorld *, wfBodyId body, wfBodyId crate, wfShapeId shape);
+} Door;
+#define DOOR(name) static wfResult name(wfWorld *w, wfBodyId body, wfBodyId crate, wfShapeId shape)
+#define QUIET (void)w, (void)body, (void)crate, (void)shape
+
+DOOR(spin_it) { QUIET; return wfSetBodyVelocity(w, body, wfV2(0, 0), 1); }
+DOOR(kick_spin) { QUIET; return wfApplyAngularImpulseToBody(w, body, 1); }
+DOOR(add_spinning) { QUIET; wfBodyDef d = wfDefaultBodyDefFor(w); d.mass = 1; d.angularVelocity = 1; return wfAddBodyToWorld(w, &d, NULL); }
+DOOR(damp_it) { QUIET; return wfSetBodyDamping(w, body, 1, 0); }
+DOOR(add_damped) { QUIET; wfBodyDef d = wfDefaultBodyDefFor(w); d.mass = 1; d.angularDamping = 1; return wfAddBodyToWorld(w, &d, NULL); }
+DOOR(push) { QUIET; return wfApplyForceToBody(w, body, wfV2(1, 0), wfV2(0, 0)); }
+DOOR(twist) { QUIET; return wfApplyTorqueToBody(w, body, 0); }
+DOOR(add_force) { QUIET; wfForce f = wfGravity(wfV2(1, 0)); return wfAddForceToWorld(w, &f, NULL); }
+DOOR(grab) { QUIET; wfForceId id; return wfGrabBody(w, body, wfV2(0, 0), &id); }
+DOOR(add_shaped) { QUIET; wfBodyDef d = ball_def(90, 90, 1); d.friction = 0; return wfAddBodyToWorld(w, &d, NULL); }
+DOOR(hang_shape)
+{
+    QUIET;
+    wfShapeDef d = wfDefaultShapeDefFor(w);
+    assert_ok(wfMakeCircle(wfV2(0, 0), 1, &d.shape));
+    return wfAddShapeToBody(w, body, &d, NULL);
+}
+DOOR(add_rough) { QUIET; return wfAddBodyToWorld(w, &(wfBodyDef){ .type = WF_DYNAMIC, .density = 1, .friction = WF_R(0.5),
+    .position = wfV2(70, 70), .shape = ball_def(0, 0, 1).shape }, NULL); }
+DOOR(roughen) { QUIET; return wfSetBodyMaterial(w, crate, 0, 1); }
+DOOR(bounce) { QUIET; return wfSetBodyMaterial(w, crate, 1, 0); }
+static wfResult set_shape(wfWorld *w, wfShapeId shape, wfReal friction, wfReal bounce, wfReal rolling, int sensor, wfReal belt)
+{
+    wfShapeDef d;
+    if (wfGetShape(w, shape, &d) != WF_OK) return WF_OK;
+    d.friction = friction, d.restitution = bounce, d.rolling = rolling, d.sensor = sensor, d.surfaceSpeed = belt;
+    return wfSetShape(w, shape, &d);
+}
+DOOR(rough_shape) { QUIET; return set_shape(w, shape, 1, 0, 0, 0, 0); }
+DOOR(belt) { QUIET; return set_shape(w, shape, 0, 0, 0, 0, 1); }
+DOOR(bouncy_shape) { QUIET; return set_shape(w, shape, 0, WF_R(0.5), 0, 0, 0); }
+DOOR(rolling_shape) { QUIET; return set_shape(w, shape, 0, 0, 1, 0, 0); }
+DOOR(make_sensor) { QUIET; return set_shape(w, shape, 0, 0, 0, 1, 0); }
+DOOR(know_pair) { QUIET; wfPairMaterial m = { .friction = 1 }; return wfSetPairMaterial(w, 1, 2, &m); }
+DOOR(second_shape)
+{
+    QUIET;
+    wfShapeDef d = wfDefaultShapeDefFor(w);
+    assert_ok(wfMakeCircle(wfV2(1, 0), 1, &d.shape));
+    return wfAddShapeToBody(w, crate, &d, NULL);
+}
+DOOR(ask_hooks) { QUIET; wfHooks hooks = { .context = NULL }; return wfStepWorldWith(w, &hooks); }
+DOOR(look_around)
+{
+    QUIET;
+    int32_t found[8], count;
+    return wfWorldOverlapPoint(w, wfV2(0, 0), NULL, found, 8, &count);
+}
+DOOR(see_boxes) { QUIET; wfProxies p; return wfWorldProxies(w, &p); }
+DOOR(make_index) { QUIET; return wfIndexWorld(w); }
+DOOR(other_solver) { QUIET; return wfSetMethods(w, -1, -1, -1, wfFindSolver("sequential")); }
+DOOR(other_integrator) { QUIET; return wfSetMethods(w, wfFindIntegrator("explicit-euler"), -1, -1, -1); }
+DOOR(other_broad) { QUIET; return wfSetMethods(w, -1, wfFindBroadPhase("brute-force"), -1, -1); }
+
+static const Door doors[] = {
+    { WF_NEED_ROTATION, spin_it }, { WF_NEED_ROTATION, kick_spin }, { WF_NEED_ROTATION, add_spinning },
+    { WF_NEED_DAMPING, damp_it }, { WF_NEED_DAMPING, add_damped }, { WF_NEED_PUSHES, push }, { WF_NEED_PUSHES, twist },
+    { WF_NEED_FORCES, add_force }, { WF_NEED_FORCES, grab }, { WF_NEED_SHAPES, add_shaped }, { WF_NEED_SHAPES, hang_shape },
+    { WF_NEED_FRICTION, add_rough }, { WF_NEED_FRICTION, roughen }, { WF_NEED_FRICTION, rough_shape }, { WF_NEED_FRICTION, belt },
+    { WF_NEED_RESTITUTION, bounce }, { WF_NEED_RESTITUTION, bouncy_shape }, { WF_NEED_ROLLING, rolling_shape },
+    { WF_NEED_SENSORS, make_sensor }, { WF_NEED_MATERIALS, know_pair }, { WF_NEED_COMPOUNDS, second_shape },
+    { WF_NEED_HOOKS, ask_hooks }, { WF_NEED_QUERIES, look_around }, { WF_NEED_QUERIES, see_boxes }, { WF_NEED_QUERIES, make_index },
+    { WF_NEED_METHODS, other_solver }, { WF_NEED_METHODS, other_integrator }, { WF_NEED_METHODS, other_broad },
+};
+enum { DOORS = sizeof doors / sizeof *doors };
+
+/* All needs but one, and but those that imply it: what is behind the doors of the others must stay open. */
+static uint32_t all_without(uint32_t bit)
+{
+    uint32_t needs = wfAllNeeds();
+    for (int i = 0; i < wfNeedCount; i++)
+        if (wfCloseNeeds(wfNeedTable[i].bit) & bit) needs &= ~wfNeedTable[i].bit;
+    return needs;
+}
+
+static void without_a_need_its_door_is_shut(void **unused)
+{
+    (void)unused;
+    for (int d = 0; d < DOORS; d++)
+        for (int shut = 0; shut < 2; shut++) {
+            uint32_t needs = shut ? all_without(doors[d].need) : wfAllNeeds();
+            wfWorld world = made_for(needs);
+            wfBodyDef particle = wfDefaultBodyDefFor(&world), crate = wfDefaultBodyDefFor(&world);
+            particle.mass = 1;
+            wfBodyId body = add(&world, particle), boxed = body;
+            wfShapeId shape = { 0, 0 };
+            crate.position = wfV2(30, 0);
+            crate.friction = 0;
+            assert_ok(wfMakeBox(1, 1, &crate.shape));
+            if (needs & WF_NEED_SHAPES) boxed = add(&world, crate);
+            if (needs & WF_NEED_SHAPES) shape = wfFirstShape(&world, boxed);
+            void *bytes = copy_of(&world);
+            wfResult want = shut ? wfNeedTable[wfFindNeed(wfNeedTable[0].name)].error : WF_OK;
+            for (int i = 0; i < wfNeedCount && shut; i++)
+                if (wfNeedTable[i].bit == doors[d].need) want = wfNeedTable[i].error;
+            wfResult got = doors[d].knock(&world, body, boxed, shape);
+            if (got != want) fail_msg("door %d, %s: %s", d, shut ? "shut" : "open", wfResultName(got));
+            if (shut) assert_unchanged(&world, bytes);
+            else free(bytes);
+            assert_ok(wfStepWorld(&world));
+            wfDestroyWorld(&world);
+        }
+}
+
+static void what_cannot_show_is_not_missed(void **unused)
+{
+    (void)unused;
+    wfWorld none = made_for(0), smooth = made_for(WF_NEED_CONTACTS), shaped = made_for(WF_NEED_SHAPES);
+    wfBodyDef d = wfDefaultBodyDef();
+    d.mass = 1;
+    assert_ok(wfAddBodyToWorld(&none, &d, NULL));              /* a particle's friction of 0.5 can never show */
+    assert_ok(wfAddBodyToWorld(&smooth, &d, NULL));
+    assert_ok(wfMakeCircle(wfV2(0, 0), 1, &d.shape));
+    d.restitution = 1;
+    assert_ok(wfAddBodyToWorld(&shaped, &d, NULL));            /* nor does this one's: it meets nobody */
+    assert_int_equal(wfMissingNeeds(&shaped, wfNeedsOfBody(&d)), 0);
+    assert_int_equal(wfMissingNeeds(&smooth, wfNeedsOfBody(&d)), WF_NEED_FRICTION | WF_NEED_RESTITUTION);
+    assert_int_equal(wfMissingNeeds(&none, wfNeedsOfBody(&d)), WF_NEED_SHAPES);
+    assert_result(WF_ERROR_NO_FRICTION, wfAddBodyToWorld(&smooth, &d, NULL));
+    d.friction = 0;
+    assert_result(WF_ERROR_NO_RESTITUTION, wfAddBodyToWorld(&smooth, &d, NULL));
+    d = wfDefaultBodyDefFor(&smooth);
+    assert_true(d.friction == 0 && wfDefaultBodyDefFor(&none).friction > 0);
+    assert_true(wfDefaultShapeDefFor(&smooth).friction == 0 && wfDefaultShapeDefFor(&shaped).friction > 0);
+    wfDestroyWorld(&none);
+    wfDestroyWorld(&smooth);
+    wfDestroyWorld(&shaped);
+}
+
+static void a_definition_may_not_contradict_itself(void **unused)
+{
+    (void)unused;
+    const wfSetting *fault;
+    static const struct { const char *name; double value; wfResult want; } said[] = {
+        { "shapeCapacity", 9, WF_ERROR_NO_SHAPES }, { "pairCapacity", 9, WF_ERROR_NO_CONTACTS }, { "slop", 0.25, WF_ERROR_NO_CONTACTS },
+        { "forceCapacity", 9, WF_ERROR_NO_FORCES }, { "pairMaterials", 3, WF_ERROR_NO_MATERIALS }, { "substeps", 9, WF_ERROR_NO_CONTACTS } };
+    for (int i = 0; i < 6; i++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.needs = 0;
+        assert_ok(wfCheckWorldDef(&def, &fault));              /* what nobody wrote is passed over */
+        assert_ok(wfPutSetting(&def, wfFindSetting(said[i].name), 0, said[i].value));
+        assert_result(said[i].want, wfCheckWorldDef(&def, &fault));
+        assert_string_equal(fault->name, said[i].name);
+    }
+    wfWorld world = made_for(0);
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(&world, &def));
+    assert_true(def.pairCapacity == 0 && def.contactCapacity == 0 && def.shapeCapacity == 0 && def.forceCapacity == 0);
+    assert_ok(wfSetWorldDef(&world, &def));
+    def.queries = 1;                                           /* off, and to be on without the need */
+    assert_result(WF_ERROR_NO_QUERIES, wfSetWorldDef(&world, &def));
+    wfDestroyWorld(&world);
+}
+
+/* ---- the same bits ---- */
+static void build_heap(wfWorld *world)
+{
+    wfRandom r = random_stream(5);
+    wfBodyDef floor = floor_def();
+    floor.friction = wfDefaultBodyDefFor(world).friction;
+    add(world, floor);
+    for (int i = 0; i < 30; i++) {
+        wfBodyDef d = wfDefaultBodyDefFor(world);
+        d.position = wfV2((wfReal)(i % 6) * WF_R(1.1) + wfRandomReal(&r, 0, WF_R(0.2)), WF_R(0.6) + (wfReal)(i / 6) * WF_R(1.2));
+        if (i % 3) assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape));
+        else assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &d.shape));
+        add(world, d);
+    }
+}
+
+static void a_profile_has_the_bits_of_the_whole(void **unused)
+{
+    (void)unused;
+    for (int solver = 0; solver < wfSolverCount; solver++) {
+        if (strcmp(wfSolverTable[solver].name, "exact") == 0 && sizeof(wfReal) == 8) continue;      /* slow */
+        wfWorldDef def = wfDefaultWorldDef();
+        wfWorld whole, lean;
+        def.bodyCapacity = 40;
+        def.solver = solver;
+        assert_ok(wfCreateWorld(&def, &whole));
+        def.needs = WF_NEED_ROTATION | WF_NEED_CONTACTS | WF_NEED_FRICTION | (wfFindNeed("fast") < 0 ? 0 : wfNeedTable[wfFindNeed("fast")].bit);
+        assert_ok(wfCreateWorld(&def, &lean));
+        build_heap(&whole);
+        build_heap(&lean);
+        for (int k = 0; k < 120; k++) {
+            assert_ok(wfStepWorld(&whole));
+            assert_ok(wfStepWorld(&lean));
+            if (wfHashWorld(&whole) != wfHashWorld(&lean)) fail_msg("%s: step %d", wfSolverTable[solver].name, k);
+        }
+        assert_true(lean.memory.permanentSize < whole.memory.permanentSize);
+        wfDestroyWorld(&whole);
+        wfDestroyWorld(&lean);
+    }
+}
+
+/* A body of a world without rotation is one that never turns: y = v t - g t^2 / 2 stays what it is, and so does the angle. */
+static void without_rotation_nothing_turns(void **unused)
+{
+    (void)unused;
+    wfWorld whole = made_for(wfAllNeeds()), lean = made_for(WF_NEED_CONTACTS | WF_NEED_FRICTION);
+    wfWorld *both[2] = { &whole, &lean };
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 6; i++) {
+            wfBodyDef d = wfDefaultBodyDef();
+            if (i == 0) d = floor_def();
+            else assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape));
+            if (i > 0) d.position = wfV2((wfReal)i * WF_R(0.3), (wfReal)i * WF_R(1.2)), d.angle = (wfReal)i * WF_R(0.1);
+            d.fixedRotation = k == 0;
+            add(both[k], d);
+        }
+    for (int k = 0; k < 120; k++) {
+        assert_ok(wfStepWorld(&whole));
+        assert_ok(wfStepWorld(&lean));
+        assert_true(wfHashWorld(&whole) == wfHashWorld(&lean));
+    }
+    for (int i = 1; i < 6; i++) assert_near(wfWorldBodies(&lean).state[i].angle, (wfReal)i * WF_R(0.1), 0);
+    wfDestroyWorld(&whole);
+    wfDestroyWorld(&lean);
+}
+
+/* Particles under gravity alone: Verlet's parabola is exact but for roundings, n steps of eps * 20 m each. */
+static void drops_fly_in_a_few_bytes(void **unused)
+{
+    (void)unused;
+    wfWorld world = made_for(0);
+    wfWorldDef def;
+    assert_ok(wfGetWorldDef(&world, &def));
+    wfBodyDef d = wfDefaultBodyDef();
+    d.mass = 1;
+    d.velocity = wfV2(3, 10);
+    wfBodyId id = add(&world, d);
+    steps(&world, 60);
+    double t = 60 * (double)def.dt;
+    assert_near2(info(&world, id).position, wfV2((wfReal)(3 * t), (wfReal)(10 * t - 9.81 / 2 * t * t)), 60 * 20 * (double)WF_EPSILON);
+    wfRegion region[WF_REGION_COUNT];
+    assert_ok(wfWorldRegions(&def, region));
+    for (int i = 0; i < WF_REGION_COUNT; i++)
+        if (wfRegionServes(i).needs != 0) assert_int_equal(region[i].count, 0);
+    wfDestroyWorld(&world);
+}
+
+/* ---- inferring ---- */
+static void a_world_knows_what_it_used(void **unused)
+{
+    (void)unused;
+    wfWorld world = made_for(wfAllNeeds());
+    wfWorldDef def;
+    assert_ok(wfInferNeeds(&world, 0, &def));
+    assert_int_equal(def.needs, WF_NEED_SUBSTEPS);             /* nothing was done; "soft" moves the bodies */
+    assert_int_equal(def.bodyCapacity, 1);
+    wfBodyDef d = wfDefaultBodyDef();
+    d.mass = 1;
+    wfBodyId id = add(&world, d);
+    assert_ok(wfApplyForceToBody(&world, id, wfV2(1, 0), wfV2(0, 0)));
+    assert_ok(wfSetBodyDamping(&world, id, 1, 0));
+    wfForce f = wfGravity(wfV2(1, 0));
+    wfForceId force;
+    assert_ok(wfAddForceToWorld(&world, &f, &force));
+    assert_ok(wfRemoveForceFromWorld(&world, force));          /* used once is used */
+    assert_ok(wfInferNeeds(&world, WF_NEED_QUERIES, &def));
+    assert_int_equal(def.needs, WF_NEED_SUBSTEPS | WF_NEED_PUSHES | WF_NEED_DAMPING | WF_NEED_FORCES | WF_NEED_QUERIES | WF_NEED_SHAPES);
+    assert_true(def.forceCapacity == 1 && def.bodyCapacity == 1);
+    add(&world, floor_def());
+    add(&world, ball_def(0, 20, 0.5));
+    assert_ok(wfInferNeeds(&world, 0, &def));
+    assert_false(def.needs & (WF_NEED_CONTACTS | WF_NEED_FRICTION));        /* they have never met */
+    assert_true(def.needs & WF_NEED_ROTATION);
+    steps(&world, 150);
+    assert_ok(wfInferNeeds(&world, 0, &def));
+    assert_true((def.needs & WF_NEED_CONTACTS) && (def.needs & WF_NEED_FRICTION) && !(def.needs & WF_NEED_RESTITUTION));
+    assert_true(def.pairCapacity == 1 && def.contactCapacity == 1 && def.shapeCapacity == 2 && def.bodyCapacity == 3);
+    void *bytes = copy_of(&world);
+    assert_result(WF_ERROR_NULL, wfInferNeeds(&world, 0, NULL));
+    assert_result(WF_ERROR_NULL, wfInferNeeds(NULL, 0, &def));
+    assert_result(WF_ERROR_UNKNOWN, wfInferNeeds(&world, 1u << 31, &def));
+    assert_unchanged(&world, bytes);
+    wfDestroyWorld(&world);
+}
+
+static void a_list_knows_what_it_requires(void **unused)
+{
+    (void)unused;
+    wfBodyDef bodies[3] = { ball_def(0, 5, 1), floor_def(), wfDefaultBodyDef() };
+    bodies[0].restitution = 1;
+    bodies[2].mass = 1;
+    wfSceneList list = { .bodies = &bodies[2], .bodyCount = 1 };
+    wfWorldDef def = wfDefaultWorldDef();
+    assert_ok(wfInferSceneNeeds(&list, 0, &def));
+    assert_int_equal(def.needs, 0);
+    list = (wfSceneList){ .bodies = bodies, .bodyCount = 3, .forceCount = 4 };
+    def = wfDefaultWorldDef();
+    assert_ok(wfInferSceneNeeds(&list, WF_NEED_EVENTS, &def));
+    assert_int_equal(def.needs, WF_NEED_ROTATION | WF_NEED_SHAPES | WF_NEED_CONTACTS | WF_NEED_FRICTION | WF_NEED_RESTITUTION
+                              | WF_NEED_FORCES | WF_NEED_EVENTS | WF_NEED_SUBSTEPS);
+    assert_true(def.bodyCapacity == 3 && def.shapeCapacity == 2 && def.forceCapacity == 4);
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    for (int i = 0; i < 3; i++) add(&world, bodies[i]);
+    assert_result(WF_ERROR_FULL, wfAddBodyToWorld(&world, &bodies[0], NULL));
+    steps(&world, 60);
+    wfDestroyWorld(&world);
+    list.bodyCount = 0;
+    assert_result(WF_ERROR_RANGE, wfInferSceneNeeds(&list, 0, &def));
+    list.bodyCount = 1, list.forceCount = -1;
+    assert_result(WF_ERROR_RANGE, wfInferSceneNeeds(&list, 0, &def));
+    assert_result(WF_ERROR_NULL, wfInferSceneNeeds(NULL, 0, &def));
+    assert_result(WF_ERROR_NULL, wfInferSceneNeeds(&list, 0, NULL));
+    list.forceCount = 0;
+    assert_result(WF_ERROR_UNKNOWN, wfInferSceneNeeds(&list, 1u << 30, &def));
+}
+
+/* ---- explaining ---- */
+typedef struct Pages { char text[60][200]; int lines; } Pages;
+static void print_line(void *context, const char *line)
+{
+    Pages *p = context;
+    assert_true(p->lines < 60 && strlen(line) < 100 && strchr(line, '\n') == NULL);
+    snprintf(p->text[p->lines++], sizeof p->text[0], "%s", line);
+}
+
+static double count_up(void *context) { return *(double *)context += 0.001; }
+
+static const char *line_of(const Pages *p, const char *start)
+{
+    for (int i = 0; i < p->lines; i++)
+        if (strncmp(p->text[i], start, strlen(start)) == 0) return p->text[i];
+    fail_msg("no line begins with %s", start);
+    return "";
+}
+
+static void a_world_explains_itself(void **unused)
+{
+    (void)unused;
+    wfWorld world = made_for(WF_NEED_CONTACTS | WF_NEED_ROTATION);
+    Pages p = { .lines = 0 };
+    assert_ok(wfExplainWorld(&world, NULL, 0, print_line, &p));
+    assert_string_equal(line_of(&p, "made for:"), "made for: rotation, shapes, contacts, substeps");
+    assert_non_null(strstr(line_of(&p, "without:"), "friction"));
+    assert_non_null(strstr(line_of(&p, "narrow phase"), "runs      for contacts"));
+    assert_non_null(strstr(line_of(&p, "damp "), "left out  no damping"));
+    assert_non_null(strstr(line_of(&p, "copy "), "always"));
+    wfWorldDef def;
+    wfRegion region[WF_REGION_COUNT];
+    assert_ok(wfGetWorldDef(&world, &def));
+    assert_ok(wfWorldRegions(&def, region));
+    size_t all = 0, named = 0, shared = 0;
+    for (int i = 0; i < WF_REGION_COUNT; i++) all += region[i].count * region[i].each;
+    for (int i = 0; i < WF_REGION_COUNT; i++)
+        if (wfRegionServes(i).stage == NULL) shared += region[i].count * region[i].each;
+    for (int i = 0; i < wfStageCount; i++) {
+        wfStageReport r;
+        assert_ok(wfExplainStage(&world, i, &r));
+        named += r.bytes;
+    }
+    assert_int_equal(all, named + shared);                     /* every region's stage is one of the table's */
+    wfStageReport r;
+    assert_result(WF_ERROR_UNKNOWN, wfExplainStage(&world, -1, &r));
+    assert_result(WF_ERROR_UNKNOWN, wfExplainStage(&world, wfStageCount, &r));
+    assert_result(WF_ERROR_NULL, wfExplainStage(&world, 0, NULL));
+    assert_result(WF_ERROR_NULL, wfExplainWorld(&world, NULL, 0, NULL, NULL));
+    assert_result(WF_ERROR_NULL, wfExplainWorld(NULL, NULL, 0, print_line, &p));
+    /* a clock that moves by a millisecond whenever it is asked: every stage that runs takes one, the others none */
+    double seconds[64] = { 0 }, time = 0;
+    wfStepClock clock = { count_up, &time, seconds };
+    for (int k = 0; k < 5; k++) assert_ok(wfStepWorldTimed(&world, &clock));
+    for (int i = 0; i < wfStageCount; i++) {
+        assert_ok(wfExplainStage(&world, i, &r));
+        assert_near(seconds[i], r.runs ? 0.005 : 0, 1e-12);
+    }
+    p.lines = 0;
+    assert_ok(wfExplainWorld(&world, seconds, 5, print_line, &p));
+    const char *copy = line_of(&p, "copy ");
+    assert_string_equal(copy + strlen(copy) - 7, " 1000.0");
+    wfDestroyWorld(&world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_table_is_in_order),
+        cmocka_unit_test(the_default_is_all_of_them),
+        cmocka_unit_test(a_need_brings_along_what_it_implies),
+        cmocka_unit_test(without_a_need_its_door_is_shut),
+        cmocka_unit_test(what_cannot_show_is_not_missed),
+        cmocka_unit_test(a_definition_may_not_contradict_itself),
+        cmocka_unit_test(a_profile_has_the_bits_of_the_whole),
+        cmocka_unit_test(without_rotation_nothing_turns),
+        cmocka_unit_test(drops_fly_in_a_few_bytes),
+        cmocka_unit_test(a_world_knows_what_it_used),
+        cmocka_unit_test(a_list_knows_what_it_requires),
+        cmocka_unit_test(a_world_explains_itself),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
