@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check mutate data golden coverage fuzz portability windows
+.PHONY: check mutate data golden coverage fuzz portability windows parts prices
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -33,3 +33,9 @@ windows: $(BUILD)/tangle.stamp
 	@tangle/install windows testbed || echo "Going on with what is here."
 	@$(MAKE) --no-print-directory -f tangle/windows.mk SRC=$(LINES) OUT=$(BUILD)/windows CC="$(CC)"
 	@echo "made: $(BUILD)/windows/weft-testbed.exe"; tests/testbed/wine.sh
+
+# The least engine, each part alone, each left out, and the whole; and what each part costs in lines and bytes (book/data/price-parts.csv).
+parts:
+	@tests/parts/run.sh
+prices:
+	@tests/parts/price.sh

@@ -37,7 +37,8 @@ local function declare(book, chapter, line, name, needs)
     book:complain(chapter.file, line, "part " .. name .. " is declared twice, first at " .. old.file .. ":" .. old.line, "declare it in one chapter")
     return
   end
-  book.parts[name] = { name = name, needs = needs, file = chapter.file, line = line }
+  book.part_count = (book.part_count or 0) + 1
+  book.parts[name] = { name = name, needs = needs, file = chapter.file, line = line, order = book.part_count }
 end
 
 -- Follows the documentation of one chapter: reader.line(number, text), and reader.here() says where one is.
@@ -65,6 +66,8 @@ function M.reader(book, chapter)
     end
   end
   function reader.line(line, l)
+    local _, count = l:gsub("%S+", "")
+    if count > 0 then chapter.prose = chapter.prose or {}; table.insert(chapter.prose, { only = reader.here(), words = count }) end
     local tick = l:match("^%s*(```+)") or l:match("^%s*(~~~+)")
     if fence then
       if tick and #tick >= #fence and l:match("^%s*[`~]+%s*$") then fence = nil end
@@ -234,6 +237,16 @@ function M.check_includes(book)
       end
     end
   end
+end
+
+-- To which part a set of marks is counted: the one that was declared last, when features meet; "" for what is in every engine.
+function M.owner(book, set)
+  local best
+  for w in pairs(M.short(book, set)) do
+    local p = book.parts[w]
+    if p and (not best or p.order > best.order) then best = p end
+  end
+  return best and best.name or ""
 end
 
 -------------------------------------------------------------------------------------------------------- a selection
