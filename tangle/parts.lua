@@ -163,6 +163,7 @@ end
 
 -- What the margin says of a chunk: the parts it needs beyond those of its whole chapter.
 function M.margin(book, c)
+  if M.within(book.parts, c.with) then return nil end          -- the testbed and the lab
   local set, beyond = M.short(book, c.with), {}
   local known = M.closure(book, book.chapters[c.chapter].whole or {})
   for w in pairs(set) do if not known[w] then beyond[w] = true end end

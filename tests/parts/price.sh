@@ -12,15 +12,19 @@ lua=$(tangle/lua) || exit 1
 for d in /usr/lib/noweb /usr/local/lib/noweb /opt/homebrew/lib/noweb /opt/local/lib/noweb; do [ -z "${lib:-}" ] && [ -x "$d/markup" ] && lib=$d; done
 tangle/markup "${NOWEB_LIB:-$lib}" chapters/*.nw | $lua tangle/count.lua > "$dir/lines.txt" || exit 1
 flags="-std=c11 -Os -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-asynchronous-unwind-tables -fno-stack-protector"
-# bytes NAME how parts: of code and read-only data
+# bytes NAME how parts: of code and read-only data. An engine that was measured before is not measured again.
 bytes() {
-  local name=$1 d=$dir/$1; shift
+  local name=$1 d=$dir/$1 key; shift
   rm -rf "$d"; tangle/tangle --lines "$1" "$2" "$d" chapters/*.nw || exit 1
+  key=$dir/known.$(cksum < "$d/parts" | tr ' ' .)
+  if [ -f "$key" ]; then cp "$key" "$dir/$name.bytes"; rm -rf "$d"; return; fi
   (cd "$d" && mkdir -p obj && { find core math collision dynamics engine -name "*.c" 2>/dev/null || true; } | sort |
      xargs -P "$(nproc)" -I F sh -c 'gcc '"$flags"' -w -I. -Iinclude -c F -o obj/$(echo F | tr -d . | tr / _).o') || exit 1
   size -A "$d"/obj/*.o | awk '$1 ~ /^\.(text|rodata)/ { n += $2 } END { print n + 0 }' > "$dir/$name.bytes"
+  cp "$dir/$name.bytes" "$key"
   rm -rf "$d"
 }
+rm -f "$dir"/known.*
 whole=$(bytes whole --without "" && cat "$dir/whole.bytes")
 least=$(bytes least --only "" && cat "$dir/least.bytes")
 { echo "# command: make prices"
