@@ -721,6 +721,41 @@ static void hostile_files_do_no_harm(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* A world that was made for little has little to keep; growth can give it more. */
+static void needs_are_kept_and_grow(void **unused)
+{
+    (void)unused;
+    static const uint32_t without[] = { WF_NEED_JOINTS, WF_NEED_SLEEP, WF_NEED_EVENTS, WF_NEED_FORCES, WF_NEED_FAST, WF_NEED_QUERIES,
+                                        WF_NEED_JOINTS | WF_NEED_SLEEP | WF_NEED_EVENTS | WF_NEED_FORCES | WF_NEED_FAST | WF_NEED_QUERIES | WF_NEED_SENSORS };
+    for (size_t k = 0; k < sizeof without / sizeof *without; k++) {
+        wfWorldDef def = wfDefaultWorldDef(), room;
+        wfWorld world, loaded;
+        wfFault fault;
+        def.needs &= ~without[k];
+        if (without[k] & WF_NEED_EVENTS) def.events = 0, def.needs &= ~(uint32_t)WF_NEED_SENSORS;
+        if (without[k] & WF_NEED_FAST) def.impacts = 0;
+        if (wfCreateWorld(&def, &world) != WF_OK) { print_message("row %zu: not a legal set of needs\n", k); continue; }
+        add(&world, floor_def());
+        for (int i = 0; i < 20; i++) add(&world, i % 2 ? box_def(i % 5, 1 + i / 5, 0.4) : ball_def(i % 5, 1 + i / 5, 0.4));
+        for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
+        if (wfCheckWorld(&world, &fault) != WF_OK) fail_msg("row %zu: %s %d: %s", k, fault.region, (int)fault.element, fault.rule);
+        size_t size = wfSaveSize(&world);
+        uint8_t *bytes = bytes_of(size);
+        assert_ok(wfSaveToBytes(&world, bytes, size, &size));
+        assert_ok(wfLoadFromBytes(bytes, size, NULL, &loaded));
+        assert_same(&world, &loaded);
+        assert_ok(wfGetWorldDef(&loaded, &room));
+        room.needs = wfAllNeeds();
+        assert_ok(wfGrowWorld(&loaded, &room));
+        assert_ok(wfCheckWorld(&loaded, NULL));
+        for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&loaded));
+        assert_ok(wfCheckWorld(&loaded, NULL));
+        free(bytes);
+        wfDestroyWorld(&world);
+        wfDestroyWorld(&loaded);
+    }
+}
+
 /* One number is broken by hand, in a copy; the fault names its region. */
 static void broken_rules_are_named(void **unused)
 {
@@ -844,6 +879,7 @@ int main(void)
         cmocka_unit_test(bursts_are_always_noticed),
         cmocka_unit_test(strangers_are_refused_by_name),
         cmocka_unit_test(hostile_files_do_no_harm),
+        cmocka_unit_test(needs_are_kept_and_grow),
         cmocka_unit_test(broken_rules_are_named),
         cmocka_unit_test(files_are_replaced_as_a_whole),
     };
