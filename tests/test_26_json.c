@@ -308,6 +308,32 @@ static void what_is_easily_lost(void **unused)
     wfDestroyWorld(&world), wfDestroyWorld(&read);
 }
 
+static void a_world_for_little_stays_one(void **unused)   /* its arrays for what it does not need are not there to be read */
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.needs = WF_NEED_SHAPES | WF_NEED_ROTATION;
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    wfBodyDef d = ball_def(1, 2, 0.5);
+    d.angularVelocity = 3;
+    add(&world, d);
+    for (int i = 0; i < 50; i++) assert_ok(wfStepWorld(&world));
+    char *text = write_text(&world);
+    assert_non_null(strstr(text, "\"needs\": [\"rotation\", \"shapes\"]"));
+    wfWorld read = read_text(text);
+    wfWorldDef is;
+    assert_ok(wfGetWorldDef(&read, &is));
+    assert_int_equal(is.needs, def.needs);
+    for (int i = 0; i < 50; i++) {
+        assert_int_equal(wfHashWorld(&world), wfHashWorld(&read));
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&read));
+    }
+    wfFreeText(text);
+    wfDestroyWorld(&world), wfDestroyWorld(&read);
+}
+
 /* ------------------------------------------------------------------------------ errors */
 
 static const struct { const char *text, *where; int line; wfResult result; const char *what; } bad[] = {
@@ -371,6 +397,9 @@ static const struct { const char *text, *where; int line; wfResult result; const
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"sprin\" } ] }", "forces[0].kind", 1, WF_ERROR_UNKNOWN, "`spring'" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"linear\": -1 } ] }", "forces[0]", 1, WF_ERROR_RANGE, "range" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"lineal\": 1 } ] }", "forces[0].lineal", 1, WF_ERROR_UNKNOWN, "`linear'" },
+    { "{ \"weft\": 1,\n\"needs\": [\"shapes\", \"contakts\"] }", "needs[1]", 2, WF_ERROR_UNKNOWN, "`contacts'" },
+    { "{ \"weft\": 1, \"needs\": [\"shapes\"], \"bodies\": [ { \"mass\": 1, \"linearDamping\": 1 } ] }", "bodies[0]", 1, WF_ERROR_NO_DAMPING, "damping" },
+    { "{ \"weft\": 1, \"needs\": [], \"bodies\": [ { \"mass\": 1,\n\"push\": { \"torque\": 1 } } ] }", "bodies[0].push", 2, WF_ERROR_NO_PUSHES, "PUSHES" },
     { "{ \"weft\": 1, \"pairMaterials\": [ { \"a\": 1 } ] }", "pairMaterials[0]", 1, WF_ERROR_TEXT, "`a' and `b'" },
 };
 
@@ -634,7 +663,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_keep_their_bits), cmocka_unit_test(eight_digits_are_too_few),
         cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
-        cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost),
+        cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost), cmocka_unit_test(a_world_for_little_stays_one),
         cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(limits_of_a_text),
         cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(a_scene_of_others_is_translated),
         cmocka_unit_test(what_would_move_otherwise_is_refused), cmocka_unit_test(every_failed_allocation_is_an_error),
