@@ -380,7 +380,15 @@ void do_call(Session *s, Call call)
     wfResult r = run_operation(s, op);
     tally->calls[call.op][op->silent ? WF_RESULT_COUNT : r]++;
     tally->done++;
-    if (tracing > 0 && s->made) { wfBodyView v = wfWorldBodies(&s->world); for (int i = 0; i < v.count; i++) printf("     body %d type %d invMass %g invInertia %g mass %g inertia %g\n", i, v.props[i].type, (double)v.state[i].invMass, (double)v.state[i].invInertia, (double)v.props[i].mass, (double)v.props[i].inertia); }
+    if (tracing > 1 && s->made) {
+        int32_t n;
+        const wfPair *pairs = wfWorldPairs(&s->world, &n);
+        wfBodyView v = wfWorldBodies(&s->world);
+        for (int32_t i = 0; i < n; i++) printf("     pair %d %d\n", pairs[i].a, pairs[i].b);
+        for (int32_t i = 0; i < v.count; i++)
+            printf("     body %d type %d awake %d at %g %g, v %g %g\n", i, v.props[i].type, wfIsAwake(&s->world, wfBodyAt(&s->world, i)), (double)v.state[i].p.x,
+                (double)v.state[i].p.y, (double)v.state[i].v.x, (double)v.state[i].v.y);
+    }
     if (tracing > 0) printf("  %-28s %s\n", op->name, op->silent ? "" : wfResultName(r));
     if (!s->made) return;
     bool same = memcmp(s->world.memory.permanent, s->shadow, s->size[0]) == 0;

@@ -108,7 +108,7 @@ static int run_script(const char *name)
         if (line[0] != '#' && sscanf(line, "%u %llu", &op, &seed) == 2 && count < 1 << 16) calls[count++] = (Call){ op % (unsigned)operationCount, seed };
     }
     fclose(f);
-    tracing = 1;
+    tracing = getenv("WEFT_ABUSE_VERBOSE") ? 2 : 1;
     setvbuf(stdout, NULL, _IONBF, 0);
     signal(SIGABRT, SIG_DFL);
     play(world, calls, count);
