@@ -12,7 +12,7 @@ PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if
 book: html pdf
 
 # -- the material: one pass over all chapters; the files in $(W) are written only when they change
-$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv)
+$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv tests/examples/*)
 	@mkdir -p $(W) $(HTML)/data
 	@tangle/bib $(W)
 	@tangle/weave $(if $(TOLERANT),--tolerant) $(if $(STRICT),--strict) --html $(HTML) $(W) $(NW)

@@ -479,6 +479,17 @@ local function file_list()
   return rawb(table.concat(t, "\n"))
 end
 local dot = html and " \u{b7} " or "\\enspace\\textperiodcentered\\enspace "
+-- {.listing file="tests/examples/x.c"}: the file itself, under its name
+local code_block
+local function listing(el)
+  local file = el.attributes.file or "?"
+  local text = Code.read(root .. file)
+  if not text then fail("%s: the file %s of a .listing is not there -- write {.listing file=\"tests/examples/NAME.c\"}", mine.file, file); return {} end
+  local kind = file:match("%.([%w]+)$")
+  local classes = (kind == "c" or kind == "h" or kind == "cpp") and { "c" } or {}
+  return { pandoc.Para { pandoc.Code(file), pandoc.Str ":" }, code_block(pandoc.CodeBlock(text:gsub("\n$", ""), pandoc.Attr("", classes))) }
+end
+
 local function div(el)
   local a, c = el.attributes, el.classes
   local function code(s) return html and "<code>" .. Code.html(s) .. "</code>" or "\\wInline{" .. Code.tex_code(s):gsub("\\_", "\\_\\wBreak{}") .. "}" end
@@ -505,6 +516,7 @@ local function div(el)
   elseif c:includes("test") then
     return box("test", "Test", a.file and code(a.file) or nil, el.content)
   elseif c:includes("data") then return data_table(el)
+  elseif c:includes("listing") then return listing(el)
   elseif c:includes("files") then return file_list()
   elseif c:includes("only") then return el.content end
   for _, k in ipairs { "note", "warning", "history", "physics", "aside" } do
@@ -512,7 +524,7 @@ local function div(el)
   end
 end
 
-local function code_block(el)
+function code_block(el)
   if el.classes:includes("data") then return data_table(el) end
   local is_c = el.classes:includes("c")
   local inside, rows = false, {}

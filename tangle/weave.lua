@@ -197,7 +197,7 @@ local function check_prose(chapter, line, l)
 end
 
 local boxes = {}
-for b in ("goals note warning history physics aside test exercise solution data files columns only"):gmatch("%a+") do boxes[b] = true end
+for b in ("goals note warning history physics aside test exercise solution data files columns only listing"):gmatch("%a+") do boxes[b] = true end
 
 local function check_data(chapter, line, l)
   local file = l:match('file="([^"]*)"')

@@ -1,4 +1,4 @@
-/* Collision alone: shapes, no world, no bodies. Links libweft-collision.a and nothing else. */
+/* Collision alone: shapes, no world, no bodies. Links libweft-collision.a, nothing else. */
 #include <stdio.h>
 #include <weft/collision.h>
 
@@ -19,7 +19,7 @@ int main(void)
     if (wfRayShape(&box, at, ray, &hit) != WF_OK) return 1;
     printf("the ray hits after %g of its way\n", (double)hit.fraction);
 
-    wfCast cast;                                            /* how far may the ball be moved? */
+    wfCast cast;                                            /* how far may the ball go? */
     wfTransform high = wfMakeTransform(wfV2(0, 5), 0);
     if (wfCastShape(&ball, high, wfV2(0, -8), &box, at, &cast) != WF_OK) return 1;
     printf("the ball falls %.2f m\n", 8 * (double)cast.fraction);

@@ -1,13 +1,15 @@
-/* No C library, no operating system to speak of: the engine in two files, with -DWF_FREESTANDING. The world lives in two
-   arrays. The same source is a program for Linux that has no libc, a WebAssembly module, and (-DHOSTED) an ordinary
-   program, to compare with. */
+/* No C library: the engine in two files, with -DWF_FREESTANDING. The world lives in two
+   arrays. The same source is a program for Linux without libc, a WebAssembly module, and
+   (-DHOSTED) an ordinary program, to compare with. */
 #include "weft.h"
 
 /* What a compiler may call although nobody wrote it: three loops. */
 #ifndef HOSTED
 void *memcpy(void *to, const void *from, size_t size)
 {
-    for (size_t i = 0; i < size; i++) ((volatile uint8_t *)to)[i] = ((const uint8_t *)from)[i];
+    volatile uint8_t *t = to;
+    const uint8_t *f = from;
+    for (size_t i = 0; i < size; i++) t[i] = f[i];
     return to;
 }
 void *memset(void *to, int byte, size_t size)
@@ -26,12 +28,13 @@ void *memmove(void *to, const void *from, size_t size)
 int memcmp(const void *a, const void *b, size_t size)
 {
     const uint8_t *x = a, *y = b;
-    for (size_t i = 0; i < size; i++) if (x[i] != y[i]) return x[i] < y[i] ? -1 : 1;
+    for (size_t i = 0; i < size; i++)
+        if (x[i] != y[i]) return x[i] < y[i] ? -1 : 1;
     return 0;
 }
 #endif
 
-/* A tower of ten crates stands for two seconds; the hash of its world. 0: something went wrong. */
+/* A tower of ten crates stands for two seconds: its hash. 0: something failed. */
 uint64_t tower(void)
 {
     static _Alignas(16) uint8_t permanent[1 << 20], transient[1 << 22];
@@ -71,7 +74,8 @@ uint32_t low(void) { return (uint32_t)tower(); }
 static long ask_kernel(long call, long a, const void *b, long c)
 {
     long result;
-    __asm__ volatile("syscall" : "=a"(result) : "a"(call), "D"(a), "S"(b), "d"(c) : "rcx", "r11", "memory");
+    __asm__ volatile("syscall" : "=a"(result) : "a"(call), "D"(a), "S"(b), "d"(c)
+                     : "rcx", "r11", "memory");
     return result;
 }
 __attribute__((force_align_arg_pointer)) void _start(void)

@@ -1,4 +1,4 @@
-/* What does a question cost in square roots? The engine below was compiled with counting_math.h. */
+/* What does a question cost in square roots? Compiled with counting_math.h, as is Weft. */
 #include <stdio.h>
 #include <weft/collision.h>
 
@@ -14,7 +14,8 @@ int main(void)
 
     squareRoots = 0;
     wfOverlap(&box, a, &ball, b, &overlap);
-    printf("%s: %s square roots\n", overlap ? "together" : "apart", squareRoots > 0 ? "some" : "no");
+    printf("%s: %s square roots\n", overlap ? "together" : "apart",
+           squareRoots > 0 ? "some" : "no");
     squareRoots = 0;
     (void)wfSqrt(2);
     printf("and %ld for the square root of 2\n", squareRoots);

@@ -7,7 +7,7 @@ static uint64_t drop_crates(const char *broadPhase, const char *solver, double *
     wfWorldDef def = wfDefaultWorldDef();
     def.broadPhase = wfFindBroadPhase(broadPhase);
     def.solver = wfFindSolver(solver);
-    def.jointCapacity = 0;                                  /* this solver keeps contacts only */
+    def.jointCapacity = 0;                  /* this solver keeps contacts only */
     wfWorld world;
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
     wfBodyDef body = wfDefaultBodyDef();
@@ -35,8 +35,10 @@ static uint64_t drop_crates(const char *broadPhase, const char *solver, double *
 int main(void)
 {
     double low, other;
-    uint64_t mine = drop_crates("queue", "once", &low), brute = drop_crates("brute-force", "once", &other);
-    printf("the queue finds what brute force finds: %s\n", mine == brute && mine != 0 ? "yes" : "no");
+    uint64_t mine = drop_crates("queue", "once", &low);
+    uint64_t brute = drop_crates("brute-force", "once", &other);
+    bool same = mine == brute && mine != 0;
+    printf("the queue finds what brute force finds: %s\n", same ? "yes" : "no");
     printf("crates of 1 m rest %.2f m above the floor\n", low);
     return 0;
 }

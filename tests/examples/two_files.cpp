@@ -15,7 +15,8 @@ int main()
     for (int i = 0; i < 60; i++) wfStepWorld(&world);
     wfBodyInfo info;
     wfGetBody(&world, id, &info);
-    std::printf("after a second it has fallen %.1f m\n", 100 - static_cast<double>(info.position.y));
+    double fallen = 100 - static_cast<double>(info.position.y);
+    std::printf("after a second it has fallen %.1f m\n", fallen);
     wfDestroyWorld(&world);
 }
 /* prints:
