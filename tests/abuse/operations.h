@@ -818,10 +818,31 @@ static wfResult op_distance(Session *s)
 }
 static wfResult op_index(Session *s) { return CALL(wfIndexWorld(handle(s))); }
 
+static void say_nothing(void *context, const char *line) { (void)context, (void)line; }
+static wfResult op_needs(Session *s)
+{
+    wfWorldDef d = world_def(s);
+    wfWorld *w = handle(s);
+    wfStageReport stage;
+    uint32_t bits = 1u << below(s, 24);
+    wfBodyDef b = wfDefaultBodyDefFor(w);
+    wfShapeDef sd = wfDefaultShapeDefFor(w);
+    wfSceneList list = { .bodies = &b, .bodyCount = 1 };
+    MUST((wfCloseNeeds(bits) & bits) == bits && wfFindNeed("rotation") >= 0);
+    MUST((wfMissingNeeds(w, wfNeedsOfBody(&b) | wfNeedsOfShape(&sd)) & ~wfAllNeeds()) == 0);
+    MUST(wfInferSceneNeeds(&list, 0, &d) == WF_OK);
+    MUST(wfStepWorldTimed(NULL, NULL) == WF_ERROR_NULL);
+    (void)wfRegionServes((int)below(s, 120) - 10);
+    wfResult shown = wfExplainStage(w, (int)below(s, 40) - 4, &stage);
+    MUST(wfExplainWorld(w, NULL, 0, say_nothing, NULL) == WF_OK || shown != WF_OK);
+    return CALL(wfInferNeeds(w, bits, &d));
+}
+
 #define OP(group, weight, kind, function, ...) { #function, group, weight, kind, __VA_ARGS__ }
 const Operation operations[] = {
     OP("worlds", 6, READS, wfWorldSize, op_world_size, false),
     OP("worlds", 2, READS, wfWorldRegions, op_regions, false),
+    OP("worlds", 2, READS, wfInferNeeds, op_needs, false),
     OP("worlds", 6, READS, wfCreateWorld, op_create, false),
     OP("worlds", 1, CHANGES, wfDestroyWorld, op_destroy, true),
     OP("worlds", 10, READS, wfOpenWorld, op_open, false),
