@@ -821,7 +821,7 @@ static wfResult op_index(Session *s) { return CALL(wfIndexWorld(handle(s))); }
 static void say_nothing(void *context, const char *line) { (void)context, (void)line; }
 static wfResult op_needs(Session *s)
 {
-    wfWorldDef d = world_def(s);
+    wfWorldDef d = wfDefaultWorldDef();
     wfWorld *w = handle(s);
     wfStageReport stage;
     uint32_t bits = 1u << below(s, 24);
