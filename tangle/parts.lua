@@ -163,7 +163,9 @@ end
 
 -- What the margin says of a chunk: the parts it needs beyond those of its whole chapter.
 function M.margin(book, c)
-  if M.within(book.parts, c.with) then return nil end          -- the testbed and the lab
+  local engine = not c.roots                                   -- the testbed and the lab have all parts
+  for root in pairs(c.roots or {}) do engine = engine or not is_program(root) end
+  if not engine then return nil end
   local set, beyond = M.short(book, c.with), {}
   local known = M.closure(book, book.chapters[c.chapter].whole or {})
   for w in pairs(set) do if not known[w] then beyond[w] = true end end
