@@ -6,7 +6,7 @@ HTML     := $(BUILD)/book/html
 TEXDIR   := $(BUILD)/tex
 BASES    := $(basename $(notdir $(NW)))
 LOOM     := $(wildcard tangle/*.lua) tangle/weave tangle/markup tangle/page
-PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true)
+PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true) $(if $(filter %-scenes.nw,$(NW)),-M testbed=true)
 
 .PHONY: book html pdf figures
 book: html pdf

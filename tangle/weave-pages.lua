@@ -41,9 +41,11 @@ function Pages.write(w)
   local db, book, html_dir = w.db, w.book, w.html
   local template = Code.read(w.root .. "book/page.html") or "$body$"
   local toc = contents(db, "")
+  local testbed                                        -- has this book scenes, and so a testbed's page and a gallery?
+  for _, e in ipairs(db.entries) do if (e.page or ""):match("%-scenes%.html$") then testbed = "yes" end end
   local function page(name, title, body, extra)
     if not html_dir then return end
-    local v = { pagetitle = h(title), toc = toc, body = body, page = "" }
+    local v = { pagetitle = h(title), toc = toc, body = body, page = "", testbed = testbed }
     for k, x in pairs(extra or {}) do v[k] = x end
     Code.write_if_changed(html_dir .. "/" .. name, fill(template, v))
   end

@@ -58,19 +58,5 @@ wfResult wfColour(const wfBodyState *state, int32_t bodies, const wfPair *ends,
 size_t wfColourScratch(int32_t bodies, int32_t constraints)
 {
     return (size_t)bodies * sizeof(uint32_t)
-         + (size_t)constraints * (sizeof(wfPair) + sizeof(uint8_t)) + 3 * WF_POOL_ALIGN;
-}
-
-wfResult wfColourContacts(const wfSolve *in, int32_t *order)
-{
-    size_t mark = wfPoolMark(in->scratch);
-    wfColouring found = { .order = order };
-    wfPair *ends = wfPoolPushArray(in->scratch, in->contactCount, wfPair);
-    if (ends == NULL && in->contactCount > 0) return WF_ERROR_MEMORY;
-    for (int32_t i = 0; i < in->contactCount; i++)
-        ends[i] = (wfPair){ in->contacts[i].a, in->contacts[i].b };
-    wfResult result = wfColour(in->state, in->bodyCount, ends, in->contactCount,
-                               in->scratch, &found);
-    wfPoolRewind(in->scratch, mark);
-    return result;
+         + (size_t)constraints * sizeof(uint8_t) + 2 * WF_POOL_ALIGN;
 }

@@ -21,6 +21,4 @@ size_t wfColourScratch(int32_t bodies, int32_t constraints);
  * on the list, and on who can move. WF_ERROR_MEMORY; all scratch is given back. */
 wfResult wfColour(const wfBodyState *state, int32_t bodies, const wfPair *ends,
                   int32_t count, wfPool *scratch, wfColouring *out);
-/* The same for the contacts of a solver; room for in->contactCount. */
-wfResult wfColourContacts(const wfSolve *in, int32_t *order);
 #endif

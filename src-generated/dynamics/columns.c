@@ -16,20 +16,19 @@ typedef struct Search {
 
 enum { NOT_SEEN = -1, GIVEN_UP = -2 };
 
-#define COLUMN_NEAR (WF_R(1.0) / 64)    /* a gap of this share of the slop is a touch */
-
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact)
 {
-    return COLUMN_NEAR * s->in->contacts[s->order[contact]].slop;
+    return WF_NEAR_SHARE * s->in->contacts[s->order[contact]].slop;
 }
 
-static bool touches(const wfSubsteps *s, int32_t contact)
+static wfPair ends_of(const wfSubsteps *s, int32_t contact)
 {
-    const wfPrepared *c = &s->c[contact];
-    wfReal near = wfNearGap(s, contact);
-    for (int32_t k = 0; k < c->count; k++)
-        if (c->p[k].normal > 0 || !(c->p[k].gap > near)) return true;
-    return false;
+    return s->ends[s->order[contact]];
+}
+
+static bool has_trait(const wfSubsteps *s, int32_t contact, int32_t trait)
+{
+    return (s->trait[s->order[contact]] & trait) != 0;
 }
 
 static bool is_ground(const wfBodyState *b)
@@ -43,8 +42,8 @@ static void list_touches(Search *q)
     for (int32_t i = 0; i < in->bodyCount; i++) q->first[i] = -1, q->limb[i] = NOT_SEEN;
     for (int32_t i = in->contactCount - 1; i >= 0; i--) {
         q->t->held[i] = 0;
-        if (!touches(q->s, i)) continue;
-        const int32_t end[2] = { q->s->c[i].a, q->s->c[i].b };
+        if (!has_trait(q->s, i, WF_TRAIT_TOUCHES)) continue;
+        const int32_t end[2] = { ends_of(q->s, i).a, ends_of(q->s, i).b };
         for (int32_t k = 0; k < 2; k++) {
             q->next[2 * i + k] = q->first[end[k]];
             q->first[end[k]] = 2 * i + k;
@@ -65,13 +64,14 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
     const wfBodyState *b = &q->s->in->state[body];
     if (q->limb[body] != NOT_SEEN) return false;
     if (!(b->invMass > 0) || !(b->invInertia > 0)) return false;
-    if (q->s->c[contact].rolling > 0 || q->t->count == q->t->room) return false;
+    if (has_trait(q->s, contact, WF_TRAIT_ROLLS)) return false;
+    if (q->t->count == q->t->room) return false;
     int32_t at = q->t->count++;
     q->limb[body] = at;
     put_limb(&q->t->limb[at], contact, body, below);
     q->t->limb[at].over = at;
     q->t->limb[at].root = below < 0 ? at : q->t->limb[below].root;
-    q->t->limb[at].upside = q->s->c[contact].a == body;
+    q->t->limb[at].upside = ends_of(q->s, contact).a == body;
     return true;
 }
 
@@ -79,7 +79,8 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
 /* A contact whose other end is no news. */
 static bool add_link(Search *q, int32_t contact)
 {
-    if (q->loops == q->s->in->columns - 1 || q->s->c[contact].rolling > 0) return false;
+    if (q->loops == q->s->in->columns - 1) return false;
+    if (has_trait(q->s, contact, WF_TRAIT_ROLLS)) return false;
     q->link[q->loops++] = contact;
     return true;
 }
@@ -89,8 +90,8 @@ static bool grow(Search *q, int32_t root)
     for (int32_t at = root; at < q->t->count; at++) {
         const wfLimb *limb = &q->t->limb[at];
         for (int32_t e = q->first[limb->body]; e >= 0; e = q->next[e]) {
-            const wfPrepared *c = &q->s->c[e / 2];
-            int32_t body = e % 2 == 0 ? c->b : c->a, known = q->limb[body];
+            wfPair c = ends_of(q->s, e / 2);
+            int32_t body = e % 2 == 0 ? c.b : c.a, known = q->limb[body];
             if (e / 2 == limb->contact || known > at) continue;
             bool fixed = is_ground(&q->s->in->state[body]);
             bool well = fixed || known >= 0 ? add_link(q, e / 2)
@@ -109,15 +110,16 @@ static bool close_loops(Search *q, int32_t root)
     t->limb[root].end = t->count;
     if (q->loops > limbs || q->loops > t->room - t->count) return false;
     for (int32_t i = 0; i < q->loops; i++) {
-        const wfPrepared *c = &q->s->c[q->link[i]];
-        int32_t a = q->limb[c->a], b = q->limb[c->b];
-        bool upside = is_ground(&q->s->in->state[c->b]);
+        wfPair c = ends_of(q->s, q->link[i]);
+        int32_t a = q->limb[c.a], b = q->limb[c.b];
+        bool upside = is_ground(&q->s->in->state[c.b]);
         wfLimb *link = &t->limb[t->count++];
-        put_limb(link, q->link[i], upside ? c->a : c->b, upside || a < 0 ? -1 : a);
+        put_limb(link, q->link[i], upside ? c.a : c.b, upside || a < 0 ? -1 : a);
         link->over = upside ? a : b;
         link->root = root;
         link->upside = upside;
     }
+    if (q->loops > 0) t->linked = true;
     t->limb[root].links = t->count;
     t->limb[root].given_up = false;
     return true;
@@ -126,11 +128,12 @@ static bool close_loops(Search *q, int32_t root)
 /* <find the trees> */
 static void try_root(Search *q, int32_t contact)
 {
-    const wfPrepared *c = &q->s->c[contact];
+    wfPair c = ends_of(q->s, contact);
     const wfBodyState *state = q->s->in->state;
-    bool onA = is_ground(&state[c->a]), onB = is_ground(&state[c->b]);
-    int32_t root = q->t->count, body = onA ? c->b : c->a;
-    if (onA == onB || q->limb[body] != NOT_SEEN || !touches(q->s, contact)) return;
+    bool onA = is_ground(&state[c.a]), onB = is_ground(&state[c.b]);
+    int32_t root = q->t->count, body = onA ? c.b : c.a;
+    if (onA == onB || q->limb[body] != NOT_SEEN) return;
+    if (!has_trait(q->s, contact, WF_TRAIT_TOUCHES)) return;
     q->loops = 0;
     if (!add_limb(q, contact, body, -1)) return;
     if (grow(q, root) && close_loops(q, root)) return;
@@ -143,6 +146,7 @@ wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
     const wfSolve *in = s->in;
     Search q = { .s = s, .t = t };
     t->count = 0;
+    t->linked = false;
     t->room = 2 * in->bodyCount;
     t->limb = wfPoolPushArray(in->scratch, t->room, wfLimb);
     t->held = wfPoolPushArray(in->scratch, in->contactCount, uint8_t);

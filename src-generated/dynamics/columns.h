@@ -33,7 +33,8 @@ typedef struct wfLimb {
 typedef struct wfColumns {
     wfLimb  *limb;               /* each after the one that it stands on */
     int32_t  count, room;
-    uint8_t *held;               /* by contact: is it solved here? */
+    uint8_t *held;               /* by place in c: is it solved here? */
+    bool     linked;             /* some tree has loops */
 } wfColumns;
 
 enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP };
@@ -47,4 +48,7 @@ wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest);
+/* <declarations of packing> */
+/* Puts the contacts of each colour into bundles, but for those in trees. WF_ERROR_MEMORY */
+wfResult wfPackLanes(wfSubsteps *s, wfColumns *t);
 #endif

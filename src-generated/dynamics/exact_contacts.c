@@ -677,6 +677,7 @@ wfResult wfExactStep(const wfSolve *in)
     Exact e = { .s = { .in = in, .dt = in->h / (wfReal)in->substeps, .kick = in->h } };
     size_t mark = wfPoolMark(in->scratch);
     wfResult result = wfTakeSubsteps(&e.s);
+    if (result == WF_OK) result = wfPrepareOnes(&e.s);
     if (result == WF_OK) result = make_system(&e);
     for (int32_t k = 0; k < in->substeps && result == WF_OK; k++) {
         wfKick(&e.s, k == 0 ? e.s.dt / 2 : e.s.dt, e.s.kick);

@@ -23,35 +23,28 @@ static Softness softness_of(const wfSolve *in, wfReal dt)
         .deep = limit ? -in->restingSpeed * dt * sum / turn : -WF_HUGE };
 }
 /* <a step in substeps> */
-typedef struct Case { wfReal rate, mass, give; } Case;
-
-enum { CASES = 5 };
-
-/* What points want that overlap, are apart but were pushed, are apart, overlap deeply, are
- * about to bounce. soft: NULL after the bodies have moved. */
-static void list_cases(const wfSubsteps *s, const Softness *soft, Case out[CASES])
+/* soft: NULL after the bodies have moved */
+static void list_cases(const wfSubsteps *s, const Softness *soft, wfCase out[WF_CASES])
 {
-    Case ahead = { 1 / s->dt, 1, 0 };                           /* eq:sequential-target */
-    out[0] = out[3] = (Case){ 0, 1, 0 };
-    out[1] = ahead;
-    out[2] = out[4] = (Case){ 0, 0, 0 };
+    wfCase ahead = { 1 / s->dt, 1, 0 };                         /* eq:sequential-target */
+    out[WF_OVERLAP] = out[WF_DEEP] = (wfCase){ 0, 1, 0 };
+    out[WF_PUSHED] = ahead;
+    out[WF_APART] = out[WF_COMING] = (wfCase){ 0, 0, 0 };
     if (soft == NULL) return;
-    out[0] = out[4] = (Case){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
-    out[2] = ahead;
+    out[WF_OVERLAP] = out[WF_COMING] =
+        (wfCase){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
+    out[WF_APART] = ahead;
 }
 /* <a step in substeps> */
-/* What tells a deep overlap from one that is pressed: no gap above `gap` is one. */
-typedef struct Deep { wfReal gap, bias, give, rest; } Deep;
-
-static Deep deep_for(const wfSubsteps *s, const Softness *soft)
+static wfDeep deep_for(const wfSubsteps *s, const Softness *soft)
 {
-    if (soft == NULL) return (Deep){ .gap = -WF_HUGE, .rest = s->in->restingSpeed };
-    return (Deep){ soft->deep, soft->bias, soft->impulse / soft->mass * s->dt / s->kick,
+    if (soft == NULL) return (wfDeep){ .gap = -WF_HUGE, .rest = s->in->restingSpeed };
+    return (wfDeep){ soft->deep, soft->bias, soft->impulse / soft->mass * s->dt / s->kick,
                    s->in->restingSpeed };
 }
 
 /* Would the spring push faster than what counts as rest? */
-static inline bool is_deep(const Deep *deep, const wfPreparedPoint *p)
+static inline bool is_deep(const wfDeep *deep, const wfPreparedPoint *p)
 {
     if (!(p->now < deep->gap)) return false;
     wfReal borne = deep->give * p->normal / p->massN;
@@ -59,22 +52,23 @@ static inline bool is_deep(const Deep *deep, const wfPreparedPoint *p)
 }
 /* <a step in substeps> */
 static inline int case_of(const wfPrepared *c, const wfPreparedPoint *p, wfReal u,
-                          const Deep *deep)
+                          const wfDeep *deep)
 {
     bool pushed = p->normal > 0;
-    if (p->now > 0) return 1 + !pushed;
-    if (is_deep(deep, p)) return 3;
-    return c->bounces && !pushed && -u > deep->rest ? 4 : 0;    /* eq:soft-coming */
+    if (p->now > 0) return pushed ? WF_PUSHED : WF_APART;
+    if (is_deep(deep, p)) return WF_DEEP;
+    bool coming = c->bounces && !pushed && -u > deep->rest;     /* eq:soft-coming */
+    return coming ? WF_COMING : WF_OVERLAP;
 }
 
-static inline void push_softly(const Case *cases, const Deep *deep, wfPrepared *c,
+static inline void push_softly(const wfCase *cases, const wfDeep *deep, wfPrepared *c,
                                wfPairMotion *m)
 {
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
         wfReal gap = p->now, before = p->normal;
         wfReal u = wfNormalRate(m, p);
-        const Case *k = &cases[case_of(c, p, u, deep)];
+        const wfCase *k = &cases[case_of(c, p, u, deep)];
         wfReal j = -p->massN * k->mass * (u + k->rate * gap) - k->give * before;
         p->normal = wfMaxR(0, before + j);                      /* eq:sequential-clamp */
         wfPushPoint(m, p, p->normal - before);                  /* eq:soft-pass */
@@ -89,34 +83,51 @@ static void sweep_columns(wfSubsteps *s, wfColumns *t, const Softness *soft)
 
 static void judge(wfSubsteps *s)
 {
-    for (int32_t i = 0; i < s->in->contactCount; i++) {
+    for (int32_t i = 0; i < s->ones; i++) {
         if (!(s->c[i].holds > s->c[i].slides)) continue;
         wfPairMotion m = wfTakePair(s->in, &s->c[i]);
         wfJudgeFriction(&s->c[i], &m);
     }
 }
 /* <a step in substeps> */
+static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
+                       const wfCase *cases, const wfDeep *deep)
+{
+    for (int32_t i = run->one; i < run->oneEnd; i++) {
+        if (t->held[i]) continue;
+        wfPairMotion m = wfTakePair(s->in, &s->c[i]);
+        push_softly(cases, deep, &s->c[i], &m);
+        wfSolveFriction(&s->c[i], &m);
+        wfGivePair(s->in, &s->c[i], &m);
+    }
+}
+/* <a step in substeps> */
 static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     const wfLaws *laws = s->in->laws;
-    Case cases[CASES];
-    Deep deep = deep_for(s, soft);
+    wfCase cases[WF_CASES];
+    wfDeep deep = deep_for(s, soft);
     list_cases(s, soft, cases);
     for (int32_t pass = 0; pass < s->in->iterations; pass++) {
         if (laws != NULL)
             laws->solve(laws->context, s->in, s->moved, s->dt, pass, soft != NULL);
         if (pass == 0 || laws != NULL) sweep_columns(s, t, soft);
-        for (int32_t i = 0; i < s->in->contactCount; i++) {
-            if (t->held[i]) continue;
-            wfPairMotion m = wfTakePair(s->in, &s->c[i]);
-            push_softly(cases, &deep, &s->c[i], &m);
-            wfSolveFriction(&s->c[i], &m);
-            wfGivePair(s->in, &s->c[i], &m);
+        for (int32_t k = 0; k < s->runs; k++) {
+            wfSweepBundles(s, &s->run[k], cases, &deep, soft != NULL);
+            sweep_ones(s, t, &s->run[k], cases, &deep);
         }
     }
     if (soft == NULL) judge(s);
 }
 /* <a step in substeps> */
+/* What contacts need that are parted. */
+typedef struct Parting {
+    const wfSolve *in;
+    wfDeep deep;
+    wfReal most, share;         /* m at most; of the overlap */
+    wfMoved *aside;
+} Parting;
+
 /* Pushes, as displacements, what a deep point lacks: at most `most` metres. */
 static bool part_point(const wfPreparedPoint *p, const wfPrepared *c, const wfSolve *in,
                        wfReal want, wfMoved *aside)
@@ -132,19 +143,46 @@ static bool part_point(const wfPreparedPoint *p, const wfPrepared *c, const wfSo
     return true;
 }
 /* <a step in substeps> */
+/* Parts points that are deep or below a gap; true: there was one. */
+static bool part_contact(const Parting *part, const wfPrepared *c, wfReal below)
+{
+    bool some = false;
+    for (int32_t k = 0; k < c->count; k++) {
+        const wfPreparedPoint *p = &c->p[k];
+        if (!(p->now < below) && !is_deep(&part->deep, p)) continue;
+        wfReal want = wfMinR(-p->now * part->share, part->most);
+        some = part_point(p, c, part->in, want, part->aside);
+    }
+    return some;
+}
+
+static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *t,
+                     const wfRun *run)
+{
+    bool some = false;
+    wfPrepared one;
+    for (int32_t i = run->bundle; i < run->bundleEnd; i++)
+        for (int32_t n = wfBundleDeep(s, i, &part->deep) - 1; n >= 0; n--) {
+            wfUnpackContact(s, i, n, &one);
+            if (part_contact(part, &one, -WF_HUGE)) some = true;
+        }
+    for (int32_t i = run->one; i < run->oneEnd; i++) {
+        bool loop = t->held[i] == WF_HELD_IN_LOOP;
+        if (part_contact(part, &s->c[i], loop ? -wfNearGap(s, i) : -WF_HUGE)) some = true;
+    }
+    return some;
+}
+/* <a step in substeps> */
 static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
                       wfMoved *aside)
 {
+    Parting part = { s->in, deep_for(s, soft), soft->fastest * s->dt,
+                     soft->bias * s->dt, aside };
+    wfReal most = part.most;
     bool some = false;
-    wfReal most = soft->fastest * s->dt, share = soft->bias * s->dt;
-    Deep deep = deep_for(s, soft);
-    for (int32_t i = 0; i < s->in->contactCount; i++)
-        for (int32_t k = 0; k < s->c[i].count; k++) {
-            wfPreparedPoint *p = &s->c[i].p[k];
-            bool loop = t->held[i] == WF_HELD_IN_LOOP && p->now < -wfNearGap(s, i);
-            if (!loop && !is_deep(&deep, p)) continue;
-            some = part_point(p, &s->c[i], s->in, wfMinR(-p->now * share, most), aside);
-        }
+    if (!(s->lowest < part.deep.gap) && !t->linked) return;
+    for (int32_t k = 0; k < s->runs; k++)
+        if (part_run(&part, s, t, &s->run[k])) some = true;
     if (!some) return;
     for (int32_t i = 0; i < s->in->bodyCount; i++) {
         wfReal way = wfLength(aside[i].d), keep = way > most ? most / way : 1;
@@ -158,12 +196,18 @@ static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
 static void finish(wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
-    for (int32_t i = 0; i < in->contactCount; i++)
-        wfStoreImpulses(&s->c[i], in->h / s->kick, &in->contacts[s->order[i]]);
+    wfReal whole = in->h / s->kick;
+    for (int32_t k = 0; k < s->runs; k++) wfStoreBundles(s, &s->run[k], whole);
+    for (int32_t i = 0; i < s->ones; i++)
+        wfStoreImpulses(&s->c[i], whole, &in->contacts[s->order[i]]);
     wfKick(s, s->dt / 2, s->kick);
     sweep(s, t, NULL);
     for (int32_t i = 0; i < in->bodyCount; i++) {
         if (in->present != NULL && !in->present[i]) continue;
+        if (in->fine != NULL) {
+            wfArriveFinely(&in->state[i], &in->fine[i], &s->moved[i]);
+            continue;
+        }
         in->state[i].p = wfAdd(in->state[i].p, s->moved[i].d);
         in->state[i].angle += s->moved[i].turn;
     }
@@ -178,6 +222,8 @@ wfResult wfSoftStep(const wfSolve *in)
     wfMoved *aside = wfPoolPushArray(in->scratch, in->bodyCount, wfMoved);
     if (result == WF_OK) result = aside != NULL ? wfFindColumns(&s, &columns)
                                                 : WF_ERROR_MEMORY;
+    if (result == WF_OK && in->colours && in->lanes) result = wfPackLanes(&s, &columns);
+    if (result == WF_OK) result = wfPrepareOnes(&s);
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         aside[i] = (wfMoved){ .turn = 0 };
     Softness soft = softness_of(in, s.dt);
@@ -197,5 +243,6 @@ wfResult wfSoftStep(const wfSolve *in)
 size_t wfSoftScratch(int32_t bodies, int32_t contacts)
 {
     size_t aside = sizeof(wfMoved) * (size_t)bodies + WF_POOL_ALIGN;
-    return wfSubstepScratch(bodies, contacts) + wfColumnScratch(bodies, contacts) + aside;
+    return wfSubstepScratch(bodies, contacts) + wfColumnScratch(bodies, contacts) + aside
+         + wfLaneScratch(contacts);
 }

@@ -3,6 +3,8 @@
 #ifndef WEFT_SUBSTEP_H
 #define WEFT_SUBSTEP_H
 /* What solvers that cut a step into smaller ones share: chapter 17. */
+#include "dynamics/colour.h"
+#include "dynamics/lanes.h"
 #include "dynamics/prepared.h"
 
 /* <what a step in substeps works with> */
@@ -12,21 +14,40 @@ typedef struct wfMotion {
     wfReal w;
 } wfMotion;
 
+enum { WF_TRAIT_POINTS = 3,     /* how many points, 0 to 2 */
+       WF_TRAIT_ROLLS = 4, WF_TRAIT_TWO_FRICTIONS = 8, WF_TRAIT_TOUCHES = 16 };
+
 typedef struct wfSubsteps {
     const wfSolve *in;
-    wfPrepared    *c;
+    wfPrepared    *c;            /* contacts that are taken one by one, */
+    int32_t        ones;         /* so many: at first all of them */
     wfMoved       *moved;        /* since the beginning of the step */
-    wfMotion      *before;       /* velocities before the last kick */
+    wfMotion      *before;       /* velocities before the last kick, */
+    wfFine        *rest;         /* and what they round away; if in->fine */
     int32_t       *order;        /* c[k] is contact order[k] of in->contacts */
-    int32_t       *at;           /* and contact i is c[at[i]] */
+    int32_t       *at;           /* and contact i is c[at[i]]; below 0: in a bundle */
+    wfPair        *ends;         /* contact i is between these bodies; */
+    uint8_t       *trait;        /* bits of WF_TRAIT_...: what to know before it is read */
+    bool           bouncing;     /* some contact has restitution */
+    wfReal         lowest;       /* m: no gap is below */
+    wfColouring    colours;      /* where in `order` each colour begins, at first */
+    wfRun         *run;          /* the portions in which contacts are gone through */
+    int32_t        runs;
+    wfBundle      *bundle;       /* those that are taken several at once: sec:soft-lanes */
+    wfBundlePoint *point;        /* and their points, */
+    wfBundleGap   *gap;          /* and what only a motion needs of them */
     wfReal         dt;           /* a substep, s */
     wfReal         kick;         /* what the last kick was for: dt or dt/2, s */
 } wfSubsteps;
 /* <declarations of substeps> */
-/* Takes the arrays from the scratch and makes the contacts ready. WF_ERROR_MEMORY. */
+/* Takes the arrays from the scratch and puts the contacts in order; then makes those ready
+ * that are taken one by one. WF_ERROR_MEMORY. */
 wfResult wfTakeSubsteps(wfSubsteps *s);
+wfResult wfPrepareOnes(wfSubsteps *s);
 /* Forces, contacts as last time (they were for `last`) and other laws act for t. */
 void wfKick(wfSubsteps *s, wfReal t, wfReal last);
+/* The end of a step: a body's place and what it rounds away get what it has moved. */
+void wfArriveFinely(wfBodyState *b, wfFine *rest, const wfMoved *m);
 /* All bodies move for a substep with the velocities that they have. */
 void wfDrift(wfSubsteps *s);
 /* Each point's `now`, from where the bodies are. The two that move them, wfDrift and
@@ -35,4 +56,18 @@ void wfFindGaps(wfSubsteps *s);
 /* What collides in this substep, and has restitution, bounces at the time of impact. */
 void wfBounceAll(wfSubsteps *s);
 size_t wfSubstepScratch(int32_t bodies, int32_t contacts);
+#define WF_NEAR_SHARE (WF_R(1.0) / 64)  /* a gap of this share of the slop is a touch */
+/* <declarations of contacts in lanes> */
+size_t wfLaneScratch(int32_t contacts);     /* what bundles take beyond wfSubstepScratch */
+/* A contact of a bundle as it would be alone. */
+void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out);
+/* Contact i of in->contacts as it is in c, or unpacked. */
+const wfPrepared *wfPreparedOf(const wfSubsteps *s, int32_t i, wfPrepared *room);
+void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
+void wfFindBundleGaps(wfSubsteps *s, const wfRun *run);
+void wfSweepBundles(const wfSubsteps *s, const wfRun *run, const wfCase *cases,
+                    const wfDeep *deep, bool soft);
+void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
+/* Has it a deep overlap? Then how many contacts it has, else 0. */
+int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep);
 #endif

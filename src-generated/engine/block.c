@@ -16,6 +16,8 @@ wfWorldDef wfDefaultWorldDef(void)
         .gravity = wfV2(0, WF_R(-9.81)), .dt = WF_R(1.0) / 60, .bodyCapacity = 256,
         .integrator = wfFindIntegrator("verlet"),
         /* <defaults of the settings> */
+        .needs = wfAllNeeds(),
+        /* <defaults of the settings> */
         .forceCapacity = 64,
         /* <defaults of the settings> */
         .broadPhase = row_or_first(wfFindBroadPhase("dynamic-tree")),
@@ -25,7 +27,7 @@ wfWorldDef wfDefaultWorldDef(void)
         .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1,
         /* <defaults of the settings> */
         .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
-        .recoverySteps = 24, .colours = 1, .columns = 3,
+        .recoverySteps = 24, .colours = 1, .lanes = 1, .columns = 3,
         /* <defaults of the settings> */
         .frictionMix = wfFindMix("geometric-mean"), .restitutionMix = wfFindMix("maximum"),
         .rollingMix = wfFindMix("maximum"),
@@ -35,6 +37,8 @@ wfWorldDef wfDefaultWorldDef(void)
         .queries = 1,
         /* <defaults of the settings> */
         .pairMaterials = 16,
+        /* <defaults of the settings> */
+        .fineSums = 0,
         /* <defaults of the settings> */
         .jointCapacity = 64,
         /* <defaults of the settings> */
@@ -71,26 +75,69 @@ static wfWorldDef complete(const wfWorldDef *def)
     if (d.pairCapacity > WF_MAX_CAPACITY) d.pairCapacity = WF_MAX_CAPACITY;
     if (d.pairCapacity < 1) d.pairCapacity = 1;
     if (d.contactCapacity == 0) d.contactCapacity = d.pairCapacity;
+    /* <leave out what is not needed> */
+    /* of what may be left out */
+    /* <leave out what is not needed> */
+    d.needs = wfNeedsOf(&d);
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_FORCES)) d.forceCapacity = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_SHAPES)) d.shapeCapacity = 0;
+    if (!(d.needs & WF_NEED_CONTACTS)) d.pairCapacity = d.contactCapacity = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_MATERIALS)) d.pairMaterials = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_QUERIES)) d.queries = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_JOINTS)) d.exactJoints = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_JOINTS)) d.jointCapacity = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_FAST)) d.impacts = 0;
+    /* <leave out what is not needed> */
+    if (!(d.needs & WF_NEED_SLEEP)) d.sleep = 0;
     return d;
 }
 /* <measure the scratch that the stages need> */
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
+/* Is there to be room for row `row` of a table, when `chosen` is the one in use? */
+static bool is_wanted(const wfWorldDef *d, int row, int chosen)
+{
+    (void)d, (void)row, (void)chosen;
+    /* <see whether methods may change> */
+    /* as they may in most worlds */
+    /* <see whether methods may change> */
+    if (!(d->needs & WF_NEED_METHODS)) return row == chosen;
+    return true;
+}
+
 static size_t stage_scratch(const wfWorldDef *d)
 {
     size_t most = 0;
     for (int i = 0; i < wfIntegratorCount; i++)
-        most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
+        if (is_wanted(d, i, d->integrator))
+            most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
     /* <see what other stages need> */
     /* the stages that only copy need none */
     /* <see what other stages need> */
     int32_t shapes = d->shapeCapacity, pairs = d->pairCapacity;
-    for (int i = 0; i < wfBroadPhaseCount; i++)
-        most = larger(most, wfBroadPhaseTable[i].scratch(shapes, pairs));
-    for (int i = 0; i < wfSolverCount; i++)
-        if (i == d->solver || i != wfFindSolver(WF_SOLVER_LARGE))
+    size_t bodies = (size_t)d->bodyCapacity;
+    bool boxed = true, mends = true;
+    /* <see who needs boxes and a solver> */
+    /* who has contacts */
+    /* <see who needs boxes and a solver> */
+    boxed = (d->needs & (WF_NEED_CONTACTS | WF_NEED_QUERIES)) != 0;
+    mends = (d->needs & (WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)) != 0;
+    for (int i = 0; boxed && i < wfBroadPhaseCount; i++)
+        if (is_wanted(d, i, d->broadPhase))
+            most = larger(most, wfBroadPhaseTable[i].scratch(shapes, pairs));
+    for (int i = 0; mends && i < wfSolverCount; i++) {
+        bool large = i != d->solver && i == wfFindSolver(WF_SOLVER_LARGE);
+        if (!large && is_wanted(d, i, d->solver))
             most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, d->contactCapacity));
-    most = larger(most, sizeof(wfBodyState) * (size_t)d->bodyCapacity + WF_POOL_ALIGN);
+    }
+    if (mends || boxed) most = larger(most, sizeof(wfBodyState) * bodies + WF_POOL_ALIGN);
     /* <see what other stages need> */
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
@@ -101,7 +148,8 @@ static size_t index_size(const wfWorldDef *d)
 {
     size_t most = 0;
     for (int i = 0; i < wfBroadPhaseCount; i++)
-        most = larger(most, wfIndexSize(i, d->shapeCapacity));
+        if (is_wanted(d, i, d->broadPhase))
+            most = larger(most, wfIndexSize(i, d->shapeCapacity));
     return most;
 }
 /* <list the regions of the block> */
@@ -117,6 +165,8 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
     size_t pairs = (size_t)d->pairCapacity, contacts = (size_t)d->contactCapacity;
     /* <count what the arrays hold> */
     size_t touches = d->events ? pairs : 0;
+    /* <count what the arrays hold> */
+    size_t fine = d->fineSums ? bodies : 0;
     const wfRegion list[WF_REGION_COUNT] = {
         /* <rows of the block's regions> */
         [WF_REGION_HEADER]        = { "header", 0, 1, sizeof(wfHeader), 0 },
@@ -171,6 +221,9 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         [WF_REGION_PAIR_MATERIALS] = { "pairs of materials", 0, (size_t)d->pairMaterials,
                                        sizeof(wfKnownPair), 0 },
         /* <rows of the block's regions> */
+        [WF_REGION_FINE]          = { "digits beyond states", 0, fine, sizeof(wfFine), 0 },
+        [WF_REGION_NEW_FINE]      = { "new digits", 1, fine, sizeof(wfFine), 0 },
+        /* <rows of the block's regions> */
         [WF_REGION_JOINT_SLOTS] = { "joint slots", 0, (size_t)d->jointCapacity, sizeof(wfSlot), 0 },
         [WF_REGION_JOINTS]      = { "joints", 0, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
         [WF_REGION_BROKEN]      = { "broken joints", 0, (size_t)d->jointCapacity,
@@ -209,6 +262,13 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
                                     + bodies * (sizeof(int32_t) + 2) + 4 * WF_POOL_ALIGN, 1, 0 },
     };
     memcpy(out, list, sizeof list);
+    /* <leave out the arrays that serve nobody> */
+    /* in a world that does not need them */
+    /* <leave out the arrays that serve nobody> */
+    for (int i = 0; i < WF_REGION_COUNT; i++) {
+        uint32_t serves = wfRegionServes(i).needs;
+        if (serves != 0 && (serves & d->needs) == 0) out[i].count = 0;
+    }
 }
 /* <lay out the block> */
 static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_t size[2])
@@ -382,6 +442,8 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
         /* <find more arrays of the block> */
         .touches = ARRAY(WF_REGION_TOUCHES), .events = ARRAY(WF_REGION_EVENTS),
         .hits = ARRAY(WF_REGION_HITS),
+        /* <find more arrays of the block> */
+        .fine = h->fineSums ? ARRAY(WF_REGION_FINE) : NULL,
     };
 #undef ARRAY
     return WF_OK;
@@ -415,6 +477,8 @@ void wfDisturb(wfBlock *b, int32_t i)
     (void)b, (void)i;
     /* <what it means that something was done to body i> */
     /* In this chapter nothing: all bodies are awake. */
+    /* <what it means that something was done to body i> */
+    if (b->fine != NULL && i >= 0) memset(&b->fine[i], 0, sizeof b->fine[i]);
     /* <what it means that something was done to body i> */
     wfRouse(b, i);
 }
@@ -450,10 +514,20 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     wfHeader *h = b->head;
     wfWorldDef is = wfSettings(h), d = complete(def);
     bool same = true;                                   /* the laws */
+    uint32_t used = 0;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
+        /* <refuse a setting that has no meaning here> */
+        /* since its need is absent */
+        /* <refuse a setting that has no meaning here> */
+        bool idle = s->need != 0 && (s->need & is.needs) == 0;
+        double wish = wfSettingValue(def, s, 0), now = wfSettingValue(&is, s, 0);
+        if (idle && wish != 0 && wish != now) return wfNeedError(s->need & wfAllNeeds());
         if (same_setting(s, &is, &d)) continue;
         if (s->builtIn) return WF_ERROR_BUILT_IN;
+        if (s->method) result = wfDemand(b, WF_NEED_METHODS);
+        if (result != WF_OK) return result;
+        if (s->method) used |= WF_NEED_METHODS;
         if (s->law) same = false;
     }
     /* <what else a change of the settings needs> */
@@ -474,6 +548,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     /* <before the settings change> */
     if (!d.sleep) wfDisturb(b, -1);
     wfKeepSettings(&d, h);
+    wfUse(b, used);
     return WF_OK;
 }
 

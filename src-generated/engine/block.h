@@ -26,6 +26,8 @@ typedef struct wfHeader {
     int32_t bodyCapacity;      /* bodies at most, >= 1 */
     int32_t integrator;        /* row of chapter 10's table */
     /* <the settings of a world> */
+    uint32_t needs;            /* WF_NEED_..., what the scene requires (sec:world-needs) */
+    /* <the settings of a world> */
     int32_t forceCapacity;     /* registered forces at most, >= 0 */
     /* <the settings of a world> */
     int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
@@ -47,17 +49,20 @@ typedef struct wfHeader {
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
                                 * make a body, >= 0; 0 or no gravity: no limit */
     int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
+    int32_t lanes;             /* 1: and several of a colour at once, to the same bits */
     int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
                                 * with up to n loops, chapter 17 */
     /* <the settings of a world> */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
     /* <the settings of a world> */
-    int32_t events;            /* 1: events are listed */
+    int32_t events;            /* 1: touches are remembered, and told if that is needed */
     wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
     /* <the settings of a world> */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
     /* <the settings of a world> */
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
+    /* <the settings of a world> */
+    int32_t fineSums;          /* 1: what states round away is kept (chapter 17) */
     /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
     /* <the settings of a world> */
@@ -83,12 +88,16 @@ typedef struct wfHeader {
     /* <what else a world keeps> */
     int32_t touchCount, hitCount, eventCount[WF_EVENT_KINDS];
     /* <what else a world keeps> */
-    int32_t knownPairs;
+    int32_t knownPairs, mostMaterials;   /* now, and ever */
     /* <what else a world keeps> */
     wfSolveReport report;         /* of the last step */
     int32_t large;                /* 1: created with room for the solver WF_SOLVER_LARGE */
     /* <what else a world keeps> */
     wfFar   origin;            /* m: where (0, 0) is; no stage reads it */
+    /* <what else a world keeps> */
+    uint32_t used;                       /* needs that somebody had use for */
+    /* <what else a world keeps> */
+    int32_t mostPairs, mostContacts;     /* that a step has ever had */
     /* <what else a world keeps> */
     wfSlots jointSlots;
     int32_t brokenCount;       /* joints that broke in the last step */
@@ -138,13 +147,56 @@ typedef struct wfBlock {
     wfTouch      *touches;     /* of the last step */
     wfTouchEvent *events;
     wfHit        *hits;
+    /* <more arrays of the block> */
+    wfFine *fine;              /* what states round away; NULL: nobody keeps it */
 } wfBlock;
+/* <needs of a block> */
+/* what calls may ask about needs */
+/* <needs of a block> */
+uint32_t wfNeedsOf(const wfWorldDef *def);
+/* Those of these needs that a world with `have` lacks. */
+uint32_t wfLacking(uint32_t have, uint32_t needs);
+/* The first need in this set: its error; WF_OK for none. */
+wfResult wfNeedError(uint32_t needs);
+/* Does a stage run in worlds of these needs? */
+bool wfStageRuns(const wfStageRow *row, uint32_t needs);
 /* <declarations of the block> */
 typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
 /* <declarations of the block> */
 /* What two shapes' materials make together: known, or mixed by the world's rules. */
 wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two);
+/* <declarations of the block> */
+/* Was the world made for one of these needs? */
+static inline bool wfHas(const wfHeader *h, uint32_t needs)
+{
+    (void)h, (void)needs;
+    /* <look whether a need is met> */
+    /* In an engine without this section worlds meet all needs that it can meet. */
+    /* <look whether a need is met> */
+    if ((h->needs & needs) == 0) return false;
+    return true;
+}
+/* WF_OK if the world has all these needs; else the error of the first that it lacks. */
+static inline wfResult wfDemand(const wfBlock *b, uint32_t needs)
+{
+    (void)b, (void)needs;
+    /* <demand the needs> */
+    /* The same. */
+    /* <demand the needs> */
+    uint32_t missing = wfLacking(b->head->needs, needs);
+    if (missing != 0) return wfNeedError(missing);
+    return WF_OK;
+}
+/* Somebody has had use for these needs. */
+static inline void wfUse(wfBlock *b, uint32_t needs)
+{
+    (void)b, (void)needs;
+    /* <note the needs> */
+    /* And nobody asks later. */
+    /* <note the needs> */
+    b->head->used |= needs;
+}
 /* <declarations of the block> */
 /* Checks a handle and finds the arrays. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
@@ -200,6 +252,8 @@ wfResult wfKeepJoints(struct wfStep *s);
 /* <declarations of the block> */
 /* Tells the joints that every place is called by less `by`: chapter 25. */
 void wfMoveJoints(wfBlock *b, wfVec2 by);
+/* Would all of them still be joints? */
+bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
 /* <declarations of the block> */
 /* A body that is followed through a step. Times are shares of the step. */
 typedef struct wfFlight {

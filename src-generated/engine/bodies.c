@@ -96,6 +96,24 @@ static wfResult check_body_def(const wfBodyDef *d)
     if (d->neverSleeps != 0 && d->neverSleeps != 1) return WF_ERROR_RANGE;
     return result;
 }
+/* <what bodies need> */
+uint32_t wfNeedsOfBody(const wfBodyDef *d)
+{
+    uint32_t needs = 0;
+    (void)d;
+    /* <what a body's definition requires> */
+    /* A particle requires nothing. */
+    /* <what a body's definition requires> */
+    if (d->angularVelocity != 0) needs |= WF_NEED_ROTATION;
+    /* <what a body's definition requires> */
+    if (d->linearDamping > 0 || d->angularDamping > 0) needs |= WF_NEED_DAMPING;
+    /* <what a body's definition requires> */
+    bool formed = d->shape.kind != WF_SHAPE_NONE;
+    if (formed) needs |= WF_NEED_SHAPES;
+    if (formed && d->friction > 0) needs |= WF_NEED_FRICTION;
+    if (formed && d->restitution > 0) needs |= WF_NEED_RESTITUTION;
+    return needs;
+}
 /* <make a body from its definition> */
 typedef struct newBody {
     wfBodyState state;
@@ -109,15 +127,21 @@ static wfResult weigh(const wfBodyDef *d, wfMassData *out)
     /* a particle has none */
     /* <weigh its shape, if it has one> */
     bool formed = d->shape.kind != WF_SHAPE_NONE, dynamic = d->type == WF_DYNAMIC;
-    if (formed && dynamic && d->mass > 0) return wfShapeMassOf(&d->shape, d->mass, out);
-    if (formed && dynamic) return wfShapeMass(&d->shape, d->density, out);
-    if (formed) *out = (wfMassData){ .centre = wfShapeCentroid(&d->shape) };
-    if (formed) return WF_OK;
+    wfResult weighed = WF_OK;
+    wfShape stored = d->shape;
+    if (!dynamic && formed) out->centre = wfShapeCentroid(&d->shape);
+    if (!dynamic && formed) out->mass = 0;
+    if (dynamic && formed)
+        weighed = d->mass > 0 ? wfShapeMassOf(&d->shape, d->mass, out)
+                              : wfShapeMass(&d->shape, d->density, out);
+    wfShapeMove(&stored, wfNeg(out->centre));
+    if (formed) return weighed == WF_OK ? wfCheckMovedShape(&stored, out->centre) : weighed;
     return d->type == WF_DYNAMIC && !(d->mass > 0) ? WF_ERROR_RANGE : WF_OK;
 }
 /* <make a body from its definition> */
-static wfResult make_body(const wfBodyDef *d, newBody *out)
+static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
 {
+    (void)b;
     wfMassData mass;
     wfResult result = weigh(d, &mass);
     if (result != WF_OK) return result;
@@ -133,8 +157,9 @@ static wfResult make_body(const wfBodyDef *d, newBody *out)
     out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
     out->state.angle = angle;
     out->state.w = d->angularVelocity;
-    out->props.fixedRotation = d->fixedRotation;
-    if (d->fixedRotation) mass.inertia = 0;
+    bool still = d->fixedRotation || !wfHas(b->head, WF_NEED_ROTATION);
+    out->props.fixedRotation = still;
+    if (still) mass.inertia = 0;
     /* <give the body its angle and its damping> */
     out->props.linearDamping = d->linearDamping;
     out->props.angularDamping = d->angularDamping;
@@ -148,7 +173,8 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     newBody made;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = check_body_def(def);
-    if (result == WF_OK) result = make_body(def, &made);
+    if (result == WF_OK) result = wfDemand(&b, wfNeedsOfBody(def));
+    if (result == WF_OK) result = make_body(&b, def, &made);
     if (result == WF_OK && !wfBodyIsFinite(&made.state)) result = WF_ERROR_NOT_FINITE;
     if (result != WF_OK) return result;
     if (b.head->bodySlots.count == b.head->bodySlots.capacity) return WF_ERROR_FULL;
@@ -161,6 +187,8 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     b.state[i] = made.state;
     b.props[i] = made.props;
     b.alive[i] = 1;
+    bool turns = made.state.invInertia > 0;
+    wfUse(&b, wfNeedsOfBody(def) | (turns ? WF_NEED_ROTATION : 0));
     /* <give body i the shape of its definition> */
     /* and gets none */
     /* <give body i the shape of its definition> */
@@ -185,7 +213,9 @@ static void clear_place(wfBlock *b, int32_t i)
     /* <clear what else there is of body i> */
     /* as there are arrays */
     /* <clear what else there is of body i> */
-    memset(&b->applied[i], 0, sizeof b->applied[i]);
+    if (wfHas(b->head, WF_NEED_PUSHES)) memset(&b->applied[i], 0, sizeof b->applied[i]);
+    /* <clear what else there is of body i> */
+    if (b->fine != NULL) memset(&b->fine[i], 0, sizeof b->fine[i]);
 }
 
 wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
@@ -298,6 +328,10 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (result != WF_OK) return result;
     if (!wfIsFinite2(velocity) || !wfIsFinite(angularVelocity)) return WF_ERROR_NOT_FINITE;
     if (b.props[i].type == WF_STATIC) return WF_ERROR_RANGE;
+    uint32_t needs = angularVelocity != 0 ? WF_NEED_ROTATION : 0;
+    result = wfDemand(&b, needs);
+    if (result != WF_OK) return result;
+    wfUse(&b, needs);
     wfBodyState *s = &b.state[i];
     bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
     bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
@@ -348,6 +382,11 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
     if (result != WF_OK) return result;
     if (!wfIsFinite(restitution) || !wfIsFinite(friction)) return WF_ERROR_NOT_FINITE;
     if (restitution < 0 || restitution > 1 || friction < 0) return WF_ERROR_RANGE;
+    uint32_t needs = restitution > 0 ? WF_NEED_RESTITUTION : 0;
+    if (friction > 0) needs |= WF_NEED_FRICTION;
+    result = wfDemand(&b, needs);
+    if (result != WF_OK) return result;
+    wfUse(&b, needs);
     for (int32_t k = b.props[i].shape; k >= 0; k = b.next[k]) {
         b.materials[k].restitution = restitution;
         b.materials[k].friction = friction;
@@ -365,6 +404,10 @@ wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal ang
     if (result != WF_OK) return result;
     if (!wfIsFinite(linear) || !wfIsFinite(angular)) return WF_ERROR_NOT_FINITE;
     if (linear < 0 || angular < 0) return WF_ERROR_RANGE;
+    uint32_t needs = linear > 0 || angular > 0 ? WF_NEED_DAMPING : 0;
+    result = wfDemand(&b, needs);
+    if (result != WF_OK) return result;
+    wfUse(&b, needs);
     b.props[i].linearDamping = linear;
     b.props[i].angularDamping = angular;
     return WF_OK;
@@ -375,11 +418,13 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     wfBlock b;
     int32_t i;
     wfResult result = change_body(world, id, &b, &i);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_PUSHES);
     if (result != WF_OK) return result;
     wfBodyForces sums = b.applied[i];
     wfApplyForce(&sums, &b.state[i], force, point);
     if (!wfIsFinite2(sums.force) || !wfIsFinite(sums.torque)) return WF_ERROR_NOT_FINITE;
     b.applied[i] = sums;
+    wfUse(&b, WF_NEED_PUSHES);
     if (force.x != 0 || force.y != 0) wfDisturb(&b, i);
     return WF_OK;
 }
@@ -389,9 +434,12 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
     wfBlock b;
     int32_t i;
     wfResult result = change_body(world, id, &b, &i);
+    uint32_t needs = WF_NEED_PUSHES | (torque != 0 ? WF_NEED_ROTATION : 0);
+    if (result == WF_OK) result = wfDemand(&b, needs);
     if (result != WF_OK) return result;
     if (!wfIsFinite(b.applied[i].torque + torque)) return WF_ERROR_NOT_FINITE;
     wfApplyTorque(&b.applied[i], torque);
+    wfUse(&b, needs);
     if (torque != 0) wfDisturb(&b, i);
     return WF_OK;
 }
@@ -406,10 +454,13 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
     wfBodyState kicked = b.state[i];
     if (!wfIsFinite2(impulse) || !wfIsFinite(spin)) return WF_ERROR_NOT_FINITE;
     if (point != NULL && !wfIsFinite2(*point)) return WF_ERROR_NOT_FINITE;
+    result = wfDemand(&b, spin != 0 ? WF_NEED_ROTATION : 0);
+    if (result != WF_OK) return result;
     if (point != NULL) wfApplyImpulse(&kicked, impulse, *point);
     wfApplyAngularImpulse(&kicked, spin);
     if (!wfBodyIsFinite(&kicked)) return WF_ERROR_NOT_FINITE;
     b.state[i] = kicked;
+    if (spin != 0) wfUse(&b, WF_NEED_ROTATION);
     if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfDisturb(&b, i);
     return WF_OK;
 }

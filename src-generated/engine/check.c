@@ -119,7 +119,8 @@ static bool check_body(Check *c, int32_t i)
     const wfBodyState *s = &c->b.state[i];
     const wfBodyProps *p = &c->b.props[i];
     const wfBodyForces *f = &c->b.applied[i];
-    bool pushed = wfIsFinite2(f->force) && wfIsFinite(f->torque);
+    bool pushed = c->region[WF_REGION_APPLIED].count == 0
+               || (wfIsFinite2(f->force) && wfIsFinite(f->torque));
     if (!rule(c, pushed, WF_REGION_APPLIED, i, "applied forces are finite")) return false;
     if (!c->b.alive[i])
         return rule(c, is_still(s) && s->invMass == 0 && s->invInertia == 0
@@ -381,6 +382,8 @@ static bool check_rest(Check *c)
     const int32_t *island = (const void *)(base + h->offset[WF_REGION_ISLANDS]);
     uint8_t *named = wfTransient(&c->b, WF_REGION_WOKEN);
     int32_t asleep = 0, end = h->bodySlots.high;
+    if (c->region[WF_REGION_REST].count == 0)
+        return rule(c, h->asleep == 0, WF_REGION_HEADER, 0, "without sleep nobody sleeps");
     memset(named, 0, (size_t)end);
     for (int32_t i = 0; i < end; i++) {
         bool good = flags[i] <= 7 && wfIsFinite(clock[i]) && clock[i] >= 0
@@ -395,7 +398,7 @@ static bool check_rest(Check *c)
 /* <the table of checks> */
 static CheckFn *const check_table[] = {
     /* <rows of the check table> */
-    check_layout, check_counts, check_all_slots, check_bodies, check_shapes, check_forces,
+    check_counts, check_all_slots, check_bodies, check_shapes, check_forces,
     check_pairs, check_contacts, check_touches,
     /* <rows of the check table> */
     check_materials,
@@ -405,18 +408,25 @@ static CheckFn *const check_table[] = {
     check_rest,
 };
 /* <check a world> */
+static bool check_all(Check *c, const wfWorld *world)
+{
+    size_t rows = sizeof check_table / sizeof *check_table;
+    bool good = check_layout(c) && wfOpenBlock(world, &c->b) == WF_OK;
+    for (size_t i = 0; i < rows && good; i++) good = check_table[i](c);
+    return good;
+}
+
 wfResult wfCheckWorld(const wfWorld *world, wfFault *fault)
 {
     Check c = { .fault = { NULL, 0, NULL } };
+    wfWorld same;
     if (fault != NULL) *fault = c.fault;
-    wfResult result = wfOpenBlock(world, &c.b);
+    if (world == NULL) return WF_ERROR_NULL;
+    wfResult result = wfOpenWorld(&world->memory, &same);
     if (result != WF_OK) return result;
+    c.b.head = world->memory.permanent;
     if (c.b.head->busy == 1) return WF_ERROR_BUSY;
-    size_t rows = sizeof check_table / sizeof *check_table;
-    for (size_t i = 0; i < rows; i++)
-        if (!check_table[i](&c)) {
-            if (fault != NULL) *fault = c.fault;
-            return WF_ERROR_INVALID;
-        }
-    return WF_OK;
+    if (!check_all(&c, world)) result = WF_ERROR_INVALID;
+    if (fault != NULL) *fault = c.fault;
+    return result;
 }

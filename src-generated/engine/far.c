@@ -114,6 +114,18 @@ static wfResult check_move(const wfBlock *b, wfVec2 by, wfFar *to)
     if (!is_exact_sum(to->y, from.y, (double)by.y)) return WF_ERROR_RANGE;
     for (int32_t i = 0; i < b->head->bodySlots.high; i++)
         if (!wfIsFinite2(wfSub(b->state[i].p, by))) return WF_ERROR_RANGE;
+    /* <check that what else names places can be moved> */
+    /* forces, joints */
+    /* <check that what else names places can be moved> */
+    for (int32_t i = 0; i < b->head->forceSlots.high; i++) {
+        wfForce moved = b->forces[i];
+        if (b->forceSlots[i].next != WF_SLOT_LIVE) continue;
+        if (wfForceTable[moved.kind].move == NULL) continue;
+        wfForceTable[moved.kind].move(&moved, by);
+        if (wfCheckForce(&moved) != WF_OK) return WF_ERROR_RANGE;
+    }
+    /* <check that what else names places can be moved> */
+    if (!wfJointsCanMove(b, by)) return WF_ERROR_RANGE;
     return WF_OK;
 }
 

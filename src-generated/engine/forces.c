@@ -35,10 +35,12 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = check_world_force(&b, force);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_FORCES);
     if (result != WF_OK) return result;
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
     if (i < 0) return WF_ERROR_FULL;
     b.forces[i] = *force;
+    wfUse(&b, WF_NEED_FORCES);
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
     return WF_OK;

@@ -12,6 +12,7 @@ static size_t used(const wfHeader *h, const wfRegion *r, int region)
     case WF_REGION_BODY_SLOTS: case WF_REGION_ALIVE: case WF_REGION_STATE:
     case WF_REGION_APPLIED: case WF_REGION_PROPS:
         return (size_t)h->bodySlots.high;
+    case WF_REGION_FINE: return h->fineSums ? (size_t)h->bodySlots.high : 0;
     /* <regions of which only the beginning counts> */
     case WF_REGION_SHAPE_SLOTS: case WF_REGION_SHAPES: case WF_REGION_OWNERS:
     case WF_REGION_NEXT_SHAPES: case WF_REGION_FILTERS: case WF_REGION_SHAPE_PROPS:
@@ -63,7 +64,8 @@ static wfResult measure(const wfHeader *head, wfImage *out)
     out->size = 0;
     for (int i = 0; i < WF_REGION_COUNT && result == WF_OK; i++) {
         const wfRegion *r = &out->region[i];
-        size_t count = r->chunk == 0 ? used(head, r, i) : 0;
+        bool has = r->chunk == 0 && r->count > 0;       /* or nobody needs it */
+        size_t count = has ? used(head, r, i) : 0;
         if (count > r->count) return WF_ERROR_INVALID;
         out->bytes[i] = count * r->each;
         out->size += round_up(out->bytes[i]);
@@ -157,6 +159,22 @@ static void empty_places(uint8_t *array, const wfRegion *r, int region, size_t f
         memcpy(array + i * r->each, &fresh, sizeof fresh);
 }
 /* <take an image into a block> */
+static void begin_places(uint8_t *array, const wfRegion *r, int region,
+                         const wfHeader *head, size_t bytes)
+{
+    size_t count = r->count > 0 ? used(head, r, region) : 0;
+    if (bytes > 0 || count > r->count) return;
+    int begin = 0;
+    switch (region) {
+    /* <regions that begin with -1> */
+    case WF_REGION_RINGS: case WF_REGION_ISLANDS:
+        begin = 0xff;
+        break;
+    default: break;
+    }
+    if (begin != 0) memset(array, begin, count * r->each);
+}
+/* <take an image into a block> */
 static size_t index_stamp(const wfImage *own)
 {
     size_t size = own->region[WF_REGION_INDEX].count;
@@ -185,6 +203,7 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image)
         if (r->chunk != 0) continue;
         if (image->bytes[i] > 0) memcpy(array, image->at[i], image->bytes[i]);
         empty_places(array, r, i, image->bytes[i] / r->each, own.bytes[i] / r->each);
+        begin_places(array, r, i, &image->head, image->bytes[i]);
     }
     memset(base + b->head->offset[WF_REGION_INDEX], 0, index_stamp(&own));
     wfKeepBuiltIn(b->head, &head);

@@ -74,12 +74,14 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     wfBlock b;
     if (joint == NULL) return WF_ERROR_NULL;
     wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_JOINTS);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
     Joints j = joints_of(&b);
     int32_t i = wfSlotTake(&b.head->jointSlots, j.slots);
     if (i < 0) return WF_ERROR_FULL;
     j.joints[i] = *joint;
+    wfUse(&b, WF_NEED_JOINTS);
     wfDisturbEnds(&b, joint->a, joint->b);
     if (out != NULL) *out = (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };
     return WF_OK;
@@ -206,6 +208,18 @@ void wfDropJoints(wfBlock *b, int32_t body)
     }
 }
 /* <drop the joints of a body> */
+bool wfJointsCanMove(const wfBlock *b, wfVec2 by)
+{
+    Joints j = joints_of(b);
+    for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
+        wfJoint moved = j.joints[i];
+        if (!is_live(&j, i)) continue;
+        wfMoveJoint(&moved, by);
+        if (wfCheckJoint(&moved) != WF_OK) return false;
+    }
+    return true;
+}
+
 void wfMoveJoints(wfBlock *b, wfVec2 by)
 {
     Joints j = joints_of(b);
@@ -341,7 +355,13 @@ wfResult wfJudgeJoints(struct wfStep *s)
 {
     wfSolve done = { .state = s->state, .h = s->b.head->dt,
                      .substeps = s->b.head->substeps };
-    if (s->laws != NULL) wfEndJoints(&s->jointSet, &done);
+    if (s->laws == NULL) return WF_OK;
+    wfEndJoints(&s->jointSet, &done);
+    for (int32_t i = 0; i < s->jointSet.count; i++) {
+        const wfJoint *j = &s->jointSet.joints[i];
+        if (!wfAllFinite(j->impulse, WF_JOINT_ROWS) || !wfAllFinite(j->given, 3))
+            return WF_ERROR_NOT_FINITE;
+    }
     return WF_OK;
 }
 /* <hand the joints to the solver> */

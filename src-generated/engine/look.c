@@ -50,6 +50,7 @@ wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_QUERIES);
     if (result == WF_OK) *out = wfProxiesOf(&b, b.bounds, b.flags);
     return result;
 }
@@ -73,6 +74,12 @@ uint64_t wfHashWorld(const wfWorld *world)
         h = wfHashU32(h, (uint32_t)i);
         h = wfHashU32(h, b.bodySlots[i].generation);
         h = hash_state(h, &b.state[i]);
+        /* <hash what else there is of body i> */
+        if (b.fine != NULL) {
+            const wfFine *f = &b.fine[i];
+            h = wfHashReal(wfHashReal(wfHashReal(h, f->p.x), f->p.y), f->angle);
+            h = wfHashReal(wfHashReal(wfHashReal(h, f->v.x), f->v.y), f->w);
+        }
         /* <hash what else there is of body i> */
         /* In this chapter nothing. */
         /* <hash what else there is of body i> */

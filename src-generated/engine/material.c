@@ -44,14 +44,22 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
         int32_t at = place_of_pair(b, one->material, two->material);
         if (is_pair(b, at, one->material, two->material)) return known_pairs(b)[at].m;
     }
-    wfReal holdsOne = wfMaxR(one->staticFriction, one->friction);
-    wfReal holdsTwo = wfMaxR(two->staticFriction, two->friction);
-    wfMixFn *friction = wfMixTable[h->frictionMix].mix;
-    wfMixFn *bounce = wfMixTable[h->restitutionMix].mix;
-    return (wfPairMaterial){ .restitution = bounce(one->restitution, two->restitution),
-        .friction = friction(one->friction, two->friction),
-        .staticFriction = friction(holdsOne, holdsTwo),
-        .rolling = wfMixTable[h->rollingMix].mix(one->rolling, two->rolling) };
+    wfPairMaterial m = { .friction = 0 };
+    /* <mix the friction of two shapes> */
+    if (wfHas(h, WF_NEED_FRICTION)) {
+        wfReal holdsOne = wfMaxR(one->staticFriction, one->friction);
+        wfReal holdsTwo = wfMaxR(two->staticFriction, two->friction);
+        wfMixFn *friction = wfMixTable[h->frictionMix].mix;
+        m.friction = friction(one->friction, two->friction);
+        m.staticFriction = friction(holdsOne, holdsTwo);
+    }
+    /* <mix the restitution of two shapes> */
+    if (wfHas(h, WF_NEED_RESTITUTION))
+        m.restitution = wfMixTable[h->restitutionMix].mix(one->restitution, two->restitution);
+    /* <mix the rolling resistance of two shapes> */
+    if (wfHas(h, WF_NEED_ROLLING))
+        m.rolling = wfMixTable[h->rollingMix].mix(one->rolling, two->rolling);
+    return m;
 }
 /* <know a pair of materials> */
 static wfResult check_pair(int32_t one, int32_t two, const wfPairMaterial *m)
@@ -70,6 +78,7 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     wfBlock block;
     wfResult result = wfChangeBlock(world, &block);
     if (result == WF_OK) result = check_pair(a, b, m);
+    if (result == WF_OK) result = wfDemand(&block, WF_NEED_MATERIALS);
     if (result != WF_OK) return result;
     wfKnownPair *known = known_pairs(&block);
     int32_t at = place_of_pair(&block, a, b), *count = &block.head->knownPairs;
@@ -85,6 +94,8 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     wfDisturb(&block, -1);
     if (!there) memmove(&known[at + 1], &known[at], behind);
     if (!there) ++*count;
+    wfUse(&block, WF_NEED_MATERIALS);
+    if (block.head->mostMaterials < *count) block.head->mostMaterials = *count;
     known[at] = (wfKnownPair){ a < b ? a : b, a < b ? b : a, *m };
     return WF_OK;
 }

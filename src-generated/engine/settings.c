@@ -33,71 +33,116 @@ const wfSetting wfSettingTable[] = {
       .text = "acceleration of everything that has mass" },
     { WF_SETTING(dt), WF_REAL, WF_ABOVE(0), .unit = "s", .text = "length of a step" },
     { WF_SETTING(bodyCapacity), WF_COUNTED, WF_CAPACITY(1), .text = "bodies at most" },
-    { WF_SETTING(integrator), WF_ROW(Integrator), .text = "moves the bodies (chapter 10)" },
+    { WF_SETTING(integrator), WF_ROW(Integrator), .method = 1,
+      .text = "moves the bodies (chapter 10)" },
+    /* <rows of the table of settings> */
+    { WF_SETTING(needs), .kind = WF_SETTING_SET, .rows = wfNeedTable,
+      .rowSize = sizeof *wfNeedTable, .rowCount = &wfNeedCount, .most = UINT32_MAX,
+      .builtIn = 1, .text = "what the scene requires" },
     /* <rows of the table of settings> */
     { WF_SETTING(forceCapacity), WF_COUNTED, WF_CAPACITY(0),
+      .need = WF_NEED_FORCES,
       .text = "registered forces at most" },
     /* <rows of the table of settings> */
     { WF_SETTING(shapeCapacity), WF_COUNTED, WF_CAPACITY(0),
+      .need = WF_NEED_SHAPES,
       .text = "shapes at most; 0: as many as bodies" },
     { WF_SETTING(pairCapacity), WF_COUNTED, WF_CAPACITY(0),
+      .need = WF_NEED_CONTACTS,
       .text = "pairs in one step; 0: 16 a shape, or all there can be" },
     { WF_SETTING(contactCapacity), WF_COUNTED, WF_CAPACITY(0),
+      .need = WF_NEED_CONTACTS,
       .text = "contacts in one step; 0: as many as pairs" },
-    { WF_SETTING(broadPhase), WF_ROW(BroadPhase), .text = "finds pairs (chapter 11)" },
-    { WF_SETTING(narrowPhase), WF_ROW(NarrowPhase), .text = "separates shapes (chapter 12)" },
-    { WF_SETTING(solver), WF_ROW(Solver), .law = 1, .text = "mends contacts (chapters 14-19)" },
+    { WF_SETTING(broadPhase), WF_ROW(BroadPhase), .method = 1,
+      .need = WF_NEED_CONTACTS | WF_NEED_QUERIES,
+      .text = "finds pairs (chapter 11)" },
+    { WF_SETTING(narrowPhase), WF_ROW(NarrowPhase), .need = WF_NEED_CONTACTS | WF_NEED_QUERIES,
+      .text = "separates shapes (chapter 12)" },
+    { WF_SETTING(solver), WF_ROW(Solver), .law = 1, .method = 1,
+      .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS,
+      .text = "mends contacts (chapters 14-19)" },
     { WF_SETTING(iterations), WF_COUNTED, WF_FROM(0), .law = 1,
+      .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS,
       .text = "passes of the contact solver; 0: as many as it wants" },
     { WF_SETTING(substeps), WF_COUNTED, WF_FROM(1), .law = 1,
+      .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS,
       .text = "of solvers that step by themselves" },
     /* <rows of the table of settings> */
     { WF_SETTING(restingSteps), WF_REAL, WF_FROM(0), .law = 1, .unit = "steps of gravity",
+      .need = WF_NEED_CONTACTS,
       .text = "approaches slower than so many rest" },
     { WF_SETTING(positionShare), WF_REAL, WF_BETWEEN(0, 1), .law = 1, .unit = "of the overlap",
+      .need = WF_NEED_CONTACTS,
       .text = "removed in a step" },
     { WF_SETTING(slop), WF_REAL, WF_FROM(0), .law = 1, .unit = "of the smaller reach",
+      .need = WF_NEED_CONTACTS,
       .text = "overlap that is left alone" },
-    { WF_SETTING(reuse), WF_SWITCH, .text = "contacts of pairs that hardly moved are kept" },
+    { WF_SETTING(reuse), WF_SWITCH, .need = WF_NEED_CONTACTS,
+      .text = "contacts of pairs that hardly moved are kept" },
     /* <rows of the table of settings> */
     { WF_SETTING(contactPeriod), WF_REAL, WF_ABOVE(0), .law = 1, .unit = "substeps",
+      .need = WF_NEED_CONTACTS,
       .text = "period of a contact's spring (chapter 17)" },
     { WF_SETTING(contactDamping), WF_REAL, WF_ABOVE(0), .law = 1,
+      .need = WF_NEED_CONTACTS,
       .text = "damping ratio of a contact's spring" },
     { WF_SETTING(recoverySteps), WF_REAL, WF_FROM(0), .law = 1, .unit = "steps of gravity",
+      .need = WF_NEED_CONTACTS,
       .text = "overlap is left no faster than that; 0 or no gravity: no limit" },
-    { WF_SETTING(colours), WF_SWITCH, .text = "contacts are solved by colours (chapter 17)" },
+    { WF_SETTING(colours), WF_SWITCH, .need = WF_NEED_CONTACTS,
+      .text = "contacts are solved by colours (chapter 17)" },
+    { WF_SETTING(lanes), WF_SWITCH, .need = WF_NEED_CONTACTS,
+      .text = "and several at once, to the same bits" },
     { WF_SETTING(columns), WF_COUNTED, WF_BETWEEN(0, 1 + WF_COLUMN_LOOPS), .law = 1,
+      .need = WF_NEED_CONTACTS,
       .text = "1: towers are solved at once; 1 + n: with up to n loops (chapter 17)" },
     /* <rows of the table of settings> */
-    { WF_SETTING(frictionMix), WF_ROW(Mix), .law = 1, .text = "of two shapes' friction" },
-    { WF_SETTING(restitutionMix), WF_ROW(Mix), .law = 1, .text = "of their restitution" },
-    { WF_SETTING(rollingMix), WF_ROW(Mix), .law = 1, .text = "of their rolling resistance" },
+    { WF_SETTING(frictionMix), WF_ROW(Mix), .law = 1, .need = WF_NEED_FRICTION,
+      .text = "of two shapes' friction" },
+    { WF_SETTING(restitutionMix), WF_ROW(Mix), .law = 1, .need = WF_NEED_RESTITUTION,
+      .text = "of their restitution" },
+    { WF_SETTING(rollingMix), WF_ROW(Mix), .law = 1, .need = WF_NEED_ROLLING,
+      .text = "of their rolling resistance" },
     /* <rows of the table of settings> */
-    { WF_SETTING(events), WF_SWITCH, .builtIn = 1, .text = "events are listed" },
+    { WF_SETTING(events), WF_SWITCH, .builtIn = 1, .need = WF_NEED_CONTACTS,
+      .text = "touches are remembered; told, if needed" },
     { WF_SETTING(hitSteps), WF_REAL, WF_FROM(0), .unit = "steps of gravity",
+      .need = WF_NEED_EVENTS,
       .text = "approaches faster than so many are hits" },
     /* <rows of the table of settings> */
-    { WF_SETTING(queries), WF_SWITCH, .text = "queries are quick after every step" },
+    { WF_SETTING(queries), WF_SWITCH, .need = WF_NEED_QUERIES,
+      .text = "queries are quick after every step" },
     /* <rows of the table of settings> */
     { WF_SETTING(pairMaterials), WF_COUNTED, WF_CAPACITY(0),
+      .need = WF_NEED_MATERIALS,
       .text = "pairs of materials that may be known" },
     /* <rows of the table of settings> */
-    { WF_SETTING(jointCapacity), WF_COUNTED, WF_CAPACITY(0), .text = "joints at most" },
+    { WF_SETTING(fineSums), WF_SWITCH, .builtIn = 1, .law = 1,
+      .text = "what states round away is kept, by the solver soft (chapter 17)" },
     /* <rows of the table of settings> */
-    { WF_SETTING(exactJoints), WF_CHOICE(wfExactNames), .text = "joints solved together" },
+    { WF_SETTING(jointCapacity), WF_COUNTED, WF_CAPACITY(0), .need = WF_NEED_JOINTS,
+      .text = "joints at most" },
+    /* <rows of the table of settings> */
+    { WF_SETTING(exactJoints), WF_CHOICE(wfExactNames), .need = WF_NEED_JOINTS,
+      .text = "joints solved together" },
     { WF_SETTING(exactCost), WF_REAL, WF_FROM(0),
+      .need = WF_NEED_JOINTS,
       .text = "AUTO: products of blocks a joint, at most" },
     { WF_SETTING(jointGive), WF_REAL, WF_FROM(0),
+      .need = WF_NEED_JOINTS,
       .text = "how much joints solved together give (chapter 19)" },
     /* <rows of the table of settings> */
     { WF_SETTING(impacts), WF_COUNTED, WF_BETWEEN(0, WF_MAX_CAPACITY),
+      .need = WF_NEED_FAST,
       .text = "impacts of a fast body in a step, at most; 0: none is looked for" },
     /* <rows of the table of settings> */
-    { WF_SETTING(sleep), WF_SWITCH, .text = "islands that rest are left out of the step" },
+    { WF_SETTING(sleep), WF_SWITCH, .need = WF_NEED_SLEEP,
+      .text = "islands that rest are left out of the step" },
     { WF_SETTING(sleepTime), WF_REAL, WF_ABOVE(0), .unit = "s",
+      .need = WF_NEED_SLEEP,
       .text = "for so long all of an island must have been still" },
     { WF_SETTING(sleepShare), WF_REAL, WF_FROM(0), .unit = "of the reach",
+      .need = WF_NEED_SLEEP,
       .text = "still is who goes less of its reach in that time" },
 };
 const int wfSettingCount = (int)(sizeof wfSettingTable / sizeof *wfSettingTable);
@@ -146,19 +191,43 @@ double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part)
     const uint8_t *at = (const uint8_t *)def + s->offset;
     wfReal real;
     int32_t number;
+    uint32_t set;
     if (is_real(s)) {
         memcpy(&real, at + (size_t)part * sizeof real, sizeof real);
         return (double)real;
     }
     memcpy(&number, at, sizeof number);
-    return number;
+    memcpy(&set, at, sizeof set);
+    return s->kind == WF_SETTING_SET ? (double)set : (double)number;
 }
+/* <check what settings have to do with each other> */
+static wfResult check_needs(const wfWorldDef *def, const wfSetting **fault)
+{
+    wfWorldDef usual = wfDefaultWorldDef();
+    uint32_t needs = wfNeedsOf(def);
+    for (int i = 0; i < wfSettingCount; i++) {
+        const wfSetting *s = &wfSettingTable[i];
+        if (s->need == 0 || (needs & s->need) != 0) continue;
+        double is = wfSettingValue(def, s, 0), was = wfSettingValue(&usual, s, 0);
+        if (is == 0 || is == was) continue;
+        if (fault != NULL) *fault = s;
+        return wfNeedError(s->need & wfAllNeeds());
+    }
+    return WF_OK;
+}
+/* <check what settings have to do with each other> */
+/* in the section on needs */
 /* <check a world's definition> */
 static wfResult check_setting(const wfSetting *s, double value)
 {
     if (!(value - value == 0)) return WF_ERROR_NOT_FINITE;      /* NaN, or infinite */
     if (s->kind == WF_SETTING_ROW)
         return value >= 0 && value < *s->rowCount ? WF_OK : WF_ERROR_UNKNOWN;
+    /* <see that all of a set is known> */
+    /* the bits of a set */
+    /* <see that all of a set is known> */
+    bool set = s->kind == WF_SETTING_SET && value >= 0 && value <= UINT32_MAX;
+    if (set && ((uint32_t)value & ~wfAllNeeds()) != 0) return WF_ERROR_UNKNOWN;
     double most = s->kind == WF_SETTING_CHOICE ? *s->rowCount - 1 : s->most;
     bool low = s->above ? !(value > s->least) : value < s->least;
     return low || value > most ? WF_ERROR_RANGE : WF_OK;
@@ -175,6 +244,10 @@ wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault)
             if (result != WF_OK && fault != NULL) *fault = s;
         }
     }
+    /* <see that every setting has its need> */
+    /* The section on needs says more. */
+    /* <see that every setting has its need> */
+    if (result == WF_OK) result = check_needs(def, fault);
     return result;
 }
 /* <check a world's definition> */
@@ -191,10 +264,12 @@ wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double valu
         if (result == WF_OK) memcpy(at + (size_t)part * sizeof real, &real, sizeof real);
         return result;
     }
-    if (value < INT32_MIN || value > INT32_MAX) return WF_ERROR_RANGE;
-    int32_t number = (int32_t)value;
+    if (value < INT32_MIN || value > UINT32_MAX) return WF_ERROR_RANGE;
+    int64_t number = (int64_t)value;
     if ((double)number < value || (double)number > value) return WF_ERROR_RANGE;
-    memcpy(at, &number, sizeof number);
+    if (s->kind != WF_SETTING_SET && number > INT32_MAX) return WF_ERROR_RANGE;
+    uint32_t bits = (uint32_t)number;
+    memcpy(at, &bits, sizeof bits);
     return WF_OK;
 }
 /* <keep the settings in the header> */

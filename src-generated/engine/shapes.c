@@ -40,6 +40,17 @@ static wfResult check_shape_def(const wfShapeDef *d)
     if (d->sensor != 0 && (d->sensor != 1 || !may)) return WF_ERROR_RANGE;
     return d->shape.kind == WF_SHAPE_NONE ? WF_ERROR_RANGE : wfCheckShape(&d->shape);
 }
+/* <what shapes need> */
+uint32_t wfNeedsOfShape(const wfShapeDef *d)
+{
+    uint32_t needs = WF_NEED_SHAPES;
+    if (d->friction > 0 || d->staticFriction > 0 || d->surfaceSpeed != 0)
+        needs |= WF_NEED_FRICTION;
+    if (d->restitution > 0) needs |= WF_NEED_RESTITUTION;
+    if (d->rolling > 0) needs |= WF_NEED_ROLLING;
+    if (d->sensor) needs |= WF_NEED_SENSORS;
+    return needs;
+}
 /* <weigh the shapes of a body> */
 static wfResult join(wfMassData *sum, const wfShape *shape, wfReal density, wfReal even)
 {
@@ -97,7 +108,8 @@ static wfResult check_forms(const bodyPlan *plan, wfVec2 centre)
     for (int32_t k = b->props[plan->body].shape; moves && k >= 0; k = b->next[k]) {
         wfShape moved = b->shapes[k];
         wfShapeMove(&moved, shift);
-        if (k != plan->without && result == WF_OK) result = wfCheckMovedShape(&moved, centre);
+        if (k != plan->without && result == WF_OK)
+            result = wfCheckMovedShape(&moved, centre);
     }
     for (int32_t k = 0; k < plan->count; k++) {
         wfShape moved = plan->more[k].shape;
@@ -138,6 +150,7 @@ void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyPro
     wfVec2 shift = wfSub(b->props[i].localCentre, props->localCentre);
     b->state[i] = *state;
     b->props[i] = *props;
+    if (state->invInertia > 0) wfUse(b, WF_NEED_ROTATION);
     if (props->type == WF_DYNAMIC) wfDisturb(b, i);
     wfBoundBody(b, i);  /* what moves and what does not may have changed */
     if (shift.x == 0 && shift.y == 0) return;
@@ -272,14 +285,20 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     if (i < 0) return WF_ERROR_STALE_ID;
     if (defs == NULL) return WF_ERROR_NULL;
     if (count < 0) return WF_ERROR_RANGE;
-    for (int32_t k = 0; k < count && result == WF_OK; k++)
+    bool many = count + (b.props[i].shape >= 0) > 1;
+    uint32_t needs = count == 0 ? 0 : WF_NEED_SHAPES | (many ? WF_NEED_COMPOUNDS : 0);
+    for (int32_t k = 0; k < count && result == WF_OK; k++) {
         result = check_shape_def(&defs[k]);
+        if (result == WF_OK) needs |= wfNeedsOfShape(&defs[k]);
+    }
+    if (result == WF_OK) result = wfDemand(&b, needs);
     if (result == WF_OK && count > wfFreeShapes(&b)) result = WF_ERROR_FULL;
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
     state = b.state[i];
     props = b.props[i];
     if (result == WF_OK) result = plan_body(&plan, &state, &props);
     if (result != WF_OK) return result;
+    wfUse(&b, needs);
     wfCarryOut(&b, i, &state, &props);
     for (int32_t k = 0; k < count; k++) {
         int32_t made = wfHangShape(&b, i, &defs[k]);
@@ -322,6 +341,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     wfShapeDef old;
     wfResult result = def == NULL ? WF_ERROR_NULL : change_shape(world, id, &b, &k);
     if (result == WF_OK) result = check_shape_def(def);
+    if (result == WF_OK) result = wfDemand(&b, wfNeedsOfShape(def));
     if (result != WF_OK) return result;
     tell_shape(&b, k, &old);
     bool reshaped = !same_geometry(&old.shape, &def->shape);
@@ -338,6 +358,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     if (reshaped || meets_others(&old, def)) wfForgetContacts(&b, -1, k);
     if (reshaped) place_shape(&b, k, b.owners[k], &def->shape);
     write_material(&b, k, def);
+    wfUse(&b, wfNeedsOfShape(def));
     wfDisturb(&b, b.owners[k]);
     wfBoundShape(&b, k);
     return WF_OK;

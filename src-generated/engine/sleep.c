@@ -19,12 +19,16 @@ static Rest rest_of(const wfBlock *b)
 {
     uint8_t *base = (uint8_t *)b->head;
     const uint64_t *at = b->head->offset;
+    if (!wfHas(b->head, WF_NEED_SLEEP)) return (Rest){ NULL, NULL, NULL, NULL };
     return (Rest){ base + at[WF_REGION_REST], (void *)(base + at[WF_REGION_CLOCKS]),
                    (void *)(base + at[WF_REGION_RINGS]),
                    (void *)(base + at[WF_REGION_ISLANDS]) };
 }
 
-static bool sleeps(const Rest *r, int32_t i) { return (r->flags[i] & REST_ASLEEP) != 0; }
+static bool sleeps(const Rest *r, int32_t i)
+{
+    return r->flags != NULL && (r->flags[i] & REST_ASLEEP) != 0;
+}
 /* <rouse sleepers> */
 static void rouse_island(wfBlock *b, const Rest *r, int32_t i)
 {
@@ -42,7 +46,7 @@ static void rouse_island(wfBlock *b, const Rest *r, int32_t i)
 void wfRouse(wfBlock *b, int32_t i)
 {
     Rest r = rest_of(b);
-    if (i >= 0) r.clock[i] = 0;
+    if (r.clock != NULL && i >= 0) r.clock[i] = 0;
     if (b->head->asleep == 0) return;
     if (i < 0)
         for (int32_t k = 0; k < b->head->bodySlots.high; k++) rouse_island(b, &r, k);
@@ -78,6 +82,7 @@ bool wfSleeps(const wfBlock *b, int32_t i)
 void wfBeginRest(wfBlock *b, int32_t i, int32_t never)
 {
     Rest r = rest_of(b);
+    if (r.flags == NULL) return;
     r.flags[i] = never ? REST_NEVER : 0;
     r.clock[i] = 0;
     r.ring[i] = r.island[i] = -1;
@@ -146,6 +151,7 @@ void wfLeaveOutSleepers(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     Rest r = rest_of(&s->b);
+    if (r.flags == NULL) return;
     s->woken = wfTransient(&s->b, WF_REGION_WOKEN);
     if (s->restarts == 0) memset(s->woken, 0, (size_t)s->count);
     for (int32_t i = 0; i < s->count && head->asleep > 0; i++)
@@ -249,7 +255,8 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
         /* from outside */
         /* <see whether body i is pushed> */
         const wfBodyForces *f = &s->b.applied[i];
-        pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
+        if (wfHas(s->b.head, WF_NEED_PUSHES))
+            pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
         l->moves[i] = s->present[i] && (s->state[i].invMass > 0
                                         || s->state[i].invInertia > 0);
         l->marks[i] = pushed || (r.flags[i] & REST_NEVER) ? LINK_RESTLESS : 0;
@@ -369,13 +376,20 @@ static void put(const List *to, uint8_t *base, int32_t at, const uint8_t *from, 
         memmove(base + (size_t)at * to->each, from + (size_t)i * to->each, to->each);
 }
 
+/* Does its body sleep only since this step? */
+static bool just_slept(const struct wfStep *s, int32_t shape)
+{
+    return s->b.owners[shape] >= 0 && s->woken[s->b.owners[shape]] == 2;
+}
+
 static int32_t squeeze(struct wfStep *s, const List *l, const List *with, uint8_t *base,
                        uint8_t *other, int32_t count, bool kept)
 {
     int32_t left = 0;
     for (int32_t i = 0; i < count; i++) {
         wfPair p = key_of(l, base, i);
-        if (keeps(s, p.a, p.b) != kept) continue;
+        bool again = kept && (just_slept(s, p.a) || just_slept(s, p.b));
+        if (again || keeps(s, p.a, p.b) != kept) continue;
         put(l, base, left, base, i);
         put(with, other, left++, other, i);
     }
@@ -437,6 +451,7 @@ static void lie_down(struct wfStep *s, const Rest *r)
             r->flags[i] &= REST_NEVER;
             if (!tired) continue;
             r->flags[i] |= REST_ASLEEP;
+            s->woken[i] = 2;    /* fell asleep in this step */
             r->ring[i] = in->members[m + 1 < end ? m + 1 : first];
         }
     }
@@ -497,6 +512,7 @@ wfResult wfPutToSleep(wfWorld *world, wfBodyId id)
     Rest r;
     int32_t i;
     wfResult result = change_rest(world, id, &b, &r, &i);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_SLEEP);
     if (result != WF_OK) return result;
     if (!b.head->sleep || b.props[i].type != WF_DYNAMIC) return WF_ERROR_RANGE;
     if (r.flags[i] & REST_NEVER) return WF_ERROR_RANGE;
@@ -512,6 +528,7 @@ wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never)
     wfResult result = change_rest(world, id, &b, &r, &i);
     if (result != WF_OK) return result;
     if (never != 0 && never != 1) return WF_ERROR_RANGE;
+    if (r.flags == NULL) return WF_OK;      /* nobody ever sleeps here */
     if (never) wfRouse(&b, i);
     if (never) r.flags[i] = REST_NEVER;
     else r.flags[i] &= REST_ASLEEP | REST_SENT;
@@ -523,6 +540,7 @@ bool wfNeverSleeps(const wfWorld *world, wfBodyId id)
     wfBlock b;
     int32_t i = wfBodyIndex(world, id);
     if (i < 0 || wfOpenBlock(world, &b) != WF_OK) return false;
+    if (!wfHas(b.head, WF_NEED_SLEEP)) return false;
     return (rest_of(&b).flags[i] & REST_NEVER) != 0;
 }
 /* <calls about rest> */

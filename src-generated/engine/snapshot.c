@@ -75,6 +75,9 @@ static const Field field_table[] = {
     WHOLE(WF_REGION_PROPS, wfBodyProps, type), REAL(WF_REGION_PROPS, wfBodyProps, mass),
     REAL(WF_REGION_PROPS, wfBodyProps, linearDamping),
     WHOLE(WF_REGION_PROPS, wfBodyProps, shape),
+    REAL(WF_REGION_FINE, wfFine, p.x), REAL(WF_REGION_FINE, wfFine, p.y),
+    REAL(WF_REGION_FINE, wfFine, angle), REAL(WF_REGION_FINE, wfFine, v.x),
+    REAL(WF_REGION_FINE, wfFine, v.y), REAL(WF_REGION_FINE, wfFine, w),
     /* <rows of the field table> */
     WHOLE(WF_REGION_CONTACTS, wfContact, a), WHOLE(WF_REGION_CONTACTS, wfContact, b),
     REAL(WF_REGION_CONTACTS, wfContact, friction),

@@ -21,6 +21,9 @@ static wfResult copy_states(struct wfStep *s)
     s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
                             .shapes = wfShapesOf(&s->b), .dt = s->b.head->dt };
     /* <say which bodies do not take part> */
+    s->fine = s->b.fine == NULL ? NULL : wfTransient(&s->b, WF_REGION_NEW_FINE);
+    if (s->fine != NULL) memcpy(s->fine, s->b.fine, (size_t)s->count * sizeof *s->fine);
+    /* <say which bodies do not take part> */
     wfLeaveOutSleepers(s);
     const wfHeader *head = s->b.head;
     size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
@@ -46,6 +49,7 @@ static wfResult list_forces(struct wfStep *s)
 static wfResult damp_half(struct wfStep *s)
 {
     wfReal half = s->b.head->dt / 2;
+    if (!wfHas(s->b.head, WF_NEED_DAMPING)) return WF_OK;
     for (int32_t i = 0; i < s->count; i++) {
         const wfBodyProps *p = &s->b.props[i];
         if (s->present[i] && p->type == WF_DYNAMIC)
@@ -74,7 +78,8 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     /* <add what the user applied> */
     /* where that is possible */
     /* <add what the user applied> */
-    for (int i = 0; i < count; i++) {
+    bool pushed = wfHas(s->b.head, WF_NEED_PUSHES);
+    for (int i = 0; pushed && i < count; i++) {
         if (!s->present[i]) continue;
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
         wfApplyTorque(&out[i], s->b.applied[i].torque);
@@ -89,6 +94,7 @@ static wfResult sum_forces(struct wfStep *s)
     wfReal half = s->b.head->dt / 2;
     s->sums = wfTransient(&s->b, WF_REGION_SUMS);
     if (middle == NULL) return WF_ERROR_MEMORY;
+    s->movers = s->count;       /* until the boxes are made, if they are */
     memset(s->sums, 0, (size_t)s->count * sizeof *s->sums);
     for (int32_t i = 0; i < s->count; i++) {
         middle[i] = s->state[i];
@@ -123,6 +129,22 @@ static wfResult check_states(struct wfStep *s)
         /* which nothing has turned */
         /* <take full turns off the angle of body i> */
         wfWrapBodyAngle(&s->state[i]);
+    }
+    /* <check that contacts are finite> */
+    /* there are none yet */
+    /* <check that contacts are finite> */
+    for (int32_t i = 0; i < s->contactCount; i++) {
+        const wfContact *c = &s->contacts[i];
+        wfReal nought = 0 * c->manifold.normal.x + 0 * c->manifold.normal.y
+                      + 0 * c->rollingImpulse + 0 * c->slop + 0 * c->friction
+                      + 0 * c->staticFriction + 0 * c->rolling + 0 * c->surfaceSpeed;
+        for (int32_t k = 0; k < c->manifold.count; k++) {
+            const wfContactPoint *p = &c->manifold.points[k];
+            nought += 0 * p->point.x + 0 * p->point.y + 0 * p->armA.x + 0 * p->armA.y;
+            nought += 0 * p->armB.x + 0 * p->armB.y + 0 * p->depth;
+            nought += 0 * p->normalImpulse + 0 * p->tangentImpulse;
+        }
+        if (nought != 0) return WF_ERROR_NOT_FINITE;
     }
     double end = s->b.head->time + (double)s->b.head->dt;
     return wfIsFinite((wfReal)end) ? WF_OK : WF_ERROR_NOT_FINITE;
@@ -159,6 +181,7 @@ static wfRect bound_one(const wfBlock *b, int32_t k, wfTransform placed)
 void wfBoundShape(wfBlock *b, int32_t k)
 {
     int32_t i = b->owners[k];
+    if (!wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES)) return;
     wfTransform placed = i >= 0 ? wfBodyTransform(&b->state[i]) : wfTransformIdentity();
     b->bounds[k] = bound_one(b, k, placed);
     b->flags[k] = flag_shape(b, b->state, k);
@@ -180,6 +203,7 @@ static wfResult find_bounds(struct wfStep *s)
     s->rims = wfTransient(&s->b, WF_REGION_RIMS);
     s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
     s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
+    s->movers = 0;
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i]) continue;
         s->places[i] = wfBodyTransform(&s->state[i]);
@@ -268,19 +292,29 @@ static wfResult find_pairs(struct wfStep *s)
                              .capacity = head->pairCapacity - s->kept.pairs };
     size_t bytes = index_bytes(head);
     if (s->movers == 0 && !asked) return WF_OK;
+    bool meets = wfHas(head, WF_NEED_CONTACTS);
+    if (bytes == 0 && !meets) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
     s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
     memcpy(s->index, s->b.index, bytes);
     wfResult result = wfUpdateIndex(head->broadPhase, &proxies, s->index, bytes,
                                     &s->scratch);
-    if (result != WF_OK) return result;
+    if (result != WF_OK || !meets) return result;
     return wfIndexPairs(head->broadPhase, &proxies, s->index, &s->scratch, &s->pairs);
+}
+/* <find the pairs> */
+static wfResult find_and_count(struct wfStep *s)
+{
+    wfResult result = find_pairs(s);
+    int32_t found = s->pairs.count + s->kept.pairs;
+    if (s->foundPairs < found) s->foundPairs = found;
+    return result;
 }
 /* <find the pairs> */
 wfResult wfFindPairsAgain(struct wfStep *s)
 {
     wfResult result = find_bounds(s);
-    return result == WF_OK ? find_pairs(s) : result;
+    return result == WF_OK ? find_and_count(s) : result;
 }
 /* <resolve the contacts> */
 int32_t wfPassesOf(const wfHeader *head)
@@ -303,7 +337,9 @@ static wfSolve to_solve(struct wfStep *s)
         /* <what else a solver is told> */
         .recoverySpeed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
-        .columns = head->columns, .colours = head->colours,
+        .columns = head->columns, .colours = head->colours, .lanes = head->lanes,
+        /* <what else a solver is told> */
+        .fine = s->fine,
     };
 }
 
@@ -359,6 +395,7 @@ wfResult wfIndexWorld(wfWorld *world)
     wfBlock b;
     wfPool scratch;
     wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_QUERIES);
     if (result != WF_OK || index_bytes(b.head) == 0) return result;
     size_t size = (size_t)(b.head->scratchBytes - b.head->offset[WF_REGION_SCRATCH]);
     result = wfPoolInit(&scratch, size, wfTransient(&b, WF_REGION_SCRATCH));
@@ -372,7 +409,7 @@ wfResult wfIndexWorld(wfWorld *world)
 /* <commit the step> */
 static void copy_back(void *to, const void *from, int32_t count, size_t each)
 {
-    if (count > 0) memcpy(to, from, (size_t)count * each);
+    if (count > 0 && from != NULL) memcpy(to, from, (size_t)count * each);
 }
 
 static wfResult commit(struct wfStep *s)
@@ -385,7 +422,8 @@ static wfResult commit(struct wfStep *s)
     /* <commit what was found> */
     /* contacts and events, where there are any */
     /* <commit what was found> */
-    memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
+    if (wfHas(head, WF_NEED_PUSHES))
+        memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
     /* <commit what was found> */
     copy_back(s->b.bounds, s->bounds, s->shapeCount, sizeof *s->bounds);
     copy_back(s->b.flags, s->flags, s->shapeCount, sizeof *s->flags);
@@ -400,6 +438,8 @@ static wfResult commit(struct wfStep *s)
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
+    /* <commit what was found> */
+    if (s->fine != NULL) copy_back(s->b.fine, s->fine, s->count, sizeof *s->fine);
     /* <count what was committed> */
     head->time += (double)head->dt;
     head->steps++;
@@ -407,12 +447,16 @@ static wfResult commit(struct wfStep *s)
     head->kept = s->kept;
     head->pairCount = s->kept.pairs + s->pairs.count;
     head->contactCount = s->kept.contacts + s->contactCount;
+    if (head->mostPairs < s->foundPairs) head->mostPairs = s->foundPairs;
+    if (head->mostContacts < head->contactCount) head->mostContacts = head->contactCount;
     head->indexStale = 1;
     /* <count what was committed> */
     head->indexStale = !head->queries;
     /* <count what was committed> */
     head->touchCount = s->kept.touches + s->touchCount;
     head->hitCount = s->hitCount;
+    if (head->mostPairs < head->touchCount) head->mostPairs = head->touchCount;
+    if (head->mostPairs < head->hitCount) head->mostPairs = head->hitCount;
     memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
     /* <count what was committed> */
     head->report = s->report;
@@ -420,79 +464,108 @@ static wfResult commit(struct wfStep *s)
     head->fastCount = s->fastCount;
     head->impactCount = s->impactCount;
     head->heldCount = s->heldCount;
+    if (s->followed || s->fastCount > 0) wfUse(&s->b, WF_NEED_FAST);
+    if (head->mostPairs < s->strikeCount) head->mostPairs = s->strikeCount;
     return WF_OK;
 }
 /* <the table of stages> */
 const wfStageRow wfStageTable[] = {
     /* <rows of the stage table> */
     { "copy", "copy the states, so that a step that fails has changed nothing",
-      "states", "new states", copy_states },
+      "states", "new states", copy_states,
+      0, 0 },
     { "forces", "list gravity and the registered forces that act",
-      "forces", "active forces", list_forces },
+      "forces", "active forces", list_forces,
+      0, 0 },
     /* <rows of the stage table> */
     { "damp", "damp the velocities over the first half of the step",
-      "properties", "new states", damp_half },
+      "properties", "new states", damp_half,
+      WF_NEED_DAMPING, 0 },
     /* <rows of the stage table> */
     { "integrate", "let the forces act: new velocities, new places",
-      "active and applied forces", "new states, sums of forces", integrate },
+      "active and applied forces", "new states, sums of forces", integrate,
+      0, 0 },
     /* <rows of the stage table> */
     { "damp again", "damp the velocities over the second half",
-      "properties", "new states", damp_again },
+      "properties", "new states", damp_again,
+      WF_NEED_DAMPING, 0 },
     /* <rows of the stage table> */
     { "check", "stop here if a number has overflowed",
-      "new states", "", check_states },
+      "new states", "", check_states,
+      0, 0 },
     /* <rows of the stage table> */
     { "bounds", "put an upright box round every shape",
-      "new states, shapes", "new bounds, new flags", find_bounds },
+      "new states, shapes", "new bounds, new flags", find_bounds,
+      0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
     /* <stages that find pairs> */
     { "broad phase", "find the pairs whose boxes overlap",
-      "new bounds, new flags, index", "new pairs, new index", find_pairs },
+      "new bounds, new flags, index", "new pairs, new index", find_and_count,
+      0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
     /* <stages that find pairs> */
     { "joined pairs", "bodies that are joined do not collide",
-      "new pairs, joints", "new pairs", wfLeaveOutJoined },
+      "new pairs, joints", "new pairs", wfLeaveOutJoined,
+      WF_NEED_JOINTS | WF_NEED_CONTACTS, 0 },
     { "joints", "copy the joints, for the solver to keep",
-      "joints", "new joints", wfTakeJoints },
+      "joints", "new joints", wfTakeJoints,
+      WF_NEED_JOINTS, 0 },
     /* <stages that find pairs> */
     { "impacts", "follow fast bodies to what they hit (a solver that does not step)",
-      "states, new states, joints", "new states, new pairs, strikes", wfFlyFirst },
+      "states, new states, joints", "new states, new pairs, strikes", wfFlyFirst,
+      WF_NEED_FAST, 0 },
     /* <stages that find pairs> */
     { "sleepers met", "place the sleepers whose boxes somebody has met",
-      "new pairs, new states", "places", wfPlaceSleepers },
+      "new pairs, new states", "places", wfPlaceSleepers,
+      WF_NEED_SLEEP, 0 },
     { "narrow phase", "find the pairs that touch, and where",
-      "new pairs, new states, contacts", "new contacts, touches, hits", wfFindContacts },
+      "new pairs, new states, contacts", "new contacts, touches, hits", wfFindContacts,
+      WF_NEED_CONTACTS, 0 },
     /* <stages that mend> */
     { "velocities", "make touching bodies part",
-      "new contacts, sums of forces", "new states", solve_velocities },
+      "new contacts, sums of forces", "new states", solve_velocities,
+      0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
     { "positions", "take overlaps away",
-      "new contacts", "new states", solve_positions },
+      "new contacts", "new states", solve_positions,
+      0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
     /* <stages that mend> */
     { "loads", "see what the joints bore, and which of them broke",
-      "new joints", "new joints", wfJudgeJoints },
+      "new joints", "new joints", wfJudgeJoints,
+      WF_NEED_JOINTS, 0 },
     /* <stages that mend> */
     { "late impacts", "the same, behind a solver that steps",
-      "states, new states, joints", "new states, strikes", wfFlyLast },
+      "states, new states, joints", "new states, strikes", wfFlyLast,
+      WF_NEED_FAST, 0 },
     /* <stages that mend> */
     { "strikes", "what was struck was touched, and hit",
-      "strikes", "new touches, hits", wfTellStrikes },
+      "strikes", "new touches, hits", wfTellStrikes,
+      WF_NEED_FAST, 0 },
     { "check again", "stop here if a number has overflowed",
-      "new states", "", check_states },
+      "new states", "", check_states,
+      0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
     /* <rows of the stage table> */
+    { "touches", "remember who touches whom",
+      "new touches, new contacts", "new touches", wfKeepTouches,
+      WF_NEED_CONTACTS, 0 },
     { "events", "say what began, goes on and ended",
-      "new touches, touches", "new events", wfTellEvents },
+      "new touches, touches", "new events", wfTellEvents,
+      WF_NEED_EVENTS, 0 },
     /* <rows of the stage table> */
     /* <stages before the end> */
     /* whatever has to be ready before that */
     /* <stages before the end> */
     { "index", "prepare the answers to queries",
-      "new states, shapes", "new bounds, new index", find_index },
+      "new states, shapes", "new bounds, new index", find_index,
+      0, WF_NEED_QUERIES },
     /* <stages before the end> */
     { "islands", "let islands that rest fall asleep",
-      "new contacts, new joints, new states", "new states, clocks of rest", wfFindIslands },
+      "new contacts, new joints, new states", "new states, clocks of rest", wfFindIslands,
+      WF_NEED_SLEEP, 0 },
     { "commit", "what is new becomes the world",
-      "all that is new", "all that is permanent", commit },
+      "all that is new", "all that is permanent", commit,
+      0, 0 },
     /* <rows of the stage table> */
     { "keep joints", "the new joints become the world's",
-      "new joints", "joints, broken joints", wfKeepJoints },
+      "new joints", "joints, broken joints", wfKeepJoints,
+      WF_NEED_JOINTS, 0 },
 };
 const int wfStageCount = (int)(sizeof wfStageTable / sizeof *wfStageTable);
 /* <step the world> */
@@ -500,12 +573,24 @@ static wfResult run_stages(struct wfStep *step)
 {
     wfResult result = WF_OK;
     for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
+        /* <pass over a stage that nobody needs> */
+        /* in this world */
+        /* <pass over a stage that nobody needs> */
+        if (!wfStageRuns(&wfStageTable[i], step->b.head->needs)) continue;
+        const wfStepClock *clock = step->clock;
+        double start = clock == NULL ? 0 : clock->now(clock->context);
         result = wfStageTable[i].run(step);
+        /* <take the time of a stage> */
+        /* if somebody has a clock */
+        /* <take the time of a stage> */
+        if (clock != NULL) clock->seconds[i] += clock->now(clock->context) - start;
         /* <begin anew if a stage says so> */
         /* no stage of this chapter does */
         /* <begin anew if a stage says so> */
         if (result == WF_OK && step->again) {
             *step = (struct wfStep){ .b = step->b, .restarts = step->restarts + 1,
+                /* <what a step keeps that begins anew> */
+                .clock = step->clock,
                 /* <what a step keeps that begins anew> */
                 /* whom to ask, if the user has hooks */
                 /* <what a step keeps that begins anew> */
@@ -523,14 +608,23 @@ wfResult wfStepWorld(wfWorld *world)
     wfResult result = wfChangeBlock(world, &step.b);
     return result == WF_OK ? run_stages(&step) : result;
 }
+/* <step the world> */
+wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
+{
+    struct wfStep step = { .clock = clock };
+    wfResult result = wfChangeBlock(world, &step.b);
+    return result == WF_OK ? run_stages(&step) : result;
+}
 /* <step the world for hooks> */
 wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks)
 {
     struct wfStep step = { .hooks = hooks };
     wfResult result = wfChangeBlock(world, &step.b);
+    if (result == WF_OK && hooks != NULL) result = wfDemand(&step.b, WF_NEED_HOOKS);
     if (result != WF_OK) return result;
     step.b.head->busy = hooks != NULL;
     result = run_stages(&step);
     step.b.head->busy = 0;
+    if (result == WF_OK && hooks != NULL) wfUse(&step.b, WF_NEED_HOOKS);
     return result;
 }

@@ -10,6 +10,10 @@
 struct wfStep {
     wfBlock          b;
     wfPool           scratch;
+    /* <what a step works with at all> */
+    /* who looks on */
+    /* <what a step works with at all> */
+    const wfStepClock *clock;     /* that times the stages, or NULL */
     int32_t          count;       /* places for bodies in use */
     uint8_t         *present;     /* 1: a body that takes part in the step */
     bool             all;         /* all bodies are present */
@@ -31,6 +35,7 @@ struct wfStep {
     uint8_t         *flags;
     void            *index;       /* of the broad phase, or NULL */
     wfPairList       pairs;
+    int32_t          foundPairs;  /* so many the broad phase has found, with those kept */
     wfManifoldCache *caches;      /* one for each pair */
     wfContact       *contacts;
     int32_t          contactCount;
@@ -46,6 +51,8 @@ struct wfStep {
     /* <arrays of the second half> */
     const wfHooks   *hooks;       /* the user's functions, or NULL */
     wfHookView       view;        /* what they get to see */
+    /* <arrays of the second half> */
+    wfFine *fine;              /* the new one, or NULL */
     /* <arrays of the second half> */
     wfSolveReport report;         /* of the solver, if it makes one */
     /* <arrays of the second half> */
@@ -64,8 +71,9 @@ struct wfStep {
     int32_t          strikeCount;
     wfPair          *spared;      /* pairs that a hook lets pass each other in this step */
     int32_t          sparedCount;
+    bool             followed;    /* somebody was not looked ahead for, since it is followed */
     /* <arrays of the second half> */
-    uint8_t         *woken;       /* 1: slept before this step, and takes part */
+    uint8_t         *woken;       /* 1: slept before, and takes part; 2: fell asleep */
     int32_t          roused;      /* 1: some of what was kept is kept no longer */
     int32_t          tired;       /* how many fall asleep at the end */
     wfReal          *clocks;      /* new clocks of rest */
@@ -86,5 +94,6 @@ static inline bool wfIsSensor(const wfBlock *b, int32_t k)
 bool wfHasMass(const struct wfStep *s, int32_t k);
 wfResult wfFindContacts(struct wfStep *s);      /* a stage */
 /* <declarations of the stages> */
-wfResult wfTellEvents(struct wfStep *s);        /* a stage */
+wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
+wfResult wfTellEvents(struct wfStep *s);
 #endif

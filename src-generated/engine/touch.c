@@ -6,7 +6,8 @@
 /* <how far shapes may come in a step> */
 bool wfSolverSteps(const struct wfStep *s)
 {
-    return wfSolverTable[s->b.head->solver].step != NULL;
+    const wfHeader *head = s->b.head;
+    return wfHas(head, WF_NEED_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
 }
 
 static wfVec2 velocity_to_be(const struct wfStep *s, int32_t i)
@@ -30,7 +31,10 @@ wfReal wfWayOfShape(struct wfStep *s, int32_t k)
     /* <how far this shape is looked ahead> */
     wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + s->rims[k]);
     /* <how far this shape is looked ahead> */
-    if (wfIsFollowed(&s->b, k, way)) way = s->b.head->slop * s->b.materials[k].reach;
+    if (wfIsFollowed(&s->b, k, way)) {
+        way = s->b.head->slop * s->b.materials[k].reach;
+        s->followed = true;
+    }
     return way;
 }
 
@@ -148,7 +152,7 @@ static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
     wfPair p = { c->shapeA, c->shapeB };
     wfTouch *touch = &s->touches[s->touchCount++];
     *touch = stamp_touch(s, p, sure ? TOUCH_SURE : 0);
-    note_hit(s, c, touch);
+    if (wfHas(s->b.head, WF_NEED_EVENTS)) note_hit(s, c, touch);
 }
 /* <note the touches> */
 static bool comes_after(wfPair a, wfPair b)
@@ -210,8 +214,9 @@ wfResult wfTellStrikes(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfReal least = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
     wfResult result = touch_strikes(s);
+    bool told = wfHas(head, WF_NEED_EVENTS);
     for (int32_t i = 0; i < s->strikeCount && result == WF_OK; i++)
-        if (s->strikes[i].speed > least) result = hit_by_strike(s, &s->strikes[i]);
+        if (told && s->strikes[i].speed > least) result = hit_by_strike(s, &s->strikes[i]);
     return result;
 }
 /* <note the touches> */
@@ -443,10 +448,15 @@ static void list_events(struct wfStep *s, int kind, const wfTouchList *from)
     s->eventCount[kind] = s->eventTotal - first;
 }
 /* <tell the events> */
+wfResult wfKeepTouches(struct wfStep *s)
+{
+    if (s->b.head->events) keep_touches(s);
+    return WF_OK;
+}
+
 wfResult wfTellEvents(struct wfStep *s)
 {
     if (!s->b.head->events) return WF_OK;
-    keep_touches(s);
     size_t mark = wfPoolMark(&s->scratch);
     int32_t most = s->b.head->pairCapacity;
     wfTouch *list[3];

@@ -32,7 +32,8 @@ wfExactShape wfTellExactShape(const wfWorld *world, int32_t k)
 
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i)
 {
-    return block_of(world).applied[i];
+    wfBlock b = block_of(world);
+    return wfHas(b.head, WF_NEED_PUSHES) ? b.applied[i] : (wfBodyForces){ .torque = 0 };
 }
 /* <tell what is exact> */
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out)
@@ -94,7 +95,7 @@ const char *wfExactBodyFault(const wfWorld *world, int32_t i, const wfExactBody 
     bool known = e->givenMass == 0 || !moves || is_share(e->givenMass, p->mass);
     return known ? NULL : "givenMass";
 }
-
+/* <compare with the plain text> */
 const char *wfExactShapeFault(const wfWorld *world, int32_t k, const wfExactShape *e)
 {
     wfBlock b = block_of(world);
@@ -149,9 +150,12 @@ void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot)
     wfCarryOut(&b, i, &state, &props);
 }
 
-void wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
+wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
 {
-    block_of(world).applied[i] = *push;
+    wfBlock b = block_of(world);
+    if (!wfHas(b.head, WF_NEED_PUSHES)) return WF_ERROR_NO_PUSHES;
+    b.applied[i] = *push;
+    return WF_OK;
 }
 
 void wfPutClock(wfWorld *world, double time, uint64_t steps)

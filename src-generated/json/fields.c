@@ -24,7 +24,7 @@ static int distance(const char *a, const char *b)               /* eq:save-dista
     }
     return row[n];
 }
-
+/* <suggest a name> */
 static void nearer(const char *name, const char *wrong, const char **best, int *least)
 {
     int d = distance(name, wrong);
@@ -94,7 +94,7 @@ static bool read_doubles(wfText *t, const cJSON *item, const wfField *f, double 
         if (!read_number(t, c, f, DBL_MAX, &out[i++])) return false;
     return true;
 }
-
+/* <read a field> */
 static bool read_int(wfText *t, const cJSON *item, const wfField *f, int32_t *out)
 {
     double x;
@@ -125,6 +125,20 @@ static bool read_row(wfText *t, const cJSON *item, const wfField *f, int32_t *ou
     for (int i = 0; (name = wfFieldRow(f, i)) != NULL; i++)
         nearer(name, wrong, &best, &least);
     return unknown(t, item, f->name, wrong, best);
+}
+
+static bool read_set(wfText *t, const cJSON *item, const wfField *f, uint32_t *out)
+{
+    uint32_t set = 0;
+    if (!cJSON_IsArray(item))
+        return wfTextFail(t, item, WF_ERROR_TEXT, "must be a list of names");
+    for (const cJSON *one = item->child; one != NULL; one = one->next) {
+        int32_t row;
+        if (!read_row(t, one, f, &row)) return false;
+        set |= wfNeedTable[row].bit;
+    }
+    *out = set;
+    return true;
 }
 
 static bool read_string(wfText *t, const cJSON *item, const wfField *f, char *out)
@@ -161,6 +175,7 @@ bool wfReadField(wfText *t, const cJSON *item, const wfField *f, void *out)
     case WF_FIELD_FLAG: return read_flag(t, item, 1, to);
     case WF_FIELD_BIT: return read_flag(t, item, f->count, to);
     case WF_FIELD_ROW: return read_row(t, item, f, to);
+    case WF_FIELD_SET: return read_set(t, item, f, to);
     case WF_FIELD_BITS: return read_bits(t, item, to);
     default: return read_string(t, item, f, to);
     }
@@ -267,6 +282,18 @@ static cJSON *doubles_item(const double *x, int count)
     return array;
 }
 /* <write a field> */
+static cJSON *set_item(uint32_t set)
+{
+    cJSON *array = cJSON_CreateArray();
+    for (int i = 0; i < wfNeedCount && array != NULL; i++) {
+        if (!(set & wfNeedTable[i].bit)) continue;
+        cJSON *name = cJSON_CreateString(wfNeedTable[i].name);
+        if (name != NULL) cJSON_AddItemToArray(array, name);
+        else cJSON_Delete(array), array = NULL;
+    }
+    return array;
+}
+/* <write a field> */
 static cJSON *field_item(const wfField *f, const void *from)
 {
     const void *at = (const uint8_t *)from + f->offset;
@@ -282,11 +309,12 @@ static cJSON *field_item(const wfField *f, const void *from)
     case WF_FIELD_FLAG: return cJSON_CreateBool(*(const int32_t *)at);
     case WF_FIELD_BIT: return cJSON_CreateBool(*(const int32_t *)at & f->count);
     case WF_FIELD_ROW: return cJSON_CreateString(wfFieldRow(f, *(const int32_t *)at));
+    case WF_FIELD_SET: return set_item(*(const uint32_t *)at);
     case WF_FIELD_BITS: return wfTextOfBits(*(const uint64_t *)at);
     default: return cJSON_CreateString(at);
     }
 }
-
+/* <write a field> */
 static size_t field_size(const wfField *f)
 {
     switch (f->kind) {

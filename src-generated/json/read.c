@@ -187,12 +187,17 @@ static bool read_settings(Reader *r)
     const wfSetting *fault;
     r->def = wfDefaultWorldDef();
     r->settings = wfChild(r->t.root, "settings");
-    if (r->settings == NULL) return true;
-    if (!wfReadFields(&r->t, r->settings, wfSettingFields(list), nothing, &r->def))
+    const cJSON *needs = wfChild(r->t.root, "needs"), *at = NULL;
+    const cJSON *in = r->settings != NULL ? r->settings : r->t.root;
+    wfField need = wfNeedsField();
+    if (needs != NULL && !wfReadField(&r->t, needs, &need, &r->def)) return false;
+    if (r->settings != NULL &&
+        !wfReadFields(&r->t, in, wfSettingFields(list), nothing, &r->def))
         return false;
     wfResult result = wfCheckWorldDef(&r->def, &fault);
-    const cJSON *at = fault != NULL ? wfChild(r->settings, fault->name) : NULL;
-    return wfTextResult(&r->t, at != NULL ? at : r->settings, result);
+    if (fault != NULL) at = wfChild(in, fault->name);
+    if (fault != NULL && at == NULL) at = wfChild(r->t.root, fault->name);
+    return wfTextResult(&r->t, at != NULL ? at : in, result);
 }
 
 static bool fit(Reader *r, const char *name, int32_t *capacity, int32_t count)
@@ -222,7 +227,8 @@ static bool create(Reader *r)
     if (!fit(r, "jointCapacity", &d->jointCapacity, length_of(r, "joints"))) return false;
     if (!fit(r, "pairMaterials", &d->pairMaterials, length_of(r, "pairMaterials")))
         return false;
-    return wfTextResult(&r->t, r->settings, wfCreateWorld(d, &r->world));
+    const cJSON *at = r->settings != NULL ? r->settings : r->t.root;
+    return wfTextResult(&r->t, at, wfCreateWorld(d, &r->world));
 }
 /* <add the bodies> */
 static int compare_order(const void *a, const void *b)
@@ -307,8 +313,8 @@ static bool put_exact_body(Reader *r, int32_t i, const cJSON *item)
     }
     if (push != NULL && !wfReadFields(&r->t, push, wfPushFields, nothing, &sums))
         return false;
-    if (push != NULL) wfPutPush(&r->world, i, &sums);
-    return true;
+    if (push == NULL) return true;
+    return wfTextResult(&r->t, push, wfPutPush(&r->world, i, &sums));
 }
 /* <add what is exact> */
 static bool read_corners(Reader *r, const cJSON *exact, const char *name, wfVec2 *out,
@@ -504,19 +510,7 @@ static bool read_part(Reader *r, const char *name, wfFields fields)
     const cJSON *item = wfChild(r->t.root, name);
     return item == NULL || wfReadFields(&r->t, item, fields, nothing, &r->root);
 }
-
-/* "needs": names. */
-static bool read_needs(Reader *r)
-{
-    const cJSON *list;
-    int32_t count;
-    if (!find_list(r, r->t.root, "needs", &list, &count)) return false;
-    for (const cJSON *c = first_of(list); c != NULL; c = c->next)
-        if (!cJSON_IsString(c))
-            return wfTextFail(&r->t, c, WF_ERROR_TEXT, "must be a name");
-    return true;
-}
-
+/* <read a scene> */
 static bool read_root(Reader *r)
 {
     static const char *const also[] = { "settings", "needs", "bodies", "joints", "forces",
@@ -529,8 +523,7 @@ static bool read_root(Reader *r)
     if (r->root.version == 0)
         return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
             "a scene begins with \"weft\": %d", WF_SCENE_VERSION);
-    return read_part(r, "view", wfViewFields) && read_part(r, "promises", wfPromiseFields)
-        && read_needs(r);
+    return read_part(r, "view", wfViewFields) && read_part(r, "promises", wfPromiseFields);
 }
 
 static bool read_all(Reader *r)
@@ -548,7 +541,7 @@ static bool is_aligned(const void *chunk)
 {
     return chunk != NULL && (uintptr_t)chunk % WF_POOL_ALIGN == 0;
 }
-
+/* <read a scene> */
 static bool deliver(Reader *r, const wfMemory *memory, wfWorld *out)
 {
     wfMemory *own = &r->world.memory;

@@ -36,7 +36,7 @@ static double get(Rube *r, const cJSON *object, const char *name, double otherwi
 {
     return number_of(r, wfChild(object, name), otherwise);
 }
-
+/* <read their numbers> */
 static bool yes(const cJSON *object, const char *name, bool otherwise)
 {
     const cJSON *item = wfChild(object, name);
@@ -87,7 +87,7 @@ static cJSON *pair_of(Rube *r, Point p)
     if (item == NULL) r->failed = true;
     return item;
 }
-
+/* <read their numbers> */
 static void put_point(Rube *r, cJSON *in, const char *name, Point p)
 {
     cJSON *item = pair_of(r, p);
@@ -129,7 +129,7 @@ static int corner_count(Rube *r, const cJSON *form)
     if (!good) refuse(r, form, "needs vertices: { \"x\": [ ... ], \"y\": [ ... ] }");
     return good ? n : 0;
 }
-
+/* <translate a body of theirs> */
 static void put_polygon(Rube *r, const cJSON *form, cJSON *shape)
 {
     int n = corner_count(r, form);
@@ -159,7 +159,7 @@ static void put_chain(Rube *r, const cJSON *fixture, const cJSON *form, cJSON *s
         put_material(r, fixture, shape);
     }
 }
-
+/* <translate a body of theirs> */
 static void put_fixture(Rube *r, const cJSON *fixture, cJSON *shapes)
 {
     allow(r, fixture, "density friction restitution sensor filter-categoryBits "
@@ -235,7 +235,7 @@ static double inverse_mass(Rube *r, const cJSON *body)
     if (!(mass > 0)) refuse(r, body, "a spring with a frequency needs massData-mass");
     return mass > 0 ? 1 / mass : 0;
 }
-
+/* <translate a joint of theirs> */
 static void put_spring(Rube *r, const cJSON *j, cJSON *out, const char *frequency,
                        const char *damping)
 {
@@ -263,7 +263,7 @@ static void put_motor(Rube *r, const cJSON *j, cJSON *out, const char *most)
     put(r, out, "motorSpeed", get(r, j, "motorSpeed", 0));
     put(r, out, "motorForce", get(r, j, most, 0));
 }
-
+/* <translate a joint of theirs> */
 /* What the kinds of joint have of their own. */
 static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
 {
@@ -351,6 +351,45 @@ static void put_lists(Rube *r, cJSON *out)
         put_joint(r, c, jointList);
 }
 /* <translate a scene of theirs> */
+static bool is_like(double given, double made, double size)
+{
+    return fabs(given - made) <= 0.01 * size;
+}
+
+static void check_mass(Rube *r, const cJSON *body, const wfWorld *world, int32_t i)
+{
+    const cJSON *centre = wfChild(body, "massData-center");
+    double given = get(r, body, "massData-I", 0);
+    wfExactBody made = wfTellExactBody(world, i);
+    Point c = point_of(r, centre);
+    double x = (double)made.localCentre.x, y = (double)made.localCentre.y;
+    double mass = (double)made.mass, inertia = (double)made.inertia;
+    double arm = inertia > 0 ? sqrt(inertia / mass) : 0;
+    if (get(r, body, "type", 0) < 2 || r->failed) return;
+    if (centre != NULL && !(is_like(c.x, x, arm) && is_like(c.y, y, arm)))
+        refuse(r, centre, "the fixtures have their centre of mass elsewhere");
+    double about = inertia + mass * (x * x + y * y);
+    if (given > 0 && inertia > 0 && !is_like(given, about, about))
+        refuse(r, wfChild(body, "massData-I"), "the fixtures have another one");
+}
+
+static void check_masses(Rube *r, const char *text)
+{
+    wfWorld world;
+    wfTextError e;
+    int32_t i = 0;
+    if (wfReadScene(text, strlen(text), NULL, &world, NULL, &e) != WF_OK) {
+        if (!r->failed)
+            wfTextFail(&r->t, NULL, e.result, "in the translation: %.60s: %.90s", e.where,
+                       e.what);
+        r->failed = true;
+        return;
+    }
+    for (const cJSON *c = r->bodies->child; c != NULL && !r->failed; c = c->next)
+        check_mass(r, c, &world, i++);
+    wfDestroyWorld(&world);
+}
+/* <translate a scene of theirs> */
 static char *translate(Rube *r)
 {
     r->bodies = wfChild(r->t.root, "body");
@@ -367,7 +406,10 @@ static char *translate(Rube *r)
     if (!r->failed) put_lists(r, out);
     char *text = r->failed ? NULL : wfPrettyText(out);
     cJSON_Delete(out);
-    return text;
+    if (text != NULL) check_masses(r, text);
+    if (!r->failed) return text;
+    wfFreeText(text);
+    return NULL;
 }
 
 wfResult wfTranslateRube(const char *text, size_t length, char **out, wfTextError *error)

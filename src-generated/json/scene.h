@@ -57,6 +57,7 @@ extern const wfFields wfRootFields, wfViewFields, wfPromiseFields, wfBodyFields,
     wfShapeFields, wfJointFields, wfPairFields, wfExactBodyFields, wfExactShapeFields,
     wfPushFields;
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS]);
+wfField wfNeedsField(void);
 /* The parameters of a force; spare may be used for the answer. */
 wfFields wfForceFields(int32_t kind, wfField *spare);
 /* <declarations of exact scenes> */
@@ -78,7 +79,7 @@ const char *wfExactShapeFault(const wfWorld *world, int32_t k, const wfExactShap
 void wfPutExactBody(wfWorld *world, int32_t i, const wfExactBody *e);
 void wfPutExactShape(wfWorld *world, int32_t k, const wfExactShape *e);
 void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot);
-void wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push);
+wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push);
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i);
 void wfPutClock(wfWorld *world, double time, uint64_t steps);
 /* <declarations of exact scenes> */

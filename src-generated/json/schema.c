@@ -23,7 +23,7 @@ static cJSON *array_in(Schema *s, cJSON *in, const char *name)
 {
     return note(s, cJSON_AddArrayToObject(in, name));
 }
-
+/* <build a schema> */
 static void say(Schema *s, cJSON *in, const char *name, const char *text)
 {
     note(s, cJSON_AddStringToObject(in, name, text));
@@ -108,6 +108,13 @@ static void bits(Schema *s, cJSON *in)
     say(s, text, "pattern", "^0x[0-9a-fA-F]{1,16}$");
 }
 /* <describe a field> */
+static void names_in(Schema *s, cJSON *in, const wfField *f)
+{
+    cJSON *names = array_in(s, in, "enum");
+    const char *name;
+    for (int i = 0; (name = wfFieldRow(f, i)) != NULL; i++) append_text(s, names, name);
+}
+
 static void describe(Schema *s, cJSON *properties, const wfField *f)
 {
     cJSON *in = object_in(s, properties, f->name);
@@ -123,12 +130,11 @@ static void describe(Schema *s, cJSON *properties, const wfField *f)
         else one_number(s, in, f, "number");
         break;
     case WF_FIELD_INT: one_number(s, in, f, "integer"); break;
-    case WF_FIELD_ROW: {
-        cJSON *names = array_in(s, in, "enum");
-        const char *name;
-        for (int i = 0; (name = wfFieldRow(f, i)) != NULL; i++) append_text(s, names, name);
+    case WF_FIELD_ROW: names_in(s, in, f); break;
+    case WF_FIELD_SET:
+        say(s, in, "type", "array");
+        names_in(s, object_in(s, in, "items"), f);
         break;
-    }
     case WF_FIELD_BITS: bits(s, in); break;
     case WF_FIELD_STRING:
         say(s, in, "type", "string");
@@ -237,7 +243,7 @@ static void describe_small_things(Schema *s, cJSON *defs)
     count(s, number, "minimum", 0);
     say(s, append_object(s, either), "type", "string");
 }
-
+/* <describe a scene> */
 static void describe_root(Schema *s, cJSON *in)
 {
     wfField list[WF_MOST_SETTINGS];
@@ -246,9 +252,8 @@ static void describe_root(Schema *s, cJSON *in)
     with_fields(s, object_in(s, properties, "settings"), wfSettingFields(list));
     with_fields(s, object_in(s, properties, "view"), wfViewFields);
     with_fields(s, object_in(s, properties, "promises"), wfPromiseFields);
-    cJSON *needs = object_in(s, properties, "needs");
-    say(s, needs, "type", "array");
-    say(s, object_in(s, needs, "items"), "type", "string");
+    wfField need = wfNeedsField();
+    describe(s, properties, &need);
     list_in(s, properties, "bodies", "#/$defs/body");
     list_in(s, properties, "joints", "#/$defs/joint");
     list_in(s, properties, "forces", "#/$defs/force");

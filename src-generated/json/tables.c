@@ -243,11 +243,14 @@ static wfField field_of(const wfSetting *s)
     static const int32_t kind[] = {
         [WF_SETTING_INT] = WF_FIELD_INT, [WF_SETTING_SWITCH] = WF_FIELD_FLAG,
         [WF_SETTING_REAL] = WF_FIELD_REAL, [WF_SETTING_VEC2] = WF_FIELD_VEC,
-        [WF_SETTING_ROW] = WF_FIELD_ROW, [WF_SETTING_CHOICE] = WF_FIELD_ROW };
+        [WF_SETTING_ROW] = WF_FIELD_ROW, [WF_SETTING_CHOICE] = WF_FIELD_ROW,
+        [WF_SETTING_SET] = WF_FIELD_SET };
     return (wfField){ .name = s->name, .text = s->text, .offset = s->offset,
         .kind = kind[s->kind], .least = s->least, .most = s->most, .above = s->above,
         .rows = s->rows, .rowCount = s->rowCount, .rowSize = s->rowSize };
 }
+
+wfField wfNeedsField(void) { return field_of(wfFindSetting("needs")); }
 
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS])
 {

@@ -21,6 +21,7 @@ enum {
     WF_FIELD_FLAG,                  /* int32_t 0 or 1: false, true */
     WF_FIELD_BIT,                   /* bit `count' of an int32_t: false, true */
     WF_FIELD_ROW,                   /* int32_t: the name of a row of a table */
+    WF_FIELD_SET,                   /* uint32_t, needs: a list of their names */
     WF_FIELD_BITS,                  /* uint64_t: 5, or "0x8000000000000000" */
     WF_FIELD_STRING                 /* char[count] */
 };

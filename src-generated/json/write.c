@@ -279,8 +279,11 @@ static bool write_settings(Writer *w)
 {
     wfField list[WF_MOST_SETTINGS];
     wfWorldDef def;
+    wfField need = wfNeedsField();
+    if (wfGetWorldDef(w->world, &def) != WF_OK) return false;
+    if (!wfWriteFields(w->root, (wfFields){ &need, 1 }, &def, NULL)) return false;
     cJSON *item = cJSON_CreateObject();
-    return wfGetWorldDef(w->world, &def) == WF_OK && give(w->root, "settings", item)
+    return give(w->root, "settings", item)
         && wfWriteFields(item, wfSettingFields(list), &def, NULL);
 }
 
@@ -325,7 +328,7 @@ static bool add_exact_body(const Writer *w, const wfWorld *read, int32_t i)
     return give(w->body[w->number[i]], "exact", exact)
         && wfWriteFields(exact, wfExactBodyFields, &is, &made);
 }
-
+/* <write what is exact> */
 static bool add_exact_shape(const Writer *w, const wfWorld *read, int32_t k)
 {
     wfExactShape is = wfTellExactShape(w->world, k);

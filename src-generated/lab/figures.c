@@ -227,12 +227,11 @@ static void figure_design_tables(wfDraw *d, const wfFigureInput *in)
 /* <figures> */
 static void figure_design_testbed(wfDraw *d, const wfFigureInput *in)
 {
-    static const char *const name[4] = { "SDL2", "headless", "web (planned)",
-                                         "Win32 (planned)" };
+    static const char *const name[4] = { "SDL2", "headless", "web page", "Win32" };
     (void)in;
     for (int i = 0; i < 4; i++)
         design_box(d, 0.2f, 3.0f - 0.85f * (float)i, 2.2f, 0.6f,
-                   i < 2 ? WF_INK_BODY : WF_INK_FAINT, name[i], NULL);
+                   WF_INK_BODY, name[i], NULL);
     design_box(d, 5.2f, 1.2f, 2.6f, 1.4f, WF_INK_ACCENT, "the game", "update and render");
     wfDrawLine(d, 2.7f, 3.6f, 2.7f, 0.4f, 1.5f, WF_INK_LINE);
     wfDrawArrow(d, 2.7f, 2.3f, 5.2f, 2.3f, 1.5f, WF_INK_LINE);
@@ -249,12 +248,12 @@ static void figure_design_backends(wfDraw *d, const wfFigureInput *in)
     design_box(d, 3.3f, 1.5f, 1.8f, 0.8f, WF_INK_ACCENT, "list", "of commands");
     design_box(d, 6.0f, 2.7f, 2.2f, 0.8f, WF_INK_FAINT, "SVG", "book, HTML and PDF");
     design_box(d, 6.0f, 1.5f, 2.2f, 0.8f, WF_INK_FAINT, "pixels", "testbed, PNG");
-    design_box(d, 6.0f, 0.3f, 2.2f, 0.8f, WF_INK_FAINT, "live page", "planned");
+    design_box(d, 6.0f, 0.3f, 2.2f, 0.8f, WF_INK_FAINT, "live page", "SVG again");
     wfDrawArrow(d, 2.4f, 2.6f, 3.3f, 2.1f, 1.5f, WF_INK_LINE);
     wfDrawArrow(d, 2.4f, 1.2f, 3.3f, 1.7f, 1.5f, WF_INK_LINE);
     wfDrawArrow(d, 5.1f, 2.1f, 6.0f, 3.1f, 1.5f, WF_INK_LINE);
     wfDrawArrow(d, 5.1f, 1.9f, 6.0f, 1.9f, 1.5f, WF_INK_LINE);
-    wfDrawDashed(d, 5.1f, 1.7f, 6.0f, 0.7f, 1.5f, WF_INK_LINE);
+    wfDrawArrow(d, 5.1f, 1.7f, 6.0f, 0.7f, 1.5f, WF_INK_LINE);
 }
 /* <figures> */
 static void design_bytes(wfDraw *d, size_t from, size_t length, int role, float y)
@@ -2642,6 +2641,35 @@ static void figure_soft_path(wfDraw *d, const wfFigureInput *in)
     bounce_figure_path(d, "soft", top, WF_INK_GOOD);
 }
 /* <figures> */
+static void gather_square(wfDraw *d, float left, bool turned, const char *title)
+{
+    static const char *const name[4] = { "vx", "vy", "w", "1/m" };
+    static const int ink[4] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD, WF_INK_BAD };
+    wfDrawText(d, left + 2, 4.75f, 12, WF_INK_TEXT, 0, title);
+    for (int row = 0; row < 4; row++)
+        for (int column = 0; column < 4; column++) {
+            int body = turned ? column : row, number = turned ? row : column;
+            float x = left + (float)column, y = 3.55f - (float)row;
+            const float l = x + 0.06f, r = x + 0.94f, low = y + 0.12f, top = y + 0.88f;
+            const float box[8] = { l, low, r, low, r, top, l, top };
+            wfDrawPolygon(d, box, 4, 1.5f, ink[body], WF_INK_NONE);
+            wfDrawText(d, x + 0.5f, y + 0.38f, 12, WF_INK_TEXT, 0, name[number]);
+        }
+}
+
+static void figure_soft_gather(wfDraw *d, const wfFigureInput *in)
+{
+    (void)in;
+    gather_square(d, 1.7f, false, "as they are loaded");
+    gather_square(d, 8.1f, true, "as they are used");
+    wfDrawArrow(d, 6.1f, 2.5f, 7.7f, 2.5f, 2, WF_INK_LINE);
+    for (int row = 0; row < 4; row++) {
+        static const char *const body[4] = { "body 5", "body 9", "body 2", "body 7" };
+        float y = 3.9f - (float)row;
+        wfDrawText(d, 1.5f, y, 12, WF_INK_TEXT, 1, body[row]);
+    }
+}
+/* <figures> */
 static void joints_box(wfDraw *d, const wfBodyState *s, float wide, float high, int ink)
 {
     float xy[8];
@@ -4071,6 +4099,44 @@ static void figure_save_ring(wfDraw *d, const wfFigureInput *in)
     wfDestroyWorld(&world);
 }
 /* <figures> */
+static float ruler_x(double value) { return 0.4f + 9.2f * (float)((value - 1000) / 6e-4); }
+
+static void ruler_ticks(wfDraw *d, double step, float y, float length)
+{
+    wfDrawLine(d, 0.3f, y, 9.7f, y, 1, WF_INK_LINE);
+    for (int i = 0; i * step <= 6.001e-4; i++) {
+        float x = ruler_x(1000 + i * step);
+        wfDrawLine(d, x, y - length / 2, x, y + length / 2, 1.2f, WF_INK_LINE);
+    }
+}
+
+/* The nearest decimal: so many units above 1000. */
+static int decimal(double x, double unit) { return (int)((x - 1000) / unit + 0.5); }
+
+static void figure_save_digits(wfDraw *d, const wfFigureInput *in)
+{
+    float float1000 = 1000, step = 1.0f / 16384;        /* 2^(9 - 23): floats near 1000 */
+    (void)in;
+    ruler_ticks(d, 1e-4, 2.9f, 0.24f);
+    ruler_ticks(d, (double)step, 1.7f, 0.3f);
+    ruler_ticks(d, 1e-5, 0.5f, 0.14f);
+    for (int i = 0; i < 10; i++) {
+        double x = (double)(float1000 + (float)i * step);
+        /* <join a float to its two decimals> */
+        int eight = decimal(x, 1e-4), nine = decimal(x, 1e-5);
+        bool shared = decimal(x - (double)step, 1e-4) == eight ||
+                      decimal(x + (double)step, 1e-4) == eight;
+        float width = shared ? 2.0f : 1.2f;
+        int ink = shared ? WF_INK_BAD : WF_INK_BODY;
+        wfDrawLine(d, ruler_x(x), 1.7f, ruler_x(1000 + eight * 1e-4), 2.9f, width, ink);
+        wfDrawLine(d, ruler_x(x), 1.7f, ruler_x(1000 + nine * 1e-5), 0.5f, 1.2f, WF_INK_GOOD);
+        wfDrawPoint(d, ruler_x(x), 1.7f, 5, WF_INK_LINE);
+    }
+    wfDrawText(d, 0.3f, 3.2f, 12, WF_INK_TEXT, -1, "8 digits: 0.0001 apart");
+    wfDrawText(d, 9.7f, 1.95f, 12, WF_INK_TEXT, 1, "floats: 0.000061 apart");
+    wfDrawText(d, 0.3f, 0.1f, 12, WF_INK_TEXT, -1, "9 digits: 0.00001 apart");
+}
+/* <figures> */
 static void platform_box(wfDraw *d, float x, float y, float w, float h, int fill,
                          const char *name)
 {
@@ -5039,6 +5105,7 @@ const wfFigureRow wfFigureTable[] = {
     /* <rows of the figure table> */
     { "sequential-path", figure_sequential_path, 6.8f, 5.2f, 1, { { 5.2f, 3.6f } } },
     /* <rows of the figure table> */
+    { "soft-gather", figure_soft_gather, 12.4f, 5.2f, 0, {{0}} },
     { "soft-path", figure_soft_path, 7.8f, 3.2f, 1, { { 0.3f, 2.2f } } },
     /* <rows of the figure table> */
     { "joints-kinds", figure_joints_kinds, 12.4f, 10.4f, 0, {{0}} },
@@ -5089,6 +5156,8 @@ const wfFigureRow wfFigureTable[] = {
     { "save-used", figure_save_used, 10.0f, 5.4f, 0, {{0}} },
     /* <rows of the figure table> */
     { "save-ring", figure_save_ring, 10.0f, 2.7f, 0, {{0}} },
+    /* <rows of the figure table> */
+    { "save-digits", figure_save_digits, 10.0f, 3.5f, 0, {{0}} },
     /* <rows of the figure table> */
     { "platform-service", figure_platform_service, 8.9f, 4.8f, 0, { { 0 } } },
     { "platform-clock", figure_platform_clock, 8.1f, 3.1f, 0, { { 0 } } },

@@ -548,6 +548,14 @@ static double bounce_energy(const wfWorldDef *how)
         worst = fmax(worst, bounce_from(how, 0.5 + 0.7317 * i, 10000));
     return worst;
 }
+
+/* The same with what states round away kept: chapter 17. */
+static double fine_bounce_energy(const wfWorldDef *how)
+{
+    wfWorldDef def = *how;
+    def.fineSums = 1;
+    return bounce_energy(&def);
+}
 /* <classic experiments> */
 static double cradle_share(const wfWorldDef *how)
 {
@@ -626,6 +634,7 @@ const wfClassic wfClassicTable[] = {
     /* <rows of the table of classics> */
     { "bounce", "ball with e = 1: worst error of its energy in 10 000 bounces",
       "1e-6", bounce_energy },
+    { "fine-bounce", "the same with fineSums", "1e-6", fine_bounce_energy },
     { "cradle", "five touching balls: error of the last one's speed (%)", "0", cradle_share },
     { "bullet-static", "bullets of 40 at 300 and 100 000 m/s through a static wall",
       "0", through_static },

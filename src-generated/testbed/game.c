@@ -16,6 +16,7 @@
 
 /* <the state of the game> */
 typedef struct game_state {
+    uint32_t size;                      /* of this record, in the code that wrote it */
     int32_t begun, opened;              /* after the first call; while there is a world */
     int32_t row, result;                /* the scene, and how its last call went */
     wfSceneInfo info;                   /* of the scene that was brought along as text */
@@ -95,6 +96,8 @@ static void begin_call(game *g, const game_memory *memory, const game_input *inp
 {
     *g = (game){ .state = memory->permanent, .input = input,
                  .memory = world_memory(memory) };
+    if (g->state->begun && g->state->size != sizeof *g->state)
+        memset(g->state, 0, sizeof *g->state);      /* written by older code: begin again */
     find_ring(g, memory);
     if (g->state->opened && wfOpenWorld(&g->memory, &g->world) != WF_OK)
         g->state->opened = 0;
@@ -685,6 +688,7 @@ static void begin_game(game *g)
     game_state *s = g->state;
     if (s->begun) return;
     s->begun = 1;
+    s->size = sizeof *s;
     s->rate = 1;
     s->list = s->width >= LIST_ROOM;
     s->row = -1;

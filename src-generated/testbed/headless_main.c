@@ -12,6 +12,8 @@
 #include "testbed/scene.h"
 #include "testbed/scene_file.h"
 /* <headers of the headless program> */
+#include <time.h>
+/* <headers of the headless program> */
 enum { FIRST_PICTURE = 80 };                /* the step at which the picture is taken */
 /* <headers of the headless program> */
 #include <stdlib.h>
@@ -132,6 +134,54 @@ static int hash_scene(const layer_options *options)
     printf("%016llx\n", (unsigned long long)r.hash);
     free(made.text);
     return r.result == WF_OK ? 0 : 1;
+}
+/* <commands of the headless program> */
+static double seconds_now(void *context)
+{
+    (void)context;
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
+static void print_explanation(void *context, const char *line)
+{
+    (void)context;
+    puts(line);
+}
+
+static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
+{
+    double seconds[256] = { 0 };
+    const wfStepClock clock = { seconds_now, NULL, seconds };
+    wfResult result = wfStageCount <= 256 ? WF_OK : WF_ERROR_FULL;
+    for (int k = 0; k < steps && result == WF_OK; k++) {
+        wfSceneInput in = wfSceneInputAt(s, k);
+        if (s->update) s->update(world, &in);
+        result = s->hooks ? wfStepWorldWith(world, s->hooks)
+                          : wfStepWorldTimed(world, &clock);
+    }
+    if (result != WF_OK) return result;
+    return wfExplainWorld(world, s->hooks ? NULL : seconds, steps, print_explanation, NULL);
+}
+
+static int explain_scene(const layer_options *options)
+{
+    named_scene made;
+    const wfScene *s = scene_of(options, "shapes", &made);
+    int steps = options->steps < 0 ? 600 : options->steps;
+    wfWorld rich, lean;
+    wfWorldDef def;
+    if (!s || wfOpenScene(s, NULL, &rich) != WF_OK) return 1;
+    wfResult result = explain_run(s, &rich, steps);
+    if (result == WF_OK) result = wfInferNeeds(&rich, 0, &def);
+    wfDestroyWorld(&rich);
+    if (result == WF_OK) result = wfCreateWorld(&def, &lean);
+    if (result != WF_OK) return 1;
+    puts("\nand with what it requires, and no more:");
+    result = s->build(&lean);
+    if (result == WF_OK) result = explain_run(s, &lean, steps);
+    wfDestroyWorld(&lean);
+    free(made.text);
+    return result != WF_OK;
 }
 /* <commands of the headless program> */
 static int record_hashes(const layer_options *options)
@@ -345,6 +395,7 @@ static const headless_command command_table[] = {
     { "--schema", "the JSON Schema of scenes", print_schema },
     { "--from-rube", "translate a scene of R.U.B.E., in the file named", translate_rube },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
+    { "--explain", "what a scene's world does in a step, and why", explain_scene },
     { "--svg", "a scene after --steps as a vector picture, in the file named", freeze_scene },
     { "--record", "the hashes of all scenes, for tests/golden/scenes.csv", record_hashes },
     { "--first", "the first simulation: a table, and a picture in the file named",

@@ -35,7 +35,7 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
     struct { const char *name, **place; } texts[] = {
         { "--scene", &out->scene }, { "--input", &out->input },
         { "--save-input", &out->record },
-        { "--png", &out->png }, { "--log", &out->log }
+        { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->game }
     };
     for (int i = 1; i < argc; i++) {
         const char **place = NULL, *error = NULL, *name = argv[i];
@@ -103,7 +103,10 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
 {
     memset(l, 0, sizeof *l);
     l->options = options;
-    if (options->scene && !game_knows_scene(options->scene))
+    l->code = (game_code){ .update = game_update_and_render, .describe = game_describe };
+    if (options->game && !game_code_refresh(&l->code, options->game))
+        return complain("can't load the game", options->game);
+    if (options->scene && !options->game && !game_knows_scene(options->scene))
         return complain("no such scene (try `weft-headless --list')", options->scene);
     l->memory.permanent_size = GAME_PERMANENT_SIZE;
     l->memory.transient_size = GAME_TRANSIENT_SIZE;
@@ -124,6 +127,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
 void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);
+    game_code_close(&l->code);
     free(l->text);
     free(l->scene);
     free(l->buffer.pixels);
@@ -135,7 +139,7 @@ void layer_close(layer *l)
 static void write_log(const layer *l)
 {
     char text[16384], path[1024];
-    size_t length = game_describe(&l->memory, text, sizeof text);
+    size_t length = l->code.describe(&l->memory, text, sizeof text);
     snprintf(path, sizeof path, "%s.new", l->options->log);
     FILE *file = fopen(path, "w");
     if (!file) return;
@@ -168,7 +172,8 @@ bool layer_frame(layer *l, const game_input *input)
     if (l->frames == 0 && l->options->scene && !now.scene[0])
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
     if (l->record) record_input(l, &now);
-    game_update_and_render(&l->memory, &now, &l->buffer);
+    if (l->options->game) game_code_refresh(&l->code, l->options->game);
+    l->code.update(&l->memory, &now, &l->buffer);
     l->last = now;
     l->frames++;
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;

@@ -9,6 +9,7 @@
 /* <options of a platform layer> */
 typedef struct layer_options {
     const char *scene, *input, *record, *png, *log;     /* NULL: not given */
+    const char *game;                   /* a shared library with the game */
     const char *command, *argument;     /* an option not in the table; a bare word */
     int32_t steps;                      /* -1: not given */
     int32_t width, height;              /* interface units */
@@ -18,6 +19,21 @@ typedef struct layer_options {
 /* Reads the command line. NULL when all is well, or else what is wrong. */
 const char *layer_read_options(int argc, char **argv, layer_options *out);
 /* <a running platform layer> */
+/* <the game as code that can be exchanged> */
+typedef void game_update_fn(game_memory *, const game_input *, frame_buffer *);
+typedef size_t game_describe_fn(const game_memory *, char *, size_t);
+typedef struct game_code {
+    game_update_fn *update;
+    game_describe_fn *describe;
+    void *library;              /* NULL: the game is the one that was linked in */
+    int64_t stamp;              /* of the library's file */
+} game_code;
+
+/* Takes the game from the library if its file is not the one that was taken last. False
+ * when that can't be done; then the game is the one it was. */
+bool game_code_refresh(game_code *code, const char *path);
+void game_code_close(game_code *code);
+
 typedef struct layer {
     const layer_options *options;
     game_memory memory;
@@ -28,6 +44,7 @@ typedef struct layer {
     FILE *record;
     game_input last;            /* the input of the last frame */
     int64_t frames;
+    game_code code;             /* the game itself: what is linked in, or a library's */
 } layer;
 
 /* Gets memory and a picture of width x height pixels, opens the files that the options

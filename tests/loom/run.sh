@@ -485,7 +485,7 @@ has "$dir/out/html/source-core-two-c.html" '02-two.html#c-double-by-eq-twice' "a
 has "$dir/out/weave/chapters.tex" '\wPlanned{3}{Three}' "planned in the PDF's contents, too"
 WEFT_ROOT=$dir tangle/page html 02-two "$dir/out/weave" "$dir/out/teacher.html" -M teacher=true >"$work/log" 2>&1
 has "$dir/out/teacher.html" 'Secret answer' "solutions are there for teachers"
-cp book/book.css book/book.js "$dir/out/html/"
+cp book/book.css book/book.js book/live.js "$dir/out/html/"
 if $(tangle/lua) tests/loom/links.lua "$dir/out/html" >"$work/log" 2>&1; then ok "every link of the small book leads somewhere: $(tail -1 "$work/log")"; else bad "broken links"; fi
 sed -i 's/id="d-wfDouble"/id="gone"/' "$html"
 if $(tangle/lua) tests/loom/links.lua "$dir/out/html" >"$work/log" 2>&1; then bad "the link checker sees nothing"; else ok "the link checker sees a lost anchor"; fi

@@ -40,8 +40,8 @@ wfResult wfWriteScene(const wfWorld *world, const wfSceneInfo *info, char **out)
 char *wfWriteSceneSchema(void);
 void wfFreeText(char *text);
 /* <declarations of scenes as text> */
-/* Translates a R.U.B.E. scene (Box2D) into a text for wfReadScene; free *out by wfFreeText.
- * WF_ERROR_TEXT: not such a scene, or something in it that would move otherwise here;
- * _MEMORY, _NULL. error may be NULL. */
+/* Translates a R.U.B.E. scene (Box2D) into a text that wfReadScene reads; free *out by
+ * wfFreeText. WF_ERROR_TEXT: not such a scene, or something in it that would move otherwise
+ * here; _MEMORY, _NULL; what wfReadScene finds. error may be NULL. */
 wfResult wfTranslateRube(const char *text, size_t length, char **out, wfTextError *error);
 #endif

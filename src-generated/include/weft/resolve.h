@@ -35,6 +35,7 @@ struct wfSolve;
 typedef struct wfMoved {
     wfVec2 d;                 /* m */
     wfReal turn;              /* rad */
+    wfReal spare;             /* so that an entry has four numbers: chapter 17 */
 } wfMoved;
 
 /* Other laws than contacts, for `step` rows; `moved` has an entry for every body. */
@@ -65,6 +66,12 @@ typedef struct wfSolveReport {
 /* <what the solver reads> */
 #define WF_COLUMN_LOOPS 8       /* the most that `columns` may ask for: chapter 17 */
 
+/* What a body's state is too coarse for: to be added to its place and velocities. */
+typedef struct wfFine {
+    wfVec2 p, v;                /* m, m/s */
+    wfReal angle, w;            /* rad, rad/s */
+} wfFine;
+
 /* Everything that a contact solver is given. It changes `state`, and in the contacts the
  * impulses that it applied; nothing else. */
 typedef struct wfSolve {
@@ -81,12 +88,15 @@ typedef struct wfSolve {
                                          * rest and without contacts; NULL: no such body */
     int32_t             substeps;       /* for `step` rows: >= 1 */
     int32_t             colours;        /* 1: in an order without neighbours, chapter 17 */
+    int32_t             lanes;          /* 1: and several at once; the same to the bit */
     const wfLaws       *laws;           /* for `step` rows: joints; NULL: none */
     wfReal              contactPeriod;  /* of `soft`: chapter 17, with the good values */
     wfReal              contactDamping; /* WF_CONTACT_..., which 0 stands for; >= 0 */
     wfReal              recoverySpeed;  /* m/s: overlap is left no faster; 0: no limit */
     int32_t             columns;        /* 0: contacts by passes; 1: towers are solved at
                                          * once; 1 + n: with up to n loops, chapter 17 */
+    wfFine             *fine;           /* of each body: what its state rounds away,
+                                         * chapter 17; for `soft`; NULL: it is lost */
     wfPool             *scratch;        /* room for the row's scratch(bodies, contacts) */
     wfSolveReport      *report;         /* written by rows that can fail; NULL: not asked */
 } wfSolve;

@@ -48,8 +48,52 @@ WF_RESULT(WF_ERROR_NOT_A_WORLD,
 WF_RESULT(WF_ERROR_BUSY,
           "a step is under way: hooks may look, but change nothing; do it after the step")
 /* <rows of the result table> */
+WF_RESULT(WF_ERROR_NO_ROTATION,
+          "this world was made without rotation: add WF_NEED_ROTATION")
+WF_RESULT(WF_ERROR_NO_DAMPING,
+          "this world was made without damping: add WF_NEED_DAMPING")
+WF_RESULT(WF_ERROR_NO_PUSHES,
+          "this world was made without pushes: add WF_NEED_PUSHES")
+WF_RESULT(WF_ERROR_NO_FORCES,
+          "this world was made without forces: add WF_NEED_FORCES")
+WF_RESULT(WF_ERROR_NO_SHAPES,
+          "this world was made without shapes: add WF_NEED_SHAPES")
+WF_RESULT(WF_ERROR_NO_CONTACTS,
+          "this world was made without contacts: add WF_NEED_CONTACTS")
+WF_RESULT(WF_ERROR_NO_FRICTION,
+          "this world was made without friction: add WF_NEED_FRICTION")
+WF_RESULT(WF_ERROR_NO_RESTITUTION,
+          "this world was made without restitution: add WF_NEED_RESTITUTION")
+WF_RESULT(WF_ERROR_NO_ROLLING,
+          "this world was made without rolling resistance: add WF_NEED_ROLLING")
+WF_RESULT(WF_ERROR_NO_MATERIALS,
+          "this world was made without pairs of materials: add WF_NEED_MATERIALS")
+WF_RESULT(WF_ERROR_NO_COMPOUNDS,
+          "this world was made without bodies of several shapes: add WF_NEED_COMPOUNDS")
+WF_RESULT(WF_ERROR_NO_EVENTS,
+          "this world was made without events: add WF_NEED_EVENTS")
+WF_RESULT(WF_ERROR_NO_SENSORS,
+          "this world was made without sensors: add WF_NEED_SENSORS")
+WF_RESULT(WF_ERROR_NO_HOOKS,
+          "this world was made without hooks: add WF_NEED_HOOKS")
+WF_RESULT(WF_ERROR_NO_QUERIES,
+          "this world was made without queries: add WF_NEED_QUERIES")
+WF_RESULT(WF_ERROR_NO_SUBSTEPS,
+          "this world was made without substeps of a solver: add WF_NEED_SUBSTEPS")
+WF_RESULT(WF_ERROR_NO_METHODS,
+          "this world was made without room for other methods: add WF_NEED_METHODS")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_NO_JOINTS,
+          "this world was made without joints: add WF_NEED_JOINTS")
+/* <rows of the result table> */
 WF_RESULT(WF_ERROR_SOLVER,
           "this world's solver keeps contacts only: choose one that keeps joints, as soft")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_NO_FAST,
+          "this world was made without fast bodies: add WF_NEED_FAST")
+/* <rows of the result table> */
+WF_RESULT(WF_ERROR_NO_SLEEP,
+          "this world was made without sleep: add WF_NEED_SLEEP")
 /* <rows of the result table> */
 WF_RESULT(WF_ERROR_DIFFERENT,
           "two worlds that were compared are not the same: wfDifference says where")

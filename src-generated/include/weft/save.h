@@ -197,6 +197,9 @@ uint64_t wfLayoutHash(void);
 /* Differs for any two inputs that differ within 64 neighbouring bits: eq:save-sum. */
 uint64_t wfChecksum(const void *bytes, size_t n);
 /* <declarations of save files> */
+#if defined WF_FREESTANDING && !defined WF_NO_FILES
+#define WF_NO_FILES
+#endif
 #ifndef WF_NO_FILES
 /* Saves to path + ".new", brings it to the disk and renames it to path: at every moment
  * path is the old file or the new one, whole. Needs memory of wfSaveSize for a moment, and

@@ -56,6 +56,8 @@ typedef struct wfWorldDef {
     int32_t bodyCapacity;      /* bodies at most, >= 1 */
     int32_t integrator;        /* row of chapter 10's table */
     /* <the settings of a world> */
+    uint32_t needs;            /* WF_NEED_..., what the scene requires (sec:world-needs) */
+    /* <the settings of a world> */
     int32_t forceCapacity;     /* registered forces at most, >= 0 */
     /* <the settings of a world> */
     int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
@@ -77,17 +79,20 @@ typedef struct wfWorldDef {
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
                                 * make a body, >= 0; 0 or no gravity: no limit */
     int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
+    int32_t lanes;             /* 1: and several of a colour at once, to the same bits */
     int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
                                 * with up to n loops, chapter 17 */
     /* <the settings of a world> */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
     /* <the settings of a world> */
-    int32_t events;            /* 1: events are listed */
+    int32_t events;            /* 1: touches are remembered, and told if that is needed */
     wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
     /* <the settings of a world> */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
     /* <the settings of a world> */
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
+    /* <the settings of a world> */
+    int32_t fineSums;          /* 1: what states round away is kept (chapter 17) */
     /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
     /* <the settings of a world> */
@@ -324,23 +329,133 @@ wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform
  * step does it, and queries are right without, only slower. */
 wfResult wfIndexWorld(wfWorld *world);
 /* <declarations of making a world> */
+/* <declarations of needs at all> */
+/* What a scene may require: bits of wfWorldDef.needs. */
+enum {
+    /* <bits of the needs> */
+    WF_NEED_ROTATION    = 1 << 0,    /* bodies turn */
+    WF_NEED_DAMPING     = 1 << 1,
+    WF_NEED_PUSHES      = 1 << 2,    /* wfApplyForceToBody, wfApplyTorqueToBody */
+    WF_NEED_FORCES      = 1 << 3,    /* registered forces */
+    WF_NEED_SHAPES      = 1 << 4,
+    WF_NEED_CONTACTS    = 1 << 5,    /* bodies that meet are kept apart */
+    WF_NEED_FRICTION    = 1 << 6,
+    WF_NEED_RESTITUTION = 1 << 7,
+    WF_NEED_ROLLING     = 1 << 8,    /* rolling resistance */
+    WF_NEED_MATERIALS   = 1 << 9,    /* wfSetPairMaterial */
+    WF_NEED_COMPOUNDS   = 1 << 10,   /* bodies of several shapes */
+    WF_NEED_EVENTS      = 1 << 11,
+    WF_NEED_SENSORS     = 1 << 12,
+    WF_NEED_HOOKS       = 1 << 13,
+    WF_NEED_QUERIES     = 1 << 14,
+    WF_NEED_SUBSTEPS    = 1 << 15,   /* the solver may move the bodies, in substeps */
+    WF_NEED_METHODS     = 1 << 16,   /* wfSetMethods while the world runs */
+    /* <bits of the needs> */
+    WF_NEED_JOINTS      = 1 << 17,
+    /* <bits of the needs> */
+    WF_NEED_FAST        = 1 << 18,
+    /* <bits of the needs> */
+    WF_NEED_SLEEP       = 1 << 19,
+};
+/* <declarations of needs at all> */
+/* What a definition requires. */
+uint32_t wfNeedsOfBody(const wfBodyDef *def);
+/* <declarations of needs at all> */
+uint32_t wfNeedsOfShape(const wfShapeDef *def);
+/* <declarations of what else there is to making a world> */
+/* bit by bit */
+/* <declarations of what else there is to making a world> */
+/* <declarations of needs> */
+typedef struct wfNeedRow {
+    const char *name, *text;
+    uint32_t bit;
+    uint32_t implies;          /* other needs that this one cannot do without */
+    uint32_t within;           /* missed only in a world that has these; 0: in every one */
+    wfResult error;            /* what is returned to who misses it */
+} wfNeedRow;
+extern const wfNeedRow wfNeedTable[];
+extern const int wfNeedCount;
+int wfFindNeed(const char *name);              /* row, or -1 */
+uint32_t wfAllNeeds(void);                     /* all that this engine can meet */
+uint32_t wfCloseNeeds(uint32_t needs);         /* with what they imply */
+/* <declarations of needs> */
+/* Whom an array serves: any of these needs, or everybody if 0; and the stage that fills
+ * it, or NULL: calls between the steps. */
+typedef struct wfRegionUse { uint32_t needs; const char *stage; } wfRegionUse;
+wfRegionUse wfRegionServes(int region);
+/* <declarations of needs> */
+/* Those of these needs that the world lacks, and would refuse; 0: none. */
+uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs);
+/* <declarations of needs> */
+/* The defaults of a world: without friction where it has none. */
+wfBodyDef wfDefaultBodyDefFor(const wfWorld *world);
+wfShapeDef wfDefaultShapeDefFor(const wfWorld *world);
+/* <declarations of needs> */
+/* A definition with the least needs and capacities with which all that this world has
+ * been through would have been possible, and would have had the same bits: give it to
+ * wfCreateWorld, and do the same again. `besides` is what leaves no trace: needs of a
+ * program that reads events, asks queries, or will want more than it did. Give the
+ * capacities some room where more is to come. WF_ERROR_NULL, _UNKNOWN (no such need). */
+wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out);
+/* <declarations of needs> */
+/* What is to be put into a world: arrays and how long they are. */
+typedef struct wfSceneList {
+    const wfBodyDef *bodies;
+    int32_t bodyCount;
+    const wfShapeDef *shapes;  /* besides those that the bodies bring along */
+    int32_t shapeCount;
+    int32_t forceCount, jointCount;
+} wfSceneList;
+/* Sets needs and capacities of *def for such a scene, and for what `besides` says; all else
+ * stays. WF_ERROR_NULL, _RANGE (a count below 0, or nothing at all), _UNKNOWN. */
+wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def);
+/* <declarations of needs> */
+/* A clock for the stages of a step. */
+typedef struct wfStepClock {
+    double (*now)(void *context);    /* s, since whenever */
+    void   *context;
+    double *seconds;                 /* wfStageCount numbers; each stage adds its time */
+} wfStepClock;
+/* One stage of a world's pipeline. */
+typedef struct wfStageReport {
+    const char *name;
+    bool        runs;
+    uint32_t    because;       /* runs: the needs that it serves, 0: every world. Does not
+                                * run: the needs that are absent */
+    size_t      bytes;         /* of the arrays that it fills */
+} wfStageReport;
+/* wfStepWorld with a clock for its stages; NULL: none. */
+wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock);
+/* Row `stage` of wfStageTable in this world. WF_ERROR_NULL, _UNKNOWN. */
+wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out);
+/* <declarations of needs> */
+typedef void wfPrintFn(void *context, const char *line);
+/* Tells what this world was made for, what a step of it does, what it leaves out and why,
+ * and how many bytes and how much time each stage takes: a line at a time, without the
+ * end of the line. seconds: as a wfStepClock has added them up over so many steps; NULL:
+ * no times. WF_ERROR_NULL. */
+wfResult wfExplainWorld(const wfWorld *world, const double *seconds, int64_t steps,
+                        wfPrintFn *print, void *context);
 /* <declarations of the table of settings> */
 enum { WF_SETTING_INT, WF_SETTING_SWITCH, WF_SETTING_REAL, WF_SETTING_VEC2, WF_SETTING_ROW,
-       WF_SETTING_CHOICE };
+       WF_SETTING_CHOICE, WF_SETTING_SET };
 /* One setting of a world: a field of wfWorldDef, and what may stand there. */
 typedef struct wfSetting {
     const char *name;          /* of the field */
     size_t      offset;        /* of the field in wfWorldDef, bytes */
     size_t      kept;          /* the engine's: where a world keeps it */
     int32_t     kind;          /* INT, SWITCH (0 or 1), ROW and CHOICE: int32_t; REAL:
-                                * wfReal; VEC2: wfVec2, both parts within the range */
-    const void *rows;          /* ROW: a table; CHOICE: names. See wfSettingRowName */
+                                * wfReal; VEC2: wfVec2, both parts within the range;
+                                * SET: uint32_t, bits of wfNeedTable */
+    const void *rows;          /* ROW, SET: a table; CHOICE: names. wfSettingRowName */
     size_t      rowSize;
     const int  *rowCount;
     double      least, most;
     int32_t     above;         /* 1: greater than `least`; 0: `least` itself is fine */
     int32_t     builtIn;       /* 1: built into the block; not to be changed later */
     int32_t     law;           /* 1: a change of it wakes all that sleep */
+    int32_t     method;        /* 1: to change it later takes WF_NEED_METHODS */
+    uint32_t    need;          /* means something if one of these is met; 0: always */
     const char *unit, *text;   /* unit may be NULL: a plain number */
 } wfSetting;
 extern const wfSetting wfSettingTable[];
@@ -353,7 +468,8 @@ double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part);
 /* Writes it, if it is allowed there: WF_ERROR_NULL, _NOT_FINITE, _RANGE, _UNKNOWN (no such
  * row of a table, no such part). */
 wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double value);
-/* The name of a row that a ROW or a CHOICE may have, or NULL; and back, -1: no such. */
+/* The name of a row that a ROW or a CHOICE may have, of a need in a SET, or NULL; and back,
+ * -1: no such. */
 const char *wfSettingRowName(const wfSetting *s, int row);
 int wfFindSettingRow(const wfSetting *s, const char *name);
 /* Checks a definition, as wfCreateWorld does. `fault` may be NULL; it gets the setting that
@@ -401,6 +517,8 @@ enum {
     /* <regions of the permanent chunk> */
     WF_REGION_PAIR_MATERIALS,
     /* <regions of the permanent chunk> */
+    WF_REGION_FINE,
+    /* <regions of the permanent chunk> */
     WF_REGION_JOINT_SLOTS, WF_REGION_JOINTS, WF_REGION_BROKEN,
     /* <regions of the permanent chunk> */
     WF_REGION_ALONE,
@@ -414,6 +532,8 @@ enum {
     WF_REGION_NEW_CONTACTS,
     /* <regions of the transient chunk> */
     WF_REGION_NEW_TOUCHES, WF_REGION_NEW_EVENTS, WF_REGION_NEW_HITS,
+    /* <regions of the transient chunk> */
+    WF_REGION_NEW_FINE,
     /* <regions of the transient chunk> */
     WF_REGION_NEW_JOINTS, WF_REGION_JOINT_PLACES, WF_REGION_JOINED,
     WF_REGION_JOINT_WORK,
@@ -521,6 +641,8 @@ typedef wfResult wfStageFn(struct wfStep *step);
 typedef struct wfStageRow {
     const char *name, *text, *reads, *writes;
     wfStageFn *run;
+    uint32_t all, any;         /* needs: run if all of `all` are met, and one of `any` if
+                                * there are any */
 } wfStageRow;
 extern const wfStageRow wfStageTable[];
 extern const int wfStageCount;
@@ -584,7 +706,8 @@ wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle
 /* Moves the origin by `by` (m): whatever names a place in the world gets by less, so that
  * all stay where they are. Contacts, events and sleep go on; no gap or overlap changes,
  * except for bodies that had to be rounded (eq:world-far-exact): *rounded tells how many,
- * and may be NULL. WF_ERROR_NOT_FINITE; WF_ERROR_RANGE: origin + by is no double. What
+ * and may be NULL. WF_ERROR_NOT_FINITE; WF_ERROR_RANGE: origin + by is no double, or a
+ * place in the world would be no wfReal. What
  * the program keeps in the world's coordinates it has to move itself. */
 wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
 /* The same when `place` (the world's own coordinates: of a body, of the camera) is farther
