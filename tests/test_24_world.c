@@ -660,7 +660,7 @@ static void memory_may_be_handed_over(void **unused)
     def.bodyCapacity = 8;
     size_t permanent, transient;
     assert_ok(wfWorldSize(&def, &permanent, &transient));
-    _Alignas(16) static uint8_t p[1 << 18], t[1 << 18];
+    _Alignas(16) static uint8_t p[1 << 19], t[1 << 19];    /* twice what floats need, for doubles */
     assert_true(permanent + 16 < sizeof p && transient + 16 < sizeof t);
     memset(p, 0xee, sizeof p);
     memset(t, 0xee, sizeof t);

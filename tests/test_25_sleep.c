@@ -910,12 +910,15 @@ static void test_whatever_is_done_nobody_floats(void **state)
     uint32_t seed = 3;
     wfBodyId id[30];
     def.sleep = 1;
-    def.sleepTime = WF_R(0.2);
+    /* Who begins to move with an acceleration a goes a T^2 / 2 in the time T, and is still if that is below the share s of his
+     * reach r = 0.71 m: a < 2 s r / T^2. Awake, he then goes a / 2 in a second, at most s r / T^2 = 0.028 m: less than 0.05 m. */
+    def.sleepTime = WF_R(0.5);
+    def.sleepShare = WF_R(0.01);
     assert_ok(wfCreateWorld(&def, &w));
     add(&w, floor_def());
     for (int i = 0; i < 30; i++) id[i] = add(&w, box_def(-6 + 2 * (i % 6), 0.5 + i / 6, 0.5, 0.5));
     for (int round = 0; round < 60; round++) {
-        run(&w, 40);
+        run(&w, 50);
         seed = seed * 1664525u + 1013904223u;
         int who = (int)(seed >> 8) % 30, what = (int)(seed >> 20) % 6;
         wfBodyInfo i = info(&w, id[who]);
