@@ -209,10 +209,23 @@ local function undesignate(text)
     return "\n" .. spaces .. type .. " " .. name .. "[" .. size .. "];\n" .. spaces .. "memset(" .. name .. ", 0, sizeof " .. name .. ");\n" .. rows:gsub("\n$", "")
   end)
   return (text:gsub("= (%b{})", function(rows)
-    if not rows:match("^{%s*%[WF_") then return nil end
+    if not rows:match("^{%s*%[WF_") and not rows:match("^{%s*/%*.-%*/%s*%[WF_") then return nil end
     local next = 0
+    local function place_of(name) return places[name] or fail("which number is " .. name .. ", the place of a row? -- write it in an enum that counts from 0") end
+    local entries = {}                  -- rows that are all in braces may stand in any order: chapters add theirs where they need them
+    local rest = rows:sub(2, -2):gsub("/%*.-%*/", ""):gsub("%[(WF_[%w_]+)%]%s*= (%b{}),?", function(name, row)
+      entries[#entries + 1] = { place_of(name), row } return "" end)
+    if not rest:find("%S") then
+      table.sort(entries, function(a, b) return a[1] < b[1] end)
+      local all = {}
+      for _, e in ipairs(entries) do
+        for _ = next, e[1] - 1 do all[#all + 1] = "{ 0 }" end
+        all[#all + 1], next = e[2], e[1] + 1
+      end
+      return "= {\n    " .. table.concat(all, ",\n    ") .. "\n}"
+    end
     return "= " .. rows:gsub("%[(WF_[%w_]+)%]%s*= ", function(name)
-      local place = places[name] or fail("which number is " .. name .. ", the place of a row? -- write it in an enum that counts from 0")
+      local place = place_of(name)
       local gap = place - next
       if gap < 0 then fail("the row of " .. name .. " comes too late in its table -- put the rows in the order of their enum") end
       next = place + 1

@@ -443,7 +443,7 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
         .touches = ARRAY(WF_REGION_TOUCHES), .events = ARRAY(WF_REGION_EVENTS),
         .hits = ARRAY(WF_REGION_HITS),
         /* <find more arrays of the block> */
-        .fine = h->fineSums ? ARRAY(WF_REGION_FINE) : NULL,
+        .fine = h->fineSums ? (wfFine *)ARRAY(WF_REGION_FINE) : NULL,
     };
 #undef ARRAY
     return WF_OK;

@@ -61,7 +61,7 @@ static void put_number(Line *l, double value, int columns, bool point)
         left /= 10;
     } while ((left > 0 || (point && n < 3)) && n < 23);
     for (int i = n; i < columns; i++) put(l, " ");
-    for (int i = n - 1; i >= 0; i--) put(l, (char[]){ digit[i], 0 });
+    for (char one[2] = { 0 }; n > 0; put(l, one)) one[0] = digit[--n];
 }
 
 static void put_needs(Line *l, uint32_t needs, const char *between)

@@ -21,7 +21,8 @@ static wfResult copy_states(struct wfStep *s)
     s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
                             .shapes = wfShapesOf(&s->b), .dt = s->b.head->dt };
     /* <say which bodies do not take part> */
-    s->fine = s->b.fine == NULL ? NULL : wfTransient(&s->b, WF_REGION_NEW_FINE);
+    s->fine = NULL;
+    if (s->b.fine != NULL) s->fine = wfTransient(&s->b, WF_REGION_NEW_FINE);
     if (s->fine != NULL) memcpy(s->fine, s->b.fine, (size_t)s->count * sizeof *s->fine);
     /* <say which bodies do not take part> */
     wfLeaveOutSleepers(s);
@@ -588,7 +589,8 @@ static wfResult run_stages(struct wfStep *step)
         /* no stage of this chapter does */
         /* <begin anew if a stage says so> */
         if (result == WF_OK && step->again) {
-            *step = (struct wfStep){ .b = step->b, .restarts = step->restarts + 1,
+            int32_t restarts = step->restarts + 1;
+            *step = (struct wfStep){ .b = step->b,
                 /* <what a step keeps that begins anew> */
                 .clock = step->clock,
                 /* <what a step keeps that begins anew> */
@@ -596,6 +598,7 @@ static wfResult run_stages(struct wfStep *step)
                 /* <what a step keeps that begins anew> */
                 .hooks = step->hooks,
             };
+            step->restarts = restarts;
             i = -1;
         }
     }

@@ -455,8 +455,9 @@ typedef struct wfSetting {
     int32_t     builtIn;       /* 1: built into the block; not to be changed later */
     int32_t     law;           /* 1: a change of it wakes all that sleep */
     int32_t     method;        /* 1: to change it later takes WF_NEED_METHODS */
+    const char *unit;          /* may be NULL: a plain number */
     uint32_t    need;          /* means something if one of these is met; 0: always */
-    const char *unit, *text;   /* unit may be NULL: a plain number */
+    const char *text;
 } wfSetting;
 extern const wfSetting wfSettingTable[];
 extern const int wfSettingCount;
