@@ -75,7 +75,7 @@ install: $(BUILD)/lib/libweft.a
 	@for p in weft-testbed weft-headless weft-lab; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
 	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/lib, pkg-config name weft, CMake package weft"
 uninstall:
-	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc
+	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft-json.pc
 	@rm -f $(DESTDIR)$(PREFIX)/lib/libweft* $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab)
 $(BUILD)/lib/libweft.a:
 	@$(if $(wildcard $(BUILD)/tangle.stamp),$(MAKE) --no-print-directory engine,$(SUBMAKE) -f tangle/compile.mk SRC=src-generated OUT=$(BUILD) lib)

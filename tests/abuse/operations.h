@@ -524,7 +524,7 @@ static wfResult op_set_def(Session *s)
         d.pairMaterials = now.pairMaterials; d.events = now.events; d.impacts = now.impacts; d.exactJoints = now.exactJoints;
     }
     if (d.substeps > 99) d.substeps = 99;       /* who asks for a million passes gets them, and we would wait for ever */
-    if (d.iterations > 99) d.iterations = 99;
+    if (d.iterations != 1) d.iterations = 2;
     return CALL(wfSetWorldDef(handle(s), &d));
 }
 static wfResult op_settings(Session *s)         /* the table of settings, by name */
