@@ -27,7 +27,7 @@ if [ -s "$build/book/weft.pdf" ]; then
     pdftotext -layout "$build/book/weft.pdf" "$work/text"
     pages=$(pdfinfo "$build/book/weft.pdf" | sed -nE 's/^Pages: +//p')
     for c in chapters/*.nw; do
-      title=$(sed -nE '1,5s/^# ([^{]*[^ {]).*/\1/p' "$c" | head -1 | sed 's/[*`]//g')
+      title=$(sed -nE '1,5s/^# ([^{]*[^ {]).*/\1/p' "$c" | head -1 | sed "s/[*\`]//g; s/'/’/g")
       grep -qF -- "${title:0:24}" "$work/text" || bad "the PDF does not show '$title'"
     done
     # every numbered figure and table of the pages is in print too: nothing fell off a page's foot
@@ -61,7 +61,7 @@ if [ -n "$browser" ]; then
 else echo "no browser here: the page's script is not tested"; fi
 
 # ---- a prose edit remakes one page, soon
-mkdir "$work/copy"; cp -r Makefile tangle chapters book "$work/copy/"
+mkdir "$work/copy"; cp -r Makefile tangle chapters book "$work/copy/"; mkdir "$work/copy/tests"; cp -r tests/examples "$work/copy/tests/"
 again() { ( cd "$work/copy" && env -u MAKEFLAGS -u MAKELEVEL -u BUILD make --no-print-directory html ) > "$work/again" 2>&1; }
 if again; then
   for edit in 's/^\([A-Z][a-z]* [a-z]* [a-z]*\) /\1 indeed /' 's/^\([A-Z][a-z]* [a-z]* [a-z]*\) /\1\n/'; do      # a word more; a line more
