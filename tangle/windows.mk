@@ -1,5 +1,5 @@
 # windows.mk: the testbed for Windows, made on Linux by mingw-w64.   make -f tangle/windows.mk SRC=build/lines OUT=build/windows
-# A thin layer over programs.mk: another compiler, another main file, no SDL.
+# Beside programs.mk: another compiler, another main file, no SDL and no scenes as text; the font is baked by font.mk, for the machine that builds.
 SRC ?= build/lines
 OUT ?= build/windows
 WINCC ?= x86_64-w64-mingw32-gcc
