@@ -127,6 +127,34 @@
     let last = 0, on = false, dark = null, touches = new Map(), pinch = 0;
     const open = name => x.web_open(put(x, x.web_name(), name));
     if (scene) open(scene);
+    // the game's card (chapter 27): 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
+    const keep = (name, bytes) => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); localStorage.setItem(name, btoa(t)); };
+    const fetched = name => {
+      const kept = localStorage.getItem(name);
+      if (kept === null) return null;
+      const bytes = Uint8Array.from(atob(kept), c => c.charCodeAt(0));
+      new Uint8Array(x.memory.buffer, x.web_file_bytes(), bytes.length).set(bytes);
+      return bytes.length;
+    };
+    const grant = night => {
+      const wish = x.web_wish();
+      if (!wish) return;
+      const letters = new Uint8Array(x.memory.buffer, x.web_file_name(), 40), name = words.decode(letters.slice(0, letters.indexOf(0)));
+      const bytes = new Uint8Array(x.memory.buffer, x.web_file_bytes(), x.web_file_size()).slice();
+      let size = null;
+      try {
+        if (!options.whole) size = null;
+        else if (wish === 1) { keep('weft/' + name, bytes); size = bytes.length; }
+        else if (wish === 2) size = fetched('weft/' + name);
+        else {
+          const a = document.createElement('a');
+          a.href = URL.createObjectURL(new Blob([bytes])); a.download = name; a.click();
+          setTimeout(() => URL.revokeObjectURL(a.href), 10000);
+          size = bytes.length;
+        }
+      } catch (e) { size = null; }                     // a full store, or one that is switched off
+      x.web_grant(size === null ? -1 : 1, size || 0);
+    };
     const frame = (seconds, steps) => {
       const scale = Math.max(1, Math.min(3, devicePixelRatio || 1)), box = canvas.getBoundingClientRect();
       const w = Math.max(64, Math.round(box.width * scale)), h = Math.max(64, Math.round(box.height * scale));
@@ -136,6 +164,7 @@
       if (!at) return;
       if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
       pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
+      grant(night);
     };
     const tick = now => {
       if (!on) return;

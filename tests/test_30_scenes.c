@@ -509,7 +509,7 @@ static void begin(play *p, int width, int height)
 {
     memset(p, 0, sizeof *p);
     p->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
-                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL };
+                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL, NULL, NULL };
     p->buffer = (frame_buffer){ calloc((size_t)(width * height), 4), width, height, width, 1 };
     assert_true(p->memory.permanent && p->memory.transient && p->buffer.pixels);
 }
