@@ -32,6 +32,7 @@ help:
 	@echo "make EXTRA=my.nw TARGET with a chapter of your own that lives elsewhere"
 	@echo "make watch              tangle, build and weave again whenever a chapter is saved"
 	@echo "make data               measure again what the book's plots and tables show (book/data/)"
+	@echo "make lab                the lab's sweeps, minutes (make lab-full: all of them): build/lab/*.csv; goes on when interrupted"
 	@echo "make amalgam            the engine as two files: build/amalgam/weft.h, weft.c"
 	@echo "make parts              build and test the least engine, each part alone and left out;  make prices  what each costs"
 	@echo "make mutate             plant mutants and count how many the tests catch (long)"
