@@ -54,3 +54,4 @@ include tangle/engine.mk
 include tangle/book.mk
 include tangle/check.mk
 include tangle/elsewhere.mk
+include tangle/course.mk

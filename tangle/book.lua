@@ -15,9 +15,9 @@ Book.__index = Book
 
 function Book.is_root(name) return name:match("^[%w_%-%./]+%.%a+$") ~= nil and name:find("/") ~= nil end
 
--- Chapters are named NN-name.nw (a number) or X-name.nw (an appendix, a capital letter).
+-- Chapters are named NN-name.nw (a number) or X-name.nw (an appendix, a capital letter); an exercise that somebody solved, NN.k-name.nw.
 function Book.label_of(base, fallback)
-  local n = base:match("^(%d+)%-")
+  local n = base:match("^(%d+)%-") or base:match("^%w+%.%d+")
   if n then return n end
   return base:match("^(%u)%-") or fallback
 end
@@ -94,6 +94,14 @@ end
 ------------------------------------------------------------------------------------------------------------- checks
 -- Undefined, unused, recursive chunks, and chunks that are used before the chapter that defines them.
 function Book:check_chunks()
+  local solved = {}
+  for _, c in ipairs(self.chapters) do
+    local other = c.label:match("%.") and solved[c.label]
+    if other then
+      self:complain(c.file, 1, "exercise " .. c.label .. " is here and in " .. other, "link one of the two: a starter, somebody's chapter and the solution define the same chunks")
+    end
+    solved[c.label] = c.file
+  end
   for name, n in pairs(self.names) do
     if #n.parts == 0 then
       for _, u in ipairs(n.uses) do

@@ -1,0 +1,591 @@
+-- course.lua: exercises, from the chapters to points. tangle/course calls it; `tangle/course help` lists the commands.
+--
+-- An exercise is a box {.exercise #ex:label points= difficulty= minutes= kind=} in a chapter; its number is its chapter's and its place in
+-- it. One that is to be programmed has, under the name NUMBER-NAME:
+--   chapters/exercises/10.2-heun.nw   the starter: a chapter with undefined chunks, the holes
+--   chapters/solutions/10.2-heun.nw   the holes, defined
+--   tests/course/10.2-heun.c          the criteria, with points (tests/course/course.h)
+--   tests/course/10.2-heun.wrong      what wrong solutions change in the right one, and which criteria they must lose
+local here = arg[0]:match("^(.*/)") or "./"
+local B = os.getenv("BUILD") or "build"
+local CC = os.getenv("CC") or "cc"
+local STARTERS, SOLUTIONS, TESTS = "chapters/exercises", "chapters/solutions", "tests/course"
+local Course = {}
+
+----------------------------------------------------------------------------------------------------------------- small things
+local function read(path) local f = io.open(path, "rb"); if not f then return nil end local s = f:read("a"); f:close(); return s end
+local function write(path, s) local f = assert(io.open(path, "wb")); f:write(s); f:close() end
+local function quote(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
+local function out_of(command) local p = io.popen(command); local s = p:read("a"); p:close(); return s end
+local function ok(command) local a, _, c = os.execute(command); return a == true or a == 0, c end
+local function lines(s) return ((s or "") .. "\n"):gmatch("(.-)\r?\n") end
+local function base_of(path) return (path:match("([^/]+)%.nw$")) end
+local function die(...) io.stderr:write("course: ", string.format(...), "\n"); os.exit(2) end
+local function list(dir, ext) local t = {} for l in lines(out_of("ls " .. quote(dir) .. " 2>/dev/null")) do if l:match("%." .. ext .. "$") then t[#t + 1] = l:sub(1, -#ext - 2) end end return t end
+local function points_text(p) return (string.format("%.2f", p):gsub("%.?0+$", "")) end
+
+------------------------------------------------------------------------------------------------------- exercises in the chapters
+-- All of them in the order of the book: { number, chapter, title, label, points, minutes, difficulty, kind, file, line, base }
+local function exercises()
+  local all, starters = {}, {}
+  for _, b in ipairs(list(STARTERS, "nw")) do starters[b:match("^([%w]+%.%d+)%-") or b] = b end
+  for _, b in ipairs(list("chapters", "nw")) do
+    local chapter = b:match("^0*(%d+)%-") or b:match("^(%u)%-")
+    local k, n, title = 0, 0, nil
+    for l in lines(read("chapters/" .. b .. ".nw")) do
+      n = n + 1
+      title = title or l:match("^# (.-)%s*{#") or l:match("^# (.*)$")
+      local attributes = l:match("^:::+ *{%.exercise (.-)}")
+      if attributes and chapter then
+        k = k + 1
+        local e = { chapter = chapter, number = chapter .. "." .. k, file = "chapters/" .. b .. ".nw", line = n, title = title }
+        e.label = attributes:match("#ex:([%w_%-]+)")
+        for key, v in attributes:gmatch('([%a]+)=(["%w%-%./]+)') do e[key] = v:gsub('"', "") end
+        for _, key in ipairs { "points", "minutes", "difficulty" } do e[key] = tonumber(e[key]) end
+        e.base = starters[e.number]
+        all[#all + 1] = e
+      end
+    end
+  end
+  return all
+end
+Course.exercises = exercises
+
+local function find(all, id)
+  for _, e in ipairs(all) do if e.number == id or e.label == id or e.base == id or "ex:" .. (e.label or "") == id then return e end end
+end
+-- what E= names: one or several, by number or label; every one must be an exercise that can be programmed
+local function chosen(all, ids)
+  local t = {}
+  for id in ids:gmatch("[^%s,]+") do
+    local e = find(all, id)
+    if not e then die("there is no exercise %s -- `make progress` lists them; say E=10.2, or E=int-heun", id) end
+    if not e.base then die("exercise %s (%s, kind %s) has no starter: it is solved on paper or by trying -- `make progress` marks those with a starter by *", e.number, e.label, e.kind) end
+    t[#t + 1] = e
+  end
+  if #t == 0 then die("which exercise? -- say E=10.2") end
+  return t
+end
+
+----------------------------------------------------------------------------------------------- a chapter's chunks and their lines
+local function chunks_of(path)
+  local t, n, inside = { list = {}, defined = {}, used = {}, first = {} }, 0, nil
+  for l in lines(read(path)) do
+    n = n + 1
+    local name = l:match("^<<(.-)>>=%s*$")
+    if name then
+      inside = { name = name, from = n }
+      t.list[#t.list + 1] = inside
+      t.defined[name] = t.defined[name] or n
+    elseif inside and (l == "@" or l:match("^@ ")) then inside.to = n; inside = nil
+    elseif inside then
+      inside.to = n
+      local u = l:match("^%s*<<(.-)>>%s*$")
+      if u and not t.used[u] then t.used[u] = n; t.first[#t.first + 1] = u end
+    end
+  end
+  return t
+end
+local function chunk_at(chunks, line)
+  for _, c in ipairs(chunks.list) do if line >= c.from and line <= (c.to or line) then return c.name end end
+end
+local function holes_of(path)             -- used and not defined here: with a starter, the holes
+  local c, t = chunks_of(path), {}
+  for _, u in ipairs(c.first) do if not c.defined[u] then t[#t + 1] = u end end
+  return t, c
+end
+
+-- The criteria as the test's source lists them: { name, points, hole, text }
+local function criteria_of(base)
+  local s = read(TESTS .. "/" .. base .. ".c") or ""
+  local body = s:match("CRITERIA%(.*$")
+  local t = {}
+  for name, points, hole, text in (body or ""):gmatch('{%s*"([^"]*)",%s*([%d%.]+),%s*"([^"]*)",%s*"([^"]*)"') do
+    t[#t + 1] = { name = name, points = tonumber(points), hole = hole, text = text }
+  end
+  return t
+end
+
+--------------------------------------------------------------------------------------------------- from a file to its results
+local STD = "-std=gnu11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize"
+local function compile_line(out) return CC .. " " .. STD .. " " .. (os.getenv("COURSE_CFLAGS") or "-O1 -g") .. " -fno-pie -I" .. quote(out .. "/lines/include") .. " -I" .. quote(out .. "/lines") end
+
+local function refuse(r, what, list_of)
+  r.refused = what
+  r.messages = list_of or {}
+  return r
+end
+
+-- What a compiler or the loom says of the student's file, each with its chunk. Other messages come behind.
+local function told(said, file, chunks)
+  local mine, others = {}, {}
+  for l in lines(said) do
+    local line = l:sub(1, #file + 1) == file .. ":" and tonumber(l:sub(#file + 2):match("^(%d+)"))
+    if line and (l:match("error") or l:match("%-%- ") or l:match("warning")) then
+      local c = chunk_at(chunks, line)
+      mine[#mine + 1] = l .. (c and "\n    in the chunk <<" .. c .. ">>" or "")
+    elseif l:match("error") or l:match("undefined reference") or l:match("multiple definition") or l:match("%-%- ") then others[#others + 1] = l end
+  end
+  for _, l in ipairs(others) do if #mine < 12 then mine[#mine + 1] = l end end
+  return mine
+end
+
+local function differing(out)               -- files of the tangled tree that the engine does not have so
+  local t = {}
+  if read(out .. "/alone") then
+    for l in lines(out_of("cd " .. quote(out .. "/lines") .. " && find . -type f | sed 's|^\\./||' | sort")) do if l ~= "" then t[#t + 1] = l end end
+  else
+    for l in lines(out_of("cd " .. quote(out .. "/lines") .. " && find . -type f | sed 's|^\\./||' | sort")) do
+      if l ~= "" and read(out .. "/lines/" .. l) ~= read(B .. "/lines/" .. l) then t[#t + 1] = l end
+    end
+  end
+  return t
+end
+
+-- Builds FILE against the engine and runs the criteria of exercise BASE. Returns { base, file, criteria = {...}, earned, max, refused }.
+function Course.try(file, base, out, quiet)
+  local chunks = chunks_of(file)
+  local r = { base = base, file = file, criteria = criteria_of(base), earned = 0, max = 0, chunks = chunks, out = out }
+  for _, c in ipairs(r.criteria) do
+    r.max = r.max + c.points
+    c.earned, c.status = 0, "not run"
+    c.line = chunks.defined[c.hole] or chunks.used[c.hole]
+  end
+  os.execute("rm -rf " .. quote(out) .. " && mkdir -p " .. quote(out))
+  local holes = {}
+  for _, hole in ipairs((holes_of(STARTERS .. "/" .. base .. ".nw"))) do
+    if not chunks.defined[hole] then
+      holes[#holes + 1] = string.format("%s:%d: the hole <<%s>> is empty -- write it: a line <<%s>>= , the code, and a line with @ alone", file,
+        chunks.used[hole] or 1, hole, hole)
+    end
+  end
+  if #holes > 0 then return refuse(r, #holes == 1 and "a hole is empty" or #holes .. " holes are empty", holes) end
+  local log = out .. "/log"
+  local alone = ok("tangle/tangle --lines " .. quote(out .. "/lines") .. " " .. quote(file) .. " >" .. quote(log) .. " 2>&1")
+  if alone then write(out .. "/alone", "")
+  elseif not ok("tangle/tangle --lines " .. quote(out .. "/lines") .. " chapters/*.nw " .. quote(file) .. " >" .. quote(log) .. " 2>&1") then
+    return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks))
+  end
+  local objects, headers = {}, alone and " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") or ""
+  for _, f in ipairs(differing(out)) do
+    if f:match("%.c$") and not f:match("_main%.c$") then
+      local o = out .. "/" .. f:gsub("[/%.]", "_") .. ".o"
+      if not ok(compile_line(out) .. headers .. " -Wall -Wextra -c " .. quote(out .. "/lines/" .. f) .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
+        return refuse(r, "the compiler refuses the code", told(read(log), file, chunks))
+      end
+      objects[#objects + 1] = quote(o)
+    end
+  end
+  r.warnings = told(read(log), file, chunks)
+  -- The test itself: compiled once, unless it includes a header of the exercise's own.
+  local test = B .. "/course/tests/" .. base .. ".o"
+  local own = out_of("grep -ohE '\"(lab|course)/[a-z0-9_]+\\.h\"' " .. quote(TESTS .. "/" .. base .. ".c") .. " 2>/dev/null") ~= ""
+  if own or not read(test) then
+    local o = own and out .. "/test.o" or test .. "." .. tostring({}):match("0x(%x+)") .. ".o"
+    os.execute("mkdir -p " .. quote(B .. "/course/tests"))
+    local command = compile_line(out) .. " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") .. " -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " ..
+      quote(TESTS .. "/" .. base .. ".c") .. " -o " .. quote(o)
+    if not ok(command .. " >>" .. quote(log) .. " 2>&1") then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks)) end
+    if own then test = o else os.execute("mv " .. quote(o) .. " " .. quote(test)) end
+  end
+  local json = read(B .. "/lib/libweft-json.a") and quote(B .. "/lib/libweft-json.a") .. " " or ""
+  local libraries = quote(B .. "/lib/libweft-extra.a") .. " " .. json .. quote(B .. "/lib/libweft.a") .. " " ..
+    (json ~= "" and out_of("pkg-config --libs libcjson 2>/dev/null"):gsub("\n", "") or "")
+  local program = out .. "/program"
+  if not ok(CC .. " -g -no-pie " .. quote(test) .. " " .. table.concat(objects, " ") .. " " .. libraries .. " -lm -o " .. quote(program) .. " >>" .. quote(log) .. " 2>&1") then
+    return refuse(r, "the program does not link", told(read(log), file, chunks))
+  end
+  Course.run(r, program, out)
+  return r
+end
+
+-- The place in the student's chapter to which a list of addresses leads.
+local function place(program, addresses, file)
+  local at = {}
+  for a in addresses:gmatch("%x+") do at[#at + 1] = "0x" .. a end
+  if #at == 0 then return nil end
+  for l in lines(out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null")) do
+    local path, line = l:match("^(.*):(%d+)")
+    if path and (path == file or path:sub(-#file - 1) == "/" .. file) then return tonumber(line) end
+  end
+end
+
+function Course.run(r, program, out)
+  local results = out .. "/results"
+  -- one minute of processor time and a gigabyte in all; each criterion has its own limit on time
+  local _, code = ok("( ulimit -t 120 -v 2000000 -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 " .. quote(program) .. " " .. quote(results) .. " " .. quote(out) .. " ) >" ..
+    quote(out .. "/output") .. " 2>&1 </dev/null")
+  local seen = {}
+  for l in lines(read(results)) do
+    local f = {}
+    for x in (l .. "\t"):gmatch("(.-)\t") do f[#f + 1] = x end
+    if f[5] then seen[f[1]] = f end
+  end
+  for _, c in ipairs(r.criteria) do
+    local f = seen[c.name]
+    if not f then c.status = "not reached"; c.got = "the program ended before this criterion was looked at"
+    elseif f[5] == "pass" then c.status, c.earned = "ok", c.points
+    elseif f[5] == "fail" then c.status, c.what, c.expected, c.got = "failed", f[6], f[7], f[8]
+    else
+      c.status = f[5] == "time" and "too long" or "crashed"
+      local names = { ["11"] = "a bad address (segmentation fault)", ["8"] = "a division by zero", ["6"] = "abort", ["4"] = "an illegal instruction", ["7"] = "a bad address (bus error)" }
+      c.what = f[5] == "time" and "the time of this criterion" or "the program"
+      c.expected = f[5] == "time" and "an end" or "no crash"
+      c.got = f[5] == "time" and "none: an endless loop, or too slow" or names[f[6]] or "it ended by itself"
+      local line = place(program, table.concat(f, " ", 7), r.file)
+      if line then c.line, c.exact = line, true end
+    end
+    if c.exact then c.hole = chunk_at(r.chunks, c.line) or c.hole end
+    r.earned = r.earned + c.earned
+  end
+  r.code = code
+  return r
+end
+
+------------------------------------------------------------------------------------------------------------------------ reports
+local function plot(r, c, say)              -- the data that a criterion left, as a picture and in the terminal
+  for l in lines(out_of("ls " .. quote(r.out) .. "/*.plot 2>/dev/null")) do
+    local name = l:match("([^/]+)%.plot$")
+    if name == c.name then
+      local head = (read(l) or ""):match("^# (.-)\n") or ""
+      local title, x, y, log = (head .. "\t\t\t"):match("^(.-)\t(.-)\t(.-)\t(.-)\t")
+      title, x, y, log = title or name, x or "", y or "", log or ""
+      local curves, seen = {}, {}
+      for row in lines(read(l)) do
+        local curve = not row:match("^#") and row:match("^(.-),")
+        if curve and not seen[curve] then seen[curve] = true; curves[#curves + 1] = curve end
+      end
+      local plots = {}
+      for _, k in ipairs(curves) do
+        plots[#plots + 1] = string.format("\"< grep -F '%s,' '%s'\" using 2:3 with linespoints title '%s'", k:gsub("['\"]", ""), l, k:gsub("['\"]", ""))
+      end
+      if #plots == 0 then return end
+      local style = string.format("set datafile separator ','; set title '%s'; set xlabel '%s'; set ylabel '%s'; set key outside; %s; plot %s", title:gsub("'", ""), x:gsub("'", ""),
+        y:gsub("'", ""), log ~= "" and "set logscale " .. log or "unset logscale", table.concat(plots, ", "))
+      local svg = r.out .. "/" .. name .. ".svg"
+      write(r.out .. "/" .. name .. ".gp", "set terminal svg size 720,420 font 'DejaVu Sans,12' background rgb 'white'\nset output '" .. svg .. "'\n" .. style:gsub("; ", "\n") .. "\n")
+      if ok("gnuplot " .. quote(r.out .. "/" .. name .. ".gp") .. " >/dev/null 2>&1") then say("             picture: " .. svg) end
+      write(r.out .. "/" .. name .. ".txt.gp", "set terminal dumb 96 22\n" .. style:gsub("; ", "\n") .. "\n")
+      local text = out_of("gnuplot " .. quote(r.out .. "/" .. name .. ".txt.gp") .. " 2>/dev/null")
+      for row in lines(text) do if row:match("%S") then say("             " .. row) end end
+    end
+  end
+end
+
+function Course.table(r, e, say, plots)
+  say(string.format("%s  %s%s", e.number, e.name_of or e.label, r.student and "  (" .. r.student .. ")" or ""))
+  if r.refused then
+    say("  " .. r.refused .. ":")
+    for i, m in ipairs(r.messages) do if i <= 12 then say("    " .. m) end end
+  else
+    for _, w in ipairs(r.warnings or {}) do say("    " .. w) end
+    for _, c in ipairs(r.criteria) do
+      say(string.format("  %-9s %4s  %s", c.status == "ok" and "ok" or c.status:upper(), points_text(c.points), c.text))
+      if c.status ~= "ok" then
+        if c.what then say(string.format("             %s: expected %s, got %s", c.what, c.expected, c.got)) elseif c.got then say("             " .. c.got) end
+        say(string.format("             chunk <<%s>>, %s:%d", c.hole, r.file, c.line or 1))
+        if plots then plot(r, c, say) end
+      end
+    end
+  end
+  say(string.format("  %s of %s points", points_text(r.earned), points_text(r.max)))
+end
+
+local function json_string(s) return '"' .. tostring(s):gsub('[%c"\\]', function(c) return string.format("\\u%04x", c:byte()) end) .. '"' end
+function Course.json(results)
+  local t = {}
+  for _, r in ipairs(results) do
+    local cs = {}
+    for _, c in ipairs(r.criteria) do
+      local fields = { '"name": ' .. json_string(c.name), '"text": ' .. json_string(c.text), '"points": ' .. points_text(c.points), '"earned": ' .. points_text(c.earned),
+        '"status": ' .. json_string(c.status), '"chunk": ' .. json_string(c.hole) }
+      for _, k in ipairs { "what", "expected", "got" } do if c[k] then fields[#fields + 1] = json_string(k) .. ": " .. json_string(c[k]) end end
+      if c.line then fields[#fields + 1] = '"line": ' .. c.line end
+      cs[#cs + 1] = "      { " .. table.concat(fields, ", ") .. " }"
+    end
+    t[#t + 1] = string.format('  { "exercise": %s, "label": %s, "student": %s, "file": %s, "earned": %s, "points": %s, "refused": %s,\n    "criteria": [\n%s\n    ] }', json_string(r.e.number),
+      json_string(r.e.label), json_string(r.student or ""), json_string(r.file), points_text(r.earned), points_text(r.max), r.refused and json_string(r.refused) or "null", table.concat(cs, ",\n"))
+  end
+  return "[\n" .. table.concat(t, ",\n") .. "\n]\n"
+end
+local function xml(s) return (tostring(s):gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" }):gsub("[%z\1-\8\11\12\14-\31]", "?")) end
+function Course.junit(results)
+  local t = { '<?xml version="1.0" encoding="UTF-8"?>', "<testsuites>" }
+  for _, r in ipairs(results) do
+    local failed = 0
+    for _, c in ipairs(r.criteria) do if c.status ~= "ok" then failed = failed + 1 end end
+    t[#t + 1] = string.format('  <testsuite name="%s" tests="%d" failures="%d">', xml(r.e.number .. " " .. r.e.label), #r.criteria, failed)
+    t[#t + 1] = string.format('    <properties><property name="points" value="%s"/><property name="max" value="%s"/></properties>', points_text(r.earned), points_text(r.max))
+    for _, c in ipairs(r.criteria) do
+      local name = string.format('    <testcase classname="%s" name="%s (%s points)"', xml(r.e.number), xml(c.text), points_text(c.points))
+      if c.status == "ok" then t[#t + 1] = name .. "/>"
+      else
+        local what = r.refused and r.refused .. ": " .. (r.messages[1] or "") or c.what and string.format("%s: expected %s, got %s", c.what, c.expected, c.got) or c.got or c.status
+        t[#t + 1] = name .. string.format('><failure message="%s">%s:%d: chunk %s</failure></testcase>', xml(what), xml(r.file), c.line or 1, xml(c.hole))
+      end
+    end
+    t[#t + 1] = "  </testsuite>"
+  end
+  t[#t + 1] = "</testsuites>\n"
+  return table.concat(t, "\n")
+end
+
+---------------------------------------------------------------------------------------------- starter and solution, and wrong ones
+local function trim_end(s) return (s:gsub("%s+$", "")) .. "\n" end
+function Course.compose(base, solution)
+  local a = read(STARTERS .. "/" .. base .. ".nw")
+  local b = solution or read(SOLUTIONS .. "/" .. base .. ".nw")
+  if not a or not b then return nil end
+  local _, count = trim_end(a):gsub("\n", "\n")
+  return trim_end(a) .. "\n### Solution\n\n" .. b, count
+end
+
+-- The wrong solutions: { name, lose = {criteria}, text }. Each replaces lines of the right one; what is replaced must be there once.
+function Course.wrong(base)
+  local t, right, errors = {}, read(SOLUTIONS .. "/" .. base .. ".nw") or "", {}
+  local path = TESTS .. "/" .. base .. ".wrong"
+  local w, n = nil, 0
+  local function close(old, new)
+    if not w or #old == 0 then return end
+    local pattern = {}
+    for _, l in ipairs(old) do pattern[#pattern + 1] = "[ \t]*" .. l:gsub("^%s+", ""):gsub("%s+$", ""):gsub("%p", "%%%0") .. "[ \t]*" end
+    local p = "\n" .. table.concat(pattern, "\n") .. "\n"
+    local _, hits = ("\n" .. w.text):gsub(p, "%0")
+    if hits ~= 1 then errors[#errors + 1] = string.format("%s:%d: these lines are %d times in the solution, not once: %s", path, n, hits, old[1]) return end
+    local new_text = "\n" .. table.concat(new, "\n") .. "\n"
+    w.text = ("\n" .. w.text):gsub(p, function() return new_text end):sub(2)
+  end
+  local old, new = {}, {}
+  for l in lines((read(path) or "") .. "\n") do
+    n = n + 1
+    local name, lose = l:match("^wrong (.-): *(.-)%s*$")
+    local minus, plus = l:match("^%- ?(.*)$"), l:match("^%+ ?(.*)$")
+    if minus and #new > 0 then close(old, new); old, new = {}, {} end
+    if minus then old[#old + 1] = minus elseif plus then new[#new + 1] = plus
+    else close(old, new); old, new = {}, {} end
+    if name then
+      w = { name = name, lose = {}, text = right, line = n }
+      for c in lose:gmatch("%S+") do w.lose[#w.lose + 1] = c end
+      t[#t + 1] = w
+    end
+  end
+  return t, errors
+end
+
+-- CI: the solution has full points, the starter has not, every wrong one loses what it says.
+function Course.prove(e, say)
+  local base, good = e.base, true
+  local function bad(...) good = false; say("  " .. string.format(...)) end
+  local dir = B .. "/course/prove/" .. base
+  os.execute("rm -rf " .. quote(dir) .. "; mkdir -p " .. quote(dir))
+  local function try(name, text)
+    os.execute("mkdir -p " .. quote(dir .. "/" .. name))
+    local file = dir .. "/" .. name .. "/" .. base .. ".nw"
+    write(file, text)
+    return Course.try(file, base, dir .. "/" .. name .. "/out")
+  end
+  local total = 0
+  for _, c in ipairs(criteria_of(base)) do total = total + c.points end
+  if math.abs(total - (e.points or 0)) > 1e-9 then bad("%s.c: its criteria are worth %s points, the chapter says %s", base, points_text(total), points_text(e.points or 0)) end
+  local r = try("starter", read(STARTERS .. "/" .. base .. ".nw"))
+  if r.earned >= r.max then bad("the starter has full points") end
+  local text = Course.compose(base)
+  if not text then bad("there is no solution %s/%s.nw", SOLUTIONS, base) return false end
+  r = try("solution", text)
+  if r.refused or r.earned < r.max or r.max == 0 then bad("the solution has %s of %s points:", points_text(r.earned), points_text(r.max)); Course.table(r, e, function(l) say("    " .. l) end) end
+  for _, w in ipairs(r.warnings or {}) do bad("the solution: %s", w) end
+  local wrong, errors = Course.wrong(base)
+  for _, m in ipairs(errors) do bad("%s", m) end
+  if #wrong < 2 then bad("%d wrong solutions are planted, two is the least", #wrong) end
+  for i, w in ipairs(wrong) do
+    local r2 = try("wrong" .. i, (Course.compose(base, w.text)))
+    local lost = {}
+    for _, c in ipairs(r2.criteria) do if c.status ~= "ok" then lost[c.name] = true end end
+    if r2.refused then bad("wrong solution \"%s\" does not build: %s; %s", w.name, r2.refused, r2.messages[1] or "") end
+    if r2.earned >= r2.max then bad("wrong solution \"%s\" has full points", w.name) end
+    for _, c in ipairs(w.lose) do if not lost[c] then bad("wrong solution \"%s\" should lose %s, and does not", w.name, c) end end
+    if #w.lose == 0 then bad("wrong solution \"%s\" says nothing of what it loses", w.name) end
+  end
+  say(string.format("%s %-22s %s points, %d criteria, %d wrong solutions%s", good and "ok  " or "FAIL", base, points_text(total), #criteria_of(base), #wrong, good and "" or "  <---"))
+  return good
+end
+
+-- What the chapters' lists must have, and that nothing of a set of files is missing.
+function Course.lint(all)
+  local errors, by = {}, {}
+  local function bad(e, ...) errors[#errors + 1] = (type(e) == "table" and e.file .. ":" .. e.line or e) .. ": " .. string.format(...) end
+  local kinds = { understand = 0, derive = 0, program = 0, explore = 0 }
+  for _, e in ipairs(all) do
+    if not e.label then bad(e, "an exercise has no label -- write #ex:name") end
+    for _, k in ipairs { "points", "minutes", "difficulty" } do if not e[k] then bad(e, "the exercise has no %s= -- write {.exercise #ex:name points=2 difficulty=1 minutes=20 kind=derive}", k) end end
+    if not kinds[e.kind or ""] then bad(e, "kind=%s -- one of understand, derive, program, explore", tostring(e.kind)) else kinds[e.kind] = kinds[e.kind] + 1 end
+    local c = by[e.chapter] or { file = e.file, n = 0, starters = 0 }
+    by[e.chapter] = c
+    c.n = c.n + 1
+    c[e.kind or ""] = (c[e.kind or ""] or 0) + 1
+    if e.base then
+      c.starters = c.starters + 1
+      if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
+      if e.starter ~= e.base:match("%-(.*)$") then bad(e, "say starter=%s", e.base:match("%-(.*)$")) end
+      local text = read(STARTERS .. "/" .. e.base .. ".nw")
+      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s -- was the list renumbered?", e.label, e.number) end
+      e.name_of = text:match("^# (.-)%s*{#")
+      for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
+      for _, f in ipairs { SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".c", TESTS .. "/" .. e.base .. ".wrong" } do if not read(f) then bad(e, "%s is missing", f) end end
+    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s-%s.nw", e.starter, STARTERS, e.number, e.starter) end
+  end
+  for _, b in ipairs(list(STARTERS, "nw")) do if not find(all, b) then bad(STARTERS .. "/" .. b .. ".nw:1", "belongs to no exercise -- its name is NUMBER-NAME.nw, and the number is that of an exercise") end end
+  for n = 5, 30 do
+    local c = by[tostring(n)]
+    if not c or c.n < 4 then bad(c and c.file or "chapter " .. n, "has %d exercises, four is the least", c and c.n or 0)
+    else for _, k in ipairs { "understand", "derive", "program", "explore" } do if not c[k] then bad(c.file, "has no exercise of the kind %s", k) end end end
+  end
+  return errors, by
+end
+
+------------------------------------------------------------------------------------------------------------------------ commands
+local commands = {}
+local function with_names(all) for _, e in ipairs(all) do if e.base then e.name_of = (read(STARTERS .. "/" .. e.base .. ".nw") or ""):match("^# (.-)%s*{#") or (read(STARTERS .. "/" .. e.base .. ".nw") or ""):match("^# (.-)\n") end end return all end
+local function where(student, e) return "coursework/" .. student .. "/" .. e.base .. ".nw" end
+local function student_of(name)
+  name = name or os.getenv("NAME")
+  if not name or name == "" then name = "me" end
+  if not name:match("^[%w_%-%.]+$") or name:match("^%.") then die("NAME=%s -- a name has letters, digits, - and _", name) end
+  return name
+end
+
+function commands.exercise(ids)
+  local student = student_of()
+  for _, e in ipairs(chosen(with_names(exercises()), ids)) do
+    local file = where(student, e)
+    if read(file) then print(file .. " is there already; it is left as it is.")
+    else
+      os.execute("mkdir -p coursework/" .. student)
+      write(file, read(STARTERS .. "/" .. e.base .. ".nw"))
+      print("made: " .. file)
+    end
+    print(string.format("  Exercise %s, %s: %s points, about %d minutes. It belongs to %s.", e.number, e.name_of, points_text(e.points), e.minutes, e.file))
+    print("  Write these chunks at its end, each with the prose that explains it:")
+    for _, h in ipairs((holes_of(STARTERS .. "/" .. e.base .. ".nw"))) do print("      <<" .. h .. ">>=") end
+    print("  What counts:")
+    for _, c in ipairs(criteria_of(e.base)) do print(string.format("    %4s  %s", points_text(c.points), c.text)) end
+    local name = student == "me" and "" or " NAME=" .. student
+    print(string.format("  make try E=%s%s     builds and tests it, as often as you like", e.number, name))
+    print(string.format("  make weave E=%s%s   makes a page and a PDF of it", e.number, name))
+    print(string.format("  make EXTRA=%s programs   puts it into the testbed and the lab", file))
+  end
+end
+
+local function save(results, stem)
+  os.execute("mkdir -p " .. quote(stem:match("^(.*)/")))
+  write(stem .. ".json", Course.json(results))
+  write(stem .. ".xml", Course.junit(results))
+end
+
+local function grade(ids, plots)
+  local student, all, results = student_of(), with_names(exercises()), {}
+  local which
+  if ids ~= "" then which = chosen(all, ids)
+  else
+    which = {}
+    for _, e in ipairs(all) do if e.base and read(where(student, e)) then which[#which + 1] = e end end
+    if #which == 0 then die("coursework/%s has no exercise -- begin with: make exercise E=10.2%s", student, student == "me" and "" or " NAME=" .. student) end
+  end
+  local full = true
+  for _, e in ipairs(which) do
+    local file = where(student, e)
+    if not read(file) then die("%s is not there -- make it with: make exercise E=%s%s", file, e.number, student == "me" and "" or " NAME=" .. student) end
+    local r = Course.try(file, e.base, B .. "/course/" .. student .. "/" .. e.base)
+    r.e, r.student = e, student
+    results[#results + 1] = r
+    Course.table(r, e, print, plots)
+    full = full and r.earned == r.max
+    save({ r }, B .. "/course/" .. student .. "/" .. e.base .. "/result")
+  end
+  return results, full, student
+end
+function commands.try(ids) grade(ids, true) end
+function commands.grade(ids)
+  local results, _, student = grade(ids, false)
+  local earned, max = 0, 0
+  print(string.format("\n%-8s %-24s %7s %7s", "", "", "points", "of"))
+  for _, r in ipairs(results) do
+    print(string.format("%-8s %-24s %7s %7s%s", r.e.number, r.e.label, points_text(r.earned), points_text(r.max), r.refused and "   " .. r.refused or ""))
+    earned, max = earned + r.earned, max + r.max
+  end
+  print(string.format("%-8s %-24s %7s %7s", "sum", "", points_text(earned), points_text(max)))
+  local stem = B .. "/course/" .. student .. "/grade"
+  save(results, stem)
+  print("written: " .. stem .. ".json, " .. stem .. ".xml (JUnit)")
+end
+
+function commands.lint()
+  local all = exercises()
+  local errors, by = Course.lint(all)
+  for _, m in ipairs(errors) do io.stderr:write(m, "\n") end
+  local programs, n = 0, 0
+  for _, e in ipairs(all) do n = n + 1; if e.base then programs = programs + 1 end end
+  print(string.format("%d exercises, %d of them with starter, solution and tests; %d complaints", n, programs, #errors))
+  os.exit(#errors == 0 and 0 or 1)
+end
+function commands.list() for _, e in ipairs(exercises()) do if e.base then print(e.base) end end end
+function commands.prove(base)
+  local e = find(with_names(exercises()), base)
+  local t = {}
+  local good = Course.prove(e, function(l) t[#t + 1] = l end)
+  io.write(table.concat(t, "\n"), "\n")
+  os.exit(good and 0 or 1)
+end
+-- for the sandbox: one file, the results as JSON
+function commands.one(file, base, out, student)
+  local e = find(exercises(), base)
+  local r = Course.try(file, base, out)
+  r.e, r.student = e, student
+  write(out .. "/result.json", Course.json { r })
+  write(out .. "/result.tsv", string.format("%s\t%s\t%s\t%s\n", student, e.number, points_text(r.earned), points_text(r.max)) ..
+    "status\t" .. (r.refused or "graded") .. "\n")
+  Course.table(r, e, print)
+end
+function commands.composed(base, to) write(to, (Course.compose(base))) end
+function commands.tests() -- the criteria's programs, compiled once
+  for _, b in ipairs(list(TESTS, "c")) do
+    os.execute("mkdir -p " .. quote(B .. "/course/tests"))
+    local s = read(TESTS .. "/" .. b .. ".c")
+    local o = B .. "/course/tests/" .. b .. ".o"
+    if not s:match('#include "lab/[%w_]+%.h"') or not read(STARTERS .. "/" .. b .. ".nw") then
+      if not ok("[ " .. quote(o) .. " -nt " .. quote(TESTS .. "/" .. b .. ".c") .. " ] && [ " .. quote(o) .. " -nt " .. TESTS .. "/course.h ]") then
+        ok(CC .. " " .. STD .. " -O1 -g -fno-pie -I" .. B .. "/lines/include -I" .. B .. "/lines -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " .. TESTS .. "/" .. b .. ".c -o " .. o)
+      end
+    end
+  end
+end
+function commands.progress()
+  local student, all, solved = student_of(), with_names(exercises()), {}
+  local done = read("coursework/" .. student .. "/done.txt") or ""
+  local earned, sum = 0, 0
+  local chapter
+  for _, e in ipairs(all) do
+    if e.chapter ~= chapter then
+      chapter = e.chapter
+      local built = read(B .. "/upto/" .. chapter .. "/lib/libweft.a") and "built and tested (make upto CHAPTER=" .. chapter .. ")" or tonumber(chapter) and "make upto CHAPTER=" .. chapter or ""
+      print(string.format("%-3s %s%s", chapter, e.title:gsub("%s*{.*", ""), built ~= "" and "   -- " .. built or ""))
+    end
+    local state = "    "
+    if e.base then
+      local j = read(B .. "/course/" .. student .. "/" .. e.base .. "/result.json")
+      local got = j and j:match('"earned": ([%d%.]+)')
+      if got then state = tonumber(got) >= e.points and "done" or "part"; earned = earned + tonumber(got)
+      elseif read(where(student, e)) then state = "open" end
+    elseif (" " .. done:gsub("%s", " ") .. " "):find(" " .. e.number .. " ", 1, true) then state = "done"; earned = earned + e.points end
+    sum = sum + e.points
+    print(string.format("    %s %s %-6s %-26s %-11s %2d points %4d min", state, e.base and "*" or " ", e.number, e.label, e.kind, e.points, e.minutes))
+  end
+  print(string.format("%s of %s points.  * has a starter: make exercise E=its number. What is solved on paper you tick yourself: echo 10.1 >> coursework/%s/done.txt", points_text(earned), points_text(sum), student))
+end
+function commands.find(id) local e = find(exercises(), id); if e and e.base then print(e.base) else os.exit(1) end end
+function commands.holes(file) for _, h in ipairs((holes_of(file))) do print(h) end end
+function commands.points(base) local m = 0 for _, c in ipairs(criteria_of(base)) do m = m + c.points end print(points_text(m)) end
+
+local command = table.remove(arg, 1)
+if not commands[command or ""] then die("no command %s", tostring(command)) end
+commands[command](table.unpack(arg))

@@ -1,0 +1,11 @@
+# course.mk: coursework (appendix E). E="10.2 11.6" says which exercises, NAME=ada whose; tangle/course does the work.
+.PHONY: exercise try grade weave progress teacher assignment grade-all course
+exercise try grade weave assignment:
+	@BUILD=$(BUILD) NAME='$(NAME)' tangle/course $@ '$(E)'
+progress teacher:
+	@BUILD=$(BUILD) NAME='$(NAME)' tangle/course $@
+grade-all:
+	@BUILD=$(BUILD) tangle/course $@ '$(DIR)'
+# every solution has full points, no starter has, every planted wrong solution loses
+course:
+	@BUILD=$(BUILD) tangle/course prove $(E)
