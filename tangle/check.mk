@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check mutate data golden coverage fuzz portability windows parts prices
+.PHONY: check mutate data golden coverage fuzz portability windows parts prices peers
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -45,3 +45,8 @@ parts:
 	@tests/parts/run.sh
 prices:
 	@tests/parts/price.sh
+
+# Adapters by which other engines play our scenes (chapter 02), and this engine's own (chapter 34): build/peers/bin. BOX2D3= as in tangle/peers.mk
+peers: $(BUILD)/tangle.stamp
+	@$(if $(NO_INSTALL),NO_INSTALL=1) ONLY=1 tangle/install peers || echo "Going on with what is here."
+	@$(SUBMAKE) -f tangle/peers.mk SRC=$(LINES) OUT=$(BUILD) BOX2D3='$(BOX2D3)' peers

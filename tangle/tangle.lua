@@ -97,7 +97,7 @@ for l in text:gmatch("([^\n]*)\n") do
     local root = Book.is_root(rest)
     local first_time = root and not listed[rest]
     if first_time then listed[rest] = true; roots:write(rest, "\n") end
-    put("@defn " .. rest .. (mode == "lines" and root and "*" or ""))
+    put("@defn " .. rest .. (mode == "lines" and root and rest:match("%.[ch]p*$") and "*" or ""))
     if mode == "plain" then
       if root and first_time then pending = header(rest)
       elseif not root and rest ~= "" then pending = { "/* <" .. plain_name(rest) .. "> */" } end
