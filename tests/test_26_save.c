@@ -669,6 +669,107 @@ static void strangers_are_refused_by_name(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* The file of a journal: it comes back and replays the same bits; every prefix and every flipped bit is refused, strangers by
+ * name, and so is what is whole and yet no journal. */
+static void journals_have_an_envelope(void **unused)
+{
+    (void)unused;
+    enum { ROOM = 1 << 14 };
+    static uint8_t notes[ROOM], room[ROOM];
+    for (int trail = 0; trail <= 1; trail++) {
+        wfJournal j, k = { .used = 77 };
+        wfWorld played = stage(), shown = stage();
+        wfSaveInfo info;
+        uint64_t begins = wfHashWorld(&played);
+        assert_ok(wfJournalInit(&j, notes, ROOM, trail));
+        assert_int_equal(wfJournalSaveSize(&j), 64);                    /* an empty one is one, too */
+        play(&played, &j, 70, false);
+        size_t size = wfJournalSaveSize(&j), got;
+        assert_int_equal(size, j.used + 64);
+        uint8_t *bytes = bytes_of(size), *b = bytes_of(size);
+        assert_result(WF_ERROR_MEMORY, wfSaveJournalToBytes(&j, bytes, size - 1, &got));
+        assert_ok(wfSaveJournalToBytes(&j, bytes, size, &got));
+        assert_int_equal(got, size);
+        assert_ok(wfReadSaveInfo(bytes, size, &info));
+        assert_true(info.holds == 2 && info.steps == 70 && info.hash == begins);
+
+        assert_result(WF_ERROR_MEMORY, wfLoadJournalFromBytes(bytes, size, room, j.used - 1, &k));
+        assert_result(WF_ERROR_NOT_A_SAVE, wfLoadFromBytes(bytes, size, NULL, &shown));
+        for (size_t n = 0; n < size; n++) {
+            uint8_t *part = bytes_of(n);
+            memcpy(part, bytes, n);
+            if (!is_damage(wfLoadJournalFromBytes(part, n, room, ROOM, &k))) fail_msg("a journal cut after %zu bytes was taken", n);
+            free(part);
+        }
+        for (size_t bit = 0; bit < 8 * size; bit++) {
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+            if (!is_damage(wfLoadJournalFromBytes(bytes, size, room, ROOM, &k))) fail_msg("bit %zu was flipped and the journal taken", bit);
+            bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+        }
+        static const struct { int at, value; wfResult want; } change[] = {
+            { 8, 2, WF_ERROR_VERSION }, { 12, -1, WF_ERROR_BYTE_ORDER }, { 13, -2, WF_ERROR_PRECISION }, { 14, 1, WF_ERROR_NOT_A_SAVE },
+            { 16, -3, WF_ERROR_LAYOUT }, { 32, -3, WF_ERROR_INVALID }, { 48, 2, WF_ERROR_INVALID }, { 56, 99, WF_ERROR_INVALID },
+        };
+        for (size_t i = 0; i < sizeof change / sizeof *change; i++) {
+            memcpy(b, bytes, size);
+            int at = change[i].at, v = change[i].value;
+            b[at] = (uint8_t)(v == -1 ? 3 - b[at] : v == -2 ? 12 - b[at] : v == -3 ? b[at] ^ 1 : v);
+            seal(b, size);
+            assert_result(change[i].want, wfLoadJournalFromBytes(b, size, room, ROOM, &k));
+        }
+        assert_int_equal(k.used, 77);                                   /* nothing of all that was taken */
+
+        assert_ok(wfLoadJournalFromBytes(bytes, size, room, ROOM, &k));
+        assert_true(k.begins == begins && k.trail == trail && k.used == j.used);
+        assert_memory_equal(room, notes, j.used);
+        for (int i = 0; i < 30; i++) assert_ok(wfStepNoted(&played, &j, NULL));     /* both go on, the one that was loaded as well */
+        wfReplay r = { .journal = &k };
+        int32_t stepped = 1;
+        while (stepped) assert_ok(wfReplayStep(&r, &shown, NULL, &stepped));
+        for (int i = 0; i < 30; i++) assert_ok(wfStepNoted(&shown, &k, NULL));
+        assert_same(&played, &shown);
+        wfJournal bad = { .bytes = notes, .size = ROOM, .used = 7 };
+        assert_int_equal(wfJournalSaveSize(&bad), 0);
+        assert_result(WF_ERROR_INVALID, wfSaveJournalToBytes(&bad, b, size, &got));
+        assert_result(WF_ERROR_NULL, wfSaveJournalToBytes(NULL, b, size, &got));
+        assert_result(WF_ERROR_NULL, wfLoadJournalFromBytes(bytes, size, NULL, ROOM, &k));
+        assert_result(WF_ERROR_NULL, wfLoadJournalFromBytes(bytes, size, room, ROOM, NULL));
+        free(bytes);
+        free(b);
+        wfDestroyWorld(&played);
+        wfDestroyWorld(&shown);
+    }
+}
+
+/* Whole by its checksum, and any bytes in it: an error, or a journal whose replay ends. */
+static void hostile_journals_do_no_harm(void **unused)
+{
+    (void)unused;
+    uint8_t file[64 + 256], room[256];
+    wfRandom random = random_stream(27);
+    wfJournal j, k;
+    wfWorld world = stage();
+    assert_ok(wfJournalInit(&j, room, sizeof room, 0));
+    for (int i = 0; i < 3; i++) {
+        give(&world, &j, input(WF_INPUT_GRAVITY, 0, 0, wfV2(0, 0), wfV2(0, -9), 0, 0));
+        assert_ok(wfStepNoted(&world, &j, NULL));
+    }
+    size_t size;
+    assert_ok(wfSaveJournalToBytes(&j, file, sizeof file, &size));
+    int taken = 0, refused = 0;
+    for (int n = 0; n < 20000; n++) {
+        uint8_t b[sizeof file];
+        memcpy(b, file, size);
+        for (int c = (int)wfRandomBelow(&random, 3); c >= 0; c--) b[48 + wfRandomBelow(&random, (uint32_t)size - 56)] = (uint8_t)wfRandomU32(&random);
+        seal(b, size);
+        wfResult result = wfLoadJournalFromBytes(b, size, room, sizeof room, &k);
+        assert_true(result == WF_OK || result == WF_ERROR_INVALID);
+        taken += result == WF_OK, refused += result != WF_OK;
+    }
+    assert_true(taken > 1000 && refused > 1000);
+    wfDestroyWorld(&world);
+}
+
 /* A step may be told to take for ever, by numbers that are allowed: so many substeps, so fast a body. That is no harm. */
 static bool is_patient(const wfWorld *w)
 {
@@ -857,6 +958,22 @@ static void files_are_replaced_as_a_whole(void **unused)
     assert_result(WF_ERROR_NULL, wfSaveToFile(&world, NULL));
     assert_result(WF_ERROR_NULL, wfLoadFromFile(NULL, &out));
     assert_result(WF_ERROR_FILE, wfLoadFromFile("/tmp", &out));
+
+    uint8_t notes[500], room[500];
+    wfJournal j, k;
+    assert_ok(wfJournalInit(&j, notes, sizeof notes, 1));
+    for (int i = 0; i < 5; i++) assert_ok(wfStepNoted(&world, &j, NULL));
+    assert_ok(wfSaveJournalToFile(&j, path));
+    assert_null(fopen(fresh, "rb"));
+    assert_ok(wfLoadJournalFromFile(path, room, sizeof room, &k));
+    assert_int_equal(k.used, j.used);
+    assert_memory_equal(room, notes, j.used);
+    assert_result(WF_ERROR_NOT_A_SAVE, wfLoadFromFile(path, &out));
+    remove(path);
+    assert_result(WF_ERROR_FILE, wfLoadJournalFromFile(path, room, sizeof room, &k));
+    assert_result(WF_ERROR_FILE, wfSaveJournalToFile(&j, "/nowhere/at/all.weft"));
+    assert_result(WF_ERROR_NULL, wfSaveJournalToFile(&j, NULL));
+    assert_result(WF_ERROR_NULL, wfLoadJournalFromFile(NULL, room, sizeof room, &k));
     wfDestroyWorld(&world);
 }
 
@@ -878,6 +995,8 @@ int main(void)
         cmocka_unit_test(damage_is_always_noticed),
         cmocka_unit_test(bursts_are_always_noticed),
         cmocka_unit_test(strangers_are_refused_by_name),
+        cmocka_unit_test(journals_have_an_envelope),
+        cmocka_unit_test(hostile_journals_do_no_harm),
         cmocka_unit_test(hostile_files_do_no_harm),
         cmocka_unit_test(needs_are_kept_and_grow),
         cmocka_unit_test(broken_rules_are_named),
