@@ -320,13 +320,24 @@ local function figure(el)
   return r
 end
 
+local function csv_cells(line)      -- a cell in quotes may hold commas; "" is a quote in it
+  local cells, cell, quoted, i = {}, "", false, 1
+  while i <= #line do
+    local c = line:sub(i, i)
+    if quoted and line:sub(i, i + 1) == '""' then cell = cell .. '"'; i = i + 1
+    elseif c == '"' then quoted = not quoted
+    elseif c == "," and not quoted then cells[#cells + 1] = cell:match("^%s*(.-)%s*$"); cell = ""
+    else cell = cell .. c end
+    i = i + 1
+  end
+  cells[#cells + 1] = cell:match("^%s*(.-)%s*$")
+  return cells
+end
 local function csv_rows(path)
   local rows = {}
   for l in (Code.read(root .. path) or ""):gmatch("[^\r\n]+") do
     if not l:match("^#") and l:match("%S") then
-      local row = {}
-      for cell in (l .. ","):gmatch("([^,]*),") do row[#row + 1] = cell:match('^%s*"?(.-)"?%s*$') end
-      rows[#rows + 1] = row
+      rows[#rows + 1] = csv_cells(l)
     end
   end
   return rows
