@@ -308,6 +308,83 @@ static void what_is_easily_lost(void **unused)
     wfDestroyWorld(&world), wfDestroyWorld(&read);
 }
 
+/* Every row of the table of settings, with a value that is not the default: it is written, and comes back with its bits. Who adds a
+ * setting need not think of texts. */
+static void every_setting_comes_back(void **unused)
+{
+    (void)unused;
+    int tried = 0, skipped = 0;
+    for (int i = 0; i < wfSettingCount; i++) {
+        const wfSetting *s = &wfSettingTable[i];
+        if (s->kind == WF_SETTING_SET) continue;                /* the needs: above */
+        bool named = s->kind == WF_SETTING_ROW || s->kind == WF_SETTING_CHOICE, some = false;
+        bool whole = s->kind == WF_SETTING_INT || s->kind == WF_SETTING_SWITCH || named;
+        int parts = s->kind == WF_SETTING_VEC2 ? 2 : 1;
+        const double last = named ? *s->rowCount - 1 : 0, middle = s->most < 1e6 ? (s->least + s->most) / 2 : s->least > 0 ? 3 * s->least : 0.3;
+        const double tries[] = { named ? last : middle, named ? 0 : s->least, named ? last / 2 : s->least + 1, s->most < 1e6 ? s->most : 7, 64 };
+        for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {
+            wfWorldDef usual = wfDefaultWorldDef(), def = usual, is;
+            wfWorld world;
+            bool good = true;
+            for (int part = 0; part < parts; part++)
+                good = good && wfPutSetting(&def, s, part, whole ? (double)(int64_t)tries[k] : tries[k]) == WF_OK;
+            if (!good || memcmp((char *)&def + s->offset, (char *)&usual + s->offset, s->kind == WF_SETTING_VEC2 ? sizeof(wfVec2) : whole ? 4 : sizeof(wfReal)) == 0)
+                continue;
+            if (wfCreateWorld(&def, &world) != WF_OK) continue;         /* not with the other settings by default */
+            some = true;
+            char *text = NULL;
+            if (wfWriteScene(&world, NULL, &text) != WF_OK) fail_msg("a world with %s = %g is not written", s->name, tries[k]);
+            assert_non_null(strstr(text, s->name));
+            wfWorld read = read_text(text);
+            assert_ok(wfGetWorldDef(&world, &def));
+            assert_ok(wfGetWorldDef(&read, &is));
+            if (s->builtIn && s->need == 0 && strstr(s->name, "Capacity") != NULL) {    /* room may be more, not less */
+                int32_t wanted, got;
+                memcpy(&wanted, (char *)&def + s->offset, 4);
+                memcpy(&got, (char *)&is + s->offset, 4);
+                assert_true(got >= wanted);
+            } else if (memcmp((char *)&def + s->offset, (char *)&is + s->offset, s->kind == WF_SETTING_VEC2 ? sizeof(wfVec2) : whole ? 4 : sizeof(wfReal)) != 0)
+                fail_msg("%s did not come back", s->name);
+            char *again = write_text(&read);
+            assert_string_equal(text, again);
+            wfFreeText(text), wfFreeText(again);
+            wfDestroyWorld(&world), wfDestroyWorld(&read);
+        }
+        tried += some, skipped += !some;
+        if (!some) print_message("no other value of %s makes a world\n", s->name);
+    }
+    assert_true(tried > 30 && skipped <= 2);
+}
+
+/* What a state has rounded away is in the text, too: with fineSums the future of what touches nothing has the same bits. */
+static void fine_sums_come_back(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.fineSums = 1;
+    wfWorld world;
+    assert_ok(wfCreateWorld(&def, &world));
+    for (int i = 0; i < 6; i++) {
+        wfBodyDef d = ball_def(3 * i, 4, 0.5);
+        d.velocity = wfV2(WF_R(0.1) * (wfReal)i, 30);
+        d.angularVelocity = WF_R(0.7);
+        add(&world, d);
+    }
+    for (int i = 0; i < 50; i++) assert_ok(wfStepWorld(&world));
+    char *text = write_text(&world);
+    assert_non_null(strstr(text, "\"fine\": {"));
+    wfWorld read = read_text(text);
+    char *again = write_text(&read);
+    assert_string_equal(text, again);
+    for (int i = 0; i < 200; i++) {
+        assert_int_equal(wfHashWorld(&world), wfHashWorld(&read));
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&read));
+    }
+    wfFreeText(text), wfFreeText(again);
+    wfDestroyWorld(&world), wfDestroyWorld(&read);
+}
+
 static void a_world_for_little_stays_one(void **unused)   /* its arrays for what it does not need are not there to be read */
 {
     (void)unused;
@@ -664,6 +741,7 @@ int main(void)
         cmocka_unit_test(numbers_keep_their_bits), cmocka_unit_test(eight_digits_are_too_few),
         cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
         cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost), cmocka_unit_test(a_world_for_little_stays_one),
+        cmocka_unit_test(every_setting_comes_back), cmocka_unit_test(fine_sums_come_back),
         cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(limits_of_a_text),
         cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(a_scene_of_others_is_translated),
         cmocka_unit_test(what_would_move_otherwise_is_refused), cmocka_unit_test(every_failed_allocation_is_an_error),
