@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check mutate data golden coverage fuzz portability windows parts prices peers
+.PHONY: check evaluation mutate data golden coverage fuzz portability windows parts prices peers
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -50,3 +50,7 @@ prices:
 peers: $(BUILD)/tangle.stamp
 	@$(if $(NO_INSTALL),NO_INSTALL=1) ONLY=1 tangle/install peers || echo "Going on with what is here."
 	@$(SUBMAKE) -f tangle/peers.mk SRC=$(LINES) OUT=$(BUILD) BOX2D3='$(BOX2D3)' peers
+
+# What chapter 36 says of each requirement, from the last run of the tests and from the measured data: book/data/evaluation.csv.
+evaluation:
+	@tests/evaluate/run.sh --record
