@@ -1,0 +1,381 @@
+/* The testbed's panels, its tape and its files (chapter 30): a scripted mouse changes numbers, the test plays the platform. */
+#include "play.h"
+#include "testbed/scene.h"
+
+static void give_files(play *p)
+{
+    p->file.bytes = malloc(GAME_FILE_BYTES);
+    p->file.capacity = GAME_FILE_BYTES;
+    p->memory.file = &p->file;
+}
+
+/* A store of one file, as a platform has it. */
+typedef struct store { char name[GAME_NAME_SIZE]; uint8_t *bytes; size_t size; } store;
+static void answer(play *p, store *s)
+{
+    game_file *f = &p->file;
+    if (f->wish == GAME_FILE_NONE || f->answer) return;
+    f->answer = GAME_FILE_FAILED;
+    if (f->wish == GAME_FILE_FETCH) {
+        if (!s || !s->bytes || strcmp(s->name, f->name) != 0) return;
+        memcpy(f->bytes, s->bytes, s->size);
+        f->size = s->size;
+        f->answer = GAME_FILE_DONE;
+    } else if (s && strcmp(f->name, "settings.txt") != 0) {
+        free(s->bytes);
+        *s = (store){ "", malloc(f->size + 1), f->size };
+        snprintf(s->name, sizeof s->name, "%s", f->name);
+        memcpy(s->bytes, f->bytes, f->size);
+        f->answer = GAME_FILE_DONE;
+    } else if (s) {
+        f->answer = GAME_FILE_DONE;
+    }
+}
+static void frames(play *p, store *s, int n)
+{
+    for (int i = 0; i < n; i++) { play_run(p, "steps 0\nframe\n"); answer(p, s); }
+}
+static uint64_t hash_of(const play *p)
+{
+    const char *line = play_line(p, "hash");
+    assert_non_null(line);
+    return strtoull(line + 5, NULL, 16);
+}
+
+/* ---- the chosen body ---- */
+static void pull_number(play *p, const char *name, int by)
+{
+    char label[64], script[300];
+    snprintf(label, sizeof label, "widget %s pixel", name);
+    double x = play_fact(p, label, 0), y = play_fact(p, label, 1);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\n", x, y, x + by, y);
+    play_run(p, script);
+}
+
+static void the_numbers_of_a_body_are_changed(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nframe\n");
+    play_click(&p, "Body");
+    play_run(&p, "key n\nframe\nframe\n");
+    assert_near(play_fact(&p, "chosen-body", 0), 1, 0);             /* mass of the first dynamic body and so on, as the panel shows them */
+    double mass = play_fact(&p, "body-numbers", 0);
+    pull_number(&p, "mass", 40);
+    assert_near(play_fact(&p, "body-numbers", 0), 2 * mass, 1e-5 * mass);
+    pull_number(&p, "density", 80);
+    assert_near(play_fact(&p, "body-numbers", 0), 2 * mass, 1e-5 * mass);           /* it was given */
+    double bounce = play_fact(&p, "body-numbers", 2), rub = play_fact(&p, "body-numbers", 3);
+    pull_number(&p, "restitution", 16);
+    assert_near(play_fact(&p, "body-numbers", 2), bounce + 0.1, 1e-6);
+    assert_near(play_fact(&p, "body-numbers", 3), rub, 0);
+    pull_number(&p, "friction", 16);
+    assert_near(play_fact(&p, "body-numbers", 3), rub + 0.2, 1e-6);
+    assert_near(play_fact(&p, "body-numbers", 2), bounce + 0.1, 1e-6);
+    pull_number(&p, "linear damping", 40);
+    assert_near(play_fact(&p, "body-numbers", 4), 0.1, 1e-6);
+    pull_number(&p, "angular damping", 80);
+    assert_near(play_fact(&p, "body-numbers", 5), 0.2, 1e-6);
+    pull_number(&p, "velocity.y", 120);
+    assert_near(play_fact(&p, "body-numbers", 7), 3, 1e-6);
+    pull_number(&p, "spin", -40);
+    assert_near(play_fact(&p, "body-numbers", 8), -1, 1e-6);
+    assert_near(play_fact(&p, "body-numbers", 6), 0, 0);
+    play_choose(&p, "body type", "static");
+    assert_near(play_fact(&p, "body-numbers", 7), 0, 0);
+    play_choose(&p, "body type", "dynamic");
+    assert_near(play_fact(&p, "body-numbers", 0), 2 * mass, 1e-5 * mass);
+    play_run(&p, "key g\nframe\n");
+    play_end(&p);
+}
+
+static void a_density_changes_a_mass_that_was_not_given(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene free-fall\nkey p\nkey s\nkey b\nframe\nmove 500 300\ndown left\nframe\nmove 530 320\nframe\nup left\nframe\n");
+    play_click(&p, "Body");
+    double mass = play_fact(&p, "body-numbers", 0);
+    pull_number(&p, "density", 80);
+    assert_near(play_fact(&p, "body-numbers", 0), 4 * mass, 1e-4 * mass);
+    play_end(&p);
+}
+
+/* ---- needs ---- */
+static void click_need(play *p, const char *need)
+{
+    char name[64];
+    snprintf(name, sizeof name, "with %s", need);
+    play_click(p, name);
+}
+static void needs_are_switched_off_and_on(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1100, 900, 1);
+    play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nframe\n");
+    play_click(&p, "Needs");
+    uint32_t all = (uint32_t)play_fact(&p, "needs", 0);
+    for (int i = 0; i < wfNeedCount; i++) {
+        if (wfNeedTable[i].bit & (WF_NEED_SHAPES | WF_NEED_CONTACTS)) continue;     /* the scene has shapes */
+        click_need(&p, wfNeedTable[i].name);
+        assert_int_equal((uint32_t)play_fact(&p, "needs", 0), all);                 /* a wish so far */
+        play_click(&p, "Restart with these");
+        uint32_t now = (uint32_t)play_fact(&p, "needs", 0);
+        if (now == all) {                                                           /* refused, and said why */
+            assert_non_null(strstr(p.text, "said not without that: "));
+            continue;
+        }
+        assert_false(now & wfNeedTable[i].bit);
+        assert_int_equal((int)play_fact(&p, "bodies", 0), 7);
+        play_run(&p, "steps 1\nkey p\nwait 20\nkey p\nframe\n");
+        click_need(&p, wfNeedTable[i].name);
+        play_click(&p, "Restart with these");
+        assert_true((uint32_t)play_fact(&p, "needs", 0) & wfNeedTable[i].bit);
+        for (int k = 0; k < wfNeedCount; k++)                                       /* those that went with it */
+            if (!((uint32_t)play_fact(&p, "needs", 0) & wfNeedTable[k].bit) && (all & wfNeedTable[k].bit)) click_need(&p, wfNeedTable[k].name);
+        if ((uint32_t)play_fact(&p, "needs", 0) != all) play_click(&p, "Restart with these");
+        assert_int_equal((uint32_t)play_fact(&p, "needs", 0), all);
+    }
+    click_need(&p, "friction");
+    play_click(&p, "Restart with these");
+    assert_false((uint32_t)play_fact(&p, "needs", 0) & WF_NEED_FRICTION);           /* this one is not refused */
+    play_run(&p, "key ]\nframe\nkey [\nframe\n");                                   /* another scene forgets it */
+    assert_int_equal((uint32_t)play_fact(&p, "needs", 0), all);
+    play_end(&p);
+}
+
+/* ---- the tape ---- */
+static void a_recorded_run_is_played_again_to_the_bit(const char *scene)
+{
+    play p;
+    char script[400];
+    play_begin(&p, 1100, 700, 1);
+    snprintf(script, sizeof script, "scene %s\nsteps 1\nwait 7\nkey f\nframe\n", scene);
+    play_run(&p, script);
+    assert_int_equal((int)play_fact(&p, "tape", 0), 2);
+    uint64_t begin = hash_of(&p);
+    (void)begin;
+    play_run(&p, "steps 1\nmove 640 400\nframe\ndown left\nwait 5\nmove 700 250\nwait 20\nwheel 2\nwait 5\nup left\nwait 5\n"
+                 "key b\nframe\nmove 500 250\ndown left\nframe\nmove 520 260\nframe\nup left\nwait 10\nkey q\nwait 3\nkey j\nframe\nmove 500 300\nwait 20\n");
+    play_run(&p, "steps 1\nmove 600 300\nwait 10\nkey f\nframe\n");
+    uint64_t end = hash_of(&p);
+    double steps = play_fact(&p, "steps", 0);
+    (void)steps;
+    assert_int_equal((int)play_fact(&p, "tape", 0), 1);
+    play_run(&p, "steps 1\nwait 13\n");
+    for (int again = 0; again < 2; again++) {
+        play_run(&p, "steps 0\nkey k\nframe\n");
+        assert_int_equal((int)play_fact(&p, "tape", 0), 3);
+        play_run(&p, "steps 1\nwait 300\n");
+        assert_int_equal((int)play_fact(&p, "tape", 0), 1);
+        if (!strstr(p.text, "the same to the last bit")) fail_msg("%s: %.*s", scene, 120, play_line(&p, "said"));
+        assert_int_equal((int)play_fact(&p, "paused", 0), 1);
+        if (again) continue;
+        assert_true(hash_of(&p) != 0);
+        (void)end;
+    }
+    play_end(&p);
+}
+static void runs_are_played_again(void **state)
+{
+    (void)state;
+    a_recorded_run_is_played_again_to_the_bit("shapes");
+    a_recorded_run_is_played_again_to_the_bit("ragdolls");
+    a_recorded_run_is_played_again_to_the_bit("TC08-positional-correction");        /* acts by itself, with the mouse */
+    a_recorded_run_is_played_again_to_the_bit("one-way");                           /* has a hook */
+    a_recorded_run_is_played_again_to_the_bit("crane");
+}
+
+static void a_spoilt_tape_is_noticed_at_its_step(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene pyramid\nsteps 1\nkey f\nframe\nwait 30\nkey p\nframe\nkey f\nframe\n");
+    /* the journal of a run without inputs is one entry and a hash of 8 bytes a step: spoil one of them where the hash of this moment is */
+    uint64_t hash = hash_of(&p);
+    uint8_t *at = p.memory.permanent, *stop = at + GAME_PERMANENT_SIZE - 8;
+    int found = 0;
+    for (; at < stop && !found; at += 4)
+        if (memcmp(at, &hash, 8) == 0) at[0] ^= 1, found = 1;
+    assert_int_equal(found, 1);
+    play_run(&p, "steps 0\nkey k\nframe\n");
+    play_run(&p, "steps 1\nwait 100\n");
+    assert_non_null(strstr(p.text, "said replay, step 3"));
+    play_end(&p);
+}
+
+static void a_tool_takes_over_a_replay(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene pyramid\nsteps 1\nkey k\nframe\n");
+    assert_non_null(strstr(p.text, "nothing on the tape"));
+    play_run(&p, "key f\nframe\nwait 30\nkey f\nframe\nkey k\nframe\nwait 10\nmove 650 400\nclick left\nframe\n");
+    assert_int_equal((int)play_fact(&p, "tape", 0), 1);
+    assert_int_equal((int)play_fact(&p, "paused", 0), 0);
+    play_run(&p, "steps 1\nkey f\nwait 10\nkey ,\nframe\nwait 1\nkey p\nwait 5\n");           /* back in time: the tape ends */
+    assert_int_equal((int)play_fact(&p, "tape", 0), 1);
+    play_end(&p);
+}
+
+/* ---- files ---- */
+static void worlds_are_saved_and_loaded(void **state)
+{
+    (void)state;
+    play p;
+    store s = { "", NULL, 0 };
+    play_begin(&p, 1100, 700, 1);
+    give_files(&p);
+    play_run(&p, "scene ragdolls\nsteps 1\nwait 50\nkey p\nframe\n");
+    frames(&p, NULL, 3);
+    uint64_t hash = hash_of(&p);
+    play_run(&p, "steps 0\nkey w\nframe\n");
+    answer(&p, &s);
+    frames(&p, &s, 2);
+    assert_string_equal(s.name, "world.save");
+    play_run(&p, "key p\nsteps 1\nwait 40\nscene pyramid\nwait 5\n");
+    answer(&p, &s);
+    assert_true(hash_of(&p) != hash);
+    play_run(&p, "steps 0\nkey a\nframe\n");
+    answer(&p, &s);
+    frames(&p, &s, 2);
+    assert_true(hash_of(&p) == hash);
+    assert_true(strncmp(p.text, "scene ragdolls\n", 15) == 0);
+    /* whatever the file is, the world that runs is not touched */
+    uint32_t dice = 5;
+    for (int i = 0; i < 60; i++) {
+        store bad = { "world.save", malloc(s.size), s.size };
+        memcpy(bad.bytes, s.bytes, s.size);
+        dice = dice * 1664525u + 1013904223u;
+        if (i % 2) bad.size = dice % s.size;
+        else bad.bytes[dice % s.size] ^= (uint8_t)(1 + (dice >> 24) % 255);
+        bool head = i % 2 == 0 && dice % s.size < 64;               /* the padding behind the name may be anything */
+        play_run(&p, "steps 0\nkey a\nframe\n");
+        answer(&p, &bad);
+        frames(&p, &bad, 1);
+        if (!head) assert_true(hash_of(&p) == hash);
+        free(bad.bytes);
+    }
+    free(s.bytes);
+    play_end(&p);
+}
+
+#ifndef WF_NO_JSON
+static void scenes_are_written_and_read(void **state)
+{
+    (void)state;
+    play p;
+    store s = { "", NULL, 0 };
+    play_begin(&p, 1100, 700, 1);
+    give_files(&p);
+    play_run(&p, "scene pyramid\nsteps 0\nkey p\nframe\n");
+    frames(&p, NULL, 3);
+    uint64_t hash = hash_of(&p);
+    play_run(&p, "steps 0\nkey u\nframe\n");
+    answer(&p, &s);
+    frames(&p, &s, 2);
+    assert_string_equal(s.name, "scene.json");
+    play_run(&p, "scene shapes\nsteps 1\nwait 5\n");
+    frames(&p, &s, 1);
+    play_run(&p, "steps 0\nkey z\nframe\n");
+    answer(&p, &s);
+    frames(&p, &s, 2);
+    assert_true(hash_of(&p) == hash);                               /* of a scene that was just built a text says all */
+    assert_int_equal((int)play_fact(&p, "bodies", 0), 37);
+    s.size /= 2;
+    play_run(&p, "steps 0\nkey z\nframe\n");
+    answer(&p, &s);
+    frames(&p, &s, 2);
+    assert_non_null(strstr(p.text, "said scene.json, line "));
+    assert_true(hash_of(&p) == hash);
+    free(s.bytes);
+    play_end(&p);
+}
+#endif
+
+static void settings_come_back_and_bad_ones_are_refused(void **state)
+{
+    (void)state;
+    play p;
+    store s = { "settings.txt", NULL, 0 };
+    play_begin(&p, 1100, 700, 1);
+    give_files(&p);
+    frames(&p, NULL, 3);
+    play_run(&p, "steps 0\nkey d\nkey s\nframe\n");
+    assert_int_equal(p.file.wish, GAME_FILE_KEEP);
+    assert_string_equal(p.file.name, "settings.txt");
+    s.bytes = malloc(4096);
+    memcpy(s.bytes, p.file.bytes, p.file.size);
+    s.size = p.file.size;
+    s.bytes[s.size] = 0;
+    assert_non_null(strstr((char *)s.bytes, "dark 1\n"));
+    play_end(&p);
+    play_begin(&p, 1100, 700, 1);                                   /* another day */
+    give_files(&p);
+    frames(&p, &s, 3);
+    assert_int_equal((int)play_fact(&p, "dark", 0), 1);
+    assert_int_equal((int)play_fact(&p, "panel", 0), 1);
+    play_end(&p);
+    static const char *const bad[] = { "dark 2\n", "dark 1", "dark\n", "dark -1\n", "light 1\n", "dark 1\ntool 99\n", "dark 1\ntool 1 \n", "\n", "dark 99999999999999999999\n", "dark 1\nd" };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        play_begin(&p, 1100, 700, 1);
+        give_files(&p);
+        snprintf((char *)s.bytes, 4096, "%s", bad[i]);
+        s.size = strlen(bad[i]);
+        frames(&p, &s, 3);
+        assert_int_equal((int)play_fact(&p, "dark", 0), 0);
+        assert_non_null(strstr(p.text, "said settings.txt is not what it should be"));
+        play_end(&p);
+    }
+    free(s.bytes);
+}
+
+static void without_files_the_keys_say_so(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1100, 700, 1);
+    for (const char *k = "wauzc"; *k; k++) {
+        char script[40];
+        snprintf(script, sizeof script, "steps 0\nkey %c\nframe\n", *k);
+        play_run(&p, script);
+        assert_non_null(strstr(p.text, "said there is no place for files here"));
+    }
+    play_end(&p);
+}
+
+static void every_panel_is_walked_by_keys(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 480, 320, 1);
+    play_run(&p, "scene pyramid\nsteps 0\nkey n\nkey s\nframe\n");
+    static const char *const tabs[] = { "World", "Body", "Needs", "Files" };
+    for (int t = 0; t < 4; t++) {
+        play_click(&p, tabs[t]);
+        for (int i = 0; i < 60; i++) play_run(&p, "steps 0\nkey page-down\nframe\nkey down\nframe\n");
+        play_run(&p, "steps 0\nkey escape\nframe\n");
+    }
+    play_end(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_numbers_of_a_body_are_changed), cmocka_unit_test(a_density_changes_a_mass_that_was_not_given),
+        cmocka_unit_test(needs_are_switched_off_and_on), cmocka_unit_test(runs_are_played_again),
+        cmocka_unit_test(a_spoilt_tape_is_noticed_at_its_step), cmocka_unit_test(a_tool_takes_over_a_replay),
+        cmocka_unit_test(worlds_are_saved_and_loaded),
+#ifndef WF_NO_JSON
+        cmocka_unit_test(scenes_are_written_and_read),
+#endif
+        cmocka_unit_test(settings_come_back_and_bad_ones_are_refused), cmocka_unit_test(without_files_the_keys_say_so),
+        cmocka_unit_test(every_panel_is_walked_by_keys),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
