@@ -35,6 +35,7 @@ help:
 	@echo "make lab                the lab's sweeps, minutes (make lab-full: all of them): build/lab/*.csv; goes on when interrupted"
 	@echo "make amalgam            the engine as two files: build/amalgam/weft.h, weft.c"
 	@echo "make peers              adapters for other engines (chapter 02): build/peers/bin/ (BOX2D3=its prefix)"
+	@echo "make extremes           every engine on scenes with exact answers, swept past sense (chapter 34; long)"
 	@echo "make parts              build and test the least engine, each part alone and left out;  make prices  what each costs"
 	@echo "make mutate             plant mutants and count how many the tests catch (long)"
 	@echo "make abuse CALLS=10000000 and make soak STEPS=1000000: random calls, and a long run, with everything checked"

@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
-.PHONY: check evaluation mutate data golden coverage fuzz portability windows parts prices peers
+.PHONY: check evaluation mutate data golden coverage fuzz portability windows parts prices peers extremes
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -54,3 +54,7 @@ peers: $(BUILD)/tangle.stamp
 # What chapter 36 says of each requirement, from the last run of the tests and from the measured data: book/data/evaluation.csv.
 evaluation:
 	@tests/evaluate/run.sh --record
+# Every engine on scenes with exact answers, swept past sense (chapter 34), and the review that follows from it (chapter 02). The cells are kept
+# in build/lab/cells: an interrupted sweep goes on.
+extremes: programs peers
+	@tangle/lab --full extremes && cp build/lab/extremes.csv book/data/extremes.csv && tests/peers/features.sh && tests/peers/review.sh

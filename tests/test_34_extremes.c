@@ -1,0 +1,196 @@
+/* Chapter 34: the scenes of the extremes and their judges, without an engine. Exact answers must be called right, a slight fault
+ * stable, a gross one failed; what is not finite always fails; what an adapter prints is read as it was printed. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "testing.h"
+#include "lab/extremes.h"
+
+enum { ROWS = 3 };
+typedef struct Made { labTrace t; double cell[ROWS * (2 + 6 * 260)]; } Made;
+
+static double *cell(Made *m, int row, int body, int field)
+{
+    return &m->t.cell[row * (2 + 6 * m->t.bodies) + 2 + 6 * body + field];
+}
+
+/* a trace in which nothing moves: every body at the places of rows[], t = 0, end / 2, end */
+static void rest(Made *m, int bodies, double end)
+{
+    memset(m->cell, 0, sizeof m->cell);
+    m->t = (labTrace){ ROWS, bodies, m->cell };
+    for (int i = 0; i < ROWS; i++) m->cell[i * (2 + 6 * bodies) + 1] = end * i / (ROWS - 1);
+}
+
+static const labExtreme *extreme(const char *name)
+{
+    int row = labFindExtreme(name);
+    assert_true(row >= 0);
+    return &labExtremeTable[row];
+}
+
+static const char *judged(const char *name, const Made *m, double value, double *error)
+{
+    double harm;
+    return labJudgeExtreme(extreme(name), &m->t, value, error, &harm);
+}
+
+static void throws_are_held_against_the_parabola(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    rest(&m, 1, 2);
+    *cell(&m, 2, 0, LAB_X) = 10;            /* (5, 10) m/s for 2 s, g = 10 */
+    *cell(&m, 1, 0, LAB_Y) = 5;
+    assert_string_equal(judged("throw", &m, 60, &error), "right");
+    assert_true(error < 1e-15);
+    *cell(&m, 2, 0, LAB_Y) = -10 * (1.0 / 60) * 2 / 2;      /* eq:extremes-throw */
+    assert_string_equal(judged("throw", &m, 60, &error), "stable");
+    assert_true(fabs(error - 1.0 / 30) < 1e-15);
+    *cell(&m, 2, 0, LAB_X) = 0;             /* it froze */
+    assert_string_equal(judged("throw", &m, 60, &error), "failed");
+}
+
+static void towers_may_neither_sink_nor_lean(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    rest(&m, 11, 10);
+    for (int i = 0; i < ROWS; i++)
+        for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_Y) = k - 0.5;
+    assert_string_equal(judged("tower", &m, 10, &error), "right");
+    *cell(&m, 1, 10, LAB_Y) = 9.5 - 0.11;   /* only in the middle of the time: seen all the same */
+    assert_string_equal(judged("tower", &m, 10, &error), "stable");
+    assert_true(fabs(error - 0.011) < 1e-12);
+    *cell(&m, 1, 10, LAB_Y) = 9.5;
+    *cell(&m, 1, 10, LAB_X) = 1.01;
+    assert_string_equal(judged("tower", &m, 10, &error), "failed");
+}
+
+static void one_bullet_through_the_wall_is_a_failure(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    rest(&m, 11, 1);
+    for (int i = 0; i < ROWS; i++)
+        for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_X) = -0.1;
+    assert_string_equal(judged("bullets", &m, 100, &error), "right");
+    *cell(&m, 1, 7, LAB_X) = 0.2;           /* and back again */
+    assert_string_equal(judged("bullets", &m, 100, &error), "failed");
+    assert_true(fabs(error - 0.1) < 1e-15);
+}
+
+/* collisions of a disc of mass 1 between a wall and one of mass 100^k, by mirror images: the angle atan(1 / 10^k) fits floor(pi / angle)
+ * times into a half circle, and each reflection turns the velocities (10^k u, v) by twice that angle, alternately mirrored (chapter 34's source: Galperin) */
+static void billiards_end_as_the_unfolded_billiard_says(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    for (int k = 0; k <= 3; k++) {
+        double root = pow(10, k), angle = atan(1 / root);
+        int n = (int)ceil(3.14159265358979323846 / angle - 1e-9) - 1;
+        static const int known[4] = { 3, 31, 314, 3141 };
+        assert_int_equal(n, known[k]);
+        double turned = n % 2 == 0 ? n * angle : (n + 1) * angle;
+        double u = -cos(turned), v = root * sqrt(fmax(0, 1 - u * u));      /* what energy leaves */
+        rest(&m, 3, 20);
+        for (int i = 0; i < ROWS; i++) {
+            *cell(&m, i, 1, LAB_X) = 1;
+            *cell(&m, i, 2, LAB_X) = 5;
+        }
+        *cell(&m, 2, 1, LAB_VX) = v;
+        *cell(&m, 2, 2, LAB_VX) = u;
+        const char *verdict = judged("billiard", &m, k, &error);
+        if (strcmp(verdict, "right") != 0) print_message("k = %d: error %g, %s\n", k, error, verdict);
+        assert_string_equal(verdict, "right");
+        *cell(&m, 1, 1, LAB_X) = -1;        /* it was in the wall */
+        assert_string_equal(judged("billiard", &m, k, &error), "failed");
+    }
+}
+
+static void energy_and_momentum_are_asked_of_cradle_and_rod(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    rest(&m, 5, 3);
+    *cell(&m, 2, 4, LAB_VX) = 1;
+    assert_string_equal(judged("cradle", &m, 5, &error), "right");
+    *cell(&m, 2, 3, LAB_VX) = 0.3;
+    assert_string_equal(judged("cradle", &m, 5, &error), "failed");     /* energy from nothing */
+    *cell(&m, 2, 4, LAB_VX) = 0.7;
+    assert_string_equal(judged("cradle", &m, 5, &error), "stable");
+    rest(&m, 2, 10);
+    for (int i = 0; i < ROWS; i++) {        /* hanging straight down: half the speed squared is g a / (1 + 1.0025 / 3) */
+        double w = sqrt(2 * 10 / (1 + 1.0025 / 3));
+        *cell(&m, i, 1, LAB_Y) = -1;
+        *cell(&m, i, 1, LAB_VX) = w;
+        *cell(&m, i, 1, LAB_SPIN) = w;
+    }
+    assert_string_equal(judged("pendulum", &m, 10, &error), "right");
+    assert_true(error < 1e-12);
+}
+
+static void what_is_not_finite_fails_in_every_scene(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    for (int k = 0; k < labExtremeCount; k++) {
+        const labExtreme *e = &labExtremeTable[k];
+        assert_true(e->count >= 3 && e->count <= 8 && e->few >= 2 && e->few <= e->count);
+        for (int i = 0; i < e->count; i++)
+            for (int j = 0; j < i; j++) assert_true(e->value[i] != e->value[j]);
+        rest(&m, 251, 1);
+        *cell(&m, 1, 0, LAB_VY) = k % 2 == 0 ? NAN : INFINITY;
+        assert_string_equal(judged(e->name, &m, e->value[0], &error), "failed");
+    }
+}
+
+static void what_was_printed_is_read(void **state)
+{
+    static const char good[] = "# an engine\nstep,time,pairs,points,mean,top,x0,y0,a0,vx0,vy0,w0\n"
+        "0,0,1,2,3,4,0.5,-1e-3,0,1,2,3\n1,0.25,1,2,3,4,nan,inf,0,1,2,7\n# clock: x ms\n";
+    static const char *const bad[] = { "", "# nothing\n", "0,0,1,2,3,4,1,1,1,1,1,1\n",
+        "0,0,1,2,3,4,1,1,1,1,1,1\n1,0,1,2,3,4,1,1,1\n", "0,0,1,2,3,4,1,1,1,1,1,1\n1,x,1,2,3,4,1,1,1,1,1,1\n" };
+    char name[L_tmpnam];
+    labTrace t;
+    (void)state;
+    snprintf(name, sizeof name, "%s", "build/t34.csv");
+    for (int i = -1; i < (int)(sizeof bad / sizeof *bad); i++) {
+        FILE *f = fopen(name, "w");
+        assert_non_null(f);
+        fputs(i < 0 ? good : bad[i], f);
+        fclose(f);
+        if (i >= 0) {
+            assert_int_not_equal(labReadTrace(name, &t), 0);
+            continue;
+        }
+        assert_int_equal(labReadTrace(name, &t), 0);
+        assert_int_equal(t.rows, 2);
+        assert_int_equal(t.bodies, 1);
+        assert_true(labTime(&t, 1) == 0.25 && labAt(&t, 0, 0, LAB_Y) == -1e-3 && labAt(&t, 1, 0, LAB_SPIN) == 7);
+        assert_true(isnan(labAt(&t, 1, 0, LAB_X)) && isinf(labAt(&t, 1, 0, LAB_Y)));
+        labFreeTrace(&t);
+    }
+    remove(name);
+    assert_int_not_equal(labReadTrace("build/there/is/no/such/file", &t), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(throws_are_held_against_the_parabola),
+        cmocka_unit_test(towers_may_neither_sink_nor_lean),
+        cmocka_unit_test(one_bullet_through_the_wall_is_a_failure),
+        cmocka_unit_test(billiards_end_as_the_unfolded_billiard_says),
+        cmocka_unit_test(energy_and_momentum_are_asked_of_cradle_and_rod),
+        cmocka_unit_test(what_is_not_finite_fails_in_every_scene),
+        cmocka_unit_test(what_was_printed_is_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
