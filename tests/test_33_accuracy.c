@@ -1,0 +1,373 @@
+/* Chapter 33: curves of error against work, the choice from them by tolerance and by budget, and whether the promises hold.
+   needs nothing of the parts: the lab's scenes are linked in. */
+#include "testing.h"
+#include "lab/accuracy.h"
+#include "world.h"
+
+static wfWorld make(const char *name)
+{
+    wfWorld world;
+    int row = labFindTruth(name);
+    assert_true(row >= 0);
+    assert_ok(labMakeTruth(&labTruths[row], "soft", "auto", &world));
+    return world;
+}
+
+static wfAccuracy point(double error, double cost)
+{
+    return (wfAccuracy){ .method = 0, .steps = 1, .frame = WF_R(1.0) / 60, .error = (wfReal)error, .cost = cost };
+}
+
+/* -------------------------------------------------------------------------------------------------------------- choosing */
+static void test_cheapest_below_the_tolerance(void **state)
+{
+    (void)state;
+    wfAccuracy p[5] = { point(1e-2, 1), point(1e-3, 4), point(1e-3, 3), point(1e-4, 9), point(1e-5, 2) }, out;
+    p[4].failed = 1;
+    assert_ok(wfChooseSettings(p, 5, WF_R(0.1), &out));
+    assert_near(out.cost, 1, 0);
+    assert_ok(wfChooseSettings(p, 5, WF_R(1e-2), &out));        /* exactly is enough */
+    assert_near(out.cost, 1, 0);
+    assert_ok(wfChooseSettings(p, 5, WF_R(2e-3), &out));
+    assert_near(out.cost, 3, 0);
+    assert_ok(wfChooseSettings(p, 5, WF_R(2e-4), &out));        /* the failed one is cheaper, and does not count */
+    assert_near(out.cost, 9, 0);
+    wfAccuracy before = out;
+    assert_result(wfChooseSettings(p, 5, WF_R(1e-5), &out), WF_ERROR_TOLERANCE);
+    assert_memory_equal(&before, &out, sizeof out);
+    p[0].error = p[1].error, p[0].cost = 3;                     /* a tie of costs: the more accurate one */
+    p[2].error = WF_R(5e-4);
+    assert_ok(wfChooseSettings(p, 5, WF_R(1e-3), &out));
+    assert_near(out.error, 5e-4, 1e-9);
+}
+
+static void test_best_within_the_budget(void **state)
+{
+    (void)state;
+    wfAccuracy p[4] = { point(1e-2, 1), point(1e-3, 4), point(1e-3, 3), point(1e-9, 1) }, out;
+    p[3].failed = 1;
+    assert_ok(wfChooseForBudget(p, 4, 1, 100, &out));
+    assert_near(out.cost, 3, 0);                                /* as accurate as the one for 4, and cheaper */
+    assert_ok(wfChooseForBudget(p, 4, 2, 5.9, &out));           /* a unit of 2 ms: 3 of them are too many */
+    assert_near(out.cost, 1, 0);
+    wfAccuracy before = out;
+    assert_result(wfChooseForBudget(p, 4, 2, 1.9, &out), WF_ERROR_BUDGET);
+    assert_memory_equal(&before, &out, sizeof out);
+}
+
+static uint32_t seed = 1;
+static double some(void) { return (double)((seed = seed * 1664525u + 1013904223u) >> 8) / (1 << 24); }
+
+static void test_random_curves(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 1000; round++) {
+        wfAccuracy p[20], out;
+        double last = 0;
+        for (int i = 0; i < 20; i++) p[i] = point(pow(10, -6 * some()), 1 + 100 * some());
+        for (int i = 0; i < 20; i++) p[i].failed = some() < 0.1;
+        for (double t = 1; t > 1e-6; t /= 3) {
+            double least = 1e9;
+            for (int i = 0; i < 20; i++)
+                if (!p[i].failed && p[i].error <= (wfReal)t && p[i].cost < least) least = p[i].cost;
+            wfResult result = wfChooseSettings(p, 20, (wfReal)t, &out);
+            if (least == 1e9) { assert_result(result, WF_ERROR_TOLERANCE); continue; }
+            assert_ok(result);
+            assert_near(out.cost, least, 0);
+            assert_true(out.cost >= last);                      /* monotone: tighter is never cheaper */
+            last = out.cost;
+        }
+        double error = 1e9;
+        for (double budget = 1; budget < 200; budget *= 1.5) {
+            if (wfChooseForBudget(p, 20, 1, budget, &out) != WF_OK) continue;
+            assert_true(out.cost <= budget && (double)out.error <= error);
+            error = (double)out.error;
+        }
+    }
+}
+
+/* ------------------------------------------------------------------------------------------------------------- measuring */
+static double error_of(const wfAccuracy *p, int count, const char *method, int steps)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(wfMethodTable[p[i].method].name, method) == 0 && p[i].steps == steps) return (double)p[i].error;
+    return -1;
+}
+
+static void test_orders(void **state)
+{
+    (void)state;
+    wfAccuracy p[WF_CURVE_POINTS];
+    wfWorld world = make("spring");
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t count = 0;
+    how.frame = WF_R(0.125), how.frames = 8, how.finest = 16;   /* coarse, so that rounding has no say */
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    double soft = error_of(p, count, "soft-1", 2) / error_of(p, count, "soft-1", 4);
+    double rk4 = error_of(p, count, "rk4", 2) / error_of(p, count, "rk4", 4);
+    assert_near(soft, 4, 0.5);
+    assert_near(rk4, 16, 4);
+    assert_true(error_of(p, count, "exact-1", 1) < 0);          /* no room for it in this world */
+    wfDestroyWorld(&world);
+}
+
+static void test_smooth_methods_only_where_nothing_touches(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = { "slide", "pendulum", "spring" };
+    for (int s = 0; s < 3; s++) {
+        wfAccuracy p[WF_CURVE_POINTS];
+        wfWorld world = make(scenes[s]);
+        wfCurveDef how = wfDefaultCurveDef();
+        int32_t count = 0;
+        how.finest = 4, how.frames = 5;
+        assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+        assert_int_equal(error_of(p, count, "rk4", 1) >= 0, s == 2);
+        assert_true(error_of(p, count, "soft-4", 1) >= 0);
+        wfDestroyWorld(&world);
+    }
+}
+
+static void test_the_same_twice_and_the_world_untouched(void **state)
+{
+    (void)state;
+    wfAccuracy p[WF_CURVE_POINTS], q[WF_CURVE_POINTS];
+    wfWorld world = make("chain");
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t n = 0, m = 0;
+    how.finest = 4, how.frames = 10;
+    for (int i = 0; i < 7; i++) assert_ok(wfStepWorld(&world));
+    void *bytes = copy_of(&world);
+    memset(p, 0, sizeof p), memset(q, 0, sizeof q);
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &n));
+    assert_unchanged(&world, bytes);
+    size_t permanent = world.memory.permanentSize, transient = world.memory.transientSize;
+    for (int i = 0; i < 2; i++) assert_ok(wfAllocateMemory(&how.trial[i], permanent, transient));
+    assert_ok(wfMeasureCurve(&world, &how, q, WF_CURVE_POINTS, &m));
+    assert_int_equal(n, m);
+    assert_memory_equal(p, q, sizeof p);
+    wfMemory own = how.trial[1];
+    how.trial[1].permanentSize = permanent - 16;
+    assert_result(wfMeasureCurve(&world, &how, q, WF_CURVE_POINTS, &m), WF_ERROR_MEMORY);
+    how.trial[1] = own, how.trial[1].transientSize = 16;
+    assert_result(wfMeasureCurve(&world, &how, q, WF_CURVE_POINTS, &m), WF_ERROR_MEMORY);
+    how.trial[1] = own;
+    for (int i = 0; i < 2; i++) wfFreeMemory(&how.trial[i]);
+    wfDestroyWorld(&world);
+}
+
+static double ticks;
+static double false_clock(void *context) { return ticks += *(double *)context; }
+
+static void test_a_clock_that_is_handed_in(void **state)
+{
+    (void)state;
+    wfAccuracy p[WF_CURVE_POINTS], q[WF_CURVE_POINTS];
+    wfWorld world = make("pendulum");
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t n = 0, m = 0;
+    double tick = 0.25;
+    how.finest = 4, how.frames = 4;
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &n));
+    how.now = false_clock, how.context = &tick;
+    assert_ok(wfMeasureCurve(&world, &how, q, WF_CURVE_POINTS, &m));
+    assert_int_equal(n, m);
+    for (int i = 0; i < n; i++) {
+        const wfMethodRow *row = &wfMethodTable[p[i].method];
+        assert_near(q[i].cost, 250, 0);                         /* one tick a frame, in ms */
+        assert_near(p[i].cost, p[i].steps * (1 + row->substeps * row->substepCost), 0);     /* eq:accuracy-cost */
+        assert_true(p[i].error == q[i].error);
+    }
+    wfDestroyWorld(&world);
+}
+
+static void test_failures_are_points(void **state)
+{
+    (void)state;
+    wfAccuracy p[WF_CURVE_POINTS], out;
+    wfWorld world;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfBodyDef body = wfDefaultBodyDef();
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t count = 0, failed = 0;
+    body.mass = 1, body.position = wfV2(1, 0);
+    assert_ok(wfCreateWorld(&def, &world));
+    wfBodyId id = add(&world, body);
+    wfForce f = wfSpringToPoint(wfBodyIndex(&world, id), wfV2(0, 0), wfV2(0, 0), 0, WF_R(2e6), 0);
+    assert_ok(wfAddForceToWorld(&world, &f, NULL));             /* 225 swings a second: a frame's step explodes */
+    how.frames = 400, how.finest = 64;
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    for (int i = 0; i < count; i++) failed += p[i].failed;
+    assert_true(failed > 0);
+    if (wfChooseSettings(p, count, WF_R(1.0), &out) == WF_OK) assert_int_equal(out.failed, 0);
+    wfDestroyWorld(&world);
+}
+
+/* ------------------------------------------------------------------------------------------------------------- tolerances */
+static void test_promises_are_kept(void **state)
+{
+    (void)state;
+    static const char *const scenes[] = { "spring", "orbit", "projectile", "pendulum", "double-pendulum", "chain", "ball", "stack" };
+    for (int s = 0; s < 8; s++) {
+        const labTruth *scene = &labTruths[labFindTruth(scenes[s])];
+        double cost = 0;
+        for (double t = 0.1; t > 0.5e-5; t /= 10) {
+            wfWorld world = make(scenes[s]);
+            wfAccuracy c;
+            assert_ok(wfSetTolerance(&world, WF_R(1.0) / 60, (wfReal)t, &c));       /* no floor over four decades */
+            labResult r = labRunChosen(scene, "soft", &c);
+            assert_int_equal(r.failed, 0);
+            if (!(r.error <= t)) print_error("%s at %g: %g\n", scenes[s], t, r.error);
+            assert_true(r.error <= t);
+            assert_true(c.cost >= cost);                        /* monotone */
+            cost = c.cost;
+            wfDestroyWorld(&world);
+        }
+    }
+}
+
+static void test_tolerance_is_measuring_and_choosing(void **state)
+{
+    (void)state;
+    wfAccuracy p[WF_CURVE_POINTS], c, d;
+    wfWorld world = make("double-pendulum");
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t count = 0;
+    how.finest = 32;
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    for (double t = 1e-2; t > 0.5e-4; t /= 3) {
+        wfWorldDef def;
+        wfWorld fresh = make("double-pendulum");
+        assert_ok(wfChooseSettings(p, count, (wfReal)t, &c));
+        assert_ok(wfSetTolerance(&fresh, WF_R(1.0) / 60, (wfReal)t, &d));
+        assert_int_equal(c.method, d.method);
+        assert_int_equal(c.steps, d.steps);
+        assert_ok(wfGetWorldDef(&fresh, &def));
+        assert_int_equal(def.substeps, wfMethodTable[d.method].substeps);
+        assert_near(def.dt, (double)(WF_R(1.0) / 60) / d.steps, 1e-9);
+        assert_ok(wfStepFrame(&fresh, &d));
+        assert_int_equal(wfWorldSteps(&fresh), d.steps);
+        assert_near(wfWorldTime(&fresh), 1.0 / 60, 1e-8);
+        wfDestroyWorld(&fresh);
+    }
+    wfDestroyWorld(&world);
+}
+
+static void test_chaos_is_refused(void **state)
+{
+    (void)state;
+    wfWorld world = make("pile");
+    wfAccuracy p[WF_CURVE_POINTS], out;
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t count = 0;
+    how.finest = 8;
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    assert_true(count > 0);
+    assert_result(wfChooseSettings(p, count, WF_R(1e-5), &out), WF_ERROR_TOLERANCE);
+    wfDestroyWorld(&world);
+}
+
+/* --------------------------------------------------------------------------------------------------------------- bad input */
+static void test_bad_numbers(void **state)
+{
+    (void)state;
+    wfWorld world = make("pendulum"), none = { .memory = { .owned = 0 } };
+    wfAccuracy p[WF_CURVE_POINTS], good = point(0.1, 1), out = good, bad;
+    wfCurveDef how;
+    int32_t count = 77;
+    wfReal nan = (wfReal)NAN, inf = (wfReal)INFINITY, frame = WF_R(1.0) / 60;
+    void *bytes = copy_of(&world);
+#define BAD_CURVE(change, result) how = wfDefaultCurveDef(); how.frames = 1; how.finest = 2; change; \
+    assert_result(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count), result)
+    BAD_CURVE(how.frame = 0, WF_ERROR_RANGE);
+    BAD_CURVE(how.frame = nan, WF_ERROR_NOT_FINITE);
+    BAD_CURVE(how.frame = inf, WF_ERROR_NOT_FINITE);
+    BAD_CURVE(how.frames = 0, WF_ERROR_RANGE);
+    BAD_CURVE(how.finest = 1, WF_ERROR_RANGE);
+    BAD_CURVE(how.finest = WF_CURVE_FINEST + 1, WF_ERROR_RANGE);
+    BAD_CURVE(how.enough = -1, WF_ERROR_RANGE);
+    BAD_CURVE(how.enough = nan, WF_ERROR_NOT_FINITE);
+    how = wfDefaultCurveDef(), how.finest = 4, how.frames = 1;
+    assert_result(wfMeasureCurve(NULL, &how, p, 1, &count), WF_ERROR_NULL);
+    assert_result(wfMeasureCurve(&none, &how, p, 1, &count), WF_ERROR_NULL);
+    assert_result(wfMeasureCurve(&world, NULL, p, 1, &count), WF_ERROR_NULL);
+    assert_result(wfMeasureCurve(&world, &how, NULL, 1, &count), WF_ERROR_NULL);
+    assert_result(wfMeasureCurve(&world, &how, p, 1, NULL), WF_ERROR_NULL);
+    assert_result(wfMeasureCurve(&world, &how, p, 1, &count), WF_ERROR_FULL);
+    assert_result(wfMeasureCurve(&world, &how, p, 0, &count), WF_ERROR_FULL);
+    assert_int_equal(count, 77);
+    assert_result(wfChooseSettings(NULL, 1, WF_R(0.1), &out), WF_ERROR_NULL);
+    assert_result(wfChooseSettings(&good, 1, WF_R(0.1), NULL), WF_ERROR_NULL);
+    assert_result(wfChooseSettings(&good, 1, 0, &out), WF_ERROR_RANGE);
+    assert_result(wfChooseSettings(&good, -1, WF_R(0.1), &out), WF_ERROR_RANGE);
+    assert_result(wfChooseSettings(&good, 1, nan, &out), WF_ERROR_NOT_FINITE);
+    assert_result(wfChooseSettings(&good, 0, WF_R(0.1), &out), WF_ERROR_TOLERANCE);
+    assert_result(wfChooseForBudget(&good, 1, 0, 1, &out), WF_ERROR_RANGE);
+    assert_result(wfChooseForBudget(&good, 1, 1, -1, &out), WF_ERROR_RANGE);
+    assert_result(wfChooseForBudget(&good, 1, 1, (double)NAN, &out), WF_ERROR_NOT_FINITE);
+    assert_result(wfChooseForBudget(&good, 1, (double)INFINITY, 1, &out), WF_ERROR_NOT_FINITE);
+    assert_result(wfChooseForBudget(&good, 1, 1, 1, NULL), WF_ERROR_NULL);
+    assert_result(wfUseSettings(&world, NULL), WF_ERROR_NULL);
+#define BAD_POINT(change, result) bad = good; change; \
+    assert_result(wfUseSettings(&world, &bad), result); assert_result(wfStepFrame(&world, &bad), result)
+    BAD_POINT(bad.method = -1, WF_ERROR_UNKNOWN);
+    BAD_POINT(bad.method = wfMethodCount, WF_ERROR_UNKNOWN);
+    BAD_POINT(bad.steps = 0, WF_ERROR_RANGE);
+    BAD_POINT(bad.steps = WF_CURVE_FINEST + 1, WF_ERROR_RANGE);
+    BAD_POINT(bad.frame = nan, WF_ERROR_NOT_FINITE);
+    BAD_POINT(bad.frame = 0, WF_ERROR_RANGE);
+    assert_result(wfSetTolerance(&world, 0, WF_R(0.1), &out), WF_ERROR_RANGE);
+    assert_result(wfSetTolerance(&world, nan, WF_R(0.1), &out), WF_ERROR_NOT_FINITE);
+    assert_result(wfSetTolerance(&world, frame, 0, &out), WF_ERROR_RANGE);
+    assert_result(wfSetTolerance(&world, frame, nan, &out), WF_ERROR_NOT_FINITE);
+    assert_result(wfSetTolerance(&world, frame, WF_R(0.1), NULL), WF_ERROR_NULL);
+    assert_result(wfSetTolerance(&world, frame, WF_R(1e-12), &out), sizeof(wfReal) == 4 ? WF_ERROR_TOLERANCE : WF_ERROR_TOLERANCE);
+    assert_memory_equal(&good, &out, sizeof out);
+    assert_unchanged(&world, bytes);
+    wfDestroyWorld(&world);
+}
+
+static void test_frames_of_any_length(void **state)
+{
+    (void)state;
+    static const double frames[] = { 1e-9, 1e-3, 0.5, 1, 100 };
+    for (int i = 0; i < 5; i++) {
+        wfWorld world = make("projectile");
+        wfAccuracy c;
+        assert_ok(wfSetTolerance(&world, (wfReal)frames[i], WF_R(1e-2), &c));
+        assert_ok(wfStepFrame(&world, &c));
+        assert_near(wfWorldTime(&world), frames[i], 1e-6 * frames[i]);
+        wfDestroyWorld(&world);
+    }
+}
+
+static void test_rows(void **state)
+{
+    (void)state;
+    int rungs = 1;
+    for (int n = 1; n < 128; n *= 2) rungs++;
+    assert_true(wfMethodCount * rungs <= WF_CURVE_POINTS);
+    for (int i = 0; i < wfMethodCount; i++) {
+        const wfMethodRow *m = &wfMethodTable[i];
+        assert_true(m->substeps >= 1 && m->substepCost >= 0);
+        assert_true(m->solver == NULL || wfFindSolver(m->solver) >= 0);
+        assert_true(m->integrator == NULL || wfFindIntegrator(m->integrator) >= 0);
+        assert_true(m->joints == NULL || wfFindSettingRow(wfFindSetting("exactJoints"), m->joints) >= 0);
+        for (int k = 0; k < i; k++) assert_string_not_equal(m->name, wfMethodTable[k].name);
+    }
+    for (int i = 0; i < labTruthCount; i++) assert_true(labTruthError(&labTruths[i]) < 1e-8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_cheapest_below_the_tolerance), cmocka_unit_test(test_best_within_the_budget),
+        cmocka_unit_test(test_random_curves), cmocka_unit_test(test_orders),
+        cmocka_unit_test(test_smooth_methods_only_where_nothing_touches),
+        cmocka_unit_test(test_the_same_twice_and_the_world_untouched), cmocka_unit_test(test_a_clock_that_is_handed_in),
+        cmocka_unit_test(test_failures_are_points), cmocka_unit_test(test_promises_are_kept),
+        cmocka_unit_test(test_tolerance_is_measuring_and_choosing), cmocka_unit_test(test_chaos_is_refused),
+        cmocka_unit_test(test_bad_numbers), cmocka_unit_test(test_frames_of_any_length), cmocka_unit_test(test_rows),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
