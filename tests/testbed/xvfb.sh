@@ -23,7 +23,7 @@ clean() {
 trap clean EXIT
 
 # -- no screen at all
-SDL_VIDEODRIVER=dummy timeout 60 "$program" --scene free-fall --steps 30 --log "$work/dummy"
+SDL_VIDEODRIVER=dummy timeout 60 "$program" --scene free-fall --steps 30 --folder "$work" --log "$work/dummy"
 grep -qx 'scene free fall' "$work/dummy"
 
 # -- a screen, the program on it
@@ -33,7 +33,7 @@ for i in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
 [ -s "$work/display" ] || { echo "xvfb.sh: the virtual screen did not start"; exit 1; }
 export DISPLAY=:$(cat "$work/display")
 log=$work/log
-SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --size 1100x700 --log "$log" &
+SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --size 1100x700 --folder "$work" --log "$log" &
 app=$!
 for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
 [ -s "$log" ] || { echo "xvfb.sh: the testbed did not start"; exit 1; }
