@@ -109,8 +109,9 @@ static int32_t pick_index(Session *s)
 static void learn(Things *t, uint32_t index, uint32_t generation, int32_t a, int32_t b, uint32_t owner)
 {
     int at = t->count;
-    if (at < KNOWN) t->count++;
-    else for (at = 0; t->list[at].alive;) if (++at == KNOWN) broken(__LINE__, "more things than the session knows of");
+    if (at >= KNOWN) for (at = 0; at < t->count && t->list[at].alive;) at++;
+    if (at == MOST_KNOWN) broken(__LINE__, "more things than the session knows of");
+    if (at == t->count) t->count++;
     for (int k = 0; k < t->count; k++)
         if (k != at && t->list[k].index == index) MUST(t->list[k].generation != generation);
     t->list[at] = (Thing){ index, generation, a, b, true, owner };
@@ -261,7 +262,7 @@ static void check_bodies(const Session *s, const wfWorld *w)
         int shapes = 0;
         for (wfShapeId h = wfFirstShape(w, id); h.index != 0; h = wfNextShape(w, h)) {
             wfBodyId owner = wfShapeBody(w, h);
-            MUST(owner.index == id.index && owner.generation == id.generation && ++shapes <= KNOWN);
+            MUST(owner.index == id.index && owner.generation == id.generation && ++shapes <= MOST_KNOWN);
         }
         int known = 0;
         for (int i = 0; i < s->shapes.count; i++) known += s->shapes.list[i].alive && s->shapes.list[i].owner == id.index;

@@ -23,9 +23,9 @@ typedef struct Tally {
 extern Tally *tally;
 
 /* the things of a kind that the session has seen: those that live, and those that did */
-enum { KNOWN = 96 };
+enum { KNOWN = 96, MOST_KNOWN = 4096 };         /* places of the dead are used again from KNOWN on; what lives always has one */
 typedef struct Thing { uint32_t index, generation; int32_t a, b; bool alive; uint32_t owner; } Thing;
-typedef struct Things { Thing list[KNOWN]; int count, alive; } Things;
+typedef struct Things { Thing list[MOST_KNOWN]; int count, alive; } Things;
 
 typedef struct Session {
     wfWorldDef def;

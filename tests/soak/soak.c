@@ -2,7 +2,8 @@
      soak STEPS [SAMPLES]
    In a closed yard: a stack, a chain, a wheel with a motor, a spring, a servo, a belt, a sensor, a floating raft; every 40
    steps something new falls in, a bullet flies or something is removed; sleep is on.
-   The bounds: speeds stay below what a bullet is given and the fall through the yard adds; what is
+   The bounds: nobody has more energy than the heaviest bullet is given and the fall through the yard adds, and nobody but the
+   links of the chain (whose end is the end of a whip) is faster than a bullet after such a fall; what is
    deep is so for moments: the deepest overlap of a step is below 10 cm on the average of a long run, and never as much as the
    walls are thick (2 m);
    nobody leaves the yard; memory is two chunks that were measured at the beginning. */
@@ -17,6 +18,10 @@ static wfWorld world;
 static uint64_t seed = 2026;
 static wfBodyId guests[ROOM];
 static int guestCount;
+static wfBodyId chain[6];
+/* J: a box of 1.2 m and 1 kg/m^2 at 400 m/s and 20 rad/s, and 40 m of fall; m/s: the same as a speed. The speed has 7 % more, for what
+   the turning of a bullet may give to somebody's centre. */
+static const double mostEnergy = 1.44 * (400.0 * 400 / 2 + 0.24 * 20 * 20 / 2 + 9.81 * 40), mostSpeed = 430;
 
 static void must(wfResult r, const char *what)
 {
@@ -66,7 +71,7 @@ static void furnish(void)
     for (int i = 0; i < 5; i++) put(WF_DYNAMIC, 5, (wfReal)i + WF_R(0.5), &crate);
     wfBodyId last = ground;
     for (int i = 0; i < 6; i++) {                                   /* a chain */
-        wfBodyId next = put(WF_DYNAMIC, -10 + WF_R(0.8) * (wfReal)i + WF_R(0.4), 15, &link);
+        wfBodyId next = chain[i] = put(WF_DYNAMIC, -10 + WF_R(0.8) * (wfReal)i + WF_R(0.4), 15, &link);
         wfJoint hinge = join("revolute", last, next, -10 + WF_R(0.8) * (wfReal)i, 15);
         must(wfAddJointToWorld(&world, &hinge, NULL), "hinge");
         last = next;
@@ -108,6 +113,13 @@ static void dismiss_guest(void)
     guests[which] = guests[--guestCount];
 }
 
+static bool is_link(int32_t i)
+{
+    for (int k = 0; k < 6; k++)
+        if (wfBodyIndex(&world, chain[k]) == i) return true;
+    return false;
+}
+
 int main(int argc, char **argv)
 {
     long steps = argc > 1 ? atol(argv[1]) : 4000, samples = argc > 2 ? atol(argv[2]) : 50;
@@ -118,7 +130,7 @@ int main(int argc, char **argv)
     furnish();
     size_t bytes = world.memory.permanentSize + world.memory.transientSize;
     long rss = 0, every = steps / samples > 0 ? steps / samples : 1;
-    double worstDepth = 0, worstSpeed = 0, sampleDepth = 0, sampleSpeed = 0, depths = 0, usual = 0;
+    double worstDepth = 0, worstSpeed = 0, worstFree = 0, worstEnergy = 0, sampleDepth = 0, sampleSpeed = 0, depths = 0, usual = 0;
     printf("# command: make soak STEPS=%ld\n# the two chunks have %zu bytes from the first step to the last\n", steps, bytes);
     printf("step,bodies,asleep,contacts,energy,speed,depth,usual,grown\n");
     for (long n = 1; n <= steps; n++) {
@@ -137,6 +149,9 @@ int main(int argc, char **argv)
             double v = (double)wfLength(all.state[i].v);
             if (v > sampleSpeed) sampleSpeed = v;
             if (!all.alive[i] || all.props[i].type != WF_DYNAMIC) continue;
+            double energy = ((double)all.props[i].mass * v * v + (double)all.props[i].inertia * (double)all.state[i].w * (double)all.state[i].w) / 2;
+            if (energy > worstEnergy) worstEnergy = energy;
+            if (v > worstFree && !is_link(i)) worstFree = v;
             if (!(all.state[i].p.x > -30 && all.state[i].p.x < 30 && all.state[i].p.y > 0 && all.state[i].p.y < 39)) {
                 fprintf(stderr, "soak: step %ld: body %d has left the yard: (%g, %g)\n", n, (int)i, (double)all.state[i].p.x, (double)all.state[i].p.y);
                 return 1;
@@ -159,9 +174,10 @@ int main(int argc, char **argv)
         sampleDepth = sampleSpeed = depths = 0;
         if (world.memory.permanentSize + world.memory.transientSize != bytes || use.ru_maxrss - rss > 1024) { fprintf(stderr, "soak: memory grows\n"); return 1; }
     }
-    fprintf(stderr, "soak: %ld steps; fastest %.3g m/s, deepest %.3g m\n", steps, worstSpeed, worstDepth);
+    fprintf(stderr, "soak: %ld steps; fastest %.3g m/s (without the chain %.3g), most energy of a body %.3g kJ, deepest %.3g m\n", steps, worstSpeed, worstFree, worstEnergy / 1000, worstDepth);
     if (steps >= 100000 && usual > 0.1) { fprintf(stderr, "soak: overlaps are usually %g m\n", usual); return 1; }
-    if (worstSpeed > 430) { fprintf(stderr, "soak: somebody is faster than a bullet and a fall\n"); return 1; }
+    if (worstFree > mostSpeed) { fprintf(stderr, "soak: somebody is faster than a bullet and a fall: %g m/s\n", worstFree); return 1; }
+    if (worstEnergy > mostEnergy) { fprintf(stderr, "soak: somebody has more energy than a bullet and a fall: %g J\n", worstEnergy); return 1; }
     wfDestroyWorld(&world);
     return 0;
 }
