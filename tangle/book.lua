@@ -109,6 +109,9 @@ function Book:check_chunks()
           "define it with <<" .. name .. ">>=, mend its spelling" .. (self:nearest(name)) ..
           ", or, if a shift was meant, write @<< and @>>")
       end
+    elseif Book.is_root(name) and (name:match("^/") or ("/" .. name .. "/"):find("/../", 1, true)) then
+      local c = self.chunks[n.parts[1]]
+      self:complain(c.file, c.line, "the file <<" .. name .. ">> lies outside of the tree", "name a file below the tree that is tangled, such as lab/name.c")
     elseif #n.uses == 0 and not Book.is_root(name) then
       local c = self.chunks[n.parts[1]]
       self:complain(c.file, c.line, "chunk <<" .. name .. ">> is defined but never used",

@@ -213,7 +213,7 @@ end
 function Course.run(r, program, out)
   local results = out .. "/results"
   -- one minute of processor time and a gigabyte in all; each criterion has its own limit on time
-  local _, code = ok("( ulimit -t 120 -v 2000000 -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 " .. quote(program) .. " " .. quote(results) .. " " .. quote(out) .. " ) >" ..
+  local _, code = ok("( ulimit -t 120 -v 1000000 -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 " .. quote(program) .. " " .. quote(results) .. " " .. quote(out) .. " ) >" ..
     quote(out .. "/output") .. " 2>&1 </dev/null")
   local seen = {}
   for l in lines(read(results)) do
@@ -434,6 +434,9 @@ function Course.lint(all)
       for _, f in ipairs { SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".c", TESTS .. "/" .. e.base .. ".wrong" } do if not read(f) then bad(e, "%s is missing", f) end end
     elseif e.starter then bad(e, "starter=%s, but there is no %s/%s-%s.nw", e.starter, STARTERS, e.number, e.starter) end
   end
+  for _, e in ipairs(all) do
+    for _, c in ipairs(e.base and criteria_of(e.base) or {}) do if c.points % 1 ~= 0 then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s has %g points -- points are whole numbers", c.name, c.points) end end
+  end
   for _, b in ipairs(list(STARTERS, "nw")) do if not find(all, b) then bad(STARTERS .. "/" .. b .. ".nw:1", "belongs to no exercise -- its name is NUMBER-NAME.nw, and the number is that of an exercise") end end
   for n = 5, 30 do
     local c = by[tostring(n)]
@@ -545,6 +548,48 @@ function commands.one(file, base, out, student)
   write(out .. "/result.tsv", string.format("%s\t%s\t%s\t%s\n", student, e.number, points_text(r.earned), points_text(r.max)) ..
     "status\t" .. (r.refused or "graded") .. "\n")
   Course.table(r, e, print)
+end
+-- has somebody's last grading this criterion? for graders that ask one thing at a time
+function commands.passed(id, name)
+  local e = chosen(exercises(), id)[1]
+  local j = read(B .. "/course/" .. student_of() .. "/" .. e.base .. "/result.json") or ""
+  local status = j:match('"name": "' .. name:gsub("%p", "%%%0") .. '".-"status": "(.-)"') or "not graded"
+  print(name .. ": " .. status)
+  os.exit(status == "ok" and 0 or 1)
+end
+-- One line of the class's list, from what the sandbox left: points are counted here, from the criteria of this tree.
+function commands.row(student, base, result, ended, file)
+  local e, j, earned, max = find(exercises(), base), read(result) or "", 0, 0
+  for _, c in ipairs(criteria_of(base)) do
+    max = max + c.points
+    if j:match('"name": "' .. c.name:gsub("%p", "%%%0") .. '", .-"status": "(.-)"') == "ok" then earned = earned + c.points end
+  end
+  local refused = j:match('"refused": "(.-)"')
+  local status = ended ~= "0" and (ended == "124" or ended == "137") and "stopped: too long" or j == "" and "no result (" .. ended .. ")" or refused or "graded"
+  local look = ""           -- words that no exercise needs: whoever grades should read that chapter
+  for w in (read(file) or ""):gmatch("[%a_][%w_]*") do if ("|fork|vfork|clone|execl|execv|system|popen|dlopen|ptrace|syscall|asm|__asm__|mmap|kill|signal|sigaction|alarm|_exit|exit|dprintf|fopen|open|course_pipe|longjmp|constructor|"):find("|" .. w .. "|", 1, true) and not (" " .. look .. " "):find(" " .. w .. " ", 1, true) then look = look .. (look == "" and "" or " ") .. w end end
+  print(string.format("%s,%s,%s,%s,%s,%s", student, e.number, points_text(earned), points_text(max), '"' .. status:gsub('"', "'") .. '"', look))
+end
+function commands.assignment(to, ids)       -- what a class gets beside the book's tree
+  local t, tests = {}, {}
+  for _, e in ipairs(chosen(with_names(exercises()), ids)) do
+    t[#t + 1] = string.format("| %s | %s | %s | %d | `coursework/me/%s.nw` |", e.number, e.name_of, points_text(e.points), e.minutes, e.base)
+    for _, c in ipairs(criteria_of(e.base)) do
+      tests[#tests + 1] = string.format('    { "name": %s, "setup": "", "run": %s, "input": "", "output": "", "comparison": "included", "timeout": 10, "points": %s }', json_string(e.number .. " " .. c.text),
+        json_string("make grade E=" .. e.number .. " && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
+    end
+    os.execute("mkdir -p " .. quote(to .. "/coursework/me"))
+    write(to .. "/coursework/me/" .. e.base .. ".nw", read(STARTERS .. "/" .. e.base .. ".nw"))
+  end
+  os.execute("mkdir -p " .. quote(to .. "/.github/classroom") .. " " .. quote(to .. "/.github/workflows"))
+  write(to .. "/ASSIGNMENT.md", "# Assignment\n\n| exercise | | points | minutes | write in |\n|---|---|---|---|---|\n" .. table.concat(t, "\n") ..
+    "\n\nRead the appendix on coursework (`chapters/E-coursework.nw`), then:\n\n    tangle/install check          # once: what is missing, and the command that installs it\n    make try E=" ..
+    ids:match("[^%s,]+") .. "            # builds and tests one exercise, and says what failed and where\n    make grade                  # all of them, with points\n\nHand in by committing `coursework/me/`.\n")
+  write(to .. "/.github/classroom/autograding.json", '{\n  "tests": [\n' .. table.concat(tests, ",\n") .. "\n  ]\n}\n")
+  local install = "sudo apt-get update && sudo apt-get install -y --no-install-recommends gcc make noweb lua5.4 pkg-config libcjson-dev libstb-dev fonts-dejavu-core gnuplot-nox"
+  write(to .. "/.github/workflows/classroom.yml", "name: Grade\non: [push, workflow_dispatch]\npermissions: { checks: write, actions: read, contents: read }\njobs:\n  grade:\n    runs-on: ubuntu-latest\n    steps:\n" ..
+    "      - uses: actions/checkout@v4\n      - run: " .. install .. "\n      - run: make grade\n      - uses: education/autograding@v1\n      - uses: actions/upload-artifact@v4\n        if: always()\n        with: { name: grade, path: build/course/me/grade.* }\n")
+  write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  script:\n    - " .. install:gsub("sudo ", "") .. "\n    - make grade\n  artifacts:\n    when: always\n    paths: [build/course/me/grade.json]\n    reports:\n      junit: build/course/me/grade.xml\n")
 end
 function commands.composed(base, to) write(to, (Course.compose(base))) end
 function commands.tests() -- the criteria's programs, compiled once

@@ -63,7 +63,7 @@ for _, c in ipairs(book.chapters) do
     if e then
       book:complain(c.file, 1, "chapter number " .. c.label .. " is taken by " .. e.file, "give one of the two files another number")
     end
-    e = { label = c.label, part = "Chapters of your own", part_number = 99, title = c.base }
+    e = { label = c.label, part = c.label:match("%.") and "Exercises" or "Chapters of your own", part_number = 99, title = c.base }
     entries[#entries + 1] = e
     entry_of[c.label] = e
   end
