@@ -4696,8 +4696,9 @@ static void window_list(wfDraw *d, const camera *c, const char *open)
 static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
-    static const char *const button[] = { "List", "Pause", "Step", "Reset", "Previous",
-                                          "Next", "Home", "Dark", "Keys" };
+    static const char *const button[] = {
+        "List", "Pause", "Step", "Reset", "Previous", "Next", "Home", "Dark", "Keys",
+        "Settings" };
     const wfScene *s = &wfSceneTable[wfFindScene("shapes")];
     camera c = { (float)s->viewX, (float)s->viewY, (float)s->viewHeight, LIST_WIDTH, HEAD,
                  1100 - LIST_WIDTH, 700 - HEAD - FOOT };
@@ -4708,17 +4709,18 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_box(d, &c, -2, -2, 1104, HEAD, WF_INK_PAPER);
     window_box(d, &c, -2, 700 - FOOT + 2, 1104, FOOT, WF_INK_PAPER);
     window_list(d, &c, s->name);
-    for (int i = 0; i < 9; i++) {
-        window_box(d, &c, 224 + 62 * (float)i, 10, 56, 24, WF_INK_PAPER);
-        window_text(d, &c, 252 + 62 * (float)i, 27, WF_INK_TEXT, 0, button[i]);
+    for (int i = 0; i < 10; i++) {
+        float x = 224 + 62 * (float)(i % 10), y = 10 + BAR_ROW * (float)(i / 10);
+        window_box(d, &c, x, y, 56, 24, WF_INK_PAPER);
+        window_text(d, &c, x + 28, y + 17, WF_INK_TEXT, 0, button[i]);
     }
-    window_text(d, &c, 224, 60, WF_INK_TEXT, -1, s->name);
-    window_text(d, &c, 224, 80, WF_INK_TEXT, -1, s->text);
+    window_text(d, &c, 224, HEAD - 32, WF_INK_TEXT, -1, s->name);
+    window_text(d, &c, 224, HEAD - 12, WF_INK_TEXT, -1, s->text);
     window_text(d, &c, 224, 675, WF_INK_TEXT, -1, "running, step 100, 1.67 s, ...");
     window_box(d, &c, 1, 1, 1098, 698, WF_INK_NONE);
     /* <mark the parts of the window by letters> */
     static const struct { const char *letter; float x, y; } mark[] = {
-        { "A", 170, 200 }, { "B", 188, 582 }, { "C", 810, 22 }, { "D", 680, 66 },
+        { "A", 170, 200 }, { "B", 188, 582 }, { "C", 860, 22 }, { "D", 680, 66 },
         { "E", 650, 180 }, { "F", 470, 674 }
     };
     for (int i = 0; i < 6; i++)

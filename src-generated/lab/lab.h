@@ -42,4 +42,23 @@ extern const wfMeasureRow wfMeasureTable[];
 extern const int wfMeasureCount;
 int wfFindMeasurement(const char *name); /* row, or -1 */
 int wfMeasurementIsTimed(const char *name);
+/* <what a cell is> */
+/* Words "key=value" that say what a cell measures. */
+typedef struct wfCellInput { const char *const *word; int count; } wfCellInput;
+/* The value of a key, and the same as a number; `otherwise` if there is none. */
+const char *wfCellText(const wfCellInput *in, const char *key, const char *otherwise);
+double wfCellNumber(const wfCellInput *in, const char *key, double otherwise);
+/* Prints one line of CSV, with its end; returns 0, or anything else if it could not. */
+typedef int wfCellFn(FILE *out, const wfCellInput *in);
+/* Prints the words of every cell, a line each; full: 0: of a sweep of minutes, 1: of all. */
+typedef void wfSweepFn(FILE *out, int full);
+typedef struct wfCellRow {
+    const char *name, *text;
+    const char *columns;                 /* the first line of the CSV, without its end */
+    wfCellFn   *run;
+    wfSweepFn  *sweep;
+} wfCellRow;
+extern const wfCellRow wfCellTable[];
+extern const int wfCellCount;
+int wfFindCell(const char *name);        /* row, or -1 */
 #endif

@@ -35,8 +35,9 @@ typedef struct game_state {
     float width, height, scale;         /* of the last picture: units, pixels a unit */
     ui_memory ui;
     /* <what the game remembers of settings and time> */
-    int32_t panel, enter;               /* settings are shown; Enter was pressed */
-    float panel_scroll;
+    int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
+    int32_t bar;                        /* the tools are shown */
+    float panel_scroll, head;           /* head: height of the strip at the top, units */
     uint8_t changed[128];               /* which settings the user has changed ... */
     double wanted[128][2];              /* ... and to what */
     /* <what the game remembers of settings and time> */
@@ -57,6 +58,8 @@ typedef struct game {
     wfScene guest;                      /* that scene */
     wfPool scratch;                     /* the other half of transient memory */
     wfRewind ring;                      /* of snapshots, in the rest of permanent memory */
+    /* <what the game works with, further> */
+    float panel_top, panel_bottom;      /* lines of a panel between these are shown */
 } game;
 /* <find the ring in the game's memory> */
 enum { RING_BYTES = 16 * 1024 * 1024 };
@@ -142,6 +145,11 @@ static void open_scene(game *g, int row)
         s->show = g->scene->show;
         look_home(g);
     }
+}
+/* <what a panel can ask> */
+static bool panel_shows(const game *g, float y, float h)
+{
+    return y >= g->panel_top && y + h <= g->panel_bottom;
 }
 /* <the interface> */
 static float list_length(const game *g)
@@ -235,20 +243,75 @@ static void list_panel(ui *u, game *g)
     }
 }
 /* <the interface> */
-static void buttons(ui *u, game *g, float x)
+typedef struct button_row {
+    const char *name, *other;           /* other: while it is on; NULL: the same */
+    int32_t key;
+    size_t flag;                        /* an int32_t of game_state: 0 or not; 0: none */
+    void (*press)(game *g);             /* or NULL */
+    const char *text;
+} button_row;
+
+#define FLAG(field) offsetof(game_state, field)
+static void press_step(game *g) { g->state->paused = g->state->single = 1; }
+static void press_reset(game *g) { open_scene(g, g->state->row); }
+static void press_previous(game *g) { open_scene(g, g->state->row - 1); }
+static void press_next(game *g) { open_scene(g, g->state->row + 1); }
+
+static const button_row buttonTable[] = {
+    /* <rows of the button table> */
+    { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
+    { "Pause", "Run", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
+    { "Step", NULL, 'o', 0, press_step, "one step" },
+    { "Reset", NULL, 'r', 0, press_reset, "the scene from its beginning" },
+    { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
+    { "Next", NULL, ']', 0, press_next, "the next scene" },
+    { "Home", NULL, 'h', 0, look_home, "look at the whole scene" },
+    { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
+    { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
+    { "Settings", NULL, 's', FLAG(panel), NULL, "numbers to change, at the right" },
+};
+enum { BUTTONS = sizeof buttonTable / sizeof *buttonTable };
+/* <the interface> */
+static bool is_on(const game *g, const button_row *row)
 {
-    game_state *s = g->state;
-    const char *pause = s->paused ? "Run" : "Pause", *dark = s->dark ? "Light" : "Dark";
-    if (ui_button(u, "List", x, 10, 44, s->list)) s->list = !s->list;
-    if (ui_button(u, pause, x + 62, 10, 60, s->paused)) s->paused = !s->paused;
-    if (ui_button(u, "Step", x + 128, 10, 48, false)) s->paused = s->single = 1;
-    if (ui_button(u, "Reset", x + 182, 10, 52, false)) open_scene(g, s->row);
-    if (ui_button(u, "Previous", x + 252, 10, 72, false)) open_scene(g, s->row - 1);
-    if (ui_button(u, "Next", x + 330, 10, 48, false)) open_scene(g, s->row + 1);
-    if (ui_button(u, "Home", x + 396, 10, 52, false)) look_home(g);
-    if (ui_button(u, dark, x + 454, 10, 48, false)) s->dark = !s->dark;
-    if (ui_button(u, "Keys", x + 508, 10, 48, s->keys)) s->keys = !s->keys;
-    if (ui_button(u, "Settings", x + 574, 10, 66, s->panel)) s->panel = !s->panel;
+    int32_t on = 0;
+    if (row->flag) memcpy(&on, (const uint8_t *)g->state + row->flag, sizeof on);
+    return on != 0;
+}
+
+static void press_button(game *g, const button_row *row)
+{
+    int32_t on = !is_on(g, row);
+    if (row->flag) memcpy((uint8_t *)g->state + row->flag, &on, sizeof on);
+    if (row->press) row->press(g);
+}
+/* <the interface> */
+/* Where the next button of a bar goes: from left to right, and then a row lower. */
+typedef struct bar { float left, right, x, y; } bar;
+
+static void bar_room(bar *b, float w)
+{
+    if (b->x + w > b->right && b->x > b->left) b->x = b->left, b->y += BAR_ROW;
+}
+
+static bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
+{
+    float w = 18 + wfTextWidth(&wfBakedFont, 13, name);
+    bar_room(b, w);
+    bool hit = ui_button(u, name, b->x, b->y, w, on);
+    ui_tip(u, name, text, b->x, b->y, w, 24);
+    b->x += w + 6;
+    return hit;
+}
+
+static void buttons(ui *u, game *g, bar *b)
+{
+    for (int i = 0; i < BUTTONS; i++) {
+        const button_row *row = &buttonTable[i];
+        bool on = is_on(g, row);
+        if (bar_button(u, b, on && row->other ? row->other : row->name, on, row->text))
+            press_button(g, row);
+    }
 }
 /* <the interface> */
 static void state_line(ui *u, const game *g, float x)
@@ -371,29 +434,68 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
     if (hit) change_setting(g, i, part, value);
 }
 /* <the interface> */
-static void settings_panel(ui *u, game *g)
+typedef struct panel_row {
+    const char *name, *text;
+    /* Walks from y down, within x and x + w; returns where it ended. */
+    float (*walk)(ui *u, game *g, float x, float y, float w);
+} panel_row;
+
+/* <panels> */
+static float world_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
-    float x = u->width - SETTINGS_WIDTH, bottom = u->height - FOOT, length = 0;
-    float y = HEAD + 34 - s->panel_scroll;
     wfWorldDef def;
-    if (wfGetWorldDef(&g->world, &def) != WF_OK) return;
-    ui_box(u, x, HEAD, SETTINGS_WIDTH + 2, bottom - HEAD, WF_INK_FAINT, WF_INK_PAPER);
-    for (int i = 0; i < wfSettingCount; i++)
-        for (int part = 0; part < (wfSettingTable[i].kind == WF_SETTING_VEC2 ? 2 : 1);
-             part++, y += UI_LINE, length += UI_LINE)
-            if (y >= HEAD + 34 && y + UI_LINE <= bottom)
-                setting_line(u, g, &def, i, part, y);
-    if (ui_button(u, "As the scene has it", x + 12, HEAD + 6, SETTINGS_WIDTH - 24, false)) {
+    if (wfGetWorldDef(&g->world, &def) != WF_OK) return y;
+    if (panel_shows(g, y, 28) && ui_button(u, "As the scene has it", x, y, w, false)) {
         memset(s->changed, 0, sizeof s->changed);
         open_scene(g, s->row);
     }
-    if (!ui_inside(u, x, HEAD, SETTINGS_WIDTH, bottom - HEAD)) return;
-    u->over = true;
-    float most = length - (bottom - HEAD - 34);
-    if (!u->draw) s->panel_scroll -= g->input->wheel * 3 * UI_LINE;
+    y += 30;
+    for (int i = 0; i < wfSettingCount; i++)
+        for (int part = 0; part < (wfSettingTable[i].kind == WF_SETTING_VEC2 ? 2 : 1);
+             part++, y += UI_LINE)
+            if (panel_shows(g, y, UI_LINE)) setting_line(u, g, &def, i, part, y);
+    return y;
+}
+static const panel_row panelTable[] = {
+    /* <rows of the panel table> */
+    { "World", "the settings of the world", world_panel },
+};
+enum { PANELS = sizeof panelTable / sizeof *panelTable };
+/* <the interface> */
+static void scroll_panel(ui *u, game *g, float length)
+{
+    game_state *s = g->state;
+    float most = length - (g->panel_bottom - g->panel_top);
+    const game_input *in = g->input;
+    if (u->draw) return;
+    s->panel_scroll -= u->over_panel ? in->wheel * 3 * UI_LINE : 0;
+    for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS && s->ui.focus; i++) {
+        if (in->keys[i] == GAME_KEY_UP) s->panel_scroll -= UI_LINE;
+        if (in->keys[i] == GAME_KEY_DOWN) s->panel_scroll += UI_LINE;
+    }
     if (s->panel_scroll > most) s->panel_scroll = most;
     if (s->panel_scroll < 0) s->panel_scroll = 0;
+}
+/* <the interface> */
+static void settings_panel(ui *u, game *g)
+{
+    game_state *s = g->state;
+    float x = u->width - SETTINGS_WIDTH + 12, w = SETTINGS_WIDTH - 24;
+    float bottom = u->height - FOOT;
+    bar tabs = { x, x + w, x, s->head + 6 };
+    ui_box(u, x - 12, s->head, SETTINGS_WIDTH + 2, bottom - s->head, WF_INK_FAINT,
+           WF_INK_PAPER);
+    for (int i = 0; i < PANELS; i++)
+        if (bar_button(u, &tabs, panelTable[i].name, i == s->tab, panelTable[i].text))
+            s->tab = i, s->panel_scroll = 0;
+    g->panel_top = tabs.y + BAR_ROW + 2;
+    g->panel_bottom = bottom;
+    float y = g->panel_top - s->panel_scroll;
+    float end = panelTable[s->tab].walk(u, g, x, y, w);
+    u->over_panel = ui_inside(u, x - 12, s->head, SETTINGS_WIDTH, bottom - s->head);
+    u->over |= u->over_panel;
+    scroll_panel(u, g, end - y);
 }
 /* <the interface> */
 /* Shows the world as it was at a step before this one (counted from the first step), or as
@@ -452,15 +554,19 @@ static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
     float x = s->list ? LIST_WIDTH + 16 : 16;
-    strip(u, -2, HEAD);
+    bar b = { x, s->width - 8, x, 10 };
+    strip(u, -2, s->head);
     strip(u, s->height - FOOT + 2, FOOT);
     if (s->list)
         list_panel(u, g);
     if (s->panel)
         settings_panel(u, g);
-    buttons(u, g, x);
-    ui_text(u, x, 62, 16, WF_INK_TEXT, -1, g->scene->name);
-    ui_text(u, x, 82, 13, WF_INK_TEXT, -1, g->scene->text);
+    buttons(u, g, &b);
+    s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
+    if (s->height >= LOW) {
+        ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
+        ui_text(u, x, s->head - 10, 13, WF_INK_TEXT, -1, g->scene->text);
+    }
     state_line(u, g, x);
     time_bar(u, g);
     if (s->keys)
@@ -479,7 +585,6 @@ static void obey_view_key(game *g, int32_t key)
     case GAME_KEY_DOWN:  camera_pan(c, 0, -step); break;
     case '+': case '=':  camera_zoom(c, 1.25f, x, y); break;
     case '-':            camera_zoom(c, 0.8f, x, y); break;
-    case 'h': case 'H':  look_home(g); break;
     default: break;
     }
 }
@@ -492,20 +597,15 @@ static void set_rate(game_state *s, double rate)
 static void obey_key(game *g, int32_t key)
 {
     game_state *s = g->state;
+    int32_t small = key >= 'A' && key <= 'Z' ? key - 'A' + 'a' : key;
+    for (int i = 0; i < BUTTONS; i++)
+        if (buttonTable[i].key == small) press_button(g, &buttonTable[i]);
     switch (key) {
-    case 'p': case 'P': case ' ': s->paused = !s->paused; break;
-    case 'o': case 'O': s->paused = s->single = 1; break;
-    case 'r': case 'R': open_scene(g, s->row); break;
-    case '[': open_scene(g, s->row - 1); break;
-    case ']': open_scene(g, s->row + 1); break;
-    case GAME_KEY_TAB: s->list = !s->list; break;
-    case 'd': case 'D': s->dark = !s->dark; break;
-    case 's': case 'S': s->panel = !s->panel; break;
+    case ' ': s->paused = !s->paused; break;
     case ',': go_back(g, wfWorldSteps(&g->world)); break;
     case '.': s->paused = s->single = 1; break;
     case '<': set_rate(s, s->rate / 2); break;
     case '>': set_rate(s, s->rate * 2); break;
-    case '?': s->keys = !s->keys; break;
     case 'q': case 'Q': s->input.turn = wfWrapAngle(s->input.turn + WF_R(0.1)); break;
     case 'e': case 'E': s->input.turn = wfWrapAngle(s->input.turn - WF_R(0.1)); break;
     case 't': case 'T': s->input.choice++; break;
@@ -536,9 +636,9 @@ static void place_camera(game *g)
     float right = s->panel && s->width > 700 ? SETTINGS_WIDTH : 0;
     camera *c = &s->camera;
     c->left = left * k;
-    c->top = HEAD * k;
+    c->top = s->head * k;
     c->wide = (s->width - left - right) * k;
-    c->high = (s->height - HEAD - FOOT - 18) * k;
+    c->high = (s->height - s->head - FOOT - 18) * k;
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
 }
@@ -690,7 +790,8 @@ static void begin_game(game *g)
     s->begun = 1;
     s->size = sizeof *s;
     s->rate = 1;
-    s->list = s->width >= LIST_ROOM;
+    s->list = s->bar = s->width >= LIST_ROOM;
+    s->head = HEAD;
     s->row = -1;
     if (g->text) wfCheckSceneText(g->text, &s->info, NULL);
     wfSceneOfText(g->text, &s->info, &g->guest);

@@ -406,7 +406,7 @@ static int usage(void)
 {
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
           "      [--png FILE] [--save-input FILE] [--log FILE] [--size WxH] [--scale S]\n"
-          "      [SCENE.json]\n",
+          "      [--folder DIR] [SCENE.json]\n",
           stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);

@@ -2,6 +2,7 @@
  * chapter and type make. MIT licence. */
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include "testbed/layer.h"
 
 /* <read the options of a platform layer> */
@@ -35,7 +36,8 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
     struct { const char *name, **place; } texts[] = {
         { "--scene", &out->scene }, { "--input", &out->input },
         { "--save-input", &out->record },
-        { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->game }
+        { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->game },
+        { "--folder", &out->folder }
     };
     for (int i = 1; i < argc; i++) {
         const char **place = NULL, *error = NULL, *name = argv[i];
@@ -99,6 +101,14 @@ static bool open_scene_file(layer *l, const char *path)
     return game_reads_scene(l->scene, error, sizeof error) || complain(path, error);
 }
 /* <begin and end a platform layer> */
+static bool open_folder(layer *l)
+{
+    l->file.bytes = malloc(GAME_FILE_BYTES);
+    l->file.capacity = GAME_FILE_BYTES;
+    l->memory.file = &l->file;
+    return l->file.bytes != NULL;
+}
+/* <begin and end a platform layer> */
 bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t height)
 {
     memset(l, 0, sizeof *l);
@@ -117,6 +127,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     if (options->input && !(l->text = read_text(options->input)))
         return complain("can't read the input script", options->input);
     if (l->text) input_script_open(&l->script, l->text);
+    if (options->folder && !open_folder(l)) return complain("out of memory", NULL);
     if (!open_scene_file(l, options->argument)) return false;
     if (options->record && !(l->record = fopen(options->record, "w")))
         return complain("can't write", options->record);
@@ -130,10 +141,57 @@ void layer_close(layer *l)
     game_code_close(&l->code);
     free(l->text);
     free(l->scene);
+    free(l->file.bytes);
     free(l->buffer.pixels);
     free(l->memory.permanent);
     free(l->memory.transient);
     memset(l, 0, sizeof *l);
+}
+/* <grant a wish for a file> */
+static bool plain_name(const char *name)
+{
+    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-.");
+    return n > 0 && name[n] == 0 && name[0] != '.';
+}
+
+static bool keep_file(const char *path, const game_file *f)
+{
+    char other[1100];
+    snprintf(other, sizeof other, "%s.new", path);
+    FILE *file = fopen(other, "wb");
+    if (!file) return false;
+    bool whole = fwrite(f->bytes, 1, f->size, file) == f->size;
+    if (fclose(file) != 0 || !whole) return false;
+    if (rename(other, path) == 0) return true;
+    remove(path);                           /* Windows does not rename onto a file */
+    return rename(other, path) == 0;
+}
+/* <grant a wish for a file> */
+static bool fetch_file(const char *path, game_file *f)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file) return false;
+    f->size = fread(f->bytes, 1, f->capacity, file);
+    bool whole = fgetc(file) == EOF && feof(file) && !ferror(file);
+    fclose(file);
+    return whole;
+}
+
+static void grant_wish(layer *l)
+{
+    char path[1060];
+    game_file *f = &l->file;
+    if (!l->memory.file || f->wish == GAME_FILE_NONE || f->answer) return;
+    int n = snprintf(path, sizeof path, "%s/%s", l->options->folder, f->name);
+    bool good = n > 0 && (size_t)n < sizeof path && plain_name(f->name);
+    if (good) good = f->wish == GAME_FILE_FETCH ? fetch_file(path, f) : keep_file(path, f);
+    f->answer = good ? GAME_FILE_DONE : GAME_FILE_FAILED;
+}
+
+double layer_now(void)
+{
+    struct timespec t;
+    return timespec_get(&t, TIME_UTC) ? (double)t.tv_sec + 1e-9 * (double)t.tv_nsec : 0;
 }
 /* <play one frame of a platform layer> */
 static void write_log(const layer *l)
@@ -174,6 +232,7 @@ bool layer_frame(layer *l, const game_input *input)
     if (l->record) record_input(l, &now);
     if (l->options->game) game_code_refresh(&l->code, l->options->game);
     l->code.update(&l->memory, &now, &l->buffer);
+    grant_wish(l);
     l->last = now;
     l->frames++;
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;

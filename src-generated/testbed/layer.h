@@ -10,6 +10,7 @@
 typedef struct layer_options {
     const char *scene, *input, *record, *png, *log;     /* NULL: not given */
     const char *game;                   /* a shared library with the game */
+    const char *folder;                 /* for files; NULL: none are kept */
     const char *command, *argument;     /* an option not in the table; a bare word */
     int32_t steps;                      /* -1: not given */
     int32_t width, height;              /* interface units */
@@ -40,6 +41,7 @@ typedef struct layer {
     frame_buffer buffer;
     char *text;                 /* of the input script */
     char *scene;                /* of a file with a scene */
+    game_file file;             /* the game's card, if there is a folder */
     input_script script;
     FILE *record;
     game_input last;            /* the input of the last frame */
@@ -53,6 +55,9 @@ typedef struct layer {
 bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t height);
 bool layer_resize(layer *l, int32_t width, int32_t height);
 void layer_close(layer *l);
+
+/* s, by the system's clock: what a window lends as game_memory.now. */
+double layer_now(void);
 
 /* One frame: takes input from the script if there is one, calls the game, records and logs.
    False when it is time to stop: the script or the number of steps is at its end. */

@@ -4,7 +4,9 @@
 #define TESTBED_LAYOUT_H
 /* Where the testbed's interface is, in interface units. Chapter 30. */
 enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 131, ROW = 19 };
-enum { HEAD = 92, FOOT = 48 };          /* heights of the strips above, below the scene */
+enum { BAR_ROW = 30, HEAD_TEXT = 62 };  /* a row of buttons; the scene's name, its text */
+enum { HEAD = HEAD_TEXT + BAR_ROW, FOOT = 48 };     /* strips above, below the scene */
+enum { LOW = 420 };                     /* lower windows go without that name and text */
 enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
 enum { LIST_ROOM = 800 };               /* narrower windows begin without the list */
 #endif

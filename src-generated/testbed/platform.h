@@ -6,6 +6,21 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* <names and their length> */
+enum { GAME_NAME_SIZE = 40 };
+/* <a file that goes in or out> */
+enum { GAME_FILE_NONE, GAME_FILE_KEEP, GAME_FILE_FETCH, GAME_FILE_EXPORT };
+enum { GAME_FILE_DONE = 1, GAME_FILE_FAILED = -1 };
+enum { GAME_FILE_BYTES = 16 * 1024 * 1024 };
+
+/* One file. The game sets a wish and leaves the answer 0; the platform answers after the
+ * call; the game takes the wish back when it has read the answer. */
+typedef struct game_file {
+    int32_t wish, answer;       /* GAME_FILE_... */
+    char name[GAME_NAME_SIZE];  /* letters, digits, `-', `.'; no folders */
+    uint8_t *bytes;             /* lent by the platform */
+    size_t size, capacity;      /* bytes that count; that there is room for */
+} game_file;
 /* <the memory that the platform lends> */
 /* Lent by the platform at every call: the same blocks, all zero before the first call. */
 typedef struct game_memory {
@@ -14,9 +29,11 @@ typedef struct game_memory {
     void *transient;            /* of use within one call only */
     size_t transient_size;      /* bytes; GAME_TRANSIENT_SIZE or more */
     const char *text;           /* a scene as text that the user brought along, or NULL */
+    game_file *file;            /* of sec:platform-files, or NULL: there are no files */
+    double (*now)(void);        /* s, since whenever; NULL: no clock. To measure with only */
 } game_memory;
 
-enum { GAME_PERMANENT_SIZE = 48 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
+enum { GAME_PERMANENT_SIZE = 56 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
 /* <the input of one frame> */
 enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
 
@@ -27,7 +44,7 @@ enum {
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN
 };
 
-enum { GAME_MAX_KEYS = 8, GAME_NAME_SIZE = 40 };
+enum { GAME_MAX_KEYS = 8 };
 
 /* All that the user and the clock did since the last call: plain data. */
 typedef struct game_input {

@@ -167,7 +167,10 @@ int main(int argc, char **argv)
     }
     sdl_app app;
     memset(&app, 0, sizeof app);
+    char *folder = options.folder ? NULL : SDL_GetPrefPath("", "weft");
+    if (folder) options.folder = folder;
     bool good = layer_open(&app.layer, &options, 64, 64);
+    app.layer.memory.now = layer_now;
     if (good && !open_window(&app, &options)) {
         fprintf(stderr, "weft-testbed: %s\n", SDL_GetError());
         good = false;
@@ -177,5 +180,6 @@ int main(int argc, char **argv)
         good = write_png(options.png, &app.layer.buffer);
     close_window(&app);
     layer_close(&app.layer);
+    SDL_free(folder);
     return good ? 0 : 1;
 }

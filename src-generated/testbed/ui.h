@@ -33,7 +33,7 @@ typedef struct ui {
     float width, height, scale; /* of the picture, units; pixels a unit */
     float x, y;                 /* the mouse */
     bool click, held;           /* the button went down in this frame; is down */
-    bool over;                  /* the mouse is over some part of the interface */
+    bool over, over_panel;      /* the mouse is over some part of it; over the panel */
     bool enter;                 /* the widget with the keys was pressed by a key */
     int turn;                   /* the arrow keys: -1, 0 or 1 */
     int32_t index;              /* of the widget, from 1 */

@@ -10,6 +10,8 @@ enum { MOST_WIDTH = 3840, MOST_HEIGHT = 2160, NAME_BYTES = 64 };
 _Alignas(64) static uint8_t permanent[GAME_PERMANENT_SIZE], transient[GAME_TRANSIENT_SIZE];
 static uint32_t pixels[MOST_WIDTH * MOST_HEIGHT];
 static char text[1 << 16];
+static uint8_t file_bytes[GAME_FILE_BYTES];
+static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_input input;
 /* <take input from the page> */
 EXPORT("web_name") char *web_name(void) { return text; }
@@ -41,6 +43,19 @@ EXPORT("web_key") void web_key(int key)
 {
     if (input.key_count < GAME_MAX_KEYS) input.keys[input.key_count++] = key;
 }
+/* <grant wishes in the page> */
+EXPORT("web_wish") int web_wish(void) { return file.answer ? 0 : file.wish; }
+EXPORT("web_file_name") char *web_file_name(void) { return file.name; }
+EXPORT("web_file_bytes") uint8_t *web_file_bytes(void) { return file.bytes; }
+EXPORT("web_file_size") size_t web_file_size(void) { return file.size; }
+
+/* The wish was granted (1), or not (-1); of what was fetched there are so many bytes. */
+EXPORT("web_grant") void web_grant(int answer, size_t size)
+{
+    file.answer = answer;
+    if (file.wish == GAME_FILE_FETCH)
+        file.size = size < sizeof file_bytes ? size : sizeof file_bytes;
+}
 /* <make a frame for the page> */
 /* The next picture: NULL for a size that is too large. steps as in game_input. */
 EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, double seconds,
@@ -48,7 +63,7 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
 {
     if (width < 1 || width > MOST_WIDTH || height < 1 || height > MOST_HEIGHT) return NULL;
     game_memory memory = { permanent, sizeof permanent, transient,
-                           sizeof transient, NULL };
+                           sizeof transient, NULL, &file, NULL };
     frame_buffer picture = { pixels, width, height, width, scale };
     input.seconds = seconds;
     input.steps = steps;
@@ -64,7 +79,7 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
 EXPORT("web_describe") size_t web_describe(void)
 {
     game_memory memory = { permanent, sizeof permanent, transient,
-                           sizeof transient, NULL };
+                           sizeof transient, NULL, &file, NULL };
     size_t length = game_describe(&memory, text, sizeof text);
     return length < sizeof text ? length : sizeof text - 1;
 }

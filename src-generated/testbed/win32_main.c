@@ -155,6 +155,7 @@ int main(int argc, char **argv)
     }
     static win_app app;
     bool good = layer_open(&app.layer, &options, 64, 64);
+    app.layer.memory.now = layer_now;
     HWND window = good ? open_window(&app, &options) : NULL;
     if (good && !window)
         fprintf(stderr, "weft-testbed: no window: error %lu\n", GetLastError());
