@@ -40,7 +40,7 @@ hand crash '*(volatile int *)0 = 1; (void)s; (void)out; return true;'
 hand loop 'for (volatile int i = 0;; i++) { (void)s; (void)out; }'
 hand bomb 'extern int fork(void); for (;;) { fork(); (void)s; (void)out; }'
 hand hog 'extern void *malloc(unsigned long); for (;;) { char *p = malloc(1 << 20); for (int i = 0; p && i < 1 << 20; i++) p[i] = 1; if (!p) break; } (void)s; (void)out; return false;'
-hand deaf 'extern void (*signal(int, void (*)(int)))(int); signal(14, (void (*)(int))1); for (;;) { (void)s; (void)out; }'
+hand deaf 'extern void (*signal(int, void (*)(int)))(int); signal(14, (void (*)(int))1); signal(27, (void (*)(int))1); signal(24, (void (*)(int))1); for (;;) { (void)s; (void)out; }'
 hand thief "extern int open(const char *, int, ...), printf(const char *, ...); (void)s; (void)out;
 static const char *const path[] = { \"$PWD/chapters/solutions/8.4-still.nw\", \"/weft/chapters/solutions/8.4-still.nw\", \"$class/good/8.4-still.nw\", \"$PWD/build/course/class/good/8.4-still/8.4-still.nw\", \"/etc/passwd\", \"/root\", \"$HOME\" };
 for (int i = 0; i < 7; i++) if (open(path[i], 0) >= 0) printf(\"STOLEN %s\\n\", path[i]);
@@ -50,7 +50,7 @@ return false;"
 mkdir -p "$class/escape"; { cat "$class/good/8.4-still.nw"; printf '\n<<../../../escaped/x.c>>=\nint x;\n@\n'; } > "$class/escape/8.4-still.nw"
 mkdir -p "$class/empty"; cp chapters/exercises/8.4-still.nw "$class/empty/"
 t=$SECONDS
-LIMIT_CRITERION=2 LIMIT_SECONDS=25 tangle/course grade-all "$class" > "$out/log" 2>&1 || { cat "$out/log"; fail "grade-all fails"; }
+LIMIT_CRITERION=2 LIMIT_SECONDS=100 LIMIT_CPU=12 tangle/course grade-all "$class" > "$out/log" 2>&1 || { cat "$out/log"; fail "grade-all fails"; }
 csv=build/course/class/grades.csv
 row() { grep -q "^$1,8.4,$2,2," $csv || { cat $csv; tail -5 build/course/class/$1/8.4-still.log; fail "$1 should have $2 points"; }; }
 row good 2; row half 1; row crash 0; row loop 0; row bomb 0; row hog 0; row deaf 0; row include 0; row escape 0; row empty 0
