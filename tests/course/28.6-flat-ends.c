@@ -12,7 +12,7 @@ static void area(void)
                 if (!(c >= 0 && c <= 1)) course_failf("a coverage", "from 0 to 1", "%g", c);
                 sum += c;
             }
-            expect_near(say("ink of a line of 20 by %d pixels at %d degrees", w, 15 * k), sum, length * w, 0.02 * length * w);
+            expect_near(say("ink of a line of 20 by %d pixels at %d degrees", w, 15 * k), sum, length * w, 0.03 * length * w);
         }
 }
 static void ends(void)

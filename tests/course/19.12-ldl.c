@@ -1,4 +1,4 @@
-/* Exercise 19.11, exact-ldl. Oracle: the residual, in double. */
+/* Exercise 19.12, exact-ldl. Oracle: the residual, in double. */
 #include "course.h"
 enum { EX_ROWS = 32 };
 bool exFactor(wfReal a[EX_ROWS][EX_ROWS], int n);
@@ -40,6 +40,6 @@ static void refuses(void)
     memset(a, 0, sizeof a);
     expect_false("a matrix of zeros is taken to be positive definite", exFactor(a, 3));
 }
-CRITERIA("19.11",
+CRITERIA("19.12",
     { "solves", 3, "ldl: column j", "the residual is at the level of rounding for 1 to 32 rows", solves, 0 },
     { "refuses", 1, "ldl: column j", "what is not positive definite is refused", refuses, 0 })
