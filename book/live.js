@@ -4,19 +4,74 @@
   'use strict';
   const here = document.currentScript.src.replace(/[^/]*$/, '');
   const utf8 = new TextEncoder(), words = new TextDecoder();
-  let module = null;
-  // the module comes as a script of base64, since a page from a disk may not fetch
-  const load = () => module || (module = new Promise((done, fail) => {
-    window.WEFT_LIVE = text => {
-      const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
-      WebAssembly.compile(bytes).then(done, fail);
+  // LZMA (Pavlov), the format of `xz --format=lzma': a range decoder whose probabilities, p, learn as they go. Chapter 27.
+  const unpack = (from, size) => {
+    const lc = from[0] % 9, lp = (from[0] / 9 | 0) % 5, pb = from[0] / 45 | 0, to = new Uint8Array(size);
+    let range = 0xffffffff, code = 0, at = 13;
+    const model = n => new Uint16Array(n).fill(1024);
+    const refill = () => { if (range < 0x1000000) { range = range * 256; code = (code * 256 + from[at++]) % 0x100000000; } };
+    const bit = (p, i) => {
+      const bound = (range >>> 11) * p[i];
+      let b = 0;
+      if (code < bound) { range = bound; p[i] += 2048 - p[i] >> 5; } else { range -= bound; code -= bound; p[i] -= p[i] >> 5; b = 1; }
+      refill();
+      return b;
     };
+    const tree = (p, base, bits) => { let m = 1; for (let i = 0; i < bits; i++) m = m * 2 + bit(p, base + m); return m - (1 << bits); };
+    const back = (p, base, bits) => { let m = 1, x = 0; for (let i = 0; i < bits; i++) { const b = bit(p, base + m); m = m * 2 + b; x |= b << i; } return x; };
+    const direct = bits => { let x = 0; while (bits--) { range = Math.floor(range / 2); const b = code >= range ? 1 : 0; if (b) code -= range; refill(); x = x * 2 + b; } return x; };
+    const lengths = () => ({ choice: model(2), low: model(128), mid: model(128), high: model(256) });
+    const length = (l, k) => !bit(l.choice, 0) ? 2 + tree(l.low, 8 * k, 3) : !bit(l.choice, 1) ? 10 + tree(l.mid, 8 * k, 3) : 18 + tree(l.high, 0, 8);
+    const literal = model(0x300 << lc + lp), isMatch = model(192), isRep = model(12), isRep0 = model(12), isRep1 = model(12), isRep2 = model(12), isLong = model(192);
+    const slot = model(256), near = model(115), align = model(16), first = lengths(), again = lengths(), rep = [0, 0, 0, 0];
+    for (let i = 0; i < 5; i++) code = (code * 256 + from[at++]) % 0x100000000;
+    for (let n = 0, state = 0; n < size;) {
+      const k = n & (1 << pb) - 1;
+      if (!bit(isMatch, state * 16 + k)) {
+        const base = 0x300 * (((n & (1 << lp) - 1) << lc) + ((n ? to[n - 1] : 0) >> 8 - lc));
+        let m = 1, same = state >= 7, old = same ? to[n - rep[0] - 1] : 0;
+        while (m < 256) {
+          const want = old >> 7 & 1, b = bit(literal, base + (same ? 256 * (1 + want) : 0) + m);
+          old <<= 1; m = m * 2 + b; same = same && want === b;
+        }
+        to[n++] = m; state = state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
+        continue;
+      }
+      let count;
+      if (bit(isRep, state)) {
+        if (!bit(isRep0, state)) {
+          if (!bit(isLong, state * 16 + k)) { to[n] = to[n - rep[0] - 1]; n++; state = state < 7 ? 9 : 11; continue; }
+        } else {
+          const which = !bit(isRep1, state) ? 1 : 2 + bit(isRep2, state);
+          rep.unshift(rep.splice(which, 1)[0]);
+        }
+        count = length(again, k); state = state < 7 ? 8 : 11;
+      } else {
+        count = length(first, k); state = state < 7 ? 7 : 10;
+        const s = tree(slot, 64 * Math.min(count - 2, 3), 6), bits = (s >> 1) - 1;
+        let d = s;
+        if (s >= 4) {
+          d = (2 | s & 1) << bits;
+          d += s < 14 ? back(near, d - s, bits) : direct(bits - 4) * 16 + back(align, 0, 4);
+        }
+        rep.unshift(d); rep.pop();
+        if (d >= n) break;                             // the mark of the end, or damage
+      }
+      for (; count-- > 0 && n < size; n++) to[n] = to[n - rep[0] - 1];
+    }
+    return to;
+  };
+  // A module (`testbed', `figures') comes as a script of base64, packed, since a page from a disk may not fetch.
+  const modules = {}, told = {};
+  window.WEFT_LIVE = (name, size, text) => WebAssembly.compile(unpack(Uint8Array.from(atob(text), c => c.charCodeAt(0)), size)).then(...told[name]);
+  const load = name => modules[name] || (modules[name] = new Promise((done, fail) => {
     const s = document.createElement('script');
-    s.src = here + 'live-wasm.js';
-    s.onerror = () => fail(new Error('live-wasm.js is missing'));
+    told[name] = [done, fail];
+    s.src = here + 'live-' + name + '.js';
+    s.onerror = () => fail(new Error('live-' + name + '.js is missing'));
     document.head.append(s);
   }));
-  const instance = async () => (await WebAssembly.instantiate(await load(), {})).exports;
+  const instance = async name => (await WebAssembly.instantiate(await load(name), {})).exports;
   const put = (x, at, text) => {
     const bytes = utf8.encode(text);
     new Uint8Array(x.memory.buffer, at, bytes.length + 1).set([...bytes, 0]);
@@ -43,7 +98,7 @@
 
   // -- figures: handles to drag, a time to run; one instance serves them all, since it keeps nothing between two drawings
   let shared = null;
-  const figureModule = () => shared || (shared = instance());
+  const figureModule = () => shared || (shared = instance('figures'));
   const ns = 'http://www.w3.org/2000/svg';
   const makeFigure = async figure => {
     const x = await figureModule(), name = figure.dataset.live, svg = figure.querySelector('.pic svg');
@@ -123,7 +178,7 @@
   const keyOf = e => ({ Backspace: 8, Tab: 9, Enter: 13, Escape: 27, ' ': 32, Delete: 127, ArrowLeft: 128, ArrowRight: 129, ArrowUp: 130, ArrowDown: 131,
     Home: 132, End: 133, PageUp: 134, PageDown: 135 }[e.key] || (e.key.length === 1 && e.key.codePointAt(0) < 127 ? e.key.codePointAt(0) : 0));
   const makeGame = async (canvas, scene, options = {}) => {
-    const x = await instance(), pen = canvas.getContext('2d');
+    const x = await instance('testbed'), pen = canvas.getContext('2d');
     let last = 0, on = false, dark = null, touches = new Map(), pinch = 0;
     const open = name => x.web_open(put(x, x.web_name(), name));
     if (scene) open(scene);

@@ -28,7 +28,7 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 	@touch $@
 
 # -- HTML
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html $(HTML)/live-wasm.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
@@ -43,9 +43,9 @@ $(HTML)/gallery.html: $(W)/figures.stamp tangle/gallery
 	 else echo "book: no gallery without weft-headless -- see $(BUILD)/gallery.log"; fi
 
 # -- live figures: the tangled code as WebAssembly. Without the tools the pages keep their frozen figures.
-$(HTML)/live-wasm.js: $(W)/.stamp tangle/web.mk
+$(HTML)/live-testbed.js: $(W)/.stamp tangle/web.mk
 	@if [ -f $(W)/src/lab/live_main.c ] && command -v clang wasm-ld >/dev/null && [ -f /usr/lib/wasm32-wasi/libc.a ]; then \
-	   $(MAKE) --no-print-directory -f tangle/web.mk SRC=$(W)/src OUT=$(BUILD)/web CC="$(CC)" && { cmp -s $(BUILD)/web/live-wasm.js $@ || cp $(BUILD)/web/live-wasm.js $@; }; \
+	   $(MAKE) --no-print-directory -f tangle/web.mk SRC=$(W)/src OUT=$(BUILD)/web CC="$(CC)" && cp $(BUILD)/web/live-figures.js $(BUILD)/web/live-testbed.js $(HTML); \
 	 else echo "book: no live figures without clang, wasm-ld and wasi-libc (Debian: clang lld wasi-libc libclang-rt-dev-wasm32); the pages keep their frozen ones"; fi
 
 # The fonts travel with the pages (GUST and OFL licences allow it), so that they look alike on a machine that lacks them.

@@ -18,6 +18,6 @@ $(OUT)/obj/testbed/bake_font_main.o $(OUT)/obj/testbed/stb/png.o: private INC +=
 $(OUT)/bin/bake-font: $(OUT)/obj/testbed/bake_font_main.o
 	@mkdir -p $(@D); $(CC) $(CFLAGS) $(LDFLAGS) $< -lm -o $@
 $(OUT)/gen/font_atlas.c: $(OUT)/bin/bake-font $(FONT)
-	@mkdir -p $(@D); $< $(FONT) $(FONT_SIZES) > $@.new && mv $@.new $@
+	@mkdir -p $(@D); $< $(FONT_FLAGS) $(FONT) $(FONT_SIZES) > $@.new && mv $@.new $@
 endif
 endif

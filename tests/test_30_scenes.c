@@ -256,7 +256,7 @@ static void every_scene_and_overlay_can_be_drawn(void **state)
     }
     for (int i = 0; i < wfOverlayCount; i++)
         for (int j = 0; j < i; j++)
-            assert_true(wfOverlayTable[i].bit != wfOverlayTable[j].bit && wfOverlayTable[i].key != wfOverlayTable[j].key);
+            assert_true(wfOverlayTable[i].bit != wfOverlayTable[j].bit && (!wfOverlayTable[i].key || wfOverlayTable[i].key != wfOverlayTable[j].key));
 }
 
 static bool near_to(const float xy[2], wfVec2 p)    /* bodies of one shape: its centre is the body's, but for rounding */
@@ -632,7 +632,7 @@ static void overlays_keys_and_views_answer(void **state)
     play p;
     begin(&p, 1100, 700);
     run(&p, "scene pyramid\nsteps 0\nframe\n");
-    for (int i = 0; i < wfOverlayCount; i++) {
+    for (int i = 0; i < wfOverlayCount && wfOverlayTable[i].key; i++) {       /* the others: test_30_seeing */
         double show = fact(&p, "show", 0);
         char script[40];
         click(&p, wfOverlayTable[i].name);

@@ -1,5 +1,5 @@
 // module.mjs: the testbed's module in node: every scene's words must be those of weft-headless, digit for digit.
-//   node tests/web/module.mjs build/web/weft.wasm build/bin/weft-headless [STEPS]
+//   node tests/web/module.mjs build/web/testbed.wasm build/bin/weft-headless [STEPS]
 import { readFileSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

@@ -4,9 +4,9 @@ set -uo pipefail
 cd "$(dirname "$0")/../.."
 html=build/book/html
 command -v node >/dev/null || { echo "no node here -- install nodejs"; exit 77; }
-[ -f $html/live-wasm.js ] || { echo "$html/live-wasm.js is not there -- make html (Debian: clang lld wasi-libc libclang-rt-dev-wasm32)"; exit 1; }
+[ -f $html/live-testbed.js ] || { echo "$html/live-testbed.js is not there -- make html (Debian: clang lld wasi-libc libclang-rt-dev-wasm32)"; exit 1; }
 mkdir -p build/node
 [ -d build/node/node_modules/playwright-core ] && [ -d build/node/node_modules/axe-core ] ||
   npm install --prefix build/node --no-save --no-fund --no-audit --silent playwright-core axe-core || { echo "npm could not install playwright-core and axe-core"; exit 1; }
-node tests/web/module.mjs build/web/weft.wasm build/bin/weft-headless 100 || exit 1
+node tests/web/module.mjs build/web/testbed.wasm build/bin/weft-headless 100 || exit 1
 node tests/web/pages.mjs $html "$@"

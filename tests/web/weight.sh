@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# weight.sh: what the pages' modules weigh: book/data/page-weight.csv (make weight).
+#   tests/web/weight.sh [FILE]
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+to=${1:-book/data/page-weight.csv} web=${WEB:-build/web}
+[ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
+make --no-print-directory -f tangle/web.mk SRC=${WEBSRC:-build/lines} OUT=$web >/dev/null || exit 1
+kb() { awk -v n="$(wc -c)" 'BEGIN { printf "%.0f", n / 1000 }'; }
+{ echo "# command: bash tests/web/weight.sh"
+  echo "module,linked,gzip,travels"
+  for m in testbed figures; do echo "$m,$(kb < $web/$m.wasm),$(gzip -9nc $web/$m.wasm | kb),$(kb < $web/$m.wasm.lzma)"; done
+} > "$to.new" && mv "$to.new" "$to"
