@@ -410,6 +410,14 @@ function Course.prove(e, say)
   return good
 end
 
+function Course.csv(all)
+  local t = { "number,exercise,points,minutes" }
+  for _, e in ipairs(all) do
+    if e.base then t[#t + 1] = string.format("%s,%s,%s,%d", e.number, (read(STARTERS .. "/" .. e.base .. ".nw"):match("^# (.-)%s*{#"):gsub(",", "")), points_text(e.points), e.minutes) end
+  end
+  return table.concat(t, "\n") .. "\n"
+end
+
 -- What the chapters' lists must have, and that nothing of a set of files is missing.
 function Course.lint(all)
   local errors, by = {}, {}
@@ -440,6 +448,7 @@ function Course.lint(all)
     for _, c in ipairs(e.base and criteria_of(e.base) or {}) do if c.points % 1 ~= 0 then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s has %g points -- points are whole numbers", c.name, c.points) end end
   end
   for _, b in ipairs(list(STARTERS, "nw")) do if not find(all, b) then bad(STARTERS .. "/" .. b .. ".nw:1", "belongs to no exercise -- its name is NUMBER-NAME.nw, and the number is that of an exercise") end end
+  if #list(SOLUTIONS, "nw") > 0 and read("book/data/exercises.csv") ~= Course.csv(all) then bad("book/data/exercises.csv:1", "is not what the chapters say -- type: tangle/course csv") end
   for n = 5, 30 do
     local c = by[tostring(n)]
     if not c or c.n < 4 then bad(c and c.file or "chapter " .. n, "has %d exercises, four is the least", c and c.n or 0)
@@ -533,6 +542,7 @@ function commands.lint()
   print(string.format("%d exercises, %d of them with starter, solution and tests; %d complaints", n, programs, #errors))
   os.exit(#errors == 0 and 0 or 1)
 end
+function commands.csv() write("book/data/exercises.csv", Course.csv(exercises())) end
 function commands.list() for _, e in ipairs(exercises()) do if e.base then print(e.base) end end end
 function commands.prove(base)
   local e = find(with_names(exercises()), base)

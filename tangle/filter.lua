@@ -513,6 +513,7 @@ local function div(el)
     if a.points then extra[#extra + 1] = esc(a.points) .. (a.points == "1" and " point" or " points") end
     if a.minutes then extra[#extra + 1] = esc(a.minutes) .. " min" end
     if a.test then extra[#extra + 1] = code(a.test) end
+    if a.starter and l then extra[#extra + 1] = code("make exercise E=" .. l.num) end
     return box("exercise", "Exercise " .. (l and l.num or "?"), table.concat(extra, dot), el.content, el.identifier ~= "" and el.identifier or nil)
   elseif c:includes("solution") then
     if not teacher then return {} end
