@@ -372,7 +372,7 @@ static void fine_sums_come_back(void **unused)
     }
     for (int i = 0; i < 50; i++) assert_ok(wfStepWorld(&world));
     char *text = write_text(&world);
-    assert_non_null(strstr(text, "\"fine\": {"));
+    if (sizeof(wfReal) == 4) assert_non_null(strstr(text, "\"fine\": {"));     /* a double has no digits beyond itself */
     wfWorld read = read_text(text);
     char *again = write_text(&read);
     assert_string_equal(text, again);

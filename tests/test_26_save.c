@@ -745,7 +745,7 @@ static void journals_have_an_envelope(void **unused)
 static void hostile_journals_do_no_harm(void **unused)
 {
     (void)unused;
-    uint8_t file[64 + 256], room[256];
+    uint8_t file[64 + 600], room[600];
     wfRandom random = random_stream(27);
     wfJournal j, k;
     wfWorld world = stage();
