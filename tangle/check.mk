@@ -9,7 +9,7 @@ mutate:
 # Measures again everything that is deterministic and everything that is not, and writes book/data/.
 data: programs programs-double
 	@for m in $$(build/bin/weft-lab list | awk '{ print $$1 }'); do echo "measuring $$m"; lab=build/bin/weft-lab; case $$m in *-double) lab=build/double/bin/weft-lab;; esac; $$lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
-# The sweeps of the lab, cell by cell, on all cores: build/lab/NAME.csv. Interrupted, it goes on. SWEEP="names" for some of them.
+# The sweeps of the lab (tangle/lab accuracy-peers-time after make peers, then copy its file to book/data), cell by cell, on all cores: build/lab/NAME.csv. Interrupted, it goes on. SWEEP="names" for some of them.
 .PHONY: lab lab-full
 lab: programs
 	@tangle/lab $(SWEEP)
