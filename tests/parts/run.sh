@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The parts of the engine (chapter 04, section "Parts that may be left out"): the least engine, each part alone with what it needs, each
-# left out with what needs it, and the whole are tangled, compiled with warnings as errors, linked with the small tests that apply,
+# left out with what needs it, those for some scenes in files (make engine FOR=), and the whole are tangled, compiled with warnings as
+# errors, linked with the small tests that apply,
 # and run. Then the sizes that the price list promises are checked.
 #   tests/parts/run.sh            all of that, without optimization
 #   tests/parts/run.sh NAME ...   these parts alone and left out
@@ -39,9 +40,20 @@ engine() {
 }
 export -f engine; export out CC flags
 rm -rf "$out"/seen.*
-{ [ $# -eq 0 ] && { echo "whole --without "; echo "least --only "; }
+# engines for a scene in a file (make engine FOR=): the parts come from what it needs
+for_scenes() {
+  local f name
+  for f in testbed/scenes/{seesaw,billiards,harbour,sorter}.json; do
+    name=$(basename "$f" .json)
+    echo "for-$name --only $(tangle/needs "$f" || echo '?')"
+  done
+}
+echo '{ "weft": 1 }' > "$out/nothing.json"
+tangle/needs "$out/nothing.json" >/dev/null 2>"$out/log" && { echo "FAIL  a scene that does not say what it needs was taken for one"; exit 1; }
+grep -q 'no "needs" in this scene' "$out/log" || { cat "$out/log"; exit 1; }
+{ [ $# -eq 0 ] && { echo "whole --without "; echo "least --only "; for_scenes; }
   for p in $parts; do echo "only-$p --only $p"; echo "without-$p --without $p"; done; } |
-  xargs -P "$(nproc 2>/dev/null || echo 2)" -d '\n' -n 1 bash -c 'set -- $0; engine "$1" "$2" "${3:-}"' | tee "$out/result"
+  xargs -P "$(nproc 2>/dev/null || echo 2)" -d '\n' -n 1 bash -c 'set -- $0; engine "$1" "$2" "${*:3}"' | tee "$out/result"
 rm -rf "$out"/seen.*
 failed=$(grep -c '^FAIL' "$out/result")
 [ $# -eq 0 ] && { bash tests/parts/size.sh || failed=$((failed + 1)); }
