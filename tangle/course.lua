@@ -436,7 +436,7 @@ function Course.lint(all)
       if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
       if e.starter ~= e.base:match("%-(.*)$") then bad(e, "say starter=%s", e.base:match("%-(.*)$")) end
       local text = read(STARTERS .. "/" .. e.base .. ".nw")
-      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s -- was the list renumbered?", e.label, e.number) end
+      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s -- was the list renumbered? type: tangle/course renumber", e.label, e.number) end
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
       for i, f in ipairs { TESTS .. "/" .. e.base .. ".c", SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".wrong" } do
@@ -541,6 +541,28 @@ function commands.lint()
   for _, e in ipairs(all) do n = n + 1; if e.base then programs = programs + 1 end end
   print(string.format("%d exercises, %d of them with starter, solution and tests; %d complaints", n, programs, #errors))
   os.exit(#errors == 0 and 0 or 1)
+end
+-- An exercise was put into the middle of a list: the files of those behind it follow their labels.
+function commands.renumber()
+  local moved, at = {}, {}
+  for _, e in ipairs(exercises()) do at[e.label or ""] = e end
+  for _, b in ipairs(list(STARTERS, "nw")) do
+    local e = at[(read(STARTERS .. "/" .. b .. ".nw"):match("@ex:([%w_%-]+)"))]
+    local to = e and e.number .. "-" .. b:match("%-(.*)$")
+    if to and to ~= b then moved[#moved + 1] = { b, to } end
+  end
+  for _, stage in ipairs { 1, 2 } do            -- by a name that nobody has, for two may change places
+    for _, m in ipairs(moved) do
+      local from, to = stage == 1 and m[1] or m[2] .. ".new", stage == 1 and m[2] .. ".new" or m[2]
+      for _, f in ipairs { STARTERS .. "/%s.nw", SOLUTIONS .. "/%s.nw", TESTS .. "/%s.c", TESTS .. "/%s.wrong" } do os.rename(f:format(from), f:format(to)) end
+    end
+  end
+  for _, m in ipairs(moved) do
+    local old, new, f = m[1]:match("^[^%-]+"), m[2]:match("^[^%-]+"), TESTS .. "/" .. m[2] .. ".c"
+    write(f, (read(f):gsub('CRITERIA%("' .. old:gsub("%.", "%%.") .. '"', 'CRITERIA("' .. new .. '"'):gsub("Exercise " .. old:gsub("%.", "%%.") .. ",", "Exercise " .. new .. ",")))
+    print(m[1] .. " is now " .. m[2])
+  end
+  write("book/data/exercises.csv", Course.csv(exercises()))
 end
 function commands.csv() write("book/data/exercises.csv", Course.csv(exercises())) end
 function commands.list() for _, e in ipairs(exercises()) do if e.base then print(e.base) end end end
