@@ -19,7 +19,7 @@ lib() { ls /usr/lib/*/"$1" 2>/dev/null | head -1; }
   echo "C1.3,order of the integrator$(order)"
   echo "C1.3,error of a stopping distance$(errors slide 0.5)"
   echo "C1.3,\"error of a bounce, e = 0.5\"$(errors bounce 0.5)"
-  echo "C1.4,stretch of a chain with a hundredfold load$(errors chain 100)"
+  echo "C1.4,error of a chain with a hundredfold load$(errors chain 100)"
   echo "C2.2,\"extremes: right\"$(counts right)"
   echo "C2.2,\"extremes: stable, not right\"$(counts stable)"
   echo "C2.2,\"extremes: failed\"$(counts failed)"
