@@ -16,7 +16,7 @@ for m in $(build/bin/weft-lab list --exact); do
 done
 for f in book/data/*.csv; do
   b=$(basename "$f" .csv)
-  [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [ "$b" = evaluation ] || [ "$b" = page-weight ] || [ "$b" = price-parts ] || [ "$b" = portability ] || [ "$b" = portability-leaks ] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
+  [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [ "$b" = evaluation ] || [ "$b" = page-weight ] || [ "$b" = price-parts ] || [ "$b" = price-whole ] || [ "$b" = portability ] || [ "$b" = portability-leaks ] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
   build/bin/weft-lab list | awk '{ print $1 }' | grep -qx "$b" || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
 [ $bad -eq 0 ] && echo "$n exact measurements give the committed files again, byte for byte"

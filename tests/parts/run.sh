@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # The parts of the engine (chapter 04, section "Parts that may be left out"): the least engine, each part alone with what it needs, each
 # left out with what needs it, those for some scenes in files (make engine FOR=), and the whole are tangled, compiled with warnings as
-# errors, linked with the small tests that apply,
-# and run. Then the sizes that the price list promises are checked.
+# errors, linked with the small tests that apply, and run. Then the sizes that the price list promises are checked.
 #   tests/parts/run.sh            all of that, without optimization
 #   tests/parts/run.sh NAME ...   these parts alone and left out
 set -uo pipefail

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# How large is the whole engine, compiled in one way or another, and with less in it? book/data/price-whole.csv (make prices).
+# Code: the sections .text of all files of the library; data: .rodata and the tables of addresses (.data.rel.ro); of WebAssembly its code
+# section and its data section. Nothing is removed that a program does not call. A row whose tools are not here is left out.
+#   tests/parts/whole.sh [FILE]
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+to=${1:-book/data/price-whole.csv}
+top=$PWD dir=build/price/whole; rm -rf "$dir"; mkdir -p "$dir"
+common="-ffp-contract=off -fno-math-errno -w"
+gcc="gcc -std=c11 $common -fno-tree-vectorize -fno-asynchronous-unwind-tables -fno-stack-protector -fno-pic"
+sources() { { find core math collision dynamics engine -name '*.c' 2>/dev/null || true; } | sort; }
+sizes() { size -A "$@" | awk '$1 ~ /^\.text/ { t += $2 } $1 ~ /^\.(rodata|data\.rel)/ { d += $2 } END { printf "%d,%d\n", t, d }'; }
+# row NAME, --without PARTS or --only PARTS, compiler and flags
+row() {
+  local name=$1 how=$2 parts=$3 d=$dir/tree; shift 3
+  rm -rf "$d"; tangle/tangle --lines "$how" "$parts" "$d" chapters/*.nw || exit 1
+  ( cd "$d" && mkdir -p o || exit 1
+    case "$*" in
+      *-flto*) "$@" -I. -Iinclude -r -flinker-output=nolto-rel $(sources) -o o/all.o ;;
+      *) sources | xargs -P "$(nproc)" -I F sh -c '"$@" -I. -Iinclude -c F -o "o/$(echo F | tr / _).o"' _ "$@" ;;
+    esac ) || exit 1
+  case "$*" in
+    *wasm*) echo "$name,$(llvm-size -A "$d"/o/*.o 2>/dev/null | awk '$1 == "CODE" { t += $2 } $1 == "DATA" { d += $2 } END { printf "%d,%d\n", t, d }')" ;;
+    *) echo "$name,$(sizes "$d"/o/*.o)" ;;
+  esac
+  rm -rf "$d"
+}
+second="quad-tree grid spatial-hash sweep-and-prune aabb-tree explicit-euler rk4 implicit-midpoint report"
+game="joints sleep events sensors forces damping dynamic-tree"
+{ echo "# command: make prices"
+  echo "# the whole engine, compiled in several ways, and engines with less in them"
+  echo "what,code,data"
+  row "all parts: -O2" --without "" $gcc -O2
+  row "all parts: -Os" --without "" $gcc -Os
+  row "all parts: -Os as one unit" --without "" $gcc -Os -flto
+  if command -v clang >/dev/null; then row "all parts: clang -Oz" --without "" clang -std=c11 $common -Oz -fno-pic -fno-asynchronous-unwind-tables; fi
+  row "no second methods: -Os" --without "$second" $gcc -Os
+  row "no exact solver: -Os" --without "exact" $gcc -Os
+  row "a game with joints: -Os" --only "$game" $gcc -Os
+  row "a game without joints: -Os" --only "soft sleep events sensors forces damping dynamic-tree" $gcc -Os
+  row "the least engine: -Os" --only "" $gcc -Os
+} > build/price/whole.csv && mv build/price/whole.csv "$to" && cat "$to"
