@@ -88,15 +88,16 @@ bool wfMakeHit(const wfTouch *touch, const wfManifold *m, wfTwist a, wfTwist b,
                wfReal least, wfHitEvent *out)
 {
     if (!touch || !m || !out || !(least >= 0)) return false;
-    wfHitEvent hit = { .touch = *touch, .normal = m->normal, .speed = least };
+    int32_t at = -1;
     for (int32_t i = 0; i < m->count; i++) {
         wfReal speed = approachSpeed(&m->points[i], m->normal, a, b);
         if (!wfIsFinite(speed)) return false;
-        if (speed <= hit.speed) continue;
-        hit.speed = speed;
-        hit.point = m->points[i].point;
+        if (speed <= least) continue;
+        least = speed;
+        at = i;
     }
-    if (hit.speed <= least) return false;
-    *out = hit;
+    if (at < 0) return false;
+    *out = (wfHitEvent){ .touch = *touch, .normal = m->normal, .speed = least,
+                         .point = m->points[at].point };
     return true;
 }

@@ -145,7 +145,8 @@ static void linkEdge(const LinkPair *l, int32_t edge, bool apart, wfManifold *ou
 {
     wfClipPoint ends[2];
     int owner = edge < 0 ? l->linkIsB : !l->linkIsB;
-    wfFacing f = wfFaceEdges(l->a, l->xa, l->b, l->xb, owner, edge < 0 ? 0 : edge);
+    wfFacing f;
+    wfFaceEdges(l->a, l->xa, l->b, l->xb, owner, edge < 0 ? 0 : edge, &f);
     wfReal most = l->other->radius + l->margin;
     bool some = wfClipIncident(&f, ends);
     if (apart && linkCorner(l, &f, some ? ends : NULL, out)) return;

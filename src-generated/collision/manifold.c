@@ -38,16 +38,28 @@ static int bestAligned(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     return isB;
 }
 /* <choose the reference edge> */
-wfFacing wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                     int owner, int32_t edge)
+void wfFaceShapes(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                  int owner, wfFacing *f)
 {
-    wfFacing f = { .ref = a, .inc = b, .xr = xa, .xi = xb, .r = edge };
-    if (owner == 1)
-        f = (wfFacing){ .ref = b, .inc = a, .xr = xb, .xi = xa, .r = edge, .refIsB = true };
-    WF_ASSERT(edge >= 0 && edge < f.ref->count);
-    f.rel = wfRelativePose(f.xr, f.xi);
-    f.i = facingEdge(f.inc, wfNeg(wfRotateInv(f.rel.q, f.ref->normals[f.r])));
-    return f;
+    bool isB = owner == 1;
+    f->refIsB = isB;
+    f->ref = isB ? b : a, f->inc = isB ? a : b;
+    f->xr = isB ? xb : xa, f->xi = isB ? xa : xb;
+    f->rel = wfRelativePose(f->xr, f->xi);
+}
+
+void wfFaceEdge(int32_t edge, wfFacing *f)
+{
+    WF_ASSERT(edge >= 0 && edge < f->ref->count);
+    f->r = edge;
+    f->i = facingEdge(f->inc, wfNeg(wfRotateInv(f->rel.q, f->ref->normals[edge])));
+}
+
+void wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                 int owner, int32_t edge, wfFacing *f)
+{
+    wfFaceShapes(a, xa, b, xb, owner, f);
+    wfFaceEdge(edge, f);
 }
 /* <choose the reference edge> */
 wfVec2 wfFacingNormal(const wfFacing *f)
@@ -256,11 +268,12 @@ static void coreContacts(const wfShape *a, wfTransform xa, const wfShape *b, wfT
     int owner = s->owner;
     if (owner < 0 && apart) owner = widestGap(a, xa, b, xb, &edge);
     if (owner < 0) owner = bestAligned(a, xa, b, xb, s->normal, &edge);
-    wfFacing f = wfFaceEdges(a, xa, b, xb, owner, edge);
+    wfFacing f;
+    wfFaceEdges(a, xa, b, xb, owner, edge, &f);
     const wfClipPoint *clipped = wfClipIncident(&f, ends) ? ends : NULL;
     if (apart && s->owner >= 0 && wfFacingCorners(&f, clipped, &corners)) {
         owner = widestGap(a, xa, b, xb, &edge);
-        f = wfFaceEdges(a, xa, b, xb, owner, edge);
+        wfFaceEdges(a, xa, b, xb, owner, edge, &f);
     }
     if (apart) out->normal = wfFacingNormal(&f);
     edgeContacts(&f, apart, margin, out);

@@ -13,9 +13,14 @@ typedef struct wfFacing {
     bool refIsB;
 } wfFacing;
 
-/* Edge `edge` of shape `owner` (0 A, 1 B), and the edge of the other one that faces it. */
-wfFacing wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                     int owner, int32_t edge);
+/* Fills in who is the reference: A, or B if owner is 1.  No edges yet. */
+void wfFaceShapes(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                  int owner, wfFacing *f);
+/* Edge `edge` of the reference shape, and the edge of the incident one that faces it. */
+void wfFaceEdge(int32_t edge, wfFacing *f);
+/* Both: edge `edge` of shape `owner`. */
+void wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                 int owner, int32_t edge, wfFacing *f);
 /* <what the parts of contact generation share> */
 /* An end of the incident edge in the reference edge's frame, and its name. */
 typedef struct wfClipPoint {

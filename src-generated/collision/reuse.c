@@ -48,34 +48,33 @@ static wfReal movedBy(const wfManifoldCache *c, const wfShape *incident, wfTrans
     return wfLength(way) + wfLength(turn) * c->reach;
 }
 /* <use a reference edge again> */
-static bool clipAgain(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                      wfReal margin, const wfManifoldCache *cache, wfManifold *out)
+static bool clipAgain(wfFacing *f, wfReal margin, const wfManifoldCache *cache,
+                      wfManifold *out)
 {
     wfClipPoint ends[2];
     wfCorners corners;
     if (cache->owner < 0) return false;
-    wfFacing f = wfFaceEdges(a, xa, b, xb, cache->owner, cache->edge);
-    if (!wfClipIncident(&f, ends)) return false;
-    wfReal coats = a->radius + b->radius;
+    wfFaceEdge(cache->edge, f);
+    if (!wfClipIncident(f, ends)) return false;
+    wfReal coats = f->ref->radius + f->inc->radius, most = coats + margin;
     bool apart = wfMinR(ends[0].at.y, ends[1].at.y) > 0;
-    if (apart && wfFacingCorners(&f, ends, &corners)) return false;
-    if (!wfEndsTouch(&f, ends) && wfDeepestVertex(&f).at.y <= coats) return false;
-    out->normal = wfFacingNormal(&f);
-    wfAddEnds(&f, ends, margin, out);
-    return out->count > 0;
+    if (apart && wfFacingCorners(f, ends, &corners)) return false;
+    if (!wfEndsTouch(f, ends) && wfDeepestVertex(f).at.y <= coats) return false;
+    if (!(ends[0].at.y <= most || ends[1].at.y <= most)) return false;
+    *out = (wfManifold){ .normal = wfFacingNormal(f) };
+    wfAddEnds(f, ends, margin, out);
+    return true;
 }
 /* <use a reference edge again> */
 bool wfReuseManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfReal margin, const wfManifoldCache *cache, wfManifold *out)
 {
+    wfFacing f;
     if (!(cache->allowed > 0)) return false;
-    bool isB = cache->owner == 1;
-    wfTransform now = isB ? wfRelativePose(xb, xa) : wfRelativePose(xa, xb);
-    wfReal moved = movedBy(cache, isB ? a : b, now);
+    wfFaceShapes(a, xa, b, xb, cache->owner, &f);
+    wfReal moved = movedBy(cache, f.inc, f.rel);
     if (!(moved <= cache->allowed)) return false;           /* eq:contacts-reuse-limit */
-    wfManifold found = { .normal = wfV2(0, 0) };
-    bool apart = cache->distance - moved > margin;
-    if (!apart && !clipAgain(a, xa, b, xb, margin, cache, &found)) return false;
-    *out = found;
+    if (!(cache->distance - moved > margin)) return clipAgain(&f, margin, cache, out);
+    *out = (wfManifold){ .normal = wfV2(0, 0) };
     return true;
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "weft/exact.h"
 #include "dynamics/jointwork.h"
+#include "dynamics/ties.h"
 
 /* <velocities and ways> */
 typedef struct Line { wfVec2 jA, jB; wfReal wA, wB; } Line;     /* eq:joints-rate */
@@ -44,6 +45,7 @@ typedef struct Matrix {
     wfReal (*before)[3];        /* [count] what was pushed since the last move, N s */
     wfReal (*size)[3];          /* [count] 1 / what an error is measured by, 1/m or 1/rad */
     bool begun, moved, lost;    /* the step has begun; a half is owed; it was not solved */
+    bool pushed;                /* contacts have pushed since we looked along the way */
     bool rigid;                 /* the factors are of the lines with the true inertia */
 } Matrix;
 /* <find and add blocks> */
@@ -624,6 +626,7 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     }
     take_velocities(m, in);
     note_impulses(m, set, !last);
+    m->pushed = false;
     for (int32_t n = 0; n < m->ordered && !last; n++) note_size(m, set, in, m->order[n]);
     m->moved = false;
 }
@@ -687,16 +690,157 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     (void)moved;
     if (!soft && some) answer(m, set, in);
     if (soft) m->rigid = false;
-    if (soft && (some || !m->moved)) {
+    if (soft && (some || m->pushed || !m->moved)) {
         bool first = !m->moved;
         m->moved = true;
-        m->lost = false;
+        m->lost = m->pushed = false;
         if (!(newton(m, set, in, dt) < WF_EXACT_LOST)) give_up(m, set);
         for (int32_t n = 0; first && n < m->ordered; n++)
             memcpy(m->smooth[m->order[n]], m->impulse[m->order[n]], sizeof *m->smooth);
     }
     note_impulses(m, set, soft || m->moved);
 }
+/* <lend the rows to a solver of contacts> */
+static bool is_bounded(const wfJointRow *row, int k)
+{
+    bool plane = row[k].plane || (k > 0 && row[k - 1].plane);
+    return row[k].law != WF_ROW_HOLD && row[k].law != WF_ROW_OFF && !plane;
+}
+
+static int32_t list_ties(void *context, const wfSolve *in, wfTie *ties)
+{
+    const wfJointSet *set = context;
+    const Matrix *m = set->matrix;
+    int32_t count = 0;
+    for (int32_t n = 0; n < m->ordered; n++) {
+        const wfJoint *j = &set->joints[m->order[n]];
+        wfJointRow row[WF_JOINT_ROWS];
+        int32_t rows = wfIsBroken(j) ? 0
+                     : wfBuildJoint(j, &in->state[j->a], &in->state[j->b], row);
+        int32_t number[2] = { 0, 0 };
+        for (int32_t k = 0; k < rows; k++) {
+            number[0] += is_bounded(row, k);
+            number[1] += row[k].law == WF_ROW_HOLD;
+        }
+        for (int holds = 0; holds < 2; holds++) {
+            if (number[holds] == 0 || number[holds] > WF_NODE_ROWS) continue;
+            if (ties != NULL)
+                ties[count] = (wfTie){ .a = j->a, .b = j->b, .count = number[holds],
+                                       .joint = m->order[n], .holds = holds };
+            count++;
+        }
+    }
+    return count;
+}
+/* <lend the rows to a solver of contacts> */
+static wfTieRow tie_row(const Line *l, int32_t index)
+{
+    return (wfTieRow){ .jA = { (double)l->jA.x, (double)l->jA.y, (double)l->wA },
+        .jB = { (double)l->jB.x, (double)l->jB.y, (double)l->wB }, .index = index,
+        .least = -(double)WF_JOINT_UNLIMITED, .most = (double)WF_JOINT_UNLIMITED };
+}
+
+static void fill_holds(const Matrix *m, const wfJointSet *set, wfReal dt, wfTie *tie)
+{
+    const wfJointWork *w = &set->work[tie->joint];
+    for (int32_t k = 0; k < tie->count; k++) {
+        tie->row[k] = (wfTieRow){ .idle = true };
+        if (k >= w->holds) continue;
+        wfReal own = w->own[w->hold[k]], size = m->size[tie->joint][k];
+        wfReal gap = size > 0 ? WF_EXACT_ROUNDING / size : 0;
+        tie->row[k] = tie_row(&m->line[tie->joint][k], k);
+        tie->row[k].keeps = true;
+        tie->row[k].give = (double)(set->give * own);           /* eq:exact-tie */
+        tie->row[k].noise = (double)(gap / dt);
+    }
+}
+/* <lend the rows to a solver of contacts> */
+static void fill_stop(const wfJointSet *set, const wfSolve *in, wfReal dt, bool soft,
+                      const wfJoint *j, int32_t k, wfTieRow *out)
+{
+    const wfJointWork *w = &set->work[j - set->joints];
+    wfJointPair p = wfPairOf(set, in, j);
+    wfJointRow then[WF_JOINT_ROWS];
+    wfGiving give = wfGivingOf(set);
+    bool ahead = w->row[k].error > 0;
+    out->least = 0;
+    out->idle = !soft && !(j->impulse[k] > 0);
+    if (!soft) return;
+    wfLookAhead(j, dt, &p, then);
+    wfReal lack = (then[k].error - give.keep * wfMinR(w->row[k].error, 0)) / dt;
+    out->target = (double)(wfRateOf(&w->row[k], p.a, p.b) - lack);
+    if (!ahead)                                                 /* eq:joints-give */
+        out->give = (double)(give.impulse / give.mass * (dt / set->last) * w->own[k]);
+}
+
+static void fill_bounded(const wfJointSet *set, const wfSolve *in, wfReal dt, bool soft,
+                         wfTie *tie)
+{
+    const wfJoint *j = &set->joints[tie->joint];
+    const wfJointWork *w = &set->work[tie->joint];
+    int32_t n = 0;
+    for (int32_t k = 0; k < w->rows && n < tie->count; k++) {
+        const wfJointRow *r = &w->row[k];
+        if (!is_bounded(w->row, k)) continue;
+        Line line = line_of(r);
+        wfTieRow *out = &tie->row[n++];
+        *out = tie_row(&line, k);
+        out->sum = (double)j->impulse[k];
+        if (r->law == WF_ROW_LIMIT) fill_stop(set, in, dt, soft, j, k, out);
+        else {
+            out->idle = !soft;
+            out->weak = true;
+            out->target = (double)(r->speed - w->bias[k]);      /* eq:joints-again */
+            out->give = (double)w->gamma[k];
+            out->least = (double)set->last * (double)r->least;
+            out->most = (double)set->last * (double)r->most;
+        }
+    }
+    for (; n < tie->count; n++) tie->row[n] = (wfTieRow){ .idle = true };
+}
+/* <lend the rows to a solver of contacts> */
+static void fill_ties(void *context, const wfSolve *in, wfReal dt, bool soft, wfTie *ties,
+                      int32_t count, double (*inverse)[3])
+{
+    const wfJointSet *set = context;
+    const Matrix *m = set->matrix;
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];                                 /* eq:exact-inertia */
+        wfReal more = soft ? 1 + dt / 2 * m->bend[b] * set->inverse[b] : 1;
+        inverse[b][2] = (double)(set->inverse[b] / wfMaxR(more, WF_R(0.5)));
+    }
+    for (int32_t i = 0; i < count; i++)
+        if (ties[i].holds) fill_holds(m, set, dt, &ties[i]);
+        else fill_bounded(set, in, dt, soft, &ties[i]);
+}
+/* <lend the rows to a solver of contacts> */
+static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *ties,
+                      int32_t count, double (*given)[3])
+{
+    wfJointSet *set = context;
+    Matrix *m = set->matrix;
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
+        wfReal mass = in->state[b].invMass;
+        wfVec2 push = wfV2((wfReal)given[b][0], (wfReal)given[b][1]);
+        m->free[b].v = wfAddScaled(m->free[b].v, mass, push);
+        m->free[b].w += set->inverse[b] * (wfReal)given[b][2];
+        m->next[b] = m->left[b] = (Motion){ in->state[b].v, in->state[b].w };
+    }
+    for (int32_t i = 0; i < count; i++)
+        for (int32_t k = 0; k < ties[i].count; k++) {
+            const wfTieRow *r = &ties[i].row[k];
+            int32_t joint = ties[i].joint;
+            if (r->idle) continue;
+            if (!ties[i].holds) set->joints[joint].impulse[r->index] = (wfReal)r->sum;
+            else if (m->moved) m->impulse[joint][k] += (wfReal)r->sum;
+            else m->before[joint][k] += (wfReal)r->sum;
+        }
+    m->pushed = m->pushed || soft;
+    note_impulses(m, set, soft || m->moved);
+}
+
+static const wfLending lending = { list_ties, fill_ties, take_ties };
 /* <take room for the matrix> */
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
@@ -787,6 +931,7 @@ static wfResult assemble(Matrix *m, wfJointSet *set, const wfSolve *in)
     set->matrix = m;
     set->start = start_together;
     set->together = solve_together;
+    set->lending = &lending;
     return WF_OK;
 }
 /* <take room for the matrix> */

@@ -3,21 +3,23 @@
 #include <string.h>
 #include "weft/exact.h"
 #include "dynamics/exact_contacts.h"
-#include "dynamics/sparse.h"
 #include "dynamics/substep.h"
+#include "dynamics/ties.h"
 
 /* <what the exact solver works with> */
-enum { ROW_PUSH, ROW_RUB, ROW_ROLL };
+enum { ROW_PUSH, ROW_RUB, ROW_ROLL, ROW_TIE };
 enum { ROW_OFF, ROW_ON, ROW_UP, ROW_DOWN };     /* no impulse; rate kept; at its bound */
 
 typedef struct ExactRow {
     double jA[3], jB[3];        /* rate of x, y and turn of both bodies: eq:joints-rate */
     double target;              /* m/s or rad/s: the rate that it is to have */
     double k;                   /* K of the row */
-    double sum, best;           /* N s or N m s: so far; of the best try */
+    double sum, best, first;    /* N s or N m s: so far; of the best try; at first */
     double noise;               /* m/s: how well the target is known */
+    double give;                /* of a tie, eq:exact-bounded; else 0 */
+    double least, most;         /* of a tie: bounds of its sum */
     int32_t law, state;
-    bool idle;                  /* it takes no part */
+    bool idle, weak;            /* it takes no part; it has no say in places */
 } ExactRow;
 
 typedef struct ExactNode {
@@ -30,8 +32,13 @@ typedef struct ExactNode {
 typedef struct Exact {
     wfSubsteps s;
     wfSparse m;                 /* bodies first, then the nodes */
-    ExactNode *node;            /* [count] of the contacts */
-    int32_t count;
+    ExactNode *node;            /* [count + ties] of contacts, then of ties */
+    int32_t count;              /* contacts */
+    /* <what the exact solver needs for ties> */
+    const wfLending *lending;   /* NULL: joints take turns with the contacts */
+    wfTie *tie;
+    int32_t ties;
+    double (*given)[3];         /* [bodies] momentum from contacts and bounded ties */
     double (*v)[3], (*kept)[3];         /* [bodies] velocities; those of the best try */
     double (*inverse)[3];               /* [bodies] 1/m, 1/m, 1/I */
     double give;                        /* share of K by which a row that is ON gives way */
@@ -43,6 +50,7 @@ typedef struct Exact {
     wfReal course[WF_REPORT_COURSE];
     bool again;                 /* other laws have had their turn: a little is left alone */
     double change, fastest;     /* how much the last solve changed any velocity; of all */
+    double coarse;              /* the noise of all parts, m/s */
     wfSolveReport report;
 } Exact;
 /* <rates and pushes of exact rows> */
@@ -50,10 +58,12 @@ static double positive(double x) { return x > 0 ? x : 0; }
 static double size_of(double x) { return x < 0 ? -x : x; }
 static double larger(double a, double b) { return a > b ? a : b; }
 
-static double bounded(double x, double limit)
+static double between(double x, double least, double most)
 {
-    return x > limit ? limit : x < -limit ? -limit : x;
+    return x > most ? most : x < least ? least : x;
 }
+
+static double bounded(double x, double limit) { return between(x, -limit, limit); }
 
 static double rate_of(const Exact *e, const ExactNode *n, const ExactRow *r)
 {
@@ -65,12 +75,16 @@ static double rate_of(const Exact *e, const ExactNode *n, const ExactRow *r)
 static void push_along(Exact *e, const ExactNode *n, ExactRow *r, double j)
 {
     for (int i = 0; i < 3; i++) {
-        double a = j * e->inverse[n->a][i] * r->jA[i];
-        double b = j * e->inverse[n->b][i] * r->jB[i];
-        e->v[n->a][i] += a, e->v[n->b][i] += b;
-        e->change = larger(e->change, larger(size_of(a), size_of(b)));
+        e->v[n->a][i] += j * e->inverse[n->a][i] * r->jA[i];
+        e->v[n->b][i] += j * e->inverse[n->b][i] * r->jB[i];
     }
     r->sum += j;
+}
+
+/* How far a row's rate is from what it is to be. */
+static double off_of(const Exact *e, const ExactNode *n, const ExactRow *r)
+{
+    return rate_of(e, n, r) + r->give * r->sum - r->target;
 }
 
 static void weigh(const Exact *e, const ExactNode *n, ExactRow *r)
@@ -108,7 +122,6 @@ static void rows_of_contact(const Exact *e, int32_t i, ExactNode *n)
     n->row[n->count++] = row_along(c->t, w * p->tA + (1 - w) * q->tA,
                                    w * p->tB + (1 - w) * q->tB, ROW_RUB);
     if (c->rolling > 0) n->row[n->count++] = row_along(wfV2(0, 0), 1, 1, ROW_ROLL);
-    n->friction = (double)c->friction;
     n->rolling = (double)c->rolling;
 }
 /* <load and store contacts> */
@@ -134,6 +147,7 @@ static void load_contact(Exact *e, int32_t i, bool soft)
 {
     const wfPrepared *c = &e->s.c[i];
     ExactNode *n = &e->node[i];
+    n->friction = (double)c->friction;
     for (int32_t k = 0; k < n->count; k++) {
         ExactRow *r = &n->row[k];
         weigh(e, n, r);
@@ -152,6 +166,7 @@ static void load_contact(Exact *e, int32_t i, bool soft)
             bool bounces = e->s.in->contacts[e->s.order[i]].restitution > 0;
             if ((open || bounces) && !soft && !(p->normal > 0)) r->idle = true;
         }
+        r->first = r->sum;
     }
 }
 /* <load and store contacts> */
@@ -183,11 +198,17 @@ static void load_bodies(Exact *e)
 static void store_bodies(Exact *e)
 {
     const wfSolve *in = e->s.in;
+    e->change = e->fastest = 0;
     for (int32_t i = 0; i < in->bodyCount; i++) {
+        wfBodyState *b = &in->state[i];
+        double had[3] = { (double)b->v.x, (double)b->v.y, (double)b->w };
         if (in->present != NULL && !in->present[i]) continue;
-        in->state[i].v = wfV2((wfReal)e->v[i][0], (wfReal)e->v[i][1]);
-        in->state[i].w = (wfReal)e->v[i][2];
-        for (int k = 0; k < 3; k++) e->fastest = larger(e->fastest, size_of(e->v[i][k]));
+        b->v = wfV2((wfReal)e->v[i][0], (wfReal)e->v[i][1]);
+        b->w = (wfReal)e->v[i][2];
+        for (int k = 0; k < 3; k++) {
+            e->fastest = larger(e->fastest, size_of(e->v[i][k]));
+            e->change = larger(e->change, size_of(e->v[i][k] - had[k]));
+        }
     }
 }
 /* <choose which rows hold> */
@@ -204,9 +225,11 @@ static bool choose_states(const Exact *e, ExactNode *n, double eager)
     for (int32_t k = 0; k < n->count; k++) {
         ExactRow *r = &n->row[k];
         int32_t state = ROW_OFF;
-        double z = r->sum * r->k - (rate_of(e, n, r) - r->target);
+        double stiff = r->k + r->give, z = r->sum * stiff - off_of(e, n, r);
         bool fresh = eager > 0 && r->sum == 0;
-        if (r->law == ROW_PUSH && !r->idle && z + (fresh ? eager : 0) > 0) {
+        if (r->law == ROW_TIE && !r->idle)                      /* eq:exact-bounded */
+            state = z > r->most * stiff ? ROW_UP : z < r->least * stiff ? ROW_DOWN : ROW_ON;
+        else if (r->law == ROW_PUSH && !r->idle && z + (fresh ? eager : 0) > 0) {
             state = ROW_ON, any = true;
             pushed += positive(z) / r->k;
         } else if (!r->idle && r->law != ROW_PUSH && any && fresh)
@@ -230,7 +253,8 @@ static bool is_turn(const ExactRow *r)
 static double lack_of(const Exact *e, const ExactNode *n, const ExactRow *r, double *pushed)
 {
     if (r->idle) return 0;
-    double off = (rate_of(e, n, r) - r->target) / r->k, z = r->sum - off;
+    double stiff = r->k + r->give, z = r->sum - off_of(e, n, r) / stiff;
+    if (r->law == ROW_TIE) return size_of(r->sum - between(z, r->least, r->most)) * stiff;
     if (r->law == ROW_PUSH) {
         *pushed += positive(r->sum);
         return size_of(r->sum - positive(z)) * r->k;
@@ -277,8 +301,8 @@ static void find_allowed(Exact *e, int32_t part)
             double *mine = &e->allowed[is_turn(r)], push = r->k * size_of(r->sum);
             *mine = larger(*mine, WF_EXACT_SPEEDS * speed);
             *mine = larger(*mine, WF_EXACT_PUSHES * push);
-            e->speed = larger(e->speed, size_of(rate_of(e, n, r) - r->target));
-            if (r->target != 0) e->noise = larger(e->noise, r->noise);
+            e->speed = larger(e->speed, size_of(off_of(e, n, r)));
+            if (r->target != 0 || r->law == ROW_TIE) e->noise = larger(e->noise, r->noise);
         }
     }
 }
@@ -306,8 +330,8 @@ static void fill_own(Exact *e, int32_t i)
     for (int32_t k = 0; k < n->count; k++) {
         const ExactRow *r = &n->row[k];
         size[k] = r->k > 0 ? r->k : 1;
-        own[k * n->count + k] = size[k] * (r->state == ROW_ON ? e->give : 1);
-        if (r->state != ROW_UP && r->state != ROW_DOWN) continue;
+        own[k * n->count + k] = r->state == ROW_ON ? size[k] * e->give + r->give : size[k];
+        if (r->law == ROW_TIE || (r->state != ROW_UP && r->state != ROW_DOWN)) continue;
         double side = r->state == ROW_UP ? -size[k] : size[k];
         for (int32_t p = 0; p < k; p++)                         /* eq:exact-slip */
             if (n->row[p].law == ROW_PUSH && n->row[p].state == ROW_ON)
@@ -347,8 +371,11 @@ static void go(Exact *e, int32_t part, double share)
 static double want_of(const Exact *e, const ExactNode *n, const ExactRow *r)
 {
     double size = r->k > 0 ? r->k : 1, pushed = 0;
-    if (r->state == ROW_ON) return r->target - rate_of(e, n, r);
+    if (r->idle) return 0;
+    if (r->state == ROW_ON) return -off_of(e, n, r);
     if (r->state == ROW_OFF) return -size * r->sum;
+    if (r->law == ROW_TIE)
+        return size * ((r->state == ROW_UP ? r->most : r->least) - r->sum);
     for (const ExactRow *p = n->row; p < r; p++)
         if (p->law == ROW_PUSH && p->state == ROW_ON) pushed += p->sum;
     double limit = limit_of(n, r, pushed);
@@ -375,8 +402,9 @@ static void sweep_node(Exact *e, ExactNode *n)
     for (int32_t k = 0; k < n->count; k++) {
         ExactRow *r = &n->row[k];
         if (r->idle) continue;
-        double z = r->sum - (rate_of(e, n, r) - r->target) / r->k;
-        if (r->law == ROW_PUSH) z = positive(z), pushed += z;
+        double z = r->sum - off_of(e, n, r) / (r->k + r->give);
+        if (r->law == ROW_TIE) z = between(z, r->least, r->most);
+        else if (r->law == ROW_PUSH) z = positive(z), pushed += z;
         else z = bounded(z, limit_of(n, r, pushed));
         push_along(e, n, r, z - r->sum);
     }
@@ -503,13 +531,14 @@ static void solve_part(Exact *e, int32_t part)
     find_allowed(e, part);
     double left = residual_of(e, part);
     e->steps = 0;
+    e->coarse = larger(e->coarse, e->noise);
     memset(e->course, 0, sizeof e->course);
     e->course[0] = (wfReal)e->lack;
     bool done = left <= 1 || (e->again && e->lack <= e->noise);
     keep_or_restore(e, part, true);
     if (!done && e->m.direct[part]) {
         left = try_newton(e, part);
-        if (left > 1) {
+        if (left > 1 && e->lack > e->noise) {
             keep_or_restore(e, part, false);
             sweep_part(e, part, WF_EXACT_BETWEEN);
             left = try_carefully(e, part);
@@ -522,15 +551,107 @@ static void solve_part(Exact *e, int32_t part)
     }
     note_problem(e, done);
 }
+/* <borrow ties> */
+static size_t room_for(int32_t bodies, int32_t nodes)
+{
+    size_t each = sizeof(ExactNode) + sizeof(bool), body = 12 * sizeof(double) + 1;
+    return each * (size_t)nodes + body * (size_t)bodies + 8 * WF_POOL_ALIGN
+         + wfSparseScratch(bodies + nodes, WF_EXACT_ROOM * (bodies + nodes));
+}
+
+size_t wfExactTieScratch(int32_t joints)
+{
+    return 2 * (size_t)joints * sizeof(wfTie) + room_for(0, 2 * joints);
+}
+
+/* Who is tied. Without room for them the joints take turns, as any other laws. */
+static void take_ties(Exact *e)
+{
+    const wfSolve *in = e->s.in;
+    const wfLaws *laws = in->laws;
+    size_t mark = wfPoolMark(in->scratch);
+    if (laws == NULL || laws->lending == NULL || e->count == 0) return;
+    e->lending = laws->lending(laws->context);
+    e->ties = e->lending == NULL ? 0 : e->lending->list(laws->context, in, NULL);
+    e->tie = e->ties == 0 ? NULL : wfPoolPushArray(in->scratch, e->ties, wfTie);
+    size_t room = room_for(in->bodyCount, e->count + e->ties);
+    if (e->tie == NULL || wfPoolRoom(in->scratch) < room) {
+        wfPoolRewind(in->scratch, mark);
+        e->ties = 0;
+        e->lending = NULL;
+        return;
+    }
+    e->lending->list(laws->context, in, e->tie);
+}
+
+static ExactNode node_of_tie(const wfTie *tie)
+{
+    ExactNode n = { .a = tie->a, .b = tie->b, .count = tie->count };
+    for (int32_t k = 0; k < n.count; k++) n.row[k].law = ROW_TIE;
+    return n;
+}
+/* <borrow ties> */
+static void load_tie(Exact *e, const wfTie *tie, ExactNode *n)
+{
+    for (int32_t k = 0; k < n->count; k++) {
+        const wfTieRow *from = &tie->row[k];
+        ExactRow *r = &n->row[k];
+        for (int i = 0; i < 3; i++) r->jA[i] = from->jA[i], r->jB[i] = from->jB[i];
+        weigh(e, n, r);
+        r->idle = r->idle || from->idle;
+        r->sum = r->first = from->sum, r->least = from->least, r->most = from->most;
+        r->give = from->give, r->noise = from->noise, r->weak = from->weak;
+        r->target = from->keeps ? rate_of(e, n, r) + r->give * r->sum : from->target;
+    }
+}
+
+static void load_ties(Exact *e, bool soft)
+{
+    const wfLaws *laws = e->s.in->laws;
+    if (e->ties == 0) return;
+    e->lending->fill(laws->context, e->s.in, e->s.dt, soft, e->tie, e->ties, e->inverse);
+    for (int32_t i = 0; i < e->ties; i++) load_tie(e, &e->tie[i], &e->node[e->count + i]);
+    for (int32_t part = 0; part < e->m.parts; part++)
+        for (int32_t n = e->m.part[part]; n < e->m.part[part + 1]; n++)
+            if (e->m.list[n] >= e->m.bodies + e->count) e->factored[part] = false;
+}
+/* <borrow ties> */
+static void note_given(Exact *e, const ExactNode *n, const ExactRow *r, double gain)
+{
+    for (int i = 0; i < 3; i++) {
+        e->given[n->a][i] += gain * r->jA[i];
+        e->given[n->b][i] += gain * r->jB[i];
+    }
+}
+
+static void store_ties(Exact *e, bool soft)
+{
+    const wfSolve *in = e->s.in;
+    const wfLaws *laws = in->laws;
+    if (e->ties == 0) return;
+    memset(e->given, 0, (size_t)in->bodyCount * sizeof *e->given);
+    for (int32_t i = 0; i < e->count + e->ties; i++) {
+        const ExactNode *n = &e->node[i];
+        wfTie *tie = i < e->count ? NULL : &e->tie[i - e->count];
+        for (int32_t k = 0; k < n->count; k++) {
+            const ExactRow *r = &n->row[k];
+            if (tie == NULL || !tie->holds) note_given(e, n, r, r->sum - r->first);
+            if (tie != NULL) tie->row[k].sum = r->sum;
+        }
+    }
+    e->lending->take(laws->context, in, soft, e->tie, e->ties, e->given);
+}
 /* <solve all parts> */
 static void solve_contacts(Exact *e, bool soft)
 {
     load_bodies(e);
+    load_ties(e, soft);
     for (int32_t i = 0; i < e->count; i++) load_contact(e, i, soft);
-    e->change = e->fastest = 0;
+    e->coarse = 0;
     for (int32_t part = 0; part < e->m.parts; part++) solve_part(e, part);
     for (int32_t i = 0; i < e->count; i++) store_contact(e, i);
     store_bodies(e);
+    if (e->change > 0) store_ties(e, soft);
 }
 /* <take overlap away exactly> */
 /* What is to be taken away at a point, m. */
@@ -551,6 +672,7 @@ static bool want_apart(Exact *e, int32_t part)
         int32_t i = m->list[at];
         for (int k = 0; k < WF_NODE_ROWS; k++) m->x[i][k] = 0;
         if (i < m->bodies) continue;
+        if (i - m->bodies >= e->count) continue;
         const wfPrepared *c = &e->s.c[i - m->bodies];
         for (int32_t k = 0; k < c->count; k++) {
             if (e->node[i - m->bodies].row[k].state != ROW_ON) continue;
@@ -567,7 +689,8 @@ static void factor_places(Exact *e, int32_t part)
     for (int32_t at = e->m.part[part]; at < e->m.part[part + 1]; at++) {
         int32_t i = e->m.list[at] - e->m.bodies;
         for (int32_t k = 0; i >= 0 && k < e->node[i].count; k++)
-            if (e->node[i].row[k].state != ROW_ON) e->node[i].row[k].state = ROW_OFF;
+            if (e->node[i].row[k].state != ROW_ON || e->node[i].row[k].weak)
+                e->node[i].row[k].state = ROW_OFF;
     }
     e->give = WF_EXACT_PLACES;
     factor_part(e, part);
@@ -606,6 +729,7 @@ static bool join_node(Exact *e, int32_t i)
     const wfSolve *in = e->s.in;
     ExactNode *n = &e->node[i];
     int32_t me = e->m.bodies + i;
+    if (n->count == 0) return true;
     e->m.rows[me] = n->count;
     n->toA = n->toB = -1;
     if (can_move(in, n->a)) n->toA = wfSparseJoin(&e->m, n->a, me);
@@ -618,20 +742,24 @@ static wfResult make_system(Exact *e)
     const wfSolve *in = e->s.in;
     wfPool *pool = in->scratch;
     e->count = in->contactCount;
-    e->node = wfPoolPushArray(pool, e->count, ExactNode);
-    e->v = (double(*)[3])wfPoolPushArray(pool, 9 * in->bodyCount, double);
-    e->factored = wfPoolPushArray(pool, in->bodyCount + e->count, bool);
+    take_ties(e);
+    int32_t nodes = e->count + e->ties;
+    e->node = wfPoolPushArray(pool, nodes, ExactNode);
+    e->v = (double(*)[3])wfPoolPushArray(pool, 12 * in->bodyCount, double);
+    e->factored = wfPoolPushArray(pool, in->bodyCount + nodes, bool);
     if (e->node == NULL || e->v == NULL || e->factored == NULL) return WF_ERROR_MEMORY;
     e->inverse = e->v + in->bodyCount;
     e->kept = e->inverse + in->bodyCount;
-    if (!wfSparseTake(&e->m, in->bodyCount + e->count, in->bodyCount, pool, 0))
+    e->given = e->kept + in->bodyCount;
+    if (!wfSparseTake(&e->m, in->bodyCount + nodes, in->bodyCount, pool, 0))
         return WF_ERROR_MEMORY;
     load_bodies(e);
     for (int32_t i = 0; i < in->bodyCount; i++) e->m.rows[i] = 3;
-    for (int32_t i = 0; i < e->count; i++) {
-        e->node[i] = (ExactNode){ .a = e->s.c[i].a, .b = e->s.c[i].b };
-        if (e->s.c[i].count > 0) rows_of_contact(e, i, &e->node[i]);
-        if (e->s.c[i].count > 0 && !join_node(e, i)) return WF_ERROR_MEMORY;
+    for (int32_t i = 0; i < nodes; i++) {
+        if (i >= e->count) e->node[i] = node_of_tie(&e->tie[i - e->count]);
+        else e->node[i] = (ExactNode){ .a = e->s.c[i].a, .b = e->s.c[i].b };
+        if (i < e->count && e->s.c[i].count > 0) rows_of_contact(e, i, &e->node[i]);
+        if (!join_node(e, i)) return WF_ERROR_MEMORY;
     }
     wfSparseOrder(&e->m);
     for (int32_t i = 0; i < e->m.parts; i++) e->factored[i] = false;
@@ -639,6 +767,13 @@ static wfResult make_system(Exact *e)
     return WF_OK;
 }
 /* <an exact step> */
+/* Has the last round changed nothing that counts? before: what the one before it did. */
+static bool agree(const Exact *e, double before)
+{
+    if (e->change <= larger(WF_EXACT_AGREE * e->fastest, e->coarse)) return true;
+    return e->again && e->change <= WF_EXACT_FEW * e->coarse && e->change > before / 2;
+}
+
 static void solve(Exact *e, bool soft)
 {
     const wfSolve *in = e->s.in;
@@ -649,9 +784,10 @@ static void solve(Exact *e, bool soft)
         return;
     }
     for (int32_t pass = 0; pass < WF_EXACT_TURNS * in->iterations; pass++) {
+        double before = e->change;
         laws->solve(laws->context, in, e->s.moved, e->s.dt, pass, soft);
         solve_contacts(e, soft);
-        if (e->change <= WF_EXACT_AGREE * e->fastest) return;
+        if (agree(e, before)) return;
         e->again = true;
     }
     e->report.apart++;
@@ -672,6 +808,28 @@ static void finish(Exact *e)
     if (in->report != NULL) *in->report = e->report;
 }
 /* <an exact step> */
+/* Is it pressed, by points that were closed at the beginning of the substep? */
+static bool is_settled(const ExactNode *n)
+{
+    bool pressed = false;
+    for (int32_t k = 0; k < n->count; k++) {
+        const ExactRow *r = &n->row[k];
+        if (r->law != ROW_PUSH || !(r->sum > 0)) continue;
+        if (r->target < 0) return false;
+        pressed = true;
+    }
+    return pressed;
+}
+
+static void judge_friction(Exact *e)
+{
+    for (int32_t i = 0; i < e->count; i++) {
+        if (!(e->s.c[i].holds > e->s.c[i].slides) || !is_settled(&e->node[i])) continue;
+        wfPairMotion m = wfTakePair(e->s.in, &e->s.c[i]);
+        wfJudgeFriction(&e->s.c[i], &m);
+    }
+}
+/* <an exact step> */
 wfResult wfExactStep(const wfSolve *in)
 {
     Exact e = { .s = { .in = in, .dt = in->h / (wfReal)in->substeps, .kick = in->h } };
@@ -683,6 +841,7 @@ wfResult wfExactStep(const wfSolve *in)
         wfKick(&e.s, k == 0 ? e.s.dt / 2 : e.s.dt, e.s.kick);
         wfBounceAll(&e.s);
         solve(&e, true);
+        judge_friction(&e);
         wfDrift(&e.s);
         part_bodies(&e);
         if (in->laws != NULL) solve(&e, false);
@@ -694,9 +853,5 @@ wfResult wfExactStep(const wfSolve *in)
 /* <an exact step> */
 size_t wfExactStepScratch(int32_t bodies, int32_t contacts)
 {
-    size_t each = sizeof(ExactNode) + sizeof(bool), body = 9 * sizeof(double) + 1;
-    int32_t nodes = bodies + contacts;
-    return wfSubstepScratch(bodies, contacts) + each * (size_t)contacts
-         + body * (size_t)bodies + wfSparseScratch(nodes, WF_EXACT_ROOM * nodes)
-         + 8 * WF_POOL_ALIGN;
+    return wfSubstepScratch(bodies, contacts) + room_for(bodies, contacts);
 }

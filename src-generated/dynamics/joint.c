@@ -802,6 +802,12 @@ size_t wfJointScratch(int32_t bodies, int32_t joints)
     return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
 /* <begin and end a step of joints> */
+static const void *lending_of(void *context)
+{
+    const wfJointSet *set = context;
+    return set->lending;
+}
+
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
 {
     if (set == NULL || scratch == NULL || laws == NULL) return WF_ERROR_NULL;
@@ -821,7 +827,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     }
     set->last = 0;
     set->built = false;
-    *laws = (wfLaws){ set, begin_joints, solve_joints };
+    *laws = (wfLaws){ set, begin_joints, solve_joints, lending_of };
     return WF_OK;
 }
 /* <begin and end a step of joints> */

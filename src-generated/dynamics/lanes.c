@@ -114,8 +114,16 @@ typedef struct Packing { int32_t bundles, points, ones; } Packing;
 static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t kind,
                       Packing *to)
 {
+    enum { AHEAD = 2 * WF_LANES };
     wfBundle *q = NULL;
-    for (int32_t i = s->colours.first[colour]; i < s->colours.first[colour + 1]; i++) {
+    int32_t end = s->colours.first[colour + 1];
+    for (int32_t i = s->colours.first[colour]; i < end; i++) {
+        if (i + AHEAD < end) {
+            const wfContact *soon = &s->in->contacts[s->order[i + AHEAD]];
+            WF_FETCH_SOON(soon);
+            WF_FETCH_SOON(&soon->manifold.points[0]);
+            WF_FETCH_SOON(&soon->manifold.points[1].feature);
+        }
         if (kind_of(s, t, colour, i) != kind) continue;
         if (q == NULL || q->used == WF_LANES) {
             if (q != NULL) prepare_bundle(s, q);

@@ -49,7 +49,7 @@ wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filt
     if (result != WF_OK) return result;
     return wfSetCastRayAll(&set, ray, filter, hits, capacity, count);
 }
-
+/* <ask a world> */
 wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
                           wfVec2 by, const wfFilter *filter, wfRayHit *out)
 {

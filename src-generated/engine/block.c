@@ -141,6 +141,10 @@ static size_t stage_scratch(const wfWorldDef *d)
     /* <see what other stages need> */
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
+    /* <see what other stages need> */
+    bool ties = d->exactJoints != WF_JOINTS_ONE_BY_ONE && (d->needs & WF_NEED_JOINTS)
+             && d->solver == wfFindSolver(WF_SOLVER_LARGE);
+    if (ties) most += wfExactTieScratch(d->jointCapacity);
     return most + WF_POOL_ALIGN;
 }
 /* <measure the scratch that the stages need> */
@@ -506,7 +510,7 @@ static bool same_setting(const wfSetting *s, const wfWorldDef *a, const wfWorldD
     }
     return true;
 }
-
+/* <settings of a world> */
 static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
 {
     wfResult result = wfCheckWorldDef(def, NULL);
@@ -551,7 +555,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     wfUse(b, used);
     return WF_OK;
 }
-
+/* <settings of a world> */
 wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def)
 {
     wfBlock b;
@@ -615,7 +619,7 @@ static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
     }
     b->head->pairCount = left;
 }
-
+/* <forget contacts> */
 void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
 {
     int32_t left = 0, before = b->head->kept.contacts;

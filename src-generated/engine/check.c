@@ -113,7 +113,7 @@ static bool obeys(const wfBodyState *s, const wfBodyProps *p)
     bool immovable = s->invMass == 0 && s->invInertia == 0;
     return immovable && (p->type == WF_KINEMATIC || is_still(s));
 }
-
+/* <check the bodies> */
 static bool check_body(Check *c, int32_t i)
 {
     const wfBodyState *s = &c->b.state[i];
@@ -132,7 +132,7 @@ static bool check_body(Check *c, int32_t i)
                 WF_REGION_PROPS, i, "properties are in range")
         && rule(c, obeys(s, p), WF_REGION_STATE, i, "only dynamic bodies have a mass");
 }
-
+/* <check the bodies> */
 static bool check_bodies(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
@@ -190,7 +190,7 @@ static bool check_shape(Check *c, int32_t k)
         && rule(c, is_material(&b->materials[k]), WF_REGION_SHAPE_PROPS, k,
                 "a material is in range");
 }
-
+/* <check the shapes> */
 static bool check_shapes(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -248,7 +248,7 @@ static bool is_cache(const wfBlock *b, wfPair p, const wfManifoldCache *m)
     int32_t a = b->shapes[p.a].count, d = b->shapes[p.b].count;
     return a > 1 && d > 1 && in_range(m->edge, m->owner == 0 ? a : d);
 }
-
+/* <check the lists of a step> */
 static bool check_pairs(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -281,7 +281,7 @@ static bool is_contact(const wfBlock *b, const wfContact *m)
     }
     return m->shapeA < m->shapeB && is_choice(m->sliding);
 }
-
+/* <check the lists of a step> */
 static bool check_contacts(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -373,7 +373,7 @@ static bool check_ring(Check *c, int32_t i, const uint8_t *flags, uint8_t *named
                    && is_still(&c->b.state[i]), WF_REGION_REST, i,
                 "who sleeps lives and does not move");
 }
-
+/* <check what other chapters keep> */
 static bool check_rest(Check *c)
 {
     const wfHeader *h = c->b.head;

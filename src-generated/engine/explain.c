@@ -48,7 +48,7 @@ static void put_column(Line *l, int column)
 {
     do put(l, " "); while (l->length < column && l->length < LINE_SIZE - 1);
 }
-
+/* <put a line together> */
 /* A number in so many columns, with one digit after the point or none. */
 static void put_number(Line *l, double value, int columns, bool point)
 {
@@ -92,7 +92,7 @@ static void tell_needs(const char *label, uint32_t needs, wfPrintFn *print, void
     }
     print(context, l.text);
 }
-
+/* <explain a world> */
 static void explain_one(Line *l, const wfStageReport *r, const double *seconds,
                         int64_t steps)
 {
@@ -108,7 +108,7 @@ static void explain_one(Line *l, const wfStageReport *r, const double *seconds,
     if (seconds == NULL || steps < 1) return;
     put_number(l, 1e6 * *seconds / (double)steps, 10, true);
 }
-
+/* <explain a world> */
 wfResult wfExplainWorld(const wfWorld *world, const double *seconds, int64_t steps,
                         wfPrintFn *print, void *context)
 {

@@ -128,7 +128,7 @@ static wfResult check_move(const wfBlock *b, wfVec2 by, wfFar *to)
     if (!wfJointsCanMove(b, by)) return WF_ERROR_RANGE;
     return WF_OK;
 }
-
+/* <move the origin of a world> */
 wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded)
 {
     wfBlock b;

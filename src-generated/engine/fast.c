@@ -80,11 +80,13 @@ static wfFlight *flight_of(struct wfStep *s, int32_t i)
     return f;
 }
 /* <find the flights of a step> */
-static bool body_is_fast(const struct wfStep *s, const wfFlight *f)
+/* Does a flight whose leg was bent go anywhere? No contact of this step knows of it. */
+static bool is_sent(const struct wfStep *s, const wfFlight *f)
 {
-    for (int32_t k = s->b.props[f->body].shape; k >= 0; k = s->b.next[k])
-        if (!wfIsSensor(&s->b, k) && wfIsFollowed(&s->b, k, way_of(s, k, f->leg)))
-            return true;
+    for (int32_t k = s->b.props[f->body].shape; k >= 0; k = s->b.next[k]) {
+        wfReal least = s->b.head->slop * s->b.materials[k].reach;
+        if (!wfIsSensor(&s->b, k) && way_of(s, k, f->leg) > least) return true;
+    }
     return false;
 }
 /* <find the flights of a step> */
@@ -675,7 +677,7 @@ static wfResult plan_again(struct wfStep *s, wfReal now)
     for (int32_t n = 0; n < s->flightCount; n++) {
         wfFlight *f = &s->flights[n];
         if (!f->fresh) continue;
-        f->fast = f->fast || body_is_fast(s, f);
+        f->fast = f->fast || is_sent(s, f);
         fresh[count++] = n;
     }
     for (int32_t n = 0; n < s->flightCount && result == WF_OK; n++) {

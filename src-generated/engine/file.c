@@ -38,22 +38,40 @@ static bool write_all(const char *path, const void *bytes, size_t size)
     return fclose(f) == 0 && good;
 }
 
-wfResult wfSaveToFile(const wfWorld *world, const char *path)
+static wfResult replace(const char *path, const void *bytes, size_t size)
 {
     char fresh[PATH_BYTES + 8];
-    wfMemory memory;
-    size_t size = wfSaveSize(world), length = path == NULL ? 0 : strlen(path);
-    if (path == NULL) return WF_ERROR_NULL;
+    size_t length = strlen(path);
     if (length == 0 || length >= PATH_BYTES) return WF_ERROR_FILE;
     memcpy(fresh, path, length);
     memcpy(fresh + length, ".new", 5);
+    if (write_all(fresh, bytes, size) && put_in_place(fresh, path)) return WF_OK;
+    remove(fresh);
+    return WF_ERROR_FILE;
+}
+/* <save to a file> */
+wfResult wfSaveToFile(const wfWorld *world, const char *path)
+{
+    wfMemory memory;
+    size_t size = wfSaveSize(world);
+    if (path == NULL) return WF_ERROR_NULL;
     wfResult result = wfAllocateMemory(&memory, size, 0);
     if (result != WF_OK) return result;
     result = wfSaveToBytes(world, memory.permanent, size, &size);
-    if (result == WF_OK && !write_all(fresh, memory.permanent, size))
-        result = WF_ERROR_FILE;
-    if (result == WF_OK && !put_in_place(fresh, path)) result = WF_ERROR_FILE;
-    if (result == WF_ERROR_FILE) remove(fresh);
+    if (result == WF_OK) result = replace(path, memory.permanent, size);
+    wfFreeMemory(&memory);
+    return result;
+}
+/* <save to a file> */
+wfResult wfSaveJournalToFile(const wfJournal *journal, const char *path)
+{
+    wfMemory memory;
+    size_t size = wfJournalSaveSize(journal);
+    if (path == NULL || journal == NULL) return WF_ERROR_NULL;
+    wfResult result = wfAllocateMemory(&memory, size, 0);
+    if (result != WF_OK) return result;
+    result = wfSaveJournalToBytes(journal, memory.permanent, size, &size);
+    if (result == WF_OK) result = replace(path, memory.permanent, size);
     wfFreeMemory(&memory);
     return result;
 }
@@ -68,17 +86,37 @@ static bool read_all(FILE *f, wfMemory *memory, wfResult *result)
     return fread(memory->permanent, 1, (size_t)size, f) == (size_t)size;
 }
 
-wfResult wfLoadFromFile(const char *path, wfWorld *out)
+static wfResult fetch(const char *path, wfMemory *memory)
 {
-    wfMemory memory = { .owned = 0 };
     wfResult result = WF_OK;
-    if (path == NULL || out == NULL) return WF_ERROR_NULL;
+    *memory = (wfMemory){ .owned = 0 };
     FILE *f = fopen(path, "rb");
     if (f == NULL) return WF_ERROR_FILE;
-    if (!read_all(f, &memory, &result)) result = WF_ERROR_FILE;
+    if (!read_all(f, memory, &result)) result = WF_ERROR_FILE;
     fclose(f);
+    return result;
+}
+/* <load from a file> */
+wfResult wfLoadFromFile(const char *path, wfWorld *out)
+{
+    wfMemory memory;
+    if (path == NULL || out == NULL) return WF_ERROR_NULL;
+    wfResult result = fetch(path, &memory);
     if (result == WF_OK)
         result = wfLoadFromBytes(memory.permanent, memory.permanentSize, NULL, out);
+    wfFreeMemory(&memory);
+    return result;
+}
+/* <load from a file> */
+wfResult wfLoadJournalFromFile(const char *path, void *room, size_t capacity,
+                               wfJournal *out)
+{
+    wfMemory memory;
+    if (path == NULL) return WF_ERROR_NULL;
+    wfResult result = fetch(path, &memory);
+    if (result == WF_OK)
+        result = wfLoadJournalFromBytes(memory.permanent, memory.permanentSize, room,
+                                        capacity, out);
     wfFreeMemory(&memory);
     return result;
 }

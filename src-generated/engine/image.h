@@ -4,6 +4,7 @@
 #define WEFT_ENGINE_IMAGE_H
 /* A world as a list of pieces of bytes. For the engine's own files; not installed. */
 #include "engine/block.h"
+#include "weft/save.h"
 
 typedef struct wfImage {
     wfHeader       head;                     /* a copy, without what can be found again */
@@ -24,6 +25,11 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image);
 void wfKeepBuiltIn(const wfHeader *own, wfHeader *now);
 /* A number for the names and places of the fields that have a name. */
 uint64_t wfHashFields(uint64_t h);
+/* <declarations of the engine's own journal calls> */
+/* The steps that a journal notes. WF_ERROR_INVALID: it is none of this program. */
+wfResult wfCountJournal(const wfJournal *journal, uint64_t *steps);
+/* A number for what the entries of a journal look like. */
+uint64_t wfHashInputs(uint64_t h);
 /* A world with room as `room` says, in its memory, that is what the image shows. */
 wfResult wfWorldOfImage(const wfImage *image, const wfWorldDef *room, wfWorld *out);
 #endif

@@ -72,7 +72,7 @@ static wfResult check_pair(int32_t one, int32_t two, const wfPairMaterial *m)
         if (number[i] < 0) return WF_ERROR_RANGE;
     return m->restitution > 1 ? WF_ERROR_RANGE : WF_OK;
 }
-
+/* <know a pair of materials> */
 wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m)
 {
     wfBlock block;

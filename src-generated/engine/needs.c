@@ -199,7 +199,7 @@ uint32_t wfLacking(uint32_t have, uint32_t needs)
 {
     return that_show(needs & ~have, have);
 }
-
+/* <ask for needs> */
 wfResult wfNeedError(uint32_t needs)
 {
     for (int i = 0; i < wfNeedCount; i++)
@@ -295,7 +295,7 @@ static uint32_t needs_listed(const wfSceneList *list, int32_t *shapes)
     if (list->jointCount > 0) needs |= WF_NEED_JOINTS;
     return needs;
 }
-
+/* <infer the needs of a scene> */
 wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def)
 {
     int32_t shapes = 0;

@@ -23,7 +23,7 @@ static uint64_t hash_settings(uint64_t h)
     }
     return h;
 }
-
+/* <hash the layout> */
 uint64_t wfLayoutHash(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -106,6 +106,24 @@ wfResult wfReadSaveInfo(const void *bytes, size_t size, wfSaveInfo *out)
         .steps = get_number(b + AT_STEPS, 8), .hash = get_number(b + AT_HASH, 8) };
     return WF_OK;
 }
+/* <the header of a file> */
+enum { HOLDS_WORLD = 1, HOLDS_JOURNAL = 2 };
+
+static void seal(uint8_t *b, const wfSaveInfo *info)
+{
+    size_t end = (size_t)info->size - SUM_BYTES;
+    memset(b, 0, AT_IMAGE);
+    memcpy(b, save_magic, sizeof save_magic);
+    put_number(b + AT_VERSION, WF_SAVE_VERSION, 4);
+    b[AT_ORDER] = highest_first() ? 2 : 1;
+    b[AT_REAL] = (uint8_t)sizeof(wfReal);
+    b[AT_HOLDS] = (uint8_t)info->holds;
+    put_number(b + AT_LAYOUT, info->layout, 8);
+    put_number(b + AT_SIZE, info->size, 8);
+    put_number(b + AT_STEPS, info->steps, 8);
+    put_number(b + AT_HASH, info->hash, 8);
+    put_number(b + end, wfChecksum(b, end), 8);
+}
 /* <save a world> */
 static wfResult image_of(const wfWorld *world, wfImage *out)
 {
@@ -128,34 +146,25 @@ wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_
     if (bytes == NULL || size == NULL) return WF_ERROR_NULL;
     wfResult result = image_of(world, &image);
     if (result != WF_OK) return result;
-    size_t all = AT_IMAGE + image.size + SUM_BYTES;
-    if (all > capacity) return WF_ERROR_MEMORY;
-    /* <write the header of a file> */
-    memset(b, 0, AT_IMAGE);
-    memcpy(b, save_magic, sizeof save_magic);
-    put_number(b + AT_VERSION, WF_SAVE_VERSION, 4);
-    b[AT_ORDER] = highest_first() ? 2 : 1;
-    b[AT_REAL] = (uint8_t)sizeof(wfReal);
-    b[AT_HOLDS] = 1;
-    put_number(b + AT_LAYOUT, wfLayoutHash(), 8);
-    put_number(b + AT_SIZE, all, 8);
-    put_number(b + AT_STEPS, image.head.steps, 8);
-    put_number(b + AT_HASH, wfHashWorld(world), 8);
+    wfSaveInfo info = { .holds = HOLDS_WORLD, .layout = wfLayoutHash(),
+        .size = AT_IMAGE + image.size + SUM_BYTES, .steps = image.head.steps,
+        .hash = wfHashWorld(world) };
+    if (info.size > capacity) return WF_ERROR_MEMORY;
     wfWriteImage(&image, b + AT_IMAGE);
-    put_number(b + all - SUM_BYTES, wfChecksum(b, all - SUM_BYTES), 8);
-    *size = all;
+    seal(b, &info);
+    *size = (size_t)info.size;
     return WF_OK;
 }
 /* <load a world> */
-static wfResult fits_here(const wfSaveInfo *info)
+static wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
 {
     if (info->version != WF_SAVE_VERSION) return WF_ERROR_VERSION;
-    if (info->holds != 1) return WF_ERROR_NOT_A_SAVE;
+    if (info->holds != holds) return WF_ERROR_NOT_A_SAVE;
     if (info->highestFirst != highest_first()) return WF_ERROR_BYTE_ORDER;
     if (info->realBytes != (int32_t)sizeof(wfReal)) return WF_ERROR_PRECISION;
-    return info->layout == wfLayoutHash() ? WF_OK : WF_ERROR_LAYOUT;
+    return info->layout == layout ? WF_OK : WF_ERROR_LAYOUT;
 }
-
+/* <load a world> */
 wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
                          wfWorld *out)
 {
@@ -163,7 +172,7 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
     wfImage image;
     wfWorld made;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfReadSaveInfo(bytes, size, &info);
-    if (result == WF_OK) result = fits_here(&info);
+    if (result == WF_OK) result = fits_here(&info, HOLDS_WORLD, wfLayoutHash());
     if (result != WF_OK) return result;
     const uint8_t *from = (const uint8_t *)bytes + AT_IMAGE;
     result = wfReadImage(from, size - AT_IMAGE - SUM_BYTES, &image);
@@ -176,5 +185,55 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
     if (result == WF_OK && wfHashWorld(&made) != info.hash) result = WF_ERROR_INVALID;
     if (result == WF_OK) *out = made;
     else wfDestroyWorld(&made);
+    return result;
+}
+/* <save and load a journal> */
+enum { AT_ENTRIES = AT_IMAGE + 8, JOURNAL_FRAME = AT_ENTRIES + SUM_BYTES };
+
+size_t wfJournalSaveSize(const wfJournal *j)
+{
+    uint64_t steps;
+    if (j == NULL || j->bytes == NULL || wfCountJournal(j, &steps) != WF_OK) return 0;
+    return j->used + JOURNAL_FRAME;
+}
+
+wfResult wfSaveJournalToBytes(const wfJournal *j, void *bytes, size_t capacity,
+                              size_t *size)
+{
+    uint8_t *b = bytes;
+    if (j == NULL || j->bytes == NULL || bytes == NULL || size == NULL)
+        return WF_ERROR_NULL;
+    wfSaveInfo info = { .holds = HOLDS_JOURNAL, .layout = wfHashInputs(wfLayoutHash()),
+                        .size = j->used + JOURNAL_FRAME, .hash = j->begins };
+    wfResult result = wfCountJournal(j, &info.steps);
+    if (result != WF_OK) return result;
+    if (info.size > capacity) return WF_ERROR_MEMORY;
+    put_number(b + AT_IMAGE, (uint64_t)j->trail, 8);
+    memcpy(b + AT_ENTRIES, j->bytes, j->used);
+    seal(b, &info);
+    *size = (size_t)info.size;
+    return WF_OK;
+}
+/* <save and load a journal> */
+wfResult wfLoadJournalFromBytes(const void *bytes, size_t size, void *room,
+                                size_t capacity, wfJournal *out)
+{
+    const uint8_t *b = bytes;
+    wfSaveInfo info;
+    uint64_t steps;
+    if (room == NULL || out == NULL) return WF_ERROR_NULL;
+    wfResult result = wfReadSaveInfo(bytes, size, &info);
+    if (result == WF_OK)
+        result = fits_here(&info, HOLDS_JOURNAL, wfHashInputs(wfLayoutHash()));
+    if (result != WF_OK) return result;
+    if (size < JOURNAL_FRAME || get_number(b + AT_IMAGE, 8) > 1) return WF_ERROR_INVALID;
+    size_t used = size - JOURNAL_FRAME;
+    if (used > capacity) return WF_ERROR_MEMORY;
+    memcpy(room, b + AT_ENTRIES, used);
+    wfJournal j = { .bytes = room, .size = capacity, .used = used, .run = used,
+                    .trail = b[AT_IMAGE], .begins = info.hash };
+    result = wfCountJournal(&j, &steps);
+    if (result == WF_OK && steps != info.steps) result = WF_ERROR_INVALID;
+    if (result == WF_OK) *out = j;
     return result;
 }

@@ -223,7 +223,7 @@ static void place_shape(wfBlock *b, int32_t k, int32_t body, const wfShape *shap
     b->shapes[k] = *shape;
     wfShapeMove(&b->shapes[k], wfNeg(b->props[body].localCentre));
 }
-
+/* <shapes in a world> */
 static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
 {
     b->head->sensorCount += def->sensor - b->materials[k].sensor;

@@ -30,7 +30,7 @@ wfResult wfSnapshotWorld(const wfWorld *world, void *bytes, size_t capacity, siz
     *size = image.size;
     return WF_OK;
 }
-
+/* <take and restore snapshots> */
 wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size)
 {
     wfBlock b;
@@ -112,7 +112,7 @@ static double number_at(const uint8_t *at, int real)
     else memcpy(&i, at, sizeof i);
     return real ? (double)r : i;
 }
-
+/* <compare two worlds> */
 /* Names what differs at a byte of an element, if it has a name. */
 static void name_field(wfDifference *d, int region, const uint8_t *a, const uint8_t *b)
 {

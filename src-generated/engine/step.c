@@ -212,6 +212,13 @@ static wfResult find_bounds(struct wfStep *s)
     }
     for (int32_t k = 0; k < s->shapeCount; k++) {
         int32_t i = s->b.owners[k];
+        /* <ask for the corners of a shape further on> */
+        enum { AHEAD = 6 };
+        if (k + AHEAD < s->shapeCount) {
+            const wfShape *soon = &s->b.shapes[k + AHEAD];
+            WF_FETCH_SOON(soon);
+            WF_FETCH_SOON(&soon->vertices[3]);
+        }
         if (i >= 0 && !s->present[i]) {
             s->bounds[k] = s->b.bounds[k];
             s->flags[k] = WF_PROXY_LIVE;
@@ -343,7 +350,7 @@ static wfSolve to_solve(struct wfStep *s)
         .fine = s->fine,
     };
 }
-
+/* <resolve the contacts> */
 static wfResult solve_velocities(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
@@ -377,6 +384,13 @@ static wfResult find_index(struct wfStep *s)
     }
     for (int32_t k = 0; k < s->shapeCount; k++) {
         int32_t i = s->b.owners[k];
+        /* <ask for the corners of a shape further on> */
+        enum { AHEAD = 6 };
+        if (k + AHEAD < s->shapeCount) {
+            const wfShape *soon = &s->b.shapes[k + AHEAD];
+            WF_FETCH_SOON(soon);
+            WF_FETCH_SOON(&soon->vertices[3]);
+        }
         if (i >= 0 && moved[i]) s->bounds[k] = bound_one(&s->b, k, s->places[i]);
     }
     wfPoolRewind(&s->scratch, mark);

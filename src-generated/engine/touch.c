@@ -82,7 +82,7 @@ static const wfManifoldCache *old_cache(const wfBlock *b, wfWalk *w, wfPair p)
     if (!found && w->after != NULL) return old_cache(b, w->after, p);
     return found ? &b->caches[w->pair] : NULL;
 }
-
+/* <walk along the contacts of the last step> */
 static const wfContact *old_contact(const wfBlock *b, wfWalk *w, wfPair p)
 {
     while (w->contact < w->contacts
@@ -271,11 +271,11 @@ static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
     return WF_OK;
 }
 /* <make the contacts> */
-static wfContact start_contact(const struct wfStep *s, wfPair p)
+static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
 {
     const wfShapeProps *a = &s->b.materials[p.a], *b = &s->b.materials[p.b];
     wfPairMaterial m = wfMixMaterials(&s->b, a, b);
-    return (wfContact){ .a = s->b.owners[p.a], .b = s->b.owners[p.b],
+    *c = (wfContact){ .a = s->b.owners[p.a], .b = s->b.owners[p.b],
         .shapeA = p.a, .shapeB = p.b, .restitution = m.restitution,
         .friction = m.friction, .staticFriction = m.staticFriction, .rolling = m.rolling,
         .surfaceSpeed = wfMixSurfaceSpeed(a->surfaceSpeed, b->surfaceSpeed),
@@ -289,11 +289,11 @@ static wfResult measure(struct wfStep *s, wfPair p, const wfManifoldCache *known
     wfTransform xa = s->places[c->a], xb = s->places[c->b];
     bool worth = a->kind != WF_SHAPE_CIRCLE || b->kind != WF_SHAPE_CIRCLE;
     wfSeparation found;
-    *cache = (wfManifoldCache){ .allowed = 0 };
     if (known != NULL && s->b.head->reuse && worth) {
         *cache = *known;
-        if (wfReuseManifold(a, xa, b, xb, margin, cache, &c->manifold)) return WF_OK;
+        if (wfReuseManifold(a, xa, b, xb, margin, known, &c->manifold)) return WF_OK;
     }
+    if (!worth) *cache = (wfManifoldCache){ .allowed = 0 };
     wfResult result = wfSeparate(s->b.head->narrowPhase, a, xa, b, xb, &found);
     if (result != WF_OK) return result;
     wfMakeManifoldWithin(a, xa, b, xb, &found, margin, &c->manifold);
@@ -305,14 +305,19 @@ static void drop_gaps(wfManifold *m, wfReal margin)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < m->count; i++)
-        if (m->points[i].depth >= -margin) m->points[kept++] = m->points[i];
+        if (m->points[i].depth >= -margin) {
+            if (kept < i) m->points[kept] = m->points[i];
+            kept++;
+        }
     m->count = kept;
 }
 /* <make the contacts> */
 static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
 {
     wfPair p = s->pairs.pairs[i];
-    wfContact c = start_contact(s, p);
+    bool full = s->contactCount == s->b.head->contactCapacity - s->kept.contacts;
+    wfContact beside, *c = full ? &beside : &s->contacts[s->contactCount];
+    start_contact(s, p, c);
     const wfContact *old = old_contact(&s->b, w, p);
     bool was = false, enabled = true;
     /* <see whether the pair p touched before> */
@@ -320,30 +325,29 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     /* <see whether the pair p touched before> */
     was = touched_before(&s->b, w, p);
     wfReal ahead = wfSolverSteps(s) ? way_of_pair(s, p) : 0;
-    wfReal margin = was ? wfMaxR(ahead, c.slop) : ahead;
-    wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], &c);
-    if (result != WF_OK || c.manifold.count == 0) return result;
-    if (old != NULL) wfCarryImpulses(old, &c);
+    wfReal margin = was ? wfMaxR(ahead, c->slop) : ahead;
+    wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], c);
+    if (result != WF_OK || c->manifold.count == 0) return result;
+    if (old != NULL) wfCarryImpulses(old, c);
     /* <ask whether the contact c is wanted> */
     /* The user may be asked: section "Hooks". */
     /* <ask whether the contact c is wanted> */
-    if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, &c, &enabled);
+    if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, c, &enabled);
     if (result != WF_OK || !enabled) return result;
     /* <note the touch of the contact c> */
     /* For events, and only for them. */
     /* <note the touch of the contact c> */
-    bool is = wfTouchesNow(was, -deepest(&c.manifold), c.slop);
-    note_touch(s, &c, is);
-    drop_gaps(&c.manifold, ahead);
-    if (c.manifold.count == 0) return WF_OK;
-    if (s->contactCount == s->b.head->contactCapacity - s->kept.contacts)
-        return WF_ERROR_FULL;
+    bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
+    note_touch(s, c, is);
+    drop_gaps(&c->manifold, ahead);
+    if (c->manifold.count == 0) return WF_OK;
+    if (full) return WF_ERROR_FULL;
     /* <whom the contact c concerns besides its bodies> */
     /* In this chapter nobody. */
     /* <whom the contact c concerns besides its bodies> */
-    wfWakeInStep(s, c.a);
-    wfWakeInStep(s, c.b);
-    s->contacts[s->contactCount++] = c;
+    wfWakeInStep(s, c->a);
+    wfWakeInStep(s, c->b);
+    s->contactCount++;
     return WF_OK;
 }
 /* <make the contacts> */
@@ -370,6 +374,15 @@ wfResult wfFindContacts(struct wfStep *s)
     s->hits = wfTransient(&s->b, WF_REGION_NEW_HITS);
     s->hitSpeed = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
     for (int32_t i = 0; i < s->pairs.count && result == WF_OK; i++) {
+        /* <ask for the shapes of a pair further on> */
+        enum { AHEAD = 6 };
+        if (i + AHEAD < s->pairs.count) {
+            const wfShape *soon = &s->b.shapes[s->pairs.pairs[i + AHEAD].b];
+            WF_FETCH_SOON(soon);
+            WF_FETCH_SOON(&soon->vertices[3]);
+            WF_FETCH_SOON(&soon->normals[0]);
+            WF_FETCH_SOON(&soon->normals[3]);
+        }
         /* <leave a sensor's pair to its own function> */
         /* where there are sensors */
         /* <leave a sensor's pair to its own function> */
@@ -383,7 +396,12 @@ wfResult wfFindContacts(struct wfStep *s)
     return result;
 }
 /* <make the contacts> */
-wfContact wfStartContact(const struct wfStep *s, wfPair p) { return start_contact(s, p); }
+wfContact wfStartContact(const struct wfStep *s, wfPair p)
+{
+    wfContact c;
+    start_contact(s, p, &c);
+    return c;
+}
 
 /* <make the contacts> */
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled)

@@ -29,11 +29,17 @@ wfExactShape wfTellExactShape(const wfWorld *world, int32_t k)
     return (wfExactShape){ .shape = b.shapes[k], .reach = m->reach, .arm = m->arm,
                            .inner = m->inner };
 }
-
+/* <tell what is exact> */
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i)
 {
     wfBlock b = block_of(world);
     return wfHas(b.head, WF_NEED_PUSHES) ? b.applied[i] : (wfBodyForces){ .torque = 0 };
+}
+
+wfFine wfTellFine(const wfWorld *world, int32_t i)
+{
+    wfBlock b = block_of(world);
+    return b.fine != NULL ? b.fine[i] : (wfFine){ .angle = 0 };
 }
 /* <tell what is exact> */
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out)
@@ -156,6 +162,12 @@ wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
     if (!wfHas(b.head, WF_NEED_PUSHES)) return WF_ERROR_NO_PUSHES;
     b.applied[i] = *push;
     return WF_OK;
+}
+
+void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine)
+{
+    wfBlock b = block_of(world);
+    if (b.fine != NULL) b.fine[i] = *fine;
 }
 
 void wfPutClock(wfWorld *world, double time, uint64_t steps)

@@ -52,23 +52,27 @@ static bool fits(wfText *t, const cJSON *item, const wfField *f, double x)
     return true;
 }
 
-static bool read_number(wfText *t, const cJSON *item, const wfField *f, double most,
-                        double *out)
+static bool read_number(wfText *t, const cJSON *item, double most, double *out)
 {
     if (!cJSON_IsNumber(item))
         return wfTextFail(t, item, WF_ERROR_TEXT, "must be a number");
     *out = item->valuedouble;
     if (!(*out >= -most && *out <= most))
         return wfTextFail(t, item, WF_ERROR_NOT_FINITE, "is too large for a number");
-    return fits(t, item, f, *out);
+    return true;
 }
-
+/* <read a field> */
 static bool read_real(wfText *t, const cJSON *item, const wfField *f, wfReal *out)
 {
-    double x;
-    if (!read_number(t, item, f, (double)WF_HUGE, &x)) return false;
+    double x, most = (double)WF_HUGE * (1 + (double)WF_EPSILON / 4);
+    if (!read_number(t, item, most, &x)) return false;
     *out = (wfReal)x;
-    return fits(t, item, f, (double)*out);      /* 1e-60 is above 0, and becomes 0 */
+    return fits(t, item, f, (double)*out);
+}
+
+static bool read_double(wfText *t, const cJSON *item, const wfField *f, double *out)
+{
+    return read_number(t, item, DBL_MAX, out) && fits(t, item, f, *out);
 }
 /* <read a field> */
 /* The numbers of an array: as many as there must be. */
@@ -85,20 +89,20 @@ static bool read_reals(wfText *t, const cJSON *item, const wfField *f, int count
 
 static bool read_doubles(wfText *t, const cJSON *item, const wfField *f, double *out)
 {
-    if (f->count == 0) return read_number(t, item, f, DBL_MAX, out);
+    if (f->count == 0) return read_double(t, item, f, out);
     if (!cJSON_IsArray(item) || cJSON_GetArraySize(item) != f->count)
         return wfTextFail(t, item, WF_ERROR_TEXT, "must be an array of %d numbers",
                           (int)f->count);
     int i = 0;
     for (const cJSON *c = item->child; c != NULL; c = c->next)
-        if (!read_number(t, c, f, DBL_MAX, &out[i++])) return false;
+        if (!read_double(t, c, f, &out[i++])) return false;
     return true;
 }
 /* <read a field> */
 static bool read_int(wfText *t, const cJSON *item, const wfField *f, int32_t *out)
 {
     double x;
-    if (!read_number(t, item, f, (double)INT32_MAX, &x)) return false;
+    if (!read_number(t, item, (double)INT32_MAX, &x) || !fits(t, item, f, x)) return false;
     *out = (int32_t)x;
     if ((double)*out < x || (double)*out > x)
         return wfTextFail(t, item, WF_ERROR_RANGE, "must be a whole number");
@@ -126,7 +130,7 @@ static bool read_row(wfText *t, const cJSON *item, const wfField *f, int32_t *ou
         nearer(name, wrong, &best, &least);
     return unknown(t, item, f->name, wrong, best);
 }
-
+/* <read a field> */
 static bool read_set(wfText *t, const cJSON *item, const wfField *f, uint32_t *out)
 {
     uint32_t set = 0;
@@ -150,7 +154,7 @@ static bool read_string(wfText *t, const cJSON *item, const wfField *f, char *ou
     strcpy(out, item->valuestring);
     return true;
 }
-
+/* <read a field> */
 static bool read_bits(wfText *t, const cJSON *item, uint64_t *out)
 {
     return wfBitsOfText(item, out) ||
@@ -269,7 +273,7 @@ static cJSON *double_item(double x)
     wfTextOfDouble(x, text);
     return cJSON_CreateRaw(text);
 }
-
+/* <write a field> */
 static cJSON *doubles_item(const double *x, int count)
 {
     if (count == 0) return double_item(x[0]);

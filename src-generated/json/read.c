@@ -153,7 +153,7 @@ static bool read_shape(Reader *r, const cJSON *item, int32_t body)
 /* <read the bodies> */
 static bool read_body(Reader *r, const cJSON *item, int32_t i)
 {
-    static const char *const also[] = { "shapes", "exact", "push", NULL };
+    static const char *const also[] = { "shapes", "exact", "push", "fine", NULL };
     wfBodyText *b = &r->body[i];
     const cJSON *shapes;
     int32_t count;
@@ -301,9 +301,8 @@ static bool same_numbers(const Reader *r) { return r->root.digits == WF_DIGITS; 
 
 static bool put_exact_body(Reader *r, int32_t i, const cJSON *item)
 {
-    const cJSON *exact = wfChild(item, "exact"), *push = wfChild(item, "push");
+    const cJSON *exact = wfChild(item, "exact");
     wfExactBody e = wfTellExactBody(&r->world, i);
-    wfBodyForces sums = { .torque = 0 };
     if (exact != NULL && !wfReadFields(&r->t, exact, wfExactBodyFields, nothing, &e))
         return false;
     if (exact != NULL && same_numbers(r)) {
@@ -311,6 +310,17 @@ static bool put_exact_body(Reader *r, int32_t i, const cJSON *item)
         if (fault != NULL) return differs(r, exact, fault);
         wfPutExactBody(&r->world, i, &e);
     }
+    return true;
+}
+/* <add what is exact> */
+static bool put_sums(Reader *r, int32_t i, const cJSON *item)
+{
+    const cJSON *push = wfChild(item, "push"), *digits = wfChild(item, "fine");
+    wfBodyForces sums = { .torque = 0 };
+    wfFine fine = { .angle = 0 };
+    if (digits != NULL && !wfReadFields(&r->t, digits, wfFineFields, nothing, &fine))
+        return false;
+    if (digits != NULL && same_numbers(r)) wfPutFine(&r->world, i, &fine);
     if (push != NULL && !wfReadFields(&r->t, push, wfPushFields, nothing, &sums))
         return false;
     if (push == NULL) return true;
@@ -349,7 +359,8 @@ static bool finish_bodies(Reader *r)
 {
     const cJSON *item = first_of(r->bodies);
     for (int32_t i = 0; i < r->bodyCount; i++, item = item->next)
-        if (!set_type(r, i, item) || !put_exact_body(r, i, item)) return false;
+        if (!set_type(r, i, item) || !put_exact_body(r, i, item) || !put_sums(r, i, item))
+            return false;
     for (int32_t k = 0; k < r->shapeCount; k++)
         if (r->shape[k].exact != NULL && !put_exact_shape(r, k, r->shape[k].exact))
             return false;

@@ -372,7 +372,7 @@ static void check_mass(Rube *r, const cJSON *body, const wfWorld *world, int32_t
     if (given > 0 && inertia > 0 && !is_like(given, about, about))
         refuse(r, wfChild(body, "massData-I"), "the fixtures have another one");
 }
-
+/* <translate a scene of theirs> */
 static void check_masses(Rube *r, const char *text)
 {
     wfWorld world;
@@ -411,7 +411,7 @@ static char *translate(Rube *r)
     wfFreeText(text);
     return NULL;
 }
-
+/* <translate a scene of theirs> */
 wfResult wfTranslateRube(const char *text, size_t length, char **out, wfTextError *error)
 {
     wfTextError own;

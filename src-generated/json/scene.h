@@ -55,7 +55,7 @@ enum { WF_DIGITS = FLT_MANT_DIG };
 #endif
 extern const wfFields wfRootFields, wfViewFields, wfPromiseFields, wfBodyFields,
     wfShapeFields, wfJointFields, wfPairFields, wfExactBodyFields, wfExactShapeFields,
-    wfPushFields;
+    wfPushFields, wfFineFields;
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS]);
 wfField wfNeedsField(void);
 /* The parameters of a force; spare may be used for the answer. */
@@ -81,6 +81,9 @@ void wfPutExactShape(wfWorld *world, int32_t k, const wfExactShape *e);
 void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot);
 wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push);
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i);
+/* What a state has rounded away; zero, and without effect, in a world without fineSums. */
+wfFine wfTellFine(const wfWorld *world, int32_t i);
+void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
 void wfPutClock(wfWorld *world, double time, uint64_t steps);
 /* <declarations of exact scenes> */
 /* The force at place i: 1; 0: the place is empty; -1: there is no such place. */

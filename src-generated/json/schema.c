@@ -56,7 +56,7 @@ static cJSON *append_object(Schema *s, cJSON *array)
     cJSON_Delete(item);
     return note(s, NULL);
 }
-
+/* <build a schema> */
 static void append_words(Schema *s, cJSON *array, const char *words)
 {
     char word[32];
@@ -96,7 +96,7 @@ static void one_number(Schema *s, cJSON *in, const wfField *f, const char *type)
     say(s, in, "type", type);
     limit(s, in, f);
 }
-
+/* <describe a field> */
 static void bits(Schema *s, cJSON *in)
 {
     cJSON *either = array_in(s, in, "oneOf"), *number = append_object(s, either);
@@ -114,7 +114,7 @@ static void names_in(Schema *s, cJSON *in, const wfField *f)
     const char *name;
     for (int i = 0; (name = wfFieldRow(f, i)) != NULL; i++) append_text(s, names, name);
 }
-
+/* <describe a field> */
 static void describe(Schema *s, cJSON *properties, const wfField *f)
 {
     cJSON *in = object_in(s, properties, f->name);
@@ -222,13 +222,14 @@ static void describe_joint(Schema *s, cJSON *in)
     refer(s, properties, "anchorB", "#/$defs/point");
     require(s, in, "kind a b");
 }
-
+/* <describe shapes and forces> */
 static void describe_body(Schema *s, cJSON *in)
 {
     cJSON *properties = with_fields(s, in, wfBodyFields);
     list_in(s, properties, "shapes", "#/$defs/shape");
     with_fields(s, object_in(s, properties, "exact"), wfExactBodyFields);
     with_fields(s, object_in(s, properties, "push"), wfPushFields);
+    with_fields(s, object_in(s, properties, "fine"), wfFineFields);
 }
 /* <describe a scene> */
 static void describe_small_things(Schema *s, cJSON *defs)

@@ -181,12 +181,20 @@ static const wfField exactShapeFields[] = {
     KEPT(reach), KEPT(arm), KEPT(inner),
 };
 const wfFields wfExactShapeFields = FIELDS(exactShapeFields);
-
+/* <tables of a scene's fields> */
 static const wfField pushFields[] = {
     { AT(wfBodyForces, force), VEC, .text = "N: acts in the next step" },
     { AT(wfBodyForces, torque), REAL, ANY, .text = "N m: acts in the next step" },
 };
 const wfFields wfPushFields = FIELDS(pushFields);
+
+static const wfField fineFields[] = {
+    { AT(wfFine, p), VEC, .text = "m: what the centre of mass has rounded away" },
+    { AT(wfFine, v), VEC, .text = "m/s: what the velocity has" },
+    { AT(wfFine, angle), REAL, ANY, .text = "rad: what the angle has" },
+    { AT(wfFine, w), REAL, ANY, .text = "rad/s: what the angular velocity has" },
+};
+const wfFields wfFineFields = FIELDS(fineFields);
 /* <names of the parameters of forces> */
 #define FORCE(part, member, about) { .name = #member, \
     .offset = offsetof(wfForce, part.member), .text = about, REAL, ANY }

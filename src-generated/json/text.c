@@ -47,7 +47,7 @@ cJSON *wfTextOfBits(uint64_t bits)
     snprintf(text, sizeof text, "%llu", (unsigned long long)bits);
     return cJSON_CreateRaw(text);
 }
-
+/* <turn numbers into text> */
 bool wfBitsOfText(const cJSON *item, uint64_t *out)
 {
     if (cJSON_IsNumber(item)) {
@@ -92,7 +92,7 @@ static bool ends_word(char c)
 {
     return (unsigned char)c <= ' ' || strchr(",:[]{}\"", c) != NULL;
 }
-
+/* <find the line of a value> */
 /* The line of value number `order` (from 1), and how deep the text goes. */
 static int32_t scan(const wfText *t, int64_t order, int *depth)
 {

@@ -31,7 +31,7 @@ static bool append(cJSON *array, cJSON *item)
     cJSON_Delete(item);
     return false;
 }
-
+/* <what a writer knows> */
 static cJSON *add_list(cJSON *object, const char *name)
 {
     cJSON *list = cJSON_CreateArray();
@@ -162,7 +162,7 @@ static bool is_weighed(const Writer *w, int32_t i)
             return true;
     return false;
 }
-
+/* <write the bodies> */
 static wfBodyText text_of_body(const Writer *w, int32_t i)
 {
     const wfBodyProps *p = &w->bodies.props[i];
@@ -197,6 +197,15 @@ static bool write_push(const Writer *w, cJSON *item, int32_t i)
     return give(item, "push", push) && wfWriteFields(push, wfPushFields, &sums, NULL);
 }
 
+static bool write_fine(const Writer *w, cJSON *item, int32_t i)
+{
+    wfFine fine = wfTellFine(w->world, i), none = { .angle = 0 };
+    if (memcmp(&fine, &none, sizeof fine) == 0) return true;
+    cJSON *digits = cJSON_CreateObject();
+    return give(item, "fine", digits)
+        && wfWriteFields(digits, wfFineFields, &fine, &none);
+}
+/* <write the bodies> */
 static bool write_bodies(Writer *w)
 {
     const wfBodyText plain = { .def = wfDefaultBodyDef() };
@@ -208,7 +217,8 @@ static bool write_bodies(Writer *w)
         wfBodyText t = text_of_body(w, i);
         cJSON *item = cJSON_CreateObject();
         good = append(list, item) && wfWriteFields(item, wfBodyFields, &t, &plain)
-            && write_push(w, item, i) && write_shapes(w, item, i, placed);
+            && write_push(w, item, i) && write_fine(w, item, i)
+            && write_shapes(w, item, i, placed);
         if (good) w->body[w->number[i]] = item;
     }
     return good;
@@ -261,7 +271,7 @@ static bool write_forces(Writer *w)
         if (wfTellForce(w->world, i, &f) > 0) good = write_force(w, list, &f);
     return good;
 }
-
+/* <write what else there is> */
 static bool write_pairs(Writer *w)
 {
     wfPairText p;
@@ -292,7 +302,7 @@ static bool write_part(Writer *w, const char *name, wfFields fields, const wfRoo
     cJSON *item = cJSON_CreateObject();
     return give(w->root, name, item) && wfWriteFields(item, fields, root, NULL);
 }
-
+/* <write what else there is> */
 static bool write_root(Writer *w, const wfSceneInfo *info)
 {
     const wfRootText plain = { .info = { .energyBound = -1, .depthBound = -1 } };
@@ -385,7 +395,7 @@ static bool begin(Writer *w)
         w->rank[k] = w->shapes.owners[k] >= 0 ? w->shapeCount++ : -1;
     return true;
 }
-
+/* <write a scene> */
 static void end(Writer *w)
 {
     cJSON_free(w->number);

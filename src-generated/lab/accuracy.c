@@ -344,6 +344,7 @@ double labTruthError(const labTruth *scene)
     static labCourse a, b;
     double most = 0;
     if (scene->course == NULL) return -1;
+    memset(a, 0, sizeof a), memset(b, 0, sizeof b);
     scene->course(64, a), scene->course(128, b);
     for (int k = 0; k <= LAB_FRAMES; k++) most = fmax(most, farthest(10, a[k], b[k]));
     return most;
@@ -466,6 +467,21 @@ labResult labRunChosen(const labTruth *scene, const char *solver,
     if (wfUseSettings(&world, chosen) == WF_OK) r = run_world(scene, &world, chosen->steps);
     wfDestroyWorld(&world);
     return r;
+}
+/* <measure a run> */
+double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
+{
+    static labCourse truth;
+    double size = reach, error = 0;
+    if (scene->course == NULL) return -1;
+    scene->course(64, truth);
+    for (int k = 1; k <= LAB_FRAMES; k++) {
+        size = fmax(size, farthest(bodies, truth[k], truth[0]));
+        double off = farthest(bodies, got[k], truth[k]);
+        if (!(off < 1e9)) return 1e9;                   /* not a number, or far out of sight */
+        error = fmax(error, off);
+    }
+    return error / size;
 }
 /* <measure how long an error stays small> */
 enum { HORIZON = 15 * LAB_FRAMES, HORIZON_EACH = 15, HORIZON_RUNS = 3 };

@@ -43,6 +43,8 @@ labResult labRunDials(const labTruth *scene, const labDials *dials);
 /* The same with settings that were chosen. */
 labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen);
+/* The error of a course that somebody else has computed; reach: of the largest body. */
+double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
 /* By how much a double pendulum is off, s after s, by steps of a frame. */
 int labHorizon(FILE *out);
 /* One world of three islands, and by how much each is off, by setting. */

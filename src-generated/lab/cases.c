@@ -6,7 +6,7 @@
 #include "weft/weft.h"
 
 /* <helpers of the cases> */
-static const double FAILED = INFINITY;
+static const double FAILED = HUGE_VAL;
 
 static double larger(double a, double b) { return a >= b || isnan(a) ? a : b; }
 /* <helpers of the cases> */
@@ -48,7 +48,7 @@ static bool random_shape(wfRandom *r, wfShape *shape, wfTransform *where, wfReal
 static double outside(const wfShape *shape, wfTransform where, wfVec2 point)
 {
     wfVec2 rim[WF_RIM_POINTS];
-    double most = -INFINITY;
+    double most = -HUGE_VAL;
     if (shape->kind == WF_SHAPE_CIRCLE) {
         wfVec2 d = wfSub(point, where.p);
         return hypot((double)d.x, (double)d.y) - (double)shape->radius;
@@ -66,7 +66,7 @@ static double outside(const wfShape *shape, wfTransform where, wfVec2 point)
 static double reach(const wfShape *shape, wfTransform where, double x, double y)
 {
     wfVec2 rim[WF_RIM_POINTS];
-    double most = -INFINITY;
+    double most = -HUGE_VAL;
     if (shape->kind == WF_SHAPE_CIRCLE)
         return (double)where.p.x * x + (double)where.p.y * y + (double)shape->radius;
     int n = wfShapeOutline(shape, where, rim);
@@ -213,7 +213,7 @@ static double axis_is_wrong_by(wfRandom *r)
     if (!random_shape(r, &a, &xa, &angle) || !random_shape(r, &b, &xb, &angle))
         return FAILED;
     if (wfSeparate(0, &a, xa, &b, xb, &s) != WF_OK) return FAILED;
-    double said = (double)s.distance, best = -INFINITY;
+    double said = (double)s.distance, best = -HUGE_VAL;
     double there = gap_along(&a, xa, &b, xb, (double)s.normal.x, (double)s.normal.y);
     double worst = fabs(there - said);
     for (int i = 0; i < 720; i++) {
@@ -239,7 +239,7 @@ static double points_are_wrong_by(wfRandom *r)
     wfTransform xa, xb;
     wfReal angle;
     wfManifold m;
-    double worst = 0, widest = -INFINITY;
+    double worst = 0, widest = -HUGE_VAL;
     if (!random_shape(r, &a, &xa, &angle) || !random_shape(r, &b, &xb, &angle))
         return FAILED;
     int count = wfCollide(&a, xa, &b, xb, &m);

@@ -50,7 +50,7 @@ const char *wfCellText(const wfCellInput *in, const char *key, const char *other
 double wfCellNumber(const wfCellInput *in, const char *key, double otherwise);
 /* Prints one line of CSV, with its end; returns 0, or anything else if it could not. */
 typedef int wfCellFn(FILE *out, const wfCellInput *in);
-/* Prints the words of every cell, a line each; full: 0: of a sweep of minutes, 1: of all. */
+/* Prints the words of every cell, a line each; full: 0: of a small sweep, 1: of all. */
 typedef void wfSweepFn(FILE *out, int full);
 typedef struct wfCellRow {
     const char *name, *text;
@@ -61,4 +61,7 @@ typedef struct wfCellRow {
 extern const wfCellRow wfCellTable[];
 extern const int wfCellCount;
 int wfFindCell(const char *name);        /* row, or -1 */
+/* Columns and cells of the small sweep of that name, one after the other: for the small
+ * sweeps that are measurements, too. 0, or anything else as a cell does. */
+int wfRunSweep(const char *name, FILE *out);
 #endif

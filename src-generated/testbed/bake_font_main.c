@@ -20,6 +20,7 @@ static const struct { int first, last; } ranges[] = {
     { 0x2248, 0x2248 }, { 0x2260, 0x2260 }, { 0x2264, 0x2265 }, { 0x22a5, 0x22a5 },
     { 0x25b6, 0x25b6 }, { 0x25bc, 0x25bc }, { 0x2713, 0x2713 }, { 0xfffd, 0xfffd },
 };
+static int range_count = sizeof ranges / sizeof *ranges;
 /* <a shelf for the pictures of letters> */
 enum { ATLAS_WIDTH = 1024, ATLAS_HEIGHT = 2048 };
 static unsigned char atlas[ATLAS_WIDTH * ATLAS_HEIGHT];
@@ -96,9 +97,13 @@ int main(int argc, char **argv)
     stbtt_fontinfo font;
     shelf s = { 0, 0, 0 };
     int letters = 0;
+    if (argc > 1 && strcmp(argv[1], "--ascii") == 0) {
+        range_count = 1;
+        argc--, argv++;
+    }
     unsigned char *bytes = argc > 2 ? read_file(argv[1]) : NULL;
     if (!bytes || !stbtt_InitFont(&font, bytes, 0)) {
-        fprintf(stderr, "use: bake-font FONT.ttf SIZE ... > font_atlas.c\n");
+        fprintf(stderr, "use: bake-font [--ascii] FONT.ttf SIZE ... > font_atlas.c\n");
         free(bytes);
         return 2;
     }
@@ -108,7 +113,7 @@ int main(int argc, char **argv)
         /* <bake all letters at one size> */
         float scale = stbtt_ScaleForMappingEmToPixels(&font, (float)atof(argv[size]));
         letters = 0;
-        for (size_t r = 0; r < sizeof ranges / sizeof *ranges; r++)
+        for (int r = 0; r < range_count; r++)
             for (int letter = ranges[r].first; letter <= ranges[r].last; letter++, letters++)
                 if (!bake(&font, scale, letter, &s)) {
                     fprintf(stderr, "bake-font: the atlas is full -- bake fewer sizes\n");

@@ -307,13 +307,13 @@ size_t wfCopyAsC(const wfWorld *world, const char *name, const char *warn, char 
                  size_t size)
 {
     copier c = { text, size, 0, world };
-    put(&c, "/* \"%s\" after %llu steps: a world as a program, written by Weft's testbed.\n",
+    put(&c, "/* \"%s\" after %llu steps: a world as a program, by Weft's testbed.\n",
         name, (unsigned long long)wfWorldSteps(world));
-    put(&c, " * cc THIS.c $(pkg-config --cflags --libs weft) -lm%s%s */\n", warn ? "\n * " : "",
-        warn ? warn : "");
-    put(&c, "%s    wfBodyId body[%d];\n    wfBodyDef b;\n    wfShapeDef s;\n    wfJoint j;\n"
-        "    wfForce f;\n    wfWorld world;\n    (void)body, (void)b, (void)s, (void)j, (void)f;\n\n"
-        "    wfWorldDef def = wfDefaultWorldDef();\n", copyHead,
+    put(&c, " * cc THIS.c $(pkg-config --cflags --libs weft) -lm%s%s */\n",
+        warn ? "\n * " : "", warn ? warn : "");
+    put(&c, "%s    wfBodyId body[%d];\n    wfBodyDef b;\n    wfShapeDef s;\n"
+        "    wfJoint j;\n    wfForce f;\n    wfWorld world;\n"
+        "    (void)body, (void)b, (void)s, (void)j, (void)f;\n\n    wfWorldDef def = wfDefaultWorldDef();\n", copyHead,
         (int)wfWorldBodies(world).count + 1);
     copy_settings(&c);
     put(&c, "    DO(wfCreateWorld(&def, &world));\n");

@@ -9,6 +9,7 @@
 /* <headers of the headless program> */
 #include <stdlib.h>
 #include <string.h>
+#include "testbed/copy.h"
 #include "testbed/scene.h"
 #include "testbed/scene_file.h"
 /* <headers of the headless program> */
@@ -182,6 +183,31 @@ static int explain_scene(const layer_options *options)
     wfDestroyWorld(&lean);
     free(made.text);
     return result != WF_OK;
+}
+/* <commands of the headless program> */
+static int copy_scene(const layer_options *options)
+{
+    named_scene made;
+    wfWorld world;
+    size_t most = 16 * 1024 * 1024, used = 0;
+    char *text = malloc(most);
+    const wfScene *s = scene_of(options, options->argument ? options->argument
+                                                           : "free fall", &made);
+    wfResult result = s && text ? wfOpenScene(s, NULL, &world) : WF_ERROR_NULL;
+    for (int step = 0; step < options->steps && result == WF_OK; step++) {
+        wfSceneInput in = wfSceneInputAt(s, step);
+        result = wfStepScene(s, &world, &in);
+    }
+    bool acts = s && (s->update || s->hooks);
+    if (result == WF_OK) {
+        used = wfCopyAsC(&world, s->name, acts ? "Its own actions are not copied." : NULL,
+                         text, most);
+        wfDestroyWorld(&world);
+    }
+    bool good = used > 0 && used < most && fwrite(text, 1, used, stdout) == used;
+    free(text);
+    free(made.text);
+    return good ? 0 : 1;
 }
 /* <commands of the headless program> */
 static int record_hashes(const layer_options *options)
@@ -391,6 +417,7 @@ static const headless_command command_table[] = {
     /* <rows of the headless command table> */
     { "--list", "list the scenes", list_scenes },
     { "--table", "run scenes and tell what they kept: energy, overlap", watch_scenes },
+    { "--copy-c", "a scene as a program in C, after --steps", copy_scene },
     { "--export", "a scene as JSON after --steps", export_scene },
     { "--schema", "the JSON Schema of scenes", print_schema },
     { "--from-rube", "translate a scene of R.U.B.E., in the file named", translate_rube },

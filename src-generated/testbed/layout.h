@@ -5,7 +5,7 @@
 /* Where the testbed's interface is, in interface units. Chapter 30. */
 enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 131, ROW = 19 };
 enum { BAR_ROW = 30, HEAD_TEXT = 62 };  /* a row of buttons; the scene's name, its text */
-enum { HEAD = HEAD_TEXT + BAR_ROW, FOOT = 48 };     /* strips above, below the scene */
+enum { HEAD = HEAD_TEXT + 2 * BAR_ROW, FOOT = 48 };     /* strips above, below the scene */
 enum { LOW = 420 };                     /* lower windows go without that name and text */
 enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
 enum { LIST_ROOM = 800 };               /* narrower windows begin without the list */

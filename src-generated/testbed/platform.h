@@ -30,10 +30,10 @@ typedef struct game_memory {
     size_t transient_size;      /* bytes; GAME_TRANSIENT_SIZE or more */
     const char *text;           /* a scene as text that the user brought along, or NULL */
     game_file *file;            /* of sec:platform-files, or NULL: there are no files */
-    double (*now)(void);        /* s, since whenever; NULL: no clock. To measure with only */
+    double (*now)(void);        /* s, since whenever; NULL: no clock. To measure only */
 } game_memory;
 
-enum { GAME_PERMANENT_SIZE = 56 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
+enum { GAME_PERMANENT_SIZE = 68 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
 /* <the input of one frame> */
 enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
 

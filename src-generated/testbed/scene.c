@@ -16,13 +16,16 @@ int wfFindScene(const char *name)
     return -1;
 }
 /* <open and step a scene> */
-wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
+wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
+                            wfWorld *out)
 {
     if (scene->open)
         return scene->open(scene, memory, out);
     wfWorldDef def = wfDefaultWorldDef();
     if (scene->define)
         scene->define(&def);
+    if (needs)
+        def.needs = needs;
     if (memory)
         def.memory = *memory;
     wfWorld world;
@@ -35,6 +38,11 @@ wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
     else
         *out = world;
     return result;
+}
+
+wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
+{
+    return wfOpenSceneNeeding(scene, memory, 0, out);
 }
 
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in)

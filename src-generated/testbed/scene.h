@@ -18,7 +18,11 @@ typedef struct wfSceneInput {
 enum {
     WF_SHOW_CONTACTS = 1, WF_SHOW_NORMALS = 2, WF_SHOW_PAIRS = 4, WF_SHOW_BOUNDS = 8,
     WF_SHOW_TREE = 16, WF_SHOW_VELOCITIES = 32, WF_SHOW_NUMBERS = 64,
-    WF_SHOW_TOUCHING = 128, WF_SHOW_JOINTS = 256, WF_SHOW_ISLANDS = 512
+    WF_SHOW_TOUCHING = 128, WF_SHOW_JOINTS = 256, WF_SHOW_ISLANDS = 512,
+    WF_SHOW_AXIS = 1 << 10, WF_SHOW_GJK = 1 << 11, WF_SHOW_CLIPPING = 1 << 12,
+    WF_SHOW_FEATURES = 1 << 13, WF_SHOW_PRESSURES = 1 << 14, WF_SHOW_LOADS = 1 << 15,
+    WF_SHOW_COLOURS = 1 << 16, WF_SHOW_INERTIA = 1 << 17, WF_SHOW_NODES = 1 << 18,
+    WF_SHOW_PASSES = 1 << 19
 };
 
 /* Name the fields when you fill one in: later chapters may add some; 0 or NULL is none. */
@@ -46,6 +50,10 @@ extern const int wfSceneCount;
 /* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space. */
 int wfFindScene(const char *name);
 /* <declarations of running a scene> */
+/* wfOpenScene, but for the needs: these instead of the scene's own, unless 0. A scene in a
+ * file has its own in any case. */
+wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
+                            wfWorld *out);
 /* Makes the scene's world in the memory handed over, or in its own (memory NULL or all
    zero). The errors of wfCreateWorld and of the scene's calls; then no world is left. */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out);

@@ -27,6 +27,7 @@ wfResult wfCheckSceneText(const char *text, wfSceneInfo *info, wfTextError *erro
     return result;
 }
 
+/* <make a scene of a text> */
 static wfResult open_text(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
     wfSceneInfo info;
@@ -42,4 +43,32 @@ void wfSceneOfText(const char *text, const wfSceneInfo *info, wfScene *out)
         .viewX = info->viewX, .viewY = seen ? info->viewY : 2,
         .viewHeight = seen ? info->viewHeight : 10,
         .energyBound = info->energyBound, .depthBound = info->depthBound };
+}
+/* <read and write a world as text> */
+wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
+                       wfWorld *out, wfTextError *error)
+{
+#ifdef WF_NO_JSON
+    (void)length;
+    return read_scene(text, memory, out, NULL, error);
+#else
+    return wfReadScene(text, length, memory, out, NULL, error);
+#endif
+}
+
+wfResult wfTextOfWorld(const wfWorld *world, const wfSceneInfo *info, char *out,
+                       size_t capacity, size_t *size)
+{
+#ifdef WF_NO_JSON
+    (void)world, (void)info, (void)out, (void)capacity, (void)size;
+    return WF_ERROR_TEXT;
+#else
+    char *text;
+    wfResult result = wfWriteScene(world, info, &text);
+    if (result != WF_OK) return result;
+    *size = strlen(text);
+    if (*size <= capacity) memcpy(out, text, *size);
+    wfFreeText(text);
+    return *size <= capacity ? WF_OK : WF_ERROR_MEMORY;
+#endif
 }

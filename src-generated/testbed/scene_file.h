@@ -10,4 +10,10 @@
 wfResult wfCheckSceneText(const char *text, wfSceneInfo *info, wfTextError *error);
 /* A scene that opens the text; it points to the text and into info. text NULL: nothing. */
 void wfSceneOfText(const char *text, const wfSceneInfo *info, wfScene *out);
+/* A world of a text of so many bytes, in this memory; the text of a world, of *size bytes
+ * and without an end. WF_ERROR_TEXT: also without cJSON; _MEMORY: capacity is too small. */
+wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
+                       wfWorld *out, wfTextError *error);
+wfResult wfTextOfWorld(const wfWorld *world, const wfSceneInfo *info, char *out,
+                       size_t capacity, size_t *size);
 #endif

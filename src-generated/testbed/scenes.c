@@ -23,8 +23,13 @@ static void note(Maker *m, wfResult result)
 static wfBodyId put(Maker *m, const wfBodyDef *def)
 {
     wfBodyId id = { 0 };
+    wfBodyDef fit = *def;
+    uint32_t lacks = wfMissingNeeds(m->world, wfAllNeeds());
+    if (lacks & WF_NEED_FRICTION) fit.friction = 0;
+    if (lacks & WF_NEED_RESTITUTION) fit.restitution = 0;
+    if (lacks & WF_NEED_DAMPING) fit.linearDamping = fit.angularDamping = 0;
     if (m->result == WF_OK)
-        note(m, wfAddBodyToWorld(m->world, def, &id));
+        note(m, wfAddBodyToWorld(m->world, &fit, &id));
     return id;
 }
 
@@ -2269,6 +2274,132 @@ static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     }
 }
 /* <scenes> */
+/* The place of p, which belongs to a0 and b0 in the drawing, when these are at a and b. */
+static wfVec2 third(wfVec2 p, wfVec2 a0, wfVec2 b0, wfVec2 a, wfVec2 b)
+{
+    wfReal ra = wfLengthSq(wfSub(p, a0)), rb = wfLengthSq(wfSub(p, b0));
+    wfReal d = wfLength(wfSub(b, a)), x = (ra - rb + d * d) / (2 * d);
+    wfReal y = wfSqrt(wfMaxR(ra - x * x, 0));                   /* eq:scenes-linkage */
+    wfVec2 e = wfScale(1 / d, wfSub(b, a));
+    if (wfCross(wfSub(b0, a0), wfSub(p, a0)) < 0) y = -y;
+    return wfAddScaled(wfAddScaled(a, x, e), y, wfPerpCCW(e));
+}
+
+typedef struct Leg { wfVec2 foot, knee, ankle, hip, heel, top, crank; } Leg;
+
+/* A leg in the drawing (side 1 or -1), and with the crank elsewhere. */
+static Leg leg_at(wfReal side, wfReal angle)
+{
+    Leg d = { wfV2(WF_R(1.35) * side, WF_R(-1.525)), wfV2(WF_R(1.8) * side, WF_R(-0.3)),
+              wfV2(WF_R(1.075) * side, WF_R(-0.475)), wfV2(WF_R(0.775) * side, WF_R(0.2)),
+              wfV2(WF_R(1.5) * side, WF_R(0.375)), wfV2(WF_R(0.625) * side, WF_R(0.925)),
+              wfV2(0, 0) }, l = d;
+    l.crank = wfRotate(wfRotation(angle), wfV2(0, WF_R(-0.2)));
+    l.crank = wfAdd(l.crank, wfV2(0, WF_R(0.2)));
+    l.top = third(d.top, d.crank, d.hip, l.crank, l.hip);
+    l.ankle = third(d.ankle, d.crank, d.hip, l.crank, l.hip);
+    l.heel = third(d.heel, d.hip, d.top, l.hip, l.top);
+    l.knee = third(d.knee, d.ankle, d.heel, l.ankle, l.heel);
+    l.foot = third(d.foot, d.ankle, d.knee, l.ankle, l.knee);
+    return l;
+}
+/* <scenes> */
+static wfBodyId put_triangle(Maker *m, wfVec2 at, wfVec2 a, wfVec2 b, wfVec2 c)
+{
+    wfVec2 middle = wfScale(WF_R(1.0) / 3, wfAdd(a, wfAdd(b, c)));
+    wfVec2 corner[] = { wfSub(a, middle), wfSub(b, middle), wfSub(c, middle) };
+    wfBodyDef def = wfDefaultBodyDef();
+    def.position = wfAdd(at, middle);
+    def.friction = 1;
+    def.angularDamping = 2;
+    def.userData = WF_INK_BODY2;
+    note(m, wfMakePolygon(corner, 3, &def.shape));
+    return put_in_group(m, &def, -1);
+}
+
+static void put_leg(Maker *m, wfVec2 at, wfBodyId frame, wfBodyId wheel, const Leg *l)
+{
+    wfBodyId low = put_triangle(m, at, l->foot, l->knee, l->ankle);
+    wfBodyId high = put_triangle(m, at, l->hip, l->heel, l->top);
+    const struct { wfBodyId a, b; wfVec2 from, to; } rod[] = {
+        { high, low, l->heel, l->knee }, { high, low, l->hip, l->ankle },
+        { wheel, low, l->crank, l->ankle }, { wheel, high, l->crank, l->top } };
+    for (int i = 0; i < 4; i++) {
+        wfJoint j = joint_from(m, "distance", rod[i].a, rod[i].b, wfAdd(at, rod[i].from),
+                               wfAdd(at, rod[i].to));
+        join(m, &j);
+    }
+    pin(m, frame, high, wfAdd(at, l->hip));
+}
+/* <scenes> */
+static wfResult build_walker(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfVec2 at = wfV2(-6, WF_R(1.6));
+    put_wall(&m, 0, WF_R(-0.5), 14, WF_R(0.5), 0);
+    wfBodyDef b = box(&m, at.x, at.y + WF_R(0.2), WF_R(0.6), WF_R(0.25));
+    wfBodyId frame = put_in_group(&m, &b, -1);
+    b = ball(&m, at.x, at.y + WF_R(0.2), WF_R(0.4));
+    b.userData = WF_INK_ACCENT;
+    wfBodyId wheel = put_in_group(&m, &b, -1);
+    wfJoint motor = joint_from(&m, "revolute", frame, wheel, b.position, b.position);
+    motor.flags = WF_JOINT_MOTOR;
+    motor.motorSpeed = 2;
+    motor.motorForce = 40;
+    join(&m, &motor);
+    for (int phase = 0; phase < 3; phase++)
+        for (int side = -1; side <= 1; side += 2) {
+            Leg l = leg_at((wfReal)side, 2 * WF_PI / 3 * (wfReal)phase);
+            put_leg(&m, at, frame, wheel, &l);
+        }
+    for (int i = 0; i < 20; i++) {
+        b = ball(&m, -2 + WF_R(0.5) * (wfReal)i, WF_R(0.06), WF_R(0.06));
+        put(&m, &b);
+    }
+    return m.result;
+}
+/* <scenes> */
+enum { BRICKS_WIDE = 6, BRICKS_HIGH = 14 };
+
+static void many_joints(wfWorldDef *def)
+{
+    jointly(def);
+    def->jointCapacity = 512;
+    def->bodyCapacity = 256;
+}
+
+static void mortar(Maker *m, wfBodyId a, wfBodyId b, wfReal x, wfReal y)
+{
+    wfJoint weld = joint_from(m, "weld", a, b, wfV2(x, y), wfV2(x, y));
+    weld.breakForce = 300;
+    weld.breakTorque = 60;
+    join(m, &weld);
+}
+
+static wfResult build_breaking_wall(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfBodyId brick[BRICKS_HIGH][BRICKS_WIDE];
+    wfReal w = WF_R(0.25), h = WF_R(0.15);
+    put_wall(&m, 0, WF_R(-0.5), 12, WF_R(0.5), 0);
+    for (int row = 0; row < BRICKS_HIGH; row++)
+        for (int k = 0; k < BRICKS_WIDE; k++) {
+            wfReal x = 2 + 2 * w * (wfReal)k + (row % 2 ? w : 0), y = h + 2 * h * (wfReal)row;
+            wfBodyDef b = box(&m, x, y, w, h);
+            b.userData = (uint64_t)(row % 2 ? WF_INK_BODY : WF_INK_BODY2);
+            brick[row][k] = put(&m, &b);
+            if (k > 0) mortar(&m, brick[row][k - 1], brick[row][k], x - w, y);
+            if (row > 0) mortar(&m, brick[row - 1][k], brick[row][k],
+                                x + (row % 2 ? -w : w) / 2, y - h);
+        }
+    wfBodyDef shot = ball(&m, -6, WF_R(2.6), WF_R(0.4));
+    shot.density = 20;
+    shot.velocity = wfV2(14, 2);
+    shot.userData = WF_INK_ACCENT;
+    put(&m, &shot);
+    return m.result;
+}
+/* <scenes> */
 enum { TRIAL_BOXES = 8, TRIAL_STEPS = 360 };
 static const wfReal trialSlope = WF_R(-0.4434);             /* arctan(0.95 / 2) */
 
@@ -2711,6 +2842,17 @@ const wfScene wfSceneTable[] = {
       .text = "Ice, a heavy middle, a plain disc, a heavy rim: the dashed lines are exact.",
       .build = build_race, .draw = draw_race, .viewX = 0, .viewY = WF_R(6.6), .viewHeight = 14,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
+    /* <rows of the scene table> */
+    { .category = "Classics", .name = "walker", .chapter = 25,
+      .text = "Jansen's legs: one crank, six linkages. The body hardly rises and falls.",
+      .define = jointly, .build = build_walker,
+      .viewX = 0, .viewY = 3, .viewHeight = 8, .show = WF_SHOW_JOINTS,
+      .energyBound = -1, .depthBound = WF_R(0.1) },
+    { .category = "Classics", .name = "wall to break", .chapter = 25,
+      .text = "Mortar that holds 300 N, and a ball that brings more. Pieces fall as one.",
+      .define = many_joints, .build = build_breaking_wall,
+      .viewX = 0, .viewY = 3, .viewHeight = 8,
+      .energyBound = 5, .depthBound = WF_R(0.5) },
     /* <rows of the scene table> */
     { .category = "Classics", .name = "solvers", .chapter = 17,
       .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",

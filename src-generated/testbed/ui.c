@@ -210,11 +210,11 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 {
     ui_memory *m = u->memory;
     int count = names.count(names.of), was = *now, row;
-    float left = x + w - 148;
-    bool hot = ui_inside(u, left, y, 148, UI_LINE), open = m->open == id_of(name);
+    float wide = w < 148 ? w : 148, left = x + w - wide;
+    bool hot = ui_inside(u, left, y, wide, UI_LINE), open = m->open == id_of(name);
     const char *text = names.name(names.of, *now);
-    ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
-    ui_box(u, left, y + 1, 148, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
+    if (left > x) ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
+    ui_box(u, left, y + 1, wide, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
     ui_text(u, left + 6, y + 15, 13, WF_INK_TEXT, -1, text ? text : "?");
     ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, "▼");
@@ -224,9 +224,9 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
         u->click = false;
         u->over = true;
     }
-    bool pressed = ui_area(u, name, left, y, 148, UI_LINE);
+    bool pressed = ui_area(u, name, left, y, wide, UI_LINE);
     if (pressed && u->enter) *now = (*now + 1) % count;
-    else if (pressed) open_menu(u, name, left, y + UI_LINE, 148, count);
+    else if (pressed) open_menu(u, name, left, y + UI_LINE, wide, count);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
     if (u->draw && m->open == id_of(name)) {

@@ -251,6 +251,20 @@ const wfOverlay wfOverlayTable[] = {
     { "joints", "anchors, ropes, springs, stops; red: broken", WF_SHOW_JOINTS, '9',
       draw_joints },
     { "islands", "who hangs together; faint: asleep", WF_SHOW_ISLANDS, '0', NULL },
+    /* <rows of the overlay table> */
+    { "axis", "of the pair at the mouse: the separating axis, and shadows", WF_SHOW_AXIS, 0,
+      NULL },
+    { "GJK", "of that pair: the Minkowski difference, step by step", WF_SHOW_GJK, 0, NULL },
+    { "clipping", "of that pair: how the contact points are cut", WF_SHOW_CLIPPING, 0, NULL },
+    { "features", "the names of contact points: corner and edge", WF_SHOW_FEATURES, 0, NULL },
+    { "forces", "of contacts on the second body, N", WF_SHOW_PRESSURES, 0, NULL },
+    { "loads", "forces of joints on the second body, N", WF_SHOW_LOADS, 0, NULL },
+    { "colours", "contacts of one number share no body", WF_SHOW_COLOURS, 0, NULL },
+    { "inertia", "centres; rings of the same mass that turn as hard", WF_SHOW_INERTIA, 0,
+      NULL },
+    { "nodes", "the node of the quad tree that each body is in", WF_SHOW_NODES, 0, NULL },
+    { "passes", "the next step so far: substep by substep, pass by pass", WF_SHOW_PASSES, 0,
+      NULL },
 };
 const int wfOverlayCount = (int)(sizeof wfOverlayTable / sizeof *wfOverlayTable);
 /* <draw a world> */

@@ -2,7 +2,7 @@
 #include "course.h"
 enum { EX_BACK = 16, EX_BYTES = 256 };
 typedef void ExStepFn(void *state, const int32_t input[2]);
-typedef struct ExMatch { ExStepFn *step; size_t size; int32_t now; uint8_t state[EX_BYTES]; uint8_t before[EX_BACK][EX_BYTES]; int32_t input[EX_BACK][2]; } ExMatch;
+typedef struct ExMatch { ExStepFn *step; size_t size; int32_t now; _Alignas(16) uint8_t state[EX_BYTES]; _Alignas(16) uint8_t before[EX_BACK][EX_BYTES]; int32_t input[EX_BACK][2]; } ExMatch;
 void exAdvance(ExMatch *m, int player, int32_t own);
 bool exArrive(ExMatch *m, int player, int32_t step, int32_t input);
 static int steps_made;

@@ -18,6 +18,13 @@
 #define WF_ASSERT(x) assert(x)
 #endif
 #endif
+/* <hints> */
+/* The 64 bytes or so around this address will be read soon. */
+#if defined __GNUC__
+#define WF_FETCH_SOON(address) __builtin_prefetch(address)
+#else
+#define WF_FETCH_SOON(address) ((void)(address))
+#endif
 /* <the result type> */
 /* What a call that can fail returns. After any value but WF_OK (0) nothing has changed. */
 typedef enum wfResult {

@@ -13,6 +13,9 @@
 #define WF_EXACT_LOST WF_R(1e-3)    /* gaps beyond it: the substep was not solved */
 /* Bytes of scratch that wfExactJoints takes. */
 size_t wfExactScratch(int32_t bodies, int32_t joints);
+/* What the solver "exact" takes beyond its row's scratch(bodies, contacts) to have so many
+ * joints in its matrix. Without it, or with less, they take turns with the contacts. */
+size_t wfExactTieScratch(int32_t joints);
 /* After wfBeginJoints, before the solver's step: the rows that hold are solved together.
    in: the states that the step will have. WF_ERROR_NULL; _MEMORY: scratch too small;
    _FULL: the joints are too entangled for WF_EXACT_BLOCKS. After an error they are solved
@@ -29,6 +32,7 @@ wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_
 #define WF_EXACT_TOUCH WF_R(1e-6)   /* eta of eq:exact-target: gaps that count as closed */
 #define WF_EXACT_EAGER 1e-3         /* share of the speeds: a first guess of who touches */
 #define WF_EXACT_AGREE 1e-5         /* share of the speeds: contacts and other laws agree */
+#define WF_EXACT_FEW 20             /* times the noise of rates: a round may stall there */
 #define WF_EXACT_PLACES 1e-4        /* kappa when overlap is taken away */
 #define WF_EXACT_STIFFEST 1e-3      /* kappa of the first careful step */
 #define WF_EXACT_GIVE 1e-10         /* of eq:exact-nearest */

@@ -111,6 +111,7 @@ typedef struct wfJointSet {
     void (*together)(struct wfJointSet *set, const wfSolve *in,
                      const struct wfMoved *moved, wfReal dt, bool soft);
     void *matrix;               /* what `together` works with */
+    const void *lending;        /* how rows get into contacts' matrix: chapter 19; NULL */
     const uint8_t *alone;       /* [count] 1: not together, but by itself; NULL: none */
     bool changed;               /* the rows are new: set here, cleared there */
     int32_t unsolved;           /* substeps that chapter 19 could not solve */

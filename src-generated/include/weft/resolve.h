@@ -49,6 +49,9 @@ typedef struct wfLaws {
      * otherwise after it, the velocities alone. */
     void (*solve)(void *context, const struct wfSolve *in, const wfMoved *moved,
                   wfReal dt, int32_t pass, bool soft);
+    /* How a solver gets at their rows that takes them together with contacts, in the words
+     * of chapter 19; NULL or returning NULL: they take turns with it. */
+    const void *(*lending)(void *context);
 } wfLaws;
 /* <what the solver reads> */
 enum { WF_REPORT_COURSE = 12 };

@@ -129,6 +129,7 @@ typedef struct wfJournal {
     size_t   size, used;
     size_t   run;              /* where the entry of the last run of steps is, or `used` */
     int32_t  trail;            /* 1: the hash of the world is noted after every step */
+    uint64_t begins;           /* hash of the world that the first entry was done to; 0: none */
 } wfJournal;
 
 /* Starts an empty journal. WF_ERROR_NULL; _RANGE: trail is 0 or 1. */
@@ -173,8 +174,8 @@ typedef struct wfSaveInfo {
     uint32_t version;
     int32_t  highestFirst;     /* 1: the machine had the highest byte first */
     int32_t  realBytes;        /* 4: float, 8: double */
-    int32_t  holds;            /* 1: a world */
-    uint64_t layout;           /* wfLayoutHash of the program that wrote it */
+    int32_t  holds;            /* 1: a world, 2: a journal */
+    uint64_t layout;           /* what the writing program's structures look like */
     uint64_t size, steps, hash;
 } wfSaveInfo;
 
@@ -207,6 +208,25 @@ uint64_t wfChecksum(const void *bytes, size_t n);
 wfResult wfSaveToFile(const wfWorld *world, const char *path);
 /* Errors of wfLoadFromBytes; WF_ERROR_FILE: it cannot be read; _MEMORY. */
 wfResult wfLoadFromFile(const char *path, wfWorld *out);
+#endif
+/* <declarations of save files> */
+/* A journal with the header and the checksum of a save file: no damage goes unnoticed. In
+ * its header: its steps, and the hash of the world with which it begins. wfJournalSaveSize
+ * is 0 for no journal. WF_ERROR_NULL; _INVALID: no journal of this program; _MEMORY. */
+size_t wfJournalSaveSize(const wfJournal *journal);
+wfResult wfSaveJournalToBytes(const wfJournal *journal, void *bytes, size_t capacity,
+                              size_t *size);
+/* The entries go to `room`, of at least size - 64 bytes, which the journal keeps (more: it
+ * can go on). Believes nothing. out->begins is wfHashWorld of the world to replay it in.
+ * Errors of wfReadSaveInfo; WF_ERROR_VERSION, _BYTE_ORDER, _PRECISION, _LAYOUT; _NOT_A_SAVE:
+ * it holds no journal; _INVALID: whole, and yet none; _MEMORY: room is too small. */
+wfResult wfLoadJournalFromBytes(const void *bytes, size_t size, void *room,
+                                size_t capacity, wfJournal *out);
+#ifndef WF_NO_FILES
+/* The same as wfSaveToFile and wfLoadFromFile do. */
+wfResult wfSaveJournalToFile(const wfJournal *journal, const char *path);
+wfResult wfLoadJournalFromFile(const char *path, void *room, size_t capacity,
+                               wfJournal *out);
 #endif
 /* <declarations of checking a world> */
 /* What is wrong with a block, and where. */

@@ -201,7 +201,7 @@ wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id);
 wfShapeId wfFirstShape(const wfWorld *world, wfBodyId id);
 wfShapeId wfNextShape(const wfWorld *world, wfShapeId id);
 int32_t wfShapeCount(const wfWorld *world);
-
+/* <declarations of shapes in a world> */
 /* What is known of a shape besides its geometry. */
 typedef struct wfShapeProps {
     wfReal   density, restitution, friction, staticFriction, rolling, surfaceSpeed;
