@@ -11,7 +11,7 @@ static wfBodyState state[BODIES], before[BODIES];
 static wfBodyForces forces[BODIES];
 static wfContact contact[CONTACTS], old[CONTACTS];
 static wfJoint joint[2];
-static int bodies, contacts, joints;
+static int bodies, contacts, joints, work;
 static wfSolveReport report;
 static unsigned char memory[1 << 24];
 
@@ -21,7 +21,7 @@ static wfSolve solve_of(wfPool *pool, double h, int substeps)
 {
     wfPoolInit(pool, sizeof memory, memory);
     return (wfSolve){ .state = state, .bodyCount = bodies, .contacts = contact, .contactCount = contacts, .h = (wfReal)h,
-        .iterations = 1, .positionShare = WF_R(0.4), .substeps = substeps, .scratch = pool, .report = &report };
+        .iterations = 1, .positionShare = WF_R(0.4), .substeps = substeps, .scratch = pool, .work = work, .report = &report };
 }
 
 static void step(double h, int substeps, bool pulled)
@@ -708,6 +708,38 @@ static void test_every_combination_with_joints(void **unused)
     assert_true(all > 300 && apart + unsolved + other + none <= all / 20);
 }
 
+/* Everybody overlaps everybody, at random. Whatever the budget, no step spends more; what it ends is told, and nobody flies off faster
+   than contacts that push by sweeps let them. Without a bound it takes more than the least budget. */
+static void test_the_budget_is_kept(void **unused)
+{
+    (void)unused;
+    const int budget[] = { 1, 10, 0 };
+    for (int n = 0; n < 3; n++) {
+        wfRandom r = random_stream(3);
+        wfReal most = 0;
+        int cut = 0, unsolved = 0;
+        clear_boxes();
+        for (int i = 0; i < 40; i++) {
+            int at = add_box((double)wfRandomReal(&r, 0, 1), (double)wfRandomReal(&r, WF_R(0.2), 1), 0.5, 0.5, 1);
+            state[at].angle = random_angle(&r);
+        }
+        work = budget[n];
+        for (int i = 0; i < 10; i++) {
+            touch(40);
+            step(1.0 / 60, 4, true);
+            if (work > 0) assert_true(report.work <= (wfReal)work);
+            most = wfMaxR(most, report.work);
+            cut += report.cut, unsolved += report.unsolved;
+            assert_true(report.cut <= report.unsolved);
+        }
+        work = 0;
+        if (n == 0) assert_true(cut > 0);
+        if (n == 1) assert_true(cut <= unsolved);
+        if (n == 2) assert_true(cut == 0 && most > 1);
+        for (int i = 1; i < bodies; i++) assert_true(wfLength(state[i].v) < 10);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -716,7 +748,7 @@ int main(void)
         cmocka_unit_test(test_heavy_on_light), cmocka_unit_test(test_more_contacts_than_equations),
         cmocka_unit_test(test_friction_of_a_box), cmocka_unit_test(test_belt_and_rolling), cmocka_unit_test(test_speed_is_kept_for_the_bounce),
         cmocka_unit_test(test_overlap),
-        cmocka_unit_test(test_heaps_lose_energy),
+        cmocka_unit_test(test_heaps_lose_energy), cmocka_unit_test(test_the_budget_is_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
