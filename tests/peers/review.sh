@@ -11,6 +11,7 @@ counts() { for c in 2 3 4 5 6 7 0; do awk -F, -v w="$1" -v c=$c '!/^#/ && $3 == 
 order() { for c in 2 3 4 5 6 7 0; do awk -F, -v c=$c '$1 == "throw" && $3 == c { e[$5] = $7 } END { if (e[60] < 1e-5) printf ",exact"; else printf ",%.1f", log(e[60] / e[1000]) / log(1000 / 60) }' "$x"; done; }
 size() { if [ -n "$1" ] && [ -f "$1" ]; then stat -Lc %s "$1" | awk '{ printf ",%d", $1 / 1024 + 0.5 }'; else printf ',-'; fi; }
 lines() { for f in "$@"; do printf ',%d' "$(wc -l < "$src/$f")"; done; }
+bare() { [ -f "$1" ] && strip -o build/peers/bare.so "$1" && echo build/peers/bare.so; }    # without what a debugger wants, as packages are
 lib() { ls /usr/lib/*/"$1" 2>/dev/null | head -1; }
 { echo "# command: tests/peers/review.sh, from book/data/extremes.csv and the installed packages"
   echo "# the criteria of the review that can be measured, answered"
@@ -23,7 +24,7 @@ lib() { ls /usr/lib/*/"$1" 2>/dev/null | head -1; }
   echo "C2.2,\"extremes: right\"$(counts right)"
   echo "C2.2,\"extremes: stable, not right\"$(counts stable)"
   echo "C2.2,\"extremes: failed\"$(counts failed)"
-  echo "C2.3,\"the engine's file, KB\"$(size "$(lib libbox2d.so)")$(size $m/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.wasm)$(size "$(lib libchipmunk.so)")$(size $m/matter-js/build/matter.min.js)$(size $m/planck/dist/planck.min.js)$(size $m/@dimforge/rapier2d-compat/dist/rapier_wasm2d_bg.wasm)$(size build/lib/libweft.so)"
+  echo "C2.3,\"the engine's file, KB\"$(size "$(lib libbox2d.so)")$(size $m/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.wasm)$(size "$(lib libchipmunk.so)")$(size $m/matter-js/build/matter.min.js)$(size $m/planck/dist/planck.min.js)$(size $m/@dimforge/rapier2d-compat/dist/rapier_wasm2d_bg.wasm)$(size "$(bare build/lib/libweft.so)")"
   echo "C3.2,lines of its adapter$(lines box2d2_main.cpp box2d3.mjs chipmunk_main.c matter.mjs planck.mjs rapier.mjs weft_main.c)"
 } > build/peers/review.csv
 cat build/peers/review.csv; mv build/peers/review.csv book/data/peers-review.csv
