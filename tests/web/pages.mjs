@@ -140,6 +140,29 @@ await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] }
 check(await ink(fig) !== was, '12-narrow-phase.html: a finger cannot drag a handle');
 await touch.close();
 
+// a finger in the testbed: it pulls a body; two of them zoom
+const bed2 = await open(phone, 'testbed.html#stack of boxes');
+const small = bed2.locator('#testbed'), tell = () => small.evaluate(c => c.game.describe());
+await bed2.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && /^steps [1-9]\d/m.test(c.game.describe()); }, { timeout: 20000 });
+const box = await small.boundingBox(), scale = await small.evaluate(c => c.width / c.getBoundingClientRect().width);
+const top = (await tell()).match(/^body 6 x (\S+) y (\S+) pixel (\S+) (\S+)$/m);
+if (check(top, 'testbed.html on a phone: the sixth body is not in view')) {
+  const finger = await phone.newCDPSession(bed2), send = (type, touchPoints) => finger.send('Input.dispatchTouchEvent', { type, touchPoints });
+  const x = box.x + top[3] / scale, y = box.y + top[4] / scale;
+  await send('touchStart', [{ x, y }]);
+  for (let i = 1; i < 9; i++) { await send('touchMove', [{ x: x + 9 * i, y: y - 4 * i }]); await bed2.waitForTimeout(40); }
+  await bed2.waitForTimeout(400);
+  const now = (await tell()).match(/^body 6 x (\S+) y (\S+)/m);
+  check(Math.abs(now[1] - top[1]) > 0.3, `testbed.html on a phone: a finger pulled the body at x ${top[1]} m, and it is at ${now[1]} m`);
+  await send('touchEnd', []);
+  const view = async () => +(await tell()).match(/^view \S+ \S+ (\S+)$/m)[1], far = await view();
+  await send('touchStart', [{ x: 150, y: 400, id: 0 }, { x: 250, y: 400, id: 1 }]);
+  for (let i = 1; i < 9; i++) { await send('touchMove', [{ x: 150 - 10 * i, y: 400, id: 0 }, { x: 250 + 10 * i, y: 400, id: 1 }]); await bed2.waitForTimeout(40); }
+  await send('touchEnd', []);
+  check(await view() < far, 'testbed.html on a phone: two fingers do not zoom');
+}
+await bed2.close();
+
 // without JavaScript the frozen figures are there
 const plain = await browser.newContext({ javaScriptEnabled: false });
 const still = await plain.newPage();

@@ -9,4 +9,5 @@ mkdir -p build/node
 [ -d build/node/node_modules/playwright-core ] && [ -d build/node/node_modules/axe-core ] ||
   npm install --prefix build/node --no-save --no-fund --no-audit --silent playwright-core axe-core || { echo "npm could not install playwright-core and axe-core"; exit 1; }
 node tests/web/module.mjs build/web/testbed.wasm build/bin/weft-headless 100 || exit 1
+[ $# -gt 0 ] || node tests/web/newcomer.mjs $html || exit 1
 node tests/web/pages.mjs $html "$@"
