@@ -30,6 +30,9 @@ endif
 BOX2D3 ?=
 PROGRAMS += $(if $(BOX2D3),$(if $(call mainof,lab/box2d_main.c),weft-box2d))
 
+# writes the heavy scenes of chapter 32 as text
+PROGRAMS += $(if $(CJSON),$(if $(call mainof,lab/load_main.c),weft-load))
+
 .PHONY: programs
 programs: $(PROGRAMS:%=$(OUT)/bin/%)
 	@$(if $(strip $(LACK)),echo "programs: $(LACK) install them and say make again")
@@ -37,6 +40,8 @@ programs: $(PROGRAMS:%=$(OUT)/bin/%)
 # A program: its main file, what it needs beside the libraries, the libraries.
 LINK = @mkdir -p $(@D); $(CC) $(CFLAGS) $(LDFLAGS) $(filter %.o,$^) $(WEFT_LIBS) $(CJSON) $(1) -lm -o $@
 $(OUT)/bin/weft-lab: $(OUT)/obj/lab/lab_main.o $(WEFT_LIBS)
+	$(call LINK)
+$(OUT)/bin/weft-load: $(OUT)/obj/lab/load_main.o $(WEFT_LIBS)
 	$(call LINK)
 $(OUT)/bin/weft-figures: $(OUT)/obj/lab/figures_main.o $(WEFT_LIBS)
 	$(call LINK)

@@ -87,10 +87,35 @@ static void what_moves_is_small(void **unused)
     assert_in_range(sizeof(wfBodyState), 1, 8 * sizeof(wfReal));
 }
 
+/* Every scene for other engines is as large as its row says, names differ, and it can be stepped. */
+static void heavies(void **unused)
+{
+    (void)unused;
+    assert_true(labHeavyCount >= 13);
+    for (int32_t i = 0; i < labHeavyCount; i++) {
+        const labHeavy *h = &labHeavies[i];
+        assert_ptr_equal(labFindHeavy(h->name), h);
+        if (h->bodies > 12000) continue;             /* as the others, and slow under sanitizers */
+        wfWorldDef def = labHeavyDef(h);
+        wfWorld world;
+        assert_int_equal(wfCreateWorld(&def, &world), WF_OK);
+        assert_int_equal(labBuildHeavy(h, &world), WF_OK);
+        assert_int_equal(wfBodyCount(&world), h->bodies);
+        assert_int_equal(wfJointCount(&world), h->joints);
+        int32_t shapes = 0;
+        for (int32_t k = 0; k < h->bodies; k++)
+            for (wfShapeId s = wfFirstShape(&world, wfBodyAt(&world, k)); s.index; s = wfNextShape(&world, s)) shapes++;
+        assert_int_equal(shapes, h->shapes);
+        for (int k = 0; k < 3; k++) assert_int_equal(wfStepWorld(&world), WF_OK);
+        wfDestroyWorld(&world);
+    }
+    assert_null(labFindHeavy("no such scene"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(counts), cmocka_unit_test(places), cmocka_unit_test(contacts_of_a_pyramid),
+        cmocka_unit_test(counts), cmocka_unit_test(heavies), cmocka_unit_test(places), cmocka_unit_test(contacts_of_a_pyramid),
         cmocka_unit_test(what_moves_is_small),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
