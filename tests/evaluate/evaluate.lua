@@ -2,7 +2,7 @@
 -- A line of that file: number, requirement, the report's own verdict, tests, a figure in words, a condition.
 --   tests: names of unit tests (test_12_narrow) and of steps of tests/run (step:install)
 --   figure and condition may hold {file|column=value|column}: a cell of book/data/file.csv; {file|#}: how many rows it has;
---   {file|#column=value}: how many of them; {file|max|column}, {file|min|column}, {file|sum|column}: of the numbers of a column;
+--   {file|#column=value&column=value}: how many of them; {file|max|column}, {file|min|column}, {file|sum|column}: of the numbers of a column;
 --   {exact}: how many exact measurements there are
 local bad = 0
 local function complain(line, text) io.stderr:write(("book/evaluation.tsv:%d: %s\n"):format(line, text)); bad = bad + 1 end
@@ -53,7 +53,11 @@ local function look(key, line)
   local name, value = what:match("^#?(.-)=(.*)$")
   if what:match("^#") then
     local n = 0
-    for _, row in ipairs(t.rows) do if not name or row[col(name)] == value then n = n + 1 end end
+    for _, row in ipairs(t.rows) do
+      local all = true
+      for k, v in what:sub(2):gmatch("([^=&]+)=([^&]*)") do all = all and row[col(k)] == v end
+      if all then n = n + 1 end
+    end
     return tostring(n)
   end
   local best, sum
