@@ -29,6 +29,8 @@ typedef struct ExactNode {
     ExactRow row[WF_NODE_ROWS];
 } ExactNode;
 /* <what the exact solver works with> */
+typedef struct ExactWork { double factor, solve; } ExactWork;   /* eq:exact-work-of */
+
 typedef struct Exact {
     wfSubsteps s;
     wfSparse m;                 /* bodies first, then the nodes */
@@ -45,8 +47,12 @@ typedef struct Exact {
     bool *factored;             /* [parts] the factors are those of the states */
     double allowed[2], speed;   /* of a part: errors that count as none; the first speeds */
     double noise;               /* of a part: what rounding does to its targets, m/s */
+    bool tied;                  /* of a part: joints have rows in it */
     double lack;                /* the error found last, m/s or rad/s */
     int32_t steps;              /* systems solved for this problem */
+    ExactWork *work;            /* [parts] multiplications that a system takes */
+    double all, spent, limit;   /* sum of all factors; in this step; for this problem */
+    int32_t solutions;          /* that are left in this step */
     wfReal course[WF_REPORT_COURSE];
     bool again;                 /* other laws have had their turn: a little is left alone */
     double change, fastest;     /* how much the last solve changed any velocity; of all */
@@ -291,6 +297,7 @@ static double residual_of(Exact *e, int32_t part)
 static void find_allowed(Exact *e, int32_t part)
 {
     e->allowed[0] = e->allowed[1] = e->speed = e->noise = 0;
+    e->tied = false;
     for (int32_t at = e->m.part[part]; at < e->m.part[part + 1]; at++) {
         if (e->m.list[at] < e->m.bodies) continue;
         const ExactNode *n = &e->node[e->m.list[at] - e->m.bodies];
@@ -302,6 +309,7 @@ static void find_allowed(Exact *e, int32_t part)
             *mine = larger(*mine, WF_EXACT_SPEEDS * speed);
             *mine = larger(*mine, WF_EXACT_PUSHES * push);
             e->speed = larger(e->speed, size_of(off_of(e, n, r)));
+            e->tied = e->tied || r->law == ROW_TIE;
             if (r->target != 0 || r->law == ROW_TIE) e->noise = larger(e->noise, r->noise);
         }
     }
@@ -353,6 +361,7 @@ static void factor_part(Exact *e, int32_t part)
     }
     wfSparseFactor(&e->m, part);
     e->factored[part] = true;
+    e->spent += e->work[part].factor;
     e->report.factored++;
 }
 /* <a Newton step> */
@@ -419,6 +428,41 @@ static void sweep_part(Exact *e, int32_t part, int32_t passes)
             if (i >= e->m.bodies) sweep_node(e, &e->node[i - e->m.bodies]);
         }
 }
+/* <the budget of a step> */
+/* eq:exact-share */
+static double share_of(const Exact *e, int32_t part)
+{
+    if (e->s.in->work == 0 || !(e->all > 0)) return 1e300;
+    double left = 1e6 * (double)e->s.in->work - e->spent;
+    return positive(left) * (e->work[part].factor / e->all) / (double)e->solutions;
+}
+
+/* eq:exact-work-of, for all parts; those that are too dear are not direct. */
+static void weigh_parts(Exact *e)
+{
+    wfSparse *m = &e->m;
+    e->all = 0;
+    for (int32_t part = 0; part < m->parts; part++) {
+        ExactWork *w = &e->work[part];
+        *w = (ExactWork){ 0, 0 };
+        for (int32_t n = m->part[part]; m->direct[part] && n < m->part[part + 1]; n++) {
+            double r = m->rows[m->order[n]], later = 0;
+            for (int32_t i = m->start[n]; i < m->start[n + 1]; i++)
+                later += m->rows[m->later[i].to];
+            w->factor += r * (r + later) * (r + later);
+            w->solve += r * (r + 2 * later);
+        }
+        e->all += w->factor;
+    }
+    for (int32_t part = 0; part < m->parts; part++)
+        if (e->work[part].factor > share_of(e, part)) m->direct[part] = false;
+}
+
+/* May this problem make one more system? */
+static bool can_pay(const Exact *e, int32_t part)
+{
+    return e->spent + e->work[part].factor + e->work[part].solve <= e->limit;
+}
 /* <solve a part> */
 static bool choose_all(Exact *e, int32_t part, double eager)
 {
@@ -471,6 +515,7 @@ static double step_of(Exact *e, int32_t part, double give, double eager)
     e->give = give;
     if (choose_all(e, part, eager) || other || !e->factored[part]) factor_part(e, part);
     newton_step(e, part);
+    e->spent += e->work[part].solve;
     settle(e, part);
     double now = residual_of(e, part);
     e->report.iterations++;
@@ -482,7 +527,8 @@ static double step_of(Exact *e, int32_t part, double give, double eager)
 static double try_newton(Exact *e, int32_t part)
 {
     double left = 2, eager = WF_EXACT_EAGER * e->speed;
-    for (int i = 0; i < WF_EXACT_SYSTEMS * e->s.in->iterations && left > 1; i++)
+    int systems = WF_EXACT_SYSTEMS * e->s.in->iterations;
+    for (int i = 0; i < systems && left > 1 && can_pay(e, part); i++)
         left = step_of(e, part, WF_EXACT_GIVE, i == 0 ? eager : 0);
     return left;
 }
@@ -493,6 +539,7 @@ static double try_carefully(Exact *e, int32_t part)
     double best = residual_of(e, part), give = WF_EXACT_STIFFEST;
     int steps = WF_EXACT_CAREFUL * e->s.in->iterations;
     for (int i = 0; i < steps && best > 1 && e->lack > e->noise; i++) {
+        if (!can_pay(e, part)) break;
         keep_or_restore(e, part, true);
         double now = step_of(e, part, give, 0), share = 1;
         for (int k = 0; k < 3 && !(now < best); k++) {
@@ -536,25 +583,29 @@ static void solve_part(Exact *e, int32_t part)
     e->course[0] = (wfReal)e->lack;
     bool done = left <= 1 || (e->again && e->lack <= e->noise);
     keep_or_restore(e, part, true);
+    e->limit = e->spent + share_of(e, part);
     if (!done && e->m.direct[part]) {
         left = try_newton(e, part);
-        if (left > 1 && e->lack > e->noise) {
+        if (left > 1 && !(e->tied && e->lack <= e->noise)) {
             keep_or_restore(e, part, false);
             sweep_part(e, part, WF_EXACT_BETWEEN);
             left = try_carefully(e, part);
         }
     }
     done = left <= 1 || e->lack <= e->noise;
+    bool poor = !can_pay(e, part);
     if (!done) {
         sweep_part(e, part, WF_EXACT_SWEEPS * e->s.in->iterations);
         done = residual_of(e, part) <= 1 || e->lack <= e->noise;
     }
+    e->report.cut += poor && !done;
     note_problem(e, done);
 }
 /* <borrow ties> */
 static size_t room_for(int32_t bodies, int32_t nodes)
 {
-    size_t each = sizeof(ExactNode) + sizeof(bool), body = 12 * sizeof(double) + 1;
+    size_t each = sizeof(ExactNode) + sizeof(bool) + sizeof(ExactWork);
+    size_t body = 12 * sizeof(double) + sizeof(bool) + sizeof(ExactWork);
     return each * (size_t)nodes + body * (size_t)bodies + 8 * WF_POOL_ALIGN
          + wfSparseScratch(bodies + nodes, WF_EXACT_ROOM * (bodies + nodes));
 }
@@ -697,16 +748,47 @@ static void factor_places(Exact *e, int32_t part)
     e->factored[part] = false;
 }
 /* <take overlap away exactly> */
+/* A point asks for more, or gives back, so that its bodies part by what it wants. */
+static void part_point(Exact *e, const ExactNode *n, ExactRow *r, double want)
+{
+    double *a = e->m.x[n->a], *b = e->m.x[n->b], rate = 0;
+    for (int i = 0; i < 3; i++) rate += r->jA[i] * a[i] + r->jB[i] * b[i];
+    double sum = positive(r->best + (want - rate) / r->k), more = sum - r->best;
+    for (int i = 0; i < 3; i++) {
+        a[i] += more * e->inverse[n->a][i] * r->jA[i];
+        b[i] += more * e->inverse[n->b][i] * r->jB[i];
+    }
+    r->best = sum;
+}
+
+static void sweep_places(Exact *e, int32_t part)
+{
+    int32_t from = e->m.part[part], to = e->m.part[part + 1];
+    for (int32_t pass = 0; pass < WF_EXACT_SWEEPS; pass++)
+        for (int32_t at = from; at < to; at++) {
+            int32_t me = e->m.list[at], i = me - e->m.bodies;
+            if (i < 0 || i >= e->count) continue;
+            for (int32_t k = 0; k < e->s.c[i].count; k++) {
+                if (pass == 0) e->node[i].row[k].best = 0;
+                if (e->m.x[me][k] > 0)
+                    part_point(e, &e->node[i], &e->node[i].row[k], e->m.x[me][k]);
+            }
+        }
+}
+/* <take overlap away exactly> */
 static void part_bodies(Exact *e)
 {
     wfSparse *m = &e->m;
     bool any = false;
     for (int32_t part = 0; part < m->parts; part++) {
-        if (!m->direct[part]) continue;
         if (choose_all(e, part, 0)) e->factored[part] = false;
         if (!want_apart(e, part)) continue;
-        factor_places(e, part);
-        wfSparseSolve(m, part);
+        e->limit = e->spent + share_of(e, part);
+        if (m->direct[part] && can_pay(e, part)) {
+            factor_places(e, part);
+            wfSparseSolve(m, part);
+            e->spent += e->work[part].solve;
+        } else sweep_places(e, part);
         for (int32_t at = m->part[part]; at < m->part[part + 1]; at++) {
             int32_t i = m->list[at];
             if (i >= m->bodies) continue;
@@ -747,7 +829,9 @@ static wfResult make_system(Exact *e)
     e->node = wfPoolPushArray(pool, nodes, ExactNode);
     e->v = (double(*)[3])wfPoolPushArray(pool, 12 * in->bodyCount, double);
     e->factored = wfPoolPushArray(pool, in->bodyCount + nodes, bool);
-    if (e->node == NULL || e->v == NULL || e->factored == NULL) return WF_ERROR_MEMORY;
+    e->work = wfPoolPushArray(pool, in->bodyCount + nodes, ExactWork);
+    if (e->node == NULL || e->v == NULL || e->factored == NULL || e->work == NULL)
+        return WF_ERROR_MEMORY;
     e->inverse = e->v + in->bodyCount;
     e->kept = e->inverse + in->bodyCount;
     e->given = e->kept + in->bodyCount;
@@ -762,6 +846,8 @@ static wfResult make_system(Exact *e)
         if (!join_node(e, i)) return WF_ERROR_MEMORY;
     }
     wfSparseOrder(&e->m);
+    e->solutions = in->laws == NULL ? in->substeps + 1 : 2 * in->substeps + 1;
+    weigh_parts(e);
     for (int32_t i = 0; i < e->m.parts; i++) e->factored[i] = false;
     e->report.blocks = e->m.blocks;
     return WF_OK;
@@ -774,15 +860,9 @@ static bool agree(const Exact *e, double before)
     return e->again && e->change <= WF_EXACT_FEW * e->coarse && e->change > before / 2;
 }
 
-static void solve(Exact *e, bool soft)
+static void solve_in_turns(Exact *e, const wfLaws *laws, bool soft)
 {
     const wfSolve *in = e->s.in;
-    const wfLaws *laws = in->laws;
-    e->again = false;
-    if (laws == NULL) {
-        solve_contacts(e, soft);
-        return;
-    }
     for (int32_t pass = 0; pass < WF_EXACT_TURNS * in->iterations; pass++) {
         double before = e->change;
         laws->solve(laws->context, in, e->s.moved, e->s.dt, pass, soft);
@@ -791,6 +871,15 @@ static void solve(Exact *e, bool soft)
         e->again = true;
     }
     e->report.apart++;
+}
+
+static void solve(Exact *e, bool soft)
+{
+    const wfLaws *laws = e->s.in->laws;
+    e->again = false;
+    if (laws == NULL) solve_contacts(e, soft);
+    else solve_in_turns(e, laws, soft);
+    e->solutions--;
 }
 /* <an exact step> */
 static void finish(Exact *e)
@@ -805,6 +894,7 @@ static void finish(Exact *e)
         in->state[i].p = wfAdd(in->state[i].p, e->s.moved[i].d);
         in->state[i].angle += e->s.moved[i].turn;
     }
+    e->report.work = (wfReal)(e->spent / 1e6);
     if (in->report != NULL) *in->report = e->report;
 }
 /* <an exact step> */

@@ -38,6 +38,8 @@ wfWorldDef wfDefaultWorldDef(void)
         /* <defaults of the settings> */
         .pairMaterials = 16,
         /* <defaults of the settings> */
+        .exactWork = WF_EXACT_WORK,
+        /* <defaults of the settings> */
         .fineSums = 0,
         /* <defaults of the settings> */
         .jointCapacity = 64,
@@ -142,7 +144,7 @@ static size_t stage_scratch(const wfWorldDef *d)
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
     /* <see what other stages need> */
-    bool ties = d->exactJoints != WF_JOINTS_ONE_BY_ONE && (d->needs & WF_NEED_JOINTS)
+    bool ties = d->exactJoints != WF_JOINTS_ONE_BY_ONE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);
     return most + WF_POOL_ALIGN;

@@ -117,6 +117,9 @@ const wfSetting wfSettingTable[] = {
       .need = WF_NEED_MATERIALS,
       .text = "pairs of materials that may be known" },
     /* <rows of the table of settings> */
+    { WF_SETTING(exactWork), WF_COUNTED, WF_FROM(0), .law = 1,
+      .text = "the solver exact: millions of multiplications in a step, at most; 0: no bound" },
+    /* <rows of the table of settings> */
     { WF_SETTING(fineSums), WF_SWITCH, .builtIn = 1, .law = 1,
       .text = "what states round away is kept, by the solver soft (chapter 17)" },
     /* <rows of the table of settings> */

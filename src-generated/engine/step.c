@@ -347,6 +347,8 @@ static wfSolve to_solve(struct wfStep *s)
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
         .columns = head->columns, .colours = head->colours, .lanes = head->lanes,
         /* <what else a solver is told> */
+        .work = head->exactWork,
+        /* <what else a solver is told> */
         .fine = s->fine,
     };
 }

@@ -478,7 +478,7 @@ double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
     for (int k = 1; k <= LAB_FRAMES; k++) {
         size = fmax(size, farthest(bodies, truth[k], truth[0]));
         double off = farthest(bodies, got[k], truth[k]);
-        if (!(off < 1e9)) return 1e9;                   /* not a number, or far out of sight */
+        if (!(off < 1e9)) return 1e9;                   /* not a number, or far away */
         error = fmax(error, off);
     }
     return error / size;

@@ -109,7 +109,8 @@ static double acc_read(FILE *in, int first, int bodies, labCourse out)
     int frame = 0;
     while (fgets(line, sizeof line, in)) {
         char *at = line;
-        if (sscanf(line, "# clock: median=%lf %*s %*s %*s kernel=%lf", &median, &kernel) == 2)
+        if (sscanf(line, "# clock: median=%lf %*s %*s %*s kernel=%lf", &median,
+                   &kernel) == 2)
             return frame == LAB_FRAMES + 1 ? median / kernel : -1;
         if (line[0] < '0' || line[0] > '9' || frame > LAB_FRAMES) continue;
         for (int i = 0; i < 6 + 6 * first; i++) at = strchr(at, ',') + 1;

@@ -120,13 +120,13 @@ static void drop_ball(labScene *s, double seconds)
     put(s, &(Put){ .y = 5.5, .radius = 0.5, .density = 1 });
 }
 
-/* the greatest height over the floor after that time; below the floor at any time: NAN */
+/* the greatest height over the floor after that time; infinite if it was ever below it */
 static double peak_after(const labTrace *t, double time)
 {
     double peak = -1;
     for (int i = 0; i < t->rows; i++) {
         double y = labAt(t, i, 1, LAB_Y) - 0.5;
-        if (y < -0.5) return NAN;
+        if (y < -0.5) return HUGE_VAL;
         if (labTime(t, i) >= time) peak = fmax(peak, y);
     }
     return peak;
@@ -166,7 +166,8 @@ static void build_cradle(labScene *s, double n)
     s->every = 60;
     open_scene(s);
     for (int i = 0; i < (int)n; i++)
-        put(s, &(Put){ .x = i > 0 ? i + 1 : 0, .vx = i == 0, .radius = 0.5, .density = 1 });
+        put(s, &(Put){ .x = i > 0 ? i + 1 : 0, .vx = i == 0, .radius = 0.5,
+                       .density = 1 });
 }
 
 static void judge_cradle(const labTrace *t, double n, double *error, double *harm)
@@ -532,7 +533,7 @@ const char *labJudgeExtreme(const labExtreme *e, const labTrace *t, double value
                             double *error, double *harm)
 {
     size_t cells = (size_t)t->rows * (size_t)(2 + LAB_FIELDS * t->bodies);
-    *error = *harm = INFINITY;
+    *error = *harm = HUGE_VAL;
     for (size_t i = 0; i < cells; i++)
         if (!isfinite(t->cell[i])) return "failed";
     e->judge(t, value, error, harm);

@@ -1193,6 +1193,84 @@ static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(start), 8, WF_INK_LINE);
 }
 /* <figures> */
+/* 2 to the power u, 0 <= u <= 8: whole powers, and between them by 2^(1/2), 2^(1/4) ... */
+static wfReal two_to(wfReal u)
+{
+    wfReal out = 1, root = 2;
+    for (; u >= 1; u -= 1) out *= 2;
+    for (int k = 0; k < 12; k++) {
+        root = wfSqrt(root);
+        u *= 2;
+        if (u >= 1) out *= root, u -= 1;
+    }
+    return out;
+}
+
+/* The line with the handle; returns its place, 0 at the left end to 1 at the right. */
+static wfReal step_line(wfDraw *d, const wfFigureInput *in)
+{
+    float x = in->handle[0][0] < 1 ? 1 : in->handle[0][0] > 7 ? 7 : in->handle[0][0];
+    wfDrawLine(d, 1, 0.3f, 7, 0.3f, 1.5f, WF_INK_LINE);
+    wfDrawPoint(d, x, 0.3f, 9, WF_INK_LINE);
+    wfDrawText(d, 0.9f, 0.25f, 11, WF_INK_TEXT, 1, "short");
+    wfDrawText(d, 7.1f, 0.25f, 11, WF_INK_TEXT, -1, "long");
+    return (wfReal)(x - 1) / 6;
+}
+/* <figures> */
+static void figure_int_step(wfDraw *d, const wfFigureInput *in)
+{
+    static const char *const method[3] = { "explicit-euler", "symplectic-euler", "rk4" };
+    static const int ink[3] = { WF_INK_BAD, WF_INK_ACCENT, WF_INK_GOOD };
+    static float xy[2 * 1202];
+    wfVec2 sun = wfV2(4, WF_R(2.9));
+    int a_turn = (int)(400 / two_to(6 * step_line(d, in)));     /* 400 down to 6 */
+    wfForce pull = wfPointGravity(sun, 1, 0);
+    wfDrawPoint(d, WF_XY(sun), 14, WF_INK_LINE);
+    for (int k = 0; k < 3; k++) {
+        wfBodyState planet = { .p = wfV2(5, WF_R(2.9)), .v = wfV2(0, WF_R(1.0488)),
+                               .invMass = 1 };
+        double turn = 6.2831853 / 0.8538;   /* 0.9^(3/2): half axis 1 / 0.9 */
+        int n = figure_path(method[k], &planet, &pull, turn / a_turn, 3 * a_turn, xy);
+        for (int i = 0; i < n; i++)         /* what is thrown out is cut off */
+            if (!(xy[2 * i] > -4 && xy[2 * i] < 12 && xy[2 * i + 1] > -4 &&
+                  xy[2 * i + 1] < 10))
+                n = i;
+        if (n >= 2) wfDrawPolyline(d, xy, n, 1.5f, ink[k]);
+        for (int i = 0; i < n && a_turn < 100; i++)
+            wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3, ink[k]);
+        wfDrawText(d, 7.8f, 5.2f - 0.3f * (float)k, 13, ink[k], 1, method[k]);
+    }
+    wfDrawTextf(d, 4, 0.5f, 13, WF_INK_TEXT, 0, "%d steps a turn", a_turn);
+}
+/* <figures> */
+static void figure_int_step_spring(wfDraw *d, const wfFigureInput *in)
+{
+    static const char *const method[5] = { "explicit-euler", "symplectic-euler", "verlet",
+                                           "rk4", "implicit-midpoint" };
+    static const int ink[5] = { WF_INK_BAD, WF_INK_ACCENT, WF_INK_BODY2, WF_INK_GOOD,
+                                WF_INK_BODY };
+    static float xy[2 * 402];
+    wfReal h = WF_R(0.0625) * two_to(6 * step_line(d, in));     /* 1/16 to 4 */
+    int steps = (int)(20 / h);
+    wfForce spring = wfSpringToPoint(0, wfV2(0, 0), wfV2(0, 0), 0, 1, 0);
+    wfDrawLine(d, 0.5f, 2.9f, 7.5f, 2.9f, 1, WF_INK_FAINT);
+    for (int k = 0; k < 5; k++) {
+        wfBodyState body = { .p = wfV2(1, 0), .invMass = 1 };
+        int n = figure_path(method[k], &body, &spring, (double)h, steps, xy);
+        for (int i = 0; i < n; i++) {
+            float y = 2.9f + xy[2 * i];
+            xy[2 * i + 1] = y;
+            xy[2 * i] = 0.5f + 7 * (float)h / 20 * (float)i;
+            if (!(y > 0.7f && y < 5.1f)) n = i;
+        }
+        if (n >= 2) wfDrawPolyline(d, xy, n, 1.5f, ink[k]);
+        for (int i = 0; i < n && steps < 100; i++)
+            wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3, ink[k]);
+        wfDrawText(d, 1.6f * (float)k + 0.1f, 5.25f, 11, ink[k], -1, method[k]);
+    }
+    wfDrawTextf(d, 4, 0.5f, 13, WF_INK_TEXT, 0, "step times omega: %.2f", (double)h);
+}
+/* <figures> */
 static void figure_int_patch(wfDraw *d, const char *method, wfVec2 patch, int steps,
                              int ink)
 {
@@ -5165,6 +5243,9 @@ const wfFigureRow wfFigureTable[] = {
     { "forces-blast", figure_forces_blast, 10.0f, 3.7f, 1, { { 1.1f, 0.4f } } },
     /* <rows of the figure table> */
     { "int-orbits", figure_int_orbits, 8.0f, 5.2f, 1, { { 5.0f, 2.6f } } },
+    /* <rows of the figure table> */
+    { "int-step", figure_int_step, 8.0f, 5.5f, 1, { { 4.6f, 0.3f } } },
+    { "int-step-spring", figure_int_step_spring, 8.0f, 5.5f, 1, { { 4.2f, 0.3f } } },
     /* <rows of the figure table> */
     { "int-area", figure_int_area, 8.0f, 5.2f, 1, { { 5.2f, 2.6f } } },
     /* <rows of the figure table> */

@@ -85,13 +85,18 @@
 #include <time.h>
 #include "testbed/raster.h"
 /* <headers of the measurements> */
+#include "testbed/platform.h"
+/* <headers of the measurements> */
 #include "testbed/classics.h"
 /* <headers of the measurements> */
 #include "lab/cases.h"
 /* <headers of the measurements> */
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include "engine/step.h"
+#include "weft/save.h"
 #include "lab/loads.h"
 /* <headers of the measurements> */
 #include "dynamics/colour.h"
@@ -2888,7 +2893,7 @@ typedef struct labTall {
     wfBodyForces force[TALL_BODIES];
     wfContact    contact[TALL_CONTACTS], before[TALL_CONTACTS];
     wfJoint      joint[40];
-    int          count, contacts, reach, joints;
+    int          count, contacts, reach, joints, work;
     wfReal       friction;
     wfSolveReport report;
     _Alignas(16) uint8_t memory[1 << 24];
@@ -2963,7 +2968,7 @@ static wfSolve tall_solve(wfPool *scratch, int passes)
     return (wfSolve){ .state = tall.state, .bodyCount = tall.count,
         .contacts = tall.contact, .contactCount = tall.contacts, .h = WF_R(1.0) / 60,
         .iterations = passes, .positionShare = WF_R(0.4), .forces = tall.force,
-        .substeps = 4, .scratch = scratch, .report = &tall.report };
+        .substeps = 4, .scratch = scratch, .work = tall.work, .report = &tall.report };
 }
 
 /* the fastest body after so many steps, m/s; those that fall apart are fast */
@@ -3355,6 +3360,48 @@ static int measure_exact_ties(FILE *out)
     return 0;
 }
 /* <measurements> */
+static void tall_crowd(int boxes)
+{
+    uint32_t random = 7;
+    double number[3];
+    tall_start(boxes + 1);
+    for (int i = 0; i < boxes; i++) {
+        for (int k = 0; k < 3; k++) {
+            random = random * 1664525u + 1013904223u;
+            number[k] = (double)(random >> 8) / 16777216;
+        }
+        int box = tall_box(2 * number[0], 1 + 2 * number[1], 0.5, 0.5, 1);
+        tall.state[box].angle = (wfReal)(6 * number[2]);
+    }
+}
+
+static int measure_exact_budget(FILE *out)
+{
+    static const char *const name[7] = { "tower of 1000", "pyramid of base 10",
+        "pyramid of base 20", "arch of 20 stones", "40 boxes fall", "40 boxes in 4 m²",
+        "80 boxes in 4 m²" };
+    static const int scene[4] = { 2, 4, 4, 5 };
+    fprintf(out, "scene,bodies,systems,work,share,unsolved,cut\n");
+    for (int i = 0; i < 7; i++) {
+        int systems = 0, unsolved = 0, cut = 0;
+        double work = 0;
+        if (i < 4) tall_scene(scene[i]);
+        if (i == 2) tall_pyramid(20);
+        if (i == 4) tall_heap(0.4);
+        if (i > 4) tall_crowd(i == 5 ? 40 : 80);
+        tall.work = WF_EXACT_WORK;
+        for (int k = 0; k < (i == 4 ? 300 : 60); k++) {
+            tall_run(1);
+            if (tall.report.iterations > systems) systems = tall.report.iterations;
+            work = fmax(work, (double)tall.report.work);
+            unsolved += tall.report.unsolved, cut += tall.report.cut;
+        }
+        fprintf(out, "%s,%d,%d,%.3g,%.3g,%d,%d\n", name[i], tall.count - 1, systems, work,
+                100 * work / WF_EXACT_WORK, unsolved, cut);
+    }
+    return 0;
+}
+/* <measurements> */
 static double labWidestGap(const labChain *c)
 {
     double widest = 0;
@@ -3491,6 +3538,30 @@ static int measure_exact_pendulum(FILE *out)
         fprintf(out, "%d,%.1f,%.4f,%.1f\n", substeps, energy, 100 * (period / exact - 1),
                 free);
     }
+    return 0;
+}
+/* <measurements> */
+static int measure_exact_stretch(FILE *out)
+{
+    double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD;
+    double beta = turn / (2 * WF_JOINT_DAMPING + turn), links = 20, load = 1000;
+    fprintf(out, "give,substeps,stretch,theory\n");
+    for (double give = 1e-5; give > 5e-8; give /= 10)
+        for (int substeps = 2; substeps <= 8; substeps *= 2) {
+            static labSwings s;
+            double h = 1 / (60.0 * substeps), sum = 0, straight = 0;
+            labMakeSwing(&s, 2, (int)links, load, 0, substeps);
+            s.c.step.give = (wfReal)give;
+            const wfBodyState *last = &s.c.state[s.c.step.bodyCount - 1];
+            straight = (double)last->p.y;
+            for (int i = 0; i < 300; i++)
+                if (wfStepJoints(&s.c.step) != WF_OK) return 1;
+            for (int i = 0; i < links; i++)                     /* eq:exact-stretch */
+                sum += give * (i == 0 ? 1 : i < links - 1 ? 2 : 1 + 1 / load)
+                     * h * h * 9.81 * (load + links - 1 - i) / (2 * beta);
+            fprintf(out, "%.0e,%d,%.2g,%.2g\n", give, substeps,
+                    100 * ((double)last->p.y / straight - 1), -100 * sum / straight);
+        }
     return 0;
 }
 /* <measurements> */
@@ -5668,7 +5739,121 @@ static int measure_drawing_time(FILE *out)
     return d.overflow + d.refused;
 }
 /* <measurements> */
-/* What takes the exact solver half a minute and more. */
+/* A bin with n balls and boxes in rows; it will settle to a heap. */
+static wfResult frame_heap(int n, wfWorld *out)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    const wfReal r = WF_R(0.08);
+    def.bodyCapacity = n + 3;
+    def.pairCapacity = def.contactCapacity = 8 * n;
+    wfResult result = wfCreateWorld(&def, out);
+    for (int i = 0; i < n + 3 && result == WF_OK; i++) {
+        wfBodyDef b = wfDefaultBodyDef();
+        int k = i - 3, row = k / 68;
+        if (i == 0) wfMakeBox(7, WF_R(0.5), &b.shape);
+        else if (i < 3) wfMakeBox(WF_R(0.5), 6, &b.shape);
+        else if (k % 2) wfMakeCircle(wfV2(0, 0), r, &b.shape);
+        else wfMakeBox(r, r, &b.shape);
+        b.type = i < 3 ? WF_STATIC : WF_DYNAMIC;
+        if (i == 0) b.position = wfV2(0, WF_R(-0.5));
+        else if (i < 3) b.position = wfV2(i == 1 ? WF_R(-6.5) : WF_R(6.5), 5);
+        else b.position = wfV2(WF_R(-5.8) + WF_R(0.17) * (wfReal)(k % 68) +
+                               WF_R(0.03) * (wfReal)(row % 3),
+                               r + WF_R(0.17) * (wfReal)row);
+        result = wfAddBodyToWorld(out, &b, NULL);
+    }
+    for (int i = 0; i < 200 && result == WF_OK; i++) result = wfStepWorld(out);
+    return result;
+}
+/* <measurements> */
+typedef struct FrameBench {
+    game_memory memory;
+    game_file file;
+    frame_buffer picture;
+} FrameBench;
+
+static void frame_play(FrameBench *b, int key, int steps, bool drawn)
+{
+    game_input in = { .steps = steps, .mouse_x = 600, .mouse_y = 300, .key_count = key != 0,
+                      .keys = { key } };
+    frame_buffer none = b->picture;
+    none.pixels = NULL;
+    game_update_and_render(&b->memory, &in, drawn ? &b->picture : &none);
+}
+
+static bool frame_open(FrameBench *b, int n)
+{
+    wfWorld world;
+    b->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
+                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL,
+                               &b->file, NULL };
+    b->file = (game_file){ .bytes = malloc(GAME_FILE_BYTES), .capacity = GAME_FILE_BYTES };
+    if (!b->file.bytes || frame_heap(n, &world) != WF_OK) return false;
+    frame_play(b, 0, 0, false);                     /* it asks for its settings */
+    b->file.answer = GAME_FILE_FAILED;
+    frame_play(b, 'a', 0, false);
+    b->file.answer = GAME_FILE_DONE;
+    memset(b->file.bytes, 0, 64);
+    strcpy((char *)b->file.bytes, "pyramid");
+    wfResult saved = wfSaveToBytes(&world, b->file.bytes + 64, GAME_FILE_BYTES - 64,
+                                   &b->file.size);
+    b->file.size += 64;
+    wfDestroyWorld(&world);
+    frame_play(b, 0, 0, false);
+    return saved == WF_OK;
+}
+/* <measurements> */
+enum { FRAME_ROUNDS = 60 };
+
+static int frame_less(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* The median of so many frames, ms, and the slowest. */
+static double frame_median(FrameBench *b, int steps, bool drawn, double *worst)
+{
+    double ms[FRAME_ROUNDS];
+    for (int i = 0; i < FRAME_ROUNDS; i++) {
+        double begin = drawing_seconds();
+        frame_play(b, 0, steps, drawn);
+        ms[i] = 1000 * (drawing_seconds() - begin);
+    }
+    qsort(ms, FRAME_ROUNDS, sizeof *ms, frame_less);
+    *worst = ms[FRAME_ROUNDS - 1];
+    return ms[FRAME_ROUNDS / 2];
+}
+/* <measurements> */
+static int measure_frame_time(FILE *out)
+{
+    static const struct { int n, width, height; float scale; } run[] = {
+        { 500, 1100, 700, 1 }, { 1000, 1100, 700, 1 }, { 2000, 1100, 700, 1 },
+        { 2000, 2200, 1400, 2 } };
+    fprintf(out, "bodies,picture,rest,step,draw,frame,worst,share\n");
+    for (size_t k = 0; k < sizeof run / sizeof *run; k++) {
+        FrameBench b = { .picture = { .width = run[k].width, .height = run[k].height,
+                                      .pitch = run[k].width, .scale = run[k].scale } };
+        size_t pixels = (size_t)run[k].width * (size_t)run[k].height;
+        double worst = 0;
+        b.picture.pixels = calloc(pixels, 4);
+        bool good = b.picture.pixels && frame_open(&b, run[k].n);
+        double rest = frame_median(&b, 0, false, &worst);
+        double step = frame_median(&b, 1, false, &worst) - rest;
+        double frame = frame_median(&b, 1, true, &worst), draw = frame - step - rest;
+        if (good) fprintf(out, "%d,%d x %d,%.2f,%.2f,%.2f,%.2f,%.2f,%.0f\n", run[k].n,
+                          (int)run[k].width, (int)run[k].height, rest, step, draw, frame,
+                          worst, 100 * draw / frame);
+        free(b.picture.pixels);
+        free(b.file.bytes);
+        free(b.memory.permanent);
+        free(b.memory.transient);
+        if (!good) return 1;
+    }
+    return 0;
+}
+/* <measurements> */
+/* What is left out with the exact solver, lest the table take minutes. */
 static bool is_dear(const wfClassic *c)
 {
     static const char *const name[4] = { "cards", "bounce", "fine-bounce", "coincident" };
@@ -5878,6 +6063,188 @@ static int measure_performance_colours(FILE *out)
     for (int32_t passes = 1; passes <= 4; passes *= 2)
         for (int32_t colours = 0; colours < 2; colours++)
             if (one_colouring(out, colours, passes) != 0) return 1;
+    return 0;
+}
+/* <measurements> */
+static bool has_shapes(uint32_t needs) { return (needs & WF_NEED_SHAPES) != 0; }
+
+static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs)
+{
+    size_t permanent[2], transient[2], kept[2];
+    for (int32_t i = 0; i < 2; i++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        int32_t n = 1000 * (i + 1);
+        wfWorld world;
+        wfBodyDef body = wfDefaultBodyDef();
+        def.needs = needs;
+        def.bodyCapacity = n;
+        def.pairCapacity = pairs * n;
+        body.type = WF_DYNAMIC;
+        body.mass = 1;
+        if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
+        if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
+        if (wfCreateWorld(&def, &world) != WF_OK) return 1;
+        for (int32_t k = 0; k < n; k++) {
+            body.position = wfV2((wfReal)(2 * k), 0);
+            if (wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 1;
+        }
+        kept[i] = wfSnapshotSize(&world);
+        wfDestroyWorld(&world);
+    }
+    double each[3] = { (double)permanent[1] - (double)permanent[0],
+                       (double)transient[1] - (double)transient[0],
+                       (double)kept[1] - (double)kept[0] };
+    fprintf(out, "\"%s\",%.0f,%.0f,%.0f\n", name, each[0] / 1000, each[1] / 1000,
+            each[2] / 1000);
+    return 0;
+}
+/* <measurements> */
+static double seconds_since(clock_t start)
+{
+    return (double)(clock() - start) / CLOCKS_PER_SEC;
+}
+
+static double copy_states(int32_t n)
+{
+    size_t bytes = (size_t)n * sizeof(wfBodyState);
+    int32_t rounds = 2000000 / n + 1;
+    uint8_t *from = calloc(2, bytes);
+    double least = 1e9;
+    for (int k = 0; from != NULL && k < 9; k++) {
+        clock_t start = clock();
+        for (int32_t i = 0; i < rounds; i++) {
+            memcpy(i % 2 ? from : from + bytes, i % 2 ? from + bytes : from, bytes);
+            from[i % 64]++;                  /* so that no copy can be left out */
+        }
+        double took = seconds_since(start) / rounds;
+        if (took < least) least = took;
+    }
+    free(from);
+    return 1e9 * least / n;
+}
+
+static double fly_freely(int32_t n, uint32_t needs)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfBodyDef body = wfDefaultBodyDef();
+    wfWorld world;
+    double least = 1e9;
+    int32_t rounds = 300000 / n + 1;
+    def.needs = needs;
+    def.bodyCapacity = n;
+    def.gravity = wfV2(0, 0);
+    body.type = WF_DYNAMIC;
+    body.mass = 1;
+    body.velocity = wfV2(1, 0);
+    if (has_shapes(needs)) def.pairCapacity = 4 * n;
+    if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
+    if (wfCreateWorld(&def, &world) != WF_OK) return 0;
+    for (int32_t k = 0; k < n; k++) {
+        body.position = wfV2((wfReal)(k % 1000), (wfReal)(k / 1000));
+        if (wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 0;
+    }
+    for (int k = 0; k < 9; k++) {
+        clock_t start = clock();
+        for (int32_t i = 0; i < rounds; i++) wfStepWorld(&world);
+        double took = seconds_since(start) / rounds;
+        if (took < least) least = took;
+    }
+    wfDestroyWorld(&world);
+    return 1e9 * least / n;
+}
+/* <measurements> */
+static int measure_performance_memory(FILE *out)
+{
+    uint32_t plain = wfDefaultWorldDef().needs;
+    fprintf(out, "world,permanent,transient,snapshot\n");
+    return memory_row(out, "particles, nothing else", 0, 0)
+        || memory_row(out, "default", plain, 0)
+        || memory_row(out, "default, four pairs a shape", plain, 4);
+}
+
+static int measure_performance_flight(FILE *out)
+{
+    static const int32_t sizes[] = { 1000, 10000, 100000 };
+    uint32_t plain = wfDefaultWorldDef().needs;
+    fprintf(out, "world,bodies,copy,step,copies\n");
+    for (int k = 0; k < 5; k++) {
+        int32_t n = sizes[k % 3];
+        double copy = copy_states(n), step = fly_freely(n, k < 3 ? 0 : plain);
+        if (!(step > 0 && step < 1e6)) return 1;
+        fprintf(out, "%s,%d,%.2f,%.1f,%.1f\n", k < 3 ? "particles" : "\"discs, default\"",
+                (int)n, copy, step, step / copy);
+    }
+    return 0;
+}
+/* <measurements> */
+static int32_t swarm(int32_t n, wfWorld *world)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    double half = sqrt(2.0 * n);
+    wfRandom r;
+    wfRandomSeed(&r, 32);
+    def.gravity = wfV2(0, 0);
+    def.bodyCapacity = n + 4;
+    def.pairCapacity = 200 * n;
+    if (wfCreateWorld(&def, world) != WF_OK) return 1;
+    for (int32_t i = 0; i < n + 4; i++) {
+        wfBodyDef b = wfDefaultBodyDef();
+        double at = (i % 2 ? 1 : -1) * (half + 1), w = i < 2 ? 1 : half + 2;
+        wfReal in = (wfReal)half - 1, x = wfRandomReal(&r, -in, in);
+        wfReal y = wfRandomReal(&r, -in, in);
+        wfRot q = wfRotation(wfRandomReal(&r, 0, 2 * WF_PI));
+        if (i < 4) {
+            b.type = WF_STATIC;
+            b.position = i < 2 ? wfV2((wfReal)at, 0) : wfV2(0, (wfReal)at);
+            wfMakeBox((wfReal)w, (wfReal)(half + 3 - w), &b.shape);
+        } else {
+            b.type = WF_DYNAMIC;
+            b.position = wfV2(x, y);
+            b.velocity = wfV2(300 * q.c, 300 * q.s);
+            wfMakeCircle(wfV2(0, 0), WF_R(0.05), &b.shape);
+        }
+        if (wfAddBodyToWorld(world, &b, NULL) != WF_OK) return 1;
+    }
+    return 0;
+}
+
+/* the slope of a line through the logarithms, eq:performance-slope */
+static double exponent_of(const double *n, const double *t, int32_t count)
+{
+    double x = 0, y = 0, xx = 0, xy = 0;
+    for (int32_t i = 0; i < count; i++) x += log(n[i]) / count, y += log(t[i]) / count;
+    for (int32_t i = 0; i < count; i++) {
+        xx += (log(n[i]) - x) * (log(n[i]) - x);
+        xy += (log(n[i]) - x) * (log(t[i]) - y);
+    }
+    return xy / xx;
+}
+
+static int measure_performance_bullets(FILE *out)
+{
+    enum { SIZES = 4, STEPS = 40 };
+    double n[SIZES] = { 100, 200, 400, 800 }, ms[SIZES];
+    fprintf(out, "bullets,ms,each,impacts\n");
+    for (int32_t k = 0; k < SIZES; k++) {
+        double times[STEPS], impacts = 0;
+        wfFastReport report = { 0 };
+        wfWorld world;
+        wfResult result = swarm((int32_t)n[k], &world) ? WF_ERROR_MEMORY : WF_OK;
+        for (int32_t i = 0; i < STEPS && result == WF_OK; i++) {
+            clock_t start = clock();
+            result = wfStepWorld(&world);
+            times[i] = 1e3 * seconds_since(start);
+            if (result == WF_OK) result = wfGetFastReport(&world, &report);
+            impacts += report.impacts;
+        }
+        wfDestroyWorld(&world);
+        if (result != WF_OK) return 1;
+        qsort(times, STEPS, sizeof *times, compare_doubles);
+        ms[k] = times[STEPS / 2];
+        fprintf(out, "%.0f,%.2f,%.1f,%.0f\n", n[k], ms[k], 1e3 * ms[k] / n[k],
+                impacts / STEPS);
+    }
+    fprintf(out, "exponent,%.2f,--,--\n", exponent_of(n, ms, SIZES));
     return 0;
 }
 /* <measurements> */
@@ -6551,6 +6918,7 @@ const wfMeasureRow wfMeasureTable[] = {
     { "joints-pendulum", "energy, period and gap of a pendulum, by substeps",
       measure_joints_pendulum },
     /* <rows of the measurement table> */
+    { "exact-budget", "work of a step, and what the budget cuts off", measure_exact_budget },
     { "exact-ties", "joints and contacts by turns and in one matrix", measure_exact_ties },
     { "exact-heap", "systems, failures and energy of a heap, by friction", measure_exact_heap },
     { "exact-course", "error of the impulses in a cold tower, by passes and by systems",
@@ -6558,6 +6926,7 @@ const wfMeasureRow wfMeasureTable[] = {
     { "exact-systems", "systems and passes that cold scenes take", measure_exact_systems },
     { "exact-target", "what the solver of all contacts reaches", measure_exact_target },
     /* <rows of the measurement table> */
+    { "exact-stretch", "stretch of a loaded chain by give", measure_exact_stretch },
     { "exact-gap", "the widest gap in a loaded chain, one by one and all at once",
       measure_exact_gap },
     { "exact-swing", "energy of a swinging chain with a ton at its end, by method",
@@ -6651,6 +7020,9 @@ const wfMeasureRow wfMeasureTable[] = {
     { "drawing-coverage", "ink against area, smooth and jagged", measure_drawing_coverage },
     { "drawing-time", "milliseconds to draw a frame of 1280 x 720", measure_drawing_time },
     /* <rows of the measurement table> */
+    { "frame-time", "ms of a frame of the testbed: input, step, drawing, with 2,000 bodies",
+      measure_frame_time },
+    /* <rows of the measurement table> */
     { "figures-arch", "thinnest arch that stands, by substeps and passes",
       measure_figures_arch },
     { "figures-classics", "what the classic scenes reach with default settings",
@@ -6668,6 +7040,13 @@ const wfMeasureRow wfMeasureTable[] = {
     /* <rows of the measurement table> */
     { "performance-colours", "a pyramid with contacts in the order of the list and by colours",
       measure_performance_colours },
+    /* <rows of the measurement table> */
+    { "performance-memory", "bytes for each body more", measure_performance_memory },
+    { "performance-flight-time", "free flight against a copy of the states",
+      measure_performance_flight },
+    /* <rows of the measurement table> */
+    { "performance-bullets-time", "what a step with many bullets costs",
+      measure_performance_bullets },
     /* <rows of the measurement table> */
     { "accuracy-integrators", "error against questions, by problem and method",
       measure_accuracy_integrators },

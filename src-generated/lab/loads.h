@@ -16,4 +16,20 @@ extern const labLoad labLoads[LAB_LOADS];
 wfWorldDef labLoadDef(const labLoad *load);
 /* A pyramid of boxes of 1 m upon a floor; bodies 1, 2, ... are the boxes, from below. */
 wfResult labPyramid(wfWorld *world, int32_t base);
+
+/* <the table of scenes for peers> */
+/* A heavy scene that other engines can play: how many bodies, shapes, joints, and for how
+   many steps; `gravity` in m/s2, downwards. */
+typedef struct labHeavy {
+    const char *name;
+    int32_t bodies, shapes, joints, steps;
+    double gravity;
+    wfResult (*build)(wfWorld *world, int32_t count, int32_t other);
+    int32_t count, other;                      /* what `build` is told */
+} labHeavy;
+extern const labHeavy labHeavies[];
+extern const int32_t labHeavyCount;
+const labHeavy *labFindHeavy(const char *name);     /* NULL: there is none */
+wfWorldDef labHeavyDef(const labHeavy *bench);
+wfResult labBuildHeavy(const labHeavy *bench, wfWorld *world);
 #endif

@@ -518,6 +518,20 @@ static double swing_period(const wfWorldDef *how)
     return swing(how, &energy, &period) ? period : FAILED;
 }
 /* <classic experiments> */
+static double stiff_chain_stretch(const wfWorldDef *how)
+{
+    wfWorldDef def = *how;
+    def.jointGive = WF_R(1e-6);
+    return chain_stretch(&def);
+}
+
+static double fine_swing_energy(const wfWorldDef *how)
+{
+    wfWorldDef def = *how;
+    def.fineSums = 1;
+    return swing_energy(&def);
+}
+/* <classic experiments> */
 /* The greatest error of the energy at any of so many bounces, as a share. */
 static double bounce_from(const wfWorldDef *how, double height, int bounces)
 {
@@ -629,7 +643,9 @@ const wfClassic wfClassicTable[] = {
     { "roll", "rolling disk 20 degrees: error of the distance (%)", "0.1", roll },
     /* <rows of the table of classics> */
     { "chain", "20 links with a load of 1000 links: stretch (%)", "1", chain_stretch },
+    { "stiff-chain", "the same with jointGive = 1e-6", "0.001", stiff_chain_stretch },
     { "energy", "rod pendulum: change of its energy in 60 s (%)", "0.5", swing_energy },
+    { "fine-energy", "the same with fineSums", "0.0001", fine_swing_energy },
     { "period", "rod pendulum: error of its period (%)", "0.1", swing_period },
     /* <rows of the table of classics> */
     { "bounce", "ball with e = 1: worst error of its energy in 10 000 bounces",

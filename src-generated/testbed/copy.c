@@ -313,7 +313,8 @@ size_t wfCopyAsC(const wfWorld *world, const char *name, const char *warn, char 
         warn ? "\n * " : "", warn ? warn : "");
     put(&c, "%s    wfBodyId body[%d];\n    wfBodyDef b;\n    wfShapeDef s;\n"
         "    wfJoint j;\n    wfForce f;\n    wfWorld world;\n"
-        "    (void)body, (void)b, (void)s, (void)j, (void)f;\n\n    wfWorldDef def = wfDefaultWorldDef();\n", copyHead,
+        "    (void)body, (void)b, (void)s, (void)j, (void)f;\n\n"
+        "    wfWorldDef def = wfDefaultWorldDef();\n", copyHead,
         (int)wfWorldBodies(world).count + 1);
     copy_settings(&c);
     put(&c, "    DO(wfCreateWorld(&def, &world));\n");

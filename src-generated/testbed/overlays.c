@@ -195,7 +195,8 @@ int32_t wfGjkSteps(const wfWorld *world, const wfLook *look)
     return trace.count;
 }
 /* <look at the Minkowski difference> */
-static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratch, wfDraw *d)
+static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratch,
+                        wfDraw *d)
 {
     SeenPair p;
     wfSeparation s;
@@ -215,10 +216,11 @@ static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratc
     draw_loop(d, &w, now->points, now->count, 2, WF_INK_ACCENT, WF_INK_NONE);
     wfVec2 zero = in_inset(&w, wfV2(0, 0)), near = in_inset(&w, now->nearest);
     wfReal arm = w.size / 30;
-    wfDrawLine(d, (float)(zero.x - arm), (float)zero.y, (float)(zero.x + arm), (float)zero.y,
-               1.5f, WF_INK_BAD);
-    wfDrawLine(d, (float)zero.x, (float)(zero.y - arm), (float)zero.x, (float)(zero.y + arm),
-               1.5f, WF_INK_BAD);
+    wfVec2 right = wfV2(arm, 0), top = wfV2(0, arm);
+    wfVec2 cross[] = { wfSub(zero, right), wfAdd(zero, right), wfSub(zero, top),
+                       wfAdd(zero, top) };
+    wfDrawLine(d, WF_XY(cross[0]), WF_XY(cross[1]), 1.5f, WF_INK_BAD);
+    wfDrawLine(d, WF_XY(cross[2]), WF_XY(cross[3]), 1.5f, WF_INK_BAD);
     if (walk && wfLengthSq(now->nearest) > 0)
         wfDrawArrow(d, WF_XY(near), WF_XY(zero), 1.5f, WF_INK_GOOD);
     wfDrawTextf(d, (float)(w.corner.x + w.size / 40), (float)(w.corner.y + w.size / 40), 13,
@@ -540,8 +542,9 @@ static void look_at_passes(const wfWorld *world, const wfLook *look, wfPool *scr
                 wfDrawShape(d, &v.shapes[k], wfBodyTransform(&v.state[i]), WF_INK_GOOD,
                             WF_INK_NONE);
     draw_pressures(&part, def.dt, d);
-    wfDrawTextf(d, (d->view[0] + d->view[2]) / 2, d->view[3] - (d->view[3] - d->view[1]) / 6,
-                16, WF_INK_TEXT, 0, "substep %d of %d, pass %d of %d",
+    float high = d->view[3] - d->view[1];
+    wfDrawTextf(d, (d->view[0] + d->view[2]) / 2, d->view[3] - high / 6, 16, WF_INK_TEXT, 0,
+                "substep %d of %d, pass %d of %d",
                 wfStepSubsteps(&was) > 1 ? (int)def.substeps : 1, (int)wfStepSubsteps(&was),
                 (int)def.iterations, (int)wfStepPasses(&was));
 }

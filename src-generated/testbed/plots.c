@@ -151,7 +151,8 @@ static int32_t sample_at(const wfPlots *p, int32_t k)
 static int curves_of(const wfPlots *p, int row)
 {
     int n = 0;
-    if (row == WF_PLOT_ERROR) return p->others < WF_PLOT_CURVES ? p->others : WF_PLOT_CURVES;
+    if (row == WF_PLOT_ERROR)
+        return p->others < WF_PLOT_CURVES ? p->others : WF_PLOT_CURVES;
     while (n < WF_PLOT_CURVES && wfPlotTable[row].curve[n]) n++;
     return n;
 }

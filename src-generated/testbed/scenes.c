@@ -2335,7 +2335,7 @@ static void put_leg(Maker *m, wfVec2 at, wfBodyId frame, wfBodyId wheel, const L
 static wfResult build_walker(wfWorld *world)
 {
     Maker m = { world, WF_OK };
-    wfVec2 at = wfV2(-6, WF_R(1.6));
+    wfVec2 at = wfV2(-4, WF_R(1.6));
     put_wall(&m, 0, WF_R(-0.5), 14, WF_R(0.5), 0);
     wfBodyDef b = box(&m, at.x, at.y + WF_R(0.2), WF_R(0.6), WF_R(0.25));
     wfBodyId frame = put_in_group(&m, &b, -1);
@@ -2344,7 +2344,7 @@ static wfResult build_walker(wfWorld *world)
     wfBodyId wheel = put_in_group(&m, &b, -1);
     wfJoint motor = joint_from(&m, "revolute", frame, wheel, b.position, b.position);
     motor.flags = WF_JOINT_MOTOR;
-    motor.motorSpeed = 2;
+    motor.motorSpeed = -2;
     motor.motorForce = 40;
     join(&m, &motor);
     for (int phase = 0; phase < 3; phase++)
@@ -2371,8 +2371,8 @@ static void many_joints(wfWorldDef *def)
 static void mortar(Maker *m, wfBodyId a, wfBodyId b, wfReal x, wfReal y)
 {
     wfJoint weld = joint_from(m, "weld", a, b, wfV2(x, y), wfV2(x, y));
-    weld.breakForce = 300;
-    weld.breakTorque = 60;
+    weld.breakForce = 60;
+    weld.breakTorque = 6;
     join(m, &weld);
 }
 
@@ -2384,13 +2384,14 @@ static wfResult build_breaking_wall(wfWorld *world)
     put_wall(&m, 0, WF_R(-0.5), 12, WF_R(0.5), 0);
     for (int row = 0; row < BRICKS_HIGH; row++)
         for (int k = 0; k < BRICKS_WIDE; k++) {
-            wfReal x = 2 + 2 * w * (wfReal)k + (row % 2 ? w : 0), y = h + 2 * h * (wfReal)row;
+            wfReal x = 2 + 2 * w * (wfReal)k + (row % 2 ? w : 0);
+            wfReal y = h + 2 * h * (wfReal)row;
             wfBodyDef b = box(&m, x, y, w, h);
             b.userData = (uint64_t)(row % 2 ? WF_INK_BODY : WF_INK_BODY2);
             brick[row][k] = put(&m, &b);
             if (k > 0) mortar(&m, brick[row][k - 1], brick[row][k], x - w, y);
-            if (row > 0) mortar(&m, brick[row - 1][k], brick[row][k],
-                                x + (row % 2 ? -w : w) / 2, y - h);
+            mortar(&m, row > 0 ? brick[row - 1][k] : wfBodyAt(world, 0), brick[row][k],
+                   row > 0 ? x + (row % 2 ? -w : w) / 2 : x, y - h);
         }
     wfBodyDef shot = ball(&m, -6, WF_R(2.6), WF_R(0.4));
     shot.density = 20;
@@ -2849,9 +2850,9 @@ const wfScene wfSceneTable[] = {
       .viewX = 0, .viewY = 3, .viewHeight = 8, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = WF_R(0.1) },
     { .category = "Classics", .name = "wall to break", .chapter = 25,
-      .text = "Mortar that holds 300 N, and a ball that brings more. Pieces fall as one.",
+      .text = "Mortar that holds 60 N, and a ball that brings more. Pieces fall as one.",
       .define = many_joints, .build = build_breaking_wall,
-      .viewX = 0, .viewY = 3, .viewHeight = 8,
+      .viewX = 2, .viewY = 3, .viewHeight = 8,
       .energyBound = 5, .depthBound = WF_R(0.5) },
     /* <rows of the scene table> */
     { .category = "Classics", .name = "solvers", .chapter = 17,

@@ -213,7 +213,8 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     float wide = w < 148 ? w : 148, left = x + w - wide;
     bool hot = ui_inside(u, left, y, wide, UI_LINE), open = m->open == id_of(name);
     const char *text = names.name(names.of, *now);
-    if (left > x) ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
+    int ink = changed ? WF_INK_ACCENT : WF_INK_TEXT;
+    if (left > x) ui_text(u, x, y + 15, 13, ink, -1, name);
     ui_box(u, left, y + 1, wide, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
     ui_text(u, left + 6, y + 15, 13, WF_INK_TEXT, -1, text ? text : "?");

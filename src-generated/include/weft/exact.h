@@ -36,6 +36,7 @@ wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_
 #define WF_EXACT_PLACES 1e-4        /* kappa when overlap is taken away */
 #define WF_EXACT_STIFFEST 1e-3      /* kappa of the first careful step */
 #define WF_EXACT_GIVE 1e-10         /* of eq:exact-nearest */
+#define WF_EXACT_WORK 200           /* a good value for wfSolve's `work`, in a world */
 /* eq:exact-rounding: errors, as shares of the speeds and of K times the impulses, up to
    which a problem is solved. */
 #define WF_EXACT_SPEEDS (WF_EPSILON > 1e-10f ? (double)WF_EPSILON : 1e-10)

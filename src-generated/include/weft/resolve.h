@@ -59,9 +59,11 @@ enum { WF_REPORT_COURSE = 12 };
 typedef struct wfSolveReport {
     int32_t solved, unsolved; /* problems solved to rounding, and left with an error */
     int32_t apart;            /* times that contacts and other laws did not agree */
+    int32_t cut;              /* problems left because the step's work was used up */
     int32_t iterations;       /* systems of equations that were solved */
     int32_t factored;         /* matrices that were factored for it */
     int32_t blocks;           /* blocks in all matrices */
+    wfReal  work;             /* millions of multiplications that all systems took */
     int32_t longest;          /* systems that the hardest problem took; its course: */
     wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
@@ -101,6 +103,8 @@ typedef struct wfSolve {
     wfFine             *fine;           /* of each body: what its state rounds away,
                                          * chapter 17; for `soft`; NULL: it is lost */
     wfPool             *scratch;        /* room for the row's scratch(bodies, contacts) */
+    int32_t             work;           /* of `exact`: millions of multiplications that a
+                                         * step may take, chapter 19; 0: no bound */
     wfSolveReport      *report;         /* written by rows that can fail; NULL: not asked */
 } wfSolve;
 /* <declarations of the parts of an impulse> */

@@ -129,7 +129,7 @@ typedef struct wfJournal {
     size_t   size, used;
     size_t   run;              /* where the entry of the last run of steps is, or `used` */
     int32_t  trail;            /* 1: the hash of the world is noted after every step */
-    uint64_t begins;           /* hash of the world that the first entry was done to; 0: none */
+    uint64_t begins;           /* hash of the world before the first entry; 0: none yet */
 } wfJournal;
 
 /* Starts an empty journal. WF_ERROR_NULL; _RANGE: trail is 0 or 1. */
@@ -218,8 +218,9 @@ wfResult wfSaveJournalToBytes(const wfJournal *journal, void *bytes, size_t capa
                               size_t *size);
 /* The entries go to `room`, of at least size - 64 bytes, which the journal keeps (more: it
  * can go on). Believes nothing. out->begins is wfHashWorld of the world to replay it in.
- * Errors of wfReadSaveInfo; WF_ERROR_VERSION, _BYTE_ORDER, _PRECISION, _LAYOUT; _NOT_A_SAVE:
- * it holds no journal; _INVALID: whole, and yet none; _MEMORY: room is too small. */
+ * Errors of wfReadSaveInfo; WF_ERROR_VERSION, _BYTE_ORDER, _PRECISION, _LAYOUT;
+ * _NOT_A_SAVE: it holds no journal; _INVALID: whole, and yet none; _MEMORY: room is too
+ * small. */
 wfResult wfLoadJournalFromBytes(const void *bytes, size_t size, void *room,
                                 size_t capacity, wfJournal *out);
 #ifndef WF_NO_FILES

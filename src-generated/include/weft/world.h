@@ -92,6 +92,9 @@ typedef struct wfWorldDef {
     /* <the settings of a world> */
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
     /* <the settings of a world> */
+    int32_t exactWork;         /* of the solver "exact": millions of multiplications a step may
+                                * take for systems, then it sweeps; >= 0; 0: no bound */
+    /* <the settings of a world> */
     int32_t fineSums;          /* 1: what states round away is kept (chapter 17) */
     /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */

@@ -39,7 +39,7 @@ static b2Body *add_body(const peerScene *scene, const peerBody *b, bool bullet)
     def.position = vec(b->position);
     def.angle = (float)b->angle;
     def.fixedRotation = b->fixedRotation != 0;
-    def.bullet = bullet;
+    def.bullet = bullet && b->type == PEER_DYNAMIC;
     b2Body *body = world->CreateBody(&def);
     for (int i = 0; i < b->shapes; i++) add_shape(body, &scene->shape[b->firstShape + i]);
     body->SetLinearVelocity(vec(b->velocity));

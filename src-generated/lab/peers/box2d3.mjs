@@ -36,7 +36,7 @@ function addBody(b, bullet) {
   def.rotation = B.b2MakeRot(b.angle);
   locks.angularZ = b.fixedRotation;
   def.motionLocks = locks;
-  def.isBullet = bullet;
+  def.isBullet = bullet && b.type === 'dynamic';
   const body = B.b2CreateBody(world, def);
   b.shapes.forEach(s => addShape(body, s));
   B.b2Body_SetLinearVelocity(body, vec(b.velocity));

@@ -42,7 +42,7 @@ static b2BodyId add_body(const peerScene *scene, const peerBody *b, bool bullet)
     def.position.y = (float)b->position[1];
     def.rotation = b2MakeRot((float)b->angle);
     def.motionLocks.angularZ = b->fixedRotation != 0;
-    def.isBullet = bullet;
+    def.isBullet = bullet && b->type == PEER_DYNAMIC;
     b2BodyId body = b2CreateBody(world, &def);
     for (int i = 0; i < b->shapes; i++) add_shape(body, &scene->shape[b->firstShape + i]);
     b2Body_SetLinearVelocity(body, vec(b->velocity));

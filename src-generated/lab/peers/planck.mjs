@@ -11,7 +11,7 @@ const vec = p => new planck.Vec2(p[0], p[1]);
 /* <a scene in planck> */
 function addBody(b, bullet) {
   const body = world.createBody({ type: b.type, position: vec(b.position), angle: b.angle,
-    fixedRotation: b.fixedRotation, bullet });
+    fixedRotation: b.fixedRotation, bullet: bullet && b.type === 'dynamic' });
   for (const s of b.shapes)
     body.createFixture({ shape: s.corners.length ? new planck.Polygon(s.corners.map(vec))
       : new planck.Circle(vec(s.centre), s.radius), density: s.density,

@@ -33,7 +33,7 @@ function addBody(b, o) {
     dynamic: 'dynamic' };
   const desc = RAPIER.RigidBodyDesc[kinds[b.type]]();
   desc.setTranslation(b.position[0], b.position[1]).setRotation(b.angle)
-    .setCanSleep(!!o.sleep).setCcdEnabled(!!o.fast);
+    .setCanSleep(!!o.sleep).setCcdEnabled(!!o.fast && b.type === 'dynamic');
   if (b.fixedRotation) desc.lockRotations();
   const body = world.createRigidBody(desc);
   b.shapes.forEach(s => addShape(s, body));

@@ -52,6 +52,10 @@ static char *text_with_options(const peerScene *scene, const peerOptions *o)
         put_number(settings, "bodyCapacity", scene->bodies);
     if (scene->shapes > 256 && cJSON_GetObjectItem(settings, "shapeCapacity") == NULL)
         put_number(settings, "shapeCapacity", scene->shapes);
+    double everyone = 0.5 * scene->shapes * (scene->shapes - 1);
+    if (everyone > 16.0 * scene->shapes && everyone <= 50000
+        && cJSON_GetObjectItem(settings, "pairCapacity") == NULL)
+        put_number(settings, "pairCapacity", everyone);
     if (scene->joints > 64 && cJSON_GetObjectItem(settings, "jointCapacity") == NULL)
         put_number(settings, "jointCapacity", scene->joints);
     char *out = cJSON_PrintUnformatted(root);
