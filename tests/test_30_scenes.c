@@ -79,7 +79,7 @@ static void every_scene_has_its_hash(void **state)
 static void a_scene_runs_the_same_again_and_in_lent_memory(void **state)
 {
     (void)state;
-    static _Alignas(WF_POOL_ALIGN) uint8_t permanent[8 * 1024 * 1024], transient[8 * 1024 * 1024];
+    static _Alignas(WF_POOL_ALIGN) uint8_t permanent[16 * 1024 * 1024], transient[16 * 1024 * 1024];
     for (int i = 0; i < wfSceneCount; i++) {
         const wfScene *s = &wfSceneTable[i];
         wfMemory lent = { .permanent = permanent, .permanentSize = sizeof permanent,

@@ -2364,6 +2364,7 @@ enum { BRICKS_WIDE = 6, BRICKS_HIGH = 14 };
 static void many_joints(wfWorldDef *def)
 {
     jointly(def);
+    def->exactJoints = WF_JOINTS_ONE_BY_ONE;
     def->jointCapacity = 512;
     def->bodyCapacity = 256;
 }
