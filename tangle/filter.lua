@@ -384,7 +384,10 @@ local function data_table(el)
     local m, e = cell:match("^(%-?[%d%.]+)[eE]([+-]?%d+)$")
     if not m then
       if tonumber(cell) and cell:match("^%-") then return html and "\u{2212}" .. cell:sub(2) or "$-$" .. cell:sub(2) end
-      return esc(cell)
+      return (esc(cell):gsub("%f[%d](%d[%d%.]*)e([+-]%d%d)%f[%D]", function(digits, power)      -- in a text, too
+        power = tostring(math.tointeger(tonumber(power)))
+        return html and digits .. "\u{a0}\u{b7}\u{a0}10<sup>" .. power:gsub("^%-", "\u{2212}") .. "</sup>" or "$" .. digits .. "\\cdot10^{" .. power .. "}$"
+      end))
     end
     e = tostring(math.tointeger(tonumber(e)))
     if html then return Code.html(m:gsub("^%-", "\u{2212}")) .. "\u{a0}\u{b7}\u{a0}10<sup>" .. e:gsub("^%-", "\u{2212}") .. "</sup>" end

@@ -74,12 +74,6 @@ local function look(key, line)
   if best then return ("%.4g"):format(best) end
   complain(line, ("no row for {%s}"):format(key))
 end
--- 3.5e-07 as people write it
-local above = { ["-"] = "\u{207b}", ["0"] = "\u{2070}", ["1"] = "\u{b9}", ["2"] = "\u{b2}", ["3"] = "\u{b3}" }
-for i = 4, 9 do above[tostring(i)] = utf8.char(0x2070 + i) end
-local function written(text)
-  return (text:gsub("(%d)e([+-]?%d+)", function(d, e) return d .. "\u{b7}10" .. ("%d"):format(tonumber(e)):gsub(".", above) end))
-end
 local function fill(text, line) return (text:gsub("{(.-)}", function(key) return look(key, line) or "?" end)) end
 
 -- Did the tests pass? A unit test counts if it passed in every build that has run.
@@ -121,7 +115,7 @@ for l in io.lines("book/evaluation.tsv") do
       if not condition then complain(line, "the condition cannot be read: " .. why) end
       local kept = condition and condition()
       local verdict = not good and "not achieved: a test fails" or kept and "achieved" or "achieved in part"
-      print(('%s,%s,"%s",%s,%s,"%s","%s"'):format(f[1], f[1]:match("^%a+"), f[2], f[3], verdict, written(fill(f[5], line)), table.concat(names, ", ")))
+      print(('%s,%s,"%s",%s,%s,"%s","%s"'):format(f[1], f[1]:match("^%a+"), f[2], f[3], verdict, fill(f[5], line), table.concat(names, ", ")))
     end
   end
 end
