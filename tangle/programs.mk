@@ -28,6 +28,8 @@ endif
 
 # the scenes of chapter 32 in Box2D 3, if its prefix is named: BOX2D3=/usr/local
 BOX2D3 ?=
+# as peers.mk takes it, it may be NAME=PREFIX, and several: the first one serves here
+BOX2D3_AT := $(lastword $(subst =, ,$(firstword $(BOX2D3))))
 PROGRAMS += $(if $(BOX2D3),$(if $(call mainof,lab/box2d_main.c),weft-box2d))
 
 # writes the heavy scenes of chapter 32 as text
@@ -56,6 +58,6 @@ $(OUT)/lib/libweft-game.so: $(GAMEOBJ) $(WEFT_LIBS) $(OUT)/obj/testbed/stb/png.o
 .PHONY: game
 game: $(OUT)/lib/libweft-game.so
 $(OUT)/bin/weft-box2d: $(SRC)/lab/box2d_main.c
-	@mkdir -p $(@D); $(CC) -O2 -isystem $(BOX2D3)/include $< -L$(BOX2D3)/lib -lbox2d -lm -lpthread -o $@
+	@mkdir -p $(@D); $(CC) -O2 -isystem $(BOX2D3_AT)/include $< -L$(BOX2D3_AT)/lib -lbox2d -lm -lpthread -o $@
 $(OUT)/obj/testbed/sdl_main.o: private INC += $(SDL_INC)
 -include $(wildcard $(OUT)/obj/lab/*_main.d $(OUT)/obj/testbed/*_main.d $(OUT)/obj/testbed/stb/*.d)

@@ -582,6 +582,23 @@ static void a_save_comes_back(void **unused)
 static bool is_damage(wfResult r) { return r == WF_ERROR_NOT_A_SAVE || r == WF_ERROR_TRUNCATED || r == WF_ERROR_CHECKSUM; }
 
 /* All prefixes and all flipped bits of a small world, every 97th of a larger one. */
+/* Two files of one world are one file, whatever lay in the memory before: nothing of it goes into the file. */
+static void a_save_holds_the_world_and_nothing_else(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(20, 40);
+    size_t size = wfSaveSize(&world), got;
+    uint8_t *one = bytes_of(size), *two = bytes_of(size);
+    memset(one, 0x00, size);
+    memset(two, 0xff, size);
+    assert_ok(wfSaveToBytes(&world, one, size, &got));
+    assert_ok(wfSaveToBytes(&world, two, size, &got));
+    assert_memory_equal(one, two, size);
+    free(one);
+    free(two);
+    wfDestroyWorld(&world);
+}
+
 static void damage_is_always_noticed(void **unused)
 {
     (void)unused;
@@ -992,7 +1009,7 @@ int main(void)
         cmocka_unit_test(a_divergence_has_step_body_and_field),
         cmocka_unit_test(bad_journals_are_refused),
         cmocka_unit_test(a_save_comes_back),
-        cmocka_unit_test(damage_is_always_noticed),
+        cmocka_unit_test(a_save_holds_the_world_and_nothing_else), cmocka_unit_test(damage_is_always_noticed),
         cmocka_unit_test(bursts_are_always_noticed),
         cmocka_unit_test(strangers_are_refused_by_name),
         cmocka_unit_test(journals_have_an_envelope),

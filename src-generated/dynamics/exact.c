@@ -726,17 +726,17 @@ static int32_t list_ties(void *context, const wfSolve *in, wfTie *ties)
             if (number[holds] == 0 || number[holds] > WF_NODE_ROWS) continue;
             if (ties != NULL)
                 ties[count] = (wfTie){ .a = j->a, .b = j->b, .count = number[holds],
-                                       .joint = m->order[n], .holds = holds };
+                                       .joint = m->order[n], .holds = holds != 0 };
             count++;
         }
     }
     return count;
 }
 /* <lend the rows to a solver of contacts> */
-static wfTieRow tie_row(const Line *l, int32_t index)
+static wfTieRow tie_row(const Line *l, int32_t at)
 {
     return (wfTieRow){ .jA = { (double)l->jA.x, (double)l->jA.y, (double)l->wA },
-        .jB = { (double)l->jB.x, (double)l->jB.y, (double)l->wB }, .index = index,
+        .jB = { (double)l->jB.x, (double)l->jB.y, (double)l->wB }, .index = at,
         .least = -(double)WF_JOINT_UNLIMITED, .most = (double)WF_JOINT_UNLIMITED };
 }
 

@@ -622,7 +622,8 @@ static void take_ties(Exact *e)
     const wfLaws *laws = in->laws;
     size_t mark = wfPoolMark(in->scratch);
     if (laws == NULL || laws->lending == NULL || e->count == 0) return;
-    e->lending = laws->lending(laws->context);
+    const void *lent = laws->lending(laws->context);
+    e->lending = lent;
     e->ties = e->lending == NULL ? 0 : e->lending->list(laws->context, in, NULL);
     e->tie = e->ties == 0 ? NULL : wfPoolPushArray(in->scratch, e->ties, wfTie);
     size_t room = room_for(in->bodyCount, e->count + e->ties);

@@ -85,6 +85,7 @@ void wfWriteImage(const wfImage *image, uint8_t *bytes)
 {
     memcpy(bytes, &image->head, sizeof image->head);
     size_t at = round_up(sizeof image->head);
+    memset(bytes + sizeof image->head, 0, at - sizeof image->head);
     for (int i = WF_REGION_HEADER + 1; i < WF_REGION_COUNT; i++) {
         size_t size = image->bytes[i], end = round_up(size);
         if (size == 0) continue;

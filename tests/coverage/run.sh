@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 work=${COVERAGE_DIR:-build/coverage}; mkdir -p "$work"
 tangle/tangle --lines "$work/lines" chapters/*.nw || exit 1
 rm -rf "$work/lines/testbed"                          # not measured, slow to build; nor are the figures
-rm -f "$work"/lines/lab/{lab,figures,lab_main,figures_main}.c
+rm -rf "$work"/lines/lab/*.c "$work"/lines/lab/peers
 tests=$(ls tests/test_{07,11,12,13,20,21,23}*.c 2>/dev/null)
 find "$work" -name '*.gcda' -delete
 make --no-print-directory -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=gcc CFLAGS="-O0 -g --coverage" WARN=-w TESTS="$(echo $tests)" tests \
