@@ -1,4 +1,4 @@
-# check.mk: what proves the rest. `make check` is kept under 25 minutes; the long runs have names of their own.
+# check.mk: what proves the rest. `make check` should take about 25 minutes on two cores; the long runs have names of their own.
 .PHONY: check evaluation mutate data golden coverage fuzz portability windows parts prices peers extremes
 SHARE ?= 1
 check:
