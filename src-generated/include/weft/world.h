@@ -27,9 +27,9 @@
 /* <headers of the world> */
 #include "weft/impact.h"
 /* <headers of the world> */
-#include "weft/joint.h"
-/* <headers of the world> */
 #include "weft/exact.h"
+/* <headers of the world> */
+#include "weft/joint.h"
 /* <headers of the world> */
 #include "weft/island.h"
 
