@@ -106,6 +106,35 @@ static wfResult resolving(wfReal share, wfReal slop, int32_t bodies, wfWorld *wo
     return wfCreateWorld(&def, world);
 }
 /* <helpers of the cases> */
+/* Puts two random bodies into a world of `resolving`, looks, and takes them out again, so
+   often: the worst of what `look` has seen. */
+typedef double PairLook(wfWorld *world, const wfShape s[2], const wfTransform x[2],
+                        wfBodyId moving);
+
+static double worst_pair(uint64_t seed, wfReal share, wfReal slop, int32_t tries,
+                         PairLook *look)
+{
+    wfWorld world;
+    wfRandom r;
+    double worst = 0;
+    wfRandomSeed(&r, seed);
+    if (resolving(share, slop, 4, &world) != WF_OK) return FAILED;
+    for (int32_t i = 0; i < tries; i++) {
+        wfShape s[2];
+        wfTransform x[2];
+        wfBodyId id[2];
+        for (int k = 0; k < 2; k++) {
+            int32_t type = k ? WF_DYNAMIC : WF_STATIC;
+            if (!add_random_body(&world, &r, type, &s[k], &x[k], &id[k])) return FAILED;
+        }
+        worst = larger(worst, look(&world, s, x, id[1]));
+        for (int k = 0; k < 2; k++)
+            if (wfRemoveBodyFromWorld(&world, id[k]) != WF_OK) return FAILED;
+    }
+    wfDestroyWorld(&world);
+    return worst;
+}
+/* <helpers of the cases> */
 enum { CROWD = 60 };
 
 static bool crowd(wfWorld *world, wfRandom *r)
@@ -300,12 +329,14 @@ static double deepest(const Overlap *o)                     /* eq:cases-deepest 
 /* <cases> */
 /* By how much the colour is wrong: how deep two white bodies overlap, how far apart two
    red ones are. */
-static double colours_are_wrong_by(const wfWorld *world, const wfShape s[2],
-                                   const wfTransform x[2])
+static double colours_are_wrong_by(wfWorld *world, const wfShape s[2],
+                                   const wfTransform x[2], wfBodyId moving)
 {
     int32_t count;
     bool red = false;
     Overlap o = { s, x };
+    (void)moving;
+    if (wfStepWorld(world) != WF_OK) return FAILED;
     const wfContact *c = wfWorldContacts(world, &count);
     for (int32_t i = 0; i < count; i++)
         for (int32_t k = 0; k < c[i].manifold.count; k++)
@@ -316,26 +347,7 @@ static double colours_are_wrong_by(const wfWorld *world, const wfShape s[2],
 /* <cases> */
 static double colours(int32_t tries)
 {
-    wfWorld world;
-    wfRandom r;
-    double worst = 0;
-    wfRandomSeed(&r, 5);
-    if (resolving(0, WF_R(0.005), 4, &world) != WF_OK) return FAILED;
-    for (int32_t i = 0; i < tries; i++) {
-        wfShape s[2];
-        wfTransform x[2];
-        wfBodyId id[2];
-        for (int k = 0; k < 2; k++) {
-            int32_t type = k ? WF_DYNAMIC : WF_STATIC;
-            if (!add_random_body(&world, &r, type, &s[k], &x[k], &id[k])) return FAILED;
-        }
-        if (wfStepWorld(&world) != WF_OK) return FAILED;
-        worst = larger(worst, colours_are_wrong_by(&world, s, x));
-        for (int k = 0; k < 2; k++)
-            if (wfRemoveBodyFromWorld(&world, id[k]) != WF_OK) return FAILED;
-    }
-    wfDestroyWorld(&world);
-    return worst;
+    return worst_pair(5, 0, WF_R(0.005), tries, colours_are_wrong_by);
 }
 /* <cases> */
 static bool holds(wfRect node, wfRect box)
@@ -446,25 +458,7 @@ static double pressed(wfWorld *world, const wfShape s[2], const wfTransform x[2]
 /* <cases> */
 static double correction(int32_t tries)
 {
-    wfWorld world;
-    wfRandom r;
-    double worst = 0;
-    wfRandomSeed(&r, 8);
-    if (resolving(1, WF_R(1e-4), 4, &world) != WF_OK) return FAILED;
-    for (int32_t i = 0; i < tries; i++) {
-        wfShape s[2];
-        wfTransform x[2];
-        wfBodyId id[2];
-        for (int k = 0; k < 2; k++) {
-            int32_t type = k ? WF_DYNAMIC : WF_STATIC;
-            if (!add_random_body(&world, &r, type, &s[k], &x[k], &id[k])) return FAILED;
-        }
-        worst = larger(worst, pressed(&world, s, x, id[1]));
-        for (int k = 0; k < 2; k++)
-            if (wfRemoveBodyFromWorld(&world, id[k]) != WF_OK) return FAILED;
-    }
-    wfDestroyWorld(&world);
-    return worst;
+    return worst_pair(8, 1, WF_R(1e-4), tries, pressed);
 }
 
 const labCase labCases[] = {
