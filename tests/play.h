@@ -67,7 +67,7 @@ static inline double play_fact(const play *p, const char *label, int n)
 
 static inline void play_click(play *p, const char *widget)
 {
-    char label[64], script[200];
+    char label[128], script[200];
     snprintf(label, sizeof label, "widget %s pixel", widget);
     snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\n", play_fact(p, label, 0), play_fact(p, label, 1));
     play_run(p, script);
