@@ -1,6 +1,6 @@
 # programs.mk: the programs of one tangled tree.  make -f tangle/programs.mk SRC=build/lines OUT=build programs
 # Makes, in OUT/bin, those whose chapter is in the tree: weft-lab, weft-figures, weft-headless, weft-testbed.
-# stb (fonts, PNG) and SDL2 (the window) are needed by single programs; what is missing is named and left out.
+# stb (fonts) and SDL2 (the window) are needed by single programs; what is missing is named and left out.
 include tangle/compile.mk
 
 mainof = $(wildcard $(SRC)/$(1))
@@ -47,17 +47,17 @@ $(OUT)/bin/weft-load: $(OUT)/obj/lab/load_main.o $(WEFT_LIBS)
 	$(call LINK)
 $(OUT)/bin/weft-figures: $(OUT)/obj/lab/figures_main.o $(WEFT_LIBS)
 	$(call LINK)
-$(OUT)/bin/weft-headless: $(OUT)/obj/testbed/headless_main.o $(OUT)/obj/testbed/stb/png.o $(WEFT_LIBS)
+$(OUT)/bin/weft-headless: $(OUT)/obj/testbed/headless_main.o $(WEFT_LIBS)
 	$(call LINK)
-$(OUT)/bin/weft-testbed: $(OUT)/obj/testbed/sdl_main.o $(OUT)/obj/testbed/stb/png.o $(WEFT_LIBS)
+$(OUT)/bin/weft-testbed: $(OUT)/obj/testbed/sdl_main.o $(WEFT_LIBS)
 	$(call LINK,$(SDL_LIBS))
 # The game as a library that a running testbed takes up (chapter 27): its own engine inside, put in place in one go.
 GAMEOBJ := $(filter $(OUT)/obj/testbed/%,$(EXTOBJ)) $(FONTOBJ)
-$(OUT)/lib/libweft-game.so: $(GAMEOBJ) $(WEFT_LIBS) $(OUT)/obj/testbed/stb/png.o
-	@mkdir -p $(@D); $(CC) $(CFLAGS) -shared -Wl,-Bsymbolic $(GAMEOBJ) $(OUT)/obj/testbed/stb/png.o $(WEFT_LIBS) $(CJSON) -lm -o $@.new && mv $@.new $@
+$(OUT)/lib/libweft-game.so: $(GAMEOBJ) $(WEFT_LIBS)
+	@mkdir -p $(@D); $(CC) $(CFLAGS) -shared -Wl,-Bsymbolic $(GAMEOBJ) $(WEFT_LIBS) $(CJSON) -lm -o $@.new && mv $@.new $@
 .PHONY: game
 game: $(OUT)/lib/libweft-game.so
 $(OUT)/bin/weft-box2d: $(SRC)/lab/box2d_main.c
 	@mkdir -p $(@D); $(CC) -O2 -isystem $(BOX2D3_AT)/include $< -L$(BOX2D3_AT)/lib -lbox2d -lm -lpthread -o $@
 $(OUT)/obj/testbed/sdl_main.o: private INC += $(SDL_INC)
--include $(wildcard $(OUT)/obj/lab/*_main.d $(OUT)/obj/testbed/*_main.d $(OUT)/obj/testbed/stb/*.d)
+-include $(wildcard $(OUT)/obj/lab/*_main.d $(OUT)/obj/testbed/*_main.d)

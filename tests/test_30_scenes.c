@@ -1,7 +1,7 @@
 /* Scenes and the testbed (chapter 30): every row of the scene table, the camera, the hand, the game played by scripts.
  * tests/golden/scenes.csv holds each scene's hash after 1,000 steps, scenes-double.csv that of the engine with doubles (`make
  * golden` records them). */
-#include "testing.h"
+#include "play.h"
 #include "testbed/camera.h"
 #include "testbed/hand.h"
 #include "testbed/platform.h"
@@ -9,8 +9,6 @@
 #include "testbed/view.h"
 
 enum { STEPS = 600 };
-
-bool write_png(const char *path, const frame_buffer *buffer) { (void)path, (void)buffer; return false; }
 
 /* ---- every scene ---- */
 static void every_scene_keeps_its_promises(void **state)
@@ -503,65 +501,6 @@ static void the_hand_gives_the_grip_its_velocity(void **state)
 }
 
 /* ---- the game ---- */
-typedef struct play { game_memory memory; frame_buffer buffer; char text[16384]; } play;
-
-static void begin(play *p, int width, int height)
-{
-    memset(p, 0, sizeof *p);
-    p->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
-                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL, NULL, NULL };
-    p->buffer = (frame_buffer){ calloc((size_t)(width * height), 4), width, height, width, 1 };
-    assert_true(p->memory.permanent && p->memory.transient && p->buffer.pixels);
-}
-
-static void end(play *p)
-{
-    free(p->memory.permanent);
-    free(p->memory.transient);
-    free(p->buffer.pixels);
-}
-
-static void run(play *p, const char *script)
-{
-    input_script s;
-    game_input in;
-    input_script_open(&s, script);
-    int got;
-    while ((got = input_script_next(&s, &in)) == 1)
-        game_update_and_render(&p->memory, &in, &p->buffer);
-    if (got < 0) fail_msg("line %d of '%s': %s", (int)s.line, script, s.error);
-    size_t n = game_describe(&p->memory, p->text, sizeof p->text);
-    assert_true(n < sizeof p->text);
-}
-
-/* The n-th number behind a label at the beginning of a line of the description. */
-static double fact(const play *p, const char *label, int n)
-{
-    size_t length = strlen(label);
-    for (const char *line = p->text; line; line = strchr(line, '\n') ? strchr(line, '\n') + 1 : NULL) {
-        if (strncmp(line, label, length) != 0 || line[length] != ' ') continue;
-        const char *at = line + length;
-        for (int k = 0; ; k++) {
-            while (*at && *at != '\n' && !strchr("-0123456789", *at)) at++;
-            if (!*at || *at == '\n') break;
-            char *after;
-            double x = strtod(at, &after);
-            if (k == n) return x;
-            at = after;
-        }
-    }
-    fail_msg("nothing is said of '%s' in\n%s", label, p->text);
-    return 0;
-}
-
-static void click(play *p, const char *widget)
-{
-    char label[64], script[200];
-    snprintf(label, sizeof label, "widget %s pixel", widget);
-    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\n", fact(p, label, 0), fact(p, label, 1));
-    run(p, script);
-}
-
 static int is_scene(const play *p, const char *name)
 {
     char line[80];
@@ -573,124 +512,124 @@ static void pause_step_and_reset_work(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 900, 600);
-    run(&p, "scene stack-of-boxes\nwait 10\n");
+    play_begin(&p, 900, 600, 1);
+    play_run(&p, "scene stack-of-boxes\nwait 10\n");
     assert_true(is_scene(&p, "stack of boxes"));
-    assert_int_equal((int)fact(&p, "steps", 0), 10);
-    run(&p, "key p\nwait 10\n");
-    assert_int_equal((int)fact(&p, "paused", 0), 1);
-    assert_int_equal((int)fact(&p, "steps", 0), 10);
-    run(&p, "key o\nwait 5\nkey o\nframe\n");
-    assert_int_equal((int)fact(&p, "steps", 0), 12);
-    run(&p, "key space\nwait 4\n");
-    assert_int_equal((int)fact(&p, "paused", 0), 0);
-    assert_int_equal((int)fact(&p, "steps", 0), 16);
-    run(&p, "steps 0\nkey r\nframe\n");
-    assert_int_equal((int)fact(&p, "steps", 0), 0);
-    click(&p, "Step");
-    click(&p, "Step");
-    assert_int_equal((int)fact(&p, "steps", 0), 2);
-    assert_int_equal((int)fact(&p, "paused", 0), 1);
-    click(&p, "Run");
-    assert_int_equal((int)fact(&p, "paused", 0), 0);
-    click(&p, "Pause");                             /* the button's name says at once what it does now */
-    assert_int_equal((int)fact(&p, "paused", 0), 1);
-    click(&p, "Reset");
-    assert_int_equal((int)fact(&p, "steps", 0), 0);
-    end(&p);
+    assert_int_equal((int)play_fact(&p, "steps", 0), 10);
+    play_run(&p, "key p\nwait 10\n");
+    assert_int_equal((int)play_fact(&p, "paused", 0), 1);
+    assert_int_equal((int)play_fact(&p, "steps", 0), 10);
+    play_run(&p, "key o\nwait 5\nkey o\nframe\n");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 12);
+    play_run(&p, "key space\nwait 4\n");
+    assert_int_equal((int)play_fact(&p, "paused", 0), 0);
+    assert_int_equal((int)play_fact(&p, "steps", 0), 16);
+    play_run(&p, "steps 0\nkey r\nframe\n");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 0);
+    play_click(&p, "Step");
+    play_click(&p, "Step");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 2);
+    assert_int_equal((int)play_fact(&p, "paused", 0), 1);
+    play_click(&p, "Run");
+    assert_int_equal((int)play_fact(&p, "paused", 0), 0);
+    play_click(&p, "Pause");                             /* the button's name says at once what it does now */
+    assert_int_equal((int)play_fact(&p, "paused", 0), 1);
+    play_click(&p, "Reset");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 0);
+    play_end(&p);
 }
 
 static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 2000);                          /* as high as the list of scenes is long */
-    run(&p, "steps 0\nframe\n");
+    play_begin(&p, 1100, 2000, 1);                          /* as high as the list of scenes is long */
+    play_run(&p, "steps 0\nframe\n");
     assert_true(is_scene(&p, wfSceneTable[0].name));
-    run(&p, "key [\nframe\n");
+    play_run(&p, "key [\nframe\n");
     assert_true(is_scene(&p, wfSceneTable[wfSceneCount - 1].name));
-    run(&p, "key ]\nframe\n");
+    play_run(&p, "key ]\nframe\n");
     assert_true(is_scene(&p, wfSceneTable[0].name));
-    click(&p, "Next");
+    play_click(&p, "Next");
     assert_true(is_scene(&p, wfSceneTable[1].name));
-    click(&p, "Previous");
+    play_click(&p, "Previous");
     assert_true(is_scene(&p, wfSceneTable[0].name));
     for (int i = wfSceneCount - 1; i >= 0; i--) {
-        click(&p, wfSceneTable[i].name);
+        play_click(&p, wfSceneTable[i].name);
         assert_true(is_scene(&p, wfSceneTable[i].name));
     }
-    run(&p, "key tab\nframe\n");
-    assert_int_equal((int)fact(&p, "list", 0), 0);
-    run(&p, "scene nowhere\nframe\n");              /* unknown: stays */
+    play_run(&p, "key tab\nframe\n");
+    assert_int_equal((int)play_fact(&p, "list", 0), 0);
+    play_run(&p, "scene nowhere\nframe\n");              /* unknown: stays */
     assert_true(is_scene(&p, wfSceneTable[0].name));
-    end(&p);
+    play_end(&p);
 }
 
 static void overlays_keys_and_views_answer(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 700);
-    run(&p, "scene pyramid\nsteps 0\nframe\n");
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene pyramid\nsteps 0\nframe\n");
     for (int i = 0; i < wfOverlayCount && wfOverlayTable[i].key; i++) {       /* the others: test_30_seeing */
-        double show = fact(&p, "show", 0);
+        double show = play_fact(&p, "show", 0);
         char script[40];
-        click(&p, wfOverlayTable[i].name);
-        assert_int_equal((uint32_t)fact(&p, "show", 0), (uint32_t)show ^ wfOverlayTable[i].bit);
+        play_click(&p, wfOverlayTable[i].name);
+        assert_int_equal((uint32_t)play_fact(&p, "show", 0), (uint32_t)show ^ wfOverlayTable[i].bit);
         snprintf(script, sizeof script, "key %c\nframe\n", wfOverlayTable[i].key);
-        run(&p, script);
-        assert_int_equal((int)fact(&p, "show", 0), show);
+        play_run(&p, script);
+        assert_int_equal((int)play_fact(&p, "show", 0), show);
     }
-    click(&p, "Dark");
-    assert_int_equal((int)fact(&p, "dark", 0), 1);
-    run(&p, "key d\nkey ?\nframe\n");
-    assert_int_equal((int)fact(&p, "dark", 0), 0);
-    assert_int_equal((int)fact(&p, "keys", 0), 1);
-    double x = fact(&p, "view", 0), y = fact(&p, "view", 1), height = fact(&p, "view", 2);
-    run(&p, "move 600 400\nframe\ndown right\nframe\nmove 700 450\nframe\nup right\nframe\nwheel 2\nframe\n");
-    assert_true(fact(&p, "view", 0) < x && fact(&p, "view", 1) > y);   /* the world was pulled right and down */
-    assert_near(fact(&p, "view", 2), height / (1.15 * 1.15), 1e-3);
-    click(&p, "Home");
-    assert_near(fact(&p, "view", 0), x, 1e-4);
-    assert_near(fact(&p, "view", 1), y, 1e-4);
-    assert_near(fact(&p, "view", 2), height, 1e-4);
-    end(&p);
+    play_click(&p, "Dark");
+    assert_int_equal((int)play_fact(&p, "dark", 0), 1);
+    play_run(&p, "key d\nkey ?\nframe\n");
+    assert_int_equal((int)play_fact(&p, "dark", 0), 0);
+    assert_int_equal((int)play_fact(&p, "keys", 0), 1);
+    double x = play_fact(&p, "view", 0), y = play_fact(&p, "view", 1), height = play_fact(&p, "view", 2);
+    play_run(&p, "move 600 400\nframe\ndown right\nframe\nmove 700 450\nframe\nup right\nframe\nwheel 2\nframe\n");
+    assert_true(play_fact(&p, "view", 0) < x && play_fact(&p, "view", 1) > y);   /* the world was pulled right and down */
+    assert_near(play_fact(&p, "view", 2), height / (1.15 * 1.15), 1e-3);
+    play_click(&p, "Home");
+    assert_near(play_fact(&p, "view", 0), x, 1e-4);
+    assert_near(play_fact(&p, "view", 1), y, 1e-4);
+    assert_near(play_fact(&p, "view", 2), height, 1e-4);
+    play_end(&p);
 }
 
 static void a_body_is_held_dragged_and_thrown(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 700);
-    run(&p, "scene stack-of-boxes\nsteps 1\nwait 20\n");
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 20\n");
     char script[300];
-    double px = fact(&p, "body 6", 2), py = fact(&p, "body 6", 3), x = fact(&p, "body 6", 0), y = fact(&p, "body 6", 1);
+    double px = play_fact(&p, "body 6", 2), py = play_fact(&p, "body 6", 3), x = play_fact(&p, "body 6", 0), y = play_fact(&p, "body 6", 1);
     snprintf(script, sizeof script, "move %g %g\nframe\ndown left\nframe\n", px, py);
-    run(&p, script);
-    assert_int_equal((int)fact(&p, "held", 0), 6);
-    run(&p, "frame\n");                             /* a script begins with all buttons up */
-    assert_int_equal((int)fact(&p, "held", 0), -1);
+    play_run(&p, script);
+    assert_int_equal((int)play_fact(&p, "held", 0), 6);
+    play_run(&p, "frame\n");                             /* a script begins with all buttons up */
+    assert_int_equal((int)play_fact(&p, "held", 0), -1);
     snprintf(script, sizeof script, "key r\nsteps 0\nframe\nsteps 1\nmove %g %g\ndown left\nframe\nmove %g %g\nwait 90\n",
              px, py, px + 200, py - 20);
-    run(&p, script);
-    assert_int_equal((int)fact(&p, "held", 0), 6);
+    play_run(&p, script);
+    assert_int_equal((int)play_fact(&p, "held", 0), 6);
     /* After 1.5 s the spring (25/s) has long settled; what is left is the sag g (1 + omega h)^2 / omega^2 = 0.031 m, and the
      * box hangs from a grip that was a pixel off its centre. */
-    assert_near(fact(&p, "body 6", 2), px + 200, 6);
-    assert_near(fact(&p, "body 6", 3), py - 20, 12);
-    assert_true(fact(&p, "body 6", 0) > x + 1 && fact(&p, "body 6", 1) > y);
+    assert_near(play_fact(&p, "body 6", 2), px + 200, 6);
+    assert_near(play_fact(&p, "body 6", 3), py - 20, 12);
+    assert_true(play_fact(&p, "body 6", 0) > x + 1 && play_fact(&p, "body 6", 1) > y);
     /* Throw it: moving up and away by 20 pixels a frame, then let go. */
     strcpy(script, "");
     char *at = script;
-    at += sprintf(at, "move %g %g\ndown left\nframe\n", fact(&p, "body 6", 2), fact(&p, "body 6", 3));
+    at += sprintf(at, "move %g %g\ndown left\nframe\n", play_fact(&p, "body 6", 2), play_fact(&p, "body 6", 3));
     for (int k = 1; k <= 6; k++) at += sprintf(at, "move %g %g\nframe\n", px + 200 + 20 * k, py - 20 - 10 * k);
     strcpy(at, "up left\nframe\n");
-    run(&p, script);
-    double fx = fact(&p, "body 6", 0);
-    assert_int_equal((int)fact(&p, "held", 0), -1);
-    run(&p, "wait 10\n");
-    assert_true(fact(&p, "body 6", 0) > fx + 0.5);  /* it flies on */
-    end(&p);
+    play_run(&p, script);
+    double fx = play_fact(&p, "body 6", 0);
+    assert_int_equal((int)play_fact(&p, "held", 0), -1);
+    play_run(&p, "wait 10\n");
+    assert_true(play_fact(&p, "body 6", 0) > fx + 0.5);  /* it flies on */
+    play_end(&p);
 }
 
 static void a_narrow_window_shows_the_whole_scene(void **state)
@@ -702,36 +641,36 @@ static void a_narrow_window_shows_the_whole_scene(void **state)
     c.wide = 4000;
     assert_near(camera_scale(&c), 60, 1e-4);
     play p;
-    begin(&p, 640, 480);
-    run(&p, "scene free-fall\nsteps 0\nframe\n");
-    assert_int_equal((int)fact(&p, "list", 0), 0);      /* no room for it */
-    click(&p, "List");
-    assert_int_equal((int)fact(&p, "list", 0), 1);
-    click(&p, "List");
-    assert_int_equal((int)fact(&p, "list", 0), 0);
-    end(&p);
-    begin(&p, 800, 480);
-    run(&p, "steps 0\nframe\n");
-    assert_int_equal((int)fact(&p, "list", 0), 1);
-    end(&p);
+    play_begin(&p, 640, 480, 1);
+    play_run(&p, "scene free-fall\nsteps 0\nframe\n");
+    assert_int_equal((int)play_fact(&p, "list", 0), 0);      /* no room for it */
+    play_click(&p, "List");
+    assert_int_equal((int)play_fact(&p, "list", 0), 1);
+    play_click(&p, "List");
+    assert_int_equal((int)play_fact(&p, "list", 0), 0);
+    play_end(&p);
+    play_begin(&p, 800, 480, 1);
+    play_run(&p, "steps 0\nframe\n");
+    assert_int_equal((int)play_fact(&p, "list", 0), 1);
+    play_end(&p);
 }
 
 static void bodies_behind_the_text_are_not_taken(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 700);
-    run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
     /* Pull the world down until the top box is behind the lines at the lower edge, 20 pixels above it. */
-    double px = fact(&p, "body 6", 2), py = fact(&p, "body 6", 3);
+    double px = play_fact(&p, "body 6", 2), py = play_fact(&p, "body 6", 3);
     char script[300];
     snprintf(script, sizeof script, "steps 0\nmove 900 200\nframe\ndown right\nframe\nmove 900 %g\nframe\nup right\nframe\n"
              "move %g 680\nframe\ndown left\nframe\n", 200 + 680 - py, px);
-    run(&p, script);
-    assert_near(fact(&p, "body 6", 3), 680, 1);
-    assert_int_equal((int)fact(&p, "held", 0), -1);
+    play_run(&p, script);
+    assert_near(play_fact(&p, "body 6", 3), 680, 1);
+    assert_int_equal((int)play_fact(&p, "held", 0), -1);
     /* The same press 30 pixels higher, with the box there, takes it. */
-    run(&p, "steps 0\nmove 900 300\nframe\ndown right\nframe\nmove 900 260\nframe\nup right\nframe\n");
+    play_run(&p, "steps 0\nmove 900 300\nframe\ndown right\nframe\nmove 900 260\nframe\nup right\nframe\n");
     snprintf(script, sizeof script, "steps 0\nmove %g 640\nframe\ndown left\nwait 1\n", px);
     input_script s;
     game_input in;
@@ -739,19 +678,19 @@ static void bodies_behind_the_text_are_not_taken(void **state)
     while (input_script_next(&s, &in) == 1)
         game_update_and_render(&p.memory, &in, &p.buffer);
     game_describe(&p.memory, p.text, sizeof p.text);
-    assert_int_equal((int)fact(&p, "held", 0), 6);
-    end(&p);
+    assert_int_equal((int)play_fact(&p, "held", 0), 6);
+    play_end(&p);
 }
 
 static void a_static_body_cannot_be_taken(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 700);
-    run(&p, "scene cradle\nsteps 0\nmove 300 350\nframe\n");
-    run(&p, "move 222 350\ndown left\nframe\n");
-    assert_int_equal((int)fact(&p, "held", 0), -1);
-    end(&p);
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene cradle\nsteps 0\nmove 300 350\nframe\n");
+    play_run(&p, "move 222 350\ndown left\nframe\n");
+    assert_int_equal((int)play_fact(&p, "held", 0), -1);
+    play_end(&p);
 }
 
 static const char *const LONG_PLAY = "scene shapes\nsteps 1\nwait 40\nmove 640 400\nframe\ndown left\nwait 5\nmove 700 200\n"
@@ -762,43 +701,43 @@ static void the_same_input_makes_the_same_pixels(void **state)
 {
     (void)state;
     play a, b;
-    begin(&a, 640, 480);
-    begin(&b, 640, 480);
-    run(&a, LONG_PLAY);
-    run(&b, LONG_PLAY);
+    play_begin(&a, 640, 480, 1);
+    play_begin(&b, 640, 480, 1);
+    play_run(&a, LONG_PLAY);
+    play_run(&b, LONG_PLAY);
     assert_memory_equal(a.buffer.pixels, b.buffer.pixels, 640 * 480 * 4);
     assert_string_equal(a.text, b.text);
-    end(&a);
-    end(&b);
+    play_end(&a);
+    play_end(&b);
 }
 
 static void memory_moves_and_the_game_goes_on(void **state)
 {
     (void)state;
     play a, b;
-    begin(&a, 640, 480);
-    begin(&b, 640, 480);
-    run(&a, LONG_PLAY);
+    play_begin(&a, 640, 480, 1);
+    play_begin(&b, 640, 480, 1);
+    play_run(&a, LONG_PLAY);
     memcpy(b.memory.permanent, a.memory.permanent, GAME_PERMANENT_SIZE);
     memset(b.memory.transient, 0x5a, GAME_TRANSIENT_SIZE);          /* transient memory may hold anything */
-    run(&a, SECOND_HALF);
-    run(&b, SECOND_HALF);
+    play_run(&a, SECOND_HALF);
+    play_run(&b, SECOND_HALF);
     assert_string_equal(a.text, b.text);
     assert_memory_equal(a.buffer.pixels, b.buffer.pixels, 640 * 480 * 4);
-    end(&a);
-    end(&b);
+    play_end(&a);
+    play_end(&b);
 }
 
 static void the_clock_decides_when_asked(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 320, 240);
-    run(&p, "scene free-fall\nsteps -1\nseconds 0.1\nwait 10\n");   /* 1 s, in frames of 6 steps */
-    assert_in_range((int)fact(&p, "steps", 0), 59, 60);
-    run(&p, "key r\nsteps -1\nseconds 3600\nframe\n");              /* a night's sleep: the bound */
-    assert_int_equal((int)fact(&p, "steps", 0), STEP_CLOCK_MOST);
-    end(&p);
+    play_begin(&p, 320, 240, 1);
+    play_run(&p, "scene free-fall\nsteps -1\nseconds 0.1\nwait 10\n");   /* 1 s, in frames of 6 steps */
+    assert_in_range((int)play_fact(&p, "steps", 0), 59, 60);
+    play_run(&p, "key r\nsteps -1\nseconds 3600\nframe\n");              /* a night's sleep: the bound */
+    assert_int_equal((int)play_fact(&p, "steps", 0), STEP_CLOCK_MOST);
+    play_end(&p);
 }
 
 static void strange_pictures_are_survived(void **state)
@@ -807,31 +746,31 @@ static void strange_pictures_are_survived(void **state)
     const int sizes[][2] = { { 1, 1 }, { 64, 64 }, { 200, 50 }, { 3, 900 }, { 2000, 30 } };
     for (int i = 0; i < 5; i++) {
         play p;
-        begin(&p, sizes[i][0], sizes[i][1]);
-        run(&p, "scene pyramid\nwait 3\nmove 2 2\ndown left\nkey ?\nkey d\nwait 3\nwheel 30\nframe\nwheel -60\nframe\n");
+        play_begin(&p, sizes[i][0], sizes[i][1], 1);
+        play_run(&p, "scene pyramid\nwait 3\nmove 2 2\ndown left\nkey ?\nkey d\nwait 3\nwheel 30\nframe\nwheel -60\nframe\n");
         p.buffer.scale = 0;
-        run(&p, "wait 2\nclick left\nframe\n");
+        play_run(&p, "wait 2\nclick left\nframe\n");
         p.buffer.scale = NAN;
-        run(&p, "wait 2\n");
-        end(&p);
+        play_run(&p, "wait 2\n");
+        play_end(&p);
     }
     play p;                                         /* no pixels: updates all the same */
-    begin(&p, 640, 480);
+    play_begin(&p, 640, 480, 1);
     uint32_t *pixels = p.buffer.pixels;
     p.buffer.pixels = NULL;
-    run(&p, "scene shapes\nwait 50\n");
-    assert_int_equal((int)fact(&p, "steps", 0), 50);
+    play_run(&p, "scene shapes\nwait 50\n");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 50);
     p.buffer.pixels = pixels;
     char small[20];
     memset(small, 'X', sizeof small);
     assert_true(game_describe(&p.memory, small, 10) > 10);
     assert_int_equal(small[9], 0);
     assert_int_equal(small[10], 'X');
-    end(&p);
-    begin(&p, 64, 64);                              /* before the first call there is nothing to tell */
+    play_end(&p);
+    play_begin(&p, 64, 64, 1);                              /* before the first call there is nothing to tell */
     assert_true(game_describe(&p.memory, p.text, sizeof p.text) > 0);
     assert_string_equal(p.text, "scene none\n");
-    end(&p);
+    play_end(&p);
 }
 
 /* ---- settings, search and time (chapter 30) ---- */
@@ -839,99 +778,99 @@ static void a_setting_is_changed_kept_and_forgotten(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 1400);                                          /* high enough for all settings */
-    run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
-    double x = fact(&p, "widget gravity.y pixel", 0), y = fact(&p, "widget gravity.y pixel", 1);
+    play_begin(&p, 1100, 1400, 1);                                          /* high enough for all settings */
+    play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
+    double x = play_fact(&p, "widget gravity.y pixel", 0), y = play_fact(&p, "widget gravity.y pixel", 1);
     char script[300];
     snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\n", x, y, x + 160, y);
-    run(&p, script);
-    run(&p, "steps 1\nwait 60\n");
-    double up = fact(&p, "body 2 x", 1);                            /* gravity was pulled by 160 units: by 4 of its usual sizes, 9.81/4 each */
+    play_run(&p, script);
+    play_run(&p, "steps 1\nwait 60\n");
+    double up = play_fact(&p, "body 2 x", 1);                            /* gravity was pulled by 160 units: by 4 of its usual sizes, 9.81/4 each */
     uint64_t pulled = 0;
     sscanf(strstr(p.text, "hash "), "hash %llx", (unsigned long long *)&pulled);
-    run(&p, "steps 0\nkey r\nframe\n");                            /* reset: the wish stays */
-    run(&p, "steps 1\nwait 60\n");
-    assert_near(fact(&p, "body 2 x", 1), up, 0);
-    run(&p, "steps 0\nscene tower\nframe\nscene stack-of-boxes\nframe\n");
-    run(&p, "steps 1\nwait 60\n");
+    play_run(&p, "steps 0\nkey r\nframe\n");                            /* reset: the wish stays */
+    play_run(&p, "steps 1\nwait 60\n");
+    assert_near(play_fact(&p, "body 2 x", 1), up, 0);
+    play_run(&p, "steps 0\nscene tower\nframe\nscene stack-of-boxes\nframe\n");
+    play_run(&p, "steps 1\nwait 60\n");
     uint64_t own = 0;
     sscanf(strstr(p.text, "hash "), "hash %llx", (unsigned long long *)&own);
     play q;
-    begin(&q, 1100, 1400);
-    run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 60\n");
+    play_begin(&q, 1100, 1400, 1);
+    play_run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 60\n");
     uint64_t plain = 1;
     sscanf(strstr(q.text, "hash "), "hash %llx", (unsigned long long *)&plain);
     assert_true(own == plain);
     assert_true(pulled != plain);
-    end(&p);
-    end(&q);
+    play_end(&p);
+    play_end(&q);
 }
 
 static void a_solver_is_chosen_from_its_list(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 1400);
-    run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
-    click(&p, "solver");
-    click(&p, "sequential");
-    run(&p, "steps 1\nwait 120\n");
+    play_begin(&p, 1100, 1400, 1);
+    play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
+    play_click(&p, "solver");
+    play_click(&p, "sequential");
+    play_run(&p, "steps 1\nwait 120\n");
     play q;
-    begin(&q, 1100, 1400);
-    run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 120\n");
+    play_begin(&q, 1100, 1400, 1);
+    play_run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 120\n");
     assert_string_not_equal(strstr(p.text, "hash "), strstr(q.text, "hash "));
-    assert_near(fact(&p, "steps", 0), 120, 0);                      /* and it runs */
-    end(&p);
-    end(&q);
+    assert_near(play_fact(&p, "steps", 0), 120, 0);                      /* and it runs */
+    play_end(&p);
+    play_end(&q);
 }
 
 static void time_goes_back_and_on_again_to_the_same_bits(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 700);
-    run(&p, "steps 1\nscene dominoes\nwait 120\n");
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "steps 1\nscene dominoes\nwait 120\n");
     char then[17], now[17];
     sscanf(strstr(p.text, "hash "), "hash %16s", then);
-    run(&p, "steps 0\nkey ,\nframe\n");
-    double step = fact(&p, "steps", 0);
+    play_run(&p, "steps 0\nkey ,\nframe\n");
+    double step = play_fact(&p, "steps", 0);
     assert_true(step < 120 && step > 100);
-    assert_near(fact(&p, "paused", 0), 1, 0);
-    assert_near(fact(&p, "back", 0), 1, 0);
-    for (int i = 0; i < 200 && fact(&p, "steps", 0) < 120; i++) run(&p, "steps 0\nkey .\nframe\n");
-    assert_near(fact(&p, "back", 0), 0, 0);
+    assert_near(play_fact(&p, "paused", 0), 1, 0);
+    assert_near(play_fact(&p, "back", 0), 1, 0);
+    for (int i = 0; i < 200 && play_fact(&p, "steps", 0) < 120; i++) play_run(&p, "steps 0\nkey .\nframe\n");
+    assert_near(play_fact(&p, "back", 0), 0, 0);
     sscanf(strstr(p.text, "hash "), "hash %16s", now);
     assert_string_equal(now, then);
-    double x = fact(&p, "widget time pixel", 0), y = fact(&p, "widget time pixel", 1);
+    double x = play_fact(&p, "widget time pixel", 0), y = play_fact(&p, "widget time pixel", 1);
     char script[300];
     snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nframe\nup left\nframe\n", x, y);
-    run(&p, script);                                                /* the middle of the bar is the middle of the time that is kept */
-    assert_near(fact(&p, "steps", 0), 60, 4);
-    end(&p);
+    play_run(&p, script);                                                /* the middle of the bar is the middle of the time that is kept */
+    assert_near(play_fact(&p, "steps", 0), 60, 4);
+    play_end(&p);
 }
 
 static void three_letters_and_enter_open_a_scene(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 1100, 700);
-    run(&p, "steps 0\nframe\nkey /\nframe\nkey t\nkey a\nkey h\nframe\nkey enter\nframe\n");
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "steps 0\nframe\nkey /\nframe\nkey t\nkey a\nkey h\nframe\nkey enter\nframe\n");
     assert_true(is_scene(&p, "tower of a hundred"));
-    run(&p, "steps 1\nkey p\nwait 3\n");                           /* and letters are keys again */
-    assert_near(fact(&p, "paused", 0), 1, 0);
-    end(&p);
+    play_run(&p, "steps 1\nkey p\nwait 3\n");                           /* and letters are keys again */
+    assert_near(play_fact(&p, "paused", 0), 1, 0);
+    play_end(&p);
 }
 
 static void time_runs_slower(void **state)
 {
     (void)state;
     play p;
-    begin(&p, 900, 600);
-    run(&p, "seconds 0.1\nsteps -1\nscene tower\nframe\nkey <\nkey <\nframe\n");
-    double from = fact(&p, "steps", 0);
-    run(&p, "seconds 0.1\nsteps -1\nwait 40\n");                   /* four seconds on the wall, one in the world */
-    assert_near(fact(&p, "steps", 0) - from, 60, 1.5);
-    end(&p);
+    play_begin(&p, 900, 600, 1);
+    play_run(&p, "seconds 0.1\nsteps -1\nscene tower\nframe\nkey <\nkey <\nframe\n");
+    double from = play_fact(&p, "steps", 0);
+    play_run(&p, "seconds 0.1\nsteps -1\nwait 40\n");                   /* four seconds on the wall, one in the world */
+    assert_near(play_fact(&p, "steps", 0) - from, 60, 1.5);
+    play_end(&p);
 }
 
 int main(void)

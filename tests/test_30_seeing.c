@@ -189,7 +189,7 @@ static void curves_are_the_worlds_numbers(void **state)
     static wfPlots plots;
     wfWorld w = open("cradle", 40), other = open("cradle", 10);
     double kinetic, potential, p[2], l;
-    wfPlotInput in = { &w, &other, 1, 0.002, 0.016 };
+    wfPlotInput in = { &w, &other, 1, 0.002, 0.016, NULL, true };
     for (int i = 0; i < WF_PLOT_SAMPLES + 5; i++) wfPlotSample(&plots, &in);
     assert_int_equal(plots.count, WF_PLOT_SAMPLES);
     assert_int_equal(plots.next, 5);
@@ -422,7 +422,7 @@ static void a_plot_has_its_picture(void **state)
     for (int i = 0; i < 240; i++) {
         wfSceneInput in = wfSceneInputAt(row, i);
         assert_int_equal(wfStepScene(row, &w, &in), WF_OK);
-        wfPlotInput ask = { &w, NULL, 0, 0, 0 };
+        wfPlotInput ask = { &w, NULL, 0, 0, 0, NULL, false };
         wfPlotSample(&plots, &ask);
     }
     wfDraw d;
