@@ -14,7 +14,7 @@ $(OUT)/gen/font_atlas.c:
 	@mkdir -p $(@D); printf '#include "testbed/font.h"\nconst wfFont wfBakedFont = {0};\n' > $@
 else
 # stb's headers are not ours to keep free of warnings: they come in as system headers.
-$(OUT)/obj/testbed/bake_font_main.o: private INC += -isystem $(STB)
+$(OUT)/obj/testbed/bake_font_main.o $(OUT)/obj/testbed/png.o: private INC += -isystem $(STB)
 $(OUT)/bin/bake-font: $(OUT)/obj/testbed/bake_font_main.o
 	@mkdir -p $(@D); $(CC) $(CFLAGS) $(LDFLAGS) $< -lm -o $@
 $(OUT)/gen/font_atlas.c: $(OUT)/bin/bake-font $(FONT)

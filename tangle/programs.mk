@@ -1,6 +1,6 @@
 # programs.mk: the programs of one tangled tree.  make -f tangle/programs.mk SRC=build/lines OUT=build programs
 # Makes, in OUT/bin, those whose chapter is in the tree: weft-lab, weft-figures, weft-headless, weft-testbed.
-# stb (fonts) and SDL2 (the window) are needed by single programs; what is missing is named and left out.
+# stb (fonts, PNG) and SDL2 (the window) are needed by single programs; what is missing is named and left out.
 include tangle/compile.mk
 
 mainof = $(wildcard $(SRC)/$(1))

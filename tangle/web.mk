@@ -15,7 +15,7 @@ FLAGS := --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=
 FONT_SIZES := 13 26
 FONT_FLAGS := --ascii
 ENGINE := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)))
-GAME := $(sort $(filter-out %_main.c %/svg_file.c %/png_file.c %/layer.c %/script.c %/reload.c %/folder.c,$(wildcard $(SRC)/testbed/*.c)))
+GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
 object = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(1))
 TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/obj/font_atlas.o
 FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/lab/figures.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/obj/font_atlas.o

@@ -33,8 +33,9 @@ for i in $(seq 100); do [ -s "$work/display" ] && break; sleep 0.1; done
 [ -s "$work/display" ] || { echo "xvfb.sh: the virtual screen did not start"; exit 1; }
 export DISPLAY=:$(cat "$work/display")
 log=$work/log
-SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --size 1100x700 --folder "$work" --log "$log" &
-app=$!
+export XDG_DATA_HOME=$work/data            # no --folder: files go where the user's files are
+start() { SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --size 1100x700 --log "$log" & app=$!; }
+start
 for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
 [ -s "$log" ] || { echo "xvfb.sh: the testbed did not start"; exit 1; }
 window=$(xdotool search --sync --onlyvisible --pid "$app" | head -1)
@@ -126,11 +127,34 @@ until_true "Tab hides the list" is list 0
 import -window root "$work/dark.png"
 [ "$(convert "$work/dark.png" -crop 1000x600+100+100 -resize 1x1 -format '%[fx:mean<0.4]' info:)" = 1 ] || fail "the dark picture is not dark"
 
+# -- pictures: a key, and a file that another program reads
+data=$work/data/weft
+read_by_another() { local f; f=$(ls $data/$1 2>/dev/null | head -1); [ -n "$f" ] && identify "$f" >/dev/null 2>&1; }
+key exclam
+until_true "key ! takes a picture" read_by_another 'picture-*.png'
+key numbersign
+drawn() { grep -q '</svg>' $data/picture-*.svg 2>/dev/null; }
+until_true "key # makes a drawing" drawn
+key percent
+until_true "key % begins a film" is_not filming "0 0"
+sleep 1
+key percent
+until_true "and ends it" read_by_another 'film-*.png'
+grep -qa acTL $data/film-*.png || fail "the film does not move"
+
 # -- the end: a polite signal is a request to quit; the program leaves with 0
 kill -TERM "$app"
 rc=0; wait "$app" || rc=$?
 app=
 [ $rc = 0 ] || fail "the program left with $rc"
 echo "ok    it ends when asked"
+# -- what was set is set again
+rm -f "$log"
+start
+for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
+until_true "it is dark again, without the list" is dark 1
+until_true "the list stays hidden" is list 0
+kill -TERM "$app"; wait "$app" || fail "the program left badly"
+app=
 [ "$(convert "$out/testbed.png" -unique-colors -format '%w' info:)" -gt 20 ] || fail "the screenshot is empty"
 echo "the testbed works in a real window; screenshot in $out/testbed.png"
