@@ -95,6 +95,26 @@ local function holes_of(path)             -- used and not defined here: with a s
   return t, c
 end
 
+-- Chunks of somebody's chapter that neither it uses nor the starter has: a hole's name copied wrongly is among them.
+local function strays_of(chunks, base)
+  local given, t = chunks_of(STARTERS .. "/" .. base .. ".nw"), {}
+  for _, c in ipairs(chunks.list) do if not chunks.used[c.name] and not given.defined[c.name] then t[#t + 1] = c.name end end
+  return t
+end
+-- The name that shares the most pairs of neighbouring letters with another one, at least half of them.
+local function nearest(name, names)
+  local function pairs_of(s) local t, n = {}, 0 for i = 1, #s - 1 do t[s:sub(i, i + 1):lower()] = true end for _ in pairs(t) do n = n + 1 end return t, n end
+  local a, na = pairs_of(name)
+  local best, most = nil, 0.5
+  for _, other in ipairs(names) do
+    local b, nb = pairs_of(other)
+    local shared = 0
+    for k in pairs(a) do if b[k] then shared = shared + 1 end end
+    if 2 * shared / (na + nb) > most then best, most = other, 2 * shared / (na + nb) end
+  end
+  return best
+end
+
 -- The criteria as the test's source lists them: { name, points, hole, text }
 local function criteria_of(base)
   local s = read(TESTS .. "/" .. base .. ".c") or ""
@@ -123,7 +143,8 @@ local function told(said, file, chunks)
     local line = l:sub(1, #file + 1) == file .. ":" and tonumber(l:sub(#file + 2):match("^(%d+)"))
     if line and (l:match("error") or l:match("%-%- ") or l:match("warning")) then
       local c = chunk_at(chunks, line)
-      mine[#mine + 1] = l .. (c and "\n    in the chunk <<" .. c .. ">>" or "")
+      local advice = l:match("implicit declaration") and "\n    no function of that name is known here -- appendices B and C list them, and the book's index of identifiers" or ""
+      mine[#mine + 1] = l .. (c and "\n    in the chunk <<" .. c .. ">>" or "") .. advice
     elseif l:match("error") or l:match("undefined reference") or l:match("multiple definition") or l:match("%-%- ") then others[#others + 1] = l end
   end
   for _, l in ipairs(others) do if #mine < 12 then mine[#mine + 1] = l end end
@@ -152,11 +173,13 @@ function Course.try(file, base, out, quiet)
     c.line = chunks.defined[c.hole] or chunks.used[c.hole]
   end
   os.execute("rm -rf " .. quote(out) .. " && mkdir -p " .. quote(out))
-  local holes = {}
-  for _, hole in ipairs((holes_of(STARTERS .. "/" .. base .. ".nw"))) do
+  local holes, wanted = {}, holes_of(STARTERS .. "/" .. base .. ".nw")
+  local strays = strays_of(chunks, base)
+  for _, hole in ipairs(wanted) do
     if not chunks.defined[hole] then
-      holes[#holes + 1] = string.format("%s:%d: the hole <<%s>> is empty -- write it: a line <<%s>>= , the code, and a line with @ alone", file,
-        chunks.used[hole] or 1, hole, hole)
+      local near = nearest(hole, strays)
+      holes[#holes + 1] = near and string.format("%s:%d: nothing uses <<%s>> -- is it meant to be <<%s>>? The name is copied exactly", file, chunks.defined[near], near, hole)
+        or string.format("%s:%d: the hole <<%s>> is empty -- write it: a line <<%s>>= , the code, and a line with @ alone", file, chunks.used[hole] or 1, hole, hole)
     end
   end
   if #holes > 0 then return refuse(r, #holes == 1 and "a hole is empty" or #holes .. " holes are empty", holes) end
@@ -170,7 +193,7 @@ function Course.try(file, base, out, quiet)
   for _, f in ipairs(differing(out)) do
     if f:match("%.c$") and not f:match("_main%.c$") then
       local o = out .. "/" .. f:gsub("[/%.]", "_") .. ".o"
-      if not ok(compile_line(out) .. headers .. " -Wall -Wextra -c " .. quote(out .. "/lines/" .. f) .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
+      if not ok(compile_line(out) .. headers .. " -Wall -Wextra -Werror=implicit-function-declaration -c " .. quote(out .. "/lines/" .. f) .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
         return refuse(r, "the compiler refuses the code", told(read(log), file, chunks))
       end
       objects[#objects + 1] = quote(o)
@@ -449,8 +472,19 @@ function Course.lint(all)
   end
   for _, b in ipairs(list(STARTERS, "nw")) do if not find(all, b) then bad(STARTERS .. "/" .. b .. ".nw:1", "belongs to no exercise -- its name is NUMBER-NAME.nw, and the number is that of an exercise") end end
   if #list(SOLUTIONS, "nw") > 0 and read("book/data/exercises.csv") ~= Course.csv(all) then bad("book/data/exercises.csv:1", "is not what the chapters say -- type: tangle/course csv") end
+  -- every derivation has a worked answer, and every implementation chapter a scene to play at its end; what a class gets has no answers
+  local answers = read(SOLUTIONS .. "/0.0-answers.nw")
+  for _, e in ipairs(answers and all or {}) do
+    if e.kind == "derive" and e.label and not answers:find('for="ex:' .. e.label .. '"', 1, true) then
+      bad(e, "exercise %s is to be derived, and has no worked answer -- write it in %s/0.0-answers.nw, in a box {.solution for=\"ex:%s\"}", e.number, SOLUTIONS, e.label) end
+  end
+  for label in (answers or ""):gmatch('for="ex:([%w_%-]+)"') do
+    if not find(all, label) then bad(SOLUTIONS .. "/0.0-answers.nw", "answers ex:%s, which no chapter asks", label) end
+  end
   for n = 5, 30 do
     local c = by[tostring(n)]
+    local try = c and (read(c.file):match("\n## What you can build now[^\n]*\n(.-)\n## "))
+    if c and not (try and try:find("](scenes/", 1, true)) then bad(c.file, "has no section \"What you can build now\" with a scene to play, ![...](scenes/NAME-STEPS.svg)") end
     if not c or c.n < 4 then bad(c and c.file or "chapter " .. n, "has %d exercises, four is the least", c and c.n or 0)
     else for _, k in ipairs { "understand", "derive", "program", "explore" } do if not c[k] then bad(c.file, "has no exercise of the kind %s", k) end end end
   end
@@ -467,6 +501,21 @@ local function student_of(name)
   if not name:match("^[%w_%-%.]+$") or name:match("^%.") then die("NAME=%s -- a name has letters, digits, - and _", name) end
   return name
 end
+
+-- Where what is added to a table of the book is seen at once.
+local SHOWN = {
+  ["rows of the integrator table"] = "in the testbed's scene \"integrators\" (the first six rows) and in Settings; weft-lab run integrators-order, integrators-slopes, integrators-energy",
+  ["rows of the broad phase table"] = "in the testbed's Settings; weft-lab run broad-pairs, broad-time",
+  ["rows of the solver table"] = "in the testbed's scene \"solvers\" and in Settings; weft-lab run impulses-stack",
+  ["rows of the mixing table"] = "in the testbed's Settings, and by its name in scene files",
+  ["rows of the force table"] = "by its name in scene files (kind)",
+}
+local function shown(base)
+  for _, c in ipairs(chunks_of(STARTERS .. "/" .. base .. ".nw").list) do
+    if c.name:match("^rows of the ") then return SHOWN[c.name] or "as a row of the table" end
+  end
+end
+Course.shown = shown
 
 function commands.exercise(ids)
   local student = student_of()
@@ -486,7 +535,7 @@ function commands.exercise(ids)
     local name = student == "me" and "" or " NAME=" .. student
     print(string.format("  make try E=%s%s     builds and tests it, as often as you like", e.number, name))
     print(string.format("  make weave E=%s%s   makes a page and a PDF of it", e.number, name))
-    print(string.format("  make EXTRA=%s programs   puts it into the testbed and the lab", file))
+    if shown(e.base) then print(string.format("  make EXTRA=%s programs   builds the testbed and the lab with it; it is seen\n      %s", file, shown(e.base))) end
   end
 end
 
