@@ -3,7 +3,7 @@
 -- that are not there), figures (directory with figures/ and plots/), data (directory for the page's previews).
 local dir = PANDOC_SCRIPT_FILE:match("^(.*/)") or "./"
 package.path = dir .. "?.lua;" .. package.path
-local Code = require "weave-code"
+local Code, Csv = require "weave-code", require "csv"
 local html, tex = FORMAT:match("html") ~= nil, FORMAT:match("latex") ~= nil
 local esc = html and Code.html or Code.tex
 local db, mine, bib, here, weave, root, teacher, missing_allowed, figures_dir, data_dir
@@ -320,28 +320,6 @@ local function figure(el)
   return r
 end
 
-local function csv_cells(line)      -- a cell in quotes may hold commas; "" is a quote in it
-  local cells, cell, quoted, i = {}, "", false, 1
-  while i <= #line do
-    local c = line:sub(i, i)
-    if quoted and line:sub(i, i + 1) == '""' then cell = cell .. '"'; i = i + 1
-    elseif c == '"' then quoted = not quoted
-    elseif c == "," and not quoted then cells[#cells + 1] = cell:match("^%s*(.-)%s*$"); cell = ""
-    else cell = cell .. c end
-    i = i + 1
-  end
-  cells[#cells + 1] = cell:match("^%s*(.-)%s*$")
-  return cells
-end
-local function csv_rows(path)
-  local rows = {}
-  for l in (Code.read(root .. path) or ""):gmatch("[^\r\n]+") do
-    if not l:match("^#") and l:match("%S") then
-      rows[#rows + 1] = csv_cells(l)
-    end
-  end
-  return rows
-end
 local function parse_inlines(s)
   local b = pandoc.read(s, "markdown-smart").blocks[1]
   return b and b.content or pandoc.List {}
@@ -349,7 +327,7 @@ end
 -- {.data file="book/data/x.csv" columns="a,b=Heading,c" where="a=1" caption="..." #tbl:x}
 local function data_table(el)
   local a = el.attributes
-  local rows = csv_rows(a.file or "")
+  local rows = Csv.rows(Code.read(root .. (a.file or "")) or "")
   if #rows == 0 then
     if not missing_allowed then fail("%s: data file %s is not there or empty -- measure it with build/bin/weft-lab", mine.file, a.file or "?") end
     return rawb(html and '<div class="missing" id="' .. el.identifier .. '">' .. Code.html(a.file or "?") .. " is not measured yet</div>" or "\\wMissing{" .. Code.tex(a.file or "?") .. "}")

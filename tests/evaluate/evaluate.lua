@@ -4,34 +4,20 @@
 --   figure and condition may hold {file|column=value|column}: a cell of book/data/file.csv; {file|#}: how many rows it has;
 --   {file|#column=value&column=value}: how many of them; {file|max|column}, {file|min|column}, {file|sum|column}: of the numbers of a column;
 --   {exact}: how many exact measurements there are
+-- It reads data by tangle/csv.lua; TANGLE names that directory to who runs it elsewhere.
+package.path = (os.getenv("TANGLE") or "tangle") .. "/?.lua;" .. package.path
+local Csv = require "csv"
 local bad = 0
 local function complain(line, text) io.stderr:write(("book/evaluation.tsv:%d: %s\n"):format(line, text)); bad = bad + 1 end
 local function read(path) local f = io.open(path, "rb"); if not f then return nil end; local s = f:read("a"); f:close(); return s end
-
-local function cells(line)
-  local list, cell, quoted, i = {}, "", false, 1
-  while i <= #line do
-    local c = line:sub(i, i)
-    if quoted and line:sub(i, i + 1) == '""' then cell = cell .. '"'; i = i + 1
-    elseif c == '"' then quoted = not quoted
-    elseif c == "," and not quoted then list[#list + 1] = cell; cell = ""
-    else cell = cell .. c end
-    i = i + 1
-  end
-  list[#list + 1] = cell
-  return list
-end
 
 local tables = {}
 local function data(file, line)
   if tables[file] then return tables[file] end
   local text, t = read("book/data/" .. file .. ".csv"), { rows = {}, at = {} }
   if not text then complain(line, "there is no book/data/" .. file .. ".csv -- measure it: build/bin/weft-lab run " .. file) return nil end
-  for l in text:gmatch("[^\r\n]+") do
-    if not l:match("^#") then
-      local row = cells(l)
-      if not next(t.at) then for i, name in ipairs(row) do t.at[name] = i end else t.rows[#t.rows + 1] = row end
-    end
+  for k, row in ipairs(Csv.rows(text)) do
+    if k == 1 then for i, name in ipairs(row) do t.at[name] = i end else t.rows[k - 1] = row end
   end
   tables[file] = t
   return t

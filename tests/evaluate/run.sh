@@ -2,6 +2,7 @@
 # The table of chapter 36 is what the tests of this run and the measured data say; with --record it is written.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
+export TANGLE="$PWD/tangle"
 mkdir -p build/check
 "$(tangle/lua)" tests/evaluate/evaluate.lua > build/check/evaluation.csv || exit 1
 [ "${1-}" = --record ] && { cp build/check/evaluation.csv book/data/evaluation.csv; echo "written: book/data/evaluation.csv"; exit 0; }
