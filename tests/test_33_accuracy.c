@@ -2,6 +2,9 @@
    needs nothing of the parts: the lab's scenes are linked in. */
 #include "testing.h"
 #include "lab/accuracy.h"
+#include "lab/search.h"
+#include "weft/broad.h"
+#include "weft/narrow.h"
 #include "world.h"
 
 static wfWorld make(const char *name)
@@ -94,21 +97,30 @@ static double error_of(const wfAccuracy *p, int count, const char *method, int s
     return -1;
 }
 
+/* The curve of a scene; p has room for WF_CURVE_POINTS. */
+static int curve_of(const char *name, int frames, double frame, int finest, wfAccuracy *p)
+{
+    wfWorld world = make(name);
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t count = 0;
+    if (frame > 0) how.frame = (wfReal)frame;
+    if (frames > 0) how.frames = frames;
+    how.finest = finest;
+    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    wfDestroyWorld(&world);
+    return count;
+}
+
 static void test_orders(void **state)
 {
     (void)state;
     wfAccuracy p[WF_CURVE_POINTS];
-    wfWorld world = make("spring");
-    wfCurveDef how = wfDefaultCurveDef();
-    int32_t count = 0;
-    how.frame = WF_R(0.125), how.frames = 8, how.finest = 16;   /* coarse, so that rounding has no say */
-    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    int count = curve_of("spring", 8, 0.125, 16, p);            /* coarse, so that rounding has no say */
     double soft = error_of(p, count, "soft-1", 2) / error_of(p, count, "soft-1", 4);
     double rk4 = error_of(p, count, "rk4", 2) / error_of(p, count, "rk4", 4);
     assert_near(soft, 4, 0.5);
     assert_near(rk4, 16, 4);
     assert_true(error_of(p, count, "exact-1", 1) < 0);          /* no room for it in this world */
-    wfDestroyWorld(&world);
 }
 
 static void test_smooth_methods_only_where_nothing_touches(void **state)
@@ -117,14 +129,9 @@ static void test_smooth_methods_only_where_nothing_touches(void **state)
     static const char *const scenes[] = { "slide", "pendulum", "spring" };
     for (int s = 0; s < 3; s++) {
         wfAccuracy p[WF_CURVE_POINTS];
-        wfWorld world = make(scenes[s]);
-        wfCurveDef how = wfDefaultCurveDef();
-        int32_t count = 0;
-        how.finest = 4, how.frames = 5;
-        assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+        int count = curve_of(scenes[s], 5, 0, 4, p);
         assert_int_equal(error_of(p, count, "rk4", 1) >= 0, s == 2);
         assert_true(error_of(p, count, "soft-4", 1) >= 0);
-        wfDestroyWorld(&world);
     }
 }
 
@@ -230,11 +237,7 @@ static void test_tolerance_is_measuring_and_choosing(void **state)
 {
     (void)state;
     wfAccuracy p[WF_CURVE_POINTS], c, d;
-    wfWorld world = make("double-pendulum");
-    wfCurveDef how = wfDefaultCurveDef();
-    int32_t count = 0;
-    how.finest = 32;
-    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    int count = curve_of("double-pendulum", 0, 0, 32, p);
     for (double t = 1e-2; t > 0.5e-4; t /= 3) {
         wfWorldDef def;
         wfWorld fresh = make("double-pendulum");
@@ -250,21 +253,15 @@ static void test_tolerance_is_measuring_and_choosing(void **state)
         assert_near(wfWorldTime(&fresh), 1.0 / 60, 1e-8);
         wfDestroyWorld(&fresh);
     }
-    wfDestroyWorld(&world);
 }
 
 static void test_chaos_is_refused(void **state)
 {
     (void)state;
-    wfWorld world = make("pile");
     wfAccuracy p[WF_CURVE_POINTS], out;
-    wfCurveDef how = wfDefaultCurveDef();
-    int32_t count = 0;
-    how.finest = 8;
-    assert_ok(wfMeasureCurve(&world, &how, p, WF_CURVE_POINTS, &count));
+    int count = curve_of("pile", 0, 0, 8, p);
     assert_true(count > 0);
     assert_result(wfChooseSettings(p, count, WF_R(1e-5), &out), WF_ERROR_TOLERANCE);
-    wfDestroyWorld(&world);
 }
 
 /* --------------------------------------------------------------------------------------------------------------- bad input */
@@ -341,6 +338,70 @@ static void test_frames_of_any_length(void **state)
     }
 }
 
+/* ---------------------------------------------------------------------------------------------------------- by island */
+static wfAccuracy chosen_for(const char *name, double tolerance)
+{
+    wfAccuracy c;
+    wfWorld world = make(name);
+    assert_ok(wfSetTolerance(&world, WF_R(1.0) / 60, (wfReal)tolerance, &c));
+    wfDestroyWorld(&world);
+    return c;
+}
+
+static void test_worlds_apart_choose_for_themselves(void **state)
+{
+    (void)state;
+    wfAccuracy chain = chosen_for("chain", 1e-3), flight = chosen_for("projectile", 1e-3), stack = chosen_for("stack", 1e-3);
+    int most = wfMethodTable[chain.method].substeps * chain.steps;
+    assert_true(wfMethodTable[flight.method].substeps * flight.steps < most);       /* none is dragged along by the chain */
+    assert_true(wfMethodTable[stack.method].substeps * stack.steps < most);
+}
+
+/* ------------------------------------------------------------------------------------------------ the search for contacts */
+static void test_broad_phases_waste_and_never_miss(void **state)
+{
+    (void)state;
+    labSearch s, first;
+    assert_int_equal(labSearchBroad("brute-force", 0, 0, &first), 0);
+    assert_near(first.tests, 399.0 / 2, 0);                     /* n (n - 1) / 2 for n bodies */
+    for (int i = 0; i < wfBroadPhaseCount; i++)
+        for (double margin = 0; margin < 0.3; margin += 0.1) {
+            assert_int_equal(labSearchBroad(wfBroadPhaseTable[i].name, margin, 0, &s), 0);
+            assert_near(s.missed, 0, 0);
+            assert_near(s.searches, floor(59 / (1 + floor(margin * 60 / 2.83))) + 1, 2);    /* eq:accuracy-margin, fastest about 2.83 m/s */
+            if (margin == 0) assert_near(s.vain, first.vain, 0);        /* the same pairs */
+            else assert_true(s.vain > first.vain);
+        }
+    assert_int_equal(labSearchBroad("report", 0, 0, &s), 0);
+    assert_true(s.missed > 0.1);
+    assert_int_equal(labSearchBroad("grid", 0, 16, &s), 0);
+    assert_true(s.missed > 0.01 && s.searches < 5);
+    assert_int_equal(labSearchBroad("no such method", 0, 0, &s), 1);
+}
+
+static void test_narrow_phases_by_corners(void **state)
+{
+    (void)state;
+    labNarrow n, twice;
+    for (int i = 0; i < wfNarrowPhaseCount; i++) {
+        const char *name = wfNarrowPhaseTable[i].name;
+        assert_int_equal(labSearchNarrow(name, 0, &n), 0);
+        assert_true(n.worst < 1e-6);                            /* circles: to rounding */
+        assert_int_equal(labSearchNarrow(name, 8, &n), 0);
+        assert_int_equal(labSearchNarrow(name, 16, &twice), 0);
+        assert_near(n.mean / twice.mean, 2, 0.3);               /* the place: order one, and what eq:accuracy-corner says; */
+        assert_near(twice.mean, 3.14159 / 48, 0.1 * 3.14159 / 48);
+        assert_near(n.depth / twice.depth, 4, 0.5);             /* the depth: order two */
+    }
+    assert_int_equal(labSearchNarrow("sat", 17, &n), 1);
+    double worst = 1;
+    for (int steps = 1; steps <= 5; steps++, worst = n.worst) {
+        assert_int_equal(labWalkGjk(steps, &n), 0);
+        assert_true(n.worst < worst);
+    }
+    assert_true(n.worst < 1e-6);
+}
+
 static void test_rows(void **state)
 {
     (void)state;
@@ -367,7 +428,8 @@ int main(void)
         cmocka_unit_test(test_the_same_twice_and_the_world_untouched), cmocka_unit_test(test_a_clock_that_is_handed_in),
         cmocka_unit_test(test_failures_are_points), cmocka_unit_test(test_promises_are_kept),
         cmocka_unit_test(test_tolerance_is_measuring_and_choosing), cmocka_unit_test(test_chaos_is_refused),
-        cmocka_unit_test(test_bad_numbers), cmocka_unit_test(test_frames_of_any_length), cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_bad_numbers), cmocka_unit_test(test_frames_of_any_length), cmocka_unit_test(test_worlds_apart_choose_for_themselves),
+        cmocka_unit_test(test_broad_phases_waste_and_never_miss), cmocka_unit_test(test_narrow_phases_by_corners), cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
