@@ -9,16 +9,16 @@ WEBCC ?= $(firstword $(foreach c,clang clang-19 clang-18 clang-17 clang-16 clang
 WEBLD ?= $(firstword $(foreach c,wasm-ld wasm-ld-19 wasm-ld-18 wasm-ld-17 wasm-ld-16 wasm-ld-15 wasm-ld-14,$(if $(shell command -v $(c)),$(c))))
 SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
-STB := $(firstword $(foreach d,/usr/include/stb /usr/local/include/stb /opt/homebrew/include/stb /usr/include /usr/local/include,$(if $(wildcard $(d)/stb_sprintf.h),$(d))))
-FLAGS := --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
+FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
          -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
 FONT_SIZES := 13 26
 FONT_FLAGS := --ascii
+FONTCC = $(WEBCC) $(FLAGS)
 ENGINE := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)))
 GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
 object = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(1))
-TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/obj/font_atlas.o
-FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/lab/figures.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/obj/font_atlas.o
+TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
+FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/lab/figures.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/gen/font_atlas.o
 
 .PHONY: web
 web: $(OUT)/live-testbed.js $(OUT)/live-figures.js
@@ -27,12 +27,7 @@ $(OUT)/obj/%.o: $(SRC)/%.c tangle/web.mk
 	@mkdir -p $(@D); $(WEBCC) $(FLAGS) -MMD -MP -c $< -o $@
 $(OUT)/obj/bare/memory.o: $(SRC)/core/memory.c tangle/web.mk
 	@mkdir -p $(@D); $(WEBCC) $(FLAGS) -DWF_FREESTANDING -c $< -o $@
-$(OUT)/obj/font_atlas.o: $(OUT)/gen/font_atlas.c
-	@mkdir -p $(@D); $(WEBCC) $(FLAGS) -c $< -o $@
 include tangle/font.mk
-$(OUT)/obj/testbed/bake_font_main.o: INC :=
-$(OUT)/obj/testbed/bake_font_main.o: $(SRC)/testbed/bake_font_main.c
-	@mkdir -p $(@D); $(CC) -O1 -I$(SRC) -isystem $(STB) -c $< -o $@
 # What nothing exported needs is left out: the figures' module has neither rasteriser nor letters, the testbed's has no figure.
 $(OUT)/testbed.wasm: $(TESTBED)
 $(OUT)/figures.wasm: $(FIGURES)

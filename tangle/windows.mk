@@ -7,16 +7,13 @@ STD := -std=gnu11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tre
 FLAGS = -O2 -DNDEBUG -DWF_NO_JSON -Wall -Wextra -Werror -I$(SRC)/include -I$(SRC) -isystem $(STB)
 SOURCES = $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)) $(filter-out %_main.c,$(wildcard $(SRC)/testbed/*.c)) \
           $(SRC)/testbed/win32_main.c)
-OBJECTS = $(SOURCES:$(SRC)/%.c=$(OUT)/obj/%.o) $(OUT)/obj/font_atlas.o
+FONTCC = $(WINCC) $(STD) $(FLAGS)
+OBJECTS = $(SOURCES:$(SRC)/%.c=$(OUT)/obj/%.o) $(FONTOBJ)
 .PHONY: windows
 windows: $(OUT)/weft-testbed.exe
 include tangle/font.mk
-$(OUT)/obj/testbed/bake_font_main.o: $(SRC)/testbed/bake_font_main.c
-	@mkdir -p $(@D); $(CC) -O1 -I$(SRC) -isystem $(STB) -c $< -o $@
 $(OUT)/obj/%.o: $(SRC)/%.c
 	@mkdir -p $(@D); echo "  cc $<"; $(WINCC) $(STD) $(FLAGS) -MMD -MP -c $< -o $@
-$(OUT)/obj/font_atlas.o: $(OUT)/gen/font_atlas.c
-	@mkdir -p $(@D); $(WINCC) $(STD) $(FLAGS) -c $< -o $@
 $(OUT)/weft-testbed.exe: $(OBJECTS)
 	@$(WINCC) -O2 -static $^ -lgdi32 -o $@
 -include $(wildcard $(OUT)/obj/*/*.d)

@@ -30,4 +30,19 @@ static inline int part_steps(wfWorld *world, int count)
         if (wfStepWorld(world) != WF_OK) return i + 1;
     return 0;
 }
+
+/* The body alone in a world of its own without gravity. */
+static inline wfResult part_alone(const wfBodyDef *def, wfWorld *world, wfBodyId *id)
+{
+    wfWorldDef empty = wfDefaultWorldDef();
+    empty.gravity = wfV2(0, 0);
+    wfResult result = wfCreateWorld(&empty, world);
+    return result == WF_OK ? wfAddBodyToWorld(world, def, id) : result;
+}
+
+static inline wfVec2 part_velocity(const wfWorld *world, wfBodyId id)
+{
+    wfBodyInfo info = { .type = -1 };
+    return wfGetBody(world, id, &info) == WF_OK ? info.velocity : wfV2(-1000, -1000);
+}
 #endif
