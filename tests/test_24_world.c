@@ -28,6 +28,58 @@ static void steps(wfWorld *world, int n)
     for (int i = 0; i < n; i++) assert_ok(wfStepWorld(world));
 }
 
+/* Nothing says how fast an overlap is to be left where nothing falls. So it is left by moving, and nobody has a velocity. */
+static void who_is_born_in_one_place_without_gravity_parts_in_peace(void **state)
+{
+    (void)state;
+    for (int limit = 0; limit < 2; limit++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        wfWorld world;
+        double fastest = 0, nearest = 2;
+        wfBodyInfo all[5];
+        def.gravity = wfV2(0, 0);
+        if (limit == 0) def.recoverySteps = 0;              /* asked for: no limit */
+        assert_ok(wfCreateWorld(&def, &world));
+        for (int i = 0; i < 5; i++) add(&world, ball_def(0, 0, 0.5));
+        for (int k = 0; k < 300; k++) {
+            steps(&world, 1);
+            for (int i = 0; i < 5; i++) {
+                assert_ok(wfGetBody(&world, wfBodyAt(&world, i), &all[i]));
+                fastest = fmax(fastest, (double)wfLength(all[i].velocity));
+            }
+        }
+        for (int i = 0; i < 5; i++)
+            for (int k = 0; k < i; k++) nearest = fmin(nearest, (double)wfDistance(all[i].centre, all[k].centre));
+        if (limit == 0) assert_true(fastest > 1);
+        else {
+            assert_near(fastest, 0, 1e-6);
+            assert_true(nearest > 0.9999);
+        }
+        wfDestroyWorld(&world);
+    }
+}
+
+static void a_door_turns_about_its_hinge(void **state)
+{
+    wfWorld world = make_world(2);
+    wfBodyDef def = box_def(3, 4, 0.5);
+    wfBodyInfo is;
+    (void)state;
+    wfShapeMove(&def.shape, wfV2(2, 0));
+    def.type = WF_KINEMATIC;
+    def.angularVelocity = WF_PI / 2;
+    add(&world, def);
+    steps(&world, 60);
+    assert_ok(wfGetBody(&world, wfBodyAt(&world, 0), &is));
+    assert_near(is.angle, WF_PI / 2, 1e-5);
+    assert_near2(is.position, wfV2(3, 4), 1e-6);
+    assert_near2(is.centre, wfV2(3, 4), 1e-6);
+    wfShape shape;
+    assert_ok(wfGetBodyShape(&world, wfBodyAt(&world, 0), &shape));
+    assert_near2(wfShapeCentroid(&shape), wfV2(2, 0), 1e-6);
+    wfDestroyWorld(&world);
+}
+
 static wfWorld pile(int n)                                /* a busy world: boxes and balls over a floor */
 {
     wfWorld world = make_world(n + 1);
@@ -1689,6 +1741,8 @@ int main(void)
         cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing),
         cmocka_unit_test(angles_stay_in_one_turn), cmocka_unit_test(the_page_of_stages),
         cmocka_unit_test(what_is_held_by_a_third_is_met_in_the_first_step),
+        cmocka_unit_test(who_is_born_in_one_place_without_gravity_parts_in_peace),
+        cmocka_unit_test(a_door_turns_about_its_hinge),
     };
     return cmocka_run_group_tests_name("24 the world", tests, NULL, NULL);
 }
