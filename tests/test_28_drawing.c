@@ -319,6 +319,63 @@ static void polygons_are_covered_exactly(void **state)
     }
 }
 
+/* An area that ends exactly at the end of a row, begins exactly at its beginning, or does both is full to its end. */
+static void areas_may_end_where_the_row_ends(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 9; k++) {
+        float left = (float)(k % 3) * 5 - 5, right = 35 + (float)(k / 3) * 5;
+        const float xy[8] = { left, 0, right, 0, right, -9, left, -9 };
+        wfCoverBegin(&row, 3, 0, 40);
+        wfCoverPolygon(&row, SAME, xy, 4);
+        for (int i = 0; i < 40; i++) assert_near(row.at[i], (float)i >= left && (float)i < right, 0);
+        for (int i = row.fullLow; i < row.fullHigh; i++) assert_near(row.at[i], 1, 0);
+        assert_true(row.fullHigh - row.fullLow >= 15);
+        wfCoverClear(&row);
+        for (int i = 0; i < 40; i++) assert_near(row.at[i], 0, 0);
+        assert_int_equal(row.fullHigh, row.fullLow);
+    }
+}
+
+/* What a row calls full is full, for all shapes; a polyline of more sides than are kept ready has the coverage of its parts. */
+static void full_runs_are_full_and_long_lines_are_whole(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(2811);
+    for (int trial = 0; trial < 200; trial++) {
+        float x = (float)wfRandomReal(&r, -10, 50), y = (float)wfRandomReal(&r, -10, 50), radius = (float)wfRandomReal(&r, 0, 30);
+        for (int line = 0; line < 40; line += 3) {
+            wfCoverBegin(&row, line, 0, 40);
+            if (trial % 2) wfCoverDisc(&row, x, y, radius);
+            else wfCoverRing(&row, x, y, radius, 2);
+            for (int i = 0; i < 40; i++) {
+                double d = hypot((double)x - i - 0.5, (double)y - line - 0.5), R = (double)radius;
+                if (trial % 2 && R > 2 && d < R - 1) assert_near(row.at[i], 1, 0);
+                if (trial % 2 == 0 && d < R - 2.6) assert_near(row.at[i], 0, 0);
+                if (i >= row.fullLow && i < row.fullHigh) assert_near(row.at[i], 1, 0);
+            }
+        }
+    }
+    float zig[2 * 200];
+    for (int i = 0; i < 200; i++) zig[2 * i] = 4 + 0.4f * (float)i, zig[2 * i + 1] = 30 + (i % 2 ? 9.0f : -9.0f);
+    wfDraw d = new_list();
+    frame_buffer f = new_frame();
+    wfDrawPolyline(&d, zig, 200, 1, WF_INK_BODY);
+    render(&d, &f);
+    for (int y = 0; y < H; y++) {
+        wfCoverBegin(&row, y, 0, W);
+        for (int i = 0; i + 1 < 200; i++) {
+            float from[2] = { zig[2 * i], H - zig[2 * i + 1] }, to[2] = { zig[2 * i + 2], H - zig[2 * i + 3] };
+            wfCoverLine(&row, from, to, 0.5f);
+        }
+        for (int x = 0; x < W; x++) {
+            uint8_t want[4] = { 255, 255, 255, 255 };
+            wfBlend(want, MARK(WF_INK_BODY), row.at[x]);
+            for (int k = 0; k < 3; k++) assert_near(at(&f, x, y)[k], want[k], 2);
+        }
+    }
+}
+
 static void rows_may_begin_anywhere(void **state)
 {
     (void)state;
@@ -1099,6 +1156,7 @@ int main(void)
         cmocka_unit_test(the_view_is_fitted_and_flipped), cmocka_unit_test(arrows_have_a_tip_and_two_barbs),
         cmocka_unit_test(utf8_is_read_and_bad_bytes_are_replaced), cmocka_unit_test(inks_stand_out_from_the_paper),
         cmocka_unit_test(polygons_are_covered_exactly), cmocka_unit_test(rows_may_begin_anywhere),
+        cmocka_unit_test(areas_may_end_where_the_row_ends), cmocka_unit_test(full_runs_are_full_and_long_lines_are_whole),
         cmocka_unit_test(lines_have_their_area), cmocka_unit_test(discs_and_rings_have_their_area),
         cmocka_unit_test(distance_is_nearly_area), cmocka_unit_test(upright_lines_are_exact),
         cmocka_unit_test(far_away_ends_do_no_harm), cmocka_unit_test(blending_keeps_its_identities),
