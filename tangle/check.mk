@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` should take about 25 minutes on two cores; the long runs have names of their own.
-.PHONY: check evaluation mutate data golden coverage fuzz portability windows parts prices peers extremes
+.PHONY: pictures check evaluation mutate data golden coverage fuzz portability windows parts prices peers extremes
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -26,6 +26,9 @@ portability:
 	@tangle/install portability || echo "Going on with what is here."
 	@tests/portability/run.sh; rc=$$?; tests/portability/run.sh --table > build/portability/table.csv && cp build/portability/table.csv book/data/portability.csv; \
 	   tests/portability/run.sh --leaks; tests/portability/run.sh --leaks --table > build/portability/leaks.csv && cp build/portability/leaks.csv book/data/portability-leaks.csv; exit $$rc
+# Records the pictures of the testbed's panels and overlays anew. Look at them first: make pictures FULL=some/folder NAME="panel-world ..."
+pictures: programs
+	@tests/pictures/run.sh $(if $(FULL),--full $(FULL),--write) $(NAME)
 # Which lines of collision do the unit tests run? Writes book/data/coverage.csv.
 coverage:
 	@OUT=book/data/coverage.csv tests/coverage/run.sh

@@ -1,4 +1,4 @@
-/* Pictures of the testbed, made by scripted input, compared with those that were looked at once (tests/pictures/*.png).
+/* Pictures of the testbed, made by scripted input, compared with those that were looked at once (the PNG files beside this one).
  *   compare LIST [NAME ...]           compares; a difference is told with its place and drawn in build/pictures/NAME.png
  *   compare --write LIST [NAME ...]   records anew: look at them first, --full DIR has them in full size
  *   compare --self LIST               small changes that anybody would see must be noticed, and those that nobody would must not
@@ -84,7 +84,7 @@ static void play_part(play *p, char *part)
     else if (*part == '~') {
         char label[80];
         snprintf(label, sizeof label, "widget %s pixel", part + 1);
-        snprintf(script, sizeof script, "steps 0\nmove %g %g\nwait 50\n", play_fact(p, label, 0), play_fact(p, label, 1));
+        snprintf(script, sizeof script, "steps 0\nseconds 0.02\nmove %g %g\nwait 50\n", play_fact(p, label, 0), play_fact(p, label, 1));
         play_run(p, script);
     } else if (*part) {
         snprintf(script, sizeof script, "%s\n", part);
@@ -176,7 +176,7 @@ static int self(char *line)
     for (int trial = 0; trial < 7; trial++) {
         static const char *const what[] = { "a panel's rows 6 pixels lower", "a field in another colour", "a word that is missing",
                                             "the panel away", "the whole a little warmer, as another palette",
-                                            "each pixel off by up to 3 steps", "grey of edges a tenth paler" };
+                                            "each pixel off by up to 3 steps", "all edges a little softer" };
         memcpy(b.pixels, as_was, (size_t)(b.pitch * b.height) * 4);
         if (trial == 0) move_down(&b, left, 180, 280, 400, 6);
         if (trial == 1) paint_over(&b, bx + 60, by - 8, 70, 16, 0xfb, 0xe0, 0xbd);
@@ -186,7 +186,8 @@ static int self(char *line)
             unsigned char *c = (unsigned char *)(b.pixels + i);
             if (trial == 4) c[2] = (unsigned char)(c[2] > 14 ? c[2] - 14 : 0);
             if (trial == 5) c[i % 3] = (unsigned char)(c[i % 3] > 250 ? c[i % 3] - i % 4 : c[i % 3] + i % 4);
-            if (trial == 6) for (int k = 0; k < 3; k++) c[k] = (unsigned char)(c[k] > 40 && c[k] < 200 ? c[k] + (255 - c[k]) / 10 : c[k]);
+            const unsigned char *before = (const unsigned char *)(as_was + (i ? i - 1 : 0));
+            if (trial == 6) for (int k = 0; k < 3; k++) c[k] = (unsigned char)((2 * c[k] + before[k]) / 3);
         }
         now = reduce(&b);
         bad += told(what[trial], worst(&was, &now, &x, &y) > MOST_OFF, trial < 5);

@@ -11,7 +11,7 @@ grep -q '[0-9]' build/gen/font_atlas.c && [ "$(wc -c < build/gen/font_atlas.c)" 
 mkdir -p build/pictures
 rm -f build/pictures/*.png
 json=; [ ! -f build/lib/libweft-json.a ] || json="build/lib/libweft-json.a $(pkg-config --libs libcjson)"
-${CC:-cc} -std=c11 -O1 -Wall -Wextra -ffp-contract=off -isystem "$stb" -Itests -Ibuild/lines/include -Ibuild/lines tests/pictures/compare.c \
+${CC:-cc} -std=c11 -O1 -Wall -Wextra -Wno-unused-function -ffp-contract=off -isystem "$stb" -Itests -Ibuild/lines/include -Ibuild/lines tests/pictures/compare.c \
   build/lib/libweft-extra.a $json build/lib/libweft.a -lcmocka -lm -o build/pictures/compare || exit 1
 list=tests/pictures/list.txt
 case ${1-} in
