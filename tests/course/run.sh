@@ -11,11 +11,24 @@ if [ "${1-}" != class ]; then                # tests/course/run.sh class: the se
   echo "proved in $((SECONDS - start)) s"
 fi
 
-# -- begin, try, grade: what a student does, with a solution handed in hole by hole
+# -- the pages that the teacher's edition adds can be woven: each exercise with its solution, and the worked answers
 out=$(mktemp -d); trap 'rm -rf "$out" coursework/tester' EXIT
+if [ "${1-}" != class ]; then
+  mkdir -p "$out/pages" "$out/html/data"
+  for base in $(tangle/course list); do "$(tangle/lua)" tangle/course.lua composed "$base" "$out/pages/$base.nw"; done
+  cp chapters/solutions/0.0-answers.nw "$out/pages/"
+  tangle/bib "$out/weave"; tangle/weave --tolerant --html "$out/html" "$out/weave" "$out"/pages/*.nw 2> "$out/errors"
+  ls "$out/pages" | xargs -P 2 -I{} sh -c 'b=${1%.nw}; TOLERANT=1 tangle/page html "$b" "$2/weave" "$2/html/$b.html" -M missing=true -M teacher=true > "$2/$b.said" 2>&1 || { head -3 "$2/$b.said"; exit 1; }' - {} "$out" || fail "a page of the teacher's edition cannot be woven"
+  [ "$(grep -c 'Solution of' "$out/html/0.0-answers.html")" = "$(grep -c '{\.solution' chapters/solutions/0.0-answers.nw)" ] || fail "worked answers are missing on their page"
+fi
+
+# -- begin, try, grade: what a student does, with a solution handed in hole by hole
 rm -rf coursework/tester
 export NAME=tester COURSE_READY=1
 tangle/course exercise 8.4 > "$out/log" && [ -f coursework/tester/8.4-still.nw ] || fail "make exercise makes no starter"
+sed 's/^<<still: find the point>>=/<<still: find a point>>=/' chapters/solutions/8.4-still.nw | cat coursework/tester/8.4-still.nw - > "$out/misspelt"; cp coursework/tester/8.4-still.nw "$out/starter"; cp "$out/misspelt" coursework/tester/8.4-still.nw
+tangle/course try 8.4 > "$out/log"; grep -q 'is it meant to be <<still: find the point>>' "$out/log" || { cat "$out/log"; fail "make try does not tell of a name that was copied wrongly"; }
+cp "$out/starter" coursework/tester/8.4-still.nw
 tangle/course try 8.4 > "$out/log"; grep -q 'is empty' "$out/log" || fail "make try does not tell of an empty hole"
 cat chapters/solutions/8.4-still.nw | sed 's/wfPerpCCW/wfPerpCW/' >> coursework/tester/8.4-still.nw
 tangle/course try 8.4 > "$out/log"; grep -q 'expected (0, 0)' "$out/log" && grep -q 'chunk <<still: find the point>>, coursework/tester/8.4-still.nw:[0-9]' "$out/log" || { cat "$out/log"; fail "make try does not say what was expected, and where"; }
@@ -52,7 +65,7 @@ return false;"
 mkdir -p "$class/escape"; { cat "$class/good/8.4-still.nw"; printf '\n<<../../../escaped/x.c>>=\nint x;\n@\n'; } > "$class/escape/8.4-still.nw"
 mkdir -p "$class/empty"; cp chapters/exercises/8.4-still.nw "$class/empty/"
 t=$SECONDS
-LIMIT_CRITERION=2 LIMIT_SECONDS=100 LIMIT_CPU=6 tangle/course grade-all "$class" > "$out/log" 2>&1 || { cat "$out/log"; fail "grade-all fails"; }
+LIMIT_CRITERION=1 LIMIT_SECONDS=100 LIMIT_CPU=3 tangle/course grade-all "$class" > "$out/log" 2>&1 || { cat "$out/log"; fail "grade-all fails"; }
 csv=build/course/class/grades.csv
 row() { grep -q "^$1,8.4,$2,2," $csv || { cat $csv; tail -5 build/course/class/$1/8.4-still.log; fail "$1 should have $2 points"; }; }
 row good 2; row half 1; row crash 0; row loop 0; row bomb 0; row hog 0; row deaf 0; row include 0; row escape 0; row empty 0
