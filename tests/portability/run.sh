@@ -7,7 +7,9 @@
 #   tests/portability/run.sh --table        the finished ones as book/data/portability.csv shows them (what make portability writes)
 # STEPS=n  steps of each scene; without it as many as the golden files have. Other numbers are compared with the first build instead.
 # JOBS=n   compilations at a time (default 2). What was finished is kept in build/portability and not run again unless a source, a
-# flag or STEPS changes; a run that was interrupted goes on with the next scene. Exit status: 0 equal, 1 not, 77 nothing could be run.
+# flag or STEPS changes; a run that was interrupted goes on with the next scene. So a run with few steps (STEPS=100: half an hour, most of
+# it for compiling) covers all platforms soon, and one with all steps may follow as time allows: the table has for each platform the
+# longest run that was finished, and says in its head how many steps those were. Exit status: 0 equal, 1 not, 77 nothing could be run.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
 out=${OUT:-build/portability} here=tests/portability
@@ -78,9 +80,12 @@ wanted() {     # the hashes to be compared with: golden, or the first build of t
 
 only=() cheap= table= leaks=
 for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; *) only+=("$a") ;; esac; done
-ran=0 unequal=0 skipped=
-[ -n "$table" ] && printf '%s\n' "# command: make portability" '# every scene on every platform: how many have the same hash, and the first that has not' \
-  'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
+ran=0 unequal=0 listed=0 skipped=
+# The longest finished run of a build of the sources as they are: its number of steps.
+longest() {
+  [[ "$(cat "$out/$1/key" 2>/dev/null)" == *"|$sums" ]] || return 1
+  (cd "$out/$1" && ls row-* 2>/dev/null) | sed 's/^row-//' | sort -n | tail -1 | grep .
+}
 rows() { grep -vE '^(#|$)' $here/platforms.txt; }
 for name in "${only[@]}"; do grep -qE "^$name +\|" $here/platforms.txt || { echo "portability: no platform called $name -- they are the first column of $here/platforms.txt"; exit 2; }; done
 while IFS='|' read -r name platform kind reals cc flags by needs; do
@@ -88,7 +93,8 @@ while IFS='|' read -r name platform kind reals cc flags by needs; do
   [ ${#only[@]} -eq 0 ] && [ "$kind" = leak ] && [ -z "$leaks" ] && continue
   [ -n "$leaks" ] && [ "$kind" != leak ] && continue
   if [ -n "$table" ]; then      # only what was run with the sources as they are
-    [[ -f "$out/$name/row" && -f "$out/$name/done-$STEPS" && "$(cat "$out/$name/key")" == *"|$sums" ]] && cat "$out/$name/row"
+    steps=$(longest "$name") && cat "$out/$name/row-$steps" >> "$out/rows.$$"
+    listed=$((listed + 1))
     continue
   fi
   [ ${#only[@]} -gt 0 ] && [[ " ${only[*]} " != *" $name "* ]] && continue
@@ -107,7 +113,7 @@ while IFS='|' read -r name platform kind reals cc flags by needs; do
   ran=$((ran + 1))
   difference=$(diff <(wanted "$reals") "$got" | sed -nE 's/^> ([^,]*),.*/\1/p; s/^< ([^,]*),.*/\1/p' | head -1)
   scenes=$(wc -l < "$got"); equal=$(comm -12 <(wanted "$reals" | sort) <(sort "$got") | wc -l)
-  echo "$platform,$(version "$cc" "$by" | sed 's/, /,/; /,/!s/$/,/'),$(echo "$flags" | sed -E 's/ -([UD]__|fno-sanitize)[^ ]*//g'),$reals,$STEPS,$scenes,$equal,${difference:-none}" > "$d/row"
+  echo "$platform,$(version "$cc" "$by" | sed 's/, /,/; /,/!s/$/,/'),$(echo "$flags" | sed -E 's/ -([UD]__|fno-sanitize)[^ ]*//g'),$reals,$STEPS,$scenes,$equal,${difference:-none}" > "$d/row-$STEPS"
   if [ "$kind" = leak ]; then      # here it is the difference that is looked for
     [ -n "$difference" ] && echo "ok    $name: $((scenes - equal)) of $scenes scenes differ, as they should" ||
       { unequal=$((unequal + 1)); echo "FAIL  $name: no scene differs -- does this flag leak no longer?"; }
@@ -116,7 +122,15 @@ while IFS='|' read -r name platform kind reals cc flags by needs; do
   [ -n "$difference" ] && { unequal=$((unequal + 1)); echo "FAIL  $name: $equal of $scenes scenes; the first that differs: $difference"; } ||
     echo "ok    $name: $scenes scenes, $STEPS steps, $(cat "$d/seconds") s"
 done < <(rows)
-[ -n "$table" ] && exit 0
+if [ -n "$table" ]; then
+  touch "$out/rows.$$"
+  what='every scene on every platform: how many have the same hash, and the first that has not'
+  printf '%s\n' "# command: make portability" "# $what" \
+    "# $(wc -l < "$out/rows.$$") of $listed builds of one state of the sources ($sums): $(cut -d, -f6 "$out/rows.$$" | sort -rn | uniq -c | awk '{ printf "%s%d with %d steps", n++ ? ", " : "", $1, $2 }')" \
+    'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
+  cat "$out/rows.$$"; rm -f "$out/rows.$$"
+  exit 0
+fi
 [ $ran -eq 0 ] && [ $unequal -eq 0 ] && { echo "portability: no platform could be run:$skipped"; exit 77; }
 [ $unequal -gt 0 ] && { echo "portability: $unequal platforms differ -- look at build/portability/NAME/hashes-$STEPS.csv; if a change of arithmetic is meant: make golden"; exit 1; }
 [ -n "$leaks" ] && { echo "$ran ways to get other bits, each of which gives them"; exit 0; }
