@@ -238,7 +238,7 @@ static const void *insideIndex(int method, const wfProxies *in, const void *inde
     if (stamp->method != method + 1 || stamp->count != in->count) return NULL;
     return (const uint8_t *)index + WF_POOL_ALIGN;
 }
-
+/* <ask the index> */
 size_t wfIndexSize(int method, int32_t proxies)
 {
     const wfBroadPhaseRow *row = rowOf(method);

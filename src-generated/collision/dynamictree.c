@@ -36,7 +36,7 @@ static wfTree layTree(void *block, int32_t capacity)
     tree.near = wfPoolPushArray(&pool, WF_TREE_NEAR * (size_t)capacity, wfPair);
     return tree;
 }
-
+/* <lay out the dynamic tree> */
 wfTree wfTreeOpen(const void *block)
 {
     return layTree((void *)block, ((const wfTreeHead *)block)->capacity);
@@ -209,7 +209,7 @@ bool wfTreeHolds(const wfTree *tree, int32_t proxy)
 {
     return tree && isProxy(tree, proxy) && tree->nodes[proxy].parent != WF_TREE_OUT;
 }
-
+/* <put in and take out> */
 static wfResult checkBox(const wfTree *tree, int32_t proxy, wfRect r, bool in)
 {
     if (!tree) return WF_ERROR_NULL;
@@ -276,7 +276,7 @@ static int32_t nodeAfter(const wfTree *tree, int32_t n)
     }
     return WF_TREE_NONE;
 }
-
+/* <keep near pairs> */
 /* adds the near pairs of a leaf; false: no room */
 static bool addNear(const wfTree *tree, int32_t leaf, bool allNew, wfPairList *out)
 {

@@ -135,7 +135,7 @@ static void record(wfGjkTrace *trace, int32_t phase, const Simplex *x)
     for (int32_t k = 0; k < x->n; k++) step->points[k] = x->c[k].d;
     step->nearest = wfScale(x->length, x->u);
 }
-
+/* <record the steps> */
 static void recordEdge(wfGjkTrace *trace, Corner p, Corner q, Corner s)
 {
     if (!trace) return;
@@ -153,7 +153,7 @@ static wfReal largest(const Simplex *x, Corner s)
     for (int32_t k = 0; k < x->n; k++) size = wfMaxR(size, wfLength(x->c[k].d));
     return size;
 }
-
+/* <walk to the nearest point until eq:narrow-stop> */
 static Simplex walk(const Difference *D, int32_t *steps, wfGjkTrace *trace)
 {
     wfVec2 start = wfSub(wfApply(D->rel, D->b->centre), D->a->centre);

@@ -9,7 +9,7 @@ static bool inFan(wfVec2 e0, wfVec2 e1, wfVec2 u)
     if (wfDot(e0, u) < 0 || wfDot(e1, u) > 0) return false;
     return wfCross(e0, e1) > 0 || wfDot(e0, e1) >= 0;
 }
-
+/* <ask whether a direction is in a fan by eq:contacts-fan> */
 static wfVec2 sideBefore(const wfShape *link)
 {
     return wfSub(link->vertices[0], link->vertices[2]);
@@ -70,7 +70,7 @@ static int jointOf(const wfShape *link, wfVec2 u)
     if (inFan(sideBefore(link), e, u)) return 0;
     return inFan(e, sideAfter(link), u) ? 1 : -1;
 }
-
+/* <choose among the normals that the surface has, by eq:contacts-link-gap> */
 /* least component of the other core's corners along the link's normal, from the link */
 static wfReal gapOfLink(const LinkPair *l)
 {
@@ -112,7 +112,7 @@ static bool neighbourSees(const LinkPair *l, wfVec2 joint, wfVec2 side)
     }
     return true;
 }
-
+/* <drop an end that belongs to the neighbour, by eq:contacts-drop> */
 static bool isNeighbours(const LinkPair *l, const wfFacing *f, const wfClipPoint *end)
 {
     wfVec2 before = sideBefore(l->link), e = sideOf(l->link), after = sideAfter(l->link);
@@ -167,7 +167,7 @@ static void linkCore(const LinkPair *l, wfManifold *out)
     linkEdge(l, edge, gap > 0, out);
     if (out->count == 0 && edge >= 0) linkEdge(l, -1, gap > 0, out);
 }
-
+/* <touch a link> */
 void wfLinkContacts(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                     wfReal margin, wfManifold *out)
 {

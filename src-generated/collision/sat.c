@@ -6,7 +6,7 @@
 /* <project a shape onto an axis by eq:narrow-projection> */
 wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis)
 {
-    wfVec2 local = wfRotateInv(xf.q, axis);
+    wfVec2 local = wfRotateInv(xf.q, axis);             /* eq:narrow-axis-in-body */
     wfReal origin = wfDot(axis, xf.p);
     wfReal middle = wfDot(local, shape->centre);
     wfReal spread = shape->radius * wfLength(axis);
@@ -65,7 +65,7 @@ static int32_t chooseAxis(const wfReal *gaps, int32_t n, wfReal coats, wfReal ti
     while (k < n - 1 && gaps[k] < enough) k++;
     return k;
 }
-
+/* <choose an axis by eq:narrow-tie> */
 static wfReal tieOf(const wfShape *a, const wfShape *b)
 {
     return WF_AXIS_TIE * wfMinR(wfShapeReach(a), wfShapeReach(b));
@@ -177,7 +177,7 @@ static wfVec2 fromSegment(wfVec2 a, wfVec2 b, wfVec2 c)
     if (back <= 0) return q;
     return wfAddScaled(p, -along / (along + back), e);
 }
-
+/* <find the nearest corners> */
 /* how far a difference of coordinates may be off: eq:narrow-noise */
 static wfReal noiseOf(const Core *cores)
 {
@@ -249,7 +249,7 @@ static bool isFinitePose(wfTransform x)
 {
     return wfIsFinite2(x.p) && wfIsFinite2(wfV2(x.q.c, x.q.s));
 }
-
+/* <narrow phases> */
 static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
                             wfTransform xb, wfSeparation *out)
 {

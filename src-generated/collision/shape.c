@@ -123,7 +123,7 @@ static wfResult check_ghosts(const wfShape *s, wfReal size)
     bool apart = wfDistance(v[2], v[0]) >= least && wfDistance(v[3], v[1]) >= least;
     return apart ? WF_OK : WF_ERROR_DEGENERATE;
 }
-
+/* <check a shape> */
 static wfResult check_between(const wfShape *s)
 {
     wfReal size;

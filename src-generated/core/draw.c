@@ -71,7 +71,7 @@ static wfDrawCommand command(wfDrawKind kind, int count, float size, int line, i
                             .fill = (int8_t)(good ? fill : INT8_MAX), .size = size,
                             .count = count };
 }
-
+/* <draw with the pen> */
 void wfDrawView(wfDraw *d, float minX, float minY, float maxX, float maxY)
 {
     bool good = in_limits(minX) && in_limits(minY) && in_limits(maxX) && in_limits(maxY);

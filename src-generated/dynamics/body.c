@@ -30,7 +30,7 @@ wfResult wfCheckBodyProps(const wfBodyProps *p)
     if (p->givenMass < 0) return WF_ERROR_RANGE;
     return p->type == WF_DYNAMIC ? check_masses(p->mass, p->inertia) : WF_OK;
 }
-
+/* <check the properties of a body> */
 bool wfBodyIsFinite(const wfBodyState *s)
 {
     wfReal sum = (s->p.x - s->p.x) + (s->p.y - s->p.y) + (s->v.x - s->v.x)
@@ -46,7 +46,7 @@ static void set_inverses(wfBodyState *state, const wfBodyProps *props)
     state->invMass = dynamic && heavy ? 1 / props->mass : 0;
     state->invInertia = dynamic && turns ? 1 / props->inertia : 0;
 }
-
+/* <set up a body> */
 wfResult wfSetMass(wfBodyState *state, wfBodyProps *props, wfReal mass, wfReal inertia)
 {
     if (!state || !props) return WF_ERROR_NULL;

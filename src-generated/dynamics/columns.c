@@ -237,11 +237,13 @@ static bool invert(int32_t n, wfReal from[3][3], wfReal out[3][3])
     for (int32_t i = 0; i < n; i++) {
         wfReal pivot = a[i][i];
         if (!(pivot > 0)) return false;
-        for (int32_t j = 0; j < n; j++) a[i][j] /= pivot, out[i][j] /= pivot;
+        for (int32_t j = i + 1; j < n; j++) a[i][j] /= pivot;
+        for (int32_t j = 0; j <= i; j++) out[i][j] /= pivot;
         for (int32_t k = 0; k < n; k++) {
             wfReal q = a[k][i];
-            for (int32_t j = 0; k != i && j < n; j++)
-                a[k][j] -= q * a[i][j], out[k][j] -= q * out[i][j];
+            if (k == i) continue;
+            for (int32_t j = i + 1; j < n; j++) a[k][j] -= q * a[i][j];
+            for (int32_t j = 0; j <= i; j++) out[k][j] -= q * out[i][j];
         }
     }
     return true;
@@ -252,10 +254,19 @@ static wfReal dot3(const wfReal a[3], const wfReal b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 /* <solve one limb> */
+static bool ease_mass(wfLimb *l)
+{
+    if (l->mass[0][1] != 0 || l->mass[0][2] != 0 || l->mass[1][2] != 0)
+        return invert(3, l->mass, l->ease);
+    memset(l->ease, 0, sizeof l->ease);
+    for (int32_t k = 0; k < 3; k++) l->ease[k][k] = 1 / l->mass[k][k];
+    return true;
+}
+
 static bool fold(wfLimb *l, wfLimb *below)
 {
     wfReal eased[3][3], S[3][3];
-    if (!invert(3, l->mass, l->ease)) return false;
+    if (!ease_mass(l)) return false;
     for (int32_t i = 0; i < l->rows; i++) {
         for (int32_t k = 0; k < 3; k++) eased[i][k] = dot3(l->up[i], l->ease[k]);
         for (int32_t j = 0; j <= i; j++) S[i][j] = S[j][i] = dot3(eased[i], l->up[j]);

@@ -250,7 +250,7 @@ static wfSubmerged polygon_moments(const wfVec2 *p, int n)
     s.centre = wfAdd(p[0], c);
     return s;
 }
-
+/* <sum the moments of a polygon> */
 static wfSubmerged submerged_polygon(const wfShape *shape, wfRot q, wfReal depth)
 {
     wfVec2 p[2 * WF_MAX_VERTICES];
@@ -299,7 +299,7 @@ typedef struct Pieces {
     wfVec2 ring[6 * WF_MAX_VERTICES];
     wfSubmerged cap[3 * WF_MAX_VERTICES + 1];   /* and, at the end, the polygon */
 } Pieces;
-
+/* <cut a coat at the surface> */
 /* the directions u0, u1 of an arc, and those between them in which the surface cuts it */
 static int cut_arc(const Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1, wfVec2 out[4])
 {
@@ -334,7 +334,7 @@ static void add_arc(Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1)
         p->ring[p->corners++] = wfAddScaled(v, p->radius, u[i + 1]);
     }
 }
-
+/* <cut a coat at the surface> */
 static void add_edge(Pieces *p, wfVec2 a, wfVec2 b)
 {
     if ((a.y < p->depth) == (b.y < p->depth)) return;   /* the arcs have its ends */
@@ -357,7 +357,7 @@ static wfSubmerged sum_pieces(const wfSubmerged *piece, int n)
                      + piece[i].area * wfDistanceSq(piece[i].centre, sum.centre);
     return sum;
 }
-
+/* <cut a coat at the surface> */
 static wfSubmerged submerged_coat(const wfShape *shape, wfRot q, wfReal depth)
 {
     Pieces p = { .radius = shape->radius, .depth = depth };

@@ -193,7 +193,7 @@ static wfReal share(wfReal change, wfReal speed, wfReal place, wfReal h)
 {
     return change == 0 ? 0 : change / (speed + 16 * wfSqrt(WF_EPSILON) * place / h);
 }
-
+/* <judge a change of the midpoint's acceleration> */
 static wfReal change_of(const wfBodyState *b, wfReal h, const Acceleration *old,
                         const Acceleration *new)
 {
@@ -322,7 +322,7 @@ static wfReal little_way(const Newton *n, const Acceleration *p)
     }
     return wfSqrt(WF_EPSILON) / (h * h / 4 * most);
 }
-
+/* <integrators> */
 /* q = S p by @eq:int-slope. */
 static void ask(const Newton *n, const Acceleration *p, Acceleration *q)
 {

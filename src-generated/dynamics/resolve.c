@@ -68,7 +68,7 @@ static bool solve_two(wfReal k00, wfReal k01, wfReal k11, wfReal b0, wfReal b1, 
     wfReal det = k00 * k11 - k01 * k01;
     if (!(det > WF_TWO_POINT_LIMIT * k00 * k11)) return false;
     /* <push at both points, if both are pushed> */
-    wfReal both0 = (k01 * b1 - k11 * b0) / det;  /* minus the inverse of K times b */
+    wfReal both0 = (k01 * b1 - k11 * b0) / det;                     /* eq:impulses-both */
     wfReal both1 = (k01 * b0 - k00 * b1) / det;
     if (both0 >= 0 && both1 >= 0) {
         j[0] = both0;
@@ -131,7 +131,7 @@ static void resolve_contact(const wfSolve *in, const wfContact *c, bool together
     for (int32_t i = 0; i < c->manifold.count; i++)
         wfResolvePoint(a, b, c->manifold.points[i].point, c->manifold.normal, e);
 }
-
+/* <contact solvers> */
 static wfResult resolve_velocities(const wfSolve *in, bool together)
 {
     for (int32_t pass = 0; pass < in->iterations; pass++)
@@ -398,6 +398,7 @@ static wfResult check_forces(const wfBodyForces *f)
 
 wfResult wfCheckSolve(const wfSolve *in)
 {
+    /* <check the counts and pointers of a solve> */
     if (in == NULL || in->scratch == NULL) return WF_ERROR_NULL;
     if (in->bodyCount < 0 || in->contactCount < 0) return WF_ERROR_RANGE;
     if (in->iterations < 1 || in->substeps < 0) return WF_ERROR_RANGE;
@@ -405,6 +406,7 @@ wfResult wfCheckSolve(const wfSolve *in)
     if (in->contactCount > 0 && in->contacts == NULL) return WF_ERROR_NULL;
     const wfLaws *laws = in->laws;
     if (laws != NULL && (laws->begin == NULL || laws->solve == NULL)) return WF_ERROR_NULL;
+    /* <check the numbers of a solve> */
     if (!wfIsFinite(in->h) || !wfIsFinite(in->restingSpeed)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(in->positionShare)) return WF_ERROR_NOT_FINITE;
     if (in->h <= 0 || in->restingSpeed < 0) return WF_ERROR_RANGE;

@@ -176,9 +176,9 @@ static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *
 static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
                       wfMoved *aside)
 {
-    Parting part = { s->in, deep_for(s, soft), soft->fastest * s->dt,
-                     soft->bias * s->dt, aside };
-    wfReal most = part.most;
+    wfReal share = soft->bias * s->dt, deepest = wfMaxR(-s->lowest, 0) * share;
+    wfReal most = soft->fastest < WF_HUGE ? soft->fastest * s->dt : deepest;
+    Parting part = { s->in, deep_for(s, soft), most, share, aside };
     bool some = false;
     if (!(s->lowest < part.deep.gap) && !t->linked) return;
     for (int32_t k = 0; k < s->runs; k++)

@@ -63,7 +63,7 @@ static bool is_empty(const wfMemory *m)
 {
     return m->permanent == NULL && m->transient == NULL;
 }
-
+/* <copy a world for a trial> */
 static wfResult take_copy(const wfWorld *from, const wfMemory *memory, wfWorld *out)
 {
     wfMemory m = *memory;
@@ -229,7 +229,7 @@ static wfResult measure_method(Trial *t, int method, wfAccuracy *points, int32_t
     *count = n;
     return WF_OK;
 }
-
+/* <measure a curve> */
 wfResult wfMeasureCurve(const wfWorld *world, const wfCurveDef *how, wfAccuracy *points,
                         int32_t capacity, int32_t *count)
 {

@@ -159,115 +159,127 @@ static size_t index_size(const wfWorldDef *d)
     return most;
 }
 /* <list the regions of the block> */
+const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
+    /* <rows of the block's regions> */
+    [WF_REGION_HEADER]        = { "header", 0, WF_PER_WORLD, sizeof(wfHeader) },
+    [WF_REGION_BODY_SLOTS]    = { "body slots", 0, WF_PER_BODY, sizeof(wfSlot) },
+    [WF_REGION_ALIVE]         = { "alive", 0, WF_PER_BODY, sizeof(uint8_t) },
+    [WF_REGION_STATE]         = { "states", 0, WF_PER_BODY, sizeof(wfBodyState) },
+    [WF_REGION_PROPS]         = { "properties", 0, WF_PER_BODY, sizeof(wfBodyProps) },
+    /* <rows of the block's regions> */
+    [WF_REGION_APPLIED]       = { "applied forces", 0, WF_PER_BODY, sizeof(wfBodyForces) },
+    /* <rows of the block's regions> */
+    [WF_REGION_SHAPE_SLOTS]   = { "shape slots", 0, WF_PER_SHAPE, sizeof(wfSlot) },
+    [WF_REGION_SHAPES]        = { "shapes", 0, WF_PER_SHAPE, sizeof(wfShape) },
+    [WF_REGION_OWNERS]        = { "owners of shapes", 0, WF_PER_SHAPE, sizeof(int32_t) },
+    [WF_REGION_NEXT_SHAPES]   = { "next shapes", 0, WF_PER_SHAPE, sizeof(int32_t) },
+    [WF_REGION_FILTERS]       = { "filters", 0, WF_PER_SHAPE, sizeof(wfFilter) },
+    [WF_REGION_SHAPE_PROPS]   = { "materials", 0, WF_PER_SHAPE, sizeof(wfShapeProps) },
+    [WF_REGION_BOUNDS]        = { "bounds", 0, WF_PER_SHAPE, sizeof(wfRect) },
+    [WF_REGION_FLAGS]         = { "flags", 0, WF_PER_SHAPE, sizeof(uint8_t) },
+    [WF_REGION_INDEX]         = { "index", 0, WF_BYTES_OF_INDEX, 1 },
+    /* <rows of the block's regions> */
+    [WF_REGION_FORCE_SLOTS]   = { "force slots", 0, WF_PER_FORCE, sizeof(wfSlot) },
+    [WF_REGION_FORCES]        = { "forces", 0, WF_PER_FORCE, sizeof(wfForce) },
+    /* <rows of the block's regions> */
+    [WF_REGION_PAIRS]         = { "pairs", 0, WF_PER_PAIR, sizeof(wfPair) },
+    [WF_REGION_CACHES]        = { "caches", 0, WF_PER_PAIR, sizeof(wfManifoldCache) },
+    [WF_REGION_CONTACTS]      = { "contacts", 0, WF_PER_CONTACT, sizeof(wfContact) },
+    /* <rows of the block's regions> */
+    [WF_REGION_TOUCHES]       = { "touches", 0, WF_PER_TOUCH, sizeof(wfTouch) },
+    [WF_REGION_EVENTS]        = { "events", 0, WF_PER_EVENT, sizeof(wfTouchEvent) },
+    [WF_REGION_HITS]          = { "hits", 0, WF_PER_TOUCH, sizeof(wfHit) },
+    /* <rows of the block's regions> */
+    [WF_REGION_NEW_STATE]     = { "new states", 1, WF_PER_BODY, sizeof(wfBodyState) },
+    [WF_REGION_PRESENT]       = { "present", 1, WF_PER_BODY, sizeof(uint8_t) },
+    [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, WF_PER_ACTIVE_FORCE, sizeof(wfForce) },
+    /* <rows of the block's regions> */
+    [WF_REGION_SUMS]          = { "sums of forces", 1, WF_PER_BODY, sizeof(wfBodyForces) },
+    [WF_REGION_PLACES]        = { "places", 1, WF_PER_BODY, sizeof(wfTransform) },
+    [WF_REGION_RIMS]          = { "rim speeds", 1, WF_PER_SHAPE, sizeof(wfReal) },
+    [WF_REGION_NEW_BOUNDS]    = { "new bounds", 1, WF_PER_SHAPE, sizeof(wfRect) },
+    [WF_REGION_NEW_FLAGS]     = { "new flags", 1, WF_PER_SHAPE, sizeof(uint8_t) },
+    [WF_REGION_NEW_INDEX]     = { "new index", 1, WF_BYTES_OF_INDEX, 1 },
+    [WF_REGION_NEW_PAIRS]     = { "new pairs", 1, WF_PER_PAIR, sizeof(wfPair) },
+    [WF_REGION_NEW_CACHES]    = { "new caches", 1, WF_PER_PAIR, sizeof(wfManifoldCache) },
+    [WF_REGION_NEW_CONTACTS]  = { "new contacts", 1, WF_PER_CONTACT, sizeof(wfContact) },
+    /* <rows of the block's regions> */
+    [WF_REGION_NEW_TOUCHES]   = { "new touches", 1, WF_PER_TOUCH, sizeof(wfTouch) },
+    [WF_REGION_NEW_EVENTS]    = { "new events", 1, WF_PER_EVENT, sizeof(wfTouchEvent) },
+    [WF_REGION_NEW_HITS]      = { "new hits", 1, WF_PER_TOUCH, sizeof(wfHit) },
+    /* <rows of the block's regions> */
+    [WF_REGION_SCRATCH]       = { "scratch", 1, WF_BYTES_OF_SCRATCH, 1 },
+    /* <rows of the block's regions> */
+    [WF_REGION_PAIR_MATERIALS] = { "pairs of materials", 0, WF_PER_PAIR_MATERIAL,
+                                   sizeof(wfKnownPair) },
+    /* <rows of the block's regions> */
+    [WF_REGION_FINE]          = { "digits beyond states", 0, WF_PER_FINE_BODY, sizeof(wfFine) },
+    [WF_REGION_NEW_FINE]      = { "new digits", 1, WF_PER_FINE_BODY, sizeof(wfFine) },
+    /* <rows of the block's regions> */
+    [WF_REGION_JOINT_SLOTS] = { "joint slots", 0, WF_PER_JOINT, sizeof(wfSlot) },
+    [WF_REGION_JOINTS]      = { "joints", 0, WF_PER_JOINT, sizeof(wfJoint) },
+    [WF_REGION_BROKEN]      = { "broken joints", 0, WF_PER_JOINT, sizeof(wfJointId) },
+    [WF_REGION_NEW_JOINTS]  = { "new joints", 1, WF_PER_JOINT, sizeof(wfJoint) },
+    [WF_REGION_JOINT_PLACES] = { "places of joints", 1, WF_PER_JOINT, sizeof(int32_t) },
+    [WF_REGION_JOINED]      = { "joined bodies", 1, WF_PER_JOINT, sizeof(wfPair) },
+    [WF_REGION_JOINT_WORK]  = { "rows of joints", 1, WF_BYTES_OF_JOINT_ROWS, 1 },
+    /* <rows of the block's regions> */
+    [WF_REGION_ALONE]       = { "joints alone", 0, WF_PER_JOINT, 1 },
+    [WF_REGION_NEW_ALONE]   = { "new joints alone", 1, WF_PER_JOINT, 1 },
+    [WF_REGION_EXACT]       = { "matrix of joints", 1, WF_BYTES_OF_MATRIX, 1 },
+    /* <rows of the block's regions> */
+    [WF_REGION_FLIGHTS]     = { "flights", 1, WF_PER_BODY, sizeof(wfFlight) },
+    [WF_REGION_FLIGHT_OF]   = { "flight of each body", 1, WF_PER_BODY, sizeof(int32_t) },
+    [WF_REGION_STRIKES]     = { "strikes", 1, WF_PER_PAIR, sizeof(wfStrike) },
+    [WF_REGION_SPARED]      = { "spared pairs", 1, WF_PER_SHAPE, sizeof(wfPair) },
+    [WF_REGION_FRESH]       = { "fresh flights", 1, WF_PER_BODY, sizeof(int32_t) },
+    [WF_REGION_NEAR]        = { "shapes near a flight", 1, WF_PER_SHAPE, sizeof(int32_t) },
+    /* <rows of the block's regions> */
+    [WF_REGION_REST]        = { "rest", 0, WF_PER_BODY, sizeof(uint8_t) },
+    [WF_REGION_CLOCKS]      = { "clocks of rest", 0, WF_PER_BODY, sizeof(wfReal) },
+    [WF_REGION_RINGS]       = { "rings of sleepers", 0, WF_PER_BODY, sizeof(int32_t) },
+    [WF_REGION_ISLANDS]     = { "islands", 0, WF_PER_BODY, sizeof(int32_t) },
+    [WF_REGION_WOKEN]       = { "woken", 1, WF_PER_BODY, sizeof(uint8_t) },
+    [WF_REGION_NEW_CLOCKS]  = { "new clocks of rest", 1, WF_PER_BODY, sizeof(wfReal) },
+    [WF_REGION_NEW_ISLANDS] = { "new islands", 1, WF_BYTES_OF_ISLANDS, 1 },
+};
+
 static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
 {
+    size_t per[WF_PER_COUNT] = { 0 };
     /* <count what the arrays hold> */
-    size_t bodies = (size_t)d->bodyCapacity, active = 1;     /* gravity */
+    per[WF_PER_WORLD] = 1;
+    per[WF_PER_BODY] = (size_t)d->bodyCapacity;
+    per[WF_PER_ACTIVE_FORCE] = 1;       /* gravity */
+    per[WF_BYTES_OF_SCRATCH] = stage_scratch(d);
     /* <count what the arrays hold> */
-    size_t forces = (size_t)d->forceCapacity;
-    active += forces;
+    per[WF_PER_FORCE] = (size_t)d->forceCapacity;
+    per[WF_PER_ACTIVE_FORCE] += per[WF_PER_FORCE];
     /* <count what the arrays hold> */
-    size_t shapes = (size_t)d->shapeCapacity, index = index_size(d);
-    size_t pairs = (size_t)d->pairCapacity, contacts = (size_t)d->contactCapacity;
+    per[WF_PER_SHAPE] = (size_t)d->shapeCapacity;
+    per[WF_PER_PAIR] = (size_t)d->pairCapacity;
+    per[WF_PER_CONTACT] = (size_t)d->contactCapacity;
+    per[WF_BYTES_OF_INDEX] = index_size(d);
     /* <count what the arrays hold> */
-    size_t touches = d->events ? pairs : 0;
+    per[WF_PER_TOUCH] = d->events ? per[WF_PER_PAIR] : 0;
+    per[WF_PER_EVENT] = 2 * per[WF_PER_TOUCH];
     /* <count what the arrays hold> */
-    size_t fine = d->fineSums ? bodies : 0;
-    const wfRegion list[WF_REGION_COUNT] = {
-        /* <rows of the block's regions> */
-        [WF_REGION_HEADER]        = { "header", 0, 1, sizeof(wfHeader), 0 },
-        [WF_REGION_BODY_SLOTS]    = { "body slots", 0, bodies, sizeof(wfSlot), 0 },
-        [WF_REGION_ALIVE]         = { "alive", 0, bodies, sizeof(uint8_t), 0 },
-        [WF_REGION_STATE]         = { "states", 0, bodies, sizeof(wfBodyState), 0 },
-        [WF_REGION_PROPS]         = { "properties", 0, bodies, sizeof(wfBodyProps), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_APPLIED]       = { "applied forces", 0, bodies, sizeof(wfBodyForces), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_SHAPE_SLOTS]   = { "shape slots", 0, shapes, sizeof(wfSlot), 0 },
-        [WF_REGION_SHAPES]        = { "shapes", 0, shapes, sizeof(wfShape), 0 },
-        [WF_REGION_OWNERS]        = { "owners of shapes", 0, shapes, sizeof(int32_t), 0 },
-        [WF_REGION_NEXT_SHAPES]   = { "next shapes", 0, shapes, sizeof(int32_t), 0 },
-        [WF_REGION_FILTERS]       = { "filters", 0, shapes, sizeof(wfFilter), 0 },
-        [WF_REGION_SHAPE_PROPS]   = { "materials", 0, shapes, sizeof(wfShapeProps), 0 },
-        [WF_REGION_BOUNDS]        = { "bounds", 0, shapes, sizeof(wfRect), 0 },
-        [WF_REGION_FLAGS]         = { "flags", 0, shapes, sizeof(uint8_t), 0 },
-        [WF_REGION_INDEX]         = { "index", 0, index, 1, 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_FORCE_SLOTS]   = { "force slots", 0, forces, sizeof(wfSlot), 0 },
-        [WF_REGION_FORCES]        = { "forces", 0, forces, sizeof(wfForce), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_PAIRS]         = { "pairs", 0, pairs, sizeof(wfPair), 0 },
-        [WF_REGION_CACHES]        = { "caches", 0, pairs, sizeof(wfManifoldCache), 0 },
-        [WF_REGION_CONTACTS]      = { "contacts", 0, contacts, sizeof(wfContact), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_TOUCHES]       = { "touches", 0, touches, sizeof(wfTouch), 0 },
-        [WF_REGION_EVENTS]        = { "events", 0, 2 * touches, sizeof(wfTouchEvent), 0 },
-        [WF_REGION_HITS]          = { "hits", 0, touches, sizeof(wfHit), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_NEW_STATE]     = { "new states", 1, bodies, sizeof(wfBodyState), 0 },
-        [WF_REGION_PRESENT]       = { "present", 1, bodies, sizeof(uint8_t), 0 },
-        [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, active, sizeof(wfForce), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_SUMS]          = { "sums of forces", 1, bodies, sizeof(wfBodyForces), 0 },
-        [WF_REGION_PLACES]        = { "places", 1, bodies, sizeof(wfTransform), 0 },
-        [WF_REGION_RIMS]          = { "rim speeds", 1, shapes, sizeof(wfReal), 0 },
-        [WF_REGION_NEW_BOUNDS]    = { "new bounds", 1, shapes, sizeof(wfRect), 0 },
-        [WF_REGION_NEW_FLAGS]     = { "new flags", 1, shapes, sizeof(uint8_t), 0 },
-        [WF_REGION_NEW_INDEX]     = { "new index", 1, index, 1, 0 },
-        [WF_REGION_NEW_PAIRS]     = { "new pairs", 1, pairs, sizeof(wfPair), 0 },
-        [WF_REGION_NEW_CACHES]    = { "new caches", 1, pairs, sizeof(wfManifoldCache), 0 },
-        [WF_REGION_NEW_CONTACTS]  = { "new contacts", 1, contacts, sizeof(wfContact), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_NEW_TOUCHES]   = { "new touches", 1, touches, sizeof(wfTouch), 0 },
-        [WF_REGION_NEW_EVENTS]    = { "new events", 1, 2 * touches, sizeof(wfTouchEvent), 0 },
-        [WF_REGION_NEW_HITS]      = { "new hits", 1, touches, sizeof(wfHit), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_SCRATCH]       = { "scratch", 1, stage_scratch(d), 1, 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_PAIR_MATERIALS] = { "pairs of materials", 0, (size_t)d->pairMaterials,
-                                       sizeof(wfKnownPair), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_FINE]          = { "digits beyond states", 0, fine, sizeof(wfFine), 0 },
-        [WF_REGION_NEW_FINE]      = { "new digits", 1, fine, sizeof(wfFine), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_JOINT_SLOTS] = { "joint slots", 0, (size_t)d->jointCapacity, sizeof(wfSlot), 0 },
-        [WF_REGION_JOINTS]      = { "joints", 0, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
-        [WF_REGION_BROKEN]      = { "broken joints", 0, (size_t)d->jointCapacity,
-                                    sizeof(wfJointId), 0 },
-        [WF_REGION_NEW_JOINTS]  = { "new joints", 1, (size_t)d->jointCapacity, sizeof(wfJoint), 0 },
-        [WF_REGION_JOINT_PLACES] = { "places of joints", 1, (size_t)d->jointCapacity,
-                                    sizeof(int32_t), 0 },
-        [WF_REGION_JOINED]      = { "joined bodies", 1, (size_t)d->jointCapacity, sizeof(wfPair),
-                                    0 },
-        [WF_REGION_JOINT_WORK]  = { "rows of joints", 1, wfJointScratch(d->bodyCapacity,
-                                    d->jointCapacity), 1, 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_ALONE]       = { "joints alone", 0, (size_t)d->jointCapacity, 1, 0 },
-        [WF_REGION_NEW_ALONE]   = { "new joints alone", 1, (size_t)d->jointCapacity, 1, 0 },
-        [WF_REGION_EXACT]       = { "matrix of joints", 1, d->exactJoints ?
-                                    wfExactScratch(d->bodyCapacity, d->jointCapacity) : 0, 1, 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_FLIGHTS]     = { "flights", 1, (size_t)d->bodyCapacity, sizeof(wfFlight), 0 },
-        [WF_REGION_FLIGHT_OF]   = { "flight of each body", 1, (size_t)d->bodyCapacity,
-                                    sizeof(int32_t), 0 },
-        [WF_REGION_STRIKES]     = { "strikes", 1, (size_t)d->pairCapacity, sizeof(wfStrike), 0 },
-        [WF_REGION_SPARED]      = { "spared pairs", 1, (size_t)d->shapeCapacity, sizeof(wfPair),
-                                    0 },
-        [WF_REGION_FRESH]       = { "fresh flights", 1, (size_t)d->bodyCapacity, sizeof(int32_t),
-                                    0 },
-        [WF_REGION_NEAR]        = { "shapes near a flight", 1, (size_t)d->shapeCapacity,
-                                    sizeof(int32_t), 0 },
-        /* <rows of the block's regions> */
-        [WF_REGION_REST]        = { "rest", 0, bodies, sizeof(uint8_t), 0 },
-        [WF_REGION_CLOCKS]      = { "clocks of rest", 0, bodies, sizeof(wfReal), 0 },
-        [WF_REGION_RINGS]       = { "rings of sleepers", 0, bodies, sizeof(int32_t), 0 },
-        [WF_REGION_ISLANDS]     = { "islands", 0, bodies, sizeof(int32_t), 0 },
-        [WF_REGION_WOKEN]       = { "woken", 1, bodies, sizeof(uint8_t), 0 },
-        [WF_REGION_NEW_CLOCKS]  = { "new clocks of rest", 1, bodies, sizeof(wfReal), 0 },
-        [WF_REGION_NEW_ISLANDS] = { "new islands", 1, wfIslandScratch(d->bodyCapacity)
-                                    + bodies * (sizeof(int32_t) + 2) + 4 * WF_POOL_ALIGN, 1, 0 },
-    };
-    memcpy(out, list, sizeof list);
+    per[WF_PER_PAIR_MATERIAL] = (size_t)d->pairMaterials;
+    /* <count what the arrays hold> */
+    per[WF_PER_FINE_BODY] = d->fineSums ? per[WF_PER_BODY] : 0;
+    /* <count what the arrays hold> */
+    per[WF_PER_JOINT] = (size_t)d->jointCapacity;
+    per[WF_BYTES_OF_JOINT_ROWS] = wfJointScratch(d->bodyCapacity, d->jointCapacity);
+    /* <count what the arrays hold> */
+    if (d->exactJoints)
+        per[WF_BYTES_OF_MATRIX] = wfExactScratch(d->bodyCapacity, d->jointCapacity);
+    /* <count what the arrays hold> */
+    per[WF_BYTES_OF_ISLANDS] = wfIslandScratch(d->bodyCapacity) + 4 * WF_POOL_ALIGN
+                             + per[WF_PER_BODY] * (sizeof(int32_t) + 2);
+    for (int i = 0; i < WF_REGION_COUNT; i++) {
+        const wfRegionRow *r = &wfRegionTable[i];
+        out[i] = (wfRegion){ r->name, r->chunk, per[r->per], r->each, 0 };
+    }
     /* <leave out the arrays that serve nobody> */
     /* in a world that does not need them */
     /* <leave out the arrays that serve nobody> */
@@ -331,9 +343,8 @@ static bool holds(const void *chunk, size_t size, size_t need)
     return (uintptr_t)chunk % WF_POOL_ALIGN == 0 && size >= need;
 }
 /* <create a world> */
-static wfResult take_memory(const wfWorldDef *def, const size_t size[2], wfMemory *out)
+wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out)
 {
-    const wfMemory *given = &def->memory;
     bool none = given->permanent == NULL && given->transient == NULL
              && given->permanentSize == 0 && given->transientSize == 0;
     if (none) return wfAllocateMemory(out, size[0], size[1]);
@@ -342,7 +353,6 @@ static wfResult take_memory(const wfWorldDef *def, const size_t size[2], wfMemor
     if (!holds(given->transient, given->transientSize, size[1])) return WF_ERROR_MEMORY;
     *out = *given;
     out->owned = 0;
-    memset(out->permanent, 0, size[0]);
     return WF_OK;
 }
 /* <create a world> */
@@ -366,8 +376,9 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
     wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &d, region, size);
-    if (result == WF_OK) result = take_memory(&d, size, &world.memory);
+    if (result == WF_OK) result = wfTakeMemory(&d.memory, size, &world.memory);
     if (result != WF_OK) return result;
+    if (!world.memory.owned) memset(world.memory.permanent, 0, size[0]);
     /* <start the empty world> */
     uint8_t *base = world.memory.permanent;
     wfHeader *head = world.memory.permanent;

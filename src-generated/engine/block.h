@@ -164,6 +164,36 @@ wfResult wfNeedError(uint32_t needs);
 /* Does a stage run in worlds of these needs? */
 bool wfStageRuns(const wfStageRow *row, uint32_t needs);
 /* <declarations of the block> */
+/* What an array holds in any world: `each` bytes for each of what `per` says. */
+typedef struct wfRegionRow { const char *name; int32_t chunk, per; size_t each; } wfRegionRow;
+extern const wfRegionRow wfRegionTable[WF_REGION_COUNT];
+enum {
+    /* <things that arrays hold one of each> */
+    WF_PER_WORLD, WF_PER_BODY, WF_PER_ACTIVE_FORCE, WF_BYTES_OF_SCRATCH,
+    /* <things that arrays hold one of each> */
+    WF_PER_FORCE,
+    /* <things that arrays hold one of each> */
+    WF_PER_SHAPE, WF_PER_PAIR, WF_PER_CONTACT, WF_BYTES_OF_INDEX,
+    /* <things that arrays hold one of each> */
+    WF_PER_TOUCH, WF_PER_EVENT,
+    /* <things that arrays hold one of each> */
+    WF_PER_PAIR_MATERIAL,
+    /* <things that arrays hold one of each> */
+    WF_PER_FINE_BODY,
+    /* <things that arrays hold one of each> */
+    WF_PER_JOINT, WF_BYTES_OF_JOINT_ROWS,
+    /* <things that arrays hold one of each> */
+    WF_BYTES_OF_MATRIX,
+    /* <things that arrays hold one of each> */
+    WF_BYTES_OF_ISLANDS,
+    WF_PER_COUNT
+};
+/* The arrays of the permanent chunk are the first so many. */
+#define WF_REGION_KEPT WF_REGION_NEW_STATE
+/* <declarations of the block> */
+/* Chunks of these sizes: what is given, as it is, or cleared ones if nothing is. */
+wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out);
+/* <declarations of the block> */
 typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
 /* <declarations of the block> */
 /* What two shapes' materials make together: known, or mixed by the world's rules. */

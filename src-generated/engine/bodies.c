@@ -129,7 +129,7 @@ static wfResult weigh(const wfBodyDef *d, wfMassData *out)
     bool formed = d->shape.kind != WF_SHAPE_NONE, dynamic = d->type == WF_DYNAMIC;
     wfResult weighed = WF_OK;
     wfShape stored = d->shape;
-    if (!dynamic && formed) out->centre = wfShapeCentroid(&d->shape);
+    if (d->type == WF_STATIC && formed) out->centre = wfShapeCentroid(&d->shape);
     if (!dynamic && formed) out->mass = 0;
     if (dynamic && formed)
         weighed = d->mass > 0 ? wfShapeMassOf(&d->shape, d->mass, out)

@@ -4,10 +4,17 @@
 #include "engine/image.h"
 
 /* <how much of a region counts> */
+static uint64_t room(const wfHeader *h, int region)
+{
+    bool last = region + 1 == WF_REGION_KEPT;
+    return (last ? h->bytes : h->offset[region + 1]) - h->offset[region];
+}
+
 /* So many elements of a region mean something, from the first on. */
-static size_t used(const wfHeader *h, const wfRegion *r, int region)
+static size_t used(const wfHeader *h, int region)
 {
     switch (region) {
+    case WF_REGION_HEADER: return 1;
     /* <regions of which only the beginning counts> */
     case WF_REGION_BODY_SLOTS: case WF_REGION_ALIVE: case WF_REGION_STATE:
     case WF_REGION_APPLIED: case WF_REGION_PROPS:
@@ -35,15 +42,23 @@ static size_t used(const wfHeader *h, const wfRegion *r, int region)
     /* <regions of which only the beginning counts> */
     case WF_REGION_JOINT_SLOTS: case WF_REGION_JOINTS: return (size_t)h->jointSlots.high;
     case WF_REGION_BROKEN: return (size_t)h->brokenCount;
-    case WF_REGION_ALONE: return 0;     /* can be found again */
     /* <regions of which only the beginning counts> */
     case WF_REGION_REST: case WF_REGION_CLOCKS: case WF_REGION_RINGS:
     case WF_REGION_ISLANDS:
         return (size_t)h->bodySlots.high;
     /* <regions of which only the beginning counts> */
+    case WF_REGION_ALONE: return 0;     /* can be found again */
+    /* <regions of which only the beginning counts> */
     case WF_REGION_INDEX: return 0;     /* can be built again */
-    default: return r->count;       /* who adds a region and says nothing: all of it */
+    default:                        /* who adds a region and says nothing: all of it */
+        return (size_t)room(h, region) / wfRegionTable[region].each;
     }
+}
+
+/* And so many bytes. */
+static uint64_t counted(const wfHeader *h, int region)
+{
+    return room(h, region) > 0 ? (uint64_t)used(h, region) * wfRegionTable[region].each : 0;
 }
 /* <measure an image> */
 static size_t round_up(size_t bytes)
@@ -58,26 +73,25 @@ static wfResult measure(const wfHeader *head, wfImage *out)
     out->head.busy = 0;
     out->head.indexStale = 1;
     /* <forget in the header what can be found again> */
+    /* beside the index */
+    /* <forget in the header what can be found again> */
     out->head.machines = 0;
-    wfWorldDef def = wfSettings(head);
-    wfResult result = wfWorldRegions(&def, out->region);
     out->size = 0;
-    for (int i = 0; i < WF_REGION_COUNT && result == WF_OK; i++) {
-        const wfRegion *r = &out->region[i];
-        bool has = r->chunk == 0 && r->count > 0;       /* or nobody needs it */
-        size_t count = has ? used(head, r, i) : 0;
-        if (count > r->count) return WF_ERROR_INVALID;
-        out->bytes[i] = count * r->each;
-        out->size += round_up(out->bytes[i]);
+    for (int i = 0; i < WF_REGION_KEPT; i++) {
+        uint64_t bytes = counted(head, i);
+        if (bytes > room(head, i) || bytes > PTRDIFF_MAX - out->size - WF_POOL_ALIGN)
+            return WF_ERROR_INVALID;
+        out->bytes[i] = (size_t)bytes;
+        out->size += round_up((size_t)bytes);
     }
-    return result;
+    return WF_OK;
 }
 /* <write and read an image> */
 wfResult wfImageOfBlock(const wfBlock *b, wfImage *out)
 {
     const uint8_t *base = (const uint8_t *)b->head;
     wfResult result = measure(b->head, out);
-    for (int i = 0; i < WF_REGION_COUNT; i++) out->at[i] = base + b->head->offset[i];
+    for (int i = 0; i < WF_REGION_KEPT; i++) out->at[i] = base + b->head->offset[i];
     return result;
 }
 
@@ -86,7 +100,7 @@ void wfWriteImage(const wfImage *image, uint8_t *bytes)
     memcpy(bytes, &image->head, sizeof image->head);
     size_t at = round_up(sizeof image->head);
     memset(bytes + sizeof image->head, 0, at - sizeof image->head);
-    for (int i = WF_REGION_HEADER + 1; i < WF_REGION_COUNT; i++) {
+    for (int i = WF_REGION_HEADER + 1; i < WF_REGION_KEPT; i++) {
         size_t size = image->bytes[i], end = round_up(size);
         if (size == 0) continue;
         memcpy(bytes + at, image->at[i], size);
@@ -101,10 +115,10 @@ wfResult wfReadImage(const uint8_t *bytes, size_t size, wfImage *out)
     if (size < sizeof head) return WF_ERROR_TRUNCATED;
     memcpy(&head, bytes, sizeof head);
     wfResult result = measure(&head, out);
-    if (result != WF_OK) return WF_ERROR_INVALID;
+    if (result != WF_OK) return result;
     if (out->size != size) return WF_ERROR_TRUNCATED;
     size_t at = 0;
-    for (int i = 0; i < WF_REGION_COUNT; i++) {
+    for (int i = 0; i < WF_REGION_KEPT; i++) {
         out->at[i] = bytes + at;
         at += round_up(out->bytes[i]);
     }
@@ -149,22 +163,23 @@ static bool holds_slots(int region)
     }
 }
 
-/* Makes the elements from `from` to `end` of a region as they were at creation. */
-static void empty_places(uint8_t *array, const wfRegion *r, int region, size_t from,
-                         size_t end)
+/* Makes the bytes from `from` to `end` of a region as they were at creation. */
+static void empty_places(uint8_t *array, int region, size_t from, size_t end)
 {
     const wfSlot fresh = { WF_SLOT_END, 1 };
     if (from >= end) return;
-    memset(array + from * r->each, 0, (end - from) * r->each);
-    for (size_t i = from; i < end && holds_slots(region); i++)
-        memcpy(array + i * r->each, &fresh, sizeof fresh);
+    memset(array + from, 0, end - from);
+    if (!holds_slots(region)) return;
+    for (size_t at = from; at + sizeof fresh <= end; at += sizeof fresh)
+        memcpy(array + at, &fresh, sizeof fresh);
 }
 /* <take an image into a block> */
-static void begin_places(uint8_t *array, const wfRegion *r, int region,
-                         const wfHeader *head, size_t bytes)
+static void begin_places(uint8_t *array, size_t place, int region, const wfHeader *head,
+                         size_t bytes)
 {
-    size_t count = r->count > 0 ? used(head, r, region) : 0;
-    if (bytes > 0 || count > r->count) return;
+    uint64_t count = place > 0 ? used(head, region) : 0;
+    size_t each = wfRegionTable[region].each;
+    if (bytes > 0 || count * each > place) return;
     int begin = 0;
     switch (region) {
     /* <regions that begin with -1> */
@@ -173,21 +188,19 @@ static void begin_places(uint8_t *array, const wfRegion *r, int region,
         break;
     default: break;
     }
-    if (begin != 0) memset(array, begin, count * r->each);
+    if (begin != 0) memset(array, begin, (size_t)count * each);
 }
 /* <take an image into a block> */
-static size_t index_stamp(const wfImage *own)
+static void drop_index(const wfBlock *b)
 {
-    size_t size = own->region[WF_REGION_INDEX].count;
-    return size < 2 * WF_POOL_ALIGN ? size : 2 * WF_POOL_ALIGN;
+    size_t size = (size_t)room(b->head, WF_REGION_INDEX), stamp = 2 * WF_POOL_ALIGN;
+    uint8_t *index = (uint8_t *)b->head + b->head->offset[WF_REGION_INDEX];
+    memset(index, 0, size < stamp ? size : stamp);
 }
 /* <take an image into a block> */
 wfResult wfTakeImage(wfBlock *b, const wfImage *image)
 {
-    wfImage own;
     uint8_t *base = (uint8_t *)b->head;
-    wfResult result = measure(b->head, &own);
-    if (result != WF_OK) return result;
     wfHeader head = image->head;
     if (head.magic != b->head->magic) return WF_ERROR_NOT_A_WORLD;
     /* <see that the block has what the image needs> */
@@ -195,21 +208,45 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image)
         return WF_ERROR_BUILT_IN;
     /* <see that the block has what the image needs> */
     if ((head.exactJoints != 0) != (b->head->exactJoints != 0)) return WF_ERROR_BUILT_IN;
-    for (int i = 0; i < WF_REGION_COUNT; i++)
-        if (image->bytes[i] > own.region[i].count * own.region[i].each)
-            return WF_ERROR_FULL;
-    for (int i = WF_REGION_HEADER + 1; i < WF_REGION_COUNT; i++) {
-        const wfRegion *r = &own.region[i];
+    for (int i = 0; i < WF_REGION_KEPT; i++)
+        if (image->bytes[i] > room(b->head, i)) return WF_ERROR_FULL;
+    for (int i = WF_REGION_HEADER + 1; i < WF_REGION_KEPT; i++) {
         uint8_t *array = base + b->head->offset[i];
-        if (r->chunk != 0) continue;
-        if (image->bytes[i] > 0) memcpy(array, image->at[i], image->bytes[i]);
-        empty_places(array, r, i, image->bytes[i] / r->each, own.bytes[i] / r->each);
-        begin_places(array, r, i, &image->head, image->bytes[i]);
+        size_t bytes = image->bytes[i], place = (size_t)room(b->head, i);
+        if (bytes > 0) memcpy(array, image->at[i], bytes);
+        empty_places(array, i, bytes, (size_t)counted(b->head, i));
+        begin_places(array, place, i, &head, bytes);
     }
-    memset(base + b->head->offset[WF_REGION_INDEX], 0, index_stamp(&own));
+    drop_index(b);
     wfKeepBuiltIn(b->head, &head);
     *b->head = head;
     return WF_OK;
+}
+/* <put an image into new memory> */
+static bool is_list(int region)
+{
+    switch (region) {
+    /* <regions that are lists> */
+    case WF_REGION_PAIRS: case WF_REGION_CACHES: case WF_REGION_CONTACTS:
+    case WF_REGION_TOUCHES: case WF_REGION_HITS: case WF_REGION_EVENTS:
+    case WF_REGION_INDEX:
+        return true;
+    default: return false;
+    }
+}
+
+void wfPlaceImage(const wfImage *image, uint8_t *base)
+{
+    wfHeader *head = (wfHeader *)(void *)base;
+    *head = image->head;
+    for (int i = WF_REGION_HEADER + 1; i < WF_REGION_KEPT; i++) {
+        uint8_t *array = base + head->offset[i];
+        size_t bytes = image->bytes[i], place = (size_t)room(head, i);
+        if (bytes > 0) memcpy(array, image->at[i], bytes);
+        if (!is_list(i)) empty_places(array, i, bytes, place);
+    }
+    wfBlock b = { .head = head };
+    drop_index(&b);
 }
 /* <make a world of an image> */
 wfResult wfWorldOfImage(const wfImage *image, const wfWorldDef *room, wfWorld *out)

@@ -8,13 +8,13 @@
 
 typedef struct wfImage {
     wfHeader       head;                     /* a copy, without what can be found again */
-    wfRegion       region[WF_REGION_COUNT];  /* of its own block */
-    const uint8_t *at[WF_REGION_COUNT];      /* the permanent regions' bytes */
-    size_t         bytes[WF_REGION_COUNT];   /* how many of them count */
+    const uint8_t *at[WF_REGION_KEPT];       /* the permanent regions' bytes */
+    size_t         bytes[WF_REGION_KEPT];    /* how many of them count */
     size_t         size;                     /* of all, each rounded up to WF_POOL_ALIGN */
 } wfImage;
 
-/* The image of a block; of `size` bytes that wfWriteImage wrote. */
+/* The image of a block; of `size` bytes that wfWriteImage wrote. WF_ERROR_INVALID: a count
+ * is more than there is room for; _TRUNCATED: the bytes are not as many as the counts say. */
 wfResult wfImageOfBlock(const wfBlock *b, wfImage *out);
 wfResult wfReadImage(const uint8_t *bytes, size_t size, wfImage *out);
 void wfWriteImage(const wfImage *image, uint8_t *bytes);
@@ -30,6 +30,8 @@ uint64_t wfHashFields(uint64_t h);
 wfResult wfCountJournal(const wfJournal *journal, uint64_t *steps);
 /* A number for what the entries of a journal look like. */
 uint64_t wfHashInputs(uint64_t h);
+/* The same in memory as large as the block's, which holds nothing yet. */
+void wfPlaceImage(const wfImage *image, uint8_t *base);
 /* A world with room as `room` says, in its memory, that is what the image shows. */
 wfResult wfWorldOfImage(const wfImage *image, const wfWorldDef *room, wfWorld *out);
 #endif

@@ -179,7 +179,9 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
     if (result != WF_OK) return WF_ERROR_INVALID;
     wfWorldDef def = wfSettings(&image.head);
     if (memory != NULL) def.memory = *memory;
+    if (wfCheckWorldDef(&def, NULL) != WF_OK) return WF_ERROR_INVALID;
     result = wfWorldOfImage(&image, &def, &made);
+    if (result == WF_ERROR_FULL) return WF_ERROR_INVALID;     /* more than it says itself */
     if (result != WF_OK) return result;
     result = wfCheckWorld(&made, NULL);
     if (result == WF_OK && wfHashWorld(&made) != info.hash) result = WF_ERROR_INVALID;

@@ -45,11 +45,16 @@ wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out
 {
     wfBlock b;
     wfImage image;
+    wfWorld made = { .memory = { .owned = 0 } };
     wfResult result = out == NULL ? WF_ERROR_NULL : open_image(world, &b, &image);
     if (result != WF_OK) return result;
-    wfWorldDef def = wfSettings(b.head);
-    if (memory != NULL) def.memory = *memory;
-    return wfWorldOfImage(&image, &def, out);
+    const size_t size[2] = { (size_t)b.head->bytes, (size_t)b.head->scratchBytes };
+    if (memory != NULL) made.memory = *memory;
+    result = wfTakeMemory(&made.memory, size, &made.memory);
+    if (result != WF_OK) return result;
+    wfPlaceImage(&image, (uint8_t *)made.memory.permanent);
+    *out = made;
+    return WF_OK;
 }
 /* <fields that have a name> */
 typedef struct Field {
@@ -163,13 +168,14 @@ static bool in_hole(int region, size_t byte)
 static bool differs(const wfImage *a, const wfImage *b, int region, wfDifference *out)
 {
     const uint8_t *one = a->at[region], *two = b->at[region];
-    size_t each = a->region[region].each;
+    size_t each = wfRegionTable[region].each;
     size_t least = a->bytes[region] < b->bytes[region] ? a->bytes[region]
                                                        : b->bytes[region], at = 0;
     if (least == 0 || memcmp(one, two, least) == 0) at = least;
     while (at < least && (one[at] == two[at] || in_hole(region, at % each))) at++;
     if (at == least && a->bytes[region] == b->bytes[region]) return false;
-    *out = (wfDifference){ .region = a->region[region].name, .field = "count",
+    *out = (wfDifference){ .region = wfRegionTable[region].name,
+                           .field = "count",
                            .element = (int32_t)(at / each), .byte = at % each };
     if (at < least)
         name_field(out, region, one + (at - out->byte), two + (at - out->byte));
@@ -184,8 +190,8 @@ static bool find_difference(wfImage *a, wfImage *b, wfDifference *out)
     a->at[WF_REGION_HEADER] = (const uint8_t *)&a->head;
     b->at[WF_REGION_HEADER] = (const uint8_t *)&b->head;
     if (differs(a, b, WF_REGION_STATE, out)) return true;
-    for (int i = 0; i < WF_REGION_COUNT; i++)
-        if (a->region[i].chunk == 0 && differs(a, b, i, out)) return true;
+    for (int i = 0; i < WF_REGION_KEPT; i++)
+        if (differs(a, b, i, out)) return true;
     return false;
 }
 

@@ -330,6 +330,15 @@ int32_t wfPassesOf(const wfHeader *head)
     return head->iterations > 0 ? head->iterations : wfUsualPasses(head->solver);
 }
 
+/* <find how fast overlaps may be left> */
+/* only one solver wants to know */
+/* <find how fast overlaps may be left> */
+static wfReal recovery_speed(const wfHeader *head)
+{
+    wfReal speed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps);
+    return speed > 0 || head->recoverySteps == 0 ? speed : WF_HUGE;
+}
+
 static wfSolve to_solve(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
@@ -343,7 +352,7 @@ static wfSolve to_solve(struct wfStep *s)
         /* <what else a solver is told> */
         /* what only one solver wants to know */
         /* <what else a solver is told> */
-        .recoverySpeed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps),
+        .recoverySpeed = recovery_speed(head),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
         .columns = head->columns, .colours = head->colours, .lanes = head->lanes,
         /* <what else a solver is told> */

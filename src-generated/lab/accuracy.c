@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 #include "lab/accuracy.h"
+#include "lab/search.h"
 #include "testbed/classics.h"
 #include "weft/joint.h"
 
@@ -29,7 +30,7 @@ static void ref_step(Accelerations *f, int n, double h, double *x, double *v)
         v[i] += h / 6 * (a[0][i] + 2 * a[1][i] + 2 * a[2][i] + a[3][i]);
     }
 }
-
+/* <a reference in double> */
 static void ref_course(Accelerations *f, int n, double *x, double *v, int fine,
                        labCourse out)
 {
@@ -109,43 +110,53 @@ static void pendulum_course(int fine, labCourse out) { chain_course(1, 1, fine, 
 static void double_course(int fine, labCourse out) { chain_course(2, 0.5, fine, out); }
 static void ten_course(int fine, labCourse out) { chain_course(10, 0.125, fine, out); }
 
+/* A body whose place is a formula of the time. */
+static void formula_course(void (*place)(double t, double at[2]), labCourse out)
+{
+    for (int k = 0; k <= LAB_FRAMES; k++) place(k / 60.0, out[k][0]);
+}
+
+static void flight_at(double t, double at[2])
+{
+    at[0] = 7 * t, at[1] = 1 + 9 * t - GRAVITY / 2 * t * t;
+}
+
+static void slide_at(double t, double at[2])
+{
+    at[0] = 5 * t - GRAVITY / 4 * t * t, at[1] = 0.125;
+}
+
+static void roll_at(double t, double at[2])
+{
+    at[0] = 2.0 / 3 * t * t, at[1] = 0.5;               /* 2/3 of 2 m/s^2 */
+}
+/* <true courses> */
+static void ball_at(double t, double at[2])
+{
+    double fall = sqrt(2 * 1 / GRAVITY);        /* from 1 m, and up again */
+    for (t += fall; t > 2 * fall; ) t -= 2 * fall;
+    at[0] = 0, at[1] = 1.5 - GRAVITY / 2 * (t - fall) * (t - fall);
+}
+
 static void flight_course(int fine, labCourse out)
 {
     (void)fine;
-    for (int k = 0; k <= LAB_FRAMES; k++) {
-        double t = k / 60.0;
-        out[k][0][0] = 7 * t, out[k][0][1] = 1 + 9 * t - GRAVITY / 2 * t * t;
-    }
+    formula_course(flight_at, out);
 }
-
 static void slide_course(int fine, labCourse out)
 {
     (void)fine;
-    for (int k = 0; k <= LAB_FRAMES; k++) {
-        double t = k / 60.0;
-        out[k][0][0] = 5 * t - GRAVITY / 4 * t * t, out[k][0][1] = 0.125;
-    }
+    formula_course(slide_at, out);
 }
-/* <true courses> */
 static void roll_course(int fine, labCourse out)
 {
     (void)fine;
-    for (int k = 0; k <= LAB_FRAMES; k++) {
-        double t = k / 60.0;
-        out[k][0][0] = 2.0 / 3 * t * t, out[k][0][1] = 0.5;     /* 2/3 of 2 m/s^2 */
-    }
+    formula_course(roll_at, out);
 }
-
 static void ball_course(int fine, labCourse out)
 {
-    double fall = sqrt(2 * 1 / GRAVITY);        /* from 1 m, and up again */
     (void)fine;
-    for (int k = 0; k <= LAB_FRAMES; k++) {
-        double t = k / 60.0 + fall;
-        while (t > 2 * fall) t -= 2 * fall;
-        out[k][0][0] = 0;
-        out[k][0][1] = 1.5 - GRAVITY / 2 * (t - fall) * (t - fall);
-    }
+    formula_course(ball_at, out);
 }
 
 static void stack_course(int fine, labCourse out)
@@ -176,7 +187,7 @@ static wfBodyDef box(double width, double height)
     wfMakeBox((wfReal)(width / 2), (wfReal)(height / 2), &d.shape);
     return d;
 }
-
+/* <build scenes of which the truth is known> */
 static wfBodyDef disc(double radius)
 {
     wfBodyDef d = wfDefaultBodyDef();
@@ -211,7 +222,7 @@ static wfResult build_flight(wfWorld *world)
 {
     return put(world, disc(0.125), 0, 1, 7, 9, NULL);
 }
-
+/* <build scenes of which the truth is known> */
 static wfResult build_slide(wfWorld *world)
 {
     wfResult result = level_floor(world);
@@ -242,7 +253,7 @@ static wfResult build_stack(wfWorld *world)
 }
 
 static wfResult build_cards(wfWorld *world) { return wfBuildCardHouse(world, 3, 0, 1); }
-
+/* <build scenes of which the truth is known> */
 static wfResult build_pile(wfWorld *world)
 {
     wfResult result = level_floor(world);
@@ -316,7 +327,7 @@ wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joi
     if (result != WF_OK) wfDestroyWorld(out);
     return result;
 }
-
+/* <measure a run> */
 static int places_of(const wfWorld *world, double out[LAB_POINTS][2])
 {
     wfBodyView bodies = wfWorldBodies(world);
@@ -412,6 +423,15 @@ static void look(const labTruth *scene, const wfWorld *world, int k, labCourse t
     r->gap = fmax(r->gap, widest_gap(n, at, scene->rod) / size);
 }
 /* <measure a run> */
+typedef struct Frame { wfWorld *world; int steps, failed; } Frame;
+
+static void step_frame(void *context)       /* what labCounted counts */
+{
+    Frame *f = context;
+    for (int i = 0; i < f->steps && !f->failed; i++)
+        f->failed = wfStepWorld(f->world) != WF_OK;
+}
+/* <measure a run> */
 static labResult run_world(const labTruth *scene, wfWorld *world, int steps)
 {
     static labCourse truth;
@@ -422,9 +442,11 @@ static labResult run_world(const labTruth *scene, wfWorld *world, int steps)
     double size = size_of(world, n, truth), kinetic = 0;
     Sums start = sums_of(world);
     for (int k = 1; k <= LAB_FRAMES && !r.failed; k++) {
+        Frame frame = { world, steps, 0 };
         clock_t since = clock();
-        for (int i = 0; i < steps && !r.failed; i++) r.failed = wfStepWorld(world) != WF_OK;
+        labCounted(step_frame, &frame);
         r.seconds += (double)(clock() - since) / CLOCKS_PER_SEC;
+        r.failed = frame.failed;
         look(scene, world, k, truth, size, &r);
         Sums now = sums_of(world);
         kinetic = fmax(kinetic, fmax(start.kinetic, now.kinetic));
@@ -448,25 +470,30 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
 
-labResult labRunDials(const labTruth *scene, const labDials *dials)
+/* With these dials, or with settings that were chosen. */
+static labResult run_set(const labTruth *scene, const char *solver, const char *joints,
+                         const labDials *dials, const wfAccuracy *chosen)
 {
     wfWorld world;
     labResult r = { .failed = 1, .error = -1 };
-    if (labMakeTruth(scene, dials->solver, dials->joints, &world) != WF_OK) return r;
-    if (turn_dials(&world, dials) == WF_OK) r = run_world(scene, &world, dials->steps);
+    if (labMakeTruth(scene, solver, joints, &world) != WF_OK) return r;
+    wfResult set = dials != NULL ? turn_dials(&world, dials)
+                                 : wfUseSettings(&world, chosen);
+    int steps = dials != NULL ? dials->steps : chosen->steps;
+    if (set == WF_OK) r = run_world(scene, &world, steps);
     wfDestroyWorld(&world);
     return r;
+}
+
+labResult labRunDials(const labTruth *scene, const labDials *dials)
+{
+    return run_set(scene, dials->solver, dials->joints, dials, NULL);
 }
 
 labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen)
 {
-    wfWorld world;
-    labResult r = { .failed = 1, .error = -1 };
-    if (labMakeTruth(scene, solver, "auto", &world) != WF_OK) return r;
-    if (wfUseSettings(&world, chosen) == WF_OK) r = run_world(scene, &world, chosen->steps);
-    wfDestroyWorld(&world);
-    return r;
+    return run_set(scene, solver, "auto", NULL, chosen);
 }
 /* <measure a run> */
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
@@ -485,7 +512,7 @@ double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
 }
 /* <measure how long an error stays small> */
 enum { HORIZON = 15 * LAB_FRAMES, HORIZON_EACH = 15, HORIZON_RUNS = 3 };
-
+/* <measure how long an error stays small> */
 int labHorizon(FILE *out)
 {
     const labTruth *scene = &labTruths[labFindTruth("double-pendulum")];
@@ -522,7 +549,7 @@ static wfResult build_islands(wfWorld *world)
     if (result == WF_OK) result = put(world, particle(), 0, 1, 7, 9, NULL);
     return result;
 }
-
+/* <measure islands apart> */
 static int islands_apart(FILE *out, const char *name, const labDials *dials)
 {
     static const labTruth scene = { "islands", build_islands, NULL, 0, 0 };
@@ -556,4 +583,54 @@ int labIslands(FILE *out)
         || islands_apart(out, "each island by its own method (default)", &each)
         || islands_apart(out, "the same with 4 steps a frame", &more)
         || islands_apart(out, "the exact solver for all", &all);
+}
+/* <give each island a world> */
+static const labTruth threeIslands = { "islands", build_islands, NULL, 0, 0 };
+
+/* m: the size by which errors in a scene are divided */
+static double size_of_scene(const labTruth *scene)
+{
+    static labCourse truth;
+    wfWorld world;
+    memset(truth, 0, sizeof truth);
+    if (labMakeTruth(scene, "soft", "auto", &world) != WF_OK) return 0;
+    scene->course(64, truth);
+    double size = size_of(&world, places_of(&world, truth[0]), truth);
+    wfDestroyWorld(&world);
+    return size;
+}
+/* <give each island a world> */
+/* Prints what is chosen; how many substeps its bodies make in a frame, all together. */
+static int substeps_for(FILE *out, const labTruth *scene, double tolerance)
+{
+    wfWorld world;
+    wfAccuracy c;
+    double at[LAB_POINTS][2];
+    if (labMakeTruth(scene, "soft", "auto", &world) != WF_OK) return -1;
+    int bodies = places_of(&world, at);
+    wfResult result = wfSetTolerance(&world, WF_R(1.0) / 60, (wfReal)tolerance, &c);
+    wfDestroyWorld(&world);
+    if (result != WF_OK) fprintf(out, ",refused");
+    if (result != WF_OK) return -1;
+    fprintf(out, ",%s x %d", wfMethodTable[c.method].name, (int)c.steps);
+    return bodies * c.steps * wfMethodTable[c.method].substeps;
+}
+/* <give each island a world> */
+int labWorldsApart(FILE *out)
+{
+    static const char *const names[] = { "projectile", "chain", "stack" };
+    double size = size_of_scene(&labTruths[labFindTruth("projectile")]);
+    fprintf(out, "tolerance,world,flight,chain,stack,one,three,ratio\n");
+    for (double t = 1e-2; t > 0.5e-5; t /= 10) {
+        fprintf(out, "%.0e", t);
+        int one = substeps_for(out, &threeIslands, t), three = 0;
+        for (int i = 0; i < 3; i++) {
+            const labTruth *scene = &labTruths[labFindTruth(names[i])];
+            int n = substeps_for(out, scene, t * size / size_of_scene(scene));
+            three = n < 0 || three < 0 ? -1 : three + n;
+        }
+        if (one < 0 || three < 0) fprintf(out, ",,,\n");
+        else fprintf(out, ",%d,%d,%.1f\n", one, three, (double)one / three);
+    }
+    return 0;
 }

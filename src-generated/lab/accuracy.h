@@ -49,6 +49,8 @@ double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
 int labHorizon(FILE *out);
 /* One world of three islands, and by how much each is off, by setting. */
 int labIslands(FILE *out);
+/* What a tolerance chooses for it, and for three worlds of one island each. */
+int labWorldsApart(FILE *out);
 /* A comma and the number; the comma alone if it is below 0: unknown. */
 void labPrintNumber(FILE *out, double x);
 /* How far two references of 64 and 128 steps a frame are apart, at most: m. */

@@ -23,7 +23,7 @@ static void add_box(b2WorldId world, b2BodyType type, double x, double y, double
     b2Polygon box = b2MakeBox((float)(width / 2), (float)(height / 2));
     b2CreatePolygonShape(body_at(world, type, x, y), &d, &box);
 }
-
+/* <scenes for Box2D> */
 static void pile(b2WorldId world)
 {
     b2ShapeDef d = b2DefaultShapeDef();
@@ -97,7 +97,7 @@ static double median_step(void (*build)(b2WorldId), b2Counters *counters)
     qsort(times, RUNS, sizeof *times, compare);
     return times[RUNS / 2];
 }
-
+/* <time the scenes in Box2D> */
 int main(void)
 {
     void (*const scenes[3])(b2WorldId) = { pile, pyramid, grid };

@@ -7,6 +7,8 @@
 /* <headers of the cells> */
 #include "weft/draw.h"
 /* <headers of the cells> */
+#include "lab/search.h"
+/* <headers of the cells> */
 #include <math.h>
 #include <time.h>
 #include "lab/accuracy.h"
@@ -63,7 +65,7 @@ static void acc_put(AccFile *f, int moves, const double at[2], const double v[2]
             "\"category\":%d,\"mask\":%d}]}", alone ? 2 : 1, alone ? 1 : 65535);
     if (moves) f->reach = fmax(f->reach, sqrt(width * width + height * height));
 }
-
+/* <cells> */
 static void acc_put_chain(AccFile *f, int links, double rod)
 {
     const double rest[2] = { 0, 0 };
@@ -124,7 +126,7 @@ static double acc_read(FILE *in, int first, int bodies, labCourse out)
     }
     return -1;
 }
-
+/* <cells> */
 static double acc_play(const char *command, const char *printed, int first, int bodies,
                        labCourse out)
 {
@@ -138,7 +140,19 @@ static double acc_play(const char *command, const char *printed, int first, int 
 static const char *const acc_peers[] = { "weft", "weft-double", "box2d2", "box2d3",
     "box2d3-web", "chipmunk", "matter", "planck", "rapier" };
 enum { ACC_PEERS = sizeof acc_peers / sizeof *acc_peers };
-
+/* <cells> */
+/* What the shell is told; substeps 0: as many as the engine likes. */
+static void acc_command(char *out, size_t room, const char *peer, const char *file,
+                        const char *printed, int steps, int substeps)
+{
+    const char *folder = getenv("WEFT_PEERS");
+    char more[32] = "";
+    if (substeps > 0) snprintf(more, sizeof more, "--substeps %d", substeps);
+    snprintf(out, room, "'%s/%.16s' '%s' --steps %d --every %d --dt %.17g %s >'%s' "
+             "2>/dev/null", folder != NULL ? folder : "build/peers/bin", peer, file,
+             LAB_FRAMES * steps, steps, 1.0 / 60 / steps, more, printed);
+}
+/* <cells> */
 static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
 {
     static labCourse got;
@@ -146,7 +160,6 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     int scene = labFindTruth(wfCellText(in, "scene", ""));
     int value = (int)wfCellNumber(in, "value", 1), steps = 1;
     const char *peer = wfCellText(in, "engine", ""), *dial = wfCellText(in, "dial", "");
-    const char *folder = getenv("WEFT_PEERS");
     if (scene < 0 || value < 1) return 1;
     snprintf(file, sizeof file, "build/lab/peer-%.16s-%d-%.16s-%d.json", peer, scene, dial,
              value);
@@ -156,13 +169,8 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     acc_write(&labTruths[scene], &f);
     if (fclose(f.file) != 0) return 1;
     if (strcmp(dial, "steps") == 0) steps = value;
-    int n = snprintf(command, sizeof command, "'%s/%.16s' '%s' --steps %d --every %d --dt "
-                     "%.17g", folder != NULL ? folder : "build/peers/bin", peer, file,
-                     LAB_FRAMES * steps, steps, 1.0 / 60 / steps);
-    snprintf(command + n, sizeof command - (size_t)n, strcmp(dial, "substeps") == 0
-             ? " --substeps %d >'%s' 2>/dev/null" : "%.0d >'%s' 2>/dev/null",
-             strcmp(dial, "substeps") == 0 ? value : 0, printed);
-    /* %.0d of 0 is nothing */
+    acc_command(command, sizeof command, peer, file, printed, steps,
+                strcmp(dial, "substeps") == 0 ? value : 0);
     int first = strcmp(labTruths[scene].name, "projectile") != 0;
     double kernels = acc_play(command, printed, first, f.bodies - first, got);
     double error = labJudge(&labTruths[scene], f.reach, got, f.bodies - first);
@@ -189,6 +197,55 @@ static void sweep_accuracy_peers(FILE *out, int full)
                             acc_peers[i], v);
             }
     }
+}
+/* <cells> */
+static int cell_accuracy_broad(FILE *out, const wfCellInput *in)
+{
+    const char *method = wfCellText(in, "method", "");
+    double margin = wfCellNumber(in, "margin", 0);
+    int every = (int)wfCellNumber(in, "every", 0);
+    labSearch s;
+    if (labSearchBroad(method, margin, every, &s) != 0) return 1;
+    fprintf(out, "%s,%g,%d,%.2f,%g,%.3f,%.4f\n", method, margin, every, s.tests, s.searches,
+            s.vain, s.missed);
+    return 0;
+}
+
+static void sweep_accuracy_broad(FILE *out, int full)
+{
+    for (int i = 0; i < wfBroadPhaseCount; i++) {
+        const char *name = wfBroadPhaseTable[i].name;
+        fprintf(out, "method=%s margin=0\n", name);
+        for (double m = 0.05; m < 0.85; m *= full ? 1.414213562 : 2)
+            fprintf(out, "method=%s margin=%g\n", name, m);
+    }
+    fprintf(out, "method=report margin=0\n");
+    for (int every = 4; every <= 16; every *= 4)
+        fprintf(out, "method=grid every=%d\n", every);
+}
+/* <cells> */
+static int cell_accuracy_narrow(FILE *out, const wfCellInput *in)
+{
+    const char *method = wfCellText(in, "method", "");
+    int corners = (int)wfCellNumber(in, "corners", 0);
+    int steps = (int)wfCellNumber(in, "steps", 0);
+    labNarrow n;
+    int failed = steps > 0 ? labWalkGjk(steps, &n) : labSearchNarrow(method, corners, &n);
+    if (failed) return 1;
+    fprintf(out, "%s,%d,%d,%.2e,%.2e,%.2e\n", method, corners, steps, n.mean, n.worst,
+            n.depth);
+    return 0;
+}
+
+static void sweep_accuracy_narrow(FILE *out, int full)
+{
+    static const int some[] = { 0, 3, 4, 5, 6, 8, 11, 16 };
+    (void)full;
+    for (int i = 0; i < wfNarrowPhaseCount; i++)
+        for (int k = 0; k < 8; k++)
+            fprintf(out, "method=%s corners=%d\n", wfNarrowPhaseTable[i].name, some[k]);
+    for (int steps = 1; steps <= 10; steps++)
+        fprintf(out, "method=walk corners=16 steps=%d\n", steps);
 }
 /* <cells> */
 enum { ACC_DIALS = 7 };
@@ -263,7 +320,7 @@ static double acc_kernel(void)
     (void)out;
     return (double)(clock() - start) / CLOCKS_PER_SEC / 4000;
 }
-
+/* <cells> */
 static int cell_accuracy_time(FILE *out, const wfCellInput *in)
 {
     int scene, dial, value;
@@ -288,6 +345,9 @@ static const struct { const char *name, *adapter, *options; } extremeEngines[] =
     { "Box2D 2.4", "box2d2", "" }, { "Box2D 3", "box2d3-web", "" },
     { "Chipmunk2D", "chipmunk", "" }, { "Matter.js", "matter", "" },
     { "planck", "planck", "" }, { "Rapier", "rapier", "" },
+    { "weft exact", "weft", "--set solver=exact" },
+    { "double exact", "weft-double", "--set solver=exact" },
+    { "Box2D 3.2", "box2d3", "" },
 };
 enum { EXTREME_ENGINES = sizeof extremeEngines / sizeof *extremeEngines };
 
@@ -378,6 +438,12 @@ const wfCellRow wfCellTable[] = {
     { "accuracy-peers-time", "error and time of a frame, by engine and dial",
       "scene,engine,dial,value,kernels,error,remark", cell_accuracy_peers,
       sweep_accuracy_peers },
+    /* <rows of the cell table> */
+    { "accuracy-broad", "pairs looked at for nothing and pairs missed, by broad phase",
+      "method,margin,every,tests,searches,vain,missed", cell_accuracy_broad,
+      sweep_accuracy_broad },
+    { "accuracy-narrow", "error of a place of contact, by narrow phase and corners of a disc",
+      "method,corners,steps,mean,worst,depth", cell_accuracy_narrow, sweep_accuracy_narrow },
     /* <rows of the cell table> */
     { "accuracy-solvers", "error and invariants, by scene and by dial of a solver",
       "scene,dial,value,work,error,energy,momentum,depth,gap,failed", cell_accuracy,

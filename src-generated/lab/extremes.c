@@ -4,11 +4,13 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "testbed/classics.h"
 
 /* <write a scene of the extremes> */
 typedef struct Put {
     double x, y, angle, vx, vy, spin, radius, width, height, density;   /* half sizes */
     int    upright, category, mask;         /* mask: 0 stands for all */
+    const double *corner;       /* of a stone: 4 times x, y; NULL: a disc or a box */
 } Put;
 
 static void open_scene(const labScene *s)
@@ -17,6 +19,15 @@ static void open_scene(const labScene *s)
             "\"dt\":%.17g},\n\"bodies\":[\n", s->origin, -s->gravity, s->dt);
 }
 
+static void put_corners(const labScene *s, const double *corner)
+{
+    fputs("\"shapes\":[{\"kind\":\"polygon\",\"vertices\":[", s->file);
+    for (int i = 0; i < 4; i++)
+        fprintf(s->file, "%s[%.17g,%.17g]", i > 0 ? "," : "", corner[2 * i],
+                corner[2 * i + 1]);
+    fputs("],", s->file);
+}
+/* <write a scene of the extremes> */
 static int put(labScene *s, const Put *p)
 {
     fprintf(s->file, "%s{\"type\":\"%s\",\"position\":[%.17g,%.17g],\"angle\":%.17g,"
@@ -25,6 +36,7 @@ static int put(labScene *s, const Put *p)
             p->angle, p->vx, p->vy, p->spin, p->upright ? "true" : "false");
     if (p->radius > 0) fprintf(s->file, "\"shapes\":[{\"kind\":\"circle\","
                                "\"radius\":%.17g,", p->radius);
+    else if (p->corner != NULL) put_corners(s, p->corner);
     else fprintf(s->file, "\"shapes\":[{\"kind\":\"box\",\"halfWidth\":%.17g,"
                  "\"halfHeight\":%.17g,", p->width, p->height);
     fprintf(s->file, "\"density\":%.17g,\"friction\":%.17g,\"restitution\":%.17g,"
@@ -159,6 +171,25 @@ static void judge_bounces(const labTrace *t, double n, double *error, double *ha
     *harm = 2 * fabs(peak - 1);
 }
 /* <extremes> */
+static void build_hops(labScene *s, double n)
+{
+    s->gravity = 10;
+    s->restitution = 1;
+    s->steps = (int)(24 * n);
+    s->every = n > 100 ? 61 : 1;
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
+    put(s, &(Put){ .y = 0.7, .radius = 0.5, .density = 1 });
+}
+
+static void judge_hops(const labTrace *t, double n, double *error, double *harm)
+{
+    double seen = n > 100 ? 25 : 0.5;
+    double peak = peak_after(t, labTime(t, t->rows - 1) - seen) / 0.2;
+    *error = fabs(peak - 1);
+    *harm = 2 * *error;
+}
+/* <extremes> */
 static void build_cradle(labScene *s, double n)
 {
     s->restitution = 1;
@@ -238,6 +269,31 @@ static void judge_bullets(const labTrace *t, double speed, double *error, double
     *harm = 20 * *error;
 }
 /* <extremes> */
+static void build_plates(labScene *s, double speed)
+{
+    double step = speed / 60;
+    s->fast = 1;
+    s->steps = 30 + (int)((1 + step) / step);
+    open_scene(s);
+    put(s, &(Put){ .y = 5, .width = 0.05, .height = 20, .density = 1, .upright = 1 });
+    for (int i = 0; i < 10; i++)
+        put(s, &(Put){ .x = -1 - i * step / 10, .y = i, .vx = speed, .radius = 0.05,
+                       .density = 1, .category = 2, .mask = 1 });
+}
+
+static void judge_plates(const labTrace *t, double speed, double *error, double *harm)
+{
+    (void)speed;
+    *error = 0;
+    for (int i = 1; i <= 10; i++) {
+        int passed = 0;
+        for (int row = 0; row < t->rows; row++)
+            passed |= !(labAt(t, row, i, LAB_X) <= labAt(t, row, 0, LAB_X));
+        *error += passed / 10.0;
+    }
+    *harm = 20 * *error;
+}
+/* <extremes> */
 static void build_slide(labScene *s, double mu)
 {
     s->gravity = 10;
@@ -302,6 +358,215 @@ static void judge_roll(const labTrace *t, double slope, double *error, double *h
     double gone = -x * cos(a) - y * sin(a), exact = 10 * sin(a) * time * time / 3;
     *error = fabs(gone / exact - 1);
     *harm = fmax(*error, fabs(y * cos(a) - x * sin(a)) / 0.5);
+}
+/* <extremes> */
+typedef double Fall(double at, double rate, double with);    /* rad/s^2 */
+
+/* one step of Runge and Kutta's method, from rest; returns the angle after so much time */
+static double fallen(Fall *fall, double from, double with, double time)
+{
+    int n = 1 + (int)(time * 2000);
+    double h = time / n, x = from, v = 0;
+    for (int i = 0; i < n; i++) {
+        double a = fall(x, v, with), v2 = v + h / 2 * a;
+        double b = fall(x + h / 2 * v, v2, with), v3 = v + h / 2 * b;
+        double c = fall(x + h / 2 * v2, v3, with), v4 = v + h * c;
+        double d = fall(x + h * v3, v4, with);
+        x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
+        v += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return x;
+}
+
+/* steps until it has turned by so much; a minute at most */
+static int steps_to_fall(Fall *fall, double from, double with, double turn)
+{
+    int n = 1;
+    while (n < 3600 && fabs(fallen(fall, from, with, n / 60.0) - from) < turn) n++;
+    return n;
+}
+/* <extremes> */
+static double tip_rate(double at, double rate, double with)
+{
+    (void)rate;
+    return 0.75 * 10 / with * sin(at);                      /* eq:extremes-tip */
+}
+
+static void build_tip(labScene *s, double share)
+{
+    double over = atan(share / 2) - atan(0.5);
+    s->gravity = 10;
+    s->friction = 2;
+    s->steps = share < 1 ? 600 : steps_to_fall(tip_rate, over, sqrt(1.25), 0.5);
+    put_slope(s, share / 2, &(Put){ .width = 0.5, .height = 1, .density = 1 });
+}
+
+/* how far it turned against how far it should */
+static void judge_turn(double turned, double exact, double *error, double *harm)
+{
+    *error = fabs(turned / exact - 1);
+    *harm = 2 * *error;
+}
+
+static void judge_tip(const labTrace *t, double share, double *error, double *harm)
+{
+    double over = atan(share / 2) - atan(0.5), time = labTime(t, t->rows - 1);
+    if (share > 1)
+        judge_turn(at_end(t, 1, LAB_ANGLE) - labAt(t, 0, 1, LAB_ANGLE),
+                   fallen(tip_rate, over, sqrt(1.25), time) - over, error, harm);
+    else *error = *harm = moved(t, 1) / 2;
+}
+/* <extremes> */
+static const double ladderHalf = 1, ladderThick = 0.02, ladderLean = 1.0471975511965976;
+
+static double ladder_friction(void)
+{
+    double a = 2 * ladderHalf * cos(ladderLean), b = 2 * ladderHalf * sin(ladderLean);
+    double x = a / 2 + ladderThick * sin(ladderLean);
+    return (sqrt(b * b - 4 * x * (x - a)) - b) / (2 * x);   /* eq:extremes-ladder */
+}
+
+static double ladder_rate(double at, double rate, double mu)
+{
+    double c = cos(at), s = sin(at), l = ladderHalf, t = ladderThick, w2 = rate * rate;
+    double x = l * c + t * s, y = l * s + t * c, inertia = (l * l + t * t) / 3;
+    double x1 = t * c - l * s, x0 = -x * w2, y1 = l * c - t * s, y0 = -y * w2;
+    double floor1 = (y1 - mu * x1) / (1 + mu * mu), wall1 = x1 + mu * floor1;
+    double floor0 = (y0 + 10 - mu * x0) / (1 + mu * mu), wall0 = x0 + mu * floor0;
+    double u = 2 * l * c - x - mu * y, v = mu * x + 2 * l * s - y;
+    return -(floor0 * u - wall0 * v) / (inertia + floor1 * u - wall1 * v);
+}
+/* <extremes> */
+static void build_ladder(labScene *s, double share)
+{
+    double c = cos(ladderLean), d = sin(ladderLean);
+    s->gravity = 10;
+    s->friction = share * ladder_friction();
+    s->steps = share > 1 ? 600
+        : steps_to_fall(ladder_rate, ladderLean, s->friction, 0.2);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
+    put(s, &(Put){ .x = -1, .y = 5, .width = 1, .height = 6 });
+    put(s, &(Put){ .x = ladderHalf * c + ladderThick * d,
+                   .y = ladderHalf * d + ladderThick * c, .angle = -ladderLean,
+                   .width = ladderHalf, .height = ladderThick, .density = 1 });
+}
+
+static void judge_ladder(const labTrace *t, double share, double *error, double *harm)
+{
+    double time = labTime(t, t->rows - 1), mu = share * ladder_friction();
+    if (share < 1)
+        judge_turn(at_end(t, 2, LAB_ANGLE) - labAt(t, 0, 2, LAB_ANGLE),
+                   ladderLean - fallen(ladder_rate, ladderLean, mu, time), error, harm);
+    else *error = *harm = moved(t, 2) / (2 * ladderHalf);
+}
+/* <extremes> */
+static double arch_limit(void)
+{
+    double low = 0.05, high = 0.2;
+    for (int i = 0; i < 40; i++) {
+        double middle = (low + high) / 2;
+        if (wfArchCanStand(20, middle)) high = middle;
+        else low = middle;
+    }
+    return high;
+}
+
+static void put_stone(labScene *s, double in, double out, int i)
+{
+    double from = 3.141592653589793 * i / 20, to = 3.141592653589793 * (i + 1) / 20;
+    double corner[8] = { out * cos(from), out * sin(from), out * cos(to), out * sin(to),
+                         in * cos(to), in * sin(to), in * cos(from), in * sin(from) };
+    double x = 0, y = 0;
+    for (int k = 0; k < 4; k++) {
+        x += corner[2 * k] / 4;
+        y += corner[2 * k + 1] / 4;
+    }
+    for (int k = 0; k < 4; k++) {
+        corner[2 * k] -= x;
+        corner[2 * k + 1] -= y;
+    }
+    put(s, &(Put){ .x = x, .y = y, .density = 1, .corner = corner });
+}
+/* <extremes> */
+static void build_arch(labScene *s, double share)
+{
+    double thick = share * arch_limit();
+    s->gravity = 10;
+    s->friction = 0.8;
+    s->steps = 600;
+    s->every = 30;
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
+    for (int i = 0; i < 20; i++) put_stone(s, 5 * (1 - thick / 2), 5 * (1 + thick / 2), i);
+}
+
+static double most_moved(const labTrace *t)
+{
+    double most = 0;
+    for (int i = 0; i < t->bodies; i++) most = fmax(most, moved(t, i));
+    return most;
+}
+
+static void judge_arch(const labTrace *t, double share, double *error, double *harm)
+{
+    double thick = 5 * share * arch_limit(), most = most_moved(t);
+    *error = share > 1 ? most / thick : most < 2.5;
+    *harm = share > 1 ? *error : 2 * *error;
+}
+/* <extremes> */
+static void build_cards(labScene *s, double storeys)
+{
+    const double thick = 0.02, lean = 25 * 3.141592653589793 / 180;
+    double high = cos(lean) + thick * sin(lean), wide = sin(lean) + thick * cos(lean);
+    double pitch = 2 * wide + thick, z = 0;
+    s->gravity = 10;
+    s->friction = 0.7;
+    s->steps = 600;
+    s->every = 30;
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
+    for (int pairs = (int)storeys; pairs > 0; pairs--, z += high + thick) {
+        for (int i = 0; i < 2 * pairs; i++) {
+            double side = i % 2 ? 1 : -1, at = pitch * (i / 2 - (pairs - 1) / 2.0);
+            put(s, &(Put){ .x = at + side * wide / 2, .y = z + high / 2, .width = thick / 2,
+                           .height = 0.5, .angle = side * lean, .density = 1 });
+        }
+        for (int i = 0; i + 1 < pairs; i++) {
+            double from = pitch * (i - (pairs - 1) / 2.0), to = from + pitch;
+            from += i == 0 ? -3 * thick : thick / 2;
+            to -= i == pairs - 2 ? -3 * thick : thick / 2;
+            put(s, &(Put){ .x = (from + to) / 2, .y = z + high + thick / 2,
+                           .width = (to - from) / 2, .height = thick / 2, .density = 1 });
+        }
+    }
+}
+
+static void judge_cards(const labTrace *t, double storeys, double *error, double *harm)
+{
+    (void)storeys;
+    *error = most_moved(t);
+    *harm = 2 * *error;
+}
+/* <extremes> */
+static void build_soak(labScene *s, double steps)
+{
+    double a = atan(0.2);
+    s->gravity = 10;
+    s->friction = 0.5;
+    s->steps = (int)steps;
+    s->every = s->steps / 100;
+    open_scene(s);
+    put(s, &(Put){ .x = sin(a), .y = -cos(a), .angle = a, .width = 50, .height = 1 });
+    for (int i = 0; i < 3; i++)
+        put(s, &(Put){ .x = -(0.25 + 0.5 * i) * sin(a), .y = (0.25 + 0.5 * i) * cos(a),
+                       .angle = a, .width = 1, .height = 0.25, .density = 1 });
+}
+
+static void judge_soak(const labTrace *t, double steps, double *error, double *harm)
+{
+    (void)steps;
+    *error = *harm = most_moved(t) / 2;
 }
 /* <extremes> */
 static void put_tower(labScene *s, int n, double side, double ratio)
@@ -444,6 +709,89 @@ static void judge_pendulum(const labTrace *t, double seconds, double *error, dou
     *harm = *error;
 }
 /* <extremes> */
+static void build_double(labScene *s, double seconds)
+{
+    s->gravity = 10;
+    s->steps = (int)(60 * seconds);
+    s->every = 1 + s->steps / 1000;
+    open_scene(s);
+    put(s, &(Put){ .width = 0.1, .height = 0.1, .mask = 2 });
+    for (int i = 0; i < 2; i++)
+        put(s, &(Put){ .x = 1 + 2 * i, .width = 1, .height = 0.05, .density = 1,
+                       .mask = 2 });
+    hinge(s, 0, 1, 0, 0);
+    hinge(s, 1, 2, 2, 0);
+}
+
+static void judge_double(const labTrace *t, double seconds, double *error, double *harm)
+{
+    double gap = 0;
+    *error = 0;
+    for (int i = 0; i < t->rows; i++) {
+        double energy = 0, x[3] = { 0 }, y[3] = { 0 }, c[3] = { 0 }, d[3] = { 0 };
+        for (int k = 1; k <= 2; k++) {
+            double w = labAt(t, i, k, LAB_SPIN), a = labAt(t, i, k, LAB_ANGLE);
+            double v = hypot(labAt(t, i, k, LAB_VX), labAt(t, i, k, LAB_VY));
+            x[k] = labAt(t, i, k, LAB_X);
+            y[k] = labAt(t, i, k, LAB_Y);
+            c[k] = cos(a);
+            d[k] = sin(a);
+            energy += v * v / 2 + 1.0025 * w * w / 6 + 10 * y[k];
+        }
+        gap = fmax(gap, hypot(x[2] - c[2] - x[1] - c[1], y[2] - d[2] - y[1] - d[1]));
+        if (labTime(t, i) >= seconds - 1) *error = fmax(*error, fabs(energy) / 40);
+    }
+    *harm = fmax(2 * *error, gap);
+}
+/* <extremes> */
+static void build_free(labScene *s, double seconds)
+{
+    double v[10], end = 0, mean = 0;
+    s->steps = (int)(60 * seconds);
+    s->every = 1 + s->steps / 1000;
+    open_scene(s);
+    for (int i = 0; i < 10; i++) {
+        double w = 2 + cos(i);
+        v[i] = end + 0.25 * w;
+        end += 0.5 * w;
+        mean += v[i] / 10;
+    }
+    for (int i = 0; i < 10; i++)
+        put(s, &(Put){ .x = 0.5 * i - 2.25, .vy = v[i] - mean, .spin = 2 + cos(i),
+                       .width = 0.25, .height = 0.05, .density = 1, .mask = 2 });
+    for (int i = 0; i < 9; i++) hinge(s, i, i + 1, 0.5 * i - 2, 0);
+}
+
+/* twice the energy, the angular momentum, and the momentum, per mass of a link */
+static void sums_of(const labTrace *t, int row, double sum[4])
+{
+    const double k = (0.25 * 0.25 + 0.05 * 0.05) / 3;
+    for (int i = 0; i < 4; i++) sum[i] = 0;
+    for (int i = 0; i < t->bodies; i++) {
+        double vx = labAt(t, row, i, LAB_VX), vy = labAt(t, row, i, LAB_VY);
+        double w = labAt(t, row, i, LAB_SPIN);
+        sum[0] += vx * vx + vy * vy + k * w * w;
+        sum[1] += labAt(t, row, i, LAB_X) * vy - labAt(t, row, i, LAB_Y) * vx + k * w;
+        sum[2] += vx;
+        sum[3] += vy;
+    }
+}
+
+static void judge_free(const labTrace *t, double seconds, double *error, double *harm)
+{
+    double was[4], is[4];
+    (void)seconds;
+    *error = 0;
+    sums_of(t, 0, was);
+    for (int i = 1; i < t->rows; i++) {
+        sums_of(t, i, is);
+        double p = hypot(is[2], is[3]) / sqrt(was[0] * t->bodies);
+        *error = fmax(*error, fmax(fabs(is[0] / was[0] - 1), p));
+        *error = fmax(*error, fabs(is[1] / was[1] - 1));
+    }
+    *harm = 2 * *error;
+}
+/* <extremes> */
 static void build_coincident(labScene *s, double n)
 {
     s->steps = 600;
@@ -482,12 +830,16 @@ const labExtreme labExtremeTable[] = {
       build_bounce, judge_bounce },
     { "bounces", "how many", "height after many bounces", { 1, 3, 10, 30, 100, 300 }, 6, 3,
       build_bounces, judge_bounces },
+    { "hops", "how many", "height after very many", { 10, 100, 1e3, 1e4, 1e5 }, 5, 3,
+      build_hops, judge_hops },
     { "cradle", "discs", "discs in a row that touch", { 2, 3, 5, 10, 20, 50 }, 6, 3,
       build_cradle, judge_cradle },
     { "billiard", "log100 of the masses' ratio", "Galperin's discs", { 0, 0.5, 1, 1.5, 2, 3 },
       6, 3, build_billiard, judge_billiard },
     { "bullets", "m/s", "thin wall, ten phases", { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3,
       build_bullets, judge_bullets },
+    { "plates", "m/s", "a thin wall that can move", { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3,
+      build_plates, judge_plates },
     /* <rows of the table of extremes> */
     { "slide", "friction", "how far a block slides", { 0.5, 0.1, 0.01, 1, 10, 100 }, 6, 3,
       build_slide, judge_slide },
@@ -496,8 +848,19 @@ const labExtreme labExtremeTable[] = {
     { "roll", "tangent of the slope", "a disc rolls down", { 0.3, 0.1, 0.02, 1, 3 }, 5, 3,
       build_roll, judge_roll },
     /* <rows of the table of extremes> */
-    { "tower", "boxes", "a tower stands", { 2, 5, 10, 20, 50, 100, 200 }, 7, 4, build_tower,
-      judge_tower },
+    { "tip", "slope, of the limit", "a box on a slope tips or stands",
+      { 0.5, 1.5, 0.9, 1.1, 0.99, 1.01, 0.999, 1.001 }, 8, 4, build_tip, judge_tip },
+    { "ladder", "friction, of the limit", "a ladder stands or slides",
+      { 2, 0.5, 1.1, 0.9, 1.02, 0.98, 1.005, 0.995 }, 8, 4, build_ladder, judge_ladder },
+    { "arch", "thickness, of the limit", "an arch stands or falls",
+      { 2, 1.5, 0.8, 1.2, 1.1, 1.05, 0.95 }, 7, 4, build_arch, judge_arch },
+    { "cards", "storeys", "a card house", { 1, 2, 3, 4, 5, 7 }, 6, 3, build_cards,
+      judge_cards },
+    { "soak", "steps", "three planks on a slope", { 1e3, 1e4, 1e5, 1e6 }, 4, 2, build_soak,
+      judge_soak },
+    /* <rows of the table of extremes> */
+    { "tower", "boxes", "a tower stands", { 2, 5, 10, 20, 50, 100, 200, 500, 1000 }, 9, 4,
+      build_tower, judge_tower },
     { "overhang", "planks", "nine tenths of the harmonic overhang", { 2, 4, 8, 16, 30 }, 5, 3,
       build_overhang, judge_overhang },
     { "ratio", "mass upon mass", "a heavy box lies on a light one",
@@ -510,6 +873,10 @@ const labExtreme labExtremeTable[] = {
       build_chain, judge_chain },
     { "pendulum", "seconds", "the energy of a rod", { 1, 10, 100, 300, 1000 }, 5, 3,
       build_pendulum, judge_pendulum },
+    { "double", "seconds", "the energy of two rods", { 1, 10, 100, 300, 1000 }, 5, 3,
+      build_double, judge_double },
+    { "free", "seconds", "what a free chain keeps", { 1, 10, 100, 300, 1000 }, 5, 3, build_free,
+      judge_free },
     { "coincident", "discs", "all in one place", { 2, 5, 10, 50, 200 }, 5, 3, build_coincident,
       judge_coincident },
 };

@@ -22,7 +22,7 @@ double labAt(const labTrace *t, int row, int body, int field);
 double labTime(const labTrace *t, int row);
 typedef struct labExtreme {
     const char *name, *axis, *text;
-    double value[8];            /* of the axis, from tame to wild */
+    double value[10];           /* of the axis, from tame to wild */
     int    count, few;          /* how many; how many in the small sweep, spread over all */
     void (*build)(labScene *s, double value);
     void (*judge)(const labTrace *t, double value, double *error, double *harm);

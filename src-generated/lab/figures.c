@@ -1026,7 +1026,7 @@ static wfBodyState float_begin(wfShape *box)
     return (wfBodyState){ .p = { { 0, 0.5f } }, .angle = 0.5f, .invMass = 1 / data.mass,
                           .invInertia = 1 / data.inertia };
 }
-
+/* <float a box by one of three rules> */
 static void float_step(int rule, const wfShape *box, wfBodyState *b, wfReal h)
 {
     wfBodyProps props = wfDefaultBodyProps();
@@ -1084,6 +1084,7 @@ static void figure_forces_wind(wfDraw *d, const wfFigureInput *in)
     forces_sum(&f, 1, &b, &s, 1, &sum);
     wfVec2 middle, u = wfNormalize(wind), side = wfPerpCCW(u);
     wfReal width = wfSeenWidth(&s, wfBodyTransform(&b), u, &middle);
+    /* <draw the streams that arrive> */
     for (int k = -2; k <= 2; k++) {
         wfVec2 to = wfAddScaled(middle, width * (wfReal)k / 4, side);
         wfVec2 from = wfAddScaled(to, WF_R(-3.2), u);
@@ -1122,6 +1123,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
             curve[2 * i] = left + 3 * (float)t;
             curve[2 * i + 1] = 0.8f + 1.1f * (float)blast_level(kind, t);
         }
+        /* <draw what an integrator sees of the pulse> */
         for (wfReal t = phase - step; t < WF_R(1.2); t += step) {
             wfReal level = blast_level(kind, t);
             float x = left + 3 * (float)t, y = 0.8f + 1.1f * (float)level;
@@ -1256,6 +1258,7 @@ static void figure_int_step_spring(wfDraw *d, const wfFigureInput *in)
     wfDrawLine(d, 0.5f, 2.9f, 7.5f, 2.9f, 1, WF_INK_FAINT);
     for (int k = 0; k < 5; k++) {
         wfBodyState body = { .p = wfV2(1, 0), .invMass = 1 };
+        /* <draw how far it is over time> */
         int n = figure_path(method[k], &body, &spring, (double)h, steps, xy);
         for (int i = 0; i < n; i++) {
             float y = 2.9f + xy[2 * i];
@@ -1777,7 +1780,7 @@ static void narrowShape(wfDraw *d, const wfShape *s, wfTransform xf, int line, i
     else if (n == 2)
         wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], 2, line);
 }
-
+/* <figures> */
 static void narrowSegment(wfDraw *d, wfVec2 from, wfVec2 to, float widthPx, int role)
 {
     wfDrawLine(d, WF_XY(from), WF_XY(to), widthPx, role);
@@ -2482,7 +2485,7 @@ static void impulse_arrow(wfDraw *d, wfVec2 at, wfVec2 v, float width, int role)
     wfVec2 tip = wfAdd(at, v);
     if (wfLengthSq(v) > WF_R(1e-4)) wfDrawArrow(d, WF_XY(at), WF_XY(tip), width, role);
 }
-
+/* <figures> */
 static void figure_impulses_discs(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 hit = wfV2((wfReal)in->handle[0][0], (wfReal)in->handle[0][1]);
@@ -2515,7 +2518,7 @@ static void impulse_outline(wfDraw *d, const wfShape *shape, wfTransform xf,
     }
     wfDrawPolygon(d, xy, shape->count, 1.5f, line, fill);
 }
-
+/* <figures> */
 static void figure_impulses_corner(wfDraw *d, const wfFigureInput *in)
 {
     wfShape box;
@@ -4120,17 +4123,16 @@ static void figure_save_used(wfDraw *d, const wfFigureInput *in)
     float y = 4.9f;
     size_t all = 0, counts = 0;
     bool good = wfImageOfBlock(&b, &image) == WF_OK;
-    for (int i = 0; i < WF_REGION_COUNT && good; i++) {
-        const wfRegion *r = &image.region[i];
-        size_t room = r->count * r->each;
-        if (r->chunk != 0) continue;
+    for (int i = 0; i < WF_REGION_KEPT && good; i++) {
+        uint64_t end = i + 1 < WF_REGION_KEPT ? b.head->offset[i + 1] : b.head->bytes;
+        size_t room = (size_t)(end - b.head->offset[i]);
         all += room, counts += image.bytes[i];
         if (room < 20000) continue;
         /* <draw a region and what of it counts> */
         float full = 6.2e-6f * (float)room, part = 6.2e-6f * (float)image.bytes[i];
         figure_bar(d, 2.2f, y, full, 0.34f, WF_INK_NONE);
         if (part > 0) figure_bar(d, 2.2f, y, part, 0.34f, WF_INK_BODY);
-        wfDrawText(d, 2.05f, y + 0.1f, 12, WF_INK_TEXT, 1, r->name);
+        wfDrawText(d, 2.05f, y + 0.1f, 12, WF_INK_TEXT, 1, wfRegionTable[i].name);
         wfDrawTextf(d, 2.35f + full, y + 0.1f, 11, WF_INK_TEXT, -1, "%d of %d kB",
                     (int)(image.bytes[i] / 1000), (int)(room / 1000));
         y -= 0.47f;
@@ -4689,7 +4691,7 @@ static void figure_scenes_classics(wfDraw *d, const wfFigureInput *in)
     (void)in;
     draw_gallery(d, tile, 6, 2);
 }
-
+/* <figures> */
 static void figure_scenes_solvers(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -4706,7 +4708,7 @@ static void figure_scenes_fast(wfDraw *d, const wfFigureInput *in)
     (void)in;
     draw_gallery(d, tile, 3, 3);
 }
-
+/* <figures> */
 static void figure_scenes_cases(wfDraw *d, const wfFigureInput *in)
 {
     static const SceneTile tile[] = {

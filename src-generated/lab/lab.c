@@ -449,7 +449,7 @@ static wfBodyState float_begin(wfShape *box)
     return (wfBodyState){ .p = { { 0, 0.5f } }, .angle = 0.5f, .invMass = 1 / data.mass,
                           .invInertia = 1 / data.inertia };
 }
-
+/* <float a box by one of three rules> */
 static void float_step(int rule, const wfShape *box, wfBodyState *b, wfReal h)
 {
     wfBodyProps props = wfDefaultBodyProps();
@@ -472,7 +472,7 @@ static double thousandths(wfReal x)
 {
     return (double)(long)((double)x * 1000 + (x < 0 ? -0.5 : 0.5)) / 1000;
 }
-
+/* <measurements> */
 static int measure_forces_float(FILE *out)
 {
     static const char *const name[FLOAT_RULES] = { "centre under water",
@@ -504,7 +504,7 @@ static double sliver_area(double root)
     }
     return 4 * 1.4142135623730951 * root * d * sum;
 }
-
+/* <measurements> */
 static int measure_forces_sliver(FILE *out)
 {
     wfShape ball;
@@ -535,7 +535,7 @@ static void orbit_exp(double re, double im, double *cosine, double *sine)
         *cosine += x, *sine += y;
     }
 }
-
+/* <measurements> */
 static void exact_spring(double t, double *x, double *y)
 {
     orbit_exp(0, t, x, y);
@@ -553,12 +553,12 @@ static void exact_orbit(double t, double *x, double *y)  /* Kepler: E - e sin E 
     *x = c - e;
     *y = 0.95393920141694565 * s;                               /* sqrt(1 - e^2) */
 }
-
+/* <measurements> */
 static void exact_drag(double t, double *x, double *y)
 {
     double q, none;
     orbit_exp(-2 * t, 0, &q, &none);
-    *x = 3 * (1 - q) / 2;
+    *x = 3 * (1 - q) / 2;                                       /* eq:int-drag-exact */
     *y = -5 * t + 5 * (1 - q) / 2;
 }
 /* <measurements> */
@@ -572,7 +572,7 @@ typedef struct MotionProblem {
 } MotionProblem;
 
 enum { MOTION_PROBLEMS = 3 };
-
+/* <measurements> */
 static void motion_problems(MotionProblem *out)
 {
     wfVec2 o = wfV2(0, 0);
@@ -603,7 +603,7 @@ static void motion_forces(void *context, const wfBodyState *state, int count, wf
     run->evaluations++;
     wfAccumulateForces(run->problem->forces, run->problem->forceCount, &view, time, out);
 }
-
+/* <measurements> */
 static void motion_begin(MotionRun *run, const MotionProblem *problem)
 {
     run->problem = problem;
@@ -664,15 +664,18 @@ static double motion_log2(double x)  /* 2 atanh((x - 1)/(x + 1)) / ln 2, x > 0 *
     return n + 2 * sum / 0.69314718055994531;
 }
 
-/* The slope of log error over log h, fitted to the steps with errors of least to 0.03. */
+/* The slope of log error over log h, fitted to the steps with errors of least to 0.03
+   that still shrink. */
 static double motion_slope(MotionRun *run, const MotionProblem *problem, int row,
                            double least)
 {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, before = 1;
     for (int steps = 4; steps <= 65536; steps *= 2) {
         double e = motion_error(run, problem, row, steps);
         if (e >= 0 && e < least) break;
         if (e < 0 || e > 0.03) continue;
+        if (e > 0.75 * before) break;
+        before = e;
         double x = -motion_log2(steps), y = motion_log2(e);
         n++, sx += x, sy += y, sxx += x * x, sxy += x * y;
     }
@@ -1227,7 +1230,7 @@ static wfResult regularPolygon(int corners, wfShape *out)
     }
     return wfMakePolygon(v, corners, out);
 }
-
+/* <measurements> */
 typedef struct GjkCount { long pairs, walk, grow; int walkMost, growMost; } GjkCount;
 
 static void countSteps(const wfGjkTrace *t, GjkCount *c)
@@ -1467,7 +1470,7 @@ static wfReal reportOff(const wfShape *s, wfTransform xf, wfVec2 p)
     if (x <= 0 && y <= 0) return wfMinR(wfAbs(x), wfAbs(y));
     return wfLength(wfV2(wfMaxR(x, 0), wfMaxR(y, 0)));
 }
-
+/* <measurements> */
 static void reportPlace(wfRandom *r, int kind, wfTransform *xa, wfTransform *xb)
 {
     wfReal turn = kind == 0 ? 0 : wfRandomReal(r, -1, 1), depth = WF_R(0.02);
@@ -5337,7 +5340,7 @@ static size_t save_changed(const wfWorld *a, const wfWorld *b)
     if (wfOpenBlock(a, &one) != WF_OK || wfOpenBlock(b, &two) != WF_OK) return 0;
     if (wfImageOfBlock(&one, &before) != WF_OK) return 0;
     if (wfImageOfBlock(&two, &now) != WF_OK) return 0;
-    for (int i = 0; i < WF_REGION_COUNT; i++)
+    for (int i = 0; i < WF_REGION_KEPT; i++)
         for (size_t at = 0; at < now.bytes[i]; at += 64) {
             size_t size = now.bytes[i] - at < 64 ? now.bytes[i] - at : 64;
             bool same = at + size <= before.bytes[i]
@@ -5378,6 +5381,7 @@ static int measure_save_rewind(FILE *out)
 /* <measurements> */
 typedef struct SaveTimes {
     double copy, snapshot, restore, clone, compare, save;
+    double freshCopy, freshClone;      /* into memory that was allocated for it */
 } SaveTimes;
 
 static double save_seconds(clock_t from)
@@ -5417,9 +5421,32 @@ static void save_round(wfWorld *world, wfWorld *twin, uint8_t *bytes, uint8_t *c
     keep_least(&t->save, save_seconds(start) * times / (times / 16 + 1));
 }
 /* <measurements> */
+static bool save_fresh_round(wfWorld *world, const uint8_t *bytes, size_t size, int times,
+                             SaveTimes *t)
+{
+    void *(*volatile copier)(void *, const void *, size_t) = memcpy;
+    const wfMemory *m = &world->memory;
+    bool good = true;
+    clock_t start = clock();
+    for (int i = 0; i < times && good; i++) {
+        wfMemory fresh;
+        good = wfAllocateMemory(&fresh, m->permanentSize, m->transientSize) == WF_OK;
+        if (good) copier(fresh.permanent, bytes, size), wfFreeMemory(&fresh);
+    }
+    keep_least(&t->freshCopy, save_seconds(start));
+    start = clock();
+    for (int i = 0; i < times && good; i++) {
+        wfWorld clone;
+        good = wfCloneWorld(world, NULL, &clone) == WF_OK;
+        if (good) wfDestroyWorld(&clone);
+    }
+    keep_least(&t->freshClone, save_seconds(start));
+    return good;
+}
+/* <measurements> */
 static int measure_snapshot_time(FILE *out)
 {
-    fprintf(out, "bodies,bytes,memcpy,snapshot,restore,clone,compare,save\n");
+    fprintf(out, "bodies,bytes,memcpy,us,snapshot,restore,clone,compare,save,room,fresh\n");
     for (int n = 10; n <= 10000; n *= 10) {
         wfWorld world, twin;
         SaveTimes t = { .copy = 0 };
@@ -5430,12 +5457,16 @@ static int measure_snapshot_time(FILE *out)
         uint8_t *bytes = calloc(1, room), *copy = calloc(1, room);
         if (!bytes || !copy || wfCloneWorld(&world, NULL, &twin) != WF_OK) return 1;
         int times = (int)(4000000 / size) + 1;
-        for (int round = 0; round < 40; round++)
+        for (int round = 0; round < 40; round++) {
             save_round(&world, &twin, bytes, copy, size, times, &t);
-        fprintf(out, "%d,%zu,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f\n", n, size,
-                (double)size * times / t.copy * 1e-9, t.copy / t.snapshot,
-                t.copy / t.restore, t.copy / t.clone, t.copy / t.compare,
-                t.copy / t.save);
+            if (!save_fresh_round(&world, bytes, size, times, &t)) return 1;
+        }
+        fprintf(out, "%d,%zu,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%zu,%.2f\n", n, size,
+                (double)size * times / t.copy * 1e-9, 1e6 * t.snapshot / times,
+                t.copy / t.snapshot, t.copy / t.restore, t.copy / t.clone,
+                t.copy / t.compare, t.copy / t.save,
+                world.memory.permanentSize + world.memory.transientSize,
+                t.freshCopy / t.freshClone);
         free(bytes);
         free(copy);
         wfDestroyWorld(&world);
@@ -5453,19 +5484,21 @@ static int save_by_size(const void *a, const void *b)
 static int measure_rollback_time(FILE *out)
 {
     enum { FRAMES = 8, ROUNDS = 31 };
-    static const struct { const char *name; int steps; bool spread, plain; } row[] = {
-        { "balls that roll", 60, true, false },
-        { "the same, no columns", 60, true, true },
-        { "pile that falls", 30, false, false },
-        { "pile at rest (awake)", 900, false, false } };
+    static const struct { const char *name; int steps; bool spread; int columns; } row[] = {
+        { "balls that roll", 60, true, -1 },
+        { "the same, columns of one loop", 60, true, 2 },
+        { "the same, no loops", 60, true, 1 },
+        { "the same, no columns", 60, true, 0 },
+        { "pile that falls", 30, false, -1 },
+        { "pile at rest (awake)", 900, false, -1 } };
     fprintf(out, "scene,restore,steps,share\n");
-    for (int k = 0; k < 4; k++) {
+    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         wfWorldDef def;
         wfWorld world;
         double back[ROUNDS], again[ROUNDS];
         if (save_scene(1000, row[k].spread, false, &world) != WF_OK) return 1;
         if (wfGetWorldDef(&world, &def) != WF_OK) return 1;
-        if (row[k].plain) def.columns = 0;
+        if (row[k].columns >= 0) def.columns = row[k].columns;
         if (wfSetWorldDef(&world, &def) != WF_OK) return 1;
         for (int i = 0; i < row[k].steps; i++) wfStepWorld(&world);
         size_t size = wfSnapshotSize(&world);
@@ -5928,7 +5961,7 @@ static wfResult timed_step(wfWorld *world, double *stage)
     }
     return result;
 }
-
+/* <measurements> */
 static int compare_doubles(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -6056,7 +6089,7 @@ static int one_colouring(FILE *out, int32_t colours, int32_t passes)
     wfDestroyWorld(&world);
     return result != WF_OK;
 }
-
+/* <measurements> */
 static int measure_performance_colours(FILE *out)
 {
     fprintf(out, "order,passes,colours,top,fastest\n");
@@ -6067,7 +6100,7 @@ static int measure_performance_colours(FILE *out)
 }
 /* <measurements> */
 static bool has_shapes(uint32_t needs) { return (needs & WF_NEED_SHAPES) != 0; }
-
+/* <measurements> */
 static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs)
 {
     size_t permanent[2], transient[2], kept[2];
@@ -6122,7 +6155,7 @@ static double copy_states(int32_t n)
     free(from);
     return 1e9 * least / n;
 }
-
+/* <measurements> */
 static double fly_freely(int32_t n, uint32_t needs)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -6207,7 +6240,7 @@ static int32_t swarm(int32_t n, wfWorld *world)
     }
     return 0;
 }
-
+/* <measurements> */
 /* the slope of a line through the logarithms, eq:performance-slope */
 static double exponent_of(const double *n, const double *t, int32_t count)
 {
@@ -6219,7 +6252,7 @@ static double exponent_of(const double *n, const double *t, int32_t count)
     }
     return xy / xx;
 }
-
+/* <measurements> */
 static int measure_performance_bullets(FILE *out)
 {
     enum { SIZES = 4, STEPS = 40 };
@@ -6264,7 +6297,7 @@ static double acc_sine(double x)                /* by its series, |x| <= 4 */
     }
     return sum;
 }
-
+/* <measurements> */
 static void acc_spring(const double *x, const double *v, double *a)
 {
     (void)v;
@@ -6298,7 +6331,7 @@ static void acc_float(const double *x, const double *v, double *a)
     (void)v;
     a[0] = 0, a[1] = -9.81 + 2 * 9.81 * under;
 }
-
+/* <measurements> */
 enum { ACC_PROBLEMS = 6 };
 static const AccProblem acc_problems[ACC_PROBLEMS] = {
     { "spring", { 1, 0, 0, 0.5 }, 10, acc_spring },
@@ -6327,7 +6360,7 @@ static void acc_reference(const AccProblem *p, int steps, double y[4])
 }
 
 typedef struct AccRun { const AccProblem *problem; long asked; } AccRun;
-
+/* <measurements> */
 static void acc_forces(void *context, const wfBodyState *state, int count, wfReal time,
                        wfBodyForces *out)
 {
@@ -6360,7 +6393,7 @@ static void acc_integrate(FILE *out, const AccProblem *p, int row, int steps,
     fprintf(out, "%s,%s,%d,%ld,%.3e,%d\n", p->name, wfIntegratorTable[row].name, steps,
             run.asked, failed ? 10 : error, failed);
 }
-
+/* <measurements> */
 static int measure_accuracy_integrators(FILE *out)
 {
     fprintf(out, "problem,method,steps,asked,error,failed\n");
@@ -6391,6 +6424,16 @@ static int measure_accuracy_truth(FILE *out)
     return 0;
 }
 /* <measurements> */
+static int measure_accuracy_broad(FILE *out)
+{
+    return wfRunSweep("accuracy-broad", out);
+}
+
+static int measure_accuracy_narrow(FILE *out)
+{
+    return wfRunSweep("accuracy-narrow", out);
+}
+/* <measurements> */
 enum { ACC_FINEST = 32 };
 static int acc_curve(const labTruth *scene, wfAccuracy *points)
 {
@@ -6403,7 +6446,7 @@ static int acc_curve(const labTruth *scene, wfAccuracy *points)
     wfDestroyWorld(&world);
     return result == WF_OK ? count : -1;
 }
-
+/* <measurements> */
 static int measure_accuracy_curves(FILE *out)
 {
     fprintf(out, "scene,method,steps,cost,estimate,error\n");
@@ -6438,7 +6481,7 @@ static void acc_choice(FILE *out, const labTruth *scene, const wfAccuracy *point
     labPrintNumber(out, r.error);
     fprintf(out, "\n");
 }
-
+/* <measurements> */
 static int acc_tolerances(FILE *out, double least)
 {
     fprintf(out, "scene,tolerance,method,steps,cost,estimate,error\n");
@@ -6590,7 +6633,7 @@ static int price_compare(const void *a, const void *b)
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
-
+/* <measurements> */
 static double price_step(int row, bool heap)
 {
     static double times[PRICE_STEPS];
@@ -6610,7 +6653,7 @@ static double price_step(int row, bool heap)
     qsort(times, PRICE_STEPS, sizeof *times, price_compare);
     return good ? 1e9 * times[PRICE_STEPS / 2] / PRICE_BODIES : -1;
 }
-
+/* <measurements> */
 static int measure_price_time(FILE *out)
 {
     fprintf(out, "what,rest,fall\n");
@@ -6738,6 +6781,7 @@ static double price_chain(int substeps, int together)
     def.exactJoints = together;
     bool good = wfMakeCircle(wfV2(0, 0), WF_R(0.1), &d.shape) == WF_OK
              && wfCreateWorld(&def, &world) == WF_OK;
+    /* <hang twenty links side by side> */
     for (int i = 0; i <= PRICE_LINKS && good; i++) {
         wfVec2 at = wfV2((wfReal)(i - 1), 0);
         d.type = i == 0 ? WF_STATIC : WF_DYNAMIC;
@@ -6748,6 +6792,7 @@ static double price_chain(int substeps, int together)
                             wfV2(1, 0), &joint) == WF_OK
             && wfAddJointToWorld(&world, &joint, NULL) == WF_OK;
     }
+    /* <swing, and keep the greatest error of the length> */
     for (int step = 0; step < 300 && good; step++) {
         wfVec2 from = wfV2(0, 0);
         double length = 0;
@@ -6762,7 +6807,7 @@ static double price_chain(int substeps, int together)
     wfDestroyWorld(&world);
     return good ? 1e3 * worst : -1;
 }
-
+/* <measurements> */
 static double price_substeps_of(bool on)
 {
     return price_chain(on ? 4 : 1, WF_JOINTS_ONE_BY_ONE);
@@ -7048,6 +7093,11 @@ const wfMeasureRow wfMeasureTable[] = {
     { "performance-bullets-time", "what a step with many bullets costs",
       measure_performance_bullets },
     /* <rows of the measurement table> */
+    { "accuracy-broad", "pairs looked at for nothing and pairs missed, by broad phase",
+      measure_accuracy_broad },
+    { "accuracy-narrow", "error of a place of contact, by narrow phase and corners",
+      measure_accuracy_narrow },
+    /* <rows of the measurement table> */
     { "accuracy-integrators", "error against questions, by problem and method",
       measure_accuracy_integrators },
     { "accuracy-truth", "how well the references are known", measure_accuracy_truth },
@@ -7065,6 +7115,8 @@ const wfMeasureRow wfMeasureTable[] = {
       measure_accuracy_budget },
     { "accuracy-horizon", "how the error of a double pendulum grows", labHorizon },
     { "accuracy-islands", "errors of three islands in one world, by setting", labIslands },
+    { "accuracy-apart", "what a tolerance chooses for one world and for its islands apart",
+      labWorldsApart },
     /* <rows of the measurement table> */
     { "price-world", "bytes a body, and what is saved by each thing switched off",
       measure_price_world },

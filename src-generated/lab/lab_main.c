@@ -2,6 +2,7 @@
  * and type make. MIT licence. */
 /* weft-lab list | list --exact | run NAME | cells [--full] | cell NAME [key=value ...] */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "lab/lab.h"
 /* <list the measurements> */
@@ -15,6 +16,13 @@ static int list(int onlyExact)
     return 0;
 }
 /* <run one measurement> */
+static void say_where(const char *name)
+{
+    if (!wfMeasurementIsTimed(name) || fflush(stdout) != 0) return;
+    if (system("test ! -x tangle/machine || tangle/machine") != 0)
+        fprintf(stderr, "weft-lab: tangle/machine failed\n");
+}
+
 static int run(const char *name)
 {
     int i = wfFindMeasurement(name);
@@ -24,6 +32,7 @@ static int run(const char *name)
         return 2;
     }
     printf("# weft-lab run %s\n# %s\n", name, wfMeasureTable[i].text);
+    say_where(name);
     int failed = wfMeasureTable[i].run(stdout);
     if (failed) fprintf(stderr, "weft-lab: %s could not be measured\n", name);
     return failed || fflush(stdout) != 0;

@@ -26,7 +26,7 @@ static wfShapeDef box_of(double width, double height)
     wfMakeBox((wfReal)(width / 2), (wfReal)(height / 2), &d.shape);
     return d;
 }
-
+/* <helpers of heavy scenes> */
 static wfShapeDef disc_of(double radius)
 {
     wfShapeDef d = wfDefaultShapeDef();
@@ -74,7 +74,7 @@ static wfResult build_pile(wfWorld *world)
     }
     return result;
 }
-
+/* <heavy scenes> */
 wfResult labPyramid(wfWorld *world, int32_t base)
 {
     wfShapeDef floor = box_of(2.0 * base, 2), box = box_of(1, 1);
@@ -96,7 +96,7 @@ static wfResult hinge(wfWorld *world, wfBodyId a, wfBodyId b, double x, double y
     wfResult result = wfJoinBodies(world, "revolute", a, b, at, at, wfV2(1, 0), &joint);
     return result == WF_OK ? wfAddJointToWorld(world, &joint, NULL) : result;
 }
-
+/* <heavy scenes> */
 static wfResult build_grid(wfWorld *world)
 {
     static wfBodyId ids[GRID][GRID];
@@ -142,7 +142,7 @@ static wfResult build_bin(wfWorld *world, double width)
     if (result == WF_OK) result = put(world, WF_STATIC, width / 2 + 1, 200, &wall, NULL);
     return result;
 }
-
+/* <heavy scenes> */
 static wfResult build_report(wfWorld *world, int32_t count, int32_t still)
 {
     wfShapeDef box = box_of(0.8, 0.8), disc = disc_of(0.4), peg = disc_of(0.2);
@@ -195,7 +195,7 @@ static wfResult build_many(wfWorld *world, int32_t count, int32_t base)
     }
     return result;
 }
-
+/* <heavy scenes> */
 static wfResult build_grid_of(wfWorld *world, int32_t count, double x, double y,
                               double apart, double size)
 {
@@ -229,7 +229,7 @@ static wfResult build_tumbler(wfWorld *world, int32_t count, int32_t still)
     if (result != WF_OK) return result;
     return build_grid_of(world, count, -0.2 * count, 10 - 0.2 * count, 0.4, 0.25);
 }
-
+/* <heavy scenes> */
 /* a piece of a ring, between two radii and two angles, rad */
 static wfShapeDef piece_of(double near, double far, double from, double to)
 {
@@ -256,7 +256,7 @@ static wfResult build_washer(wfWorld *world, int32_t count, int32_t still)
     if (result != WF_OK) return result;
     return build_grid_of(world, count, -0.11 * count, 10 - 0.11 * count, 0.21, 0.2);
 }
-
+/* <heavy scenes> */
 static wfResult build_smash(wfWorld *world, int32_t columns, int32_t rows)
 {
     wfShapeDef box = box_of(0.4, 0.4), big = box_of(8, 8);
@@ -305,7 +305,7 @@ static wfResult pyramid_bench(wfWorld *world, int32_t count, int32_t other)
     (void)other;
     return labPyramid(world, count);
 }
-
+/* <heavy scenes> */
 #define REPORT(n, s) n + s + 3, n + s + 3, 0, 600, 10, build_report, n, s
 #define HEAP(n, steps) n + 3, n + 3, 0, steps, 10, build_heap, n, 0
 const labHeavy labHeavies[] = {

@@ -11,9 +11,11 @@
 #include "testbed/overlays.h"
 #include "testbed/platform.h"
 #include "testbed/plots.h"
+#include "testbed/png.h"
 #include "testbed/raster.h"
 #include "testbed/scene.h"
 #include "testbed/scene_file.h"
+#include "testbed/svg.h"
 #include "testbed/tools.h"
 #include "testbed/ui.h"
 #include "testbed/view.h"
@@ -30,7 +32,11 @@ typedef struct tape_note {
     uint32_t mark;                  /* bytes of the journal that come before the step */
 } tape_note;
 /* <constants of the game> */
-enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C };
+enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
+       FILE_FRAME };
+/* <constants of the game> */
+enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
+enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 
 typedef struct game_state {
     uint32_t size;                      /* of this record, in the code that wrote it */
@@ -75,6 +81,12 @@ typedef struct game_state {
     int32_t read;                       /* the world came from a file, and not from its scene */
     uint64_t kept;                      /* checksum of the settings that are kept */
     /* <what the game remembers of settings and time> */
+    int32_t shots, filming, film_over;  /* SHOT_..., FILM_... that are wanted, that run; an
+                                           ended film waits for the card */
+    int32_t frame_count;                /* files of pictures */
+    double film_next;                   /* the world's time of the next picture, s */
+    wfPng film;                         /* its bytes NULL between two calls */
+    /* <what the game remembers of settings and time> */
     size_t ring_oldest, ring_newest;    /* the ring's record, but for its address */
     int32_t ring_count;
     int32_t back;                       /* 1: the world was taken back, and stands there */
@@ -112,6 +124,11 @@ typedef struct game {
     /* <what the game works with, further> */
     float panel_top, panel_bottom;      /* lines of a panel between these are shown */
     /* <what the game works with, further> */
+    double stage[STAGES];               /* s that each stage of the last step took ... */
+    bool staged;                        /* ... if anybody measured it */
+    uint32_t *film_last;                /* the last picture of a film ... */
+    uint8_t *film_bytes;                /* ... and the film, as long as the card's at most */
+    /* <what the game works with, further> */
     uint8_t *others;                    /* where the other worlds are kept */
     /* <what the game works with, further> */
     wfJournal *noted;                   /* where inputs are written down, or NULL */
@@ -120,6 +137,14 @@ typedef struct game {
     double (*now)(void);                /* or NULL */
     game_file *file;                    /* or NULL */
 } game;
+/* <find the film in the game's memory> */
+static uint8_t *find_film(game *g, const game_memory *memory)
+{
+    uint8_t *begin = (uint8_t *)memory->permanent + memory->permanent_size - FILM_BYTES;
+    g->film_last = (uint32_t *)(void *)begin;
+    g->film_bytes = begin + sizeof(uint32_t) * FILM_PIXELS;
+    return begin;
+}
 /* <find the tape in the game's memory> */
 static size_t aligned(size_t n)
 {
@@ -146,7 +171,7 @@ enum { RING_BYTES = 16 * 1024 * 1024 };
 
 static void find_ring(game *g, const game_memory *memory)
 {
-    uint8_t *end = (uint8_t *)memory->permanent + memory->permanent_size;
+    uint8_t *end = find_film(g, memory);
     g->ring = (wfRewind){ end - RING_BYTES, RING_BYTES, g->state->ring_oldest,
                           g->state->ring_newest, g->state->ring_count };
     find_tape(g, end - RING_BYTES - TAPE_BYTES);
@@ -166,8 +191,8 @@ static wfMemory world_memory(const game_memory *memory)
     size_t begin = (sizeof(game_state) + WF_POOL_ALIGN - 1) / WF_POOL_ALIGN * WF_POOL_ALIGN;
     size_t half = memory->transient_size / 2 / WF_POOL_ALIGN * WF_POOL_ALIGN;
     return (wfMemory){ .permanent = (uint8_t *)memory->permanent + begin,
-                       .permanentSize = memory->permanent_size - begin - RING_BYTES -
-                                        TAPE_BYTES - OTHERS * OTHER_BYTES,
+                       .permanentSize = memory->permanent_size - begin - FILM_BYTES -
+                                        RING_BYTES - TAPE_BYTES - OTHERS * OTHER_BYTES,
                        .transient = memory->transient, .transientSize = half };
 }
 
@@ -274,7 +299,8 @@ static void step_others(game *g, wfReal h)
         s->other[i] = (int32_t)wfStepScene(g->scene, &other[i], &s->input);
     }
     g->world = own;
-    wfPlotInput in = { &g->world, other, count, s->last_step, g->input->seconds };
+    wfPlotInput in = { &g->world, other, count, s->last_step, g->input->seconds,
+                       g->staged ? g->stage : NULL, g->now != NULL };
     wfPlotSample(&s->plots, &in);
     wfPoolRewind(&g->scratch, mark);
 }
@@ -289,12 +315,9 @@ static void take_pane(const game_state *s, camera *c)
     if (s->worlds > 2) c->high = (float)(int32_t)(c->high / 2);
 }
 
-static frame_buffer pane_of(const game_state *s, int i, const frame_buffer *whole)
+static frame_buffer part_of(const frame_buffer *whole, int32_t x, int32_t y, int32_t w,
+                            int32_t h)
 {
-    const camera *c = &s->camera;
-    int32_t x = (int32_t)(c->left + c->wide * (float)(i % 2));
-    int32_t y = (int32_t)(c->top + c->high * (float)(i / 2));
-    int32_t w = (int32_t)c->wide, h = (int32_t)c->high;
     if (x + w > whole->width) w = whole->width - x;
     if (y + h > whole->height) h = whole->height - y;
     frame_buffer out = { NULL, 0, 0, whole->pitch, whole->scale };
@@ -303,6 +326,23 @@ static frame_buffer pane_of(const game_state *s, int i, const frame_buffer *whol
     out.width = w;
     out.height = h;
     return out;
+}
+
+static frame_buffer pane_of(const game_state *s, int i, const frame_buffer *whole)
+{
+    const camera *c = &s->camera;
+    return part_of(whole, (int32_t)(c->left + c->wide * (float)(i % 2)),
+                   (int32_t)(c->top + c->high * (float)(i / 2)), (int32_t)c->wide,
+                   (int32_t)c->high);
+}
+
+/* All that the camera has, with all panes: the picture without the interface. */
+static frame_buffer seen_of(const game_state *s, const frame_buffer *whole)
+{
+    const camera *c = &s->camera;
+    int32_t across = has_panes(s) ? 2 : 1, down = has_panes(s) && s->worlds > 2 ? 2 : 1;
+    return part_of(whole, (int32_t)c->left + 2, (int32_t)c->top,    /* not the panels' edges */
+                   across * (int32_t)c->wide - 4, down * (int32_t)c->high);
 }
 /* <compare worlds> */
 static void name_world(const game *g, int i, char *text, size_t size)
@@ -436,6 +476,14 @@ static tool_work tools_of(game *g);                 /* of sec:scenes-mouse */
 static void stay_there(game *g);                    /* of sec:scenes-time */
 static int32_t panel_count(void);
 /* <the interface> */
+/* <the scrolling thumb> */
+static void scroll_thumb(ui *u, float x, float top, float room, float length, float scroll)
+{
+    if (length <= room) return;
+    ui_box(u, x, top + room * scroll / length, 3, room * room / length, WF_INK_NONE,
+           WF_INK_BODY);
+}
+
 static float list_length(const game *g)
 {
     int rows = scene_count(g);
@@ -508,7 +556,9 @@ static void list_panel(ui *u, game *g)
         s->ui.typing = 0;
         s->ui.query[0] = 0;
     }
-    float y = s->height - LIST_BOTTOM + 14;
+    float y = s->height - LIST_BOTTOM + 14, room = s->height - LIST_TOP - LIST_BOTTOM;
+    if (!s->ui.query[0])
+        scroll_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(g), s->scroll);
     ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
     for (int i = 0; i < wfOverlayCount; i++) {
         const wfOverlay *o = &wfOverlayTable[i];
@@ -521,7 +571,7 @@ static void list_panel(ui *u, game *g)
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
         u->over = true;
-        float most = list_length(g) - (s->height - LIST_TOP - LIST_BOTTOM);
+        float most = list_length(g) - room;
         if (!u->draw) s->scroll -= g->input->wheel * 3 * ROW;
         if (s->scroll > most) s->scroll = most;
         if (s->scroll < 0) s->scroll = 0;
@@ -620,14 +670,18 @@ static void state_line(ui *u, const game *g, float x)
                  s->tape == TAPE_RECORDING ? "recording:" : "replaying:",
                  (int)(s->tape == TAPE_RECORDING ? s->notes : s->played),
                  (unsigned long long)wfHashWorld(&g->world));
-    ui_text(u, x, s->height - 32, 13, s->result ? WF_INK_BAD : WF_INK_TEXT, -1, line);
-    if (s->tools.said[0]) ui_text(u, x, s->height - 13, 13, s->tools.refused ? WF_INK_BAD :
-                                  WF_INK_TEXT, -1, s->tools.said);
-    else ui_text(u, x, s->height - 13, 13, WF_INK_LINE, -1,
-            "drag: hold and throw   right drag: move the view   wheel: zoom   ?: all keys");
+    if (s->filming)
+        snprintf(line, sizeof line, "filming: %d pictures",
+                 (int)(s->filming & FILM_MOVING ? s->film.pictures : s->frame_count));
+    float room = s->width - x - (s->width < 760 ? 6 : 150);
+    ui_fitted(u, x, s->height - 32, s->result ? WF_INK_BAD : WF_INK_TEXT, room, line);
+    if (s->tools.said[0]) ui_fitted(u, x, s->height - 13, s->tools.refused ? WF_INK_BAD :
+                                    WF_INK_TEXT, room, s->tools.said);
+    else ui_fitted(u, x, s->height - 13, WF_INK_LINE, room,
+            "?: all keys   drag: hold and throw   right drag: move the view   wheel: zoom");
 }
 /* <the interface> */
-static void key_sheet(ui *u, float x)
+static void key_sheet(ui *u, const game_state *s, float x)
 {
     static const char *const sheet[][2] = {
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
@@ -641,6 +695,8 @@ static void key_sheet(ui *u, float x)
         { "J L X V", "connect, lasso, delete, probe" },
         { "F, K", "record, replay" }, { "W, A", "save the world, load it" },
         { "U, Z", "write and read JSON" }, { "C", "copy the scene as C" },
+        { "! #", "picture of the window; drawing" },
+        { "% &", "film; film as single pictures" },
         { "M", "arrows and Enter are the mouse" },
         { "N, Delete", "choose a body; remove it" },
         { ", and .", "back and forth in time" }, { "< and >", "slower, faster" },
@@ -648,14 +704,22 @@ static void key_sheet(ui *u, float x)
         { "?", "this sheet" },
     };
     int rows = (int)(sizeof sheet / sizeof *sheet);
-    float h = 20.0f * (float)rows + 16;
-    ui_box(u, x, 96, 300, h, WF_INK_FAINT, WF_INK_PAPER);
-    if (ui_inside(u, x, 96, 300, h))
+    /* <lay out the sheet in one column, or in two> */
+    float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
+    float room = s->height - top - 18;
+    int columns = room < 17 * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
+    if (columns == 2 && x + 2 * wide > s->width) x = s->width > 2 * wide ? s->width - 2 * wide
+                                                                         : 4;
+    if (columns == 2 && 2 * wide > s->width - 8) wide = (s->width - 8) / 2;
+    if (line * (float)each > room) line = room / (float)each;
+    float h = line * (float)each + 14;
+    ui_box(u, x, top, wide * (float)columns, h, WF_INK_FAINT, WF_INK_PAPER);
+    if (ui_inside(u, x, top, wide * (float)columns, h))
         u->over = true;
     for (int i = 0; i < rows; i++) {
-        float y = 96 + 22 + 20.0f * (float)i;
-        ui_text(u, x + 14, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
-        ui_text(u, x + 100, y, 13, WF_INK_TEXT, -1, sheet[i][1]);
+        float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
+        ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
+        ui_text(u, left + 96, y, 13, WF_INK_TEXT, -1, sheet[i][1]);
     }
 }
 /* <the interface> */
@@ -1285,6 +1349,7 @@ static void take_answer(game *g)
         if (fetched && good && !read_settings(s, (const char *)f->bytes, f->size))
             tell(g, true, "settings.txt is not what it should be, and is not used");
     } else if (!good || !fetched) {
+        if (!good && s->file_for == FILE_FRAME) s->filming &= ~FILM_FRAMES;
         tell(g, !good, line);
     } else if (s->file_for == FILE_WORLD) {
         load_world(g);
@@ -1292,6 +1357,33 @@ static void take_answer(game *g)
         read_text(g);
     }
 }
+/* <panels> */
+static void press_shot(game *g, int32_t shot)
+{
+    if (!g->file) has_card(g);                          /* it says that there is none */
+    else g->state->shots |= shot;
+}
+static void press_picture(game *g) { press_shot(g, SHOT_PICTURE); }
+static void press_drawing(game *g) { press_shot(g, SHOT_DRAWING); }
+
+static void press_filming(game *g, int32_t kind)
+{
+    game_state *s = g->state;
+    if (!g->file || (kind == FILM_MOVING && s->film_over)) {
+        has_card(g);
+        return;
+    }
+    s->filming ^= kind;
+    bool on = s->filming & kind;
+    if (kind == FILM_MOVING) s->film_over = !on;
+    if (on && kind == FILM_MOVING) s->film = (wfPng){ 0 };
+    if (on && kind == FILM_FRAMES) s->frame_count = 0;
+    if (on) s->film_next = wfWorldTime(&g->world);
+    tell(g, false, on ? "filming what the camera sees; the same key ends it"
+                      : "the film is over");
+}
+static void press_film(game *g) { press_filming(g, FILM_MOVING); }
+static void press_frames(game *g) { press_filming(g, FILM_FRAMES); }
 /* <panels> */
 static const char *copy_warning(const game *g)
 {
@@ -1410,7 +1502,7 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
         ui_text(u, x, y + 13, 13, WF_INK_BAD, -1, wfResultText((wfResult)s->other[i]));
     return y + (s->other[i] != WF_OK ? 24 : 6);
 }
-
+/* <panels> */
 static float compare_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
@@ -1432,10 +1524,12 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         ui_button(u, "All from the beginning", x, y, w, false))
         open_scene(g, s->row);
     y += s->worlds > 1 ? 36 : 4;
-    ui_text(u, x, y + 12, 13, WF_INK_ACCENT, -1, "Curves of the last ten seconds");
+    if (panel_shows(g, y, ROW))
+        ui_text(u, x, y + 12, 13, WF_INK_ACCENT, -1, "Curves of the last ten seconds");
     y += ROW + 2;
+    /* <offer the curves in two columns> */
     for (int i = 0; i < wfPlotCount; i++) {
-        float left = i % 2 ? x + w / 2 : x, line = y + (float)(i / 2 * ROW);
+        float left = i % 2 ? x + w / 2 - 10 : x, line = y + (float)(i / 2 * ROW);
         char name[GAME_NAME_SIZE];
         snprintf(name, sizeof name, "curve: %s", wfPlotTable[i].name);
         if (!panel_shows(g, line, ROW)) continue;
@@ -1475,7 +1569,12 @@ static const button_row fileTable[] = {
     { "Write JSON", NULL, 'u', 0, press_write, "U: scene.json, for people" },
     { "Read JSON", NULL, 'z', 0, press_read, "Z: scene.json" },
     /* <rows of the file table> */
-    { "Copy as C", NULL, 'c', 0, press_copy, "C: scene.c, a program that makes this world" },
+    { "Picture", NULL, GAME_KEY_PICTURE, 0, press_picture, "!: picture-STEP.png, the window" },
+    { "Drawing", NULL, GAME_KEY_DRAWING, 0, press_drawing, "#: picture-STEP.svg, the scene" },
+    { "Film", NULL, GAME_KEY_FILM, 0, press_film, "%: film-STEP.png, moving; again: stop" },
+    { "Frames", NULL, GAME_KEY_FRAMES, 0, press_frames, "&: frame-1.png, -2 ...; again: stop" },
+    /* <rows of the file table> */
+    { "Copy as C", NULL, 'c', 0, press_copy, "C: scene.c, a program of its own" },
 };
 enum { FILES = sizeof fileTable / sizeof *fileTable };
 
@@ -1485,7 +1584,7 @@ static float files_panel(ui *u, game *g, float x, float y, float w)
         const button_row *row = &fileTable[i];
         if (!panel_shows(g, y, 46)) continue;
         if (ui_button(u, row->name, x, y, w, false)) press_button(g, row);
-        ui_text(u, x, y + 40, 13, WF_INK_LINE, -1, row->text);
+        ui_fitted(u, x, y + 40, WF_INK_LINE, w, row->text);
     }
     return y;
 }
@@ -1535,6 +1634,8 @@ static void settings_panel(ui *u, game *g)
     g->panel_bottom = bottom;
     float y = g->panel_top - s->panel_scroll;
     float end = panelTable[s->tab].walk(u, g, x, y, w);
+    scroll_thumb(u, u->width - 5, g->panel_top, bottom - g->panel_top, end - y,
+                 s->panel_scroll);
     u->over_panel = ui_inside(u, x - 12, s->head, SETTINGS_WIDTH, bottom - s->head);
     u->over |= u->over_panel;
     scroll_panel(u, g, end - y);
@@ -1612,13 +1713,13 @@ static void interface(ui *u, game *g, double seconds)
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
     if (s->height >= LOW) {
         ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
-        ui_text(u, x, s->head - 10, 13, WF_INK_TEXT, -1, g->scene->text);
+        ui_fitted(u, x, s->head - 10, WF_INK_TEXT, s->width - x - 6, g->scene->text);
     }
     state_line(u, g, x);
     time_bar(u, g);
     draw_curves(u, g);
     if (s->keys)
-        key_sheet(u, x);
+        key_sheet(u, s, x);
     ui_finish(u, seconds);
 }
 /* <obey the mouse> */
@@ -2000,11 +2101,16 @@ static wfResult step_one(game *g)
 {
     game_state *s = g->state;
     wfStepClock clock = { game_clock, g, s->seconds };
+    bool asked = s->panel || (s->curves >> WF_PLOT_STAGES & 1);
+    bool timed = g->now && asked && g->scene->hooks == NULL && wfStageCount <= STAGES;
+    g->staged = false;
     if (g->noted) return note_one(g);
-    bool timed = g->now && s->panel && g->scene->hooks == NULL && wfStageCount <= STAGES;
     if (!timed) return wfStepScene(g->scene, &g->world, &s->input);
+    memcpy(g->stage, s->seconds, sizeof g->stage);
     if (g->scene->update) g->scene->update(&g->world, &s->input);
     wfResult result = wfStepWorldTimed(&g->world, &clock);
+    for (int i = 0; i < STAGES; i++) g->stage[i] = s->seconds[i] - g->stage[i];
+    g->staged = result == WF_OK;
     s->timed += result == WF_OK;
     return result;
 }
@@ -2049,29 +2155,34 @@ static void find_seen(const camera *c, float seen[4])
     camera_pick(c, c->left + c->wide, c->top, &seen[2]);
 }
 
-static void draw_world(game *g, frame_buffer *buffer, const wfPalette *palette)
+static void list_world(game *g, wfDraw *d, const float view[4])
 {
     game_state *s = g->state;
+    wfDrawView(d, view[0], view[1], view[2], view[3]);
+    wfDrawWorld(&g->world, s->show, &g->scratch, d);
+    find_seen(&s->camera, s->look.seen);
+    wfDrawLook(&g->world, s->show, &s->look, &g->scratch, d);
+    draw_ghosts(g, d);
+    if (g->scene->draw)
+        g->scene->draw(&g->world, d, &s->input);
+    tool_work tools = tools_of(g);
+    tool_draw(&tools, d);
+    if (s->held.index) {
+        wfVec2 grip = grip_place(g);
+        wfDrawLine(d, WF_XY(grip), WF_XY(s->input.mouse), 2, WF_INK_ACCENT);
+        wfDrawPoint(d, WF_XY(grip), 8, WF_INK_ACCENT);
+    }
+}
+
+static void draw_world(game *g, frame_buffer *buffer, const wfPalette *palette)
+{
     size_t mark = wfPoolMark(&g->scratch), bytes = 8 * 1024 * 1024;
     void *memory = wfPoolPush(&g->scratch, bytes, WF_POOL_ALIGN);
     wfDraw d;
     float view[4];
     wfDrawInit(&d, memory, memory ? bytes : 0);
-    camera_window(&s->camera, (float)buffer->width, (float)buffer->height, view);
-    wfDrawView(&d, view[0], view[1], view[2], view[3]);
-    wfDrawWorld(&g->world, s->show, &g->scratch, &d);
-    find_seen(&s->camera, s->look.seen);
-    wfDrawLook(&g->world, s->show, &s->look, &g->scratch, &d);
-    draw_ghosts(g, &d);
-    if (g->scene->draw)
-        g->scene->draw(&g->world, &d, &s->input);
-    tool_work tools = tools_of(g);
-    tool_draw(&tools, &d);
-    if (s->held.index) {
-        wfVec2 grip = grip_place(g);
-        wfDrawLine(&d, WF_XY(grip), WF_XY(s->input.mouse), 2, WF_INK_ACCENT);
-        wfDrawPoint(&d, WF_XY(grip), 8, WF_INK_ACCENT);
-    }
+    camera_window(&g->state->camera, (float)buffer->width, (float)buffer->height, view);
+    list_world(g, &d, view);
     wfRenderList(&d, &wfBakedFont, palette, buffer);
     wfPoolRewind(&g->scratch, mark);
 }
@@ -2103,6 +2214,118 @@ static void draw_interface(game *g, ui *u, frame_buffer *buffer, const wfPalette
     scale_bar(u, g->state);
     wfRenderList(&d, &wfBakedFont, palette, buffer);
     wfPoolRewind(&g->scratch, mark);
+}
+/* <save pictures> */
+static void send_picture(game *g, const frame_buffer *b, int32_t what, const char *name)
+{
+    game_file *f = g->file;
+    wfPng p = { .bytes = f->bytes, .size = f->capacity };
+    wfPngBegin(&p, b->width, b->height, false);
+    bool made = wfPngPicture(&p, b, NULL, 1);
+    f->size = wfPngEnd(&p);
+    if (!made) tell(g, true, "this program can't make pictures (stb), or has no memory");
+    else if (f->size == 0) tell(g, true, "the picture is too large for a file");
+    else wish(g, GAME_FILE_EXPORT, what, name);
+}
+
+static void send_drawing(game *g)
+{
+    game_file *f = g->file;
+    const camera *c = &g->state->camera;
+    size_t mark = wfPoolMark(&g->scratch), bytes = 8 * 1024 * 1024;
+    void *memory = wfPoolPush(&g->scratch, bytes, WF_POOL_ALIGN);
+    char name[GAME_NAME_SIZE];
+    wfDraw d;
+    float view[4];
+    find_seen(c, view);
+    wfDrawInit(&d, memory, memory ? bytes : 0);
+    list_world(g, &d, view);
+    f->size = wfSvgText(&d, (int)(c->wide / g->state->scale), (char *)f->bytes,
+                        f->capacity);
+    wfPoolRewind(&g->scratch, mark);
+    snprintf(name, sizeof name, "picture-%llu.svg",
+             (unsigned long long)wfWorldSteps(&g->world));
+    if (f->size == 0 || f->size >= f->capacity) tell(g, true, "the drawing is too large");
+    else wish(g, GAME_FILE_EXPORT, FILE_PICTURE, name);
+}
+/* <save pictures> */
+static void end_film(game *g, const char *why)
+{
+    g->state->filming &= ~FILM_MOVING;
+    g->state->film_over = 1;
+    tell(g, false, why);
+}
+
+static void add_to_film(game *g, const frame_buffer *seen)
+{
+    game_state *s = g->state;
+    wfPng p = s->film;
+    p.bytes = g->film_bytes;
+    p.size = GAME_FILE_BYTES - 64;                      /* room for the last chunk */
+    bool room = (int64_t)seen->width * seen->height <= FILM_PIXELS;
+    if (room && p.pictures == 0) wfPngBegin(&p, seen->width, seen->height, true);
+    bool same = p.width == seen->width && p.height == seen->height;
+    bool made = room && same && wfPngPicture(&p, seen, g->film_last, FILM_RATE);
+    if (!room) end_film(g, "this window is too large for a film");
+    else if (same && !made) end_film(g, "this program can't make films (stb)");
+    else if (!same) end_film(g, "the window has another size: the film is over");
+    else if (p.used > p.size) end_film(g, "the film is full");
+    else s->film = p;
+    s->film.bytes = NULL;
+}
+
+static void send_film(game *g)
+{
+    game_state *s = g->state;
+    char name[GAME_NAME_SIZE];
+    wfPng p = s->film;
+    s->film_over = 0;
+    p.bytes = g->film_bytes;
+    p.size = GAME_FILE_BYTES;
+    size_t size = wfPngEnd(&p);
+    if (size == 0 || size > g->file->capacity) return;
+    memcpy(g->file->bytes, g->film_bytes, size);
+    g->file->size = size;
+    snprintf(name, sizeof name, "film-%llu.png",
+             (unsigned long long)wfWorldSteps(&g->world));
+    wish(g, GAME_FILE_EXPORT, FILE_PICTURE, name);
+}
+/* <save pictures> */
+static void film_moment(game *g, const frame_buffer *buffer)
+{
+    game_state *s = g->state;
+    double now = wfWorldTime(&g->world), every = 1.0 / FILM_RATE;
+    char name[GAME_NAME_SIZE];
+    frame_buffer seen = seen_of(s, buffer);
+    if (s->film_next > now + every) s->film_next = now;     /* time went back */
+    bool away = (s->filming & FILM_FRAMES) && g->file->wish != GAME_FILE_NONE;
+    if (!s->filming || now < s->film_next || away || !seen.pixels) return;
+    s->film_next = now + every - 1e-6;
+    if (s->filming & FILM_MOVING) add_to_film(g, &seen);
+    if (!(s->filming & FILM_FRAMES)) return;
+    snprintf(name, sizeof name, "frame-%d.png", (int)++s->frame_count);
+    send_picture(g, &seen, FILE_FRAME, name);
+}
+
+/* What was wanted of this frame goes out, one thing at a time. */
+static void save_pictures(game *g, const frame_buffer *buffer)
+{
+    game_state *s = g->state;
+    char name[GAME_NAME_SIZE];
+    if (!g->file || !s->opened) return;
+    film_moment(g, buffer);
+    if (g->file->wish != GAME_FILE_NONE) return;
+    if (s->film_over) {
+        send_film(g);
+    } else if (s->shots & SHOT_PICTURE) {
+        s->shots &= ~SHOT_PICTURE;
+        snprintf(name, sizeof name, "picture-%llu.png",
+                 (unsigned long long)wfWorldSteps(&g->world));
+        send_picture(g, buffer, FILE_PICTURE, name);
+    } else if (s->shots & SHOT_DRAWING) {
+        s->shots &= ~SHOT_DRAWING;
+        send_drawing(g);
+    }
 }
 /* <update and render> */
 static void begin_game(game *g)
@@ -2160,6 +2383,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     draw_world(&g, buffer, palette);
     draw_panes(&g, buffer, palette);
     draw_interface(&g, &u, buffer, palette);
+    save_pictures(&g, buffer);
 }
 /* <describe the game> */
 typedef struct writer { char *text; size_t size, used; } writer;
@@ -2220,7 +2444,8 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         for (int i = 0; i < BODY_LINES; i++) say(&w, " %.9g", n[i]);
         say(&w, "\n");
     }
-    say(&w, "tape %d\nneeds %u\n", (int)s->tape, (unsigned)needs_now(&g));
+    say(&w, "tape %d\nneeds %u\nfilming %d %d\n", (int)s->tape, (unsigned)needs_now(&g),
+        (int)s->filming, (int)(s->film.pictures + s->frame_count));
     say(&w, "tool %s\nchosen %d\nsaid %s\n", toolTable[s->tools.tool].name,
         (int)s->tools.count, s->tools.said);
     say(&w, "list %d\npanel %d\nback %d\nrate %g\ndark %d\nkeys %d\n", (int)s->list,

@@ -45,19 +45,11 @@ static int play(const layer_options *options)
         good = complain("nothing to do: give --steps or --input");
     if (good) {
         uint32_t *pixels = l.buffer.pixels;
-        l.buffer.pixels = NULL;
+        if (!options->film && !options->frames) l.buffer.pixels = NULL;
         while (layer_frame(&l, &input))
             input.steps = 1;
         l.buffer.pixels = pixels;
-        good = l.script.error == NULL;
-    }
-    /* <draw the last picture and save it> */
-    if (good && options->png) {
-        game_input still = { .mouse_x = l.last.mouse_x, .mouse_y = l.last.mouse_y,
-                             .held = l.last.held };
-        game_update_and_render(&l.memory, &still, &l.buffer);
-        if (!write_png(options->png, &l.buffer))
-            good = complain("can't write the picture");
+        good = l.script.error == NULL && layer_finish(&l);
     }
     layer_close(&l);
     return good ? 0 : 1;
@@ -432,8 +424,8 @@ static const headless_command command_table[] = {
 static int usage(void)
 {
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
-          "      [--png FILE] [--save-input FILE] [--log FILE] [--size WxH] [--scale S]\n"
-          "      [--folder DIR] [SCENE.json]\n",
+          "      [--png FILE] [--svg FILE] [--film FILE] [--frames DIR] [--save-input FILE]\n"
+          "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [SCENE.json]\n",
           stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);

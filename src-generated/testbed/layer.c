@@ -2,7 +2,6 @@
  * chapter and type make. MIT licence. */
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include "testbed/layer.h"
 
 /* <read the options of a platform layer> */
@@ -37,7 +36,8 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
         { "--scene", &out->scene }, { "--input", &out->input },
         { "--save-input", &out->record },
         { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->game },
-        { "--folder", &out->folder }
+        { "--folder", &out->folder }, { "--svg", &out->svg }, { "--film", &out->film },
+        { "--frames", &out->frames }
     };
     for (int i = 1; i < argc; i++) {
         const char **place = NULL, *error = NULL, *name = argv[i];
@@ -127,7 +127,8 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     if (options->input && !(l->text = read_text(options->input)))
         return complain("can't read the input script", options->input);
     if (l->text) input_script_open(&l->script, l->text);
-    if (options->folder && !open_folder(l)) return complain("out of memory", NULL);
+    bool files = options->folder || options->svg || options->film || options->frames;
+    if (files && !open_folder(l)) return complain("out of memory", NULL);
     if (!open_scene_file(l, options->argument)) return false;
     if (options->record && !(l->record = fopen(options->record, "w")))
         return complain("can't write", options->record);
@@ -177,21 +178,30 @@ static bool fetch_file(const char *path, game_file *f)
     return whole;
 }
 
+/* An exported picture goes where the options say, all else to the folder. */
+static bool place_file(const layer *l, char *path, size_t size)
+{
+    const layer_options *o = l->options;
+    const char *name = l->file.name, *folder = o->folder, *whole = NULL;
+    if (l->file.wish == GAME_FILE_EXPORT) {
+        if (o->svg && strstr(name, ".svg")) whole = o->svg;
+        if (o->film && strncmp(name, "film-", 5) == 0) whole = o->film;
+        if (o->frames && strncmp(name, "frame-", 6) == 0) folder = o->frames;
+    }
+    int n = whole ? snprintf(path, size, "%s", whole)
+          : folder ? snprintf(path, size, "%s/%s", folder, name) : -1;
+    return n > 0 && (size_t)n < size && plain_name(name);
+}
+
 static void grant_wish(layer *l)
 {
     char path[1060];
     game_file *f = &l->file;
     if (!l->memory.file || f->wish == GAME_FILE_NONE || f->answer) return;
-    int n = snprintf(path, sizeof path, "%s/%s", l->options->folder, f->name);
-    bool good = n > 0 && (size_t)n < sizeof path && plain_name(f->name);
+    bool good = place_file(l, path, sizeof path);
     if (good) good = f->wish == GAME_FILE_FETCH ? fetch_file(path, f) : keep_file(path, f);
+    l->exported += good && f->wish == GAME_FILE_EXPORT;
     f->answer = good ? GAME_FILE_DONE : GAME_FILE_FAILED;
-}
-
-double layer_now(void)
-{
-    struct timespec t;
-    return timespec_get(&t, TIME_UTC) ? (double)t.tv_sec + 1e-9 * (double)t.tv_nsec : 0;
 }
 /* <play one frame of a platform layer> */
 static void write_log(const layer *l)
@@ -216,6 +226,11 @@ static void record_input(layer *l, const game_input *input)
         fwrite(text, 1, length, l->record);
 }
 /* <play one frame of a platform layer> */
+static void press(game_input *in, int32_t key)
+{
+    if (in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
+}
+
 bool layer_frame(layer *l, const game_input *input)
 {
     game_input now = *input;
@@ -231,11 +246,64 @@ bool layer_frame(layer *l, const game_input *input)
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
     if (l->record) record_input(l, &now);
     if (l->options->game) game_code_refresh(&l->code, l->options->game);
-    l->code.update(&l->memory, &now, &l->buffer);
+    game_input told = now;
+    if (l->frames == 0 && l->options->film) press(&told, GAME_KEY_FILM);
+    if (l->frames == 0 && l->options->frames) press(&told, GAME_KEY_FRAMES);
+    l->code.update(&l->memory, &told, &l->buffer);
     grant_wish(l);
     l->last = now;
     l->frames++;
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;
     if (l->options->log && (over || l->frames % 6 == 1)) write_log(l);
     return !over;
+}
+/* <save what was wanted of a run> */
+/* Frames that stand still, the first with this key; until a file has come out, if any is
+   to come. */
+static bool ask_for(layer *l, int32_t key, bool file)
+{
+    game_input still = { .mouse_x = l->last.mouse_x, .mouse_y = l->last.mouse_y,
+                         .held = l->last.held };
+    int32_t before = l->exported;
+    if (key) press(&still, key);
+    for (int i = 0; i < 9 && l->exported == before; i++) {
+        l->code.update(&l->memory, &still, &l->buffer);
+        grant_wish(l);
+        still.key_count = 0;
+        if (!file) return true;
+    }
+    return l->exported > before;
+}
+
+bool layer_finish(layer *l)
+{
+    const layer_options *o = l->options;
+    bool good = true;
+    if (o->frames) ask_for(l, GAME_KEY_FRAMES, false);
+    if (o->film && !ask_for(l, GAME_KEY_FILM, true))
+        good = complain("can't write the film", o->film);
+    if (o->svg && !ask_for(l, GAME_KEY_DRAWING, true))
+        good = complain("can't write the drawing", o->svg);
+    if (o->png && ask_for(l, 0, false) && !write_png(o->png, &l->buffer))
+        good = complain("can't write the picture", o->png);
+    return good;
+}
+/* <live the life of a window> */
+int layer_main(int argc, char **argv, bool (*run)(layer *l))
+{
+    layer_options options;
+    layer l;
+    char folder[1024];
+    const char *error = layer_read_options(argc, argv, &options);
+    if (!error && options.command) error = "no such option";
+    if (error) {
+        complain(error, options.command);
+        return 2;
+    }
+    if (!options.folder) options.folder = layer_user_folder(folder, sizeof folder);
+    bool good = layer_open(&l, &options, 64, 64);
+    l.memory.now = layer_now;
+    good = good && run(&l) && layer_finish(&l);
+    layer_close(&l);
+    return good ? 0 : 1;
 }

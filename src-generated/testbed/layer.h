@@ -11,6 +11,7 @@ typedef struct layer_options {
     const char *scene, *input, *record, *png, *log;     /* NULL: not given */
     const char *game;                   /* a shared library with the game */
     const char *folder;                 /* for files; NULL: none are kept */
+    const char *svg, *film, *frames;    /* sec:platform-pictures */
     const char *command, *argument;     /* an option not in the table; a bare word */
     int32_t steps;                      /* -1: not given */
     int32_t width, height;              /* interface units */
@@ -41,7 +42,8 @@ typedef struct layer {
     frame_buffer buffer;
     char *text;                 /* of the input script */
     char *scene;                /* of a file with a scene */
-    game_file file;             /* the game's card, if there is a folder */
+    game_file file;             /* the game's card, if there is a place for files */
+    int32_t exported;           /* files that went out by it */
     input_script script;
     FILE *record;
     game_input last;            /* the input of the last frame */
@@ -62,4 +64,15 @@ double layer_now(void);
 /* One frame: takes input from the script if there is one, calls the game, records and logs.
    False when it is time to stop: the script or the number of steps is at its end. */
 bool layer_frame(layer *l, const game_input *input);
+
+/* After the last frame: saves the pictures that the options name. */
+bool layer_finish(layer *l);
+
+/* The whole life of a program with one window: reads the options, opens the layer, lets
+   `run' open its window and play, saves what was wanted, closes. Returns the exit code. */
+int layer_main(int argc, char **argv, bool (*run)(layer *l));
+
+/* The folder that the system has for a program's files, made if it is not there; in path.
+   NULL: the system has none, or it can't be made. */
+const char *layer_user_folder(char *path, size_t size);
 #endif

@@ -33,7 +33,8 @@ typedef struct game_memory {
     double (*now)(void);        /* s, since whenever; NULL: no clock. To measure only */
 } game_memory;
 
-enum { GAME_PERMANENT_SIZE = 68 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
+enum { GAME_PERMANENT_SIZE = 100 * 1024 * 1024,
+       GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
 /* <the input of one frame> */
 enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
 
@@ -43,6 +44,9 @@ enum {
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN
 };
+/* What a command line may press by itself: sec:platform-pictures. */
+enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
+       GAME_KEY_FRAMES = '&' };
 
 enum { GAME_MAX_KEYS = 8 };
 

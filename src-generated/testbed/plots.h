@@ -6,7 +6,8 @@
 #include "weft/draw.h"
 #include "weft/world.h"
 
-enum { WF_PLOT_CURVES = 3, WF_PLOT_SAMPLES = 600, WF_PLOTS_MOST = 8, WF_PLOT_ERROR = 6 };
+enum { WF_PLOT_CURVES = 5, WF_PLOT_SAMPLES = 600, WF_PLOTS_MOST = 10 };
+enum { WF_PLOT_ERROR = 6, WF_PLOT_STAGES = 7 };         /* rows */
 
 /* What is asked at each sample. */
 typedef struct wfPlotInput {
@@ -14,19 +15,22 @@ typedef struct wfPlotInput {
     const wfWorld *other;       /* other worlds, so many; of the same bodies */
     int32_t others;
     double step, frame;         /* s that the last step, frame took; 0: nobody knows */
+    const double *stage;        /* s that each stage of it took; NULL: nobody knows */
+    bool clocked;               /* there is a clock */
 } wfPlotInput;
 
 typedef struct wfPlotRow {
     const char *name, *unit, *text;
     const char *curve[WF_PLOT_CURVES];      /* NULL: no more */
     void (*sample)(const wfPlotInput *in, float out[WF_PLOT_CURVES]);
+    bool clock;                             /* it needs one */
 } wfPlotRow;
 extern const wfPlotRow wfPlotTable[];
 extern const int wfPlotCount;
 
 /* All zero: empty. A ring: the newest sample is before `next'. */
 typedef struct wfPlots {
-    int32_t count, next, others;
+    int32_t count, next, others, clocked, staged;
     float time[WF_PLOT_SAMPLES];            /* s */
     float value[WF_PLOTS_MOST][WF_PLOT_SAMPLES][WF_PLOT_CURVES];
 } wfPlots;

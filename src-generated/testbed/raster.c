@@ -16,9 +16,11 @@ void wfCoverBegin(wfCoverRow *row, int32_t y, int32_t x0, int32_t width)
 
 void wfCoverClear(wfCoverRow *row)
 {
-    for (int32_t i = row->low; i < row->high; i++) row->at[i] = 0;
+    if (row->high > row->low)
+        memset(row->at + row->low, 0, sizeof *row->at * (size_t)(row->high - row->low));
     row->low = row->width;
     row->high = 0;
+    row->fullLow = row->fullHigh = 0;
 }
 
 static void touch(wfCoverRow *row, int32_t low, int32_t high)
@@ -26,8 +28,21 @@ static void touch(wfCoverRow *row, int32_t low, int32_t high)
     if (low < row->low) row->low = low;
     if (high > row->high) row->high = high;
 }
+
+/* These cells are full. The longest such run is remembered. */
+static void fill_run(wfCoverRow *row, int32_t low, int32_t high)
+{
+    for (int32_t i = low; i < high; i++) row->at[i] = 1;
+    if (high - low <= row->fullHigh - row->fullLow) return;
+    row->fullLow = low;
+    row->fullHigh = high;
+}
 /* <begin and clear a row of coverage> */
-static float clamp01(float x) { return x < 0 ? 0 : x > 1 ? 1 : x; }
+static float clamp01(float x)
+{
+    float above = x > 0 ? x : 0;
+    return above < 1 ? above : 1;
+}
 
 /* The integer part of x, kept within low..high; x may be any number but NaN. */
 static int32_t floor_within(float x, int32_t low, int32_t high)
@@ -36,6 +51,21 @@ static int32_t floor_within(float x, int32_t low, int32_t high)
     if (x >= (float)high) return high;
     int32_t i = (int32_t)x;
     return (float)i > x ? i - 1 : i;
+}
+/* <make a side ready for its rows> */
+/* From (x, y) by (dx, dy), in pixels; slope is dx / dy, and u the direction of a line. */
+typedef struct side { double x, y, dx, dy, slope; float ux, uy; } side;
+
+static side make_side(const float from[2], const float to[2], bool line)
+{
+    side s = { .x = (double)from[0], .y = (double)from[1] };
+    s.dx = (double)to[0] - s.x;
+    s.dy = (double)to[1] - s.y;
+    if (s.dy != 0) s.slope = s.dx / s.dy;
+    if (!line) return s;
+    float dx = (float)s.dx, dy = (float)s.dy, length = (float)wfLength(wfV2(dx, dy));
+    if (length > 0) s.ux = dx / length, s.uy = dy / length;
+    return s;
 }
 /* <cover a polygon> */
 /* A piece of an edge from pixel xa to xb, both within the row, dy high. */
@@ -67,7 +97,7 @@ static void cover_edge(wfCoverRow *row, double xa, double xb, double dy)
 {
     double limit = row->width, ca = within(xa, 0, limit), cb = within(xb, 0, limit);
     double low = xa < xb ? xa : xb, high = xa < xb ? xb : xa;
-    if (low > limit || high > limit) touch(row, row->width, row->width);
+    if (high >= limit) touch(row, row->width, row->width);
     if (low >= limit) return;
     double left = high <= 0 ? 1 : low < 0 ? -low / (high - low) : 0;
     double kept = ca < cb ? cb - ca : ca - cb;
@@ -79,36 +109,62 @@ static void cover_edge(wfCoverRow *row, double xa, double xb, double dy)
     if (inside > 0) cover_piece(row, (float)ca, (float)cb, (float)(dy * inside));
 }
 /* <cover a polygon> */
-void wfCoverPolygon(wfCoverRow *row, wfPixelMap map, const float *xy, int count)
+/* <add up the row by eq:draw-sum> */
+enum { RUN = 8 };
+
+static int32_t empty_until(const wfCoverRow *row, int32_t i)
 {
-    double top = row->y, bottom = top + 1;
-    for (int i = 0, j = count - 1; i < count; j = i++) {
-        double x0 = (double)wfPixelX(map, xy[2 * j]) - row->x0;
-        double x1 = (double)wfPixelX(map, xy[2 * i]) - row->x0;
-        double y0 = (double)wfPixelY(map, xy[2 * j + 1]);
-        double y1 = (double)wfPixelY(map, xy[2 * i + 1]);
-        double ya = within(y0, top, bottom), yb = within(y1, top, bottom);
-        if (ya == yb) continue;
-        double slope = (x1 - x0) / (y1 - y0);
-        cover_edge(row, x0 + (ya - y0) * slope, x0 + (yb - y0) * slope, yb - ya);
-    }
-    /* <add up the row by eq:draw-sum> */
+    while (i < row->high && row->at[i] == 0) i++;
+    return i;
+}
+
+static void add_up(wfCoverRow *row)
+{
     float sum = 0;
+    int32_t empty = 0;
     for (int32_t i = row->low; i < row->high; i++) {
+        empty = row->at[i] == 0 ? empty + 1 : 0;
         sum += row->at[i];
-        row->at[i] = clamp01((float)wfAbs(sum));
+        row->at[i] = clamp01(sum > -sum ? sum : -sum);
+        if (empty < RUN || row->at[i] < 1 - 1e-6f) continue;
+        int32_t end = empty_until(row, i + 1);
+        fill_run(row, i + 1, end);
+        i = end - 1;
+        empty = 0;
     }
     if (row->high > row->width) row->high = row->width;
+    if (row->fullHigh > row->width) row->fullHigh = row->width;
+}
+
+static void cover_side(wfCoverRow *row, const side *s)
+{
+    double top = row->y, bottom = top + 1, x = s->x - row->x0;
+    double ya = within(s->y, top, bottom), yb = within(s->y + s->dy, top, bottom);
+    if (ya != yb)
+        cover_edge(row, x + (ya - s->y) * s->slope, x + (yb - s->y) * s->slope, yb - ya);
+}
+
+void wfCoverPolygon(wfCoverRow *row, wfPixelMap map, const float *xy, int count)
+{
+    for (int i = 0, j = count - 1; i < count; j = i++) {
+        side s = make_side((float[2]){ wfPixelX(map, xy[2 * j]),
+                                       wfPixelY(map, xy[2 * j + 1]) },
+                           (float[2]){ wfPixelX(map, xy[2 * i]),
+                                       wfPixelY(map, xy[2 * i + 1]) }, false);
+        cover_side(row, &s);
+    }
+    add_up(row);
 }
 /* <cover a line> */
-static float band(float distance, float half)
+static float band(float distance, float half)             /* eq:draw-band */
 {
     return clamp01(0.5f + half - distance) - clamp01(0.5f - half - distance);
 }
 
 static void greater(wfCoverRow *row, int32_t i, float cover)
 {
-    if (cover > row->at[i]) row->at[i] = cover;
+    float there = row->at[i];
+    row->at[i] = cover > there ? cover : there;
 }
 /* <cover a line> */
 /* The range of t for which p + t d lies within low..high; false when there is none. */
@@ -122,30 +178,49 @@ static bool clip_range(double p, double d, double low, double high, double *t0, 
     return *t0 <= *t1;
 }
 /* <cover a line> */
-void wfCoverLine(wfCoverRow *row, const float from[2], const float to[2], float half)
+/* The part of a side within reach of the row: its ends a, b from the row's first centre. */
+static bool near_row(const wfCoverRow *row, const side *s, double reach, float a[2],
+                     float b[2])
 {
-    double reach = (double)half + 0.5, t0 = 0, t1 = 1;
-    double x = (double)from[0] - row->x0 - 0.5, y = (double)from[1] - row->y - 0.5;
-    double dx = (double)to[0] - (double)from[0], dy = (double)to[1] - (double)from[1];
-    if ((y > reach && y + dy > reach) || (y < -reach && y + dy < -reach)) return;
-    if (!clip_range(y, dy, -reach, reach, &t0, &t1)) return;
-    if (!clip_range(x, dx, -reach, row->width + reach, &t0, &t1)) return;
-    float ax = (float)(x + t0 * dx), ay = (float)(y + t0 * dy);
-    float bx = (float)(x + t1 * dx), by = (float)(y + t1 * dy);
-    float low = (ax < bx ? ax : bx) - (float)reach;
-    float high = (ax < bx ? bx : ax) + (float)reach;
+    double x = s->x - row->x0 - 0.5, y = s->y - row->y - 0.5, t0 = 0, t1 = 1;
+    double ya = within(y, -reach, reach), yb = within(y + s->dy, -reach, reach);
+    if (ya == yb && (s->dy != 0 || y != ya)) return false;
+    double xa = x + (ya - y) * s->slope, dx = s->dy != 0 ? (yb - ya) * s->slope : s->dx;
+    double high = row->width + reach, xb = xa + dx, dy = yb - ya;
+    if (xa < -reach || xb < -reach || xa > high || xb > high) {
+        if (!clip_range(xa, dx, -reach, high, &t0, &t1)) return false;
+        xb = xa + t1 * dx, yb = ya + t1 * dy;
+        xa += t0 * dx, ya += t0 * dy;
+    }
+    a[0] = (float)xa, a[1] = (float)ya;
+    b[0] = (float)xb, b[1] = (float)yb;
+    return true;
+}
+/* <cover a line> */
+static void cover_stroke(wfCoverRow *row, const side *s, float half)
+{
+    float a[2], b[2], reach = half + 0.5f;
+    if (!near_row(row, s, (double)reach, a, b)) return;
+    float low = (a[0] < b[0] ? a[0] : b[0]) - reach;
+    float high = (a[0] < b[0] ? b[0] : a[0]) + reach;
     int32_t first = floor_within(low, 0, row->width);
     int32_t last = floor_within(high + 1, 0, row->width);
-    float ex = bx - ax, ey = by - ay, squared = ex * ex + ey * ey;
+    float length = (b[0] - a[0]) * s->ux + (b[1] - a[1]) * s->uy;
     touch(row, first, last);
     for (int32_t i = first; i < last; i++) {
-        float px = (float)i - ax;
-        /* <find the nearest point of the line by eq:draw-nearest> */
-        float t = squared > 0 ? clamp01((px * ex - ay * ey) / squared) : 0;
-        /* <cover the pixel by its distance from the line, eq:draw-band> */
-        float qx = px - t * ex, qy = -ay - t * ey;
-        greater(row, i, band((float)wfSqrt(qx * qx + qy * qy), half));
+        /* <find the distance from the line by eq:draw-nearest> */
+        float along = ((float)i - a[0]) * s->ux - a[1] * s->uy;
+        along = along > 0 ? along : 0;
+        along = along < length ? along : length;
+        float x = (float)i - a[0] - along * s->ux, y = -a[1] - along * s->uy;
+        greater(row, i, band((float)wfSqrt(x * x + y * y), half));
     }
+}
+
+void wfCoverLine(wfCoverRow *row, const float from[2], const float to[2], float half)
+{
+    side s = make_side(from, to, true);
+    cover_stroke(row, &s, half);
 }
 /* <cover discs and rings> */
 /* The pixels of the row whose centres are at most reach from (x, y): first to last - 1. */
@@ -166,42 +241,77 @@ static float distance_to(const wfCoverRow *row, int32_t i, float x, float y)
     return (float)wfSqrt(dx * dx + dy * dy);
 }
 /* <cover discs and rings> */
+/* The run of pixels whose centres are nearer than reach; at last when there is none. */
+static void inner_range(const wfCoverRow *row, float x, float y, float reach, int32_t last,
+                        int32_t inner[2])
+{
+    bool any = reach > 0 && reach_range(row, x, y, reach, &inner[0], &inner[1]);
+    if (any) inner[0]++;
+    if (!any || inner[0] >= inner[1]) inner[0] = inner[1] = last;
+}
+
+static int32_t next_outside(int32_t i, const int32_t inner[2])
+{
+    return i + 1 == inner[0] ? inner[1] : i + 1;
+}
+/* <cover discs and rings> */
 void wfCoverDisc(wfCoverRow *row, float x, float y, float radius)
 {
-    int32_t first, last;
+    int32_t first, last, inner[2];
     /* <correct the radius and the strength by eq:draw-disc> */
     float squared = radius * radius;
     bool large = squared > 1.0f / 3;
     float edge = large ? (float)wfSqrt(squared - 1.0f / 12) : 0.5f;
     float strength = large ? 1 : 3 * squared;
     if (!reach_range(row, x, y, edge + 0.5f, &first, &last)) return;
+    inner_range(row, x, y, edge - 0.5f, last, inner);
     touch(row, first, last);
-    for (int32_t i = first; i < last; i++)
+    fill_run(row, inner[0], inner[1]);
+    for (int32_t i = first; i < last; i = next_outside(i, inner))
         greater(row, i, strength * clamp01(0.5f + edge - distance_to(row, i, x, y)));
 }
 
 void wfCoverRing(wfCoverRow *row, float x, float y, float radius, float half)
 {
-    int32_t first, last;
+    int32_t first, last, inner[2];
     if (!reach_range(row, x, y, radius + half + 0.5f, &first, &last)) return;
+    inner_range(row, x, y, radius - half - 0.5f, last, inner);
     touch(row, first, last);
-    for (int32_t i = first; i < last; i++) {
+    for (int32_t i = first; i < last; i = next_outside(i, inner)) {
         float off = distance_to(row, i, x, y) - radius;
-        greater(row, i, band((float)wfAbs(off), half));
+        greater(row, i, band(off > -off ? off : -off, half));
     }
 }
 /* <blend> */
+/* The light of one ink, laid over a pixel; share is 0..1. */
+typedef struct ink_light { float light[3], alpha; } ink_light;
+
+static ink_light light_of(wfInk ink)
+{
+    float r = (float)ink.r, g = (float)ink.g, b = (float)ink.b;
+    return (ink_light){ { r * r, g * g, b * b }, (float)ink.a / 255 };
+}
+
+static uint8_t mixed(float old, float new_light, float share)
+{
+    /* <mix the light by eq:draw-blend> */
+    float light = old * old + share * (new_light - old * old);
+    return (uint8_t)((float)wfSqrt(light) + 0.5f);
+}
+
+static void lay_over(uint8_t pixel[4], const ink_light *ink, float share)
+{
+    share *= ink->alpha;
+    pixel[0] = mixed((float)pixel[0], ink->light[0], share);
+    pixel[1] = mixed((float)pixel[1], ink->light[1], share);
+    pixel[2] = mixed((float)pixel[2], ink->light[2], share);
+    pixel[3] = 255;
+}
+
 void wfBlend(uint8_t pixel[4], wfInk ink, float share)
 {
-    const uint8_t above[3] = { ink.r, ink.g, ink.b };
-    share = clamp01(share) * (float)ink.a / 255;
-    for (int k = 0; k < 3; k++) {
-        float old = (float)pixel[k], new = (float)above[k];
-        /* <mix the light by eq:draw-blend> */
-        float light = old * old + share * (new * new - old * old);
-        pixel[k] = (uint8_t)((float)wfSqrt(light) + 0.5f);
-    }
-    pixel[3] = 255;
+    ink_light light = light_of(ink);
+    lay_over(pixel, &light, clamp01(share));
 }
 /* <blend> */
 void wfBlendLetter(uint8_t pixel[4], wfInk ink, float share)
@@ -216,16 +326,26 @@ void wfBlendLetter(uint8_t pixel[4], wfInk ink, float share)
     pixel[3] = 255;
 }
 /* <blend> */
+static uint32_t word_of(wfInk ink)                      /* the pixel, opaque */
+{
+    const uint8_t bytes[4] = { ink.r, ink.g, ink.b, 255 };
+    uint32_t word;
+    memcpy(&word, bytes, sizeof word);
+    return word;
+}
+
 static void blend_row(frame_buffer *target, const wfCoverRow *row, wfInk ink)
 {
-    uint8_t *pixel = (uint8_t *)(target->pixels + (size_t)row->y * (size_t)target->pitch
-                                 + (size_t)row->x0);
-    const uint8_t full[4] = { ink.r, ink.g, ink.b, 255 };
+    uint32_t *pixel = target->pixels + (size_t)row->y * (size_t)target->pitch
+                    + (size_t)row->x0, full = word_of(ink);
+    ink_light light = light_of(ink);
     for (int32_t i = row->low; i < row->high; i++) {
         float share = row->at[i];
-        if (share < 1.0f / 512) continue;
-        if (share > 511.0f / 512 && ink.a == 255) memcpy(pixel + 4 * i, full, 4);
-        else wfBlend(pixel + 4 * i, ink, share);
+        if (ink.a == 255 && i == row->fullLow && i < row->fullHigh) {
+            for (; i < row->fullHigh; i++) pixel[i] = full;
+            i--;
+        } else if (share > 511.0f / 512 && ink.a == 255) pixel[i] = full;
+        else if (share >= 1.0f / 512) lay_over((uint8_t *)(pixel + i), &light, share);
     }
 }
 /* <draw the commands of a list into the picture> */
@@ -239,22 +359,29 @@ typedef struct stencil {
     float radius, half;    /* px */
 } stencil;
 /* <draw the commands of a list into the picture> */
-static void cover(wfCoverRow *row, const stencil *s)
+enum { MOST_SIDES = 64 };
+
+static side side_of(const stencil *s, int i)            /* from point i to the next */
+{
+    const float *a = s->xy + 2 * i, *b = i + 1 < s->count ? a + 2 : s->xy;
+    float from[2] = { wfPixelX(s->map, a[0]), wfPixelY(s->map, a[1]) };
+    float to[2] = { wfPixelX(s->map, b[0]), wfPixelY(s->map, b[1]) };
+    return make_side(from, to, s->kind == STROKE);
+}
+
+static void cover(wfCoverRow *row, const stencil *s, const side *ready, int sides)
 {
     float x = wfPixelX(s->map, s->xy[0]), y = wfPixelY(s->map, s->xy[1]);
-    if (s->kind == FILL) wfCoverPolygon(row, s->map, s->xy, s->count);
     if (s->kind == DISC) wfCoverDisc(row, x, y, s->radius);
     if (s->kind == RING) wfCoverRing(row, x, y, s->radius, s->half);
-    if (s->kind != STROKE) return;
-    float first[2] = { x, y }, from[2] = { x, y };
-    for (int i = 1; i < s->count; i++) {
-        float to[2] = { wfPixelX(s->map, s->xy[2 * i]),
-                        wfPixelY(s->map, s->xy[2 * i + 1]) };
-        wfCoverLine(row, from, to, s->half);
-        from[0] = to[0];
-        from[1] = to[1];
+    for (int i = 0; i < sides; i++) {
+        side made;
+        const side *p = ready + i;
+        if (sides > MOST_SIDES) made = side_of(s, i), p = &made;
+        if (s->kind == FILL) cover_side(row, p);
+        else cover_stroke(row, p, s->half);
     }
-    if (s->closed) wfCoverLine(row, from, first, s->half);
+    if (s->kind == FILL) add_up(row);
 }
 /* <draw the commands of a list into the picture> */
 /* The pixels that a stencil may touch, cut to the picture: x0, y0, x1, y1. */
@@ -279,12 +406,17 @@ static void stencil_box(const stencil *s, const frame_buffer *target, int32_t bo
 static void paint(frame_buffer *target, const stencil *s, wfInk ink)
 {
     wfCoverRow row;
+    side ready[MOST_SIDES];
     int32_t box[4];
+    bool round = s->kind == DISC || s->kind == RING, open = s->kind == STROKE && !s->closed;
+    int sides = round ? 0 : s->count - open;
     stencil_box(s, target, box);
+    if (box[0] >= box[2] || box[1] >= box[3]) return;
+    for (int i = 0; i < sides && sides <= MOST_SIDES; i++) ready[i] = side_of(s, i);
     for (int32_t x = box[0]; x < box[2]; x += WF_COVER_WIDTH) {
         wfCoverBegin(&row, 0, x, box[2] - x);
         for (row.y = box[1]; row.y < box[3]; row.y++) {
-            cover(&row, s);
+            cover(&row, s, ready, sides);
             blend_row(target, &row, ink);
             wfCoverClear(&row);
         }
@@ -418,13 +550,11 @@ static bool usable(const frame_buffer *t)
 void wfClearFrame(frame_buffer *target, wfInk ink)
 {
     if (!usable(target)) return;
-    const uint8_t full[4] = { ink.r, ink.g, ink.b, 255 };
-    uint32_t word;
-    memcpy(&word, full, 4);
-    for (int32_t y = 0; y < target->height; y++) {
-        uint32_t *row = target->pixels + (size_t)y * (size_t)target->pitch;
-        for (int32_t x = 0; x < target->width; x++) row[x] = word;
-    }
+    uint32_t word = word_of(ink), *first = target->pixels;
+    size_t pitch = (size_t)target->pitch, bytes = (size_t)target->width * sizeof word;
+    for (int32_t x = 0; x < target->width; x++) first[x] = word;
+    for (int32_t y = 1; y < target->height; y++)
+        memcpy(first + (size_t)y * pitch, first, bytes);
 }
 
 wfPixelMap wfFrameMap(const float view[4], const frame_buffer *target)

@@ -13,6 +13,7 @@
 typedef struct wfCoverRow {
     int32_t y, x0, width;             /* width <= WF_COVER_WIDTH */
     int32_t low, high;                /* only at[low] to at[high - 1] may differ from 0 */
+    int32_t fullLow, fullHigh;        /* at[fullLow] to at[fullHigh - 1] are surely 1 */
     float   at[WF_COVER_WIDTH + 2];
 } wfCoverRow;
 void wfCoverBegin(wfCoverRow *row, int32_t y, int32_t x0, int32_t width);

@@ -10,7 +10,7 @@ typedef struct sdl_app {
     SDL_Window *window;
     SDL_Renderer *renderer;
     SDL_Texture *texture;
-    layer layer;
+    layer *layer;
     game_input input;
     float density;              /* pixels to one unit of the mouse's coordinates */
     bool open;
@@ -23,13 +23,13 @@ static bool fit(sdl_app *app)
     if (SDL_GetRendererOutputSize(app->renderer, &width, &height) != 0) return false;
     SDL_GetWindowSize(app->window, &units, &unused);
     app->density = units > 0 ? (float)width / (float)units : 1;
-    frame_buffer *b = &app->layer.buffer;
+    frame_buffer *b = &app->layer->buffer;
     if (app->texture && b->width == width && b->height == height) return true;
     if (app->texture) SDL_DestroyTexture(app->texture);
     app->texture = SDL_CreateTexture(app->renderer, SDL_PIXELFORMAT_RGBA32,
                                      SDL_TEXTUREACCESS_STREAMING, width, height);
-    if (!app->texture || !layer_resize(&app->layer, width, height)) return false;
-    b->scale = app->density * app->layer.options->scale;
+    if (!app->texture || !layer_resize(app->layer, width, height)) return false;
+    b->scale = app->density * app->layer->options->scale;
     return true;
 }
 /* <open the window> */
@@ -123,7 +123,7 @@ static void take_event(sdl_app *app, const SDL_Event *e)
 /* <show the picture> */
 static bool show(sdl_app *app)
 {
-    const frame_buffer *b = &app->layer.buffer;
+    const frame_buffer *b = &app->layer->buffer;
     return SDL_UpdateTexture(app->texture, NULL, b->pixels, b->pitch * 4) == 0 &&
            SDL_RenderCopy(app->renderer, app->texture, NULL, NULL) == 0 &&
            (SDL_RenderPresent(app->renderer), true);
@@ -143,7 +143,7 @@ static bool run(sdl_app *app)
         app->input.seconds = (double)(now - before) / ticks;
         before = now;
         if (!fit(app)) return false;
-        if (!layer_frame(&app->layer, &app->input)) app->open = false;
+        if (!layer_frame(app->layer, &app->input)) app->open = false;
         if (!show(app)) return false;
         /* <forget what belonged to this frame> */
         app->input.wheel = 0;
@@ -156,30 +156,16 @@ static bool run(sdl_app *app)
     return true;
 }
 /* <run the window> */
-int main(int argc, char **argv)
+static bool run_window(layer *l)
 {
-    layer_options options;
-    const char *error = layer_read_options(argc, argv, &options);
-    if (!error && options.command) error = "no such option";
-    if (error) {
-        fprintf(stderr, "weft-testbed: %s\n", error);
-        return 2;
-    }
     sdl_app app;
     memset(&app, 0, sizeof app);
-    char *folder = options.folder ? NULL : SDL_GetPrefPath("", "weft");
-    if (folder) options.folder = folder;
-    bool good = layer_open(&app.layer, &options, 64, 64);
-    app.layer.memory.now = layer_now;
-    if (good && !open_window(&app, &options)) {
-        fprintf(stderr, "weft-testbed: %s\n", SDL_GetError());
-        good = false;
-    }
+    app.layer = l;
+    bool good = open_window(&app, l->options);
+    if (!good) fprintf(stderr, "weft-testbed: %s\n", SDL_GetError());
     good = good && run(&app);
-    if (good && options.png)
-        good = write_png(options.png, &app.layer.buffer);
     close_window(&app);
-    layer_close(&app.layer);
-    SDL_free(folder);
-    return good ? 0 : 1;
+    return good;
 }
+
+int main(int argc, char **argv) { return layer_main(argc, argv, run_window); }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "testbed/font.h"
 #include "testbed/ui.h"
 
 /* <begin a walk> */
@@ -58,6 +59,20 @@ void ui_box(ui *u, float x, float y, float w, float h, int line, int fill)
 void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text)
 {
     if (u->draw) wfDrawText(u->draw, x, u->height - y, size, role, anchor, text);
+}
+/* <draw boxes and words> */
+void ui_fitted(ui *u, float x, float y, int role, float room, const char *text)
+{
+    char line[200];
+    size_t n = strlen(text);
+    if (n >= sizeof line - 4) n = sizeof line - 4;
+    memcpy(line, text, n);
+    line[n] = 0;
+    while (n > 0 && wfTextWidth(&wfBakedFont, 13, line) > room) {
+        for (n--; n > 0 && (line[n - 1] & 0xc0) == 0x80; n--) continue;
+        memcpy(line + n, "...", 4);
+    }
+    ui_text(u, x, y, 13, role, -1, line);
 }
 /* <the area of a widget> */
 static uint32_t id_of(const char *name)             /* FNV-1a; never 0 */
@@ -154,7 +169,8 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
 {
     bool hot = ui_inside(u, x, y, w, UI_LINE) || u->memory->active == id_of(name);
     char text[32];
-    snprintf(text, sizeof text, "%.5g", value);
+    int length = snprintf(text, sizeof text, "%.5g", value);
+    if (length > 9) snprintf(text, sizeof text, "%.3g", value);
     ui_box(u, x + w - 92, y + 1, 92, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
     if (r.most - r.least < 1e4 && r.most > r.least) {
@@ -194,15 +210,29 @@ static int menu_row(ui *u, int count)
     return row < count ? row : -1;
 }
 
-static void open_menu(ui *u, const char *name, float x, float y, float w, int count)
+static void open_menu(ui *u, const char *name, float right, float y, float w,
+                      ui_names names)
 {
     ui_memory *m = u->memory;
+    int count = names.count(names.of);
+    for (int i = 0; i < count; i++) {
+        float room = 14 + wfTextWidth(&wfBakedFont, 13, names.name(names.of, i));
+        if (room > w) w = room;
+    }
     float h = 19.0f * (float)count;
     m->open = m->open == id_of(name) ? 0 : id_of(name);
-    m->menu[0] = x;
+    m->menu[0] = right - w;
     m->menu[1] = y + h > u->height ? y - UI_LINE - h : y;
+    if (m->menu[1] < 0) m->menu[1] = u->height > h ? u->height - h : 0;
     m->menu[2] = w;
     m->menu[3] = h;
+}
+/* <a choice among names> */
+static void draw_triangle(ui *u, float x, float y)
+{
+    float up = u->height - y;
+    float xy[] = { x - 4, up + 2.5f, x + 4, up + 2.5f, x, up - 4 };
+    if (u->draw) wfDrawPolygon(u->draw, xy, 3, 1, WF_INK_LINE, WF_INK_LINE);
 }
 /* <a choice among names> */
 bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
@@ -217,8 +247,8 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     if (left > x) ui_text(u, x, y + 15, 13, ink, -1, name);
     ui_box(u, left, y + 1, wide, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
-    ui_text(u, left + 6, y + 15, 13, WF_INK_TEXT, -1, text ? text : "?");
-    ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, "▼");
+    ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26, text ? text : "?");
+    draw_triangle(u, x + w - 12, y + UI_LINE / 2);
     if (open && (row = menu_row(u, count)) >= 0) {
         *now = row;
         m->open = 0;
@@ -227,7 +257,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     }
     bool pressed = ui_area(u, name, left, y, wide, UI_LINE);
     if (pressed && u->enter) *now = (*now + 1) % count;
-    else if (pressed) open_menu(u, name, left, y + UI_LINE, wide, count);
+    else if (pressed) open_menu(u, name, x + w, y + UI_LINE, wide, names);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
     if (u->draw && m->open == id_of(name)) {

@@ -54,6 +54,8 @@ void ui_finish(ui *u, double seconds);
 bool ui_inside(const ui *u, float x, float y, float w, float h);
 void ui_box(ui *u, float x, float y, float w, float h, int line, int fill);
 void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text);
+/* Text of 13 units from x on, cut with three points where it would be wider than room. */
+void ui_fitted(ui *u, float x, float y, int role, float room, const char *text);
 /* Was it clicked, or pressed by a key? Each widget is one of these. */
 bool ui_area(ui *u, const char *name, float x, float y, float w, float h);
 void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w, float h);

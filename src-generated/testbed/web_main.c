@@ -12,6 +12,8 @@ static uint32_t pixels[MOST_WIDTH * MOST_HEIGHT];
 static char text[1 << 16];
 static uint8_t file_bytes[GAME_FILE_BYTES];
 static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
+static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
+                              NULL, &file, NULL };
 static game_input input;
 /* <take input from the page> */
 EXPORT("web_name") char *web_name(void) { return text; }
@@ -62,8 +64,6 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
                                         int steps)
 {
     if (width < 1 || width > MOST_WIDTH || height < 1 || height > MOST_HEIGHT) return NULL;
-    game_memory memory = { permanent, sizeof permanent, transient,
-                           sizeof transient, NULL, &file, NULL };
     frame_buffer picture = { pixels, width, height, width, scale };
     input.seconds = seconds;
     input.steps = steps;
@@ -78,8 +78,6 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
 /* What is going on, in words, in web_name(); returns the length. */
 EXPORT("web_describe") size_t web_describe(void)
 {
-    game_memory memory = { permanent, sizeof permanent, transient,
-                           sizeof transient, NULL, &file, NULL };
     size_t length = game_describe(&memory, text, sizeof text);
     return length < sizeof text ? length : sizeof text - 1;
 }

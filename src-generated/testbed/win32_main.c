@@ -9,7 +9,7 @@
 #include <string.h>
 #include "testbed/layer.h"
 
-typedef struct win_app { layer layer; game_input input; bool open; } win_app;
+typedef struct win_app { layer *layer; game_input input; bool open; } win_app;
 /* <note what happened to the window> */
 static void note_key(game_input *in, int32_t key)
 {
@@ -105,14 +105,14 @@ static bool show(HWND window, const frame_buffer *b)
 static bool frame(win_app *app, HWND window, double seconds)
 {
     RECT r;
-    frame_buffer *b = &app->layer.buffer;
+    frame_buffer *b = &app->layer->buffer;
     if (!GetClientRect(window, &r)) return false;
     int32_t wide = r.right > 0 ? r.right : 1, high = r.bottom > 0 ? r.bottom : 1;
-    if ((b->width != wide || b->height != high) && !layer_resize(&app->layer, wide, high))
+    if ((b->width != wide || b->height != high) && !layer_resize(app->layer, wide, high))
         return false;
-    b->scale = app->layer.options->scale;
+    b->scale = app->layer->options->scale;
     app->input.seconds = seconds;
-    if (!layer_frame(&app->layer, &app->input)) app->open = false;
+    if (!layer_frame(app->layer, &app->input)) app->open = false;
     if (r.right > 0 && r.bottom > 0 && !show(window, b)) return false;
     /* <forget what belonged to this frame> */
     app->input.wheel = 0;
@@ -144,24 +144,14 @@ static bool run(win_app *app, HWND window)
     return true;
 }
 /* <run the window of Windows> */
-int main(int argc, char **argv)
+static bool run_window(layer *l)
 {
-    layer_options options;
-    const char *error = layer_read_options(argc, argv, &options);
-    if (!error && options.command) error = "no such option";
-    if (error) {
-        fprintf(stderr, "weft-testbed: %s\n", error);
-        return 2;
-    }
-    static win_app app;
-    bool good = layer_open(&app.layer, &options, 64, 64);
-    app.layer.memory.now = layer_now;
-    HWND window = good ? open_window(&app, &options) : NULL;
-    if (good && !window)
-        fprintf(stderr, "weft-testbed: no window: error %lu\n", GetLastError());
-    good = good && window && run(&app, window);
-    if (good && options.png) good = write_png(options.png, &app.layer.buffer);
+    win_app app = { .layer = l };
+    HWND window = open_window(&app, l->options);
+    if (!window) fprintf(stderr, "weft-testbed: no window: error %lu\n", GetLastError());
+    bool good = window && run(&app, window);
     if (window) DestroyWindow(window);
-    layer_close(&app.layer);
-    return good ? 0 : 1;
+    return good;
 }
+
+int main(int argc, char **argv) { return layer_main(argc, argv, run_window); }

@@ -88,6 +88,7 @@ typedef struct wfSolve {
     int32_t             iterations;     /* passes over the contacts, >= 1 */
     wfReal              restingSpeed;   /* m/s: slower approaches do not bounce */
     wfReal              positionShare;  /* share of the overlap removed in a step, 0 to 1 */
+    /* <what a solver is told that makes the whole step> */
     const wfBodyForces *forces;         /* for `step` rows: constant; NULL: none */
     const uint8_t      *present;        /* for `step` rows: 0: a body that is left alone, at
                                          * rest and without contacts; NULL: no such body */
@@ -97,7 +98,8 @@ typedef struct wfSolve {
     const wfLaws       *laws;           /* for `step` rows: joints; NULL: none */
     wfReal              contactPeriod;  /* of `soft`: chapter 17, with the good values */
     wfReal              contactDamping; /* WF_CONTACT_..., which 0 stands for; >= 0 */
-    wfReal              recoverySpeed;  /* m/s: overlap is left no faster; 0: no limit */
+    wfReal              recoverySpeed;  /* m/s: overlap is left no faster; 0: no limit;
+                                         * WF_HUGE: by moving alone, sec:soft-deep */
     int32_t             columns;        /* 0: contacts by passes; 1: towers are solved at
                                          * once; 1 + n: with up to n loops, chapter 17 */
     wfFine             *fine;           /* of each body: what its state rounds away,

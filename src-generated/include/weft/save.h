@@ -18,7 +18,9 @@ wfResult wfSnapshotWorld(const wfWorld *world, void *bytes, size_t capacity, siz
  * outside is for wfLoadFromBytes. */
 wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size);
 /* A second world like the first, in memory of its own, or in `memory` unless that is NULL
- * (sizes: wfWorldSize of wfGetWorldDef). Errors of wfCreateWorld. */
+ * (sizes: wfWorldSize of wfGetWorldDef; not the first one's own). Given memory is written
+ * only where the world has something: who clones again into the same memory pays for no
+ * page twice. WF_ERROR_NULL, _BUSY, _MEMORY. */
 wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out);
 /* <declarations of comparing> */
 /* Where two worlds differ first. */

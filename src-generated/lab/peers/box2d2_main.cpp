@@ -30,7 +30,7 @@ static void add_shape(b2Body *body, const peerShape *s)
     def.filter.maskBits = (uint16)s->mask;
     body->CreateFixture(&def);
 }
-
+/* <a scene in Box2D 2> */
 static b2Body *add_body(const peerScene *scene, const peerBody *b, bool bullet)
 {
     b2BodyDef def;
@@ -69,7 +69,7 @@ static void add_joint(const peerJoint *j)
     if (j->kind == PEER_DISTANCE) join(rod, j);
     if (j->kind == PEER_WELD) join(weld, j);
 }
-
+/* <a scene in Box2D 2> */
 static void build(const peerScene *scene, const peerOptions *o)
 {
     world = new b2World(vec(scene->gravity));

@@ -27,7 +27,7 @@ function addShape(body, s) {
   circle.radius = s.radius;
   return B.b2CreateCircleShape(body, def, circle);
 }
-
+/* <a scene in Box2D 3 for the web> */
 function addBody(b, bullet) {
   const def = B.b2DefaultBodyDef(), locks = def.motionLocks;
   def.type = { static: B.b2BodyType.b2_staticBody, dynamic: B.b2BodyType.b2_dynamicBody,
@@ -60,7 +60,7 @@ function addJoint(j) {
   if (j.kind === 'distance') def.length = j.rest;
   B[`b2Create${kind}Joint`](world, def);
 }
-
+/* <a scene in Box2D 3 for the web> */
 function build(s, o) {
   const def = B.b2DefaultWorldDef();
   scene = s;
@@ -68,7 +68,7 @@ function build(s, o) {
   def.enableSleep = !!o.sleep;
   world = B.b2CreateWorld(def);
   substeps = o.substeps || substeps;
-  bodies = s.bodies.map(b => addBody(b, !!o.fast));
+  bodies = s.bodies.map(b => addBody(b, o.fast && b.velocity.concat(b.spin).some(v => v !== 0)));
   s.joints.forEach(addJoint);
 }
 /* <run Box2D 3 for the web> */

@@ -28,7 +28,7 @@ static void add_shape(cpBody *body, const peerShape *s)
     cpShapeSetFilter(shape, cpShapeFilterNew(CP_NO_GROUP, s->category, s->mask));
     cpSpaceAddShape(space, shape);
 }
-
+/* <a scene in Chipmunk> */
 static cpBody *add_body(const peerScene *scene, const peerBody *b)
 {
     cpBody *body = b->type == PEER_STATIC ? cpBodyNewStatic()
@@ -64,7 +64,7 @@ static void add_joint(const peerJoint *j)
     if (j->kind == PEER_WELD)
         keep(cpGearJointNew(a, b, cpBodyGetAngle(b) - cpBodyGetAngle(a), 1), j);
 }
-
+/* <a scene in Chipmunk> */
 static void build(const peerScene *scene, const peerOptions *o)
 {
     space = cpSpaceNew();
@@ -91,7 +91,7 @@ static void read_body(int i, double state[6])
     state[4] = v.y / UNITS;
     state[5] = cpBodyGetAngularVelocity(b);
 }
-
+/* <run Chipmunk> */
 static void count_one(cpBody *body, cpArbiter *arbiter, void *sums)
 {
     CP_ARBITER_GET_BODIES(arbiter, a, b);

@@ -31,7 +31,7 @@ static double kernel(double least)
     (void)sink;
     return least;
 }
-
+/* <the peers' clock> */
 static int by_size(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -48,7 +48,7 @@ static double value_of(int argc, char **argv, int *i)
     }
     return value;
 }
-
+/* <the peers' options> */
 static const char *read_options(int argc, char **argv, peerOptions *o)
 {
     const char *file = NULL;
@@ -101,7 +101,7 @@ static void print_head(const peerEngine *e, const peerScene *s, const peerOption
         printf(",x%d,y%d,a%d,vx%d,vy%d,w%d", i, i, i, i, i, i);
     printf("\n");
 }
-
+/* <the peers' rows> */
 static void print_row(const peerEngine *e, const peerScene *s, const peerOptions *o,
                       int step)
 {

@@ -19,7 +19,7 @@ function readOptions(argv) {
   if (!o.file) fail('use: NAME SCENE.json --steps N [options: chapter 02]');
   return o;
 }
-
+/* <options in JavaScript> */
 function compareWith(e, s, o) {
   const no = what => refuse(`${e.name}: ${what}`);
   if (o.iterations > 0 && !e.canIterate) no('--iterations: it has no such number');
@@ -42,7 +42,7 @@ function kernel(least) {
   }
   return least;
 }
-
+/* <rows in JavaScript> */
 function row(e, s, o, step) {
   const states = s.bodies.map((b, i) => e.read(i));
   const heights = states.filter((_, i) => s.bodies[i].type === 'dynamic').map(v => v[1]);

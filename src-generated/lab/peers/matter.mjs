@@ -47,7 +47,7 @@ function middle(s) {
   });
   return [x / area, y / area];
 }
-
+/* <a scene in Matter> */
 const anchor = (body, p) => {
   const c = Math.cos(body.angle), s = Math.sin(body.angle);
   const at = place([p[0] - body.weftCentre[0], p[1] - body.weftCentre[1]]);
@@ -60,7 +60,7 @@ function addJoint(j) {
     pointB: anchor(bodyB, j.anchorB), stiffness: 1,
     length: j.kind === 'distance' ? UNITS * j.rest : 0 });
 }
-
+/* <a scene in Matter> */
 function build(scene, o) {
   engine = Engine.create({ enableSleeping: !!o.sleep });
   engine.gravity = { x: scene.gravity[0], y: -scene.gravity[1], scale: UNITS * 1e-6 };

@@ -44,6 +44,7 @@ typedef struct peerOptions {
     double dt;
     const char *set[16];                        /* "solver=exact" */
 } peerOptions;
+/* <what a peer is told> */
 /* Says why not on stderr, and ends the program with status 3. */
 void peerRefuse(const char *what, ...);
 /* Reads a scene; ends the program if it cannot be read (1) or is refused (3). */

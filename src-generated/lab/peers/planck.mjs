@@ -21,7 +21,7 @@ function addBody(b, bullet) {
   body.setAngularVelocity(b.spin);
   return body;
 }
-
+/* <a scene in planck> */
 function addJoint(j) {
   const a = bodies[j.a], b = bodies[j.b];
   const def = { bodyA: a, bodyB: b, localAnchorA: vec(j.anchorA),

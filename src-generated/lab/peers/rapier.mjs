@@ -27,7 +27,7 @@ function addShape(s, body) {
   desc.setRestitutionCombineRule(RAPIER.CoefficientCombineRule.Max);
   world.createCollider(desc, body);
 }
-
+/* <a scene in Rapier> */
 function addBody(b, o) {
   const kinds = { static: 'fixed', kinematic: 'kinematicVelocityBased',
     dynamic: 'dynamic' };
@@ -42,7 +42,7 @@ function addBody(b, o) {
   body.setAngvel(b.spin, true);
   return body;
 }
-
+/* <a scene in Rapier> */
 function addJoint(j) {
   const a = bodies[j.a], b = bodies[j.b], p = vec(j.anchorA), q = vec(j.anchorB);
   const turned = b.rotation() - a.rotation();
@@ -68,7 +68,7 @@ function read(i) {
   const b = bodies[i], at = b.worldCom(), v = b.linvel();
   return [at.x, at.y, b.rotation(), v.x, v.y, b.angvel()];
 }
-
+/* <run Rapier> */
 function count() {
   const seen = new Set();
   let points = 0;

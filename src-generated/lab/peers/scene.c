@@ -65,7 +65,7 @@ static int neutral(const cJSON *item, double value)
         if (!neutral(child, value)) return 0;
     return cJSON_IsArray(item) || cJSON_IsObject(item);
 }
-
+/* <look at keys> */
 static void look_at_keys(const cJSON *object, const Keys *keys, const char *where)
 {
     const cJSON *item;
@@ -102,7 +102,7 @@ static const char *word(const cJSON *object, const char *key, const char *usual)
     const char *text = cJSON_GetStringValue(cJSON_GetObjectItem(object, key));
     return text != NULL ? text : usual;
 }
-
+/* <look at keys> */
 /* 16 bits; a greater number is written in hexadecimal, in quotes */
 static unsigned bits(const cJSON *object, const char *key, unsigned usual)
 {
@@ -120,7 +120,7 @@ static void turn(double x, double y, double angle, const double by[2], double ou
     out[0] = by[0] + c * x - s * y;
     out[1] = by[1] + s * x + c * y;
 }
-
+/* <read shapes of a scene> */
 static void read_corners(const cJSON *item, const char *where, peerShape *s)
 {
     static const double sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
@@ -139,7 +139,7 @@ static void read_corners(const cJSON *item, const char *where, peerShape *s)
         }
     if (s->radius != 0) peerRefuse("%s.radius: a rounded polygon", where);
 }
-
+/* <read shapes of a scene> */
 static void read_shape(const cJSON *item, const char *where, peerShape *s)
 {
     const char *kind = word(item, "kind", "");
@@ -158,7 +158,7 @@ static void read_shape(const cJSON *item, const char *where, peerShape *s)
         peerRefuse("%s: a %s", where, kind);
 }
 /* <read bodies of a scene> */
-/* twice the mass and twice the first moments, added */
+/* twice the mass and twice the first moments, added: eq:similar-centre */
 static void weigh(const peerShape *s, double sum[3])
 {
     const double *o = s->corner[0];
@@ -174,7 +174,7 @@ static void weigh(const peerShape *s, double sum[3])
         sum[2] += s->density * area * (o[1] + p[1] + q[1]) / 3;
     }
 }
-
+/* <read bodies of a scene> */
 static void read_body(const cJSON *item, const char *where, peerScene *out, peerBody *b)
 {
     const cJSON *list = cJSON_GetObjectItem(item, "shapes"), *shape;
@@ -211,7 +211,7 @@ static int which(const cJSON *root, const cJSON *joint, const char *key)
     fail("joints", "no such body");
     return 0;
 }
-
+/* <read joints of a scene> */
 static void read_anchor(const cJSON *item, const char *global, const char *local,
                         const double origin[2], const peerBody *b, double out[2])
 {
@@ -228,7 +228,7 @@ static void read_anchor(const cJSON *item, const char *global, const char *local
         out[1] = b->centre[1];
     }
 }
-
+/* <read joints of a scene> */
 static void read_joint(const cJSON *root, const cJSON *item, const char *where,
                        peerScene *out, peerJoint *j)
 {
@@ -264,7 +264,7 @@ static char *whole_file(const char *file)
     fclose(f);
     return text;
 }
-
+/* <read a scene for a peer> */
 static void read_settings(const cJSON *root, peerScene *out)
 {
     const cJSON *s = cJSON_GetObjectItem(root, "settings");

@@ -30,7 +30,7 @@ const KEYS = {
     'spring motor limits broken breakForce breakTorque', ''],
 };
 for (const k in KEYS) KEYS[k] = KEYS[k].map(words);
-
+/* <refuse in JavaScript> */
 const neutral = (item, value) => typeof item === 'object' && item !== null
   ? Object.values(item).every(i => neutral(i, value)) : Number(item) === value;
 
@@ -53,7 +53,7 @@ function bits(item, usual, limit) {
   if (limit && all > 0xffffn) refuse('category above 16 bits');
   return Number(all & 0xffffn);
 }
-
+/* <read shapes in JavaScript> */
 function readShape(item, where) {
   lookAtKeys(item, 'shape', where);
   const s = { corners: [], centre: item.centre ?? [0, 0], radius: item.radius ?? 0,
@@ -69,7 +69,7 @@ function readShape(item, where) {
   if (s.corners.length && s.radius !== 0) refuse(`${where}.radius: a rounded polygon`);
   return s;
 }
-
+/* <read shapes in JavaScript> */
 function weigh(s, sum) {
   const add = (m, x, y) => { sum[0] += m; sum[1] += m * x; sum[2] += m * y; };
   const o = s.corners[0];
@@ -97,7 +97,7 @@ function readBody(item, where, origin) {
   }
   return b;
 }
-
+/* <read joints in JavaScript> */
 function readAnchor(item, global, local, origin, b) {
   if (item[local]) return [b.centre[0] + item[local][0], b.centre[1] + item[local][1]];
   const p = item[global] ?? item.anchor;
@@ -105,7 +105,7 @@ function readAnchor(item, global, local, origin, b) {
   return turn(p[0] + origin[0] - b.position[0], p[1] + origin[1] - b.position[1], -b.angle,
     [0, 0]);
 }
-
+/* <read joints in JavaScript> */
 function readJoint(item, where, bodies, origin) {
   lookAtKeys(item, 'joint', where);
   if (!['revolute', 'distance', 'weld'].includes(item.kind))
