@@ -550,7 +550,7 @@ local function header(el)
   local l = db.labels[el.identifier]
   if not l then return nil end
   if html then
-    el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(Code.ref_text(l)) or l.num) .. "</span> "))
+    el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(l.num:match("^%d+%.%d+$") and l.num ~= "0.0" and "Exercise " .. l.num or Code.ref_text(l)) or l.num) .. "</span> "))
     if el.attributes.part then
       el.content:insert(raw('<span class="only">only with ' .. Code.html(el.attributes.part:gsub(" ", " and ")) .. "</span>"))
       el.attributes.part = nil
