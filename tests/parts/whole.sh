@@ -2,10 +2,11 @@
 # How large is the whole engine, compiled in one way or another, and with less in it? book/data/price-whole.csv (make prices).
 # Code: the sections .text of all files of the library; data: .rodata and the tables of addresses (.data.rel.ro); of WebAssembly its code
 # section and its data section. Nothing is removed that a program does not call. A row whose tools are not here is left out.
-#   tests/parts/whole.sh [FILE]
+# And what are the bytes of -Os for? book/data/price-bytes.csv: machine code by kind of instruction, of the component and of all.
+#   tests/parts/whole.sh [FILE [FILE]]
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-to=${1:-book/data/price-whole.csv}
+to=${1:-book/data/price-whole.csv} bytes=${2:-book/data/price-bytes.csv}
 top=$PWD dir=build/price/whole; rm -rf "$dir"; mkdir -p "$dir"
 common="-ffp-contract=off -fno-math-errno -w"
 gcc="gcc -std=c11 $common -fno-tree-vectorize -fno-asynchronous-unwind-tables -fno-stack-protector -fno-pic"
@@ -24,7 +25,22 @@ row() {
     *wasm*) echo "$name,$(llvm-size -A "$d"/o/*.o 2>/dev/null | awk '$1 == "CODE" { t += $2 } $1 == "DATA" { d += $2 } END { printf "%d,%d\n", t, d }')" ;;
     *) echo "$name,$(sizes "$d"/o/*.o)" ;;
   esac
+  [ "$name" != "all parts: -Os" ] || { echo "# command: make prices"; echo "what,code,share,instructions"; kinds "$d"/o/*.o; } > build/price/bytes.csv
   rm -rf "$d"
+}
+# one kind of instruction a line, by the machine's own words
+kinds() {
+  objdump -d "$@" | awk -F'\t' '
+    function kind(m) {
+      if (m ~ /^(call|ret|push|pop|leave)/) return "calls, returns, registers kept"
+      if (m ~ /^(j|cmp|test|set|cmov|u?comis)/) return "comparisons and jumps"
+      if (m ~ /^(mul|add|sub|div|sqrt|min|max|cvt|and|andn|or|xor|cmp[a-z]*)(ss|sd|ps|pd)$/ || m ~ /^(cvt|pxor|por|pand)/) return "arithmetic of reals"
+      if (m ~ /^(movss|movsd|movaps|movups|movapd|movlps|movhps|movd|movq|shufps|unpck|insertps|pshuf|punpck|psrl|psll|movlh|movhl)/) return "reals moved"
+      if (m ~ /^(mov|rep|stos|xchg|cmov|cl|cwt|cqt)/ && m !~ /^movs(lq|bl|wl)|^movz/) return "whole numbers and addresses moved"
+      return "arithmetic of whole numbers and addresses"
+    }
+    NF >= 2 && $1 ~ /^ *[0-9a-f]+:$/ { n = split($2, b, " "); if ($3 != "") { split($3, w, " "); k = kind(w[1]); c[k]++ } s[k] += n; t += n }
+    END { for (k in s) printf "%s,%d,%.1f,%d\n", k, s[k], 100 * s[k] / t, c[k] }' | sort -t, -k2,2nr
 }
 second="quad-tree grid spatial-hash sweep-and-prune aabb-tree explicit-euler rk4 implicit-midpoint report"
 game="joints sleep events sensors forces damping dynamic-tree"
@@ -34,10 +50,11 @@ game="joints sleep events sensors forces damping dynamic-tree"
   row "all parts: -O2" --without "" $gcc -O2
   row "all parts: -Os" --without "" $gcc -Os
   row "all parts: -Os as one unit" --without "" $gcc -Os -flto
+  row "all parts: -Os as one unit, each switch that makes it smaller" --without "" $gcc -Os -flto -fno-tree-sra -fno-ipa-sra -fno-ipa-cp -fno-tree-loop-distribute-patterns -fno-move-loop-invariants
   if command -v clang >/dev/null; then row "all parts: clang -Oz" --without "" clang -std=c11 $common -Oz -fno-pic -fno-asynchronous-unwind-tables; fi
   row "no second methods: -Os" --without "$second" $gcc -Os
   row "no exact solver: -Os" --without "exact" $gcc -Os
   row "a game with joints: -Os" --only "$game" $gcc -Os
   row "a game without joints: -Os" --only "soft sleep events sensors forces damping dynamic-tree" $gcc -Os
   row "the least engine: -Os" --only "" $gcc -Os
-} > build/price/whole.csv && mv build/price/whole.csv "$to" && cat "$to"
+} > build/price/whole.csv && mv build/price/whole.csv "$to" && mv build/price/bytes.csv "$bytes" && cat "$to" "$bytes"
