@@ -47,7 +47,7 @@ windows: $(BUILD)/tangle.stamp
 parts:
 	@tests/parts/run.sh
 prices:
-	@tests/parts/whole.sh && tests/parts/price.sh
+	@bash tests/parts/whole.sh && bash tests/parts/price.sh && bash tests/parts/list.sh
 
 # Adapters by which other engines play our scenes (chapter 02), and this engine's own (chapter 34): build/peers/bin. BOX2D3= as in tangle/peers.mk
 peers: $(BUILD)/tangle.stamp
