@@ -33,7 +33,7 @@ row() {
 kinds() {
   objdump -d "$@" | awk -F'\t' '
     function kind(m) {
-      if (m ~ /^(call|ret|push|pop|leave)/) return "calls, returns, registers kept"
+      if (m ~ /^(call|ret|push|pop|leave)/) return "calls and returns and what they keep"
       if (m ~ /^(j|cmp|test|set|cmov|u?comis)/) return "comparisons and jumps"
       if (m ~ /^(mul|add|sub|div|sqrt|min|max|cvt|and|andn|or|xor|cmp[a-z]*)(ss|sd|ps|pd)$/ || m ~ /^(cvt|pxor|por|pand)/) return "arithmetic of reals"
       if (m ~ /^(movss|movsd|movaps|movups|movapd|movlps|movhps|movd|movq|shufps|unpck|insertps|pshuf|punpck|psrl|psll|movlh|movhl)/) return "reals moved"
