@@ -112,11 +112,35 @@ static void heavies(void **unused)
     assert_null(labFindHeavy("no such scene"));
 }
 
+/* The junkyard: its bodies, tiles and pusher, and where the pusher is after some steps. */
+static void steered(void **unused)
+{
+    (void)unused;
+    const labSteered *scene = &labSteereds[0];
+    wfWorld world;
+    wfBodyId pusher;
+    assert_int_equal(labMakeSteered(scene, &world, &pusher), WF_OK);
+    assert_int_equal(wfBodyCount(&world), 8002);
+    assert_int_equal(wfBodyCount(&world), scene->bodies);
+    int32_t shapes = 0;
+    for (int32_t k = 0; k < scene->bodies; k++)
+        for (wfShapeId s = wfFirstShape(&world, wfBodyAt(&world, k)); s.index; s = wfNextShape(&world, s)) shapes++;
+    assert_int_equal(shapes, 8000 + 261 + 1);
+    wfBodyView v = wfWorldBodies(&world);
+    double start = (double)v.state[wfBodyIndex(&world, pusher)].p.x;
+    for (int32_t k = 0; k < 4; k++) {
+        assert_int_equal(scene->steer(&world, pusher, k), WF_OK);
+        assert_int_equal(wfStepWorld(&world), WF_OK);
+    }
+    assert_near(v.state[wfBodyIndex(&world, pusher)].p.x, start + 60 * sin(0.2 * 3 / 60), 1e-4);
+    wfDestroyWorld(&world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(counts), cmocka_unit_test(heavies), cmocka_unit_test(places), cmocka_unit_test(contacts_of_a_pyramid),
-        cmocka_unit_test(what_moves_is_small),
+        cmocka_unit_test(what_moves_is_small), cmocka_unit_test(steered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

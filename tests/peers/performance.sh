@@ -37,7 +37,7 @@ name() { case $1 in weft) echo "this engine" ;; box2d3) echo "Box2D 3.2" ;; box2
 head() { command head "$@"; }
 {
   echo "# command: tests/peers/performance.sh $what; rounds: $ROUNDS${STEPS:+, at most $STEPS steps}, one thread, $(${CC:-cc} --version | head -1)"
-  echo "# $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)"
+  tangle/machine
 } > "$out"
 case $what in
 report)
