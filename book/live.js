@@ -145,10 +145,12 @@
     if (scene) open(scene);
     // the game's card (chapter 27): 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
     const keep = (name, bytes) => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); localStorage.setItem(name, btoa(t)); };
-    const fetched = name => {
+    const fetched = (name, night) => {
       const kept = localStorage.getItem(name);
       if (kept === null) return null;
-      const bytes = Uint8Array.from(atob(kept), c => c.charCodeAt(0));
+      let text = atob(kept);                           // light or dark is the page's choice, not the last visit's
+      if (name === 'weft/settings.txt') text = text.replace(/^dark \d$/m, 'dark ' + (night ? 1 : 0));
+      const bytes = Uint8Array.from(text, c => c.charCodeAt(0));
       new Uint8Array(x.memory.buffer, x.web_file_bytes(), bytes.length).set(bytes);
       return bytes.length;
     };
@@ -161,7 +163,7 @@
       try {
         if (!options.whole) size = null;
         else if (wish === 1) { keep('weft/' + name, bytes); size = bytes.length; }
-        else if (wish === 2) size = fetched('weft/' + name);
+        else if (wish === 2) size = fetched('weft/' + name, night);
         else {
           const a = document.createElement('a');
           a.href = URL.createObjectURL(new Blob([bytes])); a.download = name; a.click();

@@ -261,6 +261,31 @@ static void filming_changes_no_bit(void **state)
     play_end(&b);
 }
 
+/* GR04: whatever is chosen is seen in the picture of the same frame. */
+static void every_choice_is_seen_at_once(void **state)
+{
+    (void)state;
+    static const char *const keys[] = { "tab", "p", "p", "o", "p", "r", "]", "[", "d", "?", "s", "b", "y", "i", "j", "l", "x", "v", "g", "n", "f", "f", "k", "p", "w", "tab",
+                                        "1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "-", "h", "+", "m", "%", "%", "left" };
+    uint32_t *before = malloc(4 * 1100 * 700);
+    play p;
+    begin(&p, "pyramid");
+    play_run(&p, "steps 1\nwait 30\nsteps 0\nframe\n");
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        char script[60];
+        play_run(&p, "steps 1\nframe\nsteps 0\nframe\n");
+        memcpy(before, p.buffer.pixels, 4 * 1100 * 700);
+        snprintf(script, sizeof script, "steps 0\nkey %s\nframe\n", keys[i]);
+        play_run(&p, script);
+        if (memcmp(before, p.buffer.pixels, 4 * 1100 * 700) == 0) fail_msg("key %s: nothing is seen of it; %.60s; wish %d", keys[i], play_line(&p, "said") ? play_line(&p, "said") : "", (int)p.file.wish);
+        if (p.file.wish) p.file.answer = GAME_FILE_DONE;
+        play_run(&p, "steps 0\nframe\n");
+        if (p.file.wish) p.file.answer = GAME_FILE_DONE;
+    }
+    free(before);
+    play_end(&p);
+}
+
 static long size_of(const char *folder, const char *name)
 {
     char path[200];
@@ -342,7 +367,7 @@ int main(void)
         cmocka_unit_test(a_picture_is_the_window), cmocka_unit_test(a_drawing_has_all_bodies), cmocka_unit_test(both_at_once),
         cmocka_unit_test(a_film_of_two_seconds), cmocka_unit_test(a_film_of_nothing_has_one_picture),
         cmocka_unit_test(frames_come_one_by_one_and_end_when_refused), cmocka_unit_test(another_size_ends_the_film),
-        cmocka_unit_test(filming_changes_no_bit), cmocka_unit_test(options_ask_for_all_of_it), cmocka_unit_test(the_users_folder_is_made)
+        cmocka_unit_test(filming_changes_no_bit), cmocka_unit_test(every_choice_is_seen_at_once), cmocka_unit_test(options_ask_for_all_of_it), cmocka_unit_test(the_users_folder_is_made)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -384,6 +384,109 @@ static void machines_do_what_their_texts_say(void **state)
     }
 }
 
+/* Scenes of "What users ask, and the extremes": what the lines drawn in them promise. */
+static void asked_and_extreme_scenes_keep_their_lines(void **state)
+{
+    (void)state;
+    wfWorld world;
+    /* Teleport: a step later the box touches only the tower on which it is; the tower that it left falls by a box. */
+    run_scene("teleport", 122, &world);
+    int32_t count, other = 0;
+    const wfContact *c = wfWorldContacts(&world, &count);
+    wfShapeView s = wfWorldShapes(&world);
+    for (int32_t i = 0; i < count; i++) {
+        int32_t a = s.owners[c[i].shapeA], b = s.owners[c[i].shapeB];
+        if (a != 1 && b != 1) continue;
+        other = a == 1 ? b : a;
+        assert_int_equal(other, 7);
+    }
+    assert_int_equal(other, 7);
+    wfDestroyWorld(&world);
+    run_scene("teleport", 239, &world);
+    wfBodyView v = wfWorldBodies(&world);
+    for (int i = 2; i <= 4; i++)                    /* it falls by a metre, lands a little askew, and stands */
+        assert_true(fabs((double)v.state[i].p.x + 4) < 0.5 && fabs((double)v.state[i].p.y - (i - 1.5)) < 0.02);
+    assert_near2(v.state[1].p, wfV2(4, WF_R(3.5)), 0.01);
+    wfDestroyWorld(&world);
+    /* Platforms: after ten seconds of riding no box has slid by more than a third of its side, or fallen. */
+    run_scene("moving platforms", 600, &world);
+    v = wfWorldBodies(&world);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 5; k++) {
+            wfVec2 apart = wfSub(v.state[2 + 6 * i + k].p, v.state[1 + 6 * i].p);
+            wfReal side = k < 3 ? (wfReal)(k - 1) : (wfReal)k - WF_R(3.5);
+            assert_near2(apart, wfV2(WF_R(0.8) * side, k < 3 ? WF_R(0.45) : WF_R(1.05)), 0.2);
+        }
+    wfDestroyWorld(&world);
+    /* Jitter: at rest means below a centimetre a second, for every box. */
+    run_scene("jitter", 900, &world);
+    v = wfWorldBodies(&world);
+    for (int i = 2; i < v.count; i++) assert_true(wfLength(v.state[i].v) < WF_R(0.01));
+    wfDestroyWorld(&world);
+    /* Honey: m v / 2 = 2, 4, 6, 8 m. After 20 s m = 4 has e^-10 of its way to go, 0.4 mm; Euler's step errs by h v / 2 < 0.04 m. */
+    run_scene("honey", 1200, &world);
+    v = wfWorldBodies(&world);
+    for (int i = 0; i < 4; i++) assert_near(v.state[i].p.x, -3 + 2 * i, 0.04);
+    wfDestroyWorld(&world);
+    /* The lift: what one goes down the other goes up. */
+    run_scene("lift", 100, &world);
+    v = wfWorldBodies(&world);
+    assert_near((double)v.state[2].p.y + (double)v.state[3].p.y, 7, 0.01);
+    assert_true(v.state[2].p.y < 3);
+    wfDestroyWorld(&world);
+    /* Far from home: bit for bit the throw at home, for the world's own coordinates are the same. */
+    const wfScene *far = &wfSceneTable[wfFindScene("far from home")];
+    wfScene near = *far;
+    near.build = wfSceneTable[wfFindScene("fifteen steps")].build;
+    wfWorld home;
+    assert_ok(wfOpenScene(far, NULL, &world));
+    assert_ok(wfOpenScene(&near, NULL, &home));
+    wfSceneInput in = { .choice = 0 };
+    for (int k = 0; k < 200; k++) assert_ok(wfStepScene(far, &world, &in)), assert_ok(wfStepScene(&near, &home, &in));
+    for (int i = 1; i < 4; i++) {
+        wfVec2 a = wfWorldBodies(&world).state[i].p, b = wfWorldBodies(&home).state[i].p;
+        assert_true(a.x == b.x && a.y == b.y);
+    }
+    wfDestroyWorld(&world);
+    wfDestroyWorld(&home);
+    /* Spin: theta = omega t after ten seconds; 600 roundings of an angle below pi, and of omega h below 5. */
+    run_scene("spin", 600, &world);
+    v = wfWorldBodies(&world);
+    const double speed[] = { 1, 10, 100, 300 };
+    for (int i = 0; i < 4; i++) {
+        double off = fmod((double)v.state[i].angle - speed[i] * wfWorldTime(&world), 2 * (double)WF_PI);
+        if (off > (double)WF_PI) off -= 2 * (double)WF_PI;
+        if (off < -(double)WF_PI) off += 2 * (double)WF_PI;
+        assert_near(off, 0, 600 * 8 * (double)WF_EPSILON * (3 + speed[i] / 60));
+    }
+    wfDestroyWorld(&world);
+    /* Galperin's billiard: all 200 J at the end, and both leave to the right, the heavy one faster. */
+    run_scene("billiard with pi", 900, &world);
+    double kinetic = 0, potential = 0;
+    wfWorldEnergy(&world, &kinetic, &potential);
+    assert_near(kinetic, 200, 0.1);
+    v = wfWorldBodies(&world);
+    assert_true(v.state[2].v.x >= v.state[1].v.x && v.state[1].v.x > 0);
+    wfDestroyWorld(&world);
+    /* Slides: v^2 / 2 mu g, within a hundredth of the longest way and a step's way. */
+    run_scene("slides", 400, &world);
+    v = wfWorldBodies(&world);
+    const double mu[] = { 0.1, 0.2, 0.4, 0.8 };
+    for (int i = 0; i < 4; i++) assert_near(v.state[1 + 2 * i].p.x, -5 + 8 / (mu[i] * 9.81), 0.1);
+    wfDestroyWorld(&world);
+    /* Weight and sizes: who stood is standing, to a hundredth of a side. */
+    const char *const tower[] = { "hundredfold weight", "sizes" };
+    for (int k = 0; k < 2; k++) {
+        run_scene(tower[k], 600, &world);
+        wfWorld begin;
+        assert_ok(wfOpenScene(&wfSceneTable[wfFindScene(tower[k])], NULL, &begin));
+        for (int i = 1; i < wfWorldBodies(&world).count; i++)
+            assert_near2(wfWorldBodies(&world).state[i].p, wfWorldBodies(&begin).state[i].p, 0.01);
+        wfDestroyWorld(&world);
+        wfDestroyWorld(&begin);
+    }
+}
+
 /* ---- the camera ---- */
 static camera random_camera(wfRandom *r)
 {
@@ -883,7 +986,7 @@ int main(void)
         cmocka_unit_test(tc05_colours_follow_the_contacts), cmocka_unit_test(tc08_overlap_goes_and_no_velocity_comes),
         cmocka_unit_test(every_scene_and_overlay_can_be_drawn),
         cmocka_unit_test(joints_are_drawn_where_they_hold_and_red_when_broken),
-        cmocka_unit_test(machines_do_what_their_texts_say),
+        cmocka_unit_test(machines_do_what_their_texts_say), cmocka_unit_test(asked_and_extreme_scenes_keep_their_lines),
         cmocka_unit_test(overlays_show_pairs_and_contacts_where_they_are),
         cmocka_unit_test(the_camera_sees_where_it_should),
         cmocka_unit_test(picking_inverts_seeing_and_zoom_keeps_the_point),
