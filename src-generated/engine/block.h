@@ -165,7 +165,11 @@ wfResult wfNeedError(uint32_t needs);
 bool wfStageRuns(const wfStageRow *row, uint32_t needs);
 /* <declarations of the block> */
 /* What an array holds in any world: `each` bytes for each of what `per` says. */
-typedef struct wfRegionRow { const char *name; int32_t chunk, per; size_t each; } wfRegionRow;
+typedef struct wfRegionRow {
+    const char *name;
+    int32_t chunk, per;
+    size_t each;
+} wfRegionRow;
 extern const wfRegionRow wfRegionTable[WF_REGION_COUNT];
 enum {
     /* <things that arrays hold one of each> */

@@ -14,7 +14,7 @@ typedef struct wfImage {
 } wfImage;
 
 /* The image of a block; of `size` bytes that wfWriteImage wrote. WF_ERROR_INVALID: a count
- * is more than there is room for; _TRUNCATED: the bytes are not as many as the counts say. */
+ * is more than there is room for; _TRUNCATED: there are not as many bytes as it says. */
 wfResult wfImageOfBlock(const wfBlock *b, wfImage *out);
 wfResult wfReadImage(const uint8_t *bytes, size_t size, wfImage *out);
 void wfWriteImage(const wfImage *image, uint8_t *bytes);

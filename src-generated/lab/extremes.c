@@ -856,7 +856,7 @@ const labExtreme labExtremeTable[] = {
       { 2, 1.5, 0.8, 1.2, 1.1, 1.05, 0.95 }, 7, 4, build_arch, judge_arch },
     { "cards", "storeys", "a card house", { 1, 2, 3, 4, 5, 7 }, 6, 3, build_cards,
       judge_cards },
-    { "soak", "steps", "three planks on a slope", { 1e3, 1e4, 1e5, 1e6 }, 4, 2, build_soak,
+    { "soak", "steps", "three planks on a slope", { 1e3, 1e4, 1e5 }, 3, 2, build_soak,
       judge_soak },
     /* <rows of the table of extremes> */
     { "tower", "boxes", "a tower stands", { 2, 5, 10, 20, 50, 100, 200, 500, 1000 }, 9, 4,

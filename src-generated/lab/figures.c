@@ -1209,14 +1209,20 @@ static wfReal two_to(wfReal u)
 }
 
 /* The line with the handle; returns its place, 0 at the left end to 1 at the right. */
-static wfReal step_line(wfDraw *d, const wfFigureInput *in)
+static wfReal handle_line(wfDraw *d, const wfFigureInput *in, const char *left,
+                          const char *right)
 {
     float x = in->handle[0][0] < 1 ? 1 : in->handle[0][0] > 7 ? 7 : in->handle[0][0];
     wfDrawLine(d, 1, 0.3f, 7, 0.3f, 1.5f, WF_INK_LINE);
     wfDrawPoint(d, x, 0.3f, 9, WF_INK_LINE);
-    wfDrawText(d, 0.9f, 0.25f, 11, WF_INK_TEXT, 1, "short");
-    wfDrawText(d, 7.1f, 0.25f, 11, WF_INK_TEXT, -1, "long");
+    wfDrawText(d, 0.9f, 0.25f, 11, WF_INK_TEXT, 1, left);
+    wfDrawText(d, 7.1f, 0.25f, 11, WF_INK_TEXT, -1, right);
     return (wfReal)(x - 1) / 6;
+}
+
+static wfReal step_line(wfDraw *d, const wfFigureInput *in)
+{
+    return handle_line(d, in, "short", "long");
 }
 /* <figures> */
 static void figure_int_step(wfDraw *d, const wfFigureInput *in)
@@ -2544,6 +2550,44 @@ static void figure_impulses_corner(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 5.8f, 3.0f, 12, WF_INK_TEXT, 1, "spin after %.2f rad/s", (double)s.w);
 }
 /* <figures> */
+static void impulses_true_bounces(wfDraw *d, wfReal e)
+{
+    wfReal g = WF_R(9.81), v = 0, y = 1, begin = 0;
+    float xy[2 * 161];
+    for (int i = 0; i <= 160; i++) {
+        wfReal t = (wfReal)i / 80 - begin, at = y + (v - g * t / 2) * t;
+        if (at < 0) {                                   /* on from the next bounce */
+            wfReal land = (v + wfSqrt(v * v + 2 * g * y)) / g;
+            v = e * (g * land - v);
+            begin += land, t -= land, y = 0, at = (v - g * t / 2) * t;
+        }
+        xy[2 * i] = 0.5f + 7 * (float)i / 160;
+        xy[2 * i + 1] = 1 + 3.4f * (float)wfMaxR(at, 0);
+    }
+    wfDrawPolyline(d, xy, 161, 1, WF_INK_LINE);
+}
+/* <figures> */
+static void figure_impulses_step(wfDraw *d, const wfFigureInput *in)
+{
+    const wfReal e = WF_R(0.8), g = WF_R(9.81);
+    wfReal h = two_to(5 * step_line(d, in)) / 240;          /* 1/240 s to 1/7.5 s */
+    wfBodyState floor = { .invMass = 0 }, ball = { .p = wfV2(0, 1), .invMass = 1 };
+    float before[2] = { 0.5f, 4.4f };
+    wfDrawLine(d, 0.3f, 1, 7.7f, 1, 2, WF_INK_LINE);
+    impulses_true_bounces(d, e);
+    for (wfReal t = h; t < 2; t += h) {
+        ball.v.y -= g * h;
+        ball.p.y += h * ball.v.y;
+        if (ball.p.y < 0) wfResolvePoint(&floor, &ball, ball.p, wfV2(0, 1), e);
+        float now[2] = { 0.5f + 3.5f * (float)t, 1 + 3.4f * (float)ball.p.y };
+        if (now[1] > 0.5f) wfDrawLine(d, before[0], before[1], now[0], now[1], 1.5f,
+                                      WF_INK_ACCENT);
+        if (h > WF_R(0.012)) wfDrawPoint(d, now[0], now[1], 5, WF_INK_ACCENT);
+        before[0] = now[0], before[1] = now[1];
+    }
+    wfDrawTextf(d, 4, 4.75f, 13, WF_INK_TEXT, 0, "step of 1/%.0f s", (double)(1 / h));
+}
+/* <figures> */
 static void figure_friction_cone(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 foot = wfV2(4, WF_R(0.8)), n = wfV2(0, 1);
@@ -2671,6 +2715,57 @@ static void figure_sequential_path(wfDraw *d, const wfFigureInput *in)
     path_line(d, 1);
     path_draw(d, true, j0, j1, WF_INK_GOOD);
     path_draw(d, false, 0, 0, WF_INK_BAD);
+}
+/* <figures> */
+/* The impulses under n boxes after so many passes, in units of a box's weight in a step. */
+static void tower_passes(int n, int passes, wfReal *impulse, wfReal *sink)
+{
+    static _Alignas(16) uint8_t memory[1 << 15];
+    wfBodyState state[9] = { { .invMass = 0 } };
+    wfContact c[8] = { { .a = 0 } };
+    wfPool scratch;
+    wfPoolInit(&scratch, sizeof memory, memory);
+    for (int i = 0; i < n; i++) {
+        /* <put a box that falls on the tower, and a contact below it> */
+        wfVec2 at = wfV2(0, (wfReal)i);
+        state[i + 1] = (wfBodyState){ .p = wfV2(0, (wfReal)i + WF_R(0.5)), .v = wfV2(0, -1),
+                                      .invMass = 1 };
+        c[i] = (wfContact){ .a = i, .b = i + 1,
+                            .manifold = { .normal = wfV2(0, 1), .count = 1 } };
+        c[i].manifold.points[0].point = at;
+        c[i].manifold.points[0].armA = wfSub(at, state[i].p);
+        c[i].manifold.points[0].armB = wfSub(at, state[i + 1].p);
+    }
+    wfSolve in = { .state = state, .bodyCount = n + 1, .contacts = c, .contactCount = n,
+                   .h = 1, .iterations = passes, .scratch = &scratch };
+    wfSolveVelocities(wfFindSolver("sequential"), &in);
+    for (int i = 0; i < n; i++) {
+        impulse[i] = c[i].manifold.points[0].normalImpulse;
+        sink[i] = -state[i + 1].v.y;
+    }
+}
+/* <figures> */
+static void figure_sequential_passes(wfDraw *d, const wfFigureInput *in)
+{
+    enum { BOXES = 8 };
+    wfReal impulse[BOXES], sink[BOXES];
+    int passes = (int)two_to(7 * handle_line(d, in, "few", "many"));
+    tower_passes(BOXES, passes, impulse, sink);
+    for (int i = 0; i < BOXES; i++) {
+        float y = 0.75f + 0.5f * (float)i, low = y - 0.55f * (float)sink[i];
+        float box[8] = { 1, low, 1.9f, low, 1.9f, low + 0.46f, 1, low + 0.46f };
+        float wide = 0.55f * (float)impulse[i];
+        float bar[8] = { 3, y + 0.08f, 3 + wide, y + 0.08f, 3 + wide, y + 0.38f, 3,
+                         y + 0.38f };
+        wfDrawPolygon(d, box, 4, 1.5f, WF_INK_BODY, WF_INK_BODY);
+        if (wide > 0) wfDrawPolygon(d, bar, 4, 1, WF_INK_ACCENT, WF_INK_ACCENT);
+        float x = 3 + 0.55f * (float)(BOXES - i);
+        wfDrawLine(d, x, y, x, y + 0.46f, 2, WF_INK_LINE);
+    }
+    wfDrawTextf(d, 4, 5.1f, 13, WF_INK_TEXT, 0, passes == 1 ? "%d pass" : "%d passes",
+                passes);
+    wfDrawText(d, 1.45f, 4.85f, 11, WF_INK_TEXT, 0, "sinking");
+    wfDrawText(d, 7.6f, 4.3f, 11, WF_INK_TEXT, 1, "impulse below (line: needed)");
 }
 /* <figures> */
 static void bounce_figure_step(wfBodyState *state, wfContact *c, const char *solver)
@@ -2844,6 +2939,48 @@ static void figure_joints_aim(wfDraw *d, const wfFigureInput *in)
         wfDrawArrow(d, WF_XY(p), WF_XY(s[1].p), 2, WF_INK_GOOD);
     }
     wfDrawPoint(d, 0, 0, 6, WF_INK_LINE);
+}
+/* <figures> */
+static wfVec2 joints_on_spring(wfBodyState *s, wfReal h)
+{
+    wfReal length = wfLength(s->p);
+    wfVec2 pull = wfScale(-9810 * (length - 2) / length, s->p);
+    s->v = wfAddScaled(s->v, h, wfAdd(pull, wfV2(0, WF_R(-9.81))));
+    return s->p = wfAddScaled(s->p, h, s->v);
+}
+/* <figures> */
+static void joints_path(wfDraw *d, bool spring, wfReal h, int ink)
+{
+    static _Alignas(16) uint8_t memory[1 << 14];
+    wfBodyState s[2] = { { .invMass = 0 }, { .p = wfV2(2, 0), .invMass = 1 } };
+    wfBodyForces forces[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
+    wfJoint rod = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    wfPool pool;
+    wfPoolInit(&pool, sizeof memory, memory);
+    wfJointStep step = { .state = s, .bodyCount = 2, .joints = &rod, .jointCount = 1,
+        .forces = forces, .h = h, .substeps = 1, .passes = 1, .period = WF_JOINT_PERIOD,
+        .damping = WF_JOINT_DAMPING, .give = WF_JOINT_GIVE, .scratch = &pool };
+    for (wfReal t = 0; t < WF_R(1.4); t += h) {
+        wfVec2 p = s[1].p;
+        if (spring) joints_on_spring(&s[1], h);
+        else if (wfStepJoints(&step) != WF_OK) return;
+        wfVec2 q = s[1].p;
+        if (!(wfAbs(q.x) < WF_R(3.9) && q.y > WF_R(-2.9) && q.y < WF_R(2.2))) return;
+        wfDrawLine(d, 4 + (float)p.x, 3.5f + (float)p.y, 4 + (float)q.x, 3.5f + (float)q.y,
+                   1.5f, ink);
+        if (h > WF_R(0.012)) wfDrawPoint(d, 4 + (float)q.x, 3.5f + (float)q.y, 5, ink);
+    }
+}
+/* <figures> */
+static void figure_joints_step(wfDraw *d, const wfFigureInput *in)
+{
+    wfReal h = two_to(5 * step_line(d, in)) / 480;          /* 1/480 s to 1/15 s */
+    wfDrawPoint(d, 4, 3.5f, 9, WF_INK_LINE);
+    joints_path(d, true, h, WF_INK_BAD);
+    joints_path(d, false, h, WF_INK_GOOD);
+    wfDrawTextf(d, 4, 0.5f, 13, WF_INK_TEXT, 0, "step of 1/%.0f s", (double)(1 / h));
+    wfDrawText(d, 7.8f, 5.2f, 13, WF_INK_GOOD, 1, "a joint");
+    wfDrawText(d, 7.8f, 4.9f, 13, WF_INK_BAD, 1, "a stiff spring");
 }
 /* <figures> */
 enum { ARCH_STONES = 15 };
@@ -5290,9 +5427,13 @@ const wfFigureRow wfFigureTable[] = {
     /* <rows of the figure table> */
     { "impulses-corner", figure_impulses_corner, 6.0f, 3.6f, 1, { { 4.0f, 0.3f } } },
     /* <rows of the figure table> */
+    { "impulses-step", figure_impulses_step, 8.0f, 5.0f, 1, { { 4.6f, 0.3f } } },
+    /* <rows of the figure table> */
     { "friction-cone", figure_friction_cone, 8.0f, 3.6f, 1, { { 6.6f, 1.0f } } },
     /* <rows of the figure table> */
     { "sequential-path", figure_sequential_path, 6.8f, 5.2f, 1, { { 5.2f, 3.6f } } },
+    /* <rows of the figure table> */
+    { "sequential-passes", figure_sequential_passes, 8.0f, 5.4f, 1, { { 3.6f, 0.3f } } },
     /* <rows of the figure table> */
     { "soft-gather", figure_soft_gather, 12.4f, 5.2f, 0, {{0}} },
     { "soft-path", figure_soft_path, 7.8f, 3.2f, 1, { { 0.3f, 2.2f } } },
@@ -5300,6 +5441,8 @@ const wfFigureRow wfFigureTable[] = {
     { "joints-kinds", figure_joints_kinds, 12.4f, 10.4f, 0, {{0}} },
     /* <rows of the figure table> */
     { "joints-aim", figure_joints_aim, 5.6f, 3.6f, 0, {{0}} },
+    /* <rows of the figure table> */
+    { "joints-step", figure_joints_step, 8.0f, 5.6f, 1, { { 5.4f, 0.3f } } },
     /* <rows of the figure table> */
     { "exact-arch", figure_exact_arch, 8.0f, 4.4f, 1, { { 0.0f, 3.13f } } },
     /* <rows of the figure table> */

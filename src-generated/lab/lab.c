@@ -6099,6 +6099,33 @@ static int measure_performance_colours(FILE *out)
     return 0;
 }
 /* <measurements> */
+static int measure_performance_steered(FILE *out)
+{
+    fprintf(out, "scene,bodies,steps,pairs,weft\n");
+    for (int i = 0; i < LAB_STEERED; i++) {
+        static double times[1000];
+        const labSteered *s = &labSteereds[i];
+        wfWorld world;
+        wfBodyId driver;
+        int32_t pairs = 0;
+        wfResult result = labMakeSteered(s, &world, &driver);
+        if (result != WF_OK) return 1;
+        for (int32_t k = 0; k < s->steps && result == WF_OK; k++) {
+            result = s->steer(&world, driver, k);
+            clock_t start = clock();
+            if (result == WF_OK) result = wfStepWorld(&world);
+            times[k] = 1e3 * (double)(clock() - start) / CLOCKS_PER_SEC;
+        }
+        wfWorldContacts(&world, &pairs);
+        wfDestroyWorld(&world);
+        if (result != WF_OK) return 1;
+        qsort(times, (size_t)s->steps, sizeof *times, compare_doubles);
+        fprintf(out, "%s,%d,%d,%d,%.2f\n", s->name, (int)s->bodies, (int)s->steps,
+                (int)pairs, times[s->steps / 2]);
+    }
+    return 0;
+}
+/* <measurements> */
 static bool has_shapes(uint32_t needs) { return (needs & WF_NEED_SHAPES) != 0; }
 /* <measurements> */
 static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs)
@@ -7085,6 +7112,9 @@ const wfMeasureRow wfMeasureTable[] = {
     /* <rows of the measurement table> */
     { "performance-colours", "a pyramid with contacts in the order of the list and by colours",
       measure_performance_colours },
+    /* <rows of the measurement table> */
+    { "performance-steered-time", "ms for a step of a scene that is steered",
+      measure_performance_steered },
     /* <rows of the measurement table> */
     { "performance-memory", "bytes for each body more", measure_performance_memory },
     { "performance-flight-time", "free flight against a copy of the states",

@@ -32,4 +32,15 @@ extern const int32_t labHeavyCount;
 const labHeavy *labFindHeavy(const char *name);     /* NULL: there is none */
 wfWorldDef labHeavyDef(const labHeavy *bench);
 wfResult labBuildHeavy(const labHeavy *bench, wfWorld *world);
+/* <the table of steered scenes> */
+/* A heavy scene that a text cannot say. `steer` is called before step number k >= 0. */
+typedef struct labSteered {
+    const char *name;
+    int32_t bodies, shapes, joints, steps;
+    wfResult (*build)(wfWorld *world, wfBodyId *driver);
+    wfResult (*steer)(wfWorld *world, wfBodyId driver, int32_t k);
+} labSteered;
+enum { LAB_STEERED = 1 };
+extern const labSteered labSteereds[LAB_STEERED];
+wfResult labMakeSteered(const labSteered *scene, wfWorld *world, wfBodyId *driver);
 #endif

@@ -21,6 +21,7 @@ static const struct { int first, last; } ranges[] = {
     { 0x25b6, 0x25b6 }, { 0x25bc, 0x25bc }, { 0x2713, 0x2713 }, { 0xfffd, 0xfffd },
 };
 static int range_count = sizeof ranges / sizeof *ranges;
+static int shades = 256;
 /* <a shelf for the pictures of letters> */
 enum { ATLAS_WIDTH = 1024, ATLAS_HEIGHT = 2048 };
 static unsigned char atlas[ATLAS_WIDTH * ATLAS_HEIGHT];
@@ -75,7 +76,8 @@ static void write_atlas(int rows)
 {
     printf("static const uint8_t cover[] = {\n");
     for (int i = 0; i < rows * ATLAS_WIDTH; i++)
-        printf("%d,%s", atlas[i], i % 64 == 63 ? "\n" : "");
+        printf("%d,%s", (atlas[i] * (shades - 1) + 127) / 255 * 255 / (shades - 1),
+               i % 64 == 63 ? "\n" : "");
     printf("};\n");
 }
 
@@ -99,6 +101,7 @@ int main(int argc, char **argv)
     int letters = 0;
     if (argc > 1 && strcmp(argv[1], "--ascii") == 0) {
         range_count = 1;
+        shades = 16;
         argc--, argv++;
     }
     unsigned char *bytes = argc > 2 ? read_file(argv[1]) : NULL;

@@ -341,7 +341,7 @@ static frame_buffer seen_of(const game_state *s, const frame_buffer *whole)
 {
     const camera *c = &s->camera;
     int32_t across = has_panes(s) ? 2 : 1, down = has_panes(s) && s->worlds > 2 ? 2 : 1;
-    return part_of(whole, (int32_t)c->left + 2, (int32_t)c->top,    /* not the panels' edges */
+    return part_of(whole, (int32_t)c->left + 2, (int32_t)c->top, /* not the panels' edges */
                    across * (int32_t)c->wide - 4, down * (int32_t)c->high);
 }
 /* <compare worlds> */
@@ -706,7 +706,7 @@ static void key_sheet(ui *u, const game_state *s, float x)
     int rows = (int)(sizeof sheet / sizeof *sheet);
     /* <lay out the sheet in one column, or in two> */
     float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
-    float room = s->height - top - 18;
+    float room = s->height - top - 18 - (top > 50 ? FOOT - 14 : 0); /* above the state */
     int columns = room < 17 * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
     if (columns == 2 && x + 2 * wide > s->width) x = s->width > 2 * wide ? s->width - 2 * wide
                                                                          : 4;
@@ -1130,6 +1130,10 @@ static bool wish(game *g, int32_t wanted, int32_t what, const char *name)
     f->answer = 0;
     snprintf(f->name, sizeof f->name, "%s", name);
     g->state->file_for = what;
+    if (what != FILE_SETTINGS) {                    /* at once; the answer comes later */
+        g->state->tools.refused = 0;
+        snprintf(g->state->tools.said, sizeof g->state->tools.said, "%s ...", name);
+    }
     return true;
 }
 

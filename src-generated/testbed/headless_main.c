@@ -424,7 +424,8 @@ static const headless_command command_table[] = {
 static int usage(void)
 {
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
-          "      [--png FILE] [--svg FILE] [--film FILE] [--frames DIR] [--save-input FILE]\n"
+          "      [--png FILE] [--svg FILE] [--film FILE] [--frames DIR]\n"
+          "      [--save-input FILE]\n"
           "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [SCENE.json]\n",
           stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)

@@ -8,7 +8,7 @@
 /* A file on its way. All zero but for bytes and size, before wfPngBegin. */
 typedef struct wfPng {
     uint8_t *bytes;             /* lent; NULL: only count */
-    size_t size, used;          /* used > size: it did not fit, nothing of use was written */
+    size_t size, used;          /* used > size: it did not fit, of no use then */
     int32_t width, height;      /* pixels */
     int32_t moving, pictures;   /* a film; pictures so far */
     uint32_t number;            /* of the film's next numbered chunk */

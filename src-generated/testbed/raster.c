@@ -110,6 +110,7 @@ static void cover_edge(wfCoverRow *row, double xa, double xb, double dy)
 }
 /* <cover a polygon> */
 /* <add up the row by eq:draw-sum> */
+/* <the end of a run of empty cells> */
 enum { RUN = 8 };
 
 static int32_t empty_until(const wfCoverRow *row, int32_t i)

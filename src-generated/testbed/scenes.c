@@ -2504,6 +2504,326 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
     }
     wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1, "passes: %d", passes);
 }
+/* <scenes> */
+static wfVec2 teleport_home(int i)          /* of box i: four at the left, three right */
+{
+    return i < 4 ? wfV2(-4, WF_R(0.5) + (wfReal)i) : wfV2(4, WF_R(0.5) + (wfReal)(i - 4));
+}
+
+static wfResult build_teleport(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    for (int i = 0; i < 7; i++) {
+        wfVec2 at = teleport_home(i);
+        wfBodyDef b = box(&m, at.x, at.y, WF_R(0.5), WF_R(0.5));
+        b.userData = i == 0 ? WF_INK_BODY2 : i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void update_teleport(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    uint64_t step = wfWorldSteps(world) % 240;
+    for (int i = 0; i < 7; i++) {
+        if (step != 0 && (step != 120 || i > 0)) continue;
+        wfBodyId id = wfBodyAt(world, 1 + i);
+        wfVec2 to = step == 0 ? teleport_home(i) : wfV2(4, WF_R(3.5));
+        wfSetBodyTransform(world, id, to, 0);
+        wfSetBodyVelocity(world, id, wfV2(0, 0), 0);
+    }
+}
+
+static void draw_teleport(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)world, (void)in;
+    wfDrawDashed(d, -4, 0.5f, 4, 3.5f, 1.5f, WF_INK_ACCENT);
+}
+/* <scenes> */
+static wfVec2 platform_at(int i, double t)
+{
+    double turn = (i == 0 ? 1.2 : 1.5) * t, whole = 2 * (double)WF_PI;
+    wfReal angle = (wfReal)(turn - whole * (double)(int64_t)(turn / whole));
+    wfReal s = wfRotation(wfWrapAngle(angle)).s;
+    return i == 0 ? wfV2(-3 + WF_R(2.5) * s, 1) : wfV2(5, 2 + s);
+}
+
+static wfResult build_platforms(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    for (int i = 0; i < 2; i++) {
+        wfVec2 at = platform_at(i, 0);
+        wfBodyDef b = box(&m, at.x, at.y, WF_R(1.5), WF_R(0.15));
+        b.type = WF_KINEMATIC;
+        b.userData = WF_INK_ACCENT;
+        put(&m, &b);
+        for (int k = 0; k < 5; k++) {
+            wfReal side = k < 3 ? (wfReal)(k - 1) : (wfReal)k - WF_R(3.5);
+            b = box(&m, at.x + WF_R(0.8) * side, at.y + (k < 3 ? WF_R(0.45) : WF_R(1.05)),
+                    WF_R(0.3), WF_R(0.3));
+            b.velocity = i ? wfV2(0, WF_R(1.5)) : wfV2(3, 0);       /* A omega: it rides */
+            b.userData = k % 2 ? WF_INK_BODY : WF_INK_GOOD;
+            put(&m, &b);
+        }
+    }
+    return m.result;
+}
+
+static void update_platforms(wfWorld *world, const wfSceneInput *in)
+{
+    (void)in;
+    wfWorldDef def;
+    if (wfGetWorldDef(world, &def) != WF_OK) return;
+    for (int i = 0; i < 2; i++) {
+        wfBodyId id = wfBodyAt(world, 1 + 6 * i);
+        wfVec2 now = wfWorldBodies(world).state[1 + 6 * i].p;
+        wfVec2 next = platform_at(i, wfWorldTime(world) + (double)def.dt);
+        wfSetBodyVelocity(world, id, wfScale(1 / def.dt, wfSub(next, now)), 0);
+    }
+}
+/* <scenes> */
+static wfResult build_jitter(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    for (int i = -1; i <= 1; i += 2) {
+        wfBodyDef side = box(&m, WF_R(3.2) * (wfReal)i, 2, 4, WF_R(0.3));
+        side.type = WF_STATIC;
+        side.angle = WF_R(0.6) * (wfReal)i;
+        put(&m, &side);
+    }
+    for (int i = 0; i < 24; i++) {
+        wfBodyDef b = box(&m, WF_R(0.62) * (wfReal)(i % 4) - WF_R(0.93),
+                          3 + WF_R(0.62) * (wfReal)(i / 4), WF_R(0.3),
+                          i % 3 ? WF_R(0.3) : WF_R(0.2));
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void draw_jitter(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    for (int32_t i = 2; i < v.count; i++) {
+        if (!v.alive[i]) continue;
+        float x = (float)v.state[i].p.x, y = (float)v.state[i].p.y;
+        float bar = 100 * (float)wfLength(v.state[i].v);
+        wfDrawLine(d, x, y, x, y + (bar < 3 ? bar : 3), 3, WF_INK_BAD);
+    }
+}
+/* <scenes> */
+static wfResult build_honey(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    wfForce drag = wfDrag(2, 0);
+    for (int i = 0; i < 4; i++) {
+        wfBodyDef b = ball(&m, -5, WF_R(1.5) * (wfReal)i, WF_R(0.5));
+        b.mass = 1 + (wfReal)i;
+        b.velocity = wfV2(4, 0);
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    push(&m, &drag);
+    return m.result;
+}
+
+static void draw_honey(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)world, (void)in;
+    for (int i = 0; i < 4; i++) {
+        float x = -3 + 2 * (float)i, y = 1.5f * (float)i;
+        wfDrawDashed(d, x, y - 0.6f, x, y + 0.6f, 2, WF_INK_ACCENT);
+        wfDrawTextf(d, -6.2f, y - 0.1f, 13, WF_INK_TEXT, 0, "%d kg", i + 1);
+    }
+}
+/* <scenes> */
+static wfResult build_lift(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 6, WF_R(0.5), 0);
+    wfBodyId frame = put_nail(&m, 0, 7), side[2];
+    for (int i = 0; i < 2; i++) {
+        wfReal x = i ? WF_R(1.5) : WF_R(-1.5);
+        wfBodyDef b = box(&m, x, WF_R(3.5), i ? WF_R(0.5) : 1, i ? WF_R(0.5) : WF_R(0.1));
+        b.mass = 4;
+        b.userData = i ? WF_INK_BODY2 : WF_INK_BODY;
+        side[i] = put(&m, &b);
+        wfJoint slide = joint_along(&m, "prismatic", frame, side[i], wfV2(x, WF_R(3.5)),
+                                    wfV2(0, 1));
+        join(&m, &slide);
+    }
+    wfJoint tie = joint_along(&m, "linkage", side[0], side[1], wfV2(0, WF_R(3.5)),
+                              wfV2(0, 1));
+    tie.ratio = 1;
+    join(&m, &tie);
+    wfBodyDef crate = box(&m, WF_R(-1.5), WF_R(5.5), WF_R(0.4), WF_R(0.4));
+    crate.mass = 1;
+    crate.userData = WF_INK_GOOD;
+    put(&m, &crate);
+    return m.result;
+}
+
+static void draw_lift(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfBodyView v = wfWorldBodies(world);
+    for (int32_t i = 2; i < 4; i++)
+        wfDrawLine(d, WF_XY(v.state[i].p), (float)v.state[i].p.x, 7, 2, WF_INK_LINE);
+    wfDrawLine(d, -1.5f, 7, 1.5f, 7, 2, WF_INK_LINE);
+}
+/* <scenes> */
+static wfResult build_throws(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    for (int i = 0; i < 3; i++) {
+        wfBodyDef b = ball(&m, -7, 1 + (wfReal)i, WF_R(0.2));
+        b.velocity = wfV2(4 + (wfReal)i, 7);
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void fifteen(wfWorldDef *def) { def->dt = WF_R(1.0) / 15; }
+
+static wfResult build_far(wfWorld *world)
+{
+    wfResult result = build_throws(world);
+    return result == WF_OK ? wfSetWorldOrigin(world, (wfFar){ 1e9, 0 }) : result;
+}
+
+static void draw_throws(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfVec2 g;
+    wfFar home, at;
+    if (wfGetGravity(world, &g) != WF_OK) return;
+    for (int i = 0; i < 3; i++)
+        draw_parabola(d, wfV2(-7, 1 + (wfReal)i), wfV2(4 + (wfReal)i, 7), g, WF_R(0.2));
+    wfVec2 p = wfWorldBodies(world).state[3].p;
+    if (wfGetWorldOrigin(world, &home) != WF_OK || home.x == 0) return;
+    if (wfToFar(world, p, &at) == WF_OK)
+        wfDrawTextf(d, (float)p.x, (float)p.y + 0.4f, 13, WF_INK_ACCENT, 0,
+                    "x = %.1f m", at.x);
+}
+/* <scenes> */
+static const wfReal spinSpeed[4] = { 1, 10, 100, 300 };
+
+static wfResult build_spin(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    for (int i = 0; i < 4; i++) {
+        wfBodyDef b = box(&m, WF_R(3.2) * (wfReal)i - WF_R(4.8), 0, WF_R(1.3), WF_R(0.2));
+        b.angularVelocity = spinSpeed[i];
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void draw_spin(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    double whole = 2 * (double)WF_PI;
+    for (int i = 0; i < 4; i++) {
+        double turn = (double)spinSpeed[i] * wfWorldTime(world);
+        turn -= whole * (double)(int64_t)(turn / whole);
+        wfRot q = wfRotation(wfWrapAngle((wfReal)turn));
+        float x = 3.2f * (float)i - 4.8f, c = 1.5f * (float)q.c, s = 1.5f * (float)q.s;
+        wfDrawLine(d, x - c, -s, x + c, s, 2, WF_INK_ACCENT);
+        wfDrawTextf(d, x, -2.1f, 13, WF_INK_TEXT, 0, "%g rad/s", (double)spinSpeed[i]);
+    }
+}
+/* <scenes> */
+static wfResult build_billiard(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, WF_R(-6.5), 0, WF_R(0.5), 2, 1);
+    for (int i = 0; i < 2; i++) {
+        wfBodyDef b = ball(&m, i ? 3 : -3, 0, i ? 1 : WF_R(0.5));
+        b.mass = i ? 100 : 1;
+        b.velocity = wfV2(i ? -2 : 0, 0);
+        b.restitution = 1, b.friction = 0;
+        b.userData = i ? WF_INK_BODY : WF_INK_BODY2;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void draw_billiard(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    double kinetic = 0, potential = 0;
+    wfWorldEnergy(world, &kinetic, &potential);
+    wfDrawTextf(d, 0, 2.4f, 16, WF_INK_TEXT, 0, "%.2f J of 200", kinetic);
+}
+/* <scenes> */
+static const wfReal slideFriction[4] = { WF_R(0.1), WF_R(0.2), WF_R(0.4), WF_R(0.8) };
+
+static wfResult build_slides(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    for (int i = 0; i < 4; i++) {
+        wfReal y = WF_R(1.5) * (wfReal)i;
+        wfBodyDef shelf = box(&m, 0, y - WF_R(0.1), 6, WF_R(0.1)), b;
+        shelf.type = WF_STATIC;
+        shelf.friction = slideFriction[i];
+        put(&m, &shelf);
+        b = box(&m, -5, y + WF_R(0.15), WF_R(0.5), WF_R(0.15));
+        b.velocity = wfV2(4, 0);
+        b.friction = slideFriction[i];
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(&m, &b);
+    }
+    return m.result;
+}
+
+static void draw_slides(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
+{
+    (void)in;
+    wfVec2 g;
+    if (wfGetGravity(world, &g) != WF_OK || g.y == 0) return;
+    for (int i = 0; i < 4; i++) {
+        float y = 1.5f * (float)i, x = -5 - 8 / (float)(slideFriction[i] * g.y);
+        wfDrawDashed(d, x, y, x, y + 0.7f, 2, WF_INK_ACCENT);
+        wfDrawTextf(d, 5.9f, y + 0.5f, 13, WF_INK_TEXT, 1, "friction %g",
+                    (double)slideFriction[i]);
+    }
+}
+/* <scenes> */
+static void put_tower(Maker *m, wfReal x, wfReal half)
+{
+    for (int i = 0; i < 5; i++) {
+        wfBodyDef b = box(m, x, half * (wfReal)(2 * i + 1), half, half);
+        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
+        put(m, &b);
+    }
+}
+
+static void heavily(wfWorldDef *def) { def->gravity = wfV2(0, WF_R(-981.0)); }
+
+static wfResult build_weight(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    put_tower(&m, 0, WF_R(0.5));
+    return m.result;
+}
+
+static wfResult build_sizes(wfWorld *world)
+{
+    static const wfReal half[4] = { WF_R(0.025), WF_R(0.1), WF_R(0.4), 1 };
+    static const wfReal place[4] = { -6, -5, -3, 2 };
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    for (int i = 0; i < 4; i++) put_tower(&m, place[i], half[i]);
+    return m.result;
+}
 
 const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
@@ -2861,5 +3181,73 @@ const wfScene wfSceneTable[] = {
       .build = build_nothing, .draw = draw_solvers,
       .viewX = 5, .viewY = WF_R(-4.4), .viewHeight = 18, .energyBound = 0,
       .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Asked", .name = "teleport", .chapter = 24,
+      .text = "The lowest box is at once on the other tower. Who leant on it falls.",
+      .build = build_teleport, .update = update_teleport, .draw = draw_teleport,
+      .viewX = 0, .viewY = WF_R(2.2), .viewHeight = 7,
+      .energyBound = -1, .depthBound = WF_R(0.1) },
+    /* <rows of the scene table> */
+    { .category = "Asked", .name = "moving platforms", .chapter = 24,
+      .text = "Moved by their velocity, they carry their loads. To and fro, up and down.",
+      .build = build_platforms, .update = update_platforms,
+      .viewX = 0, .viewY = WF_R(2.4), .viewHeight = 7,
+      .energyBound = -1, .depthBound = WF_R(0.05) },
+    /* <rows of the scene table> */
+    { .category = "Asked", .name = "jitter", .chapter = 17,
+      .text = "A metre of bar for each centimetre a second: what moves that should be at rest?",
+      .build = build_jitter, .draw = draw_jitter,
+      .viewX = 0, .viewY = WF_R(3.4), .viewHeight = WF_R(8.5),
+      .energyBound = 1, .depthBound = WF_R(0.15) },
+    /* <rows of the scene table> */
+    { .category = "Asked", .name = "honey", .chapter = 9,
+      .text = "Drag of 2 N for each m/s: masses 1 to 4 with 4 m/s must stop at their lines.",
+      .define = integrated_freely, .build = build_honey, .draw = draw_honey,
+      .viewX = 0, .viewY = WF_R(2.25), .viewHeight = WF_R(9.0),
+      .energyBound = 0, .depthBound = -1 },
+    { .category = "Asked", .name = "lift", .chapter = 18,
+      .text = "A cabin and its counterweight, two slides tied by a linkage. A crate falls in.",
+      .define = jointly, .build = build_lift, .draw = draw_lift,
+      .viewX = 0, .viewY = WF_R(3.2), .viewHeight = 9,
+      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Extremes", .name = "fifteen steps", .chapter = 34,
+      .text = "Throws at fifteen steps a second. The dashed lines are exact.",
+      .define = fifteen, .build = build_throws, .draw = draw_throws,
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
+      .energyBound = 1, .depthBound = WF_R(0.4) },
+    { .category = "Extremes", .name = "far from home", .chapter = 34,
+      .text = "A throw, a million kilometres away. It must look like one at home.",
+      .build = build_far, .draw = draw_throws,
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
+      .energyBound = 1, .depthBound = WF_R(0.2) },
+    /* <rows of the scene table> */
+    { .category = "Extremes", .name = "spin", .chapter = 34,
+      .text = "Planks at 1, 10, 100 and 300 rad/s: each must stay on its line.",
+      .define = without_gravity, .build = build_spin, .draw = draw_spin,
+      .viewX = 0, .viewY = 0, .viewHeight = 8,
+      .energyBound = 5, .depthBound = 0 },
+    /* <rows of the scene table> */
+    { .category = "Extremes", .name = "billiard with pi", .chapter = 34,
+      .text = "Between a wall and a hundredfold mass: thirty-one clacks, no energy lost.",
+      .define = without_gravity, .build = build_billiard, .draw = draw_billiard,
+      .viewX = 2, .viewY = 0, .viewHeight = 10,
+      .energyBound = 2, .depthBound = WF_R(0.4) },
+    /* <rows of the scene table> */
+    { .category = "Extremes", .name = "slides", .chapter = 34,
+      .text = "Blocks with 4 m/s and frictions from 0.1 to 0.8: each must stop at its line.",
+      .build = build_slides, .draw = draw_slides,
+      .viewX = 0, .viewY = WF_R(2.4), .viewHeight = 8,
+      .energyBound = WF_R(0.1), .depthBound = WF_R(0.05) },
+    /* <rows of the scene table> */
+    { .category = "Extremes", .name = "hundredfold weight", .chapter = 34,
+      .text = "Five boxes under 981 m/s2: a tower is a tower.",
+      .define = heavily, .build = build_weight,
+      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
+      .energyBound = 100, .depthBound = WF_R(0.3) },
+    { .category = "Extremes", .name = "sizes", .chapter = 34,
+      .text = "Towers of boxes of 5 cm, 20 cm, 80 cm and 2 m: all must stand.",
+      .build = build_sizes, .viewX = 0, .viewY = 5, .viewHeight = 12,
+      .energyBound = 5, .depthBound = WF_R(0.05) },
 };
 const int wfSceneCount = (int)(sizeof wfSceneTable / sizeof *wfSceneTable);

@@ -68,7 +68,8 @@ function build(s, o) {
   def.enableSleep = !!o.sleep;
   world = B.b2CreateWorld(def);
   substeps = o.substeps || substeps;
-  bodies = s.bodies.map(b => addBody(b, o.fast && b.velocity.concat(b.spin).some(v => v !== 0)));
+  const moves = b => b.velocity.concat(b.spin).some(v => v !== 0);
+  bodies = s.bodies.map(b => addBody(b, o.fast && moves(b)));
   s.joints.forEach(addJoint);
 }
 /* <run Box2D 3 for the web> */
