@@ -4,27 +4,66 @@
   'use strict';
   const here = document.currentScript.src.replace(/[^/]*$/, '');
   const utf8 = new TextEncoder(), words = new TextDecoder();
-  // A module is packed as chapter 27 says. `code' is the module that unpacks it; it works beside the page where the browser allows it.
-  const unpack = async (code, from, size) => {
-    const x = (await WebAssembly.instantiate(code, {})).instance.exports;
-    new Uint8Array(x.memory.buffer, x.packed(), from.length).set(from);
-    x.unpack(from.length, size);
-    return new Uint8Array(x.memory.buffer, x.unpacked(), size).slice();
+  // LZMA (Pavlov), the format of `xz --format=lzma': a range decoder whose probabilities, p, learn as they go. Chapter 27.
+  const unpack = (from, size) => {
+    const lc = from[0] % 9, lp = (from[0] / 9 | 0) % 5, pb = from[0] / 45 | 0, to = new Uint8Array(size);
+    let range = 0xffffffff, code = 0, at = 13;
+    const model = n => new Uint16Array(n).fill(1024);
+    const refill = () => { if (range < 0x1000000) { range = range * 256; code = (code * 256 + from[at++]) % 0x100000000; } };
+    const bit = (p, i) => {
+      const bound = (range >>> 11) * p[i];
+      let b = 0;
+      if (code < bound) { range = bound; p[i] += 2048 - p[i] >> 5; } else { range -= bound; code -= bound; p[i] -= p[i] >> 5; b = 1; }
+      refill();
+      return b;
+    };
+    const tree = (p, base, bits) => { let m = 1; for (let i = 0; i < bits; i++) m = m * 2 + bit(p, base + m); return m - (1 << bits); };
+    const back = (p, base, bits) => { let m = 1, x = 0; for (let i = 0; i < bits; i++) { const b = bit(p, base + m); m = m * 2 + b; x |= b << i; } return x; };
+    const direct = bits => { let x = 0; while (bits--) { range = Math.floor(range / 2); const b = code >= range ? 1 : 0; if (b) code -= range; refill(); x = x * 2 + b; } return x; };
+    const lengths = () => ({ choice: model(2), low: model(128), mid: model(128), high: model(256) });
+    const length = (l, k) => !bit(l.choice, 0) ? 2 + tree(l.low, 8 * k, 3) : !bit(l.choice, 1) ? 10 + tree(l.mid, 8 * k, 3) : 18 + tree(l.high, 0, 8);
+    const literal = model(0x300 << lc + lp), isMatch = model(192), isRep = model(12), isRep0 = model(12), isRep1 = model(12), isRep2 = model(12), isLong = model(192);
+    const slot = model(256), near = model(115), align = model(16), first = lengths(), again = lengths(), rep = [0, 0, 0, 0];
+    for (let i = 0; i < 5; i++) code = (code * 256 + from[at++]) % 0x100000000;
+    for (let n = 0, state = 0; n < size;) {
+      const k = n & (1 << pb) - 1;
+      if (!bit(isMatch, state * 16 + k)) {
+        const base = 0x300 * (((n & (1 << lp) - 1) << lc) + ((n ? to[n - 1] : 0) >> 8 - lc));
+        let m = 1, same = state >= 7, old = same ? to[n - rep[0] - 1] : 0;
+        while (m < 256) {
+          const want = old >> 7 & 1, b = bit(literal, base + (same ? 256 * (1 + want) : 0) + m);
+          old <<= 1; m = m * 2 + b; same = same && want === b;
+        }
+        to[n++] = m; state = state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
+        continue;
+      }
+      let count;
+      if (bit(isRep, state)) {
+        if (!bit(isRep0, state)) {
+          if (!bit(isLong, state * 16 + k)) { to[n] = to[n - rep[0] - 1]; n++; state = state < 7 ? 9 : 11; continue; }
+        } else {
+          const which = !bit(isRep1, state) ? 1 : 2 + bit(isRep2, state);
+          rep.unshift(rep.splice(which, 1)[0]);
+        }
+        count = length(again, k); state = state < 7 ? 8 : 11;
+      } else {
+        count = length(first, k); state = state < 7 ? 7 : 10;
+        const s = tree(slot, 64 * Math.min(count - 2, 3), 6), bits = (s >> 1) - 1;
+        let d = s;
+        if (s >= 4) {
+          d = (2 | s & 1) << bits;
+          d += s < 14 ? back(near, d - s, bits) : direct(bits - 4) * 16 + back(align, 0, 4);
+        }
+        rep.unshift(d); rep.pop();
+        if (d >= n) break;                             // the mark of the end, or damage
+      }
+      for (; count-- > 0 && n < size; n++) to[n] = to[n - rep[0] - 1];
+    }
+    return to;
   };
-  const unpackBeside = (...what) => new Promise((done, fail) => {
-    const url = URL.createObjectURL(new Blob([`onmessage = async e => postMessage(await (${unpack})(...e.data))`], { type: 'text/javascript' }));
-    const w = new Worker(url);
-    w.onmessage = e => { w.terminate(); done(e.data); };
-    w.onerror = e => { e.preventDefault(); fail(e); };
-    w.postMessage(what);
-  });
-  const bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
   // A module (`testbed', `figures') comes as a script of base64, packed, since a page from a disk may not fetch.
   const modules = {}, told = {};
-  window.WEFT_LIVE = (name, size, text, unpacker) => {
-    const what = [bytes(unpacker), bytes(text), size];
-    unpackBeside(...what).catch(() => unpack(...what)).then(b => WebAssembly.compile(b)).then(...told[name]);
-  };
+  window.WEFT_LIVE = (name, size, text) => WebAssembly.compile(unpack(Uint8Array.from(atob(text), c => c.charCodeAt(0)), size)).then(...told[name]);
   const load = name => modules[name] || (modules[name] = new Promise((done, fail) => {
     const s = document.createElement('script');
     told[name] = [done, fail];

@@ -1,7 +1,7 @@
 # web.mk: the testbed and the figures as WebAssembly, in two scripts that the book's pages load when a reader scrolls to something live.
 #   make -f tangle/web.mk SRC=build/weave/src OUT=build/web
-# Makes OUT/testbed.wasm and OUT/figures.wasm, and of each a script OUT/live-NAME.js that holds it as text, packed by the packer of chapter 27, with what unpacks it. Needs clang,
-# wasm-ld, Debian's wasi-libc and clang's builtins for wasm32; the linker must not leave a single import: a module asks nothing of the page.
+# Makes OUT/testbed.wasm and OUT/figures.wasm, and of each a script OUT/live-NAME.js that holds it, packed by xz, as text. Needs clang,
+# wasm-ld, xz, Debian's wasi-libc and clang's builtins for wasm32; the linker must not leave a single import: a module asks nothing of the page.
 # (binaryen's wasm-opt makes the module a sixth smaller, and what is packed of it not at all: it isn't used.)
 SRC ?= build/weave/src
 OUT ?= build/web
@@ -15,7 +15,7 @@ FONT_SIZES := 13 26
 FONT_FLAGS := --ascii
 FONTCC = $(WEBCC) $(FLAGS)
 ENGINE := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)))
-GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/pack.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
+GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
 object = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(1))
 TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
 FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/lab/figures.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/gen/font_atlas.o
@@ -33,16 +33,10 @@ $(OUT)/testbed.wasm: $(TESTBED)
 $(OUT)/figures.wasm: $(FIGURES)
 $(OUT)/%.wasm:
 	@$(WEBLD) --no-entry --gc-sections --strip-all --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi $^ -lc $(RT) -o $@
-# what unpacks is to be quick, not small
-$(call object,$(SRC)/testbed/unpack_main.c $(SRC)/testbed/pack.c): FLAGS += -O2
-$(OUT)/unpack.wasm: $(call object,$(SRC)/testbed/unpack_main.c $(SRC)/testbed/pack.c)
-	@$(WEBLD) --no-entry --gc-sections --strip-all --lto-O2 -L$(SYSROOT)/lib/wasm32-wasi $^ -lc $(RT) -o $@
-$(OUT)/bin/pack: $(SRC)/testbed/pack_main.c $(SRC)/testbed/pack.c $(SRC)/testbed/pack.h
-	@mkdir -p $(@D); $(CC) -O2 -std=c11 -ffp-contract=off -I$(SRC) $(filter %.c,$^) -o $@
-$(OUT)/%.wasm.packed: $(OUT)/%.wasm $(OUT)/bin/pack
-	@$(OUT)/bin/pack $< $@
-$(OUT)/live-%.js: $(OUT)/%.wasm.packed $(OUT)/unpack.wasm
-	@{ printf 'WEFT_LIVE("%s",%d,"' $* $$(wc -c < $(OUT)/$*.wasm); base64 -w0 $<; printf '","'; base64 -w0 $(OUT)/unpack.wasm; printf '");\n'; } > $@
-	@echo "web: $*: $$(wc -c < $(OUT)/$*.wasm) bytes, $$(wc -c < $<) packed, and $$(wc -c < $(OUT)/unpack.wasm) to unpack"
-.SECONDARY: $(OUT)/testbed.wasm.packed $(OUT)/figures.wasm.packed
+$(OUT)/%.wasm.lzma: $(OUT)/%.wasm
+	@xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=273 $< > $@
+$(OUT)/live-%.js: $(OUT)/%.wasm.lzma
+	@{ printf 'WEFT_LIVE("%s",%d,"' $* $$(wc -c < $(OUT)/$*.wasm); base64 -w0 $<; printf '");\n'; } > $@
+	@echo "web: $*: $$(wc -c < $(OUT)/$*.wasm) bytes, $$(wc -c < $<) packed"
+.SECONDARY: $(OUT)/testbed.wasm.lzma $(OUT)/figures.wasm.lzma
 -include $(wildcard $(OUT)/obj/*/*.d)
