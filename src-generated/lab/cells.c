@@ -350,7 +350,7 @@ static const struct { const char *name, *adapter, *options; } extremeEngines[] =
     { "Box2D 3.2", "box2d3", "" },
 };
 enum { EXTREME_ENGINES = sizeof extremeEngines / sizeof *extremeEngines };
-
+/* <cells> */
 /* plays a scene; the exit status, -1 if there is none to be read */
 static int play_extreme(const char *scene, int engine, const labScene *s, int fast)
 {
@@ -380,7 +380,7 @@ static const char *outcome(int status)
     default: return "crash";
     }
 }
-
+/* <cells> */
 static int cell_extremes(FILE *out, const wfCellInput *in)
 {
     int row = labFindExtreme(wfCellText(in, "extreme", "")), rank = 0;
@@ -398,6 +398,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     if (f == NULL) return 1;
     labBuildExtreme(e, value, f, &s);
     if (fclose(f) != 0) return 1;
+    /* <play the scene and judge it> */
     int status = play_extreme(scene, engine, &s, s.fast);
     if (status == 3 && s.fast) status = play_extreme(scene, engine, &s, 0);
     const char *verdict = outcome(status);

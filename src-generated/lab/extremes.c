@@ -94,7 +94,7 @@ static void build_throw(labScene *s, double rate)
     s->dt = 1 / rate;
     throw_ball(s);
 }
-
+/* <extremes> */
 static void build_distance(labScene *s, double metres)
 {
     s->origin = metres;
@@ -109,7 +109,7 @@ static void judge_throw(const labTrace *t, double value, double *error, double *
     (void)value;
     *error = *harm = hypot(dx, dy) / 5;
 }
-
+/* <extremes> */
 static void build_spin(labScene *s, double spin)
 {
     s->steps = 600;
@@ -143,7 +143,7 @@ static double peak_after(const labTrace *t, double time)
     }
     return peak;
 }
-
+/* <extremes> */
 static void build_bounce(labScene *s, double e)
 {
     s->restitution = e;
@@ -156,7 +156,7 @@ static void judge_bounce(const labTrace *t, double e, double *error, double *har
     *error = fabs(peak - e * e);
     *harm = peak / 1.01;
 }
-
+/* <extremes> */
 static void build_bounces(labScene *s, double n)
 {
     s->restitution = 1;
@@ -223,7 +223,7 @@ static void build_billiard(labScene *s, double k)
     put(s, &(Put){ .x = 2, .radius = 0.5, .density = 1 });
     put(s, &(Put){ .x = 5, .vx = -1, .radius = 0.5, .density = pow(100, k) });
 }
-
+/* <extremes> */
 static void judge_billiard(const labTrace *t, double k, double *error, double *harm)
 {
     double mass = pow(100, k), v = 0, u = -1;       /* of the light and the heavy one */
@@ -305,14 +305,14 @@ static void build_slide(labScene *s, double mu)
     put(s, &(Put){ .y = 0.25, .vx = 10, .width = 0.5, .height = 0.25, .density = 1,
                    .upright = 1 });
 }
-
+/* <extremes> */
 static void judge_slide(const labTrace *t, double mu, double *error, double *harm)
 {
     double d = 5 / mu;
     *error = fabs(at_end(t, 1, LAB_X) - d) / (d + 10.0 / 60);
     *harm = fmax(*error, fabs(at_end(t, 1, LAB_Y) - 0.25) / 0.5);
 }
-
+/* <extremes> */
 /* a slope through (0, 0), and a body of such a half height upon it */
 static void put_slope(labScene *s, double slope, const Put *body)
 {
@@ -526,6 +526,7 @@ static void build_cards(labScene *s, double storeys)
     s->every = 30;
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
+    /* <lay the storeys of a card house> */
     for (int pairs = (int)storeys; pairs > 0; pairs--, z += high + thick) {
         for (int i = 0; i < 2 * pairs; i++) {
             double side = i % 2 ? 1 : -1, at = pitch * (i / 2 - (pairs - 1) / 2.0);
@@ -541,7 +542,7 @@ static void build_cards(labScene *s, double storeys)
         }
     }
 }
-
+/* <extremes> */
 static void judge_cards(const labTrace *t, double storeys, double *error, double *harm)
 {
     (void)storeys;
@@ -592,7 +593,7 @@ static void judge_tower_of(const labTrace *t, int n, double side, double *error,
     *error = sunk / (n * side);
     *harm = fmax(aside / side, 2 * *error);
 }
-
+/* <extremes> */
 static void build_tower(labScene *s, double n)
 {
     s->gravity = 10;
@@ -627,7 +628,7 @@ static void judge_gravity(const labTrace *t, double g, double *error, double *ha
     (void)g;
     judge_tower_of(t, 1, 1, error, harm);
 }
-
+/* <extremes> */
 static void build_size(labScene *s, double side)
 {
     s->gravity = 10;
@@ -685,7 +686,7 @@ static void judge_chain(const labTrace *t, double ratio, double *error, double *
     (void)ratio;
     *error = *harm = moved(t, 11) / 5;
 }
-
+/* <extremes> */
 static void build_pendulum(labScene *s, double seconds)
 {
     s->gravity = 10;
@@ -722,13 +723,14 @@ static void build_double(labScene *s, double seconds)
     hinge(s, 0, 1, 0, 0);
     hinge(s, 1, 2, 2, 0);
 }
-
+/* <extremes> */
 static void judge_double(const labTrace *t, double seconds, double *error, double *harm)
 {
     double gap = 0;
     *error = 0;
     for (int i = 0; i < t->rows; i++) {
         double energy = 0, x[3] = { 0 }, y[3] = { 0 }, c[3] = { 0 }, d[3] = { 0 };
+        /* <add up both rods> */
         for (int k = 1; k <= 2; k++) {
             double w = labAt(t, i, k, LAB_SPIN), a = labAt(t, i, k, LAB_ANGLE);
             double v = hypot(labAt(t, i, k, LAB_VX), labAt(t, i, k, LAB_VY));
@@ -761,7 +763,7 @@ static void build_free(labScene *s, double seconds)
                        .width = 0.25, .height = 0.05, .density = 1, .mask = 2 });
     for (int i = 0; i < 9; i++) hinge(s, i, i + 1, 0.5 * i - 2, 0);
 }
-
+/* <extremes> */
 /* twice the energy, the angular momentum, and the momentum, per mass of a link */
 static void sums_of(const labTrace *t, int row, double sum[4])
 {
@@ -776,7 +778,7 @@ static void sums_of(const labTrace *t, int row, double sum[4])
         sum[3] += vy;
     }
 }
-
+/* <extremes> */
 static void judge_free(const labTrace *t, double seconds, double *error, double *harm)
 {
     double was[4], is[4];
@@ -924,7 +926,7 @@ static char *read_all(const char *file)
     if (f != NULL) fclose(f);
     return text;
 }
-
+/* <read a trace> */
 /* the numbers of a line but the 3rd to 6th, which are the adapter's own sums */
 static int read_line(const char *line, double *out, int most)
 {
@@ -949,6 +951,7 @@ int labReadTrace(const char *file, labTrace *out)
     if (text == NULL) return 1;
     for (line = text; line != NULL && *line != '\0'; ) {
         char *next = strchr(line, '\n');
+        /* <read a row of a trace> */
         if ((*line >= '0' && *line <= '9')) {
             if (width == 0) width = read_line(line, NULL, 0);
             if (width < 2 + LAB_FIELDS) break;
@@ -970,7 +973,7 @@ int labReadTrace(const char *file, labTrace *out)
     if (failed || out->rows < 2) labFreeTrace(out);
     return failed || out->cell == NULL;
 }
-
+/* <read a trace> */
 void labFreeTrace(labTrace *t)
 {
     free(t->cell);

@@ -5804,7 +5804,7 @@ typedef struct FrameBench {
     game_file file;
     frame_buffer picture;
 } FrameBench;
-
+/* <measurements> */
 static void frame_play(FrameBench *b, int key, int steps, bool drawn)
 {
     game_input in = { .steps = steps, .mouse_x = 600, .mouse_y = 300, .key_count = key != 0,
@@ -5813,7 +5813,7 @@ static void frame_play(FrameBench *b, int key, int steps, bool drawn)
     none.pixels = NULL;
     game_update_and_render(&b->memory, &in, drawn ? &b->picture : &none);
 }
-
+/* <measurements> */
 static bool frame_open(FrameBench *b, int n)
 {
     wfWorld world;
@@ -5894,7 +5894,7 @@ static bool is_dear(const wfClassic *c)
         if (strcmp(c->name, name[i]) == 0) return true;
     return false;
 }
-
+/* <measurements> */
 static int measure_figures_arch(FILE *out)
 {
     wfWorldDef how = wfDefaultWorldDef();
@@ -5911,7 +5911,7 @@ static int measure_figures_arch(FILE *out)
     }
     return 0;
 }
-
+/* <measurements> */
 static int measure_figures_classics(FILE *out)
 {
     wfWorldDef how = wfDefaultWorldDef(), exact = how;

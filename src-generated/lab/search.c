@@ -204,9 +204,9 @@ static void add_error(labNarrow *sum, double error)
 int labSearchNarrow(const char *method, int corners, labNarrow *out)
 {
     static Pairs p;
+    if (wfFindNarrowPhase(method) < 0 || corners < 0 || corners > WF_MAX_VERTICES) return 1;
     p = (Pairs){ .a = disc_of(1, corners), .b = disc_of(0.7, corners),
                  .row = wfFindNarrowPhase(method) };
-    if (p.row < 0 || corners > WF_MAX_VERTICES) return 1;
     scatter(&p, 1.4, 1.9);
     labCounted(work_of_pairs, &p);
     *out = (labNarrow){ .pairs = NARROW_PAIRS };

@@ -136,7 +136,7 @@ wfResult wfBuildHeavyOnLight(wfWorld *world, wfReal ratio)
     }
     return y.result;
 }
-
+/* <classic scenes> */
 wfResult wfBuildCoincident(wfWorld *world, int boxes)
 {
     Yard y = yard_on(world, WF_R(0.6), 0);
@@ -154,7 +154,7 @@ static void lay_card(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high, wfRe
     def.friction = WF_R(0.7);
     lay(y, &def);
 }
-
+/* <classic scenes> */
 wfResult wfBuildCardHouse(wfWorld *world, int storeys, wfReal off, uint32_t seed)
 {
     const wfReal thick = WF_R(0.02), lean = 25 * WF_PI / 180;
@@ -329,7 +329,7 @@ wfResult wfBuildTouchingCradle(wfWorld *world, int balls)
     }
     return y.result;
 }
-
+/* <classic scenes> */
 wfResult wfBuildBullet(wfWorld *world, wfReal speed, wfReal from, bool dynamic)
 {
     Yard y = { .world = world };
@@ -354,7 +354,7 @@ static bool tower_stands(const wfWorldDef *how, int boxes)
     }
     return well;
 }
-
+/* <classic experiments> */
 /* Towers up to this height are tried. */
 enum { TALLEST_TOWER = 200 };
 
@@ -369,7 +369,7 @@ static double greatest_tower(const wfWorldDef *how)
     }
     return low;
 }
-
+/* <classic experiments> */
 static double greatest_load(const wfWorldDef *how)
 {
     double ratio = 1;
@@ -394,7 +394,7 @@ static double greatest_card_house(const wfWorldDef *how)
         }
     return storeys;
 }
-
+/* <classic experiments> */
 static double thinnest_arch(const wfWorldDef *how)
 {
     double low = 0.09, high = 0.17;
@@ -407,7 +407,7 @@ static double thinnest_arch(const wfWorldDef *how)
     }
     return high;
 }
-
+/* <classic experiments> */
 static double greatest_overhang(const wfWorldDef *how)
 {
     double low = 0.8, high = 1.01;
@@ -479,7 +479,7 @@ static double chain_stretch(const wfWorldDef *how)
     wfDestroyWorld(&world);
     return well ? 100 * (-low / 4 - 1) : FAILED;
 }
-
+/* <classic experiments> */
 /* The pendulum for 60 s: the change of its energy, and its mean period, both in percent of
  * what they ought to be. The rod has I = m (l^2 + 0.02^2) / 12 about its middle. */
 static bool swing(const wfWorldDef *how, double *energy, double *period)
@@ -554,7 +554,7 @@ static double bounce_from(const wfWorldDef *how, double height, int bounces)
     wfDestroyWorld(&world);
     return well ? worst : FAILED;
 }
-
+/* <classic experiments> */
 static double bounce_energy(const wfWorldDef *how)
 {
     double worst = 0;
@@ -582,7 +582,7 @@ static double cradle_share(const wfWorldDef *how)
     wfDestroyWorld(&world);
     return well ? 100 * fabs(share - 1) : FAILED;
 }
-
+/* <classic experiments> */
 static double bullets_through(const wfWorldDef *how, double speed, bool dynamic)
 {
     int through = 0;
@@ -599,7 +599,7 @@ static double bullets_through(const wfWorldDef *how, double speed, bool dynamic)
     }
     return through;
 }
-
+/* <classic experiments> */
 static double through_static(const wfWorldDef *how)
 {
     return bullets_through(how, 300, false) + bullets_through(how, 1e5, false);

@@ -302,7 +302,7 @@ static const char copyTail[] =
     "    for (int i = 0; i < steps; i++) DO(wfStepWorld(&world));\n"
     "    printf(\"%016llx\\n\", (unsigned long long)wfHashWorld(&world));\n"
     "    wfDestroyWorld(&world);\n    return 0;\n}\n";
-
+/* <copy a world> */
 size_t wfCopyAsC(const wfWorld *world, const char *name, const char *warn, char *text,
                  size_t size)
 {

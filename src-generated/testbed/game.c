@@ -20,7 +20,6 @@
 #include "testbed/ui.h"
 #include "testbed/view.h"
 #include "weft/save.h"
-
 /* <the state of the game> */
 /* <constants of the game> */
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
@@ -195,7 +194,7 @@ static wfMemory world_memory(const game_memory *memory)
                                         RING_BYTES - TAPE_BYTES - OTHERS * OTHER_BYTES,
                        .transient = memory->transient, .transientSize = half };
 }
-
+/* <find the world in the game's memory> */
 /* The scenes of the table, and behind them the one that was brought along. */
 static int scene_count(const game *g) { return wfSceneCount + (g->text != NULL); }
 
@@ -203,7 +202,7 @@ static const wfScene *scene_at(const game *g, int row)
 {
     return row < wfSceneCount ? &wfSceneTable[row] : &g->guest;
 }
-
+/* <find the world in the game's memory> */
 static void begin_call(game *g, const game_memory *memory, const game_input *input)
 {
     *g = (game){ .state = memory->permanent, .input = input,
@@ -282,7 +281,7 @@ static int open_others(game *g, wfWorld out[OTHERS])
     }
     return s->worlds > 1 ? s->worlds - 1 : 0;
 }
-
+/* <compare worlds> */
 static void pull(game *g, wfReal h);                /* of sec:scenes-stepping */
 
 /* After a step of the scene's world: the others take theirs, and the curves a sample. */
@@ -327,7 +326,7 @@ static frame_buffer part_of(const frame_buffer *whole, int32_t x, int32_t y, int
     out.height = h;
     return out;
 }
-
+/* <compare worlds> */
 static frame_buffer pane_of(const game_state *s, int i, const frame_buffer *whole)
 {
     const camera *c = &s->camera;
@@ -364,7 +363,7 @@ static void draw_ghost(const wfWorld *world, int role, wfDraw *d)
                 wfDrawShape(d, &v.shapes[k], wfBodyTransform(&v.state[i]), role,
                             WF_INK_NONE);
 }
-
+/* <compare worlds> */
 static void draw_ghosts(game *g, wfDraw *d)
 {
     static const int ink[OTHERS] = { WF_INK_BODY2, WF_INK_BAD, WF_INK_GOOD };
@@ -399,7 +398,7 @@ static void draw_pane(game *g, const wfWorld *world, const char *name, frame_buf
     wfRenderList(&d, &wfBakedFont, palette, pane);
     wfPoolRewind(&g->scratch, mark);
 }
-
+/* <compare worlds> */
 static void draw_panes(game *g, frame_buffer *buffer, const wfPalette *palette)
 {
     wfWorld other[OTHERS];
@@ -443,6 +442,7 @@ static void open_scene(game *g, int row)
         s->result = wfOpenScene(g->scene, &g->memory, &g->world);
         s->opened = s->result == WF_OK;
     }
+    /* <forget what belonged to the scene before> */
     if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;
     s->read = 0;
@@ -1001,7 +1001,7 @@ static uint32_t needs_without(uint32_t needs, uint32_t bit)
         if (wfCloseNeeds(wfNeedTable[i].bit) & bit) needs &= ~wfNeedTable[i].bit;
     return needs;
 }
-
+/* <panels> */
 static double need_bytes(const wfWorldDef *now, uint32_t bit)      /* eq:scenes-need */
 {
     wfWorldDef with = *now, less = *now;
@@ -1238,7 +1238,7 @@ static void press_read(game *g)
 {
     if (has_card(g)) wish(g, GAME_FILE_FETCH, FILE_TEXT, "scene.json");
 }
-
+/* <panels> */
 static void read_text(game *g)
 {
     game_file *f = g->file;
@@ -1267,7 +1267,7 @@ static const kept_number keptTable[] = {
     { "probe", FLAG(tools.choice[TOOL_PROBE]), -7 },
 };
 enum { KEPT = sizeof keptTable / sizeof *keptTable };
-
+/* <panels> */
 static int32_t kept_most(const kept_number *k)      /* tables may grow: they are asked */
 {
     if (k->most >= 0) return k->most;
@@ -1420,7 +1420,7 @@ static void look_number(ui *u, game *g, const char *name, float x, float *y, flo
     if (*value < least) *value = least;
     *y += UI_LINE;
 }
-
+/* <panels> */
 static float see_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
@@ -1700,7 +1700,7 @@ static void strip(ui *u, float y, float h)
     if (ui_inside(u, 0, y, u->width, h))
         u->over = true;
 }
-
+/* <the interface> */
 static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
@@ -1867,7 +1867,7 @@ static bool moves_mark(game_state *s, int32_t key)
     else return false;
     return true;
 }
-
+/* <obey the mark> */
 /* With the mark on, arrows and Enter are a mouse. */
 static void obey_mark(game_state *s, game_input *in)
 {
@@ -2013,7 +2013,7 @@ static void end_replay(game *g, wfResult result)
     else snprintf(m->said, sizeof m->said, "replay, step %u: %s", (unsigned)s->played + 1,
                   wfResultText(result));
 }
-
+/* <step the game's world> */
 static void replay_one(game *g)
 {
     game_state *s = g->state;
@@ -2057,7 +2057,7 @@ static void push(game *g, wfBodyId id, wfVec2 impulse, wfVec2 at)
                    .with = { .at = at, .by = impulse } };
     wfGiveInput(&g->world, g->noted, &in, NULL);
 }
-
+/* <step the game's world> */
 static void pull(game *g, wfReal h)
 {
     game_state *s = g->state;
@@ -2135,6 +2135,7 @@ static void step_world(game *g)
     for (; steps > 0; steps--) {
         keep_moment(g, def.dt);
         double before = g->now ? g->now() : 0;
+        /* <make one step or replay one> */
         if (s->tape == TAPE_REPLAYING) {
             replay_one(g);
         } else {
@@ -2177,7 +2178,7 @@ static void list_world(game *g, wfDraw *d, const float view[4])
         wfDrawPoint(d, WF_XY(grip), 8, WF_INK_ACCENT);
     }
 }
-
+/* <draw the frame> */
 static void draw_world(game *g, frame_buffer *buffer, const wfPalette *palette)
 {
     size_t mark = wfPoolMark(&g->scratch), bytes = 8 * 1024 * 1024;
@@ -2231,7 +2232,7 @@ static void send_picture(game *g, const frame_buffer *b, int32_t what, const cha
     else if (f->size == 0) tell(g, true, "the picture is too large for a file");
     else wish(g, GAME_FILE_EXPORT, what, name);
 }
-
+/* <save pictures> */
 static void send_drawing(game *g)
 {
     game_file *f = g->file;
@@ -2277,7 +2278,7 @@ static void add_to_film(game *g, const frame_buffer *seen)
     else s->film = p;
     s->film.bytes = NULL;
 }
-
+/* <save pictures> */
 static void send_film(game *g)
 {
     game_state *s = g->state;
@@ -2310,7 +2311,7 @@ static void film_moment(game *g, const frame_buffer *buffer)
     snprintf(name, sizeof name, "frame-%d.png", (int)++s->frame_count);
     send_picture(g, &seen, FILE_FRAME, name);
 }
-
+/* <save pictures> */
 /* What was wanted of this frame goes out, one thing at a time. */
 static void save_pictures(game *g, const frame_buffer *buffer)
 {
@@ -2382,6 +2383,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     note_tape(&g);
     keep_settings(&g);
     if (!buffer->pixels) return;
+    /* <paint the frame> */
     const wfPalette *palette = s->dark ? &wfDarkPalette : &wfLightPalette;
     wfClearFrame(buffer, palette->area[WF_INK_PAPER]);
     draw_world(&g, buffer, palette);

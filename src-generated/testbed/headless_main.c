@@ -140,7 +140,7 @@ static void print_explanation(void *context, const char *line)
     (void)context;
     puts(line);
 }
-
+/* <commands of the headless program> */
 static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
 {
     double seconds[256] = { 0 };
@@ -155,7 +155,7 @@ static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
     if (result != WF_OK) return result;
     return wfExplainWorld(world, s->hooks ? NULL : seconds, steps, print_explanation, NULL);
 }
-
+/* <commands of the headless program> */
 static int explain_scene(const layer_options *options)
 {
     named_scene made;

@@ -30,7 +30,7 @@ static int32_t nearest_shape(const wfWorld *world, const wfShape *shape, wfTrans
     }
     return found;
 }
-
+/* <find the pair at a place> */
 bool wfPairAt(const wfWorld *world, wfVec2 place, int32_t *a, int32_t *b)
 {
     wfShapeView s = wfWorldShapes(world);
@@ -383,7 +383,7 @@ static void draw_pressures(const wfWorld *world, wfReal h, wfDraw *d)
             draw_force(d, p->point, wfScale(1 / h, j), weight, WF_INK_ACCENT, count <= 12);
         }
 }
-
+/* <look at forces> */
 static void look_at_pressures(const wfWorld *world, const wfLook *look, wfPool *scratch,
                               wfDraw *d)
 {
@@ -391,7 +391,7 @@ static void look_at_pressures(const wfWorld *world, const wfLook *look, wfPool *
     (void)look, (void)scratch;
     if (wfGetWorldDef(world, &def) == WF_OK) draw_pressures(world, def.dt, d);
 }
-
+/* <look at forces> */
 static void look_at_loads(const wfWorld *world, const wfLook *look, wfPool *scratch,
                           wfDraw *d)
 {
@@ -500,6 +500,7 @@ int32_t wfStepSubsteps(const wfWorldDef *def)
 int32_t wfStepPasses(const wfWorldDef *def)
 {
     return def->iterations > 0 ? def->iterations : wfUsualPasses(def->solver);
+/* <look at a part of a step> */
 }
 
 wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPool *scratch,

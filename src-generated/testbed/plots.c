@@ -28,7 +28,7 @@ static void sample_spin(const wfPlotInput *in, float out[WF_PLOT_CURVES])
     wfWorldMomentum(in->world, p, &l);
     out[0] = (float)l;
 }
-
+/* <take the numbers of a world> */
 static void sample_overlap(const wfPlotInput *in, float out[WF_PLOT_CURVES])
 {
     int32_t count;
@@ -53,7 +53,7 @@ static void sample_time(const wfPlotInput *in, float out[WF_PLOT_CURVES])
     out[0] = (float)(1000 * in->step);
     out[1] = (float)(1000 * in->frame);
 }
-
+/* <take the numbers of a world> */
 double wfWorldsApart(const wfWorld *a, const wfWorld *b)
 {
     wfBodyView va = wfWorldBodies(a), vb = wfWorldBodies(b);
@@ -197,7 +197,7 @@ static Axes axes_of(const wfPlots *p, int row, float x, float y, float w, float 
     if (!(a.right > a.left + 1)) a.right = a.left + 1;
     return a;
 }
-
+/* <draw a plot> */
 static void draw_axes(wfDraw *d, const Axes *a)
 {
     for (int i = 0; a->from + a->step * i <= a->to + a->step / 2 && i < 12; i++) {
@@ -227,7 +227,7 @@ static void draw_curve(wfDraw *d, const Axes *a, const wfPlots *p, int row, int 
     }
     if (p->count > 1) wfDrawPolyline(d, xy, p->count, 1.5f, role);
 }
-
+/* <draw a plot> */
 void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w, float h)
 {
     static const int ink[WF_PLOT_CURVES] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_BAD,

@@ -27,7 +27,6 @@ typedef struct wfPlotRow {
 } wfPlotRow;
 extern const wfPlotRow wfPlotTable[];
 extern const int wfPlotCount;
-
 /* All zero: empty. A ring: the newest sample is before `next'. */
 typedef struct wfPlots {
     int32_t count, next, others, clocked, staged;

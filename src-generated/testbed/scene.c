@@ -39,7 +39,7 @@ wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32
         *out = world;
     return result;
 }
-
+/* <open and step a scene> */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
     return wfOpenSceneNeeding(scene, memory, 0, out);

@@ -600,7 +600,7 @@ static wfResult build_tower(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static wfResult build_stack(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -612,7 +612,7 @@ static wfResult build_stack(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static wfResult build_pyramid(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -1154,7 +1154,7 @@ static wfResult build_one_way(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void kick_upwards(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -1188,7 +1188,7 @@ static wfResult build_conveyors(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_conveyors(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -1600,7 +1600,7 @@ static void put_slides(Maker *m)
     j.flags = WF_JOINT_LIMITS, j.lower = WF_R(-1.2), j.upper = WF_R(1.2);
     join(m, &j);
 }
-
+/* <scenes> */
 static void put_pulley(Maker *m)
 {
     wfBodyId end[2];
@@ -2077,7 +2077,7 @@ static void hang_pegs(Maker *m, wfBodyId board)
             hang(m, board, &peg);
         }
 }
-
+/* <scenes> */
 static wfResult build_galton(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -2376,7 +2376,7 @@ static void mortar(Maker *m, wfBodyId a, wfBodyId b, wfReal x, wfReal y)
     weld.breakTorque = 6;
     join(m, &weld);
 }
-
+/* <scenes> */
 static wfResult build_breaking_wall(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -2522,7 +2522,7 @@ static wfResult build_teleport(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void update_teleport(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -2549,7 +2549,7 @@ static wfVec2 platform_at(int i, double t)
     wfReal s = wfRotation(wfWrapAngle(angle)).s;
     return i == 0 ? wfV2(-3 + WF_R(2.5) * s, 1) : wfV2(5, 2 + s);
 }
-
+/* <scenes> */
 static wfResult build_platforms(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -2571,7 +2571,7 @@ static wfResult build_platforms(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void update_platforms(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -2666,7 +2666,7 @@ static wfResult build_lift(wfWorld *world)
     put(&m, &crate);
     return m.result;
 }
-
+/* <scenes> */
 static void draw_lift(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -2690,7 +2690,7 @@ static wfResult build_throws(wfWorld *world)
 }
 
 static void fifteen(wfWorldDef *def) { def->dt = WF_R(1.0) / 15; }
-
+/* <scenes> */
 static wfResult build_far(wfWorld *world)
 {
     wfResult result = build_throws(world);

@@ -32,7 +32,7 @@ static void put_word(cJSON *settings, const char *option)
         cJSON_AddNumberToObject(settings, key, value);
     else cJSON_AddStringToObject(settings, key, equals + 1);
 }
-
+/* <write options into a scene's settings> */
 static char *text_with_options(const peerScene *scene, const peerOptions *o)
 {
     static char text[1 << 24];
@@ -81,7 +81,7 @@ static void step(double dt)
     fprintf(stderr, "weft: %s\n", wfResultText(result));
     exit(4);
 }
-
+/* <play a scene here> */
 static void read_body(int i, double state[6])
 {
     wfBodyInfo info;
@@ -93,7 +93,7 @@ static void read_body(int i, double state[6])
     state[4] = (double)info.velocity.y;
     state[5] = (double)info.angularVelocity;
 }
-
+/* <play a scene here> */
 static void count(int *pairs, int *points)
 {
     int32_t n = 0;
@@ -104,7 +104,7 @@ static void count(int *pairs, int *points)
         *points += list[i].manifold.count;
     }
 }
-
+/* <play a scene here> */
 int main(int argc, char **argv)
 {
     const peerEngine engine = { "weft", sizeof(wfReal) == 4 ? "float" : "double",
