@@ -189,7 +189,7 @@ static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPrepare
     if (p->now > 0) return rate + p->now / s->dt;               /* eq:sequential-target */
     return rate + wfMaxR(law->bias * p->now, -law->fastest);    /* eq:soft-follow */
 }
-
+/* <solve one limb> */
 static void add_friction(wfLimb *l, const wfPrepared *c, const wfPairMotion *m,
                          wfReal give)
 {
@@ -262,7 +262,7 @@ static bool ease_mass(wfLimb *l)
     for (int32_t k = 0; k < 3; k++) l->ease[k][k] = 1 / l->mass[k][k];
     return true;
 }
-
+/* <solve one limb> */
 static bool fold(wfLimb *l, wfLimb *below)
 {
     wfReal eased[3][3], S[3][3];
@@ -280,7 +280,7 @@ static bool fold(wfLimb *l, wfLimb *below)
                     below->mass[k][n] += l->down[i][k] * l->hold[i][j] * l->down[j][n];
     return true;
 }
-
+/* <solve one limb> */
 static void carry_down(const wfLimb *l, wfWave *w, wfWave *below)
 {
     wfReal eased[3];
@@ -482,7 +482,7 @@ static int32_t ask_links(wfColumns *t, const wfLimb *root, LinkRow *row,
     }
     return n;
 }
-
+/* <close the loops> */
 static bool solve_links(wfColumns *t, const wfLimb *root)
 {
     wfReal A[LINK_ROWS][LINK_ROWS], x[LINK_ROWS];

@@ -11,7 +11,7 @@ typedef struct wfWave {
     wfReal load[3], wrong[3];    /* p: what comes down from above, N s; e */
     wfReal push[3], gain[3];     /* f and D */
 } wfWave;
-
+/* <declarations of columns> */
 /* A body that stands on one contact, and on it whatever stands there: a limb of a tree. Or
  * a link: a contact that closes a loop, between two limbs or a limb and the ground. */
 typedef struct wfLimb {

@@ -206,7 +206,7 @@ static wfReal own_size(const Matrix *m, const wfJointSet *set, const wfSolve *in
     return in->state[a].invMass * wfDot(l->jA, l->jA) + m->inverse[a] * l->wA * l->wA
          + in->state[b].invMass * wfDot(l->jB, l->jB) + m->inverse[b] * l->wB * l->wB;
 }
-
+/* <factor the matrix> */
 static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -585,7 +585,7 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
     }
     m->lost = false;
 }
-
+/* <solve all rows that hold> */
 static void note_impulses(const Matrix *m, wfJointSet *set, bool both)
 {
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -646,7 +646,7 @@ static bool take_in(Matrix *m, const wfSolve *in)
     }
     return some;
 }
-
+/* <solve all rows that hold> */
 static void answer(Matrix *m, wfJointSet *set, const wfSolve *in)
 {
     if (!m->rigid) {
@@ -706,7 +706,7 @@ static bool is_bounded(const wfJointRow *row, int k)
     bool plane = row[k].plane || (k > 0 && row[k - 1].plane);
     return row[k].law != WF_ROW_HOLD && row[k].law != WF_ROW_OFF && !plane;
 }
-
+/* <lend the rows to a solver of contacts> */
 static int32_t list_ties(void *context, const wfSolve *in, wfTie *ties)
 {
     const wfJointSet *set = context;
@@ -772,7 +772,7 @@ static void fill_stop(const wfJointSet *set, const wfSolve *in, wfReal dt, bool 
     if (!ahead)                                                 /* eq:joints-give */
         out->give = (double)(give.impulse / give.mass * (dt / set->last) * w->own[k]);
 }
-
+/* <lend the rows to a solver of contacts> */
 static void fill_bounded(const wfJointSet *set, const wfSolve *in, wfReal dt, bool soft,
                          wfTie *tie)
 {
@@ -1015,7 +1015,7 @@ static void list_machines(Matrix *m, const wfJointSet *set, const wfSolve *in,
     for (int32_t b = in->bodyCount; b > 0; b--) start[b] = start[b - 1];
     start[0] = 0;
 }
-
+/* <judge the machines> */
 static void judge(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal most,
                   int32_t *parent, int32_t *start, uint8_t *alone)
 {
@@ -1058,7 +1058,7 @@ static void count_pairs(const Matrix *m, wfExactCount *out)
         out->pairs += later * (later + 1) / 2;
     }
 }
-
+/* <count what a factorisation takes> */
 wfResult wfCountExact(const wfJoint *joints, int32_t count, const wfBodyState *state,
                       int32_t bodies, wfPool *scratch, wfExactCount *out)
 {

@@ -222,7 +222,7 @@ static double limit_of(const ExactNode *n, const ExactRow *r, double pushed)
 {
     return (r->law == ROW_ROLL ? n->rolling : n->friction) * pushed;
 }
-
+/* <choose which rows hold> */
 /* eq:exact-states; true if any is new */
 static bool choose_states(const Exact *e, ExactNode *n, double eager)
 {
@@ -436,7 +436,7 @@ static double share_of(const Exact *e, int32_t part)
     double left = 1e6 * (double)e->s.in->work - e->spent;
     return positive(left) * (e->work[part].factor / e->all) / (double)e->solutions;
 }
-
+/* <the budget of a step> */
 /* eq:exact-work-of, for all parts; those that are too dear are not direct. */
 static void weigh_parts(Exact *e)
 {
@@ -614,7 +614,7 @@ size_t wfExactTieScratch(int32_t joints)
 {
     return 2 * (size_t)joints * sizeof(wfTie) + room_for(0, 2 * joints);
 }
-
+/* <borrow ties> */
 /* Who is tied. Without room for them the joints take turns, as any other laws. */
 static void take_ties(Exact *e)
 {
@@ -838,6 +838,7 @@ static wfResult make_system(Exact *e)
     e->given = e->kept + in->bodyCount;
     if (!wfSparseTake(&e->m, in->bodyCount + nodes, in->bodyCount, pool, 0))
         return WF_ERROR_MEMORY;
+    /* <put bodies and nodes into the system> */
     load_bodies(e);
     for (int32_t i = 0; i < in->bodyCount; i++) e->m.rows[i] = 3;
     for (int32_t i = 0; i < nodes; i++) {

@@ -233,7 +233,7 @@ void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
         give_pairs(s->in->state, q, &m);
     }
 }
-
+/* <walk through contacts in lanes> */
 static void find_bundle_gaps(const wfSubsteps *s, const wfBundle *q, wfLanes *lowest)
 {
     wfFour a = WF_GATHER(wfMoved, d, s->moved, q->a);

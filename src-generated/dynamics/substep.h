@@ -16,7 +16,7 @@ typedef struct wfMotion {
 
 enum { WF_TRAIT_POINTS = 3,     /* how many points, 0 to 2 */
        WF_TRAIT_ROLLS = 4, WF_TRAIT_TWO_FRICTIONS = 8, WF_TRAIT_TOUCHES = 16 };
-
+/* <what a step in substeps works with> */
 typedef struct wfSubsteps {
     const wfSolve *in;
     wfPrepared    *c;            /* contacts that are taken one by one, */

@@ -12,7 +12,6 @@ typedef struct wfImage {
     size_t         bytes[WF_REGION_KEPT];    /* how many of them count */
     size_t         size;                     /* of all, each rounded up to WF_POOL_ALIGN */
 } wfImage;
-
 /* The image of a block; of `size` bytes that wfWriteImage wrote. WF_ERROR_INVALID: a count
  * is more than there is room for; _TRUNCATED: there are not as many bytes as it says. */
 wfResult wfImageOfBlock(const wfBlock *b, wfImage *out);

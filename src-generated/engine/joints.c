@@ -297,7 +297,7 @@ static uint64_t fingerprint(const struct wfStep *s)
     }
     return sum | 1;
 }
-
+/* <hand the joints to the solver> */
 static uint8_t *verdicts(const wfBlock *b)
 {
     return (uint8_t *)b->head + b->head->offset[WF_REGION_ALONE];

@@ -285,6 +285,7 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     if (i < 0) return WF_ERROR_STALE_ID;
     if (defs == NULL) return WF_ERROR_NULL;
     if (count < 0) return WF_ERROR_RANGE;
+    /* <check the new shapes and what they need> */
     bool many = count + (b.props[i].shape >= 0) > 1;
     uint32_t needs = count == 0 ? 0 : WF_NEED_SHAPES | (many ? WF_NEED_COMPOUNDS : 0);
     for (int32_t k = 0; k < count && result == WF_OK; k++) {
@@ -347,6 +348,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     bool reshaped = !same_geometry(&old.shape, &def->shape);
     bool reweighed = old.density != def->density || old.sensor != def->sensor;
     if (reshaped || reweighed) {
+        /* <plan the body with the new shape in place of the old> */
         bodyPlan plan = { .b = &b, .body = b.owners[k], .without = k, .more = def,
                           .count = 1 };
         state = b.state[plan.body];

@@ -206,7 +206,7 @@ static void link_bodies(const struct wfStep *s, Links *l, int32_t a, int32_t b)
         l->marks[in] |= wfMovesNow(s, out) ? LINK_RESTLESS : LINK_HELD;
     }
 }
-
+/* <find the links of islands> */
 static bool presses(const wfContact *c)
 {
     for (int32_t i = 0; i < c->manifold.count; i++)
@@ -375,7 +375,7 @@ static void put(const List *to, uint8_t *base, int32_t at, const uint8_t *from, 
     if (to->each > 0)
         memmove(base + (size_t)at * to->each, from + (size_t)i * to->each, to->each);
 }
-
+/* <sort out the lists> */
 /* Does its body sleep only since this step? */
 static bool just_slept(const struct wfStep *s, int32_t shape)
 {
@@ -457,7 +457,7 @@ static void lie_down(struct wfStep *s, const Rest *r)
     }
     s->b.head->asleep += s->tired;
 }
-
+/* <sort out the lists> */
 void wfKeepRest(struct wfStep *s)
 {
     Rest r = rest_of(&s->b);
@@ -487,7 +487,7 @@ static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, Rest 
     wfResult result = open_rest(world, id, b, r, i);
     return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
 }
-
+/* <calls about rest> */
 bool wfIsAwake(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
@@ -519,7 +519,7 @@ wfResult wfPutToSleep(wfWorld *world, wfBodyId id)
     if (!sleeps(&r, i)) r.flags[i] |= REST_SENT;
     return WF_OK;
 }
-
+/* <calls about rest> */
 wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never)
 {
     wfBlock b;

@@ -225,6 +225,7 @@ static wfResult find_bounds(struct wfStep *s)
             s->rims[k] = 0;
             continue;
         }
+        /* <find the box of a shape that takes part> */
         s->flags[k] = flag_shape(&s->b, s->state, k);
         s->bounds[k] = bound_one(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
         wfReal more = i >= 0 && wfSolverSteps(s) ? wfWayOfShape(s, k) : 0;

@@ -109,7 +109,7 @@ static void chain_course(int n, double rod, int fine, labCourse out)
 static void pendulum_course(int fine, labCourse out) { chain_course(1, 1, fine, out); }
 static void double_course(int fine, labCourse out) { chain_course(2, 0.5, fine, out); }
 static void ten_course(int fine, labCourse out) { chain_course(10, 0.125, fine, out); }
-
+/* <true courses> */
 /* A body whose place is a formula of the time. */
 static void formula_course(void (*place)(double t, double at[2]), labCourse out)
 {
@@ -137,7 +137,7 @@ static void ball_at(double t, double at[2])
     for (t += fall; t > 2 * fall; ) t -= 2 * fall;
     at[0] = 0, at[1] = 1.5 - GRAVITY / 2 * (t - fall) * (t - fall);
 }
-
+/* <true courses> */
 static void flight_course(int fine, labCourse out)
 {
     (void)fine;
@@ -469,7 +469,7 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
     if (dials->period > 0) def.contactPeriod = (wfReal)dials->period;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
-
+/* <measure a run> */
 /* With these dials, or with settings that were chosen. */
 static labResult run_set(const labTruth *scene, const char *solver, const char *joints,
                          const labDials *dials, const wfAccuracy *chosen)

@@ -35,6 +35,7 @@ typedef struct labResult {
     double depth, gap;             /* greatest, as shares of the size */
     double seconds;                /* of processor time, for all frames */
 } labResult;
+/* <the dials of a run> */
 /* A new world with the scene, for that solver, and with fine sums if it keeps them. */
 wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joints,
                       wfWorld *out);

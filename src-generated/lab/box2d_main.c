@@ -121,7 +121,7 @@ static int compare(const void *a, const void *b)
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
-
+/* <time the scenes in Box2D> */
 typedef struct Scene {
     const char *name;
     void (*build)(b2WorldId world);

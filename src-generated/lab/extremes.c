@@ -245,53 +245,52 @@ static void judge_billiard(const labTrace *t, double k, double *error, double *h
     }
 }
 /* <extremes> */
-static void build_bullets(labScene *s, double speed)
+/* ten discs fly at a wall; all of them can meet it, and none another */
+static void fire_at(labScene *s, double speed, const Put *wall)
 {
     double step = speed / 60;
     s->fast = 1;
     s->steps = 30 + (int)((1 + step) / step);
     open_scene(s);
-    put(s, &(Put){ .y = 5, .width = 0.05, .height = 20 });
+    put(s, wall);
     for (int i = 0; i < 10; i++)
         put(s, &(Put){ .x = -1 - i * step / 10, .y = i, .vx = speed, .radius = 0.05,
                        .density = 1, .category = 2, .mask = 1 });
+}
+
+static void build_bullets(labScene *s, double speed)
+{
+    fire_at(s, speed, &(Put){ .y = 5, .width = 0.05, .height = 20 });
+}
+/* <extremes> */
+static void judge_passed(const labTrace *t, int moves, double *error, double *harm)
+{
+    *error = 0;
+    for (int i = 1; i <= 10; i++) {
+        int passed = 0;
+        for (int row = 0; row < t->rows; row++)
+            passed |= !(labAt(t, row, i, LAB_X) <= (moves ? labAt(t, row, 0, LAB_X) : 0));
+        *error += passed / 10.0;
+    }
+    *harm = 20 * *error;
 }
 
 static void judge_bullets(const labTrace *t, double speed, double *error, double *harm)
 {
     (void)speed;
-    *error = 0;
-    for (int i = 1; i <= 10; i++) {
-        int passed = 0;
-        for (int row = 0; row < t->rows; row++) passed |= !(labAt(t, row, i, LAB_X) <= 0);
-        *error += passed / 10.0;
-    }
-    *harm = 20 * *error;
+    judge_passed(t, 0, error, harm);
 }
 /* <extremes> */
 static void build_plates(labScene *s, double speed)
 {
-    double step = speed / 60;
-    s->fast = 1;
-    s->steps = 30 + (int)((1 + step) / step);
-    open_scene(s);
-    put(s, &(Put){ .y = 5, .width = 0.05, .height = 20, .density = 1, .upright = 1 });
-    for (int i = 0; i < 10; i++)
-        put(s, &(Put){ .x = -1 - i * step / 10, .y = i, .vx = speed, .radius = 0.05,
-                       .density = 1, .category = 2, .mask = 1 });
+    fire_at(s, speed, &(Put){ .y = 5, .width = 0.05, .height = 20, .density = 1,
+                              .upright = 1 });
 }
 
 static void judge_plates(const labTrace *t, double speed, double *error, double *harm)
 {
     (void)speed;
-    *error = 0;
-    for (int i = 1; i <= 10; i++) {
-        int passed = 0;
-        for (int row = 0; row < t->rows; row++)
-            passed |= !(labAt(t, row, i, LAB_X) <= labAt(t, row, 0, LAB_X));
-        *error += passed / 10.0;
-    }
-    *harm = 20 * *error;
+    judge_passed(t, 1, error, harm);
 }
 /* <extremes> */
 static void build_slide(labScene *s, double mu)
@@ -340,7 +339,7 @@ static void judge_hold(const labTrace *t, double slope, double *error, double *h
     (void)slope;
     *error = *harm = moved(t, 1) / 2;
 }
-
+/* <extremes> */
 static void build_roll(labScene *s, double slope)
 {
     s->gravity = 10;

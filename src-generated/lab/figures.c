@@ -2817,6 +2817,64 @@ static void figure_soft_path(wfDraw *d, const wfFigureInput *in)
     bounce_figure_path(d, "soft", top, WF_INK_GOOD);
 }
 /* <figures> */
+enum { SAG_BOXES = 10 };
+
+static void sag_step(wfBodyState *state, wfContact *c, int substeps)
+{
+    _Alignas(16) static uint8_t memory[1 << 14];
+    wfBodyForces force[SAG_BOXES + 1] = { { .torque = 0 } };
+    wfPool scratch;
+    wfPoolInit(&scratch, sizeof memory, memory);
+    for (int i = 0; i < SAG_BOXES; i++) {
+        wfContactPoint *p = &c[i].manifold.points[0];
+        p->depth = 1 - (state[i + 1].p.y - state[i].p.y);
+        p->point = wfAdd(state[i].p, wfV2(0, WF_R(0.5)));
+        p->armA = wfV2(0, WF_R(0.5));
+        p->armB = wfSub(p->point, state[i + 1].p);
+        force[i + 1].force = wfV2(0, WF_R(-9.81));
+    }
+    wfSolve in = { .state = state, .bodyCount = SAG_BOXES + 1, .contacts = c,
+                   .contactCount = SAG_BOXES, .h = WF_R(1.0) / 60, .iterations = 1,
+                   .forces = force, .substeps = substeps, .scratch = &scratch };
+    wfSolveStep(wfFindSolver("soft"), &in);
+}
+/* <figures> */
+static void sag_tower(wfBodyState *state, int substeps)
+{
+    wfContact c[SAG_BOXES];
+    for (int i = 0; i <= SAG_BOXES; i++)
+        state[i] = (wfBodyState){ .p = wfV2(0, (wfReal)i - WF_R(0.5)), .invMass = i > 0 };
+    for (int i = 0; i < SAG_BOXES; i++)
+        c[i] = (wfContact){ .a = i, .b = i + 1,
+                            .manifold = { .normal = wfV2(0, 1), .count = 1 } };
+    for (int i = 0; i < 480; i++) sag_step(state, c, substeps);
+}
+/* <figures> */
+static void figure_soft_sag(wfDraw *d, const wfFigureInput *in)
+{
+    wfBodyState state[SAG_BOXES + 1];
+    int substeps = (int)two_to(4 * handle_line(d, in, "1", "16"));
+    float give = (float)WF_CONTACT_PERIOD / (60 * (float)substeps * 2 * (float)WF_PI);
+    float sunk = 0, foot = 0.75f, side = 0.42f;
+    sag_tower(state, substeps);
+    wfDrawLine(d, 1.5f, foot, 6.5f, foot, 2, WF_INK_LINE);
+    for (int i = 0; i < SAG_BOXES; i++) {
+        float fall = (float)i + 0.5f - (float)state[i + 1].p.y;
+        float low = foot + side * ((float)i - 10 * fall), top = low + side;
+        float box[8] = { 3, low, 3.42f, low, 3.42f, top, 3, top };
+        sunk += 9.81f * give * give * (float)((i ? 2 : 1) * (SAG_BOXES - i));
+        float line = foot + side * ((float)i + 1 - 10 * sunk);  /* eq:soft-squash */
+        wfDrawPolygon(d, box, 4, 1.5f, WF_INK_BODY, WF_INK_NONE);
+        wfDrawLine(d, 3.5f, line, 4.1f, line, 1.5f, WF_INK_ACCENT);
+    }
+    wfDrawTextf(d, 4, 5.25f, 13, WF_INK_TEXT, 0,
+                substeps == 1 ? "%d substep" : "%d substeps", substeps);
+    wfDrawTextf(d, 4.4f, 2.8f, 13, WF_INK_TEXT, -1, "the top has sunk by %.1f mm",
+                1000 * (double)(WF_R(9.5) - state[SAG_BOXES].p.y));
+    wfDrawTextf(d, 4.4f, 2.4f, 13, WF_INK_ACCENT, -1, "by the formula %.1f mm",
+                1000 * (double)sunk);
+}
+/* <figures> */
 static void gather_square(wfDraw *d, float left, bool turned, const char *title)
 {
     static const char *const name[4] = { "vx", "vy", "w", "1/m" };
@@ -4151,7 +4209,7 @@ static void joined_draw(wfDraw *d, const wfWorld *w)
         wfDrawPoint(d, WF_XY(b), 4, WF_INK_ACCENT);
     }
 }
-
+/* <figures> */
 static void figure_joined_machines(wfDraw *d, const wfFigureInput *in)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -4186,7 +4244,7 @@ static void sleep_draw(wfDraw *d, const wfWorld *w, wfVec2 shift)
                                           : WF_INK_FAINT);
     }
 }
-
+/* <figures> */
 static void figure_sleep_stacks(wfDraw *d, const wfFigureInput *in)
 {
     wfWorld w;
@@ -5436,6 +5494,7 @@ const wfFigureRow wfFigureTable[] = {
     { "sequential-passes", figure_sequential_passes, 8.0f, 5.4f, 1, { { 3.6f, 0.3f } } },
     /* <rows of the figure table> */
     { "soft-gather", figure_soft_gather, 12.4f, 5.2f, 0, {{0}} },
+    { "soft-sag", figure_soft_sag, 8.0f, 5.6f, 1, { { 1.2f, 0.3f } } },
     { "soft-path", figure_soft_path, 7.8f, 3.2f, 1, { { 0.3f, 2.2f } } },
     /* <rows of the figure table> */
     { "joints-kinds", figure_joints_kinds, 12.4f, 10.4f, 0, {{0}} },

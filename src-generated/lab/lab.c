@@ -2385,7 +2385,7 @@ static int measure_soft_bounce(FILE *out)
                 energy[2][i]);
     return 0;
 }
-
+/* <measurements> */
 static int measure_soft_bounces(FILE *out)
 {
     fprintf(out, "height,energy,kept\n");
@@ -2902,7 +2902,7 @@ typedef struct labTall {
     _Alignas(16) uint8_t memory[1 << 24];
 } labTall;
 static labTall tall;
-
+/* <measurements> */
 static int tall_add(const wfShape *shape, wfVec2 at, double mass, double inertia)
 {
     int i = tall.count++;
@@ -2946,7 +2946,7 @@ static void tall_pair(int i, int k)
     wfMakeManifoldWithin(&tall.shape[i], xi, &tall.shape[k], xk, &s, margin.x, &c.manifold);
     if (c.manifold.count > 0) tall.contact[tall.contacts++] = c;
 }
-
+/* <measurements> */
 static void tall_touch(void)
 {
     int had = tall.contacts, at = 0;
@@ -3068,7 +3068,7 @@ static double tall_error(void)
     }
     return worst;
 }
-
+/* <measurements> */
 /* The error of sequential impulses after so many passes from nothing, as a share. */
 static double tall_passes(int passes)
 {
@@ -3112,7 +3112,7 @@ static void tall_scene(int scene)
     if (scene == 5) tall_arch(20, 0.12);
     if (scene == 6) tall_overhang(10, 0.99);
 }
-
+/* <measurements> */
 static int measure_exact_systems(FILE *out)
 {
     static const char *const name[7] = { "tower of 10", "tower of 100", "tower of 1000",
@@ -3282,7 +3282,7 @@ static int tied_bridge(double load)
     for (int i = 0; i < 5; i++) crate = tall_box(1.5 * i - 3, 0.4, 0.6, 0.6, load);
     return crate;
 }
-
+/* <measurements> */
 /* Two jaws on slides; motors press them upon a box, half as hard again as it needs. */
 static int tied_grip(double load)
 {
@@ -3316,7 +3316,7 @@ static double tied_error(void)
     }
     return worst;
 }
-
+/* <measurements> */
 /* One step, the joints in the contacts' matrix or by turns. */
 static bool tied_step(bool turns)
 {
@@ -3377,7 +3377,7 @@ static void tall_crowd(int boxes)
         tall.state[box].angle = (wfReal)(6 * number[2]);
     }
 }
-
+/* <measurements> */
 static int measure_exact_budget(FILE *out)
 {
     static const char *const name[7] = { "tower of 1000", "pyramid of base 10",
@@ -3529,7 +3529,7 @@ static double labPendulum(double give, int substeps, double *period)
     *period = (last - first) / turns;
     return 1e6 * mean / 9.81;
 }
-
+/* <measurements> */
 static int measure_exact_pendulum(FILE *out)
 {
     double exact = 2 * 3.14159265358979 * sqrt((1 + 1 / 6.0) / 9.81), period, free;
@@ -5054,7 +5054,7 @@ static double fast_ghost(double gap, int impacts)
     }
     return worst;
 }
-
+/* <measurements> */
 static int measure_fast_ghost(FILE *out)
 {
     static const double gaps[5] = { 0.001, 0.003, 0.01, 0.03, 0.1 };
@@ -5085,6 +5085,7 @@ static double fast_way(double speed, int impacts)
     ball.restitution = 1, ball.friction = 0;
     ball.velocity = wfV2((wfReal)speed, 0);
     wfAddBodyToWorld(&w, &ball, &id);
+    /* <count the rooms that the ball crosses> */
     bool right = true;
     for (int i = 0; i < 60; i++) {
         wfStepWorld(&w);
@@ -5098,7 +5099,7 @@ static double fast_way(double speed, int impacts)
     wfDestroyWorld(&w);
     return 0.9 * rooms + x;
 }
-
+/* <measurements> */
 static int measure_fast_stop(FILE *out)
 {
     static const double speeds[5] = { 11, 31, 97, 311, 701 };
@@ -5122,7 +5123,7 @@ static void fast_room(wfWorld *w, wfReal half)
         wfAddBodyToWorld(w, &wall, NULL);
     }
 }
-
+/* <measurements> */
 static void fast_crowd(wfWorld *w, int count, bool bullets)
 {
     wfRandom r;
@@ -5220,7 +5221,7 @@ static void sleep_stacks(wfWorld *w, int32_t sleep, int32_t bodies)
         sleep_box(w, WF_DYNAMIC, 2.0 * (i / 10), 0.5 + i % 10, 0.5, 0.5);
     for (int i = 0; i < 100; i++) wfStepWorld(w);
 }
-
+/* <measurements> */
 static int measure_sleep_time(FILE *out)
 {
     fprintf(out, "bodies,awake,asleep,ratio,one,one_ratio\n");
@@ -5260,7 +5261,7 @@ static void sleep_pile(wfWorld *w, int32_t sleep, double share, bool balls)
         else sleep_box(w, WF_DYNAMIC, x, y, 0.3, 0.3);
     }
 }
-
+/* <measurements> */
 /* the time until all sleep, s, and how far the farthest is from where it would be, m */
 static void sleep_try(double share, bool balls, double *time, double *way)
 {
@@ -5292,6 +5293,76 @@ static int measure_sleep_share(FILE *out)
             sleep_try(share[k], balls != 0, &time[balls], &way[balls]);
         fprintf(out, "%.2f,%.1f,%.1f,%.1f,%.1f\n", share[k],
                 share[k] * sqrt(2.0) * 300 / 0.5, time[0], 1000 * way[0], time[1]);
+    }
+    return 0;
+}
+/* <measurements> */
+enum { WHIP_LINKS = 6, WHIP_FLINGS = 10 };
+
+static bool whip_hang(wfWorld *w, wfBodyId *first)
+{
+    wfBodyDef d = wfDefaultBodyDef();
+    wfBodyId above, link;
+    wfJoint j;
+    d.type = WF_STATIC;
+    if (wfAddBodyToWorld(w, &d, &above) != WF_OK) return false;
+    d.type = WF_DYNAMIC;
+    for (int i = 0; i < WHIP_LINKS; i++, above = link) {
+        wfVec2 top = wfV2(0, WF_R(-0.8) * (wfReal)i);
+        d.position = wfV2(0, top.y - WF_R(0.4));
+        if (wfMakeBox(WF_R(0.1), WF_R(0.4), &d.shape) != WF_OK
+            || wfAddBodyToWorld(w, &d, &link) != WF_OK
+            || wfJoinBodies(w, "revolute", above, link, top, top, wfV2(1, 0), &j) != WF_OK
+            || wfAddJointToWorld(w, &j, NULL) != WF_OK) return false;
+        if (i == 0) *first = link;
+    }
+    return true;
+}
+/* <measurements> */
+/* greatest energy of a second / energy after the shove; below 0: a step was refused */
+static double whip_gain(double speed, int substeps, int joints)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    wfBodyId first = { 0, 0 };
+    double kinetic, potential, rest, start = 0, most = 0;
+    def.substeps = substeps;
+    def.exactJoints = joints;
+    def.needs = WF_NEED_ROTATION | WF_NEED_SHAPES | WF_NEED_JOINTS | WF_NEED_SUBSTEPS;
+    if (wfCreateWorld(&def, &w) != WF_OK) return -1;
+    bool good = whip_hang(&w, &first);
+    for (int i = 0; i < 30 && good; i++) good = wfStepWorld(&w) == WF_OK;
+    good = good && wfWorldEnergy(&w, &kinetic, &rest) == WF_OK
+        && wfSetBodyVelocity(&w, first, wfV2((wfReal)speed, 0), 0) == WF_OK;
+    for (int i = 0; i <= 60 && good; i++) {
+        good = wfStepWorld(&w) == WF_OK
+            && wfWorldEnergy(&w, &kinetic, &potential) == WF_OK;
+        if (i == 0) start = kinetic + potential - rest;
+        most = fmax(most, kinetic + potential - rest);
+    }
+    wfDestroyWorld(&w);
+    return good ? most / start : -1;
+}
+/* <measurements> */
+static int measure_joined_whip(FILE *out)
+{
+    static const int speeds[5] = { 30, 100, 300, 1000, 3000 };
+    static const int substeps[4] = { 1, 4, 16, 64 };
+    fprintf(out, "speed,one1,one4,one16,one64,all1,all4,all16,all64\n");
+    for (int s = 0; s < 5; s++) {
+        fprintf(out, "%d", speeds[s]);
+        for (int k = 0; k < 8; k++) {
+            double most = 0;
+            for (int i = 0; i < WHIP_FLINGS; i++) {
+                double speed = speeds[s] * (1 + 0.01 * i);
+                double gain = whip_gain(speed, substeps[k % 4],
+                                        k < 4 ? WF_JOINTS_ONE_BY_ONE : WF_JOINTS_TOGETHER);
+                if (gain < 0) return 1;
+                most = fmax(most, gain);
+            }
+            fprintf(out, most < 100 ? ",%.2f" : ",%.1e", most);
+        }
+        fprintf(out, "\n");
     }
     return 0;
 }
@@ -5496,6 +5567,7 @@ static int measure_rollback_time(FILE *out)
         wfWorldDef def;
         wfWorld world;
         double back[ROUNDS], again[ROUNDS];
+        /* <make scene k and let it run up to the moment that is kept> */
         if (save_scene(1000, row[k].spread, false, &world) != WF_OK) return 1;
         if (wfGetWorldDef(&world, &def) != WF_OK) return 1;
         if (row[k].columns >= 0) def.columns = row[k].columns;
@@ -5504,6 +5576,7 @@ static int measure_rollback_time(FILE *out)
         size_t size = wfSnapshotSize(&world);
         void *bytes = malloc(size);
         if (bytes == NULL || wfSnapshotWorld(&world, bytes, size, &size) != WF_OK) return 1;
+        /* <go back and make the steps again, many times> */
         for (int round = 0; round < ROUNDS; round++) {
             clock_t start = clock();
             if (wfRestoreWorld(&world, bytes, size) != WF_OK) return 1;
@@ -7074,6 +7147,9 @@ const wfMeasureRow wfMeasureTable[] = {
       measure_sleep_time },
     { "sleep-share", "when a pile sleeps, and how far it would have gone, by the limit",
       measure_sleep_share },
+    /* <rows of the measurement table> */
+    { "joined-whip", "how much energy a flung chain gains, by speed and substeps",
+      measure_joined_whip },
     /* <rows of the measurement table> */
     { "save-rewind", "bytes for a step of the past: whole, differences, every 60th",
       measure_save_rewind },

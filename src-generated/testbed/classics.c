@@ -28,7 +28,7 @@ static wfBodyDef brick(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high)
     if (y->result == WF_OK) y->result = result;
     return def;
 }
-
+/* <helpers of the classics> */
 static Yard yard_on(wfWorld *world, wfReal friction, wfReal restitution)
 {
     Yard y = { .world = world };

@@ -38,7 +38,7 @@ static number real(wfReal x)
     }
     return n;
 }
-
+/* <copy numbers> */
 static void put_real(copier *c, const char *name, wfReal x, wfReal usual)
 {
     if (memcmp(&x, &usual, sizeof x) != 0) put(c, "    %s = %s;\n", name, real(x).text);
@@ -224,7 +224,7 @@ static void put_place(copier *c, const char *name, wfVec2 p)
     if (p.x != 0 || p.y != 0)
         put(c, "\n        .%s = wfV2(%s, %s),", name, real(p.x).text, real(p.y).text);
 }
-
+/* <copy joints and forces> */
 static void copy_joint(copier *c, const wfJoint *j)
 {
     put(c, "\n    j = (wfJoint){ .kind = wfFindJoint(\"%s\"), .a = B(%d), .b = B(%d),",

@@ -559,6 +559,7 @@ static void list_panel(ui *u, game *g)
     float y = s->height - LIST_BOTTOM + 14, room = s->height - LIST_TOP - LIST_BOTTOM;
     if (!s->ui.query[0])
         scroll_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(g), s->scroll);
+    /* <tick the overlays> */
     ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
     for (int i = 0; i < wfOverlayCount; i++) {
         const wfOverlay *o = &wfOverlayTable[i];
@@ -684,6 +685,7 @@ static void state_line(ui *u, const game *g, float x)
 static void key_sheet(ui *u, const game_state *s, float x)
 {
     static const char *const sheet[][2] = {
+        /* <keys and what they do> */
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
         { "[ and ]", "previous, next scene" }, { "Tab", "hide or show the list" },
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
@@ -1189,7 +1191,7 @@ static wfResult adopt(game *g, const wfWorld *made)
     begin_others(g);
     return result;
 }
-
+/* <panels> */
 static wfMemory spare_memory(game *g, size_t bytes)
 {
     wfMemory m = g->memory;

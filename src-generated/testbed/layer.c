@@ -177,7 +177,7 @@ static bool fetch_file(const char *path, game_file *f)
     fclose(file);
     return whole;
 }
-
+/* <grant a wish for a file> */
 /* An exported picture goes where the options say, all else to the folder. */
 static bool place_file(const layer *l, char *path, size_t size)
 {
@@ -230,7 +230,7 @@ static void press(game_input *in, int32_t key)
 {
     if (in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
 }
-
+/* <play one frame of a platform layer> */
 bool layer_frame(layer *l, const game_input *input)
 {
     game_input now = *input;

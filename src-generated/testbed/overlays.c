@@ -101,6 +101,7 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     wfProjection cb = { wfMaxR(b.min, low), wfMinR(b.max, high) };
     draw_shadow(d, small, s.normal, ca, lift, lift - step, WF_INK_BODY);
     draw_shadow(d, small, s.normal, cb, lift, lift + step, WF_INK_BODY2);
+    /* <write the gap beside the axis> */
     wfVec2 end = on_axis(small, s.normal, a.max, lift);
     wfVec2 begin = on_axis(small, s.normal, b.min, lift);
     wfDrawLine(d, WF_XY(end), WF_XY(begin), 3, role);
@@ -177,7 +178,7 @@ static void draw_loop(wfDraw *d, const Inset *w, const wfVec2 *p, int n, float p
     for (int i = 0; i < n && px > 1.2f; i++)
         wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3 * px, role);
 }
-
+/* <look at the Minkowski difference> */
 static const wfGjkStep *step_of(const wfGjkTrace *trace, const wfLook *look)
 {
     int32_t last = trace->count - 1;
@@ -214,6 +215,7 @@ static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratc
     for (const wfGjkStep *old = trace.steps; old < now; old++)
         draw_loop(d, &w, old->points, old->count, 1, WF_INK_LINE, WF_INK_NONE);
     draw_loop(d, &w, now->points, now->count, 2, WF_INK_ACCENT, WF_INK_NONE);
+    /* <draw the origin and the way to it> */
     wfVec2 zero = in_inset(&w, wfV2(0, 0)), near = in_inset(&w, now->nearest);
     wfReal arm = w.size / 30;
     wfVec2 right = wfV2(arm, 0), top = wfV2(0, arm);
@@ -273,6 +275,7 @@ bool wfClipAt(const wfWorld *world, const wfLook *look, int32_t cuts, wfClipView
     v.side = wfPerpCCW(v.normal);
     v.kept[0] = v.incident[0];
     v.kept[1] = v.incident[1];
+    /* <keep what the cuts leave> */
     wfReal low = wfDot(v.side, v.reference[0]), high = wfDot(v.side, v.reference[1]);
     if (cuts > 1 && !cut(v.kept, wfNeg(v.side), -low)) v.count = 0;
     if (cuts > 2 && v.count && !cut(v.kept, v.side, high)) v.count = 0;
@@ -466,7 +469,7 @@ static void write_path(const wfQuadTree *tree, int32_t node, char text[40])
     for (int i = 0; i < n && used < 36; i++)
         used += snprintf(text + used, 40 - (size_t)used, i ? ".%d" : "%d", (int)sector[i]);
 }
-
+/* <look at bodies> */
 static void look_at_nodes(const wfWorld *world, const wfLook *look, wfPool *scratch,
                           wfDraw *d)
 {

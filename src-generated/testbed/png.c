@@ -69,7 +69,7 @@ static void put_control(wfPng *p, Patch at, int rate)
     end_chunk(c, "fcTL", 26);
     put_bytes(p, c, sizeof c);
 }
-
+/* <write the chunks of a film> */
 static Patch changed_patch(const wfPng *p, const frame_buffer *b, const uint32_t *before)
 {
     Patch c = { p->width, p->height, 0, 0 };
@@ -104,7 +104,7 @@ static void put_file(wfPng *p, uint8_t *file, size_t size, Patch at, int rate)
     }
     p->pictures++;
 }
-
+/* <write a picture> */
 /* The patch of the picture: 0, transparent, where it is as before. */
 static uint32_t *only_changes(const wfPng *p, const frame_buffer *b, const uint32_t *before,
                               Patch c)

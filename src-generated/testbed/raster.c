@@ -22,7 +22,7 @@ void wfCoverClear(wfCoverRow *row)
     row->high = 0;
     row->fullLow = row->fullHigh = 0;
 }
-
+/* <begin and clear a row of coverage> */
 static void touch(wfCoverRow *row, int32_t low, int32_t high)
 {
     if (low < row->low) row->low = low;

@@ -1901,7 +1901,7 @@ static wfResult build_bullets(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void update_bullets(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -2155,7 +2155,7 @@ static wfResult build_hung_cradle(wfWorld *world)
 /* <scenes> */
 static const wfReal rampFriction[4][3] = { { WF_R(0.7), 0, 0 }, /* mu, mu_s, a push */
     { WF_R(0.4), WF_R(0.6), 0 }, { WF_R(0.4), WF_R(0.6), 1 }, { WF_R(0.3), WF_R(0.4), 0 } };
-
+/* <scenes> */
 static wfResult build_ramp(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -2782,7 +2782,7 @@ static wfResult build_slides(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_slides(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;

@@ -180,7 +180,7 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
     ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
     ui_text(u, x + w - 6, y + 15, 13, WF_INK_TEXT, 1, text);
 }
-
+/* <a number that is dragged> */
 bool ui_number(ui *u, const char *name, float x, float y, float w, double *value,
                ui_range r, bool changed)
 {
@@ -260,6 +260,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     else if (pressed) open_menu(u, name, x + w, y + UI_LINE, wide, names);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
+    /* <remember the list to draw> */
     if (u->draw && m->open == id_of(name)) {
         u->menu_size = names.count;
         u->menu_name = names.name;

@@ -70,6 +70,7 @@ WF_RESULT(WF_ERROR_NO_MATERIALS,
           "this world was made without pairs of materials: add WF_NEED_MATERIALS")
 WF_RESULT(WF_ERROR_NO_COMPOUNDS,
           "this world was made without bodies of several shapes: add WF_NEED_COMPOUNDS")
+/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_EVENTS,
           "this world was made without events: add WF_NEED_EVENTS")
 WF_RESULT(WF_ERROR_NO_SENSORS,

@@ -106,7 +106,7 @@ static void count(int *pairs, int *points)
             *points += c->GetManifold()->pointCount;
         }
 }
-
+/* <run Box2D 2> */
 int main(int argc, char **argv)
 {
     const peerEngine engine = { "Box2D 2.4.1", "float",

@@ -3,6 +3,7 @@
 // Box2D 3 in WebAssembly plays a scene. Chapter 02. Needs the package box2d3-wasm.
 import box2d3 from 'box2d3-wasm';
 import { main } from './drive.mjs';
+import { refuse } from './scene.mjs';
 
 const B = await box2d3();
 let world, bodies, scene, substeps = 4;
@@ -20,6 +21,7 @@ function addShape(body, s) {
   def.filter = filter;
   if (s.corners.length) {
     const hull = B.b2ComputeHull(s.corners.map(vec));
+    if (hull.count === 0) refuse('box2d: these corners have no hull');
     return B.b2CreatePolygonShape(body, def, B.b2MakePolygon(hull, 0));
   }
   const circle = new B.b2Circle();

@@ -26,6 +26,7 @@ static void add_shape(b2BodyId body, const peerShape *s)
     def.filter.maskBits = s->mask;
     if (s->corners > 0) {
         b2Hull hull = b2ComputeHull(corner, s->corners);
+        if (hull.count == 0) peerRefuse("box2d: these corners have no hull");
         b2Polygon polygon = b2MakePolygon(&hull, 0);
         b2CreatePolygonShape(body, &def, &polygon);
     } else {

@@ -19,8 +19,9 @@ static void add_shape(cpBody *body, const peerShape *s)
     cpVect corner[8];
     cpShape *shape;
     for (int i = 0; i < s->corners; i++) corner[i] = units(s->corner[i]);
-    shape = s->corners > 0 ? cpPolyShapeNewRaw(body, s->corners, corner, 0)
-                           : cpCircleShapeNew(body, UNITS * s->radius, units(s->centre));
+    shape = s->corners == 0 ? cpCircleShapeNew(body, UNITS * s->radius, units(s->centre))
+        : s->doubtful ? cpPolyShapeNew(body, s->corners, corner, cpTransformIdentity, 0)
+                      : cpPolyShapeNewRaw(body, s->corners, corner, 0);
     if (cpBodyGetType(body) == CP_BODY_TYPE_DYNAMIC)
         cpShapeSetDensity(shape, s->density / (UNITS * UNITS));
     cpShapeSetFriction(shape, sqrt(s->friction));

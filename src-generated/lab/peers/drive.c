@@ -66,6 +66,7 @@ static const char *read_options(int argc, char **argv, peerOptions *o)
             o->noBodies = strcmp(argv[++i], "none") == 0;
         else if (strcmp(a, "--set") == 0 && i + 1 < argc && o->sets < 16)
             o->set[o->sets++] = argv[++i];
+        else if (strcmp(a, "--spoil") == 0 && i + 1 < argc) o->spoil = argv[++i];
         else if (a[0] == '-' || file != NULL) peerRefuse("option %s", a);
         else file = a;
     }
@@ -90,6 +91,46 @@ static void compare_with(const peerEngine *e, const peerScene *s, const peerOpti
     for (int i = 0; i < s->joints; i++)
         if (!(e->joints & 1 << s->joint[i].kind))
             peerRefuse("%s: joints[%d]: a %s joint", e->name, i, joints[s->joint[i].kind]);
+}
+/* <the peers' bad inputs> */
+static void spoil_corners(peerShape *s, const char *how)
+{
+    if (strcmp(how, "two") == 0) s->corners = 2;
+    if (strcmp(how, "flat") == 0)
+        for (int i = 0; i < s->corners; i++) s->corner[i][1] = 0;
+    if (strcmp(how, "concave") == 0)            /* a notch where the third corner was */
+        for (int k = 0; k < 2; k++) s->corner[2][k] *= -0.5;
+    for (int i = 0; i < s->corners / 2 && strcmp(how, "turned") == 0; i++)
+        for (int k = 0; k < 2; k++) {
+            double *a = &s->corner[i][k], *b = &s->corner[s->corners - 1 - i][k], c = *a;
+            *a = *b;
+            *b = c;
+        }
+}
+/* <the peers' bad inputs> */
+static void spoil(peerScene *s, peerOptions *o)
+{
+    peerBody *b = &s->body[s->bodies > 0 ? s->bodies - 1 : 0];
+    peerShape *p = &s->shape[s->shapes > 0 ? s->shapes - 1 : 0];
+    const struct { const char *name; double *field; } fields[] = {
+        { "position", &b->position[0] }, { "velocity", &b->velocity[0] },
+        { "spin", &b->spin }, { "density", &p->density }, { "radius", &p->radius },
+        { "friction", &p->friction }, { "restitution", &p->restitution },
+        { "gravity", &s->gravity[1] }, { "step", &o->badStep },
+    };
+    const char *value = strchr(o->spoil, '=');
+    char key[16] = "";
+    if (value != NULL && value - o->spoil < 16)
+        memcpy(key, o->spoil, (size_t)(value++ - o->spoil));
+    o->badSteps = strcmp(key, "step") == 0;
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++)
+        if (strcmp(key, fields[i].name) == 0) {
+            *fields[i].field = strtod(value, NULL);
+            return;
+        }
+    if (strcmp(key, "corners") != 0) peerRefuse("option --spoil %s", o->spoil);
+    p->doubtful = 1;
+    spoil_corners(p, value);
 }
 /* <the peers' rows> */
 static void print_head(const peerEngine *e, const peerScene *s, const peerOptions *o)
@@ -138,6 +179,7 @@ static void play(const peerEngine *e, const peerScene *s, const peerOptions *o)
         for (int k = 0; k < parts; k++) e->step(o->dt / parts);
         times[i - 1] = now() - start;
         sum += times[i - 1];
+        if (o->badSteps && i == o->steps / 4) e->step(o->badStep);
         if (i % o->every == 0 || i == o->steps) print_row(e, s, o, i);
     }
     best = kernel(best);
@@ -166,6 +208,7 @@ int peerMain(const peerEngine *engine, int argc, char **argv)
     if (o.dt == 0) o.dt = scene.dt;
     if (o.every < 1) o.every = 1;
     compare_with(engine, &scene, &o);
+    if (o.spoil != NULL) spoil(&scene, &o);
     play(engine, &scene, &o);
     return fflush(stdout) != 0;
 }

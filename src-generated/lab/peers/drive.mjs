@@ -13,6 +13,7 @@ function readOptions(argv) {
       o[key] = Number(argv[++i]);
       if (!(o[key] >= 0)) fail(`--${key}: a number should follow`);
     } else if (key === 'fast' || key === 'sleep') o[key] = true;
+    else if (key === 'spoil') o.spoil = argv[++i];
     else if (key === 'bodies') o.noBodies = argv[++i] === 'none';
     else refuse(`option ${argv[i]}`);
   }
@@ -30,6 +31,31 @@ function compareWith(e, s, o) {
   if (!s.oneRestitution && !(e.mixesRestitution && s.greatestRestitution))
     no('shapes of different restitution, so mixed');
   s.joints.forEach((j, i) => e.joints.includes(j.kind) || no(`joints[${i}]: ${j.kind}`));
+}
+/* <options in JavaScript> */
+function spoil(s, o) {
+  const [key, word] = o.spoil.split('='), b = s.bodies.at(-1), p = b.shapes.at(-1);
+  const value = { nan: NaN, inf: Infinity }[word] ?? Number(word);
+  const c = p.corners;
+  if (key === 'position' || key === 'velocity') b[key][0] = value;
+  else if (key === 'spin') b.spin = value;
+  else if (key === 'gravity') s.gravity[1] = value;
+  else if (key === 'step') o.badStep = value;
+  else if (key in p && typeof p[key] === 'number') p[key] = value;
+  else if (key === 'corners') p.doubtful = true;
+  else refuse(`option --spoil ${o.spoil}`);
+  if (word === 'two') p.corners = c.slice(0, 2);
+  if (word === 'flat') p.corners = c.map(q => [q[0], 0]);
+  if (word === 'turned') p.corners = c.slice().reverse();
+  if (word === 'concave') p.corners = c.map((q, i) => i === 2 ? q.map(x => -x / 2) : q);
+}
+
+function orRefuse(o, call) {
+  try { return call(); }
+  catch (error) {
+    if (o.spoil && error.constructor === Error) refuse(error.message);
+    throw error;
+  }
 }
 /* <rows in JavaScript> */
 function kernel(least) {
@@ -63,7 +89,8 @@ export function main(e) {
   compareWith(e, s, o);
   const parts = o.substeps > 1 && !e.ownSubsteps ? o.substeps : 1;
   let best = kernel(Infinity);
-  e.build(s, o);
+  if (o.spoil) spoil(s, o);
+  orRefuse(o, () => e.build(s, o));
   out.push(`# ${e.name}, ${e.real}; dt=${o.dt} substeps=${o.substeps} ` +
     `iterations=${o.iterations} (0: its default)`);
   out.push('step,time,pairs,points,mean,top' + (o.noBodies ? '' : s.bodies.map((_, i) =>
@@ -71,8 +98,9 @@ export function main(e) {
   out.push(row(e, s, o, 0));
   for (let i = 1; i <= o.steps; i++) {
     const start = performance.now();
-    for (let k = 0; k < parts; k++) e.step(o.dt / parts);
+    for (let k = 0; k < parts; k++) orRefuse(o, () => e.step(o.dt / parts));
     times.push(performance.now() - start);
+    if ('badStep' in o && i === o.steps >> 2) orRefuse(o, () => e.step(o.badStep));
     if (i % o.every === 0 || i === o.steps) out.push(row(e, s, o, i));
   }
   best = kernel(best);

@@ -25,6 +25,8 @@ function addBody(b, i) {
   const at = place([b.position[0] + c * m[0] - n * m[1],
     b.position[1] + n * m[0] + c * m[1]]);
   const body = s.corners.length === 0 ? Bodies.circle(at.x, at.y, UNITS * s.radius, options)
+    : s.doubtful
+      ? Bodies.fromVertices(at.x, at.y, [s.corners.map(place).reverse()], options)
     : Body.create({ ...options, position: at, vertices: s.corners.map(place).reverse() });
   Body.setAngle(body, -b.angle);
   if (b.fixedRotation) Body.setInertia(body, Infinity);
@@ -45,7 +47,7 @@ function middle(s) {
     x += a * (p[0] + q[0]);
     y += a * (p[1] + q[1]);
   });
-  return [x / area, y / area];
+  return area === 0 ? [0, 0] : [x / area, y / area];
 }
 /* <a scene in Matter> */
 const anchor = (body, p) => {

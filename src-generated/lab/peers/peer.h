@@ -15,6 +15,7 @@ typedef struct peerShape {
     double corner[8][2];        /* in the body's frame */
     double density, friction, restitution;
     unsigned category, mask;    /* 16 bits */
+    int    doubtful;            /* 1: nobody promises that the corners are a polygon */
 } peerShape;
 typedef struct peerBody {
     int    type, fixedRotation, firstShape, shapes;
@@ -43,6 +44,9 @@ typedef struct peerOptions {
     int    fast, sleep, noBodies, sets;
     double dt;
     const char *set[16];                        /* "solver=exact" */
+    const char *spoil;                          /* "radius=nan"; NULL: nothing is bad */
+    double badStep;                             /* s, for one step more, if badSteps is 1 */
+    int    badSteps;
 } peerOptions;
 /* <what a peer is told> */
 /* Says why not on stderr, and ends the program with status 3. */

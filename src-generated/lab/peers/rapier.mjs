@@ -3,6 +3,7 @@
 // Rapier plays a scene. Chapter 02. Needs the package @dimforge/rapier2d-compat, or, if
 // this file's name has "simd" in it, @dimforge/rapier2d-simd-compat.
 import { main } from './drive.mjs';
+import { refuse } from './scene.mjs';
 
 const simd = /simd/.test(process.argv[1] ?? '');
 const RAPIER = (await import(simd ? '@dimforge/rapier2d-simd-compat'
@@ -17,9 +18,11 @@ let world, bodies, dynamic;
 const vec = p => ({ x: p[0], y: p[1] });
 
 function addShape(s, body) {
-  const desc = s.corners.length
-    ? RAPIER.ColliderDesc.convexPolyline(new Float32Array(s.corners.flat()))
+  const corners = new Float32Array(s.corners.flat());
+  const desc = s.doubtful ? RAPIER.ColliderDesc.convexHull(corners)
+    : s.corners.length ? RAPIER.ColliderDesc.convexPolyline(corners)
     : RAPIER.ColliderDesc.ball(s.radius).setTranslation(s.centre[0], s.centre[1]);
+  if (desc === null) refuse('rapier: these corners have no hull');
   desc.setDensity(s.density).setFriction(Math.sqrt(s.friction))
     .setRestitution(s.restitution)
     .setCollisionGroups(s.category * 65536 + s.mask);

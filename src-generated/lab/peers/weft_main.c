@@ -10,6 +10,7 @@
 
 static wfWorld world;
 static const peerScene *played;
+static double stepNow;                  /* s: in the settings already */
 
 /* <write options into a scene's settings> */
 static void put_number(cJSON *settings, const char *key, double value)
@@ -58,9 +59,39 @@ static char *text_with_options(const peerScene *scene, const peerOptions *o)
         put_number(settings, "pairCapacity", everyone);
     if (scene->joints > 64 && cJSON_GetObjectItem(settings, "jointCapacity") == NULL)
         put_number(settings, "jointCapacity", scene->joints);
+    if (o->spoil != NULL)
+        cJSON_DeleteItemFromArray(cJSON_GetObjectItem(root, "bodies"), scene->bodies - 1);
     char *out = cJSON_PrintUnformatted(root);
     cJSON_Delete(root);
     return out;
+}
+/* <hand over a bad input> */
+static void must(wfResult result)
+{
+    if (result != WF_OK) peerRefuse("weft: %s", wfResultText(result));
+}
+
+static wfVec2 vec(const double p[2]) { return wfV2((wfReal)p[0], (wfReal)p[1]); }
+
+static void add_spoilt(const peerScene *scene)
+{
+    const peerBody *b = &scene->body[scene->bodies - 1];
+    const peerShape *s = &scene->shape[b->firstShape];
+    wfBodyDef def = wfDefaultBodyDefFor(&world);
+    wfVec2 corner[8];
+    wfBodyId id;
+    for (int i = 0; i < s->corners; i++) corner[i] = vec(s->corner[i]);
+    must(s->corners > 0 ? wfMakePolygon(corner, s->corners, &def.shape)
+                        : wfMakeCircle(vec(s->centre), (wfReal)s->radius, &def.shape));
+    def.type = WF_DYNAMIC;
+    def.position = vec(b->position);
+    def.velocity = vec(b->velocity);
+    def.angularVelocity = (wfReal)b->spin;
+    def.density = (wfReal)s->density;
+    def.friction = (wfReal)s->friction;
+    def.restitution = (wfReal)s->restitution;
+    must(wfAddBodyToWorld(&world, &def, &id));
+    must(wfSetGravity(&world, vec(scene->gravity)));
 }
 /* <play a scene here> */
 static void build(const peerScene *scene, const peerOptions *o)
@@ -71,11 +102,13 @@ static void build(const peerScene *scene, const peerOptions *o)
     if (result != WF_OK) peerRefuse("weft: %s: %s", error.where, error.what);
     free(text);
     played = scene;
+    stepNow = o->dt;
+    if (o->spoil != NULL) add_spoilt(scene);
 }
 
 static void step(double dt)
 {
-    (void)dt;                           /* in the settings already */
+    if (!(dt == stepNow)) must(wfSetTimeStep(&world, (wfReal)(stepNow = dt)));
     wfResult result = wfStepWorld(&world);
     if (result == WF_OK) return;
     fprintf(stderr, "weft: %s\n", wfResultText(result));
