@@ -35,7 +35,8 @@ function compareWith(e, s, o) {
 /* <options in JavaScript> */
 function spoil(s, o) {
   const [key, word] = o.spoil.split('='), b = s.bodies.at(-1), p = b.shapes.at(-1);
-  const value = { nan: NaN, inf: Infinity }[word] ?? Number(word);
+  const odd = { nan: NaN, inf: Infinity };
+  const value = word in odd ? odd[word] : Number(word);
   const c = p.corners;
   if (key === 'position' || key === 'velocity') b[key][0] = value;
   else if (key === 'spin') b.spin = value;
