@@ -24,7 +24,9 @@ names=$(cd build/lines && ls {core,math,collision,dynamics,engine}/*.c testbed/{
 new=$out/src.new.$$
 mkdir -p $new
 (cd build/lines && cp -r include core math collision dynamics engine testbed "../../$new/"); cp $here/scenes.c $new/
-find $new -name '*.[ch]' -exec sed -i '/^#line/d' {} +
+find $new -name '*.[ch]' -print0 | while IFS= read -r -d '' f; do
+  sed -i '/^#line/d' "$f" && gcc -fpreprocessed -dD -E -P -w "$f" | sed '/^[[:space:]]*$/d' > $new/bare && mv $new/bare "$f" || exit 1
+done || { echo "portability: comments cannot be taken off"; exit 1; }
 sums=$(cd $new && find . -name '*.[ch]' | sort | xargs cat | cksum | tr ' ' -)
 export src=$out/src-$sums
 if [ -d "$src" ]; then rm -rf "$new"; touch "$src"; else mv $new "$src"; fi
