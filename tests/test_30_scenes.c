@@ -3,6 +3,7 @@
  * golden` records them). */
 #include <float.h>
 #include "play.h"
+#include "weft/integrate.h"
 #include "testbed/camera.h"
 #include "testbed/hand.h"
 #include "testbed/platform.h"
@@ -487,6 +488,79 @@ static void asked_and_extreme_scenes_keep_their_lines(void **state)
         wfDestroyWorld(&world);
         wfDestroyWorld(&begin);
     }
+}
+
+/* Chapter 30's three of the report's performance tests (6.6): as many bodies as it says, nobody leaves the bin, no peg moves, and two
+ * pegs make no pair. */
+static void as_many_bodies_as_the_report_had(void **state)
+{
+    (void)state;
+    static const struct { const char *name; int falling, still; double halfWidth; } test[] = {
+        { "a hundred bodies", 100, 0, 20 }, { "two thousand bodies", 2000, 0, 20 }, { "a thousand on pegs", 1000, 2000, 40 } };
+    for (int k = 0; k < 3; k++) {
+        const wfScene *s = &wfSceneTable[wfFindScene(test[k].name)];
+        wfWorld world, begin;
+        run_scene(test[k].name, 300, &world);
+        assert_ok(wfOpenScene(s, NULL, &begin));
+        wfBodyView v = wfWorldBodies(&world), from = wfWorldBodies(&begin);
+        wfShapeView shapes = wfWorldShapes(&world);
+        int falling = 0, still = 0;
+        double fallen = 0;
+        for (int i = 0; i < v.count; i++) {
+            if (v.state[i].invMass > 0) {
+                falling++;
+                fallen += (double)(from.state[i].p.y - v.state[i].p.y);
+                assert_true(v.state[i].p.y > 0);
+                assert_true(fabs((double)v.state[i].p.x) < test[k].halfWidth);
+            } else {
+                still++;
+                assert_memory_equal(&v.state[i].p, &from.state[i].p, sizeof v.state[i].p);
+            }
+        }
+        assert_int_equal(falling, test[k].falling);
+        assert_true(fallen > 0.1 * falling);                    /* the first row alone has 0.1 m to fall, the others more */
+        assert_int_equal(still, test[k].still + 3);
+        int32_t pairs;
+        const wfPair *pair = wfWorldPairs(&world, &pairs);
+        assert_true(pairs >= test[k].falling / 2);
+        for (int i = 0; i < pairs; i++)
+            assert_true(v.state[shapes.owners[pair[i].a]].invMass > 0 || v.state[shapes.owners[pair[i].b]].invMass > 0);
+        wfDestroyWorld(&world);
+        wfDestroyWorld(&begin);
+    }
+}
+
+/* However many rows the integrator table has: each has its name and its circle in the scene's view, and no circle is in another. */
+static void every_integrator_has_its_orbit(void **state)
+{
+    (void)state;
+    static uint8_t list[1024 * 1024];
+    wfWorld world;
+    wfDraw d;
+    const wfScene *s = &wfSceneTable[wfFindScene("integrators")];
+    wfSceneInput in = run_scene("integrators", 40, &world);
+    wfDrawInit(&d, list, sizeof list);
+    s->draw(&world, &d, &in);
+    int circles = 0;
+    float last[3] = { 0 };
+    for (int i = 0; i < d.count; i++) {
+        const wfDrawCommand *c = wfDrawAt(&d, i);
+        const float *xy = wfDrawPoints(&d, c);
+        if (c->kind != WF_DRAW_CIRCLE) continue;
+        assert_true(fabs(xy[0] - (double)s->viewX) + (double)c->radius < 0.8 * (double)s->viewHeight);
+        assert_true(fabs(xy[1] - (double)s->viewY) + (double)c->radius < 0.5 * (double)s->viewHeight);
+        if (circles) assert_true(hypot(xy[0] - last[0], xy[1] - last[1]) > c->radius + last[2]);
+        last[0] = xy[0], last[1] = xy[1], last[2] = c->radius;
+        circles++;
+    }
+    assert_int_equal(circles, wfIntegratorCount);
+    for (int row = 0; row < wfIntegratorCount; row++) {
+        bool named = false;
+        for (int i = 0; i < d.count; i++)
+            named |= wfDrawAt(&d, i)->kind == WF_DRAW_TEXT && strcmp(wfDrawString(&d, wfDrawAt(&d, i)), wfIntegratorTable[row].name) == 0;
+        assert_true(named);
+    }
+    wfDestroyWorld(&world);
 }
 
 /* ---- the camera ---- */
@@ -989,6 +1063,7 @@ int main(void)
         cmocka_unit_test(every_scene_and_overlay_can_be_drawn),
         cmocka_unit_test(joints_are_drawn_where_they_hold_and_red_when_broken),
         cmocka_unit_test(machines_do_what_their_texts_say), cmocka_unit_test(asked_and_extreme_scenes_keep_their_lines),
+        cmocka_unit_test(as_many_bodies_as_the_report_had), cmocka_unit_test(every_integrator_has_its_orbit),
         cmocka_unit_test(overlays_show_pairs_and_contacts_where_they_are),
         cmocka_unit_test(the_camera_sees_where_it_should),
         cmocka_unit_test(picking_inverts_seeing_and_zoom_keeps_the_point),
