@@ -1,6 +1,7 @@
 /* The testbed's panels, its tape and its files (chapter 30): a scripted mouse changes numbers, the test plays the platform. */
 #include "play.h"
 #include "testbed/scene.h"
+#include "testbed/view.h"
 
 static void give_files(play *p)
 {
@@ -223,6 +224,44 @@ static void a_tool_takes_over_a_replay(void **state)
     play_end(&p);
 }
 
+/* What somebody wants to see, other than a scene says: in every scene, and another day. */
+static void overlays_and_curves_are_kept(void **state)
+{
+    (void)state;
+    play p;
+    store s = { "settings.txt", malloc(4096), 0 };
+    play_begin(&p, 1100, 700, 1);
+    give_files(&p);
+    frames(&p, NULL, 3);
+    play_run(&p, "scene pyramid\nsteps 0\nframe\n");
+    play_click(&p, "bounds");
+    play_run(&p, "steps 0\nkey s\nframe\n");
+    play_click(&p, "Compare");
+    play_click(&p, "curve: energy");
+    play_click(&p, "curve: overlap");
+    play_run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
+    assert_int_equal((int)play_fact(&p, "show", 0), WF_SHOW_BOUNDS | WF_SHOW_CONTACTS);
+    play_run(&p, "steps 0\nkey 1\nframe\n");                       /* its own contacts: not wanted */
+    for (int i = 0; i < 4; i++) {                                   /* what was kept last */
+        if (p.file.wish == GAME_FILE_KEEP) memcpy(s.bytes, p.file.bytes, s.size = p.file.size);
+        frames(&p, NULL, 1);
+    }
+    play_end(&p);
+    play_begin(&p, 1100, 700, 1);                                   /* another day */
+    give_files(&p);
+    frames(&p, &s, 3);
+    play_run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
+    assert_int_equal((int)play_fact(&p, "show", 0), WF_SHOW_BOUNDS);
+    assert_int_equal((int)play_fact(&p, "curves", 0), 1 + 8);
+    play_run(&p, "scene TC06-quad-tree\nsteps 0\nframe\n");        /* what a scene is about is there all the same */
+    assert_int_equal((int)play_fact(&p, "show", 0), WF_SHOW_BOUNDS | WF_SHOW_TREE);
+    play_run(&p, "scene stack-of-boxes\nsteps 0\nframe\nkey 1\nframe\n");
+    play_run(&p, "scene pyramid\nsteps 0\nframe\n");               /* taken back: no wish, so no contacts where there were none */
+    assert_int_equal((int)play_fact(&p, "show", 0), WF_SHOW_BOUNDS);
+    free(s.bytes);
+    play_end(&p);
+}
+
 /* ---- files ---- */
 static void worlds_are_saved_and_loaded(void **state)
 {
@@ -321,7 +360,7 @@ static void settings_come_back_and_bad_ones_are_refused(void **state)
     assert_int_equal((int)play_fact(&p, "dark", 0), 1);
     assert_int_equal((int)play_fact(&p, "panel", 0), 1);
     play_end(&p);
-    static const char *const bad[] = { "dark 2\n", "dark 1", "dark\n", "dark -1\n", "light 1\n", "dark 1\ntool 99\n", "dark 1\ntool 1 \n", "\n", "dark 99999999999999999999\n", "dark 1\nd" };
+    static const char *const bad[] = { "dark 2\n", "dark 1", "dark\n", "dark -1\n", "light 1\n", "dark 1\ntool 99\n", "dark 1\ntool 1 \n", "\n", "dark 99999999999999999999\n", "curves 4096\n", "overlays 1048576\n", "dark 1\nd" };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         play_begin(&p, 1100, 700, 1);
         give_files(&p);
@@ -374,7 +413,7 @@ int main(void)
 #ifndef WF_NO_JSON
         cmocka_unit_test(scenes_are_written_and_read),
 #endif
-        cmocka_unit_test(settings_come_back_and_bad_ones_are_refused), cmocka_unit_test(without_files_the_keys_say_so),
+        cmocka_unit_test(overlays_and_curves_are_kept), cmocka_unit_test(settings_come_back_and_bad_ones_are_refused), cmocka_unit_test(without_files_the_keys_say_so),
         cmocka_unit_test(every_panel_is_walked_by_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
