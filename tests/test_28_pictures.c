@@ -1,30 +1,10 @@
 /* Pictures and films in files (chapter 28). The oracle is another program's reader, stb_image; checksums are computed anew, bit by bit,
    and the pictures of a film are unpacked one by one and laid over each other. */
-#include "testing.h"
-#include <stdlib.h>
-#include <string.h>
-#if defined(__has_include)
-#if __has_include(<stb/stb_image.h>)
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#pragma GCC diagnostic ignored "-Wundef"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
-#define HAS_READER 1
-#endif
-#endif
-#ifndef HAS_READER
-#define HAS_READER 0
-#endif
-#include "testbed/png.h"
+#include "read_png.h"
 
 enum { BYTES = 8 * 1024 * 1024 };
 static uint32_t state32 = 1;
 static uint32_t rnd(void) { return state32 = state32 * 1664525u + 1013904223u, state32 >> 8; }
-
-static uint32_t get4(const uint8_t *p) { return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | p[3]; }
 
 /* The polynomial's remainder, a bit at a time: PNG specification, 5.5. */
 static uint32_t slow_crc(const uint8_t *p, size_t n)
@@ -97,14 +77,8 @@ static void a_picture_is_read_by_another_program(void **state)
             size_t size = write_one(file, BYTES, pixels, w, h, w);
             assert_true(size > 0 && chunks_of(file, size, c, 16) == 3);
             if (kind == 0 && s == 4) assert_true(size < 4 * 700 * 500 / 60);    /* plain: hardly anything */
-#if HAS_READER
-            int gw, gh, n;
-            uint8_t *got = stbi_load_from_memory(file, (int)size, &gw, &gh, &n, 4);
-            if (!got) fail_msg("%d x %d, kind %d: %s", w, h, kind, stbi_failure_reason());
-            assert_true(gw == w && gh == h && n == 4);
-            assert_memory_equal(got, pixels, (size_t)(4 * w * h));
-            stbi_image_free(got);
-#endif
+            frame_buffer b = { pixels, w, h, w, 1 };
+            check_pixels(file, size, &b, 0, 0, w, h);
         }
     free(pixels);
     free(file);
@@ -115,53 +89,13 @@ static void a_part_of_a_buffer_is_written(void **state)
 {
     (void)state;
     static uint8_t file[1 << 18];
-    static uint32_t whole[100 * 90], part[40 * 30];
+    static uint32_t whole[100 * 90];
     fill(whole, 100, 90, 1);
     size_t size = write_one(file, sizeof file, whole + 20 * 100 + 10, 40, 30, 100);
-    for (int y = 0; y < 30; y++) memcpy(part + 40 * y, whole + (20 + y) * 100 + 10, 160);
     assert_true(size > 0);
-#if HAS_READER
-    int w, h, n;
-    uint8_t *got = stbi_load_from_memory(file, (int)size, &w, &h, &n, 4);
-    assert_non_null(got);
-    assert_memory_equal(got, part, sizeof part);
-    stbi_image_free(got);
-#endif
+    frame_buffer b = { whole, 100, 90, 100, 1 };
+    check_pixels(file, size, &b, 10, 20, 40, 30);
 }
-
-#if HAS_READER
-/* PNG specification, 9.2: what is predicted from the left (a), above (b) and above left (c) is added. */
-static void unfilter(uint8_t *row, const uint8_t *above, int n)
-{
-    for (int i = 0; i < n; i++) {
-        int a = i >= 4 ? row[1 + i - 4] : 0, b = above ? above[1 + i] : 0, c = above && i >= 4 ? above[1 + i - 4] : 0;
-        int p = a + b - c, pa = abs(p - a), pb = abs(p - b), pc = abs(p - c);
-        int paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-        int guess[5] = { 0, a, b, (a + b) / 2, paeth };
-        row[1 + i] = (uint8_t)(row[1 + i] + guess[row[0]]);
-    }
-}
-
-/* What a picture of a film says, unpacked and unfiltered, over what was there; the film is as wide as `pitch'. */
-static void lay_over(uint32_t *seen, int pitch, const uint8_t *packed, int length, int w, int h)
-{
-    int got = 0;
-    uint8_t *raw = (uint8_t *)stbi_zlib_decode_malloc((const char *)packed, length, &got);
-    assert_non_null(raw);
-    assert_int_equal(got, (4 * w + 1) * h);
-    for (int y = 0; y < h; y++) {
-        uint8_t *row = raw + y * (4 * w + 1);
-        assert_true(row[0] <= 4);
-        unfilter(row, y ? row - (4 * w + 1) : NULL, 4 * w);
-        for (int x = 0; x < w; x++) {
-            const uint8_t *p = row + 1 + 4 * x;
-            assert_true(p[3] == 0 || p[3] == 255);
-            if (p[3]) memcpy(&seen[y * pitch + x], p, 4);
-        }
-    }
-    stbi_image_free(raw);
-}
-#endif
 
 static void a_film_is_the_pictures_that_went_in(void **state)
 {

@@ -4,21 +4,8 @@
 #include "play.h"
 #include <ctype.h>
 #include <unistd.h>
-#if defined(__has_include)
-#if __has_include(<stb/stb_image.h>)
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
-#define HAS_READER 1
-#endif
-#endif
-#ifndef HAS_READER
-#define HAS_READER 0
-#endif
+#include "read_png.h"
 #include "testbed/layer.h"
-#include "testbed/png.h"
-
-static uint32_t get4(const uint8_t *p) { return (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | p[3]; }
 
 static void begin(play *p, const char *scene)
 {
@@ -46,30 +33,6 @@ static void take(play *p, char key, const char *name)
     p->file.answer = GAME_FILE_DONE;
 }
 
-#if HAS_READER
-/* PNG specification, 9.2: what is predicted from the left (a), above (b) and above left (c) is added. */
-static void unfilter(uint8_t *row, const uint8_t *above, int n)
-{
-    for (int i = 0; i < n; i++) {
-        int a = i >= 4 ? row[1 + i - 4] : 0, b = above ? above[1 + i] : 0, c = above && i >= 4 ? above[1 + i - 4] : 0;
-        int p = a + b - c, pa = abs(p - a), pb = abs(p - b), pc = abs(p - c);
-        int paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-        int guess[5] = { 0, a, b, (a + b) / 2, paeth };
-        row[1 + i] = (uint8_t)(row[1 + i] + guess[row[0]]);
-    }
-}
-
-static void check_pixels(const uint8_t *file, size_t size, const frame_buffer *b, int x, int y, int w, int h)
-{
-    int gw, gh, n;
-    uint8_t *got = stbi_load_from_memory(file, (int)size, &gw, &gh, &n, 4);
-    assert_non_null(got);
-    assert_true(gw == w && gh == h);
-    for (int k = 0; k < h; k++) assert_memory_equal(got + 4 * w * k, b->pixels + (y + k) * b->pitch + x, 4 * (size_t)w);
-    stbi_image_free(got);
-}
-#endif
-
 static void a_picture_is_the_window(void **state)
 {
     (void)state;
@@ -77,9 +40,7 @@ static void a_picture_is_the_window(void **state)
     begin(&p, "pyramid");
     play_run(&p, "steps 1\nwait 20\n");
     take(&p, '!', "picture-20.png");
-#if HAS_READER
     check_pixels(p.file.bytes, p.file.size, &p.buffer, 0, 0, 1100, 700);
-#endif
     play_run(&p, "steps 0\nframe\n");
     assert_true(play_line(&p, "said kept: picture-20.png,") != NULL);
     p.memory.file = NULL;
@@ -178,15 +139,7 @@ static void a_film_of_two_seconds(void **state)
         if (memcmp(f + i + 4, "fcTL", 4) == 0) for (int k = 0; k < 4; k++) at[k] = (int)get4(f + i + 12 + 4 * k);
         if (!more && memcmp(f + i + 4, "IDAT", 4) != 0) continue;
 #if HAS_READER
-        int got = 0;
-        uint8_t *raw = (uint8_t *)stbi_zlib_decode_malloc((const char *)f + i + (more ? 12 : 8), (int)get4(f + i) - (more ? 4 : 0), &got);
-        assert_int_equal(got, (4 * at[0] + 1) * at[1]);
-        for (int k = 0; k < at[1]; k++) {
-            uint8_t *row = raw + k * (4 * at[0] + 1);
-            unfilter(row, k ? row - (4 * at[0] + 1) : NULL, 4 * at[0]);
-            for (int b = 0; b < at[0]; b++) if (row[4 + 4 * b]) memcpy(&seen[(at[3] + k) * w + at[2] + b], row + 1 + 4 * b, 4);
-        }
-        stbi_image_free(raw);
+        lay_over(seen + at[3] * w + at[2], w, f + i + (more ? 12 : 8), (int)get4(f + i) - (more ? 4 : 0), at[0], at[1]);
         for (int k = 0; k < h; k++) assert_memory_equal(seen + w * k, kept[pictures] + (y + k) * 1100 + x, 4 * (size_t)w);
 #endif
         pictures++;
