@@ -195,6 +195,40 @@ static void trees_beside_bundles(void **unused)
     }
 }
 
+/* Balls, each alone on something fixed, some with a neighbour that does not touch: eq:soft-alone both ways. */
+static void what_is_alone_goes_with_the_passes(void **unused)
+{
+    (void)unused;
+    wfRandom r = random_stream(176);
+    for (int round = 0; round < 60; round++) {
+        int32_t count = 0;
+        for (int32_t i = 0; i < BODIES; i++)
+            start[i] = (wfBodyState){ .p = random_v2(&r, -5, 5), .v = random_v2(&r, -2, 2), .w = wfRandomReal(&r, -2, 2),
+                                      .invMass = i >= 6, .invInertia = i >= 6 ? 2 : 0 };
+        for (int32_t i = 0; i < 6; i++) start[i].v = wfV2(0, 0), start[i].w = 0;
+        for (int32_t i = 6; i < BODIES; i++) {
+            wfReal angle = wfRandomReal(&r, -3, 3);
+            wfVec2 n = wfV2(wfCos(angle), wfSin(angle));
+            bool apart = i > 6 && i % 5 == 0, upside = !apart && i % 2 == 0;
+            wfContact c = { .a = upside ? i : i % 6, .b = upside ? i % 6 : i, .friction = wfRandomReal(&r, 0, 1), .slop = WF_R(0.005),
+                            .restitution = i % 4 == 0 ? WF_R(0.5) : 0 };
+            if (apart) c.a = i - 1;
+            c.manifold = (wfManifold){ .normal = n, .count = 1 };
+            c.manifold.points[0] = (wfContactPoint){ .armA = n, .armB = wfNeg(n), .feature = WF_FEATURE_CIRCLE,
+                .depth = apart ? WF_R(-0.01) : wfRandomReal(&r, 0, round % 3 ? WF_R(0.01) : 1),
+                .normalImpulse = apart ? 0 : wfRandomReal(&r, 0, WF_R(0.1)) };
+            given[count++] = c;
+        }
+        memcpy(plain, start, sizeof start), memcpy(wide, start, sizeof start);
+        memcpy(one, given, sizeof given), memcpy(many, given, sizeof given);
+        for (int k = 0; k < 3; k++) {
+            assert_int_equal(step(plain, one, count, 0, ROOM), WF_OK);
+            assert_int_equal(step(wide, many, count, 1, ROOM), WF_OK);
+            assert_same(count);
+        }
+    }
+}
+
 /* eq:soft-minus-zero: a wall whose velocity is minus zero, pushed from both sides. Taken one by one the first push makes it
    a plus zero for good; beside each other the last to write would leave the minus. */
 static void a_minus_zero_is_no_trouble(void **unused)
@@ -245,7 +279,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_in_lanes), cmocka_unit_test(squares_turn_round_and_back),
         cmocka_unit_test(lanes_give_the_same_bits), cmocka_unit_test(trees_beside_bundles),
-        cmocka_unit_test(a_minus_zero_is_no_trouble), cmocka_unit_test(too_little_room_changes_nothing),
+        cmocka_unit_test(what_is_alone_goes_with_the_passes), cmocka_unit_test(a_minus_zero_is_no_trouble), cmocka_unit_test(too_little_room_changes_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -897,9 +897,55 @@ static int solve_by_passes(void **unused)
 
 #define BOTH(f) cmocka_unit_test(f), { #f " (at once)", f, solve_at_once, solve_by_passes, NULL }
 
+/* sec:soft-alone: a pass over what lies alone is the tree of one limb. A second coefficient of friction, which never comes
+   to bear here, makes the same contact a tree. Both steps must give the same motion, up to the roundings of their sums. */
+static void test_what_is_alone_is_a_tree_of_one_limb(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(177);
+    for (int round = 0; round < 300; round++) {
+        wfReal mass = wfRandomReal(&r, WF_R(0.1), 10), overlap = wfRandomReal(&r, WF_R(-0.01), WF_R(0.01));
+        wfBodyState s[2][2];
+        wfVec2 v = random_v2(&r, -1, 1), arm = wfV2(0, WF_R(-0.5));
+        for (int k = 0; k < 2; k++) {
+            wfPool pool;
+            wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(mass, -10 * mass), .torque = mass } };
+            wfContact c = { .a = 0, .b = 1, .friction = 50, .staticFriction = k ? 51 : 0, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
+            c.manifold.points[0] = (wfContactPoint){ .depth = wfMaxR(overlap, 0), .armB = arm, .feature = WF_FEATURE_CIRCLE };
+            s[k][0] = body(0, 0, 0, 0, 0, 0, 0);
+            s[k][1] = body(0, 0.5, (double)v.x, (double)v.y - 1, 1, (double)mass, (double)mass / 8);
+            wfSolve in = problem(s[k], 2, &c, 1, &pool);
+            in.forces = f, in.columns = 3, in.colours = 1, in.lanes = round % 2;
+            assert_ok(soft(&in));
+        }
+        assert_near(s[0][1].v.x, s[1][1].v.x, 64 * WF_EPSILON), assert_near(s[0][1].v.y, s[1][1].v.y, 64 * WF_EPSILON);
+        assert_near(s[0][1].w, s[1][1].w, 128 * WF_EPSILON);
+        assert_near(s[0][1].p.y, s[1][1].p.y, 16 * WF_EPSILON), assert_near(s[0][1].p.x, s[1][1].p.x, 16 * WF_EPSILON);
+    }
+}
+
+/* And so its spring carries nothing: a ball that weighs a hundred times as much stays where it was, by passes it sinks by eq:soft-squash. */
+static void test_what_is_alone_does_not_sink(void **state)
+{
+    (void)state;
+    for (int columns = 0; columns < 2; columns++) {
+        static Bench b;
+        start(&b, 4);
+        b.columns = columns;
+        b.g = wfV2(0, -981);
+        int ball = disc(&b, 0, 0.5);
+        steps(&b, 240);
+        double omega = 2 * PI * 240 / 6, sunk = 0.5 - (double)b.s[ball].p.y;
+        if (columns) assert_true(fabs(sunk) < 1e-5);
+        else assert_true(fabs(sunk - 981 / (omega * omega)) < 0.02 * 981 / (omega * omega));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_is_alone_is_a_tree_of_one_limb),
+        cmocka_unit_test(test_what_is_alone_does_not_sink),
         cmocka_unit_test(flight_is_a_parabola), cmocka_unit_test(one_substep_is_implicit_euler),
         cmocka_unit_test(rest_is_where_hooke_says), cmocka_unit_test(stacks_sink_as_predicted),
         BOTH(deep_overlaps_part_without_a_leap), cmocka_unit_test(points_apart_close_and_stop),
