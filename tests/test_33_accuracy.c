@@ -357,6 +357,179 @@ static void test_worlds_apart_choose_for_themselves(void **state)
     assert_true(wfMethodTable[stack.method].substeps * stack.steps < most);
 }
 
+/* ------------------------------------------------------------------------------------------------- substeps of their own */
+enum { CROWD = 12 };
+typedef struct Crowd { wfWorld world; wfBodyId box[CROWD], disc, lift, bob; } Crowd;
+
+/* Boxes in towers of three, far from each other; a disc on an incline-free floor; a lift that carries a box; a pendulum. */
+static Crowd crowd(int32_t substeps, int32_t lanes)
+{
+    Crowd c;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.substeps = substeps, def.lanes = def.colours = lanes;
+    assert_ok(wfCreateWorld(&def, &c.world));
+    wfBodyDef d = wfDefaultBodyDef();
+    d.type = WF_STATIC, d.position = wfV2(0, -1);
+    wfMakeBox(100, 1, &d.shape);
+    add(&c.world, d);
+    d = wfDefaultBodyDef();
+    for (int i = 0; i < CROWD; i++) {
+        wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape);
+        d.position = wfV2((wfReal)(4 * (i / 3) + 0.1 * (i % 3)), (wfReal)(0.5 + i % 3));
+        d.velocity = wfV2(i < 3 ? WF_R(0.5) : 0, 0), d.angularVelocity = i == 5 ? 1 : 0;
+        c.box[i] = add(&c.world, d);
+    }
+    d.velocity = wfV2(3, 0), d.angularVelocity = 0, d.position = wfV2(-9, WF_R(0.5));
+    wfMakeCircle(wfV2(0, 0), WF_R(0.5), &d.shape);
+    c.disc = add(&c.world, d);
+    wfBodyDef lift = wfDefaultBodyDef();
+    lift.type = WF_KINEMATIC, lift.position = wfV2(-20, 1), lift.velocity = wfV2(0, 1);
+    wfMakeBox(2, WF_R(0.25), &lift.shape);
+    c.lift = add(&c.world, lift);
+    d.velocity = wfV2(0, 1), d.position = wfV2(-20, WF_R(1.75));
+    wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape);
+    add(&c.world, d);
+    wfBodyDef hook = wfDefaultBodyDef(), bob = hook;
+    wfJoint rod;
+    hook.type = WF_STATIC, hook.position = wfV2(-30, 10), bob.mass = 1, bob.position = wfV2(-29, 10);
+    wfBodyId on = add(&c.world, hook);
+    c.bob = add(&c.world, bob);
+    assert_ok(wfJoinBodies(&c.world, "distance", on, c.bob, hook.position, bob.position, wfV2(1, 0), &rod));
+    assert_ok(wfAddJointToWorld(&c.world, &rod, NULL));
+    return c;
+}
+
+static void assert_same_motion(const wfWorld *a, const wfWorld *b, int32_t first, int32_t end)
+{
+    wfBodyView x = wfWorldBodies(a), y = wfWorldBodies(b);
+    for (int32_t i = first; i < end; i++) assert_memory_equal(&x.state[i], &y.state[i], sizeof x.state[i]);
+}
+
+/* A body with a number moves as it would in a world that makes so many; the others as if nobody had one: to the bit. */
+static void test_islands_step_apart_to_the_bit(void **state)
+{
+    (void)state;
+    for (int32_t lanes = 0; lanes < 2; lanes++) {
+        Crowd four = crowd(4, 0), one = crowd(1, 0), mixed = crowd(4, lanes);
+        int32_t tower = wfBodyIndex(&mixed.world, mixed.box[3]), disc = wfBodyIndex(&mixed.world, mixed.disc);
+        for (int k = 0; k < 3; k++) assert_ok(wfSetBodySubsteps(&mixed.world, mixed.box[3 + k], 1));
+        assert_ok(wfSetBodySubsteps(&mixed.world, mixed.disc, 1));
+        for (int step = 0; step < 60; step++) {
+            assert_ok(wfStepWorld(&four.world)), assert_ok(wfStepWorld(&one.world)), assert_ok(wfStepWorld(&mixed.world));
+            int32_t count = wfWorldBodies(&four.world).count;
+            if (lanes) continue;                    /* other orders of contacts, other bits; the motion is looked at below */
+            assert_same_motion(&mixed.world, &four.world, 0, tower);
+            assert_same_motion(&mixed.world, &one.world, tower, tower + 3);
+            assert_same_motion(&mixed.world, &four.world, tower + 3, disc);
+            assert_same_motion(&mixed.world, &one.world, disc, disc + 1);
+            assert_same_motion(&mixed.world, &four.world, disc + 1, count);     /* the lift, its load, the pendulum */
+        }
+        wfBodyView x = wfWorldBodies(&mixed.world), y = wfWorldBodies(&four.world);
+        for (int32_t i = 0; i < x.count; i++) assert_true(wfDistance(x.state[i].p, y.state[i].p) < WF_R(0.02));
+        assert_true(wfDistance(x.state[disc].p, wfWorldBodies(&one.world).state[disc].p) < WF_R(0.02));
+        wfDestroyWorld(&four.world), wfDestroyWorld(&one.world), wfDestroyWorld(&mixed.world);
+    }
+}
+
+/* Contacts come back to where they were: their impulses are those of the same shapes. */
+static void test_contacts_keep_their_order(void **state)
+{
+    (void)state;
+    Crowd all = crowd(4, 0), mixed = crowd(4, 0);
+    for (int i = 0; i < CROWD; i += 2) assert_ok(wfSetBodySubsteps(&mixed.world, mixed.box[i], 1 + i % 3));
+    for (int step = 0; step < 30; step++) {
+        int32_t n = 0, m = 0;
+        assert_ok(wfStepWorld(&all.world)), assert_ok(wfStepWorld(&mixed.world));
+        const wfContact *c = wfWorldContacts(&mixed.world, &n);
+        wfWorldContacts(&all.world, &m);
+        if (step == 0) assert_int_equal(n, m);
+        for (int32_t i = 1; i < n; i++)
+            assert_true(c[i - 1].shapeA < c[i].shapeA || (c[i - 1].shapeA == c[i].shapeA && c[i - 1].shapeB < c[i].shapeB));
+        for (int32_t i = 0; i < n; i++)
+            for (int32_t k = 0; k < c[i].manifold.count; k++) assert_true(c[i].manifold.points[k].normalImpulse >= 0);
+    }
+    wfDestroyWorld(&all.world), wfDestroyWorld(&mixed.world);
+}
+
+/* Who touches a body that needs all substeps makes all, however long the row between them; a joint does the same. */
+static void test_a_number_is_passed_on(void **state)
+{
+    (void)state;
+    for (int at = 0; at < 3; at++) {                /* the demanding one at either end, or in the middle */
+        wfWorld world[2];
+        for (int w = 0; w < 2; w++) {
+            wfWorldDef def = wfDefaultWorldDef();
+            def.substeps = 8;
+            assert_ok(wfCreateWorld(&def, &world[w]));
+            wfBodyDef d = wfDefaultBodyDef();
+            d.type = WF_STATIC, d.position = wfV2(0, -1);
+            wfMakeBox(100, 1, &d.shape);
+            add(&world[w], d);
+            d = wfDefaultBodyDef();
+            for (int i = 0; i < 10; i++) {          /* a row that is pushed together */
+                wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape);
+                d.position = wfV2((wfReal)(0.999 * i), WF_R(0.5)), d.velocity = wfV2(i == 0 ? 1 : 0, 0);
+                wfBodyId id = add(&world[w], d);
+                if (w == 1 && i != (at == 0 ? 0 : at == 1 ? 9 : 4)) assert_ok(wfSetBodySubsteps(&world[w], id, 1 + i % 2));
+            }
+        }
+        for (int step = 0; step < 20; step++) {
+            assert_ok(wfStepWorld(&world[0])), assert_ok(wfStepWorld(&world[1]));
+            assert_same_motion(&world[0], &world[1], 0, 11);
+        }
+        wfDestroyWorld(&world[0]), wfDestroyWorld(&world[1]);
+    }
+    Crowd all = crowd(8, 0), mixed = crowd(8, 0);
+    assert_ok(wfSetBodySubsteps(&mixed.world, mixed.bob, 1));
+    for (int step = 0; step < 20; step++) assert_ok(wfStepWorld(&all.world)), assert_ok(wfStepWorld(&mixed.world));
+    assert_same_motion(&all.world, &mixed.world, 0, wfWorldBodies(&all.world).count);
+    wfDestroyWorld(&all.world), wfDestroyWorld(&mixed.world);
+}
+
+static void test_numbers_of_bodies(void **state)
+{
+    (void)state;
+    Crowd c = crowd(4, 0);
+    wfBodyId gone = c.box[0];
+    assert_int_equal(wfBodySubsteps(&c.world, c.box[1]), 0);
+    assert_ok(wfSetBodySubsteps(&c.world, c.box[1], 3));
+    assert_int_equal(wfBodySubsteps(&c.world, c.box[1]), 3);
+    assert_result(wfSetBodySubsteps(&c.world, c.box[1], -1), WF_ERROR_RANGE);
+    assert_result(wfSetBodySubsteps(NULL, c.box[1], 1), WF_ERROR_NULL);
+    assert_ok(wfRemoveBodyFromWorld(&c.world, gone));
+    assert_result(wfSetBodySubsteps(&c.world, gone, 1), WF_ERROR_STALE_ID);
+    assert_int_equal(wfBodySubsteps(&c.world, gone), 0);
+    assert_int_equal(wfBodySubsteps(&c.world, c.box[1]), 3);
+    wfBodyId next = add(&c.world, (wfBodyDef){ .type = WF_DYNAMIC, .mass = 1, .position = wfV2(0, 50), .density = 1 });
+    assert_int_equal(wfBodySubsteps(&c.world, next), 0);        /* a new body has none */
+    wfDestroyWorld(&c.world);
+}
+
+/* A tolerance lets those make fewer who can: the chain makes all, towers and flights do not. What is promised for the
+   mixture is kept, against the truth; and calling it again does not build on the old numbers. */
+static void test_a_tolerance_lets_islands_do_with_less(void **state)
+{
+    (void)state;
+    for (double t = 1e-3; t > 0.5e-4; t /= 10) {
+        labMixed m;
+        assert_int_equal(labMixedRun(2, t, 1, 1, &m), 0);
+        assert_int_equal(m.bodies, 31);                         /* two towers of ten, a chain of ten, a flight */
+        assert_int_equal(m.relaxed, 21);
+        assert_true(m.error <= t && m.uniform <= t);
+        assert_true(m.substeps < 0.6 * m.all);
+        assert_true(m.estimate <= t);
+    }
+    wfWorld world = make("stack");
+    wfAccuracy a, b;
+    assert_ok(wfSetTolerance(&world, WF_R(1.0) / 60, WF_R(1e-6), &a));
+    assert_ok(wfSetTolerance(&world, WF_R(1.0) / 60, WF_R(1e-6), &b));
+    assert_int_equal(a.method, b.method);
+    assert_int_equal(a.relaxed, b.relaxed);
+    assert_ok(wfUseSettings(&world, &a));
+    for (int32_t i = 0; i < wfWorldBodies(&world).count; i++) assert_int_equal(wfWorldBodies(&world).props[i].substeps, 0);
+    wfDestroyWorld(&world);
+}
+
 /* ------------------------------------------------------------------------------------------------ the search for contacts */
 static void test_broad_phases_waste_and_never_miss(void **state)
 {
@@ -429,6 +602,11 @@ int main(void)
         cmocka_unit_test(test_failures_are_points), cmocka_unit_test(test_promises_are_kept),
         cmocka_unit_test(test_tolerance_is_measuring_and_choosing), cmocka_unit_test(test_chaos_is_refused),
         cmocka_unit_test(test_bad_numbers), cmocka_unit_test(test_frames_of_any_length), cmocka_unit_test(test_worlds_apart_choose_for_themselves),
+        cmocka_unit_test(test_islands_step_apart_to_the_bit),
+        cmocka_unit_test(test_contacts_keep_their_order),
+        cmocka_unit_test(test_a_number_is_passed_on),
+        cmocka_unit_test(test_numbers_of_bodies),
+        cmocka_unit_test(test_a_tolerance_lets_islands_do_with_less),
         cmocka_unit_test(test_broad_phases_waste_and_never_miss), cmocka_unit_test(test_narrow_phases_by_corners), cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -433,6 +433,16 @@ static wfResult op_look_at_joints(Session *s)
     return WF_OK;
 }
 
+static wfResult op_body_substeps(Session *s)
+{
+    wfWorld *w = handle(s);
+    wfBodyId id = pick_bodies(s);
+    int32_t few = whole(s, 0, 4);
+    wfResult r = CALL(wfSetBodySubsteps(w, id, few));
+    if (r == WF_OK) MUST(wfBodySubsteps(w, id) == few);
+    return r;
+}
+
 /* ---- sleep -------------------------------------------------------------------------------------------------------------------- */
 static wfResult op_wake(Session *s) { return CALL(wfWakeBody(handle(s), pick_bodies(s))); }
 static wfResult op_put_to_sleep(Session *s) { return CALL(wfPutToSleep(handle(s), pick_bodies(s))); }
@@ -885,6 +895,7 @@ const Operation operations[] = {
     OP("joints", 4, READS, wfJointCount wfJointsTogether wfJointsSolvedTogether wfUnsolvedSubsteps wfJointAt wfWorldJointPlaces wfBrokenJoints, op_look_at_joints, true),
     OP("sleep", 5, CHANGES, wfWakeBody, op_wake, false),
     OP("sleep", 14, CHANGES, wfPutToSleep, op_put_to_sleep, false),
+    OP("bodies", 6, CHANGES, wfSetBodySubsteps, op_body_substeps, false),
     OP("sleep", 4, CHANGES, wfSetNeverSleeps, op_never_sleeps, false),
     OP("sleep", 5, READS, wfIsAwake wfNeverSleeps wfBodyIsland wfWorldRest, op_look_at_sleep, true),
     OP("steps", 100, CHANGES, wfStepWorld, op_step, false),
