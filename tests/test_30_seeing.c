@@ -189,7 +189,7 @@ static void curves_are_the_worlds_numbers(void **state)
     static wfPlots plots;
     wfWorld w = open("cradle", 40), other = open("cradle", 10);
     double kinetic, potential, p[2], l;
-    wfPlotInput in = { &w, &other, 1, 0.002, 0.016, NULL, true };
+    wfPlotInput in = { &w, &other, 1, 0.002, 0.016, NULL, true, false };
     for (int i = 0; i < WF_PLOT_SAMPLES + 5; i++) wfPlotSample(&plots, &in);
     assert_int_equal(plots.count, WF_PLOT_SAMPLES);
     assert_int_equal(plots.next, 5);
@@ -422,7 +422,7 @@ static void a_plot_has_its_picture(void **state)
     for (int i = 0; i < 240; i++) {
         wfSceneInput in = wfSceneInputAt(row, i);
         assert_int_equal(wfStepScene(row, &w, &in), WF_OK);
-        wfPlotInput ask = { &w, NULL, 0, 0, 0, NULL, false };
+        wfPlotInput ask = { &w, NULL, 0, 0, 0, NULL, false, false };
         wfPlotSample(&plots, &ask);
     }
     wfDraw d;
@@ -432,6 +432,46 @@ static void a_plot_has_its_picture(void **state)
     wfDrawPlot(&d, 4, &plots, 4, 4, 520, 160);
     render(&d);
     looks_like("plots");
+    wfDestroyWorld(&w);
+}
+
+/* In the head of a box no word lies on another: a letter of 11 units is 6.2 wide, as a rule. What can't be had has no axes. */
+static void a_plots_words_have_room(void **state)
+{
+    (void)state;
+    static wfPlots plots;
+    wfWorld w = open("cradle", 3), others[3] = { w, w, w };
+    static double stage[64] = { 0.001 };
+    wfPlotInput ask = { &w, others, 3, 0.001, 0.016, stage, true, false };
+    for (int run = 0; run < 4; run++) {
+        int timed = run % 2, low = run / 2;
+        ask.stage = timed ? stage : NULL;
+        ask.hooked = !timed;
+        wfPlotSample(&plots, &ask);
+        for (int row = 0; row < wfPlotCount; row++) {
+            wfDraw d;
+            begin_list(&d, PW / 2, PH / 2, PH);
+            wfDrawPlot(&d, row, &plots, 4, 170, 268, low ? 80 : 120);
+            int names = 0, lines = 0;
+            for (int i = 0; i < d.count; i++) {
+                const wfDrawCommand *c = wfDrawAt(&d, i);
+                lines += c->kind == WF_DRAW_LINE;
+                if (c->kind != WF_DRAW_TEXT || c->anchor == 0 || wfDrawPoints(&d, c)[1] < 170 + (low ? 80 : 120) - 40) continue;
+                float x = wfDrawPoints(&d, c)[0], wide = 6.2f * (float)strlen(wfDrawString(&d, c)), from = c->anchor > 0 ? x - wide : x;
+                assert_true(from >= 4 && from + wide <= 4 + 268);
+                for (int k = 0; k < i; k++) {
+                    const wfDrawCommand *o = wfDrawAt(&d, k);
+                    if (o->kind != WF_DRAW_TEXT || fabs((double)(wfDrawPoints(&d, o)[1] - wfDrawPoints(&d, c)[1])) > 8) continue;
+                    float ox = wfDrawPoints(&d, o)[0], owide = 6.2f * (float)strlen(wfDrawString(&d, o)), ofrom = o->anchor > 0 ? ox - owide : ox;
+                    if (from < ofrom + owide && ofrom < from + wide)
+                        fail_msg("%s: `%s' lies on `%s'", wfPlotTable[row].name, wfDrawString(&d, c), wfDrawString(&d, o));
+                }
+                names++;
+            }
+            if (timed || row != WF_PLOT_STAGES) assert_true(names >= 2 && lines > 4);
+            else assert_int_equal(lines, 0);
+        }
+    }
     wfDestroyWorld(&w);
 }
 
@@ -605,7 +645,7 @@ int main(void)
         cmocka_unit_test(the_pair_is_the_nearest), cmocka_unit_test(the_last_cut_is_the_manifold),
         cmocka_unit_test(a_whole_part_is_the_step), cmocka_unit_test(no_room_is_an_error),
         cmocka_unit_test(axes_are_nice), cmocka_unit_test(curves_are_the_worlds_numbers),
-        cmocka_unit_test(each_overlay_has_its_picture), cmocka_unit_test(a_plot_has_its_picture), cmocka_unit_test(each_overlay_is_seen), cmocka_unit_test(the_sliders_lead_through_the_steps),
+        cmocka_unit_test(each_overlay_has_its_picture), cmocka_unit_test(a_plot_has_its_picture), cmocka_unit_test(a_plots_words_have_room), cmocka_unit_test(each_overlay_is_seen), cmocka_unit_test(the_sliders_lead_through_the_steps),
         cmocka_unit_test(comparing_changes_nothing), cmocka_unit_test(all_scenes_can_be_compared),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
