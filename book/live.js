@@ -61,17 +61,25 @@
     }
     return to;
   };
-  // A module (`testbed', `figures') comes as a script of base64, packed, since a page from a disk may not fetch.
+  // A module (`testbed', or a page's figures) comes as a script of base64, packed, since a page from a disk may not fetch.
   const modules = {}, told = {};
   window.WEFT_LIVE = (name, size, text) => WebAssembly.compile(unpack(Uint8Array.from(atob(text), c => c.charCodeAt(0)), size)).then(...told[name]);
   const load = name => modules[name] || (modules[name] = new Promise((done, fail) => {
     const s = document.createElement('script');
     told[name] = [done, fail];
     s.src = here + 'live-' + name + '.js';
-    s.onerror = () => fail(new Error('live-' + name + '.js is missing'));
+    s.onerror = () => { delete modules[name]; s.remove(); fail(new Error('live-' + name + '.js is missing')); };
     document.head.append(s);
   }));
-  const instance = async name => (await WebAssembly.instantiate(await load(name), {})).exports;
+  // A module may be the first part of two. Where it calls the second it calls a placeholder, which throws until that has come: join() brings it.
+  class Missing extends Error {}
+  const instance = async name => {
+    const module = await load(name), wants = WebAssembly.Module.imports(module), imports = {};
+    for (const w of wants) (imports[w.module] = imports[w.module] || {})[w.name] = () => { throw new Missing(name + ': the rest is not here yet'); };
+    const x = (await WebAssembly.instantiate(module, imports)).exports;
+    const join = async () => { await WebAssembly.instantiate(await load(name + '-rest'), { primary: x }); };
+    return { x, join, whole: !wants.length };
+  };
   const put = (x, at, text) => {
     const bytes = utf8.encode(text);
     new Uint8Array(x.memory.buffer, at, bytes.length + 1).set([...bytes, 0]);
@@ -98,7 +106,7 @@
 
   // -- figures: handles to drag, a time to run; one instance serves them all, since it keeps nothing between two drawings
   let shared = null;
-  const figureModule = () => shared || (shared = instance('figures'));
+  const figureModule = () => shared || (shared = instance('figures-' + window.WEFT_PAGE).then(part => part.x));
   const ns = 'http://www.w3.org/2000/svg';
   const makeFigure = async figure => {
     const x = await figureModule(), name = figure.dataset.live, svg = figure.querySelector('.pic svg');
@@ -174,13 +182,38 @@
   };
 
   // -- simulations: the whole testbed on a canvas; each has a memory of its own, and few may run at once
-  const running = [];
+  const running = [], MOST_TOLD = 3600;
   const keyOf = e => ({ Backspace: 8, Tab: 9, Enter: 13, Escape: 27, ' ': 32, Delete: 127, ArrowLeft: 128, ArrowRight: 129, ArrowUp: 130, ArrowDown: 131,
     Home: 132, End: 133, PageUp: 134, PageDown: 135 }[e.key] || (e.key.length === 1 && e.key.codePointAt(0) < 127 ? e.key.codePointAt(0) : 0));
   const makeGame = async (canvas, scene, options = {}) => {
-    const x = await instance('testbed'), pen = canvas.getContext('2d');
+    let part = await instance('testbed'), x = part.x, log = part.whole ? null : [], stuck = false, rest = null;
+    const pen = canvas.getContext('2d');
     let last = 0, on = false, dark = null, touches = new Map(), pinch = 0;
-    const open = name => x.web_open(put(x, x.web_name(), name));
+    // All that crosses into the module goes through act. Until the rest has come it is written down: a call that was broken off
+    // by a function that is missing leaves a memory of no use, so the game is begun anew and the whole story told again, unseen.
+    const act = (f, unseen = f) => {
+      if (log) log.push(unseen);
+      if (stuck) return 0;
+      try { return f(x); } catch (e) {
+        if (!(e instanceof Missing)) throw e;
+        stuck = true;
+        more();
+        return 0;
+      }
+    };
+    const complete = async () => {
+      for (let anew = stuck; ; anew = stuck) {
+        if (anew) part = await instance('testbed');
+        await part.join();
+        if (!anew && stuck) continue;                  // it was broken off meanwhile
+        x = part.x;
+        if (anew) for (const f of log) f(x);
+        log = null; stuck = false;
+        return;
+      }
+    };
+    const more = () => rest || (rest = log ? complete() : Promise.resolve());
+    const open = name => act(x => x.web_open(put(x, x.web_name(), name)));
     if (scene) open(scene);
     // the game's card (chapter 27): 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
     const keep = (name, bytes) => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); localStorage.setItem(name, btoa(t)); };
@@ -189,35 +222,37 @@
       if (kept === null) return null;
       let text = atob(kept);                           // light or dark is the page's choice, not the last visit's
       if (name === 'weft/settings.txt') text = text.replace(/^dark \d$/m, 'dark ' + (night ? 1 : 0));
-      const bytes = Uint8Array.from(text, c => c.charCodeAt(0));
-      new Uint8Array(x.memory.buffer, x.web_file_bytes(), bytes.length).set(bytes);
-      return bytes.length;
+      return Uint8Array.from(text, c => c.charCodeAt(0));
     };
     const grant = night => {
-      const wish = x.web_wish();
+      const wish = stuck ? 0 : x.web_wish();
       if (!wish) return;
       const letters = new Uint8Array(x.memory.buffer, x.web_file_name(), 40), name = words.decode(letters.slice(0, letters.indexOf(0)));
       const bytes = new Uint8Array(x.memory.buffer, x.web_file_bytes(), x.web_file_size()).slice();
-      let size = null;
+      let came = null;
       try {
-        if (!options.whole) size = null;
-        else if (wish === 1) { keep('weft/' + name, bytes); size = bytes.length; }
-        else if (wish === 2) size = fetched('weft/' + name, night);
+        if (!options.whole) came = null;
+        else if (wish === 1) { keep('weft/' + name, bytes); came = bytes; }
+        else if (wish === 2) came = fetched('weft/' + name, night);
         else {
           const a = document.createElement('a');
           a.href = URL.createObjectURL(new Blob([bytes])); a.download = name; a.click();
           setTimeout(() => URL.revokeObjectURL(a.href), 10000);
-          size = bytes.length;
+          came = bytes;
         }
-      } catch (e) { size = null; }                     // a full store, or one that is switched off
-      x.web_grant(size === null ? -1 : 1, size || 0);
+      } catch (e) { came = null; }                     // a full store, or one that is switched off
+      act(x => {
+        if (came && wish === 2) new Uint8Array(x.memory.buffer, x.web_file_bytes(), came.length).set(came);
+        x.web_grant(came ? 1 : -1, came ? came.length : 0);
+      });
     };
     const frame = (seconds, steps) => {
       const scale = Math.max(1, Math.min(3, devicePixelRatio || 1)), box = canvas.getBoundingClientRect();
       const w = Math.max(64, Math.round(box.width * scale)), h = Math.max(64, Math.round(box.height * scale));
       const night = document.documentElement.dataset.theme === 'dark';
-      if (night !== dark) { if (dark !== null || night) x.web_key(100); dark = night; }
-      const at = x.web_frame(w, h, scale, seconds, steps);
+      if (night !== dark) { if (dark !== null || night) act(x => x.web_key(100)); dark = night; }
+      if (log && log.length > MOST_TOLD) more();
+      const at = act(x => x.web_frame(w, h, scale, seconds, steps), x => x.web_unseen(w, h, scale, seconds, steps));
       if (!at) return;
       if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
       pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
@@ -231,41 +266,48 @@
     };
     const place = e => {
       const r = canvas.getBoundingClientRect();
-      x.web_mouse((e.clientX - r.left) / r.width * canvas.width, (e.clientY - r.top) / r.height * canvas.height);
+      const at = [(e.clientX - r.left) / r.width * canvas.width, (e.clientY - r.top) / r.height * canvas.height];
+      act(x => x.web_mouse(...at));
     };
     const bit = e => e.button === 2 ? 4 : e.button === 1 ? 2 : 1;
     canvas.addEventListener('pointerdown', e => {
       canvas.focus(); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e); place(e);
-      if (touches.size === 1) x.web_button(bit(e), 1); else x.web_button(1, 0);
+      if (options.whole) more();
+      const [which, down] = touches.size === 1 ? [bit(e), 1] : [1, 0];
+      act(x => x.web_button(which, down));
       e.preventDefault();
     });
     canvas.addEventListener('pointermove', e => {
       if (touches.has(e.pointerId)) touches.set(e.pointerId, e);
       if (touches.size === 2) {                        // two fingers: zoom
         const [a, b] = [...touches.values()], d = Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-        if (pinch) x.web_wheel(Math.log(d / pinch) * 5);
+        const notches = pinch ? Math.log(d / pinch) * 5 : 0;
+        if (notches) act(x => x.web_wheel(notches));
         pinch = d;
       } else place(e);
     });
-    const up = e => { touches.delete(e.pointerId); pinch = 0; x.web_button(bit(e), 0); };
+    const up = e => { const which = bit(e); touches.delete(e.pointerId); pinch = 0; act(x => x.web_button(which, 0)); };
     canvas.addEventListener('pointerup', up);
     canvas.addEventListener('pointercancel', up);
     canvas.addEventListener('contextmenu', e => e.preventDefault());
     canvas.addEventListener('wheel', e => {
       if (!options.whole && document.activeElement !== canvas) return;   // the page scrolls until the picture was clicked
       e.preventDefault();
-      x.web_wheel(-e.deltaY / (e.deltaMode ? 3 : 100));
+      const notches = -e.deltaY / (e.deltaMode ? 3 : 100);
+      act(x => x.web_wheel(notches));
     }, { passive: false });
     canvas.addEventListener('keydown', e => {
       const k = e.ctrlKey || e.metaKey || e.altKey ? 0 : keyOf(e);
       if (!k || (k === 9 && !options.whole)) return;   // in a page, Tab goes on to the next thing
       if (k === 27 && !options.whole) { canvas.blur(); return; }
       e.preventDefault();
-      x.web_key(k);
+      more();
+      act(x => x.web_key(k));
     });
     const game = {
-      exports: x, frame, open,
-      describe: () => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe())),
+      frame, open, more,
+      parts: () => log ? 1 : 2,
+      describe: () => act(x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe())), () => 0) || '',
       run() { if (!on) { on = true; last = 0; requestAnimationFrame(tick); } },
       stop() { on = false; },
       running: () => on,

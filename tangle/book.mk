@@ -43,9 +43,10 @@ $(HTML)/gallery.html: $(W)/figures.stamp tangle/gallery
 	 else echo "book: no gallery without weft-headless -- see $(BUILD)/gallery.log"; fi
 
 # -- live figures: the tangled code as WebAssembly. Without the tools the pages keep their frozen figures.
-$(HTML)/live-testbed.js: $(W)/.stamp tangle/web.mk
+$(HTML)/live-testbed.js: $(W)/figures.stamp tangle/web.mk tangle/web.first tangle/figures-of
 	@if [ -f $(W)/src/lab/live_main.c ] && command -v clang wasm-ld >/dev/null && [ -f /usr/lib/wasm32-wasi/libc.a ]; then \
-	   $(MAKE) --no-print-directory -f tangle/web.mk SRC=$(W)/src OUT=$(BUILD)/web CC="$(CC)" && cp $(BUILD)/web/live-figures.js $(BUILD)/web/live-testbed.js $(HTML); \
+	   $(MAKE) --no-print-directory -f tangle/web.mk SRC=$(W)/src OUT=$(BUILD)/web CC="$(CC)" NW="$(NW)" LIVE=$(W)/live.list && \
+	   rm -f $(HTML)/live-*.js && cp $(BUILD)/web/live-*.js $(HTML); \
 	 else echo "book: no live figures without clang, wasm-ld and wasi-libc (Debian: clang lld wasi-libc libclang-rt-dev-wasm32); the pages keep their frozen ones"; fi
 
 # The fonts travel with the pages (GUST and OFL licences allow it), so that they look alike on a machine that lacks them.

@@ -1,0 +1,38 @@
+// visit.mjs: what a reader's first minutes ask of the testbed's module: the testbed opens, on a desk and on a phone, light and dark, a body
+// is dragged, the picture moved; and each scene that a chapter shows runs for five seconds. (first.mjs, module.mjs)
+import { readdirSync, readFileSync } from 'node:fs';
+const utf8 = new TextEncoder(), words = new TextDecoder(), chapters = 'chapters/';
+export const shown = () => [...new Set(readdirSync(chapters).filter(f => f.endsWith('.nw')).flatMap(f =>
+  [...readFileSync(chapters + f, 'utf8').matchAll(/scenes\/([a-zA-Z0-9-]+)-\d+\.svg/g)].map(m => m[1].replaceAll('-', ' '))))].sort();
+export const named = (x, scene) => {
+  const bytes = utf8.encode(scene);
+  new Uint8Array(x.memory.buffer, x.web_name(), bytes.length).set(bytes);
+  return x.web_open(bytes.length);
+};
+export const described = x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe()));
+const frames = (x, count, width = 1280, height = 800, scale = 1) => {
+  for (let i = 0; i < count; i++) {
+    x.web_frame(width, height, scale, i ? 1 / 60 : 0, -1);
+    x.web_file_name(); x.web_file_bytes(); x.web_file_size();
+    if (x.web_wish()) x.web_grant(-1, 0);
+  }
+};
+const hand = x => {
+  const scene = named(x, 'stack of boxes');
+  frames(x, 30);
+  const at = described(x).match(/^body 6 x \S+ y \S+ pixel (\S+) (\S+)$/m).slice(1).map(Number);
+  for (const button of [1, 4, 2]) {
+    x.web_mouse(...at); frames(x, 2); x.web_button(button, 1);
+    for (let i = 0; i < 20; i++) { x.web_mouse(at[0] + 5 * i, at[1] - 3 * i); frames(x, 2); }
+    described(x); x.web_button(button, 0); frames(x, 20);
+  }
+  for (const notch of [1, -1]) { x.web_wheel(notch); frames(x, 2); }
+  for (const key of 'por') { x.web_key(key.charCodeAt(0)); frames(x, 2); }
+  described(x);
+};
+// each: a name, and what is done to a fresh instance's exports
+export const visits = () => [
+  ['the testbed', x => { frames(x, 300); described(x); }],
+  ['a phone, by night', x => { frames(x, 30, 840, 1600, 2); x.web_key(100); frames(x, 30, 840, 1600, 2); described(x); }],
+  ['a hand', hand],
+  ...shown().map(scene => [scene, x => { named(x, scene); frames(x, 300, 640, 400); described(x); }])];
