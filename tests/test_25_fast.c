@@ -493,18 +493,110 @@ static void too_many_impacts_are_reported(void **state)
     }
 }
 
+/* Galperin's billiard in one step and a bit: a wall, a disc at rest, and one that is 100^2 times as heavy. They collide 314 times; impacts
+ * do not lose one, and the velocities are those of the same collisions one by one. With sixteen for each body, they are not. */
+static void three_hundred_and_fourteen(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        wfWorldDef def = calm("soft");
+        if (k == 1) def.impacts = 16;
+        wfWorld w = open_world(&def);
+        wfBodyDef wall = wall_of(1, 10), light = body_of(0, 0.5), heavy = light;
+        wall.position = wfV2(-WF_R(0.5), 0), light.position = wfV2(1, 0), heavy.position = wfV2(WF_R(2.5), 0);
+        wall.restitution = light.restitution = heavy.restitution = 1;
+        wall.friction = light.friction = heavy.friction = 0;
+        light.mass = 1, heavy.mass = 10000, heavy.velocity = wfV2(-60, 0);
+        add(&w, wall);
+        wfBodyId a = add(&w, light), b = add(&w, heavy);
+        int impacts = 0;
+        for (int i = 0; i < 60; i++) {
+            assert_ok(wfStepWorld(&w));
+            impacts += report(&w).impacts;
+            assert_true(info(&w, a).position.x > WF_R(0.49) && info(&w, b).position.x > info(&w, a).position.x);
+        }
+        double u = -60, v = 0;
+        int count = 0;
+        for (; v > u || v < 0; count++)
+            if (v > u) {
+                double common = (v + 1e4 * u) / (1 + 1e4);
+                v = 2 * common - v, u = 2 * common - u;
+            } else v = -v;
+        assert_int_equal(count, 314);
+        double off = fabs((double)info(&w, b).velocity.x - u) / 60;
+        assert_true(k == 1 || (impacts <= count && impacts > count - 10));      /* the last ones are slow: contacts */
+        assert_true(k == 0 ? off < 314 * 4 * (double)WF_EPSILON : off > 0.01);
+        wfDestroyWorld(&w);
+    }
+}
+
+/* A light ball between two heavy blocks that come at each other: more collisions than a step has room for. It waits, and is told of. */
+static void a_step_has_room_for_so_many(void **state)
+{
+    (void)state;
+    wfWorldDef def = calm("soft");
+    def.impacts = 1000000;
+    wfWorld w = open_world(&def);
+    wfBodyDef left = body_of(1, 1), right = left, ball = body_of(0, 0.05);
+    left.type = right.type = WF_KINEMATIC, ball.restitution = left.restitution = right.restitution = 1;
+    left.position = wfV2(-WF_R(1.1), 0), right.position = wfV2(WF_R(1.1), 0);
+    left.velocity = wfV2(WF_R(2.9), 0), right.velocity = wfV2(-WF_R(2.9), 0);
+    ball.velocity = wfV2(5000, 0);
+    add(&w, left), add(&w, right), add(&w, ball);
+    assert_ok(wfStepWorld(&w));
+    wfFastReport r = report(&w);
+    assert_true(r.impacts == 4096 && r.held == 1);
+    wfDestroyWorld(&w);
+}
+
+/* Two thousand bullets in a room, all fast: from the second step on they are a crowd. None leaves the room; with nobody followed, some do. */
+static void a_crowd_stays_in_its_room(void **state)
+{
+    (void)state;
+    int outside[2] = { 0, 0 };
+    for (int k = 0; k < 2; k++) {
+        wfWorldDef def = calm("soft");
+        def.bodyCapacity = 2004, def.pairCapacity = 200000, def.impacts = k == 0 ? 4096 : 0;
+        wfWorld w = open_world(&def);
+        for (int i = 0; i < 4; i++) {
+            wfBodyDef wall = wall_of(i < 2 ? 0.02 : 41, i < 2 ? 41 : 0.02);
+            wfReal at = i % 2 == 0 ? 20 : -20;
+            wall.position = i < 2 ? wfV2(at, 0) : wfV2(0, at);
+            add(&w, wall);
+        }
+        for (int i = 0; i < 2000; i++) {
+            wfBodyDef b = body_of(i % 3, 0.05);
+            wfRot q = wfRotation((wfReal)i);
+            b.position = wfV2((wfReal)(i % 50 - 24.5) * WF_R(0.75), (wfReal)(i / 50 - 19.5) * WF_R(0.75));
+            b.velocity = wfV2(60 * q.c, 60 * q.s), b.restitution = 1;
+            add(&w, b);
+        }
+        int crowds = 0;
+        for (int i = 0; i < 40; i++) {
+            assert_ok(wfStepWorld(&w));
+            crowds += report(&w).bodies > 1024;
+        }
+        assert_true(k == 1 || crowds > 30);
+        wfBodyView v = wfWorldBodies(&w);
+        for (int32_t i = 4; i < v.count; i++) outside[k] += !(wfAbs(v.state[i].p.x) < 20 && wfAbs(v.state[i].p.y) < 20);
+        wfDestroyWorld(&w);
+    }
+    assert_int_equal(outside[0], 0);
+    print_message("a crowd: without impacts %d of 2000 leave the room\n", outside[1]);
+}
+
 static void settings_are_checked_and_kept(void **state)
 {
     (void)state;
     wfWorldDef def = calm(NULL), got;
-    assert_int_equal(def.impacts, 16);
+    assert_int_equal(def.impacts, 4096);
     wfWorld w = open_world(&def), none = { 0 };
     wfFastReport r;
     assert_result(WF_ERROR_NULL, wfGetFastReport(&w, NULL));
     assert_result(WF_ERROR_NULL, wfGetFastReport(NULL, &r));
     assert_result(WF_ERROR_NULL, wfGetFastReport(&none, &r));
     assert_ok(wfGetWorldDef(&w, &got));
-    assert_int_equal(got.impacts, 16);
+    assert_int_equal(got.impacts, 4096);
     void *before = copy_of(&w);
     got.impacts = -1;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &got));
@@ -607,6 +699,9 @@ int main(void)
         cmocka_unit_test(who_is_struck_on_the_floor_stays_above_it),
         cmocka_unit_test(seams_are_no_bumps),
         cmocka_unit_test(too_many_impacts_are_reported),
+        cmocka_unit_test(three_hundred_and_fourteen),
+        cmocka_unit_test(a_step_has_room_for_so_many),
+        cmocka_unit_test(a_crowd_stays_in_its_room),
         cmocka_unit_test(settings_are_checked_and_kept),
         cmocka_unit_test(a_step_that_fails_changes_nothing),
         cmocka_unit_test(a_room_of_bullets_is_the_same_for_all_broad_phases),
