@@ -476,6 +476,7 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     wfReal upper = wfDistance(pointOf(&sa), pointOf(&sb));
     bool proved = wfIsFinite(length) && length > D.noise && upper - low <= D.noise;
     if (!proved) return wfSeparateGjk(a, xa, b, xb, out);
+    /* <report what was proved> */
     wfSeparation found = { .owner = WF_NO_EDGE, .edge = WF_NO_EDGE };
     found.distance = length - (a->radius + b->radius);
     found.normal = wfRotate(xa.q, normal);

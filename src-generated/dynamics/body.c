@@ -27,7 +27,7 @@ wfResult wfCheckBodyProps(const wfBodyProps *p)
     if (!finite) return WF_ERROR_NOT_FINITE;
     if (p->type < 0 || p->type >= WF_BODY_TYPES) return WF_ERROR_UNKNOWN;
     if (p->linearDamping < 0 || p->angularDamping < 0) return WF_ERROR_RANGE;
-    if (p->givenMass < 0) return WF_ERROR_RANGE;
+    if (p->givenMass < 0 || p->substeps < 0) return WF_ERROR_RANGE;
     return p->type == WF_DYNAMIC ? check_masses(p->mass, p->inertia) : WF_OK;
 }
 /* <check the properties of a body> */

@@ -15,6 +15,10 @@ typedef struct Search {
 } Search;
 
 enum { NOT_SEEN = -1, GIVEN_UP = -2 };
+enum { LIMB_OPEN, LIMB_RIGHT, LIMB_FAILS };     /* the state of a root */
+#define ANSWERS(rows) ((rows) * ((rows) + 1) / 2)       /* half of a symmetric matrix */
+/* for each link of a piece that has as many as there may be */
+#define MOST_ANSWERS (ANSWERS(3 * WF_COLUMN_LOOPS) / WF_COLUMN_LOOPS + 1)
 
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact)
 {
@@ -121,11 +125,26 @@ static bool close_loops(Search *q, int32_t root)
     }
     if (q->loops > 0) t->linked = true;
     t->limb[root].links = t->count;
-    t->limb[root].given_up = false;
+    t->limb[root].given_up = t->limb[root].made = false;
+    t->limb[root].state = LIMB_FAILS;
+    t->limb[root].answers = t->answers;
+    t->answers += ANSWERS(3 * q->loops);
     return true;
 }
 
 /* <find the trees> */
+static bool is_alone(const Search *q, const wfLimb *root)
+{
+    const wfSubsteps *s = q->s;
+    const wfContact *c = &s->in->contacts[s->order[root->contact]];
+    const wfContactPoint *p = &c->manifold.points[0];
+    const wfBodyState *b = &s->in->state[root->body];
+    if (root->links - root->root > 1 || c->manifold.count != 1) return false;
+    if (has_trait(s, root->contact, WF_TRAIT_TWO_FRICTIONS)) return false;
+    wfReal lever = wfCross(root->upside ? p->armA : p->armB, c->manifold.normal);
+    return lever * lever * b->invInertia <= WF_ALONE_SHARE * b->invMass;
+}
+
 static void try_root(Search *q, int32_t contact)
 {
     wfPair c = ends_of(q->s, contact);
@@ -136,7 +155,10 @@ static void try_root(Search *q, int32_t contact)
     if (!has_trait(q->s, contact, WF_TRAIT_TOUCHES)) return;
     q->loops = 0;
     if (!add_limb(q, contact, body, -1)) return;
-    if (grow(q, root) && close_loops(q, root)) return;
+    bool tree = grow(q, root) && close_loops(q, root);
+    bool alone = tree && is_alone(q, &q->t->limb[root]);
+    if (alone) q->t->held[contact] = WF_HELD_ALONE, q->t->alone = true;
+    if (tree && !alone) return;
     while (q->t->count > root) q->limb[q->t->limb[--q->t->count].body] = GIVEN_UP;
 }
 
@@ -145,16 +167,17 @@ wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
     Search q = { .s = s, .t = t };
-    t->count = 0;
-    t->linked = false;
+    t->count = t->answers = 0;
+    t->linked = t->alone = false;
     t->room = 2 * in->bodyCount;
     t->limb = wfPoolPushArray(in->scratch, t->room, wfLimb);
+    t->answer = wfPoolPushArray(in->scratch, MOST_ANSWERS * in->bodyCount, wfReal);
     t->held = wfPoolPushArray(in->scratch, in->contactCount, uint8_t);
     q.first = wfPoolPushArray(in->scratch, in->bodyCount, int32_t);
     q.next = wfPoolPushArray(in->scratch, 2 * in->contactCount, int32_t);
     q.limb = wfPoolPushArray(in->scratch, in->bodyCount, int32_t);
-    if (t->limb == NULL || t->held == NULL || q.first == NULL || q.next == NULL ||
-        q.limb == NULL)
+    if (t->limb == NULL || t->answer == NULL || t->held == NULL || q.first == NULL ||
+        q.next == NULL || q.limb == NULL)
         return WF_ERROR_MEMORY;
     list_touches(&q);
     for (int32_t i = 0; in->columns != 0 && i < in->contactCount; i++) try_root(&q, i);
@@ -163,15 +186,14 @@ wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
 /* <find the trees> */
 size_t wfColumnScratch(int32_t bodies, int32_t contacts)
 {
-    size_t body = 2 * sizeof(wfLimb) + 2 * sizeof(int32_t);
+    size_t body = 2 * sizeof(wfLimb) + MOST_ANSWERS * sizeof(wfReal) + 2 * sizeof(int32_t);
     size_t contact = 2 * sizeof(int32_t) + 1;
-    return body * (size_t)bodies + contact * (size_t)contacts + 5 * WF_POOL_ALIGN;
+    return body * (size_t)bodies + contact * (size_t)contacts + 6 * WF_POOL_ALIGN;
 }
 /* <solve one limb> */
 typedef struct Law { wfReal bias, give, fastest, loop, noise; } Law;
 
-static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal wrong,
-                    wfReal soft)
+static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal soft)
 {
     wfReal sign = l->upside ? WF_R(-1.0) : WF_R(1.0);
     wfReal *up = l->up[l->rows], *down = l->down[l->rows];
@@ -179,7 +201,6 @@ static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal wr
     up[1] = down[1] = sign * d.y;
     up[2] = sign * (l->upside ? leverA : leverB);
     down[2] = sign * (l->upside ? leverB : leverA);
-    l->wave.wrong[l->rows] = wrong;
     l->soft[l->rows++] = soft;
 }
 
@@ -190,14 +211,11 @@ static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPrepare
     return rate + wfMaxR(law->bias * p->now, -law->fastest);    /* eq:soft-follow */
 }
 /* <solve one limb> */
-static void add_friction(wfLimb *l, const wfPrepared *c, const wfPairMotion *m,
-                         wfReal give)
+static void add_friction(wfLimb *l, const wfPrepared *c, wfReal give)
 {
     const wfPreparedPoint *p = &c->p[l->points == 2], *q = &c->p[l->points > 1];
     if (!(c->friction > 0)) return;
-    wfReal rate = (wfTangentRate(m, p) + wfTangentRate(m, q)) / 2;
-    add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, rate - c->surfaceSpeed,
-            give / p->massT);
+    add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, give / p->massT);
 }
 /* <solve one limb> */
 static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
@@ -205,47 +223,70 @@ static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
     const wfPrepared *c = &s->c[l->contact];
     const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2];
     const wfBodyState *b = &s->in->state[l->body];
-    wfPairMotion m = wfTakePair(s->in, c);
-    wfReal e[2], soft[2];
-    for (int32_t k = 0; k < c->count; k++) {
-        e[k] = what_is_wrong(s, law, &p[k], wfNormalRate(&m, &p[k]));
-        wfReal give = p[k].now > 0 ? 0 : law->give;
-        soft[k] = wfMaxR(give, law->loop) / p[k].massN;
-    }
+    wfReal soft[2];
+    for (int32_t k = 0; k < c->count; k++)
+        soft[k] = wfMaxR(p[k].now > 0 ? 0 : law->give, law->loop) / p[k].massN;
     l->rows = 0;
     if (l->points == 3) {                                       /* eq:soft-mean */
         add_row(l, c->n, (p[0].nA + p[1].nA) / 2, (p[0].nB + p[1].nB) / 2,
-                (e[0] + e[1]) / 2, (soft[0] + soft[1]) / 4);
-        add_row(l, wfV2(0, 0), p[1].nA - p[0].nA, p[1].nB - p[0].nB, e[1] - e[0],
-                soft[0] + soft[1]);
+                (soft[0] + soft[1]) / 4);
+        add_row(l, wfV2(0, 0), p[1].nA - p[0].nA, p[1].nB - p[0].nB, soft[0] + soft[1]);
     } else if (l->points != 0)
-        add_row(l, c->n, one->nA, one->nB, e[one - p], soft[one - p]);
-    if (l->points != 0) add_friction(l, c, &m, law->loop);
+        add_row(l, c->n, one->nA, one->nB, soft[one - p]);
+    if (l->points != 0) add_friction(l, c, law->loop);
     memset(l->mass, 0, sizeof l->mass);
-    memset(l->wave.load, 0, sizeof l->wave.load);
-    memset(l->wave.push, 0, sizeof l->wave.push);
     l->mass[0][0] = l->mass[1][1] = 1 / b->invMass;
     l->mass[2][2] = 1 / b->invInertia;
 }
 /* <solve one limb> */
-static bool invert(int32_t n, wfReal from[3][3], wfReal out[3][3])
+static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
 {
-    wfReal a[3][3];
-    memcpy(a, from, sizeof a);
-    for (int32_t i = 0; i < 3; i++)
-        for (int32_t j = 0; j < 3; j++) out[i][j] = i == j ? WF_R(1.0) : 0;
-    for (int32_t i = 0; i < n; i++) {
-        wfReal pivot = a[i][i];
-        if (!(pivot > 0)) return false;
-        for (int32_t j = i + 1; j < n; j++) a[i][j] /= pivot;
-        for (int32_t j = 0; j <= i; j++) out[i][j] /= pivot;
-        for (int32_t k = 0; k < n; k++) {
-            wfReal q = a[k][i];
-            if (k == i) continue;
-            for (int32_t j = i + 1; j < n; j++) a[k][j] -= q * a[i][j];
-            for (int32_t j = 0; j <= i; j++) out[k][j] -= q * out[i][j];
-        }
-    }
+    const wfPrepared *c = &s->c[l->contact];
+    const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2], *two = &c->p[l->points > 1];
+    wfPairMotion m = wfTakePair(s->in, c);
+    wfReal e[2], *wrong = l->wave.wrong;
+    memset(l->wave.load, 0, sizeof l->wave.load);
+    memset(l->wave.push, 0, sizeof l->wave.push);
+    if (l->points == 0) return;
+    for (int32_t k = 0; k < c->count; k++)
+        e[k] = what_is_wrong(s, law, &p[k], wfNormalRate(&m, &p[k]));
+    wrong[0] = l->points == 3 ? (e[0] + e[1]) / 2 : e[one - p];
+    if (l->points == 3) wrong[1] = e[1] - e[0];                 /* eq:soft-mean */
+    if (!(c->friction > 0)) return;
+    wrong[l->rows - 1] =
+        (wfTangentRate(&m, one) + wfTangentRate(&m, two)) / 2 - c->surfaceSpeed;
+}
+/* <solve one limb> */
+/* The inverse of a symmetric positive matrix of n rows in its place. */
+static bool invert(int32_t n, wfReal a[3][3])
+{
+    wfReal a10 = a[1][0], a20 = a[2][0], d0 = a[0][0];
+    if (n == 0) return true;
+    if (!(d0 > 0)) return false;
+    a[0][0] = 1 / d0;
+    if (n == 1) return true;
+    wfReal l10 = a10 / d0, d1 = a[1][1] - l10 * a10;
+    if (!(d1 > 0)) return false;
+    a[1][1] = 1 / d1;
+    a[1][0] = a[0][1] = -l10 / d1;
+    a[0][0] += l10 * l10 / d1;                                  /* eq:soft-inverse */
+    if (n == 2) return true;
+    wfReal l20 = a20 / d0, left = a[2][1] - l20 * a10, l21 = left / d1;
+    wfReal d2 = a[2][2] - l20 * a20 - l21 * left, p20 = l21 * l10 - l20;
+    if (!(d2 > 0)) return false;
+    a[2][2] = 1 / d2;
+    a[2][0] = a[0][2] = p20 / d2;
+    a[2][1] = a[1][2] = -l21 / d2;
+    a[0][0] += p20 * p20 / d2;
+    a[1][1] += l21 * l21 / d2;
+    a[1][0] = a[0][1] = a[1][0] - p20 * l21 / d2;
+    return true;
+}
+/* <solve one limb> */
+static bool ease_mass(wfReal m[3][3])
+{
+    if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0) return invert(3, m);
+    for (int32_t k = 0; k < 3; k++) m[k][k] = 1 / m[k][k];
     return true;
 }
 
@@ -253,44 +294,42 @@ static wfReal dot3(const wfReal a[3], const wfReal b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-/* <solve one limb> */
-static bool ease_mass(wfLimb *l)
+
+/* to + share v */
+static void add3(wfReal to[3], wfReal share, const wfReal v[3])
 {
-    if (l->mass[0][1] != 0 || l->mass[0][2] != 0 || l->mass[1][2] != 0)
-        return invert(3, l->mass, l->ease);
-    memset(l->ease, 0, sizeof l->ease);
-    for (int32_t k = 0; k < 3; k++) l->ease[k][k] = 1 / l->mass[k][k];
-    return true;
+    to[0] += share * v[0], to[1] += share * v[1], to[2] += share * v[2];
 }
 /* <solve one limb> */
 static bool fold(wfLimb *l, wfLimb *below)
 {
-    wfReal eased[3][3], S[3][3];
-    if (!ease_mass(l)) return false;
+    if (!ease_mass(l->mass)) return false;
     for (int32_t i = 0; i < l->rows; i++) {
-        for (int32_t k = 0; k < 3; k++) eased[i][k] = dot3(l->up[i], l->ease[k]);
-        for (int32_t j = 0; j <= i; j++) S[i][j] = S[j][i] = dot3(eased[i], l->up[j]);
-        S[i][i] = S[i][i] * (1 + 4 * WF_EPSILON) + l->soft[i];
+        wfReal eased[3], *S = l->hold[i];
+        for (int32_t k = 0; k < 3; k++) eased[k] = dot3(l->mass[k], l->up[i]);
+        for (int32_t j = 0; j < i; j++) S[j] = l->hold[j][i] = dot3(eased, l->up[j]);
+        S[i] = dot3(eased, l->up[i]) * (1 + 4 * WF_EPSILON) + l->soft[i];
     }
-    if (!invert(l->rows, S, l->hold)) return false;
-    for (int32_t i = 0; below != NULL && i < l->rows; i++)
-        for (int32_t j = 0; j < l->rows; j++)
-            for (int32_t k = 0; k < 3; k++)                     /* eq:soft-fold */
-                for (int32_t n = 0; n < 3; n++)
-                    below->mass[k][n] += l->down[i][k] * l->hold[i][j] * l->down[j][n];
+    if (!invert(l->rows, l->hold)) return false;
+    for (int32_t i = 0; below != NULL && i < l->rows; i++) {    /* eq:soft-fold */
+        wfReal held[3] = { 0, 0, 0 };
+        for (int32_t j = 0; j < l->rows; j++) add3(held, l->hold[i][j], l->down[j]);
+        for (int32_t k = 0; k < 3; k++) add3(below->mass[k], l->down[i][k], held);
+    }
     return true;
 }
 /* <solve one limb> */
 static void carry_down(const wfLimb *l, wfWave *w, wfWave *below)
 {
     wfReal eased[3];
-    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(l->ease[k], w->load);
+    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(l->mass[k], w->load);
     for (int32_t i = 0; i < l->rows; i++)
         w->wrong[i] += dot3(l->up[i], eased);                   /* eq:soft-limb-impulse */
-    for (int32_t i = 0; below != NULL && i < l->rows; i++)
-        for (int32_t j = 0; j < l->rows; j++)
-            for (int32_t k = 0; k < 3; k++)                     /* eq:soft-fold */
-                below->load[k] += l->down[i][k] * l->hold[i][j] * w->wrong[j];
+    for (int32_t i = 0; below != NULL && i < l->rows; i++) {
+        wfReal held = 0;
+        for (int32_t j = 0; j < l->rows; j++) held += l->hold[i][j] * w->wrong[j];
+        add3(below->load, held, l->down[i]);                    /* eq:soft-fold */
+    }
 }
 /* <solve one limb> */
 static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
@@ -300,15 +339,15 @@ static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
     wfReal lack[3], force[3] = { w->load[0], w->load[1], w->load[2] };
     for (int32_t i = 0; i < l->rows; i++) lack[i] = dot3(l->down[i], under) - w->wrong[i];
     for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-limb-impulse */
-        w->push[i] = 0;
-        for (int32_t j = 0; j < l->rows; j++) w->push[i] += l->hold[i][j] * lack[j];
-        for (int32_t k = 0; k < 3; k++) force[k] += l->up[i][k] * w->push[i];
+        wfReal push = 0;
+        for (int32_t j = 0; j < l->rows; j++) push += l->hold[i][j] * lack[j];
+        w->push[i] = push;
+        add3(force, push, l->up[i]);
     }
-    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(l->ease[k], force);
+    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(l->mass[k], force);
 }
 /* <solve the trees> */
 enum { COLUMN_TRIES = 3, CAREFUL_TRIES = 64 };
-enum { LIMB_OPEN, LIMB_RIGHT, LIMB_FAILS };                /* the state of a root */
 
 static void point_pushes(const wfLimb *l, const wfPrepared *c, wfReal out[2])
 {
@@ -368,17 +407,26 @@ static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
     return wfAbs(tangent) > c->friction * normal;
 }
 /* <solve the trees> */
-static void open_limb(const wfSubsteps *s, wfColumns *t, int32_t at)
+/* known: the points are those that the last sweep has found right */
+static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
 {
-    wfLimb *l = &t->limb[at];
     const wfPrepared *c = &s->c[l->contact];
     wfReal near = wfNearGap(s, l->contact);
-    l->points = 0;
-    l->state = LIMB_OPEN;
+    int32_t was = l->points;
+    if (!known) l->points = 0;
     for (int32_t k = 0; k < c->count; k++) {
+        bool touches = !known && !(c->p[k].now > near);
         l->at[k] = c->p[k].normal;
-        if (c->p[k].normal > 0 || !(c->p[k].now > near)) l->points |= 1 << k;
+        if (touches || c->p[k].normal > 0) l->points |= 1 << k;
     }
+    if (l->points != was) root->made = false;
+}
+
+static void open_tree(const wfSubsteps *s, wfColumns *t, wfLimb *root, bool known)
+{
+    for (int32_t i = root->root; i < root->links; i++)
+        open_limb(s, &t->limb[i], root, known);
+    root->state = LIMB_OPEN;
 }
 /* <solve the trees> */
 static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
@@ -445,62 +493,78 @@ static void clear_extra(wfColumns *t, const wfLimb *root)
         memset(&t->limb[i].extra, 0, sizeof t->limb[i].extra);
 }
 /* <close the loops> */
-/* x = -(A)^-1 x for a symmetric positive matrix, of which the lower half is given. */
-static bool solve_dense(int32_t n, wfReal A[LINK_ROWS][LINK_ROWS], wfReal x[LINK_ROWS])
+#define ANSWER(row, column) (ANSWERS(row) + (column))
+
+static bool eliminate(int32_t n, wfReal *A)
 {
     for (int32_t k = 0; k < n; k++) {
-        if (!(A[k][k] > 0)) return false;
+        if (!(A[ANSWER(k, k)] > 0)) return false;
         for (int32_t i = k + 1; i < n; i++) {
-            wfReal share = A[i][k] / A[k][k];
-            for (int32_t j = i; j < n; j++) A[j][i] -= share * A[j][k];
-            x[i] -= share * x[k];
+            wfReal share = A[ANSWER(i, k)] / A[ANSWER(k, k)];
+            for (int32_t j = i; j < n; j++) A[ANSWER(j, i)] -= share * A[ANSWER(j, k)];
         }
-    }
-    for (int32_t k = n - 1; k >= 0; k--) {
-        for (int32_t i = k + 1; i < n; i++) x[k] += A[i][k] * x[i];
-        x[k] /= -A[k][k];
     }
     return true;
 }
+
+/* x = -(A)^-1 x */
+static void solve_eliminated(int32_t n, const wfReal *A, wfReal x[LINK_ROWS])
+{
+    for (int32_t k = 0; k < n; k++)
+        for (int32_t i = k + 1; i < n; i++)
+            x[i] -= A[ANSWER(i, k)] / A[ANSWER(k, k)] * x[k];
+    for (int32_t k = n - 1; k >= 0; k--) {
+        for (int32_t i = k + 1; i < n; i++) x[k] += A[ANSWER(i, k)] * x[i];
+        x[k] /= -A[ANSWER(k, k)];
+    }
+}
 /* <close the loops> */
-/* The matrix of eq:soft-links in the lower half of A; its right side. The rows' number. */
-static int32_t ask_links(wfColumns *t, const wfLimb *root, LinkRow *row,
-                         wfReal A[LINK_ROWS][LINK_ROWS], wfReal x[LINK_ROWS])
+static int32_t list_link_rows(const wfColumns *t, const wfLimb *root, LinkRow *row)
 {
     int32_t n = 0;
     for (int32_t i = root->end; i < root->links; i++)
         for (int32_t k = 0; k < t->limb[i].rows; k++) row[n++] = (LinkRow){ i, k };
+    return n;
+}
+
+/* The matrix of eq:soft-links, eliminated; false: it can't be. */
+static bool ask_links(wfColumns *t, const wfLimb *root)
+{
+    LinkRow row[LINK_ROWS];
+    int32_t n = list_link_rows(t, root, row);
+    wfReal *A = t->answer + root->answers;
     for (int32_t i = 0; i < n; i++) {
         const wfLimb *l = &t->limb[row[i].limb];
-        x[i] = l->wave.wrong[row[i].row] + link_rate(t, l, row[i].row, false);
         clear_extra(t, root);
         load_link(t, l, row[i].row, 1);
         run_wave(t, root, true);
         for (int32_t k = i; k < n; k++)
-            A[k][i] = link_rate(t, &t->limb[row[k].limb], row[k].row, true);
-        A[i][i] += l->soft[row[i].row];
+            A[ANSWER(k, i)] = link_rate(t, &t->limb[row[k].limb], row[k].row, true);
+        A[ANSWER(i, i)] += l->soft[row[i].row];
     }
-    return n;
+    return eliminate(n, A);
 }
 /* <close the loops> */
-static bool solve_links(wfColumns *t, const wfLimb *root)
+static void solve_links(wfColumns *t, const wfLimb *root)
 {
-    wfReal A[LINK_ROWS][LINK_ROWS], x[LINK_ROWS];
+    wfReal x[LINK_ROWS];
     LinkRow row[LINK_ROWS];
-    int32_t n = ask_links(t, root, row, A, x);
-    if (!solve_dense(n, A, x)) return false;
+    int32_t n = list_link_rows(t, root, row);
+    for (int32_t i = 0; i < n; i++) {
+        const wfLimb *l = &t->limb[row[i].limb];
+        x[i] = l->wave.wrong[row[i].row] + link_rate(t, l, row[i].row, false);
+    }
+    solve_eliminated(n, t->answer + root->answers, x);
     clear_extra(t, root);
     for (int32_t i = 0; i < n; i++) {
         load_link(t, &t->limb[row[i].limb], row[i].row, x[i]);
         t->limb[row[i].limb].wave.push[row[i].row] = x[i];
     }
     run_wave(t, root, true);
-    for (int32_t i = root->root; i < root->end; i++)
-        for (int32_t k = 0; k < 3; k++) {
-            t->limb[i].wave.push[k] += t->limb[i].extra.push[k];
-            t->limb[i].wave.gain[k] += t->limb[i].extra.gain[k];
-        }
-    return true;
+    for (int32_t i = root->root; i < root->end; i++) {
+        wfLimb *l = &t->limb[i];
+        add3(l->wave.push, 1, l->extra.push), add3(l->wave.gain, 1, l->extra.gain);
+    }
 }
 /* <try the trees> */
 /* What the points that are left out have been given goes to the loads, eq:soft-let-go. */
@@ -522,14 +586,24 @@ static void let_go(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 }
 
 /* <try the trees> */
-static bool try_tree(const wfSubsteps *s, const Law *law, wfColumns *t, const wfLimb *root)
+static bool make_matrices(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     for (int32_t i = root->root; i < root->links; i++) make_rows(s, law, &t->limb[i]);
-    for (int32_t i = root->root; i < root->links; i++) let_go(s, t, &t->limb[i]);
     for (int32_t i = root->end - 1; i >= root->root; i--)
         if (!fold(&t->limb[i], below_of(t, &t->limb[i]))) return false;
+    if (root->links == root->end) return true;
+    root->made = ask_links(t, root);
+    return root->made;
+}
+
+static bool try_tree(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
+{
+    if (!root->made && !make_matrices(s, law, t, root)) return false;
+    for (int32_t i = root->root; i < root->links; i++) find_wrong(s, law, &t->limb[i]);
+    for (int32_t i = root->root; i < root->links; i++) let_go(s, t, &t->limb[i]);
     run_wave(t, root, false);
-    return root->links == root->end || solve_links(t, root);
+    if (root->links > root->end) solve_links(t, root);
+    return true;
 }
 /* <try the trees> */
 /* A few tries, each with the guess that the one before leads to. */
@@ -540,13 +614,14 @@ static void try_quickly(const wfSubsteps *s, const Law *law, wfColumns *t, wfLim
         if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
         for (int32_t i = root->root; i < root->links; i++)
             if (!points_are_right(s, law, t, &t->limb[i])) right = false;
-        if (right && root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
+        if (!right) root->made = false;
+        else if (root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
     }
 }
 /* <try the trees> */
 /* Goes from the sums `at` towards those of the last try, until one is 0: its point. */
 static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns *t,
-                                 const wfLimb *root)
+                                 wfLimb *root)
 {
     wfReal share = 1, more[2];
     wfLimb *limb = NULL;
@@ -567,12 +642,13 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns 
     if (limb == NULL) return false;
     limb->at[point] = 0;
     limb->points &= ~(1 << point);
+    root->made = false;
     return true;
 }
 
 /* <try the trees> */
 static bool take_in_worst(const wfSubsteps *s, const Law *law, wfColumns *t,
-                          const wfLimb *root)
+                          wfLimb *root)
 {
     wfReal worst = 0;
     wfLimb *limb = NULL;
@@ -586,14 +662,16 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfColumns *t,
             if (mine > worst) worst = mine, limb = l, point = k;
         }
     }
-    if (limb != NULL) limb->points |= 1 << point;
-    return limb != NULL;
+    if (limb == NULL) return false;
+    limb->points |= 1 << point;
+    root->made = false;
+    return true;
 }
 
 /* <try the trees> */
 static void try_carefully(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
-    for (int32_t i = root->root; i < root->links; i++) open_limb(s, t, i);
+    open_tree(s, t, root, false);
     for (int32_t n = 0; n < CAREFUL_TRIES && root->state == LIMB_OPEN; n++) {
         if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
         else if (!go_until_one_lets_go(s, law, t, root) && !take_in_worst(s, law, t, root))
@@ -620,7 +698,7 @@ void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
         bool loops = root->links > root->end;
         Law law = { loops ? 0 : bias, give, fastest, loops ? WF_COLUMN_GIVE : 0,
                     loops ? push_noise(s, t, root) : 0 };
-        for (int32_t i = at; i < root->links; i++) open_limb(s, t, i);
+        open_tree(s, t, root, loops && root->state == LIMB_RIGHT);
         try_quickly(s, &law, t, root);
         if (loops && root->state == LIMB_OPEN) try_carefully(s, &law, t, root);
         for (int32_t i = at; i < root->links && root->state == LIMB_RIGHT; i++)

@@ -23,8 +23,10 @@ typedef struct wfLimb {
     int32_t rows, state;
     bool    upside;              /* the body is the contact's a */
     bool    given_up;            /* a root with loops: by passes for the rest of the step */
+    bool    made;                /* a root with loops: the matrices are those of `points` */
+    int32_t answers;             /* of a root: where its part of answer[] begins */
     wfReal  up[3][3], down[3][3];           /* J and G */
-    wfReal  mass[3][3], ease[3][3];         /* of the body and all above it; inverse */
+    wfReal  mass[3][3];          /* of the body and all above it; when folded, its inverse */
     wfReal  hold[3][3], soft[3];            /* inverse of S; of Gamma */
     wfWave  wave, extra;         /* of the tree alone; of a push at a link */
     wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
@@ -33,11 +35,13 @@ typedef struct wfLimb {
 typedef struct wfColumns {
     wfLimb  *limb;               /* each after the one that it stands on */
     int32_t  count, room;
+    wfReal  *answer;             /* what pushes at links do to links, sec:soft-again */
+    int32_t  answers;
     uint8_t *held;               /* by place in c: is it solved here? */
-    bool     linked;             /* some tree has loops */
+    bool     linked, alone;      /* some tree has loops; some contact is alone */
 } wfColumns;
 
-enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP };
+enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP, WF_HELD_ALONE };
 /* <declarations of columns> */
 /* Finds the trees among the contacts that touch. WF_ERROR_MEMORY. */
 wfResult wfFindColumns(const wfSubsteps *s, wfColumns *out);

@@ -420,8 +420,10 @@ static void prepare_soft(wfJoint *j, wfReal h, wfReal t, wfJointWork *w, int i)
 static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal last,
                     wfJointWork *w, bool holds)
 {
+    wfReal share = w->swung ? 0 : t / last;                         /* eq:joints-swung */
+    w->swung = false;
     for (int i = 0; i < w->rows; i++)
-        if (holds || w->row[i].law != WF_ROW_HOLD) j->impulse[i] *= t / last;
+        if (holds || w->row[i].law != WF_ROW_HOLD) j->impulse[i] *= share;
     for (int i = 0; i < w->rows; i++) {
         wfJointRow *r = &w->row[i];
         if (r->law == WF_ROW_HOLD && !holds) continue;      /* somebody else pushes it */
@@ -597,6 +599,19 @@ static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
     set->changed = set->changed || changed;
     return changed;
 }
+/* <see whether a joint has swung> */
+static bool has_swung(const wfJointWork *w, const wfJointRow *before, const wfJointPair *p)
+{
+    wfReal then = 0, now = 0;
+    for (int i = 0; i < w->rows; i++) {
+        const wfJointRow *r = &before[i];
+        bool moves = wfLengthSq(r->jA) + wfLengthSq(r->jB) > 0;
+        if (r->law == WF_ROW_OFF || w->row[i].law == WF_ROW_OFF || !moves) continue;
+        then += wfCoupling(r, r, p->a, p->b);
+        now += wfCoupling(r, &w->row[i], p->a, p->b);
+    }
+    return now < then / 2;                                          /* eq:joints-swung */
+}
 /* <solve plain hinges> */
 static bool is_plain_hinge(const wfJoint *j)
 {
@@ -637,11 +652,20 @@ static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
     set->stiffness[q->b] += wfDot(q->rB, q->impulse) / set->last;
 }
 
+/* The sum of the couplings of its two rows, with arms of two moments. */
+static wfReal pin_coupling(const wfPin *q, const wfPin *r, const wfJointPair *p)
+{
+    return 2 * (p->a->invMass + p->b->invMass)
+         + p->a->invInertia * wfDot(q->rA, r->rA) + p->b->invInertia * wfDot(q->rB, r->rB);
+}
+
 static void renew_pin(wfJointSet *set, const wfSolve *in, int32_t i)
 {
     wfJointPair p = wfPairOf(set, in, &set->joints[i]);
-    set->pins[i].load = wfAdd(set->pins[i].load, set->pins[i].impulse);
+    wfPin *q = &set->pins[i], before = *q;
+    q->load = wfAdd(q->load, q->impulse);
     build_pin(set, &p, i);
+    q->swung = pin_coupling(&before, q, &p) < pin_coupling(&before, &before, &p) / 2;
 }
 /* <solve plain hinges> */
 static inline void push_pin(wfPin *q, wfVec2 j, wfBodyState *a, wfBodyState *b)
@@ -669,7 +693,8 @@ static void warm_pin(wfPin *q, const wfSolve *in, bool heavier, wfReal share)
 {
     wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
     if (heavier) weigh_pin(q, a, b);
-    q->impulse = wfScale(share, q->impulse);
+    q->impulse = wfScale(q->swung ? 0 : share, q->impulse);         /* eq:joints-swung */
+    q->swung = 0;
     push_pin(q, q->impulse, a, b);
 }
 /* <solve plain hinges> */
@@ -736,6 +761,15 @@ static void choose_pins(wfJointSet *set)
         if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
 }
 /* <keep joints as other laws> */
+static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
+{
+    wfJointWork *w = &set->work[i];
+    wfJointRow before[WF_JOINT_ROWS];
+    memcpy(before, w->row, sizeof before);
+    rebuild(set, i, p);
+    w->swung = has_swung(w, before, p);
+}
+/* <keep joints as other laws> */
 static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
                          wfReal t)
 {
@@ -784,7 +818,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
         if (wfIsBroken(j)) continue;
         wfJointPair p = wfPairOf(set, in, j);
         if (renew) add_load(j, &set->work[i]);
-        if (renew) rebuild(set, i, &p);
+        if (renew) renew_rows(set, i, &p);
         if (soft) aim_soft(j, &set->work[i], dt, set->last, give, &p);
         else limits_tangent(j, &set->work[i], &p);
         if (!is_alone(set, i)) continue;
@@ -822,7 +856,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     if (full && set->count > 0) return WF_ERROR_MEMORY;
     for (int32_t i = 0; i < set->count; i++) {
         wfJointWork *w = &set->work[i];
-        w->load = wfV2(0, 0), w->twist = 0, w->rows = w->holds = 0;
+        w->load = wfV2(0, 0), w->twist = 0, w->rows = w->holds = 0, w->swung = false;
         set->pins[i].on = 0;
     }
     set->last = 0;

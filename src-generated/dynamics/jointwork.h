@@ -10,6 +10,7 @@
 typedef struct wfJointWork {
     int32_t rows;                       /* how many rows the kind filled */
     int32_t hold[3], holds;             /* which rows are HOLD, how many */
+    bool swung;                         /* turned too far in a substep: eq:joints-swung */
     wfReal factor[3][3], pivot[3];      /* their K = L D L^T; 1 / D */
     wfVec2 arm;                         /* m: from B's centre to its anchor */
     wfVec2 load;                        /* N s: sum over the step, what B got */
@@ -31,6 +32,7 @@ typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
 /* A hinge without spring, motor and stops: eq:joints-pin. */
 typedef struct wfPin {
     int32_t on, a, b;           /* 1: this joint is one; the bodies */
+    int32_t swung;              /* 1: it turned too far in a substep: eq:joints-swung */
     wfVec2  rA, rB, d;          /* m: arms; from A's anchor to B's */
     wfReal  l, dx, dy;          /* K = L D L^T: L21, 1 / D1, 1 / D2 */
     wfVec2  impulse, load;      /* N s: in the last substep; summed over the step */

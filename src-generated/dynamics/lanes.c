@@ -3,25 +3,28 @@
 #include "dynamics/columns.h"
 
 /* <pack contacts in lanes> */
-enum { KINDS = 3 };
+enum { KIND_ALONE = 3, KINDS };
 
 size_t wfLaneScratch(int32_t contacts)
 {
     size_t full = sizeof(wfBundle) + 2 * (sizeof(wfBundlePoint) + sizeof(wfBundleGap));
     size_t each = full / (size_t)WF_LANES + 1, more = 0;
     if (each > sizeof(wfPrepared)) more = each - sizeof(wfPrepared);
-    size_t partly = contacts < 2 * WF_COLOURS ? (size_t)contacts : 2 * WF_COLOURS;
+    size_t partly = contacts < 3 * WF_COLOURS ? (size_t)contacts : 3 * WF_COLOURS;
     return (size_t)contacts * more + partly * full + 3 * WF_POOL_ALIGN;
 }
 
 static int32_t kind_of(const wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t i)
 {
     int32_t trait = s->trait[s->order[i]];
-    if (colour == WF_COLOURS || t->held[i]) return 0;
+    if (colour == WF_COLOURS) return 0;
+    if (t->held[i]) return t->held[i] == WF_HELD_ALONE ? KIND_ALONE : 0;
     if (trait & (WF_TRAIT_ROLLS | WF_TRAIT_TWO_FRICTIONS)) return 0;
     return trait & WF_TRAIT_POINTS;
 }
 /* <pack contacts in lanes> */
+static int32_t points_of(int32_t kind) { return kind == KIND_ALONE ? 1 : kind; }
+
 static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
 {
     int32_t bundles = 0, points = 0;
@@ -32,7 +35,7 @@ static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
         for (int32_t n = 1; n < KINDS; n++) {
             int32_t full = (count[n] + WF_LANES - 1) / WF_LANES;
             bundles += full;
-            points += full * n;
+            points += full * points_of(n);
         }
     }
     s->bundle = wfPoolPushArray(s->in->scratch, bundles, wfBundle);
@@ -129,9 +132,10 @@ static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t
             if (q != NULL) prepare_bundle(s, q);
             q = &s->bundle[to->bundles++];
             q->used = 0;
-            q->points = kind;
+            q->alone = kind == KIND_ALONE;
+            q->points = points_of(kind);
             q->first = to->points;
-            to->points += kind;
+            to->points += q->points;
         }
         s->at[s->order[i]] = -1 - ((to->bundles - 1) * WF_LANES + q->used);
         q->of[q->used++] = s->order[i];
@@ -145,7 +149,7 @@ static void keep_ones(wfSubsteps *s, wfColumns *t, int32_t colour, Packing *to)
         if (kind_of(s, t, colour, i) != 0) continue;
         int32_t contact = s->order[i];
         s->order[to->ones] = contact;
-        t->held[to->ones] = WF_HELD_NOT;
+        t->held[to->ones] = t->held[i] == WF_HELD_ALONE ? WF_HELD_ALONE : WF_HELD_NOT;
         s->at[contact] = to->ones++;
     }
 }
@@ -153,6 +157,7 @@ static void keep_ones(wfSubsteps *s, wfColumns *t, int32_t colour, Packing *to)
 wfResult wfPackLanes(wfSubsteps *s, wfColumns *t)
 {
     Packing to = { 0, 0, 0 };
+    int32_t kinds = t->alone ? KINDS : KIND_ALONE;
     for (int32_t i = 0; i < t->count; i++) t->held[t->limb[i].contact] = WF_HELD_IN_TREE;
     wfResult result = take_bundles(s, t);
     if (result != WF_OK) return result;
@@ -162,7 +167,7 @@ wfResult wfPackLanes(wfSubsteps *s, wfColumns *t)
     for (int32_t k = 0; k <= WF_COLOURS; k++) {
         wfRun *run = &s->run[s->runs];
         *run = (wfRun){ .bundle = to.bundles, .one = to.ones };
-        for (int32_t kind = 1; kind < KINDS; kind++) pack_kind(s, t, k, kind, &to);
+        for (int32_t kind = 1; kind < kinds; kind++) pack_kind(s, t, k, kind, &to);
         keep_ones(s, t, k, &to);
         run->bundleEnd = to.bundles;
         run->oneEnd = to.ones;
@@ -335,15 +340,14 @@ WF_INLINE void sweep_bundle(const wfSubsteps *s, const wfCase *cases, const wfDe
     give_pairs(s->in->state, q, &m);
 }
 
-void wfSweepBundles(const wfSubsteps *s, const wfRun *run, const wfCase *cases,
+void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
                     const wfDeep *deep, bool soft)
 {
+    const wfBundle *q = &s->bundle[run->bundle], *end = &s->bundle[run->bundleEnd];
     if (soft)
-        for (int32_t i = run->bundle; i < run->bundleEnd; i++)
-            sweep_bundle(s, cases, deep, true, &s->bundle[i]);
+        for (; q < end; q++) sweep_bundle(s, cases[q->alone], deep, true, q);
     else
-        for (int32_t i = run->bundle; i < run->bundleEnd; i++)
-            sweep_bundle(s, cases, deep, false, &s->bundle[i]);
+        for (; q < end; q++) sweep_bundle(s, cases[q->alone], deep, false, q);
 }
 /* <walk through contacts in lanes> */
 static void store_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane, wfReal share)

@@ -23,8 +23,9 @@ static Softness softness_of(const wfSolve *in, wfReal dt)
         .deep = limit ? -in->restingSpeed * dt * sum / turn : -WF_HUGE };
 }
 /* <a step in substeps> */
-/* soft: NULL after the bodies have moved */
-static void list_cases(const wfSubsteps *s, const Softness *soft, wfCase out[WF_CASES])
+/* soft: NULL after the bodies have moved. alone: for contacts of sec:soft-alone */
+static void list_cases(const wfSubsteps *s, const Softness *soft, bool alone,
+                       wfCase out[WF_CASES])
 {
     wfCase ahead = { 1 / s->dt, 1, 0 };                         /* eq:sequential-target */
     out[WF_OVERLAP] = out[WF_DEEP] = (wfCase){ 0, 1, 0 };
@@ -33,6 +34,8 @@ static void list_cases(const wfSubsteps *s, const Softness *soft, wfCase out[WF_
     if (soft == NULL) return;
     out[WF_OVERLAP] = out[WF_COMING] =
         (wfCase){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
+    if (alone) out[WF_OVERLAP] = out[WF_COMING] =               /* eq:soft-follow */
+        (wfCase){ soft->bias, 1 / (1 + WF_COLUMN_GIVE), 0 };
     out[WF_APART] = ahead;
 }
 /* <a step in substeps> */
@@ -91,12 +94,13 @@ static void judge(wfSubsteps *s)
 }
 /* <a step in substeps> */
 static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
-                       const wfCase *cases, const wfDeep *deep)
+                       wfCase cases[2][WF_CASES], const wfDeep *deep)
 {
     for (int32_t i = run->one; i < run->oneEnd; i++) {
-        if (t->held[i]) continue;
+        bool alone = t->held[i] == WF_HELD_ALONE;
+        if (t->held[i] && !alone) continue;
         wfPairMotion m = wfTakePair(s->in, &s->c[i]);
-        push_softly(cases, deep, &s->c[i], &m);
+        push_softly(cases[alone], deep, &s->c[i], &m);
         wfSolveFriction(&s->c[i], &m);
         wfGivePair(s->in, &s->c[i], &m);
     }
@@ -105,9 +109,10 @@ static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
 static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     const wfLaws *laws = s->in->laws;
-    wfCase cases[WF_CASES];
+    wfCase cases[2][WF_CASES];
     wfDeep deep = deep_for(s, soft);
-    list_cases(s, soft, cases);
+    list_cases(s, soft, false, cases[0]);
+    list_cases(s, soft, true, cases[1]);
     for (int32_t pass = 0; pass < s->in->iterations; pass++) {
         if (laws != NULL)
             laws->solve(laws->context, s->in, s->moved, s->dt, pass, soft != NULL);

@@ -65,7 +65,7 @@ void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepar
 const wfPrepared *wfPreparedOf(const wfSubsteps *s, int32_t i, wfPrepared *room);
 void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
 void wfFindBundleGaps(wfSubsteps *s, const wfRun *run);
-void wfSweepBundles(const wfSubsteps *s, const wfRun *run, const wfCase *cases,
+void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
                     const wfDeep *deep, bool soft);
 void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
 /* Has it a deep overlap? Then how many contacts it has, else 0. */

@@ -117,19 +117,24 @@ static wfReal largest(const wfWorld *world)
     return most;
 }
 /* <how far two worlds are apart> */
-/* The greatest distance between the same points of bodies in a and b, m. */
+/* The greatest distance between the same points of shape k's body in x and in y, m. */
+static wfReal rim_apart(const wfBodyView *x, const wfBodyView *y, const wfShapeView *s,
+                        int32_t k)
+{
+    int32_t i = s->owners[k];
+    wfReal turn = wfAbs(wfWrapAngle(x->state[i].angle - y->state[i].angle));
+    wfReal arm = wfLength(s->shapes[k].centre) + s->props[k].reach;
+    return wfDistance(x->state[i].p, y->state[i].p) + turn * arm;
+}
+
+/* The same of all bodies. */
 static wfReal apart(const wfWorld *a, const wfWorld *b)
 {
     wfBodyView x = wfWorldBodies(a), y = wfWorldBodies(b);
     wfShapeView s = wfWorldShapes(a);
     wfReal most = farthest_way(a, b);
-    for (int32_t k = 0; k < s.count; k++) {
-        int32_t i = s.owners[k];
-        if (i < 0) continue;
-        wfReal turn = wfAbs(wfWrapAngle(x.state[i].angle - y.state[i].angle));
-        wfReal arm = wfLength(s.shapes[k].centre) + s.props[k].reach;
-        most = wfMaxR(most, wfDistance(x.state[i].p, y.state[i].p) + turn * arm);
-    }
+    for (int32_t k = 0; k < s.count; k++)
+        if (s.owners[k] >= 0) most = wfMaxR(most, rim_apart(&x, &y, &s, k));
     return most;
 }
 /* <run a rung> */
@@ -156,6 +161,13 @@ static wfResult run_frame(Trial *t, int32_t steps)
     return WF_OK;
 }
 /* <run a rung> */
+/* Whatever bodies do with (sec:accuracy-own): now all make all substeps. */
+static void take_marks_off(wfWorld *world)
+{
+    int32_t count = wfWorldBodies(world).count;
+    for (int32_t i = 0; i < count; i++) wfSetBodySubsteps(world, wfBodyAt(world, i), 0);
+}
+
 static double counted_cost(int method, int32_t steps)               /* eq:accuracy-cost */
 {
     const wfMethodRow *m = &wfMethodTable[method];
@@ -167,6 +179,7 @@ static bool run_rung(Trial *t, int method, int32_t steps, wfAccuracy *out)
 {
     wfReal frame = t->how->frame;
     copy_again(t->from, &t->coarse), copy_again(t->from, &t->fine);
+    take_marks_off(&t->coarse), take_marks_off(&t->fine);
     if (give_method(&t->coarse, method, steps, frame) != WF_OK) return false;
     if (give_method(&t->fine, method, 2 * steps, frame) != WF_OK) return false;
     t->apart = 0, t->size = largest(t->from), t->spent = 0, t->touched = false;
@@ -286,6 +299,113 @@ wfResult wfChooseForBudget(const wfAccuracy *points, int32_t count, double unit,
     if (result == WF_OK) *out = *best;
     return result;
 }
+/* <find who can do with less> */
+/* The number of body i in both worlds of the trial. */
+static void mark(Trial *t, int32_t i, int32_t substeps)
+{
+    wfSetBodySubsteps(&t->coarse, wfBodyAt(&t->coarse, i), substeps);
+    wfSetBodySubsteps(&t->fine, wfBodyAt(&t->fine, i), substeps);
+}
+
+/* Starts both worlds anew, but for the marks of the coarse one. */
+static void start_again(Trial *t)
+{
+    wfBodyView now = wfWorldBodies(&t->coarse), then = wfWorldBodies(&t->fine);
+    copy_again(t->from, &t->fine);
+    for (int32_t i = 0; i < now.count; i++)
+        wfSetBodySubsteps(&t->fine, wfBodyAt(&t->fine, i), now.props[i].substeps);
+    copy_again(t->from, &t->coarse);
+    for (int32_t i = 0; i < then.count; i++)
+        wfSetBodySubsteps(&t->coarse, wfBodyAt(&t->coarse, i), then.props[i].substeps);
+}
+/* <find who can do with less> */
+/* Bodies that get too far apart get all substeps from now on: eq:accuracy-relax. */
+static void demand(Trial *t, wfReal most)
+{
+    wfBodyView x = wfWorldBodies(&t->coarse), y = wfWorldBodies(&t->fine);
+    wfShapeView s = wfWorldShapes(&t->coarse);
+    for (int32_t i = 0; i < x.count; i++)
+        if (x.alive[i] && wfDistance(x.state[i].p, y.state[i].p) > most) mark(t, i, 0);
+    for (int32_t k = 0; k < s.count; k++)
+        if (s.owners[k] >= 0 && rim_apart(&x, &y, &s, k) > most)
+            mark(t, s.owners[k], 0);
+}
+
+/* Runs a rung with the marks; its difference, as a share, in *out. limit: eq:accuracy-relax,
+ * or HUGE: nobody is judged. */
+static wfResult run_marked(Trial *t, const wfAccuracy *c, int32_t steps, wfReal limit,
+                           wfReal *out)
+{
+    start_again(t);
+    wfResult result = give_method(&t->coarse, c->method, steps, c->frame);
+    if (result == WF_OK) result = give_method(&t->fine, c->method, 2 * steps, c->frame);
+    wfReal size = t->size;
+    t->apart = 0;
+    for (int32_t i = 0; i < t->how->frames && result == WF_OK; i++) {
+        result = run_frame(t, steps);
+        if (limit < WF_HUGE) demand(t, limit * size);
+    }
+    t->size = size, *out = t->apart / size;
+    return result;
+}
+/* <find who can do with less> */
+/* Can this method be mixed with that of row m, and has m fewer substeps? */
+static bool is_coarser(const wfMethodRow *row, const wfMethodRow *m)
+{
+    bool same = row->solver != NULL && m->solver != NULL
+             && strcmp(row->solver, m->solver) == 0 && !row->smooth && !m->smooth;
+    return same && m->substeps < row->substeps;
+}
+
+/* Marks all bodies that can be moved and have no mark. */
+static void mark_rest(Trial *t, int32_t substeps)
+{
+    wfBodyView b = wfWorldBodies(&t->coarse);
+    for (int32_t i = 0; i < b.count; i++) {
+        bool moves = b.state[i].invMass > 0 || b.state[i].invInertia > 0;
+        if (b.alive[i] && moves && b.props[i].substeps == 0) mark(t, i, substeps);
+    }
+    /* <let those who are joined keep all substeps> */
+    /* if there are any */
+    /* <let those who are joined keep all substeps> */
+    for (int32_t i = 0; i < wfWorldJointPlaces(&t->coarse); i++) {
+        wfJoint j;
+        if (wfGetJoint(&t->coarse, wfJointAt(&t->coarse, i), &j) != WF_OK) continue;
+        mark(t, j.a, 0), mark(t, j.b, 0);
+    }
+}
+/* <find who can do with less> */
+/* Looks for a mixture that keeps the tolerance; then its marks are in t->coarse, and
+ * c->relaxed and c->error tell of it. Otherwise c is as it was. */
+static void relax(Trial *t, wfReal tolerance, wfAccuracy *c)
+{
+    const wfMethodRow *row = &wfMethodTable[c->method];
+    wfReal limit = tolerance / 2 - WF_EPSILON, d[2] = { 0, 0 };
+    wfAccuracy rung;
+    bool some = false;
+    if (!(limit > 0) || !run_rung(t, c->method, c->steps, &rung)) return;
+    if (!(t->size > 0)) return;
+    for (int m = 0; m < wfMethodCount; m++) {
+        if (!is_coarser(row, &wfMethodTable[m])) continue;
+        mark_rest(t, wfMethodTable[m].substeps), some = true;
+        for (int i = 0; i < 2; i++)
+            if (run_marked(t, c, c->steps << i, limit, &d[i]) != WF_OK) return;
+    }
+    for (int i = 0; i < 2 && some; i++)
+        if (run_marked(t, c, c->steps << i, WF_HUGE, &d[i]) != WF_OK) return;
+    wfReal error = 2 * (wfMaxR(d[0], d[1]) + WF_EPSILON);       /* eq:accuracy-estimate */
+    if (!some || !(error <= tolerance)) return;
+    wfBodyView b = wfWorldBodies(&t->coarse);
+    for (int32_t i = 0; i < b.count; i++) c->relaxed += b.props[i].substeps > 0;
+    if (c->relaxed > 0) c->error = error;
+}
+/* <find who can do with less> */
+static void take_marks(const wfWorld *from, wfWorld *to)
+{
+    wfBodyView b = wfWorldBodies(from);
+    for (int32_t i = 0; i < b.count; i++)
+        wfSetBodySubsteps(to, wfBodyAt(to, i), b.props[i].substeps);
+}
 /* <use what was chosen> */
 static wfResult check_chosen(const wfAccuracy *chosen)
 {
@@ -301,7 +421,9 @@ wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen)
 {
     wfResult result = check_chosen(chosen);
     if (result != WF_OK) return result;
-    return give_method(world, chosen->method, chosen->steps, chosen->frame);
+    result = give_method(world, chosen->method, chosen->steps, chosen->frame);
+    if (result == WF_OK) take_marks_off(world);
+    return result;
 }
 
 wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen)
@@ -310,22 +432,31 @@ wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen)
     return result == WF_OK ? make_steps(world, chosen->steps) : result;
 }
 /* <use what was chosen> */
+/* The frames of a second, one at least and 1000 at most. */
+static int32_t frames_of(wfReal frame)
+{
+    return frame < 1 ? (int32_t)wfMinR(1 / frame + WF_R(0.5), 1000) : 1;
+}
+
 wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccuracy *out)
 {
     wfAccuracy points[WF_CURVE_POINTS], chosen;
     int32_t count = 0;
     wfCurveDef how = wfDefaultCurveDef();
-    how.frame = frame;
+    Trial t;
+    how.frame = frame, how.enough = tolerance;
     wfResult result = check_choice(points, 0, (double)tolerance, out);
-    how.enough = tolerance;
     if (result == WF_OK && !(frame > 0) && frame == frame) result = WF_ERROR_RANGE;
-    if (result == WF_OK && frame < 1)
-        how.frames = (int32_t)wfMinR(1 / frame + WF_R(0.5), 1000);
-    if (result == WF_OK && frame >= 1) how.frames = 1;
+    if (result == WF_OK && frame > 0) how.frames = frames_of(frame);
     if (result == WF_OK)
         result = wfMeasureCurve(world, &how, points, WF_CURVE_POINTS, &count);
     if (result == WF_OK) result = wfChooseSettings(points, count, tolerance, &chosen);
-    if (result == WF_OK) result = wfUseSettings(world, &chosen);
+    if (result == WF_OK) result = open_trial(&t, world, &how);
+    if (result != WF_OK) return result;
+    relax(&t, tolerance, &chosen);
+    result = wfUseSettings(world, &chosen);
+    if (result == WF_OK && chosen.relaxed > 0) take_marks(&t.coarse, world);
     if (result == WF_OK) *out = chosen;
+    wfDestroyWorld(&t.coarse), wfDestroyWorld(&t.fine);
     return result;
 }

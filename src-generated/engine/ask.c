@@ -91,7 +91,7 @@ wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *f
     if (result != WF_OK) return result;
     return wfSetOverlapArea(&set, area, filter, shapes, capacity, count);
 }
-
+/* <ask a world> */
 wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
                              int32_t *shapes, int32_t capacity, int32_t *count)
 {

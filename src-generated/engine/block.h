@@ -292,6 +292,10 @@ void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* Would all of them still be joints? */
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
 /* <declarations of the block> */
+enum { WF_CROWD = 1024 };
+/* Were so many fast in the last step that they are followed to unmovable things alone? */
+static inline bool wfIsCrowd(const wfBlock *b) { return b->head->fastCount > WF_CROWD; }
+/* <declarations of the block> */
 /* A body that is followed through a step. Times are shares of the step. */
 typedef struct wfFlight {
     int32_t body, impacts;     /* whose it is; how many it has had */

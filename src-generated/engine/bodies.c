@@ -428,7 +428,7 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     if (force.x != 0 || force.y != 0) wfDisturb(&b, i);
     return WF_OK;
 }
-
+/* <push a body in a world> */
 wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
 {
     wfBlock b;

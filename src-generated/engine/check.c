@@ -79,6 +79,7 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
     if (!rule(c, s->capacity >= 0 && (size_t)s->capacity == c->region[region].count
                  && s->high >= 0 && s->high <= s->capacity, WF_REGION_HEADER, 0,
               "slots in use are within the array")) return false;
+    /* <look at each slot and count those that are live> */
     for (int32_t i = 0; i < s->capacity; i++) {
         bool fresh = slot[i].next == WF_SLOT_END && slot[i].generation == 1;
         bool used = slot[i].generation != 0 && (slot[i].next == WF_SLOT_LIVE
@@ -93,7 +94,7 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
     return rule(c, at == WF_SLOT_END && walked == free && s->count == live, region, 0,
                 "the free list holds every free slot once");
 }
-
+/* <check the slots> */
 static bool check_all_slots(Check *c)
 {
     const wfHeader *h = c->b.head;
@@ -151,7 +152,7 @@ static bool is_shape(const wfShape *stored, wfVec2 centre)
         return false;
     return wfCheckMovedShape(stored, centre) == WF_OK;
 }
-
+/* <check the shapes> */
 static bool is_material(const wfShapeProps *p)
 {
     const wfReal number[] = { p->density, p->restitution, p->friction, p->staticFriction,
@@ -181,6 +182,7 @@ static bool check_shape(Check *c, int32_t k)
     if (!live)
         return rule(c, i == -1 && b->next[k] == -1 && b->materials[k].sensor == 0,
                     WF_REGION_OWNERS, k, "an empty place has no owner");
+    /* <ask a live shape for its owner, its next and what it is made of> */
     bool owned = in_range(i, b->head->bodySlots.high) && b->alive[i];
     return rule(c, owned, WF_REGION_OWNERS, k, "a shape hangs on a living body")
         && rule(c, b->next[k] == -1 || in_range(b->next[k], end), WF_REGION_NEXT_SHAPES, k,
@@ -321,6 +323,7 @@ static bool check_materials(Check *c)
     if (!counts(c, count, c->region[WF_REGION_PAIR_MATERIALS].count, "known pairs fit"))
         return false;
     for (int32_t i = 0; i < count; i++) {
+        /* <look at known pair i> */
         const wfReal n[] = { known[i].m.restitution, known[i].m.friction,
                              known[i].m.staticFriction, known[i].m.rolling };
         bool good = wfAllFinite(n, 4) && known[i].a >= 1 && known[i].a <= known[i].b;

@@ -14,7 +14,7 @@ static size_t bytes_of_stage(const wfRegion *region, const char *stage)
     }
     return bytes;
 }
-
+/* <explain a stage> */
 wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out)
 {
     wfBlock b;

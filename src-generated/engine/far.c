@@ -33,7 +33,7 @@ wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out)
     *out = (wfFar){ o.x + (double)local.x, o.y + (double)local.y };  /* eq:world-far-sum */
     return WF_OK;
 }
-
+/* <say where a world is> */
 static bool fits(double a)
 {
     return a <= (double)WF_HUGE && a >= -(double)WF_HUGE;

@@ -5,6 +5,7 @@
 
 enum { FLIGHT_TURNS = 1000 };   /* of a sweep; who makes more is swept by so many */
 enum { FLIGHT_PASSES = 64 };    /* over what was struck before, after each impact */
+enum { FLIGHT_ROOM = 4096 };    /* collisions of all bodies in a step: who comes then waits */
 enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the other */
 #define FLIGHT_WINDOW 16384     /* of reaches: looked at at once, eq:fast-window */
 #define FLIGHT_WINDOWS 256      /* and no smaller share of the step than one of so many */
@@ -127,6 +128,7 @@ static void find_flights(struct wfStep *s)
         if (wfIsFollowed(&s->b, k, way)) {
             if (s->flightCount == 0) start_flights(s);
             flight_of(s, i)->fast = true;
+            s->driven = s->driven || !can_change(s, i);
         } else {
             wfReal coat = s->b.shapes[k].radius * wfAbs(w.angleTo - w.angleFrom);
             s->slack = wfMaxR(s->slack, way + coat);
@@ -154,6 +156,7 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
     bool moves = (can_change(s, i) && !(fi >= 0 && s->flights[fi].held))
               || (can_change(s, j) && !(fj >= 0 && s->flights[fj].held));
     if (i == j || !moves || wfIsSensor(&s->b, other)) return false;
+    if (wfIsCrowd(&s->b) && can_change(s, i) && can_change(s, j)) return false;
     if (!wfFilterAllows(s->b.filters[k], s->b.filters[other])) return false;
     wfPair p = { k < other ? k : other, k < other ? other : k };
     for (int32_t n = 0; n < s->sparedCount; n++)
@@ -190,12 +193,15 @@ typedef struct Near {
     const wfFlight *f;
     wfReal          t;         /* from when on */
     int32_t        *list, count;
+    bool            alone;     /* one of a crowd: meets only whom nothing can change */
 } Near;
 
 static bool note_near(void *context, int32_t k)
 {
     Near *near = context;
-    bool flies = near->s->flightOf[near->s->b.owners[k]] >= 0;
+    int32_t i = near->s->b.owners[k];
+    if (near->alone && can_change(near->s, i)) return true;
+    bool flies = near->s->flightOf[i] >= 0;
     if (!flies && comes_near(near->s, near->f, k, near->t)) near->list[near->count++] = k;
     return true;
 }
@@ -218,7 +224,8 @@ static void sort_near(Near *near)
 /* <find who may be in the way> */
 static Near look_from(struct wfStep *s, const wfFlight *f, wfReal t)
 {
-    return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEAR) };
+    return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEAR),
+                   .alone = wfIsCrowd(&s->b) && can_change(s, f->body) };
 }
 
 static wfResult find_near(struct wfStep *s, const wfFlight *f, wfReal t, Near *near)
@@ -228,7 +235,7 @@ static wfResult find_near(struct wfStep *s, const wfFlight *f, wfReal t, Near *n
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     wfResult result = wfQueryIndex(s->b.head->broadPhase, &proxies, s->index,
                                    wfRectGrow(area, s->slack), note_near, near);
-    for (int32_t n = 0; n < s->flightCount; n++) {
+    for (int32_t n = 0; n < s->flightCount && (!near->alone || s->driven); n++) {
         const wfFlight *g = &s->flights[n];
         if (g != f && wfRectOverlap(area, g->box)) note_flight(near, g);
     }
@@ -481,6 +488,7 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
         rate[i].v = wfAdd(rate[i].v, wfSub(after[i].v, at[i].v));    /* eq:fast-shift */
         rate[i].w += after[i].w - at[i].w;
     }
+    /* <take the rest of the approach out of the legs> */
     wfContact still = *hit;
     still.restitution = still.friction = still.rolling = 0;
     wfResult result = WF_OK;
@@ -582,7 +590,7 @@ static bool is_fresh(const struct wfStep *s, int32_t i)
 {
     return i >= 0 && s->flightOf[i] >= 0 && s->flights[s->flightOf[i]].fresh;
 }
-
+/* <let two bodies collide at their moment> */
 /* A pair that was struck before in this step, strikes again if one of the two has just been
  * changed, and if they touch and press. */
 static wfResult strike_again(struct wfStep *s, wfPair p, wfReal t, bool *some)
@@ -635,6 +643,7 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
     if (result == WF_OK) result = ask_to_pass(s, &c, two, &pass);
     if (result == WF_OK && !pass) point_of_search(s, f, t, who, two, &c);
     if (result != WF_OK) return result;
+    /* <let them pass if the user says so> */
     if (pass && s->sparedCount < s->b.head->shapeCapacity) {
         s->spared[s->sparedCount++] = p;
         return WF_OK;
@@ -647,6 +656,7 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
     if (!pass) result = strike(s, p, who, t, &c);
     if (!pass && result == WF_OK) result = settle(s, t);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
+        /* <count the impact of body i> */
         wfFlight *g = can_change(s, who[i]) ? flight_of(s, who[i]) : NULL;
         if (g == NULL) continue;
         g->fresh = true;
@@ -714,7 +724,7 @@ static wfResult follow(struct wfStep *s)
         if (f == NULL) break;
         wfReal now = f->next;
         f->fresh = true;
-        if (f->lost) give_up(s, f, now);
+        if (f->lost || s->impactCount >= FLIGHT_ROOM) give_up(s, f, now);
         else result = impact(s, f);
         if (result == WF_OK) result = plan_again(s, now);
     }

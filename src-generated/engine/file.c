@@ -37,7 +37,7 @@ static bool write_all(const char *path, const void *bytes, size_t size)
     bool good = fwrite(bytes, 1, size, f) == size && flush(f);
     return fclose(f) == 0 && good;
 }
-
+/* <save to a file> */
 static wfResult replace(const char *path, const void *bytes, size_t size)
 {
     char fresh[PATH_BYTES + 8];
@@ -85,7 +85,7 @@ static bool read_all(FILE *f, wfMemory *memory, wfResult *result)
     if (*result != WF_OK) return true;
     return fread(memory->permanent, 1, (size_t)size, f) == (size_t)size;
 }
-
+/* <load from a file> */
 static wfResult fetch(const char *path, wfMemory *memory)
 {
     wfResult result = WF_OK;

@@ -45,7 +45,7 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
     return WF_OK;
 }
-
+/* <forces in a world> */
 wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
 {
     wfBlock b;
@@ -65,7 +65,7 @@ wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out)
     if (result == WF_OK) *out = b.forces[i];
     return result;
 }
-
+/* <forces in a world> */
 wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
 {
     wfBlock b;

@@ -37,7 +37,7 @@ static wfResult change_joint(const wfWorld *world, wfJointId id, wfBlock *b, Joi
     wfResult result = open_joint(world, id, b, j, index);
     return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
 }
-
+/* <open a joint> */
 static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 {
     wfResult result = wfCheckJoint(j);
@@ -86,7 +86,7 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     if (out != NULL) *out = (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };
     return WF_OK;
 }
-
+/* <add, change and remove joints> */
 wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
 {
     wfBlock b;
@@ -257,7 +257,7 @@ static bool is_joined(const wfPair *list, int32_t count, wfPair pair)
     }
     return low < count && !comes_before(pair, list[low]);
 }
-
+/* <leave out pairs that are joined> */
 wfResult wfLeaveOutJoined(struct wfStep *s)
 {
     wfPair *list = wfTransient(&s->b, WF_REGION_JOINED);

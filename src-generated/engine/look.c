@@ -192,7 +192,7 @@ static const wfContact *search(const wfBlock *b, int32_t low, int32_t end, wfPai
     const wfContact *c = &b->contacts[low];
     return low < end && c->shapeA == pair.a && c->shapeB == pair.b ? c : NULL;
 }
-
+/* <look at the contact of two shapes> */
 wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out)
 {
     wfBlock block;

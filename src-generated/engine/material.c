@@ -25,7 +25,7 @@ static int32_t place_of_pair(const wfBlock *b, int32_t one, int32_t two)
     }
     return low;
 }
-
+/* <find a known pair> */
 static bool is_pair(const wfBlock *b, int32_t at, int32_t one, int32_t two)
 {
     const wfKnownPair *k = &known_pairs(b)[at];
@@ -84,6 +84,7 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     int32_t at = place_of_pair(&block, a, b), *count = &block.head->knownPairs;
     bool there = is_pair(&block, at, a, b);
     size_t behind = (size_t)(*count - at) * sizeof *known;
+    /* <forget the pair, if nothing is to be known of it> */
     if (m == NULL && there) {
         memmove(&known[at], &known[at + 1], behind - sizeof *known);
         memset(&known[--*count], 0, sizeof *known);

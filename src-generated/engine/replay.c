@@ -48,7 +48,7 @@ static wfResult set_type(wfWorld *w, const wfInput *in, wfInputId *made)
     (void)made;
     return wfChangeBodyType(w, body_of(in), in->with.number);
 }
-
+/* <inputs> */
 static wfResult set_damping(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
@@ -109,7 +109,7 @@ static wfResult remove_shape(wfWorld *w, const wfInput *in, wfInputId *made)
     (void)made;
     return wfRemoveShapeFromWorld(w, shape_of(in));
 }
-
+/* <inputs> */
 static wfResult set_shape(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
@@ -136,7 +136,7 @@ static wfResult add_force(wfWorld *w, const wfInput *in, wfInputId *made)
     if (result == WF_OK) *made = (wfInputId){ id.index, id.generation };
     return result;
 }
-
+/* <inputs> */
 static wfResult remove_force(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
@@ -268,7 +268,7 @@ static bool has_room(const wfJournal *j, size_t bytes)
 {
     return bytes <= j->size - j->used;
 }
-
+/* <write a journal> */
 static void note(wfJournal *j, Entry entry, const void *from)
 {
     memset(j->bytes + j->used, 0, entry_size(entry.size));
@@ -276,7 +276,7 @@ static void note(wfJournal *j, Entry entry, const void *from)
     if (entry.size > 0) memcpy(j->bytes + j->used + sizeof entry, from, entry.size);
     j->used += entry_size(entry.size);
 }
-
+/* <write a journal> */
 wfResult wfJournalInit(wfJournal *journal, void *bytes, size_t size, int32_t trail)
 {
     if (journal == NULL || bytes == NULL) return WF_ERROR_NULL;
@@ -328,7 +328,7 @@ static void note_step(wfJournal *j, const wfWorld *world)
     note(j, (Entry){ ENTRY_HASH, 8, 0, 0 }, &hash);
     j->run = j->used;
 }
-
+/* <write a journal> */
 wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfHooks *hooks)
 {
     size_t need = 2 * entry_size(8);
@@ -354,7 +354,7 @@ static bool next_entry(wfReplay *r, Entry *entry, const uint8_t **bytes)
     r->at += entry_size(entry->size);
     return true;
 }
-
+/* <read a journal> */
 static wfResult give_entry(wfWorld *world, const Entry *e, const uint8_t *bytes)
 {
     wfInputId made;
@@ -418,7 +418,7 @@ wfResult wfCountJournal(const wfJournal *journal, uint64_t *steps)
     }
     return r.at == journal->used ? WF_OK : WF_ERROR_INVALID;
 }
-
+/* <read a journal> */
 uint64_t wfHashInputs(uint64_t h)
 {
     for (int i = 0; i < WF_INPUT_KINDS; i++) {
@@ -436,13 +436,14 @@ static wfResult parted(const wfWorld *a, const wfWorld *b, wfDivergence *out)
     if (result != WF_ERROR_DIFFERENT) return result;
     result = wfOpenBlock(a, &block);
     if (result != WF_OK) return result;
+    /* <name the body whose state it is> */
     bool ofBody = strcmp(out->what.region, "states") == 0
                || strcmp(out->what.region, "properties") == 0
                || strcmp(out->what.region, "applied forces") == 0;
     if (ofBody) out->body = wfBodyAt(a, out->what.element);
     return WF_ERROR_DIVERGED;
 }
-
+/* <find a divergence> */
 wfResult wfFindDivergence(wfReplay *one, wfWorld *a, wfReplay *two, wfWorld *b,
                           const wfHooks *hooks, wfDivergence *out)
 {

@@ -138,7 +138,7 @@ size_t wfSaveSize(const wfWorld *world)
     bool good = image_of(world, &image) == WF_OK;
     return good ? AT_IMAGE + image.size + SUM_BYTES : 0;
 }
-
+/* <save a world> */
 wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_t *size)
 {
     wfImage image;
@@ -181,6 +181,7 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
     if (memory != NULL) def.memory = *memory;
     if (wfCheckWorldDef(&def, NULL) != WF_OK) return WF_ERROR_INVALID;
     result = wfWorldOfImage(&image, &def, &made);
+    /* <ask the new world whether it keeps its rules> */
     if (result == WF_ERROR_FULL) return WF_ERROR_INVALID;     /* more than it says itself */
     if (result != WF_OK) return result;
     result = wfCheckWorld(&made, NULL);
@@ -198,7 +199,7 @@ size_t wfJournalSaveSize(const wfJournal *j)
     if (j == NULL || j->bytes == NULL || wfCountJournal(j, &steps) != WF_OK) return 0;
     return j->used + JOURNAL_FRAME;
 }
-
+/* <save and load a journal> */
 wfResult wfSaveJournalToBytes(const wfJournal *j, void *bytes, size_t capacity,
                               size_t *size)
 {

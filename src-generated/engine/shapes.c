@@ -98,7 +98,7 @@ wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre)
     wfShapeMove(&given, centre);          /* at a limit of size: as the user gave it */
     return wfCheckShape(&given) == WF_OK ? WF_OK : result;
 }
-
+/* <check the forms of a body's shapes> */
 static wfResult check_forms(const bodyPlan *plan, wfVec2 centre)
 {
     const wfBlock *b = plan->b;
@@ -159,7 +159,7 @@ void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyPro
     wfForgetContacts(b, i, -1);
     wfBoundBody(b, i);
 }
-
+/* <weigh the shapes of a body> */
 wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
                      wfBodyProps *props)
 {
@@ -258,7 +258,7 @@ int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
     *link = k;
     return k;
 }
-
+/* <shapes in a world> */
 void wfDropShape(wfBlock *b, int32_t k)
 {
     int32_t *link = &b->props[b->owners[k]].shape;
@@ -294,6 +294,7 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     }
     if (result == WF_OK) result = wfDemand(&b, needs);
     if (result == WF_OK && count > wfFreeShapes(&b)) result = WF_ERROR_FULL;
+    /* <plan the body with the new shapes> */
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
     state = b.state[i];
     props = b.props[i];

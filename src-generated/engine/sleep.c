@@ -42,7 +42,7 @@ static void rouse_island(wfBlock *b, const Rest *r, int32_t i)
     }
     b->head->roused = 1;
 }
-
+/* <rouse sleepers> */
 void wfRouse(wfBlock *b, int32_t i)
 {
     Rest r = rest_of(b);
@@ -72,7 +72,7 @@ void wfRouseNear(wfBlock *b, int32_t k)
         if (wfRectOverlap(b->bounds[k], b->bounds[q])) rouse_island(b, &r, other);
     }
 }
-
+/* <rouse sleepers> */
 bool wfSleeps(const wfBlock *b, int32_t i)
 {
     Rest r = rest_of(b);
@@ -317,7 +317,7 @@ static Verdict judge(const struct wfStep *s, const Links *l, int32_t k)
     }
     return v;
 }
-
+/* <let islands fall asleep> */
 static void lay_down(struct wfStep *s, int32_t k)
 {
     for (int32_t m = s->islands.first[k]; m < s->islands.first[k + 1]; m++) {
@@ -552,7 +552,7 @@ int32_t wfBodyIsland(const wfWorld *world, wfBodyId id)
     bool found = open_rest(world, id, &b, &r, &i) == WF_OK && b.head->sleep;
     return found ? r.island[i] : -1;
 }
-
+/* <calls about rest> */
 wfRestCounts wfWorldRest(const wfWorld *world)
 {
     wfBlock b;

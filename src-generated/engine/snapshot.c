@@ -220,7 +220,7 @@ static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
     def.memory = room->memory;
     return def;
 }
-
+/* <move a world into a larger block> */
 wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
 {
     wfBlock b;

@@ -31,7 +31,7 @@ wfReal wfWayOfShape(struct wfStep *s, int32_t k)
     /* <how far this shape is looked ahead> */
     wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + s->rims[k]);
     /* <how far this shape is looked ahead> */
-    if (wfIsFollowed(&s->b, k, way)) {
+    if (!wfIsCrowd(&s->b) && wfIsFollowed(&s->b, k, way)) {
         way = s->b.head->slop * s->b.materials[k].reach;
         s->followed = true;
     }
@@ -49,7 +49,8 @@ static wfReal way_of_pair(const struct wfStep *s, wfPair p)
     /* <how far this pair is looked ahead> */
     wfReal way = s->b.head->dt * (u + (s->rims[p.a] + s->rims[p.b]));   /* eq:world-way */
     /* <how far this pair is looked ahead> */
-    if (wfIsFollowed(&s->b, p.a, way) || wfIsFollowed(&s->b, p.b, way)) {
+    if (!wfIsCrowd(&s->b)
+        && (wfIsFollowed(&s->b, p.a, way) || wfIsFollowed(&s->b, p.b, way))) {
         wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->rims[p.a]);
         wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->rims[p.b]);
         bool fast = wfIsFollowed(&s->b, p.a, wfMinR(way, ownA))
@@ -145,7 +146,7 @@ static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
         .b = wfIdOfShape(&s->b, touch->b), .point = hit.point, .normal = hit.normal,
         .speed = hit.speed };
 }
-
+/* <note the touches> */
 static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
 {
     if (!s->b.head->events) return;
@@ -175,6 +176,7 @@ static wfResult touch_strikes(struct wfStep *s)
     }
     if (s->touchCount + fresh > s->b.head->pairCapacity) return WF_ERROR_FULL;
     at = s->touchCount + fresh - 1, old = s->touchCount - 1;
+    /* <put the new touches between the old ones> */
     for (int32_t i = s->strikeCount - 1; i >= 0; i--) {
         wfPair p = s->strikes[i].pair;
         while (old >= 0 && comes_after((wfPair){ s->touches[old].a, s->touches[old].b }, p))
@@ -471,11 +473,12 @@ wfResult wfKeepTouches(struct wfStep *s)
     if (s->b.head->events) keep_touches(s);
     return WF_OK;
 }
-
+/* <tell the events> */
 wfResult wfTellEvents(struct wfStep *s)
 {
     if (!s->b.head->events) return WF_OK;
     size_t mark = wfPoolMark(&s->scratch);
+    /* <make room for what began, what stays and what has ended> */
     int32_t most = s->b.head->pairCapacity;
     wfTouch *list[3];
     for (int i = 0; i < 3; i++) list[i] = wfPoolPushArray(&s->scratch, most, wfTouch);

@@ -155,7 +155,7 @@ void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot)
     props.localCentre = pivot;
     wfCarryOut(&b, i, &state, &props);
 }
-
+/* <put what is exact> */
 wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
 {
     wfBlock b = block_of(world);

@@ -86,7 +86,7 @@ static bool read_reals(wfText *t, const cJSON *item, const wfField *f, int count
         if (!read_real(t, c, f, &out[i++])) return false;
     return true;
 }
-
+/* <read a field> */
 static bool read_doubles(wfText *t, const cJSON *item, const wfField *f, double *out)
 {
     if (f->count == 0) return read_double(t, item, f, out);
@@ -144,7 +144,7 @@ static bool read_set(wfText *t, const cJSON *item, const wfField *f, uint32_t *o
     *out = set;
     return true;
 }
-
+/* <read a field> */
 static bool read_string(wfText *t, const cJSON *item, const wfField *f, char *out)
 {
     if (!cJSON_IsString(item))
@@ -214,7 +214,7 @@ static const wfField *find_field(wfFields fields, const char *name)
         if (strcmp(fields.field[i].name, name) == 0) return &fields.field[i];
     return NULL;
 }
-
+/* <read an object> */
 static bool unknown_field(wfText *t, const cJSON *item, wfFields fields,
                           const char *const *also)
 {

@@ -28,7 +28,7 @@ static wfResult make_circle(const wfShapeText *s, const wfVec2 *points, int n, w
     (void)points, (void)n, (void)room;
     return one(wfMakeCircle(s->centre, s->radius, out), count);
 }
-
+/* <make shapes of a form> */
 static wfResult make_box(const wfShapeText *s, const wfVec2 *points, int n, wfShape *out,
                          int room, int *count)
 {
@@ -56,7 +56,7 @@ static wfResult make_capsule(const wfShapeText *s, const wfVec2 *points, int n,
     (void)points, (void)n, (void)room;
     return one(wfMakeCapsule(s->from, s->to, s->radius, out), count);
 }
-
+/* <make shapes of a form> */
 static wfResult make_segment(const wfShapeText *s, const wfVec2 *points, int n,
                              wfShape *out, int room, int *count)
 {
@@ -76,7 +76,7 @@ static wfResult make_chain(const wfShapeText *s, const wfVec2 *points, int n, wf
 {
     return wfMakeChain(points, n, s->loop, out, room, count);
 }
-
+/* <make shapes of a form> */
 static wfResult make_outline(const wfShapeText *s, const wfVec2 *points, int n,
                              wfShape *out, int room, int *count)
 {

@@ -107,7 +107,7 @@ static bool make_room(Reader *r, int32_t more)
     r->shapeRoom = room;
     return true;
 }
-
+/* <read the shapes of a body> */
 static void hang(Reader *r, const wfShapeText *s, const wfShape *made, int count,
                  int32_t body, const cJSON *item)
 {
@@ -134,7 +134,7 @@ static bool make_shapes(Reader *r, const wfShapeText *s, const wfVec2 *points, i
     cJSON_free(made);
     return wfTextResult(&r->t, item, result);
 }
-
+/* <read the shapes of a body> */
 static bool read_shape(Reader *r, const cJSON *item, int32_t body)
 {
     static const char *const also[] = { "vertices", "exact", NULL };
@@ -168,7 +168,7 @@ static bool read_body(Reader *r, const cJSON *item, int32_t i)
         if (!read_shape(r, c, i)) return false;
     return true;
 }
-
+/* <read the bodies> */
 static bool read_bodies(Reader *r)
 {
     if (!find_list(r, r->t.root, "bodies", &r->bodies, &r->bodyCount)) return false;
@@ -199,7 +199,7 @@ static bool read_settings(Reader *r)
     if (fault != NULL && at == NULL) at = wfChild(r->t.root, fault->name);
     return wfTextResult(&r->t, at != NULL ? at : in, result);
 }
-
+/* <make room> */
 static bool fit(Reader *r, const char *name, int32_t *capacity, int32_t count)
 {
     const cJSON *said = r->settings != NULL ? wfChild(r->settings, name) : NULL;
@@ -237,7 +237,7 @@ static int compare_order(const void *a, const void *b)
     if (x->order != y->order) return x->order < y->order ? -1 : 1;
     return x->number < y->number ? -1 : 1;
 }
-
+/* <add the bodies> */
 static bool add_bodies(Reader *r)
 {
     const cJSON *item = first_of(r->bodies);
@@ -270,7 +270,7 @@ static bool has_weight(const Reader *r, int32_t body)
     }
     return false;
 }
-
+/* <add the bodies> */
 static bool set_type(Reader *r, int32_t i, const cJSON *item)
 {
     const wfBodyDef *def = &r->body[i].def;
@@ -339,7 +339,7 @@ static bool read_corners(Reader *r, const cJSON *exact, const char *name, wfVec2
     return item == NULL || n == most ||
         wfTextFail(&r->t, item, WF_ERROR_TEXT, "must be %d points", most);
 }
-
+/* <add what is exact> */
 static bool put_exact_shape(Reader *r, int32_t k, const cJSON *exact)
 {
     static const char *const also[] = { "vertices", "normals", NULL };
@@ -384,7 +384,7 @@ static bool find_body(Reader *r, const cJSON *item, int32_t *out)
     return wfTextFail(&r->t, item, WF_ERROR_STALE_ID, "%s body has this name",
                       found ? "more than one" : "no");
 }
-
+/* <read the joints> */
 static bool find_bodies(Reader *r, const cJSON *item, int32_t *a, int32_t *b, bool both)
 {
     const cJSON *one = wfChild(item, "a"), *two = wfChild(item, "b");
@@ -458,7 +458,7 @@ static bool read_joint(Reader *r, const cJSON *item)
     if (!local) set_ratio(r, item, &j);
     return wfTextResult(&r->t, item, wfAddJointToWorld(&r->world, &j, NULL));
 }
-
+/* <read the joints> */
 static bool read_joints(Reader *r)
 {
     const cJSON *list;
@@ -489,7 +489,7 @@ static bool read_force(Reader *r, const cJSON *item)
         return wfTextFail(&r->t, item, result, "a number of it is out of its range");
     return wfTextResult(&r->t, item, result);
 }
-
+/* <read the forces> */
 static bool read_forces(Reader *r)
 {
     const cJSON *list;
@@ -536,7 +536,7 @@ static bool read_root(Reader *r)
             "a scene begins with \"weft\": %d", WF_SCENE_VERSION);
     return read_part(r, "view", wfViewFields) && read_part(r, "promises", wfPromiseFields);
 }
-
+/* <read a scene> */
 static bool read_all(Reader *r)
 {
     if (!read_root(r) || !read_settings(r) || !read_bodies(r) || !create(r)) return false;

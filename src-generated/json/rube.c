@@ -17,7 +17,7 @@ static void refuse(Rube *r, const cJSON *at, const char *why)
     if (!r->failed) wfTextFail(&r->t, at, WF_ERROR_TEXT, "%s", why);
     r->failed = true;
 }
-
+/* <read their numbers> */
 static double number_of(Rube *r, const cJSON *item, double otherwise)
 {
     if (item == NULL) return otherwise;
@@ -192,6 +192,7 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
         refuse(r, wfChild(body, "active"), "a body that takes no part: leave it out");
     cJSON *out = r->failed ? NULL : put_object(r, list);
     if (r->failed) return;
+    /* <translate the fields of a body> */
     put_text(r, out, "type", types[(int)type]);
     put_point(r, out, "position", point_of(r, wfChild(body, "position")));
     put(r, out, "angle", get(r, body, "angle", 0));
@@ -279,6 +280,7 @@ static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
     } else if (strcmp(type, "wheel") == 0) {
         put_motor(r, j, out, "maxMotorTorque");
         put_spring(r, j, out, "springFrequency", "springDampingRatio");
+    /* <the kinds of joint that hold a length or a place> */
     } else if (strcmp(type, "distance") == 0) {
         put(r, out, "rest", get(r, j, "length", 1));
         put_spring(r, j, out, "frequency", "dampingRatio");
@@ -308,6 +310,7 @@ static void put_joint(Rube *r, const cJSON *j, cJSON *list)
     const cJSON *b = r->failed ? NULL : body_of(r, j, "bodyB");
     cJSON *out = r->failed ? NULL : put_object(r, list);
     if (r->failed) return;
+    /* <write the joint, with its anchors in the world> */
     bool rope = strcmp(kind->valuestring, "rope") == 0;
     put_text(r, out, "kind", rope ? "distance" : kind->valuestring);
     put(r, out, "a", get(r, j, "bodyA", 0));
@@ -338,7 +341,7 @@ static void put_settings(Rube *r, cJSON *out)
     put_flag(r, settings, "sleep", yes(root, "allowSleep", true));
     if (!yes(root, "continuousPhysics", true)) put(r, settings, "impacts", 0);
 }
-
+/* <translate a scene of theirs> */
 static void put_lists(Rube *r, cJSON *out)
 {
     const cJSON *joints = wfChild(r->t.root, "joint");

@@ -146,7 +146,7 @@ static const wfField rootFields[] = {
     { AT(wfRootText, steps), BITS, .text = "made so far" },
 };
 const wfFields wfRootFields = FIELDS(rootFields);
-
+/* <tables of a scene's fields> */
 static const wfField viewFields[] = {
     { INFO("x", viewX), REAL, ANY, .text = "m: the middle" },
     { INFO("y", viewY), REAL, ANY, .text = "m: the middle" },

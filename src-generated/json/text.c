@@ -81,7 +81,7 @@ static size_t skip_string(const wfText *t, size_t i, int32_t *line)
     }
     return i < t->length ? i + 1 : t->length;
 }
-
+/* <find the line of a value> */
 static bool is_key(const wfText *t, size_t i)
 {
     while (i < t->length && (unsigned char)t->text[i] <= ' ') i++;
@@ -102,6 +102,7 @@ static int32_t scan(const wfText *t, int64_t order, int *depth)
         char c = t->text[i];
         int32_t here = line;
         bool value = false;
+        /* <go over a string, a value or what stands between values> */
         if (c == '"') {
             i = skip_string(t, i, &line);
             value = !is_key(t, i);
@@ -159,7 +160,7 @@ bool wfTextFail(wfText *t, const cJSON *at, wfResult result, const char *format,
         e->line = scan(t, s.order, &depth);
     return false;
 }
-
+/* <complain about an item> */
 bool wfTextResult(wfText *t, const cJSON *at, wfResult result)
 {
     if (result == WF_OK) return true;
@@ -179,7 +180,7 @@ static bool syntax_error(wfText *t, const char *stop)
     t->error->line = line;
     return false;
 }
-
+/* <parse the text> */
 bool wfTextParse(wfText *t)
 {
     int depth = 0;

@@ -84,7 +84,7 @@ static int32_t form_named(const char *name)
     while (strcmp(wfShapeForms[i].name, name) != 0) i++;
     return i;
 }
-
+/* <write the shapes of a body> */
 static wfShapeText text_of(const wfShapeDef *def)
 {
     static const char *const form[WF_SHAPE_KINDS] = {
@@ -119,7 +119,7 @@ static bool write_fields_of_form(cJSON *item, const wfShapeText *t,
     if (!wfHasWord(form->must, "vertices")) return true;
     return give(item, "vertices", points_item(t->def.shape.vertices, t->def.shape.count));
 }
-
+/* <write the shapes of a body> */
 static bool write_shape(Writer *w, cJSON *list, int32_t k, bool placed)
 {
     wfShapeDef def;
@@ -238,7 +238,7 @@ static bool write_joint(Writer *w, cJSON *list, wfJointId id)
         && write_number(item, "a", w, j.a) && write_number(item, "b", w, j.b)
         && wfWriteFields(item, wfJointFields, &j, &plain);
 }
-
+/* <write what else there is> */
 static bool write_joints(Writer *w)
 {
     if (wfJointCount(w->world) == 0) return true;

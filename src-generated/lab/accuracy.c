@@ -634,3 +634,77 @@ int labWorldsApart(FILE *out)
     }
     return 0;
 }
+/* <mix islands in one world> */
+enum { MIXED_MOST = 40 };           /* towers */
+
+static wfResult build_mixed(wfWorld *world, int towers)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.bodyCapacity = 10 * MIXED_MOST + 16, def.fineSums = 1;
+    if (towers < 0 || towers > MIXED_MOST) return WF_ERROR_RANGE;
+    wfResult result = wfCreateWorld(&def, world);
+    if (result == WF_OK) result = level_floor(world);
+    for (int i = 0; i < 10 * towers && result == WF_OK; i++)
+        result = put(world, box(1, 1), 2 * (i / 10) - 40, 0.5 + i % 10, 0, 0, NULL);
+    if (result == WF_OK) result = build_chain(world, 10, 0.125);
+    if (result == WF_OK) result = put(world, particle(), 0, 1, 7, 9, NULL);
+    return result;
+}
+
+/* m: how far body i of them that move is from where it should be in frame k */
+static double mixed_off(const wfWorld *world, int towers, int i, int k)
+{
+    static labCourse chain, flight;
+    double stand[2] = { 2 * (i / 10) - 40, 0.5 + i % 10 }, *at = stand, here[2];
+    if (chain[0][0][0] == 0) ten_course(64, chain), flight_course(64, flight);
+    if (i >= 10 * towers) at = chain[k][i - 10 * towers];
+    if (i == 10 * towers + 10) at = flight[k][0];
+    wfVec2 p = wfWorldBodies(world).state[i + (i < 10 * towers ? 1 : 2)].p;
+    here[0] = (double)p.x - at[0], here[1] = (double)p.y - at[1];
+    return sqrt(here[0] * here[0] + here[1] * here[1]);
+}
+/* <mix islands in one world> */
+static double mixed_error(wfWorld *world, int towers, const wfAccuracy *c)
+{
+    double most = 0, size = size_of_scene(&labTruths[labFindTruth("projectile")]);
+    for (int k = 1; k <= LAB_FRAMES; k++) {
+        Frame frame = { world, c->steps, 0 };
+        labCounted(step_frame, &frame);
+        if (frame.failed) return 1;
+        for (int i = 0; i < 10 * towers + 11; i++)
+            most = fmax(most, mixed_off(world, towers, i, k) / size);
+    }
+    return most;
+}
+
+static void count_mixed(const wfWorld *world, const wfAccuracy *c, labMixed *out)
+{
+    wfBodyView b = wfWorldBodies(world);
+    int usual = wfMethodTable[c->method].substeps;
+    *out = (labMixed){ .relaxed = c->relaxed, .method = c->method, .steps = c->steps,
+                       .estimate = (double)c->error };
+    for (int i = 0; i < b.count; i++) {
+        if (!(b.state[i].invMass > 0)) continue;
+        int own = b.props[i].substeps;
+        out->bodies++, out->all += c->steps * usual;
+        out->substeps += c->steps * (own > 0 && own < usual ? own : usual);
+    }
+}
+/* <mix islands in one world> */
+int labMixedRun(int towers, double tolerance, int mixed, int uniform, labMixed *out)
+{
+    wfWorld as, all;
+    wfAccuracy c;
+    if (build_mixed(&as, towers) != WF_OK) return 1;
+    wfResult result = wfSetTolerance(&as, WF_R(1.0) / 60, (wfReal)tolerance, &c);
+    if (result == WF_OK) result = build_mixed(&all, towers);
+    if (result == WF_OK) {
+        count_mixed(&as, &c, out);
+        result = wfUseSettings(&all, &c);
+        if (result == WF_OK && mixed) out->error = mixed_error(&as, towers, &c);
+        if (result == WF_OK && uniform) out->uniform = mixed_error(&all, towers, &c);
+        wfDestroyWorld(&all);
+    }
+    wfDestroyWorld(&as);
+    return result != WF_OK;
+}

@@ -52,6 +52,16 @@ int labHorizon(FILE *out);
 int labIslands(FILE *out);
 /* What a tolerance chooses for it, and for three worlds of one island each. */
 int labWorldsApart(FILE *out);
+/* Towers of ten, a chain of ten and a flight in one world, stepped for a tolerance: */
+typedef struct labMixed {
+    int    bodies, relaxed;        /* that move; that make fewer substeps than others */
+    int    method, steps;          /* what was chosen */
+    double substeps, all;          /* of all bodies in a frame, as stepped; and if none did */
+    double estimate;               /* of the engine */
+    double error, uniform;         /* true ones, shares: as stepped; and if none did */
+} labMixed;
+/* mixed 0: does not run it as chosen; uniform 0: nor with all substeps for all. */
+int labMixedRun(int towers, double tolerance, int mixed, int uniform, labMixed *out);
 /* A comma and the number; the comma alone if it is below 0: unknown. */
 void labPrintNumber(FILE *out, double x);
 /* How far two references of 64 and 128 steps a frame are apart, at most: m. */

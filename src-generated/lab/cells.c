@@ -339,6 +339,27 @@ static int cell_accuracy_time(FILE *out, const wfCellInput *in)
     return 0;
 }
 /* <cells> */
+static int cell_accuracy_own(FILE *out, const wfCellInput *in)
+{
+    int towers = (int)wfCellNumber(in, "towers", 0);
+    double tolerance = wfCellNumber(in, "tolerance", 1e-4);
+    bool own = strcmp(wfCellText(in, "substeps", "own"), "own") == 0;
+    labMixed m;
+    if (labMixedRun(towers, tolerance, own, !own, &m) != 0) return 1;
+    fprintf(out, "%d,%.0e,%s,%d,%s x %d,%d,%.0f,%.2e,%.2e\n", towers, tolerance,
+            own ? "own" : "all", m.bodies, wfMethodTable[m.method].name, m.steps, m.relaxed,
+            own ? m.substeps : m.all, m.estimate, own ? m.error : m.uniform);
+    return 0;
+}
+
+static void sweep_accuracy_own(FILE *out, int full)
+{
+    for (double t = 1e-2; t > 0.5e-5; t /= 10)
+        for (int towers = 1; towers <= (full ? 27 : 9); towers *= 3)
+            fprintf(out, "towers=%d tolerance=%.0e substeps=all\n"
+                    "towers=%d tolerance=%.0e substeps=own\n", towers, t, towers, t);
+}
+/* <cells> */
 static const struct { const char *name, *adapter, *options; } extremeEngines[] = {
     /* <rows of the engines at the extremes> */
     { "weft", "weft", "" }, { "weft double", "weft-double", "" },
@@ -446,6 +467,9 @@ const wfCellRow wfCellTable[] = {
     { "accuracy-narrow", "error of a place of contact, by narrow phase and corners of a disc",
       "method,corners,steps,mean,worst,depth", cell_accuracy_narrow, sweep_accuracy_narrow },
     /* <rows of the cell table> */
+    { "accuracy-own", "substeps and errors where islands have their own, and where not",
+      "towers,tolerance,substeps,bodies,chosen,relaxed,work,estimate,error",
+      cell_accuracy_own, sweep_accuracy_own },
     { "accuracy-solvers", "error and invariants, by scene and by dial of a solver",
       "scene,dial,value,work,error,energy,momentum,depth,gap,failed", cell_accuracy,
       sweep_accuracy },

@@ -126,6 +126,7 @@ static void figure_design_rows(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 0.2f, 2.28f, 12, WF_INK_TEXT, -1, "one object after the other");
     wfDrawText(d, 0.2f, 1.08f, 12, WF_INK_TEXT, -1,
                "sorted by use: places, velocities, ...");
+    /* <mark the lines of memory> */
     for (int line = 0; line < 3; line++) {  /* a line of memory is 16 fields of 4 bytes */
         float x = 0.2f + 3.2f * (float)line;
         wfDrawLine(d, x, 0.3f, x + 3.2f, 0.3f, 1, WF_INK_LINE);
@@ -1055,6 +1056,7 @@ static void figure_forces_float_time(wfDraw *d, const wfFigureInput *in)
         static float height[2 * STEPS], tilt[2 * STEPS];
         wfShape box;
         wfBodyState b = float_begin(&box);
+        /* <record height and tilt of a box that floats> */
         for (int i = 0; i < STEPS; i++) {
             height[2 * i] = tilt[2 * i] = 0.3f + 9.2f * (float)i / STEPS;
             height[2 * i + 1] = 3.6f + 1.6f * (float)b.p.y;
@@ -1168,6 +1170,7 @@ static int figure_path(const char *method, wfBodyState *body, wfForce *force, do
 /* <figures> */
 static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
 {
+    /* <the methods that fly, and their colours> */
     static const char *const method[4] = { "rk4", "explicit-euler", "symplectic-euler",
                                            "verlet" };
     static const int ink[4] = { WF_INK_FAINT, WF_INK_BAD, WF_INK_ACCENT, WF_INK_GOOD };
@@ -1186,6 +1189,7 @@ static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
         wfBodyState planet = body;
         int steps = k == 0 ? 640 : 120;
         int n = figure_path(method[k], &planet, &pull, turn / 40 / fine, steps, xy);
+        /* <draw the path, and a dot for each step> */
         if (n >= 2) wfDrawPolyline(d, xy, n, k == 0 ? 3 : 1.5f, ink[k]);
         if (k == 0) continue;
         for (int i = 0; i < n; i++) wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3, ink[k]);
@@ -1207,7 +1211,7 @@ static wfReal two_to(wfReal u)
     }
     return out;
 }
-
+/* <figures> */
 /* The line with the handle; returns its place, 0 at the left end to 1 at the right. */
 static wfReal handle_line(wfDraw *d, const wfFigureInput *in, const char *left,
                           const char *right)
@@ -1423,6 +1427,7 @@ static void figure_broad_tree(wfDraw *d, const wfFigureInput *in)
     wfQuadTree tree;
     (void)in;
     wfProxies world = broadFigureWorld(&f, BROAD_FIGURE_MOST, 8, 8, 0.45f, 5);
+    /* <draw the boxes together> */
     for (int i = 0; i < world.count; i++) {              /* a crowd at the lower left */
         wfVec2 c = wfRectCenter(f.bounds[i]), to = wfV2(c.x * c.x / 8, c.y * c.y / 8);
         wfVec2 by = wfAdd(wfSub(to, c), wfV2(WF_R(0.3), WF_R(0.3)));
@@ -1523,6 +1528,7 @@ static void figure_broad_grid(wfDraw *d, const wfFigureInput *in)
     wfRect all = { wfV2(0, 0), wfV2(8, 8) };
     wfCells cells = wfGridCells(all, WF_R(1.3), 100);
     wfCellRange mine = wfCellsOf(&cells, f.bounds[0]);
+    /* <draw the cells, and fill those of the reader's box> */
     for (int32_t y = 0; y <= cells.limits.y1; y++)
         for (int32_t x = 0; x <= cells.limits.x1; x++) {
             bool in_it = x >= mine.x0 && x <= mine.x1 && y >= mine.y0 && y <= mine.y1;
@@ -1616,6 +1622,7 @@ static void figure_broad_sweep(wfDraw *d, const wfFigureInput *in)
     wfDrawDashed(d, (float)me.min.x, 0, (float)me.min.x, 8, 1, WF_INK_FAINT);
     wfDrawDashed(d, (float)me.max.x, 0, (float)me.max.x, 8, 1, WF_INK_FAINT);
     for (int k = 0; k < world.count; k++) {
+        /* <draw a box and its bar> */
         wfRect r = f.bounds[items[k].index];
         bool mine = items[k].index == 0, met = active && items[k].key <= me.max.x;
         int role = mine ? WF_INK_GOOD : met ? WF_INK_ACCENT : WF_INK_BODY;
@@ -1831,6 +1838,7 @@ static void figure_narrow_shadows(wfDraw *d, const wfFigureInput *in)
     wfVec2 places[4] = { wfV2(0, WF_R(0.4)), wfV2(WF_R(0.4), 0), wfV2(WF_R(8.7), WF_R(4.2)),
                          wfV2(WF_R(1.6), WF_R(4.6)) };
     for (int i = 0; i < 4; i++) {
+        /* <draw the shadows on axis i> */
         wfReal turn = (wfReal)(i & 1) * WF_PI / 2 + (i > 1 ? WF_R(0.6) : 0);
         wfVec2 axis = wfRotate(wfRotation(turn), wfV2(1, 0));
         narrowShadows(d, &a, xa, &b, xb, axis, places[i],
@@ -2073,7 +2081,7 @@ static bool gjkPair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
     narrowShape(d, b, *xb, WF_INK_BODY2, WF_INK_BODY2);
     return true;
 }
-
+/* <figures> */
 static void gjkEmpty(wfDraw *d, const char *text)
 {
     wfDrawText(d, 8.8f, 3.6f, 14, WF_INK_TEXT, 0, text);
@@ -3167,7 +3175,7 @@ static void compoundShapes(wfDraw *d, CompoundFigure *f)
         figure_shape(d, &f->shapes[i], here, 1, WF_INK_BODY, WF_INK_BODY);
     compoundOutline(d, f, 2, f->count ? WF_INK_LINE : WF_INK_BAD);
 }
-
+/* <figures> */
 /* the pieces of the mesh, the first `most` half-edges of it, filled */
 static void compoundMesh(wfDraw *d, const CompoundFigure *f, int32_t most)
 {
@@ -3753,6 +3761,7 @@ static void queryScene(QueryFigure *f)
         wfRot q = wfRotation(2 * WF_PI * (wfReal)i / 5);
         five[i] = wfV2(WF_R(0.7) * q.c, WF_R(0.7) * q.s);
     }
+    /* <one shape of each kind> */
     wfMakeCircle(wfV2(0, 0), WF_R(0.8), &f->shapes[0]);
     wfMakeBox(1, WF_R(0.45), &f->shapes[1]);
     wfMakeRoundedPolygon(five, 5, WF_R(0.35), &f->shapes[2]);
@@ -3835,6 +3844,7 @@ static void figure_queries_disk(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(c), 6, WF_INK_LINE);
     wfDrawPoint(d, WF_XY(near), 7, WF_INK_LINE);
     wfVec2 half = wfLerp(from, near, WF_R(0.45)), side = wfLerp(near, c, WF_R(0.5));
+    /* <name the lengths and points of the ray at a disk> */
     wfDrawText(d, (float)half.x, (float)half.y + 0.15f, 16, WF_INK_TEXT, 0, "s");
     wfDrawText(d, (float)side.x + 0.12f, (float)side.y - 0.1f, 16, WF_INK_TEXT, -1, "h");
     wfDrawText(d, (float)c.x + 0.1f, (float)c.y + 0.15f, 16, WF_INK_TEXT, -1, "c");
@@ -4154,7 +4164,7 @@ static void joined_bridge(wfWorld *w)
     }
     joined_pin(w, last, right, 5, -0.1);
 }
-
+/* <figures> */
 static void joined_cart(wfWorld *w)
 {
     wfBodyId body = joined_box(w, -4, 0.75, 0.9, 0.25, WF_DYNAMIC), wheel;
@@ -4349,6 +4359,7 @@ static void figure_save_ring(wfDraw *d, const wfFigureInput *in)
     if (wfCreateWorld(&def, &world) != WF_OK) return;
     wfRewindInit(&ring, bytes, sizeof bytes);
     figure_bar(d, 0.3f, 1.2f, 9.4f, 0.8f, WF_INK_NONE);
+    /* <let a world grow and keep it at each step> */
     for (int i = 0; i <= LAST; i++) {
         wfBodyDef ball = wfDefaultBodyDef();
         wfMakeCircle(wfV2(0, 0), 1, &ball.shape);
@@ -4374,6 +4385,63 @@ static void figure_save_ring(wfDraw *d, const wfFigureInput *in)
     wfDestroyWorld(&world);
 }
 /* <figures> */
+enum { JOURNAL_BALL, JOURNAL_STEPS, JOURNAL_KICK, JOURNAL_TURN };
+
+/* Does one thing to a world, `number` times if it is a step. */
+static wfResult journal_do(wfWorld *world, wfJournal *j, int what, int number)
+{
+    wfBodyId ship = wfBodyAt(world, 0);
+    wfInput in = { .kind = WF_INPUT_ADD_BODY, .index = ship.index,
+                   .generation = ship.generation };
+    wfResult result = WF_OK;
+    if (what == JOURNAL_BALL) in.body = wfDefaultBodyDef();
+    if (what == JOURNAL_BALL) result = wfMakeCircle(wfV2(0, 0), 1, &in.body.shape);
+    if (what == JOURNAL_BALL) in.body.position = wfV2((wfReal)(3 * number), 0);
+    if (what == JOURNAL_KICK) in.kind = WF_INPUT_IMPULSE, in.with.by = wfV2(1, 0);
+    if (what == JOURNAL_TURN) in.kind = WF_INPUT_GRAVITY, in.with.by = wfV2(0, 10);
+    if (result == WF_OK && what != JOURNAL_STEPS) return wfGiveInput(world, j, &in, NULL);
+    for (int i = 0; i < number && result == WF_OK; i++)
+        result = wfStepNoted(world, j, NULL);
+    return result;
+}
+/* <figures> */
+static void figure_save_journal(wfDraw *d, const wfFigureInput *in)
+{
+    static _Alignas(16) uint8_t bytes[4096];
+    /* <what the player of the figure does> */
+    static const struct { const char *name; int what, number, ink; } row[] = {
+        { "a ball", JOURNAL_BALL, 0, WF_INK_BODY },
+        { "another ball", JOURNAL_BALL, 1, WF_INK_BODY },
+        { "20 steps", JOURNAL_STEPS, 20, WF_INK_NONE },
+        { "kick", JOURNAL_KICK, 0, WF_INK_ACCENT },
+        { "30 steps", JOURNAL_STEPS, 30, WF_INK_NONE },
+        { "gravity", JOURNAL_TURN, 0, WF_INK_BODY2 },
+        { "10 steps", JOURNAL_STEPS, 10, WF_INK_NONE } };
+    enum { ROWS = sizeof row / sizeof *row };
+    size_t end[ROWS + 1] = { 0 };
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world;
+    wfJournal j;
+    (void)in;
+    wfJournalInit(&j, bytes, sizeof bytes, 0);
+    if (wfCreateWorld(&def, &world) != WF_OK) return;
+    for (int i = 0; i < ROWS; i++) {
+        if (journal_do(&world, &j, row[i].what, row[i].number) != WF_OK) break;
+        end[i + 1] = j.used;
+    }
+    /* <draw the entries of the journal> */
+    float scale = 5.4f / (float)end[1];
+    for (int i = 0; i < ROWS; i++) {
+        float y = 3.5f - 0.5f * (float)i, w = scale * (float)(end[i + 1] - end[i]);
+        figure_bar(d, 2.4f, y, w, 0.36f, row[i].ink);
+        wfDrawText(d, 2.2f, y + 0.1f, 13, WF_INK_TEXT, 1, row[i].name);
+        wfDrawTextf(d, 2.55f + w, y + 0.1f, 13, WF_INK_TEXT, -1, "%d bytes",
+                    (int)(end[i + 1] - end[i]));
+    }
+    wfDrawTextf(d, 9.8f, 0.5f, 13, WF_INK_TEXT, 1, "all: %d bytes", (int)j.used);
+    wfDestroyWorld(&world);
+}
+/* <figures> */
 static float ruler_x(double value) { return 0.4f + 9.2f * (float)((value - 1000) / 6e-4); }
 
 static void ruler_ticks(wfDraw *d, double step, float y, float length)
@@ -4384,7 +4452,7 @@ static void ruler_ticks(wfDraw *d, double step, float y, float length)
         wfDrawLine(d, x, y - length / 2, x, y + length / 2, 1.2f, WF_INK_LINE);
     }
 }
-
+/* <figures> */
 /* The nearest decimal: so many units above 1000. */
 static int decimal(double x, double unit) { return (int)((x - 1000) / unit + 0.5); }
 
@@ -4984,6 +5052,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_box(d, &c, -2, -2, 1104, HEAD, WF_INK_PAPER);
     window_box(d, &c, -2, 700 - FOOT + 2, 1104, FOOT, WF_INK_PAPER);
     window_list(d, &c, s->name);
+    /* <draw the buttons of the bar> */
     for (int i = 0; i < 18; i++) {
         float x = 224 + 62 * (float)(i % 10), y = 10 + BAR_ROW * (float)(i / 10);
         window_box(d, &c, x, y, 56, 24, WF_INK_PAPER);
@@ -5081,10 +5150,11 @@ static void tape_box(wfDraw *d, float x, float y, float w, int fill, const char 
     wfDrawPolygon(d, xy, 4, 1.5f, WF_INK_LINE, fill);
     wfDrawText(d, x + w / 2, y + 0.25f, 13, WF_INK_TEXT, 0, name);
 }
-
+/* <figures> */
 static void figure_scenes_tape(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
+    /* <what the journal of the figure holds> */
     static const struct { const char *name; float wide; int fill; } part[] = {
         { "snapshot", 2, WF_INK_FAINT }, { "impulse", 1.5f, WF_INK_BODY },
         { "spin", 1.5f, WF_INK_BODY }, { "3 steps", 1.5f, WF_INK_BODY2 },
@@ -5547,6 +5617,8 @@ const wfFigureRow wfFigureTable[] = {
     { "save-used", figure_save_used, 10.0f, 5.4f, 0, {{0}} },
     /* <rows of the figure table> */
     { "save-ring", figure_save_ring, 10.0f, 2.7f, 0, {{0}} },
+    /* <rows of the figure table> */
+    { "save-journal", figure_save_journal, 10.0f, 4.2f, 0, {{0}} },
     /* <rows of the figure table> */
     { "save-digits", figure_save_digits, 10.0f, 3.5f, 0, {{0}} },
     /* <rows of the figure table> */

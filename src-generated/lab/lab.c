@@ -663,7 +663,7 @@ static double motion_log2(double x)  /* 2 atanh((x - 1)/(x + 1)) / ln 2, x > 0 *
     for (int k = 1; k < 60; k += 2, power *= q * q) sum += power / k;
     return n + 2 * sum / 0.69314718055994531;
 }
-
+/* <measurements> */
 /* The slope of log error over log h, fitted to the steps with errors of least to 0.03
    that still shrink. */
 static double motion_slope(MotionRun *run, const MotionProblem *problem, int row,
@@ -864,6 +864,7 @@ static bool countBroadTests(BroadWorld *world, int n, int64_t *now, int *pairs, 
     wfPool pool;
     bool same = true;
     if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return false;
+    /* <count brute force, the sweep along x and the two walks of the quad tree> */
     if (wfSweepAlong(0, &in, &pool, &list) != WF_OK) return false;
     now[BROAD_COLUMNS - 1] = list.tests;
     found[BROAD_COLUMNS - 1] = list.count;
@@ -1447,7 +1448,7 @@ static int reportVertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparati
     out[0] = (ReportPoint){ c[best], wfAddScaled(c[best], s->distance, centres), ofB };
     return 1;
 }
-
+/* <find contacts the report's way> */
 static int reportContacts(const wfShape *a, wfTransform xa, const wfShape *b,
                           wfTransform xb, const wfSeparation *s, ReportPoint *out)
 {
@@ -1823,7 +1824,7 @@ static void roundShape(int n, wfShape *s)
     }
     wfMakePolygon(p, n, s);
 }
-
+/* <measurements> */
 static int measure_contacts_reuse_time(FILE *out)
 {
     wfShape box, pill, eight, sixteen;
@@ -2826,6 +2827,76 @@ static int measure_joints_spring(FILE *out)
     return 0;
 }
 /* <measurements> */
+/* u: the row; before: the row of the last push */
+typedef struct labRound { double p[2], v[2], u[2], before[2], lambda; } labRound;
+
+static void labPushRound(labRound *r, double more)
+{
+    r->v[0] += more * r->u[0], r->v[1] += more * r->u[1], r->lambda += more;
+}
+
+static double labRoundLength(labRound *r, double h)     /* of p + h v; sets u if h is 0 */
+{
+    double x = r->p[0] + h * r->v[0], y = r->p[1] + h * r->v[1];
+    double length = sqrt(x * x + y * y);
+    if (!(h > 0)) r->u[0] = x / length, r->u[1] = y / length;
+    return length;
+}
+
+static void labGoRound(labRound *r, bool forget)
+{
+    double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD;
+    double both = 2 * WF_JOINT_DAMPING + turn;
+    double give = 1 / (turn * both), keep = 1 - turn / both;    /* eq:joints-period */
+    double error = labRoundLength(r, 0) - 1, old = r->lambda;
+    double cosine = r->before[0] * r->u[0] + r->before[1] * r->u[1];
+    r->lambda = 0;
+    labPushRound(r, forget && cosine < 0.5 ? 0 : old);          /* eq:joints-swung */
+    memcpy(r->before, r->u, sizeof r->u);
+    for (int pass = 0; pass < 4; pass++) {                      /* eq:joints-give */
+        double lack = labRoundLength(r, 1) - 1 - keep * error;
+        labPushRound(r, -(lack + give * r->lambda) / (1 + give));
+    }
+    for (int k = 0; k < 2; k++) r->p[k] += r->v[k];
+    labRoundLength(r, 0);
+    labPushRound(r, -(r->u[0] * r->v[0] + r->u[1] * r->v[1]));  /* tangent */
+}
+/* <measurements> */
+static double labRoundEngine(double turn)
+{
+    labChain c;
+    double most = 0;
+    labMakeChain(&c, 1, 1, 4, 4);
+    c.step.h = 4, c.step.forces = NULL;
+    c.state[1] = (wfBodyState){ .p = wfV2(1, 0), .v = wfV2(0, (wfReal)turn), .invMass = 1 };
+    c.joint[0] = wfRod(0, &c.state[0], 1, &c.state[1], wfV2(0, 0), wfV2(1, 0));
+    for (int i = 0; i < 60; i++) {
+        if (wfStepJoints(&c.step) != WF_OK) return HUGE_VAL;
+        most = fmax(most, (double)wfLengthSq(c.state[1].v));
+    }
+    return most / (turn * turn);
+}
+
+static int measure_joints_swung(FILE *out)
+{
+    static const double turns[] = { 0.1, 0.5, 0.8, 1.0, 1.1, 1.2, 1.5, 2, 3, 10, 100 };
+    fprintf(out, "turn,kept,forgotten,engine\n");
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+        double most[2] = { 0, 0 };
+        for (int forget = 0; forget < 2; forget++) {
+            labRound r = { { 1, 0 }, { 0, turns[i] }, { 1, 0 }, { 1, 0 }, 0 };
+            for (int k = 0; k < 240 && most[forget] < 1e30; k++) {
+                labGoRound(&r, forget);
+                most[forget] = fmax(most[forget], r.v[0] * r.v[0] + r.v[1] * r.v[1]);
+            }
+            most[forget] /= turns[i] * turns[i];
+        }
+        fprintf(out, most[0] < 100 ? "%g,%.3f" : "%g,> 1e25", turns[i], most[0]);
+        fprintf(out, ",%.3f,%.3f\n", most[1], labRoundEngine(turns[i]));
+    }
+    return 0;
+}
+/* <measurements> */
 typedef struct labPeer { const char *engine, *theirs, *kind, *set; int32_t flags; } labPeer;
 
 static const labPeer labPeers[] = {
@@ -3779,7 +3850,7 @@ static double timeOrientation(int n)
     double took = (double)(clock() - start) / CLOCKS_PER_SEC / 2000000;
     return sum > 2000000 ? -1 : took;                   /* so that the sum is needed */
 }
-
+/* <measurements> */
 /* the shortest of five runs, each of so many calls that it lasts, s; -1: failed */
 static double timeDecompose(int n, wfPool *pool)
 {
@@ -3928,6 +3999,7 @@ static int measure_impact_convergence(FILE *out)
     fprintf(out, "step,plain,along,disc,curve\n");
     for (int k = 0; k < t[WF_ADVANCE_PLAIN].count; k++) {
         fprintf(out, "%d", k + 1);
+        /* <write the gap after this step of each bound> */
         for (int how = 0; how < WF_ADVANCE_KINDS; how++) {
             double gap = k < t[how].count ? (double)t[how].steps[k].distance : 0;
             gap -= (double)hit.near / 2;
@@ -4010,7 +4082,7 @@ typedef struct ImpactCount {
     long touching, steps[WF_ADVANCE_KINDS], both, rounds, missed, found, open;
     int most;
 } ImpactCount;
-
+/* <measurements> */
 static int impactCount(const ImpactFlight *f, ImpactCount *c)
 {
     wfImpact hit[WF_ADVANCE_KINDS];
@@ -4538,6 +4610,7 @@ static int measure_world_reuse(FILE *out)
         wfWorld world[2];
         double least[2] = { 1e9, 1e9 };
         int32_t contacts = 0;
+        /* <make the two worlds, with reuse and without> */
         for (int reuse = 0; reuse < 2; reuse++) {
             wfWorldDef def = wfDefaultWorldDef();
             def.reuse = reuse;
@@ -4620,6 +4693,7 @@ static bool build_far(wfVec2 o, wfWorld *world, wfBodyId id[FAR_THINGS])
     ground.position = wfAdd(o, wfV2(0, -1));
     wfMakeBox(60, 1, &ground.shape);
     wfAddBodyToWorld(world, &ground, NULL);
+    /* <a box that slides, a disk that rolls, a ball on a spring> */
     box = disk = ball = wfDefaultBodyDef();
     wfMakeBox(WF_R(0.5), WF_R(0.5), &box.shape);
     box.position = wfAdd(o, wfV2(0, WF_R(0.5)));
@@ -4701,6 +4775,7 @@ static int measure_world_flight(FILE *out)
     wd.gravity = wfV2(0, 0);
     def.mass = 1;
     def.velocity = wfV2(1000, 0);
+    /* <launch the three probes> */
     for (int k = 0; k < 3; k++)
         if (wfCreateWorld(&wd, &world[k]) != WF_OK ||
             wfAddBodyToWorld(&world[k], &def, &id[k]) != WF_OK) return 1;
@@ -4752,6 +4827,7 @@ static int measure_world_pays(FILE *out)
         size_t bytes[2] = { 0, 0 };
         char text[64] = "every body";
         uint32_t serves = wfRegionServes(i).needs;
+        /* <add up the arrays that serve the same needs> */
         for (int k = i; k < WF_REGION_SCRATCH && !done[i]; k++) {
             if (done[k] || wfRegionServes(k).needs != serves) continue;
             bytes[region[k].chunk] += region[k].count * region[k].each;
@@ -4815,7 +4891,7 @@ static wfResult fill_fountain(wfWorld *world)
     }
     return result;
 }
-
+/* <measurements> */
 static double time_fountain(const wfWorldDef *def)
 {
     wfWorld world;
@@ -4875,6 +4951,7 @@ static int infer_row(FILE *out, const char *name, wfResult fill(wfWorld *, int),
         if (wfInferNeeds(&world[k], 0, &def) != WF_OK) return 1;
     }
     fprintf(out, "%s,%.0f,%.0f,", name, kB[0], kB[1]);
+    /* <write the needs that were inferred> */
     for (int i = 0, first = 1; i < wfNeedCount; i++) {
         if (!(def.needs & wfNeedTable[i].bit)) continue;
         fprintf(out, "%s%s", first ? "" : " ", wfNeedTable[i].name);
@@ -4900,7 +4977,7 @@ static void explain_cell(FILE *out, const wfStageReport *r)
     if (r->runs) fprintf(out, ",%s,%zu", text, r->bytes);
     else fprintf(out, ",- (%s),0", text);
 }
-
+/* <measurements> */
 static int measure_world_explain(FILE *out)
 {
     wfWorldDef drops = wfDefaultWorldDef(), crates = wfDefaultWorldDef();
@@ -4988,6 +5065,7 @@ static int fast_through(const FastShot *s, int phase)
     bullet.angularVelocity = (wfReal)s->spin;
     wfAddBodyToWorld(&w, &sheet, &ids[0]);
     wfAddBodyToWorld(&w, &bullet, &ids[1]);
+    /* <let it fly and see whether it comes out behind> */
     for (int i = 0; i < 6; i++) {
         if (wfStepWorld(&w) != WF_OK) break;
         wfGetBody(&w, ids[0], &a), wfGetBody(&w, ids[1], &b);
@@ -5005,7 +5083,7 @@ static int fast_count(FastShot s)
         for (int phase = 0; phase < 20; phase++) sum += fast_through(&s, phase);
     return sum;
 }
-
+/* <measurements> */
 static int measure_fast_tunnel(FILE *out)
 {
     static const double speeds[6] = { 10, 100, 300, 1000, 1e4, 1e5 };
@@ -5019,6 +5097,7 @@ static int measure_fast_tunnel(FILE *out)
             s.solver = k < 2 ? "sequential" : "soft", s.wall = k % 2;
             fprintf(out, ",%d", fast_count(s));
         }
+        /* <the same with bodies followed, all solvers and spins in one> */
         s.impacts = 16;
         for (int k = 0; k < wfSolverCount * 9; k++) {
             s.solver = wfSolverTable[k / 9].name, s.wall = k / 3 % 3, s.spin = spins[k % 3];
@@ -5205,7 +5284,7 @@ static wfBodyId sleep_box(wfWorld *w, int32_t type, double x, double y, double w
         wfAddBodyToWorld(w, &def, &id);
     return id;
 }
-
+/* <measurements> */
 static double sleep_step_ms(wfWorld *w, int steps)
 {
     clock_t start = clock();
@@ -5299,7 +5378,7 @@ static int measure_sleep_share(FILE *out)
 /* <measurements> */
 enum { WHIP_LINKS = 6, WHIP_FLINGS = 10 };
 
-static bool whip_hang(wfWorld *w, wfBodyId *first)
+static bool whip_hang(wfWorld *w, bool rods, wfBodyId *first)
 {
     wfBodyDef d = wfDefaultBodyDef();
     wfBodyId above, link;
@@ -5308,11 +5387,14 @@ static bool whip_hang(wfWorld *w, wfBodyId *first)
     if (wfAddBodyToWorld(w, &d, &above) != WF_OK) return false;
     d.type = WF_DYNAMIC;
     for (int i = 0; i < WHIP_LINKS; i++, above = link) {
-        wfVec2 top = wfV2(0, WF_R(-0.8) * (wfReal)i);
-        d.position = wfV2(0, top.y - WF_R(0.4));
+        wfVec2 from = wfV2(0, WF_R(-0.8) * (wfReal)i), to = from;
+        d.position = wfV2(0, from.y - WF_R(0.4));
+        if (rods) from = i > 0 ? wfAdd(d.position, wfV2(0, WF_R(0.8))) : from;
+        if (rods) to = d.position;
         if (wfMakeBox(WF_R(0.1), WF_R(0.4), &d.shape) != WF_OK
             || wfAddBodyToWorld(w, &d, &link) != WF_OK
-            || wfJoinBodies(w, "revolute", above, link, top, top, wfV2(1, 0), &j) != WF_OK
+            || wfJoinBodies(w, rods ? "distance" : "revolute", above, link, from, to,
+                            wfV2(1, 0), &j) != WF_OK
             || wfAddJointToWorld(w, &j, NULL) != WF_OK) return false;
         if (i == 0) *first = link;
     }
@@ -5320,7 +5402,7 @@ static bool whip_hang(wfWorld *w, wfBodyId *first)
 }
 /* <measurements> */
 /* greatest energy of a second / energy after the shove; below 0: a step was refused */
-static double whip_gain(double speed, int substeps, int joints)
+static double whip_gain(double speed, int substeps, int joints, bool rods)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
@@ -5330,7 +5412,7 @@ static double whip_gain(double speed, int substeps, int joints)
     def.exactJoints = joints;
     def.needs = WF_NEED_ROTATION | WF_NEED_SHAPES | WF_NEED_JOINTS | WF_NEED_SUBSTEPS;
     if (wfCreateWorld(&def, &w) != WF_OK) return -1;
-    bool good = whip_hang(&w, &first);
+    bool good = whip_hang(&w, rods, &first);
     for (int i = 0; i < 30 && good; i++) good = wfStepWorld(&w) == WF_OK;
     good = good && wfWorldEnergy(&w, &kinetic, &rest) == WF_OK
         && wfSetBodyVelocity(&w, first, wfV2((wfReal)speed, 0), 0) == WF_OK;
@@ -5344,22 +5426,29 @@ static double whip_gain(double speed, int substeps, int joints)
     return good ? most / start : -1;
 }
 /* <measurements> */
+static double whip_worst(double speed, int substeps, int joints, bool rods)
+{
+    double most = 0;
+    for (int i = 0; i < WHIP_FLINGS; i++) {
+        double gain = whip_gain(speed * (1 + 0.01 * i), substeps, joints, rods);
+        if (gain < 0) return -1;
+        most = fmax(most, gain);
+    }
+    return most;
+}
+/* <measurements> */
 static int measure_joined_whip(FILE *out)
 {
-    static const int speeds[5] = { 30, 100, 300, 1000, 3000 };
-    static const int substeps[4] = { 1, 4, 16, 64 };
-    fprintf(out, "speed,one1,one4,one16,one64,all1,all4,all16,all64\n");
-    for (int s = 0; s < 5; s++) {
+    static const int speeds[6] = { 30, 100, 300, 1000, 3000, 10000 };
+    static const int substeps[3] = { 1, 4, 16 };
+    fprintf(out, "speed,hinge1,hinge4,hinge16,rod1,rod4,rod16,all1,all4,all16\n");
+    for (int s = 0; s < 6; s++) {
         fprintf(out, "%d", speeds[s]);
-        for (int k = 0; k < 8; k++) {
-            double most = 0;
-            for (int i = 0; i < WHIP_FLINGS; i++) {
-                double speed = speeds[s] * (1 + 0.01 * i);
-                double gain = whip_gain(speed, substeps[k % 4],
-                                        k < 4 ? WF_JOINTS_ONE_BY_ONE : WF_JOINTS_TOGETHER);
-                if (gain < 0) return 1;
-                most = fmax(most, gain);
-            }
+        for (int k = 0; k < 9; k++) {
+            double most = whip_worst(speeds[s], substeps[k % 3],
+                                     k < 6 ? WF_JOINTS_ONE_BY_ONE : WF_JOINTS_TOGETHER,
+                                     k / 3 == 1);
+            if (most < 0) return 1;
             fprintf(out, most < 100 ? ",%.2f" : ",%.1e", most);
         }
         fprintf(out, "\n");
@@ -5436,6 +5525,7 @@ static int measure_save_rewind(FILE *out)
         if (save_scene(1000, row[k].spread, row[k].sleep, &world) != WF_OK) return 1;
         for (int i = 0; i < row[k].steps; i++)
             if (wfStepWorld(&world) != WF_OK) return 1;
+        /* <count what ten steps change> */
         for (int i = 0; i < STEPS; i++) {
             if (wfCloneWorld(&world, NULL, &before) != WF_OK) return 1;
             if (wfStepWorld(&world) != WF_OK) return 1;
@@ -5484,6 +5574,7 @@ static void save_round(wfWorld *world, wfWorld *twin, uint8_t *bytes, uint8_t *c
     for (int i = 0; i < times; i++) wfCloneWorld(world, &memory, twin);
     keep_least(&t->clone, save_seconds(start));
     start = clock();
+    /* <time what is more than a copy> */
     for (int i = 0; i < times; i++) wfCompareWorlds(world, twin, NULL);
     keep_least(&t->compare, save_seconds(start));
     start = clock();
@@ -5532,6 +5623,7 @@ static int measure_snapshot_time(FILE *out)
             save_round(&world, &twin, bytes, copy, size, times, &t);
             if (!save_fresh_round(&world, bytes, size, times, &t)) return 1;
         }
+        /* <write how each compares with memcpy> */
         fprintf(out, "%d,%zu,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%zu,%.2f\n", n, size,
                 (double)size * times / t.copy * 1e-9, 1e6 * t.snapshot / times,
                 t.copy / t.snapshot, t.copy / t.restore, t.copy / t.clone,
@@ -5555,6 +5647,7 @@ static int save_by_size(const void *a, const void *b)
 static int measure_rollback_time(FILE *out)
 {
     enum { FRAMES = 8, ROUNDS = 31 };
+    /* <the scenes that are gone back in> */
     static const struct { const char *name; int steps; bool spread; int columns; } row[] = {
         { "balls that roll", 60, true, -1 },
         { "the same, columns of one loop", 60, true, 2 },
@@ -5635,7 +5728,7 @@ static bool drift_build(int kind, wfWorld *world)
     for (int i = 0; i < 120 && good; i++) good = wfStepWorld(world) == WF_OK;
     return good;
 }
-
+/* <measurements> */
 static double drift_between(const wfWorld *one, const wfWorld *two)
 {
     wfBodyView a = wfWorldBodies(one), b = wfWorldBodies(two);
@@ -6632,6 +6725,8 @@ static int measure_accuracy_solvers(FILE *out)
     return wfRunSweep("accuracy-solvers", out);
 }
 
+static int measure_accuracy_own(FILE *out) { return wfRunSweep("accuracy-own", out); }
+
 static int measure_accuracy_solvers_time(FILE *out)
 {
     return wfRunSweep("accuracy-solvers-time", out);
@@ -7058,6 +7153,8 @@ const wfMeasureRow wfMeasureTable[] = {
     { "joints-spring", "a chain on the stiffest springs that survive, and on joints",
       measure_joints_spring },
     { "joints-rigid", "a loaded chain aimed rigidly and softly", measure_joints_rigid },
+    { "joints-swung", "energy of a point on a rod, by its turn in a substep",
+      measure_joints_swung },
     { "joints-chain", "how far a loaded chain is stretched, by substeps",
       measure_joints_chain },
     { "joints-pendulum", "energy, period and gap of a pendulum, by substeps",
@@ -7211,6 +7308,8 @@ const wfMeasureRow wfMeasureTable[] = {
       measure_accuracy_solvers },
     { "accuracy-solvers-time", "error and time of a frame, by scene and dial of a solver",
       measure_accuracy_solvers_time },
+    { "accuracy-own", "substeps and errors where islands have their own, and where not",
+      measure_accuracy_own },
     { "accuracy-curves", "the curves that the engine measures, and the true errors",
       measure_accuracy_curves },
     { "accuracy-tolerance", "what is chosen for a tolerance, and the true error",

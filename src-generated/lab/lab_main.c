@@ -52,7 +52,7 @@ static int list_cells(int full)
     }
     return fflush(stdout) != 0;
 }
-
+/* <list and measure cells> */
 static int cell(const char *name, const wfCellInput *in)
 {
     int i = wfFindCell(name);

@@ -63,7 +63,7 @@ static bool run(wfWorld *world, int steps)
         if (wfStepWorld(world) != WF_OK) return false;
     return true;
 }
-
+/* <helpers of the classics> */
 static wfBodyState state_of(const wfWorld *world, int i)
 {
     return wfWorldBodies(world).state[i];
@@ -219,7 +219,7 @@ static double thrust_misses(int stones, double thickness, double h)
     }
     return least - most;
 }
-
+/* <classic scenes> */
 bool wfArchCanStand(int stones, double thickness)
 {
     double low = 0, high = 2;
@@ -266,7 +266,7 @@ static Yard nail_at_origin(wfWorld *world)
     lay(&y, &nail);
     return y;
 }
-
+/* <classic scenes> */
 /* Hangs up `def` by a hinge, out of reach of all others. */
 static void hang_on(Yard *y, wfBodyDef *def, wfBodyId from, wfVec2 at)
 {
@@ -298,7 +298,7 @@ wfResult wfBuildLoadedChain(wfWorld *world, int links, wfReal load)
     }
     return y.result;
 }
-
+/* <classic scenes> */
 wfResult wfBuildRodPendulum(wfWorld *world)
 {
     Yard y = nail_at_origin(world);

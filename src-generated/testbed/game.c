@@ -57,6 +57,8 @@ typedef struct game_state {
     float width, height, scale;         /* of the last picture: units, pixels a unit */
     ui_memory ui;
     /* <what the game remembers of settings and time> */
+    uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
+    /* <what the game remembers of settings and time> */
     tool_memory tools;
     /* <what the game remembers of settings and time> */
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
@@ -422,6 +424,23 @@ static void look_home(game *g)
 }
 /* <open a scene in the game> */
 static void keep_wishes(game *g);                   /* of sec:scenes-settings */
+/* <choose overlays> */
+static void show_overlays(game *g)
+{
+    game_state *s = g->state;
+    s->show = (g->scene->show | s->wanted_on) & ~s->wanted_off;
+}
+
+static void press_overlay(game *g, uint32_t bit)
+{
+    game_state *s = g->state;
+    bool on = (s->show & bit) == 0, own = (g->scene->show & bit) != 0;
+    s->wanted_on &= ~bit;
+    s->wanted_off &= ~bit;
+    if (on && !own) s->wanted_on |= bit;
+    if (!on && own) s->wanted_off |= bit;
+    s->show ^= bit;
+}
 
 static void open_scene(game *g, int row)
 {
@@ -462,7 +481,7 @@ static void open_scene(game *g, int row)
     s->plots.count = 0;
     if (!same) {
         memset(s->changed, 0, sizeof s->changed);
-        s->show = g->scene->show;
+        show_overlays(g);
         look_home(g);
     }
 }
@@ -567,7 +586,7 @@ static void list_panel(ui *u, game *g)
         float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
         float line = y + 13 + (float)(i / 2 * ROW);
         if (ui_check(u, o->name, x, line, 84, s->show & o->bit))
-            s->show ^= o->bit;
+            press_overlay(g, o->bit);
         ui_tip(u, o->name, o->text, x, line, 84, ROW);
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
@@ -1258,6 +1277,7 @@ static void read_text(game *g)
 }
 /* <panels> */
 typedef struct kept_number { const char *name; size_t where; int32_t most; } kept_number;
+enum { KEPT_CURVES = -8, KEPT_OVERLAYS = -9 };      /* a bit for each row of a table */
 
 static const kept_number keptTable[] = {
     { "dark", FLAG(dark), 1 }, { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 },
@@ -1267,17 +1287,28 @@ static const kept_number keptTable[] = {
     { "type", FLAG(tools.choice[TOOL_TYPE]), -5 },
     { "joint", FLAG(tools.choice[TOOL_JOINT]), -6 },
     { "probe", FLAG(tools.choice[TOOL_PROBE]), -7 },
+    { "curves", FLAG(curves), KEPT_CURVES }, { "overlays", FLAG(wanted_on), KEPT_OVERLAYS },
+    { "overlays-not", FLAG(wanted_off), KEPT_OVERLAYS },
 };
 enum { KEPT = sizeof keptTable / sizeof *keptTable };
 /* <panels> */
+static int32_t all_overlays(void)
+{
+    uint32_t all = 0;
+    for (int i = 0; i < wfOverlayCount; i++) all |= wfOverlayTable[i].bit;
+    return (int32_t)all;
+}
+
 static int32_t kept_most(const kept_number *k)      /* tables may grow: they are asked */
 {
     if (k->most >= 0) return k->most;
     if (k->most == -1) return panel_count() - 1;
     if (k->most == -2) return toolCount - 1;
+    if (k->most == KEPT_CURVES) return (1 << wfPlotCount) - 1;
+    if (k->most == KEPT_OVERLAYS) return all_overlays();
     return tool_choice_count(&toolChoices[-3 - k->most]) - 1;
 }
-
+/* <panels> */
 static size_t settings_text(const game_state *s, char *out, size_t size)
 {
     size_t used = 0;
@@ -1299,7 +1330,7 @@ static const char *read_line(const char *at, const char *end, int32_t value[KEPT
         const char *digit = at + n + 1;
         if ((size_t)(end - at) < n + 3 || memcmp(at, keptTable[i].name, n) != 0 ||
             at[n] != ' ' || *digit < '0' || *digit > '9') continue;
-        for (; digit < end && *digit >= '0' && *digit <= '9' && x < 1000; digit++)
+        for (; digit < end && *digit >= '0' && *digit <= '9' && x < 100000000; digit++)
             x = 10 * x + (*digit - '0');
         if (digit == end || *digit != '\n' || x > kept_most(&keptTable[i])) return NULL;
         value[i] = (int32_t)x;
@@ -1307,7 +1338,7 @@ static const char *read_line(const char *at, const char *end, int32_t value[KEPT
     }
     return NULL;
 }
-
+/* <panels> */
 static bool read_settings(game_state *s, const char *at, size_t size)
 {
     int32_t value[KEPT];
@@ -1354,6 +1385,7 @@ static void take_answer(game *g)
     if (s->file_for == FILE_SETTINGS) {
         if (fetched && good && !read_settings(s, (const char *)f->bytes, f->size))
             tell(g, true, "settings.txt is not what it should be, and is not used");
+        show_overlays(g);
     } else if (!good || !fetched) {
         if (!good && s->file_for == FILE_FRAME) s->filming &= ~FILM_FRAMES;
         tell(g, !good, line);
@@ -1432,7 +1464,7 @@ static float see_panel(ui *u, game *g, float x, float y, float w)
         float left = i % 2 ? x + w / 2 : x, line = y + (float)(i / 2 * ROW);
         if (!panel_shows(g, line, ROW)) continue;
         if (ui_check(u, o->name, left, line, w / 2 - 8, (s->show & o->bit) != 0))
-            s->show ^= o->bit;
+            press_overlay(g, o->bit);
         ui_tip(u, o->name, o->text, left, line, w / 2 - 8, ROW);
     }
     y += (float)((wfOverlayCount + 1) / 2 * ROW) + 10;
@@ -1984,7 +2016,7 @@ static void obey_key(game *g, int32_t key)
         if (fileTable[i].key == small) press_button(g, &fileTable[i]);
     for (int i = 0; i < wfOverlayCount; i++)
         if (key == wfOverlayTable[i].key)
-            s->show ^= wfOverlayTable[i].bit;
+            press_overlay(g, wfOverlayTable[i].bit);
 }
 /* <step the game's world> */
 static wfResult note_one(game *g)
@@ -2461,8 +2493,8 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
     say(&w, "view %.4f %.4f %.4f\nhash %016llx\n", (double)s->camera.x, (double)s->camera.y,
         (double)s->camera.height, (unsigned long long)wfHashWorld(&g.world));
     /* <say what is compared and looked into> */
-    say(&w, "pair %d %d\nworlds %d\n", (int)s->look.shapeA, (int)s->look.shapeB,
-        s->worlds < 1 ? 1 : (int)s->worlds);
+    say(&w, "pair %d %d\nworlds %d\ncurves %d\n", (int)s->look.shapeA,
+        (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)s->curves);
     for (int i = 0; i < s->worlds - 1; i++) {
         int32_t at = (s->plots.next + WF_PLOT_SAMPLES - 1) % WF_PLOT_SAMPLES;
         bool known = s->plots.count > 0 && s->other[i] == WF_OK;

@@ -105,7 +105,7 @@ static bool open_file(const char *path, named_scene *out)
     wfSceneOfText(out->text, &out->info, &out->scene);
     return true;
 }
-
+/* <find the scene that is meant> */
 static const wfScene *scene_of(const layer_options *options, const char *otherwise,
                                named_scene *made)
 {
@@ -228,7 +228,7 @@ static int watch(const wfScene *s, int steps)
              && (depth < 0 || r.deepest <= depth);
     return !kept;
 }
-
+/* <commands of the headless program> */
 static int watch_scenes(const layer_options *options)
 {
     int steps = options->steps < 0 ? 600 : options->steps, broken = 0;
@@ -277,12 +277,14 @@ static int export_scene(const layer_options *options)
     char *text = NULL;
     const wfScene *s = scene_of(options, options->argument ? options->argument
                                                            : "free fall", &made);
+    /* <open the scene and let it run> */
     wfResult result = s ? wfOpenScene(s, NULL, &world) : WF_ERROR_NULL;
     for (int step = 0; step < options->steps && result == WF_OK; step++) {
         wfSceneInput in = wfSceneInputAt(s, step);
         result = wfStepScene(s, &world, &in);
     }
     wfSceneInfo info = { .energyBound = -1, .depthBound = -1 };
+    /* <say what the scene is called and where to look> */
     if (s) snprintf(info.name, sizeof info.name, "%s", s->name);
     if (s) snprintf(info.text, sizeof info.text, "%s", s->text);
     if (s) info.viewX = s->viewX, info.viewY = s->viewY, info.viewHeight = s->viewHeight;
@@ -353,6 +355,7 @@ static int first_simulation(const layer_options *options)
         result = wfStepScene(scene, &world, &in);
     }
     wfDestroyWorld(&world);
+    /* <ask for its picture> */
     layer_options picture = *options;
     picture.scene = scene->name;
     picture.steps = FIRST_PICTURE;

@@ -55,7 +55,7 @@ wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
     return wfReadScene(text, length, memory, out, NULL, error);
 #endif
 }
-
+/* <read and write a world as text> */
 wfResult wfTextOfWorld(const wfWorld *world, const wfSceneInfo *info, char *out,
                        size_t capacity, size_t *size)
 {

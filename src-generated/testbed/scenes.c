@@ -19,7 +19,7 @@ static void note(Maker *m, wfResult result)
     if (m->result == WF_OK)
         m->result = result;
 }
-
+/* <helpers of the scenes> */
 static wfBodyId put(Maker *m, const wfBodyDef *def)
 {
     wfBodyId id = { 0 };
@@ -32,7 +32,7 @@ static wfBodyId put(Maker *m, const wfBodyDef *def)
         note(m, wfAddBodyToWorld(m->world, &fit, &id));
     return id;
 }
-
+/* <helpers of the scenes> */
 static void push(Maker *m, const wfForce *force)
 {
     if (m->result == WF_OK)
@@ -86,7 +86,7 @@ static void put_room(Maker *m, wfReal w, wfReal h, wfReal restitution)
     put_wall(m, -w - t, h, t, h, restitution);
     put_wall(m, w + t, h, t, h, restitution);
 }
-
+/* <helpers of the scenes> */
 static void without_gravity(wfWorldDef *def) { def->gravity = wfV2(0, 0); }
 
 /* A solver that leaves the motion to the integrator. */
@@ -187,7 +187,7 @@ static void put_chain(Maker *m, const wfVec2 *point, int count)
         hang(m, body, &def);
     }
 }
-
+/* <helpers of the scenes> */
 static void put_valley(Maker *m, wfReal halfWidth, wfReal depth)
 {
     wfVec2 point[CHAIN_MOST];
@@ -232,7 +232,7 @@ static wfJoint joint_from(Maker *m, const char *kind, wfBodyId a, wfBodyId b, wf
         note(m, wfJoinBodies(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
     return j;
 }
-
+/* <helpers of the scenes> */
 static void join(Maker *m, const wfJoint *joint)
 {
     if (m->result == WF_OK)
@@ -353,7 +353,7 @@ static void pull_to_centre(void *context, const wfBodyState *state, int count, w
     }
 }
 /* <scenes> */
-static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, float *xy)
+static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, wfReal size, float *xy)
 {
     _Alignas(WF_POOL_ALIGN) uint8_t bytes[4096];
     wfPool scratch;
@@ -363,19 +363,19 @@ static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, float *xy)
     int n = 0;
     wfPoolInit(&scratch, sizeof bytes, bytes);
     for (; n < steps; n++) {
-        wfVec2 at = wfAdd(middle, planet.p);
+        wfVec2 at = wfAdd(middle, wfScale(size, planet.p));
         xy[2 * n] = (float)at.x;
         xy[2 * n + 1] = (float)at.y;
         if (wfIntegrate(row, &in) != WF_OK || wfLengthSq(planet.p) > 4)
             break;
     }
-    wfDrawCircle(d, WF_XY(middle), 1, 1, WF_INK_FAINT, WF_INK_NONE);
+    wfDrawCircle(d, WF_XY(middle), (float)size, 1, WF_INK_FAINT, WF_INK_NONE);
     wfDrawPoint(d, WF_XY(middle), 8, WF_INK_ACCENT);
+    wfVec2 at = wfAdd(middle, wfScale(size, planet.p));
     if (n > 1)
         wfDrawPolyline(d, xy, n, 1.5f, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
-    wfDrawPoint(d, (float)(middle.x + planet.p.x), (float)(middle.y + planet.p.y), 8,
-                WF_INK_LINE);
-    wfDrawText(d, (float)middle.x, (float)middle.y - 2, 13, WF_INK_TEXT, 0,
+    wfDrawPoint(d, WF_XY(at), 8, WF_INK_LINE);
+    wfDrawText(d, (float)middle.x, (float)(middle.y - 2 * size), 13, WF_INK_TEXT, 0,
                wfIntegratorTable[row].name);
 }
 /* <scenes> */
@@ -391,9 +391,12 @@ static void draw_integrators(const wfWorld *world, wfDraw *d, const wfSceneInput
     float xy[2 * MOST];
     (void)in;
     int steps = 1 + (int)(wfWorldSteps(world) / 4 % MOST);
-    for (int row = 0; row < wfIntegratorCount && row < 6; row++)
-        draw_orbit(d, row, steps, wfV2(4 * (wfReal)(row % 3), row < 3 ? 0 : WF_R(-4.6)),
-                   xy);
+    int columns = wfIntegratorCount > 6 ? (wfIntegratorCount + 1) / 2 : 3;
+    wfReal size = 3 / (wfReal)columns;              /* of a circle's radius, m */
+    for (int row = 0; row < wfIntegratorCount; row++) {
+        wfReal x = 4 * size * (wfReal)(row % columns) - 2 * (1 - size);
+        draw_orbit(d, row, steps, wfV2(x, row < columns ? 0 : WF_R(-4.6)), size, xy);
+    }
 }
 /* <scenes> */
 static wfResult build_bungee(wfWorld *world)
@@ -894,6 +897,74 @@ static void draw_wish(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfDrawArrow(d, WF_XY(in->mouse), WF_XY(v.state[test].p), 2, WF_INK_BAD);
 }
 /* <scenes> */
+enum { CROWD_ROW = 40 };
+
+/* Room for so many bodies, of which so many fall. */
+static void crowd_room(wfWorldDef *def, int32_t bodies, int32_t falling)
+{
+    def->bodyCapacity = bodies + 8;
+    def->pairCapacity = 4 * falling;
+    def->contactCapacity = 3 * falling;
+}
+
+static void room_for_hundred(wfWorldDef *def) { crowd_room(def, 100, 100); }
+static void room_for_pegs(wfWorldDef *def) { crowd_room(def, 3000, 1000); }
+static void room_for_thousands(wfWorldDef *def) { crowd_room(def, 2000, 2000); }
+/* <scenes> */
+static void put_bin(Maker *m, wfReal width, wfReal height)
+{
+    put_wall(m, 0, -1, width / 2 + 2, 1, 0);
+    put_wall(m, -width / 2 - 1, height / 2, 1, height / 2, 0);
+    put_wall(m, width / 2 + 1, height / 2, 1, height / 2, 0);
+}
+/* <scenes> */
+static void drop_crowd(Maker *m, int32_t count, int32_t firstRow, wfReal apart,
+                       wfReal aside)
+{
+    for (int32_t i = 0; i < count; i++) {
+        wfReal column = (wfReal)(i % CROWD_ROW) - WF_R(0.5) * (CROWD_ROW - 1);
+        wfReal x = apart * column + aside;
+        wfReal y = apart * ((wfReal)(firstRow + i / CROWD_ROW) + WF_R(0.5));
+        wfBodyDef b = i % 2 ? ball(m, x, y, WF_R(0.4)) : box(m, x, y, WF_R(0.4), WF_R(0.4));
+        b.friction = WF_R(0.6);
+        b.userData = i / CROWD_ROW % 2 ? WF_INK_BODY : WF_INK_BODY2;
+        put(m, &b);
+    }
+}
+
+static wfResult build_hundred(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_bin(&m, CROWD_ROW, 12);
+    drop_crowd(&m, 100, 0, 1, 0);
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_thousands(wfWorld *world)
+{
+    Maker m = { world, WF_OK };
+    put_bin(&m, CROWD_ROW, 60);
+    drop_crowd(&m, 2000, 0, 1, 0);
+    return m.result;
+}
+/* <scenes> */
+static wfResult build_pegs(wfWorld *world)
+{
+    enum { PEGS = 2000, FALLING = 1000 };
+    Maker m = { world, WF_OK };
+    put_bin(&m, 2 * CROWD_ROW, 110);
+    for (int32_t i = 0; i < PEGS; i++) {
+        int32_t row = i / CROWD_ROW, column = i % CROWD_ROW;
+        wfBodyDef peg = ball(&m, (wfReal)(2 * column - CROWD_ROW + row % 2),
+                             (wfReal)(2 * (row + 1)), WF_R(0.2));
+        peg.type = WF_STATIC;
+        peg.friction = WF_R(0.6);
+        put(&m, &peg);
+    }
+    drop_crowd(&m, FALLING, (PEGS - FALLING) / CROWD_ROW, 2, WF_R(0.3));
+    return m.result;
+}
+/* <scenes> */
 static void put_rider(Maker *m, const wfBodyDef *def)
 {
     wfShapeDef shape;
@@ -903,7 +974,7 @@ static void put_rider(Maker *m, const wfBodyDef *def)
     shape.filter.group = -1;
     note(m, wfSetShape(m->world, wfFirstShape(m->world, body), &shape));
 }
-
+/* <scenes> */
 static wfResult build_tiles(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -967,7 +1038,7 @@ static wfResult build_hammers(wfWorld *world)
     hang_box(&m, id, 0, 0, WF_R(0.2), WF_R(0.8), 1);
     return m.result;
 }
-
+/* <scenes> */
 static void draw_hammers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -1266,7 +1337,7 @@ static wfResult build_hits(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_hits(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -1577,7 +1648,7 @@ static wfResult build_crank(wfWorld *world)
     put_crank(&m, frame);
     return m.result;
 }
-
+/* <scenes> */
 static void turn_pinion(wfWorld *world, const wfSceneInput *in)
 {
     wfJoint j;
@@ -1641,7 +1712,7 @@ static void put_turns(Maker *m)
         join(m, &j);
     }
 }
-
+/* <scenes> */
 static wfResult build_small(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -1656,7 +1727,7 @@ static void on_table(wfWorldDef *def)
     jointly(def);
     def->gravity = wfV2(0, 0);
 }
-
+/* <scenes> */
 static wfResult build_table(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -1801,7 +1872,7 @@ static wfResult build_heavy_chain(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void finely(wfWorldDef *def)
 {
     jointly(def);
@@ -1851,7 +1922,7 @@ static wfResult build_islands(wfWorld *world)
     put(&m, &b);
     return m.result;
 }
-
+/* <scenes> */
 static void kick_the_last(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -2114,7 +2185,7 @@ static void release_a_ball(wfWorld *world, const wfSceneInput *in)
     if (wfChangeBodyType(world, id, WF_DYNAMIC) == WF_OK)
         wfSetBodyTransform(world, id, wfV2(x, WF_R(9.2)), 0);
 }
-
+/* <scenes> */
 static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -2123,6 +2194,7 @@ static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int32_t i = 0; i < v.count; i++)
         arrived += v.alive[i] && v.state[i].invMass > 0 && v.state[i].p.y < 2;
     float ways = 1, last = 0;
+    /* <draw how high each heap should be> */
     for (int k = 0; k <= GALTON_ROWS; k++) {
         /* a bin is 1 m wide; three balls side by side in it make a layer of 0.29 m */
         float high = (float)arrived * ways / 256 / 3 * 0.29f, x = (float)k - 4.5f;
@@ -2167,6 +2239,7 @@ static wfResult build_ramp(wfWorld *world)
     slope.friction = 1;
     put(&m, &slope);
     for (int i = 0; i < 4; i++) {
+        /* <put box i on the ramp> */
         wfReal along = WF_R(2.2) * (wfReal)i - WF_R(6.2);
         wfBodyDef b = wfDefaultBodyDef();
         wfShapeDef s = wfDefaultShapeDef();
@@ -2206,7 +2279,7 @@ static wfVec2 race_start(int lane)
 {
     return wfV2(-7, WF_R(1.6) + raceDrop * (wfReal)(RACERS - lane));
 }
-
+/* <scenes> */
 /* Hangs what makes a racer: 0 box, 1 heavy middle, 2 plain disc, 3 heavy rim. */
 static void hang_racer(Maker *m, wfBodyId id, int lane)
 {
@@ -2243,6 +2316,7 @@ static wfResult build_race(wfWorld *world)
         slope.angle = raceSlope;
         slope.friction = lane == 0 ? 0 : 1;
         put(&m, &slope);
+        /* <put a racer at its start> */
         racer = wfDefaultBodyDef();
         racer.mass = lane == 1 || lane == 3 ? 0 : 1;
         racer.type = WF_STATIC;         /* until it has a shape that weighs something */
@@ -2284,12 +2358,13 @@ static wfVec2 third(wfVec2 p, wfVec2 a0, wfVec2 b0, wfVec2 a, wfVec2 b)
     if (wfCross(wfSub(b0, a0), wfSub(p, a0)) < 0) y = -y;
     return wfAddScaled(wfAddScaled(a, x, e), y, wfPerpCCW(e));
 }
-
+/* <scenes> */
 typedef struct Leg { wfVec2 foot, knee, ankle, hip, heel, top, crank; } Leg;
 
 /* A leg in the drawing (side 1 or -1), and with the crank elsewhere. */
 static Leg leg_at(wfReal side, wfReal angle)
 {
+    /* <the drawing of a leg> */
     Leg d = { wfV2(WF_R(1.35) * side, WF_R(-1.525)), wfV2(WF_R(1.8) * side, WF_R(-0.3)),
               wfV2(WF_R(1.075) * side, WF_R(-0.475)), wfV2(WF_R(0.775) * side, WF_R(0.2)),
               wfV2(WF_R(1.5) * side, WF_R(0.375)), wfV2(WF_R(0.625) * side, WF_R(0.925)),
@@ -2316,7 +2391,7 @@ static wfBodyId put_triangle(Maker *m, wfVec2 at, wfVec2 a, wfVec2 b, wfVec2 c)
     note(m, wfMakePolygon(corner, 3, &def.shape));
     return put_in_group(m, &def, -1);
 }
-
+/* <scenes> */
 static void put_leg(Maker *m, wfVec2 at, wfBodyId frame, wfBodyId wheel, const Leg *l)
 {
     wfBodyId low = put_triangle(m, at, l->foot, l->knee, l->ankle);
@@ -2347,6 +2422,7 @@ static wfResult build_walker(wfWorld *world)
     motor.motorSpeed = -2;
     motor.motorForce = 40;
     join(&m, &motor);
+    /* <give it six legs> */
     for (int phase = 0; phase < 3; phase++)
         for (int side = -1; side <= 1; side += 2) {
             Leg l = leg_at((wfReal)side, 2 * WF_PI / 3 * (wfReal)phase);
@@ -2409,6 +2485,7 @@ static wfResult build_trial(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     put_wall(&m, 0, WF_R(-0.2), WF_R(2.3), WF_R(0.2), 0);
+    /* <put a sledge on its slope> */
     wfBodyDef slope = box(&m, WF_R(0.3), WF_R(0.75), WF_R(0.9), WF_R(0.1));
     slope.type = WF_STATIC;
     slope.angle = trialSlope;
@@ -2442,7 +2519,7 @@ static wfResult run_trial(int solver, int passes, int steps, wfWorld *out)
     while (result == WF_OK && steps-- > 0) result = wfStepWorld(out);
     return result;
 }
-
+/* <scenes> */
 static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
 {
     static const uint8_t ink[3] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD };
@@ -2464,7 +2541,7 @@ static void write_length(wfDraw *d, float x, float y, double length)
     if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "gone");
     else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
 }
-
+/* <scenes> */
 static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
 {
     wfBodyView v = wfWorldBodies(world);
@@ -2475,6 +2552,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     double crept = ((double)sledge.p.x - 0.3 + 0.4 * (double)q.c + 0.25 * (double)q.s)
                    / (double)q.c;
     double energy = (v2 * v2 / 2 + 9.81 * ((double)ball.p.y - 0.2)) / (9.81 * 2);
+    /* <mark where each should be> */
     wfDrawDashed(d, x - 1.9f, y + 0.4f * TRIAL_BOXES, x - 1.1f, y + 0.4f * TRIAL_BOXES, 1,
                  WF_INK_BAD);
     wfDrawDashed(d, x + 1.4f, y + 2.4f, x + 2.2f, y + 2.4f, 1, WF_INK_BAD);
@@ -2603,7 +2681,7 @@ static wfResult build_jitter(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_jitter(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -2725,7 +2803,7 @@ static wfResult build_spin(wfWorld *world)
     }
     return m.result;
 }
-
+/* <scenes> */
 static void draw_spin(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -2814,7 +2892,7 @@ static wfResult build_weight(wfWorld *world)
     put_tower(&m, 0, WF_R(0.5));
     return m.result;
 }
-
+/* <scenes> */
 static wfResult build_sizes(wfWorld *world)
 {
     static const wfReal half[4] = { WF_R(0.025), WF_R(0.1), WF_R(0.4), 1 };
@@ -2951,6 +3029,20 @@ const wfScene wfSceneTable[] = {
       .define = push_out_at_once, .build = build_gallery, .update = place_testing_body,
       .draw = draw_wish, .viewX = 0, .viewY = 0, .viewHeight = 9,
       .energyBound = -1, .depthBound = -1 },
+    /* <rows of the scene table> */
+    { .category = "Performance", .name = "a hundred bodies", .chapter = 32,
+      .text = "The least of the report's six performance tests: boxes and discs in a bin.",
+      .define = room_for_hundred, .build = build_hundred,
+      .viewX = 0, .viewY = 7, .viewHeight = 28, .energyBound = WF_R(0.1),
+      .depthBound = WF_R(0.1) },
+    { .category = "Performance", .name = "two thousand bodies", .chapter = 32,
+      .text = "The most at once. Does it still run smoothly? Watch the curve of time.",
+      .define = room_for_thousands, .build = build_thousands,
+      .viewX = 0, .viewY = 25, .viewHeight = 58, .energyBound = 30, .depthBound = WF_R(0.5) },
+    { .category = "Performance", .name = "a thousand on pegs", .chapter = 32,
+      .text = "1,000 fall among 2,000 that stand still and cost next to nothing.",
+      .define = room_for_pegs, .build = build_pegs,
+      .viewX = 0, .viewY = 52, .viewHeight = 116, .energyBound = 30, .depthBound = WF_R(0.3) },
     /* <rows of the scene table> */
     { .category = "Shapes", .name = "tiled valley", .chapter = 13,
       .text = "Two hundred tiles make one smooth valley: nothing stumbles over a seam.",

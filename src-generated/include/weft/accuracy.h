@@ -23,7 +23,7 @@ typedef struct wfAccuracy {
     int32_t method;            /* row of wfMethodTable */
     int32_t steps;             /* in a frame, >= 1 */
     int32_t failed;            /* 1: a step failed; neither error nor cost mean anything */
-    int32_t spare;             /* 0 */
+    int32_t relaxed;           /* so many bodies make fewer substeps, sec:accuracy-own */
     wfReal  frame;             /* s, > 0 */
     wfReal  error;             /* as a share of the scene's size, estimated, >= 0 */
     double  cost;              /* of a frame: counted, or ms by a clock */
@@ -60,13 +60,20 @@ wfResult wfChooseSettings(const wfAccuracy *points, int32_t count, wfReal tolera
 wfResult wfChooseForBudget(const wfAccuracy *points, int32_t count, double unit,
                            double budget, wfAccuracy *out);
 /* Sets the world to what was chosen: from now on wfStepFrame, or as many steps in a frame
- * as it says. WF_ERROR_NULL, _UNKNOWN (method), _RANGE, those of wfSetWorldDef. */
+ * as it says. All bodies make all substeps (wfSetBodySubsteps). WF_ERROR_NULL, _UNKNOWN (method), _RANGE, those of wfSetWorldDef. */
 wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen);
 /* Advances the world by a frame: chosen->steps steps. After an error of a step the world
  * is as it was before that step, and wfWorldSteps tells how many were made. */
 wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen);
 /* All of it: measures with wfDefaultCurveDef over a second from now (1000 frames at most)
- * in frames of `frame` seconds, chooses, sets. No clock is asked: equal worlds, equal
- * choice. Errors of all three; the world, and *out, are then as they were. */
+ * in frames of `frame` seconds, chooses, finds out who can do with fewer substeps, sets.
+ * No clock is asked: equal worlds, equal choice. Errors of all three; the world, and *out,
+ * are then as they were. */
 wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccuracy *out);
+/* <declarations of choosing> */
+/* Says that so many substeps suffice for a body, of those that its world makes (>= 0; 0:
+ * it needs all). Who hangs together makes as many as the most demanding needs, and who is
+ * joined makes all. For the solver "soft". WF_ERROR_STALE_ID, _RANGE, _BUSY. */
+wfResult wfSetBodySubsteps(wfWorld *world, wfBodyId id, int32_t substeps);
+int32_t wfBodySubsteps(const wfWorld *world, wfBodyId id);     /* 0 for a stale id, too */
 #endif

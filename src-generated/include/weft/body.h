@@ -34,7 +34,7 @@ typedef struct wfBodyForces {
 /* What is read once a step or less. */
 typedef struct wfBodyProps {
     int32_t type;           /* a wfBodyType                                               */
-    int32_t spare;          /* 0: without it there would be a hole in the bytes           */
+    int32_t substeps;       /* that suffice for it, of its world's; 0: as many as it makes  */
     wfReal mass, inertia;   /* kg, kg m^2; remembered while the type is not dynamic       */
     wfReal linearDamping;   /* 1/s, 0 or more: v shrinks by exp(-c h)                     */
     wfReal angularDamping;  /* 1/s, 0 or more                                             */
@@ -49,7 +49,7 @@ typedef struct wfBodyProps {
 /* A dynamic particle of mass 1 without damping. */
 wfBodyProps wfDefaultBodyProps(void);
 /* WF_OK, or what is wrong: WF_ERROR_NULL, _NOT_FINITE, _UNKNOWN (type), _MASS, _RANGE (a
-   damping or a given mass below 0). */
+   damping, a given mass or substeps below 0). */
 wfResult wfCheckBodyProps(const wfBodyProps *props);
 /* True if no number of the state is NaN or infinite. */
 bool wfBodyIsFinite(const wfBodyState *state);

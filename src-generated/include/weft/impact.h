@@ -104,7 +104,7 @@ wfReal wfInnerRadius(const wfShape *shape);
 bool wfSweepIsFast(const wfShape *shape, wfSweep sweep);
 
 #define WF_IMPACT_INNER WF_R(0.75)      /* sigma of eq:impact-inner */
-
+/* <declarations of stops> */
 typedef struct wfObstacle {
     const wfShape *shape;
     wfSweep sweep;              /* wfSweepStill for what stands */
@@ -118,7 +118,7 @@ typedef struct wfStop {
     wfImpact impact;            /* with it; if there is none, all 0 but t */
 } wfStop;
 enum { WF_NO_OBSTACLE = -1 };
-
+/* <declarations of stops> */
 /* How far one shape may move among obstacles, at most until `most`; sec:impact-core.  For a
    body of several shapes take the least of their times.  Of equal times the first obstacle
    counts.  WF_ERROR_NULL; _RANGE: most not in [0, 1], count below 0; errors of

@@ -6,6 +6,7 @@
  * it needs cJSON and a C library. testbed/scenes/scene.schema.json describes the text. */
 #include "weft/world.h"
 
+/* <limits of a scene's text> */
 #define WF_SCENE_VERSION 1          /* of the text: its field "weft" */
 #define WF_SCENE_DEPTH 32           /* objects and arrays in one another at most */
 #define WF_SCENE_BYTES (1 << 28)    /* length of a text at most */

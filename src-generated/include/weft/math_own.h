@@ -31,7 +31,15 @@ typedef float wfReal;
 #endif
 #define WF_PI WF_R(3.14159265358979323846)
 /* <functions of one real number> */
-static inline wfReal wfAbs(wfReal a)            { return a < 0 ? -a : a; }
+#ifndef __GNUC__
+#define WF_NATIVE_ABS(a) ((a) > 0 ? (a) : 0 - (a))
+#elif defined WF_DOUBLE
+#define WF_NATIVE_ABS(a) __builtin_fabs(a)
+#else
+#define WF_NATIVE_ABS(a) __builtin_fabsf(a)
+#endif
+
+static inline wfReal wfAbs(wfReal a)            { return WF_NATIVE_ABS(a); }
 static inline wfReal wfMinR(wfReal a, wfReal b) { return a < b ? a : b; }
 static inline wfReal wfMaxR(wfReal a, wfReal b) { return a > b ? a : b; }
 static inline wfReal wfSquare(wfReal a)         { return a * a; }

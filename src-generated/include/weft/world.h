@@ -316,6 +316,7 @@ wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransfor
 wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
                              wfTransform placed, wfVec2 by, const wfFilter *filter,
                              wfRayHit *hits, int32_t capacity, int32_t *count);
+/* <declarations of queries> */
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
@@ -462,6 +463,7 @@ typedef struct wfSetting {
     uint32_t    need;          /* means something if one of these is met; 0: always */
     const char *text;
 } wfSetting;
+/* <declarations of the table of settings> */
 extern const wfSetting wfSettingTable[];
 extern const int wfSettingCount;
 /* The row of that name, NULL if there is none. */
