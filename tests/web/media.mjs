@@ -183,6 +183,7 @@ await play.getByRole('button', { name: 'run this simulation here' }).click();
 const field = play.locator('canvas');
 await field.waitFor();
 await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });
+if (two) check(page.scripts.sort().join() === 'figures-12-narrow-phase,testbed', `12-narrow-phase.html: a figure and a simulation load ${page.scripts.join(', ')}`);
 for (const dark of [true, false, true]) {
   await page.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
   await page.waitForTimeout(400);
