@@ -33,8 +33,10 @@ $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
-$(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html: $(HTML)/%: book/%
+$(HTML)/book.css $(HTML)/book.js $(HTML)/testbed.html: $(HTML)/%: book/%
 	@mkdir -p $(@D); cp $< $@
+$(HTML)/live.js: book/live.js tangle/bare
+	@mkdir -p $(@D); tangle/bare $< > $@
 
 # -- the gallery: every scene, drawn by the program that the figures' tree makes
 $(HTML)/gallery.html: $(W)/figures.stamp tangle/gallery

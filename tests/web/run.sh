@@ -10,7 +10,7 @@ mkdir -p build/node
   npm install --prefix build/node --no-save --no-fund --no-audit --silent playwright-core axe-core || { echo "npm could not install playwright-core and axe-core"; exit 1; }
 # what a page loads before its first frame: at most 150 KB, the script by gzip included (book/data/page-weight.csv)
 [ -f $html/live-testbed-rest.js ] || { echo "web: the testbed came in one piece -- install binaryen, for wasm-split"; exit 1; }
-script=$(gzip -9nc book/live.js | wc -c)
+script=$(gzip -9nc $html/live.js | wc -c)
 for m in testbed $(cd build/web && ls figures-*.wasm.lzma | sed 's/\.wasm\.lzma$//'); do
   n=$(($(wc -c < build/web/$m.wasm.lzma) + script))
   [ "$n" -le 150000 ] || { echo "web: with the script $m weighs $n bytes, more than 150000 (the list of the testbed's first part: tests/web/weight.sh)"; exit 1; }

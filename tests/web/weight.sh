@@ -15,13 +15,14 @@ cmp -s build/web.first tangle/web.first || cp build/web.first tangle/web.first
 webmake && webmake $web/one.wasm.lzma || exit 1
 kb() { awk -v n="$(wc -c)" 'BEGIN { printf "%.0f", n / 1000 }'; }
 row() { local t; t=$(kb < $web/$2.wasm.lzma); echo "$1,$(kb < $web/$2.wasm),$(gzip -9nc $web/$2.wasm | kb),$t,$3"; }
+script() { tangle/bare book/live.js; }
 room() { echo $((aim - $(kb < $web/$1.wasm.lzma))); }
 figures=$(wc -c $web/figures-*.wasm.lzma | grep -v ' total$' | sort -n | sed 's/.*\///; s/\.wasm\.lzma$//')
 least=$(head -1 <<< "$figures") most=$(tail -1 <<< "$figures")
 { echo "# command: bash tests/web/weight.sh"
   echo "what,linked,gzip,travels,room"
   row "the testbed before its first frame" testbed "$(room testbed)"
-  echo "the script that unpacks and runs it,$(kb < book/live.js),$(gzip -9nc book/live.js | kb),$(gzip -9nc book/live.js | kb),$((aim - $(cat $web/testbed.wasm.lzma <(gzip -9nc book/live.js) | kb)))"
+  echo "the script that unpacks and runs it,$(script | kb),$(script | gzip -9nc | kb),$(script | gzip -9nc | kb),$((aim - $(cat $web/testbed.wasm.lzma <(script | gzip -9nc) | kb)))"
   row "the testbed's rest: when it is asked for" testbed-rest ""
   row "the testbed in one piece" one "$(room one)"
   row "the figures of chapter ${least:8:2} (the least)" "$least" "$(room "$least")"
