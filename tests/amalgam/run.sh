@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The engine in two files: made from the chapters, compiled as C11 and as C++17 by gcc and clang with every warning an error,
-# in single and in double precision; three scenes must have the hashes that they have with the library.
+# in single and in double precision, all eight; three scenes must have the hashes that they have with the library. So must the smallest
+# build that gcc makes of it (smallest.sh).
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 work=build/check/amalgam; mkdir -p "$work"
@@ -16,7 +17,7 @@ one() {       # what it is called, the compiler, its language, further flags
 c="-x c -std=c11 -Wpedantic -Wstrict-prototypes -Wmissing-prototypes -Wdouble-promotion" cxx="-x c++ -std=c++17"
 jobs=() fail=0
 wait_two() { while [ ${#jobs[@]} -ge "$1" ]; do wait "${jobs[0]}" || fail=1; jobs=("${jobs[@]:1}"); done; }
-for build in "gcc-c gcc|$c" "clang-c-double clang|$c" "gcc-c++-double g++|$cxx" "clang-c++ clang++|$cxx"; do
+for build in "gcc-c gcc|$c" "gcc-c-double gcc|$c" "clang-c clang|$c" "clang-c-double clang|$c" "gcc-c++ g++|$cxx" "gcc-c++-double g++|$cxx" "clang-c++ clang++|$cxx" "clang-c++-double clang++|$cxx"; do
   set -- ${build%%|*}; language=${build#*|}
   case $1 in *-double) one "$1" "$2" "${language/-Wdouble-promotion/}" -DWF_DOUBLE & ;; *) one "$1" "$2" "$language" & ;; esac
   jobs+=($!); wait_two 2
@@ -31,10 +32,11 @@ for precision in "" -double; do
   # shellcheck disable=SC2086
   gcc -std=c11 -O1 $flags -Ibuild/lines/include '-DWEFT_HEADER="weft/weft.h"' tests/amalgam/scenes.c "$work/lib$precision/lib/libweft.a" -lm -o "$work/library$precision" && "$work/library$precision" >"$work/library$precision.txt" || exit 1
 done
-for build in gcc-c clang-c-double gcc-c++-double clang-c++; do
+for build in {gcc,clang}-{c,c++}{,-double}; do
   case $build in *-double) like=library-double ;; *) like=library ;; esac
   diff "$work/$like.txt" "$work/$build.txt" || { echo "amalgam: $build has other hashes than the library"; exit 1; }
 done
 cmp -s "$work/library.txt" "$work/library-double.txt" && { echo "amalgam: single and double precision have the same hashes"; exit 1; }
+tests/amalgam/smallest.sh || exit 1
 lines=$(cat "$a"/weft.[hc] | wc -l)
 echo "weft.h and weft.c ($lines lines): as C11 and C++17, by gcc and clang, float and double, the library's hashes for three scenes"

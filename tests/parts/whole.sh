@@ -2,6 +2,8 @@
 # How large is the whole engine, compiled in one way or another, and with less in it? book/data/price-whole.csv (make prices).
 # Code: the sections .text of all files of the library; data: .rodata and the tables of addresses (.data.rel.ro); of WebAssembly its code
 # section and its data section. Nothing is removed that a program does not call. A row whose tools are not here is left out.
+# "As one file" is the amalgamation (make amalgam): all but the pen of the book's figures and the report's names. Rows with "smallest"
+# have each switch that was found to make it smaller; their bits are those of -O2 (tests/amalgam/smallest.sh).
 # And what are the bytes of -Os for? book/data/price-bytes.csv: machine code by kind of instruction, of the component and of all.
 #   tests/parts/whole.sh [FILE [FILE]]
 set -uo pipefail
@@ -29,6 +31,17 @@ row() {
   [ "$name" != "all parts: -Os" ] || { echo "# command: make prices"; echo "what,code,share,instructions"; kinds "$d"/o/*.o; } > build/price/bytes.csv
   rm -rf "$d"
 }
+# one NAME, compiler and flags: the whole as one file. WebAssembly is linked, for an object's calls are padded; what it imports is counted too.
+one() {
+  local name=$1 d=$dir/one; shift
+  [ -f "$d/weft.c" ] || { tangle/tangle "$d/tree" chapters/*.nw && tangle/amalgam "$d/tree" "$d" >/dev/null; } || exit 1
+  "$@" -I"$d" -c "$d/weft.c" -o "$d/o" || exit 1
+  case "$*" in
+    *wasm*) wasm-ld --no-entry --export-all --gc-sections --strip-all --allow-undefined "$d/o" -o "$d/wasm" &&
+            echo "$name,$(llvm-objdump -h "$d/wasm" | awk '$2 == "CODE" || $2 == "DATA" { printf "%s ", $3 }' | { read -r c t; echo $((16#$c)),$((16#$t)); })" ;;
+    *) echo "$name,$(sizes "$d/o")" ;;
+  esac
+}
 # one kind of instruction a line, by the machine's own words
 kinds() {
   objdump -d "$@" | awk -F'\t' '
@@ -50,9 +63,12 @@ game="joints sleep events sensors forces damping dynamic-tree"
   echo "what,code,data"
   row "all parts: -O2" --without "" $gcc -O2
   row "all parts: -Os" --without "" $gcc -Os
-  row "all parts: -Os as one unit" --without "" $gcc -Os -flto
-  row "all parts: -Os as one unit, each switch that makes it smaller" --without "" $gcc -Os -flto -fno-tree-sra -fno-ipa-sra -fno-ipa-cp -fno-tree-loop-distribute-patterns -fno-move-loop-invariants
+  one "all parts as one file: -Os" $gcc -Os
+  one "all parts as one file: -Oz" $gcc -Oz
+  one "all parts as one file: -Oz, smallest" $(tests/amalgam/smallest.sh --compiler)
   if command -v clang >/dev/null; then row "all parts: clang -Oz" --without "" clang -std=c11 $common -Oz -fno-pic -fno-asynchronous-unwind-tables; fi
+  if command -v clang wasm-ld llvm-objdump >/dev/null && [ -d /usr/include/wasm32-wasi ]; then
+    one "all parts as one file: WebAssembly, clang -Oz" clang --target=wasm32-wasi --sysroot=/usr -std=c11 $common -Oz -mbulk-memory -mnontrapping-fptoint; fi
   row "no second methods: -Os" --without "$second" $gcc -Os
   row "no exact solver: -Os" --without "exact" $gcc -Os
   row "a game with joints: -Os" --only "$game" $gcc -Os

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# The whole engine as small as gcc makes it: the amalgamation, -Oz, and each switch that was found to save bytes (chapter 35). Is it still
+# the same engine? Three scenes must have the hashes that they have at -O2.
+#   tests/amalgam/smallest.sh              builds it and compares
+#   tests/amalgam/smallest.sh --compiler   prints the compiler and its switches
+# Vectors of two numbers are added in one instruction by the vectoriser of straight lines; it never joins sums, and without
+# fused instructions (no -mfma) it cannot round otherwise.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronous-unwind-tables -fno-stack-protector -fno-pic
+  -ftree-slp-vectorize -fno-tree-loop-vectorize -fno-trapping-math -fno-ipa-sra -fno-ipa-cp -fno-tree-loop-distribute-patterns
+  -fno-move-loop-invariants -fno-tree-dominator-opts -fno-caller-saves -fno-shrink-wrap -fno-schedule-insns2"
+[ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
+[ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
+work=build/check/smallest; mkdir -p "$work"
+tangle/tangle "$work/tree" chapters/*.nw && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
+scenes() {    # compiler and flags: the hashes of three scenes
+  "$@" -I"$work" -c "$work/weft.c" -o "$work/weft.o" && "$@" -I"$work" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$work/scenes.o" &&
+    gcc -no-pie "$work/weft.o" "$work/scenes.o" -o "$work/scenes" && "$work/scenes"
+}
+# shellcheck disable=SC2086
+scenes $smallest > "$work/smallest.txt" && scenes gcc -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -w -O2 -fno-pic > "$work/O2.txt" || exit 1
+diff "$work/O2.txt" "$work/smallest.txt" || { echo "smallest: the engine made small has other hashes"; exit 1; }
+echo "the smallest build has the hashes of -O2 ($(wc -l < "$work/O2.txt") scenes)"
