@@ -549,7 +549,8 @@ static void a_step_has_room_for_so_many(void **state)
     wfDestroyWorld(&w);
 }
 
-/* Two thousand bullets in a room, all fast: from the second step on they are a crowd. None leaves the room; with nobody followed, some do. */
+/* Two thousand discs and boxes fly in a small room, and hit each other thousands of times in a step: they are a crowd. None leaves the room; with
+ * nobody followed, some do. Once they are a crowd no step uses up its room. */
 static void a_crowd_stays_in_its_room(void **state)
 {
     (void)state;
