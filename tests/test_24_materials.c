@@ -118,6 +118,47 @@ static void a_cold_box_holds_up_to_the_static_angle(void **unused)
         }
 }
 
+/* A pyramid put down cold: passes find slowly what rests on a stone, and must not let it go before (eq:sequential-patience). Below mu_s it
+ * must stand as one with mu_s for both numbers does; at 1.2 mu_s it goes, and after a second with mu: g (sin - mu cos). */
+static double pyramid_goes(double angle, double slides, double holds, int rows, int columns, int substeps)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world;
+    wfBodyId id[15];
+    int n = 0;
+    double way = 0;
+    def.substeps = substeps, def.columns = columns;
+    def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
+    assert_ok(wfCreateWorld(&def, &world));
+    lay(&world, -1, 500, 1, WF_STATIC, rough(slides, holds));
+    for (int r = 0; r < rows; r++)
+        for (int i = 0; i < rows - r; i++, n++) {
+            id[n] = lay(&world, 0.25 + 0.5 * r, 1, 0.25, WF_DYNAMIC, rough(slides, holds));
+            assert_ok(wfSetBodyTransform(&world, id[n], wfV2((wfReal)(2.1 * i + 1.05 * r), (wfReal)(0.25 + 0.5 * r)), 0));
+            way -= (2.1 * i + 1.05 * r) / (rows * (rows + 1) / 2);
+        }
+    run(&world, 180);
+    for (int i = 0; i < n; i++) way += along(&world, id[i]) / n;
+    wfDestroyWorld(&world);
+    return way;
+}
+
+static void a_cold_pyramid_holds_up_to_the_static_angle(void **unused)
+{
+    (void)unused;
+    const double share[] = { 0.7, 0.9, 0.97 };
+    for (int rows = 3; rows <= 5; rows += 2)
+        for (int substeps = 1; substeps <= 4; substeps *= 4)
+            for (int columns = 0; columns <= 3; columns += 3) {
+                for (int i = 0; i < 3; i++) {
+                    double angle = atan(0.6 * share[i]), one = pyramid_goes(angle, 0.6, 0.6, rows, columns, substeps);
+                    assert_near(pyramid_goes(angle, 0.4, 0.6, rows, columns, substeps), one, 1e-4);
+                }
+                double angle = atan(0.6 * 1.2), a = G * (sin(angle) - 0.4 * cos(angle));
+                assert_true(pyramid_goes(angle, 0.4, 0.6, rows, columns, substeps) > a * 2);     /* a / 2 t^2, t >= 2 s */
+            }
+}
+
 /* It stops after v^2 / 2 mu g; half a substep with the static limit costs (mu_s - mu) g dt / 2 of speed, and so the way v / mu g of that. */
 static void it_stops_as_the_dynamic_one_says(void **unused)
 {
@@ -429,7 +470,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_coefficient_by_hand), cmocka_unit_test(it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one),
         cmocka_unit_test(between_the_two_angles_it_depends_on_how_it_began),
-        cmocka_unit_test(a_cold_box_holds_up_to_the_static_angle), cmocka_unit_test(it_stops_as_the_dynamic_one_says),
+        cmocka_unit_test(a_cold_box_holds_up_to_the_static_angle), cmocka_unit_test(a_cold_pyramid_holds_up_to_the_static_angle), cmocka_unit_test(it_stops_as_the_dynamic_one_says),
         cmocka_unit_test(a_bow_makes_a_tone), cmocka_unit_test(mixing_by_hand), cmocka_unit_test(a_world_mixes_by_its_rules),
         cmocka_unit_test(who_knows_the_pair_need_not_mix), cmocka_unit_test(the_list_of_pairs_is_a_map),
         cmocka_unit_test(shapes_refuse_bad_materials), cmocka_unit_test(a_hook_overrides_one_contact),
