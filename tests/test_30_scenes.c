@@ -1052,6 +1052,59 @@ static void time_runs_slower(void **state)
     play_end(&p);
 }
 
+/* eq:scenes-between: its ends, the middle of a turn over pi, a rotation that is one, and the chord's error, at most x^3/62. */
+static void a_pose_is_between_two(void **state)
+{
+    (void)state;
+    wfTransform a = wfMakeTransform(wfV2(1, -2), WF_R(3.1)), b = wfMakeTransform(wfV2(3, 2), WF_R(-3.1));
+    double eps = 8 * (double)WF_EPSILON;
+    wfTransform m = wfPoseBetween(a, b, WF_R(0.5));
+    assert_near2(wfPoseBetween(a, b, 0).p, a.p, eps);
+    assert_near2(wfPoseBetween(a, b, 1).p, b.p, eps);
+    assert_near(wfPoseBetween(a, b, 0).q.s, a.q.s, eps);
+    assert_near(wfPoseBetween(a, b, 1).q.s, b.q.s, eps);
+    assert_near2(m.p, wfV2(2, 0), eps);
+    assert_near(m.q.c, -1, eps);                                    /* over pi, and not over 0 */
+    assert_near(m.q.s, 0, eps);
+    for (double turn = 0.1; turn < 1; turn += 0.2)
+        for (double t = 0; t <= 1; t += 0.05) {
+            wfTransform c = wfPoseBetween(wfMakeTransform(wfV2(0, 0), WF_R(0.3)), wfMakeTransform(wfV2(0, 0), (wfReal)(0.3 + turn)), (wfReal)t);
+            assert_near(c.q.c * c.q.c + c.q.s * c.q.s, 1, eps);
+            assert_near(atan2((double)c.q.s, (double)c.q.c), 0.3 + t * turn, 1.1 * turn * turn * turn / 62 + eps);
+        }
+    wfTransform half = wfPoseBetween(wfMakeTransform(wfV2(0, 0), 0), wfMakeTransform(wfV2(0, 0), WF_PI), WF_R(0.5));
+    assert_near(half.q.c, -1, eps);                                 /* no short way: the new one */
+}
+
+/* With a quarter of a step in each frame, every frame moves what is seen; with an overlay, or paused, the states are seen. */
+static void frames_between_steps_are_between(void **state)
+{
+    (void)state;
+    play p;
+    enum { ROW0 = 130, HIGH = 400 };
+    uint32_t *before = malloc(4 * 1100 * HIGH);
+    play_begin(&p, 1100, 700, 1);
+    play_run(&p, "scene tumbler\nsteps 1\nwait 30\n");
+    assert_int_equal((int)play_fact(&p, "show", 0), 0);
+    for (int run = 0; run < 3; run++) {
+        int moved = 0, still = 0;
+        if (run == 1) play_run(&p, "steps 0\nkey 3\nframe\n");
+        if (run == 2) play_run(&p, "steps 0\nkey 3\nkey p\nframe\n");
+        for (int i = 0; i < 13; i++) {
+            double steps = play_fact(&p, "steps", 0);
+            memcpy(before, p.buffer.pixels + ROW0 * 1100, 4 * 1100 * HIGH);
+            play_run(&p, "seconds 0.0041667\nsteps -1\nframe\n");
+            if (i == 0 || play_fact(&p, "steps", 0) > steps) continue;
+            if (memcmp(before, p.buffer.pixels + ROW0 * 1100, 4 * 1100 * HIGH) != 0) moved++;
+            else still++;
+        }
+        if (run == 0) assert_true(moved >= 8 && still == 0);
+        else assert_true(moved == 0 && still >= 8);
+    }
+    free(before);
+    play_end(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1073,6 +1126,7 @@ int main(void)
         cmocka_unit_test(a_solver_is_chosen_from_its_list),
         cmocka_unit_test(time_goes_back_and_on_again_to_the_same_bits),
         cmocka_unit_test(three_letters_and_enter_open_a_scene),
+        cmocka_unit_test(a_pose_is_between_two), cmocka_unit_test(frames_between_steps_are_between),
         cmocka_unit_test(time_runs_slower), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
         cmocka_unit_test(overlays_keys_and_views_answer), cmocka_unit_test(a_body_is_held_dragged_and_thrown),
         cmocka_unit_test(a_narrow_window_shows_the_whole_scene),
