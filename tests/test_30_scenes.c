@@ -1105,6 +1105,30 @@ static void frames_between_steps_are_between(void **state)
     play_end(&p);
 }
 
+/* The last line of the panel World is the hash: in a very high window all of it is seen, and it changes with a step and not without. */
+static void the_panel_shows_the_states_hash(void **state)
+{
+    (void)state;
+    play p;
+    enum { WIDE = 1000, TALL = 2400, PANEL = 260 };
+    uint32_t *before = malloc(4 * WIDE * TALL);
+    play_begin(&p, WIDE, TALL, 1);
+    play_run(&p, "scene pyramid\nsteps 1\nwait 5\nsteps 0\nkey s\nframe\n");
+    play_click(&p, "World");
+    play_run(&p, "steps 0\nmove 300 900\nframe\nframe\n");
+    for (int steps = 0; steps < 2; steps++) {
+        int differ = 0;
+        memcpy(before, p.buffer.pixels, 4 * WIDE * TALL);
+        play_run(&p, steps ? "steps 1\nframe\n" : "steps 0\nframe\n");
+        for (int y = 200; y < TALL - 60; y++)
+            differ += memcmp(before + y * WIDE + WIDE - PANEL, p.buffer.pixels + y * WIDE + WIDE - PANEL, 4 * PANEL) != 0;
+        if (!steps) assert_int_equal(differ, 0);
+        else assert_true(differ > 4 && differ < 20);                 /* one line of words */
+    }
+    free(before);
+    play_end(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1126,7 +1150,7 @@ int main(void)
         cmocka_unit_test(a_solver_is_chosen_from_its_list),
         cmocka_unit_test(time_goes_back_and_on_again_to_the_same_bits),
         cmocka_unit_test(three_letters_and_enter_open_a_scene),
-        cmocka_unit_test(a_pose_is_between_two), cmocka_unit_test(frames_between_steps_are_between),
+        cmocka_unit_test(the_panel_shows_the_states_hash), cmocka_unit_test(a_pose_is_between_two), cmocka_unit_test(frames_between_steps_are_between),
         cmocka_unit_test(time_runs_slower), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
         cmocka_unit_test(overlays_keys_and_views_answer), cmocka_unit_test(a_body_is_held_dragged_and_thrown),
         cmocka_unit_test(a_narrow_window_shows_the_whole_scene),
