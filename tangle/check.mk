@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` should take about 25 minutes on two cores; the long runs have names of their own.
-.PHONY: pictures check evaluation mutate data golden coverage fuzz portability windows parts prices peers extremes
+.PHONY: pictures check evaluation mutate data golden coverage fuzz portability leaks windows parts prices peers extremes
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
