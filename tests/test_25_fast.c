@@ -549,41 +549,42 @@ static void a_step_has_room_for_so_many(void **state)
     wfDestroyWorld(&w);
 }
 
-/* Two thousand discs and boxes fly in a small room, and hit each other thousands of times in a step: they are a crowd. None leaves the room; with
- * nobody followed, some do. Once they are a crowd no step uses up its room. */
+/* Two thousand small discs and boxes fall upon a floor, at 30 m/s, in a narrow room: where they land, each strikes all below it. A step
+ * uses up its room; the next is a crowd's, and does not. None leaves the room. (With walls of 2 cm one is *pressed* through the floor, at
+ * 5 cm/s, by what lies on it: that is the softness of contacts and not speed.) */
 static void a_crowd_stays_in_its_room(void **state)
 {
     (void)state;
-    int outside[2] = { 0, 0 };
-    for (int k = 0; k < 2; k++) {
-        wfWorldDef def = calm("soft");
-        def.bodyCapacity = 2004, def.pairCapacity = 200000, def.impacts = k == 0 ? 4096 : 0;
-        wfWorld w = open_world(&def);
-        for (int i = 0; i < 4; i++) {
-            wfBodyDef wall = wall_of(i < 2 ? 0.02 : 41, i < 2 ? 41 : 0.02);
-            wfReal at = i % 2 == 0 ? 20 : -20;
-            wall.position = i < 2 ? wfV2(at, 0) : wfV2(0, at);
-            add(&w, wall);
-        }
-        for (int i = 0; i < 2000; i++) {
-            wfBodyDef b = body_of(i % 3, 0.05);
-            wfRot q = wfRotation((wfReal)i);
-            b.position = wfV2((wfReal)(i % 50 - 24.5) * WF_R(0.75), (wfReal)(i / 50 - 19.5) * WF_R(0.75));
-            b.velocity = wfV2(60 * q.c, 60 * q.s), b.restitution = 1;
-            add(&w, b);
-        }
-        int crowds = 0;
-        for (int i = 0; i < 40; i++) {
-            assert_ok(wfStepWorld(&w));
-            crowds += report(&w).bodies > 1024;
-        }
-        assert_true(k == 1 || crowds > 30);
-        wfBodyView v = wfWorldBodies(&w);
-        for (int32_t i = 4; i < v.count; i++) outside[k] += !(wfAbs(v.state[i].p.x) < 20 && wfAbs(v.state[i].p.y) < 20);
-        wfDestroyWorld(&w);
+    int outside = 0, spent = 0, crowded = 0;
+    bool full = false;
+    wfWorldDef def = calm("soft");
+    def.bodyCapacity = 2004, def.pairCapacity = 200000, def.gravity = wfV2(0, -10);
+    wfWorld w = open_world(&def);
+    for (int i = 0; i < 4; i++) {
+        wfBodyDef wall = wall_of(i < 2 ? 0.2 : 11, i < 2 ? 21 : 0.2);
+        wall.position = i < 2 ? wfV2(i == 0 ? 5 : -5, 10) : wfV2(0, i == 2 ? 20 : 0);
+        add(&w, wall);
     }
-    assert_int_equal(outside[0], 0);
-    print_message("a crowd: without impacts %d of 2000 leave the room\n", outside[1]);
+    for (int i = 0; i < 2000; i++) {
+        wfBodyDef b = body_of(i % 2, 0.05);
+        b.position = wfV2((wfReal)(i % 40 - 19.5) * WF_R(0.2), WF_R(1.5) + (wfReal)(i / 40) * WF_R(0.2));
+        b.velocity = wfV2((wfReal)(i % 7 - 3), -30);
+        add(&w, b);
+    }
+    for (int i = 0; i < 60; i++) {
+        assert_ok(wfStepWorld(&w));
+        wfFastReport r = report(&w);
+        assert_false(full && r.impacts >= 4096);             /* never two in a row */
+        full = r.impacts >= 4096;
+        if (full) spent = i;
+        else if (spent > 0 && r.bodies > 256) crowded++;
+    }
+    wfBodyView v = wfWorldBodies(&w);
+    for (int32_t i = 4; i < v.count; i++)
+        outside += !(wfAbs(v.state[i].p.x) < 5 && wfAbs(v.state[i].p.y - 10) < 10);
+    wfDestroyWorld(&w);
+    assert_true(spent > 0 && crowded > 5);
+    assert_int_equal(outside, 0);
 }
 
 static void settings_are_checked_and_kept(void **state)

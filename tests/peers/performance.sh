@@ -18,7 +18,6 @@ once() {
   steps=$(steps_of "$scene")
   [ -f "$work/$scene.json" ] || build/bin/weft-load "$scene" > "$work/$scene.json"
   local dials=; [ "$what" = report ] || dials='--substeps 4'
-  [ "$engine $scene" != "weft washer" ] || dials="$dials --set impacts=0"     # chapter 32 says why
   timeout 900 $bin/$engine "$work/$scene.json" --steps "$steps" --every "$steps" --bodies none $dials > $work/rows 2> $work/said || { echo "-- -- -- --"; return; }
   awk -F, '/^# clock/ { gsub(/[a-z]+=/, ""); split($0, t, " "); m = t[3]; l = t[5]; x = t[6] } /^[0-9]/ { pairs = $3 } END { print m, l, x, pairs }' $work/rows
 }
