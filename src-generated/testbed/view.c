@@ -143,7 +143,7 @@ static void see_line(wfDraw *d, const SeenJoint *s)
 {
     wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
 }
-/* <draw joints> */
+
 static void see_distance(wfDraw *d, const SeenJoint *s)
 {
     wfReal length = wfLength(wfSub(s->to, s->from));
@@ -290,10 +290,11 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
     *fill = wfIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 /* <draw a world> */
-static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTransform xf,
-                      uint32_t show, wfDraw *d)
+static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint32_t show,
+                      wfDraw *d)
 {
     wfShape particle = { .kind = WF_SHAPE_NONE };
+    wfTransform xf = wfBodyTransform(&v->state[i]);
     int role = (int)(v->props[i].userData & 15);
     int line = role ? role : WF_INK_BODY, fill = line;
     if (v->props[i].type == WF_STATIC && !role)
@@ -315,29 +316,11 @@ void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d
     wfBodyView view = wfWorldBodies(world);
     for (int32_t i = 0; i < view.count; i++)
         if (view.alive[i])
-            draw_body(world, &view, i, wfBodyTransform(&view.state[i]), show, d);
+            draw_body(world, &view, i, show, d);
     for (int row = 0; row < wfOverlayCount; row++) {
         size_t mark = wfPoolMark(scratch);
         if ((show & wfOverlayTable[row].bit) && wfOverlayTable[row].draw)
             wfOverlayTable[row].draw(world, scratch, d);
         wfPoolRewind(scratch, mark);
     }
-}
-/* <draw a world> */
-wfTransform wfPoseBetween(wfTransform a, wfTransform b, wfReal t)
-{
-    wfVec2 from = wfV2(a.q.c, a.q.s), to = wfV2(b.q.c, b.q.s), mean = wfLerp(from, to, t);
-    wfReal length = wfLength(mean);                 /* eq:scenes-between */
-    wfTransform out = { .p = wfLerp(a.p, b.p, t), .q = b.q };
-    if (length > WF_R(0.01)) out.q = (wfRot){ mean.x / length, mean.y / length };
-    return out;
-}
-
-void wfDrawWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d)
-{
-    wfBodyView view = wfWorldBodies(world);
-    for (int32_t i = 0; i < view.count; i++)
-        if (view.alive[i])
-            draw_body(world, &view, i,
-                      i < count ? pose[i] : wfBodyTransform(&view.state[i]), 0, d);
 }

@@ -390,8 +390,7 @@ typedef struct wfTreeHead {
     int32_t root, freeNode, count;
     uint32_t step;                /* how often the tree was updated */
     int64_t changes;              /* how many boxes were put in, taken out or moved */
-    int64_t nearChanges;          /* `changes` when the list of near pairs was made, or
-                                     when it may be tried again */
+    int64_t nearChanges;          /* `changes` when the list of near pairs was made */
     int32_t nearCount;            /* of near pairs; WF_TREE_NONE: there is no list */
 } wfTreeHead;
 
