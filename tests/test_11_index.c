@@ -1137,6 +1137,181 @@ static void test_near_pairs_without_room(void **state)
     }
 }
 
+/* ---- the boxes of an index ---- */
+
+enum { MAX_SHOWN = 8 * MAX_PROXIES };
+typedef struct Shown { wfIndexBox box[MAX_SHOWN]; int32_t count, most; } Shown;
+static Shown shown;
+
+static bool note_box(void *context, const wfIndexBox *box)
+{
+    Shown *s = context;
+    assert_true(s->count < MAX_SHOWN);
+    s->box[s->count++] = *box;
+    return s->count != s->most;
+}
+
+static bool in_box(wfRect b, double x, double y, double slack)
+{
+    return x >= (double)b.min.x - slack && x <= (double)b.max.x + slack && y >= (double)b.min.y - slack && y <= (double)b.max.y + slack;
+}
+
+static bool rect_in_box(wfRect b, wfRect r, double slack)
+{
+    return in_box(b, (double)r.min.x, (double)r.min.y, slack) && in_box(b, (double)r.max.x, (double)r.max.y, slack);
+}
+
+/* 25 points of each live proxy are in boxes that hold somebody; a tree's or a sweep's box holds it whole */
+static void assert_covered(bool cells, double slack)
+{
+    for (int32_t i = 0; i < world.in.count; i++) {
+        if (!(world.flags[i] & WF_PROXY_LIVE)) continue;
+        wfRect r = world.bounds[i];
+        int whole = 0, points = 0;
+        bool hit[25] = { false };
+        for (int32_t k = 0; k < shown.count; k++) {
+            if (shown.box[k].held < 1) continue;
+            if (rect_in_box(shown.box[k].box, r, slack)) whole++;
+            for (int p = 0; p < 25; p++) {
+                double x = (double)r.min.x + ((double)r.max.x - (double)r.min.x) * (p % 5) / 4;
+                double y = (double)r.min.y + ((double)r.max.y - (double)r.min.y) * (p / 5) / 4;
+                if (in_box(shown.box[k].box, x, y, slack)) hit[p] = true;
+            }
+        }
+        for (int p = 0; p < 25; p++) points += hit[p];
+        assert_int_equal(points, 25);
+        if (!cells) assert_true(whole > 0);
+    }
+}
+
+/* a box lies in the last one shown before it that is a step higher */
+static void assert_nested(double slack)
+{
+    int32_t last[64];
+    for (int32_t k = 0; k < shown.count; k++) {
+        int32_t depth = shown.box[k].depth;
+        if (depth < 0) continue;
+        assert_true(depth < 64 && (k == 0 || depth <= shown.box[k - 1].depth + 1));
+        if (depth > 0) assert_true(rect_in_box(shown.box[last[depth - 1]].box, shown.box[k].box, slack));
+        last[depth] = k;
+    }
+}
+
+static double median_side(void)
+{
+    double side[MAX_PROXIES];
+    int n = 0;
+    for (int32_t i = 0; i < world.in.count; i++) {
+        if (!(world.flags[i] & WF_PROXY_LIVE)) continue;
+        double w = (double)(world.bounds[i].max.x - world.bounds[i].min.x), h = (double)(world.bounds[i].max.y - world.bounds[i].min.y);
+        double s = w > h ? w : h;
+        int at = n++;
+        for (; at > 0 && side[at - 1] > s; at--) side[at] = side[at - 1];
+        side[at] = s;
+    }
+    return side[n / 2];
+}
+
+/* cells are squares of one side, none twice; a hash's side is twice the median, a grid's at least that */
+static void assert_cells(bool hash)
+{
+    double wanted_side = 2 * median_side(), side = 0;
+    for (int32_t k = 0; k < shown.count; k++) {
+        wfRect b = shown.box[k].box;
+        if (shown.box[k].depth < 0) continue;
+        double w = (double)b.max.x - (double)b.min.x, h = (double)b.max.y - (double)b.min.y;
+        if (side == 0) side = w;
+        assert_true(fabs(w - side) < 1e-3 * side && fabs(h - side) < 1e-3 * side);
+        for (int32_t j = 0; j < k; j++)
+            assert_false(shown.box[j].depth == 0 && fabs((double)(shown.box[j].box.min.x - b.min.x)) < side / 2
+                         && fabs((double)(shown.box[j].box.min.y - b.min.y)) < side / 2);
+    }
+    assert_true(side > 0.999 * wanted_side);
+    if (hash) assert_true(side < 1.001 * wanted_side);
+}
+
+static void assert_shown(int row, double slack)
+{
+    const char *name = row_name(row);
+    bool cells = strcmp(name, "grid") == 0 || strcmp(name, "spatial-hash") == 0;
+    int32_t live = 0, held = 0;
+    for (int32_t i = 0; i < world.in.count; i++) live += (world.flags[i] & WF_PROXY_LIVE) != 0;
+    for (int32_t k = 0; k < shown.count; k++) held += shown.box[k].held;
+    if (cells) assert_true(held >= live);
+    else assert_int_equal(held, live);
+    assert_covered(cells, slack);
+    assert_nested(slack);
+    if (cells) assert_cells(strcmp(name, "spatial-hash") == 0);
+    if (strcmp(name, "dynamic-tree") == 0) {
+        wfTree tree = wfTreeOpen(index_a + 16);
+        int32_t deepest = 0;
+        for (int32_t k = 0; k < shown.count; k++) deepest = shown.box[k].depth > deepest ? shown.box[k].depth : deepest;
+        assert_int_equal(deepest, wfTreeDepth(&tree));
+        assert_int_equal(shown.count, 2 * live - 1);
+    }
+}
+
+/* Each row shows boxes that cover everybody, nested, of the right sizes; in crowds, towers, with an outlier, with large ones. */
+static void test_boxes_of_indices(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(39);
+    for (int round = 0; round < 5; round++) {
+        for (int row = 0; row < wfBroadPhaseCount; row++) {
+            start_world();
+            for (int i = 0; i < 200; i++) {
+                wfVec2 at = random_v2(&r, -20, 20), size = random_v2(&r, WF_R(0.1), round == 2 && i % 9 == 0 ? 25 : 1);
+                if (round == 1) at.x = 0;
+                if (round == 3 && i == 7) at.x = -1000;
+                if (round == 4) at.y = 0;
+                put((wfRect){ at, wfAdd(at, size) }, i % 11 == 0 ? 0 : i % 3 ? MOVING : STILL);
+            }
+            memset(index_a, 0, sizeof index_a);
+            for (int step = 0; step < 3; step++) {
+                wfPool pool = pool_of(1 << 21);
+                assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
+                shown.count = shown.most = 0;
+                assert_ok(wfIndexBoxes(row, &world.in, index_a, note_box, &shown));
+                if (!wfBroadPhaseTable[row].boxes) assert_int_equal(shown.count, 0);
+                else assert_shown(row, round == 3 ? 2e-3 : 1e-4);
+                for (int i = 0; i < 200; i++) {
+                    if (world.flags[i] != MOVING) continue;
+                    wfVec2 by = random_v2(&r, WF_R(-0.1), WF_R(0.1));
+                    world.bounds[i] = (wfRect){ wfAdd(world.bounds[i].min, by), wfAdd(world.bounds[i].max, by) };
+                }
+            }
+        }
+    }
+}
+
+static void test_boxes_errors(void **state)
+{
+    (void)state;
+    start_world();
+    for (int i = 0; i < 40; i++) put(rect(i, i, i + 0.5, i + 0.5), MOVING);
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        wfPool pool = pool_of(1 << 20);
+        memset(index_a, 0, sizeof index_a);
+        shown.count = shown.most = 0;
+        assert_int_equal(wfIndexBoxes(row, NULL, index_a, note_box, &shown), WF_ERROR_NULL);
+        assert_int_equal(wfIndexBoxes(row, &world.in, index_a, NULL, &shown), WF_ERROR_NULL);
+        assert_ok(wfIndexBoxes(row, &world.in, NULL, note_box, &shown));
+        assert_ok(wfIndexBoxes(row, &world.in, index_a, note_box, &shown));         /* never updated */
+        assert_int_equal(shown.count, 0);
+        assert_ok(wfUpdateIndex(row, &world.in, index_a, index_bytes(row), &pool));
+        if (!wfBroadPhaseTable[row].boxes) continue;
+        shown.most = 3;                                                             /* enough */
+        assert_ok(wfIndexBoxes(row, &world.in, index_a, note_box, &shown));
+        assert_int_equal(shown.count, 3);
+        world.in.count--;                                                           /* of other proxies */
+        assert_ok(wfIndexBoxes(row, &world.in, index_a, note_box, &shown));
+        assert_int_equal(shown.count, 3);
+        world.in.count++;
+    }
+    assert_int_equal(wfIndexBoxes(-1, &world.in, index_a, note_box, &shown), WF_ERROR_UNKNOWN);
+    assert_int_equal(wfIndexBoxes(wfBroadPhaseCount, &world.in, index_a, note_box, &shown), WF_ERROR_UNKNOWN);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1148,6 +1323,7 @@ int main(void)
         cmocka_unit_test(test_tree_by_hand), cmocka_unit_test(test_fat_boxes), cmocka_unit_test(test_tree_is_left_alone),
         cmocka_unit_test(test_near_pairs), cmocka_unit_test(test_near_pairs_without_room),
         cmocka_unit_test(test_the_past_is_not_seen), cmocka_unit_test(test_tree_counts),
+        cmocka_unit_test(test_boxes_of_indices), cmocka_unit_test(test_boxes_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -144,6 +144,15 @@ DOOR(look_around)
     return wfWorldOverlapPoint(w, wfV2(0, 0), NULL, found, 8, &count);
 }
 DOOR(see_boxes) { QUIET; wfProxies p; return wfWorldProxies(w, &p); }
+static bool stop(void *context, const wfIndexBox *box) { (void)context, (void)box; return false; }
+DOOR(see_index)
+{
+    QUIET;
+    static _Alignas(WF_POOL_ALIGN) uint8_t bytes[1 << 18];
+    wfPool scratch;
+    assert_ok(wfPoolInit(&scratch, sizeof bytes, bytes));
+    return wfWorldIndexBoxes(w, &scratch, stop, NULL);
+}
 DOOR(make_index) { QUIET; return wfIndexWorld(w); }
 DOOR(other_solver) { QUIET; return wfSetMethods(w, -1, -1, -1, wfFindSolver("sequential")); }
 DOOR(other_integrator) { QUIET; return wfSetMethods(w, wfFindIntegrator("explicit-euler"), -1, -1, -1); }
@@ -156,7 +165,7 @@ static const Door doors[] = {
     { WF_NEED_FRICTION, add_rough }, { WF_NEED_FRICTION, roughen }, { WF_NEED_FRICTION, rough_shape }, { WF_NEED_FRICTION, belt },
     { WF_NEED_RESTITUTION, bounce }, { WF_NEED_RESTITUTION, bouncy_shape }, { WF_NEED_ROLLING, rolling_shape },
     { WF_NEED_SENSORS, make_sensor }, { WF_NEED_MATERIALS, know_pair }, { WF_NEED_COMPOUNDS, second_shape },
-    { WF_NEED_HOOKS, ask_hooks }, { WF_NEED_QUERIES, look_around }, { WF_NEED_QUERIES, see_boxes }, { WF_NEED_QUERIES, make_index },
+    { WF_NEED_HOOKS, ask_hooks }, { WF_NEED_QUERIES, look_around }, { WF_NEED_QUERIES, see_boxes }, { WF_NEED_QUERIES, see_index }, { WF_NEED_QUERIES, make_index },
     { WF_NEED_METHODS, other_solver }, { WF_NEED_METHODS, other_integrator }, { WF_NEED_METHODS, other_broad },
 };
 enum { DOORS = sizeof doors / sizeof *doors };

@@ -1575,6 +1575,61 @@ static void proxies_for_drawing(void **unused)
     wfDestroyWorld(&world);
 }
 
+typedef struct Covered { wfRect box[400]; int count; } Covered;
+
+static bool note_box(void *context, const wfIndexBox *seen)
+{
+    Covered *c = context;
+    assert_true(c->count < 400);
+    if (seen->held > 0) c->box[c->count++] = seen->box;
+    return true;
+}
+
+/* With each broad phase the world shows boxes that cover its shapes, also after one was put elsewhere; and nothing changes. */
+static void boxes_of_the_index_in_use(void **unused)
+{
+    (void)unused;
+    static _Alignas(WF_POOL_ALIGN) uint8_t bytes[1 << 20];
+    static Covered seen;
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        wfWorld world = make_world(24);
+        add(&world, floor_def());
+        wfBodyId ball[20];
+        for (int i = 0; i < 20; i++) ball[i] = add(&world, ball_def(i - 10, 1 + i % 4, 0.4));
+        assert_ok(wfSetMethods(&world, -1, row, -1, -1));
+        for (int step = 0; step < 4; step++) {
+            wfPool scratch;
+            wfProxies p;
+            if (step > 0) assert_ok(wfStepWorld(&world));
+            if (step == 3) assert_ok(wfSetBodyTransform(&world, ball[3], wfV2(40, 9), 0));
+            uint64_t hash = wfHashWorld(&world);
+            assert_ok(wfPoolInit(&scratch, sizeof bytes, bytes));
+            seen.count = 0;
+            assert_ok(wfWorldIndexBoxes(&world, &scratch, note_box, &seen));
+            assert_int_equal(scratch.used, 0);
+            assert_true(hash == wfHashWorld(&world));
+            assert_ok(wfWorldProxies(&world, &p));
+            if (!wfBroadPhaseTable[row].boxes) assert_int_equal(seen.count, 0);
+            for (int32_t i = 0; wfBroadPhaseTable[row].boxes && i < p.count; i++)
+                for (int corner = 0; corner < 4; corner++) {
+                    wfVec2 at = wfV2(corner & 1 ? p.bounds[i].max.x : p.bounds[i].min.x, corner & 2 ? p.bounds[i].max.y : p.bounds[i].min.y);
+                    int in = 0;
+                    for (int k = 0; k < seen.count; k++)
+                        in += at.x >= seen.box[k].min.x - WF_R(1e-3) && at.x <= seen.box[k].max.x + WF_R(1e-3)
+                           && at.y >= seen.box[k].min.y - WF_R(1e-3) && at.y <= seen.box[k].max.y + WF_R(1e-3);
+                    assert_true(in > 0);
+                }
+        }
+        wfPool small;
+        assert_ok(wfPoolInit(&small, 64, bytes));
+        assert_result(wfBroadPhaseTable[row].update ? WF_ERROR_MEMORY : WF_OK, wfWorldIndexBoxes(&world, &small, note_box, &seen));
+        assert_result(WF_ERROR_NULL, wfWorldIndexBoxes(NULL, &small, note_box, &seen));
+        assert_result(WF_ERROR_NULL, wfWorldIndexBoxes(&world, NULL, note_box, &seen));
+        assert_result(WF_ERROR_NULL, wfWorldIndexBoxes(&world, &small, NULL, &seen));
+        wfDestroyWorld(&world);
+    }
+}
+
 static void angles_stay_in_one_turn(void **unused)
 {
     (void)unused;
@@ -1738,7 +1793,7 @@ int main(void)
         cmocka_unit_test(bodies_and_forces_of_no_world_are_refused), cmocka_unit_test(handles_askew_are_refused),
         cmocka_unit_test(ids_of_neighbours_and_of_no_one), cmocka_unit_test(the_hash_is_of_states_and_names_alone),
         cmocka_unit_test(a_body_replaced_by_its_equal_changes_the_hash), cmocka_unit_test(sums_are_added_in_double),
-        cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing),
+        cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing), cmocka_unit_test(boxes_of_the_index_in_use),
         cmocka_unit_test(angles_stay_in_one_turn), cmocka_unit_test(the_page_of_stages),
         cmocka_unit_test(what_is_held_by_a_third_is_met_in_the_first_step),
         cmocka_unit_test(who_is_born_in_one_place_without_gravity_parts_in_peace),

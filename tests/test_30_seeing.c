@@ -482,6 +482,39 @@ static int differing(const play *p, const uint32_t *before)
     return n;
 }
 
+static bool count_box(void *context, const wfIndexBox *box)
+{
+    (void)box;
+    ++*(int *)context;
+    return true;
+}
+
+/* The overlay "tree" draws as many boxes as the broad phase in use has, whichever it is; where there are none it says so. */
+static void the_tree_is_the_one_in_use(void **state)
+{
+    (void)state;
+    wfPool scratch = pool(16 << 20);
+    wfWorld w = open("TC06 quad tree", 5);
+    wfWorldDef def;
+    assert_int_equal(wfGetWorldDef(&w, &def), WF_OK);
+    assert_string_equal(wfBroadPhaseTable[def.broadPhase].name, "quad-tree");
+    for (int row = 0; row < wfBroadPhaseCount; row++) {
+        wfDraw d;
+        int boxes = 0;
+        assert_int_equal(wfSetMethods(&w, -1, row, -1, -1), WF_OK);
+        assert_int_equal(wfWorldIndexBoxes(&w, &scratch, count_box, &boxes), WF_OK);
+        begin_list(&d, 0, 5, 30);
+        wfDrawWorld(&w, 0, &scratch, &d);
+        int plain = d.count;
+        wfDrawWorld(&w, WF_SHOW_TREE, &scratch, &d);
+        assert_true(wfBroadPhaseTable[row].update ? boxes > 10 : boxes == 0);
+        assert_int_equal(d.count - 2 * plain, boxes > 0 ? boxes : 1);
+        assert_int_equal(scratch.used, 0);
+    }
+    wfDestroyWorld(&w);
+    free(scratch.base);
+}
+
 /* Every overlay that looks into a step has a check box that changes the picture. */
 static void each_overlay_is_seen(void **state)
 {
@@ -645,7 +678,7 @@ int main(void)
         cmocka_unit_test(the_pair_is_the_nearest), cmocka_unit_test(the_last_cut_is_the_manifold),
         cmocka_unit_test(a_whole_part_is_the_step), cmocka_unit_test(no_room_is_an_error),
         cmocka_unit_test(axes_are_nice), cmocka_unit_test(curves_are_the_worlds_numbers),
-        cmocka_unit_test(each_overlay_has_its_picture), cmocka_unit_test(a_plot_has_its_picture), cmocka_unit_test(a_plots_words_have_room), cmocka_unit_test(each_overlay_is_seen), cmocka_unit_test(the_sliders_lead_through_the_steps),
+        cmocka_unit_test(each_overlay_has_its_picture), cmocka_unit_test(a_plot_has_its_picture), cmocka_unit_test(a_plots_words_have_room), cmocka_unit_test(each_overlay_is_seen), cmocka_unit_test(the_tree_is_the_one_in_use), cmocka_unit_test(the_sliders_lead_through_the_steps),
         cmocka_unit_test(comparing_changes_nothing), cmocka_unit_test(all_scenes_can_be_compared),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

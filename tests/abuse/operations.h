@@ -603,6 +603,20 @@ static wfResult op_proxies(Session *s)
     if (r == WF_OK) for (int32_t i = 0; i < p.count; i++) MUST(!(p.flags[i] & WF_PROXY_LIVE) || !(p.bounds[i].min.x > p.bounds[i].max.x));
     return r;
 }
+static bool op_box(void *context, const wfIndexBox *box)
+{
+    int32_t *left = context;
+    MUST(!(box->box.min.x > box->box.max.x) && !(box->box.min.y > box->box.max.y) && box->held >= 0 && box->depth >= -1);
+    return --*left > 0;
+}
+static wfResult op_index_boxes(Session *s)
+{
+    static _Alignas(WF_POOL_ALIGN) uint8_t bytes[1 << 18];
+    wfPool scratch;
+    int32_t left = (int32_t)below(s, 400) + 1;
+    (void)wfPoolInit(&scratch, below(s, 9) ? sizeof bytes : below(s, 5000), bytes);
+    return CALL(wfWorldIndexBoxes(handle(s), below(s, 30) ? &scratch : NULL, below(s, 30) ? op_box : NULL, &left));
+}
 static wfResult op_reports(Session *s)
 {
     wfSolveReport solve;
@@ -911,6 +925,7 @@ const Operation operations[] = {
     OP("looking", 3, READS, wfWorldEnergy, op_energy, false),
     OP("looking", 3, READS, wfWorldMomentum, op_momentum, false),
     OP("looking", 3, READS, wfWorldProxies, op_proxies, false),
+    OP("looking", 3, READS, wfWorldIndexBoxes, op_index_boxes, false),
     OP("looking", 3, READS, wfGetSolveReport wfGetFastReport, op_reports, false),
     OP("looking", 5, READS, wfFarPosition wfGetWorldOrigin wfToFar wfFromFar, op_far, false),
     OP("changes", 1, CHANGES, wfSetWorldOrigin, op_set_origin, false),
