@@ -173,3 +173,23 @@ void wfBoxTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast
     if (head->still == WF_BOX_NONE || castBoxes(&t, head->still, &c, visit, context))
         if (head->moving != WF_BOX_NONE) castBoxes(&t, head->moving, &c, visit, context);
 }
+/* <ask a tree of boxes> */
+static bool showBoxes(const wfBoxTree *t, int32_t n, int32_t depth, wfBoxVisitFn *visit,
+                      void *context)
+{
+    const wfBoxNode *node = &t->nodes[n];
+    bool leaf = isBoxLeaf(node);
+    wfIndexBox box = { node->box, depth, leaf ? node->count : 0 };
+    return visit(context, &box)
+        && (leaf || (showBoxes(t, n + 1, depth + 1, visit, context)
+                     && showBoxes(t, node->right, depth + 1, visit, context)));
+}
+
+void wfBoxTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                    void *context)
+{
+    BoxHead *head;
+    wfBoxTree t = openBoxes(in, index, &head);
+    if (head->moving == WF_BOX_NONE || showBoxes(&t, head->moving, 0, visit, context))
+        if (head->still != WF_BOX_NONE) showBoxes(&t, head->still, 0, visit, context);
+}

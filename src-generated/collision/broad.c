@@ -191,28 +191,29 @@ const wfBroadPhaseRow wfBroadPhaseTable[] = {
     /* <rows of the broad phase table> */
     { .name = "quad-tree", .text = "cuts the world into quarters", .scratch = wfQuadScratch,
       .indexSize = wfQuadIndexSize, .update = wfQuadUpdate, .pairs = wfQuadPairs,
-      .query = wfQuadQuery, .cast = wfQuadCast },
+      .query = wfQuadQuery, .cast = wfQuadCast, .boxes = wfQuadBoxes },
     /* <rows of the broad phase table> */
     { .name = "grid", .text = "compares who shares a cell of a grid", .scratch = wfGridScratch,
       .indexSize = wfGridIndexSize, .update = wfGridUpdate, .pairs = wfGridPairs,
-      .query = wfGridQuery, .cast = wfGridCast },
+      .query = wfGridQuery, .cast = wfGridCast, .boxes = wfGridBoxes },
     /* <rows of the broad phase table> */
     { .name = "spatial-hash", .text = "a grid without borders", .scratch = wfHashScratch,
       .indexSize = wfHashIndexSize, .update = wfHashUpdate, .pairs = wfHashPairs,
-      .query = wfHashQuery, .cast = wfHashCast },
+      .query = wfHashQuery, .cast = wfHashCast, .boxes = wfHashBoxes },
     /* <rows of the broad phase table> */
     { .name = "sweep-and-prune", .text = "sorts along an axis and sweeps",
       .scratch = wfSweepScratch, .indexSize = wfSweepIndexSize, .update = wfSweepUpdate,
-      .pairs = wfSweepPairs, .query = wfSweepQuery, .cast = wfSweepCast },
+      .pairs = wfSweepPairs, .query = wfSweepQuery, .cast = wfSweepCast,
+      .boxes = wfSweepBoxes },
     /* <rows of the broad phase table> */
     { .name = "aabb-tree", .text = "groups boxes in common boxes",
       .scratch = wfBoxTreeScratch, .indexSize = wfBoxTreeIndexSize,
       .update = wfBoxTreeUpdate, .pairs = wfBoxTreePairs, .query = wfBoxTreeQuery,
-      .cast = wfBoxTreeCast },
+      .cast = wfBoxTreeCast, .boxes = wfBoxTreeBoxes },
     /* <rows of the broad phase table> */
     { .name = "dynamic-tree", .text = "keeps a tree of fat boxes", .scratch = wfTreeScratch,
       .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .pairs = wfTreePairs,
-      .query = wfTreeQuery, .cast = wfTreeCast },
+      .query = wfTreeQuery, .cast = wfTreeCast, .boxes = wfTreeBoxes },
 };
 const int wfBroadPhaseCount = (int)(sizeof wfBroadPhaseTable / sizeof *wfBroadPhaseTable);
 
@@ -330,5 +331,16 @@ wfResult wfCastIndex(int method, const wfProxies *in, const void *index,
     for (int32_t i = 0; !inside && i < in->count; i++)
         if ((in->flags[i] & WF_PROXY_LIVE)
             && !wfOfferCast(in, &c, i, visit, context)) break;
+    return WF_OK;
+}
+/* <ask the index> */
+wfResult wfIndexBoxes(int method, const wfProxies *in, const void *index,
+                      wfBoxVisitFn *visit, void *context)
+{
+    if (!in || !visit) return WF_ERROR_NULL;
+    const wfBroadPhaseRow *row = rowOf(method);
+    if (!row) return WF_ERROR_UNKNOWN;
+    const void *inside = insideIndex(method, in, index);
+    if (inside && row->boxes) row->boxes(in, inside, visit, context);
     return WF_OK;
 }

@@ -312,6 +312,37 @@ static void castCells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *
         before = r;
     }
 }
+/* <show the cells> */
+/* how many entries of the block are of the cell of entry i; 0: i isn't their first */
+static int32_t heldInCell(const CellTable *t, int32_t from, int32_t i, int32_t to)
+{
+    int32_t held = 0;
+    for (int32_t j = from; j < to; j++) {
+        if (t->entries[j].x != t->entries[i].x || t->entries[j].y != t->entries[i].y)
+            continue;
+        if (j < i) return 0;
+        held++;
+    }
+    return held;
+}
+/* <show the cells> */
+static void showCells(const CellTable *t, wfBoxVisitFn *visit, void *context)
+{
+    const wfCells *c = &t->head->cells;
+    for (int32_t i = 0; i < t->head->larges; i++) {
+        wfIndexBox large = { t->in->bounds[t->large[i]], -1, 1 };
+        if (!visit(context, &large)) return;
+    }
+    for (int32_t k = 0; k < t->head->buckets; k++)
+        for (int32_t i = blockStart(t, k); i < t->start[k]; i++) {
+            int32_t held = heldInCell(t, blockStart(t, k), i, t->start[k]);
+            if (held == 0) continue;
+            wfVec2 at = wfV2((wfReal)t->entries[i].x, (wfReal)t->entries[i].y);
+            wfVec2 low = wfAddScaled(c->origin, c->side, at);
+            wfIndexBox cell = { { low, wfAdd(low, wfV2(c->side, c->side)) }, 0, held };
+            if (!visit(context, &cell)) return;
+        }
+}
 /* <choose cells for points> */
 static wfReal spreadOf(wfRect world)
 {
@@ -411,6 +442,13 @@ void wfGridCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
     CellTable t = openCells(in, index, false);
     castCells(&t, cast, visit, context);
 }
+
+void wfGridBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                 void *context)
+{
+    CellTable t = openCells(in, index, false);
+    showCells(&t, visit, context);
+}
 /* <rows made of cells> */
 size_t wfHashScratch(int32_t proxies, int32_t pairs)
 {
@@ -443,4 +481,11 @@ void wfHashCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
 {
     CellTable t = openCells(in, index, true);
     castCells(&t, cast, visit, context);
+}
+
+void wfHashBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                 void *context)
+{
+    CellTable t = openCells(in, index, true);
+    showCells(&t, visit, context);
 }

@@ -330,7 +330,9 @@ static void keepNear(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch)
             room = addNear(tree, i, begin, &more);
     room = room && mergeNear(tree, &more, proxies, scratch);
     h->nearChanges = h->changes;
-    if (!room) h->nearCount = WF_TREE_NONE;
+    if (room) return;
+    h->nearCount = WF_TREE_NONE;
+    h->nearChanges += h->count;
 }
 /* <update the dynamic tree> */
 static void updateLeaf(wfTree *tree, const wfProxies *in, int32_t i)
@@ -373,8 +375,9 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     /* <keep the list of near pairs, if it pays> */
     int64_t changed = tree.head->changes - before;
     bool little = changed * (has ? 4 : 16) <= tree.head->count;
+    bool again = tree.head->changes >= tree.head->nearChanges;
     if (!little) tree.head->nearCount = WF_TREE_NONE;
-    else if (!has || changed > 0) keepNear(&tree, !has, in->count, scratch);
+    else if (has ? changed > 0 : again) keepNear(&tree, !has, in->count, scratch);
     return WF_OK;
 }
 
@@ -491,7 +494,6 @@ void wfTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
                  void *context)
 {
     wfTree t = wfTreeOpen(index);
-    wfVec2 none = wfV2(0, 0);
     for (int32_t n = t.head->root; n != WF_TREE_NONE;) {
         const wfTreeNode *node = &t.nodes[n];
         bool leaf = isLeaf(node), met = wfRectOverlap(node->box, area);
@@ -500,7 +502,7 @@ void wfTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
             continue;
         }
         if (met && wfRectOverlap(in->bounds[n], area) && !visit(context, n)) return;
-        n = nextNode(&t, n, none);
+        n = nodeAfter(&t, n);
     }
 }
 /* <ask the dynamic tree> */
@@ -519,6 +521,21 @@ void wfTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
         }
         if (met && !wfOfferCast(in, &c, n, visit, context)) return;
         n = nextNode(&t, n, c.by);
+    }
+}
+/* <ask the dynamic tree> */
+void wfTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                 void *context)
+{
+    (void)in;
+    wfTree t = wfTreeOpen(index);
+    for (int32_t n = t.head->root; n != WF_TREE_NONE;) {
+        const wfTreeNode *node = &t.nodes[n];
+        wfIndexBox box = { node->box, 0, isLeaf(node) ? 1 : 0 };
+        for (int32_t p = node->parent; p != WF_TREE_NONE; p = t.nodes[p].parent)
+            box.depth++;
+        if (!visit(context, &box)) return;
+        n = isLeaf(node) ? nodeAfter(&t, n) : node->left;
     }
 }
 /* <ask the dynamic tree> */

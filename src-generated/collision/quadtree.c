@@ -431,3 +431,18 @@ void wfQuadCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
         size += castReach(&t, at, &c, stack + size);
     }
 }
+/* <the row of the quad tree> */
+void wfQuadBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                 void *context)
+{
+    wfQuadTree t = openTree(in, index);
+    int32_t stack[WF_QUAD_STACK] = { 0 };
+    for (int size = 1; size > 0;) {
+        int32_t n = stack[--size];
+        const wfQuadNode *node = &t.nodes[n];
+        wfIndexBox box = { wfQuadTreeRect(&t, n), node->depth, node->count };
+        if (!visit(context, &box)) return;
+        for (int k = 3; k >= 0; k--)
+            if (node->child[k] != WF_QUAD_NONE) stack[size++] = node->child[k];
+    }
+}

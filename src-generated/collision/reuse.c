@@ -73,8 +73,10 @@ bool wfReuseManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
     if (!(cache->allowed > 0)) return false;
     wfFaceShapes(a, xa, b, xb, cache->owner, &f);
     wfReal moved = movedBy(cache, f.inc, f.rel);
+    if (cache->distance - moved > margin) {
+        *out = (wfManifold){ .normal = wfV2(0, 0) };
+        return true;
+    }
     if (!(moved <= cache->allowed)) return false;           /* eq:contacts-reuse-limit */
-    if (!(cache->distance - moved > margin)) return clipAgain(&f, margin, cache, out);
-    *out = (wfManifold){ .normal = wfV2(0, 0) };
-    return true;
+    return clipAgain(&f, margin, cache, out);
 }

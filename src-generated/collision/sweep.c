@@ -224,3 +224,15 @@ size_t wfSweepScratch(int32_t proxies, int32_t pairs)
     size_t sort = wfSortPairsSize(proxies, pairs);
     return wfSweepIndexSize(proxies) + WF_POOL_ALIGN + (build > sort ? build : sort);
 }
+/* <the row of sweep and prune> */
+void wfSweepBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                  void *context)
+{
+    SweepIndex s = openSweep(in, index);
+    for (int32_t i = 0; i < s.head->live; i++) {
+        wfIndexBox box = { s.boxes[i], 0, 1 };
+        if (s.head->axis == 0) box.box.min.y = -WF_HUGE, box.box.max.y = WF_HUGE;
+        else box.box.min.x = -WF_HUGE, box.box.max.x = WF_HUGE;
+        if (!visit(context, &box)) return;
+    }
+}

@@ -16,7 +16,7 @@ static int32_t first_free(uint32_t taken)
     for (; taken & 1; taken /= 2) k++;
     return k < WF_COLOURS ? k : WF_COLOURS;
 }
-
+/* <colour constraints> */
 static void choose_colours(const wfBodyState *state, const wfPair *ends, int32_t count,
                            uint32_t *taken, uint8_t *colour, int32_t *counts)
 {

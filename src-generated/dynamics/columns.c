@@ -19,7 +19,7 @@ enum { LIMB_OPEN, LIMB_RIGHT, LIMB_FAILS };     /* the state of a root */
 #define ANSWERS(rows) ((rows) * ((rows) + 1) / 2)       /* half of a symmetric matrix */
 /* for each link of a piece that has as many as there may be */
 #define MOST_ANSWERS (ANSWERS(3 * WF_COLUMN_LOOPS) / WF_COLUMN_LOOPS + 1)
-
+/* <find the trees> */
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact)
 {
     return WF_NEAR_SHARE * s->in->contacts[s->order[contact]].slop;
@@ -114,6 +114,7 @@ static bool close_loops(Search *q, int32_t root)
     t->limb[root].end = t->count;
     if (q->loops > limbs || q->loops > t->room - t->count) return false;
     for (int32_t i = 0; i < q->loops; i++) {
+        /* <put link i behind the limbs> */
         wfPair c = ends_of(q->s, q->link[i]);
         int32_t a = q->limb[c.a], b = q->limb[c.b];
         bool upside = is_ground(&q->s->in->state[c.b]);
@@ -144,7 +145,7 @@ static bool is_alone(const Search *q, const wfLimb *root)
     wfReal lever = wfCross(root->upside ? p->armA : p->armB, c->manifold.normal);
     return lever * lever * b->invInertia <= WF_ALONE_SHARE * b->invMass;
 }
-
+/* <find the trees> */
 static void try_root(Search *q, int32_t contact)
 {
     wfPair c = ends_of(q->s, contact);
@@ -242,7 +243,8 @@ static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
 static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
-    const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2], *two = &c->p[l->points > 1];
+    const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2];
+    const wfPreparedPoint *two = &c->p[l->points > 1];
     wfPairMotion m = wfTakePair(s->in, c);
     wfReal e[2], *wrong = l->wave.wrong;
     memset(l->wave.load, 0, sizeof l->wave.load);
@@ -632,6 +634,7 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns 
             const wfPrepared *c = &s->c[l->contact];
             point_pushes(l, c, more);
             for (int32_t k = 0; k < c->count; k++) {
+                /* <find the share of the way, or go it> */
                 wfReal aim = c->p[k].normal + more[k], from = l->at[k];
                 if (pass == 1) l->at[k] = wfMaxR(from + share * (aim - from), 0);
                 else if ((l->points >> k & 1) && aim < -law->noise &&

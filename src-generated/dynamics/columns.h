@@ -26,12 +26,12 @@ typedef struct wfLimb {
     bool    made;                /* a root with loops: the matrices are those of `points` */
     int32_t answers;             /* of a root: where its part of answer[] begins */
     wfReal  up[3][3], down[3][3];           /* J and G */
-    wfReal  mass[3][3];          /* of the body and all above it; when folded, its inverse */
+    wfReal  mass[3][3];          /* of the body and all above it; folded: its inverse */
     wfReal  hold[3][3], soft[3];            /* inverse of S; of Gamma */
     wfWave  wave, extra;         /* of the tree alone; of a push at a link */
     wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
 } wfLimb;
-
+/* <declarations of columns> */
 typedef struct wfColumns {
     wfLimb  *limb;               /* each after the one that it stands on */
     int32_t  count, room;

@@ -366,7 +366,7 @@ static wfReal note_gap(Matrix *m, const wfJointSet *set, int32_t i, int k, wfRea
                + h * set->give * w->own[row] * m->impulse[i][k];    /* eq:exact-give */
     return wfAbs(m->x[i][k]) * m->size[i][k];
 }
-
+/* <Newton's method for all joints> */
 static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep, wfReal h)
 {
     const wfJoint *j = &set->joints[i];
@@ -439,10 +439,12 @@ static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfR
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         wfBodyState *s = &in->state[b];
+        /* <the change that the push and the new inertia bring> */
         wfReal part = set->inverse[b] > 0 ? m->inverse[b] / set->inverse[b] : 0;
         m->next[b].v = wfSub(m->next[b].v, s->v);
         m->next[b].w = part * (m->next[b].w - s->w);
     }
+    /* <ask every row for the rate that closes its gap> */
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)
@@ -482,7 +484,7 @@ static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, w
     push_all(m, set, in);
     return worst;
 }
-
+/* <Newton's method for all joints> */
 static void take_velocities(Matrix *m, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
@@ -538,6 +540,7 @@ static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool las
     true_inertias(m, set);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
+        /* <ask the rows of joint i for their rates> */
         m->rows[i] = set->work[i].holds;
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
@@ -575,6 +578,7 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
+            /* <give half of the last push, or take it back> */
             wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->smooth[i][k];
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
@@ -681,7 +685,7 @@ static void give_up(Matrix *m, wfJointSet *set)
         for (int k = 0; k < 3; k++) set->joints[i].given[k] = 0;
     }
 }
-
+/* <solve all rows that hold> */
 static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
                            wfReal dt, bool soft)
 {
@@ -829,6 +833,7 @@ static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *
     }
     for (int32_t i = 0; i < count; i++)
         for (int32_t k = 0; k < ties[i].count; k++) {
+            /* <add what the row has given to its joint> */
             const wfTieRow *r = &ties[i].row[k];
             int32_t joint = ties[i].joint;
             if (r->idle) continue;
@@ -853,7 +858,7 @@ size_t wfExactScratch(int32_t bodies, int32_t joints)
     return sizeof(Matrix) + n * each + room * pairs + (size_t)bodies * body
          + 30 * WF_POOL_ALIGN;
 }
-
+/* <take room for the matrix> */
 static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
 {
     m->free = wfPoolPushArray(pool, bodies, Motion);
@@ -918,7 +923,7 @@ static void list_bodies(Matrix *m, const wfJointSet *set, const wfSolve *in, int
         m->body[m->bodies++] = b;
     }
 }
-
+/* <take room for the matrix> */
 static wfResult assemble(Matrix *m, wfJointSet *set, const wfSolve *in)
 {
     int32_t count = 0;
@@ -958,7 +963,7 @@ static int32_t mover_of(const wfJoint *j, const wfBodyState *state)
     return wfIsBroken(j) ? -1 : can_move(&state[j->a]) ? j->a
          : can_move(&state[j->b]) ? j->b : -1;
 }
-
+/* <judge the machines> */
 static void join_machines(const wfJointSet *set, const wfSolve *in, int32_t *parent)
 {
     for (int32_t b = 0; b < in->bodyCount; b++) parent[b] = b;

@@ -45,6 +45,7 @@ typedef struct Exact {
     double (*inverse)[3];               /* [bodies] 1/m, 1/m, 1/I */
     double give;                        /* share of K by which a row that is ON gives way */
     bool *factored;             /* [parts] the factors are those of the states */
+    /* <what is known of the part that is being solved> */
     double allowed[2], speed;   /* of a part: errors that count as none; the first speeds */
     double noise;               /* of a part: what rounding does to its targets, m/s */
     bool tied;                  /* of a part: joints have rows in it */
@@ -102,11 +103,11 @@ static void weigh(const Exact *e, const ExactNode *n, ExactRow *r)
     r->idle = !(r->k > 0);
 }
 /* <make rows of a contact> */
-static ExactRow row_along(wfVec2 u, wfReal leverA, wfReal leverB, int32_t law)
+static void add_row(ExactNode *n, wfVec2 u, wfReal leverA, wfReal leverB, int32_t law)
 {
     double x = (double)u.x, y = (double)u.y;
-    return (ExactRow){ .law = law, .jA = { -x, -y, -(double)leverA },
-                       .jB = { x, y, (double)leverB } };
+    n->row[n->count++] = (ExactRow){ .law = law, .jA = { -x, -y, -(double)leverA },
+                                     .jB = { x, y, (double)leverB } };
 }
 
 /* Where the contact rubs: a point that is still apart has the less say. */
@@ -124,10 +125,9 @@ static void rows_of_contact(const Exact *e, int32_t i, ExactNode *n)
     wfReal w = share_of_first(c);
     n->count = 0;
     for (int32_t k = 0; k < c->count; k++)
-        n->row[n->count++] = row_along(c->n, c->p[k].nA, c->p[k].nB, ROW_PUSH);
-    n->row[n->count++] = row_along(c->t, w * p->tA + (1 - w) * q->tA,
-                                   w * p->tB + (1 - w) * q->tB, ROW_RUB);
-    if (c->rolling > 0) n->row[n->count++] = row_along(wfV2(0, 0), 1, 1, ROW_ROLL);
+        add_row(n, c->n, c->p[k].nA, c->p[k].nB, ROW_PUSH);
+    add_row(n, c->t, w * p->tA + (1 - w) * q->tA, w * p->tB + (1 - w) * q->tB, ROW_RUB);
+    if (c->rolling > 0) add_row(n, wfV2(0, 0), 1, 1, ROW_ROLL);
     n->rolling = (double)c->rolling;
 }
 /* <load and store contacts> */
@@ -163,6 +163,7 @@ static void load_contact(Exact *e, int32_t i, bool soft)
         } else if (r->law == ROW_ROLL)
             r->sum = (double)c->spin;
         else {
+            /* <fill the row that pushes at point k> */
             const wfPreparedPoint *p = &c->p[k];
             wfReal gap = p->now;
             r->sum = (double)p->normal;
@@ -200,7 +201,7 @@ static void load_bodies(Exact *e)
         e->v[i][0] = (double)b->v.x, e->v[i][1] = (double)b->v.y, e->v[i][2] = (double)b->w;
     }
 }
-
+/* <load and store contacts> */
 static void store_bodies(Exact *e)
 {
     const wfSolve *in = e->s.in;
@@ -233,6 +234,7 @@ static bool choose_states(const Exact *e, ExactNode *n, double eager)
         int32_t state = ROW_OFF;
         double stiff = r->k + r->give, z = r->sum * stiff - off_of(e, n, r);
         bool fresh = eager > 0 && r->sum == 0;
+        /* <the state that row r should have> */
         if (r->law == ROW_TIE && !r->idle)                      /* eq:exact-bounded */
             state = z > r->most * stiff ? ROW_UP : z < r->least * stiff ? ROW_DOWN : ROW_ON;
         else if (r->law == ROW_PUSH && !r->idle && z + (fresh ? eager : 0) > 0) {
@@ -457,7 +459,7 @@ static void weigh_parts(Exact *e)
     for (int32_t part = 0; part < m->parts; part++)
         if (e->work[part].factor > share_of(e, part)) m->direct[part] = false;
 }
-
+/* <the budget of a step> */
 /* May this problem make one more system? */
 static bool can_pay(const Exact *e, int32_t part)
 {
@@ -473,7 +475,7 @@ static bool choose_all(Exact *e, int32_t part, double eager)
             changed = true;
     return changed;
 }
-
+/* <solve a part> */
 /* Keeps the sums and velocities of a part as the best, or goes back to them. */
 static void keep_or_restore(Exact *e, int32_t part, bool keep)
 {
@@ -542,6 +544,7 @@ static double try_carefully(Exact *e, int32_t part)
         if (!can_pay(e, part)) break;
         keep_or_restore(e, part, true);
         double now = step_of(e, part, give, 0), share = 1;
+        /* <halve a step that does not help> */
         for (int k = 0; k < 3 && !(now < best); k++) {
             go(e, part, -share / 2);
             share /= 2;
@@ -553,6 +556,7 @@ static double try_carefully(Exact *e, int32_t part)
             continue;
         }
         keep_or_restore(e, part, false);
+        /* <stiffen, or begin elsewhere> */
         give *= 4;
         if (give > 100 * WF_EXACT_STIFFEST) {
             give = WF_EXACT_STIFFEST;
@@ -584,6 +588,7 @@ static void solve_part(Exact *e, int32_t part)
     bool done = left <= 1 || (e->again && e->lack <= e->noise);
     keep_or_restore(e, part, true);
     e->limit = e->spent + share_of(e, part);
+    /* <try Newton's method, and then the careful one> */
     if (!done && e->m.direct[part]) {
         left = try_newton(e, part);
         if (left > 1 && !(e->tied && e->lack <= e->noise)) {
@@ -635,12 +640,11 @@ static void take_ties(Exact *e)
     }
     e->lending->list(laws->context, in, e->tie);
 }
-
-static ExactNode node_of_tie(const wfTie *tie)
+/* <borrow ties> */
+static void make_node_of_tie(const wfTie *tie, ExactNode *n)
 {
-    ExactNode n = { .a = tie->a, .b = tie->b, .count = tie->count };
-    for (int32_t k = 0; k < n.count; k++) n.row[k].law = ROW_TIE;
-    return n;
+    *n = (ExactNode){ .a = tie->a, .b = tie->b, .count = tie->count };
+    for (int32_t k = 0; k < n->count; k++) n->row[k].law = ROW_TIE;
 }
 /* <borrow ties> */
 static void load_tie(Exact *e, const wfTie *tie, ExactNode *n)
@@ -761,7 +765,7 @@ static void part_point(Exact *e, const ExactNode *n, ExactRow *r, double want)
     }
     r->best = sum;
 }
-
+/* <take overlap away exactly> */
 static void sweep_places(Exact *e, int32_t part)
 {
     int32_t from = e->m.part[part], to = e->m.part[part + 1];
@@ -827,6 +831,7 @@ static wfResult make_system(Exact *e)
     e->count = in->contactCount;
     take_ties(e);
     int32_t nodes = e->count + e->ties;
+    /* <take the arrays of the system> */
     e->node = wfPoolPushArray(pool, nodes, ExactNode);
     e->v = (double(*)[3])wfPoolPushArray(pool, 12 * in->bodyCount, double);
     e->factored = wfPoolPushArray(pool, in->bodyCount + nodes, bool);
@@ -842,7 +847,7 @@ static wfResult make_system(Exact *e)
     load_bodies(e);
     for (int32_t i = 0; i < in->bodyCount; i++) e->m.rows[i] = 3;
     for (int32_t i = 0; i < nodes; i++) {
-        if (i >= e->count) e->node[i] = node_of_tie(&e->tie[i - e->count]);
+        if (i >= e->count) make_node_of_tie(&e->tie[i - e->count], &e->node[i]);
         else e->node[i] = (ExactNode){ .a = e->s.c[i].a, .b = e->s.c[i].b };
         if (i < e->count && e->s.c[i].count > 0) rows_of_contact(e, i, &e->node[i]);
         if (!join_node(e, i)) return WF_ERROR_MEMORY;
@@ -861,7 +866,7 @@ static bool agree(const Exact *e, double before)
     if (e->change <= larger(WF_EXACT_AGREE * e->fastest, e->coarse)) return true;
     return e->again && e->change <= WF_EXACT_FEW * e->coarse && e->change > before / 2;
 }
-
+/* <an exact step> */
 static void solve_in_turns(Exact *e, const wfLaws *laws, bool soft)
 {
     const wfSolve *in = e->s.in;
@@ -918,7 +923,7 @@ static void judge_friction(Exact *e)
     for (int32_t i = 0; i < e->count; i++) {
         if (!(e->s.c[i].holds > e->s.c[i].slides) || !is_settled(&e->node[i])) continue;
         wfPairMotion m = wfTakePair(e->s.in, &e->s.c[i]);
-        wfJudgeFriction(&e->s.c[i], &m);
+        wfJudgeFriction(&e->s.c[i], &m, true);
     }
 }
 /* <an exact step> */

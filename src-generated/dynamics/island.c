@@ -49,6 +49,7 @@ wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, w
                        .island = wfPoolPushArray(pool, count + 1, int32_t) };
     if (made.island == NULL) return WF_ERROR_MEMORY;
     made.first[0] = 0;
+    /* <number the islands and count their members> */
     for (int32_t i = 0; i < count; i++) {
         made.island[i] = -1;
         if (!moves[i]) continue;

@@ -26,50 +26,48 @@ static wfJointRow turning(const wfJointSight *at, wfReal rest)
                          .least = -WF_JOINT_UNLIMITED, .most = WF_JOINT_UNLIMITED };
 }
 /* <build rows> */
-static wfJointRow mirrored(wfJointRow r)
+static void mirror(wfJointRow *r)
 {
-    r.jA = wfNeg(r.jA), r.jB = wfNeg(r.jB), r.wA = -r.wA, r.wB = -r.wB;
-    return r;
+    r->jA = wfNeg(r->jA), r->jB = wfNeg(r->jB), r->wA = -r->wA, r->wB = -r->wB;
 }
 
-static void stops(wfJointRow row, wfReal coordinate, wfReal lower, wfReal upper,
+static void stops(const wfJointRow *row, wfReal coordinate, wfReal lower, wfReal upper,
                   wfJointRow *rows)
 {
-    row.law = WF_ROW_LIMIT;
-    rows[0] = row;
+    rows[0] = rows[1] = *row;
+    rows[0].law = rows[1].law = WF_ROW_LIMIT;
     rows[0].error = coordinate - lower;
-    rows[1] = mirrored(row);
+    mirror(&rows[1]);
     rows[1].error = upper - coordinate;
 }
 /* <build rows> */
-static wfJointRow springy(wfJointRow row, wfReal k, wfReal c, wfReal most)
+static void spring(wfJointRow *row, wfReal k, wfReal c, wfReal most)
 {
-    row.law = WF_ROW_SPRING;
-    row.stiffness = k, row.damping = c;
-    row.most = most, row.least = -most;
-    return row;
+    row->law = WF_ROW_SPRING;
+    row->stiffness = k, row->damping = c;
+    row->most = most, row->least = -most;
 }
 
-static wfJointRow driven(wfJointRow row, wfReal speed, wfReal most)
+static void drive(wfJointRow *row, wfReal speed, wfReal most)
 {
-    row.law = WF_ROW_DRIVE;
-    row.speed = speed;
-    row.most = most, row.least = -most;
-    return row;
+    row->law = WF_ROW_DRIVE;
+    row->speed = speed;
+    row->most = most, row->least = -most;
 }
 /* <build rows> */
 /* Adds spring, motor and stops on the coordinate of `row`, whose error counts from j->rest,
    in rows[0..3]; how many of them it filled. */
-static int32_t extras(const wfJoint *j, wfJointRow row, wfJointRow *rows)
+static int32_t extras(const wfJoint *j, const wfJointRow *row, wfJointRow *rows)
 {
-    bool spring = j->flags & WF_JOINT_SPRING, motor = j->flags & WF_JOINT_MOTOR;
+    bool sprung = j->flags & WF_JOINT_SPRING, motor = j->flags & WF_JOINT_MOTOR;
     bool stop = j->flags & WF_JOINT_LIMITS;
     wfReal most = j->springForce > 0 ? j->springForce : WF_JOINT_UNLIMITED;
+    if (sprung || motor) rows[0] = rows[1] = *row;
     rows[0].law = rows[1].law = WF_ROW_OFF;
-    if (spring) rows[0] = springy(row, j->stiffness, j->damping, most);
-    if (motor) rows[1] = driven(row, j->motorSpeed, j->motorForce);
-    if (stop) stops(row, row.error + j->rest, j->lower, j->upper, &rows[2]);
-    return stop ? 4 : motor ? 2 : spring ? 1 : 0;
+    if (sprung) spring(&rows[0], j->stiffness, j->damping, most);
+    if (motor) drive(&rows[1], j->motorSpeed, j->motorForce);
+    if (stop) stops(row, row->error + j->rest, j->lower, j->upper, &rows[2]);
+    return stop ? 4 : motor ? 2 : sprung ? 1 : 0;
 }
 /* <build rows> */
 static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
@@ -81,8 +79,9 @@ static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
 /* <kinds of joint> */
 static int32_t build_revolute(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
+    wfJointRow turn = turning(at, j->rest);
     pin(at, rows);
-    return 2 + extras(j, turning(at, j->rest), &rows[2]);
+    return 2 + extras(j, &turn, &rows[2]);
 }
 
 static int32_t build_weld(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
@@ -91,13 +90,14 @@ static int32_t build_weld(const wfJoint *j, const wfJointSight *at, wfJointRow *
     pin(at, rows);
     rows[2] = turning(at, j->rest);
     if (j->flags & WF_JOINT_SPRING)             /* a weld that gives: a leaf spring */
-        rows[2] = springy(rows[2], j->stiffness, j->damping, most);
+        spring(&rows[2], j->stiffness, j->damping, most);
     return 3;
 }
 
 static int32_t build_turn(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
-    return extras(j, turning(at, j->rest), rows);   /* no anchors */
+    wfJointRow turn = turning(at, j->rest);         /* no anchors */
+    return extras(j, &turn, rows);
 }
 /* <kinds of joint> */
 static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
@@ -109,7 +109,7 @@ static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointR
     rows[0] = rod;
     if (j->flags & (WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS))
         rows[0].law = WF_ROW_OFF;
-    int32_t count = 1 + extras(j, rod, &rows[1]);
+    int32_t count = 1 + extras(j, &rod, &rows[1]);
     if (j->flags & WF_JOINT_MOTOR) rows[2].most = 0;    /* a rope cannot push */
     return count;
 }
@@ -121,7 +121,7 @@ static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJoint
     slide.error -= j->rest;
     rows[0] = along_axis(wfPerpCCW(t), at);
     rows[1] = turning(at, j->angle);
-    return 2 + extras(j, slide, &rows[2]);
+    return 2 + extras(j, &slide, &rows[2]);
 }
 
 static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
@@ -130,9 +130,10 @@ static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow 
     wfJointRow slide = along_axis(t, at);
     slide.error -= j->rest;
     rows[0] = along_axis(wfPerpCCW(t), at);
-    int32_t count = 1 + extras(j, slide, &rows[1]);
-    if (j->flags & WF_JOINT_MOTOR)
-        rows[2] = driven(turning(at, 0), j->motorSpeed, j->motorForce);
+    int32_t count = 1 + extras(j, &slide, &rows[1]);
+    if (!(j->flags & WF_JOINT_MOTOR)) return count;
+    rows[2] = turning(at, 0);
+    drive(&rows[2], j->motorSpeed, j->motorForce);
     return count;
 }
 /* <kinds of joint> */
@@ -177,7 +178,7 @@ static wfReal slides_along(wfVec2 t, wfVec2 p, wfVec2 r, wfVec2 *j, wfReal *w)
     *w = wfCross(r, t);
     return wfDot(t, wfAdd(p, r));
 }
-
+/* <kinds of joint> */
 static int32_t build_rack(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow row = turning(at, 0);
@@ -207,8 +208,8 @@ static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *
     wfJointSight see = { .rB = at->rB };
     see.d = wfAdd(wfSub(at->pB, j->groundB), at->rB);
     for (int i = 0; i < 2; i++) {
-        rows[i] = springy(along(wfV2(i == 0, i == 1), &see), j->stiffness, j->damping,
-                          j->motorForce);
+        rows[i] = along(wfV2(i == 0, i == 1), &see);
+        spring(&rows[i], j->stiffness, j->damping, j->motorForce);
         rows[i].jA = wfV2(0, 0), rows[i].wA = 0;
     }
     in_a_plane(rows);
@@ -218,21 +219,24 @@ static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *
 static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
-    for (int i = 0; i < 2; i++)
-        rows[i] = springy(along(wfV2(i == 0, i == 1), at), j->stiffness, j->damping,
-                          j->motorForce);
+    pin(at, rows);
+    for (int i = 0; i < 2; i++) spring(&rows[i], j->stiffness, j->damping, j->motorForce);
     in_a_plane(rows);
-    rows[2] = springy(turning(at, j->angle), arm * arm * j->stiffness,
-                      arm * arm * j->damping, wfAbs(arm) * j->motorForce);
+    rows[2] = turning(at, j->angle);
+    spring(&rows[2], arm * arm * j->stiffness, arm * arm * j->damping,
+           wfAbs(arm) * j->motorForce);
     return 3;
 }
 
 static int32_t build_friction(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
-    for (int i = 0; i < 2; i++)
-        rows[i] = driven(along_axis(wfV2(i == 0, i == 1), at), 0, j->motorForce);
+    for (int i = 0; i < 2; i++) {
+        rows[i] = along_axis(wfV2(i == 0, i == 1), at);
+        drive(&rows[i], 0, j->motorForce);
+    }
     in_a_plane(rows);
-    rows[2] = driven(turning(at, 0), 0, wfAbs(j->ratio) * j->motorForce);
+    rows[2] = turning(at, 0);
+    drive(&rows[2], 0, wfAbs(j->ratio) * j->motorForce);
     return 3;
 }
 /* <kinds of joint> */
@@ -336,7 +340,7 @@ void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot)
         pivot[i] = d > WF_JOINT_SINGULAR * size[i] ? 1 / d : 0;     /* eq:joints-block */
     }
 }
-
+/* <factor the rows that hold> */
 static void factor_holds(wfJointWork *w, const wfBodyState *a, const wfBodyState *b)
 {
     wfReal size[3] = { 0, 0, 0 };
@@ -651,7 +655,7 @@ static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
     set->stiffness[q->a] -= wfDot(q->rA, q->impulse) / set->last;
     set->stiffness[q->b] += wfDot(q->rB, q->impulse) / set->last;
 }
-
+/* <solve plain hinges> */
 /* The sum of the couplings of its two rows, with arms of two moments. */
 static wfReal pin_coupling(const wfPin *q, const wfPin *r, const wfJointPair *p)
 {
@@ -784,6 +788,7 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
         if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
     }
     bool heavier = stiffen(set, in, dt);
+    /* <give the old impulses again> */
     for (int32_t i = 0; i < set->count; i++) {
         if (set->pins[i].on) {
             warm_pin(&set->pins[i], in, heavier, t / set->last);
@@ -808,6 +813,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (renew) look_round(set, in, moved);
     for (int32_t k = 0; k < set->count; k++) {
         int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
+        /* <solve it if it is a plain hinge> */
         if (set->pins[i].on) {
             if (renew) renew_pin(set, in, i);
             if (soft) aim_pin(&set->pins[i], in, dt, set->last, give);
@@ -841,7 +847,7 @@ static const void *lending_of(void *context)
     const wfJointSet *set = context;
     return set->lending;
 }
-
+/* <begin and end a step of joints> */
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
 {
     if (set == NULL || scratch == NULL || laws == NULL) return WF_ERROR_NULL;
@@ -854,6 +860,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
              || set->place == NULL || set->pins == NULL;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
+    /* <forget the last step> */
     for (int32_t i = 0; i < set->count; i++) {
         wfJointWork *w = &set->work[i];
         w->load = wfV2(0, 0), w->twist = 0, w->rows = w->holds = 0, w->swung = false;
@@ -929,7 +936,7 @@ static bool numbers_are_finite(const wfJoint *j)
         if (!wfIsFinite(j->impulse[i])) return false;
     return true;
 }
-
+/* <check a joint> */
 wfResult wfCheckJoint(const wfJoint *j)
 {
     if (j == NULL) return WF_ERROR_NULL;
@@ -957,6 +964,7 @@ static wfResult check_step(const wfJointStep *in)
     if (in->h <= 0 || in->substeps < 1 || in->passes < 1) return WF_ERROR_RANGE;
     if (in->period < 0 || in->damping < 0) return WF_ERROR_RANGE;
     wfResult result = WF_OK;
+    /* <check bodies, forces and joints> */
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         if (!wfBodyIsFinite(&in->state[i])) result = WF_ERROR_NOT_FINITE;
     for (int32_t i = 0; in->forces != NULL && i < in->bodyCount && result == WF_OK; i++)
@@ -983,6 +991,7 @@ wfResult wfStepJoints(const wfJointStep *in)
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(in->scratch);
     wfLaws laws;
+    /* <say what chapter 17 needs to know> */
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
                        .give = in->give };

@@ -128,6 +128,7 @@ static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t
             WF_FETCH_SOON(&soon->manifold.points[1].feature);
         }
         if (kind_of(s, t, colour, i) != kind) continue;
+        /* <begin a new bundle when one is full> */
         if (q == NULL || q->used == WF_LANES) {
             if (q != NULL) prepare_bundle(s, q);
             q = &s->bundle[to->bundles++];
@@ -193,7 +194,7 @@ WF_INLINE PairLanes take_pairs(const wfBodyState *state, const wfBundle *q)
     m.m = m.a.v[3] + m.b.v[3];
     return m;
 }
-
+/* <walk through contacts in lanes> */
 WF_INLINE void give_pairs(wfBodyState *state, const wfBundle *q, PairLanes *m)
 {
     wfLanes x = m->jn * q->nx + m->jt * q->ny, y = m->jn * q->ny + m->jt * -q->nx;
@@ -308,7 +309,7 @@ WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep, const wfBu
     wfLanes mass = wfLanesWhere(pushed | ~(apart | coming), wfLanesOf(1));
     return -p->massN * mass * (u + rate * gap);
 }
-
+/* <walk through contacts in lanes> */
 WF_INLINE void push_point(const wfCase *cases, const wfDeep *deep, bool soft,
                           const wfBundle *q, wfBundlePoint *p, PairLanes *m)
 {
@@ -343,11 +344,12 @@ WF_INLINE void sweep_bundle(const wfSubsteps *s, const wfCase *cases, const wfDe
 void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
                     const wfDeep *deep, bool soft)
 {
-    const wfBundle *q = &s->bundle[run->bundle], *end = &s->bundle[run->bundleEnd];
     if (soft)
-        for (; q < end; q++) sweep_bundle(s, cases[q->alone], deep, true, q);
+        for (int32_t i = run->bundle; i < run->bundleEnd; i++)
+            sweep_bundle(s, cases[s->bundle[i].alone], deep, true, &s->bundle[i]);
     else
-        for (; q < end; q++) sweep_bundle(s, cases[q->alone], deep, false, q);
+        for (int32_t i = run->bundle; i < run->bundleEnd; i++)
+            sweep_bundle(s, cases[s->bundle[i].alone], deep, false, &s->bundle[i]);
 }
 /* <walk through contacts in lanes> */
 static void store_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane, wfReal share)

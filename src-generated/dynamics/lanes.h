@@ -153,7 +153,7 @@ typedef struct wfBundle {
     int32_t a[WF_LANES], b[WF_LANES];   /* their bodies */
     int32_t of[WF_LANES];               /* contact of[i] of in->contacts */
     int32_t used, points, first;        /* lanes in use; point[first] and after */
-    bool alone;                         /* contacts of sec:soft-alone */
+    bool alone;                         /* contacts of eq:soft-alone */
     wfLanes nx, ny, friction, surfaceSpeed;
     wfLanes iA, iB;                     /* inverse inertias */
     wfLaneMask bounces;

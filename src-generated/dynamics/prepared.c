@@ -2,6 +2,9 @@
  * the chapter and type make. MIT licence. */
 #include "dynamics/prepared.h"
 
+/* <limits of friction> */
+/* The normal sums of a contact are known when passes change them by no larger share. */
+#define WF_FRICTION_FOUND (WF_R(1.0) / 16)
 /* <make contacts ready> */
 static wfReal inverse_or_zero(wfReal k) { return k > 0 ? 1 / k : 0; }
 
@@ -41,6 +44,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
     out->slides = c->friction;
     out->holds = wfMaxR(c->staticFriction, c->friction);
     out->sliding = c->sliding;
+    out->settled = c->settled;
     out->bounces = c->restitution > 0;
     out->friction = c->sliding ? out->slides : out->holds;
     out->rolling = c->rolling;
@@ -51,7 +55,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
         prepare_point(a, b, &m->points[i], out->n, out->t, &out->p[i]);
 }
 /* <make contacts ready> */
-void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m)
+void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
 {
     wfReal wanted = 0, normal = 0;
     if (!(c->holds > c->slides)) return;
@@ -61,17 +65,24 @@ void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m)
         wanted += p->tangent - p->massT * slide / (wfReal)c->count;
         normal += p->normal;
     }
-    c->sliding = wfAbs(wanted) > c->friction * normal;      /* eq:sequential-slides */
+    wfReal most = c->friction * normal;
+    bool patient = !found && !c->settled && !c->sliding;
+    bool known = wfAbs(normal - c->guessed) <= WF_FRICTION_FOUND * normal;
+    if (found && wfAbs(wanted) <= most) c->settled = 1;
+    if (patient) most *= known ? 2 : 16;                    /* eq:sequential-patience */
+    c->sliding = wfAbs(wanted) > most;                      /* eq:sequential-slides */
     c->friction = c->sliding ? c->slides : c->holds;
 }
 /* <make contacts ready> */
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share)
 {
     wfPairMotion m = wfTakePair(in, c);
+    c->guessed = 0;
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
         p->normal *= share;
         p->tangent *= share;
+        c->guessed += p->normal;
         wfPushPoint(&m, p, p->normal);
         wfDragPoint(&m, p, p->tangent);
     }
@@ -80,7 +91,7 @@ void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share)
     m.wB += c->spin * m.iB;
     wfGivePair(in, c, &m);
 }
-
+/* <make contacts ready> */
 void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
 {
     for (int32_t i = 0; i < c->count; i++) {
@@ -89,4 +100,5 @@ void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
     }
     out->rollingImpulse = share * c->spin;
     out->sliding = c->sliding;
+    out->settled = c->settled;
 }

@@ -14,17 +14,19 @@ typedef struct wfPreparedPoint {
     wfReal massN, massT;      /* kg: effective masses along normal and tangent */
     wfReal normal, tangent;   /* N s: applied so far, the sums that are clamped */
 } wfPreparedPoint;
-
+/* <a contact made ready> */
 typedef struct wfPrepared {
     int32_t a, b, count;
     wfVec2  n, t;
     wfReal  friction, rolling, surfaceSpeed;    /* friction: the one in force */
     wfReal  slides, holds;    /* mu and mu_s >= mu; sliding: which is in force */
     wfReal  massSpin, spin;   /* kg m^2; N m s applied so far */
-    int32_t sliding, bounces; /* bounces: 1 if it has restitution */
+    wfReal  guessed;          /* N s: sum over normals that the passes began with */
+    int32_t sliding, settled; /* as the contact's */
+    int32_t bounces;          /* 1 if it has restitution */
     wfPreparedPoint p[2];
 } wfPrepared;
-
+/* <a contact made ready> */
 /* Two bodies as their contact sees them. */
 typedef struct wfPairMotion {
     wfReal vn, vt;            /* m/s: b's velocity seen from a, along normal and tangent */
@@ -67,7 +69,7 @@ static inline void wfPushPoint(wfPairMotion *m, const wfPreparedPoint *p, wfReal
     m->wA -= j * p->nA * m->iA;
     m->wB += j * p->nB * m->iB;
 }
-
+/* <declarations of prepared contacts> */
 /* The same along the tangent: how fast it slides, and an impulse against that. */
 static inline wfReal wfTangentRate(const wfPairMotion *m, const wfPreparedPoint *p)
 {
@@ -106,8 +108,9 @@ static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
     m->wB += (c->spin - before) * m->iB;
 }
 /* <declarations of prepared contacts> */
-/* After the passes of a step or substep: does the contact slide? eq:sequential-slides */
-void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m);
+/* After a step or substep: does the contact slide? eq:sequential-slides. found: its
+ * impulses are the law's, or as near as they come; else eq:sequential-patience. */
+void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found);
 /* <declarations of prepared contacts> */
 /* The gap at a point when a and b have moved, m; negative: overlap. */
 static inline wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p,

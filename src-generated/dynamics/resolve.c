@@ -295,7 +295,7 @@ static bool has_all_names(const wfManifold *old, const wfManifold *m)
         if (!has_feature(old, m->points[i].feature)) return false;
     return true;
 }
-
+/* <contact solvers> */
 void wfCarryImpulses(const wfContact *before, wfContact *now)
 {
     const wfManifold *old = &before->manifold;
@@ -303,8 +303,10 @@ void wfCarryImpulses(const wfContact *before, wfContact *now)
     wfKeepImpulses(old, m);
     now->rollingImpulse = before->rollingImpulse;
     now->sliding = before->sliding;
+    now->settled = before->settled;
     if (m->count < 2 || !(wfDot(old->normal, m->normal) > 0)) return;
     if (has_all_names(old, m)) return;
+    /* <carry impulses from place to place> */
     wfReal near = wfLength(wfSub(m->points[1].armA, m->points[0].armA)) / 8;
     for (int32_t k = 0; k < m->count; k++)
         for (int32_t i = 0; i < old->count; i++) {
@@ -385,9 +387,7 @@ static wfResult check_contact(const wfContact *c, int32_t bodyCount)
 /* <check one state> */
 static wfResult check_state(const wfBodyState *s)
 {
-    if (!wfIsFinite2(s->p) || !wfIsFinite2(s->v)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(s->angle) || !wfIsFinite(s->w)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(s->invMass) || !wfIsFinite(s->invInertia)) return WF_ERROR_NOT_FINITE;
+    if (!wfBodyIsFinite(s)) return WF_ERROR_NOT_FINITE;
     return s->invMass < 0 || s->invInertia < 0 ? WF_ERROR_RANGE : WF_OK;
 }
 

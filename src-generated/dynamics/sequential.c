@@ -42,7 +42,7 @@ static void move_bodies(const wfSolve *in, const wfMoved *moved)
         in->state[i].angle += moved[i].turn;
     }
 }
-
+/* <the passes of sequential impulses> */
 wfResult wfSequentialPositions(const wfSolve *in)
 {
     size_t mark = wfPoolMark(in->scratch);
@@ -93,7 +93,7 @@ static wfResult sequential(const wfSolve *in, wfReal share)
             push_contact(in, &c[i], &m, share, in->contacts[i].slop);
             wfGivePair(in, &c[i], &m);
             wfPairMotion seen = m;      /* a copy to hand out: m can stay in registers */
-            if (pass + 1 == in->iterations) wfJudgeFriction(&c[i], &seen);
+            if (pass + 1 == in->iterations) wfJudgeFriction(&c[i], &seen, true);
         }
     for (int32_t i = 0; i < in->contactCount; i++)
         wfStoreImpulses(&c[i], 1, &in->contacts[i]);

@@ -84,12 +84,12 @@ static void sweep_columns(wfSubsteps *s, wfColumns *t, const Softness *soft)
     else wfSolveColumns(s, t, soft->bias, WF_COLUMN_GIVE, soft->fastest);
 }
 
-static void judge(wfSubsteps *s)
+static void judge(wfSubsteps *s, const wfColumns *t)
 {
     for (int32_t i = 0; i < s->ones; i++) {
         if (!(s->c[i].holds > s->c[i].slides)) continue;
         wfPairMotion m = wfTakePair(s->in, &s->c[i]);
-        wfJudgeFriction(&s->c[i], &m);
+        wfJudgeFriction(&s->c[i], &m, t->held[i] != WF_HELD_NOT);
     }
 }
 /* <a step in substeps> */
@@ -122,7 +122,7 @@ static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
             sweep_ones(s, t, &s->run[k], cases, &deep);
         }
     }
-    if (soft == NULL) judge(s);
+    if (soft == NULL) judge(s, t);
 }
 /* <a step in substeps> */
 /* What contacts need that are parted. */
@@ -160,7 +160,7 @@ static bool part_contact(const Parting *part, const wfPrepared *c, wfReal below)
     }
     return some;
 }
-
+/* <a step in substeps> */
 static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *t,
                      const wfRun *run)
 {
@@ -232,6 +232,7 @@ wfResult wfSoftStep(const wfSolve *in)
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         aside[i] = (wfMoved){ .turn = 0 };
     Softness soft = softness_of(in, s.dt);
+    /* <make the substeps> */
     for (int32_t k = 0; k < in->substeps && result == WF_OK; k++) {
         wfKick(&s, k == 0 ? s.dt / 2 : s.dt, s.kick);
         wfBounceAll(&s);

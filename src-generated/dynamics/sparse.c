@@ -123,7 +123,7 @@ static void mark_neighbours(wfSparse *m, int32_t i)
         link = &e->next;
     }
 }
-
+/* <eliminate in order> */
 /* Couples all neighbours of p that are left with each other. False: no room. */
 static bool couple_neighbours(wfSparse *m, int32_t p)
 {

@@ -54,6 +54,7 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
         if (in->present != NULL && !in->present[i]) continue;
         if (b->invMass == 0) b->v = wfAdd(b->v, wfV2(0, 0));    /* eq:soft-minus-zero */
         if (b->invInertia == 0) b->w += 0;
+        /* <kick body i> */
         s->before[i] = (wfMotion){ b->v, b->w };
         if (in->fine != NULL) s->rest[i] = in->fine[i];
         if (in->forces == NULL) continue;
@@ -86,7 +87,7 @@ void wfFindGaps(wfSubsteps *s)
         }
     }
 }
-
+/* <kick and drift> */
 void wfDrift(wfSubsteps *s)
 {
     if (s->in->fine != NULL) forget_digits(s);
@@ -188,7 +189,7 @@ static wfMotion at_time(const wfSubsteps *s, int32_t i, wfReal t)
     m.w += share * (now->w - m.w);
     return m;
 }
-
+/* <bounce at the time of impact> */
 /* when in this substep a gap closes; more than dt if it does not, or too slowly */
 static wfReal impact_time(const wfSubsteps *s, const wfPrepared *c,
                           const wfPreparedPoint *p)
@@ -229,6 +230,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     wfReal t = s->dt;
     hit.manifold.count = 0;
     for (int32_t i = 0; i < c->count; i++) {
+        /* <ask point i when it arrives> */
         wfReal ti = impact_time(s, c, &c->p[i]);
         if (ti > s->dt) continue;
         t = wfMinR(t, ti);
@@ -237,6 +239,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     }
     if (hit.manifold.count == 0) return false;
     wfMotion ma = at_time(s, c->a, t), mb = at_time(s, c->b, t);
+    /* <the two bodies at the time of their impact> */
     wfBodyState a = in->state[c->a], b = in->state[c->b];
     a.p = wfNeg(found[0].armA), b.p = wfNeg(found[0].armB);
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;

@@ -6,12 +6,14 @@
 /* <the table of methods> */
 const wfMethodRow wfMethodTable[] = {
     /* <rows of the method table> */
-    { "soft-1", "one substep a step", "soft", NULL, "auto", 1, 0, 0.4 },
-    { "soft-4", "four substeps a step, the default", "soft", NULL, "auto", 4, 0, 0.4 },
-    { "soft-16", "sixteen substeps a step", "soft", NULL, "auto", 16, 0, 0.4 },
-    { "exact-1", "contacts and joints to rounding", "exact", NULL, "together", 1, 0, 0.8 },
-    { "verlet", "nobody touches: Verlet's method", "sequential", "verlet", NULL, 1, 1, 0 },
-    { "rk4", "nobody touches: Runge and Kutta's", "sequential", "rk4", NULL, 1, 1, 0 },
+    { "soft-1", "one substep a step", "soft", NULL, "auto", 1, 0, 0, 0.4 },
+    { "soft-4", "four substeps a step, the default", "soft", NULL, "auto", 4, 0, 0, 0.4 },
+    { "soft-16", "sixteen substeps a step", "soft", NULL, "auto", 16, 0, 0, 0.4 },
+    { "swept-4", "one substep of four passes", "soft", NULL, "auto", 1, 4, 0, 1.0 },
+    { "swept-16", "four substeps of four passes", "soft", NULL, "auto", 4, 4, 0, 1.0 },
+    { "exact-1", "contacts and joints to rounding", "exact", NULL, "together", 1, 0, 0, 0.8 },
+    { "verlet", "nobody touches: Verlet's method", "sequential", "verlet", NULL, 1, 0, 1, 0 },
+    { "rk4", "nobody touches: Runge and Kutta's", "sequential", "rk4", NULL, 1, 0, 1, 0 },
 };
 const int wfMethodCount = (int)(sizeof wfMethodTable / sizeof *wfMethodTable);
 /* <give a world a method> */
@@ -45,6 +47,9 @@ static wfResult give_method(wfWorld *world, int method, int32_t steps, wfReal fr
         result = put_row(&def, "exactJoints", m->joints);
     if (result == WF_OK && substeps != NULL)
         result = wfPutSetting(&def, substeps, 0, m->substeps);
+    const wfSetting *passes = setting_of(&def, "iterations");
+    if (result == WF_OK && passes != NULL)
+        result = wfPutSetting(&def, passes, 0, m->passes);
     def.dt = frame / (wfReal)steps;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
@@ -167,7 +172,7 @@ static void take_marks_off(wfWorld *world)
     int32_t count = wfWorldBodies(world).count;
     for (int32_t i = 0; i < count; i++) wfSetBodySubsteps(world, wfBodyAt(world, i), 0);
 }
-
+/* <run a rung> */
 static double counted_cost(int method, int32_t steps)               /* eq:accuracy-cost */
 {
     const wfMethodRow *m = &wfMethodTable[method];
@@ -330,9 +335,9 @@ static void demand(Trial *t, wfReal most)
         if (s.owners[k] >= 0 && rim_apart(&x, &y, &s, k) > most)
             mark(t, s.owners[k], 0);
 }
-
-/* Runs a rung with the marks; its difference, as a share, in *out. limit: eq:accuracy-relax,
- * or HUGE: nobody is judged. */
+/* <find who can do with less> */
+/* Runs a rung with the marks; its difference, as a share, in *out. limit: that of
+ * eq:accuracy-relax, or HUGE: nobody is judged. */
 static wfResult run_marked(Trial *t, const wfAccuracy *c, int32_t steps, wfReal limit,
                            wfReal *out)
 {
@@ -354,7 +359,7 @@ static bool is_coarser(const wfMethodRow *row, const wfMethodRow *m)
 {
     bool same = row->solver != NULL && m->solver != NULL
              && strcmp(row->solver, m->solver) == 0 && !row->smooth && !m->smooth;
-    return same && m->substeps < row->substeps;
+    return same && m->passes == row->passes && m->substeps < row->substeps;
 }
 
 /* Marks all bodies that can be moved and have no mark. */
@@ -437,7 +442,7 @@ static int32_t frames_of(wfReal frame)
 {
     return frame < 1 ? (int32_t)wfMinR(1 / frame + WF_R(0.5), 1000) : 1;
 }
-
+/* <use what was chosen> */
 wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccuracy *out)
 {
     wfAccuracy points[WF_CURVE_POINTS], chosen;

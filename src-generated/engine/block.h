@@ -110,6 +110,7 @@ typedef struct wfHeader {
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
     /* <what else a world keeps> */
     int32_t fastCount, impactCount, heldCount;  /* of the last step */
+    int32_t crowd;             /* 1: its fast bodies were too many, and struck too often */
     /* <what else a world keeps> */
     int32_t asleep;            /* how many bodies sleep */
     int32_t roused;            /* 1: since the last step somebody may have woken */
@@ -292,9 +293,9 @@ void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* Would all of them still be joints? */
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
 /* <declarations of the block> */
-enum { WF_CROWD = 1024 };
-/* Were so many fast in the last step that they are followed to unmovable things alone? */
-static inline bool wfIsCrowd(const wfBlock *b) { return b->head->fastCount > WF_CROWD; }
+enum { WF_CROWD = 256, WF_STEP_ROOM = 4096 };
+/* Are those who are fast followed to unmovable things alone? */
+static inline bool wfIsCrowd(const wfBlock *b) { return b->head->crowd != 0; }
 /* <declarations of the block> */
 /* A body that is followed through a step. Times are shares of the step. */
 typedef struct wfFlight {

@@ -13,7 +13,8 @@ typedef struct Check {
 typedef bool CheckFn(Check *c);
 
 /* Notes the first rule that does not hold. */
-static bool rule(Check *c, bool holds, int region, int32_t element, const char *text)
+static WF_ONE_COPY bool rule(Check *c, bool holds, int region, int32_t element,
+                             const char *text)
 {
     if (!holds && c->fault.rule == NULL)
         c->fault = (wfFault){ c->region[region].name, element, text };
@@ -281,7 +282,7 @@ static bool is_contact(const wfBlock *b, const wfContact *m)
                               p->armB.y, p->depth, p->normalImpulse, p->tangentImpulse };
         if (!wfAllFinite(of, sizeof of / sizeof *of)) return false;
     }
-    return m->shapeA < m->shapeB && is_choice(m->sliding);
+    return m->shapeA < m->shapeB && is_choice(m->sliding) && is_choice(m->settled);
 }
 /* <check the lists of a step> */
 static bool check_contacts(Check *c)

@@ -5,7 +5,6 @@
 
 enum { FLIGHT_TURNS = 1000 };   /* of a sweep; who makes more is swept by so many */
 enum { FLIGHT_PASSES = 64 };    /* over what was struck before, after each impact */
-enum { FLIGHT_ROOM = 4096 };    /* collisions of all bodies in a step: who comes then waits */
 enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the other */
 #define FLIGHT_WINDOW 16384     /* of reaches: looked at at once, eq:fast-window */
 #define FLIGHT_WINDOWS 256      /* and no smaller share of the step than one of so many */
@@ -724,7 +723,7 @@ static wfResult follow(struct wfStep *s)
         if (f == NULL) break;
         wfReal now = f->next;
         f->fresh = true;
-        if (f->lost || s->impactCount >= FLIGHT_ROOM) give_up(s, f, now);
+        if (f->lost || s->impactCount >= WF_STEP_ROOM) give_up(s, f, now);
         else result = impact(s, f);
         if (result == WF_OK) result = plan_again(s, now);
     }

@@ -104,7 +104,7 @@ void wfWriteImage(const wfImage *image, uint8_t *bytes)
         size_t size = image->bytes[i], end = round_up(size);
         if (size == 0) continue;
         memcpy(bytes + at, image->at[i], size);
-        memset(bytes + at + size, 0, end - size);
+        if (end > size) memset(bytes + at + size, 0, end - size);
         at += end;
     }
 }
@@ -174,21 +174,16 @@ static void empty_places(uint8_t *array, int region, size_t from, size_t end)
         memcpy(array + at, &fresh, sizeof fresh);
 }
 /* <take an image into a block> */
-static void begin_places(uint8_t *array, size_t place, int region, const wfHeader *head,
-                         size_t bytes)
+static void begin_places(uint8_t *array, size_t place, int region, const wfHeader *head)
 {
-    uint64_t count = place > 0 ? used(head, region) : 0;
-    size_t each = wfRegionTable[region].each;
-    if (bytes > 0 || count * each > place) return;
-    int begin = 0;
     switch (region) {
     /* <regions that begin with -1> */
     case WF_REGION_RINGS: case WF_REGION_ISLANDS:
-        begin = 0xff;
         break;
-    default: break;
+    default: return;
     }
-    if (begin != 0) memset(array, begin, (size_t)count * each);
+    uint64_t bytes = (uint64_t)used(head, region) * wfRegionTable[region].each;
+    if (bytes <= place) memset(array, 0xff, (size_t)bytes);
 }
 /* <take an image into a block> */
 static void drop_index(const wfBlock *b)
@@ -213,9 +208,10 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image)
     for (int i = WF_REGION_HEADER + 1; i < WF_REGION_KEPT; i++) {
         uint8_t *array = base + b->head->offset[i];
         size_t bytes = image->bytes[i], place = (size_t)room(b->head, i);
+        if (place == 0) continue;
         if (bytes > 0) memcpy(array, image->at[i], bytes);
         empty_places(array, i, bytes, (size_t)counted(b->head, i));
-        begin_places(array, place, i, &head, bytes);
+        if (bytes == 0) begin_places(array, place, i, &head);
     }
     drop_index(b);
     wfKeepBuiltIn(b->head, &head);

@@ -54,6 +54,27 @@ wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
     if (result == WF_OK) *out = wfProxiesOf(&b, b.bounds, b.flags);
     return result;
 }
+/* <look at the arrays of a world> */
+wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *visit,
+                           void *context)
+{
+    wfBlock b;
+    wfProxies proxies;
+    if (scratch == NULL || visit == NULL) return WF_ERROR_NULL;
+    wfResult result = wfWorldProxies(world, &proxies);
+    if (result == WF_OK) result = wfOpenBlock(world, &b);
+    if (result != WF_OK) return result;
+    int method = b.head->broadPhase;
+    size_t mark = wfPoolMark(scratch), bytes = wfIndexSize(method, b.head->shapeCapacity);
+    if (bytes == 0) return WF_OK;
+    void *index = wfPoolPush(scratch, bytes, WF_POOL_ALIGN);
+    if (index == NULL) return WF_ERROR_MEMORY;
+    memcpy(index, b.index, bytes);
+    result = wfUpdateIndex(method, &proxies, index, bytes, scratch);
+    if (result == WF_OK) result = wfIndexBoxes(method, &proxies, index, visit, context);
+    wfPoolRewind(scratch, mark);
+    return result;
+}
 /* <hash a world> */
 static uint64_t hash_state(uint64_t h, const wfBodyState *s)
 {

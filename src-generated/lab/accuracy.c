@@ -48,6 +48,7 @@ static void hanging(int n, const double *x, const double *v, double *a)
 {
     double r[LAB_POINTS + 1][2], diagonal[LAB_POINTS], right[LAB_POINTS];
     double off[LAB_POINTS], pull[LAB_POINTS + 1];
+    /* <write down the rods' equations> */
     for (int i = 0; i < n; i++) {
         double w[2];
         for (int k = 0; k < 2; k++) {
@@ -158,7 +159,7 @@ static void ball_course(int fine, labCourse out)
     (void)fine;
     formula_course(ball_at, out);
 }
-
+/* <true courses> */
 static void stack_course(int fine, labCourse out)
 {
     (void)fine;
@@ -291,18 +292,18 @@ static wfResult build_double(wfWorld *world) { return build_chain(world, 2, 0.5)
 static wfResult build_ten(wfWorld *world) { return build_chain(world, 10, 0.125); }
 /* <the table of truths> */
 const labTruth labTruths[] = {
-    { "spring", build_spring, spring_course, 0, 2 },
-    { "orbit", build_orbit, orbit_course, 0, 2 },
-    { "projectile", build_flight, flight_course, 0, 1 },
-    { "pendulum", build_pendulum, pendulum_course, 1, 1 },
-    { "double-pendulum", build_double, double_course, 0.5, 1 },
-    { "chain", build_ten, ten_course, 0.125, 1 },
-    { "slide", build_slide, slide_course, 0, 0 },
-    { "roll", build_roll, roll_course, 0, 1 },
-    { "ball", build_ball, ball_course, 0, 1 },
-    { "stack", build_stack, stack_course, 0, 0 },
-    { "card-house", build_cards, NULL, 0, 0 },
-    { "pile", build_pile, NULL, 0, 0 },
+    { "spring", build_spring, spring_course, 0, 2, 0 },
+    { "orbit", build_orbit, orbit_course, 0, 2, 0 },
+    { "projectile", build_flight, flight_course, 0, 1, 0 },
+    { "pendulum", build_pendulum, pendulum_course, 1, 1, 0 },
+    { "double-pendulum", build_double, double_course, 0.5, 1, 0 },
+    { "chain", build_ten, ten_course, 0.125, 1, 0 },
+    { "slide", build_slide, slide_course, 0, 0, 0 },
+    { "roll", build_roll, roll_course, 0, 1, 0 },
+    { "ball", build_ball, ball_course, 0, 1, 0 },
+    { "stack", build_stack, stack_course, 0, 0, 0 },
+    { "card-house", build_cards, NULL, 0, 0, 1 },
+    { "pile", build_pile, NULL, 0, 0, 0 },
 };
 const int labTruthCount = (int)(sizeof labTruths / sizeof *labTruths);
 
@@ -313,19 +314,25 @@ int labFindTruth(const char *name)
     return -1;
 }
 /* <measure a run> */
-wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joints,
-                      wfWorld *out)
+static wfResult make_truth(const labTruth *scene, const char *solver, const char *joints,
+                           int plain, wfWorld *out)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.solver = wfFindSolver(solver);
     def.exactJoints = wfFindSettingRow(wfFindSetting("exactJoints"), joints);
     def.bodyCapacity = 64;
-    def.fineSums = strcmp(solver, "soft") == 0;
+    def.fineSums = strcmp(solver, "soft") == 0 && !plain;
     wfResult result = wfCreateWorld(&def, out);
     if (result != WF_OK) return result;
     result = scene->build(out);
     if (result != WF_OK) wfDestroyWorld(out);
     return result;
+}
+
+wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joints,
+                      wfWorld *out)
+{
+    return make_truth(scene, solver, joints, 0, out);
 }
 /* <measure a run> */
 static int places_of(const wfWorld *world, double out[LAB_POINTS][2])
@@ -390,7 +397,7 @@ static double widest_gap(int n, double at[LAB_POINTS][2], double rod)
     }
     return most;
 }
-
+/* <measure a run> */
 static double deepest(const wfWorld *world)
 {
     int32_t count = 0;
@@ -412,12 +419,14 @@ static Sums sums_of(const wfWorld *world)
     return (Sums){ kinetic, kinetic + potential, spin };
 }
 
+static bool is_known(const labTruth *s) { return s->course != NULL || s->stands; }
+
 static void look(const labTruth *scene, const wfWorld *world, int k, labCourse truth,
                  double size, labResult *r)
 {
     double at[LAB_POINTS][2];
     int n = places_of(world, at);
-    if (scene->course != NULL)                          /* eq:accuracy-error */
+    if (is_known(scene))                                /* eq:accuracy-error */
         r->error = fmax(r->error, farthest(n, at, truth[k]) / size);
     r->depth = fmax(r->depth, deepest(world) / size);
     r->gap = fmax(r->gap, widest_gap(n, at, scene->rod) / size);
@@ -435,12 +444,14 @@ static void step_frame(void *context)       /* what labCounted counts */
 static labResult run_world(const labTruth *scene, wfWorld *world, int steps)
 {
     static labCourse truth;
-    labResult r = { .error = scene->course != NULL ? 0 : -1 };
+    labResult r = { .error = is_known(scene) ? 0 : -1 };
     memset(truth, 0, sizeof truth);
     int n = places_of(world, truth[0]);
+    for (int k = 1; k <= LAB_FRAMES; k++) memcpy(truth[k], truth[0], sizeof truth[k]);
     if (scene->course != NULL) scene->course(64, truth);
     double size = size_of(world, n, truth), kinetic = 0;
     Sums start = sums_of(world);
+    /* <run frame by frame and look> */
     for (int k = 1; k <= LAB_FRAMES && !r.failed; k++) {
         Frame frame = { world, steps, 0 };
         clock_t since = clock();
@@ -476,7 +487,8 @@ static labResult run_set(const labTruth *scene, const char *solver, const char *
 {
     wfWorld world;
     labResult r = { .failed = 1, .error = -1 };
-    if (labMakeTruth(scene, solver, joints, &world) != WF_OK) return r;
+    int plain = dials != NULL && dials->plain;
+    if (make_truth(scene, solver, joints, plain, &world) != WF_OK) return r;
     wfResult set = dials != NULL ? turn_dials(&world, dials)
                                  : wfUseSettings(&world, chosen);
     int steps = dials != NULL ? dials->steps : chosen->steps;
@@ -484,7 +496,7 @@ static labResult run_set(const labTruth *scene, const char *solver, const char *
     wfDestroyWorld(&world);
     return r;
 }
-
+/* <measure a run> */
 labResult labRunDials(const labTruth *scene, const labDials *dials)
 {
     return run_set(scene, dials->solver, dials->joints, dials, NULL);
@@ -520,13 +532,14 @@ int labHorizon(FILE *out)
     double place[LAB_POINTS][2] = { { 0.5, 0 }, { 1, 0 } }, at[LAB_POINTS][2];
     double v[REF] = { 0 };
     wfWorld world[HORIZON_RUNS];
-    labDials dials = { "soft", "auto", 1, 4, 1, 0 };
+    labDials dials = { "soft", "auto", 1, 4, 1, 0, 0 };
     for (int i = 0; i < HORIZON_RUNS; i++) {
         if (labMakeTruth(scene, "soft", "auto", &world[i]) != WF_OK) return 1;
         dials.steps = steps[i], dials.substeps = substeps[i];
         if (turn_dials(&world[i], &dials) != WF_OK) return 1;
     }
     fprintf(out, "time,1 substep,4 substeps,16 substeps\n");
+    /* <follow the three runs and the truth> */
     for (int k = 1; k <= HORIZON; k++) {
         for (int i = 0; i < 256; i++) ref_step(hanging, 2, 1.0 / 60 / 256, place[0], v);
         if (k % HORIZON_EACH == 0) fprintf(out, "%.2f", k / 60.0);
@@ -552,7 +565,7 @@ static wfResult build_islands(wfWorld *world)
 /* <measure islands apart> */
 static int islands_apart(FILE *out, const char *name, const labDials *dials)
 {
-    static const labTruth scene = { "islands", build_islands, NULL, 0, 0 };
+    static const labTruth scene = { "islands", build_islands, NULL, 0, 0, 0 };
     static labCourse stack, chain, flight;
     double at[LAB_POINTS][2], off[3] = { 0 };
     wfWorld world;
@@ -574,10 +587,10 @@ static int islands_apart(FILE *out, const char *name, const labDials *dials)
 /* <measure islands apart> */
 int labIslands(FILE *out)
 {
-    static const labDials one = { "soft", "one-by-one", 1, 4, 1, 0 };
-    static const labDials each = { "soft", "auto", 1, 4, 1, 0 };
-    static const labDials more = { "soft", "auto", 4, 4, 1, 0 };
-    static const labDials all = { "exact", "together", 1, 4, 1, 0 };
+    static const labDials one = { "soft", "one-by-one", 1, 4, 1, 0, 0 };
+    static const labDials each = { "soft", "auto", 1, 4, 1, 0, 0 };
+    static const labDials more = { "soft", "auto", 4, 4, 1, 0, 0 };
+    static const labDials all = { "exact", "together", 1, 4, 1, 0, 0 };
     fprintf(out, "setting,flight,chain,stack\n");
     return islands_apart(out, "all joints one by one", &one)
         || islands_apart(out, "each island by its own method (default)", &each)
@@ -585,7 +598,7 @@ int labIslands(FILE *out)
         || islands_apart(out, "the exact solver for all", &all);
 }
 /* <give each island a world> */
-static const labTruth threeIslands = { "islands", build_islands, NULL, 0, 0 };
+static const labTruth threeIslands = { "islands", build_islands, NULL, 0, 0, 0 };
 
 /* m: the size by which errors in a scene are divided */
 static double size_of_scene(const labTruth *scene)
@@ -650,7 +663,7 @@ static wfResult build_mixed(wfWorld *world, int towers)
     if (result == WF_OK) result = put(world, particle(), 0, 1, 7, 9, NULL);
     return result;
 }
-
+/* <mix islands in one world> */
 /* m: how far body i of them that move is from where it should be in frame k */
 static double mixed_off(const wfWorld *world, int towers, int i, int k)
 {
@@ -676,7 +689,7 @@ static double mixed_error(wfWorld *world, int towers, const wfAccuracy *c)
     }
     return most;
 }
-
+/* <mix islands in one world> */
 static void count_mixed(const wfWorld *world, const wfAccuracy *c, labMixed *out)
 {
     wfBodyView b = wfWorldBodies(world);
@@ -707,4 +720,38 @@ int labMixedRun(int towers, double tolerance, int mixed, int uniform, labMixed *
     }
     wfDestroyWorld(&as);
     return result != WF_OK;
+}
+/* <measure how long a pile can be foreseen> */
+enum { PILE_RUNS = 4, PILE_EACH = 3 };          /* frames */
+
+static double pile_apart(const wfWorld *a, const wfWorld *b)
+{
+    double x[LAB_POINTS][2], y[LAB_POINTS][2];
+    int n = places_of(a, x);
+    places_of(b, y);
+    return farthest(n, x, y);
+}
+/* <measure how long a pile can be foreseen> */
+int labPileApart(FILE *out)
+{
+    const labTruth *scene = &labTruths[labFindTruth("pile")];
+    labDials dials = { "exact", "together", 16, 1, 1, 0, 0 };
+    wfWorld world[PILE_RUNS];
+    for (int i = 0; i < PILE_RUNS; i++, dials.steps *= 2) {
+        if (labMakeTruth(scene, "exact", "together", &world[i]) != WF_OK) return 1;
+        if (turn_dials(&world[i], &dials) != WF_OK) return 1;
+    }
+    fprintf(out, "time,coarse,middle,fine\n");
+    for (int k = 1; k <= LAB_FRAMES / 2; k++) {
+        for (int i = 0; i < PILE_RUNS; i++)
+            for (int step = 0; step < 16 << i; step++)
+                if (wfStepWorld(&world[i]) != WF_OK) return 1;
+        if (k % PILE_EACH != 0) continue;
+        fprintf(out, "%.2f", k / 60.0);
+        for (int i = 0; i + 1 < PILE_RUNS; i++)
+            fprintf(out, ",%.0e", pile_apart(&world[i], &world[i + 1]));
+        fprintf(out, "\n");
+    }
+    for (int i = 0; i < PILE_RUNS; i++) wfDestroyWorld(&world[i]);
+    return 0;
 }

@@ -17,6 +17,7 @@ typedef struct labTruth {
     void      (*course)(int fine, labCourse out);
     double      rod;               /* m: between neighbours that are joined; 0: nobody is */
     int         conserves;         /* 1: energy; 2: and angular momentum about (0, 0) */
+    int         stands;            /* 1: its course is to stay where it was put */
 } labTruth;
 extern const labTruth labTruths[];
 extern const int labTruthCount;
@@ -27,6 +28,7 @@ typedef struct labDials {
     const char *solver, *joints;   /* names of rows */
     int    steps, substeps, passes;    /* in a frame, in a step, in a substep */
     double period;                 /* of a contact's spring, substeps; 0: as usual */
+    int    plain;                  /* 1: what the state rounds away is lost */
 } labDials;
 typedef struct labResult {
     int    failed;
@@ -46,17 +48,21 @@ labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen);
 /* The error of a course that somebody else has computed; reach: of the largest body. */
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
+/* <the dials of a run> */
+/* By how much the pile of steps and of half as long ones are apart, moment by moment. */
+int labPileApart(FILE *out);
 /* By how much a double pendulum is off, s after s, by steps of a frame. */
 int labHorizon(FILE *out);
 /* One world of three islands, and by how much each is off, by setting. */
 int labIslands(FILE *out);
 /* What a tolerance chooses for it, and for three worlds of one island each. */
 int labWorldsApart(FILE *out);
+/* <the dials of a run> */
 /* Towers of ten, a chain of ten and a flight in one world, stepped for a tolerance: */
 typedef struct labMixed {
     int    bodies, relaxed;        /* that move; that make fewer substeps than others */
     int    method, steps;          /* what was chosen */
-    double substeps, all;          /* of all bodies in a frame, as stepped; and if none did */
+    double substeps, all;          /* of all bodies in a frame, as stepped; if none did */
     double estimate;               /* of the engine */
     double error, uniform;         /* true ones, shares: as stepped; and if none did */
 } labMixed;

@@ -57,7 +57,7 @@ static void hinge(b2WorldId world, b2BodyId a, b2BodyId b, float x, float y)
     d.base.localFrameB.p = (b2Vec2){ -x, -y };
     b2CreateRevoluteJoint(world, &d);
 }
-
+/* <scenes for Box2D> */
 static void grid(b2WorldId world)
 {
     static b2BodyId ids[100][100];

@@ -110,7 +110,7 @@ static wfResult resolving(wfReal share, wfReal slop, int32_t bodies, wfWorld *wo
    often: the worst of what `look` has seen. */
 typedef double PairLook(wfWorld *world, const wfShape s[2], const wfTransform x[2],
                         wfBodyId moving);
-
+/* <helpers of the cases> */
 static double worst_pair(uint64_t seed, wfReal share, wfReal slop, int32_t tries,
                          PairLook *look)
 {
@@ -315,7 +315,7 @@ static double deepest_at(const Overlap *o, double x)
     }
     return in_both(o, x, (low + high) / 2);
 }
-
+/* <cases> */
 static double deepest(const Overlap *o)                     /* eq:cases-deepest */
 {
     double low = -2, high = 2;

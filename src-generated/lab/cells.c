@@ -161,6 +161,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     int value = (int)wfCellNumber(in, "value", 1), steps = 1;
     const char *peer = wfCellText(in, "engine", ""), *dial = wfCellText(in, "dial", "");
     if (scene < 0 || value < 1) return 1;
+    /* <write the scene for the peer> */
     snprintf(file, sizeof file, "build/lab/peer-%.16s-%d-%.16s-%d.json", peer, scene, dial,
              value);
     snprintf(printed, sizeof printed, "%s.csv", file);
@@ -255,7 +256,7 @@ static const char *const acc_dial[ACC_DIALS] = { "substeps", "steps", "passes",
 
 static labDials acc_dials(int dial, int v)
 {
-    labDials d = { "soft", "auto", 1, 1, 1, 0 };
+    labDials d = { "soft", "auto", 1, 1, 1, 0, 0 };
     if (dial == 0 || dial == 4) d.substeps = v;
     if (dial == 1 || dial == 6) d.steps = v;
     if (dial == 2 || dial == 5) d.passes = v;
@@ -354,7 +355,7 @@ static int cell_accuracy_own(FILE *out, const wfCellInput *in)
 
 static void sweep_accuracy_own(FILE *out, int full)
 {
-    for (double t = 1e-2; t > 0.5e-5; t /= 10)
+    for (double t = 1e-3; t > (full ? 0.5e-5 : 0.5e-4); t /= 10)
         for (int towers = 1; towers <= (full ? 27 : 9); towers *= 3)
             fprintf(out, "towers=%d tolerance=%.0e substeps=all\n"
                     "towers=%d tolerance=%.0e substeps=own\n", towers, t, towers, t);

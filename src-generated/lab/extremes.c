@@ -62,7 +62,7 @@ double labTime(const labTrace *t, int row)
 {
     return t->cell[(size_t)row * (size_t)(2 + LAB_FIELDS * t->bodies) + 1];
 }
-
+/* <look at a trace> */
 /* how far a body has been from where it began, at most */
 static double moved(const labTrace *t, int body)
 {
@@ -399,7 +399,7 @@ static void build_tip(labScene *s, double share)
     s->steps = share < 1 ? 600 : steps_to_fall(tip_rate, over, sqrt(1.25), 0.5);
     put_slope(s, share / 2, &(Put){ .width = 0.5, .height = 1, .density = 1 });
 }
-
+/* <extremes> */
 /* how far it turned against how far it should */
 static void judge_turn(double turned, double exact, double *error, double *harm)
 {
@@ -470,7 +470,7 @@ static double arch_limit(void)
     }
     return high;
 }
-
+/* <extremes> */
 static void put_stone(labScene *s, double in, double out, int i)
 {
     double from = 3.141592653589793 * i / 20, to = 3.141592653589793 * (i + 1) / 20;

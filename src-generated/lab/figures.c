@@ -2685,6 +2685,7 @@ static void path_line(wfDraw *d, int corner)
         wfApplyImpulse(&kicked, n, c.manifold.points[i].point);
         gain[i] = wfRelativeNormalVelocity(&state[0], &kicked, here, n) - u;
     }
+    /* <find the ends of the line> */
     wfVec2 from = wfV2((-u - WF_R(0.1) * gain[1]) / gain[0], WF_R(0.1));
     wfVec2 to = wfV2((-u - WF_R(1.5) * gain[1]) / gain[0], WF_R(1.5));
     if (corner == 1) {
@@ -2710,7 +2711,7 @@ static void path_draw(wfDraw *d, bool sums, wfReal j0, wfReal j1, int role)
         before = corner;
     }
 }
-
+/* <figures> */
 static void figure_sequential_path(wfDraw *d, const wfFigureInput *in)
 {
     wfReal j0 = wfMaxR(((wfReal)in->handle[0][0] - WF_R(0.6)) / WF_R(2.6), 0);
@@ -2898,7 +2899,7 @@ static void gather_square(wfDraw *d, float left, bool turned, const char *title)
             wfDrawText(d, x + 0.5f, y + 0.38f, 12, WF_INK_TEXT, 0, name[number]);
         }
 }
-
+/* <figures> */
 static void figure_soft_gather(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -2986,6 +2987,7 @@ static void figure_joints_aim(wfDraw *d, const wfFigureInput *in)
     (void)in;
     wfDrawView(d, -2.6f, -0.6f, 3.0f, 3.0f);
     wfDrawCircle(d, 0, 0, 2, 1, WF_INK_FAINT, -1);
+    /* <go along the tangent five times> */
     for (int i = 0; i < 5; i++) {                   /* the rate held: along the tangent */
         wfVec2 q = wfAddScaled(p, 2 * h, wfPerpCCW(wfNormalize(p)));
         wfDrawArrow(d, WF_XY(p), WF_XY(q), 2, WF_INK_BAD);
@@ -3058,7 +3060,7 @@ typedef struct figArch {
     int          contacts;
     _Alignas(16) uint8_t memory[1 << 17];
 } figArch;
-
+/* <figures> */
 static void arch_stone(figArch *f, int i, wfReal r, wfReal thickness)
 {
     wfReal part = WF_PI / ARCH_STONES;
@@ -3095,7 +3097,7 @@ static void arch_touch(figArch *f)
             if (c.manifold.count > 0) f->contact[f->contacts++] = c;
         }
 }
-
+/* <figures> */
 static void arch_step(figArch *f)
 {
     wfPool scratch;
@@ -3122,6 +3124,7 @@ static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
     for (int i = 1; i <= ARCH_STONES; i++)
         forces_shape(d, &f.shape[i], wfBodyTransform(&f.state[i]), WF_INK_BODY);
     for (int i = 0; i < f.contacts; i++) {
+        /* <draw where the line of thrust goes through this joint of the arch> */
         const wfManifold *m = &f.contact[i].manifold;
         wfReal sum = 0;
         wfVec2 at = wfV2(0, 0);
@@ -5224,6 +5227,7 @@ static void figure_accuracy_choice(wfDraw *d, const wfFigureInput *in)
     float error = (in->handle[0][1] - 4.6f) / 0.55f, best = -1;
     int chosen = -1;
     choice_axes(d);
+    /* <draw each method's line and find the cheapest> */
     for (int i = 0; i < CHOICE_LINES; i++) {
         const ChoiceLine *l = &choice_line[i];
         float xy[2 * 41], work = choice_work(l, error);

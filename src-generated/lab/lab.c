@@ -2015,7 +2015,7 @@ typedef struct labBench {
     wfReal       period, damping;    /* of soft contacts; 0: what is usual */
     _Alignas(16) uint8_t memory[1 << 20];
 } labBench;
-
+/* <measurements> */
 static void bench_start(labBench *b, const char *solver, double hertz)
 {
     memset(b, 0, sizeof *b);
@@ -2046,7 +2046,7 @@ static int bench_add(labBench *b, wfShape shape, double x, double y, double mass
     b->state[i].invInertia = (wfReal)(1 / inertia);
     return i;
 }
-
+/* <measurements> */
 static int bench_box(labBench *b, double x, double y, double w, double h, double mass,
                      double mu)
 {
@@ -2079,7 +2079,7 @@ static void bench_pair(labBench *b, int i, int k, wfReal margin)
     wfMakeManifoldWithin(&b->shape[i], xi, &b->shape[k], xk, &s, margin, &c.manifold);
     if (c.manifold.count > 0 && b->contacts < BENCH_CONTACTS) b->contact[b->contacts++] = c;
 }
-
+/* <measurements> */
 static void bench_touch(labBench *b, wfReal margin)
 {
     int old = b->contacts;
@@ -2134,7 +2134,7 @@ static wfReal bench_margin(const labBench *b)
     }
     return 2 * b->h * (fastest + b->h * wfLength(b->gravity)) + WF_R(0.02);
 }
-
+/* <measurements> */
 static void bench_step(labBench *b)
 {
     wfPool scratch;
@@ -2270,6 +2270,7 @@ static double chain_error(int passes, bool warm)
     double heavier[CHAIN], worst = 0;
     wfPool scratch;
     wfPoolInit(&scratch, sizeof memory, memory);
+    /* <stack points that fall at 1 m/s> */
     for (int i = 0; i <= CHAIN; i++)
         state[i] = (wfBodyState){ .v = wfV2(0, i > 0 ? -1 : 0), .invMass = i > 0 };
     state[CHAIN].invMass = 1 / WF_R(1.05);
@@ -2389,13 +2390,14 @@ static int measure_soft_bounce(FILE *out)
 /* <measurements> */
 static int measure_soft_bounces(FILE *out)
 {
-    fprintf(out, "height,energy,kept\n");
+    fprintf(out, "height,energy,kept,long\n");
     for (int i = 0; i < 5; i++) {
         double height = 0.5 + 0.7317 * i;
-        wfFine fine[2] = { { .w = 0 } };
-        fprintf(out, "%.3f,%.0f,%.4f\n", height,
+        wfFine fine[2] = { { .w = 0 } }, more[2] = { { .w = 0 } };
+        fprintf(out, "%.3f,%.0f,%.4f,%.4f\n", height,
                 1e6 * after_bounces("soft", height, 10000, NULL),
-                1e6 * after_bounces("soft", height, 10000, fine));
+                1e6 * after_bounces("soft", height, 10000, fine),
+                1e6 * after_bounces("soft", height, 100000, more));
     }
     return 0;
 }
@@ -2413,7 +2415,7 @@ static double slide_error(const char *solver, int passes)
     bench_run(&b, 180);
     return ((double)b.state[box].p.x - start) * 9.81 / 100 - 1;
 }
-
+/* <measurements> */
 static double roll_error(const char *solver, int passes)
 {
     static labBench b;
@@ -2672,7 +2674,7 @@ typedef struct labChain {
     wfPool pool;
     _Alignas(WF_POOL_ALIGN) unsigned char memory[1 << 18];
 } labChain;
-
+/* <measurements> */
 /* Boxes of 1 m and 1 kg in a row below body 0, the last one of `load' kg. */
 static void labMakeChain(labChain *c, int links, double load, int substeps, int passes)
 {
@@ -2842,7 +2844,7 @@ static double labRoundLength(labRound *r, double h)     /* of p + h v; sets u if
     if (!(h > 0)) r->u[0] = x / length, r->u[1] = y / length;
     return length;
 }
-
+/* <measurements> */
 static void labGoRound(labRound *r, bool forget)
 {
     double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD;
@@ -2876,12 +2878,13 @@ static double labRoundEngine(double turn)
     }
     return most / (turn * turn);
 }
-
+/* <measurements> */
 static int measure_joints_swung(FILE *out)
 {
     static const double turns[] = { 0.1, 0.5, 0.8, 1.0, 1.1, 1.2, 1.5, 2, 3, 10, 100 };
     fprintf(out, "turn,kept,forgotten,engine\n");
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+        /* <go round without and with the cure> */
         double most[2] = { 0, 0 };
         for (int forget = 0; forget < 2; forget++) {
             labRound r = { { 1, 0 }, { 0, turns[i] }, { 1, 0 }, { 1, 0 }, 0 };
@@ -2916,6 +2919,7 @@ static const labPeer labPeers[] = {
     { "Box2D 2 and 3", "mouse", "hand", "groundB and motorForce", 0 },
     { "Box2D 2 and 3", "wheel", "wheel", "stiffness and motorSpeed",
       WF_JOINT_SPRING | WF_JOINT_MOTOR },
+/* <measurements> */
     { "Box2D 2 and 3", "weld", "weld", "", 0 },
     { "Box2D 2 and 3", "weld that gives", "weld", "stiffness", WF_JOINT_SPRING },
     { "Box2D 2", "friction", "friction", "motorForce and ratio", 0 },
@@ -2930,6 +2934,7 @@ static const labPeer labPeers[] = {
     { "Chipmunk", "damped rotary spring", "turn", "stiffness and damping",
       WF_JOINT_SPRING },
     { "Chipmunk", "rotary limit", "turn", "lower and upper", WF_JOINT_LIMITS },
+/* <measurements> */
     { "Chipmunk", "ratchet", "ratchet", "ratio (a tooth)", 0 },
     { "Chipmunk", "gear", "gear", "ratio", 0 },
     { "Chipmunk", "simple motor", "turn", "motorSpeed and motorForce", WF_JOINT_MOTOR },
@@ -2986,7 +2991,7 @@ static int tall_add(const wfShape *shape, wfVec2 at, double mass, double inertia
     tall.force[i].force = wfV2(0, (wfReal)(-9.81 * mass));
     return i;
 }
-
+/* <measurements> */
 static int tall_box(double x, double y, double w, double h, double mass)
 {
     wfShape box;
@@ -3078,7 +3083,7 @@ static void tall_pyramid(int base)
         for (int x = 0; x < base - y; x++)
             tall_box(1.05 * x + 0.525 * y, y + 0.5, 1, 1, 1);
 }
-
+/* <measurements> */
 /* planks of 1 m, each farther out than the one below, by so much of what is possible */
 static void tall_overhang(int planks, double share)
 {
@@ -3265,7 +3270,7 @@ static double tall_energy(void)
     }
     return sum;
 }
-
+/* <measurements> */
 static void tall_heap(double friction)
 {
     uint32_t random = 7;
@@ -3314,7 +3319,7 @@ static void tied_join(const char *kind, int a, int b, double x, double y, wfVec2
     tall.joint[tall.joints++] = wfMakeJoint(kind, a, &tall.state[a], b, &tall.state[b], at,
                                             at, axis);
 }
-
+/* <measurements> */
 /* A ladder of ten welded pieces against a wall, with a load above its middle. */
 static int tied_ladder(double load)
 {
@@ -3459,6 +3464,7 @@ static int measure_exact_budget(FILE *out)
     for (int i = 0; i < 7; i++) {
         int systems = 0, unsolved = 0, cut = 0;
         double work = 0;
+        /* <make scene i of the budget> */
         if (i < 4) tall_scene(scene[i]);
         if (i == 2) tall_pyramid(20);
         if (i == 4) tall_heap(0.4);
@@ -3679,7 +3685,7 @@ static double labTimeChain(int links, int how)
     }
     return 1e6 * best;
 }
-
+/* <measurements> */
 static int measure_exact_time(FILE *out)
 {
     fprintf(out, "machine,joints,one,all,order\n");
@@ -4274,7 +4280,7 @@ static double island_arrows(int kind, int32_t n, bool halve)
     free(r.parent);
     return r.arrows / r.searches;
 }
-
+/* <measurements> */
 static int measure_islands_steps(FILE *out)
 {
     fprintf(out, "bodies,random,grid,grid_random,worst,plain\n");
@@ -5949,6 +5955,7 @@ static wfResult frame_heap(int n, wfWorld *out)
     for (int i = 0; i < n + 3 && result == WF_OK; i++) {
         wfBodyDef b = wfDefaultBodyDef();
         int k = i - 3, row = k / 68;
+        /* <shape and place body i of the bin> */
         if (i == 0) wfMakeBox(7, WF_R(0.5), &b.shape);
         else if (i < 3) wfMakeBox(WF_R(0.5), 6, &b.shape);
         else if (k % 2) wfMakeCircle(wfV2(0, 0), r, &b.shape);
@@ -6037,6 +6044,7 @@ static int measure_frame_time(FILE *out)
         double worst = 0;
         b.picture.pixels = calloc(pixels, 4);
         bool good = b.picture.pixels && frame_open(&b, run[k].n);
+        /* <measure the three kinds of frames> */
         double rest = frame_median(&b, 0, false, &worst);
         double step = frame_median(&b, 1, false, &worst) - rest;
         double frame = frame_median(&b, 1, true, &worst), draw = frame - step - rest;
@@ -6700,9 +6708,10 @@ static int measure_accuracy_tolerance_double(FILE *out)
 /* <measurements> */
 static int measure_accuracy_budget(FILE *out)
 {
-    static const char *const scenes[] = { "orbit", "double-pendulum", "chain", "stack" };
+    static const char *const scenes[] = { "orbit", "double-pendulum", "chain", "stack",
+                                          "card-house" };
     fprintf(out, "scene,budget,method,steps,cost,estimate,error\n");
-    for (int s = 0; s < 4; s++) {
+    for (int s = 0; s < 5; s++) {
         const labTruth *scene = &labTruths[labFindTruth(scenes[s])];
         wfAccuracy p[WF_CURVE_POINTS], c;
         int count = acc_curve(scene, p);
@@ -6724,7 +6733,48 @@ static int measure_accuracy_solvers(FILE *out)
 {
     return wfRunSweep("accuracy-solvers", out);
 }
+/* <measurements> */
+/* Substeps and what numbers they are made with. */
+static int acc_precision(FILE *out, const char *digits, int plain)
+{
+    static const char *const scenes[] = { "pendulum", "double-pendulum", "chain", "stack",
+                                          "slide", "roll" };
+    for (int s = 0; s < 6; s++)
+        for (int v = 1; v <= 1024; v *= 4) {
+            labDials d = { "soft", "auto", 1, v, 1, 0, plain };
+            labResult r = labRunDials(&labTruths[labFindTruth(scenes[s])], &d);
+            fprintf(out, "%s,%s,%d", scenes[s], digits, v);
+            labPrintNumber(out, r.failed ? 10 : r.error);
+            fprintf(out, ",%d\n", r.failed);
+        }
+    return 0;
+}
 
+static int measure_accuracy_precision(FILE *out)
+{
+    fprintf(out, "scene,numbers,substeps,error,failed\n");
+    return acc_precision(out, "float", 1) || acc_precision(out, "float and rest", 0);
+}
+/* <measurements> */
+static int with_doubles(const char *name)
+{
+    if (sizeof(wfReal) == sizeof(double)) return 1;
+    fprintf(stderr, "weft-lab: %s is for a lab with doubles: make programs-double\n", name);
+    return 0;
+}
+
+static int measure_accuracy_precision_double(FILE *out)
+{
+    if (!with_doubles("accuracy-precision-double")) return 1;
+    fprintf(out, "scene,numbers,substeps,error,failed\n");
+    return acc_precision(out, "double", 1);
+}
+
+static int measure_accuracy_pile_double(FILE *out)
+{
+    return with_doubles("accuracy-pile-double") ? labPileApart(out) : 1;
+}
+/* <measurements> */
 static int measure_accuracy_own(FILE *out) { return wfRunSweep("accuracy-own", out); }
 
 static int measure_accuracy_solvers_time(FILE *out)
@@ -6743,7 +6793,7 @@ static void price_impacts(wfWorldDef *def) { def->impacts = 0; }
 static void price_reuse(wfWorldDef *def) { def->reuse = 0; }
 static void price_columns(wfWorldDef *def) { def->columns = 0; }
 static void price_substeps(wfWorldDef *def) { def->substeps = 1; }
-
+/* <measurements> */
 static const PriceRow price_rows[] = {
     { "nothing", price_nothing }, { "exact joints", price_exact },
     { "impacts of fast bodies", price_impacts },
@@ -6777,7 +6827,7 @@ static bool price_size(int row, int32_t bodies, double size[2])
     if (good) size[0] = (double)permanent, size[1] = (double)transient;
     return good;
 }
-
+/* <measurements> */
 static int measure_price_world(FILE *out)
 {
     double all[2] = { 0, 0 };
@@ -6803,7 +6853,7 @@ static bool price_wall(wfWorld *world, double x, double y, double w, double h)
     if (wfMakeBox((wfReal)w, (wfReal)h, &d.shape) != WF_OK) return false;
     return wfAddBodyToWorld(world, &d, NULL) == WF_OK;
 }
-
+/* <measurements> */
 static bool price_discs(wfWorld *world, bool heap)
 {
     wfWorldDef def;
@@ -7310,6 +7360,13 @@ const wfMeasureRow wfMeasureTable[] = {
       measure_accuracy_solvers_time },
     { "accuracy-own", "substeps and errors where islands have their own, and where not",
       measure_accuracy_own },
+    { "accuracy-precision", "error against substeps, in floats, with fine sums or without",
+      measure_accuracy_precision },
+    { "accuracy-precision-double", "the same, by a lab compiled with doubles",
+      measure_accuracy_precision_double },
+    { "accuracy-pile-double", "how far runs of a pile are apart, by a lab with doubles",
+      measure_accuracy_pile_double },
+    /* <rows of the measurement table> */
     { "accuracy-curves", "the curves that the engine measures, and the true errors",
       measure_accuracy_curves },
     { "accuracy-tolerance", "what is chosen for a tolerance, and the true error",

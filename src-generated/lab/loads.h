@@ -26,6 +26,7 @@ typedef struct labHeavy {
     double gravity;
     wfResult (*build)(wfWorld *world, int32_t count, int32_t other);
     int32_t count, other;                      /* what `build` is told */
+    int32_t pairs;                             /* room for each shape; 0: the usual */
 } labHeavy;
 extern const labHeavy labHeavies[];
 extern const int32_t labHeavyCount;

@@ -200,7 +200,7 @@ static void add_error(labNarrow *sum, double error)
     sum->worst = fmax(sum->worst, error);
     sum->mean += error / sum->pairs;
 }
-
+/* <discs of corners> */
 int labSearchNarrow(const char *method, int corners, labNarrow *out)
 {
     static Pairs p;

@@ -99,6 +99,7 @@ int main(int argc, char **argv)
     stbtt_fontinfo font;
     shelf s = { 0, 0, 0 };
     int letters = 0;
+    /* <read the options and the font> */
     if (argc > 1 && strcmp(argv[1], "--ascii") == 0) {
         range_count = 1;
         shades = 16;

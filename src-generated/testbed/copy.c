@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "testbed/copy.h"
-
 typedef struct copier { char *text; size_t size, used; const wfWorld *world; } copier;
 
 #ifdef __GNUC__
@@ -157,6 +156,7 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
     put_real(c, NAMED("friction"), s->friction, usual.friction);
 #undef NAMED
     if (all) {
+        /* <copy what a body's definition has not> */
         put_real(c, "s.staticFriction", s->staticFriction, usual.staticFriction);
         put_real(c, "s.rolling", s->rolling, usual.rolling);
         put_real(c, "s.surfaceSpeed", s->surfaceSpeed, usual.surfaceSpeed);
@@ -189,7 +189,7 @@ static void copy_body(copier *c, int32_t i)
     copy_shape_numbers(c, &s, true);
     put(c, "    DO(wfSetShape(&world, wfFirstShape(&world, body[%d]), &s));\n", (int)i);
 }
-
+/* <copy bodies> */
 static void copy_further_shape(copier *c, int32_t owner, wfShapeId id)
 {
     wfShapeDef s;
@@ -265,7 +265,7 @@ static void copy_force(copier *c, const wfForce *f)
         put(c, "%s %s", i ? "," : "", real(f->param[i]).text);
     put(c, " } };\n    DO(wfAddForceToWorld(&world, &f, NULL));\n");
 }
-
+/* <copy joints and forces> */
 static void copy_forces(copier *c)
 {
     wfWorldDef def;

@@ -109,6 +109,10 @@ typedef struct game_state {
     int32_t mark, mark_down;            /* the arrows move a mark; it is pressed */
     float mark_x, mark_y;               /* pixels */
     float hand_x, hand_y;               /* of the real mouse in the last frame, pixels */
+    /* <what the game remembers of settings and time> */
+    uint64_t posed;                     /* the step before which the poses were kept; 0: none */
+    int32_t poses;                      /* how many */
+    wfReal between;                     /* the share of a step that is shown; 1: the state */
 } game_state;
 /* <the state of the game> */
 /* What one call works with. Gone when it returns. */
@@ -137,6 +141,8 @@ typedef struct game {
     uint8_t *tape;                      /* notes, a snapshot, the journal's bytes */
     double (*now)(void);                /* or NULL */
     game_file *file;                    /* or NULL */
+    /* <what the game works with, further> */
+    wfTransform *pose;                  /* of each body before the last step */
 } game;
 /* <find the film in the game's memory> */
 static uint8_t *find_film(game *g, const game_memory *memory)
@@ -186,6 +192,8 @@ static void note_ring(game *g)
 }
 /* <find the ring in the game's memory> */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
+/* <find the ring in the game's memory> */
+enum { POSES = 4096, POSES_BYTES = POSES * sizeof(wfTransform) };
 /* <find the world in the game's memory> */
 static wfMemory world_memory(const game_memory *memory)
 {
@@ -193,7 +201,8 @@ static wfMemory world_memory(const game_memory *memory)
     size_t half = memory->transient_size / 2 / WF_POOL_ALIGN * WF_POOL_ALIGN;
     return (wfMemory){ .permanent = (uint8_t *)memory->permanent + begin,
                        .permanentSize = memory->permanent_size - begin - FILM_BYTES -
-                                        RING_BYTES - TAPE_BYTES - OTHERS * OTHER_BYTES,
+                                        RING_BYTES - TAPE_BYTES -
+                                        OTHERS * OTHER_BYTES - POSES_BYTES,
                        .transient = memory->transient, .transientSize = half };
 }
 /* <find the world in the game's memory> */
@@ -215,6 +224,7 @@ static void begin_call(game *g, const game_memory *memory, const game_input *inp
     g->file = memory->file;
     find_ring(g, memory);
     g->others = g->ring.bytes - TAPE_BYTES - OTHERS * OTHER_BYTES;
+    g->pose = (wfTransform *)(void *)(g->others - POSES_BYTES);
     if (g->state->opened && wfOpenWorld(&g->memory, &g->world) != WF_OK)
         g->state->opened = 0;
     g->text = memory->text;
@@ -301,7 +311,8 @@ static void step_others(game *g, wfReal h)
     }
     g->world = own;
     wfPlotInput in = { &g->world, other, count, s->last_step, g->input->seconds,
-                       g->staged ? g->stage : NULL, g->now != NULL };
+                       g->staged ? g->stage : NULL, g->now != NULL,
+                       g->scene->hooks != NULL };
     wfPlotSample(&s->plots, &in);
     wfPoolRewind(&g->scratch, mark);
 }
@@ -447,6 +458,7 @@ static void open_scene(game *g, int row)
     game_state *s = g->state;
     row = (row + scene_count(g)) % scene_count(g);  /* after the last, the first */
     bool same = s->row == row && s->opened;
+    /* <make the scene's world> */
     s->row = row;
     g->scene = scene_at(g, row);
     s->result = wfOpenSceneNeeding(g->scene, &g->memory, same ? s->needs : 0, &g->world);
@@ -471,6 +483,7 @@ static void open_scene(game *g, int row)
     s->clock = (step_clock){ 0 };
     s->held = (wfBodyId){ 0 };
     s->single = 0;
+    s->posed = 0;
     s->input = (wfSceneInput){ 0 };
     s->reveal = 1;
     s->back = 0;
@@ -484,6 +497,13 @@ static void open_scene(game *g, int row)
         show_overlays(g);
         look_home(g);
     }
+}
+/* <what a panel can ask> */
+/* How much of the window's right side the panel takes from the world. */
+static float beside(const game_state *s)
+{
+    float left = s->width - (s->list ? LIST_WIDTH : 0) - SETTINGS_WIDTH;
+    return s->panel && left >= 200 ? SETTINGS_WIDTH : 0;
 }
 /* <what a panel can ask> */
 static bool panel_shows(const game *g, float y, float h)
@@ -659,7 +679,7 @@ static bool bar_button(ui *u, bar *b, const char *name, bool on, const char *tex
     b->x += w + 6;
     return hit;
 }
-
+/* <the interface> */
 static void buttons(ui *u, game *g, bar *b)
 {
     for (int i = 0; i < BUTTONS; i++) {
@@ -685,6 +705,7 @@ static void state_line(ui *u, const game *g, float x)
              kinetic + potential);
     if (s->result != WF_OK)
         snprintf(line, sizeof line, "stopped: %s", wfResultText((wfResult)s->result));
+    /* <say it while a tape or a film runs> */
     if (s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING)
         snprintf(line, sizeof line, "%s step %d of the tape   hash %016llx",
                  s->tape == TAPE_RECORDING ? "recording:" : "replaying:",
@@ -727,7 +748,7 @@ static void key_sheet(ui *u, const game_state *s, float x)
     int rows = (int)(sizeof sheet / sizeof *sheet);
     /* <lay out the sheet in one column, or in two> */
     float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
-    float room = s->height - top - 18 - (top > 50 ? FOOT - 14 : 0); /* above the state */
+    float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
     int columns = room < 17 * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
     if (columns == 2 && x + 2 * wide > s->width) x = s->width > 2 * wide ? s->width - 2 * wide
                                                                          : 4;
@@ -783,7 +804,7 @@ static void keep_wishes(game *g)
             wfPutSetting(&def, &wfSettingTable[i], part, s->wanted[i][part]);
     s->result = wfSetWorldDef(&g->world, &def);
 }
-
+/* <the interface> */
 /* Gives one setting another value. If the world refuses, it says why, and keeps its own. */
 static void change_setting(game *g, int i, int part, double value)
 {
@@ -829,6 +850,7 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
              row->kind != WF_SETTING_VEC2 ? "" : part ? ".y" : ".x");
     int choice = (int)value;
     bool hit = false;
+    /* <show the widget of the setting's kind> */
     if (row->builtIn) {
         char text[32];
         snprintf(text, sizeof text, "%.6g", value);
@@ -855,6 +877,17 @@ typedef struct panel_row {
 } panel_row;
 
 /* <panels> */
+/* A line with a name and a word or number that can't be changed; where the next begins. */
+static float told_line(ui *u, const game *g, float x, float y, float w, const char *name,
+                       const char *told)
+{
+    if (panel_shows(g, y, UI_LINE)) {
+        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, name);
+        ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, told);
+    }
+    return y + UI_LINE;
+}
+/* <panels> */
 static float world_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
@@ -865,19 +898,18 @@ static float world_panel(ui *u, game *g, float x, float y, float w)
         open_scene(g, s->row);
     }
     y += 30;
-    if (panel_shows(g, y, UI_LINE)) {
-        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, "precision (when it is compiled)");
-        ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1,
-                sizeof(wfReal) == 8 ? "double" : "float");
-    }
-    y += UI_LINE;
+    y = told_line(u, g, x, y, w, "precision (when it is compiled)",
+                  sizeof(wfReal) == 8 ? "double" : "float");
     for (int i = 0; i < wfSettingCount; i++) {
         int parts = wfSettingTable[i].kind == WF_SETTING_VEC2 ? 2 : 1;
         if (wfSettingTable[i].kind == WF_SETTING_SET) continue;     /* sec:scenes-needs */
         for (int part = 0; part < parts; part++, y += UI_LINE)
             if (panel_shows(g, y, UI_LINE)) setting_line(u, g, &def, i, part, y);
     }
-    return y;
+    char hash[24] = "";
+    if (u->draw && panel_shows(g, y, UI_LINE))
+        snprintf(hash, sizeof hash, "%016llx", (unsigned long long)wfHashWorld(&g->world));
+    return told_line(u, g, x, y, w, "state", hash);
 }
 /* <panels> */
 typedef struct body_line {
@@ -919,7 +951,7 @@ static bool body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[B
     memcpy(out, now, sizeof now);
     return true;
 }
-
+/* <panels> */
 static wfInput body_input(wfBodyId id, int32_t kind, const double n[BODY_LINES])
 {
     wfInput in = { .kind = kind, .index = id.index, .generation = id.generation };
@@ -952,7 +984,7 @@ static wfResult change_body(game *g, wfBodyId id, const body_line *line,
     }
     return result;
 }
-
+/* <panels> */
 static void tell_change(game *g, wfResult result, const char *what)
 {
     tool_memory *m = &g->state->tools;
@@ -993,6 +1025,7 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
         ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, "Click a body, or press N.");
         return y + UI_LINE;
     }
+    /* <say which body it is and where> */
     char text[80];
     snprintf(text, sizeof text, "body %d at (%.3f, %.3f) m",
              (int)wfBodyIndex(&g->world, id),
@@ -1097,7 +1130,7 @@ static void tell(game *g, bool refused, const char *what)
     g->state->tools.refused = refused;
     snprintf(g->state->tools.said, sizeof g->state->tools.said, "%s", what);
 }
-
+/* <panels> */
 static void press_record(game *g)
 {
     game_state *s = g->state;
@@ -1201,6 +1234,7 @@ static wfResult adopt(game *g, const wfWorld *made)
     g->state->opened = result == WF_OK;
     g->state->result = result;
     g->state->read = 1;
+    g->state->posed = 0;
     g->state->held = (wfBodyId){ 0 };
     g->state->tools.count = 0;
     if (g->state->tape != TAPE_EMPTY) g->state->tape = TAPE_DONE;
@@ -1403,7 +1437,7 @@ static void press_shot(game *g, int32_t shot)
 }
 static void press_picture(game *g) { press_shot(g, SHOT_PICTURE); }
 static void press_drawing(game *g) { press_shot(g, SHOT_DRAWING); }
-
+/* <panels> */
 static void press_filming(game *g, int32_t kind)
 {
     game_state *s = g->state;
@@ -1497,7 +1531,7 @@ static void choose_setting(game *g, int i, int row)
         s->value[i] = wfSettingValue(&def, &wfSettingTable[row], 0);
     begin_others(g);
 }
-
+/* <panels> */
 static void choose_worlds(game *g, int worlds)
 {
     game_state *s = g->state;
@@ -1527,6 +1561,7 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
         choose_setting(g, i, which);
     y += UI_LINE;
     if (!panel_shows(g, y, UI_LINE)) return y + UI_LINE + 6;
+    /* <offer the value that differs> */
     if (row->kind == WF_SETTING_ROW || row->kind == WF_SETTING_CHOICE) {
         hit = ui_choice(u, value, x, y, w, &choice, (ui_names){ row_count, row_name, row },
                         true);
@@ -1545,6 +1580,7 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
     static const char *const many[] = { "One world", "Two", "Four" };
+    /* <offer one world, two or four> */
     for (int i = 0; i < 3; i++) {
         float left = x + w / 3 * (float)i;
         int worlds = i == 2 ? 4 : i + 1;
@@ -1578,23 +1614,37 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
     return y + (float)((wfPlotCount + 1) / 2 * ROW);
 }
 /* <panels> */
+enum { CURVE_WIDE = 268, CURVE_HIGH = 120, CURVE_LOW = 80, CURVE_GAP = 8 };
+
+/* The height at which all curves that are wanted fit into this room, if there is one. */
+static float curve_height(const game_state *s, float wide, float high)
+{
+    int wanted = 0, columns = (int)(wide / (CURVE_WIDE + CURVE_GAP));
+    for (int i = 0; i < wfPlotCount; i++) wanted += s->curves >> i & 1;
+    if (columns < 1) columns = 1;
+    if (wanted < 1) return CURVE_HIGH;
+    int lines = (wanted + columns - 1) / columns;
+    float each = high / (float)lines - CURVE_GAP;
+    return each > CURVE_HIGH ? CURVE_HIGH : each < CURVE_LOW ? CURVE_LOW : each;
+}
+/* <panels> */
 static void draw_curves(ui *u, const game *g)
 {
     const game_state *s = g->state;
-    enum { WIDE = 268, HIGH = 120 };
     float head = s->height - s->head - (has_panes(s) ? 26 : 8), top = head;
     float left = s->camera.left / s->scale + 8;
+    float high = curve_height(s, s->width - beside(s) - left, head - FOOT - 24);
     if (has_panes(s))
         ui_text(u, left, s->height - head - 8, 13, WF_INK_ACCENT, -1,
                 "as in the panel World");
     for (int i = 0; i < wfPlotCount && u->draw; i++) {
         if (!(s->curves >> i & 1)) continue;
-        if (top - HIGH < FOOT + 24) {
-            left += WIDE + 8;
+        if (top - high < FOOT + 24 - 1) {
+            left += CURVE_WIDE + CURVE_GAP;
             top = head;
         }
-        wfDrawPlot(u->draw, i, &s->plots, left, top - HIGH, WIDE, HIGH);
-        top -= HIGH + 8;
+        wfDrawPlot(u->draw, i, &s->plots, left, top - high, CURVE_WIDE, high);
+        top -= high + CURVE_GAP;
     }
 }
 /* <the panel of files> */
@@ -1742,6 +1792,7 @@ static void interface(ui *u, game *g, double seconds)
     bar b = { x, s->width - 8, x, 10 };
     strip(u, -2, s->head);
     strip(u, s->height - FOOT + 2, FOOT);
+    draw_curves(u, g);
     if (s->list)
         list_panel(u, g);
     if (s->panel)
@@ -1755,7 +1806,6 @@ static void interface(ui *u, game *g, double seconds)
     }
     state_line(u, g, x);
     time_bar(u, g);
-    draw_curves(u, g);
     if (s->keys)
         key_sheet(u, s, x);
     ui_finish(u, seconds);
@@ -1817,8 +1867,7 @@ static wfResult make_room(void *context, uint32_t needs)
 static void place_camera(game *g)
 {
     game_state *s = g->state;
-    float left = s->list ? LIST_WIDTH : 0, k = s->scale;
-    float right = s->panel && s->width > 700 ? SETTINGS_WIDTH : 0;
+    float left = s->list ? LIST_WIDTH : 0, right = beside(s), k = s->scale;
     camera *c = &s->camera;
     c->left = left * k;
     c->top = s->head * k;
@@ -1869,7 +1918,7 @@ static void choose_pair(game *g)
     if (s->opened && !s->pinned && (s->show & pairs))
         wfPairAt(&g->world, s->input.mouse, &s->look.shapeA, &s->look.shapeB);
 }
-
+/* <obey the mouse> */
 static void obey_mouse(game *g, bool over)
 {
     game_state *s = g->state;
@@ -1976,7 +2025,7 @@ static void choose_next(game *g)
         return;
     }
 }
-
+/* <obey the keys> */
 static void remove_chosen(game *g)
 {
     tool_work w = tools_of(g);
@@ -2010,6 +2059,7 @@ static void obey_key(game *g, int32_t key)
     case GAME_KEY_DELETE: remove_chosen(g); break;
     default: if (!s->ui.focus) obey_view_key(g, key); break;
     }
+    /* <press the keys of tools, files and overlays> */
     for (int i = 0; i < toolCount; i++)
         if (toolTable[i].key == small) choose_tool(g, i);
     for (int i = 0; i < FILES; i++)
@@ -2153,21 +2203,35 @@ static wfResult step_one(game *g)
     return result;
 }
 /* <step the game's world> */
+static void keep_poses(game *g)
+{
+    game_state *s = g->state;
+    wfBodyView v = wfWorldBodies(&g->world);
+    s->poses = v.count < POSES ? v.count : POSES;
+    for (int32_t i = 0; i < s->poses; i++) g->pose[i] = wfBodyTransform(&v.state[i]);
+    s->posed = wfWorldSteps(&g->world) + 1;
+}
+/* <step the game's world> */
 static void step_world(game *g)
 {
     game_state *s = g->state;
     wfWorldDef def;
     wfGetWorldDef(&g->world, &def);
+    /* <find how many steps are due> */
     int32_t steps = g->input->steps;
-    if (steps < 0)
+    s->between = 1;
+    if (steps < 0) {
         steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
                                    (double)def.dt, STEP_CLOCK_MOST);
+        if (!s->paused) s->between = (wfReal)s->clock.left / def.dt;
+    }
     if (s->paused)
         steps = s->single;
     s->single = 0;
     if (steps > 0) stay_there(g);
     for (; steps > 0; steps--) {
         keep_moment(g, def.dt);
+        keep_poses(g);
         double before = g->now ? g->now() : 0;
         /* <make one step or replay one> */
         if (s->tape == TAPE_REPLAYING) {
@@ -2188,6 +2252,22 @@ static void step_world(game *g)
     }
 }
 /* <draw the frame> */
+static bool draw_between(game *g, wfDraw *d)
+{
+    game_state *s = g->state;
+    bool plain = s->show == 0 && !g->scene->draw && s->worlds < 2;
+    if (!plain || s->between >= 1 || s->posed != wfWorldSteps(&g->world)) return false;
+    wfBodyView v = wfWorldBodies(&g->world);
+    int32_t n = v.count < s->poses ? v.count : s->poses;
+    size_t mark = wfPoolMark(&g->scratch);
+    wfTransform *at = wfPoolPushArray(&g->scratch, n, wfTransform);
+    for (int32_t i = 0; at && i < n; i++)
+        at[i] = wfPoseBetween(g->pose[i], wfBodyTransform(&v.state[i]), s->between);
+    wfDrawWorldAt(&g->world, at, at ? n : 0, d);
+    wfPoolRewind(&g->scratch, mark);
+    return true;
+}
+/* <draw the frame> */
 static void find_seen(const camera *c, float seen[4])
 {
     camera_pick(c, c->left, c->top + c->high, &seen[0]);
@@ -2198,7 +2278,7 @@ static void list_world(game *g, wfDraw *d, const float view[4])
 {
     game_state *s = g->state;
     wfDrawView(d, view[0], view[1], view[2], view[3]);
-    wfDrawWorld(&g->world, s->show, &g->scratch, d);
+    if (!draw_between(g, d)) wfDrawWorld(&g->world, s->show, &g->scratch, d);
     find_seen(&s->camera, s->look.seen);
     wfDrawLook(&g->world, s->show, &s->look, &g->scratch, d);
     draw_ghosts(g, d);
@@ -2394,6 +2474,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
 {
     game g;
     game_input now = *input;
+    /* <find everything again, and take what came> */
     begin_call(&g, memory, &now);
     game_state *s = g.state;
     measure_picture(s, buffer);
@@ -2405,6 +2486,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
         open_scene(&g, wfFindScene(input->scene));
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
     s->enter = 0;
+    /* <obey the keys that the interface leaves> */
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
         if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
         if (!ui_takes(&s->ui, input->keys[i])) obey_key(&g, input->keys[i]);

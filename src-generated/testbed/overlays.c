@@ -91,6 +91,7 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     wfReal reach = wfMinR(wfShapeReach(p.a), wfShapeReach(p.b));
     wfReal lift = 2 * reach, step = WF_R(0.12) * reach;
     int role = s.distance < 0 ? WF_INK_BAD : WF_INK_GOOD;
+    /* <keep the axis near the smaller body> */
     wfReal low = wfMinR(a.min, b.min), high = wfMaxR(a.max, b.max);
     low = wfMaxR(low, wfDot(small, s.normal) - 4 * reach);
     high = wfMinR(high, wfDot(small, s.normal) + 4 * reach);
@@ -143,7 +144,7 @@ static wfVec2 in_inset(const Inset *w, wfVec2 p)
     wfVec2 half = wfV2(w->size / 2, w->size / 2);
     return wfAddScaled(wfAdd(w->corner, half), w->scale, wfSub(p, w->middle));
 }
-
+/* <look at the Minkowski difference> */
 static Inset open_inset(wfDraw *d, const wfLook *look, const wfVec2 *points, int n)
 {
     const float *seen = look->seen[3] > look->seen[1] ? look->seen : d->view;
@@ -240,7 +241,7 @@ static bool cut(wfVec2 x[2], wfVec2 s, wfReal c)
     else if (d1 > c) x[1] = wfLerp(x[0], x[1], (c - d0) / (d1 - d0));
     return true;
 }
-
+/* <look at clipping> */
 static void edge_of(const wfShape *s, wfTransform xf, int32_t i, wfVec2 normal,
                     wfVec2 out[2])
 {
@@ -303,6 +304,7 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfClipView v;
     (void)scratch;
     if (!wfClipAt(world, look, k, &v)) return;
+    /* <place the normal's arrow> */
     wfReal reach = wfLength(wfSub(v.reference[1], v.reference[0]));
     wfReal short_ = wfMinR(reach, wfLength(wfSub(v.incident[1], v.incident[0])));
     wfVec2 foot = wfLerp(v.incident[0], v.incident[1], WF_R(0.5));
@@ -310,6 +312,7 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfVec2 tip = wfAddScaled(foot, WF_R(0.35) * short_, v.normal);
     wfDrawLine(d, WF_XY(v.reference[0]), WF_XY(v.reference[1]), 3, WF_INK_GOOD);
     wfDrawArrow(d, WF_XY(foot), WF_XY(tip), 1.5f, WF_INK_GOOD);
+    /* <draw the two sides that cut> */
     for (int e = 0; e < 2 && k > 1 - e && k > 1; e++) {
         if (e == 1 && k < 3) break;
         wfVec2 up = wfAddScaled(v.reference[e], WF_R(0.5) * short_, v.normal);
@@ -360,7 +363,7 @@ static wfReal mean_weight(const wfWorld *world)
         }
     return n && sum > 0 ? sum / (wfReal)n : 1;
 }
-
+/* <look at forces> */
 /* A force as an arrow that ends, or begins, at a place: eq:scenes-arrow. */
 static void draw_force(wfDraw *d, wfVec2 at, wfVec2 force, wfReal weight, int role,
                        bool text)
@@ -430,6 +433,7 @@ static void look_at_colours(const wfWorld *world, const wfLook *look, wfPool *sc
         return;
     for (int32_t k = 0; k <= WF_COLOURS; k++)
         for (int32_t n = out.first[k]; n < out.first[k + 1]; n++) {
+            /* <draw a contact in its colour> */
             const wfContact *at = &c[out.order[n]];
             if (at->manifold.count < 1) continue;
             wfVec2 a = v.state[at->a].p, b = v.state[at->b].p;

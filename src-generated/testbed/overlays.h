@@ -12,7 +12,6 @@ typedef struct wfLook {
     int32_t substep, pass;      /* the next step is shown up to here, from 1 */
     float   seen[4];            /* m: what of the view nothing covers; 0: all of it */
 } wfLook;
-
 /* The pair at a place: the shape nearest to it, and the shape of another body nearest to
    that one. False, with -1 for both, when the world has no two bodies with shapes. */
 bool wfPairAt(const wfWorld *world, wfVec2 place, int32_t *a, int32_t *b);

@@ -49,7 +49,7 @@ enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
        GAME_KEY_FRAMES = '&' };
 
 enum { GAME_MAX_KEYS = 8 };
-
+/* <the input of one frame> */
 /* All that the user and the clock did since the last call: plain data. */
 typedef struct game_input {
     double seconds;             /* time since the last call, s */

@@ -113,7 +113,7 @@ void wfPlotSample(wfPlots *plots, const wfPlotInput *in)
     int32_t at = plots->next;
     plots->others = in->others;
     plots->clocked = in->clocked;
-    plots->staged = in->stage != NULL;
+    plots->staged = in->stage != NULL ? 1 : in->hooked ? -1 : 0;
     int32_t last = (at + WF_PLOT_SAMPLES - 1) % WF_PLOT_SAMPLES;
     if (plots->count && (float)wfWorldTime(in->world) < plots->time[last])
         plots->count = 0;                               /* time went back */
@@ -163,7 +163,7 @@ static float up(const Axes *a, double v)
     float y = a->y + a->h * (float)((v - a->from) / (a->to - a->from));
     return y < a->y ? a->y : y > a->y + a->h ? a->y + a->h : y;
 }
-
+/* <draw a plot> */
 /* Sample k, the oldest is 0. */
 static int32_t sample_at(const wfPlots *p, int32_t k)
 {
@@ -179,9 +179,20 @@ static int curves_of(const wfPlots *p, int row)
     return n;
 }
 /* <draw a plot> */
+static float letters(const char *text) { return 6.2f * (float)strlen(text); }
+
+/* The height of the head: of one line, or of two. */
+static float head_of(const wfPlots *p, int row, float w)
+{
+    const wfPlotRow *r = &wfPlotTable[row];
+    float need = 30 + letters(r->name) + letters(r->unit);
+    for (int c = 0; c < curves_of(p, row); c++) need += letters(r->curve[c]) + 10;
+    return need > w ? 37 : 24;
+}
+/* <draw a plot> */
 static Axes axes_of(const wfPlots *p, int row, float x, float y, float w, float h)
 {
-    Axes a = { x + 46, y + 20, w - 56, h - 44, 0, 1, 1, 0, 1 };
+    Axes a = { x + 46, y + 20, w - 56, h - head_of(p, row, w) - 20, 0, 1, 1, 0, 1 };
     double least = 0, most = 0;
     for (int32_t k = 0; k < p->count; k++)
         for (int c = 0; c < curves_of(p, row); c++) {
@@ -189,7 +200,7 @@ static Axes axes_of(const wfPlots *p, int row, float x, float y, float w, float 
             if ((k == 0 && c == 0) || v < least) least = v;
             if ((k == 0 && c == 0) || v > most) most = v;
         }
-    a.step = wfNiceAxis(least, most, 3, &a.from, &a.to);
+    a.step = wfNiceAxis(least, most, a.h < 45 ? 2 : 3, &a.from, &a.to);
     if (p->count > 0) {
         a.right = (double)p->time[sample_at(p, p->count - 1)];
         a.left = (double)p->time[sample_at(p, 0)];
@@ -228,6 +239,13 @@ static void draw_curve(wfDraw *d, const Axes *a, const wfPlots *p, int row, int 
     if (p->count > 1) wfDrawPolyline(d, xy, p->count, 1.5f, role);
 }
 /* <draw a plot> */
+static const char *why_not(const wfPlots *p, int row)
+{
+    if (wfPlotTable[row].clock && !p->clocked) return "nobody lends a clock here";
+    if (row != WF_PLOT_STAGES || p->staged > 0) return NULL;
+    return p->staged < 0 ? "a scene with hooks: not timed" : "not timed yet";
+}
+/* <draw a plot> */
 void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w, float h)
 {
     static const int ink[WF_PLOT_CURVES] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_BAD,
@@ -237,16 +255,16 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
     Axes a = axes_of(p, row, x, y, w, h);
     wfDrawPolygon(d, box, 4, 1, WF_INK_FAINT, WF_INK_PAPER);
     wfDrawTextf(d, x + 6, y + h - 13, 11, WF_INK_TEXT, -1, "%s (%s)", r->name, r->unit);
+    const char *none = why_not(p, row);
+    if (none) {
+        wfDrawText(d, x + w / 2, y + h / 2 - 4, 13, WF_INK_TEXT, 0, none);
+        return;
+    }
     draw_axes(d, &a);
-    const char *none = r->clock && !p->clocked ? "nobody lends a clock here"
-                     : row == WF_PLOT_STAGES && !p->staged ? "a scene with hooks: not timed"
-                     : NULL;
-    if (none) wfDrawText(d, x + w / 2, y + h / 2, 13, WF_INK_TEXT, 0, none);
-    float end = x + w - 8;
+    float end = x + w - 8, line = y + h + 11 - head_of(p, row, w);
     for (int c = curves_of(p, row) - 1; c >= 0; c--) {
         draw_curve(d, &a, p, row, c, ink[c]);
-        wfDrawText(d, end, y + h - 13, 11, ink[c], 1, r->curve[c]);
-        for (const char *s = r->curve[c]; *s; s++) end -= 6.2f;
-        end -= 10;
+        wfDrawText(d, end, line, 11, ink[c], 1, r->curve[c]);
+        end -= letters(r->curve[c]) + 10;
     }
 }

@@ -17,8 +17,8 @@ typedef struct wfPlotInput {
     double step, frame;         /* s that the last step, frame took; 0: nobody knows */
     const double *stage;        /* s that each stage of it took; NULL: nobody knows */
     bool clocked;               /* there is a clock */
+    bool hooked;                /* the scene has hooks: its stages are not timed */
 } wfPlotInput;
-
 typedef struct wfPlotRow {
     const char *name, *unit, *text;
     const char *curve[WF_PLOT_CURVES];      /* NULL: no more */
@@ -27,7 +27,8 @@ typedef struct wfPlotRow {
 } wfPlotRow;
 extern const wfPlotRow wfPlotTable[];
 extern const int wfPlotCount;
-/* All zero: empty. A ring: the newest sample is before `next'. */
+/* All zero: empty. A ring: the newest sample is before `next'. staged: 1 if the stages of
+   the newest step were timed, -1 if they can't be. */
 typedef struct wfPlots {
     int32_t count, next, others, clocked, staged;
     float time[WF_PLOT_SAMPLES];            /* s */

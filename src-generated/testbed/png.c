@@ -35,7 +35,7 @@ static void put_number(uint8_t *at, uint32_t x, int bytes)          /* greatest 
 {
     for (int i = bytes - 1; i >= 0; i--, x >>= 8) at[i] = (uint8_t)(x & 255);
 }
-
+/* <write the chunks of a film> */
 /* A chunk is built in place: length, letters, data, checksum. data + 12 bytes. */
 static void end_chunk(uint8_t *chunk, const char *name, size_t data)
 {

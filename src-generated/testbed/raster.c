@@ -299,7 +299,7 @@ static uint8_t mixed(float old, float new_light, float share)
     float light = old * old + share * (new_light - old * old);
     return (uint8_t)((float)wfSqrt(light) + 0.5f);
 }
-
+/* <blend> */
 static void lay_over(uint8_t pixel[4], const ink_light *ink, float share)
 {
     share *= ink->alpha;

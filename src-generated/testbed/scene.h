@@ -24,7 +24,7 @@ enum {
     WF_SHOW_COLOURS = 1 << 16, WF_SHOW_INERTIA = 1 << 17, WF_SHOW_NODES = 1 << 18,
     WF_SHOW_PASSES = 1 << 19
 };
-
+/* <the record of a scene> */
 /* Name the fields when you fill one in: later chapters may add some; 0 or NULL is none. */
 typedef struct wfScene {
     const char *category, *name;            /* for the list; a name: below 40 letters */

@@ -873,6 +873,13 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     write_nodes(world, d, &tree);
 }
 /* <scenes> */
+static void by_quad_tree(wfWorldDef *def)
+{
+    without_gravity(def);
+    int row = wfFindBroadPhase("quad-tree");      /* -1: left out of this build */
+    if (row >= 0) def->broadPhase = row;
+}
+/* <scenes> */
 static void push_out_at_once(wfWorldDef *def)
 {
     integrated_freely(def);
@@ -907,9 +914,12 @@ static void crowd_room(wfWorldDef *def, int32_t bodies, int32_t falling)
     def->contactCapacity = 3 * falling;
 }
 
-static void room_for_hundred(wfWorldDef *def) { crowd_room(def, 100, 100); }
-static void room_for_pegs(wfWorldDef *def) { crowd_room(def, 3000, 1000); }
-static void room_for_thousands(wfWorldDef *def) { crowd_room(def, 2000, 2000); }
+static void room_for_100(wfWorldDef *def) { crowd_room(def, 100, 100); }
+static void room_for_500(wfWorldDef *def) { crowd_room(def, 500, 500); }
+static void room_for_1000(wfWorldDef *def) { crowd_room(def, 1000, 1000); }
+static void room_for_2000(wfWorldDef *def) { crowd_room(def, 2000, 2000); }
+static void room_among_1000(wfWorldDef *def) { crowd_room(def, 2000, 1000); }
+static void room_among_2000(wfWorldDef *def) { crowd_room(def, 3000, 1000); }
 /* <scenes> */
 static void put_bin(Maker *m, wfReal width, wfReal height)
 {
@@ -931,39 +941,44 @@ static void drop_crowd(Maker *m, int32_t count, int32_t firstRow, wfReal apart,
         put(m, &b);
     }
 }
+/* <scenes> */
+static wfResult build_crowd(wfWorld *world, int32_t count)
+{
+    Maker m = { world, WF_OK };
+    put_bin(&m, CROWD_ROW, (wfReal)(count / CROWD_ROW + 10));
+    drop_crowd(&m, count, 0, 1, 0);
+    return m.result;
+}
 
-static wfResult build_hundred(wfWorld *world)
-{
-    Maker m = { world, WF_OK };
-    put_bin(&m, CROWD_ROW, 12);
-    drop_crowd(&m, 100, 0, 1, 0);
-    return m.result;
-}
+static wfResult build_100(wfWorld *world) { return build_crowd(world, 100); }
+static wfResult build_500(wfWorld *world) { return build_crowd(world, 500); }
+static wfResult build_1000(wfWorld *world) { return build_crowd(world, 1000); }
+static wfResult build_2000(wfWorld *world) { return build_crowd(world, 2000); }
 /* <scenes> */
-static wfResult build_thousands(wfWorld *world)
+static void put_pegs(Maker *m, int32_t count)
 {
-    Maker m = { world, WF_OK };
-    put_bin(&m, CROWD_ROW, 60);
-    drop_crowd(&m, 2000, 0, 1, 0);
-    return m.result;
-}
-/* <scenes> */
-static wfResult build_pegs(wfWorld *world)
-{
-    enum { PEGS = 2000, FALLING = 1000 };
-    Maker m = { world, WF_OK };
-    put_bin(&m, 2 * CROWD_ROW, 110);
-    for (int32_t i = 0; i < PEGS; i++) {
+    for (int32_t i = 0; i < count; i++) {
         int32_t row = i / CROWD_ROW, column = i % CROWD_ROW;
-        wfBodyDef peg = ball(&m, (wfReal)(2 * column - CROWD_ROW + row % 2),
+        wfBodyDef peg = ball(m, (wfReal)(2 * column - CROWD_ROW + row % 2),
                              (wfReal)(2 * (row + 1)), WF_R(0.2));
         peg.type = WF_STATIC;
         peg.friction = WF_R(0.6);
-        put(&m, &peg);
+        put(m, &peg);
     }
-    drop_crowd(&m, FALLING, (PEGS - FALLING) / CROWD_ROW, 2, WF_R(0.3));
+}
+
+static wfResult build_among(wfWorld *world, int32_t pegs)
+{
+    enum { FALLING = 1000 };
+    Maker m = { world, WF_OK };
+    put_bin(&m, 2 * CROWD_ROW, (wfReal)(2 * pegs / CROWD_ROW + 10));
+    put_pegs(&m, pegs);
+    drop_crowd(&m, FALLING, (pegs - FALLING) / CROWD_ROW, 2, WF_R(0.3));
     return m.result;
 }
+/* <scenes> */
+static wfResult build_among_1000(wfWorld *world) { return build_among(world, 1000); }
+static wfResult build_among_2000(wfWorld *world) { return build_among(world, 2000); }
 /* <scenes> */
 static void put_rider(Maker *m, const wfBodyDef *def)
 {
@@ -3015,7 +3030,7 @@ const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
     { .category = "Test cases", .name = "TC06 quad tree", .chapter = 11,
       .text = "Each body says which node holds it; the node under the mouse is marked.",
-      .define = without_gravity, .build = build_drift, .draw = draw_nodes,
+      .define = by_quad_tree, .build = build_drift, .draw = draw_nodes,
       .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_TREE,
       .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
     { .category = "Test cases", .name = "TC07 pairs", .chapter = 11,
@@ -3032,16 +3047,28 @@ const wfScene wfSceneTable[] = {
     /* <rows of the scene table> */
     { .category = "Performance", .name = "a hundred bodies", .chapter = 32,
       .text = "The least of the report's six performance tests: boxes and discs in a bin.",
-      .define = room_for_hundred, .build = build_hundred,
-      .viewX = 0, .viewY = 7, .viewHeight = 28, .energyBound = WF_R(0.1),
-      .depthBound = WF_R(0.1) },
+      .define = room_for_100, .build = build_100, .viewX = 0, .viewY = 7, .viewHeight = 28,
+      .energyBound = WF_R(0.07), .depthBound = WF_R(0.1) },
+    { .category = "Performance", .name = "five hundred bodies", .chapter = 32,
+      .text = "Thirteen rows of boxes and discs come down together in a bin.",
+      .define = room_for_500, .build = build_500, .viewX = 0, .viewY = 10, .viewHeight = 30,
+      .energyBound = WF_R(1.7), .depthBound = WF_R(0.25) },
+    { .category = "Performance", .name = "a thousand bodies", .chapter = 32,
+      .text = "Twenty-five rows: the lowest are pressed while the highest still fall.",
+      .define = room_for_1000, .build = build_1000, .viewX = 0, .viewY = 15, .viewHeight = 38,
+      .energyBound = 7, .depthBound = WF_R(0.35) },
     { .category = "Performance", .name = "two thousand bodies", .chapter = 32,
       .text = "The most at once. Does it still run smoothly? Watch the curve of time.",
-      .define = room_for_thousands, .build = build_thousands,
-      .viewX = 0, .viewY = 25, .viewHeight = 58, .energyBound = 30, .depthBound = WF_R(0.5) },
+      .define = room_for_2000, .build = build_2000, .viewX = 0, .viewY = 25, .viewHeight = 58,
+      .energyBound = 28, .depthBound = WF_R(0.5) },
+    /* <rows of the scene table> */
+    { .category = "Performance", .name = "a thousand among pegs", .chapter = 32,
+      .text = "1,000 fall among 1,000 that stand still, from where they stand.",
+      .define = room_among_1000, .build = build_among_1000,
+      .viewX = 0, .viewY = 27, .viewHeight = 66, .energyBound = 14, .depthBound = WF_R(0.3) },
     { .category = "Performance", .name = "a thousand on pegs", .chapter = 32,
       .text = "1,000 fall among 2,000 that stand still and cost next to nothing.",
-      .define = room_for_pegs, .build = build_pegs,
+      .define = room_among_2000, .build = build_among_2000,
       .viewX = 0, .viewY = 52, .viewHeight = 116, .energyBound = 30, .depthBound = WF_R(0.3) },
     /* <rows of the scene table> */
     { .category = "Shapes", .name = "tiled valley", .chapter = 13,

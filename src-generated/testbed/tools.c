@@ -54,7 +54,7 @@ void tool_choose(tool_memory *m, wfBodyId id)
     m->count = id.index != 0;
     m->chosen[0] = id;
 }
-
+/* <choose bodies> */
 void tool_forget(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -103,7 +103,7 @@ static wfResult pulled_shape(const tool_memory *m, wfShape *out)
         return wfMakePolygon(corner, 6, out);
     }
 }
-
+/* <place a body> */
 static wfBodyDef body_of_choice(const tool_memory *m)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -245,7 +245,7 @@ static void begin_stroke(tool_work *w)
     m->point[0] = m->at;
     m->bad[0] = m->bad[1] = 0;
 }
-
+/* <draw an outline> */
 static void end_outline(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -344,7 +344,7 @@ static bool has_two_anchors(int kind)
         if (strcmp(two[i], wfJointTable[kind].name) == 0) return true;
     return false;
 }
-
+/* <join bodies> */
 static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from, wfVec2 to)
 {
     wfVec2 at[2] = { from, has_two_anchors(kind) ? to : from };
@@ -487,7 +487,7 @@ void tool_remove_chosen(tool_work *w)
     m->count = 0;
     m->body = (wfBodyId){ 0 };
 }
-
+/* <remove bodies and joints> */
 static void away(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -545,6 +545,7 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     wfVec2 tip = wfAddScaled(hit.point, 30 * m->unit, hit.normal);
     if (met) wfDrawPoint(d, WF_XY(hit.point), 8, WF_INK_BAD);
     if (met) wfDrawArrow(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
+    /* <say what the probe met> */
     if (met) say(m, WF_OK, "%s: body %d at %.4f of %.4g m, normal (%.3f, %.3f)",
                  probeNames[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
                  (double)hit.fraction, (double)wfLength(by), (double)hit.normal.x,
@@ -630,7 +631,7 @@ void tool_press(tool_work *w, wfVec2 at)
     if (!wfBodyAtPoint(w->world, at, &m->body)) m->body = (wfBodyId){ 0 };
     toolTable[m->tool].press(w);
 }
-
+/* <use a tool> */
 void tool_move(tool_work *w, wfVec2 at)
 {
     tool_forget(w);

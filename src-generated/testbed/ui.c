@@ -20,7 +20,7 @@ static void take_keys(ui *u, const game_input *input)
         if (m->focus && key == GAME_KEY_RIGHT) u->turn = 1;
     }
 }
-
+/* <begin a walk> */
 ui ui_look(ui_memory *memory, const game_input *input, float width, float height,
            float scale)
 {
@@ -249,6 +249,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
            WF_INK_PAPER);
     ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26, text ? text : "?");
     draw_triangle(u, x + w - 12, y + UI_LINE / 2);
+    /* <take a row of the open list> */
     if (open && (row = menu_row(u, count)) >= 0) {
         *now = row;
         m->open = 0;

@@ -84,16 +84,39 @@ static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
             wfDrawRect(d, proxies.bounds[i], 1, WF_INK_FAINT);
 }
 /* <draw the overlays> */
+typedef struct IndexSight { wfDraw *d; int32_t count; } IndexSight;
+
+static bool draw_index_box(void *context, const wfIndexBox *seen)
+{
+    IndexSight *s = context;
+    wfDraw *d = s->d;
+    const float *v = d->view;
+    wfRect r = seen->box;
+    float share = (float)(5 + s->count++ % 24) / 40;
+    float x = v[0] + share * (v[2] - v[0]), y = v[1] + share * (v[3] - v[1]);
+    if (r.max.y >= WF_HUGE)
+        wfDrawLine(d, (float)r.min.x, y, (float)r.max.x, y, 3, WF_INK_GOOD);
+    else if (r.max.x >= WF_HUGE)
+        wfDrawLine(d, x, (float)r.min.y, x, (float)r.max.y, 3, WF_INK_GOOD);
+    else if (seen->depth < 0)
+        wfDrawRect(d, r, 2, WF_INK_ACCENT);
+    else
+        wfDrawRect(d, r, 1 + 2 / (float)(1 + seen->depth), WF_INK_GOOD);
+    return true;
+}
+/* <draw the overlays> */
 static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
-    wfProxies proxies;
-    wfQuadTree tree;
-    if (wfWorldProxies(world, &proxies) != WF_OK ||
-        wfQuadTreeBuild(&tree, scratch, &proxies) != WF_OK)
+    wfWorldDef def;
+    IndexSight sight = { d, 0 };
+    if (wfGetWorldDef(world, &def) != WF_OK ||
+        wfWorldIndexBoxes(world, scratch, draw_index_box, &sight) != WF_OK)
         return;
-    for (int32_t n = 0; n < tree.nodeHigh; n++)
-        if (wfQuadTreeUses(&tree, n))
-            wfDrawRect(d, wfQuadTreeRect(&tree, n), 1.5f, WF_INK_GOOD);
+    if (wfBroadPhaseTable[def.broadPhase].boxes == NULL)
+        wfDrawTextf(d, (d->view[0] + d->view[2]) / 2,
+                    d->view[3] - (d->view[3] - d->view[1]) / 4, 16, WF_INK_TEXT, 0,
+                    "%s: no index, each box is tested against each",
+                    wfBroadPhaseTable[def.broadPhase].name);
 }
 /* <draw the overlays> */
 static void draw_velocities(const wfWorld *world, wfPool *scratch, wfDraw *d)
@@ -143,7 +166,7 @@ static void see_line(wfDraw *d, const SeenJoint *s)
 {
     wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
 }
-
+/* <draw joints> */
 static void see_distance(wfDraw *d, const SeenJoint *s)
 {
     wfReal length = wfLength(wfSub(s->to, s->from));
@@ -243,7 +266,8 @@ const wfOverlay wfOverlayTable[] = {
     { "normals", "contact normals, from A to B", WF_SHOW_NORMALS, '2', draw_normals },
     { "pairs", "potential pairs of the broad phase", WF_SHOW_PAIRS, '3', draw_pairs },
     { "bounds", "boxes round the bodies", WF_SHOW_BOUNDS, '4', draw_bounds },
-    { "tree", "the quad tree's nodes", WF_SHOW_TREE, '5', draw_tree },
+    { "tree", "nodes, cells or intervals of the broad phase in use", WF_SHOW_TREE, '5',
+      draw_tree },
     { "velocities", "the way of a tenth of a second", WF_SHOW_VELOCITIES, '6',
       draw_velocities },
     { "numbers", "index of each body", WF_SHOW_NUMBERS, '7', draw_numbers },
@@ -290,11 +314,10 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
     *fill = wfIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 /* <draw a world> */
-static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, uint32_t show,
-                      wfDraw *d)
+static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTransform xf,
+                      uint32_t show, wfDraw *d)
 {
     wfShape particle = { .kind = WF_SHAPE_NONE };
-    wfTransform xf = wfBodyTransform(&v->state[i]);
     int role = (int)(v->props[i].userData & 15);
     int line = role ? role : WF_INK_BODY, fill = line;
     if (v->props[i].type == WF_STATIC && !role)
@@ -316,11 +339,29 @@ void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d
     wfBodyView view = wfWorldBodies(world);
     for (int32_t i = 0; i < view.count; i++)
         if (view.alive[i])
-            draw_body(world, &view, i, show, d);
+            draw_body(world, &view, i, wfBodyTransform(&view.state[i]), show, d);
     for (int row = 0; row < wfOverlayCount; row++) {
         size_t mark = wfPoolMark(scratch);
         if ((show & wfOverlayTable[row].bit) && wfOverlayTable[row].draw)
             wfOverlayTable[row].draw(world, scratch, d);
         wfPoolRewind(scratch, mark);
     }
+}
+/* <draw a world> */
+wfTransform wfPoseBetween(wfTransform a, wfTransform b, wfReal t)
+{
+    wfVec2 from = wfV2(a.q.c, a.q.s), to = wfV2(b.q.c, b.q.s), mean = wfLerp(from, to, t);
+    wfReal length = wfLength(mean);                 /* eq:scenes-between */
+    wfTransform out = { .p = wfLerp(a.p, b.p, t), .q = b.q };
+    if (length > WF_R(0.01)) out.q = (wfRot){ mean.x / length, mean.y / length };
+    return out;
+}
+
+void wfDrawWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d)
+{
+    wfBodyView view = wfWorldBodies(world);
+    for (int32_t i = 0; i < view.count; i++)
+        if (view.alive[i])
+            draw_body(world, &view, i,
+                      i < count ? pose[i] : wfBodyTransform(&view.state[i]), 0, d);
 }

@@ -26,7 +26,7 @@ EXPORT("web_open") int web_open(int length)
     input.scene[length] = 0;
     return game_knows_scene(input.scene);
 }
-
+/* <take input from the page> */
 EXPORT("web_mouse") void web_mouse(float x, float y)
 {
     input.mouse_x = x;
@@ -59,22 +59,35 @@ EXPORT("web_grant") void web_grant(int answer, size_t size)
         file.size = size < sizeof file_bytes ? size : sizeof file_bytes;
 }
 /* <make a frame for the page> */
+static void make_frame(frame_buffer *picture, double seconds, int steps)
+{
+    input.seconds = seconds;
+    input.steps = steps;
+    game_update_and_render(&memory, &input, picture);
+    input.wheel = 0;
+    input.pressed = input.released = 0;
+    input.key_count = 0;
+    input.scene[0] = 0;
+}
+/* <make a frame for the page> */
 /* The next picture: NULL for a size that is too large. steps as in game_input. */
 EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, double seconds,
                                         int steps)
 {
     if (width < 1 || width > MOST_WIDTH || height < 1 || height > MOST_HEIGHT) return NULL;
     frame_buffer picture = { pixels, width, height, width, scale };
-    input.seconds = seconds;
-    input.steps = steps;
-    game_update_and_render(&memory, &input, &picture);
-    input.wheel = 0;
-    input.pressed = input.released = 0;
-    input.key_count = 0;
-    input.scene[0] = 0;
+    make_frame(&picture, seconds, steps);
     return pixels;
 }
 
+/* The same frame with nobody watching: nothing is drawn. */
+EXPORT("web_unseen") void web_unseen(int width, int height, float scale, double seconds,
+                                     int steps)
+{
+    frame_buffer picture = { NULL, width, height, width, scale };
+    make_frame(&picture, seconds, steps);
+}
+/* <make a frame for the page> */
 /* What is going on, in words, in web_name(); returns the length. */
 EXPORT("web_describe") size_t web_describe(void)
 {

@@ -9,7 +9,6 @@
 #define STB_SPRINTF_IMPLEMENTATION
 #define STB_SPRINTF_STATIC
 #include <stb_sprintf.h>
-
 static size_t lent_base, lent_end, lent_count;
 
 int web_vsnprintf(char *text, size_t size, const char *format, va_list list);
@@ -47,7 +46,7 @@ void *web_lend(size_t size)
     lent_count++;
     return (void *)(uintptr_t)at;
 }
-
+/* <lend memory behind the module's own> */
 void web_take_back(void *lent)
 {
     if (lent && --lent_count == 0) lent_end = lent_base;

@@ -12,6 +12,7 @@ typedef struct wfMethodRow {
     const char *name, *text;
     const char *solver, *integrator, *joints;
     int32_t substeps;          /* in a step */
+    int32_t passes;            /* over the contacts in a substep; 0: as many as usual */
     int32_t smooth;            /* 1: only for bodies that nothing touches or joins */
     double  substepCost;       /* of a substep, where the rest of a step costs 1 */
 } wfMethodRow;
@@ -60,7 +61,8 @@ wfResult wfChooseSettings(const wfAccuracy *points, int32_t count, wfReal tolera
 wfResult wfChooseForBudget(const wfAccuracy *points, int32_t count, double unit,
                            double budget, wfAccuracy *out);
 /* Sets the world to what was chosen: from now on wfStepFrame, or as many steps in a frame
- * as it says. All bodies make all substeps (wfSetBodySubsteps). WF_ERROR_NULL, _UNKNOWN (method), _RANGE, those of wfSetWorldDef. */
+ * as it says. All bodies make all substeps (wfSetBodySubsteps). WF_ERROR_NULL, _UNKNOWN
+ * (method), _RANGE, those of wfSetWorldDef. */
 wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen);
 /* Advances the world by a frame: chosen->steps steps. After an error of a step the world
  * is as it was before that step, and wfWorldSteps tells how many were made. */

@@ -83,6 +83,18 @@ typedef void wfRowQueryFn(const wfProxies *in, const void *index, wfRect area,
                           wfVisitFn *visit, void *context);
 typedef void wfRowCastFn(const wfProxies *in, const void *index, const wfBoxCast *cast,
                          wfCastVisitFn *visit, void *context);
+/* <what a row's index can do> */
+/* A box (m) by which an index finds its proxies.  Where it has no border: WF_HUGE. */
+typedef struct wfIndexBox {
+    wfRect box;
+    int32_t depth;                /* steps from the root; -1: of a proxy that has no cell */
+    int32_t held;                 /* so many proxies in this box and in none under it */
+} wfIndexBox;
+
+/* Is shown a box, each before those under it; false: enough. */
+typedef bool wfBoxVisitFn(void *context, const wfIndexBox *box);
+typedef void wfRowBoxesFn(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
+                          void *context);
 typedef struct wfBroadPhaseRow {
     const char *name, *text;
     wfBroadPhaseFn *find;
@@ -94,6 +106,8 @@ typedef struct wfBroadPhaseRow {
     wfRowPairsFn *pairs;
     wfRowQueryFn *query;
     wfRowCastFn *cast;
+    /* <the functions of a row's index> */
+    wfRowBoxesFn *boxes;              /* may be NULL */
 } wfBroadPhaseRow;
 
 extern const wfBroadPhaseRow wfBroadPhaseTable[];
@@ -258,6 +272,11 @@ static inline bool wfOfferCast(const wfProxies *in, wfBoxCast *cast, int32_t pro
     return cast->most >= 0;
 }
 /* <declarations of the questions> */
+/* Shows the boxes of an index, in an order that depends on the index alone.  Nothing, if
+   the method has no index or this one isn't of these proxies.  WF_ERROR_NULL, _UNKNOWN. */
+wfResult wfIndexBoxes(int method, const wfProxies *in, const void *index,
+                      wfBoxVisitFn *visit, void *context);
+/* <declarations of the questions> */
 /* <the quad tree's data> */
 enum { WF_BOTTOM_LEFT, WF_BOTTOM_RIGHT, WF_TOP_LEFT, WF_TOP_RIGHT, WF_QUAD_ROOT };
 enum { WF_QUAD_NONE = -1, WF_QUAD_MAX_DEPTH = 16, WF_QUAD_BUCKET = 6,
@@ -332,6 +351,7 @@ wfRowUpdateFn wfQuadUpdate;
 wfRowPairsFn wfQuadPairs;
 wfRowQueryFn wfQuadQuery;
 wfRowCastFn wfQuadCast;
+wfRowBoxesFn wfQuadBoxes;
 /* <declarations of the questions> */
 /* The rows of cells.c: trust their input, as every row. */
 wfBroadScratchFn wfGridScratch;
@@ -340,6 +360,7 @@ wfRowUpdateFn wfGridUpdate;
 wfRowPairsFn wfGridPairs;
 wfRowQueryFn wfGridQuery;
 wfRowCastFn wfGridCast;
+wfRowBoxesFn wfGridBoxes;
 /* <declarations of the questions> */
 wfBroadScratchFn wfHashScratch;
 wfRowIndexSizeFn wfHashIndexSize;
@@ -347,6 +368,7 @@ wfRowUpdateFn wfHashUpdate;
 wfRowPairsFn wfHashPairs;
 wfRowQueryFn wfHashQuery;
 wfRowCastFn wfHashCast;
+wfRowBoxesFn wfHashBoxes;
 /* <declarations of the questions> */
 /* Finds the pairs, sweeping along x (0), along y (1), or along the axis of wfSweepAxis
    (-1).  Scratch as wfSweepScratch says. */
@@ -361,6 +383,7 @@ wfRowUpdateFn wfSweepUpdate;
 wfRowPairsFn wfSweepPairs;
 wfRowQueryFn wfSweepQuery;
 wfRowCastFn wfSweepCast;
+wfRowBoxesFn wfSweepBoxes;
 /* <declarations of the questions> */
 /* The row of boxtree.c: trusts its input. */
 wfBroadScratchFn wfBoxTreeScratch;
@@ -369,6 +392,7 @@ wfRowUpdateFn wfBoxTreeUpdate;
 wfRowPairsFn wfBoxTreePairs;
 wfRowQueryFn wfBoxTreeQuery;
 wfRowCastFn wfBoxTreeCast;
+wfRowBoxesFn wfBoxTreeBoxes;
 /* <declarations of the questions> */
 /* <declarations of the dynamic tree> */
 enum { WF_TREE_NONE = -1, WF_TREE_OUT = -2, WF_TREE_RATIO = 4, WF_TREE_NEAR = 8 };
@@ -390,7 +414,8 @@ typedef struct wfTreeHead {
     int32_t root, freeNode, count;
     uint32_t step;                /* how often the tree was updated */
     int64_t changes;              /* how many boxes were put in, taken out or moved */
-    int64_t nearChanges;          /* `changes` when the list of near pairs was made */
+    int64_t nearChanges;          /* `changes` when the list of near pairs was made, or
+                                     when it may be tried again */
     int32_t nearCount;            /* of near pairs; WF_TREE_NONE: there is no list */
 } wfTreeHead;
 
@@ -432,4 +457,5 @@ wfRowUpdateFn wfTreeUpdate;
 wfRowPairsFn wfTreePairs;
 wfRowQueryFn wfTreeQuery;
 wfRowCastFn wfTreeCast;
+wfRowBoxesFn wfTreeBoxes;
 #endif

@@ -25,6 +25,15 @@
 #else
 #define WF_FETCH_SOON(address) ((void)(address))
 #endif
+/* <hints> */
+/* In place of inline: where size counts, one copy that is called. clang reckons rightly. */
+#ifndef WF_ONE_COPY
+#if defined __OPTIMIZE_SIZE__ && defined __GNUC__ && !defined __clang__
+#define WF_ONE_COPY __attribute__((noinline, unused))
+#else
+#define WF_ONE_COPY inline
+#endif
+#endif
 /* <the result type> */
 /* What a call that can fail returns. After any value but WF_OK (0) nothing has changed. */
 typedef enum wfResult {

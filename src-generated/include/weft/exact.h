@@ -5,6 +5,7 @@
 #define WEFT_EXACT_H
 #include "weft/joint.h"
 
+/* <the numbers of the exact joints> */
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
 #define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */

@@ -12,7 +12,6 @@ void wfPlant(int32_t *parent, int32_t count);
 int32_t wfRootOf(int32_t *parent, int32_t i);
 /* Makes one set of those of a and b. False: they were one. */
 bool wfUnite(int32_t *parent, int32_t a, int32_t b);
-
 /* <islands as arrays> */
 /* Who hangs together with whom: island k has the members first[k] .. first[k + 1] - 1. */
 typedef struct wfIslands {
@@ -27,7 +26,6 @@ typedef struct wfIslands {
 wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, wfPool *pool,
                          wfIslands *out);
 size_t wfIslandScratch(int32_t count);
-
 /* Up to which speed (m/s) a body counts as still: reach (m, from its centre to its farthest
  * point), gravity (m/s^2, >= 0: what it feels), wait (s, > 0), share (>= 0: how much of its
  * reach it may go in that time). eq:islands-limit. */

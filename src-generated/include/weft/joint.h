@@ -34,7 +34,7 @@ typedef struct wfJointRow {
 enum { WF_JOINT_ROWS = 6 };
 enum { WF_JOINT_SPRING = 1, WF_JOINT_MOTOR = 2, WF_JOINT_LIMITS = 4, WF_JOINT_BROKEN = 8 };
 #define WF_JOINT_UNLIMITED WF_R(1e30)    /* N or N m: no bound of a force */
-
+/* <a joint> */
 /* A joint between two bodies (indices; a != b). Anchors and axis are in the bodies'
    frames, from the centre of mass. "Coordinate": the length, the slide along the axis or
    the turn of B against A, by kind. Make one with the makers below, then change it. */
@@ -104,6 +104,7 @@ typedef struct wfJointSet {
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
+/* <a set of joints> */
     /* Pushes the rows that hold after a kick for t: chapter 19. NULL: as last time. */
     void (*start)(struct wfJointSet *set, const wfSolve *in, const struct wfMoved *moved,
                   wfReal dt, wfReal t);

@@ -44,9 +44,9 @@ static inline wfReal wfMinR(wfReal a, wfReal b) { return a < b ? a : b; }
 static inline wfReal wfMaxR(wfReal a, wfReal b) { return a > b ? a : b; }
 static inline wfReal wfSquare(wfReal a)         { return a * a; }
 static inline wfReal wfSign(wfReal a)           { return (wfReal)((a > 0) - (a < 0)); }
-static inline bool   wfIsFinite(wfReal a)       { return a - a == 0; }
+static WF_ONE_COPY bool wfIsFinite(wfReal a)    { return a - a == 0; }
 /* a, or the nearer end of [lo, hi]; a NaN stays a NaN */
-static inline wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
+static WF_ONE_COPY wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
 {
     return a < lo ? lo : a > hi ? hi : a;
 }
@@ -147,8 +147,8 @@ static inline wfVec2 wfAbs2(wfVec2 a)      { return wfV2(wfAbs(a.x), wfAbs(a.y))
 static inline bool   wfIsFinite2(wfVec2 a) { return wfIsFinite(a.x) && wfIsFinite(a.y); }
 /* <vectors of the plane> */
 /* eq:numbers-dot and eq:numbers-cross */
-static inline wfReal wfDot(wfVec2 a, wfVec2 b)   { return a.x * b.x + a.y * b.y; }
-static inline wfReal wfCross(wfVec2 a, wfVec2 b) { return a.x * b.y - a.y * b.x; }
+static WF_ONE_COPY wfReal wfDot(wfVec2 a, wfVec2 b)  { return a.x * b.x + a.y * b.y; }
+static WF_ONE_COPY wfReal wfCross(wfVec2 a, wfVec2 b) { return a.x * b.y - a.y * b.x; }
 /* a quarter turn, to the left and to the right */
 static inline wfVec2 wfPerpCCW(wfVec2 a)         { return wfV2(-a.y, a.x); }
 static inline wfVec2 wfPerpCW(wfVec2 a)          { return wfV2(a.y, -a.x); }

@@ -19,7 +19,8 @@
 typedef struct wfContact {
     int32_t    a, b;
     int32_t    shapeA, shapeB;  /* which shapes touch; the solver does not look */
-    int32_t    sliding, spare;  /* 1: did not hold last time (chapter 16); 0 */
+    int32_t    sliding;         /* 1: did not hold last time (chapter 16) */
+    int32_t    settled;         /* 1: has held, by impulses that were solved (the same) */
     wfReal     restitution;     /* e of eq:impulses-newton, 0 to 1 */
     wfReal     friction;        /* coefficient of friction >= 0; unused until chapter 15 */
     wfReal     staticFriction;  /* while nothing slides; below `friction`: the same */

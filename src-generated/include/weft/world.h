@@ -670,6 +670,11 @@ const wfContact *wfWorldContacts(const wfWorld *world, int32_t *count);
 /* Boxes around the shapes as they stand: what a broad phase reads, to build and draw its
  * tree with. Arrays of the world's own. */
 wfResult wfWorldProxies(const wfWorld *world, wfProxies *out);
+/* Shows the boxes (m, chapter 11) of the index by which the broad phase finds these, as
+ * they stand; none, if the method keeps no index. Gives scratch back. WF_ERROR_NULL;
+ * WF_ERROR_MEMORY: scratch has no room for a copy of the index and its update. */
+wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *visit,
+                           void *context);
 /* The contact of two shapes in the last step, either one first. WF_ERROR_STALE_ID;
  * WF_ERROR_UNKNOWN: they have none. */
 wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out);

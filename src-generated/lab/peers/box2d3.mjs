@@ -95,7 +95,7 @@ function count() {
   });
   return [seen.size, points];
 }
-
+/* <run Box2D 3 for the web> */
 const v = B.b2GetVersion ? B.b2GetVersion() : null;
 main({ name: v ? `Box2D ${v.major}.${v.minor}.${v.revision} web` : 'Box2D 3 web',
   real: 'float', ownSubsteps: true, canSweep: true, canSleep: true, mixesFriction: true,

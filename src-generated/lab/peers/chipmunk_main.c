@@ -101,7 +101,7 @@ static void count_one(cpBody *body, cpArbiter *arbiter, void *sums)
     ((int *)sums)[0]++;
     ((int *)sums)[1] += cpArbiterGetCount(arbiter);
 }
-
+/* <run Chipmunk> */
 static void count(int *pairs, int *points)
 {
     int sums[2] = { 0, 0 };

@@ -98,6 +98,7 @@ export function main(e) {
     `,x${i},y${i},a${i},vx${i},vy${i},w${i}`).join('')));
   out.push(row(e, s, o, 0));
   for (let i = 1; i <= o.steps; i++) {
+    /* <make a step and time it> */
     const start = performance.now();
     for (let k = 0; k < parts; k++) orRefuse(o, () => e.step(o.dt / parts));
     times.push(performance.now() - start);
@@ -105,6 +106,7 @@ export function main(e) {
     if (i % o.every === 0 || i === o.steps) out.push(row(e, s, o, i));
   }
   best = kernel(best);
+  /* <tell the times of all steps> */
   const sorted = times.slice().sort((a, b) => a - b), n = times.length;
   const mean = times.reduce((a, b) => a + b, 0) / n;
   if (n) out.push(`# clock: median=${sorted[n >> 1]} mean=${mean} least=${sorted[0]} ` +

@@ -24,6 +24,7 @@ function addBody(b, i) {
   const c = Math.cos(b.angle), n = Math.sin(b.angle), m = middle(s);
   const at = place([b.position[0] + c * m[0] - n * m[1],
     b.position[1] + n * m[0] + c * m[1]]);
+  /* <make a circle or a polygon for Matter> */
   const body = s.corners.length === 0 ? Bodies.circle(at.x, at.y, UNITS * s.radius, options)
     : s.doubtful
       ? Bodies.fromVertices(at.x, at.y, [s.corners.map(place).reverse()], options)

@@ -292,6 +292,7 @@ void peerRead(const char *file, peerScene *out)
     *out = (peerScene){ .bodies = cJSON_GetArraySize(cJSON_GetObjectItem(root, "bodies")),
                         .file = file };
     point(root, "origin", out->origin);
+    /* <take room for bodies, shapes and joints> */
     out->body = calloc((size_t)out->bodies + 1, sizeof *out->body);
     out->shape = calloc(room / 4 + 1, sizeof *out->shape);
     out->joint = calloc(room / 4 + 1, sizeof *out->joint);

@@ -12,7 +12,7 @@ export function fail(what) {
   process.stderr.write(`error: ${what}\n`);
   process.exit(1);
 }
-
+/* <refuse in JavaScript> */
 const words = text => new Set(text.split(' '));
 const KEYS = {
   scene: ['weft settings bodies joints origin',
