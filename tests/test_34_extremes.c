@@ -35,6 +35,12 @@ static const char *judged(const char *name, const Made *m, double value, double 
     return labJudgeExtreme(extreme(name), &m->t, value, error, &harm);
 }
 
+static void must_be(const char *verdict, const char *name, const Made *m, double value)
+{
+    double error;
+    assert_string_equal(judged(name, m, value, &error), verdict);
+}
+
 static void throws_are_held_against_the_parabola(void **state)
 {
     static Made m;
@@ -211,20 +217,18 @@ static void sums_of_chains_and_rods_are_kept(void **state)
 static void plates_are_judged_where_they_are(void **state)
 {
     static Made m;
-    double error;
     (void)state;
     rest(&m, 11, 1);
     for (int i = 0; i < ROWS; i++)
         for (int k = 0; k <= 10; k++) *cell(&m, i, k, LAB_X) = k == 0 ? i : i - 0.1;
-    assert_string_equal(judged("plates", &m, 100, &error), "right");
+    must_be("right", "plates", &m, 100);
     *cell(&m, 2, 3, LAB_X) = 2.1;
-    assert_string_equal(judged("plates", &m, 100, &error), "failed");
+    must_be("failed", "plates", &m, 100);
 }
 
 static void what_is_not_finite_fails_in_every_scene(void **state)
 {
     static Made m;
-    double error;
     (void)state;
     for (int k = 0; k < labExtremeCount; k++) {
         const labExtreme *e = &labExtremeTable[k];
@@ -233,7 +237,7 @@ static void what_is_not_finite_fails_in_every_scene(void **state)
             for (int j = 0; j < i; j++) assert_true(e->value[i] != e->value[j]);
         rest(&m, 251, 1);
         *cell(&m, 1, 0, LAB_VY) = k % 2 == 0 ? (double)NAN : HUGE_VAL;
-        assert_string_equal(judged(e->name, &m, e->value[0], &error), "failed");
+        must_be("failed", e->name, &m, e->value[0]);
     }
 }
 
