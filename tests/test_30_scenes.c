@@ -543,15 +543,16 @@ static void every_integrator_has_its_orbit(void **state)
     wfDrawInit(&d, list, sizeof list);
     s->draw(&world, &d, &in);
     int circles = 0;
-    float last[3] = { 0 };
+    double last[3] = { 0 };
     for (int i = 0; i < d.count; i++) {
         const wfDrawCommand *c = wfDrawAt(&d, i);
         const float *xy = wfDrawPoints(&d, c);
         if (c->kind != WF_DRAW_CIRCLE) continue;
-        assert_true(fabs(xy[0] - (double)s->viewX) + (double)c->radius < 0.8 * (double)s->viewHeight);
-        assert_true(fabs(xy[1] - (double)s->viewY) + (double)c->radius < 0.5 * (double)s->viewHeight);
-        if (circles) assert_true(hypot(xy[0] - last[0], xy[1] - last[1]) > c->radius + last[2]);
-        last[0] = xy[0], last[1] = xy[1], last[2] = c->radius;
+        double x = (double)xy[0], y = (double)xy[1], r = (double)c->radius;
+        assert_true(fabs(x - (double)s->viewX) + r < 0.8 * (double)s->viewHeight);
+        assert_true(fabs(y - (double)s->viewY) + r < 0.5 * (double)s->viewHeight);
+        if (circles) assert_true(hypot(x - last[0], y - last[1]) > r + last[2]);
+        last[0] = x, last[1] = y, last[2] = r;
         circles++;
     }
     assert_int_equal(circles, wfIntegratorCount);
