@@ -86,6 +86,7 @@ static void tile(b2BodyId body, double x, double y, double width, double height)
     b2CreatePolygonShape(body, &d, &box);
 }
 
+/* <steered scenes for Box2D> */
 static void junkyard(b2WorldId world)
 {
     b2ShapeDef d = b2DefaultShapeDef();

@@ -6284,6 +6284,7 @@ static int measure_performance_steered(FILE *out)
         int32_t pairs = 0;
         wfResult result = labMakeSteered(s, &world, &driver);
         if (result != WF_OK) return 1;
+        /* <time the steps that are steered> */
         for (int32_t k = 0; k < s->steps && result == WF_OK; k++) {
             result = s->steer(&world, driver, k);
             clock_t start = clock();
@@ -6315,6 +6316,7 @@ static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs
         def.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
+        /* <ask for the size and fill the world> */
         if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
         if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -6373,6 +6375,7 @@ static double fly_freely(int32_t n, uint32_t needs)
     if (has_shapes(needs)) def.pairCapacity = 4 * n;
     if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
+    /* <let them fly, nine times> */
     for (int32_t k = 0; k < n; k++) {
         body.position = wfV2((wfReal)(k % 1000), (wfReal)(k / 1000));
         if (wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 0;
@@ -6427,6 +6430,7 @@ static int32_t swarm(int32_t n, wfWorld *world)
         wfReal in = (wfReal)half - 1, x = wfRandomReal(&r, -in, in);
         wfReal y = wfRandomReal(&r, -in, in);
         wfRot q = wfRotation(wfRandomReal(&r, 0, 2 * WF_PI));
+        /* <a wall of the room, or a bullet> */
         if (i < 4) {
             b.type = WF_STATIC;
             b.position = i < 2 ? wfV2((wfReal)at, 0) : wfV2(0, (wfReal)at);
@@ -6457,13 +6461,14 @@ static double exponent_of(const double *n, const double *t, int32_t count)
 static int measure_performance_bullets(FILE *out)
 {
     enum { SIZES = 4, STEPS = 40 };
-    double n[SIZES] = { 100, 200, 400, 800 }, ms[SIZES];
+    double n[SIZES] = { 50, 100, 200, 400 }, ms[SIZES];
     fprintf(out, "bullets,ms,each,impacts\n");
     for (int32_t k = 0; k < SIZES; k++) {
         double times[STEPS], impacts = 0;
         wfFastReport report = { 0 };
         wfWorld world;
         wfResult result = swarm((int32_t)n[k], &world) ? WF_ERROR_MEMORY : WF_OK;
+        /* <time the steps and count the impacts> */
         for (int32_t i = 0; i < STEPS && result == WF_OK; i++) {
             clock_t start = clock();
             result = wfStepWorld(&world);

@@ -367,6 +367,7 @@ static wfShapeDef junk(void)
     return s;
 }
 
+/* <steered scenes> */
 static wfResult build_tiles(wfWorld *world)
 {
     wfBodyDef d = wfDefaultBodyDef();
