@@ -388,7 +388,8 @@ static void a_full_world_grows(void **state)
             play_run(&p, script);
             assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + made + 1);
         }
-    play_run(&p, "key p\nsteps 1\nwait 5\n");
+    /* It steps. One step, not more: they overlap and burst apart, and boxes swept by 200 m/s may want more pairs than there is room for. */
+    play_run(&p, "key p\nsteps 1\nwait 1\n");
     assert_int_equal((int)play_fact(&p, "paused", 0), 0);
     play_end(&p);
 }
