@@ -204,7 +204,8 @@ static wfReal impact_time(const wfSubsteps *s, const wfPrepared *c,
     wfReal u = wfNormalRate(&seen, p), rate = 2 * (after - u) / s->dt;
     wfReal square = u * u - 2 * rate * gap;                 /* eq:soft-impact */
     if (!(u < 0) || !(square > least * least)) return never;
-    return wfMinR(2 * gap / (wfSqrt(square) - u), s->dt);
+    wfReal t = 2 * gap / (wfSqrt(square) - u);
+    return wfClamp(t, -s->dt, s->dt);                       /* eq:soft-moment */
 }
 /* <bounce at the time of impact> */
 static void give(wfSubsteps *s, int32_t i, const wfBodyState *hit, wfMotion was, wfReal t)
