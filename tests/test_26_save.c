@@ -994,10 +994,35 @@ static void files_are_replaced_as_a_whole(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* sec:world-register: what a program left behind the numbers that a force uses (its stack) is not taken into the world. */
+static void rubbish_behind_a_force_stays_outside(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld world[2];
+    wfDifference d;
+    for (int k = 0; k < 2; k++) {
+        wfForce force[2], with[2] = { wfDrag(1, 2), wfWind(wfV2(1, 2), 3) };
+        wfForceId id;
+        assert_ok(wfCreateWorld(&def, &world[k]));
+        for (int i = 0; i < 2; i++) {
+            memset(&force[i], k ? 0xa5 : 0x5a, sizeof force[i]);
+            force[i].kind = with[i].kind, force[i].a = with[i].a, force[i].b = with[i].b;
+            memcpy(force[i].param, with[i].param, (size_t)wfForceTable[with[i].kind].params * sizeof(wfReal));
+        }
+        assert_ok(wfAddForceToWorld(&world[k], &force[0], &id));
+        assert_ok(wfAddForceToWorld(&world[k], &force[0], NULL));
+        assert_ok(wfSetForce(&world[k], id, &force[1]));
+        assert_ok(wfStepWorld(&world[k]));
+    }
+    assert_ok(wfCompareWorlds(&world[0], &world[1], &d));
+    for (int k = 0; k < 2; k++) wfDestroyWorld(&world[k]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_snapshot_takes_the_world_back),
+        cmocka_unit_test(rubbish_behind_a_force_stays_outside), cmocka_unit_test(a_snapshot_takes_the_world_back),
         cmocka_unit_test(restoring_clears_what_the_snapshot_had_not),
         cmocka_unit_test(bad_snapshots_are_refused),
         cmocka_unit_test(the_first_difference_has_a_name),

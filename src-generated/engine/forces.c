@@ -30,6 +30,13 @@ static wfResult check_world_force(const wfBlock *b, const wfForce *f)
     return wfCheckForce(f);
 }
 /* <forces in a world> */
+static void write_force(wfForce *to, const wfForce *f)
+{
+    memset(to, 0, sizeof *to);
+    to->kind = f->kind, to->a = f->a, to->b = f->b;
+    for (int k = 0; k < wfForceTable[f->kind].params; k++) to->param[k] = f->param[k];
+}
+/* <forces in a world> */
 wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
 {
     wfBlock b;
@@ -39,7 +46,7 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     if (result != WF_OK) return result;
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
     if (i < 0) return WF_ERROR_FULL;
-    b.forces[i] = *force;
+    write_force(&b.forces[i], force);
     wfUse(&b, WF_NEED_FORCES);
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
@@ -74,7 +81,7 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
     if (result == WF_OK) result = check_world_force(&b, force);
     if (result != WF_OK) return result;
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
-    b.forces[i] = *force;
+    write_force(&b.forces[i], force);
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     return WF_OK;
 }
