@@ -148,6 +148,18 @@ static void assert_same(int32_t count)
     }
 }
 
+/* From `start` and `given`, without lanes and with them; each step begins with what the one before left. */
+static void both_ways(int32_t count, int steps)
+{
+    memcpy(plain, start, sizeof start), memcpy(wide, start, sizeof start);
+    memcpy(one, given, sizeof given), memcpy(many, given, sizeof given);
+    for (int k = 0; k < steps; k++) {
+        assert_int_equal(step(plain, one, count, 0, ROOM), WF_OK);
+        assert_int_equal(step(wide, many, count, 1, ROOM), WF_OK);
+        assert_same(count);
+    }
+}
+
 static void lanes_give_the_same_bits(void **unused)
 {
     (void)unused;
@@ -156,13 +168,7 @@ static void lanes_give_the_same_bits(void **unused)
         Kind kind = { .rolls = round % 3 == 0, .bounces = round % 5 == 0, .deep = round % 4 == 0,
                       .statics = round % 7 == 0, .hubs = round % 6 == 0 ? 40 : 0 };
         int32_t count = random_net(&r, kind);
-        memcpy(plain, start, sizeof start), memcpy(wide, start, sizeof start);
-        memcpy(one, given, sizeof given), memcpy(many, given, sizeof given);
-        for (int k = 0; k < 3; k++) {       /* the second and third begin with what the first left */
-            assert_int_equal(step(plain, one, count, 0, ROOM), WF_OK);
-            assert_int_equal(step(wide, many, count, 1, ROOM), WF_OK);
-            assert_same(count);
-        }
+        both_ways(count, 3);
     }
 }
 
@@ -186,13 +192,7 @@ static void trees_beside_bundles(void **unused)
             }
             given[count++] = c;
         }
-    memcpy(plain, start, sizeof start), memcpy(wide, start, sizeof start);
-    memcpy(one, given, sizeof given), memcpy(many, given, sizeof given);
-    for (int k = 0; k < 5; k++) {
-        assert_int_equal(step(plain, one, count, 0, ROOM), WF_OK);
-        assert_int_equal(step(wide, many, count, 1, ROOM), WF_OK);
-        assert_same(count);
-    }
+    both_ways(count, 5);
 }
 
 /* Balls, each alone on something fixed, some with a neighbour that does not touch: eq:soft-alone both ways. */
@@ -219,13 +219,7 @@ static void what_is_alone_goes_with_the_passes(void **unused)
                 .normalImpulse = apart ? 0 : wfRandomReal(&r, 0, WF_R(0.1)) };
             given[count++] = c;
         }
-        memcpy(plain, start, sizeof start), memcpy(wide, start, sizeof start);
-        memcpy(one, given, sizeof given), memcpy(many, given, sizeof given);
-        for (int k = 0; k < 3; k++) {
-            assert_int_equal(step(plain, one, count, 0, ROOM), WF_OK);
-            assert_int_equal(step(wide, many, count, 1, ROOM), WF_OK);
-            assert_same(count);
-        }
+        both_ways(count, 3);
     }
 }
 
@@ -247,11 +241,7 @@ static void a_minus_zero_is_no_trouble(void **unused)
             given[i - 1].manifold = (wfManifold){ .normal = n, .count = 1 };
             given[i - 1].manifold.points[0] = (wfContactPoint){ .armB = wfNeg(n), .normalImpulse = wfRandomReal(&r, 0, 3) };
         }
-        memcpy(plain, start, sizeof start), memcpy(wide, start, sizeof start);
-        memcpy(one, given, sizeof given), memcpy(many, given, sizeof given);
-        assert_int_equal(step(plain, one, 3, 0, ROOM), WF_OK);
-        assert_int_equal(step(wide, many, 3, 1, ROOM), WF_OK);
-        assert_same(3);
+        both_ways(3, 1);
     }
     columns = 3;
 }
