@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Random calls of the whole API of a world, good, bad and absurd, with every promise checked behind each (abuse.c says which).
 #   tests/abuse/run.sh                 what CI does: is every function called? then calls under the sanitizers, and some under valgrind
-#   tests/abuse/run.sh CALLS [SEED]    so many calls without sanitizers; OUT=FILE writes the record
+#   tests/abuse/run.sh CALLS [SEED]    so many calls, then a tenth as many under the sanitizers and a twentieth under valgrind, by other seeds;
+#                                      OUT=FILE writes the record
 #   FUZZ=60 tests/abuse/run.sh         libFuzzer chooses the calls, for so many seconds
 # A finding is printed as a script of a few calls; build/abuse/weft-abuse --script FILE runs it again.
 set -uo pipefail
@@ -26,9 +27,25 @@ if [ -n "${FUZZ-}" ]; then
   echo "abuse: $(sed -nE 's/^Done ([0-9]+) runs in ([0-9]+) second.*/\1 sessions in \2 s/p' "$work/log"), chosen by libFuzzer: nothing is broken"
   exit 0
 fi
+under_valgrind() {   # seed, calls
+  WEFT_ABUSE_ALONE=1 valgrind -q --error-exitcode=9 --exit-on-first-error=yes "$work/plain/weft-abuse" "$1" "$2" >"$work/valgrind.log" 2>&1 || { tail -30 "$work/valgrind.log"; echo "abuse: valgrind complains"; exit 1; }
+}
 if [ $# -gt 0 ]; then
+  seed=${2:-1} also="# besides:"
   build plain gcc "-O2 -g"
-  exec "$work/plain/weft-abuse" "${2:-1}" "$1" ${OUT:+--csv "$OUT"}
+  "$work/plain/weft-abuse" "$seed" "$1" ${OUT:+--csv "$OUT.new"} || exit 1
+  if command -v clang >/dev/null; then
+    build sanitized clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+    "$work/sanitized/weft-abuse" $((seed + 1)) $(($1 / 10)) || exit 1
+    also="$also $(($1 / 10)) calls under the address and undefined-behaviour sanitizers, seed $((seed + 1));"
+  fi
+  if command -v valgrind >/dev/null; then
+    under_valgrind $((seed + 2)) $(($1 / 20))
+    also="$also $(($1 / 20)) calls under valgrind, seed $((seed + 2));"
+  fi
+  [ -z "${OUT-}" ] || { sed "2a $also none was complained of" "$OUT.new" > "$OUT" && rm "$OUT.new"; }
+  echo "$also none was complained of"
+  exit 0
 fi
 build sanitized clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 build plain gcc "-O2 -g"
@@ -36,7 +53,5 @@ build double gcc "-O2 -g -DWF_DOUBLE"
 "$work/sanitized/weft-abuse" 3 120000 || exit 1
 "$work/plain/weft-abuse" 4 150000 || exit 1
 "$work/double/weft-abuse" 5 100000 || exit 1
-if command -v valgrind >/dev/null; then
-  WEFT_ABUSE_ALONE=1 valgrind -q --error-exitcode=9 --exit-on-first-error=yes "$work/plain/weft-abuse" 6 3000 >"$work/valgrind.log" 2>&1 || { tail -30 "$work/valgrind.log"; echo "abuse: valgrind complains"; exit 1; }
-fi
-echo "abuse: $(functions | wc -l) functions, 370000 calls with everything checked, by gcc and under the sanitizers, float and double: nothing is broken"
+also=; if command -v valgrind >/dev/null; then under_valgrind 6 15000; also=", and 15000 under valgrind"; fi
+echo "abuse: $(functions | wc -l) functions, 370000 calls with everything checked, by gcc and under the sanitizers, float and double$also: nothing is broken"

@@ -37,6 +37,19 @@ for h in "$work"/stage/opt/weft/include/weft/*.h; do
 done
 say "every header compiles alone: ok"
 
+# appendix B is the quick reference of these headers: it names every call of a world that they declare, and every error
+# (those of needs, WF_ERROR_NO_..., all at once)
+missing() {   # names on its input that the page does not have
+  sort -u | while read -r w; do grep -qw -- "$w" "$1" || echo "$w"; done
+}
+calls() { sed -nE '/^typedef/d; s/^[a-zA-Z].*[ *](wf[A-Z][A-Za-z0-9]*)\(.*/\1/p' "$work"/stage/opt/weft/include/weft/{world,save,accuracy,json}.h; }
+errors() { sed -nE 's/^WF_RESULT\((WF_ERROR_[A-Z_]*).*/\1/p' "$work/stage/opt/weft/include/weft/result_rows.h" | grep -v '^WF_ERROR_NO_'; }
+[ "$(calls | wc -l)" -gt 150 ] && [ "$(errors | wc -l)" -gt 30 ] || { echo "install: the headers have only $(calls | wc -l) calls and $(errors | wc -l) errors -- is the pattern still right?"; exit 1; }
+lacks=$(calls | missing chapters/B-api.nw; errors | missing chapters/B-api.nw)
+[ -z "$lacks" ] || { echo "appendix B does not name:" $lacks "-- add each to its table in chapters/B-api.nw"; exit 1; }
+[ "$(echo wfNoSuchCall | missing chapters/B-api.nw)" = wfNoSuchCall ] || { echo "install: a call that appendix B lacks was not missed"; exit 1; }
+say "appendix B names all $(calls | sort -u | wc -l) calls and $(errors | wc -l) errors: ok"
+
 make --no-print-directory uninstall DESTDIR="$work/stage" PREFIX=/opt/weft
 [ -z "$(find "$work/stage" -type f)" ] || { echo "uninstall left files:"; find "$work/stage" -type f; exit 1; }
 say "uninstall leaves nothing: ok"
