@@ -20,5 +20,26 @@ for f in book/data/*.csv; do
   [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [[ $b == *-instructions ]] || [ "$b" = evaluation ] || [ "$b" = exercises ] || [ "$b" = page-weight ] || [ "$b" = page-figures ] || [ "$b" = price-parts ] || [ "$b" = price-whole ] || [ "$b" = price-bytes ] || [ "$b" = price-list ] || [ "$b" = portability ] || [ "$b" = portability-leaks ] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
   build/bin/weft-lab list | awk '{ print $1 }' | grep -qx "$b" || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
+# A row with more or fewer cells than its header stands under the wrong heads: a comma in a label, most likely.
+cells() {
+  $lua - "$@" <<'L'
+package.path = "tangle/?.lua;" .. package.path
+local Csv, bad = require "csv", 0
+for _, path in ipairs(arg) do
+  local rows = Csv.rows(assert(io.open(path)):read("a"))
+  for i = 2, #rows do
+    if #rows[i] ~= #rows[1] then
+      bad = 1
+      print(path .. ": " .. #rows[i] .. " cells under " .. #rows[1] .. " heads: " .. table.concat(rows[i], " | ") .. " -- write the label without a comma")
+    end
+  end
+end
+os.exit(bad)
+L
+}
+lua=$(tangle/lua) || exit 1
+cells book/data/*.csv || bad=1
+printf 'what,n\na, b,1\n' > build/check-cells.csv
+cells build/check-cells.csv >/dev/null && { echo "data: a label with a comma in it was not noticed"; bad=1; }
 [ $bad -eq 0 ] && echo "$n exact measurements give the committed files again, byte for byte"
 exit $bad
