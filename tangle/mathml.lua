@@ -5,8 +5,11 @@ package.path = (arg[0]:match("^(.*/)") or "./") .. "?.lua;" .. package.path
 local s = (require "weave-code").calm_brackets(io.read("a"))
 s = s:gsub("\u{2225}", "\u{2016}")
 s = s:gsub('<mstyle mathvariant="normal"><mi>([^<]*)</mi></mstyle>', '<mi mathvariant="normal">%1</mi>')
+s = s:gsub('<mstyle mathvariant="normal">(.-)</mstyle>', function(unit)      -- browsers slant a single letter unless it says itself that it is upright
+  return unit:find("<mstyle", 1, true) and nil or (unit:gsub("<mi>([^<]*)</mi>", '<mi mathvariant="normal">%1</mi>'))
+end)
 s = s:gsub('(<mo accent="true">)\u{307}(</mo>)', "%1\u{2d9}%2")
 s = s:gsub('(<mo accent="true">)\u{308}(</mo>)', "%1\u{a8}%2")
 s = s:gsub('(form="prefix">[^<]*</mo>)<mo>\u{2212}</mo>', '%1<mo form="prefix">\u{2212}</mo>')
-s = s:gsub('(<mo>[,=\u{2190}]+</mo>)<mo>\u{2212}</mo>', '%1<mo form="prefix">\u{2212}</mo>')
+s = s:gsub('(<mo>[,=\u{2190}\u{2261}]+</mo>)<mo>\u{2212}</mo>', '%1<mo form="prefix">\u{2212}</mo>')
 io.write(s)
