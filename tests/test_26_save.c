@@ -292,6 +292,59 @@ static void the_ring_keeps_the_newest(void **unused)
     }
 }
 
+/* Snapshots of sizes that go up and down: after each that is kept, all that the ring says it has are there, in order. (What lies between
+ * the newest and the end when the next one goes to the beginning must go before what lies there: sec:save-ring.) */
+static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
+{
+    (void)unused;
+    enum { STEPS = 300, MOST = 40, UNIT = 4000 * sizeof(wfReal) };
+    static uint64_t hash[STEPS];
+    static _Alignas(16) uint8_t bytes[7 * UNIT];
+    wfRandom random = random_stream(2610);
+    int went_round = 0, shrank = 0;
+    for (int memory = 4; memory <= 7; memory++) {
+        wfWorldDef def = busy_def(MOST + 1);
+        wfWorld world, back;
+        wfRewind ring;
+        uint64_t oldest, newest;
+        size_t begin = 0;
+        assert_ok(wfCreateWorld(&def, &world));
+        assert_ok(wfCreateWorld(&def, &back));
+        assert_ok(wfRewindInit(&ring, bytes, (size_t)memory * UNIT));
+        for (int i = 0; i < STEPS; i++) {
+            int want = (int)wfRandomBelow(&random, MOST);           /* so many bodies; slots are used from the beginning */
+            while (wfBodyCount(&world) > want) assert_ok(wfRemoveBodyFromWorld(&world, wfBodyAt(&world, wfBodyCount(&world) - 1)));
+            while (wfBodyCount(&world) < want) add(&world, ball_def(3 * wfBodyCount(&world), i, 0.3));
+            if (i % 7 == 0) {                                       /* a new world has no places that were used once */
+                wfWorld fresh;
+                assert_ok(wfCreateWorld(&def, &fresh));
+                for (int k = 0; k < i; k++) assert_ok(wfStepWorld(&fresh));
+                for (int k = 0; k < want / 4; k++) add(&fresh, ball_def(3 * k, i, 0.3));
+                wfDestroyWorld(&world);
+                world = fresh;
+            }
+            hash[i] = wfHashWorld(&world);
+            int32_t had = ring.count;
+            assert_ok(wfRewindKeep(&ring, &world));
+            went_round += ring.newest < begin, begin = ring.newest;
+            shrank += ring.count < had;
+            assert_ok(wfRewindReach(&ring, &oldest, &newest));
+            assert_int_equal(newest, i);
+            assert_int_equal(newest - oldest + 1, ring.count);
+            for (uint64_t step = oldest; step <= newest; step++) {
+                wfRewind copy = ring;                               /* going back changes the ring's own numbers, not its bytes */
+                assert_ok(wfRewindTo(&copy, &back, step));
+                assert_int_equal(wfWorldSteps(&back), step);
+                assert_true(wfHashWorld(&back) == hash[step]);
+            }
+            assert_ok(wfStepWorld(&world));
+        }
+        wfDestroyWorld(&world);
+        wfDestroyWorld(&back);
+    }
+    assert_true(went_round > 50 && shrank > 20);
+}
+
 static void bad_rings_are_refused(void **unused)
 {
     (void)unused;
@@ -581,7 +634,6 @@ static void a_save_comes_back(void **unused)
 
 static bool is_damage(wfResult r) { return r == WF_ERROR_NOT_A_SAVE || r == WF_ERROR_TRUNCATED || r == WF_ERROR_CHECKSUM; }
 
-/* All prefixes and all flipped bits of a small world, every 97th of a larger one. */
 /* Two files of one world are one file, whatever lay in the memory before: nothing of it goes into the file. */
 static void a_save_holds_the_world_and_nothing_else(void **unused)
 {
@@ -599,6 +651,7 @@ static void a_save_holds_the_world_and_nothing_else(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* All prefixes and all flipped bits of a small world, every 97th of a larger one. */
 static void damage_is_always_noticed(void **unused)
 {
     (void)unused;
@@ -1022,19 +1075,21 @@ static void rubbish_behind_a_force_stays_outside(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rubbish_behind_a_force_stays_outside), cmocka_unit_test(a_snapshot_takes_the_world_back),
+        cmocka_unit_test(a_snapshot_takes_the_world_back),
         cmocka_unit_test(restoring_clears_what_the_snapshot_had_not),
         cmocka_unit_test(bad_snapshots_are_refused),
         cmocka_unit_test(the_first_difference_has_a_name),
         cmocka_unit_test(a_world_grows_and_nobody_notices),
         cmocka_unit_test(the_ring_keeps_the_newest),
+        cmocka_unit_test(the_ring_keeps_its_order_whatever_the_sizes),
         cmocka_unit_test(bad_rings_are_refused),
         cmocka_unit_test(rollback_is_as_if_it_had_been_known),
         cmocka_unit_test(a_replay_has_the_same_bits),
         cmocka_unit_test(a_divergence_has_step_body_and_field),
         cmocka_unit_test(bad_journals_are_refused),
         cmocka_unit_test(a_save_comes_back),
-        cmocka_unit_test(a_save_holds_the_world_and_nothing_else), cmocka_unit_test(damage_is_always_noticed),
+        cmocka_unit_test(a_save_holds_the_world_and_nothing_else),
+        cmocka_unit_test(damage_is_always_noticed),
         cmocka_unit_test(bursts_are_always_noticed),
         cmocka_unit_test(strangers_are_refused_by_name),
         cmocka_unit_test(journals_have_an_envelope),
@@ -1043,6 +1098,7 @@ int main(void)
         cmocka_unit_test(needs_are_kept_and_grow),
         cmocka_unit_test(broken_rules_are_named),
         cmocka_unit_test(files_are_replaced_as_a_whole),
+        cmocka_unit_test(rubbish_behind_a_force_stays_outside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
