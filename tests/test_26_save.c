@@ -80,6 +80,14 @@ static void a_snapshot_takes_the_world_back(void **unused)
 {
     (void)unused;
     wfWorld world = busy_with(30, 40, 3), twin;
+    wfJointId rods[3];
+    for (int i = 0; i < 3; i++) {                           /* a place in the middle is free */
+        wfJoint rod;
+        wfBodyId one = wfBodyAt(&world, 10 + i), other = wfBodyAt(&world, 15 + i);
+        assert_ok(wfJoinBodies(&world, "distance", one, other, info(&world, one).position, info(&world, other).position, wfV2(1, 0), &rod));
+        assert_ok(wfAddJointToWorld(&world, &rod, &rods[i]));
+    }
+    assert_ok(wfRemoveJointFromWorld(&world, rods[1]));
     size_t size = wfSnapshotSize(&world), got = 0;
     void *bytes = bytes_of(size);
     assert_ok(wfSnapshotWorld(&world, bytes, size, &got));
@@ -87,6 +95,7 @@ static void a_snapshot_takes_the_world_back(void **unused)
     assert_true(size < world.memory.permanentSize);
     assert_ok(wfCloneWorld(&world, NULL, &twin));
     assert_same(&world, &twin);
+    assert_ok(wfCheckWorld(&twin, NULL));
     uint64_t now = wfHashWorld(&world), then;
     for (int i = 0; i < 50; i++) {
         wfBodyDef d = ball_def(i, 20, 0.2);
@@ -308,12 +317,17 @@ static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
         wfRewind ring;
         uint64_t oldest, newest;
         size_t begin = 0;
+        wfForceId blows[4];
+        int winds = 0;
         assert_ok(wfCreateWorld(&def, &world));
         assert_ok(wfCreateWorld(&def, &back));
         assert_ok(wfRewindInit(&ring, bytes, (size_t)memory * UNIT));
         for (int i = 0; i < STEPS; i++) {
             int want = (int)wfRandomBelow(&random, MOST);           /* so many bodies; slots are used from the beginning */
-            while (wfBodyCount(&world) > want) assert_ok(wfRemoveBodyFromWorld(&world, wfBodyAt(&world, wfBodyCount(&world) - 1)));
+            for (int k = wfWorldBodies(&world).count - 1; wfBodyCount(&world) > want; k--) {
+                wfBodyId last = wfBodyAt(&world, i % 3 ? k : wfWorldBodies(&world).count - 1 - k);      /* or the first: there are holes */
+                if (last.index != 0) assert_ok(wfRemoveBodyFromWorld(&world, last));
+            }
             while (wfBodyCount(&world) < want) add(&world, ball_def(3 * wfBodyCount(&world), i, 0.3));
             if (i % 7 == 0) {                                       /* a new world has no places that were used once */
                 wfWorld fresh;
@@ -321,8 +335,11 @@ static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
                 for (int k = 0; k < i; k++) assert_ok(wfStepWorld(&fresh));
                 for (int k = 0; k < want / 4; k++) add(&fresh, ball_def(3 * k, i, 0.3));
                 wfDestroyWorld(&world);
-                world = fresh;
+                world = fresh, winds = 0;
             }
+            wfForce wind = wfWind(wfV2((wfReal)(i % 5), 0), WF_R(0.01));
+            if (winds < 4) assert_ok(wfAddForceToWorld(&world, &wind, &blows[winds++]));
+            else assert_ok(wfRemoveForceFromWorld(&world, blows[i % 4])), blows[i % 4] = blows[--winds];
             hash[i] = wfHashWorld(&world);
             int32_t had = ring.count;
             assert_ok(wfRewindKeep(&ring, &world));
@@ -336,7 +353,9 @@ static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
                 assert_ok(wfRewindTo(&copy, &back, step));
                 assert_int_equal(wfWorldSteps(&back), step);
                 assert_true(wfHashWorld(&back) == hash[step]);
+                assert_ok(wfCheckWorld(&back, NULL));
             }
+            assert_same(&world, &back);
             assert_ok(wfStepWorld(&world));
         }
         wfDestroyWorld(&world);
