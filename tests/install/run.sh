@@ -57,7 +57,7 @@ say "uninstall leaves nothing: ok"
 # a machine with only a compiler: the tools below are all that PATH holds
 mkdir -p "$work/bin" "$work/src"
 for t in bash sh make cc gcc as ld ar cp ln rm mkdir ls sed grep awk cat uname id env dirname basename head tail sort tr cut printf date expr test find wc mktemp tput uniq xargs chmod touch cmp install pwd echo true false; do
-  p=$(command -v $t 2>/dev/null) && case $p in /*) ln -sf "$p" "$work/bin/$t" ;; esac
+  p=$(hash -r; type -P -a "$t" 2>/dev/null | awk '!/\/ccache\// && !n++') && [ -n "$p" ] && ln -sf "$p" "$work/bin/$t"     # not ccache, which looks for another
 done
 git ls-files -z | tar --null -T - -cf - 2>/dev/null | tar -xf - -C "$work/src"
 out=$(cd "$work/src" && env -i HOME="$work" PATH="$work/bin" NO_INSTALL=1 make 2>&1) || { echo "$out"; echo "make fails on a machine with only a compiler"; exit 1; }
