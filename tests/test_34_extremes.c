@@ -80,13 +80,13 @@ static void one_bullet_through_the_wall_is_a_failure(void **state)
     static Made m;
     double error;
     (void)state;
-    rest(&m, 11, 1);
+    rest(&m, 21, 1);
     for (int i = 0; i < ROWS; i++)
-        for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_X) = -0.1;
+        for (int k = 1; k <= 20; k++) *cell(&m, i, k, LAB_X) = -0.1;
     assert_string_equal(judged("bullets", &m, 100, &error), "right");
     *cell(&m, 1, 7, LAB_X) = 0.2;           /* and back again */
     assert_string_equal(judged("bullets", &m, 100, &error), "failed");
-    assert_true(fabs(error - 0.1) < 1e-15);
+    assert_true(fabs(error - 0.05) < 1e-15);
 }
 
 /* collisions of a disc of mass 1 between a wall and one of mass 100^k, by mirror images: the angle atan(1 / 10^k) fits floor(pi / angle)
@@ -218,12 +218,80 @@ static void plates_are_judged_where_they_are(void **state)
 {
     static Made m;
     (void)state;
-    rest(&m, 11, 1);
+    rest(&m, 21, 1);
     for (int i = 0; i < ROWS; i++)
-        for (int k = 0; k <= 10; k++) *cell(&m, i, k, LAB_X) = k == 0 ? i : i - 0.1;
+        for (int k = 0; k <= 20; k++) *cell(&m, i, k, LAB_X) = k == 0 ? i : i - 0.1;
     must_be("right", "plates", &m, 100);
     *cell(&m, 2, 3, LAB_X) = 2.1;
     must_be("failed", "plates", &m, 100);
+}
+
+/* After a fall of t_f a ball with e = 1/2 is at its next peak at 1.5 t_f, a quarter as high, and at rest from 3 t_f on (eq:extremes-zeno). */
+static void bounces_end_where_their_sum_does(void **state)
+{
+    static Made m;
+    double error, fall = sqrt(2 * 3.3 / 10);
+    (void)state;
+    rest(&m, 2, 3 * fall);
+    *cell(&m, 0, 1, LAB_Y) = 3.3 + 0.5;
+    *cell(&m, 1, 1, LAB_Y) = 3.3 / 4 + 0.5;
+    *cell(&m, 2, 1, LAB_Y) = 0.5;
+    assert_string_equal(judged("zeno", &m, 0.5, &error), "right");
+    assert_true(error < 1e-9);
+    *cell(&m, 2, 1, LAB_VY) = 0.02 * sqrt(20 * 3.3);        /* it trembles */
+    assert_string_equal(judged("zeno", &m, 0.5, &error), "stable");
+    assert_true(fabs(error - 0.02) < 1e-12);
+    *cell(&m, 1, 1, LAB_Y) = 0.5;                           /* it stopped too early */
+    judged("zeno", &m, 0.5, &error);
+    assert_true(fabs(error - 0.25) < 1e-9);
+    *cell(&m, 1, 1, LAB_Y) = 1.02 * 3.3 + 0.5;              /* higher than it was let go */
+    must_be("failed", "zeno", &m, 0.5);
+    rest(&m, 2, 10 * sqrt(2 * 0.83 / 10));
+    for (int i = 0; i < ROWS; i++) *cell(&m, i, 1, LAB_Y) = 0.5;
+    *cell(&m, 2, 1, LAB_Y) = 0.83 + 0.5;
+    must_be("right", "heights", &m, 0.83);
+    *cell(&m, 2, 1, LAB_Y) = 0.98 * 0.83 + 0.5;
+    must_be("stable", "heights", &m, 0.83);
+    *cell(&m, 2, 1, LAB_Y) = 0.4 * 0.83 + 0.5;
+    must_be("failed", "heights", &m, 0.83);
+}
+
+static void a_cradle_hands_on_its_height(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    rest(&m, 4, 1.7);
+    for (int i = 0; i < ROWS; i++)
+        for (int k = 1; k <= 3; k++) *cell(&m, i, k, LAB_X) = k - 1;
+    for (int i = 1; i < ROWS; i++) *cell(&m, i, 3, LAB_Y) = 2 - 2 * cos(0.5);
+    assert_string_equal(judged("hung", &m, 3, &error), "right");
+    assert_true(error < 1e-12);
+    *cell(&m, 2, 2, LAB_X) += 0.1;                          /* the middle one did not stay */
+    assert_string_equal(judged("hung", &m, 3, &error), "stable");
+    assert_true(fabs(error - 0.1 / (2 * sin(0.5))) < 1e-12);
+    *cell(&m, 2, 2, LAB_VX) = 0.5;                          /* and has energy from nowhere */
+    must_be("failed", "hung", &m, 3);
+}
+
+/* down a slope of 0.6 with nine tenths of the friction that would hold it: m g sin less mu m g cos, for a second */
+static void planks_slip_by_what_friction_lacks(void **state)
+{
+    static Made m;
+    double error, a = atan(0.6), way = 10 * (sin(a) - 0.9 * 0.6 * cos(a)) / 2;
+    (void)state;
+    rest(&m, 2, 1);
+    must_be("right", "slip", &m, 1.1);
+    must_be("failed", "slip", &m, 0.9);
+    *cell(&m, 2, 1, LAB_X) = -way * cos(a);
+    *cell(&m, 2, 1, LAB_Y) = -way * sin(a);
+    assert_string_equal(judged("slip", &m, 0.9, &error), "right");
+    assert_true(error < 1e-12);
+    must_be("stable", "slip", &m, 1.1);
+    rest(&m, 2, 10);
+    *cell(&m, 2, 1, LAB_X) = 100;
+    *cell(&m, 0, 1, LAB_Y) = *cell(&m, 1, 1, LAB_Y) = *cell(&m, 2, 1, LAB_Y) = 0.25;
+    must_be("right", "slide", &m, 0);                       /* no friction: 10 m/s for ten seconds */
 }
 
 static void what_is_not_finite_fails_in_every_scene(void **state)
@@ -281,6 +349,8 @@ int main(void)
         cmocka_unit_test(energy_and_momentum_are_asked_of_cradle_and_rod),
         cmocka_unit_test(edges_are_asked_on_both_sides), cmocka_unit_test(falls_begin_as_the_formula_says),
         cmocka_unit_test(sums_of_chains_and_rods_are_kept), cmocka_unit_test(plates_are_judged_where_they_are),
+        cmocka_unit_test(bounces_end_where_their_sum_does), cmocka_unit_test(a_cradle_hands_on_its_height),
+        cmocka_unit_test(planks_slip_by_what_friction_lacks),
         cmocka_unit_test(what_is_not_finite_fails_in_every_scene),
         cmocka_unit_test(what_was_printed_is_read),
     };
