@@ -25,7 +25,8 @@ do for [k=1:6] {
   if (k == 1 || k == 4) { set ylabel 'greatest error (share of the size)'; set format y '10^{%T}' } else { unset ylabel; set format y '' }
   if (k > 3) { set xlabel 'time of a frame (kernels)' } else { unset xlabel }
   plot for [i=1:8] sel(p, word(engines, i), 'steps') using 5:($6 > 4e-8 ? $6 : 4e-8) with linespoints lt int(word(styles, i)) pt int(word(points, i)) ps 0.6 lw 1.5 notitle, \
-       for [i=1:8] sel(p, word(engines, i), 'substeps') using 5:($6 > 4e-8 ? $6 : 4e-8) with linespoints lt int(word(styles, i)) pt int(word(points, i)) ps 0.5 lw 1.2 dt 2 notitle
+       for [i=1:8] sel(p, word(engines, i), 'substeps') using 5:($6 > 4e-8 ? $6 : 4e-8) with linespoints lt int(word(styles, i)) pt int(word(points, i)) ps 0.5 lw 1.2 dt 2 notitle, \
+       for [i=1:8] sel(p, word(engines, i), 'iterations') using 5:($6 > 4e-8 ? $6 : 4e-8) with linespoints lt int(word(styles, i)) pt int(word(points, i)) ps 0.4 lw 1.2 dt 3 notitle
 }
 unset title; unset xlabel; unset ylabel; unset border; unset tics; unset logscale; unset grid
 set lmargin at screen 0.02; set rmargin at screen 0.98; set bmargin at screen 0.0; set tmargin at screen 0.08
