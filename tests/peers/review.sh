@@ -5,6 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 m=build/peers/node_modules x=book/data/extremes.csv src=src-generated/lab/peers
+[ -f build/lib/libweft.so ] && [ -x build/bin/weft-load ] || { echo "review: the engine is missing -- type: make engine programs"; exit 1; }
 [ -f "$x" ] || { echo "review: $x is missing -- type: make extremes"; exit 1; }
 # error of a scene at a value, for the columns Box2D 2.4, Box2D 3, Chipmunk2D, Matter.js, planck, Rapier, weft
 errors() { for c in 2 3 4 5 6 7 0; do awk -F, -v e="$1" -v v="$2" -v c=$c '$1 == e && $5 == v && $3 == c { printf ",%s", $6 == "failed" ? "failed" : $7 < 1e-4 ? "< 0.01%" : sprintf("%.2g", 100 * $7) "%"; n = 1 } END { if (!n) printf ",-" }' "$x"; done; }
@@ -37,7 +38,7 @@ peak() { local k=0 v p; build/peers/bin/"$1" "$2" --steps 20 --every 20 --bodies
 bytes() { local e n; mkdir -p build/peers/scenes; for n in 1000 10000; do [ -s build/peers/scenes/heap-$n.json ] || build/bin/weft-load heap-$n > build/peers/scenes/heap-$n.json; done
   for e in box2d2 box2d3-web chipmunk matter planck rapier weft; do echo "$(peak $e build/peers/scenes/heap-1000.json) $(peak $e build/peers/scenes/heap-10000.json)" | awk '{ printf ",%.1f", ($2 - $1) / 9000 }'; done; }
 # functions that an engine asks the outside for: of other libraries, or imports of a module; a script asks for all of JavaScript
-outside() { [ -n "$1" ] && nm -D --undefined-only "$1" | awk '$1 == "U" { n++ } END { printf ",%d", n }' || printf ',-'; }
+outside() { if [ -f "$1" ]; then nm -D --undefined-only "$1" | awk '$1 == "U" { n++ } END { printf ",%d", n }'; else printf ',-'; fi; }
 imports() { printf ',%s' "$(node -e 'WebAssembly.compile(require("fs").readFileSync(process.argv[1])).then(w => console.log(WebAssembly.Module.imports(w).length))' "$1" 2>/dev/null || echo -)"; }
 # share of declared functions that stand behind a comment, or in a row behind one that does
 told() { local IFS=' '; find $1 -name "${2}" | sort | xargs cat | FORM=$3 awk '
@@ -80,6 +81,7 @@ shortest() { printf ',-,-,-,-'; for f in $m/planck/example/*.ts; do grep -vcE '^
   echo "C2.4 outside$(outside "$(lib libbox2d.so)")$(imports $m/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.wasm)$(outside "$(lib libchipmunk.so)"),script,script$(imports $m/@dimforge/rapier2d-compat/dist/rapier_wasm2d_bg.wasm)$(outside build/lib/libweft.so)"
   echo "C3.1 told$(docs)"
   echo "C3.2 lines$(lines box2d2_main.cpp box2d3.mjs chipmunk_main.c matter.mjs planck.mjs rapier.mjs weft_main.c)"
+  echo "C3.3 parts$(awk -F, '$1 == "collision without a world" { sub(/^[^,]*/, ""); print }' book/data/peers-features.csv),yes"
   echo "C4.1 MB$(disk deb:libbox2d-dev deb:libbox2d2)$(disk $m/box2d3-wasm)$(disk deb:chipmunk-dev deb:libchipmunk-dev deb:libchipmunk7)$(disk $m/matter-js)$(disk $m/planck)$(disk $m/@dimforge/rapier2d-compat)$(disk build/bin/weft-testbed build/lib/libweft.so src-generated/include)"
   echo "C4.2 scenes$(scenes)"
   echo "C4.3 lines$(shortest)"
