@@ -6,7 +6,8 @@
 #include <string.h>
 #include "testbed/platform.h"
 
-typedef struct play { game_memory memory; frame_buffer buffer; game_file file; char text[32768]; } play;
+/* in: of the next frame, for those who give frames one by one and not by a script. */
+typedef struct play { game_memory memory; frame_buffer buffer; game_file file; game_input in; char text[32768]; } play;
 
 static inline void play_begin(play *p, int width, int height, float scale)
 {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "testing.h"
+#include "play.h"
 #include "testbed/overlays.h"
 #include "testbed/platform.h"
 #include "testbed/plots.h"
@@ -212,12 +212,11 @@ static void curves_are_the_worlds_numbers(void **state)
 
 /* ---- the game ---- */
 enum { W = 1100, H = 700 };
-typedef struct play { game_memory memory; frame_buffer picture; game_input in; char text[1 << 15]; } play;
 
 static void frame(play *p, int steps)
 {
     p->in.steps = steps;
-    game_update_and_render(&p->memory, &p->in, &p->picture);
+    game_update_and_render(&p->memory, &p->in, &p->buffer);
     p->in.pressed = p->in.released = 0;
     p->in.key_count = 0;
     p->in.scene[0] = 0;
@@ -226,20 +225,10 @@ static void frame(play *p, int steps)
 
 static void begin(play *p, const char *scene)
 {
-    memset(p, 0, sizeof *p);
-    p->memory = (game_memory){ .permanent = calloc(1, GAME_PERMANENT_SIZE), .permanent_size = GAME_PERMANENT_SIZE,
-                               .transient = calloc(1, GAME_TRANSIENT_SIZE), .transient_size = GAME_TRANSIENT_SIZE };
-    p->picture = (frame_buffer){ calloc(W * H, 4), W, H, W, 1 };
+    play_begin(p, W, H, 1);
     p->in.seconds = 1 / 60.0;
     snprintf(p->in.scene, sizeof p->in.scene, "%s", scene);
     frame(p, 0);
-}
-
-static void end(play *p)
-{
-    free(p->memory.permanent);
-    free(p->memory.transient);
-    free(p->picture.pixels);
 }
 
 static void run(play *p, int steps) { for (int i = 0; i < steps; i++) frame(p, 1); }
@@ -478,7 +467,7 @@ static void a_plots_words_have_room(void **state)
 static int differing(const play *p, const uint32_t *before)
 {
     int n = 0;
-    for (int k = 0; k < W * H; k++) n += k % W > 220 && k % W < 800 && before[k] != p->picture.pixels[k];
+    for (int k = 0; k < W * H; k++) n += k % W > 220 && k % W < 800 && before[k] != p->buffer.pixels[k];
     return n;
 }
 
@@ -536,7 +525,7 @@ static void each_overlay_is_seen(void **state)
         p.in.mouse_y = 250;
         frame(&p, 0);
         uint32_t *before = malloc(W * H * 4);
-        memcpy(before, p.picture.pixels, W * H * 4);
+        memcpy(before, p.buffer.pixels, W * H * 4);
         click(&p, rows[i].overlay);
         p.in.mouse_x = 509;
         p.in.mouse_y = 250;
@@ -544,7 +533,7 @@ static void each_overlay_is_seen(void **state)
         int differ = differing(&p, before);
         free(before);
         if (differ < 60) fail_msg("%s shows nothing (%d pixels)", rows[i].overlay, differ);
-        end(&p);
+        play_end(&p);
     }
 }
 
@@ -576,13 +565,13 @@ static void the_sliders_lead_through_the_steps(void **state)
     static const char *const sliders[] = { "Cut", "GJK step" };
     for (int i = 0; i < 2; i++) {
         point_at(&p, sliders[i]);
-        memcpy(before, p.picture.pixels, W * H * 4);
+        memcpy(before, p.buffer.pixels, W * H * 4);
         drag(&p, sliders[i], 60);
         int differ = differing(&p, before);
         assert_true(differ > 30);
     }
     free(before);
-    end(&p);
+    play_end(&p);
 }
 
 /* Pixels in which the left half of what the camera has differs from the right half. */
@@ -590,7 +579,7 @@ static int panes_differ(const play *p)
 {
     int n = 0;
     for (int y = 200; y < 600; y++)
-        for (int x = 220; x < 500; x++) n += p->picture.pixels[y * W + x] != p->picture.pixels[y * W + x + 301];
+        for (int x = 220; x < 500; x++) n += p->buffer.pixels[y * W + x] != p->buffer.pixels[y * W + x + 301];
     return n;
 }
 
@@ -615,14 +604,14 @@ static void comparing_changes_nothing(void **state)
     assert_true(atof(said(&both, "apart 2")) > 0.01);   /* another solver: the tower goes otherwise */
     assert_true(panes_differ(&both) > 400);
     uint32_t *before = malloc(W * H * 4);
-    memcpy(before, both.picture.pixels, W * H * 4);
+    memcpy(before, both.buffer.pixels, W * H * 4);
     click(&both, "curve: error");
     assert_true(differing(&both, before) > 300);
-    memcpy(before, both.picture.pixels, W * H * 4);
+    memcpy(before, both.buffer.pixels, W * H * 4);
     click(&both, "Over each other");
     assert_true(differing(&both, before) > 300);
     free(before);
-    end(&both);
+    play_end(&both);
 
     begin(&both, "tower");                              /* the same setting: nothing parts them */
     key(&both, 's');
@@ -640,8 +629,8 @@ static void comparing_changes_nothing(void **state)
     click(&both, "One world");
     run(&both, 3);
     assert_string_equal(said(&both, "worlds"), "1");
-    end(&both);
-    end(&alone);
+    play_end(&both);
+    play_end(&alone);
 }
 
 /* Through every scene with four worlds, and all curves and overlays on: nothing fails, and nothing is written that isn't finite. */
@@ -667,7 +656,7 @@ static void all_scenes_can_be_compared(void **state)
         assert_true(strstr(p.text, wfSceneTable[i].name) != NULL);
         assert_true(strstr(p.text, "nan") == NULL && strstr(p.text, "inf") == NULL);
     }
-    end(&p);
+    play_end(&p);
 }
 
 int main(void)
