@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every scene copied as a program in C, compiled against the library, run: the hashes must be the scene's after 0 and 60 steps.
+# A scene as a picture of the book; every scene copied as a program in C, compiled against the library, run: the hashes must be the scene's after 0 and 60 steps.
 #   tests/testbed/copy.sh [HEADLESS] [LIB]     default build/bin/weft-headless, build/lib/libweft.a
 # Scenes that act by themselves or have hooks are compared at 0 steps; lopsided shapes may cost a last bit and are counted.
 set -uo pipefail
@@ -9,6 +9,8 @@ headless=${1:-build/bin/weft-headless} lib=${2:-build/lib/libweft.a}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 hash() { "$headless" --hash --scene "$1" --steps "$2" 2>/dev/null | awk '{ print $NF }'; }
+# The book's command for a scene as a picture is not the player's option --svg, which has the window's shape.
+"$headless" --freeze "$work/s.svg" --scene shapes --steps 5 && grep -q 'viewBox="0 0 640 400"' "$work/s.svg" || { echo "copy.sh: --freeze draws no picture of 640 by 400"; exit 1; }
 all=0 begin=0 same=0 acts=0 bits='' failed=0
 while IFS= read -r name; do
   all=$((all + 1))
