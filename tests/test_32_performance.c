@@ -136,11 +136,54 @@ static void steered(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* The rain: a column of ragdolls after the first step; every bone hangs where it should; and when the columns come round again,
+   as many bodies and joints as before. */
+static void raining(void **unused)
+{
+    (void)unused;
+    const labSteered *scene = &labSteereds[1];
+    wfWorld world;
+    wfBodyId ground;
+    assert_int_equal(labMakeSteered(scene, &world, &ground), WF_OK);
+    assert_int_equal(wfShapeCount(&world), 5 * 501);
+    assert_int_equal(scene->steer(&world, ground, 0), WF_OK);
+    assert_int_equal(wfBodyCount(&world), 1 + 25 * 11);
+    assert_int_equal(wfShapeCount(&world), 5 * 501 + 25 * 13);
+    assert_int_equal(wfJointCount(&world), 25 * 10);
+    assert_int_equal(wfStepWorld(&world), WF_OK);
+    for (int32_t k = 1; k < 330; k++) assert_int_equal(scene->steer(&world, ground, k), WF_OK);
+    assert_int_equal(wfBodyCount(&world), scene->bodies);
+    assert_int_equal(wfJointCount(&world), scene->joints);
+    assert_int_equal(wfShapeCount(&world), scene->shapes);
+    for (int k = 0; k < 2; k++) assert_int_equal(wfStepWorld(&world), WF_OK);
+    wfDestroyWorld(&world);
+}
+
+/* The spinner: what is in it, nobody outside at the start, and the bar turns as its motor wants. */
+static void spinning(void **unused)
+{
+    (void)unused;
+    const labSteered *scene = &labSteereds[2];
+    wfWorld world;
+    wfBodyId bar;
+    assert_int_equal(labMakeSteered(scene, &world, &bar), WF_OK);
+    assert_int_equal(wfBodyCount(&world), 6078);
+    assert_int_equal(wfShapeCount(&world), 6076 + 360 + 1);
+    assert_int_equal(wfJointCount(&world), 1);
+    wfBodyView v = wfWorldBodies(&world);
+    for (int32_t i = 0; i < 6078; i++) assert_false(v.state[i].invMass > 0 && scene->lost(v.state[i].p));
+    assert_true(scene->lost(wfV2(0, -9)));
+    assert_int_equal(wfStepWorld(&world), WF_OK);
+    assert_near(v.state[wfBodyIndex(&world, bar)].w, 5, 0.05);
+    wfDestroyWorld(&world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(counts), cmocka_unit_test(heavies), cmocka_unit_test(places), cmocka_unit_test(contacts_of_a_pyramid),
         cmocka_unit_test(what_moves_is_small), cmocka_unit_test(steered),
+        cmocka_unit_test(raining), cmocka_unit_test(spinning),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
