@@ -326,6 +326,44 @@ static wfSweep leg_between(const struct wfStep *s, int32_t i, wfReal t, wfReal e
     return end < 1 ? wfSweepUntil(leg, (end - t) / (1 - t)) : leg;
 }
 /* <find the next impact of a flight> */
+/* Has a link sent this pair to its neighbour? */
+static bool is_deferred(const struct wfStep *s, int32_t k, int32_t other)
+{
+    wfPair p = { k > other ? k : other, k > other ? other : k };
+    for (int32_t n = 0; n < s->sparedCount; n++)
+        if (s->spared[n].a == p.a && s->spared[n].b == p.b) return true;
+    return false;
+}
+
+/* How far along a link is a shape's centre, m? */
+static wfReal along_link(const wfShape *link, wfTransform on, wfVec2 centre)
+{
+    wfVec2 side = wfSub(link->vertices[1], link->vertices[0]);
+    wfVec2 from = wfSub(wfApplyInv(on, centre), link->vertices[0]);
+    return wfDot(from, side) / wfLength(side);
+}
+/* <find the next impact of a flight> */
+/* When in a span does one come over the other, which is a link? eq:fast-over; 2: never. */
+static wfReal comes_over(const struct wfStep *s, int32_t k, int32_t other,
+                         const wfReal span[2])
+{
+    int32_t link = s->b.shapes[k].kind == WF_SHAPE_LINK ? k : other;
+    int32_t own = link == k ? other : k;
+    const wfShape *l = &s->b.shapes[link];
+    if (l->kind != WF_SHAPE_LINK) return 2;
+    wfSweep on = leg_between(s, s->b.owners[link], span[0], span[1]);
+    wfSweep of = leg_between(s, s->b.owners[own], span[0], span[1]);
+    wfReal hair = WF_IMPACT_GAP * s->b.materials[own].reach, x[2];
+    wfReal end = wfDistance(l->vertices[0], l->vertices[1]) - hair;
+    for (int i = 0; i < 2; i++)
+        x[i] = along_link(l, wfSweepAt(on, (wfReal)i),
+                          wfApply(wfSweepAt(of, (wfReal)i), s->b.shapes[own].centre));
+    if (x[0] >= hair && x[0] <= end) return span[0];
+    wfReal in = x[0] < hair ? hair : end;
+    if (x[0] < hair ? !(x[1] > hair) : !(x[1] < end)) return 2;
+    return span[0] + (in - x[0]) / (x[1] - x[0]) * (span[1] - span[0]);
+}
+/* <find the next impact of a flight> */
 /* How large an inner copy must be hit for a touch to count: eq:fast-graze. */
 static wfReal graze_share(const struct wfStep *s, int32_t k)
 {
@@ -344,25 +382,59 @@ typedef struct Ahead {
     wfStop  stop;
 } Ahead;
 /* <find the next impact of a flight> */
+/* A box round shape k on all of its leg, as though its centre stayed where the leg begins:
+ * eq:fast-clear. */
+static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
+{
+    const wfBodyState *old = &s->b.state[s->b.owners[k]];
+    wfReal turn = wfAbs(leg.angleFrom - old->angle) + wfAbs(leg.angleTo - leg.angleFrom);
+    wfReal arm = arm_of(s, k), angles = wfAbs(leg.angleFrom) + wfAbs(leg.angleTo) + 8;
+    wfReal blur = 16 * WF_EPSILON * angles * (arm + s->b.shapes[k].radius);
+    wfRect box = wfShapeBounds(&s->b.shapes[k], wfBodyTransform(old));
+    wfRect r = wfRectGrow(box, turn * arm + blur);
+    wfVec2 by = wfSub(leg.from, old->p);
+    return (wfRect){ .min = wfAdd(r.min, by), .max = wfAdd(r.max, by) };
+}
+
+static wfReal sum_of_sides(wfVec2 v) { return wfAbs(v.x) + wfAbs(v.y); }
+/* <find the next impact of a flight> */
+/* Do two shapes keep clear of each other on their legs? False: nobody knows. */
+static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, int32_t other,
+                       wfSweep leg)
+{
+    wfRect a = box_on_leg(s, k, own), b = box_on_leg(s, other, leg);
+    wfVec2 way = wfSub(wfSub(leg.to, leg.from), wfSub(own.to, own.from));
+    wfReal size = wfMinR(s->b.materials[k].reach, s->b.materials[other].reach);
+    wfReal far = sum_of_sides(own.from) + sum_of_sides(leg.from) + sum_of_sides(own.to)
+               + sum_of_sides(leg.to) + sum_of_sides(a.min) + sum_of_sides(b.min);
+    a = wfRectGrow(a, 2 * WF_IMPACT_GAP * size + 32 * WF_EPSILON * far);
+    b.min = wfAdd(b.min, wfMin2(way, wfV2(0, 0)));                /* eq:fast-clear-way */
+    b.max = wfAdd(b.max, wfMax2(way, wfV2(0, 0)));
+    return b.min.x > a.max.x || a.min.x > b.max.x || b.min.y > a.max.y || a.min.y > b.max.y;
+}
+/* <find the next impact of a flight> */
 static wfResult look_ahead(struct wfStep *s, const wfFlight *f, const Near *near, int32_t k,
                            const wfReal span[2], Ahead *out)
 {
-    wfSweep own = leg_between(s, f->body, span[0], span[1]);
     *out = (Ahead){ .other = -1, .at = 2 };
     for (int32_t n = 0; n < near->count; n++) {
         int32_t j = near->list[n];
         if (!may_meet(s, k, j)) continue;
         Ahead one = { .other = j };
+        wfReal from = is_deferred(s, k, j) ? comes_over(s, k, j, span) : span[0];
+        if (from >= span[1]) continue;
+        wfSweep own = leg_between(s, f->body, from, span[1]);
         wfObstacle other = { .shape = &s->b.shapes[j] };
-        other.sweep = leg_between(s, s->b.owners[j], span[0], span[1]);
+        other.sweep = leg_between(s, s->b.owners[j], from, span[1]);
+        if (keep_clear(s, k, own, j, other.sweep)) continue;
         wfResult result = wfStopAtOne(&s->b.shapes[k], own, &other, graze_share(s, k),
                                       &one.stop);
         if (result == WF_OK && (one.stop.stuck || one.stop.inner))
-            result = press(s, k, j, span[0], &one.presses);
+            result = press(s, k, j, from, &one.presses);
         if (result != WF_OK) return result;
         if (one.stop.obstacle < 0 && !one.presses) continue;
         wfReal share = one.presses ? 0 : one.stop.t;
-        one.at = wfMinR(span[0] + share * (span[1] - span[0]), 1);
+        one.at = wfMinR(from + share * (span[1] - from), 1);
         if (one.at < out->at) *out = one;
     }
     return WF_OK;
@@ -644,7 +716,11 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
     if (result != WF_OK) return result;
     /* <let them pass if the user says so> */
     if (pass && s->sparedCount < s->b.head->shapeCapacity) {
-        s->spared[s->sparedCount++] = p;
+        const wfReal rest[2] = { t, 1 };
+        bool first = c.manifold.count == 0 && t < 1 && !is_deferred(s, own, other);
+        wfReal over = first ? comes_over(s, own, other, rest) : 2;
+        bool later = over > t && over < 1;
+        s->spared[s->sparedCount++] = later ? (wfPair){ p.b, p.a } : p;
         return WF_OK;
     }
     /* <wake whom the impact concerns> */

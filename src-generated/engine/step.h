@@ -70,7 +70,8 @@ struct wfStep {
     wfReal           slack;       /* m: no other body moves farther */
     wfStrike        *strikes;     /* in the order of their pairs */
     int32_t          strikeCount;
-    wfPair          *spared;      /* pairs that a hook lets pass each other in this step */
+    wfPair          *spared;      /* pairs that pass each other in this step, lower first; or
+                                   * until the one comes over the other's link, higher first */
     int32_t          sparedCount;
     bool             followed;    /* somebody was not looked ahead for, since it is followed */
     bool             driven;      /* somebody is followed whom nothing can change */

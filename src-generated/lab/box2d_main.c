@@ -116,6 +116,172 @@ static void push(int k)
     double before = k > 0 ? pushed(k - 1) : 0;
     b2Body_SetLinearVelocity(pusher, (b2Vec2){ (float)(60 * (pushed(k) - before)), 0 });
 }
+/* <steered scenes for Box2D> */
+/* <bones of a ragdoll> */
+/* heights in m above the feet; a capsule from `low` to `high` about y; limits in half turns
+   from `bent`; `friction` is a share of 0.05 N m; damping in 1/s */
+enum { BONES = 11 };
+static const struct {
+    int on;
+    double y, low, high, radius, pivot, least, most, friction, damping, bent;
+    int foot;
+} bones[BONES] = {
+    { -1, 0.95, -0.02, 0.02, 0.095, 0, 0, 0, 0, 0, 0, 0 },                       /* hip */
+    { 0, 1.2, -0.135, 0.135, 0.09, 1, -0.25, 0, 0.5, 0, 0, 0 },                /* torso */
+    { 1, 1.475, -0.038, 0.039, 0.075, 1.4, -0.3, 0.1, 0.25, 0.1, 0, 0 },        /* head */
+    { 0, 0.775, -0.125, 0.125, 0.06, 0.9, -0.05, 0.4, 1, 0, 0, 0 },             /* legs */
+    { 3, 0.475, -0.155, 0.125, 0.045, 0.625, -0.5, -0.02, 0.5, 0, 0, 1 },
+    { 0, 0.775, -0.125, 0.125, 0.06, 0.9, -0.05, 0.4, 1, 0, 0, 0 },
+    { 5, 0.475, -0.155, 0.125, 0.045, 0.625, -0.5, -0.02, 0.5, 0, 0, 1 },
+    { 1, 1.225, -0.125, 0.125, 0.035, 1.35, -0.1, 0.8, 0.5, 0, 0, 0 },          /* arms */
+    { 7, 0.975, -0.125, 0.125, 0.03, 1.1, -0.2, 0.3, 0.1, 0.1, 0.25, 0 },
+    { 1, 1.225, -0.125, 0.125, 0.035, 1.35, -0.1, 0.8, 0.5, 0, 0, 0 },
+    { 9, 0.975, -0.125, 0.125, 0.03, 1.1, -0.2, 0.3, 0.1, 0.1, 0.25, 0 },
+};
+/* <bones of a ragdoll> */
+static const double soles[4][2] = { { -0.03, -0.185 }, { 0.11, -0.185 }, { 0.11, -0.16 },
+                                    { -0.03, -0.14 } };     /* in a coat of 15 mm */
+enum { SHELVES = 5, COLUMNS = 40, CROWD = 5, SHELF = 501, MAKE_EVERY = 8 };
+enum { RAGDOLLS = SHELVES * COLUMNS * CROWD };
+static const double pi = 3.14159265358979323846;
+
+/* Which column is made before step k, or -1; and has it been made before? */
+static int column_of(int k, int *again)
+{
+    int n = k / MAKE_EVERY;
+    *again = n >= COLUMNS;
+    return k % MAKE_EVERY == 0 ? n % COLUMNS : -1;
+}
+static b2WorldId rained;
+static b2BodyId dolls[RAGDOLLS][BONES];
+
+static void shelves(b2WorldId world)
+{
+    b2BodyId ground = body_at(world, b2_staticBody, 0, 0);
+    for (int i = 0; i < SHELVES; i++)
+        for (int k = 0; k < SHELF; k++) tile(ground, -125 + 0.5 * k, 45 * i, 0.5, 0.5);
+    rained = world;
+}
+
+static void add_bone(b2BodyId id, int bone, int place)
+{
+    b2ShapeDef d = b2DefaultShapeDef();
+    b2Capsule c = { { 0, (float)bones[bone].low }, { 0, (float)bones[bone].high },
+                    (float)bones[bone].radius };
+    b2Vec2 v[4];
+    d.material.friction = 0.2f;
+    d.filter = (b2Filter){ .categoryBits = 2, .maskBits = 3, .groupIndex = -1 - place };
+    b2CreateCapsuleShape(id, &d, &c);
+    if (!bones[bone].foot) return;
+    /* <add a foot for Box2D> */
+    for (int i = 0; i < 4; i++) v[i] = (b2Vec2){ (float)soles[i][0], (float)soles[i][1] };
+    b2Hull hull = b2ComputeHull(v, 4);
+    b2Polygon foot = b2MakePolygon(&hull, 0.015f);
+    d.material.friction = 0.05f;
+    d.filter.maskBits = 1;
+    b2CreatePolygonShape(id, &d, &foot);
+}
+/* <steered scenes for Box2D> */
+static void hang_bone(b2WorldId world, const b2BodyId *doll, int bone)
+{
+    b2RevoluteJointDef d = b2DefaultRevoluteJointDef();
+    int on = bones[bone].on;
+    d.base.bodyIdA = doll[on], d.base.bodyIdB = doll[bone];
+    d.base.localFrameA.p.y = (float)(bones[bone].pivot - bones[on].y);
+    d.base.localFrameB.p.y = (float)(bones[bone].pivot - bones[bone].y);
+    d.base.localFrameA.q = b2MakeRot((float)(bones[bone].bent * pi));
+    d.enableLimit = d.enableMotor = d.enableSpring = true;
+    d.lowerAngle = (float)(bones[bone].least * pi);
+    d.upperAngle = (float)(bones[bone].most * pi);
+    d.maxMotorTorque = (float)(0.05 * bones[bone].friction);
+    d.hertz = 5;
+    d.dampingRatio = 0.5f;
+    b2CreateRevoluteJoint(world, &d);
+}
+/* <steered scenes for Box2D> */
+static void make_doll(b2WorldId world, b2BodyId *doll, double x, double y, int place)
+{
+    for (int i = 0; i < BONES; i++) {
+        doll[i] = body_at(world, b2_dynamicBody, x, y + bones[i].y);
+        b2Body_SetLinearDamping(doll[i], (float)bones[i].damping);
+        add_bone(doll[i], i, place);
+        if (i > 0) hang_bone(world, doll, i);
+    }
+}
+
+static void rain(int k)
+{
+    int again, column = column_of(k, &again);
+    for (int i = 0; i < SHELVES * CROWD && column >= 0; i++) {
+        b2BodyId *doll = dolls[column * SHELVES * CROWD + i];
+        double x = -125 + 6.25 * (column + 0.5) + 0.5 * (i % CROWD);
+        for (int n = 0; n < BONES && again; n++) b2DestroyBody(doll[n]);
+        make_doll(rained, doll, x, 40 + 45 * (i / CROWD), i % CROWD);
+    }
+}
+/* <steered scenes for Box2D> */
+enum { SMALL = 6076, HALL = 360 };
+static b2BodyId small[SMALL];
+
+static b2BodyId hall(b2WorldId world)
+{
+    b2Vec2 v[HALL];
+    b2SurfaceMaterial m = { .friction = 0.1f };
+    b2ChainDef d = b2DefaultChainDef();
+    b2BodyId ground = body_at(world, b2_staticBody, 0, 0);
+    for (int i = 0; i < HALL; i++) {
+        double turn = -2 * pi * i / HALL;
+        v[i] = (b2Vec2){ (float)(40 * cos(turn)), (float)(32 + 40 * sin(turn)) };
+    }
+    d.points = v, d.count = HALL, d.isLoop = true;
+    d.materials = &m, d.materialCount = 1;
+    b2CreateChain(ground, &d);
+    return ground;
+}
+/* <steered scenes for Box2D> */
+static void add_bar(b2WorldId world, b2BodyId ground)
+{
+    b2ShapeDef s = b2DefaultShapeDef();
+    b2RevoluteJointDef d = b2DefaultRevoluteJointDef();
+    b2BodyId bar = body_at(world, b2_dynamicBody, 0, 12);
+    b2Polygon box = b2MakeRoundedBox(0.4f, 20, 0.2f);
+    s.material.friction = 0;
+    b2CreatePolygonShape(bar, &s, &box);
+    d.base.bodyIdA = ground, d.base.bodyIdB = bar;
+    d.base.localFrameA.p.y = 12;
+    d.enableMotor = true;
+    d.motorSpeed = 5;
+    d.maxMotorTorque = 1e30f;
+    b2CreateRevoluteJoint(world, &d);
+}
+/* <steered scenes for Box2D> */
+static void spinner(b2WorldId world)
+{
+    b2ShapeDef s = b2DefaultShapeDef();
+    b2Capsule capsule = { { -0.25f, 0 }, { 0.25f, 0 }, 0.25f };
+    b2Circle disc = { { 0, 0 }, 0.35f };
+    b2Polygon box = b2MakeSquare(0.35f);
+    add_bar(world, hall(world));
+    s.material.friction = s.material.restitution = 0.1f;
+    s.density = 0.25f;
+    for (int i = 0; i < SMALL; i++) {
+        double x = -23 + 0.5 * (i % 92), y = 2 + 0.5 * (i / 92);
+        small[i] = body_at(world, b2_dynamicBody, x, y);
+        if (i % 3 == 0) b2CreateCapsuleShape(small[i], &s, &capsule);
+        if (i % 3 == 1) b2CreateCircleShape(small[i], &s, &disc);
+        if (i % 3 == 2) b2CreatePolygonShape(small[i], &s, &box);
+    }
+}
+
+static int out_of_hall(void)
+{
+    int out = 0;
+    for (int i = 0; i < SMALL; i++) {
+        b2Pos p = b2Body_GetPosition(small[i]);
+        out += hypot(p.x, p.y - 32) > 40;
+    }
+    return out;
+}
 /* <time the scenes in Box2D> */
 static int compare(const void *a, const void *b)
 {
@@ -128,9 +294,10 @@ typedef struct Scene {
     void (*build)(b2WorldId world);
     void (*steer)(int k);           /* before step k; NULL: nobody steers */
     int before, runs;               /* steps that are not timed, and that are */
+    int (*lost)(void);              /* bodies that are lost at the end; NULL: none */
 } Scene;
 
-static double median_step(const Scene *scene, b2Counters *counters)
+static double median_step(const Scene *scene, b2Counters *counters, int *lost)
 {
     static double times[1000];
     b2WorldDef def = b2DefaultWorldDef();
@@ -144,6 +311,7 @@ static double median_step(const Scene *scene, b2Counters *counters)
         if (i >= 0) times[i] = 1e3 * (double)(clock() - start) / CLOCKS_PER_SEC;
     }
     *counters = b2World_GetCounters(world);
+    *lost = scene->lost != NULL ? scene->lost() : 0;
     b2DestroyWorld(world);
     qsort(times, (size_t)scene->runs, sizeof *times, compare);
     return times[scene->runs / 2];
@@ -152,16 +320,20 @@ static double median_step(const Scene *scene, b2Counters *counters)
 int main(int argc, char **argv)
 {
     static const Scene scenes[] = {
-        { "pile", pile, NULL, 300, 201 }, { "pyramid", pyramid, NULL, 300, 201 },
-        { "grid", grid, NULL, 300, 201 },
-        { "junkyard", junkyard, push, 0, 800 },
+        { "pile", pile, NULL, 300, 201, NULL },
+        { "pyramid", pyramid, NULL, 300, 201, NULL },
+        { "grid", grid, NULL, 300, 201, NULL },
+        { "junkyard", junkyard, push, 0, 800, NULL },
+        { "rain", shelves, rain, 0, 1000, NULL },
+        { "spinner", spinner, NULL, 0, 500, out_of_hall },
     };
     int steered = argc == 2 && strcmp(argv[1], "steered") == 0;
-    for (int i = steered ? 3 : 0; i < (steered ? 4 : 3); i++) {
+    for (int i = steered ? 3 : 0; i < (steered ? 6 : 3); i++) {
         b2Counters c;
-        double ms = median_step(&scenes[i], &c);
-        printf("%s,%d bodies,%d joints,%d contacts,%.2f ms\n", scenes[i].name, c.bodyCount,
-               c.jointCount, c.contactCount, ms);
+        int lost;
+        double ms = median_step(&scenes[i], &c, &lost);
+        printf("%s,%d bodies,%d joints,%d contacts,%d lost,%.2f ms\n", scenes[i].name,
+               c.bodyCount, c.jointCount, c.contactCount, lost, ms);
     }
     return 0;
 }

@@ -140,14 +140,23 @@ static double acc_play(const char *command, const char *printed, int first, int 
 static const char *const acc_peers[] = { "weft", "weft-double", "box2d2", "box2d3",
     "box2d3-web", "chipmunk", "matter", "planck", "rapier" };
 enum { ACC_PEERS = sizeof acc_peers / sizeof *acc_peers };
+
+/* Has an engine that dial? Substeps: this one and Box2D 3; iterations: all but Box2D 3. */
+static bool acc_turns(int peer, const char *dial)
+{
+    bool own = strncmp(acc_peers[peer], "weft", 4) == 0;
+    bool soft = strncmp(acc_peers[peer], "box2d3", 6) == 0;
+    if (strcmp(dial, "substeps") == 0) return own || soft;
+    return strcmp(dial, "iterations") != 0 || !soft;
+}
 /* <cells> */
-/* What the shell is told; substeps 0: as many as the engine likes. */
+/* What the shell is told: all dials but the one named are as the engine likes them. */
 static void acc_command(char *out, size_t room, const char *peer, const char *file,
-                        const char *printed, int steps, int substeps)
+                        const char *printed, int steps, const char *dial, int value)
 {
     const char *folder = getenv("WEFT_PEERS");
     char more[32] = "";
-    if (substeps > 0) snprintf(more, sizeof more, "--substeps %d", substeps);
+    if (strcmp(dial, "steps") != 0) snprintf(more, sizeof more, "--%.12s %d", dial, value);
     snprintf(out, room, "'%s/%.16s' '%s' --steps %d --every %d --dt %.17g %s >'%s' "
              "2>/dev/null", folder != NULL ? folder : "build/peers/bin", peer, file,
              LAB_FRAMES * steps, steps, 1.0 / 60 / steps, more, printed);
@@ -170,8 +179,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     acc_write(&labTruths[scene], &f);
     if (fclose(f.file) != 0) return 1;
     if (strcmp(dial, "steps") == 0) steps = value;
-    acc_command(command, sizeof command, peer, file, printed, steps,
-                strcmp(dial, "substeps") == 0 ? value : 0);
+    acc_command(command, sizeof command, peer, file, printed, steps, dial, value);
     int first = strcmp(labTruths[scene].name, "projectile") != 0;
     double kernels = acc_play(command, printed, first, f.bodies - first, got);
     double error = labJudge(&labTruths[scene], f.reach, got, f.bodies - first);
@@ -186,17 +194,16 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
 /* <cells> */
 static void sweep_accuracy_peers(FILE *out, int full)
 {
+    static const char *const dials[] = { "steps", "substeps", "iterations" };
     for (int s = 0; s < labTruthCount; s++) {
         const labTruth *t = &labTruths[s];
         if (s < labFindTruth("projectile") || strcmp(t->name, "ball") == 0) continue;
         for (int v = 1; v <= 64 && t->course != NULL; v *= full ? 2 : 4)
-            for (int i = 0; i < ACC_PEERS; i++) {
-                fprintf(out, "scene=%s engine=%s dial=steps value=%d\n", t->name,
-                        acc_peers[i], v);
-                if (i < 2 || i == 3 || i == 4)
-                    fprintf(out, "scene=%s engine=%s dial=substeps value=%d\n", t->name,
-                            acc_peers[i], v);
-            }
+            for (int i = 0; i < ACC_PEERS; i++)
+                for (int d = 0; d < 3; d++)
+                    if (acc_turns(i, dials[d]))
+                        fprintf(out, "scene=%s engine=%s dial=%s value=%d\n", t->name,
+                                acc_peers[i], dials[d], v);
     }
 }
 /* <cells> */

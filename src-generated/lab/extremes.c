@@ -123,13 +123,13 @@ static void judge_spin(const labTrace *t, double spin, double *error, double *ha
     *error = *harm = fmax(fabs(at_end(t, 0, LAB_SPIN) / spin - 1), moved(t, 0));
 }
 /* <extremes> */
-static void drop_ball(labScene *s, double seconds)
+static void drop_ball(labScene *s, double height, double seconds)
 {
     s->gravity = 10;
     s->steps = (int)(seconds * 60 + 0.5);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
-    put(s, &(Put){ .y = 5.5, .radius = 0.5, .density = 1 });
+    put(s, &(Put){ .y = height + 0.5, .radius = 0.5, .density = 1 });
 }
 
 /* the greatest height over the floor after that time; infinite if it was ever below it */
@@ -147,7 +147,7 @@ static double peak_after(const labTrace *t, double time)
 static void build_bounce(labScene *s, double e)
 {
     s->restitution = e;
-    drop_ball(s, 1.2 + e);
+    drop_ball(s, 5, 1.2 + e);
 }
 
 static void judge_bounce(const labTrace *t, double e, double *error, double *harm)
@@ -161,7 +161,7 @@ static void build_bounces(labScene *s, double n)
 {
     s->restitution = 1;
     s->every = n > 30 ? 6 : 1;
-    drop_ball(s, 2 * n + 0.5);
+    drop_ball(s, 5, 2 * n + 0.5);
 }
 
 static void judge_bounces(const labTrace *t, double n, double *error, double *harm)
@@ -173,13 +173,9 @@ static void judge_bounces(const labTrace *t, double n, double *error, double *ha
 /* <extremes> */
 static void build_hops(labScene *s, double n)
 {
-    s->gravity = 10;
     s->restitution = 1;
-    s->steps = (int)(24 * n);
     s->every = n > 100 ? 61 : 1;
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
-    put(s, &(Put){ .y = 0.7, .radius = 0.5, .density = 1 });
+    drop_ball(s, 0.2, 0.4 * n);
 }
 
 static void judge_hops(const labTrace *t, double n, double *error, double *harm)
@@ -188,6 +184,48 @@ static void judge_hops(const labTrace *t, double n, double *error, double *harm)
     double peak = peak_after(t, labTime(t, t->rows - 1) - seen) / 0.2;
     *error = fabs(peak - 1);
     *harm = 2 * *error;
+}
+/* <extremes> */
+static double fall_time(double height) { return sqrt(2 * height / 10); }
+
+static void build_heights(labScene *s, double height)
+{
+    s->restitution = 1;
+    drop_ball(s, height, 11.5 * fall_time(height));
+}
+
+static void judge_heights(const labTrace *t, double height, double *error, double *harm)
+{
+    double peak = peak_after(t, 9.2 * fall_time(height)) / height;
+    *error = fabs(peak - 1);
+    *harm = 2 * *error;
+}
+/* <extremes> */
+static double bounced(double height, double e, double t)    /* its height at that time */
+{
+    double v = sqrt(20 * height), fall = fall_time(height);
+    if (t < fall) return height - 5 * t * t;
+    t -= fall;
+    for (v *= e; v > 1e-9 && t > v / 5; v *= e) t -= v / 5;
+    return v > 1e-9 ? v * t - 5 * t * t : 0;
+}
+
+static const double zenoDrop = 3.3;
+
+static void build_zeno(labScene *s, double e)
+{
+    s->restitution = e;
+    drop_ball(s, zenoDrop, 1.33 * fall_time(zenoDrop) * (1 + e) / (1 - e));
+}                                                           /* eq:extremes-zeno */
+/* <extremes> */
+static void judge_zeno(const labTrace *t, double e, double *error, double *harm)
+{
+    *error = fabs(at_end(t, 1, LAB_VY)) / sqrt(20 * zenoDrop);
+    for (int i = 0; i < t->rows; i++) {
+        double y = labAt(t, i, 1, LAB_Y) - 0.5;
+        *error = fmax(*error, fabs(y - bounced(zenoDrop, e, labTime(t, i))) / zenoDrop);
+    }
+    *harm = peak_after(t, 0) / zenoDrop / 1.01;
 }
 /* <extremes> */
 static void build_cradle(labScene *s, double n)
@@ -211,6 +249,38 @@ static void judge_cradle(const labTrace *t, double n, double *error, double *har
         *error = fmax(*error, fabs(v - (i == (int)n - 1)));
     }
     *harm = energy / 1.01;
+}
+/* <extremes> */
+static const double hungRod = 2, hungAngle = 0.5;
+
+static void build_hung(labScene *s, double n)
+{
+    double aside = hungRod * sin(hungAngle), low = hungRod * cos(hungAngle);
+    s->gravity = 10;
+    s->restitution = 1;
+    s->steps = 102;
+    open_scene(s);
+    put(s, &(Put){ .x = n / 2, .y = hungRod + 1, .width = n, .height = 0.1, .mask = 2 });
+    for (int i = 0; i < (int)n; i++)
+        put(s, &(Put){ .x = i > 0 ? i : -aside, .y = hungRod - (i > 0 ? hungRod : low),
+                       .angle = i > 0 ? 0 : -hungAngle, .radius = 0.5, .density = 1 });
+    for (int i = 0; i < (int)n; i++) hinge(s, 0, i + 1, i, hungRod);
+}
+/* <extremes> */
+static void judge_hung(const labTrace *t, double n, double *error, double *harm)
+{
+    double lift = hungRod * (1 - cos(hungAngle)), peak = 0, energy = 0;
+    *error = 0;
+    for (int i = 0; i < t->rows; i++) peak = fmax(peak, labAt(t, i, (int)n, LAB_Y));
+    for (int k = 1; k <= (int)n; k++) {
+        double x = at_end(t, k, LAB_X) - (k - 1), y = at_end(t, k, LAB_Y);
+        double v = hypot(at_end(t, k, LAB_VX), at_end(t, k, LAB_VY));
+        double w = at_end(t, k, LAB_SPIN);
+        if (k < (int)n) *error = fmax(*error, hypot(x, y) / (hungRod * sin(hungAngle)));
+        energy += v * v / 2 + w * w / 16 + 10 * y;
+    }
+    *error = fmax(*error, fabs(peak / lift - 1));
+    *harm = energy / (10 * lift) / 1.01;
 }
 /* <extremes> */
 static void build_billiard(labScene *s, double k)
@@ -245,7 +315,9 @@ static void judge_billiard(const labTrace *t, double k, double *error, double *h
     }
 }
 /* <extremes> */
-/* ten discs fly at a wall; all of them can meet it, and none another */
+enum { BULLETS = 20 };
+
+/* so many discs fly at a wall; all of them can meet it, and none another */
 static void fire_at(labScene *s, double speed, const Put *wall)
 {
     double step = speed / 60;
@@ -253,26 +325,26 @@ static void fire_at(labScene *s, double speed, const Put *wall)
     s->steps = 30 + (int)((1 + step) / step);
     open_scene(s);
     put(s, wall);
-    for (int i = 0; i < 10; i++)
-        put(s, &(Put){ .x = -1 - i * step / 10, .y = i, .vx = speed, .radius = 0.05,
+    for (int i = 0; i < BULLETS; i++)
+        put(s, &(Put){ .x = -1 - i * step / BULLETS, .y = i, .vx = speed, .radius = 0.05,
                        .density = 1, .category = 2, .mask = 1 });
 }
 
 static void build_bullets(labScene *s, double speed)
 {
-    fire_at(s, speed, &(Put){ .y = 5, .width = 0.05, .height = 20 });
+    fire_at(s, speed, &(Put){ .y = 10, .width = 0.05, .height = 20 });
 }
 /* <extremes> */
 static void judge_passed(const labTrace *t, int moves, double *error, double *harm)
 {
     *error = 0;
-    for (int i = 1; i <= 10; i++) {
+    for (int i = 1; i <= BULLETS; i++) {
         int passed = 0;
         for (int row = 0; row < t->rows; row++)
             passed |= !(labAt(t, row, i, LAB_X) <= (moves ? labAt(t, row, 0, LAB_X) : 0));
-        *error += passed / 10.0;
+        *error += 1.0 * passed / BULLETS;
     }
-    *harm = 20 * *error;
+    *harm = 2 * BULLETS * *error;
 }
 
 static void judge_bullets(const labTrace *t, double speed, double *error, double *harm)
@@ -283,7 +355,7 @@ static void judge_bullets(const labTrace *t, double speed, double *error, double
 /* <extremes> */
 static void build_plates(labScene *s, double speed)
 {
-    fire_at(s, speed, &(Put){ .y = 5, .width = 0.05, .height = 20, .density = 1,
+    fire_at(s, speed, &(Put){ .y = 10, .width = 0.05, .height = 20, .density = 1,
                               .upright = 1 });
 }
 
@@ -297,7 +369,7 @@ static void build_slide(labScene *s, double mu)
 {
     s->gravity = 10;
     s->friction = mu;
-    s->steps = (int)(60 * (1 / mu + 1));
+    s->steps = mu > 0 ? (int)(60 * (1 / mu + 1)) : 600;
     s->every = 1 + s->steps / 100;
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 1000, .height = 1 });
@@ -307,7 +379,7 @@ static void build_slide(labScene *s, double mu)
 /* <extremes> */
 static void judge_slide(const labTrace *t, double mu, double *error, double *harm)
 {
-    double d = 5 / mu;
+    double d = mu > 0 ? 5 / mu : 10 * labTime(t, t->rows - 1);
     *error = fabs(at_end(t, 1, LAB_X) - d) / (d + 10.0 / 60);
     *harm = fmax(*error, fabs(at_end(t, 1, LAB_Y) - 0.25) / 0.5);
 }
@@ -338,6 +410,29 @@ static void judge_hold(const labTrace *t, double slope, double *error, double *h
 {
     (void)slope;
     *error = *harm = moved(t, 1) / 2;
+}
+/* <extremes> */
+static const double slipSlope = 0.6;
+
+static double slip_rate(double share)                       /* m/s^2, down the slope */
+{
+    return share < 1 ? 10 * sin(atan(slipSlope)) * (1 - share) : 0;
+}
+
+static void build_slip(labScene *s, double share)
+{
+    s->gravity = 10;
+    s->friction = share * slipSlope;
+    s->steps = share < 1 ? (int)(60 * sqrt(10 / slip_rate(share))) : 600;
+    s->every = 1 + s->steps / 100;
+    put_slope(s, slipSlope, &(Put){ .width = 1, .height = 0.25, .density = 1 });
+}
+
+static void judge_slip(const labTrace *t, double share, double *error, double *harm)
+{
+    double time = labTime(t, t->rows - 1), exact = slip_rate(share) * time * time / 2;
+    *error = exact > 0 ? fabs(moved(t, 1) / exact - 1) : moved(t, 1) / 2;
+    *harm = exact > 0 ? 2 * *error : *error;
 }
 /* <extremes> */
 static void build_roll(labScene *s, double slope)
@@ -833,19 +928,27 @@ const labExtreme labExtremeTable[] = {
       build_bounces, judge_bounces },
     { "hops", "how many", "height after very many", { 10, 100, 1e3, 1e4, 1e5 }, 5, 3,
       build_hops, judge_hops },
+    { "heights", "metres", "a drop that ends within a step",
+      { 5.1, 3.3, 1.7, 0.83, 0.37, 0.19 }, 6, 3, build_heights, judge_heights },
+    { "zeno", "restitution", "endless bounces that end", { 0.5, 0.3, 0.7, 0.8, 0.9, 0.95 }, 6,
+      3, build_zeno, judge_zeno },
     { "cradle", "discs", "discs in a row that touch", { 2, 3, 5, 10, 20, 50 }, 6, 3,
       build_cradle, judge_cradle },
+    { "hung", "discs", "discs that hang and touch", { 2, 3, 5, 10, 20, 50 }, 6, 3, build_hung,
+      judge_hung },
     { "billiard", "log100 of the masses' ratio", "Galperin's discs", { 0, 0.5, 1, 1.5, 2, 3 },
       6, 3, build_billiard, judge_billiard },
-    { "bullets", "m/s", "thin wall, ten phases", { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3,
+    { "bullets", "m/s", "thin wall, twenty phases", { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3,
       build_bullets, judge_bullets },
     { "plates", "m/s", "a thin wall that can move", { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3,
       build_plates, judge_plates },
     /* <rows of the table of extremes> */
-    { "slide", "friction", "how far a block slides", { 0.5, 0.1, 0.01, 1, 10, 100 }, 6, 3,
+    { "slide", "friction", "how far a block slides", { 0.5, 0.1, 0.01, 1, 10, 100, 0 }, 7, 3,
       build_slide, judge_slide },
     { "hold", "tangent of the slope", "a plank that must not slide", { 0.1, 0.3, 0.6, 1, 2, 3 },
       6, 3, build_hold, judge_hold },
+    { "slip", "friction, of the limit", "a plank on a slope slides or stays",
+      { 1.5, 0.5, 1.1, 0.9, 1.01, 0.99, 1.001, 0.999 }, 8, 4, build_slip, judge_slip },
     { "roll", "tangent of the slope", "a disc rolls down", { 0.3, 0.1, 0.02, 1, 3 }, 5, 3,
       build_roll, judge_roll },
     /* <rows of the table of extremes> */
@@ -857,7 +960,7 @@ const labExtreme labExtremeTable[] = {
       { 2, 1.5, 0.8, 1.2, 1.1, 1.05, 0.95 }, 7, 4, build_arch, judge_arch },
     { "cards", "storeys", "a card house", { 1, 2, 3, 4, 5, 7 }, 6, 3, build_cards,
       judge_cards },
-    { "soak", "steps", "three planks on a slope", { 1e3, 1e4, 1e5 }, 3, 2, build_soak,
+    { "soak", "steps", "three planks on a slope", { 1e3, 1e4, 1e5, 1e6 }, 4, 2, build_soak,
       judge_soak },
     /* <rows of the table of extremes> */
     { "tower", "boxes", "a tower stands", { 2, 5, 10, 20, 50, 100, 200, 500, 1000 }, 9, 4,

@@ -4874,7 +4874,7 @@ static void copy_command(wfDraw *d, const wfDraw *from, int i, const TilePlace *
     case WF_DRAW_POLYGON: wfDrawPolygon(d, xy, c->count, size, c->line, c->fill); break;
     case WF_DRAW_POLYLINE: wfDrawPolyline(d, xy, c->count, size, c->line); break;
     case WF_DRAW_TEXT:
-        wfDrawText(d, xy[0], xy[1], 0.4f * c->size, role, c->anchor,
+        wfDrawText(d, xy[0], xy[1], size, role, c->anchor,
                    wfDrawString(from, c));
         break;
     default: break;
@@ -5033,6 +5033,7 @@ static void window_list(wfDraw *d, const camera *c, const char *open)
     }
     for (int i = 0; i < wfOverlayCount; i++) {
         float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
+        if (!wfOverlayTable[i].key) continue;           /* of the panel "See" */
         y = 700 - LIST_BOTTOM + 27 + (float)(i / 2 * ROW);
         window_box(d, c, x, y + 3, 12, 12, WF_INK_PAPER);
         window_text(d, c, x + 17, y + 14, WF_INK_TEXT, -1, wfOverlayTable[i].name);

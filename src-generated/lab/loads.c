@@ -406,9 +406,190 @@ static wfResult push(wfWorld *world, wfBodyId pusher, int32_t k)
     return wfSetBodyVelocity(world, pusher, wfV2(60 * (pushed(k) - before), 0), 0);
 }
 /* <steered scenes> */
+/* <bones of a ragdoll> */
+/* heights in m above the feet; a capsule from `low` to `high` about y; limits in half turns
+   from `bent`; `friction` is a share of 0.05 N m; damping in 1/s */
+enum { BONES = 11 };
+static const struct {
+    int on;
+    double y, low, high, radius, pivot, least, most, friction, damping, bent;
+    int foot;
+} bones[BONES] = {
+    { -1, 0.95, -0.02, 0.02, 0.095, 0, 0, 0, 0, 0, 0, 0 },                       /* hip */
+    { 0, 1.2, -0.135, 0.135, 0.09, 1, -0.25, 0, 0.5, 0, 0, 0 },                /* torso */
+    { 1, 1.475, -0.038, 0.039, 0.075, 1.4, -0.3, 0.1, 0.25, 0.1, 0, 0 },        /* head */
+    { 0, 0.775, -0.125, 0.125, 0.06, 0.9, -0.05, 0.4, 1, 0, 0, 0 },             /* legs */
+    { 3, 0.475, -0.155, 0.125, 0.045, 0.625, -0.5, -0.02, 0.5, 0, 0, 1 },
+    { 0, 0.775, -0.125, 0.125, 0.06, 0.9, -0.05, 0.4, 1, 0, 0, 0 },
+    { 5, 0.475, -0.155, 0.125, 0.045, 0.625, -0.5, -0.02, 0.5, 0, 0, 1 },
+    { 1, 1.225, -0.125, 0.125, 0.035, 1.35, -0.1, 0.8, 0.5, 0, 0, 0 },          /* arms */
+    { 7, 0.975, -0.125, 0.125, 0.03, 1.1, -0.2, 0.3, 0.1, 0.1, 0.25, 0 },
+    { 1, 1.225, -0.125, 0.125, 0.035, 1.35, -0.1, 0.8, 0.5, 0, 0, 0 },
+    { 9, 0.975, -0.125, 0.125, 0.03, 1.1, -0.2, 0.3, 0.1, 0.1, 0.25, 0 },
+};
+/* <bones of a ragdoll> */
+static const double soles[4][2] = { { -0.03, -0.185 }, { 0.11, -0.185 }, { 0.11, -0.16 },
+                                    { -0.03, -0.14 } };     /* in a coat of 15 mm */
+enum { SHELVES = 5, COLUMNS = 40, CROWD = 5, SHELF = 501, MAKE_EVERY = 8 };
+enum { RAGDOLLS = SHELVES * COLUMNS * CROWD };
+static const double pi = 3.14159265358979323846;
+
+/* Which column is made before step k, or -1; and has it been made before? */
+static int column_of(int k, int *again)
+{
+    int n = k / MAKE_EVERY;
+    *again = n >= COLUMNS;
+    return k % MAKE_EVERY == 0 ? n % COLUMNS : -1;
+}
+static wfBodyId dolls[RAGDOLLS][BONES];
+
+static wfResult build_rain(wfWorld *world, wfBodyId *ground)
+{
+    wfBodyDef d = wfDefaultBodyDef();
+    d.type = WF_STATIC;
+    wfResult result = wfAddBodyToWorld(world, &d, ground);
+    for (int i = 0; i < SHELVES * SHELF && result == WF_OK; i++) {
+        wfShapeDef tile = box_at(-125 + 0.5 * (i % SHELF), 45 * (i / SHELF), 0.5, 0.5);
+        result = more(world, *ground, &tile);
+    }
+    return result;
+}
+/* <steered scenes> */
+static wfResult make_bone(wfWorld *world, int i, wfVec2 feet, int place, wfBodyId *out)
+{
+    wfShapeDef s = wfDefaultShapeDef();
+    wfVec2 v[4], up = wfV2(0, (wfReal)bones[i].y);
+    wfVec2 low = wfV2(0, (wfReal)bones[i].low), high = wfV2(0, (wfReal)bones[i].high);
+    wfBodyDef d = wfDefaultBodyDef();
+    d.type = WF_DYNAMIC;
+    d.position = wfAdd(feet, up);
+    d.linearDamping = (wfReal)bones[i].damping;
+    wfMakeCapsule(low, high, (wfReal)bones[i].radius, &d.shape);
+    s.shape = d.shape;
+    s.friction = WF_R(0.2);
+    s.filter = (wfFilter){ .category = 2, .mask = 3, .group = -1 - place };
+    wfResult result = wfAddBodyToWorld(world, &d, out);
+    if (result == WF_OK) result = wfSetShape(world, wfFirstShape(world, *out), &s);
+    if (result != WF_OK || !bones[i].foot) return result;
+    for (int k = 0; k < 4; k++) v[k] = wfV2((wfReal)soles[k][0], (wfReal)soles[k][1]);
+    wfMakeRoundedPolygon(v, 4, WF_R(0.015), &s.shape);
+    s.friction = WF_R(0.05);
+    s.filter.mask = 1;
+    return more(world, *out, &s);
+}
+/* <steered scenes> */
+static wfResult hang_bone(wfWorld *world, const wfBodyId *doll, int i, wfVec2 feet)
+{
+    wfJoint j;
+    wfBodyId on = doll[bones[i].on];
+    wfVec2 at = wfAdd(feet, wfV2(0, (wfReal)bones[i].pivot));
+    wfResult result = wfJoinBodies(world, "revolute", on, doll[i], at, at, wfV2(1, 0), &j);
+    if (result != WF_OK) return result;
+    const wfBodyState *state = wfWorldBodies(world).state;
+    wfReal felt = 1 / (state[j.a].invInertia + state[j.b].invInertia);
+    wfReal rate = (wfReal)(2 * pi * 5);
+    j.flags |= WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS;
+    j.stiffness = rate * rate * felt;                       /* eq:performance-spring */
+    j.damping = rate * felt;                                /* zeta: a half */
+    j.rest = (wfReal)(bones[i].bent * pi);
+    j.lower = (wfReal)((bones[i].bent + bones[i].least) * pi);
+    j.upper = (wfReal)((bones[i].bent + bones[i].most) * pi);
+    j.motorForce = (wfReal)(0.05 * bones[i].friction);
+    return wfAddJointToWorld(world, &j, NULL);
+}
+/* <steered scenes> */
+static wfResult make_doll(wfWorld *world, wfBodyId *doll, wfVec2 feet, int place)
+{
+    wfResult result = WF_OK;
+    for (int i = 0; i < BONES && result == WF_OK; i++) {
+        result = make_bone(world, i, feet, place, &doll[i]);
+        if (result == WF_OK && i > 0) result = hang_bone(world, doll, i, feet);
+    }
+    return result;
+}
+
+static wfResult rain(wfWorld *world, wfBodyId ground, int32_t k)
+{
+    int again, column = column_of(k, &again);
+    wfResult result = WF_OK;
+    (void)ground;
+    for (int i = 0; i < SHELVES * CROWD && column >= 0 && result == WF_OK; i++) {
+        wfBodyId *doll = dolls[column * SHELVES * CROWD + i];
+        double x = -125 + 6.25 * (column + 0.5) + 0.5 * (i % CROWD);
+        wfVec2 feet = wfV2((wfReal)x, (wfReal)(40 + 45 * (i / CROWD)));
+        for (int n = 0; n < BONES && again && result == WF_OK; n++)
+            result = wfRemoveBodyFromWorld(world, doll[n]);
+        if (result == WF_OK) result = make_doll(world, doll, feet, i % CROWD);
+    }
+    return result;
+}
+/* <steered scenes> */
+enum { SMALL = 6076, HALL = 360 };
+
+static wfResult build_hall(wfWorld *world, wfBodyId *ground)
+{
+    static wfShape links[HALL];
+    wfVec2 v[HALL];
+    wfBodyDef d = wfDefaultBodyDef();
+    wfShapeDef s = wfDefaultShapeDef();
+    int count = 0;
+    d.type = WF_STATIC;
+    s.friction = WF_R(0.1);
+    s.density = 0;
+    for (int i = 0; i < HALL; i++) {
+        double turn = -2 * pi * i / HALL;
+        v[i] = wfV2((wfReal)(40 * cos(turn)), (wfReal)(32 + 40 * sin(turn)));
+    }
+    wfResult result = wfMakeChain(v, HALL, true, links, HALL, &count);
+    if (result == WF_OK) result = wfAddBodyToWorld(world, &d, ground);
+    for (int i = 0; i < count && result == WF_OK; i++) {
+        s.shape = links[i];
+        result = more(world, *ground, &s);
+    }
+    return result;
+}
+/* <steered scenes> */
+static wfResult add_bar(wfWorld *world, wfBodyId ground, wfBodyId *bar)
+{
+    wfShapeDef s = wfDefaultShapeDef();
+    wfJoint j;
+    wfVec2 at = wfV2(0, 12);
+    s.friction = 0;
+    wfMakeRoundedBox(WF_R(0.4), 20, WF_R(0.2), &s.shape);
+    wfResult result = put(world, WF_DYNAMIC, 0, 12, &s, bar);
+    if (result == WF_OK)
+        result = wfJoinBodies(world, "revolute", ground, *bar, at, at, wfV2(1, 0), &j);
+    if (result != WF_OK) return result;
+    j.flags |= WF_JOINT_MOTOR;
+    j.motorSpeed = 5;
+    j.motorForce = WF_JOINT_UNLIMITED;
+    return wfAddJointToWorld(world, &j, NULL);
+}
+/* <steered scenes> */
+static wfResult build_spinner(wfWorld *world, wfBodyId *bar)
+{
+    wfShapeDef s[3] = { wfDefaultShapeDef(), disc_of(0.35), box_of(0.7, 0.7) };
+    wfBodyId ground;
+    wfMakeCapsule(wfV2(-WF_R(0.25), 0), wfV2(WF_R(0.25), 0), WF_R(0.25), &s[0].shape);
+    wfResult result = build_hall(world, &ground);
+    if (result == WF_OK) result = add_bar(world, ground, bar);
+    for (int i = 0; i < 3; i++)
+        s[i].friction = s[i].restitution = WF_R(0.1), s[i].density = WF_R(0.25);
+    for (int i = 0; i < SMALL && result == WF_OK; i++)
+        result = put(world, WF_DYNAMIC, -23 + 0.5 * (i % 92), 2 + 0.5 * (i / 92),
+                     &s[i % 3], NULL);
+    return result;
+}
+
+static bool out_of_hall(wfVec2 p) { return wfDistance(p, wfV2(0, 32)) > 40; }
+/* <steered scenes> */
 const labSteered labSteereds[LAB_STEERED] = {
     { "junkyard", JUNK_COLUMNS * JUNK_ROWS + 2, JUNK_COLUMNS * JUNK_ROWS + 262, 0, 800,
-      build_junkyard, push },
+      build_junkyard, push, false, 0, NULL },
+    { "rain", RAGDOLLS * BONES + 1, RAGDOLLS * (BONES + 2) + SHELVES * SHELF,
+      RAGDOLLS * (BONES - 1), 1000, build_rain, rain, false, 0, NULL },
+    { "spinner", SMALL + 2, SMALL + HALL + 1, 1, 500, build_spinner, NULL, true, 64,
+      out_of_hall },
 };
 
 wfResult labMakeSteered(const labSteered *scene, wfWorld *world, wfBodyId *driver)
@@ -416,7 +597,9 @@ wfResult labMakeSteered(const labSteered *scene, wfWorld *world, wfBodyId *drive
     wfWorldDef d = wfDefaultWorldDef();
     d.gravity = wfV2(0, -10);
     d.bodyCapacity = scene->bodies, d.shapeCapacity = scene->shapes;
-    d.impacts = 0;              /* nobody is followed */
+    d.pairCapacity = scene->pairs * scene->shapes;
+    if (scene->joints > d.jointCapacity) d.jointCapacity = scene->joints;
+    if (!scene->follow) d.impacts = 0;
     wfResult result = wfCreateWorld(&d, world);
     if (result != WF_OK) return result;
     result = scene->build(world, driver);

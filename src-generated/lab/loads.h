@@ -39,9 +39,12 @@ typedef struct labSteered {
     const char *name;
     int32_t bodies, shapes, joints, steps;
     wfResult (*build)(wfWorld *world, wfBodyId *driver);
-    wfResult (*steer)(wfWorld *world, wfBodyId driver, int32_t k);
+    wfResult (*steer)(wfWorld *world, wfBodyId driver, int32_t k);   /* NULL: nobody */
+    bool follow;                    /* fast bodies, to what they hit */
+    int32_t pairs;                  /* room for each shape; 0: the usual */
+    bool (*lost)(wfVec2 p);         /* is a body there lost?  NULL: none can be */
 } labSteered;
-enum { LAB_STEERED = 1 };
+enum { LAB_STEERED = 3 };
 extern const labSteered labSteereds[LAB_STEERED];
 wfResult labMakeSteered(const labSteered *scene, wfWorld *world, wfBodyId *driver);
 #endif

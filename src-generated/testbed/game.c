@@ -31,6 +31,8 @@ typedef struct tape_note {
     uint32_t mark;                  /* bytes of the journal that come before the step */
 } tape_note;
 /* <constants of the game> */
+enum { TAPE_STEP = 256 };           /* more bytes of a journal than a step needs */
+/* <constants of the game> */
 enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
        FILE_FRAME };
 /* <constants of the game> */
@@ -74,6 +76,7 @@ typedef struct game_state {
     int32_t tape, tape_row;             /* TAPE_...; the scene that is on it */
     uint32_t notes, played;             /* steps on the tape; replayed */
     size_t tape_world;                  /* bytes of the snapshot */
+    wfWorldDef tape_room;               /* what the world had room for at the tape's end */
     size_t journal_used, journal_run, replay_at;
     uint64_t replay_left;
     /* <what the game remembers of settings and time> */
@@ -749,7 +752,8 @@ static void key_sheet(ui *u, const game_state *s, float x)
     /* <lay out the sheet in one column, or in two> */
     float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
     float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
-    int columns = room < 17 * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
+    float least = s->width < 2 * wide ? 13 : 17;            /* of a line, for one column */
+    int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
     if (columns == 2 && x + 2 * wide > s->width) x = s->width > 2 * wide ? s->width - 2 * wide
                                                                          : 4;
     if (columns == 2 && 2 * wide > s->width - 8) wide = (s->width - 8) / 2;
@@ -761,7 +765,7 @@ static void key_sheet(ui *u, const game_state *s, float x)
     for (int i = 0; i < rows; i++) {
         float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
         ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
-        ui_text(u, left + 96, y, 13, WF_INK_TEXT, -1, sheet[i][1]);
+        ui_fitted(u, left + 96, y, WF_INK_TEXT, wide - 104, sheet[i][1]);
     }
 }
 /* <the interface> */
@@ -1146,12 +1150,24 @@ static void press_record(game *g)
         tell(g, true, "this world is too large for the tape");
         return;
     }
+    wfGetWorldDef(&g->world, &s->tape_room);
     s->journal_used = s->journal_run = 0;
     s->tape = TAPE_RECORDING;
     s->tape_row = s->row;
     s->notes = 0;
     find_tape(g, g->tape);
     tell(g, false, "recording; F stops it");
+}
+/* <panels> */
+/* The world is again what it was where the tape begins. */
+static wfResult rewind_tape(game *g)
+{
+    wfWorldDef room = g->state->tape_room;
+    room.memory = g->memory;
+    wfResult result = wfCreateWorld(&room, &g->world);
+    if (result != WF_OK) return result;
+    return wfRestoreWorld(&g->world, g->tape + aligned(TAPE_NOTES * sizeof(tape_note)),
+                          g->state->tape_world);
 }
 /* <panels> */
 static void press_replay(game *g)
@@ -1162,8 +1178,7 @@ static void press_replay(game *g)
         return;
     }
     if (s->row != s->tape_row) open_scene(g, s->tape_row);
-    size_t begin = aligned(TAPE_NOTES * sizeof(tape_note));
-    s->result = wfRestoreWorld(&g->world, g->tape + begin, s->tape_world);
+    s->result = rewind_tape(g);
     s->tape = s->result == WF_OK ? TAPE_REPLAYING : TAPE_DONE;
     g->noted = NULL;
     s->replay_at = s->replay_left = s->played = 0;
@@ -1859,6 +1874,7 @@ static wfResult make_room(void *context, uint32_t needs)
     if (result == WF_OK) {
         memcpy(g->memory.permanent, room.memory.permanent, bytes);
         result = wfOpenWorld(&g->memory, &g->world);
+        if (g->noted) wfGetWorldDef(&g->world, &g->state->tape_room);
     }
     wfPoolRewind(&g->scratch, mark);
     return result;
@@ -2069,19 +2085,13 @@ static void obey_key(game *g, int32_t key)
             press_overlay(g, wfOverlayTable[i].bit);
 }
 /* <step the game's world> */
-static wfResult note_one(game *g)
+static void note_input(game *g)
 {
     game_state *s = g->state;
     tape_note *note = (tape_note *)(void *)g->tape + s->notes;
-    if (s->notes == TAPE_NOTES) {
+    if (s->notes == TAPE_NOTES || g->journal.size - g->journal.used < TAPE_STEP)
         press_record(g);
-        return wfStepScene(g->scene, &g->world, &s->input);
-    }
-    *note = (tape_note){ s->input, (uint32_t)g->journal.used };
-    if (g->scene->update) g->scene->update(&g->world, &s->input);
-    wfResult result = wfStepNoted(&g->world, &g->journal, g->scene->hooks);
-    s->notes += result == WF_OK;
-    return result;
+    else *note = (tape_note){ s->input, (uint32_t)g->journal.used };
 }
 /* <step the game's world> */
 static void end_replay(game *g, wfResult result)
@@ -2184,22 +2194,34 @@ static void keep_moment(game *g, wfReal h)
     note_ring(g);
 }
 /* <step the game's world> */
-/* A step of the scene: written down, or with a clock, or plainly. */
-static wfResult step_one(game *g)
+/* A step of the world: written down, or with a clock, or plainly. */
+static wfResult take_step(game *g)
 {
     game_state *s = g->state;
     wfStepClock clock = { game_clock, g, s->seconds };
     bool asked = s->panel || (s->curves >> WF_PLOT_STAGES & 1);
     bool timed = g->now && asked && g->scene->hooks == NULL && wfStageCount <= STAGES;
     g->staged = false;
-    if (g->noted) return note_one(g);
-    if (!timed) return wfStepScene(g->scene, &g->world, &s->input);
+    if (g->noted) return wfStepNoted(&g->world, &g->journal, g->scene->hooks);
+    if (!timed) return wfStepWorldWith(&g->world, g->scene->hooks);
     memcpy(g->stage, s->seconds, sizeof g->stage);
-    if (g->scene->update) g->scene->update(&g->world, &s->input);
     wfResult result = wfStepWorldTimed(&g->world, &clock);
     for (int i = 0; i < STAGES; i++) g->stage[i] = s->seconds[i] - g->stage[i];
     g->staged = result == WF_OK;
     s->timed += result == WF_OK;
+    return result;
+}
+/* <step the game's world> */
+/* A step of the scene. A world that is too full for it grows. */
+static wfResult step_one(game *g)
+{
+    game_state *s = g->state;
+    if (g->noted) note_input(g);
+    if (g->scene->update) g->scene->update(&g->world, &s->input);
+    wfResult result = take_step(g);
+    for (int i = 0; i < 4 && result == WF_ERROR_FULL; i++)
+        if (make_room(g, 0) == WF_OK) result = take_step(g);
+    s->notes += g->noted && result == WF_OK;
     return result;
 }
 /* <step the game's world> */

@@ -393,7 +393,7 @@ static int freeze_scene(const layer_options *options)
     uint8_t *bytes = malloc(2 * FROZEN_BYTES);
     FILE *out = options->argument ? fopen(options->argument, "wb") : NULL;
     int failed = !scene || !bytes || !out;
-    if (!out) complain("--svg needs the name of a file that can be written");
+    if (!out) complain("--freeze needs the name of a file that can be written");
     if (!failed) {
         wfDraw list;
         wfPool scratch;
@@ -418,7 +418,8 @@ static const headless_command command_table[] = {
     { "--from-rube", "translate a scene of R.U.B.E., in the file named", translate_rube },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
     { "--explain", "what a scene's world does in a step, and why", explain_scene },
-    { "--svg", "a scene after --steps as a vector picture, in the file named", freeze_scene },
+    { "--freeze", "a scene after --steps as a vector picture, in the file named",
+      freeze_scene },
     { "--record", "the hashes of all scenes, for tests/golden/scenes.csv", record_hashes },
     { "--first", "the first simulation: a table, and a picture in the file named",
       first_simulation },
