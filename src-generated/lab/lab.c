@@ -5048,7 +5048,7 @@ static int measure_world_settings(FILE *out)
     }
     return 0;
 }
-
+/* <measurements> */
 static int measure_needs_list(FILE *out)
 {
     fprintf(out, "need,text,implies\n");
