@@ -31,7 +31,7 @@ help:
 	@echo "make upto CHAPTER=7     the program as it stands after a chapter, compiled and tested (upto-all: every chapter)"
 	@echo "make EXTRA=my.nw TARGET with a chapter of your own that lives elsewhere"
 	@echo "make watch              tangle, build and weave again whenever a chapter is saved"
-	@echo "make data               measure again what the book's plots and tables show (book/data/)"
+	@echo "make data               measure again what the book's plots and tables show (book/data/; make clocks: only what has a clock in it)"
 	@echo "make lab                the lab's sweeps, minutes (make lab-full: all of them): build/lab/*.csv; goes on when interrupted"
 	@echo "make amalgam            the engine as two files: build/amalgam/weft.h, weft.c"
 	@echo "make peers              adapters for other engines (chapter 02): build/peers/bin/ (BOX2D3=its prefix)"

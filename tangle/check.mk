@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` should take about 25 minutes on two cores; the long runs have names of their own.
-.PHONY: pictures check evaluation mutate data golden coverage fuzz portability leaks windows parts prices peers extremes
+.PHONY: pictures check evaluation mutate data clocks golden coverage fuzz portability leaks windows parts prices peers extremes
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -8,7 +8,10 @@ mutate:
 	@tests/mutation/run.sh -n $(SHARE)
 # Measures again everything that is deterministic and everything that is not, and writes book/data/.
 data: programs programs-double
-	@for m in $$(build/bin/weft-lab list | awk '{ print $$1 }'); do echo "measuring $$m"; lab=build/bin/weft-lab; case $$m in *-double) lab=build/double/bin/weft-lab;; esac; $$lab run $$m > build/$$m.csv && mv build/$$m.csv book/data/$$m.csv || exit 1; done
+	@tangle/measure
+# Only those with a clock in them, each with the name of the machine: on a quiet one.
+clocks: programs programs-double
+	@tangle/measure --clock
 # The sweeps of the lab (tangle/lab accuracy-peers-time after make peers, then copy its file to book/data), cell by cell, on all cores: build/lab/NAME.csv. Interrupted, it goes on. SWEEP="names" for some of them.
 .PHONY: lab lab-full
 lab: programs
