@@ -396,6 +396,15 @@ static void test_world_decides(void **state)
         assert_ok(wfSetWorldDef(&w, &def));
         run(&w, 1);
         assert_int_equal(wfJointsTogether(&w), how ? 6 + 112 : 0);
+        /* and so can who decides, at once, both ways */
+        if (how != WF_JOINTS_ONE_BY_ONE)
+            for (int k = 0; k < 4; k++) {
+                def.exactCost = wfDefaultWorldDef().exactCost;
+                def.exactJoints = k % 2 ? WF_JOINTS_TOGETHER : WF_JOINTS_AUTO;
+                assert_ok(wfSetWorldDef(&w, &def));
+                run(&w, 1);
+                assert_int_equal(wfJointsTogether(&w), want[k % 2 ? WF_JOINTS_TOGETHER : WF_JOINTS_AUTO][0]);
+            }
         def.exactCost = -1;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
         def.exactCost = (wfReal)NAN;

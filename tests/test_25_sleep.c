@@ -486,6 +486,40 @@ static void test_joints(void **state)
     wfDestroyWorld(&w);
 }
 
+/* Whatever is done to the hook, the lamp on it wakes; and so does a crate on a spring. */
+static void test_what_hangs_on_a_wall(void **state)
+{
+    (void)state;
+    enum { MOVED, CARRIED, FREED, WAYS };
+    for (int spring = 0; spring <= 1; spring++)
+        for (int way = 0; way < WAYS; way++) {
+            wfWorld w = open_world(1);
+            wfBodyDef d = wfDefaultBodyDef();
+            d.type = way == CARRIED ? WF_KINEMATIC : WF_STATIC;
+            d.position = wfV2(0, 5);
+            d.shape = box_def(0, 0, 0.2, 0.2).shape;
+            wfBodyId hook = add(&w, d), lamp = add(&w, box_def(0, 4, 0.2, 0.2));
+            if (spring) {
+                wfForce f = wfSpring(wfBodyIndex(&w, hook), wfV2(0, 0), wfBodyIndex(&w, lamp), wfV2(0, 0), 1, 50, 1);
+                assert_ok(wfAddForceToWorld(&w, &f, NULL));
+            } else {
+                wfJoint j;
+                assert_ok(wfJoinBodies(&w, "revolute", hook, lamp, wfV2(0, 5), wfV2(0, 5), wfV2(1, 0), &j));
+                assert_ok(wfAddJointToWorld(&w, &j, NULL));
+            }
+            assert_ok(wfSetBodyDamping(&w, lamp, 1, 1));
+            settle(&w, 1);
+            wfVec2 was = info(&w, lamp).position;
+            if (way == MOVED) assert_ok(wfSetBodyTransform(&w, hook, wfV2(3, 5), 0));
+            if (way == CARRIED) assert_ok(wfSetBodyVelocity(&w, hook, wfV2(2, 0), 0));
+            if (way == FREED) assert_ok(wfChangeBodyType(&w, hook, WF_DYNAMIC));
+            assert_true(wfIsAwake(&w, lamp));
+            run(&w, 60);
+            assert_true(wfLength(wfSub(info(&w, lamp).position, was)) > WF_R(0.5));
+            wfDestroyWorld(&w);
+        }
+}
+
 static void test_forces(void **state)
 {
     (void)state;
@@ -1122,6 +1156,7 @@ int main(void)
         cmocka_unit_test(test_something_is_put_into_a_sleeper),
         cmocka_unit_test(test_the_far_neighbour_sleeps_on),
         cmocka_unit_test(test_joints),
+        cmocka_unit_test(test_what_hangs_on_a_wall),
         cmocka_unit_test(test_forces),
         cmocka_unit_test(test_an_unsteady_force_lets_nobody_sleep),
         cmocka_unit_test(test_hit_by_a_ball),

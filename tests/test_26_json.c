@@ -469,6 +469,8 @@ static const struct { const char *text, *where; int line; wfResult result; const
       "joints[0].lower", 2, WF_ERROR_RANGE, "above `upper'" },
     { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0 } ] }", "joints[0]", 1,
       WF_ERROR_TEXT, "needs `a' and `b'" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0, \"b\": 1, \"localA\": [0, 0],\n"
+      "\"anchorB\": \"north\" } ] }", "joints[0].anchorB", 2, WF_ERROR_TEXT, "does not go with `localA'" },
     { "{ \"weft\": 1, \"settings\": { \"solver\": \"impulse\" }, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": "
       "[ { \"kind\": \"weld\", \"a\": 0, \"b\": 1 } ] }", "joints[0]", 1, WF_ERROR_SOLVER, "solver" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"sprin\" } ] }", "forces[0].kind", 1, WF_ERROR_UNKNOWN, "`spring'" },

@@ -5,6 +5,7 @@
 #include "lab/search.h"
 #include "weft/broad.h"
 #include "weft/narrow.h"
+#include "weft/save.h"
 #include "world.h"
 
 static wfWorld make(const char *name)
@@ -486,6 +487,29 @@ static void test_a_number_is_passed_on(void **state)
     wfDestroyWorld(&all.world), wfDestroyWorld(&mixed.world);
 }
 
+/* The number as a value in a journal: what is replayed has it, too, and what is wrong is not noted. */
+static void test_numbers_are_noted(void **state)
+{
+    (void)state;
+    static uint8_t bytes[4096];
+    int32_t stepped;
+    Crowd played = crowd(4, 0), shown = crowd(4, 0);
+    wfJournal j;
+    assert_ok(wfJournalInit(&j, bytes, sizeof bytes, 1));
+    wfInput in = { .kind = WF_INPUT_SUBSTEPS, .index = played.box[1].index, .generation = played.box[1].generation, .with = { .number = 3 } };
+    assert_ok(wfGiveInput(&played.world, &j, &in, NULL));
+    size_t used = j.used;
+    in.with.number = -1;
+    assert_result(wfGiveInput(&played.world, &j, &in, NULL), WF_ERROR_RANGE);
+    assert_int_equal(j.used, used);
+    for (int step = 0; step < 10; step++) assert_ok(wfStepNoted(&played.world, &j, NULL));
+    wfReplay r = { .journal = &j };
+    for (int step = 0; step < 10; step++) assert_ok(wfReplayStep(&r, &shown.world, NULL, &stepped)), assert_int_equal(stepped, 1);
+    assert_int_equal(wfBodySubsteps(&shown.world, shown.box[1]), 3);
+    assert_int_equal(wfHashWorld(&shown.world), wfHashWorld(&played.world));
+    wfDestroyWorld(&played.world), wfDestroyWorld(&shown.world);
+}
+
 static void test_numbers_of_bodies(void **state)
 {
     (void)state;
@@ -606,6 +630,7 @@ int main(void)
         cmocka_unit_test(test_contacts_keep_their_order),
         cmocka_unit_test(test_a_number_is_passed_on),
         cmocka_unit_test(test_numbers_of_bodies),
+        cmocka_unit_test(test_numbers_are_noted),
         cmocka_unit_test(test_a_tolerance_lets_islands_do_with_less),
         cmocka_unit_test(test_broad_phases_waste_and_never_miss), cmocka_unit_test(test_narrow_phases_by_corners), cmocka_unit_test(test_rows),
     };
