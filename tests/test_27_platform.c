@@ -331,6 +331,15 @@ static void what_is_written_is_read_back(void **state)
     }
     /* A buffer that is too small: the need is told, and nothing is written behind its end. */
     game_input now = random_input(last);
+    /* A name with blanks stays one word. */
+    game_input read_back = last;
+    snprintf(now.scene, sizeof now.scene, "stack of boxes");
+    input_script s;
+    input_script_write(text, sizeof text, &last, &now);
+    input_script_open(&s, text);
+    s.now = last;
+    assert_int_equal(input_script_next(&s, &read_back), 1);
+    assert_string_equal(read_back.scene, "stack-of-boxes");
     snprintf(now.scene, sizeof now.scene, "toy");
     size_t need = input_script_write(text, sizeof text, &last, &now);
     for (size_t size = 0; size < need; size++) {

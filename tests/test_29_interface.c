@@ -123,6 +123,31 @@ static void pulled_there_and_back_is_the_same_to_the_bit(void **state)
     assert_false(ui_number(&u, "dt", 10, 10, 380, &value, open, false));
 }
 
+static void a_whole_number_without_an_end_goes_by_one_with_the_keys(void **state)
+{
+    (void)state;
+    ui_range open = { 1, 1e18, 1, true };
+    double value = 2;
+    const double want[5] = { 3, 4, 3, 2, 1 };
+    input = (game_input){ .mouse_x = -1 };
+    ui u = look();
+    ui_number(&u, "substeps", 10, 10, 380, &value, open, false);
+    ui_finish(&u, 0);
+    input = (game_input){ .key_count = 1, .keys = { GAME_KEY_PAGE_DOWN }, .mouse_x = -1 };
+    u = look();
+    ui_number(&u, "substeps", 10, 10, 380, &value, open, false);
+    ui_finish(&u, 0);
+    assert_int_equal(memory.focus, 1);
+    for (int i = 0; i < 6; i++) {
+        input = (game_input){ .key_count = 1, .keys = { i < 2 ? GAME_KEY_RIGHT : GAME_KEY_LEFT }, .mouse_x = -1 };
+        u = look();
+        assert_int_equal(ui_number(&u, "substeps", 10, 10, 380, &value, open, false), i < 5);
+        ui_finish(&u, 0);
+        assert_near(value, want[i < 5 ? i : 4], 0);              /* and not below the least */
+    }
+    memory.focus = 0;
+}
+
 /* ---- choices ---- */
 static int32_t three(const void *of) { (void)of; return 3; }
 static const char *which(const void *of, int row) { return row < 3 ? ((const char *const *)of)[row] : NULL; }
@@ -208,6 +233,7 @@ int main(void)
         cmocka_unit_test_setup(the_keys_reach_every_widget_and_come_round, fresh),
         cmocka_unit_test_setup(a_pull_obeys_the_three_laws, fresh),
         cmocka_unit_test_setup(pulled_there_and_back_is_the_same_to_the_bit, fresh),
+        cmocka_unit_test_setup(a_whole_number_without_an_end_goes_by_one_with_the_keys, fresh),
         cmocka_unit_test_setup(an_open_list_lies_on_top, fresh),
         cmocka_unit_test_setup(the_search_finds_what_a_slow_one_finds, fresh),
         cmocka_unit_test_setup(the_line_takes_letters_only_when_asked, fresh),

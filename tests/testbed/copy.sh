@@ -11,6 +11,13 @@ trap 'rm -rf "$work"' EXIT
 hash() { "$headless" --hash --scene "$1" --steps "$2" 2>/dev/null | awk '{ print $NF }'; }
 # The book's command for a scene as a picture is not the player's option --svg, which has the window's shape.
 "$headless" --freeze "$work/s.svg" --scene shapes --steps 5 && grep -q 'viewBox="0 0 640 400"' "$work/s.svg" || { echo "copy.sh: --freeze draws no picture of 640 by 400"; exit 1; }
+# A scene in a file: what is wrong with it is told, by each command that takes one; and one that is right has its needs explained.
+echo '{ "weft": 1, "bodies": [ { "type": "x" } ] }' > "$work/bad.json"
+for command in --copy-c --export --explain; do
+  "$headless" $command "$work/bad.json" > "$work/out" 2> "$work/err"; rc=$?
+  [ $rc -eq 1 ] && grep -q 'bad.json:1: bodies\[0\].type' "$work/err" || { echo "copy.sh: $command of a file that is wrong ends with $rc:"; head -3 "$work/err"; exit 1; }
+done
+"$headless" --explain testbed/scenes/seesaw.json --steps 10 > "$work/out" 2>&1 && grep -q 'needs that it states itself' "$work/out" || { echo "copy.sh: --explain of a file ends with $?:"; tail -3 "$work/out"; exit 1; }
 all=0 begin=0 same=0 acts=0 bits='' failed=0
 while IFS= read -r name; do
   all=$((all + 1))
