@@ -91,8 +91,9 @@ wfResult wfBoxTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool 
 {
     BoxHead *head;
     size_t mark = wfPoolMark(scratch);
+    if (bytes < wfBoxTreeIndexSize(in->count)) return WF_ERROR_MEMORY;
     int32_t movers = 0, *ids = wfPoolPushArray(scratch, in->count, int32_t);
-    if (!ids || bytes < wfBoxTreeIndexSize(in->count)) return WF_ERROR_MEMORY;
+    if (!ids) return WF_ERROR_MEMORY;
     wfBoxTree t = openBoxes(in, index, &head);
     int32_t live = wfListLive(in, ids, &movers);
     for (int32_t i = 0; i < live; i++) t.items[i].index = ids[i];

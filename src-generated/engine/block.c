@@ -566,7 +566,9 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     /* <before the settings change> */
     if (!d.queries) h->indexStale = 1;
     /* <before the settings change> */
-    if (h->exactCost < d.exactCost || h->exactCost > d.exactCost) h->machines = 0;
+    if (h->exactCost < d.exactCost || h->exactCost > d.exactCost
+        || h->exactJoints != d.exactJoints)
+        h->machines = 0;                /* judged anew */
     /* <before the settings change> */
     if (!d.sleep) wfDisturb(b, -1);
     wfKeepSettings(&d, h);

@@ -345,6 +345,9 @@ void wfRouse(wfBlock *b, int32_t i);
 void wfRouseNear(wfBlock *b, int32_t k);
 bool wfSleeps(const wfBlock *b, int32_t i);
 /* <declarations of the block> */
+/* Wakes whom a joint holds to a body that is not dynamic. */
+void wfRouseJoined(wfBlock *b, int32_t body);
+/* <declarations of the block> */
 void wfLeaveOutSleepers(struct wfStep *s);
 void wfWakeInStep(struct wfStep *s, int32_t i);
 bool wfMovesNow(const struct wfStep *s, int32_t i);

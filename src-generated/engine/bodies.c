@@ -368,6 +368,7 @@ wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
     if (type == b.props[i].type) return WF_OK;
     result = wfWeighBody(&b, i, type, &state, &props);
     if (result != WF_OK) return result;
+    wfDisturb(&b, i);                   /* who hangs on it, as long as it is a wall */
     wfCarryOut(&b, i, &state, &props);
     wfForgetContacts(&b, i, -1);
     return WF_OK;

@@ -226,6 +226,17 @@ void wfMoveJoints(wfBlock *b, wfVec2 by)
     for (int32_t i = 0; i < b->head->jointSlots.high; i++)
         if (is_live(&j, i)) wfMoveJoint(&j.joints[i], by);
 }
+/* <drop the joints of a body> */
+void wfRouseJoined(wfBlock *b, int32_t body)
+{
+    Joints j = joints_of(b);
+    for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
+        if (!is_live(&j, i)) continue;
+        int32_t one = j.joints[i].a, two = j.joints[i].b;
+        if (one == body && wfSleeps(b, two)) wfRouse(b, two);
+        if (two == body && wfSleeps(b, one)) wfRouse(b, one);
+    }
+}
 /* <leave out pairs that are joined> */
 static bool comes_before(wfPair a, wfPair b)
 {

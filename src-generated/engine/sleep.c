@@ -52,11 +52,23 @@ void wfRouse(wfBlock *b, int32_t i)
         for (int32_t k = 0; k < b->head->bodySlots.high; k++) rouse_island(b, &r, k);
     else if (sleeps(&r, i))
         rouse_island(b, &r, i);
-    else if (b->props[i].type != WF_DYNAMIC)
+    else if (b->props[i].type != WF_DYNAMIC) {
         for (int32_t k = 0; k < b->head->kept.contacts; k++) {
             const wfContact *c = &b->contacts[k];
             if (c->a == i || c->b == i) rouse_island(b, &r, c->a == i ? c->b : c->a);
         }
+        /* <rouse what hangs on body i> */
+        /* by joints and forces, where there are any */
+        /* <rouse what hangs on body i> */
+        wfRouseJoined(b, i);
+        /* <rouse what hangs on body i> */
+        for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
+            const wfForce *f = &b->forces[k];
+            if (b->forceSlots[k].next != WF_SLOT_LIVE || (f->a != i && f->b != i)) continue;
+            int32_t other = f->a == i ? f->b : f->a;
+            if (other < 0 ? f->b == i : sleeps(&r, other)) wfRouse(b, other);
+        }
+    }
 }
 /* <rouse sleepers> */
 void wfRouseNear(wfBlock *b, int32_t k)

@@ -438,6 +438,16 @@ static void set_ratio(const Reader *r, const cJSON *item, wfJoint *j)
             wfSetRatio(j, &v.state[j->a], &v.state[j->b], j->ratio);
 }
 /* <read the joints> */
+static bool lacks_anchors(Reader *r, const cJSON *item)
+{
+    static const char *const names[] = { "anchor", "anchorA", "anchorB" };
+    for (int i = 0; i < 3; i++)
+        if (wfChild(item, names[i]) != NULL)
+            return wfTextFail(&r->t, wfChild(item, names[i]), WF_ERROR_TEXT,
+                              "does not go with `localA' and `localB'");
+    return true;
+}
+/* <read the joints> */
 static bool read_joint(Reader *r, const cJSON *item)
 {
     static const char *const also[] = { "a", "b", "anchor", "anchorA", "anchorB", NULL };
@@ -448,6 +458,7 @@ static bool read_joint(Reader *r, const cJSON *item)
     if (j.a == j.b)
         return wfTextFail(&r->t, item, WF_ERROR_RANGE, "joins a body with itself");
     bool local = wfChild(item, "localA") != NULL || wfChild(item, "localB") != NULL;
+    if (local && !lacks_anchors(r, item)) return false;
     if (!local) {
         if (!join(r, item, &j)) return false;
         wfVec2 axis = j.axis;                       /* in a's frame by now */

@@ -2655,8 +2655,15 @@ static wfVec2 path_pushed(int passes)
     return wfV2(j[0], j[1]);
 }
 /* <figures> */
+/* Did the engine do it? If not, whoever shows the figure is told. */
+static bool figure_ok(wfDraw *d, wfResult result)
+{
+    if (result != WF_OK) d->refused++;
+    return result == WF_OK;
+}
+
 /* the same with sums that are clamped, from a beginning */
-static wfVec2 path_after(int passes, wfReal j0, wfReal j1)
+static wfVec2 path_after(wfDraw *d, int passes, wfReal j0, wfReal j1)
 {
     wfBodyState state[2];
     _Alignas(16) uint8_t memory[1024];
@@ -2665,7 +2672,7 @@ static wfVec2 path_after(int passes, wfReal j0, wfReal j1)
     wfPoolInit(&scratch, sizeof memory, memory);
     wfSolve in = { .state = state, .bodyCount = 2, .contacts = &c, .contactCount = 1,
                    .h = 1, .iterations = passes, .scratch = &scratch };
-    wfSolveVelocities(wfFindSolver("sequential"), &in);
+    figure_ok(d, wfSolveVelocities(wfFindSolver("sequential"), &in));
     return wfV2(c.manifold.points[0].normalImpulse, c.manifold.points[1].normalImpulse);
 }
 /* <figures> */
@@ -2703,7 +2710,7 @@ static void path_draw(wfDraw *d, bool sums, wfReal j0, wfReal j1, int role)
     wfVec2 before = path_place(wfV2(j0, j1));
     wfDrawPoint(d, WF_XY(before), 7, role);
     for (int passes = 1; passes <= 12; passes++) {
-        wfVec2 j = sums ? path_after(passes, j0, j1) : path_pushed(passes);
+        wfVec2 j = sums ? path_after(d, passes, j0, j1) : path_pushed(passes);
         wfVec2 corner = path_place(wfV2(j.x, j.y)), turn = wfV2(corner.x, before.y);
         wfDrawLine(d, WF_XY(before), WF_XY(turn), 1.5f, role);
         wfDrawLine(d, WF_XY(turn), WF_XY(corner), 1.5f, role);
@@ -2727,7 +2734,7 @@ static void figure_sequential_path(wfDraw *d, const wfFigureInput *in)
 }
 /* <figures> */
 /* The impulses under n boxes after so many passes, in units of a box's weight in a step. */
-static void tower_passes(int n, int passes, wfReal *impulse, wfReal *sink)
+static void tower_passes(wfDraw *d, int n, int passes, wfReal *impulse, wfReal *sink)
 {
     static _Alignas(16) uint8_t memory[1 << 15];
     wfBodyState state[9] = { { .invMass = 0 } };
@@ -2747,7 +2754,7 @@ static void tower_passes(int n, int passes, wfReal *impulse, wfReal *sink)
     }
     wfSolve in = { .state = state, .bodyCount = n + 1, .contacts = c, .contactCount = n,
                    .h = 1, .iterations = passes, .scratch = &scratch };
-    wfSolveVelocities(wfFindSolver("sequential"), &in);
+    figure_ok(d, wfSolveVelocities(wfFindSolver("sequential"), &in));
     for (int i = 0; i < n; i++) {
         impulse[i] = c[i].manifold.points[0].normalImpulse;
         sink[i] = -state[i + 1].v.y;
@@ -2759,7 +2766,7 @@ static void figure_sequential_passes(wfDraw *d, const wfFigureInput *in)
     enum { BOXES = 8 };
     wfReal impulse[BOXES], sink[BOXES];
     int passes = (int)two_to(7 * handle_line(d, in, "few", "many"));
-    tower_passes(BOXES, passes, impulse, sink);
+    tower_passes(d, BOXES, passes, impulse, sink);
     for (int i = 0; i < BOXES; i++) {
         float y = 0.75f + 0.5f * (float)i, low = y - 0.55f * (float)sink[i];
         float box[8] = { 1, low, 1.9f, low, 1.9f, low + 0.46f, 1, low + 0.46f };
@@ -2777,13 +2784,12 @@ static void figure_sequential_passes(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 7.6f, 4.3f, 11, WF_INK_TEXT, 1, "impulse below (line: needed)");
 }
 /* <figures> */
-static void bounce_figure_step(wfBodyState *state, wfContact *c, const char *solver)
+static void bounce_figure_step(wfDraw *d, wfBodyState *state, wfContact *c, int row)
 {
     wfReal h = WF_R(0.1), g = WF_R(-9.81);
-    _Alignas(16) uint8_t memory[1024];
+    _Alignas(16) static uint8_t memory[1 << 14];
     wfBodyForces force[2] = { { .torque = 0 }, { .force = wfV2(0, g) } };
     wfPool scratch;
-    int row = wfFindSolver(solver);
     wfPoolInit(&scratch, sizeof memory, memory);
     if (wfSolverTable[row].step == NULL) {
         state[1].p = wfAdd(wfAddScaled(state[1].p, h, state[1].v), wfV2(0, g * h * h / 2));
@@ -2798,8 +2804,9 @@ static void bounce_figure_step(wfBodyState *state, wfContact *c, const char *sol
     wfSolve in = { .state = state, .bodyCount = 2, .contacts = c, .contactCount = near,
                    .h = h, .iterations = 1, .forces = force, .substeps = 1,
                    .positionShare = WF_R(0.4), .scratch = &scratch };
-    if (wfSolverTable[row].step != NULL) wfSolveStep(row, &in);
-    else if (wfSolveVelocities(row, &in) == WF_OK) wfSolvePositions(row, &in);
+    if (wfSolverTable[row].step != NULL) figure_ok(d, wfSolveStep(row, &in));
+    else if (figure_ok(d, wfSolveVelocities(row, &in)))
+        figure_ok(d, wfSolvePositions(row, &in));
 }
 /* <figures> */
 static void bounce_figure_path(wfDraw *d, const char *solver, wfReal top, int role)
@@ -2811,7 +2818,7 @@ static void bounce_figure_path(wfDraw *d, const char *solver, wfReal top, int ro
     c.manifold.points[0].feature = WF_FEATURE_CIRCLE;
     for (int i = 0; i < 60; i++) {
         wfVec2 from = state[1].p;
-        bounce_figure_step(state, &c, solver);
+        bounce_figure_step(d, state, &c, wfFindSolver(solver));
         wfDrawLine(d, WF_XY(from), WF_XY(state[1].p), 1.5f, role);
         wfDrawPoint(d, WF_XY(from), 4, role);
     }
@@ -2828,7 +2835,7 @@ static void figure_soft_path(wfDraw *d, const wfFigureInput *in)
 /* <figures> */
 enum { SAG_BOXES = 10 };
 
-static void sag_step(wfBodyState *state, wfContact *c, int substeps)
+static void sag_step(wfDraw *d, wfBodyState *state, wfContact *c, int substeps)
 {
     _Alignas(16) static uint8_t memory[1 << 14];
     wfBodyForces force[SAG_BOXES + 1] = { { .torque = 0 } };
@@ -2845,10 +2852,10 @@ static void sag_step(wfBodyState *state, wfContact *c, int substeps)
     wfSolve in = { .state = state, .bodyCount = SAG_BOXES + 1, .contacts = c,
                    .contactCount = SAG_BOXES, .h = WF_R(1.0) / 60, .iterations = 1,
                    .forces = force, .substeps = substeps, .scratch = &scratch };
-    wfSolveStep(wfFindSolver("soft"), &in);
+    figure_ok(d, wfSolveStep(wfFindSolver("soft"), &in));
 }
 /* <figures> */
-static void sag_tower(wfBodyState *state, int substeps)
+static void sag_tower(wfDraw *d, wfBodyState *state, int substeps)
 {
     wfContact c[SAG_BOXES];
     for (int i = 0; i <= SAG_BOXES; i++)
@@ -2856,7 +2863,7 @@ static void sag_tower(wfBodyState *state, int substeps)
     for (int i = 0; i < SAG_BOXES; i++)
         c[i] = (wfContact){ .a = i, .b = i + 1,
                             .manifold = { .normal = wfV2(0, 1), .count = 1 } };
-    for (int i = 0; i < 480; i++) sag_step(state, c, substeps);
+    for (int i = 0; i < 480; i++) sag_step(d, state, c, substeps);
 }
 /* <figures> */
 static void figure_soft_sag(wfDraw *d, const wfFigureInput *in)
@@ -2865,7 +2872,7 @@ static void figure_soft_sag(wfDraw *d, const wfFigureInput *in)
     int substeps = (int)two_to(4 * handle_line(d, in, "1", "16"));
     float give = (float)WF_CONTACT_PERIOD / (60 * (float)substeps * 2 * (float)WF_PI);
     float sunk = 0, foot = 0.75f, side = 0.42f;
-    sag_tower(state, substeps);
+    sag_tower(d, state, substeps);
     wfDrawLine(d, 1.5f, foot, 6.5f, foot, 2, WF_INK_LINE);
     for (int i = 0; i < SAG_BOXES; i++) {
         float fall = (float)i + 0.5f - (float)state[i + 1].p.y;
@@ -3003,7 +3010,7 @@ static void figure_joints_aim(wfDraw *d, const wfFigureInput *in)
                          .substeps = 1, .passes = 4, .scratch = &pool };
     for (int i = 0; i < 5; i++) {
         p = s[1].p;
-        if (wfStepJoints(&step) != WF_OK) return;
+        if (!figure_ok(d, wfStepJoints(&step))) return;
         wfDrawArrow(d, WF_XY(p), WF_XY(s[1].p), 2, WF_INK_GOOD);
     }
     wfDrawPoint(d, 0, 0, 6, WF_INK_LINE);
@@ -3031,7 +3038,7 @@ static void joints_path(wfDraw *d, bool spring, wfReal h, int ink)
     for (wfReal t = 0; t < WF_R(1.4); t += h) {
         wfVec2 p = s[1].p;
         if (spring) joints_on_spring(&s[1], h);
-        else if (wfStepJoints(&step) != WF_OK) return;
+        else if (!figure_ok(d, wfStepJoints(&step))) return;
         wfVec2 q = s[1].p;
         if (!(wfAbs(q.x) < WF_R(3.9) && q.y > WF_R(-2.9) && q.y < WF_R(2.2))) return;
         wfDrawLine(d, 4 + (float)p.x, 3.5f + (float)p.y, 4 + (float)q.x, 3.5f + (float)q.y,
@@ -3098,7 +3105,7 @@ static void arch_touch(figArch *f)
         }
 }
 /* <figures> */
-static void arch_step(figArch *f)
+static void arch_step(wfDraw *d, figArch *f)
 {
     wfPool scratch;
     wfPoolInit(&scratch, sizeof f->memory, f->memory);
@@ -3107,7 +3114,7 @@ static void arch_step(figArch *f)
                    .contactCount = f->contacts, .h = WF_R(1.0) / 60, .iterations = 1,
                    .positionShare = WF_R(0.4), .forces = f->force, .substeps = 4,
                    .scratch = &scratch };
-    wfSolveStep(wfFindSolver("exact"), &in);
+    figure_ok(d, wfSolveStep(wfFindSolver("exact"), &in));
 }
 /* <figures> */
 static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
@@ -3119,7 +3126,7 @@ static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
     wfMakeBox(8, WF_R(0.5), &f.shape[0]);
     f.state[0].p = wfV2(0, WF_R(-0.5));
     for (int i = 1; i <= ARCH_STONES; i++) arch_stone(&f, i, 3, thickness);
-    for (int i = 0; i < 30; i++) arch_step(&f);
+    for (int i = 0; i < 30; i++) arch_step(d, &f);
     wfDrawLine(d, -3.9f, 0, 3.9f, 0, 2, WF_INK_LINE);
     for (int i = 1; i <= ARCH_STONES; i++)
         forces_shape(d, &f.shape[i], wfBodyTransform(&f.state[i]), WF_INK_BODY);

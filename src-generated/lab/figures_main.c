@@ -34,8 +34,9 @@ static int write_figure(const wfFigureRow *row, const char *dir)
     wfDraw list;
     wfDrawInit(&list, memory, sizeof memory);
     wfDrawFigure(row, NULL, &list);
-    if (list.refused) return complain(row->name, "a command was refused",
-                                      "look for NaN, a bad role or too few points");
+    if (list.refused)
+        return complain(row->name, "a command, or a step of the engine, was refused",
+                        "look for NaN, a bad role, too few points, too little scratch");
     if (list.overflow) return complain(row->name, "too long",
                                        "draw less, or raise LIST_BYTES");
     FILE *out = fopen(draft, "wb");

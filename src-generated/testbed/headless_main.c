@@ -100,6 +100,7 @@ static bool open_file(const char *path, named_scene *out)
         fprintf(stderr, "%s:%d: %s%s%s\n", path, (int)e.line, e.where,
                 e.where[0] ? ": " : "", e.what);
         free(out->text);
+        out->text = NULL;
         return false;
     }
     wfSceneOfText(out->text, &out->info, &out->scene);
@@ -156,23 +157,33 @@ static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
     return wfExplainWorld(world, s->hooks ? NULL : seconds, steps, print_explanation, NULL);
 }
 /* <commands of the headless program> */
+static wfResult explain_lean(const wfScene *s, const wfWorldDef *def, int steps)
+{
+    wfWorld lean;
+    wfResult result = wfCreateWorld(def, &lean);
+    if (result != WF_OK) return result;
+    puts("\nand with what it requires, and no more:");
+    result = s->build(&lean);
+    if (result == WF_OK) result = explain_run(s, &lean, steps);
+    wfDestroyWorld(&lean);
+    return result;
+}
+/* <commands of the headless program> */
 static int explain_scene(const layer_options *options)
 {
     named_scene made;
     const wfScene *s = scene_of(options, "shapes", &made);
     int steps = options->steps < 0 ? 600 : options->steps;
-    wfWorld rich, lean;
+    wfWorld rich;
     wfWorldDef def;
-    if (!s || wfOpenScene(s, NULL, &rich) != WF_OK) return 1;
+    if (!s || wfOpenScene(s, NULL, &rich) != WF_OK) return free(made.text), 1;
     wfResult result = explain_run(s, &rich, steps);
     if (result == WF_OK) result = wfInferNeeds(&rich, 0, &def);
     wfDestroyWorld(&rich);
-    if (result == WF_OK) result = wfCreateWorld(&def, &lean);
-    if (result != WF_OK) return 1;
-    puts("\nand with what it requires, and no more:");
-    result = s->build(&lean);
-    if (result == WF_OK) result = explain_run(s, &lean, steps);
-    wfDestroyWorld(&lean);
+    if (result == WF_OK && !s->build)
+        puts("\n(this scene is opened as a whole, with the needs that it states itself)");
+    else if (result == WF_OK)
+        result = explain_lean(s, &def, steps);
     free(made.text);
     return result != WF_OK;
 }
@@ -273,7 +284,7 @@ static int export_scene(const layer_options *options)
     return complain("this program was built without cJSON") + 1;
 #else
     named_scene made;
-    wfWorld world;
+    wfWorld world = { 0 };
     char *text = NULL;
     const wfScene *s = scene_of(options, options->argument ? options->argument
                                                            : "free fall", &made);

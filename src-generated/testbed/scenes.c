@@ -1450,7 +1450,7 @@ static wfResult build_bridge(wfWorld *world)
 static wfResult build_weak_bridge(wfWorld *world)
 {
     Maker m = { world, WF_OK };
-    put_bridge(&m, 400);
+    put_bridge(&m, 2500);
     put_crates(&m);
     wfBodyDef b = ball(&m, WF_R(0.9), 7, WF_R(0.6));
     b.density = 5;

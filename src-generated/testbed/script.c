@@ -223,11 +223,20 @@ static void add_buttons(text_end *end, const game_input *now)
     }
 }
 /* <write a frame of a script> */
+static void add_scene(text_end *end, const char *name)
+{
+    char word[64];
+    size_t n = 0;
+    for (; name[n] && n + 1 < sizeof word; n++) word[n] = name[n] == ' ' ? '-' : name[n];
+    word[n] = 0;
+    add_word(end, "scene", word);
+}
+/* <write a frame of a script> */
 size_t input_script_write(char *text, size_t size, const game_input *last,
                           const game_input *now)
 {
     text_end end = { text, size, 0 };
-    if (now->scene[0]) add_word(&end, "scene", now->scene);
+    if (now->scene[0]) add_scene(&end, now->scene);
     if (now->seconds != last->seconds) add_number(&end, "seconds", now->seconds, 17);
     if (now->steps != last->steps) add_number(&end, "steps", now->steps, 17);
     if (now->mouse_x != last->mouse_x || now->mouse_y != last->mouse_y) {

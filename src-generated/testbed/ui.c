@@ -197,8 +197,8 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     if (m->active == id && u->held)
         *value = ui_pulled(m->grip, (double)(u->x - m->grip_x), r);
     else if (u->turn && u->index == m->focus)
-        *value = ui_pulled(*value, r.whole ? u->turn * 160 / (r.most - r.least)
-                                           : u->turn * 10, r);
+        *value = r.whole ? fmin(fmax(*value + u->turn, r.least), r.most)
+                         : ui_pulled(*value, u->turn * 10, r);
     return *value != was;
 }
 /* <a choice among names> */

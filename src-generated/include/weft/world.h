@@ -775,8 +775,8 @@ int32_t wfUnsolvedSubsteps(const wfWorld *world);
 /* <declarations of looking at a world> */
 /* Does the body take part in steps? False: it sleeps, or there is no such body. */
 bool wfIsAwake(const wfWorld *world, wfBodyId id);
-/* Wakes a body and its island; one that is not dynamic: those that touch it. Do this when
- * a hook of yours would now answer otherwise. WF_ERROR_STALE_ID, _BUSY. */
+/* Wakes a body and its island; one that is not dynamic: those that touch it or hang on it.
+ * Do this when a hook of yours would now answer otherwise. WF_ERROR_STALE_ID, _BUSY. */
 wfResult wfWakeBody(wfWorld *world, wfBodyId id);
 /* Lets the body's island sleep at the end of the next step, however it moves; it stays
  * where it is until something wakes it. _STALE_ID, _BUSY; _RANGE: the world has no sleep,
