@@ -481,7 +481,7 @@ static void sizes_have_limits(void **state)
     assert_ok(wfMakeCapsule(o, wfV2(0, least), least, &s));
 }
 
-/* eq:shapes-coat-limits at five sizes, 3 % to either side; and what is no coat, or no core, at all. */
+/* eq:shapes-coat-limits at seven sizes, 3 % to either side; and what is no coat, or no core, at all. */
 static void core_and_coat_must_both_be_seen(void **state)
 {
     (void)state;

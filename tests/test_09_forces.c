@@ -452,8 +452,8 @@ static void test_buoyancy(void **s)
 }
 
 /* Every body of half the water's density, thrown in at random, comes to rest floating on it: half its area under water, no
-   torque left. The report's did not settle. Steps: symplectic Euler, 1/60 s, 60 s; what is left of the motion decays
-   at least as fast as exp(-t/4): 3e-7 of 10 m/s. */
+   torque left. The report's did not settle. Steps: symplectic Euler, 1/60 s, 120 s; what is left of the motion decays
+   at least as fast as exp(-t/4): 1e-13 of 10 m/s. */
 static void test_floats_and_settles(void **s)
 {
     (void)s;

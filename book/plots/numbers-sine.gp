@@ -7,4 +7,4 @@ set key top left
 set format x '%g'
 plot 'book/data/numbers-sine.csv' using 1:2 skip 1 with linespoints title 'reduced in floats', \
      '' using 1:3 skip 1 with linespoints title 'wfSin', \
-     2.0**-25 with lines dt 3 lc rgb line title 'half an ulp of 1'
+     2.0**-25 with lines dt 3 lc rgb line title 'half the gap just below 1'
