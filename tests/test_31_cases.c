@@ -38,8 +38,54 @@ static void repeatable(void **unused)
     }
 }
 
+/* Engines that TC04 must not let pass. */
+static int finds_nothing(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb, wfManifold *out)
+{
+    (void)a, (void)xa, (void)b, (void)xb;
+    return out->count = 0;
+}
+
+static int finds_no_depth(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb, wfManifold *out)
+{
+    int count = wfCollide(a, xa, b, xb, out);
+    for (int i = 0; i < count; i++) out->points[i].depth = WF_R(-0.001);
+    return count;
+}
+
+static int forgets_circles(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb, wfManifold *out)
+{
+    bool circles = a->kind == WF_SHAPE_CIRCLE && b->kind == WF_SHAPE_CIRCLE;
+    return circles ? finds_nothing(a, xa, b, xb, out) : wfCollide(a, xa, b, xb, out);
+}
+
+static int sees_ghosts(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb, wfManifold *out)
+{
+    int count = wfCollide(a, xa, b, xb, out);
+    if (count > 0) return count;
+    out->points[0] = (wfContactPoint){ .depth = WF_R(-0.1) };
+    return out->count = 1;
+}
+
+static int is_beside(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb, wfManifold *out)
+{
+    int count = wfCollide(a, xa, b, xb, out);
+    for (int i = 0; i < count; i++) out->points[i].point = wfAddScaled(out->points[i].point, WF_R(1e-4), out->normal);
+    return count;
+}
+
+static void tc04_catches_who_is_wrong(void **unused)
+{
+    (void)unused;
+    labCollide *const wrong[] = { finds_nothing, finds_no_depth, forgets_circles, sees_ghosts, is_beside };
+    const labCase *c = &labCases[3];
+    assert_true(labPoints(c->tries, wfCollide) == c->worst(c->tries));
+    assert_true(labPoints(c->tries, wfCollide) <= c->bound);
+    for (int i = 0; i < (int)(sizeof wrong / sizeof *wrong); i++)
+        if (!(labPoints(c->tries, wrong[i]) > c->bound)) fail_msg("number %d passes", i);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(as_expected), cmocka_unit_test(list), cmocka_unit_test(repeatable) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(tc04_catches_who_is_wrong), cmocka_unit_test(as_expected), cmocka_unit_test(list), cmocka_unit_test(repeatable) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
