@@ -672,6 +672,23 @@ static void what_would_move_otherwise_is_refused(void **unused)
         { "\"massData-mass\": 4,", "\"massData-mass\": 4, \"massData-I\": 2.0,", "body[2].massData-I", "another", 8 },
         { "\"type\": 0", "\"type\": 7", "body[0]", "0, 1 or 2", 4 },
         { "\"stepsPerSecond\": 50", "\"stepsPerSecond\": 0", "stepsPerSecond", "> 0", 1 },
+        { "\"position\": 0", "\"position\": 5", "body[0].position", "a vector", 4 },           /* only a plain 0 stands for (0, 0) */
+        { "\"anchorA\": 0", "\"anchorA\": -1e-9", "joint[0].anchorA", "a vector", 10 },
+        { "{ \"x\": 0, \"y\": -10 }", "-10", "gravity", "a vector", 1 },
+        { "\"position\": 0", "\"position\": false", "body[0].position", "a vector", 4 },
+        { "\"center\": { \"x\": 0.5, \"y\": 0 }", "\"center\": 1", "body[2].fixture[0].circle.center", "a vector", 9 },
+        { "\"awake\": true", "\"fixedRotation\": 1", "body[1].fixedRotation", "true or false", 6 },     /* and a flag is no number */
+        { "\"awake\": true", "\"allowSleep\": \"yes\"", "body[1].allowSleep", "true or false", 6 },
+        { "\"awake\": true", "\"active\": null", "body[1].active", "true or false", 6 },
+        { "\"allowSleep\": false", "\"allowSleep\": 0", "allowSleep", "true or false", 1 },
+        { "\"image\": []", "\"continuousPhysics\": 0", "continuousPhysics", "true or false", 2 },
+        { "\"image\": []", "\"autoClearForces\": 1", "autoClearForces", "true or false", 2 },
+        { "\"density\": 1, \"polygon\"", "\"sensor\": 1, \"polygon\"", "body[1].fixture[0].sensor", "true or false", 7 },
+        { "\"length\": 2", "\"length\": 2, \"collideConnected\": 1", "joint[0].collideConnected", "true or false", 11 },
+        { "\"type\": \"distance\"", "\"enableLimit\": 1, \"type\": \"revolute\"", "joint[0].enableLimit", "true or false", 10 },
+        { "\"type\": \"distance\"", "\"enableMotor\": 1, \"type\": \"revolute\"", "joint[0].enableMotor", "true or false", 10 },
+        { "\"awake\": true, \"fixture\"", "\"fixture\": 5, \"name\"", "body[1].fixture", "a list", 6 },
+        { "\"image\": []", "\"joint\": 1, \"image\": []", "joint", "a list", 2 },
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char *text = with(rube, wrong[i].from, wrong[i].to), *out = NULL;
