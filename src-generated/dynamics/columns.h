@@ -48,7 +48,7 @@ wfResult wfFindColumns(const wfSubsteps *s, wfColumns *out);
 size_t wfColumnScratch(int32_t bodies, int32_t contacts);
 /* A gap of no more counts as a touch, m. */
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
-/* Solves all trees: b and gamma / K of eq:soft-follow, and how fast overlap is left at most.
+/* Solves all trees: b and gamma / K of eq:soft-follow, how fast overlap is left at most.
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest);

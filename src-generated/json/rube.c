@@ -37,19 +37,31 @@ static double get(Rube *r, const cJSON *object, const char *name, double otherwi
     return number_of(r, wfChild(object, name), otherwise);
 }
 /* <read their numbers> */
-static bool yes(const cJSON *object, const char *name, bool otherwise)
+static bool yes(Rube *r, const cJSON *object, const char *name, bool otherwise)
 {
     const cJSON *item = wfChild(object, name);
-    return item == NULL ? otherwise : cJSON_IsTrue(item);
+    if (item == NULL) return otherwise;
+    if (cJSON_IsBool(item)) return cJSON_IsTrue(item);
+    refuse(r, item, "must be true or false");
+    return otherwise;
+}
+/* <read their numbers> */
+static const cJSON *first_of(Rube *r, const cJSON *object, const char *name)
+{
+    const cJSON *list = wfChild(object, name);
+    if (list == NULL) return NULL;
+    if (!cJSON_IsArray(list)) refuse(r, list, "must be a list: [ ... ]");
+    return r->failed ? NULL : list->child;
 }
 /* <read their numbers> */
 typedef struct Point { double x, y; } Point;
 
 static Point point_of(Rube *r, const cJSON *item)
 {
-    if (item == NULL || cJSON_IsNumber(item)) return (Point){ 0, 0 };
+    bool zero = cJSON_IsNumber(item) && item->valuedouble == 0;
+    if (item == NULL || zero) return (Point){ 0, 0 };
     if (cJSON_IsObject(item)) return (Point){ get(r, item, "x", 0), get(r, item, "y", 0) };
-    refuse(r, item, "must be a vector: { \"x\": 0, \"y\": 0 }");
+    refuse(r, item, "must be a vector, { \"x\": 0, \"y\": 0 }, or 0");
     return (Point){ 0, 0 };
 }
 
@@ -112,7 +124,7 @@ static void put_material(Rube *r, const cJSON *fixture, cJSON *shape)
     put(r, shape, "density", get(r, fixture, "density", 0));
     put(r, shape, "friction", get(r, fixture, "friction", 0));
     put(r, shape, "restitution", get(r, fixture, "restitution", 0));
-    put_flag(r, shape, "sensor", yes(fixture, "sensor", false));
+    put_flag(r, shape, "sensor", yes(r, fixture, "sensor", false));
     put(r, shape, "category", get(r, fixture, "filter-categoryBits", 1));
     put(r, shape, "mask", get(r, fixture, "filter-maskBits", 65535));
     put(r, shape, "group", get(r, fixture, "filter-groupIndex", 0));
@@ -188,7 +200,7 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
           "fixture gravityScale linearDamping linearVelocity massData-mass position type");
     double type = get(r, body, "type", 0);
     if (!(type == 0 || type == 1 || type == 2)) refuse(r, body, "its type is 0, 1 or 2");
-    if (!yes(body, "active", true))
+    if (!yes(r, body, "active", true))
         refuse(r, wfChild(body, "active"), "a body that takes no part: leave it out");
     cJSON *out = r->failed ? NULL : put_object(r, list);
     if (r->failed) return;
@@ -202,12 +214,11 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
     put(r, out, "angularDamping", get(r, body, "angularDamping", 0));
     put(r, out, "gravityScale", get(r, body, "gravityScale", 1));
     if (type == 2) put(r, out, "mass", get(r, body, "massData-mass", 0));
-    put_flag(r, out, "fixedRotation", yes(body, "fixedRotation", false));
-    put_flag(r, out, "neverSleeps", !yes(body, "allowSleep", true));
-    const cJSON *fixtures = wfChild(body, "fixture");
+    put_flag(r, out, "fixedRotation", yes(r, body, "fixedRotation", false));
+    put_flag(r, out, "neverSleeps", !yes(r, body, "allowSleep", true));
     cJSON *shapes = cJSON_AddArrayToObject(out, "shapes");
     if (shapes == NULL) r->failed = true;
-    for (const cJSON *c = fixtures ? fixtures->child : NULL; c && !r->failed; c = c->next)
+    for (const cJSON *c = first_of(r, body, "fixture"); c && !r->failed; c = c->next)
         put_fixture(r, c, shapes);
 }
 /* <translate a joint of theirs> */
@@ -252,7 +263,7 @@ static void put_spring(Rube *r, const cJSON *j, cJSON *out, const char *frequenc
 /* <translate a joint of theirs> */
 static void put_limits(Rube *r, const cJSON *j, cJSON *out, double from)
 {
-    if (!yes(j, "enableLimit", false)) return;
+    if (!yes(r, j, "enableLimit", false)) return;
     put_flag(r, out, "limits", true);
     put(r, out, "lower", get(r, j, "lowerLimit", 0) + from);
     put(r, out, "upper", get(r, j, "upperLimit", 0) + from);
@@ -260,7 +271,7 @@ static void put_limits(Rube *r, const cJSON *j, cJSON *out, double from)
 
 static void put_motor(Rube *r, const cJSON *j, cJSON *out, const char *most)
 {
-    put_flag(r, out, "motor", yes(j, "enableMotor", false));
+    put_flag(r, out, "motor", yes(r, j, "enableMotor", false));
     put(r, out, "motorSpeed", get(r, j, "motorSpeed", 0));
     put(r, out, "motorForce", get(r, j, most, 0));
 }
@@ -322,7 +333,7 @@ static void put_joint(Rube *r, const cJSON *j, cJSON *list)
     const cJSON *axis = wfChild(j, "localAxisA");
     if (axis != NULL)
         put_point(r, out, "axis", placed(r, a, point_of(r, axis), true));
-    put_flag(r, out, "collide", yes(j, "collideConnected", false));
+    put_flag(r, out, "collide", yes(r, j, "collideConnected", false));
     put_kind(r, j, kind->valuestring, out);
 }
 /* <translate a scene of theirs> */
@@ -333,24 +344,23 @@ static void put_settings(Rube *r, cJSON *out)
     double rate = get(r, root, "stepsPerSecond", 60);
     if (settings == NULL) r->failed = true;
     if (!(rate > 0)) refuse(r, wfChild(root, "stepsPerSecond"), "must be > 0");
-    if (!yes(root, "autoClearForces", true))
+    if (!yes(r, root, "autoClearForces", true))
         refuse(r, wfChild(root, "autoClearForces"), "here a push lasts for one step");
     if (r->failed) return;
     put_point(r, settings, "gravity", point_of(r, wfChild(root, "gravity")));
     put(r, settings, "dt", 1 / rate);
-    put_flag(r, settings, "sleep", yes(root, "allowSleep", true));
-    if (!yes(root, "continuousPhysics", true)) put(r, settings, "impacts", 0);
+    put_flag(r, settings, "sleep", yes(r, root, "allowSleep", true));
+    if (!yes(r, root, "continuousPhysics", true)) put(r, settings, "impacts", 0);
 }
 /* <translate a scene of theirs> */
 static void put_lists(Rube *r, cJSON *out)
 {
-    const cJSON *joints = wfChild(r->t.root, "joint");
     cJSON *bodyList = cJSON_AddArrayToObject(out, "bodies");
     cJSON *jointList = cJSON_AddArrayToObject(out, "joints");
     if (bodyList == NULL || jointList == NULL) r->failed = true;
     for (const cJSON *c = r->bodies->child; c && !r->failed; c = c->next)
         put_body(r, c, bodyList);
-    for (const cJSON *c = joints ? joints->child : NULL; c && !r->failed; c = c->next)
+    for (const cJSON *c = first_of(r, r->t.root, "joint"); c && !r->failed; c = c->next)
         put_joint(r, c, jointList);
 }
 /* <translate a scene of theirs> */

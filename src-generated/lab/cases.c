@@ -233,6 +233,17 @@ static double arms(int32_t tries)
     return worst;
 }
 /* <cases> */
+/* The widest of the gaps in 720 directions, m; below 0: none has one. */
+static double widest_gap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb)
+{
+    double widest = -HUGE_VAL;
+    for (int i = 0; i < 720; i++) {
+        double turn = 2 * 3.14159265358979 * i / 720;
+        widest = larger(widest, gap_along(a, xa, b, xb, cos(turn), sin(turn)));
+    }
+    return widest;
+}
+
 static double axis_is_wrong_by(wfRandom *r)
 {
     wfShape a, b;
@@ -242,13 +253,9 @@ static double axis_is_wrong_by(wfRandom *r)
     if (!random_shape(r, &a, &xa, &angle) || !random_shape(r, &b, &xb, &angle))
         return FAILED;
     if (wfSeparate(0, &a, xa, &b, xb, &s) != WF_OK) return FAILED;
-    double said = (double)s.distance, best = -HUGE_VAL;
+    double said = (double)s.distance, best = widest_gap(&a, xa, &b, xb);
     double there = gap_along(&a, xa, &b, xb, (double)s.normal.x, (double)s.normal.y);
     double worst = fabs(there - said);
-    for (int i = 0; i < 720; i++) {
-        double turn = 2 * 3.14159265358979 * i / 720;
-        best = larger(best, gap_along(&a, xa, &b, xb, cos(turn), sin(turn)));
-    }
     if (said < 0) return larger(worst, best - said);         /* a better axis */
     return worst;
 }
@@ -262,40 +269,43 @@ static double axes(int32_t tries)
     return worst;
 }
 /* <cases> */
-static double points_are_wrong_by(wfRandom *r)
+static double points_are_wrong_by(wfRandom *r, labCollide *collide)
 {
     wfShape a, b;
     wfTransform xa, xb;
     wfReal angle;
     wfManifold m;
-    double worst = 0, widest = -HUGE_VAL;
+    double worst = 0;
+    bool deep = false;
     if (!random_shape(r, &a, &xa, &angle) || !random_shape(r, &b, &xb, &angle))
         return FAILED;
-    int count = wfCollide(&a, xa, &b, xb, &m);
-    for (int i = 0; i < 720; i++) {
-        double turn = 2 * 3.14159265358979 * i / 720;
-        widest = larger(widest, gap_along(&a, xa, &b, xb, cos(turn), sin(turn)));
-    }
+    int count = collide(&a, xa, &b, xb, &m);
+    double widest = widest_gap(&a, xa, &b, xb);
     if (widest > 0.001 && count > 0) return widest;          /* a contact in thin air */
     for (int i = 0; i < count; i++) {                        /* eq:cases-halfway */
         wfReal half = m.points[i].depth / 2;
         if (half < 0) continue;
+        deep = true;
         wfVec2 on_a = wfAddScaled(m.points[i].point, half, m.normal);
         wfVec2 on_b = wfAddScaled(m.points[i].point, -half, m.normal);
         worst = larger(worst, fabs(outside(&a, xa, on_a)));
         worst = larger(worst, fabs(outside(&b, xb, on_b)));
     }
+    if (widest < -0.02 && !deep) return -widest;             /* eq:cases-tried */
     return worst;
 }
 /* <cases> */
-static double points(int32_t tries)
+double labPoints(int32_t tries, labCollide *collide)
 {
     wfRandom r;
     double worst = 0;
     wfRandomSeed(&r, 4);
-    for (int32_t i = 0; i < tries; i++) worst = larger(worst, points_are_wrong_by(&r));
+    for (int32_t i = 0; i < tries; i++)
+        worst = larger(worst, points_are_wrong_by(&r, collide));
     return worst;
 }
+
+static double points(int32_t tries) { return labPoints(tries, wfCollide); }
 /* <cases> */
 typedef struct Overlap { const wfShape *s; const wfTransform *x; } Overlap;
 

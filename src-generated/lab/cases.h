@@ -4,6 +4,7 @@
 #define LAB_CASES_H
 /* The report's black-box tests, TC01 to TC08: chapter 31. */
 #include <stdint.h>
+#include "weft/contact.h"
 
 typedef struct labCase {
     const char *id, *purpose, *input, *expected;
@@ -17,4 +18,9 @@ typedef struct labCase {
 
 extern const labCase labCases[];
 extern const int32_t labCaseCount;
+/* <declarations of the cases> */
+typedef int labCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                       wfManifold *out);
+/* TC04 of a function that is used like wfCollide. */
+double labPoints(int32_t tries, labCollide *collide);
 #endif

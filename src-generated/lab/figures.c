@@ -5051,11 +5051,12 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
     static const char *const button[] = {
-        "List", "Tools", "Pause", "Step", "Reset", "Previous", "Next", "Dark", "Keys",
-        "Settings", "Hand", "Place", "Draw", "Pin", "Connect", "Lasso", "Delete", "Probe" };
+        "List", "Tools", "Pause", "Step", "Reset", "Previous", "Next", "Home", "Dark",
+        "Keys", "Settings", "Hand", "Place", "Draw", "Pin", "Connect", "Lasso", "Delete",
+        "Probe" };
     const wfScene *s = &wfSceneTable[wfFindScene("shapes")];
     camera c = { (float)s->viewX, (float)s->viewY, (float)s->viewHeight, LIST_WIDTH, HEAD,
-                 1100 - LIST_WIDTH, 700 - HEAD - FOOT };
+                 1100 - LIST_WIDTH, 700 - HEAD - FOOT - TIME_BAR };
     float view[4];
     camera_window(&c, 1100, 700, view);
     wfDrawView(d, view[0], view[1], view[2], view[3]);
@@ -5064,8 +5065,8 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_box(d, &c, -2, 700 - FOOT + 2, 1104, FOOT, WF_INK_PAPER);
     window_list(d, &c, s->name);
     /* <draw the buttons of the bar> */
-    for (int i = 0; i < 18; i++) {
-        float x = 224 + 62 * (float)(i % 10), y = 10 + BAR_ROW * (float)(i / 10);
+    for (int i = 0; i < 19; i++) {
+        float x = 224 + 62 * (float)(i % 11), y = 10 + BAR_ROW * (float)(i / 11);
         window_box(d, &c, x, y, 56, 24, WF_INK_PAPER);
         window_text(d, &c, x + 28, y + 17, WF_INK_TEXT, 0, button[i]);
     }
@@ -5075,7 +5076,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_box(d, &c, 1, 1, 1098, 698, WF_INK_NONE);
     /* <mark the parts of the window by letters> */
     static const struct { const char *letter; float x, y; } mark[] = {
-        { "A", 170, 200 }, { "B", 188, 582 }, { "C", 860, 22 }, { "D", 680, 96 },
+        { "A", 170, 200 }, { "B", 188, 582 }, { "C", 922, 22 }, { "D", 680, 96 },
         { "E", 650, 180 }, { "F", 470, 674 }
     };
     for (int i = 0; i < 6; i++)

@@ -941,27 +941,36 @@ static bool stepBroadRow(BroadWorld *world, int row, const wfProxies *in, wfPair
         && wfIndexPairs(row, in, index, &pool, list) == WF_OK;
 }
 /* <measurements> */
+/* so many rounds of steps: their time in s; -1: failed */
+static double timeBroadRounds(BroadWorld *world, int row, int n, int rounds, int *pairs)
+{
+    clock_t start = clock();
+    for (int i = 0; i < rounds * (2 * BROAD_FRAMES - 2); i++) {
+        wfProxies in = { .count = n, .bounds = broadFrame(world, i),
+                         .flags = world->flags };
+        wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
+        if (!stepBroadRow(world, row, &in, &list)) return -1;
+        *pairs = list.count;
+    }
+    return (double)(clock() - start) / CLOCKS_PER_SEC;
+}
+/* <measurements> */
 /* the time of one step in s, by row, in batches that last a millisecond; -1: failed */
 static double timeBroadRow(BroadWorld *world, int row, int n, int *pairs)
 {
     enum { RUNS = 7 };
     double seconds[RUNS];
-    int batch = 1, calls = 0;
+    int rounds = 1;
     memset(world->index, 0, 2 * WF_POOL_ALIGN);           /* a new index */
+    if (timeBroadRounds(world, row, n, 1, pairs) < 0) return -1;
     for (int run = -1; run < RUNS;) {                     /* one run to warm up */
-        clock_t start = clock();
-        for (int i = 0; i < batch; i++) {
-            wfProxies in = { .count = n, .bounds = broadFrame(world, calls++),
-                             .flags = world->flags };
-            wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
-            if (!stepBroadRow(world, row, &in, &list)) return -1;
-            *pairs = list.count;
-        }
-        double took = (double)(clock() - start) / CLOCKS_PER_SEC;
-        if (run < 0 && took < 0.001 && batch < 1 << 20) { batch *= 2; continue; }
+        double took = timeBroadRounds(world, row, n, rounds, pairs);
+        if (took < 0) return -1;
+        if (run < 0 && took < 0.001 && rounds < 1 << 16) { rounds *= 2; continue; }
+        took /= rounds * (2 * BROAD_FRAMES - 2);
         int k = run++;
-        for (; k > 0 && seconds[k - 1] > took / batch; k--) seconds[k] = seconds[k - 1];
-        if (k >= 0) seconds[k] = took / batch;
+        for (; k > 0 && seconds[k - 1] > took; k--) seconds[k] = seconds[k - 1];
+        if (k >= 0) seconds[k] = took;
     }
     return seconds[RUNS / 2];
 }

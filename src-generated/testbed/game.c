@@ -1888,7 +1888,7 @@ static void place_camera(game *g)
     c->left = left * k;
     c->top = s->head * k;
     c->wide = (s->width - left - right) * k;
-    c->high = (s->height - s->head - FOOT - 18) * k;
+    c->high = (s->height - s->head - FOOT - TIME_BAR) * k;
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
     take_pane(s, c);

@@ -6,6 +6,7 @@
 enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 131, ROW = 19 };
 enum { BAR_ROW = 30, HEAD_TEXT = 62 };  /* a row of buttons; the scene's name, its text */
 enum { HEAD = HEAD_TEXT + 2 * BAR_ROW, FOOT = 48 };     /* strips above, below the scene */
+enum { TIME_BAR = 18 };                 /* the line of the kept steps, above the foot */
 enum { LOW = 420 };                     /* lower windows go without that name and text */
 enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
 enum { LIST_ROOM = 800 };               /* narrower windows begin without the list */

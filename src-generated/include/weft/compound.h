@@ -66,7 +66,8 @@ size_t wfDecomposeScratch(int n);
 int32_t wfFlipMesh(wfMesh *mesh);
 /* <declarations of the meshes> */
 /* Takes out diagonals as long as all pieces stay convex: at most 2r + 1 are left for r
-   reflex corners (eq:compound-bound). Returns the number of pieces. */
+   reflex corners (eq:compound-bound). Returns the number of pieces. Once for a mesh: a
+   second call finds no more to take out, but counts what the first took out as there. */
 int32_t wfMergeMesh(wfMesh *mesh);
 /* The corners of the piece to the left of a half-edge, in ring, which has room for
    mesh->cornerCount. Returns their number; 0 if the half-edge was taken out, or is not

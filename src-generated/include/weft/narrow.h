@@ -62,7 +62,7 @@ int wfFindNarrowPhase(const char *name);   /* the row of that name, -1 if there 
 wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape *b,
                     wfTransform xb, wfSeparation *out);
 
-/* The greatest distance of a vertex from the shape's centre, or the radius, m. */
+/* The greatest distance of a vertex from the shape's centre, plus the radius, m. */
 wfReal wfShapeReach(const wfShape *shape);
 /* <declarations of the narrow phases> */
 /* The nearest points of two shapes. */

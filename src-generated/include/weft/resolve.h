@@ -187,8 +187,8 @@ void wfCarryImpulses(const wfContact *before, wfContact *now);
 /* <declarations of the parts of an impulse> */
 #define WF_CONTACT_PERIOD 6     /* P, substeps in a period of the spring: eq:soft-period */
 #define WF_CONTACT_DAMPING 5    /* zeta: how many times the critical damping */
-#define WF_COLUMN_GIVE WF_R(1e-4)   /* gamma / K of contacts solved at once: sec:soft-push */
-#define WF_ALONE_SHARE WF_R(1e-6)   /* how far a point may be from below the centre */
+#define WF_COLUMN_GIVE WF_R(1e-4)  /* gamma / K of contacts solved at once: sec:soft-push */
+#define WF_ALONE_SHARE WF_R(1e-6)  /* how far a point may be from below the centre */
 /* <declarations of the solver table> */
 typedef wfResult wfSolverFn(const wfSolve *in);
 typedef size_t wfSolverScratchFn(int32_t bodies, int32_t contacts);
