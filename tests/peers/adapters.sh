@@ -5,9 +5,40 @@
 #   tests/peers/adapters.sh [NAME ...]
 set -uo pipefail
 cd "$(dirname "$0")/../.."
+w=$(mktemp -d); trap 'rm -rf "$w"' EXIT
+
+# The reader of the adapters in C alone, under the address sanitizer: as many shapes and joints as a text can hold, and what is no point.
+src=${WEFT_LINES:-build/lines}/lab/peers
+if pkg-config --exists libcjson && [ -f "$src/scene.c" ]; then
+  cat > "$w/read.c" <<'E'
+#include <stdio.h>
+#include "peer.h"
+int main(int argc, char **argv)
+{
+    peerScene s = { .file = "" };
+    if (argc > 1) peerRead(argv[1], &s);
+    printf("%d %d %d\n", s.bodies, s.shapes, s.joints);
+    return 0;
+}
+E
+  flags=$(pkg-config --cflags libcjson | sed 's/-I/-isystem /g')
+  ${CC:-cc} -g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all $flags -I"$src" "$w/read.c" "$src/scene.c" $(pkg-config --libs libcjson) -lm -o "$w/read" || exit 1
+  # reads WANTED-STATUS WANTED-OUTPUT: the scene in $w/read.json
+  reads() { said=$(ASAN_OPTIONS=detect_leaks=0 "$w/read" "$w/read.json" 2>&1); rc=$?; [ $rc -eq "$1" ] && [[ $said == *"$2"* ]] ||
+    { echo "reader: $(head -c 90 "$w/read.json")...: status $rc, $(head -3 <<< "$said")"; exit 1; }; }
+  many() { local list; printf -v list "$1,%.0s" $(seq "$2"); echo "${list%,}"; }
+  echo "{\"weft\":1,\"bodies\":[{\"type\":\"static\",\"shapes\":[$(many '{"kind":"box"}' 1000)]}]}" > "$w/read.json"; reads 0 "1 1000 0"
+  echo "{\"weft\":1,\"bodies\":[$(many '{"type":"s"}' 500),{\"type\":\"s\",\"shapes\":[$(many '{"kind":"box"}' 99)]}]}" > "$w/read.json"; reads 0 "501 99 0"
+  echo "{\"joints\":[$(many '{"kind":"weld","a":0,"b":0}' 1000)],\"bodies\":[{\"type\":\"s\"}]}" > "$w/read.json"; reads 0 "1 0 1000"
+  for x in '"position":5' '"position":[1]' '"position":["a",2]' '"position":[1,2,3]' '"shapes":[{"kind":"polygon","vertices":[1,2,3]}]' \
+      '"shapes":[{"kind":"polygon","vertices":[[0,0],[1,0],[0]]}]' '"shapes":[{"kind":"polygon","vertices":[]}]' '"shapes":[{"kind":"polygon","vertices":[[0,0],[1,1]]}]'; do
+    echo "{\"bodies\":[{\"type\":\"static\",$x}]}" > "$w/read.json"; reads 1 "error: "
+  done
+  echo "  the reader: done"
+fi
+
 bin=${WEFT_PEERS:-build/peers/bin}
 [ -d "$bin" ] || { echo "no adapters in $bin -- type: make peers"; exit 77; }
-w=$(mktemp -d); trap 'rm -rf "$w"' EXIT
 bad=0 n=0
 say() { echo "$engine: $1"; bad=1; }
 # play SCENE options... : the last row of numbers is in $row, comma separated; 1 step time, 2 time, 3 pairs, 4 points, 5 mean, 6 top, 7... bodies
