@@ -219,19 +219,28 @@ local function command_of_csv(path)
     if not l:match("^#") then break end
   end
 end
+-- On which machine, if there is a clock in it: the line that tangle/machine has written.
+local function machine_of_csv(path)
+  for l in (Code.read(root .. path) or ""):gmatch("[^\n]+") do
+    local m = l:match("^# weft %x+; [^;]+; [^;]+; (.+)$")
+    if m then return m end
+    if not l:match("^#") then break end
+  end
+end
 local function commands_of_plot(name)
-  local list, seen = {}, {}
+  local list, seen, machine = {}, {}, nil
   local gp = Code.read(root .. "book/plots/" .. name .. ".gp") or ""
   local function add(c) if c and not seen[c] then seen[c] = true; list[#list + 1] = c end end
   for c in gp:gmatch("#%s*command:%s*([^\n]+)") do add(c) end
-  for csv in gp:gmatch("(book/data/[%w_%-]+%.csv)") do add(command_of_csv(csv)) end
-  return list
+  for csv in gp:gmatch("(book/data/[%w_%-]+%.csv)") do add(command_of_csv(csv)); machine = machine or machine_of_csv(csv) end
+  return list, machine
 end
-local function command_line(list)
+local function command_line(list, machine)
   if #list == 0 then return "" end
   local r = {}
   for i, c in ipairs(list) do r[i] = html and "<code>" .. Code.html(c) .. "</code>" or "\\wInline{" .. Code.tex_code(c):gsub("\\ ", " ") .. "}" end
-  return html and '<span class="made">Measured by ' .. table.concat(r, ", ") .. "</span>" or "\\wMade{Measured by " .. table.concat(r, ", ") .. "}"
+  local on = machine and (html and " on " .. Code.html(machine) or " on " .. Code.tex(machine)) or ""
+  return html and '<span class="made">Measured by ' .. table.concat(r, ", ") .. on .. "</span>" or "\\wMade{Measured by " .. table.concat(r, ", ") .. on .. "}"
 end
 
 -- gnuplot writes colours; style.gp uses only these, and the page's style sheet says what they are in the dark.
@@ -372,7 +381,7 @@ local function data_table(el)
     return "$" .. m .. "\\cdot10^{" .. e .. "}$"
   end
   local id, l = el.identifier, db.labels[el.identifier]
-  local command = command_of_csv(a.file)
+  local command, machine = command_of_csv(a.file), machine_of_csv(a.file)
   local r = pandoc.List {}
   local caption = pandoc.Plain(pandoc.List(pandoc.walk_block(pandoc.Plain(parse_inlines(a.caption or "")), { Cite = cite, Code = inline_code }).content))
   if html then
@@ -387,7 +396,7 @@ local function data_table(el)
     t[#t + 1] = '</tbody></table><div class="cap">' .. (l and "<b>Table " .. l.num .. ".</b> " or "")
     r:insert(rawb(table.concat(t)))
     r:insert(caption)
-    r:insert(rawb(command_line { command } .. "</div></div>"))
+    r:insert(rawb(command_line({ command }, machine) .. "</div></div>"))
   else
     local spec, head, body = {}, {}, {}
     for j, col in ipairs(columns) do spec[j] = numeric[j] and "r" or "l"; head[j] = "\\textbf{" .. Code.tex(col[2]) .. "}" end
@@ -398,7 +407,7 @@ local function data_table(el)
     end
     caption.content:insert(1, raw("\\begin{wTable}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wFit{\\begin{tabular}{" .. table.concat(spec) .. "}\\toprule " ..
       table.concat(head, " & ") .. "\\\\\\midrule\n" .. table.concat(body, "\n") .. "\n\\bottomrule\\end{tabular}}\n\\wCaption{" .. (l and "Table~" .. l.num or "") .. "}{"))
-    caption.content:insert(raw(command_line { command } .. "}\\end{wTable}"))
+    caption.content:insert(raw(command_line({ command }, machine) .. "}\\end{wTable}"))
     r:insert(caption)
   end
   return r
