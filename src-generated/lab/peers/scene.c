@@ -87,14 +87,22 @@ static double number(const cJSON *object, const char *key, double usual)
     return item != NULL ? item->valuedouble : usual;
 }
 
+static void pair(const cJSON *item, const char *key, double out[2])
+{
+    for (int i = 0; i < 2; i++) {
+        const cJSON *x = cJSON_GetArrayItem(item, i);
+        if (!cJSON_IsNumber(x) || cJSON_GetArraySize(item) != 2)
+            fail(key, "must be [x, y]");
+        out[i] = x->valuedouble;
+    }
+}
+/* <look at keys> */
 static int point(const cJSON *object, const char *key, double out[2])
 {
     const cJSON *item = cJSON_GetObjectItem(object, key);
     out[0] = out[1] = 0;
-    if (item == NULL) return 0;
-    if (cJSON_GetArraySize(item) != 2) fail(key, "must be [x, y]");
-    for (int i = 0; i < 2; i++) out[i] = cJSON_GetArrayItem(item, i)->valuedouble;
-    return 1;
+    if (item != NULL) pair(item, key, out);
+    return item != NULL;
 }
 
 static const char *word(const cJSON *object, const char *key, const char *usual)
@@ -129,14 +137,12 @@ static void read_corners(const cJSON *item, const char *where, peerShape *s)
     double angle = number(item, "angle", 0);
     s->corners = list != NULL ? cJSON_GetArraySize(list) : 4;
     if (s->corners > 8) peerRefuse("%s: more than 8 corners", where);
+    if (s->corners < 3) fail(where, "needs three corners");
     for (int i = 0; i < s->corners; i++)
-        if (list == NULL) {
+        if (list == NULL)
             turn(sign[i][0] * w, sign[i][1] * h, angle, s->centre, s->corner[i]);
-        } else {
-            const cJSON *at = cJSON_GetArrayItem(list, i);
-            s->corner[i][0] = cJSON_GetArrayItem(at, 0)->valuedouble;
-            s->corner[i][1] = cJSON_GetArrayItem(at, 1)->valuedouble;
-        }
+        else
+            pair(cJSON_GetArrayItem(list, i), where, s->corner[i]);
     if (s->radius != 0) peerRefuse("%s.radius: a rounded polygon", where);
 }
 /* <read shapes of a scene> */
@@ -280,29 +286,37 @@ static void read_settings(const cJSON *root, peerScene *out)
     }
 }
 /* <read a scene for a peer> */
+static size_t count_shapes(const cJSON *bodies)
+{
+    size_t count = 0;
+    const cJSON *body;
+    cJSON_ArrayForEach(body, bodies)
+        count += (size_t)cJSON_GetArraySize(cJSON_GetObjectItem(body, "shapes"));
+    return count;
+}
+/* <read a scene for a peer> */
 void peerRead(const char *file, peerScene *out)
 {
     char *text = whole_file(file), where[64];
     cJSON *root = cJSON_Parse(text);
-    const cJSON *item;
-    size_t room = strlen(text) / 4 + 1;     /* more shapes than the text can have */
-    int i = 0;
     if (!cJSON_IsObject(root)) fail(file, "is not a scene in JSON");
     look_at_keys(root, &sceneKeys, "");
-    *out = (peerScene){ .bodies = cJSON_GetArraySize(cJSON_GetObjectItem(root, "bodies")),
-                        .file = file };
+    const cJSON *bodies = cJSON_GetObjectItem(root, "bodies"), *item;
+    const cJSON *joints = cJSON_GetObjectItem(root, "joints");
+    int i = 0;
+    *out = (peerScene){ .bodies = cJSON_GetArraySize(bodies), .file = file };
     point(root, "origin", out->origin);
     /* <take room for bodies, shapes and joints> */
     out->body = calloc((size_t)out->bodies + 1, sizeof *out->body);
-    out->shape = calloc(room / 4 + 1, sizeof *out->shape);
-    out->joint = calloc(room / 4 + 1, sizeof *out->joint);
+    out->shape = calloc(count_shapes(bodies) + 1, sizeof *out->shape);
+    out->joint = calloc((size_t)cJSON_GetArraySize(joints) + 1, sizeof *out->joint);
     if (out->body == NULL || out->shape == NULL || out->joint == NULL)
         fail(file, "no memory");
-    cJSON_ArrayForEach(item, cJSON_GetObjectItem(root, "bodies")) {
+    cJSON_ArrayForEach(item, bodies) {
         snprintf(where, sizeof where, "bodies[%d]", i);
         read_body(item, where, out, &out->body[i++]);
     }
-    cJSON_ArrayForEach(item, cJSON_GetObjectItem(root, "joints")) {
+    cJSON_ArrayForEach(item, joints) {
         snprintf(where, sizeof where, "joints[%d]", out->joints);
         read_joint(root, item, where, out, &out->joint[out->joints++]);
     }
