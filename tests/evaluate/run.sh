@@ -17,7 +17,7 @@ lua=$("$OLDPWD/tangle/lua"); got=$($lua evaluate.lua)
 echo "$got" | grep -q '^R1,R,"good",-,achieved,"it is 0.5"' && echo "$got" | grep -q '^R2,R,"far",-,achieved in part' && echo "$got" | grep -q '^R3,R,"broken",-,not achieved' || { echo "$got"; echo "the evaluation does not see what fails"; exit 1; }
 printf 'R1\tgood\t-\ttest_09_none\t\ttrue\n' > book/evaluation.tsv
 ! $lua evaluate.lua >/dev/null 2>log && grep -q 'evaluation.tsv:1: no test called test_09_none' log || { cat log; echo "a test that is not there is not told"; exit 1; }
-for r in "ok 10:achieved,," "FAIL 10:not achieved" "skip 0:not achieved"; do
+for r in "ok 10:achieved," "FAIL 10:not achieved" "skip 0:not achieved"; do
   printf 'R1\tgood\t-\tstep:far\t\ttrue\n' > book/evaluation.tsv; echo "${r%:*}" > build/check/far.result
   $lua evaluate.lua 2>log | grep -q "^R1,R,\"good\",-,${r#*:}" || { echo "a step that ended with '${r%:*}' is not judged as ${r#*:}"; exit 1; }
 done
