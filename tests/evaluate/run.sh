@@ -19,7 +19,7 @@ printf 'R1\tgood\t-\ttest_09_none\t\ttrue\n' > book/evaluation.tsv
 ! $lua evaluate.lua >/dev/null 2>log && grep -q 'evaluation.tsv:1: no test called test_09_none' log || { cat log; echo "a test that is not there is not told"; exit 1; }
 for r in "ok 10:achieved," "FAIL 10:not achieved" "skip 0:not achieved"; do
   printf 'R1\tgood\t-\tstep:far\t\ttrue\n' > book/evaluation.tsv; echo "${r%:*}" > build/check/far.result
-  $lua evaluate.lua 2>log | grep -q "^R1,R,\"good\",-,${r#*:}" || { echo "a step that ended with '${r%:*}' is not judged as ${r#*:}"; exit 1; }
+  got=$($lua evaluate.lua 2>log); grep -q "^R1,R,\"good\",-,${r#*:}" <<< "$got" || { echo "a step that ended with '${r%:*}' is not judged as ${r#*:}"; exit 1; }
 done
 grep -q 'evaluation.tsv:1: the step far was skipped' log || { cat log; echo "a step that was skipped is not told"; exit 1; }
 cd "$OLDPWD"; echo "$(grep -c '^[A-Z]*[0-9]' book/data/evaluation.csv) requirements: $(grep -c ',achieved,' book/data/evaluation.csv) achieved, $(grep -c ',achieved in part,' book/data/evaluation.csv) in part"
