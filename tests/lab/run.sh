@@ -38,5 +38,35 @@ find $dir/many/build/lab/cells -type f | sort | awk 'NR % 10 == 1' > $dir/lost; 
 (cd $dir/many && : > called && tangle/lab --full >>log 2>&1) || say "going on failed: see $dir/many/log"
 [ "$(grep -c '^cell [a-z-]* [a-z]*=' $dir/many/called)" = "$(wc -l < $dir/lost)" ] || say "going on measured other cells than those that were lost"
 for f in $dir/one/build/lab/*.csv; do cmp -s "$f" "$dir/many/build/lab/$(basename "$f")" || say "$(basename "$f") differs after an interruption"; done
-[ $failed -eq 0 ] && echo "$cells cells give the same bytes in one go, by an array of jobs, and after an interruption"
+# another program takes no cell of this one's, and finds its own again
+sed -i '$s/^/#\n/' $dir/many/build/bin/weft-lab
+(cd $dir/many && : > called && tangle/lab --full accuracy-narrow >>log 2>&1) || say "a sweep by another program failed: see $dir/many/log"
+[ "$(grep -c '^cell accuracy-narrow [a-z]*=' $dir/many/called)" = "$(cd $dir/one && build/bin/weft-lab cells --full | grep -c '^accuracy-narrow ')" ] || say "a program took the cells of another"
+sed -i '/^#$/d' $dir/many/build/bin/weft-lab
+(cd $dir/many && : > called && tangle/lab --full accuracy-narrow >>log 2>&1); grep -q '^cell [a-z-]* [a-z]*=' $dir/many/called && say "a program did not find its own cells"
+# a cell whose engine was not there is asked again, and so is one whose adapter is another; no other is
+mkdir -p $dir/peer/tangle $dir/peer/build/bin $dir/peer/build/peers/bin; cp tangle/lab tangle/machine $dir/peer/tangle/
+cat > $dir/peer/build/bin/weft-lab <<'SH'
+#!/bin/sh
+# two cells, each played by an adapter
+[ "$1" != cells ] || { echo "far engine=a"; echo "far engine=b"; exit; }
+[ "${3-}" != --columns ] || { echo engine,verdict,error; exit; }
+echo "$3" >> called; e=${3#engine=}
+if [ -x "build/peers/bin/$e" ]; then echo "$e,$(build/peers/bin/$e),0"; else echo "$e,absent,0"; fi
+SH
+chmod +x $dir/peer/build/bin/weft-lab
+adapter() { printf '#!/bin/sh\necho %s\n' "$2" > $dir/peer/build/peers/bin/"$1"; chmod +x $dir/peer/build/peers/bin/"$1"; }
+sweep() {     # what is asked, and the rows
+  (cd $dir/peer && rm -f called && tangle/lab --jobs 1 >log 2>&1; touch called; got="$(sort called | tr '\n' ' ')/ $(grep -v '^#\|^engine' build/lab/far.csv | tr '\n' ' ')"
+   [ "$got" = "$1" ] || { echo "lab: $got"; exit 1; }) || say "that is not: $1"
+}
+adapter a right
+sweep "engine=a engine=b / a,right,0 b,absent,0 "
+sweep "engine=b / a,right,0 b,absent,0 "
+adapter b wrong
+sweep "engine=b / a,right,0 b,wrong,0 "
+sweep "/ a,right,0 b,wrong,0 "
+adapter a slow
+sweep "engine=a / a,slow,0 b,wrong,0 "
+[ $failed -eq 0 ] && echo "$cells cells give the same bytes in one go, by an array of jobs, and after an interruption; none is taken from another engine"
 exit $failed
