@@ -692,6 +692,66 @@ static wfReal push_noise(const wfSubsteps *s, const wfColumns *t, const wfLimb *
     return 16 * WF_EPSILON * most;
 }
 /* <try the trees> */
+/* To `over` and `under`: what the sums of a contact have given its two bodies. */
+static void add_memory(const wfLimb *l, const wfPrepared *c, wfReal *over, wfReal *under)
+{
+    wfReal sign = l->upside ? WF_R(-1.0) : WF_R(1.0);
+    for (int32_t k = 0; k < c->count; k++) {
+        const wfPreparedPoint *p = &c->p[k];
+        wfVec2 f = wfAdd(wfScale(p->normal, c->n), wfScale(p->tangent, c->t));
+        wfReal onA = p->normal * p->nA + p->tangent * p->tA;
+        wfReal onB = p->normal * p->nB + p->tangent * p->tB;
+        over[0] += sign * f.x, over[1] += sign * f.y;
+        over[2] += sign * (l->upside ? onA : onB);
+        if (under == NULL) continue;
+        under[0] -= sign * f.x, under[1] -= sign * f.y;
+        under[2] -= sign * (l->upside ? onB : onA);
+    }
+}
+/* <try the trees> */
+/* eq:soft-memory: the share of the sums that is too much */
+static wfReal too_much(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
+{
+    wfReal work = 0, energy = 0;
+    for (int32_t i = root->root; i < root->links; i++)
+        memset(t->limb[i].wave.load, 0, sizeof t->limb[i].wave.load);
+    for (int32_t i = root->root; i < root->links; i++) {
+        const wfLimb *l = &t->limb[i];
+        const wfPrepared *c = &s->c[l->contact];
+        wfPairMotion m = wfTakePair(s->in, c);
+        for (int32_t k = 0; k < c->count; k++)
+            work += c->p[k].normal * wfNormalRate(&m, &c->p[k])
+                  + c->p[k].tangent * (wfTangentRate(&m, &c->p[k]) - c->surfaceSpeed);
+        add_memory(l, c, t->limb[l->over].wave.load,
+                   l->below < 0 ? NULL : t->limb[l->below].wave.load);
+    }
+    for (int32_t i = root->root; i < root->end; i++) {
+        const wfReal *load = t->limb[i].wave.load;
+        const wfBodyState *b = &s->in->state[t->limb[i].body];
+        energy += (load[0] * load[0] + load[1] * load[1]) * b->invMass
+                + load[2] * load[2] * b->invInertia;
+    }
+    return work > 0 && energy > 0 ? wfMinR(work / energy, 1) : 0;
+}
+/* <try the trees> */
+static void take_back(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
+{
+    wfReal share = too_much(s, t, root);
+    for (int32_t i = root->root; share > 0 && i < root->links; i++) {
+        wfPrepared *c = &s->c[t->limb[i].contact];
+        wfPairMotion m = wfTakePair(s->in, c);
+        for (int32_t k = 0; k < c->count; k++) {
+            wfPreparedPoint *p = &c->p[k];
+            wfReal normal = share * p->normal, tangent = share * p->tangent;
+            p->normal -= normal;
+            p->tangent -= tangent;
+            wfPushPoint(&m, p, -normal);
+            wfDragPoint(&m, p, -tangent);
+        }
+        wfGivePair(s->in, c, &m);
+    }
+}
+/* <try the trees> */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest)
 {
@@ -707,6 +767,7 @@ void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
         for (int32_t i = at; i < root->links && root->state == LIMB_RIGHT; i++)
             if (foot_slips(s, &t->limb[i])) root->state = LIMB_FAILS;
         for (int32_t i = at; i < root->links; i++) close_limb(s, t, &t->limb[i]);
+        if (root->state != LIMB_RIGHT) take_back(s, t, root);
         root->given_up = loops && root->state != LIMB_RIGHT;
     }
 }

@@ -2837,7 +2837,7 @@ enum { SAG_BOXES = 10 };
 
 static void sag_step(wfDraw *d, wfBodyState *state, wfContact *c, int substeps)
 {
-    _Alignas(16) static uint8_t memory[1 << 14];
+    _Alignas(16) static uint8_t memory[1 << 15];
     wfBodyForces force[SAG_BOXES + 1] = { { .torque = 0 } };
     wfPool scratch;
     wfPoolInit(&scratch, sizeof memory, memory);
