@@ -55,7 +55,25 @@ grep -q 'no "needs" in this scene' "$out/log" || { cat "$out/log"; exit 1; }
   for p in $parts; do echo "only-$p --only $p"; echo "without-$p --without $p"; done; } |
   xargs -P "$(nproc 2>/dev/null || echo 2)" -d '\n' -n 1 bash -c 'set -- $0; engine "$1" "$2" "${*:3}"' | tee "$out/result"
 rm -rf "$out"/seen.*
+# An engine that was derived for a scene moves as the whole does: a hinge chain after 120 steps, whose joints are solved together where
+# that is cheap (the default), and one by one.
+hash() {      # NAME of the tree, flags
+  $CC $flags "${@:2}" -I"$out/$1" -I"$out/$1/include" -Itests/parts "$out/$1"/{core,math,collision,dynamics,engine}/*.c tests/parts/chain.c -lm -o "$out/chain" && "$out/chain"
+}
+chains() {
+  local settings whole got parts
+  for settings in '' '"exactJoints": "one-by-one"'; do
+    echo "{ \"weft\": 1, \"needs\": [\"shapes\", \"joints\", \"rotation\"], \"settings\": { $settings } }" > "$out/chain.json"
+    parts=$(tangle/needs "$out/chain.json") && rm -rf "$out/derived" && tangle/tangle --lines --only "$parts" "$out/derived" chapters/*.nw || return 1
+    whole=$(hash whole/lines ${settings:+-DONE_BY_ONE}) && got=$(hash derived) || return 1
+    [ "$whole" = "$got" ] || { echo "FAIL  a chain ${settings:+with $settings }has the hash $got in the engine derived for it ($parts), $whole in the whole one"; return 1; }
+    [ -z "${other-}" ] || [ "$other" != "$whole" ] || { echo "FAIL  tests/parts/chain.c has one hash whether its joints are solved together or not"; return 1; }
+    local other=$whole
+  done
+  echo "ok    a hinge chain has the same hash in the engine derived for it and in the whole one, together and one by one"
+}
 failed=$(grep -c '^FAIL' "$out/result")
+[ $# -eq 0 ] && { tangle/tangle --lines --without "" "$out/whole/lines" chapters/*.nw && chains || failed=$((failed + 1)); }
 [ $# -eq 0 ] && { bash tests/parts/size.sh || failed=$((failed + 1)); }
 echo "parts: $(grep -c '^ok' "$out/result") engines built and tested, $failed failed"
 [ "$failed" -eq 0 ]
