@@ -66,4 +66,4 @@ evaluation:
 # Every engine on scenes with exact answers, swept past sense (chapter 34), and the review that follows from it (chapter 02). The cells are kept
 # in build/lab/cells: an interrupted sweep goes on.
 extremes: programs peers
-	@tangle/lab --full extremes && cp build/lab/extremes.csv book/data/extremes.csv && tests/peers/better.sh && tests/peers/features.sh && tests/peers/review.sh
+	@tangle/lab --full extremes && cp build/lab/extremes.csv book/data/extremes.csv && tests/peers/better.sh && tests/peers/features.sh --record && tests/peers/review.sh

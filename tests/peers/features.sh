@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Checks every cell of tests/peers/features.txt against the headers and types of the engines that are installed, and writes
-# book/data/peers-features.csv.  An engine that is not here is not checked, and nothing is then written.
+# Checks every cell of tests/peers/features.txt against the headers and types of the engines that are installed, and that
+# book/data/peers-features.csv has these cells. An engine that is not here is not checked: then the step is skipped.
+#   tests/peers/features.sh [--record]      --record: writes book/data/peers-features.csv (make extremes)
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 m=build/peers/node_modules
@@ -34,5 +35,10 @@ done < tests/peers/features.txt
 [ $bad -eq 0 ] || exit 1
 { echo "# command: tests/peers/features.sh; Box2D $(dpkg-query -W -f '${Version}' libbox2d-dev 2>/dev/null), box2d3-wasm $(version box2d3-wasm), Chipmunk $(dpkg-query -W -f '${Version}' chipmunk-dev 2>/dev/null), Matter.js $(version matter-js), planck $(version planck), Rapier $(version @dimforge/rapier2d-compat)"
   echo "# what the reviewed engines offer, each cell found in (or missing from) their headers or types"
-  printf '%s' "$rows"; } > book/data/peers-features.csv
+  printf '%s' "$rows"; } > build/peers/features.csv
+if [ "${1-}" = --record ]; then cp build/peers/features.csv book/data/peers-features.csv
+else      # the first line names versions, which are those of the machine that recorded it
+  diff <(sed 1d book/data/peers-features.csv) <(sed 1d build/peers/features.csv) || { echo "features: book/data/peers-features.csv is not what tests/peers/features.txt says -- type: tests/peers/features.sh --record"; exit 1; }
+  cmp -s book/data/peers-features.csv build/peers/features.csv || echo "features: found in other versions than those of book/data/peers-features.csv: $(sed -n '1s/^[^;]*; //p' build/peers/features.csv)"
+fi
 echo "$n cells of the feature matrix are what headers and types say"
