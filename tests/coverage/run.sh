@@ -25,7 +25,7 @@ awk -F'\t' '{ k = $1 "\t" $2; if (!(k in hit)) hit[k] = 0; if ($3) hit[k] = 1 }
   END { for (k in hit) { split(k, a, "\t"); n[a[1]]++; h[a[1]] += hit[k]; N++; H += hit[k] }
     for (f in n) printf "%s,%d,%d,%.1f\n", f, n[f], h[f], 100 * h[f] / n[f]
     printf "~all,%d,%d,%.1f\n", N, H, N ? 100 * H / N : 0 }' "$work/rows" | sort | sed 's/^~//' > "$work/table"
-{ echo "# command: make coverage"; echo "# lines of collision/*.c that the unit tests of chapters 07, 11 to 13, 20, 21 and 23 run"
+{ echo "# command: make coverage"; tangle/machine; echo "# lines of collision/*.c that the unit tests of chapters 07, 11 to 13, 20, 21 and 23 run"
   echo "file,lines,run,percent"; cat "$work/table"; } > "$work/coverage.csv"
 [ -n "${OUT:-}" ] && cp "$work/coverage.csv" "$OUT"
 awk -F, '{ printf "%-28s %5d lines, %5d run: %5.1f %%\n", $1, $2, $3, $4 }' "$work/table"

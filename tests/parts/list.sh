@@ -5,7 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 d=book/data to=${1:-book/data/price-list.csv}
-awk -F, -v OFS=, '
+awk -F, -v OFS=, -v machine="$(tangle/machine)" '
   FNR == 1 { file++ }
   /^#/ || /^(part|what|need),/ { next }
   file == 1 { lines[$1] = $3; adds[$1] = $5 }
@@ -19,6 +19,7 @@ awk -F, -v OFS=, '
     part["exact joints"] = "exact"; bought["all substeps but one"] = "four substeps"
     skip["impacts of fast bodies"] = skip["contacts used again"] = skip["columns"] = skip["methods"] = skip["substeps"] = 1
     print "# command: make prices"
+    print machine
     print "need,lines,code,bytes,rest,fall,what,without,with"
     for (i = 1; i <= n; i++) {
       need = order[i]; p = need in part ? part[need] : need; b = need in bought ? bought[need] : need

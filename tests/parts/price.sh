@@ -29,6 +29,7 @@ rm -f "$dir"/known.*
 whole=$(bytes whole --without "" && cat "$dir/whole.bytes")
 least=$(bytes least --only "" && cat "$dir/least.bytes")
 { echo "# command: make prices"
+  tangle/machine
   echo "part,needs,lines,words,adds,saves"
   while IFS='|' read -r part needs lines words; do
     if [ "$part" = - ]; then echo "in every engine,,$lines,,$least,"; continue; fi

@@ -28,7 +28,7 @@ row() {
     *wasm*) echo "$name,$(llvm-size -A "$d"/o/*.o 2>/dev/null | awk '$1 == "CODE" { t += $2 } $1 == "DATA" { d += $2 } END { printf "%d,%d\n", t, d }')" ;;
     *) echo "$name,$(sizes "$d"/o/*.o)" ;;
   esac
-  [ "$name" != "all parts: -Os" ] || { echo "# command: make prices"; echo "what,code,share,instructions"; kinds "$d"/o/*.o; } > build/price/bytes.csv
+  [ "$name" != "all parts: -Os" ] || { echo "# command: make prices"; tangle/machine; echo "what,code,share,instructions"; kinds "$d"/o/*.o; } > build/price/bytes.csv
   rm -rf "$d"
 }
 # one NAME, compiler and flags: the whole as one file. WebAssembly is linked, for an object's calls are padded; what it imports is counted too.
@@ -59,6 +59,7 @@ kinds() {
 second="quad-tree grid spatial-hash sweep-and-prune aabb-tree explicit-euler rk4 implicit-midpoint report"
 game="joints sleep events sensors forces damping dynamic-tree"
 { echo "# command: make prices"
+  tangle/machine
   echo "# the whole engine, compiled in several ways, and engines with less in them"
   echo "what,code,data"
   row "all parts: -O2" --without "" $gcc -O2

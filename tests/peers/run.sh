@@ -9,12 +9,13 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 steered=; [ "${1-}" != --steered ] || { steered=1; shift; }
 [ $# -gt 0 ] || { sed -n 2,6p "$0"; exit 2; }
+labels=$(for peer in "$@"; do printf " '%s'" "${peer%%=*}"; done)      # of the engines, not where they lie on this machine
 make --no-print-directory programs >/dev/null
 mkdir -p build/peers
 if [ ! "$steered" ]; then
 out=build/peers/performance-peers-time.csv
 {
-  echo "# command: tests/peers/run.sh; $(${CC:-cc} --version | head -1), -O2, one thread"
+  echo "# command: tests/peers/run.sh$labels; $(${CC:-cc} --version | head -1), -O2, one thread"
   tangle/machine
   echo "engine,pile,pyramid,grid"
 } > "$out"
@@ -36,7 +37,7 @@ out=build/peers/performance-steered-time.csv first=${1#*=}
 ${CC:-cc} -O2 -isystem "$first/include" build/lines/lab/box2d_main.c -L"$first/lib" -lbox2d -lm -lpthread -o build/peers/weft-box2d
 build/peers/weft-box2d steered > build/peers/rows
 {
-  echo "# command: tests/peers/run.sh; -O2, one thread"
+  echo "# command: tests/peers/run.sh${steered:+ --steered}$labels; -O2, one thread"
   tangle/machine
   echo "scene,bodies,steps,pairs,lost,theirs,weft,box2d3,ratio"
   build/bin/weft-lab run performance-steered-time | grep -v '^#\|^scene' | paste -d, - <(sed 's/.*,\([0-9]*\) lost,\([0-9.]*\) ms$/\1,\2/' build/peers/rows) |

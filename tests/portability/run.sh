@@ -127,7 +127,7 @@ done < <(rows)
 if [ -n "$table" ]; then
   touch "$out/rows.$$"
   what='every scene on every platform: how many have the same hash, and the first that has not'
-  printf '%s\n' "# command: make portability" "# $what" \
+  printf '%s\n' "# command: make portability" "$(tangle/machine)" "# $what" \
     "# $(wc -l < "$out/rows.$$") of $listed builds of one state of the sources ($sums): $(cut -d, -f6 "$out/rows.$$" | sort -rn | uniq -c | awk '{ printf "%s%d with %d steps", n++ ? ", " : "", $1, $2 }')" \
     'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
   cat "$out/rows.$$"; rm -f "$out/rows.$$"
