@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "weft/weft.h"
 
 typedef struct Call { uint32_t op; uint64_t seed; } Call;

@@ -862,6 +862,141 @@ static wfResult op_needs(Session *s)
     return CALL(wfInferNeeds(w, bits, &d));
 }
 
+/* ---- what was done, again: journals and files; on clones, for what they add the session does not know -------------------------------- */
+static wfInput input(Session *s)                /* a call as a value, on what is there, was there or never was */
+{
+    wfInput in;
+    memset(&in, 0, sizeof in);
+    in.kind = whole(s, 0, WF_INPUT_KINDS - 1);
+    in.with.at = vector(s, 5); in.with.by = vector(s, 10); in.with.x = real(s, 5); in.with.y = more(s, 5); in.with.number = whole(s, 0, 2);
+    const Thing *t = pick(s, &s->bodies);
+    switch (in.kind) {
+    case WF_INPUT_ADD_BODY: in.body = wfDefaultBodyDef(); in.body.type = WF_DYNAMIC; in.body.shape = shape(s); in.body.position = vector(s, 5); in.body.mass = more(s, 3); break;
+    case WF_INPUT_ADD_SHAPE: in.shape = shape_def(s); break;
+    case WF_INPUT_SET_SHAPE: case WF_INPUT_REMOVE_SHAPE: t = pick(s, &s->shapes); if (in.kind == WF_INPUT_SET_SHAPE) in.shape = shape_def(s); break;
+    case WF_INPUT_ADD_FORCE: in.force = force(s); break;
+    case WF_INPUT_SET_FORCE: case WF_INPUT_REMOVE_FORCE: case WF_INPUT_DRAG: t = pick(s, &s->forces); if (in.kind == WF_INPUT_SET_FORCE) in.force = force(s); break;
+    case WF_INPUT_SET_JOINT: case WF_INPUT_REMOVE_JOINT: t = pick(s, &s->joints); break;
+    case WF_INPUT_SET_ORIGIN: in.far = far_place(s); break;
+    default: break;
+    }
+    in.index = t->index; in.generation = t->generation;
+    if (in.kind == WF_INPUT_PAIR || in.kind == WF_INPUT_FORGET_PAIR) { in.index = below(s, 4); in.generation = below(s, 4); }
+    if (in.kind == WF_INPUT_SETTING) { in.index = below(s, 80); in.generation = below(s, 3); }
+    return in;
+}
+/* a file, if there is a place for it: build/abuse/, where run.sh is started */
+static const char *file_name(char *name, size_t room)
+{
+    snprintf(name, room, "build/abuse/%ld.weft", (long)getpid());
+    FILE *f = fopen(name, "wb");
+    if (f == NULL) return NULL;
+    fclose(f);
+    return name;
+}
+static wfResult op_record(Session *s)           /* played again it is the same; saved and loaded, too; with a bit turned round it is refused */
+{
+    static uint8_t room[1 << 16], other[1 << 16], saved[(1 << 16) + 64];
+    wfWorld *w = handle(s), one, two;
+    wfJournal j, back;
+    wfInputId made;
+    int32_t trail = yes(s), stepped = 1, steps = 0;
+    wfResult r = wfJournalInit(&j, room, sizeof room, trail);
+    MUST((r == WF_OK) == (trail == 0 || trail == 1) && wfJournalInit(NULL, room, sizeof room, 0) == WF_ERROR_NULL);
+    if (r != WF_OK) MUST(wfJournalInit(&j, room, sizeof room, 1) == WF_OK);
+    wfInput in = input(s);
+    if (s->badHandle) { MUST(wfStepNoted(w, &j, NULL) != WF_OK && j.used == 0); s->poisoned = stale = false; return CALL(wfGiveInput(w, &j, &in, &made)); }
+    stale = false;
+    if (s->inHook) { MUST(wfStepNoted(w, &j, NULL) != WF_OK); return WF_ERROR_BUSY; }
+    MUST(wfCloneWorld(w, NULL, &one) == WF_OK && wfCloneWorld(w, NULL, &two) == WF_OK);
+    for (int n = 3 + (int)below(s, 12); n > 0; n--, in = input(s)) {
+        uint64_t before = wfHashWorld(&one);
+        size_t used = j.used;
+        if (below(s, 4) == 0 && steps < 2) { r = wfStepNoted(&one, &j, NULL); steps++; }
+        else r = wfGiveInput(&one, &j, &in, below(s, 2) ? &made : NULL);
+        MUST((int)r >= 0 && r < WF_RESULT_COUNT);
+        if (r != WF_OK) MUST(wfHashWorld(&one) == before && j.used == used);
+    }
+    stale = s->poisoned = false;
+    MUST(wfCheckWorld(&one, NULL) == WF_OK);
+    wfReplay again = { .journal = &j };
+    do r = wfReplayStep(&again, &two, NULL, &stepped); while (r == WF_OK && stepped);
+    MUST(r == WF_OK && wfCompareWorlds(&one, &two, NULL) == WF_OK);
+    size_t need = wfJournalSaveSize(&j), size = 0;
+    MUST(need > 0 && need <= sizeof saved && wfSaveJournalToBytes(&j, saved, need - 1, &size) != WF_OK && wfSaveJournalToBytes(&j, saved, need, &size) == WF_OK);
+    MUST(wfLoadJournalFromBytes(saved, size, other, sizeof other, &back) == WF_OK && back.used == j.used && memcmp(room, other, j.used) == 0);
+    wfSaveInfo info;
+    MUST(wfReadSaveInfo(saved, size, &info) == WF_OK && info.holds == 2 && info.layout != 0 && wfLayoutHash() == wfLayoutHash());
+    if (below(s, 4) == 0) {                     /* side by side they never part */
+        wfReplay a = { .journal = &j }, b = { .journal = &back };
+        wfDivergence d;
+        MUST(wfRestoreWorld(&two, NULL, 0) != WF_OK);
+        wfDestroyWorld(&one); wfDestroyWorld(&two);
+        MUST(wfCloneWorld(w, NULL, &one) == WF_OK && wfCloneWorld(w, NULL, &two) == WF_OK);
+        MUST(wfFindDivergence(&a, &one, &b, &two, NULL, &d) == WF_OK && d.what.region == NULL);
+    }
+    char name[64];
+    if (below(s, 8) == 0 && file_name(name, sizeof name)) {
+        wfWorld loaded;
+        MUST(wfSaveJournalToFile(&j, name) == WF_OK && wfLoadJournalFromFile(name, other, sizeof other, &back) == WF_OK && back.used == j.used);
+        MUST(wfLoadFromFile(name, &loaded) != WF_OK);
+        MUST(wfSaveToFile(&one, name) == WF_OK && wfLoadFromFile(name, &loaded) == WF_OK && wfCompareWorlds(&one, &loaded, NULL) == WF_OK);
+        wfDestroyWorld(&loaded);
+        remove(name);
+        MUST(wfLoadFromFile(name, &loaded) == WF_ERROR_FILE && wfLoadFromFile(NULL, &loaded) == WF_ERROR_NULL);
+    }
+    size_t at = ((size_t)next(s) << 8 | below(s, 256)) % size;
+    uint64_t sum = wfChecksum(saved, size);
+    saved[at] ^= (uint8_t)(1 << below(s, 8));
+    MUST(wfChecksum(saved, size) != sum && wfLoadJournalFromBytes(saved, size, other, sizeof other, &back) != WF_OK);
+    wfDestroyWorld(&one); wfDestroyWorld(&two);
+    return WF_OK;
+}
+
+/* ---- how accurate, and for how much: a curve, a choice, and a frame by it, on a clone ------------------------------------------------- */
+static wfResult op_curve(Session *s)
+{
+    static wfAccuracy points[WF_CURVE_POINTS];
+    wfWorld *w = handle(s), clone;
+    wfCurveDef how = wfDefaultCurveDef();
+    wfAccuracy chosen = { 0 };
+    int32_t n = -1;
+    how.frame = WF_R(0.001) + more(s, WF_R(0.02));
+    how.frames = 1; how.finest = 2;
+    if (!s->badHandle && (s->inHook || wfBodyCount(w) > 6)) return WF_ERROR_BUSY;       /* it would take long, and show no more */
+    if (s->badHandle) { MUST(wfUseSettings(w, &chosen) != WF_OK && wfStepFrame(w, &chosen) != WF_OK && wfSetTolerance(w, how.frame, WF_R(0.01), &chosen) != WF_OK); }
+    wfResult r = CALL(wfMeasureCurve(w, &how, points, WF_CURVE_POINTS, &n));
+    if (r != WF_OK) return r;
+    MUST(n >= 0 && n <= WF_CURVE_POINTS);
+    if (n == 0) return r;                       /* the world has not the parts for any of the methods */
+    for (int32_t i = 0; i < n; i++) MUST(points[i].failed || (wfIsFinite(points[i].error) && points[i].error >= 0 && points[i].cost >= 0));
+    bool before = s->poisoned;
+    wfReal tolerance = more(s, WF_R(0.1));
+    double budget = (double)more(s, 100);
+    s->poisoned = before;
+    wfResult found = wfChooseForBudget(points, n, 1, budget, &chosen);
+    if (found == WF_OK) MUST(!chosen.failed && chosen.cost <= budget);
+    found = wfChooseSettings(points, n, tolerance, &chosen);
+    if (found == WF_OK) MUST(!chosen.failed && chosen.error <= tolerance);
+    else chosen = points[below(s, (uint32_t)n)];
+    if (chance(s, (uint32_t)s->wild)) chosen.method = whole(s, 0, wfMethodCount);
+    if (chance(s, (uint32_t)s->wild)) chosen.steps = whole(s, 0, 3);
+    s->poisoned = before;
+    MUST(wfCloneWorld(w, NULL, &clone) == WF_OK);
+    uint64_t hash = wfHashWorld(&clone);
+    found = wfUseSettings(&clone, &chosen);
+    MUST((int)found >= 0 && found < WF_RESULT_COUNT);
+    if (found != WF_OK) MUST(wfHashWorld(&clone) == hash);
+    else if (chosen.steps <= 8) { found = wfStepFrame(&clone, &chosen); MUST((int)found >= 0 && found < WF_RESULT_COUNT && wfCheckWorld(&clone, NULL) == WF_OK); }
+    hash = wfHashWorld(&clone);
+    if (wfBodyCount(w) > 2 || below(s, 8)) tolerance = -tolerance;                  /* the real thing takes a second's steps of every method */
+    found = wfSetTolerance(&clone, how.frame, tolerance, &chosen);
+    if (!(tolerance > 0)) MUST(found != WF_OK);
+    if (found != WF_OK) MUST(wfHashWorld(&clone) == hash);
+    wfDestroyWorld(&clone);
+    return r;
+}
+
 #define OP(group, weight, kind, function, ...) { #function, group, weight, kind, __VA_ARGS__ }
 const Operation operations[] = {
     OP("worlds", 6, READS, wfWorldSize, op_world_size, false),
@@ -944,6 +1079,8 @@ const Operation operations[] = {
     OP("queries", 6, READS, wfWorldClosest, op_closest, false),
     OP("queries", 5, READS, wfWorldDistance, op_distance, false),
     OP("queries", 6, CHANGES, wfIndexWorld, op_index, false),
+    OP("saving", 2, READS, wfJournalInit wfGiveInput wfStepNoted wfReplayStep wfFindDivergence wfJournalSaveSize wfSaveJournalToBytes wfLoadJournalFromBytes wfSaveJournalToFile wfLoadJournalFromFile wfSaveToFile wfLoadFromFile wfReadSaveInfo wfChecksum wfLayoutHash, op_record, false),
+    OP("accuracy", 2, READS, wfMeasureCurve wfChooseSettings wfChooseForBudget wfUseSettings wfStepFrame wfSetTolerance, op_curve, false),
 };
 const int operationCount = (int)(sizeof operations / sizeof *operations);
 

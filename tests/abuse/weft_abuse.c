@@ -121,7 +121,7 @@ static void write_csv(FILE *f, uint64_t seed, int findings)
 {
     static const int columns[] = { WF_OK, WF_ERROR_NULL, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE, WF_ERROR_FULL, WF_ERROR_STALE_ID, WF_ERROR_UNKNOWN };
     enum { COLUMNS = sizeof columns / sizeof *columns };
-    static const char *const kinds[] = { "worlds", "bodies", "shapes", "changes", "pushes", "forces", "joints", "sleep", "steps", "settings", "looking", "queries", "saving" };
+    static const char *const kinds[] = { "worlds", "bodies", "shapes", "changes", "pushes", "forces", "joints", "sleep", "steps", "settings", "looking", "queries", "saving", "accuracy" };
     fprintf(f, "# command: make abuse CALLS=%llu SEED=%llu\n", (unsigned long long)tally->done, (unsigned long long)seed);
     fprintf(f, "# %llu sessions, each with a world of its own; %llu steps went well; findings: %d\n", (unsigned long long)tally->sessions, (unsigned long long)tally->steps, findings);
     fprintf(f, "what,calls,ok,null,not finite,range,full,stale,unknown,other,functions\n");
