@@ -737,7 +737,8 @@ static wfReal too_much(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
 static void take_back(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
 {
     wfReal share = too_much(s, t, root);
-    for (int32_t i = root->root; share > 0 && i < root->links; i++) {
+    if (share < WF_LEFT_SHARE) return;
+    for (int32_t i = root->root; i < root->links; i++) {
         wfPrepared *c = &s->c[t->limb[i].contact];
         wfPairMotion m = wfTakePair(s->in, c);
         for (int32_t k = 0; k < c->count; k++) {
@@ -750,6 +751,12 @@ static void take_back(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
         }
         wfGivePair(s->in, c, &m);
     }
+}
+/* <try the trees> */
+void wfTakeBackMemory(const wfSubsteps *s, wfColumns *t)
+{
+    for (int32_t at = 0; at < t->count; at = t->limb[at].links)
+        take_back(s, t, &t->limb[at]);
 }
 /* <try the trees> */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,

@@ -52,6 +52,10 @@ wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest);
+/* <declarations of columns> */
+/* Takes back what the sums that were just handed out have too much, eq:soft-memory. */
+void wfTakeBackMemory(const wfSubsteps *s, wfColumns *t);
+#define WF_LEFT_SHARE WF_R(0.01)   /* sigma: a lesser one is left where it is */
 /* <declarations of packing> */
 /* Puts the contacts of each colour into bundles, but for those in trees. WF_ERROR_MEMORY */
 wfResult wfPackLanes(wfSubsteps *s, wfColumns *t);

@@ -201,11 +201,11 @@ static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
 static void finish(wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
-    wfReal whole = in->h / s->kick;
+    wfReal whole = in->h / (s->dt / 2);
+    wfKick(s, s->dt / 2, s->kick);
     for (int32_t k = 0; k < s->runs; k++) wfStoreBundles(s, &s->run[k], whole);
     for (int32_t i = 0; i < s->ones; i++)
         wfStoreImpulses(&s->c[i], whole, &in->contacts[s->order[i]]);
-    wfKick(s, s->dt / 2, s->kick);
     sweep(s, t, NULL);
     for (int32_t i = 0; i < in->bodyCount; i++) {
         if (in->present != NULL && !in->present[i]) continue;
@@ -227,6 +227,7 @@ wfResult wfSoftStep(const wfSolve *in)
     wfMoved *aside = wfPoolPushArray(in->scratch, in->bodyCount, wfMoved);
     if (result == WF_OK) result = aside != NULL ? wfFindColumns(&s, &columns)
                                                 : WF_ERROR_MEMORY;
+    s.columns = &columns;
     if (result == WF_OK && in->colours && in->lanes) result = wfPackLanes(&s, &columns);
     if (result == WF_OK) result = wfPrepareOnes(&s);
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)

@@ -38,6 +38,7 @@ typedef struct wfSubsteps {
     wfBundleGap   *gap;          /* and what only a motion needs of them */
     wfReal         dt;           /* a substep, s */
     wfReal         kick;         /* what the last kick was for: dt or dt/2, s */
+    struct wfColumns *columns;   /* sec:soft-columns; or NULL */
 } wfSubsteps;
 /* <declarations of substeps> */
 /* Takes the arrays from the scratch and puts the contacts in order; then makes those ready

@@ -12,14 +12,14 @@ mkdir -p $work
 
 steps_of() { build/bin/weft-load | awk -F, -v s="$1" -v most="${STEPS:-100000}" '$1 == s { print $2 < most ? $2 : most }'; }
 
-# once SCENE ENGINE -> median least most pairs; "--" where the engine refuses the scene
+# once SCENE ENGINE -> median least most pairs mean top (heights at the end, m); "--" where the engine refuses the scene
 once() {
   local scene=$1 engine=$2 steps
   steps=$(steps_of "$scene")
   [ -f "$work/$scene.json" ] || build/bin/weft-load "$scene" > "$work/$scene.json"
   local dials=; [ "$what" = report ] || dials='--substeps 4'
-  timeout 900 $bin/$engine "$work/$scene.json" --steps "$steps" --every "$steps" --bodies none $dials > $work/rows 2> $work/said || { echo "-- -- -- --"; return; }
-  awk -F, '/^# clock/ { gsub(/[a-z]+=/, ""); split($0, t, " "); m = t[3]; l = t[5]; x = t[6] } /^[0-9]/ { pairs = $3 } END { print m, l, x, pairs }' $work/rows
+  timeout 900 $bin/$engine "$work/$scene.json" --steps "$steps" --every "$steps" --bodies none $dials > $work/rows 2> $work/said || { echo "-- -- -- -- -- --"; return; }
+  awk -F, '/^# clock/ { gsub(/[a-z]+=/, ""); split($0, t, " "); m = t[3]; l = t[5]; x = t[6] } /^[0-9]/ { pairs = $3; mean = $5; top = $6 } END { print m, l, x, pairs, mean, top }' $work/rows
 }
 
 # rounds SCENE ENGINE... -> build/peers/scenes/SCENE.ENGINE.times, a line a round
@@ -47,7 +47,13 @@ report)
     echo "\"$(name $e)\"$(for s in $scenes; do best $s $e | awk '$1 == "--" { printf ",refused"; next }
       { v = $3 <= 1000/60 ? "excellent" : $1 <= 1000/60 && $3 <= 1000/30 ? "great" : $3 <= 1000/30 ? "good" : "bad"
         printf ",\"%.2f, %.1f: %s\"", $1, $3, v }'; done)" >> "$out"
-  done ;;
+  done
+  # what each made of it, and by how much the rounds differ: whoever has less to do is faster
+  { sed -n 1,2p "$out"; echo "engine,n100,n500,n1000,n2000,n1000s1000,n1000s2000,spread"
+    for e in $engines; do
+      echo "\"$(name $e)\"$(for s in $scenes; do best $s $e | awk '$1 == "--" { printf ",refused"; next } { printf ",\"%d: %.1f, %.1f\"", $4, $5, $6 }'; done),$(
+        for s in $scenes; do sort -g $work/$s.$e.times | awk '$1 == "--" { next } NR == 1 { l = $1 } { m = $1 } END { if (l > 0) print 100 * (m - l) / l }'; done | sort -g | tail -1 | xargs printf '%.0f')"
+    done; } > book/data/performance-report-work.csv ;;
 growth)
   engines="weft box2d3 box2d3-plain"
   for n in 100 1000 10000 100000; do rounds heap-$n $engines; done
@@ -65,7 +71,7 @@ benches)
     rounds $s $engines
     paste -d' ' $work/$s.weft.times $work/$s.box2d3.times | awk -v s=$s -v steps="$(steps_of $s)" \
       -v bodies="$(build/bin/weft-load | awk -F, -v s=$s '$1 == s { print $3 }')" '
-      { r[NR] = $1 / $5; w[NR] = $1; b[NR] = $5; p = $4; q = $8 }
+      { r[NR] = $1 / $7; w[NR] = $1; b[NR] = $7; p = $4; q = $10 }
       function mid(a, n,   i, j, t) { for (i = 1; i <= n; i++) for (j = i + 1; j <= n; j++) if (a[j] < a[i]) { t = a[i]; a[i] = a[j]; a[j] = t } return a[int((n + 1) / 2)] }
       END { m = mid(r, NR); printf "%s,%d,%d,%d,%d,%.2f,%.2f,%.2f,%.2f,%.2f\n", s, bodies, steps, p, q, mid(w, NR), mid(b, NR), m, r[1], r[NR] }' >> "$out"
   done ;;
