@@ -989,8 +989,9 @@ static wfResult op_curve(Session *s)
     if (found != WF_OK) MUST(wfHashWorld(&clone) == hash);
     else if (chosen.steps <= 8) { found = wfStepFrame(&clone, &chosen); MUST((int)found >= 0 && found < WF_RESULT_COUNT && wfCheckWorld(&clone, NULL) == WF_OK); }
     hash = wfHashWorld(&clone);
-    if (wfBodyCount(w) > 2 || below(s, 8)) tolerance = -tolerance;                  /* the real thing takes a second's steps of every method */
-    found = wfSetTolerance(&clone, how.frame, tolerance, &chosen);
+    /* the real thing tries a second of every method, up to 128 steps in a frame: only with long frames, and with nothing that is hard to solve */
+    if (wfBodyCount(w) > 1 || wfJointCount(w) > 0 || below(s, 4)) tolerance = -tolerance;
+    found = wfSetTolerance(&clone, how.frame + WF_R(0.3), tolerance, &chosen);
     if (!(tolerance > 0)) MUST(found != WF_OK);
     if (found != WF_OK) MUST(wfHashWorld(&clone) == hash);
     wfDestroyWorld(&clone);
