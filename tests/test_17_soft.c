@@ -925,7 +925,9 @@ static int solve_by_passes(void **unused)
 
 /* sec:soft-alone: a pass over what lies alone is the tree of one limb. A second coefficient of friction, which never comes
    to bear here, makes the same contact a tree. Both steps must give the same motion. A gap that is
-   nothing may come out as a rounding more or less, and then gamma / K is there or not: that is worth gamma / K times what a kick gives. */
+   nothing may come out as a rounding more or less, and then gamma / K is there or not: that is worth gamma / K times what a kick gives. And
+   after a landing, here with up to 3 m/s, the tree takes back its memory at once and the pass with its sums (sec:soft-memory): the give, which
+   goes with what is new, differs by gamma / K times that speed. */
 static void test_what_is_alone_is_a_tree_of_one_limb(void **state)
 {
     (void)state;
@@ -934,18 +936,19 @@ static void test_what_is_alone_is_a_tree_of_one_limb(void **state)
         wfReal mass = wfRandomReal(&r, WF_R(0.1), 10), overlap = wfRandomReal(&r, WF_R(-0.01), WF_R(0.01));
         wfBodyState s[2][2];
         wfVec2 v = random_v2(&r, -1, 1), arm = wfV2(0, WF_R(-0.5));
+        bool lands = round % 3 != 0;
         for (int k = 0; k < 2; k++) {
             wfPool pool;
             wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(mass, -10 * mass), .torque = mass } };
             wfContact c = { .a = 0, .b = 1, .friction = 50, .staticFriction = k ? 51 : 0, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
             c.manifold.points[0] = (wfContactPoint){ .depth = wfMaxR(overlap, 0), .armB = arm, .feature = WF_FEATURE_CIRCLE };
             s[k][0] = body(0, 0, 0, 0, 0, 0, 0);
-            s[k][1] = body(0, 0.5, (double)v.x, (double)v.y - 2, 1, (double)mass, (double)mass / 8);
+            s[k][1] = body(0, 0.5, (double)v.x, lands ? (double)v.y - 2 : 0, 1, (double)mass, (double)mass / 8);
             wfSolve in = problem(s[k], 2, &c, 1, &pool);
             in.forces = f, in.columns = 3, in.colours = 1, in.lanes = round % 2;
             assert_ok(soft(&in));
         }
-        double most = 1e-4 * 10 * 0.0025 + 64 * (double)WF_EPSILON, way = 0.01 * most + 16 * (double)WF_EPSILON;
+        double most = 1e-4 * (10 * 0.0025 + (lands ? 3 : 0)) + 64 * (double)WF_EPSILON, way = 0.01 * most + 16 * (double)WF_EPSILON;
         assert_near(s[0][1].v.x, s[1][1].v.x, most), assert_near(s[0][1].v.y, s[1][1].v.y, most);
         assert_near(s[0][1].w, s[1][1].w, 2 * most), assert_near(s[0][1].p.y, s[1][1].p.y, way), assert_near(s[0][1].p.x, s[1][1].p.x, way);
     }
