@@ -26,6 +26,11 @@ typedef int32_t wfLaneMask;
 #endif
 /* <numbers in lanes> */
 #ifdef WF_HAS_LANES
+#ifdef WF_DOUBLE
+WF_INLINE wfLanes wfLanesOf(wfReal x) { return (wfLanes){ x, x }; }
+#else
+WF_INLINE wfLanes wfLanesOf(wfReal x) { return (wfLanes){ x, x, x, x }; }
+#endif
 WF_INLINE wfLaneMask wfLanesMore(wfLanes a, wfLanes b) { return (wfLaneMask)(a > b); }
 
 WF_INLINE wfLanes wfLanesWhere(wfLaneMask m, wfLanes a)     /* a, and 0 in other lanes */
@@ -45,14 +50,13 @@ WF_INLINE bool wfAnyLane(wfLaneMask m)
     return (half[0] | half[1]) != 0;
 }
 #else
+WF_INLINE wfLanes wfLanesOf(wfReal x) { return x; }
 WF_INLINE wfLaneMask wfLanesMore(wfLanes a, wfLanes b) { return -(a > b); }
 WF_INLINE wfLanes wfLanesWhere(wfLaneMask m, wfLanes a) { return m ? a : 0; }
 WF_INLINE wfLanes wfLanesPick(wfLaneMask m, wfLanes a, wfLanes b) { return m ? a : b; }
 WF_INLINE bool wfAnyLane(wfLaneMask m) { return m != 0; }
 #endif
 /* <numbers in lanes> */
-WF_INLINE wfLanes wfLanesOf(wfReal x) { return x - (wfLanes){ 0 }; }
-
 WF_INLINE wfLanes wfLanesMax(wfLanes a, wfLanes b)
 {
     return wfLanesPick(wfLanesMore(a, b), a, b);
