@@ -34,6 +34,8 @@ engines=$(for e in ${ENGINES:-weft box2d3 box2d3-plain box2d2 chipmunk rapier ra
 name() { case $1 in weft) echo "this engine" ;; box2d3) echo "Box2D 3.2" ;; box2d3-plain) echo "Box2D 3.2, not wide" ;; box2d3-web) echo "Box2D 3 (WebAssembly)" ;;
   box2d2) echo "Box2D 2.4" ;; chipmunk) echo "Chipmunk2D" ;; rapier) echo "Rapier" ;; rapier-simd) echo "Rapier, wide" ;; planck) echo "planck" ;; matter) echo "Matter.js" ;; esac; }
 head() { command head "$@"; }
+# the middle one of a[1] .. a[n], which are sorted by it
+middle='function mid(a, n,   i, j, t) { for (i = 1; i <= n; i++) for (j = i + 1; j <= n; j++) if (a[j] < a[i]) { t = a[i]; a[i] = a[j]; a[j] = t } return a[int((n + 1) / 2)] }'
 {
   echo "# command: tests/peers/performance.sh $what; rounds: $ROUNDS${STEPS:+, at most $STEPS steps}, one thread, $(${CC:-cc} --version | head -1)"
   tangle/machine
@@ -57,22 +59,23 @@ report)
 growth)
   engines="weft box2d3 box2d3-plain"
   for n in 100 1000 10000 100000; do rounds heap-$n $engines; done
-  echo "bodies,weft,box2d3,plain,ratio" >> "$out"
+  echo "bodies,weft,box2d3,plain,ratio,least,most" >> "$out"
   for n in 100 1000 10000 100000; do
-    echo "$n $(for e in $engines; do best heap-$n $e | cut -d' ' -f1; done | tr '\n' ' ')"
-  done | awk '{ printf "%d,%.3f,%.3f,%.3f,%.2f\n", $1, $2, $3, $4, $2 / $3
+    paste -d' ' $(for e in $engines; do echo $work/heap-$n.$e.times; done) | awk -v n=$n "$middle"'
+      { w[NR] = $1; b[NR] = $7; p[NR] = $13; r[NR] = $1 / $7 }
+      END { print n, mid(w, NR), mid(b, NR), mid(p, NR), mid(r, NR), r[1], r[NR] }'
+  done | awk '{ printf "%d,%.3f,%.3f,%.3f,%.2f,%.2f,%.2f\n", $1, $2, $3, $4, $5, $6, $7
       if ($1 >= 1000) { n++; x = log($1); sx += x; sxx += x * x
         for (k = 2; k <= 4; k++) { y = log($k); sy[k] += y; sxy[k] += x * y } } }
-    END { printf "exponent"; for (k = 2; k <= 4; k++) printf ",%.2f", (sxy[k] - sx * sy[k] / n) / (sxx - sx * sx / n); print ",--" }' >> "$out" ;;
+    END { printf "exponent"; for (k = 2; k <= 4; k++) printf ",%.2f", (sxy[k] - sx * sy[k] / n) / (sxx - sx * sx / n); print ",--,--,--" }' >> "$out" ;;
 benches)
   engines="weft box2d3"
   echo "scene,bodies,steps,pairs,their,weft,box2d3,ratio,least,most" >> "$out"
   for s in large_pyramid joint_grid many_pyramids compounds smash tumbler washer; do
     rounds $s $engines
     paste -d' ' $work/$s.weft.times $work/$s.box2d3.times | awk -v s=$s -v steps="$(steps_of $s)" \
-      -v bodies="$(build/bin/weft-load | awk -F, -v s=$s '$1 == s { print $3 }')" '
+      -v bodies="$(build/bin/weft-load | awk -F, -v s=$s '$1 == s { print $3 }')" "$middle"'
       { r[NR] = $1 / $7; w[NR] = $1; b[NR] = $7; p = $4; q = $10 }
-      function mid(a, n,   i, j, t) { for (i = 1; i <= n; i++) for (j = i + 1; j <= n; j++) if (a[j] < a[i]) { t = a[i]; a[i] = a[j]; a[j] = t } return a[int((n + 1) / 2)] }
       END { m = mid(r, NR); printf "%s,%d,%d,%d,%d,%.2f,%.2f,%.2f,%.2f,%.2f\n", s, bodies, steps, p, q, mid(w, NR), mid(b, NR), m, r[1], r[NR] }' >> "$out"
   done ;;
 esac
