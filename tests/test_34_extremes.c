@@ -75,6 +75,32 @@ static void towers_may_neither_sink_nor_lean(void **state)
     assert_string_equal(judged("tower", &m, 10, &error), "failed");
 }
 
+/* eq:extremes-falling with a gap of 1 m: ten boxes have 550 J per kg to give. */
+static void what_falls_may_gain_nothing(void **state)
+{
+    static Made m;
+    double error;
+    (void)state;
+    rest(&m, 11, 10);
+    for (int i = 0; i < ROWS; i++)
+        for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_Y) = k - 0.5 + (i == 0 ? k : 0);
+    assert_string_equal(judged("falling", &m, 1, &error), "right");
+    assert_true(error == 0);
+    *cell(&m, 1, 10, LAB_Y) = 9.5 + 2.2;        /* 22 J too much, for a row: 0.04 of 550 */
+    assert_string_equal(judged("falling", &m, 1, &error), "right");    /* less than at first */
+    *cell(&m, 2, 10, LAB_VY) = 2;               /* 2 J, at the end: they came from nowhere */
+    *cell(&m, 2, 10, LAB_SPIN) = 6 * sqrt(2.0); /* and 6 J more by spin, 72/12 */
+    *cell(&m, 1, 10, LAB_Y) = 9.5;
+    assert_string_equal(judged("falling", &m, 1, &error), "stable");
+    assert_true(fabs(error - 8.0 / 550) < 1e-12);
+    *cell(&m, 2, 10, LAB_VY) = *cell(&m, 2, 10, LAB_SPIN) = 0;
+    *cell(&m, ROWS - 1, 3, LAB_X) = 0.2;        /* lies a fiftieth of the height beside its place */
+    assert_string_equal(judged("falling", &m, 1, &error), "stable");
+    assert_true(fabs(error - 0.02) < 1e-12);
+    *cell(&m, 1, 4, LAB_X) = -1.01;             /* for a while only */
+    assert_string_equal(judged("falling", &m, 1, &error), "failed");
+}
+
 static void one_bullet_through_the_wall_is_a_failure(void **state)
 {
     static Made m;
@@ -344,6 +370,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(throws_are_held_against_the_parabola),
         cmocka_unit_test(towers_may_neither_sink_nor_lean),
+        cmocka_unit_test(what_falls_may_gain_nothing),
         cmocka_unit_test(one_bullet_through_the_wall_is_a_failure),
         cmocka_unit_test(billiards_end_as_the_unfolded_billiard_says),
         cmocka_unit_test(energy_and_momentum_are_asked_of_cradle_and_rod),

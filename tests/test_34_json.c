@@ -1,5 +1,5 @@
 /* Chapter 34: every scene of the extremes is a scene that the engine reads, and at its tamest value the engine is right in it, in floats
- * and in doubles, but for the hung cradle, in which it is only stable. (At the wilder ones it need not be: they are measured, not tested.) */
+ * and in doubles, but for the hung cradle and the falling boxes, in which it is only stable. (At the wilder ones it need not be: they are measured, not tested.) */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,7 +67,9 @@ static void the_tamest_of_each_is_right(void **state)
         const labExtreme *e = &labExtremeTable[i];
         double error, harm;
         const char *verdict = played(e, e->value[0], &error, &harm);
-        const char *expected = strcmp(e->name, "hung") == 0 ? "stable" : "right";      /* a joint's share of an impact: sec:extremes-results */
+        /* a joint's share of an impact, and what a landing leaves: sec:extremes-results */
+        bool only = strcmp(e->name, "hung") == 0 || strcmp(e->name, "falling") == 0;
+        const char *expected = only ? "stable" : "right";
         if (strcmp(verdict, expected) != 0) fail_msg("%s at %g: %s, error %g, harm %g", e->name, e->value[0], verdict, error, harm);
     }
 }

@@ -723,6 +723,45 @@ static void judge_gravity(const labTrace *t, double g, double *error, double *ha
     judge_tower_of(t, 1, 1, error, harm);
 }
 /* <extremes> */
+enum { FALLING = 10 };                  /* boxes */
+
+static void build_falling(labScene *s, double gap)
+{
+    s->gravity = 10;
+    s->friction = 0.6;
+    s->steps = 600;
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
+    for (int i = 0; i < FALLING; i++)
+        put(s, &(Put){ .y = i + 0.5 + (i + 1) * gap, .width = 0.5, .height = 0.5,
+                       .density = 1 });
+}
+
+static double falling_energy(const labTrace *t, int row)       /* eq:extremes-falling */
+{
+    double sum = 0;
+    for (int i = 1; i <= FALLING; i++) {
+        double vx = labAt(t, row, i, LAB_VX), vy = labAt(t, row, i, LAB_VY);
+        double spin = labAt(t, row, i, LAB_SPIN);
+        sum += 0.5 * (vx * vx + vy * vy) + spin * spin / 12 + 10 * labAt(t, row, i, LAB_Y);
+    }
+    return sum;
+}
+
+static void judge_falling(const labTrace *t, double gap, double *error, double *harm)
+{
+    double aside = 0, off = 0, rise = 0, work = 5.0 * FALLING * (FALLING + 1) * gap;
+    for (int row = 1; row < t->rows; row++)
+        rise += fmax(0, falling_energy(t, row) - falling_energy(t, row - 1));
+    for (int i = 1; i <= FALLING; i++) {
+        off = fmax(off, hypot(at_end(t, i, LAB_X), at_end(t, i, LAB_Y) - i + 0.5));
+        for (int row = 0; row < t->rows; row++)
+            aside = fmax(aside, fabs(labAt(t, row, i, LAB_X)));
+    }
+    *error = fmax(rise / work, off / FALLING);
+    *harm = fmax(aside, rise / work);
+}
+/* <extremes> */
 static void build_size(labScene *s, double side)
 {
     s->gravity = 10;
@@ -965,6 +1004,8 @@ const labExtreme labExtremeTable[] = {
     /* <rows of the table of extremes> */
     { "tower", "boxes", "a tower stands", { 2, 5, 10, 20, 50, 100, 200, 500, 1000 }, 9, 4,
       build_tower, judge_tower },
+    { "falling", "gap", "boxes fall and make a tower", { 0.05, 0.1, 0.3, 1, 2, 3.7 }, 6, 3,
+      build_falling, judge_falling },
     { "overhang", "planks", "nine tenths of the harmonic overhang", { 2, 4, 8, 16, 30 }, 5, 3,
       build_overhang, judge_overhang },
     { "ratio", "mass upon mass", "a heavy box lies on a light one",
