@@ -231,8 +231,8 @@ void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
         PairLanes m = take_pairs(s->in->state, q);
         for (int32_t k = 0; k < q->points; k++) {
             wfBundlePoint *p = &s->point[q->first + k];
-            p->normal *= share;
-            p->tangent *= share;
+            p->normal *= wfLanesOf(share);
+            p->tangent *= wfLanesOf(share);
             push_lanes(q, p, p->normal, &m);
             drag_lanes(q, p, p->tangent, &m);
         }
@@ -269,8 +269,9 @@ WF_INLINE wfLaneMask deep_in_lanes(const wfDeep *deep, const wfBundlePoint *p)
 {
     wfLaneMask low = wfLanesMore(wfLanesOf(deep->gap), p->now);
     if (!wfAnyLane(low)) return low;
-    wfLanes borne = deep->give * p->normal / p->massN;
-    return low & wfLanesMore(-deep->bias * p->now - borne, wfLanesOf(deep->rest));
+    wfLanes recovery = wfLanesOf(-deep->bias) * p->now;
+    wfLanes borne = wfLanesOf(deep->give) * p->normal / p->massN;
+    return low & wfLanesMore(recovery - borne, wfLanesOf(deep->rest));
 }
 
 int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep)
