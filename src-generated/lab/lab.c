@@ -7061,6 +7061,31 @@ static int measure_price_time(FILE *out)
     return 0;
 }
 /* <measurements> */
+static int measure_price_world_double(FILE *out)
+{
+    double one[2], two[2];
+    if (!with_doubles("price-world-double")) return 1;
+    if (!price_size(0, 1000, one) || !price_size(0, 2000, two)) return 1;
+    fprintf(out, "what,permanent,transient\nnothing,%.0f,%.0f\n",
+            (two[0] - one[0]) / 1000, (two[1] - one[1]) / 1000);
+    return 0;
+}
+
+static int measure_price_double_time(FILE *out)
+{
+    double least[2] = { 0, 0 };
+    if (!with_doubles("price-double-time")) return 1;
+    for (int round = 0; round < PRICE_ROUNDS; round++)
+        for (int k = 0; k < 2; k++) {
+            double t = price_step(0, k == 0);
+            if (t < 0) return 1;
+            if (round == 0 || t < least[k]) least[k] = t;
+        }
+    fprintf(out, "what,rest,fall\n");
+    price_print(out, "nothing", least);
+    return 0;
+}
+/* <measurements> */
 /* A world with a level floor whose upper side is y = 0. */
 static bool price_floor(const wfWorldDef *def, wfReal friction, wfWorld *world)
 {
@@ -7538,6 +7563,11 @@ const wfMeasureRow wfMeasureTable[] = {
     { "price-world", "bytes a body, and what is saved by each thing switched off",
       measure_price_world },
     { "price-time", "ns a body and step, with each thing switched off", measure_price_time },
+    /* <rows of the measurement table> */
+    { "price-world-double", "bytes a body, by a lab compiled with doubles",
+      measure_price_world_double },
+    { "price-double-time", "ns a body and step, by a lab compiled with doubles",
+      measure_price_double_time },
     /* <rows of the measurement table> */
     { "price-buys", "errors of experiments whose end is known, with and without a need",
       measure_price_buys },

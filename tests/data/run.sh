@@ -20,6 +20,12 @@ for f in book/data/*.csv; do
   [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [[ $b == *-instructions ]] || [ "$b" = evaluation ] || [ "$b" = exercises ] || [ "$b" = page-weight ] || [ "$b" = page-figures ] || [ "$b" = price-parts ] || [ "$b" = price-whole ] || [ "$b" = price-bytes ] || [ "$b" = price-list ] || [ "$b" = portability ] || [ "$b" = portability-leaks ] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
   build/bin/weft-lab list | awk '{ print $1 }' | grep -qx "$b" || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
+# The price list is put together from tables that are there; and the chapters have not grown away from the table of their sizes.
+bash tests/parts/list.sh build/check-list.csv >/dev/null && cmp -s <(grep -v '^# weft' build/check-list.csv) <(grep -v '^# weft' book/data/price-list.csv) ||
+  { echo "book/data/price-list.csv is not what tests/parts/list.sh makes of the other tables -- type: bash tests/parts/list.sh"; bad=1; }
+was=$(sed -n 's/^all parts,,\([0-9]*\),.*/\1/p' book/data/price-parts.csv) now=$(bash tests/parts/price.sh --lines | awk -F'|' '{ n += $3 } END { print n }')
+[ "${was:-0}" -gt 0 ] && [ "$((100 * now))" -ge "$((97 * was))" ] && [ "$((100 * now))" -le "$((103 * was))" ] ||
+  { echo "book/data/price-parts.csv counts $was lines of code, the chapters have $now: the prices are out of date -- type: make prices"; bad=1; }
 # A row with more or fewer cells than its header stands under the wrong heads: a comma in a label, most likely.
 cells() {
   $lua - "$@" <<'L'

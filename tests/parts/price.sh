@@ -4,6 +4,7 @@
 # "saves": bytes by which the whole engine shrinks when the part is left out, with what needs it. Code is what gcc -Os makes of the
 # library for x86-64: the sections .text and .rodata of all its files.
 #   tests/parts/price.sh [FILE]
+#   tests/parts/price.sh --lines      only counts lines and words of the chapters, part|needs|lines|words
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 [ -d /usr/lib/ccache ] && export PATH=/usr/lib/ccache:$PATH      # most files of most engines are the same: minutes instead of an hour
@@ -12,6 +13,7 @@ dir=build/price; mkdir -p "$dir"
 lua=$(tangle/lua) || exit 1
 for d in /usr/lib/noweb /usr/local/lib/noweb /opt/homebrew/lib/noweb /opt/local/lib/noweb; do [ -z "${lib:-}" ] && [ -x "$d/markup" ] && lib=$d; done
 tangle/markup "${NOWEB_LIB:-$lib}" chapters/*.nw | $lua tangle/count.lua > "$dir/lines.txt" || exit 1
+[ "$to" = --lines ] && { cat "$dir/lines.txt"; exit 0; }
 flags="-std=c11 -Os -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-asynchronous-unwind-tables -fno-stack-protector"
 # bytes NAME how parts: of code and read-only data. An engine that was measured before is not measured again.
 bytes() {

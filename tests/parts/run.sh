@@ -52,7 +52,7 @@ echo '{ "weft": 1 }' > "$out/nothing.json"
 tangle/needs "$out/nothing.json" >/dev/null 2>"$out/log" && { echo "FAIL  a scene that does not say what it needs was taken for one"; exit 1; }
 grep -q 'no "needs" in this scene' "$out/log" || { cat "$out/log"; exit 1; }
 { [ $# -eq 0 ] && { echo "whole --without "; echo "least --only "; for_scenes; }
-  for p in $parts; do echo "only-$p --only $p"; echo "without-$p --without $p"; done; } |
+  for p in $parts; do echo "only-$p --only $p"; echo "without-$p --without $p"; done; } | tee "$out/asked" |
   xargs -P "$(nproc 2>/dev/null || echo 2)" -d '\n' -n 1 bash -c 'set -- $0; engine "$1" "$2" "${*:3}"' | tee "$out/result"
 rm -rf "$out"/seen.*
 # An engine that was derived for a scene moves as the whole does: a hinge chain after 120 steps, whose joints are solved together where
@@ -73,6 +73,8 @@ chains() {
   echo "ok    a hinge chain has the same hash in the engine derived for it and in the whole one, together and one by one"
 }
 failed=$(grep -c '^FAIL' "$out/result")
+answers=$(grep -cE '^(ok|same|FAIL) ' "$out/result") asked=$(wc -l < "$out/asked")
+[ "$answers" -eq "$asked" ] || { echo "FAIL  $asked engines were asked for, $answers have answered"; failed=$((failed + 1)); }
 [ $# -eq 0 ] && { tangle/tangle --lines --without "" "$out/whole/lines" chapters/*.nw && chains || failed=$((failed + 1)); }
 [ $# -eq 0 ] && { bash tests/parts/size.sh || failed=$((failed + 1)); }
 echo "parts: $(grep -c '^ok' "$out/result") engines built and tested, $failed failed"

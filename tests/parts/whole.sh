@@ -64,6 +64,7 @@ game="joints sleep events sensors forces damping dynamic-tree"
   echo "what,code,data"
   row "all parts: -O2" --without "" $gcc -O2
   row "all parts: -Os" --without "" $gcc -Os
+  row "all parts with doubles: -Os" --without "" $gcc -Os -DWF_DOUBLE
   one "all parts as one file: -Os" $gcc -Os
   one "all parts as one file: -Oz" $gcc -Oz
   one "all parts as one file: smallest" $(tests/amalgam/smallest.sh --compiler)

@@ -69,7 +69,7 @@ version() {    # of a compiler, and of what runs the program
   local v
   case $1 in *clang*) v="clang $(clang -dumpversion)" ;; *) v="gcc $(${1%% *} -dumpfullversion)" ;; esac
   case $2 in
-    '') ;; node) v="$v, node $(node --version | tr -d v)" ;; wine) v="$v, $(wine --version 2>/dev/null | sed 's/[- ].*//') $(wine --version | sed -E 's/^wine-([0-9.]+).*/\1/')" ;;
+    '') ;; node) v="$v, node $(node --version | tr -d v)" ;; wine) v="$v, $(wine --version 2>/dev/null | sed -nE 's/^wine-([0-9.]+).*/wine \1/p' | grep . || echo 'wine ?')" ;;
     *) v="$v, qemu $(${2%% *} --version | sed -nE '1s/.*version ([0-9.]+).*/\1/p')" ;;
   esac
   echo "$v"
@@ -127,7 +127,7 @@ done < <(rows)
 if [ -n "$table" ]; then
   touch "$out/rows.$$"
   what='every scene on every platform: how many have the same hash, and the first that has not'
-  printf '%s\n' "# command: make portability" "$(tangle/machine)" "# $what" \
+  printf '%s\n' "# command: make $([ -n "$leaks" ] && echo leaks || echo portability)" "$(tangle/machine)" "# $what" \
     "# $(wc -l < "$out/rows.$$") of $listed builds of one state of the sources ($sums): $(cut -d, -f6 "$out/rows.$$" | sort -rn | uniq -c | awk '{ printf "%s%d with %d steps", n++ ? ", " : "", $1, $2 }')" \
     'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
   cat "$out/rows.$$"; rm -f "$out/rows.$$"

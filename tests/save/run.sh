@@ -24,6 +24,8 @@ for ((n = 0; n < kills; n++)); do
     continue
   fi
   steps=$("$work/killed" check "$work/world.weft") || { echo "save: kill $n left a broken file: $steps"; exit 1; }
+  told=$(tail -n 1 "$work/began")                 # the steps of the last save that was told to have succeeded
+  [ "$steps" -ge "${told:-0}" ] || { echo "save: kill $n left a world of $steps steps, though $told were said to be saved"; exit 1; }
   last=$steps
 done
 # The other way round: the same file overwritten in place is torn sooner or later; then the test is able to fail.
