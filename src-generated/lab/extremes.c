@@ -843,6 +843,32 @@ static void judge_pendulum(const labTrace *t, double seconds, double *error, dou
     *harm = *error;
 }
 /* <extremes> */
+static void at_rate(labScene *s, double rate, double seconds)
+{
+    s->steps = (int)(seconds * rate + 0.5);
+    s->every = 1 + s->steps / 300;
+}
+
+static void build_tower_rate(labScene *s, double rate)
+{
+    s->dt = 1 / rate;
+    build_tower(s, 5);
+    at_rate(s, rate, 10);
+}
+
+static void judge_tower_rate(const labTrace *t, double rate, double *error, double *harm)
+{
+    (void)rate;
+    judge_tower(t, 5, error, harm);
+}
+
+static void build_chain_rate(labScene *s, double rate)
+{
+    s->dt = 1 / rate;
+    build_chain(s, 10);
+    at_rate(s, rate, 5);
+}
+/* <extremes> */
 static void build_double(labScene *s, double seconds)
 {
     s->gravity = 10;
@@ -1016,6 +1042,10 @@ const labExtreme labExtremeTable[] = {
       build_size, judge_size },
     { "chain", "load, of a link", "a chain hangs", { 1, 10, 100, 1e3, 1e4, 1e5, 1e6 }, 7, 4,
       build_chain, judge_chain },
+    { "tower-rate", "steps per second", "a tower of five stands",
+      { 60, 30, 15, 120, 240, 1000 }, 6, 3, build_tower_rate, judge_tower_rate },
+    { "chain-rate", "steps per second", "a chain with a load of ten hangs",
+      { 60, 30, 15, 120, 240, 1000 }, 6, 3, build_chain_rate, judge_chain },
     { "pendulum", "seconds", "the energy of a rod", { 1, 10, 100, 300, 1000 }, 5, 3,
       build_pendulum, judge_pendulum },
     { "double", "seconds", "the energy of two rods", { 1, 10, 100, 300, 1000 }, 5, 3,

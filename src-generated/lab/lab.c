@@ -6862,6 +6862,71 @@ static int measure_accuracy_budget(FILE *out)
     return 0;
 }
 /* <measurements> */
+static double acc_clock(void *context)
+{
+    (void)context;
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
+/* ms that a frame of a fresh world takes with these settings, or -1. */
+static double acc_frame(const labTruth *scene, const wfAccuracy *chosen)
+{
+    enum { FRAMES = 60 };
+    wfWorld world;
+    if (labMakeTruth(scene, "soft", "auto", &world) != WF_OK) return -1;
+    bool good = wfUseSettings(&world, chosen) == WF_OK;
+    double start = acc_clock(NULL);
+    for (int i = 0; i < FRAMES && good; i++) good = wfStepFrame(&world, chosen) == WF_OK;
+    double spent = acc_clock(NULL) - start;
+    wfDestroyWorld(&world);
+    return good ? 1000 * spent / FRAMES : -1;
+}
+/* <measurements> */
+static int acc_timed_curve(const labTruth *scene, wfAccuracy *points)
+{
+    wfWorld world;
+    wfCurveDef how = wfDefaultCurveDef();
+    int32_t count = 0;
+    how.finest = ACC_FINEST;
+    how.now = acc_clock;
+    if (labMakeTruth(scene, "soft", "auto", &world) != WF_OK) return -1;
+    wfResult result = wfMeasureCurve(&world, &how, points, WF_CURVE_POINTS, &count);
+    wfDestroyWorld(&world);
+    return result == WF_OK ? count : -1;
+}
+
+/* <measurements> */
+static void acc_spend(FILE *out, const labTruth *scene, const wfAccuracy *points,
+                      int count, double budget)
+{
+    wfAccuracy c;
+    fprintf(out, "%s,%g", scene->name, budget);
+    if (wfChooseForBudget(points, count, 1, budget, &c) != WF_OK) {
+        fprintf(out, ",refused,,,,\n");
+        return;
+    }
+    double took = acc_frame(scene, &c);
+    for (int i = 0; i < 4; i++) took = fmin(took, acc_frame(scene, &c));
+    fprintf(out, ",%s,%d,%.3f,%.3f,%.1e\n", wfMethodTable[c.method].name, (int)c.steps,
+            c.cost, took, labRunChosen(scene, "soft", &c).error);
+}
+
+static int measure_accuracy_budget_time(FILE *out)
+{
+    static const char *const scenes[] = { "double-pendulum", "chain", "stack",
+                                          "card-house" };
+    fprintf(out, "scene,budget,method,steps,told,took,error\n");
+    for (int s = 0; s < 4; s++) {
+        const labTruth *scene = &labTruths[labFindTruth(scenes[s])];
+        wfAccuracy p[WF_CURVE_POINTS];
+        int count = acc_timed_curve(scene, p);
+        if (count < 0) return 1;
+        for (int k = 0; k < 5; k++)
+            acc_spend(out, scene, p, count, (const double[]){ 0.01, 0.03, 0.1, 0.3, 1 }[k]);
+    }
+    return 0;
+}
+/* <measurements> */
 static int measure_accuracy_solvers(FILE *out)
 {
     return wfRunSweep("accuracy-solvers", out);
@@ -7071,6 +7136,7 @@ static int measure_price_world_double(FILE *out)
     return 0;
 }
 
+/* <measurements> */
 static int measure_price_double_time(FILE *out)
 {
     double least[2] = { 0, 0 };
@@ -7555,6 +7621,8 @@ const wfMeasureRow wfMeasureTable[] = {
       measure_accuracy_tolerance_double },
     { "accuracy-budget", "what is chosen for a budget, and the true error",
       measure_accuracy_budget },
+    { "accuracy-budget-time", "the same in milliseconds, and what they came to",
+      measure_accuracy_budget_time },
     { "accuracy-horizon", "how the error of a double pendulum grows", labHorizon },
     { "accuracy-islands", "errors of three islands in one world, by setting", labIslands },
     { "accuracy-apart", "what a tolerance chooses for one world and for its islands apart",

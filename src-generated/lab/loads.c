@@ -308,14 +308,14 @@ static wfResult pyramid_bench(wfWorld *world, int32_t count, int32_t other)
 }
 /* <heavy scenes> */
 #define REPORT(n, s) n + s + 3, n + s + 3, 0, 600, 10, build_report, n, s, 0
-#define HEAP(n, steps) n + 3, n + 3, 0, steps, 10, build_heap, n, 0, 0
+#define HEAP(n) n + 3, n + 3, 0, 180, 10, build_heap, n, 0, 0
 const labHeavy labHeavies[] = {
     { "report-100", REPORT(100, 0) }, { "report-500", REPORT(500, 0) },
     { "report-1000", REPORT(1000, 0) }, { "report-2000", REPORT(2000, 0) },
     { "report-1000-1000", REPORT(1000, 1000) },
     { "report-1000-2000", REPORT(1000, 2000) },
-    { "heap-100", HEAP(100, 180) }, { "heap-1000", HEAP(1000, 180) },
-    { "heap-10000", HEAP(10000, 180) }, { "heap-100000", HEAP(100000, 100) },
+    { "heap-100", HEAP(100) }, { "heap-1000", HEAP(1000) },
+    { "heap-10000", HEAP(10000) }, { "heap-100000", HEAP(100000) },
     { "large_pyramid", 5051, 5051, 0, 500, 10, pyramid_bench, 100, 0, 0 },
     { "joint_grid", 10000, 10000, 19800, 500, 10, grid_bench, 0, 0, 0 },
     { "many_pyramids", 22020, 22020, 0, 200, 10, build_many, 20, 10, 0 },
