@@ -320,6 +320,25 @@ static void planks_slip_by_what_friction_lacks(void **state)
     must_be("right", "slide", &m, 0);                       /* no friction: 10 m/s for ten seconds */
 }
 
+/* The same seconds at every rate, in steps of 1/rate, and enough rows to see them by. */
+static void rates_are_of_the_same_time(void **state)
+{
+    static const struct { const char *name; double seconds; } rows[] = { { "throw", 2 }, { "tower-rate", 10 }, { "chain-rate", 5 } };
+    (void)state;
+    for (int r = 0; r < 3; r++)
+        for (int k = 0; k < extreme(rows[r].name)->count; k++) {
+            double rate = extreme(rows[r].name)->value[k];
+            labScene s;
+            FILE *f = tmpfile();
+            assert_non_null(f);
+            labBuildExtreme(extreme(rows[r].name), rate, f, &s);
+            fclose(f);
+            assert_true(s.dt == 1 / rate && s.every >= 1);
+            assert_true(fabs(s.steps * s.dt - rows[r].seconds) <= s.dt / 2);
+            assert_true(r == 0 || (s.steps / s.every >= 37 && s.steps / s.every <= 300));
+        }
+}
+
 static void what_is_not_finite_fails_in_every_scene(void **state)
 {
     static Made m;
@@ -378,7 +397,7 @@ int main(void)
         cmocka_unit_test(sums_of_chains_and_rods_are_kept), cmocka_unit_test(plates_are_judged_where_they_are),
         cmocka_unit_test(bounces_end_where_their_sum_does), cmocka_unit_test(a_cradle_hands_on_its_height),
         cmocka_unit_test(planks_slip_by_what_friction_lacks),
-        cmocka_unit_test(what_is_not_finite_fails_in_every_scene),
+        cmocka_unit_test(rates_are_of_the_same_time), cmocka_unit_test(what_is_not_finite_fails_in_every_scene),
         cmocka_unit_test(what_was_printed_is_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

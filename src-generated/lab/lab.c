@@ -6894,7 +6894,6 @@ static int acc_timed_curve(const labTruth *scene, wfAccuracy *points)
     wfDestroyWorld(&world);
     return result == WF_OK ? count : -1;
 }
-
 /* <measurements> */
 static void acc_spend(FILE *out, const labTruth *scene, const wfAccuracy *points,
                       int count, double budget)
@@ -7135,7 +7134,6 @@ static int measure_price_world_double(FILE *out)
             (two[0] - one[0]) / 1000, (two[1] - one[1]) / 1000);
     return 0;
 }
-
 /* <measurements> */
 static int measure_price_double_time(FILE *out)
 {
