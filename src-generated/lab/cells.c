@@ -162,6 +162,14 @@ static void acc_command(char *out, size_t room, const char *peer, const char *fi
              LAB_FRAMES * steps, steps, 1.0 / 60 / steps, more, printed);
 }
 /* <cells> */
+static FILE *acc_new(const char *name)
+{
+    FILE *f = fopen(name, "w");
+    if (f == NULL) fprintf(stderr, "weft-lab: %s cannot be written -- cells are started where"
+                           " the Makefile is; type there: mkdir -p build/lab\n", name);
+    return f;
+}
+/* <cells> */
 static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
 {
     static labCourse got;
@@ -174,7 +182,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     snprintf(file, sizeof file, "build/lab/peer-%.16s-%d-%.16s-%d.json", peer, scene, dial,
              value);
     snprintf(printed, sizeof printed, "%s.csv", file);
-    AccFile f = { .file = fopen(file, "w") };
+    AccFile f = { .file = acc_new(file) };
     if (f.file == NULL) return 1;
     acc_write(&labTruths[scene], &f);
     if (fclose(f.file) != 0) return 1;
@@ -423,7 +431,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     while (rank < e->count && e->value[rank] != value) rank++;
     snprintf(scene, sizeof scene, "build/lab/extreme-%s-%d-%g", e->name, engine, value);
     snprintf(file, sizeof file, "%s.json", scene);
-    FILE *f = fopen(file, "w");
+    FILE *f = acc_new(file);
     if (f == NULL) return 1;
     labBuildExtreme(e, value, f, &s);
     if (fclose(f) != 0) return 1;

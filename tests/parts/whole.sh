@@ -22,7 +22,7 @@ row() {
   ( cd "$d" && mkdir -p o || exit 1
     case "$*" in
       *-flto*) "$@" -I. -Iinclude -r -flinker-output=nolto-rel $(sources) -o o/all.o ;;
-      *) sources | xargs -P "$(nproc)" -I F sh -c '"$@" -I. -Iinclude -c F -o "o/$(echo F | tr / _).o"' _ "$@" ;;
+      *) sources | xargs -P "$(nproc)" -I {} sh -c '"$@" -I. -Iinclude -c {} -o "o/$(echo {} | tr / _).o"' _ "$@" ;;
     esac ) || exit 1
   case "$*" in
     *wasm*) echo "$name,$(llvm-size -A "$d"/o/*.o 2>/dev/null | awk '$1 == "CODE" { t += $2 } $1 == "DATA" { d += $2 } END { printf "%d,%d\n", t, d }')" ;;
