@@ -165,8 +165,9 @@ static void acc_command(char *out, size_t room, const char *peer, const char *fi
 static FILE *acc_new(const char *name)
 {
     FILE *f = fopen(name, "w");
-    if (f == NULL) fprintf(stderr, "weft-lab: %s cannot be written -- cells are started where"
-                           " the Makefile is; type there: mkdir -p build/lab\n", name);
+    if (f == NULL)
+        fprintf(stderr, "weft-lab: %s cannot be written -- cells are started where the"
+                " Makefile is; type there: mkdir -p build/lab\n", name);
     return f;
 }
 /* <cells> */
