@@ -49,6 +49,7 @@ WF_INLINE bool wfAnyLane(wfLaneMask m)
     memcpy(half, &m, sizeof half);
     return (half[0] | half[1]) != 0;
 }
+/* <numbers in lanes> */
 #else
 WF_INLINE wfLanes wfLanesOf(wfReal x) { return x; }
 WF_INLINE wfLaneMask wfLanesMore(wfLanes a, wfLanes b) { return -(a > b); }

@@ -736,7 +736,7 @@ static void build_falling(labScene *s, double gap)
         put(s, &(Put){ .y = i + 0.5 + (i + 1) * gap, .width = 0.5, .height = 0.5,
                        .density = 1 });
 }
-
+/* <extremes> */
 static double falling_energy(const labTrace *t, int row)       /* eq:extremes-falling */
 {
     double sum = 0;
