@@ -6769,12 +6769,14 @@ static int measure_accuracy_narrow(FILE *out)
 }
 /* <measurements> */
 enum { ACC_FINEST = 32 };
-static int acc_curve(const labTruth *scene, wfAccuracy *points)
+/* now: a clock, in seconds, or NULL to count. */
+static int acc_curve(const labTruth *scene, double (*now)(void *), wfAccuracy *points)
 {
     wfWorld world;
     wfCurveDef how = wfDefaultCurveDef();
     int32_t count = 0;
     how.finest = ACC_FINEST;
+    how.now = now;
     if (labMakeTruth(scene, "soft", "auto", &world) != WF_OK) return -1;
     wfResult result = wfMeasureCurve(&world, &how, points, WF_CURVE_POINTS, &count);
     wfDestroyWorld(&world);
@@ -6786,7 +6788,7 @@ static int measure_accuracy_curves(FILE *out)
     fprintf(out, "scene,method,steps,cost,estimate,error\n");
     for (int s = 0; s < labTruthCount; s++) {
         wfAccuracy p[WF_CURVE_POINTS];
-        int count = acc_curve(&labTruths[s], p);
+        int count = acc_curve(&labTruths[s], NULL, p);
         if (count < 0) return 1;
         for (int i = 0; i < count; i++) {
             labResult r = labRunChosen(&labTruths[s], "soft", &p[i]);
@@ -6821,7 +6823,7 @@ static int acc_tolerances(FILE *out, double least)
     fprintf(out, "scene,tolerance,method,steps,cost,estimate,error\n");
     for (int s = 0; s < labTruthCount; s++) {
         wfAccuracy p[WF_CURVE_POINTS];
-        int count = acc_curve(&labTruths[s], p);
+        int count = acc_curve(&labTruths[s], NULL, p);
         if (count < 0) return 1;
         for (double t = 0.1; t > least / 2; t /= 10)
             acc_choice(out, &labTruths[s], p, count, t);
@@ -6830,13 +6832,17 @@ static int acc_tolerances(FILE *out, double least)
 }
 
 static int measure_accuracy_tolerance(FILE *out) { return acc_tolerances(out, 1e-7); }
+/* <measurements> */
+static int with_doubles(const char *name)
+{
+    if (sizeof(wfReal) == sizeof(double)) return 1;
+    fprintf(stderr, "weft-lab: %s is for a lab with doubles: make programs-double\n", name);
+    return 0;
+}
 
 static int measure_accuracy_tolerance_double(FILE *out)
 {
-    if (sizeof(wfReal) == sizeof(double)) return acc_tolerances(out, 1e-9);
-    fprintf(stderr, "weft-lab: accuracy-tolerance-double is for a lab with doubles:"
-                    " make programs-double\n");
-    return 1;
+    return with_doubles("accuracy-tolerance-double") ? acc_tolerances(out, 1e-9) : 1;
 }
 /* <measurements> */
 static int measure_accuracy_budget(FILE *out)
@@ -6847,7 +6853,7 @@ static int measure_accuracy_budget(FILE *out)
     for (int s = 0; s < 5; s++) {
         const labTruth *scene = &labTruths[labFindTruth(scenes[s])];
         wfAccuracy p[WF_CURVE_POINTS], c;
-        int count = acc_curve(scene, p);
+        int count = acc_curve(scene, NULL, p);
         for (double budget = 1; budget < 100; budget *= 2.5) {
             fprintf(out, "%s,%.3g", scene->name, budget);
             if (wfChooseForBudget(p, count, 1, budget, &c) != WF_OK) {
@@ -6882,19 +6888,6 @@ static double acc_frame(const labTruth *scene, const wfAccuracy *chosen)
     return good ? 1000 * spent / FRAMES : -1;
 }
 /* <measurements> */
-static int acc_timed_curve(const labTruth *scene, wfAccuracy *points)
-{
-    wfWorld world;
-    wfCurveDef how = wfDefaultCurveDef();
-    int32_t count = 0;
-    how.finest = ACC_FINEST;
-    how.now = acc_clock;
-    if (labMakeTruth(scene, "soft", "auto", &world) != WF_OK) return -1;
-    wfResult result = wfMeasureCurve(&world, &how, points, WF_CURVE_POINTS, &count);
-    wfDestroyWorld(&world);
-    return result == WF_OK ? count : -1;
-}
-/* <measurements> */
 static void acc_spend(FILE *out, const labTruth *scene, const wfAccuracy *points,
                       int count, double budget)
 {
@@ -6918,7 +6911,7 @@ static int measure_accuracy_budget_time(FILE *out)
     for (int s = 0; s < 4; s++) {
         const labTruth *scene = &labTruths[labFindTruth(scenes[s])];
         wfAccuracy p[WF_CURVE_POINTS];
-        int count = acc_timed_curve(scene, p);
+        int count = acc_curve(scene, acc_clock, p);
         if (count < 0) return 1;
         for (int k = 0; k < 5; k++)
             acc_spend(out, scene, p, count, (const double[]){ 0.01, 0.03, 0.1, 0.3, 1 }[k]);
@@ -6953,13 +6946,6 @@ static int measure_accuracy_precision(FILE *out)
     return acc_precision(out, "float", 1) || acc_precision(out, "float and rest", 0);
 }
 /* <measurements> */
-static int with_doubles(const char *name)
-{
-    if (sizeof(wfReal) == sizeof(double)) return 1;
-    fprintf(stderr, "weft-lab: %s is for a lab with doubles: make programs-double\n", name);
-    return 0;
-}
-
 static int measure_accuracy_precision_double(FILE *out)
 {
     if (!with_doubles("accuracy-precision-double")) return 1;
@@ -7025,17 +7011,25 @@ static bool price_size(int row, int32_t bodies, double size[2])
     return good;
 }
 /* <measurements> */
+static bool price_body(int row, double bytes[2])
+{
+    double one[2], two[2];
+    if (!price_size(row, 1000, one) || !price_size(row, 2000, two)) return false;
+    for (int k = 0; k < 2; k++) bytes[k] = (two[k] - one[k]) / 1000;
+    return true;
+}
+
 static int measure_price_world(FILE *out)
 {
     double all[2] = { 0, 0 };
     fprintf(out, "what,permanent,transient\n");
     for (int i = 0; i < PRICE_ROWS + wfNeedCount; i++) {
         wfWorldDef def = wfDefaultWorldDef();
-        double one[2], two[2];
-        if (!price_size(i, 1000, one) || !price_size(i, 2000, two)) continue;
-        for (int k = 0; k < 2; k++) two[k] = (two[k] - one[k]) / 1000 - all[k];
-        fprintf(out, "%s,%.0f,%.0f\n", price_off(i, &def), two[0], two[1]);
-        for (int k = 0; k < 2 && i == 0; k++) all[k] = two[k];
+        double body[2];
+        if (!price_body(i, body)) continue;
+        fprintf(out, "%s,%.0f,%.0f\n", price_off(i, &def), body[0] - all[0],
+                body[1] - all[1]);
+        for (int k = 0; k < 2 && i == 0; k++) all[k] = body[k];
     }
     return 0;
 }
@@ -7105,17 +7099,23 @@ static void price_print(FILE *out, const char *what, const double least[2])
     fprintf(out, ",%.0f\n", least[1]);
 }
 
+/* The least times of so many rows, measured in turns; row `again` is row 0 once more. */
+static void price_turns(int rows, int again, double least[][2])
+{
+    for (int round = 0; round < PRICE_ROUNDS; round++)
+        for (int i = 0; i < rows; i++)
+            for (int k = 0; k < 2; k++) {
+                double t = price_step(i == again ? 0 : i, k == 0);
+                if (round == 0 || t < least[i][k]) least[i][k] = t;
+            }
+}
+/* <measurements> */
 static int measure_price_time(FILE *out)
 {
     static double least[PRICE_MOST][2];
     int rows = PRICE_ROWS + wfNeedCount, again = rows;      /* the last: row 0 again */
     if (rows >= PRICE_MOST) return 1;
-    for (int round = 0; round < PRICE_ROUNDS; round++)
-        for (int i = 0; i <= rows; i++)
-            for (int k = 0; k < 2; k++) {
-                double t = price_step(i == again ? 0 : i, k == 0);
-                if (round == 0 || t < least[i][k]) least[i][k] = t;
-            }
+    price_turns(rows + 1, again, least);
     fprintf(out, "what,rest,fall\n");
     for (int i = 0; i < rows; i++) {
         wfWorldDef def = wfDefaultWorldDef();
@@ -7127,26 +7127,20 @@ static int measure_price_time(FILE *out)
 /* <measurements> */
 static int measure_price_world_double(FILE *out)
 {
-    double one[2], two[2];
-    if (!with_doubles("price-world-double")) return 1;
-    if (!price_size(0, 1000, one) || !price_size(0, 2000, two)) return 1;
-    fprintf(out, "what,permanent,transient\nnothing,%.0f,%.0f\n",
-            (two[0] - one[0]) / 1000, (two[1] - one[1]) / 1000);
+    double body[2];
+    if (!with_doubles("price-world-double") || !price_body(0, body)) return 1;
+    fprintf(out, "what,permanent,transient\nnothing,%.0f,%.0f\n", body[0], body[1]);
     return 0;
 }
 /* <measurements> */
 static int measure_price_double_time(FILE *out)
 {
-    double least[2] = { 0, 0 };
+    double least[1][2];
     if (!with_doubles("price-double-time")) return 1;
-    for (int round = 0; round < PRICE_ROUNDS; round++)
-        for (int k = 0; k < 2; k++) {
-            double t = price_step(0, k == 0);
-            if (t < 0) return 1;
-            if (round == 0 || t < least[k]) least[k] = t;
-        }
+    price_turns(1, -1, least);
+    if (least[0][0] < 0 || least[0][1] < 0) return 1;
     fprintf(out, "what,rest,fall\n");
-    price_print(out, "nothing", least);
+    price_print(out, "nothing", least[0]);
     return 0;
 }
 /* <measurements> */
