@@ -7135,7 +7135,7 @@ static int measure_price_world_double(FILE *out)
 /* <measurements> */
 static int measure_price_double_time(FILE *out)
 {
-    double least[1][2];
+    double least[1][2] = { { 0, 0 } };
     if (!with_doubles("price-double-time")) return 1;
     price_turns(1, -1, least);
     if (least[0][0] < 0 || least[0][1] < 0) return 1;
