@@ -7,9 +7,9 @@ static void no_scene_allocates(void **unused)
 {
     (void)unused;
     if (!OWN_MALLOC) skip();
-    for (int s = 0; s < wfSceneCount; s++) {
+    for (int s = 0; s < wfSceneCount(); s++) {
         wfWorld world;
-        const wfScene *scene = &wfSceneTable[s];
+        const wfScene *scene = wfSceneAt(s);
         size_t before = calls;
         assert_ok(wfOpenScene(scene, NULL, &world));
         assert_int_equal(calls, before + 2);            /* the two chunks */

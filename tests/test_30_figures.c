@@ -180,7 +180,7 @@ static void boxes_born_in_one_place_come_apart(void **unused)
 /* ---- the scenes that show them do what their texts say */
 static wfWorld opened(const char *name, int steps)
 {
-    const wfScene *scene = &wfSceneTable[wfFindScene(name)];
+    const wfScene *scene = wfSceneAt(wfFindScene(name));
     wfWorld world;
     assert_ok(wfOpenScene(scene, NULL, &world));
     for (int i = 0; i < steps; i++) {

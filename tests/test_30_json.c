@@ -62,8 +62,8 @@ static void every_scene_is_read_as_it_was(void **unused)
 {
     (void)unused;
     int future = 0;
-    for (int row = 0; row < wfSceneCount; row++) {
-        const wfScene *scene = &wfSceneTable[row];
+    for (int row = 0; row < wfSceneCount(); row++) {
+        const wfScene *scene = wfSceneAt(row);
         wfWorld world, read;
         wfTextError error;
         char *text;

@@ -26,10 +26,10 @@ static void assert_same(const wfScene *scene, int i, const wfWorld *a, const wfW
 /* Each scene's world as it begins; whoever looks at it may step it. */
 static void over_scenes(void (*look)(const wfScene *scene, wfWorld *world))
 {
-    for (int s = 0; s < wfSceneCount; s++) {
+    for (int s = 0; s < wfSceneCount(); s++) {
         wfWorld world;
-        assert_ok(wfOpenScene(&wfSceneTable[s], NULL, &world));
-        look(&wfSceneTable[s], &world);
+        assert_ok(wfOpenScene(wfSceneAt(s), NULL, &world));
+        look(wfSceneAt(s), &world);
         wfDestroyWorld(&world);
     }
 }

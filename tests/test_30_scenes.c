@@ -16,9 +16,9 @@ enum { STEPS = 600 };
 static void every_scene_keeps_its_promises(void **state)
 {
     (void)state;
-    assert_true(wfSceneCount >= 20);
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
+    assert_true(wfSceneCount() >= 20);
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
         wfSceneReport r = wfWatchScene(s, STEPS);
         if (r.result != WF_OK) fail_msg("%s: %s in step %d", s->name, wfResultName(r.result), (int)r.steps);
         if (r.steps != STEPS) fail_msg("%s stopped after %d steps", s->name, (int)r.steps);
@@ -33,8 +33,8 @@ static void every_scene_keeps_its_promises(void **state)
 static void every_scene_is_well_described(void **state)
 {
     (void)state;
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
         if (!s->name || !s->name[0]) fail_msg("row %d of the scene table has no .name", i);
         if (!s->category || !s->category[0] || !s->text || !s->text[0] || !s->build)
             fail_msg("%s: its row needs .category, .text and .build", s->name);
@@ -66,7 +66,7 @@ static void every_scene_has_its_hash(void **state)
         if (sscanf(line, "%99[^,],%d,%llx", name, &steps, &hash) != 3) continue;
         int row = wfFindScene(name);
         if (row < 0) fail_msg("%s is in the file but not in the table: make golden", name);
-        wfSceneReport r = wfWatchScene(&wfSceneTable[row], steps);
+        wfSceneReport r = wfWatchScene(wfSceneAt(row), steps);
         if (r.hash != hash)
             fail_msg("%s: %016llx after %d steps, recorded %016llx; if the change is meant: make golden", name,
                      (unsigned long long)r.hash, steps, hash);
@@ -80,8 +80,8 @@ static void a_scene_runs_the_same_again_and_in_lent_memory(void **state)
 {
     (void)state;
     static _Alignas(WF_POOL_ALIGN) uint8_t permanent[16 * 1024 * 1024], transient[16 * 1024 * 1024];
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
         wfMemory lent = { .permanent = permanent, .permanentSize = sizeof permanent,
                           .transient = transient, .transientSize = sizeof transient };
         wfWorld world;
@@ -96,7 +96,7 @@ static void a_scene_runs_the_same_again_and_in_lent_memory(void **state)
     }
     wfMemory tiny = { .permanent = permanent, .permanentSize = 64, .transient = transient, .transientSize = 64 };
     wfWorld world;
-    assert_result(WF_ERROR_MEMORY, wfOpenScene(&wfSceneTable[0], &tiny, &world));
+    assert_result(WF_ERROR_MEMORY, wfOpenScene(wfSceneAt(0), &tiny, &world));
 }
 
 static wfResult build_badly(wfWorld *world)
@@ -131,8 +131,8 @@ static void a_bad_scene_is_reported(void **state)
 static void the_wandering_hand_stays_in_view(void **state)
 {
     (void)state;
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
         wfVec2 low = wfV2(WF_HUGE, WF_HUGE), high = wfV2(-WF_HUGE, -WF_HUGE);
         for (int64_t k = 0; k < 3000; k += 7) {
             wfSceneInput in = wfSceneInputAt(s, k);
@@ -152,7 +152,7 @@ static void tc01_distances_are_as_one_over_mass(void **state)
     (void)state;
     /* s = F t^2 / 2m is exact for a constant force: 1 N for 240 steps of 1/60 s, i.e. 8/m m. The rounding of the sum over
      * 240 steps of numbers below 16 is below 240 * eps * 16. */
-    const wfScene *s = &wfSceneTable[wfFindScene("TC01 masses")];
+    const wfScene *s = wfSceneAt(wfFindScene("TC01 masses"));
     wfWorld world;
     assert_ok(wfOpenScene(s, NULL, &world));
     wfSceneInput in = { .choice = 0 };
@@ -165,7 +165,7 @@ static void tc01_distances_are_as_one_over_mass(void **state)
 static void tc02_spin_grows_with_the_arm(void **state)
 {
     (void)state;
-    const wfScene *s = &wfSceneTable[wfFindScene("TC02 arms")];
+    const wfScene *s = wfSceneAt(wfFindScene("TC02 arms"));
     wfWorld world;
     assert_ok(wfOpenScene(s, NULL, &world));
     wfSceneInput in = { .choice = 0 };
@@ -183,7 +183,7 @@ static void tc02_spin_grows_with_the_arm(void **state)
 static void tc05_colours_follow_the_contacts(void **state)
 {
     (void)state;
-    const wfScene *s = &wfSceneTable[wfFindScene("TC05 colours")];
+    const wfScene *s = wfSceneAt(wfFindScene("TC05 colours"));
     static uint8_t list[256 * 1024];
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[64 * 1024];
     const struct { double x, y; int red; } at[] = { { -4, 2, 2 }, { 0, 0, 0 }, { 4, 2, 2 }, { 0, -2, 2 }, { -2, 0, 0 } };
@@ -211,7 +211,7 @@ static void tc05_colours_follow_the_contacts(void **state)
 static void tc08_overlap_goes_and_no_velocity_comes(void **state)
 {
     (void)state;
-    const wfScene *s = &wfSceneTable[wfFindScene("TC08 positional correction")];
+    const wfScene *s = wfSceneAt(wfFindScene("TC08 positional correction"));
     wfWorld world;
     wfSeparation gap;
     assert_ok(wfOpenScene(s, NULL, &world));
@@ -235,8 +235,8 @@ static void every_scene_and_overlay_can_be_drawn(void **state)
     (void)state;
     static uint8_t list[1024 * 1024];
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
         wfWorld world;
         wfDraw d;
         wfPool pool;
@@ -269,7 +269,7 @@ static void overlays_show_pairs_and_contacts_where_they_are(void **state)
     (void)state;
     static uint8_t list[1024 * 1024];
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
-    const wfScene *scene = &wfSceneTable[wfFindScene("shapes")];
+    const wfScene *scene = wfSceneAt(wfFindScene("shapes"));
     wfWorld world;
     assert_ok(wfOpenScene(scene, NULL, &world));
     wfSceneInput in = { .choice = 0 };
@@ -308,7 +308,7 @@ static void overlays_show_pairs_and_contacts_where_they_are(void **state)
 /* ---- joints ---- */
 static wfSceneInput run_scene(const char *name, int steps, wfWorld *world)
 {
-    const wfScene *s = &wfSceneTable[wfFindScene(name)];
+    const wfScene *s = wfSceneAt(wfFindScene(name));
     wfSceneInput in = { .choice = 0 };
     assert_ok(wfOpenScene(s, NULL, world));
     for (int k = 0; k < steps; k++) in = wfSceneInputAt(s, k), assert_ok(wfStepScene(s, world, &in));
@@ -437,9 +437,9 @@ static void asked_and_extreme_scenes_keep_their_lines(void **state)
     assert_true(v.state[2].p.y < 3);
     wfDestroyWorld(&world);
     /* Far from home: bit for bit the throw at home, for the world's own coordinates are the same. */
-    const wfScene *far = &wfSceneTable[wfFindScene("far from home")];
+    const wfScene *far = wfSceneAt(wfFindScene("far from home"));
     wfScene near = *far;
-    near.build = wfSceneTable[wfFindScene("fifteen steps")].build;
+    near.build = wfSceneAt(wfFindScene("fifteen steps"))->build;
     wfWorld home;
     assert_ok(wfOpenScene(far, NULL, &world));
     assert_ok(wfOpenScene(&near, NULL, &home));
@@ -482,7 +482,7 @@ static void asked_and_extreme_scenes_keep_their_lines(void **state)
     for (int k = 0; k < 2; k++) {
         run_scene(tower[k], 600, &world);
         wfWorld begin;
-        assert_ok(wfOpenScene(&wfSceneTable[wfFindScene(tower[k])], NULL, &begin));
+        assert_ok(wfOpenScene(wfSceneAt(wfFindScene(tower[k])), NULL, &begin));
         for (int i = 1; i < wfWorldBodies(&world).count; i++)
             assert_near2(wfWorldBodies(&world).state[i].p, wfWorldBodies(&begin).state[i].p, 0.01);
         wfDestroyWorld(&world);
@@ -499,7 +499,7 @@ static void as_many_bodies_as_the_report_had(void **state)
         { "a hundred bodies", 100, 0, 20 }, { "five hundred bodies", 500, 0, 20 }, { "a thousand bodies", 1000, 0, 20 },
         { "two thousand bodies", 2000, 0, 20 }, { "a thousand among pegs", 1000, 1000, 40 }, { "a thousand on pegs", 1000, 2000, 40 } };
     for (int k = 0; k < (int)(sizeof test / sizeof test[0]); k++) {
-        const wfScene *s = &wfSceneTable[wfFindScene(test[k].name)];
+        const wfScene *s = wfSceneAt(wfFindScene(test[k].name));
         wfWorld world, begin;
         run_scene(test[k].name, 300, &world);
         assert_ok(wfOpenScene(s, NULL, &begin));
@@ -538,7 +538,7 @@ static void every_integrator_has_its_orbit(void **state)
     static uint8_t list[1024 * 1024];
     wfWorld world;
     wfDraw d;
-    const wfScene *s = &wfSceneTable[wfFindScene("integrators")];
+    const wfScene *s = wfSceneAt(wfFindScene("integrators"));
     wfSceneInput in = run_scene("integrators", 40, &world);
     wfDrawInit(&d, list, sizeof list);
     s->draw(&world, &d, &in);
@@ -726,23 +726,23 @@ static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
     play p;
     play_begin(&p, 1100, 2400, 1);                          /* as high as the list of scenes is long */
     play_run(&p, "steps 0\nframe\n");
-    assert_true(is_scene(&p, wfSceneTable[0].name));
+    assert_true(is_scene(&p, wfSceneAt(0)->name));
     play_run(&p, "key [\nframe\n");
-    assert_true(is_scene(&p, wfSceneTable[wfSceneCount - 1].name));
+    assert_true(is_scene(&p, wfSceneAt(wfSceneCount() - 1)->name));
     play_run(&p, "key ]\nframe\n");
-    assert_true(is_scene(&p, wfSceneTable[0].name));
+    assert_true(is_scene(&p, wfSceneAt(0)->name));
     play_click(&p, "Next");
-    assert_true(is_scene(&p, wfSceneTable[1].name));
+    assert_true(is_scene(&p, wfSceneAt(1)->name));
     play_click(&p, "Previous");
-    assert_true(is_scene(&p, wfSceneTable[0].name));
-    for (int i = wfSceneCount - 1; i >= 0; i--) {
-        play_click(&p, wfSceneTable[i].name);
-        assert_true(is_scene(&p, wfSceneTable[i].name));
+    assert_true(is_scene(&p, wfSceneAt(0)->name));
+    for (int i = wfSceneCount() - 1; i >= 0; i--) {
+        play_click(&p, wfSceneAt(i)->name);
+        assert_true(is_scene(&p, wfSceneAt(i)->name));
     }
     play_run(&p, "key tab\nframe\n");
     assert_int_equal((int)play_fact(&p, "list", 0), 0);
     play_run(&p, "scene nowhere\nframe\n");              /* unknown: stays */
-    assert_true(is_scene(&p, wfSceneTable[0].name));
+    assert_true(is_scene(&p, wfSceneAt(0)->name));
     play_end(&p);
 }
 

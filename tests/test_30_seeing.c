@@ -15,7 +15,7 @@
 static wfWorld open(const char *scene, int steps)
 {
     wfWorld world;
-    const wfScene *row = &wfSceneTable[wfFindScene(scene)];
+    const wfScene *row = wfSceneAt(wfFindScene(scene));
     assert_int_equal(wfOpenScene(row, NULL, &world), WF_OK);
     for (int i = 0; i < steps; i++) {
         wfSceneInput in = wfSceneInputAt(row, i);
@@ -406,7 +406,7 @@ static void a_plot_has_its_picture(void **state)
 {
     (void)state;
     static wfPlots plots;
-    const wfScene *row = &wfSceneTable[wfFindScene("cradle")];
+    const wfScene *row = wfSceneAt(wfFindScene("cradle"));
     wfWorld w = open("cradle", 0);
     for (int i = 0; i < 240; i++) {
         wfSceneInput in = wfSceneInputAt(row, i);
@@ -649,11 +649,11 @@ static void all_scenes_can_be_compared(void **state)
     }
     click(&p, "See");
     for (int i = 0; i < wfOverlayCount; i++) click(&p, wfOverlayTable[i].name);
-    for (int i = 0; i < wfSceneCount; i++) {
-        snprintf(p.in.scene, sizeof p.in.scene, "%s", wfSceneTable[i].name);
+    for (int i = 0; i < wfSceneCount(); i++) {
+        snprintf(p.in.scene, sizeof p.in.scene, "%s", wfSceneAt(i)->name);
         frame(&p, 1);
         frame(&p, 2);
-        assert_true(strstr(p.text, wfSceneTable[i].name) != NULL);
+        assert_true(strstr(p.text, wfSceneAt(i)->name) != NULL);
         assert_true(strstr(p.text, "nan") == NULL && strstr(p.text, "inf") == NULL);
     }
     play_end(&p);

@@ -4788,7 +4788,7 @@ static void figure_drawing_stages(wfDraw *d, const wfFigureInput *in)
 static void draw_scene(wfDraw *d, const char *name, int steps, uint32_t show)
 {
     static _Alignas(WF_POOL_ALIGN) uint8_t bytes[256 * 1024];
-    const wfScene *scene = &wfSceneTable[wfFindScene(name)];
+    const wfScene *scene = wfSceneAt(wfFindScene(name));
     wfSceneInput in = wfSceneInputAt(scene, 0);
     wfWorld world;
     wfPool scratch;
@@ -4902,7 +4902,7 @@ static void draw_gallery(wfDraw *d, const SceneTile *tile, int count, int column
         wfDraw own;
         wfDrawInit(&own, bytes, sizeof bytes);
         draw_scene(&own, tile[i].name, tile[i].steps,
-                   wfSceneTable[wfFindScene(tile[i].name)].show);
+                   wfSceneAt(wfFindScene(tile[i].name))->show);
         for (int k = 0; k < own.count; k++)
             copy_command(d, &own, k, &p);
         wfDrawPolygon(d, frame, 4, 1, WF_INK_FAINT, WF_INK_NONE);
@@ -5027,9 +5027,9 @@ static void window_list(wfDraw *d, const camera *c, const char *open)
 {
     float y = LIST_TOP;
     window_box(d, c, 0, 0, LIST_WIDTH, 700, WF_INK_PAPER);
-    for (int i = 0; i < wfSceneCount && i < 23; i++) {
-        const wfScene *s = &wfSceneTable[i];
-        if (i == 0 || strcmp(s->category, wfSceneTable[i - 1].category) != 0) {
+    for (int i = 0; i < wfSceneCount() && i < 23; i++) {
+        const wfScene *s = wfSceneAt(i);
+        if (i == 0 || strcmp(s->category, wfSceneAt(i - 1)->category) != 0) {
             window_text(d, c, 10, y + 14, WF_INK_ACCENT, -1, s->category);
             y += ROW;
         }
@@ -5054,7 +5054,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
         "List", "Tools", "Pause", "Step", "Reset", "Previous", "Next", "Home", "Dark",
         "Keys", "Settings", "Hand", "Place", "Draw", "Pin", "Connect", "Lasso", "Delete",
         "Probe" };
-    const wfScene *s = &wfSceneTable[wfFindScene("shapes")];
+    const wfScene *s = wfSceneAt(wfFindScene("shapes"));
     camera c = { (float)s->viewX, (float)s->viewY, (float)s->viewHeight, LIST_WIDTH, HEAD,
                  1100 - LIST_WIDTH, 700 - HEAD - FOOT - TIME_BAR };
     float view[4];

@@ -210,11 +210,11 @@ static wfMemory world_memory(const game_memory *memory)
 }
 /* <find the world in the game's memory> */
 /* The scenes of the table, and behind them the one that was brought along. */
-static int scene_count(const game *g) { return wfSceneCount + (g->text != NULL); }
+static int scene_count(const game *g) { return wfSceneCount() + (g->text != NULL); }
 
 static const wfScene *scene_at(const game *g, int row)
 {
-    return row < wfSceneCount ? &wfSceneTable[row] : &g->guest;
+    return row < wfSceneCount() ? wfSceneAt(row) : &g->guest;
 }
 /* <find the world in the game's memory> */
 static void begin_call(game *g, const game_memory *memory, const game_input *input)
@@ -2481,7 +2481,7 @@ static void begin_game(game *g)
     s->row = -1;
     if (g->text) wfCheckSceneText(g->text, &s->info, NULL);
     wfSceneOfText(g->text, &s->info, &g->guest);
-    open_scene(g, g->text ? wfSceneCount : 0);
+    open_scene(g, g->text ? wfSceneCount() : 0);
 }
 
 static void measure_picture(game_state *s, const frame_buffer *buffer)

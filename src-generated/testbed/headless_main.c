@@ -58,8 +58,8 @@ static int play(const layer_options *options)
 static int list_scenes(const layer_options *options)
 {
     (void)options;
-    for (int i = 0; i < wfSceneCount; i++) {
-        const wfScene *s = &wfSceneTable[i];
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
         printf("%-11s  %-26s  %s\n", s->category, s->name, s->text);
     }
     return 0;
@@ -116,7 +116,7 @@ static const wfScene *scene_of(const layer_options *options, const char *otherwi
     const char *name = options->scene ? options->scene : otherwise;
     int row = wfFindScene(name);
     if (row < 0) complain("no such scene; --list names them all");
-    return row < 0 ? NULL : &wfSceneTable[row];
+    return row < 0 ? NULL : wfSceneAt(row);
 }
 /* <commands of the headless program> */
 static int hash_scene(const layer_options *options)
@@ -218,9 +218,9 @@ static int record_hashes(const layer_options *options)
     int steps = options->steps < 0 ? 1000 : options->steps;
     printf("# weft-headless --record: hash of each scene's state after so many steps\n");
     printf("scene,steps,hash\n");
-    for (int i = 0; i < wfSceneCount; i++) {
-        wfSceneReport r = wfWatchScene(&wfSceneTable[i], steps);
-        printf("%s,%d,%016llx\n", wfSceneTable[i].name, (int)r.steps,
+    for (int i = 0; i < wfSceneCount(); i++) {
+        wfSceneReport r = wfWatchScene(wfSceneAt(i), steps);
+        printf("%s,%d,%016llx\n", wfSceneAt(i)->name, (int)r.steps,
                (unsigned long long)r.hash);
         if (r.result != WF_OK) return 1;
     }
@@ -248,9 +248,9 @@ static int watch_scenes(const layer_options *options)
     if (file && !open_file(options->argument, &made)) return 1;
     printf("%-26s %6s %6s %9s %12s %10s %10s\n", "scene", "steps", "bodies", "contacts",
            "energy (J)", "gain (J)", "depth (m)");
-    for (int i = 0; i < wfSceneCount && !file; i++)
+    for (int i = 0; i < wfSceneCount() && !file; i++)
         if (!options->scene || wfFindScene(options->scene) == i)
-            broken += watch(&wfSceneTable[i], steps);
+            broken += watch(wfSceneAt(i), steps);
     if (file) broken = watch(&made.scene, steps);
     free(made.text);
     return broken > 0;

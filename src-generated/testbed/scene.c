@@ -6,8 +6,8 @@
 /* <find a scene> */
 int wfFindScene(const char *name)
 {
-    for (int row = 0; row < wfSceneCount; row++) {
-        const char *a = wfSceneTable[row].name, *b = name;
+    for (int row = 0; row < wfSceneCount(); row++) {
+        const char *a = wfSceneAt(row)->name, *b = name;
         while (*a && (*a == *b || (*a == ' ' && *b == '-')))
             a++, b++;
         if (*a == 0 && *b == 0)

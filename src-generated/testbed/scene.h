@@ -45,8 +45,11 @@ typedef struct wfScene {
     const char *source;                     /* the text */
 } wfScene;
 /* <the table of scenes> */
-extern const wfScene wfSceneTable[];
-extern const int wfSceneCount;
+/* The scenes of a file. */
+typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup;
+/* The scene of a row of the table, NULL if there is no such row. */
+const wfScene *wfSceneAt(int row);
+int wfSceneCount(void);
 /* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space. */
 int wfFindScene(const char *name);
 /* <declarations of running a scene> */

@@ -61,7 +61,7 @@ disk() { printf ',%.1f' "$(for f in "$@"; do case $f in deb:*) dpkg-query -W -f 
 scenes() { printf ',none,none,none,none,%d,none,%d' "$(ls $m/planck/example/*.ts | wc -l)" "$(build/bin/weft-headless --list | grep -c .)"; }
 median() { sort -n | awk '{ v[NR] = $1 } END { printf ",%d", v[int((NR + 1) / 2)] }'; }
 shortest() { printf ',-,-,-,-'; for f in $m/planck/example/*.ts; do grep -vcE '^[[:space:]]*(//.*)?$' "$f"; done | median; printf ',-'
-  awk '/^static wfResult build_[a-z_0-9]*\(/ { n = 0; on = 1 } on { n++ } on && /^}/ { print n; on = 0 }' src-generated/testbed/scenes.c | median; }
+  awk '/^static wfResult build_[a-z_0-9]*\(/ { n = 0; on = 1 } on { n++ } on && /^}/ { print n; on = 0 }' src-generated/testbed/*scenes.c | median; }
 { echo "# command: tests/peers/review.sh, from book/data/extremes.csv and the installed packages"
   tangle/machine
   echo "# the criteria of the review that can be measured, answered"

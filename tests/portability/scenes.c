@@ -13,10 +13,10 @@ int main(int argc, char **argv)
         fputs("use: scenes STEPS [FIRST]\n", stderr);
         return 2;
     }
-    for (int i = first; i < wfSceneCount; i++) {
-        wfSceneReport r = wfWatchScene(&wfSceneTable[i], steps);
+    for (int i = first; i < wfSceneCount(); i++) {
+        wfSceneReport r = wfWatchScene(wfSceneAt(i), steps);
         /* the hash in halves: not every C library prints 64 bits in the same way */
-        printf("%s,%d,%08lx%08lx%s\n", wfSceneTable[i].name, (int)r.steps, (unsigned long)(r.hash >> 32),
+        printf("%s,%d,%08lx%08lx%s\n", wfSceneAt(i)->name, (int)r.steps, (unsigned long)(r.hash >> 32),
                (unsigned long)(r.hash & 0xffffffffu), r.result == WF_OK ? "" : ",failed");
         fflush(stdout);
     }
