@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .SECONDARY:
 .SUFFIXES:
 
-CHAPTERS := $(sort $(wildcard chapters/*.nw))
+CHAPTERS := $(shell tangle/chapters)
 # EXTRA=path/to/my-chapter.nw adds a chapter that lives elsewhere
 EXTRA    ?=
 NW       := $(CHAPTERS) $(EXTRA)
@@ -16,7 +16,7 @@ WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prot
 CFLAGS   ?= -O2 -g
 export MAKE EXTRA
 
-.PHONY: all help clean watch
+.PHONY: all help clean watch renumber
 all:
 	@tangle/all
 
@@ -28,8 +28,9 @@ help:
 	@echo "make programs           the testbed, the headless testbed, the lab: build/bin/"
 	@echo "make test               the unit tests"
 	@echo "make book | html | pdf  weave: build/book/html/index.html, build/book/weft.pdf"
-	@echo "make upto CHAPTER=7     the program as it stands after a chapter, compiled and tested (upto-all: every chapter)"
+	@echo "make upto CHAPTER=soft  the program as it stands after a chapter, compiled and tested (upto-all: every chapter)"
 	@echo "make EXTRA=my.nw TARGET with a chapter of your own that lives elsewhere"
+	@echo "make renumber           the chapters' files get the numbers of their places in book/plan.tsv"
 	@echo "make watch              tangle, build and weave again whenever a chapter is saved"
 	@echo "make data               measure again what the book's plots and tables show (book/data/; make clocks: only what has a clock in it)"
 	@echo "make lab                the lab's sweeps, minutes (make lab-full: all of them): build/lab/*.csv; goes on when interrupted"
@@ -43,13 +44,16 @@ help:
 	@echo "make install PREFIX=... and make uninstall"
 	@echo "make clean              remove build/"
 
+renumber:
+	@tangle/chapters --renumber
+
 clean:
 	rm -rf build
 
 # Looks at the chapters twice a second; a save makes what depends on it.
 watch:
 	@echo "watching chapters/ -- stop with Ctrl-C"
-	@last=; while sleep 0.5; do now=$$(cksum chapters/*.nw $(EXTRA) | cksum); \
+	@last=; while sleep 0.5; do now=$$(cksum $$(tangle/chapters) $(EXTRA) | cksum); \
 	  if [ "$$now" != "$$last" ]; then last=$$now; \
 	    $(MAKE) --no-print-directory game && echo "$$(date +%T) the game is new" && $(MAKE) --no-print-directory engine && { [ ! -x build/bin/weft-headless ] || $(MAKE) --no-print-directory programs; } && $(MAKE) --no-print-directory html && echo "$$(date +%T) made again" || echo "$$(date +%T) mend the error above and save again"; fi; done
 

@@ -3,7 +3,7 @@
 --
 --   local Book = require "book"
 --   local book = Book.read(io.stdin)
---   book.chapters[i]  { file, base, label ("06", "A"), first (line of the stream) }
+--   book.chapters[i]  { file, name ("soft"), label (what its file says of its number), of ("soft", if it is soft.figures or soft.lab) }
 --   book.chunks[i]    { name, chapter (index), file, line, part, items = { {kind="text"|"use"|"nl", text, line} } }
 --   book.names[name]  { parts = {chunk indices}, uses = { {chunk, line} } }
 --   book.parts[word]  { needs = {words}, file, line }   what may be left out of an engine (parts.lua); chunk.only = {words}
@@ -15,11 +15,15 @@ Book.__index = Book
 
 function Book.is_root(name) return name:match("^[%w_%-%./]+%.%a+$") ~= nil and name:find("/") ~= nil end
 
--- Chapters are named NN-name.nw (a number) or X-name.nw (an appendix, a capital letter); an exercise that somebody solved, NN.k-name.nw.
-function Book.label_of(base, fallback)
-  local n = base:match("^(%d+)%-") or base:match("^%w+%.%d+")
-  if n then return n end
-  return base:match("^(%u)%-") or fallback
+-- A chapter's file is NN-NAME.nw (an appendix: a capital letter for NN), an exercise that somebody solved NAME.nw. The name is what it is known
+-- by, the number is for listings; book/plan.tsv says which number is printed. NAME.figures and NAME.lab belong to the chapter NAME.
+function Book.name_of(file)
+  local base = file:match("([^/]+)%.nw$") or file
+  local label, name = base:match("^(%d+)%-(.+)$")
+  if not name then label, name = base:match("^(%u)%-(.+)$") end
+  if not name then label, name = base:match("^(%u?%d+%.%d+)%-(.+)$") end
+  name = name or base
+  return name, label, name:match("^(.+)%.figures$") or name:match("^(.+)%.lab$")
 end
 
 function Book:complain(file, line, what, remedy)
@@ -40,8 +44,8 @@ function Book.read(stream)
   for l in stream:lines() do
     local key, rest = l:match("^@(%S+) ?(.*)$")
     if key == "file" then
-      local base = rest:match("([^/]+)%.nw$") or rest
-      chapter = { file = rest, base = base, label = Book.label_of(base, "X" .. #self.chapters + 1), index = #self.chapters + 1 }
+      local name, label, of = Book.name_of(rest)
+      chapter = { file = rest, name = name, label = label or "X" .. #self.chapters + 1, of = of, index = #self.chapters + 1 }
       self.chapters[chapter.index] = chapter
       line, open = 1, nil
       reader, said = Parts.reader(self, chapter), ""
@@ -96,11 +100,11 @@ end
 function Book:check_chunks()
   local solved = {}
   for _, c in ipairs(self.chapters) do
-    local other = c.label:match("%.") and solved[c.label]
+    local other = solved[c.name]
     if other then
-      self:complain(c.file, 1, "exercise " .. c.label .. " is here and in " .. other, "link one of the two: a starter, somebody's chapter and the solution define the same chunks")
+      self:complain(c.file, 1, "a chapter " .. c.name .. " is here and in " .. other, "give one of the two another name; of an exercise's starter, somebody's chapter and the solution take one")
     end
-    solved[c.label] = c.file
+    solved[c.name] = c.file
   end
   for name, n in pairs(self.names) do
     if #n.parts == 0 then

@@ -4,9 +4,10 @@ BUILD    ?= build
 W        := $(BUILD)/weave
 HTML     := $(BUILD)/book/html
 TEXDIR   := $(BUILD)/tex
-BASES    := $(basename $(notdir $(NW)))
+BASES    := $(shell tangle/chapters --name $(NW))
+ONLINE   := $(filter %.figures %.lab,$(BASES))
 LOOM     := $(wildcard tangle/*.lua) tangle/weave tangle/markup tangle/page
-PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true) $(if $(filter %-scenes.nw,$(NW)),-M testbed=true)
+PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true) $(if $(filter chapters/testbed/%,$(NW)),-M testbed=true)
 
 .PHONY: book html pdf figures
 book: html pdf
@@ -64,5 +65,5 @@ $(HTML)/fonts/.stamp:
 $(TEXDIR)/ch/%.tex: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page latex $* $(W) $@ $(PAGEMETA)
 pdf: $(BUILD)/book/weft.pdf
-$(BUILD)/book/weft.pdf: $(BASES:%=$(TEXDIR)/ch/%.tex) book/book.tex tangle/pdf $(W)/figures.stamp
+$(BUILD)/book/weft.pdf: $(patsubst %,$(TEXDIR)/ch/%.tex,$(filter-out $(ONLINE),$(BASES))) book/book.tex tangle/pdf $(W)/figures.stamp
 	@tangle/pdf $(BUILD)

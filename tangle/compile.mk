@@ -1,6 +1,6 @@
 # compile.mk: compiles one tangled tree.
 #   make -f tangle/compile.mk SRC=build/lines OUT=build lib        the engine: static, shared, collision alone, pkg-config, CMake
-#   make -f tangle/compile.mk SRC=build/lines OUT=build test       tests/test_*.c (or TESTS=..., or all up to UPTO=n)
+#   make -f tangle/compile.mk SRC=build/lines OUT=build test       tests/test_*.c (or TESTS=..., which may be none)
 # Used for the developer build, for sanitizer and double builds, for `make upto`, and for builds from src-generated/ alone.
 SRC ?= src-generated
 OUT ?= build
@@ -9,13 +9,12 @@ WARN ?= -Wall -Wextra
 CFLAGS ?= -O2 -g
 PREFIX ?= /usr/local
 VERSION := 0.1.0
-UPTO ?= 99
 # An engine with some of its parts alone (a file `parts` in its tree) runs the tests that say what they need, if it has that.
 PARTS_FILE := $(wildcard $(SRC)/parts)
 APPLY = $(shell for t in tests/test_*.c; do n=$$(sed -n 's|^/\* needs: \(.*\) \*/$$|\1|p' $$t); [ -n "$$n" ] || continue; ok=1; for w in $$n; do \
    [ $$w = nothing ] || grep -qx -- $$w $(PARTS_FILE) || ok=; done; [ -n "$$ok" ] && echo $$t; done)
 TESTS ?= $(if $(PARTS_FILE),$(APPLY),$(ALL_TESTS))
-ALL_TESTS = $(shell for t in tests/test_*.c; do n=$$(echo $$t | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p'); [ -n "$$n" ] && [ "$$n" -le "$(UPTO)" ] && echo $$t; done)
+ALL_TESTS = $(sort $(wildcard tests/test_*.c))
 
 COMPONENTS := core math collision dynamics engine
 sources = $(sort $(wildcard $(foreach d,$(1),$(SRC)/$(d)/*.c)))

@@ -1,11 +1,11 @@
 -- course.lua: exercises, from the chapters to points. tangle/course calls it; `tangle/course help` lists the commands.
 --
 -- An exercise is a box {.exercise #ex:label points= difficulty= minutes= kind=} in a chapter; its number is its chapter's and its place in
--- it. One that is to be programmed has, under the name NUMBER-NAME:
---   chapters/exercises/10.2-heun.nw   the starter: a chapter with undefined chunks, the holes
---   chapters/solutions/10.2-heun.nw   the holes, defined
---   tests/course/10.2-heun.c          the criteria, with points (tests/course/course.h)
---   tests/course/10.2-heun.wrong      what wrong solutions change in the right one, and which criteria they must lose
+-- it. One that is to be programmed says starter=NAME and has, under that name:
+--   chapters/exercises/heun.nw   the starter: a chapter with undefined chunks, the holes
+--   chapters/solutions/heun.nw   the holes, defined
+--   tests/course/heun.c          the criteria, with points (tests/course/course.h)
+--   tests/course/heun.wrong      what wrong solutions change in the right one, and which criteria they must lose
 local here = arg[0]:match("^(.*/)") or "./"
 local B = os.getenv("BUILD") or "build"
 local CC = os.getenv("CC") or "cc"
@@ -27,22 +27,27 @@ local function points_text(p) return (string.format("%.2f", p):gsub("%.?0+$", ""
 ------------------------------------------------------------------------------------------------------- exercises in the chapters
 -- All of them in the order of the book: { number, chapter, title, label, points, minutes, difficulty, kind, file, line, base }
 local function exercises()
-  local all, starters = {}, {}
-  for _, b in ipairs(list(STARTERS, "nw")) do starters[b:match("^([%w]+%.%d+)%-") or b] = b end
-  for _, b in ipairs(list("chapters", "nw")) do
-    local chapter = b:match("^0*(%d+)%-") or b:match("^(%u)%-")
+  local all, rows = {}, {}
+  for l in lines(out_of("tangle/chapters --plan")) do
+    local name, volume, number, part = l:match("^(.-)\t(.-)\t(.-)\t(.-)\t")
+    if name then rows[name] = { volume = volume, number = number, part = part } end
+  end
+  for file in lines(out_of("tangle/chapters")) do
+    local name = (file:match("([^/]+)%.nw$") or ""):gsub("^%w+%-", "", 1)
+    local row = rows[name]
+    local chapter = row and row.number
     local k, n, title = 0, 0, nil
-    for l in lines(read("chapters/" .. b .. ".nw")) do
+    for l in lines(row and read(file)) do
       n = n + 1
       title = title or l:match("^# (.-)%s*{#") or l:match("^# (.*)$")
       local attributes = l:match("^:::+ *{%.exercise (.-)}")
       if attributes and chapter then
         k = k + 1
-        local e = { chapter = chapter, number = chapter .. "." .. k, file = "chapters/" .. b .. ".nw", line = n, title = title }
+        local e = { chapter = chapter, volume = row.volume, part = row.part, number = chapter .. "." .. k, file = file, line = n, title = title }
         e.label = attributes:match("#ex:([%w_%-]+)")
         for key, v in attributes:gmatch('([%a]+)=(["%w%-%./]+)') do e[key] = v:gsub('"', "") end
         for _, key in ipairs { "points", "minutes", "difficulty" } do e[key] = tonumber(e[key]) end
-        e.base = starters[e.number]
+        e.base = e.starter and read(STARTERS .. "/" .. e.starter .. ".nw") and e.starter
         all[#all + 1] = e
       end
     end
@@ -59,7 +64,7 @@ local function chosen(all, ids)
   local t = {}
   for id in ids:gmatch("[^%s,]+") do
     local e = find(all, id)
-    if not e then die("there is no exercise %s -- `make progress` lists them; say E=10.2, or E=int-heun", id) end
+    if not e then die("there is no exercise %s -- `make progress` lists them; say E=10.2, E=heun or E=int-heun", id) end
     if not e.base then die("exercise %s (%s, kind %s) has no starter: it is solved on paper or by trying -- `make progress` marks those with a starter by *", e.number, e.label, e.kind) end
     t[#t + 1] = e
   end
@@ -190,7 +195,7 @@ function Course.try(file, base, out, like)
   end
   local alone = not (like and not read(like .. "/alone")) and tangle("")
   if alone then write(out .. "/alone", "")
-  elseif not tangle("chapters/*.nw ") then
+  elseif not tangle("$(tangle/chapters) ") then
     return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks))
   end
   local objects, headers = {}, alone and " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") or ""
@@ -454,44 +459,45 @@ function Course.lint(all)
     if not e.label then bad(e, "an exercise has no label -- write #ex:name") end
     for _, k in ipairs { "points", "minutes", "difficulty" } do if not e[k] then bad(e, "the exercise has no %s= -- write {.exercise #ex:name points=2 difficulty=1 minutes=20 kind=derive}", k) end end
     if not kinds[e.kind or ""] then bad(e, "kind=%s -- one of understand, derive, program, explore", tostring(e.kind)) else kinds[e.kind] = kinds[e.kind] + 1 end
-    local c = by[e.chapter] or { file = e.file, n = 0, starters = 0 }
+    local c = by[e.chapter] or { file = e.file, volume = e.volume, part = e.part, n = 0, starters = 0 }
     by[e.chapter] = c
     c.n = c.n + 1
     c[e.kind or ""] = (c[e.kind or ""] or 0) + 1
     if e.base then
       c.starters = c.starters + 1
       if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
-      if e.starter ~= e.base:match("%-(.*)$") then bad(e, "say starter=%s", e.base:match("%-(.*)$")) end
       local text = read(STARTERS .. "/" .. e.base .. ".nw")
-      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s -- was the list renumbered? type: tangle/course renumber", e.label, e.number) end
+      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s and says starter=%s", e.label, e.number, e.base) end
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
       for i, f in ipairs { TESTS .. "/" .. e.base .. ".c", SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".wrong" } do
         if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then bad(e, "%s is missing", f) end       -- what a class gets has no solutions
       end
-    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s-%s.nw", e.starter, STARTERS, e.number, e.starter) end
+    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw", e.starter, STARTERS, e.starter) end
   end
   for _, e in ipairs(all) do
     for _, c in ipairs(e.base and criteria_of(e.base) or {}) do if c.points % 1 ~= 0 then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s has %g points -- points are whole numbers", c.name, c.points) end end
   end
-  for _, b in ipairs(list(STARTERS, "nw")) do if not find(all, b) then bad(STARTERS .. "/" .. b .. ".nw:1", "belongs to no exercise -- its name is NUMBER-NAME.nw, and the number is that of an exercise") end end
+  for _, b in ipairs(list(STARTERS, "nw")) do if not find(all, b) then bad(STARTERS .. "/" .. b .. ".nw:1", "belongs to no exercise -- one of them must say starter=%s", b) end end
   if #list(SOLUTIONS, "nw") > 0 and read("book/data/exercises.csv") ~= Course.csv(all) then bad("book/data/exercises.csv:1", "is not what the chapters say -- type: tangle/course csv") end
   -- every derivation has a worked answer, and every implementation chapter a scene to play at its end; what a class gets has no answers
-  local answers = read(SOLUTIONS .. "/0.0-answers.nw")
+  local answers = read(SOLUTIONS .. "/answers.nw")
   for _, e in ipairs(answers and all or {}) do
     if e.kind == "derive" and e.label and not answers:find('for="ex:' .. e.label .. '"', 1, true) then
-      bad(e, "exercise %s is to be derived, and has no worked answer -- write it in %s/0.0-answers.nw, in a box {.solution for=\"ex:%s\"}", e.number, SOLUTIONS, e.label) end
+      bad(e, "exercise %s is to be derived, and has no worked answer -- write it in %s/answers.nw, in a box {.solution for=\"ex:%s\"}", e.number, SOLUTIONS, e.label) end
   end
   for label in (answers or ""):gmatch('for="ex:([%w_%-]+)"') do
-    if not find(all, label) then bad(SOLUTIONS .. "/0.0-answers.nw", "answers ex:%s, which no chapter asks", label) end
+    if not find(all, label) then bad(SOLUTIONS .. "/answers.nw", "answers ex:%s, which no chapter asks", label) end
   end
-  for n = 5, 30 do
-    local c = by[tostring(n)]
-    local try = c and (read(c.file):match("\n## What you can build now[^\n]*\n(.-)\n## "))
-    if c and not (try and try:find("](scenes/", 1, true)) then bad(c.file, "has no section \"What you can build now\" with a scene to play, ![...](scenes/NAME-STEPS.svg)") end
-    if not c or c.n < 4 then bad(c and c.file or "chapter " .. n, "has %d exercises, four is the least", c and c.n or 0)
+  for _, c in pairs(by) do
+    if c.part ~= "Implementation" and c.volume ~= "methods" and c.volume ~= "testbed" then goto next end
+    local try = (read(c.file):match("\n## What you can build now[^\n]*\n(.-)\n## "))
+    if not (try and try:find("](scenes/", 1, true)) then bad(c.file, "has no section \"What you can build now\" with a scene to play, ![...](scenes/NAME-STEPS.svg)") end
+    if c.n < 4 then bad(c.file, "has %d exercises, four is the least", c.n)
     else for _, k in ipairs { "understand", "derive", "program", "explore" } do if not c[k] then bad(c.file, "has no exercise of the kind %s", k) end end end
+    ::next::
   end
+  table.sort(errors)
   return errors, by
 end
 
@@ -595,28 +601,6 @@ function commands.lint()
   print(string.format("%d exercises, %d of them with starter, solution and tests; %d complaints", n, programs, #errors))
   os.exit(#errors == 0 and 0 or 1)
 end
--- An exercise was put into the middle of a list: the files of those behind it follow their labels.
-function commands.renumber()
-  local moved, at = {}, {}
-  for _, e in ipairs(exercises()) do at[e.label or ""] = e end
-  for _, b in ipairs(list(STARTERS, "nw")) do
-    local e = at[(read(STARTERS .. "/" .. b .. ".nw"):match("@ex:([%w_%-]+)"))]
-    local to = e and e.number .. "-" .. b:match("%-(.*)$")
-    if to and to ~= b then moved[#moved + 1] = { b, to } end
-  end
-  for _, stage in ipairs { 1, 2 } do            -- by a name that nobody has, for two may change places
-    for _, m in ipairs(moved) do
-      local from, to = stage == 1 and m[1] or m[2] .. ".new", stage == 1 and m[2] .. ".new" or m[2]
-      for _, f in ipairs { STARTERS .. "/%s.nw", SOLUTIONS .. "/%s.nw", TESTS .. "/%s.c", TESTS .. "/%s.wrong" } do os.rename(f:format(from), f:format(to)) end
-    end
-  end
-  for _, m in ipairs(moved) do
-    local old, new, f = m[1]:match("^[^%-]+"), m[2]:match("^[^%-]+"), TESTS .. "/" .. m[2] .. ".c"
-    write(f, (read(f):gsub('CRITERIA%("' .. old:gsub("%.", "%%.") .. '"', 'CRITERIA("' .. new .. '"'):gsub("Exercise " .. old:gsub("%.", "%%.") .. ",", "Exercise " .. new .. ",")))
-    print(m[1] .. " is now " .. m[2])
-  end
-  write("book/data/exercises.csv", Course.csv(exercises()))
-end
 function commands.csv() write("book/data/exercises.csv", Course.csv(exercises())) end
 function commands.list() for _, e in ipairs(exercises()) do if e.base then print(e.base) end end end
 function commands.prove(base)
@@ -670,7 +654,7 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
   end
   os.execute("mkdir -p " .. quote(to .. "/.github/classroom") .. " " .. quote(to .. "/.github/workflows"))
   write(to .. "/ASSIGNMENT.md", "# Assignment\n\n| exercise | | points | minutes | write in |\n|---|---|---|---|---|\n" .. table.concat(t, "\n") ..
-    "\n\nRead the appendix on coursework (`chapters/E-coursework.nw`), then:\n\n    tangle/install check          # once: what is missing, and the command that installs it\n    make try E=" ..
+    "\n\nRead the appendix on coursework (`chapters/engine/E-coursework.nw`), then:\n\n    tangle/install check          # once: what is missing, and the command that installs it\n    make try E=" ..
     ids:match("[^%s,]+") .. "            # builds and tests one exercise, and says what failed and where\n    make grade                  # all of them, with points\n\nHand in by committing `coursework/me/`.\n")
   write(to .. "/.github/classroom/autograding.json", '{\n  "tests": [\n' .. table.concat(tests, ",\n") .. "\n  ]\n}\n")
   local install = "sudo apt-get update && sudo apt-get install -y --no-install-recommends gcc make noweb lua5.4 pkg-config libcjson-dev libstb-dev fonts-dejavu-core gnuplot-nox"
@@ -699,7 +683,7 @@ function commands.progress()
   for _, e in ipairs(all) do
     if e.chapter ~= chapter then
       chapter = e.chapter
-      local built = read(B .. "/upto/" .. chapter .. "/lib/libweft.a") and "built and tested (make upto CHAPTER=" .. chapter .. ")" or tonumber(chapter) and "make upto CHAPTER=" .. chapter or ""
+      local built = read(B .. "/upto/" .. chapter .. "/lib/libweft.a") and "built and tested (make upto CHAPTER=" .. chapter .. ")" or e.part ~= "Appendices" and "make upto CHAPTER=" .. chapter or ""
       print(string.format("%-3s %s%s", chapter, e.title:gsub("%s*{.*", ""), built ~= "" and "   -- " .. built or ""))
     end
     local state = "    "
@@ -714,6 +698,7 @@ function commands.progress()
   end
   print(string.format("%s of %s points.  * has a starter: make exercise E=its number. What is solved on paper you tick yourself: echo 10.1 >> coursework/%s/done.txt", points_text(earned), points_text(sum), student))
 end
+function commands.number(id) local e = find(exercises(), id); print(e and e.number or "0") end
 function commands.find(id) local e = find(exercises(), id); if e and e.base then print(e.base) else os.exit(1) end end
 function commands.holes(file) for _, h in ipairs((holes_of(file))) do print(h) end end
 function commands.points(base) local m = 0 for _, c in ipairs(criteria_of(base)) do m = m + c.points end print(points_text(m)) end

@@ -52,20 +52,21 @@ game: $(BUILD)/tangle.stamp
 test: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) test
 
-# The program as it stands after chapter n: tangled from the chapters up to n alone, compiled, and tested. For all chapters in turn,
+# The program as it stands after a chapter: tangled from the chapters up to it alone, in the order of book/plan.tsv, compiled, and tested. For all chapters in turn,
 # each prefix runs the tests of its last chapter (those of the others have just run on the prefix before), and all are made in one
 # place: a file that a chapter leaves as it was is not written again, so it is not compiled again.
+UPTO_TESTS ?= tests
 UPTO_DIR ?= $(BUILD)/upto/$(CHAPTER)
 upto:
-	@[ -n "$(CHAPTER)" ] || { echo "upto: which chapter? -- type: make upto CHAPTER=7"; exit 2; }
-	@tangle/tangle --lines --upto $(CHAPTER) $(UPTO_DIR)/lines $(NW)
-	@$(MAKE) --no-print-directory -f tangle/compile.mk SRC=$(UPTO_DIR)/lines OUT=$(UPTO_DIR) UPTO=$(CHAPTER) \
-	   CC="$(CC)" CFLAGS="-O1" STD="$(STD)" WARN="$(WARN)" $(if $(filter own,$(UPTO_TESTS)),TESTS="$(wildcard tests/test_$(CHAPTER)_*.c tests/test_0$(CHAPTER)_*.c)") lib test
+	@[ -n "$(CHAPTER)" ] || { echo "upto: which chapter? -- type: make upto CHAPTER=7, or CHAPTER=soft"; exit 2; }
+	@files=$$(tangle/chapters --upto $(CHAPTER)) && tangle/tangle --lines $(UPTO_DIR)/lines $$files
+	@$(MAKE) --no-print-directory -f tangle/compile.mk SRC=$(UPTO_DIR)/lines OUT=$(UPTO_DIR) \
+	   CC="$(CC)" CFLAGS="-O1" STD="$(STD)" WARN="$(WARN)" TESTS="$$(tangle/chapters --$(UPTO_TESTS) $(CHAPTER) | tr "\n" " ")" lib test
 	@echo "upto: the program as it stands after chapter $(CHAPTER) compiles and passes its tests ($(UPTO_DIR))."
 upto-all:
 	@rm -rf $(BUILD)/upto/all; mkdir -p $(BUILD)/upto
-	@for n in $$(ls chapters | sed -nE 's/^0*([0-9]+)-.*\.nw$$/\1/p' | sort -n); do \
-	   $(MAKE) --no-print-directory upto CHAPTER=$$n UPTO_TESTS=own UPTO_DIR=$(BUILD)/upto/all >$(BUILD)/upto/$$n.log 2>&1 && tail -1 $(BUILD)/upto/$$n.log || { cat $(BUILD)/upto/$$n.log; exit 1; }; done
+	@for n in $$(tangle/chapters --plan | awk -F'\t' '$$4 != "Appendices" { print $$1 }'); do \
+	   $(MAKE) --no-print-directory upto CHAPTER=$$n UPTO_TESTS=own-tests UPTO_DIR=$(BUILD)/upto/all >$(BUILD)/upto/$$n.log 2>&1 && tail -1 $(BUILD)/upto/$$n.log || { cat $(BUILD)/upto/$$n.log; exit 1; }; done
 
 install: $(BUILD)/lib/libweft.a
 	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/bin

@@ -25,6 +25,7 @@ local function ref(id)
     return raw(string.format('<a class="xref %s" href="%s"%s>%s</a>', l.kind, href(l.page, id),
       l.title and ' title="' .. Code.html(l.title) .. '"' or "", (Code.html(text):gsub(" ", "\u{a0}", 1))))
   end
+  if l.online then return raw((Code.tex(text):gsub(" ", "~", 1))) end
   return raw("\\hyperlink{" .. id .. "}{" .. Code.tex(text):gsub(" ", "~", 1) .. "}")
 end
 
@@ -90,7 +91,7 @@ local function inline_code(el)
   local s = {}                                        -- may break after _ ( , and at lower|Upper
   for _, t in ipairs(line) do
     local x = Code.tex_code(t[2]):gsub("\\_", "\\_\\wBreak{}"):gsub("\\ ", " "):gsub("(%l%l)(%u%l)", "%1\\wBreak{}%2"):gsub("([,/%(%.])", "%1\\wBreak{}")
-    s[#s + 1] = t[1] == "ref" and "\\wId{" .. Code.tex_id(t[3]:match("#(.*)$")) .. "}{" .. x .. "}" or x
+    s[#s + 1] = t[1] == "ref" and not Code.online(db, t[3]) and "\\wId{" .. Code.tex_id(t[3]:match("#(.*)$")) .. "}{" .. x .. "}" or x
   end
   return raw("\\wInline{" .. table.concat(s) .. "}")
 end
@@ -101,7 +102,7 @@ local function chunk_link(id, named)
   if html then
     return '<a class="cref" href="' .. href(c.page, id) .. '">' .. (named and '<span class="nm">' .. Code.name(db, c.name, "html") .. "</span> " or "") .. "<b>" .. c.num .. "</b></a>"
   end
-  return (named and "\\wName{" .. Code.name(db, c.name, "tex") .. "}~" or "") .. "\\wRef{" .. id .. "}{" .. c.num .. "}"
+  return (named and "\\wName{" .. Code.name(db, c.name, "tex") .. "}~" or "") .. (c.online and c.num or "\\wRef{" .. id .. "}{" .. c.num .. "}")
 end
 
 local function chunk(k)
@@ -559,7 +560,7 @@ local function header(el)
   local l = db.labels[el.identifier]
   if not l then return nil end
   if html then
-    el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(l.num:match("^%d+%.%d+$") and l.num ~= "0.0" and "Exercise " .. l.num or Code.ref_text(l)) or l.num) .. "</span> "))
+    el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(mine.exercise and "Exercise " .. l.num or Code.ref_text(l)) or l.num) .. "</span> "))
     if el.attributes.part then
       el.content:insert(raw('<span class="only">only with ' .. Code.html(el.attributes.part:gsub(" ", " and ")) .. "</span>"))
       el.attributes.part = nil
@@ -576,24 +577,29 @@ end
 local function contents(m)
   local t, part = {}, nil
   for _, e in ipairs(db.entries) do
+    if e.of then goto next end
     if e.part ~= part then
       if part then t[#t + 1] = "</ol>" end
       part = e.part
       t[#t + 1] = '<p class="part">' .. Code.html(part) .. "</p><ol>"
     end
-    local is_here = e.page == here and not e.planned
+    local is_here = not e.planned and (e.page == here or e.name == mine.base:gsub("%.%a+$", ""))
     if e.planned then t[#t + 1] = '<li class="planned" title="planned"><span class="n">' .. e.num .. "</span> " .. Code.html(e.title) .. "</li>"
     else
       t[#t + 1] = '<li' .. (is_here and ' class="here"' or "") .. '><a href="' .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. Code.html(Code.plain(e.title)) .. "</a>"
       if is_here then
         t[#t + 1] = "<ol>"
         for _, h in ipairs(db.heads) do
-          if h.page == here and h.level == 2 then t[#t + 1] = '<li><a href="#' .. h.id .. '"><span class="n">' .. h.num .. "</span> " .. Code.html(Code.plain(h.title)) .. "</a></li>" end
+          if h.page == e.page and h.level == 2 then t[#t + 1] = '<li><a href="' .. href(h.page, h.id) .. '"><span class="n">' .. h.num .. "</span> " .. Code.html(Code.plain(h.title)) .. "</a></li>" end
+        end
+        for _, x in ipairs(db.entries) do
+          if x.of == e.name then t[#t + 1] = '<li' .. (x.page == here and ' class="here"' or "") .. '><a href="' .. x.page .. '"><span class="n">' .. x.num .. "</span> " .. Code.html(Code.plain(x.title)) .. "</a></li>" end
         end
         t[#t + 1] = "</ol>"
       end
       t[#t + 1] = "</li>"
     end
+    ::next::
   end
   t[#t + 1] = "</ol>"
   return table.concat(t)
@@ -610,19 +616,20 @@ local function meta(m)
   local f = loadfile(weave .. "/bib.lua")
   bib = f and f() or {}
   here = mine.base .. ".html"
-  local written, me = {}, nil
+  local written, me, title = {}, nil, nil
   for _, e in ipairs(db.entries) do
-    if not e.planned then
-      written[#written + 1] = e
-      if e.page == here then me = #written end
-    end
+    if not e.planned and not e.of then written[#written + 1] = e end
+    if e.page == here then me = e.of or e.name; title = e.num .. " " .. Code.plain(e.title) end
   end
   local function nav(e)
     return e and pandoc.MetaMap { href = pandoc.MetaString(e.page), title = pandoc.MetaString(e.num .. " " .. Code.plain(e.title)) } or nil
   end
-  if me then m.prev, m.next = nav(written[me - 1]), nav(written[me + 1]) end
+  for i, e in ipairs(written) do
+    if e.name == me and e.page == here then m.prev, m.next = nav(written[i - 1]), nav(written[i + 1])
+    elseif e.name == me then m.prev, m.next = nav(e), nav(written[i + 1]) end
+  end
   m.toc = pandoc.MetaBlocks { rawb(contents(m)) }
-  m.pagetitle = pandoc.MetaString(me and written[me].num .. " " .. Code.plain(written[me].title) or "Formulas and their code")
+  m.pagetitle = pandoc.MetaString(title or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
 end

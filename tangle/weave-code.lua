@@ -144,7 +144,7 @@ end
 -- "Eq. (7.3)", "Section 7.2", "Chapter 7", "Appendix A"
 function M.ref_text(label)
   if label.kind == "eq" then return "Eq. (" .. label.num .. ")" end
-  if label.kind == "sec" and not label.num:find(".", 1, true) then
+  if label.kind == "sec" and not label.num:find(".", 1, true) then                -- 7, M1, A
     return (label.num:match("^%u$") and "Appendix " or "Chapter ") .. label.num
   end
   return M.kind_name[label.kind] .. " " .. label.num
@@ -250,12 +250,16 @@ function M.line_html(db, line, here, tokens_only)
   return table.concat(out)
 end
 
+-- Is what a link leads to, "page#anchor", in the web edition alone?
+function M.online(db, target) return db.online[target:match("^(.-)#")] or db.online[target:match("#(.*)$")] end
+
 local tex_class = { co = "wCo", st = "wSt", pp = "wPp", nu = "wNu", kw = "wKw" }
 function M.line_tex(db, line, index)
   local out = {}
   for _, t in ipairs(line) do
     local class, text = t[1], M.tex_code(t[2])
     if tex_class[class] then out[#out + 1] = "\\" .. tex_class[class] .. "{" .. text .. "}"
+    elseif class == "ref" and M.online(db, t[3]) then out[#out + 1] = (index and index(t[2], false) or "") .. text
     elseif class == "ref" then
       out[#out + 1] = (index and index(t[2], false) or "") .. "\\wId{" .. M.tex_id(t[3]:match("#(.*)$")) .. "}{" .. text .. "}"
     elseif class == "def" then
@@ -264,7 +268,8 @@ function M.line_tex(db, line, index)
       out[#out + 1] = "\\wCo{\\hyperlink{" .. t[3] .. "}{" .. M.tex_code(M.ref_text(db.labels[t[3]])) .. "}}"
     elseif class == "use" then
       local n = db.names[t[2]]
-      out[#out + 1] = "\\wUse{" .. (n and n.id or "") .. "}{" .. (n and n.num or "?") .. "}{" .. M.name(db, t[2], "tex") .. "}"
+      out[#out + 1] = n and n.online and "\\wUseOnline{" .. n.num .. "}{" .. M.name(db, t[2], "tex") .. "}" or
+        "\\wUse{" .. (n and n.id or "") .. "}{" .. (n and n.num or "?") .. "}{" .. M.name(db, t[2], "tex") .. "}"
     else out[#out + 1] = text end
   end
   return table.concat(out)

@@ -17,6 +17,7 @@ end
 local function contents(db, up)
   local t, part = {}, nil
   for _, e in ipairs(db.entries) do
+    if e.of then goto next end
     if e.part ~= part then
       if part then t[#t + 1] = "</ol>" end
       part = e.part
@@ -24,6 +25,7 @@ local function contents(db, up)
     end
     if e.planned then t[#t + 1] = '<li class="planned" title="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. "</li>"
     else t[#t + 1] = '<li><a href="' .. up .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. h(Code.plain(e.title)) .. "</a></li>" end
+    ::next::
   end
   t[#t + 1] = "</ol>"
   return table.concat(t)
@@ -42,26 +44,23 @@ function Pages.write(w)
   local template = Code.read(w.root .. "book/page.html") or "$body$"
   local toc = contents(db, "")
   local testbed                                        -- has this book scenes, and so a testbed's page and a gallery?
-  for _, e in ipairs(db.entries) do if (e.page or ""):match("%-scenes%.html$") then testbed = "yes" end end
+  for _, e in ipairs(db.entries) do if e.volume == "testbed" and not e.planned then testbed = "yes" end end
   local function page(name, title, body, extra)
     if not html_dir then return end
     local v = { pagetitle = h(title), toc = toc, body = body, page = "", testbed = testbed }
     for k, x in pairs(extra or {}) do v[k] = x end
     Code.write_if_changed(html_dir .. "/" .. name, fill(template, v))
   end
+  local in_order = {}                                  -- all chunks, chapter by chapter as the contents have them
+  for _, e in ipairs(db.entries) do for _, c in ipairs(book.chunks) do if book.chapters[c.chapter].entry == e then in_order[#in_order + 1] = c end end end
   local function chunk_link(id) local c = db.chunks[id] return '<a class="cref" href="' .. c.page .. "#" .. id .. '"><b>' .. c.num .. "</b></a>" end
 
   ---------------------------------------------------------------------------------------------------------- index page
   do
     local t, part, open = {}, nil, false
     local cover = Code.read(w.root .. "book/cover.svg")
-    local written, first = 0, nil
-    for _, e in ipairs(db.entries) do
-      if not e.planned then
-        written = written + 1
-        first = first or e
-      end
-    end
+    local first
+    for _, e in ipairs(db.entries) do if not e.planned then first = first or e end end
     t[#t + 1] = '<header class="cover">' .. (cover and '<div class="coverpic">' .. cover:gsub("^.-(<svg)", "%1") .. "</div>" or "") ..
       '<h1 class="booktitle">Weft</h1><p class="subtitle">A textbook that builds into a rigid-body physics engine</p></header>'
     t[#t + 1] = '<section class="how"><p>Each chapter interleaves the physics, its derivation and the C code. The code that you read is the code that runs: it is taken from these pages and compiled.</p><ul>' ..
@@ -72,10 +71,11 @@ function Pages.write(w)
       (first and '<p><a class="start" href="' .. first.page .. '">Begin with chapter ' .. first.num .. " \u{2192}</a></p>" or "") .. "</section>"
     t[#t + 1] = '<section class="contents"><h2>Contents</h2>'
     for _, e in ipairs(db.entries) do
+      if e.of then goto next end
       if e.part ~= part then
         if part then t[#t + 1] = "</ol>" end
         part = e.part
-        t[#t + 1] = "<h3>" .. (e.part_number <= 7 and "Part " .. e.part_number .. ": " or "") .. h(part) .. "</h3><ol>"
+        t[#t + 1] = "<h3>" .. (e.part_number and "Part " .. e.part_number .. ": " or "") .. h(part) .. "</h3><ol>"
       end
       if e.planned then t[#t + 1] = '<li class="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. " <small>planned</small></li>"
       else
@@ -84,8 +84,12 @@ function Pages.write(w)
         for _, x in ipairs(db.heads) do
           if x.page == e.page and x.level == 2 then s[#s + 1] = '<a href="' .. x.page .. "#" .. x.id .. '">' .. h(Code.plain(x.title)) .. "</a>" end
         end
+        for _, x in ipairs(db.entries) do
+          if x.of == e.name then s[#s + 1] = '<a href="' .. x.page .. '">' .. h(Code.plain(x.title)) .. "</a>" end
+        end
         t[#t + 1] = (#s > 0 and '<p class="secs">' .. table.concat(s, " \u{b7} ") .. "</p>" or "") .. "</li>"
       end
+      ::next::
     end
     t[#t + 1] = "</ol><h3>Lists</h3>" .. list_links() .. "</section>"
     t[#t + 1] = '<p class="licence">The code is free under the MIT licence, the text and the figures under <a href="https://creativecommons.org/licenses/by/4.0/">CC BY 4.0</a>.</p>'
@@ -95,7 +99,7 @@ function Pages.write(w)
   ---------------------------------------------------------------------------------------------------- list of chunks
   do
     local t, chapter = { "<h1>List of chunks</h1><p>In the order of the book; continued chunks give the numbers of all their parts.</p>" }, nil
-    for _, c in ipairs(book.chunks) do
+    for _, c in ipairs(in_order) do
       if c.part == 1 then
         if c.chapter ~= chapter then
           if chapter then t[#t + 1] = "</ul>" end
@@ -197,7 +201,9 @@ function Pages.write(w)
   -------------------------------------------------------------------------------- formulas: made by pandoc from Markdown
   do
     local t = { "# Formulas and their code\n\nEvery numbered equation of the book, with the chunks of code that compute it. An equation without a chunk is a step of a derivation.\n\n" }
-    for _, ch in ipairs(book.chapters) do
+    for _, e in ipairs(db.entries) do
+      local ch = { md = {} }
+      for _, c in ipairs(book.chapters) do if c.entry == e then ch = c end end
       local text = table.concat(ch.md)
       local any
       for math, id in text:gmatch("%$%$(.-)%$%$ {#(eq:[%w_%-]+)}") do
@@ -206,7 +212,7 @@ function Pages.write(w)
       end
     end
     Code.write_if_changed(w.out .. "/formulas.md", table.concat(t))
-    Code.write_if_changed(w.out .. "/formulas.lua", 'return {["base"]="formulas",["chunks"]={},["file"]="formulas.md",["label"]=""}\n')
+    Code.write_if_changed(w.out .. "/formulas.lua", 'return {["base"]="formulas",["chunks"]={},["file"]="formulas.md"}\n')
   end
 
   -------------------------------------------------------------------------------------------------------- search index
@@ -257,24 +263,28 @@ function Pages.write(w)
   do
     local t, part, planned, written = {}, nil, {}, {}
     for _, e in ipairs(db.entries) do                 -- a part has a page of its own when it has several chapters
+      if e.of then goto next end
       planned[e.part] = (planned[e.part] or 0) + 1
       if not e.planned then written[e.part] = (written[e.part] or 0) + 1 end
+      ::next::
     end
     for _, e in ipairs(db.entries) do
+      if e.of then goto next end
       if e.part ~= part then
         part = e.part
         local page = planned[part] > 1 and written[part]
-        if part == "Appendices" then t[#t + 1] = "\\wAppendices"
-        else t[#t + 1] = "\\w" .. (page and "Part" or "QuietPart") .. "{" .. (e.part_number <= 7 and e.part_number or "") .. "}{" .. Code.tex(part) .. "}" end
+        if e.appendix then t[#t + 1] = "\\wAppendices"
+        else t[#t + 1] = "\\w" .. (page and "Part" or "QuietPart") .. "{" .. (e.part_number or "") .. "}{" .. Code.tex(part) .. "}" end
       end
       if e.planned then t[#t + 1] = "\\wPlanned{" .. e.num .. "}{" .. Code.tex(e.title) .. "}"
-      else t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{ch/" .. e.base .. "}" end
+      else t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{ch/" .. e.name .. "}" end
+      ::next::
     end
     Code.write_if_changed(w.out .. "/chapters.tex", table.concat(t, "\n") .. "\n")
     local l = {}
     local chapter
-    for _, c in ipairs(book.chunks) do
-      if c.part == 1 then
+    for _, c in ipairs(in_order) do
+      if c.part == 1 and not c.online then
         if c.chapter ~= chapter then
           chapter = c.chapter
           l[#l + 1] = "\\wListedChapter{" .. book.chapters[chapter].num .. " " .. Code.tex(Code.plain(book.chapters[chapter].title or "")) .. "}"

@@ -43,38 +43,84 @@ local function warn(file, line, what, remedy)
 end
 
 ----------------------------------------------------------------------------------- the plan: every chapter, written or not
-local entries, entry_of = {}, {}           -- of the contents; by label
+-- entries: of the contents, volume by volume; entry_of[name]; what belongs to a chapter (e.of) and solved exercises come behind.
+local entries, entry_of = {}, {}
+local function sh(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
+local function plan(what)
+  local p = io.popen("WEFT_ROOT=" .. sh(root) .. " " .. sh(here .. "chapters") .. " --" .. what)
+  local text = p:read("a")
+  p:close()
+  return text:gmatch("([^\n]+)")
+end
 do
-  local parts = {}
-  for l in ((Code.read(root .. "book/plan.tsv") or "") .. "\n"):gmatch("(.-)\n") do
-    local label, part, title, report = l:match("^([^#\t]+)\t([^\t]*)\t([^\t]*)\t?([^\t]*)$")
-    if label then
+  local volumes, parts, list = {}, {}, {}
+  for l in plan "volumes" do
+    local name, _, title = l:match("^(.-)\t(.-)\t(.*)$")
+    volumes[#volumes + 1] = name
+    volumes[name] = { order = #volumes, title = title }
+  end
+  for l in plan "plan" do
+    local name, volume, num, part, title, report = l:match("^(.-)\t(.-)\t(.-)\t(.-)\t(.-)\t(.*)$")
+    local v = volumes[volume] or { order = 50, title = volume }
+    local e = { name = name, num = num, volume = volume, part = part ~= "" and part or v.title, title = title, report = report, planned = true }
+    e.appendix = part == "Appendices" or nil
+    e.order = (e.appendix and 99 or v.order) * 1000 + #list
+    if part ~= "" and not e.appendix then
       if not parts[part] then parts[#parts + 1] = part; parts[part] = #parts end
-      local e = { label = label, part = part, part_number = parts[part], title = title, report = report, planned = true }
-      entries[#entries + 1] = e
-      entry_of[label] = e
+      e.part_number = parts[part]
+    end
+    list[#list + 1] = e
+    entry_of[name] = e
+  end
+  table.sort(list, function(x, y) return x.order < y.order end)
+  for i, e in ipairs(list) do e.order = nil; entries[i] = e end
+end
+local exercise_number = {}                 -- by the name of its starter
+do
+  local chapter, k, ci = nil, 0, 0
+  for l in stream:gmatch("([^\n]*)\n") do
+    if l:match("^@file ") then ci = ci + 1; chapter, k = book.chapters[ci], 0
+    elseif l:match("^@text :::+ *{%.exercise ") then
+      k = k + 1
+      local starter = l:match("starter=([%w_%-]+)")
+      if starter and entry_of[chapter.name] then exercise_number[starter] = entry_of[chapter.name].num .. "." .. k end
     end
   end
 end
-local function number_of(label) return (label:gsub("^0+(%d)", "%1")) end
+local reserved = { index = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
+local online = {}                          -- pages and anchors that the print has not
+local taken = {}                           -- a printed number: the file of its chapter
+for _, e in ipairs(entries) do taken[e.num] = "book/plan.tsv" end
 for _, c in ipairs(book.chapters) do
-  local e = entry_of[c.label]
-  if not e or not e.planned then                                    -- not in the plan: a student's chapter
-    if e then
-      book:complain(c.file, 1, "chapter number " .. c.label .. " is taken by " .. e.file, "give one of the two files another number")
-    end
-    e = { label = c.label, part = c.label:match("%.") and "Exercises" or "Chapters of your own", part_number = 99, title = c.base }
+  local e = entry_of[c.name]
+  local chapter = c.of and entry_of[c.of]
+  if reserved[c.name] then book:complain(c.file, 1, "no chapter can be called " .. c.name .. ", for a page of the book is", "give its file another name") end
+  if chapter and not e then                                         -- NAME.figures, NAME.lab
+    local kind = c.name:match("%.(%a+)$")
+    e = { name = c.name, of = c.of, volume = chapter.volume, part = chapter.part, num = chapter.num .. "." .. kind:sub(1, 1):upper(),
+      title = kind == "lab" and "Measurements: the code" or "Figures: the code" }
+    c.online = true
+    entry_of[c.name] = e
     entries[#entries + 1] = e
-    entry_of[c.label] = e
+  elseif not e then                                                 -- not in the plan: a student's chapter, or a solved exercise
+    local number = exercise_number[c.name]
+    local num = number or c.label:gsub("^0+(%d)", "%1")
+    if taken[num] then
+      book:complain(c.file, 1, "chapter number " .. num .. " is taken by " .. taken[num], "give this file another number")
+    end
+    taken[num] = c.file
+    e = { name = c.name, num = num, part = (number or c.label:match("%.")) and "Exercises" or "Chapters of your own", title = c.name, exercise = number and true or nil }
+    entries[#entries + 1] = e
+    entry_of[c.name] = e
   end
   e.planned = nil
-  c.entry, c.num = e, number_of(c.label)
-  e.num, e.base, e.file, e.page = c.num, c.base, c.file, c.base .. ".html"
+  c.entry, c.num = e, e.num
+  e.file, e.page = c.file, c.name .. ".html"
+  if c.online then online[e.page] = true end
 end
-for _, e in ipairs(entries) do e.num = e.num or number_of(e.label) end
 
 local labels, heads, where = {}, {}, {}      -- labels by id; headings in order; where[id] = "file:line"
-local db = { up = "", labels = labels, heads = heads, names = {}, chunks = {}, idents = {}, entries = entries, eqs = {} }
+local db = { up = "", labels = labels, heads = heads, names = {}, chunks = {}, idents = {}, entries = entries, eqs = {}, online = online }
 
 ------------------------------------------------------------------------------------------------- chunks: numbers, ids
 local function slug(s)
@@ -88,7 +134,7 @@ do
     count[c.chapter] = (count[c.chapter] or 0) + 1
     c.k = count[c.chapter]
     c.num = chapter.num .. "." .. c.k
-    c.page, c.base = chapter.entry.page, chapter.base
+    c.page = chapter.entry.page
     c.name = c.name or "?"
     local n = book.names[c.name]
     if not n.slug then
@@ -98,11 +144,11 @@ do
       n.slug = s
     end
     c.id = n.slug .. (c.part > 1 and "-" .. c.part or "")
-    db.chunks[c.id] = { num = c.num, page = c.page, name = c.name, part = c.part }
+    db.chunks[c.id] = { num = c.num, page = c.page, name = c.name, part = c.part, online = chapter.online }
   end
   for name, n in pairs(book.names) do
     local first = book.chunks[n.parts[1]]
-    if first then db.names[name] = { id = first.id, num = first.num, page = first.page } end
+    if first then db.names[name] = { id = first.id, num = first.num, page = first.page, online = book.chapters[first.chapter].online } end
   end
 end
 
@@ -120,7 +166,7 @@ local function add_label(chapter, line, id, kind, num, title)
     return
   end
   where[id] = chapter.file .. ":" .. line
-  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title }
+  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title, online = chapter.online or nil }
   return labels[id]
 end
 
@@ -149,7 +195,7 @@ local function heading(chapter, line, level, text)
     num = chapter.num .. "." .. chapter.sec[1] .. (level == 3 and "." .. chapter.sec[2] or "")
   else return text end
   if not id then
-    id = "s-" .. chapter.label:lower() .. "-" .. slug(title)
+    id = "s-" .. slug(chapter.name) .. "-" .. slug(title)
     while labels[id] do id = id .. "-x" end
     text = title .. " {#" .. id .. "}"
   end
@@ -157,7 +203,10 @@ local function heading(chapter, line, level, text)
   if not l then return text end
   chapter.here = id
   local h = { level = level, num = num, id = id, title = title, page = chapter.entry.page }
-  if level == 1 then chapter.entry.title, chapter.entry.id = title, id end
+  if level == 1 then
+    chapter.entry.id = id
+    chapter.entry.title = title
+  end
   heads[#heads + 1] = h
   search[#search + 1] = { kind = "sec", title = num .. " " .. Code.plain(title), page = h.page, id = id }
   return text
@@ -349,9 +398,15 @@ do
   if chapter and chapter.para then doc_line(chapter, line, "") end
 end
 for _, c in ipairs(book.chapters) do
-  if not c.title then
+  if not c.title and c.of then                                      -- it needs no title of its own
+    local id = "sec:" .. c.name:gsub("%.", "-")
+    c.title = c.entry.title
+    add_label(c, 1, id, "sec", c.num, c.title)
+    c.entry.id = id
+    table.insert(c.md, 1, "# " .. c.title .. " {#" .. id .. "}\n\n")
+  elseif not c.title then
     book:complain(c.file, 1, "the chapter has no title", "begin it with  # Title {#sec:name}")
-    c.entry.title, c.entry.id = c.base, "top"
+    c.entry.title, c.entry.id = c.name, "top"
   end
   for _, at in ipairs(c.divs or {}) do book:complain(c.file, at, "this box is never closed", "close it with ::: on a line of its own") end
   if c.display then book:complain(c.file, c.display, "this display equation is never closed", "close it with $$") end
@@ -460,7 +515,6 @@ local function expand(name)
 end
 
 local src = out .. "/src"
-local function sh(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
 local function make_directories()
   local seen, list = {}, { "mkdir -p", sh(src) }
   for _, name in ipairs(root_names) do
@@ -778,7 +832,7 @@ table.sort(scene_lines)
 Code.write_if_changed(out .. "/scenes.list", table.concat(scene_lines, "\n") .. "\n")
 
 for i, ch in ipairs(book.chapters) do
-  local mine = { file = ch.file, base = ch.base, label = ch.label, num = ch.num, chunks = {} }
+  local mine = { file = ch.file, base = ch.name, num = ch.num, exercise = ch.entry.exercise, chunks = {} }
   for index, c in ipairs(book.chunks) do
     if c.chapter == i then
       local n = book.names[c.name]
@@ -795,9 +849,9 @@ for i, ch in ipairs(book.chapters) do
         following = c.part < #n.parts and book.chunks[n.parts[c.part + 1]].id or nil, source = files[1] and roots[files[1]].page or nil }
     end
   end
-  Code.write_if_changed(out .. "/" .. ch.base .. ".lua", "return " .. Code.serialise(mine) .. "\n")
-  Code.write_if_changed(out .. "/" .. ch.base .. ".md", table.concat(ch.md))
-  Code.write_if_changed(out .. "/" .. ch.base .. ".uses", table.concat(ch.assets or {}, "\n") .. "\n")
+  Code.write_if_changed(out .. "/" .. ch.name .. ".lua", "return " .. Code.serialise(mine) .. "\n")
+  Code.write_if_changed(out .. "/" .. ch.name .. ".md", table.concat(ch.md))
+  Code.write_if_changed(out .. "/" .. ch.name .. ".uses", table.concat(ch.assets or {}, "\n") .. "\n")
 end
 db.cited = {}
 for k in pairs(cited) do db.cited[#db.cited + 1] = k end

@@ -7,7 +7,7 @@
 # (binaryen's wasm-opt makes a module a sixth smaller, and what is packed of it not at all: it isn't used.)
 SRC ?= build/weave/src
 OUT ?= build/web
-NW ?= $(sort $(wildcard chapters/*.nw))
+NW ?= $(shell tangle/chapters)
 WEBCC ?= $(firstword $(foreach c,clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-14,$(if $(shell command -v $(c)),$(c))))
 WEBLD ?= $(firstword $(foreach c,wasm-ld wasm-ld-19 wasm-ld-18 wasm-ld-17 wasm-ld-16 wasm-ld-15 wasm-ld-14,$(if $(shell command -v $(c)),$(c))))
 SPLIT ?= $(shell command -v wasm-split)
@@ -41,7 +41,7 @@ include tangle/font.mk
 
 # What nothing exported needs is left out: a page's figures bring neither rasteriser nor letters, and of the engine what they call.
 $(OUT)/gen/figures-%.c: $(SRC)/lab/figures.c $(wildcard $(LIVE)) tangle/figures-of $(NW)
-	@mkdir -p $(@D); tangle/figures-of $(LIVE) $(firstword $(filter %/$*.nw $*.nw,$(NW))) < $< > $@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
+	@mkdir -p $(@D); tangle/figures-of $(LIVE) $* $(NW) < $< > $@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
 $(OUT)/obj/figures-%.o: $(OUT)/gen/figures-%.c
 	@mkdir -p $(@D); $(WEBCC) $(FLAGS) -w -c $< -o $@
 $(OUT)/figures-%.wasm: $(OUT)/obj/figures-%.o $(FIGURES)

@@ -1,5 +1,5 @@
-/* Weft: collision/shapeset.c, tangled from chapters/23-events-and-queries.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: collision/shapeset.c, tangled from chapters/engine/19-events-and-queries.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #include "weft/impact.h"
 #include "weft/narrow.h"
 #include "weft/query.h"

@@ -1,9 +1,8 @@
-/* Weft: lab/figures.c, tangled from chapters/04-design.nw. Chapters that add to it: 05-memory,
- * 06-numbers, 07-shapes, 08-bodies, 09-forces, 10-integration, 11-broad-phase, 12-narrow-phase,
- * 13-contacts, 14-impulses, 15-friction, 16-sequential, 17-soft, 18-joints, 19-exact, 20-compound,
- * 21-time-of-impact, 22-islands, 23-events-and-queries, 24-world, 25-joints-in-a-world,
- * 26-save-and-replay, 27-platform, 28-drawing, 30-scenes, 33-accuracy, A-primer. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: lab/figures.c, tangled from chapters/engine/04-design.nw. Chapters that add to it: memory,
+ * numbers, shapes, bodies, forces, integration, broad-phase, narrow-phase, contacts, impulses,
+ * friction, sequential, soft, joints, exact, compound, time-of-impact, islands, events-and-queries,
+ * world, joints-in-a-world, save-and-replay, platform, drawing, scenes, accuracy, primer. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "lab/lab.h"
 /* <headers of the figures> */

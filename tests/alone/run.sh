@@ -5,7 +5,7 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 work=${ALONE_DIR:-build/alone}; mkdir -p "$work"
-tangle/tangle --lines "$work/lines" chapters/*.nw || exit 1
+tangle/tangle --lines "$work/lines" $(tangle/chapters) || exit 1
 [ "$(grep -c '^ *# *include' tests/alone/alone.c)" -eq 1 ] || { echo "alone: tests/alone/alone.c must include one header only"; exit 1; }
 for flags in "" -DWF_DOUBLE; do
   out=$work/float; [ -n "$flags" ] && out=$work/double

@@ -3,7 +3,7 @@
    points and says in which line. The first expectation that is not met ends its criterion.
 
      static void order(void) { expect_near("order on the spring", measured, 2, 0.1); }
-     CRITERIA("10.2", { "order", 2, "step every body", "the order of convergence is 2 +- 0.1", order })
+     CRITERIA("heun", { "order", 2, "step every body", "the order of convergence is 2 +- 0.1", order })
 
    The program writes one line a criterion to the file that its argument names (or standard output); the lines are for tangle/course.lua. */
 #ifndef WEFT_COURSE_H

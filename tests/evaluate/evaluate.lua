@@ -1,6 +1,6 @@
 -- Judges each requirement of book/evaluation.tsv by what the last run of tests/run found and by measured data; prints CSV.
 -- A line of that file: number, requirement, the report's own verdict, tests, a figure in words, a condition.
---   tests: names of unit tests (test_12_narrow) and of steps of tests/run (step:install)
+--   tests: names of unit tests (test_narrow_phase) and of steps of tests/run (step:install)
 --   figure and condition may hold {file|column=value|column}: a cell of book/data/file.csv; {file|#}: how many rows it has;
 --   {file|#column=value&column=value}: how many of them; {file|max|column}, {file|min|column}, {file|sum|column}: of the numbers of a column;
 --   {exact}: how many exact measurements there are

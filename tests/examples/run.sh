@@ -25,7 +25,7 @@ cc $flags -I"$here" '-DWF_MATH_HEADER="counting_math.h"' -Ibuild/lines/include "
 expect own_math.c "$work/own_math"
 
 # a broad phase and a solver of one's own: a chapter beside the book
-tangle/tangle --lines "$work/lines" chapters/*.nw "$here/62-own-stages.nw" || exit 1
+tangle/tangle --lines "$work/lines" $(tangle/chapters) "$here/62-own-stages.nw" || exit 1
 make --no-print-directory -s -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work/own" CFLAGS="-O2 -g" "$work/own/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
 cc $flags -I"$work/lines/include" "$here/own_stages.c" "$work/own/lib/libweft.a" -lm -o "$work/own_stages" || exit 1
 expect own_stages.c "$work/own_stages"

@@ -9,7 +9,7 @@ fuzz_build() {
   echo 'int LLVMFuzzerTestOneInput(const unsigned char *d, unsigned long n) { (void)d; (void)n; return 0; }' > "$work/probe.c"
   clang -fsanitize=fuzzer "$work/probe.c" -o "$work/probe" 2>/dev/null ||
     { echo "fuzz: clang has no libFuzzer here -- install libclang-rt-dev (tangle/install check)"; exit 77; }
-  tangle/tangle --lines "$work/lines" chapters/*.nw || exit 1
+  tangle/tangle --lines "$work/lines" $(tangle/chapters) || exit 1
   rm -f "$work"/crash-* "$work"/timeout-* "$work"/oom-*
   make --no-print-directory -s -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=clang CFLAGS="-fsanitize=fuzzer-no-link $sanitize" \
     "${@/#/$work/lib/}" >"$work/log" || { cat "$work/log"; exit 1; }

@@ -13,7 +13,7 @@ bad() { failed=$((failed + 1)); echo "FAIL $1"; sed 's/^/       /' "$work/log" |
 book() {
   dir=$work/$1; rm -rf "$dir"; mkdir -p "$dir/chapters" "$dir/book/plots" "$dir/book/data"
   cp book/macros.tex book/page.html "$dir/book/"
-  printf '01\tIntroduction\tOne\t1\n02\tImplementation\tTwo\t2\n03\tImplementation\tThree\t3\nA\tAppendices\tPrimer\tA\n' > "$dir/book/plan.tsv"
+  printf '=engine\t\tThe engine\none\tengine\tIntroduction\tOne\t1\ntwo\tengine\tImplementation\tTwo\t2\nthree\tengine\tImplementation\tThree\t3\nprimer\tengine\tAppendices\tPrimer\tA\n' > "$dir/book/plan.tsv"
   printf '@book{newton1687, author={Newton, Isaac}, title={Principia}, year={1687}, publisher={Streater}, address={London}}\n' > "$dir/book/refs.bib"
 }
 chapter() { cat > "$dir/chapters/$1"; }
@@ -163,7 +163,7 @@ int b(void) { return count(); }
 static int count(void) { return 1; }
 @
 X
-if weave && [ "$(grep -o '"d-count[^"]*"' "$dir/out/weave/01-one.lua" | sort -u | wc -l)" -eq 1 ]; then ok "a chunk in two files defines once"; else bad "a chunk in two files defines once"; fi
+if weave && [ "$(grep -o '"d-count[^"]*"' "$dir/out/weave/one.lua" | sort -u | wc -l)" -eq 1 ]; then ok "a chunk in two files defines once"; else bad "a chunk in two files defines once"; fi
 
 # ---- parts that may be left out
 book parts; chapter 01-one.nw <<'X'
@@ -229,7 +229,7 @@ expect_parts "one part alone" "$(noise --only bells)" "a.c bell.c 1 bells "
 expect_parts "without a part, and without what needs it" "$(noise --without bells)" "a.c 0 "
 expect_parts "without one that nobody needs" "$(noise --without whistles)" "a.c bell.c 1 bells "
 if parts_tangle --only bell; then bad "an unknown part was tangled"; elif grep -q 'no part is called bell (did you mean bells?) -- the parts are bells, whistles' "$work/log"; then ok "an unknown part"; else bad "an unknown part: no message"; fi
-grep -q '"only"\]="whistles"' "$dir/out/weave/02-two.lua" && ok "the margin says with what" || bad "the margin should say: whistles"
+grep -q '"only"\]="whistles"' "$dir/out/weave/two.lua" && ok "the margin says with what" || bad "the margin should say: whistles"
 sed -i 's/part="bells"/part="bell"/' "$dir/chapters/02-two.nw"
 refuse "a section of an unknown part" 02-two.nw 3 'no part is called bell' 'the parts are bells, whistles'
 refuse_tangle "a section of an unknown part" 02-two.nw 3 'no part is called bell' 'the parts are bells, whistles'
@@ -398,8 +398,12 @@ book untitled; chapter 01-one.nw <<'X'
 Just text.
 X
 refuse "a chapter without a title" 01-one.nw 1 'no title' '# Title'
-book twins; printf '# One {#sec:one}\n' | chapter 02-one.nw; printf '# Two {#sec:two}\n' | chapter 02-two.nw
-refuse "two chapters with one number" 02-two.nw 1 'number 02 is taken by chapters/02-one.nw' 'another number'
+book twins; printf '# One {#sec:one}\n' | chapter 60-mine.nw; printf '# Two {#sec:two}\n' | chapter 60-yours.nw
+refuse "two chapters with one number" 60-yours.nw 1 'number 60 is taken by chapters/60-mine.nw' 'another number'
+book names; printf '# One {#sec:one}\n' | chapter 01-one.nw; printf '# Two {#sec:two}\n' | chapter 02-one.nw
+refuse "two chapters with one name" 02-one.nw 1 'chapter one is here and in chapters/01-one.nw' 'another name'
+book reserved; printf '# Index {#sec:index}\n' | chapter 60-index.nw
+refuse "a chapter with the name of a page" 60-index.nw 1 'no chapter can be called index' 'another name'
 
 # ---- a whole small book: numbers agree in HTML and TeX, links lead somewhere
 book whole; chapter 02-two.nw <<'X'
@@ -454,12 +458,12 @@ int wfPrimer(void) { return wfDouble(1); }
 @
 X
 if weave && cp book/macros.tex "$dir/book/" && BIB=$dir/book/refs.bib tangle/bib "$dir/out/weave" && weave; then ok "a whole book is accepted"; else bad "a whole book is accepted"; fi
-for b in 02-two A-primer; do
+for b in two primer; do
   WEFT_ROOT=$dir tangle/page html $b "$dir/out/weave" "$dir/out/html/$b.html" >>"$work/log" 2>&1 || bad "page $b"
   WEFT_ROOT=$dir tangle/page latex $b "$dir/out/weave" "$dir/out/$b.tex" >>"$work/log" 2>&1 || bad "TeX $b"
 done
 WEFT_ROOT=$dir tangle/page html formulas "$dir/out/weave" "$dir/out/html/formulas.html" >>"$work/log" 2>&1
-html=$dir/out/html/02-two.html tex=$dir/out/02-two.tex
+html=$dir/out/html/two.html tex=$dir/out/two.tex
 has() { if grep -qF -- "$2" "$1"; then ok "$3"; else echo "looked for: $2" > "$work/log"; bad "$3"; fi; }
 hasnt() { if grep -qF -- "$2" "$1"; then echo "found: $2" > "$work/log"; bad "$3"; else ok "$3"; fi; }
 has "$html" '>(2.1)</a>' "equation number in HTML";           has "$tex" '\wTag{2.1}' "the same in TeX"
@@ -474,21 +478,51 @@ has "$html" 'Code</i> <a class="cref" href="#c-double-by-eq-twice"><b>2.2</b></a
 has "$html" 'Equations</i> <a class="xref eq" href="#eq:twice">(2.1)</a>' "code leads back to its equation"
 has "$html" '<dfn id="d-wfDouble">' "a definition has an anchor"
 has "$html" 'href="#d-wfDouble"' "a use leads to the definition"
-has "$dir/out/html/A-primer.html" 'href="02-two.html#d-wfDouble"' "across chapters, too"
-has "$dir/out/html/A-primer.html" '>Eq. (2.1)</a>' "a reference says the number"
-has "$dir/out/html/A-primer.html" '>Appendix A</span>' "appendices are called so"
-has "$dir/out/html/A-primer.html" 'id="ref-newton1687"' "the source is listed on the page"
+has "$dir/out/html/primer.html" 'href="two.html#d-wfDouble"' "across chapters, too"
+has "$dir/out/html/primer.html" '>Eq. (2.1)</a>' "a reference says the number"
+has "$dir/out/html/primer.html" '>Appendix A</span>' "appendices are called so"
+has "$dir/out/html/primer.html" 'id="ref-newton1687"' "the source is listed on the page"
 hasnt "$html" 'Secret answer' "solutions stay away from readers"
 has "$dir/out/html/index.html" '<li class="planned"><span class="n">3</span> Three' "a planned chapter is listed without a link"
-has "$dir/out/html/formulas.html" '02-two.html#c-double-by-eq-twice' "the list of formulas leads to the code"
-has "$dir/out/html/source-core-two-c.html" '02-two.html#c-double-by-eq-twice' "assembled lines lead to their chunk"
+has "$dir/out/html/formulas.html" 'two.html#c-double-by-eq-twice' "the list of formulas leads to the code"
+has "$dir/out/html/source-core-two-c.html" 'two.html#c-double-by-eq-twice' "assembled lines lead to their chunk"
 has "$dir/out/weave/chapters.tex" '\wPlanned{3}{Three}' "planned in the PDF's contents, too"
-WEFT_ROOT=$dir tangle/page html 02-two "$dir/out/weave" "$dir/out/teacher.html" -M teacher=true >"$work/log" 2>&1
+WEFT_ROOT=$dir tangle/page html two "$dir/out/weave" "$dir/out/teacher.html" -M teacher=true >"$work/log" 2>&1
 has "$dir/out/teacher.html" 'Secret answer' "solutions are there for teachers"
 cp book/book.css book/book.js book/live.js "$dir/out/html/"
 if $(tangle/lua) tests/loom/links.lua "$dir/out/html" >"$work/log" 2>&1; then ok "every link of the small book leads somewhere: $(tail -1 "$work/log")"; else bad "broken links"; fi
 sed -i 's/id="d-wfDouble"/id="gone"/' "$html"
 if $(tangle/lua) tests/loom/links.lua "$dir/out/html" >"$work/log" 2>&1; then bad "the link checker sees nothing"; else ok "the link checker sees a lost anchor"; fi
+
+# ---- what belongs to a chapter: NAME.figures.nw and NAME.lab.nw have pages of their own, and are not printed
+book beside; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+The picture is made in @sec:one-drawn, chunk by chunk.
+
+<<core/a.c>>=
+int wfOne(void) { return 1; }
+@
+X
+chapter 01-one.figures.nw <<'X'
+# How it is drawn {#sec:one-drawn}
+
+## A line {#sec:one-line}
+
+<<lab/b.c>>=
+int wfTwo(void) { return 2 * wfOne(); }
+@
+X
+printf '<<lab/c.c>>=\nint c;\n@\n' | chapter 01-one.lab.nw
+order() { (cd "$dir" && WEFT_ROOT=$dir "$repo/tangle/chapters" | tr '\n' ' '); }
+[ "$(order)" = "chapters/01-one.nw chapters/01-one.figures.nw chapters/01-one.lab.nw " ] && ok "the order of what belongs to a chapter" || { order > "$work/log"; bad "the order of what belongs to a chapter"; }
+if (cd "$dir" && WEFT_ROOT=$dir/ "$repo/tangle/weave" --html out/html out/weave $(order)) >"$work/log" 2>&1; then ok "a chapter with figures and measurements"; else bad "a chapter with figures and measurements"; fi
+for b in one one.figures one.lab; do WEFT_ROOT=$dir tangle/page html $b "$dir/out/weave" "$dir/out/html/$b.html" >>"$work/log" 2>&1 || bad "page $b"; done
+WEFT_ROOT=$dir tangle/page latex one "$dir/out/weave" "$dir/out/one.tex" >>"$work/log" 2>&1 || bad "TeX one"
+has "$dir/out/html/one.html" 'href="one.figures.html"' "the chapter leads to its figures"
+has "$dir/out/html/one.figures.html" '>1.F.1</span>' "its sections are numbered by it"
+hasnt "$dir/out/weave/chapters.tex" 'one.figures' "they are not printed"
+hasnt "$dir/out/one.tex" 'hyperlink{sec:one-drawn}' "print has no link to what is not printed"
 
 # ---- a formula that cannot be set
 book formula; chapter 01-one.nw <<'X'
@@ -499,7 +533,7 @@ Text.
 $$ x = \unknowncommand{2} $$ {#eq:x .theory}
 X
 weave
-if WEFT_ROOT=$dir tangle/page html 01-one "$dir/out/weave" "$dir/out/html/01-one.html" >"$work/log" 2>&1; then bad "an impossible formula was set"
+if WEFT_ROOT=$dir tangle/page html one "$dir/out/weave" "$dir/out/html/one.html" >"$work/log" 2>&1; then bad "an impossible formula was set"
 elif grep -qE '^chapters/01-one.nw:5: this formula cannot become MathML.* -- ' "$work/log"; then ok "an impossible formula"; else bad "an impossible formula: no message for line 5"; fi
 
 echo "loom: $passed passed, $failed failed"

@@ -2,26 +2,28 @@
 # Plants mutants in the engine, one at a time, and counts how many the unit tests catch.
 #   tests/mutation/run.sh [-n SHARE] [-j JOBS] [-t CHAPTERS] [-r] [file ...]     SHARE: plant every SHARE-th mutant (default 1: all)
 # -r: only the survivors of the record are planted again (tests have been added, the chapters are the same), and the record brought up to date.
-# CHAPTERS: whose tests are run, as 07|1[1-3] (default: 05 to 26).
+# CHAPTERS: whose tests are run, as "shapes contacts" (default: from memory to save-and-replay).
 # Files are paths in the tangled tree; by default math, shapes, mass, bodies, forces, integrators, broad and narrow phase,
 # contacts, impulses. Writes book/data/mutation.csv (one row a mutant) and prints the share caught and the survivors.
 # A mutant that does not compile is not counted. One that never ends is caught (by the time limit). What the tests of its chapter let
 # pass they run once more under the sanitizers, as make check does: reading beyond an array is a mistake that no value need show.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-share=1 jobs=2 retry= chapters='0[5-9]|1[0-9]|2[0-6]'
+share=1 jobs=2 retry= chapters=$(tangle/chapters --plan | cut -f1 | sed -n '/^memory$/,/^save-and-replay$/p')
 while getopts n:j:t:r o; do case $o in r) retry=1 ;; n) share=$OPTARG ;; j) jobs=$OPTARG ;; t) chapters=$OPTARG ;; *) exit 2 ;; esac; done
 shift $((OPTIND - 1))
 lua=$(tangle/lua) || exit 1
 work=${MUTATION_DIR:-build/mutation}; rm -rf "$work"; mkdir -p "$work"
-tangle/tangle --lines "$work/base/lines" chapters/*.nw || exit 1
+tangle/tangle --lines "$work/base/lines" $(tangle/chapters) || exit 1
 rm -rf "$work/base/lines/testbed" "$work"/base/lines/lab/{lab,figures,accuracy,extremes,cells,lab_main,figures_main}.c      # not mutated, slow to build
 if [ $# -gt 0 ]; then files=("$@"); else
   files=(); for f in include/weft/math_own.h math/math.c include/weft/shape.h collision/*.c include/weft/body.h dynamics/*.c; do
     for g in "$work"/base/lines/$f; do [ -f "$g" ] && files+=("${g#"$work"/base/lines/}"); done; done
 fi
 export CC=${CC:-gcc} CFLAGS="-O0"
-tests=$(ls tests/test_*.c | grep -E "test_($chapters)[a-z]*_")
+declare -A at; n=0 tests=                                       # at: a chapter's or a test's place in the order of the book
+for c in $(tangle/chapters --plan | cut -f1); do at[$c]=$((n += 1)); done
+for c in $chapters; do for t in $(tangle/chapters --own-tests "$c"); do at[$t]=${at[$c]}; tests="$tests $t"; done; done
 compile() { make --no-print-directory -f tangle/compile.mk WARN=-w SRC="$1/lines" OUT="$1" TESTS="$tests" "${@:2}"; }
 for j in $(seq "$jobs"); do                                     # each worker has a built tree of its own
   cp -r "$work/base" "$work/w$j"
@@ -40,10 +42,10 @@ else : > "$work/kept.rows"; fi
 total=$(wc -l < "$work/queue"); echo "mutation: $total mutants in ${#files[@]} files, $jobs workers"
 # the tests of the mutant's chapter, with address and undefined-behaviour sanitizers; true: they noticed
 sanitized() {      # worker's tree, chapter
-  local t b n
+  local t b
   command -v clang >/dev/null || return 1
   for t in $tests; do
-    n=$(echo "$t" | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p'); [ "$n" = "$2" ] || continue
+    [ "${at[$t]}" = "$2" ] || continue
     b=$(basename "$t" .c)
     CC=clang CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" make --no-print-directory -f tangle/compile.mk WARN=-w \
       SRC="$1/lines" OUT="$1/sanitized" TESTS="$t" "$1/sanitized/tests/$b" >"$1.log" 2>&1 || return 1
@@ -52,22 +54,21 @@ sanitized() {      # worker's tree, chapter
   return 1
 }
 worker() {
-  local j=$1 w="$work/w$1" f k where op old new verdict by b n t first
+  local j=$1 w="$work/w$1" f k where op old new verdict by b t first
   awk -v j="$j" -v n="$jobs" 'NR % n == j % n' "$work/queue" | while IFS=$'\t' read -r f k where op old new; do
     $lua tests/mutation/mutants.lua plant "$work/base/lines/$f" "$k" "$w/lines/$f"
-    first=$(echo "$where" | sed -nE 's|.*chapters/0*([0-9]+)-.*|\1|p')
+    first=$(tangle/chapters --name "${where%:*}"); first=${at[${first%.*}]:-0}
     by=-
     if ! compile "$w" lib >"$w.log" 2>&1; then verdict=invalid
     else
       verdict=survived
       for t in $tests; do
-        n=$(echo "$t" | sed -nE 's/.*test_0*([0-9]+)[a-z]*_.*/\1/p')
-        [ "$n" -ge "${first:-0}" ] || continue
+        [ "${at[$t]}" -ge "$first" ] || continue
         b=$(basename "$t" .c)
         if ! compile "$w" "$w/tests/$b" >"$w.log" 2>&1; then verdict=invalid; break; fi
         if ! timeout 60 "$w/tests/$b" >/dev/null 2>&1; then verdict=caught; by=$b; break; fi
       done
-      [ $verdict = survived ] && sanitized "$w" "${first:-0}" && { verdict=caught; by=sanitizers; }
+      [ $verdict = survived ] && sanitized "$w" "$first" && { verdict=caught; by=sanitizers; }
     fi
     printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$where" "$op" "$old" "$new" "$verdict" "$by" >> "$w.rows"
     cp "$work/base/lines/$f" "$w/lines/$f"

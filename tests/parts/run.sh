@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../.."
 out=build/check/parts; mkdir -p "$out"
 CC=${CC:-gcc}
 flags="-std=c11 -O0 -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wfloat-conversion -Wundef -Wvla -Werror"
-tangle/tangle --lines --without "" "$out/whole/lines" chapters/*.nw || exit 1
+tangle/tangle --lines --without "" "$out/whole/lines" $(tangle/chapters) || exit 1
 all=$(cat "$out/whole/lines/parts")
 parts=${*:-$all}
 for p in $parts; do grep -qx -- "$p" "$out/whole/lines/parts" || { echo "tests/parts/run.sh: no part is called $p -- the parts are: "$all; exit 1; }; done
@@ -18,7 +18,7 @@ for p in $parts; do grep -qx -- "$p" "$out/whole/lines/parts" || { echo "tests/p
 engine() {
   local name=$1 dir=$out/$1 tests=() t w ok
   rm -rf "$dir/lines"; mkdir -p "$dir"
-  tangle/tangle --lines "$2" "$3" "$dir/lines" chapters/*.nw >"$dir/log" 2>&1 || { echo "FAIL  $name: not tangled"; sed 's/^/      /' "$dir/log" | head -8; return 1; }
+  tangle/tangle --lines "$2" "$3" "$dir/lines" $(tangle/chapters) >"$dir/log" 2>&1 || { echo "FAIL  $name: not tangled"; sed 's/^/      /' "$dir/log" | head -8; return 1; }
   # the same parts as an engine that was built already: nothing new
   w=$(sort "$dir/lines/parts" | cksum | tr -d ' ')
   if ! mkdir "$out/seen.$w" 2>/dev/null; then echo "same  $name"; return 0; fi
@@ -64,7 +64,7 @@ chains() {
   local settings whole got parts
   for settings in '' '"exactJoints": "one-by-one"'; do
     echo "{ \"weft\": 1, \"needs\": [\"shapes\", \"joints\", \"rotation\"], \"settings\": { $settings } }" > "$out/chain.json"
-    parts=$(tangle/needs "$out/chain.json") && rm -rf "$out/derived" && tangle/tangle --lines --only "$parts" "$out/derived" chapters/*.nw || return 1
+    parts=$(tangle/needs "$out/chain.json") && rm -rf "$out/derived" && tangle/tangle --lines --only "$parts" "$out/derived" $(tangle/chapters) || return 1
     whole=$(hash whole/lines ${settings:+-DONE_BY_ONE}) && got=$(hash derived) || return 1
     [ "$whole" = "$got" ] || { echo "FAIL  a chain ${settings:+with $settings }has the hash $got in the engine derived for it ($parts), $whole in the whole one"; return 1; }
     [ -z "${other-}" ] || [ "$other" != "$whole" ] || { echo "FAIL  tests/parts/chain.c has one hash whether its joints are solved together or not"; return 1; }
@@ -75,7 +75,7 @@ chains() {
 failed=$(grep -c '^FAIL' "$out/result")
 answers=$(grep -cE '^(ok|same|FAIL) ' "$out/result") asked=$(wc -l < "$out/asked")
 [ "$answers" -eq "$asked" ] || { echo "FAIL  $asked engines were asked for, $answers have answered"; failed=$((failed + 1)); }
-[ $# -eq 0 ] && { tangle/tangle --lines --without "" "$out/whole/lines" chapters/*.nw && chains || failed=$((failed + 1)); }
+[ $# -eq 0 ] && { tangle/tangle --lines --without "" "$out/whole/lines" $(tangle/chapters) && chains || failed=$((failed + 1)); }
 [ $# -eq 0 ] && { bash tests/parts/size.sh || failed=$((failed + 1)); }
 echo "parts: $(grep -c '^ok' "$out/result") engines built and tested, $failed failed"
 [ "$failed" -eq 0 ]

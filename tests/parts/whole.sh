@@ -18,7 +18,7 @@ sizes() { size -A "$@" | awk '$1 ~ /^\.text/ { t += $2 } $1 ~ /^\.(rodata|data\.
 # row NAME, --without PARTS or --only PARTS, compiler and flags
 row() {
   local name=$1 how=$2 parts=$3 d=$dir/tree; shift 3
-  rm -rf "$d"; tangle/tangle --lines "$how" "$parts" "$d" chapters/*.nw || exit 1
+  rm -rf "$d"; tangle/tangle --lines "$how" "$parts" "$d" $(tangle/chapters) || exit 1
   ( cd "$d" && mkdir -p o || exit 1
     case "$*" in
       *-flto*) "$@" -I. -Iinclude -r -flinker-output=nolto-rel $(sources) -o o/all.o ;;
@@ -34,7 +34,7 @@ row() {
 # one NAME, compiler and flags: the whole as one file. WebAssembly is linked, for an object's calls are padded; what it imports is counted too.
 one() {
   local name=$1 d=$dir/one; shift
-  [ -f "$d/weft.c" ] || { tangle/tangle "$d/tree" chapters/*.nw && tangle/amalgam "$d/tree" "$d" >/dev/null; } || exit 1
+  [ -f "$d/weft.c" ] || { tangle/tangle "$d/tree" $(tangle/chapters) && tangle/amalgam "$d/tree" "$d" >/dev/null; } || exit 1
   "$@" -I"$d" -c "$d/weft.c" -o "$d/o" || exit 1
   case "$*" in
     *wasm*) wasm-ld --no-entry --export-all --gc-sections --strip-all --allow-undefined "$d/o" -o "$d/wasm" &&

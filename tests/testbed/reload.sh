@@ -29,7 +29,7 @@ static void update_reload(wfWorld *world, const wfSceneInput *in)
 }
 @
 <<rows of the scene table>>=
-{ .category = "Mine", .name = "reload", .text = "A ball that is pulled.", .chapter = 60, .build = build_reload,
+{ .category = "Mine", .name = "reload", .text = "A ball that is pulled.", .chapter = "mine", .build = build_reload,
   .update = update_reload, .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
 @
 NW

@@ -125,11 +125,11 @@ for (const f of frames) check((await decoded(f.bytes)).colours > 10, `${f.name} 
 await bed.close();
 
 // -- the figure of a tower's sag: the formula and the tower agree, wherever the handle is
-const soft = await open(desk, '17-soft.html');
+const soft = await open(desk, 'soft.html');
 const sag = soft.locator('figure[data-live="soft-sag"]');
 await sag.scrollIntoViewIfNeeded();
 await soft.waitForSelector('figure[data-live="soft-sag"].live');
-check(soft.scripts.join() === 'figures-17-soft', `17-soft.html loads ${soft.scripts.join(', ')}`);
+check(soft.scripts.join() === 'figures-soft', `soft.html loads ${soft.scripts.join(', ')}`);
 const sunk = async () => (await sag.locator('svg').textContent()).match(/(\d+) substeps?.*?([\d.]+) mm.*?([\d.]+) mm/s).slice(1).map(Number);
 const grip = sag.locator('.grip').first(), seen = [await sunk()];
 for (const way of [60, 120, 180]) {
@@ -168,13 +168,13 @@ const looks = async (page, what, dark) => {
   return { is, right, word };
 };
 const looked = async (page, figure, play, dark) => {
-  const { is, right, word } = await looks(page, '12-narrow-phase.html', dark);
+  const { is, right, word } = await looks(page, 'narrow-phase.html', dark);
   const texts = await inks(figure);
   check(texts.length > 0 && texts.every(t => contrast(light(t), is) >= 4.5), `a figure ${word}: words with the contrast ${Math.min(...texts.map(t => contrast(light(t), is))).toFixed(1)}`);
   const c = await canvas(play);
   check(right(c.paper) && c.contrast > 4.5, `a simulation ${word}: paper ${c.paper.toFixed(2)}, contrast ${c.contrast.toFixed(1)}`);
 };
-const page = await open(night, '12-narrow-phase.html');
+const page = await open(night, 'narrow-phase.html');
 const figure = page.locator('figure[data-live]').first(), play = page.locator('figure[data-scene]').first();
 await figure.scrollIntoViewIfNeeded();
 await page.waitForSelector('figure[data-live].live');
@@ -183,7 +183,7 @@ await play.getByRole('button', { name: 'run this simulation here' }).click();
 const field = play.locator('canvas');
 await field.waitFor();
 await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });
-if (two) check(page.scripts.sort().join() === 'figures-12-narrow-phase,testbed', `12-narrow-phase.html: a figure and a simulation load ${page.scripts.join(', ')}`);
+if (two) check(page.scripts.sort().join() === 'figures-narrow-phase,testbed', `narrow-phase.html: a figure and a simulation load ${page.scripts.join(', ')}`);
 for (const dark of [true, false, true]) {
   await page.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
   await page.waitForTimeout(400);
@@ -191,7 +191,7 @@ for (const dark of [true, false, true]) {
   if (!dark) continue;
   await page.evaluate(axe);
   const found = await page.evaluate(() => axe.run(document, { runOnly: ['color-contrast'], preload: false }));
-  for (const v of found.violations) fail(`12-narrow-phase.html by night: ${v.help}, ${v.nodes.length} times, first: ${v.nodes[0].html.slice(0, 140)}`);
+  for (const v of found.violations) fail(`narrow-phase.html by night: ${v.help}, ${v.nodes.length} times, first: ${v.nodes[0].html.slice(0, 140)}`);
 }
 await page.close();
 const whole = await open(night, 'testbed.html#stack of boxes');

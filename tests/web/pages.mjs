@@ -128,7 +128,7 @@ await bed.close();
 
 // a finger
 const phone = await browser.newContext({ viewport: { width: 420, height: 800 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
-const touch = await open(phone, '12-narrow-phase.html');
+const touch = await open(phone, 'narrow-phase.html');
 const fig = touch.locator('figure[data-live="narrow-shadows"]');
 await fig.scrollIntoViewIfNeeded();
 await touch.waitForSelector('figure[data-live="narrow-shadows"].live');
@@ -137,7 +137,7 @@ const cdp = await phone.newCDPSession(touch), p = [at.x + at.width / 2, at.y + a
 await cdp.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x: p[0], y: p[1] }] });
 for (let i = 1; i < 5; i++) await cdp.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ x: p[0] - 10 * i, y: p[1] + 8 * i }] });
 await cdp.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-check(await ink(fig) !== was, '12-narrow-phase.html: a finger cannot drag a handle');
+check(await ink(fig) !== was, 'narrow-phase.html: a finger cannot drag a handle');
 await touch.close();
 
 // a finger in the testbed: it pulls a body; two of them zoom
@@ -166,11 +166,11 @@ await bed2.close();
 // without JavaScript the frozen figures are there
 const plain = await browser.newContext({ javaScriptEnabled: false });
 const still = await plain.newPage();
-await still.goto(url('12-narrow-phase.html'));
-check(await still.locator('figure[data-live] svg').count() > 3, '12-narrow-phase.html: without JavaScript there is no figure');
+await still.goto(url('narrow-phase.html'));
+check(await still.locator('figure[data-live] svg').count() > 3, 'narrow-phase.html: without JavaScript there is no figure');
 
 // accessibility, by axe
-for (const file of ['index.html', '12-narrow-phase.html', 'testbed.html', 'gallery.html'].filter(f => !only.length || only.includes(f))) {
+for (const file of ['index.html', 'narrow-phase.html', 'testbed.html', 'gallery.html'].filter(f => !only.length || only.includes(f))) {
   const page = await open(desk, file);
   await page.evaluate(axe);
   const found = await page.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa'], preload: false }));

@@ -1,16 +1,17 @@
 // visit.mjs: what a reader's first minutes ask of the testbed's module: the testbed opens, on a desk and on a phone, light and dark, a body
 // is dragged, the picture moved; and each scene that a chapter shows runs for five seconds. (first.mjs, module.mjs)
-import { readdirSync, readFileSync } from 'node:fs';
-const utf8 = new TextEncoder(), words = new TextDecoder(), chapters = 'chapters/';
-export const shown = () => [...new Set(readdirSync(chapters).filter(f => f.endsWith('.nw')).flatMap(f =>
-  [...readFileSync(chapters + f, 'utf8').matchAll(/scenes\/([a-zA-Z0-9-]+)-\d+\.svg/g)].map(m => m[1].replaceAll('-', ' '))))].sort();
+import { readFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+const utf8 = new TextEncoder(), words = new TextDecoder();
+export const shown = () => [...new Set(execFileSync('tangle/chapters', { encoding: 'utf8' }).trim().split('\n').flatMap(f =>
+  [...readFileSync(f, 'utf8').matchAll(/scenes\/([a-zA-Z0-9-]+)-\d+\.svg/g)].map(m => m[1].replaceAll('-', ' '))))].sort();
 export const named = (x, scene) => {
   const bytes = utf8.encode(scene);
   new Uint8Array(x.memory.buffer, x.web_name(), bytes.length).set(bytes);
   return x.web_open(bytes.length);
 };
 export const described = x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe()));
-// scenes of chapters that are left to the second part, should the first grow too heavy; chapter 27 would have to say so
+// scenes of chapters that are left to the second part, should the first grow too heavy; the chapter on platform layers would have to say so
 const late = ['TC06 quad tree'];      // the overlay tree, and all of the quad tree
 const frames = (x, count, width = 1280, height = 800, scale = 1) => {
   for (let i = 0; i < count; i++) {

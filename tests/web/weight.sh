@@ -25,11 +25,11 @@ least=$(head -1 <<< "$figures") most=$(tail -1 <<< "$figures")
   echo "the script that unpacks and runs it,$(script | kb),$(script | gzip -9nc | kb),$(script | gzip -9nc | kb),$((aim - $(cat $web/testbed.wasm.lzma <(script | gzip -9nc) | kb)))"
   row "the testbed's rest: when it is asked for" testbed-rest ""
   row "the testbed in one piece" one "$(room one)"
-  row "the figures of chapter ${least:8:2} (the least)" "$least" "$(room "$least")"
-  row "the figures of chapter ${most:8:2} (the most)" "$most" "$(room "$most")"
+  row "the figures of ${least#figures-} (the least)" "$least" "$(room "$least")"
+  row "the figures of ${most#figures-} (the most)" "$most" "$(room "$most")"
 } > "$to/page-weight.csv.new" && mv "$to/page-weight.csv.new" "$to/page-weight.csv"
 { echo "# command: bash tests/web/weight.sh"
   echo "chapter,figures,linked,travels"
   for m in $(sort <<< "$figures"); do
-    echo "${m:8:2},$(tangle/figures-of --names build/live.list "chapters/${m#figures-}.nw" | wc -l),$(kb < $web/$m.wasm),$(kb < $web/$m.wasm.lzma)"; done
+    echo "${m#figures-},$(tangle/figures-of --names build/live.list "${m#figures-}" $(tangle/chapters) | wc -l),$(kb < $web/$m.wasm),$(kb < $web/$m.wasm.lzma)"; done
 } > "$to/page-figures.csv.new" && mv "$to/page-figures.csv.new" "$to/page-figures.csv"

@@ -1,5 +1,5 @@
-/* Weft: include/weft/collision.h, tangled from chapters/23-events-and-queries.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: include/weft/collision.h, tangled from chapters/engine/19-events-and-queries.nw. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 /* collision.h: the whole component `collision`, for users of libweft-collision alone.
    Source: chapter 23. */
 #ifndef WEFT_COLLISION_H

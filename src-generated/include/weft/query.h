@@ -1,5 +1,5 @@
-/* Weft: include/weft/query.h, tangled from chapters/23-events-and-queries.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: include/weft/query.h, tangled from chapters/engine/19-events-and-queries.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 /* query.h: rays, nearest points, overlaps, casts; for one shape and for a set of placed
    shapes.  Lengths in m, world frame.  Source: chapter 23. */
 #ifndef WEFT_QUERY_H

@@ -1,0 +1,32 @@
+/* Exercise fast-heap. Oracle: the least of all, by looking at all. */
+#include "course.h"
+enum { EX_FLIGHTS = 4096 };
+typedef struct ExHeap { int32_t n, flight[EX_FLIGHTS]; int32_t at[EX_FLIGHTS]; wfReal when[EX_FLIGHTS]; int64_t compared; } ExHeap;
+void exHeapAdd(ExHeap *h, int32_t flight, wfReal when);
+void exHeapChange(ExHeap *h, int32_t flight, wfReal when);
+static ExHeap h;
+static void root(void)
+{
+    wfRandom r = course_random(26);
+    memset(&h, 0, sizeof h);
+    for (int i = 0; i < 100; i++) exHeapAdd(&h, i, (wfReal)wfRandomBelow(&r, 30));
+    for (int k = 0; k < 20000; k++) {
+        exHeapChange(&h, (int32_t)wfRandomBelow(&r, 100), (wfReal)wfRandomBelow(&r, 30));
+        int best = 0;
+        for (int i = 1; i < 100; i++) if (h.when[i] < h.when[best]) best = i;
+        expect_int(say("the earliest flight after change %d", k), h.flight[0], best);
+        for (int i = 0; i < 100; i += 7) expect_int(say("the flight at the place of flight %d", i), h.flight[h.at[i]], i);
+    }
+}
+static void cost(void)
+{
+    wfRandom r = course_random(27);
+    memset(&h, 0, sizeof h);
+    for (int i = 0; i < EX_FLIGHTS; i++) exHeapAdd(&h, i, wfRandomReal(&r, 0, 1));
+    h.compared = 0;
+    for (int k = 0; k < 10000; k++) exHeapChange(&h, (int32_t)wfRandomBelow(&r, EX_FLIGHTS), wfRandomReal(&r, 0, 1));
+    expect_at_most("comparisons for a change among 4096 flights, on the mean", (double)h.compared / 10000, 26);
+}
+CRITERIA("heap",
+    { "root", 2, "heap: let it rise", "the root is the earliest, ties by number, and the places are right", root, 0 },
+    { "cost", 1, "heap: let it fall", "a change costs about the height of the heap", cost, 0 })
