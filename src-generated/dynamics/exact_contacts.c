@@ -896,6 +896,8 @@ static void finish(Exact *e)
         wfStoreImpulses(&e->s.c[i], in->h / e->s.kick, &in->contacts[e->s.order[i]]);
     wfKick(&e->s, e->s.dt / 2, e->s.kick);
     solve(e, false);
+    for (int32_t i = 0; in->told != NULL && i < in->contactCount; i++)
+        wfTellPrepared(&e->s.c[i], &in->told[e->s.order[i]]);
     for (int32_t i = 0; i < in->bodyCount; i++) {
         if (in->present != NULL && !in->present[i]) continue;
         in->state[i].p = wfAdd(in->state[i].p, e->s.moved[i].d);

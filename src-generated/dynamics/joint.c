@@ -553,23 +553,26 @@ static void holds_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p
 /* <add up what the joints bore> */
 bool wfIsBroken(const wfJoint *j) { return (j->flags & WF_JOINT_BROKEN) != 0; }
 
-void wfAddJointLoad(const wfJoint *j, const wfJointRow *row, wfReal angleB, wfVec2 *force,
-                    wfReal *torque)
-{
-    wfVec2 r = wfRotate(wfRotation(angleB), j->localB);
-    for (int k = 0; k < WF_JOINT_ROWS; k++) {                       /* eq:joints-load */
-        *force = wfAddScaled(*force, j->impulse[k], row[k].jB);
-        *torque += j->impulse[k] * (row[k].wB - wfCross(r, row[k].jB));
-    }
-}
-
+/* Counts what the rows, as they are now, have given since it was last called. */
 static void add_load(const wfJoint *j, wfJointWork *w)
 {
     for (int k = 0; k < w->rows; k++) {                             /* eq:joints-load */
         const wfJointRow *r = &w->row[k];
-        w->load = wfAddScaled(w->load, j->impulse[k], r->jB);
-        w->twist += j->impulse[k] * (r->wB - wfCross(w->arm, r->jB));
+        wfReal more = j->impulse[k] - w->seen[k];
+        w->kick = wfAddScaled(w->kick, more, r->jB);
+        w->spin += more * (r->wB - wfCross(w->arm, r->jB));
+        w->seen[k] = j->impulse[k];
     }
+}
+
+/* Before a kick, or at the end: what was given since the last kick is complete. */
+static void close_kick(wfJointWork *w)
+{
+    w->load = wfAdd(w->load, w->kick), w->twist += w->spin;
+    w->most[0] = wfMaxR(w->most[0], wfLength(w->kick));
+    w->most[1] = wfMaxR(w->most[1], wfAbs(w->spin));
+    w->kick = wfV2(0, 0), w->spin = 0;
+    memset(w->seen, 0, sizeof w->seen);
 }
 /* <make taut links sluggish> */
 static void remember_inertias(wfJointSet *set, const wfSolve *in)
@@ -667,7 +670,6 @@ static void renew_pin(wfJointSet *set, const wfSolve *in, int32_t i)
 {
     wfJointPair p = wfPairOf(set, in, &set->joints[i]);
     wfPin *q = &set->pins[i], before = *q;
-    q->load = wfAdd(q->load, q->impulse);
     build_pin(set, &p, i);
     q->swung = pin_coupling(&before, q, &p) < pin_coupling(&before, &before, &p) / 2;
 }
@@ -730,7 +732,7 @@ static void leave_pin(wfJointSet *set, const wfSolve *in, int32_t i)
     wfJoint *j = &set->joints[i];
     track(j, in->state[q->a].angle, in->state[q->b].angle);
     for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] = k < 2 ? q->impulse.E[k] : 0;
-    set->work[i].load = wfAdd(q->load, q->impulse);
+    set->work[i].kick = q->impulse;
 }
 /* <keep joints as other laws> */
 static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
@@ -791,11 +793,13 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
     /* <give the old impulses again> */
     for (int32_t i = 0; i < set->count; i++) {
         if (set->pins[i].on) {
+            if (!first) set->work[i].kick = set->pins[i].impulse, close_kick(&set->work[i]);
             warm_pin(&set->pins[i], in, heavier, t / set->last);
             continue;
         }
         wfJointPair p = wfPairOf(set, in, &set->joints[i]);
         if (wfIsBroken(&set->joints[i])) continue;
+        if (!first) add_load(&set->joints[i], &set->work[i]), close_kick(&set->work[i]);
         if (heavier) weigh(&set->work[i], &p);
         prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i],
                 set->start == NULL || is_alone(set, i));
@@ -863,7 +867,9 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     /* <forget the last step> */
     for (int32_t i = 0; i < set->count; i++) {
         wfJointWork *w = &set->work[i];
-        w->load = wfV2(0, 0), w->twist = 0, w->rows = w->holds = 0, w->swung = false;
+        w->load = w->kick = wfV2(0, 0), w->twist = w->spin = w->most[0] = w->most[1] = 0;
+        memset(w->seen, 0, sizeof w->seen);
+        w->rows = w->holds = 0, w->swung = false;
         set->pins[i].on = 0;
     }
     set->last = 0;
@@ -873,9 +879,9 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
 }
 /* <begin and end a step of joints> */
 /* How much too much a joint bore: its load by its strength, 0 if it is strong enough. */
-static wfReal overload(const wfJoint *j, const wfJointWork *w, wfReal h)
+static wfReal overload(const wfJoint *j)
 {
-    wfReal force = wfLength(w->load) / h, torque = wfAbs(w->twist) / h, most = 0;
+    wfReal force = wfLength(j->load), torque = wfAbs(j->twist), most = 0;
     if (j->breakForce > 0 && force > j->breakForce) most = force / j->breakForce;
     if (j->breakTorque > 0 && torque > j->breakTorque)
         most = wfMaxR(most, torque / j->breakTorque);
@@ -893,13 +899,13 @@ static void note_overload(const wfJointSet *set, int32_t body, wfReal over)
     if (most != NULL) *most = wfMaxR(*most, over);
 }
 /* <begin and end a step of joints> */
-static void break_worst(wfJointSet *set, wfReal h)
+static void break_worst(wfJointSet *set)
 {
     for (int32_t i = 0; i < set->bodies; i++) set->stiffness[i] = 0;
     for (int pass = 0; pass < 2; pass++)
         for (int32_t i = 0; i < set->count; i++) {
             wfJoint *j = &set->joints[i];
-            wfReal over = wfIsBroken(j) ? 0 : overload(j, &set->work[i], h);
+            wfReal over = wfIsBroken(j) ? 0 : overload(j);
             const wfReal *a = overload_of(set, j->a), *b = overload_of(set, j->b);
             if (!(over > 0)) continue;
             if (pass == 0) note_overload(set, j->a, over), note_overload(set, j->b, over);
@@ -916,12 +922,18 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
     for (int32_t i = 0; i < set->bodies; i++) in->state[i].invInertia = set->inverse[i];
     for (int32_t i = 0; i < set->count; i++) {
         wfJoint *j = &set->joints[i];
-        if (wfIsBroken(j)) continue;
         if (set->pins[i].on) leave_pin(set, in, i);
-        else add_load(j, &set->work[i]);
+        else if (!wfIsBroken(j)) add_load(j, &set->work[i]);
+        close_kick(&set->work[i]);
+        /* <tell what joint i bore> */
+        const wfJointWork *w = &set->work[i];
+        j->load = wfScale(1 / in->h, w->load);
+        j->twist = w->twist / in->h;
+        j->peakForce = wfMaxR(w->most[0] / dt, wfLength(j->load));
+        j->peakTorque = wfMaxR(w->most[1] / dt, wfAbs(j->twist));
         for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] *= dt / set->last;
     }
-    break_worst(set, in->h);
+    break_worst(set);
 }
 /* <check a joint> */
 static bool numbers_are_finite(const wfJoint *j)
@@ -929,7 +941,8 @@ static bool numbers_are_finite(const wfJoint *j)
     const wfReal number[] = { j->localA.x, j->localA.y, j->localB.x, j->localB.y, j->axis.x,
         j->axis.y, j->groundA.x, j->groundA.y, j->groundB.x, j->groundB.y, j->rest,
         j->angle, j->ratio, j->lower, j->upper, j->stiffness, j->damping, j->motorSpeed,
-        j->motorForce, j->springForce, j->breakForce, j->breakTorque, j->turnA, j->turnB };
+        j->motorForce, j->springForce, j->breakForce, j->breakTorque, j->turnA, j->turnB,
+        j->load.x, j->load.y, j->twist, j->peakForce, j->peakTorque };
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         if (!wfIsFinite(number[i])) return false;
     for (int i = 0; i < WF_JOINT_ROWS; i++)

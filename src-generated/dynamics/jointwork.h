@@ -13,8 +13,10 @@ typedef struct wfJointWork {
     bool swung;                         /* turned too far in a substep: eq:joints-swung */
     wfReal factor[3][3], pivot[3];      /* their K = L D L^T; 1 / D */
     wfVec2 arm;                         /* m: from B's centre to its anchor */
-    wfVec2 load;                        /* N s: sum over the step, what B got */
-    wfReal twist;                       /* N m s: about B's anchor */
+    wfVec2 load, kick;                  /* N s: what B got; in the step, since a kick */
+    wfReal twist, spin;                 /* N m s: the same about B's anchor */
+    wfReal most[2];                     /* N s, N m s: greatest kick and spin */
+    wfReal seen[WF_JOINT_ROWS];         /* N s: what `kick` has of each impulse */
     wfReal own[WF_JOINT_ROWS];          /* K of each row */
     wfReal mass[WF_JOINT_ROWS];         /* 1 / (K + gamma) */
     wfReal gamma[WF_JOINT_ROWS], bias[WF_JOINT_ROWS];
@@ -35,7 +37,7 @@ typedef struct wfPin {
     int32_t swung;              /* 1: it turned too far in a substep: eq:joints-swung */
     wfVec2  rA, rB, d;          /* m: arms; from A's anchor to B's */
     wfReal  l, dx, dy;          /* K = L D L^T: L21, 1 / D1, 1 / D2 */
-    wfVec2  impulse, load;      /* N s: in the last substep; summed over the step */
+    wfVec2  impulse;            /* N s: in the last substep */
 } wfPin;
 /* <follow an angle without jumps> */
 static inline wfReal wfFollow(wfReal turn, wfReal angle)

@@ -84,6 +84,7 @@ static void prepare_points(const wfSubsteps *s, const wfBundle *q, wfLanes mass,
     g->upB = wfLanesWhere(is, arm.v[2] * nx + arm.v[3] * ny);
     g->gap = p->now = -found.v[0];
     p->normal = found.v[1];
+    g->told = -p->normal;
     p->tangent = found.v[2];
     p->massN = mass_in_lanes(q, mass, p->nA, p->nB);
     p->massT = mass_in_lanes(q, mass, p->tA, p->tB);
@@ -231,6 +232,7 @@ void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
         PairLanes m = take_pairs(s->in->state, q);
         for (int32_t k = 0; k < q->points; k++) {
             wfBundlePoint *p = &s->point[q->first + k];
+            s->gap[q->first + k].told += p->normal;
             p->normal *= wfLanesOf(share);
             p->tangent *= wfLanesOf(share);
             push_lanes(q, p, p->normal, &m);
@@ -369,6 +371,23 @@ void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
     for (int32_t i = run->bundle; i < run->bundleEnd; i++)
         for (int32_t lane = 0; lane < s->bundle[i].used; lane++)
             store_lane(s, &s->bundle[i], lane, share);
+}
+/* <walk through contacts in lanes> */
+static void tell_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane)
+{
+    wfTold *told = &s->in->told[q->of[lane]];
+    for (int32_t k = 0; k < q->points; k++) {
+        wfReal last = wfLaneOf(&s->point[q->first + k].normal, lane);
+        told->impulse += wfLaneOf(&s->gap[q->first + k].told, lane) + last;
+        if (last > 0) told->pressed = 1;
+    }
+}
+
+void wfTellBundles(const wfSubsteps *s, const wfRun *run)
+{
+    for (int32_t i = run->bundle; i < run->bundleEnd; i++)
+        for (int32_t lane = 0; lane < s->bundle[i].used; lane++)
+            tell_lane(s, &s->bundle[i], lane);
 }
 /* <walk through contacts in lanes> */
 void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out)

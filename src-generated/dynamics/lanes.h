@@ -169,7 +169,7 @@ typedef struct wfBundlePoint {
     wfLanes nA, nB, tA, tB, massN, massT, now, normal, tangent;
 } wfBundlePoint;
 
-typedef struct wfBundleGap { wfLanes gap, upA, upB; } wfBundleGap;
+typedef struct wfBundleGap { wfLanes gap, upA, upB, told; } wfBundleGap;
 /* <contacts in lanes> */
 /* A portion of the contacts: first bundles, then those that are taken one by one. */
 typedef struct wfRun { int32_t bundle, bundleEnd, one, oneEnd; } wfRun;

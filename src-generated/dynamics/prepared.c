@@ -53,6 +53,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
     out->massSpin = rolls ? inverse_or_zero(a->invInertia + b->invInertia) : 0;
     for (int32_t i = 0; i < m->count; i++)
         prepare_point(a, b, &m->points[i], out->n, out->t, &out->p[i]);
+    out->told = -wfSumOfNormals(out);           /* until the first warm start */
 }
 /* <make contacts ready> */
 void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
@@ -77,6 +78,7 @@ void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share)
 {
     wfPairMotion m = wfTakePair(in, c);
+    c->told += wfSumOfNormals(c);
     c->guessed = 0;
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
@@ -101,4 +103,11 @@ void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
     out->rollingImpulse = share * c->spin;
     out->sliding = c->sliding;
     out->settled = c->settled;
+}
+/* <make contacts ready> */
+void wfTellPrepared(const wfPrepared *c, wfTold *out)
+{
+    wfReal last = wfSumOfNormals(c);
+    out->impulse += c->told + last;
+    out->pressed = last > 0;
 }

@@ -22,6 +22,7 @@ typedef struct wfPrepared {
     wfReal  slides, holds;    /* mu and mu_s >= mu; sliding: which is in force */
     wfReal  massSpin, spin;   /* kg m^2; N m s applied so far */
     wfReal  guessed;          /* N s: sum over normals that the passes began with */
+    wfReal  told;             /* N s: sum over normals of all substeps before this one */
     int32_t sliding, settled; /* as the contact's */
     int32_t bounces;          /* 1 if it has restitution */
     wfPreparedPoint p[2];
@@ -88,6 +89,15 @@ static inline void wfDragPoint(wfPairMotion *m, const wfPreparedPoint *p, wfReal
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share);
 /* Writes the sums times `share` into the contact. */
 void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out);
+/* After the last pass: what it bore in all warm starts and passes. */
+void wfTellPrepared(const wfPrepared *c, wfTold *out);
+
+static inline wfReal wfSumOfNormals(const wfPrepared *c)
+{
+    wfReal sum = 0;
+    for (int32_t i = 0; i < c->count; i++) sum += c->p[i].normal;
+    return sum;
+}
 /* <declarations of prepared contacts> */
 /* One pass over friction and rolling: eq:sequential-friction. */
 static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
@@ -124,8 +134,9 @@ static inline wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p,
 /* <declarations of prepared contacts> */
 /* A contact that approaches faster than restingSpeed bounces and rubs, at the places and
  * velocities of these two bodies. False, and nothing done, if it is slower, or if it has no
- * restitution. */
-bool wfBounce(wfBodyState *a, wfBodyState *b, const wfContact *c, wfReal restingSpeed);
+ * restitution. told: the bounce is added to it; NULL: not asked. */
+bool wfBounce(wfBodyState *a, wfBodyState *b, const wfContact *c, wfReal restingSpeed,
+              wfTold *told);
 /* <declarations of prepared contacts> */
 wfSolverFn wfSequentialVelocities, wfSequentialBaumgarte, wfSequentialPositions;
 wfSolverFn wfNothingLeft;    /* a position half for rows that have done that already */

@@ -111,25 +111,36 @@ wfReal wfRestingSpeed(wfVec2 gravity, wfReal h, wfReal steps)
     return steps * h * wfLength(gravity);
 }
 /* <choose the restitution of a contact> */
-static wfReal restitution_of(const wfContact *c, const wfBodyState *a, const wfBodyState *b,
-                             wfReal restingSpeed)
+/* The fastest approach of its points, m/s; 0: none approaches. */
+static wfReal approach_of(const wfContact *c, const wfBodyState *a, const wfBodyState *b)
 {
     wfReal fastest = 0;
     for (int32_t i = 0; i < c->manifold.count; i++) {
         wfVec2 p = c->manifold.points[i].point;
         fastest = wfMinR(fastest, wfRelativeNormalVelocity(a, b, p, c->manifold.normal));
     }
-    return -fastest > restingSpeed ? c->restitution : 0;
+    return -fastest;
+}
+
+/* Adds a push of `impulse` with restitution e, from an approach with `speed`. */
+static void tell_blow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
+{
+    told->impulse += impulse;
+    if (!(e > 0) || !(impulse > 0)) return;
+    told->bounced = 1;
+    told->speed = wfMaxR(told->speed, speed);
 }
 /* <contact solvers> */
 static void resolve_contact(const wfSolve *in, const wfContact *c, bool together)
 {
     wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
-    wfReal e = restitution_of(c, a, b, in->restingSpeed), j[2];
-    if (together && c->manifold.count == 2 && wfResolveTwoPoints(a, b, &c->manifold, e, j))
-        return;
-    for (int32_t i = 0; i < c->manifold.count; i++)
-        wfResolvePoint(a, b, c->manifold.points[i].point, c->manifold.normal, e);
+    wfReal u = approach_of(c, a, b), e = u > in->restingSpeed ? c->restitution : 0;
+    wfReal j[2] = { 0, 0 };
+    bool both = together && c->manifold.count == 2
+             && wfResolveTwoPoints(a, b, &c->manifold, e, j);
+    for (int32_t i = 0; !both && i < c->manifold.count; i++)
+        j[i] = wfResolvePoint(a, b, c->manifold.points[i].point, c->manifold.normal, e);
+    if (in->told != NULL) tell_blow(&in->told[c - in->contacts], j[0] + j[1], e, u);
 }
 /* <contact solvers> */
 static wfResult resolve_velocities(const wfSolve *in, bool together)
@@ -245,7 +256,8 @@ static wfReal coefficient_now(const wfBodyState *a, const wfBodyState *b,
     return wfFrictionNow(c->friction, c->staticFriction, wanted, normal);
 }
 /* <contact solvers> */
-static void rub(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
+/* Returns the sum of the normal impulses, N s. */
+static wfReal rub(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
 {
     wfReal j[2] = { 0, 0 }, sum = 0;
     wfManifold *m = &c->manifold;
@@ -261,12 +273,15 @@ static void rub(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
         p->tangentImpulse += wfRubPoint(a, b, p->point, m->normal, limit, c->surfaceSpeed);
     }
     c->rollingImpulse += wfResistRolling(a, b, c->rolling * sum);
+    return sum;
 }
 /* <contact solvers> */
 static void rub_contact(const wfSolve *in, wfContact *c)
 {
     wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
-    rub(a, b, c, restitution_of(c, a, b, in->restingSpeed));
+    wfReal u = approach_of(c, a, b), e = u > in->restingSpeed ? c->restitution : 0;
+    wfReal sum = rub(a, b, c, e);
+    if (in->told != NULL) tell_blow(&in->told[c - in->contacts], sum, e, u);
 }
 
 static wfResult resolve_and_rub(const wfSolve *in)
@@ -319,12 +334,14 @@ void wfCarryImpulses(const wfContact *before, wfContact *now)
         }
 }
 /* <contact solvers> */
-bool wfBounce(wfBodyState *a, wfBodyState *b, const wfContact *c, wfReal restingSpeed)
+bool wfBounce(wfBodyState *a, wfBodyState *b, const wfContact *c, wfReal restingSpeed,
+              wfTold *told)
 {
-    wfReal e = restitution_of(c, a, b, restingSpeed);
+    wfReal u = approach_of(c, a, b), e = u > restingSpeed ? c->restitution : 0;
     if (!(e > 0)) return false;
     wfContact once = *c;
-    rub(a, b, &once, e);
+    wfReal sum = rub(a, b, &once, e);
+    if (told != NULL) tell_blow(told, sum, e, u);
     return true;
 }
 /* <the solver table> */

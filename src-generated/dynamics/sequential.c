@@ -71,7 +71,8 @@ static void collide_first(const wfSolve *in)
             int32_t at = pass % 2 == 0 ? i : in->contactCount - 1 - i;
             const wfContact *c = &in->contacts[at];
             wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
-            if (wfBounce(a, b, c, in->restingSpeed)) some = true;
+            wfTold *told = in->told == NULL ? NULL : &in->told[at];
+            if (wfBounce(a, b, c, in->restingSpeed, told)) some = true;
         }
     }
 }
@@ -95,8 +96,10 @@ static wfResult sequential(const wfSolve *in, wfReal share)
             wfPairMotion seen = m;      /* a copy to hand out: m can stay in registers */
             if (pass + 1 == in->iterations) wfJudgeFriction(&c[i], &seen, true);
         }
-    for (int32_t i = 0; i < in->contactCount; i++)
+    for (int32_t i = 0; i < in->contactCount; i++) {
         wfStoreImpulses(&c[i], 1, &in->contacts[i]);
+        if (in->told != NULL) wfTellPrepared(&c[i], &in->told[i]);
+    }
     wfPoolRewind(in->scratch, mark);
     return WF_OK;
 }

@@ -198,6 +198,13 @@ static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
     wfFindGaps(s);
 }
 /* <a step in substeps> */
+static void tell(const wfSubsteps *s)
+{
+    for (int32_t k = 0; k < s->runs; k++) wfTellBundles(s, &s->run[k]);
+    for (int32_t i = 0; i < s->ones; i++)
+        wfTellPrepared(&s->c[i], &s->in->told[s->order[i]]);
+}
+
 static void finish(wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
@@ -207,6 +214,7 @@ static void finish(wfSubsteps *s, wfColumns *t)
     for (int32_t i = 0; i < s->ones; i++)
         wfStoreImpulses(&s->c[i], whole, &in->contacts[s->order[i]]);
     sweep(s, t, NULL);
+    if (in->told != NULL) tell(s);
     for (int32_t i = 0; i < in->bodyCount; i++) {
         if (in->present != NULL && !in->present[i]) continue;
         if (in->fine != NULL) {

@@ -247,7 +247,8 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     wfBodyState a = in->state[c->a], b = in->state[c->b];
     a.p = wfNeg(found[0].armA), b.p = wfNeg(found[0].armB);
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;
-    if (!wfBounce(&a, &b, &hit, in->restingSpeed)) return false;
+    wfTold *told = in->told == NULL ? NULL : &in->told[at];
+    if (!wfBounce(&a, &b, &hit, in->restingSpeed, told)) return false;
     if (in->fine != NULL) {
         bounce_finely(s, c, &a, &b, ma, mb, hit.restitution, t);
         return true;

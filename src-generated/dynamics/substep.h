@@ -69,6 +69,7 @@ void wfFindBundleGaps(wfSubsteps *s, const wfRun *run);
 void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
                     const wfDeep *deep, bool soft);
 void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
+void wfTellBundles(const wfSubsteps *s, const wfRun *run);  /* in->told is not NULL */
 /* Has it a deep overlap? Then how many contacts it has, else 0. */
 int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep);
 #endif

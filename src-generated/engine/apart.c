@@ -10,6 +10,7 @@ typedef struct Apart {
     int32_t *want;             /* of each body: its substeps in this step */
     int32_t *to;               /* of each contact: its place, sorted by them */
     uint8_t *here;             /* 1: a body of the group that is stepped */
+    wfTold *told;              /* of each contact, or NULL */
 } Apart;
 
 static bool is_moved(const struct wfStep *s, int32_t i)
@@ -94,13 +95,18 @@ static void sort_contacts(const Apart *p)
 static void sort_back(const Apart *p)
 {
     wfContact *c = p->s->contacts;
+    wfTold *told = p->told;
     for (int32_t i = 0; i < p->s->contactCount; i++) {
         if (p->to[i] >= 0) continue;
         wfContact first = c[i];
+        wfTold firstTold = told != NULL ? told[i] : (wfTold){ .impulse = 0 };
         int32_t k = i;
-        for (int32_t from = ~p->to[k]; from != i; k = from, from = ~p->to[k])
+        for (int32_t from = ~p->to[k]; from != i; k = from, from = ~p->to[k]) {
             c[k] = c[from], p->to[k] = from;
+            if (told != NULL) told[k] = told[from];
+        }
         c[k] = first, p->to[k] = i;
+        if (told != NULL) told[k] = firstTold;
     }
 }
 /* <step islands apart> */
@@ -125,6 +131,7 @@ static wfResult step_group(const Apart *p, const wfSolve *all, int32_t substeps,
     for (int32_t i = 0; i < all->bodyCount; i++)
         p->here[i] = p->s->present[i] && (!is_moved(p->s, i) || p->want[i] == substeps);
     while (end < all->contactCount && wanted(p, &all->contacts[end]) == substeps) end++;
+    if (all->told != NULL) part.told += *first;
     part.contacts += *first, part.contactCount = end - *first, *first = end;
     part.present = p->here, part.substeps = substeps;
     if (substeps < all->substeps) part.laws = NULL;
@@ -136,7 +143,8 @@ static wfResult step_group(const Apart *p, const wfSolve *all, int32_t substeps,
 wfResult wfStepApart(struct wfStep *s, const wfSolve *solve)
 {
     size_t mark = wfPoolMark(&s->scratch);
-    Apart p = { .s = s, .want = wfPoolPushArray(&s->scratch, s->count, int32_t),
+    Apart p = { .s = s, .told = solve->told,
+                .want = wfPoolPushArray(&s->scratch, s->count, int32_t),
                 .to = wfPoolPushArray(&s->scratch, s->contactCount, int32_t),
                 .here = wfPoolPushArray(&s->scratch, s->count, uint8_t) };
     if (p.want == NULL || p.to == NULL || p.here == NULL) return WF_ERROR_MEMORY;

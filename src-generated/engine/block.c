@@ -209,6 +209,7 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
     [WF_REGION_NEW_CONTACTS]  = { "new contacts", 1, WF_PER_CONTACT, sizeof(wfContact) },
     /* <rows of the block's regions> */
     [WF_REGION_NEW_TOUCHES]   = { "new touches", 1, WF_PER_TOUCH, sizeof(wfTouch) },
+    [WF_REGION_TOLD]          = { "told", 1, WF_PER_CONTACT, sizeof(wfTold) },
     [WF_REGION_NEW_EVENTS]    = { "new events", 1, WF_PER_EVENT, sizeof(wfTouchEvent) },
     [WF_REGION_NEW_HITS]      = { "new hits", 1, WF_PER_TOUCH, sizeof(wfHit) },
     /* <rows of the block's regions> */

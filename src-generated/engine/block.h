@@ -316,6 +316,7 @@ typedef struct wfStrike {
     wfPair pair;
     wfVec2 point, normal;      /* world, m; unit, from pair.a to pair.b */
     wfReal speed, impulse;     /* m/s before it; N s */
+    bool   bounced;
 } wfStrike;
 /* <declarations of the block> */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it

@@ -531,12 +531,17 @@ static int32_t impact_passes(const struct wfStep *s)
     return asked > 0 ? asked : wfUsualPasses(wfFindSolver("impulse-friction"));
 }
 
+static wfReal resting_speed(const struct wfStep *s)
+{
+    const wfHeader *head = s->b.head;
+    return wfRestingSpeed(head->gravity, head->dt, head->restingSteps);
+}
+
 static wfResult collide(struct wfStep *s, wfBodyState two[2], wfContact *c, int32_t passes)
 {
     wfSolve solve = { .state = two, .bodyCount = 2, .contacts = c, .contactCount = 1,
         .h = s->b.head->dt, .iterations = passes, .scratch = &s->scratch,
-        .restingSpeed = wfRestingSpeed(s->b.head->gravity, s->b.head->dt,
-                                       s->b.head->restingSteps) };
+        .restingSpeed = resting_speed(s) };
     c->a = 0, c->b = 1;
     return wfSolveVelocities(wfFindSolver("impulse-friction"), &solve);
 }
@@ -584,7 +589,7 @@ static wfResult note_strike(struct wfStep *s, wfStrike now)
     bool known = at > 0 && !comes_after(now.pair, s->strikes[at - 1].pair);
     if (known) {
         wfStrike *old = &s->strikes[at - 1];
-        now.impulse += old->impulse;
+        now.impulse += old->impulse, now.bounced = now.bounced || old->bounced;
         if (old->speed > now.speed)
             now.speed = old->speed, now.point = old->point, now.normal = old->normal;
         *old = now;
@@ -616,6 +621,7 @@ static wfResult strike(struct wfStep *s, wfPair p, const int32_t who[2], wfReal 
     s->impactCount++;
     if (!(impulse > 0)) return WF_OK;
     return note_strike(s, (wfStrike){ .pair = p, .speed = speed, .impulse = impulse,
+        .bounced = c->restitution > 0 && speed > resting_speed(s),
         .point = c->manifold.points[where].point, .normal = c->manifold.normal });
 }
 /* <let two bodies collide at their moment> */

@@ -131,15 +131,20 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
     int32_t i;
     wfResult result = open_joint(world, id, &b, &j, &i);
     if (result != WF_OK) return result;
-    const wfJoint *joint = &j.joints[i];
-    const wfBodyState *sB = &b.state[joint->b];
-    wfJointRow row[WF_JOINT_ROWS] = { { .law = WF_ROW_OFF } };
-    wfReal rate = (wfReal)b.head->substeps / b.head->dt, twist = 0;
-    wfVec2 sum = wfV2(0, 0);
-    wfBuildJoint(joint, &b.state[joint->a], sB, row);
-    wfAddJointLoad(joint, row, sB->angle, &sum, &twist);
-    if (force != NULL) *force = wfScale(rate, sum);
-    if (torque != NULL) *torque = rate * twist;
+    if (force != NULL) *force = j.joints[i].load;
+    if (torque != NULL) *torque = j.joints[i].twist;
+    return WF_OK;
+}
+
+wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfReal *torque)
+{
+    wfBlock b;
+    Joints j;
+    int32_t i;
+    wfResult result = open_joint(world, id, &b, &j, &i);
+    if (result != WF_OK) return result;
+    if (force != NULL) *force = j.joints[i].peakForce;
+    if (torque != NULL) *torque = j.joints[i].peakTorque;
     return WF_OK;
 }
 /* <look at the joints of a world> */
@@ -370,8 +375,10 @@ wfResult wfJudgeJoints(struct wfStep *s)
     wfEndJoints(&s->jointSet, &done);
     for (int32_t i = 0; i < s->jointSet.count; i++) {
         const wfJoint *j = &s->jointSet.joints[i];
-        if (!wfAllFinite(j->impulse, WF_JOINT_ROWS) || !wfAllFinite(j->given, 3))
-            return WF_ERROR_NOT_FINITE;
+        const wfReal told[] = { j->load.x, j->load.y, j->twist, j->peakForce,
+                                j->peakTorque };
+        if (!wfAllFinite(j->impulse, WF_JOINT_ROWS) || !wfAllFinite(j->given, 3)
+            || !wfAllFinite(told, 5)) return WF_ERROR_NOT_FINITE;
     }
     return WF_OK;
 }

@@ -121,6 +121,7 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
     /* <what the regions are for> */
     [WF_REGION_TOUCHES] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_NEW_TOUCHES] = { WF_NEED_CONTACTS, "narrow phase" },
+    [WF_REGION_TOLD] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_HITS] = { WF_NEED_EVENTS, "narrow phase" },
     [WF_REGION_NEW_HITS] = { WF_NEED_EVENTS, "narrow phase" },
     [WF_REGION_EVENTS] = { WF_NEED_EVENTS, "events" },

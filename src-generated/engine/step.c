@@ -354,6 +354,8 @@ static wfSolve to_solve(struct wfStep *s)
         /* <what else a solver is told> */
         /* what only one solver wants to know */
         /* <what else a solver is told> */
+        .told = s->told,
+        /* <what else a solver is told> */
         .recoverySpeed = recovery_speed(head),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
         .columns = head->columns, .colours = head->colours, .lanes = head->lanes,

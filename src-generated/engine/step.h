@@ -43,6 +43,7 @@ struct wfStep {
     /* <arrays of the second half> */
     wfTouch         *touches;
     int32_t          touchCount;
+    wfTold          *told;        /* of each contact; NULL: nobody asks */
     wfHit           *hits;
     int32_t          hitCount;
     wfReal           hitSpeed;    /* m/s: faster approaches are hits */

@@ -109,7 +109,11 @@ static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
 /* for events, sensors and hooks */
 /* <what contacts are made for besides> */
 /* <note the touches> */
-enum { TOUCH_SURE = WF_TOUCH_USER };
+enum {
+    TOUCH_SURE = WF_TOUCH_USER,
+    TOUCH_LEFT = 2 * WF_TOUCH_USER,     /* they bounced, and nothing presses them */
+    TOUCH_AGAIN = 4 * WF_TOUCH_USER     /* they had, and were pressed in this step */
+};
 #define SENSOR_STAMP 0x80000000u
 
 /* The generation of a shape, with the highest bit turned over if it touches as a sensor. */
@@ -136,12 +140,25 @@ static wfReal deepest(const wfManifold *m)
     return depth;
 }
 
+/* How fast they will be, who now approach with u, when their gap has closed, m/s. */
+static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal u)
+{
+    wfReal gap = -deepest(&c->manifold);
+    if (!wfSolverSteps(s) || !(gap > 0)) return u;
+    wfVec2 a = wfScale(s->state[c->a].invMass, s->sums[c->a].force);
+    wfVec2 b = wfScale(s->state[c->b].invMass, s->sums[c->b].force);
+    wfReal square = u * u + 2 * gap * wfDot(wfSub(a, b), c->manifold.normal);
+    return square > 0 ? wfSqrt(square) : 0;
+}
+
 static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
 {
     const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
-    wfHitEvent hit;
+    wfHitEvent hit = { .point = c->manifold.points[0].point, .normal = c->manifold.normal };
     wfTwist ta = { a->v, a->w }, tb = { b->v, b->w };
-    if (!wfMakeHit(touch, &c->manifold, ta, tb, s->hitSpeed, &hit)) return;
+    bool comes = wfMakeHit(touch, &c->manifold, ta, tb, 0, &hit);
+    if (comes) hit.speed = speed_when_met(s, c, hit.speed);
+    if (!(hit.speed > s->hitSpeed) && !(c->restitution > 0)) return;
     s->hits[s->hitCount++] = (wfHit){ .a = wfIdOfShape(&s->b, touch->a),
         .b = wfIdOfShape(&s->b, touch->b), .point = hit.point, .normal = hit.normal,
         .speed = hit.speed };
@@ -222,7 +239,8 @@ wfResult wfTellStrikes(struct wfStep *s)
     return result;
 }
 /* <note the touches> */
-static wfReal struck(const struct wfStep *s, int32_t a, int32_t b)
+/* The strike of shapes a and b, or NULL. */
+static const wfStrike *strike_of(const struct wfStep *s, int32_t a, int32_t b)
 {
     int32_t low = 0, high = s->strikeCount;
     while (low < high) {
@@ -233,7 +251,7 @@ static wfReal struck(const struct wfStep *s, int32_t a, int32_t b)
     }
     bool found = low < s->strikeCount && s->strikes[low].pair.a == a
               && s->strikes[low].pair.b == b;
-    return found ? s->strikes[low].impulse : 0;
+    return found ? &s->strikes[low] : NULL;
 }
 /* <what contacts are made for besides> */
 /* <sense who is in a sensor> */
@@ -341,6 +359,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     /* <note the touch of the contact c> */
     bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
     note_touch(s, c, is);
+    if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
     drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
@@ -374,6 +393,7 @@ wfResult wfFindContacts(struct wfStep *s)
     walk.touches = head->touchCount;
     s->touches = wfTransient(&s->b, WF_REGION_NEW_TOUCHES);
     s->hits = wfTransient(&s->b, WF_REGION_NEW_HITS);
+    if (head->events) s->told = wfTransient(&s->b, WF_REGION_TOLD);
     s->hitSpeed = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
     for (int32_t i = 0; i < s->pairs.count && result == WF_OK; i++) {
         /* <ask for the shapes of a pair further on> */
@@ -411,17 +431,25 @@ wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled)
     return ask_hook(s, c, enabled);
 }
 /* <tell the events> */
-/* The sum of impulses between shapes a and b; *at is the finger on the contacts. */
-static wfReal pressed(const wfContact *contacts, int32_t count, int32_t *at, int32_t a,
-                      int32_t b)
+/* What the step did to shapes a and b; *at is the finger on the contacts. */
+static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
 {
+    const wfContact *c = s->contacts;
+    int32_t count = s->contactCount;
     wfPair p = { a, b };
-    while (*at < count && before(contacts[*at].shapeA, contacts[*at].shapeB, p)) ++*at;
-    if (*at == count || contacts[*at].shapeA != a || contacts[*at].shapeB != b) return 0;
-    wfReal sum = 0;
-    for (int32_t i = 0; i < contacts[*at].manifold.count; i++)
-        sum += contacts[*at].manifold.points[i].normalImpulse;
-    return sum;
+    while (*at < count && before(c[*at].shapeA, c[*at].shapeB, p)) ++*at;
+    wfTold told = { .impulse = 0 };
+    if (*at < count && c[*at].shapeA == a && c[*at].shapeB == b) told = s->told[*at];
+    /* <add what else happened to this pair> */
+    /* In this chapter all happens at contacts. */
+    /* <add what else happened to this pair> */
+    const wfStrike *strike = strike_of(s, a, b);
+    if (strike != NULL) {
+        told.impulse += strike->impulse;
+        told.bounced = told.bounced || strike->bounced;
+        told.speed = wfMaxR(told.speed, strike->speed);
+    }
+    return told;
 }
 
 static bool senses(const wfTouch *t)
@@ -429,18 +457,39 @@ static bool senses(const wfTouch *t)
     return (t->flags & (WF_TOUCH_SENSOR_A | WF_TOUCH_SENSOR_B)) != 0;
 }
 /* <tell the events> */
+/* The touch of the last step between the same shapes, or NULL; *at is a finger. */
+static const wfTouch *old_touch(const struct wfStep *s, int32_t *at, const wfTouch *t)
+{
+    const wfTouch *old = s->b.touches;
+    int32_t count = s->b.head->touchCount;
+    while (*at < count && before(old[*at].a, old[*at].b, (wfPair){ t->a, t->b })) ++*at;
+    bool same = *at < count && old[*at].a == t->a && old[*at].b == t->b
+             && old[*at].stampA == t->stampA && old[*at].stampB == t->stampB;
+    return same ? &old[*at] : NULL;
+}
+
+static uint32_t flags_after(uint32_t flags, const wfTouch *old, const wfTold *told)
+{
+    bool left = old != NULL && (old->flags & TOUCH_LEFT), push = told->impulse > 0;
+    flags &= ~(uint32_t)TOUCH_SURE;
+    if (left && push) flags |= TOUCH_AGAIN;
+    if ((told->bounced && !told->pressed) || (left && !push)) flags |= TOUCH_LEFT;
+    return flags;
+}
+/* <tell the events> */
 static void keep_touches(struct wfStep *s)
 {
-    int32_t kept = 0, at = 0, hits = 0, hit = 0;
+    int32_t kept = 0, at = 0, before = s->b.head->kept.touches, hits = 0, hit = 0;
     for (int32_t i = 0; i < s->touchCount; i++) {
         wfTouch t = s->touches[i];
-        bool is = senses(&t) || (t.flags & TOUCH_SURE)
-               || pressed(s->contacts, s->contactCount, &at, t.a, t.b) > 0;
+        wfTold told = told_of(s, &at, t.a, t.b);
+        bool is = senses(&t) || (t.flags & TOUCH_SURE) || told.impulse > 0;
         bool struck = hit < s->hitCount && s->hits[hit].a.index == (uint32_t)t.a + 1
                    && s->hits[hit].b.index == (uint32_t)t.b + 1;
-        if (struck && is) s->hits[hits++] = s->hits[hit];
-        if (struck) hit++;
-        t.flags &= ~(uint32_t)TOUCH_SURE;
+        wfHit now = struck ? s->hits[hit++] : (wfHit){ .speed = 0 };
+        if (told.bounced) now.speed = wfMaxR(now.speed, told.speed);
+        if (struck && is && now.speed > s->hitSpeed) s->hits[hits++] = now;
+        t.flags = flags_after(t.flags, old_touch(s, &before, &t), &told);
         if (is) s->touches[kept++] = t;
     }
     s->touchCount = kept;
@@ -459,9 +508,7 @@ static void list_events(struct wfStep *s, int kind, const wfTouchList *from)
         wfTouchEvent event = { .a = swap ? b : a, .b = swap ? a : b };
         if (kind < WF_TOUCH_END) {
             /* <how hard this touch was> */
-            event.impulse = pressed(s->contacts, s->contactCount, &at, t->a, t->b);
-            /* <how hard this touch was> */
-            event.impulse += struck(s, t->a, t->b);
+            event.impulse = told_of(s, &at, t->a, t->b).impulse;
         }
         s->events[s->eventTotal++] = event;
     }
@@ -472,6 +519,27 @@ wfResult wfKeepTouches(struct wfStep *s)
 {
     if (s->b.head->events) keep_touches(s);
     return WF_OK;
+}
+/* <tell the events> */
+static void put_in_order(wfTouchList *list, const wfTouch *t)
+{
+    int32_t at = list->count++;
+    for (; at > 0 && !before(list->touches[at - 1].a, list->touches[at - 1].b,
+                             (wfPair){ t->a, t->b }); at--)
+        list->touches[at] = list->touches[at - 1];
+    list->touches[at] = *t;
+}
+
+static void part_stays(wfTouchEvents *found)
+{
+    int32_t kept = 0;
+    for (int32_t i = 0; i < found->stay.count; i++) {
+        const wfTouch t = found->stay.touches[i];
+        if (t.flags & TOUCH_AGAIN) put_in_order(&found->begin, &t);
+        if (t.flags & TOUCH_AGAIN) put_in_order(&found->end, &t);
+        else found->stay.touches[kept++] = t;
+    }
+    found->stay.count = kept;
 }
 /* <tell the events> */
 wfResult wfTellEvents(struct wfStep *s)
@@ -496,6 +564,7 @@ wfResult wfTellEvents(struct wfStep *s)
         old = all;
     }
     wfResult result = wfCompareTouches(old, oldCount, s->touches, s->touchCount, &found);
+    part_stays(&found);
     /* <which touches go on without a look> */
     /* In this chapter none. */
     /* <which touches go on without a look> */

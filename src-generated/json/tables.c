@@ -114,6 +114,10 @@ static const wfField jointFields[] = {
     { AT(wfJoint, impulse), REAL, ANY, .count = WF_JOINT_ROWS,
       .text = "N s or N m s, of the last substep" },
     { AT(wfJoint, given), REAL, ANY, .count = 3, .text = "N s, of the last substep" },
+    { AT(wfJoint, load), VEC, .text = "N: on b, in the last step" },
+    { AT(wfJoint, twist), REAL, ANY, .text = "N m: on b, in the last step" },
+    { AT(wfJoint, peakForce), REAL, ANY, .text = "N: in one substep of it" },
+    { AT(wfJoint, peakTorque), REAL, ANY, .text = "N m: in one substep of it" },
 };
 const wfFields wfJointFields = FIELDS(jointFields);
 /* <tables of a scene's fields> */

@@ -409,6 +409,11 @@ static wfResult op_joint_load(Session *s)
     wfReal t = 0;
     return CALL(wfGetJointLoad(handle(s), pick_joints(s), &f, &t));
 }
+static wfResult op_joint_peak(Session *s)
+{
+    wfReal f = 0, t = 0;
+    return CALL(wfGetJointPeak(handle(s), pick_joints(s), &f, &t));
+}
 static wfResult op_set_joint(Session *s)
 {
     wfJoint j;
@@ -1051,6 +1056,7 @@ const Operation operations[] = {
     OP("joints", 16, CHANGES, wfRemoveJointFromWorld, op_remove_joint, false),
     OP("joints", 6, READS, wfGetJoint, op_get_joint, false),
     OP("joints", 4, READS, wfGetJointLoad, op_joint_load, false),
+    OP("joints", 4, READS, wfGetJointPeak, op_joint_peak, false),
     OP("joints", 14, CHANGES, wfSetJoint, op_set_joint, false),
     OP("joints", 4, READS, wfJointCount wfJointsTogether wfJointsSolvedTogether wfUnsolvedSubsteps wfJointAt wfWorldJointPlaces wfBrokenJoints, op_look_at_joints, true),
     OP("sleep", 5, CHANGES, wfWakeBody, op_wake, false),

@@ -50,6 +50,9 @@ fi
 build sanitized clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 build plain gcc "-O2 -g"
 build double gcc "-O2 -g -DWF_DOUBLE"
+# the invariants of what a step tells, in all phases
+gcc -std=c11 -ffp-contract=off -O2 -Wall -Wextra -Ibuild/lines/include -Ibuild/lines -Itests tests/test_joints_in_a_world_told.c "$work/plain/lib/libweft.a" -lcmocka -lm -o "$work/told" &&
+  WEFT_WIDE=1 "$work/told" >"$work/told.log" 2>&1 || { grep -v OK "$work/told.log" | tail; exit 1; }
 "$work/sanitized/weft-abuse" 3 120000 || exit 1
 "$work/plain/weft-abuse" 4 150000 || exit 1
 "$work/double/weft-abuse" 5 100000 || exit 1

@@ -56,6 +56,9 @@ typedef struct wfJoint {
     wfReal turnA, turnB;        /* rad: how far the bodies have turned, whole turns too */
     wfReal impulse[WF_JOINT_ROWS];      /* N s or N m s of each row in the last substep */
     wfReal given[3];            /* chapter 19: kept from one substep to the next, N s */
+    wfVec2 load;                /* N: what it did to B in the last step, in the mean */
+    wfReal twist;               /* N m: the same about B's anchor */
+    wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
 } wfJoint;
 /* <what a joint sees> */
 /* A body at one moment, for joints. */
@@ -141,10 +144,6 @@ typedef struct wfJointStep {
 wfResult wfCheckJoint(const wfJoint *joint);
 /* Brings turnA and turnB up to date, and lets a ratchet click. wfStepJoints does it. */
 void wfTrackJoint(wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB);
-/* Adds what the joint's impulses do along its rows to B: to *force (N s) and, about B's
-   anchor, to *torque (N m s). eq:joints-load */
-void wfAddJointLoad(const wfJoint *joint, const wfJointRow *rows, wfReal angleB,
-                    wfVec2 *force, wfReal *torque);
 /* Bytes that wfBeginJoints takes. */
 size_t wfJointScratch(int32_t bodies, int32_t joints);
 /* Before a solver's step: makes *laws, to be given to it. The set must stay where it is.

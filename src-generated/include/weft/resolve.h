@@ -78,6 +78,13 @@ typedef struct wfFine {
     wfReal angle, w;            /* rad, rad/s */
 } wfFine;
 
+/* What happened at a contact in the whole step. */
+typedef struct wfTold {
+    wfReal  impulse;            /* N s: the sum of the normal impulses, bounces too */
+    wfReal  speed;              /* m/s: of its fastest approach that bounced; 0: none */
+    int32_t bounced, pressed;   /* 1: it bounced; 1: it was pressed when the step ended */
+} wfTold;
+
 /* Everything that a contact solver is given. It changes `state`, and in the contacts the
  * impulses that it applied; nothing else. */
 typedef struct wfSolve {
@@ -109,6 +116,7 @@ typedef struct wfSolve {
     int32_t             work;           /* of `exact`: millions of multiplications that a
                                          * step may take, chapter 19; 0: no bound */
     wfSolveReport      *report;         /* written by rows that can fail; NULL: not asked */
+    wfTold             *told;           /* of each contact, zero before; NULL: not asked */
 } wfSolve;
 /* <declarations of the parts of an impulse> */
 /* Normal velocity at a point, m/s, by eq:impulses-approach: negative when the bodies

@@ -250,16 +250,17 @@ wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
 wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point);
 /* <what may be in a world besides bodies> */
 /* <declarations of events> */
-/* Two shapes, and how hard they press: the sum over their points, N s; 0 for a sensor and
- * for what has ended. For a sensor's events a is the sensor. The ids of an end may be
+/* Two shapes, and how hard they pressed: the sum of all normal impulses of the step, bounces
+ * included, N s; 0 for a sensor and for what has ended. Who bounced off in one step and
+ * meets again in a later one has ended one touch and begun another. For a sensor's events a is the sensor. The ids of an end may be
  * stale: the shape was removed. */
 typedef struct wfTouchEvent { wfShapeId a, b; wfReal impulse; } wfTouchEvent;
-/* Two shapes came together faster than hitSteps allows. */
+/* Two shapes came together faster than hitSteps allows, anywhere in the step. */
 typedef struct wfHit {
     wfShapeId a, b;
     wfVec2    point;           /* world, m: where they approached fastest */
     wfVec2    normal;          /* unit, from a to b */
-    wfReal    speed;           /* of the approach, m/s, before the contact was solved */
+    wfReal    speed;           /* m/s: of the approach when they met */
 } wfHit;
 enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STAY,
        WF_SENSE_END, WF_EVENT_KINDS };
@@ -537,7 +538,7 @@ enum {
     WF_REGION_NEW_FLAGS, WF_REGION_NEW_INDEX, WF_REGION_NEW_PAIRS, WF_REGION_NEW_CACHES,
     WF_REGION_NEW_CONTACTS,
     /* <regions of the transient chunk> */
-    WF_REGION_NEW_TOUCHES, WF_REGION_NEW_EVENTS, WF_REGION_NEW_HITS,
+    WF_REGION_NEW_TOUCHES, WF_REGION_TOLD, WF_REGION_NEW_EVENTS, WF_REGION_NEW_HITS,
     /* <regions of the transient chunk> */
     WF_REGION_NEW_FINE,
     /* <regions of the transient chunk> */
@@ -753,9 +754,12 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id);
 /* Read, or change, a joint: its motor, its limits. A change is checked like a new one. */
 wfResult wfGetJoint(const wfWorld *world, wfJointId id, wfJoint *out);
 wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint);
-/* The force (N) and the torque (N m, about the anchor) that the joint last exerted on its
- * body b. Either may be NULL. */
+/* The force (N) and the torque (N m, about the anchor) that the joint exerted on its body b
+ * in the last step, in the mean. Either may be NULL. */
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque);
+/* The greatest force (N) and torque (N m) that it exerted in any substep of that step; no
+ * less than the mean. Either may be NULL. */
+wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfReal *torque);
 /* <declarations of joints in a world> */
 int32_t wfJointCount(const wfWorld *world);
 /* Joint number i of 0 .. wfWorldJointPlaces - 1; index 0 in the id: an empty place. */
