@@ -9,7 +9,7 @@
 --   ::: {.only part="joints sleep"}  ...  :::         the chunks in this box; two words: only with both
 -- A chunk that is used by chunks of a part alone belongs to that part too, without a mark.
 --
--- The testbed and the lab are made of all parts and belong to none.
+-- The testbed, the lab and the figures are made of all parts and belong to none.
 -- Promises that are checked on the whole book, so that they hold for every choice of parts:
 --   every part that is named is declared; a chunk, and a file, is there in every engine in which it is used;
 --   no identifier is used where the part that defines it may be absent (weave.lua).
@@ -113,8 +113,8 @@ function M.closure(book, set)
 end
 
 local function is_root(name) return name:match("^[%w_%-%./]+%.%a+$") ~= nil and name:find("/") ~= nil end
--- The testbed and the lab are made of all parts; what is left out is left out of the engine.
-local function is_program(name) return is_root(name) and (name:match("^testbed/") or name:match("^lab/")) ~= nil end
+-- The testbed, the lab and the figures are made of all parts; what is left out is left out of the engine.
+local function is_program(name) return is_root(name) and (name:match("^testbed/") or name:match("^lab/") or name:match("^figures/")) ~= nil end
 
 -- What a chunk is part of: its own marks, and what all its users have in common.
 function M.close(book)

@@ -443,9 +443,11 @@ do
         if name then scenes[name:lower()] = row:match("%.build%s*=%s*([%w_]+)") or "" end
       end
     end
-    if c.name == "rows of the figure table" then
+    if c.name:match("^figures/[%w_]+%.c$") then
+      local rows
       for _, it in ipairs(c.items) do
-        if it.kind == "text" then for name in it.text:gmatch('{%s*"([%w_%-]+)"') do drawn[name] = true end end
+        if it.kind == "text" then rows = (rows or it.text:match("wfFigureRow rows")) and it.text ~= "};" end
+        if rows and it.kind == "text" then for name in it.text:gmatch('{%s*"([%w_%-]+)"') do drawn[name] = true end end
       end
     end
   end
@@ -460,7 +462,7 @@ do
       end
     elseif name then
       if not drawn[name] then
-        book:complain(file, line, "no function draws " .. path, 'add a row { "' .. name .. '", ... } to <<rows of the figure table>> or mend the name')
+        book:complain(file, line, "no function draws " .. path, 'add a row { "' .. name .. '", ... } to the rows of figures/CHAPTER.c or mend the name')
       end
     elseif plot then
       if not Code.read(root .. "book/plots/" .. plot .. ".gp") then

@@ -23,7 +23,7 @@ ENGINE := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SR
 GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
 object = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(1))
 TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
-FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/gen/font_atlas.o
+FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/figures/kit.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/gen/font_atlas.o
 
 # -- the pages that show a figure which can be dragged or moves: those of the chapters that name it
 LIVE ?= build/weave/live.list
@@ -40,12 +40,15 @@ $(OUT)/obj/bare/memory.o: $(SRC)/core/memory.c tangle/web.mk
 include tangle/font.mk
 
 # What nothing exported needs is left out: a page's figures bring neither rasteriser nor letters, and of the engine what they call.
-$(OUT)/gen/figures-%.c: $(SRC)/lab/figures.c $(wildcard $(LIVE)) tangle/figures-of $(NW)
-	@mkdir -p $(@D); tangle/figures-of $(LIVE) $* $(NW) < $< > $@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
-$(OUT)/obj/figures-%.o: $(OUT)/gen/figures-%.c
-	@mkdir -p $(@D); $(WEBCC) $(FLAGS) -w -c $< -o $@
-$(OUT)/figures-%.wasm: $(OUT)/obj/figures-%.o $(FIGURES)
-	@$(LINK) --strip-all $^ -lc $(RT) -o $@
+# A page has files of its chapters' figures, cut down to those that it shows (gen/PAGE/figures), and a table of these files.
+$(OUT)/gen/%/.stamp: $(wildcard $(SRC)/figures/*) $(wildcard $(LIVE)) tangle/figures-of $(NW)
+	@mkdir -p $(@D); tangle/figures-of $(LIVE) $* $(SRC)/figures $(@D)/figures $(NW)
+	@cat $(@D)/figures/* > $@.new && { cmp -s $@.new $@ && rm $@.new || mv $@.new $@; }
+$(OUT)/obj/pages/%/.stamp: $(OUT)/gen/%/.stamp $(SRC)/figures/table.c $(SRC)/figures/kit.h
+	@mkdir -p $(@D); rm -f $(@D)/*.o
+	@for c in $(OUT)/gen/$*/figures/*.c $(SRC)/figures/table.c; do $(WEBCC) -I$(OUT)/gen/$* $(FLAGS) -w -c $$c -o $(@D)/$$(basename $$c .c).o || exit 1; done; touch $@
+$(OUT)/figures-%.wasm: $(OUT)/obj/pages/%/.stamp $(FIGURES)
+	@$(LINK) --strip-all $(OUT)/obj/pages/$*/*.o $(FIGURES) -lc $(RT) -o $@
 
 # The whole testbed, with its functions' names; its two parts have none.
 $(OUT)/whole.wasm: $(TESTBED)

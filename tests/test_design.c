@@ -331,9 +331,10 @@ static void every_figure_can_be_drawn(void **state)
     static _Alignas(8) unsigned char large[1 << 22];
     wfDraw d;
     wfDrawInit(&d, large, sizeof large);
-    assert_true(wfFigureCount > 0);
-    for (int i = 0; i < wfFigureCount; i++) {
-        const wfFigureRow *f = &wfFigureTable[i];
+    const wfFigureRow *f;
+    assert_non_null(wfFigureAt(0));
+    assert_null(wfFigureAt(-1));
+    for (int i = 0; (f = wfFigureAt(i)) != NULL; i++) {
         assert_int_equal(wfFindFigure(f->name), i);  /* so the name is unique, too */
         assert_true(f->width > 0 && f->height > 0);
         assert_true(f->handleCount >= 0 && f->handleCount <= WF_FIGURE_HANDLES);
@@ -372,12 +373,14 @@ static void a_figure_sees_its_handles(void **state)
 static void measurements_have_names(void **state)
 {
     (void)state;
-    assert_true(wfMeasureCount > 0);
-    for (int i = 0; i < wfMeasureCount; i++) {
-        assert_int_equal(wfFindMeasurement(wfMeasureTable[i].name), i);
-        assert_true(strlen(wfMeasureTable[i].text) > 0);
+    const wfMeasureRow *m;
+    assert_non_null(wfMeasureAt(0));
+    assert_null(wfMeasureAt(-1));
+    for (int i = 0; (m = wfMeasureAt(i)) != NULL; i++) {
+        assert_ptr_equal(wfFindMeasurement(m->name), m);  /* so the name is unique, too */
+        assert_true(strlen(m->text) > 0);
     }
-    assert_int_equal(wfFindMeasurement("no such thing"), -1);
+    assert_null(wfFindMeasurement("no such thing"));
     assert_true(wfMeasurementIsTimed("broad-time"));
     assert_false(wfMeasurementIsTimed("broad"));
     assert_false(wfMeasurementIsTimed("-time"));
@@ -390,7 +393,7 @@ static void the_list_is_measured(void **state)
     char text[512] = "", want[512];
     FILE *out = tmpfile();
     assert_non_null(out);
-    assert_int_equal(wfMeasureTable[wfFindMeasurement("design-list")].run(out), 0);
+    assert_int_equal(wfFindMeasurement("design-list")->run(out), 0);
     rewind(out);
     size_t n = fread(text, 1, sizeof text - 1, out);
     text[n] = 0;

@@ -978,7 +978,7 @@ static void the_figure_shows_what_was_solved(void **state)
     (void)state;
     static uint8_t room[1 << 20];
     wfDraw d;
-    const wfFigureRow *row = &wfFigureTable[wfFindFigure("soft-path")];
+    const wfFigureRow *row = wfFigureAt(wfFindFigure("soft-path"));
     int seen = 0;
     float before = 0, low = row->handle[0][1], high = 0;
     wfDrawInit(&d, room, sizeof room);

@@ -63,8 +63,8 @@ static size_t figure_at(const wfFigureRow *row, float time, char *text, size_t s
 static int list_live(void)
 {
     static char now[LIST_BYTES], later[LIST_BYTES];
-    for (int i = 0; i < wfFigureCount; i++) {
-        const wfFigureRow *row = &wfFigureTable[i];
+    const wfFigureRow *row;
+    for (int i = 0; (row = wfFigureAt(i)) != NULL; i++) {
         figure_at(row, 0, now, sizeof now);
         figure_at(row, 0.37f, later, sizeof later);
         int moves = strcmp(now, later) != 0;
@@ -76,11 +76,12 @@ static int list_live(void)
 /* <write all figures, or one> */
 int main(int argc, char **argv)
 {
+    const wfFigureRow *row;
     int failed = 0;
     if (argc == 2 && strcmp(argv[1], "--css") == 0) return wfWriteSvgStyle(stdout) != 0;
     if (argc == 2 && strcmp(argv[1], "--live") == 0) return list_live();
     if (argc == 2 && strcmp(argv[1], "--list") == 0) {
-        for (int i = 0; i < wfFigureCount; i++) puts(wfFigureTable[i].name);
+        for (int i = 0; (row = wfFigureAt(i)) != NULL; i++) puts(row->name);
         return 0;
     }
     if (argc < 2 || argc > 3) {
@@ -89,8 +90,8 @@ int main(int argc, char **argv)
     }
     if (argc == 3 && wfFindFigure(argv[2]) < 0)
         return complain(argv[2], "no such figure", "`weft-figures --list` names them");
-    for (int i = 0; i < wfFigureCount; i++)
-        if (argc == 2 || strcmp(wfFigureTable[i].name, argv[2]) == 0)
-            failed |= write_figure(&wfFigureTable[i], argv[1]);
+    for (int i = 0; (row = wfFigureAt(i)) != NULL; i++)
+        if (argc == 2 || strcmp(row->name, argv[2]) == 0)
+            failed |= write_figure(row, argv[1]);
     return failed;
 }

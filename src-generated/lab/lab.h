@@ -23,9 +23,12 @@ typedef struct wfFigureRow {
     int   handleCount;
     float handle[WF_FIGURE_HANDLES][2];  /* where the handles are at first */
 } wfFigureRow;
-extern const wfFigureRow wfFigureTable[];
-extern const int wfFigureCount;
-int wfFindFigure(const char *name);      /* row, or -1 */
+/* The rows of one chapter. WF_ROWS(rows) makes such a set of an array. */
+typedef struct wfFigureSet { const wfFigureRow *row; int count; } wfFigureSet;
+#define WF_ROWS(rows) { (rows), (int)(sizeof (rows) / sizeof *(rows)) }
+/* The figures of all chapters have numbers from 0; NULL when there are not so many. */
+const wfFigureRow *wfFigureAt(int i);
+int wfFindFigure(const char *name);      /* its number, or -1 */
 /* Empties the list and draws the row; in == NULL: time 0, handles at their places. */
 void wfDrawFigure(const wfFigureRow *row, const wfFigureInput *in, wfDraw *d);
 /* <what a measurement is> */
@@ -38,9 +41,9 @@ typedef struct wfMeasureRow {
     const char  *text;                   /* what is measured, one line */
     wfMeasureFn *run;
 } wfMeasureRow;
-extern const wfMeasureRow wfMeasureTable[];
-extern const int wfMeasureCount;
-int wfFindMeasurement(const char *name); /* row, or -1 */
+typedef struct wfMeasureSet { const wfMeasureRow *row; int count; } wfMeasureSet;
+const wfMeasureRow *wfMeasureAt(int i);  /* of all chapters, from 0; or NULL */
+const wfMeasureRow *wfFindMeasurement(const char *name);            /* or NULL */
 int wfMeasurementIsTimed(const char *name);
 /* <what a cell is> */
 /* Words "key=value" that say what a cell measures. */

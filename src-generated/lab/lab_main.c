@@ -8,8 +8,8 @@
 /* <list the measurements> */
 static int list(int onlyExact)
 {
-    for (int i = 0; i < wfMeasureCount; i++) {
-        const wfMeasureRow *m = &wfMeasureTable[i];
+    const wfMeasureRow *m;
+    for (int i = 0; (m = wfMeasureAt(i)) != NULL; i++) {
         if (onlyExact && !wfMeasurementIsTimed(m->name)) puts(m->name);
         if (!onlyExact) printf("%-28s %s\n", m->name, m->text);
     }
@@ -25,15 +25,15 @@ static void say_where(const char *name)
 
 static int run(const char *name)
 {
-    int i = wfFindMeasurement(name);
-    if (i < 0) {
+    const wfMeasureRow *m = wfFindMeasurement(name);
+    if (m == NULL) {
         fprintf(stderr, "weft-lab: no measurement '%s' -- `weft-lab list` names them\n",
                 name);
         return 2;
     }
-    printf("# weft-lab run %s\n# %s\n", name, wfMeasureTable[i].text);
+    printf("# weft-lab run %s\n# %s\n", name, m->text);
     say_where(name);
-    int failed = wfMeasureTable[i].run(stdout);
+    int failed = m->run(stdout);
     if (failed) fprintf(stderr, "weft-lab: %s could not be measured\n", name);
     return failed || fflush(stdout) != 0;
 }

@@ -16,17 +16,18 @@ EXPORT("live_text") char *live_text(void) { return text; }
 /* The figure whose name is in live_text(): its row, or -1. Its handles go home. */
 EXPORT("live_find") int live_find(void)
 {
-    int row = wfFindFigure(text);
-    if (row < 0) return -1;
-    given = (wfFigureInput){ .handleCount = wfFigureTable[row].handleCount };
-    memcpy(given.handle, wfFigureTable[row].handle, sizeof given.handle);
-    return row;
+    int i = wfFindFigure(text);
+    const wfFigureRow *row = wfFigureAt(i);
+    if (row == NULL) return -1;
+    given = (wfFigureInput){ .handleCount = row->handleCount };
+    memcpy(given.handle, row->handle, sizeof given.handle);
+    return i;
 }
 
 EXPORT("live_handles") int live_handles(void) { return given.handleCount; }
 EXPORT("live_handle") float *live_handle(void) { return &given.handle[0][0]; }
-EXPORT("live_width") float live_width(int row) { return wfFigureTable[row].width; }
-EXPORT("live_height") float live_height(int row) { return wfFigureTable[row].height; }
+EXPORT("live_width") float live_width(int row) { return wfFigureAt(row)->width; }
+EXPORT("live_height") float live_height(int row) { return wfFigureAt(row)->height; }
 /* <answer the page's questions about a figure> */
 /* Draws the row at that time; the SVG is in live_text(). Returns its bytes; 0 when it
  * is too long, or when the figure drew a bad number. */
@@ -35,7 +36,7 @@ EXPORT("live_draw") size_t live_draw(int row, float time)
     wfDraw list;
     wfDrawInit(&list, list_memory, sizeof list_memory);
     given.time = time;
-    wfDrawFigure(&wfFigureTable[row], &given, &list);
+    wfDrawFigure(wfFigureAt(row), &given, &list);
     if (list.refused || list.overflow) return 0;
     size_t length = wfSvgText(&list, LIVE_WIDTH, text, sizeof text);
     return length < sizeof text ? length : 0;

@@ -7,8 +7,7 @@ set -uo pipefail
 cd "$(dirname "$0")/../.."
 work=${COVERAGE_DIR:-build/coverage}; mkdir -p "$work"
 tangle/tangle --lines "$work/lines" $(tangle/chapters) || exit 1
-rm -rf "$work/lines/testbed"                          # not measured, slow to build; nor are the figures
-rm -rf "$work"/lines/lab/*.c "$work"/lines/lab/peers
+rm -rf "$work"/lines/{testbed,figures,lab/*.c,lab/peers}                # not measured, slow to build
 chapters="shapes broad-phase narrow-phase contacts compound time-of-impact events-and-queries"
 tests=$(for c in $chapters; do tangle/chapters --own-tests $c; done)
 find "$work" -name '*.gcda' -delete

@@ -323,11 +323,11 @@ strict=--strict refuse "an equation without code, strictly" 01-one.nw 3 'no code
 book pictures; chapter 01-one.nw <<'X'
 # One {#sec:one}
 
-<<lab/figures.c>>=
-<<rows of the figure table>>
-@
-<<rows of the figure table>>=
-{ "known", 0 },
+<<figures/one.c>>=
+static const wfFigureRow rows[] = {
+    { "known", 0 },
+};
+const wfFigureSet one_figures = WF_ROWS(rows);
 @
 
 ![Known.](figures/known.svg){#fig:known}
@@ -342,7 +342,7 @@ of two lines.](figures/unknown.svg){#fig:unknown}
 ```{.data file="book/data/nothing.csv" caption="None." #tbl:nothing}
 ```
 X
-refuse "a figure that nothing draws" 01-one.nw 13 'no function draws figures/unknown.svg' 'rows of the figure table'
+refuse "a figure that nothing draws" 01-one.nw 13 'no function draws figures/unknown.svg' 'rows of figures/CHAPTER.c'
 refuse "a plot without a script" 01-one.nw 15 'no script plots plots/slope.svg' 'book/plots/slope.gp'
 refuse "a picture that is not there" 01-one.nw 17 'no file book/photo.png' 'put the file there'
 refuse "data that is not there" 01-one.nw 19 'data file book/data/nothing.csv is not there' 'weft-lab run nothing'

@@ -15,7 +15,6 @@ shift $((OPTIND - 1))
 lua=$(tangle/lua) || exit 1
 work=${MUTATION_DIR:-build/mutation}; rm -rf "$work"; mkdir -p "$work"
 tangle/tangle --lines "$work/base/lines" $(tangle/chapters) || exit 1
-rm -rf "$work/base/lines/testbed" "$work"/base/lines/lab/{lab,figures,accuracy,extremes,cells,lab_main,figures_main}.c      # not mutated, slow to build
 if [ $# -gt 0 ]; then files=("$@"); else
   files=(); for f in include/weft/math_own.h math/math.c include/weft/shape.h collision/*.c include/weft/body.h dynamics/*.c; do
     for g in "$work"/base/lines/$f; do [ -f "$g" ] && files+=("${g#"$work"/base/lines/}"); done; done

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A student's chapter needs no edit elsewhere. The same files are tried in both ways: named with EXTRA=, and dropped into
-# chapters/ of a copy. One has an integrator and a scene, the other a broad phase. Each must be in the program, held to its
+# chapters/ of a copy. One has an integrator, a scene, a figure and a measurement, the other a broad phase. Each must be in the program, held to its
 # promises by the tests that run over all rows, and in the book.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -12,11 +12,14 @@ check() {      # the directory of the build, the arguments for make
   make --no-print-directory BUILD="$out" "$@" programs >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   "$out/bin/weft-headless" --list | grep -q "leapfrog fountain" || { echo "the scene is not in the testbed's list"; return 1; }
   "$out/bin/weft-headless" --scene "leapfrog fountain" --steps 120 --hash >"$out.log" || { cat "$out.log"; return 1; }
+  "$out/bin/weft-figures" --list | grep -qx leapfrog-throw || { echo "the student's figure is not in the list of figures"; return 1; }
+  "$out/bin/weft-lab" run leapfrog-height >"$out.log" && grep -qx '8,3.265' "$out.log" || { echo "the student's measurement is not in the lab"; return 1; }
   for t in $tests; do
     make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   done
   make --no-print-directory BUILD="$out" "$@" html >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   [ -f "$out/book/html/leapfrog.html" ] && grep -q 'Leapfrog, by a student' "$out/book/html/index.html" || { echo "the chapter is not in the book"; return 1; }
+  [ -s "$out/book/html/figures/leapfrog-throw.svg" ] || { echo "the student's figure was not drawn for the book"; return 1; }
   grep -q 'leapfrog.html' "$out/book/html/integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
   grep -q 'median.html' "$out/book/html/broad-phase.html" || { echo "the broad phases' chapter does not link to the student's row"; return 1; }
 }
