@@ -98,9 +98,65 @@ static void every_failed_allocation_is_survived(void **unused)
     wfDestroyWorld(&source);
 }
 
+/* A file that claims much is refused before it has it. Its room is in its header; the bytes of the rest stay as they are. */
+static void no_save_claims_more_than_it_may(void **unused)
+{
+    (void)unused;
+    static const char path[] = "build/limit-test.weft";
+    wfWorld world = full_of_things(), out;
+    add(&world, floor_def());
+    size_t size = wfSaveSize(&world), whole = world.memory.permanentSize + world.memory.transientSize;
+    uint8_t *bytes = malloc(size);
+    assert_non_null(bytes);
+    assert_ok(wfSaveToBytes(&world, bytes, size, &size));
+    assert_ok(wfReplaceFile(path, bytes, size));
+    wfLoadLimits exact = { .memory = whole }, less = { .memory = whole - 1 }, file = { .memory = size - 1 }, none = { .memory = 0 };
+    const wfLoadLimits *enough[] = { &exact, &none, NULL }, *scarce[] = { &less, &file };
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 2; k++) {
+            assert_ok(k ? wfLoadFromFileWithin(path, enough[i], &out) : wfLoadFromBytesWithin(bytes, size, enough[i], NULL, &out));
+            assert_true(wfHashWorld(&out) == wfHashWorld(&world));
+            wfDestroyWorld(&out);
+        }
+    for (int i = 0; i < 2; i++) {
+        size_t before = calls;
+        assert_result(WF_ERROR_LIMIT, wfLoadFromBytesWithin(bytes, size, scarce[i], NULL, &out));
+        assert_int_equal(calls, before);
+        assert_result(WF_ERROR_LIMIT, wfLoadFromFileWithin(path, scarce[i], &out));
+        if (OWN_MALLOC && i == 1) assert_int_equal(calls, before);
+    }
+    assert_result(WF_ERROR_LIMIT, wfLoadFromBytesWithin(bytes, size, &less, NULL, &out));
+    wfMemory room;                                          /* what is handed over is not claimed */
+    assert_ok(wfAllocateMemory(&room, world.memory.permanentSize, world.memory.transientSize));
+    assert_ok(wfLoadFromBytesWithin(bytes, size, &less, &room, &out));
+    wfFreeMemory(&room);
+    for (int i = 0; i < wfSettingCount; i++) {              /* each capacity, as much as the table of settings allows */
+        const wfSetting *s = &wfSettingTable[i];
+        wfWorldDef def;
+        size_t permanent, transient;
+        if (!s->builtIn || s->most < 1e6) continue;
+        assert_ok(wfGetWorldDef(&world, &def));
+        int32_t many = (int32_t)s->most;
+        memcpy((uint8_t *)&def + s->offset, &many, sizeof many);
+        if (wfWorldSize(&def, &permanent, &transient) != WF_OK || permanent + transient <= WF_LOAD_MEMORY) continue;
+        memcpy(bytes + 48 + s->kept, &many, sizeof many);
+        uint64_t sum = wfChecksum(bytes, size - 8);
+        for (int b = 0; b < 8; b++) bytes[size - 8 + (size_t)b] = (uint8_t)(sum >> 8 * b);
+        size_t before = calls;
+        wfResult result = wfLoadFromBytes(bytes, size, NULL, &out);
+        if (result != WF_ERROR_LIMIT) fail_msg("%s: %s", s->name, wfResultName(result));
+        assert_int_equal(calls, before);
+        assert_ok(wfSaveToBytes(&world, bytes, size, &size));
+    }
+    remove(path);
+    free(bytes);
+    wfDestroyWorld(&world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_save_claims_more_than_it_may),
         cmocka_unit_test(nothing_is_allocated_after_creation),
         cmocka_unit_test(every_failed_allocation_is_survived),
     };

@@ -550,6 +550,216 @@ static void limits_of_a_text(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* ------------------------------------------------------------------------------ words */
+
+/* Is it JSON? `[..]` is, and is no scene: that is another error, and quicker than to make a world. */
+static bool is_json(const char *inside, size_t length, int32_t *line)
+{
+    char text[600] = "[\n";
+    wfWorld world;
+    wfTextError e;
+    assert_true(length < 590);
+    memcpy(text + 2, inside, length);
+    text[length + 2] = ']';
+    assert_result(WF_ERROR_TEXT, wfReadScene(text, length + 3, NULL, &world, NULL, &e));
+    for (const char *c = e.what; *c != 0; c++) assert_true((unsigned char)*c >= ' ');        /* and what is told can be printed */
+    *line = e.line;
+    bool json = strstr(e.what, "must be an object") != NULL;
+    if (!json) assert_int_equal(e.where[0], 0);
+    return json;
+}
+
+static size_t encode(uint32_t c, int length, char *out)         /* in so many bytes, even if there are shorter ways */
+{
+    static const uint8_t lead[] = { 0, 0, 0xC0, 0xE0, 0xF0 };
+    for (int i = length - 1; i > 0; i--, c >>= 6) out[i] = (char)(0x80 | (c & 63));
+    out[0] = (char)(lead[length] | c);
+    return (size_t)length;
+}
+
+static int shortest(uint32_t c) { return c < 0x80 ? 1 : c < 0x800 ? 2 : c < 0x10000 ? 3 : 4; }
+
+static void characters_are_utf8(void **unused)
+{
+    (void)unused;
+    static const uint32_t most[] = { 0, 0x80, 0x800, 0x10000, 0x200000 };
+    char text[40];
+    int32_t line;
+    for (uint32_t c = 0; c < 0x200000; c += c < 0x3000 ? 1 : 61)            /* 61 is prime: all trailing bytes come by */
+        for (int length = shortest(c); length <= 4; length++) {
+            if (c >= most[length]) continue;
+            size_t n = 0;
+            text[n++] = '"', text[n++] = 'x';
+            n += encode(c, length, text + n);
+            text[n++] = '"';
+            bool scalar = c >= 0x20 && c != '"' && c != '\\' && c < 0x110000 && !(c >= 0xD800 && c < 0xE000);
+            bool good = scalar && length == shortest(c);
+            if (is_json(text, n, &line) != good) fail_msg("U+%04X in %d bytes", (unsigned)c, length);
+            if (!good && c != '"' && c != '\\') assert_int_equal(line, 2);
+            if (good && length > 1) assert_false(is_json(text, n - 2, &line) || (text[n - 2] = '"', is_json(text, n - 1, &line)));    /* cut off */
+        }
+    for (int b = 0; b < 256; b++) {                                         /* a byte alone, in a text and between words */
+        char alone[] = { '"', (char)b, '"' }, between[] = { '1', ',', (char)b, '1' };
+        assert_int_equal(is_json(alone, 3, &line), b >= 0x20 && b < 0x80 && b != '"' && b != '\\');
+        assert_int_equal(is_json(between, 4, &line), b == ' ' || b == '\t' || b == '\n' || b == '\r' || b == '-' || (b >= '1' && b <= '9'));
+    }
+}
+
+static void escapes_are_those_of_json(void **unused)
+{
+    (void)unused;
+    char text[60];
+    int32_t line;
+    for (int c = 0; c < 0x10000; c++) {
+        int n = snprintf(text, sizeof text, c % 2 ? "\"\\u%04X\"" : "\"a\\u%04x\"", (unsigned)c);
+        assert_int_equal(is_json(text, (size_t)n, &line), c != 0 && !(c >= 0xD800 && c < 0xE000));
+    }
+    for (unsigned high = 0xD7FF; high <= 0xE000; high += high == 0xD7FF ? 1 : 13)
+        for (unsigned low = 0xDBFF; low <= 0xE000; low += low == 0xDBFF ? 1 : 17) {
+            int n = snprintf(text, sizeof text, "\"\\u%04X\\u%04x\"", high, low);
+            bool pair = high >= 0xD800 && high < 0xDC00 && low >= 0xDC00 && low < 0xE000;
+            bool apart = !(high >= 0xD800 && high < 0xE000) && !(low >= 0xD800 && low < 0xE000);
+            assert_int_equal(is_json(text, (size_t)n, &line), pair || apart);
+        }
+    for (int c = 0; c < 256; c++) {
+        char one[] = { '"', '\\', (char)c, '"' }, two[] = { '"', '\\', 'u', '0', '0', '4', (char)c, '"' };
+        assert_int_equal(is_json(one, 4, &line), c != 0 && c < 128 && strchr("\"\\/bfnrt", c) != NULL);
+        assert_int_equal(is_json(two, 8, &line), (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'));
+    }
+}
+
+static void numbers_are_those_of_json(void **unused)
+{
+    (void)unused;
+    static const char *const good[] = { "0", "-0", "7", "10", "-10", "0.5", "1.25", "1e5", "1E+5", "0e-5", "-0.0e0", "123456789012345678901234567890", "true", "false", "null" };
+    static const char *const wrong[] = { "01", "-01", "00", "+1", "1.", ".5", "-.5", "-", "1e", "1e+", "1.e5", "0x10", "1_000", "1,", "--1", "1-2", "1+2", "1e5.5", "1.2.3",
+        "NaN", "Infinity", "-Infinity", "True", "nul", "nulll", "tru", "'a'", "1/*2*/", "1 2", "\"a\" \"b\"", "1;", "inf", "1f", "1\xC2\xA0" };
+    char text[700];
+    int32_t line;
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++)
+        for (int k = 0; k < 4; k++) {
+            static const char *const frame[] = { "%s", " \t\r\n%s\n", "1,%s,2", "{\"a\":%s}" };
+            int n = snprintf(text, sizeof text, frame[k], good[i]);
+            if (!is_json(text, (size_t)n, &line)) fail_msg("%s is JSON", text);
+        }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        for (int k = 0; k < 4; k++) {
+            static const char *const frame[] = { "%s", "1,2,%s\n", "1,%s,2", "[{\"a\":%s}]" };
+            int n = snprintf(text, sizeof text, frame[k], wrong[i]);
+            if (k == 2 && strcmp(wrong[i], "1,") == 0) continue;
+            if (is_json(text, (size_t)n, &line)) fail_msg("%s is no JSON", text);
+            assert_true(line == 2 || line == 3);
+        }
+    memset(text, '1', 500);
+    assert_false(is_json(text, 500, &line));            /* longer than any number needs */
+    wfWorld world;
+    wfTextError e;
+    assert_result(WF_ERROR_TEXT, wfReadScene("{\"weft\": 1}\0", 12, NULL, &world, NULL, &e));
+    assert_result(WF_ERROR_TEXT, wfReadScene("{\"weft\": 1,\n\"na\0me\": \"x\"}", 25, NULL, &world, NULL, &e));
+    assert_int_equal(e.line, 2);
+    char *rube_out;
+    assert_result(WF_ERROR_TEXT, wfTranslateRube("{\"body\": [{\"name\": \"\xFF\"}]}", 24, &rube_out, &e));
+    assert_non_null(strstr(e.what, "UTF-8"));
+}
+
+/* What the writer writes, the reader reads: so texts that are none are not written. */
+static void only_texts_are_written(void **unused)
+{
+    (void)unused;
+    wfWorld world = read_text("{\"weft\": 1}");
+    char *text = NULL;
+    wfSceneInfo no = { .energyBound = -1, .depthBound = -1 }, one = no, two = no, three = no, good = no;
+    strcpy(one.name, "caf\xE9");
+    strcpy(two.text, "\xED\xA0\x80");
+    memset(three.name, 'n', sizeof three.name);
+    strcpy(good.name, "caf\xC3\xA9 \t\"\\");
+    assert_result(WF_ERROR_TEXT, wfWriteScene(&world, &one, &text));
+    assert_result(WF_ERROR_TEXT, wfWriteScene(&world, &two, &text));
+    assert_result(WF_ERROR_TEXT, wfWriteScene(&world, &three, &text));
+    assert_null(text);
+    assert_ok(wfWriteScene(&world, &good, &text));
+    wfWorld read;
+    wfSceneInfo back;
+    assert_ok(wfReadScene(text, strlen(text), NULL, &read, &back, NULL));
+    assert_string_equal(back.name, good.name);
+    wfFreeText(text);
+    wfDestroyWorld(&world), wfDestroyWorld(&read);
+}
+
+/* ------------------------------------------------------------------------------ limits */
+
+static size_t taken, most;      /* bytes that cJSON's tree and the reader's lists have taken, and ever had */
+static void *counted(size_t n)
+{
+    size_t *p = malloc(n + 16);
+    if (p == NULL) return NULL;
+    *p = n;
+    taken += n;
+    if (taken > most) most = taken;
+    return p + 2;
+}
+static void uncounted(void *p)
+{
+    if (p == NULL) return;
+    taken -= ((size_t *)p)[-2];
+    free((size_t *)p - 2);
+}
+
+/* Texts that are small and ask for much: each is refused before it has it, and read when that much is allowed. */
+static void no_text_takes_more_than_it_may(void **unused)
+{
+    (void)unused;
+    enum { N = 20000 };
+    static const struct { const char *begin, *each, *end; bool scene; } text[] = {
+        { "[", "0,", "0]", false },
+        { "[", "[],", "0]", false },
+        { "[\"", "x", "\"]", false },
+        { "{\"weft\": 1, \"bodies\": [", "{\"mass\":1},", "{\"mass\":1}]}", true },
+        { "{\"weft\": 1, \"bodies\": [{\"type\":\"static\",\"shapes\":[", "{\"kind\":\"circle\",\"radius\":1},", "{\"kind\":\"circle\",\"radius\":1}]}]}", true },
+        { "{\"weft\": 1, \"bodies\": [{\"type\":\"static\",\"shapes\":[{\"kind\":\"chain\",\"vertices\":[", "[0,0],", "[1,0]]}]}]}", false },
+    };
+    cJSON_Hooks hooks = { counted, uncounted };
+    cJSON_InitHooks(&hooks);
+    for (size_t k = 0; k < sizeof text / sizeof *text; k++) {
+        char *all = malloc(strlen(text[k].begin) + N * strlen(text[k].each) + strlen(text[k].end) + 1), *at = all;
+        at += sprintf(at, "%s", text[k].begin);
+        for (int i = 0; i < N; i++) at += sprintf(at, "%s", text[k].each);
+        strcpy(at, text[k].end);
+        size_t length = strlen(all);
+        int limited = 0, enough = 0;
+        for (size_t allowed = 1000; allowed < (size_t)1 << 29; allowed += allowed / 3) {
+            wfLoadLimits limits = { .memory = allowed };
+            wfWorld world;
+            wfTextError e;
+            most = 0;
+            wfResult result = wfReadSceneWithin(all, length, &limits, NULL, &world, NULL, &e);
+            size_t whole = most + (result == WF_OK ? world.memory.permanentSize + world.memory.transientSize : 0);
+            if (whole > allowed) fail_msg("row %zu: %zu bytes allowed, %zu taken", k, allowed, whole);
+            assert_int_equal(taken, 0);
+            limited += result == WF_ERROR_LIMIT;
+            enough += text[k].scene ? result == WF_OK : result != WF_ERROR_LIMIT;
+            if (result == WF_OK) wfDestroyWorld(&world);
+        }
+        if (limited == 0 || enough == 0) fail_msg("row %zu: %d, %d", k, limited, enough);
+        free(all);
+    }
+    cJSON_InitHooks(NULL);
+    static const char *const rooms[] = { "bodyCapacity", "shapeCapacity", "pairCapacity", "contactCapacity", "forceCapacity", "jointCapacity", "pairMaterials" };
+    for (size_t k = 0; k < sizeof rooms / sizeof *rooms; k++) {            /* a line of text that asks for more than a gigabyte */
+        char line[100];
+        wfWorld world;
+        wfTextError e;
+        wfLoadLimits little = { .memory = (size_t)1 << 20 };
+        snprintf(line, sizeof line, "{\"weft\": 1,\n\"settings\": {\"%s\": %d}}", rooms[k], WF_MAX_CAPACITY);
+        assert_result(WF_ERROR_LIMIT, wfReadSceneWithin(line, strlen(line), &little, NULL, &world, NULL, &e));
+        assert_int_equal(e.line, 2);
+        wfResult usual = wfReadScene(line, strlen(line), NULL, &world, NULL, &e);
+        if (usual == WF_OK) assert_true(world.memory.permanentSize + world.memory.transientSize <= WF_LOAD_MEMORY);
+        else assert_int_equal(usual, WF_ERROR_LIMIT);
+        if (usual == WF_OK) wfDestroyWorld(&world);
+    }
+}
+
 /* ------------------------------------------------------------------------------ exact */
 
 static char *with(const char *text, const char *from, const char *to)
@@ -761,7 +971,8 @@ int main(void)
         cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
         cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost), cmocka_unit_test(a_world_for_little_stays_one),
         cmocka_unit_test(every_setting_comes_back), cmocka_unit_test(fine_sums_come_back),
-        cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(limits_of_a_text),
+        cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(characters_are_utf8), cmocka_unit_test(escapes_are_those_of_json), cmocka_unit_test(numbers_are_those_of_json),
+        cmocka_unit_test(only_texts_are_written), cmocka_unit_test(no_text_takes_more_than_it_may), cmocka_unit_test(limits_of_a_text),
         cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(a_scene_of_others_is_translated),
         cmocka_unit_test(what_would_move_otherwise_is_refused), cmocka_unit_test(every_failed_allocation_is_an_error),
     };

@@ -33,9 +33,10 @@ static bool check_layout(Check *c)
 {
     wfWorldDef d = wfSettings(c->b.head);
     size_t permanent, transient;
+    bool planned = wfCheckWorldDef(&d, NULL) == WF_OK;
     if (c->b.head->large) d.solver = wfFindSolver(WF_SOLVER_LARGE);
-    bool planned = wfWorldSize(&d, &permanent, &transient) == WF_OK
-                && wfWorldRegions(&d, c->region) == WF_OK;
+    planned = planned && wfWorldSize(&d, &permanent, &transient) == WF_OK
+           && wfWorldRegions(&d, c->region) == WF_OK;
     if (!planned) {
         c->fault = (wfFault){ "header", 0, "its settings are those of a world" };
         return false;

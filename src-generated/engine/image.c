@@ -245,13 +245,26 @@ void wfPlaceImage(const wfImage *image, uint8_t *base)
     drop_index(&b);
 }
 /* <make a world of an image> */
+static void make_room(const wfImage *image, wfWorldDef *def)
+{
+    (void)image, (void)def;
+    /* <make room for what the image may need> */
+    if (image->head.large) def->solver = wfFindSolver(WF_SOLVER_LARGE);
+}
+
+wfWorldDef wfRoomOfImage(const wfImage *image)
+{
+    wfWorldDef def = wfSettings(&image->head);
+    make_room(image, &def);
+    return def;
+}
+
 wfResult wfWorldOfImage(const wfImage *image, const wfWorldDef *room, wfWorld *out)
 {
     wfBlock b;
     wfWorld made;
     wfWorldDef def = *room;
-    /* <make room for what the image may need> */
-    if (image->head.large) def.solver = wfFindSolver(WF_SOLVER_LARGE);
+    make_room(image, &def);
     wfResult result = wfCreateWorld(&def, &made);
     if (result != WF_OK) return result;
     result = wfOpenBlock(&made, &b);

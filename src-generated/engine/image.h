@@ -31,6 +31,10 @@ wfResult wfCountJournal(const wfJournal *journal, uint64_t *steps);
 uint64_t wfHashInputs(uint64_t h);
 /* The same in memory as large as the block's, which holds nothing yet. */
 void wfPlaceImage(const wfImage *image, uint8_t *base);
+/* The settings of an image, with the room that it may need. */
+wfWorldDef wfRoomOfImage(const wfImage *image);
+/* Bytes that a world takes; SIZE_MAX: it is none. */
+size_t wfMemoryOf(const wfWorldDef *def);
 /* A world with room as `room` says, in its memory, that is what the image shows. */
 wfResult wfWorldOfImage(const wfImage *image, const wfWorldDef *room, wfWorld *out);
 #endif

@@ -155,6 +155,18 @@ wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_
     *size = (size_t)info.size;
     return WF_OK;
 }
+/* <how much memory a save may claim> */
+size_t wfMostMemory(const wfLoadLimits *limits)
+{
+    return limits != NULL && limits->memory > 0 ? limits->memory : WF_LOAD_MEMORY;
+}
+
+size_t wfMemoryOf(const wfWorldDef *def)
+{
+    size_t permanent, transient;
+    if (wfWorldSize(def, &permanent, &transient) != WF_OK) return SIZE_MAX;
+    return transient > SIZE_MAX - permanent ? SIZE_MAX : permanent + transient;
+}
 /* <load a world> */
 static wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
 {
@@ -165,8 +177,8 @@ static wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
     return info->layout == layout ? WF_OK : WF_ERROR_LAYOUT;
 }
 /* <load a world> */
-wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
-                         wfWorld *out)
+wfResult wfLoadFromBytesWithin(const void *bytes, size_t size, const wfLoadLimits *limits,
+                               const wfMemory *memory, wfWorld *out)
 {
     wfSaveInfo info;
     wfImage image;
@@ -177,9 +189,11 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
     const uint8_t *from = (const uint8_t *)bytes + AT_IMAGE;
     result = wfReadImage(from, size - AT_IMAGE - SUM_BYTES, &image);
     if (result != WF_OK) return WF_ERROR_INVALID;
-    wfWorldDef def = wfSettings(&image.head);
-    if (memory != NULL) def.memory = *memory;
+    wfWorldDef def = wfSettings(&image.head), room;
     if (wfCheckWorldDef(&def, NULL) != WF_OK) return WF_ERROR_INVALID;
+    room = wfRoomOfImage(&image);
+    if (memory == NULL && wfMemoryOf(&room) > wfMostMemory(limits)) return WF_ERROR_LIMIT;
+    if (memory != NULL) def.memory = *memory;
     result = wfWorldOfImage(&image, &def, &made);
     /* <ask the new world whether it keeps its rules> */
     if (result == WF_ERROR_FULL) return WF_ERROR_INVALID;     /* more than it says itself */
@@ -189,6 +203,12 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
     if (result == WF_OK) *out = made;
     else wfDestroyWorld(&made);
     return result;
+}
+
+wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
+                         wfWorld *out)
+{
+    return wfLoadFromBytesWithin(bytes, size, NULL, memory, out);
 }
 /* <save and load a journal> */
 enum { AT_ENTRIES = AT_IMAGE + 8, JOURNAL_FRAME = AT_ENTRIES + SUM_BYTES };

@@ -98,6 +98,7 @@ static bool make_room(Reader *r, int32_t more)
         return wfTextFail(&r->t, NULL, WF_ERROR_FULL, "has too many shapes");
     if (r->shapeCount + more <= r->shapeRoom) return true;
     int32_t room = 2 * r->shapeRoom + more + 16;
+    if (!wfTextTake(&r->t, NULL, (size_t)room, sizeof *r->shape)) return false;
     HungShape *moved = cJSON_malloc(sizeof *moved * (size_t)room);
     if (moved == NULL) return no_memory(r);
     if (r->shapeCount > 0)
@@ -173,6 +174,7 @@ static bool read_bodies(Reader *r)
 {
     if (!find_list(r, r->t.root, "bodies", &r->bodies, &r->bodyCount)) return false;
     if (r->bodyCount == 0) return true;
+    if (!wfTextTake(&r->t, r->bodies, (size_t)r->bodyCount, sizeof *r->body)) return false;
     r->body = cJSON_malloc(sizeof *r->body * (size_t)r->bodyCount);
     if (r->body == NULL) return no_memory(r);
     int32_t i = 0;
@@ -228,6 +230,10 @@ static bool create(Reader *r)
     if (!fit(r, "pairMaterials", &d->pairMaterials, length_of(r, "pairMaterials")))
         return false;
     const cJSON *at = r->settings != NULL ? r->settings : r->t.root;
+    size_t permanent, transient;
+    wfResult result = wfWorldSize(d, &permanent, &transient);
+    if (result == WF_OK && (!wfTextTake(&r->t, at, permanent, 1)
+                            || !wfTextTake(&r->t, at, transient, 1))) return false;
     return wfTextResult(&r->t, at, wfCreateWorld(d, &r->world));
 }
 /* <add the bodies> */
@@ -585,11 +591,12 @@ static bool deliver(Reader *r, const wfMemory *memory, wfWorld *out)
     return true;
 }
 /* <read a scene> */
-wfResult wfReadScene(const char *text, size_t length, const wfMemory *memory, wfWorld *out,
-                     wfSceneInfo *info, wfTextError *error)
+wfResult wfReadSceneWithin(const char *text, size_t length, const wfLoadLimits *limits,
+                           const wfMemory *memory, wfWorld *out, wfSceneInfo *info,
+                           wfTextError *error)
 {
     wfTextError own;
-    Reader r = { .t = { .text = text, .length = length,
+    Reader r = { .t = { .text = text, .length = length, .limits = limits,
                         .error = error != NULL ? error : &own } };
     *r.t.error = (wfTextError){ .result = WF_OK };
     if (text == NULL || out == NULL) return r.t.error->result = WF_ERROR_NULL;
@@ -601,6 +608,12 @@ wfResult wfReadScene(const char *text, size_t length, const wfMemory *memory, wf
     cJSON_free(r.body);
     cJSON_free(r.shape);
     return good ? WF_OK : r.t.error->result;
+}
+
+wfResult wfReadScene(const char *text, size_t length, const wfMemory *memory, wfWorld *out,
+                     wfSceneInfo *info, wfTextError *error)
+{
+    return wfReadSceneWithin(text, length, NULL, memory, out, info, error);
 }
 
 void wfFreeText(char *text) { cJSON_free(text); }

@@ -48,6 +48,7 @@ cJSON *wfTextOfBits(uint64_t bits)
     return cJSON_CreateRaw(text);
 }
 /* <turn numbers into text> */
+bool wfIsText(const char *s, size_t room);              /* UTF-8 that ends in its room */
 bool wfBitsOfText(const cJSON *item, uint64_t *out)
 {
     if (cJSON_IsNumber(item)) {
@@ -93,12 +94,13 @@ static bool ends_word(char c)
     return (unsigned char)c <= ' ' || strchr(",:[]{}\"", c) != NULL;
 }
 /* <find the line of a value> */
-/* The line of value number `order` (from 1), and how deep the text goes. */
-static int32_t scan(const wfText *t, int64_t order, int *depth)
+/* The line of value number `*order` (from 1), which is counted down, and how deep the text
+ * goes. */
+static int32_t scan(const wfText *t, int64_t *order, int *depth)
 {
     int32_t line = 1;
     int at = 0;
-    for (size_t i = 0; i < t->length && order > 0;) {
+    for (size_t i = 0; i < t->length && *order > 0;) {
         char c = t->text[i];
         int32_t here = line;
         bool value = false;
@@ -116,7 +118,7 @@ static int32_t scan(const wfText *t, int64_t order, int *depth)
             i++;
         }
         if (at > *depth) *depth = at;
-        if (value && --order == 0) return here;
+        if (value && --*order == 0) return here;
     }
     return line;
 }
@@ -157,7 +159,7 @@ bool wfTextFail(wfText *t, const cJSON *at, wfResult result, const char *format,
     wfSearch s = { .wanted = at, .path = e->where, .size = sizeof e->where };
     int depth = 0;
     if (at != NULL && t->root != NULL && find_item(&s, t->root, 0))
-        e->line = scan(t, s.order, &depth);
+        e->line = scan(t, &s.order, &depth);
     return false;
 }
 /* <complain about an item> */
@@ -166,8 +168,23 @@ bool wfTextResult(wfText *t, const cJSON *at, wfResult result)
     if (result == WF_OK) return true;
     return wfTextFail(t, at, result, "%s", wfResultText(result));
 }
+/* <measure a character> */
+/* Bytes of the UTF-8 character at s, of which there are so many bytes; 0: it is none. */
+static size_t character_length(const char *s, size_t left)
+{
+    const uint8_t *b = (const uint8_t *)s;
+    size_t n = b[0] < 0x80 ? 1 : b[0] < 0xC2 ? 0 : b[0] < 0xE0 ? 2 : b[0] < 0xF0 ? 3
+             : b[0] < 0xF5 ? 4 : 0;
+    uint8_t least = b[0] == 0xE0 ? 0xA0 : b[0] == 0xF0 ? 0x90 : 0x80;
+    uint8_t most = b[0] == 0xED ? 0x9F : b[0] == 0xF4 ? 0x8F : 0xBF;
+    if (n > left) return 0;
+    if (n > 1 && (b[1] < least || b[1] > most)) return 0;
+    for (size_t i = 2; i < n; i++)
+        if (b[i] < 0x80 || b[i] > 0xBF) return 0;
+    return n;
+}
 /* <parse the text> */
-static bool syntax_error(wfText *t, const char *stop)
+static bool syntax_error(wfText *t, const char *stop, const char *why)
 {
     int32_t line = 1;
     void *probe = cJSON_malloc(t->length + 1);
@@ -175,24 +192,142 @@ static bool syntax_error(wfText *t, const char *stop)
     cJSON_free(probe);
     for (const char *c = t->text; c < stop; c++) line += *c == '\n';
     size_t left = t->length - (size_t)(stop - t->text), n = 0;
-    while (n < left && n < 20 && (unsigned char)stop[n] >= ' ' && stop[n] != 127) n++;
-    wfTextFail(t, NULL, WF_ERROR_TEXT, "this is not JSON: `%.*s'", (int)n, stop);
+    for (size_t more = 1; n < left && n < 20 && more > 0; n += more)
+        more = (unsigned char)stop[n] < ' ' || stop[n] == 127 ? 0
+             : character_length(stop + n, left - n);
+    wfTextFail(t, NULL, WF_ERROR_TEXT, "%s: `%.*s'", why, (int)n, stop);
     t->error->line = line;
     return false;
 }
+
+static const char notJson[] = "this is not JSON";
 /* <parse the text> */
+bool wfIsText(const char *s, size_t room)
+{
+    size_t more = 1;
+    while (room > 0 && *s != 0 && more > 0) {
+        more = character_length(s, room);
+        s += more, room -= more;
+    }
+    return room > 0 && more > 0;
+}
+/* <parse the text> */
+/* The number of \u and four hexadecimal digits; -1: it is none. */
+static int32_t code_at(const char *s, size_t left)
+{
+    int32_t code = 0;
+    if (left < 6 || s[0] != '\\' || s[1] != 'u') return -1;
+    for (int i = 2; i < 6; i++) {
+        static const char hex[] = "0123456789abcdef0123456789ABCDEF";
+        const char *d = s[i] != 0 ? strchr(hex, s[i]) : NULL;
+        if (d == NULL) return -1;
+        code = 16 * code + (int32_t)(d - hex) % 16;
+    }
+    return code;
+}
+
+static size_t escape_length(const char *s, size_t left, const char **wrong)
+{
+    if (left > 1 && s[1] != 0 && strchr("\"\\/bfnrt", s[1]) != NULL) return 2;
+    int32_t code = code_at(s, left);
+    bool first = code >= 0xD800 && code < 0xDC00;
+    int32_t next = first ? code_at(s + 6, left - 6) : 0;
+    *wrong = code < 0 ? "no letter is written like this"
+           : code == 0 ? "a text cannot contain the character 0"
+           : "half a character";
+    if (first && next >= 0xDC00 && next < 0xE000) return 12;
+    return code <= 0 || (code >= 0xD800 && code < 0xE000) ? 0 : 6;
+}
+
+static size_t string_length(const char *s, size_t left, const char **wrong)
+{
+    size_t i = 1, more = 1;
+    for (; i < left && s[i] != '"' && more > 0; i += more) {
+        *wrong = "this is not UTF-8";
+        more = character_length(s + i, left - i);
+        if (s[i] == '\\') more = escape_length(s + i, left - i, wrong);
+        else if ((unsigned char)s[i] < ' ')
+            *wrong = "such a character is written as \\n, \\t or \\u001f", more = 0;
+    }
+    return i;
+}
+/* <parse the text> */
+static const char digits[] = "0123456789";
+
+static bool is_number(const char *s, size_t size)
+{
+    char copy[400];
+    if (size >= sizeof copy) return false;
+    memcpy(copy, s, size);
+    copy[size] = 0;
+    const char *c = copy + (copy[0] == '-');
+    size_t whole = strspn(c, digits), more = 1;
+    if (whole == 0 || (whole > 1 && c[0] == '0')) return false;
+    c += whole;
+    if (*c == '.') more = strspn(c + 1, digits), c += 1 + more;
+    if (more > 0 && (*c == 'e' || *c == 'E')) {
+        c += 1 + (c[1] == '-' || c[1] == '+');
+        more = strspn(c, digits), c += more;
+    }
+    return more > 0 && *c == 0;
+}
+
+static size_t word_length(const char *s, size_t left, const char **wrong)
+{
+    static const char *const names[] = { "true", "false", "null" };
+    size_t n = 0;
+    while (n < left && !ends_word(s[n])) n++;
+    for (int i = 0; i < 3; i++)
+        if (n == strlen(names[i]) && memcmp(s, names[i], n) == 0) return n;
+    bool begins = s[0] == '-' || strchr(digits, s[0]) != NULL;
+    *wrong = begins ? "a number is not written like this" : notJson;
+    return begins && is_number(s, n) ? n : 0;
+}
+/* <parse the text> */
+static bool check_words(wfText *t)
+{
+    for (size_t i = 0; i < t->length;) {
+        const char *s = t->text + i, *wrong = notJson;
+        size_t left = t->length - i, more = 1;
+        if (*s == '"') {
+            more = string_length(s, left, &wrong);
+            if (more < left && s[more] != '"') return syntax_error(t, s + more, wrong);
+            more++;
+        } else if (!ends_word(*s)) more = word_length(s, left, &wrong);
+        else if ((unsigned char)*s < ' ' && (*s == 0 || strchr("\t\n\r", *s) == NULL))
+            more = 0;
+        if (more == 0) return syntax_error(t, s, wrong);
+        i += more;
+    }
+    return true;
+}
+/* <parse the text> */
+bool wfTextTake(wfText *t, const cJSON *at, size_t count, size_t each)
+{
+    size_t left = wfMostMemory(t->limits) - t->taken;
+    if (each > 0 && count > left / each) return wfTextResult(t, at, WF_ERROR_LIMIT);
+    t->taken += count * each;
+    return true;
+}
+/* <parse the text> */
+enum { NODE_BYTES = sizeof(cJSON) + 64 };       /* and its two strings' own overhead */
+
 bool wfTextParse(wfText *t)
 {
     int depth = 0;
+    int64_t left = INT64_MAX;
     const char *stop = t->text;
     if (t->length > WF_SCENE_BYTES)
         return wfTextFail(t, NULL, WF_ERROR_TEXT, "longer than %d bytes", WF_SCENE_BYTES);
-    scan(t, INT64_MAX, &depth);
+    if (!check_words(t)) return false;
+    scan(t, &left, &depth);
     if (depth > WF_SCENE_DEPTH)
         return wfTextFail(t, NULL, WF_ERROR_TEXT, "nested deeper than %d", WF_SCENE_DEPTH);
+    if (!wfTextTake(t, NULL, t->length, 1)
+        || !wfTextTake(t, NULL, (size_t)(INT64_MAX - left), NODE_BYTES)) return false;
     t->root = cJSON_ParseWithLengthOpts(t->text, t->length, &stop, 0);
-    if (t->root == NULL) return syntax_error(t, stop);
+    if (t->root == NULL) return syntax_error(t, stop, notJson);
     for (; stop < t->text + t->length; stop++)
-        if ((unsigned char)*stop > ' ') return syntax_error(t, stop);
+        if ((unsigned char)*stop > ' ') return syntax_error(t, stop, notJson);
     return true;
 }

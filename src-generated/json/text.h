@@ -13,6 +13,8 @@ typedef struct wfText {
     size_t length;
     cJSON *root;
     wfTextError *error;
+    const wfLoadLimits *limits;
+    size_t taken;                   /* bytes, of what they allow */
 } wfText;
 /* <fields of a text> */
 enum {
@@ -41,6 +43,8 @@ typedef struct wfFields { const wfField *field; int count; } wfFields;
 /* Fails with an error at an item (NULL: nowhere); the answer is false. */
 bool wfTextFail(wfText *t, const cJSON *at, wfResult result, const char *format, ...);
 bool wfTextResult(wfText *t, const cJSON *at, wfResult result);    /* fails unless WF_OK */
+/* Notes memory that is about to be taken; fails if it is more than the limits allow. */
+bool wfTextTake(wfText *t, const cJSON *at, size_t count, size_t each);
 bool wfTextParse(wfText *t);                            /* fills t->root */
 void wfTextOfReal(wfReal x, char out[WF_NUMBER_SIZE]);  /* eq:save-digits */
 void wfTextOfDouble(double x, char out[WF_NUMBER_SIZE]);

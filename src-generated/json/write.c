@@ -405,12 +405,19 @@ static void end(Writer *w)
     cJSON_Delete(w->root);
 }
 /* <write a scene> */
+static bool has_texts(const wfSceneInfo *info)
+{
+    return info == NULL || (wfIsText(info->name, sizeof info->name)
+                            && wfIsText(info->text, sizeof info->text));
+}
+
 wfResult wfWriteScene(const wfWorld *world, const wfSceneInfo *info, char **out)
 {
     wfWorldDef def;
     Writer w = { .world = world };
     if (out == NULL) return WF_ERROR_NULL;
     wfResult result = wfGetWorldDef(world, &def);
+    if (result == WF_OK && !has_texts(info)) result = WF_ERROR_TEXT;
     if (result != WF_OK) return result;
     bool good = begin(&w) && write_root(&w, info) && write_settings(&w)
              && write_bodies(&w) && write_joints(&w) && write_forces(&w) && write_pairs(&w);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/layer.h"
+#include "weft/save.h"
 
 /* <read the options of a platform layer> */
 static const char *read_size(const char *text, layer_options *out)
@@ -159,15 +160,7 @@ static bool plain_name(const char *name)
 
 static bool keep_file(const char *path, const game_file *f)
 {
-    char other[1100];
-    snprintf(other, sizeof other, "%s.new", path);
-    FILE *file = fopen(other, "wb");
-    if (!file) return false;
-    bool whole = fwrite(f->bytes, 1, f->size, file) == f->size;
-    if (fclose(file) != 0 || !whole) return false;
-    if (rename(other, path) == 0) return true;
-    remove(path);                           /* Windows does not rename onto a file */
-    return rename(other, path) == 0;
+    return wfReplaceFile(path, f->bytes, f->size) == WF_OK;
 }
 /* <grant a wish for a file> */
 static bool fetch_file(const char *path, game_file *f)
@@ -208,16 +201,10 @@ static void grant_wish(layer *l)
 /* <play one frame of a platform layer> */
 static void write_log(const layer *l)
 {
-    char text[16384], path[1024];
+    char text[16384];
     size_t length = l->code.describe(&l->memory, text, sizeof text);
-    snprintf(path, sizeof path, "%s.new", l->options->log);
-    FILE *file = fopen(path, "w");
-    if (!file) return;
-    fwrite(text, 1, length < sizeof text ? length : sizeof text - 1, file);
-    if (fclose(file) == 0 && rename(path, l->options->log) != 0) {
-        remove(l->options->log);            /* Windows does not rename onto a file */
-        rename(path, l->options->log);
-    }
+    if (length >= sizeof text) length = sizeof text - 1;
+    wfReplaceFile(l->options->log, text, length);
 }
 
 static void record_input(layer *l, const game_input *input)

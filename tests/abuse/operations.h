@@ -958,6 +958,7 @@ static wfResult op_record(Session *s)           /* played again it is the same; 
         MUST(wfSaveToFile(&one, name) == WF_OK && wfLoadFromFile(name, &loaded) == WF_OK && wfCompareWorlds(&one, &loaded, NULL) == WF_OK);
         wfDestroyWorld(&loaded);
         remove(name);
+        MUST(wfReplaceFile(name, "x", 1) == WF_OK && wfLoadFromFileWithin(name, NULL, &loaded) == WF_ERROR_NOT_A_SAVE && remove(name) == 0);
         MUST(wfLoadFromFile(name, &loaded) == WF_ERROR_FILE && wfLoadFromFile(NULL, &loaded) == WF_ERROR_NULL);
     }
     size_t at = ((size_t)next(s) << 8 | below(s, 256)) % size;
@@ -1096,7 +1097,7 @@ const Operation operations[] = {
     OP("queries", 6, READS, wfWorldClosest, op_closest, false),
     OP("queries", 5, READS, wfWorldDistance, op_distance, false),
     OP("queries", 6, CHANGES, wfIndexWorld, op_index, false),
-    OP("saving", 2, READS, wfJournalInit wfGiveInput wfStepNoted wfReplayStep wfFindDivergence wfJournalSaveSize wfSaveJournalToBytes wfLoadJournalFromBytes wfSaveJournalToFile wfLoadJournalFromFile wfSaveToFile wfLoadFromFile wfReadSaveInfo wfChecksum wfLayoutHash, op_record, false),
+    OP("saving", 2, READS, wfJournalInit wfGiveInput wfStepNoted wfReplayStep wfFindDivergence wfJournalSaveSize wfSaveJournalToBytes wfLoadJournalFromBytes wfSaveJournalToFile wfLoadJournalFromFile wfSaveToFile wfLoadFromFile wfLoadFromFileWithin wfLoadFromBytesWithin wfMostMemory wfReplaceFile wfReadSaveInfo wfChecksum wfLayoutHash, op_record, false),
     OP("accuracy", 2, READS, wfMeasureCurve wfChooseSettings wfChooseForBudget wfUseSettings wfStepFrame wfSetTolerance, op_curve, false),
 };
 const int operationCount = (int)(sizeof operations / sizeof *operations);

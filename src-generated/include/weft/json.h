@@ -4,7 +4,7 @@
 #define WEFT_JSON_H
 /* json.h: scenes as text, in JSON. Chapter 26. The library weft-json has these functions;
  * it needs cJSON and a C library. testbed/scenes/scene.schema.json describes the text. */
-#include "weft/world.h"
+#include "weft/save.h"
 
 /* <limits of a scene's text> */
 #define WF_SCENE_VERSION 1          /* of the text: its field "weft" */
@@ -32,9 +32,14 @@ typedef struct wfSceneInfo {
  * memory included. */
 wfResult wfReadScene(const char *text, size_t length, const wfMemory *memory, wfWorld *out,
                      wfSceneInfo *info, wfTextError *error);
+/* The same; limits NULL: the usual ones. WF_ERROR_LIMIT: the text's tree and its world
+ * would take more memory together, and have taken none beyond it. */
+wfResult wfReadSceneWithin(const char *text, size_t length, const wfLoadLimits *limits,
+                           const wfMemory *memory, wfWorld *out, wfSceneInfo *info,
+                           wfTextError *error);
 /* The text of a world as it stands; info may be NULL. Hooks are functions, and contacts
  * and sleep are the solver's memory: they are not in it. Free *out by wfFreeText.
- * WF_ERROR_NULL, _MEMORY, those of a bad handle. */
+ * WF_ERROR_NULL, _MEMORY; _TEXT: the info's texts are not UTF-8; those of a bad handle. */
 wfResult wfWriteScene(const wfWorld *world, const wfSceneInfo *info, char **out);
 /* The JSON Schema of such texts, made from the tables by which they are read. NULL: no
  * memory. */

@@ -115,6 +115,8 @@ WF_RESULT(WF_ERROR_PRECISION,
           "saved in the other precision, float or double: save it as text there")
 WF_RESULT(WF_ERROR_LAYOUT,
           "saved by a build whose worlds look otherwise: save it as text with that one")
+WF_RESULT(WF_ERROR_LIMIT,
+          "it claims more memory than may be taken for it: allow more by wfLoadLimits")
 /* <rows of the result table> */
 WF_RESULT(WF_ERROR_FILE,
           "a file cannot be opened, read or written: see errno for the system's reason")

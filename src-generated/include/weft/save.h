@@ -201,6 +201,17 @@ wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_
  * yet no world; of wfCreateWorld. */
 wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
                          wfWorld *out);
+/* What a save or a scene from outside may claim. */
+typedef struct wfLoadLimits {
+    size_t memory;             /* bytes; 0: WF_LOAD_MEMORY */
+} wfLoadLimits;
+#define WF_LOAD_MEMORY ((size_t)1 << 30)
+/* What they allow; limits NULL: the usual ones. */
+size_t wfMostMemory(const wfLoadLimits *limits);
+/* The same; limits NULL: the usual ones. A world in memory handed over claims none.
+ * WF_ERROR_LIMIT: it would take more, and has taken nothing. */
+wfResult wfLoadFromBytesWithin(const void *bytes, size_t size, const wfLoadLimits *limits,
+                               const wfMemory *memory, wfWorld *out);
 /* A number for what a block looks like in this program: other layout, other number. */
 uint64_t wfLayoutHash(void);
 /* Differs for any two inputs that differ within 64 neighbouring bits: eq:save-sum. */
@@ -210,12 +221,20 @@ uint64_t wfChecksum(const void *bytes, size_t n);
 #define WF_NO_FILES
 #endif
 #ifndef WF_NO_FILES
-/* Saves to path + ".new", brings it to the disk and renames it to path: at every moment
- * path is the old file or the new one, whole. Needs memory of wfSaveSize for a moment, and
- * a path of less than 4000 bytes. Errors of wfSaveToBytes; WF_ERROR_FILE. */
+/* Makes these bytes the contents of a file. They go to a new file beside it, .weft-save-
+ * and 16 digits, are brought to the disk and renamed to path: at every moment path is the
+ * old file or the new one, whole, whoever else saves to it. The file keeps its permissions;
+ * a link at path is replaced, not followed. A process that is killed may leave the new file
+ * behind. WF_ERROR_NULL; _FILE: the system refuses, or path is a directory, a pipe or a
+ * device, or has 4000 bytes or more; then nothing has changed and errno says why. */
+wfResult wfReplaceFile(const char *path, const void *bytes, size_t size);
+/* Saves to a file by wfReplaceFile. Needs memory of wfSaveSize for a moment. Errors of
+ * wfSaveToBytes and of wfReplaceFile; _MEMORY. */
 wfResult wfSaveToFile(const wfWorld *world, const char *path);
-/* Errors of wfLoadFromBytes; WF_ERROR_FILE: it cannot be read; _MEMORY. */
+/* Errors of wfLoadFromBytes; WF_ERROR_FILE: it cannot be read, or it is not a regular file;
+ * _MEMORY. The file's bytes and the world each keep to the limits (NULL: the usual ones). */
 wfResult wfLoadFromFile(const char *path, wfWorld *out);
+wfResult wfLoadFromFileWithin(const char *path, const wfLoadLimits *limits, wfWorld *out);
 #endif
 /* <declarations of save files> */
 /* A journal with the header and the checksum of a save file: no damage goes unnoticed. In
