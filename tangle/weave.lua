@@ -399,7 +399,7 @@ do
 end
 for _, c in ipairs(book.chapters) do
   if not c.title and c.of then                                      -- it needs no title of its own
-    local id = "sec:" .. c.name:gsub("%.", "-")
+    local id = "sec:" .. c.name:gsub("%.", "-") .. "-code"
     c.title = c.entry.title
     add_label(c, 1, id, "sec", c.num, c.title)
     c.entry.id = id

@@ -1,5 +1,5 @@
-/* Weft: figures/integration.c, tangled from chapters/engine/10-integration.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: figures/integration.c, tangled from chapters/engine/10-integration.figures.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "weft/force.h"
 #include "weft/integrate.h"

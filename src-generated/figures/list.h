@@ -1,8 +1,11 @@
-/* Weft: figures/list.h, tangled from chapters/engine/04-design.nw. Chapters that add to it: memory,
- * numbers, shapes, bodies, forces, integration, broad-phase, narrow-phase, contacts, impulses,
- * friction, sequential, soft, joints, exact, compound, time-of-impact, islands, events-and-queries,
- * world, joints-in-a-world, save-and-replay, platform, drawing, scenes, accuracy, primer. Do not
- * edit this file: edit the chapter and type make. MIT licence. */
+/* Weft: figures/list.h, tangled from chapters/engine/04-design.nw. Chapters that add to it:
+ * memory.figures, numbers.figures, shapes.figures, bodies.figures, forces.figures,
+ * integration.figures, broad-phase.figures, narrow-phase.figures, contacts.figures,
+ * impulses.figures, friction.figures, sequential.figures, soft.figures, joints.figures,
+ * exact.figures, compound.figures, time-of-impact.figures, islands.figures,
+ * events-and-queries.figures, world.figures, joints-in-a-world.figures, save-and-replay.figures,
+ * platform.figures, drawing.figures, scenes, accuracy.figures, primer.figures. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
 /* <chapters with figures> */
 CHAPTER(design)
 /* <chapters with figures> */

@@ -1,5 +1,5 @@
-/* Weft: figures/narrow_phase.c, tangled from chapters/engine/12-narrow-phase.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: figures/narrow_phase.c, tangled from chapters/engine/12-narrow-phase.figures.nw. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include "weft/narrow.h"
 #include "figures/kit.h"

@@ -1,5 +1,5 @@
-/* Weft: figures/time_of_impact.c, tangled from chapters/methods/03-time-of-impact.nw. Do not edit
- * this file: edit the chapter and type make. MIT licence. */
+/* Weft: figures/time_of_impact.c, tangled from chapters/methods/03-time-of-impact.figures.nw. Do
+ * not edit this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include "weft/impact.h"
 #include "weft/narrow.h"

@@ -1,5 +1,5 @@
-/* Weft: lab/black_box_tests.c, tangled from chapters/engine/21-black-box-tests.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: lab/black_box_tests.c, tangled from chapters/engine/21-black-box-tests.lab.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #include "lab/cases.h"
 #include "lab/bench.h"
 static int measure_cases(FILE *out)

@@ -1,5 +1,5 @@
-/* Weft: lab/joints_in_a_world.c, tangled from chapters/methods/05-joints-in-a-world.nw. Do not edit
- * this file: edit the chapter and type make. MIT licence. */
+/* Weft: lab/joints_in_a_world.c, tangled from chapters/methods/05-joints-in-a-world.lab.nw. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>

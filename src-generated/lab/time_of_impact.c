@@ -1,5 +1,5 @@
-/* Weft: lab/time_of_impact.c, tangled from chapters/methods/03-time-of-impact.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: lab/time_of_impact.c, tangled from chapters/methods/03-time-of-impact.lab.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #include <time.h>
 #include "weft/impact.h"
 #include "lab/bench.h"
