@@ -435,12 +435,12 @@ local scenes = {}                                      -- scene -> the function 
 do
   local drawn = {}
   for _, c in ipairs(book.chunks) do
-    if c.name == "rows of the scene table" then
+    if c.name:match("^rows of ") then
       local rows = {}
       for _, it in ipairs(c.items) do if it.kind == "text" then rows[#rows + 1] = it.text end end
       for row in table.concat(rows, "\n"):gmatch("%b{}") do
         local name = row:match('%.name%s*=%s*"([^"]+)"')
-        if name then scenes[name:lower()] = row:match("%.build%s*=%s*([%w_]+)") or "" end
+        if name and row:find(".category", 1, true) then scenes[name:lower()] = row:match("%.build%s*=%s*([%w_]+)") or "" end
       end
     end
     if c.name:match("^figures/[%w_]+%.c$") then
@@ -608,7 +608,8 @@ do
           end
           if same then same.files[file] = true
           else table.insert(tags[name], { files = { [file] = true }, name = name, kind = kind, file = file, chunk = src_line.chunk, line = src_line.line, static =
-            (rest:match("\tfile:") and not file:match("%.h$")) and true or nil, order = #tags[name] }) end
+            (rest:match("\tfile:") and not file:match("%.h$")) and true or nil, within = src_line.text:match("^static") and (file:match("^(testbed/).*%.h$") or file:match("^(lab/).*%.h$")) or nil,
+            order = #tags[name] }) end
         end
       end
     end
@@ -648,12 +649,14 @@ for name, list in pairs(tags) do
   end
 end
 -- the definition that a name means in a file, and the earliest chapter from which it may be used
+-- (a static function in a header of the testbed or of the lab is known only there)
+local function seen_in(t, file) return t.files[file] or not t.static and (not t.within or (file or ""):find(t.within, 1, true) == 1) end
 local function resolve(name, file)
   local list = tags[name]
   if not list then return nil end
   local own, global, earliest
   for _, t in ipairs(list) do
-    if t.files[file] or not t.static then
+    if seen_in(t, file) then
       local c = book.chunks[t.chunk].chapter
       earliest = math.min(earliest or c, c)
       if t.main then
@@ -667,9 +670,9 @@ end
 -- The parts without which a name has no definition where it is used in chunk c: nil if it has one (parts.lua).
 local function lacks(name, file, c, list)
   local made, best = false, nil
-  for _, t in ipairs(list or {}) do made = made or (t.main and t.kind == "f" and (t.files[file] or not t.static)) end
+  for _, t in ipairs(list or {}) do made = made or (t.main and t.kind == "f" and seen_in(t, file)) end
   for _, t in ipairs(list or {}) do
-    if (t.files[file] or not t.static) and (not made or t.main) then
+    if seen_in(t, file) and (not made or t.main) then
       local with, missing = book.chunks[t.chunk].with, {}
       if Parts.within(with, c.with) then return nil end
       for w in pairs(with) do if not c.with[w] then missing[w] = true end end
