@@ -46,7 +46,7 @@ end
 local function drop_heads(lines)        -- the tangled file's own head: two or more lines that say where it comes from
   local text = table.concat(lines, "\n")
   text = text:gsub("/%* Weft: ([%w_/%.]+), tangled from chapters/([%w%-%./]+)%.nw%..-%*/", "/* ---- %1 (chapter %2) ---- */")
-  return text:gsub("\n/%* </-[^\n]-> %*/", ""):gsub("\n[ ]+/%* <[^\n]-> %*/", ""):gsub("\n\n\n+", "\n\n")
+  return text:gsub("\n\n\n+", "\n\n")
 end
 
 -- ---- names -----------------------------------------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 --   lua tangle.lua (plain|lines) ROOTS-FILE [PARTS-FILE [only WORDS] [without WORDS]] < stream > stream
 --
 -- It checks the book's chunks, writes the list of the files that the book makes to ROOTS-FILE, and adds to the stream
---   plain   a header for each file and each chunk's name as a comment  (src-generated/, for people)
+--   plain   a header for each file and a chunk's name as a comment, once, where it helps  (src-generated/, for people)
 --   lines   a '*' after each file name, which makes mnt write #line    (build/lines/, for compilers and debuggers)
 -- With PARTS-FILE, only the engine is written, and of it only the chosen parts (parts.lua); the file gets their names.
 package.path = (arg[0]:match("^(.*/)") or "./") .. "?.lua;" .. package.path
@@ -74,6 +74,69 @@ local function plain_name(name)
   return (name:gsub("%[%[(.-)%]%]", "%1"):gsub("%$(.-)%$", "%1"):gsub("@(%a+):([%w_%-]+)", "%1:%2"):gsub("\\", ""):gsub("%*/", "* /"):gsub("[`*]", ""))
 end
 
+-- A chunk's name stands above its first piece, as a comment: not in public headers, not where the code begins with a comment or with another
+-- chunk, and not if the name says only what kind of thing follows. Above a function at the margin there is an empty line in its place.
+local public = {}                               -- chunks that have a hand in a header of include/
+do
+  local function walk(name)
+    if public[name] or not book.names[name] then return end
+    public[name] = true
+    for _, p in ipairs(book.names[name].parts) do
+      for _, it in ipairs(book.chunks[p].items) do if it.kind == "use" then walk(it.text) end end
+    end
+  end
+  for name, n in pairs(book.names) do if #n.parts > 0 and Book.is_root(name) and name:match("^include/") then walk(name) end end
+end
+-- How a chunk is used: at the margin everywhere (a function in it begins a line of its file), and always below a line with text.
+local used = {}
+local function use_of(name)
+  if used[name] then return used[name] end
+  local r = { margin = true, below = true }
+  used[name] = r
+  if Book.is_root(name) then return r end
+  for _, u in ipairs(book.names[name] and book.names[name].uses or {}) do
+    local c = book.chunks[u.chunk]
+    local text, above = nil, false                         -- of this line, and whether the line above it has any
+    for _, it in ipairs(c.items) do
+      if it.kind == "nl" and not text then above, text = c.part > 1 or not Book.is_root(c.name) and use_of(c.name).below, ""
+      elseif it.kind == "nl" then above, text = text:match("%S") ~= nil, ""
+      elseif it.kind == "text" then text = (text or "") .. it.text
+      else
+        text = text or ""
+        if it.text == name then
+          r.margin = r.margin and text == "" and use_of(c.name).margin
+          r.below = r.below and above
+        end
+        text = text .. "use"
+      end
+    end
+  end
+  return r
+end
+local kinds = {}
+for w in ("headers functions declarations types rows constants macros fields columns"):gmatch("%a+") do kinds[w] = true end
+local marked = {}
+local function mark(c)
+  local first, function_at_margin
+  local text, chunk = "", nil
+  for _, it in ipairs(c.items) do
+    if it.kind == "nl" then
+      if not first and (chunk or text:match("%S")) then first = chunk and "use" or text end
+      function_at_margin = function_at_margin or text:match("^}")
+      text, chunk = "", nil
+    elseif it.kind == "use" then chunk = true
+    else text = text .. it.text end
+  end
+  local lines = {}
+  local use = use_of(c.name)
+  if function_at_margin and use.margin and first ~= "use" and not (first or ""):match("^#") and (use.below or marked[c.name]) then lines[1] = "" end
+  if marked[c.name] or public[c.name] then return lines end
+  marked[c.name] = true
+  if not first or first == "use" or first:match("^%s*/%*") or first:match("^%s*//") or kinds[c.name:match("^%a+") or ""] then return lines end
+  lines[#lines + 1] = "/* " .. plain_name(c.name) .. " */"
+  return lines
+end
+
 local roots = assert(io.open(roots_file, "w"))
 local listed = {}
 local out, index = {}, 0
@@ -100,7 +163,7 @@ for l in text:gmatch("([^\n]*)\n") do
     put("@defn " .. rest .. (mode == "lines" and root and rest:match("%.[ch]p*$") and "*" or ""))
     if mode == "plain" then
       if root and first_time then pending = header(rest)
-      elseif not root and rest ~= "" then pending = { "/* <" .. plain_name(rest) .. "> */" } end
+      elseif not root and rest ~= "" then pending = mark(c) end
     end
   elseif key == "nl" and pending then
     put(l)

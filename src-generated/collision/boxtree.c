@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/broad.h"
 
-/* <build a tree of boxes> */
+/* build a tree of boxes */
 static wfRect boxAround(const wfBoxTree *tree, int32_t first, int32_t count)
 {
     wfRect box = tree->in->bounds[tree->items[first].index];
@@ -28,7 +28,8 @@ int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count)
     tree->nodes[n].right = wfBoxTreeBuild(tree, first + half, count - half);
     return n;
 }
-/* <find pairs in trees of boxes> */
+
+/* find pairs in trees of boxes */
 static bool isBoxLeaf(const wfBoxNode *node) { return node->right == WF_BOX_NONE; }
 
 static bool pairsBetween(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *out)
@@ -50,7 +51,7 @@ static bool pairsBetween(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *o
     }
     return true;
 }
-/* <find pairs in trees of boxes> */
+
 static bool pairsWithin(const wfBoxTree *t, int32_t n, wfPairList *out)
 {
     const wfBoxNode *p = &t->nodes[n];
@@ -67,7 +68,8 @@ static bool pairsWithin(const wfBoxTree *t, int32_t n, wfPairList *out)
     }
     return true;
 }
-/* <the row of the tree of boxes> */
+
+/* the row of the tree of boxes */
 typedef struct BoxHead { int32_t moving, still; } BoxHead;    /* roots, or WF_BOX_NONE */
 
 size_t wfBoxTreeIndexSize(int32_t proxies)
@@ -86,7 +88,7 @@ static wfBoxTree openBoxes(const wfProxies *in, const void *index, BoxHead **hea
     t.nodes = wfPoolPushArray(&pool, in->count + 2, wfBoxNode);
     return t;
 }
-/* <the row of the tree of boxes> */
+
 wfResult wfBoxTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     BoxHead *head;
@@ -103,7 +105,7 @@ wfResult wfBoxTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool 
     wfPoolRewind(scratch, mark);
     return WF_OK;
 }
-/* <the row of the tree of boxes> */
+
 wfResult wfBoxTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
                         wfPairList *out)
 {
@@ -117,12 +119,13 @@ wfResult wfBoxTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
         room = pairsBetween(&t, head->moving, head->still, out);
     return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
-/* <the row of the tree of boxes> */
+
 size_t wfBoxTreeScratch(int32_t proxies, int32_t pairs)
 {
     return wfBoxTreeIndexSize(proxies) + WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
 }
-/* <ask a tree of boxes> */
+
+/* ask a tree of boxes */
 static bool queryBoxes(const wfBoxTree *t, int32_t n, wfRect area, wfVisitFn *visit,
                        void *context)
 {
@@ -146,7 +149,7 @@ void wfBoxTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisit
     if (head->moving == WF_BOX_NONE || queryBoxes(&t, head->moving, area, visit, context))
         if (head->still != WF_BOX_NONE) queryBoxes(&t, head->still, area, visit, context);
 }
-/* <ask a tree of boxes> */
+
 static bool castBoxes(const wfBoxTree *t, int32_t n, wfBoxCast *c, wfCastVisitFn *visit,
                       void *context)
 {
@@ -164,7 +167,7 @@ static bool castBoxes(const wfBoxTree *t, int32_t n, wfBoxCast *c, wfCastVisitFn
         if (!wfOfferCast(t->in, c, t->items[i].index, visit, context)) return false;
     return true;
 }
-/* <ask a tree of boxes> */
+
 void wfBoxTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                    wfCastVisitFn *visit, void *context)
 {
@@ -174,7 +177,7 @@ void wfBoxTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast
     if (head->still == WF_BOX_NONE || castBoxes(&t, head->still, &c, visit, context))
         if (head->moving != WF_BOX_NONE) castBoxes(&t, head->moving, &c, visit, context);
 }
-/* <ask a tree of boxes> */
+
 static bool showBoxes(const wfBoxTree *t, int32_t n, int32_t depth, wfBoxVisitFn *visit,
                       void *context)
 {

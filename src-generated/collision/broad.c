@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/broad.h"
 
-/* <check the proxies> */
+/* check the proxies */
 static wfResult checkProxies(const wfProxies *in)
 {
     if (in->count < 0) return WF_ERROR_RANGE;
@@ -16,7 +16,8 @@ static wfResult checkProxies(const wfProxies *in)
     }
     return WF_OK;
 }
-/* <collect pairs> */
+
+/* collect pairs */
 bool wfPushPair(wfPairList *list, int32_t a, int32_t b)
 {
     if (list->count >= list->capacity) return false;
@@ -24,7 +25,7 @@ bool wfPushPair(wfPairList *list, int32_t a, int32_t b)
     list->pairs[list->count++] = pair;
     return true;
 }
-/* <collect pairs> */
+
 bool wfPairAllowed(const wfProxies *in, int32_t a, int32_t b)
 {
     if (in->owners && in->owners[a] == in->owners[b]) return false;
@@ -32,7 +33,8 @@ bool wfPairAllowed(const wfProxies *in, int32_t a, int32_t b)
     if (!in->custom) return true;
     return a < b ? in->custom(in->context, a, b) : in->custom(in->context, b, a);
 }
-/* <sort the pairs by counting> */
+
+/* sort the pairs by counting */
 static void countingPass(const wfPair *from, wfPair *to, int32_t n, int32_t *start,
                          int32_t proxies, bool byA)
 {
@@ -41,7 +43,7 @@ static void countingPass(const wfPair *from, wfPair *to, int32_t n, int32_t *sta
     for (int32_t k = 1; k < proxies; k++) start[k] += start[k - 1];
     for (int32_t i = 0; i < n; i++) to[start[byA ? from[i].a : from[i].b]++] = from[i];
 }
-/* <sort the pairs by counting> */
+
 wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch)
 {
     size_t mark = wfPoolMark(scratch);
@@ -56,13 +58,14 @@ wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch)
     wfPoolRewind(scratch, mark);
     return WF_OK;
 }
-/* <broad phases> */
+
+/* broad phases */
 static wfResult bruteForcePairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
     (void)scratch;
     out->count = 0;
     out->tests = 0;
-    /* <test each of the P(n) pairs of eq:broad-count> */
+    /* test each of the P(n) pairs of eq:broad-count */
     for (int32_t a = 0; a < in->count; a++)
         for (int32_t b = a + 1; b < in->count; b++) {
             if (!wfPairWanted(in, a, b)) continue;
@@ -75,15 +78,15 @@ static wfResult bruteForcePairs(const wfProxies *in, wfPool *scratch, wfPairList
         }
     return WF_OK;
 }
-/* <broad phases> */
+
 static size_t bruteForceScratch(int32_t proxies, int32_t pairs)
 {
     (void)proxies;
     (void)pairs;
     return 0;
 }
-/* <broad phases> */
-/* <list the live proxies> */
+
+/* list the live proxies */
 int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
 {
     int32_t n = 0;
@@ -95,7 +98,7 @@ int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
     }
     return n;
 }
-/* <list the live proxies> */
+
 wfResult wfFinishPairs(bool room, int32_t proxies, wfPool *scratch, size_t mark,
                        wfPairList *out)
 {
@@ -110,7 +113,8 @@ size_t wfSortPairsSize(int32_t proxies, int32_t pairs)
     return sizeof(wfPair) * (size_t)pairs + sizeof(int32_t) * ((size_t)proxies + 1)
          + 2 * WF_POOL_ALIGN;
 }
-/* <sort and select by a key> */
+
+/* sort and select by a key */
 static void mergeRows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mid,
                       int32_t right)
 {
@@ -121,7 +125,7 @@ static void mergeRows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mi
     while (i < mid) to[k++] = from[i++];
     while (j < right) to[k++] = from[j++];
 }
-/* <sort and select by a key> */
+
 void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n)
 {
     wfKeyed *from = items, *to = spare;
@@ -137,7 +141,7 @@ void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n)
     }
     if (from != items && n > 0) memcpy(items, from, (size_t)n * sizeof *items);
 }
-/* <sort and select by a key> */
+
 void wfSelectKeyed(wfKeyed *items, int32_t n, int32_t k)
 {
     for (int32_t low = 0, high = n - 1; low < high;) {
@@ -157,7 +161,8 @@ void wfSelectKeyed(wfKeyed *items, int32_t n, int32_t k)
         else return;
     }
 }
-/* <find pairs by an index for the moment> */
+
+/* find pairs by an index for the moment */
 static wfResult findByIndex(const wfBroadPhaseRow *row, const wfProxies *in,
                             wfPool *scratch, wfPairList *out)
 {
@@ -170,7 +175,8 @@ static wfResult findByIndex(const wfBroadPhaseRow *row, const wfProxies *in,
     wfPoolRewind(scratch, mark);
     return result;
 }
-/* <the broad phase table> */
+
+/* the broad phase table */
 wfResult wfFindPairs(int method, const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
     if (!in || !scratch || !out || (out->capacity > 0 && !out->pairs)) return WF_ERROR_NULL;
@@ -183,34 +189,27 @@ wfResult wfFindPairs(int method, const wfProxies *in, wfPool *scratch, wfPairLis
     const wfBroadPhaseRow *row = &wfBroadPhaseTable[method];
     return row->find ? row->find(in, scratch, out) : findByIndex(row, in, scratch, out);
 }
-/* <the broad phase table> */
+
 const wfBroadPhaseRow wfBroadPhaseTable[] = {
-    /* <rows of the broad phase table> */
     { .name = "brute-force", .text = "tests every pair of boxes",
       .find = bruteForcePairs, .scratch = bruteForceScratch },
-    /* <rows of the broad phase table> */
     { .name = "quad-tree", .text = "cuts the world into quarters", .scratch = wfQuadScratch,
       .indexSize = wfQuadIndexSize, .update = wfQuadUpdate, .pairs = wfQuadPairs,
       .query = wfQuadQuery, .cast = wfQuadCast, .boxes = wfQuadBoxes },
-    /* <rows of the broad phase table> */
     { .name = "grid", .text = "compares who shares a cell of a grid", .scratch = wfGridScratch,
       .indexSize = wfGridIndexSize, .update = wfGridUpdate, .pairs = wfGridPairs,
       .query = wfGridQuery, .cast = wfGridCast, .boxes = wfGridBoxes },
-    /* <rows of the broad phase table> */
     { .name = "spatial-hash", .text = "a grid without borders", .scratch = wfHashScratch,
       .indexSize = wfHashIndexSize, .update = wfHashUpdate, .pairs = wfHashPairs,
       .query = wfHashQuery, .cast = wfHashCast, .boxes = wfHashBoxes },
-    /* <rows of the broad phase table> */
     { .name = "sweep-and-prune", .text = "sorts along an axis and sweeps",
       .scratch = wfSweepScratch, .indexSize = wfSweepIndexSize, .update = wfSweepUpdate,
       .pairs = wfSweepPairs, .query = wfSweepQuery, .cast = wfSweepCast,
       .boxes = wfSweepBoxes },
-    /* <rows of the broad phase table> */
     { .name = "aabb-tree", .text = "groups boxes in common boxes",
       .scratch = wfBoxTreeScratch, .indexSize = wfBoxTreeIndexSize,
       .update = wfBoxTreeUpdate, .pairs = wfBoxTreePairs, .query = wfBoxTreeQuery,
       .cast = wfBoxTreeCast, .boxes = wfBoxTreeBoxes },
-    /* <rows of the broad phase table> */
     { .name = "dynamic-tree", .text = "keeps a tree of fat boxes", .scratch = wfTreeScratch,
       .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .pairs = wfTreePairs,
       .query = wfTreeQuery, .cast = wfTreeCast, .boxes = wfTreeBoxes },
@@ -223,7 +222,8 @@ int wfFindBroadPhase(const char *name)
         if (strcmp(wfBroadPhaseTable[i].name, name) == 0) return i;
     return -1;
 }
-/* <ask the index> */
+
+/* ask the index */
 typedef struct IndexStamp { int32_t method, count; } IndexStamp;   /* method + 1; 0: none */
 
 static const wfBroadPhaseRow *rowOf(int method)
@@ -239,14 +239,14 @@ static const void *insideIndex(int method, const wfProxies *in, const void *inde
     if (stamp->method != method + 1 || stamp->count != in->count) return NULL;
     return (const uint8_t *)index + WF_POOL_ALIGN;
 }
-/* <ask the index> */
+
 size_t wfIndexSize(int method, int32_t proxies)
 {
     const wfBroadPhaseRow *row = rowOf(method);
     if (!row || !row->update || proxies < 0) return 0;
     return WF_POOL_ALIGN + row->indexSize(proxies);
 }
-/* <ask the index> */
+
 static wfResult checkUpdate(int method, const wfProxies *in, const void *index,
                             size_t bytes)
 {
@@ -256,7 +256,7 @@ static wfResult checkUpdate(int method, const wfProxies *in, const void *index,
     if (bytes < wfIndexSize(method, in->count)) return WF_ERROR_MEMORY;
     return (uintptr_t)index % WF_POOL_ALIGN != 0 ? WF_ERROR_MEMORY : WF_OK;
 }
-/* <ask the index> */
+
 wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t bytes,
                        wfPool *scratch)
 {
@@ -273,7 +273,7 @@ wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t byte
     else memcpy(inside, before, sizeof before);
     return result;
 }
-/* <ask the index> */
+
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,
                       wfPairList *out)
 {
@@ -286,7 +286,7 @@ wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool
     out->tests = 0;
     return wfBroadPhaseTable[method].pairs(in, inside, scratch, out);
 }
-/* <ask the index> */
+
 static wfResult checkRect(wfRect r)
 {
     if (!wfIsFinite2(r.min) || !wfIsFinite2(r.max)) return WF_ERROR_NOT_FINITE;
@@ -310,7 +310,7 @@ wfResult wfQueryIndex(int method, const wfProxies *in, const void *index, wfRect
             && !visit(context, i)) break;
     return WF_OK;
 }
-/* <ask the index> */
+
 static wfResult checkCast(const wfBoxCast *c)
 {
     if (!wfIsFinite2(c->from) || !wfIsFinite2(c->by) || !wfIsFinite2(c->half)
@@ -333,7 +333,7 @@ wfResult wfCastIndex(int method, const wfProxies *in, const void *index,
             && !wfOfferCast(in, &c, i, visit, context)) break;
     return WF_OK;
 }
-/* <ask the index> */
+
 wfResult wfIndexBoxes(int method, const wfProxies *in, const void *index,
                       wfBoxVisitFn *visit, void *context)
 {

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/broad.h"
 
-/* <find the cells of a box> */
+/* find the cells of a box */
 static int32_t cellAlong(wfReal x, wfReal origin, wfReal perMetre, int32_t low,
                          int32_t high)
 {
@@ -25,7 +25,7 @@ wfCellRange wfCellsOf(const wfCells *c, wfRect r)
     };
     return cells;
 }
-/* <find the cells of a box> */
+
 wfCells wfGridCells(wfRect world, wfReal side, int32_t most)
 {
     wfReal far = WF_R(1e38);             /* a world wider than this is cut off there */
@@ -38,7 +38,7 @@ wfCells wfGridCells(wfRect world, wfReal side, int32_t most)
                       { 0, 0, (int32_t)(w / side), (int32_t)(h / side) } };
     return cells;
 }
-/* <find the cells of a box> */
+
 uint32_t wfHashCell(int32_t x, int32_t y)
 {
     uint32_t h = (uint32_t)x * 2654435761u + (uint32_t)y * 2246822507u;
@@ -53,7 +53,8 @@ wfCells wfHashCells(wfReal side)
     wfCells cells = { wfV2(0, 0), side, 1 / side, { -far, -far, far, far } };
     return cells;
 }
-/* <the table of cells> */
+
+/* the table of cells */
 enum { WF_CELLS_MOST = 16, WF_ENTRIES_PER_BOX = 3 };
 
 typedef struct CellEntry { int32_t box, x, y, home; } CellEntry;
@@ -75,7 +76,7 @@ typedef struct CellTable {
     int32_t *start;               /* [buckets + 1] where each block begins */
     CellEntry *entries;           /* [count * WF_ENTRIES_PER_BOX] */
 } CellTable;
-/* <the table of cells> */
+
 /* at least two for each box, but not more than an int32_t can count */
 static int32_t bucketsFor(int32_t proxies, bool hashed)
 {
@@ -92,7 +93,7 @@ static size_t cellBytes(int32_t proxies, bool hashed)
     return sizeof(CellHead) + (size_t)proxies * each + 6 * WF_POOL_ALIGN
          + sizeof(int32_t) * ((size_t)bucketsFor(proxies, hashed) + 1);
 }
-/* <the table of cells> */
+
 static CellTable openCells(const wfProxies *in, const void *index, bool hashed)
 {
     CellTable t = { .in = in, .hashed = hashed };
@@ -106,7 +107,7 @@ static CellTable openCells(const wfProxies *in, const void *index, bool hashed)
     t.entries = wfPoolPushArray(&pool, n * WF_ENTRIES_PER_BOX, CellEntry);
     return t;
 }
-/* <the table of cells> */
+
 static int32_t bucketOf(const CellTable *t, int32_t x, int32_t y)
 {
     if (t->hashed) return (int32_t)(wfHashCell(x, y) & (uint32_t)(t->head->buckets - 1));
@@ -119,7 +120,7 @@ static int64_t cellsIn(wfCellRange r)
 }
 
 static bool isLarge(wfCellRange r) { return r.x1 < r.x0; }       /* it has no cells */
-/* <the table of cells> */
+
 static void countCells(CellTable *t)
 {
     int64_t used = 0, room = (int64_t)t->in->count * WF_ENTRIES_PER_BOX;
@@ -139,7 +140,7 @@ static void countCells(CellTable *t)
             for (int32_t x = r.x0; x <= r.x1; x++) t->start[bucketOf(t, x, y) + 1]++;
     }
 }
-/* <the table of cells> */
+
 static void writeCells(CellTable *t)
 {
     for (int32_t i = 0; i < t->head->n; i++) {
@@ -152,7 +153,7 @@ static void writeCells(CellTable *t)
             }
     }
 }
-/* <the table of cells> */
+
 static void fillCells(CellTable *t)
 {
     int32_t buckets = t->head->buckets;
@@ -167,7 +168,8 @@ static int32_t blockStart(const CellTable *t, int32_t k)
 {
     return k > 0 ? t->start[k - 1] : 0;
 }
-/* <look for pairs in the cells> */
+
+/* look for pairs in the cells */
 static bool pairsInBlock(const CellTable *t, int32_t from, int32_t to, wfPairList *out)
 {
     const wfRect *bounds = t->in->bounds;
@@ -184,7 +186,7 @@ static bool pairsInBlock(const CellTable *t, int32_t from, int32_t to, wfPairLis
     }
     return true;
 }
-/* <look for pairs in the cells> */
+
 static bool pairsOfLarge(const CellTable *t, wfPairList *out)
 {
     const wfRect *bounds = t->in->bounds;
@@ -204,7 +206,8 @@ static bool pairsOfLarge(const CellTable *t, wfPairList *out)
     }
     return true;
 }
-/* <look for boxes in the cells> */
+
+/* look for boxes in the cells */
 static bool visitCell(const CellTable *t, int32_t x, int32_t y, int32_t home, wfRect area,
                       wfVisitFn *visit, void *context)
 {
@@ -226,7 +229,7 @@ static bool visitList(const CellTable *t, const int32_t *ids, int32_t n, wfRect 
             return false;
     return true;
 }
-/* <look for boxes in the cells> */
+
 static void queryCells(const CellTable *t, wfRect area, wfVisitFn *visit, void *context)
 {
     wfCellRange r = wfCellsOf(&t->head->cells, area);
@@ -241,7 +244,7 @@ static void queryCells(const CellTable *t, wfRect area, wfVisitFn *visit, void *
             if (!visitCell(t, x, y, home, area, visit, context)) return;
         }
 }
-/* <look for boxes in the cells> */
+
 static bool rangesMeet(wfCellRange a, wfCellRange b)
 {
     return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
@@ -265,7 +268,7 @@ static bool castIntoRange(const CellTable *t, wfCellRange r, wfCellRange before,
         }
     return true;
 }
-/* <look for boxes in the cells> */
+
 /* how many steps the cast makes between the fractions t0 and t1; 0: too many, or none */
 static int32_t castSteps(const CellTable *t, const wfBoxCast *c, wfReal t0, wfReal t1)
 {
@@ -284,7 +287,7 @@ static wfRect castArea(const wfBoxCast *c, wfReal t0, wfReal t1, wfVec2 pad)
     wfRect r = wfRectMinMax(a, b);
     return (wfRect){ wfSub(r.min, half), wfAdd(r.max, half) };
 }
-/* <look for boxes in the cells> */
+
 static void castCells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *visit,
                       void *context)
 {
@@ -297,7 +300,7 @@ static void castCells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *
         || !wfCutSlab(c.from.y, c.by.y, w.min.y - c.half.y, w.max.y + c.half.y, &t0, &t1))
         return;
     int32_t steps = castSteps(t, &c, t0, t1);
-    /* <if there are too many steps, offer all that are in cells> */
+    /* if there are too many steps, offer all that are in cells */
     for (int32_t i = 0; steps == 0 && i < t->head->n; i++)
         if (!isLarge(t->boxCells[t->ids[i]])
             && !wfOfferCast(t->in, &c, t->ids[i], visit, context)) return;
@@ -312,7 +315,7 @@ static void castCells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *
         before = r;
     }
 }
-/* <show the cells> */
+
 /* how many entries of the block are of the cell of entry i; 0: i isn't their first */
 static int32_t heldInCell(const CellTable *t, int32_t from, int32_t i, int32_t to)
 {
@@ -325,7 +328,7 @@ static int32_t heldInCell(const CellTable *t, int32_t from, int32_t i, int32_t t
     }
     return held;
 }
-/* <show the cells> */
+
 static void showCells(const CellTable *t, wfBoxVisitFn *visit, void *context)
 {
     const wfCells *c = &t->head->cells;
@@ -343,12 +346,13 @@ static void showCells(const CellTable *t, wfBoxVisitFn *visit, void *context)
             if (!visit(context, &cell)) return;
         }
 }
-/* <choose cells for points> */
+
+/* choose cells for points */
 static wfReal spreadOf(wfRect world)
 {
     return wfMaxR(world.max.x - world.min.x, world.max.y - world.min.y);
 }
-/* <rows made of cells> */
+
 enum { SAMPLE = 255 };
 
 /* the median of the longer sides, of a sample; 0 if there is nobody */
@@ -366,7 +370,7 @@ static wfReal typicalSide(const CellTable *t)
     if (few > 0) wfSelectKeyed(items, few, few / 2);
     return few > 0 ? items[few / 2].key : 0;
 }
-/* <rows made of cells> */
+
 static void chooseCells(CellTable *t)
 {
     CellHead *h = t->head;
@@ -382,7 +386,7 @@ static void chooseCells(CellTable *t)
     wfCellRange l = h->cells.limits;
     h->buckets = t->hashed ? most : (l.x1 + 1) * (l.y1 + 1);
 }
-/* <rows made of cells> */
+
 static wfResult updateCells(const wfProxies *in, void *index, size_t bytes, bool hashed)
 {
     if (bytes < cellBytes(in->count, hashed)) return WF_ERROR_MEMORY;
@@ -404,7 +408,7 @@ static wfResult cellPairs(const wfProxies *in, const void *index, bool hashed,
         room = pairsInBlock(&t, blockStart(&t, k), t.start[k], out);
     return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
-/* <rows made of cells> */
+
 static size_t cellScratch(int32_t proxies, int32_t pairs, bool hashed)
 {
     return cellBytes(proxies, hashed) + WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
@@ -422,7 +426,7 @@ wfResult wfGridUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     (void)scratch;
     return updateCells(in, index, bytes, false);
 }
-/* <rows made of cells> */
+
 wfResult wfGridPairs(const wfProxies *in, const void *index, wfPool *scratch,
                      wfPairList *out)
 {
@@ -449,7 +453,7 @@ void wfGridBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
     CellTable t = openCells(in, index, false);
     showCells(&t, visit, context);
 }
-/* <rows made of cells> */
+
 size_t wfHashScratch(int32_t proxies, int32_t pairs)
 {
     return cellScratch(proxies, pairs, true);
@@ -468,7 +472,7 @@ wfResult wfHashPairs(const wfProxies *in, const void *index, wfPool *scratch,
 {
     return cellPairs(in, index, true, scratch, out);
 }
-/* <rows made of cells> */
+
 void wfHashQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                  void *context)
 {

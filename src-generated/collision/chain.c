@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/compound.h"
 
-/* <make a link of a chain> */
+/* make a link of a chain */
 static wfVec2 chain_point(const wfVec2 *p, int n, bool loop, int i)
 {
     if (loop) return p[(i + n) % n];
@@ -26,7 +26,8 @@ static wfResult make_link(const wfVec2 *p, int n, bool loop, int i, wfShape *out
     bool back = turns_back(before, from, to) || turns_back(from, to, after);
     return back ? WF_ERROR_FLAT : WF_OK;
 }
-/* <make a chain> */
+
+/* make a chain */
 wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int capacity,
                      int *count)
 {

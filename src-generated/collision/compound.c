@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/compound.h"
 
-/* <combine masses> */
+/* combine masses */
 static wfResult check_part(const wfMassData *p)
 {
     bool finite = wfIsFinite(p->mass) && wfIsFinite(p->inertia) && wfIsFinite(p->area);
@@ -14,7 +14,7 @@ static wfResult check_part(const wfMassData *p)
     if (p->inertia < 0 || p->inertia > WF_MAX_INERTIA) return WF_ERROR_MASS;
     return WF_OK;
 }
-/* <combine masses> */
+
 static wfVec2 middle_of_parts(const wfMassData *parts, int n)
 {
     wfRect bounds = { parts[0].centre, parts[0].centre };
@@ -24,7 +24,7 @@ static wfVec2 middle_of_parts(const wfMassData *parts, int n)
     }
     return wfRectCenter(bounds);
 }
-/* <combine masses> */
+
 wfResult wfCombineMasses(const wfMassData *parts, int n, wfMassData *out)
 {
     wfMassData sum = { .mass = 0 };
@@ -48,7 +48,7 @@ wfResult wfCombineMasses(const wfMassData *parts, int n, wfMassData *out)
     *out = sum;
     return WF_OK;
 }
-/* <combine masses> */
+
 wfResult wfShapesMass(const wfShape *shapes, int n, wfReal density, wfMassData *out)
 {
     wfMassData pair[2];

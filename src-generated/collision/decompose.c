@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/compound.h"
 
-/* <see if a corner is an ear> */
+/* see if a corner is an ear */
 typedef struct Ring {
     wfVec2 *p;                  /* the corners, counter-clockwise                         */
     int32_t *next, *prev;       /* the neighbours in what is left of the polygon          */
@@ -21,7 +21,8 @@ static bool is_ear(const Ring *r, int32_t b)
     }
     return true;
 }
-/* <cut off an ear> */
+
+/* cut off an ear */
 static void make_twins(wfMesh *m, int32_t e, int32_t f)
 {
     m->edges[e].twin = f;
@@ -41,7 +42,8 @@ static void cut_ear(Ring *r, wfMesh *m, int32_t b)
     r->next[a] = c;
     r->prev[c] = a;
 }
-/* <cut all ears off> */
+
+/* cut all ears off */
 static bool cut_ears(Ring *r, wfMesh *m)
 {
     int32_t b = 0, misses = 0, left = m->cornerCount;
@@ -61,7 +63,8 @@ static bool cut_ears(Ring *r, wfMesh *m)
     make_twins(m, m->edgeCount - 1, last);
     return true;
 }
-/* <copy the corners counter-clockwise> */
+
+/* copy the corners counter-clockwise */
 static wfReal settle(wfReal x) { return (double)wfAbs(x) < 1e-100 ? 0 : x; }
 
 static void copy_corners(const wfVec2 *from, int n, wfVec2 *to)
@@ -79,7 +82,8 @@ static void copy_corners(const wfVec2 *from, int n, wfVec2 *to)
         to[j] = swap;
     }
 }
-/* <cut an outline into triangles> */
+
+/* cut an outline into triangles */
 static bool make_room(wfPool *scratch, int n, Ring *r, wfMesh *m)
 {
     r->p = wfPoolPushArray(scratch, n, wfVec2);
@@ -99,7 +103,7 @@ size_t wfDecomposeScratch(int n)
     size_t each = sizeof(wfVec2) + 3 * sizeof(wfHalfEdge) + 4 * sizeof(int32_t);
     return (size_t)n * each + 6 * WF_POOL_ALIGN;
 }
-/* <cut an outline into triangles> */
+
 wfResult wfCutEars(const wfVec2 *outline, int n, wfPool *scratch, wfMesh *mesh)
 {
     Ring r;
@@ -110,7 +114,7 @@ wfResult wfCutEars(const wfVec2 *outline, int n, wfPool *scratch, wfMesh *mesh)
     size_t mark = wfPoolMark(scratch);
     if (!make_room(scratch, n, &r, &m)) result = WF_ERROR_MEMORY;
     if (result == WF_OK) {
-        /* <string the corners on a ring> */
+        /* string the corners on a ring */
         copy_corners(outline, n, r.p);
         for (int32_t i = 0; i < n; i++) {
             r.next[i] = i + 1 < n ? i + 1 : 0;
@@ -123,7 +127,7 @@ wfResult wfCutEars(const wfVec2 *outline, int n, wfPool *scratch, wfMesh *mesh)
     else wfPoolRewind(scratch, mark);
     return result;
 }
-/* <see if a diagonal should be flipped by eq:compound-flip> */
+
 /* sine, cosine and square of the scale of the angle at p between the ways to a and b */
 static void angle_at(wfVec2 p, wfVec2 a, wfVec2 b, double out[3])
 {
@@ -146,7 +150,8 @@ static bool should_flip(const wfMesh *m, int32_t h)
     double sine = c[0] * d[1] + c[1] * d[0];    /* eq:compound-flip, times the lengths */
     return sine < 0 && sine * sine > 1e-24 * (c[2] * d[2]);
 }
-/* <flip a diagonal> */
+
+/* flip a diagonal */
 static void turn(wfMesh *m, int32_t e, int32_t f, int32_t g)
 {
     int32_t cycle[3] = { e, f, g };
@@ -166,7 +171,8 @@ static void flip(wfMesh *m, int32_t h)
     turn(m, h, db, bc);
     turn(m, t, ca, ad);
 }
-/* <flip all diagonals that should be> */
+
+/* flip all diagonals that should be */
 int32_t wfFlipMesh(wfMesh *mesh)
 {
     int32_t flips = 0, before;
@@ -180,7 +186,7 @@ int32_t wfFlipMesh(wfMesh *mesh)
     } while (flips > before);
     return flips;
 }
-/* <take a diagonal out if eq:compound-essential allows it> */
+
 /* no right turn at the start of half-edge `to`, coming along half-edge `from` */
 static bool stays_convex(const wfMesh *m, int32_t from, int32_t to)
 {
@@ -194,7 +200,7 @@ static void link(wfMesh *m, int32_t before, int32_t after)
     m->edges[before].next = after;
     m->edges[after].prev = before;
 }
-/* <take a diagonal out if eq:compound-essential allows it> */
+
 static bool take_out(wfMesh *m, int32_t h)
 {
     wfHalfEdge *e = m->edges;
@@ -206,7 +212,8 @@ static bool take_out(wfMesh *m, int32_t h)
     e[h].from = e[t].from = WF_MESH_NONE;
     return true;
 }
-/* <take all diagonals out that nobody needs> */
+
+/* take all diagonals out that nobody needs */
 int32_t wfMergeMesh(wfMesh *mesh)
 {
     const wfHalfEdge *e = mesh->edges;
@@ -215,7 +222,8 @@ int32_t wfMergeMesh(wfMesh *mesh)
         if (e[h].from != WF_MESH_NONE && e[h].twin > h) pieces -= take_out(mesh, h);
     return pieces;
 }
-/* <walk round a piece> */
+
+/* walk round a piece */
 int32_t wfMeshRing(const wfMesh *mesh, int32_t edge, int32_t *ring)
 {
     const wfHalfEdge *e = mesh->edges;
@@ -228,7 +236,8 @@ int32_t wfMeshRing(const wfMesh *mesh, int32_t edge, int32_t *ring)
     } while (h != edge);
     return count;
 }
-/* <make shapes of a piece> */
+
+/* make shapes of a piece */
 enum { FAN = WF_MAX_VERTICES - 2 };     /* triangles that fit into one shape */
 
 static wfResult make_piece(const wfMesh *m, const int32_t *ring, int32_t first,
@@ -240,7 +249,8 @@ static wfResult make_piece(const wfMesh *m, const int32_t *ring, int32_t first,
     wfResult result = wfMakePolygon(points, n, out);
     return result == WF_ERROR_DEGENERATE ? WF_ERROR_THIN : result;
 }
-/* <make shapes of all pieces> */
+
+/* make shapes of all pieces */
 static wfResult make_pieces(const wfMesh *m, int32_t *ring, wfShape *out, int capacity,
                             int *count)
 {
@@ -261,7 +271,8 @@ static wfResult make_pieces(const wfMesh *m, int32_t *ring, wfShape *out, int ca
     *count = made;
     return WF_OK;
 }
-/* <decompose an outline> */
+
+/* decompose an outline */
 wfResult wfDecompose(const wfVec2 *outline, int n, wfShape *out, int capacity, int *count,
                      wfPool *scratch)
 {

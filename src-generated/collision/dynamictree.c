@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/broad.h"
 
-/* <make a box fat> */
+/* make a box fat */
 wfRect wfFatBox(wfRect r, wfVec2 way, wfReal ratio)
 {
     wfReal w = wfMaxR(r.max.x - r.min.x, r.max.y - r.min.y);
@@ -18,7 +18,8 @@ wfRect wfFatBox(wfRect r, wfVec2 way, wfReal ratio)
     bool good = wfIsFinite2(fat.min) && wfIsFinite2(fat.max) && wfRectContains(fat, r);
     return good ? fat : r;
 }
-/* <lay out the dynamic tree> */
+
+/* lay out the dynamic tree */
 size_t wfTreeSize(int32_t capacity)
 {
     size_t n = (size_t)capacity;
@@ -36,12 +37,12 @@ static wfTree layTree(void *block, int32_t capacity)
     tree.near = wfPoolPushArray(&pool, WF_TREE_NEAR * (size_t)capacity, wfPair);
     return tree;
 }
-/* <lay out the dynamic tree> */
+
 wfTree wfTreeOpen(const void *block)
 {
     return layTree((void *)block, ((const wfTreeHead *)block)->capacity);
 }
-/* <lay out the dynamic tree> */
+
 static void emptyTree(wfTree *tree, int32_t capacity)
 {
     *tree->head = (wfTreeHead){ .capacity = capacity, .root = WF_TREE_NONE,
@@ -64,7 +65,8 @@ wfResult wfTreeInit(wfTree *tree, void *block, size_t bytes, int32_t capacity)
     emptyTree(tree, capacity);
     return WF_OK;
 }
-/* <choose a sibling> */
+
+/* choose a sibling */
 static wfReal outline(wfRect r) { return r.max.x - r.min.x + (r.max.y - r.min.y); }
 
 static bool isLeaf(const wfTreeNode *node) { return node->left == WF_TREE_NONE; }
@@ -87,7 +89,7 @@ static int32_t chooseSibling(const wfTree *tree, int32_t n, wfRect box)
         n = right ? node->right : node->left;
     }
 }
-/* <rotate a node> */
+
 /* puts a node's box and counts right, from its children */
 static void refit(wfTree *tree, int32_t n)
 {
@@ -105,7 +107,7 @@ static void replaceChild(wfTree *tree, int32_t parent, int32_t old, int32_t chil
     else node->right = child;
     tree->nodes[child].parent = parent;
 }
-/* <rotate a node> */
+
 /* how much smaller the group gets if `child`, its sibling, changes places with `out` */
 static wfReal swapGain(const wfTree *tree, int32_t child, int32_t group, int32_t out)
 {
@@ -114,7 +116,7 @@ static wfReal swapGain(const wfTree *tree, int32_t child, int32_t group, int32_t
     wfRect made = wfRectUnion(tree->nodes[child].box, tree->nodes[stays].box);
     return outline(g->box) - outline(made);
 }
-/* <rotate a node> */
+
 static void rotate(wfTree *tree, int32_t n)
 {
     const wfTreeNode *node = &tree->nodes[n];
@@ -134,7 +136,7 @@ static void rotate(wfTree *tree, int32_t n)
     replaceChild(tree, group, out, child);
     refit(tree, group);
 }
-/* <rotate a node> */
+
 static void refitUp(wfTree *tree, int32_t n)
 {
     for (; n != WF_TREE_NONE; n = tree->nodes[n].parent) {
@@ -142,7 +144,8 @@ static void refitUp(wfTree *tree, int32_t n)
         rotate(tree, n);
     }
 }
-/* <put in and take out> */
+
+/* put in and take out */
 static void insertLeaf(wfTree *tree, int32_t leaf, int32_t from)
 {
     wfTreeHead *h = tree->head;
@@ -164,7 +167,7 @@ static void insertLeaf(wfTree *tree, int32_t leaf, int32_t from)
     nodes[leaf].parent = made;
     refitUp(tree, made);
 }
-/* <put in and take out> */
+
 /* takes a leaf out, returns the node from which on everything has to be put right */
 static int32_t unlinkLeaf(wfTree *tree, int32_t leaf)
 {
@@ -188,7 +191,7 @@ static int32_t unlinkLeaf(wfTree *tree, int32_t leaf)
     h->freeNode = parent;
     return above;
 }
-/* <put in and take out> */
+
 static void moveLeaf(wfTree *tree, int32_t leaf, wfRect box)
 {
     int32_t above = unlinkLeaf(tree, leaf), from = above;
@@ -199,7 +202,7 @@ static void moveLeaf(wfTree *tree, int32_t leaf, wfRect box)
     insertLeaf(tree, leaf, from == WF_TREE_NONE ? tree->head->root : from);
     tree->head->changes++;
 }
-/* <put in and take out> */
+
 static bool isProxy(const wfTree *tree, int32_t proxy)
 {
     return proxy >= 0 && proxy < tree->head->capacity;
@@ -209,7 +212,7 @@ bool wfTreeHolds(const wfTree *tree, int32_t proxy)
 {
     return tree && isProxy(tree, proxy) && tree->nodes[proxy].parent != WF_TREE_OUT;
 }
-/* <put in and take out> */
+
 static wfResult checkBox(const wfTree *tree, int32_t proxy, wfRect r, bool in)
 {
     if (!tree) return WF_ERROR_NULL;
@@ -217,7 +220,7 @@ static wfResult checkBox(const wfTree *tree, int32_t proxy, wfRect r, bool in)
     if (!wfIsFinite2(r.min) || !wfIsFinite2(r.max)) return WF_ERROR_NOT_FINITE;
     return r.min.x > r.max.x || r.min.y > r.max.y ? WF_ERROR_RANGE : WF_OK;
 }
-/* <put in and take out> */
+
 wfResult wfTreeInsert(wfTree *tree, int32_t proxy, wfRect box, bool moves)
 {
     wfResult result = checkBox(tree, proxy, box, false);
@@ -231,7 +234,7 @@ wfResult wfTreeInsert(wfTree *tree, int32_t proxy, wfRect box, bool moves)
     tree->head->changes++;
     return WF_OK;
 }
-/* <put in and take out> */
+
 wfResult wfTreeRemove(wfTree *tree, int32_t proxy)
 {
     if (!tree) return WF_ERROR_NULL;
@@ -248,7 +251,8 @@ wfResult wfTreeMove(wfTree *tree, int32_t proxy, wfRect box)
     if (result == WF_OK) moveLeaf(tree, proxy, box);
     return result;
 }
-/* <keep near pairs> */
+
+/* keep near pairs */
 static bool isNew(const wfTree *tree, int32_t leaf)
 {
     return tree->places[leaf].step == tree->head->step;
@@ -266,7 +270,7 @@ static void strikeNear(wfTree *tree)
     }
     tree->head->nearCount = kept;
 }
-/* <keep near pairs> */
+
 static int32_t nodeAfter(const wfTree *tree, int32_t n)
 {
     for (int32_t up = tree->nodes[n].parent; up != WF_TREE_NONE;) {
@@ -276,7 +280,7 @@ static int32_t nodeAfter(const wfTree *tree, int32_t n)
     }
     return WF_TREE_NONE;
 }
-/* <keep near pairs> */
+
 /* adds the near pairs of a leaf; false: no room */
 static bool addNear(const wfTree *tree, int32_t leaf, bool allNew, wfPairList *out)
 {
@@ -294,7 +298,7 @@ static bool addNear(const wfTree *tree, int32_t leaf, bool allNew, wfPairList *o
     }
     return true;
 }
-/* <keep near pairs> */
+
 static bool comesBefore(wfPair p, wfPair q)
 {
     return p.a < q.a || (p.a == q.a && p.b < q.b);
@@ -316,7 +320,7 @@ static bool mergeNear(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *s
     wfPoolRewind(scratch, mark);
     return room;
 }
-/* <keep near pairs> */
+
 static void keepNear(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch)
 {
     wfTreeHead *h = tree->head;
@@ -334,7 +338,8 @@ static void keepNear(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch)
     h->nearCount = WF_TREE_NONE;
     h->nearChanges += h->count;
 }
-/* <update the dynamic tree> */
+
+/* update the dynamic tree */
 static void updateLeaf(wfTree *tree, const wfProxies *in, int32_t i)
 {
     wfTreeNode *leaf = &tree->nodes[i];
@@ -358,7 +363,7 @@ static void updateLeaf(wfTree *tree, const wfProxies *in, int32_t i)
     }
     *place = now;
 }
-/* <update the dynamic tree> */
+
 wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     size_t each = wfTreeSize(1) - wfTreeSize(0);
@@ -372,7 +377,7 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     int64_t before = tree.head->changes;
     bool has = wfTreeHasNear(&tree);
     for (int32_t i = 0; i < capacity; i++) updateLeaf(&tree, in, i);
-    /* <keep the list of near pairs, if it pays> */
+    /* keep the list of near pairs, if it pays */
     int64_t changed = tree.head->changes - before;
     bool little = changed * (has ? 4 : 16) <= tree.head->count;
     bool again = tree.head->changes >= tree.head->nearChanges;
@@ -382,7 +387,8 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
 }
 
 size_t wfTreeIndexSize(int32_t proxies) { return wfTreeSize(proxies > 0 ? proxies : 1); }
-/* <find pairs in the dynamic tree> */
+
+/* find pairs in the dynamic tree */
 typedef struct TreeWalk {
     const wfProxies *in;
     wfTree tree;
@@ -408,7 +414,7 @@ static void pushNode(TreeWalk *w, int32_t a)
     const wfTreeNode *p = &w->tree.nodes[a];
     if (p->movers > 0 && !isLeaf(p)) w->stack[w->size++] = (wfPair){ a, a };
 }
-/* <find pairs in the dynamic tree> */
+
 static bool splitNodes(TreeWalk *w, int32_t a, int32_t b)
 {
     const wfTreeNode *p = &w->tree.nodes[a], *q = &w->tree.nodes[b];
@@ -421,7 +427,7 @@ static bool splitNodes(TreeWalk *w, int32_t a, int32_t b)
         return pushNodes(w, p->left, b) && pushNodes(w, p->right, b);
     return pushNodes(w, a, q->left) && pushNodes(w, a, q->right);
 }
-/* <find pairs in the dynamic tree> */
+
 static wfResult walkForPairs(const wfTree *tree, const wfProxies *in, wfPool *scratch,
                              wfPairList *out)
 {
@@ -439,7 +445,7 @@ static wfResult walkForPairs(const wfTree *tree, const wfProxies *in, wfPool *sc
     wfPoolRewind(scratch, mark);
     return wfFinishPairs(room, in->count, scratch, mark, out);
 }
-/* <find pairs in the dynamic tree> */
+
 static bool offerNear(const wfTree *tree, const wfProxies *in, wfPairList *out)
 {
     bool room = true;
@@ -450,7 +456,7 @@ static bool offerNear(const wfTree *tree, const wfProxies *in, wfPairList *out)
     if (!room) out->count = 0;
     return room;
 }
-/* <find pairs in the dynamic tree> */
+
 wfResult wfTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
                      wfPairList *out)
 {
@@ -460,14 +466,14 @@ wfResult wfTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
     if (!wfTreeHasNear(&tree)) return walkForPairs(&tree, in, scratch, out);
     return offerNear(&tree, in, out) ? WF_OK : WF_ERROR_FULL;
 }
-/* <find pairs in the dynamic tree> */
+
 size_t wfTreeScratch(int32_t proxies, int32_t pairs)
 {
     size_t stack = (3 * (size_t)proxies + 8) * sizeof(wfPair) + WF_POOL_ALIGN;
     size_t sort = wfSortPairsSize(proxies, pairs);
     return wfTreeIndexSize(proxies) + WF_POOL_ALIGN + (stack > sort ? stack : sort);
 }
-/* <ask the dynamic tree> */
+
 /* the first child of a node for a cast along `by` (0: the left one) */
 static int32_t firstChild(const wfTree *t, int32_t n, wfVec2 by)
 {
@@ -489,7 +495,7 @@ static int32_t nextNode(const wfTree *t, int32_t n, wfVec2 by)
         n = parent;
     }
 }
-/* <ask the dynamic tree> */
+
 void wfTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                  void *context)
 {
@@ -505,7 +511,7 @@ void wfTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
         n = nodeAfter(&t, n);
     }
 }
-/* <ask the dynamic tree> */
+
 void wfTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                 wfCastVisitFn *visit, void *context)
 {
@@ -523,7 +529,7 @@ void wfTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
         n = nextNode(&t, n, c.by);
     }
 }
-/* <ask the dynamic tree> */
+
 void wfTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                  void *context)
 {
@@ -538,7 +544,7 @@ void wfTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
         n = isLeaf(node) ? nodeAfter(&t, n) : node->left;
     }
 }
-/* <ask the dynamic tree> */
+
 int32_t wfTreeDepth(const wfTree *tree)
 {
     int32_t deepest = 0;

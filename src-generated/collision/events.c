@@ -2,12 +2,13 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/events.h"
 
-/* <touch with a margin by eq:queries-hysteresis> */
+/* touch with a margin by eq:queries-hysteresis */
 bool wfTouchesNow(bool before, wfReal distance, wfReal margin)
 {
     return distance <= (before ? margin : 0);
 }
-/* <compare two sorted lists> */
+
+/* compare two sorted lists */
 static bool touchBefore(const wfTouch *x, const wfTouch *y)
 {
     return x->a < y->a || (x->a == y->a && x->b < y->b);
@@ -23,7 +24,7 @@ static void addTouch(wfTouchList *list, const wfTouch *touch, bool write)
     if (write && list->touches) list->touches[list->count] = *touch;
     list->count++;
 }
-/* <compare two sorted lists> */
+
 static void mergeTouches(const wfTouch *old, int32_t oldCount, const wfTouch *now,
                          int32_t nowCount, bool write, wfTouchEvents *out)
 {
@@ -41,7 +42,7 @@ static void mergeTouches(const wfTouch *old, int32_t oldCount, const wfTouch *no
         }
     }
 }
-/* <compare two sorted lists> */
+
 static wfResult checkTouches(const wfTouch *touches, int32_t count)
 {
     if (count < 0) return WF_ERROR_RANGE;
@@ -59,7 +60,7 @@ static wfResult checkRoom(const wfTouchList *list, int32_t count)
     if (!list->touches) return list->capacity > 0 ? WF_ERROR_NULL : WF_OK;
     return count > list->capacity ? WF_ERROR_FULL : WF_OK;
 }
-/* <compare two sorted lists> */
+
 wfResult wfCompareTouches(const wfTouch *before, int32_t beforeCount, const wfTouch *now,
                           int32_t nowCount, wfTouchEvents *out)
 {
@@ -76,7 +77,8 @@ wfResult wfCompareTouches(const wfTouch *before, int32_t beforeCount, const wfTo
     mergeTouches(before, beforeCount, now, nowCount, true, out);
     return WF_OK;
 }
-/* <make a hit by eq:queries-speed> */
+
+/* make a hit by eq:queries-speed */
 static wfReal approachSpeed(const wfContactPoint *p, wfVec2 normal, wfTwist a, wfTwist b)
 {
     wfVec2 va = wfAdd(a.velocity, wfCrossSV(a.spin, p->armA));   /* eq:queries-velocity */

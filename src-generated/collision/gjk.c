@@ -2,7 +2,6 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/narrow.h"
 
-/* <ask for the support point of eq:narrow-support> */
 /* B - A for the cores of both, as A sees them: eq:narrow-relative */
 typedef struct Difference {
     const wfShape *a, *b;
@@ -28,7 +27,7 @@ static int32_t furthest(const wfVec2 *p, int32_t n, wfVec2 direction)
     }
     return best;
 }
-/* <ask for the support point of eq:narrow-support> */
+
 static Corner support(const Difference *D, wfVec2 m)
 {
     Corner s;
@@ -42,7 +41,8 @@ static bool sameCorner(Corner a, Corner b)
 {
     return a.i == b.i && a.j == b.j;
 }
-/* <find the nearest point of a simplex by eq:narrow-segment and eq:narrow-triangle> */
+
+/* find the nearest point of a simplex by eq:narrow-segment and eq:narrow-triangle */
 typedef struct Simplex {
     int32_t n;                          /* corners that the nearest point needs: 1 to 3 */
     Corner c[3];
@@ -58,7 +58,7 @@ static Simplex nearestOfPoint(Corner p)
     x.u = wfNormalize(p.d);
     return x;
 }
-/* <find the nearest point of a simplex by eq:narrow-segment and eq:narrow-triangle> */
+
 static Simplex nearestOfSegment(Corner p, Corner q)
 {
     wfVec2 e = wfSub(q.d, p.d);
@@ -67,7 +67,7 @@ static Simplex nearestOfSegment(Corner p, Corner q)
     if (tp <= 0) return nearestOfPoint(q);
     wfReal t = tq / (tq + tp);
     Simplex x = { .n = 2, .c = { p, q }, .share = { 1 - t, t } };
-    /* <look at the segment from the origin by eq:narrow-look> */
+    /* look at the segment from the origin by eq:narrow-look */
     wfVec2 nearest = wfLerp(p.d, q.d, t), across = wfNormalize(wfPerpCCW(e));
     x.length = wfLength(nearest);
     x.u = wfNormalize(nearest);
@@ -78,7 +78,7 @@ static Simplex nearestOfSegment(Corner p, Corner q)
     }
     return x;
 }
-/* <find the nearest point of a simplex by eq:narrow-segment and eq:narrow-triangle> */
+
 static Simplex nearestOfTriangle(Corner p, Corner q, Corner s)
 {
     wfReal lp = wfCross(q.d, s.d), lq = wfCross(s.d, p.d), ls = wfCross(p.d, q.d);
@@ -90,7 +90,8 @@ static Simplex nearestOfTriangle(Corner p, Corner q, Corner s)
     Simplex one = nearestOfSegment(p, s), other = nearestOfSegment(s, q);
     return one.length <= other.length ? one : other;
 }
-/* <set up the difference> */
+
+/* set up the difference */
 static bool isPoint(const wfShape *s)
 {
     return s->count == 0;
@@ -114,13 +115,14 @@ static void makeDifference(const wfShape *a, wfTransform xa, const wfShape *b,
     for (int32_t i = 0; i < D->nv; i++) size = wfMaxR(size, wfLength(D->v[i]));
     D->noise = WF_EPSILON * wfMaxR(4 * size, a->radius + b->radius);   /* eq:narrow-noise */
 }
-/* <set up the difference> */
+
 static bool isFiniteDifference(const Difference *D)
 {
     return wfIsFinite2(D->rel.p) && wfIsFinite2(wfV2(D->rel.q.c, D->rel.q.s))
         && wfIsFinite(D->noise);
 }
-/* <record the steps> */
+
+/* record the steps */
 static wfGjkStep *newStep(wfGjkTrace *trace, int32_t phase, int32_t count)
 {
     wfGjkStep *step = &trace->steps[trace->count++];
@@ -135,7 +137,7 @@ static void record(wfGjkTrace *trace, int32_t phase, const Simplex *x)
     for (int32_t k = 0; k < x->n; k++) step->points[k] = x->c[k].d;
     step->nearest = wfScale(x->length, x->u);
 }
-/* <record the steps> */
+
 static void recordEdge(wfGjkTrace *trace, Corner p, Corner q, Corner s)
 {
     if (!trace) return;
@@ -144,7 +146,8 @@ static void recordEdge(wfGjkTrace *trace, Corner p, Corner q, Corner s)
     step->points[1] = q.d;
     step->points[2] = s.d;
 }
-/* <walk to the nearest point until eq:narrow-stop> */
+
+/* walk to the nearest point until eq:narrow-stop */
 enum { GJK_CAP = WF_GJK_STEPS };                /* eq:narrow-cap */
 
 static wfReal largest(const Simplex *x, Corner s)
@@ -153,7 +156,7 @@ static wfReal largest(const Simplex *x, Corner s)
     for (int32_t k = 0; k < x->n; k++) size = wfMaxR(size, wfLength(x->c[k].d));
     return size;
 }
-/* <walk to the nearest point until eq:narrow-stop> */
+
 static Simplex walk(const Difference *D, int32_t *steps, wfGjkTrace *trace)
 {
     wfVec2 start = wfSub(wfApply(D->rel, D->b->centre), D->a->centre);
@@ -171,7 +174,8 @@ static Simplex walk(const Difference *D, int32_t *steps, wfGjkTrace *trace)
     }
     return x;
 }
-/* <find the nearest points by eq:narrow-witness> */
+
+/* find the nearest points by eq:narrow-witness */
 static void witness(const Difference *D, const Simplex *x, wfDistanceResult *r)
 {
     wfReal ra = D->a->radius, rb = D->b->radius, from = ra, to = x->length - rb;
@@ -187,7 +191,7 @@ static void witness(const Difference *D, const Simplex *x, wfDistanceResult *r)
     r->pointA = wfAddScaled(p, from, x->u);
     r->pointB = wfAddScaled(p, to, x->u);
 }
-/* <find the nearest points by eq:narrow-witness> */
+
 static bool isKnown(const wfShape *s)
 {
     return s->kind >= WF_SHAPE_NONE && s->kind < WF_SHAPE_KINDS;
@@ -212,7 +216,7 @@ wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfT
     *out = r;
     return WF_OK;
 }
-/* <recognize an edge of A or of B> */
+
 /* true: from p to q one shape's corner moves on by one edge: B's, or A's turned round */
 static bool edgeBetween(const Difference *D, Corner p, Corner q, int32_t *owner,
                         int32_t *edge)
@@ -230,7 +234,7 @@ static wfVec2 edgeNormal(const Difference *D, int32_t owner, int32_t edge)
     return owner == 0 ? wfNeg(D->a->normals[edge])
                       : wfRotate(D->rel.q, D->b->normals[edge]);
 }
-/* <grow the polygon by eq:narrow-bounds> */
+
 /* A polygon within the difference, counter-clockwise.  Edge k runs from c[k] on. */
 typedef struct Ring {
     int32_t n;
@@ -255,7 +259,7 @@ static void lookAtEdge(const Difference *D, Ring *ring, int32_t k)
     bool degenerate = wfLengthSq(ring->m[k]) == 0;
     ring->low[k] = degenerate ? WF_HUGE : wfDot(ring->m[k], p.d);
 }
-/* <grow the polygon by eq:narrow-bounds> */
+
 static void startRing(const Difference *D, const Simplex *x, Ring *ring)
 {
     ring->n = x->n;
@@ -272,7 +276,7 @@ static void startRing(const Difference *D, const Simplex *x, Ring *ring)
     }
     for (int32_t k = 0; k < ring->n; k++) lookAtEdge(D, ring, k);
 }
-/* <grow the polygon by eq:narrow-bounds> */
+
 static void pushOut(const Difference *D, Ring *ring, int32_t k, Corner s)
 {
     for (int32_t i = ring->n++; i > k + 1; i--) {
@@ -284,7 +288,7 @@ static void pushOut(const Difference *D, Ring *ring, int32_t k, Corner s)
     lookAtEdge(D, ring, k);
     lookAtEdge(D, ring, k + 1);
 }
-/* <grow the polygon by eq:narrow-bounds> */
+
 static Way expand(const Difference *D, const Simplex *x, wfGjkTrace *trace)
 {
     Ring ring;
@@ -306,7 +310,8 @@ static Way expand(const Difference *D, const Simplex *x, wfGjkTrace *trace)
     }
     return best;
 }
-/* <separate by GJK and EPA> */
+
+/* separate by GJK and EPA */
 static void deepest(const Difference *D, const Simplex *x, wfTransform xa,
                     wfSeparation *found, wfGjkTrace *trace)
 {
@@ -321,7 +326,7 @@ static void deepest(const Difference *D, const Simplex *x, wfTransform xa,
     found->normal = wfNeg(wfRotate(xa.q, way.m));
     edgeBetween(D, way.from, way.to, &found->owner, &found->edge);
 }
-/* <separate by GJK and EPA> */
+
 static wfResult prepare(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                         Difference *D)
 {
@@ -330,7 +335,7 @@ static wfResult prepare(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
     makeDifference(a, xa, b, xb, D);
     return isFiniteDifference(D) ? WF_OK : WF_ERROR_NOT_FINITE;
 }
-/* <separate by GJK and EPA> */
+
 static wfResult separate(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                          wfSeparation *out, wfGjkTrace *trace)
 {
@@ -353,8 +358,7 @@ wfResult wfSeparateGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
 {
     return separate(a, xa, b, xb, out, NULL);
 }
-/* <separate by GJK and EPA> */
-/* <walk over the regions by eq:narrow-neighbour> */
+
 /* one body's edge, seen from a point: from corner i to the next, share t of the way */
 typedef struct Side {
     const wfVec2 *v;
@@ -378,7 +382,7 @@ static void faceEdge(Side *s, wfVec2 c)
     wfReal tq = -wfDot(p, e), tp = wfDot(q, e);
     s->t = tq <= 0 ? 0 : tp <= 0 ? 1 : tq / (tq + tp);
 }
-/* <walk over the regions by eq:narrow-neighbour> */
+
 static void facePair(Side *a, Side *b)
 {
     Side bestA = *a, bestB = *b;
@@ -396,7 +400,7 @@ static void facePair(Side *a, Side *b)
     *a = bestA;
     *b = bestB;
 }
-/* <walk over the regions by eq:narrow-neighbour> */
+
 enum Move { STAY, STEP, INSIDE };
 
 /* the edge's outward distance of c; the edges run counter-clockwise */
@@ -405,7 +409,7 @@ static wfReal gapOf(const Side *s, int32_t i, wfVec2 c)
     wfVec2 e = wfNormalize(wfSub(s->v[after(s, i)], s->v[i]));
     return wfDot(wfPerpCW(e), wfSub(c, s->v[i]));
 }
-/* <walk over the regions by eq:narrow-neighbour> */
+
 /* turns to the edge that has something nearer to c than the place where we are */
 static enum Move turnTo(Side *s, wfVec2 c)
 {
@@ -425,7 +429,7 @@ static enum Move turnTo(Side *s, wfVec2 c)
     s->i = best;
     return STEP;
 }
-/* <walk over the regions by eq:narrow-neighbour> */
+
 /* the number of steps; 0: a point of one is inside the other */
 static int32_t walkRegions(Side *a, Side *b)
 {
@@ -446,7 +450,8 @@ static int32_t walkRegions(Side *a, Side *b)
     *b = bestB;
     return step;
 }
-/* <separate by a walk over the regions> */
+
+/* separate by a walk over the regions */
 static wfReal lookAcross(const Difference *D, const Side *a, const Side *b, wfVec2 *normal)
 {
     wfVec2 p = pointOf(a), q = pointOf(b), d = wfSub(q, p);
@@ -456,7 +461,7 @@ static wfReal lookAcross(const Difference *D, const Side *a, const Side *b, wfVe
     else return wfLength(d);
     return wfDot(*normal, d);
 }
-/* <separate by a walk over the regions> */
+
 wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                        wfSeparation *out, int32_t *steps)
 {
@@ -476,7 +481,7 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     wfReal upper = wfDistance(pointOf(&sa), pointOf(&sb));
     bool proved = wfIsFinite(length) && length > D.noise && upper - low <= D.noise;
     if (!proved) return wfSeparateGjk(a, xa, b, xb, out);
-    /* <report what was proved> */
+    /* report what was proved */
     wfSeparation found = { .owner = WF_NO_EDGE, .edge = WF_NO_EDGE };
     found.distance = length - (a->radius + b->radius);
     found.normal = wfRotate(xa.q, normal);
@@ -484,14 +489,14 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     *out = found;
     return WF_OK;
 }
-/* <separate by a walk over the regions> */
+
 wfResult wfSeparateVoronoi(const wfShape *a, wfTransform xa, const wfShape *b,
                            wfTransform xb, wfSeparation *out)
 {
     int32_t steps;
     return wfWalkVoronoi(a, xa, b, xb, out, &steps);
 }
-/* <separate by GJK and EPA> */
+
 wfResult wfTraceGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                     wfSeparation *out, wfGjkTrace *trace)
 {

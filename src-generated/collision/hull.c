@@ -3,7 +3,7 @@
 #include "weft/shape.h"
 #include "collision/hull.h"
 
-/* <measure the size of a point set> */
+/* measure the size of a point set */
 wfResult wfHullSize(const wfVec2 *points, int n, wfReal *size)
 {
     wfVec2 low = points[0], high = points[0];
@@ -18,12 +18,14 @@ wfResult wfHullSize(const wfVec2 *points, int n, wfReal *size)
     *size = wfMaxR(high.x - low.x, high.y - low.y);
     return *size >= WF_MIN_SIZE ? WF_OK : WF_ERROR_SIZE;
 }
-/* <measure how far a point is outside an edge by eq:shapes-outside> */
+
+/* measure how far a point is outside an edge by eq:shapes-outside */
 static wfReal outside(wfVec2 a, wfVec2 b, wfVec2 p)
 {
     return wfCross(wfSub(p, a), wfNormalize(wfSub(b, a)));
 }
-/* <find the two points that the hull starts from> */
+
+/* find the two points that the hull starts from */
 static void start_ring(const wfVec2 *points, int n, wfVec2 ring[2])
 {
     wfVec2 first = points[0], last = points[0];
@@ -36,7 +38,8 @@ static void start_ring(const wfVec2 *points, int n, wfVec2 ring[2])
     ring[0] = first;
     ring[1] = last;
 }
-/* <find the point furthest outside the ring> */
+
+/* find the point furthest outside the ring */
 typedef struct Farthest { wfReal distance; int point, edge; } Farthest;
 
 static Farthest farthest_outside(const wfVec2 *points, int n, const wfVec2 *ring, int count)
@@ -51,7 +54,8 @@ static Farthest farthest_outside(const wfVec2 *points, int n, const wfVec2 *ring
     }
     return best;
 }
-/* <take the flattest corner out of the ring> */
+
+/* take the flattest corner out of the ring */
 static bool drop_flattest(wfVec2 *ring, int *count, wfReal tolerance)
 {
     wfReal flattest = tolerance;
@@ -66,7 +70,8 @@ static bool drop_flattest(wfVec2 *ring, int *count, wfReal tolerance)
     --*count;
     return true;
 }
-/* <build the hull> */
+
+/* build the hull */
 wfResult wfHullRing(const wfVec2 *points, int n, wfVec2 *ring, int capacity, int *count)
 {
     wfReal size;
@@ -76,7 +81,7 @@ wfResult wfHullRing(const wfVec2 *points, int n, wfVec2 *ring, int capacity, int
     wfReal tolerance = WF_HULL_TOLERANCE * size;        /* eq:shapes-tolerance */
     int k = 2;
     start_ring(points, n, ring);
-    /* <push the farthest point into the ring until none is outside> */
+    /* push the farthest point into the ring until none is outside */
     for (;;) {
         Farthest f = farthest_outside(points, n, ring, k);
         if (f.distance <= tolerance) break;
@@ -89,7 +94,7 @@ wfResult wfHullRing(const wfVec2 *points, int n, wfVec2 *ring, int capacity, int
     *count = k;
     return k > 2 ? WF_OK : WF_ERROR_DEGENERATE;
 }
-/* <build the hull> */
+
 int wfConvexHull(const wfVec2 *points, int n, wfVec2 *out)
 {
     int count = 0;

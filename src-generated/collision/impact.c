@@ -3,7 +3,7 @@
 #include "weft/impact.h"
 #include "weft/narrow.h"
 
-/* <move along a sweep by eq:impact-sweep> */
+/* move along a sweep by eq:impact-sweep */
 static wfReal mix(wfReal from, wfReal to, wfReal t)
 {
     return (1 - t) * from + t * to;
@@ -25,7 +25,8 @@ wfSweep wfSweepUntil(wfSweep s, wfReal t)
     s.angleTo = mix(s.angleFrom, s.angleTo, t);
     return s;
 }
-/* <say what an impact needs to know> */
+
+/* say what an impact needs to know */
 typedef struct Mover {
     const wfShape *shape;
     const wfVec2 *v;            /* the core's corners, or its centre */
@@ -41,7 +42,7 @@ typedef struct Course {
     wfVec2 at;                  /* where it is now */
     wfReal noise, near;         /* m: eq:impact-noise and eq:impact-near */
 } Course;
-/* <say what an impact needs to know> */
+
 static Mover makeMover(const wfShape *s, wfReal from, wfReal to)
 {
     Mover m = { .shape = s, .from = from, .to = to, .turn = to - from };
@@ -60,7 +61,8 @@ static void place(Course *c, wfReal t)                          /* eq:impact-swe
             both[k]->q = wfRotation(mix(both[k]->from, both[k]->to, t));
     c->at = wfLerp(c->from, c->to, t);
 }
-/* <set the course> */
+
+/* set the course */
 static wfReal blur(const Mover *m)
 {
     wfReal turns = wfAbs(m->from) + wfAbs(m->to) + 4;
@@ -75,7 +77,7 @@ static void setCourse(Course *c)
     c->noise = 4 * WF_EPSILON * (way + blur(&c->a) + blur(&c->b));  /* eq:impact-noise */
     c->near = wfMaxR(WF_IMPACT_GAP * size, 4 * c->noise);           /* eq:impact-near */
 }
-/* <set the course> */
+
 static wfResult checkSweep(wfSweep s)
 {
     if (!wfIsFinite2(s.from) || !wfIsFinite2(s.to)) return WF_ERROR_NOT_FINITE;
@@ -95,7 +97,7 @@ static bool isKind(const wfShape *s)
 {
     return s->kind >= WF_SHAPE_NONE && s->kind < WF_SHAPE_KINDS;
 }
-/* <set the course> */
+
 static wfResult chart(const wfShape *a, wfSweep sa, const wfShape *b, wfSweep sb, Course *c)
 {
     if (!isKind(a) || !isKind(b)) return WF_ERROR_UNKNOWN;
@@ -110,7 +112,8 @@ static wfResult chart(const wfShape *a, wfSweep sa, const wfShape *b, wfSweep sb
     setCourse(c);
     return WF_OK;
 }
-/* <look along an axis by eq:impact-corner> */
+
+/* look along an axis by eq:impact-corner */
 typedef struct Side {
     wfReal at[WF_MAX_VERTICES];     /* m: alpha of eq:impact-corner */
     wfReal rate[WF_MAX_VERTICES];   /* m per step: beta */
@@ -133,7 +136,7 @@ static void lookSide(const Mover *m, wfVec2 n, Side *s)
         s->top = i == 0 ? s->at[0] : wfMaxR(s->top, s->at[i]);
     }
 }
-/* <look along an axis by eq:impact-corner> */
+
 static void look(const Course *c, wfVec2 n, Axis *x)
 {
     lookSide(&c->a, n, &x->a);
@@ -142,7 +145,8 @@ static void look(const Course *c, wfVec2 n, Axis *x)
     x->gap = wfDot(n, c->at) - x->a.top - x->b.top - radii;
     x->closing = -wfDot(n, c->by);
 }
-/* <step by the straight bounds eq:impact-along and eq:impact-disc> */
+
+/* step by the straight bounds eq:impact-along and eq:impact-disc */
 static wfReal timeFor(wfReal room, wfReal rate)
 {
     if (room <= 0) return 0;
@@ -160,7 +164,8 @@ static wfReal straightStep(const Course *c, const Axis *x, wfReal room, int32_t 
     best = wfMaxR(best, timeFor(room - discB, x->closing + spinA));
     return wfMaxR(best, timeFor(room - discA - discB, x->closing));
 }
-/* <step by the curved bound eq:impact-curve> */
+
+/* step by the curved bound eq:impact-curve */
 static wfReal rootOf(wfReal room, wfReal rate, wfReal bend)         /* eq:impact-root */
 {
     wfReal root = wfLength(wfV2(rate, wfSqrt(2 * bend * room)));
@@ -175,7 +180,7 @@ static int32_t frontAt(const Side *side, wfReal s)
             best = i;
     return best;
 }
-/* <step by the curved bound eq:impact-curve> */
+
 static wfReal curvedStep(const Course *c, const Axis *x, wfReal room, wfReal rest)
 {
     wfReal bend = wfSquare(c->a.turn) * c->a.extent + wfSquare(c->b.turn) * c->b.extent;
@@ -199,7 +204,8 @@ static wfReal safeStep(const Course *c, wfVec2 n, wfReal rest, int32_t how)
     if (how < WF_ADVANCE_CURVE || step >= rest) return step;
     return wfMaxR(step, curvedStep(c, &x, room, rest));
 }
-/* <advance to the impact> */
+
+/* advance to the impact */
 static wfResult measure(Course *c, wfReal t, wfImpact *out)
 {
     wfDistanceResult r;
@@ -220,7 +226,7 @@ static void record(wfImpactTrace *trace, const wfImpact *now, wfReal by)
     wfImpactStep *step = &trace->steps[trace->count++];
     *step = (wfImpactStep){ now->t, now->distance, now->normal, by };
 }
-/* <advance to the impact> */
+
 static wfResult advance(Course *c, wfReal end, int32_t how, wfImpact *out,
                         wfImpactTrace *trace)
 {
@@ -241,8 +247,8 @@ static wfResult advance(Course *c, wfReal end, int32_t how, wfImpact *out,
         t = by < end - t ? t + by : end;                        /* eq:impact-advance */
     }
 }
-/* <skip pairs that never meet> */
-/* <say which side of a link a point is on> */
+
+/* say which side of a link a point is on */
 static bool isBehind(const wfShape *link, wfTransform xf, wfVec2 point)
 {
     if (link->kind != WF_SHAPE_LINK) return false;
@@ -257,7 +263,8 @@ static bool neverMeet(const Course *c)
     return isBehind(c->a.shape, xa, wfApply(xb, c->b.shape->centre)) ||
            isBehind(c->b.shape, xb, wfApply(xa, c->a.shape->centre));
 }
-/* <find the time of impact> */
+
+/* find the time of impact */
 static wfResult findImpact(Course *c, wfReal end, int32_t how, wfImpact *out,
                            wfImpactTrace *trace)
 {
@@ -274,7 +281,7 @@ static wfResult findImpact(Course *c, wfReal end, int32_t how, wfImpact *out,
     *out = found;
     return WF_OK;
 }
-/* <find the time of impact> */
+
 static wfResult impactUntil(const wfShape *a, wfSweep sa, const wfShape *b, wfSweep sb,
                             wfReal end, int32_t how, wfImpact *out, wfImpactTrace *trace)
 {
@@ -287,7 +294,7 @@ static wfResult impactUntil(const wfShape *a, wfSweep sa, const wfShape *b, wfSw
     *out = found;
     return WF_OK;
 }
-/* <find the time of impact> */
+
 wfResult wfTimeOfImpact(const wfShape *a, wfSweep sweepA, const wfShape *b, wfSweep sweepB,
                         wfImpact *out)
 {
@@ -303,7 +310,8 @@ wfResult wfTraceImpact(const wfShape *a, wfSweep sweepA, const wfShape *b, wfSwe
     trace->count = 0;
     return impactUntil(a, sweepA, b, sweepB, 1, how, out, trace);
 }
-/* <cast a shape by eq:impact-newton> */
+
+/* cast a shape by eq:impact-newton */
 static wfResult chartCast(const wfShape *a, wfTransform xa, wfVec2 by, const wfShape *b,
                           wfTransform xb, Course *c)
 {
@@ -317,7 +325,7 @@ static wfResult chartCast(const wfShape *a, wfTransform xa, wfVec2 by, const wfS
     c->near = 4 * c->noise;
     return WF_OK;
 }
-/* <cast a shape by eq:impact-newton> */
+
 static void lastStep(Course *c, const wfImpact *hit, wfCast *out)
 {
     Axis x;
@@ -326,7 +334,7 @@ static void lastStep(Course *c, const wfImpact *hit, wfCast *out)
     if (t <= 1) out->fraction = t;
     else *out = (wfCast){ .kind = WF_IMPACT_APART, .fraction = 1, .steps = out->steps };
 }
-/* <cast a shape by eq:impact-newton> */
+
 wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
                      const wfShape *target, wfTransform placedTarget, wfCast *out)
 {
@@ -346,7 +354,8 @@ wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
     *out = found;
     return WF_OK;
 }
-/* <stop at the first of many> */
+
+/* stop at the first of many */
 wfReal wfInnerRadius(const wfShape *s)                              /* eq:impact-fast */
 {
     if (!s) return 0;
@@ -363,7 +372,7 @@ bool wfSweepIsFast(const wfShape *shape, wfSweep sweep)
     wfReal way = wfDistance(sweep.from, sweep.to) + wfAbs(m.turn) * m.extent;
     return way > wfInnerRadius(shape);
 }
-/* <stop at the first of many> */
+
 static wfShape innerCopy(const wfShape *s, wfReal share)        /* eq:impact-inner */
 {
     wfShape copy = *s;
@@ -389,7 +398,7 @@ static wfResult meetInner(const wfShape *shape, wfSweep sweep, const wfObstacle 
         if (found != WF_OK || !isAtOnce(out) || share < WF_R(0.3)) return found;
     }
 }
-/* <stop at the first of many> */
+
 static wfResult meet(const wfShape *shape, wfSweep sweep, const wfObstacle *other,
                      wfReal share, wfReal most, wfReal end, wfStop *out)
 {
@@ -405,7 +414,7 @@ static wfResult meet(const wfShape *shape, wfSweep sweep, const wfObstacle *othe
     out->impact = first;
     return WF_OK;
 }
-/* <stop at the first of many> */
+
 static wfResult stopAmong(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
                           int32_t count, wfReal share, wfReal most, wfStop *out)
 {
@@ -425,7 +434,7 @@ static wfResult stopAmong(const wfShape *shape, wfSweep sweep, const wfObstacle 
     *out = stop;
     return WF_OK;
 }
-/* <stop at the first of many> */
+
 wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
                        int32_t count, wfReal most, wfStop *out)
 {

@@ -3,13 +3,13 @@
 #include "weft/contact.h"
 #include "collision/manifold.h"
 
-/* <ask whether a direction is in a fan by eq:contacts-fan> */
+/* ask whether a direction is in a fan by eq:contacts-fan */
 static bool inFan(wfVec2 e0, wfVec2 e1, wfVec2 u)
 {
     if (wfDot(e0, u) < 0 || wfDot(e1, u) > 0) return false;
     return wfCross(e0, e1) > 0 || wfDot(e0, e1) >= 0;
 }
-/* <ask whether a direction is in a fan by eq:contacts-fan> */
+
 static wfVec2 sideBefore(const wfShape *link)
 {
     return wfSub(link->vertices[0], link->vertices[2]);
@@ -24,7 +24,8 @@ static wfVec2 sideAfter(const wfShape *link)
 {
     return wfSub(link->vertices[3], link->vertices[1]);
 }
-/* <say whose a point is by eq:contacts-mine> */
+
+/* say whose a point is by eq:contacts-mine */
 enum { NOT_MINE, MY_EDGE, MY_START, MY_END };
 
 /* c: in the frame of the link's body */
@@ -39,7 +40,7 @@ static int linkRegion(const wfShape *link, wfVec2 c)
         return inFan(e, sideAfter(link), fromQ) ? MY_END : NOT_MINE;
     return MY_EDGE;
 }
-/* <touch a link with a circle> */
+
 /* A link and the shape that meets it, which may come in either order. */
 typedef struct LinkPair {
     const wfShape *a, *b, *link, *other;
@@ -61,7 +62,7 @@ static void linkCircle(const LinkPair *l, wfManifold *out)
     out->normal = l->linkIsB ? wfNeg(u) : u;
     wfCircleContact(l->a, l->xa, l->b, l->xb, l->other->radius - gap, out);
 }
-/* <choose among the normals that the surface has, by eq:contacts-link-gap> */
+
 /* the joint whose fan has the direction u: 0 or 1, or -1 */
 static int jointOf(const wfShape *link, wfVec2 u)
 {
@@ -70,7 +71,7 @@ static int jointOf(const wfShape *link, wfVec2 u)
     if (inFan(sideBefore(link), e, u)) return 0;
     return inFan(e, sideAfter(link), u) ? 1 : -1;
 }
-/* <choose among the normals that the surface has, by eq:contacts-link-gap> */
+
 /* least component of the other core's corners along the link's normal, from the link */
 static wfReal gapOfLink(const LinkPair *l)
 {
@@ -81,7 +82,7 @@ static wfReal gapOfLink(const LinkPair *l)
     }
     return least;
 }
-/* <choose among the normals that the surface has, by eq:contacts-link-gap> */
+
 /* the other shape's edge with the greatest gap, or -1: the link itself */
 static int32_t chooseEdge(const LinkPair *l, wfReal *gap)
 {
@@ -99,7 +100,7 @@ static int32_t chooseEdge(const LinkPair *l, wfReal *gap)
     }
     return edge;
 }
-/* <drop an end that belongs to the neighbour, by eq:contacts-drop> */
+
 /* true: the link on the other side of this joint sees the body too */
 static bool neighbourSees(const LinkPair *l, wfVec2 joint, wfVec2 side)
 {
@@ -112,7 +113,7 @@ static bool neighbourSees(const LinkPair *l, wfVec2 joint, wfVec2 side)
     }
     return true;
 }
-/* <drop an end that belongs to the neighbour, by eq:contacts-drop> */
+
 static bool isNeighbours(const LinkPair *l, const wfFacing *f, const wfClipPoint *end)
 {
     wfVec2 before = sideBefore(l->link), e = sideOf(l->link), after = sideAfter(l->link);
@@ -125,7 +126,7 @@ static bool isNeighbours(const LinkPair *l, const wfFacing *f, const wfClipPoint
             && neighbourSees(l, l->link->vertices[1], after);
     return false;
 }
-/* <touch a link with an edge> */
+
 /* true: two corners face each other in the fan of a joint, and made the contact */
 static bool linkCorner(const LinkPair *l, const wfFacing *f, const wfClipPoint *clipped,
                        wfManifold *out)
@@ -139,7 +140,7 @@ static bool linkCorner(const LinkPair *l, const wfFacing *f, const wfClipPoint *
     wfCornerContact(f, &c, l->margin, out);
     return true;
 }
-/* <touch a link with an edge> */
+
 /* the reference edge is the other shape's `edge`, or the link's if that is -1 */
 static void linkEdge(const LinkPair *l, int32_t edge, bool apart, wfManifold *out)
 {
@@ -156,7 +157,8 @@ static void linkEdge(const LinkPair *l, int32_t edge, bool apart, wfManifold *ou
         wfAddClipped(&f, &ends[k], out);
     }
 }
-/* <touch a link> */
+
+/* touch a link */
 static void linkCore(const LinkPair *l, wfManifold *out)
 {
     wfReal gap;
@@ -167,7 +169,7 @@ static void linkCore(const LinkPair *l, wfManifold *out)
     linkEdge(l, edge, gap > 0, out);
     if (out->count == 0 && edge >= 0) linkEdge(l, -1, gap > 0, out);
 }
-/* <touch a link> */
+
 void wfLinkContacts(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                     wfReal margin, wfManifold *out)
 {

@@ -4,7 +4,7 @@
 #ifndef WEFT_COLLISION_MANIFOLD_H
 #define WEFT_COLLISION_MANIFOLD_H
 #include "weft/contact.h"
-/* <what the parts of contact generation share> */
+
 /* Edge r of the reference shape gives the normal; edge i of the incident one faces it. */
 typedef struct wfFacing {
     const wfShape *ref, *inc;
@@ -21,7 +21,7 @@ void wfFaceEdge(int32_t edge, wfFacing *f);
 /* Both: edge `edge` of shape `owner`. */
 void wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                  int owner, int32_t edge, wfFacing *f);
-/* <what the parts of contact generation share> */
+
 /* An end of the incident edge in the reference edge's frame, and its name. */
 typedef struct wfClipPoint {
     wfVec2 at;
@@ -30,13 +30,11 @@ typedef struct wfClipPoint {
 
 /* The incident edge's ends by eq:contacts-frame; returns the reference edge's length, m. */
 wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends);
-/* <what the parts of contact generation share> */
 /* Cuts the ends to the stretch below the reference edge; false: nothing is there. */
 bool wfClipIncident(const wfFacing *f, wfClipPoint *ends);
-/* <what the parts of contact generation share> */
 /* The incident core's corner that is deepest below the reference edge's line. */
 wfClipPoint wfDeepestVertex(const wfFacing *f);
-/* <what the parts of contact generation share> */
+
 /* A corner of the reference shape, one of the incident shape, and the way between them in
    the reference edge's frame. */
 typedef struct wfCorners {
@@ -49,7 +47,6 @@ typedef struct wfCorners {
 bool wfFacingCorners(const wfFacing *f, const wfClipPoint *clipped, wfCorners *c);
 /* The contact of eq:contacts-corners, if within the margin; it turns out->normal. */
 void wfCornerContact(const wfFacing *f, const wfCorners *c, wfReal margin, wfManifold *out);
-/* <what the parts of contact generation share> */
 /* A place in the reference edge's frame becomes a contact by eq:contacts-coats. */
 void wfAddClipped(const wfFacing *f, const wfClipPoint *c, wfManifold *out);
 
@@ -70,7 +67,6 @@ void wfAddEnds(const wfFacing *f, const wfClipPoint *ends, wfReal margin, wfMani
 /* A point, `arm` from A's origin in world directions. */
 void wfAddContact(wfManifold *out, wfTransform xa, wfTransform xb, wfVec2 arm,
                   wfReal depth, uint32_t feature);
-/* <what the parts of contact generation share> */
 /* The reference edge's normal in world directions, from A to B. */
 wfVec2 wfFacingNormal(const wfFacing *f);
 #endif

@@ -3,8 +3,6 @@
 #include "weft/compound.h"
 #include "collision/hull.h"
 
-/* <find the side of a line, exactly> */
-/* <add and multiply without error> */
 /* a + b = the returned sum + *error, exactly */
 static double two_sum(double a, double b, double *error)
 {
@@ -26,7 +24,8 @@ static double two_product(double a, double b, double *error)
 #endif
     return product;
 }
-/* <add up without error> */
+
+/* add up without error */
 typedef struct ExactSum { double part[12]; int count; } ExactSum;
 
 static void add_exactly(ExactSum *s, double x)
@@ -48,7 +47,7 @@ static void add_cross(ExactSum *s, wfVec2 a, wfVec2 b)
 
 int wfOrientation(wfVec2 a, wfVec2 b, wfVec2 c)
 {
-    /* <decide the sign by eq:compound-filter if it is clear> */
+    /* decide the sign by eq:compound-filter if it is clear */
     double l = ((double)a.x - (double)c.x) * ((double)b.y - (double)c.y);
     double r = ((double)a.y - (double)c.y) * ((double)b.x - (double)c.x);
     double size = (l < 0 ? -l : l) + (r < 0 ? -r : r), bound = 0x1p-50 * size;
@@ -63,14 +62,16 @@ int wfOrientation(wfVec2 a, wfVec2 b, wfVec2 c)
         if (s.part[i] != 0) return s.part[i] > 0 ? 1 : -1;
     return 0;
 }
-/* <see if two sides meet> */
+
+/* see if two sides meet */
 static bool sides_meet(wfVec2 a, wfVec2 b, wfVec2 c, wfVec2 d)
 {
     if (!wfRectOverlap(wfRectMinMax(a, b), wfRectMinMax(c, d))) return false;
     if (wfOrientation(a, b, c) * wfOrientation(a, b, d) > 0) return false;
     return wfOrientation(c, d, a) * wfOrientation(c, d, b) <= 0;
 }
-/* <find what is wrong with an outline> */
+
+/* find what is wrong with an outline */
 static wfResult blame(wfResult result, int32_t i, int32_t j, int32_t where[2])
 {
     if (where) {
@@ -88,7 +89,7 @@ static wfResult find_duplicate(const wfVec2 *p, int n, int32_t where[2])
                 return blame(WF_ERROR_DUPLICATE, i, j, where);
     return WF_OK;
 }
-/* <find what is wrong with an outline> */
+
 static wfResult find_flat(const wfVec2 *p, int n, int32_t where[2])
 {
     int flat = 0, last = -1;
@@ -111,7 +112,7 @@ static wfResult find_crossing(const wfVec2 *p, int n, int32_t where[2])
         }
     return WF_OK;
 }
-/* <find what is wrong with an outline> */
+
 wfResult wfCheckOutline(const wfVec2 *outline, int n, int32_t where[2])
 {
     wfReal size;
@@ -124,7 +125,7 @@ wfResult wfCheckOutline(const wfVec2 *outline, int n, int32_t where[2])
     if (result == WF_OK) result = find_crossing(outline, n, where);
     return result;
 }
-/* <tidy an outline> */
+
 /* the height of a triangle over its longest side */
 static wfReal triangle_height(wfVec2 a, wfVec2 b, wfVec2 c)
 {
@@ -145,7 +146,7 @@ static int flattest_corner(const wfVec2 *p, int n, wfReal tolerance)
     }
     return corner;
 }
-/* <tidy an outline> */
+
 int wfTidyOutline(const wfVec2 *points, int n, wfVec2 *out)
 {
     wfReal size;

@@ -2,7 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/broad.h"
 
-/* <find the quarter that holds a box by eq:broad-sector> */
+/* find the quarter that holds a box by eq:broad-sector */
 int wfQuadSector(wfVec2 centre, wfRect r)
 {
     int sector;
@@ -13,7 +13,8 @@ int wfQuadSector(wfVec2 centre, wfRect r)
     if (r.min.y > centre.y) return sector + 2;
     return WF_QUAD_NONE;
 }
-/* <make and free nodes of the quad tree> */
+
+/* make and free nodes of the quad tree */
 static int32_t takeNode(wfQuadTree *tree)
 {
     int32_t n = tree->freeNode;
@@ -37,7 +38,7 @@ static void giveNode(wfQuadTree *tree, int32_t n)
     node->parent = tree->freeNode;
     tree->freeNode = n;
 }
-/* <make and free nodes of the quad tree> */
+
 static int32_t childOf(wfQuadTree *tree, int32_t parent, int sector)
 {
     wfQuadNode *up = &tree->nodes[parent];
@@ -53,7 +54,8 @@ static int32_t childOf(wfQuadTree *tree, int32_t parent, int sector)
     up->child[sector] = n;
     return n;
 }
-/* <link and unlink a proxy> */
+
+/* link and unlink a proxy */
 static void addBelow(wfQuadTree *tree, int32_t n, int32_t by)
 {
     for (n = tree->nodes[n].parent; n != WF_QUAD_NONE; n = tree->nodes[n].parent)
@@ -69,7 +71,7 @@ static void linkProxy(wfQuadTree *tree, int32_t n, int32_t proxy)
     node->count++;
     addBelow(tree, n, 1);
 }
-/* <link and unlink a proxy> */
+
 static void unlinkProxy(wfQuadTree *tree, int32_t proxy)
 {
     wfQuadLink link = tree->links[proxy];
@@ -81,7 +83,8 @@ static void unlinkProxy(wfQuadTree *tree, int32_t proxy)
     addBelow(tree, link.node, -1);
     tree->links[proxy].node = WF_QUAD_NONE;
 }
-/* <insert into the quad tree> */
+
+/* insert into the quad tree */
 static void insertUnder(wfQuadTree *tree, int32_t n, int32_t proxy);
 
 static void splitNode(wfQuadTree *tree, int32_t n)
@@ -94,7 +97,7 @@ static void splitNode(wfQuadTree *tree, int32_t n)
         insertUnder(tree, n, p);
     }
 }
-/* <insert into the quad tree> */
+
 static void insertUnder(wfQuadTree *tree, int32_t n, int32_t proxy)
 {
     while (tree->nodes[n].split) {
@@ -109,7 +112,7 @@ static void insertUnder(wfQuadTree *tree, int32_t n, int32_t proxy)
     if (!node->split && node->count > tree->bucket && node->depth < tree->depthLimit)
         splitNode(tree, n);
 }
-/* <insert into the quad tree> */
+
 static wfResult checkBounds(const wfQuadTree *tree, int32_t proxy, wfRect r)
 {
     if (!tree) return WF_ERROR_NULL;
@@ -128,7 +131,8 @@ wfResult wfQuadTreeInsert(wfQuadTree *tree, int32_t proxy, wfRect bounds)
     insertUnder(tree, 0, proxy);
     return WF_OK;
 }
-/* <remove from the quad tree> */
+
+/* remove from the quad tree */
 static void freeEmptyNodes(wfQuadTree *tree, int32_t n)
 {
     for (;;) {
@@ -150,14 +154,15 @@ wfResult wfQuadTreeRemove(wfQuadTree *tree, int32_t proxy)
     tree->count--;
     return WF_OK;
 }
-/* <remove from the quad tree> */
+
 wfResult wfQuadTreeMove(wfQuadTree *tree, int32_t proxy, wfRect bounds)
 {
     wfResult result = checkBounds(tree, proxy, bounds);
     if (result == WF_OK) result = wfQuadTreeRemove(tree, proxy);
     return result != WF_OK ? result : wfQuadTreeInsert(tree, proxy, bounds);
 }
-/* <make the quad tree> */
+
+/* make the quad tree */
 static wfResult checkDef(const wfQuadTreeDef *def)
 {
     if (def->proxies < 0 || def->nodes < 1) return WF_ERROR_RANGE;
@@ -180,7 +185,7 @@ static void setUpTree(wfQuadTree *tree, const wfQuadTreeDef *def)
     clearNode(&tree->nodes[0], wfAdd(low, high), wfSub(high, low));
     for (int32_t i = 0; i < def->proxies; i++) tree->links[i].node = WF_QUAD_NONE;
 }
-/* <make the quad tree> */
+
 wfResult wfQuadTreeInit(wfQuadTree *tree, wfPool *pool, const wfQuadTreeDef *def)
 {
     if (!tree || !pool || !def) return WF_ERROR_NULL;
@@ -199,7 +204,7 @@ wfResult wfQuadTreeInit(wfQuadTree *tree, wfPool *pool, const wfQuadTreeDef *def
     *tree = made;
     return WF_OK;
 }
-/* <make the quad tree> */
+
 size_t wfQuadTreeSize(int32_t proxies, int32_t nodes)
 {
     size_t n = (size_t)proxies;
@@ -211,7 +216,7 @@ int32_t wfQuadTreeNodes(int32_t proxies)
 {
     return proxies + 4 * WF_QUAD_MAX_DEPTH;
 }
-/* <make the quad tree> */
+
 static wfRect commonBounds(const wfProxies *in)
 {
     wfRect all = { { { 0, 0 } }, { { 0, 0 } } };
@@ -234,7 +239,8 @@ wfResult wfQuadTreeBuild(wfQuadTree *tree, wfPool *pool, const wfProxies *in)
         if (in->flags[i] & WF_PROXY_LIVE) result = wfQuadTreeInsert(tree, i, in->bounds[i]);
     return result;
 }
-/* <look at the quad tree> */
+
+/* look at the quad tree */
 int32_t wfQuadTreeNodeOf(const wfQuadTree *tree, int32_t proxy)
 {
     if (!tree || proxy < 0 || proxy >= tree->proxyCapacity) return WF_QUAD_NONE;
@@ -260,7 +266,8 @@ int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors)
         sectors[--i] = tree->nodes[node].sector;
     return depth;
 }
-/* <find pairs in the quad tree> */
+
+/* find pairs in the quad tree */
 static bool offerPair(const wfQuadTree *tree, const wfProxies *in, int32_t a, int32_t b,
                       wfPairList *out)
 {
@@ -278,7 +285,7 @@ static bool offerList(const wfQuadTree *tree, const wfProxies *in, int32_t a,
         if (!offerPair(tree, in, a, b, out)) return false;
     return true;
 }
-/* <find pairs in the quad tree> */
+
 static bool pairsAbove(const wfQuadTree *tree, const wfProxies *in, int32_t a,
                        wfPairList *out)
 {
@@ -287,7 +294,7 @@ static bool pairsAbove(const wfQuadTree *tree, const wfProxies *in, int32_t a,
         if (!offerList(tree, in, a, tree->nodes[n].first, out)) return false;
     return true;
 }
-/* <find pairs in the quad tree> */
+
 int wfQuadTreeReach(const wfQuadTree *tree, int32_t n, wfRect r, int32_t *reached)
 {
     const wfQuadNode *node = &tree->nodes[n];
@@ -300,7 +307,7 @@ int wfQuadTreeReach(const wfQuadTree *tree, int32_t n, wfRect r, int32_t *reache
             reached[count++] = node->child[s];
     return count;
 }
-/* <find pairs in the quad tree> */
+
 static bool pairsBelow(const wfQuadTree *tree, const wfProxies *in, int32_t a,
                        wfPairList *out)
 {
@@ -314,7 +321,7 @@ static bool pairsBelow(const wfQuadTree *tree, const wfProxies *in, int32_t a,
     }
     return true;
 }
-/* <find pairs in the quad tree> */
+
 wfResult wfQuadTreePairs(const wfQuadTree *tree, wfQuadReach reach, const wfProxies *in,
                          wfPairList *out)
 {
@@ -333,7 +340,8 @@ wfResult wfQuadTreePairs(const wfQuadTree *tree, wfQuadReach reach, const wfProx
     out->count = 0;
     return WF_ERROR_FULL;
 }
-/* <the row of the quad tree> */
+
+/* the row of the quad tree */
 size_t wfQuadIndexSize(int32_t proxies)
 {
     return sizeof(wfQuadTree) + wfQuadTreeSize(proxies, wfQuadTreeNodes(proxies));
@@ -348,7 +356,7 @@ static wfQuadTree openTree(const wfProxies *in, const void *index)
     tree.bounds = wfPoolPushArray(&pool, tree.proxyCapacity, wfRect);
     return tree;
 }
-/* <the row of the quad tree> */
+
 wfResult wfQuadUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     (void)scratch;
@@ -361,7 +369,7 @@ wfResult wfQuadUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     *head = tree;
     return WF_OK;
 }
-/* <the row of the quad tree> */
+
 wfResult wfQuadPairs(const wfProxies *in, const void *index, wfPool *scratch,
                      wfPairList *out)
 {
@@ -378,7 +386,7 @@ size_t wfQuadScratch(int32_t proxies, int32_t pairs)
 {
     return wfQuadIndexSize(proxies) + wfSortPairsSize(proxies, pairs) + WF_POOL_ALIGN;
 }
-/* <the row of the quad tree> */
+
 void wfQuadQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                  void *context)
 {
@@ -393,7 +401,7 @@ void wfQuadQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
         size += wfQuadTreeReach(&t, n, area, stack + size);
     }
 }
-/* <the row of the quad tree> */
+
 typedef struct QuadPlace { int32_t node; wfRect region; } QuadPlace;
 
 /* puts the children whose regions the cast meets on the stack, the nearest last */
@@ -415,7 +423,7 @@ static int castReach(const wfQuadTree *t, QuadPlace at, const wfBoxCast *cast,
     }
     return count;
 }
-/* <the row of the quad tree> */
+
 void wfQuadCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                 wfCastVisitFn *visit, void *context)
 {
@@ -431,7 +439,7 @@ void wfQuadCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
         size += castReach(&t, at, &c, stack + size);
     }
 }
-/* <the row of the quad tree> */
+
 void wfQuadBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                  void *context)
 {

@@ -3,7 +3,6 @@
 #include "weft/narrow.h"
 #include "weft/query.h"
 
-/* <see a ray from a shape> */
 /* A ray in a shape's frame.  Lengths along it are counted from `near`. */
 typedef struct LocalRay {
     wfVec2 start, unit;    /* where it begins; its direction, (0, 0) if it has none */
@@ -26,13 +25,13 @@ static wfResult seeRay(const wfShape *shape, wfTransform placed, wfRay ray, Loca
     r->hi = r->length - s;
     return WF_OK;
 }
-/* <see a ray from a shape> */
+
 /* a corner as seen from the shape's centre; the only corner of a circle is its centre */
 static wfVec2 cornerOf(const wfShape *s, int32_t i)
 {
     return s->count > 0 ? wfSub(s->vertices[i], s->centre) : wfV2(0, 0);
 }
-/* <enter a disk by eq:queries-disk> */
+
 /* Where a ray enters: m along it from its near point; the place and the normal there */
 typedef struct Entry { wfReal at; wfVec2 point, normal; } Entry;
 
@@ -50,7 +49,7 @@ static bool enterDisk(const LocalRay *r, wfVec2 centre, wfReal radius, wfReal fr
     e->point = wfAddScaled(centre, radius, e->normal);
     return true;
 }
-/* <cut the ray at the edges by eq:queries-clip> */
+
 /* what is left of the ray, and the edge through which it comes in (-1: it begins inside) */
 typedef struct Cut { wfReal enter, leave; int32_t edge; } Cut;
 
@@ -70,7 +69,8 @@ static bool cutRay(const wfShape *s, const LocalRay *r, Cut *c)
     }
     return c->enter <= c->leave;
 }
-/* <find the nearest point of a core> */
+
+/* find the nearest point of a core */
 typedef struct Nearest {
     wfVec2 point;          /* of the core, from the shape's centre */
     wfVec2 away;           /* unit, from there to the given point; (0, 0): they are one */
@@ -94,7 +94,7 @@ static Nearest nearestOnEdge(const wfShape *s, int32_t i, wfVec2 p)
     if (a >= wfDot(wfSub(w, v), along)) return nearestVertex(w, j, p);
     return (Nearest){ wfAddScaled(v, a, along), g < 0 ? wfNeg(n) : n, wfAbs(g), -1 };
 }
-/* <find the nearest point of a core> */
+
 static Nearest nearestOnCore(const wfShape *s, wfVec2 p)
 {
     Nearest best = nearestVertex(wfV2(0, 0), 0, p);           /* of a circle, a particle */
@@ -106,7 +106,8 @@ static Nearest nearestOnCore(const wfShape *s, wfVec2 p)
     }
     return inside ? (Nearest){ p, wfV2(0, 0), 0, -1 } : best;
 }
-/* <the nearest point of a shape> */
+
+/* the nearest point of a shape */
 static bool isKind(const wfShape *s)
 {
     return s->kind >= 0 && s->kind < WF_SHAPE_KINDS;
@@ -132,7 +133,8 @@ wfResult wfClosestPoint(const wfShape *shape, wfTransform placed, wfVec2 point,
     *out = c;
     return WF_OK;
 }
-/* <enter a convex shape> */
+
+/* enter a convex shape */
 static bool enterRounded(const wfShape *s, const LocalRay *r, const Cut *c, wfVec2 p,
                          Entry *e)
 {
@@ -145,7 +147,7 @@ static bool enterRounded(const wfShape *s, const LocalRay *r, const Cut *c, wfVe
     *e = (Entry){ c->enter, wfAddScaled(n.point, s->radius, n.away), n.away };
     return true;
 }
-/* <enter a convex shape> */
+
 static bool enterConvex(const wfShape *s, const LocalRay *r, Entry *e)
 {
     Cut c;
@@ -155,7 +157,8 @@ static bool enterConvex(const wfShape *s, const LocalRay *r, Entry *e)
     *e = (Entry){ c.enter, p, c.edge < 0 ? wfV2(0, 0) : s->normals[c.edge] };
     return true;
 }
-/* <run along a segment> */
+
+/* run along a segment */
 static bool runAlong(const wfShape *s, const LocalRay *r, wfReal sa, wfReal sb, Entry *e)
 {
     wfReal first = wfMinR(sa, sb);
@@ -166,7 +169,8 @@ static bool runAlong(const wfShape *s, const LocalRay *r, wfReal sa, wfReal sb, 
     *e = (Entry){ r->lo + first, cornerOf(s, sa <= sb ? 0 : 1), wfNeg(r->unit) };
     return true;
 }
-/* <cross a segment by eq:queries-cross> */
+
+/* cross a segment by eq:queries-cross */
 static bool crossSegment(const wfShape *s, const LocalRay *r, Entry *e)
 {
     wfVec2 a = wfSub(s->vertices[0], r->start), b = wfSub(s->vertices[1], r->start);
@@ -183,7 +187,8 @@ static bool crossSegment(const wfShape *s, const LocalRay *r, Entry *e)
     e->normal = facing < 0 ? s->normals[0] : wfNeg(s->normals[0]);
     return true;
 }
-/* <the ray against one shape> */
+
+/* the ray against one shape */
 static bool meet(const wfShape *s, const LocalRay *r, Entry *e)
 {
     bool thin = s->kind == WF_SHAPE_SEGMENT || s->kind == WF_SHAPE_LINK;
@@ -195,7 +200,7 @@ static bool meet(const wfShape *s, const LocalRay *r, Entry *e)
     }
     return thin ? crossSegment(s, r, e) : enterConvex(s, r, e);
 }
-/* <the ray against one shape> */
+
 wfResult wfRayShape(const wfShape *shape, wfTransform placed, wfRay ray, wfRayHit *out)
 {
     LocalRay r;
@@ -218,7 +223,8 @@ wfResult wfRayShape(const wfShape *shape, wfTransform placed, wfRay ray, wfRayHi
     *out = hit;
     return WF_OK;
 }
-/* <do two shapes overlap> */
+
+/* do two shapes overlap */
 wfResult wfOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                    bool *out)
 {

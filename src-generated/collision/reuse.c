@@ -3,7 +3,7 @@
 #include "weft/contact.h"
 #include "collision/manifold.h"
 
-/* <keep the impulses of the same features> */
+/* keep the impulses of the same features */
 void wfKeepImpulses(const wfManifold *before, wfManifold *now)
 {
     bool turned = !(wfDot(before->normal, now->normal) > 0);
@@ -17,7 +17,8 @@ void wfKeepImpulses(const wfManifold *before, wfManifold *now)
         }
     }
 }
-/* <remember the reference edge> */
+
+/* remember the reference edge */
 static wfReal coreReach(const wfShape *s)
 {
     wfReal far = 0;
@@ -39,7 +40,8 @@ void wfRememberManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
     cache->owner = edges ? s->owner : WF_NO_EDGE;
     cache->edge = edges ? s->edge : WF_NO_EDGE;
 }
-/* <measure how far a pair has moved by eq:contacts-moved> */
+
+/* measure how far a pair has moved by eq:contacts-moved */
 static wfReal movedBy(const wfManifoldCache *c, const wfShape *incident, wfTransform now)
 {
     wfVec2 from = wfApply(c->relative, incident->centre);
@@ -47,7 +49,8 @@ static wfReal movedBy(const wfManifoldCache *c, const wfShape *incident, wfTrans
     wfVec2 turn = wfV2(now.q.c - c->relative.q.c, now.q.s - c->relative.q.s);
     return wfLength(way) + wfLength(turn) * c->reach;
 }
-/* <use a reference edge again> */
+
+/* use a reference edge again */
 static bool clipAgain(wfFacing *f, wfReal margin, const wfManifoldCache *cache,
                       wfManifold *out)
 {
@@ -65,7 +68,7 @@ static bool clipAgain(wfFacing *f, wfReal margin, const wfManifoldCache *cache,
     wfAddEnds(f, ends, margin, out);
     return true;
 }
-/* <use a reference edge again> */
+
 bool wfReuseManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfReal margin, const wfManifoldCache *cache, wfManifold *out)
 {

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/narrow.h"
 
-/* <project a shape onto an axis by eq:narrow-projection> */
+/* project a shape onto an axis by eq:narrow-projection */
 wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis)
 {
     wfVec2 local = wfRotateInv(xf.q, axis);             /* eq:narrow-axis-in-body */
@@ -20,21 +20,23 @@ wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis)
     all.max = all.max + spread + origin;
     return all;
 }
-/* <project a shape onto an axis by eq:narrow-projection> */
+
 wfReal wfAxisOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfVec2 axis)
 {
     wfProjection pa = wfProject(a, xa, axis), pb = wfProject(b, xb, axis);
     return wfMinR(pa.max, pb.max) - wfMaxR(pa.min, pb.min);     /* eq:narrow-overlap */
 }
-/* <find the shorter way out by eq:narrow-escape> */
+
+/* find the shorter way out by eq:narrow-escape */
 wfReal wfAxisEscape(wfProjection a, wfProjection b)
 {
     wfReal ahead = a.max - b.min, back = b.max - a.min;
     if (ahead <= 0 || back <= 0) return 0;
     return ahead <= back ? ahead : -back;
 }
-/* <see B from A by eq:narrow-relative> */
+
+/* see B from A by eq:narrow-relative */
 wfReal wfShapeReach(const wfShape *shape)
 {
     wfReal far = 0;
@@ -42,7 +44,8 @@ wfReal wfShapeReach(const wfShape *shape)
         far = wfMaxR(far, wfDistanceSq(shape->vertices[i], shape->centre));
     return wfSqrt(far) + shape->radius;
 }
-/* <separate two circles by eq:narrow-circles> */
+
+/* separate two circles by eq:narrow-circles */
 static void circleCircle(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                          wfSeparation *out)
 {
@@ -54,7 +57,7 @@ static void circleCircle(const wfShape *a, wfTransform xa, const wfShape *b, wfT
     out->distance = length - radii;
     out->owner = out->edge = WF_NO_EDGE;
 }
-/* <choose an axis by eq:narrow-tie> */
+
 /* the first of n gaps of cores in coats that is as good as the greatest */
 static int32_t chooseAxis(const wfReal *gaps, int32_t n, wfReal coats, wfReal tie)
 {
@@ -65,12 +68,12 @@ static int32_t chooseAxis(const wfReal *gaps, int32_t n, wfReal coats, wfReal ti
     while (k < n - 1 && gaps[k] < enough) k++;
     return k;
 }
-/* <choose an axis by eq:narrow-tie> */
+
 static wfReal tieOf(const wfShape *a, const wfShape *b)
 {
     return WF_AXIS_TIE * wfMinR(wfShapeReach(a), wfShapeReach(b));
 }
-/* <separate a polygon and a point with a coat> */
+
 /* the polygon's frame; normal from the polygon to the circle at c */
 static void polygonPoint(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
                          wfSeparation *out)
@@ -85,7 +88,7 @@ static void polygonPoint(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
     out->distance = gaps[k] - radius;
     if (gaps[k] <= 0) return;
     wfVec2 v = p->vertices[k], next = p->vertices[k + 1 < p->count ? k + 1 : 0];
-    /* <turn to the corner if eq:narrow-regions says so> */
+    /* turn to the corner if eq:narrow-regions says so */
     if (wfDot(wfSub(c, v), wfSub(next, v)) > 0) {
         if (wfDot(wfSub(c, next), wfSub(v, next)) > 0) return;
         v = next;
@@ -96,7 +99,8 @@ static void polygonPoint(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
     out->normal = wfScale(1 / length, d);
     out->distance = length - radius;
 }
-/* <separate a polygon and a circle> */
+
+/* separate a polygon and a circle */
 static void polygonCircle(const wfShape *a, wfTransform xa, const wfShape *b,
                           wfTransform xb, wfSeparation *out)
 {
@@ -112,7 +116,7 @@ static void circlePolygon(const wfShape *a, wfTransform xa, const wfShape *b,
     out->normal = wfNeg(out->normal);
     out->owner = 1;
 }
-/* <find the least gap of eq:narrow-edge-gap> */
+
 /* the least distance of points v[0..n-1] from the line through p with this normal */
 static wfReal leastGap(wfVec2 normal, wfVec2 p, const wfVec2 *v, int32_t n)
 {
@@ -120,7 +124,7 @@ static wfReal leastGap(wfVec2 normal, wfVec2 p, const wfVec2 *v, int32_t n)
     for (int32_t i = 0; i < n; i++) least = wfMinR(least, wfDot(normal, wfSub(v[i], p)));
     return least;
 }
-/* <list the gaps of the edges of a core> */
+
 /* a shape's corners and normals as A sees them: 1 corner for a point, 2 for a segment */
 typedef struct Core {
     int32_t n;
@@ -128,7 +132,7 @@ typedef struct Core {
 } Core;
 
 static int32_t edgesOf(const Core *core) { return core->n > 1 ? core->n : 0; }
-/* <count the ends of a core> */
+/* count the ends of a core */
 static int32_t endsOf(const Core *core) { return core->n == 2 ? 2 : 0; }
 
 static wfReal *listEdges(const Core *core, const Core *other, wfReal *gaps)
@@ -137,7 +141,7 @@ static wfReal *listEdges(const Core *core, const Core *other, wfReal *gaps)
         *gaps++ = leastGap(core->normals[i], core->v[i], other->v, other->n);
     return gaps;
 }
-/* <list the gaps of the edges of a core> */
+
 /* an edge of a core, or an end of a segment's */
 typedef struct Face {
     wfVec2 axis, from, to;              /* the axis from A to B */
@@ -158,7 +162,8 @@ static Face faceAt(const Core *cores, int32_t k)
     f.axis = f.ofB ? wfNeg(outward) : outward;
     return f;
 }
-/* <list the gaps of the ends of a core> */
+
+/* list the gaps of the ends of a core */
 static wfReal *listEnds(const Core *core, const Core *other, wfReal *gaps)
 {
     for (int32_t i = 0; i < endsOf(core); i++) {
@@ -167,7 +172,7 @@ static wfReal *listEnds(const Core *core, const Core *other, wfReal *gaps)
     }
     return gaps;
 }
-/* <find the nearest corners> */
+
 /* from the nearest point of the segment from a to b to c */
 static wfVec2 fromSegment(wfVec2 a, wfVec2 b, wfVec2 c)
 {
@@ -177,7 +182,7 @@ static wfVec2 fromSegment(wfVec2 a, wfVec2 b, wfVec2 c)
     if (back <= 0) return q;
     return wfAddScaled(p, -along / (along + back), e);
 }
-/* <find the nearest corners> */
+
 /* how far a difference of coordinates may be off: eq:narrow-noise */
 static wfReal noiseOf(const Core *cores)
 {
@@ -187,7 +192,7 @@ static wfReal noiseOf(const Core *cores)
             size = wfMaxR(size, wfLengthSq(cores[k].v[i]));
     return 4 * WF_EPSILON * wfSqrt(size);
 }
-/* <find the nearest corners> */
+
 static void cornerToCorner(const Core *cores, const wfReal *gaps, int32_t n, wfReal coats,
                            wfSeparation *out)
 {
@@ -210,19 +215,20 @@ static void cornerToCorner(const Core *cores, const wfReal *gaps, int32_t n, wfR
     out->normal = wfScale(1 / least, way);
     out->owner = out->edge = WF_NO_EDGE;
 }
-/* <find the nearest corners> */
+
 static bool isBare(const wfShape *s)
 {
     return s->kind == WF_SHAPE_POLYGON && s->radius == 0;
 }
-/* <separate two cores> */
+
+/* separate two cores */
 static void coreCore(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfSeparation *out)
 {
     wfTransform rel = wfRelativePose(xa, xb);
     wfVec2 corners[WF_MAX_VERTICES], normals[WF_MAX_VERTICES];
     wfReal gaps[2 * WF_MAX_VERTICES + 4], coats = a->radius + b->radius;
-    /* <see both cores from A> */
+    /* see both cores from A */
     bool pointA = a->count == 0, pointB = b->count == 0;
     for (int32_t j = 0; j < b->count; j++) {
         corners[j] = wfApply(rel, b->vertices[j]);
@@ -244,12 +250,13 @@ static void coreCore(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
     if (coats > 0) cornerToCorner(cores, gaps, n, coats, out);
     out->normal = wfRotate(xa.q, out->normal);
 }
-/* <narrow phases> */
+
+/* narrow phases */
 static bool isFinitePose(wfTransform x)
 {
     return wfIsFinite2(x.p) && wfIsFinite2(wfV2(x.q.c, x.q.s));
 }
-/* <narrow phases> */
+
 static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
                             wfTransform xb, wfSeparation *out)
 {
@@ -266,13 +273,11 @@ static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
     *out = found;
     return WF_OK;
 }
-/* <the narrow phase table> */
+
+/* the narrow phase table */
 const wfNarrowPhaseRow wfNarrowPhaseTable[] = {
-    /* <rows of the narrow phase table> */
     { "sat", "separating axes: edge normals of both shapes", satSeparate },
-    /* <rows of the narrow phase table> */
     { "gjk", "GJK for the distance, EPA for the depth", wfSeparateGjk },
-    /* <rows of the narrow phase table> */
     { "voronoi", "a walk over Voronoi regions, GJK and EPA where it fails", wfSeparateVoronoi },
 };
 const int wfNarrowPhaseCount =
@@ -284,7 +289,7 @@ int wfFindNarrowPhase(const char *name)
         if (strcmp(wfNarrowPhaseTable[i].name, name) == 0) return i;
     return -1;
 }
-/* <the narrow phase table> */
+
 wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape *b,
                     wfTransform xb, wfSeparation *out)
 {

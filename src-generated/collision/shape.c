@@ -3,7 +3,7 @@
 #include "weft/shape.h"
 #include "collision/hull.h"
 
-/* <make a circle> */
+/* make a circle */
 wfResult wfMakeCircle(wfVec2 centre, wfReal radius, wfShape *out)
 {
     if (!out) return WF_ERROR_NULL;
@@ -13,7 +13,8 @@ wfResult wfMakeCircle(wfVec2 centre, wfReal radius, wfShape *out)
     *out = (wfShape){ .kind = WF_SHAPE_CIRCLE, .radius = radius, .centre = centre };
     return WF_OK;
 }
-/* <measure the area and the centroid of a polygon> */
+
+/* measure the area and the centroid of a polygon */
 static wfReal polygon_area(const wfVec2 *p, int n, wfVec2 *centroid)
 {
     wfReal area = 0;
@@ -27,14 +28,15 @@ static wfReal polygon_area(const wfVec2 *p, int n, wfVec2 *centroid)
     *centroid = wfAddScaled(p[0], 1 / area, moment);            /* eq:shapes-centroid */
     return area;
 }
-/* <measure a turn> */
+
 /* by how much the outline turns at corner i, rad: eq:shapes-turns */
 static wfReal turn_at(const wfShape *s, int i)
 {
     wfVec2 from = s->normals[(i + s->count - 1) % s->count], to = s->normals[i];
     return wfAtan2(wfCross(from, to), wfDot(from, to));
 }
-/* <measure the area and the centroid of core and coat> */
+
+/* measure the area and the centroid of core and coat */
 static wfReal area_and_centroid(const wfShape *s, wfVec2 *centroid)
 {
     const wfVec2 *p = s->vertices;
@@ -54,7 +56,8 @@ static wfReal area_and_centroid(const wfShape *s, wfVec2 *centroid)
     if (s->count > 2) *centroid = wfAddScaled(p[0], 1 / area, moment);
     return area;
 }
-/* <check a coat> */
+
+/* check a coat */
 static wfResult check_coat(const wfShape *s)
 {
     wfReal size, r = s->radius;
@@ -69,7 +72,7 @@ static wfResult check_coat(const wfShape *s)
     }
     return WF_OK;
 }
-/* <check an edge of a ring> */
+/* check an edge of a ring */
 #define WF_SHAPE_SLACK WF_R(1e-3)       /* what normals and centroid may be off */
 
 static wfResult check_edge(const wfShape *s, int e, wfReal tolerance)
@@ -87,8 +90,8 @@ static wfResult check_edge(const wfShape *s, int e, wfReal tolerance)
     bool fits = wfDistance(normal, s->normals[e]) <= WF_SHAPE_SLACK;  /* no, if NaN */
     return fits ? WF_OK : WF_ERROR_NOT_CONVEX;
 }
-/* <check a shape> */
-/* <add up the turns of a ring by eq:shapes-turns> */
+
+/* add up the turns of a ring by eq:shapes-turns */
 static wfReal sum_turns(const wfShape *s)
 {
     wfReal sum = 0;
@@ -113,7 +116,7 @@ static wfResult check_ring(const wfShape *s)
     bool centred = wfDistance(centroid, s->centre) <= WF_SHAPE_SLACK * size;
     return centred ? WF_OK : WF_ERROR_NOT_CONVEX;
 }
-/* <check a shape> */
+
 static wfResult check_ghosts(const wfShape *s, wfReal size)
 {
     wfReal all, least = wfMaxR(WF_MIN_SIZE, WF_HULL_TOLERANCE * size);
@@ -123,7 +126,7 @@ static wfResult check_ghosts(const wfShape *s, wfReal size)
     bool apart = wfDistance(v[2], v[0]) >= least && wfDistance(v[3], v[1]) >= least;
     return apart ? WF_OK : WF_ERROR_DEGENERATE;
 }
-/* <check a shape> */
+
 static wfResult check_between(const wfShape *s)
 {
     wfReal size;
@@ -140,7 +143,7 @@ static wfResult check_between(const wfShape *s)
     if (!fits) return WF_ERROR_NOT_CONVEX;
     return s->kind == WF_SHAPE_CAPSULE && s->radius == 0 ? WF_ERROR_COAT : check_coat(s);
 }
-/* <check a shape> */
+
 static wfResult check_kind(const wfShape *s)
 {
     static const struct { int8_t least, most; bool coat; } rule[WF_SHAPE_KINDS] = {
@@ -157,7 +160,7 @@ static wfResult check_kind(const wfShape *s)
     if (few || many || (s->radius != 0 && !rule[s->kind].coat)) return WF_ERROR_RANGE;
     return WF_OK;
 }
-/* <check a shape> */
+
 wfResult wfCheckShape(const wfShape *shape)
 {
     wfShape circle;
@@ -171,14 +174,15 @@ wfResult wfCheckShape(const wfShape *shape)
     if (shape->radius < 0) return WF_ERROR_RANGE;
     return shape->count == 2 ? check_between(shape) : check_ring(shape);
 }
-/* <make a box> */
+
+/* make a box */
 wfResult wfMakeOrientedBox(wfVec2 centre, wfReal halfWidth, wfReal halfHeight, wfReal angle,
                            wfShape *out)
 {
     static const int8_t corner[4][2] = { {-1, -1}, {1, -1}, {1, 1}, {-1, 1} };
     static const int8_t normal[4][2] = { {0, -1}, {1, 0}, {0, 1}, {-1, 0} };
     if (!out) return WF_ERROR_NULL;
-    /* <refuse a box with bad numbers> */
+    /* refuse a box with bad numbers */
     bool finite = wfIsFinite2(centre) && wfIsFinite2(wfV2(halfWidth, halfHeight));
     if (!finite || !wfIsFinite(angle)) return WF_ERROR_NOT_FINITE;
     if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
@@ -200,7 +204,8 @@ wfResult wfMakeBox(wfReal halfWidth, wfReal halfHeight, wfShape *out)
 {
     return wfMakeOrientedBox(wfV2(0, 0), halfWidth, halfHeight, 0, out);
 }
-/* <make a polygon> */
+
+/* make a polygon */
 static void set_ring(wfShape *s, const wfVec2 *ring, int count, wfReal radius)
 {
     *s = (wfShape){ .kind = WF_SHAPE_POLYGON, .count = count, .radius = radius };
@@ -211,7 +216,8 @@ static void set_ring(wfShape *s, const wfVec2 *ring, int count, wfReal radius)
     }
     area_and_centroid(s, &s->centre);
 }
-/* <make a rounded polygon> */
+
+/* make a rounded polygon */
 wfResult wfMakeRoundedPolygon(const wfVec2 *points, int n, wfReal radius, wfShape *out)
 {
     wfVec2 ring[2 * WF_MAX_VERTICES];
@@ -233,7 +239,7 @@ wfResult wfMakePolygon(const wfVec2 *points, int n, wfShape *out)
 {
     return wfMakeRoundedPolygon(points, n, 0, out);
 }
-/* <make a rounded polygon> */
+
 wfResult wfMakeRoundedBox(wfReal halfWidth, wfReal halfHeight, wfReal radius, wfShape *out)
 {
     wfShape box;
@@ -245,7 +251,8 @@ wfResult wfMakeRoundedBox(wfReal halfWidth, wfReal halfHeight, wfReal radius, wf
     if (result == WF_OK) *out = box;
     return result;
 }
-/* <make a capsule, a segment or a link> */
+
+/* make a capsule, a segment or a link */
 static wfResult make_between(wfShape s, wfShape *out)
 {
     if (!out) return WF_ERROR_NULL;
@@ -264,7 +271,7 @@ wfResult wfMakeCapsule(wfVec2 p, wfVec2 q, wfReal radius, wfShape *out)
     wfShape s = { .kind = WF_SHAPE_CAPSULE, .radius = radius, .vertices = { p, q } };
     return make_between(s, out);
 }
-/* <make a capsule, a segment or a link> */
+
 wfResult wfMakeSegment(wfVec2 p, wfVec2 q, wfShape *out)
 {
     return make_between((wfShape){ .kind = WF_SHAPE_SEGMENT, .vertices = { p, q } }, out);
@@ -275,14 +282,16 @@ wfResult wfMakeLink(wfVec2 before, wfVec2 p, wfVec2 q, wfVec2 after, wfShape *ou
     wfShape s = { .kind = WF_SHAPE_LINK, .vertices = { p, q, before, after } };
     return make_between(s, out);
 }
-/* <move a shape> */
+
+/* move a shape */
 void wfShapeMove(wfShape *shape, wfVec2 by)
 {
     int held = shape->kind == WF_SHAPE_LINK ? 4 : shape->count;     /* with the ghosts */
     shape->centre = wfAdd(shape->centre, by);
     for (int i = 0; i < held; i++) shape->vertices[i] = wfAdd(shape->vertices[i], by);
 }
-/* <answer questions about a shape> */
+
+/* answer questions about a shape */
 wfRect wfShapeBounds(const wfShape *shape, wfTransform placed)
 {
     wfVec2 first = shape->count > 0 ? shape->vertices[0] : shape->centre;
@@ -297,7 +306,7 @@ wfRect wfShapeBounds(const wfShape *shape, wfTransform placed)
     bounds.max = wfAdd(bounds.max, reach);
     return bounds;
 }
-/* <answer questions about a shape> */
+
 static bool outside_core(const wfShape *shape, wfVec2 q)
 {
     for (int i = 0; i < shape->count; i++) {                    /* eq:shapes-inside */
@@ -306,7 +315,7 @@ static bool outside_core(const wfShape *shape, wfVec2 q)
     }
     return shape->kind != WF_SHAPE_POLYGON;
 }
-/* <answer questions about a shape> */
+
 static wfReal edge_distance_sq(wfVec2 a, wfVec2 b, wfVec2 q)
 {
     wfVec2 along = wfSub(b, a), arm = wfSub(q, a);
@@ -326,7 +335,7 @@ bool wfShapeContains(const wfShape *shape, wfTransform placed, wfVec2 point)
     }
     return inside;
 }
-/* <answer questions about a shape> */
+
 int wfShapeSupport(const wfShape *shape, wfVec2 direction)
 {
     int best = shape->count > 0 ? 0 : -1;
@@ -345,7 +354,7 @@ wfReal wfShapeExtent(const wfShape *shape)
         extent = wfMaxR(extent, wfLength(shape->vertices[i]));
     return extent + shape->radius;
 }
-/* <answer questions about a shape> */
+
 static int put_arc(wfVec2 centre, wfVec2 normal, wfReal turn, wfReal radius, wfVec2 *out)
 {
     int chords = 1 + (int)wfFloor(turn * WF_RIM_TURN / (2 * WF_PI));
@@ -355,7 +364,7 @@ static int put_arc(wfVec2 centre, wfVec2 normal, wfReal turn, wfReal radius, wfV
     }
     return chords + 1;
 }
-/* <answer questions about a shape> */
+
 int wfShapeOutline(const wfShape *shape, wfTransform placed, wfVec2 out[WF_RIM_POINTS])
 {
     int n = 0;
@@ -372,7 +381,8 @@ int wfShapeOutline(const wfShape *shape, wfTransform placed, wfVec2 out[WF_RIM_P
     for (int i = 0; i < n; i++) out[i] = wfApply(placed, out[i]);
     return n;
 }
-/* <compute the mass data of a shape> */
+
+/* compute the mass data of a shape */
 wfReal wfShapeArea(const wfShape *shape)
 {
     wfVec2 centroid;
@@ -385,8 +395,8 @@ wfVec2 wfShapeCentroid(const wfShape *shape)
     area_and_centroid(shape, &centroid);
     return centroid;
 }
-/* <compute the mass data of a shape> */
-/* <sum the inertia of a polygon by eq:shapes-inertia> */
+
+/* sum the inertia of a polygon by eq:shapes-inertia */
 static wfReal polygon_inertia(const wfVec2 *p, int n, wfVec2 about)
 {
     wfReal sum = 0;
@@ -397,7 +407,7 @@ static wfReal polygon_inertia(const wfVec2 *p, int n, wfVec2 about)
     }
     return sum;
 }
-/* <sum the inertia of a coat by eq:shapes-steiner-inertia> */
+
 /* what a coat adds to its core, but for the disk that its sectors make together */
 static wfReal coat_inertia(const wfShape *s, wfVec2 about)
 {
@@ -411,7 +421,8 @@ static wfReal coat_inertia(const wfShape *s, wfVec2 about)
     }
     return sum;
 }
-/* <choose the inertia at unit density> */
+
+/* choose the inertia at unit density */
 static wfReal unit_inertia(const wfShape *shape, wfVec2 centroid)
 {
     wfReal disk = WF_PI * wfSquare(wfSquare(shape->radius)) / 2;    /* eq:shapes-disk */
@@ -440,7 +451,7 @@ wfResult wfShapeMassOf(const wfShape *shape, wfReal mass, wfMassData *out)
     *out = d;
     return WF_OK;
 }
-/* <compute the mass data of a shape> */
+
 wfResult wfShapeMass(const wfShape *shape, wfReal density, wfMassData *out)
 {
     wfResult result = wfCheckShape(shape);
@@ -449,7 +460,7 @@ wfResult wfShapeMass(const wfShape *shape, wfReal density, wfMassData *out)
     return wfShapeMassOf(shape, density * wfShapeArea(shape), out);
 }
 
-/* <move the inertia to another point by eq:shapes-parallel> */
+/* move the inertia to another point by eq:shapes-parallel */
 wfReal wfInertiaAbout(const wfMassData *data, wfVec2 point)
 {
     return data->inertia + data->mass * wfDistanceSq(point, data->centre);

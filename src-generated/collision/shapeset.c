@@ -4,7 +4,7 @@
 #include "weft/narrow.h"
 #include "weft/query.h"
 
-/* <check the set> */
+/* check the set */
 static wfResult checkSet(const wfShapeSet *set)
 {
     if (!set || !set->place) return WF_ERROR_NULL;
@@ -12,7 +12,7 @@ static wfResult checkSet(const wfShapeSet *set)
     if (set->proxies.count == 0) return WF_OK;
     return set->shapes && set->proxies.bounds && set->proxies.flags ? WF_OK : WF_ERROR_NULL;
 }
-/* <check the set> */
+
 /* is the proxy that the broad phase shows worth a look? counts both */
 static bool wanted(const wfShapeSet *set, const wfFilter *filter, int32_t proxy)
 {
@@ -24,18 +24,19 @@ static bool wanted(const wfShapeSet *set, const wfFilter *filter, int32_t proxy)
     }
     return yes;
 }
-/* <check the set> */
+
 static wfResult checkAsker(const wfShape *shape)
 {
     if (!shape) return WF_ERROR_NULL;
     return shape->kind >= 0 && shape->kind < WF_SHAPE_KINDS ? WF_OK : WF_ERROR_UNKNOWN;
 }
-/* <room for rounding by eq:queries-room> */
+
+/* room for rounding by eq:queries-room */
 static wfVec2 roomFor(wfVec2 at, wfVec2 by)
 {
     return wfScale(16 * WF_EPSILON, wfAdd(wfAbs2(at), wfAbs2(by)));
 }
-/* <keep the first of many> */
+
 /* The first `capacity` of many hits, or of many indices, in the caller's array. */
 typedef struct Keep {
     wfRayHit *hits;               /* this array, or */
@@ -59,7 +60,7 @@ static void putEntry(Keep *k, int32_t i, wfRayHit hit)
     if (k->hits) k->hits[i] = hit;
     else k->shapes[i] = hit.shape;
 }
-/* <keep the first of many> */
+
 /* lets the entry i of the first n sink below all that come after it */
 static void sinkEntry(Keep *k, int32_t i, int32_t n)
 {
@@ -77,7 +78,7 @@ static void makeHeap(Keep *k)
 {
     for (int32_t i = k->count / 2 - 1; i >= 0; i--) sinkEntry(k, i, k->count);
 }
-/* <keep the first of many> */
+
 static void keepEntry(Keep *k, wfRayHit hit)
 {
     k->found++;
@@ -100,7 +101,8 @@ static void sortEntries(Keep *k)
         sinkEntry(k, 0, n);
     }
 }
-/* <casts through a set> */
+
+/* casts through a set */
 typedef struct Cast {
     const wfShapeSet *set;
     const wfFilter *filter;
@@ -112,8 +114,8 @@ typedef struct Cast {
     Keep keep;                    /* all hits */
     wfResult result;
 } Cast;
-/* <casts through a set> */
-/* <ask one shape of a set> */
+
+/* ask one shape of a set */
 static const wfRayHit noHit = { .shape = WF_NO_SHAPE, .fraction = 1 };
 
 static wfResult askShape(const Cast *c, int32_t i, wfRayHit *hit)
@@ -145,13 +147,13 @@ static wfReal castVisitor(void *context, int32_t proxy, wfReal most)
     if (c->best.shape == WF_NO_SHAPE || hitBefore(hit, c->best)) c->best = hit;
     return c->best.fraction;
 }
-/* <casts through a set> */
+
 static wfResult runCast(Cast *c)
 {
     wfBoxCast box = { c->ray.from, c->ray.by, roomFor(c->ray.from, c->ray.by), 1 };
     wfResult result = checkSet(c->set);
     if (result != WF_OK) return result;
-    /* <if a shape moves, let its bounds move instead of a point> */
+    /* if a shape moves, let its bounds move instead of a point */
     if (c->moving) {
         wfRect bounds = wfShapeBounds(c->moving, c->placed);
         wfVec2 half = wfScale(WF_R(0.5), wfSub(bounds.max, bounds.min));
@@ -173,7 +175,7 @@ wfResult wfSetCastRay(const wfShapeSet *set, wfRay ray, const wfFilter *filter,
     if (result == WF_OK) *out = c.best;
     return result;
 }
-/* <casts through a set> */
+
 static wfResult runCastAll(Cast *c, int32_t *count)
 {
     if (!count || (c->keep.capacity > 0 && !c->keep.hits)) return WF_ERROR_NULL;
@@ -193,7 +195,7 @@ wfResult wfSetCastRayAll(const wfShapeSet *set, wfRay ray, const wfFilter *filte
     c.keep = (Keep){ .hits = hits, .capacity = capacity };
     return runCastAll(&c, count);
 }
-/* <casts through a set> */
+
 wfResult wfSetCastShape(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
                         wfVec2 by, const wfFilter *filter, wfRayHit *out)
 {
@@ -218,7 +220,8 @@ wfResult wfSetCastShapeAll(const wfShapeSet *set, const wfShape *shape, wfTransf
     c.keep = (Keep){ .hits = hits, .capacity = capacity };
     return runCastAll(&c, count);
 }
-/* <overlaps in a set> */
+
+/* overlaps in a set */
 typedef struct Overlap {
     const wfShapeSet *set;
     const wfFilter *filter;
@@ -229,7 +232,7 @@ typedef struct Overlap {
     Keep keep;
     wfResult result;
 } Overlap;
-/* <overlaps in a set> */
+
 static wfResult overlapArea(const wfShape *shape, wfTransform placed, wfRect bounds,
                             wfRect area, bool *out)
 {
@@ -246,7 +249,7 @@ static wfResult overlapArea(const wfShape *shape, wfTransform placed, wfRect bou
                     .normals = { wfV2(0, -1), wfV2(1, 0), wfV2(0, 1), wfV2(-1, 0) } };
     return wfOverlap(shape, placed, &box, here, out);
 }
-/* <overlaps in a set> */
+
 static bool overlapVisitor(void *context, int32_t proxy)
 {
     Overlap *q = context;
@@ -267,14 +270,14 @@ static bool overlapVisitor(void *context, int32_t proxy)
     if (yes) keepEntry(&q->keep, (wfRayHit){ .shape = proxy });
     return q->result == WF_OK;
 }
-/* <overlaps in a set> */
+
 static wfResult runOverlap(Overlap *q, int32_t *count)
 {
     wfResult result = checkSet(q->set);
     if (result != WF_OK) return result;
     if (!count || (q->keep.capacity > 0 && !q->keep.shapes)) return WF_ERROR_NULL;
     if (q->keep.capacity < 0) return WF_ERROR_RANGE;
-    /* <make the area larger by eq:queries-room> */
+    /* make the area larger by eq:queries-room */
     wfRect area = q->area;
     area.min = wfSub(area.min, roomFor(area.min, wfV2(0, 0)));
     area.max = wfAdd(area.max, roomFor(area.max, wfV2(0, 0)));
@@ -286,7 +289,7 @@ static wfResult runOverlap(Overlap *q, int32_t *count)
     *count = q->keep.found;
     return WF_OK;
 }
-/* <overlaps in a set> */
+
 wfResult wfSetOverlap(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
                       const wfFilter *filter, int32_t *shapes, int32_t capacity,
                       int32_t *count)
@@ -298,7 +301,7 @@ wfResult wfSetOverlap(const wfShapeSet *set, const wfShape *shape, wfTransform p
     q.keep = (Keep){ .shapes = shapes, .capacity = capacity };
     return runOverlap(&q, count);
 }
-/* <overlaps in a set> */
+
 wfResult wfSetOverlapArea(const wfShapeSet *set, wfRect area, const wfFilter *filter,
                           int32_t *shapes, int32_t capacity, int32_t *count)
 {
@@ -314,7 +317,8 @@ wfResult wfSetOverlapPoint(const wfShapeSet *set, wfVec2 point, const wfFilter *
     q.keep = (Keep){ .shapes = shapes, .capacity = capacity };
     return runOverlap(&q, count);
 }
-/* <the nearest shape of a set> */
+
+/* the nearest shape of a set */
 typedef struct Search {
     const wfShapeSet *set;
     const wfFilter *filter;
@@ -337,7 +341,7 @@ static wfResult gapTo(const Search *q, int32_t proxy, wfClosest *out)
     *out = (wfClosest){ proxy, d.distance, d.pointA, d.normal };
     return WF_OK;
 }
-/* <the nearest shape of a set> */
+
 static bool searchVisitor(void *context, int32_t proxy)
 {
     Search *q = context;
@@ -352,7 +356,7 @@ static bool searchVisitor(void *context, int32_t proxy)
     if (q->best.shape == WF_NO_SHAPE || nearer) q->best = c;
     return true;
 }
-/* <the nearest shape of a set> */
+
 enum { SAMPLE = 16 };
 
 /* asks some shapes; returns the half side to begin with, by eq:queries-guess */
@@ -364,7 +368,7 @@ static wfReal guessHalf(Search *q)
     if (q->best.shape == WF_NO_SHAPE) return q->within;
     return q->best.distance / wfSqrt((wfReal)stride);
 }
-/* <the nearest shape of a set> */
+
 static wfRect squareAbout(wfRect from, wfReal half)
 {
     wfVec2 h = wfV2(half, half), top = wfV2(WF_HUGE, WF_HUGE), bottom = wfNeg(top);
@@ -389,7 +393,7 @@ static wfResult search(Search *q)
     }
     return q->result;
 }
-/* <the nearest shape of a set> */
+
 static wfResult runSearch(Search *q, wfClosest *out)
 {
     wfResult result = checkSet(q->set);
@@ -403,7 +407,7 @@ static wfResult runSearch(Search *q, wfClosest *out)
     if (result == WF_OK) *out = q->best;
     return result;
 }
-/* <the nearest shape of a set> */
+
 wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,
                       const wfFilter *filter, wfClosest *out)
 {

@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/broad.h"
 
-/* <choose the axis of the sweep> */
+/* choose the axis of the sweep */
 int wfSweepAxis(const wfProxies *in, const int32_t *ids, int32_t n)
 {
     if (n == 0) return 0;
@@ -19,7 +19,8 @@ int wfSweepAxis(const wfProxies *in, const int32_t *ids, int32_t n)
     if (!(across * height > 0) && !(along * width > 0)) return height > width;
     return across * height > along * width;
 }
-/* <sweep over sorted boxes> */
+
+/* sweep over sorted boxes */
 typedef struct SweepList {
     const wfProxies *in;
     wfKeyed *items;
@@ -29,7 +30,7 @@ typedef struct SweepList {
 } SweepList;
 
 static wfReal side(wfVec2 v, int axis) { return axis == 0 ? v.x : v.y; }
-/* <sweep over sorted boxes> */
+
 /* offers box i of a together with those of b from `from` on that begin before i ends */
 static bool offerActive(const SweepList *a, int32_t i, const SweepList *b, int32_t from,
                         int axis, wfPairList *out)
@@ -49,7 +50,7 @@ static bool sweepOne(const SweepList *a, int axis, wfPairList *out)
         room = offerActive(a, i, a, i + 1, axis, out);
     return room;
 }
-/* <sweep over sorted boxes> */
+
 /* those of b that begin within one of a; strict: not those that begin where it begins */
 static bool sweepTwo(const SweepList *a, const SweepList *b, bool strict, int axis,
                      wfPairList *out)
@@ -64,7 +65,7 @@ static bool sweepTwo(const SweepList *a, const SweepList *b, bool strict, int ax
     }
     return room;
 }
-/* <sweep over sorted boxes> */
+
 typedef struct SweepHead { int32_t axis, movers, live; } SweepHead;
 
 typedef struct SweepIndex {
@@ -79,7 +80,7 @@ size_t wfSweepIndexSize(int32_t proxies)
     size_t each = sizeof(wfKeyed) + sizeof(wfRect) + sizeof(wfReal);
     return sizeof(SweepHead) + (size_t)proxies * each + 4 * WF_POOL_ALIGN;
 }
-/* <sweep over sorted boxes> */
+
 static SweepIndex openSweep(const wfProxies *in, const void *index)
 {
     wfPool pool = wfOpenIndex(index, wfSweepIndexSize(in->count));
@@ -96,7 +97,7 @@ static SweepList sweepPart(const wfProxies *in, const SweepIndex *s, bool moving
     int32_t n = moving ? s->head->movers : s->head->live - first;
     return (SweepList){ in, s->items + first, s->boxes + first, s->reach + first, n };
 }
-/* <sweep over sorted boxes> */
+
 static void fillSweepList(SweepList list, const int32_t *ids, int axis, wfKeyed *spare)
 {
     for (int32_t i = 0; i < list.n; i++)
@@ -109,7 +110,7 @@ static void fillSweepList(SweepList list, const int32_t *ids, int axis, wfKeyed 
         list.reach[i] = i > 0 ? wfMaxR(list.reach[i - 1], end) : end;
     }
 }
-/* <sweep over sorted boxes> */
+
 static wfResult updateSweep(int axis, const wfProxies *in, void *index, wfPool *scratch)
 {
     size_t mark = wfPoolMark(scratch), n = (size_t)in->count;
@@ -127,7 +128,7 @@ static wfResult updateSweep(int axis, const wfProxies *in, void *index, wfPool *
     wfPoolRewind(scratch, mark);
     return WF_OK;
 }
-/* <sweep over sorted boxes> */
+
 wfResult wfSweepPairs(const wfProxies *in, const void *index, wfPool *scratch,
                       wfPairList *out)
 {
@@ -141,7 +142,7 @@ wfResult wfSweepPairs(const wfProxies *in, const void *index, wfPool *scratch,
              && sweepTwo(&still, &moving, true, axis, out);
     return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
-/* <ask a sorted list> */
+
 /* the places [*first, *last) of those that may overlap [low, high] along the axis */
 static void sweepRange(const SweepList *l, wfReal low, wfReal high, int32_t *first,
                        int32_t *last)
@@ -160,7 +161,7 @@ static void sweepRange(const SweepList *l, wfReal low, wfReal high, int32_t *fir
     }
     *first = a;
 }
-/* <ask a sorted list> */
+
 void wfSweepQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                   void *context)
 {
@@ -175,7 +176,7 @@ void wfSweepQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn
                 return;
     }
 }
-/* <ask a sorted list> */
+
 static bool castInList(const SweepList *l, int axis, wfBoxCast *c, wfCastVisitFn *visit,
                        void *context)
 {
@@ -200,7 +201,8 @@ void wfSweepCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
     if (castInList(&still, s.head->axis, &c, visit, context))
         castInList(&moving, s.head->axis, &c, visit, context);
 }
-/* <the row of sweep and prune> */
+
+/* the row of sweep and prune */
 wfResult wfSweepUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     if (bytes < wfSweepIndexSize(in->count)) return WF_ERROR_MEMORY;
@@ -224,7 +226,7 @@ size_t wfSweepScratch(int32_t proxies, int32_t pairs)
     size_t sort = wfSortPairsSize(proxies, pairs);
     return wfSweepIndexSize(proxies) + WF_POOL_ALIGN + (build > sort ? build : sort);
 }
-/* <the row of sweep and prune> */
+
 void wfSweepBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                   void *context)
 {

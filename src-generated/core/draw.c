@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 #include "weft/draw.h"
-/* <begin an empty display list> */
+
+/* begin an empty display list */
 void wfDrawReset(wfDraw *d)
 {
     d->top = d->size;
@@ -22,7 +23,8 @@ void wfDrawInit(wfDraw *d, void *memory, size_t bytes)
     if (d->size > UINT32_MAX) d->size = UINT32_MAX & ~(size_t)7;
     wfDrawReset(d);
 }
-/* <refuse a drawing command with bad numbers> */
+
+/* refuse a drawing command with bad numbers */
 static bool in_limits(float x)  /* false for NaN too: every comparison with it is */
 {
     return x >= -WF_DRAW_LIMIT && x <= WF_DRAW_LIMIT;
@@ -44,15 +46,16 @@ static bool good_command(const wfDrawCommand *c, const float *xy, const char *te
     for (int32_t i = 0; good && i < 2 * c->count; i++) good = in_limits(xy[i]);
     return good;
 }
-/* <store a drawing command> */
+
+/* store a drawing command */
 static void store(wfDraw *d, wfDrawCommand c, const float *xy, const char *text)
 {
     if (!good_command(&c, xy, text)) { d->refused++; return; }
-    /* <compute the length of the payload by eq:design-payload> */
+    /* compute the length of the payload by eq:design-payload */
     size_t points = 2 * sizeof(float) * (size_t)c.count;
     size_t letters = text ? strlen(text) + 1 : 0;
     size_t payload = points + ((letters + 7) & ~(size_t)7);
-    /* <refuse the command if there is no room by eq:design-room> */
+    /* refuse the command if there is no room by eq:design-room */
     size_t room = d->top - (size_t)d->count * sizeof c;
     if (room < sizeof c || room - sizeof c < payload) { d->overflow++; return; }
     d->top -= payload;
@@ -63,7 +66,8 @@ static void store(wfDraw *d, wfDrawCommand c, const float *xy, const char *text)
     memcpy(d->base + (size_t)d->count * sizeof c, &c, sizeof c);
     d->count++;
 }
-/* <draw with the pen> */
+
+/* draw with the pen */
 static wfDrawCommand command(wfDrawKind kind, int count, float size, int line, int fill)
 {
     bool good = good_role(line) && good_role(fill);
@@ -71,7 +75,7 @@ static wfDrawCommand command(wfDrawKind kind, int count, float size, int line, i
                             .fill = (int8_t)(good ? fill : INT8_MAX), .size = size,
                             .count = count };
 }
-/* <draw with the pen> */
+
 void wfDrawView(wfDraw *d, float minX, float minY, float maxX, float maxY)
 {
     bool good = in_limits(minX) && in_limits(minY) && in_limits(maxX) && in_limits(maxY);
@@ -85,7 +89,7 @@ void wfDrawPoint(wfDraw *d, float x, float y, float sizePx, int role)
 {
     store(d, command(WF_DRAW_POINT, 1, sizePx, WF_INK_NONE, role), (float[]){x, y}, NULL);
 }
-/* <draw with the pen> */
+
 static void two_points(wfDraw *d, wfDrawKind kind, const float xy[4], float widthPx,
                        int role)
 {
@@ -107,7 +111,7 @@ void wfDrawDashed(wfDraw *d, float x0, float y0, float x1, float y1, float width
 {
     two_points(d, WF_DRAW_DASHED, (float[]){x0, y0, x1, y1}, widthPx, role);
 }
-/* <draw with the pen> */
+
 void wfDrawCircle(wfDraw *d, float x, float y, float r, float widthPx,
                   int lineRole, int fillRole)
 {
@@ -126,7 +130,8 @@ void wfDrawPolyline(wfDraw *d, const float *xy, int count, float widthPx, int ro
 {
     store(d, command(WF_DRAW_POLYLINE, count, widthPx, role, WF_INK_NONE), xy, NULL);
 }
-/* <write text with the pen> */
+
+/* write text with the pen */
 void wfDrawText(wfDraw *d, float x, float y, float sizePx, int role, int anchor,
                 const char *utf8)
 {
@@ -145,7 +150,8 @@ void wfDrawTextf(wfDraw *d, float x, float y, float sizePx, int role, int anchor
     va_end(arguments);
     wfDrawText(d, x, y, sizePx, role, anchor, text);
 }
-/* <read a display list> */
+
+/* read a display list */
 const wfDrawCommand *wfDrawAt(const wfDraw *d, int i)
 {
     return (const wfDrawCommand *)(const void *)d->base + i;
@@ -165,7 +171,7 @@ size_t wfDrawBytes(const wfDraw *d)
 {
     return (size_t)d->count * sizeof(wfDrawCommand) + (d->size - d->top);
 }
-/* <read a display list> */
+
 const char *wfInkName(int role)
 {
     static const char *const name[WF_INK_COUNT] = {

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #include "weft/core.h"
 
-/* <results in words> */
+/* results in words */
 static const struct { const char *name, *text; } result_table[] = {
 #define WF_RESULT(name, text) { #name, text },
 #include "weft/result_rows.h"
@@ -19,7 +19,8 @@ const char *wfResultText(wfResult result)
     return (unsigned)result < WF_RESULT_COUNT ? result_table[result].text
                                               : "not a value of wfResult";
 }
-/* <the pool> */
+
+/* the pool */
 wfResult wfPoolInit(wfPool *pool, size_t size, void *base)
 {
     if (!pool || (!base && size > 0)) return WF_ERROR_NULL;
@@ -27,12 +28,12 @@ wfResult wfPoolInit(wfPool *pool, size_t size, void *base)
     *pool = (wfPool){ (uint8_t *)base, size, 0 };
     return WF_OK;
 }
-/* <the pool> */
+
 void *wfPoolPush(wfPool *pool, size_t size, size_t align)
 {
     bool power_of_two = align != 0 && (align & (align - 1)) == 0;
     if (!pool || !power_of_two || align > WF_POOL_ALIGN) return NULL;
-    /* <round the used bytes up to the alignment by eq:memory-align> */
+    /* round the used bytes up to the alignment by eq:memory-align */
     size_t padding = (0 - pool->used) & (align - 1);
     if (padding > pool->size - pool->used) return NULL;
     size_t start = pool->used + padding;
@@ -40,13 +41,13 @@ void *wfPoolPush(wfPool *pool, size_t size, size_t align)
     pool->used = start + size;
     return pool->base + start;
 }
-/* <the pool> */
+
 void *wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align)
 {
     if (size != 0 && count > SIZE_MAX / size) return NULL;           /* eq:memory-product */
     return wfPoolPush(pool, count * size, align);
 }
-/* <the pool> */
+
 void wfPoolReset(wfPool *pool) { pool->used = 0; }
 
 size_t wfPoolMark(const wfPool *pool) { return pool->used; }
@@ -57,7 +58,7 @@ void wfPoolRewind(wfPool *pool, size_t mark)
 }
 
 size_t wfPoolRoom(const wfPool *pool) { return pool->size - pool->used; }
-/* <the engine's memory> */
+/* the engine's memory */
 #if defined WF_FREESTANDING && !defined WF_NATIVE_ALLOC
 #define WF_NATIVE_ALLOC(size) (uint8_t *)((void)(size), NULL)
 #define WF_NATIVE_FREE(block) ((void)(block))
@@ -83,7 +84,7 @@ static void free_aligned(void *first)
 {
     if (first) WF_NATIVE_FREE(((void **)first)[-1]);
 }
-/* <the engine's memory> */
+
 wfResult wfAllocateMemory(wfMemory *memory, size_t permanentSize, size_t transientSize)
 {
     if (!memory) return WF_ERROR_NULL;
@@ -107,7 +108,8 @@ void wfFreeMemory(wfMemory *memory)
     }
     *memory = (wfMemory){ 0 };
 }
-/* <the slots> */
+
+/* the slots */
 void wfSlotsInit(wfSlots *s, wfSlot *slots, int capacity)
 {
     if (capacity < 0) capacity = 0;
@@ -125,7 +127,7 @@ int32_t wfSlotTake(wfSlots *s, wfSlot *slots)
     s->count++;
     return i;
 }
-/* <the slots> */
+
 bool wfSlotAlive(const wfSlots *s, const wfSlot *slots, int32_t i, uint32_t generation)
 {
     return i >= 0 && i < s->high && slots[i].next == WF_SLOT_LIVE &&
@@ -142,7 +144,7 @@ wfResult wfSlotGive(wfSlots *s, wfSlot *slots, int32_t i, uint32_t generation)
     s->count--;
     return WF_OK;
 }
-/* <the hash> */
+/* the hash */
 #define HASH_PRIME 0x100000001b3u
 
 uint64_t wfHashBytes(uint64_t seed, const void *bytes, size_t n)
@@ -152,7 +154,7 @@ uint64_t wfHashBytes(uint64_t seed, const void *bytes, size_t n)
     for (size_t i = 0; i < n; i++) h = (h ^ b[i]) * HASH_PRIME;      /* eq:memory-fnv */
     return h;
 }
-/* <the hash> */
+
 uint64_t wfHashU32(uint64_t seed, uint32_t value)
 {
     uint8_t b[4];

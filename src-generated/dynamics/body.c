@@ -3,7 +3,7 @@
 #include "weft/body.h"
 #include "weft/shape.h"
 
-/* <check the masses of a body> */
+/* check the masses of a body */
 static wfResult check_masses(wfReal mass, wfReal inertia)
 {
     if (!wfIsFinite(mass) || !wfIsFinite(inertia)) return WF_ERROR_NOT_FINITE;
@@ -12,7 +12,8 @@ static wfResult check_masses(wfReal mass, wfReal inertia)
     bool inRange = inertia >= WF_MIN_INERTIA && inertia <= WF_MAX_INERTIA;
     return inRange ? WF_OK : WF_ERROR_MASS;
 }
-/* <check the properties of a body> */
+
+/* check the properties of a body */
 wfBodyProps wfDefaultBodyProps(void)
 {
     return (wfBodyProps){ .type = WF_DYNAMIC, .mass = 1, .gravityScale = 1, .shape = -1 };
@@ -30,7 +31,7 @@ wfResult wfCheckBodyProps(const wfBodyProps *p)
     if (p->givenMass < 0 || p->substeps < 0) return WF_ERROR_RANGE;
     return p->type == WF_DYNAMIC ? check_masses(p->mass, p->inertia) : WF_OK;
 }
-/* <check the properties of a body> */
+
 bool wfBodyIsFinite(const wfBodyState *s)
 {
     wfReal sum = (s->p.x - s->p.x) + (s->p.y - s->p.y) + (s->v.x - s->v.x)
@@ -38,7 +39,8 @@ bool wfBodyIsFinite(const wfBodyState *s)
                + (s->invMass - s->invMass) + (s->invInertia - s->invInertia);
     return sum == 0;                    /* NaN if one of them is not finite */
 }
-/* <set up a body> */
+
+/* set up a body */
 static void set_inverses(wfBodyState *state, const wfBodyProps *props)
 {
     bool dynamic = props->type == WF_DYNAMIC;
@@ -46,7 +48,7 @@ static void set_inverses(wfBodyState *state, const wfBodyProps *props)
     state->invMass = dynamic && heavy ? 1 / props->mass : 0;
     state->invInertia = dynamic && turns ? 1 / props->inertia : 0;
 }
-/* <set up a body> */
+
 wfResult wfSetMass(wfBodyState *state, wfBodyProps *props, wfReal mass, wfReal inertia)
 {
     if (!state || !props) return WF_ERROR_NULL;
@@ -57,7 +59,7 @@ wfResult wfSetMass(wfBodyState *state, wfBodyProps *props, wfReal mass, wfReal i
     set_inverses(state, props);
     return WF_OK;
 }
-/* <set up a body> */
+
 wfResult wfSetBodyType(wfBodyState *state, wfBodyProps *props, wfBodyType type)
 {
     if (!state || !props) return WF_ERROR_NULL;
@@ -70,7 +72,8 @@ wfResult wfSetBodyType(wfBodyState *state, wfBodyProps *props, wfBodyType type)
     }
     return WF_OK;
 }
-/* <move with a body> */
+
+/* move with a body */
 wfTransform wfBodyTransform(const wfBodyState *state)           /* eq:bodies-place */
 {
     return wfMakeTransform(state->p, state->angle);
@@ -81,12 +84,13 @@ wfVec2 wfVelocityAt(const wfBodyState *state, wfVec2 worldPoint)
     wfVec2 r = wfSub(worldPoint, state->p);
     return wfAdd(state->v, wfCrossSV(state->w, r));             /* eq:bodies-velocity */
 }
-/* <move with a body> */
+
 void wfWrapBodyAngle(wfBodyState *state)
 {
     state->angle = wfWrapAngle(state->angle);                   /* eq:bodies-wrap */
 }
-/* <push a body> */
+
+/* push a body */
 void wfApplyForce(wfBodyForces *sums, const wfBodyState *state, wfVec2 force, wfVec2 point)
 {
     sums->force = wfAdd(sums->force, force);                    /* eq:bodies-newton */
@@ -99,7 +103,7 @@ void wfApplyForceToCentre(wfBodyForces *sums, wfVec2 force)
 }
 
 void wfApplyTorque(wfBodyForces *sums, wfReal torque) { sums->torque += torque; }
-/* <push a body> */
+
 void wfApplyImpulse(wfBodyState *state, wfVec2 impulse, wfVec2 point)
 {                                                               /* eq:bodies-impulse */
     state->v = wfAddScaled(state->v, state->invMass, impulse);
@@ -110,7 +114,8 @@ void wfApplyAngularImpulse(wfBodyState *state, wfReal impulse)
 {
     state->w += state->invInertia * impulse;
 }
-/* <measure what a body has> */
+
+/* measure what a body has */
 static wfReal back(wfReal inverse) { return inverse > 0 ? 1 / inverse : 0; }
 
 wfReal wfKineticEnergy(const wfBodyState *s)                    /* eq:bodies-energy */
@@ -127,7 +132,8 @@ wfReal wfAngularMomentum(const wfBodyState *s, wfVec2 about)    /* eq:bodies-mom
     wfReal passing = wfCross(wfSub(s->p, about), wfMomentum(s));
     return back(s->invInertia) * s->w + passing;
 }
-/* <damp a body> */
+
+/* damp a body */
 void wfDampVelocity(wfBodyState *state, wfReal linear, wfReal angular, wfReal h)
 {
     if (linear != 0) state->v = wfScale(wfExp(-linear * h), state->v);  /* eq:bodies-damp */

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "dynamics/colour.h"
 
-/* <colour constraints> */
+/* colour constraints */
 static uint32_t taken_at(const wfBodyState *state, const uint32_t *taken, int32_t body)
 {
     bool moves = state[body].invMass > 0 || state[body].invInertia > 0;
@@ -16,7 +16,7 @@ static int32_t first_free(uint32_t taken)
     for (; taken & 1; taken /= 2) k++;
     return k < WF_COLOURS ? k : WF_COLOURS;
 }
-/* <colour constraints> */
+
 static void choose_colours(const wfBodyState *state, const wfPair *ends, int32_t count,
                            uint32_t *taken, uint8_t *colour, int32_t *counts)
 {
@@ -31,7 +31,7 @@ static void choose_colours(const wfBodyState *state, const wfPair *ends, int32_t
         taken[p.b] |= (uint32_t)1 << k;
     }
 }
-/* <colour constraints> */
+
 wfResult wfColour(const wfBodyState *state, int32_t bodies, const wfPair *ends,
                   int32_t count, wfPool *scratch, wfColouring *out)
 {
@@ -54,7 +54,7 @@ wfResult wfColour(const wfBodyState *state, int32_t bodies, const wfPair *ends,
     wfPoolRewind(scratch, mark);
     return room ? WF_OK : WF_ERROR_MEMORY;
 }
-/* <colour constraints> */
+
 size_t wfColourScratch(int32_t bodies, int32_t constraints)
 {
     return (size_t)bodies * sizeof(uint32_t)

@@ -6,7 +6,6 @@
 #include "weft/resolve.h"
 #include "weft/broad.h"
 
-/* <declarations of colours> */
 enum { WF_COLOURS = 24 };
 
 /* Colour k has the constraints order[first[k]] .. order[first[k + 1] - 1], in ascending

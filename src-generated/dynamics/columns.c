@@ -4,7 +4,7 @@
 
 #include "dynamics/columns.h"
 
-/* <find the trees> */
+/* find the trees */
 typedef struct Search {
     const wfSubsteps *s;
     wfColumns *t;
@@ -19,7 +19,7 @@ enum { LIMB_OPEN, LIMB_RIGHT, LIMB_FAILS };     /* the state of a root */
 #define ANSWERS(rows) ((rows) * ((rows) + 1) / 2)       /* half of a symmetric matrix */
 /* for each link of a piece that has as many as there may be */
 #define MOST_ANSWERS (ANSWERS(3 * WF_COLUMN_LOOPS) / WF_COLUMN_LOOPS + 1)
-/* <find the trees> */
+
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact)
 {
     return WF_NEAR_SHARE * s->in->contacts[s->order[contact]].slop;
@@ -39,7 +39,7 @@ static bool is_ground(const wfBodyState *b)
 {
     return b->invMass == 0 && b->invInertia == 0;
 }
-/* <find the trees> */
+
 static void list_touches(Search *q)
 {
     const wfSolve *in = q->s->in;
@@ -54,7 +54,7 @@ static void list_touches(Search *q)
         }
     }
 }
-/* <find the trees> */
+
 static void put_limb(wfLimb *l, int32_t contact, int32_t body, int32_t below)
 {
     l->contact = contact;
@@ -79,7 +79,7 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
     return true;
 }
 
-/* <find the trees> */
+
 /* A contact whose other end is no news. */
 static bool add_link(Search *q, int32_t contact)
 {
@@ -105,7 +105,7 @@ static bool grow(Search *q, int32_t root)
     }
     return true;
 }
-/* <find the trees> */
+
 /* The links come after the limbs, each with its limbs; false: there is no room. */
 static bool close_loops(Search *q, int32_t root)
 {
@@ -114,7 +114,7 @@ static bool close_loops(Search *q, int32_t root)
     t->limb[root].end = t->count;
     if (q->loops > limbs || q->loops > t->room - t->count) return false;
     for (int32_t i = 0; i < q->loops; i++) {
-        /* <put link i behind the limbs> */
+        /* put link i behind the limbs */
         wfPair c = ends_of(q->s, q->link[i]);
         int32_t a = q->limb[c.a], b = q->limb[c.b];
         bool upside = is_ground(&q->s->in->state[c.b]);
@@ -133,7 +133,7 @@ static bool close_loops(Search *q, int32_t root)
     return true;
 }
 
-/* <find the trees> */
+
 static bool is_alone(const Search *q, const wfLimb *root)
 {
     const wfSubsteps *s = q->s;
@@ -145,7 +145,7 @@ static bool is_alone(const Search *q, const wfLimb *root)
     wfReal lever = wfCross(root->upside ? p->armA : p->armB, c->manifold.normal);
     return lever * lever * b->invInertia <= WF_ALONE_SHARE * b->invMass;
 }
-/* <find the trees> */
+
 static void try_root(Search *q, int32_t contact)
 {
     wfPair c = ends_of(q->s, contact);
@@ -163,7 +163,7 @@ static void try_root(Search *q, int32_t contact)
     while (q->t->count > root) q->limb[q->t->limb[--q->t->count].body] = GIVEN_UP;
 }
 
-/* <find the trees> */
+
 wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
@@ -184,14 +184,15 @@ wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
     for (int32_t i = 0; in->columns != 0 && i < in->contactCount; i++) try_root(&q, i);
     return WF_OK;
 }
-/* <find the trees> */
+
 size_t wfColumnScratch(int32_t bodies, int32_t contacts)
 {
     size_t body = 2 * sizeof(wfLimb) + MOST_ANSWERS * sizeof(wfReal) + 2 * sizeof(int32_t);
     size_t contact = 2 * sizeof(int32_t) + 1;
     return body * (size_t)bodies + contact * (size_t)contacts + 6 * WF_POOL_ALIGN;
 }
-/* <solve one limb> */
+
+/* solve one limb */
 typedef struct Law { wfReal bias, give, fastest, loop, noise; } Law;
 
 static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal soft)
@@ -211,14 +212,14 @@ static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPrepare
     if (p->now > 0) return rate + p->now / s->dt;               /* eq:sequential-target */
     return rate + wfMaxR(law->bias * p->now, -law->fastest);    /* eq:soft-follow */
 }
-/* <solve one limb> */
+
 static void add_friction(wfLimb *l, const wfPrepared *c, wfReal give)
 {
     const wfPreparedPoint *p = &c->p[l->points == 2], *q = &c->p[l->points > 1];
     if (!(c->friction > 0)) return;
     add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, give / p->massT);
 }
-/* <solve one limb> */
+
 static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
@@ -239,7 +240,7 @@ static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
     l->mass[0][0] = l->mass[1][1] = 1 / b->invMass;
     l->mass[2][2] = 1 / b->invInertia;
 }
-/* <solve one limb> */
+
 static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
@@ -258,7 +259,7 @@ static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
     wrong[l->rows - 1] =
         (wfTangentRate(&m, one) + wfTangentRate(&m, two)) / 2 - c->surfaceSpeed;
 }
-/* <solve one limb> */
+
 /* The inverse of a symmetric positive matrix of n rows in its place. */
 static bool invert(int32_t n, wfReal a[3][3])
 {
@@ -284,7 +285,7 @@ static bool invert(int32_t n, wfReal a[3][3])
     a[1][0] = a[0][1] = a[1][0] - p20 * l21 / d2;
     return true;
 }
-/* <solve one limb> */
+
 static bool ease_mass(wfReal m[3][3])
 {
     if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0) return invert(3, m);
@@ -302,7 +303,7 @@ static void add3(wfReal to[3], wfReal share, const wfReal v[3])
 {
     to[0] += share * v[0], to[1] += share * v[1], to[2] += share * v[2];
 }
-/* <solve one limb> */
+
 static bool fold(wfLimb *l, wfLimb *below)
 {
     if (!ease_mass(l->mass)) return false;
@@ -320,7 +321,7 @@ static bool fold(wfLimb *l, wfLimb *below)
     }
     return true;
 }
-/* <solve one limb> */
+
 static void carry_down(const wfLimb *l, wfWave *w, wfWave *below)
 {
     wfReal eased[3];
@@ -333,7 +334,7 @@ static void carry_down(const wfLimb *l, wfWave *w, wfWave *below)
         add3(below->load, held, l->down[i]);                    /* eq:soft-fold */
     }
 }
-/* <solve one limb> */
+
 static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
 {
     static const wfReal still[3] = { 0, 0, 0 };
@@ -348,7 +349,8 @@ static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
     }
     for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(l->mass[k], force);
 }
-/* <solve the trees> */
+
+/* solve the trees */
 enum { COLUMN_TRIES = 3, CAREFUL_TRIES = 64 };
 
 static void point_pushes(const wfLimb *l, const wfPrepared *c, wfReal out[2])
@@ -365,7 +367,7 @@ static wfLimb *below_of(const wfColumns *t, const wfLimb *l)
 {
     return l->below < 0 ? NULL : &t->limb[l->below];
 }
-/* <solve the trees> */
+
 /* how fast a point that was left out will approach, beyond what it may, m/s */
 static wfReal approach(const wfSubsteps *s, const Law *law, const wfColumns *t,
                        const wfLimb *l, const wfPreparedPoint *p)
@@ -382,7 +384,7 @@ static wfReal approach(const wfSubsteps *s, const Law *law, const wfColumns *t,
     m.wB += l->upside ? under : turn;
     return -what_is_wrong(s, law, p, wfNormalRate(&m, p));
 }
-/* <solve the trees> */
+
 static bool points_are_right(const wfSubsteps *s, const Law *law, const wfColumns *t,
                              wfLimb *l)
 {
@@ -398,7 +400,7 @@ static bool points_are_right(const wfSubsteps *s, const Law *law, const wfColumn
     }
     return l->points == bear;
 }
-/* <solve the trees> */
+
 static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
@@ -408,7 +410,7 @@ static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
         normal += c->p[k].normal, tangent += c->p[k].tangent;
     return wfAbs(tangent) > c->friction * normal;
 }
-/* <solve the trees> */
+
 /* known: the points are those that the last sweep has found right */
 static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
 {
@@ -430,7 +432,7 @@ static void open_tree(const wfSubsteps *s, wfColumns *t, wfLimb *root, bool know
         open_limb(s, &t->limb[i], root, known);
     root->state = LIMB_OPEN;
 }
-/* <solve the trees> */
+
 static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 {
     wfPrepared *c = &s->c[l->contact];
@@ -451,7 +453,7 @@ static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
     }
     wfGivePair(s->in, c, &m);
 }
-/* <solve the trees> */
+
 static void run_wave(wfColumns *t, const wfLimb *root, bool extra)
 {
     int32_t from = root->root;
@@ -466,7 +468,8 @@ static void run_wave(wfColumns *t, const wfLimb *root, bool extra)
         carry_up(l, extra ? &l->extra : &l->wave, under);
     }
 }
-/* <close the loops> */
+
+/* close the loops */
 enum { LINK_ROWS = 3 * WF_COLUMN_LOOPS };
 typedef struct LinkRow { int32_t limb, row; } LinkRow;
 
@@ -479,7 +482,7 @@ static wfReal link_rate(const wfColumns *t, const wfLimb *l, int32_t row, bool e
     return rate - dot3(l->down[row], extra ? below->extra.gain : below->wave.gain);
 }
 
-/* <close the loops> */
+
 static void load_link(wfColumns *t, const wfLimb *l, int32_t row, wfReal push)
 {
     wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
@@ -494,7 +497,6 @@ static void clear_extra(wfColumns *t, const wfLimb *root)
     for (int32_t i = root->root; i < root->end; i++)
         memset(&t->limb[i].extra, 0, sizeof t->limb[i].extra);
 }
-/* <close the loops> */
 #define ANSWER(row, column) (ANSWERS(row) + (column))
 
 static bool eliminate(int32_t n, wfReal *A)
@@ -520,7 +522,7 @@ static void solve_eliminated(int32_t n, const wfReal *A, wfReal x[LINK_ROWS])
         x[k] /= -A[ANSWER(k, k)];
     }
 }
-/* <close the loops> */
+
 static int32_t list_link_rows(const wfColumns *t, const wfLimb *root, LinkRow *row)
 {
     int32_t n = 0;
@@ -546,7 +548,7 @@ static bool ask_links(wfColumns *t, const wfLimb *root)
     }
     return eliminate(n, A);
 }
-/* <close the loops> */
+
 static void solve_links(wfColumns *t, const wfLimb *root)
 {
     wfReal x[LINK_ROWS];
@@ -568,7 +570,7 @@ static void solve_links(wfColumns *t, const wfLimb *root)
         add3(l->wave.push, 1, l->extra.push), add3(l->wave.gain, 1, l->extra.gain);
     }
 }
-/* <try the trees> */
+
 /* What the points that are left out have been given goes to the loads, eq:soft-let-go. */
 static void let_go(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 {
@@ -587,7 +589,7 @@ static void let_go(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
     }
 }
 
-/* <try the trees> */
+
 static bool make_matrices(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     for (int32_t i = root->root; i < root->links; i++) make_rows(s, law, &t->limb[i]);
@@ -607,7 +609,7 @@ static bool try_tree(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *
     if (root->links > root->end) solve_links(t, root);
     return true;
 }
-/* <try the trees> */
+
 /* A few tries, each with the guess that the one before leads to. */
 static void try_quickly(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
@@ -620,7 +622,7 @@ static void try_quickly(const wfSubsteps *s, const Law *law, wfColumns *t, wfLim
         else if (root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
     }
 }
-/* <try the trees> */
+
 /* Goes from the sums `at` towards those of the last try, until one is 0: its point. */
 static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns *t,
                                  wfLimb *root)
@@ -634,7 +636,7 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns 
             const wfPrepared *c = &s->c[l->contact];
             point_pushes(l, c, more);
             for (int32_t k = 0; k < c->count; k++) {
-                /* <find the share of the way, or go it> */
+                /* find the share of the way, or go it */
                 wfReal aim = c->p[k].normal + more[k], from = l->at[k];
                 if (pass == 1) l->at[k] = wfMaxR(from + share * (aim - from), 0);
                 else if ((l->points >> k & 1) && aim < -law->noise &&
@@ -649,7 +651,7 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns 
     return true;
 }
 
-/* <try the trees> */
+
 static bool take_in_worst(const wfSubsteps *s, const Law *law, wfColumns *t,
                           wfLimb *root)
 {
@@ -671,7 +673,7 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfColumns *t,
     return true;
 }
 
-/* <try the trees> */
+
 static void try_carefully(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     open_tree(s, t, root, false);
@@ -681,7 +683,7 @@ static void try_carefully(const wfSubsteps *s, const Law *law, wfColumns *t, wfL
             root->state = LIMB_RIGHT;
     }
 }
-/* <try the trees> */
+
 static wfReal push_noise(const wfSubsteps *s, const wfColumns *t, const wfLimb *root)
 {
     wfReal most = 0;
@@ -691,7 +693,7 @@ static wfReal push_noise(const wfSubsteps *s, const wfColumns *t, const wfLimb *
     }
     return 16 * WF_EPSILON * most;
 }
-/* <try the trees> */
+
 /* To `over` and `under`: what the sums of a contact have given its two bodies. */
 static void add_memory(const wfLimb *l, const wfPrepared *c, wfReal *over, wfReal *under)
 {
@@ -708,7 +710,7 @@ static void add_memory(const wfLimb *l, const wfPrepared *c, wfReal *over, wfRea
         under[2] -= sign * (l->upside ? onB : onA);
     }
 }
-/* <try the trees> */
+
 /* eq:soft-memory: the share of the sums that is too much */
 static wfReal too_much(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
 {
@@ -733,7 +735,7 @@ static wfReal too_much(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
     }
     return work > 0 && energy > 0 ? wfMinR(work / energy, 1) : 0;
 }
-/* <try the trees> */
+
 static void take_back(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
 {
     wfReal share = too_much(s, t, root);
@@ -752,13 +754,13 @@ static void take_back(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
         wfGivePair(s->in, c, &m);
     }
 }
-/* <try the trees> */
+
 void wfTakeBackMemory(const wfSubsteps *s, wfColumns *t)
 {
     for (int32_t at = 0; at < t->count; at = t->limb[at].links)
         take_back(s, t, &t->limb[at]);
 }
-/* <try the trees> */
+
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest)
 {

@@ -5,13 +5,12 @@
 /* Trees of contacts, solved at once: chapter 17. */
 #include "dynamics/substep.h"
 
-/* <declarations of columns> */
 /* What runs down a tree and up again, for one right side of eq:soft-contact-rows. */
 typedef struct wfWave {
     wfReal load[3], wrong[3];    /* p: what comes down from above, N s; e */
     wfReal push[3], gain[3];     /* f and D */
 } wfWave;
-/* <declarations of columns> */
+
 /* A body that stands on one contact, and on it whatever stands there: a limb of a tree. Or
  * a link: a contact that closes a loop, between two limbs or a limb and the ground. */
 typedef struct wfLimb {
@@ -31,7 +30,7 @@ typedef struct wfLimb {
     wfWave  wave, extra;         /* of the tree alone; of a push at a link */
     wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
 } wfLimb;
-/* <declarations of columns> */
+
 typedef struct wfColumns {
     wfLimb  *limb;               /* each after the one that it stands on */
     int32_t  count, room;
@@ -42,7 +41,6 @@ typedef struct wfColumns {
 } wfColumns;
 
 enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP, WF_HELD_ALONE };
-/* <declarations of columns> */
 /* Finds the trees among the contacts that touch. WF_ERROR_MEMORY. */
 wfResult wfFindColumns(const wfSubsteps *s, wfColumns *out);
 size_t wfColumnScratch(int32_t bodies, int32_t contacts);
@@ -52,11 +50,9 @@ wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
 void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
                     wfReal fastest);
-/* <declarations of columns> */
 /* Takes back what the sums that were just handed out have too much, eq:soft-memory. */
 void wfTakeBackMemory(const wfSubsteps *s, wfColumns *t);
 #define WF_LEFT_SHARE WF_R(0.01)   /* sigma: a lesser one is left where it is */
-/* <declarations of packing> */
 /* Puts the contacts of each colour into bundles, but for those in trees. WF_ERROR_MEMORY */
 wfResult wfPackLanes(wfSubsteps *s, wfColumns *t);
 #endif

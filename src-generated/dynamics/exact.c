@@ -5,7 +5,7 @@
 #include "dynamics/jointwork.h"
 #include "dynamics/ties.h"
 
-/* <velocities and ways> */
+/* velocities and ways */
 typedef struct Line { wfVec2 jA, jB; wfReal wA, wB; } Line;     /* eq:joints-rate */
 typedef struct Motion { wfVec2 v; wfReal w; } Motion;
 /* The turn of a body from here to the end of a substep. */
@@ -14,7 +14,8 @@ typedef struct Way {
     wfReal lever;               /* of eq:exact-slide */
     wfPlace end;
 } Way;
-/* <the matrix of all joints> */
+
+/* the matrix of all joints */
 typedef struct Edge { int32_t to, block, next; } Edge;
 typedef struct Block { wfReal v[3][3]; } Block;     /* rows: the joint of higher number */
 
@@ -34,7 +35,7 @@ typedef struct Matrix {
     int32_t *rows;              /* [count] how many of them there are */
     int32_t hinge;              /* the row of "revolute" in the table of joints */
     wfReal *inverse;            /* [bodies] 1/I as the matrix sees it; 1/(kg m^2) */
-    /* <what a way through a substep takes> */
+    /* what a way through a substep takes */
     Motion *free;               /* [bodies] velocities but for the joints' push */
     Motion *left;               /* [bodies] velocities when we were last done with them */
     Motion *next;               /* [bodies] what this round is about to add */
@@ -48,7 +49,8 @@ typedef struct Matrix {
     bool pushed;                /* contacts have pushed since we looked along the way */
     bool rigid;                 /* the factors are of the lines with the true inertia */
 } Matrix;
-/* <find and add blocks> */
+
+/* find and add blocks */
 static int32_t block_of(const Matrix *m, int32_t i, int32_t k)
 {
     for (int32_t e = m->head[i]; e >= 0; e = m->edge[e].next)
@@ -68,7 +70,7 @@ static int32_t join_up(Matrix *m, int32_t i, int32_t k)
     m->head[k] = 2 * block + 1;
     return block;
 }
-/* <find and add blocks> */
+
 static int32_t neighbours_left(const Matrix *m, int32_t i)
 {
     int32_t count = 0;
@@ -90,7 +92,7 @@ static bool fill_in(Matrix *m, int32_t p)
     }
     return true;
 }
-/* <order the joints> */
+
 /* Takes the joints of a list out, those with few neighbours first; adds the fill. False: no
    room, or it takes more than `most` products of blocks. */
 static bool put_in_order(Matrix *m, const int32_t *list, int32_t count, int64_t most)
@@ -111,7 +113,8 @@ static bool put_in_order(Matrix *m, const int32_t *list, int32_t count, int64_t 
     }
     return true;
 }
-/* <join up the joints that share a body> */
+
+/* join up the joints that share a body */
 static bool can_move(const wfBodyState *s) { return s->invMass > 0 || s->invInertia > 0; }
 
 /* Joins up those joints of a list that share a body. first: -1 for every body, and left so;
@@ -134,7 +137,7 @@ static bool join_neighbours(Matrix *m, const wfJoint *joints, const wfBodyState 
         first[joints[list[n]].a] = first[joints[list[n]].b] = -1;
     return room;
 }
-/* <fill the matrix> */
+
 /* Adds to k what a body that joints i and k share has to do with their rows; of which end
    of each joint it is: 0 or 1. */
 static void add_shared(const Matrix *m, const wfBodyState *state, int32_t body, int32_t i,
@@ -149,7 +152,7 @@ static void add_shared(const Matrix *m, const wfBodyState *state, int32_t body, 
             out->v[r][s] += mass * wfDot(ju, jv) + inertia * wu * wv;
         }                                                       /* eq:joints-matrix */
 }
-/* <fill the matrix> */
+
 static void fill_block(const Matrix *m, const wfJointSet *set, const wfSolve *in,
                        int32_t i, int32_t k, Block *out)
 {
@@ -175,7 +178,8 @@ static void fill_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
         }
     }
 }
-/* <read a block from either side> */
+
+/* read a block from either side */
 static wfReal entry(const Block *b, bool flipped, int r, int s)
 {
     return flipped ? b->v[s][r] : b->v[r][s];
@@ -196,7 +200,7 @@ static void eliminate_pair(Matrix *m, int32_t p, const Edge *to_i, const Edge *t
             else at->v[s][r] -= sum;
         }
 }
-/* <factor the matrix> */
+
 /* K of a row before anything was taken from it. */
 static wfReal own_size(const Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t i,
                        int r)
@@ -206,7 +210,7 @@ static wfReal own_size(const Matrix *m, const wfJointSet *set, const wfSolve *in
     return in->state[a].invMass * wfDot(l->jA, l->jA) + m->inverse[a] * l->wA * l->wA
          + in->state[b].invMass * wfDot(l->jB, l->jB) + m->inverse[b] * l->wB * l->wB;
 }
-/* <factor the matrix> */
+
 static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -226,7 +230,7 @@ static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
                 wfSolveBlock(own->v, m->pivot[p], w);
             }
         }
-        /* <eliminate joint p> */
+        /* eliminate joint p */
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             if (m->rank[m->edge[e].to] < n) continue;
             for (int32_t f = m->head[p]; f >= 0; f = m->edge[f].next) {
@@ -237,7 +241,8 @@ static void factor_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in)
         }
     }
 }
-/* <solve the system> */
+
+/* solve the system */
 static void solve_matrix(Matrix *m)
 {
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -263,7 +268,8 @@ static void solve_matrix(Matrix *m)
         }
     }
 }
-/* <the way through a substep> */
+
+/* the way through a substep */
 static wfReal sine_over(wfReal x)               /* sin x / x */
 {
     wfReal y = x * x;
@@ -284,7 +290,7 @@ static Way way_of(const wfPlace *from, const Motion *v, wfReal h)
     way.lever = s / c;
     return way;
 }
-/* <the way through a substep> */
+
 static wfJointSight see_along(const wfJoint *j, const wfPlace *a, const wfPlace *b,
                               const Way *wa, const Way *wb)
 {
@@ -299,7 +305,7 @@ static wfJointSight see_along(const wfJoint *j, const wfPlace *a, const wfPlace 
     at.lever = wfScale(wa->lever, at.d);                        /* eq:exact-slide */
     return at;
 }
-/* <the way through a substep> */
+
 static Line line_of(const wfJointRow *r)
 {
     return (Line){ r->jA, r->jB, r->wA, r->wB };
@@ -320,7 +326,8 @@ static wfReal rate_of(const Line *l, const wfJoint *j, const Motion *v)
     const Motion *a = &v[j->a], *b = &v[j->b];                  /* eq:joints-rate */
     return wfDot(l->jA, a->v) + l->wA * a->w + wfDot(l->jB, b->v) + l->wB * b->w;
 }
-/* <Newton's method for all joints> */
+
+/* Newton's method for all joints */
 static void copy_bodies(const Matrix *m, const Motion *from, Motion *to)
 {
     for (int32_t n = 0; n < m->bodies; n++) to[m->body[n]] = from[m->body[n]];
@@ -331,7 +338,7 @@ static void true_inertias(Matrix *m, const wfJointSet *set)
     for (int32_t n = 0; n < m->bodies; n++)
         m->inverse[m->body[n]] = set->inverse[m->body[n]];
 }
-/* <Newton's method for all joints> */
+
 /* m: how far from its centre a body's mass is; 0 for one that cannot turn or move. */
 static wfReal spread(const wfBodyState *s, wfReal inverse)
 {
@@ -355,7 +362,7 @@ static void note_size(Matrix *m, const wfJointSet *set, const wfSolve *in, int32
         m->size[i][k] = size > 0 ? 1 / size : 0;
     }
 }
-/* <Newton's method for all joints> */
+
 /* The gap that is left of row k when its error at the end is `then`, by its size. */
 static wfReal note_gap(Matrix *m, const wfJointSet *set, int32_t i, int k, wfReal then,
                        wfReal keep, wfReal h)
@@ -366,7 +373,7 @@ static wfReal note_gap(Matrix *m, const wfJointSet *set, int32_t i, int k, wfRea
                + h * set->give * w->own[row] * m->impulse[i][k];    /* eq:exact-give */
     return wfAbs(m->x[i][k]) * m->size[i][k];
 }
-/* <Newton's method for all joints> */
+
 static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep, wfReal h)
 {
     const wfJoint *j = &set->joints[i];
@@ -384,7 +391,7 @@ static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal kee
     }
     return worst;
 }
-/* <Newton's method for all joints> */
+
 static wfReal look_along_hinge(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep,
                                wfReal h)
 {
@@ -401,7 +408,7 @@ static wfReal look_along_hinge(Matrix *m, const wfJointSet *set, int32_t i, wfRe
     return wfMaxR(note_gap(m, set, i, 0, d.x, keep, h),
                   note_gap(m, set, i, 1, d.y, keep, h));
 }
-/* <Newton's method for all joints> */
+
 /* The velocities of the free motion and the present push, in `next`; how the pull bends. */
 static void push_all(Matrix *m, const wfJointSet *set, const wfSolve *in)
 {
@@ -421,7 +428,7 @@ static void push_all(Matrix *m, const wfJointSet *set, const wfSolve *in)
         m->bend[j->b] += wfDot(wfRotate(m->way[j->b].arm, j->localB), fB);
     }
 }
-/* <Newton's method for all joints> */
+
 static void stiffen_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
@@ -432,19 +439,19 @@ static void stiffen_matrix(Matrix *m, const wfJointSet *set, const wfSolve *in, 
     fill_matrix(m, set, in);
     factor_matrix(m, set, in);
 }
-/* <Newton's method for all joints> */
+
 /* eq:exact-step: from the gaps in x and the velocities in `next`, to new velocities. */
 static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         wfBodyState *s = &in->state[b];
-        /* <the change that the push and the new inertia bring> */
+        /* the change that the push and the new inertia bring */
         wfReal part = set->inverse[b] > 0 ? m->inverse[b] / set->inverse[b] : 0;
         m->next[b].v = wfSub(m->next[b].v, s->v);
         m->next[b].w = part * (m->next[b].w - s->w);
     }
-    /* <ask every row for the rate that closes its gap> */
+    /* ask every row for the rate that closes its gap */
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)
@@ -465,7 +472,7 @@ static void newton_step(Matrix *m, const wfJointSet *set, const wfSolve *in, wfR
         in->state[b].w += m->next[b].w;
     }
 }
-/* <Newton's method for all joints> */
+
 static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal h)
 {
     wfReal worst = 0, keep = wfGivingOf(set).keep;
@@ -484,7 +491,7 @@ static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, w
     push_all(m, set, in);
     return worst;
 }
-/* <Newton's method for all joints> */
+
 static void take_velocities(Matrix *m, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
@@ -493,7 +500,7 @@ static void take_velocities(Matrix *m, const wfSolve *in)
         m->left[b] = m->next[b];
     }
 }
-/* <Newton's method for all joints> */
+
 static bool is_taut(const Matrix *m, const wfJointSet *set, wfReal h)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
@@ -502,7 +509,7 @@ static bool is_taut(const Matrix *m, const wfJointSet *set, wfReal h)
     }
     return false;
 }
-/* <Newton's method for all joints> */
+
 static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
 {
     wfReal before = 0, gap = look_at_all(m, set, in, h);
@@ -519,7 +526,7 @@ static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
     take_velocities(m, in);
     return gap;
 }
-/* <solve all rows that hold> */
+
 /* x: what takes the rates away; becomes what is to be pushed. eq:exact-given */
 static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bool moved,
                       bool struck)
@@ -532,7 +539,7 @@ static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bo
         if (!last) x[k] += j->given[k];
     }
 }
-/* <solve all rows that hold> */
+
 /* Takes off what is not tangent, of the velocities in `next`; pushes the states. */
 static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool last)
 {
@@ -540,7 +547,7 @@ static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool las
     true_inertias(m, set);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        /* <ask the rows of joint i for their rates> */
+        /* ask the rows of joint i for their rates */
         m->rows[i] = set->work[i].holds;
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
@@ -561,7 +568,7 @@ static void make_tangent(Matrix *m, wfJointSet *set, const wfSolve *in, bool las
     }
     set->changed = true;
 }
-/* <solve all rows that hold> */
+
 /* Half of the last push, along its chord; then what has come since we were here last:
    all of it in `free`, what belongs to the time until now in `next`. */
 static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal share)
@@ -578,7 +585,7 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            /* <give half of the last push, or take it back> */
+            /* give half of the last push, or take it back */
             wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->smooth[i][k];
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
@@ -589,7 +596,7 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
     }
     m->lost = false;
 }
-/* <solve all rows that hold> */
+
 static void note_impulses(const Matrix *m, wfJointSet *set, bool both)
 {
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -600,7 +607,7 @@ static void note_impulses(const Matrix *m, wfJointSet *set, bool both)
         }
     }
 }
-/* <solve all rows that hold> */
+
 /* The impulses of a whole substep, from the last step. */
 static void begin_with_old(Matrix *m, const wfJointSet *set)
 {
@@ -610,7 +617,7 @@ static void begin_with_old(Matrix *m, const wfJointSet *set)
             m->impulse[i][k] = set->joints[i].impulse[set->work[i].hold[k]] / 2;
     }
 }
-/* <solve all rows that hold> */
+
 static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
                            wfReal dt, wfReal t)
 {
@@ -634,7 +641,7 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     for (int32_t n = 0; n < m->ordered && !last; n++) note_size(m, set, in, m->order[n]);
     m->moved = false;
 }
-/* <solve all rows that hold> */
+
 /* Adds what others have done since; have they? */
 static bool take_in(Matrix *m, const wfSolve *in)
 {
@@ -650,7 +657,7 @@ static bool take_in(Matrix *m, const wfSolve *in)
     }
     return some;
 }
-/* <solve all rows that hold> */
+
 static void answer(Matrix *m, wfJointSet *set, const wfSolve *in)
 {
     if (!m->rigid) {
@@ -675,7 +682,7 @@ static void answer(Matrix *m, wfJointSet *set, const wfSolve *in)
     }
     take_velocities(m, in);
 }
-/* <solve all rows that hold> */
+
 static void give_up(Matrix *m, wfJointSet *set)
 {
     set->unsolved++;
@@ -685,7 +692,7 @@ static void give_up(Matrix *m, wfJointSet *set)
         for (int k = 0; k < 3; k++) set->joints[i].given[k] = 0;
     }
 }
-/* <solve all rows that hold> */
+
 static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
                            wfReal dt, bool soft)
 {
@@ -704,13 +711,14 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     }
     note_impulses(m, set, soft || m->moved);
 }
-/* <lend the rows to a solver of contacts> */
+
+/* lend the rows to a solver of contacts */
 static bool is_bounded(const wfJointRow *row, int k)
 {
     bool plane = row[k].plane || (k > 0 && row[k - 1].plane);
     return row[k].law != WF_ROW_HOLD && row[k].law != WF_ROW_OFF && !plane;
 }
-/* <lend the rows to a solver of contacts> */
+
 static int32_t list_ties(void *context, const wfSolve *in, wfTie *ties)
 {
     const wfJointSet *set = context;
@@ -736,7 +744,7 @@ static int32_t list_ties(void *context, const wfSolve *in, wfTie *ties)
     }
     return count;
 }
-/* <lend the rows to a solver of contacts> */
+
 static wfTieRow tie_row(const Line *l, int32_t at)
 {
     return (wfTieRow){ .jA = { (double)l->jA.x, (double)l->jA.y, (double)l->wA },
@@ -758,7 +766,7 @@ static void fill_holds(const Matrix *m, const wfJointSet *set, wfReal dt, wfTie 
         tie->row[k].noise = (double)(gap / dt);
     }
 }
-/* <lend the rows to a solver of contacts> */
+
 static void fill_stop(const wfJointSet *set, const wfSolve *in, wfReal dt, bool soft,
                       const wfJoint *j, int32_t k, wfTieRow *out)
 {
@@ -776,7 +784,7 @@ static void fill_stop(const wfJointSet *set, const wfSolve *in, wfReal dt, bool 
     if (!ahead)                                                 /* eq:joints-give */
         out->give = (double)(give.impulse / give.mass * (dt / set->last) * w->own[k]);
 }
-/* <lend the rows to a solver of contacts> */
+
 static void fill_bounded(const wfJointSet *set, const wfSolve *in, wfReal dt, bool soft,
                          wfTie *tie)
 {
@@ -802,7 +810,7 @@ static void fill_bounded(const wfJointSet *set, const wfSolve *in, wfReal dt, bo
     }
     for (; n < tie->count; n++) tie->row[n] = (wfTieRow){ .idle = true };
 }
-/* <lend the rows to a solver of contacts> */
+
 static void fill_ties(void *context, const wfSolve *in, wfReal dt, bool soft, wfTie *ties,
                       int32_t count, double (*inverse)[3])
 {
@@ -817,7 +825,7 @@ static void fill_ties(void *context, const wfSolve *in, wfReal dt, bool soft, wf
         if (ties[i].holds) fill_holds(m, set, dt, &ties[i]);
         else fill_bounded(set, in, dt, soft, &ties[i]);
 }
-/* <lend the rows to a solver of contacts> */
+
 static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *ties,
                       int32_t count, double (*given)[3])
 {
@@ -833,7 +841,7 @@ static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *
     }
     for (int32_t i = 0; i < count; i++)
         for (int32_t k = 0; k < ties[i].count; k++) {
-            /* <add what the row has given to its joint> */
+            /* add what the row has given to its joint */
             const wfTieRow *r = &ties[i].row[k];
             int32_t joint = ties[i].joint;
             if (r->idle) continue;
@@ -846,7 +854,8 @@ static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *
 }
 
 static const wfLending lending = { list_ties, fill_ties, take_ties };
-/* <take room for the matrix> */
+
+/* take room for the matrix */
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
@@ -858,7 +867,7 @@ size_t wfExactScratch(int32_t bodies, int32_t joints)
     return sizeof(Matrix) + n * each + room * pairs + (size_t)bodies * body
          + 30 * WF_POOL_ALIGN;
 }
-/* <take room for the matrix> */
+
 static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
 {
     m->free = wfPoolPushArray(pool, bodies, Motion);
@@ -873,7 +882,7 @@ static bool take_bodies(Matrix *m, int32_t bodies, wfPool *pool)
     return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
         && m->inverse != NULL && m->bend != NULL && m->body != NULL && m->first != NULL;
 }
-/* <take room for the matrix> */
+
 static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
 {
     m->head = wfPoolPushArray(pool, count, int32_t);
@@ -898,7 +907,7 @@ static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
     return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
         && m->after != NULL && m->own != NULL && m->rows != NULL;
 }
-/* <take room for the matrix> */
+
 static Matrix *take_matrix(int32_t count, int32_t bodies, wfPool *pool)
 {
     Matrix *m = wfPoolPushArray(pool, 1, Matrix);
@@ -911,7 +920,7 @@ static Matrix *take_matrix(int32_t count, int32_t bodies, wfPool *pool)
     if (m->edge == NULL || m->value == NULL || m->ratio == NULL) return NULL;
     return take_joints(m, count, pool) && take_bodies(m, bodies, pool) ? m : NULL;
 }
-/* <take room for the matrix> */
+
 static void list_bodies(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t count)
 {
     for (int32_t n = 0; n < 2 * count; n++) {
@@ -923,7 +932,7 @@ static void list_bodies(Matrix *m, const wfJointSet *set, const wfSolve *in, int
         m->body[m->bodies++] = b;
     }
 }
-/* <take room for the matrix> */
+
 static wfResult assemble(Matrix *m, wfJointSet *set, const wfSolve *in)
 {
     int32_t count = 0;
@@ -939,7 +948,7 @@ static wfResult assemble(Matrix *m, wfJointSet *set, const wfSolve *in)
     set->lending = &lending;
     return WF_OK;
 }
-/* <take room for the matrix> */
+
 wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
 {
     if (set == NULL || in == NULL || scratch == NULL) return WF_ERROR_NULL;
@@ -947,7 +956,8 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
     Matrix *m = take_matrix(set->count, in->bodyCount, scratch);
     return m == NULL ? WF_ERROR_MEMORY : assemble(m, set, in);
 }
-/* <judge the machines> */
+
+/* judge the machines */
 static int32_t root_of(int32_t *parent, int32_t b)
 {
     while (parent[b] != b) {
@@ -963,7 +973,7 @@ static int32_t mover_of(const wfJoint *j, const wfBodyState *state)
     return wfIsBroken(j) ? -1 : can_move(&state[j->a]) ? j->a
          : can_move(&state[j->b]) ? j->b : -1;
 }
-/* <judge the machines> */
+
 static void join_machines(const wfJointSet *set, const wfSolve *in, int32_t *parent)
 {
     for (int32_t b = 0; b < in->bodyCount; b++) parent[b] = b;
@@ -975,7 +985,7 @@ static void join_machines(const wfJointSet *set, const wfSolve *in, int32_t *par
         parent[a > b ? a : b] = a > b ? b : a;
     }
 }
-/* <judge the machines> */
+
 static void take_away_blocks(Matrix *m, const int32_t *list, int32_t count)
 {
     for (int32_t n = 0; n < count; n++) m->head[list[n]] = m->rank[list[n]] = -1;
@@ -1001,7 +1011,7 @@ static bool is_cheap(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_
     take_away_blocks(m, list, count);
     return good;
 }
-/* <judge the machines> */
+
 /* Sorts the joints by machine into m->list, by counting; start: [bodies + 1]. */
 static void list_machines(Matrix *m, const wfJointSet *set, const wfSolve *in,
                           int32_t *parent, int32_t *start)
@@ -1020,7 +1030,7 @@ static void list_machines(Matrix *m, const wfJointSet *set, const wfSolve *in,
     for (int32_t b = in->bodyCount; b > 0; b--) start[b] = start[b - 1];
     start[0] = 0;
 }
-/* <judge the machines> */
+
 static void judge(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal most,
                   int32_t *parent, int32_t *start, uint8_t *alone)
 {
@@ -1036,7 +1046,7 @@ static void judge(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal mo
     }
     m->room = m->count * WF_EXACT_BLOCKS;
 }
-/* <judge the machines> */
+
 wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
                          bool known, wfPool *scratch)
 {
@@ -1053,7 +1063,8 @@ wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_
     set->alone = alone;
     return assemble(m, set, in);
 }
-/* <count what a factorisation takes> */
+
+/* count what a factorisation takes */
 static void count_pairs(const Matrix *m, wfExactCount *out)
 {
     for (int32_t n = 0; n < m->ordered; n++) {
@@ -1063,7 +1074,7 @@ static void count_pairs(const Matrix *m, wfExactCount *out)
         out->pairs += later * (later + 1) / 2;
     }
 }
-/* <count what a factorisation takes> */
+
 wfResult wfCountExact(const wfJoint *joints, int32_t count, const wfBodyState *state,
                       int32_t bodies, wfPool *scratch, wfExactCount *out)
 {

@@ -6,7 +6,7 @@
 #include "dynamics/substep.h"
 #include "dynamics/ties.h"
 
-/* <what the exact solver works with> */
+/* what the exact solver works with */
 enum { ROW_PUSH, ROW_RUB, ROW_ROLL, ROW_TIE };
 enum { ROW_OFF, ROW_ON, ROW_UP, ROW_DOWN };     /* no impulse; rate kept; at its bound */
 
@@ -28,7 +28,7 @@ typedef struct ExactNode {
     double friction, rolling;
     ExactRow row[WF_NODE_ROWS];
 } ExactNode;
-/* <what the exact solver works with> */
+
 typedef struct ExactWork { double factor, solve; } ExactWork;   /* eq:exact-work-of */
 
 typedef struct Exact {
@@ -36,7 +36,7 @@ typedef struct Exact {
     wfSparse m;                 /* bodies first, then the nodes */
     ExactNode *node;            /* [count + ties] of contacts, then of ties */
     int32_t count;              /* contacts */
-    /* <what the exact solver needs for ties> */
+    /* what the exact solver needs for ties */
     const wfLending *lending;   /* NULL: joints take turns with the contacts */
     wfTie *tie;
     int32_t ties;
@@ -45,7 +45,7 @@ typedef struct Exact {
     double (*inverse)[3];               /* [bodies] 1/m, 1/m, 1/I */
     double give;                        /* share of K by which a row that is ON gives way */
     bool *factored;             /* [parts] the factors are those of the states */
-    /* <what is known of the part that is being solved> */
+    /* what is known of the part that is being solved */
     double allowed[2], speed;   /* of a part: errors that count as none; the first speeds */
     double noise;               /* of a part: what rounding does to its targets, m/s */
     bool tied;                  /* of a part: joints have rows in it */
@@ -60,7 +60,8 @@ typedef struct Exact {
     double coarse;              /* the noise of all parts, m/s */
     wfSolveReport report;
 } Exact;
-/* <rates and pushes of exact rows> */
+
+/* rates and pushes of exact rows */
 static double positive(double x) { return x > 0 ? x : 0; }
 static double size_of(double x) { return x < 0 ? -x : x; }
 static double larger(double a, double b) { return a > b ? a : b; }
@@ -78,7 +79,7 @@ static double rate_of(const Exact *e, const ExactNode *n, const ExactRow *r)
     return r->jA[0] * a[0] + r->jA[1] * a[1] + r->jA[2] * a[2]
          + r->jB[0] * b[0] + r->jB[1] * b[1] + r->jB[2] * b[2];
 }
-/* <rates and pushes of exact rows> */
+
 static void push_along(Exact *e, const ExactNode *n, ExactRow *r, double j)
 {
     for (int i = 0; i < 3; i++) {
@@ -102,7 +103,8 @@ static void weigh(const Exact *e, const ExactNode *n, ExactRow *r)
               + e->inverse[n->b][i] * r->jB[i] * r->jB[i];
     r->idle = !(r->k > 0);
 }
-/* <make rows of a contact> */
+
+/* make rows of a contact */
 static void add_row(ExactNode *n, wfVec2 u, wfReal leverA, wfReal leverB, int32_t law)
 {
     double x = (double)u.x, y = (double)u.y;
@@ -117,7 +119,7 @@ static wfReal share_of_first(const wfPrepared *c)
     wfReal g0 = wfMaxR(c->p[0].gap, 0), g1 = wfMaxR(c->p[1].gap, 0);
     return g0 + g1 > 0 ? g1 / (g0 + g1) : WF_R(0.5);            /* eq:exact-rub */
 }
-/* <make rows of a contact> */
+
 static void rows_of_contact(const Exact *e, int32_t i, ExactNode *n)
 {
     const wfPrepared *c = &e->s.c[i];
@@ -130,7 +132,8 @@ static void rows_of_contact(const Exact *e, int32_t i, ExactNode *n)
     if (c->rolling > 0) add_row(n, wfV2(0, 0), 1, 1, ROW_ROLL);
     n->rolling = (double)c->rolling;
 }
-/* <load and store contacts> */
+
+/* load and store contacts */
 static const wfManifold *found_of(const Exact *e, int32_t i)
 {
     return &e->s.in->contacts[e->s.order[i]].manifold;
@@ -148,7 +151,7 @@ static wfReal shorter_arm(const Exact *e, int32_t i, int32_t k)
     const wfContactPoint *p = &found_of(e, i)->points[k];
     return wfMinR(wfLength(p->armA), wfLength(p->armB));
 }
-/* <load and store contacts> */
+
 static void load_contact(Exact *e, int32_t i, bool soft)
 {
     const wfPrepared *c = &e->s.c[i];
@@ -163,7 +166,7 @@ static void load_contact(Exact *e, int32_t i, bool soft)
         } else if (r->law == ROW_ROLL)
             r->sum = (double)c->spin;
         else {
-            /* <fill the row that pushes at point k> */
+            /* fill the row that pushes at point k */
             const wfPreparedPoint *p = &c->p[k];
             wfReal gap = p->now;
             r->sum = (double)p->normal;
@@ -176,7 +179,7 @@ static void load_contact(Exact *e, int32_t i, bool soft)
         r->first = r->sum;
     }
 }
-/* <load and store contacts> */
+
 static void store_contact(Exact *e, int32_t i)
 {
     wfPrepared *c = &e->s.c[i];
@@ -190,7 +193,7 @@ static void store_contact(Exact *e, int32_t i)
     }
     if (n->count > c->count + 1) c->spin = (wfReal)n->row[c->count + 1].sum;
 }
-/* <load and store contacts> */
+
 static void load_bodies(Exact *e)
 {
     const wfSolve *in = e->s.in;
@@ -201,7 +204,7 @@ static void load_bodies(Exact *e)
         e->v[i][0] = (double)b->v.x, e->v[i][1] = (double)b->v.y, e->v[i][2] = (double)b->w;
     }
 }
-/* <load and store contacts> */
+
 static void store_bodies(Exact *e)
 {
     const wfSolve *in = e->s.in;
@@ -218,12 +221,13 @@ static void store_bodies(Exact *e)
         }
     }
 }
-/* <choose which rows hold> */
+
+/* choose which rows hold */
 static double limit_of(const ExactNode *n, const ExactRow *r, double pushed)
 {
     return (r->law == ROW_ROLL ? n->rolling : n->friction) * pushed;
 }
-/* <choose which rows hold> */
+
 /* eq:exact-states; true if any is new */
 static bool choose_states(const Exact *e, ExactNode *n, double eager)
 {
@@ -234,7 +238,7 @@ static bool choose_states(const Exact *e, ExactNode *n, double eager)
         int32_t state = ROW_OFF;
         double stiff = r->k + r->give, z = r->sum * stiff - off_of(e, n, r);
         bool fresh = eager > 0 && r->sum == 0;
-        /* <the state that row r should have> */
+        /* the state that row r should have */
         if (r->law == ROW_TIE && !r->idle)                      /* eq:exact-bounded */
             state = z > r->most * stiff ? ROW_UP : z < r->least * stiff ? ROW_DOWN : ROW_ON;
         else if (r->law == ROW_PUSH && !r->idle && z + (fresh ? eager : 0) > 0) {
@@ -251,7 +255,8 @@ static bool choose_states(const Exact *e, ExactNode *n, double eager)
     }
     return changed;
 }
-/* <how far from the laws> */
+
+/* how far from the laws */
 static bool is_turn(const ExactRow *r)
 {
     return r->jA[0] == 0 && r->jA[1] == 0 && r->jB[0] == 0 && r->jB[1] == 0;
@@ -269,7 +274,7 @@ static double lack_of(const Exact *e, const ExactNode *n, const ExactRow *r, dou
     }
     return size_of(r->sum - bounded(z, limit_of(n, r, *pushed))) * r->k;
 }
-/* <how far from the laws> */
+
 /* The worst row of a part, in units of what is allowed; turns apart from the rest. */
 static double residual_of(Exact *e, int32_t part)
 {
@@ -294,7 +299,7 @@ static double residual_of(Exact *e, int32_t part)
     }
     return worst;
 }
-/* <how far from the laws> */
+
 /* What rounding will leave, by the velocities and impulses at the beginning. */
 static void find_allowed(Exact *e, int32_t part)
 {
@@ -316,7 +321,8 @@ static void find_allowed(Exact *e, int32_t part)
         }
     }
 }
-/* <fill the matrix of a part> */
+
+/* fill the matrix of a part */
 static void fill_side(Exact *e, int32_t i, bool ofB)
 {
     const ExactNode *n = &e->node[i];
@@ -332,7 +338,7 @@ static void fill_side(Exact *e, int32_t i, bool ofB)
         }
     }
 }
-/* <fill the matrix of a part> */
+
 static void fill_own(Exact *e, int32_t i)
 {
     const ExactNode *n = &e->node[i];
@@ -348,7 +354,7 @@ static void fill_own(Exact *e, int32_t i)
                 own[k * n->count + p] = side * limit_of(n, r, 1);
     }
 }
-/* <fill the matrix of a part> */
+
 static void factor_part(Exact *e, int32_t part)
 {
     wfSparseClear(&e->m, part);
@@ -366,7 +372,7 @@ static void factor_part(Exact *e, int32_t part)
     e->spent += e->work[part].factor;
     e->report.factored++;
 }
-/* <a Newton step> */
+
 /* Goes by a share of the step that the system has been solved for. */
 static void go(Exact *e, int32_t part, double share)
 {
@@ -378,7 +384,7 @@ static void go(Exact *e, int32_t part, double share)
             push_along(e, n, &n->row[k], share * e->m.x[i][k]);
     }
 }
-/* <a Newton step> */
+
 static double want_of(const Exact *e, const ExactNode *n, const ExactRow *r)
 {
     double size = r->k > 0 ? r->k : 1, pushed = 0;
@@ -392,7 +398,7 @@ static double want_of(const Exact *e, const ExactNode *n, const ExactRow *r)
     double limit = limit_of(n, r, pushed);
     return size * ((r->state == ROW_UP ? limit : -limit) - r->sum);
 }
-/* <a Newton step> */
+
 static void newton_step(Exact *e, int32_t part)
 {
     wfSparse *m = &e->m;
@@ -406,7 +412,8 @@ static void newton_step(Exact *e, int32_t part)
     wfSparseSolve(m, part);
     go(e, part, 1);
 }
-/* <sweeps> */
+
+/* sweeps */
 static void sweep_node(Exact *e, ExactNode *n)
 {
     double pushed = 0;
@@ -430,7 +437,7 @@ static void sweep_part(Exact *e, int32_t part, int32_t passes)
             if (i >= e->m.bodies) sweep_node(e, &e->node[i - e->m.bodies]);
         }
 }
-/* <the budget of a step> */
+
 /* eq:exact-share */
 static double share_of(const Exact *e, int32_t part)
 {
@@ -438,7 +445,7 @@ static double share_of(const Exact *e, int32_t part)
     double left = 1e6 * (double)e->s.in->work - e->spent;
     return positive(left) * (e->work[part].factor / e->all) / (double)e->solutions;
 }
-/* <the budget of a step> */
+
 /* eq:exact-work-of, for all parts; those that are too dear are not direct. */
 static void weigh_parts(Exact *e)
 {
@@ -459,13 +466,14 @@ static void weigh_parts(Exact *e)
     for (int32_t part = 0; part < m->parts; part++)
         if (e->work[part].factor > share_of(e, part)) m->direct[part] = false;
 }
-/* <the budget of a step> */
+
 /* May this problem make one more system? */
 static bool can_pay(const Exact *e, int32_t part)
 {
     return e->spent + e->work[part].factor + e->work[part].solve <= e->limit;
 }
-/* <solve a part> */
+
+/* solve a part */
 static bool choose_all(Exact *e, int32_t part, double eager)
 {
     bool changed = false;
@@ -475,7 +483,7 @@ static bool choose_all(Exact *e, int32_t part, double eager)
             changed = true;
     return changed;
 }
-/* <solve a part> */
+
 /* Keeps the sums and velocities of a part as the best, or goes back to them. */
 static void keep_or_restore(Exact *e, int32_t part, bool keep)
 {
@@ -493,7 +501,7 @@ static void keep_or_restore(Exact *e, int32_t part, bool keep)
         }
     }
 }
-/* <solve a part> */
+
 static void settle(Exact *e, int32_t part)
 {
     for (int32_t at = e->m.part[part]; at < e->m.part[part + 1]; at++) {
@@ -510,7 +518,7 @@ static void settle(Exact *e, int32_t part)
         }
     }
 }
-/* <solve a part> */
+
 static double step_of(Exact *e, int32_t part, double give, double eager)
 {
     bool other = give != e->give;
@@ -524,7 +532,7 @@ static double step_of(Exact *e, int32_t part, double give, double eager)
     if (++e->steps < WF_REPORT_COURSE) e->course[e->steps] = (wfReal)e->lack;
     return now;
 }
-/* <solve a part> */
+
 /* Newton's steps; the residual that is left. */
 static double try_newton(Exact *e, int32_t part)
 {
@@ -534,7 +542,7 @@ static double try_newton(Exact *e, int32_t part)
         left = step_of(e, part, WF_EXACT_GIVE, i == 0 ? eager : 0);
     return left;
 }
-/* <solve a part> */
+
 /* Shorter steps, that must not make it worse. */
 static double try_carefully(Exact *e, int32_t part)
 {
@@ -544,7 +552,7 @@ static double try_carefully(Exact *e, int32_t part)
         if (!can_pay(e, part)) break;
         keep_or_restore(e, part, true);
         double now = step_of(e, part, give, 0), share = 1;
-        /* <halve a step that does not help> */
+        /* halve a step that does not help */
         for (int k = 0; k < 3 && !(now < best); k++) {
             go(e, part, -share / 2);
             share /= 2;
@@ -556,7 +564,7 @@ static double try_carefully(Exact *e, int32_t part)
             continue;
         }
         keep_or_restore(e, part, false);
-        /* <stiffen, or begin elsewhere> */
+        /* stiffen, or begin elsewhere */
         give *= 4;
         if (give > 100 * WF_EXACT_STIFFEST) {
             give = WF_EXACT_STIFFEST;
@@ -566,7 +574,7 @@ static double try_carefully(Exact *e, int32_t part)
     }
     return best;
 }
-/* <solve a part> */
+
 static void note_problem(Exact *e, bool solved)
 {
     wfSolveReport *r = &e->report;
@@ -576,7 +584,7 @@ static void note_problem(Exact *e, bool solved)
     r->longest = e->steps;
     memcpy(r->course, e->course, sizeof r->course);
 }
-/* <solve a part> */
+
 static void solve_part(Exact *e, int32_t part)
 {
     find_allowed(e, part);
@@ -588,7 +596,7 @@ static void solve_part(Exact *e, int32_t part)
     bool done = left <= 1 || (e->again && e->lack <= e->noise);
     keep_or_restore(e, part, true);
     e->limit = e->spent + share_of(e, part);
-    /* <try Newton's method, and then the careful one> */
+    /* try Newton's method, and then the careful one */
     if (!done && e->m.direct[part]) {
         left = try_newton(e, part);
         if (left > 1 && !(e->tied && e->lack <= e->noise)) {
@@ -606,7 +614,8 @@ static void solve_part(Exact *e, int32_t part)
     e->report.cut += poor && !done;
     note_problem(e, done);
 }
-/* <borrow ties> */
+
+/* borrow ties */
 static size_t room_for(int32_t bodies, int32_t nodes)
 {
     size_t each = sizeof(ExactNode) + sizeof(bool) + sizeof(ExactWork);
@@ -619,7 +628,7 @@ size_t wfExactTieScratch(int32_t joints)
 {
     return 2 * (size_t)joints * sizeof(wfTie) + room_for(0, 2 * joints);
 }
-/* <borrow ties> */
+
 /* Who is tied. Without room for them the joints take turns, as any other laws. */
 static void take_ties(Exact *e)
 {
@@ -640,13 +649,13 @@ static void take_ties(Exact *e)
     }
     e->lending->list(laws->context, in, e->tie);
 }
-/* <borrow ties> */
+
 static void make_node_of_tie(const wfTie *tie, ExactNode *n)
 {
     *n = (ExactNode){ .a = tie->a, .b = tie->b, .count = tie->count };
     for (int32_t k = 0; k < n->count; k++) n->row[k].law = ROW_TIE;
 }
-/* <borrow ties> */
+
 static void load_tie(Exact *e, const wfTie *tie, ExactNode *n)
 {
     for (int32_t k = 0; k < n->count; k++) {
@@ -671,7 +680,7 @@ static void load_ties(Exact *e, bool soft)
         for (int32_t n = e->m.part[part]; n < e->m.part[part + 1]; n++)
             if (e->m.list[n] >= e->m.bodies + e->count) e->factored[part] = false;
 }
-/* <borrow ties> */
+
 static void note_given(Exact *e, const ExactNode *n, const ExactRow *r, double gain)
 {
     for (int i = 0; i < 3; i++) {
@@ -697,7 +706,8 @@ static void store_ties(Exact *e, bool soft)
     }
     e->lending->take(laws->context, in, soft, e->tie, e->ties, e->given);
 }
-/* <solve all parts> */
+
+/* solve all parts */
 static void solve_contacts(Exact *e, bool soft)
 {
     load_bodies(e);
@@ -709,7 +719,7 @@ static void solve_contacts(Exact *e, bool soft)
     store_bodies(e);
     if (e->change > 0) store_ties(e, soft);
 }
-/* <take overlap away exactly> */
+
 /* What is to be taken away at a point, m. */
 static double overlap_at(const Exact *e, int32_t i, int32_t k)
 {
@@ -719,7 +729,7 @@ static double overlap_at(const Exact *e, int32_t i, int32_t k)
     far += wfLength(in->state[c->a].p) + wfLength(in->state[c->b].p);
     return gap < -WF_EPSILON * far ? -(double)(in->positionShare * gap) : 0;
 }
-/* <take overlap away exactly> */
+
 static bool want_apart(Exact *e, int32_t part)
 {
     wfSparse *m = &e->m;
@@ -738,7 +748,7 @@ static bool want_apart(Exact *e, int32_t part)
     }
     return any;
 }
-/* <take overlap away exactly> */
+
 /* Rows that slide have no say in places, and the rest gives a little more. */
 static void factor_places(Exact *e, int32_t part)
 {
@@ -752,7 +762,7 @@ static void factor_places(Exact *e, int32_t part)
     factor_part(e, part);
     e->factored[part] = false;
 }
-/* <take overlap away exactly> */
+
 /* A point asks for more, or gives back, so that its bodies part by what it wants. */
 static void part_point(Exact *e, const ExactNode *n, ExactRow *r, double want)
 {
@@ -765,7 +775,7 @@ static void part_point(Exact *e, const ExactNode *n, ExactRow *r, double want)
     }
     r->best = sum;
 }
-/* <take overlap away exactly> */
+
 static void sweep_places(Exact *e, int32_t part)
 {
     int32_t from = e->m.part[part], to = e->m.part[part + 1];
@@ -780,7 +790,7 @@ static void sweep_places(Exact *e, int32_t part)
             }
         }
 }
-/* <take overlap away exactly> */
+
 static void part_bodies(Exact *e)
 {
     wfSparse *m = &e->m;
@@ -805,7 +815,8 @@ static void part_bodies(Exact *e)
     }
     if (any) wfFindGaps(&e->s);
 }
-/* <make the system of a step> */
+
+/* make the system of a step */
 static bool can_move(const wfSolve *in, int32_t i)
 {
     return in->state[i].invMass > 0 || in->state[i].invInertia > 0;
@@ -823,7 +834,7 @@ static bool join_node(Exact *e, int32_t i)
     if (can_move(in, n->b)) n->toB = wfSparseJoin(&e->m, n->b, me);
     return !(n->toA < 0 && can_move(in, n->a)) && !(n->toB < 0 && can_move(in, n->b));
 }
-/* <make the system of a step> */
+
 static wfResult make_system(Exact *e)
 {
     const wfSolve *in = e->s.in;
@@ -831,7 +842,7 @@ static wfResult make_system(Exact *e)
     e->count = in->contactCount;
     take_ties(e);
     int32_t nodes = e->count + e->ties;
-    /* <take the arrays of the system> */
+    /* take the arrays of the system */
     e->node = wfPoolPushArray(pool, nodes, ExactNode);
     e->v = (double(*)[3])wfPoolPushArray(pool, 12 * in->bodyCount, double);
     e->factored = wfPoolPushArray(pool, in->bodyCount + nodes, bool);
@@ -843,7 +854,7 @@ static wfResult make_system(Exact *e)
     e->given = e->kept + in->bodyCount;
     if (!wfSparseTake(&e->m, in->bodyCount + nodes, in->bodyCount, pool, 0))
         return WF_ERROR_MEMORY;
-    /* <put bodies and nodes into the system> */
+    /* put bodies and nodes into the system */
     load_bodies(e);
     for (int32_t i = 0; i < in->bodyCount; i++) e->m.rows[i] = 3;
     for (int32_t i = 0; i < nodes; i++) {
@@ -859,14 +870,14 @@ static wfResult make_system(Exact *e)
     e->report.blocks = e->m.blocks;
     return WF_OK;
 }
-/* <an exact step> */
+
 /* Has the last round changed nothing that counts? before: what the one before it did. */
 static bool agree(const Exact *e, double before)
 {
     if (e->change <= larger(WF_EXACT_AGREE * e->fastest, e->coarse)) return true;
     return e->again && e->change <= WF_EXACT_FEW * e->coarse && e->change > before / 2;
 }
-/* <an exact step> */
+
 static void solve_in_turns(Exact *e, const wfLaws *laws, bool soft)
 {
     const wfSolve *in = e->s.in;
@@ -888,7 +899,7 @@ static void solve(Exact *e, bool soft)
     else solve_in_turns(e, laws, soft);
     e->solutions--;
 }
-/* <an exact step> */
+
 static void finish(Exact *e)
 {
     const wfSolve *in = e->s.in;
@@ -906,7 +917,7 @@ static void finish(Exact *e)
     e->report.work = (wfReal)(e->spent / 1e6);
     if (in->report != NULL) *in->report = e->report;
 }
-/* <an exact step> */
+
 /* Is it pressed, by points that were closed at the beginning of the substep? */
 static bool is_settled(const ExactNode *n)
 {
@@ -928,7 +939,7 @@ static void judge_friction(Exact *e)
         wfJudgeFriction(&e->s.c[i], &m, true);
     }
 }
-/* <an exact step> */
+
 wfResult wfExactStep(const wfSolve *in)
 {
     Exact e = { .s = { .in = in, .dt = in->h / (wfReal)in->substeps, .kick = in->h } };
@@ -949,7 +960,7 @@ wfResult wfExactStep(const wfSolve *in)
     wfPoolRewind(in->scratch, mark);
     return result;
 }
-/* <an exact step> */
+
 size_t wfExactStepScratch(int32_t bodies, int32_t contacts)
 {
     return wfSubstepScratch(bodies, contacts) + room_for(bodies, contacts);

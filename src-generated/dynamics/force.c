@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/force.h"
 
-/* <choose the bodies that a force acts on> */
+/* choose the bodies that a force acts on */
 static bool feels(const wfBodyView *bodies, int32_t i)
 {
     if (i < 0 || i >= bodies->count || (bodies->alive && !bodies->alive[i])) return false;
@@ -22,7 +22,7 @@ static wfReal mass_of(const wfBodyView *bodies, int32_t i)
     wfReal inverse = bodies->state[i].invMass;
     return inverse > 0 ? 1 / inverse : 0;
 }
-/* <choose the bodies that a force acts on> */
+
 static bool is_there(const wfBodyView *bodies, int32_t i)
 {
     return i >= 0 && i < bodies->count && (!bodies->alive || bodies->alive[i]);
@@ -37,7 +37,8 @@ static int32_t shape_after(const wfBodyView *bodies, int32_t k)
 {
     return bodies->next ? bodies->next[k] : -1;
 }
-/* <force generators> */
+
+/* force generators */
 static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                           wfBodyForces *out)
 {
@@ -50,7 +51,7 @@ static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal tim
     }
 }
 
-/* <force generators> */
+
 static wfReal gravity_energy(const wfForce *f, const wfBodyView *bodies)
 {
     wfReal sum = 0;
@@ -62,7 +63,7 @@ static wfReal gravity_energy(const wfForce *f, const wfBodyView *bodies)
     }
     return sum;
 }
-/* <force generators> */
+
 static wfVec2 attractor(const wfForce *f, const wfBodyView *bodies)
 {
     return f->b < 0 ? f->point.centre : bodies->state[f->b].p;
@@ -79,7 +80,7 @@ static void point_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
     (void)time;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!is_pulled(f, bodies, i)) continue;
-        /* <pull body i to the centre by eq:force-point> */
+        /* pull body i to the centre by eq:force-point */
         wfVec2 r = wfSub(bodies->state[i].p, attractor(f, bodies));
         wfReal s = wfLength(wfV2(wfLength(r), f->point.softening));
         if (s == 0) continue;  /* right in the centre: no direction */
@@ -89,13 +90,13 @@ static void point_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
         if (f->b >= 0) wfApplyForceToCentre(&out[f->b], wfNeg(force));
     }
 }
-/* <force generators> */
+
 static wfReal point_energy(const wfForce *f, const wfBodyView *bodies)
 {
     wfReal sum = 0;
     for (int32_t i = first_of(f); i < end_of(f, bodies); i++) {
         if (!is_pulled(f, bodies, i)) continue;
-        /* <add the energy of body i by eq:force-point-energy> */
+        /* add the energy of body i by eq:force-point-energy */
         wfVec2 r = wfSub(bodies->state[i].p, attractor(f, bodies));
         wfReal s = wfLength(wfV2(wfLength(r), f->point.softening));
         if (s > 0) sum -= mass_of(bodies, i) * f->point.strength / s;
@@ -112,7 +113,7 @@ static void point_move(wfForce *f, wfVec2 by)
 {
     if (f->b < 0) f->point.centre = wfSub(f->point.centre, by);
 }
-/* <force generators> */
+
 typedef struct Stretch {
     bool there;                 /* both ends exist                              */
     wfVec2 a, b;                /* m: the ends, world                           */
@@ -132,14 +133,14 @@ static Stretch stretch_of(const wfForce *f, const wfBodyView *bodies)
         s.b = wfApply(wfBodyTransform(&bodies->state[f->b]), f->spring.localB);
         v = wfSub(v, wfVelocityAt(&bodies->state[f->b], s.b));
     }
-    /* <measure the stretch by eq:force-stretch> */
+    /* measure the stretch by eq:force-stretch */
     wfVec2 d = wfSub(s.a, s.b);
     s.length = wfLength(d);
     s.along = wfNormalize(d);
     s.rate = wfDot(v, s.along);
     return s;
 }
-/* <force generators> */
+
 static void pull_ends(const wfForce *f, const wfBodyView *bodies, const Stretch *s,
                       wfReal tension, wfBodyForces *out)
 {
@@ -161,7 +162,7 @@ static void spring_apply(const wfForce *f, const wfBodyView *bodies, wfReal time
     Stretch s = stretch_of(f, bodies);
     if (s.there) pull_ends(f, bodies, &s, tension_of(f, &s), out);  /* eq:force-spring */
 }
-/* <force generators> */
+
 static wfReal spring_energy(const wfForce *f, const wfBodyView *bodies)
 {
     Stretch s = stretch_of(f, bodies);
@@ -180,7 +181,7 @@ static void spring_move(wfForce *f, wfVec2 by)
 {
     if (f->b < 0) f->spring.localB = wfSub(f->spring.localB, by);
 }
-/* <force generators> */
+
 static void bungee_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                          wfBodyForces *out)
 {
@@ -195,7 +196,7 @@ static wfReal bungee_energy(const wfForce *f, const wfBodyView *bodies)
     Stretch s = stretch_of(f, bodies);
     return s.there && s.length > f->spring.rest ? spring_energy(f, bodies) : 0;
 }
-/* <force generators> */
+
 static void drag_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out)
 {
@@ -212,8 +213,7 @@ static wfResult drag_check(const wfForce *f)
 {
     return f->drag.linear >= 0 && f->drag.quadratic >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
-/* <force generators> */
-/* <cut a polygon at the surface> */
+
 /* Corners of what is below y = depth, of a polygon turned by q about its centre. */
 static int cut_polygon(const wfShape *shape, wfRot q, wfReal depth, wfVec2 *out)
 {
@@ -230,7 +230,7 @@ static int cut_polygon(const wfShape *shape, wfRot q, wfReal depth, wfVec2 *out)
     }
     return n;
 }
-/* <sum the moments of a polygon> */
+
 /* Area, centroid and second moment by @eq:force-moments, all about corner 0 first. */
 static wfSubmerged polygon_moments(const wfVec2 *p, int n)
 {
@@ -250,15 +250,14 @@ static wfSubmerged polygon_moments(const wfVec2 *p, int n)
     s.centre = wfAdd(p[0], c);
     return s;
 }
-/* <sum the moments of a polygon> */
+
 static wfSubmerged submerged_polygon(const wfShape *shape, wfRot q, wfReal depth)
 {
     wfVec2 p[2 * WF_MAX_VERTICES];
     int n = cut_polygon(shape, q, depth, p);
     return polygon_moments(p, n);
 }
-/* <cut a circle at the surface> */
-/* <half of x minus sin x, without cancellation> */
+
 /* For small x by @eq:force-x-minus-sine, 10 terms of which reach a double's rounding. */
 static wfReal half_x_minus_sine(wfReal x)
 {
@@ -291,7 +290,7 @@ static wfSubmerged submerged_circle(wfReal r, wfReal depth)
     wfReal sine = wfSqrt((1 - u) * (1 + u));
     return circle_segment(r, wfAtan2(sine, u), sine, u);
 }
-/* <cut a coat at the surface> */
+
 /* The part of a coated shape that is under water, piece by piece. */
 typedef struct Pieces {
     wfReal radius, depth;
@@ -299,7 +298,7 @@ typedef struct Pieces {
     wfVec2 ring[6 * WF_MAX_VERTICES];
     wfSubmerged cap[3 * WF_MAX_VERTICES + 1];   /* and, at the end, the polygon */
 } Pieces;
-/* <cut a coat at the surface> */
+
 /* the directions u0, u1 of an arc, and those between them in which the surface cuts it */
 static int cut_arc(const Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1, wfVec2 out[4])
 {
@@ -317,7 +316,7 @@ static int cut_arc(const Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1, wfVec2 out[4
     out[n++] = u1;
     return n;
 }
-/* <cut a coat at the surface> */
+
 static void add_arc(Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1)
 {
     wfVec2 u[4];
@@ -334,14 +333,14 @@ static void add_arc(Pieces *p, wfVec2 v, wfVec2 u0, wfVec2 u1)
         p->ring[p->corners++] = wfAddScaled(v, p->radius, u[i + 1]);
     }
 }
-/* <cut a coat at the surface> */
+
 static void add_edge(Pieces *p, wfVec2 a, wfVec2 b)
 {
     if ((a.y < p->depth) == (b.y < p->depth)) return;   /* the arcs have its ends */
     wfReal t = (p->depth - a.y) / (b.y - a.y);          /* eq:force-cut */
     p->ring[p->corners++] = wfV2(a.x + t * (b.x - a.x), p->depth);
 }
-/* <cut a coat at the surface> */
+
 static wfSubmerged sum_pieces(const wfSubmerged *piece, int n)
 {
     wfSubmerged sum = { .area = 0 };
@@ -357,7 +356,7 @@ static wfSubmerged sum_pieces(const wfSubmerged *piece, int n)
                      + piece[i].area * wfDistanceSq(piece[i].centre, sum.centre);
     return sum;
 }
-/* <cut a coat at the surface> */
+
 static wfSubmerged submerged_coat(const wfShape *shape, wfRot q, wfReal depth)
 {
     Pieces p = { .radius = shape->radius, .depth = depth };
@@ -389,8 +388,8 @@ wfSubmerged wfSubmergedPart(const wfShape *shape, wfTransform placed, wfReal sur
     s.centre = wfAdd(centre, s.centre);
     return s;
 }
-/* <force generators> */
-/* <lift and brake one part> */
+
+/* lift and brake one part */
 static void float_part(const wfForce *f, const wfBodyState *b, const wfSubmerged *s,
                        wfBodyForces *out)
 {
@@ -418,7 +417,7 @@ static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal ti
         }
     }
 }
-/* <force generators> */
+
 static wfReal buoyancy_energy(const wfForce *f, const wfBodyView *bodies)
 {
     wfReal sum = 0;
@@ -443,7 +442,7 @@ static wfResult buoyancy_check(const wfForce *f)
 }
 
 static void buoyancy_move(wfForce *f, wfVec2 by) { f->buoyancy.surfaceY -= by.y; }
-/* <force generators> */
+
 wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
                    wfVec2 *middle)
 {
@@ -462,7 +461,7 @@ wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
     if (middle) *middle = wfAddScaled(centre, (low + high) / 2, side);
     return high - low;                                  /* eq:force-width */
 }
-/* <force generators> */
+
 static wfReal body_width(const wfBodyView *bodies, int32_t i, wfVec2 direction,
                          wfVec2 *middle)
 {
@@ -483,7 +482,7 @@ static wfReal body_width(const wfBodyView *bodies, int32_t i, wfVec2 direction,
     *middle = wfAddScaled(b->p, (low + high) / 2, side);
     return high - low;
 }
-/* <force generators> */
+
 static wfReal blast_profile(const wfForce *f, wfReal time)
 {
     wfReal x = (time - f->explosion.start) / f->explosion.duration;
@@ -507,7 +506,7 @@ static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal t
         wfApplyForce(&out[i], b, wfScale(push, away), middle);
     }
 }
-/* <force generators> */
+
 static wfResult explosion_check(const wfForce *f)
 {
     return f->explosion.radius > 0 && f->explosion.duration > 0 ? WF_OK : WF_ERROR_RANGE;
@@ -517,7 +516,7 @@ static void explosion_move(wfForce *f, wfVec2 by)
 {
     f->explosion.centre = wfSub(f->explosion.centre, by);
 }
-/* <force generators> */
+
 static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out)
 {
@@ -536,7 +535,7 @@ static wfResult wind_check(const wfForce *f)
 {
     return f->wind.coefficient >= 0 ? WF_OK : WF_ERROR_RANGE;
 }
-/* <force generators> */
+
 static void hand_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out)
 {
@@ -561,18 +560,15 @@ static void hand_move(wfForce *f, wfVec2 by)
 {
     f->hand.target = wfSub(f->hand.target, by);
 }
-/* <the force table> */
+
+/* the force table */
 const wfForceRow wfForceTable[] = {
-    /* <rows of the force table> */
     [WF_FORCE_GRAVITY] = { .name = "gravity", .text = "the same acceleration for all",
         .params = 2, .apply = gravity_apply,
-        /* <the energy of gravity> */
         /* which not every engine has to add up */
-        /* <the energy of gravity> */
         .energy = gravity_energy,
         .steady = true,
     },
-    /* <rows of the force table> */
     [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
         4, point_apply, point_energy, point_check, true, point_move },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
@@ -587,7 +583,6 @@ const wfForceRow wfForceTable[] = {
         6, explosion_apply, NULL, explosion_check, false, explosion_move },
     [WF_FORCE_WIND] = { "wind", "moving air pushes what stands in its way",
         3, wind_apply, NULL, wind_check, true, NULL },
-    /* <rows of the force table> */
     { "hand", "a spring and a brake that hold a point of a body at a point of the world",
         7, hand_apply, NULL, hand_check, true, hand_move },
 };
@@ -599,13 +594,14 @@ int wfFindForce(const char *name)
         if (strcmp(wfForceTable[i].name, name) == 0) return i;
     return -1;
 }
-/* <make forces> */
+
+/* make forces */
 wfForce wfGravity(wfVec2 g)
 {
     return (wfForce){ .kind = WF_FORCE_GRAVITY, .a = -1, .b = -1, .gravity = { g } };
 }
 
-/* <make forces> */
+
 wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening)
 {
     return (wfForce){ .kind = WF_FORCE_POINT_GRAVITY, .a = -1, .b = -1,
@@ -624,7 +620,7 @@ wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
 {
     return wfSpring(a, localA, -1, point, rest, stiffness, damping);
 }
-/* <make forces> */
+
 wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
                  wfReal stiffness, wfReal damping)
 {
@@ -632,7 +628,7 @@ wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest
     f.kind = WF_FORCE_BUNGEE;
     return f;
 }
-/* <make forces> */
+
 wfForce wfDrag(wfReal linear, wfReal quadratic)
 {
     return (wfForce){ .kind = WF_FORCE_DRAG, .a = -1, .b = -1,
@@ -657,7 +653,8 @@ wfForce wfWind(wfVec2 velocity, wfReal coefficient)
     return (wfForce){ .kind = WF_FORCE_WIND, .a = -1, .b = -1,
                       .wind = { velocity, coefficient } };
 }
-/* <check a force> */
+
+/* check a force */
 wfResult wfCheckForce(const wfForce *f)
 {
     if (!f) return WF_ERROR_NULL;
@@ -668,7 +665,8 @@ wfResult wfCheckForce(const wfForce *f)
         if (!wfIsFinite(f->param[i])) return WF_ERROR_NOT_FINITE;
     return row->check ? row->check(f) : WF_OK;
 }
-/* <add up forces> */
+
+/* add up forces */
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out)
 {
@@ -676,7 +674,7 @@ void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, 
         wfForceTable[forces[i].kind].apply(&forces[i], bodies, time, out);
 }
 
-/* <add up forces> */
+
 wfReal wfForceEnergy(const wfForce *forces, int n, const wfBodyView *bodies)
 {
     wfReal sum = 0;

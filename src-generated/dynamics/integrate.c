@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/integrate.h"
 
-/* <find the accelerations> */
+/* find the accelerations */
 typedef struct Acceleration {
     wfVec2 linear;              /* m/s^2   */
     wfReal angular;             /* rad/s^2 */
@@ -19,9 +19,7 @@ static void find_accelerations(const wfIntegration *in, const wfBodyState *state
         wfReal m = state[i].invMass;
         out[i] = (Acceleration){ .angular = 0 };
         if (m > 0) out[i].linear = wfScale(m, forces[i].force);
-        /* <find the angular acceleration> */
         /* of what turns */
-        /* <find the angular acceleration> */
         if (state[i].invInertia > 0) out[i].angular = state[i].invInertia * forces[i].torque;
     }
 }
@@ -29,22 +27,19 @@ static void find_accelerations(const wfIntegration *in, const wfBodyState *state
 static void kick(wfBodyState *s, wfReal h, const Acceleration *a)
 {
     s->v = wfAddScaled(s->v, h, a->linear);
-    /* <kick the spin> */
     /* likewise */
-    /* <kick the spin> */
     s->w += h * a->angular;
 }
-/* <find the accelerations> */
+
 static void drift(wfBodyState *s, wfReal h, wfVec2 v, wfReal w)
 {
     (void)w;
     s->p = wfAddScaled(s->p, h, v);
-    /* <drift the angle> */
     /* likewise */
-    /* <drift the angle> */
     s->angle += h * w;
 }
-/* <reserve scratch for a step> */
+
+/* reserve scratch for a step */
 typedef struct Scratch {
     size_t mark;                /* where the pool stood               */
     wfBodyForces *forces;
@@ -70,12 +65,13 @@ static bool reserve(const wfIntegration *in, int accelerations, bool trial, Scra
     wfPoolRewind(in->scratch, s->mark);
     return false;
 }
-/* <reserve scratch for a step> */
+
 static void release(const wfIntegration *in, const Scratch *s)
 {
     wfPoolRewind(in->scratch, s->mark);
 }
-/* <integrators> */
+
+/* integrators */
 static size_t euler_scratch(int32_t count) { return scratch_size(count, 1, false); }
 
 static wfResult explicit_euler(const wfIntegration *in)
@@ -84,7 +80,7 @@ static wfResult explicit_euler(const wfIntegration *in)
     if (!reserve(in, 1, false, &s)) return WF_ERROR_MEMORY;
     find_accelerations(in, in->state, in->time, s.forces, s.a);
     for (int32_t i = 0; i < in->count; i++) {
-        /* <step body i by eq:int-explicit> */
+        /* step body i by eq:int-explicit */
         wfBodyState *b = &in->state[i];
         drift(b, in->h, b->v, b->w);
         kick(b, in->h, &s.a[i]);
@@ -92,7 +88,7 @@ static wfResult explicit_euler(const wfIntegration *in)
     release(in, &s);
     return WF_OK;
 }
-/* <integrators> */
+
 static size_t symplectic_scratch(int32_t count) { return scratch_size(count, 1, false); }
 
 static wfResult symplectic_euler(const wfIntegration *in)
@@ -101,7 +97,7 @@ static wfResult symplectic_euler(const wfIntegration *in)
     if (!reserve(in, 1, false, &s)) return WF_ERROR_MEMORY;
     find_accelerations(in, in->state, in->time, s.forces, s.a);
     for (int32_t i = 0; i < in->count; i++) {
-        /* <step body i by eq:int-symplectic> */
+        /* step body i by eq:int-symplectic */
         wfBodyState *b = &in->state[i];
         kick(b, in->h, &s.a[i]);
         drift(b, in->h, b->v, b->w);
@@ -109,7 +105,7 @@ static wfResult symplectic_euler(const wfIntegration *in)
     release(in, &s);
     return WF_OK;
 }
-/* <integrators> */
+
 static size_t verlet_scratch(int32_t count) { return scratch_size(count, 2, true); }
 
 static wfResult verlet(const wfIntegration *in)
@@ -119,7 +115,7 @@ static wfResult verlet(const wfIntegration *in)
     Acceleration *begin = s.a, *end = s.a + in->count;
     find_accelerations(in, in->state, in->time, s.forces, begin);
     for (int32_t i = 0; i < in->count; i++) {
-        /* <try the end of the step by eq:int-verlet-p and eq:int-verlet-predict> */
+        /* try the end of the step by eq:int-verlet-p and eq:int-verlet-predict */
         wfBodyState half = in->state[i];
         kick(&half, in->h / 2, &begin[i]);
         s.trial[i] = in->state[i];
@@ -128,7 +124,7 @@ static wfResult verlet(const wfIntegration *in)
     }
     find_accelerations(in, s.trial, in->time + in->h, s.forces, end);
     for (int32_t i = 0; i < in->count; i++) {
-        /* <end the step by eq:int-verlet-v> */
+        /* end the step by eq:int-verlet-v */
         wfBodyState *b = &in->state[i];
         Acceleration sum = { wfAdd(begin[i].linear, end[i].linear),
                              begin[i].angular + end[i].angular };
@@ -139,7 +135,7 @@ static wfResult verlet(const wfIntegration *in)
     release(in, &s);
     return WF_OK;
 }
-/* <integrators> */
+
 static size_t rk4_scratch(int32_t count) { return scratch_size(count, 4, true); }
 
 /* Tries every body after h seconds of the stage before's velocity and acceleration. */
@@ -154,7 +150,7 @@ static void try_stage(const wfIntegration *in, wfReal h, const Acceleration *bef
         kick(&trial[i], h, &a[i]);
     }
 }
-/* <integrators> */
+
 static wfResult rk4(const wfIntegration *in)
 {
     Scratch s;
@@ -162,7 +158,7 @@ static wfResult rk4(const wfIntegration *in)
     wfReal h = in->h, t = in->time;
     Acceleration *a1 = s.a, *a2 = a1 + in->count, *a3 = a2 + in->count;
     Acceleration *a4 = a3 + in->count;
-    /* <evaluate the four stages of eq:int-rk4-stages> */
+    /* evaluate the four stages of eq:int-rk4-stages */
     find_accelerations(in, in->state, t, s.forces, a1);
     try_stage(in, h / 2, NULL, a1, s.trial);
     find_accelerations(in, s.trial, t + h / 2, s.forces, a2);
@@ -171,7 +167,7 @@ static wfResult rk4(const wfIntegration *in)
     try_stage(in, h, a2, a3, s.trial);
     find_accelerations(in, s.trial, t + h, s.forces, a4);
     for (int32_t i = 0; i < in->count; i++) {
-        /* <sum the four stages by eq:int-rk4> */
+        /* sum the four stages by eq:int-rk4 */
         wfBodyState *b = &in->state[i];
         wfVec2 middle = wfAdd(a2[i].linear, a3[i].linear);
         wfReal turn = a2[i].angular + a3[i].angular;
@@ -186,14 +182,13 @@ static wfResult rk4(const wfIntegration *in)
     release(in, &s);
     return WF_OK;
 }
-/* <integrators> */
-/* <judge a change of the midpoint's acceleration> */
+
 /* A change of velocity as a share of the velocity and of the rounding of the place. */
 static wfReal share(wfReal change, wfReal speed, wfReal place, wfReal h)
 {
     return change == 0 ? 0 : change / (speed + 16 * wfSqrt(WF_EPSILON) * place / h);
 }
-/* <judge a change of the midpoint's acceleration> */
+
 static wfReal change_of(const wfBodyState *b, wfReal h, const Acceleration *old,
                         const Acceleration *new)
 {
@@ -203,7 +198,7 @@ static wfReal change_of(const wfBodyState *b, wfReal h, const Acceleration *old,
     wfReal w = wfAbs(b->w) + h * wfAbs(new->angular);
     return share(dv, v, wfLength(b->p), h) + share(dw, w, 1, h);
 }
-/* <judge a change of the midpoint's acceleration> */
+
 /* The largest change of all the bodies; NaN or infinite if one is. */
 static wfReal largest_change(const wfIntegration *in, const Acceleration *old,
                              const Acceleration *new)
@@ -222,7 +217,7 @@ static void look_at_midpoint(const wfIntegration *in, Scratch *s,
                              const Acceleration *guess, Acceleration *out)
 {
     for (int32_t i = 0; i < in->count; i++) {
-        /* <try the midpoint of body i by eq:int-midpoint-state> */
+        /* try the midpoint of body i by eq:int-midpoint-state */
         wfBodyState *mid = &s->trial[i];
         *mid = in->state[i];
         kick(mid, in->h / 2, &guess[i]);
@@ -240,7 +235,7 @@ static wfReal midpoint_round(const wfIntegration *in, Scratch *s)
     memcpy(old, new, (size_t)in->count * sizeof *old);
     return change;
 }
-/* <integrators> */
+
 enum {
     MIDPOINT_ROUNDS = 100,      /* of the iteration                                     */
     NEWTON_ROUNDS = 30,         /* of Newton's method                                   */
@@ -249,7 +244,7 @@ enum {
     NEWTON_WAYS = 4,            /* that are remembered                                  */
     NEWTON_ARRAYS = 4 + 2 * NEWTON_WAYS
 };
-/* <integrators> */
+
 typedef struct Newton {
     const wfIntegration *in;
     Scratch *s;
@@ -269,7 +264,7 @@ static Newton begin_newton(const wfIntegration *in, Scratch *s)
     }
     return newton;
 }
-/* <integrators> */
+
 static wfReal product(const Newton *n, const Acceleration *a, const Acceleration *b)
 {
     wfReal sum = 0;                                                 /* eq:int-product */
@@ -280,7 +275,7 @@ static wfReal product(const Newton *n, const Acceleration *a, const Acceleration
     }
     return sum;
 }
-/* <integrators> */
+
 /* a += f b */
 static void add_share(const Newton *n, Acceleration *a, wfReal f, const Acceleration *b)
 {
@@ -302,7 +297,7 @@ static void scale_both(const Newton *n, wfReal f, Acceleration *p, Acceleration 
         q[i].linear = wfScale(f, q[i].linear), q[i].angular *= f;
     }
 }
-/* <integrators> */
+
 /* Finds what acts at the midpoint of `guess`, and the mismatch, which goes to rest. */
 static wfReal mismatch(const Newton *n, const Acceleration *guess, Acceleration *found)
 {
@@ -311,7 +306,7 @@ static wfReal mismatch(const Newton *n, const Acceleration *guess, Acceleration 
     add_share(n, n->rest, -1, guess);                               /* eq:int-mismatch */
     return product(n, n->rest, n->rest);
 }
-/* <integrators> */
+
 static wfReal little_way(const Newton *n, const Acceleration *p)
 {
     wfReal h = wfAbs(n->in->h), most = 0;
@@ -322,7 +317,7 @@ static wfReal little_way(const Newton *n, const Acceleration *p)
     }
     return wfSqrt(WF_EPSILON) / (h * h / 4 * most);
 }
-/* <integrators> */
+
 /* q = S p by @eq:int-slope. */
 static void ask(const Newton *n, const Acceleration *p, Acceleration *q)
 {
@@ -336,7 +331,7 @@ static void ask(const Newton *n, const Acceleration *p, Acceleration *q)
         q[i].angular = p[i].angular - (q[i].angular - n->found[i].angular) / epsilon;
     }
 }
-/* <integrators> */
+
 /* Finds the step d with S d = rest, or nearly, where size is the rest's square. */
 static void find_newton_step(const Newton *n, wfReal size)
 {
@@ -347,7 +342,7 @@ static void find_newton_step(const Newton *n, wfReal size)
         Acceleration *p = n->way[slot], *q = n->image[slot];
         copy(n, p, n->rest);
         ask(n, p, q);
-        /* <straighten way and image by eq:int-straighten> */
+        /* straighten way and image by eq:int-straighten */
         for (int j = 0; j < known; j++) {
             if (j == slot) continue;
             wfReal f = product(n, q, n->image[j]);
@@ -363,7 +358,7 @@ static void find_newton_step(const Newton *n, wfReal size)
         left = product(n, n->rest, n->rest);
     }
 }
-/* <integrators> */
+
 static wfResult newton_midpoint(const wfIntegration *in, Scratch *s)
 {
     Newton newton = begin_newton(in, s), *n = &newton;
@@ -380,7 +375,7 @@ static wfResult newton_midpoint(const wfIntegration *in, Scratch *s)
         }
         bool shorter = false, small = change <= wfSqrt(WF_EPSILON);
         wfReal before = size;
-        /* <go along the step until the mismatch is shorter> */
+        /* go along the step until the mismatch is shorter */
         wfReal part = 1;
         for (int k = 0; k < NEWTON_HALVES && !shorter; k++, part /= 2) {
             Acceleration *guess = n->way[0], *found = n->image[0];
@@ -398,7 +393,7 @@ static wfResult newton_midpoint(const wfIntegration *in, Scratch *s)
     }
     return WF_ERROR_NO_CONVERGENCE;
 }
-/* <integrators> */
+
 static size_t midpoint_scratch(int32_t count)
 {
     return scratch_size(count, NEWTON_ARRAYS, true);
@@ -410,7 +405,7 @@ static wfResult implicit_midpoint(const wfIntegration *in)
     if (!reserve(in, NEWTON_ARRAYS, true, &s)) return WF_ERROR_MEMORY;
     wfResult result = WF_ERROR_NO_CONVERGENCE;
     find_accelerations(in, in->state, in->time, s.forces, s.a);
-    /* <iterate as long as that is quick> */
+    /* iterate as long as that is quick */
     wfReal change = WF_HUGE, before;
     bool quick = true;
     for (int round = 0; round < MIDPOINT_ROUNDS && quick && result != WF_OK; round++) {
@@ -422,7 +417,7 @@ static wfResult implicit_midpoint(const wfIntegration *in)
     }
     if (result != WF_OK) result = newton_midpoint(in, &s);
     for (int32_t i = 0; result == WF_OK && i < in->count; i++) {
-        /* <step body i by eq:int-midpoint> */
+        /* step body i by eq:int-midpoint */
         wfBodyState *b = &in->state[i], half = *b;
         kick(&half, in->h / 2, &s.a[i]);
         drift(b, in->h, half.v, half.w);
@@ -431,25 +426,22 @@ static wfResult implicit_midpoint(const wfIntegration *in)
     release(in, &s);
     return result;
 }
-/* <the integrator table> */
+
+/* the integrator table */
 const wfIntegratorRow wfIntegratorTable[] = {
-    /* <rows of the integrator table> */
     { "explicit-euler", "drift with the old velocity, then kick: gains energy",
       1, false, 1, explicit_euler, euler_scratch },
-    /* <rows of the integrator table> */
     { "symplectic-euler", "kick, then drift with the new velocity",
       1, true, 1, symplectic_euler, symplectic_scratch },
-    /* <rows of the integrator table> */
     { "verlet", "half a kick, drift, half a kick: exact in free flight",
       2, true, 2, verlet, verlet_scratch },
-    /* <rows of the integrator table> */
     { "rk4", "the classical Runge-Kutta method", 4, false, 4, rk4, rk4_scratch },
-    /* <rows of the integrator table> */
     { "implicit-midpoint", "a kick by the force halfway: stable for every spring",
       2, true, 0, implicit_midpoint, midpoint_scratch },
 };
 const int wfIntegratorCount = (int)(sizeof wfIntegratorTable / sizeof *wfIntegratorTable);
-/* <find and call an integrator> */
+
+/* find and call an integrator */
 int wfFindIntegrator(const char *name)
 {
     for (int i = 0; name && i < wfIntegratorCount; i++)

@@ -2,12 +2,12 @@
  * the chapter and type make. MIT licence. */
 #include "weft/island.h"
 
-/* <union and find> */
+/* union and find */
 void wfPlant(int32_t *parent, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) parent[i] = i;
 }
-/* <union and find> */
+
 int32_t wfRootOf(int32_t *parent, int32_t i)
 {
     while (parent[i] != i) {
@@ -24,7 +24,8 @@ bool wfUnite(int32_t *parent, int32_t a, int32_t b)
     parent[p > q ? p : q] = p > q ? q : p;             /* eq:islands-root */
     return true;
 }
-/* <gather the islands> */
+
+/* gather the islands */
 size_t wfIslandScratch(int32_t count)
 {
     return 3 * (sizeof(int32_t) * ((size_t)count + 2) + WF_POOL_ALIGN);
@@ -37,7 +38,7 @@ static void place_members(const uint8_t *moves, int32_t count, wfIslands *out)
         if (moves[i]) out->members[--out->first[out->island[i] + 1]] = i;
     for (int32_t k = 0; k <= out->count; k++) out->first[k] = out->first[k + 1];
 }
-/* <gather the islands> */
+
 wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, wfPool *pool,
                          wfIslands *out)
 {
@@ -49,7 +50,7 @@ wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, w
                        .island = wfPoolPushArray(pool, count + 1, int32_t) };
     if (made.island == NULL) return WF_ERROR_MEMORY;
     made.first[0] = 0;
-    /* <number the islands and count their members> */
+    /* number the islands and count their members */
     for (int32_t i = 0; i < count; i++) {
         made.island[i] = -1;
         if (!moves[i]) continue;
@@ -65,7 +66,8 @@ wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, w
     *out = made;
     return WF_OK;
 }
-/* <the clock of rest> */
+
+/* the clock of rest */
 wfReal wfStillSpeed(wfReal reach, wfReal gravity, wfReal wait, wfReal share)
 {
     wfReal limit = share * reach / wait, fall = gravity * wait / 4;
@@ -76,7 +78,7 @@ bool wfIsStill(const wfBodyState *s, wfReal reach, wfReal limit)
 {
     return wfLength(s->v) + wfAbs(s->w) * reach <= limit;      /* eq:islands-speed */
 }
-/* <the clock of rest> */
+
 wfReal wfRestClock(wfReal clock, bool still, wfReal dt, wfReal wait)
 {
     return still ? wfMinR(clock + dt, wait) : 0;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "dynamics/jointwork.h"
 
-/* <build rows> */
+/* build rows */
 static wfJointRow along(wfVec2 u, const wfJointSight *at)
 {
     return (wfJointRow){ .law = WF_ROW_HOLD, .jA = wfNeg(u), .wA = -wfCross(at->rA, u),
@@ -17,7 +17,7 @@ static void pin(const wfJointSight *at, wfJointRow *rows)
     rows[0] = along(wfV2(1, 0), at);
     rows[1] = along(wfV2(0, 1), at);
 }
-/* <build rows> */
+
 static wfJointRow turning(const wfJointSight *at, wfReal rest)
 {
     wfReal turn = at->turnB - at->turnA;
@@ -25,7 +25,7 @@ static wfJointRow turning(const wfJointSight *at, wfReal rest)
                          .error = turn - rest,
                          .least = -WF_JOINT_UNLIMITED, .most = WF_JOINT_UNLIMITED };
 }
-/* <build rows> */
+
 static void mirror(wfJointRow *r)
 {
     r->jA = wfNeg(r->jA), r->jB = wfNeg(r->jB), r->wA = -r->wA, r->wB = -r->wB;
@@ -40,7 +40,7 @@ static void stops(const wfJointRow *row, wfReal coordinate, wfReal lower, wfReal
     mirror(&rows[1]);
     rows[1].error = upper - coordinate;
 }
-/* <build rows> */
+
 static void spring(wfJointRow *row, wfReal k, wfReal c, wfReal most)
 {
     row->law = WF_ROW_SPRING;
@@ -54,7 +54,7 @@ static void drive(wfJointRow *row, wfReal speed, wfReal most)
     row->speed = speed;
     row->most = most, row->least = -most;
 }
-/* <build rows> */
+
 /* Adds spring, motor and stops on the coordinate of `row`, whose error counts from j->rest,
    in rows[0..3]; how many of them it filled. */
 static int32_t extras(const wfJoint *j, const wfJointRow *row, wfJointRow *rows)
@@ -69,14 +69,15 @@ static int32_t extras(const wfJoint *j, const wfJointRow *row, wfJointRow *rows)
     if (stop) stops(row, row->error + j->rest, j->lower, j->upper, &rows[2]);
     return stop ? 4 : motor ? 2 : sprung ? 1 : 0;
 }
-/* <build rows> */
+
 static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
 {
     wfJointRow row = along(u, at);
     row.wA = -wfCross(wfAdd(at->rA, at->lever), u);                 /* eq:joints-axis */
     return row;
 }
-/* <kinds of joint> */
+
+/* kinds of joint */
 static int32_t build_revolute(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow turn = turning(at, j->rest);
@@ -99,7 +100,7 @@ static int32_t build_turn(const wfJoint *j, const wfJointSight *at, wfJointRow *
     wfJointRow turn = turning(at, j->rest);         /* no anchors */
     return extras(j, &turn, rows);
 }
-/* <kinds of joint> */
+
 static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal length = wfLength(at->d) * at->bow;
@@ -113,7 +114,7 @@ static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointR
     if (j->flags & WF_JOINT_MOTOR) rows[2].most = 0;    /* a rope cannot push */
     return count;
 }
-/* <kinds of joint> */
+
 static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfVec2 t = wfRotate(at->qA, j->axis);
@@ -136,7 +137,7 @@ static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow 
     drive(&rows[2], j->motorSpeed, j->motorForce);
     return count;
 }
-/* <kinds of joint> */
+
 static int32_t build_pulley(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfVec2 dA = wfAdd(wfSub(at->pA, j->groundA), at->rA);
@@ -157,7 +158,7 @@ static int32_t build_gear(const wfJoint *j, const wfJointSight *at, wfJointRow *
     rows[0].error = at->turnA + j->ratio * at->turnB - j->rest;
     return 1;
 }
-/* <kinds of joint> */
+
 static int32_t build_ratchet(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     rows[0] = turning(at, j->rest);
@@ -170,7 +171,7 @@ static void click(wfJoint *j)
     wfReal passed = wfFloor((j->turnB - j->turnA - j->rest) / j->ratio);
     if (passed > 0) j->rest += passed * j->ratio;
 }
-/* <kinds of joint> */
+
 /* C and its derivatives for a body that slides along t; eq:joints-rack. */
 static wfReal slides_along(wfVec2 t, wfVec2 p, wfVec2 r, wfVec2 *j, wfReal *w)
 {
@@ -178,7 +179,7 @@ static wfReal slides_along(wfVec2 t, wfVec2 p, wfVec2 r, wfVec2 *j, wfReal *w)
     *w = wfCross(r, t);
     return wfDot(t, wfAdd(p, r));
 }
-/* <kinds of joint> */
+
 static int32_t build_rack(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow row = turning(at, 0);
@@ -199,7 +200,7 @@ static int32_t build_linkage(const wfJoint *j, const wfJointSight *at, wfJointRo
     rows[0] = row;
     return 1;
 }
-/* <kinds of joint> */
+
 /* Two rows that are one force, no more than `most` in any direction. */
 static void in_a_plane(wfJointRow *rows) { rows[0].plane = 1; }
 
@@ -215,7 +216,7 @@ static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *
     in_a_plane(rows);
     return 2;
 }
-/* <kinds of joint> */
+
 static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
@@ -239,34 +240,29 @@ static int32_t build_friction(const wfJoint *j, const wfJointSight *at, wfJointR
     drive(&rows[2], 0, wfAbs(j->ratio) * j->motorForce);
     return 3;
 }
-/* <kinds of joint> */
+
 static int32_t build_none(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     (void)j, (void)at, (void)rows;
     return 0;
 }
-/* <the joint table> */
+
+/* the joint table */
 const wfJointKindRow wfJointTable[] = {
-    /* <rows of the joint table> */
     { "revolute", "a hinge: two points stay together", build_revolute, NULL },
     { "weld", "two bodies become one; with a spring it gives", build_weld, NULL },
     { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn, NULL },
-    /* <rows of the joint table> */
     { "distance", "a rod, a spring, a rope or a winch between two points", build_distance,
       NULL },
-    /* <rows of the joint table> */
     { "prismatic", "a slide: B moves along an axis of A and does not turn", build_prismatic,
       NULL },
     { "wheel", "B turns freely and moves along an axis of A; also a groove", build_wheel,
       NULL },
-    /* <rows of the joint table> */
     { "pulley", "a rope over two wheels", build_pulley, NULL },
     { "gear", "two turns in a fixed ratio", build_gear, NULL },
     { "ratchet", "B turns one way only", build_ratchet, click },
-    /* <rows of the joint table> */
     { "rack", "A's slide and B's turn in a fixed ratio", build_rack, NULL },
     { "linkage", "two slides in a fixed ratio", build_linkage, NULL },
-    /* <rows of the joint table> */
     { "hand", "pulls a point of B to a point of the world, with bounded force", build_hand,
       NULL },
     { "servo", "pulls B to a place and a turn as A sees it, with bounded force", build_servo,
@@ -283,7 +279,8 @@ int wfFindJoint(const char *name)
         if (strcmp(wfJointTable[i].name, name) == 0) return i;
     return -1;
 }
-/* <build all rows of a joint> */
+
+/* build all rows of a joint */
 int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
                      wfJointRow *rows)
 {
@@ -293,7 +290,8 @@ int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState 
     memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
     return wfJointTable[j->kind].build(j, &at, rows);
 }
-/* <count the turns> */
+
+/* count the turns */
 static void track(wfJoint *j, wfReal angleA, wfReal angleB)
 {
     j->turnA = wfFollow(j->turnA, angleA);
@@ -305,7 +303,8 @@ void wfTrackJoint(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB)
 {
     track(j, sA->angle, sB->angle);
 }
-/* <push along a row> */
+
+/* push along a row */
 void wfPushRow(const wfJointRow *r, wfReal impulse, wfBodyState *a, wfBodyState *b)
 {
     a->v = wfAddScaled(a->v, a->invMass * impulse, r->jA);          /* eq:joints-force */
@@ -326,7 +325,8 @@ wfReal wfCoupling(const wfJointRow *r, const wfJointRow *s, const wfBodyState *a
     return a->invMass * wfDot(r->jA, s->jA) + a->invInertia * r->wA * s->wA
          + b->invMass * wfDot(r->jB, s->jB) + b->invInertia * r->wB * s->wB;
 }                                                                   /* eq:joints-matrix */
-/* <factor the rows that hold> */
+
+/* factor the rows that hold */
 void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot)
 {
     for (int i = 0; i < 3; i++) {
@@ -340,7 +340,7 @@ void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot)
         pivot[i] = d > WF_JOINT_SINGULAR * size[i] ? 1 / d : 0;     /* eq:joints-block */
     }
 }
-/* <factor the rows that hold> */
+
 static void factor_holds(wfJointWork *w, const wfBodyState *a, const wfBodyState *b)
 {
     wfReal size[3] = { 0, 0, 0 };
@@ -353,7 +353,8 @@ static void factor_holds(wfJointWork *w, const wfBodyState *a, const wfBodyState
     }
     wfFactorBlock(w->factor, size, w->pivot);
 }
-/* <solve for the rows that hold> */
+
+/* solve for the rows that hold */
 void wfSolveBlock(const wfReal l[3][3], const wfReal *pivot, wfReal *x)
 {
     x[1] -= l[1][0] * x[0];
@@ -368,13 +369,15 @@ static void solve_holds(const wfJointWork *w, const wfReal *e, wfReal *x)
     for (int i = 0; i < 3; i++) x[i] = -e[i];
     wfSolveBlock(w->factor, w->pivot, x);
 }
-/* <two bodies as a joint sees them> */
+
+/* two bodies as a joint sees them */
 wfJointPair wfPairOf(const wfJointSet *set, const wfSolve *in, const wfJoint *j)
 {
     return (wfJointPair){ &in->state[j->a], &in->state[j->b], &set->place[j->a],
                           &set->place[j->b] };
 }
-/* <prepare a joint> */
+
+/* prepare a joint */
 static void weigh(wfJointWork *w, const wfJointPair *p)
 {
     for (int i = 0; i < w->rows; i++)
@@ -398,7 +401,7 @@ static void build(wfJoint *j, const wfJointPair *p, wfJointWork *w)
     for (int i = w->rows; i < WF_JOINT_ROWS; i++) j->impulse[i] = 0;
     weigh(w, p);
 }
-/* <prepare a joint> */
+
 /* Keeps an impulse, or the two of a plane, within what the row's force does in t. */
 static void bound(const wfJointRow *r, wfReal t, wfReal *x)
 {
@@ -420,7 +423,7 @@ static void prepare_soft(wfJoint *j, wfReal h, wfReal t, wfJointWork *w, int i)
     if (spring && !(give > 0)) r->law = WF_ROW_OFF;
     else bound(r, t, &j->impulse[i]);
 }
-/* <prepare a joint> */
+
 static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal last,
                     wfJointWork *w, bool holds)
 {
@@ -439,7 +442,8 @@ static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal
         wfPushRow(r, j->impulse[i], p->a, p->b);
     }
 }
-/* <how much the rows give> */
+
+/* how much the rows give */
 wfGiving wfGivingOf(const wfJointSet *in)
 {
     if (!(in->period > 0)) return (wfGiving){ 0, 1, 0 };
@@ -448,7 +452,8 @@ wfGiving wfGivingOf(const wfJointSet *in)
     return (wfGiving){ .keep = 1 - turn / both, .mass = 1 / (1 + give),
                      .impulse = give / (1 + give) };
 }
-/* <solve the rows that give> */
+
+/* solve the rows that give */
 static void push_by(wfJoint *j, const wfJointWork *w, int i, wfReal more,
                     const wfJointPair *p)
 {
@@ -471,7 +476,8 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
         if (sum[k - i] < j->impulse[k] || sum[k - i] > j->impulse[k])
             push_by(j, w, k, sum[k - i] - j->impulse[k], p);
 }
-/* <look where the bodies will be> */
+
+/* look where the bodies will be */
 static inline wfPlace will_be(const wfPlace *at, const wfBodyState *s, wfReal h)
 {
     wfReal turn = h * s->w;
@@ -485,7 +491,8 @@ void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *r
     wfJointSight at = wfSee(j, &qa, &qb);                             /* eq:joints-aim */
     wfJointTable[j->kind].build(j, &at, rows);
 }
-/* <aim a joint at the end of the substep> */
+
+/* aim a joint at the end of the substep */
 static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                      const wfJointPair *p)
 {
@@ -495,7 +502,7 @@ static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiv
         solve_soft(j, w, i, t, p);
         i += w->row[i].plane;
     }
-    /* <aim the limits> */
+    /* aim the limits */
     for (int i = 0; i < w->rows; i++) {
         if (w->row[i].law != WF_ROW_LIMIT) continue;
         wfLookAhead(j, h, p, then);
@@ -509,7 +516,7 @@ static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiv
         j->impulse[i] = sum;
     }
 }
-/* <aim a joint at the end of the substep> */
+
 static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                       const wfJointPair *p)
 {
@@ -527,7 +534,8 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
         *sum += more;
     }
 }
-/* <make the velocities tangent> */
+
+/* make the velocities tangent */
 static void limits_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p)
 {
     for (int i = 0; i < w->rows; i++) {
@@ -550,7 +558,8 @@ static void holds_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p
         j->impulse[w->hold[k]] += x[k];
     }
 }
-/* <add up what the joints bore> */
+
+/* add up what the joints bore */
 bool wfIsBroken(const wfJoint *j) { return (j->flags & WF_JOINT_BROKEN) != 0; }
 
 /* Counts what the rows, as they are now, have given since it was last called. */
@@ -574,7 +583,8 @@ static void close_kick(wfJointWork *w)
     w->kick = wfV2(0, 0), w->spin = 0;
     memset(w->seen, 0, sizeof w->seen);
 }
-/* <make taut links sluggish> */
+
+/* make taut links sluggish */
 static void remember_inertias(wfJointSet *set, const wfSolve *in)
 {
     for (int32_t i = 0; i < set->bodies; i++) set->inverse[i] = in->state[i].invInertia;
@@ -592,7 +602,7 @@ static void add_stiffness(wfJointSet *set, int32_t i)
     set->stiffness[j->a] += wfDot(rA, fA) / set->last;          /* eq:joints-geometric */
     set->stiffness[j->b] += wfDot(w->arm, fB) / set->last;
 }
-/* <make taut links sluggish> */
+
 /* Has any inertia changed? */
 static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
 {
@@ -606,7 +616,8 @@ static bool stiffen(wfJointSet *set, const wfSolve *in, wfReal h)
     set->changed = set->changed || changed;
     return changed;
 }
-/* <see whether a joint has swung> */
+
+/* see whether a joint has swung */
 static bool has_swung(const wfJointWork *w, const wfJointRow *before, const wfJointPair *p)
 {
     wfReal then = 0, now = 0;
@@ -619,7 +630,8 @@ static bool has_swung(const wfJointWork *w, const wfJointRow *before, const wfJo
     }
     return now < then / 2;                                          /* eq:joints-swung */
 }
-/* <solve plain hinges> */
+
+/* solve plain hinges */
 static bool is_plain_hinge(const wfJoint *j)
 {
     int32_t more = WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS | WF_JOINT_BROKEN;
@@ -644,7 +656,7 @@ static void weigh_pin(wfPin *q, const wfBodyState *a, const wfBodyState *b)
     wfReal d = yy - q->l * xy;
     q->dy = d > WF_JOINT_SINGULAR * yy ? 1 / d : 0;                 /* eq:joints-block */
 }
-/* <solve plain hinges> */
+
 static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
 {
     wfPin *q = &set->pins[i];
@@ -658,7 +670,7 @@ static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
     set->stiffness[q->a] -= wfDot(q->rA, q->impulse) / set->last;
     set->stiffness[q->b] += wfDot(q->rB, q->impulse) / set->last;
 }
-/* <solve plain hinges> */
+
 /* The sum of the couplings of its two rows, with arms of two moments. */
 static wfReal pin_coupling(const wfPin *q, const wfPin *r, const wfJointPair *p)
 {
@@ -673,7 +685,7 @@ static void renew_pin(wfJointSet *set, const wfSolve *in, int32_t i)
     build_pin(set, &p, i);
     q->swung = pin_coupling(&before, q, &p) < pin_coupling(&before, &before, &p) / 2;
 }
-/* <solve plain hinges> */
+
 static inline void push_pin(wfPin *q, wfVec2 j, wfBodyState *a, wfBodyState *b)
 {
     a->v = wfAddScaled(a->v, -a->invMass, j);                       /* eq:joints-force */
@@ -694,7 +706,7 @@ static inline wfVec2 arm_change(wfVec2 r, wfReal turn)
     if (!wfIsSmallTurn(turn)) less.c -= 1;
     return wfV2(less.c * r.x - less.s * r.y, less.s * r.x + less.c * r.y);
 }
-/* <solve plain hinges> */
+
 static void warm_pin(wfPin *q, const wfSolve *in, bool heavier, wfReal share)
 {
     wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
@@ -703,7 +715,7 @@ static void warm_pin(wfPin *q, const wfSolve *in, bool heavier, wfReal share)
     q->swung = 0;
     push_pin(q, q->impulse, a, b);
 }
-/* <solve plain hinges> */
+
 static void aim_pin(wfPin *q, const wfSolve *in, wfReal h, wfReal t, wfGiving give)
 {
     wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
@@ -725,7 +737,7 @@ static void relax_pin(wfPin *q, const wfSolve *in)
     push_pin(q, more, a, b);
     q->impulse = wfAdd(q->impulse, more);
 }
-/* <solve plain hinges> */
+
 static void leave_pin(wfJointSet *set, const wfSolve *in, int32_t i)
 {
     const wfPin *q = &set->pins[i];
@@ -734,7 +746,8 @@ static void leave_pin(wfJointSet *set, const wfSolve *in, int32_t i)
     for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] = k < 2 ? q->impulse.E[k] : 0;
     set->work[i].kick = q->impulse;
 }
-/* <keep joints as other laws> */
+
+/* keep joints as other laws */
 static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
     for (int32_t i = 0; i < set->bodies; i++) {
@@ -744,7 +757,7 @@ static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
     }
     set->changed = set->built = true;
 }
-/* <keep joints as other laws> */
+
 /* Are the rows of this joint that hold solved by themselves? */
 static bool is_alone(const wfJointSet *set, int32_t i)
 {
@@ -766,7 +779,7 @@ static void choose_pins(wfJointSet *set)
     for (int32_t i = 0; i < set->count; i++)
         if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
 }
-/* <keep joints as other laws> */
+
 static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
 {
     wfJointWork *w = &set->work[i];
@@ -775,7 +788,7 @@ static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
     rebuild(set, i, p);
     w->swung = has_swung(w, before, p);
 }
-/* <keep joints as other laws> */
+
 static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
                          wfReal t)
 {
@@ -790,7 +803,7 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
         if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
     }
     bool heavier = stiffen(set, in, dt);
-    /* <give the old impulses again> */
+    /* give the old impulses again */
     for (int32_t i = 0; i < set->count; i++) {
         if (set->pins[i].on) {
             if (!first) set->work[i].kick = set->pins[i].impulse, close_kick(&set->work[i]);
@@ -807,7 +820,7 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
     set->last = t;
     if (set->start != NULL) set->start(set, in, moved, dt, t);
 }
-/* <keep joints as other laws> */
+
 static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
                          int32_t pass, bool soft)
 {
@@ -817,7 +830,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (renew) look_round(set, in, moved);
     for (int32_t k = 0; k < set->count; k++) {
         int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
-        /* <solve it if it is a plain hinge> */
+        /* solve it if it is a plain hinge */
         if (set->pins[i].on) {
             if (renew) renew_pin(set, in, i);
             if (soft) aim_pin(&set->pins[i], in, dt, set->last, give);
@@ -838,20 +851,21 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (set->together != NULL) set->together(set, in, moved, dt, soft);
     if (soft) set->built = false;           /* the bodies are about to move */
 }
-/* <begin and end a step of joints> */
+
+/* begin and end a step of joints */
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
     size_t body = 2 * sizeof(wfReal) + sizeof(wfPlace);
     size_t joint = sizeof(wfJointWork) + sizeof(wfPin);
     return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
-/* <begin and end a step of joints> */
+
 static const void *lending_of(void *context)
 {
     const wfJointSet *set = context;
     return set->lending;
 }
-/* <begin and end a step of joints> */
+
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
 {
     if (set == NULL || scratch == NULL || laws == NULL) return WF_ERROR_NULL;
@@ -864,7 +878,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
              || set->place == NULL || set->pins == NULL;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
-    /* <forget the last step> */
+    /* forget the last step */
     for (int32_t i = 0; i < set->count; i++) {
         wfJointWork *w = &set->work[i];
         w->load = w->kick = wfV2(0, 0), w->twist = w->spin = w->most[0] = w->most[1] = 0;
@@ -877,7 +891,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     *laws = (wfLaws){ set, begin_joints, solve_joints, lending_of };
     return WF_OK;
 }
-/* <begin and end a step of joints> */
+
 /* How much too much a joint bore: its load by its strength, 0 if it is strong enough. */
 static wfReal overload(const wfJoint *j)
 {
@@ -898,7 +912,7 @@ static void note_overload(const wfJointSet *set, int32_t body, wfReal over)
     wfReal *most = overload_of(set, body);
     if (most != NULL) *most = wfMaxR(*most, over);
 }
-/* <begin and end a step of joints> */
+
 static void break_worst(wfJointSet *set)
 {
     for (int32_t i = 0; i < set->bodies; i++) set->stiffness[i] = 0;
@@ -914,7 +928,7 @@ static void break_worst(wfJointSet *set)
             memset(j->impulse, 0, sizeof j->impulse);
         }
 }
-/* <begin and end a step of joints> */
+
 void wfEndJoints(wfJointSet *set, const wfSolve *in)
 {
     wfReal dt = in->h / (wfReal)in->substeps;
@@ -925,7 +939,7 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
         if (set->pins[i].on) leave_pin(set, in, i);
         else if (!wfIsBroken(j)) add_load(j, &set->work[i]);
         close_kick(&set->work[i]);
-        /* <tell what joint i bore> */
+        /* tell what joint i bore */
         const wfJointWork *w = &set->work[i];
         j->load = wfScale(1 / in->h, w->load);
         j->twist = w->twist / in->h;
@@ -935,7 +949,8 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
     }
     break_worst(set);
 }
-/* <check a joint> */
+
+/* check a joint */
 static bool numbers_are_finite(const wfJoint *j)
 {
     const wfReal number[] = { j->localA.x, j->localA.y, j->localB.x, j->localB.y, j->axis.x,
@@ -949,7 +964,7 @@ static bool numbers_are_finite(const wfJoint *j)
         if (!wfIsFinite(j->impulse[i])) return false;
     return true;
 }
-/* <check a joint> */
+
 wfResult wfCheckJoint(const wfJoint *j)
 {
     if (j == NULL) return WF_ERROR_NULL;
@@ -963,7 +978,8 @@ wfResult wfCheckJoint(const wfJoint *j)
     if (wfAbs(wfLength(j->axis) - 1) > WF_R(0.001)) return WF_ERROR_RANGE;
     return j->kind == wfFindJoint("ratchet") && j->ratio < 0 ? WF_ERROR_RANGE : WF_OK;
 }
-/* <check a step of joints> */
+
+/* check a step of joints */
 static wfResult check_step(const wfJointStep *in)
 {
     if (in == NULL || in->scratch == NULL) return WF_ERROR_NULL;
@@ -977,7 +993,7 @@ static wfResult check_step(const wfJointStep *in)
     if (in->h <= 0 || in->substeps < 1 || in->passes < 1) return WF_ERROR_RANGE;
     if (in->period < 0 || in->damping < 0) return WF_ERROR_RANGE;
     wfResult result = WF_OK;
-    /* <check bodies, forces and joints> */
+    /* check bodies, forces and joints */
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         if (!wfBodyIsFinite(&in->state[i])) result = WF_ERROR_NOT_FINITE;
     for (int32_t i = 0; in->forces != NULL && i < in->bodyCount && result == WF_OK; i++)
@@ -991,7 +1007,8 @@ static wfResult check_step(const wfJointStep *in)
     }
     return result;
 }
-/* <step joined bodies> */
+
+/* step joined bodies */
 size_t wfJointStepScratch(int32_t bodies, int32_t joints)
 {
     const wfSolverRow *soft = &wfSolverTable[wfFindSolver("soft")];
@@ -1004,7 +1021,7 @@ wfResult wfStepJoints(const wfJointStep *in)
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(in->scratch);
     wfLaws laws;
-    /* <say what chapter 17 needs to know> */
+    /* say what chapter 17 needs to know */
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
                        .give = in->give };
@@ -1020,7 +1037,8 @@ wfResult wfStepJoints(const wfJointStep *in)
     wfPoolRewind(in->scratch, mark);
     return result;
 }
-/* <set a ratio> */
+
+/* set a ratio */
 void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal ratio)
 {
     wfJointRow rows[WF_JOINT_ROWS];
@@ -1028,7 +1046,7 @@ void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal
     wfBuildJoint(j, sA, sB, rows);
     j->rest += rows[0].law == WF_ROW_HOLD ? rows[0].error : -rows[0].error;
 }
-/* <set a ratio> */
+
 void wfMoveJoint(wfJoint *j, wfVec2 by)
 {
     bool pulley = j->kind == wfFindJoint("pulley");
@@ -1038,7 +1056,8 @@ void wfMoveJoint(wfJoint *j, wfVec2 by)
     if (linkage || j->kind == wfFindJoint("rack")) j->rest -= wfDot(j->groundA, by);
     if (linkage) j->rest -= j->ratio * wfDot(j->groundB, by);
 }
-/* <make joints> */
+
+/* make joints */
 wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t b,
                     const wfBodyState *sB, wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis)
 {
@@ -1059,7 +1078,7 @@ wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t 
     if (ties) wfSetRatio(&j, sA, sB, 1);
     return j;
 }
-/* <make joints> */
+
 wfJoint wfHinge(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
                 wfVec2 anchor)
 {
@@ -1077,7 +1096,7 @@ wfJoint wfRod(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB
 {
     return wfMakeJoint("distance", a, sA, b, sB, anchorA, anchorB, wfV2(1, 0));
 }
-/* <make joints> */
+
 wfJoint wfRope(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
                wfVec2 anchorA, wfVec2 anchorB, wfReal length)
 {
@@ -1092,7 +1111,7 @@ wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *
 {
     return wfMakeJoint("prismatic", a, sA, b, sB, anchor, anchor, axis);
 }
-/* <make joints> */
+
 void wfTuneJoint(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
 {
     wfReal omega = 2 * WF_PI * frequency;

@@ -5,7 +5,6 @@
 #include "weft/joint.h"
 #include "dynamics/prepared.h"
 
-/* <what a joint works with during a step> */
 /* A joint's rows with what solving them takes. */
 typedef struct wfJointWork {
     int32_t rows;                       /* how many rows the kind filled */
@@ -22,7 +21,7 @@ typedef struct wfJointWork {
     wfReal gamma[WF_JOINT_ROWS], bias[WF_JOINT_ROWS];
     wfJointRow row[WF_JOINT_ROWS];
 } wfJointWork;
-/* <what a joint works with during a step> */
+
 /* The bodies that get the impulses, and where they have got to. */
 typedef struct wfJointPair {
     wfBodyState *a, *b;
@@ -30,7 +29,7 @@ typedef struct wfJointPair {
 } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
-/* <what a joint works with during a step> */
+
 /* A hinge without spring, motor and stops: eq:joints-pin. */
 typedef struct wfPin {
     int32_t on, a, b;           /* 1: this joint is one; the bodies */
@@ -39,12 +38,14 @@ typedef struct wfPin {
     wfReal  l, dx, dy;          /* K = L D L^T: L21, 1 / D1, 1 / D2 */
     wfVec2  impulse;            /* N s: in the last substep */
 } wfPin;
-/* <follow an angle without jumps> */
+
+/* follow an angle without jumps */
 static inline wfReal wfFollow(wfReal turn, wfReal angle)
 {
     return turn + wfWrapAngle(angle - turn);                        /* eq:joints-follow */
 }
-/* <look at the bodies> */
+
+/* look at the bodies */
 static inline wfJointSight wfSee(const wfJoint *j, const wfPlace *a, const wfPlace *b)
 {
     wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
@@ -55,7 +56,8 @@ static inline wfJointSight wfSee(const wfJoint *j, const wfPlace *a, const wfPla
     at.lever = at.d;
     return at;
 }
-/* <turn on by a small angle> */
+
+/* turn on by a small angle */
 static inline bool wfIsSmallTurn(wfReal turn) { return turn * turn <= WF_R(1.0) / 64; }
 
 /* Cosine less one, and sine. */

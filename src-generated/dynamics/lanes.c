@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #include "dynamics/columns.h"
 
-/* <pack contacts in lanes> */
+/* pack contacts in lanes */
 enum { KIND_ALONE = 3, KINDS };
 
 size_t wfLaneScratch(int32_t contacts)
@@ -22,7 +22,7 @@ static int32_t kind_of(const wfSubsteps *s, const wfColumns *t, int32_t colour, 
     if (trait & (WF_TRAIT_ROLLS | WF_TRAIT_TWO_FRICTIONS)) return 0;
     return trait & WF_TRAIT_POINTS;
 }
-/* <pack contacts in lanes> */
+
 static int32_t points_of(int32_t kind) { return kind == KIND_ALONE ? 1 : kind; }
 
 static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
@@ -44,7 +44,6 @@ static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
     bool room = s->bundle != NULL && s->point != NULL && s->gap != NULL;
     return room ? WF_OK : WF_ERROR_MEMORY;
 }
-/* <pack contacts in lanes> */
 #define HAS_FOUR(type, first, last) \
     (offsetof(type, last) == offsetof(type, first) + 3 * sizeof(wfReal))
 _Static_assert(HAS_FOUR(wfBodyState, v, invMass) && HAS_FOUR(wfMoved, d, spare) &&
@@ -63,7 +62,7 @@ static wfLanes mass_in_lanes(const wfBundle *q, wfLanes k, wfLanes leverA, wfLan
     k = k + leverA * leverA * q->iA + leverB * leverB * q->iB;
     return wfLanesWhere(wfLanesMore(k, zero), 1 / k);
 }
-/* <pack contacts in lanes> */
+
 static void prepare_points(const wfSubsteps *s, const wfBundle *q, wfLanes mass, int32_t k)
 {
     const wfContact *c = s->in->contacts;
@@ -89,7 +88,7 @@ static void prepare_points(const wfSubsteps *s, const wfBundle *q, wfLanes mass,
     p->massN = mass_in_lanes(q, mass, p->nA, p->nB);
     p->massT = mass_in_lanes(q, mass, p->tA, p->tB);
 }
-/* <pack contacts in lanes> */
+
 static void prepare_bundle(const wfSubsteps *s, wfBundle *q)
 {
     const wfContact *c = s->in->contacts;
@@ -112,7 +111,7 @@ static void prepare_bundle(const wfSubsteps *s, wfBundle *q)
     q->iA = a.v[3], q->iB = b.v[3];
     for (int32_t k = 0; k < q->points; k++) prepare_points(s, q, a.v[2] + b.v[2], k);
 }
-/* <pack contacts in lanes> */
+
 typedef struct Packing { int32_t bundles, points, ones; } Packing;
 
 static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t kind,
@@ -129,7 +128,7 @@ static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t
             WF_FETCH_SOON(&soon->manifold.points[1].feature);
         }
         if (kind_of(s, t, colour, i) != kind) continue;
-        /* <begin a new bundle when one is full> */
+        /* begin a new bundle when one is full */
         if (q == NULL || q->used == WF_LANES) {
             if (q != NULL) prepare_bundle(s, q);
             q = &s->bundle[to->bundles++];
@@ -144,7 +143,7 @@ static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t
     }
     if (q != NULL) prepare_bundle(s, q);
 }
-/* <pack contacts in lanes> */
+
 static void keep_ones(wfSubsteps *s, wfColumns *t, int32_t colour, Packing *to)
 {
     for (int32_t i = s->colours.first[colour]; i < s->colours.first[colour + 1]; i++) {
@@ -155,7 +154,7 @@ static void keep_ones(wfSubsteps *s, wfColumns *t, int32_t colour, Packing *to)
         s->at[contact] = to->ones++;
     }
 }
-/* <pack contacts in lanes> */
+
 wfResult wfPackLanes(wfSubsteps *s, wfColumns *t)
 {
     Packing to = { 0, 0, 0 };
@@ -179,7 +178,8 @@ wfResult wfPackLanes(wfSubsteps *s, wfColumns *t)
     for (int32_t i = 0; i < t->count; i++) t->limb[i].contact = s->at[t->limb[i].contact];
     return WF_OK;
 }
-/* <walk through contacts in lanes> */
+
+/* walk through contacts in lanes */
 typedef struct PairLanes {
     wfFour a, b;                /* vx, vy, w, inverse mass */
     wfLanes vn, vt, jn, jt, m;  /* as in wfPairMotion */
@@ -195,7 +195,7 @@ WF_INLINE PairLanes take_pairs(const wfBodyState *state, const wfBundle *q)
     m.m = m.a.v[3] + m.b.v[3];
     return m;
 }
-/* <walk through contacts in lanes> */
+
 WF_INLINE void give_pairs(wfBodyState *state, const wfBundle *q, PairLanes *m)
 {
     wfLanes x = m->jn * q->nx + m->jt * q->ny, y = m->jn * q->ny + m->jt * -q->nx;
@@ -206,7 +206,7 @@ WF_INLINE void give_pairs(wfBodyState *state, const wfBundle *q, PairLanes *m)
     wfScatter(state, offsetof(wfBodyState, v), sizeof *state, q->a, q->used, m->a);
     wfScatter(state, offsetof(wfBodyState, v), sizeof *state, q->b, q->used, m->b);
 }
-/* <walk through contacts in lanes> */
+
 WF_INLINE void push_lanes(const wfBundle *q, const wfBundlePoint *p, wfLanes j,
                           PairLanes *m)
 {
@@ -224,7 +224,7 @@ WF_INLINE void drag_lanes(const wfBundle *q, const wfBundlePoint *p, wfLanes j,
     m->a.v[2] -= j * p->tA * q->iA;
     m->b.v[2] += j * p->tB * q->iB;
 }
-/* <walk through contacts in lanes> */
+
 void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
 {
     for (int32_t i = run->bundle; i < run->bundleEnd; i++) {
@@ -241,7 +241,7 @@ void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
         give_pairs(s->in->state, q, &m);
     }
 }
-/* <walk through contacts in lanes> */
+
 static void find_bundle_gaps(const wfSubsteps *s, const wfBundle *q, wfLanes *lowest)
 {
     wfFour a = WF_GATHER(wfMoved, d, s->moved, q->a);
@@ -257,7 +257,7 @@ static void find_bundle_gaps(const wfSubsteps *s, const wfBundle *q, wfLanes *lo
         *lowest = wfLanesMin(p->now, *lowest);
     }
 }
-/* <walk through contacts in lanes> */
+
 void wfFindBundleGaps(wfSubsteps *s, const wfRun *run)
 {
     wfLanes lowest = wfLanesOf(s->lowest);
@@ -283,7 +283,7 @@ int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep)
     if (q->points == 2) is |= deep_in_lanes(deep, &s->point[q->first + 1]);
     return wfAnyLane(is) ? q->used : 0;
 }
-/* <walk through contacts in lanes> */
+
 /* What a point is to be pushed by, before the clamp. */
 WF_INLINE wfLanes soft_push(const wfCase *cases, const wfDeep *deep,
                             const wfBundlePoint *p, wfLanes u)
@@ -301,7 +301,7 @@ WF_INLINE wfLanes soft_push(const wfCase *cases, const wfDeep *deep,
     }
     return -p->massN * mass * (u + rate * gap) - give * p->normal;
 }
-/* <walk through contacts in lanes> */
+
 WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep, const wfBundle *q,
                              const wfBundlePoint *p, wfLanes u)
 {
@@ -312,7 +312,7 @@ WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep, const wfBu
     wfLanes mass = wfLanesWhere(pushed | ~(apart | coming), wfLanesOf(1));
     return -p->massN * mass * (u + rate * gap);
 }
-/* <walk through contacts in lanes> */
+
 WF_INLINE void push_point(const wfCase *cases, const wfDeep *deep, bool soft,
                           const wfBundle *q, wfBundlePoint *p, PairLanes *m)
 {
@@ -331,7 +331,7 @@ WF_INLINE void rub_point(const wfBundle *q, wfBundlePoint *p, PairLanes *m)
     p->tangent = wfLanesMax(-limit, wfLanesMin(limit, to));     /* eq:sequential-friction */
     drag_lanes(q, p, p->tangent - before, m);
 }
-/* <walk through contacts in lanes> */
+
 WF_INLINE void sweep_bundle(const wfSubsteps *s, const wfCase *cases, const wfDeep *deep,
                             bool soft, const wfBundle *q)
 {
@@ -354,7 +354,7 @@ void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CA
         for (int32_t i = run->bundle; i < run->bundleEnd; i++)
             sweep_bundle(s, cases[s->bundle[i].alone], deep, false, &s->bundle[i]);
 }
-/* <walk through contacts in lanes> */
+
 static void store_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane, wfReal share)
 {
     wfContact *c = &s->in->contacts[q->of[lane]];
@@ -372,7 +372,7 @@ void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
         for (int32_t lane = 0; lane < s->bundle[i].used; lane++)
             store_lane(s, &s->bundle[i], lane, share);
 }
-/* <walk through contacts in lanes> */
+
 static void tell_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane)
 {
     wfTold *told = &s->in->told[q->of[lane]];
@@ -389,7 +389,7 @@ void wfTellBundles(const wfSubsteps *s, const wfRun *run)
         for (int32_t lane = 0; lane < s->bundle[i].used; lane++)
             tell_lane(s, &s->bundle[i], lane);
 }
-/* <walk through contacts in lanes> */
+
 void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out)
 {
     const wfBundle *q = &s->bundle[bundle];

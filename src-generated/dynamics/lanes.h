@@ -6,7 +6,7 @@
 #include <string.h>
 #include "weft/math.h"
 
-/* <numbers in lanes> */
+/* numbers in lanes */
 #if defined __has_builtin && !defined WF_ONE_LANE
 #if __has_builtin(__builtin_shufflevector)
 #define WF_HAS_LANES
@@ -24,7 +24,6 @@ typedef wfReal wfLanes;
 typedef int32_t wfLaneMask;
 #define WF_INLINE static inline
 #endif
-/* <numbers in lanes> */
 #ifdef WF_HAS_LANES
 #ifdef WF_DOUBLE
 WF_INLINE wfLanes wfLanesOf(wfReal x) { return (wfLanes){ x, x }; }
@@ -49,7 +48,6 @@ WF_INLINE bool wfAnyLane(wfLaneMask m)
     memcpy(half, &m, sizeof half);
     return (half[0] | half[1]) != 0;
 }
-/* <numbers in lanes> */
 #else
 WF_INLINE wfLanes wfLanesOf(wfReal x) { return x; }
 WF_INLINE wfLaneMask wfLanesMore(wfLanes a, wfLanes b) { return -(a > b); }
@@ -57,7 +55,7 @@ WF_INLINE wfLanes wfLanesWhere(wfLaneMask m, wfLanes a) { return m ? a : 0; }
 WF_INLINE wfLanes wfLanesPick(wfLaneMask m, wfLanes a, wfLanes b) { return m ? a : b; }
 WF_INLINE bool wfAnyLane(wfLaneMask m) { return m != 0; }
 #endif
-/* <numbers in lanes> */
+
 WF_INLINE wfLanes wfLanesMax(wfLanes a, wfLanes b)
 {
     return wfLanesPick(wfLanesMore(a, b), a, b);
@@ -70,7 +68,7 @@ WF_INLINE wfLanes wfLanesMin(wfLanes a, wfLanes b)
 
 WF_INLINE wfReal *wfLane(wfLanes *v, int32_t lane) { return (wfReal *)v + lane; }
 WF_INLINE wfReal wfLaneOf(const wfLanes *v, int32_t i) { return ((const wfReal *)v)[i]; }
-/* <numbers in lanes> */
+
 /* Four numbers of each thing in a row; turned: the first of each, the second, ... */
 typedef struct wfFour { wfLanes v[4]; } wfFour;
 
@@ -89,7 +87,6 @@ WF_INLINE wfFour wfTurnRound(wfFour r)
 
 WF_INLINE wfFour wfTurnBack(wfFour r) { return wfTurnRound(r); }
 #endif
-/* <numbers in lanes> */
 #if defined WF_HAS_LANES && defined WF_DOUBLE
 #define WF_MIX(a, b, i, k) __builtin_shufflevector(r.v[a], r.v[b], i, k)
 WF_INLINE wfFour wfTurnRound(wfFour r)
@@ -107,7 +104,7 @@ WF_INLINE wfFour wfTurnBack(wfFour r)
 WF_INLINE wfFour wfTurnRound(wfFour r) { return r; }
 WF_INLINE wfFour wfTurnBack(wfFour r) { return r; }
 #endif
-/* <numbers in lanes> */
+
 /* Four numbers, from `field` on, of the elements who[0], who[1], ... of an array. */
 #define WF_GATHER(type, field, array, who) \
     wfGather(array, offsetof(type, field), sizeof(type), who)
@@ -128,7 +125,7 @@ WF_INLINE wfFour wfGather(const void *array, size_t offset, size_t size, const i
 #endif
     return wfTurnRound(r);
 }
-/* <numbers in lanes> */
+
 WF_INLINE void wfScatter(void *array, size_t offset, size_t size, const int32_t *who,
                          int32_t used, wfFour from)
 {
@@ -145,14 +142,12 @@ WF_INLINE void wfScatter(void *array, size_t offset, size_t size, const int32_t 
         memcpy(at + size * (size_t)who[WF_LANES - 1], &r.v[2], four);
 #endif
 }
-/* <what points want> */
 /* A point wants u' = -rate gap, moves by a share of the mass, gives a share back. */
 typedef struct wfCase { wfReal rate, mass, give; } wfCase;
 enum { WF_OVERLAP, WF_PUSHED, WF_APART, WF_DEEP, WF_COMING, WF_CASES };
-/* <what points want> */
 /* What tells a deep overlap from one that is pressed: no gap above `gap` is one. */
 typedef struct wfDeep { wfReal gap, bias, give, rest; } wfDeep;
-/* <contacts in lanes> */
+
 /* Contacts of one colour, one in each lane, all with as many points. */
 typedef struct wfBundle {
     int32_t a[WF_LANES], b[WF_LANES];   /* their bodies */
@@ -170,7 +165,6 @@ typedef struct wfBundlePoint {
 } wfBundlePoint;
 
 typedef struct wfBundleGap { wfLanes gap, upA, upB, told; } wfBundleGap;
-/* <contacts in lanes> */
 /* A portion of the contacts: first bundles, then those that are taken one by one. */
 typedef struct wfRun { int32_t bundle, bundleEnd, one, oneEnd; } wfRun;
 #endif

@@ -2,10 +2,10 @@
  * edit the chapter and type make. MIT licence. */
 #include "dynamics/prepared.h"
 
-/* <limits of friction> */
 /* The normal sums of a contact are known when passes change them by no larger share. */
 #define WF_FRICTION_FOUND (WF_R(1.0) / 16)
-/* <make contacts ready> */
+
+/* make contacts ready */
 static wfReal inverse_or_zero(wfReal k) { return k > 0 ? 1 / k : 0; }
 
 static wfReal effective_mass(const wfBodyState *a, const wfBodyState *b, wfReal leverA,
@@ -30,7 +30,7 @@ static void prepare_point(const wfBodyState *a, const wfBodyState *b,
     p->massN = effective_mass(a, b, p->nA, p->nB);
     p->massT = effective_mass(a, b, p->tA, p->tB);
 }
-/* <make contacts ready> */
+
 void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
 {
     const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
@@ -55,7 +55,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
         prepare_point(a, b, &m->points[i], out->n, out->t, &out->p[i]);
     out->told = -wfSumOfNormals(out);           /* until the first warm start */
 }
-/* <make contacts ready> */
+
 void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
 {
     wfReal wanted = 0, normal = 0;
@@ -74,7 +74,7 @@ void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
     c->sliding = wfAbs(wanted) > most;                      /* eq:sequential-slides */
     c->friction = c->sliding ? c->slides : c->holds;
 }
-/* <make contacts ready> */
+
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share)
 {
     wfPairMotion m = wfTakePair(in, c);
@@ -93,7 +93,7 @@ void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share)
     m.wB += c->spin * m.iB;
     wfGivePair(in, c, &m);
 }
-/* <make contacts ready> */
+
 void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
 {
     for (int32_t i = 0; i < c->count; i++) {
@@ -104,7 +104,7 @@ void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out)
     out->sliding = c->sliding;
     out->settled = c->settled;
 }
-/* <make contacts ready> */
+
 void wfTellPrepared(const wfPrepared *c, wfTold *out)
 {
     wfReal last = wfSumOfNormals(c);

@@ -5,7 +5,7 @@
 /* Contacts made ready for many passes: what does not change from pass to pass. */
 #include "weft/resolve.h"
 
-/* <a contact made ready> */
+/* a contact made ready */
 typedef struct wfPreparedPoint {
     wfReal nA, nB, tA, tB;    /* levers, m: rA x n, rB x n, rA x t, rB x t */
     wfReal upA, upB;          /* m: arms along the normal; 0 for a circle's contact */
@@ -14,7 +14,7 @@ typedef struct wfPreparedPoint {
     wfReal massN, massT;      /* kg: effective masses along normal and tangent */
     wfReal normal, tangent;   /* N s: applied so far, the sums that are clamped */
 } wfPreparedPoint;
-/* <a contact made ready> */
+
 typedef struct wfPrepared {
     int32_t a, b, count;
     wfVec2  n, t;
@@ -27,7 +27,7 @@ typedef struct wfPrepared {
     int32_t bounces;          /* 1 if it has restitution */
     wfPreparedPoint p[2];
 } wfPrepared;
-/* <a contact made ready> */
+
 /* Two bodies as their contact sees them. */
 typedef struct wfPairMotion {
     wfReal vn, vt;            /* m/s: b's velocity seen from a, along normal and tangent */
@@ -35,7 +35,7 @@ typedef struct wfPairMotion {
     wfReal jn, jt;            /* N s: the sums of the impulses given since then */
     wfReal m, iA, iB;         /* sum of the inverse masses; inverse inertias */
 } wfPairMotion;
-/* <declarations of prepared contacts> */
+
 void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out);
 
 static inline wfPairMotion wfTakePair(const wfSolve *in, const wfPrepared *c)
@@ -56,7 +56,7 @@ static inline void wfGivePair(const wfSolve *in, const wfPrepared *c, const wfPa
     a->w = m->wA;
     b->w = m->wB;
 }
-/* <declarations of prepared contacts> */
+
 /* How fast a point's gap opens, m/s; an impulse j (N s) along the normal there. */
 static inline wfReal wfNormalRate(const wfPairMotion *m, const wfPreparedPoint *p)
 {
@@ -70,7 +70,7 @@ static inline void wfPushPoint(wfPairMotion *m, const wfPreparedPoint *p, wfReal
     m->wA -= j * p->nA * m->iA;
     m->wB += j * p->nB * m->iB;
 }
-/* <declarations of prepared contacts> */
+
 /* The same along the tangent: how fast it slides, and an impulse against that. */
 static inline wfReal wfTangentRate(const wfPairMotion *m, const wfPreparedPoint *p)
 {
@@ -84,7 +84,7 @@ static inline void wfDragPoint(wfPairMotion *m, const wfPreparedPoint *p, wfReal
     m->wA -= j * p->tA * m->iA;
     m->wB += j * p->tB * m->iB;
 }
-/* <declarations of prepared contacts> */
+
 /* Applies the impulses of the contact times `share`, and keeps them as its sums. */
 void wfWarmStart(const wfSolve *in, wfPrepared *c, wfReal share);
 /* Writes the sums times `share` into the contact. */
@@ -98,7 +98,7 @@ static inline wfReal wfSumOfNormals(const wfPrepared *c)
     for (int32_t i = 0; i < c->count; i++) sum += c->p[i].normal;
     return sum;
 }
-/* <declarations of prepared contacts> */
+
 /* One pass over friction and rolling: eq:sequential-friction. */
 static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
 {
@@ -117,11 +117,10 @@ static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
     m->wA -= (c->spin - before) * m->iA;
     m->wB += (c->spin - before) * m->iB;
 }
-/* <declarations of prepared contacts> */
 /* After a step or substep: does the contact slide? eq:sequential-slides. found: its
  * impulses are the law's, or as near as they come; else eq:sequential-patience. */
 void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found);
-/* <declarations of prepared contacts> */
+
 /* The gap at a point when a and b have moved, m; negative: overlap. */
 static inline wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p,
                               const wfMoved *a, const wfMoved *b)
@@ -131,13 +130,11 @@ static inline wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p,
     wfReal second = p->upB * b->turn * b->turn - p->upA * a->turn * a->turn;
     return p->gap + (straight + (first - second / 2));
 }
-/* <declarations of prepared contacts> */
 /* A contact that approaches faster than restingSpeed bounces and rubs, at the places and
  * velocities of these two bodies. False, and nothing done, if it is slower, or if it has no
  * restitution. told: the bounce is added to it; NULL: not asked. */
 bool wfBounce(wfBodyState *a, wfBodyState *b, const wfContact *c, wfReal restingSpeed,
               wfTold *told);
-/* <declarations of prepared contacts> */
 wfSolverFn wfSequentialVelocities, wfSequentialBaumgarte, wfSequentialPositions;
 wfSolverFn wfNothingLeft;    /* a position half for rows that have done that already */
 wfSolverScratchFn wfSequentialScratch;

@@ -2,7 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "dynamics/prepared.h"
 
-/* <the passes of sequential impulses> */
+/* the passes of sequential impulses */
 static void push_contact(const wfSolve *in, wfPrepared *c, wfPairMotion *m, wfReal share,
                          wfReal slop)
 {
@@ -15,7 +15,7 @@ static void push_contact(const wfSolve *in, wfPrepared *c, wfPairMotion *m, wfRe
         wfPushPoint(m, p, p->normal - before);
     }
 }
-/* <the passes of sequential impulses> */
+
 static void part_contact(const wfSolve *in, wfPrepared *c, wfMoved *moved, wfReal slop)
 {
     const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
@@ -34,7 +34,7 @@ static void part_contact(const wfSolve *in, wfPrepared *c, wfMoved *moved, wfRea
         mb->turn += j * p->nB * b->invInertia;
     }
 }
-/* <the passes of sequential impulses> */
+
 static void move_bodies(const wfSolve *in, const wfMoved *moved)
 {
     for (int32_t i = 0; i < in->bodyCount; i++) {
@@ -42,7 +42,7 @@ static void move_bodies(const wfSolve *in, const wfMoved *moved)
         in->state[i].angle += moved[i].turn;
     }
 }
-/* <the passes of sequential impulses> */
+
 wfResult wfSequentialPositions(const wfSolve *in)
 {
     size_t mark = wfPoolMark(in->scratch);
@@ -61,7 +61,7 @@ wfResult wfSequentialPositions(const wfSolve *in)
     wfPoolRewind(in->scratch, mark);
     return room ? WF_OK : WF_ERROR_MEMORY;
 }
-/* <the passes of sequential impulses> */
+
 static void collide_first(const wfSolve *in)
 {
     bool some = true;
@@ -76,7 +76,7 @@ static void collide_first(const wfSolve *in)
         }
     }
 }
-/* <the passes of sequential impulses> */
+
 static wfResult sequential(const wfSolve *in, wfReal share)
 {
     size_t mark = wfPoolMark(in->scratch);
@@ -103,7 +103,7 @@ static wfResult sequential(const wfSolve *in, wfReal share)
     wfPoolRewind(in->scratch, mark);
     return WF_OK;
 }
-/* <the passes of sequential impulses> */
+
 wfResult wfSequentialVelocities(const wfSolve *in) { return sequential(in, 0); }
 
 wfResult wfSequentialBaumgarte(const wfSolve *in)

@@ -3,7 +3,7 @@
 #include "dynamics/columns.h"
 #include "dynamics/soft.h"
 
-/* <numbers of a soft contact> */
+/* numbers of a soft contact */
 typedef struct Softness {
     wfReal bias;            /* b of eq:soft-law, 1/s */
     wfReal mass, impulse;   /* M and S of eq:soft-pass */
@@ -22,7 +22,7 @@ static Softness softness_of(const wfSolve *in, wfReal dt)
         .impulse = 1 / (1 + a), .fastest = limit ? in->recoverySpeed : WF_HUGE,
         .deep = limit ? -in->restingSpeed * dt * sum / turn : -WF_HUGE };
 }
-/* <a step in substeps> */
+
 /* soft: NULL after the bodies have moved. alone: for contacts of sec:soft-alone */
 static void list_cases(const wfSubsteps *s, const Softness *soft, bool alone,
                        wfCase out[WF_CASES])
@@ -38,7 +38,7 @@ static void list_cases(const wfSubsteps *s, const Softness *soft, bool alone,
         (wfCase){ soft->bias, 1 / (1 + WF_COLUMN_GIVE), 0 };
     out[WF_APART] = ahead;
 }
-/* <a step in substeps> */
+
 static wfDeep deep_for(const wfSubsteps *s, const Softness *soft)
 {
     if (soft == NULL) return (wfDeep){ .gap = -WF_HUGE, .rest = s->in->restingSpeed };
@@ -53,7 +53,7 @@ static inline bool is_deep(const wfDeep *deep, const wfPreparedPoint *p)
     wfReal borne = deep->give * p->normal / p->massN;
     return -deep->bias * p->now - borne > deep->rest;           /* eq:soft-recovery */
 }
-/* <a step in substeps> */
+
 static inline int case_of(const wfPrepared *c, const wfPreparedPoint *p, wfReal u,
                           const wfDeep *deep)
 {
@@ -77,7 +77,7 @@ static inline void push_softly(const wfCase *cases, const wfDeep *deep, wfPrepar
         wfPushPoint(m, p, p->normal - before);                  /* eq:soft-pass */
     }
 }
-/* <a step in substeps> */
+
 static void sweep_columns(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     if (soft == NULL) wfSolveColumns(s, t, 0, 0, 0);
@@ -92,7 +92,7 @@ static void judge(wfSubsteps *s, const wfColumns *t)
         wfJudgeFriction(&s->c[i], &m, t->held[i] != WF_HELD_NOT);
     }
 }
-/* <a step in substeps> */
+
 static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
                        wfCase cases[2][WF_CASES], const wfDeep *deep)
 {
@@ -105,7 +105,7 @@ static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
         wfGivePair(s->in, &s->c[i], &m);
     }
 }
-/* <a step in substeps> */
+
 static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
 {
     const wfLaws *laws = s->in->laws;
@@ -124,7 +124,7 @@ static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
     }
     if (soft == NULL) judge(s, t);
 }
-/* <a step in substeps> */
+
 /* What contacts need that are parted. */
 typedef struct Parting {
     const wfSolve *in;
@@ -147,7 +147,7 @@ static bool part_point(const wfPreparedPoint *p, const wfPrepared *c, const wfSo
     mb->turn += j * p->nB * b->invInertia;
     return true;
 }
-/* <a step in substeps> */
+
 /* Parts points that are deep or below a gap; true: there was one. */
 static bool part_contact(const Parting *part, const wfPrepared *c, wfReal below)
 {
@@ -160,7 +160,7 @@ static bool part_contact(const Parting *part, const wfPrepared *c, wfReal below)
     }
     return some;
 }
-/* <a step in substeps> */
+
 static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *t,
                      const wfRun *run)
 {
@@ -177,7 +177,7 @@ static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *
     }
     return some;
 }
-/* <a step in substeps> */
+
 static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
                       wfMoved *aside)
 {
@@ -197,7 +197,7 @@ static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
     }
     wfFindGaps(s);
 }
-/* <a step in substeps> */
+
 static void tell(const wfSubsteps *s)
 {
     for (int32_t k = 0; k < s->runs; k++) wfTellBundles(s, &s->run[k]);
@@ -225,7 +225,7 @@ static void finish(wfSubsteps *s, wfColumns *t)
         in->state[i].angle += s->moved[i].turn;
     }
 }
-/* <a step in substeps> */
+
 wfResult wfSoftStep(const wfSolve *in)
 {
     wfSubsteps s = { .in = in, .dt = in->h / (wfReal)in->substeps, .kick = in->h };
@@ -241,7 +241,7 @@ wfResult wfSoftStep(const wfSolve *in)
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         aside[i] = (wfMoved){ .turn = 0 };
     Softness soft = softness_of(in, s.dt);
-    /* <make the substeps> */
+    /* make the substeps */
     for (int32_t k = 0; k < in->substeps && result == WF_OK; k++) {
         wfKick(&s, k == 0 ? s.dt / 2 : s.dt, s.kick);
         wfBounceAll(&s);
@@ -254,7 +254,7 @@ wfResult wfSoftStep(const wfSolve *in)
     wfPoolRewind(in->scratch, mark);
     return result;
 }
-/* <a step in substeps> */
+
 size_t wfSoftScratch(int32_t bodies, int32_t contacts)
 {
     size_t aside = sizeof(wfMoved) * (size_t)bodies + WF_POOL_ALIGN;

@@ -6,7 +6,7 @@
 enum { NUMBERS_OF_BLOCK = 18, NUMBERS_OF_NODE = WF_NODE_SQUARE + 2 * WF_NODE_ROWS };
 #define LOST 1e-11      /* a pivot that is a smaller share of its row says nothing new */
 
-/* <take room for a sparse matrix> */
+/* take room for a sparse matrix */
 static size_t bytes_of_node(void)
 {
     return 14 * sizeof(int32_t) + 3 * sizeof(bool)
@@ -24,7 +24,7 @@ size_t wfSparseScratch(int32_t nodes, int32_t blocks)
     return bytes_of_node() * (size_t)(nodes + 1) + bytes_of_block() * (size_t)blocks
          + 24 * WF_POOL_ALIGN;
 }
-/* <take room for a sparse matrix> */
+
 bool wfSparseTake(wfSparse *m, int32_t nodes, int32_t bodies, wfPool *pool, size_t spare)
 {
     *m = (wfSparse){ .nodes = nodes, .bodies = bodies };
@@ -32,7 +32,7 @@ bool wfSparseTake(wfSparse *m, int32_t nodes, int32_t bodies, wfPool *pool, size
     m->direct = wfPoolPushArray(pool, 3 * (nodes + 1), bool);
     double *reals = wfPoolPushArray(pool, NUMBERS_OF_NODE * nodes, double);
     if (numbers == NULL || m->direct == NULL || reals == NULL) return false;
-    /* <hand out the arrays of a sparse matrix> */
+    /* hand out the arrays of a sparse matrix */
     int32_t **const array[14] = { &m->rows, &m->head, &m->mark, &m->list, &m->rank, &m->order,
         &m->degree, &m->bucket, &m->next, &m->before, &m->start, &m->part,
         &m->end, &m->other };
@@ -57,7 +57,8 @@ bool wfSparseTake(wfSparse *m, int32_t nodes, int32_t bodies, wfPool *pool, size
     }
     return m->number != NULL && m->at != NULL && m->later != NULL && m->edge != NULL;
 }
-/* <join nodes> */
+
+/* join nodes */
 static int32_t join_nodes(wfSparse *m, int32_t i, int32_t k)
 {
     if (m->blocks == m->room) return -1;
@@ -75,7 +76,8 @@ int32_t wfSparseJoin(wfSparse *m, int32_t body, int32_t node)
     m->end[node] = body;
     return join_nodes(m, body, node);
 }
-/* <keep nodes by their degree> */
+
+/* keep nodes by their degree */
 static void put_in_bucket(wfSparse *m, int32_t i)
 {
     int32_t first = m->bucket[m->degree[i]];
@@ -92,7 +94,7 @@ static void take_from_bucket(wfSparse *m, int32_t i)
     if (before >= 0) m->next[before] = after;
     else m->bucket[m->degree[i]] = after;
 }
-/* <find the parts> */
+
 /* Lists the nodes that hang together with node i, from place `from' of the list on. */
 static int32_t list_part(wfSparse *m, int32_t i, int32_t from)
 {
@@ -108,7 +110,7 @@ static int32_t list_part(wfSparse *m, int32_t i, int32_t from)
         }
     return to;
 }
-/* <eliminate in order> */
+
 /* Unlinks from i's list what is gone, and marks what is left with i. */
 static void mark_neighbours(wfSparse *m, int32_t i)
 {
@@ -123,7 +125,7 @@ static void mark_neighbours(wfSparse *m, int32_t i)
         link = &e->next;
     }
 }
-/* <eliminate in order> */
+
 /* Couples all neighbours of p that are left with each other. False: no room. */
 static bool couple_neighbours(wfSparse *m, int32_t p)
 {
@@ -139,7 +141,7 @@ static bool couple_neighbours(wfSparse *m, int32_t p)
     }
     return true;
 }
-/* <eliminate in order> */
+
 /* May a node be eliminated? A body always; see the text. */
 static bool may_go(const wfSparse *m, int32_t i)
 {
@@ -158,7 +160,7 @@ static void spend(wfSparse *m, int32_t p)
     int32_t body = ofA ? a : b;
     if (body >= 0 && m->rank[body] >= 0) m->spent[body] = true;
 }
-/* <eliminate in order> */
+
 static bool eliminate(wfSparse *m, int32_t p, int32_t *low)
 {
     mark_neighbours(m, p);
@@ -176,7 +178,7 @@ static bool eliminate(wfSparse *m, int32_t p, int32_t *low)
     }
     return true;
 }
-/* <eliminate in order> */
+
 static bool order_part(wfSparse *m, int32_t from, int32_t to)
 {
     int32_t low = 0;
@@ -197,7 +199,8 @@ static bool order_part(wfSparse *m, int32_t from, int32_t to)
     }
     return true;
 }
-/* <lay out the blocks> */
+
+/* lay out the blocks */
 static bool lay_out(wfSparse *m, int32_t from, int32_t to, int32_t *laters)
 {
     for (int32_t n = from; n < to; n++) {
@@ -215,7 +218,7 @@ static bool lay_out(wfSparse *m, int32_t from, int32_t to, int32_t *laters)
     m->start[to] = *laters;
     return true;
 }
-/* <lay out the blocks> */
+
 void wfSparseOrder(wfSparse *m)
 {
     int32_t laters = 0;
@@ -227,7 +230,7 @@ void wfSparseOrder(wfSparse *m)
         m->part[++m->parts] = m->listed;
     }
     for (int32_t i = 0; i < m->nodes; i++) m->mark[i] = -1;
-    /* <order each part> */
+    /* order each part */
     for (int32_t k = 0; k < m->parts; k++) {
         int32_t from = m->part[k], to = m->part[k + 1], had = laters;
         int32_t numbers = m->numbers, blocks = m->blocks;
@@ -237,7 +240,8 @@ void wfSparseOrder(wfSparse *m)
         for (int32_t i = 0; i < m->nodes; i++) m->bucket[i] = -1;
     }
 }
-/* <read and clear the blocks> */
+
+/* read and clear the blocks */
 double *wfSparseBlock(const wfSparse *m, int32_t block, int32_t row, int32_t column)
 {
     double *upper = &m->number[m->at[block]];
@@ -256,7 +260,7 @@ void wfSparseClear(wfSparse *m, int32_t part)
         }
     }
 }
-/* <factor a sparse matrix> */
+
 /* The inverse of an n x n block in place. Rows that say nothing new become zero. */
 static void invert(double *a, int n, const double *size)
 {
@@ -268,7 +272,7 @@ static void invert(double *a, int n, const double *size)
         full[r][WF_NODE_ROWS + r] = 1;
     }
     for (int c = 0; c < n; c++) {
-        /* <choose the pivot of column c> */
+        /* choose the pivot of column c */
         int best = -1;
         double most = 0;
         for (int r = 0; r < n; r++) {
@@ -289,7 +293,7 @@ static void invert(double *a, int n, const double *size)
         for (int k = 0; k < n; k++)
             a[c * n + k] = lost[c] ? 0 : full[from[c]][WF_NODE_ROWS + k] / full[from[c]][c];
 }
-/* <factor a sparse matrix> */
+
 /* c -= a b, where a has r rows and n columns, b has s columns */
 static void take_product(double *c, const double *a, const double *b, int r, int n, int s)
 {
@@ -311,7 +315,7 @@ static void divide_block(const wfSparse *m, int32_t p, const wfSparseLater *to)
     take_product(block, m->own[p], copy, n, n, columns);
     for (int i = 0; i < n * columns; i++) block[i] = -block[i];
 }
-/* <factor a sparse matrix> */
+
 /* What p's elimination does to its later neighbour i, and to i and each later one. */
 static void spread(wfSparse *m, int32_t n, const wfSparseLater *to)
 {
@@ -332,7 +336,7 @@ static void spread(wfSparse *m, int32_t n, const wfSparseLater *to)
         take_product(wfSparseBlock(m, m->mark[k], k, i), kDown, right, theirs, inner, mine);
     }
 }
-/* <factor a sparse matrix> */
+
 void wfSparseFactor(wfSparse *m, int32_t part)
 {
     for (int32_t n = m->part[part]; n < m->part[part + 1]; n++) {
@@ -343,7 +347,8 @@ void wfSparseFactor(wfSparse *m, int32_t part)
         for (int32_t e = m->start[n]; e < m->start[n + 1]; e++) spread(m, n, &m->later[e]);
     }
 }
-/* <solve with a sparse matrix> */
+
+/* solve with a sparse matrix */
 void wfSparseSolve(wfSparse *m, int32_t part)
 {
     for (int32_t n = m->part[part]; n < m->part[part + 1]; n++) {

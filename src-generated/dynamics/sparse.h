@@ -5,7 +5,7 @@
 /* Sparse matrices of small blocks, in double: chapter 19. */
 #include "weft/core.h"
 
-/* <a sparse matrix of small blocks> */
+/* a sparse matrix of small blocks */
 enum { WF_NODE_ROWS = 4, WF_NODE_SQUARE = WF_NODE_ROWS * WF_NODE_ROWS };
 typedef struct wfSparseEdge { int32_t to, block, next; } wfSparseEdge;
 typedef struct wfSparseLater { int32_t to, block; } wfSparseLater;
@@ -16,7 +16,7 @@ typedef struct wfSparse {
     int32_t blocks, room;       /* edges in use, and at most */
     int32_t numbers, most;      /* numbers in the blocks, in use and at most */
     int32_t parts, listed;      /* pieces that hang together; nodes with any edge */
-    /* <arrays for ordering the nodes> */
+    /* arrays for ordering the nodes */
     int32_t *rows;              /* [nodes] */
     int32_t *head, *mark;       /* [nodes] first edge or -1; for marking neighbours */
     int32_t *list;              /* [nodes] those with edges, part by part */
@@ -35,7 +35,6 @@ typedef struct wfSparse {
     double (*size)[WF_NODE_ROWS];       /* [nodes] what pivots are compared with */
     double (*x)[WF_NODE_ROWS];          /* [nodes] right side, then the solution */
 } wfSparse;
-/* <declarations of sparse matrices> */
 /* Takes arrays for so many nodes, and all that is left of the pool but `spare' bytes for
    blocks. False: no room. The rows have to be filled in. */
 bool wfSparseTake(wfSparse *m, int32_t nodes, int32_t bodies, wfPool *pool, size_t spare);

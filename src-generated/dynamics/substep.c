@@ -3,7 +3,6 @@
 #include "dynamics/columns.h"
 #include "dynamics/substep.h"
 
-/* <keep what is rounded away> */
 /* sum + rest + more, rounded to sum; rest is what that loses. */
 static void add_finely(wfReal *sum, wfReal *rest, double more)  /* eq:soft-rest */
 {
@@ -12,7 +11,7 @@ static void add_finely(wfReal *sum, wfReal *rest, double more)  /* eq:soft-rest 
     *rest = (wfReal)(exact - (double)*sum);
 }
 
-/* <keep what is rounded away> */
+
 static void kick_finely(wfBodyState *b, wfFine *rest, const wfBodyForces *f, double t)
 {
     double mass = t * (double)b->invMass, inertia = t * (double)b->invInertia;
@@ -27,14 +26,14 @@ static void drift_finely(wfMoved *m, wfFine *rest, const wfBodyState *b, double 
     add_finely(&m->d.y, &rest->p.y, t * ((double)b->v.y + (double)rest->v.y));
     add_finely(&m->turn, &rest->angle, t * ((double)b->w + (double)rest->w));
 }
-/* <keep what is rounded away> */
+
 void wfArriveFinely(wfBodyState *b, wfFine *rest, const wfMoved *m)
 {
     add_finely(&b->p.x, &rest->p.x, (double)m->d.x);
     add_finely(&b->p.y, &rest->p.y, (double)m->d.y);
     add_finely(&b->angle, &rest->angle, (double)m->turn);
 }
-/* <keep what is rounded away> */
+
 /* Whom a contact presses is where the passes have put it, with no digits more. */
 static void forget_digits(wfSubsteps *s)
 {
@@ -45,7 +44,8 @@ static void forget_digits(wfSubsteps *s)
         s->in->fine[c->a] = s->in->fine[c->b] = (wfFine){ .w = 0 };
     }
 }
-/* <kick and drift> */
+
+/* kick and drift */
 void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapfrog */
 {
     const wfSolve *in = s->in;
@@ -55,7 +55,7 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
         if (in->present != NULL && !in->present[i]) continue;
         if (b->invMass == 0) b->v = wfAdd(b->v, wfV2(0, 0));    /* eq:soft-minus-zero */
         if (b->invInertia == 0) b->w += 0;
-        /* <kick body i> */
+        /* kick body i */
         s->before[i] = (wfMotion){ b->v, b->w };
         if (in->fine != NULL) s->rest[i] = in->fine[i];
         if (in->forces == NULL) continue;
@@ -73,10 +73,10 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
     }
     if (in->laws != NULL)
         in->laws->begin(in->laws->context, in, s->moved, s->dt, t);
-    /* <take back what was too much> */
+    /* take back what was too much */
     if (s->columns != NULL) wfTakeBackMemory(s, s->columns);
 }
-/* <kick and drift> */
+
 void wfFindGaps(wfSubsteps *s)
 {
     s->lowest = WF_HUGE;
@@ -90,7 +90,7 @@ void wfFindGaps(wfSubsteps *s)
         }
     }
 }
-/* <kick and drift> */
+
 void wfDrift(wfSubsteps *s)
 {
     if (s->in->fine != NULL) forget_digits(s);
@@ -106,7 +106,7 @@ void wfDrift(wfSubsteps *s)
     }
     wfFindGaps(s);
 }
-/* <bounce with all digits> */
+
 /* at_time, with all digits: x, y, turn */
 static void fine_at_time(const wfSubsteps *s, int32_t i, wfReal t, double out[3])
 {
@@ -121,7 +121,7 @@ static void fine_at_time(const wfSubsteps *s, int32_t i, wfReal t, double out[3]
     for (int k = 0; k < 3; k++) out[k] = a[k] + share * (b[k] - a[k]);
 }
 
-/* <bounce with all digits> */
+
 static double fine_rate(const wfPrepared *c, const wfPreparedPoint *p, const double a[3],
                         const double b[3])
 {
@@ -140,7 +140,7 @@ static void push_finely(const wfSubsteps *s, const wfPrepared *c, const wfPrepar
     b[2] += j * (double)sb->invInertia * (double)p->nB;
 }
 
-/* <bounce with all digits> */
+
 static void give_finely(wfSubsteps *s, int32_t i, const double was[3], const double is[3],
                         wfReal t)
 {
@@ -158,7 +158,7 @@ static void give_finely(wfSubsteps *s, int32_t i, const double was[3], const dou
     add_finely(&m->turn, &rest->angle, -(double)t * dv[2]);
 }
 
-/* <bounce with all digits> */
+
 enum { FINE_PASSES = 8 };
 
 /* The bounce that wfBounce has found, a and b after it, with all digits. */
@@ -182,7 +182,8 @@ static void bounce_finely(wfSubsteps *s, const wfPrepared *c, const wfBodyState 
         }
     give_finely(s, c->a, wasA, isA, t), give_finely(s, c->b, wasB, isB, t);
 }
-/* <bounce at the time of impact> */
+
+/* bounce at the time of impact */
 static wfMotion at_time(const wfSubsteps *s, int32_t i, wfReal t)
 {
     const wfBodyState *now = &s->in->state[i];
@@ -192,7 +193,7 @@ static wfMotion at_time(const wfSubsteps *s, int32_t i, wfReal t)
     m.w += share * (now->w - m.w);
     return m;
 }
-/* <bounce at the time of impact> */
+
 /* when in this substep a gap closes; more than dt if it does not, or too slowly */
 static wfReal impact_time(const wfSubsteps *s, const wfPrepared *c,
                           const wfPreparedPoint *p)
@@ -210,7 +211,7 @@ static wfReal impact_time(const wfSubsteps *s, const wfPrepared *c,
     wfReal t = 2 * gap / (wfSqrt(square) - u);
     return wfClamp(t, -s->dt, s->dt);                       /* eq:soft-moment */
 }
-/* <bounce at the time of impact> */
+
 static void give(wfSubsteps *s, int32_t i, const wfBodyState *hit, wfMotion was, wfReal t)
 {
     wfBodyState *b = &s->in->state[i];
@@ -223,7 +224,7 @@ static void give(wfSubsteps *s, int32_t i, const wfBodyState *hit, wfMotion was,
     s->moved[i].d = wfAddScaled(s->moved[i].d, -t, dv);     /* eq:soft-shift */
     s->moved[i].turn -= t * dw;
 }
-/* <bounce at the time of impact> */
+
 static bool bounce_contact(wfSubsteps *s, int32_t at)
 {
     const wfSolve *in = s->in;
@@ -234,7 +235,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     wfReal t = s->dt;
     hit.manifold.count = 0;
     for (int32_t i = 0; i < c->count; i++) {
-        /* <ask point i when it arrives> */
+        /* ask point i when it arrives */
         wfReal ti = impact_time(s, c, &c->p[i]);
         if (ti > s->dt) continue;
         t = wfMinR(t, ti);
@@ -243,7 +244,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     }
     if (hit.manifold.count == 0) return false;
     wfMotion ma = at_time(s, c->a, t), mb = at_time(s, c->b, t);
-    /* <the two bodies at the time of their impact> */
+    /* the two bodies at the time of their impact */
     wfBodyState a = in->state[c->a], b = in->state[c->b];
     a.p = wfNeg(found[0].armA), b.p = wfNeg(found[0].armB);
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;
@@ -257,7 +258,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     give(s, c->b, &b, mb, t);
     return true;
 }
-/* <bounce at the time of impact> */
+
 enum { BOUNCE_PASSES = 8 };
 
 void wfBounceAll(wfSubsteps *s)
@@ -273,7 +274,8 @@ void wfBounceAll(wfSubsteps *s)
     }
     if (any) wfFindGaps(s);
 }
-/* <take room for substeps> */
+
+/* take room for substeps */
 static bool touches(const wfContact *c)
 {
     const wfManifold *m = &c->manifold;
@@ -297,7 +299,7 @@ static void read_contacts(wfSubsteps *s)
         s->trait[i] = (uint8_t)trait;
     }
 }
-/* <take room for substeps> */
+
 static wfResult put_in_order(wfSubsteps *s)
 {
     const wfSolve *in = s->in;
@@ -323,7 +325,7 @@ static wfResult put_in_order(wfSubsteps *s)
     s->runs = 1;
     return result;
 }
-/* <take room for substeps> */
+
 wfResult wfTakeSubsteps(wfSubsteps *s)
 {
     const wfSolve *in = s->in;
@@ -335,7 +337,7 @@ wfResult wfTakeSubsteps(wfSubsteps *s)
     for (int32_t i = 0; i < in->bodyCount; i++) s->moved[i] = (wfMoved){ .turn = 0 };
     return put_in_order(s);
 }
-/* <take room for substeps> */
+
 wfResult wfPrepareOnes(wfSubsteps *s)
 {
     const wfSolve *in = s->in;

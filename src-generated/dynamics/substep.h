@@ -7,7 +7,6 @@
 #include "dynamics/lanes.h"
 #include "dynamics/prepared.h"
 
-/* <what a step in substeps works with> */
 /* The velocities of a body at one moment. */
 typedef struct wfMotion {
     wfVec2 v;
@@ -16,7 +15,7 @@ typedef struct wfMotion {
 
 enum { WF_TRAIT_POINTS = 3,     /* how many points, 0 to 2 */
        WF_TRAIT_ROLLS = 4, WF_TRAIT_TWO_FRICTIONS = 8, WF_TRAIT_TOUCHES = 16 };
-/* <what a step in substeps works with> */
+
 typedef struct wfSubsteps {
     const wfSolve *in;
     wfPrepared    *c;            /* contacts that are taken one by one, */
@@ -40,7 +39,6 @@ typedef struct wfSubsteps {
     wfReal         kick;         /* what the last kick was for: dt or dt/2, s */
     struct wfColumns *columns;   /* sec:soft-columns; or NULL */
 } wfSubsteps;
-/* <declarations of substeps> */
 /* Takes the arrays from the scratch and puts the contacts in order; then makes those ready
  * that are taken one by one. WF_ERROR_MEMORY. */
 wfResult wfTakeSubsteps(wfSubsteps *s);
@@ -58,7 +56,6 @@ void wfFindGaps(wfSubsteps *s);
 void wfBounceAll(wfSubsteps *s);
 size_t wfSubstepScratch(int32_t bodies, int32_t contacts);
 #define WF_NEAR_SHARE (WF_R(1.0) / 64)  /* a gap of this share of the slop is a touch */
-/* <declarations of contacts in lanes> */
 size_t wfLaneScratch(int32_t contacts);     /* what bundles take beyond wfSubstepScratch */
 /* A contact of a bundle as it would be alone. */
 void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out);

@@ -23,7 +23,6 @@ typedef struct wfTie {
     wfTieRow row[WF_NODE_ROWS];
 } wfTie;
 
-/* <declarations of lending> */
 typedef struct wfLending {
     /* How many ties there are; who is tied, and by how many rows at most. ties: NULL, or
      * room for so many. */

@@ -3,9 +3,8 @@
 #include <string.h>
 #include "weft/accuracy.h"
 
-/* <the table of methods> */
+/* the table of methods */
 const wfMethodRow wfMethodTable[] = {
-    /* <rows of the method table> */
     { "soft-1", "one substep a step", "soft", NULL, "auto", 1, 0, 0, 0.4 },
     { "soft-4", "four substeps a step, the default", "soft", NULL, "auto", 4, 0, 0, 0.4 },
     { "soft-16", "sixteen substeps a step", "soft", NULL, "auto", 16, 0, 0, 0.4 },
@@ -16,7 +15,7 @@ const wfMethodRow wfMethodTable[] = {
     { "rk4", "nobody touches: Runge and Kutta's", "sequential", "rk4", NULL, 1, 0, 1, 0 },
 };
 const int wfMethodCount = (int)(sizeof wfMethodTable / sizeof *wfMethodTable);
-/* <give a world a method> */
+
 /* Is the setting there, and does this world have what it is for? */
 static const wfSetting *setting_of(const wfWorldDef *def, const char *name)
 {
@@ -32,7 +31,7 @@ static wfResult put_row(wfWorldDef *def, const char *name, const char *row)
     return s == NULL ? WF_ERROR_UNKNOWN
                      : wfPutSetting(def, s, 0, wfFindSettingRow(s, row));
 }
-/* <give a world a method> */
+
 static wfResult give_method(wfWorld *world, int method, int32_t steps, wfReal frame)
 {
     const wfMethodRow *m = &wfMethodTable[method];
@@ -53,7 +52,7 @@ static wfResult give_method(wfWorld *world, int method, int32_t steps, wfReal fr
     def.dt = frame / (wfReal)steps;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
-/* <copy a world for a trial> */
+
 /* The two copies of a world that run side by side, and what is found out. */
 typedef struct Trial {
     const wfWorld    *from;
@@ -68,7 +67,7 @@ static bool is_empty(const wfMemory *m)
 {
     return m->permanent == NULL && m->transient == NULL;
 }
-/* <copy a world for a trial> */
+
 static wfResult take_copy(const wfWorld *from, const wfMemory *memory, wfWorld *out)
 {
     wfMemory m = *memory;
@@ -84,7 +83,7 @@ static wfResult take_copy(const wfWorld *from, const wfMemory *memory, wfWorld *
     if (result != WF_OK) wfFreeMemory(&m);
     return result;
 }
-/* <copy a world for a trial> */
+
 static void copy_again(const wfWorld *from, wfWorld *to)
 {
     memcpy(to->memory.permanent, from->memory.permanent, from->memory.permanentSize);
@@ -98,7 +97,7 @@ static wfResult open_trial(Trial *t, const wfWorld *world, const wfCurveDef *how
     if (result != WF_OK) wfDestroyWorld(&t->coarse);
     return result;
 }
-/* <how far two worlds are apart> */
+
 /* The greatest way that a body's centre has gone from a to b, m. */
 static wfReal farthest_way(const wfWorld *a, const wfWorld *b)
 {
@@ -121,7 +120,7 @@ static wfReal largest(const wfWorld *world)
             most = wfMaxR(most, s.props[k].reach);
     return most;
 }
-/* <how far two worlds are apart> */
+
 /* The greatest distance between the same points of shape k's body in x and in y, m. */
 static wfReal rim_apart(const wfBodyView *x, const wfBodyView *y, const wfShapeView *s,
                         int32_t k)
@@ -142,7 +141,8 @@ static wfReal apart(const wfWorld *a, const wfWorld *b)
         if (s.owners[k] >= 0) most = wfMaxR(most, rim_apart(&x, &y, &s, k));
     return most;
 }
-/* <run a rung> */
+
+/* run a rung */
 static wfResult make_steps(wfWorld *world, int32_t steps)
 {
     wfResult result = WF_OK;
@@ -165,14 +165,14 @@ static wfResult run_frame(Trial *t, int32_t steps)
     t->touched = t->touched || contacts > 0;
     return WF_OK;
 }
-/* <run a rung> */
+
 /* Whatever bodies do with (sec:accuracy-own): now all make all substeps. */
 static void take_marks_off(wfWorld *world)
 {
     int32_t count = wfWorldBodies(world).count;
     for (int32_t i = 0; i < count; i++) wfSetBodySubsteps(world, wfBodyAt(world, i), 0);
 }
-/* <run a rung> */
+
 static double counted_cost(int method, int32_t steps)               /* eq:accuracy-cost */
 {
     const wfMethodRow *m = &wfMethodTable[method];
@@ -198,7 +198,8 @@ static bool run_rung(Trial *t, int method, int32_t steps, wfAccuracy *out)
     bool refused = result != WF_OK && result != WF_ERROR_NOT_FINITE;    /* joints */
     return !(wfMethodTable[method].smooth && (t->touched || refused));
 }
-/* <measure a curve> */
+
+/* measure a curve */
 wfCurveDef wfDefaultCurveDef(void)
 {
     return (wfCurveDef){ .frame = WF_R(1.0) / 60, .frames = 60, .finest = 128 };
@@ -214,7 +215,7 @@ static wfResult check_curve(const wfWorld *world, const wfCurveDef *how)
              && how->finest >= 2 && how->finest <= WF_CURVE_FINEST;
     return good ? WF_OK : WF_ERROR_RANGE;
 }
-/* <measure a curve> */
+
 typedef struct Ladder {
     wfReal   before, now;      /* differences of the last two rungs */
     int32_t  rises, rungs;     /* how often they rose in a row; how many there were */
@@ -229,7 +230,7 @@ static bool climb(Ladder *l, const wfAccuracy *rung, wfAccuracy *last, wfReal en
     l->rises = l->now >= l->before ? l->rises + 1 : 0;
     return !rung->failed && (last->error <= enough || l->rises >= 2);
 }
-/* <measure a curve> */
+
 static wfResult measure_method(Trial *t, int method, wfAccuracy *points, int32_t capacity,
                                int32_t *count)
 {
@@ -247,7 +248,7 @@ static wfResult measure_method(Trial *t, int method, wfAccuracy *points, int32_t
     *count = n;
     return WF_OK;
 }
-/* <measure a curve> */
+
 wfResult wfMeasureCurve(const wfWorld *world, const wfCurveDef *how, wfAccuracy *points,
                         int32_t capacity, int32_t *count)
 {
@@ -263,7 +264,8 @@ wfResult wfMeasureCurve(const wfWorld *world, const wfCurveDef *how, wfAccuracy 
     if (result == WF_OK) *count = n;
     return result;
 }
-/* <choose from a curve> */
+
+/* choose from a curve */
 static wfResult check_choice(const wfAccuracy *points, int32_t count, double limit,
                              const wfAccuracy *out)
 {
@@ -287,7 +289,7 @@ wfResult wfChooseSettings(const wfAccuracy *points, int32_t count, wfReal tolera
     if (result == WF_OK) *out = *best;
     return result;
 }
-/* <choose from a curve> */
+
 wfResult wfChooseForBudget(const wfAccuracy *points, int32_t count, double unit,
                            double budget, wfAccuracy *out)
 {
@@ -304,7 +306,7 @@ wfResult wfChooseForBudget(const wfAccuracy *points, int32_t count, double unit,
     if (result == WF_OK) *out = *best;
     return result;
 }
-/* <find who can do with less> */
+
 /* The number of body i in both worlds of the trial. */
 static void mark(Trial *t, int32_t i, int32_t substeps)
 {
@@ -323,7 +325,7 @@ static void start_again(Trial *t)
     for (int32_t i = 0; i < then.count; i++)
         wfSetBodySubsteps(&t->coarse, wfBodyAt(&t->coarse, i), then.props[i].substeps);
 }
-/* <find who can do with less> */
+
 /* Bodies that get too far apart get all substeps from now on: eq:accuracy-relax. */
 static void demand(Trial *t, wfReal most)
 {
@@ -335,7 +337,7 @@ static void demand(Trial *t, wfReal most)
         if (s.owners[k] >= 0 && rim_apart(&x, &y, &s, k) > most)
             mark(t, s.owners[k], 0);
 }
-/* <find who can do with less> */
+
 /* Runs a rung with the marks; its difference, as a share, in *out. limit: that of
  * eq:accuracy-relax, or HUGE: nobody is judged. */
 static wfResult run_marked(Trial *t, const wfAccuracy *c, int32_t steps, wfReal limit,
@@ -353,7 +355,7 @@ static wfResult run_marked(Trial *t, const wfAccuracy *c, int32_t steps, wfReal 
     t->size = size, *out = t->apart / size;
     return result;
 }
-/* <find who can do with less> */
+
 /* Can this method be mixed with that of row m, and has m fewer substeps? */
 static bool is_coarser(const wfMethodRow *row, const wfMethodRow *m)
 {
@@ -370,16 +372,14 @@ static void mark_rest(Trial *t, int32_t substeps)
         bool moves = b.state[i].invMass > 0 || b.state[i].invInertia > 0;
         if (b.alive[i] && moves && b.props[i].substeps == 0) mark(t, i, substeps);
     }
-    /* <let those who are joined keep all substeps> */
     /* if there are any */
-    /* <let those who are joined keep all substeps> */
     for (int32_t i = 0; i < wfWorldJointPlaces(&t->coarse); i++) {
         wfJoint j;
         if (wfGetJoint(&t->coarse, wfJointAt(&t->coarse, i), &j) != WF_OK) continue;
         mark(t, j.a, 0), mark(t, j.b, 0);
     }
 }
-/* <find who can do with less> */
+
 /* Looks for a mixture that keeps the tolerance; then its marks are in t->coarse, and
  * c->relaxed and c->error tell of it. Otherwise c is as it was. */
 static void relax(Trial *t, wfReal tolerance, wfAccuracy *c)
@@ -404,14 +404,15 @@ static void relax(Trial *t, wfReal tolerance, wfAccuracy *c)
     for (int32_t i = 0; i < b.count; i++) c->relaxed += b.props[i].substeps > 0;
     if (c->relaxed > 0) c->error = error;
 }
-/* <find who can do with less> */
+
 static void take_marks(const wfWorld *from, wfWorld *to)
 {
     wfBodyView b = wfWorldBodies(from);
     for (int32_t i = 0; i < b.count; i++)
         wfSetBodySubsteps(to, wfBodyAt(to, i), b.props[i].substeps);
 }
-/* <use what was chosen> */
+
+/* use what was chosen */
 static wfResult check_chosen(const wfAccuracy *chosen)
 {
     if (chosen == NULL) return WF_ERROR_NULL;
@@ -436,13 +437,13 @@ wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen)
     wfResult result = check_chosen(chosen);
     return result == WF_OK ? make_steps(world, chosen->steps) : result;
 }
-/* <use what was chosen> */
+
 /* The frames of a second, one at least and 1000 at most. */
 static int32_t frames_of(wfReal frame)
 {
     return frame < 1 ? (int32_t)wfMinR(1 / frame + WF_R(0.5), 1000) : 1;
 }
-/* <use what was chosen> */
+
 wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccuracy *out)
 {
     wfAccuracy points[WF_CURVE_POINTS], chosen;

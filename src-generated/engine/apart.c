@@ -3,7 +3,6 @@
 #include "engine/step.h"
 #include "weft/accuracy.h"
 
-/* <how many substeps each body makes> */
 /* What it takes to step islands apart; the arrays are in the step's scratch. */
 typedef struct Apart {
     struct wfStep *s;
@@ -28,7 +27,7 @@ bool wfStepsApart(const struct wfStep *s)
     }
     return false;
 }
-/* <how many substeps each body makes> */
+
 static bool pass_on(const Apart *p, const wfContact *c)
 {
     int32_t *a = &p->want[c->a], *b = &p->want[c->b];
@@ -45,9 +44,7 @@ static void find_wants(const Apart *p)
         int32_t own = s->b.props[i].substeps;
         p->want[i] = is_moved(s, i) && own > 0 && own < most ? own : most;
     }
-    /* <let those who are joined make all substeps> */
     /* if there are any */
-    /* <let those who are joined make all substeps> */
     for (int32_t i = 0; i < s->jointSet.count; i++) {
         const wfJoint *j = &s->jointSet.joints[i];
         if (!(j->flags & WF_JOINT_BROKEN)) p->want[j->a] = p->want[j->b] = most;
@@ -58,7 +55,7 @@ static void find_wants(const Apart *p)
         for (int32_t i = n - 1; i >= 0; i--) more = pass_on(p, &s->contacts[i]) || more;
     }
 }
-/* <sort the contacts by substeps> */
+
 /* The least number of substeps above `after` that a body makes; 0: there is none. */
 static int32_t next_group(const Apart *p, int32_t after)
 {
@@ -80,7 +77,7 @@ static void sort_contacts(const Apart *p)
     for (int32_t group = next_group(p, 0); group > 0; group = next_group(p, group))
         for (int32_t i = 0; i < n; i++)
             if (wanted(p, &c[i]) == group) p->to[i] = at++;
-    /* <put each contact at its place> */
+    /* put each contact at its place */
     for (int32_t i = 0; i < n; i++) {
         wfContact hand = c[i];
         for (int32_t k = i; p->to[k] >= 0;) {
@@ -91,7 +88,7 @@ static void sort_contacts(const Apart *p)
         }
     }
 }
-/* <sort the contacts by substeps> */
+
 static void sort_back(const Apart *p)
 {
     wfContact *c = p->s->contacts;
@@ -109,15 +106,14 @@ static void sort_back(const Apart *p)
         if (told != NULL) told[k] = firstTold;
     }
 }
-/* <step islands apart> */
+
+/* step islands apart */
 static void put_back(const struct wfStep *s)
 {
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i] || is_moved(s, i)) continue;
         s->state[i] = s->b.state[i];
-        /* <put its digits back, too> */
         /* if it has any */
-        /* <put its digits back, too> */
         if (s->fine != NULL) s->fine[i] = s->b.fine[i];
     }
 }
@@ -139,7 +135,7 @@ static wfResult step_group(const Apart *p, const wfSolve *all, int32_t substeps,
     if (substeps < all->substeps) put_back(p->s);
     return result;
 }
-/* <step islands apart> */
+
 wfResult wfStepApart(struct wfStep *s, const wfSolve *solve)
 {
     size_t mark = wfPoolMark(&s->scratch);
@@ -157,7 +153,8 @@ wfResult wfStepApart(struct wfStep *s, const wfSolve *solve)
     wfPoolRewind(&s->scratch, mark);
     return result;
 }
-/* <say how many substeps suffice> */
+
+/* say how many substeps suffice */
 wfResult wfSetBodySubsteps(wfWorld *world, wfBodyId id, int32_t substeps)
 {
     wfBlock b;

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #include "engine/block.h"
 
-/* <ask a world> */
+/* ask a world */
 static wfTransform place_shape(const void *context, int32_t shape)
 {
     const wfBlock *b = context;
@@ -20,7 +20,7 @@ static wfResult open_set(const wfWorld *world, wfBlock *b, wfShapeSet *set)
                          .index = b->head->indexStale ? NULL : b->index };
     return WF_OK;
 }
-/* <ask a world> */
+
 static wfResult open_probe(const wfWorld *world, const wfShape *shape, wfBlock *b,
                            wfShapeSet *set)
 {
@@ -30,7 +30,7 @@ static wfResult open_probe(const wfWorld *world, const wfShape *shape, wfBlock *
     if (shape->kind == WF_SHAPE_NONE && shape->count == 0) return WF_OK;    /* a point */
     return wfCheckShape(shape);
 }
-/* <ask a world> */
+
 wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out)
 {
@@ -49,7 +49,7 @@ wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filt
     if (result != WF_OK) return result;
     return wfSetCastRayAll(&set, ray, filter, hits, capacity, count);
 }
-/* <ask a world> */
+
 wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
                           wfVec2 by, const wfFilter *filter, wfRayHit *out)
 {
@@ -70,7 +70,7 @@ wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
     if (result != WF_OK) return result;
     return wfSetCastShapeAll(&set, shape, placed, by, filter, hits, capacity, count);
 }
-/* <ask a world> */
+
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count)
@@ -91,7 +91,7 @@ wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *f
     if (result != WF_OK) return result;
     return wfSetOverlapArea(&set, area, filter, shapes, capacity, count);
 }
-/* <ask a world> */
+
 wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
                              int32_t *shapes, int32_t capacity, int32_t *count)
 {
@@ -101,7 +101,7 @@ wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter 
     if (result != WF_OK) return result;
     return wfSetOverlapPoint(&set, point, filter, shapes, capacity, count);
 }
-/* <ask a world> */
+
 wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out)
 {

@@ -3,73 +3,52 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <the default world> */
-/* <what the defaults need> */
 /* a helper or two, in later groups */
-/* <what the defaults need> */
 static int32_t row_or_first(int row) { return row < 0 ? 0 : row; }
 
 wfWorldDef wfDefaultWorldDef(void)
 {
     return (wfWorldDef){
-        /* <defaults of the settings> */
+        /* defaults of the settings */
         .gravity = wfV2(0, WF_R(-9.81)), .dt = WF_R(1.0) / 60, .bodyCapacity = 256,
         .integrator = wfFindIntegrator("verlet"),
-        /* <defaults of the settings> */
         .needs = wfAllNeeds(),
-        /* <defaults of the settings> */
         .forceCapacity = 64,
-        /* <defaults of the settings> */
         .broadPhase = row_or_first(wfFindBroadPhase("dynamic-tree")),
         .narrowPhase = wfFindNarrowPhase("sat"), .solver = row_or_first(wfFindSolver("soft")),
         .substeps = 4,
-        /* <defaults of the settings> */
         .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1,
-        /* <defaults of the settings> */
         .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
         .recoverySteps = 24, .colours = 1, .lanes = 1, .columns = 3,
-        /* <defaults of the settings> */
         .frictionMix = wfFindMix("geometric-mean"), .restitutionMix = wfFindMix("maximum"),
         .rollingMix = wfFindMix("maximum"),
-        /* <defaults of the settings> */
         .events = 1, .hitSteps = 6,
-        /* <defaults of the settings> */
         .queries = 1,
-        /* <defaults of the settings> */
         .pairMaterials = 16,
-        /* <defaults of the settings> */
         .exactWork = WF_EXACT_WORK,
-        /* <defaults of the settings> */
         .fineSums = 0,
-        /* <defaults of the settings> */
         .jointCapacity = 64,
-        /* <defaults of the settings> */
         .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP, .jointGive = WF_JOINT_GIVE,
-        /* <defaults of the settings> */
         .impacts = 4096,
-        /* <defaults of the settings> */
         .sleep = 0, .sleepTime = WF_R(0.5), .sleepShare = WF_R(0.04),
     };
 }
-/* <identify the block> */
+
 /* A constant that differs between builds whose blocks differ. */
 #define WF_BLOCK_MAGIC (0x57454654u + 0x100000000u * (uint64_t)STORED_TYPES)
 enum {
     STORED_TYPES = sizeof(wfHeader) + 7 * sizeof(wfBodyProps) + 127 * sizeof(wfForce)
     + 1021 * sizeof(wfBodyState)
-    /* <other types that a block stores> */
     /* each times a factor of its own */
-    /* <other types that a block stores> */
     + 3 * sizeof(wfShape) + 31 * sizeof(wfContact) + 8191 * sizeof(wfShapeProps)
     + 65537 * sizeof(wfManifoldCache)
 };
-/* <choose the capacities that were left open> */
+
+/* choose the capacities that were left open */
 static wfWorldDef complete(const wfWorldDef *def)
 {
     wfWorldDef d = *def;
-    /* <leave no capacity open> */
     /* the number of bodies is the user's to say */
-    /* <leave no capacity open> */
     if (d.shapeCapacity == 0) d.shapeCapacity = d.bodyCapacity;
     int64_t n = d.shapeCapacity;
     int64_t all = n * (n - 1) / 2, some = 16 * n;
@@ -77,39 +56,28 @@ static wfWorldDef complete(const wfWorldDef *def)
     if (d.pairCapacity > WF_MAX_CAPACITY) d.pairCapacity = WF_MAX_CAPACITY;
     if (d.pairCapacity < 1) d.pairCapacity = 1;
     if (d.contactCapacity == 0) d.contactCapacity = d.pairCapacity;
-    /* <leave out what is not needed> */
     /* of what may be left out */
-    /* <leave out what is not needed> */
     d.needs = wfNeedsOf(&d);
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_FORCES)) d.forceCapacity = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_SHAPES)) d.shapeCapacity = 0;
     if (!(d.needs & WF_NEED_CONTACTS)) d.pairCapacity = d.contactCapacity = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_MATERIALS)) d.pairMaterials = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_QUERIES)) d.queries = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_JOINTS)) d.exactJoints = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_JOINTS)) d.jointCapacity = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_FAST)) d.impacts = 0;
-    /* <leave out what is not needed> */
     if (!(d.needs & WF_NEED_SLEEP)) d.sleep = 0;
     return d;
 }
-/* <measure the scratch that the stages need> */
+
+/* measure the scratch that the stages need */
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
 /* Is there to be room for row `row` of a table, when `chosen` is the one in use? */
 static bool is_wanted(const wfWorldDef *d, int row, int chosen)
 {
     (void)d, (void)row, (void)chosen;
-    /* <see whether methods may change> */
     /* as they may in most worlds */
-    /* <see whether methods may change> */
     if (!(d->needs & WF_NEED_METHODS)) return row == chosen;
     return true;
 }
@@ -120,15 +88,11 @@ static size_t stage_scratch(const wfWorldDef *d)
     for (int i = 0; i < wfIntegratorCount; i++)
         if (is_wanted(d, i, d->integrator))
             most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
-    /* <see what other stages need> */
     /* the stages that only copy need none */
-    /* <see what other stages need> */
     int32_t shapes = d->shapeCapacity, pairs = d->pairCapacity;
     size_t bodies = (size_t)d->bodyCapacity;
     bool boxed = true, mends = true;
-    /* <see who needs boxes and a solver> */
     /* who has contacts */
-    /* <see who needs boxes and a solver> */
     boxed = (d->needs & (WF_NEED_CONTACTS | WF_NEED_QUERIES)) != 0;
     mends = (d->needs & (WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)) != 0;
     for (int i = 0; boxed && i < wfBroadPhaseCount; i++)
@@ -140,20 +104,17 @@ static size_t stage_scratch(const wfWorldDef *d)
             most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, d->contactCapacity));
     }
     if (mends || boxed) most = larger(most, sizeof(wfBodyState) * bodies + WF_POOL_ALIGN);
-    /* <see what other stages need> */
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
-    /* <see what other stages need> */
     bool ties = d->exactJoints != WF_JOINTS_ONE_BY_ONE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);
-    /* <see what other stages need> */
     if (mends)
         most += (sizeof(int32_t) + 1) * bodies + sizeof(int32_t) * (size_t)d->contactCapacity
               + 3 * WF_POOL_ALIGN;
     return most + WF_POOL_ALIGN;
 }
-/* <measure the scratch that the stages need> */
+
 static size_t index_size(const wfWorldDef *d)
 {
     size_t most = 0;
@@ -162,17 +123,15 @@ static size_t index_size(const wfWorldDef *d)
             most = larger(most, wfIndexSize(i, d->shapeCapacity));
     return most;
 }
-/* <list the regions of the block> */
+
+/* list the regions of the block */
 const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
-    /* <rows of the block's regions> */
     [WF_REGION_HEADER]        = { "header", 0, WF_PER_WORLD, sizeof(wfHeader) },
     [WF_REGION_BODY_SLOTS]    = { "body slots", 0, WF_PER_BODY, sizeof(wfSlot) },
     [WF_REGION_ALIVE]         = { "alive", 0, WF_PER_BODY, sizeof(uint8_t) },
     [WF_REGION_STATE]         = { "states", 0, WF_PER_BODY, sizeof(wfBodyState) },
     [WF_REGION_PROPS]         = { "properties", 0, WF_PER_BODY, sizeof(wfBodyProps) },
-    /* <rows of the block's regions> */
     [WF_REGION_APPLIED]       = { "applied forces", 0, WF_PER_BODY, sizeof(wfBodyForces) },
-    /* <rows of the block's regions> */
     [WF_REGION_SHAPE_SLOTS]   = { "shape slots", 0, WF_PER_SHAPE, sizeof(wfSlot) },
     [WF_REGION_SHAPES]        = { "shapes", 0, WF_PER_SHAPE, sizeof(wfShape) },
     [WF_REGION_OWNERS]        = { "owners of shapes", 0, WF_PER_SHAPE, sizeof(int32_t) },
@@ -182,22 +141,17 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
     [WF_REGION_BOUNDS]        = { "bounds", 0, WF_PER_SHAPE, sizeof(wfRect) },
     [WF_REGION_FLAGS]         = { "flags", 0, WF_PER_SHAPE, sizeof(uint8_t) },
     [WF_REGION_INDEX]         = { "index", 0, WF_BYTES_OF_INDEX, 1 },
-    /* <rows of the block's regions> */
     [WF_REGION_FORCE_SLOTS]   = { "force slots", 0, WF_PER_FORCE, sizeof(wfSlot) },
     [WF_REGION_FORCES]        = { "forces", 0, WF_PER_FORCE, sizeof(wfForce) },
-    /* <rows of the block's regions> */
     [WF_REGION_PAIRS]         = { "pairs", 0, WF_PER_PAIR, sizeof(wfPair) },
     [WF_REGION_CACHES]        = { "caches", 0, WF_PER_PAIR, sizeof(wfManifoldCache) },
     [WF_REGION_CONTACTS]      = { "contacts", 0, WF_PER_CONTACT, sizeof(wfContact) },
-    /* <rows of the block's regions> */
     [WF_REGION_TOUCHES]       = { "touches", 0, WF_PER_TOUCH, sizeof(wfTouch) },
     [WF_REGION_EVENTS]        = { "events", 0, WF_PER_EVENT, sizeof(wfTouchEvent) },
     [WF_REGION_HITS]          = { "hits", 0, WF_PER_TOUCH, sizeof(wfHit) },
-    /* <rows of the block's regions> */
     [WF_REGION_NEW_STATE]     = { "new states", 1, WF_PER_BODY, sizeof(wfBodyState) },
     [WF_REGION_PRESENT]       = { "present", 1, WF_PER_BODY, sizeof(uint8_t) },
     [WF_REGION_ACTIVE_FORCES] = { "active forces", 1, WF_PER_ACTIVE_FORCE, sizeof(wfForce) },
-    /* <rows of the block's regions> */
     [WF_REGION_SUMS]          = { "sums of forces", 1, WF_PER_BODY, sizeof(wfBodyForces) },
     [WF_REGION_PLACES]        = { "places", 1, WF_PER_BODY, sizeof(wfTransform) },
     [WF_REGION_RIMS]          = { "rim speeds", 1, WF_PER_SHAPE, sizeof(wfReal) },
@@ -207,20 +161,15 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
     [WF_REGION_NEW_PAIRS]     = { "new pairs", 1, WF_PER_PAIR, sizeof(wfPair) },
     [WF_REGION_NEW_CACHES]    = { "new caches", 1, WF_PER_PAIR, sizeof(wfManifoldCache) },
     [WF_REGION_NEW_CONTACTS]  = { "new contacts", 1, WF_PER_CONTACT, sizeof(wfContact) },
-    /* <rows of the block's regions> */
     [WF_REGION_NEW_TOUCHES]   = { "new touches", 1, WF_PER_TOUCH, sizeof(wfTouch) },
     [WF_REGION_TOLD]          = { "told", 1, WF_PER_CONTACT, sizeof(wfTold) },
     [WF_REGION_NEW_EVENTS]    = { "new events", 1, WF_PER_EVENT, sizeof(wfTouchEvent) },
     [WF_REGION_NEW_HITS]      = { "new hits", 1, WF_PER_TOUCH, sizeof(wfHit) },
-    /* <rows of the block's regions> */
     [WF_REGION_SCRATCH]       = { "scratch", 1, WF_BYTES_OF_SCRATCH, 1 },
-    /* <rows of the block's regions> */
     [WF_REGION_PAIR_MATERIALS] = { "pairs of materials", 0, WF_PER_PAIR_MATERIAL,
                                    sizeof(wfKnownPair) },
-    /* <rows of the block's regions> */
     [WF_REGION_FINE]          = { "digits beyond states", 0, WF_PER_FINE_BODY, sizeof(wfFine) },
     [WF_REGION_NEW_FINE]      = { "new digits", 1, WF_PER_FINE_BODY, sizeof(wfFine) },
-    /* <rows of the block's regions> */
     [WF_REGION_JOINT_SLOTS] = { "joint slots", 0, WF_PER_JOINT, sizeof(wfSlot) },
     [WF_REGION_JOINTS]      = { "joints", 0, WF_PER_JOINT, sizeof(wfJoint) },
     [WF_REGION_BROKEN]      = { "broken joints", 0, WF_PER_JOINT, sizeof(wfJointId) },
@@ -228,18 +177,15 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
     [WF_REGION_JOINT_PLACES] = { "places of joints", 1, WF_PER_JOINT, sizeof(int32_t) },
     [WF_REGION_JOINED]      = { "joined bodies", 1, WF_PER_JOINT, sizeof(wfPair) },
     [WF_REGION_JOINT_WORK]  = { "rows of joints", 1, WF_BYTES_OF_JOINT_ROWS, 1 },
-    /* <rows of the block's regions> */
     [WF_REGION_ALONE]       = { "joints alone", 0, WF_PER_JOINT, 1 },
     [WF_REGION_NEW_ALONE]   = { "new joints alone", 1, WF_PER_JOINT, 1 },
     [WF_REGION_EXACT]       = { "matrix of joints", 1, WF_BYTES_OF_MATRIX, 1 },
-    /* <rows of the block's regions> */
     [WF_REGION_FLIGHTS]     = { "flights", 1, WF_PER_BODY, sizeof(wfFlight) },
     [WF_REGION_FLIGHT_OF]   = { "flight of each body", 1, WF_PER_BODY, sizeof(int32_t) },
     [WF_REGION_STRIKES]     = { "strikes", 1, WF_PER_PAIR, sizeof(wfStrike) },
     [WF_REGION_SPARED]      = { "spared pairs", 1, WF_PER_SHAPE, sizeof(wfPair) },
     [WF_REGION_FRESH]       = { "fresh flights", 1, WF_PER_BODY, sizeof(int32_t) },
     [WF_REGION_NEAR]        = { "shapes near a flight", 1, WF_PER_SHAPE, sizeof(int32_t) },
-    /* <rows of the block's regions> */
     [WF_REGION_REST]        = { "rest", 0, WF_PER_BODY, sizeof(uint8_t) },
     [WF_REGION_CLOCKS]      = { "clocks of rest", 0, WF_PER_BODY, sizeof(wfReal) },
     [WF_REGION_RINGS]       = { "rings of sleepers", 0, WF_PER_BODY, sizeof(int32_t) },
@@ -252,48 +198,39 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
 static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
 {
     size_t per[WF_PER_COUNT] = { 0 };
-    /* <count what the arrays hold> */
+    /* count what the arrays hold */
     per[WF_PER_WORLD] = 1;
     per[WF_PER_BODY] = (size_t)d->bodyCapacity;
     per[WF_PER_ACTIVE_FORCE] = 1;       /* gravity */
     per[WF_BYTES_OF_SCRATCH] = stage_scratch(d);
-    /* <count what the arrays hold> */
     per[WF_PER_FORCE] = (size_t)d->forceCapacity;
     per[WF_PER_ACTIVE_FORCE] += per[WF_PER_FORCE];
-    /* <count what the arrays hold> */
     per[WF_PER_SHAPE] = (size_t)d->shapeCapacity;
     per[WF_PER_PAIR] = (size_t)d->pairCapacity;
     per[WF_PER_CONTACT] = (size_t)d->contactCapacity;
     per[WF_BYTES_OF_INDEX] = index_size(d);
-    /* <count what the arrays hold> */
     per[WF_PER_TOUCH] = d->events ? per[WF_PER_PAIR] : 0;
     per[WF_PER_EVENT] = 2 * per[WF_PER_TOUCH];
-    /* <count what the arrays hold> */
     per[WF_PER_PAIR_MATERIAL] = (size_t)d->pairMaterials;
-    /* <count what the arrays hold> */
     per[WF_PER_FINE_BODY] = d->fineSums ? per[WF_PER_BODY] : 0;
-    /* <count what the arrays hold> */
     per[WF_PER_JOINT] = (size_t)d->jointCapacity;
     per[WF_BYTES_OF_JOINT_ROWS] = wfJointScratch(d->bodyCapacity, d->jointCapacity);
-    /* <count what the arrays hold> */
     if (d->exactJoints)
         per[WF_BYTES_OF_MATRIX] = wfExactScratch(d->bodyCapacity, d->jointCapacity);
-    /* <count what the arrays hold> */
     per[WF_BYTES_OF_ISLANDS] = wfIslandScratch(d->bodyCapacity) + 4 * WF_POOL_ALIGN
                              + per[WF_PER_BODY] * (sizeof(int32_t) + 2);
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         const wfRegionRow *r = &wfRegionTable[i];
         out[i] = (wfRegion){ r->name, r->chunk, per[r->per], r->each, 0 };
     }
-    /* <leave out the arrays that serve nobody> */
     /* in a world that does not need them */
-    /* <leave out the arrays that serve nobody> */
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         uint32_t serves = wfRegionServes(i).needs;
         if (serves != 0 && (serves & d->needs) == 0) out[i].count = 0;
     }
 }
-/* <lay out the block> */
+
+/* lay out the block */
 static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_t size[2])
 {
     list_regions(d, region);
@@ -310,7 +247,7 @@ static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_
     }
     return true;
 }
-/* <lay out the block> */
+
 static wfResult plan(const wfWorldDef *def, wfWorldDef *full,
                      wfRegion region[WF_REGION_COUNT], size_t size[2])
 {
@@ -329,7 +266,7 @@ wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT])
     if (result == WF_OK) memcpy(out, region, sizeof region);
     return result;
 }
-/* <lay out the block> */
+
 wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient)
 {
     wfWorldDef full;
@@ -342,12 +279,14 @@ wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient
     *transient = size[1];
     return WF_OK;
 }
-/* <is a chunk good enough> */
+
+/* is a chunk good enough */
 static bool holds(const void *chunk, size_t size, size_t need)
 {
     return (uintptr_t)chunk % WF_POOL_ALIGN == 0 && size >= need;
 }
-/* <create a world> */
+
+/* create a world */
 wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out)
 {
     bool none = given->permanent == NULL && given->transient == NULL
@@ -360,20 +299,19 @@ wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out
     out->owned = 0;
     return WF_OK;
 }
-/* <create a world> */
+
 static void write_header(const wfWorldDef *d, const wfRegion *region, const size_t size[2],
                          wfHeader *head)
 {
     *head = (wfHeader){ .magic = WF_BLOCK_MAGIC, .bytes = size[0], .scratchBytes = size[1],
-        /* <what else the header begins with> */
+        /* what else the header begins with */
         .steps = 0,
-        /* <what else the header begins with> */
         .large = d->solver == wfFindSolver(WF_SOLVER_LARGE),
     };
     wfKeepSettings(d, head);
     for (int i = 0; i < WF_REGION_COUNT; i++) head->offset[i] = region[i].offset;
 }
-/* <create a world> */
+
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
 {
     wfWorldDef d;
@@ -384,30 +322,28 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     if (result == WF_OK) result = wfTakeMemory(&d.memory, size, &world.memory);
     if (result != WF_OK) return result;
     if (!world.memory.owned) memset(world.memory.permanent, 0, size[0]);
-    /* <start the empty world> */
+    /* start the empty world */
     uint8_t *base = world.memory.permanent;
     wfHeader *head = world.memory.permanent;
     write_header(&d, region, size, head);
     wfSlot *bodySlots = (void *)(base + region[WF_REGION_BODY_SLOTS].offset);
     wfSlotsInit(&head->bodySlots, bodySlots, d.bodyCapacity);
-    /* <start the empty world> */
     wfSlot *shapeSlots = (void *)(base + region[WF_REGION_SHAPE_SLOTS].offset);
     wfSlotsInit(&head->shapeSlots, shapeSlots, d.shapeCapacity);
-    /* <start the empty world> */
     wfSlot *forceSlots = (void *)(base + region[WF_REGION_FORCE_SLOTS].offset);
     wfSlotsInit(&head->forceSlots, forceSlots, d.forceCapacity);
-    /* <start the empty world> */
     wfSlot *jointSlots = (void *)(base + region[WF_REGION_JOINT_SLOTS].offset);
     wfSlotsInit(&head->jointSlots, jointSlots, d.jointCapacity);
     *out = world;
     return WF_OK;
 }
-/* <create a world> */
+
 void wfDestroyWorld(wfWorld *world)
 {
     if (world != NULL) wfFreeMemory(&world->memory);
 }
-/* <find the slot that an id names> */
+
+/* find the slot that an id names */
 int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
                    uint32_t generation)
 {
@@ -415,7 +351,8 @@ int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
     int32_t i = (int32_t)(index - 1);
     return wfSlotAlive(s, slots, i, generation) ? i : -1;
 }
-/* <open a block> */
+
+/* open a block */
 static wfResult check_block(const wfMemory *m)
 {
     if (m->permanent == NULL || m->transient == NULL) return WF_ERROR_NULL;
@@ -435,7 +372,7 @@ wfResult wfOpenWorld(const wfMemory *memory, wfWorld *out)
     if (result == WF_OK) out->memory = *memory;
     return result;
 }
-/* <open a block> */
+
 wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
 {
     if (world == NULL) return WF_ERROR_NULL;
@@ -448,29 +385,23 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
         .alive = ARRAY(WF_REGION_ALIVE), .state = ARRAY(WF_REGION_STATE),
         .props = ARRAY(WF_REGION_PROPS),
         .transient = world->memory.transient,
-        /* <find more arrays of the block> */
         /* as the structure has them */
-        /* <find more arrays of the block> */
         .applied = ARRAY(WF_REGION_APPLIED),
-        /* <find more arrays of the block> */
         .forceSlots = ARRAY(WF_REGION_FORCE_SLOTS), .forces = ARRAY(WF_REGION_FORCES),
-        /* <find more arrays of the block> */
         .shapeSlots = ARRAY(WF_REGION_SHAPE_SLOTS), .shapes = ARRAY(WF_REGION_SHAPES),
         .owners = ARRAY(WF_REGION_OWNERS), .next = ARRAY(WF_REGION_NEXT_SHAPES),
         .filters = ARRAY(WF_REGION_FILTERS), .materials = ARRAY(WF_REGION_SHAPE_PROPS),
         .bounds = ARRAY(WF_REGION_BOUNDS), .flags = ARRAY(WF_REGION_FLAGS),
         .index = ARRAY(WF_REGION_INDEX), .pairs = ARRAY(WF_REGION_PAIRS),
         .caches = ARRAY(WF_REGION_CACHES), .contacts = ARRAY(WF_REGION_CONTACTS),
-        /* <find more arrays of the block> */
         .touches = ARRAY(WF_REGION_TOUCHES), .events = ARRAY(WF_REGION_EVENTS),
         .hits = ARRAY(WF_REGION_HITS),
-        /* <find more arrays of the block> */
         .fine = h->fineSums ? (wfFine *)ARRAY(WF_REGION_FINE) : NULL,
     };
 #undef ARRAY
     return WF_OK;
 }
-/* <open a block> */
+
 wfResult wfChangeBlock(const wfWorld *world, wfBlock *out)
 {
     wfResult result = wfOpenBlock(world, out);
@@ -481,27 +412,23 @@ void *wfTransient(const wfBlock *b, int region)
 {
     return b->transient + b->head->offset[region];
 }
-/* <open a block> */
+
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
 {
     wfBodyView view = { .count = b->head->bodySlots.high, .state = state,
                         .props = b->props, .alive = b->alive };
-    /* <show the shapes as well> */
     /* where there are any */
-    /* <show the shapes as well> */
     view.shapes = b->shapes;
     view.next = b->next;
     return view;
 }
-/* <disturb a body> */
+
+/* disturb a body */
 void wfDisturb(wfBlock *b, int32_t i)
 {
     (void)b, (void)i;
-    /* <what it means that something was done to body i> */
     /* In this chapter nothing: all bodies are awake. */
-    /* <what it means that something was done to body i> */
     if (b->fine != NULL && i >= 0) memset(&b->fine[i], 0, sizeof b->fine[i]);
-    /* <what it means that something was done to body i> */
     wfRouse(b, i);
 }
 
@@ -511,7 +438,8 @@ void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second)
     else if (b->props[first].type == WF_DYNAMIC) wfDisturb(b, first);
     if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfDisturb(b, second);
 }
-/* <settings of a world> */
+
+/* settings of a world */
 wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
 {
     wfBlock b;
@@ -519,7 +447,7 @@ wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
     if (result == WF_OK) *out = wfSettings(b.head);
     return result;
 }
-/* <settings of a world> */
+
 static bool same_setting(const wfSetting *s, const wfWorldDef *a, const wfWorldDef *b)
 {
     for (int part = 0; part < 2; part++) {
@@ -528,7 +456,7 @@ static bool same_setting(const wfSetting *s, const wfWorldDef *a, const wfWorldD
     }
     return true;
 }
-/* <settings of a world> */
+
 static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
 {
     wfResult result = wfCheckWorldDef(def, NULL);
@@ -539,9 +467,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     uint32_t used = 0;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        /* <refuse a setting that has no meaning here> */
         /* since its need is absent */
-        /* <refuse a setting that has no meaning here> */
         bool idle = s->need != 0 && (s->need & is.needs) == 0;
         double wish = wfSettingValue(def, s, 0), now = wfSettingValue(&is, s, 0);
         if (idle && wish != 0 && wish != now) return wfNeedError(s->need & wfAllNeeds());
@@ -552,37 +478,30 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
         if (s->method) used |= WF_NEED_METHODS;
         if (s->law) same = false;
     }
-    /* <what else a change of the settings needs> */
     /* Later chapters need more. */
-    /* <what else a change of the settings needs> */
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
     if (large && !h->large) return WF_ERROR_MEMORY;
-    /* <what else a change of the settings needs> */
     bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;
     if (matrix != (d.exactJoints != WF_JOINTS_ONE_BY_ONE)) return WF_ERROR_MEMORY;
     if (!same) wfDisturb(b, -1);
-    /* <before the settings change> */
     /* what was true may be so no longer */
-    /* <before the settings change> */
     if (!d.queries) h->indexStale = 1;
-    /* <before the settings change> */
     if (h->exactCost < d.exactCost || h->exactCost > d.exactCost
         || h->exactJoints != d.exactJoints)
         h->machines = 0;                /* judged anew */
-    /* <before the settings change> */
     if (!d.sleep) wfDisturb(b, -1);
     wfKeepSettings(&d, h);
     wfUse(b, used);
     return WF_OK;
 }
-/* <settings of a world> */
+
 wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def)
 {
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
     return result == WF_OK ? change_settings(&b, def) : result;
 }
-/* <settings of a world> */
+
 wfResult wfSetGravity(wfWorld *world, wfVec2 gravity)
 {
     wfBlock b;
@@ -592,7 +511,7 @@ wfResult wfSetGravity(wfWorld *world, wfVec2 gravity)
     d.gravity = gravity;
     return change_settings(&b, &d);
 }
-/* <settings of a world> */
+
 wfResult wfGetGravity(const wfWorld *world, wfVec2 *out)
 {
     wfBlock b;
@@ -610,7 +529,7 @@ wfResult wfSetTimeStep(wfWorld *world, wfReal dt)
     d.dt = dt;
     return change_settings(&b, &d);
 }
-/* <settings of a world> */
+
 wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
                       int solver)
 {
@@ -624,7 +543,8 @@ wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrow
     if (solver != -1) d.solver = solver;
     return change_settings(&b, &d);
 }
-/* <forget contacts> */
+
+/* forget contacts */
 static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
 {
     int32_t left = 0, before = b->head->kept.pairs;
@@ -639,7 +559,7 @@ static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
     }
     b->head->pairCount = left;
 }
-/* <forget contacts> */
+
 void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
 {
     int32_t left = 0, before = b->head->kept.contacts;

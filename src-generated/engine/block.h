@@ -5,10 +5,7 @@
 /* What lies in a world's two chunks. For the engine's own files; not installed. */
 #include "weft/world.h"
 
-/* <the block's header> */
-/* <types of what a world keeps> */
 /* what later lines keep together */
-/* <types of what a world keeps> */
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
 typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
@@ -20,16 +17,12 @@ typedef struct wfHeader {
     uint64_t   steps;
     double     time;           /* s */
     uint64_t   offset[WF_REGION_COUNT];
-    /* <the settings of a world> */
     wfVec2  gravity;           /* m/s^2 */
     wfReal  dt;                /* length of a step, s, > 0 */
     int32_t bodyCapacity;      /* bodies at most, >= 1 */
     int32_t integrator;        /* row of chapter 10's table */
-    /* <the settings of a world> */
     uint32_t needs;            /* WF_NEED_..., what the scene requires (sec:world-needs) */
-    /* <the settings of a world> */
     int32_t forceCapacity;     /* registered forces at most, >= 0 */
-    /* <the settings of a world> */
     int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
     int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
     int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
@@ -38,12 +31,10 @@ typedef struct wfHeader {
     int32_t solver;
     int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
     int32_t substeps;          /* of solvers that step by themselves, >= 1 */
-    /* <the settings of a world> */
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
-    /* <the settings of a world> */
     wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
     wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
@@ -52,72 +43,50 @@ typedef struct wfHeader {
     int32_t lanes;             /* 1: and several of a colour at once, to the same bits */
     int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
                                 * with up to n loops, chapter 17 */
-    /* <the settings of a world> */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
-    /* <the settings of a world> */
     int32_t events;            /* 1: touches are remembered, and told if that is needed */
     wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
-    /* <the settings of a world> */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
-    /* <the settings of a world> */
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
-    /* <the settings of a world> */
     int32_t exactWork;         /* of the solver "exact": millions of multiplications a step may
                                 * take for systems, then it sweeps; >= 0; 0: no bound */
-    /* <the settings of a world> */
     int32_t fineSums;          /* 1: what states round away is kept (chapter 17) */
-    /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
-    /* <the settings of a world> */
     int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
     wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
     wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
-    /* <the settings of a world> */
     int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
-    /* <the settings of a world> */
     int32_t sleep;             /* 1: islands that rest are left out of the step */
     wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
     wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
-    /* <what else a world keeps> */
+    /* what else a world keeps */
     wfSlots bodySlots;
-    /* <what else a world keeps> */
     wfSlots forceSlots;
-    /* <what else a world keeps> */
     wfSlots shapeSlots;
     int32_t pairCount, contactCount;   /* of the last step */
     wfKept kept;               /* how much of the lists the next step will not look at */
     int32_t sensorCount;       /* shapes that are sensors */
     int32_t indexStale;        /* 1: the bounds have changed since the index was made */
-    /* <what else a world keeps> */
     int32_t touchCount, hitCount, eventCount[WF_EVENT_KINDS];
-    /* <what else a world keeps> */
     int32_t knownPairs, mostMaterials;   /* now, and ever */
-    /* <what else a world keeps> */
     wfSolveReport report;         /* of the last step */
     int32_t large;                /* 1: created with room for the solver WF_SOLVER_LARGE */
-    /* <what else a world keeps> */
     wfFar   origin;            /* m: where (0, 0) is; no stage reads it */
-    /* <what else a world keeps> */
     uint32_t used;                       /* needs that somebody had use for */
-    /* <what else a world keeps> */
     int32_t mostPairs, mostContacts;     /* that a step has ever had */
-    /* <what else a world keeps> */
     wfSlots jointSlots;
     int32_t brokenCount;       /* joints that broke in the last step */
-    /* <what else a world keeps> */
     int32_t together;          /* joints that the last step solved together */
     int32_t unsolved;          /* substeps of the last step that chapter 19 did not solve */
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
-    /* <what else a world keeps> */
     int32_t fastCount, impactCount, heldCount;  /* of the last step */
     int32_t crowd;             /* 1: its fast bodies were too many, and struck too often */
-    /* <what else a world keeps> */
     int32_t asleep;            /* how many bodies sleep */
     int32_t roused;            /* 1: since the last step somebody may have woken */
     int32_t islandCount;       /* of the last step: islands that were awake, at its end */
     int32_t    busy;           /* 1: a step runs that calls the user's functions */
 } wfHeader;
-/* <the block's arrays> */
+
 /* The block's arrays as pointers: made from the offsets when a call begins, never
  * stored. */
 typedef struct wfBlock {
@@ -127,14 +96,10 @@ typedef struct wfBlock {
     wfBodyState  *state;
     wfBodyProps  *props;
     uint8_t      *transient;
-    /* <more arrays of the block> */
     /* those of forces, shapes, contacts and events, where the engine has them */
-    /* <more arrays of the block> */
     wfBodyForces *applied;     /* what the user applied for the next step */
-    /* <more arrays of the block> */
     wfSlot       *forceSlots;
     wfForce      *forces;
-    /* <more arrays of the block> */
     wfSlot       *shapeSlots;
     wfShape      *shapes;      /* relative to the centre of mass */
     int32_t      *owners;      /* the body of a shape, or -1: an empty place */
@@ -147,16 +112,12 @@ typedef struct wfBlock {
     wfPair       *pairs;       /* of the last step */
     wfManifoldCache *caches;   /* one for each pair */
     wfContact    *contacts;
-    /* <more arrays of the block> */
     wfTouch      *touches;     /* of the last step */
     wfTouchEvent *events;
     wfHit        *hits;
-    /* <more arrays of the block> */
     wfFine *fine;              /* what states round away; NULL: nobody keeps it */
 } wfBlock;
-/* <needs of a block> */
 /* what calls may ask about needs */
-/* <needs of a block> */
 uint32_t wfNeedsOf(const wfWorldDef *def);
 /* Those of these needs that a world with `have` lacks. */
 uint32_t wfLacking(uint32_t have, uint32_t needs);
@@ -164,7 +125,7 @@ uint32_t wfLacking(uint32_t have, uint32_t needs);
 wfResult wfNeedError(uint32_t needs);
 /* Does a stage run in worlds of these needs? */
 bool wfStageRuns(const wfStageRow *row, uint32_t needs);
-/* <declarations of the block> */
+
 /* What an array holds in any world: `each` bytes for each of what `per` says. */
 typedef struct wfRegionRow {
     const char *name;
@@ -173,45 +134,32 @@ typedef struct wfRegionRow {
 } wfRegionRow;
 extern const wfRegionRow wfRegionTable[WF_REGION_COUNT];
 enum {
-    /* <things that arrays hold one of each> */
+    /* things that arrays hold one of each */
     WF_PER_WORLD, WF_PER_BODY, WF_PER_ACTIVE_FORCE, WF_BYTES_OF_SCRATCH,
-    /* <things that arrays hold one of each> */
     WF_PER_FORCE,
-    /* <things that arrays hold one of each> */
     WF_PER_SHAPE, WF_PER_PAIR, WF_PER_CONTACT, WF_BYTES_OF_INDEX,
-    /* <things that arrays hold one of each> */
     WF_PER_TOUCH, WF_PER_EVENT,
-    /* <things that arrays hold one of each> */
     WF_PER_PAIR_MATERIAL,
-    /* <things that arrays hold one of each> */
     WF_PER_FINE_BODY,
-    /* <things that arrays hold one of each> */
     WF_PER_JOINT, WF_BYTES_OF_JOINT_ROWS,
-    /* <things that arrays hold one of each> */
     WF_BYTES_OF_MATRIX,
-    /* <things that arrays hold one of each> */
     WF_BYTES_OF_ISLANDS,
     WF_PER_COUNT
 };
 /* The arrays of the permanent chunk are the first so many. */
 #define WF_REGION_KEPT WF_REGION_NEW_STATE
-/* <declarations of the block> */
 /* Chunks of these sizes: what is given, as it is, or cleared ones if nothing is. */
 wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out);
-/* <declarations of the block> */
 typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
-/* <declarations of the block> */
 /* What two shapes' materials make together: known, or mixed by the world's rules. */
 wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two);
-/* <declarations of the block> */
+
 /* Was the world made for one of these needs? */
 static inline bool wfHas(const wfHeader *h, uint32_t needs)
 {
     (void)h, (void)needs;
-    /* <look whether a need is met> */
     /* In an engine without this section worlds meet all needs that it can meet. */
-    /* <look whether a need is met> */
     if ((h->needs & needs) == 0) return false;
     return true;
 }
@@ -219,9 +167,7 @@ static inline bool wfHas(const wfHeader *h, uint32_t needs)
 static inline wfResult wfDemand(const wfBlock *b, uint32_t needs)
 {
     (void)b, (void)needs;
-    /* <demand the needs> */
     /* The same. */
-    /* <demand the needs> */
     uint32_t missing = wfLacking(b->head->needs, needs);
     if (missing != 0) return wfNeedError(missing);
     return WF_OK;
@@ -230,12 +176,9 @@ static inline wfResult wfDemand(const wfBlock *b, uint32_t needs)
 static inline void wfUse(wfBlock *b, uint32_t needs)
 {
     (void)b, (void)needs;
-    /* <note the needs> */
     /* And nobody asks later. */
-    /* <note the needs> */
     b->head->used |= needs;
 }
-/* <declarations of the block> */
 /* Checks a handle and finds the arrays. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
 /* The same for a call that changes the world. WF_ERROR_BUSY. */
@@ -258,7 +201,6 @@ void wfDisturb(wfBlock *b, int32_t i);
 void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second);
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
-/* <declarations of the block> */
 wfShapeView wfShapesOf(const wfBlock *b);
 wfShapeId wfIdOfShape(const wfBlock *b, int32_t k);
 /* How many more shapes there is room for; hang one on a body (-1: no room), or drop it. */
@@ -278,7 +220,6 @@ wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
 void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyProps *props);
 /* Is it a shape, as it is stored, or at least when moved by the centre of mass? */
 wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre);
-/* <declarations of the block> */
 /* Removes the joints of a body: chapter 25. */
 void wfDropJoints(wfBlock *b, int32_t body);
 /* Stages of chapter 25. */
@@ -287,16 +228,14 @@ wfResult wfLeaveOutJoined(struct wfStep *s);
 wfResult wfTakeJoints(struct wfStep *s);
 wfResult wfJudgeJoints(struct wfStep *s);
 wfResult wfKeepJoints(struct wfStep *s);
-/* <declarations of the block> */
 /* Tells the joints that every place is called by less `by`: chapter 25. */
 void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* Would all of them still be joints? */
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
-/* <declarations of the block> */
 enum { WF_CROWD = 256, WF_STEP_ROOM = 4096 };
 /* Are those who are fast followed to unmovable things alone? */
 static inline bool wfIsCrowd(const wfBlock *b) { return b->head->crowd != 0; }
-/* <declarations of the block> */
+
 /* A body that is followed through a step. Times are shares of the step. */
 typedef struct wfFlight {
     int32_t body, impacts;     /* whose it is; how many it has had */
@@ -318,7 +257,7 @@ typedef struct wfStrike {
     wfReal speed, impulse;     /* m/s before it; N s */
     bool   bounced;
 } wfStrike;
-/* <declarations of the block> */
+
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
  * therefore followed? eq:impact-fast */
 static inline bool wfIsFollowed(const wfBlock *b, int32_t k, wfReal way)
@@ -326,36 +265,28 @@ static inline bool wfIsFollowed(const wfBlock *b, int32_t k, wfReal way)
     wfReal least = b->head->slop * b->materials[k].reach;
     return b->head->impacts > 0 && way > wfMaxR(b->materials[k].inner, least);
 }
-/* <declarations of the block> */
 /* Stages of fast bodies, and what they need from others: chapter 25. */
 wfResult wfFlyFirst(struct wfStep *s);
 wfResult wfFlyLast(struct wfStep *s);
 wfResult wfFindPairsAgain(struct wfStep *s);
 wfContact wfStartContact(const struct wfStep *s, wfPair p);
-/* <declarations of the block> */
 wfResult wfTellStrikes(struct wfStep *s);
-/* <declarations of the block> */
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
-/* <declarations of the block> */
 /* Is there a joint that keeps the bodies a and b from colliding? */
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);
-/* <declarations of the block> */
 /* Sleep, chapter 25. A new or a cleared place; who is disturbed, and by what. */
 void wfBeginRest(wfBlock *b, int32_t i, int32_t never);
 void wfRouse(wfBlock *b, int32_t i);
 void wfRouseNear(wfBlock *b, int32_t k);
 bool wfSleeps(const wfBlock *b, int32_t i);
-/* <declarations of the block> */
 /* Wakes whom a joint holds to a body that is not dynamic. */
 void wfRouseJoined(wfBlock *b, int32_t body);
-/* <declarations of the block> */
 void wfLeaveOutSleepers(struct wfStep *s);
 void wfWakeInStep(struct wfStep *s, int32_t i);
 bool wfMovesNow(const struct wfStep *s, int32_t i);
 void wfKeepRest(struct wfStep *s);
 wfResult wfPlaceSleepers(struct wfStep *s);
 wfResult wfFindIslands(struct wfStep *s);
-/* <declarations of the block> */
 int32_t wfOldTouches(const struct wfStep *s, wfTouch *out);
 void wfAddSensed(const struct wfStep *s, wfTouchList *stay);
 #endif

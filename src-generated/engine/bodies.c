@@ -3,18 +3,17 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <the default body> */
+/* the default body */
 wfBodyDef wfDefaultBodyDef(void)
 {
     return (wfBodyDef){
         .type = WF_DYNAMIC, .gravityScale = 1,
-        /* <more of the default body> */
         /* its material, if it has one */
-        /* <more of the default body> */
         .density = 1, .friction = WF_R(0.5),
     };
 }
-/* <find a body by its id> */
+
+/* find a body by its id */
 static wfResult open_body(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
 {
     wfResult result = wfOpenBlock(world, b);
@@ -40,7 +39,7 @@ bool wfBodyIsValid(const wfWorld *world, wfBodyId id)
 {
     return wfBodyIndex(world, id) >= 0;
 }
-/* <find a body by its id> */
+
 wfBodyId wfIdOfBody(const wfBlock *b, int32_t i)
 {
     return (wfBodyId){ (uint32_t)i + 1, b->bodySlots[i].generation };
@@ -54,18 +53,15 @@ wfBodyId wfBodyAt(const wfWorld *world, int32_t index)
     if (index < 0 || index >= b.head->bodySlots.high || !b.alive[index]) return none;
     return wfIdOfBody(&b, index);
 }
-/* <check a body's definition> */
+
+/* check a body's definition */
 static bool numbers_are_finite(const wfBodyDef *d)
 {
     const wfReal number[] = { d->position.x, d->position.y, d->velocity.x, d->velocity.y,
         d->mass, d->gravityScale,
-        /* <more numbers in a definition> */
         /* as there are fields */
-        /* <more numbers in a definition> */
         d->angle, d->angularVelocity,
-        /* <more numbers in a definition> */
         d->linearDamping, d->angularDamping,
-        /* <more numbers in a definition> */
         d->density, d->restitution, d->friction,
     };
     return wfAllFinite(number, sizeof number / sizeof *number);
@@ -80,41 +76,34 @@ static wfResult check_body_def(const wfBodyDef *d)
     wfResult result = WF_OK;
     bool moves = d->velocity.x != 0 || d->velocity.y != 0;
     if (d->type == WF_STATIC && moves) return WF_ERROR_RANGE;
-    /* <check what else a body is made from> */
     /* as there are fields */
-    /* <check what else a body is made from> */
     if (d->fixedRotation != 0 && d->fixedRotation != 1) return WF_ERROR_RANGE;
     if (wfAbs(d->angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
     if (d->type == WF_STATIC && d->angularVelocity != 0) return WF_ERROR_RANGE;
-    /* <check what else a body is made from> */
     if (d->linearDamping < 0 || d->angularDamping < 0) return WF_ERROR_RANGE;
-    /* <check what else a body is made from> */
     if (d->density < 0 || d->friction < 0) return WF_ERROR_RANGE;
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
     if (d->shape.kind != WF_SHAPE_NONE) result = wfCheckShape(&d->shape);
-    /* <check what else a body is made from> */
     if (d->neverSleeps != 0 && d->neverSleeps != 1) return WF_ERROR_RANGE;
     return result;
 }
-/* <what bodies need> */
+
+/* what bodies need */
 uint32_t wfNeedsOfBody(const wfBodyDef *d)
 {
     uint32_t needs = 0;
     (void)d;
-    /* <what a body's definition requires> */
     /* A particle requires nothing. */
-    /* <what a body's definition requires> */
     if (d->angularVelocity != 0) needs |= WF_NEED_ROTATION;
-    /* <what a body's definition requires> */
     if (d->linearDamping > 0 || d->angularDamping > 0) needs |= WF_NEED_DAMPING;
-    /* <what a body's definition requires> */
     bool formed = d->shape.kind != WF_SHAPE_NONE;
     if (formed) needs |= WF_NEED_SHAPES;
     if (formed && d->friction > 0) needs |= WF_NEED_FRICTION;
     if (formed && d->restitution > 0) needs |= WF_NEED_RESTITUTION;
     return needs;
 }
-/* <make a body from its definition> */
+
+/* make a body from its definition */
 typedef struct newBody {
     wfBodyState state;
     wfBodyProps props;
@@ -123,9 +112,7 @@ typedef struct newBody {
 static wfResult weigh(const wfBodyDef *d, wfMassData *out)
 {
     *out = (wfMassData){ .mass = d->mass };
-    /* <weigh its shape, if it has one> */
     /* a particle has none */
-    /* <weigh its shape, if it has one> */
     bool formed = d->shape.kind != WF_SHAPE_NONE, dynamic = d->type == WF_DYNAMIC;
     wfResult weighed = WF_OK;
     wfShape stored = d->shape;
@@ -138,7 +125,7 @@ static wfResult weigh(const wfBodyDef *d, wfMassData *out)
     if (formed) return weighed == WF_OK ? wfCheckMovedShape(&stored, out->centre) : weighed;
     return d->type == WF_DYNAMIC && !(d->mass > 0) ? WF_ERROR_RANGE : WF_OK;
 }
-/* <make a body from its definition> */
+
 static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
 {
     (void)b;
@@ -149,9 +136,7 @@ static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
         .props = { .type = d->type, .shape = -1, .givenMass = d->mass,
                    .gravityScale = d->gravityScale, .localCentre = mass.centre,
                    .userData = d->userData } };
-    /* <give the body its angle and its damping> */
     /* a particle that nothing slows down has neither */
-    /* <give the body its angle and its damping> */
     wfReal angle = wfWrapAngle(d->angle);
     wfTransform origin = wfMakeTransform(d->position, angle);
     out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
@@ -160,13 +145,13 @@ static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
     bool still = d->fixedRotation || !wfHas(b->head, WF_NEED_ROTATION);
     out->props.fixedRotation = still;
     if (still) mass.inertia = 0;
-    /* <give the body its angle and its damping> */
     out->props.linearDamping = d->linearDamping;
     out->props.angularDamping = d->angularDamping;
     if (d->type != WF_DYNAMIC) return WF_OK;
     return wfSetMass(&out->state, &out->props, mass.mass, mass.inertia);
 }
-/* <add a body> */
+
+/* add a body */
 wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
 {
     wfBlock b;
@@ -178,9 +163,7 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     if (result == WF_OK && !wfBodyIsFinite(&made.state)) result = WF_ERROR_NOT_FINITE;
     if (result != WF_OK) return result;
     if (b.head->bodySlots.count == b.head->bodySlots.capacity) return WF_ERROR_FULL;
-    /* <look for room for its shape> */
     /* a particle needs none */
-    /* <look for room for its shape> */
     bool formed = def->shape.kind != WF_SHAPE_NONE;
     if (wfFreeShapes(&b) < (formed ? 1 : 0)) return WF_ERROR_FULL;
     int32_t i = wfSlotTake(&b.head->bodySlots, b.bodySlots);
@@ -189,32 +172,27 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     b.alive[i] = 1;
     bool turns = made.state.invInertia > 0;
     wfUse(&b, wfNeedsOfBody(def) | (turns ? WF_NEED_ROTATION : 0));
-    /* <give body i the shape of its definition> */
     /* and gets none */
-    /* <give body i the shape of its definition> */
     wfShapeDef own = wfDefaultShapeDef();
     own.shape = def->shape;
     own.density = def->density;
     own.restitution = def->restitution;
     own.friction = def->friction;
     if (formed) wfHangShape(&b, i, &own);
-    /* <give body i the shape of its definition> */
     wfBeginRest(&b, i, def->neverSleeps);
     if (out != NULL) *out = wfIdOfBody(&b, i);
     return WF_OK;
 }
-/* <remove a body> */
+
+/* remove a body */
 static void clear_place(wfBlock *b, int32_t i)
 {
     memset(&b->state[i], 0, sizeof b->state[i]);
     memset(&b->props[i], 0, sizeof b->props[i]);
     b->props[i].shape = -1;
     b->alive[i] = 0;
-    /* <clear what else there is of body i> */
     /* as there are arrays */
-    /* <clear what else there is of body i> */
     if (wfHas(b->head, WF_NEED_PUSHES)) memset(&b->applied[i], 0, sizeof b->applied[i]);
-    /* <clear what else there is of body i> */
     if (b->fine != NULL) memset(&b->fine[i], 0, sizeof b->fine[i]);
 }
 
@@ -224,12 +202,9 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
     int32_t i;
     wfResult result = change_body(world, id, &b, &i);
     if (result != WF_OK) return result;
-    /* <remove what hangs on body i> */
     /* shapes, forces and more, where there are any */
-    /* <remove what hangs on body i> */
     wfForgetContacts(&b, i, -1);
     while (b.props[i].shape >= 0) wfDropShape(&b, b.props[i].shape);
-    /* <remove what hangs on body i> */
     for (int32_t f = 0; f < b.head->forceSlots.high; f++) {
         bool live = b.forceSlots[f].next == WF_SLOT_LIVE;
         if (!live || (b.forces[f].a != i && b.forces[f].b != i)) continue;
@@ -237,20 +212,19 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
         memset(&b.forces[f], 0, sizeof b.forces[f]);
     }
-    /* <remove what hangs on body i> */
     wfDropJoints(&b, i);
-    /* <remove what hangs on body i> */
     wfBeginRest(&b, i, 0);
     wfSlotGive(&b.head->bodySlots, b.bodySlots, i, id.generation);
     clear_place(&b, i);
     return WF_OK;
 }
-/* <tell about a body> */
+
+/* tell about a body */
 static wfVec2 origin_of(const wfBodyState *s, const wfBodyProps *p)
 {
     return wfApply(wfBodyTransform(s), wfNeg(p->localCentre));  /* eq:world-origin */
 }
-/* <tell about a body> */
+
 wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
 {
     wfBlock b;
@@ -262,22 +236,18 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
     *out = (wfBodyInfo){ .type = p->type, .position = s->p, .centre = s->p,
         .velocity = s->v, .mass = p->mass, .gravityScale = p->gravityScale,
         .userData = p->userData };
-    /* <tell the rest about the body> */
     /* of a particle that is all */
-    /* <tell the rest about the body> */
     out->position = origin_of(s, p);
     out->angle = s->angle;
     out->angularVelocity = s->w;
     out->inertia = p->inertia;
-    /* <tell the rest about the body> */
     out->linearDamping = p->linearDamping;
     out->angularDamping = p->angularDamping;
-    /* <tell the rest about the body> */
     if (p->shape >= 0) out->restitution = b.materials[p->shape].restitution;
     if (p->shape >= 0) out->friction = b.materials[p->shape].friction;
     return WF_OK;
 }
-/* <tell about a body> */
+
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out)
 {
     wfBlock b;
@@ -290,7 +260,8 @@ wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out)
     wfShapeMove(out, b.props[i].localCentre);
     return WF_OK;
 }
-/* <change a body> */
+
+/* change a body */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle)
 {
     wfBlock b;
@@ -301,9 +272,7 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
     wfVec2 centre = position;
     bool turns = false;
-    /* <turn the body to its angle> */
     /* An engine without rotation knows the angle 0. */
-    /* <turn the body to its angle> */
     turns = true;
     angle = wfWrapAngle(angle);
     centre = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
@@ -311,14 +280,12 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     if (!wfIsFinite2(centre)) return WF_ERROR_NOT_FINITE;
     b.state[i].p = centre;
     b.state[i].angle = angle;
-    /* <what it means that body i was moved by hand> */
     /* nothing to a particle */
-    /* <what it means that body i was moved by hand> */
     wfForgetContacts(&b, i, -1);
     wfBoundBody(&b, i);
     return WF_OK;
 }
-/* <change a body> */
+
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity)
 {
@@ -340,7 +307,7 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (moved != moves || b.props[i].type == WF_DYNAMIC) wfDisturb(&b, i);
     return WF_OK;
 }
-/* <change a body> */
+
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
 {
     wfBlock b;
@@ -355,7 +322,7 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
     if (result == WF_OK) wfDisturb(&b, i);
     return result;
 }
-/* <change a body> */
+
 wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
 {
     wfBlock b;
@@ -373,7 +340,7 @@ wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
     wfForgetContacts(&b, i, -1);
     return WF_OK;
 }
-/* <change a body> */
+
 wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
                            wfReal friction)
 {
@@ -396,7 +363,7 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
     wfDisturb(&b, i);
     return WF_OK;
 }
-/* <change a body> */
+
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular)
 {
     wfBlock b;
@@ -413,7 +380,8 @@ wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal ang
     b.props[i].angularDamping = angular;
     return WF_OK;
 }
-/* <push a body in a world> */
+
+/* push a body in a world */
 wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 point)
 {
     wfBlock b;
@@ -429,7 +397,7 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     if (force.x != 0 || force.y != 0) wfDisturb(&b, i);
     return WF_OK;
 }
-/* <push a body in a world> */
+
 wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
 {
     wfBlock b;
@@ -444,7 +412,7 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
     if (torque != 0) wfDisturb(&b, i);
     return WF_OK;
 }
-/* <push a body in a world> */
+
 static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *point,
                      wfReal spin)
 {
@@ -465,7 +433,7 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
     if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfDisturb(&b, i);
     return WF_OK;
 }
-/* <push a body in a world> */
+
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point)
 {
     return kick(world, id, impulse, &point, 0);

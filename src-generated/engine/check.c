@@ -4,7 +4,7 @@
 #include "engine/block.h"
 #include "weft/save.h"
 
-/* <what a check works with> */
+/* what a check works with */
 typedef struct Check {
     wfBlock  b;
     wfRegion region[WF_REGION_COUNT];
@@ -28,7 +28,8 @@ static bool counts(Check *c, int32_t count, size_t room, const char *text)
 {
     return rule(c, count >= 0 && (size_t)count <= room, WF_REGION_HEADER, 0, text);
 }
-/* <check the header> */
+
+/* check the header */
 static bool check_layout(Check *c)
 {
     wfWorldDef d = wfSettings(c->b.head);
@@ -47,7 +48,7 @@ static bool check_layout(Check *c)
         same = same && h->offset[i] == c->region[i].offset;
     return rule(c, same, WF_REGION_HEADER, 0, "its offsets follow from its settings");
 }
-/* <check the header> */
+
 static bool is_choice(int32_t x) { return x == 0 || x == 1; }
 
 static bool check_counts(Check *c)
@@ -56,9 +57,8 @@ static bool check_counts(Check *c)
     const wfRegion *r = c->region;
     size_t events = 0;
     bool good = h->time >= 0 && h->time - h->time == 0 && is_choice(h->indexStale);
-    /* <check what else the header says> */
+    /* check what else the header says */
     good = good && is_choice(h->large) && h->report.solved >= 0;
-    /* <check what else the header says> */
     good = good && h->origin.x - h->origin.x == 0 && h->origin.y - h->origin.y == 0;
     for (int k = 0; k < WF_EVENT_KINDS; k++) {
         good = good && h->eventCount[k] >= 0;
@@ -74,14 +74,15 @@ static bool check_counts(Check *c)
         && counts(c, h->kept.contacts, (size_t)h->contactCount, "kept contacts, too")
         && counts(c, h->kept.touches, (size_t)h->touchCount, "kept touches, too");
 }
-/* <check the slots> */
+
+/* check the slots */
 static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *slot)
 {
     int32_t live = 0, walked = 0, free = 0;
     if (!rule(c, s->capacity >= 0 && (size_t)s->capacity == c->region[region].count
                  && s->high >= 0 && s->high <= s->capacity, WF_REGION_HEADER, 0,
               "slots in use are within the array")) return false;
-    /* <look at each slot and count those that are live> */
+    /* look at each slot and count those that are live */
     for (int32_t i = 0; i < s->capacity; i++) {
         bool fresh = slot[i].next == WF_SLOT_END && slot[i].generation == 1;
         bool used = slot[i].generation != 0 && (slot[i].next == WF_SLOT_LIVE
@@ -96,7 +97,7 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
     return rule(c, at == WF_SLOT_END && walked == free && s->count == live, region, 0,
                 "the free list holds every free slot once");
 }
-/* <check the slots> */
+
 static bool check_all_slots(Check *c)
 {
     const wfHeader *h = c->b.head;
@@ -104,7 +105,8 @@ static bool check_all_slots(Check *c)
         && check_slots(c, &h->shapeSlots, WF_REGION_SHAPE_SLOTS, c->b.shapeSlots)
         && check_slots(c, &h->forceSlots, WF_REGION_FORCE_SLOTS, c->b.forceSlots);
 }
-/* <check the bodies> */
+
+/* check the bodies */
 static bool is_still(const wfBodyState *s)
 {
     return s->v.x == 0 && s->v.y == 0 && s->w == 0;
@@ -116,7 +118,7 @@ static bool obeys(const wfBodyState *s, const wfBodyProps *p)
     bool immovable = s->invMass == 0 && s->invInertia == 0;
     return immovable && (p->type == WF_KINEMATIC || is_still(s));
 }
-/* <check the bodies> */
+
 static bool check_body(Check *c, int32_t i)
 {
     const wfBodyState *s = &c->b.state[i];
@@ -135,7 +137,7 @@ static bool check_body(Check *c, int32_t i)
                 WF_REGION_PROPS, i, "properties are in range")
         && rule(c, obeys(s, p), WF_REGION_STATE, i, "only dynamic bodies have a mass");
 }
-/* <check the bodies> */
+
 static bool check_bodies(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
@@ -146,7 +148,8 @@ static bool check_bodies(Check *c)
     }
     return true;
 }
-/* <check the shapes> */
+
+/* check the shapes */
 static bool is_shape(const wfShape *stored, wfVec2 centre)
 {
     if (stored->kind == WF_SHAPE_NONE) return false;
@@ -154,7 +157,7 @@ static bool is_shape(const wfShape *stored, wfVec2 centre)
         return false;
     return wfCheckMovedShape(stored, centre) == WF_OK;
 }
-/* <check the shapes> */
+
 static bool is_material(const wfShapeProps *p)
 {
     const wfReal number[] = { p->density, p->restitution, p->friction, p->staticFriction,
@@ -170,7 +173,7 @@ static bool is_box(wfRect r)
     return wfIsFinite2(r.min) && wfIsFinite2(r.max) && r.min.x <= r.max.x
         && r.min.y <= r.max.y;
 }
-/* <check the shapes> */
+
 static bool check_shape(Check *c, int32_t k)
 {
     const wfBlock *b = &c->b;
@@ -184,7 +187,7 @@ static bool check_shape(Check *c, int32_t k)
     if (!live)
         return rule(c, i == -1 && b->next[k] == -1 && b->materials[k].sensor == 0,
                     WF_REGION_OWNERS, k, "an empty place has no owner");
-    /* <ask a live shape for its owner, its next and what it is made of> */
+    /* ask a live shape for its owner, its next and what it is made of */
     bool owned = in_range(i, b->head->bodySlots.high) && b->alive[i];
     return rule(c, owned, WF_REGION_OWNERS, k, "a shape hangs on a living body")
         && rule(c, b->next[k] == -1 || in_range(b->next[k], end), WF_REGION_NEXT_SHAPES, k,
@@ -194,7 +197,7 @@ static bool check_shape(Check *c, int32_t k)
         && rule(c, is_material(&b->materials[k]), WF_REGION_SHAPE_PROPS, k,
                 "a material is in range");
 }
-/* <check the shapes> */
+
 static bool check_shapes(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -214,7 +217,8 @@ static bool check_shapes(Check *c)
         && rule(c, sensors == b->head->sensorCount, WF_REGION_HEADER, 0,
                 "sensors are counted");
 }
-/* <check the forces> */
+
+/* check the forces */
 static bool is_end(const wfBlock *b, int32_t i)
 {
     return i == -1 || (in_range(i, b->head->bodySlots.high) && b->alive[i]);
@@ -231,7 +235,8 @@ static bool check_forces(Check *c)
     }
     return true;
 }
-/* <check the lists of a step> */
+
+/* check the lists of a step */
 static bool in_order(wfPair before, wfPair now)
 {
     return before.a < now.a || (before.a == now.a && before.b < now.b);
@@ -252,7 +257,7 @@ static bool is_cache(const wfBlock *b, wfPair p, const wfManifoldCache *m)
     int32_t a = b->shapes[p.a].count, d = b->shapes[p.b].count;
     return a > 1 && d > 1 && in_range(m->edge, m->owner == 0 ? a : d);
 }
-/* <check the lists of a step> */
+
 static bool check_pairs(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -267,7 +272,7 @@ static bool check_pairs(Check *c)
     }
     return true;
 }
-/* <check the lists of a step> */
+
 static bool is_contact(const wfBlock *b, const wfContact *m)
 {
     const wfReal number[] = { m->restitution, m->friction, m->staticFriction, m->rolling,
@@ -285,7 +290,7 @@ static bool is_contact(const wfBlock *b, const wfContact *m)
     }
     return m->shapeA < m->shapeB && is_choice(m->sliding) && is_choice(m->settled);
 }
-/* <check the lists of a step> */
+
 static bool check_contacts(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -300,7 +305,7 @@ static bool check_contacts(Check *c)
     }
     return true;
 }
-/* <check the lists of a step> */
+
 static bool check_touches(Check *c)
 {
     const wfBlock *b = &c->b;
@@ -315,7 +320,8 @@ static bool check_touches(Check *c)
     }
     return true;
 }
-/* <check what other chapters keep> */
+
+/* check what other chapters keep */
 static bool check_materials(Check *c)
 {
     const uint8_t *base = (const uint8_t *)c->b.head;
@@ -325,7 +331,7 @@ static bool check_materials(Check *c)
     if (!counts(c, count, c->region[WF_REGION_PAIR_MATERIALS].count, "known pairs fit"))
         return false;
     for (int32_t i = 0; i < count; i++) {
-        /* <look at known pair i> */
+        /* look at known pair i */
         const wfReal n[] = { known[i].m.restitution, known[i].m.friction,
                              known[i].m.staticFriction, known[i].m.rolling };
         bool good = wfAllFinite(n, 4) && known[i].a >= 1 && known[i].a <= known[i].b;
@@ -338,24 +344,20 @@ static bool check_materials(Check *c)
     }
     return true;
 }
-/* <check what other chapters keep> */
+
 static bool check_joints(Check *c)
 {
     const wfHeader *h = c->b.head;
     const uint8_t *base = (const uint8_t *)h;
     const wfSlot *slot = (const void *)(base + h->offset[WF_REGION_JOINT_SLOTS]);
     const wfJoint *joint = (const void *)(base + h->offset[WF_REGION_JOINTS]);
-    /* <find the list of joints alone> */
     /* of those that are solved together */
-    /* <find the list of joints alone> */
     const uint8_t *alone = base + h->offset[WF_REGION_ALONE];
     if (!check_slots(c, &h->jointSlots, WF_REGION_JOINT_SLOTS, slot)
         || !counts(c, h->brokenCount, c->region[WF_REGION_BROKEN].count,
                    "broken joints fit")) return false;
     for (int32_t i = 0; i < h->jointSlots.high; i++) {
-        /* <check whether a joint is alone> */
         /* where joints can be solved together */
-        /* <check whether a joint is alone> */
         if (!rule(c, alone[i] <= 1, WF_REGION_ALONE, i, "alone is 0 or 1")) return false;
         if (slot[i].next != WF_SLOT_LIVE) continue;
         const wfJoint *j = &joint[i];
@@ -366,7 +368,7 @@ static bool check_joints(Check *c)
     }
     return true;
 }
-/* <check what other chapters keep> */
+
 static bool check_ring(Check *c, int32_t i, const uint8_t *flags, uint8_t *named)
 {
     const wfHeader *h = c->b.head;
@@ -384,7 +386,7 @@ static bool check_ring(Check *c, int32_t i, const uint8_t *flags, uint8_t *named
                    && is_still(&c->b.state[i]), WF_REGION_REST, i,
                 "who sleeps lives and does not move");
 }
-/* <check what other chapters keep> */
+
 static bool check_rest(Check *c)
 {
     const wfHeader *h = c->b.head;
@@ -406,19 +408,17 @@ static bool check_rest(Check *c)
     return rule(c, asleep == h->asleep && is_choice(h->roused) && h->islandCount >= 0,
                 WF_REGION_HEADER, 0, "sleepers are counted");
 }
-/* <the table of checks> */
+
+/* the table of checks */
 static CheckFn *const check_table[] = {
-    /* <rows of the check table> */
     check_counts, check_all_slots, check_bodies, check_shapes, check_forces,
     check_pairs, check_contacts, check_touches,
-    /* <rows of the check table> */
     check_materials,
-    /* <rows of the check table> */
     check_joints,
-    /* <rows of the check table> */
     check_rest,
 };
-/* <check a world> */
+
+/* check a world */
 static bool check_all(Check *c, const wfWorld *world)
 {
     size_t rows = sizeof check_table / sizeof *check_table;

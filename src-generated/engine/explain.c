@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <explain a stage> */
+/* explain a stage */
 static size_t bytes_of_stage(const wfRegion *region, const char *stage)
 {
     size_t bytes = 0;
@@ -14,7 +14,7 @@ static size_t bytes_of_stage(const wfRegion *region, const char *stage)
     }
     return bytes;
 }
-/* <explain a stage> */
+
 wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out)
 {
     wfBlock b;
@@ -34,7 +34,8 @@ wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out)
         .bytes = bytes_of_stage(region, row->name) };
     return WF_OK;
 }
-/* <put a line together> */
+
+/* put a line together */
 enum { LINE_SIZE = 160 };
 typedef struct Line { char text[LINE_SIZE]; int length; } Line;
 
@@ -48,7 +49,7 @@ static void put_column(Line *l, int column)
 {
     do put(l, " "); while (l->length < column && l->length < LINE_SIZE - 1);
 }
-/* <put a line together> */
+
 /* A number in so many columns, with one digit after the point or none. */
 static void put_number(Line *l, double value, int columns, bool point)
 {
@@ -74,7 +75,8 @@ static void put_needs(Line *l, uint32_t needs, const char *between)
         first = false;
     }
 }
-/* <explain a world> */
+
+/* explain a world */
 static void tell_needs(const char *label, uint32_t needs, wfPrintFn *print, void *context)
 {
     Line l = { .length = 0 };
@@ -92,7 +94,7 @@ static void tell_needs(const char *label, uint32_t needs, wfPrintFn *print, void
     }
     print(context, l.text);
 }
-/* <explain a world> */
+
 static void explain_one(Line *l, const wfStageReport *r, const double *seconds,
                         int64_t steps)
 {
@@ -108,14 +110,14 @@ static void explain_one(Line *l, const wfStageReport *r, const double *seconds,
     if (seconds == NULL || steps < 1) return;
     put_number(l, 1e6 * *seconds / (double)steps, 10, true);
 }
-/* <explain a world> */
+
 wfResult wfExplainWorld(const wfWorld *world, const double *seconds, int64_t steps,
                         wfPrintFn *print, void *context)
 {
     wfBlock b;
     wfResult result = print == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result != WF_OK) return result;
-    /* <tell what the world was made for> */
+    /* tell what the world was made for */
     tell_needs("made for: ", b.head->needs, print, context);
     tell_needs("without:  ", wfAllNeeds() & ~b.head->needs, print, context);
     Line size = { .length = 0 };

@@ -9,7 +9,7 @@ enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the o
 #define FLIGHT_WINDOW 16384     /* of reaches: looked at at once, eq:fast-window */
 #define FLIGHT_WINDOWS 256      /* and no smaller share of the step than one of so many */
 
-/* <find the flights of a step> */
+/* find the flights of a step */
 static wfSweep sweep_of(const struct wfStep *s, int32_t i)
 {
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
@@ -23,7 +23,7 @@ static wfSweep sweep_of(const struct wfStep *s, int32_t i)
     return (wfSweep){ .from = old->p, .to = now->p, .angleFrom = old->angle,
                       .angleTo = old->angle + turn };
 }
-/* <find the flights of a step> */
+
 static wfReal arm_of(const struct wfStep *s, int32_t k)
 {
     return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
@@ -34,19 +34,19 @@ static wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
     wfReal turn = wfAbs(w.angleTo - w.angleFrom);
     return wfDistance(w.from, w.to) + turn * arm_of(s, k);
 }
-/* <find the flights of a step> */
+
 static bool can_change(const struct wfStep *s, int32_t i)
 {
     return s->state[i].invMass > 0 || s->state[i].invInertia > 0;
 }
-/* <find the flights of a step> */
+
 static wfRect box_of(const wfFlight *f)
 {
     wfRect ends = { .min = wfMin2(f->leg.from, f->leg.to),
                     .max = wfMax2(f->leg.from, f->leg.to) };
     return wfRectGrow(ends, f->reach);
 }
-/* <find the flights of a step> */
+
 static wfReal smaller(wfReal a, wfReal b)
 {
     if (a > 0 && b > 0) return wfMinR(a, b);
@@ -64,7 +64,7 @@ static void note_gain(const struct wfStep *s, wfFlight *f)
     f->gain = wfV2(smaller(f->gain.x, by.x), smaller(f->gain.y, by.y));
     f->spin = smaller(f->spin, s->b.head->dt * now->invInertia * sum.torque);
 }
-/* <find the flights of a step> */
+
 static wfFlight *flight_of(struct wfStep *s, int32_t i)
 {
     if (s->flightOf[i] >= 0) return &s->flights[s->flightOf[i]];
@@ -79,7 +79,7 @@ static wfFlight *flight_of(struct wfStep *s, int32_t i)
     f->box = box_of(f);
     return f;
 }
-/* <find the flights of a step> */
+
 /* Does a flight whose leg was bent go anywhere? No contact of this step knows of it. */
 static bool is_sent(const struct wfStep *s, const wfFlight *f)
 {
@@ -89,7 +89,7 @@ static bool is_sent(const struct wfStep *s, const wfFlight *f)
     }
     return false;
 }
-/* <find the flights of a step> */
+
 static void start_flights(struct wfStep *s)
 {
     s->flights = wfTransient(&s->b, WF_REGION_FLIGHTS);
@@ -98,7 +98,7 @@ static void start_flights(struct wfStep *s)
     s->spared = wfTransient(&s->b, WF_REGION_SPARED);
     for (int32_t i = 0; i < s->count; i++) s->flightOf[i] = -1;
 }
-/* <find the flights of a step> */
+
 /* A way that is never too small, without a root: the sum of the sides is no less than the
  * diagonal. */
 static wfReal rough_way(const struct wfStep *s, int32_t k)
@@ -121,7 +121,7 @@ static void find_flights(struct wfStep *s)
             s->slack = wfMaxR(s->slack, rough);
             continue;
         }
-        /* <follow the body of shape k if it is fast> */
+        /* follow the body of shape k if it is fast */
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
         if (wfIsFollowed(&s->b, k, way)) {
@@ -134,7 +134,8 @@ static void find_flights(struct wfStep *s)
         }
     }
 }
-/* <find who may be in the way> */
+
+/* find who may be in the way */
 static wfSweep leg_from(const struct wfStep *s, int32_t i, wfReal t)
 {
     const wfFlight *f = s->flightOf[i] < 0 ? NULL : &s->flights[s->flightOf[i]];
@@ -147,7 +148,7 @@ static wfSweep leg_from(const struct wfStep *s, int32_t i, wfReal t)
     leg.angleFrom = done.angleTo;
     return leg;
 }
-/* <find who may be in the way> */
+
 static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
 {
     int32_t i = s->b.owners[k], j = s->b.owners[other];
@@ -161,17 +162,14 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
     for (int32_t n = 0; n < s->sparedCount; n++)
         if (s->spared[n].a == p.a && s->spared[n].b == p.b) return false;
     bool may = true;
-    /* <who else is not met> */
     /* who is joined, and whom the user does not want */
-    /* <who else is not met> */
     if (wfIsJoined(s, i, j)) return false;
-    /* <who else is not met> */
     const wfHooks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
         may = hooks->filter(hooks->context, &s->view, p.a, p.b);
     return may;
 }
-/* <find who may be in the way> */
+
 /* Can a shape come near a flight from t on? The least distance of two centres that move
  * evenly, against the reaches: eq:fast-near. */
 static bool comes_near(const struct wfStep *s, const wfFlight *f, int32_t k, wfReal t)
@@ -186,7 +184,7 @@ static bool comes_near(const struct wfStep *s, const wfFlight *f, int32_t k, wfR
     wfReal blur = 16 * WF_EPSILON * (wfLength(apart) + wfLength(way));
     return wfLengthSq(wfAddScaled(apart, share, way)) <= wfSquare(reach + blur);
 }
-/* <find who may be in the way> */
+
 typedef struct Near {
     struct wfStep  *s;
     const wfFlight *f;
@@ -204,7 +202,7 @@ static bool note_near(void *context, int32_t k)
     if (!flies && comes_near(near->s, near->f, k, near->t)) near->list[near->count++] = k;
     return true;
 }
-/* <find who may be in the way> */
+
 static void note_flight(Near *near, const wfFlight *g)
 {
     const struct wfStep *s = near->s;
@@ -220,7 +218,7 @@ static void sort_near(Near *near)
         near->list[at] = k;
     }
 }
-/* <find who may be in the way> */
+
 static Near look_from(struct wfStep *s, const wfFlight *f, wfReal t)
 {
     return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEAR),
@@ -241,7 +239,8 @@ static wfResult find_near(struct wfStep *s, const wfFlight *f, wfReal t, Near *n
     sort_near(near);
     return result;
 }
-/* <find the next impact of a flight> */
+
+/* find the next impact of a flight */
 static wfBodyState state_at(const struct wfStep *s, int32_t i, wfReal t)
 {
     wfBodyState at = s->state[i];
@@ -253,7 +252,7 @@ static wfBodyState state_at(const struct wfStep *s, int32_t i, wfReal t)
     if (f != NULL) at.w -= (1 - t) * f->spin;
     return at;
 }
-/* <find the next impact of a flight> */
+
 /* How the leg moves, as velocities. */
 static void take_rates(const struct wfStep *s, int32_t i, wfReal t, wfBodyState *out)
 {
@@ -274,7 +273,7 @@ static wfReal approach(const wfBodyState *two, const wfManifold *m, int32_t *whe
     }
     return fastest;
 }
-/* <find the next impact of a flight> */
+
 static wfResult meet_at(const struct wfStep *s, wfPair p, wfBodyState two[2], wfContact *c)
 {
     const wfShape *a = &s->b.shapes[p.a], *b = &s->b.shapes[p.b];
@@ -287,7 +286,7 @@ static wfResult meet_at(const struct wfStep *s, wfPair p, wfBodyState two[2], wf
     wfMakeManifoldWithin(a, xa, b, xb, &found, margin, &c->manifold);
     return WF_OK;
 }
-/* <find the next impact of a flight> */
+
 /* Do they, placed as in `two`, press each other in what is left of the step? */
 static bool do_press(const struct wfStep *s, const wfBodyState two[2], const wfContact *c,
                      wfReal t)
@@ -310,7 +309,7 @@ static wfResult press(const struct wfStep *s, int32_t k, int32_t other, wfReal t
     if (result == WF_OK) *out = do_press(s, two, &c, t);
     return result;
 }
-/* <find the next impact of a flight> */
+
 /* How far may be looked from t at once, so that rounding stays small? eq:fast-window */
 static wfReal window_end(const struct wfStep *s, const wfFlight *f, int32_t k, wfReal t)
 {
@@ -325,7 +324,7 @@ static wfSweep leg_between(const struct wfStep *s, int32_t i, wfReal t, wfReal e
     wfSweep leg = leg_from(s, i, t);
     return end < 1 ? wfSweepUntil(leg, (end - t) / (1 - t)) : leg;
 }
-/* <find the next impact of a flight> */
+
 /* Has a link sent this pair to its neighbour? */
 static bool is_deferred(const struct wfStep *s, int32_t k, int32_t other)
 {
@@ -342,7 +341,7 @@ static wfReal along_link(const wfShape *link, wfTransform on, wfVec2 centre)
     wfVec2 from = wfSub(wfApplyInv(on, centre), link->vertices[0]);
     return wfDot(from, side) / wfLength(side);
 }
-/* <find the next impact of a flight> */
+
 /* When in a span does one come over the other, which is a link? eq:fast-over; 2: never. */
 static wfReal comes_over(const struct wfStep *s, int32_t k, int32_t other,
                          const wfReal span[2])
@@ -363,7 +362,7 @@ static wfReal comes_over(const struct wfStep *s, int32_t k, int32_t other,
     if (x[0] < hair ? !(x[1] > hair) : !(x[1] < end)) return 2;
     return span[0] + (in - x[0]) / (x[1] - x[0]) * (span[1] - span[0]);
 }
-/* <find the next impact of a flight> */
+
 /* How large an inner copy must be hit for a touch to count: eq:fast-graze. */
 static wfReal graze_share(const struct wfStep *s, int32_t k)
 {
@@ -381,7 +380,7 @@ typedef struct Ahead {
     bool    presses;           /* they touch, and press, from the beginning of the span */
     wfStop  stop;
 } Ahead;
-/* <find the next impact of a flight> */
+
 /* A box round shape k on all of its leg, as though its centre stayed where the leg begins:
  * eq:fast-clear. */
 static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
@@ -397,7 +396,7 @@ static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
 }
 
 static wfReal sum_of_sides(wfVec2 v) { return wfAbs(v.x) + wfAbs(v.y); }
-/* <find the next impact of a flight> */
+
 /* Do two shapes keep clear of each other on their legs? False: nobody knows. */
 static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, int32_t other,
                        wfSweep leg)
@@ -412,7 +411,7 @@ static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, int32_t o
     b.max = wfAdd(b.max, wfMax2(way, wfV2(0, 0)));
     return b.min.x > a.max.x || a.min.x > b.max.x || b.min.y > a.max.y || a.min.y > b.max.y;
 }
-/* <find the next impact of a flight> */
+
 static wfResult look_ahead(struct wfStep *s, const wfFlight *f, const Near *near, int32_t k,
                            const wfReal span[2], Ahead *out)
 {
@@ -439,7 +438,7 @@ static wfResult look_ahead(struct wfStep *s, const wfFlight *f, const Near *near
     }
     return WF_OK;
 }
-/* <find the next impact of a flight> */
+
 static void take_next(wfFlight *f, int32_t k, const Ahead *a)
 {
     if (a->at >= f->next) return;
@@ -448,7 +447,7 @@ static void take_next(wfFlight *f, int32_t k, const Ahead *a)
     f->normal = a->presses ? wfV2(0, 0) : a->stop.impact.normal;
     f->point = a->stop.impact.point;
 }
-/* <find the next impact of a flight> */
+
 /* The first impact of one shape of a flight: f->next if it is before that. */
 static wfResult next_of_shape(struct wfStep *s, wfFlight *f, const Near *near, int32_t k,
                               wfReal now)
@@ -472,7 +471,7 @@ static wfResult next_of_shape(struct wfStep *s, wfFlight *f, const Near *near, i
     }
     return WF_OK;
 }
-/* <find the next impact of a flight> */
+
 static wfResult next_among(struct wfStep *s, wfFlight *f, const Near *near)
 {
     wfResult result = WF_OK;
@@ -490,7 +489,7 @@ static wfResult plan(struct wfStep *s, wfFlight *f, wfReal now)
     wfResult result = find_near(s, f, now, &near);
     return result == WF_OK ? next_among(s, f, &near) : result;
 }
-/* <find the next impact of a flight> */
+
 /* Another body has a new leg: does it come before what was planned? */
 static wfResult plan_with(struct wfStep *s, wfFlight *f, const wfFlight *other, wfReal now)
 {
@@ -500,14 +499,14 @@ static wfResult plan_with(struct wfStep *s, wfFlight *f, const wfFlight *other, 
     note_flight(&near, other);
     return next_among(s, f, &near);
 }
-/* <let two bodies collide at their moment> */
+
 /* A leg that begins later, and ends elsewhere by what a change of its rates does. */
 static void cut_leg(struct wfStep *s, wfFlight *f, wfReal t)
 {
     f->leg = leg_from(s, f->body, t);
     f->since = t;
 }
-/* <let two bodies collide at their moment> */
+
 static void bend_leg(wfFlight *f, wfVec2 dv, wfReal dw, wfReal time)
 {
     f->leg.to = wfAddScaled(f->leg.to, time, dv);
@@ -523,7 +522,7 @@ static void hold(struct wfStep *s, wfFlight *f)
     f->held = true;
     s->heldCount++;
 }
-/* <let two bodies collide at their moment> */
+
 /* This resolver wants more passes than a solver that steps by itself. */
 static int32_t impact_passes(const struct wfStep *s)
 {
@@ -545,7 +544,7 @@ static wfResult collide(struct wfStep *s, wfBodyState two[2], wfContact *c, int3
     c->a = 0, c->b = 1;
     return wfSolveVelocities(wfFindSolver("impulse-friction"), &solve);
 }
-/* <let two bodies collide at their moment> */
+
 static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
                           const int32_t who[2], const wfBodyState at[2],
                           const wfBodyState after[2])
@@ -564,7 +563,7 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
         rate[i].v = wfAdd(rate[i].v, wfSub(after[i].v, at[i].v));    /* eq:fast-shift */
         rate[i].w += after[i].w - at[i].w;
     }
-    /* <take the rest of the approach out of the legs> */
+    /* take the rest of the approach out of the legs */
     wfContact still = *hit;
     still.restitution = still.friction = still.rolling = 0;
     wfResult result = WF_OK;
@@ -576,7 +575,7 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
                      rate[i].w - kept[i].w, time);
     return result;
 }
-/* <let two bodies collide at their moment> */
+
 static bool comes_after(wfPair a, wfPair b)
 {
     return a.a != b.a ? a.a > b.a : a.b > b.b;
@@ -600,7 +599,7 @@ static wfResult note_strike(struct wfStep *s, wfStrike now)
     s->strikes[at] = now;
     return WF_OK;
 }
-/* <let two bodies collide at their moment> */
+
 static wfResult strike(struct wfStep *s, wfPair p, const int32_t who[2], wfReal t,
                        wfContact *c)
 {
@@ -624,7 +623,7 @@ static wfResult strike(struct wfStep *s, wfPair p, const int32_t who[2], wfReal 
         .bounced = c->restitution > 0 && speed > resting_speed(s),
         .point = c->manifold.points[where].point, .normal = c->manifold.normal });
 }
-/* <let two bodies collide at their moment> */
+
 /* If no point of the manifold approaches, in velocity or in the leg, the point is taken
  * that the search has found. */
 static void point_of_search(struct wfStep *s, const wfFlight *f, wfReal t,
@@ -641,7 +640,7 @@ static void point_of_search(struct wfStep *s, const wfFlight *f, wfReal t,
     c->manifold.points[0] = (wfContactPoint){ .point = f->point,
         .armA = wfSub(f->point, at[0].p), .armB = wfSub(f->point, at[1].p) };
 }
-/* <let two bodies collide at their moment> */
+
 /* May they pass, since a hook says so, or since it is another link's affair? */
 static wfResult ask_to_pass(struct wfStep *s, wfContact *c, const wfBodyState two[2],
                             bool *pass)
@@ -649,9 +648,7 @@ static wfResult ask_to_pass(struct wfStep *s, wfContact *c, const wfBodyState tw
     wfResult result = WF_OK;
     (void)s, (void)two;
     *pass = c->manifold.count == 0;
-    /* <ask the user at the moment of the impact> */
     /* where the engine has hooks */
-    /* <ask the user at the moment of the impact> */
     const int32_t who[2] = { c->a, c->b };
     wfBodyState kept[2];
     bool enabled = true;
@@ -662,12 +659,12 @@ static wfResult ask_to_pass(struct wfStep *s, wfContact *c, const wfBodyState tw
     *pass = !enabled;
     return result;
 }
-/* <let two bodies collide at their moment> */
+
 static bool is_fresh(const struct wfStep *s, int32_t i)
 {
     return i >= 0 && s->flightOf[i] >= 0 && s->flights[s->flightOf[i]].fresh;
 }
-/* <let two bodies collide at their moment> */
+
 /* A pair that was struck before in this step, strikes again if one of the two has just been
  * changed, and if they touch and press. */
 static wfResult strike_again(struct wfStep *s, wfPair p, wfReal t, bool *some)
@@ -689,7 +686,7 @@ static wfResult strike_again(struct wfStep *s, wfPair p, wfReal t, bool *some)
     *some = true;
     return strike(s, p, who, t, &c);
 }
-/* <let two bodies collide at their moment> */
+
 /* Pass over the pairs that were struck, forwards and backwards, until none presses. */
 static wfResult settle(struct wfStep *s, wfReal t)
 {
@@ -704,7 +701,7 @@ static wfResult settle(struct wfStep *s, wfReal t)
     }
     return result;
 }
-/* <let two bodies collide at their moment> */
+
 static wfResult impact(struct wfStep *s, wfFlight *f)
 {
     int32_t own = f->own, other = f->other;
@@ -720,7 +717,7 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
     if (result == WF_OK) result = ask_to_pass(s, &c, two, &pass);
     if (result == WF_OK && !pass) point_of_search(s, f, t, who, two, &c);
     if (result != WF_OK) return result;
-    /* <let them pass if the user says so> */
+    /* let them pass if the user says so */
     if (pass && s->sparedCount < s->b.head->shapeCapacity) {
         const wfReal rest[2] = { t, 1 };
         bool first = c.manifold.count == 0 && t < 1 && !is_deferred(s, own, other);
@@ -729,15 +726,13 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
         s->spared[s->sparedCount++] = later ? (wfPair){ p.b, p.a } : p;
         return WF_OK;
     }
-    /* <wake whom the impact concerns> */
     /* where anybody sleeps */
-    /* <wake whom the impact concerns> */
     for (int i = 0; i < 2 && !pass; i++) wfWakeInStep(s, who[i]);
     if (s->again) return WF_OK;
     if (!pass) result = strike(s, p, who, t, &c);
     if (!pass && result == WF_OK) result = settle(s, t);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
-        /* <count the impact of body i> */
+        /* count the impact of body i */
         wfFlight *g = can_change(s, who[i]) ? flight_of(s, who[i]) : NULL;
         if (g == NULL) continue;
         g->fresh = true;
@@ -745,7 +740,8 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
     }
     return result;
 }
-/* <follow the flights in order of time> */
+
+/* follow the flights in order of time */
 static wfFlight *earliest(struct wfStep *s)
 {
     wfFlight *best = NULL;
@@ -758,7 +754,7 @@ static wfFlight *earliest(struct wfStep *s)
     }
     return best;
 }
-/* <follow the flights in order of time> */
+
 /* Whose leg was changed, or who was to meet such a one, looks at everything anew; the
  * others look at the new legs only. */
 static wfResult plan_again(struct wfStep *s, wfReal now)
@@ -782,7 +778,7 @@ static wfResult plan_again(struct wfStep *s, wfReal now)
     for (int32_t k = 0; k < count; k++) s->flights[fresh[k]].fresh = false;
     return result;
 }
-/* <follow the flights in order of time> */
+
 static void give_up(struct wfStep *s, wfFlight *f, wfReal now)
 {
     if (can_change(s, f->body)) {
@@ -793,7 +789,7 @@ static void give_up(struct wfStep *s, wfFlight *f, wfReal now)
     f->held = true;             /* nothing holds it, but it looks no further */
     s->heldCount++;
 }
-/* <follow the flights in order of time> */
+
 static wfResult follow(struct wfStep *s)
 {
     wfResult result = WF_OK;
@@ -811,7 +807,7 @@ static wfResult follow(struct wfStep *s)
     }
     return result;
 }
-/* <follow the flights in order of time> */
+
 static bool land(struct wfStep *s)
 {
     bool moved = false;
@@ -824,7 +820,7 @@ static bool land(struct wfStep *s)
     }
     return moved;
 }
-/* <follow the flights in order of time> */
+
 static wfResult fly(struct wfStep *s)
 {
     if (s->b.head->impacts == 0) return WF_OK;
@@ -835,9 +831,7 @@ static wfResult fly(struct wfStep *s)
     for (int32_t n = 0; n < s->flightCount; n++)
         wfWrapBodyAngle(&s->state[s->flights[n].body]);
     result = wfFindPairsAgain(s);
-    /* <leave out pairs once more> */
     /* those that are joined */
-    /* <leave out pairs once more> */
     if (result == WF_OK) result = wfLeaveOutJoined(s);
     return result;
 }

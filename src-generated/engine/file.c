@@ -6,7 +6,7 @@
 #include "engine/image.h"
 #ifndef WF_NO_FILES
 #include <string.h>
-/* <the files of POSIX> */
+/* the files of POSIX */
 #ifndef _WIN32
 #include <errno.h>
 #include <fcntl.h>
@@ -45,7 +45,7 @@ static bool make_new(const char *path, File *f, bool *taken)
     *taken = f->fd < 0 && errno == EEXIST;
     return f->fd >= 0;
 }
-/* <the files of POSIX> */
+
 static bool write_some(int fd, const uint8_t **bytes, size_t *left)
 {
     size_t most = (size_t)1 << 30;
@@ -66,7 +66,7 @@ static bool write_all(File *f, const uint8_t *bytes, size_t size)
     errno = why;
     return good;
 }
-/* <the files of POSIX> */
+
 static bool put_in_place(const char *from, const char *to, const char *directory)
 {
     if (rename(from, to) != 0) return false;
@@ -85,7 +85,7 @@ static void discard(const char *path)
     unlink(path);
     errno = why;
 }
-/* <the files of POSIX> */
+
 static void close_file(File *f)
 {
     int why = errno;
@@ -121,7 +121,7 @@ static bool read_all(File *f, uint8_t *bytes, size_t size)
     return true;
 }
 #endif
-/* <the files of Windows> */
+/* the files of Windows */
 #ifdef _WIN32
 #include <windows.h>
 
@@ -217,7 +217,8 @@ static bool read_all(File *f, uint8_t *bytes, size_t size)
     return true;
 }
 #endif
-/* <replace a file> */
+
+/* replace a file */
 enum { PATH_BYTES = 4000, NAME_BYTES = 32, TRIES = 100 };
 
 static size_t directory_of(const char *path)
@@ -250,7 +251,7 @@ static bool make_beside(char *fresh, size_t length, File *f)
     }
     return made;
 }
-/* <replace a file> */
+
 wfResult wfReplaceFile(const char *path, const void *bytes, size_t size)
 {
     char fresh[PATH_BYTES + NAME_BYTES], directory[PATH_BYTES + 2] = ".";
@@ -266,7 +267,8 @@ wfResult wfReplaceFile(const char *path, const void *bytes, size_t size)
     discard(fresh);
     return WF_ERROR_FILE;
 }
-/* <save to a file> */
+
+/* save to a file */
 wfResult wfSaveToFile(const wfWorld *world, const char *path)
 {
     wfMemory memory;
@@ -279,7 +281,7 @@ wfResult wfSaveToFile(const wfWorld *world, const char *path)
     wfFreeMemory(&memory);
     return result;
 }
-/* <save to a file> */
+
 wfResult wfSaveJournalToFile(const wfJournal *journal, const char *path)
 {
     wfMemory memory;
@@ -292,7 +294,8 @@ wfResult wfSaveJournalToFile(const wfJournal *journal, const char *path)
     wfFreeMemory(&memory);
     return result;
 }
-/* <load from a file> */
+
+/* load from a file */
 static wfResult fetch(const char *path, const wfLoadLimits *limits, wfMemory *memory)
 {
     File f;
@@ -306,7 +309,7 @@ static wfResult fetch(const char *path, const wfLoadLimits *limits, wfMemory *me
     close_file(&f);
     return result;
 }
-/* <load from a file> */
+
 wfResult wfLoadFromFileWithin(const char *path, const wfLoadLimits *limits, wfWorld *out)
 {
     wfMemory memory;
@@ -323,7 +326,7 @@ wfResult wfLoadFromFile(const char *path, wfWorld *out)
 {
     return wfLoadFromFileWithin(path, NULL, out);
 }
-/* <load from a file> */
+
 wfResult wfLoadJournalFromFile(const char *path, void *room, size_t capacity,
                                wfJournal *out)
 {

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <forces in a world> */
+/* forces in a world */
 static wfResult open_force(const wfWorld *world, wfForceId id, wfBlock *b, int32_t *index)
 {
     wfResult result = wfOpenBlock(world, b);
@@ -29,14 +29,14 @@ static wfResult check_world_force(const wfBlock *b, const wfForce *f)
     if (!is_place(b, f->a) || !is_place(b, f->b)) return WF_ERROR_STALE_ID;
     return wfCheckForce(f);
 }
-/* <forces in a world> */
+
 static void write_force(wfForce *to, const wfForce *f)
 {
     memset(to, 0, sizeof *to);
     to->kind = f->kind, to->a = f->a, to->b = f->b;
     for (int k = 0; k < wfForceTable[f->kind].params; k++) to->param[k] = f->param[k];
 }
-/* <forces in a world> */
+
 wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
 {
     wfBlock b;
@@ -52,7 +52,7 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
     return WF_OK;
 }
-/* <forces in a world> */
+
 wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
 {
     wfBlock b;
@@ -63,7 +63,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
     memset(&b.forces[i], 0, sizeof b.forces[i]);
     return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
 }
-/* <forces in a world> */
+
 wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out)
 {
     wfBlock b;
@@ -72,7 +72,7 @@ wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out)
     if (result == WF_OK) *out = b.forces[i];
     return result;
 }
-/* <forces in a world> */
+
 wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
 {
     wfBlock b;
@@ -91,7 +91,7 @@ int32_t wfForceCount(const wfWorld *world)
     wfBlock b;
     return wfOpenBlock(world, &b) == WF_OK ? b.head->forceSlots.count : 0;
 }
-/* <forces in a world> */
+
 static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
 {
     const wfBodyState *s = &b->state[i];
@@ -107,7 +107,7 @@ static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
     f.hand.spin = p->inertia > 0 ? 2 * (p->inertia + p->mass * arm) : 0;
     return f;
 }
-/* <forces in a world> */
+
 wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out)
 {
     wfBlock b;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/image.h"
 
-/* <how much of a region counts> */
+/* how much of a region counts */
 static uint64_t room(const wfHeader *h, int region)
 {
     bool last = region + 1 == WF_REGION_KEPT;
@@ -15,21 +15,18 @@ static size_t used(const wfHeader *h, int region)
 {
     switch (region) {
     case WF_REGION_HEADER: return 1;
-    /* <regions of which only the beginning counts> */
+    /* regions of which only the beginning counts */
     case WF_REGION_BODY_SLOTS: case WF_REGION_ALIVE: case WF_REGION_STATE:
     case WF_REGION_APPLIED: case WF_REGION_PROPS:
         return (size_t)h->bodySlots.high;
     case WF_REGION_FINE: return h->fineSums ? (size_t)h->bodySlots.high : 0;
-    /* <regions of which only the beginning counts> */
     case WF_REGION_SHAPE_SLOTS: case WF_REGION_SHAPES: case WF_REGION_OWNERS:
     case WF_REGION_NEXT_SHAPES: case WF_REGION_FILTERS: case WF_REGION_SHAPE_PROPS:
     case WF_REGION_BOUNDS: case WF_REGION_FLAGS:
         return (size_t)h->shapeSlots.high;
     case WF_REGION_PAIRS: case WF_REGION_CACHES: return (size_t)h->pairCount;
     case WF_REGION_CONTACTS: return (size_t)h->contactCount;
-    /* <regions of which only the beginning counts> */
     case WF_REGION_FORCE_SLOTS: case WF_REGION_FORCES: return (size_t)h->forceSlots.high;
-    /* <regions of which only the beginning counts> */
     case WF_REGION_TOUCHES: return (size_t)h->touchCount;
     case WF_REGION_HITS: return (size_t)h->hitCount;
     case WF_REGION_EVENTS: {
@@ -37,18 +34,13 @@ static size_t used(const wfHeader *h, int region)
         for (int k = 0; k < WF_EVENT_KINDS; k++) sum += (size_t)h->eventCount[k];
         return sum;
     }
-    /* <regions of which only the beginning counts> */
     case WF_REGION_PAIR_MATERIALS: return (size_t)h->knownPairs;
-    /* <regions of which only the beginning counts> */
     case WF_REGION_JOINT_SLOTS: case WF_REGION_JOINTS: return (size_t)h->jointSlots.high;
     case WF_REGION_BROKEN: return (size_t)h->brokenCount;
-    /* <regions of which only the beginning counts> */
     case WF_REGION_REST: case WF_REGION_CLOCKS: case WF_REGION_RINGS:
     case WF_REGION_ISLANDS:
         return (size_t)h->bodySlots.high;
-    /* <regions of which only the beginning counts> */
     case WF_REGION_ALONE: return 0;     /* can be found again */
-    /* <regions of which only the beginning counts> */
     case WF_REGION_INDEX: return 0;     /* can be built again */
     default:                        /* who adds a region and says nothing: all of it */
         return (size_t)room(h, region) / wfRegionTable[region].each;
@@ -60,7 +52,8 @@ static uint64_t counted(const wfHeader *h, int region)
 {
     return room(h, region) > 0 ? (uint64_t)used(h, region) * wfRegionTable[region].each : 0;
 }
-/* <measure an image> */
+
+/* measure an image */
 static size_t round_up(size_t bytes)
 {
     return (bytes + WF_POOL_ALIGN - 1) & ~(size_t)(WF_POOL_ALIGN - 1);
@@ -72,9 +65,7 @@ static wfResult measure(const wfHeader *head, wfImage *out)
     out->head = *head;
     out->head.busy = 0;
     out->head.indexStale = 1;
-    /* <forget in the header what can be found again> */
     /* beside the index */
-    /* <forget in the header what can be found again> */
     out->head.machines = 0;
     out->size = 0;
     for (int i = 0; i < WF_REGION_KEPT; i++) {
@@ -86,7 +77,8 @@ static wfResult measure(const wfHeader *head, wfImage *out)
     }
     return WF_OK;
 }
-/* <write and read an image> */
+
+/* write and read an image */
 wfResult wfImageOfBlock(const wfBlock *b, wfImage *out)
 {
     const uint8_t *base = (const uint8_t *)b->head;
@@ -108,7 +100,7 @@ void wfWriteImage(const wfImage *image, uint8_t *bytes)
         at += end;
     }
 }
-/* <write and read an image> */
+
 wfResult wfReadImage(const uint8_t *bytes, size_t size, wfImage *out)
 {
     wfHeader head;
@@ -124,7 +116,8 @@ wfResult wfReadImage(const uint8_t *bytes, size_t size, wfImage *out)
     }
     return WF_OK;
 }
-/* <take an image into a block> */
+
+/* take an image into a block */
 void wfKeepBuiltIn(const wfHeader *own, wfHeader *now)
 {
     now->magic = own->magic;
@@ -138,25 +131,20 @@ void wfKeepBuiltIn(const wfHeader *own, wfHeader *now)
                    sizeof(int32_t));
     }
     now->bodySlots.capacity = own->bodySlots.capacity;
-    /* <further things of a header that are built in> */
+    /* further things of a header that are built in */
     now->shapeSlots.capacity = own->shapeSlots.capacity;
     now->large = own->large;
-    /* <further things of a header that are built in> */
     now->forceSlots.capacity = own->forceSlots.capacity;
-    /* <further things of a header that are built in> */
     now->jointSlots.capacity = own->jointSlots.capacity;
 }
-/* <take an image into a block> */
+
 static bool holds_slots(int region)
 {
     switch (region) {
-    /* <regions that hold slots> */
+    /* regions that hold slots */
     case WF_REGION_BODY_SLOTS:
-    /* <regions that hold slots> */
     case WF_REGION_SHAPE_SLOTS:
-    /* <regions that hold slots> */
     case WF_REGION_FORCE_SLOTS:
-    /* <regions that hold slots> */
     case WF_REGION_JOINT_SLOTS:
         return true;
     default: return false;
@@ -173,11 +161,11 @@ static void empty_places(uint8_t *array, int region, size_t from, size_t end)
     for (size_t at = from; at + sizeof fresh <= end; at += sizeof fresh)
         memcpy(array + at, &fresh, sizeof fresh);
 }
-/* <take an image into a block> */
+
 static void begin_places(uint8_t *array, size_t place, int region, const wfHeader *head)
 {
     switch (region) {
-    /* <regions that begin with -1> */
+    /* regions that begin with -1 */
     case WF_REGION_RINGS: case WF_REGION_ISLANDS:
         break;
     default: return;
@@ -185,23 +173,22 @@ static void begin_places(uint8_t *array, size_t place, int region, const wfHeade
     uint64_t bytes = (uint64_t)used(head, region) * wfRegionTable[region].each;
     if (bytes <= place) memset(array, 0xff, (size_t)bytes);
 }
-/* <take an image into a block> */
+
 static void drop_index(const wfBlock *b)
 {
     size_t size = (size_t)room(b->head, WF_REGION_INDEX), stamp = 2 * WF_POOL_ALIGN;
     uint8_t *index = (uint8_t *)b->head + b->head->offset[WF_REGION_INDEX];
     memset(index, 0, size < stamp ? size : stamp);
 }
-/* <take an image into a block> */
+
 wfResult wfTakeImage(wfBlock *b, const wfImage *image)
 {
     uint8_t *base = (uint8_t *)b->head;
     wfHeader head = image->head;
     if (head.magic != b->head->magic) return WF_ERROR_NOT_A_WORLD;
-    /* <see that the block has what the image needs> */
+    /* see that the block has what the image needs */
     if (head.solver == wfFindSolver(WF_SOLVER_LARGE) && !b->head->large)
         return WF_ERROR_BUILT_IN;
-    /* <see that the block has what the image needs> */
     if ((head.exactJoints != 0) != (b->head->exactJoints != 0)) return WF_ERROR_BUILT_IN;
     for (int i = 0; i < WF_REGION_KEPT; i++)
         if (image->bytes[i] > room(b->head, i)) return WF_ERROR_FULL;
@@ -218,11 +205,12 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image)
     *b->head = head;
     return WF_OK;
 }
-/* <put an image into new memory> */
+
+/* put an image into new memory */
 static bool is_list(int region)
 {
     switch (region) {
-    /* <regions that are lists> */
+    /* regions that are lists */
     case WF_REGION_PAIRS: case WF_REGION_CACHES: case WF_REGION_CONTACTS:
     case WF_REGION_TOUCHES: case WF_REGION_HITS: case WF_REGION_EVENTS:
     case WF_REGION_INDEX:
@@ -244,11 +232,12 @@ void wfPlaceImage(const wfImage *image, uint8_t *base)
     wfBlock b = { .head = head };
     drop_index(&b);
 }
-/* <make a world of an image> */
+
+/* make a world of an image */
 static void make_room(const wfImage *image, wfWorldDef *def)
 {
     (void)image, (void)def;
-    /* <make room for what the image may need> */
+    /* make room for what the image may need */
     if (image->head.large) def->solver = wfFindSolver(WF_SOLVER_LARGE);
 }
 

@@ -24,7 +24,6 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image);
 void wfKeepBuiltIn(const wfHeader *own, wfHeader *now);
 /* A number for the names and places of the fields that have a name. */
 uint64_t wfHashFields(uint64_t h);
-/* <declarations of the engine's own journal calls> */
 /* The steps that a journal notes. WF_ERROR_INVALID: it is none of this program. */
 wfResult wfCountJournal(const wfJournal *journal, uint64_t *steps);
 /* A number for what the entries of a journal look like. */

@@ -4,7 +4,7 @@
 #include "engine/block.h"
 #include "engine/step.h"
 
-/* <find the arrays of the joints> */
+/* find the arrays of the joints */
 typedef struct Joints {
     wfSlot *slots;
     wfJoint *joints;
@@ -20,7 +20,8 @@ static Joints joints_of(const wfBlock *b)
 }
 
 static bool is_live(const Joints *j, int32_t i) { return j->slots[i].next == WF_SLOT_LIVE; }
-/* <open a joint> */
+
+/* open a joint */
 static wfResult open_joint(const wfWorld *world, wfJointId id, wfBlock *b, Joints *j,
                            int32_t *index)
 {
@@ -37,7 +38,7 @@ static wfResult change_joint(const wfWorld *world, wfJointId id, wfBlock *b, Joi
     wfResult result = open_joint(world, id, b, j, index);
     return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
 }
-/* <open a joint> */
+
 static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 {
     wfResult result = wfCheckJoint(j);
@@ -48,7 +49,8 @@ static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
     bool steps = wfSolverTable[b->head->solver].step != NULL;
     return steps ? WF_OK : WF_ERROR_SOLVER;
 }
-/* <join two bodies> */
+
+/* join two bodies */
 wfResult wfJoinBodies(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                       wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out)
 {
@@ -68,7 +70,8 @@ wfResult wfJoinBodies(const wfWorld *world, const char *kind, wfBodyId a, wfBody
     if (result == WF_OK) *out = made;
     return result;
 }
-/* <add, change and remove joints> */
+
+/* add, change and remove joints */
 wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
 {
     wfBlock b;
@@ -86,7 +89,7 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     if (out != NULL) *out = (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };
     return WF_OK;
 }
-/* <add, change and remove joints> */
+
 wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
 {
     wfBlock b;
@@ -98,7 +101,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
     memset(&j.joints[i], 0, sizeof j.joints[i]);
     return wfSlotGive(&b.head->jointSlots, j.slots, i, id.generation);
 }
-/* <add, change and remove joints> */
+
 wfResult wfGetJoint(const wfWorld *world, wfJointId id, wfJoint *out)
 {
     wfBlock b;
@@ -123,7 +126,7 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
     wfDisturbEnds(&b, joint->a, joint->b);
     return WF_OK;
 }
-/* <add, change and remove joints> */
+
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque)
 {
     wfBlock b;
@@ -147,7 +150,8 @@ wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfRea
     if (torque != NULL) *torque = j.joints[i].peakTorque;
     return WF_OK;
 }
-/* <look at the joints of a world> */
+
+/* look at the joints of a world */
 int32_t wfWorldJointPlaces(const wfWorld *world)
 {
     wfBlock b;
@@ -171,7 +175,7 @@ int32_t wfJointCount(const wfWorld *world)
         if (wfJointAt(world, i).index != 0) count++;
     return count;
 }
-/* <look at the joints of a world> */
+
 bool wfJointsSolvedTogether(const wfWorld *world)
 {
     wfBlock b;
@@ -191,7 +195,7 @@ int32_t wfUnsolvedSubsteps(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->unsolved : 0;
 }
 
-/* <look at the joints of a world> */
+
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count)
 {
     wfBlock b;
@@ -200,7 +204,8 @@ const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count)
     if (count != NULL) *count = b.head->brokenCount;
     return joints_of(&b).broken;
 }
-/* <drop the joints of a body> */
+
+/* drop the joints of a body */
 void wfDropJoints(wfBlock *b, int32_t body)
 {
     Joints j = joints_of(b);
@@ -212,7 +217,7 @@ void wfDropJoints(wfBlock *b, int32_t body)
         memset(&j.joints[i], 0, sizeof j.joints[i]);
     }
 }
-/* <drop the joints of a body> */
+
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by)
 {
     Joints j = joints_of(b);
@@ -231,7 +236,7 @@ void wfMoveJoints(wfBlock *b, wfVec2 by)
     for (int32_t i = 0; i < b->head->jointSlots.high; i++)
         if (is_live(&j, i)) wfMoveJoint(&j.joints[i], by);
 }
-/* <drop the joints of a body> */
+
 void wfRouseJoined(wfBlock *b, int32_t body)
 {
     Joints j = joints_of(b);
@@ -242,7 +247,8 @@ void wfRouseJoined(wfBlock *b, int32_t body)
         if (two == body && wfSleeps(b, one)) wfRouse(b, one);
     }
 }
-/* <leave out pairs that are joined> */
+
+/* leave out pairs that are joined */
 static bool comes_before(wfPair a, wfPair b)
 {
     return a.a != b.a ? a.a < b.a : a.b < b.b;
@@ -262,7 +268,7 @@ static int32_t list_joined(struct wfStep *s, wfPair *out)
     wfPairList list = { .pairs = out, .count = count, .capacity = count };
     return wfSortPairs(&list, s->count, &s->scratch) == WF_OK ? count : -1;
 }
-/* <leave out pairs that are joined> */
+
 static bool is_joined(const wfPair *list, int32_t count, wfPair pair)
 {
     int32_t low = 0, high = count;
@@ -273,7 +279,7 @@ static bool is_joined(const wfPair *list, int32_t count, wfPair pair)
     }
     return low < count && !comes_before(pair, list[low]);
 }
-/* <leave out pairs that are joined> */
+
 wfResult wfLeaveOutJoined(struct wfStep *s)
 {
     wfPair *list = wfTransient(&s->b, WF_REGION_JOINED);
@@ -289,13 +295,13 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
     s->joinedCount = count;
     return WF_OK;
 }
-/* <leave out pairs that are joined> */
+
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b)
 {
     wfPair owners = { a < b ? a : b, a < b ? b : a };
     return is_joined(wfTransient(&s->b, WF_REGION_JOINED), s->joinedCount, owners);
 }
-/* <hand the joints to the solver> */
+
 /* A number for who is joined to whom and who can move; never 0. */
 static uint64_t fingerprint(const struct wfStep *s)
 {
@@ -313,7 +319,7 @@ static uint64_t fingerprint(const struct wfStep *s)
     }
     return sum | 1;
 }
-/* <hand the joints to the solver> */
+
 static uint8_t *verdicts(const wfBlock *b)
 {
     return (uint8_t *)b->head + b->head->offset[WF_REGION_ALONE];
@@ -336,7 +342,7 @@ static wfResult solve_machines(struct wfStep *s)
                            h->exactJoints == WF_JOINTS_AUTO ? h->exactCost : -1, alone,
                            known, &pool);
 }
-/* <hand the joints to the solver> */
+
 wfResult wfTakeJoints(struct wfStep *s)
 {
     wfJoint *copy = wfTransient(&s->b, WF_REGION_NEW_JOINTS);
@@ -359,14 +365,12 @@ wfResult wfTakeJoints(struct wfStep *s)
     if (result == WF_OK) result = wfBeginJoints(&s->jointSet, s->count, &pool,
                                                   &s->jointLaws);
     if (result == WF_OK) s->laws = &s->jointLaws;
-    /* <solve the joints together, if that is wanted> */
     /* see chapter 19 */
-    /* <solve the joints together, if that is wanted> */
     s->jointSet.give = s->b.head->jointGive;
     if (result == WF_OK && s->b.head->exactJoints) result = solve_machines(s);
     return result;
 }
-/* <hand the joints to the solver> */
+
 wfResult wfJudgeJoints(struct wfStep *s)
 {
     wfSolve done = { .state = s->state, .h = s->b.head->dt,
@@ -382,15 +386,13 @@ wfResult wfJudgeJoints(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <hand the joints to the solver> */
+
 wfResult wfKeepJoints(struct wfStep *s)
 {
     wfHeader *head = s->b.head;
     Joints j = joints_of(&s->b);
     head->brokenCount = 0;
-    /* <keep what was solved together> */
     /* where some may be */
-    /* <keep what was solved together> */
     head->together = 0;
     head->unsolved = s->jointSet.unsolved;
     for (int32_t i = 0; s->jointSet.together != NULL && i < s->jointSet.count; i++)

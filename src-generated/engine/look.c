@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <look at the arrays of a world> */
+/* look at the arrays of a world */
 wfBodyView wfWorldBodies(const wfWorld *world)
 {
     wfBlock b;
@@ -11,7 +11,7 @@ wfBodyView wfWorldBodies(const wfWorld *world)
     return wfViewOf(&b, b.state);
 }
 
-/* <look at the arrays of a world> */
+
 const wfPair *wfWorldPairs(const wfWorld *world, int32_t *count)
 {
     wfBlock b;
@@ -27,7 +27,7 @@ const wfContact *wfWorldContacts(const wfWorld *world, int32_t *count)
     if (count != NULL) *count = open ? b.head->contactCount : 0;
     return open ? b.contacts : NULL;
 }
-/* <look at the arrays of a world> */
+
 int32_t wfBodyCount(const wfWorld *world)
 {
     wfBlock b;
@@ -45,7 +45,7 @@ uint64_t wfWorldSteps(const wfWorld *world)
     wfBlock b;
     return wfOpenBlock(world, &b) == WF_OK ? b.head->steps : 0;
 }
-/* <look at the arrays of a world> */
+
 wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
 {
     wfBlock b;
@@ -54,7 +54,7 @@ wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
     if (result == WF_OK) *out = wfProxiesOf(&b, b.bounds, b.flags);
     return result;
 }
-/* <look at the arrays of a world> */
+
 wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *visit,
                            void *context)
 {
@@ -75,7 +75,8 @@ wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *
     wfPoolRewind(scratch, mark);
     return result;
 }
-/* <hash a world> */
+
+/* hash a world */
 static uint64_t hash_state(uint64_t h, const wfBodyState *s)
 {
     const wfReal number[] = { s->p.x, s->p.y, s->angle, s->v.x, s->v.y, s->w,
@@ -95,20 +96,19 @@ uint64_t wfHashWorld(const wfWorld *world)
         h = wfHashU32(h, (uint32_t)i);
         h = wfHashU32(h, b.bodySlots[i].generation);
         h = hash_state(h, &b.state[i]);
-        /* <hash what else there is of body i> */
+        /* hash what else there is of body i */
         if (b.fine != NULL) {
             const wfFine *f = &b.fine[i];
             h = wfHashReal(wfHashReal(wfHashReal(h, f->p.x), f->p.y), f->angle);
             h = wfHashReal(wfHashReal(wfHashReal(h, f->v.x), f->v.y), f->w);
         }
-        /* <hash what else there is of body i> */
         /* In this chapter nothing. */
-        /* <hash what else there is of body i> */
         if (wfSleeps(&b, i)) h = wfHashU32(h, UINT32_MAX);
     }
     return h;
 }
-/* <add up the energy of a world> */
+
+/* add up the energy of a world */
 static double energy_in(const wfForce *force, const wfBodyView *bodies)
 {
     if (force->a >= 0) return (double)wfForceEnergy(force, 1, bodies);
@@ -118,7 +118,7 @@ static double energy_in(const wfForce *force, const wfBodyView *bodies)
         sum += (double)wfForceEnergy(&one, 1, bodies);
     return sum;
 }
-/* <add up the energy of a world> */
+
 wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
 {
     wfBlock b;
@@ -129,9 +129,7 @@ wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
     double moving = 0, stored = energy_in(&gravity, &bodies);
     for (int32_t i = 0; i < bodies.count; i++)
         moving += (double)wfKineticEnergy(&b.state[i]);
-    /* <add the energy of the registered forces> */
     /* where there are any */
-    /* <add the energy of the registered forces> */
     for (int32_t i = 0; i < b.head->forceSlots.high; i++)
         if (b.forceSlots[i].next == WF_SLOT_LIVE)
             stored += energy_in(&b.forces[i], &bodies);
@@ -139,7 +137,8 @@ wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
     if (potential != NULL) *potential = stored;
     return WF_OK;
 }
-/* <add up the momentum of a world> */
+
+/* add up the momentum of a world */
 wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular)
 {
     wfBlock b;
@@ -156,7 +155,8 @@ wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular
     if (angular != NULL) *angular = turn;
     return WF_OK;
 }
-/* <look at the events of a world> */
+
+/* look at the events of a world */
 const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count)
 {
     wfBlock b;
@@ -175,7 +175,8 @@ const wfHit *wfWorldHits(const wfWorld *world, int32_t *count)
     if (count != NULL) *count = open ? b.head->hitCount : 0;
     return open ? b.hits : NULL;
 }
-/* <find the body at a point> */
+
+/* find the body at a point */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
 {
     wfBlock b;
@@ -191,7 +192,8 @@ bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
     }
     return false;
 }
-/* <tell how the solver fared> */
+
+/* tell how the solver fared */
 wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out)
 {
     wfBlock b;
@@ -199,7 +201,8 @@ wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out)
     if (result == WF_OK) *out = b.head->report;
     return result;
 }
-/* <look at the contact of two shapes> */
+
+/* look at the contact of two shapes */
 static const wfContact *search(const wfBlock *b, int32_t low, int32_t end, wfPair pair)
 {
     int32_t high = end;
@@ -213,7 +216,7 @@ static const wfContact *search(const wfBlock *b, int32_t low, int32_t end, wfPai
     const wfContact *c = &b->contacts[low];
     return low < end && c->shapeA == pair.a && c->shapeB == pair.b ? c : NULL;
 }
-/* <look at the contact of two shapes> */
+
 wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out)
 {
     wfBlock block;

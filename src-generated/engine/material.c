@@ -3,9 +3,8 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <find a known pair> */
 /* where pairs may be known */
-/* <find a known pair> */
+
 static wfKnownPair *known_pairs(const wfBlock *b)
 {
     return (void *)((uint8_t *)b->head + b->head->offset[WF_REGION_PAIR_MATERIALS]);
@@ -25,27 +24,26 @@ static int32_t place_of_pair(const wfBlock *b, int32_t one, int32_t two)
     }
     return low;
 }
-/* <find a known pair> */
+
 static bool is_pair(const wfBlock *b, int32_t at, int32_t one, int32_t two)
 {
     const wfKnownPair *k = &known_pairs(b)[at];
     if (at >= b->head->knownPairs) return false;
     return (k->a == one && k->b == two) || (k->a == two && k->b == one);
 }
-/* <mix what two shapes are made of> */
+
+/* mix what two shapes are made of */
 wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two)
 {
     const wfHeader *h = b->head;
-    /* <look whether the pair is known> */
     /* and mix if it is not */
-    /* <look whether the pair is known> */
     if (one->material > 0 && two->material > 0 && h->knownPairs > 0) {
         int32_t at = place_of_pair(b, one->material, two->material);
         if (is_pair(b, at, one->material, two->material)) return known_pairs(b)[at].m;
     }
     wfPairMaterial m = { .friction = 0 };
-    /* <mix the friction of two shapes> */
+    /* mix the friction of two shapes */
     if (wfHas(h, WF_NEED_FRICTION)) {
         wfReal holdsOne = wfMaxR(one->staticFriction, one->friction);
         wfReal holdsTwo = wfMaxR(two->staticFriction, two->friction);
@@ -53,15 +51,16 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
         m.friction = friction(one->friction, two->friction);
         m.staticFriction = friction(holdsOne, holdsTwo);
     }
-    /* <mix the restitution of two shapes> */
+    /* mix the restitution of two shapes */
     if (wfHas(h, WF_NEED_RESTITUTION))
         m.restitution = wfMixTable[h->restitutionMix].mix(one->restitution, two->restitution);
-    /* <mix the rolling resistance of two shapes> */
+    /* mix the rolling resistance of two shapes */
     if (wfHas(h, WF_NEED_ROLLING))
         m.rolling = wfMixTable[h->rollingMix].mix(one->rolling, two->rolling);
     return m;
 }
-/* <know a pair of materials> */
+
+/* know a pair of materials */
 static wfResult check_pair(int32_t one, int32_t two, const wfPairMaterial *m)
 {
     if (one < 1 || two < 1) return WF_ERROR_RANGE;
@@ -72,7 +71,7 @@ static wfResult check_pair(int32_t one, int32_t two, const wfPairMaterial *m)
         if (number[i] < 0) return WF_ERROR_RANGE;
     return m->restitution > 1 ? WF_ERROR_RANGE : WF_OK;
 }
-/* <know a pair of materials> */
+
 wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m)
 {
     wfBlock block;
@@ -84,7 +83,7 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     int32_t at = place_of_pair(&block, a, b), *count = &block.head->knownPairs;
     bool there = is_pair(&block, at, a, b);
     size_t behind = (size_t)(*count - at) * sizeof *known;
-    /* <forget the pair, if nothing is to be known of it> */
+    /* forget the pair, if nothing is to be known of it */
     if (m == NULL && there) {
         memmove(&known[at], &known[at + 1], behind - sizeof *known);
         memset(&known[--*count], 0, sizeof *known);
@@ -100,7 +99,7 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     known[at] = (wfKnownPair){ a < b ? a : b, a < b ? b : a, *m };
     return WF_OK;
 }
-/* <know a pair of materials> */
+
 wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMaterial *out)
 {
     wfBlock block;

@@ -4,67 +4,47 @@
 #include "engine/block.h"
 
 const wfNeedRow wfNeedTable[] = {
-    /* <rows of the table of needs> */
     { "rotation", "bodies turn", WF_NEED_ROTATION, 0, 0, WF_ERROR_NO_ROTATION },
-    /* <rows of the table of needs> */
     { "damping", "velocities die away", WF_NEED_DAMPING, 0, 0, WF_ERROR_NO_DAMPING },
-    /* <rows of the table of needs> */
     { "pushes", "the program pushes single bodies", WF_NEED_PUSHES, 0, 0,
       WF_ERROR_NO_PUSHES },
-    /* <rows of the table of needs> */
     { "forces", "springs, drag and other registered forces", WF_NEED_FORCES, 0, 0,
       WF_ERROR_NO_FORCES },
-    /* <rows of the table of needs> */
     { "shapes", "bodies are more than points", WF_NEED_SHAPES, 0, 0, WF_ERROR_NO_SHAPES },
-    /* <rows of the table of needs> */
     { "contacts", "bodies that meet are kept apart", WF_NEED_CONTACTS, WF_NEED_SHAPES, 0,
       WF_ERROR_NO_CONTACTS },
-    /* <rows of the table of needs> */
     { "friction", "what slides is braked", WF_NEED_FRICTION, WF_NEED_CONTACTS,
       WF_NEED_CONTACTS, WF_ERROR_NO_FRICTION },
-    /* <rows of the table of needs> */
     { "restitution", "what falls bounces", WF_NEED_RESTITUTION, WF_NEED_CONTACTS,
       WF_NEED_CONTACTS, WF_ERROR_NO_RESTITUTION },
-    /* <rows of the table of needs> */
     { "rolling", "what rolls is braked", WF_NEED_ROLLING, WF_NEED_CONTACTS,
       WF_NEED_CONTACTS, WF_ERROR_NO_ROLLING },
-    /* <rows of the table of needs> */
     { "materials", "pairs of materials are known", WF_NEED_MATERIALS, WF_NEED_CONTACTS, 0,
       WF_ERROR_NO_MATERIALS },
-    /* <rows of the table of needs> */
     { "compounds", "bodies have several shapes", WF_NEED_COMPOUNDS, WF_NEED_SHAPES, 0,
       WF_ERROR_NO_COMPOUNDS },
-    /* <rows of the table of needs> */
     { "events", "what began and ended is listed", WF_NEED_EVENTS, WF_NEED_CONTACTS, 0,
       WF_ERROR_NO_EVENTS },
-    /* <rows of the table of needs> */
     { "sensors", "places notice who is in them", WF_NEED_SENSORS,
       WF_NEED_CONTACTS | WF_NEED_EVENTS, 0, WF_ERROR_NO_SENSORS },
-    /* <rows of the table of needs> */
     { "hooks", "the program decides about contacts", WF_NEED_HOOKS, WF_NEED_CONTACTS, 0,
       WF_ERROR_NO_HOOKS },
-    /* <rows of the table of needs> */
     { "queries", "rays and overlaps are answered", WF_NEED_QUERIES, WF_NEED_SHAPES, 0,
       WF_ERROR_NO_QUERIES },
-    /* <rows of the table of needs> */
     { "substeps", "the solver moves the bodies, in substeps", WF_NEED_SUBSTEPS, 0, 0,
       WF_ERROR_NO_SUBSTEPS },
-    /* <rows of the table of needs> */
     { "methods", "methods are exchanged while the world runs", WF_NEED_METHODS, 0, 0,
       WF_ERROR_NO_METHODS },
-    /* <rows of the table of needs> */
     { "joints", "bodies are joined", WF_NEED_JOINTS, WF_NEED_SUBSTEPS, 0,
       WF_ERROR_NO_JOINTS },
-    /* <rows of the table of needs> */
     { "fast", "fast bodies are followed to what they hit", WF_NEED_FAST, WF_NEED_CONTACTS, 0,
       WF_ERROR_NO_FAST },
-    /* <rows of the table of needs> */
     { "sleep", "what rests is left out of the step", WF_NEED_SLEEP,
       WF_NEED_CONTACTS | WF_NEED_QUERIES, 0, WF_ERROR_NO_SLEEP },
 };
 const int wfNeedCount = (int)(sizeof wfNeedTable / sizeof *wfNeedTable);
 
-/* <look up needs> */
+/* look up needs */
 int wfFindNeed(const char *name)
 {
     for (int i = 0; name != NULL && i < wfNeedCount; i++)
@@ -85,17 +65,14 @@ uint32_t wfCloseNeeds(uint32_t needs)
         if (needs & wfNeedTable[i].bit) needs |= wfNeedTable[i].implies;
     return needs;
 }
-/* <look up needs> */
+
 static const wfRegionUse region_use[WF_REGION_COUNT] = {
-    /* <what the regions are for> */
+    /* what the regions are for */
     [WF_REGION_APPLIED] = { WF_NEED_PUSHES, NULL },
-    /* <what the regions are for> */
     [WF_REGION_NEW_STATE] = { 0, "copy" }, [WF_REGION_PRESENT] = { 0, "copy" },
     [WF_REGION_ACTIVE_FORCES] = { 0, "forces" },
-    /* <what the regions are for> */
     [WF_REGION_FORCE_SLOTS] = { WF_NEED_FORCES, NULL },
     [WF_REGION_FORCES] = { WF_NEED_FORCES, NULL },
-    /* <what the regions are for> */
     [WF_REGION_SUMS] = { WF_NEED_SUBSTEPS, "integrate" },
     [WF_REGION_SHAPE_SLOTS] = { WF_NEED_SHAPES, NULL },
     [WF_REGION_SHAPES] = { WF_NEED_SHAPES, NULL },
@@ -111,14 +88,12 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
     [WF_REGION_NEW_FLAGS] = { WF_NEED_CONTACTS | WF_NEED_QUERIES, "bounds" },
     [WF_REGION_INDEX] = { WF_NEED_CONTACTS | WF_NEED_QUERIES, "broad phase" },
     [WF_REGION_NEW_INDEX] = { WF_NEED_CONTACTS | WF_NEED_QUERIES, "broad phase" },
-    /* <what the regions are for> */
     [WF_REGION_PAIRS] = { WF_NEED_CONTACTS, "broad phase" },
     [WF_REGION_NEW_PAIRS] = { WF_NEED_CONTACTS, "broad phase" },
     [WF_REGION_CACHES] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_NEW_CACHES] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_CONTACTS] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_NEW_CONTACTS] = { WF_NEED_CONTACTS, "narrow phase" },
-    /* <what the regions are for> */
     [WF_REGION_TOUCHES] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_NEW_TOUCHES] = { WF_NEED_CONTACTS, "narrow phase" },
     [WF_REGION_TOLD] = { WF_NEED_CONTACTS, "narrow phase" },
@@ -126,9 +101,7 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
     [WF_REGION_NEW_HITS] = { WF_NEED_EVENTS, "narrow phase" },
     [WF_REGION_EVENTS] = { WF_NEED_EVENTS, "events" },
     [WF_REGION_NEW_EVENTS] = { WF_NEED_EVENTS, "events" },
-    /* <what the regions are for> */
     [WF_REGION_PAIR_MATERIALS] = { WF_NEED_MATERIALS, NULL },
-    /* <what the regions are for> */
     [WF_REGION_JOINT_SLOTS] = { WF_NEED_JOINTS, NULL },
     [WF_REGION_JOINTS] = { WF_NEED_JOINTS, "keep joints" },
     [WF_REGION_BROKEN] = { WF_NEED_JOINTS, "keep joints" },
@@ -136,18 +109,15 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
     [WF_REGION_JOINT_PLACES] = { WF_NEED_JOINTS, "joints" },
     [WF_REGION_JOINED] = { WF_NEED_JOINTS, "joined pairs" },
     [WF_REGION_JOINT_WORK] = { WF_NEED_JOINTS, "joints" },
-    /* <what the regions are for> */
     [WF_REGION_ALONE] = { WF_NEED_JOINTS, "keep joints" },
     [WF_REGION_NEW_ALONE] = { WF_NEED_JOINTS, "joints" },
     [WF_REGION_EXACT] = { WF_NEED_JOINTS, "joints" },
-    /* <what the regions are for> */
     [WF_REGION_FLIGHTS] = { WF_NEED_FAST, "impacts" },
     [WF_REGION_FLIGHT_OF] = { WF_NEED_FAST, "impacts" },
     [WF_REGION_STRIKES] = { WF_NEED_FAST, "impacts" },
     [WF_REGION_SPARED] = { WF_NEED_FAST, "impacts" },
     [WF_REGION_FRESH] = { WF_NEED_FAST, "impacts" },
     [WF_REGION_NEAR] = { WF_NEED_FAST, "impacts" },
-    /* <what the regions are for> */
     [WF_REGION_REST] = { WF_NEED_SLEEP, "islands" },
     [WF_REGION_CLOCKS] = { WF_NEED_SLEEP, "islands" },
     [WF_REGION_RINGS] = { WF_NEED_SLEEP, "islands" },
@@ -162,24 +132,24 @@ wfRegionUse wfRegionServes(int region)
     bool is = region >= 0 && region < WF_REGION_COUNT;
     return is ? region_use[region] : (wfRegionUse){ 0, NULL };
 }
-/* <the needs of a definition> */
+
+/* the needs of a definition */
 uint32_t wfNeedsOf(const wfWorldDef *d)
 {
     uint32_t needs = wfCloseNeeds(d->needs);
-    /* <what the methods imply> */
     /* An integrator needs nothing. */
-    /* <what the methods imply> */
     bool is = d->solver >= 0 && d->solver < wfSolverCount;
     bool steps = is && wfSolverTable[d->solver].step != NULL;
     if (steps && (needs & WF_NEED_CONTACTS)) needs |= WF_NEED_SUBSTEPS;
     return needs;
 }
-/* <does a stage run> */
+
+/* does a stage run */
 bool wfStageRuns(const wfStageRow *row, uint32_t needs)
 {
     return (needs & row->all) == row->all && (row->any == 0 || (needs & row->any) != 0);
 }
-/* <ask for needs> */
+
 /* Without those that could not show in a world that has these. */
 static uint32_t that_show(uint32_t needs, uint32_t have)
 {
@@ -200,7 +170,7 @@ uint32_t wfLacking(uint32_t have, uint32_t needs)
 {
     return that_show(needs & ~have, have);
 }
-/* <ask for needs> */
+
 wfResult wfNeedError(uint32_t needs)
 {
     for (int i = 0; i < wfNeedCount; i++)
@@ -213,7 +183,7 @@ uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs)
     wfBlock b;
     return wfOpenBlock(world, &b) == WF_OK ? wfLacking(b.head->needs, needs) : needs;
 }
-/* <ask for needs> */
+
 wfBodyDef wfDefaultBodyDefFor(const wfWorld *world)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -227,21 +197,19 @@ wfShapeDef wfDefaultShapeDefFor(const wfWorld *world)
     if (wfMissingNeeds(world, WF_NEED_FRICTION)) def.friction = 0;
     return def;
 }
-/* <infer the needs of a world> */
+
+/* infer the needs of a world */
 static uint32_t needs_used(const wfHeader *h)
 {
     uint32_t used = h->used;
-    /* <what else was used> */
     /* by what leaves its mark elsewhere */
-    /* <what else was used> */
     if (h->mostPairs > 0) used |= WF_NEED_CONTACTS;
     bool moves = wfSolverTable[h->solver].step != NULL && (h->needs & WF_NEED_SUBSTEPS);
     if (moves) used |= WF_NEED_SUBSTEPS;
-    /* <what else was used> */
     if (h->sleep) used |= WF_NEED_SLEEP;
     return that_count(used);
 }
-/* <infer the needs of a world> */
+
 wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out)
 {
     wfBlock b;
@@ -252,18 +220,14 @@ wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out)
     wfWorldDef def = wfSettings(h), usual = wfDefaultWorldDef();
     def.needs = needs_used(h) | besides;
     def.needs = wfNeedsOf(&def);
-    /* <capacities that were used> */
+    /* capacities that were used */
     def.bodyCapacity = h->bodySlots.high > 0 ? h->bodySlots.high : 1;
-    /* <capacities that were used> */
     def.forceCapacity = h->forceSlots.high;
-    /* <capacities that were used> */
     bool meets = (def.needs & WF_NEED_CONTACTS) != 0;
     def.shapeCapacity = h->shapeSlots.high > 0 ? h->shapeSlots.high : 1;
     def.pairCapacity = meets && h->mostPairs == 0 ? 1 : h->mostPairs;
     def.contactCapacity = meets && h->mostContacts == 0 ? 1 : h->mostContacts;
-    /* <capacities that were used> */
     def.pairMaterials = h->mostMaterials;
-    /* <capacities that were used> */
     def.jointCapacity = h->jointSlots.high;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
@@ -274,7 +238,8 @@ wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out)
     *out = def;
     return WF_OK;
 }
-/* <infer the needs of a scene> */
+
+/* infer the needs of a scene */
 static uint32_t needs_listed(const wfSceneList *list, int32_t *shapes)
 {
     uint32_t needs = list->forceCount > 0 ? WF_NEED_FORCES : 0;
@@ -290,13 +255,11 @@ static uint32_t needs_listed(const wfSceneList *list, int32_t *shapes)
     if (list->shapeCount > 0) needs |= WF_NEED_COMPOUNDS;
     *shapes += list->shapeCount;
     if (*shapes > 1) needs |= WF_NEED_CONTACTS;
-    /* <what else a list requires> */
     /* Later chapters know more. */
-    /* <what else a list requires> */
     if (list->jointCount > 0) needs |= WF_NEED_JOINTS;
     return needs;
 }
-/* <infer the needs of a scene> */
+
 wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def)
 {
     int32_t shapes = 0;
@@ -311,9 +274,7 @@ wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef
     def->forceCapacity = list->forceCount;
     def->shapeCapacity = shapes;
     def->pairCapacity = def->contactCapacity = 0;
-    /* <what else a list has room for> */
     /* Later chapters know more. */
-    /* <what else a list has room for> */
     def->jointCapacity = list->jointCount;
     return WF_OK;
 }

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #include "weft/report.h"
 
-/* <create the report's world> */
+/* create the report's world */
 physics_world wfReportCreateWorld(const real32 *Dt, size_t Count)
 {
     physics_world World = { .memory = { .owned = 0 } };
@@ -12,7 +12,8 @@ physics_world wfReportCreateWorld(const real32 *Dt, size_t Count)
     if (Def.dt <= 1) wfCreateWorld(&Def, &World);  /* above: milliseconds were meant */
     return World;
 }
-/* <make the report's body> */
+
+/* make the report's body */
 poly_body_data wfReportPolyBody(v2 Dimensions, const real32 *Numbers, size_t Count)
 {
     real32 Orientation = Count >= 2 ? Numbers[2] : 0;
@@ -21,7 +22,8 @@ poly_body_data wfReportPolyBody(v2 Dimensions, const real32 *Numbers, size_t Cou
         .Mass = Numbers[1], .LinearDamping = Count >= 3 ? Numbers[3] : WF_R(0.35),
         .AngularDamping = Count >= 4 ? Numbers[4] : WF_R(0.9), .Friction = WF_R(0.5) };
 }
-/* <turn the report's body into a definition> */
+
+/* turn the report's body into a definition */
 static wfResult define(const poly_body_data *Body, wfBodyDef *Out)
 {
     mat23 T = Body->Transform;
@@ -29,7 +31,7 @@ static wfResult define(const poly_body_data *Body, wfBodyDef *Out)
         if (!wfIsFinite(T.E[i])) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(Body->Mass)) return WF_ERROR_NOT_FINITE;
     *Out = wfDefaultBodyDef();
-    /* <refuse a transform that is no rotation> */
+    /* refuse a transform that is no rotation */
     const real32 Loose = WF_R(0.001);
     real32 Along = T.E11 * T.E11 + T.E21 * T.E21;
     bool Unit = Along > 1 - Loose && Along < 1 + Loose;
@@ -47,7 +49,8 @@ static wfResult define(const poly_body_data *Body, wfBodyDef *Out)
     Out->friction = Body->Friction;
     return wfMakeBox(Body->Dimensions.X / 2, Body->Dimensions.Y / 2, &Out->shape);
 }
-/* <add the report's bodies> */
+
+/* add the report's bodies */
 wfResult wfReportAddBody(physics_world *World, void *Body)
 {
     poly_body_data *Given = Body;
@@ -56,7 +59,7 @@ wfResult wfReportAddBody(physics_world *World, void *Body)
     wfResult Result = define(Given, &Def);
     return Result == WF_OK ? wfAddBodyToWorld(World, &Def, &Given->Id) : Result;
 }
-/* <add the report's bodies> */
+
 static poly_body_data *pick(poly_body *const *List, poly_body_data *Row, int32 i)
 {
     if (List == NULL) return &Row[i];
@@ -80,7 +83,7 @@ static wfResult add_all(physics_world *World, poly_body *const *List, poly_body_
     }
     return Result;
 }
-/* <add the report's bodies> */
+
 wfResult wfReportAddPointers(physics_world *World, const void *Pointers, int32 Count)
 {
     return add_all(World, Pointers, NULL, Count);
@@ -90,7 +93,8 @@ wfResult wfReportAddBodies(physics_world *World, void *Bodies, int32 Count)
 {
     return add_all(World, NULL, Bodies, Count);
 }
-/* <step and end the report's world> */
+
+/* step and end the report's world */
 wfResult wfReportStep(physics_world World) { return wfStepWorld(&World); }
 
 wfResult UpdateBody(const physics_world *World, poly_body *Body)

@@ -4,7 +4,7 @@
 #include "engine/image.h"
 #include "weft/save.h"
 
-/* <hash the layout> */
+/* hash the layout */
 static uint64_t hash_text(uint64_t h, const char *text)
 {
     return wfHashBytes(h, text, strlen(text) + 1);
@@ -23,7 +23,7 @@ static uint64_t hash_settings(uint64_t h)
     }
     return h;
 }
-/* <hash the layout> */
+
 uint64_t wfLayoutHash(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -36,13 +36,12 @@ uint64_t wfLayoutHash(void)
         h = wfHashU64(h, region[i].each);
     }
     h = wfHashFields(hash_settings(h));
-    /* <hash the rows of tables that no setting names> */
+    /* hash the rows of tables that no setting names */
     for (int i = 0; i < wfForceKinds; i++) h = hash_text(h, wfForceTable[i].name);
-    /* <hash the rows of tables that no setting names> */
     for (int i = 0; i < wfJointKinds; i++) h = hash_text(h, wfJointTable[i].name);
     return h;
 }
-/* <the checksum> */
+/* the checksum */
 #define SUM_FACTOR 0x9E3779B97F4A7C15u       /* odd; the golden ratio's digits */
 
 static uint64_t word_at(const uint8_t *b)
@@ -65,7 +64,8 @@ uint64_t wfChecksum(const void *bytes, size_t n)
     h = (h ^ word_at(last)) * SUM_FACTOR;
     return h ^ h >> 32;
 }
-/* <the header of a file> */
+
+/* the header of a file */
 enum { AT_VERSION = 8, AT_ORDER = 12, AT_REAL = 13, AT_HOLDS = 14, AT_LAYOUT = 16,
        AT_SIZE = 24, AT_STEPS = 32, AT_HASH = 40, AT_IMAGE = 48, SUM_BYTES = 8 };
 static const uint8_t save_magic[8] = { 'W', 'e', 'f', 't', 0x0d, 0x0a, 0x1a, 0x0a };
@@ -89,7 +89,7 @@ static int highest_first(void)
     memcpy(&first, &one, 1);
     return first == 0;
 }
-/* <the header of a file> */
+
 wfResult wfReadSaveInfo(const void *bytes, size_t size, wfSaveInfo *out)
 {
     const uint8_t *b = bytes;
@@ -106,7 +106,7 @@ wfResult wfReadSaveInfo(const void *bytes, size_t size, wfSaveInfo *out)
         .steps = get_number(b + AT_STEPS, 8), .hash = get_number(b + AT_HASH, 8) };
     return WF_OK;
 }
-/* <the header of a file> */
+
 enum { HOLDS_WORLD = 1, HOLDS_JOURNAL = 2 };
 
 static void seal(uint8_t *b, const wfSaveInfo *info)
@@ -124,7 +124,8 @@ static void seal(uint8_t *b, const wfSaveInfo *info)
     put_number(b + AT_HASH, info->hash, 8);
     put_number(b + end, wfChecksum(b, end), 8);
 }
-/* <save a world> */
+
+/* save a world */
 static wfResult image_of(const wfWorld *world, wfImage *out)
 {
     wfBlock b;
@@ -138,7 +139,7 @@ size_t wfSaveSize(const wfWorld *world)
     bool good = image_of(world, &image) == WF_OK;
     return good ? AT_IMAGE + image.size + SUM_BYTES : 0;
 }
-/* <save a world> */
+
 wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_t *size)
 {
     wfImage image;
@@ -155,7 +156,8 @@ wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_
     *size = (size_t)info.size;
     return WF_OK;
 }
-/* <how much memory a save may claim> */
+
+/* how much memory a save may claim */
 size_t wfMostMemory(const wfLoadLimits *limits)
 {
     return limits != NULL && limits->memory > 0 ? limits->memory : WF_LOAD_MEMORY;
@@ -167,7 +169,8 @@ size_t wfMemoryOf(const wfWorldDef *def)
     if (wfWorldSize(def, &permanent, &transient) != WF_OK) return SIZE_MAX;
     return transient > SIZE_MAX - permanent ? SIZE_MAX : permanent + transient;
 }
-/* <load a world> */
+
+/* load a world */
 static wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
 {
     if (info->version != WF_SAVE_VERSION) return WF_ERROR_VERSION;
@@ -176,7 +179,7 @@ static wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
     if (info->realBytes != (int32_t)sizeof(wfReal)) return WF_ERROR_PRECISION;
     return info->layout == layout ? WF_OK : WF_ERROR_LAYOUT;
 }
-/* <load a world> */
+
 wfResult wfLoadFromBytesWithin(const void *bytes, size_t size, const wfLoadLimits *limits,
                                const wfMemory *memory, wfWorld *out)
 {
@@ -195,7 +198,7 @@ wfResult wfLoadFromBytesWithin(const void *bytes, size_t size, const wfLoadLimit
     if (memory == NULL && wfMemoryOf(&room) > wfMostMemory(limits)) return WF_ERROR_LIMIT;
     if (memory != NULL) def.memory = *memory;
     result = wfWorldOfImage(&image, &def, &made);
-    /* <ask the new world whether it keeps its rules> */
+    /* ask the new world whether it keeps its rules */
     if (result == WF_ERROR_FULL) return WF_ERROR_INVALID;     /* more than it says itself */
     if (result != WF_OK) return result;
     result = wfCheckWorld(&made, NULL);
@@ -210,7 +213,8 @@ wfResult wfLoadFromBytes(const void *bytes, size_t size, const wfMemory *memory,
 {
     return wfLoadFromBytesWithin(bytes, size, NULL, memory, out);
 }
-/* <save and load a journal> */
+
+/* save and load a journal */
 enum { AT_ENTRIES = AT_IMAGE + 8, JOURNAL_FRAME = AT_ENTRIES + SUM_BYTES };
 
 size_t wfJournalSaveSize(const wfJournal *j)
@@ -219,7 +223,7 @@ size_t wfJournalSaveSize(const wfJournal *j)
     if (j == NULL || j->bytes == NULL || wfCountJournal(j, &steps) != WF_OK) return 0;
     return j->used + JOURNAL_FRAME;
 }
-/* <save and load a journal> */
+
 wfResult wfSaveJournalToBytes(const wfJournal *j, void *bytes, size_t capacity,
                               size_t *size)
 {
@@ -237,7 +241,7 @@ wfResult wfSaveJournalToBytes(const wfJournal *j, void *bytes, size_t capacity,
     *size = (size_t)info.size;
     return WF_OK;
 }
-/* <save and load a journal> */
+
 wfResult wfLoadJournalFromBytes(const void *bytes, size_t size, void *room,
                                 size_t capacity, wfJournal *out)
 {

@@ -4,7 +4,6 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <the table of settings> */
 /* How a row of the table is written. */
 #define WF_SETTING(field) .name = #field, .offset = offsetof(wfWorldDef, field), \
     .kept = offsetof(wfHeader, field)
@@ -21,29 +20,23 @@
 #define WF_CHOICE(names) .kind = WF_SETTING_CHOICE, .rows = names, \
     .rowSize = sizeof *names, .rowCount = &names##Count
 
-/* <names of choices> */
 /* Later chapters have settings with named values. */
-/* <names of choices> */
 static const char *const wfExactNames[] = { "one-by-one", "together", "auto" };
 static const int wfExactNamesCount = 3;
 
 const wfSetting wfSettingTable[] = {
-    /* <rows of the table of settings> */
     { WF_SETTING(gravity), .kind = WF_SETTING_VEC2, WF_ANY, .law = 1, .unit = "m/s^2",
       .text = "acceleration of everything that has mass" },
     { WF_SETTING(dt), WF_REAL, WF_ABOVE(0), .unit = "s", .text = "length of a step" },
     { WF_SETTING(bodyCapacity), WF_COUNTED, WF_CAPACITY(1), .text = "bodies at most" },
     { WF_SETTING(integrator), WF_ROW(Integrator), .method = 1,
       .text = "moves the bodies (chapter 10)" },
-    /* <rows of the table of settings> */
     { WF_SETTING(needs), .kind = WF_SETTING_SET, .rows = wfNeedTable,
       .rowSize = sizeof *wfNeedTable, .rowCount = &wfNeedCount, .most = UINT32_MAX,
       .builtIn = 1, .text = "what the scene requires" },
-    /* <rows of the table of settings> */
     { WF_SETTING(forceCapacity), WF_COUNTED, WF_CAPACITY(0),
       .need = WF_NEED_FORCES,
       .text = "registered forces at most" },
-    /* <rows of the table of settings> */
     { WF_SETTING(shapeCapacity), WF_COUNTED, WF_CAPACITY(0),
       .need = WF_NEED_SHAPES,
       .text = "shapes at most; 0: as many as bodies" },
@@ -67,7 +60,6 @@ const wfSetting wfSettingTable[] = {
     { WF_SETTING(substeps), WF_COUNTED, WF_FROM(1), .law = 1,
       .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS,
       .text = "of solvers that step by themselves" },
-    /* <rows of the table of settings> */
     { WF_SETTING(restingSteps), WF_REAL, WF_FROM(0), .law = 1, .unit = "steps of gravity",
       .need = WF_NEED_CONTACTS,
       .text = "approaches slower than so many rest" },
@@ -79,7 +71,6 @@ const wfSetting wfSettingTable[] = {
       .text = "overlap that is left alone" },
     { WF_SETTING(reuse), WF_SWITCH, .need = WF_NEED_CONTACTS,
       .text = "contacts of pairs that hardly moved are kept" },
-    /* <rows of the table of settings> */
     { WF_SETTING(contactPeriod), WF_REAL, WF_ABOVE(0), .law = 1, .unit = "substeps",
       .need = WF_NEED_CONTACTS,
       .text = "period of a contact's spring (chapter 17)" },
@@ -96,36 +87,28 @@ const wfSetting wfSettingTable[] = {
     { WF_SETTING(columns), WF_COUNTED, WF_BETWEEN(0, 1 + WF_COLUMN_LOOPS), .law = 1,
       .need = WF_NEED_CONTACTS,
       .text = "1: towers are solved at once; 1 + n: with up to n loops (chapter 17)" },
-    /* <rows of the table of settings> */
     { WF_SETTING(frictionMix), WF_ROW(Mix), .law = 1, .need = WF_NEED_FRICTION,
       .text = "of two shapes' friction" },
     { WF_SETTING(restitutionMix), WF_ROW(Mix), .law = 1, .need = WF_NEED_RESTITUTION,
       .text = "of their restitution" },
     { WF_SETTING(rollingMix), WF_ROW(Mix), .law = 1, .need = WF_NEED_ROLLING,
       .text = "of their rolling resistance" },
-    /* <rows of the table of settings> */
     { WF_SETTING(events), WF_SWITCH, .builtIn = 1, .need = WF_NEED_CONTACTS,
       .text = "touches are remembered; told, if needed" },
     { WF_SETTING(hitSteps), WF_REAL, WF_FROM(0), .unit = "steps of gravity",
       .need = WF_NEED_EVENTS,
       .text = "approaches faster than so many are hits" },
-    /* <rows of the table of settings> */
     { WF_SETTING(queries), WF_SWITCH, .need = WF_NEED_QUERIES,
       .text = "queries are quick after every step" },
-    /* <rows of the table of settings> */
     { WF_SETTING(pairMaterials), WF_COUNTED, WF_CAPACITY(0),
       .need = WF_NEED_MATERIALS,
       .text = "pairs of materials that may be known" },
-    /* <rows of the table of settings> */
     { WF_SETTING(exactWork), WF_COUNTED, WF_FROM(0), .law = 1,
       .text = "the solver exact: millions of multiplications in a step, at most; 0: no bound" },
-    /* <rows of the table of settings> */
     { WF_SETTING(fineSums), WF_SWITCH, .builtIn = 1, .law = 1,
       .text = "what states round away is kept, by the solver soft (chapter 17)" },
-    /* <rows of the table of settings> */
     { WF_SETTING(jointCapacity), WF_COUNTED, WF_CAPACITY(0), .need = WF_NEED_JOINTS,
       .text = "joints at most" },
-    /* <rows of the table of settings> */
     { WF_SETTING(exactJoints), WF_CHOICE(wfExactNames), .need = WF_NEED_JOINTS,
       .text = "joints solved together" },
     { WF_SETTING(exactCost), WF_REAL, WF_FROM(0),
@@ -134,11 +117,9 @@ const wfSetting wfSettingTable[] = {
     { WF_SETTING(jointGive), WF_REAL, WF_FROM(0),
       .need = WF_NEED_JOINTS,
       .text = "how much joints solved together give (chapter 19)" },
-    /* <rows of the table of settings> */
     { WF_SETTING(impacts), WF_COUNTED, WF_BETWEEN(0, WF_MAX_CAPACITY),
       .need = WF_NEED_FAST,
       .text = "impacts of a fast body in a step, at most; 0: none is looked for" },
-    /* <rows of the table of settings> */
     { WF_SETTING(sleep), WF_SWITCH, .need = WF_NEED_SLEEP,
       .text = "islands that rest are left out of the step" },
     { WF_SETTING(sleepTime), WF_REAL, WF_ABOVE(0), .unit = "s",
@@ -149,14 +130,16 @@ const wfSetting wfSettingTable[] = {
       .text = "still is who goes less of its reach in that time" },
 };
 const int wfSettingCount = (int)(sizeof wfSettingTable / sizeof *wfSettingTable);
-/* <check numbers> */
+
+/* check numbers */
 bool wfAllFinite(const wfReal *number, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         if (!wfIsFinite(number[i])) return false;
     return true;
 }
-/* <read and write a setting> */
+
+/* read and write a setting */
 const wfSetting *wfFindSetting(const char *name)
 {
     for (int i = 0; name != NULL && i < wfSettingCount; i++)
@@ -180,7 +163,7 @@ int wfFindSettingRow(const wfSetting *s, const char *name)
         if (strcmp(is, name) == 0) return row;
     return -1;
 }
-/* <read and write a setting> */
+
 static bool is_real(const wfSetting *s)
 {
     return s->kind == WF_SETTING_REAL || s->kind == WF_SETTING_VEC2;
@@ -203,7 +186,8 @@ double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part)
     memcpy(&set, at, sizeof set);
     return s->kind == WF_SETTING_SET ? (double)set : (double)number;
 }
-/* <check what settings have to do with each other> */
+
+/* check what settings have to do with each other */
 static wfResult check_needs(const wfWorldDef *def, const wfSetting **fault)
 {
     wfWorldDef usual = wfDefaultWorldDef();
@@ -218,17 +202,15 @@ static wfResult check_needs(const wfWorldDef *def, const wfSetting **fault)
     }
     return WF_OK;
 }
-/* <check what settings have to do with each other> */
 /* in the section on needs */
-/* <check a world's definition> */
+
+/* check a world's definition */
 static wfResult check_setting(const wfSetting *s, double value)
 {
     if (!(value - value == 0)) return WF_ERROR_NOT_FINITE;      /* NaN, or infinite */
     if (s->kind == WF_SETTING_ROW)
         return value >= 0 && value < *s->rowCount ? WF_OK : WF_ERROR_UNKNOWN;
-    /* <see that all of a set is known> */
     /* the bits of a set */
-    /* <see that all of a set is known> */
     bool set = s->kind == WF_SETTING_SET && value >= 0 && value <= UINT32_MAX;
     if (set && ((uint32_t)value & ~wfAllNeeds()) != 0) return WF_ERROR_UNKNOWN;
     double most = s->kind == WF_SETTING_CHOICE ? *s->rowCount - 1 : s->most;
@@ -247,13 +229,11 @@ wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault)
             if (result != WF_OK && fault != NULL) *fault = s;
         }
     }
-    /* <see that every setting has its need> */
     /* The section on needs says more. */
-    /* <see that every setting has its need> */
     if (result == WF_OK) result = check_needs(def, fault);
     return result;
 }
-/* <check a world's definition> */
+
 wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double value)
 {
     if (def == NULL || s == NULL) return WF_ERROR_NULL;
@@ -275,7 +255,8 @@ wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double valu
     memcpy(at, &bits, sizeof bits);
     return WF_OK;
 }
-/* <keep the settings in the header> */
+
+/* keep the settings in the header */
 static size_t bytes_of(const wfSetting *s)
 {
     return is_real(s) ? (size_t)parts_of(s) * sizeof(wfReal) : sizeof(int32_t);

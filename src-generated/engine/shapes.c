@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* <find a shape by its id> */
+/* find a shape by its id */
 static wfResult open_shape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)
 {
     wfResult result = wfOpenBlock(world, b);
@@ -23,7 +23,8 @@ wfShapeId wfIdOfShape(const wfBlock *b, int32_t k)
     if (k < 0) return (wfShapeId){ 0, 0 };
     return (wfShapeId){ (uint32_t)k + 1, b->shapeSlots[k].generation };
 }
-/* <check a shape's definition> */
+
+/* check a shape's definition */
 static wfResult check_shape_def(const wfShapeDef *d)
 {
     const wfReal number[] = { d->density, d->restitution, d->friction, d->staticFriction,
@@ -33,14 +34,13 @@ static wfResult check_shape_def(const wfShapeDef *d)
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
     if (d->staticFriction < 0 || d->material < 0) return WF_ERROR_RANGE;
     bool may = false;
-    /* <see whether a shape may be a sensor> */
     /* not unless the engine knows sensors */
-    /* <see whether a shape may be a sensor> */
     may = true;
     if (d->sensor != 0 && (d->sensor != 1 || !may)) return WF_ERROR_RANGE;
     return d->shape.kind == WF_SHAPE_NONE ? WF_ERROR_RANGE : wfCheckShape(&d->shape);
 }
-/* <what shapes need> */
+
+/* what shapes need */
 uint32_t wfNeedsOfShape(const wfShapeDef *d)
 {
     uint32_t needs = WF_NEED_SHAPES;
@@ -51,7 +51,8 @@ uint32_t wfNeedsOfShape(const wfShapeDef *d)
     if (d->sensor) needs |= WF_NEED_SENSORS;
     return needs;
 }
-/* <weigh the shapes of a body> */
+
+/* weigh the shapes of a body */
 static wfResult join(wfMassData *sum, const wfShape *shape, wfReal density, wfReal even)
 {
     wfMassData part;
@@ -65,7 +66,7 @@ static wfResult join(wfMassData *sum, const wfShape *shape, wfReal density, wfRe
     *sum = part;
     return WF_OK;
 }
-/* <weigh the shapes of a body> */
+
 typedef struct bodyPlan {
     const wfBlock    *b;
     int32_t           body, without;  /* a shape that does not count, or -1 */
@@ -88,8 +89,8 @@ static wfResult weigh_plan(const bodyPlan *plan, wfReal even, wfMassData *out)
             result = join(out, &plan->more[k].shape, plan->more[k].density, even);
     return result;
 }
-/* <weigh the shapes of a body> */
-/* <check the forms of a body's shapes> */
+
+/* check the forms of a body's shapes */
 wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre)
 {
     wfShape given = *stored;
@@ -98,7 +99,7 @@ wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre)
     wfShapeMove(&given, centre);          /* at a limit of size: as the user gave it */
     return wfCheckShape(&given) == WF_OK ? WF_OK : result;
 }
-/* <check the forms of a body's shapes> */
+
 static wfResult check_forms(const bodyPlan *plan, wfVec2 centre)
 {
     const wfBlock *b = plan->b;
@@ -134,7 +135,7 @@ static wfResult plan_body(const bodyPlan *plan, wfBodyState *state, wfBodyProps 
     if (given > 0) m.inertia *= given / m.mass;
     if (given > 0) m.mass = given;
     if (props->fixedRotation) m.inertia = 0;
-    /* <move the centre of mass to m.centre> */
+    /* move the centre of mass to m.centre */
     wfVec2 local = wfSub(m.centre, props->localCentre);
     wfVec2 shift = wfRotate(wfBodyTransform(state).q, local);
     state->v = wfVelocityAt(state, wfAdd(state->p, shift));  /* eq:world-recentre */
@@ -144,7 +145,7 @@ static wfResult plan_body(const bodyPlan *plan, wfBodyState *state, wfBodyProps 
     if (result == WF_OK && !wfBodyIsFinite(state)) return WF_ERROR_NOT_FINITE;
     return result == WF_OK ? check_forms(plan, props->localCentre) : result;
 }
-/* <weigh the shapes of a body> */
+
 void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyProps *props)
 {
     wfVec2 shift = wfSub(b->props[i].localCentre, props->localCentre);
@@ -159,7 +160,7 @@ void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyPro
     wfForgetContacts(b, i, -1);
     wfBoundBody(b, i);
 }
-/* <weigh the shapes of a body> */
+
 wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
                      wfBodyProps *props)
 {
@@ -171,7 +172,8 @@ wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
     if (result != WF_OK || type == WF_DYNAMIC) return result;
     return wfSetBodyType(state, props, (wfBodyType)type);
 }
-/* <tell about a shape> */
+
+/* tell about a shape */
 static void tell_shape(const wfBlock *b, int32_t k, wfShapeDef *out)
 {
     const wfShapeProps *p = &b->materials[k];
@@ -191,7 +193,7 @@ wfResult wfGetShape(const wfWorld *world, wfShapeId id, wfShapeDef *out)
     if (result == WF_OK) tell_shape(&b, k, out);
     return result;
 }
-/* <tell about a shape> */
+
 static bool same_geometry(const wfShape *a, const wfShape *b)
 {
     bool same = a->kind == b->kind && a->count == b->count && a->radius == b->radius
@@ -206,7 +208,8 @@ static bool meets_others(const wfShapeDef *a, const wfShapeDef *b)
     return a->sensor != b->sensor || a->filter.category != b->filter.category
         || a->filter.mask != b->filter.mask || a->filter.group != b->filter.group;
 }
-/* <shapes in a world> */
+
+/* shapes in a world */
 wfShapeDef wfDefaultShapeDef(void)
 {
     return (wfShapeDef){ .density = 1, .friction = WF_R(0.5),
@@ -223,7 +226,7 @@ static void place_shape(wfBlock *b, int32_t k, int32_t body, const wfShape *shap
     b->shapes[k] = *shape;
     wfShapeMove(&b->shapes[k], wfNeg(b->props[body].localCentre));
 }
-/* <shapes in a world> */
+
 static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
 {
     b->head->sensorCount += def->sensor - b->materials[k].sensor;
@@ -238,12 +241,10 @@ static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
         .reach = wfShapeReach(&def->shape),
         .sensor = def->sensor, .material = def->material, .userData = def->userData };
     b->materials[k].arm = b->materials[k].reach - def->shape.radius;
-    /* <note what else matters about shape k> */
     /* to bodies that are not fast, nothing */
-    /* <note what else matters about shape k> */
     b->materials[k].inner = wfInnerRadius(&def->shape);
 }
-/* <shapes in a world> */
+
 int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
 {
     int32_t k = wfSlotTake(&b->head->shapeSlots, b->shapeSlots);
@@ -258,7 +259,7 @@ int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
     *link = k;
     return k;
 }
-/* <shapes in a world> */
+
 void wfDropShape(wfBlock *b, int32_t k)
 {
     int32_t *link = &b->props[b->owners[k]].shape;
@@ -272,7 +273,7 @@ void wfDropShape(wfBlock *b, int32_t k)
     wfBoundShape(b, k);
     wfSlotGive(&b->head->shapeSlots, b->shapeSlots, k, b->shapeSlots[k].generation);
 }
-/* <shapes in a world> */
+
 wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs,
                            int32_t count, wfShapeId *out)
 {
@@ -285,7 +286,7 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     if (i < 0) return WF_ERROR_STALE_ID;
     if (defs == NULL) return WF_ERROR_NULL;
     if (count < 0) return WF_ERROR_RANGE;
-    /* <check the new shapes and what they need> */
+    /* check the new shapes and what they need */
     bool many = count + (b.props[i].shape >= 0) > 1;
     uint32_t needs = count == 0 ? 0 : WF_NEED_SHAPES | (many ? WF_NEED_COMPOUNDS : 0);
     for (int32_t k = 0; k < count && result == WF_OK; k++) {
@@ -294,7 +295,7 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     }
     if (result == WF_OK) result = wfDemand(&b, needs);
     if (result == WF_OK && count > wfFreeShapes(&b)) result = WF_ERROR_FULL;
-    /* <plan the body with the new shapes> */
+    /* plan the body with the new shapes */
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
     state = b.state[i];
     props = b.props[i];
@@ -308,13 +309,13 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     }
     return WF_OK;
 }
-/* <shapes in a world> */
+
 wfResult wfAddShapeToBody(wfWorld *world, wfBodyId body, const wfShapeDef *def,
                           wfShapeId *out)
 {
     return wfAddShapesToBody(world, body, def, 1, out);
 }
-/* <shapes in a world> */
+
 wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
 {
     wfBlock b;
@@ -333,7 +334,7 @@ wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
     wfDropShape(&b, k);
     return WF_OK;
 }
-/* <shapes in a world> */
+
 wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
 {
     wfBlock b;
@@ -349,7 +350,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     bool reshaped = !same_geometry(&old.shape, &def->shape);
     bool reweighed = old.density != def->density || old.sensor != def->sensor;
     if (reshaped || reweighed) {
-        /* <plan the body with the new shape in place of the old> */
+        /* plan the body with the new shape in place of the old */
         bodyPlan plan = { .b = &b, .body = b.owners[k], .without = k, .more = def,
                           .count = 1 };
         state = b.state[plan.body];
@@ -366,7 +367,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     wfBoundShape(&b, k);
     return WF_OK;
 }
-/* <shapes in a world> */
+
 int32_t wfShapeIndex(const wfWorld *world, wfShapeId id)
 {
     wfBlock b;
@@ -387,7 +388,7 @@ wfShapeId wfShapeAt(const wfWorld *world, int32_t index)
     if (index < 0 || index >= b.head->shapeSlots.high || b.owners[index] < 0) return none;
     return wfIdOfShape(&b, index);
 }
-/* <shapes in a world> */
+
 wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id)
 {
     wfBlock b;
@@ -411,7 +412,7 @@ wfShapeId wfNextShape(const wfWorld *world, wfShapeId id)
     if (open_shape(world, id, &b, &k) != WF_OK) return (wfShapeId){ 0, 0 };
     return wfIdOfShape(&b, b.next[k]);
 }
-/* <shapes in a world> */
+
 int32_t wfShapeCount(const wfWorld *world)
 {
     wfBlock b;

@@ -5,7 +5,7 @@
 #include "engine/block.h"
 #include "engine/step.h"
 
-/* <find the arrays of rest> */
+/* find the arrays of rest */
 enum { REST_ASLEEP = 1, REST_NEVER = 2, REST_SENT = 4 };
 
 typedef struct Rest {
@@ -29,7 +29,8 @@ static bool sleeps(const Rest *r, int32_t i)
 {
     return r->flags != NULL && (r->flags[i] & REST_ASLEEP) != 0;
 }
-/* <rouse sleepers> */
+
+/* rouse sleepers */
 static void rouse_island(wfBlock *b, const Rest *r, int32_t i)
 {
     while (sleeps(r, i)) {
@@ -42,7 +43,7 @@ static void rouse_island(wfBlock *b, const Rest *r, int32_t i)
     }
     b->head->roused = 1;
 }
-/* <rouse sleepers> */
+
 void wfRouse(wfBlock *b, int32_t i)
 {
     Rest r = rest_of(b);
@@ -57,11 +58,8 @@ void wfRouse(wfBlock *b, int32_t i)
             const wfContact *c = &b->contacts[k];
             if (c->a == i || c->b == i) rouse_island(b, &r, c->a == i ? c->b : c->a);
         }
-        /* <rouse what hangs on body i> */
         /* by joints and forces, where there are any */
-        /* <rouse what hangs on body i> */
         wfRouseJoined(b, i);
-        /* <rouse what hangs on body i> */
         for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
             const wfForce *f = &b->forces[k];
             if (b->forceSlots[k].next != WF_SLOT_LIVE || (f->a != i && f->b != i)) continue;
@@ -70,7 +68,7 @@ void wfRouse(wfBlock *b, int32_t i)
         }
     }
 }
-/* <rouse sleepers> */
+
 void wfRouseNear(wfBlock *b, int32_t k)
 {
     Rest r = rest_of(b);
@@ -84,7 +82,7 @@ void wfRouseNear(wfBlock *b, int32_t k)
         if (wfRectOverlap(b->bounds[k], b->bounds[q])) rouse_island(b, &r, other);
     }
 }
-/* <rouse sleepers> */
+
 bool wfSleeps(const wfBlock *b, int32_t i)
 {
     Rest r = rest_of(b);
@@ -99,7 +97,7 @@ void wfBeginRest(wfBlock *b, int32_t i, int32_t never)
     r.clock[i] = 0;
     r.ring[i] = r.island[i] = -1;
 }
-/* <keep what belongs to sleepers> */
+
 /* Would the broad phase of this step pass over the pair, because its ends rest? */
 static bool keeps(const struct wfStep *s, int32_t a, int32_t b)
 {
@@ -121,13 +119,11 @@ static void count_kept(struct wfStep *s)
         s->kept.pairs += keeps(s, b->pairs[i].a, b->pairs[i].b);
     for (int32_t i = 0; i < b->head->kept.contacts; i++)
         s->kept.contacts += keeps(s, b->contacts[i].shapeA, b->contacts[i].shapeB);
-    /* <count the touches of sleepers> */
     /* where touches are noted */
-    /* <count the touches of sleepers> */
     for (int32_t i = 0; i < b->head->kept.touches; i++)
         s->kept.touches += keeps(s, b->touches[i].a, b->touches[i].b);
 }
-/* <keep what belongs to sleepers> */
+
 static bool touch_before(const wfTouch *a, const wfTouch *b)
 {
     return a->a != b->a ? a->a < b->a : a->b < b->b;
@@ -145,7 +141,7 @@ int32_t wfOldTouches(const struct wfStep *s, wfTouch *out)
     }
     return count;
 }
-/* <keep what belongs to sleepers> */
+
 void wfAddSensed(const struct wfStep *s, wfTouchList *stay)
 {
     const uint32_t sensors = WF_TOUCH_SENSOR_A | WF_TOUCH_SENSOR_B;
@@ -158,7 +154,8 @@ void wfAddSensed(const struct wfStep *s, wfTouchList *stay)
         stay->touches[at] = t;
     }
 }
-/* <leave out the sleepers> */
+
+/* leave out the sleepers */
 void wfLeaveOutSleepers(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
@@ -180,7 +177,7 @@ void wfWakeInStep(struct wfStep *s, int32_t i)
     for (; !s->woken[i]; i = r.ring[i]) s->woken[i] = 1;
     s->again = 1;
 }
-/* <leave out the sleepers> */
+
 wfResult wfPlaceSleepers(struct wfStep *s)
 {
     for (int32_t i = 0; s->b.head->asleep > 0 && i < s->pairs.count; i++) {
@@ -192,14 +189,15 @@ wfResult wfPlaceSleepers(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <leave out the sleepers> */
+
 bool wfMovesNow(const struct wfStep *s, int32_t i)
 {
     const wfBodyState *b = &s->state[i];
     if (!s->present[i]) return false;
     return b->invMass > 0 || b->invInertia > 0 || b->v.x != 0 || b->v.y != 0 || b->w != 0;
 }
-/* <find the links of islands> */
+
+/* find the links of islands */
 enum { LINK_HELD = 1, LINK_RESTLESS = 2 };
 
 typedef struct Links {
@@ -218,7 +216,7 @@ static void link_bodies(const struct wfStep *s, Links *l, int32_t a, int32_t b)
         l->marks[in] |= wfMovesNow(s, out) ? LINK_RESTLESS : LINK_HELD;
     }
 }
-/* <find the links of islands> */
+
 static bool presses(const wfContact *c)
 {
     for (int32_t i = 0; i < c->manifold.count; i++)
@@ -235,7 +233,7 @@ static void link_contacts(const struct wfStep *s, Links *l)
         if (both || presses(c)) link_bodies(s, l, c->a, c->b);
     }
 }
-/* <find the links of islands> */
+
 static void link_force(const struct wfStep *s, Links *l, const wfForce *f)
 {
     bool steady = wfForceTable[f->kind].steady;
@@ -252,7 +250,7 @@ static void link_force(const struct wfStep *s, Links *l, const wfForce *f)
         l->marks[f->a] |= LINK_HELD;
     }
 }
-/* <find the links of islands> */
+
 static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
 {
     Rest r = rest_of(&s->b);
@@ -263,9 +261,7 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
     wfPlant(l->parent, s->count);
     for (int32_t i = 0; i < s->count; i++) {
         bool pushed = false;
-        /* <see whether body i is pushed> */
         /* from outside */
-        /* <see whether body i is pushed> */
         const wfBodyForces *f = &s->b.applied[i];
         if (wfHas(s->b.head, WF_NEED_PUSHES))
             pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
@@ -274,19 +270,17 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
         l->marks[i] = pushed || (r.flags[i] & REST_NEVER) ? LINK_RESTLESS : 0;
     }
     link_contacts(s, l);
-    /* <link what joints and forces hold together> */
     /* where there are any */
-    /* <link what joints and forces hold together> */
     for (int32_t i = 0; i < s->jointSet.count; i++) {
         const wfJoint *j = &s->jointSet.joints[i];
         if (!(j->flags & WF_JOINT_BROKEN)) link_bodies(s, l, j->a, j->b);
     }
-    /* <link what joints and forces hold together> */
     for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
         if (s->b.forceSlots[i].next == WF_SLOT_LIVE) link_force(s, l, &s->b.forces[i]);
     return WF_OK;
 }
-/* <let islands fall asleep> */
+
+/* let islands fall asleep */
 static wfReal reach_of(const wfBlock *b, int32_t i)
 {
     wfReal reach = 0;
@@ -312,7 +306,7 @@ static void tick(struct wfStep *s, const Links *l)
         s->clocks[i] = wfRestClock(before, still, head->dt, head->sleepTime);
     }
 }
-/* <let islands fall asleep> */
+
 typedef struct Verdict { bool held, restless, zero, sent; } Verdict;
 
 static Verdict judge(const struct wfStep *s, const Links *l, int32_t k)
@@ -329,7 +323,7 @@ static Verdict judge(const struct wfStep *s, const Links *l, int32_t k)
     }
     return v;
 }
-/* <let islands fall asleep> */
+
 static void lay_down(struct wfStep *s, int32_t k)
 {
     for (int32_t m = s->islands.first[k]; m < s->islands.first[k + 1]; m++) {
@@ -342,7 +336,7 @@ static void lay_down(struct wfStep *s, int32_t k)
             s->flags[q] = WF_PROXY_LIVE;
     }
 }
-/* <let islands fall asleep> */
+
 wfResult wfFindIslands(struct wfStep *s)
 {
     wfPool pool;
@@ -365,7 +359,7 @@ wfResult wfFindIslands(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <sort out the lists> */
+
 /* A list of the block, its new entries, and where in an entry its two shapes are named.
  * `with` is an array that goes along, entry by entry, or of size 0. */
 typedef struct List { uint8_t *old, *fresh; size_t each, key; } List;
@@ -387,7 +381,7 @@ static void put(const List *to, uint8_t *base, int32_t at, const uint8_t *from, 
     if (to->each > 0)
         memmove(base + (size_t)at * to->each, from + (size_t)i * to->each, to->each);
 }
-/* <sort out the lists> */
+
 /* Does its body sleep only since this step? */
 static bool just_slept(const struct wfStep *s, int32_t shape)
 {
@@ -407,7 +401,7 @@ static int32_t squeeze(struct wfStep *s, const List *l, const List *with, uint8_
     }
     return left;
 }
-/* <sort out the lists> */
+
 /* Sorts out one list; *kept and *count are its two parts, before and after. */
 static void sort_out(struct wfStep *s, List l, List with, int32_t *kept, int32_t *count)
 {
@@ -428,7 +422,7 @@ static void sort_out(struct wfStep *s, List l, List with, int32_t *kept, int32_t
     }
     *count = squeeze(s, &l, &with, l.fresh, with.fresh, *count, false);
 }
-/* <sort out the lists> */
+
 static void sort_lists(struct wfStep *s)
 {
     const wfBlock *b = &s->b;
@@ -441,14 +435,12 @@ static void sort_lists(struct wfStep *s)
                       offsetof(wfContact, shapeA) };
     sort_out(s, pairs, caches, &kept.pairs, &s->pairs.count);
     sort_out(s, contacts, none, &kept.contacts, &s->contactCount);
-    /* <sort out the touches> */
     /* where touches are noted */
-    /* <sort out the touches> */
     List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouch), 0 };
     if (b->head->events) sort_out(s, touches, none, &kept.touches, &s->touchCount);
     s->kept = kept;
 }
-/* <sort out the lists> */
+
 static void lie_down(struct wfStep *s, const Rest *r)
 {
     const wfIslands *in = &s->islands;
@@ -469,7 +461,7 @@ static void lie_down(struct wfStep *s, const Rest *r)
     }
     s->b.head->asleep += s->tired;
 }
-/* <sort out the lists> */
+
 void wfKeepRest(struct wfStep *s)
 {
     Rest r = rest_of(&s->b);
@@ -481,7 +473,8 @@ void wfKeepRest(struct wfStep *s)
     if (s->roused || s->tired > 0) sort_lists(s);
     head->roused = 0;
 }
-/* <calls about rest> */
+
+/* calls about rest */
 static wfResult open_rest(const wfWorld *world, wfBodyId id, wfBlock *b, Rest *r,
                           int32_t *i)
 {
@@ -499,7 +492,7 @@ static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, Rest 
     wfResult result = open_rest(world, id, b, r, i);
     return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
 }
-/* <calls about rest> */
+
 bool wfIsAwake(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
@@ -517,7 +510,7 @@ wfResult wfWakeBody(wfWorld *world, wfBodyId id)
     if (result == WF_OK) wfRouse(&b, i);
     return result;
 }
-/* <calls about rest> */
+
 wfResult wfPutToSleep(wfWorld *world, wfBodyId id)
 {
     wfBlock b;
@@ -531,7 +524,7 @@ wfResult wfPutToSleep(wfWorld *world, wfBodyId id)
     if (!sleeps(&r, i)) r.flags[i] |= REST_SENT;
     return WF_OK;
 }
-/* <calls about rest> */
+
 wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never)
 {
     wfBlock b;
@@ -555,7 +548,7 @@ bool wfNeverSleeps(const wfWorld *world, wfBodyId id)
     if (!wfHas(b.head, WF_NEED_SLEEP)) return false;
     return (rest_of(&b).flags[i] & REST_NEVER) != 0;
 }
-/* <calls about rest> */
+
 int32_t wfBodyIsland(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
@@ -564,7 +557,7 @@ int32_t wfBodyIsland(const wfWorld *world, wfBodyId id)
     bool found = open_rest(world, id, &b, &r, &i) == WF_OK && b.head->sleep;
     return found ? r.island[i] : -1;
 }
-/* <calls about rest> */
+
 wfRestCounts wfWorldRest(const wfWorld *world)
 {
     wfBlock b;

@@ -4,7 +4,7 @@
 #include "engine/image.h"
 #include "weft/save.h"
 
-/* <take and restore snapshots> */
+/* take and restore snapshots */
 static wfResult open_image(const wfWorld *world, wfBlock *b, wfImage *out)
 {
     wfResult result = wfChangeBlock(world, b);
@@ -30,7 +30,7 @@ wfResult wfSnapshotWorld(const wfWorld *world, void *bytes, size_t capacity, siz
     *size = image.size;
     return WF_OK;
 }
-/* <take and restore snapshots> */
+
 wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size)
 {
     wfBlock b;
@@ -40,7 +40,7 @@ wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size)
     if (result == WF_OK) result = wfReadImage((const uint8_t *)bytes, size, &image);
     return result == WF_OK ? wfTakeImage(&b, &image) : result;
 }
-/* <take and restore snapshots> */
+
 wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out)
 {
     wfBlock b;
@@ -56,7 +56,7 @@ wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out
     *out = made;
     return WF_OK;
 }
-/* <fields that have a name> */
+
 typedef struct Field {
     int         region;
     const char *name;
@@ -68,7 +68,6 @@ typedef struct Field {
 #define WHOLE(region, type, field) { region, #field, offsetof(type, field), 0 }
 
 static const Field field_table[] = {
-    /* <rows of the field table> */
     REAL(WF_REGION_STATE, wfBodyState, p.x), REAL(WF_REGION_STATE, wfBodyState, p.y),
     REAL(WF_REGION_STATE, wfBodyState, angle), REAL(WF_REGION_STATE, wfBodyState, v.x),
     REAL(WF_REGION_STATE, wfBodyState, v.y), REAL(WF_REGION_STATE, wfBodyState, w),
@@ -83,7 +82,6 @@ static const Field field_table[] = {
     REAL(WF_REGION_FINE, wfFine, p.x), REAL(WF_REGION_FINE, wfFine, p.y),
     REAL(WF_REGION_FINE, wfFine, angle), REAL(WF_REGION_FINE, wfFine, v.x),
     REAL(WF_REGION_FINE, wfFine, v.y), REAL(WF_REGION_FINE, wfFine, w),
-    /* <rows of the field table> */
     WHOLE(WF_REGION_CONTACTS, wfContact, a), WHOLE(WF_REGION_CONTACTS, wfContact, b),
     REAL(WF_REGION_CONTACTS, wfContact, friction),
     REAL(WF_REGION_CONTACTS, wfContact, manifold.points[0].depth),
@@ -92,7 +90,6 @@ static const Field field_table[] = {
     REAL(WF_REGION_CONTACTS, wfContact, manifold.points[1].normalImpulse),
     WHOLE(WF_REGION_HEADER, wfHeader, pairCount),
     WHOLE(WF_REGION_HEADER, wfHeader, contactCount),
-    /* <rows of the field table> */
     WHOLE(WF_REGION_JOINTS, wfJoint, kind), WHOLE(WF_REGION_JOINTS, wfJoint, a),
     WHOLE(WF_REGION_JOINTS, wfJoint, b), REAL(WF_REGION_JOINTS, wfJoint, impulse[0]),
     REAL(WF_REGION_JOINTS, wfJoint, impulse[1]), REAL(WF_REGION_JOINTS, wfJoint, turnB),
@@ -108,7 +105,8 @@ uint64_t wfHashFields(uint64_t h)
     }
     return h;
 }
-/* <compare two worlds> */
+
+/* compare two worlds */
 static double number_at(const uint8_t *at, int real)
 {
     wfReal r;
@@ -117,7 +115,7 @@ static double number_at(const uint8_t *at, int real)
     else memcpy(&i, at, sizeof i);
     return real ? (double)r : i;
 }
-/* <compare two worlds> */
+
 /* Names what differs at a byte of an element, if it has a name. */
 static void name_field(wfDifference *d, int region, const uint8_t *a, const uint8_t *b)
 {
@@ -142,12 +140,11 @@ static void name_field(wfDifference *d, int region, const uint8_t *a, const uint
         d->two = number_at(b + s->kept, real);
     }
 }
-/* <compare two worlds> */
+
 /* Bytes between two fields that belong to none. */
 typedef struct Hole { int region; size_t from, to; } Hole;
 
 static const Hole hole_table[] = {
-    /* <rows of the table of holes> */
     { WF_REGION_CONTACTS, offsetof(wfContact, manifold.count) + sizeof(int32_t),
       offsetof(wfContact, manifold.points) },
     { WF_REGION_CONTACTS, offsetof(wfContact, manifold.points[0].feature) + sizeof(int32_t),
@@ -163,7 +160,7 @@ static bool in_hole(int region, size_t byte)
             && byte < hole_table[i].to) return true;
     return false;
 }
-/* <compare two worlds> */
+
 /* The first byte in which a region of two images differs. */
 static bool differs(const wfImage *a, const wfImage *b, int region, wfDifference *out)
 {
@@ -183,7 +180,7 @@ static bool differs(const wfImage *a, const wfImage *b, int region, wfDifference
          out->two = (double)(b->bytes[region] / each);
     return true;
 }
-/* <compare two worlds> */
+
 static bool find_difference(wfImage *a, wfImage *b, wfDifference *out)
 {
     wfKeepBuiltIn(&a->head, &b->head);
@@ -207,7 +204,8 @@ wfResult wfCompareWorlds(const wfWorld *a, const wfWorld *b, wfDifference *out)
     if (out != NULL) *out = found;
     return result;
 }
-/* <move a world into a larger block> */
+
+/* move a world into a larger block */
 static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
 {
     wfWorldDef def = wfSettings(head);
@@ -220,7 +218,7 @@ static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
     def.memory = room->memory;
     return def;
 }
-/* <move a world into a larger block> */
+
 wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
 {
     wfBlock b;
@@ -237,7 +235,8 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     *world = made;
     return WF_OK;
 }
-/* <rewind> */
+
+/* rewind */
 typedef struct Kept { uint64_t step; size_t size, before, next; } Kept;
 
 static Kept *kept_at(const wfRewind *r, size_t at)
@@ -254,7 +253,7 @@ wfResult wfRewindInit(wfRewind *ring, void *bytes, size_t size)
     *ring = (wfRewind){ .bytes = bytes, .size = size };
     return WF_OK;
 }
-/* <rewind> */
+
 static void drop_oldest(wfRewind *r)
 {
     r->oldest = kept_at(r, r->oldest)->next;
@@ -278,7 +277,7 @@ static size_t make_place(wfRewind *r, size_t need)
     while (in_the_way(r, begin, begin + need)) drop_oldest(r);
     return begin;
 }
-/* <rewind> */
+
 wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world)
 {
     wfBlock b;
@@ -297,7 +296,7 @@ wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world)
     ring->count++;
     return WF_OK;
 }
-/* <rewind> */
+
 wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step)
 {
     if (ring == NULL || ring->bytes == NULL) return WF_ERROR_NULL;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/step.h"
 
-/* <copy the states> */
+/* copy the states */
 static wfResult copy_states(struct wfStep *s)
 {
     s->count = s->b.head->bodySlots.high;
@@ -12,41 +12,34 @@ static wfResult copy_states(struct wfStep *s)
     s->present = wfTransient(&s->b, WF_REGION_PRESENT);
     memcpy(s->present, s->b.alive, (size_t)s->count);
     s->all = true;
-    /* <say which bodies do not take part> */
     /* in this chapter all do */
-    /* <say which bodies do not take part> */
     s->shapeCount = s->b.head->shapeSlots.high;
     s->kept = s->b.head->kept;     /* in this chapter nothing is */
-    /* <say which bodies do not take part> */
     s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
                             .shapes = wfShapesOf(&s->b), .dt = s->b.head->dt };
-    /* <say which bodies do not take part> */
     s->fine = NULL;
     if (s->b.fine != NULL) s->fine = wfTransient(&s->b, WF_REGION_NEW_FINE);
     if (s->fine != NULL) memcpy(s->fine, s->b.fine, (size_t)s->count * sizeof *s->fine);
-    /* <say which bodies do not take part> */
     wfLeaveOutSleepers(s);
     const wfHeader *head = s->b.head;
     size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
     return wfPoolInit(&s->scratch, scratch, wfTransient(&s->b, WF_REGION_SCRATCH));
 }
-/* <list the forces of the step> */
+
+/* list the forces of the step */
 static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
     s->forces[s->forceCount++] = wfGravity(s->b.head->gravity);
-    /* <list the registered forces> */
     /* those of chapter 9 */
-    /* <list the registered forces> */
     for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
         if (s->b.forceSlots[i].next == WF_SLOT_LIVE)
             s->forces[s->forceCount++] = s->b.forces[i];
     return WF_OK;
 }
-/* <damp the states> */
 /* where anything damps them */
-/* <damp the states> */
-/* <damp the states by eq:world-split> */
+
+/* damp the states by eq:world-split */
 static wfResult damp_half(struct wfStep *s)
 {
     wfReal half = s->b.head->dt / 2;
@@ -58,17 +51,16 @@ static wfResult damp_half(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <damp the states by eq:world-split> */
+
 static wfResult damp_again(struct wfStep *s)
 {
     bool later = false;                     /* after a solver that steps by itself */
-    /* <see whether the second half comes later> */
     /* with contacts it may */
-    /* <see whether the second half comes later> */
     later = wfSolverSteps(s);
     return later ? WF_OK : damp_half(s);
 }
-/* <integrate the step> */
+
+/* integrate the step */
 static void forces_on(void *context, const wfBodyState *state, int count, wfReal time,
                       wfBodyForces *out)
 {
@@ -76,9 +68,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
     (void)count;
-    /* <add what the user applied> */
     /* where that is possible */
-    /* <add what the user applied> */
     bool pushed = wfHas(s->b.head, WF_NEED_PUSHES);
     for (int i = 0; pushed && i < count; i++) {
         if (!s->present[i]) continue;
@@ -87,7 +77,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     }
     wfAccumulateForces(s->forces, s->forceCount, &bodies, time, out);
 }
-/* <integrate the step> */
+
 static wfResult sum_forces(struct wfStep *s)
 {
     size_t mark = wfPoolMark(&s->scratch);
@@ -107,33 +97,28 @@ static wfResult sum_forces(struct wfStep *s)
     wfPoolRewind(&s->scratch, mark);
     return WF_OK;
 }
-/* <integrate the step> */
+
 static wfResult integrate(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
-    /* <leave it to a solver that steps by itself> */
     /* where there is one */
-    /* <leave it to a solver that steps by itself> */
     if (wfSolverSteps(s)) return sum_forces(s);
     wfIntegration in = { .state = s->state, .count = s->count, .time = (wfReal)head->time,
                          .h = head->dt, .forces = forces_on, .context = s,
                          .scratch = &s->scratch };
     return wfIntegratorTable[head->integrator].step(&in);
 }
-/* <check the new states> */
+
+/* check the new states */
 static wfResult check_states(struct wfStep *s)
 {
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i]) continue;
         if (!wfBodyIsFinite(&s->state[i])) return WF_ERROR_NOT_FINITE;
-        /* <take full turns off the angle of body i> */
         /* which nothing has turned */
-        /* <take full turns off the angle of body i> */
         wfWrapBodyAngle(&s->state[i]);
     }
-    /* <check that contacts are finite> */
     /* there are none yet */
-    /* <check that contacts are finite> */
     for (int32_t i = 0; i < s->contactCount; i++) {
         const wfContact *c = &s->contacts[i];
         wfReal nought = 0 * c->manifold.normal.x + 0 * c->manifold.normal.y
@@ -150,10 +135,9 @@ static wfResult check_states(struct wfStep *s)
     double end = s->b.head->time + (double)s->b.head->dt;
     return wfIsFinite((wfReal)end) ? WF_OK : WF_ERROR_NOT_FINITE;
 }
-/* <the second half of the step> */
 /* whom have they met? */
-/* <the second half of the step> */
-/* <bound the shapes> */
+
+/* bound the shapes */
 static bool can_move(const wfBodyState *s)
 {
     return s->invMass > 0 || s->invInertia > 0 || s->v.x != 0 || s->v.y != 0 || s->w != 0;
@@ -165,9 +149,7 @@ static uint8_t flag_shape(const wfBlock *b, const wfBodyState *state, int32_t k)
     if (i < 0) return 0;
     bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
     bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
-    /* <who else looks out for what is kinematic> */
     /* In this chapter nobody but sensors. */
-    /* <who else looks out for what is kinematic> */
     seen = seen || (b->head->asleep > 0 && can_move(&state[i]));
     return (uint8_t)(WF_PROXY_LIVE
                      | (moves || (kinematic && seen) ? WF_PROXY_MOVES : 0));
@@ -178,7 +160,7 @@ static wfRect bound_one(const wfBlock *b, int32_t k, wfTransform placed)
     wfRect none = { .min = wfV2(0, 0), .max = wfV2(0, 0) };
     return b->owners[k] >= 0 ? wfShapeBounds(&b->shapes[k], placed) : none;
 }
-/* <bound the shapes> */
+
 void wfBoundShape(wfBlock *b, int32_t k)
 {
     int32_t i = b->owners[k];
@@ -187,9 +169,7 @@ void wfBoundShape(wfBlock *b, int32_t k)
     b->bounds[k] = bound_one(b, k, placed);
     b->flags[k] = flag_shape(b, b->state, k);
     b->head->indexStale = 1;
-    /* <tell whom the box of shape k meets> */
     /* In this chapter nobody has to know. */
-    /* <tell whom the box of shape k meets> */
     wfRouseNear(b, k);
 }
 
@@ -197,7 +177,7 @@ void wfBoundBody(wfBlock *b, int32_t i)
 {
     for (int32_t k = b->props[i].shape; k >= 0; k = b->next[k]) wfBoundShape(b, k);
 }
-/* <bound the shapes> */
+
 static wfResult find_bounds(struct wfStep *s)
 {
     s->places = wfTransient(&s->b, WF_REGION_PLACES);
@@ -212,7 +192,7 @@ static wfResult find_bounds(struct wfStep *s)
     }
     for (int32_t k = 0; k < s->shapeCount; k++) {
         int32_t i = s->b.owners[k];
-        /* <ask for the corners of a shape further on> */
+        /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
         if (k + AHEAD < s->shapeCount) {
             const wfShape *soon = &s->b.shapes[k + AHEAD];
@@ -225,7 +205,7 @@ static wfResult find_bounds(struct wfStep *s)
             s->rims[k] = 0;
             continue;
         }
-        /* <find the box of a shape that takes part> */
+        /* find the box of a shape that takes part */
         s->flags[k] = flag_shape(&s->b, s->state, k);
         s->bounds[k] = bound_one(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
         wfReal more = i >= 0 && wfSolverSteps(s) ? wfWayOfShape(s, k) : 0;
@@ -236,7 +216,8 @@ static wfResult find_bounds(struct wfStep *s)
     }
     return WF_OK;
 }
-/* <find the pairs> */
+
+/* find the pairs */
 bool wfHasMass(const struct wfStep *s, int32_t k)
 {
     const wfBodyState *state = &s->state[s->b.owners[k]];
@@ -247,21 +228,15 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
 {
     const struct wfStep *s = context;
     bool senses = false, may = true;
-    /* <see whether the pair senses> */
     /* It does if one of the two is a sensor. */
-    /* <see whether the pair senses> */
     bool first = wfIsSensor(&s->b, a), second = wfIsSensor(&s->b, b);
     if (first && second) return false;
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
-    /* <who else makes no pair> */
     /* In this chapter nobody else. */
-    /* <who else makes no pair> */
     if (!senses && !wfMovesNow(s, s->b.owners[a]) && !wfMovesNow(s, s->b.owners[b]))
         return false;
-    /* <ask the user about the pair> */
     /* See the section on hooks. */
-    /* <ask the user about the pair> */
     const wfHooks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
         may = hooks->filter(hooks->context, &s->view, a, b);
@@ -273,7 +248,7 @@ wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *fla
     return (wfProxies){ .count = b->head->shapeSlots.high, .bounds = bounds,
                         .flags = flags, .filters = b->filters, .owners = b->owners };
 }
-/* <find the pairs> */
+
 static size_t index_bytes(const wfHeader *head)
 {
     return wfIndexSize(head->broadPhase, head->shapeCapacity);
@@ -284,17 +259,11 @@ static wfResult find_pairs(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     bool rule = false, asked = false;
-    /* <who needs the rule for pairs> */
     /* Who has none of what follows does without. */
-    /* <who needs the rule for pairs> */
     rule = rule || head->sensorCount > 0;
-    /* <who needs the rule for pairs> */
     rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
-    /* <who needs the rule for pairs> */
     rule = rule || head->asleep > 0;
-    /* <who needs the index> */
     /* Who moves. */
-    /* <who needs the index> */
     asked = head->queries && head->indexStale;
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
@@ -304,7 +273,7 @@ static wfResult find_pairs(struct wfStep *s)
     bool meets = wfHas(head, WF_NEED_CONTACTS);
     if (bytes == 0 && !meets) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
-    /* <bring a copy of the index up to date> */
+    /* bring a copy of the index up to date */
     s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
     memcpy(s->index, s->b.index, bytes);
     wfResult result = wfUpdateIndex(head->broadPhase, &proxies, s->index, bytes,
@@ -312,7 +281,7 @@ static wfResult find_pairs(struct wfStep *s)
     if (result != WF_OK || !meets) return result;
     return wfIndexPairs(head->broadPhase, &proxies, s->index, &s->scratch, &s->pairs);
 }
-/* <find the pairs> */
+
 static wfResult find_and_count(struct wfStep *s)
 {
     wfResult result = find_pairs(s);
@@ -320,21 +289,21 @@ static wfResult find_and_count(struct wfStep *s)
     if (s->foundPairs < found) s->foundPairs = found;
     return result;
 }
-/* <find the pairs> */
+
 wfResult wfFindPairsAgain(struct wfStep *s)
 {
     wfResult result = find_bounds(s);
     return result == WF_OK ? find_and_count(s) : result;
 }
-/* <resolve the contacts> */
+
+/* resolve the contacts */
 int32_t wfPassesOf(const wfHeader *head)
 {
     return head->iterations > 0 ? head->iterations : wfUsualPasses(head->solver);
 }
 
-/* <find how fast overlaps may be left> */
 /* only one solver wants to know */
-/* <find how fast overlaps may be left> */
+
 static wfReal recovery_speed(const wfHeader *head)
 {
     wfReal speed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps);
@@ -351,21 +320,16 @@ static wfSolve to_solve(struct wfStep *s)
         .substeps = head->substeps, .laws = s->laws,
         .scratch = &s->scratch, .report = &s->report,
         .present = s->all ? NULL : s->present,
-        /* <what else a solver is told> */
         /* what only one solver wants to know */
-        /* <what else a solver is told> */
         .told = s->told,
-        /* <what else a solver is told> */
         .recoverySpeed = recovery_speed(head),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
         .columns = head->columns, .colours = head->colours, .lanes = head->lanes,
-        /* <what else a solver is told> */
         .work = head->exactWork,
-        /* <what else a solver is told> */
         .fine = s->fine,
     };
 }
-/* <resolve the contacts> */
+
 static wfResult solve_velocities(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
@@ -373,15 +337,11 @@ static wfResult solve_velocities(struct wfStep *s)
     if (!wfSolverSteps(s)) return wfSolveVelocities(s->b.head->solver, &solve);
     wfResult result = WF_OK;
     bool done = false;
-    /* <let islands step by themselves> */
     /* in this chapter all step together */
-    /* <let islands step by themselves> */
     done = wfStepsApart(s);
     if (done) result = wfStepApart(s, &solve);
     if (!done) result = wfSolverTable[s->b.head->solver].step(&solve);
-    /* <damp the states behind the solver> */
     /* the second half of the damping */
-    /* <damp the states behind the solver> */
     if (result == WF_OK) result = damp_half(s);
     return result;
 }
@@ -391,7 +351,8 @@ static wfResult solve_positions(struct wfStep *s)
     wfSolve solve = to_solve(s);
     return wfSolverSteps(s) ? WF_OK : wfSolvePositions(s->b.head->solver, &solve);
 }
-/* <keep the index for queries> */
+
+/* keep the index for queries */
 static wfResult find_index(struct wfStep *s)
 {
     size_t mark = wfPoolMark(&s->scratch);
@@ -406,7 +367,7 @@ static wfResult find_index(struct wfStep *s)
     }
     for (int32_t k = 0; k < s->shapeCount; k++) {
         int32_t i = s->b.owners[k];
-        /* <ask for the corners of a shape further on> */
+        /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
         if (k + AHEAD < s->shapeCount) {
             const wfShape *soon = &s->b.shapes[k + AHEAD];
@@ -417,16 +378,14 @@ static wfResult find_index(struct wfStep *s)
     }
     wfPoolRewind(&s->scratch, mark);
     wfResult result = WF_OK;
-    /* <bring the index up to date> */
     /* for queries, and only for them */
-    /* <bring the index up to date> */
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     if (s->index != NULL && s->b.head->queries)
         result = wfUpdateIndex(s->b.head->broadPhase, &proxies, s->index,
                                index_bytes(s->b.head), &s->scratch);
     return result;
 }
-/* <keep the index for queries> */
+
 wfResult wfIndexWorld(wfWorld *world)
 {
     wfBlock b;
@@ -443,7 +402,8 @@ wfResult wfIndexWorld(wfWorld *world)
     if (result == WF_OK) b.head->indexStale = 0;
     return result;
 }
-/* <commit the step> */
+
+/* commit the step */
 static void copy_back(void *to, const void *from, int32_t count, size_t each)
 {
     if (count > 0 && from != NULL) memcpy(to, from, (size_t)count * each);
@@ -451,17 +411,13 @@ static void copy_back(void *to, const void *from, int32_t count, size_t each)
 
 static wfResult commit(struct wfStep *s)
 {
-    /* <before the step becomes the world> */
+    /* before the step becomes the world */
     wfHeader *head = s->b.head;
-    /* <before the step becomes the world> */
     wfKeepRest(s);
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
-    /* <commit what was found> */
     /* contacts and events, where there are any */
-    /* <commit what was found> */
     if (wfHas(head, WF_NEED_PUSHES))
         memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
-    /* <commit what was found> */
     copy_back(s->b.bounds, s->bounds, s->shapeCount, sizeof *s->bounds);
     copy_back(s->b.flags, s->flags, s->shapeCount, sizeof *s->flags);
     int32_t pairs = s->pairs.count, at = s->kept.pairs;
@@ -470,34 +426,27 @@ static wfResult commit(struct wfStep *s)
     copy_back(s->b.contacts + s->kept.contacts, s->contacts, s->contactCount,
               sizeof *s->contacts);
     if (s->index != NULL) memcpy(s->b.index, s->index, index_bytes(head));
-    /* <commit what was found> */
     copy_back(s->b.touches + s->kept.touches, s->touches, s->touchCount,
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
-    /* <commit what was found> */
     if (s->fine != NULL) copy_back(s->b.fine, s->fine, s->count, sizeof *s->fine);
-    /* <count what was committed> */
+    /* count what was committed */
     head->time += (double)head->dt;
     head->steps++;
-    /* <count what was committed> */
     head->kept = s->kept;
     head->pairCount = s->kept.pairs + s->pairs.count;
     head->contactCount = s->kept.contacts + s->contactCount;
     if (head->mostPairs < s->foundPairs) head->mostPairs = s->foundPairs;
     if (head->mostContacts < head->contactCount) head->mostContacts = head->contactCount;
     head->indexStale = 1;
-    /* <count what was committed> */
     head->indexStale = !head->queries;
-    /* <count what was committed> */
     head->touchCount = s->kept.touches + s->touchCount;
     head->hitCount = s->hitCount;
     if (head->mostPairs < head->touchCount) head->mostPairs = head->touchCount;
     if (head->mostPairs < head->hitCount) head->mostPairs = head->hitCount;
     memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
-    /* <count what was committed> */
     head->report = s->report;
-    /* <count what was committed> */
     head->fastCount = s->fastCount;
     head->impactCount = s->impactCount;
     head->heldCount = s->heldCount;
@@ -506,133 +455,109 @@ static wfResult commit(struct wfStep *s)
     if (head->mostPairs < s->strikeCount) head->mostPairs = s->strikeCount;
     return WF_OK;
 }
-/* <the table of stages> */
+
+/* the table of stages */
 const wfStageRow wfStageTable[] = {
-    /* <rows of the stage table> */
     { "copy", "copy the states, so that a step that fails has changed nothing",
       "states", "new states", copy_states,
       0, 0 },
     { "forces", "list gravity and the registered forces that act",
       "forces", "active forces", list_forces,
       0, 0 },
-    /* <rows of the stage table> */
     { "damp", "damp the velocities over the first half of the step",
       "properties", "new states", damp_half,
       WF_NEED_DAMPING, 0 },
-    /* <rows of the stage table> */
     { "integrate", "let the forces act: new velocities, new places",
       "active and applied forces", "new states, sums of forces", integrate,
       0, 0 },
-    /* <rows of the stage table> */
     { "damp again", "damp the velocities over the second half",
       "properties", "new states", damp_again,
       WF_NEED_DAMPING, 0 },
-    /* <rows of the stage table> */
     { "check", "stop here if a number has overflowed",
       "new states", "", check_states,
       0, 0 },
-    /* <rows of the stage table> */
     { "bounds", "put an upright box round every shape",
       "new states, shapes", "new bounds, new flags", find_bounds,
       0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
-    /* <stages that find pairs> */
+    /* stages that find pairs */
     { "broad phase", "find the pairs whose boxes overlap",
       "new bounds, new flags, index", "new pairs, new index", find_and_count,
       0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
-    /* <stages that find pairs> */
     { "joined pairs", "bodies that are joined do not collide",
       "new pairs, joints", "new pairs", wfLeaveOutJoined,
       WF_NEED_JOINTS | WF_NEED_CONTACTS, 0 },
     { "joints", "copy the joints, for the solver to keep",
       "joints", "new joints", wfTakeJoints,
       WF_NEED_JOINTS, 0 },
-    /* <stages that find pairs> */
     { "impacts", "follow fast bodies to what they hit (a solver that does not step)",
       "states, new states, joints", "new states, new pairs, strikes", wfFlyFirst,
       WF_NEED_FAST, 0 },
-    /* <stages that find pairs> */
     { "sleepers met", "place the sleepers whose boxes somebody has met",
       "new pairs, new states", "places", wfPlaceSleepers,
       WF_NEED_SLEEP, 0 },
     { "narrow phase", "find the pairs that touch, and where",
       "new pairs, new states, contacts", "new contacts, touches, hits", wfFindContacts,
       WF_NEED_CONTACTS, 0 },
-    /* <stages that mend> */
+    /* stages that mend */
     { "velocities", "make touching bodies part",
       "new contacts, sums of forces", "new states", solve_velocities,
       0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
     { "positions", "take overlaps away",
       "new contacts", "new states", solve_positions,
       0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
-    /* <stages that mend> */
     { "loads", "see what the joints bore, and which of them broke",
       "new joints", "new joints", wfJudgeJoints,
       WF_NEED_JOINTS, 0 },
-    /* <stages that mend> */
     { "late impacts", "the same, behind a solver that steps",
       "states, new states, joints", "new states, strikes", wfFlyLast,
       WF_NEED_FAST, 0 },
-    /* <stages that mend> */
     { "strikes", "what was struck was touched, and hit",
       "strikes", "new touches, hits", wfTellStrikes,
       WF_NEED_FAST, 0 },
     { "check again", "stop here if a number has overflowed",
       "new states", "", check_states,
       0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
-    /* <rows of the stage table> */
     { "touches", "remember who touches whom",
       "new touches, new contacts", "new touches", wfKeepTouches,
       WF_NEED_CONTACTS, 0 },
     { "events", "say what began, goes on and ended",
       "new touches, touches", "new events", wfTellEvents,
       WF_NEED_EVENTS, 0 },
-    /* <rows of the stage table> */
-    /* <stages before the end> */
     /* whatever has to be ready before that */
-    /* <stages before the end> */
     { "index", "prepare the answers to queries",
       "new states, shapes", "new bounds, new index", find_index,
       0, WF_NEED_QUERIES },
-    /* <stages before the end> */
     { "islands", "let islands that rest fall asleep",
       "new contacts, new joints, new states", "new states, clocks of rest", wfFindIslands,
       WF_NEED_SLEEP, 0 },
     { "commit", "what is new becomes the world",
       "all that is new", "all that is permanent", commit,
       0, 0 },
-    /* <rows of the stage table> */
     { "keep joints", "the new joints become the world's",
       "new joints", "joints, broken joints", wfKeepJoints,
       WF_NEED_JOINTS, 0 },
 };
 const int wfStageCount = (int)(sizeof wfStageTable / sizeof *wfStageTable);
-/* <step the world> */
+
+/* step the world */
 static wfResult run_stages(struct wfStep *step)
 {
     wfResult result = WF_OK;
     for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
-        /* <pass over a stage that nobody needs> */
         /* in this world */
-        /* <pass over a stage that nobody needs> */
         if (!wfStageRuns(&wfStageTable[i], step->b.head->needs)) continue;
         const wfStepClock *clock = step->clock;
         double start = clock == NULL ? 0 : clock->now(clock->context);
         result = wfStageTable[i].run(step);
-        /* <take the time of a stage> */
         /* if somebody has a clock */
-        /* <take the time of a stage> */
         if (clock != NULL) clock->seconds[i] += clock->now(clock->context) - start;
-        /* <begin anew if a stage says so> */
         /* no stage of this chapter does */
-        /* <begin anew if a stage says so> */
         if (result == WF_OK && step->again) {
             int32_t restarts = step->restarts + 1;
             *step = (struct wfStep){ .b = step->b,
-                /* <what a step keeps that begins anew> */
+                /* what a step keeps that begins anew */
                 .clock = step->clock,
-                /* <what a step keeps that begins anew> */
                 /* whom to ask, if the user has hooks */
-                /* <what a step keeps that begins anew> */
                 .hooks = step->hooks,
             };
             step->restarts = restarts;
@@ -648,14 +573,15 @@ wfResult wfStepWorld(wfWorld *world)
     wfResult result = wfChangeBlock(world, &step.b);
     return result == WF_OK ? run_stages(&step) : result;
 }
-/* <step the world> */
+
 wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
 {
     struct wfStep step = { .clock = clock };
     wfResult result = wfChangeBlock(world, &step.b);
     return result == WF_OK ? run_stages(&step) : result;
 }
-/* <step the world for hooks> */
+
+/* step the world for hooks */
 wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks)
 {
     struct wfStep step = { .hooks = hooks };

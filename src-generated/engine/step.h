@@ -5,14 +5,11 @@
 /* A step in the making. For the engine's own files; not installed. */
 #include "engine/block.h"
 
-/* <what a step works with> */
 /* A step in the making: everything new is in transient memory until the last stage. */
 struct wfStep {
     wfBlock          b;
     wfPool           scratch;
-    /* <what a step works with at all> */
     /* who looks on */
-    /* <what a step works with at all> */
     const wfStepClock *clock;     /* that times the stages, or NULL */
     int32_t          count;       /* places for bodies in use */
     uint8_t         *present;     /* 1: a body that takes part in the step */
@@ -22,9 +19,7 @@ struct wfStep {
     wfBodyState     *state;       /* the new states */
     wfForce         *forces;      /* the forces that act in this step */
     int32_t          forceCount;
-    /* <arrays of the second half> */
     /* those of an engine that knows no contacts end here */
-    /* <arrays of the second half> */
     int32_t          shapeCount;  /* places for shapes in use */
     int32_t          movers;      /* how many bodies can move, or do */
     wfKept           kept;        /* of the last step, and not to be looked at again */
@@ -40,7 +35,6 @@ struct wfStep {
     wfContact       *contacts;
     int32_t          contactCount;
     const wfLaws    *laws;        /* other laws than contacts, or NULL */
-    /* <arrays of the second half> */
     wfTouch         *touches;
     int32_t          touchCount;
     wfTold          *told;        /* of each contact; NULL: nobody asks */
@@ -49,21 +43,15 @@ struct wfStep {
     wfReal           hitSpeed;    /* m/s: faster approaches are hits */
     wfTouchEvent    *events;
     int32_t          eventTotal, eventCount[WF_EVENT_KINDS];
-    /* <arrays of the second half> */
     const wfHooks   *hooks;       /* the user's functions, or NULL */
     wfHookView       view;        /* what they get to see */
-    /* <arrays of the second half> */
     wfFine *fine;              /* the new one, or NULL */
-    /* <arrays of the second half> */
     wfSolveReport report;         /* of the solver, if it makes one */
-    /* <arrays of the second half> */
     int32_t          joinedCount; /* pairs of joined bodies, sorted, in their region */
     wfJointSet       jointSet;    /* copies of the joints, and what solving them takes */
     wfLaws           jointLaws;
     int32_t         *jointPlaces; /* from which place each of them was copied */
-    /* <arrays of the second half> */
     uint64_t         machines;    /* a fingerprint of who is joined to whom */
-    /* <arrays of the second half> */
     wfFlight        *flights;
     int32_t         *flightOf;    /* of each body, or -1; valid when there are flights */
     int32_t          flightCount, fastCount, impactCount, heldCount;
@@ -75,16 +63,14 @@ struct wfStep {
     int32_t          sparedCount;
     bool             followed;    /* somebody was not looked ahead for, since it is followed */
     bool             driven;      /* somebody is followed whom nothing can change */
-    /* <arrays of the second half> */
     uint8_t         *woken;       /* 1: slept before, and takes part; 2: fell asleep */
     int32_t          roused;      /* 1: some of what was kept is kept no longer */
     int32_t          tired;       /* how many fall asleep at the end */
     wfReal          *clocks;      /* new clocks of rest */
     wfIslands        islands;
 };
-/* <declarations of the stages> */
 /* that stand in files of their own */
-/* <declarations of the stages> */
+
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverSteps(const struct wfStep *s);
 int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */
@@ -96,10 +82,8 @@ static inline bool wfIsSensor(const wfBlock *b, int32_t k)
 }
 bool wfHasMass(const struct wfStep *s, int32_t k);
 wfResult wfFindContacts(struct wfStep *s);      /* a stage */
-/* <declarations of the stages> */
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
-/* <declarations of the stages> */
 /* Do some bodies make fewer substeps than others? The step of such a world: chapter 33. */
 bool wfStepsApart(const struct wfStep *s);
 wfResult wfStepApart(struct wfStep *s, const wfSolve *solve);

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "engine/step.h"
 
-/* <how far shapes may come in a step> */
+/* how far shapes may come in a step */
 bool wfSolverSteps(const struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
@@ -22,15 +22,14 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
     wfReal spin = wfAbs(s->state[i].w) + gain * wfAbs(s->sums[i].torque);
     return spin * (wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm);
 }
-/* <how far shapes may come in a step> */
+
 wfReal wfWayOfShape(struct wfStep *s, int32_t k)
 {
     int32_t i = s->b.owners[k];
     wfReal is = wfLength(s->state[i].v), to_be = wfLength(velocity_to_be(s, i));
     s->rims[k] = rim_speed(s, i, k);        /* for way_of_pair: a shape has many pairs */
-    /* <how far this shape is looked ahead> */
+    /* how far this shape is looked ahead */
     wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + s->rims[k]);
-    /* <how far this shape is looked ahead> */
     if (!wfIsCrowd(&s->b) && wfIsFollowed(&s->b, k, way)) {
         way = s->b.head->slop * s->b.materials[k].reach;
         s->followed = true;
@@ -46,9 +45,8 @@ static wfReal way_of_pair(const struct wfStep *s, wfPair p)
     wfReal free = wfLengthSq(wfSub(toB, toA));
     wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
     wfReal u = wfSqrt(wfMaxR(free, held));
-    /* <how far this pair is looked ahead> */
+    /* how far this pair is looked ahead */
     wfReal way = s->b.head->dt * (u + (s->rims[p.a] + s->rims[p.b]));   /* eq:world-way */
-    /* <how far this pair is looked ahead> */
     if (!wfIsCrowd(&s->b)
         && (wfIsFollowed(&s->b, p.a, way) || wfIsFollowed(&s->b, p.b, way))) {
         wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->rims[p.a]);
@@ -60,7 +58,7 @@ static wfReal way_of_pair(const struct wfStep *s, wfPair p)
     }
     return way;
 }
-/* <walk along the contacts of the last step> */
+
 /* Where the three fingers are in the lists of the last step, and where these end. What is
  * not found is looked for on the walk after this one, if there is one. */
 typedef struct wfWalk {
@@ -83,7 +81,7 @@ static const wfManifoldCache *old_cache(const wfBlock *b, wfWalk *w, wfPair p)
     if (!found && w->after != NULL) return old_cache(b, w->after, p);
     return found ? &b->caches[w->pair] : NULL;
 }
-/* <walk along the contacts of the last step> */
+
 static const wfContact *old_contact(const wfBlock *b, wfWalk *w, wfPair p)
 {
     while (w->contact < w->contacts
@@ -94,7 +92,7 @@ static const wfContact *old_contact(const wfBlock *b, wfWalk *w, wfPair p)
     if (!found && w->after != NULL) return old_contact(b, w->after, p);
     return found ? c : NULL;
 }
-/* <walk along the contacts of the last step> */
+
 static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
 {
     while (w->touch < w->touches
@@ -105,10 +103,9 @@ static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
               && t->stampB == b->shapeSlots[p.b].generation;
     return found || (w->after != NULL && touched_before(b, w->after, p));
 }
-/* <what contacts are made for besides> */
 /* for events, sensors and hooks */
-/* <what contacts are made for besides> */
-/* <note the touches> */
+
+/* note the touches */
 enum {
     TOUCH_SURE = WF_TOUCH_USER,
     TOUCH_LEFT = 2 * WF_TOUCH_USER,     /* they bounced, and nothing presses them */
@@ -132,7 +129,7 @@ static wfTouch stamp_touch(const struct wfStep *s, wfPair p, uint32_t flags)
     stamped.stampB = stamp_of(&t, true);
     return stamped;
 }
-/* <note the touches> */
+
 static wfReal deepest(const wfManifold *m)
 {
     wfReal depth = -WF_HUGE;
@@ -163,7 +160,7 @@ static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
         .b = wfIdOfShape(&s->b, touch->b), .point = hit.point, .normal = hit.normal,
         .speed = hit.speed };
 }
-/* <note the touches> */
+
 static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
 {
     if (!s->b.head->events) return;
@@ -172,7 +169,7 @@ static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
     *touch = stamp_touch(s, p, sure ? TOUCH_SURE : 0);
     if (wfHas(s->b.head, WF_NEED_EVENTS)) note_hit(s, c, touch);
 }
-/* <note the touches> */
+
 static bool comes_after(wfPair a, wfPair b)
 {
     return a.a != b.a ? a.a > b.a : a.b > b.b;
@@ -193,7 +190,7 @@ static wfResult touch_strikes(struct wfStep *s)
     }
     if (s->touchCount + fresh > s->b.head->pairCapacity) return WF_ERROR_FULL;
     at = s->touchCount + fresh - 1, old = s->touchCount - 1;
-    /* <put the new touches between the old ones> */
+    /* put the new touches between the old ones */
     for (int32_t i = s->strikeCount - 1; i >= 0; i--) {
         wfPair p = s->strikes[i].pair;
         while (old >= 0 && comes_after((wfPair){ s->touches[old].a, s->touches[old].b }, p))
@@ -204,7 +201,7 @@ static wfResult touch_strikes(struct wfStep *s)
     s->touchCount += fresh;
     return WF_OK;
 }
-/* <note the touches> */
+
 /* A strike that is fast enough is a hit; it takes the place of a slower one. */
 static wfResult hit_by_strike(struct wfStep *s, const wfStrike *strike)
 {
@@ -226,7 +223,7 @@ static wfResult hit_by_strike(struct wfStep *s, const wfStrike *strike)
     s->hits[at] = hit;
     return WF_OK;
 }
-/* <note the touches> */
+
 wfResult wfTellStrikes(struct wfStep *s)
 {
     if (!s->b.head->events || s->strikeCount == 0) return WF_OK;
@@ -238,7 +235,7 @@ wfResult wfTellStrikes(struct wfStep *s)
         if (told && s->strikes[i].speed > least) result = hit_by_strike(s, &s->strikes[i]);
     return result;
 }
-/* <note the touches> */
+
 /* The strike of shapes a and b, or NULL. */
 static const wfStrike *strike_of(const struct wfStep *s, int32_t a, int32_t b)
 {
@@ -253,8 +250,8 @@ static const wfStrike *strike_of(const struct wfStep *s, int32_t a, int32_t b)
               && s->strikes[low].pair.b == b;
     return found ? &s->strikes[low] : NULL;
 }
-/* <what contacts are made for besides> */
-/* <sense who is in a sensor> */
+
+/* sense who is in a sensor */
 static wfResult sense_pair(struct wfStep *s, int32_t i)
 {
     wfPair p = s->pairs.pairs[i];
@@ -268,8 +265,8 @@ static wfResult sense_pair(struct wfStep *s, int32_t i)
     s->touches[s->touchCount++] = stamp_touch(s, p, side);
     return WF_OK;
 }
-/* <what contacts are made for besides> */
-/* <ask the user about a contact> */
+
+/* ask the user about a contact */
 static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
 {
     wfContactChange change = { .enabled = 1, .restitution = c->restitution,
@@ -290,7 +287,8 @@ static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
     c->surfaceSpeed = change.surfaceSpeed;
     return WF_OK;
 }
-/* <make the contacts> */
+
+/* make the contacts */
 static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
 {
     const wfShapeProps *a = &s->b.materials[p.a], *b = &s->b.materials[p.b];
@@ -301,7 +299,7 @@ static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
         .surfaceSpeed = wfMixSurfaceSpeed(a->surfaceSpeed, b->surfaceSpeed),
         .slop = s->b.head->slop * wfMinR(a->reach, b->reach) };
 }
-/* <make the contacts> */
+
 static wfResult measure(struct wfStep *s, wfPair p, const wfManifoldCache *known,
                         wfReal margin, wfManifoldCache *cache, wfContact *c)
 {
@@ -320,7 +318,7 @@ static wfResult measure(struct wfStep *s, wfPair p, const wfManifoldCache *known
     if (worth) wfRememberManifold(a, xa, b, xb, &found, cache);
     return WF_OK;
 }
-/* <make the contacts> */
+
 static void drop_gaps(wfManifold *m, wfReal margin)
 {
     int32_t kept = 0;
@@ -331,7 +329,7 @@ static void drop_gaps(wfManifold *m, wfReal margin)
         }
     m->count = kept;
 }
-/* <make the contacts> */
+
 static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
 {
     wfPair p = s->pairs.pairs[i];
@@ -340,55 +338,44 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     start_contact(s, p, c);
     const wfContact *old = old_contact(&s->b, w, p);
     bool was = false, enabled = true;
-    /* <see whether the pair p touched before> */
     /* Without events nobody remembers. */
-    /* <see whether the pair p touched before> */
     was = touched_before(&s->b, w, p);
     wfReal ahead = wfSolverSteps(s) ? way_of_pair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, c->slop) : ahead;
     wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], c);
     if (result != WF_OK || c->manifold.count == 0) return result;
     if (old != NULL) wfCarryImpulses(old, c);
-    /* <ask whether the contact c is wanted> */
     /* The user may be asked: section "Hooks". */
-    /* <ask whether the contact c is wanted> */
     if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, c, &enabled);
     if (result != WF_OK || !enabled) return result;
-    /* <note the touch of the contact c> */
     /* For events, and only for them. */
-    /* <note the touch of the contact c> */
     bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
     note_touch(s, c, is);
     if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
     drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
-    /* <whom the contact c concerns besides its bodies> */
     /* In this chapter nobody. */
-    /* <whom the contact c concerns besides its bodies> */
     wfWakeInStep(s, c->a);
     wfWakeInStep(s, c->b);
     s->contactCount++;
     return WF_OK;
 }
-/* <make the contacts> */
+
 wfResult wfFindContacts(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     wfWalk walk = { .pair = head->kept.pairs, .contact = head->kept.contacts,
                     .pairs = head->pairCount, .contacts = head->contactCount };
-    /* <where else contacts of the last step may be> */
+    /* where else contacts of the last step may be */
     walk.after = NULL;
-    /* <where else contacts of the last step may be> */
     wfWalk slept = { .pairs = head->kept.pairs, .contacts = head->kept.contacts,
                      .touches = head->kept.touches };
     walk.after = s->roused ? &slept : NULL;
     wfResult result = WF_OK;
     s->caches = wfTransient(&s->b, WF_REGION_NEW_CACHES);
     s->contacts = wfTransient(&s->b, WF_REGION_NEW_CONTACTS);
-    /* <begin to note touches> */
     /* for events */
-    /* <begin to note touches> */
     walk.touch = head->kept.touches;
     walk.touches = head->touchCount;
     s->touches = wfTransient(&s->b, WF_REGION_NEW_TOUCHES);
@@ -396,7 +383,7 @@ wfResult wfFindContacts(struct wfStep *s)
     if (head->events) s->told = wfTransient(&s->b, WF_REGION_TOLD);
     s->hitSpeed = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
     for (int32_t i = 0; i < s->pairs.count && result == WF_OK; i++) {
-        /* <ask for the shapes of a pair further on> */
+        /* ask for the shapes of a pair further on */
         enum { AHEAD = 6 };
         if (i + AHEAD < s->pairs.count) {
             const wfShape *soon = &s->b.shapes[s->pairs.pairs[i + AHEAD].b];
@@ -405,9 +392,7 @@ wfResult wfFindContacts(struct wfStep *s)
             WF_FETCH_SOON(&soon->normals[0]);
             WF_FETCH_SOON(&soon->normals[3]);
         }
-        /* <leave a sensor's pair to its own function> */
         /* where there are sensors */
-        /* <leave a sensor's pair to its own function> */
         wfPair p = s->pairs.pairs[i];
         if (wfIsSensor(&s->b, p.a) || wfIsSensor(&s->b, p.b)) {
             result = sense_pair(s, i);
@@ -417,7 +402,7 @@ wfResult wfFindContacts(struct wfStep *s)
     }
     return result;
 }
-/* <make the contacts> */
+
 wfContact wfStartContact(const struct wfStep *s, wfPair p)
 {
     wfContact c;
@@ -425,12 +410,12 @@ wfContact wfStartContact(const struct wfStep *s, wfPair p)
     return c;
 }
 
-/* <make the contacts> */
+
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled)
 {
     return ask_hook(s, c, enabled);
 }
-/* <tell the events> */
+
 /* What the step did to shapes a and b; *at is the finger on the contacts. */
 static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
 {
@@ -440,9 +425,7 @@ static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
     while (*at < count && before(c[*at].shapeA, c[*at].shapeB, p)) ++*at;
     wfTold told = { .impulse = 0 };
     if (*at < count && c[*at].shapeA == a && c[*at].shapeB == b) told = s->told[*at];
-    /* <add what else happened to this pair> */
     /* In this chapter all happens at contacts. */
-    /* <add what else happened to this pair> */
     const wfStrike *strike = strike_of(s, a, b);
     if (strike != NULL) {
         told.impulse += strike->impulse;
@@ -456,7 +439,7 @@ static bool senses(const wfTouch *t)
 {
     return (t->flags & (WF_TOUCH_SENSOR_A | WF_TOUCH_SENSOR_B)) != 0;
 }
-/* <tell the events> */
+
 /* The touch of the last step between the same shapes, or NULL; *at is a finger. */
 static const wfTouch *old_touch(const struct wfStep *s, int32_t *at, const wfTouch *t)
 {
@@ -476,7 +459,7 @@ static uint32_t flags_after(uint32_t flags, const wfTouch *old, const wfTold *to
     if ((told->bounced && !told->pressed) || (left && !push)) flags |= TOUCH_LEFT;
     return flags;
 }
-/* <tell the events> */
+
 static void keep_touches(struct wfStep *s)
 {
     int32_t kept = 0, at = 0, before = s->b.head->kept.touches, hits = 0, hit = 0;
@@ -495,7 +478,7 @@ static void keep_touches(struct wfStep *s)
     s->touchCount = kept;
     s->hitCount = hits;
 }
-/* <tell the events> */
+
 static void list_events(struct wfStep *s, int kind, const wfTouchList *from)
 {
     int32_t at = 0, first = s->eventTotal;
@@ -507,20 +490,20 @@ static void list_events(struct wfStep *s, int kind, const wfTouchList *from)
         bool swap = (t->flags & WF_TOUCH_SENSOR_B) != 0;
         wfTouchEvent event = { .a = swap ? b : a, .b = swap ? a : b };
         if (kind < WF_TOUCH_END) {
-            /* <how hard this touch was> */
+            /* how hard this touch was */
             event.impulse = told_of(s, &at, t->a, t->b).impulse;
         }
         s->events[s->eventTotal++] = event;
     }
     s->eventCount[kind] = s->eventTotal - first;
 }
-/* <tell the events> */
+
 wfResult wfKeepTouches(struct wfStep *s)
 {
     if (s->b.head->events) keep_touches(s);
     return WF_OK;
 }
-/* <tell the events> */
+
 static void put_in_order(wfTouchList *list, const wfTouch *t)
 {
     int32_t at = list->count++;
@@ -541,12 +524,12 @@ static void part_stays(wfTouchEvents *found)
     }
     found->stay.count = kept;
 }
-/* <tell the events> */
+
 wfResult wfTellEvents(struct wfStep *s)
 {
     if (!s->b.head->events) return WF_OK;
     size_t mark = wfPoolMark(&s->scratch);
-    /* <make room for what began, what stays and what has ended> */
+    /* make room for what began, what stays and what has ended */
     int32_t most = s->b.head->pairCapacity;
     wfTouch *list[3];
     for (int i = 0; i < 3; i++) list[i] = wfPoolPushArray(&s->scratch, most, wfTouch);
@@ -555,9 +538,7 @@ wfResult wfTellEvents(struct wfStep *s)
                             .end = { list[2], 0, most } };
     const wfTouch *old = s->b.touches + s->b.head->kept.touches;
     int32_t oldCount = s->b.head->touchCount - s->b.head->kept.touches;
-    /* <which other touches of the last step are compared> */
     /* In this chapter those of all contacts are among them. */
-    /* <which other touches of the last step are compared> */
     if (s->roused) {
         wfTouch *all = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
         oldCount = wfOldTouches(s, all);
@@ -565,9 +546,7 @@ wfResult wfTellEvents(struct wfStep *s)
     }
     wfResult result = wfCompareTouches(old, oldCount, s->touches, s->touchCount, &found);
     part_stays(&found);
-    /* <which touches go on without a look> */
     /* In this chapter none. */
-    /* <which touches go on without a look> */
     if (s->b.head->sensorCount > 0) wfAddSensed(s, &found.stay);
     s->events = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
     const wfTouchList *lists[3] = { &found.begin, &found.stay, &found.end };

@@ -47,7 +47,7 @@ static void figure_accuracy_choice(wfDraw *d, const wfFigureInput *in)
     float error = (in->handle[0][1] - 4.6f) / 0.55f, best = -1;
     int chosen = -1;
     choice_axes(d);
-    /* <draw each method's line and find the cheapest> */
+    /* draw each method's line and find the cheapest */
     for (int i = 0; i < CHOICE_LINES; i++) {
         const ChoiceLine *l = &choice_line[i];
         float xy[2 * 41], work = choice_work(l, error);

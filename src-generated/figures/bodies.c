@@ -40,7 +40,7 @@ static void figure_bodies_lever(wfDraw *d, const wfFigureInput *in)
     wfDrawLine(d, WF_XY(s.p), WF_XY(foot), 2, WF_INK_GOOD);
     wfDrawArrow(d, WF_XY(s.p), WF_XY(x), 1.5f, WF_INK_LINE);
     wfDrawArrow(d, WF_XY(x), WF_XY(wfAdd(x, force)), 2.5f, WF_INK_ACCENT);
-    /* <name the parts of the lever> */
+    /* name the parts of the lever */
     wfVec2 middle = wfLerp(s.p, x, 0.5f), tip = wfAdd(x, force);
     wfDrawPoint(d, WF_XY(s.p), 7, WF_INK_LINE);
     wfDrawText(d, (float)middle.x, (float)middle.y + 0.15f, 14, WF_INK_TEXT, 0, "r");

@@ -67,7 +67,7 @@ static void figure_broad_tree(wfDraw *d, const wfFigureInput *in)
     wfQuadTree tree;
     (void)in;
     wfProxies world = broadFigureWorld(&f, BROAD_FIGURE_MOST, 8, 8, 0.45f, 5);
-    /* <draw the boxes together> */
+    /* draw the boxes together */
     for (int i = 0; i < world.count; i++) {              /* a crowd at the lower left */
         wfVec2 c = wfRectCenter(f.bounds[i]), to = wfV2(c.x * c.x / 8, c.y * c.y / 8);
         wfVec2 by = wfAdd(wfSub(to, c), wfV2(WF_R(0.3), WF_R(0.3)));
@@ -107,7 +107,7 @@ static void figure_broad_missed(wfDraw *d, const wfFigureInput *in)
     wfDrawLine(d, 4, 0, 4, 5, 1.5f, WF_INK_FAINT);
     wfDrawLine(d, 0, 2.5f, 8, 2.5f, 1.5f, WF_INK_FAINT);
     broadRect(d, wfQuadTreeRect(&tree, 0), 1.5f, WF_INK_LINE, WF_INK_NONE);
-    /* <draw the two boxes and say which pairs each rule finds> */
+    /* draw the two boxes and say which pairs each rule finds */
     for (int i = 0; i < 2; i++) {
         int32_t sectors[WF_QUAD_MAX_DEPTH];
         int depth = wfQuadTreePath(&tree, wfQuadTreeNodeOf(&tree, i), sectors);
@@ -164,7 +164,7 @@ static void figure_broad_grid(wfDraw *d, const wfFigureInput *in)
     wfRect all = { wfV2(0, 0), wfV2(8, 8) };
     wfCells cells = wfGridCells(all, WF_R(1.3), 100);
     wfCellRange mine = wfCellsOf(&cells, f.bounds[0]);
-    /* <draw the cells, and fill those of the reader's box> */
+    /* draw the cells, and fill those of the reader's box */
     for (int32_t y = 0; y <= cells.limits.y1; y++)
         for (int32_t x = 0; x <= cells.limits.x1; x++) {
             bool in_it = x >= mine.x0 && x <= mine.x1 && y >= mine.y0 && y <= mine.y1;
@@ -217,7 +217,7 @@ static void figure_broad_hash(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < count; i++)
         share[wfHashCell(used[i][0], used[i][1]) % BROAD_BLOCKS]++;
     for (int k = 0; k < BROAD_BLOCKS; k++) if (share[k] > share[fullest]) fullest = k;
-    /* <draw the cells, the blocks, and the lines of the fullest block> */
+    /* draw the cells, the blocks, and the lines of the fullest block */
     for (int i = 0; i < count; i++) {
         float x = (float)used[i][0], y = (float)used[i][1];
         wfRect cell = { wfV2((wfReal)x, (wfReal)y), wfV2((wfReal)x + 1, (wfReal)y + 1) };
@@ -255,7 +255,7 @@ static void figure_broad_sweep(wfDraw *d, const wfFigureInput *in)
     wfDrawDashed(d, (float)me.min.x, 0, (float)me.min.x, 8, 1, WF_INK_FAINT);
     wfDrawDashed(d, (float)me.max.x, 0, (float)me.max.x, 8, 1, WF_INK_FAINT);
     for (int k = 0; k < world.count; k++) {
-        /* <draw a box and its bar> */
+        /* draw a box and its bar */
         wfRect r = f.bounds[items[k].index];
         bool mine = items[k].index == 0, met = active && items[k].key <= me.max.x;
         int role = mine ? WF_INK_GOOD : met ? WF_INK_ACCENT : WF_INK_BODY;
@@ -310,7 +310,7 @@ static void figure_broad_walk(wfDraw *d, const wfFigureInput *in)
                 broadRect(d, wfRectMinDim(wfV2((wfReal)x, (wfReal)y), wfV2(1, 1)), 0,
                           WF_INK_NONE, WF_INK_FAINT);
     }
-    /* <draw the grid, the boxes and the steps of the ray> */
+    /* draw the grid, the boxes and the steps of the ray */
     for (int k = 0; k <= STEPS; k++) {
         wfDrawLine(d, (float)k, 0, (float)k, 8, 0.7f, WF_INK_LINE);
         wfDrawLine(d, 0, (float)k, 8, (float)k, 0.7f, WF_INK_LINE);

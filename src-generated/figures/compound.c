@@ -112,7 +112,7 @@ static void figure_compound_l(wfDraw *d, const wfFigureInput *in)
         figShape(d, &plank[i], wfTransformIdentity(), 2, WF_INK_LINE, role);
         wfDrawDashed(d, WF_XY(part[i].centre), WF_XY(all.centre), 1.5f, WF_INK_ACCENT);
         wfDrawPoint(d, WF_XY(part[i].centre), 6, WF_INK_LINE);
-        /* <write what a plank adds to the inertia> */
+        /* write what a plank adds to the inertia */
         double moved = (double)(wfInertiaAbout(&part[i], all.centre) - part[i].inertia);
         wfDrawTextf(d, 7.8f, 3.4f - 0.5f * (float)i, 14, role, 1, "own %.2f, moved %.2f",
                     (double)part[i].inertia, moved);
@@ -209,7 +209,7 @@ static void figure_compound_gallery(wfDraw *d, const wfFigureInput *in)
     compoundShapes(d, &f);
     compoundOpen(&f, W, 13, wfV2(WF_R(6.7), WF_R(1.3)));
     compoundShapes(d, &f);
-    /* <draw a tangle of thirty corners> */
+    /* draw a tangle of thirty corners */
     wfRandomSeed(&r, 4);
     f.n = 30;
     random_tangle(&r, f.n, f.corners);

@@ -62,7 +62,7 @@ static void figure_contacts_report(wfDraw *d, const wfFigureInput *in)
     contactPoints(d, &m, WF_INK_GOOD);
     int deepest = m.points[1].depth > m.points[0].depth;
     wfDrawCircle(d, WF_XY(m.points[deepest].point), 0.22f, 2, WF_INK_BAD, WF_INK_NONE);
-    /* <draw the counterpart of the corner, by centres and by the normal> */
+    /* draw the counterpart of the corner, by centres and by the normal */
     wfCollide(&plank, right, &box, corner, &m);
     wfReal depth = m.points[0].depth;
     wfVec2 vertex = wfAddScaled(m.points[0].point, -depth / 2, m.normal);
@@ -95,7 +95,7 @@ static void figure_contacts_clip(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawLine(d, 0.8f, 2.4f, 5.2f, 2.4f, 3, WF_INK_LINE);
     for (int i = 0; i < m.count; i++) {
-        /* <write the name of contact point i> */
+        /* write the name of contact point i */
         wfVec2 p = m.points[i].point;
         uint32_t f = m.points[i].feature;
         wfDrawTextf(d, (float)p.x + 0.12f, (float)p.y + 0.05f, 12, WF_INK_TEXT, -1, "%d", i + 1);
@@ -142,7 +142,7 @@ static void figure_contacts_coats(wfDraw *d, const wfFigureInput *in)
                      last ? WF_INK_BODY2 : WF_INK_NONE);
         contactCore(d, &table, xt, WF_INK_BODY);
         contactCore(d, &pill, xp, WF_INK_BODY2);
-        /* <draw this step of the clipping> */
+        /* draw this step of the clipping */
         wfManifold m;
         wfCollide(&table, xt, &pill, xp, &m);
         wfVec2 left = wfV2(x - WF_R(1.5), WF_R(1.9)), right = wfV2(x + WF_R(1.5), WF_R(1.9));
@@ -208,7 +208,7 @@ static void ghostFloor(wfDraw *d, float x0, bool links, wfVec2 at)
         if (links) wfDrawPoint(d, WF_XY(wfApply(xt, p)), 6, WF_INK_BODY);
     }
     contactShape(d, &box, xb, WF_INK_BODY2, WF_INK_BODY2);
-    /* <draw what each tile thinks> */
+    /* draw what each tile thinks */
     for (int i = 0; i < 4; i++) {
         wfReal left = WF_R(0.3) + WF_R(1.3) * (wfReal)i, right = left + WF_R(1.3);
         wfTransform xt = wfMakeTransform(wfV2(x, WF_R(1.2)), 0);

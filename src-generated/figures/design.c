@@ -38,7 +38,7 @@ static void figure_design_rows(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 0.2f, 2.28f, 12, WF_INK_TEXT, -1, "one object after the other");
     wfDrawText(d, 0.2f, 1.08f, 12, WF_INK_TEXT, -1,
                "sorted by use: places, velocities, ...");
-    /* <mark the lines of memory> */
+    /* mark the lines of memory */
     for (int line = 0; line < 3; line++) {  /* a line of memory is 16 fields of 4 bytes */
         float x = 0.2f + 3.2f * (float)line;
         wfDrawLine(d, x, 0.3f, x + 3.2f, 0.3f, 1, WF_INK_LINE);
@@ -183,7 +183,7 @@ static void figure_design_list(wfDraw *d, const wfFigureInput *in)
     wfDrawText(&list, 0, 0, 13, WF_INK_TEXT, 0, "a text");
     wfDrawPolygon(&list, triangle, 3, 1, WF_INK_LINE, WF_INK_NONE);
     wfDrawPoint(&list, 0, 0, 4, WF_INK_LINE);
-    /* <draw where the commands and payloads of the list lie> */
+    /* draw where the commands and payloads of the list lie */
     float y = 0.5f;
     design_bytes(d, 0, sizeof memory, WF_INK_FAINT, y);
     size_t end = sizeof memory, step = sizeof(wfDrawCommand);

@@ -129,7 +129,7 @@ static void figure_drawing_error(wfDraw *d, const wfFigureInput *in)
     }
     drawing_axes(d, 0.7f, 0.9f, 6.6f, 3.5f, "distance of the centre from the edge (px)",
                  "coverage");
-    /* <draw the two curves and their greatest gap by eq:draw-error> */
+    /* draw the two curves and their greatest gap by eq:draw-error */
     float u = 0.20710678f, x = 3.9f + 3 * u;
     wfDrawPolyline(d, near, 81, 1.5f, WF_INK_BODY);
     wfDrawPolyline(d, exact, 81, 1.5f, WF_INK_ACCENT);

@@ -42,13 +42,13 @@ static void queryScene(QueryFigure *f)
         wfRot q = wfRotation(2 * WF_PI * (wfReal)i / 5);
         five[i] = wfV2(WF_R(0.7) * q.c, WF_R(0.7) * q.s);
     }
-    /* <one shape of each kind> */
+    /* one shape of each kind */
     wfMakeCircle(wfV2(0, 0), WF_R(0.8), &f->shapes[0]);
     wfMakeBox(1, WF_R(0.45), &f->shapes[1]);
     wfMakeRoundedPolygon(five, 5, WF_R(0.35), &f->shapes[2]);
     wfMakeCapsule(wfV2(-WF_R(0.8), 0), wfV2(WF_R(0.8), 0), WF_R(0.4), &f->shapes[3]);
     wfMakeSegment(wfV2(-1, 0), wfV2(1, 0), &f->shapes[4]);
-    /* <two links of a chain, one seen from behind> */
+    /* two links of a chain, one seen from behind */
     wfVec2 chain[4] = { wfV2(4, WF_R(0.2)), wfV2(WF_R(2.7), WF_R(0.6)), wfV2(1, WF_R(0.2)),
                         wfV2(0, 1) };
     wfMakeLink(chain[0], chain[2], chain[1], chain[0], &f->shapes[5]);       /* turned round */
@@ -122,7 +122,7 @@ static void figure_queries_disk(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(c), 6, WF_INK_LINE);
     wfDrawPoint(d, WF_XY(near), 7, WF_INK_LINE);
     wfVec2 half = wfLerp(from, near, WF_R(0.45)), side = wfLerp(near, c, WF_R(0.5));
-    /* <name the lengths and points of the ray at a disk> */
+    /* name the lengths and points of the ray at a disk */
     wfDrawText(d, (float)half.x, (float)half.y + 0.15f, 16, WF_INK_TEXT, 0, "s");
     wfDrawText(d, (float)side.x + 0.12f, (float)side.y - 0.1f, 16, WF_INK_TEXT, -1, "h");
     wfDrawText(d, (float)c.x + 0.1f, (float)c.y + 0.15f, 16, WF_INK_TEXT, -1, "c");
@@ -156,7 +156,7 @@ static void figure_queries_corner(wfDraw *d, const wfFigureInput *in)
     }
     for (int i = 0; i < 3; i++) {
         wfRay ray = { wfV2(rays[i][0], rays[i][1]), wfV2(rays[i][2], rays[i][3]) };
-        /* <draw the ray and where it enters> */
+        /* draw the ray and where it enters */
         wfRayHit hit;
         if (wfRayShape(&s, id, ray, &hit) != WF_OK) return;
         wfVec2 end = wfAddScaled(ray.from, hit.fraction, ray.by);
@@ -203,7 +203,7 @@ static void timelineDraw(wfDraw *d, bool dots)
         wfTouchEvents e = { { list[0], 0, TIMELINE_ROWS }, { list[1], 0, TIMELINE_ROWS },
                             { list[2], 0, TIMELINE_ROWS } };
         if (wfCompareTouches(old, before, now, n, &e) != WF_OK) return;
-        /* <draw the events of the step> */
+        /* draw the events of the step */
         for (int32_t i = 0; !dots && i < e.stay.count; i++)
             wfDrawLine(d, x - 0.8f, timelineY(&list[1][i]), x, timelineY(&list[1][i]), 5,
                        WF_INK_BODY);

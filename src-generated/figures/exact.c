@@ -73,7 +73,7 @@ static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
     for (int i = 1; i <= ARCH_STONES; i++)
         figShape(d, &f.shape[i], wfBodyTransform(&f.state[i]), 2, WF_INK_LINE, WF_INK_BODY);
     for (int i = 0; i < f.contacts; i++) {
-        /* <draw where the line of thrust goes through this joint of the arch> */
+        /* draw where the line of thrust goes through this joint of the arch */
         const wfManifold *m = &f.contact[i].manifold;
         wfReal sum = 0;
         wfVec2 at = wfV2(0, 0);

@@ -59,7 +59,7 @@ static void figure_forces_spring(wfDraw *d, const wfFigureInput *in)
                       wfApply(wfBodyTransform(&b[1]), f.spring.localB) };
     for (int i = 0; i < 2; i++)
         figShape(d, &shape[i], wfBodyTransform(&b[i]), 2, WF_INK_LINE, WF_INK_BODY);
-    /* <draw the spring as a zigzag> */
+    /* draw the spring as a zigzag */
     wfVec2 along = wfSub(end[1], end[0]), side = wfPerpCCW(wfNormalize(along));
     float zig[2 * 18];
     for (int k = 0; k < 18; k++) {
@@ -91,7 +91,7 @@ static void figure_forces_float(wfDraw *d, const wfFigureInput *in)
     float water[8] = { 0, 0, 7, 0, 7, 2, 0, 2 };
     wfDrawPolygon(d, water, 4, 1, WF_INK_FAINT, WF_INK_BODY);
     figShape(d, &box, wfBodyTransform(&b), 2, WF_INK_LINE, WF_INK_PAPER);
-    /* <draw the submerged part> */
+    /* draw the submerged part */
     float part[4 * WF_MAX_VERTICES];
     int n = 0;
     wfVec2 from = wfApply(wfBodyTransform(&b), box.vertices[3]);
@@ -124,7 +124,7 @@ static void figure_forces_coat(wfDraw *d, const wfFigureInput *in)
     figShape(d, &box, at, 2, WF_INK_LINE, WF_INK_PAPER);
     float part[4 * WF_RIM_POINTS];
     int n = wfShapeOutline(&box, at, rim), corners = 0;
-    /* <cut the rim at y = 2> */
+    /* cut the rim at y = 2 */
     for (int i = 0; i < n; i++) {
         wfVec2 a = rim[i], b = rim[(i + 1) % n];
         if (a.y < 2) part[2 * corners] = (float)a.x, part[2 * corners++ + 1] = (float)a.y;
@@ -133,7 +133,7 @@ static void figure_forces_coat(wfDraw *d, const wfFigureInput *in)
         part[2 * corners] = (float)cut.x, part[2 * corners++ + 1] = (float)cut.y;
     }
     if (corners > 2) wfDrawPolygon(d, part, corners, 1, WF_INK_GOOD, WF_INK_GOOD);
-    /* <draw the chords of the arcs under water> */
+    /* draw the chords of the arcs under water */
     for (int i = 0; i < box.count; i++) {
         wfVec2 v = wfApply(at, box.vertices[i]);
         wfVec2 from = wfRotate(at.q, box.normals[(i + box.count - 1) % box.count]);
@@ -152,7 +152,8 @@ static void figure_forces_coat(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 0.15f, 3.7f, 13, WF_INK_TEXT, -1, "under water: %.2f of %.2f m²",
                 (double)wet.area, (double)wfShapeArea(&box));
 }
-/* <float a box by one of three rules> */
+
+/* float a box by one of three rules */
 enum { FLOAT_SIGN, FLOAT_DEPTH, FLOAT_EXACT, FLOAT_RULES };
 
 /* A box of 1.2 m by 0.6 m and density 1 in water of density 2 below y = 0; g = 10. */
@@ -163,7 +164,7 @@ static wfBodyState float_begin(wfShape *box)
     return (wfBodyState){ .p = { { 0, 0.5f } }, .angle = 0.5f, .invMass = 1 / data.mass,
                           .invInertia = 1 / data.inertia };
 }
-/* <float a box by one of three rules> */
+
 static void float_step(int rule, const wfShape *box, wfBodyState *b, wfReal h)
 {
     wfBodyProps props = wfDefaultBodyProps();
@@ -192,7 +193,7 @@ static void figure_forces_float_time(wfDraw *d, const wfFigureInput *in)
         static float height[2 * STEPS], tilt[2 * STEPS];
         wfShape box;
         wfBodyState b = float_begin(&box);
-        /* <record height and tilt of a box that floats> */
+        /* record height and tilt of a box that floats */
         for (int i = 0; i < STEPS; i++) {
             height[2 * i] = tilt[2 * i] = 0.3f + 9.2f * (float)i / STEPS;
             height[2 * i + 1] = 3.6f + 1.6f * (float)b.p.y;
@@ -221,7 +222,7 @@ static void figure_forces_wind(wfDraw *d, const wfFigureInput *in)
     forces_sum(&f, 1, &b, &s, 1, &sum);
     wfVec2 middle, u = wfNormalize(wind), side = wfPerpCCW(u);
     wfReal width = wfSeenWidth(&s, wfBodyTransform(&b), u, &middle);
-    /* <draw the streams that arrive> */
+    /* draw the streams that arrive */
     for (int k = -2; k <= 2; k++) {
         wfVec2 to = wfAddScaled(middle, width * (wfReal)k / 4, side);
         wfVec2 from = wfAddScaled(to, WF_R(-3.2), u);
@@ -258,7 +259,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
             curve[2 * i] = left + 3 * (float)t;
             curve[2 * i + 1] = 0.8f + 1.1f * (float)blast_level(kind, t);
         }
-        /* <draw what an integrator sees of the pulse> */
+        /* draw what an integrator sees of the pulse */
         for (wfReal t = phase - step; t < WF_R(1.2); t += step) {
             wfReal level = blast_level(kind, t);
             float x = left + 3 * (float)t, y = 0.8f + 1.1f * (float)level;

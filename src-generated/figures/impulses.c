@@ -50,7 +50,7 @@ static void figure_impulses_corner(wfDraw *d, const wfFigureInput *in)
     s.p.x = 3;
     s.p.y = WF_R(0.6) - wfShapeBounds(&box, wfBodyTransform(&s)).min.y;
     wfVec2 n = wfV2(0, 1), p = wfApply(wfBodyTransform(&s), box.vertices[0]);
-    /* <draw the corner's velocities before and after> */
+    /* draw the corner's velocities before and after */
     wfDrawLine(d, 0.2f, 0.6f, 5.8f, 0.6f, 2, WF_INK_LINE);
     impulse_outline(d, &box, wfBodyTransform(&s), WF_INK_LINE, WF_INK_BODY);
     wfDrawDashed(d, WF_XY(s.p), WF_XY(p), 1.5f, WF_INK_FAINT);

@@ -6,7 +6,7 @@
 #include "figures/kit.h"
 static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
 {
-    /* <the methods that fly, and their colours> */
+    /* the methods that fly, and their colours */
     static const char *const method[4] = { "rk4", "explicit-euler", "symplectic-euler",
                                            "verlet" };
     static const int ink[4] = { WF_INK_FAINT, WF_INK_BAD, WF_INK_ACCENT, WF_INK_GOOD };
@@ -25,7 +25,7 @@ static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
         wfBodyState planet = body;
         int steps = k == 0 ? 640 : 120;
         int n = figPath(method[k], &planet, &pull, turn / 40 / fine, steps, xy);
-        /* <draw the path, and a dot for each step> */
+        /* draw the path, and a dot for each step */
         if (n >= 2) wfDrawPolyline(d, xy, n, k == 0 ? 3 : 1.5f, ink[k]);
         if (k == 0) continue;
         for (int i = 0; i < n; i++) wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3, ink[k]);
@@ -72,7 +72,7 @@ static void figure_int_step_spring(wfDraw *d, const wfFigureInput *in)
     wfDrawLine(d, 0.5f, 2.9f, 7.5f, 2.9f, 1, WF_INK_FAINT);
     for (int k = 0; k < 5; k++) {
         wfBodyState body = { .p = wfV2(1, 0), .invMass = 1 };
-        /* <draw how far it is over time> */
+        /* draw how far it is over time */
         int n = figPath(method[k], &body, &spring, (double)h, steps, xy);
         for (int i = 0; i < n; i++) {
             float y = 2.9f + xy[2 * i];

@@ -44,7 +44,7 @@ static void figure_islands_heaps(wfDraw *d, const wfFigureInput *in)
             if (islands_touch(disc[a], disc[b])) wfUnite(parent, a, b);
     if (wfPoolInit(&pool, sizeof room - 16, base) != WF_OK) return;
     if (wfGatherIslands(parent, moves, ISLAND_DISCS, &pool, &islands) != WF_OK) return;
-    /* <draw the discs of the islands> */
+    /* draw the discs of the islands */
     wfDrawLine(d, 0, 0.3f, 18.2f, 0.3f, 2, WF_INK_LINE);
     for (int i = 0; i < ISLAND_DISCS; i++)
         wfDrawCircle(d, disc[i].x, disc[i].y, disc[i].r, 1.5f, WF_INK_LINE,

@@ -73,7 +73,7 @@ static void figure_joints_aim(wfDraw *d, const wfFigureInput *in)
     (void)in;
     wfDrawView(d, -2.6f, -0.6f, 3.0f, 3.0f);
     wfDrawCircle(d, 0, 0, 2, 1, WF_INK_FAINT, -1);
-    /* <go along the tangent five times> */
+    /* go along the tangent five times */
     for (int i = 0; i < 5; i++) {                   /* the rate held: along the tangent */
         wfVec2 q = wfAddScaled(p, 2 * h, wfPerpCCW(wfNormalize(p)));
         wfDrawArrow(d, WF_XY(p), WF_XY(q), 2, WF_INK_BAD);

@@ -15,7 +15,7 @@ static void fast_flight(wfDraw *d, wfReal angle, int rate, int impacts, int role
     wd.impacts = impacts;
     if (wfCreateWorld(&wd, &w) != WF_OK) return;
     b.type = WF_STATIC, b.friction = 0, b.restitution = 1;
-    /* <build the room of the figure> */
+    /* build the room of the figure */
     for (int i = 0; i < 4; i++) {
         b.position = i < 2 ? wfV2(i == 0 ? 0 : 6, WF_R(1.5)) : wfV2(3, i == 2 ? 0 : 3);
         wfMakeBox(i < 2 ? WF_R(0.01) : 3, i < 2 ? WF_R(1.5) : WF_R(0.01), &b.shape);

@@ -4,11 +4,8 @@
 #ifndef WEFT_FIGURES_KIT_H
 #define WEFT_FIGURES_KIT_H
 /* What figures share, and how a chapter adds its own. Source: chapter 04. */
-/* <headers of the kit> */
 #include "lab/lab.h"
-/* <headers of the kit> */
 #include "weft/shape.h"
-/* <headers of the kit> */
 #include "weft/force.h"
 #include "weft/integrate.h"
 
@@ -17,18 +14,14 @@
 #include "figures/list.h"
 #undef CHAPTER
 
-/* <declarations of the kit> */
 void figBox(wfDraw *d, float x, float y, float w, float h, int role,
             const char *title, const char *below);
-/* <declarations of the kit> */
 void figBar(wfDraw *d, float x, float y, float w, float h, int fill);
-/* <declarations of the kit> */
 void figRing(wfDraw *d, const wfVec2 *ring, int count, float widthPx, int line,
              int fill);
 void figShape(wfDraw *d, const wfShape *s, wfTransform at, float widthPx,
               int line, int fill);
 wfVec2 figHandle(const wfFigureInput *in, int i);
-/* <declarations of the kit> */
 /* Moves a body under one force by so many steps of h; its places go to xy, unless that is
    NULL. Returns the number of places. */
 int figPath(const char *method, wfBodyState *body, wfForce *force, double h,
@@ -39,9 +32,7 @@ wfReal figTwoTo(wfReal u);
 wfReal figSlider(wfDraw *d, const wfFigureInput *in, const char *left,
                  const char *right);
 wfReal figStepSlider(wfDraw *d, const wfFigureInput *in);
-/* <declarations of the kit> */
 void figSegment(wfDraw *d, wfVec2 from, wfVec2 to, float widthPx, int role);
-/* <declarations of the kit> */
 /* Did the engine do it? If not, whoever shows the figure is told. */
 bool figAccept(wfDraw *d, wfResult result);
 #endif

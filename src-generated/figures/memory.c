@@ -11,7 +11,7 @@ static void figure_memory_holes(wfDraw *d, const wfFigureInput *in)
     for (int step = 1; step <= 200 + (int)(4 * in->time); step++) toy_step(&heap, step);
     toy_find(&heap, 1, &longest);
     int best = toy_find(&heap, longest, &longest);
-    /* <draw the toy heap in rows of cells> */
+    /* draw the toy heap in rows of cells */
     for (int i = 0; i < TOY_CELLS; i++) {
         float x = 0.3f + 0.15f * (float)(i % row), y = 4.6f - 0.42f * (float)(i / row);
         int id = heap.owner[i], j = i + 1;
@@ -38,7 +38,7 @@ static void figure_memory_pool(wfDraw *d, const wfFigureInput *in)
     wfPoolInit(&pool, sizeof bytes, bytes);
     figBar(d, 0.3f, 1.5f, 9.6f, 0.8f, WF_INK_NONE);
     for (int i = 0; i < 4; i++) {
-        /* <push one thing and draw its bytes> */
+        /* push one thing and draw its bytes */
         size_t before = pool.used;
         uint8_t *p = wfPoolPush(&pool, push[i].size, push[i].align);
         float x = 0.3f + 0.2f * (float)(p - pool.base), w = 0.2f * (float)push[i].size;
@@ -50,7 +50,7 @@ static void figure_memory_pool(wfDraw *d, const wfFigureInput *in)
         wfDrawTextf(d, x, 1.22f, 12, WF_INK_TEXT, 0, "%d", (int)(p - pool.base));
         if (i == 1) mark = wfPoolMark(&pool);
     }
-    /* <draw the mark and the end of the used bytes> */
+    /* draw the mark and the end of the used bytes */
     float at = 0.3f + 0.2f * (float)mark, end = 0.3f + 0.2f * (float)pool.used;
     wfDrawArrow(d, at, 0.5f, at, 1.1f, 2, WF_INK_ACCENT);
     wfDrawText(d, at, 0.25f, 13, WF_INK_ACCENT, 0, "mark");
@@ -80,7 +80,7 @@ static void figure_memory_slots(wfDraw *d, const wfFigureInput *in)
         wfDrawTextf(d, x + 0.65f, 1.8f, 12, WF_INK_TEXT, 0, "gen %u",
                     (unsigned)slot[i].generation);
     }
-    /* <draw the free list and an old name> */
+    /* draw the free list and an old name */
     float from = 0.9f;
     wfDrawText(d, 0.9f, 0.55f, 13, WF_INK_TEXT, 0, "firstFree");
     for (int32_t i = s.firstFree; i != WF_SLOT_END; i = slot[i].next) {

@@ -36,7 +36,7 @@ static void figure_narrow_shadows(wfDraw *d, const wfFigureInput *in)
     wfVec2 places[4] = { wfV2(0, WF_R(0.4)), wfV2(WF_R(0.4), 0), wfV2(WF_R(8.7), WF_R(4.2)),
                          wfV2(WF_R(1.6), WF_R(4.6)) };
     for (int i = 0; i < 4; i++) {
-        /* <draw the shadows on axis i> */
+        /* draw the shadows on axis i */
         wfReal turn = (wfReal)(i & 1) * WF_PI / 2 + (i > 1 ? WF_R(0.6) : 0);
         wfVec2 axis = wfRotate(wfRotation(turn), wfV2(1, 0));
         narrowShadows(d, &a, xa, &b, xb, axis, places[i],
@@ -163,7 +163,7 @@ static void figure_narrow_regions(wfDraw *d, const wfFigureInput *in)
     wfSeparation s;
     if (wfMakePolygon(corners, 5, &p) != WF_OK) return;
     wfMakeCircle(wfV2(0, 0), WF_R(0.55), &c);
-    /* <draw the borders of the regions> */
+    /* draw the borders of the regions */
     for (int i = 0; i < p.count; i++) {
         wfVec2 v = wfApply(xp, p.vertices[i]);
         wfVec2 after = wfAddScaled(v, 6, p.normals[i]);
@@ -204,7 +204,7 @@ static void figure_narrow_coats(wfDraw *d, const wfFigureInput *in)
     figShape(d, &b, xb, 2, WF_INK_BODY2, WF_INK_BODY2);
     narrowCore(d, &a, xa, WF_INK_LINE);
     narrowCore(d, &b, xb, WF_INK_LINE);
-    /* <draw the way from core to core> */
+    /* draw the way from core to core */
     wfShape coreA = a, coreB = b;
     wfDistanceResult r;
     coreA.radius = coreB.radius = 0;
@@ -291,7 +291,7 @@ static void figure_narrow_gjk(wfDraw *d, const wfFigureInput *in)
         if (t.steps[k].phase != WF_GJK_WALK) break;
         wfReal x = WF_R(5.9) + WF_R(4.4) * (wfReal)(k % 2);
         GjkPanel at = { wfV2(x, k < 2 ? WF_R(4.4) : WF_R(0.6)), WF_R(0.8) };
-        /* <draw the simplex of step k> */
+        /* draw the simplex of step k */
         const wfGjkStep *step = &t.steps[k];
         gjkOutline(d, at, &a, &b, wfRelativePose(xa, xb));
         gjkSimplex(d, at, step->points, step->count, 2.5f, WF_INK_ACCENT);
@@ -339,7 +339,7 @@ static void figure_narrow_epa(wfDraw *d, const wfFigureInput *in)
         int place = k < 3 ? k : 3;
         wfReal x = WF_R(6.4) + WF_R(4.6) * (wfReal)(place % 2);
         GjkPanel at = { wfV2(x, place < 2 ? WF_R(5.3) : WF_R(1.6)), WF_R(0.8) };
-        /* <draw the polygon of step k> */
+        /* draw the polygon of step k */
         gjkOutline(d, at, &a, &b, wfRelativePose(xa, xb));
         gjkRing(d, at, &t, first, k);
         const wfGjkStep *step = &t.steps[first + k];
@@ -374,7 +374,7 @@ static void figure_narrow_simplex(wfDraw *d, const wfFigureInput *in)
     }
     figShape(d, &triangle, xt, 2, WF_INK_BODY, WF_INK_BODY);
     if (wfTraceGjk(&dot, xd, &triangle, xt, &s, &t) != WF_OK) return;
-    /* <draw what is kept of the simplex> */
+    /* draw what is kept of the simplex */
     int last = 0;
     while (last + 1 < t.count && t.steps[last + 1].phase == WF_GJK_WALK) last++;
     const wfGjkStep *kept = &t.steps[last];

@@ -112,7 +112,7 @@ static void figure_numbers_lattice(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawCircle(d, 2.5f, 2.3f, 1, 1, WF_INK_FAINT, WF_INK_NONE);
     wfDrawPolygon(d, xy, CORNERS, 2, WF_INK_ACCENT, WF_INK_BODY);
-    /* <label the lattice> */
+    /* label the lattice */
     wfDrawLine(d, 0.4f, 0.45f, 4.6f, 0.45f, 1, WF_INK_FAINT);
     wfDrawPoint(d, 0.4f + 4.2f * (float)(power - 17) / 5, 0.45f, 9, WF_INK_LINE);
     wfDrawTextf(d, 2.5f, 0.12f, 14, WF_INK_TEXT, 0, "%.0f km from the origin: gap %.3g m",
@@ -133,7 +133,7 @@ static void figure_numbers_transform(wfDraw *d, const wfFigureInput *in)
         xy[2 * i + 1] = (float)c.y;
     }
     wfDrawPolygon(d, xy, 4, 1.5f, WF_INK_LINE, WF_INK_BODY);
-    /* <draw the axes and the point of the transform> */
+    /* draw the axes and the point of the transform */
     wfVec2 at = wfAdd(o, p), w = wfApply(t, v), middle = wfAddScaled(o, WF_R(0.5), p);
     figure_vector(d, o, wfV2(WF_R(1.0), 0), WF_INK_LINE, "x");
     figure_vector(d, o, wfV2(0, WF_R(1.0)), WF_INK_LINE, "y");

@@ -47,7 +47,7 @@ static void figure_platform_clock(wfDraw *d, const wfFigureInput *in)
             wfDrawPolygon(d, step, 4, 1.5f, WF_INK_LINE,
                           i % 2 ? WF_INK_FAINT : WF_INK_BODY);
         }
-        /* <draw what is left in the accumulator> */
+        /* draw what is left in the accumulator */
         wfDrawDashed(d, next, 1.1f, next, 1.9f, 1, WF_INK_FAINT);
         if (clock.left > 0.01) {
             float y = 1.25f + 0.1f * (float)(i % 2);

@@ -17,7 +17,7 @@ static void figure_primer_pipeline(wfDraw *d, const wfFigureInput *in)
         wfDrawArrow(d, x + 2.28f, 1.25f, x + 2.72f, 1.25f, 1.5f, WF_INK_ACCENT);
         wfDrawText(d, x + 2.5f, 1.95f, 11, WF_INK_TEXT, 0, passed[i]);
     }
-    /* <lead the velocities and places back to the first stage> */
+    /* lead the velocities and places back to the first stage */
     wfDrawLine(d, 12.3f, 0.75f, 12.3f, 0.35f, 1.5f, WF_INK_ACCENT);
     wfDrawLine(d, 12.3f, 0.35f, 1.3f, 0.35f, 1.5f, WF_INK_ACCENT);
     wfDrawArrow(d, 1.3f, 0.35f, 1.3f, 0.75f, 1.5f, WF_INK_ACCENT);
@@ -74,7 +74,7 @@ static void figure_intro_crates(wfDraw *d, const wfFigureInput *in)
     wfShape box;
     wfReal inertia = 0;
     build_crate(wfV2(1.6f, 2), point, spring);
-    /* <sum the inertia of the nine points> */
+    /* sum the inertia of the nine points */
     for (int i = 0; i < CRATE_POINTS; i++)
         inertia += wfDistanceSq(point[i].p, point[4].p) / CRATE_POINTS;
     rigid.invInertia = 1 / inertia;
@@ -84,7 +84,7 @@ static void figure_intro_crates(wfDraw *d, const wfFigureInput *in)
         if (k > 0) move_crate(point, spring, steps);
         rigid.p = wfAddScaled(rigid.p, (wfReal)steps / 256, rigid.v);
         rigid.angle += (wfReal)steps / 256 * rigid.w;
-        /* <draw both crates and strike them once> */
+        /* draw both crates and strike them once */
         wfTransform at = wfBodyTransform(&rigid);
         draw_crate(d, point, spring, k == 2 ? WF_INK_LINE : WF_INK_FAINT);
         figShape(d, &box, at, k == 2 ? 2 : 1.5f, k == 2 ? WF_INK_LINE : WF_INK_FAINT,
@@ -105,7 +105,7 @@ static void figure_intro_fall(wfDraw *d, const wfFigureInput *in)
     const float left = 1, top = 6, perSecond = 3, perMetre = 0.215f;
     float xy[2 * 65];
     (void)in;
-    /* <draw the axes of time and fall> */
+    /* draw the axes of time and fall */
     wfDrawArrow(d, left, top, left + 2.2f * perSecond, top, 1, WF_INK_LINE);
     wfDrawArrow(d, left, top, left, 0.3f, 1, WF_INK_LINE);
     for (int i = 1; i <= 2; i++)
@@ -126,7 +126,7 @@ static void figure_intro_fall(wfDraw *d, const wfFigureInput *in)
         wfDrawTextf(d, xy[2 * n] + 0.15f, xy[2 * n + 1] - 0.08f, 13, ink[k], -1,
                     "%d steps: %.2f m", n, tasteFallBySteps(9.81, 2, n));
     }
-    /* <draw Galileo's curve> */
+    /* draw Galileo's curve */
     for (int i = 0; i <= 64; i++) {
         xy[2 * i] = left + perSecond * (float)i / 32;
         xy[2 * i + 1] = top - perMetre * (float)tasteFallExactly(9.81, i / 32.0);

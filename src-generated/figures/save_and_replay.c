@@ -37,7 +37,7 @@ static void figure_save_used(wfDraw *d, const wfFigureInput *in)
         size_t room = (size_t)(end - b.head->offset[i]);
         all += room, counts += image.bytes[i];
         if (room < 20000) continue;
-        /* <draw a region and what of it counts> */
+        /* draw a region and what of it counts */
         float full = 6.2e-6f * (float)room, part = 6.2e-6f * (float)image.bytes[i];
         figBar(d, 2.2f, y, full, 0.34f, WF_INK_NONE);
         if (part > 0) figBar(d, 2.2f, y, part, 0.34f, WF_INK_BODY);
@@ -62,7 +62,7 @@ static void figure_save_ring(wfDraw *d, const wfFigureInput *in)
     if (wfCreateWorld(&def, &world) != WF_OK) return;
     wfRewindInit(&ring, bytes, sizeof bytes);
     figBar(d, 0.3f, 1.2f, 9.4f, 0.8f, WF_INK_NONE);
-    /* <let a world grow and keep it at each step> */
+    /* let a world grow and keep it at each step */
     for (int i = 0; i <= LAST; i++) {
         wfBodyDef ball = wfDefaultBodyDef();
         wfMakeCircle(wfV2(0, 0), 1, &ball.shape);
@@ -73,7 +73,7 @@ static void figure_save_ring(wfDraw *d, const wfFigureInput *in)
     }
     wfRewind walk = ring;
     while (wfRewindReach(&walk, &oldest, &newest) == WF_OK) {
-        /* <draw the newest snapshot of the ring and go one back> */
+        /* draw the newest snapshot of the ring and go one back */
         float scale = 9.4f / (float)sizeof bytes, x = 0.3f + scale * (float)walk.newest;
         size_t size;
         bool first = newest == LAST, last = oldest == newest;
@@ -109,7 +109,7 @@ static wfResult journal_do(wfWorld *world, wfJournal *j, int what, int number)
 static void figure_save_journal(wfDraw *d, const wfFigureInput *in)
 {
     static _Alignas(16) uint8_t bytes[4096];
-    /* <what the player of the figure does> */
+    /* what the player of the figure does */
     static const struct { const char *name; int what, number, ink; } row[] = {
         { "a ball", JOURNAL_BALL, 0, WF_INK_BODY },
         { "another ball", JOURNAL_BALL, 1, WF_INK_BODY },
@@ -130,7 +130,7 @@ static void figure_save_journal(wfDraw *d, const wfFigureInput *in)
         if (journal_do(&world, &j, row[i].what, row[i].number) != WF_OK) break;
         end[i + 1] = j.used;
     }
-    /* <draw the entries of the journal> */
+    /* draw the entries of the journal */
     float scale = 5.4f / (float)end[1];
     for (int i = 0; i < ROWS; i++) {
         float y = 3.5f - 0.5f * (float)i, w = scale * (float)(end[i + 1] - end[i]);
@@ -164,7 +164,7 @@ static void figure_save_digits(wfDraw *d, const wfFigureInput *in)
     ruler_ticks(d, 1e-5, 0.5f, 0.14f);
     for (int i = 0; i < 10; i++) {
         double x = (double)(float1000 + (float)i * step);
-        /* <join a float to its two decimals> */
+        /* join a float to its two decimals */
         int eight = decimal(x, 1e-4), nine = decimal(x, 1e-5);
         bool shared = decimal(x - (double)step, 1e-4) == eight ||
                       decimal(x + (double)step, 1e-4) == eight;

@@ -272,7 +272,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_box(d, &c, -2, -2, 1104, HEAD, WF_INK_PAPER);
     window_box(d, &c, -2, 700 - FOOT + 2, 1104, FOOT, WF_INK_PAPER);
     window_list(d, &c, s->name);
-    /* <draw the buttons of the bar> */
+    /* draw the buttons of the bar */
     for (int i = 0; i < 19; i++) {
         float x = 224 + 62 * (float)(i % 11), y = 10 + BAR_ROW * (float)(i / 11);
         window_box(d, &c, x, y, 56, 24, WF_INK_PAPER);
@@ -282,7 +282,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
     window_text(d, &c, 224, HEAD - 12, WF_INK_TEXT, -1, s->text);
     window_text(d, &c, 224, 675, WF_INK_TEXT, -1, "running, step 100, 1.67 s, ...");
     window_box(d, &c, 1, 1, 1098, 698, WF_INK_NONE);
-    /* <mark the parts of the window by letters> */
+    /* mark the parts of the window by letters */
     static const struct { const char *letter; float x, y; } mark[] = {
         { "A", 170, 200 }, { "B", 188, 582 }, { "C", 922, 22 }, { "D", 680, 96 },
         { "E", 650, 180 }, { "F", 470, 674 }
@@ -368,7 +368,7 @@ static void tape_box(wfDraw *d, float x, float y, float w, int fill, const char 
 static void figure_scenes_tape(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
-    /* <what the journal of the figure holds> */
+    /* what the journal of the figure holds */
     static const struct { const char *name; float wide; int fill; } part[] = {
         { "snapshot", 2, WF_INK_FAINT }, { "impulse", 1.5f, WF_INK_BODY },
         { "spin", 1.5f, WF_INK_BODY }, { "3 steps", 1.5f, WF_INK_BODY2 },

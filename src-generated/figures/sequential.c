@@ -59,7 +59,7 @@ static void path_line(wfDraw *d, int corner)
         wfApplyImpulse(&kicked, n, c.manifold.points[i].point);
         gain[i] = wfRelativeNormalVelocity(&state[0], &kicked, here, n) - u;
     }
-    /* <find the ends of the line> */
+    /* find the ends of the line */
     wfVec2 from = wfV2((-u - WF_R(0.1) * gain[1]) / gain[0], WF_R(0.1));
     wfVec2 to = wfV2((-u - WF_R(1.5) * gain[1]) / gain[0], WF_R(1.5));
     if (corner == 1) {
@@ -106,7 +106,7 @@ static void tower_passes(wfDraw *d, int n, int passes, wfReal *impulse, wfReal *
     wfPool scratch;
     wfPoolInit(&scratch, sizeof memory, memory);
     for (int i = 0; i < n; i++) {
-        /* <put a box that falls on the tower, and a contact below it> */
+        /* put a box that falls on the tower, and a contact below it */
         wfVec2 at = wfV2(0, (wfReal)i);
         state[i + 1] = (wfBodyState){ .p = wfV2(0, (wfReal)i + WF_R(0.5)), .v = wfV2(0, -1),
                                       .invMass = 1 };

@@ -18,7 +18,7 @@ static void figure_shapes_bounds(wfDraw *d, const wfFigureInput *in)
     figShape(d, &box, at, 1.5f, WF_INK_GOOD, WF_INK_NONE);
     figShape(d, &s, at, 2, WF_INK_LINE, WF_INK_BODY);
     wfDrawPoint(d, WF_XY(p), 6, WF_INK_LINE);
-    /* <name the bounds in the figure> */
+    /* name the bounds in the figure */
     wfDrawText(d, 0.1f, 0.2f, 13, WF_INK_BODY2, -1, "bounding circle");
     wfDrawText(d, 3, 0.2f, 13, WF_INK_ACCENT, 0, "axis-aligned bounds");
     wfDrawText(d, 5.9f, 0.2f, 13, WF_INK_GOOD, 1, "oriented box");
@@ -158,7 +158,7 @@ static void figure_shapes_green(wfDraw *d, const wfFigureInput *in)
             if (positive == (pass == 0)) figRing(d, fan, 3, 1, role, role);
         }
     figRing(d, s.vertices, s.count, 2.5f, WF_INK_LINE, WF_INK_NONE);
-    /* <mark origin, area and centroid in the figure> */
+    /* mark origin, area and centroid in the figure */
     wfDrawPoint(d, WF_XY(o), 8, WF_INK_LINE);
     wfDrawText(d, (float)o.x - 0.15f, (float)o.y - 0.3f, 14, WF_INK_TEXT, 1, "o");
     wfDrawPoint(d, WF_XY(s.centre), 7, WF_INK_LINE);

@@ -164,7 +164,7 @@ static void figure_impact_bound(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(centre), 7, WF_INK_LINE);
     wfDrawArrow(d, 3.9f, 1.3f, 3.9f, 0.5f, 2.5f, WF_INK_ACCENT);
     wfDrawText(d, 4.05f, 0.75f, 15, WF_INK_TEXT, -1, "n");
-    /* <draw the disc and its shadow> */
+    /* draw the disc and its shadow */
     wfTransform xd = wfMakeTransform(wfV2(WF_R(6.6), WF_R(2.6)), WF_R(0.45));
     wfReal extent = wfShapeExtent(&box), h = 0;
     for (int i = 0; i < box.count; i++)

@@ -14,7 +14,7 @@ static void figure_world_block(wfDraw *d, const wfFigureInput *in)
     float label[2] = { 9, 9 };
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         const wfRegion *r = &region[i];
-        /* <draw one array of the block> */
+        /* draw one array of the block */
         float x = 0.2f + 5.6f * (float)r->chunk, bytes = (float)(r->count * r->each);
         float top = 5.5f - scale * (float)r->offset, bottom = top - scale * bytes;
         float box[8] = { x, bottom, x + 1, bottom, x + 1, top, x, top };
@@ -47,7 +47,7 @@ static void figure_world_three(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i <= WF_REGION_HITS; i++, y -= 0.35f) {
         const wfRegion *r = &region[i];
         size_t next = i < WF_REGION_HITS ? region[i + 1].offset : all;
-        /* <draw one array of the small block> */
+        /* draw one array of the small block */
         size_t used = r->count * r->each;
         float x0 = 2.1f + scale * (float)r->offset, x1 = x0 + scale * (float)used;
         float x2 = 2.1f + scale * (float)next;

@@ -4,7 +4,7 @@
 #include "engine/block.h"
 #include "json/scene.h"
 
-/* <tell what is exact> */
+/* tell what is exact */
 static wfBlock block_of(const wfWorld *world)
 {
     wfBlock b = { .head = NULL };
@@ -29,7 +29,7 @@ wfExactShape wfTellExactShape(const wfWorld *world, int32_t k)
     return (wfExactShape){ .shape = b.shapes[k], .reach = m->reach, .arm = m->arm,
                            .inner = m->inner };
 }
-/* <tell what is exact> */
+
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i)
 {
     wfBlock b = block_of(world);
@@ -41,7 +41,7 @@ wfFine wfTellFine(const wfWorld *world, int32_t i)
     wfBlock b = block_of(world);
     return b.fine != NULL ? b.fine[i] : (wfFine){ .angle = 0 };
 }
-/* <tell what is exact> */
+
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out)
 {
     wfBlock b = block_of(world);
@@ -61,7 +61,8 @@ bool wfTellPair(const wfWorld *world, int32_t i, wfPairText *out)
     *out = (wfPairText){ known.a, known.b, known.m };
     return true;
 }
-/* <compare with the plain text> */
+
+/* compare with the plain text */
 static bool near(wfReal a, wfReal b, wfReal within) { return wfAbs(a - b) <= within; }
 
 static bool is_share(wfReal a, wfReal plain)            /* eq:save-agree */
@@ -83,7 +84,7 @@ static wfReal reach_of(const wfBlock *b, int32_t i)
         most = wfMaxR(most, wfShapeExtent(&b->shapes[k]));
     return most;
 }
-/* <compare with the plain text> */
+
 const char *wfExactBodyFault(const wfWorld *world, int32_t i, const wfExactBody *e)
 {
     wfBlock b = block_of(world);
@@ -101,7 +102,7 @@ const char *wfExactBodyFault(const wfWorld *world, int32_t i, const wfExactBody 
     bool known = e->givenMass == 0 || !moves || is_share(e->givenMass, p->mass);
     return known ? NULL : "givenMass";
 }
-/* <compare with the plain text> */
+
 const char *wfExactShapeFault(const wfWorld *world, int32_t k, const wfExactShape *e)
 {
     wfBlock b = block_of(world);
@@ -119,7 +120,8 @@ const char *wfExactShapeFault(const wfWorld *world, int32_t k, const wfExactShap
     if (!near(e->arm, m->arm, size / 1000)) return "arm";
     return near(e->inner, m->inner, size / 1000) ? NULL : "inner";
 }
-/* <put what is exact> */
+
+/* put what is exact */
 void wfPutExactBody(wfWorld *world, int32_t i, const wfExactBody *e)
 {
     wfBlock b = block_of(world);
@@ -145,7 +147,7 @@ void wfPutExactShape(wfWorld *world, int32_t k, const wfExactShape *e)
     b.materials[k].inner = e->inner;
     wfBoundShape(&b, k);
 }
-/* <put what is exact> */
+
 void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot)
 {
     wfBlock b = block_of(world);
@@ -155,7 +157,7 @@ void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot)
     props.localCentre = pivot;
     wfCarryOut(&b, i, &state, &props);
 }
-/* <put what is exact> */
+
 wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
 {
     wfBlock b = block_of(world);

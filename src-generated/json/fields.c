@@ -4,7 +4,7 @@
 #include <string.h>
 #include "json/text.h"
 
-/* <suggest a name> */
+/* suggest a name */
 enum { LONGEST_NAME = 32 };
 
 static int distance(const char *a, const char *b)               /* eq:save-distance */
@@ -24,7 +24,7 @@ static int distance(const char *a, const char *b)               /* eq:save-dista
     }
     return row[n];
 }
-/* <suggest a name> */
+
 static void nearer(const char *name, const char *wrong, const char **best, int *least)
 {
     int d = distance(name, wrong);
@@ -41,7 +41,8 @@ static bool unknown(wfText *t, const cJSON *at, const char *what, const char *wr
 }
 
 static int farthest(const char *wrong) { return strlen(wrong) > 5 ? 4 : 3; }
-/* <read a field> */
+
+/* read a field */
 static bool fits(wfText *t, const cJSON *item, const wfField *f, double x)
 {
     bool low = f->above ? !(x > f->least) : !(x >= f->least);
@@ -61,7 +62,7 @@ static bool read_number(wfText *t, const cJSON *item, double most, double *out)
         return wfTextFail(t, item, WF_ERROR_NOT_FINITE, "is too large for a number");
     return true;
 }
-/* <read a field> */
+
 static bool read_real(wfText *t, const cJSON *item, const wfField *f, wfReal *out)
 {
     double x, most = (double)WF_HUGE * (1 + (double)WF_EPSILON / 4);
@@ -74,7 +75,7 @@ static bool read_double(wfText *t, const cJSON *item, const wfField *f, double *
 {
     return read_number(t, item, DBL_MAX, out) && fits(t, item, f, *out);
 }
-/* <read a field> */
+
 /* The numbers of an array: as many as there must be. */
 static bool read_reals(wfText *t, const cJSON *item, const wfField *f, int count,
                        wfReal *out)
@@ -86,7 +87,7 @@ static bool read_reals(wfText *t, const cJSON *item, const wfField *f, int count
         if (!read_real(t, c, f, &out[i++])) return false;
     return true;
 }
-/* <read a field> */
+
 static bool read_doubles(wfText *t, const cJSON *item, const wfField *f, double *out)
 {
     if (f->count == 0) return read_double(t, item, f, out);
@@ -98,7 +99,7 @@ static bool read_doubles(wfText *t, const cJSON *item, const wfField *f, double 
         if (!read_double(t, c, f, &out[i++])) return false;
     return true;
 }
-/* <read a field> */
+
 static bool read_int(wfText *t, const cJSON *item, const wfField *f, int32_t *out)
 {
     double x;
@@ -117,7 +118,7 @@ static bool read_flag(wfText *t, const cJSON *item, int32_t bit, int32_t *out)
     else *out &= ~bit;
     return true;
 }
-/* <read a field> */
+
 static bool read_row(wfText *t, const cJSON *item, const wfField *f, int32_t *out)
 {
     if (!cJSON_IsString(item))
@@ -130,7 +131,7 @@ static bool read_row(wfText *t, const cJSON *item, const wfField *f, int32_t *ou
         nearer(name, wrong, &best, &least);
     return unknown(t, item, f->name, wrong, best);
 }
-/* <read a field> */
+
 static bool read_set(wfText *t, const cJSON *item, const wfField *f, uint32_t *out)
 {
     uint32_t set = 0;
@@ -144,7 +145,7 @@ static bool read_set(wfText *t, const cJSON *item, const wfField *f, uint32_t *o
     *out = set;
     return true;
 }
-/* <read a field> */
+
 static bool read_string(wfText *t, const cJSON *item, const wfField *f, char *out)
 {
     if (!cJSON_IsString(item))
@@ -154,14 +155,14 @@ static bool read_string(wfText *t, const cJSON *item, const wfField *f, char *ou
     strcpy(out, item->valuestring);
     return true;
 }
-/* <read a field> */
+
 static bool read_bits(wfText *t, const cJSON *item, uint64_t *out)
 {
     return wfBitsOfText(item, out) ||
         wfTextFail(t, item, WF_ERROR_RANGE, "must be a whole number from 0 to 2^53, "
                    "or up to 16 digits as \"0x1f\"");
 }
-/* <read a field> */
+
 bool wfReadField(wfText *t, const cJSON *item, const wfField *f, void *out)
 {
     void *to = (uint8_t *)out + f->offset;
@@ -184,7 +185,7 @@ bool wfReadField(wfText *t, const cJSON *item, const wfField *f, void *out)
     default: return read_string(t, item, f, to);
     }
 }
-/* <read a field> */
+
 const char *wfFieldRow(const wfField *f, int row)
 {
     const char *name;
@@ -200,7 +201,8 @@ int wfFindFieldRow(const wfField *f, const char *wanted)
         if (strcmp(name, wanted) == 0) return i;
     return -1;
 }
-/* <read an object> */
+
+/* read an object */
 const cJSON *wfChild(const cJSON *object, const char *name)
 {
     for (const cJSON *c = object->child; c != NULL; c = c->next)
@@ -214,7 +216,7 @@ static const wfField *find_field(wfFields fields, const char *name)
         if (strcmp(fields.field[i].name, name) == 0) return &fields.field[i];
     return NULL;
 }
-/* <read an object> */
+
 static bool unknown_field(wfText *t, const cJSON *item, wfFields fields,
                           const char *const *also)
 {
@@ -225,7 +227,7 @@ static bool unknown_field(wfText *t, const cJSON *item, wfFields fields,
     for (int i = 0; also[i] != NULL; i++) nearer(also[i], wrong, &best, &least);
     return unknown(t, item, "field", wrong, best);
 }
-/* <read an object> */
+
 static bool is_listed(const char *const *list, const char *name)
 {
     for (int i = 0; list[i] != NULL; i++)
@@ -248,7 +250,8 @@ bool wfReadFields(wfText *t, const cJSON *object, wfFields fields, const char *c
     }
     return true;
 }
-/* <write a field> */
+
+/* write a field */
 static cJSON *real_item(wfReal x)
 {
     char text[WF_NUMBER_SIZE];
@@ -273,7 +276,7 @@ static cJSON *double_item(double x)
     wfTextOfDouble(x, text);
     return cJSON_CreateRaw(text);
 }
-/* <write a field> */
+
 static cJSON *doubles_item(const double *x, int count)
 {
     if (count == 0) return double_item(x[0]);
@@ -285,7 +288,7 @@ static cJSON *doubles_item(const double *x, int count)
     }
     return array;
 }
-/* <write a field> */
+
 static cJSON *set_item(uint32_t set)
 {
     cJSON *array = cJSON_CreateArray();
@@ -297,7 +300,7 @@ static cJSON *set_item(uint32_t set)
     }
     return array;
 }
-/* <write a field> */
+
 static cJSON *field_item(const wfField *f, const void *from)
 {
     const void *at = (const uint8_t *)from + f->offset;
@@ -318,7 +321,7 @@ static cJSON *field_item(const wfField *f, const void *from)
     default: return cJSON_CreateString(at);
     }
 }
-/* <write a field> */
+
 static size_t field_size(const wfField *f)
 {
     switch (f->kind) {
@@ -330,7 +333,7 @@ static size_t field_size(const wfField *f)
     default: return sizeof(int32_t);
     }
 }
-/* <write a field> */
+
 static bool is_same(const wfField *f, const void *a, const void *b)
 {
     const uint8_t *x = (const uint8_t *)a + f->offset, *y = (const uint8_t *)b + f->offset;

@@ -3,7 +3,7 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* <look for a word> */
+/* look for a word */
 const char *const wfGeometry = "centre radius halfWidth halfHeight angle from to before "
                                "after loop vertices";
 
@@ -15,7 +15,8 @@ bool wfHasWord(const char *list, const char *word)
         if ((at == list || at[-1] == ' ') && (at[n] == 0 || at[n] == ' ')) return true;
     return false;
 }
-/* <make shapes of a form> */
+
+/* make shapes of a form */
 static wfResult one(wfResult result, int *count)
 {
     *count = result == WF_OK;
@@ -28,7 +29,7 @@ static wfResult make_circle(const wfShapeText *s, const wfVec2 *points, int n, w
     (void)points, (void)n, (void)room;
     return one(wfMakeCircle(s->centre, s->radius, out), count);
 }
-/* <make shapes of a form> */
+
 static wfResult make_box(const wfShapeText *s, const wfVec2 *points, int n, wfShape *out,
                          int room, int *count)
 {
@@ -42,7 +43,7 @@ static wfResult make_box(const wfShapeText *s, const wfVec2 *points, int n, wfSh
         wfApply(placed, wfV2(w, h)), wfApply(placed, wfV2(-w, h)) };
     return one(wfMakeRoundedPolygon(corner, 4, s->radius, out), count);
 }
-/* <make shapes of a form> */
+
 static wfResult make_polygon(const wfShapeText *s, const wfVec2 *points, int n,
                              wfShape *out, int room, int *count)
 {
@@ -56,7 +57,7 @@ static wfResult make_capsule(const wfShapeText *s, const wfVec2 *points, int n,
     (void)points, (void)n, (void)room;
     return one(wfMakeCapsule(s->from, s->to, s->radius, out), count);
 }
-/* <make shapes of a form> */
+
 static wfResult make_segment(const wfShapeText *s, const wfVec2 *points, int n,
                              wfShape *out, int room, int *count)
 {
@@ -70,13 +71,13 @@ static wfResult make_link(const wfShapeText *s, const wfVec2 *points, int n, wfS
     (void)points, (void)n, (void)room;
     return one(wfMakeLink(s->before, s->from, s->to, s->after, out), count);
 }
-/* <make shapes of a form> */
+
 static wfResult make_chain(const wfShapeText *s, const wfVec2 *points, int n, wfShape *out,
                            int room, int *count)
 {
     return wfMakeChain(points, n, s->loop, out, room, count);
 }
-/* <make shapes of a form> */
+
 static wfResult make_outline(const wfShapeText *s, const wfVec2 *points, int n,
                              wfShape *out, int room, int *count)
 {
@@ -92,7 +93,7 @@ static wfResult make_outline(const wfShapeText *s, const wfVec2 *points, int n,
     wfFreeMemory(&memory);
     return result;
 }
-/* <make shapes of a form> */
+
 const wfShapeForm wfShapeForms[] = {
     { "circle", "a disc", "radius", "centre", make_circle },
     { "box", "a rectangle", "halfWidth halfHeight", "centre angle radius", make_box },

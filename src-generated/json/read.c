@@ -4,7 +4,6 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* <what a reader knows> */
 /* A shape that waits for its body. */
 typedef struct HungShape {
     wfShapeDef def;
@@ -30,7 +29,7 @@ static bool no_memory(Reader *r)
 {
     return wfTextFail(&r->t, NULL, WF_ERROR_MEMORY, "%s", wfResultText(WF_ERROR_MEMORY));
 }
-/* <what a reader knows> */
+
 static bool find_list(Reader *r, const cJSON *object, const char *name, const cJSON **out,
                       int32_t *count)
 {
@@ -48,7 +47,7 @@ static bool find_list(Reader *r, const cJSON *object, const char *name, const cJ
 }
 
 static const cJSON *first_of(const cJSON *list) { return list ? list->child : NULL; }
-/* <read the shapes of a body> */
+
 /* An array of points, to be freed; out NULL and count 0 if item is NULL. */
 static bool read_points(Reader *r, const cJSON *item, wfVec2 **out, int *count)
 {
@@ -71,7 +70,7 @@ static bool read_points(Reader *r, const cJSON *item, wfVec2 **out, int *count)
         }
     return true;
 }
-/* <read the shapes of a body> */
+
 static bool check_form(Reader *r, const cJSON *item, const wfShapeForm *form)
 {
     for (const cJSON *c = item->child; c != NULL; c = c->next) {
@@ -91,7 +90,7 @@ static bool check_form(Reader *r, const cJSON *item, const wfShapeForm *form)
     }
     return true;
 }
-/* <read the shapes of a body> */
+
 static bool make_room(Reader *r, int32_t more)
 {
     if (r->shapeCount + more > WF_MAX_CAPACITY)
@@ -108,7 +107,7 @@ static bool make_room(Reader *r, int32_t more)
     r->shapeRoom = room;
     return true;
 }
-/* <read the shapes of a body> */
+
 static void hang(Reader *r, const wfShapeText *s, const wfShape *made, int count,
                  int32_t body, const cJSON *item)
 {
@@ -122,7 +121,7 @@ static void hang(Reader *r, const wfShapeText *s, const wfShape *made, int count
         r->shapeCount++;
     }
 }
-/* <read the shapes of a body> */
+
 static bool make_shapes(Reader *r, const wfShapeText *s, const wfVec2 *points, int n,
                         int32_t body, const cJSON *item)
 {
@@ -135,7 +134,7 @@ static bool make_shapes(Reader *r, const wfShapeText *s, const wfVec2 *points, i
     cJSON_free(made);
     return wfTextResult(&r->t, item, result);
 }
-/* <read the shapes of a body> */
+
 static bool read_shape(Reader *r, const cJSON *item, int32_t body)
 {
     static const char *const also[] = { "vertices", "exact", NULL };
@@ -151,7 +150,8 @@ static bool read_shape(Reader *r, const cJSON *item, int32_t body)
     cJSON_free(points);
     return made;
 }
-/* <read the bodies> */
+
+/* read the bodies */
 static bool read_body(Reader *r, const cJSON *item, int32_t i)
 {
     static const char *const also[] = { "shapes", "exact", "push", "fine", NULL };
@@ -169,7 +169,7 @@ static bool read_body(Reader *r, const cJSON *item, int32_t i)
         if (!read_shape(r, c, i)) return false;
     return true;
 }
-/* <read the bodies> */
+
 static bool read_bodies(Reader *r)
 {
     if (!find_list(r, r->t.root, "bodies", &r->bodies, &r->bodyCount)) return false;
@@ -182,7 +182,8 @@ static bool read_bodies(Reader *r)
         if (!read_body(r, c, i++)) return false;
     return true;
 }
-/* <make room> */
+
+/* make room */
 static bool read_settings(Reader *r)
 {
     wfField list[WF_MOST_SETTINGS];
@@ -201,7 +202,7 @@ static bool read_settings(Reader *r)
     if (fault != NULL && at == NULL) at = wfChild(r->t.root, fault->name);
     return wfTextResult(&r->t, at != NULL ? at : in, result);
 }
-/* <make room> */
+
 static bool fit(Reader *r, const char *name, int32_t *capacity, int32_t count)
 {
     const cJSON *said = r->settings != NULL ? wfChild(r->settings, name) : NULL;
@@ -212,7 +213,7 @@ static bool fit(Reader *r, const char *name, int32_t *capacity, int32_t count)
     *capacity = count;
     return true;
 }
-/* <make room> */
+
 static int32_t length_of(const Reader *r, const char *name)
 {
     const cJSON *list = wfChild(r->t.root, name);
@@ -236,14 +237,15 @@ static bool create(Reader *r)
                             || !wfTextTake(&r->t, at, transient, 1))) return false;
     return wfTextResult(&r->t, at, wfCreateWorld(d, &r->world));
 }
-/* <add the bodies> */
+
+/* add the bodies */
 static int compare_order(const void *a, const void *b)
 {
     const HungShape *x = a, *y = b;
     if (x->order != y->order) return x->order < y->order ? -1 : 1;
     return x->number < y->number ? -1 : 1;
 }
-/* <add the bodies> */
+
 static bool add_bodies(Reader *r)
 {
     const cJSON *item = first_of(r->bodies);
@@ -265,7 +267,7 @@ static bool add_bodies(Reader *r)
     }
     return true;
 }
-/* <add the bodies> */
+
 static bool has_weight(const Reader *r, int32_t body)
 {
     if (r->body[body].def.mass > 0) return true;
@@ -276,7 +278,7 @@ static bool has_weight(const Reader *r, int32_t body)
     }
     return false;
 }
-/* <add the bodies> */
+
 static bool set_type(Reader *r, int32_t i, const cJSON *item)
 {
     const wfBodyDef *def = &r->body[i].def;
@@ -294,7 +296,8 @@ static bool set_type(Reader *r, int32_t i, const cJSON *item)
         result = wfSetBodyVelocity(&r->world, id, def->velocity, def->angularVelocity);
     return wfTextResult(&r->t, item, result);
 }
-/* <add what is exact> */
+
+/* add what is exact */
 static bool differs(Reader *r, const cJSON *exact, const char *field)
 {
     const cJSON *at = wfChild(exact, field);
@@ -318,7 +321,7 @@ static bool put_exact_body(Reader *r, int32_t i, const cJSON *item)
     }
     return true;
 }
-/* <add what is exact> */
+
 static bool put_sums(Reader *r, int32_t i, const cJSON *item)
 {
     const cJSON *push = wfChild(item, "push"), *digits = wfChild(item, "fine");
@@ -332,7 +335,7 @@ static bool put_sums(Reader *r, int32_t i, const cJSON *item)
     if (push == NULL) return true;
     return wfTextResult(&r->t, push, wfPutPush(&r->world, i, &sums));
 }
-/* <add what is exact> */
+
 static bool read_corners(Reader *r, const cJSON *exact, const char *name, wfVec2 *out,
                          int most)
 {
@@ -345,7 +348,7 @@ static bool read_corners(Reader *r, const cJSON *exact, const char *name, wfVec2
     return item == NULL || n == most ||
         wfTextFail(&r->t, item, WF_ERROR_TEXT, "must be %d points", most);
 }
-/* <add what is exact> */
+
 static bool put_exact_shape(Reader *r, int32_t k, const cJSON *exact)
 {
     static const char *const also[] = { "vertices", "normals", NULL };
@@ -360,7 +363,7 @@ static bool put_exact_shape(Reader *r, int32_t k, const cJSON *exact)
     wfPutExactShape(&r->world, k, &e);
     return true;
 }
-/* <add what is exact> */
+
 static bool finish_bodies(Reader *r)
 {
     const cJSON *item = first_of(r->bodies);
@@ -372,7 +375,8 @@ static bool finish_bodies(Reader *r)
             return false;
     return true;
 }
-/* <read the joints> */
+
+/* read the joints */
 static bool find_body(Reader *r, const cJSON *item, int32_t *out)
 {
     if (cJSON_IsNumber(item)) {
@@ -390,7 +394,7 @@ static bool find_body(Reader *r, const cJSON *item, int32_t *out)
     return wfTextFail(&r->t, item, WF_ERROR_STALE_ID, "%s body has this name",
                       found ? "more than one" : "no");
 }
-/* <read the joints> */
+
 static bool find_bodies(Reader *r, const cJSON *item, int32_t *a, int32_t *b, bool both)
 {
     const cJSON *one = wfChild(item, "a"), *two = wfChild(item, "b");
@@ -399,7 +403,7 @@ static bool find_bodies(Reader *r, const cJSON *item, int32_t *a, int32_t *b, bo
     if (one != NULL && !find_body(r, one, a)) return false;
     return two == NULL || find_body(r, two, b);
 }
-/* <read the joints> */
+
 static bool read_anchor(Reader *r, const cJSON *item, const char *name, wfVec2 *out)
 {
     const wfField point = { .name = name, .kind = WF_FIELD_VEC,
@@ -422,7 +426,7 @@ static bool join(Reader *r, const cJSON *item, wfJoint *j)
         wfBodyAt(&r->world, j->a), wfBodyAt(&r->world, j->b), a, b, axis, j);
     return wfTextResult(&r->t, item, result);
 }
-/* <read the joints> */
+
 /* What is wrong with numbers that are right each for itself. */
 static bool check_joint(Reader *r, const cJSON *item, const wfJoint *j)
 {
@@ -443,7 +447,7 @@ static void set_ratio(const Reader *r, const cJSON *item, wfJoint *j)
         if (j->kind == wfFindJoint(kinds[i]) && wfChild(item, "rest") == NULL)
             wfSetRatio(j, &v.state[j->a], &v.state[j->b], j->ratio);
 }
-/* <read the joints> */
+
 static bool lacks_anchors(Reader *r, const cJSON *item)
 {
     static const char *const names[] = { "anchor", "anchorA", "anchorB" };
@@ -453,7 +457,7 @@ static bool lacks_anchors(Reader *r, const cJSON *item)
                               "does not go with `localA' and `localB'");
     return true;
 }
-/* <read the joints> */
+
 static bool read_joint(Reader *r, const cJSON *item)
 {
     static const char *const also[] = { "a", "b", "anchor", "anchorA", "anchorB", NULL };
@@ -475,7 +479,7 @@ static bool read_joint(Reader *r, const cJSON *item)
     if (!local) set_ratio(r, item, &j);
     return wfTextResult(&r->t, item, wfAddJointToWorld(&r->world, &j, NULL));
 }
-/* <read the joints> */
+
 static bool read_joints(Reader *r)
 {
     const cJSON *list;
@@ -485,7 +489,8 @@ static bool read_joints(Reader *r)
         if (!read_joint(r, c)) return false;
     return true;
 }
-/* <read the forces> */
+
+/* read the forces */
 static bool read_force(Reader *r, const cJSON *item)
 {
     static const char *const also[] = { "kind", "a", "b", NULL };
@@ -506,7 +511,7 @@ static bool read_force(Reader *r, const cJSON *item)
         return wfTextFail(&r->t, item, result, "a number of it is out of its range");
     return wfTextResult(&r->t, item, result);
 }
-/* <read the forces> */
+
 static bool read_forces(Reader *r)
 {
     const cJSON *list;
@@ -516,7 +521,8 @@ static bool read_forces(Reader *r)
         if (!read_force(r, c)) return false;
     return true;
 }
-/* <read the pairs of materials> */
+
+/* read the pairs of materials */
 static bool read_pairs(Reader *r)
 {
     const cJSON *list;
@@ -532,13 +538,14 @@ static bool read_pairs(Reader *r)
     }
     return true;
 }
-/* <read a scene> */
+
+/* read a scene */
 static bool read_part(Reader *r, const char *name, wfFields fields)
 {
     const cJSON *item = wfChild(r->t.root, name);
     return item == NULL || wfReadFields(&r->t, item, fields, nothing, &r->root);
 }
-/* <read a scene> */
+
 static bool read_root(Reader *r)
 {
     static const char *const also[] = { "settings", "needs", "bodies", "joints", "forces",
@@ -553,7 +560,7 @@ static bool read_root(Reader *r)
             "a scene begins with \"weft\": %d", WF_SCENE_VERSION);
     return read_part(r, "view", wfViewFields) && read_part(r, "promises", wfPromiseFields);
 }
-/* <read a scene> */
+
 static bool read_all(Reader *r)
 {
     if (!read_root(r) || !read_settings(r) || !read_bodies(r) || !create(r)) return false;
@@ -564,12 +571,12 @@ static bool read_all(Reader *r)
     else wfDestroyWorld(&r->world);
     return good;
 }
-/* <read a scene> */
+
 static bool is_aligned(const void *chunk)
 {
     return chunk != NULL && (uintptr_t)chunk % WF_POOL_ALIGN == 0;
 }
-/* <read a scene> */
+
 static bool deliver(Reader *r, const wfMemory *memory, wfWorld *out)
 {
     wfMemory *own = &r->world.memory;
@@ -590,7 +597,7 @@ static bool deliver(Reader *r, const wfMemory *memory, wfWorld *out)
     out->memory.owned = 0;
     return true;
 }
-/* <read a scene> */
+
 wfResult wfReadSceneWithin(const char *text, size_t length, const wfLoadLimits *limits,
                            const wfMemory *memory, wfWorld *out, wfSceneInfo *info,
                            wfTextError *error)

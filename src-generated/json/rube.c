@@ -5,7 +5,7 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* <read their numbers> */
+/* read their numbers */
 typedef struct Rube {
     wfText t;
     bool failed;                    /* an error is noted, or memory is short */
@@ -17,7 +17,7 @@ static void refuse(Rube *r, const cJSON *at, const char *why)
     if (!r->failed) wfTextFail(&r->t, at, WF_ERROR_TEXT, "%s", why);
     r->failed = true;
 }
-/* <read their numbers> */
+
 static double number_of(Rube *r, const cJSON *item, double otherwise)
 {
     if (item == NULL) return otherwise;
@@ -36,7 +36,7 @@ static double get(Rube *r, const cJSON *object, const char *name, double otherwi
 {
     return number_of(r, wfChild(object, name), otherwise);
 }
-/* <read their numbers> */
+
 static bool yes(Rube *r, const cJSON *object, const char *name, bool otherwise)
 {
     const cJSON *item = wfChild(object, name);
@@ -45,7 +45,7 @@ static bool yes(Rube *r, const cJSON *object, const char *name, bool otherwise)
     refuse(r, item, "must be true or false");
     return otherwise;
 }
-/* <read their numbers> */
+
 static const cJSON *first_of(Rube *r, const cJSON *object, const char *name)
 {
     const cJSON *list = wfChild(object, name);
@@ -53,7 +53,7 @@ static const cJSON *first_of(Rube *r, const cJSON *object, const char *name)
     if (!cJSON_IsArray(list)) refuse(r, list, "must be a list: [ ... ]");
     return r->failed ? NULL : list->child;
 }
-/* <read their numbers> */
+
 typedef struct Point { double x, y; } Point;
 
 static Point point_of(Rube *r, const cJSON *item)
@@ -77,7 +77,7 @@ static void allow(Rube *r, const cJSON *object, const char *known)
         if (!wfHasWord(known, c->string) && !wfHasWord(idle, c->string))
             refuse(r, c, "what this does to the motion is not known here");
 }
-/* <read their numbers> */
+
 static void put(Rube *r, cJSON *in, const char *name, double x)
 {
     if (cJSON_AddNumberToObject(in, name, x) == NULL) r->failed = true;
@@ -99,7 +99,7 @@ static cJSON *pair_of(Rube *r, Point p)
     if (item == NULL) r->failed = true;
     return item;
 }
-/* <read their numbers> */
+
 static void put_point(Rube *r, cJSON *in, const char *name, Point p)
 {
     cJSON *item = pair_of(r, p);
@@ -118,7 +118,8 @@ static cJSON *put_object(Rube *r, cJSON *list)
     }
     return item;
 }
-/* <translate a body of theirs> */
+
+/* translate a body of theirs */
 static void put_material(Rube *r, const cJSON *fixture, cJSON *shape)
 {
     put(r, shape, "density", get(r, fixture, "density", 0));
@@ -141,7 +142,7 @@ static int corner_count(Rube *r, const cJSON *form)
     if (!good) refuse(r, form, "needs vertices: { \"x\": [ ... ], \"y\": [ ... ] }");
     return good ? n : 0;
 }
-/* <translate a body of theirs> */
+
 static void put_polygon(Rube *r, const cJSON *form, cJSON *shape)
 {
     int n = corner_count(r, form);
@@ -155,7 +156,7 @@ static void put_polygon(Rube *r, const cJSON *form, cJSON *shape)
         if (p != NULL && !cJSON_AddItemToArray(list, p)) cJSON_Delete(p);
     }
 }
-/* <translate a body of theirs> */
+
 static void put_chain(Rube *r, const cJSON *fixture, const cJSON *form, cJSON *shapes)
 {
     int n = corner_count(r, form);
@@ -171,7 +172,7 @@ static void put_chain(Rube *r, const cJSON *fixture, const cJSON *form, cJSON *s
         put_material(r, fixture, shape);
     }
 }
-/* <translate a body of theirs> */
+
 static void put_fixture(Rube *r, const cJSON *fixture, cJSON *shapes)
 {
     allow(r, fixture, "density friction restitution sensor filter-categoryBits "
@@ -192,7 +193,7 @@ static void put_fixture(Rube *r, const cJSON *fixture, cJSON *shapes)
         put_polygon(r, polygon, shape);
     put_material(r, fixture, shape);
 }
-/* <translate a body of theirs> */
+
 static void put_body(Rube *r, const cJSON *body, cJSON *list)
 {
     static const char *const types[] = { "static", "kinematic", "dynamic" };
@@ -204,7 +205,7 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
         refuse(r, wfChild(body, "active"), "a body that takes no part: leave it out");
     cJSON *out = r->failed ? NULL : put_object(r, list);
     if (r->failed) return;
-    /* <translate the fields of a body> */
+    /* translate the fields of a body */
     put_text(r, out, "type", types[(int)type]);
     put_point(r, out, "position", point_of(r, wfChild(body, "position")));
     put(r, out, "angle", get(r, body, "angle", 0));
@@ -221,7 +222,8 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
     for (const cJSON *c = first_of(r, body, "fixture"); c && !r->failed; c = c->next)
         put_fixture(r, c, shapes);
 }
-/* <translate a joint of theirs> */
+
+/* translate a joint of theirs */
 static const cJSON *body_of(Rube *r, const cJSON *joint, const char *name)
 {
     const cJSON *item = wfChild(joint, name);
@@ -247,7 +249,7 @@ static double inverse_mass(Rube *r, const cJSON *body)
     if (!(mass > 0)) refuse(r, body, "a spring with a frequency needs massData-mass");
     return mass > 0 ? 1 / mass : 0;
 }
-/* <translate a joint of theirs> */
+
 static void put_spring(Rube *r, const cJSON *j, cJSON *out, const char *frequency,
                        const char *damping)
 {
@@ -260,7 +262,7 @@ static void put_spring(Rube *r, const cJSON *j, cJSON *out, const char *frequenc
     put(r, out, "stiffness", turn * turn / inverse);
     put(r, out, "damping", 2 * get(r, j, damping, 0) * turn / inverse);
 }
-/* <translate a joint of theirs> */
+
 static void put_limits(Rube *r, const cJSON *j, cJSON *out, double from)
 {
     if (!yes(r, j, "enableLimit", false)) return;
@@ -275,7 +277,7 @@ static void put_motor(Rube *r, const cJSON *j, cJSON *out, const char *most)
     put(r, out, "motorSpeed", get(r, j, "motorSpeed", 0));
     put(r, out, "motorForce", get(r, j, most, 0));
 }
-/* <translate a joint of theirs> */
+
 /* What the kinds of joint have of their own. */
 static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
 {
@@ -291,7 +293,7 @@ static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
     } else if (strcmp(type, "wheel") == 0) {
         put_motor(r, j, out, "maxMotorTorque");
         put_spring(r, j, out, "springFrequency", "springDampingRatio");
-    /* <the kinds of joint that hold a length or a place> */
+    /* the kinds of joint that hold a length or a place */
     } else if (strcmp(type, "distance") == 0) {
         put(r, out, "rest", get(r, j, "length", 1));
         put_spring(r, j, out, "frequency", "dampingRatio");
@@ -306,7 +308,7 @@ static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
         if (most > 0) put(r, out, "ratio", get(r, j, "maxTorque", 0) / most);
     }
 }
-/* <translate a joint of theirs> */
+
 static void put_joint(Rube *r, const cJSON *j, cJSON *list)
 {
     const char *types = "revolute prismatic wheel distance rope weld friction";
@@ -321,7 +323,7 @@ static void put_joint(Rube *r, const cJSON *j, cJSON *list)
     const cJSON *b = r->failed ? NULL : body_of(r, j, "bodyB");
     cJSON *out = r->failed ? NULL : put_object(r, list);
     if (r->failed) return;
-    /* <write the joint, with its anchors in the world> */
+    /* write the joint, with its anchors in the world */
     bool rope = strcmp(kind->valuestring, "rope") == 0;
     put_text(r, out, "kind", rope ? "distance" : kind->valuestring);
     put(r, out, "a", get(r, j, "bodyA", 0));
@@ -336,7 +338,8 @@ static void put_joint(Rube *r, const cJSON *j, cJSON *list)
     put_flag(r, out, "collide", yes(r, j, "collideConnected", false));
     put_kind(r, j, kind->valuestring, out);
 }
-/* <translate a scene of theirs> */
+
+/* translate a scene of theirs */
 static void put_settings(Rube *r, cJSON *out)
 {
     const cJSON *root = r->t.root;
@@ -352,7 +355,7 @@ static void put_settings(Rube *r, cJSON *out)
     put_flag(r, settings, "sleep", yes(r, root, "allowSleep", true));
     if (!yes(r, root, "continuousPhysics", true)) put(r, settings, "impacts", 0);
 }
-/* <translate a scene of theirs> */
+
 static void put_lists(Rube *r, cJSON *out)
 {
     cJSON *bodyList = cJSON_AddArrayToObject(out, "bodies");
@@ -363,7 +366,7 @@ static void put_lists(Rube *r, cJSON *out)
     for (const cJSON *c = first_of(r, r->t.root, "joint"); c && !r->failed; c = c->next)
         put_joint(r, c, jointList);
 }
-/* <translate a scene of theirs> */
+
 static bool is_like(double given, double made, double size)
 {
     return fabs(given - made) <= 0.01 * size;
@@ -385,7 +388,7 @@ static void check_mass(Rube *r, const cJSON *body, const wfWorld *world, int32_t
     if (given > 0 && inertia > 0 && !is_like(given, about, about))
         refuse(r, wfChild(body, "massData-I"), "the fixtures have another one");
 }
-/* <translate a scene of theirs> */
+
 static void check_masses(Rube *r, const char *text)
 {
     wfWorld world;
@@ -402,7 +405,7 @@ static void check_masses(Rube *r, const char *text)
         check_mass(r, c, &world, i++);
     wfDestroyWorld(&world);
 }
-/* <translate a scene of theirs> */
+
 static char *translate(Rube *r)
 {
     r->bodies = wfChild(r->t.root, "body");
@@ -424,7 +427,7 @@ static char *translate(Rube *r)
     wfFreeText(text);
     return NULL;
 }
-/* <translate a scene of theirs> */
+
 wfResult wfTranslateRube(const char *text, size_t length, char **out, wfTextError *error)
 {
     wfTextError own;

@@ -6,14 +6,14 @@
 #include <float.h>
 #include "json/text.h"
 
-/* <what a text says of things> */
+/* what a text says of things */
 enum { WF_BODY_NAME = 40 };
 typedef struct wfBodyText {
     wfBodyDef def;              /* without a shape */
     char name[WF_BODY_NAME];
     wfVec2 pivot;               /* m, in the body's frame */
 } wfBodyText;
-/* <what a text says of things> */
+
 typedef struct wfShapeText {
     wfShapeDef def;             /* its shape is made from what follows */
     int32_t form;               /* row of wfShapeForms */
@@ -36,7 +36,7 @@ extern const int wfShapeFormCount;
 bool wfHasWord(const char *list, const char *word);
 extern const char *const wfGeometry;
 bool wfSameShape(const wfShape *a, const wfShape *b);       /* to the bit */
-/* <what a text says of things> */
+
 typedef struct wfPairText { int32_t a, b; wfPairMaterial m; } wfPairText;
 enum { WF_SCHEMA_NAME = 200 };
 typedef struct wfRootText {
@@ -60,7 +60,7 @@ wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS]);
 wfField wfNeedsField(void);
 /* The parameters of a force; spare may be used for the answer. */
 wfFields wfForceFields(int32_t kind, wfField *spare);
-/* <declarations of exact scenes> */
+
 /* What of a body or a shape a world keeps and a plain text does not say to the bit. */
 typedef struct wfExactBody {
     wfVec2 centre, localCentre;     /* of mass: in the world, in the body's frame, m */
@@ -85,7 +85,6 @@ wfBodyForces wfTellPush(const wfWorld *world, int32_t i);
 wfFine wfTellFine(const wfWorld *world, int32_t i);
 void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
 void wfPutClock(wfWorld *world, double time, uint64_t steps);
-/* <declarations of exact scenes> */
 /* The force at place i: 1; 0: the place is empty; -1: there is no such place. */
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out);
 bool wfTellPair(const wfWorld *world, int32_t i, wfPairText *out);     /* false: the end */

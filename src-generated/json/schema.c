@@ -5,7 +5,7 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* <build a schema> */
+/* build a schema */
 typedef struct Schema { bool failed; } Schema;
 
 static cJSON *note(Schema *s, cJSON *item)
@@ -23,7 +23,7 @@ static cJSON *array_in(Schema *s, cJSON *in, const char *name)
 {
     return note(s, cJSON_AddArrayToObject(in, name));
 }
-/* <build a schema> */
+
 static void say(Schema *s, cJSON *in, const char *name, const char *text)
 {
     note(s, cJSON_AddStringToObject(in, name, text));
@@ -38,7 +38,7 @@ static void forbid(Schema *s, cJSON *in, const char *name)
 {
     note(s, cJSON_AddFalseToObject(in, name));
 }
-/* <build a schema> */
+
 /* Appends to an array. */
 static void append_text(Schema *s, cJSON *array, const char *text)
 {
@@ -56,7 +56,7 @@ static cJSON *append_object(Schema *s, cJSON *array)
     cJSON_Delete(item);
     return note(s, NULL);
 }
-/* <build a schema> */
+
 static void append_words(Schema *s, cJSON *array, const char *words)
 {
     char word[32];
@@ -73,7 +73,8 @@ static void refer(Schema *s, cJSON *in, const char *name, const char *what)
 {
     say(s, object_in(s, in, name), "$ref", what);
 }
-/* <describe a field> */
+
+/* describe a field */
 static void limit(Schema *s, cJSON *in, const wfField *f)
 {
     const char *least = f->above ? "exclusiveMinimum" : "minimum";
@@ -96,7 +97,7 @@ static void one_number(Schema *s, cJSON *in, const wfField *f, const char *type)
     say(s, in, "type", type);
     limit(s, in, f);
 }
-/* <describe a field> */
+
 static void bits(Schema *s, cJSON *in)
 {
     cJSON *either = array_in(s, in, "oneOf"), *number = append_object(s, either);
@@ -107,14 +108,14 @@ static void bits(Schema *s, cJSON *in)
     say(s, text, "type", "string");
     say(s, text, "pattern", "^0x[0-9a-fA-F]{1,16}$");
 }
-/* <describe a field> */
+
 static void names_in(Schema *s, cJSON *in, const wfField *f)
 {
     cJSON *names = array_in(s, in, "enum");
     const char *name;
     for (int i = 0; (name = wfFieldRow(f, i)) != NULL; i++) append_text(s, names, name);
 }
-/* <describe a field> */
+
 static void describe(Schema *s, cJSON *properties, const wfField *f)
 {
     cJSON *in = object_in(s, properties, f->name);
@@ -131,7 +132,7 @@ static void describe(Schema *s, cJSON *properties, const wfField *f)
         break;
     case WF_FIELD_INT: one_number(s, in, f, "integer"); break;
     case WF_FIELD_ROW: names_in(s, in, f); break;
-    /* <describe a set of names> */
+    /* describe a set of names */
     case WF_FIELD_SET:
         say(s, in, "type", "array");
         names_in(s, object_in(s, in, "items"), f);
@@ -144,7 +145,7 @@ static void describe(Schema *s, cJSON *properties, const wfField *f)
     default: say(s, in, "type", "boolean");
     }
 }
-/* <describe a field> */
+
 /* An object with these fields and no others; more may be added to what is returned. */
 static cJSON *with_fields(Schema *s, cJSON *in, wfFields fields)
 {
@@ -166,7 +167,8 @@ static void require(Schema *s, cJSON *in, const char *words)
 {
     if (words[0] != 0) append_words(s, array_in(s, in, "required"), words);
 }
-/* <describe shapes and forces> */
+
+/* describe shapes and forces */
 static void describe_form(Schema *s, cJSON *rules, const wfShapeForm *form)
 {
     cJSON *rule = append_object(s, rules);
@@ -185,7 +187,7 @@ static void describe_form(Schema *s, cJSON *rules, const wfShapeForm *form)
             forbid(s, not, word);
     }
 }
-/* <describe shapes and forces> */
+
 static void describe_shape(Schema *s, cJSON *in)
 {
     cJSON *properties = with_fields(s, in, wfShapeFields);
@@ -197,7 +199,7 @@ static void describe_shape(Schema *s, cJSON *in)
     cJSON *rules = array_in(s, in, "allOf");
     for (int i = 0; i < wfShapeFormCount; i++) describe_form(s, rules, &wfShapeForms[i]);
 }
-/* <describe shapes and forces> */
+
 static void describe_forces(Schema *s, cJSON *in)
 {
     cJSON *kinds = array_in(s, in, "oneOf");
@@ -223,7 +225,7 @@ static void describe_joint(Schema *s, cJSON *in)
     refer(s, properties, "anchorB", "#/$defs/point");
     require(s, in, "kind a b");
 }
-/* <describe shapes and forces> */
+
 static void describe_body(Schema *s, cJSON *in)
 {
     cJSON *properties = with_fields(s, in, wfBodyFields);
@@ -232,7 +234,8 @@ static void describe_body(Schema *s, cJSON *in)
     with_fields(s, object_in(s, properties, "push"), wfPushFields);
     with_fields(s, object_in(s, properties, "fine"), wfFineFields);
 }
-/* <describe a scene> */
+
+/* describe a scene */
 static void describe_small_things(Schema *s, cJSON *defs)
 {
     const wfField point = { .name = "point", .text = "x and y, m", .kind = WF_FIELD_VEC,
@@ -245,7 +248,7 @@ static void describe_small_things(Schema *s, cJSON *defs)
     count(s, number, "minimum", 0);
     say(s, append_object(s, either), "type", "string");
 }
-/* <describe a scene> */
+
 static void describe_root(Schema *s, cJSON *in)
 {
     wfField list[WF_MOST_SETTINGS];
@@ -270,7 +273,7 @@ static void describe_root(Schema *s, cJSON *in)
     with_fields(s, pair, wfPairFields);
     require(s, pair, "a b");
 }
-/* <describe a scene> */
+
 char *wfWriteSceneSchema(void)
 {
     Schema s = { .failed = false };

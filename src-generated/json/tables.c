@@ -4,7 +4,7 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* <shorthand for rows of fields> */
+/* shorthand for rows of fields */
 #define AT(type, member) .name = #member, .offset = offsetof(type, member)
 #define BODY(member) .name = #member, .offset = offsetof(wfBodyText, def.member)
 #define SHAPE(member) .name = #member, .offset = offsetof(wfShapeText, def.member)
@@ -21,7 +21,8 @@
 #define NAMED(table, number) .kind = WF_FIELD_ROW, .rows = table, .rowCount = &number, \
     .rowSize = sizeof *table
 #define FIELDS(list) { list, (int)(sizeof list / sizeof *list) }
-/* <tables of a scene's fields> */
+
+/* tables of a scene's fields */
 static const char *const bodyTypes[] = { "static", "kinematic", "dynamic" };
 static const int bodyTypeCount = WF_BODY_TYPES;
 _Static_assert(sizeof bodyTypes / sizeof *bodyTypes == WF_BODY_TYPES, "a name for each");
@@ -37,7 +38,7 @@ static const wfField bodyFields[] = {
     { BODY(mass), REAL, NOT_NEGATIVE, .text = "kg; 0: that of its shapes" },
     { AT(wfBodyText, pivot), VEC,
       .text = "m, in its frame: about this a body turns that is not dynamic" },
-    /* <more fields of a body> */
+    /* more fields of a body */
     { BODY(fixedRotation), FLAG, .text = "it never turns" },
     { BODY(linearDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
     { BODY(angularDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
@@ -46,11 +47,10 @@ static const wfField bodyFields[] = {
     { BODY(userData), BITS, .text = "yours" },
 };
 const wfFields wfBodyFields = FIELDS(bodyFields);
-/* <tables of a scene's fields> */
+
 static const wfField shapeFields[] = {
     { .name = "kind", .offset = offsetof(wfShapeText, form),
       NAMED(wfShapeForms, wfShapeFormCount), .text = "its form" },
-    /* <fields of a shape's form> */
     { AT(wfShapeText, centre), VEC, .text = "m, in the body's frame, like all that follows" },
     { AT(wfShapeText, radius), REAL, NOT_NEGATIVE, .text = "m, of the coat" },
     { AT(wfShapeText, halfWidth), REAL, POSITIVE, .text = "m" },
@@ -80,7 +80,6 @@ static const wfField shapeFields[] = {
       .text = "in the order in which a world keeps its shapes, when not that of the text" },
 };
 const wfFields wfShapeFields = FIELDS(shapeFields);
-/* <tables of a scene's fields> */
 #define JOINT_BIT(word, bit, about) { .name = word, .offset = offsetof(wfJoint, flags), \
     .kind = WF_FIELD_BIT, .count = bit, .text = about }
 
@@ -103,7 +102,6 @@ static const wfField jointFields[] = {
     { AT(wfJoint, motorForce), REAL, NOT_NEGATIVE, .text = "N or N m at most" },
     { AT(wfJoint, breakForce), REAL, NOT_NEGATIVE, .text = "N; 0: never" },
     { AT(wfJoint, breakTorque), REAL, NOT_NEGATIVE, .text = "N m; 0: never" },
-    /* <fields of a joint that a program writes> */
     { AT(wfJoint, localA), VEC, .text = "m, in a's frame, from its centre of mass" },
     { AT(wfJoint, localB), VEC, .text = "m, in b's frame, from its centre of mass" },
     { AT(wfJoint, axis), VEC, .text = "with localA: unit, in a's frame; else in the world" },
@@ -120,7 +118,6 @@ static const wfField jointFields[] = {
     { AT(wfJoint, peakTorque), REAL, ANY, .text = "N m: in one substep of it" },
 };
 const wfFields wfJointFields = FIELDS(jointFields);
-/* <tables of a scene's fields> */
 #define PAIR(member) .name = #member, .offset = offsetof(wfPairText, m.member)
 #define INFO(word, member) .name = word, .offset = offsetof(wfRootText, info.member)
 
@@ -133,7 +130,7 @@ static const wfField pairFields[] = {
     { PAIR(rolling), REAL, NOT_NEGATIVE, .text = "m: length of rolling resistance" },
 };
 const wfFields wfPairFields = FIELDS(pairFields);
-/* <tables of a scene's fields> */
+
 static const wfField rootFields[] = {
     { .name = "weft", .offset = offsetof(wfRootText, version), INT,
       .least = 1, .most = WF_SCENE_VERSION, .text = "version of this text's rules" },
@@ -150,7 +147,7 @@ static const wfField rootFields[] = {
     { AT(wfRootText, steps), BITS, .text = "made so far" },
 };
 const wfFields wfRootFields = FIELDS(rootFields);
-/* <tables of a scene's fields> */
+
 static const wfField viewFields[] = {
     { INFO("x", viewX), REAL, ANY, .text = "m: the middle" },
     { INFO("y", viewY), REAL, ANY, .text = "m: the middle" },
@@ -163,7 +160,6 @@ static const wfField promiseFields[] = {
     { INFO("depth", depthBound), REAL, NOT_NEGATIVE, .text = "m: no overlap is deeper" },
 };
 const wfFields wfPromiseFields = FIELDS(promiseFields);
-/* <tables of a scene's fields> */
 #define EXACT(member) { AT(wfExactBody, member), REAL, ANY, \
     .text = "as the world keeps it" }
 #define EXACT_AT(member) { AT(wfExactBody, member), VEC, \
@@ -185,7 +181,7 @@ static const wfField exactShapeFields[] = {
     KEPT(reach), KEPT(arm), KEPT(inner),
 };
 const wfFields wfExactShapeFields = FIELDS(exactShapeFields);
-/* <tables of a scene's fields> */
+
 static const wfField pushFields[] = {
     { AT(wfBodyForces, force), VEC, .text = "N: acts in the next step" },
     { AT(wfBodyForces, torque), REAL, ANY, .text = "N m: acts in the next step" },
@@ -199,7 +195,7 @@ static const wfField fineFields[] = {
     { AT(wfFine, w), REAL, ANY, .text = "rad/s: what the angular velocity has" },
 };
 const wfFields wfFineFields = FIELDS(fineFields);
-/* <names of the parameters of forces> */
+/* names of the parameters of forces */
 #define FORCE(part, member, about) { .name = #member, \
     .offset = offsetof(wfForce, part.member), .text = about, REAL, ANY }
 #define FORCE_AT(part, member, about) { .name = #member, \
@@ -219,7 +215,7 @@ static const wfField dragFields[] = {
 static const wfField buoyancyFields[] = {
     FORCE(buoyancy, surfaceY, "m"), FORCE(buoyancy, density, "kg/m^2, >= 0"),
     FORCE(buoyancy, g, "m/s^2, >= 0"), FORCE(buoyancy, drag, "1/s, >= 0") };
-/* <names of the parameters of forces> */
+
 static const wfField explosionFields[] = {
     FORCE_AT(explosion, centre, "m"), FORCE(explosion, strength, "N s/m"),
     FORCE(explosion, radius, "m, > 0"), FORCE(explosion, start, "s"),
@@ -238,7 +234,7 @@ static const struct { const char *name; wfFields fields; } forceNames[] = {
     { "explosion", FIELDS(explosionFields) }, { "wind", FIELDS(windFields) },
     { "hand", FIELDS(handFields) },
 };
-/* <names of the parameters of forces> */
+
 wfFields wfForceFields(int32_t kind, wfField *spare)
 {
     for (size_t i = 0; i < sizeof forceNames / sizeof *forceNames; i++)
@@ -249,7 +245,7 @@ wfFields wfForceFields(int32_t kind, wfField *spare)
                         .text = "its parameters" };
     return (wfFields){ spare, count > 0 };
 }
-/* <fields of the settings> */
+
 static wfField field_of(const wfSetting *s)
 {
     static const int32_t kind[] = {

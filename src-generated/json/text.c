@@ -6,7 +6,7 @@
 #include <string.h>
 #include "json/text.h"
 
-/* <turn numbers into text> */
+/* turn numbers into text */
 #ifdef WF_DOUBLE
 enum { FIRST_DIGITS = 15, ALL_DIGITS = 17 };        /* eq:save-digits */
 #else
@@ -28,7 +28,7 @@ void wfTextOfReal(wfReal x, char out[WF_NUMBER_SIZE])
     }
     end_number(out);
 }
-/* <turn numbers into text> */
+
 void wfTextOfDouble(double x, char out[WF_NUMBER_SIZE])
 {
     snprintf(out, WF_NUMBER_SIZE, "%.17g", x);
@@ -47,7 +47,7 @@ cJSON *wfTextOfBits(uint64_t bits)
     snprintf(text, sizeof text, "%llu", (unsigned long long)bits);
     return cJSON_CreateRaw(text);
 }
-/* <turn numbers into text> */
+
 bool wfIsText(const char *s, size_t room);              /* UTF-8 that ends in its room */
 bool wfBitsOfText(const cJSON *item, uint64_t *out)
 {
@@ -64,7 +64,7 @@ bool wfBitsOfText(const cJSON *item, uint64_t *out)
     *out = strtoull(digits, NULL, 16);
     return true;
 }
-/* <turn numbers into text> */
+
 char *wfPrettyText(const cJSON *root)
 {
     char *text = cJSON_Print(root);
@@ -72,7 +72,7 @@ char *wfPrettyText(const cJSON *root)
         if (c[0] == ':' && c[1] == '\t') c[1] = ' ';
     return text;
 }
-/* <find the line of a value> */
+
 /* From a quote to behind the closing one. */
 static size_t skip_string(const wfText *t, size_t i, int32_t *line)
 {
@@ -82,18 +82,18 @@ static size_t skip_string(const wfText *t, size_t i, int32_t *line)
     }
     return i < t->length ? i + 1 : t->length;
 }
-/* <find the line of a value> */
+
 static bool is_key(const wfText *t, size_t i)
 {
     while (i < t->length && (unsigned char)t->text[i] <= ' ') i++;
     return i < t->length && t->text[i] == ':';
 }
-/* <find the line of a value> */
+
 static bool ends_word(char c)
 {
     return (unsigned char)c <= ' ' || strchr(",:[]{}\"", c) != NULL;
 }
-/* <find the line of a value> */
+
 /* The line of value number `*order` (from 1), which is counted down, and how deep the text
  * goes. */
 static int32_t scan(const wfText *t, int64_t *order, int *depth)
@@ -104,7 +104,7 @@ static int32_t scan(const wfText *t, int64_t *order, int *depth)
         char c = t->text[i];
         int32_t here = line;
         bool value = false;
-        /* <go over a string, a value or what stands between values> */
+        /* go over a string, a value or what stands between values */
         if (c == '"') {
             i = skip_string(t, i, &line);
             value = !is_key(t, i);
@@ -122,7 +122,8 @@ static int32_t scan(const wfText *t, int64_t *order, int *depth)
     }
     return line;
 }
-/* <find an item in the tree> */
+
+/* find an item in the tree */
 typedef struct wfSearch {
     const cJSON *wanted;
     int64_t order;
@@ -147,7 +148,8 @@ static bool find_item(wfSearch *s, const cJSON *at, size_t used)
     s->path[used] = 0;
     return false;
 }
-/* <complain about an item> */
+
+/* complain about an item */
 bool wfTextFail(wfText *t, const cJSON *at, wfResult result, const char *format, ...)
 {
     va_list list;
@@ -162,13 +164,13 @@ bool wfTextFail(wfText *t, const cJSON *at, wfResult result, const char *format,
         e->line = scan(t, &s.order, &depth);
     return false;
 }
-/* <complain about an item> */
+
 bool wfTextResult(wfText *t, const cJSON *at, wfResult result)
 {
     if (result == WF_OK) return true;
     return wfTextFail(t, at, result, "%s", wfResultText(result));
 }
-/* <measure a character> */
+
 /* Bytes of the UTF-8 character at s, of which there are so many bytes; 0: it is none. */
 static size_t character_length(const char *s, size_t left)
 {
@@ -183,7 +185,8 @@ static size_t character_length(const char *s, size_t left)
         if (b[i] < 0x80 || b[i] > 0xBF) return 0;
     return n;
 }
-/* <parse the text> */
+
+/* parse the text */
 static bool syntax_error(wfText *t, const char *stop, const char *why)
 {
     int32_t line = 1;
@@ -201,7 +204,7 @@ static bool syntax_error(wfText *t, const char *stop, const char *why)
 }
 
 static const char notJson[] = "this is not JSON";
-/* <parse the text> */
+
 bool wfIsText(const char *s, size_t room)
 {
     size_t more = 1;
@@ -211,7 +214,7 @@ bool wfIsText(const char *s, size_t room)
     }
     return room > 0 && more > 0;
 }
-/* <parse the text> */
+
 /* The number of \u and four hexadecimal digits; -1: it is none. */
 static int32_t code_at(const char *s, size_t left)
 {
@@ -251,7 +254,7 @@ static size_t string_length(const char *s, size_t left, const char **wrong)
     }
     return i;
 }
-/* <parse the text> */
+
 static const char digits[] = "0123456789";
 
 static bool is_number(const char *s, size_t size)
@@ -283,7 +286,7 @@ static size_t word_length(const char *s, size_t left, const char **wrong)
     *wrong = begins ? "a number is not written like this" : notJson;
     return begins && is_number(s, n) ? n : 0;
 }
-/* <parse the text> */
+
 static bool check_words(wfText *t)
 {
     for (size_t i = 0; i < t->length;) {
@@ -301,7 +304,7 @@ static bool check_words(wfText *t)
     }
     return true;
 }
-/* <parse the text> */
+
 bool wfTextTake(wfText *t, const cJSON *at, size_t count, size_t each)
 {
     size_t left = wfMostMemory(t->limits) - t->taken;
@@ -309,7 +312,7 @@ bool wfTextTake(wfText *t, const cJSON *at, size_t count, size_t each)
     t->taken += count * each;
     return true;
 }
-/* <parse the text> */
+
 enum { NODE_BYTES = sizeof(cJSON) + 64 };       /* and its two strings' own overhead */
 
 bool wfTextParse(wfText *t)

@@ -16,7 +16,7 @@ typedef struct wfText {
     const wfLoadLimits *limits;
     size_t taken;                   /* bytes, of what they allow */
 } wfText;
-/* <fields of a text> */
+
 enum {
     WF_FIELD_REAL, WF_FIELD_VEC,    /* wfReal: 0.5; wfVec2: [0.5, 1] */
     WF_FIELD_DOUBLE, WF_FIELD_INT,  /* double; int32_t */
@@ -39,7 +39,6 @@ typedef struct wfField {
     size_t rowSize;
 } wfField;
 typedef struct wfFields { const wfField *field; int count; } wfFields;
-/* <functions of a text> */
 /* Fails with an error at an item (NULL: nowhere); the answer is false. */
 bool wfTextFail(wfText *t, const cJSON *at, wfResult result, const char *format, ...);
 bool wfTextResult(wfText *t, const cJSON *at, wfResult result);    /* fails unless WF_OK */

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* <what a writer knows> */
+/* what a writer knows */
 typedef struct Writer {
     const wfWorld *world;
     wfBodyView bodies;
@@ -31,13 +31,13 @@ static bool append(cJSON *array, cJSON *item)
     cJSON_Delete(item);
     return false;
 }
-/* <what a writer knows> */
+
 static cJSON *add_list(cJSON *object, const char *name)
 {
     cJSON *list = cJSON_CreateArray();
     return give(object, name, list) ? list : NULL;
 }
-/* <what a writer knows> */
+
 static cJSON *points_item(const wfVec2 *point, int n)
 {
     cJSON *array = cJSON_CreateArray();
@@ -53,7 +53,8 @@ static cJSON *points_item(const wfVec2 *point, int n)
     cJSON_Delete(array);
     return NULL;
 }
-/* <write the shapes of a body> */
+
+/* write the shapes of a body */
 bool wfSameShape(const wfShape *a, const wfShape *b)
 {
     int held = a->kind == WF_SHAPE_LINK ? 4 : a->count;
@@ -77,14 +78,14 @@ static bool is_box(const wfShape *s, wfShapeText *out)
     wfResult result = wfMakeOrientedBox(s->centre, size.x / 2, size.y / 2, 0, &made);
     return result == WF_OK && wfSameShape(s, &made);
 }
-/* <write the shapes of a body> */
+
 static int32_t form_named(const char *name)
 {
     int32_t i = 0;
     while (strcmp(wfShapeForms[i].name, name) != 0) i++;
     return i;
 }
-/* <write the shapes of a body> */
+
 static wfShapeText text_of(const wfShapeDef *def)
 {
     static const char *const form[WF_SHAPE_KINDS] = {
@@ -105,7 +106,7 @@ static wfShapeText text_of(const wfShapeDef *def)
     t.after = s->vertices[3];
     return t;
 }
-/* <write the shapes of a body> */
+
 static bool write_fields_of_form(cJSON *item, const wfShapeText *t,
                                  const wfShapeText *plain)
 {
@@ -119,7 +120,7 @@ static bool write_fields_of_form(cJSON *item, const wfShapeText *t,
     if (!wfHasWord(form->must, "vertices")) return true;
     return give(item, "vertices", points_item(t->def.shape.vertices, t->def.shape.count));
 }
-/* <write the shapes of a body> */
+
 static bool write_shape(Writer *w, cJSON *list, int32_t k, bool placed)
 {
     wfShapeDef def;
@@ -132,7 +133,7 @@ static bool write_shape(Writer *w, cJSON *list, int32_t k, bool placed)
     w->shape[w->rank[k]] = item;
     return write_fields_of_form(item, &t, &plain);
 }
-/* <write the shapes of a body> */
+
 static bool is_in_order(const Writer *w)
 {
     int32_t next = 0;
@@ -153,7 +154,8 @@ static bool write_shapes(Writer *w, cJSON *body, int32_t i, bool placed)
         good = write_shape(w, list, k, placed);
     return good;
 }
-/* <write the bodies> */
+
+/* write the bodies */
 static bool is_weighed(const Writer *w, int32_t i)
 {
     for (int32_t k = w->bodies.props[i].shape; k >= 0; k = w->shapes.next[k])
@@ -162,7 +164,7 @@ static bool is_weighed(const Writer *w, int32_t i)
             return true;
     return false;
 }
-/* <write the bodies> */
+
 static wfBodyText text_of_body(const Writer *w, int32_t i)
 {
     const wfBodyProps *p = &w->bodies.props[i];
@@ -188,7 +190,7 @@ static wfBodyText text_of_body(const Writer *w, int32_t i)
     if (p->type != WF_DYNAMIC) t.pivot = p->localCentre;
     return t;
 }
-/* <write the bodies> */
+
 static bool write_push(const Writer *w, cJSON *item, int32_t i)
 {
     wfBodyForces sums = wfTellPush(w->world, i);
@@ -205,7 +207,7 @@ static bool write_fine(const Writer *w, cJSON *item, int32_t i)
     return give(item, "fine", digits)
         && wfWriteFields(digits, wfFineFields, &fine, &none);
 }
-/* <write the bodies> */
+
 static bool write_bodies(Writer *w)
 {
     const wfBodyText plain = { .def = wfDefaultBodyDef() };
@@ -223,7 +225,8 @@ static bool write_bodies(Writer *w)
     }
     return good;
 }
-/* <write what else there is> */
+
+/* write what else there is */
 static bool write_number(cJSON *item, const char *name, const Writer *w, int32_t body)
 {
     return body < 0 || give(item, name, cJSON_CreateNumber(w->number[body]));
@@ -238,7 +241,7 @@ static bool write_joint(Writer *w, cJSON *list, wfJointId id)
         && write_number(item, "a", w, j.a) && write_number(item, "b", w, j.b)
         && wfWriteFields(item, wfJointFields, &j, &plain);
 }
-/* <write what else there is> */
+
 static bool write_joints(Writer *w)
 {
     if (wfJointCount(w->world) == 0) return true;
@@ -250,7 +253,7 @@ static bool write_joints(Writer *w)
     }
     return good;
 }
-/* <write what else there is> */
+
 static bool write_force(Writer *w, cJSON *list, const wfForce *f)
 {
     wfField spare;
@@ -271,7 +274,7 @@ static bool write_forces(Writer *w)
         if (wfTellForce(w->world, i, &f) > 0) good = write_force(w, list, &f);
     return good;
 }
-/* <write what else there is> */
+
 static bool write_pairs(Writer *w)
 {
     wfPairText p;
@@ -284,7 +287,7 @@ static bool write_pairs(Writer *w)
     }
     return true;
 }
-/* <write what else there is> */
+
 static bool write_settings(Writer *w)
 {
     wfField list[WF_MOST_SETTINGS];
@@ -302,7 +305,7 @@ static bool write_part(Writer *w, const char *name, wfFields fields, const wfRoo
     cJSON *item = cJSON_CreateObject();
     return give(w->root, name, item) && wfWriteFields(item, fields, root, NULL);
 }
-/* <write what else there is> */
+
 static bool write_root(Writer *w, const wfSceneInfo *info)
 {
     const wfRootText plain = { .info = { .energyBound = -1, .depthBound = -1 } };
@@ -319,7 +322,8 @@ static bool write_root(Writer *w, const wfSceneInfo *info)
     if (seen && !write_part(w, "view", wfViewFields, &root)) return false;
     return !bound || write_part(w, "promises", wfPromiseFields, &root);
 }
-/* <write what is exact> */
+
+/* write what is exact */
 static bool differs_in(wfFields fields, const void *a, const void *b)
 {
     cJSON *probe = cJSON_CreateObject();
@@ -338,7 +342,7 @@ static bool add_exact_body(const Writer *w, const wfWorld *read, int32_t i)
     return give(w->body[w->number[i]], "exact", exact)
         && wfWriteFields(exact, wfExactBodyFields, &is, &made);
 }
-/* <write what is exact> */
+
 static bool add_exact_shape(const Writer *w, const wfWorld *read, int32_t k)
 {
     wfExactShape is = wfTellExactShape(w->world, k);
@@ -354,7 +358,7 @@ static bool add_exact_shape(const Writer *w, const wfWorld *read, int32_t k)
     return give(exact, "vertices", points_item(s->vertices, held))
         && give(exact, "normals", points_item(s->normals, s->count));
 }
-/* <write what is exact> */
+
 static wfResult add_exact(const Writer *w)
 {
     wfWorld read;
@@ -371,7 +375,8 @@ static wfResult add_exact(const Writer *w)
     wfDestroyWorld(&read);
     return good ? WF_OK : WF_ERROR_MEMORY;
 }
-/* <write a scene> */
+
+/* write a scene */
 static void *room_for(int32_t count, size_t each)
 {
     void *made = cJSON_malloc((size_t)(count + 1) * each);
@@ -395,7 +400,7 @@ static bool begin(Writer *w)
         w->rank[k] = w->shapes.owners[k] >= 0 ? w->shapeCount++ : -1;
     return true;
 }
-/* <write a scene> */
+
 static void end(Writer *w)
 {
     cJSON_free(w->number);
@@ -404,7 +409,7 @@ static void end(Writer *w)
     cJSON_free(w->shape);
     cJSON_Delete(w->root);
 }
-/* <write a scene> */
+
 static bool has_texts(const wfSceneInfo *info)
 {
     return info == NULL || (wfIsText(info->name, sizeof info->name)

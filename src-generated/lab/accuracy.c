@@ -8,7 +8,6 @@
 #include "testbed/classics.h"
 #include "weft/joint.h"
 
-/* <a reference in double> */
 /* Accelerations of n points; x, v, a: x and y of each in turn. */
 typedef void Accelerations(int n, const double *x, const double *v, double *a);
 enum { REF = 2 * LAB_POINTS };
@@ -30,7 +29,7 @@ static void ref_step(Accelerations *f, int n, double h, double *x, double *v)
         v[i] += h / 6 * (a[0][i] + 2 * a[1][i] + 2 * a[2][i] + a[3][i]);
     }
 }
-/* <a reference in double> */
+
 static void ref_course(Accelerations *f, int n, double *x, double *v, int fine,
                        labCourse out)
 {
@@ -39,7 +38,7 @@ static void ref_course(Accelerations *f, int n, double *x, double *v, int fine,
         for (int i = 0; i < fine; i++) ref_step(f, n, 1.0 / 60 / fine, x, v);
     }
 }
-/* <a reference in double> */
+
 enum { LINK_MASS = 1 };
 static const double GRAVITY = 9.81;
 
@@ -48,7 +47,7 @@ static void hanging(int n, const double *x, const double *v, double *a)
 {
     double r[LAB_POINTS + 1][2], diagonal[LAB_POINTS], right[LAB_POINTS];
     double off[LAB_POINTS], pull[LAB_POINTS + 1];
-    /* <write down the rods' equations> */
+    /* write down the rods' equations */
     for (int i = 0; i < n; i++) {
         double w[2];
         for (int k = 0; k < 2; k++) {
@@ -59,7 +58,7 @@ static void hanging(int n, const double *x, const double *v, double *a)
         right[i] = w[0] * w[0] + w[1] * w[1] - (i > 0 ? 0 : GRAVITY * r[i][1]);
         off[i] = i > 0 ? -(r[i][0] * r[i - 1][0] + r[i][1] * r[i - 1][1]) : 0;
     }
-    /* <eliminate along the chain> */
+    /* eliminate along the chain */
     for (int i = 1; i < n; i++) {
         double share = off[i] / diagonal[i - 1];
         diagonal[i] -= share * off[i];
@@ -74,7 +73,8 @@ static void hanging(int n, const double *x, const double *v, double *a)
         a[2 * i + 1] -= GRAVITY;
     }
 }
-/* <true courses> */
+
+/* true courses */
 static void pulled(int n, const double *x, const double *v, double *a)
 {
     (void)n, (void)v;
@@ -99,7 +99,7 @@ static void orbit_course(int fine, labCourse out)
     double x[2] = { 0.25, 0 }, v[2] = { 0, 2.5 };
     ref_course(attracted, 1, x, v, fine, out);
 }
-/* <true courses> */
+
 static void chain_course(int n, double rod, int fine, labCourse out)
 {
     double x[REF] = { 0 }, v[REF] = { 0 };
@@ -110,7 +110,7 @@ static void chain_course(int n, double rod, int fine, labCourse out)
 static void pendulum_course(int fine, labCourse out) { chain_course(1, 1, fine, out); }
 static void double_course(int fine, labCourse out) { chain_course(2, 0.5, fine, out); }
 static void ten_course(int fine, labCourse out) { chain_course(10, 0.125, fine, out); }
-/* <true courses> */
+
 /* A body whose place is a formula of the time. */
 static void formula_course(void (*place)(double t, double at[2]), labCourse out)
 {
@@ -131,14 +131,14 @@ static void roll_at(double t, double at[2])
 {
     at[0] = 2.0 / 3 * t * t, at[1] = 0.5;               /* 2/3 of 2 m/s^2 */
 }
-/* <true courses> */
+
 static void ball_at(double t, double at[2])
 {
     double fall = sqrt(2 * 1 / GRAVITY);        /* from 1 m, and up again */
     for (t += fall; t > 2 * fall; ) t -= 2 * fall;
     at[0] = 0, at[1] = 1.5 - GRAVITY / 2 * (t - fall) * (t - fall);
 }
-/* <true courses> */
+
 static void flight_course(int fine, labCourse out)
 {
     (void)fine;
@@ -159,14 +159,15 @@ static void ball_course(int fine, labCourse out)
     (void)fine;
     formula_course(ball_at, out);
 }
-/* <true courses> */
+
 static void stack_course(int fine, labCourse out)
 {
     (void)fine;
     for (int k = 0; k <= LAB_FRAMES; k++)
         for (int i = 0; i < 10; i++) out[k][i][0] = 0, out[k][i][1] = 0.5 + i;
 }
-/* <build scenes of which the truth is known> */
+
+/* build scenes of which the truth is known */
 static wfResult put(wfWorld *world, wfBodyDef d, double x, double y, double vx, double vy,
                     wfBodyId *out)
 {
@@ -188,7 +189,7 @@ static wfBodyDef box(double width, double height)
     wfMakeBox((wfReal)(width / 2), (wfReal)(height / 2), &d.shape);
     return d;
 }
-/* <build scenes of which the truth is known> */
+
 static wfBodyDef disc(double radius)
 {
     wfBodyDef d = wfDefaultBodyDef();
@@ -202,7 +203,7 @@ static wfResult level_floor(wfWorld *world)
     d.type = WF_STATIC;
     return put(world, d, 0, -1, 0, 0, NULL);
 }
-/* <build scenes of which the truth is known> */
+
 static wfResult build_spring(wfWorld *world)
 {
     wfForce f = wfSpringToPoint(0, wfV2(0, 0), wfV2(0, 0), 0, 36, 0);
@@ -223,7 +224,7 @@ static wfResult build_flight(wfWorld *world)
 {
     return put(world, disc(0.125), 0, 1, 7, 9, NULL);
 }
-/* <build scenes of which the truth is known> */
+
 static wfResult build_slide(wfWorld *world)
 {
     wfResult result = level_floor(world);
@@ -236,7 +237,7 @@ static wfResult build_roll(wfWorld *world)
     if (result == WF_OK) result = level_floor(world);
     return result == WF_OK ? put(world, disc(0.5), 0, 0.5, 0, 0, NULL) : result;
 }
-/* <build scenes of which the truth is known> */
+
 static wfResult build_ball(wfWorld *world)
 {
     wfBodyDef d = disc(0.5);
@@ -254,7 +255,7 @@ static wfResult build_stack(wfWorld *world)
 }
 
 static wfResult build_cards(wfWorld *world) { return wfBuildCardHouse(world, 3, 0, 1); }
-/* <build scenes of which the truth is known> */
+
 static wfResult build_pile(wfWorld *world)
 {
     wfResult result = level_floor(world);
@@ -268,7 +269,7 @@ static wfResult build_pile(wfWorld *world)
     }
     return result;
 }
-/* <build scenes of which the truth is known> */
+
 static wfResult build_chain(wfWorld *world, int n, double rod)
 {
     wfBodyDef hook = particle();
@@ -290,7 +291,8 @@ static wfResult build_chain(wfWorld *world, int n, double rod)
 static wfResult build_pendulum(wfWorld *world) { return build_chain(world, 1, 1); }
 static wfResult build_double(wfWorld *world) { return build_chain(world, 2, 0.5); }
 static wfResult build_ten(wfWorld *world) { return build_chain(world, 10, 0.125); }
-/* <the table of truths> */
+
+/* the table of truths */
 const labTruth labTruths[] = {
     { "spring", build_spring, spring_course, 0, 2, 0 },
     { "orbit", build_orbit, orbit_course, 0, 2, 0 },
@@ -313,7 +315,8 @@ int labFindTruth(const char *name)
         if (strcmp(labTruths[i].name, name) == 0) return i;
     return -1;
 }
-/* <measure a run> */
+
+/* measure a run */
 static wfResult make_truth(const labTruth *scene, const char *solver, const char *joints,
                            int plain, wfWorld *out)
 {
@@ -334,7 +337,7 @@ wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joi
 {
     return make_truth(scene, solver, joints, 0, out);
 }
-/* <measure a run> */
+
 static int places_of(const wfWorld *world, double out[LAB_POINTS][2])
 {
     wfBodyView bodies = wfWorldBodies(world);
@@ -356,7 +359,7 @@ static double farthest(int n, double (*a)[2], double (*b)[2])
     }
     return most;
 }
-/* <measure a run> */
+
 double labTruthError(const labTruth *scene)
 {
     static labCourse a, b;
@@ -381,7 +384,7 @@ static double size_of(const wfWorld *world, int n, labCourse course)
         size = fmax(size, farthest(n, course[k], course[0]));
     return size;
 }
-/* <measure a run> */
+
 void labPrintNumber(FILE *out, double x)
 {
     fprintf(out, x < 0 ? "," : ",%.3e", x);
@@ -397,7 +400,7 @@ static double widest_gap(int n, double at[LAB_POINTS][2], double rod)
     }
     return most;
 }
-/* <measure a run> */
+
 static double deepest(const wfWorld *world)
 {
     int32_t count = 0;
@@ -408,7 +411,7 @@ static double deepest(const wfWorld *world)
             most = fmax(most, (double)c[i].manifold.points[k].depth);
     return most;
 }
-/* <measure a run> */
+
 typedef struct Sums { double kinetic, energy, spin; } Sums;
 
 static Sums sums_of(const wfWorld *world)
@@ -431,7 +434,7 @@ static void look(const labTruth *scene, const wfWorld *world, int k, labCourse t
     r->depth = fmax(r->depth, deepest(world) / size);
     r->gap = fmax(r->gap, widest_gap(n, at, scene->rod) / size);
 }
-/* <measure a run> */
+
 typedef struct Frame { wfWorld *world; int steps, failed; } Frame;
 
 static void step_frame(void *context)       /* what labCounted counts */
@@ -440,7 +443,7 @@ static void step_frame(void *context)       /* what labCounted counts */
     for (int i = 0; i < f->steps && !f->failed; i++)
         f->failed = wfStepWorld(f->world) != WF_OK;
 }
-/* <measure a run> */
+
 static labResult run_world(const labTruth *scene, wfWorld *world, int steps)
 {
     static labCourse truth;
@@ -451,7 +454,7 @@ static labResult run_world(const labTruth *scene, wfWorld *world, int steps)
     if (scene->course != NULL) scene->course(64, truth);
     double size = size_of(world, n, truth), kinetic = 0;
     Sums start = sums_of(world);
-    /* <run frame by frame and look> */
+    /* run frame by frame and look */
     for (int k = 1; k <= LAB_FRAMES && !r.failed; k++) {
         Frame frame = { world, steps, 0 };
         clock_t since = clock();
@@ -469,7 +472,7 @@ static labResult run_world(const labTruth *scene, wfWorld *world, int steps)
     if (!(r.error < 10)) r.failed = 1;                  /* not a number, or out of sight */
     return r;
 }
-/* <measure a run> */
+
 static wfResult turn_dials(wfWorld *world, const labDials *dials)
 {
     wfWorldDef def;
@@ -480,7 +483,7 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
     if (dials->period > 0) def.contactPeriod = (wfReal)dials->period;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
-/* <measure a run> */
+
 /* With these dials, or with settings that were chosen. */
 static labResult run_set(const labTruth *scene, const char *solver, const char *joints,
                          const labDials *dials, const wfAccuracy *chosen)
@@ -496,7 +499,7 @@ static labResult run_set(const labTruth *scene, const char *solver, const char *
     wfDestroyWorld(&world);
     return r;
 }
-/* <measure a run> */
+
 labResult labRunDials(const labTruth *scene, const labDials *dials)
 {
     return run_set(scene, dials->solver, dials->joints, dials, NULL);
@@ -507,7 +510,7 @@ labResult labRunChosen(const labTruth *scene, const char *solver,
 {
     return run_set(scene, solver, "auto", NULL, chosen);
 }
-/* <measure a run> */
+
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
 {
     static labCourse truth;
@@ -522,9 +525,9 @@ double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
     }
     return error / size;
 }
-/* <measure how long an error stays small> */
+/* measure how long an error stays small */
 enum { HORIZON = 15 * LAB_FRAMES, HORIZON_EACH = 15, HORIZON_RUNS = 3 };
-/* <measure how long an error stays small> */
+
 int labHorizon(FILE *out)
 {
     const labTruth *scene = &labTruths[labFindTruth("double-pendulum")];
@@ -539,7 +542,7 @@ int labHorizon(FILE *out)
         if (turn_dials(&world[i], &dials) != WF_OK) return 1;
     }
     fprintf(out, "time,1 substep,4 substeps,16 substeps\n");
-    /* <follow the three runs and the truth> */
+    /* follow the three runs and the truth */
     for (int k = 1; k <= HORIZON; k++) {
         for (int i = 0; i < 256; i++) ref_step(hanging, 2, 1.0 / 60 / 256, place[0], v);
         if (k % HORIZON_EACH == 0) fprintf(out, "%.2f", k / 60.0);
@@ -554,7 +557,8 @@ int labHorizon(FILE *out)
     for (int i = 0; i < HORIZON_RUNS; i++) wfDestroyWorld(&world[i]);
     return 0;
 }
-/* <measure islands apart> */
+
+/* measure islands apart */
 static wfResult build_islands(wfWorld *world)
 {
     wfResult result = build_stack(world);
@@ -562,7 +566,7 @@ static wfResult build_islands(wfWorld *world)
     if (result == WF_OK) result = put(world, particle(), 0, 1, 7, 9, NULL);
     return result;
 }
-/* <measure islands apart> */
+
 static int islands_apart(FILE *out, const char *name, const labDials *dials)
 {
     static const labTruth scene = { "islands", build_islands, NULL, 0, 0, 0 };
@@ -584,7 +588,7 @@ static int islands_apart(FILE *out, const char *name, const labDials *dials)
     fprintf(out, "%s,%.1e,%.1e,%.1e\n", name, off[2], off[1], off[0]);
     return result != WF_OK;
 }
-/* <measure islands apart> */
+
 int labIslands(FILE *out)
 {
     static const labDials one = { "soft", "one-by-one", 1, 4, 1, 0, 0 };
@@ -597,7 +601,8 @@ int labIslands(FILE *out)
         || islands_apart(out, "the same with 4 steps a frame", &more)
         || islands_apart(out, "the exact solver for all", &all);
 }
-/* <give each island a world> */
+
+/* give each island a world */
 static const labTruth threeIslands = { "islands", build_islands, NULL, 0, 0, 0 };
 
 /* m: the size by which errors in a scene are divided */
@@ -612,7 +617,7 @@ static double size_of_scene(const labTruth *scene)
     wfDestroyWorld(&world);
     return size;
 }
-/* <give each island a world> */
+
 /* Prints what is chosen; how many substeps its bodies make in a frame, all together. */
 static int substeps_for(FILE *out, const labTruth *scene, double tolerance)
 {
@@ -628,7 +633,7 @@ static int substeps_for(FILE *out, const labTruth *scene, double tolerance)
     fprintf(out, ",%s x %d", wfMethodTable[c.method].name, (int)c.steps);
     return bodies * c.steps * wfMethodTable[c.method].substeps;
 }
-/* <give each island a world> */
+
 int labWorldsApart(FILE *out)
 {
     static const char *const names[] = { "projectile", "chain", "stack" };
@@ -647,7 +652,8 @@ int labWorldsApart(FILE *out)
     }
     return 0;
 }
-/* <mix islands in one world> */
+
+/* mix islands in one world */
 enum { MIXED_MOST = 40 };           /* towers */
 
 static wfResult build_mixed(wfWorld *world, int towers)
@@ -663,7 +669,7 @@ static wfResult build_mixed(wfWorld *world, int towers)
     if (result == WF_OK) result = put(world, particle(), 0, 1, 7, 9, NULL);
     return result;
 }
-/* <mix islands in one world> */
+
 /* m: how far body i of them that move is from where it should be in frame k */
 static double mixed_off(const wfWorld *world, int towers, int i, int k)
 {
@@ -676,7 +682,7 @@ static double mixed_off(const wfWorld *world, int towers, int i, int k)
     here[0] = (double)p.x - at[0], here[1] = (double)p.y - at[1];
     return sqrt(here[0] * here[0] + here[1] * here[1]);
 }
-/* <mix islands in one world> */
+
 static double mixed_error(wfWorld *world, int towers, const wfAccuracy *c)
 {
     double most = 0, size = size_of_scene(&labTruths[labFindTruth("projectile")]);
@@ -689,7 +695,7 @@ static double mixed_error(wfWorld *world, int towers, const wfAccuracy *c)
     }
     return most;
 }
-/* <mix islands in one world> */
+
 static void count_mixed(const wfWorld *world, const wfAccuracy *c, labMixed *out)
 {
     wfBodyView b = wfWorldBodies(world);
@@ -703,7 +709,7 @@ static void count_mixed(const wfWorld *world, const wfAccuracy *c, labMixed *out
         out->substeps += c->steps * (own > 0 && own < usual ? own : usual);
     }
 }
-/* <mix islands in one world> */
+
 int labMixedRun(int towers, double tolerance, int mixed, int uniform, labMixed *out)
 {
     wfWorld as, all;
@@ -721,7 +727,8 @@ int labMixedRun(int towers, double tolerance, int mixed, int uniform, labMixed *
     wfDestroyWorld(&as);
     return result != WF_OK;
 }
-/* <measure how long a pile can be foreseen> */
+
+/* measure how long a pile can be foreseen */
 enum { PILE_RUNS = 4, PILE_EACH = 3 };          /* frames */
 
 static double pile_apart(const wfWorld *a, const wfWorld *b)
@@ -731,7 +738,7 @@ static double pile_apart(const wfWorld *a, const wfWorld *b)
     places_of(b, y);
     return farthest(n, x, y);
 }
-/* <measure how long a pile can be foreseen> */
+
 int labPileApart(FILE *out)
 {
     const labTruth *scene = &labTruths[labFindTruth("pile")];

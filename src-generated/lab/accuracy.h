@@ -23,7 +23,7 @@ extern const labTruth labTruths[];
 extern const int labTruthCount;
 int labFindTruth(const char *name);             /* -1: no such scene */
 
-/* <the dials of a run> */
+/* the dials of a run */
 typedef struct labDials {
     const char *solver, *joints;   /* names of rows */
     int    steps, substeps, passes;    /* in a frame, in a step, in a substep */
@@ -37,7 +37,6 @@ typedef struct labResult {
     double depth, gap;             /* greatest, as shares of the size */
     double seconds;                /* of processor time, for all frames */
 } labResult;
-/* <the dials of a run> */
 /* A new world with the scene, for that solver, and with fine sums if it keeps them. */
 wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joints,
                       wfWorld *out);
@@ -48,7 +47,6 @@ labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen);
 /* The error of a course that somebody else has computed; reach: of the largest body. */
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
-/* <the dials of a run> */
 /* By how much the pile of steps and of half as long ones are apart, moment by moment. */
 int labPileApart(FILE *out);
 /* By how much a double pendulum is off, s after s, by steps of a frame. */
@@ -57,7 +55,7 @@ int labHorizon(FILE *out);
 int labIslands(FILE *out);
 /* What a tolerance chooses for it, and for three worlds of one island each. */
 int labWorldsApart(FILE *out);
-/* <the dials of a run> */
+
 /* Towers of ten, a chain of ten and a flight in one world, stepped for a tolerance: */
 typedef struct labMixed {
     int    bodies, relaxed;        /* that move; that make fewer substeps than others */

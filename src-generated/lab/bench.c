@@ -78,9 +78,8 @@ static void bench_touch(labBench *b, wfReal margin)
         for (int k = i + 1; k < b->count; k++)
             if (b->state[i].invMass > 0 || b->state[k].invMass > 0)
                 bench_pair(b, i, k, margin);
-    /* <hand the impulses of the last step on> */
+    /* hand the impulses of the last step on */
     (void)old;      /* nothing is remembered yet */
-    /* <hand the impulses of the last step on> */
     int at = 0;
     for (int n = 0; n < b->contacts; n++) {
         wfContact *c = &b->contact[n];

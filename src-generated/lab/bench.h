@@ -4,13 +4,10 @@
 #ifndef WEFT_LAB_BENCH_H
 #define WEFT_LAB_BENCH_H
 /* What measurements share, and how a chapter adds its own. Source: chapter 04. */
-/* <headers of the bench> */
 #include <stdio.h>
 #include "lab/lab.h"
-/* <headers of the bench> */
 #include "weft/contact.h"
 #include "weft/resolve.h"
-/* <headers of the bench> */
 #include "weft/joint.h"
 
 /* lab/NAME.c ends with   const wfMeasureSet NAME_measurements = WF_ROWS(rows);   */
@@ -18,10 +15,9 @@
 #include "lab/list.h"
 #undef CHAPTER
 
-/* <declarations of the bench> */
 /* By how much the larger of two positive numbers exceeds the other, as a share of it. */
 double labRelative(double got, double want);
-/* <declarations of the bench> */
+
 enum { BENCH_BODIES = 404, BENCH_CONTACTS = 2048 };
 typedef struct labBench {
     wfShape      shape[BENCH_BODIES];
@@ -45,14 +41,12 @@ int labAddDisc(labBench *b, double x, double y, double r, double mass, double mu
 void labStepBench(labBench *b);
 void labRunBench(labBench *b, int steps);
 double labCreepOnSlope(const char *solver, double steep);
-/* <declarations of the bench> */
 void labStackBoxes(labBench *b, const char *solver, int boxes);
-/* <declarations of the bench> */
 double labSlideError(const char *solver, int passes);
 double labRollError(const char *solver, int passes);
 /* how far a box creeps between the fifth and the tenth second, m */
 double labLateCreep(const char *solver, int passes, double steep);
-/* <declarations of the bench> */
+
 enum { JOINTS_MOST = 24 };
 typedef struct labChain {
     wfBodyState state[JOINTS_MOST];
@@ -67,8 +61,6 @@ typedef struct labChain {
 void labMakeChain(labChain *c, int links, double load, int substeps, int passes);
 double labMean(double a, double b)       /* Gauss's arithmetic-geometric mean */;
 double labSwingEnergy(const wfBodyState *s);
-/* <declarations of the bench> */
 double labSeconds(void);
-/* <declarations of the bench> */
 int labNeedsDoubles(const char *name);
 #endif

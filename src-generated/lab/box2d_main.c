@@ -8,7 +8,7 @@
 #include <time.h>
 #include "box2d/box2d.h"
 
-/* <scenes for Box2D> */
+/* scenes for Box2D */
 static b2BodyId body_at(b2WorldId world, b2BodyType type, double x, double y)
 {
     b2BodyDef d = b2DefaultBodyDef();
@@ -25,7 +25,7 @@ static void add_box(b2WorldId world, b2BodyType type, double x, double y, double
     b2Polygon box = b2MakeBox((float)(width / 2), (float)(height / 2));
     b2CreatePolygonShape(body_at(world, type, x, y), &d, &box);
 }
-/* <scenes for Box2D> */
+
 static void pile(b2WorldId world)
 {
     b2ShapeDef d = b2DefaultShapeDef();
@@ -47,7 +47,7 @@ static void pyramid(b2WorldId world)
         for (int i = 0; i < 100 - row; i++)
             add_box(world, b2_dynamicBody, 0.5 * (row + 1 - 100) + i, row + 0.5, 1, 1);
 }
-/* <scenes for Box2D> */
+
 static void hinge(b2WorldId world, b2BodyId a, b2BodyId b, float x, float y)
 {
     b2RevoluteJointDef d = b2DefaultRevoluteJointDef();
@@ -57,7 +57,7 @@ static void hinge(b2WorldId world, b2BodyId a, b2BodyId b, float x, float y)
     d.base.localFrameB.p = (b2Vec2){ -x, -y };
     b2CreateRevoluteJoint(world, &d);
 }
-/* <scenes for Box2D> */
+
 static void grid(b2WorldId world)
 {
     static b2BodyId ids[100][100];
@@ -74,7 +74,8 @@ static void grid(b2WorldId world)
             if (k > 0) hinge(world, ids[k - 1][i], ids[k][i], 0.5f, 0);
         }
 }
-/* <steered scenes for Box2D> */
+
+/* steered scenes for Box2D */
 static b2BodyId pusher;
 
 static void tile(b2BodyId body, double x, double y, double width, double height)
@@ -86,7 +87,7 @@ static void tile(b2BodyId body, double x, double y, double width, double height)
     b2CreatePolygonShape(body, &d, &box);
 }
 
-/* <steered scenes for Box2D> */
+
 static void junkyard(b2WorldId world)
 {
     b2ShapeDef d = b2DefaultShapeDef();
@@ -94,7 +95,7 @@ static void junkyard(b2WorldId world)
     b2BodyId ground = body_at(world, b2_staticBody, 0, 0);
     for (int i = 0; i < 161; i++) tile(ground, i - 80, 0, 1.1, 1);
     for (int i = 0; i < 100; i++) tile(ground, i % 2 ? -80 : 80, 1 + i / 2, 1, 1.1);
-    /* <make a body of five corners for Box2D> */
+    /* make a body of five corners for Box2D */
     for (int i = 0; i < 5; i++) {
         double turn = 3.14159265358979323846 * (sqrt(5) - 1) * i;
         v[i] = (b2Vec2){ (float)(cos(turn) / 4), (float)(sin(turn) / 4) };
@@ -108,7 +109,7 @@ static void junkyard(b2WorldId world)
     pusher = body_at(world, b2_kinematicBody, 0, 0);
     tile(pusher, 0, 4, 4, 8);
 }
-/* <steered scenes for Box2D> */
+
 static double pushed(int k) { return 60 * sin(k / 300.0); }
 
 static void push(int k)
@@ -116,8 +117,7 @@ static void push(int k)
     double before = k > 0 ? pushed(k - 1) : 0;
     b2Body_SetLinearVelocity(pusher, (b2Vec2){ (float)(60 * (pushed(k) - before)), 0 });
 }
-/* <steered scenes for Box2D> */
-/* <bones of a ragdoll> */
+
 /* heights in m above the feet; a capsule from `low` to `high` about y; limits in half turns
    from `bent`; `friction` is a share of 0.05 N m; damping in 1/s */
 enum { BONES = 11 };
@@ -138,7 +138,7 @@ static const struct {
     { 1, 1.225, -0.125, 0.125, 0.035, 1.35, -0.1, 0.8, 0.5, 0, 0, 0 },
     { 9, 0.975, -0.125, 0.125, 0.03, 1.1, -0.2, 0.3, 0.1, 0.1, 0.25, 0 },
 };
-/* <bones of a ragdoll> */
+
 static const double soles[4][2] = { { -0.03, -0.185 }, { 0.11, -0.185 }, { 0.11, -0.16 },
                                     { -0.03, -0.14 } };     /* in a coat of 15 mm */
 enum { SHELVES = 5, COLUMNS = 40, CROWD = 5, SHELF = 501, MAKE_EVERY = 8 };
@@ -173,7 +173,7 @@ static void add_bone(b2BodyId id, int bone, int place)
     d.filter = (b2Filter){ .categoryBits = 2, .maskBits = 3, .groupIndex = -1 - place };
     b2CreateCapsuleShape(id, &d, &c);
     if (!bones[bone].foot) return;
-    /* <add a foot for Box2D> */
+    /* add a foot for Box2D */
     for (int i = 0; i < 4; i++) v[i] = (b2Vec2){ (float)soles[i][0], (float)soles[i][1] };
     b2Hull hull = b2ComputeHull(v, 4);
     b2Polygon foot = b2MakePolygon(&hull, 0.015f);
@@ -181,7 +181,7 @@ static void add_bone(b2BodyId id, int bone, int place)
     d.filter.maskBits = 1;
     b2CreatePolygonShape(id, &d, &foot);
 }
-/* <steered scenes for Box2D> */
+
 static void hang_bone(b2WorldId world, const b2BodyId *doll, int bone)
 {
     b2RevoluteJointDef d = b2DefaultRevoluteJointDef();
@@ -198,7 +198,7 @@ static void hang_bone(b2WorldId world, const b2BodyId *doll, int bone)
     d.dampingRatio = 0.5f;
     b2CreateRevoluteJoint(world, &d);
 }
-/* <steered scenes for Box2D> */
+
 static void make_doll(b2WorldId world, b2BodyId *doll, double x, double y, int place)
 {
     for (int i = 0; i < BONES; i++) {
@@ -219,7 +219,7 @@ static void rain(int k)
         make_doll(rained, doll, x, 40 + 45 * (i / CROWD), i % CROWD);
     }
 }
-/* <steered scenes for Box2D> */
+
 enum { SMALL = 6076, HALL = 360 };
 static b2BodyId small[SMALL];
 
@@ -238,7 +238,7 @@ static b2BodyId hall(b2WorldId world)
     b2CreateChain(ground, &d);
     return ground;
 }
-/* <steered scenes for Box2D> */
+
 static void add_bar(b2WorldId world, b2BodyId ground)
 {
     b2ShapeDef s = b2DefaultShapeDef();
@@ -254,7 +254,7 @@ static void add_bar(b2WorldId world, b2BodyId ground)
     d.maxMotorTorque = 1e30f;
     b2CreateRevoluteJoint(world, &d);
 }
-/* <steered scenes for Box2D> */
+
 static void spinner(b2WorldId world)
 {
     b2ShapeDef s = b2DefaultShapeDef();
@@ -282,13 +282,14 @@ static int out_of_hall(void)
     }
     return out;
 }
-/* <time the scenes in Box2D> */
+
+/* time the scenes in Box2D */
 static int compare(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
-/* <time the scenes in Box2D> */
+
 typedef struct Scene {
     const char *name;
     void (*build)(b2WorldId world);
@@ -316,7 +317,7 @@ static double median_step(const Scene *scene, b2Counters *counters, int *lost)
     qsort(times, (size_t)scene->runs, sizeof *times, compare);
     return times[scene->runs / 2];
 }
-/* <time the scenes in Box2D> */
+
 int main(int argc, char **argv)
 {
     static const Scene scenes[] = {

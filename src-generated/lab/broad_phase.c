@@ -38,7 +38,7 @@ static void fillBroadWorld(BroadWorld *world, int n, int scene, int frame)
         wfReal vx = wfRandomReal(&random, -1, 1), vy = wfRandomReal(&random, -1, 1);
         wfReal t = (wfReal)frame / 60;
         world->flags[i] = WF_PROXY_LIVE | WF_PROXY_MOVES;
-        /* <place box i of the scene> */
+        /* place box i of the scene */
         if (scene == 1) w = WF_R(0.3) / wfRandomReal(&random, WF_R(0.02), 1);
         if (scene == 2) {
             wfRandom place;
@@ -74,7 +74,7 @@ static int64_t countByTree(BroadWorld *world, int n, wfQuadReach reach, int *pai
     if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return -1;
     if (wfQuadTreeBuild(&tree, &pool, &in) != WF_OK) return -1;
     if (reach == WF_QUAD_SAME_NODE) {
-        /* <build the report's tree, which has no buckets> */
+        /* build the report's tree, which has no buckets */
         wfQuadTreeDef def = { wfQuadTreeRect(&tree, 0), n, 8 * n, WF_QUAD_MAX_DEPTH, 0 };
         wfPoolReset(&pool);
         if (wfQuadTreeInit(&tree, &pool, &def) != WF_OK) return -1;
@@ -107,7 +107,7 @@ static bool countBroadTests(BroadWorld *world, int n, int64_t *now, int *pairs, 
     wfPool pool;
     bool same = true;
     if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return false;
-    /* <count brute force, the sweep along x and the two walks of the quad tree> */
+    /* count brute force, the sweep along x and the two walks of the quad tree */
     if (wfSweepAlong(0, &in, &pool, &list) != WF_OK) return false;
     now[BROAD_COLUMNS - 1] = list.tests;
     found[BROAD_COLUMNS - 1] = list.count;
@@ -238,7 +238,7 @@ static int timeBroadScene(FILE *out, BroadWorld *world, int scene)
         }
         fprintf(out, "%s,%d,%d", broadScenes[scene], n, pairs);
         for (int row = 0; row < wfBroadPhaseCount; row++) {
-            /* <write the time of a row and its exponent> */
+            /* write the time of a row and its exponent */
             double each = now[row] / n;
             if (now[row] > 0) fprintf(out, each < 100 ? ",%.1f," : ",%.0f,", each);
             else fprintf(out, ",,");
@@ -312,7 +312,7 @@ static bool timeFree(BroadWorld *world, int row, double *move, double *find, int
         if (!stepBroadRow(world, row, &in, &list)) return false;
         clock_t end = clock();
         *pairs = list.count;
-        /* <enter both times in rising order> */
+        /* enter both times in rising order */
         double a = (double)(middle - start) / CLOCKS_PER_SEC;
         double b = (double)(end - middle) / CLOCKS_PER_SEC;
         if (run < 0) continue;
@@ -367,7 +367,7 @@ static int measure_broad_fat(FILE *out)
         wfTree tree;
         int64_t changes = 0, tests = 0;
         fillFree(world);
-        /* <fly with this ratio and count> */
+        /* fly with this ratio and count */
         if (wfTreeInit(&tree, world->index, sizeof world->index, FLYERS) != WF_OK) return 1;
         for (int step = -STEPS; step < STEPS; step++) {          /* the first half is not counted */
             wfPool pool;

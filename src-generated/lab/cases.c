@@ -5,11 +5,11 @@
 #include "lab/cases.h"
 #include "weft/weft.h"
 
-/* <helpers of the cases> */
+/* helpers of the cases */
 static const double FAILED = HUGE_VAL;
 
 static double larger(double a, double b) { return a >= b || isnan(a) ? a : b; }
-/* <helpers of the cases> */
+
 static wfResult weightless(int32_t bodies, wfWorld *world)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -23,7 +23,7 @@ static wfReal power_of_ten(wfRandom *r, double low, double high)
 {
     return (wfReal)pow(10, (double)wfRandomReal(r, (wfReal)low, (wfReal)high));
 }
-/* <helpers of the cases> */
+
 /* A shape about a metre large, and where its body's origin is: anywhere, turned anyhow. */
 static bool random_shape(wfRandom *r, wfShape *shape, wfTransform *where, wfReal *angle)
 {
@@ -43,7 +43,7 @@ static bool random_shape(wfRandom *r, wfShape *shape, wfTransform *where, wfReal
     default: return wfMakePolygon(corner, n, shape) == WF_OK;
     }
 }
-/* <helpers of the cases> */
+
 /* How far a point is outside of a placed circle or polygon; below 0: within. */
 static double outside(const wfShape *shape, wfTransform where, wfVec2 point)
 {
@@ -62,7 +62,7 @@ static double outside(const wfShape *shape, wfTransform where, wfVec2 point)
     }
     return most;
 }
-/* <helpers of the cases> */
+
 static double reach(const wfShape *shape, wfTransform where, double x, double y)
 {
     wfVec2 rim[WF_RIM_POINTS];
@@ -81,7 +81,7 @@ static double gap_along(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
 {
     return -reach(b, xb, -x, -y) - reach(a, xa, x, y);
 }
-/* <helpers of the cases> */
+
 static bool add_random_body(wfWorld *world, wfRandom *r, int32_t type, wfShape *shape,
                             wfTransform *where, wfBodyId *id)
 {
@@ -105,12 +105,11 @@ static wfResult resolving(wfReal share, wfReal slop, int32_t bodies, wfWorld *wo
     def.bodyCapacity = bodies;
     return wfCreateWorld(&def, world);
 }
-/* <helpers of the cases> */
 /* Puts two random bodies into a world of `resolving`, looks, and takes them out again, so
    often: the worst of what `look` has seen. */
 typedef double PairLook(wfWorld *world, const wfShape s[2], const wfTransform x[2],
                         wfBodyId moving);
-/* <helpers of the cases> */
+
 static double worst_pair(uint64_t seed, wfReal share, wfReal slop, int32_t tries,
                          PairLook *look)
 {
@@ -134,7 +133,7 @@ static double worst_pair(uint64_t seed, wfReal share, wfReal slop, int32_t tries
     wfDestroyWorld(&world);
     return worst;
 }
-/* <helpers of the cases> */
+
 enum { CROWD = 60 };
 
 static bool crowd(wfWorld *world, wfRandom *r)
@@ -157,7 +156,8 @@ static bool room(wfPool *pool)
     static _Alignas(WF_POOL_ALIGN) uint8_t bytes[ROOM];
     return wfPoolInit(pool, ROOM, bytes) == WF_OK;
 }
-/* <cases> */
+
+/* cases */
 static double pulled(wfWorld *world, wfReal mass, wfReal force)
 {
     wfBodyDef d = wfDefaultBodyDefFor(world);
@@ -175,7 +175,7 @@ static double pulled(wfWorld *world, wfReal mass, wfReal force)
     if (wfGetBody(world, id, &info) != WF_OK) return FAILED;
     return wfRemoveBodyFromWorld(world, id) == WF_OK ? (double)info.velocity.x : FAILED;
 }
-/* <cases> */
+
 static double masses(int32_t tries)        /* eq:cases-newton */
 {
     wfWorld world;
@@ -194,7 +194,7 @@ static double masses(int32_t tries)        /* eq:cases-newton */
     wfDestroyWorld(&world);
     return worst;
 }
-/* <cases> */
+
 /* The plank gets one push, at `arm` from its centre: what it is wrong by. */
 static double pushed(wfWorld *world, const wfBodyDef *d, wfReal arm, wfReal force)
 {
@@ -213,7 +213,7 @@ static double pushed(wfWorld *world, const wfBodyDef *d, wfReal arm, wfReal forc
     if (arm > 0) return larger(wrong, fabs((double)after.angularVelocity / turn - 1));
     return larger(wrong, fabs((double)after.angularVelocity));
 }
-/* <cases> */
+
 static double arms(int32_t tries)
 {
     wfWorld world;
@@ -232,7 +232,7 @@ static double arms(int32_t tries)
     wfDestroyWorld(&world);
     return worst;
 }
-/* <cases> */
+
 /* The widest of the gaps in 720 directions, m; below 0: none has one. */
 static double widest_gap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb)
 {
@@ -259,7 +259,7 @@ static double axis_is_wrong_by(wfRandom *r)
     if (said < 0) return larger(worst, best - said);         /* a better axis */
     return worst;
 }
-/* <cases> */
+
 static double axes(int32_t tries)
 {
     wfRandom r;
@@ -268,7 +268,7 @@ static double axes(int32_t tries)
     for (int32_t i = 0; i < tries; i++) worst = larger(worst, axis_is_wrong_by(&r));
     return worst;
 }
-/* <cases> */
+
 static double points_are_wrong_by(wfRandom *r, labCollide *collide)
 {
     wfShape a, b;
@@ -294,7 +294,7 @@ static double points_are_wrong_by(wfRandom *r, labCollide *collide)
     if (widest < -0.02 && !deep) return -widest;             /* eq:cases-tried */
     return worst;
 }
-/* <cases> */
+
 double labPoints(int32_t tries, labCollide *collide)
 {
     wfRandom r;
@@ -306,7 +306,7 @@ double labPoints(int32_t tries, labCollide *collide)
 }
 
 static double points(int32_t tries) { return labPoints(tries, wfCollide); }
-/* <cases> */
+
 typedef struct Overlap { const wfShape *s; const wfTransform *x; } Overlap;
 
 static double in_both(const Overlap *o, double x, double y)
@@ -325,7 +325,7 @@ static double deepest_at(const Overlap *o, double x)
     }
     return in_both(o, x, (low + high) / 2);
 }
-/* <cases> */
+
 static double deepest(const Overlap *o)                     /* eq:cases-deepest */
 {
     double low = -2, high = 2;
@@ -336,7 +336,7 @@ static double deepest(const Overlap *o)                     /* eq:cases-deepest 
     }
     return deepest_at(o, (low + high) / 2);
 }
-/* <cases> */
+
 /* By how much the colour is wrong: how deep two white bodies overlap, how far apart two
    red ones are. */
 static double colours_are_wrong_by(wfWorld *world, const wfShape s[2],
@@ -354,19 +354,19 @@ static double colours_are_wrong_by(wfWorld *world, const wfShape s[2],
     double sigma = deepest(&o);
     return larger(0, red ? sigma : -sigma);
 }
-/* <cases> */
+
 static double colours(int32_t tries)
 {
     return worst_pair(5, 0, WF_R(0.005), tries, colours_are_wrong_by);
 }
-/* <cases> */
+
 static bool holds(wfRect node, wfRect box)
 {
     wfReal border = 16 * WF_EPSILON;
     return node.min.x <= box.min.x + border && node.min.y <= box.min.y + border
         && node.max.x >= box.max.x - border && node.max.y >= box.max.y - border;
 }
-/* <cases> */
+
 /* Goes from the root to the node of a proxy by quarters, and compares. */
 static bool in_the_right_node(const wfQuadTree *tree, int32_t proxy, wfRect box)
 {
@@ -385,7 +385,7 @@ static bool in_the_right_node(const wfQuadTree *tree, int32_t proxy, wfRect box)
     }
     return depth == 0 || (holds(area, box) && holds(root, box));
 }
-/* <cases> */
+
 static double nodes(int32_t tries)
 {
     wfRandom r;
@@ -406,7 +406,7 @@ static double nodes(int32_t tries)
     }
     return wrong;
 }
-/* <cases> */
+
 static bool boxes_overlap(wfRect a, wfRect b)
 {
     return a.min.x <= b.max.x && b.min.x <= a.max.x
@@ -426,7 +426,7 @@ static int32_t wrong_pairs(const wfProxies *in, const wfPairList *got)
         }
     return wrong + got->count - at;
 }
-/* <cases> */
+
 static double pairs(int32_t tries)
 {
     static wfPair list[CROWD * CROWD];
@@ -448,7 +448,7 @@ static double pairs(int32_t tries)
     }
     return wrong;
 }
-/* <cases> */
+
 static double pressed(wfWorld *world, const wfShape s[2], const wfTransform x[2],
                       wfBodyId id)
 {
@@ -465,41 +465,33 @@ static double pressed(wfWorld *world, const wfShape s[2], const wfTransform x[2]
     if (before.distance >= 0) return larger(wrong, (double)wfLength(way));
     return larger(wrong, -2 * deepest(&o) - 1e-4);   /* eq:cases-left */
 }
-/* <cases> */
+
 static double correction(int32_t tries)
 {
     return worst_pair(8, 1, WF_R(1e-4), tries, pressed);
 }
 
 const labCase labCases[] = {
-    /* <rows of the case table> */
     { "TC01", "mass decides how a body moves", "the same force on M and on k M for a second",
       "M gets k times the speed of k M, and F t / M", masses, 360 * (double)WF_EPSILON,
       "of the speed", 200 },
-    /* <rows of the case table> */
     { "TC02", "where a force acts decides how a body turns",
       "the same push on a plank at eleven places from its centre to its end",
       "all go equally fast; the turning grows with the arm", arms,
       100 * (double)WF_EPSILON, "of the rate", 200 },
-    /* <rows of the case table> */
     { "TC03", "the axis that separates two bodies", "two shapes anywhere; 720 axes tried",
       "shadows on the axis say the same; no axis has less overlap", axes,
       (double)WF_AXIS_TIE + 24 * (double)WF_EPSILON, "m", 2000 },
-    /* <rows of the case table> */
     { "TC04", "the points of contact", "two shapes anywhere",
       "half the depth to either side lies the surface of a body; no point where there is a gap",
       points, 50 * (double)WF_EPSILON, "m", 2000 },
-    /* <rows of the case table> */
     { "TC05", "do two bodies collide, to the pixel", "two bodies anywhere in a world",
       "red if a point is in both, else white", colours,
       4e-6 + 50 * (double)WF_EPSILON, "m", 500 },
-    /* <rows of the case table> */
     { "TC06", "is a body in the right node of the quad tree", "60 bodies anywhere",
       "the way to its node is the way to its place", nodes, 0, "bodies", 50 },
-    /* <rows of the case table> */
     { "TC07", "the pairs that may touch", "60 bodies anywhere, every broad phase",
       "the pairs whose boxes overlap, each once, and no others", pairs, 0, "pairs", 50 },
-    /* <rows of the case table> */
     { "TC08", "positional correction", "a body pressed into one that stands",
       "after a step the edges barely touch; nobody is faster", correction,
       8e-6 + 100 * (double)WF_EPSILON, "m or m/s", 500 },

@@ -18,7 +18,6 @@ typedef struct labCase {
 
 extern const labCase labCases[];
 extern const int32_t labCaseCount;
-/* <declarations of the cases> */
 typedef int labCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                        wfManifold *out);
 /* TC04 of a function that is used like wfCollide. */

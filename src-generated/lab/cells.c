@@ -4,18 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lab/lab.h"
-/* <headers of the cells> */
 #include "weft/draw.h"
-/* <headers of the cells> */
 #include "lab/search.h"
-/* <headers of the cells> */
 #include <math.h>
 #include <time.h>
 #include "lab/accuracy.h"
-/* <headers of the cells> */
 #include "lab/extremes.h"
 
-/* <read the words of a cell> */
+/* read the words of a cell */
 const char *wfCellText(const wfCellInput *in, const char *key, const char *otherwise)
 {
     size_t n = strlen(key);
@@ -30,7 +26,8 @@ double wfCellNumber(const wfCellInput *in, const char *key, double otherwise)
     const char *text = wfCellText(in, key, NULL);
     return text == NULL ? otherwise : strtod(text, NULL);
 }
-/* <cells> */
+
+/* cells */
 static int cell_design_text(FILE *out, const wfCellInput *in)
 {
     _Alignas(8) unsigned char memory[256];
@@ -48,7 +45,7 @@ static void sweep_design_text(FILE *out, int full)
     int most = full ? 10 : 3;
     for (int i = 1; i <= most; i++) fprintf(out, "text=%.*s\n", i, letters);
 }
-/* <cells> */
+
 typedef struct AccFile { FILE *file; int bodies; double reach; } AccFile;
 
 /* A body: a disc of `width` if `height` is 0, else a box; half sizes. */
@@ -65,7 +62,7 @@ static void acc_put(AccFile *f, int moves, const double at[2], const double v[2]
             "\"category\":%d,\"mask\":%d}]}", alone ? 2 : 1, alone ? 1 : 65535);
     if (moves) f->reach = fmax(f->reach, sqrt(width * width + height * height));
 }
-/* <cells> */
+
 static void acc_put_chain(AccFile *f, int links, double rod)
 {
     const double rest[2] = { 0, 0 };
@@ -79,7 +76,7 @@ static void acc_put_chain(AccFile *f, int links, double rod)
                 "\"anchorA\":[%.17g,0],\"anchorB\":[%.17g,0]}", i > 0 ? ",\n" : "", i,
                 i + 1, rod * i, rod * (i + 1));
 }
-/* <cells> */
+
 static void acc_write(const labTruth *scene, AccFile *f)
 {
     const char *name = scene->name;
@@ -102,7 +99,7 @@ static void acc_write(const labTruth *scene, AccFile *f)
     }
     fprintf(f->file, "\n]}\n");
 }
-/* <cells> */
+
 /* Reads what an adapter printed; the time of a step in kernels, or -1. */
 static double acc_read(FILE *in, int first, int bodies, labCourse out)
 {
@@ -126,7 +123,7 @@ static double acc_read(FILE *in, int first, int bodies, labCourse out)
     }
     return -1;
 }
-/* <cells> */
+
 static double acc_play(const char *command, const char *printed, int first, int bodies,
                        labCourse out)
 {
@@ -136,7 +133,7 @@ static double acc_play(const char *command, const char *printed, int first, int 
     remove(printed);
     return kernels;
 }
-/* <cells> */
+
 static const char *const acc_peers[] = { "weft", "weft-double", "box2d2", "box2d3",
     "box2d3-web", "chipmunk", "matter", "planck", "rapier" };
 enum { ACC_PEERS = sizeof acc_peers / sizeof *acc_peers };
@@ -149,7 +146,7 @@ static bool acc_turns(int peer, const char *dial)
     if (strcmp(dial, "substeps") == 0) return own || soft;
     return strcmp(dial, "iterations") != 0 || !soft;
 }
-/* <cells> */
+
 /* What the shell is told: all dials but the one named are as the engine likes them. */
 static void acc_command(char *out, size_t room, const char *peer, const char *file,
                         const char *printed, int steps, const char *dial, int value)
@@ -161,7 +158,7 @@ static void acc_command(char *out, size_t room, const char *peer, const char *fi
              "2>/dev/null", folder != NULL ? folder : "build/peers/bin", peer, file,
              LAB_FRAMES * steps, steps, 1.0 / 60 / steps, more, printed);
 }
-/* <cells> */
+
 static FILE *acc_new(const char *name)
 {
     FILE *f = fopen(name, "w");
@@ -170,7 +167,7 @@ static FILE *acc_new(const char *name)
                 " Makefile is; type there: mkdir -p build/lab\n", name);
     return f;
 }
-/* <cells> */
+
 static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
 {
     static labCourse got;
@@ -179,7 +176,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     int value = (int)wfCellNumber(in, "value", 1), steps = 1;
     const char *peer = wfCellText(in, "engine", ""), *dial = wfCellText(in, "dial", "");
     if (scene < 0 || value < 1) return 1;
-    /* <write the scene for the peer> */
+    /* write the scene for the peer */
     snprintf(file, sizeof file, "build/lab/peer-%.16s-%d-%.16s-%d.json", peer, scene, dial,
              value);
     snprintf(printed, sizeof printed, "%s.csv", file);
@@ -200,7 +197,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     fprintf(out, ",%s\n", kernels < 0 ? "absent or refused" : failed ? "failed" : "");
     return 0;
 }
-/* <cells> */
+
 static void sweep_accuracy_peers(FILE *out, int full)
 {
     static const char *const dials[] = { "steps", "substeps", "iterations" };
@@ -215,7 +212,7 @@ static void sweep_accuracy_peers(FILE *out, int full)
                                 acc_peers[i], dials[d], v);
     }
 }
-/* <cells> */
+
 static int cell_accuracy_broad(FILE *out, const wfCellInput *in)
 {
     const char *method = wfCellText(in, "method", "");
@@ -240,7 +237,7 @@ static void sweep_accuracy_broad(FILE *out, int full)
     for (int every = 4; every <= 16; every *= 4)
         fprintf(out, "method=grid every=%d\n", every);
 }
-/* <cells> */
+
 static int cell_accuracy_narrow(FILE *out, const wfCellInput *in)
 {
     const char *method = wfCellText(in, "method", "");
@@ -264,7 +261,7 @@ static void sweep_accuracy_narrow(FILE *out, int full)
     for (int steps = 1; steps <= 10; steps++)
         fprintf(out, "method=walk corners=16 steps=%d\n", steps);
 }
-/* <cells> */
+
 enum { ACC_DIALS = 7 };
 /* Where a dial turns: name, for whom, and the dials at the value v. */
 static const char *const acc_dial[ACC_DIALS] = { "substeps", "steps", "passes",
@@ -290,7 +287,7 @@ static bool acc_fits(int scene, int dial)
     if (free) return dial == 1;
     return joined ? dial != 2 && dial != 3 && dial != 5 : dial != 4;
 }
-/* <cells> */
+
 static void sweep_accuracy(FILE *out, int full)
 {
     int last = full ? 256 : 32;
@@ -310,7 +307,7 @@ static bool acc_words(const wfCellInput *in, int *scene, int *dial, int *value)
     while (*dial < ACC_DIALS && strcmp(acc_dial[*dial], name) != 0) ++*dial;
     return *scene >= 0 && *dial < ACC_DIALS && *value >= 1;
 }
-/* <cells> */
+
 static int cell_accuracy(FILE *out, const wfCellInput *in)
 {
     int scene, dial, value;
@@ -325,7 +322,7 @@ static int cell_accuracy(FILE *out, const wfCellInput *in)
     fprintf(out, ",%d\n", r.failed);
     return 0;
 }
-/* <cells> */
+
 /* s for a thousand multiplications and additions, each of which waits for the one before */
 static double acc_kernel(void)
 {
@@ -337,7 +334,7 @@ static double acc_kernel(void)
     (void)out;
     return (double)(clock() - start) / CLOCKS_PER_SEC / 4000;
 }
-/* <cells> */
+
 static int cell_accuracy_time(FILE *out, const wfCellInput *in)
 {
     int scene, dial, value;
@@ -355,7 +352,7 @@ static int cell_accuracy_time(FILE *out, const wfCellInput *in)
     fprintf(out, ",%d\n", r.failed);
     return 0;
 }
-/* <cells> */
+
 static int cell_accuracy_own(FILE *out, const wfCellInput *in)
 {
     int towers = (int)wfCellNumber(in, "towers", 0);
@@ -376,9 +373,8 @@ static void sweep_accuracy_own(FILE *out, int full)
             fprintf(out, "towers=%d tolerance=%.0e substeps=all\n"
                     "towers=%d tolerance=%.0e substeps=own\n", towers, t, towers, t);
 }
-/* <cells> */
+
 static const struct { const char *name, *adapter, *options; } extremeEngines[] = {
-    /* <rows of the engines at the extremes> */
     { "weft", "weft", "" }, { "weft double", "weft-double", "" },
     { "Box2D 2.4", "box2d2", "" }, { "Box2D 3", "box2d3-web", "" },
     { "Chipmunk2D", "chipmunk", "" }, { "Matter.js", "matter", "" },
@@ -388,7 +384,7 @@ static const struct { const char *name, *adapter, *options; } extremeEngines[] =
     { "Box2D 3.2", "box2d3", "" },
 };
 enum { EXTREME_ENGINES = sizeof extremeEngines / sizeof *extremeEngines };
-/* <cells> */
+
 /* plays a scene; the exit status, -1 if there is none to be read */
 static int play_extreme(const char *scene, int engine, const labScene *s, int fast)
 {
@@ -408,7 +404,7 @@ static int play_extreme(const char *scene, int engine, const labScene *s, int fa
     fclose(f);
     return status;
 }
-/* <cells> */
+
 static const char *outcome(int status)
 {
     switch (status) {
@@ -418,7 +414,7 @@ static const char *outcome(int status)
     default: return "crash";
     }
 }
-/* <cells> */
+
 static int cell_extremes(FILE *out, const wfCellInput *in)
 {
     int row = labFindExtreme(wfCellText(in, "extreme", "")), rank = 0;
@@ -436,7 +432,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     if (f == NULL) return 1;
     labBuildExtreme(e, value, f, &s);
     if (fclose(f) != 0) return 1;
-    /* <play the scene and judge it> */
+    /* play the scene and judge it */
     int status = play_extreme(scene, engine, &s, s.fast);
     if (status == 3 && s.fast) status = play_extreme(scene, engine, &s, 0);
     const char *verdict = outcome(status);
@@ -447,7 +443,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     }
     fprintf(out, "%s,%s,%d,%d,%.9g,%s,%.3g,%.3g\n", e->name, extremeEngines[engine].name,
             engine, rank, value, verdict, error, harm);
-    /* <remove the files of a cell> */
+    /* remove the files of a cell */
     static const char *const ends[] = { "json", "csv", "err", "status" };
     for (int i = 0; i < 4 && getenv("WEFT_KEEP") == NULL; i++) {
         snprintf(file, sizeof file, "%s.%s", scene, ends[i]);
@@ -455,7 +451,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     }
     return 0;
 }
-/* <cells> */
+
 static void sweep_extremes(FILE *out, int full)
 {
     for (int row = 0; row < labExtremeCount; row++) {
@@ -470,20 +466,16 @@ static void sweep_extremes(FILE *out, int full)
 }
 
 const wfCellRow wfCellTable[] = {
-    /* <rows of the cell table> */
     { "design-text", "bytes that a text takes in a list", "text,bytes", cell_design_text,
       sweep_design_text },
-    /* <rows of the cell table> */
     { "accuracy-peers-time", "error and time of a frame, by engine and dial",
       "scene,engine,dial,value,kernels,error,remark", cell_accuracy_peers,
       sweep_accuracy_peers },
-    /* <rows of the cell table> */
     { "accuracy-broad", "pairs looked at for nothing and pairs missed, by broad phase",
       "method,margin,every,tests,searches,vain,missed", cell_accuracy_broad,
       sweep_accuracy_broad },
     { "accuracy-narrow", "error of a place of contact, by narrow phase and corners of a disc",
       "method,corners,steps,mean,worst,depth", cell_accuracy_narrow, sweep_accuracy_narrow },
-    /* <rows of the cell table> */
     { "accuracy-own", "substeps and errors where islands have their own, and where not",
       "towers,tolerance,substeps,bodies,chosen,relaxed,work,estimate,error",
       cell_accuracy_own, sweep_accuracy_own },
@@ -492,7 +484,6 @@ const wfCellRow wfCellTable[] = {
       sweep_accuracy },
     { "accuracy-solvers-time", "error and time of a frame, by scene and by dial of a solver",
       "scene,dial,value,kernels,error,failed", cell_accuracy_time, sweep_accuracy },
-    /* <rows of the cell table> */
     { "extremes", "scenes with exact answers, swept past sense, on every engine",
       "extreme,engine,column,rank,value,verdict,error,harm", cell_extremes, sweep_extremes },
 };
@@ -505,7 +496,7 @@ int wfFindCell(const char *name)
     return -1;
 }
 
-/* <run a sweep> */
+/* run a sweep */
 static int run_words(const wfCellRow *row, char *line, FILE *out)
 {
     const char *word[16];

@@ -5,7 +5,8 @@
 #include "weft/compound.h"
 #include "lab/outlines.h"
 #include "lab/bench.h"
-/* <take a part away by subtraction, the wrong way> */
+
+/* take a part away by subtraction, the wrong way */
 static wfMassData subtract_part(wfMassData all, wfMassData part)
 {
     wfMassData rest;
@@ -32,7 +33,7 @@ static int measure_compound_remove(FILE *out)
         if (wfCombineMasses(part, 2, &all) != WF_OK) return 1;
         if (wfCombineMasses(part, 1, &again) != WF_OK) return 1;
         rest = subtract_part(all, part[1]);
-        /* <print what is left of the small box> */
+        /* print what is left of the small box */
         double centre = (double)wfDistance(rest.centre, part[0].centre);
         double inertia = (double)(rest.inertia / part[0].inertia) - 1;
         double error = (double)(again.inertia / part[0].inertia) - 1;

@@ -33,7 +33,7 @@ static int measure_contacts_tilt(FILE *out)
     }
     return 0;
 }
-/* <find contacts the report's way> */
+
 /* the two middle ones of the different values among n; false if there are too few */
 static bool reportMiddle(wfReal *v, int n, wfReal equal, wfReal middle[2])
 {
@@ -50,7 +50,7 @@ static bool reportMiddle(wfReal *v, int n, wfReal equal, wfReal middle[2])
     middle[1] = v[m / 2];
     return true;
 }
-/* <find contacts the report's way> */
+
 typedef struct ReportPoint { wfVec2 point, counterpart; bool ofB; } ReportPoint;
 
 static int reportEdges(const wfVec2 *corners, const wfSeparation *s, ReportPoint *out)
@@ -74,7 +74,7 @@ static int reportEdges(const wfVec2 *corners, const wfSeparation *s, ReportPoint
         }
     return count;
 }
-/* <find contacts the report's way> */
+
 static int reportVertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparation *s,
                         ReportPoint *out)
 {
@@ -87,7 +87,7 @@ static int reportVertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparati
     out[0] = (ReportPoint){ c[best], wfAddScaled(c[best], s->distance, centres), ofB };
     return 1;
 }
-/* <find contacts the report's way> */
+
 static int reportContacts(const wfShape *a, wfTransform xa, const wfShape *b,
                           wfTransform xb, const wfSeparation *s, ReportPoint *out)
 {
@@ -136,7 +136,7 @@ static int measure_contacts_report(FILE *out)
         int none = 0, points = 0, off = 0;
         wfReal worst = 0, ours = 0;
         for (int i = 0; i < 2000; i++) {
-            /* <judge both ways on one pair> */
+            /* judge both ways on one pair */
             wfTransform xa, xb;
             wfSeparation s;
             wfManifold m;
@@ -165,7 +165,8 @@ static int measure_contacts_report(FILE *out)
     }
     return 0;
 }
-/* <slide over tiles> */
+
+/* slide over tiles */
 enum { SLIDE_NEAR = 8, SLIDE_PASSES = 64 };
 #define SLIDE_TILE WF_R(0.5)
 #define SLIDE_SPEED WF_R(4.7)
@@ -189,7 +190,7 @@ static void slideCollide(Slide *s)
         *m = now;
     }
 }
-/* <slide over tiles> */
+
 /* changes the impulse so far by what makes the velocity along d zero, within limits */
 static void slidePush(Slide *s, wfVec2 d, const wfContactPoint *c, wfReal *sum,
                       wfReal low, wfReal high)
@@ -213,7 +214,7 @@ static void slideSolve(Slide *s)
                 slidePush(s, n, c, &c->normalImpulse, 0, WF_HUGE);
             }
 }
-/* <slide over tiles> */
+
 /* steps for as long as 1000 tiles take; returns the greatest vertical speed, m/s */
 static wfReal slideAlong(Slide *s)
 {
@@ -237,7 +238,7 @@ static wfReal slideAlong(Slide *s)
     }
     return most;
 }
-/* <slide over tiles> */
+
 static const char *const slideBodies[] = {
     "box", "rounded box", "hexagon", "capsule lying", "circle", "circle rolling" };
 
@@ -256,7 +257,7 @@ static void slideShape(int body, wfShape *s)
     default: wfMakeCircle(wfV2(0, 0), WF_R(0.3), s); break;
     }
 }
-/* <slide over tiles> */
+
 static void slideTile(int kind, wfShape *s)
 {
     wfReal l = SLIDE_TILE;
@@ -264,7 +265,7 @@ static void slideTile(int kind, wfShape *s)
     if (kind == 1) wfMakeSegment(wfV2(l, 0), wfV2(0, 0), s);
     if (kind == 2) wfMakeLink(wfV2(2 * l, 0), wfV2(l, 0), wfV2(0, 0), wfV2(-l, 0), s);
 }
-/* <slide over tiles> */
+
 static void slideStart(Slide *s, int body, int kind)
 {
     wfMassData mass;
@@ -299,7 +300,8 @@ static int measure_contacts_tiles(FILE *out)
     }
     return 0;
 }
-/* <wander about> */
+
+/* wander about */
 typedef struct Wander {
     wfShape a, b;
     wfTransform xa, xb;
@@ -316,7 +318,7 @@ static void wanderShape(wfRandom *r, wfShape *s)
         }
     } while (wfMakePolygon(p, 8, s) != WF_OK);
 }
-/* <wander about> */
+
 /* a pair that overlaps by at most a twentieth of the smaller reach */
 static void wanderStart(wfRandom *r, Wander *w)
 {
@@ -332,7 +334,7 @@ static void wanderStart(wfRandom *r, Wander *w)
     wfReal out = -s.distance - WF_R(0.05) * w->reach * wfRandomReal(r, 0, 1);
     w->xb.p = wfAddScaled(w->xb.p, out, s.normal);
 }
-/* <wander about> */
+
 static void wanderOn(wfRandom *r, Wander *w, wfReal share)
 {
     wfReal x = wfRandomReal(r, -share, share) * w->reach;
@@ -347,7 +349,7 @@ static wfReal deepestOf(const wfManifold *m)
     for (int i = 0; i < m->count; i++) most = wfMaxR(most, m->points[i].depth);
     return most;
 }
-/* <wander about> */
+
 /* the share of steps that used a manifold again; *worst: how much too deep, by the reach */
 static double wanderAll(wfReal share, wfReal step, double *worst)
 {
@@ -359,7 +361,7 @@ static double wanderAll(wfReal share, wfReal step, double *worst)
         wfManifoldCache cache = { .owner = WF_NO_EDGE };
         wanderStart(&r, &w);
         for (int i = 0; i < 50; i++) {
-            /* <go on a step, and compare a manifold used again with a fresh one> */
+            /* go on a step, and compare a manifold used again with a fresh one */
             wfSeparation s;
             wfManifold fresh, again;
             wanderOn(&r, &w, step);
@@ -410,7 +412,7 @@ static double reuseBatch(const wfShape *a, const wfShape *b, const wfTransform *
     clock_t start = clock();
     for (int i = 0; i < REUSE_POSES * REUSE_ROUNDS; i++) {
         const wfTransform *x = &xb[i % REUSE_POSES];
-        /* <make the manifold this way> */
+        /* make the manifold this way */
         if (way == 1 && wfReuseManifold(a, xa, b, *x, 0, &cache, &m)) {
             points += m.count;
             continue;

@@ -49,7 +49,7 @@ static int measure_drawing_coverage(FILE *out)
             double smooth = drawing_ink(shape[n].kind, shape[n].size, x, y, false);
             double rough = drawing_ink(shape[n].kind, shape[n].size, x, y, true);
             mean += smooth / 256;
-            /* <keep the largest distance from the area> */
+            /* keep the largest distance from the area */
             double a = smooth > area ? smooth - area : area - smooth;
             double b = rough > area ? rough - area : area - rough;
             off = a > off ? a : off;

@@ -6,7 +6,8 @@
 #include "weft/events.h"
 #include "weft/query.h"
 #include "lab/bench.h"
-/* <a pool that calls back> */
+
+/* a pool that calls back */
 enum { POOL_BALLS = 4 };
 typedef struct PoolGame {
     wfSlots list;
@@ -250,7 +251,7 @@ static int measure_queries_school(FILE *out)
         double school = 0, ours = 0;
         int missed = 0, lost = 0;
         for (int i = 0; i < RAYS; i++) {
-            /* <aim a ray at the ball and hit it by both formulas> */
+            /* aim a ray at the ball and hit it by both formulas */
             wfRot q = wfRotation(wfRandomReal(&r, -WF_PI, WF_PI));
             wfReal aside = wfRandomReal(&r, -WF_R(0.8), WF_R(0.8));
             wfVec2 from = wfScale(far, wfV2(q.c, q.s)), target = wfScale(aside, wfV2(-q.s, q.c));

@@ -149,7 +149,7 @@ static void tall_arch(int stones, double thickness)
         for (int k = 0; k < 4; k++) corner[k] = wfSub(corner[k], middle);
         if (wfMakePolygon(corner, 4, &stone) != WF_OK) return;
         if (wfShapeMass(&stone, 1, &mass) != WF_OK) return;
-        /* <move the stone's origin to its centre of mass> */
+        /* move the stone's origin to its centre of mass */
         for (int k = 0; k < 4; k++) corner[k] = wfSub(corner[k], mass.centre);
         if (wfMakePolygon(corner, 4, &stone) != WF_OK) return;
         tall_add(&stone, wfAdd(middle, mass.centre), (double)mass.mass,
@@ -481,7 +481,7 @@ static int measure_exact_budget(FILE *out)
     for (int i = 0; i < 7; i++) {
         int systems = 0, unsolved = 0, cut = 0;
         double work = 0;
-        /* <make scene i of the budget> */
+        /* make scene i of the budget */
         if (i < 4) tall_scene(scene[i]);
         if (i == 2) tall_pyramid(20);
         if (i == 4) tall_heap(0.4);

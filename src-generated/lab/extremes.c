@@ -6,7 +6,7 @@
 #include <string.h>
 #include "testbed/classics.h"
 
-/* <write a scene of the extremes> */
+/* write a scene of the extremes */
 typedef struct Put {
     double x, y, angle, vx, vy, spin, radius, width, height, density;   /* half sizes */
     int    upright, category, mask;         /* mask: 0 stands for all */
@@ -27,7 +27,7 @@ static void put_corners(const labScene *s, const double *corner)
                 corner[2 * i + 1]);
     fputs("],", s->file);
 }
-/* <write a scene of the extremes> */
+
 static int put(labScene *s, const Put *p)
 {
     fprintf(s->file, "%s{\"type\":\"%s\",\"position\":[%.17g,%.17g],\"angle\":%.17g,"
@@ -51,7 +51,8 @@ static void hinge(labScene *s, int a, int b, double x, double y)
     fprintf(s->file, "%s{\"kind\":\"revolute\",\"a\":%d,\"b\":%d,\"anchor\":[%.17g,%.17g]}",
             s->joints++ > 0 ? ",\n" : "\n],\"joints\":[\n", a, b, x, y);
 }
-/* <look at a trace> */
+
+/* look at a trace */
 double labAt(const labTrace *t, int row, int body, int field)
 {
     return t->cell[(size_t)row * (size_t)(2 + LAB_FIELDS * t->bodies)
@@ -62,7 +63,7 @@ double labTime(const labTrace *t, int row)
 {
     return t->cell[(size_t)row * (size_t)(2 + LAB_FIELDS * t->bodies) + 1];
 }
-/* <look at a trace> */
+
 /* how far a body has been from where it began, at most */
 static double moved(const labTrace *t, int body)
 {
@@ -79,7 +80,8 @@ static double at_end(const labTrace *t, int body, int field)
 {
     return labAt(t, t->rows - 1, body, field);
 }
-/* <extremes> */
+
+/* extremes */
 static void throw_ball(labScene *s)
 {
     s->gravity = 10;
@@ -94,7 +96,7 @@ static void build_throw(labScene *s, double rate)
     s->dt = 1 / rate;
     throw_ball(s);
 }
-/* <extremes> */
+
 static void build_distance(labScene *s, double metres)
 {
     s->origin = metres;
@@ -109,7 +111,7 @@ static void judge_throw(const labTrace *t, double value, double *error, double *
     (void)value;
     *error = *harm = hypot(dx, dy) / 5;
 }
-/* <extremes> */
+
 static void build_spin(labScene *s, double spin)
 {
     s->steps = 600;
@@ -122,7 +124,7 @@ static void judge_spin(const labTrace *t, double spin, double *error, double *ha
 {
     *error = *harm = fmax(fabs(at_end(t, 0, LAB_SPIN) / spin - 1), moved(t, 0));
 }
-/* <extremes> */
+
 static void drop_ball(labScene *s, double height, double seconds)
 {
     s->gravity = 10;
@@ -143,7 +145,7 @@ static double peak_after(const labTrace *t, double time)
     }
     return peak;
 }
-/* <extremes> */
+
 static void build_bounce(labScene *s, double e)
 {
     s->restitution = e;
@@ -156,7 +158,7 @@ static void judge_bounce(const labTrace *t, double e, double *error, double *har
     *error = fabs(peak - e * e);
     *harm = peak / 1.01;
 }
-/* <extremes> */
+
 static void build_bounces(labScene *s, double n)
 {
     s->restitution = 1;
@@ -170,7 +172,7 @@ static void judge_bounces(const labTrace *t, double n, double *error, double *ha
     *error = fabs(peak - 1);
     *harm = 2 * fabs(peak - 1);
 }
-/* <extremes> */
+
 static void build_hops(labScene *s, double n)
 {
     s->restitution = 1;
@@ -185,7 +187,7 @@ static void judge_hops(const labTrace *t, double n, double *error, double *harm)
     *error = fabs(peak - 1);
     *harm = 2 * *error;
 }
-/* <extremes> */
+
 static double fall_time(double height) { return sqrt(2 * height / 10); }
 
 static void build_heights(labScene *s, double height)
@@ -200,7 +202,7 @@ static void judge_heights(const labTrace *t, double height, double *error, doubl
     *error = fabs(peak - 1);
     *harm = 2 * *error;
 }
-/* <extremes> */
+
 static double bounced(double height, double e, double t)    /* its height at that time */
 {
     double v = sqrt(20 * height), fall = fall_time(height);
@@ -217,7 +219,7 @@ static void build_zeno(labScene *s, double e)
     s->restitution = e;
     drop_ball(s, zenoDrop, 1.33 * fall_time(zenoDrop) * (1 + e) / (1 - e));
 }                                                           /* eq:extremes-zeno */
-/* <extremes> */
+
 static void judge_zeno(const labTrace *t, double e, double *error, double *harm)
 {
     *error = fabs(at_end(t, 1, LAB_VY)) / sqrt(20 * zenoDrop);
@@ -227,7 +229,7 @@ static void judge_zeno(const labTrace *t, double e, double *error, double *harm)
     }
     *harm = peak_after(t, 0) / zenoDrop / 1.01;
 }
-/* <extremes> */
+
 static void build_cradle(labScene *s, double n)
 {
     s->restitution = 1;
@@ -250,7 +252,7 @@ static void judge_cradle(const labTrace *t, double n, double *error, double *har
     }
     *harm = energy / 1.01;
 }
-/* <extremes> */
+
 static const double hungRod = 2, hungAngle = 0.5;
 
 static void build_hung(labScene *s, double n)
@@ -266,7 +268,7 @@ static void build_hung(labScene *s, double n)
                        .angle = i > 0 ? 0 : -hungAngle, .radius = 0.5, .density = 1 });
     for (int i = 0; i < (int)n; i++) hinge(s, 0, i + 1, i, hungRod);
 }
-/* <extremes> */
+
 static void judge_hung(const labTrace *t, double n, double *error, double *harm)
 {
     double lift = hungRod * (1 - cos(hungAngle)), peak = 0, energy = 0;
@@ -282,7 +284,7 @@ static void judge_hung(const labTrace *t, double n, double *error, double *harm)
     *error = fmax(*error, fabs(peak / lift - 1));
     *harm = energy / (10 * lift) / 1.01;
 }
-/* <extremes> */
+
 static void build_billiard(labScene *s, double k)
 {
     s->restitution = 1;
@@ -293,7 +295,7 @@ static void build_billiard(labScene *s, double k)
     put(s, &(Put){ .x = 2, .radius = 0.5, .density = 1 });
     put(s, &(Put){ .x = 5, .vx = -1, .radius = 0.5, .density = pow(100, k) });
 }
-/* <extremes> */
+
 static void judge_billiard(const labTrace *t, double k, double *error, double *harm)
 {
     double mass = pow(100, k), v = 0, u = -1;       /* of the light and the heavy one */
@@ -314,7 +316,7 @@ static void judge_billiard(const labTrace *t, double k, double *error, double *h
         if (x < 0 || x > labAt(t, i, 2, LAB_X)) *harm = 2;
     }
 }
-/* <extremes> */
+
 enum { BULLETS = 20 };
 
 /* so many discs fly at a wall; all of them can meet it, and none another */
@@ -334,7 +336,7 @@ static void build_bullets(labScene *s, double speed)
 {
     fire_at(s, speed, &(Put){ .y = 10, .width = 0.05, .height = 20 });
 }
-/* <extremes> */
+
 static void judge_passed(const labTrace *t, int moves, double *error, double *harm)
 {
     *error = 0;
@@ -352,7 +354,7 @@ static void judge_bullets(const labTrace *t, double speed, double *error, double
     (void)speed;
     judge_passed(t, 0, error, harm);
 }
-/* <extremes> */
+
 static void build_plates(labScene *s, double speed)
 {
     fire_at(s, speed, &(Put){ .y = 10, .width = 0.05, .height = 20, .density = 1,
@@ -364,7 +366,7 @@ static void judge_plates(const labTrace *t, double speed, double *error, double 
     (void)speed;
     judge_passed(t, 1, error, harm);
 }
-/* <extremes> */
+
 static void build_slide(labScene *s, double mu)
 {
     s->gravity = 10;
@@ -376,14 +378,14 @@ static void build_slide(labScene *s, double mu)
     put(s, &(Put){ .y = 0.25, .vx = 10, .width = 0.5, .height = 0.25, .density = 1,
                    .upright = 1 });
 }
-/* <extremes> */
+
 static void judge_slide(const labTrace *t, double mu, double *error, double *harm)
 {
     double d = mu > 0 ? 5 / mu : 10 * labTime(t, t->rows - 1);
     *error = fabs(at_end(t, 1, LAB_X) - d) / (d + 10.0 / 60);
     *harm = fmax(*error, fabs(at_end(t, 1, LAB_Y) - 0.25) / 0.5);
 }
-/* <extremes> */
+
 /* a slope through (0, 0), and a body of such a half height upon it */
 static void put_slope(labScene *s, double slope, const Put *body)
 {
@@ -396,7 +398,7 @@ static void put_slope(labScene *s, double slope, const Put *body)
     p.angle = a;
     put(s, &p);
 }
-/* <extremes> */
+
 static void build_hold(labScene *s, double slope)
 {
     s->gravity = 10;
@@ -411,7 +413,7 @@ static void judge_hold(const labTrace *t, double slope, double *error, double *h
     (void)slope;
     *error = *harm = moved(t, 1) / 2;
 }
-/* <extremes> */
+
 static const double slipSlope = 0.6;
 
 static double slip_rate(double share)                       /* m/s^2, down the slope */
@@ -434,7 +436,7 @@ static void judge_slip(const labTrace *t, double share, double *error, double *h
     *error = exact > 0 ? fabs(moved(t, 1) / exact - 1) : moved(t, 1) / 2;
     *harm = exact > 0 ? 2 * *error : *error;
 }
-/* <extremes> */
+
 static void build_roll(labScene *s, double slope)
 {
     s->gravity = 10;
@@ -453,7 +455,7 @@ static void judge_roll(const labTrace *t, double slope, double *error, double *h
     *error = fabs(gone / exact - 1);
     *harm = fmax(*error, fabs(y * cos(a) - x * sin(a)) / 0.5);
 }
-/* <extremes> */
+
 typedef double Fall(double at, double rate, double with);    /* rad/s^2 */
 
 /* one step of Runge and Kutta's method, from rest; returns the angle after so much time */
@@ -479,7 +481,7 @@ static int steps_to_fall(Fall *fall, double from, double with, double turn)
     while (n < 3600 && fabs(fallen(fall, from, with, n / 60.0) - from) < turn) n++;
     return n;
 }
-/* <extremes> */
+
 static double tip_rate(double at, double rate, double with)
 {
     (void)rate;
@@ -494,7 +496,7 @@ static void build_tip(labScene *s, double share)
     s->steps = share < 1 ? 600 : steps_to_fall(tip_rate, over, sqrt(1.25), 0.5);
     put_slope(s, share / 2, &(Put){ .width = 0.5, .height = 1, .density = 1 });
 }
-/* <extremes> */
+
 /* how far it turned against how far it should */
 static void judge_turn(double turned, double exact, double *error, double *harm)
 {
@@ -510,7 +512,7 @@ static void judge_tip(const labTrace *t, double share, double *error, double *ha
                    fallen(tip_rate, over, sqrt(1.25), time) - over, error, harm);
     else *error = *harm = moved(t, 1) / 2;
 }
-/* <extremes> */
+
 static const double ladderHalf = 1, ladderThick = 0.02, ladderLean = 1.0471975511965976;
 
 static double ladder_friction(void)
@@ -530,7 +532,7 @@ static double ladder_rate(double at, double rate, double mu)
     double u = 2 * l * c - x - mu * y, v = mu * x + 2 * l * s - y;
     return -(floor0 * u - wall0 * v) / (inertia + floor1 * u - wall1 * v);
 }
-/* <extremes> */
+
 static void build_ladder(labScene *s, double share)
 {
     double c = cos(ladderLean), d = sin(ladderLean);
@@ -554,7 +556,7 @@ static void judge_ladder(const labTrace *t, double share, double *error, double 
                    ladderLean - fallen(ladder_rate, ladderLean, mu, time), error, harm);
     else *error = *harm = moved(t, 2) / (2 * ladderHalf);
 }
-/* <extremes> */
+
 static double arch_limit(void)
 {
     double low = 0.05, high = 0.2;
@@ -565,7 +567,7 @@ static double arch_limit(void)
     }
     return high;
 }
-/* <extremes> */
+
 static void put_stone(labScene *s, double in, double out, int i)
 {
     double from = 3.141592653589793 * i / 20, to = 3.141592653589793 * (i + 1) / 20;
@@ -582,7 +584,7 @@ static void put_stone(labScene *s, double in, double out, int i)
     }
     put(s, &(Put){ .x = x, .y = y, .density = 1, .corner = corner });
 }
-/* <extremes> */
+
 static void build_arch(labScene *s, double share)
 {
     double thick = share * arch_limit();
@@ -608,7 +610,7 @@ static void judge_arch(const labTrace *t, double share, double *error, double *h
     *error = share > 1 ? most / thick : most < 2.5;
     *harm = share > 1 ? *error : 2 * *error;
 }
-/* <extremes> */
+
 static void build_cards(labScene *s, double storeys)
 {
     const double thick = 0.02, lean = 25 * 3.141592653589793 / 180;
@@ -620,7 +622,7 @@ static void build_cards(labScene *s, double storeys)
     s->every = 30;
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
-    /* <lay the storeys of a card house> */
+    /* lay the storeys of a card house */
     for (int pairs = (int)storeys; pairs > 0; pairs--, z += high + thick) {
         for (int i = 0; i < 2 * pairs; i++) {
             double side = i % 2 ? 1 : -1, at = pitch * (i / 2 - (pairs - 1) / 2.0);
@@ -636,14 +638,14 @@ static void build_cards(labScene *s, double storeys)
         }
     }
 }
-/* <extremes> */
+
 static void judge_cards(const labTrace *t, double storeys, double *error, double *harm)
 {
     (void)storeys;
     *error = most_moved(t);
     *harm = 2 * *error;
 }
-/* <extremes> */
+
 static void build_soak(labScene *s, double steps)
 {
     double a = atan(0.2);
@@ -663,7 +665,7 @@ static void judge_soak(const labTrace *t, double steps, double *error, double *h
     (void)steps;
     *error = *harm = most_moved(t) / 2;
 }
-/* <extremes> */
+
 static void put_tower(labScene *s, int n, double side, double ratio)
 {
     s->friction = 0.6;
@@ -687,7 +689,7 @@ static void judge_tower_of(const labTrace *t, int n, double side, double *error,
     *error = sunk / (n * side);
     *harm = fmax(aside / side, 2 * *error);
 }
-/* <extremes> */
+
 static void build_tower(labScene *s, double n)
 {
     s->gravity = 10;
@@ -698,7 +700,7 @@ static void judge_tower(const labTrace *t, double n, double *error, double *harm
 {
     judge_tower_of(t, (int)n, 1, error, harm);
 }
-/* <extremes> */
+
 static void build_ratio(labScene *s, double ratio)
 {
     s->gravity = 10;
@@ -722,7 +724,7 @@ static void judge_gravity(const labTrace *t, double g, double *error, double *ha
     (void)g;
     judge_tower_of(t, 1, 1, error, harm);
 }
-/* <extremes> */
+
 enum { FALLING = 10 };                  /* boxes */
 
 static void build_falling(labScene *s, double gap)
@@ -736,7 +738,7 @@ static void build_falling(labScene *s, double gap)
         put(s, &(Put){ .y = i + 0.5 + (i + 1) * gap, .width = 0.5, .height = 0.5,
                        .density = 1 });
 }
-/* <extremes> */
+
 static double falling_energy(const labTrace *t, int row)       /* eq:extremes-falling */
 {
     double sum = 0;
@@ -761,7 +763,7 @@ static void judge_falling(const labTrace *t, double gap, double *error, double *
     *error = fmax(rise / work, off / FALLING);
     *harm = fmax(aside, rise / work);
 }
-/* <extremes> */
+
 static void build_size(labScene *s, double side)
 {
     s->gravity = 10;
@@ -772,7 +774,7 @@ static void judge_size(const labTrace *t, double side, double *error, double *ha
 {
     judge_tower_of(t, 5, side, error, harm);
 }
-/* <extremes> */
+
 static void build_overhang(labScene *s, double n)
 {
     double x = 0;
@@ -794,7 +796,7 @@ static void judge_overhang(const labTrace *t, double n, double *error, double *h
     *error = moved(t, (int)n) / 2;
     *harm = moved(t, (int)n);
 }
-/* <extremes> */
+
 static void build_chain(labScene *s, double ratio)
 {
     int last = 0;
@@ -819,7 +821,7 @@ static void judge_chain(const labTrace *t, double ratio, double *error, double *
     (void)ratio;
     *error = *harm = moved(t, 11) / 5;
 }
-/* <extremes> */
+
 static void build_pendulum(labScene *s, double seconds)
 {
     s->gravity = 10;
@@ -842,7 +844,7 @@ static void judge_pendulum(const labTrace *t, double seconds, double *error, dou
     }
     *harm = *error;
 }
-/* <extremes> */
+
 static void at_rate(labScene *s, double rate, double seconds)
 {
     s->steps = (int)(seconds * rate + 0.5);
@@ -868,7 +870,7 @@ static void build_chain_rate(labScene *s, double rate)
     build_chain(s, 10);
     at_rate(s, rate, 5);
 }
-/* <extremes> */
+
 static void build_double(labScene *s, double seconds)
 {
     s->gravity = 10;
@@ -882,14 +884,14 @@ static void build_double(labScene *s, double seconds)
     hinge(s, 0, 1, 0, 0);
     hinge(s, 1, 2, 2, 0);
 }
-/* <extremes> */
+
 static void judge_double(const labTrace *t, double seconds, double *error, double *harm)
 {
     double gap = 0;
     *error = 0;
     for (int i = 0; i < t->rows; i++) {
         double energy = 0, x[3] = { 0 }, y[3] = { 0 }, c[3] = { 0 }, d[3] = { 0 };
-        /* <add up both rods> */
+        /* add up both rods */
         for (int k = 1; k <= 2; k++) {
             double w = labAt(t, i, k, LAB_SPIN), a = labAt(t, i, k, LAB_ANGLE);
             double v = hypot(labAt(t, i, k, LAB_VX), labAt(t, i, k, LAB_VY));
@@ -904,7 +906,7 @@ static void judge_double(const labTrace *t, double seconds, double *error, doubl
     }
     *harm = fmax(2 * *error, gap);
 }
-/* <extremes> */
+
 static void build_free(labScene *s, double seconds)
 {
     double v[10], end = 0, mean = 0;
@@ -922,7 +924,7 @@ static void build_free(labScene *s, double seconds)
                        .width = 0.25, .height = 0.05, .density = 1, .mask = 2 });
     for (int i = 0; i < 9; i++) hinge(s, i, i + 1, 0.5 * i - 2, 0);
 }
-/* <extremes> */
+
 /* twice the energy, the angular momentum, and the momentum, per mass of a link */
 static void sums_of(const labTrace *t, int row, double sum[4])
 {
@@ -937,7 +939,7 @@ static void sums_of(const labTrace *t, int row, double sum[4])
         sum[3] += vy;
     }
 }
-/* <extremes> */
+
 static void judge_free(const labTrace *t, double seconds, double *error, double *harm)
 {
     double was[4], is[4];
@@ -952,7 +954,7 @@ static void judge_free(const labTrace *t, double seconds, double *error, double 
     }
     *harm = 2 * *error;
 }
-/* <extremes> */
+
 static void build_coincident(labScene *s, double n)
 {
     s->steps = 600;
@@ -979,14 +981,12 @@ static void judge_coincident(const labTrace *t, double n, double *error, double 
     *harm = fastest / (5 * sqrt(n));
 }
 const labExtreme labExtremeTable[] = {
-    /* <rows of the table of extremes> */
     { "throw", "steps per second", "a ball on its parabola", { 15, 30, 60, 120, 240, 1000 },
       6, 3, build_throw, judge_throw },
     { "distance", "metres from home", "the same throw, far away",
       { 0, 1e3, 1e5, 1e6, 1e7, 1e9, 1e12 }, 7, 4, build_distance, judge_throw },
     { "spin", "rad/s", "a plank turns freely", { 1, 10, 100, 300, 1e3, 1e4 }, 6, 3,
       build_spin, judge_spin },
-    /* <rows of the table of extremes> */
     { "bounce", "restitution", "how high after a drop", { 0.5, 0.3, 0.1, 0, 0.9, 1 }, 6, 3,
       build_bounce, judge_bounce },
     { "bounces", "how many", "height after many bounces", { 1, 3, 10, 30, 100, 300 }, 6, 3,
@@ -1007,7 +1007,6 @@ const labExtreme labExtremeTable[] = {
       build_bullets, judge_bullets },
     { "plates", "m/s", "a thin wall that can move", { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3,
       build_plates, judge_plates },
-    /* <rows of the table of extremes> */
     { "slide", "friction", "how far a block slides", { 0.5, 0.1, 0.01, 1, 10, 100, 0 }, 7, 3,
       build_slide, judge_slide },
     { "hold", "tangent of the slope", "a plank that must not slide", { 0.1, 0.3, 0.6, 1, 2, 3 },
@@ -1016,7 +1015,6 @@ const labExtreme labExtremeTable[] = {
       { 1.5, 0.5, 1.1, 0.9, 1.01, 0.99, 1.001, 0.999 }, 8, 4, build_slip, judge_slip },
     { "roll", "tangent of the slope", "a disc rolls down", { 0.3, 0.1, 0.02, 1, 3 }, 5, 3,
       build_roll, judge_roll },
-    /* <rows of the table of extremes> */
     { "tip", "slope, of the limit", "a box on a slope tips or stands",
       { 0.5, 1.5, 0.9, 1.1, 0.99, 1.01, 0.999, 1.001 }, 8, 4, build_tip, judge_tip },
     { "ladder", "friction, of the limit", "a ladder stands or slides",
@@ -1027,7 +1025,6 @@ const labExtreme labExtremeTable[] = {
       judge_cards },
     { "soak", "steps", "three planks on a slope", { 1e3, 1e4, 1e5, 1e6 }, 4, 2, build_soak,
       judge_soak },
-    /* <rows of the table of extremes> */
     { "tower", "boxes", "a tower stands", { 2, 5, 10, 20, 50, 100, 200, 500, 1000 }, 9, 4,
       build_tower, judge_tower },
     { "falling", "gap", "boxes fall and make a tower", { 0.05, 0.1, 0.3, 1, 2, 3.7 }, 6, 3,
@@ -1056,7 +1053,8 @@ const labExtreme labExtremeTable[] = {
       judge_coincident },
 };
 const int labExtremeCount = (int)(sizeof labExtremeTable / sizeof *labExtremeTable);
-/* <judge an extreme> */
+
+/* judge an extreme */
 int labFindExtreme(const char *name)
 {
     for (int i = 0; i < labExtremeCount; i++)
@@ -1082,7 +1080,8 @@ const char *labJudgeExtreme(const labExtreme *e, const labTrace *t, double value
     if (!(*harm <= 1)) return "failed";
     return *error <= 0.01 ? "right" : "stable";
 }
-/* <read a trace> */
+
+/* read a trace */
 static char *read_all(const char *file)
 {
     FILE *f = fopen(file, "rb");
@@ -1099,7 +1098,7 @@ static char *read_all(const char *file)
     if (f != NULL) fclose(f);
     return text;
 }
-/* <read a trace> */
+
 /* the numbers of a line but the 3rd to 6th, which are the adapter's own sums */
 static int read_line(const char *line, double *out, int most)
 {
@@ -1115,7 +1114,7 @@ static int read_line(const char *line, double *out, int most)
     }
     return n;
 }
-/* <read a trace> */
+
 int labReadTrace(const char *file, labTrace *out)
 {
     char *text = read_all(file), *line;
@@ -1124,7 +1123,7 @@ int labReadTrace(const char *file, labTrace *out)
     if (text == NULL) return 1;
     for (line = text; line != NULL && *line != '\0'; ) {
         char *next = strchr(line, '\n');
-        /* <read a row of a trace> */
+        /* read a row of a trace */
         if ((*line >= '0' && *line <= '9')) {
             if (width == 0) width = read_line(line, NULL, 0);
             if (width < 2 + LAB_FIELDS) break;
@@ -1146,7 +1145,7 @@ int labReadTrace(const char *file, labTrace *out)
     if (failed || out->rows < 2) labFreeTrace(out);
     return failed || out->cell == NULL;
 }
-/* <read a trace> */
+
 void labFreeTrace(labTrace *t)
 {
     free(t->cell);

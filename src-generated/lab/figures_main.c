@@ -7,7 +7,8 @@
 #include "testbed/svg.h"
 
 enum { FIGURE_WIDTH = 480, LIST_BYTES = 1 << 22 };
-/* <write one figure> */
+
+/* write one figure */
 static int same_bytes(const char *a, const char *b)
 {
     FILE *fa = fopen(a, "rb"), *fb = fopen(b, "rb");
@@ -24,7 +25,7 @@ static int complain(const char *name, const char *what, const char *remedy)
     fprintf(stderr, "weft-figures: %s: %s -- %s\n", name, what, remedy);
     return 1;
 }
-/* <write one figure> */
+
 static int write_figure(const wfFigureRow *row, const char *dir)
 {
     _Alignas(8) static unsigned char memory[LIST_BYTES];
@@ -48,7 +49,8 @@ static int write_figure(const wfFigureRow *row, const char *dir)
     remove(path);
     return rename(draft, path) != 0;
 }
-/* <list the figures that can move> */
+
+/* list the figures that can move */
 static size_t figure_at(const wfFigureRow *row, float time, char *text, size_t size)
 {
     _Alignas(8) static unsigned char memory[LIST_BYTES];
@@ -73,7 +75,8 @@ static int list_live(void)
     }
     return 0;
 }
-/* <write all figures, or one> */
+
+/* write all figures, or one */
 int main(int argc, char **argv)
 {
     const wfFigureRow *row;

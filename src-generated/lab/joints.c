@@ -168,7 +168,7 @@ static int measure_joints_swung(FILE *out)
     static const double turns[] = { 0.1, 0.5, 0.8, 1.0, 1.1, 1.2, 1.5, 2, 3, 10, 100 };
     fprintf(out, "turn,kept,forgotten,engine\n");
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
-        /* <go round without and with the cure> */
+        /* go round without and with the cure */
         double most[2] = { 0, 0 };
         for (int forget = 0; forget < 2; forget++) {
             labRound r = { { 1, 0 }, { 0, turns[i] }, { 1, 0 }, { 1, 0 }, 0 };

@@ -51,7 +51,7 @@ static int fast_through(const FastShot *s, int phase)
     bullet.angularVelocity = (wfReal)s->spin;
     wfAddBodyToWorld(&w, &sheet, &ids[0]);
     wfAddBodyToWorld(&w, &bullet, &ids[1]);
-    /* <let it fly and see whether it comes out behind> */
+    /* let it fly and see whether it comes out behind */
     for (int i = 0; i < 6; i++) {
         if (wfStepWorld(&w) != WF_OK) break;
         wfGetBody(&w, ids[0], &a), wfGetBody(&w, ids[1], &b);
@@ -81,7 +81,7 @@ static int measure_fast_tunnel(FILE *out)
             s.solver = k < 2 ? "sequential" : "soft", s.wall = k % 2;
             fprintf(out, ",%d", fast_count(s));
         }
-        /* <the same with bodies followed, all solvers and spins in one> */
+        /* the same with bodies followed, all solvers and spins in one */
         s.impacts = 16;
         for (int k = 0; k < wfSolverCount * 9; k++) {
             s.solver = wfSolverTable[k / 9].name, s.wall = k / 3 % 3, s.spin = spins[k % 3];
@@ -145,7 +145,7 @@ static double fast_way(double speed, int impacts)
     ball.restitution = 1, ball.friction = 0;
     ball.velocity = wfV2((wfReal)speed, 0);
     wfAddBodyToWorld(&w, &ball, &id);
-    /* <count the rooms that the ball crosses> */
+    /* count the rooms that the ball crosses */
     bool right = true;
     for (int i = 0; i < 60; i++) {
         wfStepWorld(&w);

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include "weft/draw.h"
 
-/* <what a figure is> */
+/* what a figure is */
 #define WF_FIGURE_HANDLES 8
 /* What may vary in a figure: the time, and points that a reader may drag. */
 typedef struct wfFigureInput {
@@ -31,7 +31,7 @@ const wfFigureRow *wfFigureAt(int i);
 int wfFindFigure(const char *name);      /* its number, or -1 */
 /* Empties the list and draws the row; in == NULL: time 0, handles at their places. */
 void wfDrawFigure(const wfFigureRow *row, const wfFigureInput *in, wfDraw *d);
-/* <what a measurement is> */
+
 /* Writes its table as CSV; returns 0, or anything else when it could not measure.
  * A name that ends in "-time" says that clock times are in the table; every other
  * measurement must give the same bytes each time. */
@@ -45,7 +45,7 @@ typedef struct wfMeasureSet { const wfMeasureRow *row; int count; } wfMeasureSet
 const wfMeasureRow *wfMeasureAt(int i);  /* of all chapters, from 0; or NULL */
 const wfMeasureRow *wfFindMeasurement(const char *name);            /* or NULL */
 int wfMeasurementIsTimed(const char *name);
-/* <what a cell is> */
+
 /* Words "key=value" that say what a cell measures. */
 typedef struct wfCellInput { const char *const *word; int count; } wfCellInput;
 /* The value of a key, and the same as a number; `otherwise` if there is none. */

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "lab/lab.h"
-/* <list the measurements> */
+
+/* list the measurements */
 static int list(int onlyExact)
 {
     const wfMeasureRow *m;
@@ -15,7 +16,8 @@ static int list(int onlyExact)
     }
     return 0;
 }
-/* <run one measurement> */
+
+/* run one measurement */
 static void say_where(const char *name)
 {
     if (!wfMeasurementIsTimed(name) || fflush(stdout) != 0) return;
@@ -37,7 +39,8 @@ static int run(const char *name)
     if (failed) fprintf(stderr, "weft-lab: %s could not be measured\n", name);
     return failed || fflush(stdout) != 0;
 }
-/* <list and measure cells> */
+
+/* list and measure cells */
 static int list_cells(int full)
 {
     for (int i = 0; i < wfCellCount; i++) {
@@ -52,7 +55,7 @@ static int list_cells(int full)
     }
     return fflush(stdout) != 0;
 }
-/* <list and measure cells> */
+
 static int cell(const char *name, const wfCellInput *in)
 {
     int i = wfFindCell(name);

@@ -10,7 +10,8 @@ enum { LIVE_WIDTH = 480 };
 _Alignas(16) static unsigned char list_memory[1 << 21];
 static char text[1 << 21];
 static wfFigureInput given;
-/* <answer the page's questions about a figure> */
+
+/* answer the page's questions about a figure */
 EXPORT("live_text") char *live_text(void) { return text; }
 
 /* The figure whose name is in live_text(): its row, or -1. Its handles go home. */
@@ -28,7 +29,7 @@ EXPORT("live_handles") int live_handles(void) { return given.handleCount; }
 EXPORT("live_handle") float *live_handle(void) { return &given.handle[0][0]; }
 EXPORT("live_width") float live_width(int row) { return wfFigureAt(row)->width; }
 EXPORT("live_height") float live_height(int row) { return wfFigureAt(row)->height; }
-/* <answer the page's questions about a figure> */
+
 /* Draws the row at that time; the SVG is in live_text(). Returns its bytes; 0 when it
  * is too long, or when the figure drew a bad number. */
 EXPORT("live_draw") size_t live_draw(int row, float time)

@@ -5,7 +5,7 @@
 #include "lab/loads.h"
 #include "weft/joint.h"
 
-/* <helpers of heavy scenes> */
+/* helpers of heavy scenes */
 static wfResult put(wfWorld *world, int32_t type, double x, double y,
                     const wfShapeDef *shape, wfBodyId *out)
 {
@@ -27,7 +27,7 @@ static wfShapeDef box_of(double width, double height)
     wfMakeBox((wfReal)(width / 2), (wfReal)(height / 2), &d.shape);
     return d;
 }
-/* <helpers of heavy scenes> */
+
 static wfShapeDef disc_of(double radius)
 {
     wfShapeDef d = wfDefaultShapeDef();
@@ -35,7 +35,7 @@ static wfShapeDef disc_of(double radius)
     wfMakeCircle(wfV2(0, 0), (wfReal)radius, &d.shape);
     return d;
 }
-/* <helpers of heavy scenes> */
+
 static wfShapeDef corners_of(const double (*at)[2], int32_t count, double friction)
 {
     wfShapeDef d = wfDefaultShapeDef();
@@ -59,7 +59,8 @@ static wfResult more(wfWorld *world, wfBodyId id, const wfShapeDef *shape)
 {
     return wfAddShapeToBody(world, id, shape, NULL);
 }
-/* <heavy scenes> */
+
+/* heavy scenes */
 enum { PILE = 5000, PILE_ROW = 48, PYRAMID = 100, GRID = 100 };
 
 static wfResult build_pile(wfWorld *world)
@@ -75,7 +76,7 @@ static wfResult build_pile(wfWorld *world)
     }
     return result;
 }
-/* <heavy scenes> */
+
 wfResult labPyramid(wfWorld *world, int32_t base)
 {
     wfShapeDef floor = box_of(2.0 * base, 2), box = box_of(1, 1);
@@ -89,7 +90,7 @@ wfResult labPyramid(wfWorld *world, int32_t base)
 }
 
 static wfResult build_pyramid(wfWorld *world) { return labPyramid(world, PYRAMID); }
-/* <heavy scenes> */
+
 static wfResult hinge(wfWorld *world, wfBodyId a, wfBodyId b, double x, double y)
 {
     wfJoint joint;
@@ -97,7 +98,7 @@ static wfResult hinge(wfWorld *world, wfBodyId a, wfBodyId b, double x, double y
     wfResult result = wfJoinBodies(world, "revolute", a, b, at, at, wfV2(1, 0), &joint);
     return result == WF_OK ? wfAddJointToWorld(world, &joint, NULL) : result;
 }
-/* <heavy scenes> */
+
 static wfResult build_grid(wfWorld *world)
 {
     static wfBodyId ids[GRID][GRID];
@@ -117,7 +118,7 @@ static wfResult build_grid(wfWorld *world)
         }
     return result;
 }
-/* <heavy scenes> */
+
 const labLoad labLoads[LAB_LOADS] = {
     { "pile of 5,000 discs", PILE + 3, 0, build_pile },
     { "pyramid of base 100", PYRAMID * (PYRAMID + 1) / 2 + 1, 0, build_pyramid },
@@ -132,7 +133,7 @@ wfWorldDef labLoadDef(const labLoad *load)
     if (load->joints > d.jointCapacity) d.jointCapacity = load->joints;
     return d;
 }
-/* <heavy scenes> */
+
 enum { FALLERS = 40 };
 
 static wfResult build_bin(wfWorld *world, double width)
@@ -143,7 +144,7 @@ static wfResult build_bin(wfWorld *world, double width)
     if (result == WF_OK) result = put(world, WF_STATIC, width / 2 + 1, 200, &wall, NULL);
     return result;
 }
-/* <heavy scenes> */
+
 static wfResult build_report(wfWorld *world, int32_t count, int32_t still)
 {
     wfShapeDef box = box_of(0.8, 0.8), disc = disc_of(0.4), peg = disc_of(0.2);
@@ -162,7 +163,7 @@ static wfResult build_report(wfWorld *world, int32_t count, int32_t still)
     }
     return result;
 }
-/* <heavy scenes> */
+
 static wfResult build_heap(wfWorld *world, int32_t count, int32_t still)
 {
     wfShapeDef disc = disc_of(0.5);
@@ -178,7 +179,7 @@ static wfResult build_heap(wfWorld *world, int32_t count, int32_t still)
     }
     return result;
 }
-/* <heavy scenes> */
+
 static wfResult build_many(wfWorld *world, int32_t count, int32_t base)
 {
     double width = count * (base + 1), gap = base + 1;
@@ -196,7 +197,7 @@ static wfResult build_many(wfWorld *world, int32_t count, int32_t base)
     }
     return result;
 }
-/* <heavy scenes> */
+
 static wfResult build_grid_of(wfWorld *world, int32_t count, double x, double y,
                               double apart, double size)
 {
@@ -207,7 +208,7 @@ static wfResult build_grid_of(wfWorld *world, int32_t count, double x, double y,
                      &box, NULL);
     return result;
 }
-/* <heavy scenes> */
+
 /* a body without a shape yet: it turns about its origin, whatever it gets */
 static wfResult turning(wfWorld *world, wfVec2 v, wfBodyId *out)
 {
@@ -230,7 +231,7 @@ static wfResult build_tumbler(wfWorld *world, int32_t count, int32_t still)
     if (result != WF_OK) return result;
     return build_grid_of(world, count, -0.2 * count, 10 - 0.2 * count, 0.4, 0.25);
 }
-/* <heavy scenes> */
+
 /* a piece of a ring, between two radii and two angles, rad */
 static wfShapeDef piece_of(double near, double far, double from, double to)
 {
@@ -240,7 +241,7 @@ static wfShapeDef piece_of(double near, double far, double from, double to)
                               { far * bc, far * bs }, { near * bc, near * bs } };
     return corners_of(at, 4, 0.6);
 }
-/* <heavy scenes> */
+
 static wfResult build_washer(wfWorld *world, int32_t count, int32_t still)
 {
     const double pi = 3.14159265358979323846, turn = pi / 18;
@@ -257,7 +258,7 @@ static wfResult build_washer(wfWorld *world, int32_t count, int32_t still)
     if (result != WF_OK) return result;
     return build_grid_of(world, count, -0.11 * count, 10 - 0.11 * count, 0.21, 0.2);
 }
-/* <heavy scenes> */
+
 static wfResult build_smash(wfWorld *world, int32_t columns, int32_t rows)
 {
     wfShapeDef box = box_of(0.4, 0.4), big = box_of(8, 8);
@@ -275,7 +276,7 @@ static wfResult build_smash(wfWorld *world, int32_t columns, int32_t rows)
                      0.4 * (i % rows - rows / 2), &box, NULL);
     return result;
 }
-/* <heavy scenes> */
+
 static wfResult build_compounds(wfWorld *world, int32_t columns, int32_t rows)
 {
     const double l[3][2] = { { -1, 0 }, { 0.5, 1 }, { 0, 2 } };
@@ -295,7 +296,7 @@ static wfResult build_compounds(wfWorld *world, int32_t columns, int32_t rows)
     }
     return result;
 }
-/* <heavy scenes> */
+
 static wfResult grid_bench(wfWorld *world, int32_t count, int32_t other)
 {
     (void)count, (void)other;
@@ -306,7 +307,6 @@ static wfResult pyramid_bench(wfWorld *world, int32_t count, int32_t other)
     (void)other;
     return labPyramid(world, count);
 }
-/* <heavy scenes> */
 #define REPORT(n, s) n + s + 3, n + s + 3, 0, 600, 10, build_report, n, s, 0
 #define HEAP(n) n + 3, n + 3, 0, 180, 10, build_heap, n, 0, 0
 const labHeavy labHeavies[] = {
@@ -327,7 +327,7 @@ const labHeavy labHeavies[] = {
 const int32_t labHeavyCount = sizeof labHeavies / sizeof *labHeavies;
 #undef REPORT
 #undef HEAP
-/* <heavy scenes> */
+
 const labHeavy *labFindHeavy(const char *name)
 {
     for (int32_t i = 0; i < labHeavyCount; i++)
@@ -350,7 +350,8 @@ wfResult labBuildHeavy(const labHeavy *bench, wfWorld *world)
 {
     return bench->build(world, bench->count, bench->other);
 }
-/* <steered scenes> */
+
+/* steered scenes */
 enum { JUNK_COLUMNS = 200, JUNK_ROWS = 40 };
 
 static wfShapeDef junk(void)
@@ -367,7 +368,7 @@ static wfShapeDef junk(void)
     return s;
 }
 
-/* <steered scenes> */
+
 static wfResult build_tiles(wfWorld *world)
 {
     wfBodyDef d = wfDefaultBodyDef();
@@ -381,7 +382,7 @@ static wfResult build_tiles(wfWorld *world)
     }
     return result;
 }
-/* <steered scenes> */
+
 static wfResult build_junkyard(wfWorld *world, wfBodyId *pusher)
 {
     wfShapeDef s = junk(), block = box_at(0, 4, 4, 8);
@@ -405,8 +406,7 @@ static wfResult push(wfWorld *world, wfBodyId pusher, int32_t k)
     wfReal before = k > 0 ? pushed(k - 1) : 0;
     return wfSetBodyVelocity(world, pusher, wfV2(60 * (pushed(k) - before), 0), 0);
 }
-/* <steered scenes> */
-/* <bones of a ragdoll> */
+
 /* heights in m above the feet; a capsule from `low` to `high` about y; limits in half turns
    from `bent`; `friction` is a share of 0.05 N m; damping in 1/s */
 enum { BONES = 11 };
@@ -427,7 +427,7 @@ static const struct {
     { 1, 1.225, -0.125, 0.125, 0.035, 1.35, -0.1, 0.8, 0.5, 0, 0, 0 },
     { 9, 0.975, -0.125, 0.125, 0.03, 1.1, -0.2, 0.3, 0.1, 0.1, 0.25, 0 },
 };
-/* <bones of a ragdoll> */
+
 static const double soles[4][2] = { { -0.03, -0.185 }, { 0.11, -0.185 }, { 0.11, -0.16 },
                                     { -0.03, -0.14 } };     /* in a coat of 15 mm */
 enum { SHELVES = 5, COLUMNS = 40, CROWD = 5, SHELF = 501, MAKE_EVERY = 8 };
@@ -454,7 +454,7 @@ static wfResult build_rain(wfWorld *world, wfBodyId *ground)
     }
     return result;
 }
-/* <steered scenes> */
+
 static wfResult make_bone(wfWorld *world, int i, wfVec2 feet, int place, wfBodyId *out)
 {
     wfShapeDef s = wfDefaultShapeDef();
@@ -477,7 +477,7 @@ static wfResult make_bone(wfWorld *world, int i, wfVec2 feet, int place, wfBodyI
     s.filter.mask = 1;
     return more(world, *out, &s);
 }
-/* <steered scenes> */
+
 static wfResult hang_bone(wfWorld *world, const wfBodyId *doll, int i, wfVec2 feet)
 {
     wfJoint j;
@@ -497,7 +497,7 @@ static wfResult hang_bone(wfWorld *world, const wfBodyId *doll, int i, wfVec2 fe
     j.motorForce = (wfReal)(0.05 * bones[i].friction);
     return wfAddJointToWorld(world, &j, NULL);
 }
-/* <steered scenes> */
+
 static wfResult make_doll(wfWorld *world, wfBodyId *doll, wfVec2 feet, int place)
 {
     wfResult result = WF_OK;
@@ -523,7 +523,7 @@ static wfResult rain(wfWorld *world, wfBodyId ground, int32_t k)
     }
     return result;
 }
-/* <steered scenes> */
+
 enum { SMALL = 6076, HALL = 360 };
 
 static wfResult build_hall(wfWorld *world, wfBodyId *ground)
@@ -548,7 +548,7 @@ static wfResult build_hall(wfWorld *world, wfBodyId *ground)
     }
     return result;
 }
-/* <steered scenes> */
+
 static wfResult add_bar(wfWorld *world, wfBodyId ground, wfBodyId *bar)
 {
     wfShapeDef s = wfDefaultShapeDef();
@@ -565,7 +565,7 @@ static wfResult add_bar(wfWorld *world, wfBodyId ground, wfBodyId *bar)
     j.motorForce = WF_JOINT_UNLIMITED;
     return wfAddJointToWorld(world, &j, NULL);
 }
-/* <steered scenes> */
+
 static wfResult build_spinner(wfWorld *world, wfBodyId *bar)
 {
     wfShapeDef s[3] = { wfDefaultShapeDef(), disc_of(0.35), box_of(0.7, 0.7) };
@@ -582,7 +582,7 @@ static wfResult build_spinner(wfWorld *world, wfBodyId *bar)
 }
 
 static bool out_of_hall(wfVec2 p) { return wfDistance(p, wfV2(0, 32)) > 40; }
-/* <steered scenes> */
+
 const labSteered labSteereds[LAB_STEERED] = {
     { "junkyard", JUNK_COLUMNS * JUNK_ROWS + 2, JUNK_COLUMNS * JUNK_ROWS + 262, 0, 800,
       build_junkyard, push, false, 0, NULL },

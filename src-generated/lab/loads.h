@@ -17,7 +17,6 @@ wfWorldDef labLoadDef(const labLoad *load);
 /* A pyramid of boxes of 1 m upon a floor; bodies 1, 2, ... are the boxes, from below. */
 wfResult labPyramid(wfWorld *world, int32_t base);
 
-/* <the table of scenes for peers> */
 /* A heavy scene that other engines can play: how many bodies, shapes, joints, and for how
    many steps; `gravity` in m/s2, downwards. */
 typedef struct labHeavy {
@@ -33,7 +32,7 @@ extern const int32_t labHeavyCount;
 const labHeavy *labFindHeavy(const char *name);     /* NULL: there is none */
 wfWorldDef labHeavyDef(const labHeavy *bench);
 wfResult labBuildHeavy(const labHeavy *bench, wfWorld *world);
-/* <the table of steered scenes> */
+
 /* A heavy scene that a text cannot say. `steer` is called before step number k >= 0. */
 typedef struct labSteered {
     const char *name;

@@ -105,7 +105,7 @@ static int measure_narrow_gjk(FILE *out)
         GjkCount count[2] = { { 0 }, { 0 } };
         if (regularPolygon(n, &s) != WF_OK) return 1;
         for (int i = 0; i < 20000; i++) {
-            /* <separate a random pair and count its steps> */
+            /* separate a random pair and count its steps */
             wfGjkTrace t;
             wfSeparation sep;
             wfReal turnA = wfRandomReal(&r, -WF_PI, WF_PI), turnB = wfRandomReal(&r, -WF_PI, WF_PI);

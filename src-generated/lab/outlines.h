@@ -5,7 +5,7 @@
 #define LAB_OUTLINES_H
 #include "weft/compound.h"
 
-/* <make a random star> */
+/* make a random star */
 static inline void random_star(wfRandom *r, int n, wfVec2 *out)
 {
     do {
@@ -17,7 +17,8 @@ static inline void random_star(wfRandom *r, int n, wfVec2 *out)
         }
     } while (wfCheckOutline(out, n, NULL) != WF_OK);
 }
-/* <make a random tangle> */
+
+/* make a random tangle */
 static inline bool sides_cross(const wfVec2 *p, int n, int i, int j)
 {
     wfVec2 a = p[i], b = p[i + 1], c = p[j], d = p[(j + 1) % n];
@@ -40,7 +41,7 @@ static inline bool untangle(wfVec2 *p, int n)
         }
     return changed;
 }
-/* <make a random tangle> */
+
 static inline void random_tangle(wfRandom *r, int n, wfVec2 *out)
 {
     do {

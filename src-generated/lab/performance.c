@@ -180,7 +180,7 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
         wfFastReport report = { 0, 0, 0 };
         result = timed_step(&world, stage);
         if (result == WF_OK) result = wfGetFastReport(&world, &report);
-        /* <add the step to its part> */
+        /* add the step to its part */
         Followed *part = &out[first ? 0 : 1];
         for (int i = 0; i < wfStageCount && i < PERF_STAGES; i++) {
             bool late = strcmp(wfStageTable[i].name, "late impacts") == 0;
@@ -227,7 +227,7 @@ static int measure_performance_steered(FILE *out)
         int32_t pairs = 0;
         wfResult result = labMakeSteered(s, &world, &driver);
         if (result != WF_OK) return 1;
-        /* <time the steps that are steered> */
+        /* time the steps that are steered */
         for (int32_t k = 0; k < s->steps && result == WF_OK; k++) {
             if (s->steer != NULL) result = s->steer(&world, driver, k);
             clock_t start = clock();
@@ -258,7 +258,7 @@ static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs
         def.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
-        /* <ask for the size and fill the world> */
+        /* ask for the size and fill the world */
         if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
         if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -315,7 +315,7 @@ static double fly_freely(int32_t n, uint32_t needs)
     if (has_shapes(needs)) def.pairCapacity = 4 * n;
     if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
-    /* <let them fly, nine times> */
+    /* let them fly, nine times */
     for (int32_t k = 0; k < n; k++) {
         body.position = wfV2((wfReal)(k % 1000), (wfReal)(k / 1000));
         if (wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 0;
@@ -368,7 +368,7 @@ static int32_t swarm(int32_t n, wfWorld *world)
         wfReal in = (wfReal)half - 1, x = wfRandomReal(&r, -in, in);
         wfReal y = wfRandomReal(&r, -in, in);
         wfRot q = wfRotation(wfRandomReal(&r, 0, 2 * WF_PI));
-        /* <a wall of the room, or a bullet> */
+        /* a wall of the room, or a bullet */
         if (i < 4) {
             b.type = WF_STATIC;
             b.position = i < 2 ? wfV2((wfReal)at, 0) : wfV2(0, (wfReal)at);
@@ -404,7 +404,7 @@ static int measure_performance_bullets(FILE *out)
         wfFastReport report = { 0 };
         wfWorld world;
         wfResult result = swarm((int32_t)n[k], &world) ? WF_ERROR_MEMORY : WF_OK;
-        /* <time the steps and count the impacts> */
+        /* time the steps and count the impacts */
         for (int32_t i = 0; i < STEPS && result == WF_OK; i++) {
             clock_t start = clock();
             result = wfStepWorld(&world);

@@ -281,7 +281,7 @@ static double price_chain(int substeps, int together)
     def.exactJoints = together;
     bool good = wfMakeCircle(wfV2(0, 0), WF_R(0.1), &d.shape) == WF_OK
              && wfCreateWorld(&def, &world) == WF_OK;
-    /* <hang twenty links side by side> */
+    /* hang twenty links side by side */
     for (int i = 0; i <= PRICE_LINKS && good; i++) {
         wfVec2 at = wfV2((wfReal)(i - 1), 0);
         d.type = i == 0 ? WF_STATIC : WF_DYNAMIC;
@@ -292,7 +292,7 @@ static double price_chain(int substeps, int together)
                             wfV2(1, 0), &joint) == WF_OK
             && wfAddJointToWorld(&world, &joint, NULL) == WF_OK;
     }
-    /* <swing, and keep the greatest error of the length> */
+    /* swing, and keep the greatest error of the length */
     for (int step = 0; step < 300 && good; step++) {
         wfVec2 from = wfV2(0, 0);
         double length = 0;

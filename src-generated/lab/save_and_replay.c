@@ -74,7 +74,7 @@ static int measure_save_rewind(FILE *out)
         if (save_scene(1000, row[k].spread, row[k].sleep, &world) != WF_OK) return 1;
         for (int i = 0; i < row[k].steps; i++)
             if (wfStepWorld(&world) != WF_OK) return 1;
-        /* <count what ten steps change> */
+        /* count what ten steps change */
         for (int i = 0; i < STEPS; i++) {
             if (wfCloneWorld(&world, NULL, &before) != WF_OK) return 1;
             if (wfStepWorld(&world) != WF_OK) return 1;
@@ -121,7 +121,7 @@ static void save_round(wfWorld *world, wfWorld *twin, uint8_t *bytes, uint8_t *c
     for (int i = 0; i < times; i++) wfCloneWorld(world, &memory, twin);
     keep_least(&t->clone, save_seconds(start));
     start = clock();
-    /* <time what is more than a copy> */
+    /* time what is more than a copy */
     for (int i = 0; i < times; i++) wfCompareWorlds(world, twin, NULL);
     keep_least(&t->compare, save_seconds(start));
     start = clock();
@@ -168,7 +168,7 @@ static int measure_snapshot_time(FILE *out)
             save_round(&world, &twin, bytes, copy, size, times, &t);
             if (!save_fresh_round(&world, bytes, size, times, &t)) return 1;
         }
-        /* <write how each compares with memcpy> */
+        /* write how each compares with memcpy */
         fprintf(out, "%d,%zu,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%zu,%.2f\n", n, size,
                 (double)size * times / t.copy * 1e-9, 1e6 * t.snapshot / times,
                 t.copy / t.snapshot, t.copy / t.restore, t.copy / t.clone,
@@ -190,7 +190,7 @@ static int save_by_size(const void *a, const void *b)
 static int measure_rollback_time(FILE *out)
 {
     enum { FRAMES = 8, ROUNDS = 31 };
-    /* <the scenes that are gone back in> */
+    /* the scenes that are gone back in */
     static const struct { const char *name; int steps; bool spread; int columns; } row[] = {
         { "balls that roll", 60, true, -1 },
         { "columns of one loop at most", 60, true, 2 },
@@ -203,7 +203,7 @@ static int measure_rollback_time(FILE *out)
         wfWorldDef def;
         wfWorld world;
         double back[ROUNDS], again[ROUNDS];
-        /* <make scene k and let it run up to the moment that is kept> */
+        /* make scene k and let it run up to the moment that is kept */
         if (save_scene(1000, row[k].spread, false, &world) != WF_OK) return 1;
         if (wfGetWorldDef(&world, &def) != WF_OK) return 1;
         if (row[k].columns >= 0) def.columns = row[k].columns;
@@ -212,7 +212,7 @@ static int measure_rollback_time(FILE *out)
         size_t size = wfSnapshotSize(&world);
         void *bytes = malloc(size);
         if (bytes == NULL || wfSnapshotWorld(&world, bytes, size, &size) != WF_OK) return 1;
-        /* <go back and make the steps again, many times> */
+        /* go back and make the steps again, many times */
         for (int round = 0; round < ROUNDS; round++) {
             clock_t start = clock();
             if (wfRestoreWorld(&world, bytes, size) != WF_OK) return 1;

@@ -17,7 +17,7 @@ static wfResult frame_heap(int n, wfWorld *out)
     for (int i = 0; i < n + 3 && result == WF_OK; i++) {
         wfBodyDef b = wfDefaultBodyDef();
         int k = i - 3, row = k / 68;
-        /* <shape and place body i of the bin> */
+        /* shape and place body i of the bin */
         if (i == 0) wfMakeBox(7, WF_R(0.5), &b.shape);
         else if (i < 3) wfMakeBox(WF_R(0.5), 6, &b.shape);
         else if (k % 2) wfMakeCircle(wfV2(0, 0), r, &b.shape);
@@ -101,7 +101,7 @@ static int measure_frame_time(FILE *out)
         double worst = 0;
         b.picture.pixels = calloc(pixels, 4);
         bool good = b.picture.pixels && frame_open(&b, run[k].n);
-        /* <measure the three kinds of frames> */
+        /* measure the three kinds of frames */
         double rest = frame_median(&b, 0, false, &worst);
         double step = frame_median(&b, 1, false, &worst) - rest;
         double frame = frame_median(&b, 1, true, &worst), draw = frame - step - rest;

@@ -7,7 +7,7 @@
 #include "weft/contact.h"
 #include "weft/narrow.h"
 
-/* <squares that fly> */
+/* squares that fly */
 enum { SEARCH_BODIES = 400, SEARCH_PAIRS = 1 << 16, SEARCH_FRAMES = 60 };
 typedef struct Search {
     wfShape square;
@@ -23,7 +23,7 @@ typedef struct Search {
     int failed;
     _Alignas(WF_POOL_ALIGN) uint8_t scratch[1 << 24], index[1 << 22];
 } Search;
-/* <squares that fly> */
+
 static void start_search(Search *s)
 {
     wfRandom r;
@@ -43,7 +43,7 @@ static void move_on(Search *s)
     for (int i = 0; i < SEARCH_BODIES; i++)
         s->at[i].p = wfAddScaled(s->from[i], (wfReal)s->frame / 60, s->speed[i]);
 }
-/* <squares that fly> */
+
 static void find_boxes(Search *s, wfReal margin)
 {
     for (int i = 0; i < SEARCH_BODIES; i++) {
@@ -52,7 +52,8 @@ static void find_boxes(Search *s, wfReal margin)
                                     wfAdd(b.max, wfV2(margin, margin)));
     }
 }
-/* <search among squares> */
+
+/* search among squares */
 static wfResult search_report(Search *s, const wfProxies *in, wfPool *pool)
 {
     wfQuadTree tree;
@@ -76,7 +77,7 @@ static wfResult search_rows(Search *s, const wfProxies *in, wfPool *pool)
     wfResult result = wfUpdateIndex(s->row, in, s->index, bytes, pool);
     return result == WF_OK ? wfIndexPairs(s->row, in, s->index, pool, &s->list) : result;
 }
-/* <search among squares> */
+
 static bool is_due(const Search *s)
 {
     if (s->every > 0) return s->frame % s->every == 0;
@@ -85,7 +86,7 @@ static bool is_due(const Search *s)
         if (wfDistance(s->at[i].p, s->last[i]) >= s->margin) return true;
     return false;
 }
-/* <search among squares> */
+
 /* What a frame takes: the search, if one is due, and a look at each pair of the list. */
 static void work_of_frame(void *context)
 {
@@ -110,7 +111,7 @@ static void work_of_frame(void *context)
     }
     s->looked += s->list.count;
 }
-/* <judge a search> */
+
 /* How many pairs touch in this frame. */
 static int truly_touching(Search *s)
 {
@@ -129,7 +130,7 @@ static int truly_touching(Search *s)
     }
     return touching;
 }
-/* <judge a search> */
+
 int labSearchBroad(const char *method, double margin, int every, labSearch *out)
 {
     static Search s;
@@ -148,7 +149,8 @@ int labSearchBroad(const char *method, double margin, int every, labSearch *out)
         (double)(s.looked - found) / (double)found, 1 - (double)found / (double)truth };
     return s.failed;
 }
-/* <discs of corners> */
+
+/* discs of corners */
 enum { NARROW_PAIRS = 1000 };
 static wfShape disc_of(double radius, int corners)
 {
@@ -172,7 +174,7 @@ typedef struct Pairs {
     wfSeparation found[NARROW_PAIRS];
     int row, failed;
 } Pairs;
-/* <discs of corners> */
+
 static void scatter(Pairs *p, double nearest, double farthest)
 {
     wfRandom r;
@@ -194,13 +196,13 @@ static void work_of_pairs(void *context)
         p->failed |= separate(&p->a, p->at[i][0], &p->b, p->at[i][1], &p->found[i])
                      != WF_OK;
 }
-/* <discs of corners> */
+
 static void add_error(labNarrow *sum, double error)
 {
     sum->worst = fmax(sum->worst, error);
     sum->mean += error / sum->pairs;
 }
-/* <discs of corners> */
+
 int labSearchNarrow(const char *method, int corners, labNarrow *out)
 {
     static Pairs p;
@@ -221,7 +223,8 @@ int labSearchNarrow(const char *method, int corners, labNarrow *out)
     }
     return p.failed;
 }
-/* <walk with GJK and look> */
+
+/* walk with GJK and look */
 static void corner_in_double(const wfShape *s, wfTransform at, int i, double out[2])
 {
     wfVec2 v = s->vertices[i % s->count];
@@ -243,7 +246,7 @@ static double corner_to_edges(const double p[2], const wfShape *s, wfTransform a
     }
     return least;
 }
-/* <walk with GJK and look> */
+
 /* Polygons that are apart are nearest at a corner of one of them. */
 static double apart_in_double(const Pairs *p, int i)
 {
@@ -258,7 +261,7 @@ static double apart_in_double(const Pairs *p, int i)
     }
     return least;
 }
-/* <walk with GJK and look> */
+
 int labWalkGjk(int steps, labNarrow *out)
 {
     static Pairs p;

@@ -29,7 +29,7 @@ static double chain_error(int passes, bool warm)
     double heavier[CHAIN], worst = 0;
     wfPool scratch;
     wfPoolInit(&scratch, sizeof memory, memory);
-    /* <stack points that fall at 1 m/s> */
+    /* stack points that fall at 1 m/s */
     for (int i = 0; i <= CHAIN; i++)
         state[i] = (wfBodyState){ .v = wfV2(0, i > 0 ? -1 : 0), .invMass = i > 0 };
     state[CHAIN].invMass = 1 / WF_R(1.05);

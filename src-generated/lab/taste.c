@@ -2,18 +2,19 @@
  * the chapter and type make. MIT licence. */
 #include "lab/taste.h"
 
-/* <fall by small steps> */
+/* fall by small steps */
 double tasteFallBySteps(double g, double seconds, int steps)
 {
     double h = seconds / steps, v = 0, s = 0;
     for (int i = 0; i < steps; i++) {
-        /* <take one step by eq:intro-euler> */
+        /* take one step by eq:intro-euler */
         v += h * g;
         s += h * v;
     }
     return s;
 }
-/* <fall as Galileo says> */
+
+/* fall as Galileo says */
 double tasteFallExactly(double g, double seconds)
 {
     return 0.5 * g * seconds * seconds;               /* eq:intro-galileo */

@@ -40,7 +40,7 @@ static int measure_impact_tunnel(FILE *out)
     for (int i = 0; i < 4; i++) {
         wfReal wall = (wfReal)walls[i], half = WF_R(1e5) / 120;
         double sum = walls[i] + 0.1;
-        /* <shoot the ball at 100 km/s> */
+        /* shoot the ball at 100 km/s */
         wfShape w, ball;
         wfImpact hit;
         wfSweep flight = { .from = wfV2(-half, 0), .to = wfV2(half, 0) };
@@ -109,7 +109,7 @@ static int measure_impact_convergence(FILE *out)
     fprintf(out, "step,plain,along,disc,curve\n");
     for (int k = 0; k < t[WF_ADVANCE_PLAIN].count; k++) {
         fprintf(out, "%d", k + 1);
-        /* <write the gap after this step of each bound> */
+        /* write the gap after this step of each bound */
         for (int how = 0; how < WF_ADVANCE_KINDS; how++) {
             double gap = k < t[how].count ? (double)t[how].steps[k].distance : 0;
             gap -= (double)hit.near / 2;
@@ -139,7 +139,7 @@ static int impactBilateral(const ImpactFlight *f, wfReal near, long *rounds)
         if (wfShapeDistance(&f->a, xa, &f->b, xb, &r) != WF_OK) return 0;
         if (r.distance <= near) return step;
         if (impactShadow(f, r.normal, 1, rounds) > near / 2) return 0;
-        /* <close in on the wanted gap from both sides> */
+        /* close in on the wanted gap from both sides */
         wfReal low = t, high = 1, fl = r.distance - near / 2;
         wfReal fh = impactShadow(f, r.normal, 1, rounds) - near / 2;
         for (int k = 0; k < 50 && fl > near / 4; k++) {
@@ -229,7 +229,7 @@ static int measure_impact_steps(FILE *out)
             f.sb = impactSweep(&r, (wfReal)turns[row % 4]);
             if (impactCount(&f, &c) != 0) return 1;
         }
-        /* <write a row of the counts> */
+        /* write a row of the counts */
         double n = (double)c.touching, m = (double)c.found;
         fprintf(out, "%s,%g,%ld", names[row / 4], turns[row % 4], c.touching);
         for (int how = 0; how < WF_ADVANCE_KINDS; how++)

@@ -13,7 +13,6 @@ typedef struct ToyHeap {
     int requests, failed;       /* made so far; refused although enough cells were free */
 } ToyHeap;
 
-/* <look for room in the toy heap> */
 /* First cell of the first hole of n cells or more, or -1; *longest: of the longest hole. */
 static inline int toy_find(const ToyHeap *heap, int n, int *longest)
 {
@@ -33,7 +32,8 @@ static inline int toy_free(const ToyHeap *heap)
     for (int i = 0; i < TOY_CELLS; i++) sum += heap->owner[i] == 0;
     return sum;
 }
-/* <live one step with the toy heap> */
+
+/* live one step with the toy heap */
 static inline void toy_step(ToyHeap *heap, int step)
 {
     int longest;

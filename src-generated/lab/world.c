@@ -51,7 +51,7 @@ static int measure_world_reuse(FILE *out)
         wfWorld world[2];
         double least[2] = { 1e9, 1e9 };
         int32_t contacts = 0;
-        /* <make the two worlds, with reuse and without> */
+        /* make the two worlds, with reuse and without */
         for (int reuse = 0; reuse < 2; reuse++) {
             wfWorldDef def = wfDefaultWorldDef();
             def.reuse = reuse;
@@ -92,7 +92,7 @@ static double apex_after_bounce(double drop, double dt)
     ball.position.y = (wfReal)drop + WF_R(0.5);
     wfAddBodyToWorld(&world, &ground, NULL);
     wfAddBodyToWorld(&world, &ball, &id);
-    /* <step until the ball has bounced and its apex is known> */
+    /* step until the ball has bounced and its apex is known */
     double top = 0;
     bool bounced = false;
     for (int i = 0; i < 100000 && !(bounced && info.velocity.y < 0); i++) {
@@ -131,7 +131,7 @@ static bool build_far(wfVec2 o, wfWorld *world, wfBodyId id[FAR_THINGS])
     ground.position = wfAdd(o, wfV2(0, -1));
     wfMakeBox(60, 1, &ground.shape);
     wfAddBodyToWorld(world, &ground, NULL);
-    /* <a box that slides, a disk that rolls, a ball on a spring> */
+    /* a box that slides, a disk that rolls, a ball on a spring */
     box = disk = ball = wfDefaultBodyDef();
     wfMakeBox(WF_R(0.5), WF_R(0.5), &box.shape);
     box.position = wfAdd(o, wfV2(0, WF_R(0.5)));
@@ -209,7 +209,7 @@ static int measure_world_flight(FILE *out)
     wd.gravity = wfV2(0, 0);
     def.mass = 1;
     def.velocity = wfV2(1000, 0);
-    /* <launch the three probes> */
+    /* launch the three probes */
     for (int k = 0; k < 3; k++)
         if (wfCreateWorld(&wd, &world[k]) != WF_OK ||
             wfAddBodyToWorld(&world[k], &def, &id[k]) != WF_OK) return 1;
@@ -222,7 +222,7 @@ static int measure_world_flight(FILE *out)
                 wfCentreWorld(&world[k], info.position, (wfReal)limit[k], NULL);
                 wfStepWorld(&world[k]);
             }
-        /* <say how far the probes are from where they must be> */
+        /* say how far the probes are from where they must be */
         bool asked = second == 1 || second == 10 || second == 60 || second % 300 == 0;
         double way = 1000.0 * (double)wd.dt * step;
         if (asked) fprintf(out, "%d,%.0f", second, way);
@@ -259,7 +259,7 @@ static int measure_world_pays(FILE *out)
         size_t bytes[2] = { 0, 0 };
         char text[64] = "every body";
         uint32_t serves = wfRegionServes(i).needs;
-        /* <add up the arrays that serve the same needs> */
+        /* add up the arrays that serve the same needs */
         for (int k = i; k < WF_REGION_SCRATCH && !done[i]; k++) {
             if (done[k] || wfRegionServes(k).needs != serves) continue;
             bytes[region[k].chunk] += region[k].count * region[k].each;
@@ -376,7 +376,7 @@ static int infer_row(FILE *out, const char *name, wfResult fill(wfWorld *, int),
         if (wfInferNeeds(&world[k], 0, &def) != WF_OK) return 1;
     }
     fprintf(out, "%s,%.0f,%.0f,", name, kB[0], kB[1]);
-    /* <write the needs that were inferred> */
+    /* write the needs that were inferred */
     for (int i = 0, first = 1; i < wfNeedCount; i++) {
         if (!(def.needs & wfNeedTable[i].bit)) continue;
         fprintf(out, "%s%s", first ? "" : " ", wfNeedTable[i].name);

@@ -2,18 +2,17 @@
  * chapter and type make. MIT licence. */
 #include "weft/math.h"
 
-/* <constants of the elementary functions> */
 /* pi/2 in parts of 33, 33 and 53 bits, eq:numbers-split; and 2/pi */
 static const double half_pi_1 = 0x1.921fb54400000p+0;
 static const double half_pi_2 = 0x1.0b4611a600000p-34;
 static const double half_pi_3 = 0x1.3198a2e037073p-69;
 static const double two_over_pi = 0.63661977236758134;
-/* <constants of the elementary functions> */
 /* ln 2 in parts of 33 and 53 bits, eq:numbers-exp; and its inverse */
 static const double log_2_1 = 0x1.62e42fef00000p-1;
 static const double log_2_2 = 0x1.473de6af278edp-34;
 static const double one_over_log_2 = 1.4426950408889634;
-/* <sine and cosine> */
+
+/* sine and cosine */
 static double nearest_whole(double t)
 {
     return (double)(int32_t)(t < 0 ? t - 0.5 : t + 0.5);
@@ -23,7 +22,7 @@ static double minus_half_pi_times(double x, double n)            /* r of eq:numb
 {
     return ((x - n * half_pi_1) - n * half_pi_2) - n * half_pi_3;
 }
-/* <sine and cosine> */
+
 /* eq:numbers-series for |r| <= pi/4, cut off by eq:numbers-remainder */
 static double sine_near_zero(double r)
 {
@@ -37,7 +36,7 @@ static double sine_near_zero(double r)
     p = p * q - 1.0 / 6;
     return r + r * q * p;
 }
-/* <sine and cosine> */
+
 static double cosine_near_zero(double r)
 {
     double q = r * r;
@@ -51,7 +50,7 @@ static double cosine_near_zero(double r)
     p = p * q - 0.5;
     return 1 + q * p;
 }
-/* <sine and cosine> */
+
 static void sine_cosine_of_quarters(double n, double r, wfReal *sine, wfReal *cosine)
 {
     wfReal s = (wfReal)sine_near_zero(r), c = (wfReal)cosine_near_zero(r);
@@ -69,7 +68,7 @@ void wfSinCos(wfReal angle, wfReal *sine, wfReal *cosine)
     double n = nearest_whole(x * two_over_pi);       /* eq:numbers-reduce */
     sine_cosine_of_quarters(n, minus_half_pi_times(x, n), sine, cosine);
 }
-/* <sine and cosine> */
+
 void wfSinCosDeg(wfReal degrees, wfReal *sine, wfReal *cosine)
 {
     double x = wfAbs(degrees) <= WF_MAX_ANGLE ? (double)degrees : 0;
@@ -91,7 +90,7 @@ wfReal wfCos(wfReal angle)
     wfSinCos(angle, &s, &c);
     return c;
 }
-/* <sine and cosine> */
+
 wfReal wfWrapAngle(wfReal angle)
 {
     if (wfAbs(angle) <= WF_PI) return angle;
@@ -99,7 +98,8 @@ wfReal wfWrapAngle(wfReal angle)
     double n = 4 * nearest_whole((double)angle * two_over_pi / 4);
     return wfClamp((wfReal)minus_half_pi_times((double)angle, n), -WF_PI, WF_PI);
 }
-/* <arc tangent and arc cosine> */
+
+/* arc tangent and arc cosine */
 static const double atan_quarters[5] = {             /* arctan(k/4) */
     0, 0.24497866312686415, 0.46364760900080612, 0.64350110879328439, 0.78539816339744831
 };
@@ -125,7 +125,7 @@ static double angle_in_first_octant(double a, double u)
     double c = 0.25 * k;
     return atan_quarters[k] + arc_tangent_near_zero((u - c * a) / (a + c * u));
 }
-/* <arc tangent and arc cosine> */
+
 static double finite_or_nearest(wfReal a)            /* a NaN counts as 0 */
 {
     return a != a ? 0 : (double)wfClamp(a, -WF_HUGE, WF_HUGE);
@@ -138,7 +138,7 @@ wfReal wfAtan2(wfReal y, wfReal x)
     if (left) a = -a;
     if (down) u = -u;
     if (a == 0 && u == 0) return 0;
-    /* <bring huge and tiny vectors to a middling size> */
+    /* bring huge and tiny vectors to a middling size */
     double largest = u > a ? u : a;
     double size = largest > 0x1p+1000 ? 0x1p-100 : largest < 0x1p-900 ? 0x1p+200 : 1;
     u *= size;
@@ -148,14 +148,15 @@ wfReal wfAtan2(wfReal y, wfReal x)
     if (left) angle = 2 * half_pi_1 + (2 * half_pi_2 - angle);
     return (wfReal)(down ? -angle : angle);
 }
-/* <arc tangent and arc cosine> */
+
 wfReal wfArcCos(wfReal a)
 {
     if (a != a) a = 0;
     a = wfClamp(a, -1, 1);
     return wfAtan2(wfSqrt((1 - a) * (1 + a)), a);    /* eq:numbers-acos */
 }
-/* <the exponential> */
+
+/* the exponential */
 static double exponential_near_zero(double r)        /* eq:numbers-exp-series */
 {
     static const double one_over[15] = {
@@ -166,7 +167,7 @@ static double exponential_near_zero(double r)        /* eq:numbers-exp-series */
     for (int k = 14; k >= 1; k--) p = 1 + p * (r * one_over[k]);
     return p;
 }
-/* <the exponential> */
+
 static double power_of_two(int n)                    /* -1022 <= n <= 1023 */
 {
     union { uint64_t bits; double real; } u = { (uint64_t)(n + 1023) << 52 };
@@ -183,7 +184,8 @@ wfReal wfExp(wfReal a)
     double e = exponential_near_zero(r) * power_of_two((int)n);  /* eq:numbers-exp */
     return e > (double)WF_HUGE ? WF_HUGE : (wfReal)e;
 }
-/* <lengths that neither overflow nor underflow> */
+
+/* lengths that neither overflow nor underflow */
 static wfReal sum_of_squares(const wfReal *e, int n, wfReal unit)
 {
     wfReal sum = 0;
@@ -207,7 +209,7 @@ wfReal wfLengthOfMany(const wfReal *e, int n)
     wfReal length = m * wfSqrt(sum_of_squares(e, n, m));         /* eq:numbers-length */
     return length > WF_HUGE ? WF_HUGE : length;
 }
-/* <lengths that neither overflow nor underflow> */
+
 void wfNormalizeMany(wfReal *e, int n)
 {
     wfReal m = 1, sum = sum_of_squares(e, n, 1);
@@ -218,7 +220,8 @@ void wfNormalizeMany(wfReal *e, int n)
     wfReal length = wfSqrt(sum);
     for (int i = 0; i < n; i++) e[i] = length > 0 ? e[i] / m / length : 0;
 }
-/* <inverses of matrices> */
+
+/* inverses of matrices */
 wfMat22 wfMat22Inverse(wfMat22 a)                    /* eq:numbers-inverse */
 {
     static const wfMat22 none = { { 0, 0, 0, 0 } };
@@ -231,7 +234,7 @@ wfMat22 wfMat22Inverse(wfMat22 a)                    /* eq:numbers-inverse */
                                   -b.E21 / det / m, b.E11 / det / m);
     return wfIsFinite(largest_component(inverse.E, 4)) ? inverse : none;
 }
-/* <inverses of matrices> */
+
 wfMat23 wfMat23Inverse(wfMat23 a)                    /* eq:numbers-m23-inverse */
 {
     wfMat22 l = wfMat22Inverse(wfMat22From23(a));
@@ -239,7 +242,8 @@ wfMat23 wfMat23Inverse(wfMat23 a)                    /* eq:numbers-m23-inverse *
     if (!wfIsFinite2(t)) return (wfMat23){ { 0, 0, 0, 0, 0, 0 } };
     return wfMat23Make(l.E11, l.E12, -t.x, l.E21, l.E22, -t.y);
 }
-/* <the random number generator> */
+
+/* the random number generator */
 uint32_t wfRandomU32(wfRandom *r)
 {
     uint64_t old = r->state;
@@ -256,7 +260,7 @@ void wfRandomSeed(wfRandom *r, uint64_t seed)
     r->state += seed;
     wfRandomU32(r);
 }
-/* <the random number generator> */
+
 uint32_t wfRandomBelow(wfRandom *r, uint32_t n)
 {
     if (n == 0) return 0;
@@ -264,7 +268,7 @@ uint32_t wfRandomBelow(wfRandom *r, uint32_t n)
     do u = wfRandomU32(r); while (u < surplus);
     return u % n;
 }
-/* <the random number generator> */
+
 wfReal wfRandomReal(wfRandom *r, wfReal lo, wfReal hi)
 {
 #ifdef WF_DOUBLE

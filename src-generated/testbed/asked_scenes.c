@@ -3,7 +3,7 @@
 /* What users ask: teleports, platforms, jitter, honey, a lift. */
 #include "testbed/maker.h"
 
-/* <scenes of what users ask> */
+/* scenes of what users ask */
 static wfVec2 teleport_home(int i)          /* of box i: four at the left, three right */
 {
     return i < 4 ? wfV2(-4, WF_R(0.5) + (wfReal)i) : wfV2(4, WF_R(0.5) + (wfReal)(i - 4));
@@ -21,7 +21,7 @@ static wfResult build_teleport(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of what users ask> */
+
 static void update_teleport(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -40,7 +40,7 @@ static void draw_teleport(const wfWorld *world, wfDraw *d, const wfSceneInput *i
     (void)world, (void)in;
     wfDrawDashed(d, -4, 0.5f, 4, 3.5f, 1.5f, WF_INK_ACCENT);
 }
-/* <scenes of what users ask> */
+
 static wfVec2 platform_at(int i, double t)
 {
     double turn = (i == 0 ? 1.2 : 1.5) * t, whole = 2 * (double)WF_PI;
@@ -48,7 +48,7 @@ static wfVec2 platform_at(int i, double t)
     wfReal s = wfRotation(wfWrapAngle(angle)).s;
     return i == 0 ? wfV2(-3 + WF_R(2.5) * s, 1) : wfV2(5, 2 + s);
 }
-/* <scenes of what users ask> */
+
 static wfResult build_platforms(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -70,7 +70,7 @@ static wfResult build_platforms(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of what users ask> */
+
 static void update_platforms(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -83,7 +83,7 @@ static void update_platforms(wfWorld *world, const wfSceneInput *in)
         wfSetBodyVelocity(world, id, wfScale(1 / def.dt, wfSub(next, now)), 0);
     }
 }
-/* <scenes of what users ask> */
+
 static wfResult build_jitter(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -102,7 +102,7 @@ static wfResult build_jitter(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of what users ask> */
+
 static void draw_jitter(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -114,7 +114,7 @@ static void draw_jitter(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawLine(d, x, y, x, y + (bar < 3 ? bar : 3), 3, WF_INK_BAD);
     }
 }
-/* <scenes of what users ask> */
+
 static wfResult build_honey(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -139,7 +139,7 @@ static void draw_honey(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawTextf(d, -6.2f, y - 0.1f, 13, WF_INK_TEXT, 0, "%d kg", i + 1);
     }
 }
-/* <scenes of what users ask> */
+
 static wfResult build_lift(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -165,7 +165,7 @@ static wfResult build_lift(wfWorld *world)
     put(&m, &crate);
     return m.result;
 }
-/* <scenes of what users ask> */
+
 static void draw_lift(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -176,25 +176,21 @@ static void draw_lift(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 }
 
 static const wfScene row[] = {
-    /* <rows of what users ask> */
     { .category = "Asked", .name = "teleport", .chapter = "world",
       .text = "The lowest box is at once on the other tower. Who leant on it falls.",
       .build = build_teleport, .update = update_teleport, .draw = draw_teleport,
       .viewX = 0, .viewY = WF_R(2.2), .viewHeight = 7,
       .energyBound = -1, .depthBound = WF_R(0.1) },
-    /* <rows of what users ask> */
     { .category = "Asked", .name = "moving platforms", .chapter = "world",
       .text = "Moved by their velocity, they carry their loads. To and fro, up and down.",
       .build = build_platforms, .update = update_platforms,
       .viewX = 0, .viewY = WF_R(2.4), .viewHeight = 7,
       .energyBound = -1, .depthBound = WF_R(0.05) },
-    /* <rows of what users ask> */
     { .category = "Asked", .name = "jitter", .chapter = "soft",
       .text = "A metre of bar for each centimetre a second: what moves that should be at rest?",
       .build = build_jitter, .draw = draw_jitter,
       .viewX = 0, .viewY = WF_R(3.4), .viewHeight = WF_R(8.5),
       .energyBound = 1, .depthBound = WF_R(0.15) },
-    /* <rows of what users ask> */
     { .category = "Asked", .name = "honey", .chapter = "forces",
       .text = "Drag of 2 N for each m/s: masses 1 to 4 with 4 m/s must stop at their lines.",
       .define = integrated_freely, .build = build_honey, .draw = draw_honey,

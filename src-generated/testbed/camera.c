@@ -12,7 +12,7 @@ float camera_scale(const camera *c)
 
 static float middle(float from, float size) { return from + size / 2; }
 
-/* <see and pick through the camera> */
+/* see and pick through the camera */
 void camera_see(const camera *c, float x, float y, float pixel[2])
 {
     float s = camera_scale(c);                                      /* eq:camera-see */
@@ -26,7 +26,8 @@ void camera_pick(const camera *c, float px, float py, float world[2])
     world[CAMERA_X] = c->x + (px - middle(c->left, c->wide)) / s;
     world[CAMERA_Y] = c->y - (py - middle(c->top, c->high)) / s;
 }
-/* <zoom and pan the camera> */
+
+/* zoom and pan the camera */
 void camera_zoom(camera *c, float factor, float px, float py)
 {
     float height = c->height / factor;

@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #include "weft/math.h"
 #include "testbed/canvas.h"
-/* <the two palettes> */
+/* the two palettes */
 #define INK(hex) { (hex) >> 16 & 255, (hex) >> 8 & 255, (hex) & 255, 255 }
 const wfPalette wfLightPalette = {
     .mark = { INK(0x1f2933), INK(0x87919c), INK(0x0067a5), INK(0x9c4279), INK(0xa85800),
@@ -16,17 +16,19 @@ const wfPalette wfDarkPalette = {
     .area = { INK(0xd8dee6), INK(0x262d35), INK(0x1b3a56), INK(0x4b2a41), INK(0x4f3712),
               INK(0x134234), INK(0x55281b), INK(0xe6ebf0), INK(0x14181d) },
 };
-/* <fit the view into the pixels> */
+
+/* fit the view into the pixels */
 wfPixelMap wfMapView(const float view[4], float widthPx, float heightPx)
 {
     float w = view[2] - view[0], h = view[3] - view[1];
     float sx = widthPx / w, sy = heightPx / h;
-    /* <choose the scale by eq:draw-map and the offsets by eq:draw-offset> */
+    /* choose the scale by eq:draw-map and the offsets by eq:draw-offset */
     float scale = sx < sy ? sx : sy;
     return (wfPixelMap){ scale, 0.5f * (widthPx - scale * w) - scale * view[0],
                          0.5f * (heightPx + scale * h) + scale * view[1] };
 }
-/* <shape an arrow> */
+
+/* shape an arrow */
 wfArrow wfMakeArrow(float x0, float y0, float x1, float y1, float widthPx)
 {
     float dx = x1 - x0, dy = y1 - y0;
@@ -38,7 +40,8 @@ wfArrow wfMakeArrow(float x0, float y0, float x1, float y1, float widthPx)
     return (wfArrow){ x1 - 0.8f * head * ux, y1 - 0.8f * head * uy,
         { x1, y1, bx - half * uy, by + half * ux, bx + half * uy, by - half * ux } };
 }
-/* <read the next letter of UTF-8> */
+
+/* read the next letter of UTF-8 */
 uint32_t wfNextLetter(const char **text)
 {
     static const uint32_t least[4] = { 0, 0x80, 0x800, 0x10000 };

@@ -5,11 +5,9 @@
 /* What the drawing back ends share. Source: chapter 28. */
 #include "weft/draw.h"
 
-/* <palettes by role> */
 /* Two colours for each role: of thin marks (lines, points, text) and of filled areas. */
 typedef struct wfPalette { wfInk mark[WF_INK_COUNT], area[WF_INK_COUNT]; } wfPalette;
 extern const wfPalette wfLightPalette, wfDarkPalette;
-/* <from world units to pixels> */
 /* px = (x, y) * (scale, -scale) + offset; y points down in pixels. */
 typedef struct wfPixelMap { float scale, offsetX, offsetY; } wfPixelMap;
 /* Shows the whole view as large as fits into width x height pixels, in the middle. */
@@ -19,7 +17,6 @@ static inline float wfPixelY(wfPixelMap m, float y) { return m.offsetY - m.scale
 /* Back to world units, by eq:draw-inverse. */
 static inline float wfWorldX(wfPixelMap m, float px) { return (px - m.offsetX) / m.scale; }
 static inline float wfWorldY(wfPixelMap m, float px) { return (m.offsetY - px) / m.scale; }
-/* <the shape of an arrow> */
 /* From two ends in pixels to where the shaft stops and the head's three corners. */
 typedef struct wfArrow { float endX, endY; float head[6]; } wfArrow;
 wfArrow wfMakeArrow(float x0, float y0, float x1, float y1, float widthPx);

@@ -3,7 +3,6 @@
 /* The report's eight test cases. */
 #include "testbed/maker.h"
 
-/* <scenes of the test cases> */
 /* Four boxes above each other; each weighs so much more than the one above it, kg. */
 static wfResult build_column(wfWorld *world, wfReal first, wfReal more)
 {
@@ -19,7 +18,7 @@ static wfResult build_column(wfWorld *world, wfReal first, wfReal more)
 
 static wfResult build_forces(wfWorld *world) { return build_column(world, 1, 1); }
 static wfResult build_rotation(wfWorld *world) { return build_column(world, 2, 0); }
-/* <scenes of the test cases> */
+
 /* Pulls to the right, with 1 N, for the first four seconds: body i at so much times i
    above its centre. */
 static void pull_right(wfWorld *world, wfReal above)
@@ -39,7 +38,7 @@ static void update_forces(wfWorld *world, const wfSceneInput *in)
     (void)in;
     pull_right(world, 0);
 }
-/* <scenes of the test cases> */
+
 static void draw_forces(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -52,7 +51,7 @@ static void draw_forces(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
             wfDrawArrow(d, x + 0.5f, y, x + 1.5f, y, 2, WF_INK_ACCENT);
     }
 }
-/* <scenes of the test cases> */
+
 static void update_rotation(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -72,7 +71,7 @@ static void draw_arms(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawArrow(d, WF_XY(from), WF_XY(to), 2, WF_INK_ACCENT);
     }
 }
-/* <scenes of the test cases> */
+
 enum { TESTING_BODIES = 5 };
 
 static void put_testing_bodies(Maker *m)
@@ -88,13 +87,13 @@ static void put_testing_bodies(Maker *m)
         put(m, &shape[i]);
     }
 }
-/* <scenes of the test cases> */
+
 /* Which body of the world is the testing body now. */
 static int32_t testing_body(const wfSceneInput *in)
 {
     return (int32_t)((uint32_t)in->choice % TESTING_BODIES);
 }
-/* <scenes of the test cases> */
+
 static void place_testing_body(wfWorld *world, const wfSceneInput *in)
 {
     for (int32_t i = 0; i < TESTING_BODIES; i++) {
@@ -105,7 +104,7 @@ static void place_testing_body(wfWorld *world, const wfSceneInput *in)
         wfSetBodyVelocity(world, id, wfV2(0, 0), 0);
     }
 }
-/* <scenes of the test cases> */
+
 static wfResult build_gallery(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -122,7 +121,7 @@ static wfResult build_gallery(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the test cases> */
+
 /* The standing body closest to the testing body, by the narrow phase; -1 for none. */
 static int32_t closest_body(const wfBodyView *v, int32_t test, wfSeparation *best)
 {
@@ -138,7 +137,7 @@ static int32_t closest_body(const wfBodyView *v, int32_t test, wfSeparation *bes
     }
     return found;
 }
-/* <scenes of the test cases> */
+
 /* The bar that a body covers on the axis through `origin', `lift' beside it. */
 static void draw_projection(wfDraw *d, const wfBodyView *v, int32_t i, wfVec2 origin,
                             wfVec2 axis, wfReal lift, int role)
@@ -151,7 +150,7 @@ static void draw_projection(wfDraw *d, const wfBodyView *v, int32_t i, wfVec2 or
     wfVec2 to = wfAddScaled(base, p.max - o, axis);
     wfDrawLine(d, WF_XY(from), WF_XY(to), 5, role);
 }
-/* <scenes of the test cases> */
+
 static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     wfBodyView v = wfWorldBodies(world);
@@ -174,13 +173,13 @@ static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
                 s.distance < 0 ? "overlap" : "gap", (double)wfAbs(s.distance));
     wfDrawArrow(d, WF_XY(origin), WF_XY(tip), 2, role);
 }
-/* <scenes of the test cases> */
+
 static void rest_softly(wfWorldDef *def)
 {
     def->gravity = wfV2(0, 0);
     def->positionShare = 0;
 }
-/* <scenes of the test cases> */
+
 static void draw_clip(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     wfBodyView v = wfWorldBodies(world);
@@ -200,7 +199,7 @@ static void draw_clip(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         }
     }
 }
-/* <scenes of the test cases> */
+
 static wfResult build_drift(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -222,7 +221,7 @@ static wfResult build_drift(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the test cases> */
+
 static void mark_node(const wfWorld *world, wfDraw *d, const wfQuadTree *tree, int32_t node)
 {
     wfBodyView v = wfWorldBodies(world);
@@ -231,7 +230,7 @@ static void mark_node(const wfWorld *world, wfDraw *d, const wfQuadTree *tree, i
         if (v.props[i].shape >= 0 && wfQuadTreeNodeOf(tree, v.props[i].shape) == node)
             wfDrawPoint(d, WF_XY(v.state[i].p), 10, WF_INK_ACCENT);
 }
-/* <scenes of the test cases> */
+
 static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
 {
     static const char *const sector[] = { "BL", "BR", "TL", "TR" };
@@ -248,7 +247,7 @@ static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
                     depth > 1 ? sector[path[1]] : "");
     }
 }
-/* <scenes of the test cases> */
+
 static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     enum { BYTES = 256 * 1024 };
@@ -270,14 +269,14 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         mark_node(world, d, &tree, best);
     write_nodes(world, d, &tree);
 }
-/* <scenes of the test cases> */
+
 static void by_quad_tree(wfWorldDef *def)
 {
     without_gravity(def);
     int row = wfFindBroadPhase("quad-tree");      /* -1: left out of this build */
     if (row >= 0) def->broadPhase = row;
 }
-/* <scenes of the test cases> */
+
 static void push_out_at_once(wfWorldDef *def)
 {
     integrated_freely(def);
@@ -303,7 +302,6 @@ static void draw_wish(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 }
 
 static const wfScene row[] = {
-    /* <rows of the test cases> */
     { .category = "Test cases", .name = "TC01 masses", .chapter = "bodies",
       .text = "The same force on masses 1 to 4: distances are as 1, 1/2, 1/3, 1/4.",
       .define = without_gravity, .build = build_forces, .update = update_forces,
@@ -314,25 +312,21 @@ static const wfScene row[] = {
       .define = without_gravity, .build = build_rotation, .update = update_rotation,
       .draw = draw_arms, .viewX = WF_R(0.5), .viewY = WF_R(2.2), .viewHeight = 8,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of the test cases> */
     { .category = "Test cases", .name = "TC03 separating axis", .chapter = "narrow-phase",
       .text = "The axis on which the closest body overlaps least, or is farthest. T, Q, E.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
       .draw = draw_axis, .viewX = 0, .viewY = 0, .viewHeight = 9,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of the test cases> */
     { .category = "Test cases", .name = "TC04 contact points", .chapter = "contacts",
       .text = "Where the testing body touches the others, and how deep (red arrows).",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
       .draw = draw_clip, .viewX = 0, .viewY = 0, .viewHeight = 9,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of the test cases> */
     { .category = "Test cases", .name = "TC05 colours", .chapter = "narrow-phase",
       .text = "A body that touches another is red, else white. T, Q, E change it.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
       .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_TOUCHING,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of the test cases> */
     { .category = "Test cases", .name = "TC06 quad tree", .chapter = "broad-phase",
       .text = "Each body says which node holds it; the node under the mouse is marked.",
       .define = by_quad_tree, .build = build_drift, .draw = draw_nodes,
@@ -343,7 +337,6 @@ static const wfScene row[] = {
       .define = without_gravity, .build = build_drift,
       .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_PAIRS | WF_SHOW_BOUNDS,
       .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
-    /* <rows of the test cases> */
     { .category = "Test cases", .name = "TC08 positional correction", .chapter = "impulses",
       .text = "Press the body against another: it is moved out until the edges barely touch.",
       .define = push_out_at_once, .build = build_gallery, .update = place_testing_body,

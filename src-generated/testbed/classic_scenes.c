@@ -5,7 +5,7 @@
 #include "testbed/classics.h"
 #include "testbed/maker.h"
 
-/* <scenes of the classics> */
+/* scenes of the classics */
 static wfResult build_card_house(wfWorld *world)
 {
     return wfBuildCardHouse(world, 5, 0, 1);
@@ -28,7 +28,7 @@ static void draw_overhang(const wfWorld *world, wfDraw *d, const wfSceneInput *i
     wfDrawArrow(d, 0, 1.2f, end, 1.2f, 2, WF_INK_ACCENT);
     wfDrawTextf(d, end / 2, 1.3f, 14, WF_INK_TEXT, 0, "%.3f m", (double)end);
 }
-/* <scenes of the classics> */
+
 static wfResult build_heavy_pairs(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -54,7 +54,7 @@ static void draw_masses(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
             wfDrawTextf(d, WF_XY(v.state[i].p), 14, WF_INK_TEXT, 0, "%.0f kg",
                         1 / (double)v.state[i].invMass);
 }
-/* <scenes of the classics> */
+
 static wfResult build_high_tower(wfWorld *world) { return wfBuildTower(world, 100, 1); }
 
 static wfResult build_one_place(wfWorld *world) { return wfBuildCoincident(world, 40); }
@@ -63,7 +63,7 @@ static void with_room_for_pairs(wfWorldDef *def)
 {
     def->pairCapacity = def->contactCapacity = 2048;
 }
-/* <scenes of the classics> */
+
 static wfResult build_dominoes(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -82,7 +82,7 @@ static wfResult build_dominoes(wfWorld *world)
     put(&m, &b);
     return m.result;
 }
-/* <scenes of the classics> */
+
 static wfResult build_tumbler(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -106,7 +106,7 @@ static wfResult build_tumbler(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
+
 enum { GALTON_ROWS = 8, GALTON_BALLS = 80 };
 
 static void hang_pegs(Maker *m, wfBodyId board)
@@ -121,7 +121,7 @@ static void hang_pegs(Maker *m, wfBodyId board)
             hang(m, board, &peg);
         }
 }
-/* <scenes of the classics> */
+
 static wfResult build_galton(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -146,7 +146,7 @@ static wfResult build_galton(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
+
 static void release_a_ball(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -158,7 +158,7 @@ static void release_a_ball(wfWorld *world, const wfSceneInput *in)
     if (wfChangeBodyType(world, id, WF_DYNAMIC) == WF_OK)
         wfSetBodyTransform(world, id, wfV2(x, WF_R(9.2)), 0);
 }
-/* <scenes of the classics> */
+
 static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -167,7 +167,7 @@ static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int32_t i = 0; i < v.count; i++)
         arrived += v.alive[i] && v.state[i].invMass > 0 && v.state[i].p.y < 2;
     float ways = 1, last = 0;
-    /* <draw how high each heap should be> */
+    /* draw how high each heap should be */
     for (int k = 0; k <= GALTON_ROWS; k++) {
         /* a bin is 1 m wide; three balls side by side in it make a layer of 0.29 m */
         float high = (float)arrived * ways / 256 / 3 * 0.29f, x = (float)k - 4.5f;
@@ -178,7 +178,7 @@ static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     }
     wfDrawLine(d, 4.5f, last, 4.5f, 0, 1.5f, WF_INK_ACCENT);
 }
-/* <scenes of the classics> */
+
 static wfResult build_hung_cradle(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -197,10 +197,9 @@ static wfResult build_hung_cradle(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
 static const wfReal rampFriction[4][3] = { { WF_R(0.7), 0, 0 }, /* mu, mu_s, a push */
     { WF_R(0.4), WF_R(0.6), 0 }, { WF_R(0.4), WF_R(0.6), 1 }, { WF_R(0.3), WF_R(0.4), 0 } };
-/* <scenes of the classics> */
+
 static wfResult build_ramp(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -212,7 +211,7 @@ static wfResult build_ramp(wfWorld *world)
     slope.friction = 1;
     put(&m, &slope);
     for (int i = 0; i < 4; i++) {
-        /* <put box i on the ramp> */
+        /* put box i on the ramp */
         wfReal along = WF_R(2.2) * (wfReal)i - WF_R(6.2);
         wfBodyDef b = wfDefaultBodyDef();
         wfShapeDef s = wfDefaultShapeDef();
@@ -231,7 +230,7 @@ static wfResult build_ramp(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
+
 static void draw_ramp(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -244,7 +243,7 @@ static void draw_ramp(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
                     held, (double)mu[0]);
     }
 }
-/* <scenes of the classics> */
+
 enum { RACERS = 4 };
 static const wfReal raceSlope = WF_R(-0.2), raceDrop = WF_R(2.6);
 
@@ -252,7 +251,7 @@ static wfVec2 race_start(int lane)
 {
     return wfV2(-7, WF_R(1.6) + raceDrop * (wfReal)(RACERS - lane));
 }
-/* <scenes of the classics> */
+
 /* Hangs what makes a racer: 0 box, 1 heavy middle, 2 plain disc, 3 heavy rim. */
 static void hang_racer(Maker *m, wfBodyId id, int lane)
 {
@@ -274,7 +273,7 @@ static void hang_racer(Maker *m, wfBodyId id, int lane)
     s.density = 20;
     hang(m, id, &s);
 }
-/* <scenes of the classics> */
+
 static wfResult build_race(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -289,7 +288,7 @@ static wfResult build_race(wfWorld *world)
         slope.angle = raceSlope;
         slope.friction = lane == 0 ? 0 : 1;
         put(&m, &slope);
-        /* <put a racer at its start> */
+        /* put a racer at its start */
         racer = wfDefaultBodyDef();
         racer.mass = lane == 1 || lane == 3 ? 0 : 1;
         racer.type = WF_STATIC;         /* until it has a shape that weighs something */
@@ -302,7 +301,7 @@ static wfResult build_race(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
+
 static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -320,7 +319,7 @@ static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
                     "I = %.2f m r^2", (double)k);
     }
 }
-/* <scenes of the classics> */
+
 /* The place of p, which belongs to a0 and b0 in the drawing, when these are at a and b. */
 static wfVec2 third(wfVec2 p, wfVec2 a0, wfVec2 b0, wfVec2 a, wfVec2 b)
 {
@@ -331,13 +330,13 @@ static wfVec2 third(wfVec2 p, wfVec2 a0, wfVec2 b0, wfVec2 a, wfVec2 b)
     if (wfCross(wfSub(b0, a0), wfSub(p, a0)) < 0) y = -y;
     return wfAddScaled(wfAddScaled(a, x, e), y, wfPerpCCW(e));
 }
-/* <scenes of the classics> */
+
 typedef struct Leg { wfVec2 foot, knee, ankle, hip, heel, top, crank; } Leg;
 
 /* A leg in the drawing (side 1 or -1), and with the crank elsewhere. */
 static Leg leg_at(wfReal side, wfReal angle)
 {
-    /* <the drawing of a leg> */
+    /* the drawing of a leg */
     Leg d = { wfV2(WF_R(1.35) * side, WF_R(-1.525)), wfV2(WF_R(1.8) * side, WF_R(-0.3)),
               wfV2(WF_R(1.075) * side, WF_R(-0.475)), wfV2(WF_R(0.775) * side, WF_R(0.2)),
               wfV2(WF_R(1.5) * side, WF_R(0.375)), wfV2(WF_R(0.625) * side, WF_R(0.925)),
@@ -351,7 +350,7 @@ static Leg leg_at(wfReal side, wfReal angle)
     l.foot = third(d.foot, d.ankle, d.knee, l.ankle, l.knee);
     return l;
 }
-/* <scenes of the classics> */
+
 static wfBodyId put_triangle(Maker *m, wfVec2 at, wfVec2 a, wfVec2 b, wfVec2 c)
 {
     wfVec2 middle = wfScale(WF_R(1.0) / 3, wfAdd(a, wfAdd(b, c)));
@@ -364,7 +363,7 @@ static wfBodyId put_triangle(Maker *m, wfVec2 at, wfVec2 a, wfVec2 b, wfVec2 c)
     note(m, wfMakePolygon(corner, 3, &def.shape));
     return put_in_group(m, &def, -1);
 }
-/* <scenes of the classics> */
+
 static void put_leg(Maker *m, wfVec2 at, wfBodyId frame, wfBodyId wheel, const Leg *l)
 {
     wfBodyId low = put_triangle(m, at, l->foot, l->knee, l->ankle);
@@ -379,7 +378,7 @@ static void put_leg(Maker *m, wfVec2 at, wfBodyId frame, wfBodyId wheel, const L
     }
     pin(m, frame, high, wfAdd(at, l->hip));
 }
-/* <scenes of the classics> */
+
 static wfResult build_walker(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -395,7 +394,7 @@ static wfResult build_walker(wfWorld *world)
     motor.motorSpeed = -2;
     motor.motorForce = 40;
     join(&m, &motor);
-    /* <give it six legs> */
+    /* give it six legs */
     for (int phase = 0; phase < 3; phase++)
         for (int side = -1; side <= 1; side += 2) {
             Leg l = leg_at((wfReal)side, 2 * WF_PI / 3 * (wfReal)phase);
@@ -407,7 +406,7 @@ static wfResult build_walker(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
+
 enum { BRICKS_WIDE = 6, BRICKS_HIGH = 14 };
 
 static void many_joints(wfWorldDef *def)
@@ -425,7 +424,7 @@ static void mortar(Maker *m, wfBodyId a, wfBodyId b, wfReal x, wfReal y)
     weld.breakTorque = 6;
     join(m, &weld);
 }
-/* <scenes of the classics> */
+
 static wfResult build_breaking_wall(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -450,7 +449,7 @@ static wfResult build_breaking_wall(wfWorld *world)
     put(&m, &shot);
     return m.result;
 }
-/* <scenes of the classics> */
+
 enum { TRIAL_BOXES = 8, TRIAL_STEPS = 360 };
 static const wfReal trialSlope = WF_R(-0.4434);             /* arctan(0.95 / 2) */
 
@@ -458,7 +457,7 @@ static wfResult build_trial(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     put_wall(&m, 0, WF_R(-0.2), WF_R(2.3), WF_R(0.2), 0);
-    /* <put a sledge on its slope> */
+    /* put a sledge on its slope */
     wfBodyDef slope = box(&m, WF_R(0.3), WF_R(0.75), WF_R(0.9), WF_R(0.1));
     slope.type = WF_STATIC;
     slope.angle = trialSlope;
@@ -478,7 +477,7 @@ static wfResult build_trial(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of the classics> */
+
 /* A little world after so many steps of one solver; its error if it has come to grief. */
 static wfResult run_trial(int solver, int passes, int steps, wfWorld *out)
 {
@@ -492,7 +491,7 @@ static wfResult run_trial(int solver, int passes, int steps, wfWorld *out)
     while (result == WF_OK && steps-- > 0) result = wfStepWorld(out);
     return result;
 }
-/* <scenes of the classics> */
+
 static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
 {
     static const uint8_t ink[3] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD };
@@ -508,13 +507,13 @@ static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
         wfDrawShape(d, &s.shapes[k], xf, WF_INK_LINE, fill);
     }
 }
-/* <scenes of the classics> */
+
 static void write_length(wfDraw *d, float x, float y, double length)
 {
     if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "gone");
     else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
 }
-/* <scenes of the classics> */
+
 static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
 {
     wfBodyView v = wfWorldBodies(world);
@@ -525,7 +524,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     double crept = ((double)sledge.p.x - 0.3 + 0.4 * (double)q.c + 0.25 * (double)q.s)
                    / (double)q.c;
     double energy = (v2 * v2 / 2 + 9.81 * ((double)ball.p.y - 0.2)) / (9.81 * 2);
-    /* <mark where each should be> */
+    /* mark where each should be */
     wfDrawDashed(d, x - 1.9f, y + 0.4f * TRIAL_BOXES, x - 1.1f, y + 0.4f * TRIAL_BOXES, 1,
                  WF_INK_BAD);
     wfDrawDashed(d, x + 1.4f, y + 2.4f, x + 2.2f, y + 2.4f, 1, WF_INK_BAD);
@@ -538,7 +537,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     write_length(d, x + 0.1f, y - 0.75f, crept);
     wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.1f %%", 100 * energy);
 }
-/* <scenes of the classics> */
+
 static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     int steps = (int)(wfWorldSteps(world) % TRIAL_STEPS);
@@ -557,7 +556,6 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
 }
 
 static const wfScene row[] = {
-    /* <rows of the classics> */
     { .category = "Classics", .name = "card house", .chapter = "scenes",
       .text = "Five storeys of cards lean on each other. Take one out.",
       .build = build_card_house, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = WF_R(6.2),
@@ -571,7 +569,6 @@ static const wfScene row[] = {
       .text = "Ten blocks hang over the edge by 99 % of what is possible.",
       .build = build_overhang, .draw = draw_overhang, .viewX = 0, .viewY = 2,
       .viewHeight = 5, .energyBound = WF_R(0.2), .depthBound = WF_R(0.02) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "heavy on light", .chapter = "soft",
       .text = "One box on another: equal, a hundred and ten thousand times as heavy.",
       .build = build_heavy_pairs, .draw = draw_masses, .viewX = 0, .viewY = WF_R(1.4),
@@ -584,38 +581,31 @@ static const wfScene row[] = {
       .text = "Forty boxes are born in the same place, and have to come apart.",
       .define = with_room_for_pairs, .build = build_one_place,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8, .energyBound = -1, .depthBound = -1 },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "dominoes", .chapter = "scenes",
       .text = "A wave runs through thirty stones with a speed of its own.",
       .build = build_dominoes, .viewX = 0, .viewY = WF_R(2.2), .viewHeight = WF_R(9.5),
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.1) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "tumbler", .chapter = "compound",
       .text = "A drum turns and never lets its heap come to rest.",
       .build = build_tumbler, .viewX = 0, .viewY = 4, .viewHeight = 10,
       .energyBound = -1, .depthBound = WF_R(0.2) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "Galton board", .chapter = "scenes",
       .text = "Left or right at each peg: the line is the binomial distribution.",
       .define = softly, .build = build_galton, .update = release_a_ball, .draw = draw_galton,
       .viewX = 0, .viewY = WF_R(5.6), .viewHeight = WF_R(13.6),
       .energyBound = -1, .depthBound = WF_R(0.25) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "hung cradle", .chapter = "joints",
       .text = "Five touching balls on rods. One comes in, and one goes out.",
       .build = build_hung_cradle, .viewX = 0, .viewY = WF_R(3.4), .viewHeight = 6,
       .show = WF_SHOW_JOINTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.08) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "ramp", .chapter = "friction",
       .text = "Static over dynamic friction, on a slope of 1/2: who holds, who slides?",
       .build = build_ramp, .draw = draw_ramp, .viewX = 0, .viewY = WF_R(3.4), .viewHeight = 10,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "rolling race", .chapter = "friction",
       .text = "Ice, a heavy middle, a plain disc, a heavy rim: the dashed lines are exact.",
       .build = build_race, .draw = draw_race, .viewX = 0, .viewY = WF_R(6.6), .viewHeight = 14,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "walker", .chapter = "joints-in-a-world",
       .text = "Jansen's legs: one crank, six linkages. The body hardly rises and falls.",
       .define = jointly, .build = build_walker,
@@ -626,7 +616,6 @@ static const wfScene row[] = {
       .define = many_joints, .build = build_breaking_wall,
       .viewX = 2, .viewY = 3, .viewHeight = 8,
       .energyBound = 5, .depthBound = WF_R(0.5) },
-    /* <rows of the classics> */
     { .category = "Classics", .name = "solvers", .chapter = "soft",
       .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
       .build = build_nothing, .draw = draw_solvers,

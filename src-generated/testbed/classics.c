@@ -6,7 +6,7 @@
 #include "weft/draw.h"
 #include "weft/joint.h"
 
-/* <helpers of the classics> */
+/* helpers of the classics */
 #define FAILED ((double)NAN)    /* what an experiment returns that has come to nothing */
 #define FULL_TURN 6.283185307179586
 
@@ -28,7 +28,7 @@ static wfBodyDef brick(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high)
     if (y->result == WF_OK) y->result = result;
     return def;
 }
-/* <helpers of the classics> */
+
 static Yard yard_on(wfWorld *world, wfReal friction, wfReal restitution)
 {
     Yard y = { .world = world };
@@ -39,14 +39,14 @@ static Yard yard_on(wfWorld *world, wfReal friction, wfReal restitution)
     lay(&y, &ground);
     return y;
 }
-/* <helpers of the classics> */
+
 /* A number from -1 to 1, the same on every machine. */
 static wfReal shake(uint32_t *seed)
 {
     *seed = *seed * 1664525u + 1013904223u;
     return (wfReal)((int32_t)(*seed >> 8) - 8388608) / 8388608;
 }
-/* <helpers of the classics> */
+
 /* A world as `how` says, with room for so many bodies; false if there is none. */
 static bool open_yard(const wfWorldDef *how, int bodies, wfWorld *out)
 {
@@ -63,7 +63,7 @@ static bool run(wfWorld *world, int steps)
         if (wfStepWorld(world) != WF_OK) return false;
     return true;
 }
-/* <helpers of the classics> */
+
 static wfBodyState state_of(const wfWorld *world, int i)
 {
     return wfWorldBodies(world).state[i];
@@ -76,7 +76,7 @@ static double fastest(const wfWorld *world)
     for (int i = 0; i < view.count; i++) most = wfMaxR(most, wfLength(view.state[i].v));
     return (double)most;
 }
-/* <helpers of the classics> */
+
 enum { YARD_BODIES = 1100 };
 
 /* Does what was built stand for 20 s? Looked at once in a second. Ends the world. */
@@ -96,7 +96,7 @@ static bool stands(wfWorld *world, wfResult built, double part)
     wfDestroyWorld(world);
     return well;
 }
-/* <helpers of the classics> */
+
 /* The ground, tilted by an angle, with a box of 2 m by 1 m on it, or a disc of 0.5 m. */
 static bool open_slope(const wfWorldDef *how, double angle, bool disc, double friction,
                        wfWorld *out)
@@ -112,7 +112,8 @@ static bool open_slope(const wfWorldDef *how, double angle, bool disc, double fr
     lay(&y, &body);
     return y.result == WF_OK;
 }
-/* <classic scenes> */
+
+/* classic scenes */
 wfResult wfBuildTower(wfWorld *world, int boxes, uint32_t seed)
 {
     Yard y = yard_on(world, WF_R(0.6), 0);
@@ -136,7 +137,7 @@ wfResult wfBuildHeavyOnLight(wfWorld *world, wfReal ratio)
     }
     return y.result;
 }
-/* <classic scenes> */
+
 wfResult wfBuildCoincident(wfWorld *world, int boxes)
 {
     Yard y = yard_on(world, WF_R(0.6), 0);
@@ -146,7 +147,7 @@ wfResult wfBuildCoincident(wfWorld *world, int boxes)
     }
     return y.result;
 }
-/* <classic scenes> */
+
 static void lay_card(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high, wfReal angle)
 {
     wfBodyDef def = brick(y, x, z, wide, high);
@@ -154,7 +155,7 @@ static void lay_card(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high, wfRe
     def.friction = WF_R(0.7);
     lay(y, &def);
 }
-/* <classic scenes> */
+
 wfResult wfBuildCardHouse(wfWorld *world, int storeys, wfReal off, uint32_t seed)
 {
     const wfReal thick = WF_R(0.02), lean = 25 * WF_PI / 180;
@@ -178,7 +179,7 @@ wfResult wfBuildCardHouse(wfWorld *world, int storeys, wfReal off, uint32_t seed
     }
     return y.result;
 }
-/* <classic scenes> */
+
 wfResult wfBuildArch(wfWorld *world, int stones, double thickness)
 {
     const double radius = 5;
@@ -202,7 +203,7 @@ wfResult wfBuildArch(wfWorld *world, int stones, double thickness)
     }
     return y.result;
 }
-/* <classic scenes> */
+
 /* How much is missing of a thrust line with the horizontal thrust h: <= 0, none. */
 static double thrust_misses(int stones, double thickness, double h)
 {
@@ -219,7 +220,7 @@ static double thrust_misses(int stones, double thickness, double h)
     }
     return least - most;
 }
-/* <classic scenes> */
+
 bool wfArchCanStand(int stones, double thickness)
 {
     double low = 0, high = 2;
@@ -232,7 +233,7 @@ bool wfArchCanStand(int stones, double thickness)
     }
     return thrust_misses(stones, thickness, low) <= 0;
 }
-/* <classic scenes> */
+
 wfResult wfBuildOverhang(wfWorld *world, int blocks, wfReal share)
 {
     const wfReal high = WF_R(0.2), top = 2;
@@ -249,7 +250,7 @@ wfResult wfBuildOverhang(wfWorld *world, int blocks, wfReal share)
     }
     return y.result;
 }
-/* <classic scenes> */
+
 static void hinge(Yard *y, wfBodyId a, wfBodyId b, wfVec2 at)
 {
     wfJoint joint;
@@ -266,7 +267,7 @@ static Yard nail_at_origin(wfWorld *world)
     lay(&y, &nail);
     return y;
 }
-/* <classic scenes> */
+
 /* Hangs up `def` by a hinge, out of reach of all others. */
 static void hang_on(Yard *y, wfBodyDef *def, wfBodyId from, wfVec2 at)
 {
@@ -278,7 +279,7 @@ static void hang_on(Yard *y, wfBodyDef *def, wfBodyId from, wfVec2 at)
     if (y->result == WF_OK) y->result = wfSetShape(y->world, id, &shape);
     hinge(y, from, y->id, at);
 }
-/* <classic scenes> */
+
 wfResult wfBuildLoadedChain(wfWorld *world, int links, wfReal load)
 {
     Yard y = nail_at_origin(world);
@@ -298,7 +299,7 @@ wfResult wfBuildLoadedChain(wfWorld *world, int links, wfReal load)
     }
     return y.result;
 }
-/* <classic scenes> */
+
 wfResult wfBuildRodPendulum(wfWorld *world)
 {
     Yard y = nail_at_origin(world);
@@ -308,7 +309,7 @@ wfResult wfBuildRodPendulum(wfWorld *world)
     hang_on(&y, &def, nail, wfV2(0, 0));
     return y.result;
 }
-/* <classic scenes> */
+
 static wfBodyDef sphere(Yard *y, wfReal x, wfReal z, wfReal radius)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -329,7 +330,7 @@ wfResult wfBuildTouchingCradle(wfWorld *world, int balls)
     }
     return y.result;
 }
-/* <classic scenes> */
+
 wfResult wfBuildBullet(wfWorld *world, wfReal speed, wfReal from, bool dynamic)
 {
     Yard y = { .world = world };
@@ -343,7 +344,8 @@ wfResult wfBuildBullet(wfWorld *world, wfReal speed, wfReal from, bool dynamic)
     lay(&y, &bullet);
     return y.result;
 }
-/* <classic experiments> */
+
+/* classic experiments */
 static bool tower_stands(const wfWorldDef *how, int boxes)
 {
     bool well = true;
@@ -354,7 +356,7 @@ static bool tower_stands(const wfWorldDef *how, int boxes)
     }
     return well;
 }
-/* <classic experiments> */
+
 /* Towers up to this height are tried. */
 enum { TALLEST_TOWER = 200 };
 
@@ -369,7 +371,7 @@ static double greatest_tower(const wfWorldDef *how)
     }
     return low;
 }
-/* <classic experiments> */
+
 static double greatest_load(const wfWorldDef *how)
 {
     double ratio = 1;
@@ -381,7 +383,7 @@ static double greatest_load(const wfWorldDef *how)
     }
     return ratio;
 }
-/* <classic experiments> */
+
 static double greatest_card_house(const wfWorldDef *how)
 {
     int storeys = 0;
@@ -394,7 +396,7 @@ static double greatest_card_house(const wfWorldDef *how)
         }
     return storeys;
 }
-/* <classic experiments> */
+
 static double thinnest_arch(const wfWorldDef *how)
 {
     double low = 0.09, high = 0.17;
@@ -407,7 +409,7 @@ static double thinnest_arch(const wfWorldDef *how)
     }
     return high;
 }
-/* <classic experiments> */
+
 static double greatest_overhang(const wfWorldDef *how)
 {
     double low = 0.8, high = 1.01;
@@ -420,7 +422,7 @@ static double greatest_overhang(const wfWorldDef *how)
     }
     return low;
 }
-/* <classic experiments> */
+
 static double stop_distance(const wfWorldDef *how)
 {
     wfWorld world;
@@ -445,7 +447,7 @@ static double late_way(const wfWorldDef *how, double tangent)
     wfDestroyWorld(&world);
     return well ? way : FAILED;
 }
-/* <classic experiments> */
+
 static double slip_angle(const wfWorldDef *how)
 {
     double low = 0.45, high = 0.55;
@@ -469,7 +471,7 @@ static double roll(const wfWorldDef *how)
     wfDestroyWorld(&world);
     return well ? 100 * fabs(far / want - 1) : FAILED;
 }
-/* <classic experiments> */
+
 static double chain_stretch(const wfWorldDef *how)
 {
     wfWorld world;
@@ -479,7 +481,7 @@ static double chain_stretch(const wfWorldDef *how)
     wfDestroyWorld(&world);
     return well ? 100 * (-low / 4 - 1) : FAILED;
 }
-/* <classic experiments> */
+
 /* The pendulum for 60 s: the change of its energy, and its mean period, both in percent of
  * what they ought to be. The rod has I = m (l^2 + 0.02^2) / 12 about its middle. */
 static bool swing(const wfWorldDef *how, double *energy, double *period)
@@ -505,7 +507,7 @@ static bool swing(const wfWorldDef *how, double *energy, double *period)
     *period = 100 * ((last - first) / (turns - 1) / (1.1803405990 * small) - 1);
     return well && turns > 1;
 }
-/* <classic experiments> */
+
 static double swing_energy(const wfWorldDef *how)
 {
     double energy, period;
@@ -517,7 +519,7 @@ static double swing_period(const wfWorldDef *how)
     double energy, period;
     return swing(how, &energy, &period) ? period : FAILED;
 }
-/* <classic experiments> */
+
 static double stiff_chain_stretch(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
@@ -531,7 +533,7 @@ static double fine_swing_energy(const wfWorldDef *how)
     def.fineSums = 1;
     return swing_energy(&def);
 }
-/* <classic experiments> */
+
 /* The greatest error of the energy at any of so many bounces, as a share. */
 static double bounce_from(const wfWorldDef *how, double height, int bounces)
 {
@@ -554,7 +556,7 @@ static double bounce_from(const wfWorldDef *how, double height, int bounces)
     wfDestroyWorld(&world);
     return well ? worst : FAILED;
 }
-/* <classic experiments> */
+
 static double bounce_energy(const wfWorldDef *how)
 {
     double worst = 0;
@@ -570,7 +572,7 @@ static double fine_bounce_energy(const wfWorldDef *how)
     def.fineSums = 1;
     return bounce_energy(&def);
 }
-/* <classic experiments> */
+
 static double cradle_share(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
@@ -582,7 +584,7 @@ static double cradle_share(const wfWorldDef *how)
     wfDestroyWorld(&world);
     return well ? 100 * fabs(share - 1) : FAILED;
 }
-/* <classic experiments> */
+
 static double bullets_through(const wfWorldDef *how, double speed, bool dynamic)
 {
     int through = 0;
@@ -599,7 +601,7 @@ static double bullets_through(const wfWorldDef *how, double speed, bool dynamic)
     }
     return through;
 }
-/* <classic experiments> */
+
 static double through_static(const wfWorldDef *how)
 {
     return bullets_through(how, 300, false) + bullets_through(how, 1e5, false);
@@ -609,7 +611,7 @@ static double through_dynamic(const wfWorldDef *how)
 {
     return bullets_through(how, 300, true) + bullets_through(how, 1e5, true);
 }
-/* <classic experiments> */
+
 static double coincident_peak(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
@@ -628,26 +630,21 @@ static double coincident_peak(const wfWorldDef *how)
 }
 
 const wfClassic wfClassicTable[] = {
-    /* <rows of the table of classics> */
     { "tower", "tower with 1 % offsets: boxes that stand for 20 s (200 tried)",
       "200", greatest_tower },
     { "heavy", "heavy on light: greatest ratio of masses that stands", "1000", greatest_load },
-    /* <rows of the table of classics> */
     { "cards", "card house: storeys that stand (7 tried)", "5", greatest_card_house },
     { "arch", "arch: thickness/radius that stands", "0.1075 +- 0.002", thinnest_arch },
     { "overhang", "overhang: share of the possible", "0.995", greatest_overhang },
-    /* <rows of the table of classics> */
     { "slide", "sliding block: error of the stopping distance (%)", "0.05", stop_distance },
     { "slip", "slip angle: error (degrees)", "0.01", slip_angle },
     { "creep", "creep at 95 % of friction (mm/s)", "0", creep },
     { "roll", "rolling disk 20 degrees: error of the distance (%)", "0.1", roll },
-    /* <rows of the table of classics> */
     { "chain", "20 links with a load of 1000 links: stretch (%)", "1", chain_stretch },
     { "stiff-chain", "the same with jointGive = 1e-6", "0.001", stiff_chain_stretch },
     { "energy", "rod pendulum: change of its energy in 60 s (%)", "0.5", swing_energy },
     { "fine-energy", "the same with fineSums", "0.0001", fine_swing_energy },
     { "period", "rod pendulum: error of its period (%)", "0.1", swing_period },
-    /* <rows of the table of classics> */
     { "bounce", "ball with e = 1: worst error of its energy in 10 000 bounces",
       "1e-6", bounce_energy },
     { "fine-bounce", "the same with fineSums", "1e-6", fine_bounce_energy },
@@ -655,7 +652,6 @@ const wfClassic wfClassicTable[] = {
     { "bullet-static", "bullets of 40 at 300 and 100 000 m/s through a static wall",
       "0", through_static },
     { "bullet-dynamic", "the same through a free wall of 10 kg", "0", through_dynamic },
-    /* <rows of the table of classics> */
     { "coincident", "200 boxes in one place: peak speed (m/s)", "10", coincident_peak },
 };
 const int wfClassicCount = (int)(sizeof wfClassicTable / sizeof *wfClassicTable);

@@ -6,37 +6,31 @@
  * Builders fill an empty world; body 0 is the ground. Errors: those of the calls made. */
 #include "weft/world.h"
 
-/* <declarations of classic scenes> */
 /* So many boxes of 1 m on each other, each off by up to 1 cm. */
 wfResult wfBuildTower(wfWorld *world, int boxes, uint32_t seed);
 /* A box of 1 m and `ratio` kg on one of 1 m and 1 kg. */
 wfResult wfBuildHeavyOnLight(wfWorld *world, wfReal ratio);
 /* So many boxes of half a metre in one place, 1 m above the ground. */
 wfResult wfBuildCoincident(wfWorld *world, int boxes);
-/* <declarations of classic scenes> */
 /* A card house: cards 1 m long and 2 cm thick, at 25 degrees; each off by up to `off` m. */
 wfResult wfBuildCardHouse(wfWorld *world, int storeys, wfReal off, uint32_t seed);
-/* <declarations of classic scenes> */
 /* A semicircular arch of so many stones, 5 m in radius at the middle, `thickness` of it
  * thick. Can it stand, by eq:scenes-arch? (An even number of stones.) */
 wfResult wfBuildArch(wfWorld *world, int stones, double thickness);
 bool wfArchCanStand(int stones, double thickness);
-/* <declarations of classic scenes> */
 /* Blocks 1 m long on a table, each over the one below by a share of what is possible. */
 wfResult wfBuildOverhang(wfWorld *world, int blocks, wfReal share);
-/* <declarations of classic scenes> */
 /* A chain of links of 0.2 m and 1 kg that hangs from (0, 0), with a disc of `load` kg. No
  * ground. */
 wfResult wfBuildLoadedChain(wfWorld *world, int links, wfReal load);
 /* A rod of 1 m on a hinge at (0, 0), level, at rest. No ground. */
 wfResult wfBuildRodPendulum(wfWorld *world);
-/* <declarations of classic scenes> */
 /* A row of balls that touch, and one that comes at 3 m/s; e = 1. No ground; no gravity. */
 wfResult wfBuildTouchingCradle(wfWorld *world, int balls);
 /* A ball of 5 cm, 0.1 kg, that flies to the right at `speed` from x = -`from`, at a wall
  * 5 cm thick at x = 0, static or of 10 kg. No ground; wants no gravity. */
 wfResult wfBuildBullet(wfWorld *world, wfReal speed, wfReal from, bool dynamic);
-/* <declarations of classic experiments> */
+
 typedef struct wfClassic {
     const char *name, *what;    /* `what` says what the number is, unit included */
     const char *aim;            /* what is to be reached */

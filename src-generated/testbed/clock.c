@@ -9,12 +9,12 @@ int32_t step_clock_advance(step_clock *clock, double seconds, double dt, int32_t
     if (!(seconds > 0))
         seconds = 0;
     double due = clock->left + seconds;
-    /* <forget what exceeds the bound by eq:clock-bound> */
+    /* forget what exceeds the bound by eq:clock-bound */
     if (due >= (most + 1.0) * dt) {
         clock->left = 0;
         return most;
     }
-    /* <count whole steps by eq:clock-steps> */
+    /* count whole steps by eq:clock-steps */
     int32_t n = (int32_t)(due / dt);
     if (n > most)
         n = most;

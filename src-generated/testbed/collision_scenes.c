@@ -3,7 +3,7 @@
 /* What the resolver can do: bounces, cradles, stacks. */
 #include "testbed/maker.h"
 
-/* <scenes of collision> */
+/* scenes of collision */
 static const wfReal wallBallX = -9, wallBallY = WF_R(2.5), wallBallV = 11, wallBallW = 5;
 
 static wfResult build_ball_and_wall(wfWorld *world)
@@ -25,7 +25,7 @@ static wfResult build_ball_and_wall(wfWorld *world)
     put(&m, &b);
     return m.result;
 }
-/* <scenes of collision> */
+
 static void draw_ball_and_wall(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -34,7 +34,7 @@ static void draw_ball_and_wall(const wfWorld *world, wfDraw *d, const wfSceneInp
         draw_parabola(d, wfV2(wallBallX, wallBallY), wfV2(wallBallV, wallBallW), g,
                       WF_R(0.6));
 }
-/* <scenes of collision> */
+
 static wfResult build_bouncing(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -55,7 +55,7 @@ static void draw_bouncing(const wfWorld *world, wfDraw *d, const wfSceneInput *i
         wfDrawTextf(d, 1.5f * (float)(i - 4), -0.35f, 13, WF_INK_TEXT, 0, "%s%.3g",
                     i == 0 ? "e = " : "", i / 8.0);
 }
-/* <scenes of collision> */
+
 static wfResult build_cradle(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -70,7 +70,7 @@ static wfResult build_cradle(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of collision> */
+
 static wfResult build_tower(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -83,7 +83,7 @@ static wfResult build_tower(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of collision> */
+
 static wfResult build_stack(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -95,7 +95,7 @@ static wfResult build_stack(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of collision> */
+
 static wfResult build_pyramid(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -110,7 +110,7 @@ static wfResult build_pyramid(wfWorld *world)
         }
     return m.result;
 }
-/* <scenes of collision> */
+
 static wfResult build_shapes(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -137,25 +137,21 @@ static wfResult build_shapes(wfWorld *world)
 }
 
 static const wfScene row[] = {
-    /* <rows of collision> */
     { .category = "Collision", .name = "ball and wall", .chapter = "impulses",
       .text = "A ball on its exact parabola (dashed) meets a wall of loose bricks.",
       .build = build_ball_and_wall, .draw = draw_ball_and_wall,
       .viewX = WF_R(-1.2), .viewY = WF_R(3.8), .viewHeight = WF_R(10.5),
       .energyBound = 1, .depthBound = WF_R(0.3) },
-    /* <rows of collision> */
     { .category = "Collision", .name = "bouncing circles", .chapter = "impulses",
       .text = "Nine balls whose restitution goes from 0 to 1 in eighths.",
       .build = build_bouncing, .draw = draw_bouncing,
       .viewX = 0, .viewY = WF_R(3.2), .viewHeight = WF_R(8.8),
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
-    /* <rows of collision> */
     { .category = "Collision", .name = "cradle", .chapter = "impulses",
       .text = "Newton's cradle without strings: the velocity goes through the row.",
       .define = without_gravity, .build = build_cradle,
       .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_VELOCITIES,
       .energyBound = WF_R(0.01), .depthBound = WF_R(0.06) },
-    /* <rows of collision> */
     { .category = "Collision", .name = "stack of boxes", .chapter = "impulses",
       .text = "Six boxes that should simply stand there. Pull one out, or throw one at them.",
       .define = integrated, .build = build_stack, .viewX = 0, .viewY = 3, .viewHeight = 8,
@@ -170,7 +166,6 @@ static const wfScene row[] = {
       .text = "Twenty boxes, each a little askew, and the default solver: it stands.",
       .build = build_tower, .viewX = 0, .viewY = 10, .viewHeight = 23,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
-    /* <rows of collision> */
     { .category = "Collision", .name = "shapes", .chapter = "contacts",
       .text = "Circles and polygons of three to seven corners fall into a bowl.",
       .build = build_shapes, .viewX = 0, .viewY = WF_R(3.6), .viewHeight = 10,

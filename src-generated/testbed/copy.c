@@ -19,7 +19,7 @@ static void put(copier *c, const char *format, ...)
     c->used += n > 0 ? (size_t)n : 0;
 }
 
-/* <copy numbers> */
+/* copy numbers */
 typedef struct number { char text[48]; } number;
 
 static number real(wfReal x)
@@ -37,7 +37,7 @@ static number real(wfReal x)
     }
     return n;
 }
-/* <copy numbers> */
+
 static void put_real(copier *c, const char *name, wfReal x, wfReal usual)
 {
     if (memcmp(&x, &usual, sizeof x) != 0) put(c, "    %s = %s;\n", name, real(x).text);
@@ -53,7 +53,8 @@ static void put_vector(copier *c, const char *name, wfVec2 v, wfVec2 usual)
     if (memcmp(&v, &usual, sizeof v) == 0) return;
     put(c, "    %s = wfV2(%s, %s);\n", name, real(v.x).text, real(v.y).text);
 }
-/* <copy the settings> */
+
+/* copy the settings */
 static void copy_settings(copier *c)
 {
     wfWorldDef def, usual = wfDefaultWorldDef();
@@ -74,7 +75,8 @@ static void copy_settings(copier *c)
         else if (s->kind != WF_SETTING_SET) put_int(c, name, (int64_t)x, (int64_t)ux);
     }
 }
-/* <copy a shape> */
+
+/* copy a shape */
 static void put_points(copier *c, const wfVec2 *p, int n)
 {
     for (int i = 0; i < n; i++)
@@ -98,7 +100,7 @@ static void copy_fields(copier *c, const wfShape *s, const char *to)
     put_points(c, s->normals, s->count > 0 ? s->count : 1);
     put(c, " } };\n");
 }
-/* <copy a shape> */
+
 static void copy_shape(copier *c, const wfShape *s, const char *to)
 {
     wfShape made = { .kind = WF_SHAPE_NONE };
@@ -119,7 +121,8 @@ static void copy_shape(copier *c, const wfShape *s, const char *to)
         put(c, " }, %d, %s, &%s));\n", (int)s->count, real(s->radius).text, to);
     } else copy_fields(c, s, to);
 }
-/* <copy bodies> */
+
+/* copy bodies */
 static void copy_body_numbers(copier *c, int32_t i)
 {
     wfBodyDef usual = wfDefaultBodyDef();
@@ -142,7 +145,7 @@ static void copy_body_numbers(copier *c, int32_t i)
     put_int(c, "b.neverSleeps", wfNeverSleeps(c->world, id), usual.neverSleeps);
     put_int(c, "b.userData", (int64_t)b.userData, (int64_t)usual.userData);
 }
-/* <copy bodies> */
+
 /* What a shape is besides its form. Says whether there is more than a body's definition
  * has. */
 static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
@@ -156,7 +159,7 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
     put_real(c, NAMED("friction"), s->friction, usual.friction);
 #undef NAMED
     if (all) {
-        /* <copy what a body's definition has not> */
+        /* copy what a body's definition has not */
         put_real(c, "s.staticFriction", s->staticFriction, usual.staticFriction);
         put_real(c, "s.rolling", s->rolling, usual.rolling);
         put_real(c, "s.surfaceSpeed", s->surfaceSpeed, usual.surfaceSpeed);
@@ -171,7 +174,7 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
            s->material || s->userData || s->filter.group || s->filter.category != 1 ||
            s->filter.mask != UINT64_MAX;
 }
-/* <copy bodies> */
+
 static void copy_body(copier *c, int32_t i)
 {
     wfShapeDef s;
@@ -189,7 +192,7 @@ static void copy_body(copier *c, int32_t i)
     copy_shape_numbers(c, &s, true);
     put(c, "    DO(wfSetShape(&world, wfFirstShape(&world, body[%d]), &s));\n", (int)i);
 }
-/* <copy bodies> */
+
 static void copy_further_shape(copier *c, int32_t owner, wfShapeId id)
 {
     wfShapeDef s;
@@ -199,7 +202,7 @@ static void copy_further_shape(copier *c, int32_t owner, wfShapeId id)
     copy_shape_numbers(c, &s, true);
     put(c, "    DO(wfAddShapeToBody(&world, body[%d], &s, NULL));\n", (int)owner);
 }
-/* <copy bodies> */
+
 static void copy_bodies(copier *c)
 {
     wfBodyView v = wfWorldBodies(c->world);
@@ -213,7 +216,8 @@ static void copy_bodies(copier *c)
             copy_further_shape(c, owner, wfShapeAt(c->world, k));
     }
 }
-/* <copy joints and forces> */
+
+/* copy joints and forces */
 static void put_field(copier *c, const char *name, wfReal x)
 {
     if (x != 0) put(c, " .%s = %s,", name, real(x).text);
@@ -224,7 +228,7 @@ static void put_place(copier *c, const char *name, wfVec2 p)
     if (p.x != 0 || p.y != 0)
         put(c, "\n        .%s = wfV2(%s, %s),", name, real(p.x).text, real(p.y).text);
 }
-/* <copy joints and forces> */
+
 static void copy_joint(copier *c, const wfJoint *j)
 {
     put(c, "\n    j = (wfJoint){ .kind = wfFindJoint(\"%s\"), .a = B(%d), .b = B(%d),",
@@ -247,7 +251,7 @@ static void copy_joint(copier *c, const wfJoint *j)
         put_field(c, field[i].name, field[i].x);
     put(c, " };\n    DO(wfAddJointToWorld(&world, &j, NULL));\n");
 }
-/* <copy joints and forces> */
+
 static void copy_joints(copier *c)
 {
     for (int32_t i = 0; i < wfWorldJointPlaces(c->world); i++) {
@@ -265,7 +269,7 @@ static void copy_force(copier *c, const wfForce *f)
         put(c, "%s %s", i ? "," : "", real(f->param[i]).text);
     put(c, " } };\n    DO(wfAddForceToWorld(&world, &f, NULL));\n");
 }
-/* <copy joints and forces> */
+
 static void copy_forces(copier *c)
 {
     wfWorldDef def;
@@ -277,7 +281,7 @@ static void copy_forces(copier *c)
                 copy_force(c, &f);
         }
 }
-/* <copy joints and forces> */
+
 static void copy_pairs(copier *c)
 {
     wfPairMaterial m;
@@ -289,7 +293,7 @@ static void copy_pairs(copier *c)
                     real(m.restitution).text, real(m.friction).text,
                     real(m.staticFriction).text, real(m.rolling).text);
 }
-/* <copy a world> */
+/* copy a world */
 static const char copyHead[] =
     "#include <stdio.h>\n#include <stdlib.h>\n#include <weft/weft.h>\n\n"
     "#define DO(call) do { wfResult r = (call); if (r != WF_OK) { \\\n"
@@ -302,7 +306,7 @@ static const char copyTail[] =
     "    for (int i = 0; i < steps; i++) DO(wfStepWorld(&world));\n"
     "    printf(\"%016llx\\n\", (unsigned long long)wfHashWorld(&world));\n"
     "    wfDestroyWorld(&world);\n    return 0;\n}\n";
-/* <copy a world> */
+
 size_t wfCopyAsC(const wfWorld *world, const char *name, const char *warn, char *text,
                  size_t size)
 {

@@ -3,7 +3,7 @@
 /* Sensors, filters, hooks, rays, and what a world reports. */
 #include "testbed/maker.h"
 
-/* <scenes of events> */
+/* scenes of events */
 static void hang_sensor(Maker *m, wfBodyId body, const wfShape *shape)
 {
     wfShapeDef def = wfDefaultShapeDef();
@@ -22,7 +22,7 @@ static bool middle_of(const wfWorld *world, wfShapeId id, wfVec2 *out)
     *out = wfApply(wfBodyTransform(&v.state[s.owners[k]]), s.shapes[k].centre);
     return true;
 }
-/* <scenes of events> */
+
 static wfResult build_gate(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -48,7 +48,7 @@ static wfResult build_gate(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of events> */
+
 static void draw_gate(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -61,7 +61,7 @@ static void draw_gate(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
                 wfDrawCircle(d, WF_XY(at), 0.35f, 2, WF_INK_ACCENT, WF_INK_NONE);
     }
 }
-/* <scenes of events> */
+
 static wfResult build_sieve(wfWorld *world)
 {
     static const int role[3] = { WF_INK_BODY, WF_INK_GOOD, WF_INK_BODY2 };
@@ -86,8 +86,8 @@ static wfResult build_sieve(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of events> */
-/* <the hook of a one-way platform> */
+
+/* the hook of a one-way platform */
 enum { ONE_WAY = 1000 };
 
 static void one_way(void *context, const wfHookView *v, const wfContact *c,
@@ -133,7 +133,7 @@ static wfResult build_one_way(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of events> */
+
 static void kick_upwards(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -143,7 +143,7 @@ static void kick_upwards(wfWorld *world, const wfSceneInput *in)
         if (v.props[i].type == WF_DYNAMIC && v.state[i].p.y < WF_R(0.4))
             wfSetBodyVelocity(world, wfBodyAt(world, i), wfV2(0, 7 + (wfReal)(i % 4)), 0);
 }
-/* <scenes of events> */
+
 static wfResult build_conveyors(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -167,7 +167,7 @@ static wfResult build_conveyors(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of events> */
+
 static void draw_conveyors(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -181,7 +181,7 @@ static void draw_conveyors(const wfWorld *world, wfDraw *d, const wfSceneInput *
         wfDrawArrow(d, x - half, y, x + half, y, 2, WF_INK_ACCENT);
     }
 }
-/* <scenes of events> */
+
 static wfResult build_probe(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -204,7 +204,7 @@ static void float_softly(wfWorldDef *def)
     softly(def);
     def->gravity = wfV2(0, 0);
 }
-/* <scenes of events> */
+
 static void draw_probe(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     wfRayHit hit;
@@ -230,7 +230,7 @@ static void draw_probe(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfDrawShape(d, &probe, at, WF_INK_BAD, WF_INK_NONE);
     wfDrawDashed(d, WF_XY(in->mouse), WF_XY(at.p), 1, WF_INK_BAD);
 }
-/* <scenes of events> */
+
 static wfResult build_hits(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -245,7 +245,7 @@ static wfResult build_hits(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of events> */
+
 static void draw_hits(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -263,33 +263,27 @@ static void draw_hits(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 }
 
 static const wfScene row[] = {
-    /* <rows of events> */
     { .category = "Events", .name = "gate", .chapter = "world",
       .text = "Two sensors, one that turns: whoever is in one of them has a ring.",
       .define = softly, .build = build_gate, .draw = draw_gate,
       .viewX = 0, .viewY = 4, .viewHeight = 11, .energyBound = WF_R(0.5),
       .depthBound = WF_R(0.2) },
-    /* <rows of events> */
     { .category = "Events", .name = "sieve", .chapter = "broad-phase",
       .text = "Filters: each floor carries the balls of its own colour.",
       .define = softly, .build = build_sieve, .viewX = 0, .viewY = 5, .viewHeight = 11,
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
-    /* <rows of events> */
     { .category = "Events", .name = "one way", .chapter = "world",
       .text = "A hook lets through what comes from below and carries what comes from above.",
       .define = softly, .build = build_one_way, .update = kick_upwards, .hooks = &oneWayHooks,
       .viewX = 0, .viewY = WF_R(4.5), .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
-    /* <rows of events> */
     { .category = "Events", .name = "conveyors", .chapter = "friction",
       .text = "Belts whose surface runs carry crates to and fro.",
       .define = softly, .build = build_conveyors, .draw = draw_conveyors,
       .viewX = 0, .viewY = 5, .viewHeight = 11, .energyBound = -1, .depthBound = WF_R(0.2) },
-    /* <rows of events> */
     { .category = "Events", .name = "probe", .chapter = "events-and-queries",
       .text = "Rays, the nearest point, and a box that is cast down, asked at every frame.",
       .define = float_softly, .build = build_probe, .draw = draw_probe,
       .viewX = 0, .viewY = 4, .viewHeight = 9, .energyBound = -1, .depthBound = WF_R(0.2) },
-    /* <rows of events> */
     { .category = "Events", .name = "hits", .chapter = "world",
       .text = "A ring for every hit, as wide as it was fast; a line where a touch begins.",
       .define = softly, .build = build_hits, .draw = draw_hits,

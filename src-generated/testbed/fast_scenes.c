@@ -3,7 +3,7 @@
 /* Bodies that go further in a step than walls are thick. */
 #include "testbed/maker.h"
 
-/* <scenes of fast bodies> */
+/* scenes of fast bodies */
 static wfResult build_bullets(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -21,7 +21,7 @@ static wfResult build_bullets(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of fast bodies> */
+
 static void update_bullets(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -35,7 +35,7 @@ static void update_bullets(wfWorld *world, const wfSceneInput *in)
     wfSetBodyTransform(world, id, wfV2(-10 - aside, y), 0);
     wfSetBodyVelocity(world, id, wfV2(300, 0), 0);
 }
-/* <scenes of fast bodies> */
+
 static wfResult build_bullet_room(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -57,7 +57,7 @@ static wfResult build_bullet_room(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of fast bodies> */
+
 static wfResult build_fan(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -83,19 +83,16 @@ static wfResult build_fan(wfWorld *world)
 }
 
 static const wfScene row[] = {
-    /* <rows of fast bodies> */
     { .category = "Fast bodies", .name = "bullets", .chapter = "joints-in-a-world",
       .text = "300 m/s, a falling plate, a hanging sheet, 2 cm each: none gets through.",
       .build = build_bullets, .update = update_bullets,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of fast bodies> */
     { .category = "Fast bodies", .name = "bullet room", .chapter = "joints-in-a-world",
       .text = "Twenty-four balls at 120 m/s between walls of 2 cm: nobody gets out.",
       .define = without_gravity, .build = build_bullet_room,
       .viewX = 0, .viewY = 4, .viewHeight = 9,
       .energyBound = 12, .depthBound = -1 },
-    /* <rows of fast bodies> */
     { .category = "Fast bodies", .name = "fan", .chapter = "joints-in-a-world",
       .text = "A blade that turns by 55 degrees in a step bats away what rolls into its way.",
       .build = build_fan, .viewX = 0, .viewY = 6, .viewHeight = 14,

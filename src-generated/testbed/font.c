@@ -3,7 +3,8 @@
 #include <stddef.h>
 #include "testbed/canvas.h"
 #include "testbed/font.h"
-/* <find the nearest size> */
+
+/* find the nearest size */
 int32_t wfNearestSize(const wfFont *font, float px)
 {
     int32_t best = -1;
@@ -17,7 +18,8 @@ int32_t wfNearestSize(const wfFont *font, float px)
     }
     return best;
 }
-/* <find a glyph> */
+
+/* find a glyph */
 const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
 {
     int32_t size = wfNearestSize(font, px);
@@ -32,7 +34,8 @@ const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
     if (glyphs[low].letter == letter) return &glyphs[low];
     return &glyphs[font->glyphCount - 1];    /* U+FFFD is the last */
 }
-/* <measure text> */
+
+/* measure text */
 float wfTextWidth(const wfFont *font, float px, const char *utf8)
 {
     float width = 0;

@@ -5,7 +5,7 @@
 /* A font as pictures of its letters at a few sizes. Source: chapter 28. */
 #include <stdint.h>
 
-/* <what a baked font is> */
+/* what a baked font is */
 typedef struct wfGlyph {
     uint32_t letter;                 /* Unicode */
     int16_t  x, y, width, height;    /* its picture in the atlas, px */
@@ -22,7 +22,6 @@ typedef struct wfFont {
     int32_t glyphCount;
 } wfFont;
 extern const wfFont wfBakedFont;     /* made at build time; no sizes when it could not be */
-/* <what a baked font is> */
 /* The size that is nearest to px (an index); -1 for a font without sizes. */
 int32_t wfNearestSize(const wfFont *font, float px);
 /* The letter's glyph at that size; for a letter that the font lacks, that of U+FFFD. */

@@ -3,7 +3,7 @@
 /* The table of forces, row by row. */
 #include "testbed/maker.h"
 
-/* <scenes of forces> */
+/* scenes of forces */
 static wfResult build_bungee(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -29,7 +29,7 @@ static void draw_ropes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawLine(d, 3 * (float)(i - 2), 5, WF_XY(hook), 2, WF_INK_ACCENT);
     }
 }
-/* <scenes of forces> */
+
 enum { NET_KNOTS = 13 };
 
 static wfResult build_net(wfWorld *world)
@@ -47,7 +47,7 @@ static wfResult build_net(wfWorld *world)
             push(&m, &s);
         last = body;
     }
-    /* <drop three balls on the net> */
+    /* drop three balls on the net */
     for (int i = 0; i < 3; i++) {
         wfBodyDef b = ball(&m, WF_R(0.9) * (wfReal)(i - 1), 3 + (wfReal)i, WF_R(0.4));
         b.mass = 1;
@@ -57,7 +57,7 @@ static wfResult build_net(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of forces> */
+
 static void draw_net(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -65,7 +65,7 @@ static void draw_net(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int32_t i = 1; i < NET_KNOTS && i < v.count; i++)
         wfDrawLine(d, WF_XY(v.state[i - 1].p), WF_XY(v.state[i].p), 2, WF_INK_ACCENT);
 }
-/* <scenes of forces> */
+
 static wfResult build_buoyancy(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -86,7 +86,7 @@ static wfResult build_buoyancy(wfWorld *world)
     push(&m, &water);
     return m.result;
 }
-/* <scenes of forces> */
+
 static void draw_water(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)world, (void)in;
@@ -94,7 +94,7 @@ static void draw_water(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int i = 1; i < 8; i++)
         wfDrawLine(d, -7, -0.5f * (float)i, 7, -0.5f * (float)i, 1, WF_INK_FAINT);
 }
-/* <scenes of forces> */
+
 static wfResult build_wind(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -112,7 +112,7 @@ static wfResult build_wind(wfWorld *world)
     push(&m, &wind);
     return m.result;
 }
-/* <scenes of forces> */
+
 static wfResult build_explosion(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -130,22 +130,18 @@ static wfResult build_explosion(wfWorld *world)
 }
 
 static const wfScene row[] = {
-    /* <rows of forces> */
     { .category = "Forces", .name = "bungee", .chapter = "forces",
       .text = "Three masses on equal ropes that pull and never push.",
       .build = build_bungee, .draw = draw_ropes, .viewX = 0, .viewY = 1, .viewHeight = 10,
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
-    /* <rows of forces> */
     { .category = "Forces", .name = "spring net", .chapter = "forces",
       .text = "Knots joined by damped springs catch three balls.",
       .build = build_net, .draw = draw_net, .viewX = 0, .viewY = WF_R(0.5), .viewHeight = 10,
       .energyBound = 1, .depthBound = WF_R(0.2) },
-    /* <rows of forces> */
     { .category = "Forces", .name = "buoyancy", .chapter = "forces",
       .text = "Densities 0.2, 0.5, 0.9 and 1.5 in water of 1: three pairs float, one sinks.",
       .build = build_buoyancy, .draw = draw_water, .viewX = 0, .viewY = -1, .viewHeight = 8,
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.15) },
-    /* <rows of forces> */
     { .category = "Forces", .name = "wind", .chapter = "forces",
       .text = "A wind of 5 m/s, no weight: green bodies are light, blue ones heavy.",
       .define = without_gravity, .build = build_wind,

@@ -4,19 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/layer.h"
-/* <headers of the headless program> */
 #include <stdio.h>
-/* <headers of the headless program> */
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/copy.h"
 #include "testbed/scene.h"
 #include "testbed/scene_file.h"
-/* <headers of the headless program> */
 #include <time.h>
-/* <headers of the headless program> */
 enum { FIRST_PICTURE = 80 };                /* the step at which the picture is taken */
-/* <headers of the headless program> */
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/svg.h"
@@ -28,13 +23,14 @@ typedef struct headless_command {
     int (*run)(const layer_options *options);
 } headless_command;
 
-/* <complain to the user> */
+/* complain to the user */
 static bool complain(const char *what)
 {
     fprintf(stderr, "weft-headless: %s\n", what);
     return false;
 }
-/* <commands of the headless program> */
+
+/* commands of the headless program */
 static int play(const layer_options *options)
 {
     layer l;
@@ -54,7 +50,7 @@ static int play(const layer_options *options)
     layer_close(&l);
     return good ? 0 : 1;
 }
-/* <commands of the headless program> */
+
 static int list_scenes(const layer_options *options)
 {
     (void)options;
@@ -65,7 +61,7 @@ static int list_scenes(const layer_options *options)
     return 0;
 }
 
-/* <find the scene that is meant> */
+/* find the scene that is meant */
 typedef struct named_scene {
     wfScene scene;
     wfSceneInfo info;
@@ -90,7 +86,7 @@ static char *whole_file(const char *path)
     free(text);
     return NULL;
 }
-/* <find the scene that is meant> */
+
 static bool open_file(const char *path, named_scene *out)
 {
     wfTextError e;
@@ -106,7 +102,7 @@ static bool open_file(const char *path, named_scene *out)
     wfSceneOfText(out->text, &out->info, &out->scene);
     return true;
 }
-/* <find the scene that is meant> */
+
 static const wfScene *scene_of(const layer_options *options, const char *otherwise,
                                named_scene *made)
 {
@@ -118,7 +114,7 @@ static const wfScene *scene_of(const layer_options *options, const char *otherwi
     if (row < 0) complain("no such scene; --list names them all");
     return row < 0 ? NULL : wfSceneAt(row);
 }
-/* <commands of the headless program> */
+
 static int hash_scene(const layer_options *options)
 {
     named_scene made;
@@ -129,7 +125,7 @@ static int hash_scene(const layer_options *options)
     free(made.text);
     return r.result == WF_OK ? 0 : 1;
 }
-/* <commands of the headless program> */
+
 static double seconds_now(void *context)
 {
     (void)context;
@@ -141,7 +137,7 @@ static void print_explanation(void *context, const char *line)
     (void)context;
     puts(line);
 }
-/* <commands of the headless program> */
+
 static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
 {
     double seconds[256] = { 0 };
@@ -156,7 +152,7 @@ static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
     if (result != WF_OK) return result;
     return wfExplainWorld(world, s->hooks ? NULL : seconds, steps, print_explanation, NULL);
 }
-/* <commands of the headless program> */
+
 static wfResult explain_lean(const wfScene *s, const wfWorldDef *def, int steps)
 {
     wfWorld lean;
@@ -168,7 +164,7 @@ static wfResult explain_lean(const wfScene *s, const wfWorldDef *def, int steps)
     wfDestroyWorld(&lean);
     return result;
 }
-/* <commands of the headless program> */
+
 static int explain_scene(const layer_options *options)
 {
     named_scene made;
@@ -187,7 +183,7 @@ static int explain_scene(const layer_options *options)
     free(made.text);
     return result != WF_OK;
 }
-/* <commands of the headless program> */
+
 static int copy_scene(const layer_options *options)
 {
     named_scene made;
@@ -212,7 +208,7 @@ static int copy_scene(const layer_options *options)
     free(made.text);
     return good ? 0 : 1;
 }
-/* <commands of the headless program> */
+
 static int record_hashes(const layer_options *options)
 {
     int steps = options->steps < 0 ? 1000 : options->steps;
@@ -226,7 +222,7 @@ static int record_hashes(const layer_options *options)
     }
     return 0;
 }
-/* <commands of the headless program> */
+
 /* Prints a scene's row; 1: it broke a promise. */
 static int watch(const wfScene *s, int steps)
 {
@@ -239,7 +235,7 @@ static int watch(const wfScene *s, int steps)
              && (depth < 0 || r.deepest <= depth);
     return !kept;
 }
-/* <commands of the headless program> */
+
 static int watch_scenes(const layer_options *options)
 {
     int steps = options->steps < 0 ? 600 : options->steps, broken = 0;
@@ -255,7 +251,7 @@ static int watch_scenes(const layer_options *options)
     free(made.text);
     return broken > 0;
 }
-/* <commands of the headless program> */
+
 static int translate_rube(const layer_options *options)
 {
 #ifdef WF_NO_JSON
@@ -276,7 +272,7 @@ static int translate_rube(const layer_options *options)
     return result != WF_OK;
 #endif
 }
-/* <commands of the headless program> */
+
 static int export_scene(const layer_options *options)
 {
 #ifdef WF_NO_JSON
@@ -288,14 +284,14 @@ static int export_scene(const layer_options *options)
     char *text = NULL;
     const wfScene *s = scene_of(options, options->argument ? options->argument
                                                            : "free fall", &made);
-    /* <open the scene and let it run> */
+    /* open the scene and let it run */
     wfResult result = s ? wfOpenScene(s, NULL, &world) : WF_ERROR_NULL;
     for (int step = 0; step < options->steps && result == WF_OK; step++) {
         wfSceneInput in = wfSceneInputAt(s, step);
         result = wfStepScene(s, &world, &in);
     }
     wfSceneInfo info = { .energyBound = -1, .depthBound = -1 };
-    /* <say what the scene is called and where to look> */
+    /* say what the scene is called and where to look */
     if (s) snprintf(info.name, sizeof info.name, "%s", s->name);
     if (s) snprintf(info.text, sizeof info.text, "%s", s->text);
     if (s) info.viewX = s->viewX, info.viewY = s->viewY, info.viewHeight = s->viewHeight;
@@ -308,7 +304,7 @@ static int export_scene(const layer_options *options)
     return result != WF_OK;
 #endif
 }
-/* <commands of the headless program> */
+
 static int print_schema(const layer_options *options)
 {
     (void)options;
@@ -321,7 +317,7 @@ static int print_schema(const layer_options *options)
     return text == NULL;
 #endif
 }
-/* <commands of the headless program> */
+
 static void print_first_row(const wfWorld *world, const wfBodyState *ball,
                             const wfBodyState *was)
 {
@@ -344,7 +340,7 @@ static void print_first_row(const wfWorld *world, const wfBodyState *ball,
         printf("  %9s", "-");
     printf("  %10.3f  %8d\n", kinetic + potential, (int)contacts);
 }
-/* <commands of the headless program> */
+
 static int first_simulation(const layer_options *options)
 {
     named_scene made;                       /* of the table: a word names the picture */
@@ -366,7 +362,7 @@ static int first_simulation(const layer_options *options)
         result = wfStepScene(scene, &world, &in);
     }
     wfDestroyWorld(&world);
-    /* <ask for its picture> */
+    /* ask for its picture */
     layer_options picture = *options;
     picture.scene = scene->name;
     picture.steps = FIRST_PICTURE;
@@ -374,7 +370,7 @@ static int first_simulation(const layer_options *options)
     if (result != WF_OK || !picture.png) return result != WF_OK;
     return play(&picture);
 }
-/* <commands of the headless program> */
+
 /* What the scene looks like after the steps, in a window of 16 to 10. */
 static wfResult freeze(const wfScene *scene, int32_t steps, wfDraw *d, wfPool *scratch)
 {
@@ -394,7 +390,7 @@ static wfResult freeze(const wfScene *scene, int32_t steps, wfDraw *d, wfPool *s
     wfDestroyWorld(&world);
     return result;
 }
-/* <commands of the headless program> */
+
 static int freeze_scene(const layer_options *options)
 {
     named_scene none;                       /* the bare word names the picture */
@@ -418,9 +414,7 @@ static int freeze_scene(const layer_options *options)
     return failed;
 }
 static const headless_command command_table[] = {
-    /* <rows of the headless command table> */
     { "--play", "play frames (this is the default)", play },
-    /* <rows of the headless command table> */
     { "--list", "list the scenes", list_scenes },
     { "--table", "run scenes and tell what they kept: energy, overlap", watch_scenes },
     { "--copy-c", "a scene as a program in C, after --steps", copy_scene },
@@ -435,7 +429,8 @@ static const headless_command command_table[] = {
     { "--first", "the first simulation: a table, and a picture in the file named",
       first_simulation },
 };
-/* <tell how the headless program is used> */
+
+/* tell how the headless program is used */
 static int usage(void)
 {
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
@@ -447,7 +442,8 @@ static int usage(void)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);
     return 2;
 }
-/* <choose the headless command> */
+
+/* choose the headless command */
 int main(int argc, char **argv)
 {
     layer_options options;

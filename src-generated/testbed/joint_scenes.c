@@ -3,7 +3,7 @@
 /* Machines: what is held together by joints. */
 #include "testbed/maker.h"
 
-/* <scenes of joints> */
+/* scenes of joints */
 static wfResult build_pendulums(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -28,7 +28,7 @@ static void draw_level(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     (void)world, (void)in;
     wfDrawDashed(d, -8, 0, 8, 0, 1.5f, WF_INK_GOOD);
 }
-/* <scenes of joints> */
+
 enum { BRIDGE_PLANKS = 16 };
 
 /* Where hinge i is: on a parabola that sags by a metre. */
@@ -37,7 +37,7 @@ static wfVec2 bridge_hinge(int i)
     wfReal t = 2 * (wfReal)i / BRIDGE_PLANKS - 1;
     return wfV2(WF_R(0.45) * BRIDGE_PLANKS * t, 2 + t * t);
 }
-/* <scenes of joints> */
+
 static void put_bridge(Maker *m, wfReal strength)
 {
     wfReal end = WF_R(0.45) * BRIDGE_PLANKS;
@@ -61,7 +61,7 @@ static void put_bridge(Maker *m, wfReal strength)
     put_wall(m, end + WF_R(1.2), WF_R(1.5), 1, WF_R(1.6), 0);
     put_wall(m, 0, WF_R(-0.5), end + WF_R(2.2), WF_R(0.5), 0);
 }
-/* <scenes of joints> */
+
 static void put_crates(Maker *m)
 {
     for (int i = 0; i < 5; i++) {
@@ -81,7 +81,7 @@ static wfResult build_bridge(wfWorld *world)
     put_crates(&m);
     return m.result;
 }
-/* <scenes of joints> */
+
 static wfResult build_weak_bridge(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -93,7 +93,7 @@ static wfResult build_weak_bridge(wfWorld *world)
     put(&m, &b);
     return m.result;
 }
-/* <scenes of joints> */
+
 static void put_road(Maker *m)
 {
     wfVec2 point[CHAIN_MOST];
@@ -106,7 +106,7 @@ static void put_road(Maker *m)
     put_wall(m, WF_R(-9.5), 2, WF_R(0.5), 3, 0);
     put_wall(m, WF_R(9.5), 2, WF_R(0.5), 3, 0);
 }
-/* <scenes of joints> */
+
 static wfResult build_cart(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -128,7 +128,7 @@ static wfResult build_cart(wfWorld *world)
     put_road(&m);
     return m.result;
 }
-/* <scenes of joints> */
+
 static void drive_cart(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -140,7 +140,7 @@ static void drive_cart(wfWorld *world, const wfSceneInput *in)
         wfSetJoint(world, wfJointAt(world, i), &j);
     }
 }
-/* <scenes of joints> */
+
 static void put_yard(Maker *m)
 {
     put_wall(m, WF_R(-6.5), WF_R(3.5), WF_R(0.3), WF_R(3.62), 0);
@@ -152,7 +152,7 @@ static void put_yard(Maker *m)
         put(m, &crate);
     }
 }
-/* <scenes of joints> */
+
 static wfResult build_crane(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -177,7 +177,7 @@ static wfResult build_crane(wfWorld *world)
     put_yard(&m);
     return m.result;
 }
-/* <scenes of joints> */
+
 static void work_crane(wfWorld *world, const wfSceneInput *in)
 {
     static const wfReal across[] = { 0, 1, 0, 0, -1, 0 };
@@ -191,7 +191,7 @@ static void work_crane(wfWorld *world, const wfSceneInput *in)
         wfSetJoint(world, wfJointAt(world, i), &j);
     }
 }
-/* <scenes of joints> */
+
 static wfBodyId put_wheel(Maker *m, wfBodyId frame, wfReal x, wfReal y, wfReal radius,
                           wfJoint *axle)
 {
@@ -200,7 +200,7 @@ static wfBodyId put_wheel(Maker *m, wfBodyId frame, wfReal x, wfReal y, wfReal r
     *axle = joint_from(m, "revolute", frame, id, wfV2(x, y), wfV2(x, y));
     return id;
 }
-/* <scenes of joints> */
+
 static void put_gears(Maker *m, wfBodyId frame)
 {
     wfBodyId last = { 0 };
@@ -222,7 +222,7 @@ static void put_gears(Maker *m, wfBodyId frame)
         last = id;
     }
 }
-/* <scenes of joints> */
+
 static wfResult build_gears(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -245,7 +245,7 @@ static wfResult build_gears(wfWorld *world)
     put_gears(&m, frame);
     return m.result;
 }
-/* <scenes of joints> */
+
 static void rock_lever(wfWorld *world, const wfSceneInput *in)
 {
     wfJoint j;
@@ -254,7 +254,7 @@ static void rock_lever(wfWorld *world, const wfSceneInput *in)
     j.motorSpeed = wfWorldSteps(world) / 60 % 2 ? WF_R(-1.8) : WF_R(1.8);
     wfSetJoint(world, wfJointAt(world, 1), &j);
 }
-/* <scenes of joints> */
+
 static void put_crank(Maker *m, wfBodyId frame)
 {
     wfJoint axle, slide;
@@ -270,7 +270,7 @@ static void put_crank(Maker *m, wfBodyId frame)
     slide = joint_along(m, "prismatic", frame, head, wfV2(-1, 0), wfV2(1, 0));
     join(m, &slide);
 }
-/* <scenes of joints> */
+
 static wfResult build_crank(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -290,7 +290,7 @@ static wfResult build_crank(wfWorld *world)
     put_crank(&m, frame);
     return m.result;
 }
-/* <scenes of joints> */
+
 static void turn_pinion(wfWorld *world, const wfSceneInput *in)
 {
     wfJoint j;
@@ -299,7 +299,7 @@ static void turn_pinion(wfWorld *world, const wfSceneInput *in)
     j.motorSpeed = (wfWorldSteps(world) + 60) / 120 % 2 ? WF_R(-1.5) : WF_R(1.5);
     wfSetJoint(world, wfJointAt(world, 0), &j);
 }
-/* <scenes of joints> */
+
 static void put_slides(Maker *m)
 {
     wfBodyDef ends = ball(m, -7, 2, WF_R(0.35)), peg = ball(m, -4, 3, WF_R(0.3));
@@ -313,7 +313,7 @@ static void put_slides(Maker *m)
     j.flags = WF_JOINT_LIMITS, j.lower = WF_R(-1.2), j.upper = WF_R(1.2);
     join(m, &j);
 }
-/* <scenes of joints> */
+
 static void put_pulley(Maker *m)
 {
     wfBodyId end[2];
@@ -334,7 +334,7 @@ static void put_pulley(Maker *m)
     j.flags = WF_JOINT_LIMITS, j.lower = WF_R(0.5), j.upper = 10;
     join(m, &j);
 }
-/* <scenes of joints> */
+
 static void put_turns(Maker *m)
 {
     for (int i = 0; i < 3; i++) {
@@ -354,7 +354,7 @@ static void put_turns(Maker *m)
         join(m, &j);
     }
 }
-/* <scenes of joints> */
+
 static wfResult build_small(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -363,13 +363,13 @@ static wfResult build_small(wfWorld *world)
     put_turns(&m);
     return m.result;
 }
-/* <scenes of joints> */
+
 static void on_table(wfWorldDef *def)
 {
     jointly(def);
     def->gravity = wfV2(0, 0);
 }
-/* <scenes of joints> */
+
 static wfResult build_table(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -391,7 +391,7 @@ static wfResult build_table(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of joints> */
+
 static void lead_block(wfWorld *world, const wfSceneInput *in)
 {
     wfJoint j;
@@ -403,7 +403,7 @@ static void lead_block(wfWorld *world, const wfSceneInput *in)
     j.localA = wfScale(far, wfV2(q.c, q.s));
     wfSetJoint(world, wfJointAt(world, 0), &j);
 }
-/* <scenes of joints> */
+
 enum { SPRINGS = 6 };
 
 static wfResult build_springs(wfWorld *world)
@@ -426,7 +426,7 @@ static wfResult build_springs(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of joints> */
+
 static void draw_springs(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -436,7 +436,7 @@ static void draw_springs(const wfWorld *world, wfDraw *d, const wfSceneInput *in
     float y = 2 + (float)(g.y / (omega * omega));
     wfDrawDashed(d, -7, y, 7, y, 1.5f, WF_INK_GOOD);
 }
-/* <scenes of joints> */
+
 typedef struct Limb { int8_t parent; float x0, y0, x1, y1, radius, lower, upper; } Limb;
 
 /* Each hangs from its parent at (x0, y0), standing, metres. Stops in rad. */
@@ -453,7 +453,7 @@ static const Limb dollLimb[] = {
     { 8, 0, 0.5f, 0, 0.08f, 0.08f, -2.4f, 0 },
 };
 enum { LIMBS = (int)(sizeof dollLimb / sizeof *dollLimb) };
-/* <scenes of joints> */
+
 static void put_doll(Maker *m, wfReal x, wfReal y, int32_t group, int role)
 {
     wfBodyId limb[LIMBS];
@@ -475,7 +475,7 @@ static void put_doll(Maker *m, wfReal x, wfReal y, int32_t group, int role)
         join(m, &j);
     }
 }
-/* <scenes of joints> */
+
 static wfResult build_ragdolls(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -490,7 +490,7 @@ static wfResult build_ragdolls(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of joints> */
+
 enum { LINKS = 20 };
 
 static wfResult build_heavy_chain(wfWorld *world)
@@ -514,20 +514,20 @@ static wfResult build_heavy_chain(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of joints> */
+
 static void finely(wfWorldDef *def)
 {
     jointly(def);
     def->substeps = 16;
     def->exactJoints = WF_JOINTS_ONE_BY_ONE;
 }
-/* <scenes of joints> */
+
 static void exactly(wfWorldDef *def)
 {
     jointly(def);
     def->exactJoints = WF_JOINTS_TOGETHER;
 }
-/* <scenes of joints> */
+
 static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -547,13 +547,11 @@ static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput
 }
 
 static const wfScene row[] = {
-    /* <rows of joints> */
     { .category = "Joints", .name = "pendulums", .chapter = "joints",
       .text = "One rod comes back to the dashed line. Two in a row do what nobody can tell.",
       .define = jointly, .build = build_pendulums, .draw = draw_level,
       .viewX = 0, .viewY = -1, .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = WF_R(0.1), .depthBound = -1 },
-    /* <rows of joints> */
     { .category = "Joints", .name = "bridge", .chapter = "joints-in-a-world",
       .text = "Planks on hinges: the bridge takes the shape of its load.",
       .define = jointly, .build = build_bridge,
@@ -564,55 +562,46 @@ static const wfScene row[] = {
       .define = jointly, .build = build_weak_bridge,
       .viewX = 0, .viewY = 3, .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.3) },
-    /* <rows of joints> */
     { .category = "Joints", .name = "cart", .chapter = "joints-in-a-world",
       .text = "Wheels on springs, with motors, on bumps that get higher to the right.",
       .define = jointly, .build = build_cart, .update = drive_cart,
       .viewX = 0, .viewY = 2, .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = WF_R(0.1) },
-    /* <rows of joints> */
     { .category = "Joints", .name = "crane", .chapter = "joints",
       .text = "A trolley, and a winch that pulls and never pushes, worked by the clock.",
       .define = jointly, .build = build_crane, .update = work_crane,
       .viewX = 0, .viewY = WF_R(3.5), .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = WF_R(0.1) },
-    /* <rows of joints> */
     { .category = "Joints", .name = "gears and ratchet", .chapter = "joints",
       .text = "Wheels of radius 1, 2, 3 in gear; a lever rocks, and its wheel only turns.",
       .define = jointly, .build = build_gears, .update = rock_lever,
       .viewX = WF_R(-0.6), .viewY = WF_R(0.2), .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of joints> */
     { .category = "Joints", .name = "crank and rack", .chapter = "joints",
       .text = "A crank drives a piston; a wheel runs along a toothed rod.",
       .define = jointly, .build = build_crank, .update = turn_pinion,
       .viewX = WF_R(-0.5), .viewY = 0, .viewHeight = 8, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = -1 },
-    /* <rows of joints> */
     { .category = "Joints", .name = "small machines", .chapter = "joints",
       .text = "Slide, groove, pulley, rotary spring, rotary limit, motor.",
       .define = jointly, .build = build_small,
       .viewX = 0, .viewY = WF_R(2.2), .viewHeight = 9, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = WF_R(0.1) },
-    /* <rows of joints> */
     { .category = "Joints", .name = "seen from above", .chapter = "joints",
       .text = "Discs that rub on a table, and a block that is led round among them.",
       .define = on_table, .build = build_table, .update = lead_block,
       .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_JOINTS,
       .energyBound = -1, .depthBound = WF_R(0.1) },
-    /* <rows of joints> */
     { .category = "Joints", .name = "springs", .chapter = "joints",
       .text = "Damped by 0, 0.05, 0.2, 0.5, 1 and 3 times the critical: who is first at rest?",
       .define = jointly, .build = build_springs, .draw = draw_springs,
       .viewX = 0, .viewY = 2, .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = WF_R(0.2), .depthBound = -1 },
-    /* <rows of joints> */
     { .category = "Joints", .name = "ragdolls", .chapter = "joints",
       .text = "Capsules on hinges with stops: no knee bends forward, however they fall.",
       .define = jointly, .build = build_ragdolls,
       .viewX = 0, .viewY = WF_R(4.4), .viewHeight = 10, .show = WF_SHOW_JOINTS,
       .energyBound = 1, .depthBound = WF_R(0.35) },
-    /* <rows of joints> */
     { .category = "Joints", .name = "ton joint by joint", .chapter = "joints",
       .text = "A ton on links of a kilogram: its centre belongs on the arc. The joints give.",
       .define = finely, .build = build_heavy_chain, .draw = draw_heavy_chain,

@@ -5,7 +5,7 @@
 #include "testbed/layer.h"
 #include "weft/save.h"
 
-/* <read the options of a platform layer> */
+/* read the options of a platform layer */
 static const char *read_size(const char *text, layer_options *out)
 {
     char *end;
@@ -29,11 +29,11 @@ static const char *read_amount(const char *name, const char *text, layer_options
     else out->steps = (int32_t)x;
     return NULL;
 }
-/* <read the options of a platform layer> */
+
 const char *layer_read_options(int argc, char **argv, layer_options *out)
 {
     *out = (layer_options){ .steps = -1, .width = 1100, .height = 700, .scale = 1 };
-    /* <where the words of options go> */
+    /* where the words of options go */
     struct { const char *name, **place; } texts[] = {
         { "--scene", &out->scene }, { "--input", &out->input },
         { "--save-input", &out->record },
@@ -49,7 +49,7 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
         bool size = strcmp(name, "--size") == 0;
         bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0;
         if (!place && !size && !amount) {
-            /* <keep a command or its argument> */
+            /* keep a command or its argument */
             const char **word = name[0] == '-' ? &out->command : &out->argument;
             if (*word) return "more than one command";
             *word = name;
@@ -62,7 +62,8 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
     }
     return NULL;
 }
-/* <begin and end a platform layer> */
+
+/* begin and end a platform layer */
 static bool complain(const char *what, const char *name)
 {
     fprintf(stderr, "weft: %s%s%s\n", what, name ? ": " : "", name ? name : "");
@@ -82,7 +83,7 @@ static char *read_text(const char *path)
     free(text);
     return NULL;
 }
-/* <begin and end a platform layer> */
+
 bool layer_resize(layer *l, int32_t width, int32_t height)
 {
     if (width < 1 || height < 1 || width > 32768 || height > 32768) return false;
@@ -92,7 +93,7 @@ bool layer_resize(layer *l, int32_t width, int32_t height)
     l->buffer = (frame_buffer){ pixels, width, height, width, l->options->scale };
     return true;
 }
-/* <begin and end a platform layer> */
+
 static bool open_scene_file(layer *l, const char *path)
 {
     char error[400];
@@ -102,7 +103,7 @@ static bool open_scene_file(layer *l, const char *path)
     l->memory.text = l->scene;
     return game_reads_scene(l->scene, error, sizeof error) || complain(path, error);
 }
-/* <begin and end a platform layer> */
+
 static bool open_folder(layer *l)
 {
     l->file.bytes = malloc(GAME_FILE_BYTES);
@@ -110,7 +111,7 @@ static bool open_folder(layer *l)
     l->memory.file = &l->file;
     return l->file.bytes != NULL;
 }
-/* <begin and end a platform layer> */
+
 bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t height)
 {
     memset(l, 0, sizeof *l);
@@ -120,7 +121,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
         return complain("can't load the game", options->game);
     if (options->scene && !options->game && !game_knows_scene(options->scene))
         return complain("no such scene (try `weft-headless --list')", options->scene);
-    /* <lend the game its memory> */
+    /* lend the game its memory */
     l->memory.permanent_size = GAME_PERMANENT_SIZE;
     l->memory.transient_size = GAME_TRANSIENT_SIZE;
     l->memory.permanent = calloc(1, GAME_PERMANENT_SIZE);
@@ -138,7 +139,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     l->last.steps = 1;                                  /* as input_script_open begins */
     return true;
 }
-/* <begin and end a platform layer> */
+
 void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);
@@ -151,7 +152,8 @@ void layer_close(layer *l)
     free(l->memory.transient);
     memset(l, 0, sizeof *l);
 }
-/* <grant a wish for a file> */
+
+/* grant a wish for a file */
 static bool plain_name(const char *name)
 {
     size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789-.");
@@ -162,7 +164,7 @@ static bool keep_file(const char *path, const game_file *f)
 {
     return wfReplaceFile(path, f->bytes, f->size) == WF_OK;
 }
-/* <grant a wish for a file> */
+
 static bool fetch_file(const char *path, game_file *f)
 {
     FILE *file = fopen(path, "rb");
@@ -172,7 +174,7 @@ static bool fetch_file(const char *path, game_file *f)
     fclose(file);
     return whole;
 }
-/* <grant a wish for a file> */
+
 /* An exported picture goes where the options say, all else to the folder. */
 static bool place_file(const layer *l, char *path, size_t size)
 {
@@ -198,7 +200,8 @@ static void grant_wish(layer *l)
     l->exported += good && f->wish == GAME_FILE_EXPORT;
     f->answer = good ? GAME_FILE_DONE : GAME_FILE_FAILED;
 }
-/* <play one frame of a platform layer> */
+
+/* play one frame of a platform layer */
 static void write_log(const layer *l)
 {
     char text[16384];
@@ -214,17 +217,17 @@ static void record_input(layer *l, const game_input *input)
     if (length < sizeof text)
         fwrite(text, 1, length, l->record);
 }
-/* <play one frame of a platform layer> */
+
 static void press(game_input *in, int32_t key)
 {
     if (in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
 }
-/* <play one frame of a platform layer> */
+
 bool layer_frame(layer *l, const game_input *input)
 {
     game_input now = *input;
     if (l->text) {
-        /* <take the next frame of the script> */
+        /* take the next frame of the script */
         int more = input_script_next(&l->script, &now);
         if (more < 0)
             fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line,
@@ -247,7 +250,7 @@ bool layer_frame(layer *l, const game_input *input)
     if (l->options->log && (over || l->frames % 6 == 1)) write_log(l);
     return !over;
 }
-/* <save what was wanted of a run> */
+
 /* Frames that stand still, the first with this key; until a file has come out, if any is
    to come. */
 static bool ask_for(layer *l, int32_t key, bool file)
@@ -264,7 +267,7 @@ static bool ask_for(layer *l, int32_t key, bool file)
     }
     return l->exported > before;
 }
-/* <save what was wanted of a run> */
+
 bool layer_finish(layer *l)
 {
     const layer_options *o = l->options;
@@ -278,7 +281,8 @@ bool layer_finish(layer *l)
         good = complain("can't write the picture", o->png);
     return good;
 }
-/* <live the life of a window> */
+
+/* live the life of a window */
 int layer_main(int argc, char **argv, bool (*run)(layer *l))
 {
     layer_options options;

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include "testbed/platform.h"
 
-/* <options of a platform layer> */
+/* options of a platform layer */
 typedef struct layer_options {
     const char *scene, *input, *record, *png, *log;     /* NULL: not given */
     const char *game;                   /* a shared library with the game */
@@ -20,8 +20,8 @@ typedef struct layer_options {
 
 /* Reads the command line. NULL when all is well, or else what is wrong. */
 const char *layer_read_options(int argc, char **argv, layer_options *out);
-/* <a running platform layer> */
-/* <the game as code that can be exchanged> */
+
+/* the game as code that can be exchanged */
 typedef void game_update_fn(game_memory *, const game_input *, frame_buffer *);
 typedef size_t game_describe_fn(const game_memory *, char *, size_t);
 typedef struct game_code {
@@ -50,7 +50,6 @@ typedef struct layer {
     int64_t frames;
     game_code code;             /* the game itself: what is linked in, or a library's */
 } layer;
-/* <a running platform layer> */
 /* Gets memory and a picture of width x height pixels, opens the files that the options
    name. False, with a word to stderr, when something is not to be had; close it all the
    same. */
@@ -67,7 +66,6 @@ bool layer_frame(layer *l, const game_input *input);
 
 /* After the last frame: saves the pictures that the options name. */
 bool layer_finish(layer *l);
-/* <a running platform layer> */
 /* The whole life of a program with one window: reads the options, opens the layer, lets
    `run' open its window and play, saves what was wanted, closes. Returns the exit code. */
 int layer_main(int argc, char **argv, bool (*run)(layer *l));

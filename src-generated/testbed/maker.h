@@ -6,41 +6,27 @@
  * Chapter 30. */
 #include "testbed/scene.h"
 #include "testbed/view.h"
-/* <headers of the makers> */
 #include "weft/integrate.h"
-/* <headers of the makers> */
 #include "weft/joint.h"
 
 #define GROUP(name) extern const wfSceneGroup name;
-/* <groups of scenes> */
+/* groups of scenes */
 GROUP(wfMotionScenes)
-/* <groups of scenes> */
 GROUP(wfForceScenes)
-/* <groups of scenes> */
 GROUP(wfCollisionScenes)
-/* <groups of scenes> */
 GROUP(wfCaseScenes)
-/* <groups of scenes> */
 GROUP(wfPerformanceScenes)
-/* <groups of scenes> */
 GROUP(wfShapeScenes)
-/* <groups of scenes> */
 GROUP(wfEventScenes)
-/* <groups of scenes> */
 GROUP(wfJointScenes)
-/* <groups of scenes> */
 GROUP(wfSleepScenes)
-/* <groups of scenes> */
 GROUP(wfFastScenes)
-/* <groups of scenes> */
 GROUP(wfClassicScenes)
-/* <groups of scenes> */
 GROUP(wfAskedScenes)
-/* <groups of scenes> */
 GROUP(wfLastScenes)
 #undef GROUP
 
-/* <helpers of the scenes> */
+/* helpers of the scenes */
 typedef struct Maker { wfWorld *world; wfResult result; } Maker;
 
 static inline void note(Maker *m, wfResult result)
@@ -48,7 +34,7 @@ static inline void note(Maker *m, wfResult result)
     if (m->result == WF_OK)
         m->result = result;
 }
-/* <helpers of the scenes> */
+
 static inline wfBodyId put(Maker *m, const wfBodyDef *def)
 {
     wfBodyId id = { 0 };
@@ -61,13 +47,13 @@ static inline wfBodyId put(Maker *m, const wfBodyDef *def)
         note(m, wfAddBodyToWorld(m->world, &fit, &id));
     return id;
 }
-/* <helpers of the scenes> */
+
 static inline void push(Maker *m, const wfForce *force)
 {
     if (m->result == WF_OK)
         note(m, wfAddForceToWorld(m->world, force, NULL));
 }
-/* <helpers of the scenes> */
+
 static inline wfBodyDef box(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
                             wfReal halfHeight)
 {
@@ -84,7 +70,7 @@ static inline wfBodyDef ball(Maker *m, wfReal x, wfReal y, wfReal radius)
     note(m, wfMakeCircle(wfV2(0, 0), radius, &def.shape));
     return def;
 }
-/* <helpers of the scenes> */
+
 static inline wfBodyDef regular(Maker *m, wfReal x, wfReal y, wfReal radius, int corners)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -97,7 +83,7 @@ static inline wfBodyDef regular(Maker *m, wfReal x, wfReal y, wfReal radius, int
     note(m, wfMakePolygon(point, corners, &def.shape));
     return def;
 }
-/* <helpers of the scenes> */
+
 static inline void put_wall(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
                             wfReal halfHeight, wfReal restitution)
 {
@@ -116,7 +102,7 @@ static inline void put_room(Maker *m, wfReal w, wfReal h, wfReal restitution)
     put_wall(m, -w - t, h, t, h, restitution);
     put_wall(m, w + t, h, t, h, restitution);
 }
-/* <helpers of the scenes> */
+
 static inline void without_gravity(wfWorldDef *def) { def->gravity = wfV2(0, 0); }
 
 /* A solver that leaves the motion to the integrator. */
@@ -127,7 +113,7 @@ static inline void integrated_freely(wfWorldDef *def)
     integrated(def);
     without_gravity(def);
 }
-/* <helpers of the scenes> */
+
 static inline void draw_parabola(wfDraw *d, wfVec2 from, wfVec2 v, wfVec2 g, wfReal floor)
 {
     wfVec2 last = from;
@@ -139,13 +125,13 @@ static inline void draw_parabola(wfDraw *d, wfVec2 from, wfVec2 v, wfVec2 g, wfR
         last = at;
     }
 }
-/* <helpers of the scenes> */
+
 static inline wfResult build_nothing(wfWorld *world)
 {
     (void)world;
     return WF_OK;
 }
-/* <helpers of the scenes> */
+
 static inline void softly(wfWorldDef *def)
 {
     def->solver = wfFindSolver("soft");
@@ -168,7 +154,7 @@ static inline void hang_box(Maker *m, wfBodyId body, wfReal x, wfReal y, wfReal 
     note(m, wfMakeOrientedBox(wfV2(x, y), halfWidth, halfHeight, 0, &def.shape));
     hang(m, body, &def);
 }
-/* <helpers of the scenes> */
+
 enum { CHAIN_MOST = 201 };
 
 static inline void put_chain(Maker *m, const wfVec2 *point, int count)
@@ -185,7 +171,7 @@ static inline void put_chain(Maker *m, const wfVec2 *point, int count)
         hang(m, body, &def);
     }
 }
-/* <helpers of the scenes> */
+
 static inline void jointly(wfWorldDef *def)
 {
     softly(def);
@@ -201,7 +187,7 @@ static inline wfJoint joint_from(Maker *m, const char *kind, wfBodyId a, wfBodyI
         note(m, wfJoinBodies(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
     return j;
 }
-/* <helpers of the scenes> */
+
 static inline void join(Maker *m, const wfJoint *joint)
 {
     if (m->result == WF_OK)
@@ -213,7 +199,7 @@ static inline void pin(Maker *m, wfBodyId a, wfBodyId b, wfVec2 at)
     wfJoint j = joint_from(m, "revolute", a, b, at, at);
     join(m, &j);
 }
-/* <helpers of the scenes> */
+
 static inline wfBodyId put_nail(Maker *m, wfReal x, wfReal y)
 {
     wfBodyDef nail = wfDefaultBodyDef();
@@ -233,7 +219,7 @@ static inline wfBodyId put_in_group(Maker *m, const wfBodyDef *def, int32_t grou
     note(m, wfSetShape(m->world, wfFirstShape(m->world, body), &shape));
     return body;
 }
-/* <helpers of the scenes> */
+
 static inline wfJoint joint_along(Maker *m, const char *kind, wfBodyId a, wfBodyId b,
                                   wfVec2 at, wfVec2 axis)
 {

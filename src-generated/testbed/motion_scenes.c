@@ -3,7 +3,7 @@
 /* Bodies that meet nobody: what they do is known by a formula, and the formula is drawn. */
 #include "testbed/maker.h"
 
-/* <scenes of motion> */
+/* scenes of motion */
 static const wfReal fallSpeed[3][2] = { { 0, 0 }, { 3, 4 }, { 5, 7 } };
 
 static wfResult build_free_fall(wfWorld *world)
@@ -19,7 +19,7 @@ static wfResult build_free_fall(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of motion> */
+
 static void draw_free_fall(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -30,7 +30,7 @@ static void draw_free_fall(const wfWorld *world, wfDraw *d, const wfSceneInput *
         draw_parabola(d, wfV2(-3 + WF_R(0.8) * (wfReal)i, 5),
                       wfV2(fallSpeed[i][0], fallSpeed[i][1]), g, WF_R(0.25));
 }
-/* <scenes of motion> */
+
 enum { ORBIT_GM = 32 };
 
 static wfResult build_spring_orbit(wfWorld *world)
@@ -53,7 +53,7 @@ static wfResult build_spring_orbit(wfWorld *world)
         push(&m, &force[i]);
     return m.result;
 }
-/* <scenes of motion> */
+
 static void draw_spring_orbit(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -69,7 +69,7 @@ static void draw_spring_orbit(const wfWorld *world, wfDraw *d, const wfSceneInpu
     wfDrawCircle(d, 4 + 2 * (float)orbit.c, 2 * (float)orbit.s, 0.26f, 2, WF_INK_ACCENT,
                  WF_INK_NONE);
 }
-/* <scenes of motion> */
+
 static void pull_to_centre(void *context, const wfBodyState *state, int count, wfReal time,
                            wfBodyForces *out)
 {
@@ -79,7 +79,7 @@ static void pull_to_centre(void *context, const wfBodyState *state, int count, w
         wfApplyForceToCentre(&out[i], wfScale(-1 / (r2 * r), state[i].p));
     }
 }
-/* <scenes of motion> */
+
 static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, wfReal size, float *xy)
 {
     _Alignas(WF_POOL_ALIGN) uint8_t bytes[4096];
@@ -105,7 +105,7 @@ static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, wfReal size
     wfDrawText(d, (float)middle.x, (float)(middle.y - 2 * size), 13, WF_INK_TEXT, 0,
                wfIntegratorTable[row].name);
 }
-/* <scenes of motion> */
+
 static void draw_integrators(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     enum { MOST = 300 };
@@ -121,18 +121,15 @@ static void draw_integrators(const wfWorld *world, wfDraw *d, const wfSceneInput
 }
 
 static const wfScene row[] = {
-    /* <rows of motion> */
     { .category = "Motion", .name = "free fall", .chapter = "integration",
       .text = "Balls on the parabolas that they must follow: dashed is exact.",
       .build = build_free_fall, .draw = draw_free_fall,
       .viewX = WF_R(2.5), .viewY = WF_R(3.6), .viewHeight = 9,
       .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
-    /* <rows of motion> */
     { .category = "Motion", .name = "spring and orbit", .chapter = "integration",
       .text = "A mass on a spring, a planet on a circle: rings show where they must be.",
       .define = integrated_freely, .build = build_spring_orbit, .draw = draw_spring_orbit,
       .viewX = 1, .viewY = 0, .viewHeight = 9, .energyBound = WF_R(0.001), .depthBound = -1 },
-    /* <rows of motion> */
     { .category = "Motion", .name = "integrators", .chapter = "integration",
       .text = "The same orbit by each integrator, thirty steps to a turn. Some keep it.",
       .define = integrated_freely, .build = build_nothing, .draw = draw_integrators,

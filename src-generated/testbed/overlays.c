@@ -5,7 +5,7 @@
 #include "dynamics/colour.h"
 #include "weft/save.h"
 
-/* <find the pair at a place> */
+/* find the pair at a place */
 static wfTransform pose_of(const wfWorld *world, int32_t shape)
 {
     int32_t body = wfWorldShapes(world).owners[shape];
@@ -30,7 +30,7 @@ static int32_t nearest_shape(const wfWorld *world, const wfShape *shape, wfTrans
     }
     return found;
 }
-/* <find the pair at a place> */
+
 bool wfPairAt(const wfWorld *world, wfVec2 place, int32_t *a, int32_t *b)
 {
     wfShapeView s = wfWorldShapes(world);
@@ -41,7 +41,7 @@ bool wfPairAt(const wfWorld *world, wfVec2 place, int32_t *a, int32_t *b)
     if (*b < 0) *a = -1;
     return *b >= 0;
 }
-/* <find the pair at a place> */
+
 /* The two shapes and where they are. */
 typedef struct SeenPair {
     const wfShape *a, *b;
@@ -58,7 +58,7 @@ static bool see_pair(const wfWorld *world, const wfLook *look, SeenPair *p)
     *p = (SeenPair){ &s.shapes[a], &s.shapes[b], pose_of(world, a), pose_of(world, b) };
     return true;
 }
-/* <look at separating axes> */
+
 /* A point that has the coordinate t along the axis, on a line `lift' beside the place. */
 static wfVec2 on_axis(wfVec2 place, wfVec2 axis, wfReal t, wfReal lift)
 {
@@ -76,7 +76,7 @@ static void draw_shadow(wfDraw *d, wfVec2 place, wfVec2 axis, wfProjection p, wf
     wfDrawDashed(d, WF_XY(high), WF_XY(to), 1, WF_INK_FAINT);
     wfDrawLine(d, WF_XY(from), WF_XY(to), 5, role);
 }
-/* <look at separating axes> */
+
 static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scratch,
                          wfDraw *d)
 {
@@ -91,7 +91,7 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     wfReal reach = wfMinR(wfShapeReach(p.a), wfShapeReach(p.b));
     wfReal lift = 2 * reach, step = WF_R(0.12) * reach;
     int role = s.distance < 0 ? WF_INK_BAD : WF_INK_GOOD;
-    /* <keep the axis near the smaller body> */
+    /* keep the axis near the smaller body */
     wfReal low = wfMinR(a.min, b.min), high = wfMaxR(a.max, b.max);
     low = wfMaxR(low, wfDot(small, s.normal) - 4 * reach);
     high = wfMinR(high, wfDot(small, s.normal) + 4 * reach);
@@ -102,7 +102,7 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     wfProjection cb = { wfMaxR(b.min, low), wfMinR(b.max, high) };
     draw_shadow(d, small, s.normal, ca, lift, lift - step, WF_INK_BODY);
     draw_shadow(d, small, s.normal, cb, lift, lift + step, WF_INK_BODY2);
-    /* <write the gap beside the axis> */
+    /* write the gap beside the axis */
     wfVec2 end = on_axis(small, s.normal, a.max, lift);
     wfVec2 begin = on_axis(small, s.normal, b.min, lift);
     wfDrawLine(d, WF_XY(end), WF_XY(begin), 3, role);
@@ -112,7 +112,8 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     wfDrawTextf(d, WF_XY(label), 13, role, anchor, "%s %.3f m",
                 s.distance < 0 ? "overlap" : "gap", (double)wfAbs(s.distance));
 }
-/* <look at the Minkowski difference> */
+
+/* look at the Minkowski difference */
 enum { DIFFERENCES = WF_MAX_VERTICES * WF_MAX_VERTICES };
 
 /* The cores' corners, or the one point of a circle or a particle. */
@@ -135,7 +136,7 @@ static int minkowski(const SeenPair *p, wfVec2 out[DIFFERENCES])
             all[i * nb + k] = wfSub(wfApply(rel, b[k]), a[i]);
     return wfConvexHull(all, (int)(na * nb), out);
 }
-/* <look at the Minkowski difference> */
+
 /* A window in the view's corner: where a point of the other space is seen. */
 typedef struct Inset { wfVec2 middle, corner; wfReal scale, size; } Inset;
 
@@ -144,7 +145,7 @@ static wfVec2 in_inset(const Inset *w, wfVec2 p)
     wfVec2 half = wfV2(w->size / 2, w->size / 2);
     return wfAddScaled(wfAdd(w->corner, half), w->scale, wfSub(p, w->middle));
 }
-/* <look at the Minkowski difference> */
+
 static Inset open_inset(wfDraw *d, const wfLook *look, const wfVec2 *points, int n)
 {
     const float *seen = look->seen[3] > look->seen[1] ? look->seen : d->view;
@@ -164,7 +165,7 @@ static Inset open_inset(wfDraw *d, const wfLook *look, const wfVec2 *points, int
     wfDrawPolygon(d, xy, 4, 1, WF_INK_FAINT, WF_INK_PAPER);
     return w;
 }
-/* <look at the Minkowski difference> */
+
 static void draw_loop(wfDraw *d, const Inset *w, const wfVec2 *p, int n, float px, int role,
                       int fill)
 {
@@ -179,7 +180,7 @@ static void draw_loop(wfDraw *d, const Inset *w, const wfVec2 *p, int n, float p
     for (int i = 0; i < n && px > 1.2f; i++)
         wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3 * px, role);
 }
-/* <look at the Minkowski difference> */
+
 static const wfGjkStep *step_of(const wfGjkTrace *trace, const wfLook *look)
 {
     int32_t last = trace->count - 1;
@@ -196,7 +197,7 @@ int32_t wfGjkSteps(const wfWorld *world, const wfLook *look)
         return 0;
     return trace.count;
 }
-/* <look at the Minkowski difference> */
+
 static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratch,
                         wfDraw *d)
 {
@@ -216,7 +217,7 @@ static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratc
     for (const wfGjkStep *old = trace.steps; old < now; old++)
         draw_loop(d, &w, old->points, old->count, 1, WF_INK_LINE, WF_INK_NONE);
     draw_loop(d, &w, now->points, now->count, 2, WF_INK_ACCENT, WF_INK_NONE);
-    /* <draw the origin and the way to it> */
+    /* draw the origin and the way to it */
     wfVec2 zero = in_inset(&w, wfV2(0, 0)), near = in_inset(&w, now->nearest);
     wfReal arm = w.size / 30;
     wfVec2 right = wfV2(arm, 0), top = wfV2(0, arm);
@@ -230,7 +231,7 @@ static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratc
                 WF_INK_TEXT, -1, "%s %d of %d", walk ? "GJK, step" : "EPA, step",
                 (int)(now - trace.steps) + 1, (int)trace.count);
 }
-/* <look at clipping> */
+
 /* Moves the end of the segment that has s x > c to the line s x = c (eq:scenes-cut); false
    when all of it is beyond. */
 static bool cut(wfVec2 x[2], wfVec2 s, wfReal c)
@@ -241,7 +242,7 @@ static bool cut(wfVec2 x[2], wfVec2 s, wfReal c)
     else if (d1 > c) x[1] = wfLerp(x[0], x[1], (c - d0) / (d1 - d0));
     return true;
 }
-/* <look at clipping> */
+
 static void edge_of(const wfShape *s, wfTransform xf, int32_t i, wfVec2 normal,
                     wfVec2 out[2])
 {
@@ -260,7 +261,7 @@ static int32_t facing(const wfShape *s, wfTransform xf, wfVec2 d)
             best = i;
     return best;
 }
-/* <look at clipping> */
+
 bool wfClipAt(const wfWorld *world, const wfLook *look, int32_t cuts, wfClipView *out)
 {
     SeenPair p;
@@ -276,7 +277,7 @@ bool wfClipAt(const wfWorld *world, const wfLook *look, int32_t cuts, wfClipView
     v.side = wfPerpCCW(v.normal);
     v.kept[0] = v.incident[0];
     v.kept[1] = v.incident[1];
-    /* <keep what the cuts leave> */
+    /* keep what the cuts leave */
     wfReal low = wfDot(v.side, v.reference[0]), high = wfDot(v.side, v.reference[1]);
     if (cuts > 1 && !cut(v.kept, wfNeg(v.side), -low)) v.count = 0;
     if (cuts > 2 && v.count && !cut(v.kept, v.side, high)) v.count = 0;
@@ -294,7 +295,7 @@ int32_t wfClipSteps(const wfWorld *world, const wfLook *look)
     wfClipView v;
     return wfClipAt(world, look, 0, &v) ? 5 : 0;
 }
-/* <look at clipping> */
+
 static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *scratch,
                              wfDraw *d)
 {
@@ -304,7 +305,7 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfClipView v;
     (void)scratch;
     if (!wfClipAt(world, look, k, &v)) return;
-    /* <place the normal's arrow> */
+    /* place the normal's arrow */
     wfReal reach = wfLength(wfSub(v.reference[1], v.reference[0]));
     wfReal short_ = wfMinR(reach, wfLength(wfSub(v.incident[1], v.incident[0])));
     wfVec2 foot = wfLerp(v.incident[0], v.incident[1], WF_R(0.5));
@@ -312,7 +313,7 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfVec2 tip = wfAddScaled(foot, WF_R(0.35) * short_, v.normal);
     wfDrawLine(d, WF_XY(v.reference[0]), WF_XY(v.reference[1]), 3, WF_INK_GOOD);
     wfDrawArrow(d, WF_XY(foot), WF_XY(tip), 1.5f, WF_INK_GOOD);
-    /* <draw the two sides that cut> */
+    /* draw the two sides that cut */
     for (int e = 0; e < 2 && k > 1 - e && k > 1; e++) {
         if (e == 1 && k < 3) break;
         wfVec2 up = wfAddScaled(v.reference[e], WF_R(0.5) * short_, v.normal);
@@ -327,7 +328,8 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfVec2 label = wfAddScaled(foot, WF_R(0.7) * short_, v.normal);
     wfDrawTextf(d, WF_XY(label), 13, WF_INK_TEXT, 0, "%d of 5: %s", (int)k + 1, move[k]);
 }
-/* <look at features> */
+
+/* look at features */
 static void look_at_features(const wfWorld *world, const wfLook *look, wfPool *scratch,
                              wfDraw *d)
 {
@@ -348,7 +350,8 @@ static void look_at_features(const wfWorld *world, const wfLook *look, wfPool *s
                             (unsigned)vertex, other, mark, (unsigned)edge);
         }
 }
-/* <look at forces> */
+
+/* look at forces */
 static wfReal mean_weight(const wfWorld *world)
 {
     wfBodyView v = wfWorldBodies(world);
@@ -363,7 +366,7 @@ static wfReal mean_weight(const wfWorld *world)
         }
     return n && sum > 0 ? sum / (wfReal)n : 1;
 }
-/* <look at forces> */
+
 /* A force as an arrow that ends, or begins, at a place: eq:scenes-arrow. */
 static void draw_force(wfDraw *d, wfVec2 at, wfVec2 force, wfReal weight, int role,
                        bool text)
@@ -375,7 +378,7 @@ static void draw_force(wfDraw *d, wfVec2 at, wfVec2 force, wfReal weight, int ro
     wfDrawArrow(d, WF_XY(at), WF_XY(to), 2, role);
     if (text) wfDrawTextf(d, WF_XY(to), 13, role, -1, " %.3g N", (double)size);
 }
-/* <look at forces> */
+
 static void draw_pressures(const wfWorld *world, wfReal h, wfDraw *d)
 {
     int32_t count;
@@ -389,7 +392,7 @@ static void draw_pressures(const wfWorld *world, wfReal h, wfDraw *d)
             draw_force(d, p->point, wfScale(1 / h, j), weight, WF_INK_ACCENT, count <= 12);
         }
 }
-/* <look at forces> */
+
 static void look_at_pressures(const wfWorld *world, const wfLook *look, wfPool *scratch,
                               wfDraw *d)
 {
@@ -397,7 +400,7 @@ static void look_at_pressures(const wfWorld *world, const wfLook *look, wfPool *
     (void)look, (void)scratch;
     if (wfGetWorldDef(world, &def) == WF_OK) draw_pressures(world, def.dt, d);
 }
-/* <look at forces> */
+
 static void look_at_loads(const wfWorld *world, const wfLook *look, wfPool *scratch,
                           wfDraw *d)
 {
@@ -415,7 +418,8 @@ static void look_at_loads(const wfWorld *world, const wfLook *look, wfPool *scra
         draw_force(d, at, force, weight, WF_INK_BAD, wfJointCount(world) <= 12);
     }
 }
-/* <look at colours> */
+
+/* look at colours */
 static void look_at_colours(const wfWorld *world, const wfLook *look, wfPool *scratch,
                             wfDraw *d)
 {
@@ -433,7 +437,7 @@ static void look_at_colours(const wfWorld *world, const wfLook *look, wfPool *sc
         return;
     for (int32_t k = 0; k <= WF_COLOURS; k++)
         for (int32_t n = out.first[k]; n < out.first[k + 1]; n++) {
-            /* <draw a contact in its colour> */
+            /* draw a contact in its colour */
             const wfContact *at = &c[out.order[n]];
             if (at->manifold.count < 1) continue;
             wfVec2 a = v.state[at->a].p, b = v.state[at->b].p;
@@ -445,7 +449,8 @@ static void look_at_colours(const wfWorld *world, const wfLook *look, wfPool *sc
             wfDrawTextf(d, WF_XY(mid), 13, WF_INK_TEXT, -1, " %d", (int)k);
         }
 }
-/* <look at bodies> */
+
+/* look at bodies */
 static void look_at_inertia(const wfWorld *world, const wfLook *look, wfPool *scratch,
                             wfDraw *d)
 {
@@ -464,7 +469,7 @@ static void look_at_inertia(const wfWorld *world, const wfLook *look, wfPool *sc
             wfDrawCircle(d, WF_XY(s->p), (float)k, 1.5f, WF_INK_ACCENT, WF_INK_NONE);
     }
 }
-/* <look at bodies> */
+
 static void write_path(const wfQuadTree *tree, int32_t node, char text[40])
 {
     int32_t sector[WF_QUAD_MAX_DEPTH];
@@ -473,7 +478,7 @@ static void write_path(const wfQuadTree *tree, int32_t node, char text[40])
     for (int i = 0; i < n && used < 36; i++)
         used += snprintf(text + used, 40 - (size_t)used, i ? ".%d" : "%d", (int)sector[i]);
 }
-/* <look at bodies> */
+
 static void look_at_nodes(const wfWorld *world, const wfLook *look, wfPool *scratch,
                           wfDraw *d)
 {
@@ -497,7 +502,8 @@ static void look_at_nodes(const wfWorld *world, const wfLook *look, wfPool *scra
         wfDrawText(d, WF_XY(at), 13, WF_INK_TEXT, 0, path);
     }
 }
-/* <look at a part of a step> */
+
+/* look at a part of a step */
 int32_t wfStepSubsteps(const wfWorldDef *def)
 {
     bool own = wfSolverTable[def->solver].step != NULL;
@@ -507,7 +513,7 @@ int32_t wfStepSubsteps(const wfWorldDef *def)
 int32_t wfStepPasses(const wfWorldDef *def)
 {
     return def->iterations > 0 ? def->iterations : wfUsualPasses(def->solver);
-/* <look at a part of a step> */
+
 }
 
 wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPool *scratch,
@@ -533,7 +539,7 @@ wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPoo
     if (result == WF_OK) result = wfSetWorldDef(out, &def);
     return result == WF_OK ? wfStepWorld(out) : result;
 }
-/* <look at a part of a step> */
+
 static void look_at_passes(const wfWorld *world, const wfLook *look, wfPool *scratch,
                            wfDraw *d)
 {
@@ -556,7 +562,8 @@ static void look_at_passes(const wfWorld *world, const wfLook *look, wfPool *scr
                 wfStepSubsteps(&was) > 1 ? (int)def.substeps : 1, (int)wfStepSubsteps(&was),
                 (int)def.iterations, (int)wfStepPasses(&was));
 }
-/* <draw what looks into a step> */
+
+/* draw what looks into a step */
 typedef void LookFn(const wfWorld *, const wfLook *, wfPool *, wfDraw *);
 static const struct { uint32_t bit; LookFn *draw; } looks[] = {
     { WF_SHOW_COLOURS, look_at_colours }, { WF_SHOW_NODES, look_at_nodes },

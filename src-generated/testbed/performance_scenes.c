@@ -3,7 +3,7 @@
 /* The report's six performance tests. */
 #include "testbed/maker.h"
 
-/* <scenes of performance> */
+/* scenes of performance */
 enum { CROWD_ROW = 40 };
 
 /* Room for so many bodies, of which so many fall. */
@@ -20,14 +20,14 @@ static void room_for_1000(wfWorldDef *def) { crowd_room(def, 1000, 1000); }
 static void room_for_2000(wfWorldDef *def) { crowd_room(def, 2000, 2000); }
 static void room_among_1000(wfWorldDef *def) { crowd_room(def, 2000, 1000); }
 static void room_among_2000(wfWorldDef *def) { crowd_room(def, 3000, 1000); }
-/* <scenes of performance> */
+
 static void put_bin(Maker *m, wfReal width, wfReal height)
 {
     put_wall(m, 0, -1, width / 2 + 2, 1, 0);
     put_wall(m, -width / 2 - 1, height / 2, 1, height / 2, 0);
     put_wall(m, width / 2 + 1, height / 2, 1, height / 2, 0);
 }
-/* <scenes of performance> */
+
 static void drop_crowd(Maker *m, int32_t count, int32_t firstRow, wfReal apart,
                        wfReal aside)
 {
@@ -41,7 +41,7 @@ static void drop_crowd(Maker *m, int32_t count, int32_t firstRow, wfReal apart,
         put(m, &b);
     }
 }
-/* <scenes of performance> */
+
 static wfResult build_crowd(wfWorld *world, int32_t count)
 {
     Maker m = { world, WF_OK };
@@ -54,7 +54,7 @@ static wfResult build_100(wfWorld *world) { return build_crowd(world, 100); }
 static wfResult build_500(wfWorld *world) { return build_crowd(world, 500); }
 static wfResult build_1000(wfWorld *world) { return build_crowd(world, 1000); }
 static wfResult build_2000(wfWorld *world) { return build_crowd(world, 2000); }
-/* <scenes of performance> */
+
 static void put_pegs(Maker *m, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) {
@@ -76,12 +76,10 @@ static wfResult build_among(wfWorld *world, int32_t pegs)
     drop_crowd(&m, FALLING, (pegs - FALLING) / CROWD_ROW, 2, WF_R(0.3));
     return m.result;
 }
-/* <scenes of performance> */
 static wfResult build_among_1000(wfWorld *world) { return build_among(world, 1000); }
 static wfResult build_among_2000(wfWorld *world) { return build_among(world, 2000); }
 
 static const wfScene row[] = {
-    /* <rows of performance> */
     { .category = "Performance", .name = "a hundred bodies", .chapter = "performance",
       .text = "The least of the report's six performance tests: boxes and discs in a bin.",
       .define = room_for_100, .build = build_100, .viewX = 0, .viewY = 7, .viewHeight = 28,
@@ -98,7 +96,6 @@ static const wfScene row[] = {
       .text = "The most at once. Does it still run smoothly? Watch the curve of time.",
       .define = room_for_2000, .build = build_2000, .viewX = 0, .viewY = 25, .viewHeight = 58,
       .energyBound = 28, .depthBound = WF_R(0.5) },
-    /* <rows of performance> */
     { .category = "Performance", .name = "a thousand among pegs", .chapter = "performance",
       .text = "1,000 fall among 1,000 that stand still, from where they stand.",
       .define = room_among_1000, .build = build_among_1000,

@@ -6,9 +6,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* <names and their length> */
+/* names and their length */
 enum { GAME_NAME_SIZE = 40 };
-/* <a file that goes in or out> */
+
+/* a file that goes in or out */
 enum { GAME_FILE_NONE, GAME_FILE_KEEP, GAME_FILE_FETCH, GAME_FILE_EXPORT };
 enum { GAME_FILE_DONE = 1, GAME_FILE_FAILED = -1 };
 enum { GAME_FILE_BYTES = 16 * 1024 * 1024 };
@@ -21,7 +22,7 @@ typedef struct game_file {
     uint8_t *bytes;             /* lent by the platform */
     size_t size, capacity;      /* bytes that count; that there is room for */
 } game_file;
-/* <the memory that the platform lends> */
+
 /* Lent by the platform at every call: the same blocks, all zero before the first call. */
 typedef struct game_memory {
     void *permanent;            /* kept from call to call */
@@ -35,7 +36,8 @@ typedef struct game_memory {
 
 enum { GAME_PERMANENT_SIZE = 100 * 1024 * 1024,
        GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
-/* <the input of one frame> */
+
+/* the input of one frame */
 enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
 
 /* Keys: a printable character stands for itself, as the keyboard's layout has it. */
@@ -49,7 +51,7 @@ enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
        GAME_KEY_FRAMES = '&' };
 
 enum { GAME_MAX_KEYS = 8 };
-/* <the input of one frame> */
+
 /* All that the user and the clock did since the last call: plain data. */
 typedef struct game_input {
     double seconds;             /* time since the last call, s */
@@ -62,7 +64,7 @@ typedef struct game_input {
     int32_t keys[GAME_MAX_KEYS];
     char scene[GAME_NAME_SIZE]; /* a scene to be opened (by a command line); or "" */
 } game_input;
-/* <the picture to be filled> */
+
 /* To be filled by the game. Without pixels (NULL) the game updates and draws nothing. */
 typedef struct frame_buffer {
     uint32_t *pixels;           /* each four bytes: red, green, blue, alpha */
@@ -70,7 +72,6 @@ typedef struct frame_buffer {
     int32_t pitch;              /* pixels from one row to the next, at least width */
     float scale;                /* pixels to one unit of the interface, 1 or more */
 } frame_buffer;
-/* <the services of the game> */
 /* The whole game: advances the simulation by the input and fills the picture. */
 void game_update_and_render(game_memory *memory, const game_input *input,
                             frame_buffer *buffer);
@@ -89,7 +90,6 @@ size_t game_describe(const game_memory *memory, char *text, size_t size);
 
 /* Writes the picture as a PNG file (chapter 28). False when the file can't be written. */
 bool write_png(const char *path, const frame_buffer *buffer);
-/* <the clock that counts steps> */
 /* How much time has passed that has not been simulated yet, s; begin with zero. */
 typedef struct step_clock { double left; } step_clock;
 
@@ -100,7 +100,7 @@ enum { STEP_CLOCK_MOST = 8 };
    number of seconds that is negative or not a number counts as none; a dt that is not
    positive makes no steps. */
 int32_t step_clock_advance(step_clock *clock, double seconds, double dt, int32_t most);
-/* <input as text> */
+
 /* Reads inputs from a text of the words of chapter 27's table. */
 typedef struct input_script {
     const char *at;             /* the rest of the text */

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "testbed/plots.h"
 
-/* <take the numbers of a world> */
+/* take the numbers of a world */
 static void sample_energy(const wfPlotInput *in, float out[WF_PLOT_CURVES])
 {
     double kinetic = 0, potential = 0;
@@ -28,7 +28,7 @@ static void sample_spin(const wfPlotInput *in, float out[WF_PLOT_CURVES])
     wfWorldMomentum(in->world, p, &l);
     out[0] = (float)l;
 }
-/* <take the numbers of a world> */
+
 static void sample_overlap(const wfPlotInput *in, float out[WF_PLOT_CURVES])
 {
     int32_t count;
@@ -39,7 +39,7 @@ static void sample_overlap(const wfPlotInput *in, float out[WF_PLOT_CURVES])
             most = wfMaxR(most, c[i].manifold.points[k].depth);
     out[0] = 1000 * (float)most;
 }
-/* <take the numbers of a world> */
+
 static void sample_contacts(const wfPlotInput *in, float out[WF_PLOT_CURVES])
 {
     int32_t count;
@@ -53,7 +53,7 @@ static void sample_time(const wfPlotInput *in, float out[WF_PLOT_CURVES])
     out[0] = (float)(1000 * in->step);
     out[1] = (float)(1000 * in->frame);
 }
-/* <take the numbers of a world> */
+
 double wfWorldsApart(const wfWorld *a, const wfWorld *b)
 {
     wfBodyView va = wfWorldBodies(a), vb = wfWorldBodies(b);
@@ -71,7 +71,7 @@ static void sample_error(const wfPlotInput *in, float out[WF_PLOT_CURVES])
     for (int32_t i = 0; i < in->others && i < WF_PLOT_CURVES; i++)
         out[i] = (float)wfWorldsApart(in->world, &in->other[i]);
 }
-/* <take the numbers of a world> */
+
 static void sample_stages(const wfPlotInput *in, float out[WF_PLOT_CURVES])
 {
     enum { MOTION, PAIRS, CONTACTS, SOLVER, REST };
@@ -87,9 +87,9 @@ static void sample_stages(const wfPlotInput *in, float out[WF_PLOT_CURVES])
         out[curve] += (float)(1000 * in->stage[i]);
     }
 }
-/* <the table of curves> */
+
+/* the table of curves */
 const wfPlotRow wfPlotTable[] = {
-    /* <rows of the plot table> */
     { "energy", "J", "kinetic, potential, and the sum", { "kinetic", "potential", "sum" },
       sample_energy, false },
     { "momentum", "kg m/s", "of all dynamic bodies", { "x", "y", NULL },
@@ -128,7 +128,8 @@ void wfPlotSample(wfPlots *plots, const wfPlotInput *in)
     plots->next = (at + 1) % WF_PLOT_SAMPLES;
     if (plots->count < WF_PLOT_SAMPLES) plots->count++;
 }
-/* <find nice axes> */
+
+/* find nice axes */
 double wfNiceAxis(double least, double most, int about, double *from, double *to)
 {
     double size = least < 0 ? -least : least, other = most < 0 ? -most : most;
@@ -149,7 +150,7 @@ double wfNiceAxis(double least, double most, int about, double *from, double *to
     *to = step * (high * step < most ? high + 1 : high);
     return step;
 }
-/* <draw a plot> */
+
 /* The box of the curves, and what the axes show. */
 typedef struct Axes { float x, y, w, h; double from, to, step, left, right; } Axes;
 
@@ -163,7 +164,7 @@ static float up(const Axes *a, double v)
     float y = a->y + a->h * (float)((v - a->from) / (a->to - a->from));
     return y < a->y ? a->y : y > a->y + a->h ? a->y + a->h : y;
 }
-/* <draw a plot> */
+
 /* Sample k, the oldest is 0. */
 static int32_t sample_at(const wfPlots *p, int32_t k)
 {
@@ -178,7 +179,7 @@ static int curves_of(const wfPlots *p, int row)
     while (n < WF_PLOT_CURVES && wfPlotTable[row].curve[n]) n++;
     return n;
 }
-/* <draw a plot> */
+
 static float letters(const char *text) { return 6.2f * (float)strlen(text); }
 
 /* The height of the head: of one line, or of two. */
@@ -189,7 +190,7 @@ static float head_of(const wfPlots *p, int row, float w)
     for (int c = 0; c < curves_of(p, row); c++) need += letters(r->curve[c]) + 10;
     return need > w ? 37 : 24;
 }
-/* <draw a plot> */
+
 static Axes axes_of(const wfPlots *p, int row, float x, float y, float w, float h)
 {
     Axes a = { x + 46, y + 20, w - 56, h - head_of(p, row, w) - 20, 0, 1, 1, 0, 1 };
@@ -208,7 +209,7 @@ static Axes axes_of(const wfPlots *p, int row, float x, float y, float w, float 
     if (!(a.right > a.left + 1)) a.right = a.left + 1;
     return a;
 }
-/* <draw a plot> */
+
 static void draw_axes(wfDraw *d, const Axes *a)
 {
     for (int i = 0; a->from + a->step * i <= a->to + a->step / 2 && i < 12; i++) {
@@ -227,7 +228,7 @@ static void draw_axes(wfDraw *d, const Axes *a)
     wfDrawLine(d, a->x, a->y, a->x + a->w, a->y, 1, WF_INK_LINE);
     wfDrawLine(d, a->x, a->y, a->x, a->y + a->h, 1, WF_INK_LINE);
 }
-/* <draw a plot> */
+
 static void draw_curve(wfDraw *d, const Axes *a, const wfPlots *p, int row, int c, int role)
 {
     float xy[2 * WF_PLOT_SAMPLES];
@@ -238,14 +239,14 @@ static void draw_curve(wfDraw *d, const Axes *a, const wfPlots *p, int row, int 
     }
     if (p->count > 1) wfDrawPolyline(d, xy, p->count, 1.5f, role);
 }
-/* <draw a plot> */
+
 static const char *why_not(const wfPlots *p, int row)
 {
     if (wfPlotTable[row].clock && !p->clocked) return "nobody lends a clock here";
     if (row != WF_PLOT_STAGES || p->staged > 0) return NULL;
     return p->staged < 0 ? "a scene with hooks: not timed" : "not timed yet";
 }
-/* <draw a plot> */
+
 void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w, float h)
 {
     static const int ink[WF_PLOT_CURVES] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_BAD,

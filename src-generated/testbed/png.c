@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/png.h"
-/* <take the header that compresses pictures> */
+/* take the header that compresses pictures */
 #ifdef __wasm__
 void *web_lend(size_t size);
 void *web_lend_more(void *old, size_t had, size_t size);
@@ -24,7 +24,8 @@ void web_take_back(void *lent);
 #define stbi_write_png(...) 0
 #define stbiw__crc32(bytes, size) 0u
 #endif
-/* <write the chunks of a film> */
+
+/* write the chunks of a film */
 static void put_bytes(wfPng *p, const uint8_t *bytes, size_t size)
 {
     if (p->bytes && p->used + size <= p->size) memcpy(p->bytes + p->used, bytes, size);
@@ -35,7 +36,7 @@ static void put_number(uint8_t *at, uint32_t x, int bytes)          /* greatest 
 {
     for (int i = bytes - 1; i >= 0; i--, x >>= 8) at[i] = (uint8_t)(x & 255);
 }
-/* <write the chunks of a film> */
+
 /* A chunk is built in place: length, letters, data, checksum. data + 12 bytes. */
 static void end_chunk(uint8_t *chunk, const char *name, size_t data)
 {
@@ -51,7 +52,7 @@ static void put_animation(wfPng *p)
     end_chunk(c, "acTL", 8);
     put_bytes(p, c, sizeof c);
 }
-/* <write the chunks of a film> */
+
 /* From column x0 to before x1, row y0 to before y1. */
 typedef struct Patch { int32_t x0, y0, x1, y1; } Patch;
 
@@ -69,7 +70,7 @@ static void put_control(wfPng *p, Patch at, int rate)
     end_chunk(c, "fcTL", 26);
     put_bytes(p, c, sizeof c);
 }
-/* <write the chunks of a film> */
+
 static Patch changed_patch(const wfPng *p, const frame_buffer *b, const uint32_t *before)
 {
     Patch c = { p->width, p->height, 0, 0 };
@@ -85,7 +86,8 @@ static Patch changed_patch(const wfPng *p, const frame_buffer *b, const uint32_t
     }
     return c.x1 > c.x0 ? c : (Patch){ 0, 0, 1, 1 };     /* it can't be empty */
 }
-/* <write a picture> */
+
+/* write a picture */
 enum { PNG_IDAT = 8 + 25 };                             /* signature and IHDR before it */
 
 static void put_file(wfPng *p, uint8_t *file, size_t size, Patch at, int rate)
@@ -104,7 +106,7 @@ static void put_file(wfPng *p, uint8_t *file, size_t size, Patch at, int rate)
     }
     p->pictures++;
 }
-/* <write a picture> */
+
 /* The patch of the picture: 0, transparent, where it is as before. */
 static uint32_t *only_changes(const wfPng *p, const frame_buffer *b, const uint32_t *before,
                               Patch c)
@@ -118,7 +120,7 @@ static uint32_t *only_changes(const wfPng *p, const frame_buffer *b, const uint3
     }
     return out;
 }
-/* <write a picture> */
+
 bool wfPngPicture(wfPng *p, const frame_buffer *from, uint32_t *before, int rate)
 {
     Patch c = { 0, 0, p->width, p->height };
@@ -140,7 +142,8 @@ bool wfPngPicture(wfPng *p, const frame_buffer *from, uint32_t *before, int rate
     if (file) STBIW_FREE(file);
     return file != NULL;
 }
-/* <begin and end a PNG> */
+
+/* begin and end a PNG */
 void wfPngBegin(wfPng *p, int32_t width, int32_t height, bool moving)
 {
     *p = (wfPng){ p->bytes, p->size, 0, width, height, moving, 0, 0 };
@@ -158,7 +161,7 @@ size_t wfPngEnd(wfPng *p)
     p->used = whole;
     return whole;
 }
-/* <write a picture into a file> */
+/* write a picture into a file */
 #ifndef __wasm__
 bool write_png(const char *path, const frame_buffer *b)
 {

@@ -3,7 +3,8 @@
 #include <string.h>
 #include "weft/math.h"
 #include "testbed/raster.h"
-/* <begin and clear a row of coverage> */
+
+/* begin and clear a row of coverage */
 void wfCoverBegin(wfCoverRow *row, int32_t y, int32_t x0, int32_t width)
 {
     row->y = y;
@@ -22,7 +23,7 @@ void wfCoverClear(wfCoverRow *row)
     row->high = 0;
     row->fullLow = row->fullHigh = 0;
 }
-/* <begin and clear a row of coverage> */
+
 static void touch(wfCoverRow *row, int32_t low, int32_t high)
 {
     if (low < row->low) row->low = low;
@@ -37,7 +38,7 @@ static void fill_run(wfCoverRow *row, int32_t low, int32_t high)
     row->fullLow = low;
     row->fullHigh = high;
 }
-/* <begin and clear a row of coverage> */
+
 static float clamp01(float x)
 {
     float above = x > 0 ? x : 0;
@@ -52,7 +53,7 @@ static int32_t floor_within(float x, int32_t low, int32_t high)
     int32_t i = (int32_t)x;
     return (float)i > x ? i - 1 : i;
 }
-/* <make a side ready for its rows> */
+
 /* From (x, y) by (dx, dy), in pixels; slope is dx / dy, and u the direction of a line. */
 typedef struct side { double x, y, dx, dy, slope; float ux, uy; } side;
 
@@ -67,7 +68,7 @@ static side make_side(const float from[2], const float to[2], bool line)
     if (length > 0) s.ux = dx / length, s.uy = dy / length;
     return s;
 }
-/* <cover a polygon> */
+
 /* A piece of an edge from pixel xa to xb, both within the row, dy high. */
 static void cover_piece(wfCoverRow *row, float xa, float xb, float dy)
 {
@@ -78,7 +79,7 @@ static void cover_piece(wfCoverRow *row, float xa, float xb, float dy)
     for (;; i += step) {
         float next = i == last ? xb : (float)(step > 0 ? i + 1 : i);
         float part = xb != xa ? slope * (next - x) : dy;
-        /* <add the part's share by eq:draw-edge> */
+        /* add the part's share by eq:draw-edge */
         float right = 0.5f * (x + next) - (float)i;
         row->at[i] += part * (1 - right);
         row->at[i + 1] += part * right;
@@ -86,7 +87,7 @@ static void cover_piece(wfCoverRow *row, float xa, float xb, float dy)
         x = next;
     }
 }
-/* <cover a polygon> */
+
 static double within(double x, double low, double high)
 {
     return x < low ? low : x > high ? high : x;
@@ -108,9 +109,8 @@ static void cover_edge(wfCoverRow *row, double xa, double xb, double dy)
     }
     if (inside > 0) cover_piece(row, (float)ca, (float)cb, (float)(dy * inside));
 }
-/* <cover a polygon> */
-/* <add up the row by eq:draw-sum> */
-/* <the end of a run of empty cells> */
+
+/* the end of a run of empty cells */
 enum { RUN = 8 };
 
 static int32_t empty_until(const wfCoverRow *row, int32_t i)
@@ -156,7 +156,8 @@ void wfCoverPolygon(wfCoverRow *row, wfPixelMap map, const float *xy, int count)
     }
     add_up(row);
 }
-/* <cover a line> */
+
+/* cover a line */
 static float band(float distance, float half)             /* eq:draw-band */
 {
     return clamp01(0.5f + half - distance) - clamp01(0.5f - half - distance);
@@ -167,7 +168,7 @@ static void greater(wfCoverRow *row, int32_t i, float cover)
     float there = row->at[i];
     row->at[i] = cover > there ? cover : there;
 }
-/* <cover a line> */
+
 /* The range of t for which p + t d lies within low..high; false when there is none. */
 static bool clip_range(double p, double d, double low, double high, double *t0, double *t1)
 {
@@ -178,7 +179,7 @@ static bool clip_range(double p, double d, double low, double high, double *t0, 
     if (last < *t1) *t1 = last;
     return *t0 <= *t1;
 }
-/* <cover a line> */
+
 /* The part of a side within reach of the row: its ends a, b from the row's first centre. */
 static bool near_row(const wfCoverRow *row, const side *s, double reach, float a[2],
                      float b[2])
@@ -197,7 +198,7 @@ static bool near_row(const wfCoverRow *row, const side *s, double reach, float a
     b[0] = (float)xb, b[1] = (float)yb;
     return true;
 }
-/* <cover a line> */
+
 static void cover_stroke(wfCoverRow *row, const side *s, float half)
 {
     float a[2], b[2], reach = half + 0.5f;
@@ -209,7 +210,7 @@ static void cover_stroke(wfCoverRow *row, const side *s, float half)
     float length = (b[0] - a[0]) * s->ux + (b[1] - a[1]) * s->uy;
     touch(row, first, last);
     for (int32_t i = first; i < last; i++) {
-        /* <find the distance from the line by eq:draw-nearest> */
+        /* find the distance from the line by eq:draw-nearest */
         float along = ((float)i - a[0]) * s->ux - a[1] * s->uy;
         along = along > 0 ? along : 0;
         along = along < length ? along : length;
@@ -223,7 +224,7 @@ void wfCoverLine(wfCoverRow *row, const float from[2], const float to[2], float 
     side s = make_side(from, to, true);
     cover_stroke(row, &s, half);
 }
-/* <cover discs and rings> */
+
 /* The pixels of the row whose centres are at most reach from (x, y): first to last - 1. */
 static bool reach_range(const wfCoverRow *row, float x, float y, float reach,
                         int32_t *first, int32_t *last)
@@ -241,7 +242,7 @@ static float distance_to(const wfCoverRow *row, int32_t i, float x, float y)
     float dx = (float)(row->x0 + i) + 0.5f - x, dy = (float)row->y + 0.5f - y;
     return (float)wfSqrt(dx * dx + dy * dy);
 }
-/* <cover discs and rings> */
+
 /* The run of pixels whose centres are nearer than reach; at last when there is none. */
 static void inner_range(const wfCoverRow *row, float x, float y, float reach, int32_t last,
                         int32_t inner[2])
@@ -255,11 +256,11 @@ static int32_t next_outside(int32_t i, const int32_t inner[2])
 {
     return i + 1 == inner[0] ? inner[1] : i + 1;
 }
-/* <cover discs and rings> */
+
 void wfCoverDisc(wfCoverRow *row, float x, float y, float radius)
 {
     int32_t first, last, inner[2];
-    /* <correct the radius and the strength by eq:draw-disc> */
+    /* correct the radius and the strength by eq:draw-disc */
     float squared = radius * radius;
     bool large = squared > 1.0f / 3;
     float edge = large ? (float)wfSqrt(squared - 1.0f / 12) : 0.5f;
@@ -283,7 +284,7 @@ void wfCoverRing(wfCoverRow *row, float x, float y, float radius, float half)
         greater(row, i, band(off > -off ? off : -off, half));
     }
 }
-/* <blend> */
+
 /* The light of one ink, laid over a pixel; share is 0..1. */
 typedef struct ink_light { float light[3], alpha; } ink_light;
 
@@ -295,11 +296,11 @@ static ink_light light_of(wfInk ink)
 
 static uint8_t mixed(float old, float new_light, float share)
 {
-    /* <mix the light by eq:draw-blend> */
+    /* mix the light by eq:draw-blend */
     float light = old * old + share * (new_light - old * old);
     return (uint8_t)((float)wfSqrt(light) + 0.5f);
 }
-/* <blend> */
+
 static void lay_over(uint8_t pixel[4], const ink_light *ink, float share)
 {
     share *= ink->alpha;
@@ -314,7 +315,7 @@ void wfBlend(uint8_t pixel[4], wfInk ink, float share)
     ink_light light = light_of(ink);
     lay_over(pixel, &light, clamp01(share));
 }
-/* <blend> */
+
 void wfBlendLetter(uint8_t pixel[4], wfInk ink, float share)
 {
     const uint8_t above[3] = { ink.r, ink.g, ink.b };
@@ -326,7 +327,7 @@ void wfBlendLetter(uint8_t pixel[4], wfInk ink, float share)
     }
     pixel[3] = 255;
 }
-/* <blend> */
+
 static uint32_t word_of(wfInk ink)                      /* the pixel, opaque */
 {
     const uint8_t bytes[4] = { ink.r, ink.g, ink.b, 255 };
@@ -349,7 +350,7 @@ static void blend_row(frame_buffer *target, const wfCoverRow *row, wfInk ink)
         else if (share >= 1.0f / 512) lay_over((uint8_t *)(pixel + i), &light, share);
     }
 }
-/* <draw the commands of a list into the picture> */
+
 /* What one row after another is asked to cover. */
 typedef struct stencil {
     enum { FILL, STROKE, DISC, RING } kind;
@@ -359,7 +360,7 @@ typedef struct stencil {
     bool closed;           /* STROKE: back to the first point */
     float radius, half;    /* px */
 } stencil;
-/* <draw the commands of a list into the picture> */
+
 enum { MOST_SIDES = 64 };
 
 static side side_of(const stencil *s, int i)            /* from point i to the next */
@@ -384,7 +385,7 @@ static void cover(wfCoverRow *row, const stencil *s, const side *ready, int side
     }
     if (s->kind == FILL) add_up(row);
 }
-/* <draw the commands of a list into the picture> */
+
 /* The pixels that a stencil may touch, cut to the picture: x0, y0, x1, y1. */
 static void stencil_box(const stencil *s, const frame_buffer *target, int32_t box[4])
 {
@@ -403,7 +404,7 @@ static void stencil_box(const stencil *s, const frame_buffer *target, int32_t bo
         box[k + 2] = floor_within(high[k] + reach + 1, 0, size);
     }
 }
-/* <draw the commands of a list into the picture> */
+
 static void paint(frame_buffer *target, const stencil *s, wfInk ink)
 {
     wfCoverRow row;
@@ -423,7 +424,7 @@ static void paint(frame_buffer *target, const stencil *s, wfInk ink)
         }
     }
 }
-/* <draw the commands of a list into the picture> */
+
 static void paint_arrow(frame_buffer *target, const stencil *shaft, wfInk ink)
 {
     const float *xy = shaft->xy;
@@ -437,7 +438,7 @@ static void paint_arrow(frame_buffer *target, const stencil *shaft, wfInk ink)
                               .half = shaft->half }, ink);
     paint(target, &(stencil){ .kind = FILL, .map = same, .xy = head, .count = 3 }, ink);
 }
-/* <draw the commands of a list into the picture> */
+
 enum { MOST_DASHES = 2000 };
 
 static void paint_dashes(frame_buffer *target, const stencil *s, wfInk ink, float unit)
@@ -460,7 +461,8 @@ static void paint_dashes(frame_buffer *target, const stencil *s, wfInk ink, floa
                                   .half = s->half }, ink);
     }
 }
-/* <draw text into the picture> */
+
+/* draw text into the picture */
 static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph *g,
                         int32_t left, int32_t top, wfInk ink)
 {
@@ -476,7 +478,7 @@ static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph 
             if (cover_of[x] > 0) wfBlendLetter(pixel, ink, (float)cover_of[x] / 255);
     }
 }
-/* <draw text into the picture> */
+
 static void paint_text(frame_buffer *target, const wfFont *font, float x, float y, float px,
                        int anchor, const char *text, wfInk ink)
 {
@@ -490,7 +492,8 @@ static void paint_text(frame_buffer *target, const wfFont *font, float x, float 
         x += g->advance;
     }
 }
-/* <draw a list into the picture> */
+
+/* draw a list into the picture */
 static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawCommand *c,
                          const wfFont *font, const wfPalette *p, float unit)
 {
@@ -502,7 +505,7 @@ static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawC
     wfInk area = p->area[c->fill >= 0 ? c->fill : WF_INK_PAPER];
     bool line = c->line >= 0 && c->size > 0, fill = c->fill >= 0;
     switch (c->kind) {
-    /* <draw one command by its kind> */
+    /* draw one command by its kind */
     case WF_DRAW_POINT:
         if (!fill) break;
         s.kind = DISC;
@@ -523,7 +526,6 @@ static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawC
         if (fill) paint_text(target, font, x, y, unit * c->size, c->anchor,
                              wfDrawString(list, c), mark);
         break;
-    /* <draw one command by its kind> */
     case WF_DRAW_CIRCLE:
         s.radius = map.scale * c->radius;
         s.kind = DISC;
@@ -541,7 +543,7 @@ static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawC
     default: break;
     }
 }
-/* <draw a list into the picture> */
+
 static bool usable(const frame_buffer *t)
 {
     return t != NULL && t->pixels != NULL && t->width > 0 && t->height > 0
@@ -562,7 +564,7 @@ wfPixelMap wfFrameMap(const float view[4], const frame_buffer *target)
 {
     return wfMapView(view, (float)target->width, (float)target->height);
 }
-/* <draw a list into the picture> */
+
 void wfRenderList(const wfDraw *list, const wfFont *font, const wfPalette *palette,
                   frame_buffer *target)
 {

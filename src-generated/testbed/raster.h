@@ -7,7 +7,7 @@
 #include "testbed/font.h"
 #include "testbed/platform.h"
 
-/* <a row of coverage> */
+/* a row of coverage */
 #define WF_COVER_WIDTH 1024
 /* What share of each pixel of a piece of row y is covered: at[i] is pixel x0 + i. */
 typedef struct wfCoverRow {
@@ -24,7 +24,6 @@ void wfCoverPolygon(wfCoverRow *row, wfPixelMap map, const float *xy, int count)
 void wfCoverLine(wfCoverRow *row, const float from[2], const float to[2], float half);
 void wfCoverDisc(wfCoverRow *row, float x, float y, float radius);
 void wfCoverRing(wfCoverRow *row, float x, float y, float radius, float half);
-/* <declarations of the rasteriser> */
 /* Fills the whole picture with one opaque ink. */
 void wfClearFrame(frame_buffer *target, wfInk ink);
 /* Draws the list over what is there, the view as large as fits, in the middle.

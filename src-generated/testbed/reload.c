@@ -7,7 +7,8 @@
 #include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
-/* <exchange the game's code> */
+
+/* exchange the game's code */
 static int64_t stamp_of(const char *path)
 {
     struct stat s;
@@ -25,7 +26,7 @@ static void *open_afresh(const char *path, int64_t stamp)
     unlink(other);
     return library;
 }
-/* <exchange the game's code> */
+
 bool game_code_refresh(game_code *code, const char *path)
 {
     int64_t stamp = stamp_of(path);

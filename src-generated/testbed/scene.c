@@ -3,7 +3,7 @@
 #include <string.h>
 #include "testbed/scene.h"
 
-/* <find a scene> */
+/* find a scene */
 int wfFindScene(const char *name)
 {
     for (int row = 0; row < wfSceneCount(); row++) {
@@ -15,7 +15,8 @@ int wfFindScene(const char *name)
     }
     return -1;
 }
-/* <open and step a scene> */
+
+/* open and step a scene */
 wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
                             wfWorld *out)
 {
@@ -39,7 +40,7 @@ wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32
         *out = world;
     return result;
 }
-/* <open and step a scene> */
+
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
     return wfOpenSceneNeeding(scene, memory, 0, out);
@@ -51,7 +52,8 @@ wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *i
         scene->update(world, in);
     return wfStepWorldWith(world, scene->hooks);
 }
-/* <wander over the view> */
+
+/* wander over the view */
 wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step)
 {
     wfReal t = (wfReal)(step % 100000);
@@ -62,7 +64,8 @@ wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step)
                            .turn = wfWrapAngle(WF_R(0.007) * t),
                            .choice = (int32_t)(step / 150 % 5) };
 }
-/* <watch a scene run> */
+
+/* watch a scene run */
 static double total_energy(const wfWorld *world)
 {
     double kinetic = 0, potential = 0;
@@ -85,7 +88,7 @@ static void look_at_world(const wfWorld *world, wfSceneReport *report)
     if (gain > report->gain)
         report->gain = gain;
 }
-/* <watch a scene run> */
+
 wfSceneReport wfWatchScene(const wfScene *scene, int32_t steps)
 {
     wfSceneReport report = { .finite = true };

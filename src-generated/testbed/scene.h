@@ -6,14 +6,13 @@
 #include "weft/draw.h"
 #include "weft/world.h"
 
-/* <what a scene is told> */
 /* Of the user, a scene knows where the mouse is and how often some keys were pressed. */
 typedef struct wfSceneInput {
     wfVec2  mouse;              /* m, world coordinates */
     wfReal  turn;               /* rad: the keys Q and E turn the testing body */
     int32_t choice;             /* from 0: the key T changes its shape */
 } wfSceneInput;
-/* <the record of a scene> */
+
 /* Overlays, to be switched on and off by the user; a scene says which it begins with. */
 enum {
     WF_SHOW_CONTACTS = 1, WF_SHOW_NORMALS = 2, WF_SHOW_PAIRS = 4, WF_SHOW_BOUNDS = 8,
@@ -24,7 +23,7 @@ enum {
     WF_SHOW_COLOURS = 1 << 16, WF_SHOW_INERTIA = 1 << 17, WF_SHOW_NODES = 1 << 18,
     WF_SHOW_PASSES = 1 << 19
 };
-/* <the record of a scene> */
+
 /* Name the fields when you fill one in: later chapters may add some; 0 or NULL is none. */
 typedef struct wfScene {
     const char *category, *name;            /* for the list; a name: below 40 letters */
@@ -44,7 +43,6 @@ typedef struct wfScene {
     wfResult (*open)(const struct wfScene *scene, const wfMemory *memory, wfWorld *out);
     const char *source;                     /* the text */
 } wfScene;
-/* <the table of scenes> */
 /* The scenes of a file. */
 typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup;
 /* The scene of a row of the table, NULL if there is no such row. */
@@ -52,7 +50,6 @@ const wfScene *wfSceneAt(int row);
 int wfSceneCount(void);
 /* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space. */
 int wfFindScene(const char *name);
-/* <declarations of running a scene> */
 /* wfOpenScene, but for the needs: these instead of the scene's own, unless 0. A scene in a
  * file has its own in any case. */
 wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
@@ -64,7 +61,7 @@ wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in);
 /* What a hand that nobody moves does at this step: wander over the view, turn, change. */
 wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step);
-/* <declarations of running a scene> */
+
 typedef struct wfSceneReport {
     wfResult result;            /* of opening and of the steps; WF_OK if all went well */
     int32_t steps;              /* made without an error */

@@ -4,60 +4,36 @@
 #include "testbed/scene.h"
 
 #define GROUP(name) extern const wfSceneGroup name;
-/* <groups of scenes> */
+/* groups of scenes */
 GROUP(wfMotionScenes)
-/* <groups of scenes> */
 GROUP(wfForceScenes)
-/* <groups of scenes> */
 GROUP(wfCollisionScenes)
-/* <groups of scenes> */
 GROUP(wfCaseScenes)
-/* <groups of scenes> */
 GROUP(wfPerformanceScenes)
-/* <groups of scenes> */
 GROUP(wfShapeScenes)
-/* <groups of scenes> */
 GROUP(wfEventScenes)
-/* <groups of scenes> */
 GROUP(wfJointScenes)
-/* <groups of scenes> */
 GROUP(wfSleepScenes)
-/* <groups of scenes> */
 GROUP(wfFastScenes)
-/* <groups of scenes> */
 GROUP(wfClassicScenes)
-/* <groups of scenes> */
 GROUP(wfAskedScenes)
-/* <groups of scenes> */
 GROUP(wfLastScenes)
 #undef GROUP
 #define GROUP(name) &name,
 static const wfSceneGroup *const groupTable[] = {
-    /* <groups of scenes> */
+    /* groups of scenes */
     GROUP(wfMotionScenes)
-    /* <groups of scenes> */
     GROUP(wfForceScenes)
-    /* <groups of scenes> */
     GROUP(wfCollisionScenes)
-    /* <groups of scenes> */
     GROUP(wfCaseScenes)
-    /* <groups of scenes> */
     GROUP(wfPerformanceScenes)
-    /* <groups of scenes> */
     GROUP(wfShapeScenes)
-    /* <groups of scenes> */
     GROUP(wfEventScenes)
-    /* <groups of scenes> */
     GROUP(wfJointScenes)
-    /* <groups of scenes> */
     GROUP(wfSleepScenes)
-    /* <groups of scenes> */
     GROUP(wfFastScenes)
-    /* <groups of scenes> */
     GROUP(wfClassicScenes)
-    /* <groups of scenes> */
     GROUP(wfAskedScenes)
-    /* <groups of scenes> */
     GROUP(wfLastScenes)
 };
 enum { GROUPS = sizeof groupTable / sizeof *groupTable };

@@ -3,7 +3,7 @@
 /* The extremes, and the scenes of later chapters. */
 #include "testbed/maker.h"
 
-/* <scenes> */
+/* scenes */
 static wfResult build_throws(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -18,7 +18,7 @@ static wfResult build_throws(wfWorld *world)
 }
 
 static void fifteen(wfWorldDef *def) { def->dt = WF_R(1.0) / 15; }
-/* <scenes> */
+
 static wfResult build_far(wfWorld *world)
 {
     wfResult result = build_throws(world);
@@ -39,7 +39,7 @@ static void draw_throws(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawTextf(d, (float)p.x, (float)p.y + 0.4f, 13, WF_INK_ACCENT, 0,
                     "x = %.1f m", at.x);
 }
-/* <scenes> */
+
 static const wfReal spinSpeed[4] = { 1, 10, 100, 300 };
 
 static wfResult build_spin(wfWorld *world)
@@ -53,7 +53,7 @@ static wfResult build_spin(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes> */
+
 static void draw_spin(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -67,7 +67,7 @@ static void draw_spin(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawTextf(d, x, -2.1f, 13, WF_INK_TEXT, 0, "%g rad/s", (double)spinSpeed[i]);
     }
 }
-/* <scenes> */
+
 static wfResult build_billiard(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -90,7 +90,7 @@ static void draw_billiard(const wfWorld *world, wfDraw *d, const wfSceneInput *i
     wfWorldEnergy(world, &kinetic, &potential);
     wfDrawTextf(d, 0, 2.4f, 16, WF_INK_TEXT, 0, "%.2f J of 200", kinetic);
 }
-/* <scenes> */
+
 static const wfReal slideFriction[4] = { WF_R(0.1), WF_R(0.2), WF_R(0.4), WF_R(0.8) };
 
 static wfResult build_slides(wfWorld *world)
@@ -110,7 +110,7 @@ static wfResult build_slides(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes> */
+
 static void draw_slides(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -123,7 +123,7 @@ static void draw_slides(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
                     (double)slideFriction[i]);
     }
 }
-/* <scenes> */
+
 static void put_tower(Maker *m, wfReal x, wfReal half)
 {
     for (int i = 0; i < 5; i++) {
@@ -142,7 +142,7 @@ static wfResult build_weight(wfWorld *world)
     put_tower(&m, 0, WF_R(0.5));
     return m.result;
 }
-/* <scenes> */
+
 static wfResult build_sizes(wfWorld *world)
 {
     static const wfReal half[4] = { WF_R(0.025), WF_R(0.1), WF_R(0.4), 1 };
@@ -154,7 +154,6 @@ static wfResult build_sizes(wfWorld *world)
 }
 
 static const wfScene row[] = {
-    /* <rows of the scene table> */
     { .category = "Extremes", .name = "fifteen steps", .chapter = "extremes",
       .text = "Throws at fifteen steps a second. The dashed lines are exact.",
       .define = fifteen, .build = build_throws, .draw = draw_throws,
@@ -165,25 +164,21 @@ static const wfScene row[] = {
       .build = build_far, .draw = draw_throws,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
       .energyBound = 1, .depthBound = WF_R(0.2) },
-    /* <rows of the scene table> */
     { .category = "Extremes", .name = "spin", .chapter = "extremes",
       .text = "Planks at 1, 10, 100 and 300 rad/s: each must stay on its line.",
       .define = without_gravity, .build = build_spin, .draw = draw_spin,
       .viewX = 0, .viewY = 0, .viewHeight = 8,
       .energyBound = 5, .depthBound = 0 },
-    /* <rows of the scene table> */
     { .category = "Extremes", .name = "billiard with pi", .chapter = "extremes",
       .text = "Between a wall and a hundredfold mass: thirty-one clacks, no energy lost.",
       .define = without_gravity, .build = build_billiard, .draw = draw_billiard,
       .viewX = 2, .viewY = 0, .viewHeight = 10,
       .energyBound = 2, .depthBound = WF_R(0.4) },
-    /* <rows of the scene table> */
     { .category = "Extremes", .name = "slides", .chapter = "extremes",
       .text = "Blocks with 4 m/s and frictions from 0.1 to 0.8: each must stop at its line.",
       .build = build_slides, .draw = draw_slides,
       .viewX = 0, .viewY = WF_R(2.4), .viewHeight = 8,
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.05) },
-    /* <rows of the scene table> */
     { .category = "Extremes", .name = "hundredfold weight", .chapter = "extremes",
       .text = "Five boxes under 981 m/s2: a tower is a tower.",
       .define = heavily, .build = build_weight,

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "testbed/platform.h"
 
-/* <the names of buttons and keys> */
+/* the names of buttons and keys */
 typedef struct named_code { const char *name; int32_t code; } named_code;
 
 static const named_code button_names[] = {
@@ -30,7 +30,7 @@ static int32_t code_of(const named_code *names, const char *name)
             return names->code;
     return 0;
 }
-/* <the names of buttons and keys> */
+
 static int32_t key_of(const char *name)
 {
     if (name[0] > 32 && name[0] < 127 && name[1] == 0)
@@ -45,7 +45,8 @@ static const char *name_of(const named_code *names, int32_t code)
             return names->name;
     return NULL;
 }
-/* <forget what lasts for one frame> */
+
+/* forget what lasts for one frame */
 static void forget_moment(game_input *input)
 {
     input->wheel = 0;
@@ -54,7 +55,8 @@ static void forget_moment(game_input *input)
     memset(input->keys, 0, sizeof input->keys);
     memset(input->scene, 0, sizeof input->scene);
 }
-/* <read words and numbers> */
+
+/* read words and numbers */
 typedef struct script_line { char word[3][GAME_NAME_SIZE]; int count; } script_line;
 
 /* Splits the text up to the end of the line into words; returns the next line's begin. */
@@ -77,7 +79,7 @@ static const char *split_line(const char *at, script_line *out)
     }
     return *at ? at + 1 : at;
 }
-/* <read words and numbers> */
+
 static bool read_number(const char *word, double least, double most, double *out)
 {
     char *end;
@@ -87,7 +89,8 @@ static bool read_number(const char *word, double least, double most, double *out
     *out = x;
     return true;
 }
-/* <carry out one line of a script> */
+
+/* carry out one line of a script */
 static const char *do_button(const script_line *line, game_input *now)
 {
     uint32_t button = (uint32_t)code_of(button_names, line->word[1]);
@@ -104,7 +107,7 @@ static const char *do_button(const script_line *line, game_input *now)
     }
     return NULL;
 }
-/* <carry out one line of a script> */
+
 static const char *do_key(const script_line *line, game_input *now)
 {
     int32_t key = key_of(line->word[1]);
@@ -115,7 +118,7 @@ static const char *do_key(const script_line *line, game_input *now)
     now->keys[now->key_count++] = key;
     return NULL;
 }
-/* <carry out one line of a script> */
+
 static const char *do_number(const script_line *line, input_script *script)
 {
     const char *word = line->word[0];
@@ -140,7 +143,7 @@ static const char *do_number(const script_line *line, input_script *script)
     else return "time does not run backwards";
     return NULL;
 }
-/* <carry out one line of a script> */
+
 static bool is_one_of(const char *word, const char *const *list)
 {
     for (; *list; list++)
@@ -148,7 +151,7 @@ static bool is_one_of(const char *word, const char *const *list)
             return true;
     return false;
 }
-/* <carry out one line of a script> */
+
 static const char *do_line(const script_line *line, input_script *script)
 {
     static const char *const buttons[] = { "down", "up", "click", NULL };
@@ -168,14 +171,15 @@ static const char *do_line(const script_line *line, input_script *script)
     memcpy(script->now.scene, line->word[1], GAME_NAME_SIZE);
     return NULL;
 }
-/* <read the next frame of a script> */
+
+/* read the next frame of a script */
 void input_script_open(input_script *script, const char *text)
 {
     memset(script, 0, sizeof *script);
     script->at = text;
     script->now.steps = 1;
 }
-/* <read the next frame of a script> */
+
 int input_script_next(input_script *script, game_input *out)
 {
     if (script->error)
@@ -195,7 +199,8 @@ int input_script_next(input_script *script, game_input *out)
     *out = script->now;
     return 1;
 }
-/* <write a frame of a script> */
+
+/* write a frame of a script */
 typedef struct text_end { char *text; size_t size, used; } text_end;
 
 static void add_word(text_end *end, const char *word, const char *what)
@@ -211,7 +216,7 @@ static void add_number(text_end *end, const char *word, double x, int digits)
     snprintf(number, sizeof number, "%.*g", digits, x);
     add_word(end, word, number);
 }
-/* <write a frame of a script> */
+
 static void add_buttons(text_end *end, const game_input *now)
 {
     for (const named_code *b = button_names; b->name; b++) {
@@ -222,7 +227,7 @@ static void add_buttons(text_end *end, const game_input *now)
         if (up && !held) add_word(end, "up", b->name);
     }
 }
-/* <write a frame of a script> */
+
 static void add_scene(text_end *end, const char *name)
 {
     char word[64];
@@ -231,7 +236,7 @@ static void add_scene(text_end *end, const char *name)
     word[n] = 0;
     add_word(end, "scene", word);
 }
-/* <write a frame of a script> */
+
 size_t input_script_write(char *text, size_t size, const game_input *last,
                           const game_input *now)
 {

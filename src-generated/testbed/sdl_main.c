@@ -16,7 +16,7 @@ typedef struct sdl_app {
     bool open;
 } sdl_app;
 
-/* <fit the picture to the window> */
+/* fit the picture to the window */
 static bool fit(sdl_app *app)
 {
     int width, height, units, unused;
@@ -32,7 +32,8 @@ static bool fit(sdl_app *app)
     b->scale = app->density * app->layer->options->scale;
     return true;
 }
-/* <open the window> */
+
+/* open the window */
 static bool open_window(sdl_app *app, const layer_options *o)
 {
     if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_TIMER) != 0) return false;
@@ -57,7 +58,8 @@ static void close_window(sdl_app *app)
     if (app->window) SDL_DestroyWindow(app->window);
     SDL_Quit();
 }
-/* <turn an event into input> */
+
+/* turn an event into input */
 static int32_t key_of(SDL_Keycode code)
 {
     static const struct { SDL_Keycode code; int32_t key; } keys[] = {
@@ -80,7 +82,7 @@ static void add_key(game_input *input, int32_t key)
     if (key && input->key_count < GAME_MAX_KEYS)
         input->keys[input->key_count++] = key;
 }
-/* <turn an event into input> */
+
 static void add_button(game_input *input, uint8_t index, bool down)
 {
     uint32_t button = index == SDL_BUTTON_LEFT ? GAME_BUTTON_LEFT
@@ -94,7 +96,7 @@ static void add_button(game_input *input, uint8_t index, bool down)
         input->released |= button;
     }
 }
-/* <turn an event into input> */
+
 static void take_event(sdl_app *app, const SDL_Event *e)
 {
     game_input *in = &app->input;
@@ -120,7 +122,8 @@ static void take_event(sdl_app *app, const SDL_Event *e)
     default: break;
     }
 }
-/* <show the picture> */
+
+/* show the picture */
 static bool show(sdl_app *app)
 {
     const frame_buffer *b = &app->layer->buffer;
@@ -128,7 +131,8 @@ static bool show(sdl_app *app)
            SDL_RenderCopy(app->renderer, app->texture, NULL, NULL) == 0 &&
            (SDL_RenderPresent(app->renderer), true);
 }
-/* <run the window> */
+
+/* run the window */
 static bool run(sdl_app *app)
 {
     double ticks = (double)SDL_GetPerformanceFrequency();
@@ -145,7 +149,7 @@ static bool run(sdl_app *app)
         if (!fit(app)) return false;
         if (!layer_frame(app->layer, &app->input)) app->open = false;
         if (!show(app)) return false;
-        /* <forget what belonged to this frame> */
+        /* forget what belonged to this frame */
         app->input.wheel = 0;
         app->input.pressed = app->input.released = 0;
         app->input.key_count = 0;
@@ -155,7 +159,7 @@ static bool run(sdl_app *app)
     }
     return true;
 }
-/* <run the window> */
+
 static bool run_window(layer *l)
 {
     sdl_app app;

@@ -3,7 +3,7 @@
 /* Chains, several shapes on a body, outlines, rounded edges. */
 #include "testbed/maker.h"
 
-/* <scenes of shapes> */
+/* scenes of shapes */
 static void put_valley(Maker *m, wfReal halfWidth, wfReal depth)
 {
     wfVec2 point[CHAIN_MOST];
@@ -13,7 +13,7 @@ static void put_valley(Maker *m, wfReal halfWidth, wfReal depth)
     }
     put_chain(m, point, CHAIN_MOST);
 }
-/* <scenes of shapes> */
+
 static void put_rider(Maker *m, const wfBodyDef *def)
 {
     wfShapeDef shape;
@@ -23,7 +23,7 @@ static void put_rider(Maker *m, const wfBodyDef *def)
     shape.filter.group = -1;
     note(m, wfSetShape(m->world, wfFirstShape(m->world, body), &shape));
 }
-/* <scenes of shapes> */
+
 static wfResult build_tiles(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -42,7 +42,7 @@ static wfResult build_tiles(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of shapes> */
+
 static const wfReal hammerX = WF_R(-6.0), hammerY = 2, hammerV = WF_R(2.5), hammerW = 9;
 
 static wfBodyId put_hammer(Maker *m, wfReal x, wfReal y)
@@ -65,7 +65,7 @@ static void throw_hammer(Maker *m, wfReal spin)
     note(m, wfSetBodyTransform(m->world, body, start, 0));
     note(m, wfSetBodyVelocity(m->world, body, wfV2(hammerV, hammerW), spin));
 }
-/* <scenes of shapes> */
+
 static wfResult build_hammers(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -87,7 +87,7 @@ static wfResult build_hammers(wfWorld *world)
     hang_box(&m, id, 0, 0, WF_R(0.2), WF_R(0.8), 1);
     return m.result;
 }
-/* <scenes of shapes> */
+
 static void draw_hammers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -95,7 +95,7 @@ static void draw_hammers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
     if (wfGetGravity(world, &g) == WF_OK)
         draw_parabola(d, wfV2(hammerX, hammerY), wfV2(hammerV, hammerW), g, WF_R(0.4));
 }
-/* <scenes of shapes> */
+
 static void put_outline(Maker *m, const wfVec2 *outline, int corners, wfVec2 at, int role)
 {
     _Alignas(WF_POOL_ALIGN) uint8_t room[16384];
@@ -115,7 +115,7 @@ static void put_outline(Maker *m, const wfVec2 *outline, int corners, wfVec2 at,
         else hang(m, id, &part);
     }
 }
-/* <scenes of shapes> */
+
 static wfResult build_outlines(wfWorld *world)
 {
     static const wfVec2 arrow[7] = { { { WF_R(-1.4), WF_R(-0.15) } },
@@ -141,7 +141,7 @@ static wfResult build_outlines(wfWorld *world)
     }
     return m.result;
 }
-/* <scenes of shapes> */
+
 static wfResult build_round(wfWorld *world)
 {
     static const uint64_t role[3] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD };
@@ -165,22 +165,18 @@ static wfResult build_round(wfWorld *world)
 }
 
 static const wfScene row[] = {
-    /* <rows of shapes> */
     { .category = "Shapes", .name = "tiled valley", .chapter = "contacts",
       .text = "Two hundred tiles make one smooth valley: nothing stumbles over a seam.",
       .define = softly, .build = build_tiles, .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 9,
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.1) },
-    /* <rows of shapes> */
     { .category = "Shapes", .name = "hammers", .chapter = "compound",
       .text = "Bodies of several shapes turn about their common centre of mass.",
       .define = softly, .build = build_hammers, .draw = draw_hammers,
       .viewX = 0, .viewY = 3, .viewHeight = 9, .energyBound = 1, .depthBound = WF_R(0.3) },
-    /* <rows of shapes> */
     { .category = "Shapes", .name = "outlines", .chapter = "compound",
       .text = "Outlines that are not convex, cut into convex pieces, hook into each other.",
       .define = softly, .build = build_outlines, .viewX = 0, .viewY = 5, .viewHeight = 12,
       .energyBound = 2, .depthBound = WF_R(0.35) },
-    /* <rows of shapes> */
     { .category = "Shapes", .name = "round edges", .chapter = "shapes",
       .text = "Capsules, rounded boxes and rounded triangles in a bowl of links.",
       .define = softly, .build = build_round, .viewX = 0, .viewY = 5, .viewHeight = 11,

@@ -3,7 +3,7 @@
 /* What rests is left out of the step. */
 #include "testbed/maker.h"
 
-/* <scenes of sleep> */
+/* scenes of sleep */
 static void sleeping(wfWorldDef *def) { def->sleep = 1; }
 
 static wfResult build_islands(wfWorld *world)
@@ -22,7 +22,7 @@ static wfResult build_islands(wfWorld *world)
     put(&m, &b);
     return m.result;
 }
-/* <scenes of sleep> */
+
 static void kick_the_last(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
@@ -31,7 +31,7 @@ static void kick_the_last(wfWorld *world, const wfSceneInput *in)
     wfVec2 at = wfWorldBodies(world).state[last].p;
     wfApplyImpulseToBody(world, wfBodyAt(world, last), wfV2(4, 0), at);
 }
-/* <scenes of sleep> */
+
 static wfResult build_support(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -56,7 +56,6 @@ static void take_the_plank(wfWorld *world, const wfSceneInput *in)
 }
 
 static const wfScene row[] = {
-    /* <rows of sleep> */
     { .category = "Sleep", .name = "islands", .chapter = "joints-in-a-world",
       .text = "Stacks fall asleep. After 7 s a ball is kicked off its shelf. Who wakes?",
       .define = sleeping, .build = build_islands, .update = kick_the_last,

@@ -9,7 +9,7 @@
 #include "weft/joint.h"
 #include "weft/query.h"
 
-/* <say what a tool did> */
+/* say what a tool did */
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))
 #endif
@@ -23,13 +23,14 @@ static void say(tool_memory *m, wfResult result, const char *format, ...)
     if (result == WF_OK || n < 0 || (size_t)n >= sizeof m->said) return;
     snprintf(m->said + n, sizeof m->said - (size_t)n, ": %s", wfResultText(result));
 }
-/* <say what a tool did> */
+
 static void say_no(tool_memory *m, const char *why)
 {
     say(m, WF_OK, "%s", why);
     m->refused = 1;
 }
-/* <give an input, with room> */
+
+/* give an input, with room */
 wfResult tool_give(tool_work *w, uint32_t needs, const wfInput *in, wfInputId *made)
 {
     wfResult result = WF_OK;
@@ -40,7 +41,8 @@ wfResult tool_give(tool_work *w, uint32_t needs, const wfInput *in, wfInputId *m
     result = w->make_room(w->context, needs);
     return result == WF_OK ? wfGiveInput(w->world, w->journal, in, made) : result;
 }
-/* <choose bodies> */
+
+/* choose bodies */
 bool tool_is_chosen(const tool_memory *m, wfBodyId id)
 {
     for (int32_t i = 0; i < m->count; i++)
@@ -54,7 +56,7 @@ void tool_choose(tool_memory *m, wfBodyId id)
     m->count = id.index != 0;
     m->chosen[0] = id;
 }
-/* <choose bodies> */
+
 void tool_forget(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -70,7 +72,8 @@ static void choose_one(tool_work *w)
     tool_memory *m = w->memory;
     if (!tool_is_chosen(m, m->body)) tool_choose(m, m->body);
 }
-/* <place a body> */
+
+/* place a body */
 static const char *const shapeNames[] = { "circle", "box", "capsule", "hexagon" };
 static const char *const stuffNames[] = { "wood", "rubber", "ice", "steel" };
 static const char *const typeNames[] = { "dynamic", "static", "kinematic" };
@@ -87,7 +90,7 @@ static wfVec2 pulled(const tool_memory *m)
     wfReal least = 6 * m->unit, usual = 20 * m->unit;
     return wfLength(d) < least ? wfV2(usual, usual / 2) : d;
 }
-/* <place a body> */
+
 static wfResult pulled_shape(const tool_memory *m, wfShape *out)
 {
     wfVec2 d = pulled(m), corner[6];
@@ -103,7 +106,7 @@ static wfResult pulled_shape(const tool_memory *m, wfShape *out)
         return wfMakePolygon(corner, 6, out);
     }
 }
-/* <place a body> */
+
 static wfBodyDef body_of_choice(const tool_memory *m)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -115,7 +118,7 @@ static wfBodyDef body_of_choice(const tool_memory *m)
     def.position = m->from;
     return def;
 }
-/* <place a body> */
+
 static wfResult add_body(tool_work *w, const wfBodyDef *def, wfBodyId *out)
 {
     wfInput in = { .kind = WF_INPUT_ADD_BODY, .body = *def };
@@ -139,7 +142,7 @@ static void place(tool_work *w)
         shapeNames[m->choice[TOOL_SHAPE]], stuffNames[m->choice[TOOL_STUFF]],
         typeNames[m->choice[TOOL_TYPE]]);
 }
-/* <place a body> */
+
 static void draw_placing(const tool_work *w, wfDraw *d)
 {
     const tool_memory *m = w->memory;
@@ -148,7 +151,7 @@ static void draw_placing(const tool_work *w, wfDraw *d)
     if (m->down && pulled_shape(m, &shape) == WF_OK)
         wfDrawShape(d, &shape, at, WF_INK_ACCENT, WF_INK_NONE);
 }
-/* <draw an outline> */
+
 /* How far p is from the line through a and b, m: eq:scenes-stroke. */
 static wfReal off_line(wfVec2 p, wfVec2 a, wfVec2 b)
 {
@@ -169,7 +172,7 @@ static void find_corners(const wfVec2 *p, int a, int b, wfReal most, uint8_t *co
     find_corners(p, a, at, most, corner);
     find_corners(p, at, b, most, corner);
 }
-/* <draw an outline> */
+
 static int stroke_corners(tool_memory *m, wfVec2 *out)
 {
     uint8_t corner[TOOL_POINTS] = { 0 };
@@ -186,7 +189,7 @@ static int stroke_corners(tool_memory *m, wfVec2 *out)
         if (corner[k]) out[count++] = m->point[k];
     return count;
 }
-/* <draw an outline> */
+
 enum { MOST_PIECES = 40 };
 
 static wfResult add_pieces(tool_work *w, const wfShape *piece, int count, wfBodyDef *def,
@@ -210,7 +213,7 @@ static wfResult add_pieces(tool_work *w, const wfShape *piece, int count, wfBody
     if (result != WF_OK && id->index) wfGiveInput(w->world, w->journal, &gone, NULL);
     return result;
 }
-/* <draw an outline> */
+
 static wfResult add_outline(tool_work *w, wfVec2 *outline, int n, int *pieces)
 {
     tool_memory *m = w->memory;
@@ -229,7 +232,7 @@ static wfResult add_outline(tool_work *w, wfVec2 *outline, int n, int *pieces)
     if (result == WF_OK) tool_choose(m, id);
     return result;
 }
-/* <draw an outline> */
+
 static void add_point(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -245,7 +248,7 @@ static void begin_stroke(tool_work *w)
     m->point[0] = m->at;
     m->bad[0] = m->bad[1] = 0;
 }
-/* <draw an outline> */
+
 static void end_outline(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -260,7 +263,7 @@ static void end_outline(tool_work *w)
     if (!crosses) m->points = 0;
     say(m, result, result ? "no body of that" : "drawn: %d corners, %d convex", n, pieces);
 }
-/* <draw an outline> */
+
 static void draw_stroke(const tool_work *w, wfDraw *d)
 {
     const tool_memory *m = w->memory;
@@ -275,7 +278,8 @@ static void draw_stroke(const tool_work *w, wfDraw *d)
         wfDrawLine(d, WF_XY(a), WF_XY(b), 4, WF_INK_BAD);
     }
 }
-/* <join bodies> */
+
+/* join bodies */
 static wfResult add_nail(tool_work *w, wfVec2 at, wfBodyId *out)
 {
     wfBodyDef nail = wfDefaultBodyDef();
@@ -297,7 +301,7 @@ static wfBodyId body_at(const tool_work *w, wfVec2 at, wfBodyId but)
     }
     return found;
 }
-/* <join bodies> */
+
 static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 to)
 {
     wfBodyView v = wfWorldBodies(w->world);
@@ -320,7 +324,7 @@ static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 t
         j->ratio = wfSqrt(i / m);
     }
 }
-/* <join bodies> */
+
 static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from,
                           wfVec2 to)
 {
@@ -335,7 +339,7 @@ static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2
     wfInput in = { .kind = WF_INPUT_ADD_JOINT, .joint = j };
     return tool_give(w, WF_NEED_JOINTS, &in, NULL);
 }
-/* <join bodies> */
+
 static bool has_two_anchors(int kind)
 {
     static const char *const two[] = { "distance", "pulley", "gear", "rack", "linkage",
@@ -344,7 +348,7 @@ static bool has_two_anchors(int kind)
         if (strcmp(two[i], wfJointTable[kind].name) == 0) return true;
     return false;
 }
-/* <join bodies> */
+
 static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from, wfVec2 to)
 {
     wfVec2 at[2] = { from, has_two_anchors(kind) ? to : from };
@@ -362,7 +366,7 @@ static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from
     if (result != WF_OK && nail.index) wfGiveInput(w->world, w->journal, &gone, NULL);
     return result;
 }
-/* <join bodies> */
+
 static void connect(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -380,7 +384,7 @@ static void draw_connecting(const tool_work *w, wfDraw *d)
     wfDrawPoint(d, WF_XY(m->from), 7, WF_INK_ACCENT);
     wfDrawPoint(d, WF_XY(m->at), 7, WF_INK_ACCENT);
 }
-/* <join bodies> */
+
 static void pin_chosen(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -405,7 +409,8 @@ static void pin(tool_work *w)
     if (result == WF_ERROR_STALE_ID) say_no(m, "there is no body");
     else say(m, result, result ? "not pinned" : "pinned");
 }
-/* <lasso bodies> */
+
+/* lasso bodies */
 static bool is_in_loop(const wfVec2 *loop, int n, wfVec2 p)
 {
     bool inside = false;
@@ -430,7 +435,7 @@ static void choose_in_loop(tool_work *w)
     say(m, WF_OK, "bodies chosen: %d", (int)m->count);
     m->points = 0;
 }
-/* <lasso bodies> */
+
 static void begin_lasso(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -451,7 +456,8 @@ static void end_lasso(tool_work *w)
     if (!w->memory->dragging) choose_in_loop(w);
     w->memory->dragging = 0;
 }
-/* <remove bodies and joints> */
+
+/* remove bodies and joints */
 static bool remove_joint_at(tool_work *w, wfVec2 at)
 {
     wfBodyView v = wfWorldBodies(w->world);
@@ -472,7 +478,7 @@ static bool remove_joint_at(tool_work *w, wfVec2 at)
     }
     return false;
 }
-/* <remove bodies and joints> */
+
 void tool_remove_chosen(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -487,7 +493,7 @@ void tool_remove_chosen(tool_work *w)
     m->count = 0;
     m->body = (wfBodyId){ 0 };
 }
-/* <remove bodies and joints> */
+
 static void away(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -499,7 +505,8 @@ static void away(tool_work *w)
     choose_one(w);
     tool_remove_chosen(w);
 }
-/* <ask the world> */
+
+/* ask the world */
 static const char *const probeNames[] = { "ray", "circle cast", "box cast",
                                           "nearest point" };
 
@@ -524,7 +531,7 @@ static wfResult cast(const tool_work *w, wfShape *shape, wfRayHit *hit)
     else result = wfMakeBox(size, size, shape);
     return result ? result : wfWorldCastShape(w->world, shape, start, by, NULL, hit);
 }
-/* <ask the world> */
+
 static void draw_cast(const tool_work *w, wfDraw *d)
 {
     tool_memory *m = w->memory;
@@ -545,7 +552,7 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     wfVec2 tip = wfAddScaled(hit.point, 30 * m->unit, hit.normal);
     if (met) wfDrawPoint(d, WF_XY(hit.point), 8, WF_INK_BAD);
     if (met) wfDrawArrow(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
-    /* <say what the probe met> */
+    /* say what the probe met */
     if (met) say(m, WF_OK, "%s: body %d at %.4f of %.4g m, normal (%.3f, %.3f)",
                  probeNames[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
                  (double)hit.fraction, (double)wfLength(by), (double)hit.normal.x,
@@ -553,7 +560,7 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     else say(m, WF_OK, "%s: nothing within %.4g m", probeNames[m->choice[TOOL_PROBE]],
              (double)wfLength(by));
 }
-/* <ask the world> */
+
 static void draw_nearest(const tool_work *w, wfDraw *d)
 {
     tool_memory *m = w->memory;
@@ -577,11 +584,10 @@ static void draw_probe(const tool_work *w, wfDraw *d)
     if (m->choice[TOOL_PROBE] == 3) draw_nearest(w, d);
     else draw_cast(w, d);
 }
-/* <rows and choices of tools> */
+
 static void nothing(tool_work *w) { (void)w; }
 
 const tool_row toolTable[] = {
-    /* <rows of the tool table> */
     { "Hand", "drag bodies and throw them; the wheel turns what is held", 'g', 0, choose_one,
       nothing, nothing, NULL },
     { "Place", "press for the middle of a new body, pull it to its size", 'b',
@@ -619,7 +625,8 @@ const char *tool_choice_name(const void *choice, int row)
     if (row < 0 || row >= tool_choice_count(c)) return NULL;
     return c->names ? c->names[row] : wfJointTable[row].name;
 }
-/* <use a tool> */
+
+/* use a tool */
 void tool_press(tool_work *w, wfVec2 at)
 {
     tool_memory *m = w->memory;
@@ -631,7 +638,7 @@ void tool_press(tool_work *w, wfVec2 at)
     if (!wfBodyAtPoint(w->world, at, &m->body)) m->body = (wfBodyId){ 0 };
     toolTable[m->tool].press(w);
 }
-/* <use a tool> */
+
 void tool_move(tool_work *w, wfVec2 at)
 {
     tool_forget(w);
@@ -647,7 +654,7 @@ void tool_release(tool_work *w, wfVec2 at)
     w->memory->down = 0;
     toolTable[w->memory->tool].release(w);
 }
-/* <use a tool> */
+
 void tool_draw(const tool_work *w, wfDraw *d)
 {
     const tool_memory *m = w->memory;

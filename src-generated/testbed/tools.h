@@ -8,7 +8,7 @@
 
 enum { TOOL_POINTS = 240, TOOL_CHOSEN = 64, TOOL_WORDS = 200 };
 enum { TOOL_SHAPE, TOOL_STUFF, TOOL_TYPE, TOOL_JOINT, TOOL_PROBE, TOOL_CHOICES };
-/* <what tools remember> */
+
 /* All zero at first: the hand. No pointers. */
 typedef struct tool_memory {
     int32_t tool;                   /* row of toolTable */
@@ -28,7 +28,8 @@ typedef struct tool_memory {
     int32_t refused;                /* what was said is a refusal */
     char    said[TOOL_WORDS];
 } tool_memory;
-/* <what a tool works with> */
+
+/* what a tool works with */
 typedef struct tool_work {
     tool_memory *memory;
     wfWorld *world;
@@ -38,7 +39,8 @@ typedef struct tool_work {
     wfResult (*make_room)(void *context, uint32_t needs);
     void *context;
 } tool_work;
-/* <the table of tools> */
+
+/* the table of tools */
 typedef struct tool_row {
     const char *name, *text;
     int32_t key;
@@ -56,7 +58,6 @@ typedef struct tool_names { const char *name, *const *names; int32_t count; } to
 extern const tool_names toolChoices[TOOL_CHOICES];
 int32_t tool_choice_count(const void *choice);
 const char *tool_choice_name(const void *choice, int row);
-/* <declarations of tools> */
 /* The button goes down at a place of the world, moves there, goes up. */
 void tool_press(tool_work *w, wfVec2 at);
 void tool_move(tool_work *w, wfVec2 at);

@@ -6,7 +6,7 @@
 #include "testbed/font.h"
 #include "testbed/ui.h"
 
-/* <begin a walk> */
+/* begin a walk */
 static void take_keys(ui *u, const game_input *input)
 {
     ui_memory *m = u->memory;
@@ -20,7 +20,7 @@ static void take_keys(ui *u, const game_input *input)
         if (m->focus && key == GAME_KEY_RIGHT) u->turn = 1;
     }
 }
-/* <begin a walk> */
+
 ui ui_look(ui_memory *memory, const game_input *input, float width, float height,
            float scale)
 {
@@ -33,7 +33,7 @@ ui ui_look(ui_memory *memory, const game_input *input, float width, float height
     if (!u.held && !u.click) memory->active = 0;
     return u;
 }
-/* <begin a walk> */
+
 void ui_show(ui *u, wfDraw *draw)
 {
     u->draw = draw;
@@ -43,7 +43,8 @@ void ui_show(ui *u, wfDraw *draw)
     u->tip = NULL;
     u->memory->place_count = 0;
 }
-/* <draw boxes and words> */
+
+/* draw boxes and words */
 bool ui_inside(const ui *u, float x, float y, float w, float h)
 {
     return u->x >= x && u->x < x + w && u->y >= y && u->y < y + h;
@@ -60,7 +61,7 @@ void ui_text(ui *u, float x, float y, float size, int role, int anchor, const ch
 {
     if (u->draw) wfDrawText(u->draw, x, u->height - y, size, role, anchor, text);
 }
-/* <draw boxes and words> */
+
 void ui_fitted(ui *u, float x, float y, int role, float room, const char *text)
 {
     char line[200];
@@ -74,7 +75,8 @@ void ui_fitted(ui *u, float x, float y, int role, float room, const char *text)
     }
     ui_text(u, x, y, 13, role, -1, line);
 }
-/* <the area of a widget> */
+
+/* the area of a widget */
 static uint32_t id_of(const char *name)             /* FNV-1a; never 0 */
 {
     uint32_t h = 2166136261u;
@@ -97,7 +99,7 @@ static void keep_place(ui *u, const char *name, float x, float y)
     p->x = x * u->scale;
     p->y = y * u->scale;
 }
-/* <the area of a widget> */
+
 bool ui_area(ui *u, const char *name, float x, float y, float w, float h)
 {
     ui_memory *m = u->memory;
@@ -108,7 +110,7 @@ bool ui_area(ui *u, const char *name, float x, float y, float w, float h)
     keep_place(u, name, x + w / 2, y + h / 2);
     return (inside && u->click) || (focus && u->enter);
 }
-/* <the area of a widget> */
+
 void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w, float h)
 {
     ui_memory *m = u->memory;
@@ -118,7 +120,8 @@ void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w
     if (m->rested > 0.5) u->tip = text;
     else u->tip = "";
 }
-/* <buttons, boxes, rows> */
+
+/* buttons, boxes, rows */
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 24);
@@ -127,7 +130,7 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
     ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
     return ui_area(u, name, x, y, w, 24);
 }
-/* <buttons, boxes, rows> */
+
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 19);
@@ -141,7 +144,7 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
     ui_text(u, x + 17, y + 13.5f, 13, WF_INK_TEXT, -1, name);
     return ui_area(u, name, x, y, w, 19);
 }
-/* <buttons, boxes, rows> */
+
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 19);
@@ -151,7 +154,7 @@ bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
     ui_text(u, x + 8, y + 13.5f, 13, WF_INK_TEXT, -1, name);
     return ui_area(u, name, x, y, w, 19);
 }
-/* <a number that is dragged> */
+
 /* The value v0 after a pull by d units: eq:interface-linear for a number with two ends,
  * eq:interface-double for one above zero, eq:interface-usual for others. */
 double ui_pulled(double v0, double d, ui_range r)
@@ -163,7 +166,7 @@ double ui_pulled(double v0, double d, ui_range r)
     if (r.whole) v = floor(v + 0.5);
     return v < r.least ? r.least : v > r.most ? r.most : v;
 }
-/* <a number that is dragged> */
+
 static void draw_number(ui *u, const char *name, float x, float y, float w, double value,
                         ui_range r, bool changed)
 {
@@ -180,7 +183,7 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
     ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
     ui_text(u, x + w - 6, y + 15, 13, WF_INK_TEXT, 1, text);
 }
-/* <a number that is dragged> */
+
 bool ui_number(ui *u, const char *name, float x, float y, float w, double *value,
                ui_range r, bool changed)
 {
@@ -201,7 +204,8 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
                          : ui_pulled(*value, u->turn * 10, r);
     return *value != was;
 }
-/* <a choice among names> */
+
+/* a choice among names */
 static int menu_row(ui *u, int count)
 {
     const float *m = u->memory->menu;
@@ -227,14 +231,14 @@ static void open_menu(ui *u, const char *name, float right, float y, float w,
     m->menu[2] = w;
     m->menu[3] = h;
 }
-/* <a choice among names> */
+
 static void draw_triangle(ui *u, float x, float y)
 {
     float up = u->height - y;
     float xy[] = { x - 4, up + 2.5f, x + 4, up + 2.5f, x, up - 4 };
     if (u->draw) wfDrawPolygon(u->draw, xy, 3, 1, WF_INK_LINE, WF_INK_LINE);
 }
-/* <a choice among names> */
+
 bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
                ui_names names, bool changed)
 {
@@ -249,7 +253,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
            WF_INK_PAPER);
     ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26, text ? text : "?");
     draw_triangle(u, x + w - 12, y + UI_LINE / 2);
-    /* <take a row of the open list> */
+    /* take a row of the open list */
     if (open && (row = menu_row(u, count)) >= 0) {
         *now = row;
         m->open = 0;
@@ -261,7 +265,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     else if (pressed) open_menu(u, name, x + w, y + UI_LINE, wide, names);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
-    /* <remember the list to draw> */
+    /* remember the list to draw */
     if (u->draw && m->open == id_of(name)) {
         u->menu_size = names.count;
         u->menu_name = names.name;
@@ -270,7 +274,8 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     }
     return *now != was;
 }
-/* <a line to type into> */
+
+/* a line to type into */
 bool ui_takes(ui_memory *m, int32_t key)
 {
     size_t length = strlen(m->query);
@@ -291,7 +296,7 @@ bool ui_takes(ui_memory *m, int32_t key)
     }
     return key != GAME_KEY_PAGE_DOWN && key != GAME_KEY_PAGE_UP && key != GAME_KEY_ENTER;
 }
-/* <a line to type into> */
+
 void ui_query(ui *u, const char *name, float x, float y, float w)
 {
     ui_memory *m = u->memory;
@@ -305,7 +310,8 @@ void ui_query(ui *u, const char *name, float x, float y, float w)
     if (ui_area(u, name, x, y, w, 20)) m->typing = 1;
     else if (u->click && !u->draw) m->typing = 0;
 }
-/* <how well a name fits> */
+
+/* how well a name fits */
 static char small(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
 float ui_fit(const char *query, const char *name)
@@ -322,7 +328,8 @@ float ui_fit(const char *query, const char *name)
     fit -= (float)strlen(name) / 8;
     return fit > 0 ? fit : 0;
 }
-/* <end a walk> */
+
+/* end a walk */
 static void draw_menu(ui *u)
 {
     const float *m = u->memory->menu;
@@ -338,7 +345,7 @@ static void draw_menu(ui *u)
         if (name) keep_place(u, name, m[0] + m[2] / 2, y + 9.5f);
     }
 }
-/* <end a walk> */
+
 static void draw_tip(ui *u)
 {
     char line[4][44] = { { 0 } };
@@ -359,7 +366,7 @@ static void draw_tip(ui *u)
     for (int i = 0; i < lines; i++)
         ui_text(u, x + 8, y + 17 + 17.0f * (float)i, 13, WF_INK_TEXT, -1, line[i]);
 }
-/* <end a walk> */
+
 void ui_finish(ui *u, double seconds)
 {
     ui_memory *m = u->memory;

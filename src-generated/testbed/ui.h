@@ -8,7 +8,8 @@
 #include "weft/draw.h"
 
 enum { UI_PLACES = 200, UI_QUERY = 24, UI_LINE = 22 };
-/* <what an interface remembers> */
+
+/* what an interface remembers */
 typedef struct ui_place { char name[GAME_NAME_SIZE]; float x, y; } ui_place;
 
 /* All zero at first. No pointers. */
@@ -26,7 +27,8 @@ typedef struct ui_memory {
     int32_t place_count;        /* where everything is, for game_describe, pixels */
     ui_place places[UI_PLACES];
 } ui_memory;
-/* <what a walk works with> */
+
+/* what a walk works with */
 typedef struct ui {
     ui_memory *memory;
     wfDraw *draw;               /* NULL in the walk that looks for clicks */
@@ -50,7 +52,6 @@ ui ui_look(ui_memory *memory, const game_input *input, float width, float height
 void ui_show(ui *u, wfDraw *draw);
 /* Ends a walk: the open list and the tip are drawn over all else. */
 void ui_finish(ui *u, double seconds);
-/* <declarations of the widgets> */
 bool ui_inside(const ui *u, float x, float y, float w, float h);
 void ui_box(ui *u, float x, float y, float w, float h, int line, int fill);
 void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text);
@@ -62,7 +63,7 @@ void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
-/* <declarations of the widgets> */
+
 /* What a number may be: ends (may be huge), its usual size; whole: an integer. */
 typedef struct ui_range { double least, most, usual; bool whole; } ui_range;
 double ui_pulled(double v0, double d, ui_range r);

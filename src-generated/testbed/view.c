@@ -3,7 +3,7 @@
 #include <string.h>
 #include "testbed/view.h"
 
-/* <draw a shape> */
+/* draw a shape */
 void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
                  int fillRole)
 {
@@ -26,7 +26,8 @@ void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
         wfDrawPoint(d, WF_XY(xf.p), 7, lineRole);
     }
 }
-/* <draw the overlays> */
+
+/* draw the overlays */
 static void draw_contacts(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -36,7 +37,7 @@ static void draw_contacts(const wfWorld *world, wfPool *scratch, wfDraw *d)
         for (int32_t p = 0; p < contact[i].manifold.count; p++)
             wfDrawPoint(d, WF_XY(contact[i].manifold.points[p].point), 7, WF_INK_ACCENT);
 }
-/* <draw the overlays> */
+
 static void draw_normals(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -49,7 +50,7 @@ static void draw_normals(const wfWorld *world, wfPool *scratch, wfDraw *d)
             wfDrawArrow(d, WF_XY(at), WF_XY(to), 1.5f, WF_INK_GOOD);
         }
 }
-/* <draw the overlays> */
+
 static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -65,7 +66,7 @@ static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
         wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, WF_INK_BAD);
     }
 }
-/* <draw the overlays> */
+
 void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role)
 {
     float xy[] = { (float)r.min.x, (float)r.min.y, (float)r.max.x, (float)r.min.y,
@@ -83,7 +84,7 @@ static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
         if (proxies.flags[i] & WF_PROXY_LIVE)
             wfDrawRect(d, proxies.bounds[i], 1, WF_INK_FAINT);
 }
-/* <draw the overlays> */
+
 typedef struct IndexSight { wfDraw *d; int32_t count; } IndexSight;
 
 static bool draw_index_box(void *context, const wfIndexBox *seen)
@@ -104,7 +105,7 @@ static bool draw_index_box(void *context, const wfIndexBox *seen)
         wfDrawRect(d, r, 1 + 2 / (float)(1 + seen->depth), WF_INK_GOOD);
     return true;
 }
-/* <draw the overlays> */
+
 static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     wfWorldDef def;
@@ -118,7 +119,7 @@ static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
                     "%s: no index, each box is tested against each",
                     wfBroadPhaseTable[def.broadPhase].name);
 }
-/* <draw the overlays> */
+
 static void draw_velocities(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -138,7 +139,8 @@ static void draw_numbers(const wfWorld *world, wfPool *scratch, wfDraw *d)
         if (v.alive[i])
             wfDrawTextf(d, WF_XY(v.state[i].p), 13, WF_INK_TEXT, 0, "%d", (int)i);
 }
-/* <draw joints> */
+
+/* draw joints */
 static void draw_zigzag(wfDraw *d, wfVec2 from, wfVec2 to)
 {
     enum { POINTS = 12 };
@@ -155,7 +157,7 @@ static void draw_zigzag(wfDraw *d, wfVec2 from, wfVec2 to)
     }
     wfDrawPolyline(d, xy, POINTS, 1.5f, WF_INK_ACCENT);
 }
-/* <draw joints> */
+
 typedef struct SeenJoint {
     wfJoint j;
     wfTransform a, b;           /* where the bodies are */
@@ -166,7 +168,7 @@ static void see_line(wfDraw *d, const SeenJoint *s)
 {
     wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
 }
-/* <draw joints> */
+
 static void see_distance(wfDraw *d, const SeenJoint *s)
 {
     wfReal length = wfLength(wfSub(s->to, s->from));
@@ -184,7 +186,7 @@ static void see_pulley(wfDraw *d, const SeenJoint *s)
                    (float)s->to.x, (float)s->to.y };
     wfDrawPolyline(d, xy, 4, 1.5f, WF_INK_ACCENT);
 }
-/* <draw joints> */
+
 static void see_hinge(wfDraw *d, const SeenJoint *s)
 {
     wfReal turn = s->j.turnB - s->j.turnA;
@@ -197,7 +199,7 @@ static void see_hinge(wfDraw *d, const SeenJoint *s)
     }
     see_line(d, s);
 }
-/* <draw joints> */
+
 static void see_slide(wfDraw *d, const SeenJoint *s)
 {
     wfVec2 axis = wfRotate(s->a.q, s->j.axis);
@@ -220,7 +222,7 @@ static void see_hand(wfDraw *d, const SeenJoint *s)
 {
     wfDrawLine(d, WF_XY(s->j.groundB), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
 }
-/* <draw joints> */
+
 typedef struct JointLook {
     const char *kind;
     void (*draw)(wfDraw *d, const SeenJoint *s);
@@ -244,7 +246,7 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
     wfDrawPoint(d, WF_XY(s->from), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
     wfDrawPoint(d, WF_XY(s->to), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
 }
-/* <draw joints> */
+
 static void draw_joints(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
@@ -259,9 +261,9 @@ static void draw_joints(const wfWorld *world, wfPool *scratch, wfDraw *d)
         draw_joint(d, &s);
     }
 }
-/* <the table of overlays> */
+
+/* the table of overlays */
 const wfOverlay wfOverlayTable[] = {
-    /* <rows of the overlay table> */
     { "contacts", "points where bodies touch", WF_SHOW_CONTACTS, '1', draw_contacts },
     { "normals", "contact normals, from A to B", WF_SHOW_NORMALS, '2', draw_normals },
     { "pairs", "potential pairs of the broad phase", WF_SHOW_PAIRS, '3', draw_pairs },
@@ -275,7 +277,6 @@ const wfOverlay wfOverlayTable[] = {
     { "joints", "anchors, ropes, springs, stops; red: broken", WF_SHOW_JOINTS, '9',
       draw_joints },
     { "islands", "who hangs together; faint: asleep", WF_SHOW_ISLANDS, '0', NULL },
-    /* <rows of the overlay table> */
     { "axis", "of the pair at the mouse: the separating axis, and shadows", WF_SHOW_AXIS, 0,
       NULL },
     { "GJK", "of that pair: the Minkowski difference, step by step", WF_SHOW_GJK, 0, NULL },
@@ -291,7 +292,8 @@ const wfOverlay wfOverlayTable[] = {
       NULL },
 };
 const int wfOverlayCount = (int)(sizeof wfOverlayTable / sizeof *wfOverlayTable);
-/* <draw a world> */
+
+/* draw a world */
 static bool is_touching(const wfWorld *world, int32_t body)
 {
     int32_t count;
@@ -301,7 +303,7 @@ static bool is_touching(const wfWorld *world, int32_t body)
             return true;
     return false;
 }
-/* <draw a world> */
+
 static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, int *line,
                           int *fill)
 {
@@ -313,7 +315,7 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
     *line = island < 0 ? WF_INK_LINE : ink[island % 5];
     *fill = wfIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
-/* <draw a world> */
+
 static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTransform xf,
                       uint32_t show, wfDraw *d)
 {
@@ -333,7 +335,7 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTr
     for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k])
         wfDrawShape(d, &v->shapes[k], xf, line, s.props[k].sensor ? WF_INK_NONE : fill);
 }
-/* <draw a world> */
+
 void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d)
 {
     wfBodyView view = wfWorldBodies(world);
@@ -347,7 +349,7 @@ void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d
         wfPoolRewind(scratch, mark);
     }
 }
-/* <draw a world> */
+
 wfTransform wfPoseBetween(wfTransform a, wfTransform b, wfReal t)
 {
     wfVec2 from = wfV2(a.q.c, a.q.s), to = wfV2(b.q.c, b.q.s), mean = wfLerp(from, to, t);

@@ -15,7 +15,8 @@ static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
                               NULL, &file, NULL };
 static game_input input;
-/* <take input from the page> */
+
+/* take input from the page */
 EXPORT("web_name") char *web_name(void) { return text; }
 
 /* The scene whose name (as many bytes) is in web_name() opens in the next frame. */
@@ -26,7 +27,7 @@ EXPORT("web_open") int web_open(int length)
     input.scene[length] = 0;
     return game_knows_scene(input.scene);
 }
-/* <take input from the page> */
+
 EXPORT("web_mouse") void web_mouse(float x, float y)
 {
     input.mouse_x = x;
@@ -45,7 +46,8 @@ EXPORT("web_key") void web_key(int key)
 {
     if (input.key_count < GAME_MAX_KEYS) input.keys[input.key_count++] = key;
 }
-/* <grant wishes in the page> */
+
+/* grant wishes in the page */
 EXPORT("web_wish") int web_wish(void) { return file.answer ? 0 : file.wish; }
 EXPORT("web_file_name") char *web_file_name(void) { return file.name; }
 EXPORT("web_file_bytes") uint8_t *web_file_bytes(void) { return file.bytes; }
@@ -58,7 +60,8 @@ EXPORT("web_grant") void web_grant(int answer, size_t size)
     if (file.wish == GAME_FILE_FETCH)
         file.size = size < sizeof file_bytes ? size : sizeof file_bytes;
 }
-/* <make a frame for the page> */
+
+/* make a frame for the page */
 static void make_frame(frame_buffer *picture, double seconds, int steps)
 {
     input.seconds = seconds;
@@ -69,7 +72,7 @@ static void make_frame(frame_buffer *picture, double seconds, int steps)
     input.key_count = 0;
     input.scene[0] = 0;
 }
-/* <make a frame for the page> */
+
 /* The next picture: NULL for a size that is too large. steps as in game_input. */
 EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, double seconds,
                                         int steps)
@@ -87,7 +90,7 @@ EXPORT("web_unseen") void web_unseen(int width, int height, float scale, double 
     frame_buffer picture = { NULL, width, height, width, scale };
     make_frame(&picture, seconds, steps);
 }
-/* <make a frame for the page> */
+
 /* What is going on, in words, in web_name(); returns the length. */
 EXPORT("web_describe") size_t web_describe(void)
 {

@@ -28,7 +28,7 @@ int web_snprintf(char *text, size_t size, const char *format, ...)
     return length;
 }
 
-/* <lend memory behind the module's own> */
+/* lend memory behind the module's own */
 void *web_lend(size_t size);
 void *web_lend_more(void *old, size_t had, size_t size);
 void web_take_back(void *lent);
@@ -46,7 +46,7 @@ void *web_lend(size_t size)
     lent_count++;
     return (void *)(uintptr_t)at;
 }
-/* <lend memory behind the module's own> */
+
 void web_take_back(void *lent)
 {
     if (lent && --lent_count == 0) lent_end = lent_base;

@@ -10,7 +10,8 @@
 #include "testbed/layer.h"
 
 typedef struct win_app { layer *layer; game_input input; bool open; } win_app;
-/* <note what happened to the window> */
+
+/* note what happened to the window */
 static void note_key(game_input *in, int32_t key)
 {
     if (key && in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
@@ -30,7 +31,7 @@ static int32_t key_of(WPARAM code)
         if (keys[i].code == code) return keys[i].key;
     return 0;
 }
-/* <note what happened to the window> */
+
 static void note_button(HWND window, game_input *in, uint32_t button, bool down)
 {
     if (down) {
@@ -43,7 +44,7 @@ static void note_button(HWND window, game_input *in, uint32_t button, bool down)
         if (!in->held) ReleaseCapture();
     }
 }
-/* <note what happened to the window> */
+
 static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
 {
     win_app *app = (win_app *)(uintptr_t)GetWindowLongPtrW(window, GWLP_USERDATA);
@@ -55,7 +56,7 @@ static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
     }
     switch (what) {
     case WM_CLOSE: app->open = false; return 0;
-    /* <note the buttons of the mouse> */
+    /* note the buttons of the mouse */
     case WM_LBUTTONDOWN: note_button(window, in, GAME_BUTTON_LEFT, true); return 0;
     case WM_LBUTTONUP:   note_button(window, in, GAME_BUTTON_LEFT, false); return 0;
     case WM_MBUTTONDOWN: note_button(window, in, GAME_BUTTON_MIDDLE, true); return 0;
@@ -71,7 +72,8 @@ static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
     default: return DefWindowProcW(window, what, w, l);
     }
 }
-/* <open a window of Windows> */
+
+/* open a window of Windows */
 static HWND open_window(win_app *app, const layer_options *o)
 {
     WNDCLASSW sort = { .lpfnWndProc = on_message, .hInstance = GetModuleHandleW(NULL),
@@ -88,7 +90,8 @@ static HWND open_window(win_app *app, const layer_options *o)
     if (window) SetWindowLongPtrW(window, GWLP_USERDATA, (LONG_PTR)(uintptr_t)app);
     return window;
 }
-/* <show the picture on Windows> */
+
+/* show the picture on Windows */
 static bool show(HWND window, const frame_buffer *b)
 {
     struct { BITMAPINFOHEADER head; DWORD mask[3]; } info = {
@@ -102,7 +105,8 @@ static bool show(HWND window, const frame_buffer *b)
     if (paper) ReleaseDC(window, paper);
     return rows != 0;
 }
-/* <run the window of Windows> */
+
+/* run the window of Windows */
 static bool frame(win_app *app, HWND window, double seconds)
 {
     RECT r;
@@ -115,13 +119,13 @@ static bool frame(win_app *app, HWND window, double seconds)
     app->input.seconds = seconds;
     if (!layer_frame(app->layer, &app->input)) app->open = false;
     if (r.right > 0 && r.bottom > 0 && !show(window, b)) return false;
-    /* <forget what belonged to this frame> */
+    /* forget what belonged to this frame */
     app->input.wheel = 0;
     app->input.pressed = app->input.released = 0;
     app->input.key_count = 0;
     return true;
 }
-/* <run the window of Windows> */
+
 static bool run(win_app *app, HWND window)
 {
     LARGE_INTEGER ticks, before, now, after;
@@ -144,7 +148,7 @@ static bool run(win_app *app, HWND window)
     }
     return true;
 }
-/* <run the window of Windows> */
+
 static bool run_window(layer *l)
 {
     win_app app = { .layer = l };

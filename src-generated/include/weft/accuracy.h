@@ -6,7 +6,6 @@
 #define WEFT_ACCURACY_H
 #include "weft/world.h"
 
-/* <what a method is> */
 /* A way to step a world: names of rows of the tables that a world has; NULL: as it is. */
 typedef struct wfMethodRow {
     const char *name, *text;
@@ -18,7 +17,7 @@ typedef struct wfMethodRow {
 } wfMethodRow;
 extern const wfMethodRow wfMethodTable[];
 extern const int wfMethodCount;
-/* <what a point of a curve is> */
+
 /* One setting, and what it was measured to do. */
 typedef struct wfAccuracy {
     int32_t method;            /* row of wfMethodTable */
@@ -29,7 +28,7 @@ typedef struct wfAccuracy {
     wfReal  error;             /* as a share of the scene's size, estimated, >= 0 */
     double  cost;              /* of a frame: counted, or ms by a clock */
 } wfAccuracy;
-/* <declarations of measuring a curve> */
+
 enum { WF_CURVE_FINEST = 4096, WF_CURVE_POINTS = 128 };
 /* How a curve is measured. */
 typedef struct wfCurveDef {
@@ -50,7 +49,6 @@ wfCurveDef wfDefaultCurveDef(void);
  * *count is not); those of a bad handle. */
 wfResult wfMeasureCurve(const wfWorld *world, const wfCurveDef *how, wfAccuracy *points,
                         int32_t capacity, int32_t *count);
-/* <declarations of choosing> */
 /* The cheapest point whose error is at most `tolerance` (> 0, a share of the scene's
  * size). WF_ERROR_TOLERANCE: there is none. WF_ERROR_NULL, _RANGE, _NOT_FINITE. */
 wfResult wfChooseSettings(const wfAccuracy *points, int32_t count, wfReal tolerance,
@@ -72,7 +70,6 @@ wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen);
  * No clock is asked: equal worlds, equal choice. Errors of all three; the world, and *out,
  * are then as they were. */
 wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccuracy *out);
-/* <declarations of choosing> */
 /* Says that so many substeps suffice for a body, of those that its world makes (>= 0; 0:
  * it needs all). Who hangs together makes as many as the most demanding needs, and who is
  * joined makes all. For the solver "soft". WF_ERROR_STALE_ID, _RANGE, _BUSY. */

@@ -7,14 +7,13 @@
 #include "weft/core.h"
 #include "weft/math.h"
 
-/* <kinds of body> */
 typedef enum wfBodyType {
     WF_STATIC,              /* never moves                                                */
     WF_KINEMATIC,           /* moves as it is told, whatever pushes it                    */
     WF_DYNAMIC,             /* obeys forces                                               */
     WF_BODY_TYPES
 } wfBodyType;
-/* <the hot state of a body> */
+
 /* What every stage of every step reads or writes: 32 bytes, half a cache line. */
 typedef struct wfBodyState {
     wfVec2 p;               /* m: the centre of mass, world                               */
@@ -25,12 +24,12 @@ typedef struct wfBodyState {
     wfReal invInertia;      /* 1/(kg m^2), about the centre of mass; 0: nothing turns it  */
 } wfBodyState;
 _Static_assert(sizeof(wfBodyState) == 8 * sizeof(wfReal), "no padding: two fill a line");
-/* <the sums of force and torque> */
+
 typedef struct wfBodyForces {
     wfVec2 force;           /* N: the sum of all forces                                   */
     wfReal torque;          /* N m: the sum of all torques about the centre of mass       */
 } wfBodyForces;
-/* <the cold properties of a body> */
+
 /* What is read once a step or less. */
 typedef struct wfBodyProps {
     int32_t type;           /* a wfBodyType                                               */
@@ -45,7 +44,6 @@ typedef struct wfBodyProps {
     int32_t fixedRotation;  /* 1: no torque turns it                                      */
     uint64_t userData;      /* the caller's own                                           */
 } wfBodyProps;
-/* <declarations of body set-up> */
 /* A dynamic particle of mass 1 without damping. */
 wfBodyProps wfDefaultBodyProps(void);
 /* WF_OK, or what is wrong: WF_ERROR_NULL, _NOT_FINITE, _UNKNOWN (type), _MASS, _RANGE (a
@@ -58,27 +56,21 @@ bool wfBodyIsFinite(const wfBodyState *state);
 wfResult wfSetMass(wfBodyState *state, wfBodyProps *props, wfReal mass, wfReal inertia);
 /* Changes the type; a body that becomes static stops. WF_ERROR_NULL, _UNKNOWN. */
 wfResult wfSetBodyType(wfBodyState *state, wfBodyProps *props, wfBodyType type);
-/* <declarations of motion> */
 /* Where the body's frame is: turned by angle, at p. */
 wfTransform wfBodyTransform(const wfBodyState *state);
 /* Velocity (m/s) of the point of the body that is now at worldPoint (m). */
 wfVec2 wfVelocityAt(const wfBodyState *state, wfVec2 worldPoint);
-/* <declarations of motion> */
 /* Takes off whole turns, so that angle is in [-pi, pi]. */
 void wfWrapBodyAngle(wfBodyState *state);
-/* <declarations of motion> */
 /* Damps velocities over h seconds, rates in 1/s: the same in one step or in many. */
 void wfDampVelocity(wfBodyState *state, wfReal linear, wfReal angular, wfReal h);
-/* <declarations of pushes> */
 /* Add to the sums of force (N) and torque (N m); points are in the world (m). */
 void wfApplyForce(wfBodyForces *sums, const wfBodyState *state, wfVec2 force, wfVec2 point);
 void wfApplyForceToCentre(wfBodyForces *sums, wfVec2 force);
 void wfApplyTorque(wfBodyForces *sums, wfReal torque);
-/* <declarations of pushes> */
 /* Change the velocities at once, by an impulse (N s) or an angular one (N m s). */
 void wfApplyImpulse(wfBodyState *state, wfVec2 impulse, wfVec2 point);
 void wfApplyAngularImpulse(wfBodyState *state, wfReal impulse);
-/* <declarations of what a body has> */
 /* All three count a mass or an inertia whose inverse is 0 as none. */
 wfReal wfKineticEnergy(const wfBodyState *state);                           /* J     */
 wfVec2 wfMomentum(const wfBodyState *state);                                /* N s   */

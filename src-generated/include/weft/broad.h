@@ -4,13 +4,12 @@
 #define WEFT_BROAD_H
 #include "weft/core.h"
 #include "weft/math.h"
-/* <what goes into a broad phase and what comes out> */
+
 /* Two proxies that may touch; a < b always.  Report 5.4.2: potential_contact_pair. */
 typedef struct wfPair { int32_t a, b; } wfPair;
 
 enum { WF_PROXY_LIVE = 1, WF_PROXY_MOVES = 2 };
 
-/* <who may collide with whom> */
 /* category: what it is (bits); mask: the categories that it meets; group: if two have the
    same one, > 0: always, < 0: never; 0: no group. */
 typedef struct wfFilter { uint64_t category, mask; int32_t group; } wfFilter;
@@ -43,7 +42,7 @@ typedef struct wfProxies {
     wfPairFilterFn *custom;
     const void *context;          /* what custom gets to see */
 } wfProxies;
-/* <what goes into a broad phase and what comes out> */
+
 /* Where the pairs go.  The caller gives pairs and capacity; a broad phase sets the rest.
    `tests` is how many box tests it took: work, counted the same on every machine. */
 typedef struct wfPairList {
@@ -51,7 +50,7 @@ typedef struct wfPairList {
     int32_t count, capacity;
     int64_t tests;
 } wfPairList;
-/* <declarations of the broad phases> */
+
 /* The wanted pairs (wfPairWanted) of proxies whose bounds overlap (touching counts), sorted
    by (a, b).  Trusts its input: wfFindPairs checks it.  Gives scratch back.
    WF_ERROR_FULL: more pairs than out->capacity.  WF_ERROR_MEMORY: scratch too small.
@@ -61,7 +60,6 @@ typedef wfResult wfBroadPhaseFn(const wfProxies *in, wfPool *scratch, wfPairList
 /* Bytes of scratch that always suffice for so many proxies and so many pairs. */
 typedef size_t wfBroadScratchFn(int32_t proxies, int32_t pairs);
 
-/* <what a row's index can do> */
 /* A box of half size `half` (m, >= 0; 0: a ray) whose middle moves from `from` (m) by
    t * by (m), 0 <= t <= most. */
 typedef struct wfBoxCast { wfVec2 from, by, half; wfReal most; } wfBoxCast;
@@ -71,7 +69,6 @@ typedef bool wfVisitFn(void *context, int32_t proxy);
 /* Is shown a proxy that the cast may meet.  Returns how far to look from now on: `most` to
    go on as before, less to look less far, a negative number to stop. */
 typedef wfReal wfCastVisitFn(void *context, int32_t proxy, wfReal most);
-/* <what a row's index can do> */
 typedef size_t wfRowIndexSizeFn(int32_t proxies);          /* bytes for so many proxies */
 /* Makes the index agree with the proxies.  WF_ERROR_MEMORY (bytes or scratch too few): the
    index is as before. */
@@ -83,7 +80,6 @@ typedef void wfRowQueryFn(const wfProxies *in, const void *index, wfRect area,
                           wfVisitFn *visit, void *context);
 typedef void wfRowCastFn(const wfProxies *in, const void *index, const wfBoxCast *cast,
                          wfCastVisitFn *visit, void *context);
-/* <what a row's index can do> */
 /* A box (m) by which an index finds its proxies.  Where it has no border: WF_HUGE. */
 typedef struct wfIndexBox {
     wfRect box;
@@ -99,21 +95,18 @@ typedef struct wfBroadPhaseRow {
     const char *name, *text;
     wfBroadPhaseFn *find;
     wfBroadScratchFn *scratch;
-    /* <the functions of a row's index> */
     /* all five, or none: then the wrappers scan; find may be NULL if there is an index */
     wfRowIndexSizeFn *indexSize;
     wfRowUpdateFn *update;
     wfRowPairsFn *pairs;
     wfRowQueryFn *query;
     wfRowCastFn *cast;
-    /* <the functions of a row's index> */
     wfRowBoxesFn *boxes;              /* may be NULL */
 } wfBroadPhaseRow;
 
 extern const wfBroadPhaseRow wfBroadPhaseTable[];
 extern const int wfBroadPhaseCount;
 int wfFindBroadPhase(const char *name);   /* the row of that name, -1 if there is none */
-/* <declarations of the broad phases> */
 /* Checks the input, then calls row `method`.  WF_ERROR_NULL, WF_ERROR_UNKNOWN (no such
    row), WF_ERROR_RANGE (a count below 0, or min > max), WF_ERROR_NOT_FINITE, and the row's
    own errors. */
@@ -124,7 +117,7 @@ bool wfPushPair(wfPairList *list, int32_t a, int32_t b);
 
 /* Sorts pairs of proxies 0..proxies-1 by (a, b) in O(pairs + proxies).  WF_ERROR_MEMORY. */
 wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch);
-/* <declarations of the broad phases> */
+
 /* The part of wfPairWanted that looks at owners, filters and the custom filter. */
 bool wfPairAllowed(const wfProxies *in, int32_t a, int32_t b);
 
@@ -136,7 +129,7 @@ static inline bool wfPairWanted(const wfProxies *in, int32_t a, int32_t b)
     if (!(both & WF_PROXY_LIVE) || !(any & WF_PROXY_MOVES)) return false;
     return (!in->filters && !in->owners && !in->custom) || wfPairAllowed(in, a, b);
 }
-/* <declarations of the broad phases> */
+
 /* Writes the live proxies to ids (room for in->count), those that move first, each group in
    rising order.  Returns how many; *movers: how many of them move. */
 int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers);
@@ -156,7 +149,6 @@ static inline bool wfOfferPair(const wfProxies *in, wfPairList *out, wfRect ra, 
     out->tests++;
     return !wfRectOverlap(ra, rb) || wfPushPair(out, a, b);
 }
-/* <declarations of the broad phases> */
 typedef struct wfKeyed { wfReal key; int32_t index; } wfKeyed;
 
 /* Sorts by key, equal keys keep their order; spare has room for n.  No key may be NaN. */
@@ -164,7 +156,7 @@ void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n);
 /* Rearranges: items[k] is what it would be if sorted; none before it is greater, none
    behind it smaller.  0 <= k < n. */
 void wfSelectKeyed(wfKeyed *items, int32_t n, int32_t k);
-/* <declarations of the broad phases> */
+
 /* Square cells.  The cell of a point by eq:broad-cell, kept within the limits. */
 typedef struct wfCellRange { int32_t x0, y0, x1, y1; } wfCellRange;  /* ends included */
 typedef struct wfCells {
@@ -179,7 +171,7 @@ wfCells wfGridCells(wfRect world, wfReal side, int32_t most);
 wfCells wfHashCells(wfReal side);
 wfCellRange wfCellsOf(const wfCells *cells, wfRect r);    /* the cells that r touches */
 uint32_t wfHashCell(int32_t x, int32_t y);                /* eq:broad-hash */
-/* <declarations of the broad phases> */
+
 enum { WF_BOX_LEAF = 4, WF_BOX_NONE = -1 };    /* so many proxies at most in a leaf */
 
 /* A node of a tree of boxes: the common box of items first .. first + count - 1.  Its left
@@ -196,13 +188,12 @@ typedef struct wfBoxTree {
 /* Adds a tree over items first .. first + count - 1 (count > 0), returns its root.  There
    must be room for count + 1 nodes. */
 int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count);
-/* <declarations of the questions> */
+
 /* A pool over an index's bytes: pushing the row's arrays in order finds their places. */
 static inline wfPool wfOpenIndex(const void *index, size_t bytes)
 {
     return (wfPool){ .base = (uint8_t *)index, .size = bytes, .used = 0 };
 }
-/* <declarations of the questions> */
 size_t wfIndexSize(int method, int32_t proxies);     /* bytes of an index; 0: has none */
 
 /* Makes the index (bytes: as wfIndexSize for at least in->count, aligned to WF_POOL_ALIGN,
@@ -216,7 +207,6 @@ wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t byte
 /* As wfFindPairs, by an index that agrees with the proxies (or NULL: without one). */
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,
                       wfPairList *out);
-/* <declarations of the questions> */
 /* Shows every live proxy whose bounds overlap the area (touching counts), each once, in an
    order that depends on the index alone.  index as in wfIndexPairs.  WF_ERROR_NULL,
    _UNKNOWN, _RANGE (min > max), _NOT_FINITE. */
@@ -228,7 +218,7 @@ wfResult wfQueryIndex(int method, const wfProxies *in, const void *index, wfRect
    (half or most < 0). */
 wfResult wfCastIndex(int method, const wfProxies *in, const void *index,
                      const wfBoxCast *cast, wfCastVisitFn *visit, void *context);
-/* <declarations of the questions> */
+
 static inline wfBoxCast wfPadCast(wfBoxCast c)                       /* eq:broad-pad */
 {
     wfReal e = 4 * WF_EPSILON;          /* first: the sum may overflow, not this */
@@ -248,7 +238,7 @@ static inline bool wfCutSlab(wfReal from, wfReal by, wfReal low, wfReal high, wf
     *leave = wfMinR(*leave, by > 0 ? b : a);
     return *enter <= *leave;
 }
-/* <declarations of the questions> */
+
 /* Does the cast meet the box?  *enter: the fraction at which it does (0: at the start). */
 static inline bool wfCastMeets(const wfBoxCast *c, wfRect r, wfReal *enter)
 {
@@ -260,7 +250,7 @@ static inline bool wfCastMeets(const wfBoxCast *c, wfRect r, wfReal *enter)
         && wfCutSlab(c->from.y, c->by.y, r.min.y - c->half.y, r.max.y + c->half.y, enter,
                      &leave);
 }
-/* <declarations of the questions> */
+
 /* Shows the proxy if it is met, and shortens the cast.  False: the visitor has enough. */
 static inline bool wfOfferCast(const wfProxies *in, wfBoxCast *cast, int32_t proxy,
                                wfCastVisitFn *visit, void *context)
@@ -271,13 +261,11 @@ static inline bool wfOfferCast(const wfProxies *in, wfBoxCast *cast, int32_t pro
     if (most < cast->most) cast->most = most;
     return cast->most >= 0;
 }
-/* <declarations of the questions> */
 /* Shows the boxes of an index, in an order that depends on the index alone.  Nothing, if
    the method has no index or this one isn't of these proxies.  WF_ERROR_NULL, _UNKNOWN. */
 wfResult wfIndexBoxes(int method, const wfProxies *in, const void *index,
                       wfBoxVisitFn *visit, void *context);
-/* <declarations of the questions> */
-/* <the quad tree's data> */
+
 enum { WF_BOTTOM_LEFT, WF_BOTTOM_RIGHT, WF_TOP_LEFT, WF_TOP_RIGHT, WF_QUAD_ROOT };
 enum { WF_QUAD_NONE = -1, WF_QUAD_MAX_DEPTH = 16, WF_QUAD_BUCKET = 6,
        WF_QUAD_STACK = 3 * WF_QUAD_MAX_DEPTH + 4 };
@@ -303,7 +291,7 @@ typedef struct wfQuadTree {
     int32_t nodeCapacity, nodeHigh, freeNode, proxyCapacity;
     int32_t depthLimit, bucket, count;
 } wfQuadTree;
-/* <the quad tree's data> */
+
 /* root: the area that is cut up (boxes may lie outside it); nodes, proxies: how many at
    most; depth: 0..WF_QUAD_MAX_DEPTH; bucket: how many proxies a node holds before it is cut
    (0: every proxy goes to the smallest node that holds it, as in the report). */
@@ -315,7 +303,6 @@ typedef struct wfQuadTreeDef {
 /* Which pairs are generated: within one node only (the report's rule, which misses pairs);
    also with all nodes above; with the nodes below that the proxy's bounds reach into. */
 typedef enum wfQuadReach { WF_QUAD_SAME_NODE, WF_QUAD_CLIMB, WF_QUAD_DESCEND } wfQuadReach;
-/* <declarations of the quad tree> */
 size_t wfQuadTreeSize(int32_t proxies, int32_t nodes);  /* bytes wfQuadTreeInit takes */
 int32_t wfQuadTreeNodes(int32_t proxies);          /* nodes wfQuadTreeBuild reserves */
 
@@ -330,7 +317,6 @@ wfResult wfQuadTreeInsert(wfQuadTree *tree, int32_t proxy, wfRect bounds);
 wfResult wfQuadTreeRemove(wfQuadTree *tree, int32_t proxy);
 /* Gives a proxy that is in the tree new bounds. */
 wfResult wfQuadTreeMove(wfQuadTree *tree, int32_t proxy, wfRect bounds);
-/* <declarations of the quad tree> */
 /* Appends the pairs by the given rule, unsorted, each once.  Only those that `in` wants;
    NULL: all are live and move.  WF_ERROR_FULL: out->count is 0. */
 wfResult wfQuadTreePairs(const wfQuadTree *tree, wfQuadReach reach, const wfProxies *in,
@@ -343,7 +329,6 @@ int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors);
 /* The children of a node that the bounds reach into, room for 4; returns how many. */
 int wfQuadTreeReach(const wfQuadTree *tree, int32_t node, wfRect bounds, int32_t *reached);
 int wfQuadSector(wfVec2 centre, wfRect bounds);   /* the quarter that holds it, or NONE */
-/* <declarations of the questions> */
 /* The row of quadtree.c: its functions trust their input, as those of every row. */
 wfBroadScratchFn wfQuadScratch;
 wfRowIndexSizeFn wfQuadIndexSize;
@@ -352,7 +337,6 @@ wfRowPairsFn wfQuadPairs;
 wfRowQueryFn wfQuadQuery;
 wfRowCastFn wfQuadCast;
 wfRowBoxesFn wfQuadBoxes;
-/* <declarations of the questions> */
 /* The rows of cells.c: trust their input, as every row. */
 wfBroadScratchFn wfGridScratch;
 wfRowIndexSizeFn wfGridIndexSize;
@@ -361,7 +345,6 @@ wfRowPairsFn wfGridPairs;
 wfRowQueryFn wfGridQuery;
 wfRowCastFn wfGridCast;
 wfRowBoxesFn wfGridBoxes;
-/* <declarations of the questions> */
 wfBroadScratchFn wfHashScratch;
 wfRowIndexSizeFn wfHashIndexSize;
 wfRowUpdateFn wfHashUpdate;
@@ -369,7 +352,6 @@ wfRowPairsFn wfHashPairs;
 wfRowQueryFn wfHashQuery;
 wfRowCastFn wfHashCast;
 wfRowBoxesFn wfHashBoxes;
-/* <declarations of the questions> */
 /* Finds the pairs, sweeping along x (0), along y (1), or along the axis of wfSweepAxis
    (-1).  Scratch as wfSweepScratch says. */
 wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out);
@@ -384,7 +366,6 @@ wfRowPairsFn wfSweepPairs;
 wfRowQueryFn wfSweepQuery;
 wfRowCastFn wfSweepCast;
 wfRowBoxesFn wfSweepBoxes;
-/* <declarations of the questions> */
 /* The row of boxtree.c: trusts its input. */
 wfBroadScratchFn wfBoxTreeScratch;
 wfRowIndexSizeFn wfBoxTreeIndexSize;
@@ -393,8 +374,7 @@ wfRowPairsFn wfBoxTreePairs;
 wfRowQueryFn wfBoxTreeQuery;
 wfRowCastFn wfBoxTreeCast;
 wfRowBoxesFn wfBoxTreeBoxes;
-/* <declarations of the questions> */
-/* <declarations of the dynamic tree> */
+
 enum { WF_TREE_NONE = -1, WF_TREE_OUT = -2, WF_TREE_RATIO = 4, WF_TREE_NEAR = 8 };
 
 /* A node: nodes 0 .. capacity - 1 are the leaves of the proxies of these numbers, the
@@ -408,7 +388,7 @@ typedef struct wfTreeNode {
 
 /* When and where a proxy was put in, to see how fast it moves. */
 typedef struct wfTreePlace { wfVec2 at; uint32_t step; } wfTreePlace;
-/* <declarations of the dynamic tree> */
+
 typedef struct wfTreeHead {
     int32_t capacity;             /* 0: not set up yet */
     int32_t root, freeNode, count;
@@ -426,7 +406,6 @@ typedef struct wfTree {
     wfTreePlace *places;
     wfPair *near;                 /* leaves whose fat boxes overlap, sorted */
 } wfTree;
-/* <declarations of the dynamic tree> */
 size_t wfTreeSize(int32_t capacity);    /* bytes of a tree for proxies 0 .. capacity - 1 */
 /* An empty tree in a block (aligned to WF_POOL_ALIGN; it may be moved and copied).
    WF_ERROR_NULL, _RANGE (capacity < 1), _MEMORY. */
@@ -442,14 +421,13 @@ bool wfTreeHolds(const wfTree *tree, int32_t proxy);
 /* A box with a margin for one that moves by `way` (m) in a step, by eq:broad-fat. */
 wfRect wfFatBox(wfRect box, wfVec2 way, wfReal ratio);
 int32_t wfTreeDepth(const wfTree *tree);   /* steps from the root to the deepest leaf */
-/* <declarations of the dynamic tree> */
+
 /* Is the list of near pairs that of the boxes as they are? */
 static inline bool wfTreeHasNear(const wfTree *tree)
 {
     const wfTreeHead *h = tree->head;
     return h->nearCount >= 0 && h->nearChanges == h->changes;
 }
-/* <declarations of the dynamic tree> */
 /* The row of dynamictree.c: trusts its input. */
 wfBroadScratchFn wfTreeScratch;
 wfRowIndexSizeFn wfTreeIndexSize;

@@ -11,12 +11,8 @@
 #include "weft/narrow.h"
 #include "weft/contact.h"
 #include "weft/compound.h"
-/* <headers that the component may have besides> */
 /* times of impact, queries, events */
-/* <headers that the component may have besides> */
 #include "weft/impact.h"
-/* <headers that the component may have besides> */
 #include "weft/query.h"
-/* <headers that the component may have besides> */
 #include "weft/events.h"
 #endif

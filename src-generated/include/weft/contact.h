@@ -5,7 +5,7 @@
 #ifndef WEFT_CONTACT_H
 #define WEFT_CONTACT_H
 #include "weft/narrow.h"
-/* <what contact generation finds> */
+
 /* A point where two shapes touch.  Report 5.6: contact_data. */
 typedef struct wfContactPoint {
     wfVec2 point;        /* world frame, m: halfway between the two surfaces */
@@ -21,7 +21,6 @@ typedef struct wfManifold {
     int32_t count;       /* 0: no contact */
     wfContactPoint points[2];
 } wfManifold;
-/* <declarations of contact generation> */
 /* A feature: vertex `vertex` of shape `owner` (0 A, 1 B) on edge `edge` of the other shape;
    owner 2: A's vertex `vertex` against B's vertex `edge`.  eq:contacts-feature */
 uint32_t wfFeature(int owner, int vertex, int edge);
@@ -43,12 +42,11 @@ void wfMakeManifoldWithin(const wfShape *a, wfTransform xa, const wfShape *b,
 /* Separating axes, then contacts: the number of contact points, 0 also for bad input. */
 int wfCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
               wfManifold *out);
-/* <declarations of contact generation> */
 /* Gives each point of `now` the impulses of the point of `before` with the same feature
    (which is at the same corner: eq:contacts-identity), and 0 if there is none, or if the
    normal has turned by a right angle or more. */
 void wfKeepImpulses(const wfManifold *before, wfManifold *now);
-/* <declarations of contact generation> */
+
 /* How far a point of one shape may have moved, seen from the other, for its reference edge
    to be used again: a share of the smaller shape's reach.  eq:contacts-reuse-limit */
 #define WF_REUSE_SHARE WF_R(0.00390625)   /* 1/256 */
@@ -61,7 +59,6 @@ typedef struct wfManifoldCache {
     wfReal allowed;         /* m, the greatest d; 0: nothing is remembered */
     int32_t owner, edge;    /* the reference edge; WF_NO_EDGE: only the distance is known */
 } wfManifoldCache;
-/* <declarations of contact generation> */
 /* Remembers what a narrow phase found for this pair. */
 void wfRememberManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                         const wfSeparation *s, wfManifoldCache *cache);

@@ -8,7 +8,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* <assertions> */
 /* WF_ASSERT(x): x is true unless the engine itself is wrong. Never for a user's input. */
 #ifndef WF_ASSERT
 #if defined NDEBUG || defined WF_FREESTANDING
@@ -18,14 +17,12 @@
 #define WF_ASSERT(x) assert(x)
 #endif
 #endif
-/* <hints> */
 /* The 64 bytes or so around this address will be read soon. */
 #if defined __GNUC__
 #define WF_FETCH_SOON(address) __builtin_prefetch(address)
 #else
 #define WF_FETCH_SOON(address) ((void)(address))
 #endif
-/* <hints> */
 /* In place of inline: where size counts, one copy that is called. clang reckons rightly. */
 #ifndef WF_ONE_COPY
 #if defined __OPTIMIZE_SIZE__ && defined __GNUC__ && !defined __clang__
@@ -34,7 +31,7 @@
 #define WF_ONE_COPY inline
 #endif
 #endif
-/* <the result type> */
+
 /* What a call that can fail returns. After any value but WF_OK (0) nothing has changed. */
 typedef enum wfResult {
 #define WF_RESULT(name, text) name,
@@ -45,7 +42,6 @@ typedef enum wfResult {
 
 const char *wfResultName(wfResult result);   /* "WF_ERROR_FULL", or "WF_ERROR_?" */
 const char *wfResultText(wfResult result);   /* one sentence: what happened, what to do */
-/* <declarations of the pool> */
 #define WF_POOL_ALIGN 16        /* a base is a multiple of this; no push may ask for more */
 
 /* A stack of bytes in memory that somebody else provides. (Report 5.3: memory_pool.) */
@@ -58,12 +54,10 @@ typedef struct wfPool {
 /* Starts an empty pool on size bytes at base.
    WF_ERROR_NULL; WF_ERROR_MEMORY if base is not a multiple of WF_POOL_ALIGN. */
 wfResult wfPoolInit(wfPool *pool, size_t size, void *base);
-/* <declarations of the pool> */
 /* Takes size bytes whose offset from base is a multiple of align (a power of two up to
    WF_POOL_ALIGN). NULL if they do not fit or align is wrong; then the pool is as before.
    The bytes are not cleared. Equation: eq:memory-align. */
 void *wfPoolPush(wfPool *pool, size_t size, size_t align);
-/* <declarations of the pool> */
 /* The same for count things of size bytes; NULL also if count * size fits no size_t. */
 void *wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align);
 
@@ -71,13 +65,12 @@ void *wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align);
     ((type *)wfPoolPush((pool), sizeof(type), _Alignof(type)))
 #define wfPoolPushArray(pool, count, type) \
     ((type *)wfPoolPushMany((pool), (size_t)(count), sizeof(type), _Alignof(type)))
-/* <declarations of the pool> */
 void   wfPoolReset(wfPool *pool);               /* gives everything back          */
 size_t wfPoolMark(const wfPool *pool);          /* remembers how full the pool is */
 /* Gives back all that was pushed since; a mark above the used bytes is ignored. */
 void   wfPoolRewind(wfPool *pool, size_t mark);
 size_t wfPoolRoom(const wfPool *pool);          /* bytes left, before any padding */
-/* <declarations of the engine's memory> */
+
 /* The two chunks of memory of an engine. (Report 4.5.3: engine_memory.) */
 typedef struct wfMemory {
     void *permanent;            /* state: lives as long as the world                    */
@@ -92,7 +85,7 @@ typedef struct wfMemory {
 wfResult wfAllocateMemory(wfMemory *memory, size_t permanentSize, size_t transientSize);
 /* Frees what is owned, forgets what was handed over. Twice is harmless, NULL too. */
 void wfFreeMemory(wfMemory *memory);
-/* <declarations of the slots> */
+
 enum { WF_SLOT_END = -1, WF_SLOT_LIVE = -2 };        /* special values of wfSlot.next */
 
 typedef struct wfSlot {
@@ -106,7 +99,6 @@ typedef struct wfSlots {
     int32_t high;               /* slots from here on have never been taken */
     int32_t firstFree;          /* head of the free list, or WF_SLOT_END */
 } wfSlots;
-/* <declarations of the slots> */
 /* Starts with all slots free; slots has capacity elements. Negative counts as 0. */
 void wfSlotsInit(wfSlots *s, wfSlot *slots, int capacity);
 /* Takes a slot: its index, or -1 when all are taken. The last one given back goes first. */
@@ -115,7 +107,6 @@ int32_t wfSlotTake(wfSlots *s, wfSlot *slots);
 bool wfSlotAlive(const wfSlots *s, const wfSlot *slots, int32_t i, uint32_t generation);
 /* Gives slot i back. WF_ERROR_STALE_ID, and nothing changed, unless wfSlotAlive. */
 wfResult wfSlotGive(wfSlots *s, wfSlot *slots, int32_t i, uint32_t generation);
-/* <declarations of the hash> */
 #define WF_HASH_SEED 0xcbf29ce484222325u             /* where a FNV-1a hash starts */
 
 /* FNV-1a over n bytes, going on from seed: WF_HASH_SEED first, then the last result. */

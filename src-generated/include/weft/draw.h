@@ -9,7 +9,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* <roles of ink> */
 /* An ink's colour is chosen by the part it plays, never by its value. */
 enum {
     WF_INK_LINE,    /* the thing that the figure is about: outlines, axes of interest */
@@ -25,12 +24,12 @@ enum {
 };
 #define WF_INK_NONE (-1)              /* no line, or no fill */
 typedef struct wfInk { uint8_t r, g, b, a; } wfInk;  /* a colour: sRGB, straight alpha */
-/* <kinds of drawing command> */
+
 typedef enum wfDrawKind {
     WF_DRAW_POINT, WF_DRAW_LINE, WF_DRAW_ARROW, WF_DRAW_DASHED, WF_DRAW_CIRCLE,
     WF_DRAW_POLYGON, WF_DRAW_POLYLINE, WF_DRAW_TEXT, WF_DRAW_KINDS
 } wfDrawKind;
-/* <the drawing command> */
+
 typedef struct wfDrawCommand {
     int8_t   kind;         /* a wfDrawKind */
     int8_t   line, fill;   /* roles of the outline and of the inside, or WF_INK_NONE */
@@ -41,7 +40,7 @@ typedef struct wfDrawCommand {
     int32_t  length;       /* number of bytes of text, without the closing NUL */
     uint32_t data;         /* where in the list's memory the points begin */
 } wfDrawCommand;
-/* <the display list> */
+
 typedef struct wfDraw {
     uint8_t *base;         /* the caller's memory */
     size_t   size;         /* bytes of it in use by the list */
@@ -53,7 +52,6 @@ typedef struct wfDraw {
 } wfDraw;
 #define WF_DRAW_LIMIT 1e9f      /* greatest coordinate accepted, world units */
 #define WF_DRAW_SMALLEST 1e-6f  /* smallest width or height of a view, world units */
-/* <declarations of the pen> */
 /* Puts an empty list into `bytes` of `memory`, which must outlive it. */
 void wfDrawInit(wfDraw *d, void *memory, size_t bytes);
 /* Empties the list, forgets its counts and shows the window (0,0) to (1,1). */
@@ -76,7 +74,6 @@ void wfDrawPolygon(wfDraw *d, const float *xy, int count, float widthPx,
                    int lineRole, int fillRole);
 /* An open line through count >= 2 points. */
 void wfDrawPolyline(wfDraw *d, const float *xy, int count, float widthPx, int role);
-/* <declarations of the pen> */
 /* Text whose baseline begins (anchor -1), is centred (0) or ends (1) at the point. */
 void wfDrawText(wfDraw *d, float x, float y, float sizePx, int role, int anchor,
                 const char *utf8);
@@ -86,7 +83,6 @@ __attribute__((format(printf, 7, 8)))
 #endif
 void wfDrawTextf(wfDraw *d, float x, float y, float sizePx, int role, int anchor,
                  const char *format, ...);
-/* <declarations of the pen> */
 /* Reading a list: command i (0 <= i < count), its points (x, y in turn), its text. */
 const wfDrawCommand *wfDrawAt(const wfDraw *d, int i);
 const float *wfDrawPoints(const wfDraw *d, const wfDrawCommand *c);

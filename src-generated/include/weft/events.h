@@ -6,7 +6,6 @@
 #define WEFT_EVENTS_H
 #include "weft/contact.h"
 
-/* <what an event is> */
 /* Two shapes that touch, a < b. */
 typedef struct wfTouch {
     int32_t a, b;                 /* indices of the shapes */
@@ -23,7 +22,6 @@ typedef struct wfTouchList {
 /* What changed from one list of touches to the next.  A list that has no array (touches
    NULL, capacity 0) is only counted. */
 typedef struct wfTouchEvents { wfTouchList begin, stay, end; } wfTouchEvents;
-/* <what an event is> */
 /* How a body moves: the velocity of its origin, m/s, and its spin, rad/s. */
 typedef struct wfTwist { wfVec2 velocity; wfReal spin; } wfTwist;
 
@@ -34,12 +32,10 @@ typedef struct wfHitEvent {
     wfVec2 normal;     /* unit, world, from a to b */
     wfReal speed;      /* m/s, along the normal: how fast they approach there, > 0 */
 } wfHitEvent;
-/* <declarations of the events> */
 /* Do two shapes count as touching?  Those that did go on until their distance (m, below 0:
    how deep they overlap) is more than the margin; others must meet.
    eq:queries-hysteresis */
 bool wfTouchesNow(bool before, wfReal distance, wfReal margin);
-/* <declarations of the events> */
 /* Compares two lists, each sorted by (a, b) without repetitions.  end holds the touches of
    `before`, begin and stay those of `now`; all sorted.  A touch between the same indices
    with another stamp is another touch: one ends, one begins.  WF_ERROR_NULL; _RANGE: not

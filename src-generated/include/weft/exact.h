@@ -5,7 +5,6 @@
 #define WEFT_EXACT_H
 #include "weft/joint.h"
 
-/* <the numbers of the exact joints> */
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
 #define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
@@ -28,7 +27,6 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch);
    joint. known: it has been filled for these joints before. WF_ERROR_NULL, _MEMORY. */
 wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
                          bool known, wfPool *scratch);
-/* <limits of the exact solver> */
 #define WF_EXACT_ROOM 6             /* blocks that there is room for, a body or contact */
 #define WF_EXACT_TOUCH WF_R(1e-6)   /* eta of eq:exact-target: gaps that count as closed */
 #define WF_EXACT_EAGER 1e-3         /* share of the speeds: a first guess of who touches */
@@ -48,7 +46,7 @@ enum { WF_EXACT_BETWEEN = 4 };      /* sweeps before shorter steps are tried */
    the end; turns of joints and contacts. */
 enum { WF_EXACT_SYSTEMS = 8, WF_EXACT_CAREFUL = 40 };
 enum { WF_EXACT_SWEEPS = 64, WF_EXACT_TURNS = 8 };
-/* <declarations of counting> */
+
 typedef struct wfExactCount {
     int32_t blocks, fill;       /* pairs of joints that share a body; that were filled in */
     int64_t pairs;              /* pairs of blocks that a factorisation multiplies */

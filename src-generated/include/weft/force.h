@@ -6,7 +6,6 @@
 #include "weft/body.h"
 #include "weft/shape.h"
 
-/* <what a force generator sees> */
 /* The bodies, read only. `state' may be a state that an integrator only tries. Shapes are
    relative to the centre of mass. props.shape is the first shape of a body, negative for a
    particle; next[k] is the shape of the same body that follows shape k, or -1. */
@@ -18,14 +17,13 @@ typedef struct wfBodyView {
     const int32_t *next;        /* may be NULL: no body has more than one shape         */
     const uint8_t *alive;       /* 0: an empty place; may be NULL: all are alive        */
 } wfBodyView;
-/* <kinds of force> */
+
 /* Rows of wfForceTable. */
 typedef enum wfForceKind {
     WF_FORCE_GRAVITY, WF_FORCE_POINT_GRAVITY, WF_FORCE_SPRING, WF_FORCE_BUNGEE,
     WF_FORCE_DRAG, WF_FORCE_BUOYANCY, WF_FORCE_EXPLOSION, WF_FORCE_WIND,
     WF_FORCE_KINDS_OF_CHAPTER_9
 } wfForceKind;
-/* <a force with its parameters> */
 #define WF_FORCE_PARAMS 10
 
 typedef struct wfForce {
@@ -34,7 +32,6 @@ typedef struct wfForce {
     int32_t b;                  /* the other body, or -1: none                          */
     union {
         wfReal param[WF_FORCE_PARAMS];
-        /* <parameters of each force> */
         struct { wfVec2 g; } gravity;                           /* m/s^2                        */
         struct {
             wfVec2 centre;              /* m; not used if there is a body b                     */
@@ -49,7 +46,6 @@ typedef struct wfForce {
             wfReal damping;             /* N s/m, >= 0                                          */
         } spring;
         struct { wfReal linear, quadratic; } drag;              /* N s/m, N s^2/m^2, >= 0       */
-        /* <parameters of each force> */
         struct {
             wfReal surfaceY;            /* m                                                    */
             wfReal density;             /* kg/m^2, >= 0                                         */
@@ -63,7 +59,6 @@ typedef struct wfForce {
             wfReal start, duration;     /* s; duration > 0                                      */
         } explosion;
         struct { wfVec2 velocity; wfReal coefficient; } wind;   /* m/s; kg/m^2, >= 0            */
-        /* <parameters of each force> */
         struct {
             wfVec2 local;               /* m: the point held, in the frame of a                 */
             wfVec2 target;              /* m: where the hand is, world                          */
@@ -73,7 +68,7 @@ typedef struct wfForce {
         } hand;
     };
 } wfForce;
-/* <declarations of the force table> */
+
 /* Adds what `f' does to the sums of the bodies that it acts on; time in s. Trusts f: see
    wfCheckForce. */
 typedef void wfForceFn(const wfForce *f, const wfBodyView *bodies, wfReal time,
@@ -98,7 +93,6 @@ typedef struct wfForceRow {
 extern const wfForceRow wfForceTable[];
 extern const int wfForceKinds;
 int wfFindForce(const char *name);      /* the row of that name, -1 if there is none    */
-/* <declarations of the force table> */
 /* WF_ERROR_NULL, _UNKNOWN (kind), _RANGE (an index below -1, a parameter out of range),
    _NOT_FINITE. */
 wfResult wfCheckForce(const wfForce *f);
@@ -106,13 +100,10 @@ wfResult wfCheckForce(const wfForce *f);
    there does nothing; bodies with invMass and invInertia 0 feel nothing. */
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out);
-/* <declarations of the force table> */
 /* The potential energy of n checked forces, J; those without a potential count 0. */
 wfReal wfForceEnergy(const wfForce *forces, int n, const wfBodyView *bodies);
-/* <declarations of force makers> */
 /* A force on every body (a = -1); set .a to the index of one body to have it alone. */
 wfForce wfGravity(wfVec2 g);
-/* <declarations of force makers> */
 /* Likewise. */
 wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening);
 wfForce wfDrag(wfReal linear, wfReal quadratic);
@@ -127,7 +118,7 @@ wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
                         wfReal stiffness, wfReal damping);
 wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
                  wfReal stiffness, wfReal damping);
-/* <declarations of what fluids need> */
+
 /* The part of a placed shape that is below the line y = surfaceY. */
 typedef struct wfSubmerged {
     wfReal area;                /* m^2                                                  */

@@ -9,7 +9,6 @@
 #include "weft/math.h"
 #include "weft/shape.h"
 
-/* <declarations of sweeps> */
 /* The motion of a body within a step, eq:impact-sweep: straight and even, both ways. */
 typedef struct wfSweep {
     wfVec2 from, to;             /* m: the centre of mass, the origin of the shapes */
@@ -22,7 +21,6 @@ wfSweep wfSweepStill(wfVec2 p, wfReal angle);
 wfTransform wfSweepAt(wfSweep sweep, wfReal t);
 /* The part of the motion before t, as a sweep of its own. */
 wfSweep wfSweepUntil(wfSweep sweep, wfReal t);
-/* <declarations of impacts> */
 /* Two bodies touch when their gap is this share of the smaller one's reach, or less:
    eq:impact-near. */
 #define WF_IMPACT_GAP WF_R(0.00390625)           /* 1/256 */
@@ -30,7 +28,7 @@ wfSweep wfSweepUntil(wfSweep sweep, wfReal t);
 #define WF_IMPACT_FAR WF_R(1e12)
 /* Distances asked for, at most: eq:impact-cap. */
 #define WF_IMPACT_STEPS 64
-/* <declarations of impacts> */
+
 /* Bounds on the speed at which a gap closes; each includes those before it. */
 typedef enum wfAdvance {
     WF_ADVANCE_PLAIN,           /* eq:impact-plain */
@@ -39,7 +37,7 @@ typedef enum wfAdvance {
     WF_ADVANCE_CURVE,           /* and eq:impact-curve: what wfTimeOfImpact uses */
     WF_ADVANCE_KINDS
 } wfAdvance;
-/* <declarations of impacts> */
+
 typedef enum wfImpactKind {
     WF_IMPACT_APART,            /* nothing touches until the end: t is 1 */
     WF_IMPACT_TOUCH,            /* at t the gap is at most `near`, and was never less */
@@ -55,7 +53,6 @@ typedef struct wfImpact {
     wfVec2 point;               /* world, m: halfway between the nearest points at t */
     int32_t steps;              /* distances asked for: 1 to WF_IMPACT_STEPS */
 } wfImpact;
-/* <declarations of impacts> */
 /* The first moment at which two moving shapes touch, by conservative advancement with all
    bounds of wfAdvance.  With eta of eq:impact-noise and near of eq:impact-strict:
    TOUCH: the distance at t is between near / 2 - eta and near + eta, and was never less
@@ -65,7 +62,7 @@ typedef struct wfImpact {
    shape.  After an error *out is unchanged. */
 wfResult wfTimeOfImpact(const wfShape *a, wfSweep sweepA, const wfShape *b, wfSweep sweepB,
                         wfImpact *out);
-/* <declarations of impacts> */
+
 typedef struct wfImpactStep {
     wfReal t, distance;         /* when, and the gap in m */
     wfVec2 normal;              /* as in wfImpact */
@@ -80,7 +77,7 @@ typedef struct wfImpactTrace {
 /* wfTimeOfImpact by the bounds up to `how`, with a record.  Also _RANGE: no such bound. */
 wfResult wfTraceImpact(const wfShape *a, wfSweep sweepA, const wfShape *b, wfSweep sweepB,
                        int32_t how, wfImpact *out, wfImpactTrace *trace);
-/* <declarations of casts> */
+
 /* What a shape meets that is moved without turning. */
 typedef struct wfCast {
     int32_t kind;               /* a wfImpactKind */
@@ -97,14 +94,13 @@ typedef struct wfCast {
    wfTimeOfImpact, and its errors. */
 wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
                      const wfShape *target, wfTransform placedTarget, wfCast *out);
-/* <declarations of stops> */
 /* The distance of the centroid from the nearest edge, and the coat, m; NULL: 0. */
 wfReal wfInnerRadius(const wfShape *shape);
 /* eq:impact-fast: may this body pass through something in this step?  NULL: no. */
 bool wfSweepIsFast(const wfShape *shape, wfSweep sweep);
 
 #define WF_IMPACT_INNER WF_R(0.75)      /* sigma of eq:impact-inner */
-/* <declarations of stops> */
+
 typedef struct wfObstacle {
     const wfShape *shape;
     wfSweep sweep;              /* wfSweepStill for what stands */
@@ -118,7 +114,6 @@ typedef struct wfStop {
     wfImpact impact;            /* with it; if there is none, all 0 but t */
 } wfStop;
 enum { WF_NO_OBSTACLE = -1 };
-/* <declarations of stops> */
 /* How far one shape may move among obstacles, at most until `most`; sec:impact-core.  For a
    body of several shapes take the least of their times.  Of equal times the first obstacle
    counts.  WF_ERROR_NULL; _RANGE: most not in [0, 1], count below 0; errors of

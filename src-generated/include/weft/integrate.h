@@ -6,7 +6,6 @@
 #include "weft/body.h"
 #include "weft/core.h"
 
-/* <what an integrator is given> */
 /* Adds to out[i] the force (N) and torque (N m) on each body in these states at this time
    (s). The integrator has set out to zero. It may be called several times a step, with
    states that are only tried. */
@@ -21,7 +20,7 @@ typedef struct wfIntegration {
     void *context;          /* handed to forces */
     wfPool *scratch;        /* room for the row's scratch(count) bytes; given back */
 } wfIntegration;
-/* <declarations of the integrator table> */
+
 /* Moves every body by h. A body whose invMass (invInertia) is 0 keeps its velocity (its
    spin), whatever pushes it, and moves with it. WF_ERROR_MEMORY: scratch too small.
    WF_ERROR_NO_CONVERGENCE: an implicit method found no solution; h is too long. After an

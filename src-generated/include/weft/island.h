@@ -12,7 +12,7 @@ void wfPlant(int32_t *parent, int32_t count);
 int32_t wfRootOf(int32_t *parent, int32_t i);
 /* Makes one set of those of a and b. False: they were one. */
 bool wfUnite(int32_t *parent, int32_t a, int32_t b);
-/* <islands as arrays> */
+
 /* Who hangs together with whom: island k has the members first[k] .. first[k + 1] - 1. */
 typedef struct wfIslands {
     int32_t  count;

@@ -9,13 +9,12 @@
 #include "weft/math.h"
 #include "weft/resolve.h"
 
-/* <limits of joints> */
 #define WF_JOINT_PERIOD 4       /* substeps, > 0: good values of eq:joints-period ... */
 #define WF_JOINT_DAMPING 2      /* ... for chains and machines */
 #define WF_JOINT_GIVE WF_R(1e-5)    /* >= 0: how joints give that are solved together */
 /* A row whose pivot is a smaller share of its own K says nothing new. */
 #define WF_JOINT_SINGULAR (32 * WF_EPSILON)
-/* <a row of a joint> */
+
 enum { WF_ROW_OFF, WF_ROW_HOLD, WF_ROW_LIMIT, WF_ROW_DRIVE, WF_ROW_SPRING };
 
 /* One scalar law: eq:joints-rate with its error. C is in m, or in rad where it is about
@@ -30,11 +29,10 @@ typedef struct wfJointRow {
     wfReal stiffness, damping;  /* SPRING: k and c, N/m and N s/m */
     int32_t plane;              /* 1: `most` is for the vector of this row and the next */
 } wfJointRow;
-/* <a joint> */
 enum { WF_JOINT_ROWS = 6 };
 enum { WF_JOINT_SPRING = 1, WF_JOINT_MOTOR = 2, WF_JOINT_LIMITS = 4, WF_JOINT_BROKEN = 8 };
 #define WF_JOINT_UNLIMITED WF_R(1e30)    /* N or N m: no bound of a force */
-/* <a joint> */
+
 /* A joint between two bodies (indices; a != b). Anchors and axis are in the bodies'
    frames, from the centre of mass. "Coordinate": the length, the slide along the axis or
    the turn of B against A, by kind. Make one with the makers below, then change it. */
@@ -60,7 +58,7 @@ typedef struct wfJoint {
     wfReal twist;               /* N m: the same about B's anchor */
     wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
 } wfJoint;
-/* <what a joint sees> */
+
 /* A body at one moment, for joints. */
 typedef struct wfPlace {
     wfVec2 p, d;            /* m: where it was when the step began; how far it went since */
@@ -77,7 +75,7 @@ typedef struct wfJointSight {
     wfVec2 pA, pB;          /* m: the centres of mass */
     wfReal turnA, turnB;    /* rad: the turns of the bodies, without jumps */
 } wfJointSight;
-/* <declarations of the joint table> */
+
 /* Fills rows, some of WF_JOINT_ROWS, from what the joint sees; says how many it filled. A
    law keeps its place in the list; one that is not in force is OFF. Trusts the joint. */
 typedef int32_t wfJointFn(const wfJoint *joint, const wfJointSight *at, wfJointRow *rows);
@@ -92,7 +90,6 @@ int wfFindJoint(const char *name);      /* the row of that name, -1 if there is 
 /* All WF_JOINT_ROWS of a joint whose bodies are where sA, sB say; returns as `build`. */
 int32_t wfBuildJoint(const wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB,
                      wfJointRow *rows);
-/* <a set of joints> */
 /* The joints of a step as the other laws of wfSolve: chapters 14 and 17. */
 typedef struct wfJointSet {
     wfJoint *joints;
@@ -107,7 +104,7 @@ typedef struct wfJointSet {
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
-/* <a set of joints> */
+
     /* Pushes the rows that hold after a kick for t: chapter 19. NULL: as last time. */
     void (*start)(struct wfJointSet *set, const wfSolve *in, const struct wfMoved *moved,
                   wfReal dt, wfReal t);
@@ -120,7 +117,7 @@ typedef struct wfJointSet {
     bool changed;               /* the rows are new: set here, cleared there */
     int32_t unsolved;           /* substeps that chapter 19 could not solve */
 } wfJointSet;
-/* <what a step of joints is given> */
+
 /* Bodies that are joined and touch nothing. The step changes state and joints. */
 typedef struct wfJointStep {
     wfBodyState *state;
@@ -138,7 +135,6 @@ typedef struct wfJointStep {
     wfResult (*prepare)(wfJointSet *set, const wfSolve *in, wfPool *scratch);
     int32_t *unsolved;          /* out: substeps that chapter 19 could not solve; or NULL */
 } wfJointStep;
-/* <declarations of joints> */
 /* WF_ERROR_NULL, _UNKNOWN (kind), _NOT_FINITE, _RANGE (a body with itself, a negative
    stiffness, damping or strength, an axis not of length 1, lower > upper, ratio 0). */
 wfResult wfCheckJoint(const wfJoint *joint);
@@ -155,7 +151,6 @@ size_t wfJointStepScratch(int32_t bodies, int32_t joints);
 /* A step of joined bodies, eq:joints-aim. WF_ERROR_NULL, _RANGE, _NOT_FINITE, what
    wfCheckJoint finds, _MEMORY: scratch too small. After an error nothing has changed. */
 wfResult wfStepJoints(const wfJointStep *in);
-/* <declarations of joint makers> */
 /* All: kind by name, bodies a and b, where they are now, one anchor of both or one for each
    (world, m), the axis (world, any length > 0). Everything is at rest as the bodies are; no
    flags. Check the result with wfCheckJoint. */

@@ -6,7 +6,6 @@
  * it needs cJSON and a C library. testbed/scenes/scene.schema.json describes the text. */
 #include "weft/save.h"
 
-/* <limits of a scene's text> */
 #define WF_SCENE_VERSION 1          /* of the text: its field "weft" */
 #define WF_SCENE_DEPTH 32           /* objects and arrays in one another at most */
 #define WF_SCENE_BYTES (1 << 28)    /* length of a text at most */
@@ -25,7 +24,6 @@ typedef struct wfSceneInfo {
     wfReal energyBound, depthBound; /* J, m: what it may gain, how deep it may sink; < 0:
                                      * it promises nothing */
 } wfSceneInfo;
-/* <declarations of scenes as text> */
 /* Makes the world of a text of so many bytes, in memory handed over (as wfOpenWorld wants
  * it) or, for NULL, in its own. info and error may be NULL. WF_ERROR_TEXT, and whatever the
  * engine's calls find wrong; *error says it in words. After an error nothing has changed,
@@ -45,7 +43,6 @@ wfResult wfWriteScene(const wfWorld *world, const wfSceneInfo *info, char **out)
  * memory. */
 char *wfWriteSceneSchema(void);
 void wfFreeText(char *text);
-/* <declarations of scenes as text> */
 /* Translates a R.U.B.E. scene (Box2D) into a text that wfReadScene reads; free *out by
  * wfFreeText. WF_ERROR_TEXT: not such a scene, or something in it that would move otherwise
  * here; _MEMORY, _NULL; what wfReadScene finds. error may be NULL. */

@@ -11,13 +11,11 @@
 #include <math.h>
 #endif
 
-/* <the real number type> */
 #ifdef __FAST_MATH__
 #error "Weft promises the same bits everywhere: compile without -ffast-math"
 #endif
 _Static_assert(FLT_EVAL_METHOD == 0,
                "floats must be rounded to float: on i386 add -msse2 -mfpmath=sse");
-/* <the real number type> */
 #ifdef WF_DOUBLE
 typedef double wfReal;
 #define WF_R(x) (x)
@@ -30,7 +28,6 @@ typedef float wfReal;
 #define WF_HUGE FLT_MAX
 #endif
 #define WF_PI WF_R(3.14159265358979323846)
-/* <functions of one real number> */
 #ifndef __GNUC__
 #define WF_NATIVE_ABS(a) ((a) > 0 ? (a) : 0 - (a))
 #elif defined WF_DOUBLE
@@ -50,7 +47,6 @@ static WF_ONE_COPY wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
 {
     return a < lo ? lo : a > hi ? hi : a;
 }
-/* <functions of one real number> */
 #ifndef __GNUC__             /* gcc and clang: no library, given -fno-math-errno */
 #define WF_NATIVE_SQRT(a) ((wfReal)sqrt((double)(a)))
 #elif defined WF_DOUBLE
@@ -61,7 +57,7 @@ static WF_ONE_COPY wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
 
 /* Correctly rounded, so the same everywhere. What rounding made negative counts as 0. */
 static inline wfReal wfSqrt(wfReal a) { return a < 0 ? 0 : WF_NATIVE_SQRT(a); }
-/* <functions of one real number> */
+
 /* The greatest whole number not above a. */
 static inline wfReal wfFloor(wfReal a)
 {
@@ -72,7 +68,7 @@ static inline wfReal wfFloor(wfReal a)
 
 static inline wfReal wfRadians(wfReal degrees) { return degrees * (WF_PI / 180); }
 static inline wfReal wfDegrees(wfReal radians) { return radians * (180 / WF_PI); }
-/* <functions of one real number> */
+
 /* Goes on hashing from seed with the bits of a real. */
 static inline uint64_t wfHashReal(uint64_t seed, wfReal a)
 {
@@ -84,7 +80,6 @@ static inline uint64_t wfHashReal(uint64_t seed, wfReal a)
     return wfHashU32(seed, u.bits);
 #endif
 }
-/* <angles and elementary functions> */
 #define WF_MAX_ANGLE WF_R(1000000.0)    /* radians, for wfSinCosDeg degrees */
 
 /* Sine and cosine of an angle. Error: at most 0.50001 ulp in float, 1.25 eps in double, for
@@ -96,7 +91,6 @@ wfReal wfSin(wfReal angle);
 wfReal wfCos(wfReal angle);
 /* The same angle in [-WF_PI, WF_PI]; one that is there already is returned as it is. */
 wfReal wfWrapAngle(wfReal angle);
-/* <angles and elementary functions> */
 /* Angle of the vector (x, y), in [-pi, pi]; of the zero vector 0. Error: at most 0.50001
    ulp in float, 3 ulp in double. A NaN counts as 0, an infinity as WF_HUGE.
    Eq. numbers-atan. */
@@ -104,12 +98,11 @@ wfReal wfAtan2(wfReal y, wfReal x);
 /* Angle in [0, pi] whose cosine is a, after clamping a to [-1, 1]; a NaN counts as 0.
    Error: at most 2 eps in float, 4 eps in double. Eq. numbers-acos. */
 wfReal wfArcCos(wfReal a);
-/* <angles and elementary functions> */
 /* e to the power a. Error: at most 0.50001 ulp in float, 2.5 ulp in double. What is too
    large (in double: a > 709) becomes WF_HUGE, what is too small (a < -708) 0; a NaN counts
    as 0. Eq. numbers-exp. */
 wfReal wfExp(wfReal a);
-/* <vectors of the plane> */
+
 typedef union wfVec2 {
     struct { wfReal x, y; };
     struct { wfReal X, Y; };
@@ -129,7 +122,7 @@ static inline wfVec2 wfAddScaled(wfVec2 a, wfReal s, wfVec2 b)
 {
     return wfV2(a.x + s * b.x, a.y + s * b.y);
 }
-/* <vectors of the plane> */
+
 static inline wfVec2 wfLerp(wfVec2 a, wfVec2 b, wfReal t)        /* eq:numbers-lerp */
 {
     return wfV2((1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y);
@@ -145,18 +138,16 @@ static inline wfVec2 wfMax2(wfVec2 a, wfVec2 b)
 }
 static inline wfVec2 wfAbs2(wfVec2 a)      { return wfV2(wfAbs(a.x), wfAbs(a.y)); }
 static inline bool   wfIsFinite2(wfVec2 a) { return wfIsFinite(a.x) && wfIsFinite(a.y); }
-/* <vectors of the plane> */
 /* eq:numbers-dot and eq:numbers-cross */
 static WF_ONE_COPY wfReal wfDot(wfVec2 a, wfVec2 b)  { return a.x * b.x + a.y * b.y; }
 static WF_ONE_COPY wfReal wfCross(wfVec2 a, wfVec2 b) { return a.x * b.y - a.y * b.x; }
 /* a quarter turn, to the left and to the right */
 static inline wfVec2 wfPerpCCW(wfVec2 a)         { return wfV2(-a.y, a.x); }
 static inline wfVec2 wfPerpCW(wfVec2 a)          { return wfV2(a.y, -a.x); }
-/* <vectors of the plane> */
 /* eq:numbers-cross-scalar */
 static inline wfVec2 wfCrossSV(wfReal s, wfVec2 v) { return wfV2(-s * v.y, s * v.x); }
 static inline wfVec2 wfCrossVS(wfVec2 v, wfReal s) { return wfV2(s * v.y, -s * v.x); }
-/* <vectors of the plane> */
+
 static inline wfReal wfLengthSq(wfVec2 a)             { return wfDot(a, a); }
 static inline wfReal wfDistanceSq(wfVec2 a, wfVec2 b) { return wfLengthSq(wfSub(b, a)); }
 
@@ -174,7 +165,7 @@ static inline bool wfSquareIsSafe(wfReal s)
 
 wfReal wfLengthOfMany(const wfReal *e, int n);       /* of n components; see wfLength */
 void   wfNormalizeMany(wfReal *e, int n);            /* see wfNormalize */
-/* <vectors of the plane> */
+
 /* Length. Safe for any finite vector; what is longer than WF_HUGE has the length WF_HUGE.
    Error: 2.5 eps of the length. Eq. numbers-length. */
 static inline wfReal wfLength(wfVec2 a)
@@ -196,7 +187,7 @@ static inline wfVec2 wfNormalize(wfVec2 a)
 }
 
 static inline wfReal wfDistance(wfVec2 a, wfVec2 b) { return wfLength(wfSub(b, a)); }
-/* <vectors of three and four numbers> */
+
 typedef union wfVec3 {
     struct { wfReal x, y, z; };
     struct { wfReal X, Y, Z; };
@@ -217,7 +208,7 @@ static inline wfVec3 wfSub3(wfVec3 a, wfVec3 b)
 {
     return wfV3(a.x - b.x, a.y - b.y, a.z - b.z);
 }
-/* <vectors of three and four numbers> */
+
 static inline wfReal wfDot3(wfVec3 a, wfVec3 b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -236,7 +227,7 @@ static inline bool   wfIsFinite3(wfVec3 a)
 {
     return wfIsFinite(a.x) && wfIsFinite(a.y) && wfIsFinite(a.z);
 }
-/* <vectors of three and four numbers> */
+
 typedef union wfVec4 {
     struct { wfReal x, y, z, w; };
     struct { wfReal X, Y, Z, W; };
@@ -255,7 +246,7 @@ static inline wfVec4 wfSub4(wfVec4 a, wfVec4 b)
 {
     return wfV4(a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w);
 }
-/* <vectors of three and four numbers> */
+
 static inline wfVec4 wfScale4(wfReal s, wfVec4 a)
 {
     return wfV4(s * a.x, s * a.y, s * a.z, s * a.w);
@@ -275,7 +266,7 @@ static inline bool   wfIsFinite4(wfVec4 a)
 {
     return wfIsFinite(a.x) && wfIsFinite(a.y) && wfIsFinite(a.z) && wfIsFinite(a.w);
 }
-/* <matrices of two by two> */
+
 typedef union wfMat22 {
     struct { wfReal E11, E12, E21, E22; };           /* row by row */
     wfReal E[4];
@@ -297,7 +288,7 @@ static inline wfMat22 wfMat22Mul(wfMat22 a, wfMat22 b)           /* eq:numbers-p
     return wfMat22Make(a.E11 * b.E11 + a.E12 * b.E21, a.E11 * b.E12 + a.E12 * b.E22,
                        a.E21 * b.E11 + a.E22 * b.E21, a.E21 * b.E12 + a.E22 * b.E22);
 }
-/* <matrices of two by two> */
+
 static inline wfMat22 wfMat22Add(wfMat22 a, wfMat22 b)
 {
     return wfMat22Make(a.E11 + b.E11, a.E12 + b.E12, a.E21 + b.E21, a.E22 + b.E22);
@@ -314,7 +305,7 @@ static inline wfMat22 wfMat22Transpose(wfMat22 a)    /* rows become columns */
 {
     return wfMat22Make(a.E11, a.E21, a.E12, a.E22);
 }
-/* <matrices of two by two> */
+
 static inline wfMat22 wfMat22RotationRad(wfReal radians)         /* eq:numbers-rotation */
 {
     wfReal s, c;
@@ -336,14 +327,14 @@ static inline wfMat22 wfMat22AddRotationDeg(wfMat22 a, wfReal degrees)
 {
     return wfMat22Mul(a, wfMat22RotationDeg(degrees));
 }
-/* <matrices of two by two> */
+
 static inline wfReal wfMat22Det(wfMat22 a)                       /* eq:numbers-cramer */
 {
     return a.E11 * a.E22 - a.E12 * a.E21;
 }
 /* The inverse, eq:numbers-inverse; the zero matrix if there is none or it is not finite. */
 wfMat22 wfMat22Inverse(wfMat22 a);
-/* <matrices of two by three> */
+
 typedef union wfMat23 {
     struct { wfReal E11, E12, E13, E21, E22, E23; }; /* row by row; below them 0 0 1 */
     wfReal E[6];
@@ -368,7 +359,7 @@ static inline wfMat22 wfMat22From23(wfMat23 a)
     return wfMat22Make(a.E11, a.E12, a.E21, a.E22);
 }
 static inline wfReal wfMat23Det(wfMat23 a) { return wfMat22Det(wfMat22From23(a)); }
-/* <matrices of two by three> */
+
 /* eq:numbers-m23: a point is turned and moved, a direction is only turned; with (x, y, w)
    the caller says which, by w = 1 or 0 */
 static inline wfVec2 wfMat23MulV(wfMat23 a, wfVec2 p)
@@ -384,7 +375,7 @@ static inline wfVec3 wfMat23MulV3(wfMat23 a, wfVec3 v)
     return wfV3(a.E11 * v.x + a.E12 * v.y + a.E13 * v.z,
                 a.E21 * v.x + a.E22 * v.y + a.E23 * v.z, v.z);
 }
-/* <matrices of two by three> */
+
 /* The transform that does b first and then a. */
 static inline wfMat23 wfMat23Mul(wfMat23 a, wfMat23 b)           /* eq:numbers-compose */
 {
@@ -399,7 +390,7 @@ static inline wfMat23 wfMat23AddTranslation(wfMat23 a, wfVec2 t)
 }
 /* The inverse transform; the zero matrix if there is none or it is not finite. */
 wfMat23 wfMat23Inverse(wfMat23 a);
-/* <matrices of two by three> */
+
 static inline wfMat23 wfMat23RotationRad(wfReal radians)
 {
     return wfMat23From22(wfMat22RotationRad(radians));
@@ -417,7 +408,7 @@ static inline wfMat23 wfMat23AddRotationDeg(wfMat23 a, wfReal degrees)
 {
     return wfMat23Mul(a, wfMat23RotationDeg(degrees));
 }
-/* <matrices of two by three> */
+
 /* Rotates about the origin, then moves the origin to position. */
 static inline wfMat23 wfMat23TransformRad(wfVec2 position, wfReal radians)
 {
@@ -427,7 +418,7 @@ static inline wfMat23 wfMat23TransformDeg(wfVec2 position, wfReal degrees)
 {
     return wfMat23AddTranslation(wfMat23RotationDeg(degrees), position);
 }
-/* <rotations as complex numbers> */
+
 /* A rotation: the cosine and the sine of its angle. */
 typedef struct wfRot { wfReal c, s; } wfRot;
 
@@ -453,14 +444,14 @@ static inline wfRot wfRotMul(wfRot a, wfRot b)                  /* eq:numbers-ro
 {
     return (wfRot){ a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s };
 }
-/* <rotations as complex numbers> */
+
 /* Back to length 1 after many products; what has no direction becomes the identity. */
 static inline wfRot wfRotNormalize(wfRot q)
 {
     wfVec2 u = wfNormalize(wfV2(q.c, q.s));
     return u.x == 0 && u.y == 0 ? wfRotIdentity() : (wfRot){ u.x, u.y };
 }
-/* <rigid transforms> */
+
 /* A place and a rotation: from a body's frame to the world. */
 typedef struct wfTransform { wfVec2 p; wfRot q; } wfTransform;
 
@@ -480,7 +471,7 @@ static inline wfVec2 wfApplyInv(wfTransform t, wfVec2 w)         /* eq:numbers-a
 {
     return wfRotateInv(t.q, wfSub(w, t.p));
 }
-/* <rigid transforms> */
+
 /* The transform that does b first and then a. */
 static inline wfTransform wfTransformMul(wfTransform a, wfTransform b)
 {
@@ -494,7 +485,7 @@ static inline wfMat23 wfTransformMat23(wfTransform t)
 {
     return wfMat23Make(t.q.c, -t.q.s, t.p.x, t.q.s, t.q.c, t.p.y);
 }
-/* <rectangles and circles> */
+
 /* An upright rectangle with its border; min.x <= max.x, min.y <= max.y. */
 typedef struct wfRect { wfVec2 min, max; } wfRect;
 
@@ -514,7 +505,7 @@ static inline wfRect wfRectCenterDim(wfVec2 center, wfVec2 dim)
 {
     return wfRectCenterHalfDim(center, wfScale(WF_R(0.5), dim));
 }
-/* <rectangles and circles> */
+
 static inline wfVec2 wfRectMinCorner(wfRect r) { return r.min; }
 static inline wfVec2 wfRectMaxCorner(wfRect r) { return r.max; }
 static inline wfVec2 wfRectCenter(wfRect r)    { return wfLerp(r.min, r.max, WF_R(0.5)); }
@@ -528,7 +519,7 @@ static inline bool   wfRectContains(wfRect outer, wfRect inner)
 {
     return wfRectHasPoint(outer, inner.min) && wfRectHasPoint(outer, inner.max);
 }
-/* <rectangles and circles> */
+
 static inline bool wfRectOverlap(wfRect a, wfRect b)             /* eq:numbers-overlap */
 {
     return a.min.x <= b.max.x && b.min.x <= a.max.x &&
@@ -543,7 +534,7 @@ static inline wfRect wfRectGrow(wfRect r, wfReal margin)         /* on all four 
     wfVec2 m = wfV2(margin, margin);
     return (wfRect){ wfSub(r.min, m), wfAdd(r.max, m) };
 }
-/* <rectangles and circles> */
+
 typedef struct wfCircle2 { wfVec2 center; wfReal radius; } wfCircle2;
 
 static inline wfCircle2 wfCircleCenterRadius(wfVec2 center, wfReal radius)
@@ -560,7 +551,6 @@ static inline bool   wfCircleHasPoint(wfCircle2 c, wfVec2 p)     /* its border i
 {
     return wfDistance(c.center, p) <= c.radius;
 }
-/* <random numbers> */
 /* A stream of random numbers, the same everywhere: PCG-XSH-RR 64/32 (O'Neill 2014). */
 typedef struct wfRandom { uint64_t state, inc; } wfRandom;
 

@@ -5,13 +5,11 @@
 #include "weft/core.h"
 #include "weft/math.h"
 #include "weft/shape.h"
-/* <declarations of the projections> */
 /* What a shape, coat included, covers on an axis.  Unit axis: in m along it. */
 typedef struct wfProjection { wfReal min, max; } wfProjection;
 
 /* eq:narrow-projection.  A particle gives its centre alone. */
 wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis);
-/* <declarations of the projections> */
 /* The report's SATAxisOverlap: smallest maximum minus biggest minimum, m; below 0 a gap. */
 wfReal wfAxisOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfVec2 axis);
@@ -19,7 +17,7 @@ wfReal wfAxisOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
 /* How far B must move along the axis to be free of A on it, the shorter way: above 0 along
    the axis, below 0 against it, 0 when the intervals do not overlap.  eq:narrow-escape. */
 wfReal wfAxisEscape(wfProjection a, wfProjection b);
-/* <declarations of the projections> */
+
 /* The pose of B as A sees it: applying it takes B's frame to A's.  eq:narrow-relative */
 static inline wfTransform wfRelativePose(wfTransform xa, wfTransform xb)
 {
@@ -28,7 +26,7 @@ static inline wfTransform wfRelativePose(wfTransform xa, wfTransform xb)
     rel.q = wfRotMul(wfRotInverse(xa.q), xb.q);
     return rel;
 }
-/* <what a narrow phase finds> */
+
 typedef struct wfSeparation {
     wfReal distance;  /* m; below 0: the shapes overlap, and this is minus the depth */
     wfVec2 normal;    /* unit, world frame, from A to B: moving B along it parts them */
@@ -38,11 +36,10 @@ typedef struct wfSeparation {
                          0, on its right, or 1, on its left), or WF_NO_EDGE */
 } wfSeparation;
 enum { WF_NO_EDGE = -1 };
-/* <what a narrow phase finds> */
 /* Two edges whose gaps differ by less than this share of the smaller shape's reach count as
    equally good, and the first of them wins.  eq:narrow-tie */
 #define WF_AXIS_TIE WF_R(0.0009765625)   /* 1/1024 */
-/* <declarations of the narrow phases> */
+
 /* Trusts its pointers.  WF_ERROR_UNKNOWN: a kind of shape that it cannot test (a particle).
    WF_ERROR_NOT_FINITE: a transform holds NaN or infinity, or the shapes are so far apart
    that their distance overflows.  After an error *out is unchanged. */
@@ -57,14 +54,13 @@ typedef struct wfNarrowPhaseRow {
 extern const wfNarrowPhaseRow wfNarrowPhaseTable[];
 extern const int wfNarrowPhaseCount;
 int wfFindNarrowPhase(const char *name);   /* the row of that name, -1 if there is none */
-/* <declarations of the narrow phases> */
 /* Checks its arguments (WF_ERROR_NULL, _UNKNOWN), then calls row `method`. */
 wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape *b,
                     wfTransform xb, wfSeparation *out);
 
 /* The greatest distance of a vertex from the shape's centre, plus the radius, m. */
 wfReal wfShapeReach(const wfShape *shape);
-/* <declarations of the narrow phases> */
+
 /* The nearest points of two shapes. */
 typedef struct wfDistanceResult {
     wfReal distance;         /* m; 0 when they touch or overlap */
@@ -81,7 +77,6 @@ typedef struct wfDistanceResult {
    infinity, or the distance overflows.  After an error *out is unchanged. */
 wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                          wfDistanceResult *out);
-/* <declarations of the narrow phases> */
 /* What the rows promise.  All: the sign of `distance` says whether the shapes overlap, and
    moving B by -distance along `normal` leaves no overlap (both to rounding).
    "sat"  overlapping: the depth, or up to WF_AXIS_TIE times the smaller reach more, with
@@ -95,7 +90,6 @@ wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfT
    A link is a segment here, solid from both sides; weft/contact.h looks at its ghosts. */
 wfResult wfSeparateGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                        wfSeparation *out);
-/* <declarations of the narrow phases> */
 /* The row "voronoi": nearest points by a walk over the Voronoi regions (mirtich1998), and
    "gjk" for the rest.  It promises what "gjk" promises. */
 wfResult wfSeparateVoronoi(const wfShape *a, wfTransform xa, const wfShape *b,
@@ -104,7 +98,7 @@ wfResult wfSeparateVoronoi(const wfShape *a, wfTransform xa, const wfShape *b,
 /* The same, and *steps: pairs of edges looked at, 0 if it was left to "gjk". */
 wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                        wfSeparation *out, int32_t *steps);
-/* <declarations of the narrow phases> */
+
 enum { WF_GJK_WALK, WF_GJK_EXPAND };
 typedef struct wfGjkStep {
     int32_t phase;          /* WF_GJK_WALK: a simplex; _EXPAND: an edge and its answer */

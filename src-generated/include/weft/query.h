@@ -7,7 +7,6 @@
 #include "weft/broad.h"
 #include "weft/shape.h"
 
-/* <what a query gets and gives> */
 /* From `from` to from + by: eq:queries-ray.  World frame, m. */
 typedef struct wfRay { wfVec2 from, by; } wfRay;
 
@@ -20,7 +19,6 @@ typedef struct wfRayHit {
     wfVec2 point;      /* world, m: on the surface of the shape; (0, 0) if none is met */
     wfVec2 normal;     /* unit, out of the shape; (0, 0): begins inside, or none is met */
 } wfRayHit;
-/* <what a query gets and gives> */
 /* The point of a shape that is nearest to a given point. */
 typedef struct wfClosest {
     int32_t shape;     /* which one (0 if only one was asked); WF_NO_SHAPE: none is near */
@@ -28,7 +26,6 @@ typedef struct wfClosest {
     wfVec2 point;      /* world, m; the given point itself if it is in the shape */
     wfVec2 normal;     /* unit, from the shape to the given point; (0, 0): in the shape */
 } wfClosest;
-/* <declarations of the queries for one shape> */
 /* Where the ray enters the shape.  Begins inside: fraction 0, normal (0, 0).  A ray of
    length zero hits what it is in.  A particle is never hit, a link only from its outer
    side.  With e = WF_EPSILON times (the way from the ray's start to the shape, and the
@@ -47,7 +44,7 @@ wfResult wfClosestPoint(const wfShape *shape, wfTransform placed, wfVec2 point,
    Errors as wfSeparate. */
 wfResult wfOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                    bool *out);
-/* <declarations of the queries for a set> */
+
 /* How much was done, counted the same on every machine; queries add to it. */
 typedef struct wfQueryWork {
     int64_t shown;     /* proxies that the broad phase showed */
@@ -66,7 +63,6 @@ typedef struct wfShapeSet {
     const void *index;
     wfQueryWork *work;            /* or NULL */
 } wfShapeSet;
-/* <declarations of the queries for a set> */
 /* All of them: only live proxies are asked, and only those whose filter and the query's
    allow each other (wfFilterAllows; filter NULL: all).  The answers do not depend on the
    method.  WF_ERROR_NULL, _UNKNOWN (method or kind), _NOT_FINITE, _RANGE (a count, capacity
@@ -87,7 +83,6 @@ wfResult wfSetCastShape(const wfShapeSet *set, const wfShape *shape, wfTransform
 wfResult wfSetCastShapeAll(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
                            wfVec2 by, const wfFilter *filter, wfRayHit *hits,
                            int32_t capacity, int32_t *count);
-/* <declarations of the queries for a set> */
 /* The shapes that overlap a shape, an upright rectangle, or a point, sorted.  *count as for
    wfSetCastRayAll: there may be more than the array holds. */
 wfResult wfSetOverlap(const wfShapeSet *set, const wfShape *shape, wfTransform placed,

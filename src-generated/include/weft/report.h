@@ -8,7 +8,6 @@
  * radians. */
 #include "weft/world.h"
 
-/* <the report's types> */
 typedef wfReal  real32;        /* double when the engine is built so */
 typedef int32_t int32;
 typedef wfVec2  v2;            /* X, Y or E[2] */
@@ -18,10 +17,8 @@ typedef wfMat22 mat22;         /* E11 .. E22 or E[4] */
 typedef wfMat23 mat23;         /* E11 .. E23 or E[6] */
 typedef union rectangle2 { struct { v2 Min, Max; }; wfRect Weft; } rectangle2;
 typedef union circle2 { struct { v2 Center; real32 Radius; }; wfCircle2 Weft; } circle2;
-/* <count and list the arguments> */
 /* How many numbers were given, none included. */
 #define WF_REPORT_COUNT(...) (sizeof((real32[]){ 0, __VA_ARGS__ }) / sizeof(real32) - 1)
-/* <count and list the arguments> */
 /* The numbers after a leading 0. A negative array size stops the compiler unless there are
  * none, or least to most. */
 #define WF_REPORT_LIST(least, most, ...) \
@@ -31,10 +28,8 @@ typedef union circle2 { struct { v2 Center; real32 Radius; }; wfCircle2 Weft; } 
 /* Two arguments for a function: the list, and how long it is. */
 #define WF_REPORT_NUMBERS(least, most, ...) \
     WF_REPORT_LIST(least, most, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__)
-/* <choose by the number of arguments> */
 /* The fourth argument: picks a macro by the number of arguments before it. */
 #define WF_REPORT_FOURTH(a, b, c, d, ...) d
-/* <the report's math operations> */
 static inline real32 Square(real32 A) { return wfSquare(A); }
 static inline real32 DegToRadians(real32 Degrees) { return wfRadians(Degrees); }
 static inline real32 SquareRoot(real32 Real32) { return wfSqrt(Real32); }
@@ -42,7 +37,6 @@ static inline real32 AbsoluteValue(real32 Real32) { return wfAbs(Real32); }
 static inline real32 Sin(real32 Angle) { return wfSin(Angle); }
 static inline real32 Cos(real32 Angle) { return wfCos(Angle); }
 static inline real32 ArcCos(real32 Real32) { return wfArcCos(Real32); }
-/* <the report's vectors> */
 static inline v2 V2(real32 X, real32 Y) { return wfV2(X, Y); }
 static inline v3 V3(real32 X, real32 Y, real32 Z) { return wfV3(X, Y, Z); }
 static inline v4 V4(real32 X, real32 Y, real32 Z, real32 W) { return wfV4(X, Y, Z, W); }
@@ -58,12 +52,11 @@ static inline v2 PerpCCW(v2 A) { return wfPerpCCW(A); }
     _Generic((A), v2: wfNormalize, v3: wfNormalize3, v4: wfNormalize4)(A)
 #define DistanceSq(A, B) \
     _Generic((A), v2: wfDistanceSq, v3: wfDistanceSq3, v4: wfDistanceSq4)((A), (B))
-/* <the report's vectors> */
 /* C has no operators for vectors: the report's A + B, A - B and s * A. */
 #define Add(A, B)          _Generic((A), v2: wfAdd, v3: wfAdd3, v4: wfAdd4)((A), (B))
 #define Sub(A, B)          _Generic((A), v2: wfSub, v3: wfSub3, v4: wfSub4)((A), (B))
 #define Scale(S, A)        _Generic((A), v2: wfScale, v3: wfScale3, v4: wfScale4)((S), (A))
-/* <the report's matrices> */
+
 static inline mat22 wfReportMat22(const real32 *E, size_t Count)
 {
     return Count == 0 ? wfMat22Identity() : wfMat22Make(E[1], E[2], E[3], E[4]);
@@ -76,7 +69,6 @@ static inline mat23 wfReportMat23(const real32 *E, size_t Count)
  * six. */
 #define Mat22(...) wfReportMat22(WF_REPORT_NUMBERS(4, 4, __VA_ARGS__))
 #define Mat23(...) wfReportMat23(WF_REPORT_NUMBERS(6, 6, __VA_ARGS__))
-/* <the report's matrices> */
 static inline mat22 RotationMat22Rad(real32 Angle) { return wfMat22RotationRad(Angle); }
 static inline mat22 RotationMat22Deg(real32 Angle) { return wfMat22RotationDeg(Angle); }
 static inline mat23 RotationMat23Rad(real32 Angle) { return wfMat23RotationRad(Angle); }
@@ -91,7 +83,7 @@ static inline mat22 MakeMat22(mat23 A) { return wfMat22From23(A); }
 #define AddRotationDeg(A, Angle) \
     _Generic((A), mat22: wfMat22AddRotationDeg, \
                   mat23: wfMat23AddRotationDeg)((A), (Angle))
-/* <the report's matrices> */
+
 static inline mat23 wfReportMove(real32 X, real32 Y)
 {
     return wfMat23Translation(wfV2(X, Y));
@@ -103,7 +95,7 @@ static inline mat23 wfReportMove3(v3 By) { return wfMat23Translation(wfV2(By.X, 
 /* TranslationMat23(X, Y), of a v2, or of a v3 (whose Z plays no part). */
 #define TranslationMat23(...) \
     WF_REPORT_FOURTH(__VA_ARGS__, ~, WF_REPORT_MOVE_XY, WF_REPORT_MOVE_V, ~)(__VA_ARGS__)
-/* <the report's matrices> */
+
 static inline mat23 wfReportAdd(mat23 A, real32 X, real32 Y)
 {
     return wfMat23AddTranslation(A, wfV2(X, Y));
@@ -127,7 +119,7 @@ static inline mat23 MakeTransformDeg(v2 Position, real32 OrientationDeg)
 }
 /* The transform that does B first and then A. */
 static inline mat23 MakeTransform(mat23 A, mat23 B) { return wfMat23Mul(A, B); }
-/* <the report's shapes> */
+
 static inline rectangle2 RectMinMax(v2 Min, v2 Max)
 {
     return (rectangle2){ .Weft = wfRectMinMax(Min, Max) };
@@ -152,7 +144,7 @@ static inline bool IsInRectangle(rectangle2 Rectangle, v2 Test)
 {
     return wfRectHasPoint(Rectangle.Weft, Test);
 }
-/* <the report's shapes> */
+
 static inline circle2 CircleCenterRadius(v2 Center, real32 Radius)
 {
     return (circle2){ .Weft = wfCircleCenterRadius(Center, Radius) };
@@ -170,7 +162,7 @@ static inline v2 wfReportRectCenter(rectangle2 Rect) { return wfRectCenter(Rect.
 static inline v2 wfReportCircleCenter(circle2 Circle) { return Circle.Center; }
 #define GetCenter(Shape) \
     _Generic((Shape), rectangle2: wfReportRectCenter, circle2: wfReportCircleCenter)(Shape)
-/* <the report's pipeline> */
+
 typedef wfWorld physics_world; /* a handle: copies of it name the same world */
 
 /* A body in the making, and afterwards what is known of it. */
@@ -186,7 +178,6 @@ typedef struct poly_body_data {
 } poly_body_data;
 /* An array of one, so that Body->Transform and &Body are both right. */
 typedef poly_body_data poly_body[1];
-/* <the report's pipeline> */
 /* CreateWorld() or CreateWorld(dt), dt in seconds, default 1/30, at most 1. When it
  * fails, the handle is empty and every call with it returns WF_ERROR_NULL. */
 #define CreateWorld(...) wfReportCreateWorld(WF_REPORT_NUMBERS(1, 1, __VA_ARGS__))
@@ -203,7 +194,6 @@ typedef poly_body_data poly_body[1];
 /* StepWorld(World) or StepWorld(&World). */
 #define StepWorld(World) \
     _Generic((World), physics_world: wfReportStep, physics_world *: wfStepWorld)(World)
-/* <the report's pipeline> */
 #define WF_REPORT_ADD_ONE(World, Body) \
     _Generic((Body), poly_body *: wfReportAddBody, poly_body_data *: wfReportAddBody) \
         ((World), (Body))
@@ -212,7 +202,6 @@ typedef poly_body_data poly_body[1];
         poly_body **: wfReportAddPointers, poly_body_data *: wfReportAddBodies, \
         poly_body *: _Generic((Bodies), poly_body **: wfReportAddPointers, \
                               default: wfReportAddBodies))((World), (Bodies), (Count))
-/* <the report's pipeline> */
 /* What the macros call. */
 physics_world  wfReportCreateWorld(const real32 *Dt, size_t Count);
 poly_body_data wfReportPolyBody(v2 Dimensions, const real32 *Numbers, size_t Count);

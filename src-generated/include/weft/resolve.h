@@ -10,11 +10,10 @@
 #include "weft/core.h"
 #include "weft/math.h"
 
-/* <limits of the contact solver> */
 /* Least det K over K11 K22 for which two points are solved together: below it fewer than
  * three digits of the impulses would survive. */
 #define WF_TWO_POINT_LIMIT (1000 * WF_EPSILON)
-/* <what the solver reads> */
+
 /* A contact between bodies a and b: indices into the array of states. */
 typedef struct wfContact {
     int32_t    a, b;
@@ -30,7 +29,7 @@ typedef struct wfContact {
     wfReal     slop;            /* overlap left alone, m, >= 0 */
     wfManifold manifold;        /* normal from a to b, points, depths */
 } wfContact;
-/* <what the solver reads> */
+
 struct wfSolve;
 /* How far a body has gone since the step began. */
 typedef struct wfMoved {
@@ -54,7 +53,7 @@ typedef struct wfLaws {
      * of chapter 19; NULL or returning NULL: they take turns with it. */
     const void *(*lending)(void *context);
 } wfLaws;
-/* <what the solver reads> */
+
 enum { WF_REPORT_COURSE = 12 };
 /* How a solver fared in a step. A problem: contacts that hang together, in one substep. */
 typedef struct wfSolveReport {
@@ -69,7 +68,6 @@ typedef struct wfSolveReport {
     wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
 } wfSolveReport;
-/* <what the solver reads> */
 #define WF_COLUMN_LOOPS 8       /* the most that `columns` may ask for: chapter 17 */
 
 /* What a body's state is too coarse for: to be added to its place and velocities. */
@@ -96,7 +94,6 @@ typedef struct wfSolve {
     int32_t             iterations;     /* passes over the contacts, >= 1 */
     wfReal              restingSpeed;   /* m/s: slower approaches do not bounce */
     wfReal              positionShare;  /* share of the overlap removed in a step, 0 to 1 */
-    /* <what a solver is told that makes the whole step> */
     const wfBodyForces *forces;         /* for `step` rows: constant; NULL: none */
     const uint8_t      *present;        /* for `step` rows: 0: a body that is left alone, at
                                          * rest and without contacts; NULL: no such body */
@@ -118,12 +115,10 @@ typedef struct wfSolve {
     wfSolveReport      *report;         /* written by rows that can fail; NULL: not asked */
     wfTold             *told;           /* of each contact, zero before; NULL: not asked */
 } wfSolve;
-/* <declarations of the parts of an impulse> */
 /* Normal velocity at a point, m/s, by eq:impulses-approach: negative when the bodies
  * approach. `normal` is a unit vector from A to B, `point` is in world coordinates. */
 wfReal wfRelativeNormalVelocity(const wfBodyState *a, const wfBodyState *b,
                                 wfVec2 point, wfVec2 normal);
-/* <declarations of the parts of an impulse> */
 /* How easily the bodies part along the normal at a point: K of eq:impulses-k, 1/kg.
  * 0 when neither body can move. */
 wfReal wfInverseEffectiveMass(const wfBodyState *a, const wfBodyState *b,
@@ -131,7 +126,6 @@ wfReal wfInverseEffectiveMass(const wfBodyState *a, const wfBodyState *b,
 /* 1/K, kg; 0 when neither body can move: then no impulse does anything. */
 wfReal wfEffectiveMass(const wfBodyState *a, const wfBodyState *b,
                        wfVec2 point, wfVec2 normal);
-/* <declarations of the parts of an impulse> */
 /* Adds the impulse `impulse` (N s) to B at the point and takes it from A:
  * eq:impulses-linear and eq:impulses-angular. */
 void wfApplyContactImpulse(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 impulse);
@@ -139,26 +133,21 @@ void wfApplyContactImpulse(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 
  * Bodies that part already, or that cannot move, get none. */
 wfReal wfResolvePoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
                       wfReal restitution);
-/* <declarations of the parts of an impulse> */
 /* Kinetic energy that a bounce takes from the pair, J, by eq:impulses-energy:
  * >= 0 for 0 <= e <= 1. `u` is the normal velocity before, m/s. */
 wfReal wfBounceLoss(wfReal u, wfReal effectiveMass, wfReal restitution);
-/* <declarations of the parts of an impulse> */
 /* Resolves the two points of a manifold together: eq:impulses-matrix,
  * eq:impulses-lcp. j receives the impulses, N s. Returns false, with nothing changed, when
  * the two cannot be told apart. */
 bool wfResolveTwoPoints(wfBodyState *a, wfBodyState *b, const wfManifold *m,
                         wfReal restitution, wfReal j[2]);
-/* <declarations of the parts of an impulse> */
 /* The approach speed up to which contacts rest and do not bounce, m/s: what gravity adds in
  * `steps` steps of h seconds, eq:impulses-resting. */
 wfReal wfRestingSpeed(wfVec2 gravity, wfReal h, wfReal steps);
-/* <declarations of the parts of an impulse> */
 /* One number for a pair of materials: the greater restitution; the geometric mean of the
  * coefficients of friction. */
 static inline wfReal wfMixRestitution(wfReal a, wfReal b) { return wfMaxR(a, b); }
 static inline wfReal wfMixFriction(wfReal a, wfReal b) { return wfSqrt(a) * wfSqrt(b); }
-/* <declarations of the parts of an impulse> */
 /* The direction along the surfaces, a quarter turn clockwise from the normal: to the right
  * on a floor. eq:friction-tangent */
 wfVec2 wfContactTangent(wfVec2 normal);
@@ -166,38 +155,32 @@ wfVec2 wfContactTangent(wfVec2 normal);
  * tangent of at most `limit` (N s, >= 0) either way; returns it, N s. eq:friction-clamp */
 wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, wfReal limit,
                   wfReal surfaceSpeed);
-/* <declarations of the parts of an impulse> */
 /* The coefficient that limits friction, eq:friction-static: `holds` (static) if it is
  * enough to give `wanted`, N s, under a normal impulse of `normal`, N s >= 0; else
  * `slides`. */
 wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal);
-/* <declarations of the parts of an impulse> */
 /* Takes the relative spin w_B - w_A away with an angular impulse of at most `limit`
  * (N m s, >= 0) either way; returns it, N m s. eq:friction-rolling */
 wfReal wfResistRolling(wfBodyState *a, wfBodyState *b, wfReal limit);
-/* <declarations of the parts of an impulse> */
 /* Rules by which two materials' numbers (>= 0) become one for the pair. */
 typedef wfReal wfMixFn(wfReal a, wfReal b);
 typedef struct wfMixRow { const char *name, *text; wfMixFn *mix; } wfMixRow;
 extern const wfMixRow wfMixTable[];
 extern const int wfMixCount;
 int wfFindMix(const char *name);        /* the row of that name, -1 if there is none */
-/* <declarations of the parts of an impulse> */
 /* One number for a pair of surfaces: the greater length of rolling resistance, m; the sum
  * of the speeds with which they run clockwise, m/s (eq:friction-belt). */
 static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
 static inline wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
-/* <declarations of the parts of an impulse> */
 /* Gives `now` the impulses of `before`, the contact of the same shapes in the last step:
  * by name (wfKeepImpulses), by place if a name has changed, that of rolling, and whether
  * it slides. */
 void wfCarryImpulses(const wfContact *before, wfContact *now);
-/* <declarations of the parts of an impulse> */
 #define WF_CONTACT_PERIOD 6     /* P, substeps in a period of the spring: eq:soft-period */
 #define WF_CONTACT_DAMPING 5    /* zeta: how many times the critical damping */
 #define WF_COLUMN_GIVE WF_R(1e-4)  /* gamma / K of contacts solved at once: sec:soft-push */
 #define WF_ALONE_SHARE WF_R(1e-6)  /* how far a point may be from below the centre */
-/* <declarations of the solver table> */
+
 typedef wfResult wfSolverFn(const wfSolve *in);
 typedef size_t wfSolverScratchFn(int32_t bodies, int32_t contacts);
 typedef struct wfSolverRow {
@@ -213,7 +196,6 @@ extern const int wfSolverCount;
 int wfFindSolver(const char *name);  /* row, or -1 */
 /* How many passes a row wants unless somebody knows better: chapters 16 and 17. */
 int32_t wfUsualPasses(int row);
-/* <declarations of the solver table> */
 /* Checks what a solver is given. WF_ERROR_NULL, WF_ERROR_RANGE (counts, indices, passes,
  * substeps, shares, materials out of range), WF_ERROR_NOT_FINITE (any number). */
 wfResult wfCheckSolve(const wfSolve *in);

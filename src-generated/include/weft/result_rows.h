@@ -2,7 +2,6 @@
  * it: shapes, integration, compound, world, joints-in-a-world, save-and-replay, accuracy. Do not
  * edit this file: edit the chapter and type make. MIT licence. */
 /* No include guard: core.h and memory.c both read this, each with its own WF_RESULT. */
-/* <rows of the result table> */
 WF_RESULT(WF_OK, "all is well")
 WF_RESULT(WF_ERROR_NULL, "a pointer is NULL: pass the address of a structure")
 WF_RESULT(WF_ERROR_NOT_FINITE,
@@ -14,7 +13,6 @@ WF_RESULT(WF_ERROR_MEMORY,
           "memory is missing, too small or misaligned: see wfPoolInit, wfAllocateMemory")
 WF_RESULT(WF_ERROR_STALE_ID, "an id names something that was removed or never existed")
 WF_RESULT(WF_ERROR_UNKNOWN, "a table has no such row: look it up with its wfFind function")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_TOO_FEW,    "a polygon needs at least three points: pass more")
 WF_RESULT(WF_ERROR_TOO_MANY,
           "the hull has more than WF_MAX_VERTICES corners: leave some points out")
@@ -28,10 +26,8 @@ WF_RESULT(WF_ERROR_NOT_CONVEX,
           "corners, normals and centroid are no convex shape's: use wfMakePolygon")
 WF_RESULT(WF_ERROR_MASS,
           "a mass or an inertia is out of range: see WF_MIN_MASS and its neighbours")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_CONVERGENCE,
           "an implicit step found no solution: use a shorter step or softer forces")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_DUPLICATE,
           "a corner of the outline comes twice: leave one out, or use wfTidyOutline")
 WF_RESULT(WF_ERROR_FLAT,
@@ -40,14 +36,12 @@ WF_RESULT(WF_ERROR_CROSSES,
           "two sides of the outline cross or touch: wfCheckOutline says which")
 WF_RESULT(WF_ERROR_THIN,
           "a part of the outline is too thin for a shape: thicken it or cut it off")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_BUILT_IN,
           "this setting is built into the block: create a world with it (wfGetWorldDef)")
 WF_RESULT(WF_ERROR_NOT_A_WORLD,
           "these bytes are no world of this build: create one, or open a copy of one")
 WF_RESULT(WF_ERROR_BUSY,
           "a step is under way: hooks may look, but change nothing; do it after the step")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_ROTATION,
           "this world was made without rotation: add WF_NEED_ROTATION")
 WF_RESULT(WF_ERROR_NO_DAMPING,
@@ -70,7 +64,6 @@ WF_RESULT(WF_ERROR_NO_MATERIALS,
           "this world was made without pairs of materials: add WF_NEED_MATERIALS")
 WF_RESULT(WF_ERROR_NO_COMPOUNDS,
           "this world was made without bodies of several shapes: add WF_NEED_COMPOUNDS")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_EVENTS,
           "this world was made without events: add WF_NEED_EVENTS")
 WF_RESULT(WF_ERROR_NO_SENSORS,
@@ -83,25 +76,18 @@ WF_RESULT(WF_ERROR_NO_SUBSTEPS,
           "this world was made without substeps of a solver: add WF_NEED_SUBSTEPS")
 WF_RESULT(WF_ERROR_NO_METHODS,
           "this world was made without room for other methods: add WF_NEED_METHODS")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_JOINTS,
           "this world was made without joints: add WF_NEED_JOINTS")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_SOLVER,
           "this world's solver keeps contacts only: choose one that keeps joints, as soft")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_FAST,
           "this world was made without fast bodies: add WF_NEED_FAST")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NO_SLEEP,
           "this world was made without sleep: add WF_NEED_SLEEP")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_DIFFERENT,
           "two worlds that were compared are not the same: wfDifference says where")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_DIVERGED,
           "a replay has another hash than the recording: wfFindDivergence says where")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_NOT_A_SAVE, "these bytes are no saved world: look for another file")
 WF_RESULT(WF_ERROR_TRUNCATED,
           "there are fewer bytes than there should be, or more: copy the file again")
@@ -117,16 +103,12 @@ WF_RESULT(WF_ERROR_LAYOUT,
           "saved by a build whose worlds look otherwise: save it as text with that one")
 WF_RESULT(WF_ERROR_LIMIT,
           "it claims more memory than may be taken for it: allow more by wfLoadLimits")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_FILE,
           "a file cannot be opened, read or written: see errno for the system's reason")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_INVALID,
           "the world breaks its own rules: wfCheckWorld says which; load another")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_TEXT,
           "the text is no scene: its wfTextError says what is wrong and where")
-/* <rows of the result table> */
 WF_RESULT(WF_ERROR_TOLERANCE,
           "nothing is so accurate here: allow more, or more digits (fineSums, WF_DOUBLE)")
 WF_RESULT(WF_ERROR_BUDGET,

@@ -6,7 +6,6 @@
 #define WEFT_SAVE_H
 #include "weft/world.h"
 
-/* <declarations of snapshots> */
 /* Bytes of a snapshot of the world as it is now; 0: not a world. */
 size_t wfSnapshotSize(const wfWorld *world);
 /* Writes a snapshot, and to *size how many bytes it has. Between two steps; the bytes may
@@ -22,7 +21,7 @@ wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size);
  * only where the world has something: who clones again into the same memory pays for no
  * page twice. WF_ERROR_NULL, _BUSY, _MEMORY. */
 wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out);
-/* <declarations of comparing> */
+
 /* Where two worlds differ first. */
 typedef struct wfDifference {
     const char *region;        /* its name, as in wfWorldRegions; NULL: nowhere */
@@ -35,13 +34,12 @@ typedef struct wfDifference {
 /* Are two worlds of one precision the same, bit for bit, in all that the next step reads?
  * Capacities may differ. WF_ERROR_DIFFERENT, and where; `out` may be NULL. */
 wfResult wfCompareWorlds(const wfWorld *a, const wfWorld *b, wfDifference *out);
-/* <declarations of a larger block> */
 /* Moves a world into a block with the room that `room` names (read it by wfGetWorldDef and
  * raise what is built in; its memory: handed over, or zero for the world's own). Ids, state
  * and future stay; the old block is freed if the world owned it. Errors of wfCreateWorld;
  * WF_ERROR_FULL: there is more in the world than that; _BUILT_IN; _BUSY. */
 wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room);
-/* <declarations of rewinding> */
+
 /* A ring of snapshots in memory that the user gives: the newest push out the oldest. */
 typedef struct wfRewind {
     uint8_t *bytes;
@@ -61,7 +59,7 @@ wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world);
 wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step);
 /* The steps of the oldest and the newest snapshot. WF_ERROR_UNKNOWN: the ring is empty. */
 wfResult wfRewindReach(const wfRewind *ring, uint64_t *oldest, uint64_t *newest);
-/* <declarations of inputs> */
+
 /* A call as a value. `index` and `generation` are the id of what is changed: a body, a
  * shape, a force or a joint. */
 typedef struct wfInput {
@@ -69,24 +67,17 @@ typedef struct wfInput {
     uint32_t index, generation;
     union {
         struct { wfVec2 at, by; wfReal x, y; int32_t number; } with;
-        /* <what else an input may hold> */
         wfBodyDef body;
-        /* <what else an input may hold> */
         wfShapeDef shape;
-        /* <what else an input may hold> */
         wfForce force;
-        /* <what else an input may hold> */
         wfJoint joint;
-        /* <what else an input may hold> */
         wfPairMaterial pair;
-        /* <what else an input may hold> */
         wfFar far;
     };
 } wfInput;
 typedef struct wfInputId { uint32_t index, generation; } wfInputId;
 
 enum {
-    /* <kinds of input> */
     WF_INPUT_ADD_BODY,             /* body */
     WF_INPUT_REMOVE_BODY,
     WF_INPUT_TRANSFORM,            /* at: m; x: angle, rad */
@@ -100,37 +91,29 @@ enum {
     WF_INPUT_SPIN,                 /* x: N m s */
     WF_INPUT_GRAVITY,              /* by: m/s^2 */
     WF_INPUT_DT,                   /* x: s */
-    /* <kinds of input> */
     WF_INPUT_ADD_SHAPE,            /* shape; the id is the body's */
     WF_INPUT_REMOVE_SHAPE,
     WF_INPUT_SET_SHAPE,            /* shape */
     WF_INPUT_MATERIAL,             /* x: restitution, y: friction; of a body */
-    /* <kinds of input> */
     WF_INPUT_ADD_FORCE,            /* force */
     WF_INPUT_REMOVE_FORCE,
     WF_INPUT_SET_FORCE,            /* force */
     WF_INPUT_GRAB,                 /* at: m; the id is the body's */
     WF_INPUT_DRAG,                 /* at: m; the id is the hand's */
-    /* <kinds of input> */
     WF_INPUT_ADD_JOINT,            /* joint */
     WF_INPUT_REMOVE_JOINT,
     WF_INPUT_SET_JOINT,            /* joint */
-    /* <kinds of input> */
     WF_INPUT_WAKE, WF_INPUT_SLEEP,
     WF_INPUT_NEVER_SLEEPS,         /* number: 0 or 1 */
-    /* <kinds of input> */
     WF_INPUT_PAIR,                 /* pair; index, generation: the two materials */
     WF_INPUT_FORGET_PAIR,          /* index, generation: the two materials */
-    /* <kinds of input> */
     WF_INPUT_SETTING,              /* index: row of wfSettingTable; generation: its part; x */
-    /* <kinds of input> */
     WF_INPUT_MOVE_ORIGIN,          /* by: m */
     WF_INPUT_SET_ORIGIN,           /* far: m */
-    /* <kinds of input> */
     WF_INPUT_SUBSTEPS,             /* number: wfSetBodySubsteps */
     WF_INPUT_KINDS
 };
-/* <declarations of the journal> */
+
 /* What was done to a world, in memory that the user gives. */
 typedef struct wfJournal {
     uint8_t *bytes;
@@ -149,7 +132,7 @@ wfResult wfGiveInput(wfWorld *world, wfJournal *journal, const wfInput *input,
                      wfInputId *made);
 /* wfStepWorldWith, noted. WF_ERROR_FULL: the journal is, the world did not step. */
 wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfHooks *hooks);
-/* <declarations of the journal> */
+
 /* A finger on a journal. All zero but for the journal: at its beginning. */
 typedef struct wfReplay {
     const wfJournal *journal;
@@ -163,7 +146,7 @@ typedef struct wfReplay {
  * this program. */
 wfResult wfReplayStep(wfReplay *replay, wfWorld *world, const wfHooks *hooks,
                       int32_t *stepped);
-/* <declarations of the journal> */
+
 /* Where two runs part. */
 typedef struct wfDivergence {
     uint64_t     step;         /* wfWorldSteps of the first worlds that differ */
@@ -175,7 +158,6 @@ typedef struct wfDivergence {
  * end. WF_ERROR_DIVERGED, and where; errors of the replays other than that. */
 wfResult wfFindDivergence(wfReplay *one, wfWorld *a, wfReplay *two, wfWorld *b,
                           const wfHooks *hooks, wfDivergence *out);
-/* <declarations of save files> */
 #define WF_SAVE_VERSION 1
 /* What the header of a file says. */
 typedef struct wfSaveInfo {
@@ -194,7 +176,7 @@ wfResult wfReadSaveInfo(const void *bytes, size_t size, wfSaveInfo *out);
  * _MEMORY: capacity is too small. */
 size_t wfSaveSize(const wfWorld *world);
 wfResult wfSaveToBytes(const wfWorld *world, void *bytes, size_t capacity, size_t *size);
-/* <declarations of save files> */
+
 /* A new world from a save, in its own memory or in `memory` unless that is NULL. Believes
  * nothing: whatever the bytes are, what comes back has passed wfCheckWorld. Errors of
  * wfReadSaveInfo; WF_ERROR_VERSION, _BYTE_ORDER, _PRECISION, _LAYOUT; _INVALID: whole, and
@@ -216,7 +198,6 @@ wfResult wfLoadFromBytesWithin(const void *bytes, size_t size, const wfLoadLimit
 uint64_t wfLayoutHash(void);
 /* Differs for any two inputs that differ within 64 neighbouring bits: eq:save-sum. */
 uint64_t wfChecksum(const void *bytes, size_t n);
-/* <declarations of save files> */
 #if defined WF_FREESTANDING && !defined WF_NO_FILES
 #define WF_NO_FILES
 #endif
@@ -236,7 +217,6 @@ wfResult wfSaveToFile(const wfWorld *world, const char *path);
 wfResult wfLoadFromFile(const char *path, wfWorld *out);
 wfResult wfLoadFromFileWithin(const char *path, const wfLoadLimits *limits, wfWorld *out);
 #endif
-/* <declarations of save files> */
 /* A journal with the header and the checksum of a save file: no damage goes unnoticed. In
  * its header: its steps, and the hash of the world with which it begins. wfJournalSaveSize
  * is 0 for no journal. WF_ERROR_NULL; _INVALID: no journal of this program; _MEMORY. */
@@ -256,7 +236,7 @@ wfResult wfSaveJournalToFile(const wfJournal *journal, const char *path);
 wfResult wfLoadJournalFromFile(const char *path, void *room, size_t capacity,
                                wfJournal *out);
 #endif
-/* <declarations of checking a world> */
+
 /* What is wrong with a block, and where. */
 typedef struct wfFault {
     const char *region;        /* its name, as in wfWorldRegions */

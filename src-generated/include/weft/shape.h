@@ -8,17 +8,15 @@
 #include "weft/core.h"
 #include "weft/math.h"
 
-/* <limits of a shape> */
 #define WF_MAX_VERTICES 16              /* corners of a polygon                           */
 #define WF_MIN_SIZE WF_R(1e-5)          /* m: the longer side of a shape's bounds         */
 #define WF_MAX_SIZE WF_R(1e6)           /* m: no coordinate is further from the origin    */
 #define WF_HULL_TOLERANCE WF_R(1e-5)    /* what counts as flat, as a share of the size    */
-/* <limits of a shape> */
 #define WF_MIN_MASS    WF_R(1e-12)      /* kg                                             */
 #define WF_MAX_MASS    WF_R(1e25)       /* kg: the Earth is 6e24                          */
 #define WF_MIN_INERTIA WF_R(1e-24)      /* kg m^2                                         */
 #define WF_MAX_INERTIA WF_R(1e30)       /* kg m^2: no power overflows a float             */
-/* <the shape type> */
+
 typedef enum wfShapeKind {
     WF_SHAPE_NONE,              /* no extent: a particle                                  */
     WF_SHAPE_CIRCLE,            /* a point with a coat                                    */
@@ -40,29 +38,23 @@ typedef struct wfShape {
     wfVec2 normals[WF_MAX_VERTICES];    /* unit, outward; normals[i] belongs to the edge
                                    from vertices[i] to vertices[(i + 1) % count]          */
 } wfShape;
-/* <the shape type> */
+
 typedef struct wfMassData {
     wfReal mass;                /* kg                                                     */
     wfVec2 centre;              /* m: the centre of mass in the body's frame              */
     wfReal inertia;             /* kg m^2: moment of inertia about the centre of mass     */
     wfReal area;                /* m^2                                                    */
 } wfMassData;
-/* <what can be done with shapes> */
 /* the functions of chapter 07 are here if the engine has the part "shapes" */
-/* <what can be done with shapes> */
-/* <declarations of the shape makers> */
 /* A circle. WF_ERROR_NULL, _NOT_FINITE, _SIZE. */
 wfResult wfMakeCircle(wfVec2 centre, wfReal radius, wfShape *out);
-/* <declarations of the shape makers> */
 /* The convex hull of n points, counter-clockwise from the leftmost (lowest of several), in
    out, which has room for n. Returns the number of corners; 0 if the points have no area, a
    size is out of range, a number is not finite, or a pointer is NULL. */
 int wfConvexHull(const wfVec2 *points, int n, wfVec2 *out);
-/* <declarations of the shape makers> */
 /* The convex hull of n points (m), in any order, with repetitions and points inside.
    WF_ERROR_NULL, _TOO_FEW, _NOT_FINITE, _SIZE, _DEGENERATE, _TOO_MANY. */
 wfResult wfMakePolygon(const wfVec2 *points, int n, wfShape *out);
-/* <declarations of the shape makers> */
 /* A box about the origin, sides 2 halfWidth along x and 2 halfHeight along y (m). Corner 0
    is lower left. WF_ERROR_NULL, _NOT_FINITE, _SIZE, _DEGENERATE (too thin). */
 wfResult wfMakeBox(wfReal halfWidth, wfReal halfHeight, wfShape *out);
@@ -70,7 +62,6 @@ wfResult wfMakeBox(wfReal halfWidth, wfReal halfHeight, wfShape *out);
    WF_MAX_ANGLE; _DEGENERATE, _NOT_CONVEX: so far out that rounding bends the box. */
 wfResult wfMakeOrientedBox(wfVec2 centre, wfReal halfWidth, wfReal halfHeight, wfReal angle,
                            wfShape *out);
-/* <declarations of the shape makers> */
 /* The points within radius (m) of the convex hull of n points: a polygon with rounded
    corners; radius 0: wfMakePolygon. Its errors, WF_ERROR_RANGE (radius below 0), _COAT. */
 wfResult wfMakeRoundedPolygon(const wfVec2 *points, int n, wfReal radius, wfShape *out);
@@ -85,16 +76,13 @@ wfResult wfMakeSegment(wfVec2 p, wfVec2 q, wfShape *out);
    are the chain's points before p and after q (at a loose end: go straight on). Errors as
    above, and _DEGENERATE for a ghost on its end. */
 wfResult wfMakeLink(wfVec2 before, wfVec2 p, wfVec2 q, wfVec2 after, wfShape *out);
-/* <declarations of the shape makers> */
 /* WF_OK if the shape is one that the makers could have made, else the first error found:
    WF_ERROR_NULL, _NOT_FINITE, _UNKNOWN (kind), _RANGE (a radius below 0, a coat where there
    should be none, a wrong number of corners), _SIZE, _TOO_FEW, _TOO_MANY, _DEGENERATE,
    _NOT_CONVEX, _COAT. */
 wfResult wfCheckShape(const wfShape *shape);
-/* <declarations of the shape makers> */
 /* Moves the shape within its body's frame (m). */
 void wfShapeMove(wfShape *shape, wfVec2 by);
-/* <declarations of the shape queries> */
 /* The smallest upright rectangle round the placed shape (m). A particle's is a point. */
 wfRect wfShapeBounds(const wfShape *shape, wfTransform placed);
 /* True if the point (world, m) is in the placed shape or on its edge; no particle, segment
@@ -111,11 +99,9 @@ wfReal wfShapeExtent(const wfShape *shape);
 #define WF_RIM_TURN 48                  /* chords of a full turn */
 #define WF_RIM_POINTS (WF_RIM_TURN + 2 * WF_MAX_VERTICES)
 int wfShapeOutline(const wfShape *shape, wfTransform placed, wfVec2 out[WF_RIM_POINTS]);
-/* <declarations of area and mass> */
 /* m^2, and in the body's frame m. A particle has area 0 and its centroid at its centre. */
 wfReal wfShapeArea(const wfShape *shape);
 wfVec2 wfShapeCentroid(const wfShape *shape);
-/* <declarations of area and mass> */
 /* Mass data of a shape of one density (kg/m^2), exact for every kind. WF_ERROR_NULL,
    _NOT_FINITE, _MASS (also for a particle, a segment and a link, which have no area), and
    what wfCheckShape returns. */

@@ -3,10 +3,7 @@
 #ifndef WEFT_WEFT_H
 #define WEFT_WEFT_H
 /* All of the engine. */
-/* <headers of the engine> */
 #include "weft/world.h"
-/* <headers of the engine> */
 #include "weft/save.h"
-/* <headers of the engine> */
 #include "weft/accuracy.h"
 #endif

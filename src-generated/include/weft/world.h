@@ -7,33 +7,24 @@
  * wfResult and then has changed nothing. A call given a world that was never created, or
  * was destroyed, returns WF_ERROR_NULL (no block) or WF_ERROR_NOT_A_WORLD (the block
  * holds something else). */
-/* <headers of the world> */
 #include "weft/body.h"
 #include "weft/core.h"
 #include "weft/force.h"
 #include "weft/integrate.h"
 #include "weft/math.h"
 #include "weft/shape.h"
-/* <headers of the world> */
 #include "weft/broad.h"
 #include "weft/compound.h"
 #include "weft/contact.h"
 #include "weft/narrow.h"
 #include "weft/resolve.h"
-/* <headers of the world> */
 #include "weft/events.h"
-/* <headers of the world> */
 #include "weft/query.h"
-/* <headers of the world> */
 #include "weft/impact.h"
-/* <headers of the world> */
 #include "weft/exact.h"
-/* <headers of the world> */
 #include "weft/joint.h"
-/* <headers of the world> */
 #include "weft/island.h"
 
-/* <the world's handle and ids> */
 /* A world by value: where its two chunks of memory are, and nothing else. All state is
  * in the chunks: memory.permanent can be copied, moved and saved as bytes. */
 typedef struct wfWorld { wfMemory memory; } wfWorld;
@@ -42,24 +33,18 @@ typedef struct wfWorld { wfMemory memory; } wfWorld;
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
 typedef struct wfShapeId { uint32_t index, generation; } wfShapeId;
 typedef struct wfForceId { uint32_t index, generation; } wfForceId;
-/* <the world's handle and ids> */
 /* wfWorldDef.exactJoints: solve together none; all that there is room for; those for which
  * it costs no more than exactCost. */
 enum { WF_JOINTS_ONE_BY_ONE, WF_JOINTS_TOGETHER, WF_JOINTS_AUTO };
-/* <the world's handle and ids> */
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
-/* <what a world is made from> */
+
 typedef struct wfWorldDef {
-    /* <the settings of a world> */
     wfVec2  gravity;           /* m/s^2 */
     wfReal  dt;                /* length of a step, s, > 0 */
     int32_t bodyCapacity;      /* bodies at most, >= 1 */
     int32_t integrator;        /* row of chapter 10's table */
-    /* <the settings of a world> */
     uint32_t needs;            /* WF_NEED_..., what the scene requires (sec:world-needs) */
-    /* <the settings of a world> */
     int32_t forceCapacity;     /* registered forces at most, >= 0 */
-    /* <the settings of a world> */
     int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
     int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
     int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
@@ -68,12 +53,10 @@ typedef struct wfWorldDef {
     int32_t solver;
     int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
     int32_t substeps;          /* of solvers that step by themselves, >= 1 */
-    /* <the settings of a world> */
     wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
-    /* <the settings of a world> */
     wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
     wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
@@ -82,29 +65,19 @@ typedef struct wfWorldDef {
     int32_t lanes;             /* 1: and several of a colour at once, to the same bits */
     int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
                                 * with up to n loops, chapter 17 */
-    /* <the settings of a world> */
     int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
-    /* <the settings of a world> */
     int32_t events;            /* 1: touches are remembered, and told if that is needed */
     wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
-    /* <the settings of a world> */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
-    /* <the settings of a world> */
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
-    /* <the settings of a world> */
     int32_t exactWork;         /* of the solver "exact": millions of multiplications a step may
                                 * take for systems, then it sweeps; >= 0; 0: no bound */
-    /* <the settings of a world> */
     int32_t fineSums;          /* 1: what states round away is kept (chapter 17) */
-    /* <the settings of a world> */
     int32_t jointCapacity;     /* joints at most, >= 0 */
-    /* <the settings of a world> */
     int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
     wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
     wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
-    /* <the settings of a world> */
     int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
-    /* <the settings of a world> */
     int32_t sleep;             /* 1: islands that rest are left out of the step */
     wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
     wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
@@ -113,37 +86,30 @@ typedef struct wfWorldDef {
 /* Standard gravity downwards, 60 steps a second, 256 bodies, 64 forces, the default
  * rows. */
 wfWorldDef wfDefaultWorldDef(void);
-/* <what a body is made from> */
+
 typedef struct wfBodyDef {
     int32_t  type;             /* WF_STATIC, WF_KINEMATIC, WF_DYNAMIC */
     wfVec2   position;         /* of the body's origin, m */
     wfVec2   velocity;         /* of the centre of mass, m/s */
     wfReal   mass;             /* kg; 0: from the density. A particle needs one */
     wfReal   gravityScale;     /* multiplies gravity */
-    /* <more of what a body is made from> */
     /* what follows is there as far as the engine has these parts */
-    /* <more of what a body is made from> */
     wfReal   angle;            /* rad */
     wfReal   angularVelocity;  /* rad/s */
     int32_t  fixedRotation;    /* 1: never turns */
-    /* <more of what a body is made from> */
     wfReal   linearDamping, angularDamping;  /* 1/s, >= 0 */
-    /* <more of what a body is made from> */
     wfShape  shape;            /* in the body's frame; kind WF_SHAPE_NONE: a particle */
     wfReal   density;          /* kg/m^2 > 0, used when mass is 0 */
     wfReal   restitution;      /* 0 to 1 */
     wfReal   friction;         /* >= 0 */
-    /* <more of what a body is made from> */
     int32_t  neverSleeps;      /* 1: it, and what hangs together with it, stays awake */
     uint64_t userData;         /* yours */
 } wfBodyDef;
 /* A dynamic particle at the origin, at rest, no mass of its own; density 1 and friction
  * 0.5, should it get a shape. */
 wfBodyDef wfDefaultBodyDef(void);
-/* <what may be in a world besides bodies> */
 /* shapes, forces, events, hooks and queries, as the engine has them */
-/* <what may be in a world besides bodies> */
-/* <what a shape is made from> */
+
 typedef struct wfShapeDef {
     wfShape  shape;            /* in the frame of the body's origin */
     wfReal   density;          /* kg/m^2 >= 0; 0: weighs nothing */
@@ -159,7 +125,7 @@ typedef struct wfShapeDef {
 } wfShapeDef;
 /* No shape yet; density 1, friction 0.5, the default filter, all else 0. */
 wfShapeDef wfDefaultShapeDef(void);
-/* <what a shape is made from> */
+
 /* What is known of a pair of materials. */
 typedef struct wfPairMaterial {
     wfReal restitution;        /* 0 to 1 */
@@ -167,14 +133,12 @@ typedef struct wfPairMaterial {
     wfReal staticFriction;     /* >= 0: while nothing slides; below friction: the same */
     wfReal rolling;            /* m, >= 0 */
 } wfPairMaterial;
-/* <declarations of shapes in a world> */
 /* From now on shapes of materials a and b (>= 1, in either order; may be equal) meet with
  * these numbers; NULL: they are mixed again. WF_ERROR_RANGE, _NOT_FINITE, _FULL (the
  * world's pairMaterials). */
 wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m);
 /* WF_ERROR_UNKNOWN: nothing is known of that pair. */
 wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMaterial *out);
-/* <declarations of shapes in a world> */
 /* Hangs shapes on a body, all or none; `out` (room for count ids) may be NULL. The body's
  * mass, centre and inertia follow, unless its mass was given: then that is kept. No point
  * of its material moves or changes its velocity. WF_ERROR_NULL, _STALE_ID, _NOT_FINITE,
@@ -192,7 +156,6 @@ wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id);
 wfResult wfGetShape(const wfWorld *world, wfShapeId id, wfShapeDef *out);
 /* Changes a shape: read it, alter the copy, set it. Checked like a new one. */
 wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def);
-/* <declarations of shapes in a world> */
 bool wfShapeIsValid(const wfWorld *world, wfShapeId id);
 /* Index of a shape in the arrays of wfWorldShapes, -1 for a stale id; and back, index 0 in
  * the id for a place that is empty. */
@@ -204,7 +167,7 @@ wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id);
 wfShapeId wfFirstShape(const wfWorld *world, wfBodyId id);
 wfShapeId wfNextShape(const wfWorld *world, wfShapeId id);
 int32_t wfShapeCount(const wfWorld *world);
-/* <declarations of shapes in a world> */
+
 /* What is known of a shape besides its geometry. */
 typedef struct wfShapeProps {
     wfReal   density, restitution, friction, staticFriction, rolling, surfaceSpeed;
@@ -226,8 +189,6 @@ typedef struct wfShapeView {
     const wfShapeProps *props;
 } wfShapeView;
 wfShapeView wfWorldShapes(const wfWorld *world);
-/* <what may be in a world besides bodies> */
-/* <declarations of forces in a world> */
 /* Registers a force of chapter 9; `out` may be NULL. Its a and b are body indices
  * (wfBodyIndex) or -1. WF_ERROR_FULL, WF_ERROR_STALE_ID (a or b names an empty place), and
  * whatever the force's own check finds wrong. */
@@ -237,19 +198,16 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id);
 wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out);
 wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
-/* <declarations of forces in a world> */
 /* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is
  * long. */
 #define WF_HAND_RATE (2 * WF_PI * 5)
-/* <declarations of forces in a world> */
 /* A hand that holds a body at a world point: a spring stiff enough to follow and soft
  * enough to be stable at the world's step. Move the hand with wfDragHand; let go with
  * wfRemoveForceFromWorld. Errors of wfAddForceToWorld; WF_ERROR_RANGE: not a dynamic
  * body. */
 wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
 wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point);
-/* <what may be in a world besides bodies> */
-/* <declarations of events> */
+
 /* Two shapes, and how hard they pressed: the sum of all normal impulses of the step, bounces
  * included, N s; 0 for a sensor and for what has ended. Who bounced off in one step and
  * meets again in a later one has ended one touch and begun another. For a sensor's events a is the sensor. The ids of an end may be
@@ -264,7 +222,6 @@ typedef struct wfHit {
 } wfHit;
 enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STAY,
        WF_SENSE_END, WF_EVENT_KINDS };
-/* <declarations of events> */
 /* What happened in the last step that succeeded. (A touch of two that sleep is not told as
  * going on; a sensor's is.) Arrays of the world's own, each sorted by
  * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
@@ -272,8 +229,7 @@ enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STA
  * in them. */
 const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count);
 const wfHit *wfWorldHits(const wfWorld *world, int32_t *count);
-/* <what may be in a world besides bodies> */
-/* <declarations of hooks> */
+
 /* What a hook may look at: the bodies as they are at this moment, the shapes. */
 typedef struct wfHookView { wfBodyView bodies; wfShapeView shapes; wfReal dt; } wfHookView;
 /* What a hook may change about a contact, for this step only. */
@@ -285,7 +241,7 @@ typedef struct wfContactChange {
     wfReal  rolling;           /* m, >= 0 */
     wfReal  surfaceSpeed;      /* m/s */
 } wfContactChange;
-/* <declarations of hooks> */
+
 /* Functions of the user's that a step asks; each may be NULL. They must not change the
  * world (WF_ERROR_BUSY if they try) and give the same answer to the same question within a
  * step. */
@@ -300,8 +256,6 @@ typedef struct wfHooks {
 /* wfStepWorld with hooks (may be NULL). Further errors: WF_ERROR_RANGE, WF_ERROR_NOT_FINITE
  * (a hook gave such a number); WF_ERROR_BUSY (called from a hook). */
 wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks);
-/* <what may be in a world besides bodies> */
-/* <declarations of queries> */
 /* Questions about the shapes as they stand, answered by chapter 23, whose header says more.
  * Shapes in the answers are indices of wfWorldShapes: wfShapeAt makes ids of them. Sensors
  * are shapes: give them a category of their own to leave them out. filter: who may be
@@ -317,7 +271,6 @@ wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransfor
 wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
                              wfTransform placed, wfVec2 by, const wfFilter *filter,
                              wfRayHit *hits, int32_t capacity, int32_t *count);
-/* <declarations of queries> */
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
@@ -329,15 +282,12 @@ wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out);
 wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
                          wfReal within, const wfFilter *filter, wfClosest *out);
-/* <declarations of queries> */
 /* Brings the index for queries up to date after changes between two steps. Not needed: a
  * step does it, and queries are right without, only slower. */
 wfResult wfIndexWorld(wfWorld *world);
-/* <declarations of making a world> */
-/* <declarations of needs at all> */
+
 /* What a scene may require: bits of wfWorldDef.needs. */
 enum {
-    /* <bits of the needs> */
     WF_NEED_ROTATION    = 1 << 0,    /* bodies turn */
     WF_NEED_DAMPING     = 1 << 1,
     WF_NEED_PUSHES      = 1 << 2,    /* wfApplyForceToBody, wfApplyTorqueToBody */
@@ -355,22 +305,15 @@ enum {
     WF_NEED_QUERIES     = 1 << 14,
     WF_NEED_SUBSTEPS    = 1 << 15,   /* the solver may move the bodies, in substeps */
     WF_NEED_METHODS     = 1 << 16,   /* wfSetMethods while the world runs */
-    /* <bits of the needs> */
     WF_NEED_JOINTS      = 1 << 17,
-    /* <bits of the needs> */
     WF_NEED_FAST        = 1 << 18,
-    /* <bits of the needs> */
     WF_NEED_SLEEP       = 1 << 19,
 };
-/* <declarations of needs at all> */
 /* What a definition requires. */
 uint32_t wfNeedsOfBody(const wfBodyDef *def);
-/* <declarations of needs at all> */
 uint32_t wfNeedsOfShape(const wfShapeDef *def);
-/* <declarations of what else there is to making a world> */
 /* bit by bit */
-/* <declarations of what else there is to making a world> */
-/* <declarations of needs> */
+
 typedef struct wfNeedRow {
     const char *name, *text;
     uint32_t bit;
@@ -383,26 +326,22 @@ extern const int wfNeedCount;
 int wfFindNeed(const char *name);              /* row, or -1 */
 uint32_t wfAllNeeds(void);                     /* all that this engine can meet */
 uint32_t wfCloseNeeds(uint32_t needs);         /* with what they imply */
-/* <declarations of needs> */
 /* Whom an array serves: any of these needs, or everybody if 0; and the stage that fills
  * it, or NULL: calls between the steps. */
 typedef struct wfRegionUse { uint32_t needs; const char *stage; } wfRegionUse;
 wfRegionUse wfRegionServes(int region);
-/* <declarations of needs> */
 /* Those of these needs that the world lacks, and would refuse; 0: none. */
 uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs);
-/* <declarations of needs> */
 /* The defaults of a world: without friction where it has none. */
 wfBodyDef wfDefaultBodyDefFor(const wfWorld *world);
 wfShapeDef wfDefaultShapeDefFor(const wfWorld *world);
-/* <declarations of needs> */
 /* A definition with the least needs and capacities with which all that this world has
  * been through would have been possible, and would have had the same bits: give it to
  * wfCreateWorld, and do the same again. `besides` is what leaves no trace: needs of a
  * program that reads events, asks queries, or will want more than it did. Give the
  * capacities some room where more is to come. WF_ERROR_NULL, _UNKNOWN (no such need). */
 wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out);
-/* <declarations of needs> */
+
 /* What is to be put into a world: arrays and how long they are. */
 typedef struct wfSceneList {
     const wfBodyDef *bodies;
@@ -414,7 +353,7 @@ typedef struct wfSceneList {
 /* Sets needs and capacities of *def for such a scene, and for what `besides` says; all else
  * stays. WF_ERROR_NULL, _RANGE (a count below 0, or nothing at all), _UNKNOWN. */
 wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def);
-/* <declarations of needs> */
+
 /* A clock for the stages of a step. */
 typedef struct wfStepClock {
     double (*now)(void *context);    /* s, since whenever */
@@ -433,7 +372,6 @@ typedef struct wfStageReport {
 wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock);
 /* Row `stage` of wfStageTable in this world. WF_ERROR_NULL, _UNKNOWN. */
 wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out);
-/* <declarations of needs> */
 typedef void wfPrintFn(void *context, const char *line);
 /* Tells what this world was made for, what a step of it does, what it leaves out and why,
  * and how many bytes and how much time each stage takes: a line at a time, without the
@@ -441,7 +379,7 @@ typedef void wfPrintFn(void *context, const char *line);
  * no times. WF_ERROR_NULL. */
 wfResult wfExplainWorld(const wfWorld *world, const double *seconds, int64_t steps,
                         wfPrintFn *print, void *context);
-/* <declarations of the table of settings> */
+
 enum { WF_SETTING_INT, WF_SETTING_SWITCH, WF_SETTING_REAL, WF_SETTING_VEC2, WF_SETTING_ROW,
        WF_SETTING_CHOICE, WF_SETTING_SET };
 /* One setting of a world: a field of wfWorldDef, and what may stand there. */
@@ -464,12 +402,10 @@ typedef struct wfSetting {
     uint32_t    need;          /* means something if one of these is met; 0: always */
     const char *text;
 } wfSetting;
-/* <declarations of the table of settings> */
 extern const wfSetting wfSettingTable[];
 extern const int wfSettingCount;
 /* The row of that name, NULL if there is none. */
 const wfSetting *wfFindSetting(const char *name);
-/* <declarations of the table of settings> */
 /* A setting's value in a definition; part is 0, or 1 for the y of a WF_SETTING_VEC2. */
 double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part);
 /* Writes it, if it is allowed there: WF_ERROR_NULL, _NOT_FINITE, _RANGE, _UNKNOWN (no such
@@ -495,7 +431,7 @@ void wfDestroyWorld(wfWorld *world);
 /* A handle for a world whose block was copied or moved to memory->permanent; the transient
  * chunk may be any memory of the right size. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 wfResult wfOpenWorld(const wfMemory *memory, wfWorld *out);
-/* <declarations of the block's layout> */
+
 /* One array of the block. */
 typedef struct wfRegion {
     const char *name;
@@ -504,62 +440,40 @@ typedef struct wfRegion {
     size_t  offset;            /* bytes from the start of the chunk */
 } wfRegion;
 enum {
-    /* <regions of the block> */
-    /* <regions of the permanent chunk> */
     WF_REGION_HEADER, WF_REGION_BODY_SLOTS, WF_REGION_ALIVE, WF_REGION_STATE,
-    /* <regions of the permanent chunk> */
     WF_REGION_APPLIED,
-    /* <regions of the permanent chunk> */
     WF_REGION_PROPS,
-    /* <regions of the permanent chunk> */
     WF_REGION_SHAPE_SLOTS, WF_REGION_SHAPES, WF_REGION_OWNERS,
     WF_REGION_NEXT_SHAPES, WF_REGION_FILTERS, WF_REGION_SHAPE_PROPS, WF_REGION_BOUNDS,
     WF_REGION_FLAGS, WF_REGION_INDEX,
-    /* <regions of the permanent chunk> */
     WF_REGION_FORCE_SLOTS, WF_REGION_FORCES,
-    /* <regions of the permanent chunk> */
     WF_REGION_PAIRS, WF_REGION_CACHES, WF_REGION_CONTACTS,
-    /* <regions of the permanent chunk> */
     WF_REGION_TOUCHES, WF_REGION_EVENTS, WF_REGION_HITS,
-    /* <regions of the permanent chunk> */
     WF_REGION_PAIR_MATERIALS,
-    /* <regions of the permanent chunk> */
     WF_REGION_FINE,
-    /* <regions of the permanent chunk> */
     WF_REGION_JOINT_SLOTS, WF_REGION_JOINTS, WF_REGION_BROKEN,
-    /* <regions of the permanent chunk> */
     WF_REGION_ALONE,
-    /* <regions of the permanent chunk> */
     WF_REGION_REST, WF_REGION_CLOCKS, WF_REGION_RINGS, WF_REGION_ISLANDS,
-    /* <regions of the transient chunk> */
     WF_REGION_NEW_STATE, WF_REGION_PRESENT, WF_REGION_ACTIVE_FORCES,
-    /* <regions of the transient chunk> */
     WF_REGION_SUMS, WF_REGION_PLACES, WF_REGION_RIMS, WF_REGION_NEW_BOUNDS,
     WF_REGION_NEW_FLAGS, WF_REGION_NEW_INDEX, WF_REGION_NEW_PAIRS, WF_REGION_NEW_CACHES,
     WF_REGION_NEW_CONTACTS,
-    /* <regions of the transient chunk> */
     WF_REGION_NEW_TOUCHES, WF_REGION_TOLD, WF_REGION_NEW_EVENTS, WF_REGION_NEW_HITS,
-    /* <regions of the transient chunk> */
     WF_REGION_NEW_FINE,
-    /* <regions of the transient chunk> */
     WF_REGION_NEW_JOINTS, WF_REGION_JOINT_PLACES, WF_REGION_JOINED,
     WF_REGION_JOINT_WORK,
-    /* <regions of the transient chunk> */
     WF_REGION_EXACT, WF_REGION_NEW_ALONE,
-    /* <regions of the transient chunk> */
     WF_REGION_FLIGHTS, WF_REGION_FLIGHT_OF, WF_REGION_STRIKES, WF_REGION_SPARED,
     WF_REGION_NEAR, WF_REGION_FRESH,
-    /* <regions of the transient chunk> */
     WF_REGION_WOKEN, WF_REGION_NEW_CLOCKS, WF_REGION_NEW_ISLANDS,
     WF_REGION_SCRATCH,
     WF_REGION_COUNT
 };
 /* Where everything lies in a world made from `def`: the function that places it, asked. */
 wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT]);
-/* <declarations of the block's layout> */
 /* Most elements of any array of a world. Keeps every index and count within int32_t. */
 #define WF_MAX_CAPACITY (1 << 24)
-/* <declarations of bodies in a world> */
+
 typedef struct wfBodyInfo {
     int32_t  type;
     wfVec2   position;         /* of the body's origin, m */
@@ -567,25 +481,19 @@ typedef struct wfBodyInfo {
     wfVec2   velocity;         /* of the centre of mass, m/s */
     wfReal   mass;             /* kg */
     wfReal   gravityScale;
-    /* <what else is told of a body> */
     /* as far as the engine has it */
-    /* <what else is told of a body> */
     wfReal   angle;            /* rad, -pi to pi */
     wfReal   angularVelocity;  /* rad/s */
     wfReal   inertia;          /* kg m^2 about the centre of mass; 0 when not dynamic */
-    /* <what else is told of a body> */
     wfReal   linearDamping, angularDamping;  /* 1/s */
-    /* <what else is told of a body> */
     wfReal   restitution, friction;  /* of its first shape; 0 for a particle */
     uint64_t userData;
 } wfBodyInfo;
 /* WF_ERROR_NULL, WF_ERROR_STALE_ID. */
 wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out);
-/* <declarations of bodies in a world> */
 /* The body's first shape as it was given, in the frame of its origin; of kind
  * WF_SHAPE_NONE for a particle. WF_ERROR_NULL, WF_ERROR_STALE_ID. */
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out);
-/* <declarations of bodies in a world> */
 /* Adds a body; `out` may be NULL. WF_ERROR_NULL, _NOT_FINITE, _RANGE (see wfBodyDef),
  * _FULL, and the errors of wfCheckShape. */
 wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out);
@@ -596,7 +504,6 @@ bool wfBodyIsValid(const wfWorld *world, wfBodyId id);
  * in the id for a place that is empty. */
 int32_t wfBodyIndex(const wfWorld *world, wfBodyId id);
 wfBodyId wfBodyAt(const wfWorld *world, int32_t index);
-/* <declarations of pushing bodies> */
 /* All: WF_ERROR_STALE_ID, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE where stated. */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle);
 /* Velocity of the centre of mass. RANGE: a static body cannot move. */
@@ -605,16 +512,13 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
  * proportion. It is a given mass from now on: new shapes do not change it. */
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
-/* <declarations of pushing bodies> */
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
-/* <declarations of pushing bodies> */
 /* Makes a body WF_STATIC, WF_KINEMATIC or WF_DYNAMIC. Static: it stops. Dynamic: it has the
  * mass that was given, or that of its shapes (errors of wfShapeMass, RANGE: no mass). */
 wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type);
 /* Restitution 0 to 1, friction >= 0, static and dynamic: of all the body's shapes. */
 wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
                            wfReal friction);
-/* <declarations of pushing bodies> */
 /* A force (N) at a world point, or a torque (N m), that acts throughout the next step
  * and is then forgotten. Several add up. */
 wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 point);
@@ -622,7 +526,6 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque);
 /* A kick (N s) at a world point, or of spin (N m s): changes the velocity at once. */
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point);
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse);
-/* <declarations of stepping> */
 /* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
  * WF_ERROR_NOT_FINITE: a number overflowed, as when forces are far too large. */
@@ -636,12 +539,11 @@ wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out);
  * WF_ERROR_BUILT_IN: a setting differs that is built into the block, as a capacity
  * (wfSetting.builtIn); WF_ERROR_MEMORY: the world has no room for that method. */
 wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def);
-/* <declarations of stepping> */
 /* Changes the rows that a world uses while it runs; -1 keeps what is. WF_ERROR_UNKNOWN;
  * WF_ERROR_MEMORY: "exact" in a world that was created with another solver. */
 wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
                       int solver);
-/* <declarations of stepping> */
+
 struct wfStep;
 typedef wfResult wfStageFn(struct wfStep *step);
 /* One stage of a step: what it is called, what it does, what it reads and writes. */
@@ -653,16 +555,13 @@ typedef struct wfStageRow {
 } wfStageRow;
 extern const wfStageRow wfStageTable[];
 extern const int wfStageCount;
-/* <declarations of looking at a world> */
 /* How the solver of the last step fared: "exact" tells how many problems it has solved and
  * how many not; other solvers leave zeros. WF_ERROR_NULL. */
 wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out);
-/* <declarations of looking at a world> */
 /* The world's own arrays, to read and not to keep: valid until the next call that
  * changes the world. For an empty handle the count is 0. Shapes are relative to the
  * centre of mass. */
 wfBodyView wfWorldBodies(const wfWorld *world);
-/* <declarations of looking at a world> */
 /* Pairs of shapes of the broad phase and contacts of the narrow phase of the last step, as
  * far as they are still true; first those of bodies that sleep (chapter 25), then those of
  * all others, each part sorted by the indices of the shapes. */
@@ -679,34 +578,27 @@ wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *
 /* The contact of two shapes in the last step, either one first. WF_ERROR_STALE_ID;
  * WF_ERROR_UNKNOWN: they have none. */
 wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out);
-/* <declarations of looking at a world> */
 int32_t wfBodyCount(const wfWorld *world);
 double wfWorldTime(const wfWorld *world);      /* s since creation */
 uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
-/* <declarations of looking at a world> */
 /* Kinetic energy of the dynamic bodies, and potential energy in gravity and in the
  * registered forces that have one, J. Either pointer may be NULL. */
 wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential);
 /* Momentum of the dynamic bodies, kg m/s, and angular momentum about the origin, kg
  * m^2/s. */
 wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular);
-/* <declarations of looking at a world> */
 /* A number for the state of all live bodies: equal states, equal numbers, on any
  * machine. */
 uint64_t wfHashWorld(const wfWorld *world);
-/* <declarations of looking at a world> */
 /* The body of which a shape covers the point, the last added first (highest index). False:
  * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
-/* <declarations of looking at a world> */
-/* <declarations of far worlds> */
 /* A place anywhere, m: doubles in every build. */
 typedef struct wfFar { double x, y; } wfFar;
 /* Where the world's own (0, 0) is. To set it is to say so: bodies and all else come along,
  * no step and no hash sees it. A new world is at (0, 0). WF_ERROR_NOT_FINITE. */
 wfResult wfSetWorldOrigin(wfWorld *world, wfFar origin);
 wfResult wfGetWorldOrigin(const wfWorld *world, wfFar *out);
-/* <declarations of far worlds> */
 /* From the world's own coordinates (m) to places, and back. A place that is too far away
  * for a wfReal: WF_ERROR_RANGE. WF_ERROR_NOT_FINITE. */
 wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out);
@@ -714,7 +606,6 @@ wfResult wfFromFar(const wfWorld *world, wfFar place, wfVec2 *out);
 /* Where the body's origin is; and putting it there: wfSetBodyTransform. */
 wfResult wfFarPosition(const wfWorld *world, wfBodyId id, wfFar *out);
 wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle);
-/* <declarations of far worlds> */
 /* Moves the origin by `by` (m): whatever names a place in the world gets by less, so that
  * all stay where they are. Contacts, events and sleep go on; no gap or overlap changes,
  * except for bodies that had to be rounded (eq:world-far-exact): *rounded tells how many,
@@ -727,7 +618,7 @@ wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
  * of that; *by tells how much, (0, 0) most of the time, and may be NULL. Call it before a
  * step. */
 wfResult wfCentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by);
-/* <declarations of looking at a world> */
+
 /* What became of fast bodies in the last step. */
 typedef struct wfFastReport {
     int32_t bodies;            /* that were followed, since they were fast */
@@ -735,10 +626,7 @@ typedef struct wfFastReport {
     int32_t held;              /* bodies that lost the rest of the step: too many impacts */
 } wfFastReport;
 wfResult wfGetFastReport(const wfWorld *world, wfFastReport *out);
-/* <declarations of looking at a world> */
-/* <flags of a joint in a world> */
 enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
-/* <declarations of joints in a world> */
 /* Fills *out with a joint of a kind ("revolute", "distance", ...: wfJointTable) between two
  * bodies at anchors in the world (m), along an axis (world, any length > 0), at rest as
  * the bodies are now. WF_ERROR_NULL, _STALE_ID, _UNKNOWN (kind), _NOT_FINITE, _RANGE
@@ -760,7 +648,6 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
 /* The greatest force (N) and torque (N m) that it exerted in any substep of that step; no
  * less than the mean. Either may be NULL. */
 wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfReal *torque);
-/* <declarations of joints in a world> */
 int32_t wfJointCount(const wfWorld *world);
 /* Joint number i of 0 .. wfWorldJointPlaces - 1; index 0 in the id: an empty place. */
 wfJointId wfJointAt(const wfWorld *world, int32_t i);
@@ -769,14 +656,12 @@ int32_t wfWorldJointPlaces(const wfWorld *world);
  * still there, with the flag WF_JOINT_BROKEN, and can be removed, or mended by
  * wfSetJoint. */
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count);
-/* <declarations of joints in a world> */
 /* Joints that the last step solved together (chapter 19), and whether these were all. */
 int32_t wfJointsTogether(const wfWorld *world);
 bool wfJointsSolvedTogether(const wfWorld *world);
 /* Substeps of the last step in which the joints that are solved together could not be: a
  * load that snapped a chain tight, say. They were taken inelastically. */
 int32_t wfUnsolvedSubsteps(const wfWorld *world);
-/* <declarations of looking at a world> */
 /* Does the body take part in steps? False: it sleeps, or there is no such body. */
 bool wfIsAwake(const wfWorld *world, wfBodyId id);
 /* Wakes a body and its island; one that is not dynamic: those that touch it or hang on it.
@@ -792,7 +677,7 @@ bool wfNeverSleeps(const wfWorld *world, wfBodyId id);
 /* A number that all bodies of an island share, awake or asleep: the index of one of them.
  * -1: no such body, or one without an island (not dynamic; no sleep; not stepped yet). */
 int32_t wfBodyIsland(const wfWorld *world, wfBodyId id);
-/* <declarations of looking at a world> */
+
 /* How much of a world rests: bodies awake (dynamic and kinematic) and asleep; islands that
  * are awake; pairs and contacts that the last step looked at, and those that it kept. */
 typedef struct wfRestCounts {

@@ -9,7 +9,7 @@ static b2World *world;
 static std::vector<b2Body *> bodies;
 static int velocityPasses = 8, positionPasses = 3;
 
-/* <a scene in Box2D 2> */
+/* a scene in Box2D 2 */
 static b2Vec2 vec(const double p[2]) { return b2Vec2((float)p[0], (float)p[1]); }
 
 static void add_shape(b2Body *body, const peerShape *s)
@@ -30,7 +30,7 @@ static void add_shape(b2Body *body, const peerShape *s)
     def.filter.maskBits = (uint16)s->mask;
     body->CreateFixture(&def);
 }
-/* <a scene in Box2D 2> */
+
 static b2Body *add_body(const peerScene *scene, const peerBody *b, bool bullet)
 {
     b2BodyDef def;
@@ -46,7 +46,7 @@ static b2Body *add_body(const peerScene *scene, const peerBody *b, bool bullet)
     body->SetAngularVelocity((float)b->spin);
     return body;
 }
-/* <a scene in Box2D 2> */
+
 template <class Def> static void join(Def def, const peerJoint *j)
 {
     def.bodyA = bodies[j->a];
@@ -69,7 +69,7 @@ static void add_joint(const peerJoint *j)
     if (j->kind == PEER_DISTANCE) join(rod, j);
     if (j->kind == PEER_WELD) join(weld, j);
 }
-/* <a scene in Box2D 2> */
+
 static void build(const peerScene *scene, const peerOptions *o)
 {
     world = new b2World(vec(scene->gravity));
@@ -82,7 +82,8 @@ static void build(const peerScene *scene, const peerOptions *o)
         bodies.push_back(add_body(scene, &scene->body[i], o->fast != 0));
     for (int i = 0; i < scene->joints; i++) add_joint(&scene->joint[i]);
 }
-/* <run Box2D 2> */
+
+/* run Box2D 2 */
 static void step(double dt) { world->Step((float)dt, velocityPasses, positionPasses); }
 
 static void read_body(int i, double state[6])
@@ -106,7 +107,7 @@ static void count(int *pairs, int *points)
             *points += c->GetManifold()->pointCount;
         }
 }
-/* <run Box2D 2> */
+
 int main(int argc, char **argv)
 {
     const peerEngine engine = { "Box2D 2.4.1", "float",

@@ -9,7 +9,7 @@ const B = await box2d3();
 let world, bodies, scene, substeps = 4;
 const vec = p => new B.b2Vec2().Set(p[0], p[1]);
 
-/* <a scene in Box2D 3 for the web> */
+/* a scene in Box2D 3 for the web */
 function addShape(body, s) {
   const def = B.b2DefaultShapeDef(), filter = def.filter, material = def.material;
   def.density = s.density;
@@ -29,7 +29,7 @@ function addShape(body, s) {
   circle.radius = s.radius;
   return B.b2CreateCircleShape(body, def, circle);
 }
-/* <a scene in Box2D 3 for the web> */
+
 function addBody(b, bullet) {
   const def = B.b2DefaultBodyDef(), locks = def.motionLocks;
   def.type = { static: B.b2BodyType.b2_staticBody, dynamic: B.b2BodyType.b2_dynamicBody,
@@ -45,7 +45,7 @@ function addBody(b, bullet) {
   B.b2Body_SetAngularVelocity(body, b.spin);
   return body;
 }
-/* <a scene in Box2D 3 for the web> */
+
 function addJoint(j) {
   const kind = { revolute: 'Revolute', distance: 'Distance', weld: 'Weld' }[j.kind];
   const def = B[`b2Default${kind}JointDef`](), base = def.base;
@@ -62,7 +62,7 @@ function addJoint(j) {
   if (j.kind === 'distance') def.length = j.rest;
   B[`b2Create${kind}Joint`](world, def);
 }
-/* <a scene in Box2D 3 for the web> */
+
 function build(s, o) {
   const def = B.b2DefaultWorldDef();
   scene = s;
@@ -74,7 +74,8 @@ function build(s, o) {
   bodies = s.bodies.map(b => addBody(b, o.fast && moves(b)));
   s.joints.forEach(addJoint);
 }
-/* <run Box2D 3 for the web> */
+
+/* run Box2D 3 for the web */
 function read(i) {
   const b = bodies[i], at = B.b2Body_GetWorldCenterOfMass(b);
   const v = B.b2Body_GetLinearVelocity(b), q = B.b2Body_GetRotation(b);
@@ -95,7 +96,6 @@ function count() {
   });
   return [seen.size, points];
 }
-/* <run Box2D 3 for the web> */
 const v = B.b2GetVersion ? B.b2GetVersion() : null;
 main({ name: v ? `Box2D ${v.major}.${v.minor}.${v.revision} web` : 'Box2D 3 web',
   real: 'float', ownSubsteps: true, canSweep: true, canSleep: true, mixesFriction: true,

@@ -10,7 +10,7 @@ static b2WorldId world;
 static b2BodyId *bodies;
 static int bodyCount, substeps = 4;
 
-/* <a scene in Box2D 3> */
+/* a scene in Box2D 3 */
 static b2Vec2 vec(const double p[2]) { return (b2Vec2){ (float)p[0], (float)p[1] }; }
 
 static void add_shape(b2BodyId body, const peerShape *s)
@@ -33,7 +33,7 @@ static void add_shape(b2BodyId body, const peerShape *s)
         b2CreateCircleShape(body, &def, &circle);
     }
 }
-/* <a scene in Box2D 3> */
+
 static b2BodyId add_body(const peerScene *scene, const peerBody *b, bool bullet)
 {
     b2BodyDef def = b2DefaultBodyDef();
@@ -50,7 +50,7 @@ static b2BodyId add_body(const peerScene *scene, const peerBody *b, bool bullet)
     b2Body_SetAngularVelocity(body, (float)b->spin);
     return body;
 }
-/* <a scene in Box2D 3> */
+
 static void set_base(b2JointDef *base, const peerJoint *j)
 {
     base->bodyIdA = bodies[j->a];
@@ -75,7 +75,7 @@ static void add_joint(const peerJoint *j)
     if (j->kind == PEER_DISTANCE) b2CreateDistanceJoint(world, &rod);
     if (j->kind == PEER_WELD) b2CreateWeldJoint(world, &weld);
 }
-/* <a scene in Box2D 3> */
+
 static bool moves(const peerBody *b)
 {
     return b->velocity[0] != 0 || b->velocity[1] != 0 || b->spin != 0;
@@ -94,7 +94,8 @@ static void build(const peerScene *scene, const peerOptions *o)
         bodies[i] = add_body(scene, &scene->body[i], o->fast && moves(&scene->body[i]));
     for (int i = 0; i < scene->joints; i++) add_joint(&scene->joint[i]);
 }
-/* <run Box2D 3> */
+
+/* run Box2D 3 */
 static void step(double dt) { b2World_Step(world, (float)dt, substeps); }
 
 static void read_body(int i, double state[6])
@@ -109,7 +110,7 @@ static void read_body(int i, double state[6])
     state[4] = v.y;
     state[5] = b2Body_GetAngularVelocity(bodies[i]);
 }
-/* <run Box2D 3> */
+
 static void count(int *pairs, int *points)
 {
     *pairs = *points = 0;
@@ -128,7 +129,7 @@ static void count(int *pairs, int *points)
         free(list);
     }
 }
-/* <run Box2D 3> */
+
 int main(int argc, char **argv)
 {
     static char name[64];

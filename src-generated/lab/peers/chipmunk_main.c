@@ -11,7 +11,7 @@ static cpSpace *space;
 static cpBody **bodies;
 static int bodyCount;
 
-/* <a scene in Chipmunk> */
+/* a scene in Chipmunk */
 static cpVect units(const double p[2]) { return cpv(UNITS * p[0], UNITS * p[1]); }
 
 static void add_shape(cpBody *body, const peerShape *s)
@@ -29,7 +29,7 @@ static void add_shape(cpBody *body, const peerShape *s)
     cpShapeSetFilter(shape, cpShapeFilterNew(CP_NO_GROUP, s->category, s->mask));
     cpSpaceAddShape(space, shape);
 }
-/* <a scene in Chipmunk> */
+
 static cpBody *add_body(const peerScene *scene, const peerBody *b)
 {
     cpBody *body = b->type == PEER_STATIC ? cpBodyNewStatic()
@@ -44,7 +44,7 @@ static cpBody *add_body(const peerScene *scene, const peerBody *b)
     cpBodySetAngularVelocity(body, b->spin);
     return body;
 }
-/* <a scene in Chipmunk> */
+
 static void keep(cpConstraint *c, const peerJoint *j)
 {
     cpConstraintSetCollideBodies(c, j->collide);
@@ -65,7 +65,7 @@ static void add_joint(const peerJoint *j)
     if (j->kind == PEER_WELD)
         keep(cpGearJointNew(a, b, cpBodyGetAngle(b) - cpBodyGetAngle(a), 1), j);
 }
-/* <a scene in Chipmunk> */
+
 static void build(const peerScene *scene, const peerOptions *o)
 {
     space = cpSpaceNew();
@@ -77,7 +77,8 @@ static void build(const peerScene *scene, const peerOptions *o)
     for (int i = 0; i < bodyCount; i++) bodies[i] = add_body(scene, &scene->body[i]);
     for (int i = 0; i < scene->joints; i++) add_joint(&scene->joint[i]);
 }
-/* <run Chipmunk> */
+
+/* run Chipmunk */
 static void step(double dt) { cpSpaceStep(space, dt); }
 
 static void read_body(int i, double state[6])
@@ -92,7 +93,7 @@ static void read_body(int i, double state[6])
     state[4] = v.y / UNITS;
     state[5] = cpBodyGetAngularVelocity(b);
 }
-/* <run Chipmunk> */
+
 static void count_one(cpBody *body, cpArbiter *arbiter, void *sums)
 {
     CP_ARBITER_GET_BODIES(arbiter, a, b);
@@ -101,7 +102,7 @@ static void count_one(cpBody *body, cpArbiter *arbiter, void *sums)
     ((int *)sums)[0]++;
     ((int *)sums)[1] += cpArbiterGetCount(arbiter);
 }
-/* <run Chipmunk> */
+
 static void count(int *pairs, int *points)
 {
     int sums[2] = { 0, 0 };

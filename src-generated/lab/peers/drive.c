@@ -9,7 +9,7 @@
 #include <time.h>
 #include "peer.h"
 
-/* <the peers' clock> */
+/* the peers' clock */
 static double now(void)
 {
     struct timespec t;
@@ -31,13 +31,14 @@ static double kernel(double least)
     (void)sink;
     return least;
 }
-/* <the peers' clock> */
+
 static int by_size(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
-/* <the peers' options> */
+
+/* the peers' options */
 static double value_of(int argc, char **argv, int *i)
 {
     char *end;
@@ -48,7 +49,7 @@ static double value_of(int argc, char **argv, int *i)
     }
     return value;
 }
-/* <the peers' options> */
+
 static const char *read_options(int argc, char **argv, peerOptions *o)
 {
     const char *file = NULL;
@@ -72,7 +73,7 @@ static const char *read_options(int argc, char **argv, peerOptions *o)
     }
     return file;
 }
-/* <the peers' options> */
+
 /* what an engine cannot do, it refuses */
 static void compare_with(const peerEngine *e, const peerScene *s, const peerOptions *o)
 {
@@ -92,7 +93,8 @@ static void compare_with(const peerEngine *e, const peerScene *s, const peerOpti
         if (!(e->joints & 1 << s->joint[i].kind))
             peerRefuse("%s: joints[%d]: a %s joint", e->name, i, joints[s->joint[i].kind]);
 }
-/* <the peers' bad inputs> */
+
+/* the peers' bad inputs */
 static void spoil_corners(peerShape *s, const char *how)
 {
     if (strcmp(how, "two") == 0) s->corners = 2;
@@ -107,7 +109,7 @@ static void spoil_corners(peerShape *s, const char *how)
             *b = c;
         }
 }
-/* <the peers' bad inputs> */
+
 static void spoil(peerScene *s, peerOptions *o)
 {
     peerBody *b = &s->body[s->bodies > 0 ? s->bodies - 1 : 0];
@@ -132,7 +134,8 @@ static void spoil(peerScene *s, peerOptions *o)
     p->doubtful = 1;
     spoil_corners(p, value);
 }
-/* <the peers' rows> */
+
+/* the peers' rows */
 static void print_head(const peerEngine *e, const peerScene *s, const peerOptions *o)
 {
     printf("# %s, %s; dt=%.9g substeps=%d iterations=%d (0: its default)\n", e->name,
@@ -142,7 +145,7 @@ static void print_head(const peerEngine *e, const peerScene *s, const peerOption
         printf(",x%d,y%d,a%d,vx%d,vy%d,w%d", i, i, i, i, i, i);
     printf("\n");
 }
-/* <the peers' rows> */
+
 static void print_row(const peerEngine *e, const peerScene *s, const peerOptions *o,
                       int step)
 {
@@ -164,7 +167,8 @@ static void print_row(const peerEngine *e, const peerScene *s, const peerOptions
     }
     printf("\n");
 }
-/* <play a scene> */
+
+/* play a scene */
 static void play(const peerEngine *e, const peerScene *s, const peerOptions *o)
 {
     double *times = calloc((size_t)o->steps + 1, sizeof *times), sum = 0, best;
@@ -189,7 +193,7 @@ static void play(const peerEngine *e, const peerScene *s, const peerOptions *o)
                times[o->steps / 2], sum / o->steps, times[0], times[o->steps - 1], best);
     free(times);
 }
-/* <play a scene> */
+
 int peerMain(const peerEngine *engine, int argc, char **argv)
 {
     peerScene scene;

@@ -3,7 +3,7 @@
 // The loop of the adapters in JavaScript. Chapter 02; the same options and rows as drive.c.
 import { readScene, refuse, fail } from './scene.mjs';
 
-/* <options in JavaScript> */
+/* options in JavaScript */
 function readOptions(argv) {
   const o = { steps: 0, every: 1, substeps: 0, iterations: 0, dt: 0 };
   for (let i = 0; i < argv.length; i++) {
@@ -20,7 +20,7 @@ function readOptions(argv) {
   if (!o.file) fail('use: NAME SCENE.json --steps N [options: chapter 02]');
   return o;
 }
-/* <options in JavaScript> */
+
 function compareWith(e, s, o) {
   const no = what => refuse(`${e.name}: ${what}`);
   if (o.iterations > 0 && !e.canIterate) no('--iterations: it has no such number');
@@ -32,7 +32,7 @@ function compareWith(e, s, o) {
     no('shapes of different restitution, so mixed');
   s.joints.forEach((j, i) => e.joints.includes(j.kind) || no(`joints[${i}]: ${j.kind}`));
 }
-/* <options in JavaScript> */
+
 function spoil(s, o) {
   const [key, word] = o.spoil.split('='), b = s.bodies.at(-1), p = b.shapes.at(-1);
   const odd = { nan: NaN, inf: Infinity };
@@ -58,7 +58,7 @@ function orRefuse(o, call) {
     throw error;
   }
 }
-/* <rows in JavaScript> */
+
 function kernel(least) {
   for (let k = 0; k < 10; k++) {
     const start = performance.now();
@@ -69,7 +69,7 @@ function kernel(least) {
   }
   return least;
 }
-/* <rows in JavaScript> */
+
 function row(e, s, o, step) {
   const states = s.bodies.map((b, i) => e.read(i));
   const heights = states.filter((_, i) => s.bodies[i].type === 'dynamic').map(v => v[1]);
@@ -80,7 +80,8 @@ function row(e, s, o, step) {
   if (!o.noBodies) states.forEach(v => cells.push(...v));
   return cells.join(',').replace(/NaN/g, 'nan').replace(/Infinity/g, 'inf');
 }
-/* <play a scene in JavaScript> */
+
+/* play a scene in JavaScript */
 export function main(e) {
   if (process.argv[2] === '--version') return console.log(`${e.name}, ${e.real}`);
   const o = readOptions(process.argv.slice(2)), s = readScene(o.file), times = [];
@@ -98,7 +99,7 @@ export function main(e) {
     `,x${i},y${i},a${i},vx${i},vy${i},w${i}`).join('')));
   out.push(row(e, s, o, 0));
   for (let i = 1; i <= o.steps; i++) {
-    /* <make a step and time it> */
+    /* make a step and time it */
     const start = performance.now();
     for (let k = 0; k < parts; k++) orRefuse(o, () => e.step(o.dt / parts));
     times.push(performance.now() - start);
@@ -106,7 +107,7 @@ export function main(e) {
     if (i % o.every === 0 || i === o.steps) out.push(row(e, s, o, i));
   }
   best = kernel(best);
-  /* <tell the times of all steps> */
+  /* tell the times of all steps */
   const sorted = times.slice().sort((a, b) => a - b), n = times.length;
   const mean = times.reduce((a, b) => a + b, 0) / n;
   if (n) out.push(`# clock: median=${sorted[n >> 1]} mean=${mean} least=${sorted[0]} ` +

@@ -10,7 +10,7 @@ const { Engine, Bodies, Body, Composite, Constraint, Detector } = Matter;
 const UNITS = 100, BASE = 1 / 60;       // pixels a metre; s, of its velocities
 let engine, bodies;
 
-/* <a scene in Matter> */
+/* a scene in Matter */
 const place = p => ({ x: UNITS * p[0], y: -UNITS * p[1] });
 
 function addBody(b, i) {
@@ -24,7 +24,7 @@ function addBody(b, i) {
   const c = Math.cos(b.angle), n = Math.sin(b.angle), m = middle(s);
   const at = place([b.position[0] + c * m[0] - n * m[1],
     b.position[1] + n * m[0] + c * m[1]]);
-  /* <make a circle or a polygon for Matter> */
+  /* make a circle or a polygon for Matter */
   const body = s.corners.length === 0 ? Bodies.circle(at.x, at.y, UNITS * s.radius, options)
     : s.doubtful
       ? Bodies.fromVertices(at.x, at.y, [s.corners.map(place).reverse()], options)
@@ -38,7 +38,7 @@ function addBody(b, i) {
   body.weftCentre = m;
   return body;
 }
-/* <a scene in Matter> */
+
 function middle(s) {
   if (s.corners.length === 0) return s.centre;
   let area = 0, x = 0, y = 0;
@@ -50,7 +50,7 @@ function middle(s) {
   });
   return area === 0 ? [0, 0] : [x / area, y / area];
 }
-/* <a scene in Matter> */
+
 const anchor = (body, p) => {
   const c = Math.cos(body.angle), s = Math.sin(body.angle);
   const at = place([p[0] - body.weftCentre[0], p[1] - body.weftCentre[1]]);
@@ -63,7 +63,7 @@ function addJoint(j) {
     pointB: anchor(bodyB, j.anchorB), stiffness: 1,
     length: j.kind === 'distance' ? UNITS * j.rest : 0 });
 }
-/* <a scene in Matter> */
+
 function build(scene, o) {
   engine = Engine.create({ enableSleeping: !!o.sleep });
   engine.gravity = { x: scene.gravity[0], y: -scene.gravity[1], scale: UNITS * 1e-6 };
@@ -76,7 +76,8 @@ function build(scene, o) {
   if (apart.size) Detector.canCollide = (a, b) =>
     !apart.has(`${a.body} ${b.body}`) && usual(a, b);
 }
-/* <run Matter> */
+
+/* run Matter */
 function read(i) {
   const b = bodies[i], v = b.isStatic ? { x: 0, y: 0 } : Body.getVelocity(b);
   return [b.position.x / UNITS, -b.position.y / UNITS, -b.angle, v.x / UNITS / BASE,

@@ -6,7 +6,8 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-/* <what a peer is told> */
+
+/* what a peer is told */
 enum { PEER_STATIC, PEER_KINEMATIC, PEER_DYNAMIC };
 enum { PEER_REVOLUTE, PEER_DISTANCE, PEER_WELD };
 typedef struct peerShape {
@@ -28,7 +29,7 @@ typedef struct peerJoint {
     double anchorA[2], anchorB[2];  /* in the bodies' frames */
     double rest;                    /* of a distance */
 } peerJoint;
-/* <what a peer is told> */
+
 typedef struct peerScene {
     peerBody  *body;
     peerShape *shape;
@@ -48,12 +49,12 @@ typedef struct peerOptions {
     double badStep;                             /* s, for one step more, if badSteps is 1 */
     int    badSteps;
 } peerOptions;
-/* <what a peer is told> */
 /* Says why not on stderr, and ends the program with status 3. */
 void peerRefuse(const char *what, ...);
 /* Reads a scene; ends the program if it cannot be read (1) or is refused (3). */
 void peerRead(const char *file, peerScene *out);
-/* <what a peer tells> */
+
+/* what a peer tells */
 enum { PEER_CAN_ITERATE = 1, PEER_OWN_SUBSTEPS = 2, PEER_CAN_SWEEP = 4, PEER_CAN_SLEEP = 8,
        PEER_MIXES_FRICTION = 16, PEER_MIXES_RESTITUTION = 32, PEER_HAS_SETTINGS = 64 };
 typedef struct peerEngine {

@@ -8,7 +8,7 @@ import { main } from './drive.mjs';
 let world, bodies, velocityPasses = 8, positionPasses = 3;
 const vec = p => new planck.Vec2(p[0], p[1]);
 
-/* <a scene in planck> */
+/* a scene in planck */
 function addBody(b, bullet) {
   const body = world.createBody({ type: b.type, position: vec(b.position), angle: b.angle,
     fixedRotation: b.fixedRotation, bullet: bullet && b.type === 'dynamic' });
@@ -21,7 +21,7 @@ function addBody(b, bullet) {
   body.setAngularVelocity(b.spin);
   return body;
 }
-/* <a scene in planck> */
+
 function addJoint(j) {
   const a = bodies[j.a], b = bodies[j.b];
   const def = { bodyA: a, bodyB: b, localAnchorA: vec(j.anchorA),
@@ -41,7 +41,8 @@ function build(scene, o) {
   bodies = scene.bodies.map(b => addBody(b, !!o.fast));
   scene.joints.forEach(addJoint);
 }
-/* <run planck> */
+
+/* run planck */
 function read(i) {
   const b = bodies[i], at = b.getWorldCenter(), v = b.getLinearVelocity();
   return [at.x, at.y, b.getAngle(), v.x, v.y, b.getAngularVelocity()];

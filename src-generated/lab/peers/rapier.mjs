@@ -14,7 +14,7 @@ await RAPIER.init();
 console.warn = log;
 let world, bodies, dynamic;
 
-/* <a scene in Rapier> */
+/* a scene in Rapier */
 const vec = p => ({ x: p[0], y: p[1] });
 
 function addShape(s, body) {
@@ -30,7 +30,7 @@ function addShape(s, body) {
   desc.setRestitutionCombineRule(RAPIER.CoefficientCombineRule.Max);
   world.createCollider(desc, body);
 }
-/* <a scene in Rapier> */
+
 function addBody(b, o) {
   const kinds = { static: 'fixed', kinematic: 'kinematicVelocityBased',
     dynamic: 'dynamic' };
@@ -45,7 +45,7 @@ function addBody(b, o) {
   body.setAngvel(b.spin, true);
   return body;
 }
-/* <a scene in Rapier> */
+
 function addJoint(j) {
   const a = bodies[j.a], b = bodies[j.b], p = vec(j.anchorA), q = vec(j.anchorB);
   const turned = b.rotation() - a.rotation();
@@ -53,7 +53,8 @@ function addJoint(j) {
     : RAPIER.JointData.fixed(p, turned, q, 0);
   world.createImpulseJoint(data, a, b, true).setContactsEnabled(j.collide);
 }
-/* <run Rapier> */
+
+/* run Rapier */
 function build(scene, o) {
   world = new RAPIER.World(vec(scene.gravity));
   if (o.iterations) world.numSolverIterations = o.iterations;
@@ -71,7 +72,7 @@ function read(i) {
   const b = bodies[i], at = b.worldCom(), v = b.linvel();
   return [at.x, at.y, b.rotation(), v.x, v.y, b.angvel()];
 }
-/* <run Rapier> */
+
 function count() {
   const seen = new Set();
   let points = 0;

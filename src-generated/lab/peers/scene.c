@@ -9,7 +9,7 @@
 #include <string.h>
 #include "peer.h"
 
-/* <refuse by name> */
+/* refuse by name */
 void peerRefuse(const char *what, ...)
 {
     va_list list;
@@ -26,7 +26,8 @@ static void fail(const char *where, const char *what)
     fprintf(stderr, "error: %s: %s\n", where, what);
     exit(1);
 }
-/* <the keys of a scene> */
+
+/* the keys of a scene */
 typedef struct Keys {
     const char *read, *passed, *zero, *one;     /* between blanks */
 } Keys;
@@ -48,7 +49,8 @@ static const Keys jointKeys = {
     " angle axis ratio lower upper stiffness damping springForce motorSpeed motorForce "
     "groundA groundB turnA turnB impulse given exact ",
     " spring motor limits broken breakForce breakTorque ", " " };
-/* <look at keys> */
+
+/* look at keys */
 static int listed(const char *list, const char *key)
 {
     char word[64];
@@ -65,7 +67,7 @@ static int neutral(const cJSON *item, double value)
         if (!neutral(child, value)) return 0;
     return cJSON_IsArray(item) || cJSON_IsObject(item);
 }
-/* <look at keys> */
+
 static void look_at_keys(const cJSON *object, const Keys *keys, const char *where)
 {
     const cJSON *item;
@@ -78,7 +80,7 @@ static void look_at_keys(const cJSON *object, const Keys *keys, const char *wher
         peerRefuse("%s%s%s", where, *where != '\0' ? "." : "", key);
     }
 }
-/* <look at keys> */
+
 static double number(const cJSON *object, const char *key, double usual)
 {
     const cJSON *item = cJSON_GetObjectItem(object, key);
@@ -96,7 +98,7 @@ static void pair(const cJSON *item, const char *key, double out[2])
         out[i] = x->valuedouble;
     }
 }
-/* <look at keys> */
+
 static int point(const cJSON *object, const char *key, double out[2])
 {
     const cJSON *item = cJSON_GetObjectItem(object, key);
@@ -110,7 +112,7 @@ static const char *word(const cJSON *object, const char *key, const char *usual)
     const char *text = cJSON_GetStringValue(cJSON_GetObjectItem(object, key));
     return text != NULL ? text : usual;
 }
-/* <look at keys> */
+
 /* 16 bits; a greater number is written in hexadecimal, in quotes */
 static unsigned bits(const cJSON *object, const char *key, unsigned usual)
 {
@@ -121,14 +123,15 @@ static unsigned bits(const cJSON *object, const char *key, unsigned usual)
     if (all > 0xffff && strcmp(key, "category") == 0) peerRefuse("category above 16 bits");
     return (unsigned)(all & 0xffff);
 }
-/* <read shapes of a scene> */
+
+/* read shapes of a scene */
 static void turn(double x, double y, double angle, const double by[2], double out[2])
 {
     double c = cos(angle), s = sin(angle);
     out[0] = by[0] + c * x - s * y;
     out[1] = by[1] + s * x + c * y;
 }
-/* <read shapes of a scene> */
+
 static void read_corners(const cJSON *item, const char *where, peerShape *s)
 {
     static const double sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
@@ -145,7 +148,7 @@ static void read_corners(const cJSON *item, const char *where, peerShape *s)
             pair(cJSON_GetArrayItem(list, i), where, s->corner[i]);
     if (s->radius != 0) peerRefuse("%s.radius: a rounded polygon", where);
 }
-/* <read shapes of a scene> */
+
 static void read_shape(const cJSON *item, const char *where, peerShape *s)
 {
     const char *kind = word(item, "kind", "");
@@ -163,7 +166,7 @@ static void read_shape(const cJSON *item, const char *where, peerShape *s)
     else if (strcmp(kind, "circle") != 0)
         peerRefuse("%s: a %s", where, kind);
 }
-/* <read bodies of a scene> */
+
 /* twice the mass and twice the first moments, added: eq:similar-centre */
 static void weigh(const peerShape *s, double sum[3])
 {
@@ -180,7 +183,7 @@ static void weigh(const peerShape *s, double sum[3])
         sum[2] += s->density * area * (o[1] + p[1] + q[1]) / 3;
     }
 }
-/* <read bodies of a scene> */
+
 static void read_body(const cJSON *item, const char *where, peerScene *out, peerBody *b)
 {
     const cJSON *list = cJSON_GetObjectItem(item, "shapes"), *shape;
@@ -204,7 +207,8 @@ static void read_body(const cJSON *item, const char *where, peerScene *out, peer
     for (int i = 0; i < 2 && b->type == PEER_DYNAMIC; i++)
         b->centre[i] = sum[i + 1] / sum[0];
 }
-/* <read joints of a scene> */
+
+/* read joints of a scene */
 static int which(const cJSON *root, const cJSON *joint, const char *key)
 {
     const cJSON *item = cJSON_GetObjectItem(joint, key), *body;
@@ -217,7 +221,7 @@ static int which(const cJSON *root, const cJSON *joint, const char *key)
     fail("joints", "no such body");
     return 0;
 }
-/* <read joints of a scene> */
+
 static void read_anchor(const cJSON *item, const char *global, const char *local,
                         const double origin[2], const peerBody *b, double out[2])
 {
@@ -234,7 +238,7 @@ static void read_anchor(const cJSON *item, const char *global, const char *local
         out[1] = b->centre[1];
     }
 }
-/* <read joints of a scene> */
+
 static void read_joint(const cJSON *root, const cJSON *item, const char *where,
                        peerScene *out, peerJoint *j)
 {
@@ -255,7 +259,8 @@ static void read_joint(const cJSON *root, const cJSON *item, const char *where,
     turn(j->anchorB[0], j->anchorB[1], b->angle, b->position, to);
     j->rest = number(item, "rest", hypot(to[0] - from[0], to[1] - from[1]));
 }
-/* <read a scene for a peer> */
+
+/* read a scene for a peer */
 static char *whole_file(const char *file)
 {
     FILE *f = fopen(file, "rb");
@@ -270,7 +275,7 @@ static char *whole_file(const char *file)
     fclose(f);
     return text;
 }
-/* <read a scene for a peer> */
+
 static void read_settings(const cJSON *root, peerScene *out)
 {
     const cJSON *s = cJSON_GetObjectItem(root, "settings");
@@ -285,7 +290,7 @@ static void read_settings(const cJSON *root, peerScene *out)
         if (out->shape[i].restitution != out->shape[0].restitution) out->oneRestitution = 0;
     }
 }
-/* <read a scene for a peer> */
+
 static size_t count_shapes(const cJSON *bodies)
 {
     size_t count = 0;
@@ -294,7 +299,7 @@ static size_t count_shapes(const cJSON *bodies)
         count += (size_t)cJSON_GetArraySize(cJSON_GetObjectItem(body, "shapes"));
     return count;
 }
-/* <read a scene for a peer> */
+
 void peerRead(const char *file, peerScene *out)
 {
     char *text = whole_file(file), where[64];
@@ -306,7 +311,7 @@ void peerRead(const char *file, peerScene *out)
     int i = 0;
     *out = (peerScene){ .bodies = cJSON_GetArraySize(bodies), .file = file };
     point(root, "origin", out->origin);
-    /* <take room for bodies, shapes and joints> */
+    /* take room for bodies, shapes and joints */
     out->body = calloc((size_t)out->bodies + 1, sizeof *out->body);
     out->shape = calloc(count_shapes(bodies) + 1, sizeof *out->shape);
     out->joint = calloc((size_t)cJSON_GetArraySize(joints) + 1, sizeof *out->joint);

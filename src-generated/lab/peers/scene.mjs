@@ -3,7 +3,7 @@
 // Reads a scene for the adapters in JavaScript. Chapter 02; the same rules as scene.c.
 import fs from 'node:fs';
 
-/* <refuse in JavaScript> */
+/* refuse in JavaScript */
 export function refuse(what) {
   process.stderr.write(`refused: ${what}\n`);
   process.exit(3);
@@ -12,7 +12,7 @@ export function fail(what) {
   process.stderr.write(`error: ${what}\n`);
   process.exit(1);
 }
-/* <refuse in JavaScript> */
+
 const words = text => new Set(text.split(' '));
 const KEYS = {
   scene: ['weft settings bodies joints origin',
@@ -30,7 +30,7 @@ const KEYS = {
     'spring motor limits broken breakForce breakTorque', ''],
 };
 for (const k in KEYS) KEYS[k] = KEYS[k].map(words);
-/* <refuse in JavaScript> */
+
 const neutral = (item, value) => typeof item === 'object' && item !== null
   ? Object.values(item).every(i => neutral(i, value)) : Number(item) === value;
 
@@ -41,7 +41,8 @@ function lookAtKeys(object, kind, where) {
           one.has(key) && neutral(object[key], 1)))
       refuse(`${where}${where ? '.' : ''}${key}`);
 }
-/* <read shapes in JavaScript> */
+
+/* read shapes in JavaScript */
 const turn = (x, y, angle, by) => {
   const c = Math.cos(angle), s = Math.sin(angle);
   return [by[0] + c * x - s * y, by[1] + s * x + c * y];
@@ -53,7 +54,7 @@ function bits(item, usual, limit) {
   if (limit && all > 0xffffn) refuse('category above 16 bits');
   return Number(all & 0xffffn);
 }
-/* <read shapes in JavaScript> */
+
 function readShape(item, where) {
   lookAtKeys(item, 'shape', where);
   const s = { corners: [], centre: item.centre ?? [0, 0], radius: item.radius ?? 0,
@@ -69,7 +70,7 @@ function readShape(item, where) {
   if (s.corners.length && s.radius !== 0) refuse(`${where}.radius: a rounded polygon`);
   return s;
 }
-/* <read shapes in JavaScript> */
+
 function weigh(s, sum) {
   const add = (m, x, y) => { sum[0] += m; sum[1] += m * x; sum[2] += m * y; };
   const o = s.corners[0];
@@ -80,7 +81,8 @@ function weigh(s, sum) {
     add(s.density * area, (o[0] + p[0] + q[0]) / 3, (o[1] + p[1] + q[1]) / 3);
   }
 }
-/* <read joints in JavaScript> */
+
+/* read joints in JavaScript */
 function readBody(item, where, origin) {
   lookAtKeys(item, 'body', where);
   const sum = [0, 0, 0];
@@ -97,7 +99,7 @@ function readBody(item, where, origin) {
   }
   return b;
 }
-/* <read joints in JavaScript> */
+
 function readAnchor(item, global, local, origin, b) {
   if (item[local]) return [b.centre[0] + item[local][0], b.centre[1] + item[local][1]];
   const p = item[global] ?? item.anchor;
@@ -105,7 +107,7 @@ function readAnchor(item, global, local, origin, b) {
   return turn(p[0] + origin[0] - b.position[0], p[1] + origin[1] - b.position[1], -b.angle,
     [0, 0]);
 }
-/* <read joints in JavaScript> */
+
 function readJoint(item, where, bodies, origin) {
   lookAtKeys(item, 'joint', where);
   if (!['revolute', 'distance', 'weld'].includes(item.kind))
@@ -120,7 +122,8 @@ function readJoint(item, where, bodies, origin) {
   return { kind: item.kind, a, b, anchorA, anchorB, collide: !!item.collide,
     rest: item.rest ?? Math.hypot(to[0] - from[0], to[1] - from[1]) };
 }
-/* <read a scene in JavaScript> */
+
+/* read a scene in JavaScript */
 export function readScene(file) {
   let root;
   try { root = JSON.parse(fs.readFileSync(file, 'utf8')); }

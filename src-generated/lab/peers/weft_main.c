@@ -12,7 +12,7 @@ static wfWorld world;
 static const peerScene *played;
 static double stepNow;                  /* s: in the settings already */
 
-/* <write options into a scene's settings> */
+/* write options into a scene's settings */
 static void put_number(cJSON *settings, const char *key, double value)
 {
     cJSON_DeleteItemFromObject(settings, key);
@@ -33,7 +33,7 @@ static void put_word(cJSON *settings, const char *option)
         cJSON_AddNumberToObject(settings, key, value);
     else cJSON_AddStringToObject(settings, key, equals + 1);
 }
-/* <write options into a scene's settings> */
+
 static char *text_with_options(const peerScene *scene, const peerOptions *o)
 {
     static char text[1 << 24];
@@ -48,7 +48,7 @@ static char *text_with_options(const peerScene *scene, const peerOptions *o)
     if (o->iterations > 0) put_number(settings, "iterations", o->iterations);
     if (o->sleep) put_word(settings, "sleep=true");
     for (int i = 0; i < o->sets; i++) put_word(settings, o->set[i]);
-    /* <make room for all bodies of a scene> */
+    /* make room for all bodies of a scene */
     if (scene->bodies > 256 && cJSON_GetObjectItem(settings, "bodyCapacity") == NULL)
         put_number(settings, "bodyCapacity", scene->bodies);
     if (scene->shapes > 256 && cJSON_GetObjectItem(settings, "shapeCapacity") == NULL)
@@ -65,7 +65,8 @@ static char *text_with_options(const peerScene *scene, const peerOptions *o)
     cJSON_Delete(root);
     return out;
 }
-/* <hand over a bad input> */
+
+/* hand over a bad input */
 static void must(wfResult result)
 {
     if (result != WF_OK) peerRefuse("weft: %s", wfResultText(result));
@@ -73,7 +74,7 @@ static void must(wfResult result)
 
 static wfVec2 vec(const double p[2]) { return wfV2((wfReal)p[0], (wfReal)p[1]); }
 
-/* <hand over a bad input> */
+
 static void add_spoilt(const peerScene *scene)
 {
     const peerBody *b = &scene->body[scene->bodies - 1];
@@ -94,7 +95,8 @@ static void add_spoilt(const peerScene *scene)
     must(wfAddBodyToWorld(&world, &def, &id));
     must(wfSetGravity(&world, vec(scene->gravity)));
 }
-/* <play a scene here> */
+
+/* play a scene here */
 static void build(const peerScene *scene, const peerOptions *o)
 {
     wfTextError error = { .result = WF_OK };
@@ -115,7 +117,7 @@ static void step(double dt)
     fprintf(stderr, "weft: %s\n", wfResultText(result));
     exit(4);
 }
-/* <play a scene here> */
+
 static void read_body(int i, double state[6])
 {
     wfBodyInfo info;
@@ -127,7 +129,7 @@ static void read_body(int i, double state[6])
     state[4] = (double)info.velocity.y;
     state[5] = (double)info.angularVelocity;
 }
-/* <play a scene here> */
+
 static void count(int *pairs, int *points)
 {
     int32_t n = 0;
@@ -138,7 +140,7 @@ static void count(int *pairs, int *points)
         *points += list[i].manifold.count;
     }
 }
-/* <play a scene here> */
+
 int main(int argc, char **argv)
 {
     const peerEngine engine = { "weft", sizeof(wfReal) == 4 ? "float" : "double",
