@@ -3,7 +3,7 @@
 #include <string.h>
 #include "weft/broad.h"
 
-/* <check the proxies> */
+/* check the proxies */
 static wfResult checkProxies(const wfProxies *in)
 {
     if (in->count < 0) return WF_ERROR_RANGE;
@@ -16,13 +16,14 @@ static wfResult checkProxies(const wfProxies *in)
     }
     return WF_OK;
 }
-/* <broad phases> */
+
+/* broad phases */
 static wfResult bruteForcePairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
     (void)scratch;
     out->count = 0;
     out->tests = 0;
-    /* <test each of the P(n) pairs of eq:broad-count> */
+    /* test each of the P(n) pairs of eq:broad-count */
     for (int32_t a = 0; a < in->count; a++)
         for (int32_t b = a + 1; b < in->count; b++) {
             if (!wfPairWanted(in, a, b)) continue;
@@ -35,14 +36,15 @@ static wfResult bruteForcePairs(const wfProxies *in, wfPool *scratch, wfPairList
         }
     return WF_OK;
 }
-/* <broad phases> */
+
 static size_t bruteForceScratch(int32_t proxies, int32_t pairs)
 {
     (void)proxies;
     (void)pairs;
     return 0;
 }
-/* <find pairs by an index for the moment> */
+
+/* find pairs by an index for the moment */
 static wfResult findByIndex(const wfBroadPhaseRow *row, const wfProxies *in,
                             wfPool *scratch, wfPairList *out)
 {
@@ -55,7 +57,8 @@ static wfResult findByIndex(const wfBroadPhaseRow *row, const wfProxies *in,
     wfPoolRewind(scratch, mark);
     return result;
 }
-/* <the broad phase table> */
+
+/* the broad phase table */
 wfResult wfFindPairs(int method, const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
     if (!in || !scratch || !out || (out->capacity > 0 && !out->pairs)) return WF_ERROR_NULL;
@@ -68,34 +71,27 @@ wfResult wfFindPairs(int method, const wfProxies *in, wfPool *scratch, wfPairLis
     const wfBroadPhaseRow *row = &wfBroadPhaseTable[method];
     return row->find ? row->find(in, scratch, out) : findByIndex(row, in, scratch, out);
 }
-/* <the broad phase table> */
+
 const wfBroadPhaseRow wfBroadPhaseTable[] = {
-    /* <rows of the broad phase table> */
     { .name = "brute-force", .text = "tests every pair of boxes",
       .find = bruteForcePairs, .scratch = bruteForceScratch },
-    /* <rows of the broad phase table> */
     { .name = "quad-tree", .text = "cuts the world into quarters", .scratch = wfQuadScratch,
       .indexSize = wfQuadIndexSize, .update = wfQuadUpdate, .pairs = wfQuadPairs,
       .query = wfQuadQuery, .cast = wfQuadCast, .boxes = wfQuadBoxes },
-    /* <rows of the broad phase table> */
     { .name = "grid", .text = "compares who shares a cell of a grid", .scratch = wfGridScratch,
       .indexSize = wfGridIndexSize, .update = wfGridUpdate, .pairs = wfGridPairs,
       .query = wfGridQuery, .cast = wfGridCast, .boxes = wfGridBoxes },
-    /* <rows of the broad phase table> */
     { .name = "spatial-hash", .text = "a grid without borders", .scratch = wfHashScratch,
       .indexSize = wfHashIndexSize, .update = wfHashUpdate, .pairs = wfHashPairs,
       .query = wfHashQuery, .cast = wfHashCast, .boxes = wfHashBoxes },
-    /* <rows of the broad phase table> */
     { .name = "sweep-and-prune", .text = "sorts along an axis and sweeps",
       .scratch = wfSweepScratch, .indexSize = wfSweepIndexSize, .update = wfSweepUpdate,
       .pairs = wfSweepPairs, .query = wfSweepQuery, .cast = wfSweepCast,
       .boxes = wfSweepBoxes },
-    /* <rows of the broad phase table> */
     { .name = "aabb-tree", .text = "groups boxes in common boxes",
       .scratch = wfBoxTreeScratch, .indexSize = wfBoxTreeIndexSize,
       .update = wfBoxTreeUpdate, .pairs = wfBoxTreePairs, .query = wfBoxTreeQuery,
       .cast = wfBoxTreeCast, .boxes = wfBoxTreeBoxes },
-    /* <rows of the broad phase table> */
     { .name = "dynamic-tree", .text = "keeps a tree of fat boxes", .scratch = wfTreeScratch,
       .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .pairs = wfTreePairs,
       .query = wfTreeQuery, .cast = wfTreeCast, .boxes = wfTreeBoxes },
@@ -108,7 +104,8 @@ int wfFindBroadPhase(const char *name)
         if (strcmp(wfBroadPhaseTable[i].name, name) == 0) return i;
     return -1;
 }
-/* <ask the index> */
+
+/* ask the index */
 typedef struct IndexStamp { int32_t method, count; } IndexStamp;   /* method + 1; 0: none */
 
 static const wfBroadPhaseRow *rowOf(int method)
@@ -124,14 +121,14 @@ static const void *insideIndex(int method, const wfProxies *in, const void *inde
     if (stamp->method != method + 1 || stamp->count != in->count) return NULL;
     return (const uint8_t *)index + WF_POOL_ALIGN;
 }
-/* <ask the index> */
+
 size_t wfIndexSize(int method, int32_t proxies)
 {
     const wfBroadPhaseRow *row = rowOf(method);
     if (!row || !row->update || proxies < 0) return 0;
     return WF_POOL_ALIGN + row->indexSize(proxies);
 }
-/* <ask the index> */
+
 static wfResult checkUpdate(int method, const wfProxies *in, const void *index,
                             size_t bytes)
 {
@@ -141,7 +138,7 @@ static wfResult checkUpdate(int method, const wfProxies *in, const void *index,
     if (bytes < wfIndexSize(method, in->count)) return WF_ERROR_MEMORY;
     return (uintptr_t)index % WF_POOL_ALIGN != 0 ? WF_ERROR_MEMORY : WF_OK;
 }
-/* <ask the index> */
+
 wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t bytes,
                        wfPool *scratch)
 {
@@ -158,7 +155,7 @@ wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t byte
     else memcpy(inside, before, sizeof before);
     return result;
 }
-/* <ask the index> */
+
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,
                       wfPairList *out)
 {
@@ -171,7 +168,7 @@ wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool
     out->tests = 0;
     return wfBroadPhaseTable[method].pairs(in, inside, scratch, out);
 }
-/* <ask the index> */
+
 static wfResult checkRect(wfRect r)
 {
     if (!wfIsFinite2(r.min) || !wfIsFinite2(r.max)) return WF_ERROR_NOT_FINITE;
@@ -195,7 +192,7 @@ wfResult wfQueryIndex(int method, const wfProxies *in, const void *index, wfRect
             && !visit(context, i)) break;
     return WF_OK;
 }
-/* <ask the index> */
+
 static wfResult checkCast(const wfBoxCast *c)
 {
     if (!wfIsFinite2(c->from) || !wfIsFinite2(c->by) || !wfIsFinite2(c->half)
@@ -218,7 +215,7 @@ wfResult wfCastIndex(int method, const wfProxies *in, const void *index,
             && !wfOfferCast(in, &c, i, visit, context)) break;
     return WF_OK;
 }
-/* <ask the index> */
+
 wfResult wfIndexBoxes(int method, const wfProxies *in, const void *index,
                       wfBoxVisitFn *visit, void *context)
 {

@@ -2,12 +2,12 @@
  * the chapter and type make. MIT licence. */
 #include "collision/clip.h"
 
-/* <name a feature by eq:contacts-feature> */
+/* name a feature by eq:contacts-feature */
 uint32_t wfFeature(int owner, int vertex, int edge)
 {
     return ((uint32_t)owner << 16) | ((uint32_t)vertex << 8) | (uint32_t)edge;
 }
-/* <choose the edge that faces a direction, as in eq:contacts-incident> */
+
 /* directions whose cosines differ by no more than rounding can are equally good */
 #define ALIGNED_TIE (16 * WF_EPSILON)
 
@@ -25,7 +25,8 @@ static int32_t nextVertex(const wfShape *s, int32_t i)
 {
     return i + 1 < s->count ? i + 1 : 0;
 }
-/* <choose the reference edge> */
+
+/* choose the reference edge */
 int wfBestAligned(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                   wfVec2 normal, int32_t *edge)
 {
@@ -35,7 +36,7 @@ int wfBestAligned(const wfShape *a, wfTransform xa, const wfShape *b, wfTransfor
     *edge = isB ? eb : ea;
     return isB;
 }
-/* <choose the reference edge> */
+
 void wfFaceShapes(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                   int owner, wfFacing *f)
 {
@@ -59,13 +60,14 @@ void wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform
     wfFaceShapes(a, xa, b, xb, owner, f);
     wfFaceEdge(edge, f);
 }
-/* <choose the reference edge> */
+
 wfVec2 wfFacingNormal(const wfFacing *f)
 {
     wfVec2 n = wfRotate(f->xr.q, f->ref->normals[f->r]);
     return f->refIsB ? wfNeg(n) : n;
 }
-/* <take the incident edge into the frame of eq:contacts-frame> */
+
+/* take the incident edge into the frame of eq:contacts-frame */
 wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends)
 {
     int32_t r2 = nextVertex(f->ref, f->r), i2 = nextVertex(f->inc, f->i);
@@ -77,7 +79,7 @@ wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends)
     ends[1].feature = wfFeature(!f->refIsB, i2, f->r);
     return wfDot(t, wfSub(f->ref->vertices[r2], origin));
 }
-/* <move an end to the crossing by eq:contacts-clip> */
+
 /* cuts the end off at x = limit, if it lies above it (side 1) or below it (side -1);
    false: nothing would be left */
 static bool clipEnd(wfClipPoint *end, const wfClipPoint *other, wfReal limit, wfReal side,
@@ -90,11 +92,12 @@ static bool clipEnd(wfClipPoint *end, const wfClipPoint *other, wfReal limit, wf
     end->feature = feature;
     return true;
 }
-/* <clip the incident edge> */
+
+/* clip the incident edge */
 bool wfClipIncident(const wfFacing *f, wfClipPoint *ends)
 {
     wfReal length = wfIncidentEnds(f, ends);
-    /* <name the corners of the reference edge by eq:contacts-feature> */
+    /* name the corners of the reference edge by eq:contacts-feature */
     uint32_t low = wfFeature(f->refIsB, f->r, f->i);
     uint32_t high = wfFeature(f->refIsB, nextVertex(f->ref, f->r), f->i);
     for (int k = 0; k < 2; k++) {
@@ -103,7 +106,7 @@ bool wfClipIncident(const wfFacing *f, wfClipPoint *ends)
     }
     return true;
 }
-/* <go halfway by eq:contacts-half> */
+
 /* arm: the point from A's origin, world directions */
 void wfAddContact(wfManifold *out, wfTransform xa, wfTransform xb, wfVec2 arm,
                   wfReal depth, uint32_t feature)
@@ -115,7 +118,7 @@ void wfAddContact(wfManifold *out, wfTransform xa, wfTransform xb, wfVec2 arm,
     c->depth = depth;
     c->feature = feature;
 }
-/* <go halfway by eq:contacts-half> */
+
 void wfAddClipped(const wfFacing *f, const wfClipPoint *c, wfManifold *out)
 {
     wfVec2 n = f->ref->normals[f->r], t = wfPerpCCW(n);
@@ -127,7 +130,8 @@ void wfAddClipped(const wfFacing *f, const wfClipPoint *c, wfManifold *out)
     wfReal depth = f->ref->radius + f->inc->radius - c->at.y;
     wfAddContact(out, xa, xb, arm, depth, c->feature);
 }
-/* <touch with a circle by eq:contacts-circle> */
+
+/* touch with a circle by eq:contacts-circle */
 void wfCircleContact(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfReal depth, wfManifold *out)
 {
@@ -141,7 +145,8 @@ void wfCircleContact(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
     }
     wfAddContact(out, xa, xb, arm, depth, WF_FEATURE_CIRCLE);
 }
-/* <find the deepest corner> */
+
+/* find the deepest corner */
 wfClipPoint wfDeepestVertex(const wfFacing *f)
 {
     wfVec2 n = f->ref->normals[f->r], t = wfPerpCCW(n), origin = f->ref->vertices[f->r];
@@ -154,7 +159,7 @@ wfClipPoint wfDeepestVertex(const wfFacing *f)
     }
     return deepest;
 }
-/* <touch with two corners by eq:contacts-corners> */
+
 /* the end of the incident edge that is nearest to the reference edge, and the way to it */
 static int nearestEnd(const wfClipPoint *ends, wfReal length, wfVec2 *way)
 {
@@ -167,7 +172,7 @@ static int nearestEnd(const wfClipPoint *ends, wfReal length, wfVec2 *way)
     *way = to[k];
     return k;
 }
-/* <touch with two corners by eq:contacts-corners> */
+
 bool wfFacingCorners(const wfFacing *f, const wfClipPoint *clipped, wfCorners *c)
 {
     wfClipPoint ends[2];
@@ -188,7 +193,7 @@ void wfCornerContact(const wfFacing *f, const wfCorners *c, wfReal margin, wfMan
     u = wfAddScaled(u, c->way.y / length, n);
     wfReal middle = 0.5f * (f->ref->radius + (length - f->inc->radius));
     wfVec2 arm = wfAddScaled(f->ref->vertices[c->ref], middle, u);
-    /* <put the corners' contact where B sees it too> */
+    /* put the corners' contact where B sees it too */
     arm = wfRotate(f->xr.q, arm);
     out->normal = wfRotate(f->xr.q, u);
     wfTransform xa = f->xr, xb = f->xi;
@@ -201,7 +206,8 @@ void wfCornerContact(const wfFacing *f, const wfCorners *c, wfReal margin, wfMan
     }
     wfAddContact(out, xa, xb, arm, coats - length, feature);
 }
-/* <see which ends are within the margin> */
+
+/* see which ends are within the margin */
 bool wfEndsTouch(const wfFacing *f, const wfClipPoint *ends)
 {
     return wfMinR(ends[0].at.y, ends[1].at.y) <= f->ref->radius + f->inc->radius;

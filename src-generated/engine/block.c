@@ -3,37 +3,6 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* a helper or two, in later groups */
-static int32_t row_or_first(int row) { return row < 0 ? 0 : row; }
-
-wfWorldDef wfDefaultWorldDef(void)
-{
-    return (wfWorldDef){
-        /* defaults of the settings */
-        .gravity = wfV2(0, WF_R(-9.81)), .dt = WF_R(1.0) / 60, .bodyCapacity = 256,
-        .integrator = wfFindIntegrator("verlet"),
-        .needs = wfAllNeeds(),
-        .forceCapacity = 64,
-        .broadPhase = row_or_first(wfFindBroadPhase("dynamic-tree")),
-        .narrowPhase = wfFindNarrowPhase("sat"), .solver = row_or_first(wfFindSolver("soft")),
-        .substeps = 4,
-        .restingSteps = 2, .positionShare = WF_R(0.4), .slop = WF_R(0.005), .reuse = 1,
-        .contactPeriod = WF_CONTACT_PERIOD, .contactDamping = WF_CONTACT_DAMPING,
-        .recoverySteps = 24, .colours = 1, .lanes = 1, .columns = 3,
-        .frictionMix = wfFindMix("geometric-mean"), .restitutionMix = wfFindMix("maximum"),
-        .rollingMix = wfFindMix("maximum"),
-        .events = 1, .hitSteps = 6,
-        .queries = 1,
-        .pairMaterials = 16,
-        .exactWork = WF_EXACT_WORK,
-        .fineSums = 0,
-        .jointCapacity = 64,
-        .exactJoints = WF_JOINTS_AUTO, .exactCost = WF_EXACT_CHEAP, .jointGive = WF_JOINT_GIVE,
-        .impacts = 4096,
-        .sleep = 0, .sleepTime = WF_R(0.5), .sleepShare = WF_R(0.04),
-    };
-}
-
 /* A constant that differs between builds whose blocks differ. */
 #define WF_BLOCK_MAGIC (0x57454654u + 0x100000000u * (uint64_t)STORED_TYPES)
 enum {
@@ -43,32 +12,6 @@ enum {
     + 3 * sizeof(wfShape) + 31 * sizeof(wfContact) + 8191 * sizeof(wfShapeProps)
     + 65537 * sizeof(wfManifoldCache)
 };
-
-/* choose the capacities that were left open */
-static wfWorldDef complete(const wfWorldDef *def)
-{
-    wfWorldDef d = *def;
-    /* the number of bodies is the user's to say */
-    if (d.shapeCapacity == 0) d.shapeCapacity = d.bodyCapacity;
-    int64_t n = d.shapeCapacity;
-    int64_t all = n * (n - 1) / 2, some = 16 * n;
-    if (d.pairCapacity == 0) d.pairCapacity = (int32_t)(all < some ? all : some);
-    if (d.pairCapacity > WF_MAX_CAPACITY) d.pairCapacity = WF_MAX_CAPACITY;
-    if (d.pairCapacity < 1) d.pairCapacity = 1;
-    if (d.contactCapacity == 0) d.contactCapacity = d.pairCapacity;
-    /* of what may be left out */
-    d.needs = wfNeedsOf(&d);
-    if (!(d.needs & WF_NEED_FORCES)) d.forceCapacity = 0;
-    if (!(d.needs & WF_NEED_SHAPES)) d.shapeCapacity = 0;
-    if (!(d.needs & WF_NEED_CONTACTS)) d.pairCapacity = d.contactCapacity = 0;
-    if (!(d.needs & WF_NEED_MATERIALS)) d.pairMaterials = 0;
-    if (!(d.needs & WF_NEED_QUERIES)) d.queries = 0;
-    if (!(d.needs & WF_NEED_JOINTS)) d.exactJoints = 0;
-    if (!(d.needs & WF_NEED_JOINTS)) d.jointCapacity = 0;
-    if (!(d.needs & WF_NEED_FAST)) d.impacts = 0;
-    if (!(d.needs & WF_NEED_SLEEP)) d.sleep = 0;
-    return d;
-}
 
 /* measure the scratch that the stages need */
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
@@ -253,7 +196,7 @@ static wfResult plan(const wfWorldDef *def, wfWorldDef *full,
 {
     wfResult result = wfCheckWorldDef(def, NULL);
     if (result != WF_OK) return result;
-    *full = complete(def);
+    *full = wfCompleteDef(def);
     return lay_out(full, region, size) ? WF_OK : WF_ERROR_MEMORY;
 }
 
@@ -343,15 +286,6 @@ void wfDestroyWorld(wfWorld *world)
     if (world != NULL) wfFreeMemory(&world->memory);
 }
 
-/* find the slot that an id names */
-int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
-                   uint32_t generation)
-{
-    if (index < 1 || index > (uint32_t)s->capacity) return -1;
-    int32_t i = (int32_t)(index - 1);
-    return wfSlotAlive(s, slots, i, generation) ? i : -1;
-}
-
 /* open a block */
 static wfResult check_block(const wfMemory *m)
 {
@@ -421,158 +355,4 @@ wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
     view.shapes = b->shapes;
     view.next = b->next;
     return view;
-}
-
-/* disturb a body */
-void wfDisturb(wfBlock *b, int32_t i)
-{
-    (void)b, (void)i;
-    /* In this chapter nothing: all bodies are awake. */
-    if (b->fine != NULL && i >= 0) memset(&b->fine[i], 0, sizeof b->fine[i]);
-    wfRouse(b, i);
-}
-
-void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second)
-{
-    if (first < 0) wfDisturb(b, -1);
-    else if (b->props[first].type == WF_DYNAMIC) wfDisturb(b, first);
-    if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfDisturb(b, second);
-}
-
-/* settings of a world */
-wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
-{
-    wfBlock b;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
-    if (result == WF_OK) *out = wfSettings(b.head);
-    return result;
-}
-
-static bool same_setting(const wfSetting *s, const wfWorldDef *a, const wfWorldDef *b)
-{
-    for (int part = 0; part < 2; part++) {
-        double one = wfSettingValue(a, s, part), two = wfSettingValue(b, s, part);
-        if (one < two || one > two) return false;
-    }
-    return true;
-}
-
-static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
-{
-    wfResult result = wfCheckWorldDef(def, NULL);
-    if (result != WF_OK) return result;
-    wfHeader *h = b->head;
-    wfWorldDef is = wfSettings(h), d = complete(def);
-    bool same = true;                                   /* the laws */
-    uint32_t used = 0;
-    for (int i = 0; i < wfSettingCount; i++) {
-        const wfSetting *s = &wfSettingTable[i];
-        /* since its need is absent */
-        bool idle = s->need != 0 && (s->need & is.needs) == 0;
-        double wish = wfSettingValue(def, s, 0), now = wfSettingValue(&is, s, 0);
-        if (idle && wish != 0 && wish != now) return wfNeedError(s->need & wfAllNeeds());
-        if (same_setting(s, &is, &d)) continue;
-        if (s->builtIn) return WF_ERROR_BUILT_IN;
-        if (s->method) result = wfDemand(b, WF_NEED_METHODS);
-        if (result != WF_OK) return result;
-        if (s->method) used |= WF_NEED_METHODS;
-        if (s->law) same = false;
-    }
-    /* Later chapters need more. */
-    bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
-    if (large && !h->large) return WF_ERROR_MEMORY;
-    bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;
-    if (matrix != (d.exactJoints != WF_JOINTS_ONE_BY_ONE)) return WF_ERROR_MEMORY;
-    if (!same) wfDisturb(b, -1);
-    /* what was true may be so no longer */
-    if (!d.queries) h->indexStale = 1;
-    if (h->exactCost < d.exactCost || h->exactCost > d.exactCost
-        || h->exactJoints != d.exactJoints)
-        h->machines = 0;                /* judged anew */
-    if (!d.sleep) wfDisturb(b, -1);
-    wfKeepSettings(&d, h);
-    wfUse(b, used);
-    return WF_OK;
-}
-
-wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def)
-{
-    wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
-    return result == WF_OK ? change_settings(&b, def) : result;
-}
-
-wfResult wfSetGravity(wfWorld *world, wfVec2 gravity)
-{
-    wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
-    if (result != WF_OK) return result;
-    wfWorldDef d = wfSettings(b.head);
-    d.gravity = gravity;
-    return change_settings(&b, &d);
-}
-
-wfResult wfGetGravity(const wfWorld *world, wfVec2 *out)
-{
-    wfBlock b;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
-    if (result == WF_OK) *out = b.head->gravity;
-    return result;
-}
-
-wfResult wfSetTimeStep(wfWorld *world, wfReal dt)
-{
-    wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
-    if (result != WF_OK) return result;
-    wfWorldDef d = wfSettings(b.head);
-    d.dt = dt;
-    return change_settings(&b, &d);
-}
-
-wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
-                      int solver)
-{
-    wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
-    if (result != WF_OK) return result;
-    wfWorldDef d = wfSettings(b.head);
-    if (integrator != -1) d.integrator = integrator;
-    if (broadPhase != -1) d.broadPhase = broadPhase;
-    if (narrowPhase != -1) d.narrowPhase = narrowPhase;
-    if (solver != -1) d.solver = solver;
-    return change_settings(&b, &d);
-}
-
-/* forget contacts */
-static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
-{
-    int32_t left = 0, before = b->head->kept.pairs;
-    for (int32_t i = 0; i < b->head->pairCount; i++) {
-        wfPair p = b->pairs[i];
-        bool ofBody = body >= 0 && (b->owners[p.a] == body || b->owners[p.b] == body);
-        bool ofShape = p.a == shape || p.b == shape;
-        if ((ofBody || ofShape) && i < before) b->head->kept.pairs--;
-        if (ofBody || ofShape) continue;
-        b->pairs[left] = p;
-        b->caches[left++] = b->caches[i];
-    }
-    b->head->pairCount = left;
-}
-
-void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
-{
-    int32_t left = 0, before = b->head->kept.contacts;
-    for (int32_t i = 0; i < b->head->contactCount; i++) {
-        wfContact c = b->contacts[i];
-        bool ofBody = c.a == body || c.b == body;
-        bool ofShape = c.shapeA == shape || c.shapeB == shape;
-        if ((ofBody || ofShape) && i < before) b->head->kept.contacts--;
-        if (!ofBody && !ofShape) b->contacts[left++] = c;
-        else wfDisturbEnds(b, c.a, c.b);
-    }
-    b->head->contactCount = left;
-    forget_pairs(b, body, shape);
-    if (body >= 0) wfDisturb(b, body);
-    if (shape >= 0) wfDisturbEnds(b, b->owners[shape], -1);
 }

@@ -121,6 +121,8 @@ typedef struct wfBlock {
 uint32_t wfNeedsOf(const wfWorldDef *def);
 /* Those of these needs that a world with `have` lacks. */
 uint32_t wfLacking(uint32_t have, uint32_t needs);
+/* What a scene with all of these needs: first the things, then what shows in them. */
+uint32_t wfNeedsOfAll(uint32_t needs);
 /* The first need in this set: its error; WF_OK for none. */
 wfResult wfNeedError(uint32_t needs);
 /* Does a stage run in worlds of these needs? */
@@ -190,6 +192,14 @@ wfWorldDef wfSettings(const wfHeader *head);
 void wfKeepSettings(const wfWorldDef *def, wfHeader *head);
 /* All bodies as a view of the given states. */
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state);
+/* A definition whose open capacities are chosen, without what its modules don't need. */
+wfWorldDef wfCompleteDef(const wfWorldDef *def);
+/* Is the value one of this setting's? The settings that are vectors have two parts. */
+wfResult wfCheckSetting(const wfSetting *s, double value);
+int wfSettingParts(const wfSetting *s);
+/* The body that an id names, as wfOpenBlock and wfChangeBlock; WF_ERROR_STALE_ID. */
+wfResult wfOpenBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index);
+wfResult wfChangeBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index);
 /* The slot that an id names, or -1. */
 int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
                    uint32_t generation);
@@ -201,6 +211,8 @@ void wfDisturb(wfBlock *b, int32_t i);
 void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second);
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
+wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);
+wfResult wfChangeShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);
 wfShapeView wfShapesOf(const wfBlock *b);
 wfShapeId wfIdOfShape(const wfBlock *b, int32_t k);
 /* How many more shapes there is room for; hang one on a body (-1: no room), or drop it. */

@@ -13,47 +13,6 @@ wfBodyDef wfDefaultBodyDef(void)
     };
 }
 
-/* find a body by its id */
-static wfResult open_body(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
-{
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
-    *index = wfFindSlot(&b->head->bodySlots, b->bodySlots, id.index, id.generation);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
-}
-
-static wfResult change_body(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
-{
-    wfResult result = open_body(world, id, b, index);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
-}
-
-int32_t wfBodyIndex(const wfWorld *world, wfBodyId id)
-{
-    wfBlock b;
-    int32_t i;
-    return open_body(world, id, &b, &i) == WF_OK ? i : -1;
-}
-
-bool wfBodyIsValid(const wfWorld *world, wfBodyId id)
-{
-    return wfBodyIndex(world, id) >= 0;
-}
-
-wfBodyId wfIdOfBody(const wfBlock *b, int32_t i)
-{
-    return (wfBodyId){ (uint32_t)i + 1, b->bodySlots[i].generation };
-}
-
-wfBodyId wfBodyAt(const wfWorld *world, int32_t index)
-{
-    wfBlock b;
-    wfBodyId none = { 0, 0 };
-    if (wfOpenBlock(world, &b) != WF_OK) return none;
-    if (index < 0 || index >= b.head->bodySlots.high || !b.alive[index]) return none;
-    return wfIdOfBody(&b, index);
-}
-
 /* check a body's definition */
 static bool numbers_are_finite(const wfBodyDef *d)
 {
@@ -200,7 +159,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     /* shapes, forces and more, where there are any */
     wfForgetContacts(&b, i, -1);
@@ -229,7 +188,7 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = out == NULL ? WF_ERROR_NULL : open_body(world, id, &b, &i);
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     const wfBodyState *s = &b.state[i];
     const wfBodyProps *p = &b.props[i];
@@ -252,7 +211,7 @@ wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = out == NULL ? WF_ERROR_NULL : open_body(world, id, &b, &i);
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     *out = (wfShape){ .kind = WF_SHAPE_NONE };
     if (b.props[i].shape < 0) return WF_OK;
@@ -266,7 +225,7 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (!wfIsFinite2(position) || !wfIsFinite(angle)) return WF_ERROR_NOT_FINITE;
     if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
@@ -291,7 +250,7 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (!wfIsFinite2(velocity) || !wfIsFinite(angularVelocity)) return WF_ERROR_NOT_FINITE;
     if (b.props[i].type == WF_STATIC) return WF_ERROR_RANGE;
@@ -312,7 +271,7 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (!wfIsFinite(mass)) return WF_ERROR_NOT_FINITE;
     if (b.props[i].type != WF_DYNAMIC || !(mass > 0)) return WF_ERROR_RANGE;
@@ -329,7 +288,7 @@ wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
     int32_t i;
     wfBodyState state;
     wfBodyProps props;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (type < 0 || type >= WF_BODY_TYPES) return WF_ERROR_RANGE;
     if (type == b.props[i].type) return WF_OK;
@@ -346,7 +305,7 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (!wfIsFinite(restitution) || !wfIsFinite(friction)) return WF_ERROR_NOT_FINITE;
     if (restitution < 0 || restitution > 1 || friction < 0) return WF_ERROR_RANGE;
@@ -368,7 +327,7 @@ wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal ang
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (!wfIsFinite(linear) || !wfIsFinite(angular)) return WF_ERROR_NOT_FINITE;
     if (linear < 0 || angular < 0) return WF_ERROR_RANGE;
@@ -386,7 +345,7 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result == WF_OK) result = wfDemand(&b, WF_NEED_PUSHES);
     if (result != WF_OK) return result;
     wfBodyForces sums = b.applied[i];
@@ -402,7 +361,7 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     uint32_t needs = WF_NEED_PUSHES | (torque != 0 ? WF_NEED_ROTATION : 0);
     if (result == WF_OK) result = wfDemand(&b, needs);
     if (result != WF_OK) return result;
@@ -418,7 +377,7 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_body(world, id, &b, &i);
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     wfBodyState kicked = b.state[i];
     if (!wfIsFinite2(impulse) || !wfIsFinite(spin)) return WF_ERROR_NOT_FINITE;

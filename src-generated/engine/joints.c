@@ -1,38 +1,21 @@
 /* Weft: engine/joints.c, tangled from chapters/methods/05-joints-in-a-world.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
-#include "engine/block.h"
+#include "engine/joints.h"
 #include "engine/step.h"
 
-/* find the arrays of the joints */
-typedef struct Joints {
-    wfSlot *slots;
-    wfJoint *joints;
-    wfJointId *broken;
-} Joints;
-
-static Joints joints_of(const wfBlock *b)
-{
-    uint8_t *base = (uint8_t *)b->head;
-    return (Joints){ (void *)(base + b->head->offset[WF_REGION_JOINT_SLOTS]),
-                     (void *)(base + b->head->offset[WF_REGION_JOINTS]),
-                     (void *)(base + b->head->offset[WF_REGION_BROKEN]) };
-}
-
-static bool is_live(const Joints *j, int32_t i) { return j->slots[i].next == WF_SLOT_LIVE; }
-
 /* open a joint */
-static wfResult open_joint(const wfWorld *world, wfJointId id, wfBlock *b, Joints *j,
+static wfResult open_joint(const wfWorld *world, wfJointId id, wfBlock *b, wfJoints *j,
                            int32_t *index)
 {
     wfResult result = wfOpenBlock(world, b);
     if (result != WF_OK) return result;
-    *j = joints_of(b);
+    *j = wfJointsOf(b);
     *index = wfFindSlot(&b->head->jointSlots, j->slots, id.index, id.generation);
     return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
 }
 
-static wfResult change_joint(const wfWorld *world, wfJointId id, wfBlock *b, Joints *j,
+static wfResult change_joint(const wfWorld *world, wfJointId id, wfBlock *b, wfJoints *j,
                              int32_t *index)
 {
     wfResult result = open_joint(world, id, b, j, index);
@@ -80,7 +63,7 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     if (result == WF_OK) result = wfDemand(&b, WF_NEED_JOINTS);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
-    Joints j = joints_of(&b);
+    wfJoints j = wfJointsOf(&b);
     int32_t i = wfSlotTake(&b.head->jointSlots, j.slots);
     if (i < 0) return WF_ERROR_FULL;
     j.joints[i] = *joint;
@@ -93,7 +76,7 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
 wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
 {
     wfBlock b;
-    Joints j;
+    wfJoints j;
     int32_t i;
     wfResult result = change_joint(world, id, &b, &j, &i);
     if (result != WF_OK) return result;
@@ -105,7 +88,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
 wfResult wfGetJoint(const wfWorld *world, wfJointId id, wfJoint *out)
 {
     wfBlock b;
-    Joints j;
+    wfJoints j;
     int32_t i;
     wfResult result = out == NULL ? WF_ERROR_NULL : open_joint(world, id, &b, &j, &i);
     if (result == WF_OK) *out = j.joints[i];
@@ -115,7 +98,7 @@ wfResult wfGetJoint(const wfWorld *world, wfJointId id, wfJoint *out)
 wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
 {
     wfBlock b;
-    Joints j;
+    wfJoints j;
     int32_t i;
     if (joint == NULL) return WF_ERROR_NULL;
     wfResult result = change_joint(world, id, &b, &j, &i);
@@ -130,7 +113,7 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque)
 {
     wfBlock b;
-    Joints j;
+    wfJoints j;
     int32_t i;
     wfResult result = open_joint(world, id, &b, &j, &i);
     if (result != WF_OK) return result;
@@ -142,7 +125,7 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
 wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfReal *torque)
 {
     wfBlock b;
-    Joints j;
+    wfJoints j;
     int32_t i;
     wfResult result = open_joint(world, id, &b, &j, &i);
     if (result != WF_OK) return result;
@@ -163,8 +146,8 @@ wfJointId wfJointAt(const wfWorld *world, int32_t i)
     wfBlock b;
     wfJointId none = { 0, 0 };
     if (wfOpenBlock(world, &b) != WF_OK) return none;
-    Joints j = joints_of(&b);
-    if (i < 0 || i >= b.head->jointSlots.high || !is_live(&j, i)) return none;
+    wfJoints j = wfJointsOf(&b);
+    if (i < 0 || i >= b.head->jointSlots.high || !wfJointIsLive(&j, i)) return none;
     return (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };
 }
 
@@ -202,15 +185,15 @@ const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count)
     if (count != NULL) *count = 0;
     if (wfOpenBlock(world, &b) != WF_OK) return NULL;
     if (count != NULL) *count = b.head->brokenCount;
-    return joints_of(&b).broken;
+    return wfJointsOf(&b).broken;
 }
 
 /* drop the joints of a body */
 void wfDropJoints(wfBlock *b, int32_t body)
 {
-    Joints j = joints_of(b);
+    wfJoints j = wfJointsOf(b);
     for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
-        if (!is_live(&j, i)) continue;
+        if (!wfJointIsLive(&j, i)) continue;
         if (j.joints[i].a != body && j.joints[i].b != body) continue;
         wfDisturbEnds(b, j.joints[i].a, j.joints[i].b);
         wfSlotGive(&b->head->jointSlots, j.slots, i, j.slots[i].generation);
@@ -220,10 +203,10 @@ void wfDropJoints(wfBlock *b, int32_t body)
 
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by)
 {
-    Joints j = joints_of(b);
+    wfJoints j = wfJointsOf(b);
     for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
         wfJoint moved = j.joints[i];
-        if (!is_live(&j, i)) continue;
+        if (!wfJointIsLive(&j, i)) continue;
         wfMoveJoint(&moved, by);
         if (wfCheckJoint(&moved) != WF_OK) return false;
     }
@@ -232,20 +215,9 @@ bool wfJointsCanMove(const wfBlock *b, wfVec2 by)
 
 void wfMoveJoints(wfBlock *b, wfVec2 by)
 {
-    Joints j = joints_of(b);
+    wfJoints j = wfJointsOf(b);
     for (int32_t i = 0; i < b->head->jointSlots.high; i++)
-        if (is_live(&j, i)) wfMoveJoint(&j.joints[i], by);
-}
-
-void wfRouseJoined(wfBlock *b, int32_t body)
-{
-    Joints j = joints_of(b);
-    for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
-        if (!is_live(&j, i)) continue;
-        int32_t one = j.joints[i].a, two = j.joints[i].b;
-        if (one == body && wfSleeps(b, two)) wfRouse(b, two);
-        if (two == body && wfSleeps(b, one)) wfRouse(b, one);
-    }
+        if (wfJointIsLive(&j, i)) wfMoveJoint(&j.joints[i], by);
 }
 
 /* leave out pairs that are joined */
@@ -258,9 +230,9 @@ static bool comes_before(wfPair a, wfPair b)
 static int32_t list_joined(struct wfStep *s, wfPair *out)
 {
     int32_t count = 0;
-    Joints j = joints_of(&s->b);
+    wfJoints j = wfJointsOf(&s->b);
     for (int32_t i = 0; i < s->b.head->jointSlots.high; i++) {
-        if (!is_live(&j, i)) continue;
+        if (!wfJointIsLive(&j, i)) continue;
         if (j.joints[i].flags & (WF_JOINT_COLLIDE | WF_JOINT_BROKEN)) continue;
         int32_t a = j.joints[i].a, b = j.joints[i].b;
         out[count++] = (wfPair){ a < b ? a : b, a < b ? b : a };
@@ -346,11 +318,11 @@ static wfResult solve_machines(struct wfStep *s)
 wfResult wfTakeJoints(struct wfStep *s)
 {
     wfJoint *copy = wfTransient(&s->b, WF_REGION_NEW_JOINTS);
-    Joints j = joints_of(&s->b);
+    wfJoints j = wfJointsOf(&s->b);
     int32_t count = 0;
     s->jointPlaces = wfTransient(&s->b, WF_REGION_JOINT_PLACES);
     for (int32_t i = 0; i < s->b.head->jointSlots.high; i++) {
-        if (!is_live(&j, i)) continue;
+        if (!wfJointIsLive(&j, i)) continue;
         if (!s->present[j.joints[i].a] || !s->present[j.joints[i].b]) continue;
         s->jointPlaces[count] = i;
         copy[count++] = j.joints[i];
@@ -390,7 +362,7 @@ wfResult wfJudgeJoints(struct wfStep *s)
 wfResult wfKeepJoints(struct wfStep *s)
 {
     wfHeader *head = s->b.head;
-    Joints j = joints_of(&s->b);
+    wfJoints j = wfJointsOf(&s->b);
     head->brokenCount = 0;
     /* where some may be */
     head->together = 0;

@@ -159,8 +159,7 @@ static uint32_t that_show(uint32_t needs, uint32_t have)
     return needs;
 }
 
-/* What a scene with all of these needs: first the things, then what shows in them. */
-static uint32_t that_count(uint32_t needs)
+uint32_t wfNeedsOfAll(uint32_t needs)
 {
     uint32_t things = wfCloseNeeds(that_show(needs, 0));
     return things | that_show(needs, things);
@@ -178,103 +177,3 @@ wfResult wfNeedError(uint32_t needs)
     return needs == 0 ? WF_OK : WF_ERROR_UNKNOWN;
 }
 
-uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs)
-{
-    wfBlock b;
-    return wfOpenBlock(world, &b) == WF_OK ? wfLacking(b.head->needs, needs) : needs;
-}
-
-wfBodyDef wfDefaultBodyDefFor(const wfWorld *world)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    if (wfMissingNeeds(world, WF_NEED_FRICTION)) def.friction = 0;
-    return def;
-}
-
-wfShapeDef wfDefaultShapeDefFor(const wfWorld *world)
-{
-    wfShapeDef def = wfDefaultShapeDef();
-    if (wfMissingNeeds(world, WF_NEED_FRICTION)) def.friction = 0;
-    return def;
-}
-
-/* infer the needs of a world */
-static uint32_t needs_used(const wfHeader *h)
-{
-    uint32_t used = h->used;
-    /* by what leaves its mark elsewhere */
-    if (h->mostPairs > 0) used |= WF_NEED_CONTACTS;
-    bool moves = wfSolverTable[h->solver].step != NULL && (h->needs & WF_NEED_SUBSTEPS);
-    if (moves) used |= WF_NEED_SUBSTEPS;
-    if (h->sleep) used |= WF_NEED_SLEEP;
-    return that_count(used);
-}
-
-wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out)
-{
-    wfBlock b;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
-    if (result != WF_OK) return result;
-    if (besides & ~wfAllNeeds()) return WF_ERROR_UNKNOWN;
-    const wfHeader *h = b.head;
-    wfWorldDef def = wfSettings(h), usual = wfDefaultWorldDef();
-    def.needs = needs_used(h) | besides;
-    def.needs = wfNeedsOf(&def);
-    /* capacities that were used */
-    def.bodyCapacity = h->bodySlots.high > 0 ? h->bodySlots.high : 1;
-    def.forceCapacity = h->forceSlots.high;
-    bool meets = (def.needs & WF_NEED_CONTACTS) != 0;
-    def.shapeCapacity = h->shapeSlots.high > 0 ? h->shapeSlots.high : 1;
-    def.pairCapacity = meets && h->mostPairs == 0 ? 1 : h->mostPairs;
-    def.contactCapacity = meets && h->mostContacts == 0 ? 1 : h->mostContacts;
-    def.pairMaterials = h->mostMaterials;
-    def.jointCapacity = h->jointSlots.high;
-    for (int i = 0; i < wfSettingCount; i++) {
-        const wfSetting *s = &wfSettingTable[i];
-        if (s->need == 0 || (def.needs & s->need) != 0) continue;
-        for (int part = 0; part < 2; part++)
-            wfPutSetting(&def, s, part, wfSettingValue(&usual, s, part));
-    }
-    *out = def;
-    return WF_OK;
-}
-
-/* infer the needs of a scene */
-static uint32_t needs_listed(const wfSceneList *list, int32_t *shapes)
-{
-    uint32_t needs = list->forceCount > 0 ? WF_NEED_FORCES : 0;
-    for (int32_t i = 0; i < list->bodyCount; i++) {
-        const wfBodyDef *d = &list->bodies[i];
-        bool formed = d->shape.kind != WF_SHAPE_NONE;
-        bool turns = d->type == WF_DYNAMIC && formed && !d->fixedRotation;
-        needs |= wfNeedsOfBody(d) | (turns ? WF_NEED_ROTATION : 0);
-        *shapes += formed;
-    }
-    for (int32_t i = 0; i < list->shapeCount; i++)
-        needs |= wfNeedsOfShape(&list->shapes[i]);
-    if (list->shapeCount > 0) needs |= WF_NEED_COMPOUNDS;
-    *shapes += list->shapeCount;
-    if (*shapes > 1) needs |= WF_NEED_CONTACTS;
-    /* Later chapters know more. */
-    if (list->jointCount > 0) needs |= WF_NEED_JOINTS;
-    return needs;
-}
-
-wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def)
-{
-    int32_t shapes = 0;
-    if (list == NULL || def == NULL) return WF_ERROR_NULL;
-    if (besides & ~wfAllNeeds()) return WF_ERROR_UNKNOWN;
-    if (list->bodyCount < 1 || list->shapeCount < 0) return WF_ERROR_RANGE;
-    if (list->forceCount < 0 || list->jointCount < 0) return WF_ERROR_RANGE;
-    uint32_t needs = needs_listed(list, &shapes) | besides;
-    def->needs = that_count(needs);
-    def->needs = wfNeedsOf(def);
-    def->bodyCapacity = list->bodyCount;
-    def->forceCapacity = list->forceCount;
-    def->shapeCapacity = shapes;
-    def->pairCapacity = def->contactCapacity = 0;
-    /* Later chapters know more. */
-    def->jointCapacity = list->jointCount;
-    return WF_OK;
-}

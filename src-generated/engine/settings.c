@@ -169,11 +169,11 @@ static bool is_real(const wfSetting *s)
     return s->kind == WF_SETTING_REAL || s->kind == WF_SETTING_VEC2;
 }
 
-static int parts_of(const wfSetting *s) { return s->kind == WF_SETTING_VEC2 ? 2 : 1; }
+int wfSettingParts(const wfSetting *s) { return s->kind == WF_SETTING_VEC2 ? 2 : 1; }
 
 double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part)
 {
-    if (def == NULL || s == NULL || part < 0 || part >= parts_of(s)) return 0;
+    if (def == NULL || s == NULL || part < 0 || part >= wfSettingParts(s)) return 0;
     const uint8_t *at = (const uint8_t *)def + s->offset;
     wfReal real;
     int32_t number;
@@ -187,25 +187,8 @@ double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part)
     return s->kind == WF_SETTING_SET ? (double)set : (double)number;
 }
 
-/* check what settings have to do with each other */
-static wfResult check_needs(const wfWorldDef *def, const wfSetting **fault)
-{
-    wfWorldDef usual = wfDefaultWorldDef();
-    uint32_t needs = wfNeedsOf(def);
-    for (int i = 0; i < wfSettingCount; i++) {
-        const wfSetting *s = &wfSettingTable[i];
-        if (s->need == 0 || (needs & s->need) != 0) continue;
-        double is = wfSettingValue(def, s, 0), was = wfSettingValue(&usual, s, 0);
-        if (is == 0 || is == was) continue;
-        if (fault != NULL) *fault = s;
-        return wfNeedError(s->need & wfAllNeeds());
-    }
-    return WF_OK;
-}
-/* in the section on needs */
-
-/* check a world's definition */
-static wfResult check_setting(const wfSetting *s, double value)
+/* check one setting */
+wfResult wfCheckSetting(const wfSetting *s, double value)
 {
     if (!(value - value == 0)) return WF_ERROR_NOT_FINITE;      /* NaN, or infinite */
     if (s->kind == WF_SETTING_ROW)
@@ -218,32 +201,16 @@ static wfResult check_setting(const wfSetting *s, double value)
     return low || value > most ? WF_ERROR_RANGE : WF_OK;
 }
 
-wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault)
-{
-    wfResult result = def == NULL ? WF_ERROR_NULL : WF_OK;
-    if (fault != NULL) *fault = NULL;
-    for (int i = 0; i < wfSettingCount; i++) {
-        const wfSetting *s = &wfSettingTable[i];
-        for (int part = 0; part < parts_of(s) && result == WF_OK; part++) {
-            result = check_setting(s, wfSettingValue(def, s, part));
-            if (result != WF_OK && fault != NULL) *fault = s;
-        }
-    }
-    /* The section on needs says more. */
-    if (result == WF_OK) result = check_needs(def, fault);
-    return result;
-}
-
 wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double value)
 {
     if (def == NULL || s == NULL) return WF_ERROR_NULL;
-    if (part < 0 || part >= parts_of(s)) return WF_ERROR_UNKNOWN;
-    wfResult result = check_setting(s, value);
+    if (part < 0 || part >= wfSettingParts(s)) return WF_ERROR_UNKNOWN;
+    wfResult result = wfCheckSetting(s, value);
     if (result != WF_OK) return result;
     uint8_t *at = (uint8_t *)def + s->offset;
     if (is_real(s)) {
         wfReal real = (wfReal)value;
-        result = check_setting(s, (double)real);
+        result = wfCheckSetting(s, (double)real);
         if (result == WF_OK) memcpy(at + (size_t)part * sizeof real, &real, sizeof real);
         return result;
     }
@@ -259,7 +226,7 @@ wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double valu
 /* keep the settings in the header */
 static size_t bytes_of(const wfSetting *s)
 {
-    return is_real(s) ? (size_t)parts_of(s) * sizeof(wfReal) : sizeof(int32_t);
+    return is_real(s) ? (size_t)wfSettingParts(s) * sizeof(wfReal) : sizeof(int32_t);
 }
 
 void wfKeepSettings(const wfWorldDef *def, wfHeader *head)

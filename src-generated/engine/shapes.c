@@ -3,27 +3,6 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* find a shape by its id */
-static wfResult open_shape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)
-{
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
-    *index = wfFindSlot(&b->head->shapeSlots, b->shapeSlots, id.index, id.generation);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
-}
-
-static wfResult change_shape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)
-{
-    wfResult result = open_shape(world, id, b, index);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
-}
-
-wfShapeId wfIdOfShape(const wfBlock *b, int32_t k)
-{
-    if (k < 0) return (wfShapeId){ 0, 0 };
-    return (wfShapeId){ (uint32_t)k + 1, b->shapeSlots[k].generation };
-}
-
 /* check a shape's definition */
 static wfResult check_shape_def(const wfShapeDef *d)
 {
@@ -189,7 +168,7 @@ wfResult wfGetShape(const wfWorld *world, wfShapeId id, wfShapeDef *out)
 {
     wfBlock b;
     int32_t k;
-    wfResult result = out == NULL ? WF_ERROR_NULL : open_shape(world, id, &b, &k);
+    wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenShape(world, id, &b, &k);
     if (result == WF_OK) tell_shape(&b, k, out);
     return result;
 }
@@ -322,7 +301,7 @@ wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
     int32_t k;
     wfBodyState state;
     wfBodyProps props;
-    wfResult result = change_shape(world, id, &b, &k);
+    wfResult result = wfChangeShape(world, id, &b, &k);
     if (result != WF_OK) return result;
     bodyPlan plan = { .b = &b, .body = b.owners[k], .without = k };
     state = b.state[plan.body];
@@ -342,7 +321,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     wfBodyState state;
     wfBodyProps props;
     wfShapeDef old;
-    wfResult result = def == NULL ? WF_ERROR_NULL : change_shape(world, id, &b, &k);
+    wfResult result = def == NULL ? WF_ERROR_NULL : wfChangeShape(world, id, &b, &k);
     if (result == WF_OK) result = check_shape_def(def);
     if (result == WF_OK) result = wfDemand(&b, wfNeedsOfShape(def));
     if (result != WF_OK) return result;
@@ -372,7 +351,7 @@ int32_t wfShapeIndex(const wfWorld *world, wfShapeId id)
 {
     wfBlock b;
     int32_t k;
-    return open_shape(world, id, &b, &k) == WF_OK ? k : -1;
+    return wfOpenShape(world, id, &b, &k) == WF_OK ? k : -1;
 }
 
 bool wfShapeIsValid(const wfWorld *world, wfShapeId id)
@@ -393,7 +372,7 @@ wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id)
 {
     wfBlock b;
     int32_t k;
-    if (open_shape(world, id, &b, &k) != WF_OK) return (wfBodyId){ 0, 0 };
+    if (wfOpenShape(world, id, &b, &k) != WF_OK) return (wfBodyId){ 0, 0 };
     return wfIdOfBody(&b, b.owners[k]);
 }
 
@@ -409,7 +388,7 @@ wfShapeId wfNextShape(const wfWorld *world, wfShapeId id)
 {
     wfBlock b;
     int32_t k;
-    if (open_shape(world, id, &b, &k) != WF_OK) return (wfShapeId){ 0, 0 };
+    if (wfOpenShape(world, id, &b, &k) != WF_OK) return (wfShapeId){ 0, 0 };
     return wfIdOfShape(&b, b.next[k]);
 }
 
@@ -419,12 +398,6 @@ int32_t wfShapeCount(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->shapeSlots.count : 0;
 }
 
-wfShapeView wfShapesOf(const wfBlock *b)
-{
-    return (wfShapeView){ .count = b->head->shapeSlots.high, .shapes = b->shapes,
-                          .owners = b->owners, .next = b->next, .filters = b->filters,
-                          .props = b->materials };
-}
 
 wfShapeView wfWorldShapes(const wfWorld *world)
 {

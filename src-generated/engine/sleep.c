@@ -2,101 +2,8 @@
  * file: edit the chapter and type make. MIT licence. */
 #include <stddef.h>
 #include <string.h>
-#include "engine/block.h"
+#include "engine/rest.h"
 #include "engine/step.h"
-
-/* find the arrays of rest */
-enum { REST_ASLEEP = 1, REST_NEVER = 2, REST_SENT = 4 };
-
-typedef struct Rest {
-    uint8_t *flags;            /* REST_... */
-    wfReal  *clock;            /* s: for so long it has been still */
-    int32_t *ring;             /* of a sleeper: the next of its island */
-    int32_t *island;           /* the smallest index in its island, or -1 */
-} Rest;
-
-static Rest rest_of(const wfBlock *b)
-{
-    uint8_t *base = (uint8_t *)b->head;
-    const uint64_t *at = b->head->offset;
-    if (!wfHas(b->head, WF_NEED_SLEEP)) return (Rest){ NULL, NULL, NULL, NULL };
-    return (Rest){ base + at[WF_REGION_REST], (void *)(base + at[WF_REGION_CLOCKS]),
-                   (void *)(base + at[WF_REGION_RINGS]),
-                   (void *)(base + at[WF_REGION_ISLANDS]) };
-}
-
-static bool sleeps(const Rest *r, int32_t i)
-{
-    return r->flags != NULL && (r->flags[i] & REST_ASLEEP) != 0;
-}
-
-/* rouse sleepers */
-static void rouse_island(wfBlock *b, const Rest *r, int32_t i)
-{
-    while (sleeps(r, i)) {
-        int32_t next = r->ring[i];
-        r->flags[i] &= REST_NEVER;
-        r->clock[i] = 0;
-        r->ring[i] = -1;
-        b->head->asleep--;
-        i = next;
-    }
-    b->head->roused = 1;
-}
-
-void wfRouse(wfBlock *b, int32_t i)
-{
-    Rest r = rest_of(b);
-    if (r.clock != NULL && i >= 0) r.clock[i] = 0;
-    if (b->head->asleep == 0) return;
-    if (i < 0)
-        for (int32_t k = 0; k < b->head->bodySlots.high; k++) rouse_island(b, &r, k);
-    else if (sleeps(&r, i))
-        rouse_island(b, &r, i);
-    else if (b->props[i].type != WF_DYNAMIC) {
-        for (int32_t k = 0; k < b->head->kept.contacts; k++) {
-            const wfContact *c = &b->contacts[k];
-            if (c->a == i || c->b == i) rouse_island(b, &r, c->a == i ? c->b : c->a);
-        }
-        /* by joints and forces, where there are any */
-        wfRouseJoined(b, i);
-        for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
-            const wfForce *f = &b->forces[k];
-            if (b->forceSlots[k].next != WF_SLOT_LIVE || (f->a != i && f->b != i)) continue;
-            int32_t other = f->a == i ? f->b : f->a;
-            if (other < 0 ? f->b == i : sleeps(&r, other)) wfRouse(b, other);
-        }
-    }
-}
-
-void wfRouseNear(wfBlock *b, int32_t k)
-{
-    Rest r = rest_of(b);
-    int32_t i = b->owners[k];
-    if (b->head->asleep == 0) return;
-    b->head->roused = 1;
-    if (i < 0 || b->props[i].type == WF_DYNAMIC) return;
-    for (int32_t q = 0; q < b->head->shapeSlots.high; q++) {
-        int32_t other = b->owners[q];
-        if (other < 0 || !sleeps(&r, other)) continue;
-        if (wfRectOverlap(b->bounds[k], b->bounds[q])) rouse_island(b, &r, other);
-    }
-}
-
-bool wfSleeps(const wfBlock *b, int32_t i)
-{
-    Rest r = rest_of(b);
-    return sleeps(&r, i);
-}
-
-void wfBeginRest(wfBlock *b, int32_t i, int32_t never)
-{
-    Rest r = rest_of(b);
-    if (r.flags == NULL) return;
-    r.flags[i] = never ? REST_NEVER : 0;
-    r.clock[i] = 0;
-    r.ring[i] = r.island[i] = -1;
-}
 
 /* Would the broad phase of this step pass over the pair, because its ends rest? */
 static bool keeps(const struct wfStep *s, int32_t a, int32_t b)
@@ -159,12 +66,12 @@ void wfAddSensed(const struct wfStep *s, wfTouchList *stay)
 void wfLeaveOutSleepers(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
-    Rest r = rest_of(&s->b);
+    wfRest r = wfRestOf(&s->b);
     if (r.flags == NULL) return;
     s->woken = wfTransient(&s->b, WF_REGION_WOKEN);
     if (s->restarts == 0) memset(s->woken, 0, (size_t)s->count);
     for (int32_t i = 0; i < s->count && head->asleep > 0; i++)
-        if (sleeps(&r, i) && !s->woken[i]) s->present[i] = 0;
+        if (wfIsAsleep(&r, i) && !s->woken[i]) s->present[i] = 0;
     s->all = head->asleep == 0;
     s->roused = head->roused || s->restarts > 0;
     if (s->roused) count_kept(s);
@@ -172,7 +79,7 @@ void wfLeaveOutSleepers(struct wfStep *s)
 
 void wfWakeInStep(struct wfStep *s, int32_t i)
 {
-    Rest r = rest_of(&s->b);
+    wfRest r = wfRestOf(&s->b);
     if (s->present[i] || s->woken[i]) return;
     for (; !s->woken[i]; i = r.ring[i]) s->woken[i] = 1;
     s->again = 1;
@@ -253,7 +160,7 @@ static void link_force(const struct wfStep *s, Links *l, const wfForce *f)
 
 static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
 {
-    Rest r = rest_of(&s->b);
+    wfRest r = wfRestOf(&s->b);
     *l = (Links){ .parent = wfPoolPushArray(pool, s->count, int32_t),
                   .moves = wfPoolPushArray(pool, s->count, uint8_t),
                   .marks = wfPoolPushArray(pool, s->count, uint8_t) };
@@ -267,7 +174,7 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
             pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
         l->moves[i] = s->present[i] && (s->state[i].invMass > 0
                                         || s->state[i].invInertia > 0);
-        l->marks[i] = pushed || (r.flags[i] & REST_NEVER) ? LINK_RESTLESS : 0;
+        l->marks[i] = pushed || (r.flags[i] & WF_REST_NEVER) ? LINK_RESTLESS : 0;
     }
     link_contacts(s, l);
     /* where there are any */
@@ -292,7 +199,7 @@ static wfReal reach_of(const wfBlock *b, int32_t i)
 static void tick(struct wfStep *s, const Links *l)
 {
     const wfHeader *head = s->b.head;
-    Rest r = rest_of(&s->b);
+    wfRest r = wfRestOf(&s->b);
     wfReal gravity = wfLength(head->gravity);
     s->clocks = wfTransient(&s->b, WF_REGION_NEW_CLOCKS);
     for (int32_t i = 0; i < s->count; i++) {
@@ -311,7 +218,7 @@ typedef struct Verdict { bool held, restless, zero, sent; } Verdict;
 
 static Verdict judge(const struct wfStep *s, const Links *l, int32_t k)
 {
-    Rest r = rest_of(&s->b);
+    wfRest r = wfRestOf(&s->b);
     Verdict v = { .held = l->heldAll, .restless = l->restlessAll, .zero = true };
     for (int32_t m = s->islands.first[k]; m < s->islands.first[k + 1]; m++) {
         int32_t i = s->islands.members[m];
@@ -319,7 +226,7 @@ static Verdict judge(const struct wfStep *s, const Links *l, int32_t k)
         v.held = v.held || (l->marks[i] & LINK_HELD);
         v.restless = v.restless || (l->marks[i] & LINK_RESTLESS);
         v.zero = v.zero && b->v.x == 0 && b->v.y == 0 && b->w == 0;
-        v.sent = v.sent || (r.flags[i] & REST_SENT);
+        v.sent = v.sent || (r.flags[i] & WF_REST_SENT);
     }
     return v;
 }
@@ -441,7 +348,7 @@ static void sort_lists(struct wfStep *s)
     s->kept = kept;
 }
 
-static void lie_down(struct wfStep *s, const Rest *r)
+static void lie_down(struct wfStep *s, const wfRest *r)
 {
     const wfIslands *in = &s->islands;
     for (int32_t k = 0; k < in->count; k++) {
@@ -452,9 +359,9 @@ static void lie_down(struct wfStep *s, const Rest *r)
             int32_t i = in->members[m];
             r->island[i] = in->members[first];
             r->clock[i] = s->clocks[i];
-            r->flags[i] &= REST_NEVER;
+            r->flags[i] &= WF_REST_NEVER;
             if (!tired) continue;
-            r->flags[i] |= REST_ASLEEP;
+            r->flags[i] |= WF_REST_ASLEEP;
             s->woken[i] = 2;    /* fell asleep in this step */
             r->ring[i] = in->members[m + 1 < end ? m + 1 : first];
         }
@@ -464,10 +371,10 @@ static void lie_down(struct wfStep *s, const Rest *r)
 
 void wfKeepRest(struct wfStep *s)
 {
-    Rest r = rest_of(&s->b);
+    wfRest r = wfRestOf(&s->b);
     wfHeader *head = s->b.head;
     for (int32_t i = 0; i < s->count && s->restarts > 0; i++)
-        if (s->woken[i]) rouse_island(&s->b, &r, i);
+        if (s->woken[i]) wfRouseIsland(&s->b, &r, i);
     head->islandCount = 0;
     if (s->islands.count > 0) lie_down(s, &r);
     if (s->roused || s->tired > 0) sort_lists(s);
@@ -475,18 +382,18 @@ void wfKeepRest(struct wfStep *s)
 }
 
 /* calls about rest */
-static wfResult open_rest(const wfWorld *world, wfBodyId id, wfBlock *b, Rest *r,
+static wfResult open_rest(const wfWorld *world, wfBodyId id, wfBlock *b, wfRest *r,
                           int32_t *i)
 {
     wfResult result = wfOpenBlock(world, b);
     if (result != WF_OK) return result;
     *i = wfBodyIndex(world, id);
     if (*i < 0) return WF_ERROR_STALE_ID;
-    *r = rest_of(b);
+    *r = wfRestOf(b);
     return WF_OK;
 }
 
-static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, Rest *r,
+static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, wfRest *r,
                             int32_t *i)
 {
     wfResult result = open_rest(world, id, b, r, i);
@@ -496,15 +403,15 @@ static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, Rest 
 bool wfIsAwake(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
-    Rest r;
+    wfRest r;
     int32_t i;
-    return open_rest(world, id, &b, &r, &i) == WF_OK && !sleeps(&r, i);
+    return open_rest(world, id, &b, &r, &i) == WF_OK && !wfIsAsleep(&r, i);
 }
 
 wfResult wfWakeBody(wfWorld *world, wfBodyId id)
 {
     wfBlock b;
-    Rest r;
+    wfRest r;
     int32_t i;
     wfResult result = change_rest(world, id, &b, &r, &i);
     if (result == WF_OK) wfRouse(&b, i);
@@ -514,29 +421,29 @@ wfResult wfWakeBody(wfWorld *world, wfBodyId id)
 wfResult wfPutToSleep(wfWorld *world, wfBodyId id)
 {
     wfBlock b;
-    Rest r;
+    wfRest r;
     int32_t i;
     wfResult result = change_rest(world, id, &b, &r, &i);
     if (result == WF_OK) result = wfDemand(&b, WF_NEED_SLEEP);
     if (result != WF_OK) return result;
     if (!b.head->sleep || b.props[i].type != WF_DYNAMIC) return WF_ERROR_RANGE;
-    if (r.flags[i] & REST_NEVER) return WF_ERROR_RANGE;
-    if (!sleeps(&r, i)) r.flags[i] |= REST_SENT;
+    if (r.flags[i] & WF_REST_NEVER) return WF_ERROR_RANGE;
+    if (!wfIsAsleep(&r, i)) r.flags[i] |= WF_REST_SENT;
     return WF_OK;
 }
 
 wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never)
 {
     wfBlock b;
-    Rest r;
+    wfRest r;
     int32_t i;
     wfResult result = change_rest(world, id, &b, &r, &i);
     if (result != WF_OK) return result;
     if (never != 0 && never != 1) return WF_ERROR_RANGE;
     if (r.flags == NULL) return WF_OK;      /* nobody ever sleeps here */
     if (never) wfRouse(&b, i);
-    if (never) r.flags[i] = REST_NEVER;
-    else r.flags[i] &= REST_ASLEEP | REST_SENT;
+    if (never) r.flags[i] = WF_REST_NEVER;
+    else r.flags[i] &= WF_REST_ASLEEP | WF_REST_SENT;
     return WF_OK;
 }
 
@@ -546,13 +453,13 @@ bool wfNeverSleeps(const wfWorld *world, wfBodyId id)
     int32_t i = wfBodyIndex(world, id);
     if (i < 0 || wfOpenBlock(world, &b) != WF_OK) return false;
     if (!wfHas(b.head, WF_NEED_SLEEP)) return false;
-    return (rest_of(&b).flags[i] & REST_NEVER) != 0;
+    return (wfRestOf(&b).flags[i] & WF_REST_NEVER) != 0;
 }
 
 int32_t wfBodyIsland(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
-    Rest r;
+    wfRest r;
     int32_t i;
     bool found = open_rest(world, id, &b, &r, &i) == WF_OK && b.head->sleep;
     return found ? r.island[i] : -1;

@@ -137,165 +137,6 @@ static wfResult check_states(struct wfStep *s)
 }
 /* whom have they met? */
 
-/* bound the shapes */
-static bool can_move(const wfBodyState *s)
-{
-    return s->invMass > 0 || s->invInertia > 0 || s->v.x != 0 || s->v.y != 0 || s->w != 0;
-}
-
-static uint8_t flag_shape(const wfBlock *b, const wfBodyState *state, int32_t k)
-{
-    int32_t i = b->owners[k];
-    if (i < 0) return 0;
-    bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
-    bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
-    /* In this chapter nobody but sensors. */
-    seen = seen || (b->head->asleep > 0 && can_move(&state[i]));
-    return (uint8_t)(WF_PROXY_LIVE
-                     | (moves || (kinematic && seen) ? WF_PROXY_MOVES : 0));
-}
-
-static wfRect bound_one(const wfBlock *b, int32_t k, wfTransform placed)
-{
-    wfRect none = { .min = wfV2(0, 0), .max = wfV2(0, 0) };
-    return b->owners[k] >= 0 ? wfShapeBounds(&b->shapes[k], placed) : none;
-}
-
-void wfBoundShape(wfBlock *b, int32_t k)
-{
-    int32_t i = b->owners[k];
-    if (!wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES)) return;
-    wfTransform placed = i >= 0 ? wfBodyTransform(&b->state[i]) : wfTransformIdentity();
-    b->bounds[k] = bound_one(b, k, placed);
-    b->flags[k] = flag_shape(b, b->state, k);
-    b->head->indexStale = 1;
-    /* In this chapter nobody has to know. */
-    wfRouseNear(b, k);
-}
-
-void wfBoundBody(wfBlock *b, int32_t i)
-{
-    for (int32_t k = b->props[i].shape; k >= 0; k = b->next[k]) wfBoundShape(b, k);
-}
-
-static wfResult find_bounds(struct wfStep *s)
-{
-    s->places = wfTransient(&s->b, WF_REGION_PLACES);
-    s->rims = wfTransient(&s->b, WF_REGION_RIMS);
-    s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
-    s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
-    s->movers = 0;
-    for (int32_t i = 0; i < s->count; i++) {
-        if (!s->present[i]) continue;
-        s->places[i] = wfBodyTransform(&s->state[i]);
-        s->movers += can_move(&s->state[i]);
-    }
-    for (int32_t k = 0; k < s->shapeCount; k++) {
-        int32_t i = s->b.owners[k];
-        /* ask for the corners of a shape further on */
-        enum { AHEAD = 6 };
-        if (k + AHEAD < s->shapeCount) {
-            const wfShape *soon = &s->b.shapes[k + AHEAD];
-            WF_FETCH_SOON(soon);
-            WF_FETCH_SOON(&soon->vertices[3]);
-        }
-        if (i >= 0 && !s->present[i]) {
-            s->bounds[k] = s->b.bounds[k];
-            s->flags[k] = WF_PROXY_LIVE;
-            s->rims[k] = 0;
-            continue;
-        }
-        /* find the box of a shape that takes part */
-        s->flags[k] = flag_shape(&s->b, s->state, k);
-        s->bounds[k] = bound_one(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
-        wfReal more = i >= 0 && wfSolverSteps(s) ? wfWayOfShape(s, k) : 0;
-        s->bounds[k].min = wfSub(s->bounds[k].min, wfV2(more, more));
-        s->bounds[k].max = wfAdd(s->bounds[k].max, wfV2(more, more));
-        if (!wfIsFinite2(s->bounds[k].min) || !wfIsFinite2(s->bounds[k].max))
-            return WF_ERROR_NOT_FINITE;
-    }
-    return WF_OK;
-}
-
-/* find the pairs */
-bool wfHasMass(const struct wfStep *s, int32_t k)
-{
-    const wfBodyState *state = &s->state[s->b.owners[k]];
-    return state->invMass > 0 || state->invInertia > 0;
-}
-
-static bool pair_rule(const void *context, int32_t a, int32_t b)
-{
-    const struct wfStep *s = context;
-    bool senses = false, may = true;
-    /* It does if one of the two is a sensor. */
-    bool first = wfIsSensor(&s->b, a), second = wfIsSensor(&s->b, b);
-    if (first && second) return false;
-    senses = first || second;
-    if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
-    /* In this chapter nobody else. */
-    if (!senses && !wfMovesNow(s, s->b.owners[a]) && !wfMovesNow(s, s->b.owners[b]))
-        return false;
-    /* See the section on hooks. */
-    const wfHooks *hooks = s->hooks;
-    if (hooks != NULL && hooks->filter != NULL)
-        may = hooks->filter(hooks->context, &s->view, a, b);
-    return may;
-}
-
-wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags)
-{
-    return (wfProxies){ .count = b->head->shapeSlots.high, .bounds = bounds,
-                        .flags = flags, .filters = b->filters, .owners = b->owners };
-}
-
-static size_t index_bytes(const wfHeader *head)
-{
-    return wfIndexSize(head->broadPhase, head->shapeCapacity);
-}
-
-static wfResult find_pairs(struct wfStep *s)
-{
-    const wfHeader *head = s->b.head;
-    wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
-    bool rule = false, asked = false;
-    /* Who has none of what follows does without. */
-    rule = rule || head->sensorCount > 0;
-    rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
-    rule = rule || head->asleep > 0;
-    /* Who moves. */
-    asked = head->queries && head->indexStale;
-    if (rule) proxies.custom = pair_rule, proxies.context = s;
-    s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
-                             .capacity = head->pairCapacity - s->kept.pairs };
-    size_t bytes = index_bytes(head);
-    if (s->movers == 0 && !asked) return WF_OK;
-    bool meets = wfHas(head, WF_NEED_CONTACTS);
-    if (bytes == 0 && !meets) return WF_OK;
-    if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
-    /* bring a copy of the index up to date */
-    s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
-    memcpy(s->index, s->b.index, bytes);
-    wfResult result = wfUpdateIndex(head->broadPhase, &proxies, s->index, bytes,
-                                    &s->scratch);
-    if (result != WF_OK || !meets) return result;
-    return wfIndexPairs(head->broadPhase, &proxies, s->index, &s->scratch, &s->pairs);
-}
-
-static wfResult find_and_count(struct wfStep *s)
-{
-    wfResult result = find_pairs(s);
-    int32_t found = s->pairs.count + s->kept.pairs;
-    if (s->foundPairs < found) s->foundPairs = found;
-    return result;
-}
-
-wfResult wfFindPairsAgain(struct wfStep *s)
-{
-    wfResult result = find_bounds(s);
-    return result == WF_OK ? find_and_count(s) : result;
-}
-
 /* resolve the contacts */
 int32_t wfPassesOf(const wfHeader *head)
 {
@@ -352,57 +193,6 @@ static wfResult solve_positions(struct wfStep *s)
     return wfSolverSteps(s) ? WF_OK : wfSolvePositions(s->b.head->solver, &solve);
 }
 
-/* keep the index for queries */
-static wfResult find_index(struct wfStep *s)
-{
-    size_t mark = wfPoolMark(&s->scratch);
-    uint8_t *moved = wfPoolPushArray(&s->scratch, s->count, uint8_t);
-    if (moved == NULL) return WF_ERROR_MEMORY;
-    memset(moved, wfSolverSteps(s) ? 1 : 0, (size_t)s->count);
-    for (int32_t i = 0; i < s->contactCount; i++)
-        moved[s->contacts[i].a] = moved[s->contacts[i].b] = 1;
-    for (int32_t i = 0; i < s->count; i++) {
-        if (!s->present[i]) moved[i] = 0;
-        if (moved[i]) s->places[i] = wfBodyTransform(&s->state[i]);
-    }
-    for (int32_t k = 0; k < s->shapeCount; k++) {
-        int32_t i = s->b.owners[k];
-        /* ask for the corners of a shape further on */
-        enum { AHEAD = 6 };
-        if (k + AHEAD < s->shapeCount) {
-            const wfShape *soon = &s->b.shapes[k + AHEAD];
-            WF_FETCH_SOON(soon);
-            WF_FETCH_SOON(&soon->vertices[3]);
-        }
-        if (i >= 0 && moved[i]) s->bounds[k] = bound_one(&s->b, k, s->places[i]);
-    }
-    wfPoolRewind(&s->scratch, mark);
-    wfResult result = WF_OK;
-    /* for queries, and only for them */
-    wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
-    if (s->index != NULL && s->b.head->queries)
-        result = wfUpdateIndex(s->b.head->broadPhase, &proxies, s->index,
-                               index_bytes(s->b.head), &s->scratch);
-    return result;
-}
-
-wfResult wfIndexWorld(wfWorld *world)
-{
-    wfBlock b;
-    wfPool scratch;
-    wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK) result = wfDemand(&b, WF_NEED_QUERIES);
-    if (result != WF_OK || index_bytes(b.head) == 0) return result;
-    size_t size = (size_t)(b.head->scratchBytes - b.head->offset[WF_REGION_SCRATCH]);
-    result = wfPoolInit(&scratch, size, wfTransient(&b, WF_REGION_SCRATCH));
-    if (result != WF_OK) return result;
-    wfProxies proxies = wfProxiesOf(&b, b.bounds, b.flags);
-    result = wfUpdateIndex(b.head->broadPhase, &proxies, b.index, index_bytes(b.head),
-                           &scratch);
-    if (result == WF_OK) b.head->indexStale = 0;
-    return result;
-}
-
 /* commit the step */
 static void copy_back(void *to, const void *from, int32_t count, size_t each)
 {
@@ -425,7 +215,7 @@ static wfResult commit(struct wfStep *s)
     copy_back(s->b.caches + at, s->caches, pairs, sizeof *s->caches);
     copy_back(s->b.contacts + s->kept.contacts, s->contacts, s->contactCount,
               sizeof *s->contacts);
-    if (s->index != NULL) memcpy(s->b.index, s->index, index_bytes(head));
+    if (s->index != NULL) memcpy(s->b.index, s->index, wfIndexBytes(head));
     copy_back(s->b.touches + s->kept.touches, s->touches, s->touchCount,
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
@@ -477,11 +267,11 @@ const wfStageRow wfStageTable[] = {
       "new states", "", check_states,
       0, 0 },
     { "bounds", "put an upright box round every shape",
-      "new states, shapes", "new bounds, new flags", find_bounds,
+      "new states, shapes", "new bounds, new flags", wfBoundShapes,
       0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
     /* stages that find pairs */
     { "broad phase", "find the pairs whose boxes overlap",
-      "new bounds, new flags, index", "new pairs, new index", find_and_count,
+      "new bounds, new flags, index", "new pairs, new index", wfFindNewPairs,
       0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
     { "joined pairs", "bodies that are joined do not collide",
       "new pairs, joints", "new pairs", wfLeaveOutJoined,
@@ -525,7 +315,7 @@ const wfStageRow wfStageTable[] = {
       WF_NEED_EVENTS, 0 },
     /* whatever has to be ready before that */
     { "index", "prepare the answers to queries",
-      "new states, shapes", "new bounds, new index", find_index,
+      "new states, shapes", "new bounds, new index", wfPrepareIndex,
       0, WF_NEED_QUERIES },
     { "islands", "let islands that rest fall asleep",
       "new contacts, new joints, new states", "new states, clocks of rest", wfFindIslands,

@@ -81,7 +81,17 @@ static inline bool wfIsSensor(const wfBlock *b, int32_t k)
     return b->materials[k].sensor != 0;
 }
 bool wfHasMass(const struct wfStep *s, int32_t k);
-wfResult wfFindContacts(struct wfStep *s);      /* a stage */
+wfReal wfWayOfPair(const struct wfStep *s, wfPair p);
+/* Does anything move it, or could it? Its flags and its box, where the body is placed. */
+bool wfCanMove(const wfBodyState *s);
+uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k);
+wfRect wfBoundOne(const wfBlock *b, int32_t k, wfTransform placed);
+size_t wfIndexBytes(const wfHeader *head);      /* of the broad phase's index */
+/* Stages. */
+wfResult wfBoundShapes(struct wfStep *s);
+wfResult wfFindNewPairs(struct wfStep *s);
+wfResult wfFindContacts(struct wfStep *s);
+wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
 /* Do some bodies make fewer substeps than others? The step of such a world: chapter 33. */

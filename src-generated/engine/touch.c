@@ -3,62 +3,6 @@
 #include <string.h>
 #include "engine/step.h"
 
-/* how far shapes may come in a step */
-bool wfSolverSteps(const struct wfStep *s)
-{
-    const wfHeader *head = s->b.head;
-    return wfHas(head, WF_NEED_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
-}
-
-static wfVec2 velocity_to_be(const struct wfStep *s, int32_t i)
-{
-    wfReal gain = s->b.head->dt * s->state[i].invMass;
-    return wfAddScaled(s->state[i].v, gain, s->sums[i].force);
-}
-
-static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
-{
-    wfReal gain = s->b.head->dt * s->state[i].invInertia;
-    wfReal spin = wfAbs(s->state[i].w) + gain * wfAbs(s->sums[i].torque);
-    return spin * (wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm);
-}
-
-wfReal wfWayOfShape(struct wfStep *s, int32_t k)
-{
-    int32_t i = s->b.owners[k];
-    wfReal is = wfLength(s->state[i].v), to_be = wfLength(velocity_to_be(s, i));
-    s->rims[k] = rim_speed(s, i, k);        /* for way_of_pair: a shape has many pairs */
-    /* how far this shape is looked ahead */
-    wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + s->rims[k]);
-    if (!wfIsCrowd(&s->b) && wfIsFollowed(&s->b, k, way)) {
-        way = s->b.head->slop * s->b.materials[k].reach;
-        s->followed = true;
-    }
-    return way;
-}
-
-static wfReal way_of_pair(const struct wfStep *s, wfPair p)
-{
-    int32_t a = s->b.owners[p.a], b = s->b.owners[p.b];
-    wfVec2 va = s->state[a].v, vb = s->state[b].v;
-    wfVec2 toA = velocity_to_be(s, a), toB = velocity_to_be(s, b);
-    wfReal free = wfLengthSq(wfSub(toB, toA));
-    wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
-    wfReal u = wfSqrt(wfMaxR(free, held));
-    /* how far this pair is looked ahead */
-    wfReal way = s->b.head->dt * (u + (s->rims[p.a] + s->rims[p.b]));   /* eq:world-way */
-    if (!wfIsCrowd(&s->b)
-        && (wfIsFollowed(&s->b, p.a, way) || wfIsFollowed(&s->b, p.b, way))) {
-        wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->rims[p.a]);
-        wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->rims[p.b]);
-        bool fast = wfIsFollowed(&s->b, p.a, wfMinR(way, ownA))
-                 || wfIsFollowed(&s->b, p.b, wfMinR(way, ownB));
-        const wfShapeProps *m = s->b.materials;
-        if (fast) way = s->b.head->slop * wfMinR(m[p.a].reach, m[p.b].reach);
-    }
-    return way;
-}
-
 /* Where the three fingers are in the lists of the last step, and where these end. What is
  * not found is looked for on the walk after this one, if there is one. */
 typedef struct wfWalk {
@@ -340,7 +284,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     bool was = false, enabled = true;
     /* Without events nobody remembers. */
     was = touched_before(&s->b, w, p);
-    wfReal ahead = wfSolverSteps(s) ? way_of_pair(s, p) : 0;
+    wfReal ahead = wfSolverSteps(s) ? wfWayOfPair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, c->slop) : ahead;
     wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], c);
     if (result != WF_OK || c->manifold.count == 0) return result;

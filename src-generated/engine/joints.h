@@ -1,0 +1,24 @@
+/* Weft: engine/joints.h, tangled from chapters/methods/05-joints-in-a-world.nw. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
+#ifndef WEFT_ENGINE_JOINTS_H
+#define WEFT_ENGINE_JOINTS_H
+/* The arrays of the joints. For the engine's own files; not installed. */
+#include "engine/block.h"
+
+/* find the arrays of the joints */
+typedef struct wfJoints {
+    wfSlot *slots;
+    wfJoint *joints;
+    wfJointId *broken;
+} wfJoints;
+
+static inline wfJoints wfJointsOf(const wfBlock *b)
+{
+    uint8_t *base = (uint8_t *)b->head;
+    return (wfJoints){ (void *)(base + b->head->offset[WF_REGION_JOINT_SLOTS]),
+                     (void *)(base + b->head->offset[WF_REGION_JOINTS]),
+                     (void *)(base + b->head->offset[WF_REGION_BROKEN]) };
+}
+
+static bool wfJointIsLive(const wfJoints *j, int32_t i) { return j->slots[i].next == WF_SLOT_LIVE; }
+#endif
