@@ -40,6 +40,7 @@
 
   // -- scripts of data, loaded when first needed (fetch does not work from file://)
   const pages = {}, waiting = {};
+  let pieces = {};
   let index = null;
   const load = (src, key) => waiting[key] || (waiting[key] = new Promise(done => {
     const s = document.createElement('script');
@@ -49,6 +50,7 @@
   }));
   window.WEFT = {
     add(page, chunks) { pages[page] = chunks; },
+    pieces(all) { pieces = all; },
     index(names, rows) { index = { names, rows, titles: new Map(rows.filter(r => r[0] === 'sec').map(r => [r[2] + '#' + r[3], r[1]])), lower: rows.map(r => (r[1] + ' ' + (r[4] || '')).toLowerCase()) }; },
   };
 
@@ -145,15 +147,16 @@
   }
 
   // -- what a link points at: on this page, or in the other page's script
-  const target = async a => {
-    const href = a.getAttribute('href') || '', cut = href.indexOf('#');
+  const written = new WeakMap();                      // code that is shown assembled: as it is written
+  const target = async href => {
+    const cut = href.indexOf('#');
     if (cut < 0) return null;
     const page = href.slice(0, cut) || here, id = decodeURIComponent(href.slice(cut + 1));
     if (page === here) {
       let e = document.getElementById(id);
       if (e && e.tagName === 'DFN') e = e.closest('.chunk');
       if (!e) return null;
-      if (e.matches('.chunk')) return { chunk: e.querySelector('pre code'), html: '<figure class="chunk">' + e.querySelector('figcaption').outerHTML + e.querySelector('pre').outerHTML + '</figure>' };
+      if (e.matches('.chunk')) return { chunk: e.querySelector('pre code'), num: e.querySelector('.num').textContent, html: '<figure class="chunk">' + e.querySelector('figcaption').outerHTML + e.querySelector('pre').outerHTML + '</figure>' };
       if (e.matches('.eq')) return { html: e.outerHTML };
       if (e.matches('.fig, .tbl')) return { html: e.innerHTML };
       return null;
@@ -167,7 +170,7 @@
     box.querySelectorAll('a[href^="#"]').forEach(x => x.setAttribute('href', page + x.getAttribute('href')));
     box.querySelectorAll('[id]').forEach(x => x.removeAttribute('id'));
     const code = box.querySelector('pre code');
-    return { chunk: code, html: code ? '<figure class="chunk">' + box.innerHTML + '</figure>' : box.innerHTML };
+    return { chunk: code, num: code ? box.querySelector('.num').textContent : '', html: code ? '<figure class="chunk">' + box.innerHTML + '</figure>' : box.innerHTML };
   };
 
   // -- preview on rest
@@ -179,7 +182,7 @@
     clearTimeout(timer);
     if (!a) { if (pop) timer = setTimeout(close, 250); return; }
     timer = setTimeout(async () => {
-      const t = await target(a);
+      const t = await target(a.getAttribute('href') || '');
       if (!t || !a.matches(':hover')) return;
       close();
       pop = document.createElement('div');
@@ -195,19 +198,55 @@
   });
   document.addEventListener('keydown', e => { if (e.key === 'Escape') { close(); document.body.classList.remove('menu'); } });
 
-  // -- a chunk opened in place: Shift-click, or Alt-click, on its name; again to close
+  // -- the code of a chunk, all its pieces one below the other, whichever of them is shown opened just now
+  const whole = async href => {
+    const cut = href.indexOf('#'), id = decodeURIComponent(href.slice(cut + 1));
+    await load('data/pieces.js', 'pieces');
+    const list = pieces[id] || [href.slice(0, cut) || here], texts = [];
+    for (let i = 0; i < list.length; i++) {
+      const at = (list[i] === here ? '' : list[i]) + '#' + id + (i ? '-' + (i + 1) : ''), t = await target(at);
+      if (!t || !t.chunk) continue;
+      const box = document.createElement('div');
+      box.innerHTML = written.get(t.chunk) || t.chunk.innerHTML;
+      box.querySelectorAll('.inl').forEach(x => x.remove());
+      box.querySelectorAll('.open').forEach(x => x.classList.remove('open'));
+      box.querySelectorAll('[id]').forEach(x => x.removeAttribute('id'));
+      texts.push((list.length > 1 ? `<a class="piece" href="${escape(at)}">${escape(t.num)}</a>\n` : '') + box.innerHTML.replace(/\n$/, ''));
+    }
+    return texts.join('\n');
+  };
+  const unfold = async (a, deep) => {
+    const code = await whole(a.getAttribute('href'));
+    if (!code) return false;
+    const s = document.createElement('span');
+    s.className = 'inl';
+    s.innerHTML = code;
+    a.classList.add('open');
+    a.after(s);
+    if (deep) for (const u of s.querySelectorAll('a.use')) await unfold(u, true);
+    return true;
+  };
   document.addEventListener('click', async e => {
-    const a = e.target.closest && e.target.closest('a.use');
-    if (!a || !(e.shiftKey || e.altKey)) return;
+    const a = e.target.closest && e.target.closest('a.use, a.asm');
+    if (!a) return;
+    if (a.matches('.asm')) {                            // a chunk assembled, and again as it is written
+      e.preventDefault();
+      const code = a.closest('.chunk').querySelector('pre code');
+      if (a.dataset.busy) return;
+      if (written.has(code)) { code.innerHTML = written.get(code); written.delete(code); a.textContent = 'assembled'; return; }
+      a.dataset.busy = 1;
+      const text = await whole(a.getAttribute('href'));
+      written.set(code, code.innerHTML);
+      code.innerHTML = text + '\n';
+      for (const u of code.querySelectorAll('a.use')) await unfold(u, true);
+      a.textContent = 'as written';
+      delete a.dataset.busy;
+      return;
+    }
+    if (!(e.shiftKey || e.altKey)) return;              // a chunk opened in place: Shift-click, or Alt-click, on its name; again to close
     e.preventDefault();
     close();
     if (a.classList.contains('open')) { a.classList.remove('open'); a.nextElementSibling.remove(); return; }
-    const t = await target(a);
-    if (!t || !t.chunk) { location.href = a.href; return; }
-    const s = document.createElement('span');
-    s.className = 'inl';
-    s.innerHTML = t.chunk.innerHTML.replace(/\n$/, '').replace(/ id="[^"]*"/g, '');
-    a.classList.add('open');
-    a.after(s);
+    if (!await unfold(a, false)) location.href = a.href;
   });
 })();

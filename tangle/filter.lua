@@ -144,10 +144,13 @@ local function chunk(k)
   if html then
     local rows = {}
     for i, l in ipairs(c.lines) do rows[i] = Code.line_html(db, l, here) end
+    local uses = c.pieces > 1
+    for _, l in ipairs(c.lines) do for _, t in ipairs(l) do uses = uses or t[1] == "use" end end
+    local assembled = uses and ' <a class="asm" href="' .. href(db.chunks[c.first].page, c.first) .. '" title="this chunk with all its pieces, and all chunks in it opened">assembled</a>' or ""
     local whole = c.source and ' <a class="whole" href="' .. c.source .. '">whole file</a>' or ""
     local body = "<pre><code>" .. table.concat(rows, "\n") .. "\n</code></pre>"
     local head = '<figcaption><a class="num" href="#' .. c.id .. '">' .. c.num .. '</a> <span class="name">\u{27e8}' .. Code.name(db, c.name, "html") ..
-      "\u{27e9}" .. (c.part > 1 and '<span class="pl">+</span>' or "") .. "\u{2261}</span>" .. (c.only and '<span class="only">only with ' .. Code.html(c.only) .. "</span>" or "") .. whole .. '<span class="src">' .. Code.html(c.file) .. ":" .. c.line .. "</span></figcaption>"
+      "\u{27e9}" .. (c.part > 1 and '<span class="pl">+</span>' or "") .. "\u{2261}</span>" .. (c.only and '<span class="only">only with ' .. Code.html(c.only) .. "</span>" or "") .. assembled .. whole .. '<span class="src">' .. Code.html(c.file) .. ":" .. c.line .. "</span></figcaption>"
     local foot = #feet > 0 and "<footer>" .. table.concat(feet, " ") .. "</footer>" or ""
     previews[#previews + 1] = { c.id, head .. body }
     return rawb('<figure class="chunk" id="' .. c.id .. '">' .. head .. "\n" .. body .. "\n" .. foot .. "</figure>")
@@ -316,7 +319,7 @@ local function figure(el)
     elseif path:match("%.svg$") then picture = inline_svg(Code.read(file), (id ~= "" and id or path):gsub("[^%w]+", "-"), caption_text)
     else picture = '<img src="' .. path .. '" alt="' .. Code.html(caption_text) .. '">' end
     r:insert(rawb('<figure class="fig' .. (plot and " plot" or "") .. '"' .. live_data(path) .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><div class="pic"' ..
-      (width and ' style="width:' .. width .. '"' or "") .. ">" .. picture .. "</div><figcaption>" .. (l and "<b>Figure " .. l.num .. ".</b> " or "")))
+      (width and ' style="width:' .. width .. '"' or "") .. ">" .. picture .. "</div><figcaption>" .. (l and (l.online and '<b class="online">' or "<b>") .. "Figure " .. l.num .. ".</b> " or "")))
     r:insert(pandoc.Plain(im.caption))
     r:insert(rawb(commands .. "</figcaption></figure>"))
   else
@@ -394,7 +397,7 @@ local function data_table(el)
       for j, cell in ipairs(line) do t[#t + 1] = "<td" .. (numeric[j] and ' class="n"' or "") .. ">" .. show(cell) .. "</td>" end
       t[#t + 1] = "</tr>"
     end
-    t[#t + 1] = '</tbody></table><div class="cap">' .. (l and "<b>Table " .. l.num .. ".</b> " or "")
+    t[#t + 1] = '</tbody></table><div class="cap">' .. (l and (l.online and '<b class="online">' or "<b>") .. "Table " .. l.num .. ".</b> " or "")
     r:insert(rawb(table.concat(t)))
     r:insert(caption)
     r:insert(rawb(command_line({ command }, machine) .. "</div></div>"))
@@ -433,7 +436,7 @@ local function table_block(el)
   if html then
     r:insert(rawb('<div class="tbl"' .. (id and ' id="' .. id .. '"' or "") .. ">"))
     r:insert(el)
-    r:insert(rawb('<div class="cap">' .. (l and "<b>Table " .. l.num .. ".</b> " or "")))
+    r:insert(rawb('<div class="cap">' .. (l and (l.online and '<b class="online">' or "<b>") .. "Table " .. l.num .. ".</b> " or "")))
     r:insert(pandoc.Plain(caption))
     r:insert(rawb("</div></div>"))
   else
@@ -521,7 +524,7 @@ local function div(el)
   elseif c:includes("data") then return data_table(el)
   elseif c:includes("listing") then return listing(el)
   elseif c:includes("files") then return file_list()
-  elseif c:includes("only") then return el.content end
+  elseif c:includes("only") or c:includes("web") then return el.content end
   for _, k in ipairs { "note", "warning", "history", "physics", "aside" } do
     if c:includes(k) then return box(k, a.title and Code.plain(a.title):gsub(".+", esc) or (k:gsub("^%l", string.upper)), nil, el.content, el.identifier ~= "" and el.identifier or nil) end
   end
@@ -559,6 +562,7 @@ end
 local function header(el)
   local l = db.labels[el.identifier]
   if not l then return nil end
+  el.attributes.print = nil
   if html then
     el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(mine.exercise and "Exercise " .. l.num or Code.ref_text(l)) or l.num) .. "</span> "))
     if el.attributes.part then
@@ -681,8 +685,53 @@ local function finish(doc)
   return doc
 end
 
+-- What print leaves out: a box .web and a section print="web" are one line, with how much code they have and where it is.
+local function count_code(blocks)
+  local n, name = 0, nil
+  pandoc.walk_block(pandoc.Div(blocks), { RawBlock = function(el)
+    if el.format == "weftchunk" then
+      local c = mine.chunks[tonumber(el.text)]
+      n, name = n + #c.lines, name or c
+    end
+  end })
+  return n, name
+end
+local function web_line(text, blocks, num, id)
+  local n, first = count_code(blocks)
+  text = text or first and "\\wName{" .. Code.name(db, first.name, "tex") .. "}" or "More of this"
+  return rawb("\\wOnline{" .. (id and "\\wLabel{" .. id .. "}" or "") .. text .. "}{" .. (n > 0 and n .. (n == 1 and " line" or " lines") .. " of code, " or "") .. "}{" .. Code.tex(here) ..
+    (num and ", " .. num or first and ", chunk " .. first.num or "") .. "}")
+end
+local function leave_out(blocks)
+  local r, section, inside = pandoc.List {}, nil, nil
+  local function close()
+    if not section then return end
+    local l = db.labels[section.identifier]
+    local counter = ({ nil, "section", "subsection" })[section.level]          -- TeX counts the sections that it has
+    if counter then r:insert(rawb("\\stepcounter{" .. counter .. "}")) end
+    r:insert(web_line((l and l.num .. "\\enspace " or "") .. Code.tex(l and l.title or stringify(section.content)), inside, l and "section " .. l.num, section.identifier))
+    section = nil
+  end
+  for _, b in ipairs(blocks) do
+    if b.t == "Header" and section and b.level <= section.level then close() end
+    if section then inside:insert(b)
+    elseif b.t == "Header" and b.attributes.print == "web" then section, inside = b, pandoc.List {}
+    elseif b.t == "Div" and b.classes:includes("web") then r:insert(web_line(b.attributes.title and Code.tex(b.attributes.title), b.content))
+    else
+      if b.t == "Div" then b.content = leave_out(b.content) end
+      r:insert(b)
+    end
+  end
+  close()
+  return r
+end
+
 return {
   { Meta = meta },
+  { Pandoc = function(doc)
+    if tex then doc.blocks = leave_out(doc.blocks) end
+    return doc
+  end },
   { Cite = cite },
   { Code = inline_code, CodeBlock = code_block,
     RawBlock = function(el)

@@ -64,7 +64,7 @@ function Pages.write(w)
     t[#t + 1] = '<header class="cover">' .. (cover and '<div class="coverpic">' .. cover:gsub("^.-(<svg)", "%1") .. "</div>" or "") ..
       '<h1 class="booktitle">Weft</h1><p class="subtitle">A textbook that builds into a rigid-body physics engine</p></header>'
     t[#t + 1] = '<section class="how"><p>Each chapter interleaves the physics, its derivation and the C code. The code that you read is the code that runs: it is taken from these pages and compiled.</p><ul>' ..
-      "<li>Code comes in named, numbered chunks. Click a \u{27e8}chunk\u{27e9} to go to it, rest on it to see it, click with Shift to open it in place.</li>" ..
+      "<li>Code comes in named, numbered chunks. Click a \u{27e8}chunk\u{27e9} to go to it, rest on it to see it, click with Shift to open it in place, with all its pieces. <i>Assembled</i>, above a chunk, shows it whole, as the compiler sees it.</li>" ..
       "<li>Every identifier leads to its definition. Every chunk says where it is used and in which line of which file it stands.</li>" ..
       "<li>Beside each numbered equation stand the chunks that compute it; <a href=\"formulas.html\">Formulas and their code</a> lists them all.</li>" ..
       "<li>Press <kbd>/</kbd> to search: headings, chunks, identifiers, equations, and every paragraph.</li></ul>" ..
@@ -248,6 +248,20 @@ function Pages.write(w)
     Code.write_if_changed(html_dir .. "/data/search.js", "WEFT.index([" .. table.concat(pages, ",") .. "],[\n" .. table.concat(t, ",\n") .. "]);\n")
   end
 
+  -- the pieces of chunks that have several, for the view of all of them: the page of each, by the id of the first
+  if html_dir then
+    local t = {}
+    for _, n in pairs(book.names) do
+      if #n.parts > 1 then
+        local pages = {}
+        for i, p in ipairs(n.parts) do pages[i] = '"' .. book.chunks[p].page .. '"' end
+        t[#t + 1] = '"' .. book.chunks[n.parts[1]].id .. '":[' .. table.concat(pages, ",") .. "]"
+      end
+    end
+    table.sort(t)
+    Code.write_if_changed(html_dir .. "/data/pieces.js", "WEFT.pieces({\n" .. table.concat(t, ",\n") .. "});\n")
+  end
+
   ------------------------------------------------------------- pages of chapters and files that are no more must not stay
   if html_dir then
     local keep = { ["formulas.html"] = true, ["index.html"] = true }
@@ -284,7 +298,7 @@ function Pages.write(w)
     local l = {}
     local chapter
     for _, c in ipairs(in_order) do
-      if c.part == 1 and not c.online then
+      if c.part == 1 and not db.chunks[c.id].online then
         if c.chapter ~= chapter then
           chapter = c.chapter
           l[#l + 1] = "\\wListedChapter{" .. book.chapters[chapter].num .. " " .. Code.tex(Code.plain(book.chapters[chapter].title or "")) .. "}"

@@ -166,7 +166,7 @@ local function add_label(chapter, line, id, kind, num, title)
     return
   end
   where[id] = chapter.file .. ":" .. line
-  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title, online = chapter.online or nil }
+  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title, online = chapter.online or chapter.web or nil }
   return labels[id]
 end
 
@@ -199,8 +199,12 @@ local function heading(chapter, line, level, text)
     while labels[id] do id = id .. "-x" end
     text = title .. " {#" .. id .. "}"
   end
+  if chapter.web_level and level <= chapter.web_level then chapter.web_level = nil; chapter.web = chapter.web_boxes > 0 or nil end
   local l = add_label(chapter, line, id, "sec", num, Code.plain(title))
   if not l then return text end
+  local print = text:match('print="?([%w_%-]*)')
+  if print == "web" then chapter.web_level = chapter.web_level or level; chapter.web = true      -- print has its title alone
+  elseif print then book:complain(chapter.file, line, 'print="' .. print .. '" says nothing', 'write print="web" at a section that only the pages have') end
   chapter.here = id
   local h = { level = level, num = num, id = id, title = title, page = chapter.entry.page }
   if level == 1 then
@@ -246,7 +250,7 @@ local function check_prose(chapter, line, l)
 end
 
 local boxes = {}
-for b in ("goals note warning history physics aside test exercise solution data files columns only listing"):gmatch("%a+") do boxes[b] = true end
+for b in ("goals note warning history physics aside test exercise solution data files columns only listing web"):gmatch("%a+") do boxes[b] = true end
 
 local function check_data(chapter, line, l)
   local file = l:match('file="([^"]*)"')
@@ -315,12 +319,19 @@ local function doc_line(chapter, line, l)
     chapter.divs = chapter.divs or {}
     if l:match("^:::+%s*$") then
       if #chapter.divs == 0 then book:complain(chapter.file, line, "this ::: closes nothing", "delete it, or open a box with ::: {.note}")
-      else table.remove(chapter.divs) end
-    else chapter.divs[#chapter.divs + 1] = line end
+      else
+        table.remove(chapter.divs)
+        if chapter.web_divs[#chapter.divs + 1] then chapter.web_divs[#chapter.divs + 1] = nil; chapter.web_boxes = chapter.web_boxes - 1 end
+      end
+    else
+      chapter.divs[#chapter.divs + 1] = line
+      if l:match("^:::+%s*{[^}]*%.web%f[^%w_%-]") then chapter.web_divs[#chapter.divs] = true; chapter.web_boxes = chapter.web_boxes + 1 end
+    end
+    chapter.web = (chapter.web_level or chapter.web_boxes > 0) and true or nil
     if l:match("^:::+%s*{[^}]*%.data") then check_data(chapter, line, l) end
     local class = l:match("^:::+%s*{%s*%.([%w_%-]+)")
     if class and not boxes[class] then
-      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files .only")
+      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files .only .web")
     end
     local solved = l:match("%.solution.-for=[\"']?([%w:_%-]+)")
     if solved then refs_seen[#refs_seen + 1] = { chapter.file, line, solved } end
@@ -340,6 +351,16 @@ local function doc_line(chapter, line, l)
   return l
 end
 
+-- A chunk that print leaves out: of a box .web, of a section print="web". Links to it have nowhere to lead in print.
+local chunk_at = {}
+for _, c in ipairs(book.chunks) do chunk_at[c.chapter .. "." .. c.k] = c end
+local function web_chunk(ci, k)
+  local c = chunk_at[ci .. "." .. k]
+  c.web = true
+  online[c.id] = true
+  db.chunks[c.id].online = true
+  if c.part == 1 then db.names[c.name].online = true end
+end
 do
   local chapter, kind, line, k
   local text, quote = "", nil
@@ -351,11 +372,13 @@ do
       ci = ci + 1
       chapter = book.chapters[ci]
       chapter.count, chapter.md, line, k = {}, {}, 1, 0
+      chapter.web_boxes, chapter.web_divs = 0, {}
     elseif key == "begin" then
       kind = rest:match("^%a+")
       text, quote = "", nil
       if kind == "code" then
         k = k + 1
+        if chapter.web then web_chunk(ci, k) end
         if chapter.fence then
           book:complain(chapter.file, chapter.fence_line, "this fence is still open where a chunk begins", "close it with " .. chapter.fence)
           chapter.fence = nil
@@ -740,6 +763,7 @@ for index, c in ipairs(book.chunks) do
           end
           if mine and not mine.placed then
             mine.placed = true
+            if c.web then online[mine.anchor] = true end
             row[#row + 1] = { "def", text, mine.anchor }
             c.defs[#c.defs + 1] = mine
           elseif target then
@@ -850,7 +874,7 @@ for i, ch in ipairs(book.chapters) do
       local files = {}
       if Book.is_root(c.name) then files[1] = c.name end
       mine.chunks[c.k] = { num = c.num, id = c.id, name = c.name, part = c.part, only = Parts.margin(book, c), file = c.file, line = c.line, lines = c.tokens, defs = defs,
-        eqs = { table.unpack(c.eqs) }, used = keyed(users), previous = c.part > 1 and book.chunks[n.parts[c.part - 1]].id or nil,
+        eqs = { table.unpack(c.eqs) }, used = keyed(users), first = book.chunks[n.parts[1]].id, pieces = #n.parts, previous = c.part > 1 and book.chunks[n.parts[c.part - 1]].id or nil,
         following = c.part < #n.parts and book.chunks[n.parts[c.part + 1]].id or nil, source = files[1] and roots[files[1]].page or nil }
     end
   end

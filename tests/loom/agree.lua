@@ -23,18 +23,24 @@ local function want(kind, where, haystack, needle)
 end
 for id, c in pairs(db.chunks) do
   want("chunks", c.page, page(c.page), 'id="' .. id .. '"><figcaption><a class="num" href="#' .. id .. '">' .. c.num .. "</a>")
-  want("chunks", c.page .. " (TeX)", text(c.page), "\\wChunk{" .. id .. "}{" .. c.num .. "}")
+  if not c.online then want("chunks", c.page .. " (TeX)", text(c.page), "\\wChunk{" .. id .. "}{" .. c.num .. "}") end
 end
 for id, l in pairs(db.labels) do
   local h, t = page(l.page), text(l.page)
+  local want, b = want, "<b>"
+  if l.online then                                    -- print has not got it
+    local all = want
+    want = function(kind, where, ...) if not where:match("TeX") then all(kind, where, ...) end end
+    b = '<b class="online">'
+  end
   if l.kind == "eq" then
     want("equations", l.page, h, '<a class="eqn" href="#' .. id .. '">(' .. l.num .. ")</a>")
     want("equations", l.page .. " (TeX)", t, "\\wLabel{" .. id .. "}\\begin{equation}\\tag*{\\wTag{" .. l.num .. "}")
   elseif l.kind == "fig" then
-    want("figures", l.page, h, 'id="' .. id .. '"'); want("figures", l.page, h, "<b>Figure " .. l.num .. ".</b>")
+    want("figures", l.page, h, 'id="' .. id .. '"'); want("figures", l.page, h, b .. "Figure " .. l.num .. ".</b>")
     want("figures", l.page .. " (TeX)", t, "\\wLabel{" .. id .. "}"); want("figures", l.page .. " (TeX)", t, "\\wCaption{Figure~" .. l.num .. "}")
   elseif l.kind == "tbl" then
-    want("tables", l.page, h, 'id="' .. id .. '"'); want("tables", l.page, h, "<b>Table " .. l.num .. ".</b>")
+    want("tables", l.page, h, 'id="' .. id .. '"'); want("tables", l.page, h, b .. "Table " .. l.num .. ".</b>")
     want("tables", l.page .. " (TeX)", t, "\\wLabel{" .. id .. "}"); want("tables", l.page .. " (TeX)", t, "{Table~" .. l.num .. "}")
   elseif l.kind == "ex" then
     want("exercises", l.page, h, 'id="' .. id .. '"><p class="title">Exercise ' .. l.num)
@@ -48,9 +54,9 @@ for _, e in ipairs(db.entries) do
   if e.page then
     local s, ss = 0, 0
     local got = {}
-    for command, id in text(e.page):gmatch("\\(%a*section)%b[]{\\wLabel{([^}]*)}") do
+    for command, id in text(e.page):gsub("\\stepcounter{(%a*section)}", "\\%1[]{\\wLabel{}"):gmatch("\\(%a*section)%b[]{\\wLabel{([^}]*)}") do
       if command == "section" then s, ss = s + 1, 0 elseif command == "subsection" then ss = ss + 1 end
-      got[id] = e.num .. "." .. s .. (command == "subsection" and "." .. ss or "")
+      if id ~= "" then got[id] = e.num .. "." .. s .. (command == "subsection" and "." .. ss or "") end
     end
     for id, num in pairs(got) do
       counts.sections = (counts.sections or 0) + 1

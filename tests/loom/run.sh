@@ -524,6 +524,62 @@ has "$dir/out/html/one.figures.html" '>1.F.1</span>' "its sections are numbered 
 hasnt "$dir/out/weave/chapters.tex" 'one.figures' "they are not printed"
 hasnt "$dir/out/one.tex" 'hyperlink{sec:one-drawn}' "print has no link to what is not printed"
 
+# ---- what only the pages have: a box, a section; print says how much code it is and where
+book web; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+## Shown {#sec:one-shown}
+
+As @sec:one-hidden and @sec:one-deep say, with [[wfHidden()]].
+
+<<core/a.c>>=
+<<functions of a>>
+@
+
+::: {.web title="Checks of the arguments"}
+Words of the box.
+
+<<functions of a>>=
+static int boxed(void)
+{
+    return 1;
+}
+@
+:::
+
+## Hidden {#sec:one-hidden print="web"}
+
+Words of the section.
+
+<<functions of a>>=
+int wfHidden(void) { return boxed(); }
+@
+
+### Deep {#sec:one-deep}
+
+Words below it.
+
+## Shown again {#sec:one-again}
+
+<<core/b.c>>=
+int wfAgain(void) { return wfHidden(); }
+@
+X
+if weave; then ok "a book with parts that print leaves out"; else bad "a book with parts that print leaves out"; fi
+WEFT_ROOT=$dir tangle/page html one "$dir/out/weave" "$dir/out/html/one.html" >>"$work/log" 2>&1 || bad "page one"
+WEFT_ROOT=$dir tangle/page latex one "$dir/out/weave" "$dir/out/one.tex" >>"$work/log" 2>&1 || bad "TeX one"
+for w in 'Words of the box' 'Words of the section' 'Words below it' 'static'; do has "$dir/out/html/one.html" "$w" "the page has: $w"; hasnt "$dir/out/one.tex" "$w" "print has not: $w"; done
+has "$dir/out/one.tex" '\wOnline{Checks of the arguments}{4 lines of code, }{one.html, chunk 1.2}' "a box in a line"
+has "$dir/out/one.tex" '\wOnline{\wLabel{sec:one-hidden}1.2\enspace Hidden}{1 line of code, }{one.html, section 1.2}' "a section in a line"
+hasnt "$dir/out/one.tex" 'wId{d-wfHidden}' "print has no link to what it leaves out"
+hasnt "$dir/out/one.tex" 'hyperlink{sec:one-deep}' "nor to its sections"
+has "$dir/out/html/one.html" 'class="asm" href="#c-functions-of-a"' "a chunk can be shown assembled"
+has "$dir/out/html/data/pieces.js" '"c-functions-of-a":["one.html","one.html"]' "its pieces are known"
+hasnt "$dir/out/html/one.html" 'print="web"' "the mark is not on the page"
+$(tangle/lua) tests/loom/agree.lua "$dir/out/weave" "$dir/out/html" "$dir/out" >"$work/log" 2>&1 && ok "the numbers agree where print leaves out a section" || bad "the numbers agree where print leaves out a section"
+sed -i 's/print="web"/print="wed"/' "$dir/chapters/01-one.nw"
+refuse "a mark that says nothing" 01-one.nw 22 'print="wed" says nothing' 'print="web"'
+
 # ---- a formula that cannot be set
 book formula; chapter 01-one.nw <<'X'
 # One {#sec:one}

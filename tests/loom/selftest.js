@@ -32,8 +32,27 @@
       if (a.nextElementSibling && a.nextElementSibling.matches('.inl')) throw 'closing a chunk';
       done.push(far ? 'chunk of another page' : 'chunk of this page');
     }
+    // a chunk with several pieces, assembled and as it was
+    const asm = [...document.querySelectorAll('.chunk a.asm')].find(x => x.closest('.chunk').querySelector('a.use'));
+    if (asm) {
+      const code = asm.closest('.chunk').querySelector('pre code'), was = code.innerHTML;
+      asm.click();
+      for (let i = 0; i < 40 && asm.textContent === 'assembled'; i++) await wait(100);
+      if (!code.querySelector('.inl') || code.querySelector('a.use:not(.open)')) throw 'a chunk assembled';
+      asm.click();
+      if (code.innerHTML !== was) throw 'an assembled chunk as it was written';
+      done.push('assembled');
+    }
+    const more = [...document.querySelectorAll('.chunk a.asm')].find(x => x.closest('.chunk').querySelector('.pl'));
+    if (more) {
+      more.click();
+      for (let i = 0; i < 40 && more.textContent === 'assembled'; i++) await wait(100);
+      if (more.closest('.chunk').querySelectorAll('a.piece').length < 2) throw 'all pieces of a chunk';
+      more.click();
+      done.push('all pieces');
+    }
     const scripts = new Set([...document.querySelectorAll('main a.cref, main a.id')].map(x => x.getAttribute('href').split('#')[0]).filter(Boolean));
-    const other = [...scripts].find(p => /^\d\d-/.test(p));
+    const other = [...scripts].find(p => /^[a-z-]+\.html$/.test(p));
     if (other) {
       const a = document.querySelector('main a.id[href^="' + other + '"], main a.cref[href^="' + other + '"]');
       const matches = a.matches.bind(a);
