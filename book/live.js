@@ -215,7 +215,7 @@
     const more = () => rest || (rest = log ? complete() : Promise.resolve());
     const open = name => act(x => x.web_open(put(x, x.web_name(), name)));
     if (scene) open(scene);
-    // the game's card (chapter 27): 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
+    // the game's card: 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
     const keep = (name, bytes) => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); localStorage.setItem(name, btoa(t)); };
     const fetched = (name, night) => {
       const kept = localStorage.getItem(name);

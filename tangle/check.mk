@@ -55,15 +55,15 @@ parts:
 prices:
 	@bash tests/parts/whole.sh && bash tests/parts/price.sh && bash tests/parts/list.sh
 
-# Adapters by which other engines play our scenes (chapter 02), and this engine's own (chapter 34): build/peers/bin. BOX2D3= as in tangle/peers.mk
+# Adapters by which other engines play our scenes, and this engine's own: build/peers/bin. BOX2D3= as in tangle/peers.mk
 peers: $(BUILD)/tangle.stamp
 	@$(if $(NO_INSTALL),NO_INSTALL=1) ONLY=1 tangle/install peers || echo "Going on with what is here."
 	@$(SUBMAKE) -f tangle/peers.mk SRC=$(LINES) OUT=$(BUILD) BOX2D3='$(BOX2D3)' peers
 
-# What chapter 36 says of each requirement, from the last run of the tests and from the measured data: book/data/evaluation.csv.
+# What the chapter evaluation says of each requirement, from the last run of the tests and from the measured data: book/data/evaluation.csv.
 evaluation:
 	@tests/evaluate/run.sh --record
-# Every engine on scenes with exact answers, swept past sense (chapter 34), and the review that follows from it (chapter 02). The cells are kept
+# Every engine on scenes with exact answers, swept past sense, and the review that follows from it. The cells are kept
 # in build/lab/cells: an interrupted sweep goes on.
 extremes: programs peers
 	@tangle/lab --full extremes && cp build/lab/extremes.csv book/data/extremes.csv && tests/peers/better.sh && tests/peers/features.sh --record && tests/peers/review.sh

@@ -22,7 +22,7 @@ objects = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(call sources,$(1)))
 LIBOBJ := $(call objects,$(COMPONENTS))
 # what the lab, the figures and the testbed are made of, but for their main programs: linked into tests too
 EXTOBJ := $(filter-out %_main.o,$(call objects,lab figures testbed))
-# Scenes as text (chapter 26) are a library of their own, which stands on cJSON. Without cJSON, or with CJSON= on purpose, it is left out,
+# Scenes as text are a library of their own, which stands on cJSON. Without cJSON, or with CJSON= on purpose, it is left out,
 # and what would use it is compiled with -DWF_NO_JSON.
 CJSON   ?= $(shell pkg-config --libs libcjson 2>/dev/null)
 JSONOBJ := $(if $(CJSON),$(call objects,json))

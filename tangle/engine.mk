@@ -19,7 +19,7 @@ $(BUILD)/tangle.stamp: $(NW) $(BUILD)/chapters.list $(wildcard tangle/*.lua) tan
 	@touch $@
 
 # The list of sources is known only after tangling, so a second make does the compiling.
-# With ONLY="parts", WITHOUT="parts" or FOR=scene.json the engine has some of its parts alone (chapter 04); it is then made in build/parts/,
+# With ONLY="parts", WITHOUT="parts" or FOR=scene.json the engine has some of its parts alone; it is then made in build/parts/,
 # with a tree for people (src) beside that of the compiler (lines), and everything else stays as it is. ONLY= (nothing) is the least engine.
 CHOSEN := $(if $(filter command,$(firstword $(origin ONLY))),yes)$(if $(filter command,$(firstword $(origin WITHOUT))),yes)$(if $(filter command,$(firstword $(origin FOR))),yes)
 FOR_PARTS = $(if $(FOR),$(shell tangle/needs '$(FOR)' || echo '?'))

@@ -1,4 +1,4 @@
-# font.mk: the baked font, a C file made from DejaVu Sans with stb_truetype at build time (chapter 28).
+# font.mk: the baked font, a C file made from DejaVu Sans with stb_truetype at build time.
 # Without stb or the font the tests and the testbed still link, with a font that has no letters.
 # Here alone it is looked for stb and the font. Who makes programs for another machine (web.mk, windows.mk) sets  FONTCC  to the compiler
 # of that machine before this file is read; the baker is then made for this one.

@@ -1,4 +1,4 @@
-# peers.mk: the adapters of chapter 02, by which other engines play our scenes.  make -f tangle/peers.mk SRC=build/lines OUT=build peers
+# peers.mk: the adapters of the chapter similar-systems, by which other engines play our scenes.  make -f tangle/peers.mk SRC=build/lines OUT=build peers
 # Makes those whose engine is there, and names the others. Programs are in OUT/peers/bin. Engines in JavaScript are
 # packages of npm; they are put into OUT/peers/node_modules, at the versions of this list, and nowhere else.
 #   BOX2D3=/usr/local   the prefix of an installed Box2D 3.2, or several: 'box2d3=/opt/a box2d3-plain=/opt/b'
@@ -39,7 +39,7 @@ $(BIN)/$(1): $(PEERSRC)/box2d3_main.c $(PEEROBJ)
 endef
 $(foreach b,$(BOX2D3S),$(eval $(call box2d3,$(firstword $(subst =, ,$(b))),$(lastword $(subst =, ,$(b))))))
 
-# this engine, in floats and in doubles: chapter 34
+# this engine, in floats and in doubles: the chapter extremes
 DOUBLE := $(MAKE) --no-print-directory -f tangle/compile.mk SRC=$(SRC) OUT=$(OUT)/double CFLAGS="$(CFLAGS) -DWF_DOUBLE" WARN=-w
 $(BIN)/weft: $(PEERSRC)/weft_main.c $(PEEROBJ) $(WEFT_LIBS)
 	@mkdir -p $(@D); $(COMPILE) $< $(PEEROBJ) $(JSONLIB) $(OUT)/lib/libweft.a $(CJSON) -lm -o $@

@@ -26,13 +26,13 @@ ifneq ($(call mainof,testbed/bake_font_main.c),)
   endif
 endif
 
-# the scenes of chapter 32 in Box2D 3, if its prefix is named: BOX2D3=/usr/local
+# the scenes of the chapter performance in Box2D 3, if its prefix is named: BOX2D3=/usr/local
 BOX2D3 ?=
 # as peers.mk takes it, it may be NAME=PREFIX, and several: the first one serves here
 BOX2D3_AT := $(lastword $(subst =, ,$(firstword $(BOX2D3))))
 PROGRAMS += $(if $(BOX2D3),$(if $(call mainof,lab/box2d_main.c),weft-box2d))
 
-# writes the heavy scenes of chapter 32 as text
+# writes the heavy scenes of the chapter performance as text
 PROGRAMS += $(if $(CJSON),$(if $(call mainof,lab/load_main.c),weft-load))
 
 .PHONY: programs
@@ -51,7 +51,7 @@ $(OUT)/bin/weft-headless: $(OUT)/obj/testbed/headless_main.o $(WEFT_LIBS)
 	$(call LINK)
 $(OUT)/bin/weft-testbed: $(OUT)/obj/testbed/sdl_main.o $(WEFT_LIBS)
 	$(call LINK,$(SDL_LIBS))
-# The game as a library that a running testbed takes up (chapter 27): its own engine inside, put in place in one go.
+# The game as a library that a running testbed takes up: its own engine inside, put in place in one go.
 GAMEOBJ := $(filter $(OUT)/obj/testbed/%,$(EXTOBJ)) $(FONTOBJ)
 $(OUT)/lib/libweft-game.so: $(GAMEOBJ) $(WEFT_LIBS)
 	@mkdir -p $(@D); $(CC) $(CFLAGS) -shared -Wl,-Bsymbolic $(GAMEOBJ) $(WEFT_LIBS) $(CJSON) -lm -o $@.new && mv $@.new $@

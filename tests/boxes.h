@@ -1,4 +1,4 @@
-/* boxes.h: worlds of boxes for the tests of chapter 11, and the oracle, which knows nothing of grids and trees. */
+/* boxes.h: worlds of boxes for the tests of the chapter broad-phase, and the oracle, which knows nothing of grids and trees. */
 #ifndef BOXES_H
 #define BOXES_H
 #include "testing.h"

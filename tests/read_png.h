@@ -1,4 +1,4 @@
-/* read_png.h: pictures and films read by another program's reader (stb_image), for tests of what chapters 28 and 30 write.
+/* read_png.h: pictures and films read by another program's reader (stb_image), for tests of what the chapters drawing and scenes write.
    Where that is not installed, HAS_READER is 0 and only the numbers of a file can be looked at. */
 #ifndef WEFT_TESTS_READ_PNG_H
 #define WEFT_TESTS_READ_PNG_H

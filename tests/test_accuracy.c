@@ -1,4 +1,4 @@
-/* Chapter 33: curves of error against work, the choice from them by tolerance and by budget, and whether the promises hold.
+/* Curves of error against work, the choice from them by tolerance and by budget, and whether the promises hold.
    needs nothing of the parts: the lab's scenes are linked in. */
 #include "testing.h"
 #include "lab/accuracy.h"

@@ -1,4 +1,4 @@
-/* Chapter 31: the report's black-box tests come out as expected, and would not if the engine were wrong. */
+/* The report's black-box tests come out as expected, and would not if the engine were wrong. */
 #include "testing.h"
 #include "lab/cases.h"
 #include "weft/weft.h"

@@ -1,4 +1,4 @@
-/* Chapter 08: bodies. Oracles: a rigid body as a handful of point masses, summed one by one in double; the derivative of a
+/* Bodies. Oracles: a rigid body as a handful of point masses, summed one by one in double; the derivative of a
    moving point by differences; conservation laws and the work of an impulse. FR04, TC01, TC02. */
 #include "testing.h"
 #include "weft/body.h"

@@ -1,4 +1,4 @@
-/* Chapter 11: broad phases. Every row of the table gives the pairs of an oracle that knows nothing of trees. */
+/* Broad phases. Every row of the table gives the pairs of an oracle that knows nothing of trees. */
 #include "boxes.h"
 
 /* Runs every row; scratch is exactly what the row asks for and must be given back. */

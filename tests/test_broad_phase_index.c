@@ -1,4 +1,4 @@
-/* Chapter 11: filters, and indices that are kept: pairs, areas and casts of every row against plain oracles, in worlds that
+/* Filters, and indices that are kept: pairs, areas and casts of every row against plain oracles, in worlds that
    move, grow and shrink; errors that change nothing; the dynamic tree from inside. */
 #include "boxes.h"
 

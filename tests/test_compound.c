@@ -1,4 +1,4 @@
-/* Chapter 20: compound bodies. Oracles: closed forms and sums in long double; whole numbers for the side of a line and for
+/* Compound bodies. Oracles: closed forms and sums in long double; whole numbers for the side of a line and for
    what is wrong with an outline on a lattice; the winding number; definitions checked one by one on every mesh. FR11. */
 #include "testing.h"
 #include "weft/compound.h"

@@ -1,4 +1,4 @@
-/* Chapter 13: contact points. By hand where the answer is plain; else by what must hold of every contact, checked in
+/* Contact points. By hand where the answer is plain; else by what must hold of every contact, checked in
    double against the outlines of both bodies. */
 #include "testing.h"
 #include "shapes.h"

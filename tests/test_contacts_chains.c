@@ -1,4 +1,4 @@
-/* Chapter 13: links of smooth chains. What a chain must answer is known without any link: the nearest point of the whole
+/* Links of smooth chains. What a chain must answer is known without any link: the nearest point of the whole
    broken line, computed in double. And then a thousand tiles, hills and valleys, and bodies that come from behind. */
 #include "testing.h"
 #include "shapes.h"

@@ -1,4 +1,4 @@
-/* Chapter 13: contacts of cores in coats, of all kinds; margins; impulses that stay with their points; manifolds that are
+/* Contacts of cores in coats, of all kinds; margins; impulses that stay with their points; manifolds that are
    used again. The reference is the distance of two cores in double, by brute force over all pairs of edges. */
 #include "testing.h"
 #include "shapes.h"

@@ -1,4 +1,4 @@
-/* Chapter 04: the display list, the figure table, the measurement table.
+/* The display list, the figure table, the measurement table.
  * Everything here is exact: the list stores what it is given, so no tolerances are needed. */
 #include <stdarg.h>
 #include <stddef.h>

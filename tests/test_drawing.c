@@ -1,4 +1,4 @@
-/* Chapter 28: both back ends of the pen. Coverage is compared with areas known from geometry; the tolerances are derived
+/* Both back ends of the pen. Coverage is compared with areas known from geometry; the tolerances are derived
  * in the comments. Pixel positions and blended values are exact. */
 #include "testing.h"
 #include "weft/draw.h"

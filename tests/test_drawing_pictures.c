@@ -1,4 +1,4 @@
-/* Pictures and films in files (chapter 28). The oracle is another program's reader, stb_image; checksums are computed anew, bit by bit,
+/* Pictures and films in files. The oracle is another program's reader, stb_image; checksums are computed anew, bit by bit,
    and the pictures of a film are unpacked one by one and laid over each other. */
 #include "read_png.h"
 

@@ -1,4 +1,4 @@
-/* Chapter 23: what began, goes on and ended; hits. The oracle compares every touch with every other. */
+/* What began, goes on and ended; hits. The oracle compares every touch with every other. */
 #include "testing.h"
 #include "shapes.h"
 #include "weft/collision.h"

@@ -1,4 +1,4 @@
-/* Chapter 23: rays, nearest points and overlaps of one shape. The oracle works in double and clips nothing: the signed
+/* Rays, nearest points and overlaps of one shape. The oracle works in double and clips nothing: the signed
    distance to a convex shape is a convex function along a line, so its minimum is found by ternary search and the
    place where the ray enters by bisection before that minimum. */
 #include "testing.h"

@@ -1,4 +1,4 @@
-/* Chapters 7 to 23: nothing in collision knows how long a metre is. Multiplication by a power of two is exact, so a scene
+/* Nothing in collision knows how long a metre is. Multiplication by a power of two is exact, so a scene
    that is a thousand times smaller or larger must give the same answers, times that power, to the last bit: every shape,
    every pair, every question, every broad phase. One absolute tolerance anywhere would show. */
 #include "testing.h"

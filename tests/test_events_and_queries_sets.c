@@ -1,4 +1,4 @@
-/* Chapter 23: queries of a set of placed shapes. The oracle asks every live shape by the functions for one shape, keeps
+/* Queries of a set of placed shapes. The oracle asks every live shape by the functions for one shape, keeps
    what it finds in a long array and sorts it; no boxes, no broad phase. Every row of the broad phases must agree to the bit. */
 #include "testing.h"
 #include "shapes.h"

@@ -1,4 +1,4 @@
-/* Chapter 19: all joints at once. What must be zero is measured: gaps and rates of all rows, over machines of all shapes. */
+/* All joints at once. What must be zero is measured: gaps and rates of all rows, over machines of all shapes. */
 #include "testing.h"
 #include "weft/exact.h"
 

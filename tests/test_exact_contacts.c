@@ -1,4 +1,4 @@
-/* Chapter 19: all contacts at once. The oracle tries every combination of rows that hold, stick and slide, with dense elimination in
+/* All contacts at once. The oracle tries every combination of rows that hold, stick and slide, with dense elimination in
    double; scenes too large for it are judged by the laws themselves. */
 #include "testing.h"
 #include "weft/contact.h"

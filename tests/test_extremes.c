@@ -1,4 +1,4 @@
-/* Chapter 34: the scenes of the extremes and their judges, without an engine. Exact answers must be called right, a slight fault
+/* The scenes of the extremes and their judges, without an engine. Exact answers must be called right, a slight fault
  * stable, a gross one failed; what is not finite always fails; what an adapter prints is read as it was printed. */
 #include <math.h>
 #include <stdlib.h>
@@ -116,7 +116,7 @@ static void one_bullet_through_the_wall_is_a_failure(void **state)
 }
 
 /* collisions of a disc of mass 1 between a wall and one of mass 100^k, by mirror images: the angle atan(1 / 10^k) fits floor(pi / angle)
- * times into a half circle, and each reflection turns the velocities (10^k u, v) by twice that angle, alternately mirrored (chapter 34's source: Galperin) */
+ * times into a half circle, and each reflection turns the velocities (10^k u, v) by twice that angle, alternately mirrored (Galperin) */
 static void billiards_end_as_the_unfolded_billiard_says(void **state)
 {
     static Made m;

@@ -1,4 +1,4 @@
-/* Chapter 34: every scene of the extremes is a scene that the engine reads, and at its tamest value the engine is right in it, in floats
+/* Every scene of the extremes is a scene that the engine reads, and at its tamest value the engine is right in it, in floats
  * and in doubles, but for the hung cradle and the falling boxes, in which it is only stable. (At the wilder ones it need not be: they are measured, not tested.) */
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Chapter 09: force generators. Oracles: closed forms; the law that a conservative force is minus the slope of its energy;
+/* Force generators. Oracles: closed forms; the law that a conservative force is minus the slope of its energy;
    conservation of momentum and of angular momentum by forces between two bodies; and for submerged parts, strips of the shape
    added up in double. FR09. */
 #include "testing.h"
@@ -359,7 +359,7 @@ static void test_submerged_part(void **s)
     }
 }
 
-/* Drowned, a coat's part is the whole shape, with chapter 7's numbers; half a capsule is a capsule's half; bare segments displace nothing. */
+/* Drowned, a coat's part is the whole shape, with the numbers of its shape; half a capsule is a capsule's half; bare segments displace nothing. */
 static void test_submerged_coats(void **s)
 {
     (void)s;

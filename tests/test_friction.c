@@ -1,4 +1,4 @@
-/* Chapter 15: friction. Oracles: the clamp by hand, conservation laws and the sign of work over random collisions in double
+/* Friction. Oracles: the clamp by hand, conservation laws and the sign of work over random collisions in double
  * precision, and the schoolbook: slip angle, stopping distance, a disc that begins to roll. */
 #include "testing.h"
 #include "weft/narrow.h"

@@ -1,4 +1,4 @@
-/* Chapter 14: impulses. Oracles: collision formulas by hand, conservation laws over random collisions in double
+/* Impulses. Oracles: collision formulas by hand, conservation laws over random collisions in double
  * precision, and the conditions that define a two-point contact. */
 #include "testing.h"
 #include "weft/resolve.h"

@@ -1,4 +1,4 @@
-/* Chapter 10: integrators. Oracles: closed solutions (parabola, harmonic oscillator, Kepler orbit, damped fall), computed in
+/* Integrators. Oracles: closed solutions (parabola, harmonic oscillator, Kepler orbit, damped fall), computed in
    double; algebra of the step map (determinant, trace, powers of the amplification factor); and, for every row of the table,
    the order that the row itself states. A student's integrator in the table is held to all tests that loop over rows. FR07. */
 #include "testing.h"

@@ -1,4 +1,4 @@
-/* The testbed's interface (chapter 29): widgets as calls, tested as functions of values. */
+/* The testbed's interface: widgets as calls, tested as functions of values. */
 #include "testing.h"
 #include "testbed/ui.h"
 

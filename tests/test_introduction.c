@@ -1,4 +1,4 @@
-/* Chapter 01: the engine in a dozen lines makes exactly the error that the chapter derives. */
+/* The engine in a dozen lines makes exactly the error that the chapter derives. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>

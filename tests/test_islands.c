@@ -1,4 +1,4 @@
-/* Chapter 22: islands by union-find, and how still is still. */
+/* Islands by union-find, and how still is still. */
 #include "testing.h"
 #include "weft/island.h"
 

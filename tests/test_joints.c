@@ -1,4 +1,4 @@
-/* Chapter 18: joints. Jacobians against differences, what must be kept, and motions with a closed form. */
+/* Joints. Jacobians against differences, what must be kept, and motions with a closed form. */
 #include "testing.h"
 #include "weft/joint.h"
 

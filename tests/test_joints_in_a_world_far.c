@@ -1,4 +1,4 @@
-/* Far worlds with joints and sleep (chapter 25): an origin that moves takes along the joints that name places, and wakes nobody. */
+/* Far worlds with joints and sleep: an origin that moves takes along the joints that name places, and wakes nobody. */
 #include "testing.h"
 #include "world.h"
 

@@ -1,4 +1,4 @@
-/* Chapter 25: fast bodies in a world. */
+/* Fast bodies in a world. */
 #include "testing.h"
 #include "world.h"
 #include "weft/world.h"

@@ -1,4 +1,4 @@
-/* Chapter 25: joints in a world. */
+/* Joints in a world. */
 #include "testing.h"
 #include "world.h"
 #include "weft/world.h"

@@ -1,4 +1,4 @@
-/* Chapter 25: sleep in a world. */
+/* Sleep in a world. */
 #include "testing.h"
 #include "world.h"
 #include "weft/world.h"

@@ -1,4 +1,4 @@
-/* Chapter 5: results, pools, the engine's memory, slots, hashes. Everything here is exact: no tolerances. */
+/* Results, pools, the engine's memory, slots, hashes. Everything here is exact: no tolerances. */
 #include "testing.h"
 
 /* A die of its own: the engine's generator belongs to chapter 6. */

@@ -1,4 +1,4 @@
-/* Chapter 12: how far two shapes are apart. The oracles work in double and know no separating axes: Minkowski
+/* How far two shapes are apart. The oracles work in double and know no separating axes: Minkowski
    differences with a gift-wrapped hull, dense directions, and the nearest point of an outline. */
 #include "testing.h"
 #include "shapes.h"

@@ -1,4 +1,4 @@
-/* Chapter 12: narrow phases on a lattice, where the truth is known exactly. All corners and radii are small multiples of one half,
+/* Narrow phases on a lattice, where the truth is known exactly. All corners and radii are small multiples of one half,
    so whether cores meet, how far apart they are (a fraction under a root) and whether coats touch is decided in integers. */
 #include "testing.h"
 #include "shapes.h"

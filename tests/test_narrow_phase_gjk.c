@@ -1,4 +1,4 @@
-/* Chapter 12: distance by GJK and depth by EPA, against the other rows and against a slow reference in double that
+/* Distance by GJK and depth by EPA, against the other rows and against a slow reference in double that
    walks no simplex: all pairs of corners and edges for the distance, all differences for the depth. */
 #include "testing.h"
 #include "shapes.h"

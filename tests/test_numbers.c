@@ -1,4 +1,4 @@
-/* Chapter 6: reals, elementary functions, vectors, matrices, rotations, rectangles, random numbers.
+/* Reals, elementary functions, vectors, matrices, rotations, rectangles, random numbers.
    Tolerances: one rounded operation errs by at most WF_EPSILON / 2 times its result. An identity between sums of
    products of numbers of size s therefore holds to (number of roundings) / 2 * WF_EPSILON * s^2, and so on: each
    test says how it counts. assert_ulps(got, want, n, scale) allows n * WF_EPSILON * scale. */

@@ -1,4 +1,4 @@
-/* Chapter 6: the same bits everywhere. Every function runs on the same 20,000 inputs, and all bits of all results go
+/* The same bits everywhere. Every function runs on the same 20,000 inputs, and all bits of all results go
    into one hash. The number must come out the same with every compiler, level of optimisation and processor. Whoever
    changes a function on purpose puts the new number here, having seen it come out on two compilers. */
 #include "testing.h"

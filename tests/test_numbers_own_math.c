@@ -1,4 +1,4 @@
-/* Chapter 6: a user puts his own math in the place of Weft's by naming a header. */
+/* A user puts his own math in the place of Weft's by naming a header. */
 #define WF_MATH_HEADER "own_math.h"
 #include "testing.h"
 

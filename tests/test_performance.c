@@ -1,4 +1,4 @@
-/* Chapter 32: the heavy scenes are what they say. Times are measured, not tested. */
+/* The heavy scenes are what they say. Times are measured, not tested. */
 #include "testing.h"
 #include "lab/loads.h"
 #include "weft/weft.h"

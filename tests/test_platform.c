@@ -1,4 +1,4 @@
-/* Platform layers (chapter 27): the step clock, input scripts, options, and a layer that plays a toy game.
+/* Platform layers: the step clock, input scripts, options, and a layer that plays a toy game.
  * The toy game below takes the place of the testbed's: either side of the wall can be exchanged (FR of report 4.6). */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Chapter 26: snapshots, comparison, growth, rewind, replay, save files. Oracles: the world that was not touched; a second
+/* Snapshots, comparison, growth, rewind, replay, save files. Oracles: the world that was not touched; a second
  * implementation of the checksum's promise (all single bits, all bursts); every prefix and every flipped bit of a file. */
 #include "testing.h"
 #include "world.h"

@@ -1,4 +1,4 @@
-/* Chapter 26: nothing is allocated after creation, and creation survives every failure. */
+/* Nothing is allocated after creation, and creation survives every failure. */
 #include "testing.h"
 #include "world.h"
 #include "weft/save.h"

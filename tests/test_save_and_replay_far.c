@@ -1,4 +1,4 @@
-/* The origin of a world (chapter 24) is part of it: it is copied, rewound and grown with the rest (chapter 26). */
+/* The origin of a world is part of it: it is copied, rewound and grown with the rest. */
 #include "testing.h"
 #include "world.h"
 #include "weft/save.h"

@@ -1,4 +1,4 @@
-/* Chapter 26, scenes as text. Oracles: the engine's own calls for the same scene; random bit patterns; a list of bad texts with the
+/* Scenes as text. Oracles: the engine's own calls for the same scene; random bit patterns; a list of bad texts with the
  * place that each error must name; the text of what was read, which must be the text that was read. */
 #include "testing.h"
 #include "world.h"

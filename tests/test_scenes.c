@@ -1,4 +1,4 @@
-/* Scenes and the testbed (chapter 30): every row of the scene table, the camera, the hand, the game played by scripts.
+/* Scenes and the testbed: every row of the scene table, the camera, the hand, the game played by scripts.
  * tests/golden/scenes.csv holds each scene's hash after 1,000 steps, scenes-double.csv that of the engine with doubles (`make
  * golden` records them). */
 #include <float.h>
@@ -490,7 +490,7 @@ static void asked_and_extreme_scenes_keep_their_lines(void **state)
     }
 }
 
-/* Chapter 30's six performance tests of the report (6.6): as many bodies as it says, nobody leaves the bin, no peg moves, and two
+/* The six performance tests of the report (6.6): as many bodies as it says, nobody leaves the bin, no peg moves, and two
  * pegs make no pair. */
 static void as_many_bodies_as_the_report_had(void **state)
 {
@@ -954,7 +954,7 @@ static void strange_pictures_are_survived(void **state)
     play_end(&p);
 }
 
-/* ---- settings, search and time (chapter 30) ---- */
+/* ---- settings, search and time ---- */
 static void a_setting_is_changed_kept_and_forgotten(void **state)
 {
     (void)state;

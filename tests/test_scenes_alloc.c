@@ -1,4 +1,4 @@
-/* Chapter 26 over every scene of chapter 30: once it is open, nothing is allocated any more. */
+/* Every scene: once it is open, nothing is allocated any more. */
 #include "testing.h"
 #include "own_malloc.h"
 #include "testbed/scene.h"

@@ -65,7 +65,7 @@ static void a_cradle_hands_the_speed_on(void **unused)
     assert_near(with_defaults("cradle"), 0, 100 * 20 * (double)WF_EPSILON);       /* %: a few roundings in each of four collisions */
 }
 
-/* A millionth, where the reals have the digits for it: a float's 10^6 steps round each by 6e-8 (chapter 17). */
+/* A millionth, where the reals have the digits for it: a float's 10^6 steps round each by 6e-8. */
 static void a_ball_keeps_its_energy(void **unused)
 {
     (void)unused;

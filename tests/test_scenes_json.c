@@ -1,4 +1,4 @@
-/* Chapter 26, over all scenes of chapter 30: a world that is written as text and read again is the same world to the bit, and where
+/* Every scene: a world that is written as text and read again is the same world to the bit, and where
  * nothing touches it stays the same. */
 #include "testing.h"
 #include "testbed/platform.h"

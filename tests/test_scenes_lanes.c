@@ -1,4 +1,4 @@
-/* Chapter 17's lanes over every scene of chapter 30: a twin takes its contacts one by one and must have the same bits. */
+/* Every scene, several contacts at once: a twin takes its contacts one by one and must have the same bits. */
 #include "testing.h"
 #include "world.h"
 #include "testbed/scene.h"

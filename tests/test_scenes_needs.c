@@ -1,4 +1,4 @@
-/* Needs of scenes (chapters 24 and 30): every row of the scene table is run in the world that it was written for, its needs are inferred,
+/* Needs of scenes: every row of the scene table is run in the world that it was written for, its needs are inferred,
  * and it is run again in a world that has these and no more. */
 #include "testing.h"
 #include "testbed/scene.h"

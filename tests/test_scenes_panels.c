@@ -1,4 +1,4 @@
-/* The testbed's panels, its tape and its files (chapter 30): a scripted mouse changes numbers, the test plays the platform. */
+/* The testbed's panels, its tape and its files: a scripted mouse changes numbers, the test plays the platform. */
 #include "play.h"
 #include "testbed/scene.h"
 #include "testbed/view.h"

@@ -1,4 +1,4 @@
-/* Pictures, drawings and films that the testbed hands out (chapter 30), and the options of the command line that ask for them (27).
+/* Pictures, drawings and films that the testbed hands out, and the options of the command line that ask for them.
    The test plays the platform: it takes the card, reads the file by another program's reader (stb_image), and compares. */
 #define _POSIX_C_SOURCE 200809L        /* mkdtemp, setenv */
 #include "play.h"

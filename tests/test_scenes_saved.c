@@ -1,4 +1,4 @@
-/* Chapter 26 over every scene of chapter 30: the rules of a block, a world that moves house at every step, a save and a load, a
+/* Every scene: the rules of a block, a world that moves house at every step, a save and a load, a
  * larger block, an index that is thrown away. Oracle: a twin that is left in peace. */
 #include "testing.h"
 #include "world.h"

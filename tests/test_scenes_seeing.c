@@ -1,4 +1,4 @@
-/* Chapter 30: overlays that look into a step, curves, and worlds compared. */
+/* Overlays that look into a step, curves, and worlds compared. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

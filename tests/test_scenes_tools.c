@@ -1,4 +1,4 @@
-/* The tools of the testbed (chapter 30): each as a function of a world, then with a scripted mouse and with keys alone. */
+/* The tools of the testbed: each as a function of a world, then with a scripted mouse and with keys alone. */
 #include "play.h"
 #include "testbed/tools.h"
 #include "testbed/view.h"

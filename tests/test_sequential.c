@@ -1,4 +1,4 @@
-/* Chapter 16: sequential impulses. Oracle: a slow dense solver in double precision that goes on until nothing changes;
+/* Sequential impulses. Oracle: a slow dense solver in double precision that goes on until nothing changes;
  * conservation laws; a chain whose rate of convergence is known; hand-worked positions. */
 #include "testing.h"
 #include "weft/narrow.h"

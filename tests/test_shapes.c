@@ -1,4 +1,4 @@
-/* Chapter 07: shapes and mass. Oracles: closed forms; a quadrature that is exact for polygons (strips and Simpson's rule,
+/* Shapes and mass. Oracles: closed forms; a quadrature that is exact for polygons (strips and Simpson's rule,
    in double); definitions checked by brute force over random input; exact scaling by powers of two. FR03. */
 #include "testing.h"
 #include "weft/shape.h"

@@ -1,4 +1,4 @@
-/* Chapter 07: shapes with a coat, segments and links. Oracles, all in double: closed forms; polygons of thousands of chords on the
+/* Shapes with a coat, segments and links. Oracles, all in double: closed forms; polygons of thousands of chords on the
    rim, whose error is removed by Richardson's extrapolation; the distance from the core by brute force. */
 #include "testing.h"
 #include "shapes.h"

@@ -1,4 +1,4 @@
-/* Chapter 17: soft contacts in substeps. Oracles: implicit Euler for a damped spring in double precision, Hooke's law, the
+/* Soft contacts in substeps. Oracles: implicit Euler for a damped spring in double precision, Hooke's law, the
  * parabola, the schoolbook's distances, and the energy of a ball that bounces a thousand times. */
 #include "lab/lab.h"
 #include "testing.h"

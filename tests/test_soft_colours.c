@@ -1,4 +1,4 @@
-/* Chapter 17: colours of contacts. What they promise, and that the order within a colour is nobody's business. */
+/* Colours of contacts. What they promise, and that the order within a colour is nobody's business. */
 #include "testing.h"
 #include "weft/resolve.h"
 #include "dynamics/colour.h"

@@ -1,4 +1,4 @@
-/* Chapter 17: several contacts at once. The plain pass is the oracle, and nothing but the same bits will do. */
+/* Several contacts at once. The plain pass is the oracle, and nothing but the same bits will do. */
 #include <float.h>
 #include <math.h>
 #include "testing.h"

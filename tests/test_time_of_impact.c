@@ -1,4 +1,4 @@
-/* Chapter 21: time of impact. Oracles: closed forms (circles, walls, the spinning rod); a dense sampling of the true distance in
+/* Time of impact. Oracles: closed forms (circles, walls, the spinning rod); a dense sampling of the true distance in
    double, with refined minima, that knows neither bounds nor axes; and symmetries. */
 #include "testing.h"
 #include "shapes.h"

@@ -1,4 +1,4 @@
-/* Chapter 21: shapes cast along a line, and where a fast body is stopped. Oracles: closed forms; the first touch by golden section
+/* Shapes cast along a line, and where a fast body is stopped. Oracles: closed forms; the first touch by golden section
    and bisection on the true distance in double, which is convex along a cast; the least of single times of impact. */
 #include "testing.h"
 #include "shapes.h"

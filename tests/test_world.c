@@ -1,4 +1,4 @@
-/* Chapter 24: the world. Oracles: the parabola, conservation laws, bytes compared before and after; every field of
+/* The world. Oracles: the parabola, conservation laws, bytes compared before and after; every field of
  * every definition fed with bad numbers; a world that moves house between any two steps. */
 #include "testing.h"
 #include "world.h"
@@ -1681,7 +1681,7 @@ static void nothing_passes_a_thin_wall(void **unused)
     for (int k = 0; k < 20; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 4;
-        def.iterations = 8;                               /* without chapter 25 one pass is too few for a box that spins */
+        def.iterations = 8;                               /* without joints and fast bodies one pass is too few for a box that spins */
         wfWorld world;
         assert_ok(wfCreateWorld(&def, &world));
         assert_ok(wfSetGravity(&world, wfV2(0, 0)));

@@ -1,4 +1,4 @@
-/* Chapter 24: a thousand tiles in the world. A chain of links is one smooth line: whatever slides or rolls along it does not
+/* A thousand tiles in the world. A chain of links is one smooth line: whatever slides or rolls along it does not
  * hop. Oracles: the straight line, the closed form of rolling and sliding. */
 #include "testing.h"
 #include "world.h"

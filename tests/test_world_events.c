@@ -1,4 +1,4 @@
-/* Chapter 24: contacts that last, events, sensors, filters, hooks. Oracles: a state machine for each pair of shapes that
+/* Contacts that last, events, sensors, filters, hooks. Oracles: a state machine for each pair of shapes that
  * allows begin, stay ..., end and nothing else; free fall; bytes compared around steps that fail. */
 #include "testing.h"
 #include "world.h"

@@ -1,4 +1,4 @@
-/* Far worlds (chapter 24): the same digits anywhere, places in and out in doubles, an origin that moves along. */
+/* Far worlds: the same digits anywhere, places in and out in doubles, an origin that moves along. */
 #include "testing.h"
 #include "world.h"
 

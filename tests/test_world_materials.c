@@ -1,4 +1,4 @@
-/* Chapters 15 and 24: static and dynamic friction, mixing rules, known pairs, what a hook may change about a contact. Oracles: the
+/* Static and dynamic friction, mixing rules, known pairs, what a hook may change about a contact. Oracles: the
  * schoolbook (slip angle, acceleration, stopping distance, the stick-slip oscillator of eq:friction-violin), mixing by hand. */
 #include "testing.h"
 #include "world.h"

@@ -1,4 +1,4 @@
-/* Needs, chapter 24: a world is made for what its scene requires, refuses the rest by name, and infers and explains itself. */
+/* Needs: a world is made for what its scene requires, refuses the rest by name, and infers and explains itself. */
 #include "testing.h"
 #include "world.h"
 

@@ -1,4 +1,4 @@
-/* Chapter 24: questions to a world. Oracles: answers by hand; every broad phase against a scan, before and after edits. */
+/* Questions to a world. Oracles: answers by hand; every broad phase against a scan, before and after edits. */
 #include "testing.h"
 #include "weft/weft.h"
 

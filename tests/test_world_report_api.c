@@ -1,4 +1,4 @@
-/* Chapter 24 and Appendix B: the report's listing compiles and runs; every name of its Appendices B and C is there and
+/* The report's listing compiles and runs; every name of its Appendices B and C is there and
  * does what the appendix says. */
 #include "testing.h"
 #include "weft/report.h"

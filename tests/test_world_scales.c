@@ -1,4 +1,4 @@
-/* Chapter 24: a world does not know how long a metre is. If all lengths and the pull of gravity are multiplied by a power of
+/* A world does not know how long a metre is. If all lengths and the pull of gravity are multiplied by a power of
    two, which is exact, every body must be where it was, times that power, after every step, to the last bit. What a user
    sets in metres or metres per second is multiplied too; nothing else in the engine may be. */
 #include "testing.h"

@@ -1,4 +1,4 @@
-/* The table of settings, chapter 24: every field of wfWorldDef has one row, and the row is true. */
+/* The table of settings: every field of wfWorldDef has one row, and the row is true. */
 #include "testing.h"
 #include "world.h"
 

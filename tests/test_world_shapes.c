@@ -1,4 +1,4 @@
-/* Chapter 24: shapes as things of their own. Oracles: masses, centres and inertias by hand and by sums in double; the
+/* Shapes as things of their own. Oracles: masses, centres and inertias by hand and by sums in double; the
  * velocity of material points before and after; bytes compared around calls that fail. */
 #include "testing.h"
 #include "world.h"

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "weft/core.h"
-#if __has_include("weft/math.h")          /* before chapter 06 there are no numbers yet (make upto CHAPTER=5) */
+#if __has_include("weft/math.h")          /* before the chapter numbers there are no numbers yet (make upto CHAPTER=5) */
 #include "weft/math.h"
 #define WEFT_TESTING_NUMBERS 1
 #endif

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_COLOUR_H
 #define WEFT_COLOUR_H
-/* Constraints in colours that share no body: chapter 17. */
+/* Constraints in colours that share no body. */
 #include "weft/resolve.h"
 #include "weft/broad.h"
 

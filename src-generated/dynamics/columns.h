@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef WEFT_COLUMNS_H
 #define WEFT_COLUMNS_H
-/* Trees of contacts, solved at once: chapter 17. */
+/* Trees of contacts, solved at once. */
 #include "dynamics/substep.h"
 
 /* What runs down a tree and up again, for one right side of eq:soft-contact-rows. */

@@ -2,7 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_EXACT_CONTACTS_H
 #define WEFT_EXACT_CONTACTS_H
-/* All contacts at once: chapter 19. */
+/* All contacts at once. */
 #include "weft/resolve.h"
 wfSolverFn wfExactStep;
 wfSolverScratchFn wfExactStepScratch;

@@ -1021,7 +1021,7 @@ wfResult wfStepJoints(const wfJointStep *in)
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(in->scratch);
     wfLaws laws;
-    /* say what chapter 17 needs to know */
+    /* say what the solver needs to know */
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
                        .give = in->give };

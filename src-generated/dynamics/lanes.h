@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_LANES_H
 #define WEFT_LANES_H
-/* Several contacts at once: chapter 17. */
+/* Several contacts at once. */
 #include <string.h>
 #include "weft/math.h"
 

@@ -127,7 +127,7 @@ void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
     told->bounced = 1;
     told->speed = wfMaxR(told->speed, speed);
 }
-/* from chapter 15 on */
+/* from the chapter on friction on */
 
 wfVec2 wfContactTangent(wfVec2 normal) { return wfPerpCW(normal); }
 

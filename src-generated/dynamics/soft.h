@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_SOFT_H
 #define WEFT_SOFT_H
-/* Soft contacts: chapter 17. */
+/* Soft contacts. */
 #include "dynamics/substep.h"
 wfSolverFn wfSoftStep;
 wfSolverScratchFn wfSoftScratch;

@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef WEFT_SPARSE_H
 #define WEFT_SPARSE_H
-/* Sparse matrices of small blocks, in double: chapter 19. */
+/* Sparse matrices of small blocks, in double. */
 #include "weft/core.h"
 
 /* a sparse matrix of small blocks */

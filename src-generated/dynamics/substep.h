@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef WEFT_SUBSTEP_H
 #define WEFT_SUBSTEP_H
-/* What solvers that cut a step into smaller ones share: chapter 17. */
+/* What solvers that cut a step into smaller ones share. */
 #include "dynamics/colour.h"
 #include "dynamics/lanes.h"
 #include "dynamics/prepared.h"

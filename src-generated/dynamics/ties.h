@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_TIES_H
 #define WEFT_TIES_H
-/* What joints lend to a solver of contacts: chapter 19. */
+/* What joints lend to a solver of contacts. */
 #include "dynamics/sparse.h"
 #include "weft/resolve.h"
 

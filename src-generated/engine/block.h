@@ -9,7 +9,7 @@
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
 typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
-#define WF_SOLVER_LARGE "exact"     /* takes many times the room of others: chapter 19 */
+#define WF_SOLVER_LARGE "exact"     /* takes many times the room of others */
 typedef struct wfHeader {
     uint64_t   magic;          /* says: a world, of this layout and precision */
     uint64_t   bytes;          /* of the permanent chunk in use */
@@ -20,13 +20,13 @@ typedef struct wfHeader {
     wfVec2  gravity;           /* m/s^2 */
     wfReal  dt;                /* length of a step, s, > 0 */
     int32_t bodyCapacity;      /* bodies at most, >= 1 */
-    int32_t integrator;        /* row of chapter 10's table */
+    int32_t integrator;        /* row of the table of integrators */
     uint32_t needs;            /* WF_NEED_..., what the scene requires (sec:world-needs) */
     int32_t forceCapacity;     /* registered forces at most, >= 0 */
     int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
     int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
     int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
-    int32_t broadPhase;        /* rows of the tables of chapters 11, 12, 14 */
+    int32_t broadPhase;        /* rows of their tables */
     int32_t narrowPhase;
     int32_t solver;
     int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
@@ -35,24 +35,24 @@ typedef struct wfHeader {
     wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
     wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
     int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
-    wfReal  contactPeriod;     /* of the solver "soft", chapter 17: substeps in a period */
+    wfReal  contactPeriod;     /* of the solver "soft": substeps in a period */
     wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
     wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
                                 * make a body, >= 0; 0 or no gravity: no limit */
-    int32_t colours;           /* 1: contacts are solved by colours (chapter 17) */
+    int32_t colours;           /* 1: contacts are solved by colours */
     int32_t lanes;             /* 1: and several of a colour at once, to the same bits */
     int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
-                                * with up to n loops, chapter 17 */
-    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of chapter 15's table */
+                                * with up to n loops */
+    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of the mixing table */
     int32_t events;            /* 1: touches are remembered, and told if that is needed */
     wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
     int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
     int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
     int32_t exactWork;         /* of the solver "exact": millions of multiplications a step may
                                 * take for systems, then it sweeps; >= 0; 0: no bound */
-    int32_t fineSums;          /* 1: what states round away is kept (chapter 17) */
+    int32_t fineSums;          /* 1: what states round away is kept */
     int32_t jointCapacity;     /* joints at most, >= 0 */
-    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together, chapter 19 */
+    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together */
     wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
     wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
     int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
@@ -77,7 +77,7 @@ typedef struct wfHeader {
     wfSlots jointSlots;
     int32_t brokenCount;       /* joints that broke in the last step */
     int32_t together;          /* joints that the last step solved together */
-    int32_t unsolved;          /* substeps of the last step that chapter 19 did not solve */
+    int32_t unsolved;          /* substeps of the last step not solved so */
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
     int32_t fastCount, impactCount, heldCount;  /* of the last step */
     int32_t crowd;             /* 1: its fast bodies were too many, and struck too often */
@@ -232,15 +232,15 @@ wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
 void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyProps *props);
 /* Is it a shape, as it is stored, or at least when moved by the centre of mass? */
 wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre);
-/* Removes the joints of a body: chapter 25. */
+/* Removes the joints of a body. */
 void wfDropJoints(wfBlock *b, int32_t body);
-/* Stages of chapter 25. */
+/* Stages of joints. */
 struct wfStep;
 wfResult wfLeaveOutJoined(struct wfStep *s);
 wfResult wfTakeJoints(struct wfStep *s);
 wfResult wfJudgeJoints(struct wfStep *s);
 wfResult wfKeepJoints(struct wfStep *s);
-/* Tells the joints that every place is called by less `by`: chapter 25. */
+/* Tells the joints that every place is called by less `by`. */
 void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* Would all of them still be joints? */
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
@@ -277,7 +277,7 @@ static inline bool wfIsFollowed(const wfBlock *b, int32_t k, wfReal way)
     wfReal least = b->head->slop * b->materials[k].reach;
     return b->head->impacts > 0 && way > wfMaxR(b->materials[k].inner, least);
 }
-/* Stages of fast bodies, and what they need from others: chapter 25. */
+/* Stages of fast bodies, and what they need from others. */
 wfResult wfFlyFirst(struct wfStep *s);
 wfResult wfFlyLast(struct wfStep *s);
 wfResult wfFindPairsAgain(struct wfStep *s);
@@ -286,7 +286,7 @@ wfResult wfTellStrikes(struct wfStep *s);
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
 /* Is there a joint that keeps the bodies a and b from colliding? */
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);
-/* Sleep, chapter 25. A new or a cleared place; who is disturbed, and by what. */
+/* Sleep. A new or a cleared place; who is disturbed, and by what. */
 void wfBeginRest(wfBlock *b, int32_t i, int32_t never);
 void wfRouse(wfBlock *b, int32_t i);
 void wfRouseNear(wfBlock *b, int32_t k);

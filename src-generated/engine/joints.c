@@ -337,7 +337,7 @@ wfResult wfTakeJoints(struct wfStep *s)
     if (result == WF_OK) result = wfBeginJoints(&s->jointSet, s->count, &pool,
                                                   &s->jointLaws);
     if (result == WF_OK) s->laws = &s->jointLaws;
-    /* see chapter 19 */
+    /* see the direct solver */
     s->jointSet.give = s->b.head->jointGive;
     if (result == WF_OK && s->b.head->exactJoints) result = solve_machines(s);
     return result;

@@ -20,5 +20,8 @@ static inline wfJoints wfJointsOf(const wfBlock *b)
                      (void *)(base + b->head->offset[WF_REGION_BROKEN]) };
 }
 
-static bool wfJointIsLive(const wfJoints *j, int32_t i) { return j->slots[i].next == WF_SLOT_LIVE; }
+static bool wfJointIsLive(const wfJoints *j, int32_t i)
+{
+    return j->slots[i].next == WF_SLOT_LIVE;
+}
 #endif

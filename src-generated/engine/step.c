@@ -31,7 +31,7 @@ static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
     s->forces[s->forceCount++] = wfGravity(s->b.head->gravity);
-    /* those of chapter 9 */
+    /* those of the force table */
     for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
         if (s->b.forceSlots[i].next == WF_SLOT_LIVE)
             s->forces[s->forceCount++] = s->b.forces[i];

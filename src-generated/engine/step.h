@@ -94,7 +94,7 @@ wfResult wfFindContacts(struct wfStep *s);
 wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
-/* Do some bodies make fewer substeps than others? The step of such a world: chapter 33. */
+/* Do some bodies make fewer substeps than others? The step of such a world. */
 bool wfStepsApart(const struct wfStep *s);
 wfResult wfStepApart(struct wfStep *s, const wfSolve *solve);
 #endif

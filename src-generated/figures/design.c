@@ -115,7 +115,7 @@ static void figure_design_tables(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const row[4] = { "explicit-euler", "verlet", "rk4", "mine" };
     (void)in;
-    figBox(d, 0.2f, 2.1f, 2.6f, 1.0f, WF_INK_BODY, "chapter 10", "integration");
+    figBox(d, 0.2f, 2.1f, 2.6f, 1.0f, WF_INK_BODY, "a chapter", "integration");
     figBox(d, 0.2f, 0.4f, 2.6f, 1.0f, WF_INK_ACCENT, "your chapter", "in chapters/");
     wfDrawText(d, 5.6f, 3.3f, 12, WF_INK_TEXT, 0, "rows of the integrator table");
     for (int i = 0; i < 4; i++) {

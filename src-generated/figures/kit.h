@@ -3,7 +3,7 @@
  * not edit this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_FIGURES_KIT_H
 #define WEFT_FIGURES_KIT_H
-/* What figures share, and how a chapter adds its own. Source: chapter 04. */
+/* What figures share, and how a chapter adds its own. Source. */
 #include "lab/lab.h"
 #include "weft/shape.h"
 #include "weft/force.h"

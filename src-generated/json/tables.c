@@ -142,7 +142,7 @@ static const wfField rootFields[] = {
     { INFO("text", text), STRING(sizeof ((wfSceneInfo *)0)->text),
       .text = "what there is to see" },
     { AT(wfRootText, origin), .kind = WF_FIELD_DOUBLE, .count = 2, ANY,
-      .text = "m: where the world's (0, 0) is, if it is far away (chapter 24)" },
+      .text = "m: where the world's (0, 0) is, if it is far away" },
     { AT(wfRootText, time), .kind = WF_FIELD_DOUBLE, NOT_NEGATIVE, .text = "s, so far" },
     { AT(wfRootText, steps), BITS, .text = "made so far" },
 };

@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #ifndef WEFT_JSON_TEXT_H
 #define WEFT_JSON_TEXT_H
-/* What the files of the library weft-json share; not installed. Chapter 26. */
+/* What the files of the library weft-json share; not installed. */
 #include <cjson/cJSON.h>
 #include "weft/json.h"
 

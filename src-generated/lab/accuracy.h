@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef LAB_ACCURACY_H
 #define LAB_ACCURACY_H
-/* Scenes of which the truth is known, and runs of them by any setting. Chapter 33. */
+/* Scenes of which the truth is known, and runs of them by any setting. */
 #include <stdio.h>
 #include "weft/accuracy.h"
 #include "weft/world.h"

@@ -3,7 +3,7 @@
  * edit the chapter and type make. MIT licence. */
 #ifndef WEFT_LAB_BENCH_H
 #define WEFT_LAB_BENCH_H
-/* What measurements share, and how a chapter adds its own. Source: chapter 04. */
+/* What measurements share, and how a chapter adds its own. Source. */
 #include <stdio.h>
 #include "lab/lab.h"
 #include "weft/contact.h"

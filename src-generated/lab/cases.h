@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #ifndef LAB_CASES_H
 #define LAB_CASES_H
-/* The report's black-box tests, TC01 to TC08: chapter 31. */
+/* The report's black-box tests, TC01 to TC08. */
 #include <stdint.h>
 #include "weft/contact.h"
 

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef LAB_EXTREMES_H
 #define LAB_EXTREMES_H
-/* Scenes with exact answers, swept past sense: chapter 34. Metres, kilograms, seconds. */
+/* Scenes with exact answers, swept past sense. Metres, kilograms, seconds. */
 #include <stdio.h>
 
 enum { LAB_X, LAB_Y, LAB_ANGLE, LAB_VX, LAB_VY, LAB_SPIN, LAB_FIELDS };

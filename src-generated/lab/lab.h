@@ -3,7 +3,7 @@
 #ifndef WEFT_LAB_H
 #define WEFT_LAB_H
 /* The lab: the book's figures and its measurements, each a row of a table.
- * Not part of the engine; source: chapter 04. */
+ * Not part of the engine. */
 #include <stdio.h>
 #include "weft/draw.h"
 

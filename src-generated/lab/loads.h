@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef LAB_LOADS_H
 #define LAB_LOADS_H
-/* Heavy scenes: chapter 32. */
+/* Heavy scenes. */
 #include "weft/world.h"
 
 typedef struct labLoad {

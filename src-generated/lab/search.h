@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef LAB_SEARCH_H
 #define LAB_SEARCH_H
-/* What a search for contacts costs, and how wrong it is. Chapter 33. */
+/* What a search for contacts costs, and how wrong it is. */
 #include <stdio.h>
 
 /* Calls work(context). Its own function, so that a profiler can be told to count in it and

@@ -3,7 +3,7 @@
 #ifndef WEFT_TASTE_H
 #define WEFT_TASTE_H
 /* Metres fallen from rest after `seconds` under `g` m/s2. `steps` must be at least 1.
- * Source: chapter 01, eq:intro-euler and eq:intro-galileo. */
+ * Source: eq:intro-euler and eq:intro-galileo. */
 double tasteFallBySteps(double g, double seconds, int steps);
 double tasteFallExactly(double g, double seconds);
 #endif

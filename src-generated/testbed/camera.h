@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_CAMERA_H
 #define TESTBED_CAMERA_H
-/* From metres to pixels and back. Chapter 30. */
+/* From metres to pixels and back. */
 
 /* What is looked at, and where in the picture it is seen. */
 typedef struct camera {

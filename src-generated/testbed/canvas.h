@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef WEFT_CANVAS_H
 #define WEFT_CANVAS_H
-/* What the drawing back ends share. Source: chapter 28. */
+/* What the drawing back ends share. Source. */
 #include "weft/draw.h"
 
 /* Two colours for each role: of thin marks (lines, points, text) and of filled areas. */

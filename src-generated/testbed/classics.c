@@ -565,7 +565,7 @@ static double bounce_energy(const wfWorldDef *how)
     return worst;
 }
 
-/* The same with what states round away kept: chapter 17. */
+/* The same with what states round away kept. */
 static double fine_bounce_energy(const wfWorldDef *how)
 {
     wfWorldDef def = *how;

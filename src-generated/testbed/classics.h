@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_CLASSICS_H
 #define TESTBED_CLASSICS_H
-/* The classic scenes of which physics knows the outcome, and what they measure. Chapter 30.
+/* The classic scenes of which physics knows the outcome, and what they measure.
  * Builders fill an empty world; body 0 is the ground. Errors: those of the calls made. */
 #include "weft/world.h"
 

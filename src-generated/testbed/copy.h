@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef TESTBED_COPY_H
 #define TESTBED_COPY_H
-/* A world as a program in C that makes it. Chapter 30. */
+/* A world as a program in C that makes it. */
 #include "weft/world.h"
 
 /* Writes the program; `warn', if not NULL, is put into its first lines. Returns the bytes

@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef WEFT_FONT_H
 #define WEFT_FONT_H
-/* A font as pictures of its letters at a few sizes. Source: chapter 28. */
+/* A font as pictures of its letters at a few sizes. Source. */
 #include <stdint.h>
 
 /* what a baked font is */

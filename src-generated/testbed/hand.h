@@ -2,12 +2,12 @@
  * chapter and type make. MIT licence. */
 #ifndef TESTBED_HAND_H
 #define TESTBED_HAND_H
-/* A hand that pulls at a point of a body. Chapter 30. */
+/* A hand that pulls at a point of a body. */
 #include "weft/body.h"
 
 /* The impulse (N s) for one step of h seconds that makes the point `grip' of the body
    (world, m) approach `target' like a critically damped spring of angular frequency omega
-   (rad/s): chapter 30, eq:hand-velocity and eq:hand-matrix. Zero for a body that is not
+   (rad/s), eq:hand-velocity and eq:hand-matrix. Zero for a body that is not
    dynamic. */
 wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega,
                      wfReal h);

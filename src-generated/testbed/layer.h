@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_LAYER_H
 #define TESTBED_LAYER_H
-/* What the platform layers share. Chapter 27. */
+/* What the platform layers share. */
 #include <stdio.h>
 #include "testbed/platform.h"
 

@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_LAYOUT_H
 #define TESTBED_LAYOUT_H
-/* Where the testbed's interface is, in interface units. Chapter 30. */
+/* Where the testbed's interface is, in interface units. */
 enum { LIST_WIDTH = 208, LIST_TOP = 44, LIST_BOTTOM = 131, ROW = 19 };
 enum { BAR_ROW = 30, HEAD_TEXT = 62 };  /* a row of buttons; the scene's name, its text */
 enum { HEAD = HEAD_TEXT + 2 * BAR_ROW, FOOT = 48 };     /* strips above, below the scene */

@@ -2,8 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_MAKER_H
 #define TESTBED_MAKER_H
-/* The words in which scenes are written: by the public interface of the engine only.
- * Chapter 30. */
+/* The words in which scenes are written: by the public interface of the engine only. */
 #include "testbed/scene.h"
 #include "testbed/view.h"
 #include "weft/integrate.h"

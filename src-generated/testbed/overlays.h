@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_OVERLAYS_H
 #define TESTBED_OVERLAYS_H
-/* Overlays that look into a step: one pair, or one pass. Chapter 30. */
+/* Overlays that look into a step: one pair, or one pass. */
 #include "testbed/view.h"
 
 /* What the reader looks at. All zero but for the shapes: the first step of everything. */

@@ -79,7 +79,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
 /* Is there a scene of this name? */
 bool game_knows_scene(const char *name);
 
-/* Can the game open this scene, as text (chapter 26)? If not, error says why: "line 7:
+/* Can the game open this scene, as text? If not, error says why: "line 7:
    bodies[2].mass must be > 0". */
 bool game_reads_scene(const char *text, char *error, size_t size);
 
@@ -88,7 +88,7 @@ bool game_reads_scene(const char *text, char *error, size_t size);
    bytes. */
 size_t game_describe(const game_memory *memory, char *text, size_t size);
 
-/* Writes the picture as a PNG file (chapter 28). False when the file can't be written. */
+/* Writes the picture as a PNG file. False when the file can't be written. */
 bool write_png(const char *path, const frame_buffer *buffer);
 /* How much time has passed that has not been simulated yet, s; begin with zero. */
 typedef struct step_clock { double left; } step_clock;
@@ -96,12 +96,12 @@ typedef struct step_clock { double left; } step_clock;
 enum { STEP_CLOCK_MOST = 8 };
 
 /* The number of steps of dt seconds that are due after `seconds' more, at most `most'
-   (chapter 27, eq:clock-steps and eq:clock-bound). Time beyond the bound is forgotten. A
+   (eq:clock-steps and eq:clock-bound). Time beyond the bound is forgotten. A
    number of seconds that is negative or not a number counts as none; a dt that is not
    positive makes no steps. */
 int32_t step_clock_advance(step_clock *clock, double seconds, double dt, int32_t most);
 
-/* Reads inputs from a text of the words of chapter 27's table. */
+/* Reads inputs from a text of the words of the table of inputs. */
 typedef struct input_script {
     const char *at;             /* the rest of the text */
     int32_t line;               /* number of the line read last, from 1 */

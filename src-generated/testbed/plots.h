@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_PLOTS_H
 #define TESTBED_PLOTS_H
-/* The last seconds of a world as curves. Chapter 30. */
+/* The last seconds of a world as curves. */
 #include "weft/draw.h"
 #include "weft/world.h"
 

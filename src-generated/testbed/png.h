@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_PNG_H
 #define WEFT_PNG_H
-/* PNG pictures, and films of them, into bytes that are lent. Source: chapter 28. */
+/* PNG pictures, and films of them, into bytes that are lent. Source. */
 #include "testbed/platform.h"
 
 /* A file on its way. All zero but for bytes and size, before wfPngBegin. */

@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef WEFT_RASTER_H
 #define WEFT_RASTER_H
-/* A display list as pixels. Source: chapter 28. */
+/* A display list as pixels. Source. */
 #include "testbed/canvas.h"
 #include "testbed/font.h"
 #include "testbed/platform.h"

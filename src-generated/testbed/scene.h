@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_SCENE_H
 #define TESTBED_SCENE_H
-/* Scenes: small worlds that show one thing each. Chapter 30. */
+/* Scenes: small worlds that show one thing each. */
 #include "weft/draw.h"
 #include "weft/world.h"
 

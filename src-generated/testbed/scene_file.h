@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #ifndef TESTBED_SCENE_FILE_H
 #define TESTBED_SCENE_FILE_H
-/* Scenes that are text. Chapter 30. */
+/* Scenes that are text. */
 #include "testbed/scene.h"
 #include "weft/json.h"
 

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef WEFT_SVG_H
 #define WEFT_SVG_H
-/* A display list as an SVG picture. Source: chapter 28. */
+/* A display list as an SVG picture. Source. */
 #include <stddef.h>
 #include <stdio.h>
 #include "testbed/canvas.h"

@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_TOOLS_H
 #define TESTBED_TOOLS_H
-/* What the mouse can do to a world: tools. Chapter 30. */
+/* What the mouse can do to a world: tools. */
 #include "weft/draw.h"
 #include "weft/save.h"
 

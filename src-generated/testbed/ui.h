@@ -2,7 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_UI_H
 #define TESTBED_UI_H
-/* An immediate-mode interface over the pen. Chapter 29. Lengths in interface units, from
+/* An immediate-mode interface over the pen. Lengths in interface units, from
  * the upper left corner, y down. */
 #include "testbed/platform.h"
 #include "weft/draw.h"

@@ -2,7 +2,7 @@
  * chapter and type make. MIT licence. */
 #ifndef TESTBED_VIEW_H
 #define TESTBED_VIEW_H
-/* Draws worlds through the pen. Chapter 30. */
+/* Draws worlds through the pen. */
 #include "testbed/scene.h"
 
 typedef struct wfOverlay {

@@ -1,7 +1,7 @@
 /* Weft: testbed/web_print_main.c, tangled from chapters/testbed/01-platform.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* What a library would do for the page's module: snprintf, by stb_sprintf, and memory for
- * the header that compresses pictures. Chapter 27. */
+ * the header that compresses pictures. */
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -2,10 +2,10 @@
 # run.sh: keeps out of the engine what gives another machine other bits.  Each rule looks at the engine as it was compiled and as it is
 # tangled, and is then shown a planted mistake that it must catch.
 #   tests/bits/run.sh
-# The rules, with the reasons in chapter 06 (Why two compilers disagree):
+# The rules, with the reasons in the chapter numbers (Why two compilers disagree):
 #   calls      no function of the C library but those that move bytes, compare text, allocate, and (file.c) files: above all no libm
 #   flags      contraction off, no fast mathematics, in every makefile that compiles
-#   guards     chapter 06 does not let itself be compiled with -ffast-math, nor where floats are kept in wider registers
+#   guards     the chapter numbers does not let itself be compiled with -ffast-math, nor where floats are kept in wider registers
 #   fused      no fused multiply-add in objects that were allowed to use this machine's own instructions
 #   addresses  no pointer made a number, none printed, but where memory is aligned; no qsort, whose order of equals is nobody's promise
 #   outside    no clock, no random numbers of the C library, no locale, no threads' order
@@ -28,7 +28,7 @@ rule_calls() {     # a directory with objects
     local allowed='memcpy|memmove|memset|memcmp|bcmp|strcmp|strncmp|strlen|calloc|free|vsnprintf|snprintf|__assert_fail|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail'
     case $o in */engine-file*) allowed="$allowed|f[a-z]+|rename|remove|unlink|open|close|write|read|__errno_location|fileno|getpid|strerror" ;; esac
     nm -u "$o" | awk '{ print $2 }' | grep -vE "^(wf[A-Z].*|$allowed)$" | while read -r s; do
-      nm "$1"/*.o 2>/dev/null | grep -qE " [TtDdRrBb] $s\$" || echo "$o calls $s -- write it with the engine's own functions (chapter 06), or say in tests/bits/run.sh why it is the same everywhere"; done
+      nm "$1"/*.o 2>/dev/null | grep -qE " [TtDdRrBb] $s\$" || echo "$o calls $s -- write it with the engine's own functions, or say in tests/bits/run.sh why it is the same everywhere"; done
   done
 }
 rule_flags() {     # makefiles
@@ -41,7 +41,7 @@ rule_flags() {     # makefiles
 rule_guards() {    # an include directory: compiling must fail
   local flags
   for flags in "-O2 -ffast-math" "-O2 -mfpmath=387" "-O2 -Ofast"; do
-    echo '#include "weft/math.h"' | gcc -std=c11 $flags -I"$1" -x c -fsyntax-only - 2>/dev/null && echo "weft/math.h can be compiled with $flags -- it has to refuse (chapter 06)"
+    echo '#include "weft/math.h"' | gcc -std=c11 $flags -I"$1" -x c -fsyntax-only - 2>/dev/null && echo "weft/math.h can be compiled with $flags -- it has to refuse"
   done
 }
 rule_fused() {     # a directory with objects
@@ -54,7 +54,7 @@ rule_addresses() { # a directory with sources
   local c
   for c in $components; do
     grep -rnE '\(u?intptr_t\)|%p\b|\bqsort\b|\bbsearch\b' "$1/$c" 2>/dev/null | grep -vE '\(uintptr_t\)[a-z]+\)? *(% WF_POOL_ALIGN|& \(WF_POOL_ALIGN - 1\)|& 7u)' |
-      sed 's|$| -- an address differs from run to run: use an index; sort by counting or with a total order (chapter 11)|'
+      sed 's|$| -- an address differs from run to run: use an index; sort by counting or with a total order|'
   done
 }
 rule_outside() {

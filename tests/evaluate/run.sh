@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The table of chapter 36 is what the tests of this run and the measured data say; with --record it is written.
+# The table of the chapter evaluation is what the tests of this run and the measured data say; with --record it is written.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 export TANGLE="$PWD/tangle"

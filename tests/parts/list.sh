@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The price list: for each need all that was measured of it, side by side. book/data/price-list.csv, from the tables of chapter 35 that are
+# The price list: for each need all that was measured of it, side by side. book/data/price-list.csv, from the tables of the chapter price-list that are
 # there already (price-parts, -world, -time, -buys, -whole, and of doubles price-world-double and price-double-time and accuracy-precision), so it is made in no time (make prices).
 #   tests/parts/list.sh [FILE]
 set -uo pipefail

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The parts of the engine (chapter 04, section "Parts that may be left out"): the least engine, each part alone with what it needs, each
+# The parts of the engine (the chapter design, section "Parts that may be left out"): the least engine, each part alone with what it needs, each
 # left out with what needs it, those for the scenes in files (make engine FOR=), and the whole are tangled, compiled with warnings as
 # errors, linked with the small tests that apply, and run. Then the sizes that the price list promises are checked.
 #   tests/parts/run.sh            all of that, without optimization

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# One bad input at a time, on every engine, by the adapters of `make peers` (chapter 34): writes book/data/extremes-bad.csv. A minute or two.
+# One bad input at a time, on every engine, by the adapters of `make peers`: writes book/data/extremes-bad.csv. A minute or two.
 #   make programs peers BOX2D3=PREFIX && tests/peers/bad.sh
 # A disc falls on a floor, and ten metres from it something is bad. What may come out:
 #   refused   the engine says no: an error, a null, an exception of the kind Error

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Where another engine has a better verdict at the extremes than this one with its defaults: from book/data/extremes.csv, which is
-# make extremes' (chapter 34), to book/data/extremes-better.csv.
+# make extremes', to book/data/extremes-better.csv.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 to=build/lab/extremes-better.csv; mkdir -p build/lab

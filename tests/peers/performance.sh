@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The scenes of chapter 32 on this engine and on others, by the adapters of `make peers` (chapter 02): in turns, ROUNDS times round.
+# The scenes of the chapter performance on this engine and on others, by the adapters of `make peers`: in turns, ROUNDS times round.
 #   tests/peers/performance.sh report|growth|benches      writes book/data/performance-WHAT-time.csv
 # ROUNDS=3, ENGINES="weft box2d3 ..." and STEPS=n (at most so many) in the environment make it shorter or longer; a quiet machine makes it right.
 # Make them first: make programs peers BOX2D3="box2d3=PREFIX box2d3-plain=PREFIX". An engine that is missing is left out.

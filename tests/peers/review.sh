@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Answers the criteria of chapter 02 that can be answered by measuring, and writes book/data/peers-review.csv. It takes them from
+# Answers the criteria of the chapter similar-systems that can be answered by measuring, and writes book/data/peers-review.csv. It takes them from
 # book/data/extremes.csv (make extremes) and book/data/performance-report-time.csv (tests/peers/performance.sh report), from the engines' files
 # as they are installed, from the adapters' sources, and for the bytes of a body from what the adapters' processes hold (half a minute).
 set -uo pipefail

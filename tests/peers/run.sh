@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Times the scenes of chapter 32 in Box2D 3 and here, in turns, ROUNDS times round (3), and writes the medians of the rounds and their
+# Times the scenes of the chapter performance in Box2D 3 and here, in turns, ROUNDS times round (3), and writes the medians of the rounds and their
 # spread to book/data/performance-peers-time.csv and book/data/performance-steered-time.csv.
 #   tests/peers/run.sh [--steered] 'LABEL=PREFIX' ...       each PREFIX is an installed Box2D 3 (PREFIX/include, PREFIX/lib)
 # --steered: only the second file, with the first PREFIX.

@@ -2,7 +2,7 @@
  *   compare LIST [NAME ...]           compares; a difference is told with its place and drawn in build/pictures/NAME.png
  *   compare --write LIST [NAME ...]   records anew: look at them first, --full DIR has them in full size
  *   compare --self LIST               small changes that anybody would see must be noticed, and those that nobody would must not
- * A line of the list: NAME WIDTH HEIGHT SCALE | an input script of chapter 27, its lines parted by `;'; `@Widget' clicks a widget,
+ * A line of the list: NAME WIDTH HEIGHT SCALE | an input script of the chapter platform, its lines parted by `;'; `@Widget' clicks a widget,
  * `~Widget' rests over it.
  * Perceptual tolerance: a picture is kept in a quarter of its size, which is what blurs; then no square of 3 x 3 of these pixels
  * may differ by more than 9 of 255 steps in the mean of any colour. Letters may move by a third of a pixel and edges may change

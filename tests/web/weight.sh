@@ -4,7 +4,7 @@
 # First the list of the functions that the testbed's first part keeps, tangle/web.first, is made anew (first.mjs).
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-to=${1:-book/data} web=${WEB:-build/web} aim=150          # KB: the aim of chapter 27
+to=${1:-book/data} web=${WEB:-build/web} aim=150          # KB: the aim of the chapter platform
 command -v wasm-split >/dev/null || { echo "weight: no wasm-split here -- install binaryen"; exit 1; }
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
 [ -x build/bin/weft-figures ] || make --no-print-directory programs >/dev/null || exit 1

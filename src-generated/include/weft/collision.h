@@ -1,7 +1,6 @@
 /* Weft: include/weft/collision.h, tangled from chapters/engine/19-events-and-queries.nw. Do not
  * edit this file: edit the chapter and type make. MIT licence. */
-/* collision.h: the whole component `collision`, for users of libweft-collision alone.
-   Source: chapter 23. */
+/* collision.h: the whole component `collision`, for users of libweft-collision alone. */
 #ifndef WEFT_COLLISION_H
 #define WEFT_COLLISION_H
 #include "weft/core.h"

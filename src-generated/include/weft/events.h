@@ -1,7 +1,7 @@
 /* Weft: include/weft/events.h, tangled from chapters/engine/19-events-and-queries.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 /* events.h: what began, goes on and ended between two lists of touches; hits.  Speeds in
-   m/s.  Source: chapter 23. */
+   m/s.  Source. */
 #ifndef WEFT_EVENTS_H
 #define WEFT_EVENTS_H
 #include "weft/contact.h"

@@ -1,8 +1,7 @@
 /* Weft: include/weft/impact.h, tangled from chapters/methods/03-time-of-impact.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* impact.h: when two moving shapes first touch; shapes cast along a line; where to stop a
-   fast body.  Lengths in m, angles in rad, times are shares of a step, world frame.
-   Source: chapter 21. */
+   fast body.  Lengths in m, angles in rad, times are shares of a step, world frame. */
 #ifndef WEFT_IMPACT_H
 #define WEFT_IMPACT_H
 #include "weft/core.h"

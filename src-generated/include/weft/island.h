@@ -2,8 +2,8 @@
  * edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ISLAND_H
 #define WEFT_ISLAND_H
-/* Who hangs together with whom, and who has been still for how long: chapter 22. Plain
- * functions over arrays; the world's use of them is in chapter 25. */
+/* Who hangs together with whom, and who has been still for how long. Plain
+ * functions over arrays; the world has functions of its own for them. */
 #include "weft/body.h"
 
 /* A forest over the numbers 0 .. count - 1, each a set of its own. */

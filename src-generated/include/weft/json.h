@@ -2,7 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_JSON_H
 #define WEFT_JSON_H
-/* json.h: scenes as text, in JSON. Chapter 26. The library weft-json has these functions;
+/* json.h: scenes as text, in JSON. The library weft-json has these functions;
  * it needs cJSON and a C library. testbed/scenes/scene.schema.json describes the text. */
 #include "weft/save.h"
 

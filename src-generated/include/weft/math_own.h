@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 /* math_own.h: reals, vectors, matrices, rotations, rectangles, random numbers.
    Angles are radians unless a name ends in Deg; counter-clockwise is positive; y points up.
-   Source: chapter 06; report, Appendix C. */
+   Source: report, Appendix C. */
 #ifndef WEFT_MATH_OWN_H
 #define WEFT_MATH_OWN_H
 #include "weft/core.h"

@@ -1,7 +1,7 @@
 /* Weft: include/weft/query.h, tangled from chapters/engine/19-events-and-queries.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 /* query.h: rays, nearest points, overlaps, casts; for one shape and for a set of placed
-   shapes.  Lengths in m, world frame.  Source: chapter 23. */
+   shapes.  Lengths in m, world frame.  Source. */
 #ifndef WEFT_QUERY_H
 #define WEFT_QUERY_H
 #include "weft/broad.h"
@@ -32,7 +32,7 @@ typedef struct wfClosest {
    shape's size): the answer is exact for a ray whose ends are moved by 16 e, and the point
    is on the shape to 16 WF_EPSILON times the largest coordinate that places it.
    WF_ERROR_NULL; _UNKNOWN: no such kind; _NOT_FINITE: NaN or infinity, or too far apart for
-   a wfReal.  After an error *out is unchanged.  Chapter 23. */
+   a wfReal.  After an error *out is unchanged. */
 wfResult wfRayShape(const wfShape *shape, wfTransform placed, wfRay ray, wfRayHit *out);
 
 /* The nearest point.  A particle is a point, a link has no sides.  Errors as wfRayShape. */

@@ -3,7 +3,7 @@
 #ifndef WEFT_REPORT_H
 #define WEFT_REPORT_H
 /* The names of the report's Appendices B and C over Weft's own, C11 (no C++: _Generic
- * stands in for overloading, variadic macros for default arguments). Chapter 24 lists
+ * stands in for overloading, variadic macros for default arguments). The book lists
  * every difference. Units: m, kg, s; angles in degrees where a name says Deg, else
  * radians. */
 #include "weft/world.h"

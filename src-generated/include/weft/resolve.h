@@ -3,7 +3,7 @@
  * licence. */
 #ifndef WEFT_RESOLVE_H
 #define WEFT_RESOLVE_H
-/* Contact resolution by impulses: chapter 14 (the report's section 5.7).
+/* Contact resolution by impulses (the report's section 5.7).
  * Units: kg, m, s, N s. Indices are into arrays that the caller owns. */
 #include "weft/body.h"
 #include "weft/contact.h"
@@ -18,13 +18,13 @@
 typedef struct wfContact {
     int32_t    a, b;
     int32_t    shapeA, shapeB;  /* which shapes touch; the solver does not look */
-    int32_t    sliding;         /* 1: did not hold last time (chapter 16) */
+    int32_t    sliding;         /* 1: did not hold last time */
     int32_t    settled;         /* 1: has held, by impulses that were solved (the same) */
     wfReal     restitution;     /* e of eq:impulses-newton, 0 to 1 */
-    wfReal     friction;        /* coefficient of friction >= 0; unused until chapter 15 */
+    wfReal     friction;        /* coefficient of friction >= 0; used by friction */
     wfReal     staticFriction;  /* while nothing slides; below `friction`: the same */
-    wfReal     rolling;         /* m, >= 0: length of rolling resistance, chapter 15 */
-    wfReal     surfaceSpeed;    /* m/s: how fast b's surface runs over a's, chapter 15 */
+    wfReal     rolling;         /* m, >= 0: length of rolling resistance */
+    wfReal     surfaceSpeed;    /* m/s: how fast b's surface runs over a's */
     wfReal     rollingImpulse;  /* N m s that a solver applied against rolling */
     wfReal     slop;            /* overlap left alone, m, >= 0 */
     wfManifold manifold;        /* normal from a to b, points, depths */
@@ -35,7 +35,7 @@ struct wfSolve;
 typedef struct wfMoved {
     wfVec2 d;                 /* m */
     wfReal turn;              /* rad */
-    wfReal spare;             /* so that an entry has four numbers: chapter 17 */
+    wfReal spare;             /* so that an entry has four numbers */
 } wfMoved;
 
 /* Other laws than contacts, for `step` rows; `moved` has an entry for every body. */
@@ -50,7 +50,7 @@ typedef struct wfLaws {
     void (*solve)(void *context, const struct wfSolve *in, const wfMoved *moved,
                   wfReal dt, int32_t pass, bool soft);
     /* How a solver gets at their rows that takes them together with contacts, in the words
-     * of chapter 19; NULL or returning NULL: they take turns with it. */
+     * of the direct solver; NULL or returning NULL: they take turns with it. */
     const void *(*lending)(void *context);
 } wfLaws;
 
@@ -68,7 +68,7 @@ typedef struct wfSolveReport {
     wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
 } wfSolveReport;
-#define WF_COLUMN_LOOPS 8       /* the most that `columns` may ask for: chapter 17 */
+#define WF_COLUMN_LOOPS 8       /* the most that `columns` may ask for */
 
 /* What a body's state is too coarse for: to be added to its place and velocities. */
 typedef struct wfFine {
@@ -98,20 +98,20 @@ typedef struct wfSolve {
     const uint8_t      *present;        /* for `step` rows: 0: a body that is left alone, at
                                          * rest and without contacts; NULL: no such body */
     int32_t             substeps;       /* for `step` rows: >= 1 */
-    int32_t             colours;        /* 1: in an order without neighbours, chapter 17 */
+    int32_t             colours;        /* 1: in an order without neighbours */
     int32_t             lanes;          /* 1: and several at once; the same to the bit */
     const wfLaws       *laws;           /* for `step` rows: joints; NULL: none */
-    wfReal              contactPeriod;  /* of `soft`: chapter 17, with the good values */
+    wfReal              contactPeriod;  /* of `soft` */
     wfReal              contactDamping; /* WF_CONTACT_..., which 0 stands for; >= 0 */
     wfReal              recoverySpeed;  /* m/s: overlap is left no faster; 0: no limit;
                                          * WF_HUGE: by moving alone, sec:soft-deep */
     int32_t             columns;        /* 0: contacts by passes; 1: towers are solved at
-                                         * once; 1 + n: with up to n loops, chapter 17 */
+                                         * once; 1 + n: with up to n loops */
     wfFine             *fine;           /* of each body: what its state rounds away,
-                                         * chapter 17; for `soft`; NULL: it is lost */
+                                         * for `soft`; NULL: it is lost */
     wfPool             *scratch;        /* room for the row's scratch(bodies, contacts) */
     int32_t             work;           /* of `exact`: millions of multiplications that a
-                                         * step may take, chapter 19; 0: no bound */
+                                         * step may take; 0: no bound */
     wfSolveReport      *report;         /* written by rows that can fail; NULL: not asked */
     wfTold             *told;           /* of each contact, zero before; NULL: not asked */
 } wfSolve;
@@ -194,7 +194,7 @@ typedef struct wfSolverRow {
 extern const wfSolverRow wfSolverTable[];
 extern const int wfSolverCount;
 int wfFindSolver(const char *name);  /* row, or -1 */
-/* How many passes a row wants unless somebody knows better: chapters 16 and 17. */
+/* How many passes a row wants unless somebody knows better. */
 int32_t wfUsualPasses(int row);
 /* Checks what a solver is given. WF_ERROR_NULL, WF_ERROR_RANGE (counts, indices, passes,
  * substeps, shares, materials out of range), WF_ERROR_NOT_FINITE (any number). */

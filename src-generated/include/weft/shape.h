@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 /* shape.h: circles, convex polygons, capsules, segments and links of chains in a body's
    frame; hull, bounds, area and mass. A shape is a convex core in a coat of `radius'.
-   Lengths in m, angles in rad counter-clockwise, densities in kg/m^2. Chapter 07. */
+   Lengths in m, angles in rad counter-clockwise, densities in kg/m^2. */
 #ifndef WEFT_SHAPE_H
 #define WEFT_SHAPE_H
 #include "weft/core.h"
@@ -45,7 +45,7 @@ typedef struct wfMassData {
     wfReal inertia;             /* kg m^2: moment of inertia about the centre of mass     */
     wfReal area;                /* m^2                                                    */
 } wfMassData;
-/* the functions of chapter 07 are here if the engine has the part "shapes" */
+/* these functions are here if the engine has the part "shapes" */
 /* A circle. WF_ERROR_NULL, _NOT_FINITE, _SIZE. */
 wfResult wfMakeCircle(wfVec2 centre, wfReal radius, wfShape *out);
 /* The convex hull of n points, counter-clockwise from the leftmost (lowest of several), in

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/box2d2_main.cpp, tangled from chapters/engine/02-similar-systems.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
-/* Box2D 2.4 plays a scene. Chapter 02. Needs Box2D 2.4 (Debian: libbox2d-dev). */
+/* Box2D 2.4 plays a scene. Needs Box2D 2.4 (Debian: libbox2d-dev). */
 #include <vector>
 #include <box2d/box2d.h>
 #include "peer.h"

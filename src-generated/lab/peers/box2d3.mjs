@@ -1,6 +1,6 @@
 /* Weft: lab/peers/box2d3.mjs, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-// Box2D 3 in WebAssembly plays a scene. Chapter 02. Needs the package box2d3-wasm.
+// Box2D 3 in WebAssembly plays a scene. Needs the package box2d3-wasm.
 import box2d3 from 'box2d3-wasm';
 import { main } from './drive.mjs';
 import { refuse } from './scene.mjs';

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/box2d3_main.c, tangled from chapters/engine/02-similar-systems.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
-/* Box2D 3.2 plays a scene. Chapter 02. Needs Box2D 3: make peers BOX2D3=its prefix. */
+/* Box2D 3.2 plays a scene. Needs Box2D 3: make peers BOX2D3=its prefix. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <box2d/box2d.h>

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/chipmunk_main.c, tangled from chapters/engine/02-similar-systems.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
-/* Chipmunk2D plays a scene. Chapter 02. Needs Chipmunk 7 (Debian: chipmunk-dev). */
+/* Chipmunk2D plays a scene. Needs Chipmunk 7 (Debian: chipmunk-dev). */
 #include <math.h>
 #include <stdlib.h>
 #include <chipmunk/chipmunk.h>

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/drive.c, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-/* The loop of the adapters in C and C++. Chapter 02. */
+/* The loop of the adapters in C and C++. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>
@@ -205,7 +205,7 @@ int peerMain(const peerEngine *engine, int argc, char **argv)
     }
     file = read_options(argc, argv, &o);
     if (file == NULL) {
-        fprintf(stderr, "use: %s SCENE.json --steps N [options: chapter 02]\n", argv[0]);
+        fprintf(stderr, "use: %s SCENE.json --steps N [options]\n", argv[0]);
         return 1;
     }
     peerRead(file, &scene);

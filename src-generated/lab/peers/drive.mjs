@@ -1,6 +1,6 @@
 /* Weft: lab/peers/drive.mjs, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-// The loop of the adapters in JavaScript. Chapter 02; the same options and rows as drive.c.
+// The loop of the adapters in JavaScript. The same options and rows as drive.c.
 import { readScene, refuse, fail } from './scene.mjs';
 
 /* options in JavaScript */
@@ -17,7 +17,7 @@ function readOptions(argv) {
     else if (key === 'bodies') o.noBodies = argv[++i] === 'none';
     else refuse(`option ${argv[i]}`);
   }
-  if (!o.file) fail('use: NAME SCENE.json --steps N [options: chapter 02]');
+  if (!o.file) fail('use: NAME SCENE.json --steps N [options]');
   return o;
 }
 

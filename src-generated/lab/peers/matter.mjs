@@ -1,6 +1,6 @@
 /* Weft: lab/peers/matter.mjs, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-// Matter.js plays a scene. Chapter 02. Needs the package matter-js.
+// Matter.js plays a scene. Needs the package matter-js.
 import Matter from 'matter-js';
 import { createRequire } from 'node:module';
 import { main } from './drive.mjs';

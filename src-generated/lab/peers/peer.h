@@ -2,7 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #ifndef LAB_PEER_H
 #define LAB_PEER_H
-/* What adapters of other engines share. Chapter 02. Metres, kilograms, seconds, radians. */
+/* What adapters of other engines share. Metres, kilograms, seconds, radians. */
 #ifdef __cplusplus
 extern "C" {
 #endif

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/planck.mjs, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-// planck plays a scene. Chapter 02. Needs the package planck.
+// planck plays a scene. Needs the package planck.
 import * as planck from 'planck';
 import fs from 'node:fs';
 import { main } from './drive.mjs';

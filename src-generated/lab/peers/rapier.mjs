@@ -1,6 +1,6 @@
 /* Weft: lab/peers/rapier.mjs, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-// Rapier plays a scene. Chapter 02. Needs the package @dimforge/rapier2d-compat, or, if
+// Rapier plays a scene. Needs the package @dimforge/rapier2d-compat, or, if
 // this file's name has "simd" in it, @dimforge/rapier2d-simd-compat.
 import { main } from './drive.mjs';
 import { refuse } from './scene.mjs';

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/scene.c, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-/* Reads a scene for the adapters in C. Chapter 02. Needs cJSON. */
+/* Reads a scene for the adapters in C. Needs cJSON. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* Weft: lab/peers/scene.mjs, tangled from chapters/engine/02-similar-systems.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
-// Reads a scene for the adapters in JavaScript. Chapter 02; the same rules as scene.c.
+// Reads a scene for the adapters in JavaScript. The same rules as scene.c.
 import fs from 'node:fs';
 
 /* refuse in JavaScript */
