@@ -10,6 +10,9 @@ local here = arg[0]:match("^(.*/)") or "./"
 local B = os.getenv("BUILD") or "build"
 local CC = os.getenv("CC") or "cc"
 local STARTERS, SOLUTIONS, TESTS = "chapters/exercises", "chapters/solutions", "tests/course"
+local ASAN = "ASAN_OPTIONS=detect_leaks=0:symbolize=0:allocator_may_return_null=1 UBSAN_OPTIONS=symbolize=0"
+package.path = here .. "?.lua;" .. package.path
+local Refuse = require "refuse"
 local Course = {}
 
 ----------------------------------------------------------------------------------------------------------------- small things
@@ -19,6 +22,7 @@ local function quote(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
 local function out_of(command) local p = io.popen(command); local s = p:read("a"); p:close(); return s end
 local function ok(command) local a, _, c = os.execute(command); return a == true or a == 0, c end
 local function lines(s) return ((s or "") .. "\n"):gmatch("(.-)\r?\n") end
+local function text_lines(path) local t = {} for l in lines(read(path)) do t[#t + 1] = l end return t end
 local function base_of(path) return (path:match("([^/]+)%.nw$")) end
 local function die(...) io.stderr:write("course: ", string.format(...), "\n"); os.exit(2) end
 local function list(dir, ext) local t = {} for l in lines(out_of("ls " .. quote(dir) .. " 2>/dev/null")) do if l:match("%." .. ext .. "$") then t[#t + 1] = l:sub(1, -#ext - 2) end end return t end
@@ -168,18 +172,69 @@ local function differing(out)               -- files of the tangled tree that th
   return t
 end
 
--- Builds FILE against the engine and runs the criteria of exercise BASE. Returns { base, file, criteria = {...}, earned, max, refused }.
+-- What is refused before it runs (refuse.lua): messages with line and chunk, or nil.
+local function refusals(found, file, chunks)
+  local t = {}
+  table.sort(found, function(x, y) return (x[1] or 1e9) < (y[1] or 1e9) end)
+  for _, f in ipairs(found) do
+    local c = f[1] and chunk_at(chunks, f[1])
+    t[#t + 1] = file .. ":" .. (f[1] or 1) .. ": " .. f[2] .. (c and "\n    in the chunk <<" .. c .. ">>" or "")
+  end
+  return #t > 0 and t or nil
+end
+local NOT_NEEDED = "it has what no exercise needs"
+
+-- The names of all chunks of the book, and the words of its C; only asked when somebody defines one.
+local function book_chunks()
+  local t = {}
+  for l in lines(out_of("grep -rhoE --include='*.nw' '^<<.*>>=' chapters 2>/dev/null")) do local name = l:match("^<<(.-)>>=") if name then t[name] = true end end
+  return t
+end
+setmetatable(Refuse, { __index = function(t, key)
+  if key ~= "known" then return nil end
+  local known = {}
+  for w in ("auto break case char const continue default do double else enum extern float for goto if inline int long register restrict return short signed sizeof static struct " ..
+    "switch typedef union unsigned void volatile while bool true false NULL"):gmatch("%S+") do known[w] = true end
+  for l in lines(out_of("grep -rhoE --include='*.[ch]' '\\b[A-Za-z_][A-Za-z0-9_]*' " .. quote(B .. "/lines") .. " tests/course | sort -u")) do known[l] = true end
+  rawset(t, "known", known)
+  return known
+end })
+
+local SANITIZE = " -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+local WRAP = " -Wl,--wrap=wfPoolPush,--wrap=wfPoolPushMany,--wrap=wfPoolReset,--wrap=wfPoolRewind"
+local function names_of(command) local t = {} for l in lines(out_of(command .. " 2>/dev/null")) do local n = l:match("(%S+)$") if n then t[n] = true end end return t end
+
+-- The test itself: compiled once, unless it includes a header of the exercise's own. NAME.o, and NAME.san.o with the sanitizers.
+function Course.test_object(base, out, flags, kind)
+  local source, log = TESTS .. "/" .. base .. ".c", out .. "/log"
+  local own = out_of("grep -ohE '\"(lab|course)/[a-z0-9_]+\\.h\"' " .. quote(source) .. " 2>/dev/null") ~= ""
+  local test = B .. "/course/tests/" .. base .. kind
+  if not own and read(test) then return test end
+  local o = own and out .. "/test" .. kind or test .. "." .. tostring({}):match("0x(%x+)") .. ".o"
+  os.execute("mkdir -p " .. quote(B .. "/course/tests"))
+  local command = compile_line(out) .. flags .. " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") .. " -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " .. quote(source) .. " -o " .. quote(o)
+  if not ok(command .. " >>" .. quote(log) .. " 2>&1") then return nil end
+  if own then return o end
+  os.execute("mv " .. quote(o) .. " " .. quote(test))
+  return test
+end
+
+-- Builds FILE against the engine: { base, file, criteria = {...}, refused, program, sanitized }.
 -- like: where a solution of the same exercise has passed the loom; this is a variant of it, and is tangled without its checks.
-function Course.try(file, base, out, like)
-  local chunks = chunks_of(file)
-  local r = { base = base, file = file, criteria = criteria_of(base), earned = 0, max = 0, chunks = chunks, out = out }
+-- sanitize: a second program, with the address and undefined sanitizers.
+function Course.build(file, base, out, like, sanitize)
+  local r = { base = base, file = file, criteria = criteria_of(base), earned = 0, max = 0, out = out, chunks = { list = {}, defined = {}, used = {}, first = {} } }
   for _, c in ipairs(r.criteria) do
     r.max = r.max + c.points
-    c.earned, c.status = 0, "not run"
-    c.line = chunks.defined[c.hole] or chunks.used[c.hole]
+    c.earned, c.status, c.line = 0, "not run", 1
   end
+  local unfit = Refuse.size(file)
+  if unfit then return refuse(r, unfit) end
+  local chunks = chunks_of(file)
+  r.chunks = chunks
+  for _, c in ipairs(r.criteria) do c.line = chunks.defined[c.hole] or chunks.used[c.hole] end
   os.execute("rm -rf " .. quote(out) .. " && mkdir -p " .. quote(out))
-  local holes, wanted = {}, holes_of(STARTERS .. "/" .. base .. ".nw")
+  local holes, wanted, given = {}, holes_of(STARTERS .. "/" .. base .. ".nw")
   local strays = strays_of(chunks, base)
   for _, hole in ipairs(wanted) do
     if not chunks.defined[hole] then
@@ -189,6 +244,8 @@ function Course.try(file, base, out, like)
     end
   end
   if #holes > 0 then return refuse(r, #holes == 1 and "a hole is empty" or #holes .. " holes are empty", holes) end
+  local found = refusals(Refuse.text(file, chunks, given, book_chunks), file, chunks)
+  if found then return refuse(r, NOT_NEEDED, found) end
   local log = out .. "/log"
   local function tangle(chapters)
     return ok("tangle/tangle --lines " .. (like and "--unchecked " or "") .. quote(out .. "/lines") .. " " .. chapters .. quote(file) .. " >" .. quote(log) .. " 2>&1")
@@ -198,80 +255,151 @@ function Course.try(file, base, out, like)
   elseif not tangle("$(tangle/chapters) ") then
     return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks))
   end
-  local objects, headers = {}, alone and " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") or ""
+  local include = " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines")
+  local test = Course.test_object(base, out, "", ".o")
+  if not test then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks)) end
+  -- The submission's objects. Only names that the test asks for, or that the engine's own object gives, leave them; what else they
+  -- define is nobody's but theirs.
+  local wants = names_of("nm -u " .. quote(test))
+  local engine
+  local given_lines = {}
+  for l in lines(read(STARTERS .. "/" .. base .. ".nw")) do given_lines[(l:gsub("%s+", ""))] = true end
+  local objects, sanitized = {}, {}
   for _, f in ipairs(differing(out)) do
     if f:match("%.c$") and not f:match("_main%.c$") then
-      local o = out .. "/" .. f:gsub("[/%.]", "_") .. ".o"
-      if not ok(compile_line(out) .. headers .. " -Wall -Wextra -Werror=implicit-function-declaration -c " .. quote(out .. "/lines/" .. f) .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
+      local o, source = out .. "/" .. f:gsub("[/%.]", "_") .. ".o", quote(out .. "/lines/" .. f)
+      local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -fno-jump-tables "
+      found = refusals(Refuse.preprocessed(out_of(compile .. "-E " .. source .. " 2>/dev/null"), file), file, chunks)
+      if found then return refuse(r, NOT_NEEDED, found) end
+      if not ok(compile .. "-c " .. source .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
         return refuse(r, "the compiler refuses the code", told(read(log), file, chunks))
       end
+      local bad = {}
+      if not engine then
+        engine = {}
+        for l in lines(read(B .. "/course/engine.names") or out_of("nm -g --defined-only " .. B .. "/lib/*.a 2>/dev/null")) do local n = l:match("(%S+)$"); if n then engine[n] = true end end
+      end
+      local theirs = B .. "/obj/" .. f:gsub("%.c$", ".o")
+      local base_wants = names_of("nm -u " .. quote(theirs))
+      local more, gives = Refuse.object(out_of, quote(o), function(name) return name:match("^wf") and engine[name] or engine[name] and base_wants[name] or base_wants[name] end)
+      for _, m in ipairs(more) do
+        local word = m[2]:match("use of (%S+)$")
+        if word then for n, l in pairs(text_lines(file)) do if l:find("%f[%w_]" .. word:gsub("%p", "%%%0") .. "%f[^%w_]") then m[1] = math.min(n, m[1] or n) end end end
+        bad[#bad + 1] = m
+      end
+      for _, m in ipairs(Refuse.instructions(out_of, quote(o), file, given_lines)) do bad[#bad + 1] = m end
+      found = refusals(bad, file, chunks)
+      if found then return refuse(r, NOT_NEEDED, found) end
+      local keep, engines = {}, names_of("nm -g --defined-only " .. quote(theirs))
+      for _, name in ipairs(gives) do if wants[name] and name:match("^ex%u") or engines[name] then keep[#keep + 1] = name end end
+      write(o .. ".keep", table.concat(keep, "\n") .. "\n")
+      local function keep_names(object) return ok("objcopy --keep-global-symbols=" .. quote(o .. ".keep") .. " " .. quote(object) .. " >>" .. quote(log) .. " 2>&1") end
+      if not keep_names(o) then return refuse(r, "the object's names cannot be kept apart") end
       objects[#objects + 1] = quote(o)
+      if sanitize then
+        local s = o:gsub("%.o$", ".san.o")
+        if ok(compile .. SANITIZE .. " -w -c " .. source .. " -o " .. quote(s) .. " >>" .. quote(log) .. " 2>&1") and keep_names(s) then sanitized[#sanitized + 1] = quote(s) end
+      end
     end
   end
   r.warnings = told(read(log), file, chunks)
-  -- The test itself: compiled once, unless it includes a header of the exercise's own.
-  local test = B .. "/course/tests/" .. base .. ".o"
-  local own = out_of("grep -ohE '\"(lab|course)/[a-z0-9_]+\\.h\"' " .. quote(TESTS .. "/" .. base .. ".c") .. " 2>/dev/null") ~= ""
-  if own or not read(test) then
-    local o = own and out .. "/test.o" or test .. "." .. tostring({}):match("0x(%x+)") .. ".o"
-    os.execute("mkdir -p " .. quote(B .. "/course/tests"))
-    local command = compile_line(out) .. " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") .. " -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " ..
-      quote(TESTS .. "/" .. base .. ".c") .. " -o " .. quote(o)
-    if not ok(command .. " >>" .. quote(log) .. " 2>&1") then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks)) end
-    if own then test = o else os.execute("mv " .. quote(o) .. " " .. quote(test)) end
-  end
   local json = read(B .. "/lib/libweft-json.a") and quote(B .. "/lib/libweft-json.a") .. " " or ""
   local libraries = quote(B .. "/lib/libweft-extra.a") .. " " .. json .. quote(B .. "/lib/libweft.a") .. " " ..
     (json ~= "" and out_of("pkg-config --libs libcjson 2>/dev/null"):gsub("\n", "") or "")
-  local program = out .. "/program"
-  if not ok(CC .. " -g -no-pie " .. quote(test) .. " " .. table.concat(objects, " ") .. " " .. libraries .. " -lm -o " .. quote(program) .. " >>" .. quote(log) .. " 2>&1") then
+  local function link(program, flags, first, rest)
+    return ok(CC .. " -g -no-pie -Wl,-z,relro,-z,now " .. flags .. " " .. quote(first) .. " " .. table.concat(rest, " ") .. " " .. libraries .. " -lm -o " .. quote(program) .. " >>" .. quote(log) .. " 2>&1")
+  end
+  if not link(out .. "/program", "", test, objects) then
     return refuse(r, "the program does not link", told(read(log), file, chunks))
   end
-  Course.run(r, program, out)
+  r.program = out .. "/program"
+  local safe = sanitize and #sanitized == #objects and Course.test_object(base, out, SANITIZE, ".san.o")
+  if safe and link(out .. "/sanitized", SANITIZE .. WRAP, safe, sanitized) then r.sanitized = out .. "/sanitized" end
   return r
 end
 
--- The place in the student's chapter to which a list of addresses leads.
-local function place(program, addresses, file)
-  local at = {}
-  for a in addresses:gmatch("%x+") do at[#at + 1] = "0x" .. a end
-  if #at == 0 then return nil end
-  for l in lines(out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null")) do
-    local path, line = l:match("^(.*):(%d+)")
-    if path and (path == file or path:sub(-#file - 1) == "/" .. file) then return tonumber(line) end
+-- The program's line for a criterion: a list of fields. Nothing of it is believed but its first two words, and the count behind "pass".
+local function verdict_of(text, name)
+  local f = {}
+  text = (text or ""):sub(1, 4096):match("^[^\n]*")
+  for x in (text .. "\t"):gmatch("(.-)\t") do f[#f + 1] = x:gsub("[%c\127]", " "):sub(1, 400) end
+  return f[1] == name and f or { name }
+end
+local function bare(base) return (base:gsub("^%w+%.%d+%-", "")) end
+-- How many expectations a criterion meets from its beginning to its end, as the solution does: tests/course/expectations.csv.
+local expectations
+local function expected_of(base, criterion)
+  if not expectations then
+    expectations = {}
+    for l in lines(read(TESTS .. "/expectations.csv")) do
+      local b, c, n = l:match("^([^,]+),([^,]+),(%d+)$")
+      if b then expectations[b .. "," .. c] = tonumber(n) end
+    end
   end
+  return expectations[bare(base) .. "," .. criterion]
 end
 
-function Course.run(r, program, out)
-  local results = out .. "/results"
-  -- one minute of processor time and a gigabyte in all; each criterion has its own limit on time
-  local _, code = ok("( ulimit -t 120 -v 1000000 -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 " .. quote(program) .. " " .. quote(results) .. " " .. quote(out) .. " ) >" ..
-    quote(out .. "/output") .. " 2>&1 </dev/null")
-  local seen = {}
-  for l in lines(read(results)) do
-    local f = {}
-    for x in (l .. "\t"):gmatch("(.-)\t") do f[#f + 1] = x end
-    if f[5] then seen[f[1]] = f end
-  end
-  for _, c in ipairs(r.criteria) do
-    local f = seen[c.name]
-    if not f then c.status = "not reached"; c.got = "the program ended before this criterion was looked at"
-    elseif f[5] == "pass" then c.status, c.earned = "ok", c.points
-    elseif f[5] == "fail" then c.status, c.what, c.expected, c.got = "failed", f[6], f[7], f[8]
-    else
-      c.status = f[5] == "time" and "too long" or "crashed"
-      local names = { ["11"] = "a bad address (segmentation fault)", ["8"] = "a division by zero", ["6"] = "abort", ["4"] = "an illegal instruction", ["7"] = "a bad address (bus error)" }
-      c.what = f[5] == "time" and "the time of this criterion" or "the program"
-      c.expected = f[5] == "time" and "an end" or "no crash"
-      c.got = f[5] == "time" and "none: an endless loop, or too slow" or names[f[6]] or "it ended by itself"
-      local line = place(program, table.concat(f, " ", 7), r.file)
-      if line then c.line, c.exact = line, true end
+-- Runs the criteria. launch(program, criterion) returns what the judge wrote; place(program, addresses) returns addr2line's lines.
+function Course.run(r, launch, place)
+  if r.refused then return r end
+  local function line_of(program, f, from)
+    local at = {}
+    for i = from, #f do if f[i]:match("^%x+$") then at[#at + 1] = "0x" .. f[i] end end
+    for l in lines(#at > 0 and place(program, at) or "") do
+      local path, line = l:match("^(.*):(%d+)")
+      if path and (path == r.file or path:sub(-#r.file - 1) == "/" .. r.file) then return tonumber(line) end
     end
-    if c.exact then c.hole = chunk_at(r.chunks, c.line) or c.hole end
+  end
+  local signals = { ["11"] = "a bad address (segmentation fault)", ["8"] = "a division by zero", ["6"] = "abort", ["4"] = "an illegal instruction", ["7"] = "a bad address (bus error)" }
+  for _, c in ipairs(r.criteria) do
+    local want = expected_of(r.base, c.name)
+    local function judge(program)
+      local f = verdict_of(launch(program, c.name), c.name)
+      local word, line = f[2], nil
+      c.met = nil
+      if word == "pass" then
+        c.met = tonumber(f[3]) or 0
+        if want and c.met ~= want then
+          c.status, c.what, c.expected, c.got = "unfinished", "expectations that were met before its end", tostring(want), tostring(c.met)
+        else c.status = "ok" end
+      elseif word == "fail" then c.status, c.what, c.expected, c.got = "failed", f[3], f[4], f[5]
+      elseif word == "time" then
+        c.status, c.what, c.expected, c.got = "too long", "the time of this criterion", "an end", "none: an endless loop, or too slow"
+        line = line_of(program, f, 4)
+      elseif word == "crash" then
+        c.status, c.what, c.expected, c.got = "crashed", "the program", "no crash", signals[f[3]] or "it ended by itself"
+        line = line_of(program, f, 4)
+      elseif word == "call" then
+        c.status, c.what, c.expected, c.got = "refused", "calls of the system", "none but for memory and time", "number " .. (f[3] or "?")
+        line = line_of(program, f, 4)
+      elseif word == "memory" then
+        c.status, c.what, c.expected, c.got = "memory", "the address sanitizer", "no access beyond what is there, or was pushed into the pool", f[3]
+        line = line_of(program, f, 4)
+      elseif word == "undefined" then
+        c.status, c.what, c.expected, c.got = "undefined", "the undefined-behaviour sanitizer", "nothing undefined", f[3]
+        local path, at = (f[4] or ""):match("^(.*):(%d+)$")
+        if path and (path == r.file or path:sub(-#r.file - 1) == "/" .. r.file) then line = tonumber(at) end
+      else c.status, c.got = "not reached", "the program ended before this criterion was looked at" end
+      if line then c.line, c.exact, c.hole = line, true, chunk_at(r.chunks, line) or c.hole end
+    end
+    judge(r.program)
+    local met = c.met
+    if c.status == "ok" and r.sanitized then judge(r.sanitized) end
+    c.met = met
+    c.earned = c.status == "ok" and c.points or 0
     r.earned = r.earned + c.earned
   end
-  r.code = code
   return r
+end
+
+-- At home: on this machine, with limits, and with the plots' data. In a class the programs run in a room (tangle/room).
+function Course.try(file, base, out, like)
+  local r = Course.build(file, base, out, like, not like)
+  return Course.run(r, function(program, criterion)
+    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
+      " 2>>" .. quote(out .. "/output") .. " </dev/null")
+    return read(out .. "/verdict")
+  end, function(program, at) return out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null") end)
 end
 
 ------------------------------------------------------------------------------------------------------------------------ reports
@@ -308,7 +436,7 @@ function Course.table(r, e, say, plots)
   say(string.format("%s  %s%s", e.number, e.name_of or e.label, r.student and "  (" .. r.student .. ")" or ""))
   if r.refused then
     say("  " .. r.refused .. ":")
-    for i, m in ipairs(r.messages) do if i <= 12 then say("    " .. m) end end
+    for i, m in ipairs(r.messages) do if i <= 200 then say("    " .. m) end end
   else
     for _, w in ipairs(r.warnings or {}) do say("    " .. w) end
     for _, c in ipairs(r.criteria) do
@@ -424,6 +552,13 @@ function Course.prove(e, say)
   local text = Course.compose(base)
   if not text then bad("there is no solution %s/%s.nw", SOLUTIONS, base) return false end
   r = try("solution", text)
+  if not r.refused and not r.sanitized then bad("the solution was not built with the sanitizers") end
+  local passed = {}
+  for _, c in ipairs(r.criteria) do
+    local want = expected_of(base, c.name)
+    if c.met and want ~= c.met then bad("criterion %s meets %d expectations, %s/expectations.csv says %s -- type: tangle/course expectations", c.name, c.met, TESTS, want or "nothing") end
+    passed[c.name] = c.met
+  end
   if r.refused or r.earned < r.max or r.max == 0 then bad("the solution has %s of %s points:", points_text(r.earned), points_text(r.max)); Course.table(r, e, function(l) say("    " .. l) end) end
   for _, w in ipairs(r.warnings or {}) do bad("the solution: %s", w) end
   local wrong, errors = Course.wrong(base)
@@ -432,7 +567,10 @@ function Course.prove(e, say)
   for i, w in ipairs(wrong) do
     local r2 = try("wrong" .. i, (Course.compose(base, w.text)), "solution")
     local lost = {}
-    for _, c in ipairs(r2.criteria) do if c.status ~= "ok" then lost[c.name] = true end end
+    for _, c in ipairs(r2.criteria) do
+      if c.status ~= "ok" then lost[c.name] = true end
+      if c.met and passed[c.name] and c.met ~= passed[c.name] then bad("criterion %s meets %d expectations of wrong solution \"%s\", %d of the right one: the number may not depend on the code", c.name, c.met, w.name, passed[c.name]) end
+    end
     if r2.refused then bad("wrong solution \"%s\" does not build: %s; %s", w.name, r2.refused, r2.messages[1] or "") end
     if r2.earned >= r2.max then bad("wrong solution \"%s\" has full points", w.name) end
     for _, c in ipairs(w.lose) do if not lost[c] then bad("wrong solution \"%s\" should lose %s, and does not", w.name, c) end end
@@ -610,15 +748,18 @@ function commands.prove(base)
   io.write(table.concat(t, "\n"), "\n")
   os.exit(good and 0 or 1)
 end
--- for the sandbox: one file, the results as JSON
-function commands.one(file, base, out, student)
-  local e = find(exercises(), base)
-  local r = Course.try(file, base, out)
-  r.e, r.student = e, student
-  write(out .. "/result.json", Course.json { r })
-  write(out .. "/result.tsv", string.format("%s\t%s\t%s\t%s\n", student, e.number, points_text(r.earned), points_text(r.max)) ..
-    "status\t" .. (r.refused or "graded") .. "\n")
-  Course.table(r, e, print)
+-- Rows of tests/course/expectations.csv, from the solution.
+function commands.expectations(base)
+  local dir = B .. "/course/expectations/" .. base
+  os.execute("mkdir -p " .. quote(dir))
+  write(dir .. "/" .. base .. ".nw", (Course.compose(base)))
+  expectations = {}
+  local r = Course.try(dir .. "/" .. base .. ".nw", base, dir .. "/out", dir)
+  if r.refused then die("%s: %s; %s", base, r.refused, r.messages[1] or "") end
+  for _, c in ipairs(r.criteria) do
+    if not c.met then die("%s: its solution does not meet the criterion %s", base, c.name) end
+    print(string.format("%s,%s,%d", bare(base), c.name, c.met))
+  end
 end
 -- has somebody's last grading this criterion? for graders that ask one thing at a time
 function commands.passed(id, name)
@@ -627,19 +768,6 @@ function commands.passed(id, name)
   local status = j:match('"name": "' .. name:gsub("%p", "%%%0") .. '".-"status": "(.-)"') or "not graded"
   print(name .. ": " .. status)
   os.exit(status == "ok" and 0 or 1)
-end
--- One line of the class's list, from what the sandbox left: points are counted here, from the criteria of this tree.
-function commands.row(student, base, result, ended, file)
-  local e, j, earned, max = find(exercises(), base), read(result) or "", 0, 0
-  for _, c in ipairs(criteria_of(base)) do
-    max = max + c.points
-    if j:match('"name": "' .. c.name:gsub("%p", "%%%0") .. '", .-"status": "(.-)"') == "ok" then earned = earned + c.points end
-  end
-  local refused = j:match('"refused": "(.-)"')
-  local status = ended ~= "0" and (ended == "124" or ended == "137") and "stopped: too long" or j == "" and "no result (" .. ended .. ")" or refused or "graded"
-  local look = ""           -- words that no exercise needs: whoever grades should read that chapter
-  for w in (read(file) or ""):gmatch("[%a_][%w_]*") do if ("|fork|vfork|clone|execl|execv|system|popen|dlopen|ptrace|syscall|asm|__asm__|mmap|kill|signal|sigaction|alarm|_exit|exit|dprintf|fopen|open|course_pipe|longjmp|constructor|"):find("|" .. w .. "|", 1, true) and not (" " .. look .. " "):find(" " .. w .. " ", 1, true) then look = look .. (look == "" and "" or " ") .. w end end
-  print(string.format("%s,%s,%s,%s,%s,%s", student, e.number, points_text(earned), points_text(max), '"' .. status:gsub('"', "'") .. '"', look))
 end
 function commands.assignment(to, ids)       -- what a class gets beside the book's tree
   local t, tests = {}, {}
@@ -663,17 +791,11 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
   write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  script:\n    - " .. install:gsub("sudo ", "") .. "\n    - make grade\n  artifacts:\n    when: always\n    paths: [build/course/me/grade.json]\n    reports:\n      junit: build/course/me/grade.xml\n")
 end
 function commands.composed(base, to) write(to, (Course.compose(base))) end
-function commands.tests() -- the criteria's programs, compiled once
-  for _, b in ipairs(list(TESTS, "c")) do
-    os.execute("mkdir -p " .. quote(B .. "/course/tests"))
-    local s = read(TESTS .. "/" .. b .. ".c")
-    local o = B .. "/course/tests/" .. b .. ".o"
-    if not s:match('#include "lab/[%w_]+%.h"') or not read(STARTERS .. "/" .. b .. ".nw") then
-      if not ok("[ " .. quote(o) .. " -nt " .. quote(TESTS .. "/" .. b .. ".c") .. " ] && [ " .. quote(o) .. " -nt " .. TESTS .. "/course.h ]") then
-        ok(CC .. " " .. STD .. " -O1 -g -fno-pie -I" .. B .. "/lines/include -I" .. B .. "/lines -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " .. TESTS .. "/" .. b .. ".c -o " .. o)
-      end
-    end
-  end
+function commands.tests(base)              -- both of an exercise's test objects, so that they are there in a room
+  local out = B .. "/course/ready/" .. base
+  os.execute("mkdir -p " .. quote(out))
+  Course.test_object(base, out, "", ".o")
+  Course.test_object(base, out, SANITIZE, ".san.o")
 end
 function commands.progress()
   local student, all, solved = student_of(), with_names(exercises()), {}
@@ -702,6 +824,9 @@ function commands.number(id) local e = find(exercises(), id); print(e and e.numb
 function commands.find(id) local e = find(exercises(), id); if e and e.base then print(e.base) else os.exit(1) end end
 function commands.holes(file) for _, h in ipairs((holes_of(file))) do print(h) end end
 function commands.points(base) local m = 0 for _, c in ipairs(criteria_of(base)) do m = m + c.points end print(points_text(m)) end
+
+require "class"(Course, commands, { read = read, write = write, quote = quote, out_of = out_of, ok = ok, lines = lines, points_text = points_text, die = die, B = B, bare = bare, chosen = chosen, find = find,
+  with_names = with_names, criteria_of = criteria_of, chunks_of = chunks_of, Refuse = Refuse })
 
 local command = table.remove(arg, 1)
 if not commands[command or ""] then die("no command %s", tostring(command)) end

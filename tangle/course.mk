@@ -5,7 +5,7 @@ exercise try grade weave assignment:
 progress teacher:
 	@BUILD=$(BUILD) NAME='$(NAME)' tangle/course $@
 grade-all:
-	@BUILD=$(BUILD) tangle/course $@ '$(DIR)'
+	@BUILD=$(BUILD) ROSTER='$(ROSTER)' DUE='$(DUE)' E='$(E)' tangle/course $@ '$(DIR)'
 # every solution has full points, no starter has, every planted wrong solution loses
 course:
 	@BUILD=$(BUILD) tangle/course prove $(E)

@@ -1,11 +1,17 @@
 /* course.h: what the tests of the exercises share. A test is a list of criteria; each has points, the hole that it is about, and a
-   function. Every criterion runs in a process of its own, with a limit on its time: one that crashes or never ends loses its own
-   points and says in which line. The first expectation that is not met ends its criterion.
+   function. Every criterion runs in a process of its own, with limits on its time and memory: one that crashes or never ends loses
+   its own points and says in which line. The first expectation that is not met ends its criterion.
 
      static void order(void) { expect_near("order on the spring", measured, 2, 0.1); }
      CRITERIA("heun", { "order", 2, "step every body", "the order of convergence is 2 +- 0.1", order })
 
-   The program writes one line a criterion to the file that its argument names (or standard output); the lines are for tangle/course.lua. */
+   The program writes one line for the criterion that its second argument names to standard output; the line is for tangle/course.lua.
+
+   Nobody who writes the code under test is trusted. Two processes run: the judge, which calls none of that code and holds the
+   descriptor of the verdict, and its child, which has no descriptor but that of its messages and, in Linux, no system call but those
+   for memory, for time and for its end. What the child tells lies in a page that both share. It is text of a bounded length, and a
+   claim: that a criterion is met counts only if the child ended by the criterion's last line, and if it has met as many
+   expectations as the solution meets (tests/course/expectations.csv). */
 #ifndef WEFT_COURSE_H
 #define WEFT_COURSE_H
 #define _GNU_SOURCE 1
@@ -17,6 +23,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -25,6 +33,18 @@
 #if __has_include(<execinfo.h>)
 #include <execinfo.h>
 #define COURSE_BACKTRACE 1
+#endif
+#if defined __linux__ && (defined __x86_64__ || defined __aarch64__) && __has_include(<linux/seccomp.h>)
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <stddef.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#define COURSE_FILTER 1
+#endif
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
 #endif
 #include "weft/core.h"
 #include "weft/math.h"
@@ -38,13 +58,22 @@ typedef struct Criterion {
     int seconds;                    /* 0: ten */
 } Criterion;
 
-static int course_pipe = 1;
+/* What the child tells the judge. `said` begins with a word: fail, crash, time, memory, undefined, call. */
+typedef struct CoursePage {
+    uint64_t met;                   /* expectations that were met */
+    char said[2000];                /* why it ended before its end */
+    bool ended;                     /* the criterion came to its end */
+} CoursePage;
+static CoursePage course_alone, *course_page = &course_alone;
 static const char *course_out = NULL;    /* where plots' data go, NULL: nowhere */
+
+static inline void course_met(void) { course_page->met++; }
 
 /* what, expected, got: one line, without tabs */
 static inline void course_fail(const char *what, const char *expected, const char *got)
 {
-    dprintf(course_pipe, "fail\t%s\t%s\t%s\n", what, expected, got);
+    snprintf(course_page->said, sizeof course_page->said, "fail\t%s\t%s\t%s", what, expected, got);
+    if (course_page == &course_alone) fprintf(stderr, "%s\n", course_page->said);
     _exit(1);
 }
 
@@ -61,41 +90,53 @@ static inline void course_failf(const char *what, const char *expected, const ch
 static inline void expect_near(const char *what, double got, double want, double tolerance)
 {
     char e[80];
-    if (fabs(got - want) <= tolerance) return;            /* a NaN is near nothing */
+    if (fabs(got - want) <= tolerance) { course_met(); return; }            /* a NaN is near nothing */
     snprintf(e, sizeof e, "%.7g +- %.2g", want, tolerance);
     course_failf(what, e, "%.7g", got);
 }
 static inline void expect_at_most(const char *what, double got, double bound)
 {
     char e[80];
-    if (got <= bound) return;
+    if (got <= bound) { course_met(); return; }
     snprintf(e, sizeof e, "at most %.7g", bound);
     course_failf(what, e, "%.7g", got);
 }
 static inline void expect_at_least(const char *what, double got, double bound)
 {
     char e[80];
-    if (got >= bound) return;
+    if (got >= bound) { course_met(); return; }
     snprintf(e, sizeof e, "at least %.7g", bound);
     course_failf(what, e, "%.7g", got);
 }
 static inline void expect_int(const char *what, long long got, long long want)
 {
     char e[80];
-    if (got == want) return;
+    if (got == want) { course_met(); return; }
     snprintf(e, sizeof e, "%lld", want);
     course_failf(what, e, "%lld", got);
 }
-static inline void expect_true(const char *what, bool got) { if (!got) course_fail(what, "yes", "no"); }
-static inline void expect_false(const char *what, bool got) { if (got) course_fail(what, "no", "yes"); }
+static inline void expect_true(const char *what, bool got)
+{
+    if (!got) course_fail(what, "yes", "no");
+    course_met();
+}
+static inline void expect_false(const char *what, bool got)
+{
+    if (got) course_fail(what, "no", "yes");
+    course_met();
+}
 static inline void expect_result(const char *what, wfResult got, wfResult want)
 {
     if (got != want) course_fail(what, wfResultName(want), wfResultName(got));
+    course_met();
 }
 static inline void expect_v2(const char *what, wfVec2 got, double x, double y, double tolerance)
 {
     char e[80];
-    if (fabs((double)got.x - x) <= tolerance && fabs((double)got.y - y) <= tolerance) return;
+    if (fabs((double)got.x - x) <= tolerance && fabs((double)got.y - y) <= tolerance) {
+        course_met();
+        return;
+    }
     snprintf(e, sizeof e, "(%.6g, %.6g) +- %.2g", x, y, tolerance);
     course_failf(what, e, "(%.6g, %.6g)", (double)got.x, (double)got.y);
 }
@@ -131,39 +172,185 @@ static inline double course_seconds(void)
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
-/* A pool of so many bytes, which lives until the criterion ends. */
+/* A pool of exactly so many bytes, which lives until the criterion ends. Under the address sanitizer what nobody has pushed may not
+   be touched: the linker sends calls of the pool's functions to those below (ld --wrap), and they know the pools that were made here. */
+#ifdef __SANITIZE_ADDRESS__
+static const uint8_t *course_pools[64];
+static int course_pool_count;
+static inline bool course_knows(const wfPool *pool)
+{
+    for (int i = 0; pool && i < course_pool_count; i++) if (course_pools[i] == pool->base) return true;
+    return false;
+}
+void *__real_wfPoolPush(wfPool *pool, size_t size, size_t align);
+void *__wrap_wfPoolPush(wfPool *pool, size_t size, size_t align);
+void *__wrap_wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align);
+void __real_wfPoolReset(wfPool *pool);
+void __wrap_wfPoolReset(wfPool *pool);
+void __real_wfPoolRewind(wfPool *pool, size_t mark);
+void __wrap_wfPoolRewind(wfPool *pool, size_t mark);
+void *__wrap_wfPoolPush(wfPool *pool, size_t size, size_t align)
+{
+    void *p = __real_wfPoolPush(pool, size, align);
+    if (p && course_knows(pool)) ASAN_UNPOISON_MEMORY_REGION(p, size);
+    return p;
+}
+void *__wrap_wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align)
+{
+    if (size != 0 && count > SIZE_MAX / size) return NULL;
+    return __wrap_wfPoolPush(pool, count * size, align);
+}
+static inline void course_given_back(wfPool *pool)
+{
+    if (course_knows(pool)) ASAN_POISON_MEMORY_REGION(pool->base + pool->used, pool->size - pool->used);
+}
+void __wrap_wfPoolReset(wfPool *pool) { __real_wfPoolReset(pool); course_given_back(pool); }
+void __wrap_wfPoolRewind(wfPool *pool, size_t mark) { __real_wfPoolRewind(pool, mark); course_given_back(pool); }
+#endif
 static inline wfPool course_pool(size_t bytes)
 {
-    wfPool pool;
-    void *p = aligned_alloc(WF_POOL_ALIGN, (bytes + WF_POOL_ALIGN - 1) / WF_POOL_ALIGN * WF_POOL_ALIGN);
+    wfPool pool = { 0 };
+    size_t whole = (bytes + WF_POOL_ALIGN - 1) / WF_POOL_ALIGN * WF_POOL_ALIGN;
+    void *p = aligned_alloc(WF_POOL_ALIGN, whole);
     if (!p || wfPoolInit(&pool, bytes, p) != WF_OK) course_fail("memory for the test", "some", "none");
+#ifdef __SANITIZE_ADDRESS__
+    if (course_pool_count < 64) {
+        course_pools[course_pool_count++] = pool.base;
+        ASAN_POISON_MEMORY_REGION(p, whole);
+    }
+#endif
     return pool;
 }
 
-static void course_caught(int signal_number, siginfo_t *info, void *context)
+/* The word, and the addresses that lead to the place. */
+static inline void course_say_where(const char *word, unsigned long long first)
 {
-    (void)info;
-    (void)context;
-    const char *name = signal_number == SIGALRM || signal_number == SIGPROF || signal_number == SIGXCPU ? "time" : "crash";
-    dprintf(course_pipe, "%s\t%d", name, signal_number);
-#if defined(__x86_64__) && defined(__linux__)
-    dprintf(course_pipe, "\t%llx", (unsigned long long)((ucontext_t *)context)->uc_mcontext.gregs[REG_RIP]);
-#endif
+    char *said = course_page->said;
+    size_t n = (size_t)snprintf(said, sizeof course_page->said, "%s\t%llx", word, first);
 #ifdef COURSE_BACKTRACE
     void *at[24];
-    int n = backtrace(at, 24);
-    for (int i = 2; i < n; i++) dprintf(course_pipe, "\t%llx", (unsigned long long)(uintptr_t)at[i] - 1);
+    int count = backtrace(at, 24);
+    for (int i = 1; i < count && n + 20 < sizeof course_page->said; i++)
+        n += (size_t)snprintf(said + n, 20, "\t%llx", (unsigned long long)(uintptr_t)at[i] - 1);
 #endif
-    dprintf(course_pipe, "\n");
+}
+static void course_caught(int signal_number, siginfo_t *info, void *context)
+{
+    char word[60];
+    unsigned long long at = 0;
+    (void)info;
+    (void)context;
+#if defined __x86_64__ && defined __linux__
+    at = (unsigned long long)((ucontext_t *)context)->uc_mcontext.gregs[REG_RIP];
+#elif defined __aarch64__ && defined __linux__
+    at = (unsigned long long)((ucontext_t *)context)->uc_mcontext.pc;
+#endif
+    if (signal_number == SIGALRM || signal_number == SIGPROF || signal_number == SIGXCPU) strcpy(word, "time\t0");
+    else if (signal_number == SIGSYS) snprintf(word, sizeof word, "call\t%d", info->si_syscall);
+    else snprintf(word, sizeof word, "crash\t%d", signal_number);
+    course_say_where(word, at);
     _exit(2);
+}
+#ifdef __SANITIZE_ADDRESS__
+/* The sanitizers call these before they write their own report. */
+void __asan_on_error(void);
+void __ubsan_on_report(void);
+void __ubsan_get_current_report_data(const char **kind, const char **message, const char **file, unsigned *line, unsigned *column,
+                                     char **address);
+void __asan_on_error(void)
+{
+    char word[200];
+    snprintf(word, sizeof word, "memory\t%s of %zu bytes: %s", __asan_get_report_access_type() ? "a write" : "a read",
+             __asan_get_report_access_size(), __asan_get_report_description());
+    course_say_where(word, (unsigned long long)(uintptr_t)__asan_get_report_pc());
+    _exit(3);
+}
+void __ubsan_on_report(void)
+{
+    const char *kind = "", *message = "", *file = "";
+    unsigned line = 0, column = 0;
+    char *address = NULL;
+    __ubsan_get_current_report_data(&kind, &message, &file, &line, &column, &address);
+    snprintf(course_page->said, sizeof course_page->said, "undefined\t%s\t%s:%u", message, file, line);
+    _exit(3);
+}
+#endif
+
+/* The child keeps the system calls for memory, time, messages and its end. A call of any other kind ends it. */
+static inline void course_shut(void)
+{
+#ifdef COURSE_FILTER
+    static const int common[] = { SYS_brk, SYS_mmap, SYS_munmap, SYS_mremap, SYS_madvise, SYS_exit_group, SYS_exit, SYS_rt_sigreturn,
+        SYS_rt_sigprocmask, SYS_clock_gettime, SYS_gettimeofday, SYS_futex, SYS_sigaltstack, SYS_getpid, SYS_gettid, SYS_getrandom,
+        SYS_sysinfo };
+    static const int plots[] = { SYS_openat, SYS_write, SYS_close, SYS_lseek, SYS_newfstatat, SYS_fstat };
+    struct sock_filter f[100];
+    unsigned short n = 0;
+#ifdef __x86_64__
+    enum { ARCH = AUDIT_ARCH_X86_64 };
+#else
+    enum { ARCH = (int)AUDIT_ARCH_AARCH64 };
+#endif
+#define LOAD(field) f[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, field))
+#define SKIP_UNLESS(value, many) f[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, (unsigned)(value), 0, (many))
+#define ANSWER(what) f[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, (what))
+    LOAD(arch);
+    SKIP_UNLESS(ARCH, 1);
+    f[n++] = (struct sock_filter)BPF_STMT(BPF_JMP | BPF_JA, 1);
+    ANSWER(SECCOMP_RET_KILL_PROCESS);
+    LOAD(nr);
+    for (size_t i = 0; i < sizeof common / sizeof common[0]; i++) { SKIP_UNLESS(common[i], 1); ANSWER(SECCOMP_RET_ALLOW); }
+    if (course_out) {                                      /* a plot's file: at home alone */
+        for (size_t i = 0; i < sizeof plots / sizeof plots[0]; i++) { SKIP_UNLESS(plots[i], 1); ANSWER(SECCOMP_RET_ALLOW); }
+    }
+    SKIP_UNLESS(SYS_write, 5);                             /* to standard output and error */
+    LOAD(args[0]);
+    SKIP_UNLESS(1, 1);
+    ANSWER(SECCOMP_RET_ALLOW);
+    SKIP_UNLESS(2, 1);
+    ANSWER(SECCOMP_RET_ALLOW);
+#ifdef __SANITIZE_ADDRESS__
+    ANSWER(SECCOMP_RET_ERRNO | 1);                         /* the sanitizer asks for more, and does without */
+#else
+    ANSWER(SECCOMP_RET_TRAP);
+#endif
+#undef LOAD
+#undef SKIP_UNLESS
+#undef ANSWER
+    struct sock_fprog all = { n, f };
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    if (prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &all) != 0 && getenv("COURSE_SANDBOX")) course_fail("the filter of system calls", "one", "none");
+#endif
+}
+/* It may take a gigabyte more than it has. What it has is found by asking for one page under limits that are halved. */
+static inline void course_limit_memory(void)
+{
+    uint64_t low = 0, high = (uint64_t)1 << 47;
+    struct rlimit limit;
+    getrlimit(RLIMIT_AS, &limit);
+    const rlim_t most = limit.rlim_max;
+    while (high - low > 1 << 20) {
+        uint64_t middle = low + (high - low) / 2;
+        limit.rlim_cur = middle < most ? middle : most;
+        setrlimit(RLIMIT_AS, &limit);
+        void *p = mmap(NULL, 4096, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (p == MAP_FAILED) low = middle;
+        else {
+            munmap(p, 4096);
+            high = middle;
+        }
+    }
+    high += (uint64_t)1 << 30;
+    limit.rlim_cur = limit.rlim_max = high < most ? high : most;
+    setrlimit(RLIMIT_AS, &limit);
 }
 
 static inline void course_child(const Criterion *c)
 {
-    static char stack[65536];
+    static char stack[65536], output[4096];
     stack_t s = { .ss_sp = stack, .ss_size = sizeof stack };
     struct sigaction act;
-    static const int caught[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGPROF, SIGXCPU };
+    static const int caught[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGPROF, SIGXCPU, SIGSYS };
     memset(&act, 0, sizeof act);
     act.sa_sigaction = course_caught;
     act.sa_flags = SA_SIGINFO | SA_ONSTACK;
@@ -175,55 +362,62 @@ static inline void course_child(const Criterion *c)
 #endif
     const char *limit = getenv("COURSE_SECONDS");
     int seconds = limit ? atoi(limit) : c->seconds ? c->seconds : 10;
+#ifdef __SANITIZE_ADDRESS__
+    seconds *= 4;
+#endif
     struct itimerval spent = { .it_value = { .tv_sec = seconds } };     /* of the processor; a busy machine is nobody's fault */
     setitimer(ITIMER_PROF, &spent, NULL);
     alarm((unsigned)(12 * seconds));
+    struct rlimit last = { (rlim_t)seconds + 1, (rlim_t)seconds + 2 }, none = { 0, 0 };
+    setrlimit(RLIMIT_CPU, &last);
+    setrlimit(RLIMIT_CORE, &none);
+    dup2(2, 1);
+    setvbuf(stdout, output, _IOLBF, sizeof output);           /* without it the library asks what kind of file that is */
+    for (int fd = 3; fd < 256; fd++) close(fd);
+    course_limit_memory();
+    course_shut();
     c->run();
-    dprintf(course_pipe, "pass\n");
+    course_page->ended = true;
+    fflush(NULL);
     _exit(0);
 }
 
-/* Runs one criterion and writes its line: name, points, hole, text, and what the child said. */
-static inline void course_run(const Criterion *c, FILE *out)
+/* Runs one criterion and writes its line: its name, and "pass" and expectations, or what the child said. */
+static inline void course_run(const Criterion *c)
 {
-    int fd[2], status = 0;
-    char said[2000];
-    size_t n = 0;
-    ssize_t got;
-    if (pipe(fd) != 0) return;
+    int status = 0;
+    char said[sizeof course_page->said];
+    course_page = mmap(NULL, sizeof *course_page, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (course_page == MAP_FAILED) return;
+#ifdef COURSE_FILTER
+    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);                    /* nobody looks into the judge, or stops it */
+#endif
     fflush(NULL);
     pid_t pid = fork();
-    if (pid == 0) {
-        close(fd[0]);
-        course_pipe = fd[1];
-        course_child(c);
-    }
-    close(fd[1]);
-    while (pid > 0 && n < sizeof said - 1 && (got = read(fd[0], said + n, sizeof said - 1 - n)) > 0) n += (size_t)got;
-    close(fd[0]);
-    if (pid > 0) waitpid(pid, &status, 0);
-    said[n] = 0;
-    char *end = strchr(said, '\n');
-    if (end) *end = 0;
-    if (strcmp(said, "pass") == 0 && !(WIFEXITED(status) && WEXITSTATUS(status) == 0)) strcpy(said, "crash\t0");
-    fprintf(out, "%s\t%g\t%s\t%s\t%s\n", c->name, c->points, c->hole, c->text, n ? said : "crash\t0");
-    fflush(out);
+    if (pid < 0) return;
+    if (pid == 0) course_child(c);
+    waitpid(pid, &status, 0);
+    memcpy(said, course_page->said, sizeof said);          /* the child is dead, and nobody else has that page */
+    said[sizeof said - 1] = 0;
+    for (char *p = said; *p; p++) if ((unsigned char)*p < ' ' && *p != '\t') *p = ' ';
+    if (course_page->ended && WIFEXITED(status) && WEXITSTATUS(status) == 0 && !said[0])
+        printf("%s\tpass\t%llu\n", c->name, (unsigned long long)course_page->met);
+    else printf("%s\t%s\n", c->name, strncmp(said, "pass", 4) && said[0] ? said : WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? "time\t0" : "crash\t0");
+    fflush(stdout);
 }
 
+/* PROGRAM PLOTS NAME: the criterion of that name; PLOTS is a directory for the plots' data, or "". With a third argument it runs in
+   this process, for a debugger. */
 #define CRITERIA(id, ...)                                                                          \
     int main(int argc, char **argv)                                                                \
     {                                                                                              \
         static const Criterion list[] = { __VA_ARGS__ };                                           \
-        FILE *out = argc > 1 && strcmp(argv[1], "-") ? fopen(argv[1], "w") : stdout;               \
-        course_out = argc > 2 ? argv[2] : NULL;                                                    \
-        if (!out) return 2;                                                                        \
-        setvbuf(stdout, NULL, _IOLBF, 0);                                                          \
+        course_out = argc > 1 && argv[1][0] ? argv[1] : NULL;                                      \
         for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {                                \
-            if (argc > 3 && strcmp(argv[3], list[i].name)) continue;                               \
-            if (argc > 3 && course_out && !strcmp(argv[1], "-")) list[i].run();                    \
-            else course_run(&list[i], out);                                                        \
+            if (argc > 2 && strcmp(argv[2], list[i].name) != 0) continue;                          \
+            if (argc > 3) list[i].run();                                                           \
+            else course_run(&list[i]);                                                             \
         }                                                                                          \
-        fclose(out);                                                                               \
         return 0;                                                                                  \
     }
 #endif

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Coursework: the chapters' lists are whole; every solution has full points, no starter has, every planted wrong solution loses;
-# a class of good and bad submissions is graded, and nobody's crash, endless loop, fork bomb or curiosity is paid by others.
+# a class of good and bad submissions is graded (class.sh) and woven (weave.sh), and nobody's crash, loop or curiosity is paid by others.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
 fail() { echo "course: $1"; exit 1; }
@@ -42,38 +42,10 @@ tangle/course lint >/dev/null; "$(tangle/lua)" tangle/course.lua composed still 
 tangle/tangle --lines "$out/lines" $(tangle/chapters) "$out/still.nw" coursework/tester/still.nw > "$out/log" 2>&1 && fail "a solution and somebody's chapter are linked together"
 grep -q 'a chapter still is here and in' "$out/log" || { cat "$out/log"; fail "linking two is refused without a clear word"; }
 
-# -- a class
+# -- a class that is not nice
 command -v bwrap >/dev/null || { echo "no bubblewrap: the class was not graded"; exit 77; }
-class=$out/submissions
-hand() { mkdir -p "$class/$1"; { cat chapters/exercises/still.nw; printf '\n## Mine\n\n<<still: find the point>>=\n%s\n@\n' "$2"; } > "$class/$1/still.nw"; }
-good='if (s->w == 0 && wfLengthSq(s->v) > 0) return false;
-*out = s->w == 0 ? s->p : wfAddScaled(s->p, 1 / s->w, wfPerpCCW(s->v));
-return true;'
-hand good "$good"
-hand half '*out = wfAddScaled(s->p, 1 / s->w, wfPerpCCW(s->v)); return true;'
-hand crash '*(volatile int *)0 = 1; (void)s; (void)out; return true;'
-hand loop 'for (volatile int i = 0;; i++) { (void)s; (void)out; }'
-hand bomb 'extern int fork(void); for (;;) { fork(); (void)s; (void)out; }'
-hand hog 'extern void *malloc(unsigned long); for (;;) { char *p = malloc(1 << 20); for (int i = 0; p && i < 1 << 20; i++) p[i] = 1; if (!p) break; } (void)s; (void)out; return false;'
-hand deaf 'extern void (*signal(int, void (*)(int)))(int); signal(14, (void (*)(int))1); signal(27, (void (*)(int))1); signal(24, (void (*)(int))1); for (;;) { (void)s; (void)out; }'
-hand thief "extern int open(const char *, int, ...), printf(const char *, ...); (void)s; (void)out;
-static const char *const path[] = { \"$PWD/chapters/solutions/still.nw\", \"/weft/chapters/solutions/still.nw\", \"$class/good/still.nw\", \"$PWD/build/course/class/good/still/still.nw\", \"/etc/passwd\", \"/root\", \"$HOME\" };
-for (int i = 0; i < 7; i++) if (open(path[i], 0) >= 0) printf(\"STOLEN %s\\n\", path[i]);
-return true;"
-hand include "#include \"$PWD/chapters/solutions/still.nw\"
-return false;"
-mkdir -p "$class/escape"; { cat "$class/good/still.nw"; printf '\n<<../../../escaped/x.c>>=\nint x;\n@\n'; } > "$class/escape/still.nw"
-mkdir -p "$class/empty"; cp chapters/exercises/still.nw "$class/empty/"
-t=$SECONDS
-LIMIT_CRITERION=1 LIMIT_SECONDS=100 LIMIT_CPU=3 tangle/course grade-all "$class" > "$out/log" 2>&1 || { cat "$out/log"; fail "grade-all fails"; }
-csv=build/course/class/grades.csv
-row() { grep -q "^$1,8.4,$2,2," $csv || { cat $csv; tail -5 build/course/class/$1/still.log; fail "$1 should have $2 points"; }; }
-row good 2; row half 1; row crash 0; row loop 0; row bomb 0; row hog 0; row deaf 0; row include 0; row escape 0; row empty 0
-grep -q STOLEN build/course/class/thief/still/out/output && { grep STOLEN build/course/class/thief/still/out/output; fail "a submission reads what is not its own"; }
-grep -q '^bomb.*fork' $csv && grep -q '^thief.*open' $csv || fail "the list does not say which chapters a teacher should read"
-[ "$(wc -l < $csv)" = 12 ] || { cat $csv; fail "a submission is missing from the list"; }
-ps -eo args | grep -q '[w]ork/out/program' && fail "a submission still runs"
-echo "a class of 11: crash, loop, bomb, hog, thief lose their own points only, in $((SECONDS - t)) s"
+bash tests/course/class.sh || exit 1
+bash tests/course/weave.sh || exit 1
 
 # -- an assignment has no solution in it
 BUILD=build tangle/course assignment "8.4 10.2" > "$out/log" || { cat "$out/log"; fail "make assignment"; }
