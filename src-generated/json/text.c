@@ -48,7 +48,6 @@ cJSON *wfTextOfBits(uint64_t bits)
     return cJSON_CreateRaw(text);
 }
 
-bool wfIsText(const char *s, size_t room);              /* UTF-8 that ends in its room */
 bool wfBitsOfText(const cJSON *item, uint64_t *out)
 {
     if (cJSON_IsNumber(item)) {

@@ -50,6 +50,7 @@ void wfTextOfDouble(double x, char out[WF_NUMBER_SIZE]);
 cJSON *wfTextOfBits(uint64_t bits);
 char *wfPrettyText(const cJSON *root);                  /* NULL: no memory */
 bool wfBitsOfText(const cJSON *item, uint64_t *out);    /* false: it is none */
+bool wfIsText(const char *s, size_t room);              /* UTF-8 that ends in its room */
 /* A row's name, or NULL; and back, -1: there is none. */
 const char *wfFieldRow(const wfField *f, int row);
 int wfFindFieldRow(const wfField *f, const char *name);
