@@ -15,8 +15,7 @@ static void broadRect(wfDraw *d, wfRect r, float widthPx, int line, int fill)
 {
     float x0 = (float)r.min.x, y0 = (float)r.min.y;
     float x1 = (float)r.max.x, y1 = (float)r.max.y;
-    float xy[8] = { x0, y0, x1, y0, x1, y1, x0, y1 };
-    wfDrawPolygon(d, xy, 4, widthPx, line, fill);
+    figRect(d, x0, y0, x1, y1, widthPx, line, fill);
 }
 
 static void broadPairLines(wfDraw *d, const BroadFigure *f, int count, int role)

@@ -176,9 +176,8 @@ static void figure_contacts_margin(wfDraw *d, const wfFigureInput *in)
     wfTransform xf = wfMakeTransform(wfV2(4, WF_R(0.5)), 0);
     wfTransform xb = wfMakeTransform(wfV2(4, WF_R(1.67)), WF_R(0.09));
     wfReal margin = WF_R(0.35);
-    float band[8] = { 0.2f, 0.9f, 7.8f, 0.9f, 7.8f, 1.25f, 0.2f, 1.25f };
     figShape(d, &floor, xf, 2, WF_INK_BODY, WF_INK_BODY);
-    wfDrawPolygon(d, band, 4, 1, WF_INK_NONE, WF_INK_FAINT);
+    figRect(d, 0.2f, 0.9f, 7.8f, 1.25f, 1, WF_INK_NONE, WF_INK_FAINT);
     figShape(d, &box, xb, 2, WF_INK_BODY2, WF_INK_BODY2);
     if (wfSeparate(wfFindNarrowPhase("sat"), &floor, xf, &box, xb, &s) != WF_OK) return;
     wfMakeManifoldWithin(&floor, xf, &box, xb, &s, margin, &m);

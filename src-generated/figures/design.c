@@ -31,8 +31,7 @@ static void figure_design_rows(wfDraw *d, const wfFigureInput *in)
             float sorted = 0.2f * (float)(6 * (field / 2 * 2) + 2 * body + field % 2);
             for (int row = 0; row < 2; row++) {
                 float x = 0.2f + (row == 0 ? apart : sorted), y = row == 0 ? 1.7f : 0.5f;
-                float cell[8] = { x, y, x + 0.2f, y, x + 0.2f, y + 0.45f, x, y + 0.45f };
-                wfDrawPolygon(d, cell, 4, 0.75f, role, role);
+                figRect(d, x, y, x + 0.2f, y + 0.45f, 0.75f, role, role);
             }
         }
     wfDrawText(d, 0.2f, 2.28f, 12, WF_INK_TEXT, -1, "one object after the other");
@@ -73,11 +72,10 @@ static void figure_design_zone(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < 4; i++) {
         const float *b = design_bodies[i];
         float x = b[0] + 3.5f, y = b[1], r = b[2];
-        float box[8] = { x - r, y - r, x + r, y - r, x + r, y + r, x - r, y + r };
         wfDrawCircle(d, b[0], y, r, 1.5f, WF_INK_BODY, WF_INK_BODY);
         wfDrawArrow(d, b[0], y, b[0] + 0.35f - 0.1f * (float)i, y + 0.3f, 1.5f,
                     WF_INK_ACCENT);
-        wfDrawPolygon(d, box, 4, 1.5f, WF_INK_LINE, WF_INK_NONE);
+        figRect(d, x - r, y - r, x + r, y + r, 1.5f, WF_INK_LINE, WF_INK_NONE);
         wfDrawTextf(d, x, y - 0.06f, 12, WF_INK_TEXT, 0, "%d", i);
     }
     design_pairs(d, 7.3f, 2.0f);
@@ -165,8 +163,7 @@ static void figure_design_backends(wfDraw *d, const wfFigureInput *in)
 static void design_bytes(wfDraw *d, size_t from, size_t length, int role, float y)
 {
     float a = 0.2f + 0.027f * (float)from, b = a + 0.027f * (float)length;
-    float box[8] = { a, y, b, y, b, y + 0.6f, a, y + 0.6f };
-    wfDrawPolygon(d, box, 4, 1, role, role);
+    figRect(d, a, y, b, y + 0.6f, 1, role, role);
 }
 
 static void figure_design_list(wfDraw *d, const wfFigureInput *in)

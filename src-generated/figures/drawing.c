@@ -7,8 +7,7 @@ static void drawing_square(wfDraw *d, float x, float y, float side, int line, in
 {
     float a = x - 0.5f * side, b = x + 0.5f * side;
     float c = y - 0.5f * side, e = y + 0.5f * side;
-    float corners[8] = { a, c, b, c, b, e, a, e };
-    wfDrawPolygon(d, corners, 4, line == WF_INK_NONE ? 0 : 0.75f, line, role);
+    figRect(d, a, c, b, e, line == WF_INK_NONE ? 0 : 0.75f, line, role);
 }
 
 /* A row's coverage at the height y of the figure, from x on: one unit is one pixel. */
@@ -88,9 +87,9 @@ static void figure_drawing_edge(wfDraw *d, const wfFigureInput *in)
         float x = 1 + (float)i, step = row.at[i] - before, bar = 1.2f * step;
         drawing_square(d, x, 2.6f, 1, WF_INK_FAINT, WF_INK_NONE);
         wfDrawTextf(d, x, 3.25f, 11, WF_INK_TEXT, 0, "%.2f", (double)row.at[i]);
-        float box[8] = { x - 0.3f, 0.6f, x + 0.3f, 0.6f, x + 0.3f, 0.6f + bar, x - 0.3f,
-                         0.6f + bar };
-        if (step > 0) wfDrawPolygon(d, box, 4, 1, WF_INK_ACCENT, WF_INK_ACCENT);
+        if (step > 0)
+            figRect(d, x - 0.3f, 0.6f, x + 0.3f, 0.6f + bar, 1, WF_INK_ACCENT,
+                    WF_INK_ACCENT);
         wfDrawTextf(d, x, 0.25f, 11, WF_INK_TEXT, 0, "%.2f", (double)step);
         before = row.at[i];
     }

@@ -264,8 +264,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
             wfReal level = blast_level(kind, t);
             float x = left + 3 * (float)t, y = 0.8f + 1.1f * (float)level;
             float next = x + 3 * (float)step;
-            float bar[8] = { x, 0.8f, next, 0.8f, next, y, x, y };
-            if (level > 0) wfDrawPolygon(d, bar, 4, 1, WF_INK_BODY, WF_INK_BODY);
+            if (level > 0) figRect(d, x, 0.8f, next, y, 1, WF_INK_BODY, WF_INK_BODY);
             wfDrawLine(d, x, 0.65f, x, 0.8f, 2, WF_INK_ACCENT);
             sum += step * level;
         }

@@ -2,19 +2,25 @@
  * memory.figures, shapes.figures, integration.figures, narrow-phase.figures, sequential.figures. Do
  * not edit this file: edit the chapter and type make. MIT licence. */
 #include "figures/kit.h"
+void figRect(wfDraw *d, float x0, float y0, float x1, float y1, float widthPx, int line,
+             int fill)
+{
+    float corners[8] = { x0, y0, x1, y0, x1, y1, x0, y1 };
+    wfDrawPolygon(d, corners, 4, widthPx, line, fill);
+}
+
 void figBox(wfDraw *d, float x, float y, float w, float h, int role,
             const char *title, const char *below)
 {
-    float corners[8] = { x, y, x + w, y, x + w, y + h, x, y + h }, middle = x + 0.5f * w;
-    wfDrawPolygon(d, corners, 4, 1.5f, role, role);
+    float middle = x + 0.5f * w;
+    figRect(d, x, y, x + w, y + h, 1.5f, role, role);
     wfDrawText(d, middle, y + 0.5f * h + (below ? 0.03f : -0.08f), 14, WF_INK_TEXT, 0,
                title);
     if (below) wfDrawText(d, middle, y + 0.5f * h - 0.25f, 11, WF_INK_TEXT, 0, below);
 }
 void figBar(wfDraw *d, float x, float y, float w, float h, int fill)
 {
-    float corners[8] = { x, y, x + w, y, x + w, y + h, x, y + h };
-    wfDrawPolygon(d, corners, 4, 1, WF_INK_LINE, fill);
+    figRect(d, x, y, x + w, y + h, 1, WF_INK_LINE, fill);
 }
 void figRing(wfDraw *d, const wfVec2 *ring, int count, float widthPx, int line,
              int fill)

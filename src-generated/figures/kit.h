@@ -14,6 +14,9 @@
 #include "figures/list.h"
 #undef CHAPTER
 
+/* An upright rectangle from (x0, y0) to (x1, y1). */
+void figRect(wfDraw *d, float x0, float y0, float x1, float y1, float widthPx, int line,
+             int fill);
 void figBox(wfDraw *d, float x, float y, float w, float h, int role,
             const char *title, const char *below);
 void figBar(wfDraw *d, float x, float y, float w, float h, int fill);

@@ -10,8 +10,7 @@ static void figure_primer_pipeline(wfDraw *d, const wfFigureInput *in)
     (void)in;
     for (int i = 0; i < 5; i++) {
         float x = 0.2f + 2.75f * (float)i;
-        float box[8] = { x, 0.8f, x + 2.25f, 0.8f, x + 2.25f, 1.7f, x, 1.7f };
-        wfDrawPolygon(d, box, 4, 1.5f, WF_INK_LINE, WF_INK_BODY);
+        figRect(d, x, 0.8f, x + 2.25f, 1.7f, 1.5f, WF_INK_LINE, WF_INK_BODY);
         wfDrawText(d, x + 1.125f, 1.18f, 11, WF_INK_TEXT, 0, stage[i]);
         if (i == 4) break;
         wfDrawArrow(d, x + 2.28f, 1.25f, x + 2.72f, 1.25f, 1.5f, WF_INK_ACCENT);
@@ -166,8 +165,7 @@ static void draw_algebraic_oracle(wfDraw *d)
 }
 static void draw_box_with_word(wfDraw *d, float x, float y, float width, const char *word)
 {
-    float box[8] = { x, y, x + width, y, x + width, y + 0.6f, x, y + 0.6f };
-    wfDrawPolygon(d, box, 4, 1.5f, WF_INK_LINE, WF_INK_BODY);
+    figRect(d, x, y, x + width, y + 0.6f, 1.5f, WF_INK_LINE, WF_INK_BODY);
     wfDrawText(d, x + width / 2, y + 0.22f, 12, WF_INK_TEXT, 0, word);
 }
 

@@ -132,12 +132,10 @@ static void figure_sequential_passes(wfDraw *d, const wfFigureInput *in)
     tower_passes(d, BOXES, passes, impulse, sink);
     for (int i = 0; i < BOXES; i++) {
         float y = 0.75f + 0.5f * (float)i, low = y - 0.55f * (float)sink[i];
-        float box[8] = { 1, low, 1.9f, low, 1.9f, low + 0.46f, 1, low + 0.46f };
         float wide = 0.55f * (float)impulse[i];
-        float bar[8] = { 3, y + 0.08f, 3 + wide, y + 0.08f, 3 + wide, y + 0.38f, 3,
-                         y + 0.38f };
-        wfDrawPolygon(d, box, 4, 1.5f, WF_INK_BODY, WF_INK_BODY);
-        if (wide > 0) wfDrawPolygon(d, bar, 4, 1, WF_INK_ACCENT, WF_INK_ACCENT);
+        figRect(d, 1, low, 1.9f, low + 0.46f, 1.5f, WF_INK_BODY, WF_INK_BODY);
+        if (wide > 0)
+            figRect(d, 3, y + 0.08f, 3 + wide, y + 0.38f, 1, WF_INK_ACCENT, WF_INK_ACCENT);
         float x = 3 + 0.55f * (float)(BOXES - i);
         wfDrawLine(d, x, y, x, y + 0.46f, 2, WF_INK_LINE);
     }

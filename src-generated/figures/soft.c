@@ -92,10 +92,9 @@ static void figure_soft_sag(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < SAG_BOXES; i++) {
         float fall = (float)i + 0.5f - (float)state[i + 1].p.y;
         float low = foot + side * ((float)i - 10 * fall), top = low + side;
-        float box[8] = { 3, low, 3.42f, low, 3.42f, top, 3, top };
         sunk += 9.81f * give * give * (float)((i ? 2 : 1) * (SAG_BOXES - i));
         float line = foot + side * ((float)i + 1 - 10 * sunk);  /* eq:soft-squash */
-        wfDrawPolygon(d, box, 4, 1.5f, WF_INK_BODY, WF_INK_NONE);
+        figRect(d, 3, low, 3.42f, top, 1.5f, WF_INK_BODY, WF_INK_NONE);
         wfDrawLine(d, 3.5f, line, 4.1f, line, 1.5f, WF_INK_ACCENT);
     }
     wfDrawTextf(d, 4, 5.25f, 13, WF_INK_TEXT, 0,
@@ -115,8 +114,7 @@ static void gather_square(wfDraw *d, float left, bool turned, const char *title)
             int body = turned ? column : row, number = turned ? row : column;
             float x = left + (float)column, y = 3.55f - (float)row;
             const float l = x + 0.06f, r = x + 0.94f, low = y + 0.12f, top = y + 0.88f;
-            const float box[8] = { l, low, r, low, r, top, l, top };
-            wfDrawPolygon(d, box, 4, 1.5f, ink[body], WF_INK_NONE);
+            figRect(d, l, low, r, top, 1.5f, ink[body], WF_INK_NONE);
             wfDrawText(d, x + 0.5f, y + 0.38f, 12, WF_INK_TEXT, 0, name[number]);
         }
 }

@@ -17,9 +17,9 @@ static void figure_world_block(wfDraw *d, const wfFigureInput *in)
         /* draw one array of the block */
         float x = 0.2f + 5.6f * (float)r->chunk, bytes = (float)(r->count * r->each);
         float top = 5.5f - scale * (float)r->offset, bottom = top - scale * bytes;
-        float box[8] = { x, bottom, x + 1, bottom, x + 1, top, x, top };
         float middle = (top + bottom) / 2 - 0.06f, limit = label[r->chunk] - 0.27f;
-        wfDrawPolygon(d, box, 4, 1, WF_INK_LINE, r->chunk == 0 ? WF_INK_BODY : WF_INK_BODY2);
+        figRect(d, x, bottom, x + 1, top, 1, WF_INK_LINE,
+                r->chunk == 0 ? WF_INK_BODY : WF_INK_BODY2);
         if (top - bottom < 0.052f) continue;  /* less than a hundredth */
         label[r->chunk] = middle < limit ? middle : limit;
         wfDrawLine(d, x + 1, (top + bottom) / 2, x + 1.4f, label[r->chunk] + 0.06f, 0.7f,
@@ -51,10 +51,9 @@ static void figure_world_three(wfDraw *d, const wfFigureInput *in)
         size_t used = r->count * r->each;
         float x0 = 2.1f + scale * (float)r->offset, x1 = x0 + scale * (float)used;
         float x2 = 2.1f + scale * (float)next;
-        float box[8] = { x0, y, x1, y, x1, y + 0.24f, x0, y + 0.24f };
-        float pad[8] = { x1, y, x2, y, x2, y + 0.24f, x1, y + 0.24f };
-        wfDrawPolygon(d, box, 4, 1, WF_INK_LINE, WF_INK_BODY);
-        if (next > r->offset + used) wfDrawPolygon(d, pad, 4, 1, WF_INK_LINE, WF_INK_ACCENT);
+        figRect(d, x0, y, x1, y + 0.24f, 1, WF_INK_LINE, WF_INK_BODY);
+        if (next > r->offset + used)
+            figRect(d, x1, y, x2, y + 0.24f, 1, WF_INK_LINE, WF_INK_ACCENT);
         wfDrawLine(d, x2, y, x2, y - 0.11f, 0.7f, WF_INK_FAINT);
         wfDrawText(d, 1.9f, y + 0.05f, 10, WF_INK_TEXT, 1, r->name);
         wfDrawTextf(d, 10.5f, y + 0.05f, 10, WF_INK_TEXT, 1, "at %zu: %zu x %zu", r->offset,
@@ -69,9 +68,8 @@ static void draw_places(wfDraw *d, const wfWorld *world, wfBodyId old, float y,
     for (int i = 0; i < 3; i++) {
         wfBodyId id = wfBodyAt(world, i);
         float x = 2.5f + 1.5f * (float)i;
-        float box[8] = { x, y, x + 1.3f, y, x + 1.3f, y + 0.9f, x, y + 0.9f };
-        wfDrawPolygon(d, box, 4, 1.2f, WF_INK_LINE,
-                      id.index != 0 ? WF_INK_BODY : WF_INK_PAPER);
+        figRect(d, x, y, x + 1.3f, y + 0.9f, 1.2f, WF_INK_LINE,
+                id.index != 0 ? WF_INK_BODY : WF_INK_PAPER);
         wfDrawText(d, x + 0.65f, y + 0.52f, 13, WF_INK_TEXT, 0,
                    id.index != 0 ? name[i] : "free");
         if (id.index != 0)
@@ -110,8 +108,7 @@ static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < wfStageCount; i++) {
         const wfStageRow *s = &wfStageTable[i];
         float y = pitch * (float)(wfStageCount - 1 - i) + 0.1f, mid = y + high / 2;
-        float box[8] = { 5.6f, y, 8.4f, y, 8.4f, y + high, 5.6f, y + high };
-        wfDrawPolygon(d, box, 4, 1.2f, WF_INK_LINE, WF_INK_BODY);
+        figRect(d, 5.6f, y, 8.4f, y + high, 1.2f, WF_INK_LINE, WF_INK_BODY);
         wfDrawText(d, 7.0f, mid - 0.1f, 11, WF_INK_TEXT, 0, s->name);
         wfDrawText(d, 5.3f, mid - 0.1f, 11, WF_INK_TEXT, 1, s->reads);
         wfDrawArrow(d, 5.35f, mid, 5.58f, mid, 1, WF_INK_FAINT);
