@@ -125,7 +125,6 @@ function Refuse.preprocessed(text, file)
     elseif (w:match("^__") or w:match("^_%u")) and not RESERVED[w] then bad(line, w)
     elseif w == "[" and previous == "[" then bad(line, "an attribute, [[...]]")
     elseif w == "*" and previous == "goto" then bad(line, "goto by an address")
-    elseif w == "#" and previous == nil then bad(line, "#pragma or another directive")
     end
     previous = w
   end
@@ -134,7 +133,8 @@ function Refuse.preprocessed(text, file)
     if at then n, mine = tonumber(at) - 1, path == file
     else
       n = n + 1
-      if mine then previous = l:match("^%s*#") and nil or previous or ""; words(l, n, word) end
+      if mine and l:match("^%s*#") then bad(n, "#pragma or another directive")
+      elseif mine then words(l, n, word) end
     end
   end
   return t
