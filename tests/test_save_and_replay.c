@@ -1024,6 +1024,105 @@ static void broken_rules_are_named(void **unused)
     wfDestroyWorld(&world);
 }
 
+/* A world that only calls have made keeps its rules, whatever it is made for, and comes back from its save; loaded, it goes on alike. */
+static void whatever_a_world_needs_it_can_be_loaded(void **unused)
+{
+    (void)unused;
+    wfRandom random = random_stream(2623);
+    int made = 0, without = 0;
+    for (int n = 0; n < 4000; n++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        wfWorld world, loaded;
+        wfFault fault;
+        uint32_t often = 10 + 20 * (uint32_t)(n % 5);
+        def.needs = 0;
+        for (int i = 0; i < wfNeedCount; i++)
+            if (wfRandomBelow(&random, 100) < often) def.needs |= wfNeedTable[i].bit;
+        def.bodyCapacity = 16, def.jointCapacity = 8, def.forceCapacity = 8;
+        def.sleep = (def.needs & WF_NEED_SLEEP) != 0 && wfRandomBelow(&random, 2), def.fineSums = (int32_t)wfRandomBelow(&random, 2);
+        if (wfCreateWorld(&def, &world) != WF_OK) continue;
+        made++, without += (def.needs & (WF_NEED_CONTACTS | WF_NEED_QUERIES)) == 0;
+        for (int i = 0; i < 10; i++) {                      /* what it has no need for is refused, and leaves no trace */
+            wfBodyDef d = wfDefaultBodyDefFor(&world);
+            d.type = i == 0 ? WF_STATIC : i == 1 ? WF_KINEMATIC : WF_DYNAMIC;
+            d.position = wfV2((wfReal)i * WF_R(0.7), i ? 1 + (wfReal)i / 5 : 0);
+            if (i % 2) assert_ok(wfMakeBox(WF_R(0.4), WF_R(0.4), &d.shape));
+            else assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.4), &d.shape));
+            if (wfAddBodyToWorld(&world, &d, NULL) == WF_OK) continue;
+            d.shape.kind = WF_SHAPE_NONE, d.mass = 1;
+            wfAddBodyToWorld(&world, &d, NULL);
+        }
+        wfForce drag = wfDrag(WF_R(0.1), 0);
+        wfJoint hinge;
+        wfShapeDef ball = wfDefaultShapeDefFor(&world);
+        assert_ok(wfMakeCircle(wfV2(WF_R(0.2), 0), WF_R(0.2), &ball.shape));
+        wfAddForceToWorld(&world, &drag, NULL);
+        if (wfJoinBodies(&world, "revolute", wfBodyAt(&world, 2), wfBodyAt(&world, 3), wfV2(2, 2), wfV2(2, 2), wfV2(1, 0), &hinge) == WF_OK)
+            wfAddJointToWorld(&world, &hinge, NULL);
+        wfAddShapeToBody(&world, wfBodyAt(&world, 4), &ball, NULL);
+        ball.sensor = 1;
+        wfAddShapeToBody(&world, wfBodyAt(&world, 0), &ball, NULL);
+        for (int k = 0; k < 16; k++) {
+            if (k == 9) wfRemoveBodyFromWorld(&world, wfBodyAt(&world, 5));
+            if (k == 10) wfApplyForceToBody(&world, wfBodyAt(&world, 6), wfV2(1, 1), wfV2(0, 0));
+            if (k == 11) wfMoveOrigin(&world, wfV2(2, 1), NULL);
+            wfResult step = wfStepWorld(&world);
+            if (k % 5 != 2) continue;
+            if (wfCheckWorld(&world, &fault) != WF_OK) fail_msg("needs %08x, step %d: %s %d: %s", (unsigned)def.needs, k, fault.region, (int)fault.element, fault.rule);
+            size_t size = wfSaveSize(&world);
+            uint8_t *bytes = bytes_of(size);
+            assert_ok(wfSaveToBytes(&world, bytes, size, &size));
+            wfResult result = wfLoadFromBytes(bytes, size, NULL, &loaded);
+            if (result != WF_OK) fail_msg("needs %08x, step %d: %s", (unsigned)def.needs, k, wfResultName(result));
+            assert_same(&world, &loaded);
+            assert_int_equal(wfStepWorld(&loaded), wfStepWorld(&world));
+            assert_same(&world, &loaded);
+            free(bytes);
+            wfDestroyWorld(&loaded);
+            if (step != WF_OK) break;
+        }
+        wfDestroyWorld(&world);
+    }
+    if (made < 500 || without < 50) fail_msg("only %d worlds, %d of them without bounds", made, without);
+}
+
+static void every_kept_region_has_a_rule(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    wfRegion region[WF_REGION_COUNT];
+    assert_ok(wfWorldRegions(&def, region));
+    for (int i = 0; i < WF_REGION_COUNT; i++)
+        if (region[i].chunk == 0 && wfRegionRule(i) == NULL) fail_msg("nobody checks the region \"%s\": give it a row in the table of rules", region[i].name);
+    assert_null(wfRegionRule(-1));
+    assert_null(wfRegionRule(WF_REGION_COUNT));
+}
+
+static wfWorld *hooked;
+static bool destroys(void *context, const wfHookView *view, int32_t a, int32_t b)
+{
+    (void)view, (void)a, (void)b;
+    ++*(int *)context;
+    assert_result(WF_ERROR_BUSY, wfDestroyWorld(hooked));
+    return true;
+}
+
+static void no_hook_destroys_its_world(void **unused)
+{
+    (void)unused;
+    wfWorld world = busy(10, 30), same = world;
+    int asked = 0;
+    wfHooks hooks = { .context = &asked, .filter = destroys };
+    hooked = &world;
+    assert_ok(wfStepWorldWith(&world, &hooks));
+    assert_ok(wfStepWorldWith(&same, &hooks));              /* nor through another handle */
+    assert_true(asked > 0);
+    assert_ok(wfCheckWorld(&world, NULL));
+    assert_ok(wfDestroyWorld(&world));
+    assert_ok(wfDestroyWorld(&world));                      /* an empty handle is fine */
+    assert_result(WF_ERROR_NULL, wfDestroyWorld(NULL));
+}
+
 static void files_are_replaced_as_a_whole(void **unused)
 {
     (void)unused;
@@ -1115,6 +1214,9 @@ int main(void)
         cmocka_unit_test(hostile_files_do_no_harm),
         cmocka_unit_test(needs_are_kept_and_grow),
         cmocka_unit_test(broken_rules_are_named),
+        cmocka_unit_test(whatever_a_world_needs_it_can_be_loaded),
+        cmocka_unit_test(every_kept_region_has_a_rule),
+        cmocka_unit_test(no_hook_destroys_its_world),
         cmocka_unit_test(files_are_replaced_as_a_whole),
         cmocka_unit_test(rubbish_behind_a_force_stays_outside),
     };

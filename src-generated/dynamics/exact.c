@@ -1003,7 +1003,8 @@ static bool is_cheap(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_
     }
     for (int32_t n = 0; n < count; n++)
         degree[set->joints[list[n]].a] = degree[set->joints[list[n]].b] = 0;
-    if (most >= 0) limit = (int64_t)(most * (wfReal)count);
+    wfReal products = most * (wfReal)count;     /* may be more than an integer can be */
+    if (most >= 0 && products < WF_R(9e18)) limit = (int64_t)products;
     if (blocks > (int64_t)count * WF_EXACT_BLOCKS) return false;
     m->room = count * WF_EXACT_BLOCKS;
     bool good = join_neighbours(m, set->joints, in->state, list, count, m->first, m->after)

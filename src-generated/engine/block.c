@@ -281,9 +281,13 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     return WF_OK;
 }
 
-void wfDestroyWorld(wfWorld *world)
+wfResult wfDestroyWorld(wfWorld *world)
 {
-    if (world != NULL) wfFreeMemory(&world->memory);
+    wfBlock b;
+    if (world == NULL) return WF_ERROR_NULL;
+    if (wfOpenBlock(world, &b) == WF_OK && b.head->busy) return WF_ERROR_BUSY;
+    wfFreeMemory(&world->memory);
+    return WF_OK;
 }
 
 /* open a block */

@@ -98,12 +98,19 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
                 "the free list holds every free slot once");
 }
 
-static bool check_all_slots(Check *c)
+static bool check_body_slots(Check *c)
 {
-    const wfHeader *h = c->b.head;
-    return check_slots(c, &h->bodySlots, WF_REGION_BODY_SLOTS, c->b.bodySlots)
-        && check_slots(c, &h->shapeSlots, WF_REGION_SHAPE_SLOTS, c->b.shapeSlots)
-        && check_slots(c, &h->forceSlots, WF_REGION_FORCE_SLOTS, c->b.forceSlots);
+    return check_slots(c, &c->b.head->bodySlots, WF_REGION_BODY_SLOTS, c->b.bodySlots);
+}
+
+static bool check_shape_slots(Check *c)
+{
+    return check_slots(c, &c->b.head->shapeSlots, WF_REGION_SHAPE_SLOTS, c->b.shapeSlots);
+}
+
+static bool check_force_slots(Check *c)
+{
+    return check_slots(c, &c->b.head->forceSlots, WF_REGION_FORCE_SLOTS, c->b.forceSlots);
 }
 
 /* check the bodies */
@@ -178,13 +185,7 @@ static bool check_shape(Check *c, int32_t k)
 {
     const wfBlock *b = &c->b;
     int32_t i = b->owners[k], end = b->head->shapeSlots.high;
-    bool live = b->shapeSlots[k].next == WF_SLOT_LIVE;
-    int flags = b->flags[k], all = WF_PROXY_LIVE | WF_PROXY_MOVES;
-    bool flagged = (flags & ~all) == 0 && ((flags & WF_PROXY_LIVE) != 0) == live
-                && (live || flags == 0);
-    if (!rule(c, is_box(b->bounds[k]) && flagged, WF_REGION_BOUNDS, k,
-              "bounds are a box, and flags agree with the slot")) return false;
-    if (!live)
+    if (b->shapeSlots[k].next != WF_SLOT_LIVE)
         return rule(c, i == -1 && b->next[k] == -1 && b->materials[k].sensor == 0,
                     WF_REGION_OWNERS, k, "an empty place has no owner");
     /* ask a live shape for its owner, its next and what it is made of */
@@ -196,6 +197,20 @@ static bool check_shape(Check *c, int32_t k)
                 "a shape is one that the makers make")
         && rule(c, is_material(&b->materials[k]), WF_REGION_SHAPE_PROPS, k,
                 "a material is in range");
+}
+
+static bool check_bounds(Check *c)
+{
+    const wfBlock *b = &c->b;
+    for (int32_t k = 0; k < b->head->shapeSlots.high; k++) {
+        bool live = b->shapeSlots[k].next == WF_SLOT_LIVE;
+        int flags = b->flags[k], all = WF_PROXY_LIVE | WF_PROXY_MOVES;
+        bool flagged = (flags & ~all) == 0 && ((flags & WF_PROXY_LIVE) != 0) == live
+                    && (live || flags == 0);
+        if (!rule(c, is_box(b->bounds[k]) && flagged, WF_REGION_BOUNDS, k,
+                  "bounds are a box, and flags agree with the slot")) return false;
+    }
+    return true;
 }
 
 static bool check_shapes(Check *c)
@@ -395,8 +410,6 @@ static bool check_rest(Check *c)
     const int32_t *island = (const void *)(base + h->offset[WF_REGION_ISLANDS]);
     uint8_t *named = wfTransient(&c->b, WF_REGION_WOKEN);
     int32_t asleep = 0, end = h->bodySlots.high;
-    if (c->region[WF_REGION_REST].count == 0)
-        return rule(c, h->asleep == 0, WF_REGION_HEADER, 0, "without sleep nobody sleeps");
     memset(named, 0, (size_t)end);
     for (int32_t i = 0; i < end; i++) {
         bool good = flags[i] <= 7 && wfIsFinite(clock[i]) && clock[i] >= 0
@@ -409,22 +422,121 @@ static bool check_rest(Check *c)
                 WF_REGION_HEADER, 0, "sleepers are counted");
 }
 
+static bool is_id(uint32_t index, uint32_t generation, int32_t capacity)
+{
+    return index >= 1 && index <= (uint32_t)capacity && generation != 0;
+}
+
+static bool are_shapes(const Check *c, wfShapeId a, wfShapeId b)
+{
+    int32_t capacity = c->b.head->shapeSlots.capacity;
+    return is_id(a.index, a.generation, capacity) && is_id(b.index, b.generation, capacity);
+}
+
+static bool check_events(Check *c)
+{
+    int32_t count = 0;
+    for (int k = 0; k < WF_EVENT_KINDS; k++) count += c->b.head->eventCount[k];
+    for (int32_t i = 0; i < count; i++) {
+        const wfTouchEvent *e = &c->b.events[i];
+        if (!rule(c, are_shapes(c, e->a, e->b) && wfIsFinite(e->impulse), WF_REGION_EVENTS,
+                  i, "an event has two shapes and an impulse")) return false;
+    }
+    return true;
+}
+
+static bool check_hits(Check *c)
+{
+    for (int32_t i = 0; i < c->b.head->hitCount; i++) {
+        const wfHit *h = &c->b.hits[i];
+        bool good = wfIsFinite2(h->point) && wfIsFinite2(h->normal) && wfIsFinite(h->speed);
+        if (!rule(c, good && are_shapes(c, h->a, h->b), WF_REGION_HITS, i,
+                  "a hit has two shapes, a place and a speed")) return false;
+    }
+    return true;
+}
+
+static bool check_fine(Check *c)
+{
+    for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
+        const wfFine *f = &c->b.fine[i];
+        const wfReal n[] = { f->p.x, f->p.y, f->v.x, f->v.y, f->angle, f->w };
+        bool good = wfAllFinite(n, 6);
+        for (int k = 0; k < 6 && !c->b.alive[i]; k++) good = good && n[k] == 0;
+        if (!rule(c, good, WF_REGION_FINE, i, "what was rounded away is finite")) return false;
+    }
+    return true;
+}
+
+static bool check_broken(Check *c)
+{
+    const wfHeader *h = c->b.head;
+    const wfJointId *id = (const void *)((const uint8_t *)h + h->offset[WF_REGION_BROKEN]);
+    for (int32_t i = 0; i < h->brokenCount; i++)
+        if (!rule(c, is_id(id[i].index, id[i].generation, h->jointSlots.capacity),
+                  WF_REGION_BROKEN, i, "what broke was a joint")) return false;
+    return true;
+}
+
 /* the table of checks */
-static CheckFn *const check_table[] = {
-    check_counts, check_all_slots, check_bodies, check_shapes, check_forces,
-    check_pairs, check_contacts, check_touches,
-    check_materials,
-    check_joints,
-    check_rest,
+typedef struct RuleRow { CheckFn *check; const char *without; } RuleRow;
+static const RuleRow rule_table[WF_REGION_KEPT] = {
+    [WF_REGION_HEADER] = { check_counts, NULL },
+    [WF_REGION_BODY_SLOTS] = { check_body_slots, NULL },
+    [WF_REGION_ALIVE] = { check_bodies, NULL },
+    [WF_REGION_STATE] = { NULL, "with its body" },
+    [WF_REGION_APPLIED] = { NULL, "with its body" },
+    [WF_REGION_PROPS] = { NULL, "with its body" },
+    [WF_REGION_SHAPE_SLOTS] = { check_shape_slots, NULL },
+    [WF_REGION_SHAPES] = { check_shapes, NULL },
+    [WF_REGION_OWNERS] = { NULL, "with its shape" },
+    [WF_REGION_NEXT_SHAPES] = { NULL, "with its shape" },
+    [WF_REGION_FILTERS] = { NULL, "any bits are a filter" },
+    [WF_REGION_SHAPE_PROPS] = { NULL, "with its shape" },
+    [WF_REGION_BOUNDS] = { check_bounds, NULL },
+    [WF_REGION_FLAGS] = { NULL, "with its bounds" },
+    [WF_REGION_INDEX] = { NULL, "is built anew" },
+    [WF_REGION_FORCE_SLOTS] = { check_force_slots, NULL },
+    [WF_REGION_FORCES] = { check_forces, NULL },
+    [WF_REGION_PAIRS] = { check_pairs, NULL },
+    [WF_REGION_CACHES] = { NULL, "with its pair" },
+    [WF_REGION_CONTACTS] = { check_contacts, NULL },
+    [WF_REGION_TOUCHES] = { check_touches, NULL },
+    [WF_REGION_EVENTS] = { check_events, NULL },
+    [WF_REGION_HITS] = { check_hits, NULL },
+    [WF_REGION_FINE] = { check_fine, NULL },
+    [WF_REGION_PAIR_MATERIALS] = { check_materials, NULL },
+    [WF_REGION_JOINT_SLOTS] = { NULL, "with the joints" },
+    [WF_REGION_JOINTS] = { check_joints, NULL },
+    [WF_REGION_BROKEN] = { check_broken, NULL },
+    [WF_REGION_ALONE] = { NULL, "with its joint" },
+    [WF_REGION_REST] = { check_rest, NULL },
+    [WF_REGION_CLOCKS] = { NULL, "with the rest" },
+    [WF_REGION_RINGS] = { NULL, "with the rest" },
+    [WF_REGION_ISLANDS] = { NULL, "with the rest" },
 };
 
-/* check a world */
+const char *wfRegionRule(int region)
+{
+    if (region < 0 || region >= WF_REGION_KEPT) return NULL;
+    return rule_table[region].check != NULL ? "has a rule" : rule_table[region].without;
+}
+
+/* Of what has no room there is none. */
+static bool check_absent(Check *c)
+{
+    return c->region[WF_REGION_REST].count > 0
+        || rule(c, c->b.head->asleep == 0, WF_REGION_HEADER, 0,
+                "without sleep nobody sleeps");
+}
+
 static bool check_all(Check *c, const wfWorld *world)
 {
-    size_t rows = sizeof check_table / sizeof *check_table;
     bool good = check_layout(c) && wfOpenBlock(world, &c->b) == WF_OK;
-    for (size_t i = 0; i < rows && good; i++) good = check_table[i](c);
-    return good;
+    for (int i = 0; i < WF_REGION_KEPT && good; i++)
+        if (rule_table[i].check != NULL && c->region[i].count > 0)
+            good = rule_table[i].check(c);
+    return good && check_absent(c);
 }
 
 wfResult wfCheckWorld(const wfWorld *world, wfFault *fault)

@@ -80,7 +80,8 @@ static void move_lists(wfBlock *b, wfVec2 by)
 {
     (void)b, (void)by;
     /* besides bodies */
-    for (int32_t k = 0; k < b->head->shapeSlots.high; k++) {
+    bool boxed = wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES);
+    for (int32_t k = 0; k < b->head->shapeSlots.high && boxed; k++) {
         int32_t i = b->owners[k];
         if (i < 0) continue;
         b->bounds[k] = wfShapeBounds(&b->shapes[k], wfBodyTransform(&b->state[i]));

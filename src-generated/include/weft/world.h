@@ -425,9 +425,9 @@ wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient
  * wfWorldSize; WF_ERROR_MEMORY: no memory, chunks too small, or not aligned to
  * WF_POOL_ALIGN. */
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out);
-/* Frees memory that the world owns and clears the handle. NULL and empty handles are
- * fine. */
-void wfDestroyWorld(wfWorld *world);
+/* Frees memory that the world owns and clears the handle; an empty handle is fine.
+ * WF_ERROR_NULL; _BUSY (from a hook): nothing has happened. */
+wfResult wfDestroyWorld(wfWorld *world);
 /* A handle for a world whose block was copied or moved to memory->permanent; the transient
  * chunk may be any memory of the right size. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 wfResult wfOpenWorld(const wfMemory *memory, wfWorld *out);
