@@ -91,8 +91,29 @@ function Book.read(stream)
       kind = nil
     end
   end
+  self:group()
   Parts.close(self)
   return self
+end
+
+-- A chapter that has + before its name in the plan is read together with the one above it: until a part of the engine can stand without the
+-- other, each may use what the other defines. chapter.last is the last file of the group.
+function Book:group()
+  local root = os.getenv "WEFT_ROOT" or (arg[0]:match("^(.*/)") or "./") .. ".."
+  local plan, joined = io.open(root .. "/book/plan.tsv"), {}
+  if plan then
+    for l in plan:lines() do
+      local name = l:match("^%+([^\t]+)")
+      if name then joined[name] = true end
+    end
+    plan:close()
+  end
+  local last = #self.chapters
+  for i = #self.chapters, 1, -1 do
+    local c = self.chapters[i]
+    c.last = last
+    if not c.of and not joined[c.name] then last = i - 1 end
+  end
 end
 
 ------------------------------------------------------------------------------------------------------------- checks
@@ -124,7 +145,7 @@ function Book:check_chunks()
       local defined = self.chunks[n.parts[1]].chapter
       for _, u in ipairs(n.uses) do
         local c = self.chunks[u.chunk]
-        if c.chapter < defined then
+        if self.chapters[c.chapter].last < defined then
           self:complain(c.file, u.line, "chunk <<" .. name .. ">> is used here but first defined later, in " ..
             self.chapters[defined].file, "define its first part in this chapter or an earlier one, or move the use")
         end

@@ -778,7 +778,7 @@ for index, c in ipairs(book.chunks) do
               if target.chunk ~= index then add_once(uses_of[target], index) end
             end
           else row[#row + 1] = { "", text } end
-          if earliest and earliest > c.chapter and not told[c.file .. text] then
+          if earliest and earliest > book.chapters[c.chapter].last and not told[c.file .. text] then
             told[c.file .. text] = true
             book:complain(c.file, l.line, text .. " is used here but first declared later, in " .. book.chapters[earliest].file,
               "move its declaration to this chapter or an earlier one, or move the use")
