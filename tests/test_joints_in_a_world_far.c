@@ -60,7 +60,7 @@ static void build(wfWorld *world)
 static void every_kind_of_joint_comes_along(void **state)
 {
     (void)state;
-    /* As in test_world_far: half a gap a step; 64 m from the origin at least, and up to 4 kinds away. Half a second: nothing hits
+    /* As in test_world_origin: half a gap a step; 64 m from the origin at least, and up to 4 kinds away. Half a second: nothing hits
      * the ground, and joints that pull along take up an error of d as a motion of about d. The joints' own places would be
      * 64 m off if they had not come along. */
     const wfVec2 by = wfV2(64, -64);

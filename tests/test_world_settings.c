@@ -87,7 +87,7 @@ static void every_good_value_is_kept(void **unused)
     (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_world_needs.c */
+        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_modules.c */
         double good[3];
         int count = good_values(s, good);
         for (int k = 0; k < count; k++)
@@ -117,7 +117,7 @@ static void every_bad_value_is_refused_by_name(void **unused)
     const wfSetting *fault;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_world_needs.c */
+        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_modules.c */
         bool real = s->kind == WF_SETTING_REAL || s->kind == WF_SETTING_VEC2;
         double bad[4];
         int count = bad_values(s, bad);
@@ -180,7 +180,7 @@ static void settings_change_unless_they_are_built_in(void **unused)
     (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_world_needs.c */
+        if (s->kind == WF_SETTING_SET) continue;                /* tests/test_modules.c */
         wfWorldDef def = wfDefaultWorldDef(), is, got;
         wfWorld world;
         def.bodyCapacity = 20;
