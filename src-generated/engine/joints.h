@@ -1,4 +1,4 @@
-/* Weft: engine/joints.h, tangled from chapters/methods/24-joints-in-a-world.nw. Do not edit this
+/* Weft: engine/joints.h, tangled from chapters/methods/05-joints-in-a-world.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ENGINE_JOINTS_H
 #define WEFT_ENGINE_JOINTS_H
@@ -14,13 +14,10 @@ typedef struct wfJoints {
 
 static inline wfJoints wfJointsOf(const wfBlock *b)
 {
-    uint8_t *base = (uint8_t *)b->head;
-    return (wfJoints){ (void *)(base + b->head->offset[WF_REGION_JOINT_SLOTS]),
-                     (void *)(base + b->head->offset[WF_REGION_JOINTS]),
-                     (void *)(base + b->head->offset[WF_REGION_BROKEN]) };
+    return (wfJoints){ b->jointSlots, b->joints, b->broken };
 }
 
-static bool wfJointIsLive(const wfJoints *j, int32_t i)
+static inline bool wfJointIsLive(const wfJoints *j, int32_t i)
 {
     return j->slots[i].next == WF_SLOT_LIVE;
 }
