@@ -194,6 +194,11 @@ local places = {}
 local function count_enums(text)
   for list in text:gsub("/%*.-%*/", ""):gmatch("enum [%w_]* ?(%b{})") do
     local place = 0
+    -- an enum that is made of a list of rows: #define ROW(NAME, ...) PREFIX_##NAME, and then ROW(ONE, ...) ROW(TWO, ...)
+    for row, prefix in list:gmatch("#define ([%w_]+)%([^)]*%)%s*([%w_]+)##[%w_]+,") do
+      list = list:gsub("\n" .. row .. "(%b())", function(b) return "\n" .. prefix .. b:match("^%(([%w_]+)") .. "," end)
+    end
+    list = list:gsub("#[^\n]*", "")
     for name, value in list:gmatch("([%a_][%w_]*)%s*(=?)") do
       if value == "=" then break end
       places[name] = place

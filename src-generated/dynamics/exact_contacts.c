@@ -1,5 +1,5 @@
-/* Weft: dynamics/exact_contacts.c, tangled from chapters/methods/01-exact.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: dynamics/exact_contacts.c, tangled from chapters/methods/14-direct-contacts.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "weft/exact.h"
 #include "dynamics/exact_contacts.h"

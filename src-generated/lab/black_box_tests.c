@@ -1,4 +1,4 @@
-/* Weft: lab/black_box_tests.c, tangled from chapters/engine/21-black-box-tests.lab.nw. Do not edit
+/* Weft: lab/black_box_tests.c, tangled from chapters/engine/24-black-box-tests.lab.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #include "lab/cases.h"
 #include "lab/bench.h"

@@ -1,4 +1,4 @@
-/* Weft: include/weft/compound.h, tangled from chapters/methods/02-compound.nw. Do not edit this
+/* Weft: include/weft/compound.h, tangled from chapters/methods/15-compound.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* compound.h: bodies of several shapes: combined masses, outlines cut into convex pieces,
    chains. Lengths in m, masses in kg, inertia in kg m^2. */

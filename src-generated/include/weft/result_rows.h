@@ -1,6 +1,7 @@
 /* Weft: include/weft/result_rows.h, tangled from chapters/engine/05-memory.nw. Chapters that add to
- * it: shapes, integration, compound, world, joints-in-a-world, save-and-replay, accuracy. Do not
- * edit this file: edit the chapter and type make. MIT licence. */
+ * it: shapes, implicit-midpoint, compound, world, joints-in-a-world, continuous-collision,
+ * sleep-in-a-world, save-and-replay, replay, save-files, scenes-as-text, accuracy. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
 /* No include guard: core.h and memory.c both read this, each with its own WF_RESULT. */
 WF_RESULT(WF_OK, "all is well")
 WF_RESULT(WF_ERROR_NULL, "a pointer is NULL: pass the address of a structure")

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# The house: no circle of files, by what the linker sees, in any folder; files, headers and functions of a size that one can read,
+# with those that are not listed in tests/house/declared, a list that only gets shorter.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+make --no-print-directory programs >/dev/null || exit 1
+lua=$(tangle/lua) || exit 1
+bad=0
+$lua tests/house/circles.lua build/obj core math collision dynamics engine json testbed lab figures || bad=1
+# the test itself: two files that need each other are found
+work=build/check/house; rm -rf "$work"; mkdir -p "$work/two"
+for f in a:b b:a c:a; do echo "void wf_${f%:*}(void); void wf_${f#*:}(void); void wf_${f%:*}(void) { wf_${f#*:}(); }" | ${CC:-cc} -c -x c - -o "$work/two/${f%:*}.o" || exit 1; done
+told=$($lua tests/house/circles.lua "$work" two) && { echo "house: a circle of two files was not found"; bad=1; }
+grep -q 'a.c needs wf_b of b.c, and b.c needs wf_a of a.c' <<<"$told" || { echo "house: the circle is not told by its two calls: $told"; bad=1; }
+$lua tests/house/house.lua tests/house/declared $(tangle/chapters) || bad=1
+exit $bad
