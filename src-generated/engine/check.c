@@ -463,7 +463,8 @@ static bool check_fine(Check *c)
         const wfReal n[] = { f->p.x, f->p.y, f->v.x, f->v.y, f->angle, f->w };
         bool good = wfAllFinite(n, 6);
         for (int k = 0; k < 6 && !c->b.alive[i]; k++) good = good && n[k] == 0;
-        if (!rule(c, good, WF_REGION_FINE, i, "what was rounded away is finite")) return false;
+        if (!rule(c, good, WF_REGION_FINE, i, "what was rounded away is finite"))
+            return false;
     }
     return true;
 }
