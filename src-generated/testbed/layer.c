@@ -37,7 +37,7 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
     struct { const char *name, **place; } texts[] = {
         { "--scene", &out->scene }, { "--input", &out->input },
         { "--save-input", &out->record },
-        { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->game },
+        { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->library },
         { "--folder", &out->folder }, { "--svg", &out->svg }, { "--film", &out->film },
         { "--frames", &out->frames }
     };
@@ -117,9 +117,9 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     memset(l, 0, sizeof *l);
     l->options = options;
     l->code = (game_code){ .update = game_update_and_render, .describe = game_describe };
-    if (options->game && !game_code_refresh(&l->code, options->game))
-        return complain("can't load the game", options->game);
-    if (options->scene && !options->game && !game_knows_scene(options->scene))
+    if (options->library && !game_code_refresh(&l->code, options->library))
+        return complain("can't load the game", options->library);
+    if (options->scene && !options->library && !game_knows_scene(options->scene))
         return complain("no such scene (try `weft-headless --list')", options->scene);
     /* lend the game its memory */
     l->memory.permanent_size = GAME_PERMANENT_SIZE;
@@ -238,7 +238,7 @@ bool layer_frame(layer *l, const game_input *input)
     if (l->frames == 0 && l->options->scene && !now.scene[0])
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
     if (l->record) record_input(l, &now);
-    if (l->options->game) game_code_refresh(&l->code, l->options->game);
+    if (l->options->library) game_code_refresh(&l->code, l->options->library);
     game_input told = now;
     if (l->frames == 0 && l->options->film) press(&told, GAME_KEY_FILM);
     if (l->frames == 0 && l->options->frames) press(&told, GAME_KEY_FRAMES);

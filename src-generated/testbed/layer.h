@@ -9,7 +9,7 @@
 /* options of a platform layer */
 typedef struct layer_options {
     const char *scene, *input, *record, *png, *log;     /* NULL: not given */
-    const char *game;                   /* a shared library with the game */
+    const char *library;                /* a shared library with the game */
     const char *folder;                 /* for files; NULL: none are kept */
     const char *svg, *film, *frames;    /* sec:platform-pictures */
     const char *command, *argument;     /* an option not in the table; a bare word */

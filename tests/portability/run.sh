@@ -20,7 +20,7 @@ recorded=$(awk -F, '$2 ~ /^[0-9]+$/ { print $2; exit }' tests/golden/scenes.csv)
 STEPS=${STEPS:-${recorded:-1000}}
 std=$(sed -n 's/^STD ?= //p' tangle/compile.mk)
 # The sources as they are now, without #line: neither tangling again while this runs nor a change of prose makes anything be built anew.
-names=$(cd build/lines && ls {core,math,collision,dynamics,engine}/*.c testbed/{scene,scenes,classics,view}.c)
+names=$(cd build/lines && ls {core,math,collision,dynamics,engine}/*.c testbed/{scene,scene_table,classics,view}.c testbed/*_scenes.c testbed/scenes.c)
 new=$out/src.new.$$
 mkdir -p $new
 (cd build/lines && cp -r include core math collision dynamics engine testbed "../../$new/"); cp $here/scenes.c $new/
