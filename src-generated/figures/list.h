@@ -4,8 +4,8 @@
  * impulses.figures, friction.figures, sequential.figures, soft.figures, joints.figures,
  * exact.figures, compound.figures, time-of-impact.figures, islands.figures,
  * events-and-queries.figures, world.figures, joints-in-a-world.figures, save-and-replay.figures,
- * platform.figures, drawing.figures, scenes, accuracy.figures, primer.figures. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+ * platform.figures, drawing-pixels.figures, headless.figures, accuracy.figures, primer.figures. Do
+ * not edit this file: edit the chapter and type make. MIT licence. */
 /* chapters with figures */
 CHAPTER(design)
 CHAPTER(memory)
@@ -31,7 +31,7 @@ CHAPTER(world)
 CHAPTER(joints_in_a_world)
 CHAPTER(save_and_replay)
 CHAPTER(platform)
-CHAPTER(drawing)
-CHAPTER(scenes)
+CHAPTER(drawing_pixels)
+CHAPTER(headless)
 CHAPTER(accuracy)
 CHAPTER(primer)

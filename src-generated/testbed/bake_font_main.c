@@ -1,5 +1,5 @@
-/* Weft: testbed/bake_font_main.c, tangled from chapters/testbed/02-drawing.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: testbed/bake_font_main.c, tangled from chapters/testbed/03-drawing-pixels.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 /* bake-font FONT.ttf SIZE ... : writes the font's letters at these sizes as a C file. */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Weft: testbed/classic_scenes.c, tangled from chapters/testbed/04-scenes.nw. Do not edit this
+/* Weft: testbed/classic_scenes.c, tangled from chapters/testbed/14-classics.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* Scenes of which everybody knows the outcome, and engines find it hard. */
 #include <math.h>
@@ -556,16 +556,16 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
 }
 
 static const wfScene row[] = {
-    { .category = "Classics", .name = "card house", .chapter = "scenes",
+    { .category = "Classics", .name = "card house", .chapter = "classics",
       .text = "Five storeys of cards lean on each other. Take one out.",
       .build = build_card_house, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = WF_R(6.2),
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
-    { .category = "Classics", .name = "arch", .chapter = "scenes",
+    { .category = "Classics", .name = "arch", .chapter = "classics",
       .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
       .build = build_arch,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 7,
       .show = WF_SHOW_CONTACTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
-    { .category = "Classics", .name = "overhang", .chapter = "scenes",
+    { .category = "Classics", .name = "overhang", .chapter = "classics",
       .text = "Ten blocks hang over the edge by 99 % of what is possible.",
       .build = build_overhang, .draw = draw_overhang, .viewX = 0, .viewY = 2,
       .viewHeight = 5, .energyBound = WF_R(0.2), .depthBound = WF_R(0.02) },
@@ -581,7 +581,7 @@ static const wfScene row[] = {
       .text = "Forty boxes are born in the same place, and have to come apart.",
       .define = with_room_for_pairs, .build = build_one_place,
       .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8, .energyBound = -1, .depthBound = -1 },
-    { .category = "Classics", .name = "dominoes", .chapter = "scenes",
+    { .category = "Classics", .name = "dominoes", .chapter = "classics",
       .text = "A wave runs through thirty stones with a speed of its own.",
       .build = build_dominoes, .viewX = 0, .viewY = WF_R(2.2), .viewHeight = WF_R(9.5),
       .energyBound = WF_R(0.1), .depthBound = WF_R(0.1) },
@@ -589,7 +589,7 @@ static const wfScene row[] = {
       .text = "A drum turns and never lets its heap come to rest.",
       .build = build_tumbler, .viewX = 0, .viewY = 4, .viewHeight = 10,
       .energyBound = -1, .depthBound = WF_R(0.2) },
-    { .category = "Classics", .name = "Galton board", .chapter = "scenes",
+    { .category = "Classics", .name = "Galton board", .chapter = "classics",
       .text = "Left or right at each peg: the line is the binomial distribution.",
       .define = softly, .build = build_galton, .update = release_a_ball, .draw = draw_galton,
       .viewX = 0, .viewY = WF_R(5.6), .viewHeight = WF_R(13.6),

@@ -1,5 +1,5 @@
-/* Weft: testbed/collision_scenes.c, tangled from chapters/testbed/04-scenes.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: testbed/collision_scenes.c, tangled from chapters/testbed/11-first-scenes.nw. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 /* What the resolver can do: bounces, cradles, stacks. */
 #include "testbed/maker.h"
 

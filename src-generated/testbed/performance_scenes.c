@@ -1,5 +1,5 @@
-/* Weft: testbed/performance_scenes.c, tangled from chapters/testbed/04-scenes.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: testbed/performance_scenes.c, tangled from chapters/testbed/12-report-scenes.nw. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 /* The report's six performance tests. */
 #include "testbed/maker.h"
 

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 chapter=tests/student/60-leapfrog.nw
 both="$chapter tests/student/61-median.nw"
-tests="test_integration test_scenes test_broad_phase test_broad_phase_index test_events_and_queries_sets"
+tests="test_integration test_headless test_broad_phase test_broad_phase_index test_events_and_queries_sets"
 check() {      # the directory of the build, the arguments for make
   local out=$1; shift
   make --no-print-directory BUILD="$out" "$@" programs >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }

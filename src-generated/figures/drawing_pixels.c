@@ -1,5 +1,5 @@
-/* Weft: figures/drawing.c, tangled from chapters/testbed/02-drawing.figures.nw. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+/* Weft: figures/drawing_pixels.c, tangled from chapters/testbed/03-drawing-pixels.figures.nw. Do
+ * not edit this file: edit the chapter and type make. MIT licence. */
 #include "weft/math.h"
 #include "testbed/raster.h"
 #include "figures/kit.h"
@@ -206,4 +206,4 @@ static const wfFigureRow rows[] = {
     { "drawing-error", figure_drawing_error, 7.6f, 4.7f, 0, {{0}} },
     { "drawing-blend", figure_drawing_blend, 6.4f, 4.9f, 0, {{0}} },
 };
-const wfFigureSet drawing_figures = WF_ROWS(rows);
+const wfFigureSet drawing_pixels_figures = WF_ROWS(rows);

@@ -752,7 +752,7 @@ static void overlays_keys_and_views_answer(void **state)
     play p;
     play_begin(&p, 1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 0\nframe\n");
-    for (int i = 0; i < wfOverlayCount && wfOverlayTable[i].key; i++) {       /* the others: test_scenes_seeing */
+    for (int i = 0; i < wfOverlayCount && wfOverlayTable[i].key; i++) {       /* the others: test_headless_seeing */
         double show = play_fact(&p, "show", 0);
         char script[40];
         play_click(&p, wfOverlayTable[i].name);
