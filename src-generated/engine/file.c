@@ -263,7 +263,8 @@ wfResult wfReplaceFile(const char *path, const void *bytes, size_t size)
     if (length > 0) memcpy(directory, path, length);
     if (length > 0) directory[length] = 0;
     if (!may_replace(path, &f) || !make_beside(fresh, length, &f)) return WF_ERROR_FILE;
-    if (write_all(&f, bytes, size) && put_in_place(fresh, path, directory)) return WF_OK;
+    if (write_all(&f, (const uint8_t *)bytes, size) && put_in_place(fresh, path, directory))
+        return WF_OK;
     discard(fresh);
     return WF_ERROR_FILE;
 }
@@ -304,7 +305,7 @@ static wfResult fetch(const char *path, const wfLoadLimits *limits, wfMemory *me
     if (!open_old(path, &f, &size)) return WF_ERROR_FILE;
     wfResult result = size > wfMostMemory(limits) ? WF_ERROR_LIMIT
                     : wfAllocateMemory(memory, (size_t)size, 0);
-    if (result == WF_OK && !read_all(&f, memory->permanent, (size_t)size))
+    if (result == WF_OK && !read_all(&f, (uint8_t *)memory->permanent, (size_t)size))
         result = WF_ERROR_FILE;
     close_file(&f);
     return result;
