@@ -62,10 +62,10 @@ do
   for l in plan "plan" do
     local name, volume, num, part, title, report = l:match("^(.-)\t(.-)\t(.-)\t(.-)\t(.-)\t(.*)$")
     local v = volumes[volume] or { order = 50, title = volume }
-    local e = { name = name, num = num, volume = volume, part = part ~= "" and part or v.title, title = title, report = report, planned = true }
+    local e = { name = name, num = num, volume = volume, part = (volume == volumes[1] or part == "Appendices") and part or v.title, title = title, report = report, planned = true }
     e.appendix = part == "Appendices" or nil
     e.order = (e.appendix and 99 or v.order) * 1000 + #list
-    if part ~= "" and not e.appendix then
+    if volume == volumes[1] and not e.appendix then      -- the engine has parts, as the report; each other volume is one
       if not parts[part] then parts[#parts + 1] = part; parts[part] = #parts end
       e.part_number = parts[part]
     end
