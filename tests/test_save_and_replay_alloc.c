@@ -136,7 +136,7 @@ static void no_save_claims_more_than_it_may(void **unused)
         size_t permanent, transient;
         if (!s->builtIn || s->most < 1e6) continue;
         assert_ok(wfGetWorldDef(&world, &def));
-        int32_t many = (int32_t)s->most;
+        uint32_t many = (uint32_t)s->most;                 /* a SET has all 32 bits */
         memcpy((uint8_t *)&def + s->offset, &many, sizeof many);
         if (wfWorldSize(&def, &permanent, &transient) != WF_OK || permanent + transient <= WF_LOAD_MEMORY) continue;
         memcpy(bytes + 48 + s->kept, &many, sizeof many);
