@@ -86,6 +86,7 @@ static void a_scene_runs_the_same_again_and_in_lent_memory(void **state)
                           .transient = transient, .transientSize = sizeof transient };
         wfWorld world;
         memset(permanent, i + 1, sizeof permanent);
+        memset(transient, 0xff, sizeof transient);      /* NaN: what is read unwritten shows */
         assert_ok(wfOpenScene(s, &lent, &world));
         for (int k = 0; k < 60; k++) {
             wfSceneInput in = wfSceneInputAt(s, k);

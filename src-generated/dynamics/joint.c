@@ -568,6 +568,7 @@ static void add_load(const wfJoint *j, wfJointWork *w)
     for (int k = 0; k < w->rows; k++) {                             /* eq:joints-load */
         const wfJointRow *r = &w->row[k];
         wfReal more = j->impulse[k] - w->seen[k];
+        if (more == 0) continue;        /* a row that was never in force has no direction */
         w->kick = wfAddScaled(w->kick, more, r->jB);
         w->spin += more * (r->wB - wfCross(w->arm, r->jB));
         w->seen[k] = j->impulse[k];

@@ -243,7 +243,7 @@ static void name_new(char *name, uint64_t bits)
 static bool make_beside(char *fresh, size_t length, File *f)
 {
     bool taken = true, made = false;
-    uint64_t bits = (uint64_t)(uintptr_t)&taken;
+    uint64_t bits = 0;
     for (int i = 0; i < TRIES && taken && !made; i++) {
         bits = wfHashU64(bits, clock_bits());
         name_new(fresh + length, bits);

@@ -90,6 +90,7 @@ static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal 
     wfVec2 a = wfScale(s->state[c->a].invMass, s->sums[c->a].force);
     wfVec2 b = wfScale(s->state[c->b].invMass, s->sums[c->b].force);
     wfReal square = u * u + 2 * gap * wfDot(wfSub(a, b), c->manifold.normal);
+    if (!wfIsFinite(square)) return u;          /* so fast that the gap adds nothing */
     return square > 0 ? wfSqrt(square) : 0;
 }
 

@@ -20,7 +20,9 @@ static void cuts(bool areas)
         wfReal c = wfRandomReal(&r, -2, 2);
         int na = exClip(ring, n, normal, c, a), nb = exClip(ring, n, wfNeg(normal), -c, b);
         expect_at_most(say("corners of cut %d", k), na, n + 1);
-        for (int i = 0; i < na && !areas; i++) expect_at_most(say("height of corner %d above the border, cut %d", i, k), (double)(wfDot(normal, a[i]) - c), 1e-5);
+        double above = -1e9;
+        for (int i = 0; i < na; i++) { double h = (double)(wfDot(normal, a[i]) - c); if (!(h <= above)) above = h; }
+        if (!areas) expect_at_most(say("height of the highest corner above the border, cut %d", k), above, 1e-5);
         if (areas) expect_near(say("area of both halves, cut %d", k), area(a, na) + area(b, nb), area(ring, n), 1e-4);
     }
 }
