@@ -38,7 +38,7 @@ pictures: programs
 # Which lines of collision do the unit tests run? Writes book/data/coverage.csv.
 coverage:
 	@OUT=book/data/coverage.csv tests/coverage/run.sh
-# Feeds random bytes to collision for so many SECONDS; KEEP=1 keeps in tests/fuzz/corpus what was learned.
+# Feeds random bytes to collision for so many SECONDS; KEEP=1 keeps in tests/fuzz/corpus*.tar.gz what was learned.
 SECONDS ?= 600
 fuzz:
 	@tests/fuzz/run.sh $(SECONDS)
