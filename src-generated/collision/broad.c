@@ -44,7 +44,6 @@ wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch)
     wfPoolRewind(scratch, mark);
     return WF_OK;
 }
-/* come with the methods that use them */
 
 /* list the live proxies */
 int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)

@@ -565,7 +565,7 @@ static void hand_move(wfForce *f, wfVec2 by)
 const wfForceRow wfForceTable[] = {
     [WF_FORCE_GRAVITY] = { .name = "gravity", .text = "the same acceleration for all",
         .params = 2, .apply = gravity_apply,
-        /* which not every engine has to add up */
+        /* the energy of gravity */
         .energy = gravity_energy,
         .steady = true,
     },

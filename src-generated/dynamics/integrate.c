@@ -19,7 +19,7 @@ static void find_accelerations(const wfIntegration *in, const wfBodyState *state
         wfReal m = state[i].invMass;
         out[i] = (Acceleration){ .angular = 0 };
         if (m > 0) out[i].linear = wfScale(m, forces[i].force);
-        /* of what turns */
+        /* find the angular acceleration */
         if (state[i].invInertia > 0) out[i].angular = state[i].invInertia * forces[i].torque;
     }
 }
@@ -27,7 +27,7 @@ static void find_accelerations(const wfIntegration *in, const wfBodyState *state
 static void kick(wfBodyState *s, wfReal h, const Acceleration *a)
 {
     s->v = wfAddScaled(s->v, h, a->linear);
-    /* likewise */
+    /* kick the spin */
     s->w += h * a->angular;
 }
 
@@ -35,7 +35,7 @@ static void drift(wfBodyState *s, wfReal h, wfVec2 v, wfReal w)
 {
     (void)w;
     s->p = wfAddScaled(s->p, h, v);
-    /* likewise */
+    /* drift the angle */
     s->angle += h * w;
 }
 

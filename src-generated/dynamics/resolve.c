@@ -127,8 +127,8 @@ void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
     told->bounced = 1;
     told->speed = wfMaxR(told->speed, speed);
 }
-/* from the chapter on friction on */
 
+/* rub and bounce */
 wfVec2 wfContactTangent(wfVec2 normal) { return wfPerpCW(normal); }
 
 wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, wfReal limit,

@@ -9,7 +9,6 @@
 wfReal wfApproachOf(const wfContact *c, const wfBodyState *a, const wfBodyState *b);
 /* Adds a push of `impulse` with restitution e, from an approach with `speed`. */
 void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed);
-/* friction */
 /* Resolves a contact with restitution e, and its friction; adds the impulses to its own.
  * Returns the sum of the normal ones, N s. */
 wfReal wfRubContact(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e);

@@ -372,7 +372,7 @@ static void mark_rest(Trial *t, int32_t substeps)
         bool moves = b.state[i].invMass > 0 || b.state[i].invInertia > 0;
         if (b.alive[i] && moves && b.props[i].substeps == 0) mark(t, i, substeps);
     }
-    /* if there are any */
+    /* let those who are joined keep all substeps */
     for (int32_t i = 0; i < wfWorldJointPlaces(&t->coarse); i++) {
         wfJoint j;
         if (wfGetJoint(&t->coarse, wfJointAt(&t->coarse, i), &j) != WF_OK) continue;

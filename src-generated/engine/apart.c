@@ -44,7 +44,7 @@ static void find_wants(const Apart *p)
         int32_t own = s->b.props[i].substeps;
         p->want[i] = is_moved(s, i) && own > 0 && own < most ? own : most;
     }
-    /* if there are any */
+    /* let those who are joined make all substeps */
     for (int32_t i = 0; i < s->jointSet.count; i++) {
         const wfJoint *j = &s->jointSet.joints[i];
         if (!(j->flags & WF_JOINT_BROKEN)) p->want[j->a] = p->want[j->b] = most;
@@ -113,7 +113,7 @@ static void put_back(const struct wfStep *s)
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i] || is_moved(s, i)) continue;
         s->state[i] = s->b.state[i];
-        /* if it has any */
+        /* put its digits back, too */
         if (s->fine != NULL) s->fine[i] = s->b.fine[i];
     }
 }

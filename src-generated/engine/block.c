@@ -9,7 +9,7 @@
 enum {
     STORED_TYPES = sizeof(wfHeader) + 7 * sizeof(wfBodyProps) + 127 * sizeof(wfForce)
     + 1021 * sizeof(wfBodyState)
-    /* each times a factor of its own */
+    /* other types that a block stores */
     + 3 * sizeof(wfShape) + 31 * sizeof(wfContact) + 8191 * sizeof(wfShapeProps)
     + 65537 * sizeof(wfManifoldCache)
 };
@@ -21,7 +21,7 @@ static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 static bool is_wanted(const wfWorldDef *d, int row, int chosen)
 {
     (void)d, (void)row, (void)chosen;
-    /* as they may in most worlds */
+    /* see whether methods may change */
     if (!(d->needs & WF_NEED_METHODS)) return row == chosen;
     return true;
 }
@@ -32,11 +32,11 @@ static size_t stage_scratch(const wfWorldDef *d)
     for (int i = 0; i < wfIntegratorCount; i++)
         if (is_wanted(d, i, d->integrator))
             most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
-    /* the stages that only copy need none */
+    /* see what other stages need */
     int32_t shapes = d->shapeCapacity, pairs = d->pairCapacity;
     size_t bodies = (size_t)d->bodyCapacity;
     bool boxed = true, mends = true;
-    /* who has contacts */
+    /* see who needs boxes and a solver */
     boxed = (d->needs & (WF_NEED_CONTACTS | WF_NEED_QUERIES)) != 0;
     mends = (d->needs & (WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)) != 0;
     for (int i = 0; boxed && i < wfBroadPhaseCount; i++)
@@ -107,7 +107,7 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
         const wfRegionRow *r = &wfRegionTable[i];
         out[i] = (wfRegion){ r->name, r->chunk, per[r->per], r->each, 0 };
     }
-    /* in a world that does not need them */
+    /* leave out the arrays that serve nobody */
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         uint32_t serves = wfRegionServes(i).needs;
         if (serves != 0 && (serves & d->needs) == 0) out[i].count = 0;
@@ -284,7 +284,7 @@ wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
 {
     wfBodyView view = { .count = b->head->bodySlots.high, .state = state,
                         .props = b->props, .alive = b->alive };
-    /* where there are any */
+    /* show the shapes as well */
     view.shapes = b->shapes;
     view.next = b->next;
     return view;

@@ -6,7 +6,6 @@
 /* What lies in a world's two chunks. For the engine's own files; not installed. */
 #include "weft/world.h"
 
-/* what later lines keep together */
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
 typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
@@ -99,7 +98,7 @@ typedef struct wfBlock {
 #undef WF_FRESH
     uint8_t *transient;
 } wfBlock;
-/* what calls may ask about needs */
+/* needs of a block */
 uint32_t wfNeedsOf(const wfWorldDef *def);
 /* Those of these needs that a world with `have` lacks. */
 uint32_t wfLacking(uint32_t have, uint32_t needs);
@@ -199,7 +198,7 @@ static inline wfFine *wfFineOf(const wfBlock *b)
 static inline bool wfHas(const wfHeader *h, uint32_t needs)
 {
     (void)h, (void)needs;
-    /* In an engine without this section worlds meet all needs that it can meet. */
+    /* look whether a need is met */
     if ((h->needs & needs) == 0) return false;
     return true;
 }
@@ -207,7 +206,7 @@ static inline bool wfHas(const wfHeader *h, uint32_t needs)
 static inline wfResult wfDemand(const wfBlock *b, uint32_t needs)
 {
     (void)b, (void)needs;
-    /* The same. */
+    /* demand the needs */
     uint32_t missing = wfLacking(b->head->needs, needs);
     if (missing != 0) return wfNeedError(missing);
     return WF_OK;
@@ -216,7 +215,7 @@ static inline wfResult wfDemand(const wfBlock *b, uint32_t needs)
 static inline void wfUse(wfBlock *b, uint32_t needs)
 {
     (void)b, (void)needs;
-    /* And nobody asks later. */
+    /* note the needs */
     b->head->used |= needs;
 }
 /* Removes the joints of a body. */

@@ -9,7 +9,7 @@ wfBodyDef wfDefaultBodyDef(void)
 {
     return (wfBodyDef){
         .type = WF_DYNAMIC, .gravityScale = 1,
-        /* its material, if it has one */
+        /* more of the default body */
         .density = 1, .friction = WF_R(0.5),
     };
 }
@@ -19,7 +19,7 @@ static bool numbers_are_finite(const wfBodyDef *d)
 {
     const wfReal number[] = { d->position.x, d->position.y, d->velocity.x, d->velocity.y,
         d->mass, d->gravityScale,
-        /* as there are fields */
+        /* more numbers in a definition */
         d->angle, d->angularVelocity,
         d->linearDamping, d->angularDamping,
         d->density, d->restitution, d->friction,
@@ -36,7 +36,7 @@ static wfResult check_body_def(const wfBodyDef *d)
     wfResult result = WF_OK;
     bool moves = d->velocity.x != 0 || d->velocity.y != 0;
     if (d->type == WF_STATIC && moves) return WF_ERROR_RANGE;
-    /* as there are fields */
+    /* check what else a body is made from */
     if (d->fixedRotation != 0 && d->fixedRotation != 1) return WF_ERROR_RANGE;
     if (wfAbs(d->angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
     if (d->type == WF_STATIC && d->angularVelocity != 0) return WF_ERROR_RANGE;
@@ -53,7 +53,7 @@ uint32_t wfNeedsOfBody(const wfBodyDef *d)
 {
     uint32_t needs = 0;
     (void)d;
-    /* A particle requires nothing. */
+    /* what a body's definition requires */
     if (d->angularVelocity != 0) needs |= WF_NEED_ROTATION;
     if (d->linearDamping > 0 || d->angularDamping > 0) needs |= WF_NEED_DAMPING;
     bool formed = d->shape.kind != WF_SHAPE_NONE;
@@ -72,7 +72,7 @@ typedef struct newBody {
 static wfResult weigh(const wfBodyDef *d, wfMassData *out)
 {
     *out = (wfMassData){ .mass = d->mass };
-    /* a particle has none */
+    /* weigh its shape, if it has one */
     bool formed = d->shape.kind != WF_SHAPE_NONE, dynamic = d->type == WF_DYNAMIC;
     wfResult weighed = WF_OK;
     wfShape stored = d->shape;
@@ -96,7 +96,7 @@ static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
         .props = { .type = d->type, .shape = -1, .givenMass = d->mass,
                    .gravityScale = d->gravityScale, .localCentre = mass.centre,
                    .userData = d->userData } };
-    /* a particle that nothing slows down has neither */
+    /* give the body its angle and its damping */
     wfReal angle = wfWrapAngle(d->angle);
     wfTransform origin = wfMakeTransform(d->position, angle);
     out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
@@ -123,7 +123,7 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     if (result == WF_OK && !wfBodyIsFinite(&made.state)) result = WF_ERROR_NOT_FINITE;
     if (result != WF_OK) return result;
     if (b.head->bodySlots.count == b.head->bodySlots.capacity) return WF_ERROR_FULL;
-    /* a particle needs none */
+    /* look for room for its shape */
     bool formed = def->shape.kind != WF_SHAPE_NONE;
     if (wfFreeShapes(&b) < (formed ? 1 : 0)) return WF_ERROR_FULL;
     int32_t i = wfSlotTake(&b.head->bodySlots, b.bodySlots);
@@ -132,7 +132,7 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     b.alive[i] = 1;
     bool turns = made.state.invInertia > 0;
     wfUse(&b, wfNeedsOfBody(def) | (turns ? WF_NEED_ROTATION : 0));
-    /* and gets none */
+    /* give body i the shape of its definition */
     wfShapeDef own = wfDefaultShapeDef();
     own.shape = def->shape;
     own.density = def->density;
@@ -151,7 +151,7 @@ static void clear_place(wfBlock *b, int32_t i)
     memset(&b->props[i], 0, sizeof b->props[i]);
     b->props[i].shape = -1;
     b->alive[i] = 0;
-    /* as there are arrays */
+    /* clear what else there is of body i */
     if (wfHas(b->head, WF_NEED_PUSHES)) memset(&b->applied[i], 0, sizeof b->applied[i]);
     if (wfFineOf(b) != NULL) memset(&b->fine[i], 0, sizeof b->fine[i]);
 }
@@ -162,7 +162,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
-    /* shapes, forces and more, where there are any */
+    /* remove what hangs on body i */
     wfForgetContacts(&b, i, -1);
     while (b.props[i].shape >= 0) wfDropShape(&b, b.props[i].shape);
     for (int32_t f = 0; f < b.head->forceSlots.high; f++) {
@@ -196,7 +196,7 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
     *out = (wfBodyInfo){ .type = p->type, .position = s->p, .centre = s->p,
         .velocity = s->v, .mass = p->mass, .gravityScale = p->gravityScale,
         .userData = p->userData };
-    /* of a particle that is all */
+    /* tell the rest about the body */
     out->position = origin_of(s, p);
     out->angle = s->angle;
     out->angularVelocity = s->w;
@@ -232,7 +232,7 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
     wfVec2 centre = position;
     bool turns = false;
-    /* An engine without rotation knows the angle 0. */
+    /* turn the body to its angle */
     turns = true;
     angle = wfWrapAngle(angle);
     centre = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
@@ -240,7 +240,7 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     if (!wfIsFinite2(centre)) return WF_ERROR_NOT_FINITE;
     b.state[i].p = centre;
     b.state[i].angle = angle;
-    /* nothing to a particle */
+    /* what it means that body i was moved by hand */
     wfForgetContacts(&b, i, -1);
     wfBoundBody(&b, i);
     return WF_OK;

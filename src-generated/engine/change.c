@@ -8,7 +8,7 @@
 void wfDisturb(wfBlock *b, int32_t i)
 {
     (void)b, (void)i;
-    /* In this chapter nothing: all bodies are awake. */
+    /* what it means that something was done to body i */
     if (wfFineOf(b) != NULL && i >= 0) memset(&b->fine[i], 0, sizeof b->fine[i]);
     wfRouse(b, i);
 }
@@ -48,7 +48,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     uint32_t used = 0;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        /* since its need is absent */
+        /* refuse a setting that has no meaning here */
         bool idle = s->need != 0 && (s->need & is.needs) == 0;
         double wish = wfSettingValue(def, s, 0), now = wfSettingValue(&is, s, 0);
         if (idle && wish != 0 && wish != now) return wfNeedError(s->need & wfAllNeeds());
@@ -59,13 +59,13 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
         if (s->method) used |= WF_NEED_METHODS;
         if (s->law) same = false;
     }
-    /* Later chapters need more. */
+    /* what else a change of the settings needs */
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
     if (large && !h->large) return WF_ERROR_MEMORY;
     bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;
     if (matrix != (d.exactJoints != WF_JOINTS_ONE_BY_ONE)) return WF_ERROR_MEMORY;
     if (!same) wfDisturb(b, -1);
-    /* what was true may be so no longer */
+    /* before the settings change */
     if (!d.queries) h->indexStale = 1;
     if (h->exactCost < d.exactCost || h->exactCost > d.exactCost
         || h->exactJoints != d.exactJoints)

@@ -366,13 +366,13 @@ static bool check_joints(Check *c)
     const uint8_t *base = (const uint8_t *)h;
     const wfSlot *slot = (const void *)(base + h->offset[WF_REGION_JOINT_SLOTS]);
     const wfJoint *joint = (const void *)(base + h->offset[WF_REGION_JOINTS]);
-    /* of those that are solved together */
+    /* find the list of joints alone */
     const uint8_t *alone = base + h->offset[WF_REGION_ALONE];
     if (!check_slots(c, &h->jointSlots, WF_REGION_JOINT_SLOTS, slot)
         || !counts(c, h->brokenCount, c->region[WF_REGION_BROKEN].count,
                    "broken joints fit")) return false;
     for (int32_t i = 0; i < h->jointSlots.high; i++) {
-        /* where joints can be solved together */
+        /* check whether a joint is alone */
         if (!rule(c, alone[i] <= 1, WF_REGION_ALONE, i, "alone is 0 or 1")) return false;
         if (slot[i].next != WF_SLOT_LIVE) continue;
         const wfJoint *j = &joint[i];

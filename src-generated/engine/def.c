@@ -4,7 +4,7 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* a helper or two, in later groups */
+/* what the defaults need */
 static int32_t row_or_first(int row) { return row < 0 ? 0 : row; }
 
 wfWorldDef wfDefaultWorldDef(void)
@@ -39,7 +39,7 @@ wfWorldDef wfDefaultWorldDef(void)
 wfWorldDef wfCompleteDef(const wfWorldDef *def)
 {
     wfWorldDef d = *def;
-    /* the number of bodies is the user's to say */
+    /* leave no capacity open */
     if (d.shapeCapacity == 0) d.shapeCapacity = d.bodyCapacity;
     int64_t n = d.shapeCapacity;
     int64_t all = n * (n - 1) / 2, some = 16 * n;
@@ -47,7 +47,7 @@ wfWorldDef wfCompleteDef(const wfWorldDef *def)
     if (d.pairCapacity > WF_MAX_CAPACITY) d.pairCapacity = WF_MAX_CAPACITY;
     if (d.pairCapacity < 1) d.pairCapacity = 1;
     if (d.contactCapacity == 0) d.contactCapacity = d.pairCapacity;
-    /* of what may be left out */
+    /* leave out what is not needed */
     d.needs = wfNeedsOf(&d);
     if (!(d.needs & WF_NEED_FORCES)) d.forceCapacity = 0;
     if (!(d.needs & WF_NEED_SHAPES)) d.shapeCapacity = 0;
@@ -60,8 +60,8 @@ wfWorldDef wfCompleteDef(const wfWorldDef *def)
     if (!(d.needs & WF_NEED_SLEEP)) d.sleep = 0;
     return d;
 }
-/* in the section on needs */
 
+/* check what settings have to do with each other */
 static wfResult check_needs(const wfWorldDef *def, const wfSetting **fault)
 {
     wfWorldDef usual = wfDefaultWorldDef();
@@ -89,7 +89,7 @@ wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault)
             if (result != WF_OK && fault != NULL) *fault = s;
         }
     }
-    /* The section on needs says more. */
+    /* see that every setting has its need */
     if (result == WF_OK) result = check_needs(def, fault);
     return result;
 }

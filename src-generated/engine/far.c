@@ -80,7 +80,7 @@ static bool is_exact_move(wfReal after, wfReal before, wfReal by)
 static void move_lists(wfBlock *b, wfVec2 by)
 {
     (void)b, (void)by;
-    /* besides bodies */
+    /* move what else names places */
     bool boxed = wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES);
     for (int32_t k = 0; k < b->head->shapeSlots.high && boxed; k++) {
         int32_t i = b->owners[k];
@@ -112,7 +112,7 @@ static wfResult check_move(const wfBlock *b, wfVec2 by, wfFar *to)
     if (!is_exact_sum(to->y, from.y, (double)by.y)) return WF_ERROR_RANGE;
     for (int32_t i = 0; i < b->head->bodySlots.high; i++)
         if (!wfIsFinite2(wfSub(b->state[i].p, by))) return WF_ERROR_RANGE;
-    /* forces, joints */
+    /* check that what else names places can be moved */
     for (int32_t i = 0; i < b->head->forceSlots.high; i++) {
         wfForce moved = b->forces[i];
         if (b->forceSlots[i].next != WF_SLOT_LIVE) continue;

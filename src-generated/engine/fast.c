@@ -162,7 +162,7 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
     for (int32_t n = 0; n < s->sparedCount; n++)
         if (s->spared[n].a == p.a && s->spared[n].b == p.b) return false;
     bool may = true;
-    /* who is joined, and whom the user does not want */
+    /* who else is not met */
     if (wfIsJoined(s, i, j)) return false;
     const wfHooks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
@@ -648,7 +648,7 @@ static wfResult ask_to_pass(struct wfStep *s, wfContact *c, const wfBodyState tw
     wfResult result = WF_OK;
     (void)s, (void)two;
     *pass = c->manifold.count == 0;
-    /* where the engine has hooks */
+    /* ask the user at the moment of the impact */
     const int32_t who[2] = { c->a, c->b };
     wfBodyState kept[2];
     bool enabled = true;
@@ -726,7 +726,7 @@ static wfResult impact(struct wfStep *s, wfFlight *f)
         s->spared[s->sparedCount++] = later ? (wfPair){ p.b, p.a } : p;
         return WF_OK;
     }
-    /* where anybody sleeps */
+    /* wake whom the impact concerns */
     for (int i = 0; i < 2 && !pass; i++) wfWakeInStep(s, who[i]);
     if (s->again) return WF_OK;
     if (!pass) result = strike(s, p, who, t, &c);
@@ -831,7 +831,7 @@ static wfResult fly(struct wfStep *s)
     for (int32_t n = 0; n < s->flightCount; n++)
         wfWrapBodyAngle(&s->state[s->flights[n].body]);
     result = wfFindPairsAgain(s);
-    /* those that are joined */
+    /* leave out pairs once more */
     if (result == WF_OK) result = wfLeaveOutJoined(s);
     return result;
 }

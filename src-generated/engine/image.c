@@ -65,7 +65,7 @@ static wfResult measure(const wfHeader *head, wfImage *out)
     out->head = *head;
     out->head.busy = 0;
     out->head.indexStale = 1;
-    /* beside the index */
+    /* forget in the header what can be found again */
     out->head.machines = 0;
     out->size = 0;
     for (int i = 0; i < WF_REGION_KEPT; i++) {

@@ -28,7 +28,7 @@ wfShapeDef wfDefaultShapeDefFor(const wfWorld *world)
 static uint32_t needs_used(const wfHeader *h)
 {
     uint32_t used = h->used;
-    /* by what leaves its mark elsewhere */
+    /* what else was used */
     if (h->mostPairs > 0) used |= WF_NEED_CONTACTS;
     bool moves = wfSolverTable[h->solver].step != NULL && (h->needs & WF_NEED_SUBSTEPS);
     if (moves) used |= WF_NEED_SUBSTEPS;
@@ -81,7 +81,7 @@ static uint32_t needs_listed(const wfSceneList *list, int32_t *shapes)
     if (list->shapeCount > 0) needs |= WF_NEED_COMPOUNDS;
     *shapes += list->shapeCount;
     if (*shapes > 1) needs |= WF_NEED_CONTACTS;
-    /* Later chapters know more. */
+    /* what else a list requires */
     if (list->jointCount > 0) needs |= WF_NEED_JOINTS;
     return needs;
 }
@@ -100,7 +100,7 @@ wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef
     def->forceCapacity = list->forceCount;
     def->shapeCapacity = shapes;
     def->pairCapacity = def->contactCapacity = 0;
-    /* Later chapters know more. */
+    /* what else a list has room for */
     def->jointCapacity = list->jointCount;
     return WF_OK;
 }

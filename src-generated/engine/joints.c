@@ -332,7 +332,7 @@ wfResult wfTakeJoints(struct wfStep *s)
     if (result == WF_OK) result = wfBeginJoints(&s->jointSet, s->count, &pool,
                                                   &s->jointLaws);
     if (result == WF_OK) s->laws = &s->jointLaws;
-    /* see the direct solver */
+    /* solve the joints together, if that is wanted */
     s->jointSet.give = s->b.head->jointGive;
     if (result == WF_OK && s->b.head->exactJoints) result = solve_machines(s);
     return result;
@@ -359,7 +359,7 @@ wfResult wfKeepJoints(struct wfStep *s)
     wfHeader *head = s->b.head;
     wfJoints j = wfJointsOf(&s->b);
     head->brokenCount = 0;
-    /* where some may be */
+    /* keep what was solved together */
     head->together = 0;
     head->unsolved = s->jointSet.unsolved;
     for (int32_t i = 0; s->jointSet.together != NULL && i < s->jointSet.count; i++)

@@ -103,7 +103,6 @@ uint64_t wfHashWorld(const wfWorld *world)
             h = wfHashReal(wfHashReal(wfHashReal(h, f->p.x), f->p.y), f->angle);
             h = wfHashReal(wfHashReal(wfHashReal(h, f->v.x), f->v.y), f->w);
         }
-        /* In this chapter nothing. */
         if (wfSleeps(&b, i)) h = wfHashU32(h, UINT32_MAX);
     }
     return h;
@@ -130,7 +129,7 @@ wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential)
     double moving = 0, stored = energy_in(&gravity, &bodies);
     for (int32_t i = 0; i < bodies.count; i++)
         moving += (double)wfKineticEnergy(&b.state[i]);
-    /* where there are any */
+    /* add the energy of the registered forces */
     for (int32_t i = 0; i < b.head->forceSlots.high; i++)
         if (b.forceSlots[i].next == WF_SLOT_LIVE)
             stored += energy_in(&b.forces[i], &bodies);

@@ -3,8 +3,6 @@
 #include <string.h>
 #include "engine/block.h"
 
-/* where pairs may be known */
-
 /* The place of a pair in the list: where it is, or where it would have to be. */
 static int32_t place_of_pair(const wfBlock *b, int32_t one, int32_t two)
 {
@@ -32,7 +30,7 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two)
 {
     const wfHeader *h = b->head;
-    /* and mix if it is not */
+    /* look whether the pair is known */
     if (one->material > 0 && two->material > 0 && h->knownPairs > 0) {
         int32_t at = place_of_pair(b, one->material, two->material);
         if (is_pair(b, at, one->material, two->material)) return b->known[at].m;

@@ -85,7 +85,7 @@ wfRegionUse wfRegionServes(int region)
 uint32_t wfNeedsOf(const wfWorldDef *d)
 {
     uint32_t needs = wfCloseNeeds(d->needs);
-    /* An integrator needs nothing. */
+    /* what the methods imply */
     bool is = d->solver >= 0 && d->solver < wfSolverCount;
     bool steps = is && wfSolverTable[d->solver].step != NULL;
     if (steps && (needs & WF_NEED_CONTACTS)) needs |= WF_NEED_SUBSTEPS;

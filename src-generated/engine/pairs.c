@@ -49,15 +49,15 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
 {
     const struct wfStep *s = context;
     bool senses = false, may = true;
-    /* It does if one of the two is a sensor. */
+    /* see whether the pair senses */
     bool first = wfIsSensor(&s->b, a), second = wfIsSensor(&s->b, b);
     if (first && second) return false;
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
-    /* In this chapter nobody else. */
+    /* who else makes no pair */
     if (!senses && !wfMovesNow(s, s->b.owners[a]) && !wfMovesNow(s, s->b.owners[b]))
         return false;
-    /* See the section on hooks. */
+    /* ask the user about the pair */
     const wfHooks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
         may = hooks->filter(hooks->context, &s->view, a, b);
@@ -74,11 +74,11 @@ static wfResult find_pairs(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     bool rule = false, asked = false;
-    /* Who has none of what follows does without. */
+    /* who needs the rule for pairs */
     rule = rule || head->sensorCount > 0;
     rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
     rule = rule || head->asleep > 0;
-    /* Who moves. */
+    /* who needs the index */
     asked = head->queries && head->indexStale;
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
@@ -137,7 +137,7 @@ wfResult wfPrepareIndex(struct wfStep *s)
     }
     wfPoolRewind(&s->scratch, mark);
     wfResult result = WF_OK;
-    /* for queries, and only for them */
+    /* bring the index up to date */
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     if (s->index != NULL && s->b.head->queries)
         result = wfUpdateIndex(s->b.head->broadPhase, &proxies, s->index,

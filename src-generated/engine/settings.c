@@ -21,7 +21,7 @@
 #define WF_CHOICE(names) .kind = WF_SETTING_CHOICE, .rows = names, \
     .rowSize = sizeof *names, .rowCount = &names##Count
 
-/* Later chapters have settings with named values. */
+/* names of choices */
 static const char *const wfExactNames[] = { "one-by-one", "together", "auto" };
 static const int wfExactNamesCount = 3;
 
@@ -194,7 +194,7 @@ wfResult wfCheckSetting(const wfSetting *s, double value)
     if (!(value - value == 0)) return WF_ERROR_NOT_FINITE;      /* NaN, or infinite */
     if (s->kind == WF_SETTING_ROW)
         return value >= 0 && value < *s->rowCount ? WF_OK : WF_ERROR_UNKNOWN;
-    /* the bits of a set */
+    /* see that all of a set is known */
     bool set = s->kind == WF_SETTING_SET && value >= 0 && value <= UINT32_MAX;
     if (set && ((uint32_t)value & ~wfAllNeeds()) != 0) return WF_ERROR_UNKNOWN;
     double most = s->kind == WF_SETTING_CHOICE ? *s->rowCount - 1 : s->most;

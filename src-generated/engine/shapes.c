@@ -13,7 +13,7 @@ static wfResult check_shape_def(const wfShapeDef *d)
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
     if (d->staticFriction < 0 || d->material < 0) return WF_ERROR_RANGE;
     bool may = false;
-    /* not unless the engine knows sensors */
+    /* see whether a shape may be a sensor */
     may = true;
     if (d->sensor != 0 && (d->sensor != 1 || !may)) return WF_ERROR_RANGE;
     return d->shape.kind == WF_SHAPE_NONE ? WF_ERROR_RANGE : wfCheckShape(&d->shape);
@@ -220,7 +220,7 @@ static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
         .reach = wfShapeReach(&def->shape),
         .sensor = def->sensor, .material = def->material, .userData = def->userData };
     b->materials[k].arm = b->materials[k].reach - def->shape.radius;
-    /* to bodies that are not fast, nothing */
+    /* note what else matters about shape k */
     b->materials[k].inner = wfInnerRadius(&def->shape);
 }
 

@@ -26,7 +26,7 @@ static void count_kept(struct wfStep *s)
         s->kept.pairs += keeps(s, b->pairs[i].a, b->pairs[i].b);
     for (int32_t i = 0; i < b->head->kept.contacts; i++)
         s->kept.contacts += keeps(s, b->contacts[i].shapeA, b->contacts[i].shapeB);
-    /* where touches are noted */
+    /* count the touches of sleepers */
     for (int32_t i = 0; i < b->head->kept.touches; i++)
         s->kept.touches += keeps(s, b->touches[i].a, b->touches[i].b);
 }
@@ -168,7 +168,7 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
     wfPlant(l->parent, s->count);
     for (int32_t i = 0; i < s->count; i++) {
         bool pushed = false;
-        /* from outside */
+        /* see whether body i is pushed */
         const wfBodyForces *f = &s->b.applied[i];
         if (wfHas(s->b.head, WF_NEED_PUSHES))
             pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
@@ -177,7 +177,7 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
         l->marks[i] = pushed || (r.flags[i] & WF_REST_NEVER) ? LINK_RESTLESS : 0;
     }
     link_contacts(s, l);
-    /* where there are any */
+    /* link what joints and forces hold together */
     for (int32_t i = 0; i < s->jointSet.count; i++) {
         const wfJoint *j = &s->jointSet.joints[i];
         if (!(j->flags & WF_JOINT_BROKEN)) link_bodies(s, l, j->a, j->b);
@@ -342,7 +342,7 @@ static void sort_lists(struct wfStep *s)
                       offsetof(wfContact, shapeA) };
     sort_out(s, pairs, caches, &kept.pairs, &s->pairs.count);
     sort_out(s, contacts, none, &kept.contacts, &s->contactCount);
-    /* where touches are noted */
+    /* sort out the touches */
     List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouch), 0 };
     if (b->head->events) sort_out(s, touches, none, &kept.touches, &s->touchCount);
     s->kept = kept;

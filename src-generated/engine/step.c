@@ -13,7 +13,7 @@ static wfResult copy_states(struct wfStep *s)
     s->present = wfTransient(&s->b, WF_REGION_PRESENT);
     memcpy(s->present, s->b.alive, (size_t)s->count);
     s->all = true;
-    /* in this chapter all do */
+    /* say which bodies do not take part */
     s->shapeCount = s->b.head->shapeSlots.high;
     s->kept = s->b.head->kept;     /* in this chapter nothing is */
     s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
@@ -32,13 +32,12 @@ static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
     s->forces[s->forceCount++] = wfGravity(s->b.head->gravity);
-    /* those of the force table */
+    /* list the registered forces */
     for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
         if (s->b.forceSlots[i].next == WF_SLOT_LIVE)
             s->forces[s->forceCount++] = s->b.forces[i];
     return WF_OK;
 }
-/* where anything damps them */
 
 /* damp the states by eq:world-split */
 static wfResult damp_half(struct wfStep *s)
@@ -56,7 +55,7 @@ static wfResult damp_half(struct wfStep *s)
 static wfResult damp_again(struct wfStep *s)
 {
     bool later = false;                     /* after a solver that steps by itself */
-    /* with contacts it may */
+    /* see whether the second half comes later */
     later = wfSolverSteps(s);
     return later ? WF_OK : damp_half(s);
 }
@@ -69,7 +68,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
     (void)count;
-    /* where that is possible */
+    /* add what the user applied */
     bool pushed = wfHas(s->b.head, WF_NEED_PUSHES);
     for (int i = 0; pushed && i < count; i++) {
         if (!s->present[i]) continue;
@@ -102,7 +101,7 @@ static wfResult sum_forces(struct wfStep *s)
 static wfResult integrate(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
-    /* where there is one */
+    /* leave it to a solver that steps by itself */
     if (wfSolverSteps(s)) return sum_forces(s);
     wfIntegration in = { .state = s->state, .count = s->count, .time = (wfReal)head->time,
                          .h = head->dt, .forces = forces_on, .context = s,
@@ -116,10 +115,10 @@ static wfResult check_states(struct wfStep *s)
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i]) continue;
         if (!wfBodyIsFinite(&s->state[i])) return WF_ERROR_NOT_FINITE;
-        /* which nothing has turned */
+        /* take full turns off the angle of body i */
         wfWrapBodyAngle(&s->state[i]);
     }
-    /* there are none yet */
+    /* check that contacts are finite */
     for (int32_t i = 0; i < s->contactCount; i++) {
         const wfContact *c = &s->contacts[i];
         wfReal nought = 0 * c->manifold.normal.x + 0 * c->manifold.normal.y
@@ -136,7 +135,6 @@ static wfResult check_states(struct wfStep *s)
     double end = s->b.head->time + (double)s->b.head->dt;
     return wfIsFinite((wfReal)end) ? WF_OK : WF_ERROR_NOT_FINITE;
 }
-/* whom have they met? */
 
 /* resolve the contacts */
 int32_t wfPassesOf(const wfHeader *head)
@@ -144,8 +142,7 @@ int32_t wfPassesOf(const wfHeader *head)
     return head->iterations > 0 ? head->iterations : wfUsualPasses(head->solver);
 }
 
-/* only one solver wants to know */
-
+/* find how fast overlaps may be left */
 static wfReal recovery_speed(const wfHeader *head)
 {
     wfReal speed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps);
@@ -162,7 +159,7 @@ static wfSolve to_solve(struct wfStep *s)
         .substeps = head->substeps, .laws = s->laws,
         .scratch = &s->scratch, .report = &s->report,
         .present = s->all ? NULL : s->present,
-        /* what only one solver wants to know */
+        /* what else a solver is told */
         .told = s->told,
         .recoverySpeed = recovery_speed(head),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
@@ -179,11 +176,11 @@ static wfResult solve_velocities(struct wfStep *s)
     if (!wfSolverSteps(s)) return wfSolveVelocities(s->b.head->solver, &solve);
     wfResult result = WF_OK;
     bool done = false;
-    /* in this chapter all step together */
+    /* let islands step by themselves */
     done = wfStepsApart(s);
     if (done) result = wfStepApart(s, &solve);
     if (!done) result = wfSolverTable[s->b.head->solver].step(&solve);
-    /* the second half of the damping */
+    /* damp the states behind the solver */
     if (result == WF_OK) result = damp_half(s);
     return result;
 }
@@ -206,7 +203,7 @@ static wfResult commit(struct wfStep *s)
     wfHeader *head = s->b.head;
     wfKeepRest(s);
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
-    /* contacts and events, where there are any */
+    /* commit what was found */
     if (wfHas(head, WF_NEED_PUSHES))
         memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
     copy_back(s->b.bounds, s->bounds, s->shapeCount, sizeof *s->bounds);
@@ -314,7 +311,7 @@ const wfStageRow wfStageTable[] = {
     { "events", "say what began, goes on and ended",
       "new touches, touches", "new events", wfTellEvents,
       WF_NEED_EVENTS, 0 },
-    /* whatever has to be ready before that */
+    /* stages before the end */
     { "index", "prepare the answers to queries",
       "new states, shapes", "new bounds, new index", wfPrepareIndex,
       0, WF_NEED_QUERIES },
@@ -335,20 +332,19 @@ static wfResult run_stages(struct wfStep *step)
 {
     wfResult result = WF_OK;
     for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
-        /* in this world */
+        /* pass over a stage that nobody needs */
         if (!wfStageRuns(&wfStageTable[i], step->b.head->needs)) continue;
         const wfStepClock *clock = step->clock;
         double start = clock == NULL ? 0 : clock->now(clock->context);
         result = wfStageTable[i].run(step);
-        /* if somebody has a clock */
+        /* take the time of a stage */
         if (clock != NULL) clock->seconds[i] += clock->now(clock->context) - start;
-        /* no stage of this chapter does */
+        /* begin anew if a stage says so */
         if (result == WF_OK && step->again) {
             int32_t restarts = step->restarts + 1;
             *step = (struct wfStep){ .b = step->b,
                 /* what a step keeps that begins anew */
                 .clock = step->clock,
-                /* whom to ask, if the user has hooks */
                 .hooks = step->hooks,
             };
             step->restarts = restarts;

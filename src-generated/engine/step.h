@@ -10,7 +10,7 @@
 struct wfStep {
     wfBlock          b;
     wfPool           scratch;
-    /* who looks on */
+    /* what a step works with at all */
     const wfStepClock *clock;     /* that times the stages, or NULL */
     int32_t          count;       /* places for bodies in use */
     uint8_t         *present;     /* 1: a body that takes part in the step */
@@ -20,7 +20,7 @@ struct wfStep {
     wfBodyState     *state;       /* the new states */
     wfForce         *forces;      /* the forces that act in this step */
     int32_t          forceCount;
-    /* those of an engine that knows no contacts end here */
+    /* arrays of the second half */
     int32_t          shapeCount;  /* places for shapes in use */
     int32_t          movers;      /* how many bodies can move, or do */
     wfKept           kept;        /* of the last step, and not to be looked at again */
@@ -70,7 +70,6 @@ struct wfStep {
     wfReal          *clocks;      /* new clocks of rest */
     wfIslands        islands;
 };
-/* that stand in files of their own */
 
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverSteps(const struct wfStep *s);

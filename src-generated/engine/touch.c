@@ -48,7 +48,6 @@ static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
               && t->stampB == b->shapeSlots[p.b].generation;
     return found || (w->after != NULL && touched_before(b, w->after, p));
 }
-/* for events, sensors and hooks */
 
 /* note the touches */
 enum {
@@ -284,24 +283,24 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     start_contact(s, p, c);
     const wfContact *old = old_contact(&s->b, w, p);
     bool was = false, enabled = true;
-    /* Without events nobody remembers. */
+    /* see whether the pair p touched before */
     was = touched_before(&s->b, w, p);
     wfReal ahead = wfSolverSteps(s) ? wfWayOfPair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, c->slop) : ahead;
     wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], c);
     if (result != WF_OK || c->manifold.count == 0) return result;
     if (old != NULL) wfCarryImpulses(old, c);
-    /* The user may be asked: section "Hooks". */
+    /* ask whether the contact c is wanted */
     if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, c, &enabled);
     if (result != WF_OK || !enabled) return result;
-    /* For events, and only for them. */
+    /* note the touch of the contact c */
     bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
     note_touch(s, c, is);
     if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
     drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
-    /* In this chapter nobody. */
+    /* whom the contact c concerns besides its bodies */
     wfWakeInStep(s, c->a);
     wfWakeInStep(s, c->b);
     s->contactCount++;
@@ -321,7 +320,7 @@ wfResult wfFindContacts(struct wfStep *s)
     wfResult result = WF_OK;
     s->caches = wfTransient(&s->b, WF_REGION_NEW_CACHES);
     s->contacts = wfTransient(&s->b, WF_REGION_NEW_CONTACTS);
-    /* for events */
+    /* begin to note touches */
     walk.touch = head->kept.touches;
     walk.touches = head->touchCount;
     s->touches = wfTransient(&s->b, WF_REGION_NEW_TOUCHES);
@@ -338,7 +337,7 @@ wfResult wfFindContacts(struct wfStep *s)
             WF_FETCH_SOON(&soon->normals[0]);
             WF_FETCH_SOON(&soon->normals[3]);
         }
-        /* where there are sensors */
+        /* leave a sensor's pair to its own function */
         wfPair p = s->pairs.pairs[i];
         if (wfIsSensor(&s->b, p.a) || wfIsSensor(&s->b, p.b)) {
             result = sense_pair(s, i);
@@ -371,7 +370,7 @@ static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
     while (*at < count && before(c[*at].shapeA, c[*at].shapeB, p)) ++*at;
     wfTold told = { .impulse = 0 };
     if (*at < count && c[*at].shapeA == a && c[*at].shapeB == b) told = s->told[*at];
-    /* In this chapter all happens at contacts. */
+    /* add what else happened to this pair */
     const wfStrike *strike = strike_of(s, a, b);
     if (strike != NULL) {
         told.impulse += strike->impulse;
@@ -484,7 +483,7 @@ wfResult wfTellEvents(struct wfStep *s)
                             .end = { list[2], 0, most } };
     const wfTouch *old = s->b.touches + s->b.head->kept.touches;
     int32_t oldCount = s->b.head->touchCount - s->b.head->kept.touches;
-    /* In this chapter those of all contacts are among them. */
+    /* which other touches of the last step are compared */
     if (s->roused) {
         wfTouch *all = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
         oldCount = wfOldTouches(s, all);
@@ -492,7 +491,7 @@ wfResult wfTellEvents(struct wfStep *s)
     }
     wfResult result = wfCompareTouches(old, oldCount, s->touches, s->touchCount, &found);
     part_stays(&found);
-    /* In this chapter none. */
+    /* which touches go on without a look */
     if (s->b.head->sensorCount > 0) wfAddSensed(s, &found.stay);
     s->events = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
     const wfTouchList *lists[3] = { &found.begin, &found.stay, &found.end };

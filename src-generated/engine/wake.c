@@ -31,7 +31,7 @@ void wfRouse(wfBlock *b, int32_t i)
             const wfContact *c = &b->contacts[k];
             if (c->a == i || c->b == i) wfRouseIsland(b, &r, c->a == i ? c->b : c->a);
         }
-        /* by joints and forces, where there are any */
+        /* rouse what hangs on body i */
         wfRouseJoined(b, i);
         for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
             const wfForce *f = &b->forces[k];

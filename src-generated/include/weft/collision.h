@@ -10,7 +10,6 @@
 #include "weft/narrow.h"
 #include "weft/contact.h"
 #include "weft/compound.h"
-/* times of impact, queries, events */
 #include "weft/impact.h"
 #include "weft/query.h"
 #include "weft/events.h"

@@ -15,7 +15,6 @@
 wfResult wfCombineMasses(const wfMassData *parts, int n, wfMassData *out);
 /* The same for n >= 1 shapes of one density (kg/m^2). Also what wfShapeMass returns. */
 wfResult wfShapesMass(const wfShape *shapes, int n, wfReal density, wfMassData *out);
-/* cutting them into convex pieces, making chains: the part "compounds" */
 /* 1 if c is to the left of the way from a to b, -1 to the right, 0 exactly on the line (eq:
    compound-orientation). Exact if each coordinate is 0 or between 1e-100 and 1e100. */
 int wfOrientation(wfVec2 a, wfVec2 b, wfVec2 c);

@@ -45,7 +45,6 @@ typedef struct wfMassData {
     wfReal inertia;             /* kg m^2: moment of inertia about the centre of mass     */
     wfReal area;                /* m^2                                                    */
 } wfMassData;
-/* these functions are here if the engine has the part "shapes" */
 /* A circle. WF_ERROR_NULL, _NOT_FINITE, _SIZE. */
 wfResult wfMakeCircle(wfVec2 centre, wfReal radius, wfShape *out);
 /* The convex hull of n points, counter-clockwise from the leftmost (lowest of several), in

@@ -95,7 +95,6 @@ typedef struct wfBodyDef {
     wfVec2   velocity;         /* of the centre of mass, m/s */
     wfReal   mass;             /* kg; 0: from the density. A particle needs one */
     wfReal   gravityScale;     /* multiplies gravity */
-    /* what follows is there as far as the engine has these parts */
     wfReal   angle;            /* rad */
     wfReal   angularVelocity;  /* rad/s */
     int32_t  fixedRotation;    /* 1: never turns */
@@ -110,7 +109,6 @@ typedef struct wfBodyDef {
 /* A dynamic particle at the origin, at rest, no mass of its own; density 1 and friction
  * 0.5, should it get a shape. */
 wfBodyDef wfDefaultBodyDef(void);
-/* shapes, forces, events, hooks and queries, as the engine has them */
 
 typedef struct wfShapeDef {
     wfShape  shape;            /* in the frame of the body's origin */
@@ -314,7 +312,6 @@ enum {
 /* What a definition requires. */
 uint32_t wfNeedsOfBody(const wfBodyDef *def);
 uint32_t wfNeedsOfShape(const wfShapeDef *def);
-/* bit by bit */
 
 typedef struct wfNeedRow {
     const char *name, *text;
@@ -471,7 +468,6 @@ typedef struct wfBodyInfo {
     wfVec2   velocity;         /* of the centre of mass, m/s */
     wfReal   mass;             /* kg */
     wfReal   gravityScale;
-    /* as far as the engine has it */
     wfReal   angle;            /* rad, -pi to pi */
     wfReal   angularVelocity;  /* rad/s */
     wfReal   inertia;          /* kg m^2 about the centre of mass; 0 when not dynamic */
