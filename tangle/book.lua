@@ -175,6 +175,20 @@ function Book:check_lines()
   end
 end
 
+-- The pieces that only say that nothing is here yet, of chunks that have another piece (of those in keep; nil: of all). They are not tangled:
+-- above what is there they would be untrue. A set of their indices.
+function Book:idle(keep)
+  local hollow, filled, idle = {}, {}, {}
+  for i, c in ipairs(self.chunks) do
+    local text = {}
+    for _, it in ipairs(c.items) do text[#text + 1] = it.kind == "nl" and "\n" or it.kind == "use" and "use" or it.text end
+    hollow[i] = not Book.is_root(c.name) and not table.concat(text):gsub("/%*.-%*/", ""):match("%S")
+    if not hollow[i] and not (keep and not keep[i]) then filled[c.name] = true end
+  end
+  for i, c in ipairs(self.chunks) do idle[i] = hollow[i] and filled[c.name] end
+  return idle
+end
+
 function Book:alone(c, it)
   self:complain(c.file, it.line, "a chunk reference shares its line with other text",
     "put the reference on a line of its own; if a shift was meant, write @<< and @>>")

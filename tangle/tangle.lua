@@ -137,31 +137,15 @@ local function mark(c)
   return lines
 end
 
--- A piece that only says that nothing is here yet is not written when another piece is: it would be untrue above it.
-local function is_hollow(c)
-  if Book.is_root(c.name) then return false end
-  local text = {}
-  for _, it in ipairs(c.items) do
-    if it.kind == "use" then return false end
-    text[#text + 1] = it.kind == "nl" and "\n" or it.text
-  end
-  return not table.concat(text):gsub("/%*.-%*/", ""):match("%S")
-end
-local filled = {}                               -- chunks that have a piece with something in it
-for i, c in ipairs(book.chunks) do if not (keep and not keep[i]) and not is_hollow(c) then filled[c.name] = true end end
-
 local roots = assert(io.open(roots_file, "w"))
 local listed = {}
 local out, index = {}, 0
 local function put(l) out[#out + 1] = l end
 local pending, absent                           -- absent: the piece is not in this engine and becomes documentation
-local function is_absent(i)
-  local c = book.chunks[i]
-  return keep and not keep[i] or c and filled[c.name] and is_hollow(c)
-end
+local idle = book:idle(keep)
 for l in text:gmatch("([^\n]*)\n") do
   local key, rest = l:match("^@(%S+) ?(.*)$")
-  if key == "begin" and rest:match("^code") and is_absent(index + 1) then
+  if key == "begin" and rest:match("^code") and (keep and not keep[index + 1] or idle[index + 1]) then
     absent = true
     put("@begin docs " .. rest:match("%d+"))
   elseif absent then
