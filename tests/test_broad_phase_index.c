@@ -395,6 +395,34 @@ static void test_living_worlds(void **state)
     }
 }
 
+/* A step works on a copy and copies it back. What was not copied is poison: whoever reads it finds other pairs, or crashes. */
+static void test_copies_of_indices(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(33);
+    static _Alignas(16) uint8_t kept[1 << 15];
+    for (int round = 0; round < 3000; round++) {
+        int row = round % wfBroadPhaseCount, kind = random_world(&r);
+        size_t room = wfIndexSize(row, 48);
+        memset(kept, 0, room);
+        for (int step = 0; step < 8; step++) {
+            int n = oracle(wanted);
+            wfPool pool = pool_of(wfBroadPhaseTable[row].scratch(world.in.count, n));
+            memset(index_a, 0xA5, room + MARGIN);
+            wfCopyIndex(row, index_a, kept, room, world.in.count, false);
+            assert_ok(wfUpdateIndex(row, &world.in, index_a, room, &pool));
+            if (step != 0 && step == round / wfBroadPhaseCount % 8) continue;           /* a step that failed is not copied back */
+            wfCopyIndex(row, kept, index_a, room, world.in.count, true);
+            assert_untouched(index_a + room);
+            wfPairList list = list_of(n);
+            assert_ok(wfIndexPairs(row, &world.in, kept, &pool, &list));
+            assert_same_pairs(&list, wanted, n);
+            assert_area(row, kept, random_area(&r, kind));
+            live_on(&r, kind);
+        }
+    }
+}
+
 /* Larger worlds, in which a walk through cells and trees is long: rays of all directions against everybody. */
 static void test_many_rays(void **state)
 {
@@ -1317,7 +1345,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_filter_rule), cmocka_unit_test(test_pair_wanted), cmocka_unit_test(test_filters_come_before_tests),
         cmocka_unit_test(test_filters_by_hand), cmocka_unit_test(test_cast_predicate), cmocka_unit_test(test_living_worlds),
-        cmocka_unit_test(test_many_rays), cmocka_unit_test(test_rays_on_a_lattice), cmocka_unit_test(test_near_before_far),
+        cmocka_unit_test(test_copies_of_indices), cmocka_unit_test(test_many_rays), cmocka_unit_test(test_rays_on_a_lattice), cmocka_unit_test(test_near_before_far),
         cmocka_unit_test(test_update_errors), cmocka_unit_test(test_question_errors), cmocka_unit_test(test_strange_indices),
         cmocka_unit_test(test_tree_changes), cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_tree_stays_low),
         cmocka_unit_test(test_tree_by_hand), cmocka_unit_test(test_fat_boxes), cmocka_unit_test(test_tree_is_left_alone),

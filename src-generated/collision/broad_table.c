@@ -79,7 +79,7 @@ const wfBroadPhaseRow wfBroadPhaseTable[] = {
       .indexSize = wfQuadIndexSize, .update = wfQuadUpdate, .pairs = wfQuadPairs,
       .query = wfQuadQuery, .cast = wfQuadCast, .boxes = wfQuadBoxes },
     { .name = "dynamic-tree", .text = "keeps a tree of fat boxes", .scratch = wfTreeScratch,
-      .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .pairs = wfTreePairs,
+      .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .copy = wfTreeCopy, .pairs = wfTreePairs,
       .query = wfTreeQuery, .cast = wfTreeCast, .boxes = wfTreeBoxes },
     { .name = "grid", .text = "compares who shares a cell of a grid", .scratch = wfGridScratch,
       .indexSize = wfGridIndexSize, .update = wfGridUpdate, .pairs = wfGridPairs,
@@ -154,6 +154,19 @@ wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t byte
     if (result == WF_OK) *(IndexStamp *)index = (IndexStamp){ method + 1, in->count };
     else memcpy(inside, before, sizeof before);
     return result;
+}
+
+void wfCopyIndex(int method, void *to, const void *from, size_t bytes, int32_t proxies,
+                 bool lasts)
+{
+    const wfBroadPhaseRow *row = &wfBroadPhaseTable[method];
+    bool made = ((const IndexStamp *)from)->method == method + 1;
+    if (!made || row->copy == NULL || (lasts && ((IndexStamp *)to)->method != method + 1)) {
+        memcpy(to, from, bytes);
+        return;
+    }
+    memcpy(to, from, WF_POOL_ALIGN);
+    row->copy((uint8_t *)to + WF_POOL_ALIGN, (const uint8_t *)from + WF_POOL_ALIGN, proxies);
 }
 
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,

@@ -230,6 +230,7 @@ wfResult wfTreeInsert(wfTree *tree, int32_t proxy, wfRect box, bool moves)
                                        .movers = moves ? 1 : 0 };
     tree->places[proxy] = (wfTreePlace){ box.min, tree->head->step };
     insertLeaf(tree, proxy, tree->head->root);
+    if (tree->head->high <= proxy) tree->head->high = proxy + 1;
     tree->head->count++;
     tree->head->changes++;
     return WF_OK;
@@ -364,6 +365,25 @@ static void updateLeaf(wfTree *tree, const wfProxies *in, int32_t i)
     *place = now;
 }
 
+static int32_t inUse(const wfTree *tree, int32_t proxies)
+{
+    int32_t high = tree->head->high, most = tree->head->capacity;
+    high = high > proxies ? high : proxies;
+    return high < most ? high : most;
+}
+
+void wfTreeCopy(void *to, const void *from, int32_t proxies)
+{
+    wfTree old = wfTreeOpen(from), made = layTree(to, old.head->capacity);
+    int32_t capacity = old.head->capacity, near = old.head->nearCount;
+    size_t n = (size_t)inUse(&old, proxies);
+    *made.head = *old.head;
+    memcpy(made.nodes, old.nodes, n * sizeof *old.nodes);
+    memcpy(made.nodes + capacity, old.nodes + capacity, n * sizeof *old.nodes);
+    memcpy(made.places, old.places, n * sizeof *old.places);
+    memcpy(made.near, old.near, (size_t)(near > 0 ? near : 0) * sizeof *old.near);
+}
+
 wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     size_t each = wfTreeSize(1) - wfTreeSize(0);
@@ -376,7 +396,7 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     tree.head->step++;
     int64_t before = tree.head->changes;
     bool has = wfTreeHasNear(&tree);
-    for (int32_t i = 0; i < capacity; i++) updateLeaf(&tree, in, i);
+    for (int32_t i = 0, n = inUse(&tree, in->count); i < n; i++) updateLeaf(&tree, in, i);
     /* keep the list of near pairs, if it pays */
     int64_t changed = tree.head->changes - before;
     bool little = changed * (has ? 4 : 16) <= tree.head->count;

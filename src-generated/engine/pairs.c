@@ -90,7 +90,7 @@ static wfResult find_pairs(struct wfStep *s)
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
     /* bring a copy of the index up to date */
     s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
-    memcpy(s->index, s->b.index, bytes);
+    wfCopyIndex(head->broadPhase, s->index, s->b.index, bytes, s->shapeCount, false);
     wfResult result = wfUpdateIndex(head->broadPhase, &proxies, s->index, bytes,
                                     &s->scratch);
     if (result != WF_OK || !meets) return result;

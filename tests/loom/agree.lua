@@ -46,7 +46,8 @@ for id, l in pairs(db.labels) do
     want("exercises", l.page, h, 'id="' .. id .. '"><p class="title">Exercise ' .. l.num)
     want("exercises", l.page .. " (TeX)", t, "\\wLabel{" .. id .. "}Exercise " .. l.num .. "}")
   elseif l.num:find(".", 1, true) then
-    want("sections", l.page, h, 'id="' .. id .. '"><span class="secnum">' .. l.num .. "</span>")
+    local alone = l.num:match("%.[FL]$") and "Section " or ""      -- the figures or the lab of a chapter: a page of its own
+    want("sections", l.page, h, 'id="' .. id .. '"><span class="secnum">' .. alone .. l.num .. "</span>")
   end
 end
 -- LaTeX counts sections by itself: its counts must come out the same

@@ -75,6 +75,8 @@ typedef size_t wfRowIndexSizeFn(int32_t proxies);          /* bytes for so many 
    index is as before. */
 typedef wfResult wfRowUpdateFn(const wfProxies *in, void *index, size_t bytes,
                                wfPool *scratch);
+/* Copies the part of an index that is in use, or will be with so many proxies. */
+typedef void wfRowCopyFn(void *to, const void *from, int32_t proxies);
 typedef wfResult wfRowPairsFn(const wfProxies *in, const void *index, wfPool *scratch,
                               wfPairList *out);            /* as wfBroadPhaseFn */
 typedef void wfRowQueryFn(const wfProxies *in, const void *index, wfRect area,
@@ -96,9 +98,11 @@ typedef struct wfBroadPhaseRow {
     const char *name, *text;
     wfBroadPhaseFn *find;
     wfBroadScratchFn *scratch;
-    /* all five, or none: then the wrappers scan; find may be NULL if there is an index */
+    /* all five, or none: then the wrappers scan; find may be NULL if there is an index, and
+       copy may be: then all bytes are copied */
     wfRowIndexSizeFn *indexSize;
     wfRowUpdateFn *update;
+    wfRowCopyFn *copy;
     wfRowPairsFn *pairs;
     wfRowQueryFn *query;
     wfRowCastFn *cast;
@@ -204,6 +208,10 @@ size_t wfIndexSize(int method, int32_t proxies);     /* bytes of an index; 0: ha
    the index is unchanged.  A method without an index does nothing. */
 wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t bytes,
                        wfPool *scratch);
+/* Copies an index of so many bytes, for so many proxies: what is in use of it; all, if it
+   `lasts` (beyond the next copy) where none by this method has been. */
+void wfCopyIndex(int method, void *to, const void *from, size_t bytes, int32_t proxies,
+                 bool lasts);
 
 /* As wfFindPairs, by an index that agrees with the proxies (or NULL: without one). */
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,
@@ -357,6 +365,7 @@ typedef struct wfTreeHead {
     int32_t capacity;             /* 0: not set up yet */
     int32_t root, freeNode, count;
     uint32_t step;                /* how often the tree was updated */
+    int32_t high;                 /* greater than all proxies that were ever in it */
     int64_t changes;              /* how many boxes were put in, taken out or moved */
     int64_t nearChanges;          /* `changes` when the list of near pairs was made, or
                                      when it may be tried again */
@@ -396,6 +405,7 @@ static inline bool wfTreeHasNear(const wfTree *tree)
 wfBroadScratchFn wfTreeScratch;
 wfRowIndexSizeFn wfTreeIndexSize;
 wfRowUpdateFn wfTreeUpdate;
+wfRowCopyFn wfTreeCopy;
 wfRowPairsFn wfTreePairs;
 wfRowQueryFn wfTreeQuery;
 wfRowCastFn wfTreeCast;
