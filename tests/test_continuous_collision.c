@@ -751,11 +751,69 @@ static void a_room_of_bullets_is_the_same_for_all_broad_phases(void **state)
     }
 }
 
+/* Two bodies that fly past or into each other, in a cell of their own: 40 m wide, on a line or in a square of cells. */
+enum { DUELS = 256 };
+typedef struct Duel { wfBodyDef body[2]; } Duel;
+
+static Duel random_duel(wfRandom *r, wfVec2 middle)
+{
+    Duel d;
+    for (int i = 0; i < 2; i++) {
+        wfReal angle = random_angle(r), way = wfRandomReal(r, WF_R(0.2), 8);
+        d.body[i] = body_of((int)wfRandomReal(r, 0, WF_R(3.99)), 0.02 + 0.1 * (double)wfRandomReal(r, 0, 1));
+        wfVec2 along = wfV2(wfCos(angle), wfSin(angle));
+        wfVec2 miss = wfV2(wfRandomReal(r, -WF_R(0.1), WF_R(0.1)), wfRandomReal(r, -WF_R(0.1), WF_R(0.1)));
+        d.body[i].position = wfAdd(wfSub(middle, wfScale(way / 2, along)), miss);
+        d.body[i].velocity = wfScale(60 * way, along);
+        d.body[i].restitution = wfRandomReal(r, 0, 1);
+    }
+    return d;
+}
+
+/* Whom a flight meets doesn't depend on how many others fly: each duel ends as it does in a world of its own, to the last bit. */
+static void a_duel_among_many_ends_as_it_does_alone(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(91);
+    static Duel duels[DUELS];
+    static wfBodyId id[2 * DUELS];
+    int64_t met = 0;
+    for (int shape = 0; shape < 3; shape++) {
+        wfWorldDef def = calm(NULL);
+        def.bodyCapacity = 2 * DUELS;
+        wfWorld all = open_world(&def);
+        def.bodyCapacity = 2;
+        for (int k = 0; k < DUELS; k++) {
+            int x = shape == 0 ? k : shape == 1 ? 0 : k % 16, y = shape == 1 ? k : shape == 2 ? k / 16 : 0;
+            duels[k] = random_duel(&r, wfV2(40 * (wfReal)x, 40 * (wfReal)y));
+            for (int i = 0; i < 2; i++) id[2 * k + i] = add(&all, duels[k].body[i]);
+        }
+        assert_ok(wfStepWorld(&all));
+        assert_true(report(&all).bodies > DUELS);
+        for (int k = 0; k < DUELS; k++) {
+            wfWorld alone = open_world(&def);
+            wfBodyId one[2] = { add(&alone, duels[k].body[0]), add(&alone, duels[k].body[1]) };
+            assert_ok(wfStepWorld(&alone));
+            met += report(&alone).impacts;
+            for (int i = 0; i < 2; i++) {
+                wfBodyInfo got = info(&all, id[2 * k + i]), want = info(&alone, one[i]);
+                if (memcmp(&got.position, &want.position, sizeof got.position) != 0 || memcmp(&got.velocity, &want.velocity, sizeof got.velocity) != 0)
+                    fail_msg("layout %d, duel %d, body %d: (%.9g, %.9g) among many, (%.9g, %.9g) alone", shape, k, i,
+                             (double)got.position.x, (double)got.position.y, (double)want.position.x, (double)want.position.y);
+            }
+            wfDestroyWorld(&alone);
+        }
+        wfDestroyWorld(&all);
+    }
+    assert_true(met > 100);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_gets_through),
         cmocka_unit_test(without_impacts_all_gets_through),
+        cmocka_unit_test(a_duel_among_many_ends_as_it_does_alone),
         cmocka_unit_test(a_corner_is_passed_without_a_ghost),
         cmocka_unit_test(who_may_not_meet_is_not_stopped),
         cmocka_unit_test(an_impact_is_newtons),

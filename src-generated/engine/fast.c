@@ -219,6 +219,59 @@ static void sort_near(Near *near)
     }
 }
 
+static wfReal spread_of(const struct wfStep *s, int axis)
+{
+    wfReal least = WF_HUGE, most = -WF_HUGE;
+    for (int32_t n = 0; n < s->flightCount; n++) {
+        wfReal at = s->flights[n].box.min.E[axis];
+        least = wfMinR(least, at), most = wfMaxR(most, at);
+    }
+    return most - least;
+}
+
+/* Where there is no room for the order, or a box is without bounds, there is none. */
+static void put_in_order(struct wfStep *s)
+{
+    int32_t count = s->flightCount, axis = spread_of(s, 1) > spread_of(s, 0);
+    wfKeyed *order = wfPoolPushArray(&s->scratch, count, wfKeyed);
+    wfKeyed *spare = wfPoolPushArray(&s->scratch, count, wfKeyed);
+    bool good = order != NULL && spare != NULL;
+    s->alongY = axis, s->longest = 0;
+    for (int32_t n = 0; good && n < count; n++) {
+        wfRect box = s->flights[n].box;
+        order[n] = (wfKeyed){ box.min.E[axis], n };
+        s->longest = wfMaxR(s->longest, box.max.E[axis] - box.min.E[axis]);
+        good = wfIsFinite2(box.min) && wfIsFinite2(box.max);
+    }
+    if (good) wfSortKeyed(order, spare, count);
+    s->inOrder = good ? order : NULL;
+}
+
+/* The first in the order whose box may reach so far. */
+static int32_t first_near(const struct wfStep *s, wfReal from)
+{
+    wfReal least = from - s->longest;
+    int32_t low = 0, high = s->flightCount;
+    least -= 4 * WF_EPSILON * (wfAbs(from) + s->longest);
+    while (low < high) {
+        int32_t middle = low + (high - low) / 2;
+        if (s->inOrder[middle].key < least) low = middle + 1;
+        else high = middle;
+    }
+    return low;
+}
+
+static void note_flights(Near *near, wfRect area)
+{
+    const struct wfStep *s = near->s;
+    int32_t n = s->inOrder == NULL ? 0 : first_near(s, area.min.E[s->alongY]);
+    for (; n < s->flightCount; n++) {
+        if (s->inOrder != NULL && s->inOrder[n].key > area.max.E[s->alongY]) break;
+        const wfFlight *g = &s->flights[s->inOrder == NULL ? n : s->inOrder[n].index];
+        if (g != near->f && wfRectOverlap(area, g->box)) note_flight(near, g);
+    }
+}
+
 static Near look_from(struct wfStep *s, const wfFlight *f, wfReal t)
 {
     return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEAR),
@@ -232,10 +285,7 @@ static wfResult find_near(struct wfStep *s, const wfFlight *f, wfReal t, Near *n
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     wfResult result = wfQueryIndex(s->b.head->broadPhase, &proxies, s->index,
                                    wfRectGrow(area, s->slack), note_near, near);
-    for (int32_t n = 0; n < s->flightCount && (!near->alone || s->driven); n++) {
-        const wfFlight *g = &s->flights[n];
-        if (g != f && wfRectOverlap(area, g->box)) note_flight(near, g);
-    }
+    if (!near->alone || s->driven) note_flights(near, area);
     sort_near(near);
     return result;
 }
@@ -793,9 +843,13 @@ static void give_up(struct wfStep *s, wfFlight *f, wfReal now)
 static wfResult follow(struct wfStep *s)
 {
     wfResult result = WF_OK;
+    size_t mark = wfPoolMark(&s->scratch);
     s->fastCount = s->flightCount;
+    put_in_order(s);
     for (int32_t n = 0; n < s->fastCount && result == WF_OK; n++)
         result = plan(s, &s->flights[n], 0);
+    wfPoolRewind(&s->scratch, mark);
+    s->inOrder = NULL;
     while (result == WF_OK && !s->again) {
         wfFlight *f = earliest(s);
         if (f == NULL) break;

@@ -57,6 +57,9 @@ struct wfStep {
     int32_t         *flightOf;    /* of each body, or -1; valid when there are flights */
     int32_t          flightCount, fastCount, impactCount, heldCount;
     wfReal           slack;       /* m: no other body moves farther */
+    wfKeyed         *inOrder;     /* flights by where their boxes begin, in x or y; or NULL */
+    int32_t          alongY;
+    wfReal           longest;     /* m: the longest side of their boxes, along the same axis */
     wfStrike        *strikes;     /* in the order of their pairs */
     int32_t          strikeCount;
     wfPair          *spared;      /* pairs that pass each other in this step, lower first; or
