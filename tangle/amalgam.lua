@@ -324,7 +324,8 @@ for _, file in ipairs(files) do
 end
 system["<string.h>"] = nil
 local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
-   cc -std=c11 -O2 -ffp-contract=off -fno-math-errno -c weft.c   (the two -f switches keep the same bits on every machine) */
+   cc -std=c11 -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -c weft.c
+   (the -f switches keep the same bits on every machine; without them wfCreateWorld may answer WF_ERROR_BUILD) */
 ]] .. table.concat(first, "\n") .. [[
 
 #include "weft.h"

@@ -278,3 +278,48 @@ wfReal wfRandomReal(wfRandom *r, wfReal lo, wfReal hi)
 #endif
     return wfClamp((1 - u) * lo + u * hi, lo, hi);
 }
+
+/* the check of a build */
+enum { TRIED = 32 };
+
+static wfReal stored(wfReal x)
+{
+    volatile wfReal memory = x;
+    return memory;
+}
+
+static wfReal as_written(wfRot q, const wfVec2 *v, wfVec2 *turned)
+{
+    wfReal sum = 0;
+    for (int i = 0; i < TRIED; i++) turned[i] = wfRotate(q, v[i]);
+    for (int i = 0; i < TRIED; i++) turned[i].y = turned[i].y * v[i].x + v[i].y;
+    for (int i = 0; i < TRIED; i++) sum += v[i].x * v[i].y;
+    return sum;
+}
+
+static wfReal step_by_step(wfRot q, const wfVec2 *v, wfVec2 *turned)
+{
+    wfReal sum = 0;
+    for (int i = 0; i < TRIED; i++) {
+        wfReal x = stored(stored(q.c * v[i].x) - stored(q.s * v[i].y));
+        wfReal y = stored(stored(q.s * v[i].x) + stored(q.c * v[i].y));
+        turned[i] = wfV2(x, stored(stored(y * v[i].x) + v[i].y));
+        sum = stored(sum + stored(v[i].x * v[i].y));
+    }
+    return sum;
+}
+
+wfResult wfCheckBuild(void)
+{
+    wfReal three = stored(3);
+    wfRot q = { .c = three / 7, .s = three / 11 };      /* it need not have length 1 */
+    wfVec2 v[TRIED], once[TRIED], again[TRIED];
+    for (int i = 0; i < TRIED; i++) v[i] = wfV2((wfReal)(i + 4) / three, three / (wfReal)(i + 7));
+    bool same = as_written(q, v, once) == step_by_step(q, v, again);
+    for (int i = 0; i < TRIED; i++)
+        same = same && once[i].x == again[i].x && once[i].y == again[i].y;
+#ifdef WF_ANY_BITS
+    same = true;
+#endif
+    return same ? WF_OK : WF_ERROR_BUILD;
+}

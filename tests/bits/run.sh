@@ -22,13 +22,14 @@ components='core math collision dynamics engine'
 
 # Each rule prints what is wrong, a line each with the remedy, and nothing when all is well.
 rule_calls() {     # a directory with objects
-  local o
+  local o defined; defined=$(nm "$1"/*.o 2>/dev/null | awk '$2 ~ /^[TtDdRrBb]$/ { print $3 }' | LC_ALL=C sort -u)
+  local LC_ALL=C
   for o in "$1"/{core,math,collision,dynamics,engine}-*.o; do
     [ -f "$o" ] || continue
     local allowed='memcpy|memmove|memset|memcmp|bcmp|strcmp|strncmp|strlen|calloc|free|vsnprintf|snprintf|__assert_fail|_GLOBAL_OFFSET_TABLE_|__stack_chk_fail'
     case $o in */engine-file*) allowed="$allowed|f[a-z]+|rename|remove|unlink|open|close|write|read|__errno_location|fileno|getpid|stat|clock_gettime|strerror" ;; esac
-    nm -u "$o" | awk '{ print $2 }' | grep -vE "^(wf[A-Z].*|$allowed)$" | while read -r s; do
-      nm "$1"/*.o 2>/dev/null | grep -qE " [TtDdRrBb] $s\$" || echo "$o calls $s -- write it with the engine's own functions, or say in tests/bits/run.sh why it is the same everywhere"; done
+    nm -u "$o" | awk '{ print $2 }' | grep -vE "^(wf[A-Z].*|$allowed)$" | sort -u | comm -23 - <(echo "$defined") |
+      sed "s|^|$o calls |; s|\$| -- write it with the engine's own functions, or say in tests/bits/run.sh why it is the same everywhere|"
   done
 }
 rule_flags() {     # makefiles
@@ -120,5 +121,31 @@ sanitized -fsanitize=float-cast-overflow 'int main(int n, char **v) { volatile f
 sanitized -fsanitize=memory '#include <stdio.h>
 int main(int n, char **v) { struct { char a; int b; } x; volatile unsigned char *p = (void *)&x; unsigned h = 0; x.a = (char)n; x.b = 1; (void)v; for (unsigned i = 0; i < sizeof x; i++) h = h * 31 + p[i]; if (h & 1) puts("odd"); return 0; }'
 
-[ $bad -eq 0 ] && echo "nothing in the engine makes other bits on another machine: 9 rules, each of which catches what was planted for it"
+# A build tries itself (wfCheckBuild): flags that change bits are refused, and only those.
+cat > $work/build.c <<'C'
+#include "weft/math.h"
+int main(void) { return wfCheckBuild() == WF_ERROR_BUILD ? 3 : wfCheckBuild() != WF_OK; }
+C
+tries() {          # status that is due, compiler, flags
+  local want=$1 got; shift
+  # shellcheck disable=SC2086
+  $* -w -I"$src/include" $work/build.c "$src"/math/*.c "$src"/core/*.c -lm -o $work/build 2>$work/build.log || { echo "build: $* does not compile: $(head -2 $work/build.log)"; bad=1; return; }
+  $work/build; got=$?
+  [ $got -eq "$want" ] || { echo "build: $* $([ "$want" = 3 ] && echo "is not refused, though it changes bits" || echo "is refused, though it has the same bits (wfCheckBuild, chapter numbers)")"; bad=1; }
+}
+for reals in "" -DWF_DOUBLE; do
+  for level in -O0 -O1 -O2 -O3; do
+    tries 0 gcc -std=c11 $level -march=native -ffp-contract=off -fno-tree-vectorize $reals
+    tries 0 clang -std=c11 $level -march=native -ffp-contract=off $reals
+  done
+  tries 0 gcc -std=c11 -O3 -ffast-math -DWF_ANY_BITS $reals
+  tries 3 gcc -std=c11 -O3 -ffast-math -U__FAST_MATH__ $reals
+  if grep -qw fma /proc/cpuinfo; then
+    tries 3 gcc -std=gnu11 -O2 -march=native $reals
+    tries 3 gcc -std=c11 -O2 -march=native -ffp-contract=fast $reals
+    tries 3 clang -std=c11 -O2 -march=native $reals
+  fi
+done
+
+[ $bad -eq 0 ] && echo "nothing in the engine makes other bits on another machine: 10 rules, each of which catches what was planted for it"
 exit $bad

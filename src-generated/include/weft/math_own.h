@@ -11,11 +11,13 @@
 #include <math.h>
 #endif
 
+#ifndef WF_ANY_BITS
 #ifdef __FAST_MATH__
 #error "Weft promises the same bits everywhere: compile without -ffast-math"
 #endif
 _Static_assert(FLT_EVAL_METHOD == 0,
                "floats must be rounded to float: on i386 add -msse2 -mfpmath=sse");
+#endif
 #ifdef WF_DOUBLE
 typedef double wfReal;
 #define WF_R(x) (x)
@@ -558,4 +560,7 @@ void     wfRandomSeed(wfRandom *r, uint64_t seed);         /* starts a stream */
 uint32_t wfRandomU32(wfRandom *r);                         /* 0 .. 2^32 - 1 */
 uint32_t wfRandomBelow(wfRandom *r, uint32_t n);           /* 0 .. n - 1; 0 for n = 0 */
 wfReal   wfRandomReal(wfRandom *r, wfReal lo, wfReal hi);  /* lo <= hi; both included */
+/* Does this build round every product and every sum by itself, as all builds with the same
+ * bits do? WF_ERROR_BUILD: it does not. Asked by wfCreateWorld. */
+wfResult wfCheckBuild(void);
 #endif

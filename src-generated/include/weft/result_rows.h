@@ -1,5 +1,5 @@
 /* Weft: include/weft/result_rows.h, tangled from chapters/engine/05-memory.nw. Chapters that add to
- * it: shapes, implicit-midpoint, compound, world, joints-in-a-world, continuous-collision,
+ * it: numbers, shapes, implicit-midpoint, compound, world, joints-in-a-world, continuous-collision,
  * sleep-in-a-world, save-and-replay, replay, save-files, scenes-as-text, accuracy. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* No include guard: core.h and memory.c both read this, each with its own WF_RESULT. */
@@ -14,6 +14,8 @@ WF_RESULT(WF_ERROR_MEMORY,
           "memory is missing, too small or misaligned: see wfPoolInit, wfAllocateMemory")
 WF_RESULT(WF_ERROR_STALE_ID, "an id names something that was removed or never existed")
 WF_RESULT(WF_ERROR_UNKNOWN, "a table has no such row: look it up with its wfFind function")
+WF_RESULT(WF_ERROR_BUILD,
+          "compiled for other bits: use -ffp-contract=off -fno-tree-vectorize, not fast-math")
 WF_RESULT(WF_ERROR_TOO_FEW,    "a polygon needs at least three points: pass more")
 WF_RESULT(WF_ERROR_TOO_MANY,
           "the hull has more than WF_MAX_VERTICES corners: leave some points out")
