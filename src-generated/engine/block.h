@@ -194,6 +194,10 @@ static inline wfFine *wfFineOf(const wfBlock *b)
 {
     return b->head->fineSums ? b->fine : NULL;
 }
+/* Is a rest what rounding to this state can lose? eq:world-digits */
+bool wfAreDigits(const wfBodyState *s, const wfFine *rest);
+/* What a rest has more than that goes to the state. */
+void wfSettleDigits(wfBodyState *s, wfFine *rest);
 
 /* Was the world made for one of these needs? */
 static inline bool wfHas(const wfHeader *h, uint32_t needs)

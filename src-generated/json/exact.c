@@ -166,10 +166,13 @@ wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
     return WF_OK;
 }
 
-void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine)
+wfResult wfPutFine(wfWorld *world, int32_t i, const wfFine *fine)
 {
     wfBlock b = block_of(world);
-    if (wfFineOf(&b) != NULL) b.fine[i] = *fine;
+    if (wfFineOf(&b) == NULL) return WF_OK;
+    if (!wfAreDigits(&b.state[i], fine)) return WF_ERROR_RANGE;     /* eq:world-digits */
+    b.fine[i] = *fine;
+    return WF_OK;
 }
 
 void wfPutClock(wfWorld *world, double time, uint64_t steps)

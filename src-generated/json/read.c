@@ -329,7 +329,8 @@ static bool put_sums(Reader *r, int32_t i, const cJSON *item)
     wfFine fine = { .angle = 0 };
     if (digits != NULL && !wfReadFields(&r->t, digits, wfFineFields, nothing, &fine))
         return false;
-    if (digits != NULL && same_numbers(r)) wfPutFine(&r->world, i, &fine);
+    if (digits != NULL && same_numbers(r)
+        && !wfTextResult(&r->t, digits, wfPutFine(&r->world, i, &fine))) return false;
     if (push != NULL && !wfReadFields(&r->t, push, wfPushFields, nothing, &sums))
         return false;
     if (push == NULL) return true;

@@ -83,7 +83,7 @@ wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push);
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i);
 /* What a state has rounded away; zero, and without effect, in a world without fineSums. */
 wfFine wfTellFine(const wfWorld *world, int32_t i);
-void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
+wfResult wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
 void wfPutClock(wfWorld *world, double time, uint64_t steps);
 /* The force at place i: 1; 0: the place is empty; -1: there is no such place. */
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out);

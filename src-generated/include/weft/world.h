@@ -520,7 +520,7 @@ extern const wfStageRow wfStageTable[];
 extern const int wfStageCount;
 /* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
- * WF_ERROR_NOT_FINITE: a number overflowed, as when forces are far too large. */
+ * WF_ERROR_NOT_FINITE, _RANGE: a number, or a turn, is too large, as forces may be. */
 wfResult wfStepWorld(wfWorld *world);
 wfResult wfSetTimeStep(wfWorld *world, wfReal dt);
 wfResult wfSetGravity(wfWorld *world, wfVec2 gravity);
