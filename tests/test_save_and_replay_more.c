@@ -186,8 +186,39 @@ static void either_refused_or_it_goes_on(void **unused)
     assert_true(seen > 30);
 }
 
+/* What is saved, taken back and changed in the middle of an explosion goes on with its time. */
+static void an_explosion_is_saved_with_its_time(void **unused)
+{
+    (void)unused;
+    wfWorld world = { { .owned = 0 } }, loaded;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.gravity = wfV2(0, 0), def.dt = 30 * WF_R(86400.0);
+    assert_ok(wfCreateWorld(&def, &world));
+    add(&world, ball_def(2, 0, 0.5));
+    assert_ok(wfStepWorld(&world));                         /* a month */
+    assert_ok(wfSetTimeStep(&world, WF_R(1.0) / 60));
+    wfForceId id;
+    wfForce bang = wfExplosion(wfV2(0, 0), 100, 10, 0, WF_R(0.25)), same;
+    assert_ok(wfAddForceToWorld(&world, &bang, &id));
+    for (int s = 0; s < 7; s++) assert_ok(wfStepWorld(&world));
+    size_t size = wfSaveSize(&world);
+    void *bytes = malloc(size);
+    assert_ok(wfSaveToBytes(&world, bytes, size, &size));
+    assert_ok(wfLoadFromBytes(bytes, size, NULL, &loaded));
+    free(bytes);
+    assert_ok(wfGetForce(&loaded, id, &same));
+    assert_ok(wfSetForce(&loaded, id, &same));
+    for (int s = 0; s < 30; s++) {
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&loaded));
+        assert_true(wfHashWorld(&world) == wfHashWorld(&loaded));
+    }
+    assert_true(info(&world, wfBodyAt(&world, 0)).velocity.x > 1);
+    wfDestroyWorld(&world), wfDestroyWorld(&loaded);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(either_refused_or_it_goes_on) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(either_refused_or_it_goes_on), cmocka_unit_test(an_explosion_is_saved_with_its_time) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,6 +171,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         wfDisturbEnds(&b, b.forces[f].a, b.forces[f].b);
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
         memset(&b.forces[f], 0, sizeof b.forces[f]);
+        b.added[f] = 0;
     }
     wfDropJoints(&b, i);
     wfBeginRest(&b, i, 0);

@@ -248,7 +248,10 @@ static bool check_forces(Check *c)
         if (c->b.forceSlots[f].next != WF_SLOT_LIVE) continue;
         if (!rule(c, wfCheckForce(force) == WF_OK && is_end(&c->b, force->a)
                      && is_end(&c->b, force->b), WF_REGION_FORCES, f,
-                  "a force is in range and acts on living bodies")) return false;
+                  "a force is in range and acts on living bodies")
+            || !rule(c, c->b.added[f] >= 0 && c->b.added[f] <= c->b.head->time,
+                     WF_REGION_ADDED, f, "a force was added at 0 or later, and until now"))
+            return false;
     }
     return true;
 }
@@ -502,6 +505,7 @@ static const RuleRow rule_table[WF_REGION_KEPT] = {
     [WF_REGION_INDEX] = { NULL, "is built anew" },
     [WF_REGION_FORCE_SLOTS] = { check_force_slots, NULL },
     [WF_REGION_FORCES] = { check_forces, NULL },
+    [WF_REGION_ADDED] = { NULL, "with its force" },
     [WF_REGION_PAIRS] = { check_pairs, NULL },
     [WF_REGION_CACHES] = { NULL, "with its pair" },
     [WF_REGION_CONTACTS] = { check_contacts, NULL },

@@ -31,11 +31,15 @@ static wfResult copy_states(struct wfStep *s)
 static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
+    s->ages = wfTransient(&s->b, WF_REGION_AGES);
+    s->ages[0] = 0;             /* gravity does not ask */
     s->forces[s->forceCount++] = wfGravity(s->b.head->gravity);
     /* those of the force table */
-    for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
-        if (s->b.forceSlots[i].next == WF_SLOT_LIVE)
-            s->forces[s->forceCount++] = s->b.forces[i];
+    for (int32_t i = 0; i < s->b.head->forceSlots.high; i++) {
+        if (s->b.forceSlots[i].next != WF_SLOT_LIVE) continue;
+        s->ages[s->forceCount] = (wfReal)(s->b.head->time - s->b.added[i]);
+        s->forces[s->forceCount++] = s->b.forces[i];
+    }
     return WF_OK;
 }
 /* where anything damps them */
@@ -62,10 +66,10 @@ static wfResult damp_again(struct wfStep *s)
 }
 
 /* integrate the step */
-static void forces_on(void *context, const wfBodyState *state, int count, wfReal time,
+static void forces_on(void *context, const wfBodyState *state, int count, wfReal since,
                       wfBodyForces *out)
 {
-    const struct wfStep *s = context;
+    const struct wfStep *s = context;       /* since: s, of this step */
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
     (void)count;
@@ -76,7 +80,8 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
         wfApplyTorque(&out[i], s->b.applied[i].torque);
     }
-    wfAccumulateForces(s->forces, s->forceCount, &bodies, time, out);
+    for (int32_t i = 0; i < s->forceCount; i++)
+        wfAccumulateForces(&s->forces[i], 1, &bodies, s->ages[i] + since, out);
 }
 
 static wfResult sum_forces(struct wfStep *s)
@@ -94,7 +99,7 @@ static wfResult sum_forces(struct wfStep *s)
         middle[i].p = wfAddScaled(middle[i].p, half, middle[i].v);
         middle[i].angle = wfWrapAngle(middle[i].angle + half * middle[i].w);
     }
-    forces_on(s, middle, s->count, (wfReal)s->b.head->time + half, s->sums);
+    forces_on(s, middle, s->count, half, s->sums);
     wfPoolRewind(&s->scratch, mark);
     return WF_OK;
 }
@@ -104,7 +109,7 @@ static wfResult integrate(struct wfStep *s)
     const wfHeader *head = s->b.head;
     /* where there is one */
     if (wfSolverSteps(s)) return sum_forces(s);
-    wfIntegration in = { .state = s->state, .count = s->count, .time = (wfReal)head->time,
+    wfIntegration in = { .state = s->state, .count = s->count, .time = 0,
                          .h = head->dt, .forces = forces_on, .context = s,
                          .scratch = &s->scratch };
     return wfIntegratorTable[head->integrator].step(&in);

@@ -192,11 +192,11 @@ typedef struct wfShapeView {
 } wfShapeView;
 wfShapeView wfWorldShapes(const wfWorld *world);
 /* Registers a force of the force table; `out` may be NULL. Its a and b are body indices
- * (wfBodyIndex) or -1. WF_ERROR_FULL, WF_ERROR_STALE_ID (a or b names an empty place), and
- * whatever the force's own check finds wrong. */
+ * (wfBodyIndex) or -1. Its time, as of an explosion's start, begins now. WF_ERROR_FULL,
+ * _STALE_ID (a or b is an empty place), and what the force's own check finds wrong. */
 wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out);
 wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id);
-/* Read, or change, a registered force; a change is checked like a new one. */
+/* Read, or change, a registered force, which keeps its time; it is checked like a new one. */
 wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out);
 wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
