@@ -381,7 +381,11 @@ wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
 {
     struct wfStep step = { .clock = clock };
     wfResult result = wfChangeBlock(world, &step.b);
-    return result == WF_OK ? run_stages(&step) : result;
+    if (result != WF_OK) return result;
+    step.b.head->busy = clock != NULL;      /* it is the user's, as a hook is */
+    result = run_stages(&step);
+    step.b.head->busy = 0;
+    return result;
 }
 
 /* step the world for hooks */

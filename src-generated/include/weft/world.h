@@ -370,7 +370,7 @@ typedef struct wfStageReport {
                                 * run: the needs that are absent */
     size_t      bytes;         /* of the arrays that it fills */
 } wfStageReport;
-/* wfStepWorld with a clock for its stages; NULL: none. */
+/* wfStepWorld with a clock (NULL: none), which must not change the world: _BUSY. */
 wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock);
 /* Row `stage` of wfStageTable in this world. WF_ERROR_NULL, _UNKNOWN. */
 wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out);
