@@ -52,6 +52,7 @@ static wfResult check_body_def(const wfBodyDef *d)
 uint32_t wfNeedsOfBody(const wfBodyDef *d)
 {
     uint32_t needs = 0;
+    if (d == NULL) return needs;
     (void)d;
     /* A particle requires nothing. */
     if (d->angularVelocity != 0) needs |= WF_NEED_ROTATION;

@@ -311,7 +311,7 @@ enum {
     WF_NEED_FAST        = 1 << 18,
     WF_NEED_SLEEP       = 1 << 19,
 };
-/* What a definition requires. */
+/* What a definition requires; NULL: nothing. */
 uint32_t wfNeedsOfBody(const wfBodyDef *def);
 uint32_t wfNeedsOfShape(const wfShapeDef *def);
 /* bit by bit */
