@@ -86,6 +86,7 @@ static bool may_be_told_as(int region, const wfRegion *regions, const char *told
         { WF_REGION_HEADER, WF_REGION_FORCE_SLOTS },   { WF_REGION_HEADER, WF_REGION_JOINT_SLOTS },   /* where the free list begins */
         { WF_REGION_PROPS, WF_REGION_SHAPES },         { WF_REGION_NEXT_SHAPES, WF_REGION_SHAPES },   /* chains of shapes */
         { WF_REGION_REST, WF_REGION_RINGS },           { WF_REGION_STATE, WF_REGION_REST },           /* who sleeps does not move */
+        { WF_REGION_PROPS, WF_REGION_STATE },                                                         /* static: without a mass */
         { WF_REGION_STATE, WF_REGION_FINE },                                                          /* eq:world-digits */
     };
     if (strcmp(told, regions[region].name) == 0) return true;
@@ -171,6 +172,7 @@ static void either_refused_or_it_goes_on(void **unused)
             for (size_t e = 0; regions[r].chunk == 0 && e < regions[r].count && e < ELEMENTS; e++)
                 for (size_t at = 0; at < regions[r].each; at += 4)
                     for (int v = 0; v < VALUES; v++) {
+                        if (v < REALS && (at % sizeof(wfReal) != 0 || regions[r].each - at < sizeof(wfReal))) continue;      /* there is no real */
                         refused[r] += tried(&world, regions, r, e, at, v);
                         memcpy(world.memory.permanent, whole, world.memory.permanentSize);
                     }
