@@ -376,12 +376,51 @@ static void fine_sums_come_back(void **unused)
     wfWorld read = read_text(text);
     char *again = write_text(&read);
     assert_string_equal(text, again);
+    char *rest = strstr(again, "\"fine\": {");               /* eq:world-digits: no rest is as large as that */
+    char *number = rest == NULL ? NULL : strpbrk(strpbrk(rest, "["), "-0123456789");
+    if (number != NULL) {
+        wfWorld refused;
+        wfTextError error;
+        for (; *number != ',' && *number != ' ' && *number != ']'; number++) *number = '7';
+        assert_result(WF_ERROR_RANGE, wfReadScene(again, strlen(again), NULL, &refused, NULL, &error));
+        assert_non_null(strstr(error.where, "fine"));
+    }
     for (int i = 0; i < 200; i++) {
         assert_int_equal(wfHashWorld(&world), wfHashWorld(&read));
         assert_ok(wfStepWorld(&world));
         assert_ok(wfStepWorld(&read));
     }
     wfFreeText(text), wfFreeText(again);
+    wfDestroyWorld(&world), wfDestroyWorld(&read);
+}
+
+/* A force has its own time, and the text knows it. */
+static void an_explosion_goes_on(void **unused)
+{
+    (void)unused;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.gravity = wfV2(0, 0);
+    wfWorld world, bad;
+    assert_ok(wfCreateWorld(&def, &world));
+    add(&world, ball_def(2, 0, 0.5));
+    wfForce bang = wfExplosion(wfV2(0, 0), 100, 10, 0, WF_R(0.25));
+    for (int i = 0; i < 50; i++) assert_ok(wfStepWorld(&world));
+    assert_ok(wfAddForceToWorld(&world, &bang, NULL));
+    for (int i = 0; i < 7; i++) assert_ok(wfStepWorld(&world));
+    char *text = write_text(&world), *added = strstr(text, "\"added\": ");
+    assert_non_null(added);
+    wfWorld read = read_text(text);
+    for (int i = 0; i < 20; i++) {
+        assert_true(wfHashWorld(&world) == wfHashWorld(&read));
+        assert_ok(wfStepWorld(&world));
+        assert_ok(wfStepWorld(&read));
+    }
+    assert_true(info(&world, wfBodyAt(&world, 0)).velocity.x > 1);
+    added[9] = '9';                                         /* later than now */
+    wfTextError error;
+    assert_result(WF_ERROR_RANGE, wfReadScene(text, strlen(text), NULL, &bad, NULL, &error));
+    assert_non_null(strstr(error.where, "added"));
+    wfFreeText(text);
     wfDestroyWorld(&world), wfDestroyWorld(&read);
 }
 
@@ -970,7 +1009,7 @@ int main(void)
         cmocka_unit_test(numbers_keep_their_bits), cmocka_unit_test(eight_digits_are_too_few),
         cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
         cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost), cmocka_unit_test(a_world_for_little_stays_one),
-        cmocka_unit_test(every_setting_comes_back), cmocka_unit_test(fine_sums_come_back),
+        cmocka_unit_test(every_setting_comes_back), cmocka_unit_test(fine_sums_come_back), cmocka_unit_test(an_explosion_goes_on),
         cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(characters_are_utf8), cmocka_unit_test(escapes_are_those_of_json), cmocka_unit_test(numbers_are_those_of_json),
         cmocka_unit_test(only_texts_are_written), cmocka_unit_test(no_text_takes_more_than_it_may), cmocka_unit_test(limits_of_a_text),
         cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(a_scene_of_others_is_translated),

@@ -31,6 +31,7 @@ wfCells wfGridCells(wfRect world, wfReal side, int32_t most)
     wfReal far = WF_R(1e38);             /* a world wider than this is cut off there */
     wfReal w = wfMinR(world.max.x - world.min.x, far);
     wfReal h = wfMinR(world.max.y - world.min.y, far);
+    if (most < 4) most = 4;
     side = wfMinR(wfMaxR(side, wfMaxR(w, h) / (wfReal)most), far);
     if (!(side > 0)) side = 1;           /* everything is at one point */
     while ((w / side + 1) * (h / side + 1) > (wfReal)most) side *= 2;

@@ -48,6 +48,7 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
     if (i < 0) return WF_ERROR_FULL;
     write_force(&b.forces[i], force);
+    b.added[i] = b.head->time;
     wfUse(&b, WF_NEED_FORCES);
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
@@ -62,6 +63,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
     if (result != WF_OK) return result;
     wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     memset(&b.forces[i], 0, sizeof b.forces[i]);
+    b.added[i] = 0;
     return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
 }
 

@@ -42,12 +42,21 @@ wfFine wfTellFine(const wfWorld *world, int32_t i)
     return wfFineOf(&b) != NULL ? b.fine[i] : (wfFine){ .angle = 0 };
 }
 
-int wfTellForce(const wfWorld *world, int32_t i, wfForce *out)
+int wfTellForce(const wfWorld *world, int32_t i, wfForce *out, double *added)
 {
     wfBlock b = block_of(world);
     if (i >= b.head->forceSlots.high) return -1;
     *out = b.forces[i];
+    *added = b.added[i];
     return b.forceSlots[i].next == WF_SLOT_LIVE;
+}
+
+wfResult wfPutAdded(wfWorld *world, wfForceId force, double added, double now)
+{
+    wfBlock b = block_of(world);
+    if (!(added >= 0 && added <= now)) return WF_ERROR_RANGE;
+    b.added[force.index - 1] = added;
+    return WF_OK;
 }
 
 bool wfTellPair(const wfWorld *world, int32_t i, wfPairText *out)
@@ -166,10 +175,13 @@ wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
     return WF_OK;
 }
 
-void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine)
+wfResult wfPutFine(wfWorld *world, int32_t i, const wfFine *fine)
 {
     wfBlock b = block_of(world);
-    if (wfFineOf(&b) != NULL) b.fine[i] = *fine;
+    if (wfFineOf(&b) == NULL) return WF_OK;
+    if (!wfAreDigits(&b.state[i], fine)) return WF_ERROR_RANGE;     /* eq:world-digits */
+    b.fine[i] = *fine;
+    return WF_OK;
 }
 
 void wfPutClock(wfWorld *world, double time, uint64_t steps)

@@ -329,7 +329,8 @@ static bool put_sums(Reader *r, int32_t i, const cJSON *item)
     wfFine fine = { .angle = 0 };
     if (digits != NULL && !wfReadFields(&r->t, digits, wfFineFields, nothing, &fine))
         return false;
-    if (digits != NULL && same_numbers(r)) wfPutFine(&r->world, i, &fine);
+    if (digits != NULL && same_numbers(r)
+        && !wfTextResult(&r->t, digits, wfPutFine(&r->world, i, &fine))) return false;
     if (push != NULL && !wfReadFields(&r->t, push, wfPushFields, nothing, &sums))
         return false;
     if (push == NULL) return true;
@@ -491,9 +492,18 @@ static bool read_joints(Reader *r)
 }
 
 /* read the forces */
+static bool put_added(Reader *r, const cJSON *item, wfForceId id)
+{
+    const cJSON *at = wfChild(item, wfAddedField.name);
+    double added = 0;
+    if (at == NULL) return true;
+    return wfReadField(&r->t, at, &wfAddedField, &added)
+        && wfTextResult(&r->t, at, wfPutAdded(&r->world, id, added, r->root.time));
+}
+
 static bool read_force(Reader *r, const cJSON *item)
 {
-    static const char *const also[] = { "kind", "a", "b", NULL };
+    static const char *const also[] = { "kind", "a", "b", "added", NULL };
     const wfField kind = { .name = "force", .kind = WF_FIELD_ROW, .rows = wfForceTable,
                            .rowCount = &wfForceKinds, .rowSize = sizeof *wfForceTable };
     wfForce f = { .kind = -1, .a = -1, .b = -1 };
@@ -506,10 +516,11 @@ static bool read_force(Reader *r, const cJSON *item)
     wfFields fields = wfForceFields(f.kind, &spare);
     if (!wfReadFields(&r->t, item, fields, also, &f)) return false;
     if (!find_bodies(r, item, &f.a, &f.b, false)) return false;
-    wfResult result = wfAddForceToWorld(&r->world, &f, NULL);
+    wfForceId id;
+    wfResult result = wfAddForceToWorld(&r->world, &f, &id);
     if (result == WF_ERROR_RANGE)
         return wfTextFail(&r->t, item, result, "a number of it is out of its range");
-    return wfTextResult(&r->t, item, result);
+    return wfTextResult(&r->t, item, result) && put_added(r, item, id);
 }
 
 static bool read_forces(Reader *r)

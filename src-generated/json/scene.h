@@ -58,6 +58,7 @@ extern const wfFields wfRootFields, wfViewFields, wfPromiseFields, wfBodyFields,
     wfPushFields, wfFineFields;
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS]);
 wfField wfNeedsField(void);
+extern const wfField wfAddedField;      /* double: of a force */
 /* The parameters of a force; spare may be used for the answer. */
 wfFields wfForceFields(int32_t kind, wfField *spare);
 
@@ -83,9 +84,11 @@ wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push);
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i);
 /* What a state has rounded away; zero, and without effect, in a world without fineSums. */
 wfFine wfTellFine(const wfWorld *world, int32_t i);
-void wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
+wfResult wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
 void wfPutClock(wfWorld *world, double time, uint64_t steps);
 /* The force at place i: 1; 0: the place is empty; -1: there is no such place. */
-int wfTellForce(const wfWorld *world, int32_t i, wfForce *out);
+int wfTellForce(const wfWorld *world, int32_t i, wfForce *out, double *added);
+/* Says when it was added, s. WF_ERROR_RANGE: not within 0 and now. */
+wfResult wfPutAdded(wfWorld *world, wfForceId force, double added, double now);
 bool wfTellPair(const wfWorld *world, int32_t i, wfPairText *out);     /* false: the end */
 #endif

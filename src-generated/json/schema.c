@@ -211,6 +211,7 @@ static void describe_forces(Schema *s, cJSON *in)
         say(s, object_in(s, properties, "kind"), "const", wfForceTable[i].name);
         refer(s, properties, "a", "#/$defs/which");
         refer(s, properties, "b", "#/$defs/which");
+        describe(s, properties, &wfAddedField);
         require(s, kind, "kind");
     }
 }

@@ -12,6 +12,7 @@
 #define NOT_NEGATIVE .least = 0, .most = HUGE_VAL
 #define POSITIVE NOT_NEGATIVE, .above = 1
 #define SHARE .least = 0, .most = 1
+#define TIME .least = 0, .most = 3e38      /* in range of any wfReal */
 #define REAL .kind = WF_FIELD_REAL
 #define VEC .kind = WF_FIELD_VEC, ANY
 #define INT .kind = WF_FIELD_INT
@@ -143,7 +144,7 @@ static const wfField rootFields[] = {
       .text = "what there is to see" },
     { AT(wfRootText, origin), .kind = WF_FIELD_DOUBLE, .count = 2, ANY,
       .text = "m: where the world's (0, 0) is, if it is far away" },
-    { AT(wfRootText, time), .kind = WF_FIELD_DOUBLE, NOT_NEGATIVE, .text = "s, so far" },
+    { AT(wfRootText, time), .kind = WF_FIELD_DOUBLE, TIME, .text = "s, so far" },
     { AT(wfRootText, steps), BITS, .text = "made so far" },
 };
 const wfFields wfRootFields = FIELDS(rootFields);
@@ -218,7 +219,7 @@ static const wfField buoyancyFields[] = {
 
 static const wfField explosionFields[] = {
     FORCE_AT(explosion, centre, "m"), FORCE(explosion, strength, "N s/m"),
-    FORCE(explosion, radius, "m, > 0"), FORCE(explosion, start, "s"),
+    FORCE(explosion, radius, "m, > 0"), FORCE(explosion, start, "s, after `added'"),
     FORCE(explosion, duration, "s, > 0") };
 static const wfField windFields[] = {
     FORCE_AT(wind, velocity, "m/s"), FORCE(wind, coefficient, "kg/m^2, >= 0") };
@@ -259,6 +260,9 @@ static wfField field_of(const wfSetting *s)
 }
 
 wfField wfNeedsField(void) { return field_of(wfFindSetting("needs")); }
+
+const wfField wfAddedField = { .name = "added", .kind = WF_FIELD_DOUBLE, TIME,
+                               .text = "s: time of the scene when it was added" };
 
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS])
 {

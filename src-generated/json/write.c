@@ -254,14 +254,15 @@ static bool write_joints(Writer *w)
     return good;
 }
 
-static bool write_force(Writer *w, cJSON *list, const wfForce *f)
+static bool write_force(Writer *w, cJSON *list, const wfForce *f, double added)
 {
     wfField spare;
     cJSON *item = cJSON_CreateObject();
     return append(list, item)
         && give(item, "kind", cJSON_CreateString(wfForceTable[f->kind].name))
         && write_number(item, "a", w, f->a) && write_number(item, "b", w, f->b)
-        && wfWriteFields(item, wfForceFields(f->kind, &spare), f, NULL);
+        && wfWriteFields(item, wfForceFields(f->kind, &spare), f, NULL)
+        && (added == 0 || give(item, wfAddedField.name, cJSON_CreateNumber(added)));
 }
 
 static bool write_forces(Writer *w)
@@ -270,8 +271,10 @@ static bool write_forces(Writer *w)
     if (wfForceCount(w->world) == 0) return true;
     cJSON *list = add_list(w->root, "forces");
     bool good = list != NULL;
-    for (int32_t i = 0; wfTellForce(w->world, i, &f) >= 0 && good; i++)
-        if (wfTellForce(w->world, i, &f) > 0) good = write_force(w, list, &f);
+    double added;
+    for (int32_t i = 0; wfTellForce(w->world, i, &f, &added) >= 0 && good; i++)
+        if (wfTellForce(w->world, i, &f, &added) > 0)
+            good = write_force(w, list, &f, added);
     return good;
 }
 

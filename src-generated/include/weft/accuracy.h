@@ -44,7 +44,7 @@ typedef struct wfCurveDef {
 wfCurveDef wfDefaultCurveDef(void);
 /* Tries the methods on copies of the world, each with 1, 2, 4, ... steps in a frame, and
  * writes a point for each: eq:accuracy-estimate. The world stays as it is. WF_ERROR_NULL,
- * _RANGE, _NOT_FINITE (see wfCurveDef), _MEMORY, _FULL: more than `capacity` points
+ * _BUSY, _RANGE, _NOT_FINITE (see wfCurveDef), _MEMORY, _FULL: more than `capacity` points
  * (WF_CURVE_POINTS suffice for the rows of this chapter; then `points` are written, and
  * *count is not); those of a bad handle. */
 wfResult wfMeasureCurve(const wfWorld *world, const wfCurveDef *how, wfAccuracy *points,

@@ -32,6 +32,7 @@ WF_KEPT(INDEX, index, "index", WF_BYTES_OF_INDEX, uint8_t,
 WF_KEPT(FORCE_SLOTS, forceSlots, "force slots", WF_PER_FORCE, wfSlot,
          WF_NEED_FORCES, NULL)
 WF_KEPT(FORCES, forces, "forces", WF_PER_FORCE, wfForce, WF_NEED_FORCES, NULL)
+WF_KEPT(ADDED, added, "times of forces", WF_PER_FORCE, double, WF_NEED_FORCES, NULL)
 /* of the last step */
 WF_KEPT(PAIRS, pairs, "pairs", WF_PER_PAIR, wfPair, WF_NEED_CONTACTS, "broad phase")
 WF_KEPT(CACHES, caches, "caches", WF_PER_PAIR, wfManifoldCache,
@@ -63,6 +64,7 @@ WF_KEPT(ISLANDS, islands, "islands", WF_PER_BODY, int32_t, WF_NEED_SLEEP, "islan
 WF_FRESH(NEW_STATE, "new states", WF_PER_BODY, wfBodyState, 0, "copy")
 WF_FRESH(PRESENT, "present", WF_PER_BODY, uint8_t, 0, "copy")
 WF_FRESH(ACTIVE_FORCES, "active forces", WF_PER_ACTIVE_FORCE, wfForce, 0, "forces")
+WF_FRESH(AGES, "ages of forces", WF_PER_ACTIVE_FORCE, wfReal, 0, "forces")
 WF_FRESH(SUMS, "sums of forces", WF_PER_BODY, wfBodyForces,
          WF_NEED_SUBSTEPS, "integrate")
 WF_FRESH(PLACES, "places", WF_PER_BODY, wfTransform,

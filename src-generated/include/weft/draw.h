@@ -4,7 +4,7 @@
 #define WEFT_DRAW_H
 /* A display list: what is to be drawn, as data, in memory that the caller owns.
  * Coordinates are world units (m), y up; widths and text sizes are pixels.
- * Source. Stands alone: needs no other header of the engine. */
+ * Source. Stands alone: needs no other header of the engine. Trusts its pointers. */
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -56,7 +56,7 @@ typedef struct wfForce {
             wfVec2 centre;              /* m                                                    */
             wfReal strength;            /* N s per m of width that faces the centre             */
             wfReal radius;              /* m, > 0: no effect beyond                             */
-            wfReal start, duration;     /* s; duration > 0                                      */
+            wfReal start, duration;     /* s, after it was added to the world; s, > 0           */
         } explosion;
         struct { wfVec2 velocity; wfReal coefficient; } wind;   /* m/s; kg/m^2, >= 0            */
         struct {
@@ -69,8 +69,8 @@ typedef struct wfForce {
     };
 } wfForce;
 
-/* Adds what `f' does to the sums of the bodies that it acts on; time in s. Trusts f: see
-   wfCheckForce. */
+/* Adds what `f' does to the sums of the bodies that it acts on; time: s, since it was added
+   to the world. Trusts f: see wfCheckForce. */
 typedef void wfForceFn(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out);
 /* Potential energy of one body in the field of f, J, or of a pair. */
@@ -96,8 +96,9 @@ int wfFindForce(const char *name);      /* the row of that name, -1 if there is 
 /* WF_ERROR_NULL, _UNKNOWN (kind), _RANGE (an index below -1, a parameter out of range),
    _NOT_FINITE. */
 wfResult wfCheckForce(const wfForce *f);
-/* Adds n checked forces to out, one sum for each body. A force on a body that is not
-   there does nothing; bodies with invMass and invInertia 0 feel nothing. */
+/* Adds n checked forces to out, one sum for each body; time: s, since they were added. A
+   force on a body that is not there does nothing; bodies with invMass and invInertia 0 feel
+   nothing. */
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out);
 /* The potential energy of n checked forces, J; those without a potential count 0. */

@@ -3,7 +3,7 @@
 #ifndef WEFT_ISLAND_H
 #define WEFT_ISLAND_H
 /* Who hangs together with whom, and who has been still for how long. Plain
- * functions over arrays; the world has functions of its own for them. */
+ * functions over arrays, which trust their pointers; the world has its own for them. */
 #include "weft/body.h"
 
 /* A forest over the numbers 0 .. count - 1, each a set of its own. */

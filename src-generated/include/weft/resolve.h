@@ -4,7 +4,8 @@
 #ifndef WEFT_RESOLVE_H
 #define WEFT_RESOLVE_H
 /* Contact resolution by impulses (the report's section 5.7).
- * Units: kg, m, s, N s. Indices are into arrays that the caller owns. */
+ * Units: kg, m, s, N s. Indices are into arrays that the caller owns.
+ * What answers no wfResult trusts its pointers. */
 #include "weft/body.h"
 #include "weft/contact.h"
 #include "weft/core.h"

@@ -1,0 +1,253 @@
+/* What runs in the middle of a step may look and not touch: every function that takes a world to change it answers WF_ERROR_BUSY, from
+ * every function of the user's that a step calls, and the step goes on as if nothing had been. The table has a row for every such
+ * function: the test reads the headers and says which is missing. */
+#include "testing.h"
+#include "world.h"
+#include "weft/accuracy.h"
+#include "weft/save.h"
+
+/* What the calls are made with: all of it as good as between two steps. */
+static struct {
+    wfWorldDef def;
+    wfBodyDef body;
+    wfShapeDef shape;
+    wfForce force;
+    wfJoint joint;
+    wfBodyId bodyId;
+    wfShapeId shapeId;
+    wfForceId forceId, hand;
+    wfJointId jointId;
+    wfAccuracy chosen;
+    wfJournal journal, other;
+    wfRewind ring;
+    void *snapshot, *room;
+    size_t size, roomSize;
+    wfWorld made;
+    wfCurveDef how;
+    wfAccuracy points[WF_CURVE_POINTS];
+    int32_t count;
+} with;
+
+typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
+#define CALL(f, ...) static wfResult call_##f(wfWorld *w) { return f(__VA_ARGS__); }
+#define ROWS(X) \
+    X(wfSetPairMaterial, w, 1, 2, NULL) \
+    X(wfAddShapesToBody, w, with.bodyId, &with.shape, 1, NULL) \
+    X(wfAddShapeToBody, w, with.bodyId, &with.shape, NULL) \
+    X(wfRemoveShapeFromWorld, w, with.shapeId) \
+    X(wfSetShape, w, with.shapeId, &with.shape) \
+    X(wfAddForceToWorld, w, &with.force, NULL) \
+    X(wfRemoveForceFromWorld, w, with.forceId) \
+    X(wfSetForce, w, with.forceId, &with.force) \
+    X(wfGrabBody, w, with.bodyId, wfV2(0, 1), &with.hand) \
+    X(wfDragHand, w, with.hand, wfV2(0, 1)) \
+    X(wfStepWorldWith, w, NULL) \
+    X(wfIndexWorld, w) \
+    X(wfStepWorldTimed, w, NULL) \
+    X(wfDestroyWorld, w) \
+    X(wfAddBodyToWorld, w, &with.body, NULL) \
+    X(wfRemoveBodyFromWorld, w, with.bodyId) \
+    X(wfSetBodyTransform, w, with.bodyId, wfV2(0, 1), 0) \
+    X(wfSetBodyVelocity, w, with.bodyId, wfV2(0, 1), 0) \
+    X(wfSetBodyMass, w, with.bodyId, 1) \
+    X(wfSetBodyDamping, w, with.bodyId, 1, 1) \
+    X(wfChangeBodyType, w, with.bodyId, WF_STATIC) \
+    X(wfSetBodyMaterial, w, with.bodyId, 0, 0) \
+    X(wfApplyForceToBody, w, with.bodyId, wfV2(0, 1), wfV2(0, 0)) \
+    X(wfApplyTorqueToBody, w, with.bodyId, 1) \
+    X(wfApplyImpulseToBody, w, with.bodyId, wfV2(0, 1), wfV2(0, 0)) \
+    X(wfApplyAngularImpulseToBody, w, with.bodyId, 1) \
+    X(wfStepWorld, w) \
+    X(wfSetTimeStep, w, WF_R(0.01)) \
+    X(wfSetGravity, w, wfV2(0, 0)) \
+    X(wfSetWorldDef, w, &with.def) \
+    X(wfSetMethods, w, -1, -1, -1, -1) \
+    X(wfSetWorldOrigin, w, (wfFar){ 1, 1 }) \
+    X(wfSetFarPosition, w, with.bodyId, (wfFar){ 1, 1 }, 0) \
+    X(wfMoveOrigin, w, wfV2(1, 1), NULL) \
+    X(wfCentreWorld, w, wfV2(100, 1), 10, NULL) \
+    X(wfAddJointToWorld, w, &with.joint, NULL) \
+    X(wfRemoveJointFromWorld, w, with.jointId) \
+    X(wfSetJoint, w, with.jointId, &with.joint) \
+    X(wfWakeBody, w, with.bodyId) \
+    X(wfPutToSleep, w, with.bodyId) \
+    X(wfSetNeverSleeps, w, with.bodyId, 1) \
+    X(wfRestoreWorld, w, with.snapshot, with.size) \
+    X(wfGrowWorld, w, &with.def) \
+    X(wfRewindTo, &with.ring, w, wfWorldSteps(w)) \
+    X(wfGiveInput, w, &with.journal, &(wfInput){ .kind = WF_INPUT_GRAVITY }, NULL) \
+    X(wfStepNoted, w, &with.journal, NULL) \
+    X(wfReplayStep, &(wfReplay){ .journal = &with.journal }, w, NULL, &(int32_t){ 0 }) \
+    X(wfFindDivergence, &(wfReplay){ .journal = &with.journal }, w, &(wfReplay){ .journal = &with.other }, &(wfWorld){ .memory = w->memory }, NULL, \
+      &(wfDivergence){ .step = 0 }) \
+    X(wfUseSettings, w, &with.chosen) \
+    X(wfStepFrame, w, &with.chosen) \
+    X(wfSetTolerance, w, WF_R(1.0) / 60, WF_R(0.1), &with.chosen) \
+    X(wfSetBodySubsteps, w, with.bodyId, 1)
+/* Those that do not change it, and cannot do without its whole. */
+#define ALSO(X) \
+    X(wfSnapshotWorld, w, with.room, with.roomSize, &with.size) \
+    X(wfSaveToBytes, w, with.room, with.roomSize, &with.size) \
+    X(wfSaveToFile, w, "/nowhere/at/all") \
+    X(wfCloneWorld, w, NULL, &with.made) \
+    X(wfRewindKeep, &with.ring, w) \
+    X(wfCheckWorld, w, NULL) \
+    X(wfMeasureCurve, w, &with.how, with.points, WF_CURVE_POINTS, &with.count)
+ROWS(CALL)
+ALSO(CALL)
+#define NAME(f, ...) { #f, call_##f },
+static const Row table[] = { ROWS(NAME) ALSO(NAME) };
+#define ONE(f, ...) + 1
+enum { ROW_COUNT = sizeof table / sizeof *table, CHANGING = 0 ROWS(ONE) };
+
+/* ------------------------------------------------------------------------------ is the table complete? */
+
+static bool in_table(const char *name, size_t length)
+{
+    for (int i = 0; i < ROW_COUNT; i++)
+        if (strlen(table[i].name) == length && strncmp(table[i].name, name, length) == 0) return true;
+    return false;
+}
+
+/* A prototype names a function that changes a world if it has a parameter `wfWorld *x' that is neither const nor called `out'. */
+static int look_for_worlds(const char *header)
+{
+    static char text[1 << 17];
+    char path[200];
+    int found = 0;
+    snprintf(path, sizeof path, "src-generated/include/weft/%s.h", header);
+    FILE *f = fopen(path, "rb");
+    if (f == NULL) fail_msg("no %s: tests run in the root of the project", path);
+    text[fread(text, 1, sizeof text - 1, f)] = 0;
+    fclose(f);
+    for (const char *at = text; (at = strstr(at, "wfWorld *")) != NULL; at += 9) {
+        const char *begin = at, *open = at;
+        if (strncmp(at + 9, "out)", 4) == 0 || (at - text >= 6 && strncmp(at - 6, "const ", 6) == 0)) continue;
+        while (begin > text && begin[-1] != ';' && begin[-1] != '/') begin--;      /* the prototype: from the end of what stands before it */
+        while (open > begin && *open != '(') open--;
+        if (*open != '(' || strncmp(begin, "\ntypedef", 8) == 0) continue;
+        const char *name = open;
+        while (name > begin && (name[-1] == '_' || (name[-1] >= '0' && name[-1] <= '9') || (name[-1] >= 'A' && name[-1] <= 'Z') || (name[-1] >= 'a' && name[-1] <= 'z'))) name--;
+        if (strncmp(name, "wf", 2) != 0) continue;
+        if (!in_table(name, (size_t)(open - name))) fail_msg("%.*s of weft/%s.h changes a world: give it a row in tests/test_accuracy_hooks.c", (int)(open - name), name, header);
+        found++;
+    }
+    return found;
+}
+
+static void every_function_that_changes_a_world_has_a_row(void **unused)
+{
+    (void)unused;
+    int found = look_for_worlds("world") + look_for_worlds("save") + look_for_worlds("accuracy");
+    if (found < CHANGING) fail_msg("%d functions found in the headers, %d in the table", found, (int)CHANGING);
+}
+
+/* ------------------------------------------------------------------------------ from within a step */
+
+static wfWorld *world;
+static int asked;
+
+static void call_all(void)
+{
+    wfWorld same = *world;
+    if (asked++ % 7 != 0) return;                           /* now and then is often enough */
+    for (int i = 0; i < ROW_COUNT; i++)
+        for (int k = 0; k < 2; k++) {                       /* by the handle, and by a copy of it */
+            wfResult result = table[i].call(k ? &same : world);
+            if (result != WF_ERROR_BUSY) fail_msg("%s in the middle of a step: %s", table[i].name, wfResultName(result));
+        }
+}
+
+static bool filters(void *context, const wfHookView *view, int32_t a, int32_t b)
+{
+    (void)context, (void)view, (void)a, (void)b;
+    call_all();
+    return true;
+}
+
+static void sees(void *context, const wfHookView *view, const wfContact *contact, wfContactChange *change)
+{
+    (void)context, (void)view, (void)contact, (void)change;
+    call_all();
+}
+
+static double looks_at_the_clock(void *context)
+{
+    (void)context;
+    call_all();
+    return 0;
+}
+
+static wfWorld filled(void)
+{
+    wfWorld made;
+    wfWorldDef def = wfDefaultWorldDef();
+    def.pairMaterials = 2;
+    assert_ok(wfCreateWorld(&def, &made));
+    add(&made, floor_def());
+    for (int i = 0; i < 8; i++) with.bodyId = add(&made, ball_def(i % 3, 0.5 + i / 3, 0.5));
+    with.shapeId = wfFirstShape(&made, with.bodyId);
+    with.body = ball_def(9, 9, 0.5);
+    with.shape = wfDefaultShapeDef();
+    with.shape.shape = with.body.shape;
+    with.force = wfDrag(1, 0);
+    assert_ok(wfAddForceToWorld(&made, &with.force, &with.forceId));
+    assert_ok(wfGrabBody(&made, with.bodyId, wfV2(1, 2), &with.hand));
+    assert_ok(wfJoinBodies(&made, "revolute", with.bodyId, wfBodyAt(&made, 2), wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &with.joint));
+    assert_ok(wfAddJointToWorld(&made, &with.joint, &with.jointId));
+    assert_ok(wfGetWorldDef(&made, &with.def));
+    with.chosen = (wfAccuracy){ .method = 0, .steps = 1, .frame = WF_R(1.0) / 60 };
+    for (int i = 0; i < 20; i++) assert_ok(wfStepWorld(&made));
+    return made;
+}
+
+static void only_looking_is_allowed_in_a_step(void **unused)
+{
+    (void)unused;
+    static _Alignas(16) uint8_t ring[1 << 18], notes[2][1 << 10], keep[1 << 18], more[1 << 18];
+    static double seconds[64];
+    const wfHooks hooks[2] = { { .filter = filters }, { .preSolve = sees } };
+    const wfStepClock clock = { looks_at_the_clock, NULL, seconds };
+    assert_true(wfStageCount <= 64);
+    for (int k = 0; k < 3; k++) {
+        wfWorld made = filled(), twin;
+        assert_ok(wfCloneWorld(&made, NULL, &twin));
+        assert_ok(wfSnapshotWorld(&made, keep, sizeof keep, &with.size));
+        with.snapshot = keep, with.room = more, with.roomSize = sizeof more;
+        with.how = wfDefaultCurveDef();
+        assert_ok(wfRewindInit(&with.ring, ring, sizeof ring));
+        assert_ok(wfRewindKeep(&with.ring, &made));
+        assert_ok(wfJournalInit(&with.journal, notes[0], sizeof notes[0], 0));
+        assert_ok(wfJournalInit(&with.other, notes[1], sizeof notes[1], 0));
+        for (int i = 0; i < 2; i++) {                       /* a step for wfReplayStep to make */
+            wfWorld third;
+            assert_ok(wfCloneWorld(&made, NULL, &third));
+            assert_ok(wfStepNoted(&third, i ? &with.other : &with.journal, NULL));
+            assert_ok(wfDestroyWorld(&third));
+        }
+        size_t used = with.journal.used;
+        world = &made, asked = 0;
+        for (int i = 0; i < 10; i++) {
+            assert_ok(k < 2 ? wfStepWorldWith(&made, &hooks[k]) : wfStepWorldTimed(&made, &clock));
+            assert_ok(wfStepWorld(&twin));
+            wfDifference d;
+            wfResult result = wfCompareWorlds(&made, &twin, &d);
+            bool noted = result == WF_OK || (strcmp(d.region, "header") == 0 && k < 2);     /* that hooks were used */
+            if (!noted) fail_msg("step %d: %s %d: %s", i, d.region, (int)d.element, d.field);
+            assert_true(wfHashWorld(&made) == wfHashWorld(&twin));
+        }
+        assert_true(asked > 10);
+        assert_int_equal(with.journal.used, used);          /* what is refused is not noted */
+        assert_ok(wfDestroyWorld(&made));
+        assert_ok(wfDestroyWorld(&twin));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_function_that_changes_a_world_has_a_row),
+        cmocka_unit_test(only_looking_is_allowed_in_a_step),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
