@@ -52,6 +52,7 @@ static wfResult check_body_def(const wfBodyDef *d)
 uint32_t wfNeedsOfBody(const wfBodyDef *d)
 {
     uint32_t needs = 0;
+    if (d == NULL) return needs;
     (void)d;
     /* what a body's definition requires */
     if (d->angularVelocity != 0) needs |= WF_NEED_ROTATION;
@@ -171,6 +172,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         wfDisturbEnds(&b, b.forces[f].a, b.forces[f].b);
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
         memset(&b.forces[f], 0, sizeof b.forces[f]);
+        b.added[f] = 0;
     }
     wfDropJoints(&b, i);
     wfBeginRest(&b, i, 0);

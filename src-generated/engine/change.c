@@ -20,6 +20,44 @@ void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second)
     if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfDisturb(b, second);
 }
 
+static bool is_below(wfReal rest, wfReal sum)               /* eq:world-digits */
+{
+    return wfAbs(rest) <= WF_EPSILON / 2 * wfAbs(sum);
+}
+
+bool wfAreDigits(const wfBodyState *s, const wfFine *rest)
+{
+    return is_below(rest->p.x, s->p.x) && is_below(rest->p.y, s->p.y)
+        && is_below(rest->angle, s->angle) && is_below(rest->v.x, s->v.x)
+        && is_below(rest->v.y, s->v.y) && is_below(rest->w, s->w);
+}
+
+static void settle(wfReal *sum, wfReal *rest)
+{
+    if (is_below(*rest, *sum)) return;
+    double exact = (double)*sum + (double)*rest;
+    *sum = (wfReal)exact;
+    *rest = (wfReal)(exact - (double)*sum);
+}
+
+/* The rest of an angle of many turns may have turns itself. */
+static void settle_angle(wfReal *sum, wfReal *rest)
+{
+    if (is_below(*rest, *sum)) return;
+    *rest = wfWrapAngle(*rest);
+    settle(sum, rest);
+    *sum = wfWrapAngle(*sum);
+    settle(sum, rest);
+}
+
+void wfSettleDigits(wfBodyState *s, wfFine *rest)
+{
+    settle(&s->p.x, &rest->p.x), settle(&s->p.y, &rest->p.y);
+    settle_angle(&s->angle, &rest->angle);
+    settle(&s->v.x, &rest->v.x), settle(&s->v.y, &rest->v.y);
+    settle(&s->w, &rest->w);
+}
+
 /* settings of a world */
 wfResult wfGetWorldDef(const wfWorld *world, wfWorldDef *out)
 {

@@ -56,7 +56,8 @@ static bool check_counts(Check *c)
     const wfHeader *h = c->b.head;
     const wfRegion *r = c->region;
     size_t events = 0;
-    bool good = h->time >= 0 && h->time - h->time == 0 && is_choice(h->indexStale);
+    bool good = h->time >= 0 && wfIsFinite((wfReal)h->time) && is_choice(h->busy)
+             && is_choice(h->indexStale);
     /* check what else the header says */
     good = good && is_choice(h->large) && h->report.solved >= 0;
     good = good && h->origin.x - h->origin.x == 0 && h->origin.y - h->origin.y == 0;
@@ -207,8 +208,9 @@ static bool check_bounds(Check *c)
         int flags = b->flags[k], all = WF_PROXY_LIVE | WF_PROXY_MOVES;
         bool flagged = (flags & ~all) == 0 && ((flags & WF_PROXY_LIVE) != 0) == live
                     && (live || flags == 0);
-        if (!rule(c, is_box(b->bounds[k]) && flagged, WF_REGION_BOUNDS, k,
-                  "bounds are a box, and flags agree with the slot")) return false;
+        if (!rule(c, is_box(b->bounds[k]), WF_REGION_BOUNDS, k, "bounds are a box")
+            || !rule(c, flagged, WF_REGION_FLAGS, k, "flags agree with the slot"))
+            return false;
     }
     return true;
 }
@@ -246,7 +248,10 @@ static bool check_forces(Check *c)
         if (c->b.forceSlots[f].next != WF_SLOT_LIVE) continue;
         if (!rule(c, wfCheckForce(force) == WF_OK && is_end(&c->b, force->a)
                      && is_end(&c->b, force->b), WF_REGION_FORCES, f,
-                  "a force is in range and acts on living bodies")) return false;
+                  "a force is in range and acts on living bodies")
+            || !rule(c, c->b.added[f] >= 0 && c->b.added[f] <= c->b.head->time,
+                     WF_REGION_ADDED, f, "a force was added at 0 or later, and until now"))
+            return false;
     }
     return true;
 }
@@ -412,9 +417,11 @@ static bool check_rest(Check *c)
     int32_t asleep = 0, end = h->bodySlots.high;
     memset(named, 0, (size_t)end);
     for (int32_t i = 0; i < end; i++) {
-        bool good = flags[i] <= 7 && wfIsFinite(clock[i]) && clock[i] >= 0
-                 && (island[i] == -1 || in_range(island[i], end));
-        if (!rule(c, good, WF_REGION_REST, i, "flags, clock and island are in range")
+        bool timed = wfIsFinite(clock[i]) && clock[i] >= 0;
+        bool placed = island[i] == -1 || in_range(island[i], end);
+        if (!rule(c, flags[i] <= 7, WF_REGION_REST, i, "flags are in range")
+            || !rule(c, timed, WF_REGION_CLOCKS, i, "a clock is at 0 or above")
+            || !rule(c, placed, WF_REGION_ISLANDS, i, "an island is the index of a body")
             || !check_ring(c, i, flags, named)) return false;
         asleep += flags[i] & 1;
     }
@@ -460,11 +467,10 @@ static bool check_fine(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
         const wfFine *f = &c->b.fine[i];
-        const wfReal n[] = { f->p.x, f->p.y, f->v.x, f->v.y, f->angle, f->w };
-        bool good = wfAllFinite(n, 6);
-        for (int k = 0; k < 6 && !c->b.alive[i]; k++) good = good && n[k] == 0;
-        if (!rule(c, good, WF_REGION_FINE, i, "what was rounded away is finite"))
-            return false;
+        const wfBodyState none = { .w = 0 };    /* zero has no digits: eq:world-digits */
+        const wfBodyState *s = c->b.alive[i] ? &c->b.state[i] : &none;
+        if (!rule(c, wfAreDigits(s, f), WF_REGION_FINE, i,
+                  "what was rounded away is below the state's last digit")) return false;
     }
     return true;
 }
@@ -499,6 +505,7 @@ static const RuleRow rule_table[WF_REGION_KEPT] = {
     [WF_REGION_INDEX] = { NULL, "is built anew" },
     [WF_REGION_FORCE_SLOTS] = { check_force_slots, NULL },
     [WF_REGION_FORCES] = { check_forces, NULL },
+    [WF_REGION_ADDED] = { NULL, "with its force" },
     [WF_REGION_PAIRS] = { check_pairs, NULL },
     [WF_REGION_CACHES] = { NULL, "with its pair" },
     [WF_REGION_CONTACTS] = { check_contacts, NULL },

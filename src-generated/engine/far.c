@@ -81,6 +81,9 @@ static void move_lists(wfBlock *b, wfVec2 by)
 {
     (void)b, (void)by;
     /* move what else names places */
+    for (int32_t i = 0; i < b->head->bodySlots.high && wfFineOf(b) != NULL; i++) {
+        wfSettleDigits(&b->state[i], &b->fine[i]);      /* sec:world-digits */
+    }
     bool boxed = wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES);
     for (int32_t k = 0; k < b->head->shapeSlots.high && boxed; k++) {
         int32_t i = b->owners[k];

@@ -26,7 +26,8 @@ static size_t used(const wfHeader *h, int region)
         return (size_t)h->shapeSlots.high;
     case WF_REGION_PAIRS: case WF_REGION_CACHES: return (size_t)h->pairCount;
     case WF_REGION_CONTACTS: return (size_t)h->contactCount;
-    case WF_REGION_FORCE_SLOTS: case WF_REGION_FORCES: return (size_t)h->forceSlots.high;
+    case WF_REGION_FORCE_SLOTS: case WF_REGION_FORCES: case WF_REGION_ADDED:
+        return (size_t)h->forceSlots.high;
     case WF_REGION_TOUCHES: return (size_t)h->touchCount;
     case WF_REGION_HITS: return (size_t)h->hitCount;
     case WF_REGION_EVENTS: {

@@ -22,6 +22,7 @@ static wfResult check_shape_def(const wfShapeDef *d)
 /* what shapes need */
 uint32_t wfNeedsOfShape(const wfShapeDef *d)
 {
+    if (d == NULL) return 0;
     uint32_t needs = WF_NEED_SHAPES;
     if (d->friction > 0 || d->staticFriction > 0 || d->surfaceSpeed != 0)
         needs |= WF_NEED_FRICTION;

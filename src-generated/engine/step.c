@@ -31,11 +31,15 @@ static wfResult copy_states(struct wfStep *s)
 static wfResult list_forces(struct wfStep *s)
 {
     s->forces = wfTransient(&s->b, WF_REGION_ACTIVE_FORCES);
+    s->ages = wfTransient(&s->b, WF_REGION_AGES);
+    s->ages[0] = 0;             /* gravity does not ask */
     s->forces[s->forceCount++] = wfGravity(s->b.head->gravity);
     /* list the registered forces */
-    for (int32_t i = 0; i < s->b.head->forceSlots.high; i++)
-        if (s->b.forceSlots[i].next == WF_SLOT_LIVE)
-            s->forces[s->forceCount++] = s->b.forces[i];
+    for (int32_t i = 0; i < s->b.head->forceSlots.high; i++) {
+        if (s->b.forceSlots[i].next != WF_SLOT_LIVE) continue;
+        s->ages[s->forceCount] = (wfReal)(s->b.head->time - s->b.added[i]);
+        s->forces[s->forceCount++] = s->b.forces[i];
+    }
     return WF_OK;
 }
 
@@ -61,10 +65,10 @@ static wfResult damp_again(struct wfStep *s)
 }
 
 /* integrate the step */
-static void forces_on(void *context, const wfBodyState *state, int count, wfReal time,
+static void forces_on(void *context, const wfBodyState *state, int count, wfReal since,
                       wfBodyForces *out)
 {
-    const struct wfStep *s = context;
+    const struct wfStep *s = context;       /* since: s, of this step */
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
     (void)count;
@@ -75,7 +79,8 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
         wfApplyTorque(&out[i], s->b.applied[i].torque);
     }
-    wfAccumulateForces(s->forces, s->forceCount, &bodies, time, out);
+    for (int32_t i = 0; i < s->forceCount; i++)
+        wfAccumulateForces(&s->forces[i], 1, &bodies, s->ages[i] + since, out);
 }
 
 static wfResult sum_forces(struct wfStep *s)
@@ -93,7 +98,7 @@ static wfResult sum_forces(struct wfStep *s)
         middle[i].p = wfAddScaled(middle[i].p, half, middle[i].v);
         middle[i].angle = wfWrapAngle(middle[i].angle + half * middle[i].w);
     }
-    forces_on(s, middle, s->count, (wfReal)s->b.head->time + half, s->sums);
+    forces_on(s, middle, s->count, half, s->sums);
     wfPoolRewind(&s->scratch, mark);
     return WF_OK;
 }
@@ -103,7 +108,7 @@ static wfResult integrate(struct wfStep *s)
     const wfHeader *head = s->b.head;
     /* leave it to a solver that steps by itself */
     if (wfSolverSteps(s)) return sum_forces(s);
-    wfIntegration in = { .state = s->state, .count = s->count, .time = (wfReal)head->time,
+    wfIntegration in = { .state = s->state, .count = s->count, .time = 0,
                          .h = head->dt, .forces = forces_on, .context = s,
                          .scratch = &s->scratch };
     return wfIntegratorTable[head->integrator].step(&in);
@@ -115,8 +120,9 @@ static wfResult check_states(struct wfStep *s)
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i]) continue;
         if (!wfBodyIsFinite(&s->state[i])) return WF_ERROR_NOT_FINITE;
-        /* take full turns off the angle of body i */
+        /* settle the angle and the digits of body i */
         wfWrapBodyAngle(&s->state[i]);
+        if (s->fine != NULL) wfSettleDigits(&s->state[i], &s->fine[i]);
     }
     /* check that contacts are finite */
     for (int32_t i = 0; i < s->contactCount; i++) {
@@ -134,6 +140,12 @@ static wfResult check_states(struct wfStep *s)
     }
     double end = s->b.head->time + (double)s->b.head->dt;
     return wfIsFinite((wfReal)end) ? WF_OK : WF_ERROR_NOT_FINITE;
+}
+
+static void keep_digits(struct wfStep *s)
+{
+    for (int32_t i = 0; i < s->count; i++)
+        s->b.fine[i] = s->present[i] ? s->fine[i] : (wfFine){ .w = 0 };
 }
 
 /* resolve the contacts */
@@ -219,7 +231,7 @@ static wfResult commit(struct wfStep *s)
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
-    if (s->fine != NULL) copy_back(s->b.fine, s->fine, s->count, sizeof *s->fine);
+    if (s->fine != NULL) keep_digits(s);
     /* count what was committed */
     head->time += (double)head->dt;
     head->steps++;
@@ -366,7 +378,11 @@ wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
 {
     struct wfStep step = { .clock = clock };
     wfResult result = wfChangeBlock(world, &step.b);
-    return result == WF_OK ? run_stages(&step) : result;
+    if (result != WF_OK) return result;
+    step.b.head->busy = clock != NULL;      /* it is the user's, as a hook is */
+    result = run_stages(&step);
+    step.b.head->busy = 0;
+    return result;
 }
 
 /* step the world for hooks */

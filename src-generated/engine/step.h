@@ -19,6 +19,7 @@ struct wfStep {
     int32_t          restarts;    /* how often it was begun anew */
     wfBodyState     *state;       /* the new states */
     wfForce         *forces;      /* the forces that act in this step */
+    wfReal          *ages;        /* s: for so long each of them has been there */
     int32_t          forceCount;
     /* arrays of the second half */
     int32_t          shapeCount;  /* places for shapes in use */

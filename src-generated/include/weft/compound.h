@@ -1,7 +1,8 @@
 /* Weft: include/weft/compound.h, tangled from chapters/methods/15-compound.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* compound.h: bodies of several shapes: combined masses, outlines cut into convex pieces,
-   chains. Lengths in m, masses in kg, inertia in kg m^2. */
+   chains. Lengths in m, masses in kg, inertia in kg m^2.
+   What answers no wfResult trusts its pointers. */
 #ifndef WEFT_COMPOUND_H
 #define WEFT_COMPOUND_H
 #include "weft/shape.h"

@@ -190,11 +190,11 @@ typedef struct wfShapeView {
 } wfShapeView;
 wfShapeView wfWorldShapes(const wfWorld *world);
 /* Registers a force of the force table; `out` may be NULL. Its a and b are body indices
- * (wfBodyIndex) or -1. WF_ERROR_FULL, WF_ERROR_STALE_ID (a or b names an empty place), and
- * whatever the force's own check finds wrong. */
+ * (wfBodyIndex) or -1. Its time, as of an explosion's start, begins now. WF_ERROR_FULL,
+ * _STALE_ID (a or b is an empty place), and what the force's own check finds wrong. */
 wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out);
 wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id);
-/* Read, or change, a registered force; a change is checked like a new one. */
+/* Read, or change, a registered force, which keeps its time; it is checked like a new one. */
 wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out);
 wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
@@ -309,7 +309,7 @@ enum {
     WF_NEED_FAST        = 1 << 18,
     WF_NEED_SLEEP       = 1 << 19,
 };
-/* What a definition requires. */
+/* What a definition requires; NULL: nothing. */
 uint32_t wfNeedsOfBody(const wfBodyDef *def);
 uint32_t wfNeedsOfShape(const wfShapeDef *def);
 
@@ -367,7 +367,7 @@ typedef struct wfStageReport {
                                 * run: the needs that are absent */
     size_t      bytes;         /* of the arrays that it fills */
 } wfStageReport;
-/* wfStepWorld with a clock for its stages; NULL: none. */
+/* wfStepWorld with a clock (NULL: none), which must not change the world: _BUSY. */
 wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock);
 /* Row `stage` of wfStageTable in this world. WF_ERROR_NULL, _UNKNOWN. */
 wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out);
@@ -516,7 +516,7 @@ extern const wfStageRow wfStageTable[];
 extern const int wfStageCount;
 /* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
- * WF_ERROR_NOT_FINITE: a number overflowed, as when forces are far too large. */
+ * WF_ERROR_NOT_FINITE, _RANGE: a number, or a turn, is too large, as forces may be. */
 wfResult wfStepWorld(wfWorld *world);
 wfResult wfSetTimeStep(wfWorld *world, wfReal dt);
 wfResult wfSetGravity(wfWorld *world, wfVec2 gravity);
