@@ -156,17 +156,20 @@ wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t byte
     return result;
 }
 
-void wfCopyIndex(int method, void *to, const void *from, size_t bytes, int32_t proxies,
-                 bool lasts)
+wfResult wfCopyIndex(int method, void *to, const void *from, size_t bytes,
+                     int32_t proxies, bool lasts)
 {
-    const wfBroadPhaseRow *row = &wfBroadPhaseTable[method];
+    const wfBroadPhaseRow *row = rowOf(method);
+    if (!to || !from) return WF_ERROR_NULL;
+    if (!row) return WF_ERROR_UNKNOWN;
     bool made = ((const IndexStamp *)from)->method == method + 1;
     if (!made || row->copy == NULL || (lasts && ((IndexStamp *)to)->method != method + 1)) {
         memcpy(to, from, bytes);
-        return;
+        return WF_OK;
     }
     memcpy(to, from, WF_POOL_ALIGN);
     row->copy((uint8_t *)to + WF_POOL_ALIGN, (const uint8_t *)from + WF_POOL_ALIGN, proxies);
+    return WF_OK;
 }
 
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,

@@ -209,9 +209,10 @@ size_t wfIndexSize(int method, int32_t proxies);     /* bytes of an index; 0: ha
 wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t bytes,
                        wfPool *scratch);
 /* Copies an index of so many bytes, for so many proxies: what is in use of it; all, if it
-   `lasts` (beyond the next copy) where none by this method has been. */
-void wfCopyIndex(int method, void *to, const void *from, size_t bytes, int32_t proxies,
-                 bool lasts);
+   `lasts` (beyond the next copy) where none by this method has been.  WF_ERROR_NULL,
+   _UNKNOWN. */
+wfResult wfCopyIndex(int method, void *to, const void *from, size_t bytes,
+                     int32_t proxies, bool lasts);
 
 /* As wfFindPairs, by an index that agrees with the proxies (or NULL: without one). */
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,
