@@ -1,6 +1,6 @@
 /* Joints and springs, more joints, exact joints: rods and ropes of any length, down to none. A rod of no length is a pin: resting discs on it stay
  * where they are, whether or not the anchors begin together. Pairs and chains on rods and ropes of 0 to 10 cm, thrown or let go, gain no
- * energy, solved one by one or together. */
+ * energy, solved one by one or together. Servo and friction joints keep the angular momentum of a free pair. */
 #include "testing.h"
 #include "world.h"
 #include "weft/weft.h"
@@ -116,11 +116,43 @@ static void short_rods_and_ropes_gain_nothing(void **state)
     }
 }
 
+/* Two free boxes, one of them thrown: the servo and friction may change how they move and turn, not their momentum or angular momentum. */
+static void servo_and_friction_keep_angular_momentum(void **state)
+{
+    (void)state;
+    const struct { const char *kind; wfReal stiffness, damping, most, apart; } cases[] = {
+        { "servo", 100, 0, 1000, 3 }, { "servo", 100, 20, 1000, 3 }, { "servo", 0, 20, 1000, 3 }, { "servo", 100, 20, 5, 3 },
+        { "servo", 1000, 100, 10000, 3 }, { "servo", 100, 20, 1000, WF_R(0.01) }, { "friction", 0, 0, 5, 3 }, { "friction", 0, 0, 500, 3 } };
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof *cases; i++) {
+        wfWorld w = empty_world(0, i & 1 ? TOGETHER : ONE_BY_ONE);
+        wfBodyDef def = ball_def(0, 0, 1);
+        assert_ok(wfMakeBox(1, 1, &def.shape));
+        wfBodyId a = add(&w, def);
+        def.position.x = cases[i / 2].apart, def.velocity.y = 2;
+        wfBodyId b = add(&w, def);
+        wfJoint j;
+        assert_ok(wfJoinBodies(&w, cases[i / 2].kind, a, b, wfV2(0, 0), def.position, wfV2(1, 0), &j));
+        j.stiffness = cases[i / 2].stiffness, j.damping = cases[i / 2].damping, j.motorForce = cases[i / 2].most;
+        assert_ok(wfAddJointToWorld(&w, &j, NULL));
+        double p0[2], p[2], l0, l;
+        wfWorldMomentum(&w, p0, &l0);
+        for (int k = 0; k < 300; k++) assert_ok(wfStepWorld(&w));
+        wfWorldMomentum(&w, p, &l);
+        /* 300 steps of 4 substeps with some 6 pushes each, which round momenta of 8 kg m/s, at arms to 10 m; the errors add up as a random walk does */
+        double rounding = sqrt(300 * 4 * 6) * (double)WF_EPSILON * 8;
+        assert_near(p[0], p0[0], rounding);
+        assert_near(p[1], p0[1], rounding);
+        assert_near(l, l0, 10 * rounding);
+        wfDestroyWorld(&w);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rod_of_no_length_is_a_pin),
         cmocka_unit_test(short_rods_and_ropes_gain_nothing),
+        cmocka_unit_test(servo_and_friction_keep_angular_momentum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -177,8 +177,10 @@ static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *
 static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
-    pin(at, rows);
-    for (int i = 0; i < 2; i++) spring(&rows[i], j->stiffness, j->damping, j->motorForce);
+    for (int i = 0; i < 2; i++) {
+        rows[i] = along_axis(wfRotate(at->qA, wfV2(i == 0, i == 1)), at);
+        spring(&rows[i], j->stiffness, j->damping, j->motorForce);
+    }
     in_a_plane(rows);
     rows[2] = turning(at, j->angle);
     spring(&rows[2], arm * arm * j->stiffness, arm * arm * j->damping,
