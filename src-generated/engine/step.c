@@ -68,6 +68,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     const struct wfStep *s = context;
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
+    bodies.step = s->b.head->dt;
     (void)count;
     /* where that is possible */
     bool pushed = wfHas(s->b.head, WF_NEED_PUSHES);
