@@ -486,8 +486,7 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out);
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out);
 /* All: WF_ERROR_STALE_ID, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE where stated. */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle);
-/* Velocity of the centre of mass. RANGE: a static body cannot move. A body with
- * fixedRotation takes no spin: it stays 0. */
+/* Of the centre of mass. RANGE: a static body. With fixedRotation the spin stays 0. */
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity);
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
