@@ -97,7 +97,7 @@ static void test_momentum_is_kept(void **state)
     (void)state;
     for (int kind = 0; kind < wfJointKinds; kind++) {
         /* these hang on the world, or pull along directions that are fixed in it */
-        if (kind == wfFindJoint("pulley") || kind == wfFindJoint("hand") || kind == wfFindJoint("gear") || kind == wfFindJoint("servo")
+        if (kind == wfFindJoint("pulley") || kind == wfFindJoint("hand") || kind == wfFindJoint("gear")
             || kind == wfFindJoint("rack") || kind == wfFindJoint("linkage")) continue;
         bool pinned = kind == wfFindJoint("revolute") || kind == wfFindJoint("weld");
         for (int round = 0; round < 20; round++) {

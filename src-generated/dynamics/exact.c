@@ -19,6 +19,9 @@ typedef struct Way {
 typedef struct Edge { int32_t to, block, next; } Edge;
 typedef struct Block { wfReal v[3][3]; } Block;     /* rows: the joint of higher number */
 
+/* What a rod does in a substep: as all rows; closes without a second half; holds its rate. */
+enum { ROD_SOUND, ROD_APART, ROD_TURNED };
+
 typedef struct Matrix {
     int32_t count, ordered;     /* joints; those that are solved together */
     int32_t blocks, room;       /* blocks off the diagonal: in use, and at most */
@@ -33,6 +36,7 @@ typedef struct Matrix {
     wfReal (*pivot)[3], (*x)[3];    /* [count] */
     Line (*line)[3];            /* [count] the rows that hold, as they are solved */
     int32_t *rows;              /* [count] how many of them there are */
+    uint8_t *rod;               /* [count] how it is solved in this substep, ROD_... */
     int32_t hinge;              /* the row of "revolute" in the table of joints */
     wfReal *inverse;            /* [bodies] 1/I as the matrix sees it; 1/(kg m^2) */
     /* what a way through a substep takes */
@@ -374,7 +378,29 @@ static wfReal note_gap(Matrix *m, const wfJointSet *set, int32_t i, int k, wfRea
     return wfAbs(m->x[i][k]) * m->size[i][k];
 }
 
-static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal keep, wfReal h)
+/* hold the rate of a rod */
+static wfReal note_rate(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t i,
+                        wfReal h)
+{
+    const wfJoint *j = &set->joints[i];
+    const wfJointWork *w = &set->work[i];
+    wfReal rate = wfRateOf(w->row, &in->state[j->a], &in->state[j->b]);
+    m->line[i][0] = line_of(w->row);                            /* eq:exact-turned */
+    m->x[i][0] = h * (rate + set->give * w->own[0] * m->impulse[i][0]);
+    return wfAbs(m->x[i][0]) * m->size[i][0];
+}
+
+static void judge_rods(Matrix *m, const wfJointSet *set)
+{
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        const wfJoint *j = &set->joints[i];
+        bool apart = wfIsRod(j) && wfAbs(set->work[i].row[0].error) > j->rest / 2;
+        m->rod[i] = apart ? ROD_APART : ROD_SOUND;
+    }
+}
+static wfReal look_along(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t i,
+                         wfReal keep, wfReal h)
 {
     const wfJoint *j = &set->joints[i];
     const wfJointWork *w = &set->work[i];
@@ -385,6 +411,8 @@ static wfReal look_along(Matrix *m, const wfJointSet *set, int32_t i, wfReal kee
     wfReal worst = 0;
     wfJointTable[j->kind].build(j, &chord, along);
     wfJointTable[j->kind].build(j, &end, then);
+    if (wfIsRod(j) && wfHasTurned(w->row, then)) m->rod[i] = ROD_TURNED;
+    if (m->rod[i] == ROD_TURNED) return note_rate(m, set, in, i, h);
     for (int k = 0; k < w->holds; k++) {
         m->line[i][k] = line_of(&along[w->hold[k]]);
         worst = wfMaxR(worst, note_gap(m, set, i, k, then[w->hold[k]].error, keep, h));
@@ -424,6 +452,7 @@ static void push_all(Matrix *m, const wfJointSet *set, const wfSolve *in)
             fA = wfAddScaled(fA, m->impulse[i][k], l->jA);
             fB = wfAddScaled(fB, m->impulse[i][k], l->jB);
         }
+        if (m->rod[i] == ROD_TURNED) continue;
         m->bend[j->a] += wfDot(wfRotate(m->way[j->a].arm, j->localA), fA);
         m->bend[j->b] += wfDot(wfRotate(m->way[j->b].arm, j->localB), fB);
     }
@@ -486,7 +515,7 @@ static wfReal look_at_all(Matrix *m, const wfJointSet *set, const wfSolve *in, w
         if (m->rows[i] == 0) continue;
         bool hinge = m->rows[i] == 2 && set->joints[i].kind == m->hinge;
         worst = wfMaxR(worst, hinge ? look_along_hinge(m, set, i, keep, h)
-                                    : look_along(m, set, i, keep, h));
+                                    : look_along(m, set, in, i, keep, h));
     }
     push_all(m, set, in);
     return worst;
@@ -512,6 +541,7 @@ static bool is_taut(const Matrix *m, const wfJointSet *set, wfReal h)
 
 static wfReal newton(Matrix *m, wfJointSet *set, const wfSolve *in, wfReal h)
 {
+    judge_rods(m, set);
     wfReal before = 0, gap = look_at_all(m, set, in, h);
     for (int round = 0; round < WF_EXACT_ROUNDS; round++) {
         if (round > 0 && !(gap > WF_EXACT_ROUNDING)) break;
@@ -586,12 +616,13 @@ static void arrive(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal s
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             /* give half of the last push, or take it back */
-            wfReal push = !m->moved ? 0 : m->lost ? -m->impulse[i][k] : m->smooth[i][k];
+            bool once = m->lost || m->rod[i] != ROD_SOUND;
+            wfReal push = !m->moved ? 0 : once ? -m->impulse[i][k] : m->smooth[i][k];
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
             m->before[i][k] = push;
             if (m->moved) m->impulse[i][k] = (m->smooth[i][k] + m->impulse[i][k]) / 2;
-            if (m->lost) m->impulse[i][k] = 0;
+            if (once) m->impulse[i][k] = 0;
         }
     }
     m->lost = false;
@@ -859,7 +890,7 @@ static const wfLending lending = { list_ties, fill_ties, take_ties };
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 7 * sizeof(int32_t) + sizeof(Block) + 18 * sizeof(wfReal)
+    size_t each = 7 * sizeof(int32_t) + 1 + sizeof(Block) + 18 * sizeof(wfReal)
                 + 3 * sizeof(Line);
     size_t pairs = 2 * sizeof(Edge) + 2 * sizeof(Block);
     size_t body = 3 * sizeof(Motion) + sizeof(Way) + 2 * sizeof(wfReal)
@@ -890,6 +921,8 @@ static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
     m->order = wfPoolPushArray(pool, count, int32_t);
     m->list = wfPoolPushArray(pool, count, int32_t);
     m->rows = wfPoolPushArray(pool, count, int32_t);
+    m->rod = wfPoolPushArray(pool, count, uint8_t);
+    if (m->rod != NULL) memset(m->rod, ROD_SOUND, (size_t)count);
     m->after = wfPoolPushArray(pool, 2 * count, int32_t);
     m->own = wfPoolPushArray(pool, count, Block);
     wfReal *numbers = wfPoolPushArray(pool, 18 * count, wfReal);
@@ -905,7 +938,8 @@ static bool take_joints(Matrix *m, int32_t count, wfPool *pool)
     for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
         m->head[i] = m->rank[i] = -1;
     return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
-        && m->after != NULL && m->own != NULL && m->rows != NULL;
+        && m->after != NULL && m->own != NULL && m->rows != NULL
+        && m->rod != NULL;
 }
 
 static Matrix *take_matrix(int32_t count, int32_t bodies, wfPool *pool)

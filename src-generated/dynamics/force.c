@@ -141,6 +141,8 @@ static void drag_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
         wfVec2 v = bodies->state[i].v;
         wfReal c = f->drag.linear + f->drag.quadratic * wfLength(v);
         wfApplyForceToCentre(&out[i], wfScale(-c, v));                  /* eq:force-drag */
+        wfReal slope = c + f->drag.quadratic * wfLength(v);
+        out[i].rate += slope * bodies->state[i].invMass;                /* eq:force-rate */
     }
 }
 
@@ -402,6 +404,17 @@ static void float_part(const wfForce *f, const wfBodyState *b, const wfSubmerged
     wfApplyTorque(out, -rate * f->buoyancy.density * s->inertia * b->w);
 }
 
+static void note_rates(const wfForce *f, const wfBodyState *b, const wfSubmerged *s,
+                       wfReal width, wfBodyForces *out)
+{
+    wfReal rho = f->buoyancy.density, brake = rho * f->buoyancy.drag;
+    wfReal spring = rho * f->buoyancy.g * width, inverse = b->invInertia;
+    wfReal moves = b->invMass + wfDistanceSq(s->centre, b->p) * inverse;
+    /* eq:force-float-rate, eq:force-float-swing */
+    out->rate += brake * (s->area * moves + s->inertia * inverse);
+    out->swing += spring * (moves + width * width / 12 * inverse);
+}
+
 static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                            wfBodyForces *out)
 {
@@ -413,7 +426,10 @@ static void buoyancy_apply(const wfForce *f, const wfBodyView *bodies, wfReal ti
         for (int32_t k = first_shape(bodies, i); k >= 0; k = shape_after(bodies, k)) {
             wfSubmerged s = wfSubmergedPart(&bodies->shapes[k], placed,
                                             f->buoyancy.surfaceY);
-            if (s.area > 0) float_part(f, b, &s, &out[i]);
+            if (!(s.area > 0)) continue;
+            float_part(f, b, &s, &out[i]);
+            note_rates(f, b, &s, wfSeenWidth(&bodies->shapes[k], placed, wfV2(0, 1), NULL),
+                       &out[i]);
         }
     }
 }
@@ -527,6 +543,8 @@ static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
         wfVec2 u = wfSub(f->wind.velocity, b->v), middle;
         wfReal width = body_width(bodies, i, wfNormalize(u), &middle);
         wfReal c = f->wind.coefficient * width * wfLength(u);
+        wfReal lever = wfDistanceSq(middle, b->p) * b->invInertia;
+        out[i].rate += 2 * c * (b->invMass + lever);                    /* eq:force-rate */
         wfApplyForce(&out[i], b, wfScale(c, u), middle);                /* eq:force-wind */
     }
 }
@@ -672,6 +690,18 @@ void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, 
 {
     for (int i = 0; i < n; i++)
         wfForceTable[forces[i].kind].apply(&forces[i], bodies, time, out);
+    /* leave of the forces what the step can follow */
+    for (int32_t i = 0; i < bodies->count; i++) {
+        wfReal h = wfAbs(bodies->step), stiff = h * h * out[i].swing;
+        wfReal most = h * out[i].rate + stiff;
+        if (!(most > 1)) continue;
+        const wfBodyState *b = &bodies->state[i];
+        wfReal take = wfMinR(stiff, most - 1) / h;                      /* eq:force-stiff */
+        if (b->invMass > 0) out[i].force = wfAddScaled(out[i].force, -take / b->invMass, b->v);
+        if (b->invInertia > 0) out[i].torque -= take / b->invInertia * b->w;
+        out[i].force = wfScale(1 / most, out[i].force);                 /* eq:force-follow */
+        out[i].torque /= most;
+    }
 }
 
 

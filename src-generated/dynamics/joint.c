@@ -101,18 +101,38 @@ static int32_t build_turn(const wfJoint *j, const wfJointSight *at, wfJointRow *
     return extras(j, &turn, rows);
 }
 
+/* A rod without spring, motor and stops. */
+static bool is_bare(const wfJoint *j)
+{
+    return !(j->flags & (WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS));
+}
+
+static bool is_point(const wfJoint *j)
+{
+    wfReal arms = wfLength(j->localA) + wfLength(j->localB);
+    return is_bare(j) && j->rest <= WF_JOINT_POINT * arms;
+}
+
 static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
+    if (is_point(j)) {
+        pin(at, rows);
+        return 2;
+    }
     wfReal length = wfLength(at->d) * at->bow;
     wfVec2 u = length > 0 ? wfScale(1 / length, at->d) : wfV2(1, 0);
     wfJointRow rod = along(u, at);
     rod.error = length - j->rest;               /* eq:joints-constraint */
     rows[0] = rod;
-    if (j->flags & (WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS))
-        rows[0].law = WF_ROW_OFF;
+    if (!is_bare(j)) rows[0].law = WF_ROW_OFF;
     int32_t count = 1 + extras(j, &rod, &rows[1]);
     if (j->flags & WF_JOINT_MOTOR) rows[2].most = 0;    /* a rope cannot push */
     return count;
+}
+
+bool wfIsRod(const wfJoint *j)
+{
+    return wfJointTable[j->kind].build == build_distance && is_bare(j) && !is_point(j);
 }
 
 static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
@@ -157,8 +177,10 @@ static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *
 static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
-    pin(at, rows);
-    for (int i = 0; i < 2; i++) spring(&rows[i], j->stiffness, j->damping, j->motorForce);
+    for (int i = 0; i < 2; i++) {
+        rows[i] = along_axis(wfRotate(at->qA, wfV2(i == 0, i == 1)), at);
+        spring(&rows[i], j->stiffness, j->damping, j->motorForce);
+    }
     in_a_plane(rows);
     rows[2] = turning(at, j->angle);
     spring(&rows[2], arm * arm * j->stiffness, arm * arm * j->damping,
@@ -492,6 +514,12 @@ void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *r
     wfJointTable[j->kind].build(j, &at, rows);
 }
 
+/* see whether a rod has turned */
+bool wfHasTurned(const wfJointRow *r, const wfJointRow *then)
+{
+    return wfDot(r->jB, then->jB) < wfLengthSq(r->jB) / 2;          /* eq:joints-swung */
+}
+
 /* aim a joint at the end of the substep */
 static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                      const wfJointPair *p)
@@ -508,6 +536,8 @@ static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiv
         wfLookAhead(j, h, p, then);
         wfReal over = wfMinR(w->row[i].error, 0);
         wfReal lack = (then[i].error - give.keep * over) / h;           /* eq:joints-newton */
+        if (lack < 0 && wfHasTurned(&w->row[i], &then[i]))      /* sec:joints-short */
+            lack = wfRateOf(&w->row[i], p->a, p->b);
         bool ahead = w->row[i].error > 0;
         wfReal mass = ahead ? w->mass[i] : give.mass * w->mass[i];
         wfReal slack = ahead ? 0 : give.impulse * (h / t) * j->impulse[i];
@@ -526,6 +556,8 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
     wfLookAhead(j, h, p, then);
     for (int k = 0; k < w->holds; k++)
         e[k] = (then[w->hold[k]].error - give.keep * w->row[w->hold[k]].error) / h;
+    if (wfIsRod(j) && wfHasTurned(w->row, then))            /* sec:joints-short */
+        e[0] = wfRateOf(w->row, p->a, p->b);
     solve_holds(w, e, x);
     for (int k = 0; k < w->holds; k++) {                            /* eq:joints-give */
         wfReal *sum = &j->impulse[w->hold[k]];

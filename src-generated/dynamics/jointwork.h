@@ -78,6 +78,9 @@ static inline wfRot wfTurnOn(wfRot q, wfReal turn)
     return wfRotMul((wfRot){ 1 + small.c, small.s }, q);
 }
 bool wfIsBroken(const wfJoint *j);
+bool wfIsRod(const wfJoint *j);     /* it has one row, which holds a length > 0 */
+/* Has the direction of a row turned so far that aiming is in vain? eq:joints-swung */
+bool wfHasTurned(const wfJointRow *r, const wfJointRow *then);
 /* Of K (its lower half in l, 0 where there is no row) makes L; size: what pivots are
  * compared with. Then x becomes K^-1 x. eq:joints-block */
 void wfFactorBlock(wfReal l[3][3], const wfReal *size, wfReal *pivot);

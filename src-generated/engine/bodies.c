@@ -102,7 +102,7 @@ static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
     wfTransform origin = wfMakeTransform(d->position, angle);
     out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
     out->state.angle = angle;
-    out->state.w = d->angularVelocity;
+    out->state.w = d->fixedRotation ? 0 : d->angularVelocity;
     bool still = d->fixedRotation || !wfHas(b->head, WF_NEED_ROTATION);
     out->props.fixedRotation = still;
     if (still) mass.inertia = 0;
@@ -262,6 +262,7 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (result != WF_OK) return result;
     wfUse(&b, needs);
     wfBodyState *s = &b.state[i];
+    if (b.props[i].fixedRotation) angularVelocity = 0;
     bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
     bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
     s->v = velocity;

@@ -71,6 +71,7 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     const struct wfStep *s = context;       /* since: s, of this step */
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
+    bodies.step = s->b.head->dt;
     (void)count;
     /* add what the user applied */
     bool pushed = wfHas(s->b.head, WF_NEED_PUSHES);

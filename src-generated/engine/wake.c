@@ -59,7 +59,7 @@ void wfRouseNear(wfBlock *b, int32_t k)
     int32_t i = b->owners[k];
     if (b->head->asleep == 0) return;
     b->head->roused = 1;
-    if (i < 0 || b->props[i].type == WF_DYNAMIC) return;
+    if (i < 0 || b->props[i].type == WF_DYNAMIC || b->materials[k].sensor) return;
     for (int32_t q = 0; q < b->head->shapeSlots.high; q++) {
         int32_t other = b->owners[q];
         if (other < 0 || !wfIsAsleep(&r, other)) continue;

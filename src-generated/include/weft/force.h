@@ -16,6 +16,7 @@ typedef struct wfBodyView {
     const wfShape *shapes;      /* of all bodies; may be NULL: all are particles        */
     const int32_t *next;        /* may be NULL: no body has more than one shape         */
     const uint8_t *alive;       /* 0: an empty place; may be NULL: all are alive        */
+    wfReal step;                /* s: the forces will act for so long; 0: for an instant */
 } wfBodyView;
 
 /* Rows of wfForceTable. */
@@ -98,7 +99,8 @@ int wfFindForce(const char *name);      /* the row of that name, -1 if there is 
 wfResult wfCheckForce(const wfForce *f);
 /* Adds n checked forces to out, one sum for each body; time: s, since they were added. A
    force on a body that is not there does nothing; bodies with invMass and invInertia 0 feel
-   nothing. */
+   nothing. If bodies->step is not 0, the sums are then those that the body can follow:
+   eq:force-follow. */
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out);
 /* The potential energy of n checked forces, J; those without a potential count 0. */

@@ -12,6 +12,7 @@
 #define WF_JOINT_PERIOD 4       /* substeps, > 0: good values of eq:joints-period ... */
 #define WF_JOINT_DAMPING 2      /* ... for chains and machines */
 #define WF_JOINT_GIVE WF_R(1e-5)    /* >= 0: how joints give that are solved together */
+#define WF_JOINT_POINT WF_R(1e-4)   /* >= 0: a rod of this share of its arms is a pin */
 /* A row whose pivot is a smaller share of its own K says nothing new. */
 #define WF_JOINT_SINGULAR (32 * WF_EPSILON)
 

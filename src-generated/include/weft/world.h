@@ -97,7 +97,7 @@ typedef struct wfBodyDef {
     wfReal   gravityScale;     /* multiplies gravity */
     wfReal   angle;            /* rad */
     wfReal   angularVelocity;  /* rad/s */
-    int32_t  fixedRotation;    /* 1: never turns */
+    int32_t  fixedRotation;    /* 1: never turns, and takes no spin */
     wfReal   linearDamping, angularDamping;  /* 1/s, >= 0 */
     wfShape  shape;            /* in the body's frame; kind WF_SHAPE_NONE: a particle */
     wfReal   density;          /* kg/m^2 > 0, used when mass is 0 */
@@ -482,7 +482,7 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out);
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out);
 /* All: WF_ERROR_STALE_ID, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE where stated. */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle);
-/* Velocity of the centre of mass. RANGE: a static body cannot move. */
+/* Of the centre of mass. RANGE: a static body. With fixedRotation the spin stays 0. */
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity);
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
