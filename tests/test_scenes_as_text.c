@@ -766,7 +766,7 @@ static void no_text_takes_more_than_it_may(void **unused)
         strcpy(at, text[k].end);
         size_t length = strlen(all);
         int limited = 0, enough = 0;
-        for (size_t allowed = 1000; allowed < (size_t)1 << 29; allowed += allowed / 3) {
+        for (size_t allowed = 1000; allowed < (size_t)1 << 30; allowed += allowed / 3) {
             wfLoadLimits limits = { .memory = allowed };
             wfWorld world;
             wfTextError e;
