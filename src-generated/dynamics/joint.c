@@ -558,6 +558,8 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
         e[k] = (then[w->hold[k]].error - give.keep * w->row[w->hold[k]].error) / h;
     if (wfIsRod(j) && wfHasTurned(w->row, then))            /* sec:joints-short */
         e[0] = wfRateOf(w->row, p->a, p->b);
+    else if (wfIsRod(j) && w->row[0].error > j->rest)
+        e[0] -= (1 - give.keep) * (w->row[0].error - j->rest) / h;
     solve_holds(w, e, x);
     for (int k = 0; k < w->holds; k++) {                            /* eq:joints-give */
         wfReal *sum = &j->impulse[w->hold[k]];
