@@ -556,7 +556,7 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
     wfLookAhead(j, h, p, then);
     for (int k = 0; k < w->holds; k++)
         e[k] = (then[w->hold[k]].error - give.keep * w->row[w->hold[k]].error) / h;
-    if (wfIsRod(j) && wfHasTurned(w->row, then))            /* sec:joints-short */
+    if (wfIsRod(j) && wfDot(w->row->jB, then->jB) < 0)      /* eq:joints-turned */
         e[0] = wfRateOf(w->row, p->a, p->b);
     else if (wfIsRod(j) && w->row[0].error > j->rest)
         e[0] -= (1 - give.keep) * (w->row[0].error - j->rest) / h;
