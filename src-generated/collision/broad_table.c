@@ -79,8 +79,8 @@ const wfBroadPhaseRow wfBroadPhaseTable[] = {
       .indexSize = wfQuadIndexSize, .update = wfQuadUpdate, .pairs = wfQuadPairs,
       .query = wfQuadQuery, .cast = wfQuadCast, .boxes = wfQuadBoxes },
     { .name = "dynamic-tree", .text = "keeps a tree of fat boxes", .scratch = wfTreeScratch,
-      .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .copy = wfTreeCopy, .pairs = wfTreePairs,
-      .query = wfTreeQuery, .cast = wfTreeCast, .boxes = wfTreeBoxes },
+      .indexSize = wfTreeIndexSize, .update = wfTreeUpdate, .copy = wfTreeCopy,
+      .pairs = wfTreePairs, .query = wfTreeQuery, .cast = wfTreeCast, .boxes = wfTreeBoxes },
     { .name = "grid", .text = "compares who shares a cell of a grid", .scratch = wfGridScratch,
       .indexSize = wfGridIndexSize, .update = wfGridUpdate, .pairs = wfGridPairs,
       .query = wfGridQuery, .cast = wfGridCast, .boxes = wfGridBoxes },
@@ -168,7 +168,8 @@ wfResult wfCopyIndex(int method, void *to, const void *from, size_t bytes,
         return WF_OK;
     }
     memcpy(to, from, WF_POOL_ALIGN);
-    row->copy((uint8_t *)to + WF_POOL_ALIGN, (const uint8_t *)from + WF_POOL_ALIGN, proxies);
+    row->copy((uint8_t *)to + WF_POOL_ALIGN, (const uint8_t *)from + WF_POOL_ALIGN,
+              proxies);
     return WF_OK;
 }
 

@@ -19,7 +19,7 @@ typedef struct Way {
 typedef struct Edge { int32_t to, block, next; } Edge;
 typedef struct Block { wfReal v[3][3]; } Block;     /* rows: the joint of higher number */
 
-/* What a rod does in a substep: as all rows; closes without a second half; holds its rate. */
+/* What a rod does in a substep: as all rows; closes without second half; holds its rate. */
 enum { ROD_SOUND, ROD_APART, ROD_TURNED };
 
 typedef struct Matrix {

@@ -17,7 +17,7 @@ physics_world wfReportCreateWorld(const real32 *Dt, size_t Count)
 poly_body_data wfReportPolyBody(v2 Dimensions, const real32 *Numbers, size_t Count)
 {
     static const real32 None[2] = { 0 };
-    if (Numbers == NULL || Count == 0) Numbers = None, Count = 0;    /* no mass: refused later */
+    if (Numbers == NULL || Count == 0) Numbers = None, Count = 0; /* no mass: refused */
     real32 Orientation = Count >= 2 ? Numbers[2] : 0;
     return (poly_body_data){
         .Transform = MakeTransformDeg(V2(0, 0), Orientation), .Dimensions = Dimensions,

@@ -227,7 +227,8 @@ static wfResult commit(struct wfStep *s)
     copy_back(s->b.contacts + s->kept.contacts, s->contacts, s->contactCount,
               sizeof *s->contacts);
     if (s->index != NULL)
-        wfCopyIndex(head->broadPhase, s->b.index, s->index, wfIndexBytes(head), s->shapeCount, true);
+        wfCopyIndex(head->broadPhase, s->b.index, s->index, wfIndexBytes(head),
+                    s->shapeCount, true);
     copy_back(s->b.touches + s->kept.touches, s->touches, s->touchCount,
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);

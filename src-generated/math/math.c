@@ -314,7 +314,8 @@ wfResult wfCheckBuild(void)
     wfReal three = stored(3);
     wfRot q = { .c = three / 7, .s = three / 11 };      /* it need not have length 1 */
     wfVec2 v[TRIED], once[TRIED], again[TRIED];
-    for (int i = 0; i < TRIED; i++) v[i] = wfV2((wfReal)(i + 4) / three, three / (wfReal)(i + 7));
+    for (int i = 0; i < TRIED; i++)
+        v[i] = wfV2((wfReal)(i + 4) / three, three / (wfReal)(i + 7));
     bool same = as_written(q, v, once) == step_by_step(q, v, again);
     for (int i = 0; i < TRIED; i++)
         same = same && once[i].x == again[i].x && once[i].y == again[i].y;

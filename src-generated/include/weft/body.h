@@ -29,7 +29,7 @@ _Static_assert(sizeof(wfBodyState) == 8 * sizeof(wfReal), "no padding: two fill 
 typedef struct wfBodyForces {
     wfVec2 force;           /* N: the sum of all forces                                   */
     wfReal torque;          /* N m: the sum of all torques about the centre of mass       */
-    wfReal rate, swing;     /* 1/s, 1/s^2: what brakes and what is stiff: wfAccumulateForces */
+    wfReal rate, swing;     /* 1/s, 1/s^2: what brakes, what is stiff: wfAccumulateForces */
 } wfBodyForces;
 
 /* What is read once a step or less. */

@@ -194,7 +194,7 @@ wfShapeView wfWorldShapes(const wfWorld *world);
  * _STALE_ID (a or b is an empty place), and what the force's own check finds wrong. */
 wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out);
 wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id);
-/* Read, or change, a registered force, which keeps its time; it is checked like a new one. */
+/* Read, or change, a registered force, which keeps its time; checked like a new one. */
 wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out);
 wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
