@@ -237,7 +237,7 @@ static void a_force_off_the_centre_turns(void **state)
 {
     (void)state;
     wfBodyState s = { .p = { { 10, 20 } } };
-    wfBodyForces f = { { { 0, 0 } }, 0 };
+    wfBodyForces f = { .torque = 0 };
     wfApplyForce(&f, &s, wfV2(0, 5), wfV2(12, 20));                       /* up, 2 m to the right: counter-clockwise   */
     assert_true(f.force.x == 0 && f.force.y == 5 && f.torque == 10);
     wfApplyForce(&f, &s, wfV2(7, 0), wfV2(10, 23));                       /* right, 3 m above: clockwise               */
@@ -248,7 +248,7 @@ static void a_force_off_the_centre_turns(void **state)
     assert_true(f.force.x == 6 && f.force.y == 7 && f.torque == -7);
     wfRandom r = random_stream(92);
     for (int k = 0; k < 500; k++) {                                       /* a couple: no force, torque arm x force    */
-        wfBodyForces couple = { { { 0, 0 } }, 0 };
+        wfBodyForces couple = { .torque = 0 };
         wfVec2 at = random_v2(&r, -5, 5), arm = random_v2(&r, -2, 2), force = random_v2(&r, -8, 8);
         s = random_body(&r, 1, 1);
         wfApplyForce(&couple, &s, force, wfAdd(at, arm));

@@ -412,8 +412,8 @@ static void test_energy_of_the_spring(void **s)
 static void huge_forces(void *context, const wfBodyState *state, int count, wfReal time, wfBodyForces *out)
 {
     (void)context, (void)state, (void)time;
-    for (int i = 0; i < count - 1; i++) out[i] = (wfBodyForces){ { { (wfReal)INFINITY, (wfReal)NAN } }, (wfReal)NAN };
-    out[count - 1] = (wfBodyForces){ { { 2, -3 } }, 5 };
+    for (int i = 0; i < count - 1; i++) out[i] = (wfBodyForces){ .force = wfV2((wfReal)INFINITY, (wfReal)NAN), .torque = (wfReal)NAN };
+    out[count - 1] = (wfBodyForces){ .force = wfV2(2, -3), .torque = 5 };
 }
 
 static void test_static_and_kinematic_bodies(void **s)

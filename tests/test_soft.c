@@ -129,7 +129,7 @@ static void flight_is_a_parabola(void **unused)
     (void)unused;
     for (int n = 1; n <= 64; n *= 2) {
         wfBodyState s[3] = { body(1, 2, 3, 4, 5, 2, 0.5), body(0, 0, -1, 2, 3, 0, 0), body(7, 8, 0, 0, 0, 4, 0) };
-        wfBodyForces f[3] = { { wfV2(8, -16), WF_R(1.5) }, { wfV2(5, 5), 5 }, { wfV2(0, 0), 9 } };
+        wfBodyForces f[3] = { { .force = wfV2(8, -16), .torque = WF_R(1.5) }, { .force = wfV2(5, 5), .torque = 5 }, { .torque = 9 } };
         wfPool pool;
         wfSolve in = problem(s, 3, NULL, 0, &pool);
         in.h = WF_R(0.125);
@@ -362,7 +362,7 @@ static void a_bounce_at_the_end_of_a_step_is_not_lost(void **unused)
         double h = 1.0 / 60, g = i % 4 < 2 ? 9.81 : 0, speed = (double)wfRandomReal(&r, 1, 10);
         double gap = (speed * h + g * h * h / 2) * (1 + (double)WF_EPSILON * (double)wfRandomReal(&r, -8, 8));
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5 + gap, 0, -speed, 0, 1, 0.125) };
-        wfBodyForces f[2] = { { wfV2(0, 0), 0 }, { wfV2(0, (wfReal)-g), 0 } };
+        wfBodyForces f[2] = { { .force = wfV2(0, 0), .torque = 0 }, { .force = wfV2(0, (wfReal)-g), .torque = 0 } };
         wfContact c = { .a = 0, .b = 1, .restitution = 1, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
         c.manifold.points[0] = (wfContactPoint){ .point = wfV2(0, (wfReal)(gap / 2)), .armA = wfV2(0, 1),
             .armB = wfV2(0, WF_R(-0.5)), .depth = (wfReal)-gap, .feature = WF_FEATURE_CIRCLE };
@@ -390,7 +390,7 @@ static void one_bounce_is_exact(void **unused)
         wfBodyState s[2];
         s[ball] = body(3, 5.8, 0.5, -2, 0, 2, 1);
         s[1 - ball] = body(3, 5, 0, 1, 0, 0, 0);
-        wfBodyForces f[2] = { { wfV2(0, 0), 0 }, { wfV2(0, 0), 0 } };
+        wfBodyForces f[2] = { { .force = wfV2(0, 0), .torque = 0 }, { .force = wfV2(0, 0), .torque = 0 } };
         f[ball].force.y = WF_R(-19.62);
         wfContact c = { .a = 0, .b = 1, .restitution = (wfReal)e, .manifold = { .normal = wfV2(0, ball ? 1 : -1), .count = 1 } };
         c.manifold.points[0] = (wfContactPoint){ .point = wfV2(3, WF_R(5.15)), .depth = WF_R(-0.3), .feature = WF_FEATURE_CIRCLE };
@@ -891,7 +891,7 @@ static void settings_of_the_spring(void **unused)
     for (int k = 1; k <= 2; k++) {                                                /* eq:soft-squash with another period */
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5, 0, 0, 0, 1, 0.2) };
         wfContact c = under(s, 0);
-        wfBodyForces f[2] = { { wfV2(0, 0), 0 }, { wfV2(0, -10), 0 } };
+        wfBodyForces f[2] = { { .force = wfV2(0, 0), .torque = 0 }, { .force = wfV2(0, -10), .torque = 0 } };
         c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
         for (int i = 0; i < 2000; i++) {
             wfPool pool;

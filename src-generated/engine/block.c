@@ -203,7 +203,6 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
     wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &d, region, size);
-    if (result == WF_OK) result = wfCheckBuild();
     if (result == WF_OK) result = wfTakeMemory(&d.memory, size, &world.memory);
     if (result != WF_OK) return result;
     if (!world.memory.owned) memset(world.memory.permanent, 0, size[0]);

@@ -89,7 +89,8 @@ wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault)
             if (result != WF_OK && fault != NULL) *fault = s;
         }
     }
-    /* see that every setting has its need */
+    /* check the rest of a definition */
+    if (result == WF_OK) result = wfCheckBuild();
     if (result == WF_OK) result = check_needs(def, fault);
     return result;
 }

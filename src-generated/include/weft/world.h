@@ -415,7 +415,7 @@ wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double valu
 const char *wfSettingRowName(const wfSetting *s, int row);
 int wfFindSettingRow(const wfSetting *s, const char *name);
 /* Checks a definition, as wfCreateWorld does. `fault` may be NULL; it gets the setting that
- * is at fault, or NULL when none is. WF_ERROR_NULL, _NOT_FINITE, _RANGE, _UNKNOWN. */
+ * is at fault, or NULL if none is. WF_ERROR_NULL, _NOT_FINITE, _RANGE, _UNKNOWN, _BUILD. */
 wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault);
 /* Bytes of the two chunks that wfCreateWorld needs. WF_ERROR_NULL, _NOT_FINITE, _RANGE,
  * _UNKNOWN (no such row of a table), _MEMORY (sizes beyond size_t). */
