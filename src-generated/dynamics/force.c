@@ -688,6 +688,7 @@ wfResult wfCheckForce(const wfForce *f)
 void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, wfReal time,
                         wfBodyForces *out)
 {
+    if (bodies == NULL) return;
     for (int i = 0; i < n; i++)
         wfForceTable[forces[i].kind].apply(&forces[i], bodies, time, out);
     /* leave of the forces what the step can follow */

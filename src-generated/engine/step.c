@@ -68,7 +68,7 @@ static wfResult damp_again(struct wfStep *s)
 static void forces_on(void *context, const wfBodyState *state, int count, wfReal since,
                       wfBodyForces *out)
 {
-    const struct wfStep *s = context;       /* since: s, of this step */
+    const struct wfStep *s = (const struct wfStep *)context;   /* since: s, of this step */
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
     bodies.step = s->b.head->dt;

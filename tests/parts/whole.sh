@@ -72,7 +72,7 @@ game="joints sleep events sensors forces damping dynamic-tree"
   one "smallest but small functions copied" $(tests/amalgam/smallest.sh --compiler) -DWF_ONE_COPY=inline
   if command -v clang >/dev/null; then row "all parts: clang -Oz" --without "" clang -std=c11 $common -Oz -fno-pic -fno-asynchronous-unwind-tables; fi
   if command -v clang wasm-ld llvm-objdump >/dev/null && [ -d /usr/include/wasm32-wasi ]; then
-    one "all parts as one file: WebAssembly by clang -Oz" clang --target=wasm32-wasi --sysroot=/usr -std=c11 $common -Oz -mbulk-memory -mnontrapping-fptoint; fi
+    one "all parts as one file: WebAssembly by clang -Oz" clang --target=wasm32-wasi --sysroot=/usr -std=c11 $common -Oz -mbulk-memory -mnontrapping-fptoint -ftls-model=local-exec; fi
   row "no second methods: -Os" --without "$second" $gcc -Os
   row "no exact solver: -Os" --without "exact" $gcc -Os
   row "a game with joints: -Os" --only "$game" $gcc -Os
