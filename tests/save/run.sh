@@ -17,8 +17,8 @@ for ((n = 0; n < kills; n++)); do
   rm -f "$work/world.weft"                        # a fresh beginning, so that the first save is met as well
   "$work/killed" save "$work/world.weft" 200 2>"$work/began" & p=$!
   if ((n % 4)); then                              # once in four kills even the first save may be cut off
-    for ((k = 0; k < 500; k++)); do [ -s "$work/began" ] && break; sleep 0.01; done
-    [ -s "$work/began" ] || { echo "save: the program did not save within 5 s"; kill -9 $p; exit 1; }
+    for ((k = 0; k < 6000; k++)); do [ -s "$work/began" ] && break; sleep 0.01; done
+    [ -s "$work/began" ] || { echo "save: the program did not save within a minute"; kill -9 $p; exit 1; }
   fi
   sleep "0.0$((RANDOM % 90 + 10))"
   kill -9 $p 2>/dev/null; wait $p 2>/dev/null
