@@ -5,6 +5,7 @@
 #ifndef WEFT_ACCURACY_H
 #define WEFT_ACCURACY_H
 #include "weft/world.h"
+WF_BEGIN_C
 
 /* A way to step a world: names of rows of the tables that a world has; NULL: as it is. */
 typedef struct wfMethodRow {
@@ -75,4 +76,5 @@ wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccura
  * joined makes all. For the solver "soft". WF_ERROR_STALE_ID, _RANGE, _BUSY. */
 wfResult wfSetBodySubsteps(wfWorld *world, wfBodyId id, int32_t substeps);
 int32_t wfBodySubsteps(const wfWorld *world, wfBodyId id);     /* 0 for a stale id, too */
+WF_END_C
 #endif

@@ -7,6 +7,7 @@
 #define WEFT_BODY_H
 #include "weft/core.h"
 #include "weft/math.h"
+WF_BEGIN_C
 
 typedef enum wfBodyType {
     WF_STATIC,              /* never moves                                                */
@@ -24,7 +25,7 @@ typedef struct wfBodyState {
     wfReal invMass;         /* 1/kg; 0: no force moves it                                 */
     wfReal invInertia;      /* 1/(kg m^2), about the centre of mass; 0: nothing turns it  */
 } wfBodyState;
-_Static_assert(sizeof(wfBodyState) == 8 * sizeof(wfReal), "no padding: two fill a line");
+WF_STATIC_ASSERT(sizeof(wfBodyState) == 8 * sizeof(wfReal), "no padding: two fill a line");
 
 typedef struct wfBodyForces {
     wfVec2 force;           /* N: the sum of all forces                                   */
@@ -77,4 +78,5 @@ void wfApplyAngularImpulse(wfBodyState *state, wfReal impulse);
 wfReal wfKineticEnergy(const wfBodyState *state);                           /* J     */
 wfVec2 wfMomentum(const wfBodyState *state);                                /* N s   */
 wfReal wfAngularMomentum(const wfBodyState *state, wfVec2 about);           /* N m s */
+WF_END_C
 #endif

@@ -5,6 +5,7 @@
 #define WEFT_BROAD_H
 #include "weft/core.h"
 #include "weft/math.h"
+WF_BEGIN_C
 
 /* Two proxies that may touch; a < b always.  Report 5.4.2: potential_contact_pair. */
 typedef struct wfPair { int32_t a, b; } wfPair;
@@ -18,7 +19,8 @@ typedef struct wfFilter { uint64_t category, mask; int32_t group; } wfFilter;
 /* Category 1, meets everybody, no group. */
 static inline wfFilter wfDefaultFilter(void)
 {
-    return (wfFilter){ 1, UINT64_MAX, 0 };
+    wfFilter all = { 1, UINT64_MAX, 0 };
+    return all;
 }
 
 static inline bool wfFilterAllows(wfFilter a, wfFilter b)
@@ -197,7 +199,8 @@ int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count);
 /* A pool over an index's bytes: pushing the row's arrays in order finds their places. */
 static inline wfPool wfOpenIndex(const void *index, size_t bytes)
 {
-    return (wfPool){ .base = (uint8_t *)index, .size = bytes, .used = 0 };
+    wfPool pool = { (uint8_t *)index, bytes, 0 };
+    return pool;
 }
 size_t wfIndexSize(int method, int32_t proxies);     /* bytes of an index; 0: has none */
 
@@ -448,4 +451,5 @@ wfRowPairsFn wfBoxTreePairs;
 wfRowQueryFn wfBoxTreeQuery;
 wfRowCastFn wfBoxTreeCast;
 wfRowBoxesFn wfBoxTreeBoxes;
+WF_END_C
 #endif

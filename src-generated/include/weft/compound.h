@@ -6,6 +6,7 @@
 #ifndef WEFT_COMPOUND_H
 #define WEFT_COMPOUND_H
 #include "weft/shape.h"
+WF_BEGIN_C
 
 /* Mass data of n >= 1 parts of one body taken together, centres in the same frame (eq:
    compound-inertia). A part without mass has no inertia. What overlaps counts twice. Order
@@ -79,4 +80,5 @@ wfResult wfDecompose(const wfVec2 *outline, int n, wfShape *out, int capacity, i
    _FLAT: turns back on itself; what wfMakeLink returns. After an error nothing changed. */
 wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int capacity,
                      int *count);
+WF_END_C
 #endif

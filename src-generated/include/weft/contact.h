@@ -5,6 +5,7 @@
 #ifndef WEFT_CONTACT_H
 #define WEFT_CONTACT_H
 #include "weft/narrow.h"
+WF_BEGIN_C
 
 /* A point where two shapes touch.  Report 5.6: contact_data. */
 typedef struct wfContactPoint {
@@ -69,4 +70,5 @@ void wfRememberManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
    false: the pair has moved too far, or nothing is remembered; *out is unchanged. */
 bool wfReuseManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfReal margin, const wfManifoldCache *cache, wfManifold *out);
+WF_END_C
 #endif

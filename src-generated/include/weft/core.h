@@ -32,6 +32,20 @@
 #define WF_ONE_COPY inline
 #endif
 #endif
+/* Around the declarations of a header: C++ compiles them as C. */
+#ifdef __cplusplus
+#define WF_BEGIN_C extern "C" { _Pragma("GCC diagnostic push") \
+    _Pragma("GCC diagnostic ignored \"-Wpedantic\"")
+#define WF_END_C _Pragma("GCC diagnostic pop") }
+#define WF_STATIC_ASSERT(x, text) static_assert(x, text)
+#define WF_ALIGN_OF(type) alignof(type)
+#else
+#define WF_BEGIN_C
+#define WF_END_C
+#define WF_STATIC_ASSERT(x, text) _Static_assert(x, text)
+#define WF_ALIGN_OF(type) _Alignof(type)
+#endif
+WF_BEGIN_C
 
 /* What a call that can fail returns. After any value but WF_OK (0) nothing has changed. */
 typedef enum wfResult {
@@ -63,9 +77,9 @@ void *wfPoolPush(wfPool *pool, size_t size, size_t align);
 void *wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align);
 
 #define wfPoolPushStruct(pool, type) \
-    ((type *)wfPoolPush((pool), sizeof(type), _Alignof(type)))
+    ((type *)wfPoolPush((pool), sizeof(type), WF_ALIGN_OF(type)))
 #define wfPoolPushArray(pool, count, type) \
-    ((type *)wfPoolPushMany((pool), (size_t)(count), sizeof(type), _Alignof(type)))
+    ((type *)wfPoolPushMany((pool), (size_t)(count), sizeof(type), WF_ALIGN_OF(type)))
 void   wfPoolReset(wfPool *pool);               /* gives everything back          */
 size_t wfPoolMark(const wfPool *pool);          /* remembers how full the pool is */
 /* Gives back all that was pushed since; a mark above the used bytes is ignored. */
@@ -115,4 +129,5 @@ uint64_t wfHashBytes(uint64_t seed, const void *bytes, size_t n);
 /* The same over the 4 or 8 bytes of a number, lowest byte first on every machine. */
 uint64_t wfHashU32(uint64_t seed, uint32_t value);
 uint64_t wfHashU64(uint64_t seed, uint64_t value);
+WF_END_C
 #endif

@@ -9,6 +9,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* An ink's colour is chosen by the part it plays, never by its value. */
 enum {
     WF_INK_LINE,    /* the thing that the figure is about: outlines, axes of interest */
@@ -91,4 +95,7 @@ const char *wfDrawString(const wfDraw *d, const wfDrawCommand *c);
 size_t wfDrawBytes(const wfDraw *d);
 /* "line", "faint", ... "paper"; "none" for anything that is not a role. */
 const char *wfInkName(int role);
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -5,6 +5,7 @@
 #ifndef WEFT_EVENTS_H
 #define WEFT_EVENTS_H
 #include "weft/contact.h"
+WF_BEGIN_C
 
 /* Two shapes that touch, a < b. */
 typedef struct wfTouch {
@@ -49,4 +50,5 @@ wfResult wfCompareTouches(const wfTouch *before, int32_t beforeCount, const wfTo
    or a number is not finite. */
 bool wfMakeHit(const wfTouch *touch, const wfManifold *m, wfTwist a, wfTwist b,
                wfReal least, wfHitEvent *out);
+WF_END_C
 #endif

@@ -4,6 +4,7 @@
 #ifndef WEFT_EXACT_H
 #define WEFT_EXACT_H
 #include "weft/joint.h"
+WF_BEGIN_C
 
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
 #define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
@@ -54,4 +55,5 @@ typedef struct wfExactCount {
 /* WF_ERROR_NULL, _MEMORY, _FULL as wfExactJoints. */
 wfResult wfCountExact(const wfJoint *joints, int32_t count, const wfBodyState *state,
                       int32_t bodies, wfPool *scratch, wfExactCount *out);
+WF_END_C
 #endif

@@ -5,6 +5,7 @@
 #define WEFT_FORCE_H
 #include "weft/body.h"
 #include "weft/shape.h"
+WF_BEGIN_C
 
 /* The bodies, read only. `state' may be a state that an integrator only tries. Shapes are
    relative to the centre of mass. props.shape is the first shape of a body, negative for a
@@ -135,4 +136,5 @@ wfSubmerged wfSubmergedPart(const wfShape *shape, wfTransform placed, wfReal sur
 #define WF_PARTICLE_WIDTH 1
 wfReal wfSeenWidth(const wfShape *shape, wfTransform placed, wfVec2 direction,
                    wfVec2 *middle);
+WF_END_C
 #endif

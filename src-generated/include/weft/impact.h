@@ -7,6 +7,7 @@
 #include "weft/core.h"
 #include "weft/math.h"
 #include "weft/shape.h"
+WF_BEGIN_C
 
 /* The motion of a body within a step, eq:impact-sweep: straight and even, both ways. */
 typedef struct wfSweep {
@@ -123,4 +124,5 @@ wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *ob
    size, WF_IMPACT_INNER to 1.  WF_ERROR_RANGE: any other. */
 wfResult wfStopAtOne(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacle,
                      wfReal share, wfStop *out);
+WF_END_C
 #endif

@@ -5,6 +5,7 @@
 #define WEFT_INTEGRATE_H
 #include "weft/body.h"
 #include "weft/core.h"
+WF_BEGIN_C
 
 /* Adds to out[i] the force (N) and torque (N m) on each body in these states at this time
    (s). The integrator has set out to zero. It may be called several times a step, with
@@ -43,4 +44,5 @@ int wfFindIntegrator(const char *name);  /* the row of that name, -1 if there is
 /* Checks the input, then does the step of row `method`. WF_ERROR_UNKNOWN (no such row),
    _NULL, _RANGE (count < 0), _NOT_FINITE (h or time), and the row's own errors. */
 wfResult wfIntegrate(int method, const wfIntegration *in);
+WF_END_C
 #endif

@@ -5,6 +5,7 @@
 /* Who hangs together with whom, and who has been still for how long. Plain
  * functions over arrays, which trust their pointers; the world has its own for them. */
 #include "weft/body.h"
+WF_BEGIN_C
 
 /* A forest over the numbers 0 .. count - 1, each a set of its own. */
 void wfPlant(int32_t *parent, int32_t count);
@@ -36,4 +37,5 @@ bool wfIsStill(const wfBodyState *s, wfReal reach, wfReal limit);
 wfReal wfRestClock(wfReal clock, bool still, wfReal dt, wfReal wait);
 /* Have all members of island k been still for so long? */
 bool wfIslandIsTired(const wfIslands *islands, int32_t k, const wfReal *clock, wfReal wait);
+WF_END_C
 #endif

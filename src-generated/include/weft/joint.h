@@ -8,6 +8,7 @@
 #include "weft/core.h"
 #include "weft/math.h"
 #include "weft/resolve.h"
+WF_BEGIN_C
 
 #define WF_JOINT_PERIOD 4       /* substeps, > 0: good values of eq:joints-period ... */
 #define WF_JOINT_DAMPING 2      /* ... for chains and machines */
@@ -177,4 +178,5 @@ void wfMoveJoint(wfJoint *j, wfVec2 by);
    (Hz) with the damping ratio `ratio` (1: no swing), for the effective mass `mass` (kg, or
    kg m^2 for a turn). eq:joints-frequency */
 void wfTuneJoint(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio);
+WF_END_C
 #endif

@@ -5,6 +5,7 @@
 /* json.h: scenes as text, in JSON. The library weft-json has these functions;
  * it needs cJSON and a C library. testbed/scenes/scene.schema.json describes the text. */
 #include "weft/save.h"
+WF_BEGIN_C
 
 #define WF_SCENE_VERSION 1          /* of the text: its field "weft" */
 #define WF_SCENE_DEPTH 32           /* objects and arrays in one another at most */
@@ -47,4 +48,5 @@ void wfFreeText(char *text);
  * wfFreeText. WF_ERROR_TEXT: not such a scene, or something in it that would move otherwise
  * here; _MEMORY, _NULL; what wfReadScene finds. error may be NULL. */
 wfResult wfTranslateRube(const char *text, size_t length, char **out, wfTextError *error);
+WF_END_C
 #endif

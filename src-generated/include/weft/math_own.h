@@ -10,13 +10,14 @@
 #ifndef __GNUC__
 #include <math.h>
 #endif
+WF_BEGIN_C
 
 #ifndef WF_ANY_BITS
 #ifdef __FAST_MATH__
 #error "Weft promises the same bits everywhere: compile without -ffast-math"
 #endif
-_Static_assert(FLT_EVAL_METHOD == 0,
-               "floats must be rounded to float: on i386 add -msse2 -mfpmath=sse");
+WF_STATIC_ASSERT(FLT_EVAL_METHOD == 0,
+                 "floats must be rounded to float: on i386 add -msse2 -mfpmath=sse");
 #endif
 #ifdef WF_DOUBLE
 typedef double wfReal;
@@ -113,7 +114,7 @@ typedef union wfVec2 {
 
 #define WF_XY(v) (float)(v).x, (float)(v).y    /* a vector as two arguments, for wfDraw */
 
-static inline wfVec2 wfV2(wfReal x, wfReal y)  { return (wfVec2){ { x, y } }; }
+static inline wfVec2 wfV2(wfReal x, wfReal y)  { wfVec2 v = { { x, y } }; return v; }
 static inline wfVec2 wfAdd(wfVec2 a, wfVec2 b) { return wfV2(a.x + b.x, a.y + b.y); }
 static inline wfVec2 wfSub(wfVec2 a, wfVec2 b) { return wfV2(a.x - b.x, a.y - b.y); }
 static inline wfVec2 wfNeg(wfVec2 a)           { return wfV2(-a.x, -a.y); }
@@ -154,11 +155,11 @@ static inline wfReal wfLengthSq(wfVec2 a)             { return wfDot(a, a); }
 static inline wfReal wfDistanceSq(wfVec2 a, wfVec2 b) { return wfLengthSq(wfSub(b, a)); }
 
 #ifdef WF_DOUBLE
-#define WF_SQUARE_LOW  0x1p-900         /* sums of squares between these have all digits */
-#define WF_SQUARE_HIGH 0x1p+1000
+#define WF_SQUARE_LOW  1.1830521861667747e-271  /* 2^-900: sums of squares between these */
+#define WF_SQUARE_HIGH 1.0715086071862673e+301  /* 2^1000: have all digits */
 #else
-#define WF_SQUARE_LOW  0x1p-90f
-#define WF_SQUARE_HIGH 0x1p+120f
+#define WF_SQUARE_LOW  8.077935669463161e-28f   /* 2^-90 */
+#define WF_SQUARE_HIGH 1.329227995784916e+36f   /* 2^120 */
 #endif
 static inline bool wfSquareIsSafe(wfReal s)
 {
@@ -196,7 +197,11 @@ typedef union wfVec3 {
     wfReal E[3];
 } wfVec3;
 
-static inline wfVec3 wfV3(wfReal x, wfReal y, wfReal z) { return (wfVec3){ { x, y, z } }; }
+static inline wfVec3 wfV3(wfReal x, wfReal y, wfReal z)
+{
+    wfVec3 v = { { x, y, z } };
+    return v;
+}
 static inline wfVec3 wfNeg3(wfVec3 a) { return wfV3(-a.x, -a.y, -a.z); }
 static inline wfVec3 wfScale3(wfReal s, wfVec3 a)
 {
@@ -238,7 +243,8 @@ typedef union wfVec4 {
 
 static inline wfVec4 wfV4(wfReal x, wfReal y, wfReal z, wfReal w)
 {
-    return (wfVec4){ { x, y, z, w } };
+    wfVec4 made = { { x, y, z, w } };
+    return made;
 }
 static inline wfVec4 wfAdd4(wfVec4 a, wfVec4 b)
 {
@@ -276,7 +282,8 @@ typedef union wfMat22 {
 
 static inline wfMat22 wfMat22Make(wfReal e11, wfReal e12, wfReal e21, wfReal e22)
 {
-    return (wfMat22){ { e11, e12, e21, e22 } };
+    wfMat22 made = { { e11, e12, e21, e22 } };
+    return made;
 }
 static inline wfMat22 wfMat22Identity(void) { return wfMat22Make(1, 0, 0, 1); }
 
@@ -345,7 +352,8 @@ typedef union wfMat23 {
 static inline wfMat23 wfMat23Make(wfReal e11, wfReal e12, wfReal e13,
                                   wfReal e21, wfReal e22, wfReal e23)
 {
-    return (wfMat23){ { e11, e12, e13, e21, e22, e23 } };
+    wfMat23 made = { { e11, e12, e13, e21, e22, e23 } };
+    return made;
 }
 static inline wfMat23 wfMat23Identity(void) { return wfMat23Make(1, 0, 0, 0, 1, 0); }
 static inline wfMat23 wfMat23Translation(wfVec2 t)
@@ -430,9 +438,9 @@ static inline wfRot wfRotation(wfReal angle)
     wfSinCos(angle, &q.s, &q.c);
     return q;
 }
-static inline wfRot  wfRotIdentity(void)   { return (wfRot){ 1, 0 }; }
+static inline wfRot  wfRotIdentity(void)   { wfRot q = { 1, 0 }; return q; }
 static inline wfReal wfRotAngle(wfRot q)   { return wfAtan2(q.s, q.c); }
-static inline wfRot  wfRotInverse(wfRot q) { return (wfRot){ q.c, -q.s }; }
+static inline wfRot  wfRotInverse(wfRot q) { wfRot r = { q.c, -q.s }; return r; }
 static inline wfVec2 wfRotate(wfRot q, wfVec2 v)                 /* eq:numbers-rotate */
 {
     return wfV2(q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y);
@@ -444,7 +452,8 @@ static inline wfVec2 wfRotateInv(wfRot q, wfVec2 v)              /* by the oppos
 /* Both rotations, one after the other. */
 static inline wfRot wfRotMul(wfRot a, wfRot b)                  /* eq:numbers-rot-product */
 {
-    return (wfRot){ a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s };
+    wfRot made = { a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s };
+    return made;
 }
 
 /* Back to length 1 after many products; what has no direction becomes the identity. */
@@ -459,7 +468,8 @@ typedef struct wfTransform { wfVec2 p; wfRot q; } wfTransform;
 
 static inline wfTransform wfMakeTransform(wfVec2 p, wfReal angle)
 {
-    return (wfTransform){ p, wfRotation(angle) };
+    wfTransform made = { p, wfRotation(angle) };
+    return made;
 }
 static inline wfTransform wfTransformIdentity(void)
 {
@@ -477,11 +487,13 @@ static inline wfVec2 wfApplyInv(wfTransform t, wfVec2 w)         /* eq:numbers-a
 /* The transform that does b first and then a. */
 static inline wfTransform wfTransformMul(wfTransform a, wfTransform b)
 {
-    return (wfTransform){ wfApply(a, b.p), wfRotMul(a.q, b.q) };
+    wfTransform made = { wfApply(a, b.p), wfRotMul(a.q, b.q) };
+    return made;
 }
 static inline wfTransform wfTransformInverse(wfTransform t)
 {
-    return (wfTransform){ wfNeg(wfRotateInv(t.q, t.p)), wfRotInverse(t.q) };
+    wfTransform made = { wfNeg(wfRotateInv(t.q, t.p)), wfRotInverse(t.q) };
+    return made;
 }
 static inline wfMat23 wfTransformMat23(wfTransform t)
 {
@@ -493,7 +505,8 @@ typedef struct wfRect { wfVec2 min, max; } wfRect;
 
 static inline wfRect wfRectMinMax(wfVec2 a, wfVec2 b)  /* any two opposite corners */
 {
-    return (wfRect){ wfMin2(a, b), wfMax2(a, b) };
+    wfRect made = { wfMin2(a, b), wfMax2(a, b) };
+    return made;
 }
 static inline wfRect wfRectMinDim(wfVec2 min, wfVec2 dim)
 {
@@ -529,23 +542,27 @@ static inline bool wfRectOverlap(wfRect a, wfRect b)             /* eq:numbers-o
 }
 static inline wfRect wfRectUnion(wfRect a, wfRect b)   /* the smallest that holds both */
 {
-    return (wfRect){ wfMin2(a.min, b.min), wfMax2(a.max, b.max) };
+    wfRect made = { wfMin2(a.min, b.min), wfMax2(a.max, b.max) };
+    return made;
 }
 static inline wfRect wfRectGrow(wfRect r, wfReal margin)         /* on all four sides */
 {
     wfVec2 m = wfV2(margin, margin);
-    return (wfRect){ wfSub(r.min, m), wfAdd(r.max, m) };
+    wfRect made = { wfSub(r.min, m), wfAdd(r.max, m) };
+    return made;
 }
 
 typedef struct wfCircle2 { wfVec2 center; wfReal radius; } wfCircle2;
 
 static inline wfCircle2 wfCircleCenterRadius(wfVec2 center, wfReal radius)
 {
-    return (wfCircle2){ center, radius };
+    wfCircle2 made = { center, radius };
+    return made;
 }
 static inline wfCircle2 wfCircleCenterDiameter(wfVec2 center, wfReal diameter)
 {
-    return (wfCircle2){ center, diameter / 2 };
+    wfCircle2 made = { center, diameter / 2 };
+    return made;
 }
 static inline wfVec2 wfCircleCenter(wfCircle2 c) { return c.center; }
 static inline wfReal wfCircleRadius(wfCircle2 c) { return c.radius; }
@@ -563,4 +580,5 @@ wfReal   wfRandomReal(wfRandom *r, wfReal lo, wfReal hi);  /* lo <= hi; both inc
 /* Does this build round every product and every sum by itself, as all builds with the same
  * bits do? WF_ERROR_BUILD: it does not. Asked by wfCreateWorld. */
 wfResult wfCheckBuild(void);
+WF_END_C
 #endif

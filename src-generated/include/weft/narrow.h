@@ -5,6 +5,7 @@
 #include "weft/core.h"
 #include "weft/math.h"
 #include "weft/shape.h"
+WF_BEGIN_C
 /* What a shape, coat included, covers on an axis.  Unit axis: in m along it. */
 typedef struct wfProjection { wfReal min, max; } wfProjection;
 
@@ -115,4 +116,5 @@ typedef struct wfGjkTrace {
 /* The row "gjk" once more, with a record of its steps.  The row's errors, and _NULL. */
 wfResult wfTraceGjk(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                     wfSeparation *out, wfGjkTrace *trace);
+WF_END_C
 #endif

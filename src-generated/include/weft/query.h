@@ -6,6 +6,7 @@
 #define WEFT_QUERY_H
 #include "weft/broad.h"
 #include "weft/shape.h"
+WF_BEGIN_C
 
 /* From `from` to from + by: eq:queries-ray.  World frame, m. */
 typedef struct wfRay { wfVec2 from, by; } wfRay;
@@ -103,4 +104,5 @@ wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,
    normal is the asker's.  If they overlap: distance 0, a point of both, normal (0, 0). */
 wfResult wfSetDistance(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
                        wfReal within, const wfFilter *filter, wfClosest *out);
+WF_END_C
 #endif

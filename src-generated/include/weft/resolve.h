@@ -10,6 +10,7 @@
 #include "weft/contact.h"
 #include "weft/core.h"
 #include "weft/math.h"
+WF_BEGIN_C
 
 /* Least det K over K11 K22 for which two points are solved together: below it fewer than
  * three digits of the impulses would survive. */
@@ -206,4 +207,5 @@ wfResult wfCheckSolve(const wfSolve *in);
 wfResult wfSolveVelocities(int solver, const wfSolve *in);
 wfResult wfSolvePositions(int solver, const wfSolve *in);
 wfResult wfSolveStep(int solver, const wfSolve *in);
+WF_END_C
 #endif

@@ -6,6 +6,7 @@
 #ifndef WEFT_SAVE_H
 #define WEFT_SAVE_H
 #include "weft/world.h"
+WF_BEGIN_C
 
 /* Bytes of a snapshot of the world as it is now; 0: not a world. */
 size_t wfSnapshotSize(const wfWorld *world);
@@ -252,4 +253,5 @@ wfResult wfCheckWorld(const wfWorld *world, wfFault *fault);
 /* How a region is checked, or why it is not; NULL: nobody has thought of it, or it is not
  * kept. */
 const char *wfRegionRule(int region);
+WF_END_C
 #endif

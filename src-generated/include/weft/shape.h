@@ -8,6 +8,7 @@
 #define WEFT_SHAPE_H
 #include "weft/core.h"
 #include "weft/math.h"
+WF_BEGIN_C
 
 #define WF_MAX_VERTICES 16              /* corners of a polygon                           */
 #define WF_MIN_SIZE WF_R(1e-5)          /* m: the longer side of a shape's bounds         */
@@ -111,4 +112,5 @@ wfResult wfShapeMass(const wfShape *shape, wfReal density, wfMassData *out);
 wfResult wfShapeMassOf(const wfShape *shape, wfReal mass, wfMassData *out);
 /* The moment of inertia (kg m^2) about another point of the body's frame. */
 wfReal wfInertiaAbout(const wfMassData *data, wfVec2 point);
+WF_END_C
 #endif

@@ -26,6 +26,7 @@
 #include "weft/exact.h"
 #include "weft/joint.h"
 #include "weft/island.h"
+WF_BEGIN_C
 
 /* A world by value: where its two chunks of memory are, and nothing else. All state is
  * in the chunks: memory.permanent can be copied, moved and saved as bytes. */
@@ -662,4 +663,5 @@ typedef struct wfRestCounts {
     int32_t pairsKept, contactsKept;
 } wfRestCounts;
 wfRestCounts wfWorldRest(const wfWorld *world);
+WF_END_C
 #endif
