@@ -248,7 +248,7 @@ for word in ("link unlink open close read write index rename remove access pipe 
 end
 
 -- ---- weft.h ------------------------------------------------------------------------------------------------------------------
-local version = io.open("tangle/compile.mk"):read("a"):match("VERSION := ([%d%.]+)")
+local version = read("include/weft/core.h"):gsub(".*WF_VERSION_MAJOR (%d+).*WF_VERSION_MINOR (%d+).*WF_VERSION_PATCH (%d+).*", "%1.%2.%3")
 local function banner(name, text)
   return "/* " .. name .. ": Weft " .. version .. ", a 2D rigid-body physics engine, " .. text .. "\n   Made by `make amalgam` from the chapters "
     .. "of the book: do not edit it. MIT licence.\n"
@@ -267,34 +267,13 @@ local function includes()
 end
 local public = drop_heads(header)
 local h = banner("weft.h", "in two files: this one and weft.c.") .. [[
-   C11, or C++17 (gcc and clang). -DWF_DOUBLE: reals are doubles. -DWF_FREESTANDING: nothing of a C library is used. */
+   C11, or C++11 (weft.c as C++: C++17, gcc and clang). -DWF_DOUBLE: reals are doubles. -DWF_FREESTANDING: nothing of a C library is used. */
 #ifndef WEFT_IN_TWO_FILES_H
 #define WEFT_IN_TWO_FILES_H
 ]] .. includes() .. [[
 
-#ifdef __cplusplus
-#ifndef _Static_assert
-#define _Static_assert static_assert
-#endif
-#ifndef _Alignof
-#define _Alignof alignof
-#endif
-#ifdef __GNUC__                    /* what C leaves out of a list of named fields is 0, and C++'s -Wextra minds */
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#endif
-extern "C" {
-#endif
-
 ]] .. public .. [[
 
-
-#ifdef __cplusplus
-}
-#ifdef __GNUC__
-#pragma GCC diagnostic pop
-#endif
-#endif
 #endif
 ]]
 
@@ -361,6 +340,9 @@ static inline size_t wfTextLength(const char *a)
 #else
 #include <string.h>
 #endif
+
+#undef near                        /* windows.h, if it was included before, has given these words away */
+#undef far
 
 #ifdef __cplusplus                 /* what C does by itself */
 #ifdef __GNUC__

@@ -8,7 +8,9 @@ STD ?= -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize
 WARN ?= -Wall -Wextra
 CFLAGS ?= -O2 -g
 PREFIX ?= /usr/local
-VERSION := 0.1.0
+# the version, as core.h says it
+version = $(shell sed -n 's/^\#define WF_VERSION_$(1) //p' $(SRC)/include/weft/core.h)
+VERSION = $(call version,MAJOR).$(call version,MINOR).$(call version,PATCH)
 # An engine with some of its parts alone (a file `parts` in its tree) runs the tests that say what they need, if it has that.
 PARTS_FILE := $(wildcard $(SRC)/parts)
 APPLY = $(shell for t in tests/test_*.c; do n=$$(sed -n 's|^/\* needs: \(.*\) \*/$$|\1|p' $$t); [ -n "$$n" ] || continue; ok=1; for w in $$n; do \
@@ -43,11 +45,12 @@ $(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS) $(JSONINC)' | cmp -s - $(F
 .PHONY: lib test tests
 .SECONDARY:
 .DELETE_ON_ERROR:
-lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(JSONLIB) $(JSONLIB:$(OUT)/lib/lib%.a=$(OUT)/lib/pkgconfig/%.pc) $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake
+lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(JSONLIB) $(JSONLIB:$(OUT)/lib/lib%.a=$(OUT)/lib/pkgconfig/%.pc) $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake $(OUT)/lib/cmake/weft/weftConfigVersion.cmake
 
+$(LIBOBJ): HIDDEN := -fvisibility=hidden
 $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
-	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -fno-semantic-interposition -MMD -MP -c $< -o $@
+	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -fno-semantic-interposition $(HIDDEN) -MMD -MP -c $< -o $@
 archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
 $(OUT)/lib/libweft.a: $(LIBOBJ) ; $(archive)
 $(OUT)/lib/libweft-collision.a: $(call objects,core math collision) ; $(archive)
@@ -56,8 +59,8 @@ include tangle/font.mk
 $(OUT)/lib/libweft-extra.a: $(EXTOBJ) $(FONTOBJ) ; $(archive)
 $(OUT)/lib/libweft.so: $(LIBOBJ)
 	@mkdir -p $(@D)
-	@$(CC) $(CFLAGS) -shared -Wl,-soname,libweft.so.0 -o $@.$(VERSION) $^ -lm
-	@ln -sf libweft.so.$(VERSION) $@.0 && ln -sf libweft.so.0 $@
+	@$(CC) $(CFLAGS) -shared -Wl,-soname,libweft.so.$(call version,MAJOR) -o $@.$(VERSION) $^ -lm
+	@ln -sf libweft.so.$(VERSION) $@.$(call version,MAJOR) && ln -sf libweft.so.$(call version,MAJOR) $@
 $(OUT)/lib/libweft.dylib: $(LIBOBJ)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -dynamiclib -install_name @rpath/libweft.dylib -o $@ $^ -lm
@@ -67,7 +70,7 @@ SWITCHES := $(filter -DWF_%,$(CFLAGS))
 $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/pkgconfig/weft-json.pc: $(OUT)/lib/pkgconfig/%.pc: tangle/%.pc.in $(LIBOBJ)
 	@mkdir -p $(@D)
 	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
-$(OUT)/lib/cmake/weft/weftConfig.cmake: tangle/weftConfig.cmake.in $(LIBOBJ)
+$(OUT)/lib/cmake/weft/%.cmake: tangle/%.cmake.in $(LIBOBJ)
 	@mkdir -p $(@D)
 	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
 

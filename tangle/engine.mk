@@ -75,7 +75,7 @@ install: $(BUILD)/lib/libweft.a
 	@cp -P $(BUILD)/lib/libweft.so* $(BUILD)/lib/libweft.dylib $(DESTDIR)$(PREFIX)/lib/ 2>/dev/null || true
 	@[ ! -f $(BUILD)/lib/libweft-json.a ] || install -m 644 $(BUILD)/lib/libweft-json.a $(DESTDIR)$(PREFIX)/lib/
 	@for p in $(BUILD)/lib/pkgconfig/*.pc; do sed 's|^prefix=.*|prefix=$(PREFIX)|' $$p > $(DESTDIR)$(PREFIX)/lib/pkgconfig/$${p##*/}; done
-	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfig.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
+	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfig*.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
 	@for p in weft-testbed weft-headless weft-lab; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
 	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/lib, pkg-config name weft, CMake package weft"
 uninstall:

@@ -1092,7 +1092,7 @@ static void assert_near_pairs(const wfTree *tree)
             if (tree->nodes[i].movers + tree->nodes[k].movers == 0) continue;
             if (oracle_apart(tree->nodes[i].box, tree->nodes[k].box)) continue;
             assert_in_range(n, 0, tree->head->nearCount - 1);
-            assert_true(tree->near[n].a == i && tree->near[n].b == k);
+            assert_true(tree->overlaps[n].a == i && tree->overlaps[n].b == k);
             n++;
         }
     assert_int_equal(n, tree->head->nearCount);

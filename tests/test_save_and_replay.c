@@ -491,7 +491,7 @@ static void play(wfWorld *w, wfJournal *j, int steps, bool odd)
         }
         if (i == 58) give(w, j, input(WF_INPUT_SETTING, (uint32_t)(wfFindSetting("slop") - wfSettingTable), 0, wfV2(0, 0), wfV2(0, 0), WF_R(0.01), 0));
         if (i == 59) give(w, j, input(WF_INPUT_MOVE_ORIGIN, 0, 0, wfV2(0, 0), wfV2(16, 0), 0, 0));
-        if (i == 60) give(w, j, (wfInput){ .kind = WF_INPUT_SET_ORIGIN, .far = { 1e9, -3 } });
+        if (i == 60) give(w, j, (wfInput){ .kind = WF_INPUT_SET_ORIGIN, .global = { 1e9, -3 } });
         if (i == 90) give(w, j, (wfInput){ .kind = WF_INPUT_FORGET_PAIR, .index = 1, .generation = 3 });
         assert_ok(wfStepNoted(w, j, NULL));
     }

@@ -13,7 +13,7 @@ static wfImpact check_impact(const Pair *p, int samples, Tally *tally)
     double eta = noise_of(p);
     assert_ok(wfTimeOfImpact(&p->a, p->sa, &p->b, p->sb, &r));
     assert_true(r.t >= 0 && r.t <= 1 && r.steps >= 1 && r.steps <= WF_IMPACT_STEPS);
-    double d = distance_at(p, (double)r.t), near = (double)r.near;
+    double d = distance_at(p, (double)r.t), near = (double)r.touching;
     assert_near(r.distance, d, eta);
     if (r.kind == WF_IMPACT_OVERLAP) {
         assert_true(r.t == 0 && d <= eta);
@@ -145,7 +145,7 @@ static void test_every_bound_is_conservative(void **state)
                 assert_true(t.steps[k].t == (to < 1 ? to : 1));
             }
             double least = least_before(&p, (double)hit[how].t, 150);
-            assert_true(least >= fmin((double)hit[how].near / 2 - eta, (double)hit[how].distance - eta));
+            assert_true(least >= fmin((double)hit[how].touching / 2 - eta, (double)hit[how].distance - eta));
             int kind = hit[how].kind;
             if (kind != WF_IMPACT_UNFINISHED && plain.kind != WF_IMPACT_UNFINISHED) assert_int_equal(kind, plain.kind);
         }
@@ -220,7 +220,7 @@ static void test_first_steps_are_what_the_bounds_allow(void **state)
             got[how] = fmin((double)t.steps[0].by, 1);
         }
         if (!moves) continue;
-        double eta = noise_of(&p), room = (double)t.steps[0].distance - (double)hit.near / 2;
+        double eta = noise_of(&p), room = (double)t.steps[0].distance - (double)hit.touching / 2;
         P n = { (double)t.steps[0].normal.x, (double)t.steps[0].normal.y };
         Bounds lo = bounds_of(&p, n, room - 2 * eta), hi = bounds_of(&p, n, room + 2 * eta);
         double want[WF_ADVANCE_KINDS][2] = { { lo.plain, hi.plain }, { lo.along, hi.along }, { lo.disc, hi.disc }, { lo.curve, hi.curve } };
@@ -257,7 +257,7 @@ static void test_circle_against_wall(void **state)
         p.sa = (wfSweep){ wfV2((wfReal)from, WF_R(0.3)), wfV2((wfReal)(from + v + w), WF_R(0.3)), 0, 700 };
         p.sb = wfSweepStill(wfV2((wfReal)x0, 0), 0);
         wfImpact hit = check_impact(&p, 100, NULL);
-        double eta = noise_of(&p), near = (double)hit.near;
+        double eta = noise_of(&p), near = (double)hit.touching;
         double travel = (double)p.sa.to.x - (double)p.sa.from.x;
         double gap0 = (double)p.sb.from.x - (double)p.sa.from.x - (double)p.b.vertices[1].x - (double)p.a.radius;
         assert_int_equal(hit.kind, WF_IMPACT_TOUCH);
@@ -294,7 +294,7 @@ static void test_two_circles(void **state)
         if (size(c) < R + 5 * eta) continue;
         wfImpact hit;
         assert_ok(wfTimeOfImpact(&p.a, p.sa, &p.b, p.sb, &hit));
-        double near = (double)hit.near;
+        double near = (double)hit.touching;
         double early = circles_meet(c, v, R + near + eta), late = circles_meet(c, v, R + near / 2 - eta);
         bool may = early >= 0 && early <= 1, must = late >= 0 && late <= 1;
         assert_true(hit.kind == WF_IMPACT_TOUCH || hit.kind == WF_IMPACT_APART);
@@ -326,7 +326,7 @@ static void test_spinning_rod(void **state)
         p.sa = (wfSweep){ place, place, (wfReal)start, (wfReal)(start + turn) };
         p.sb = wfSweepStill(wfAdd(place, wfV2((wfReal)(R * cos(peg)), (wfReal)(R * sin(peg)))), 1);
         wfImpact hit = check_impact(&p, 200, NULL);
-        double eta = noise_of(&p), near = (double)hit.near;
+        double eta = noise_of(&p), near = (double)hit.touching;
         double way = fmod((peg - start) * (turn > 0 ? 1 : -1) + 20 * 3.14159265358979, 3.14159265358979);
         double half = asin((h + rho + near / 2 - eta) / R), wide = asin((h + rho + near + eta) / R);
         if (hit.t <= 0 || way < wide || way > 3.14159265358979 - wide) continue;     /* begins at the peg */
@@ -450,14 +450,14 @@ static void test_near_bodies_may_move(void **state)
         if (d0 < 5 * eta) break;
         hit = check_impact(&p, 50, NULL);
         assert_int_equal(hit.kind, WF_IMPACT_APART);
-        assert_near(hit.near, fmin(d0 / 2, (double)wfShapeReach(&p.b) / 256), 2 * eta);
+        assert_near(hit.touching, fmin(d0 / 2, (double)wfShapeReach(&p.b) / 256), 2 * eta);
         p.sb.to.y = y + 1;                                          /* leaves */
         hit = check_impact(&p, 50, NULL);
         assert_int_equal(hit.kind, WF_IMPACT_APART);
         p.sb.to.y = y - 1;                                          /* comes: until half of the gap is used up */
         hit = check_impact(&p, 50, NULL);
         assert_true(hit.kind == WF_IMPACT_TOUCH && hit.t > 0);
-        assert_between((double)hit.t, d0 - (double)hit.near - eta, d0 - (double)hit.near / 2 + eta);
+        assert_between((double)hit.t, d0 - (double)hit.touching - eta, d0 - (double)hit.touching / 2 + eta);
     }
 }
 
@@ -703,8 +703,8 @@ static void test_wild_numbers(void **state)
             continue;
         }
         fine++;
-        assert_true(hit.t >= 0 && hit.t <= 1 && hit.distance >= 0 && hit.near > 0 && hit.steps >= 1 && hit.steps <= WF_IMPACT_STEPS);
-        assert_true(wfIsFinite(hit.distance) && wfIsFinite(hit.near) && wfIsFinite2(hit.normal) && wfIsFinite2(hit.point));
+        assert_true(hit.t >= 0 && hit.t <= 1 && hit.distance >= 0 && hit.touching > 0 && hit.steps >= 1 && hit.steps <= WF_IMPACT_STEPS);
+        assert_true(wfIsFinite(hit.distance) && wfIsFinite(hit.touching) && wfIsFinite2(hit.normal) && wfIsFinite2(hit.point));
     }
     assert_true(fine > 5000);
 }

@@ -34,7 +34,7 @@ static wfTree layTree(void *block, int32_t capacity)
     wfTree tree = { .head = wfPoolPushStruct(&pool, wfTreeHead) };
     tree.nodes = wfPoolPushArray(&pool, 2 * (size_t)capacity, wfTreeNode);
     tree.places = wfPoolPushArray(&pool, capacity, wfTreePlace);
-    tree.near = wfPoolPushArray(&pool, WF_TREE_NEAR * (size_t)capacity, wfPair);
+    tree.overlaps = wfPoolPushArray(&pool, WF_TREE_NEAR * (size_t)capacity, wfPair);
     return tree;
 }
 
@@ -264,10 +264,10 @@ static void strikeNear(wfTree *tree)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < tree->head->nearCount; i++) {
-        wfPair p = tree->near[i];
+        wfPair p = tree->overlaps[i];
         if (isNew(tree, p.a) || isNew(tree, p.b)) continue;
         if (!wfTreeHolds(tree, p.a) || !wfTreeHolds(tree, p.b)) continue;
-        tree->near[kept++] = p;
+        tree->overlaps[kept++] = p;
     }
     tree->head->nearCount = kept;
 }
@@ -314,8 +314,8 @@ static bool mergeNear(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *s
     int32_t i = tree->head->nearCount - 1, k = room ? more->count - 1 : -1;
     for (int32_t m = 0; m <= k; m++) copy[m] = more->pairs[m];
     for (int32_t to = i + k + 1; k >= 0; to--) {
-        bool old = i >= 0 && comesBefore(copy[k], tree->near[i]);
-        tree->near[to] = old ? tree->near[i--] : copy[k--];
+        bool old = i >= 0 && comesBefore(copy[k], tree->overlaps[i]);
+        tree->overlaps[to] = old ? tree->overlaps[i--] : copy[k--];
     }
     tree->head->nearCount += more->count;
     wfPoolRewind(scratch, mark);
@@ -327,7 +327,7 @@ static void keepNear(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch)
     wfTreeHead *h = tree->head;
     if (begin) h->nearCount = 0;
     else strikeNear(tree);
-    wfPairList more = { .pairs = tree->near + h->nearCount,
+    wfPairList more = { .pairs = tree->overlaps + h->nearCount,
                         .capacity = WF_TREE_NEAR * proxies - h->nearCount };
     bool room = true;
     for (int32_t i = 0; room && i < proxies; i++)
@@ -381,7 +381,7 @@ void wfTreeCopy(void *to, const void *from, int32_t proxies)
     memcpy(made.nodes, old.nodes, n * sizeof *old.nodes);
     memcpy(made.nodes + capacity, old.nodes + capacity, n * sizeof *old.nodes);
     memcpy(made.places, old.places, n * sizeof *old.places);
-    memcpy(made.near, old.near, (size_t)(near > 0 ? near : 0) * sizeof *old.near);
+    memcpy(made.overlaps, old.overlaps, (size_t)(near > 0 ? near : 0) * sizeof *old.overlaps);
 }
 
 wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
@@ -470,7 +470,7 @@ static bool offerNear(const wfTree *tree, const wfProxies *in, wfPairList *out)
 {
     bool room = true;
     for (int32_t i = 0; room && i < tree->head->nearCount; i++) {
-        int32_t a = tree->near[i].a, b = tree->near[i].b;
+        int32_t a = tree->overlaps[i].a, b = tree->overlaps[i].b;
         room = wfOfferPair(in, out, in->bounds[a], a, in->bounds[b], b);
     }
     if (!room) out->count = 0;

@@ -237,7 +237,7 @@ static wfResult advance(Course *c, wfReal end, int32_t how, wfImpact *out,
         wfReal d = out->distance;
         if (out->steps == 1)
             c->near = wfMaxR(wfMinR(c->near, d / 2), 4 * c->noise); /* eq:impact-strict */
-        out->near = c->near;
+        out->touching = c->near;
         out->kind = d <= 0 ? WF_IMPACT_OVERLAP : WF_IMPACT_TOUCH;
         if (d > c->near) out->kind = t < end ? WF_IMPACT_UNFINISHED : WF_IMPACT_APART;
         bool last = out->kind != WF_IMPACT_UNFINISHED || out->steps == WF_IMPACT_STEPS;
@@ -275,7 +275,7 @@ static wfResult findImpact(Course *c, wfReal end, int32_t how, wfImpact *out,
     } else {
         wfResult measured = measure(c, end, &found);
         if (measured != WF_OK) return measured;
-        found.near = c->near;
+        found.touching = c->near;
         found.steps = 1;
     }
     *out = found;

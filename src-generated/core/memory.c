@@ -2,6 +2,15 @@
  * chapter and type make. MIT licence. */
 #include "weft/core.h"
 
+/* write the version */
+#define WF_DIGITS(x) #x
+#define WF_DOTTED(a, b, c) WF_DIGITS(a) "." WF_DIGITS(b) "." WF_DIGITS(c)
+
+const char *wfVersion(void)
+{
+    return WF_DOTTED(WF_VERSION_MAJOR, WF_VERSION_MINOR, WF_VERSION_PATCH);
+}
+
 /* results in words */
 static const struct { const char *name, *text; } result_table[] = {
 #define WF_RESULT(name, text) { #name, text },

@@ -46,7 +46,7 @@ static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
 }
 #define HAS_FOUR(type, first, last) \
     (offsetof(type, last) == offsetof(type, first) + 3 * sizeof(wfReal))
-_Static_assert(HAS_FOUR(wfBodyState, v, invMass) && HAS_FOUR(wfMoved, d, spare) &&
+WF_STATIC_ASSERT(HAS_FOUR(wfBodyState, v, invMass) && HAS_FOUR(wfMoved, d, spare) &&
                HAS_FOUR(wfBodyState, v.y, invInertia) &&
                HAS_FOUR(wfContactPoint, armA, armB.y) &&
                HAS_FOUR(wfContactPoint, depth, feature), "gathered by fours");

@@ -134,8 +134,15 @@ enum {
 #define WF_REGION_KEPT WF_REGION_NEW_STATE
 /* Chunks of these sizes: what is given, as it is, or cleared ones if nothing is. */
 wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out);
+/* What the library of scenes as text calls, too, is marked. */
+#if defined __GNUC__ && !defined _WIN32
+#define WF_FOR_SCENES __attribute__((visibility("default")))
+#else
+#define WF_FOR_SCENES
+#endif
+
 /* Checks a handle and finds the arrays. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
-wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
+WF_FOR_SCENES wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
 /* The same for a call that changes the world. WF_ERROR_BUSY. */
 wfResult wfChangeBlock(const wfWorld *world, wfBlock *out);
 /* An array of the transient chunk. */
@@ -173,8 +180,8 @@ int32_t wfFreeShapes(const wfBlock *b);
 int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def);
 void wfDropShape(wfBlock *b, int32_t k);
 /* Bounds a shape, or all shapes of a body, anew: after every change from outside. */
-void wfBoundShape(wfBlock *b, int32_t k);
-void wfBoundBody(wfBlock *b, int32_t i);
+WF_FOR_SCENES void wfBoundShape(wfBlock *b, int32_t k);
+WF_FOR_SCENES void wfBoundBody(wfBlock *b, int32_t i);
 /* The proxies of all shapes with these bounds. */
 wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags);
 /* Forgets the contacts and pairs of a body (-1: none) and of a shape (-1: none). */
@@ -182,7 +189,8 @@ void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape);
 /* What body i would be if it had this type; and making it so. */
 wfResult wfWeighBody(const wfBlock *b, int32_t i, int type, wfBodyState *state,
                      wfBodyProps *props);
-void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyProps *props);
+WF_FOR_SCENES void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state,
+                              const wfBodyProps *props);
 /* Is it a shape, as it is stored, or at least when moved by the centre of mass? */
 wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre);
 /* What two shapes' materials make together: known, or mixed by the world's rules. */
@@ -195,7 +203,7 @@ static inline wfFine *wfFineOf(const wfBlock *b)
     return b->head->fineSums ? b->fine : NULL;
 }
 /* Is a rest what rounding to this state can lose? eq:world-digits */
-bool wfAreDigits(const wfBodyState *s, const wfFine *rest);
+WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfFine *rest);
 /* What a rest has more than that goes to the state. */
 void wfSettleDigits(wfBodyState *s, wfFine *rest);
 

@@ -274,7 +274,7 @@ static void note_flights(Near *near, wfRect area)
 
 static Near look_from(struct wfStep *s, const wfFlight *f, wfReal t)
 {
-    return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEAR),
+    return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEIGHBOURS),
                    .alone = wfIsCrowd(&s->b) && can_change(s, f->body) };
 }
 

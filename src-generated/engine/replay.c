@@ -215,7 +215,7 @@ static wfResult move_origin(wfWorld *w, const wfInput *in, wfInputId *made)
 static wfResult set_origin(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
-    return wfSetWorldOrigin(w, in->far);
+    return wfSetWorldOrigin(w, in->global);
 }
 
 static wfResult set_substeps(wfWorld *w, const wfInput *in, wfInputId *made)

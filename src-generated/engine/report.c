@@ -99,7 +99,7 @@ wfResult wfReportAddBodies(physics_world *World, void *Bodies, int32 Count)
 /* step and end the report's world */
 wfResult wfReportStep(physics_world World) { return wfStepWorld(&World); }
 
-wfResult UpdateBody(const physics_world *World, poly_body *Body)
+wfResult wfReportUpdateBody(const physics_world *World, poly_body *Body)
 {
     wfBodyInfo Info;
     if (Body == NULL) return WF_ERROR_NULL;
@@ -111,10 +111,3 @@ wfResult UpdateBody(const physics_world *World, poly_body *Body)
     Data->AngularVelocity = Info.angularVelocity;
     return WF_OK;
 }
-
-wfResult RemoveBodyFromWorld(physics_world *World, poly_body *Body)
-{
-    return Body == NULL ? WF_ERROR_NULL : wfRemoveBodyFromWorld(World, (*Body)->Id);
-}
-
-void DestroyWorld(physics_world *World) { wfDestroyWorld(World); }

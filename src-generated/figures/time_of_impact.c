@@ -139,7 +139,7 @@ static void figure_impact_graph(wfDraw *d, const wfFigureInput *in)
         wfDrawText(d, g.x + 8.25f, g.y - 0.35f, 14, WF_INK_TEXT, 1, "time t");
         wfDrawText(d, g.x + 0.15f, g.y + 2.4f, 14, WF_INK_TEXT, -1, "gap");
         impactCurve(d, &g, &ground, still, &box, flight);
-        impactSawtooth(d, &g, &t, hit.near / 2);
+        impactSawtooth(d, &g, &t, hit.touching / 2);
         wfDrawTextf(d, g.x + 8.2f, g.y + 2.1f, 14, WF_INK_TEXT, 1, "steps: %d", t.count);
     }
 }

@@ -26,7 +26,7 @@
 /* tables of a scene's fields */
 static const char *const bodyTypes[] = { "static", "kinematic", "dynamic" };
 static const int bodyTypeCount = WF_BODY_TYPES;
-_Static_assert(sizeof bodyTypes / sizeof *bodyTypes == WF_BODY_TYPES, "a name for each");
+WF_STATIC_ASSERT(sizeof bodyTypes / sizeof *bodyTypes == WF_BODY_TYPES, "a name for each");
 
 static const wfField bodyFields[] = {
     { AT(wfBodyText, name), STRING(WF_BODY_NAME),

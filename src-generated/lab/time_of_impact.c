@@ -112,7 +112,7 @@ static int measure_impact_convergence(FILE *out)
         /* write the gap after this step of each bound */
         for (int how = 0; how < WF_ADVANCE_KINDS; how++) {
             double gap = k < t[how].count ? (double)t[how].steps[k].distance : 0;
-            gap -= (double)hit.near / 2;
+            gap -= (double)hit.touching / 2;
             if (gap > 0) fprintf(out, ",%.6f", gap);
             else fprintf(out, ",");
         }
@@ -202,7 +202,7 @@ static int impactCount(const ImpactFlight *f, ImpactCount *c)
     c->touching++;
     for (int how = 0; how < WF_ADVANCE_KINDS; how++) c->steps[how] += hit[how].steps;
     if (best->steps > c->most) c->most = best->steps;
-    int steps = impactBilateral(f, best->near, &rounds);
+    int steps = impactBilateral(f, best->touching, &rounds);
     if (steps == 0) { c->missed++; return 0; }
     c->found++;
     c->both += steps;

@@ -893,7 +893,7 @@ static wfInput input(Session *s)                /* a call as a value, on what is
     case WF_INPUT_ADD_FORCE: in.force = force(s); break;
     case WF_INPUT_SET_FORCE: case WF_INPUT_REMOVE_FORCE: case WF_INPUT_DRAG: t = pick(s, &s->forces); if (in.kind == WF_INPUT_SET_FORCE) in.force = force(s); break;
     case WF_INPUT_SET_JOINT: case WF_INPUT_REMOVE_JOINT: t = pick(s, &s->joints); break;
-    case WF_INPUT_SET_ORIGIN: in.far = far_place(s); break;
+    case WF_INPUT_SET_ORIGIN: in.global = far_place(s); break;
     default: break;
     }
     in.index = t->index; in.generation = t->generation;

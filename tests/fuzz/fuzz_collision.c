@@ -352,10 +352,10 @@ static void check_free(const wfShape *a, wfSweep sa, const wfShape *b, wfSweep s
         wfDistanceResult d;
         shownAt[0] = wfSweepAt(sa, t); shownAt[1] = wfSweepAt(sb, t);
         MUST(wfShapeDistance(a, shownAt[0], b, shownAt[1], &d) == WF_OK);
-        if (d.distance < hit->near / 2 - noise)
+        if (d.distance < hit->touching / 2 - noise)
             fprintf(stderr, "kind %d t %g of %g: distance %g, near %g, noise %g\n", (int)hit->kind, (double)t, (double)hit->t, (double)d.distance,
-                (double)hit->near, (double)noise);
-        MUST(d.distance >= hit->near / 2 - noise);
+                (double)hit->touching, (double)noise);
+        MUST(d.distance >= hit->touching / 2 - noise);
     }
 }
 
@@ -368,7 +368,7 @@ static void test_motion(Input *in)
     wfImpact hit;
     if (CALL("impact", hit, wfTimeOfImpact(&a, sa, &b, sb, &hit))) {
         MUST(hit.kind >= 0 && hit.kind <= WF_IMPACT_UNFINISHED && hit.t >= 0 && hit.t <= 1);
-        MUST(wfIsFinite(hit.distance) && wfIsFinite(hit.near) && wfIsFinite2(hit.point) && wfIsFinite2(hit.normal));
+        MUST(wfIsFinite(hit.distance) && wfIsFinite(hit.touching) && wfIsFinite2(hit.point) && wfIsFinite2(hit.normal));
         MUST(hit.steps >= 0 && hit.steps <= WF_IMPACT_STEPS);
         if (hit.kind == WF_IMPACT_APART) MUST(hit.t == 1);
         if (hit.kind == WF_IMPACT_OVERLAP) MUST(hit.t == 0);

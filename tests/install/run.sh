@@ -19,7 +19,7 @@ if [ -f "$work/stage/opt/weft/lib/libweft-json.a" ]; then
   LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-json" && say "pkg-config, scenes as text: ok"
 fi
 cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="$work/stage/opt/weft" >"$work/log" 2>&1 && cmake --build "$work/cmake" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-"$work/cmake/user" && "$work/cmake/user_shared" && say "CMake, static and shared: ok"
+"$work/cmake/user" && "$work/cmake/user_shared" && "$work/cmake/user_cxx" && say "CMake, static and shared, C and C++, versions: ok"
 
 # the same in double precision, in a build directory of its own: the switch travels with the package files
 make --no-print-directory BUILD=build/check/real64 engine CFLAGS="-O2 -DWF_DOUBLE" WARN= >/dev/null
@@ -36,6 +36,7 @@ for h in "$work"/stage/opt/weft/include/weft/*.h; do
   echo "#include <weft/$(basename "$h")>" | cc -std=c11 -Wall -Wextra -Wpedantic -Werror -I"$work/stage/opt/weft/include" -x c -fsyntax-only - || { echo "$h does not compile alone"; exit 1; }
 done
 say "every header compiles alone: ok"
+tests/install/headers.sh "$work/stage/opt/weft" || exit 1
 
 # appendix B is the quick reference of these headers: it names every call of a world that they declare, and every error
 # (those of needs, WF_ERROR_NO_..., all at once)

@@ -381,7 +381,7 @@ typedef struct wfTree {
     wfTreeHead *head;
     wfTreeNode *nodes;
     wfTreePlace *places;
-    wfPair *near;                 /* leaves whose fat boxes overlap, sorted */
+    wfPair *overlaps;             /* leaves whose fat boxes overlap, sorted */
 } wfTree;
 size_t wfTreeSize(int32_t capacity);    /* bytes of a tree for proxies 0 .. capacity - 1 */
 /* An empty tree in a block (aligned to WF_POOL_ALIGN; it may be moved and copied).

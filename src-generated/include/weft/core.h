@@ -32,20 +32,33 @@
 #define WF_ONE_COPY inline
 #endif
 #endif
-/* Around the declarations of a header: C++ compiles them as C. */
+/* Around the declarations of a public header: C++ compiles them as C, and a shared library
+   shows them and nothing else. */
+#if defined __GNUC__ && !defined _WIN32
+#define WF_SHOWN _Pragma("GCC visibility push(default)")
+#define WF_SHOWN_END _Pragma("GCC visibility pop")
+#else
+#define WF_SHOWN
+#define WF_SHOWN_END
+#endif
 #ifdef __cplusplus
-#define WF_BEGIN_C extern "C" { _Pragma("GCC diagnostic push") \
+#define WF_BEGIN_C extern "C" { WF_SHOWN _Pragma("GCC diagnostic push") \
     _Pragma("GCC diagnostic ignored \"-Wpedantic\"")
-#define WF_END_C _Pragma("GCC diagnostic pop") }
+#define WF_END_C _Pragma("GCC diagnostic pop") WF_SHOWN_END }
 #define WF_STATIC_ASSERT(x, text) static_assert(x, text)
 #define WF_ALIGN_OF(type) alignof(type)
 #else
-#define WF_BEGIN_C
-#define WF_END_C
+#define WF_BEGIN_C WF_SHOWN
+#define WF_END_C WF_SHOWN_END
 #define WF_STATIC_ASSERT(x, text) _Static_assert(x, text)
 #define WF_ALIGN_OF(type) _Alignof(type)
 #endif
 WF_BEGIN_C
+#define WF_VERSION_MAJOR 0
+#define WF_VERSION_MINOR 1
+#define WF_VERSION_PATCH 0
+
+const char *wfVersion(void);    /* of the library: "MAJOR.MINOR.PATCH" */
 
 /* What a call that can fail returns. After any value but WF_OK (0) nothing has changed. */
 typedef enum wfResult {

@@ -202,6 +202,7 @@ typedef poly_body_data poly_body[1];
         poly_body **: wfReportAddPointers, poly_body_data *: wfReportAddBodies, \
         poly_body *: _Generic((Bodies), poly_body **: wfReportAddPointers, \
                               default: wfReportAddBodies))((World), (Bodies), (Count))
+
 /* What the macros call. */
 physics_world  wfReportCreateWorld(const real32 *Dt, size_t Count);
 poly_body_data wfReportPolyBody(v2 Dimensions, const real32 *Numbers, size_t Count);
@@ -211,7 +212,14 @@ wfResult wfReportAddBodies(physics_world *World, void *Bodies, int32 Count);
 wfResult wfReportStep(physics_world World);
 /* Not in the report, which leaves no way to look or to end: reads Transform and
  * velocities of a body that was added; takes it out of the world; ends a world. */
-wfResult UpdateBody(const physics_world *World, poly_body *Body);
-wfResult RemoveBodyFromWorld(physics_world *World, poly_body *Body);
-void DestroyWorld(physics_world *World);
+wfResult wfReportUpdateBody(const physics_world *World, poly_body *Body);
+static inline wfResult UpdateBody(const physics_world *World, poly_body *Body)
+{
+    return wfReportUpdateBody(World, Body);
+}
+static inline wfResult RemoveBodyFromWorld(physics_world *World, poly_body *Body)
+{
+    return Body == NULL ? WF_ERROR_NULL : wfRemoveBodyFromWorld(World, (*Body)->Id);
+}
+static inline void DestroyWorld(physics_world *World) { wfDestroyWorld(World); }
 #endif

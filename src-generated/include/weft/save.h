@@ -74,7 +74,7 @@ typedef struct wfInput {
         wfForce force;
         wfJoint joint;
         wfPairMaterial pair;
-        wfFar far;
+        wfFar global;
     };
 } wfInput;
 typedef struct wfInputId { uint32_t index, generation; } wfInputId;
