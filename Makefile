@@ -12,7 +12,7 @@ NW       := $(CHAPTERS) $(EXTRA)
 CC       ?= cc
 # gcc 12 makes fused vfmaddsub of a b +- c d in its vectorisers although contraction is off: another bit, so they are off too
 STD      := -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize
-WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wdouble-promotion -Wfloat-conversion -Wundef -Wvla -Werror
+WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wdouble-promotion -Wfloat-conversion -Wundef -Wvla $(WERROR)
 CFLAGS   ?= -O2 -g
 export MAKE EXTRA
 

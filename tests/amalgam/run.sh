@@ -24,6 +24,11 @@ for build in "gcc-c gcc|$c" "gcc-c-double gcc|$c" "clang-c clang|$c" "clang-c-do
 done
 wait_two 1
 [ $fail -eq 0 ] || exit 1
+# windows.h makes nothing of these two words, and it may stand before the two files
+for define in -Dnear= "-Dnear= -Dfar="; do
+  # shellcheck disable=SC2086
+  gcc $c $strict $define -fsyntax-only "$a/weft.c" 2>"$work/windows.log" || { echo "amalgam: after windows.h:"; head -5 "$work/windows.log"; exit 1; }
+done
 # the library's hashes
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
 for precision in "" -double; do
