@@ -13,4 +13,5 @@ for f in a:b b:a c:a; do echo "void wf_${f%:*}(void); void wf_${f#*:}(void); voi
 told=$($lua tests/house/circles.lua "$work" two) && { echo "house: a circle of two files was not found"; bad=1; }
 grep -q 'a.c needs wf_b of b.c, and b.c needs wf_a of a.c' <<<"$told" || { echo "house: the circle is not told by its two calls: $told"; bad=1; }
 $lua tests/house/house.lua tests/house/declared $(tangle/chapters) || bad=1
+tests/house/readme.sh || bad=1
 exit $bad

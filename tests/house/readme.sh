@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The README shows the way: the files, folders and functions that it names are there.
+set -uo pipefail
+cd "$(dirname "$0")/../.."
+fail=0
+say() { echo "README.md:$(grep -nF -- "$2" README.md | head -1 | cut -d: -f1): $1"; fail=1; }
+# a row of "where is": the first name in it stands in the file in it
+rows=0
+while IFS='|' read -r _ _ name file _; do
+  name=$(grep -oE '`[A-Za-z_]+`' <<<"$name" | head -1 | tr -d '`') file=$(grep -oE '`[a-z_/]+\.c`' <<<"$file" | tr -d '`')
+  [ -n "$name" ] && [ -n "$file" ] || continue
+  rows=$((rows + 1))
+  grep -qE "^[a-zA-Z].*\b$name(\(|\[)" "src-generated/$file" 2>/dev/null || say "src-generated/$file does not define $name" "$name"
+done < <(sed -n '/^| where is/,/^$/p' README.md)
+[ $rows -ge 12 ] || { echo "README.md: only $rows rows say where something is"; fail=1; }
+# paths in code spans, but those under build/ and those with a word in capitals that stands for another
+paths=0
+for path in $(grep -oE '`(chapters|book|tangle|tests|testbed|src-generated)/[^` ]*`' README.md | tr -d '`' | grep -vE '[A-Z]{2}|mine' | sort -u); do
+  paths=$((paths + 1)); ls -d $path >/dev/null 2>&1 || say "there is no $path" "$path"
+done
+[ $paths -ge 8 ] || { echo "README.md: only $paths paths were found"; fail=1; }
+[ $fail -eq 0 ] && echo "README.md: $rows places and $paths paths are where it says"
+exit $fail
