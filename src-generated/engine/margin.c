@@ -9,7 +9,7 @@ bool wfSolverSteps(const struct wfStep *s)
     return wfHas(head, WF_NEED_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
 }
 
-static wfVec2 velocity_to_be(const struct wfStep *s, int32_t i)
+wfVec2 wfVelocityToBe(const struct wfStep *s, int32_t i)
 {
     wfReal gain = s->b.head->dt * s->state[i].invMass;
     return wfAddScaled(s->state[i].v, gain, s->sums[i].force);
@@ -25,10 +25,11 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
 wfReal wfWayOfShape(struct wfStep *s, int32_t k)
 {
     int32_t i = s->b.owners[k];
-    wfReal is = wfLength(s->state[i].v), to_be = wfLength(velocity_to_be(s, i));
-    s->rims[k] = rim_speed(s, i, k);        /* for wfWayOfPair: a shape has many pairs */
+    wfPace pace = { wfVelocityToBe(s, i), rim_speed(s, i, k) };
+    wfReal is = wfLength(s->state[i].v), to_be = wfLength(pace.toBe);
+    s->paces[k] = pace;                     /* for wfWayOfPair: a shape has many pairs */
     /* how far this shape is looked ahead */
-    wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + s->rims[k]);
+    wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + pace.rim);
     if (!wfIsCrowd(&s->b) && wfIsFollowed(&s->b, k, way)) {
         way = s->b.head->slop * s->b.materials[k].reach;
         s->followed = true;
@@ -40,16 +41,16 @@ wfReal wfWayOfPair(const struct wfStep *s, wfPair p)
 {
     int32_t a = s->b.owners[p.a], b = s->b.owners[p.b];
     wfVec2 va = s->state[a].v, vb = s->state[b].v;
-    wfVec2 toA = velocity_to_be(s, a), toB = velocity_to_be(s, b);
+    wfVec2 toA = s->paces[p.a].toBe, toB = s->paces[p.b].toBe;
     wfReal free = wfLengthSq(wfSub(toB, toA));
     wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
     wfReal u = wfSqrt(wfMaxR(free, held));
     /* how far this pair is looked ahead */
-    wfReal way = s->b.head->dt * (u + (s->rims[p.a] + s->rims[p.b]));   /* eq:world-way */
+    wfReal way = s->b.head->dt * (u + (s->paces[p.a].rim + s->paces[p.b].rim));  /* eq:world-way */
     if (!wfIsCrowd(&s->b)
         && (wfIsFollowed(&s->b, p.a, way) || wfIsFollowed(&s->b, p.b, way))) {
-        wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->rims[p.a]);
-        wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->rims[p.b]);
+        wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->paces[p.a].rim);
+        wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->paces[p.b].rim);
         bool fast = wfIsFollowed(&s->b, p.a, wfMinR(way, ownA))
                  || wfIsFollowed(&s->b, p.b, wfMinR(way, ownB));
         const wfShapeProps *m = s->b.materials;

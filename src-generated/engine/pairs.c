@@ -8,7 +8,7 @@
 wfResult wfBoundShapes(struct wfStep *s)
 {
     s->places = wfTransient(&s->b, WF_REGION_PLACES);
-    s->rims = wfTransient(&s->b, WF_REGION_RIMS);
+    s->paces = wfTransient(&s->b, WF_REGION_PACES);
     s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
     s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
     s->movers = 0;
@@ -29,7 +29,7 @@ wfResult wfBoundShapes(struct wfStep *s)
         if (i >= 0 && !s->present[i]) {
             s->bounds[k] = s->b.bounds[k];
             s->flags[k] = WF_PROXY_LIVE;
-            s->rims[k] = 0;
+            s->paces[k] = (wfPace){ wfVelocityToBe(s, i), 0 };
             continue;
         }
         /* find the box of a shape that takes part */

@@ -27,7 +27,7 @@ struct wfStep {
     wfKept           kept;        /* of the last step, and not to be looked at again */
     wfBodyForces    *sums;        /* of the forces, for a solver that steps */
     wfTransform     *places;      /* of the bodies, from the new states */
-    wfReal          *rims;        /* m/s: how fast shapes may turn, for a solver that steps */
+    wfPace          *paces;       /* of the shapes, for a solver that steps */
     wfRect          *bounds;      /* of the shapes, and their flags */
     uint8_t         *flags;
     void            *index;       /* of the broad phase, or NULL */
@@ -78,7 +78,8 @@ struct wfStep {
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverSteps(const struct wfStep *s);
 int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */
-wfReal wfWayOfShape(struct wfStep *s, int32_t k);   /* notes its rim speed, too */
+wfReal wfWayOfShape(struct wfStep *s, int32_t k);   /* notes its pace, too */
+wfVec2 wfVelocityToBe(const struct wfStep *s, int32_t i);   /* of body i, m/s */
 /* Is it a sensor, and could a contact change its body's velocity? */
 static inline bool wfIsSensor(const wfBlock *b, int32_t k)
 {

@@ -93,9 +93,24 @@ static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal 
     return square > 0 ? wfSqrt(square) : 0;
 }
 
+static wfReal fastest_approach(const struct wfStep *s, const wfContact *c)
+{
+    const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
+    wfReal fastest = 0;
+    for (int32_t i = 0; i < c->manifold.count; i++) {
+        const wfContactPoint *p = &c->manifold.points[i];
+        wfVec2 va = wfAdd(a->v, wfCrossSV(a->w, p->armA));
+        wfVec2 vb = wfAdd(b->v, wfCrossSV(b->w, p->armB));
+        fastest = wfMaxR(wfDot(c->manifold.normal, wfSub(va, vb)), fastest);
+    }
+    return fastest;
+}
+
 static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
 {
     const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
+    wfReal least = deepest(&c->manifold) >= 0 ? s->hitSpeed : 0;    /* no gap adds speed */
+    if (!(c->restitution > 0) && !(fastest_approach(s, c) > least)) return;
     wfHitEvent hit = { .point = c->manifold.points[0].point, .normal = c->manifold.normal };
     wfTwist ta = { a->v, a->w }, tb = { b->v, b->w };
     bool comes = wfMakeHit(touch, &c->manifold, ta, tb, 0, &hit);
@@ -234,32 +249,42 @@ static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
 }
 
 /* make the contacts */
+static wfReal slop_of(const struct wfStep *s, wfPair p)
+{
+    const wfShapeProps *m = s->b.materials;
+    return s->b.head->slop * wfMinR(m[p.a].reach, m[p.b].reach);
+}
+
+/* All of a contact but its manifold. */
 static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
 {
     const wfShapeProps *a = &s->b.materials[p.a], *b = &s->b.materials[p.b];
     wfPairMaterial m = wfMixMaterials(&s->b, a, b);
-    *c = (wfContact){ .a = s->b.owners[p.a], .b = s->b.owners[p.b],
-        .shapeA = p.a, .shapeB = p.b, .restitution = m.restitution,
-        .friction = m.friction, .staticFriction = m.staticFriction, .rolling = m.rolling,
-        .surfaceSpeed = wfMixSurfaceSpeed(a->surfaceSpeed, b->surfaceSpeed),
-        .slop = s->b.head->slop * wfMinR(a->reach, b->reach) };
+    c->a = s->b.owners[p.a], c->b = s->b.owners[p.b];
+    c->shapeA = p.a, c->shapeB = p.b;
+    c->sliding = c->settled = 0;
+    c->restitution = m.restitution, c->rolling = m.rolling;
+    c->friction = m.friction, c->staticFriction = m.staticFriction;
+    c->surfaceSpeed = wfMixSurfaceSpeed(a->surfaceSpeed, b->surfaceSpeed);
+    c->rollingImpulse = 0;
+    c->slop = slop_of(s, p);
 }
 
 static wfResult measure(struct wfStep *s, wfPair p, const wfManifoldCache *known,
-                        wfReal margin, wfManifoldCache *cache, wfContact *c)
+                        wfReal margin, wfManifoldCache *cache, wfManifold *out)
 {
     const wfShape *a = &s->b.shapes[p.a], *b = &s->b.shapes[p.b];
-    wfTransform xa = s->places[c->a], xb = s->places[c->b];
+    wfTransform xa = s->places[s->b.owners[p.a]], xb = s->places[s->b.owners[p.b]];
     bool worth = a->kind != WF_SHAPE_CIRCLE || b->kind != WF_SHAPE_CIRCLE;
     wfSeparation found;
     if (known != NULL && s->b.head->reuse && worth) {
         *cache = *known;
-        if (wfReuseManifold(a, xa, b, xb, margin, known, &c->manifold)) return WF_OK;
+        if (wfReuseManifold(a, xa, b, xb, margin, known, out)) return WF_OK;
     }
     if (!worth) *cache = (wfManifoldCache){ .allowed = 0 };
     wfResult result = wfSeparate(s->b.head->narrowPhase, a, xa, b, xb, &found);
     if (result != WF_OK) return result;
-    wfMakeManifoldWithin(a, xa, b, xb, &found, margin, &c->manifold);
+    wfMakeManifoldWithin(a, xa, b, xb, &found, margin, out);
     if (worth) wfRememberManifold(a, xa, b, xb, &found, cache);
     return WF_OK;
 }
@@ -280,15 +305,16 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     wfPair p = s->pairs.pairs[i];
     bool full = s->contactCount == s->b.head->contactCapacity - s->kept.contacts;
     wfContact beside, *c = full ? &beside : &s->contacts[s->contactCount];
-    start_contact(s, p, c);
+    const wfManifoldCache *known = old_cache(&s->b, w, p);
     const wfContact *old = old_contact(&s->b, w, p);
     bool was = false, enabled = true;
     /* see whether the pair p touched before */
     was = touched_before(&s->b, w, p);
     wfReal ahead = wfSolverSteps(s) ? wfWayOfPair(s, p) : 0;
-    wfReal margin = was ? wfMaxR(ahead, c->slop) : ahead;
-    wfResult result = measure(s, p, old_cache(&s->b, w, p), margin, &s->caches[i], c);
+    wfReal margin = was ? wfMaxR(ahead, slop_of(s, p)) : ahead;
+    wfResult result = measure(s, p, known, margin, &s->caches[i], &c->manifold);
     if (result != WF_OK || c->manifold.count == 0) return result;
+    start_contact(s, p, c);
     if (old != NULL) wfCarryImpulses(old, c);
     /* ask whether the contact c is wanted */
     if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, c, &enabled);
@@ -350,7 +376,7 @@ wfResult wfFindContacts(struct wfStep *s)
 
 wfContact wfStartContact(const struct wfStep *s, wfPair p)
 {
-    wfContact c;
+    wfContact c = { .manifold = { .count = 0 } };
     start_contact(s, p, &c);
     return c;
 }

@@ -69,7 +69,7 @@ WF_FRESH(SUMS, "sums of forces", WF_PER_BODY, wfBodyForces,
          WF_NEED_SUBSTEPS, "integrate")
 WF_FRESH(PLACES, "places", WF_PER_BODY, wfTransform,
          WF_NEED_CONTACTS | WF_NEED_QUERIES, "bounds")
-WF_FRESH(RIMS, "rim speeds", WF_PER_SHAPE, wfReal,
+WF_FRESH(PACES, "paces", WF_PER_SHAPE, wfPace,
          WF_NEED_CONTACTS | WF_NEED_QUERIES, "bounds")
 WF_FRESH(NEW_BOUNDS, "new bounds", WF_PER_SHAPE, wfRect,
          WF_NEED_CONTACTS | WF_NEED_QUERIES, "bounds")
