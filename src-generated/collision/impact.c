@@ -373,12 +373,38 @@ bool wfSweepIsFast(const wfShape *shape, wfSweep sweep)
     return way > wfInnerRadius(shape);
 }
 
+/* How deep the edges of a core can go in before one of them vanishes, nearly. */
+static wfReal deepestInset(const wfShape *s)
+{
+    wfReal least = WF_HUGE, tangent[WF_MAX_VERTICES];
+    for (int32_t i = 0; i < s->count; i++) {                    /* eq:impact-vanish */
+        wfReal c = wfDot(s->normals[i], s->normals[(i + s->count - 1) % s->count]);
+        tangent[i] = wfSqrt((1 - c) / wfMaxR(1 + c, WF_EPSILON));
+    }
+    for (int32_t i = 0; i < s->count; i++) {
+        int32_t next = (i + 1) % s->count;
+        wfReal length = wfDistance(s->vertices[i], s->vertices[next]);
+        least = wfMinR(least, length / (tangent[i] + tangent[next]));
+    }
+    return WF_R(0.875) * least;
+}
+
 static wfShape innerCopy(const wfShape *s, wfReal share)        /* eq:impact-inner */
 {
     wfShape copy = *s;
-    copy.radius = share * s->radius;
-    for (int32_t i = 0; i < s->count; i++)
-        copy.vertices[i] = wfLerp(s->centre, s->vertices[i], share);
+    wfReal core = wfInnerRadius(s) - s->radius, depth = (1 - share) * (core + s->radius);
+    if (core <= 0) copy.radius = share * s->radius;
+    else copy.radius = wfMaxR(s->radius - depth, 0);
+    depth -= s->radius;
+    if (core <= 0 || depth <= 0) return copy;
+    wfReal inset = wfMinR(depth, deepestInset(s));
+    wfReal rest = (core - depth) / (core - inset);
+    for (int32_t i = 0; i < s->count; i++) {
+        wfVec2 n = s->normals[i], m = s->normals[(i + s->count - 1) % s->count];
+        wfVec2 in = wfScale(-inset / (1 + wfDot(n, m)), wfAdd(n, m));
+        wfVec2 corner = wfAdd(s->vertices[i], in);
+        copy.vertices[i] = rest < 1 ? wfLerp(s->centre, corner, rest) : corner;
+    }
     return copy;
 }
 
