@@ -270,14 +270,6 @@ typedef struct wfStrike {
     wfReal speed, impulse;     /* m/s before it; N s */
     bool   bounced;
 } wfStrike;
-
-/* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
- * therefore followed? eq:impact-fast */
-static inline bool wfIsFollowed(const wfBlock *b, int32_t k, wfReal way)
-{
-    wfReal least = b->head->slop * b->materials[k].reach;
-    return b->head->impacts > 0 && way > wfMaxR(b->materials[k].inner, least);
-}
 /* Stages of fast bodies, and what they need from others. */
 wfResult wfFlyFirst(struct wfStep *s);
 wfResult wfFlyLast(struct wfStep *s);

@@ -124,7 +124,7 @@ static void find_flights(struct wfStep *s)
         /* follow the body of shape k if it is fast */
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
-        if (wfIsFollowed(&s->b, k, way)) {
+        if (wfIsFollowed(s, k, way)) {
             if (s->flightCount == 0) start_flights(s);
             flight_of(s, i)->fast = true;
             s->driven = s->driven || !can_change(s, i);

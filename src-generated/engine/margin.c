@@ -19,7 +19,8 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
 {
     wfReal gain = s->b.head->dt * s->state[i].invInertia;
     wfReal spin = wfAbs(s->state[i].w) + gain * wfAbs(s->sums[i].torque);
-    return spin * (wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm);
+    wfReal arm = wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
+    return wfMinR(spin, 2 / s->b.head->dt) * arm;   /* no turn brings it nearer than 2 arms */
 }
 
 wfReal wfWayOfShape(struct wfStep *s, int32_t k)
@@ -30,7 +31,7 @@ wfReal wfWayOfShape(struct wfStep *s, int32_t k)
     s->paces[k] = pace;                     /* for wfWayOfPair: a shape has many pairs */
     /* how far this shape is looked ahead */
     wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + pace.rim);
-    if (!wfIsCrowd(&s->b) && wfIsFollowed(&s->b, k, way)) {
+    if (!wfIsCrowd(&s->b) && wfIsFollowed(s, k, way)) {
         way = s->b.head->slop * s->b.materials[k].reach;
         s->followed = true;
     }
@@ -47,12 +48,11 @@ wfReal wfWayOfPair(const struct wfStep *s, wfPair p)
     wfReal u = wfSqrt(wfMaxR(free, held));
     /* how far this pair is looked ahead */
     wfReal way = s->b.head->dt * (u + (s->paces[p.a].rim + s->paces[p.b].rim));  /* eq:world-way */
-    if (!wfIsCrowd(&s->b)
-        && (wfIsFollowed(&s->b, p.a, way) || wfIsFollowed(&s->b, p.b, way))) {
+    if (!wfIsCrowd(&s->b) && (wfIsFollowed(s, p.a, way) || wfIsFollowed(s, p.b, way))) {
         wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->paces[p.a].rim);
         wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->paces[p.b].rim);
-        bool fast = wfIsFollowed(&s->b, p.a, wfMinR(way, ownA))
-                 || wfIsFollowed(&s->b, p.b, wfMinR(way, ownB));
+        bool fast = wfIsFollowed(s, p.a, wfMinR(way, ownA))
+                 || wfIsFollowed(s, p.b, wfMinR(way, ownB));
         const wfShapeProps *m = s->b.materials;
         if (fast) way = s->b.head->slop * wfMinR(m[p.a].reach, m[p.b].reach);
     }

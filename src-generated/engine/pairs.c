@@ -12,6 +12,8 @@ wfResult wfBoundShapes(struct wfStep *s)
     s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
     s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
     s->movers = 0;
+    /* what is known before the boxes */
+    wfFindLinked(s);
     for (int32_t i = 0; i < s->count; i++) {
         if (!s->present[i]) continue;
         s->places[i] = wfBodyTransform(&s->state[i]);

@@ -104,6 +104,7 @@ WF_FRESH(STRIKES, "strikes", WF_PER_PAIR, wfStrike, WF_NEED_FAST, "impacts")
 WF_FRESH(SPARED, "spared pairs", WF_PER_SHAPE, wfPair, WF_NEED_FAST, "impacts")
 WF_FRESH(NEIGHBOURS, "shapes near a flight", WF_PER_SHAPE, int32_t, WF_NEED_FAST, "impacts")
 WF_FRESH(FRESH, "fresh flights", WF_PER_BODY, int32_t, WF_NEED_FAST, "impacts")
+WF_FRESH(LINKED, "bodies that joints hold", WF_PER_BODY, uint8_t, WF_NEED_FAST, "bounds")
 WF_FRESH(WOKEN, "woken", WF_PER_BODY, uint8_t, WF_NEED_SLEEP, "copy")
 WF_FRESH(NEW_CLOCKS, "new clocks of rest", WF_PER_BODY, wfReal,
          WF_NEED_SLEEP, "islands")
