@@ -263,12 +263,55 @@ static void test_who_is_fast(void **state)
 
 /* ---- the first of many ---- */
 
-static wfShape inner_copy(const wfShape *s, wfReal sigma)            /* eq:impact-inner, as it reads */
+static wfShape inner_copy(const wfShape *s, wfReal sigma)            /* eq:impact-inner, eq:impact-vanish, as they read */
 {
     wfShape copy = *s;
-    copy.radius = sigma * s->radius;
-    for (int i = 0; i < s->count; i++) copy.vertices[i] = wfLerp(s->centre, s->vertices[i], sigma);
+    wfReal core = wfInnerRadius(s) - s->radius, depth = (1 - sigma) * (core + s->radius), most = WF_HUGE, t[WF_MAX_VERTICES];
+    copy.radius = core <= 0 ? sigma * s->radius : wfMaxR(s->radius - depth, 0);
+    depth -= s->radius;
+    if (core <= 0 || depth <= 0) return copy;
+    for (int i = 0; i < s->count; i++) {
+        wfReal c = wfDot(s->normals[i], s->normals[(i + s->count - 1) % s->count]);
+        t[i] = wfSqrt((1 - c) / wfMaxR(1 + c, WF_EPSILON));
+    }
+    for (int i = 0; i < s->count; i++) most = wfMinR(most, wfDistance(s->vertices[i], s->vertices[(i + 1) % s->count]) / (t[i] + t[(i + 1) % s->count]));
+    wfReal in = wfMinR(depth, WF_R(0.875) * most), rest = (core - depth) / (core - in);
+    for (int i = 0; i < s->count; i++) {
+        wfVec2 n = s->normals[i], m = s->normals[(i + s->count - 1) % s->count];
+        wfVec2 corner = wfAdd(s->vertices[i], wfScale(-in / (1 + wfDot(n, m)), wfAdd(n, m)));
+        copy.vertices[i] = rest < 1 ? wfLerp(s->centre, corner, rest) : corner;
+    }
     return copy;
+}
+
+/* What the copy is for: it lies within the shape, no deeper than a share of the inner radius below its surface along every edge, and its own
+ * inner radius is sigma times the shape's. Where no edge vanishes it lies exactly so deep: a rod keeps its length but for that. */
+static void test_the_inner_copy_is_as_deep_everywhere(void **state)
+{
+    (void)state;
+    wfRandom r = random_stream(2124);
+    long even = 0;
+    for (int i = 0; i < 2000; i++) {
+        wfShape s = random_shape(&r);
+        if (i % 10 == 0) s = box(5, WF_R(0.005) * (wfReal)(1 + i % 7));
+        wfReal sigma = (wfReal)(1 + i % 3) / 4, rho = wfInnerRadius(&s);
+        double depth = (1 - (double)sigma) * (double)rho, tolerance = 64 * (double)(WF_EPSILON * wfShapeReach(&s));
+        wfShape copy = inner_copy(&s, sigma);
+        if (s.count < 3) continue;
+        double least = 1e9, most = 0;
+        for (int k = 0; k < s.count; k++)
+            for (int n = 0; n < s.count; n++) {                      /* how deep the copy's corner n is below edge k */
+                double below = (double)s.radius - (double)copy.radius - (double)wfDot(s.normals[k], wfSub(copy.vertices[n], s.vertices[k]));
+                least = fmin(least, below);
+                if (n == k || n == (k + 1) % s.count) most = fmax(most, below);
+            }
+        assert_true(least >= depth * 0.1 - tolerance);               /* within it: shrunk at the sharpest corners, and never outside */
+        assert_near((double)wfInnerRadius(&copy), (double)sigma * (double)rho, tolerance);
+        if (most - least > tolerance) continue;                      /* an edge vanished */
+        even++;
+        assert_near(least, depth, tolerance);
+    }
+    assert_true(even > 500);
 }
 
 static bool at_once(const wfImpact *i) { return i->kind == WF_IMPACT_OVERLAP || (i->kind == WF_IMPACT_TOUCH && i->t == 0); }
@@ -423,11 +466,11 @@ static void test_the_inner_copy_stops_what_touches_already(void **state)
         assert_true(stop.obstacle == 0 && !stop.inner);
         assert_near(3 - 2.3 * (double)stop.t, 1, 2.5 / 256);             /* where the outline touches */
     }
-    assert_ok(wfMakePolygon(corners, 3, &offside));                      /* shrunk towards its centroid (1, 1) */
+    assert_ok(wfMakePolygon(corners, 3, &offside));                      /* its inner radius is that of the long edge */
     wfSweep fall = { wfV2(0, -WF_R(0.1)), wfV2(0, -20), 0, 0 };
     assert_ok(wfStopAtFirst(&offside, fall, list, 1, 1, &stop));
     assert_true(stop.inner);
-    assert_near(0.25 - 0.1 - 19.9 * (double)stop.t, 0, 0.02);
+    assert_near(sqrt(0.5) / 4 - 0.1 - 19.9 * (double)stop.t, 0, 0.02);
     wfShape line;                                                        /* a segment is its own inner copy, sideways */
     assert_ok(wfMakeSegment(wfV2(-1, 0), wfV2(1, 0), &line));
     wfSweep sink = { wfV2(0, 1), wfV2(0, -20), 0, 0 };
@@ -528,6 +571,7 @@ int main(void)
         cmocka_unit_test(test_casts_of_particles_and_links),
         cmocka_unit_test(test_bad_casts),
         cmocka_unit_test(test_who_is_fast),
+        cmocka_unit_test(test_the_inner_copy_is_as_deep_everywhere),
         cmocka_unit_test(test_stop_at_the_first),
         cmocka_unit_test(test_the_inner_copy_stops_what_touches_already),
         cmocka_unit_test(test_seams_do_not_stop),

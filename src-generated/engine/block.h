@@ -10,8 +10,9 @@
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
 typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
-/* Of a shape in a step, m/s: its body's velocity to be, and how fast it turns at its rim. */
-typedef struct wfPace { wfVec2 toBe; wfReal rim; } wfPace;
+/* Of a shape in a step: its body's velocity to be and how fast its rim turns, m/s; how far
+ * it is looked ahead for, m. */
+typedef struct wfPace { wfVec2 toBe; wfReal rim, way; } wfPace;
 #define WF_SOLVER_LARGE "exact"     /* takes many times the room of others */
 typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
 typedef struct wfHeader {

@@ -124,6 +124,8 @@ static void find_flights(struct wfStep *s)
         /* follow the body of shape k if it is fast */
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
+        bool covered = steps && way <= s->paces[k].way + s->b.materials[k].inner;
+        if (s->linked != NULL && !covered) s->linked[i] = 0;
         if (wfIsFollowed(s, k, way)) {
             if (s->flightCount == 0) start_flights(s);
             flight_of(s, i)->fast = true;

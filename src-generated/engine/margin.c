@@ -26,15 +26,17 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
 wfReal wfWayOfShape(struct wfStep *s, int32_t k)
 {
     int32_t i = s->b.owners[k];
-    wfPace pace = { wfVelocityToBe(s, i), rim_speed(s, i, k) };
+    wfPace pace = { wfVelocityToBe(s, i), rim_speed(s, i, k), 0 };
     wfReal is = wfLength(s->state[i].v), to_be = wfLength(pace.toBe);
-    s->paces[k] = pace;                     /* for wfWayOfPair: a shape has many pairs */
     /* how far this shape is looked ahead */
     wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + pace.rim);
     if (!wfIsCrowd(&s->b) && wfIsFollowed(s, k, way)) {
         way = s->b.head->slop * s->b.materials[k].reach;
         s->followed = true;
+        if (s->linked != NULL) s->linked[i] = 0;
     }
+    pace.way = way;
+    s->paces[k] = pace;                     /* for wfWayOfPair: a shape has many pairs */
     return way;
 }
 

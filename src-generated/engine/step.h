@@ -68,7 +68,7 @@ struct wfStep {
     int32_t          sparedCount;
     bool             followed;    /* somebody was not looked ahead for, since it is followed */
     bool             driven;      /* somebody is followed whom nothing can change */
-    uint8_t         *linked;      /* 1: a joint holds this body, which can move; or NULL */
+    uint8_t         *linked;      /* 1: a joint holds the body, and its margins stay; or NULL */
     uint8_t         *woken;       /* 1: slept before, and takes part; 2: fell asleep */
     int32_t          roused;      /* 1: some of what was kept is kept no longer */
     int32_t          tired;       /* how many fall asleep at the end */
@@ -100,14 +100,15 @@ wfResult wfFindContacts(struct wfStep *s);
 wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
-
+#define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
  * therefore followed? eq:impact-fast */
 static inline bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal way)
 {
     const wfShapeProps *m = &s->b.materials[k];
     wfReal least = s->b.head->slop * m->reach;
-    if (s->linked != NULL && s->linked[s->b.owners[k]]) return false;
+    bool linked = s->linked != NULL && s->linked[s->b.owners[k]];
+    if (linked && way <= WF_LINKED_WAY * m->reach) return false;
     return s->b.head->impacts > 0 && way > wfMaxR(m->inner, least);
 }
 void wfFindLinked(struct wfStep *s);    /* which bodies have a joint that holds */
