@@ -57,7 +57,7 @@ function Book.read(stream)
           self:complain(chapter.file, line, "a chunk begins here, but <<" .. open .. ">> was not ended",
             "write a line with @ alone where its code ends; what stands below it is taken for code until then")
         end
-        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1, only = reader.here() }
+        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1, only = reader.here(), absent = reader.absent() }
         self.chunks[chunk.index] = chunk
       end
     elseif key == "defn" and kind == "code" then

@@ -8,6 +8,7 @@
 --   ### Sensors {#sec:world-sensors part="sensors"}   all chunks of this section
 --   ::: {.only part="joints sleep"}  ...  :::         the chunks in this box; two words: only with both
 -- A chunk that is used by chunks of a part alone belongs to that part too, without a mark.
+--   ::: {.only part="hooks" absent="WF_ABSENT"}       rows, WF_ANY(...), that stay as WF_ABSENT(...) in an engine without the part
 --
 -- The testbed, the lab and the figures are made of all parts and belong to none.
 -- Promises that are checked on the whole book, so that they hold for every choice of parts:
@@ -85,11 +86,12 @@ function M.reader(book, chapter)
       if l:match("{[^}]*%.goals") then goals(line, l)
       elseif l:match("{[^}]*%.only") then
         local part = attribute(l, "part")
-        if part then boxes[#boxes] = named(line, words(part))
+        if part then boxes[#boxes] = named(line, words(part)); boxes[#boxes].absent = attribute(l, "absent")
         else book:complain(chapter.file, line, "a box .only that does not say with what", 'write ::: {.only part="word"}') end
       end
     end
   end
+  function reader.absent() return #boxes > 0 and boxes[#boxes].absent or nil end
   function reader.here()
     local set = {}
     for _, w in ipairs(whole) do set[w] = true end

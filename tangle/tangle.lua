@@ -142,10 +142,13 @@ local listed = {}
 local out, index = {}, 0
 local function put(l) out[#out + 1] = l end
 local pending, absent                           -- absent: the piece is not in this engine and becomes documentation
+local stand_in                                  -- or its rows stay in it, under this name
 local idle = book:idle(keep)
 for l in text:gmatch("([^\n]*)\n") do
   local key, rest = l:match("^@(%S+) ?(.*)$")
-  if key == "begin" and rest:match("^code") and (keep and not keep[index + 1] or idle[index + 1]) then
+  if key == "begin" and rest:match("^code") then stand_in = keep and not keep[index + 1] and book.chunks[index + 1].absent end
+  if key == "text" and stand_in then l = l:gsub("^@text [%a_][%w_]*%(", "@text " .. stand_in .. "(") end
+  if key == "begin" and rest:match("^code") and (keep and not keep[index + 1] and not stand_in or idle[index + 1]) then
     absent = true
     put("@begin docs " .. rest:match("%d+"))
   elseif absent then

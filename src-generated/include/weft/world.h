@@ -249,28 +249,14 @@ wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform
  * step does it, and queries are right without, only slower. */
 wfResult wfIndexWorld(wfWorld *world);
 
-/* What a scene may require: bits of wfWorldDef.needs. */
+/* What a scene may require: bits of wfWorldDef.needs. weft/module_rows.h says what for. */
 enum {
-    WF_NEED_ROTATION    = 1 << 0,    /* bodies turn */
-    WF_NEED_DAMPING     = 1 << 1,
-    WF_NEED_PUSHES      = 1 << 2,    /* wfApplyForceToBody, wfApplyTorqueToBody */
-    WF_NEED_FORCES      = 1 << 3,    /* registered forces */
-    WF_NEED_SHAPES      = 1 << 4,
-    WF_NEED_CONTACTS    = 1 << 5,    /* bodies that meet are kept apart */
-    WF_NEED_FRICTION    = 1 << 6,
-    WF_NEED_RESTITUTION = 1 << 7,
-    WF_NEED_ROLLING     = 1 << 8,    /* rolling resistance */
-    WF_NEED_MATERIALS   = 1 << 9,    /* wfSetPairMaterial */
-    WF_NEED_COMPOUNDS   = 1 << 10,   /* bodies of several shapes */
-    WF_NEED_EVENTS      = 1 << 11,
-    WF_NEED_SENSORS     = 1 << 12,
-    WF_NEED_HOOKS       = 1 << 13,
-    WF_NEED_QUERIES     = 1 << 14,
-    WF_NEED_SUBSTEPS    = 1 << 15,   /* the solver may move the bodies, in substeps */
-    WF_NEED_METHODS     = 1 << 16,   /* wfSetMethods while the world runs */
-    WF_NEED_JOINTS      = 1 << 17,
-    WF_NEED_FAST        = 1 << 18,
-    WF_NEED_SLEEP       = 1 << 19,
+#define WF_MODULE(NAME, bit, name, implies, within, without, text) \
+    WF_NEED_##NAME = 1 << (bit),
+#define WF_ABSENT WF_MODULE
+#include "weft/module_rows.h"
+#undef WF_ABSENT
+#undef WF_MODULE
 };
 /* What a definition requires; NULL: nothing. */
 uint32_t wfNeedsOfBody(const wfBodyDef *def);
