@@ -75,9 +75,6 @@ WF_SETTING(int32_t, queries, 1, "queries are quick after every step", WF_SWITCH,
            .need = WF_NEED_QUERIES)
 WF_SETTING(int32_t, pairMaterials, 16, "pairs of materials that may be known",
            WF_COUNTED, WF_CAPACITY(0), .need = WF_NEED_MATERIALS)
-WF_SETTING(int32_t, exactWork, WF_EXACT_WORK,
-           "the solver exact: millions of multiplications in a step, at most; 0: no bound",
-           WF_COUNTED, WF_FROM(0), .law = 1)
 WF_SETTING(int32_t, fineSums, 0, "what states round away is kept, by the solver soft",
            WF_SWITCH, .builtIn = 1, .law = 1)
 WF_SETTING(int32_t, jointCapacity, 64, "joints at most", WF_COUNTED, WF_CAPACITY(0),
