@@ -12,6 +12,7 @@
 local Parts = require "parts"
 local Book = {}
 Book.__index = Book
+local home = os.getenv "WEFT_ROOT" or (arg[0]:match("^(.*/)") or "./") .. ".."
 
 function Book.is_root(name) return name:match("^[%w_%-%./]+%.%a+$") ~= nil and name:find("/") ~= nil end
 
@@ -57,7 +58,7 @@ function Book.read(stream)
           self:complain(chapter.file, line, "a chunk begins here, but <<" .. open .. ">> was not ended",
             "write a line with @ alone where its code ends; what stands below it is taken for code until then")
         end
-        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1, only = reader.here() }
+        chunk = { chapter = chapter.index, file = chapter.file, line = line, items = {}, index = #self.chunks + 1, only = reader.here(), absent = reader.absent() }
         self.chunks[chunk.index] = chunk
       end
     elseif key == "defn" and kind == "code" then
@@ -99,8 +100,7 @@ end
 -- A chapter that has + before its name in the plan is read together with the one above it: until a part of the engine can stand without the
 -- other, each may use what the other defines. chapter.last is the last file of the group.
 function Book:group()
-  local root = os.getenv "WEFT_ROOT" or (arg[0]:match("^(.*/)") or "./") .. ".."
-  local plan, joined = io.open(root .. "/book/plan.tsv"), {}
+  local plan, joined = io.open(home .. "/book/plan.tsv"), {}
   if plan then
     for l in plan:lines() do
       local name = l:match("^%+([^\t]+)")
@@ -130,9 +130,9 @@ function Book:check_chunks()
   for name, n in pairs(self.names) do
     if #n.parts == 0 then
       for _, u in ipairs(n.uses) do
-        self:complain(self.chunks[u.chunk].file, u.line, "chunk <<" .. name .. ">> is used but nowhere defined",
+        if not self:is_later(name, u) then self:complain(self.chunks[u.chunk].file, u.line, "chunk <<" .. name .. ">> is used but nowhere defined",
           "define it with <<" .. name .. ">>=, mend its spelling" .. (self:nearest(name)) ..
-          ", or, if a shift was meant, write @<< and @>>")
+          ", or, if a shift was meant, write @<< and @>>") end
       end
     elseif Book.is_root(name) and (name:match("^/") or ("/" .. name .. "/"):find("/../", 1, true)) then
       local c = self.chunks[n.parts[1]]
@@ -145,7 +145,7 @@ function Book:check_chunks()
       local defined = self.chunks[n.parts[1]].chapter
       for _, u in ipairs(n.uses) do
         local c = self.chunks[u.chunk]
-        if self.chapters[c.chapter].last < defined then
+        if self.chapters[c.chapter].last < defined and not Parts.is_place(self, n, c) then
           self:complain(c.file, u.line, "chunk <<" .. name .. ">> is used here but first defined later, in " ..
             self.chapters[defined].file, "define its first part in this chapter or an earlier one, or move the use")
         end
@@ -156,6 +156,23 @@ function Book:check_chunks()
   self:check_lines()
   Parts.check(self)
   table.sort(self.errors)
+end
+
+-- Is it a chunk of a chapter of the book that was not read, since the program is made up to an earlier one? A solution's is none.
+local later
+function Book:is_later(name, use)
+  if not later then
+    later = {}
+    local p = io.popen("ls '" .. home .. "'/chapters/*/*.nw 2>/dev/null")
+    for file in p:lines() do
+      if not file:match("/solutions/") and not file:match("/exercises/") then
+        later[file:match("[^/]+$")] = true
+        for l in io.lines(file) do later[l:match("^<<.*>>=") or ""] = true end
+      end
+    end
+    p:close()
+  end
+  return later["<<" .. name .. ">>="] and later[self.chunks[use.chunk].file:match("[^/]+$")]
 end
 
 -- A chunk reference must stand alone on its line: the generated files put the chunk's name there as a comment.
@@ -175,18 +192,12 @@ function Book:check_lines()
   end
 end
 
--- The pieces that only say that nothing is here yet, of chunks that have another piece (of those in keep; nil: of all). They are not tangled:
--- above what is there they would be untrue. A set of their indices.
-function Book:idle(keep)
-  local hollow, filled, idle = {}, {}, {}
-  for i, c in ipairs(self.chunks) do
-    local text = {}
-    for _, it in ipairs(c.items) do text[#text + 1] = it.kind == "nl" and "\n" or it.kind == "use" and "use" or it.text end
-    hollow[i] = not Book.is_root(c.name) and not table.concat(text):gsub("/%*.-%*/", ""):match("%S")
-    if not hollow[i] and not (keep and not keep[i]) then filled[c.name] = true end
+-- Has a chunk a piece (of those in keep; nil: of all)? A line that uses one without is not tangled.
+function Book:is_empty(name, keep)
+  for _, p in ipairs(self.names[name].parts) do
+    if not keep or keep[p] then return false end
   end
-  for i, c in ipairs(self.chunks) do idle[i] = hollow[i] and filled[c.name] end
-  return idle
+  return true
 end
 
 function Book:alone(c, it)

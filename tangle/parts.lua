@@ -8,10 +8,11 @@
 --   ### Sensors {#sec:world-sensors part="sensors"}   all chunks of this section
 --   ::: {.only part="joints sleep"}  ...  :::         the chunks in this box; two words: only with both
 -- A chunk that is used by chunks of a part alone belongs to that part too, without a mark.
+--   ::: {.only part="hooks" absent="WF_ABSENT"}       rows, WF_ANY(...), that stay as WF_ABSENT(...) in an engine without the part
 --
 -- The testbed, the lab and the figures are made of all parts and belong to none.
 -- Promises that are checked on the whole book, so that they hold for every choice of parts:
---   every part that is named is declared; a chunk, and a file, is there in every engine in which it is used;
+--   every part that is named is declared; a file is there in every engine in which it is used (a chunk without a piece is empty);
 --   no identifier is used where the part that defines it may be absent (weave.lua).
 local M = {}
 
@@ -85,11 +86,12 @@ function M.reader(book, chapter)
       if l:match("{[^}]*%.goals") then goals(line, l)
       elseif l:match("{[^}]*%.only") then
         local part = attribute(l, "part")
-        if part then boxes[#boxes] = named(line, words(part))
+        if part then boxes[#boxes] = named(line, words(part)); boxes[#boxes].absent = attribute(l, "absent")
         else book:complain(chapter.file, line, "a box .only that does not say with what", 'write ::: {.only part="word"}') end
       end
     end
   end
+  function reader.absent() return #boxes > 0 and boxes[#boxes].absent or nil end
   function reader.here()
     local set = {}
     for _, w in ipairs(whole) do set[w] = true end
@@ -177,6 +179,12 @@ function M.within(a, b)
   return true
 end
 
+-- A place for parts: each piece of the chunk belongs to a part that may be absent where it is used. There the place is empty.
+function M.is_place(book, n, user)
+  for _, k in ipairs(n.parts) do if M.within(book.chunks[k].only, user.with) then return false end end
+  return true
+end
+
 ------------------------------------------------------------------------------------------------------------ checks
 local function known(book) return "the parts are " .. table.concat(M.list(book.parts), ", ") end
 
@@ -198,24 +206,6 @@ function M.check(book)
     end
   end
   M.check_includes(book)
-  for name, n in pairs(book.names) do
-    for _, u in ipairs(n.uses) do
-      local user, found = book.chunks[u.chunk], #n.parts == 0
-      local others = {}
-      for _, k in ipairs(n.parts) do
-        local missing = {}
-        for w in pairs(book.chunks[k].only) do
-          if not user.with[w] then missing[w], others[w] = true, true end
-        end
-        if not next(missing) then found = true end
-      end
-      if not found then
-        book:complain(user.file, u.line, "chunk <<" .. name .. ">> is used here, but is defined only with " .. M.say(others) ..
-          ", in " .. book.chunks[n.parts[1]].file .. ":" .. book.chunks[n.parts[1]].line,
-          "define a first piece of it, if only a comment, outside of that part, or mark the use as part of it")
-      end
-    end
-  end
 end
 
 -- A file that is included must be there wherever the line that includes it is.

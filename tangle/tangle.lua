@@ -142,10 +142,14 @@ local listed = {}
 local out, index = {}, 0
 local function put(l) out[#out + 1] = l end
 local pending, absent                           -- absent: the piece is not in this engine and becomes documentation
-local idle = book:idle(keep)
+local stand_in                                  -- or its rows stay in it, under this name
+local code, gone                                -- in code; the rest of this line is not tangled
 for l in text:gmatch("([^\n]*)\n") do
   local key, rest = l:match("^@(%S+) ?(.*)$")
-  if key == "begin" and rest:match("^code") and (keep and not keep[index + 1] or idle[index + 1]) then
+  if key == "begin" then code = rest:match("^code") end
+  if key == "begin" and rest:match("^code") then stand_in = keep and not keep[index + 1] and book.chunks[index + 1].absent end
+  if key == "text" and stand_in then l = l:gsub("^@text [%a_][%w_]*%(", "@text " .. stand_in .. "(") end
+  if key == "begin" and rest:match("^code") and keep and not keep[index + 1] and not stand_in then
     absent = true
     put("@begin docs " .. rest:match("%d+"))
   elseif absent then
@@ -166,6 +170,12 @@ for l in text:gmatch("([^\n]*)\n") do
       if root and first_time then pending = header(rest)
       elseif not root and rest ~= "" then pending = mark(c) end
     end
+  elseif key == "use" and code and book:is_empty(rest, keep) then       -- its line goes with it, where lines are not counted
+    if mode == "plain" then
+      gone = true
+      if out[#out]:match("^@text%s*$") then out[#out] = nil end
+    end
+  elseif key == "nl" and gone then gone = nil
   elseif key == "nl" and pending then
     put(l)
     for _, h in ipairs(pending) do put("@text " .. h); put("@nl") end

@@ -519,7 +519,6 @@ for name, n in pairs(book.names) do
   if #n.parts > 0 and Book.is_root(name) then root_names[#root_names + 1] = name end
 end
 table.sort(root_names)
-local idle = book:idle()
 local function expand(name)
   local result, depth = {}, 0
   local function walk(chunk_name, indent)
@@ -528,7 +527,7 @@ local function expand(name)
     if depth < 60 and n then
       for _, p in ipairs(n.parts) do
         local c = book.chunks[p]
-        for _, l in ipairs(idle[p] and {} or lines_of(c)) do
+        for _, l in ipairs(lines_of(c)) do
           if l.use then walk(l.use, indent .. l.indent:gsub("%S", " "))
           else result[#result + 1] = { text = (l.text ~= "" and indent or "") .. l.text, chunk = p, line = l.line } end
         end

@@ -128,7 +128,6 @@ void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
     told->speed = wfMaxR(told->speed, speed);
 }
 
-/* rub and bounce */
 wfVec2 wfContactTangent(wfVec2 normal) { return wfPerpCW(normal); }
 
 wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, wfReal limit,

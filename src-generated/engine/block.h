@@ -22,48 +22,9 @@ typedef struct wfHeader {
     uint64_t   steps;
     double     time;           /* s */
     uint64_t   offset[WF_REGION_COUNT];
-    wfVec2  gravity;           /* m/s^2 */
-    wfReal  dt;                /* length of a step, s, > 0 */
-    int32_t bodyCapacity;      /* bodies at most, >= 1 */
-    int32_t integrator;        /* row of the table of integrators */
-    uint32_t needs;            /* WF_NEED_..., what the scene requires (sec:world-needs) */
-    int32_t forceCapacity;     /* registered forces at most, >= 0 */
-    int32_t shapeCapacity;     /* shapes at most; 0: as many as bodies */
-    int32_t pairCapacity;      /* pairs in one step; 0: 16 a shape, or all there can be */
-    int32_t contactCapacity;   /* contacts in one step; 0: as many as pairs */
-    int32_t broadPhase;        /* rows of their tables */
-    int32_t narrowPhase;
-    int32_t solver;
-    int32_t iterations;        /* passes of the contact solver; 0: as many as it wants */
-    int32_t substeps;          /* of solvers that step by themselves, >= 1 */
-    wfReal  restingSteps;      /* approaches of so many steps of gravity rest, >= 0 */
-    wfReal  positionShare;     /* share of the overlap removed in a step, 0 to 1 */
-    wfReal  slop;              /* overlap left alone, share of the smaller reach, >= 0 */
-    int32_t reuse;             /* 1: contacts of pairs that hardly moved are used again */
-    wfReal  contactPeriod;     /* of the solver "soft": substeps in a period */
-    wfReal  contactDamping;    /* of a contact's spring, and its damping, both > 0 */
-    wfReal  recoverySteps;     /* overlap is left no faster than so many steps of gravity
-                                * make a body, >= 0; 0 or no gravity: no limit */
-    int32_t colours;           /* 1: contacts are solved by colours */
-    int32_t lanes;             /* 1: and several of a colour at once, to the same bits */
-    int32_t columns;           /* 0: all by passes; 1: towers are solved at once; 1 + n:
-                                * with up to n loops */
-    int32_t frictionMix, restitutionMix, rollingMix;    /* rows of the mixing table */
-    int32_t events;            /* 1: touches are remembered, and told if that is needed */
-    wfReal  hitSteps;          /* approaches faster than so many steps of gravity: hits */
-    int32_t queries;           /* 1: quick after every step; 0: they look at all shapes */
-    int32_t pairMaterials;     /* pairs of materials that may be known, >= 0 */
-    int32_t exactWork;         /* of the solver "exact": millions of multiplications a step may
-                                * take for systems, then it sweeps; >= 0; 0: no bound */
-    int32_t fineSums;          /* 1: what states round away is kept */
-    int32_t jointCapacity;     /* joints at most, >= 0 */
-    int32_t exactJoints;       /* WF_JOINTS_...: which joints are solved together */
-    wfReal  exactCost;         /* WF_JOINTS_AUTO: products of blocks a joint, at most, >= 0 */
-    wfReal  jointGive;         /* >= 0: how much those solved together give, eq:exact-give */
-    int32_t impacts;           /* of a fast body in a step, at most; 0: none is looked for */
-    int32_t sleep;             /* 1: islands that rest are left out of the step */
-    wfReal  sleepTime;         /* s, > 0: for so long all of an island must have been still */
-    wfReal  sleepShare;        /* >= 0: still is who goes less of his reach in that time */
+#define WF_SETTING(type, name, usual, text, ...) type name;
+#include "weft/setting_rows.h"
+#undef WF_SETTING
     /* what else a world keeps */
     wfSlots bodySlots;
     wfSlots forceSlots;

@@ -177,7 +177,7 @@ static wfSolve to_solve(struct wfStep *s)
         .recoverySpeed = recovery_speed(head),
         .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
         .columns = head->columns, .colours = head->colours, .lanes = head->lanes,
-        .work = head->exactWork,
+        .work = WF_EXACT_WORK,
         .fine = s->fine,
     };
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The house: no circle of files, by what the linker sees, in any folder; files, headers and functions of a size that one can read,
-# with those that are not listed in tests/house/declared, a list that only gets shorter.
+# with those that are not listed in tests/house/declared, a list that only gets shorter. And no setting that nobody uses.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 make --no-print-directory programs >/dev/null || exit 1
@@ -13,5 +13,9 @@ for f in a:b b:a c:a; do echo "void wf_${f%:*}(void); void wf_${f#*:}(void); voi
 told=$($lua tests/house/circles.lua "$work" two) && { echo "house: a circle of two files was not found"; bad=1; }
 grep -q 'a.c needs wf_b of b.c, and b.c needs wf_a of a.c' <<<"$told" || { echo "house: the circle is not told by its two calls: $told"; bad=1; }
 $lua tests/house/house.lua tests/house/declared $(tangle/chapters) || bad=1
+# a setting is turned by somebody: a scene, a measurement or a test
+for s in $(sed -nE 's/^WF_SETTING\(\w+, (\w+),.*/\1/p' src-generated/include/weft/setting_rows.h); do
+  grep -rqE --include='*.c' --include='*.h' "(\.|->)$s( =|$)" src-generated/{testbed,lab,figures} tests || { echo "house: nobody turns the setting $s -- use it, or take it away"; bad=1; }
+done
 tests/house/readme.sh || bad=1
 exit $bad

@@ -182,12 +182,6 @@ int a(void)
     return loud;
 }
 @
-<<make noise>>=
-/* as much as there is */
-@
-<<headers of a>>=
-/* none yet */
-@
 X
 chapter 02-two.nw <<'X'
 # Two {#sec:two}
@@ -228,6 +222,17 @@ expect_parts "a part with what it needs" "$(noise --only whistles)" "a.c bell.c 
 expect_parts "one part alone" "$(noise --only bells)" "a.c bell.c 1 bells "
 expect_parts "without a part, and without what needs it" "$(noise --without bells)" "a.c 0 "
 expect_parts "without one that nobody needs" "$(noise --without whistles)" "a.c bell.c 1 bells "
+noise --only '' >/dev/null
+expect_parts "a place without a piece leaves no line" "$(sed '1,/int a/d' "$dir/out/parts/core/a.c")" "$(printf '{\n    int loud = 0;\n    return loud;\n}')"
+parts_tangle --lines --only '' && (cd "$dir/out/parts/core" && sed 's/return loud/return lout/' a.c | gcc -c -x c -o /dev/null -) 2>"$work/got"
+expect_parts "nor does it move the lines behind it" "$(grep -o '^chapters/01-one.nw:[0-9]*:[0-9]*: error' "$work/got")" "chapters/01-one.nw:$(line 01-one.nw 'return loud'):12: error"
+mv "$dir/chapters/02-two.nw" "$dir/"
+refuse "a place that no chapter fills" 01-one.nw 8 'headers of a>> is used but nowhere defined' 'mend its spelling'
+mkdir "$dir/chapters/engine" && cp "$dir/02-two.nw" "$dir/chapters/engine/"
+refuse "a place in somebody's own chapter" 01-one.nw 8 'headers of a>> is used but nowhere defined' 'mend its spelling'
+cp "$dir/chapters/01-one.nw" "$dir/chapters/engine/"
+if weave; then ok "a place that a later chapter fills, in the book up to here"; else bad "a place that a later chapter fills, in the book up to here"; fi
+rm -r "$dir/chapters/engine"; mv "$dir/02-two.nw" "$dir/chapters/"
 if parts_tangle --only bell; then bad "an unknown part was tangled"; elif grep -q 'no part is called bell (did you mean bells?) -- the parts are bells, whistles' "$work/log"; then ok "an unknown part"; else bad "an unknown part: no message"; fi
 grep -q '"only"\]="whistles"' "$dir/out/weave/two.lua" && ok "the margin says with what" || bad "the margin should say: whistles"
 sed -i 's/part="bells"/part="bell"/' "$dir/chapters/02-two.nw"
@@ -264,8 +269,6 @@ int a(void)
 :::
 X
 refuse "a need that is no part" 01-one.nw 3 'part whistles needs flutes' 'declare it'
-refuse "a chunk that may have no definition" 01-one.nw 22 'make noise>> is used here, but is defined only with bells, in chapters/01-one.nw:13' 'first piece'
-refuse_tangle "a chunk that may have no definition" 01-one.nw 22 'defined only with bells' 'first piece'
 refuse "an identifier that may have no definition" 01-one.nw 23 'wfRing is used here, but is defined only with bells' 'mark this code'
 refuse "a box that does not say with what" 01-one.nw 27 'does not say with what' 'part='
 

@@ -1,5 +1,7 @@
-/* A student's array is in the block: in the table, in the layout, and where its pointer says. */
+/* A student's array is in the block: in the table, in the layout, and where its pointer says. His setting is a field, has its default and its
+ * row, and is kept; his module has a name, an error that names it, and is refused where it was not asked for. */
 #include <string.h>
+#include "engine/block.h"
 #include "weft/traces.h"
 
 int main(void)
@@ -10,6 +12,12 @@ int main(void)
     wfWorld world;
     wfVec2 way;
     wfResult result = wfWorldRegions(&def, region);
+    const wfSetting *scale = wfFindSetting("traceScale");
+    if (scale == NULL || def.traceScale != 2 || wfSettingValue(&def, scale, 0) != 2 || wfCheckSetting(scale, 0) != WF_ERROR_RANGE) return 10;
+    int row = wfFindNeed("traces");
+    if (row < 0 || wfNeedTable[row].bit != WF_NEED_TRACES || !(def.needs & WF_NEED_TRACES)) return 11;
+    if (strcmp(wfResultName(WF_ERROR_NO_TRACES), "WF_ERROR_NO_TRACES") != 0) return 12;
+    if (strcmp(wfResultText(WF_ERROR_NO_TRACES), "this world was made without traces: add WF_NEED_TRACES") != 0) return 13;
     const wfRegion *r = &region[WF_REGION_TRACES];
     if (result != WF_OK || strcmp(r->name, "traces") != 0 || r->chunk != 0) return 1;
     if (r->count != (size_t)def.bodyCapacity || r->each != sizeof(wfVec2)) return 2;
@@ -17,12 +25,20 @@ int main(void)
     body.position = wfV2(3, 4);
     if (wfCreateWorld(&def, &world) != WF_OK) return 3;
     if (wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 4;
-    if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 3 || way.y != 4) return 5;
+    if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 6 || way.y != 8) return 5;
     uint64_t before = wfHashWorld(&world);
     if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 0 || way.y != 0) return 6;
     if (wfHashWorld(&world) != before) return 7;
     if (wfStepWorld(&world) != WF_OK) return 8;
     if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 0 || !(way.y < 0)) return 9;
+    wfWorldDef kept;
+    if (wfGetWorldDef(&world, &kept) != WF_OK || kept.traceScale != 2) return 14;
     wfDestroyWorld(&world);
+    def.needs &= ~(uint32_t)WF_NEED_TRACES;
+    if (wfCreateWorld(&def, &world) != WF_OK || wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 15;
+    if (wfTraceBody(&world, 0, &way) != WF_ERROR_NO_TRACES) return 16;
+    wfDestroyWorld(&world);
+    def.traceScale = 3;
+    if (wfCreateWorld(&def, &world) != WF_ERROR_NO_TRACES) return 17;
     return 0;
 }
