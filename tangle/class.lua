@@ -222,9 +222,14 @@ return function(Course, commands, H)
         else p.unknown[#p.unknown + 1] = f.name .. (f.why and " (" .. f.why .. ")" or "") end
       end
       for base, g in pairs(groups) do
+        -- the newest; what has its date by less than a minute, as files have that were unpacked without their dates, is as new
+        local newest = -math.huge
+        for _, f in ipairs(g) do if f.fit then newest = math.max(newest, f.time) end end
+        for _, f in ipairs(g) do f.new = f.time >= newest - 60 end
         table.sort(g, function(a, b)
           if a.fit ~= b.fit then return a.fit end
-          if a.time ~= b.time then return a.time > b.time end
+          if a.new ~= b.new then return a.new end
+          if not a.new and a.time ~= b.time then return a.time > b.time end
           if a.copy ~= b.copy then return a.copy > b.copy end
           local _, da = a.path:gsub("/", ""); local _, db = b.path:gsub("/", "")
           if da ~= db then return da < db end

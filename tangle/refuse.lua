@@ -59,7 +59,8 @@ function Refuse.text(path, chunks, given, book)
     if not directive then return false end
     if not DIRECTIVES[directive] then bad(from, "#%s", directive:sub(1, 20)) end
     if directive == "include" then
-      local system, own = plain:match("^%s*#%s*include%s*<([^>]*)>%s*$"), plain:match('^%s*#%s*include%s*"([^"]*)"%s*$')
+      local bare = plain:gsub("%s+//.*$", "")
+      local system, own = bare:match("^%s*#%s*include%s*<([^>]*)>%s*$"), bare:match('^%s*#%s*include%s*"([^"]*)"%s*$')
       if not (system and HEADERS[system]) and not (own and own:match("^[%w_]+/[%w_]+%.h$")) then bad(from, "#include of something else than <math.h> and its like, or the book's headers") end
     elseif directive == "define" then
       local name = plain:match("define%s+([%w_]+)")
@@ -86,8 +87,9 @@ function Refuse.text(path, chunks, given, book)
         -- a directive, even if a comment stands before its sign, or seems to: nothing is won by a better reading
         local plain = whole:gsub("/%*.-%*/", " "):gsub("%%:", "#"):gsub("%?%?=", "#")
         if not directive_in(plain) then directive_in((plain:gsub("^.*%*/", ""))) end
-        local rest = whole:match("<<.->>") and whole:gsub("^%s*<<.->>%s*$", "")
-        if rest and rest:match("<<[%a].->>") and not rest:match('"[^"]*<<.->>[^"]*"') then bad(from, "a chunk is used beside other text -- give it a line of its own") end
+        local uses = whole:gsub("@<<", ""):gsub("@>>", "")
+        local alone = uses:match("^%s*<<(.-)>>%s*$")
+        if uses:match("<<.->>") and not (alone and not alone:find("<<", 1, true) and not alone:find(">>", 1, true)) then bad(from, "a chunk is used beside other text -- give it a line of its own") end
       end
     end
   end
