@@ -145,6 +145,11 @@ return function(Course, commands, H)
   end
   local function load_table(path) local s = read(path); local f = s and load("return " .. s, path, "t", {}); return f and f() end
 
+  -- What an archiver or a desktop leaves; everything else has a row.
+  local JUNK = { ["__MACOSX"] = true, [".git"] = true, [".svn"] = true, [".DS_Store"] = true, ["Thumbs.db"] = true, ["desktop.ini"] = true, [".vscode"] = true, [".idea"] = true }
+  local function junk(path)
+    for part in path:gmatch("[^/]+") do if JUNK[part] or part:match("^%._") then return true end end
+  end
   -- find's list becomes the class's plan: people, their newest file of each exercise, and what nobody knows. Prints the jobs.
   function commands.collect(dir, list_file, roster_file, ids)
     local all = H.with_names(Course.exercises())
@@ -158,15 +163,19 @@ return function(Course, commands, H)
       if same[fold(p.name)] == 1 then by["name " .. fold(p.name)] = p end
       if p.id ~= "" then by["id " .. fold(p.id)] = p end
     end
+    -- Somebody's folder. Two of Moodle's numbers are two people, even if one has given himself the other's name.
     local function person(who)
       if by["folder " .. who] then return by["folder " .. who] end
       local name, number = of_moodle(who)
       local p = by["name " .. fold(name or who)] or by["id " .. fold(name or who)] or number and by["id " .. number]
-      if not p then
+      if not p and not name then
         for part in who:gmatch("[^_]+") do p = p or by["id " .. fold(part)] end
       end
+      local twin
+      if p and number and p.moodle and p.moodle ~= number then p, twin, p.twin = nil, true, true end
+      if p and number then p.moodle = number end
       if not p then
-        p = { name = clean(name or who, 80), id = number or "", files = {}, stranger = listed }
+        p = { name = clean(name or who, 80), id = number or "", files = {}, stranger = listed, twin = twin }
         people[#people + 1] = p
       end
       by["folder " .. who] = p
@@ -185,9 +194,10 @@ return function(Course, commands, H)
         local name, number, tail = of_moodle(inner)
         if name and tail ~= "" then who, rest, file = name .. "_" .. number .. "_assignsubmission_file_", tail, tail end
       elseif of_moodle(file) then file = select(3, of_moodle(file)) end
-      if kind == "d" then
-        if not inner:find("/", 1, true) and not inner:match("^[.]") and inner ~= "__MACOSX" then person(inner) end
-      elseif not inner:match("__MACOSX") and not ("/" .. inner):match("/%.") and not file:match("^Thumbs%.db$") then
+      local _, deep = inner:gsub("/", "")
+      if kind == "d" and deep < 11 then
+        if deep == 0 and not JUNK[inner] then person(inner) end
+      elseif not junk(inner) then
         local p = who and person(who) or loose
         count[p] = (count[p] or 0) + 1
         p.files = p.files or {}
@@ -196,8 +206,8 @@ return function(Course, commands, H)
           local small = tonumber(size) <= MOST_BYTES
           local e, copy = recognise(names, file, regular and small and path)
           if wanted and e and not wanted[e.base] then e = nil end
-          p.files[#p.files + 1] = { path = path, name = clean(rest or inner, 120), base = e and e.base, copy = copy or 0, time = tonumber(time), size = tonumber(size),
-            fit = regular and small, why = not regular and ({ l = "a link", p = "a pipe", s = "a socket", b = "a device", c = "a device" })[kind] or not small and "larger than " .. MOST_BYTES .. " bytes" or nil }
+          p.files[#p.files + 1] = { path = path, name = clean(rest or inner, 120), base = e and e.base, copy = copy or 0, time = math.max(0, math.min(tonumber(time), 4e9)), size = tonumber(size),
+            fit = regular and small, why = not regular and ({ d = "a folder too deep", l = "a link", p = "a pipe", s = "a socket", b = "a device", c = "a device" })[kind] or not small and "larger than " .. MOST_BYTES .. " bytes" or nil }
         end
       end
     end
@@ -212,9 +222,14 @@ return function(Course, commands, H)
         else p.unknown[#p.unknown + 1] = f.name .. (f.why and " (" .. f.why .. ")" or "") end
       end
       for base, g in pairs(groups) do
+        -- the newest; what has its date by less than a minute, as files have that were unpacked without their dates, is as new
+        local newest = -math.huge
+        for _, f in ipairs(g) do if f.fit then newest = math.max(newest, f.time) end end
+        for _, f in ipairs(g) do f.new = f.time >= newest - 60 end
         table.sort(g, function(a, b)
           if a.fit ~= b.fit then return a.fit end
-          if a.time ~= b.time then return a.time > b.time end
+          if a.new ~= b.new then return a.new end
+          if not a.new and a.time ~= b.time then return a.time > b.time end
           if a.copy ~= b.copy then return a.copy > b.copy end
           local _, da = a.path:gsub("/", ""); local _, db = b.path:gsub("/", "")
           if da ~= db then return da < db end
@@ -281,7 +296,8 @@ return function(Course, commands, H)
     end
     local list = {}
     for h in pairs(mine) do list[#list + 1] = h end
-    return list
+    table.sort(list)
+    return table.move(list, 1, math.min(#list, 4000), 1, {})          -- nobody's length is paid by those who are compared with him
   end
 
   function commands.graded(number, base, file)
@@ -398,6 +414,7 @@ return function(Course, commands, H)
     local results = {}
     for _, r in ipairs(rows) do
       local h, e = r.h, r.e
+      if r.p.twin then table.insert(r.look, 1, "two folders have this name") end
       if r.p.stranger then table.insert(r.look, 1, "not on the roster") end
       local like = {}
       table.sort(r.like or {}, function(a, b) return a[1] > b[1] end)

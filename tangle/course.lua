@@ -10,7 +10,7 @@ local here = arg[0]:match("^(.*/)") or "./"
 local B = os.getenv("BUILD") or "build"
 local CC = os.getenv("CC") or "cc"
 local STARTERS, SOLUTIONS, TESTS = "chapters/exercises", "chapters/solutions", "tests/course"
-local ASAN = "ASAN_OPTIONS=detect_leaks=0:symbolize=0:allocator_may_return_null=1 UBSAN_OPTIONS=symbolize=0"
+local ASAN = "ASAN_OPTIONS=detect_leaks=0:symbolize=0:allocator_may_return_null=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=symbolize=0"
 package.path = here .. "?.lua;" .. package.path
 local Refuse = require "refuse"
 local Course = {}
@@ -137,7 +137,7 @@ end
 
 --------------------------------------------------------------------------------------------------- from a file to its results
 local STD = "-std=gnu11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize"
-local function compile_line(out) return CC .. " " .. STD .. " " .. (os.getenv("COURSE_CFLAGS") or "-O1 -g") .. " -fno-pie -I" .. quote(out .. "/lines/include") .. " -I" .. quote(out .. "/lines") end
+local function compile_line(out) return CC .. " " .. STD .. " " .. (os.getenv("COURSE_CFLAGS") or "-O1 -gdwarf-4") .. " -fno-pie -I" .. quote(out .. "/lines/include") .. " -I" .. quote(out .. "/lines") end
 
 local function refuse(r, what, list_of)
   r.refused = what
@@ -160,8 +160,12 @@ local function told(said, file, chunks)
   return mine
 end
 
-local function differing(out)               -- files of the tangled tree that the engine does not have so
+local function differing(out, like)         -- files of the tangled tree that the engine does not have so; of a variant: those of its solution
   local t = {}
+  if like and read(like .. "/differing") then
+    for l in lines(read(like .. "/differing")) do if l ~= "" then t[#t + 1] = l end end
+    return t
+  end
   if read(out .. "/alone") then
     for l in lines(out_of("cd " .. quote(out .. "/lines") .. " && find . -type f | sed 's|^\\./||' | sort")) do if l ~= "" then t[#t + 1] = l end end
   else
@@ -169,6 +173,7 @@ local function differing(out)               -- files of the tangled tree that th
       if l ~= "" and read(out .. "/lines/" .. l) ~= read(B .. "/lines/" .. l) then t[#t + 1] = l end
     end
   end
+  write(out .. "/differing", table.concat(t, "\n") .. "\n")
   return t
 end
 
@@ -263,13 +268,18 @@ function Course.build(file, base, out, like, sanitize)
   local wants = names_of("nm -u " .. quote(test))
   local engine
   local given_lines = {}
-  for l in lines(read(STARTERS .. "/" .. base .. ".nw")) do given_lines[(l:gsub("%s+", ""))] = true end
+  for l in lines(read(STARTERS .. "/" .. base .. ".nw")) do
+    local plain = l:gsub("%s+", "")
+    given_lines[plain] = true
+    for call in plain:gmatch("[%w_]+%->[%w_]+%(") do given_lines[#given_lines + 1] = call end          -- m->step( may be called elsewhere, too
+  end
+  local function of_book(path) return not alone and path:match("^chapters/%w+/[^/]+%.nw$") and path ~= file end
   local objects, sanitized = {}, {}
-  for _, f in ipairs(differing(out)) do
+  for _, f in ipairs(differing(out, like)) do
     if f:match("%.c$") and not f:match("_main%.c$") then
       local o, source = out .. "/" .. f:gsub("[/%.]", "_") .. ".o", quote(out .. "/lines/" .. f)
       local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -fno-jump-tables "
-      found = refusals(Refuse.preprocessed(out_of(compile .. "-E " .. source .. " 2>/dev/null"), file), file, chunks)
+      found = refusals(Refuse.preprocessed(out_of(compile .. "-E " .. source .. " 2>/dev/null"), file, of_book), file, chunks)
       if found then return refuse(r, NOT_NEEDED, found) end
       if not ok(compile .. "-c " .. source .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
         return refuse(r, "the compiler refuses the code", told(read(log), file, chunks))
@@ -287,10 +297,13 @@ function Course.build(file, base, out, like, sanitize)
         if word then for n, l in pairs(text_lines(file)) do if l:find("%f[%w_]" .. word:gsub("%p", "%%%0") .. "%f[^%w_]") then m[1] = math.min(n, m[1] or n) end end end
         bad[#bad + 1] = m
       end
-      for _, m in ipairs(Refuse.instructions(out_of, quote(o), file, given_lines)) do bad[#bad + 1] = m end
+      for _, m in ipairs(Refuse.instructions(out_of, quote(o), file, given_lines, of_book)) do bad[#bad + 1] = m end
+      local keep, engines = {}, names_of("nm -g --defined-only " .. quote(theirs))
+      for _, name in ipairs(gives) do
+        if (engine[name] or Refuse.functions[name]) and not engines[name] then bad[#bad + 1] = { nil, "a function " .. name .. " of its own, where there is one of that name" } end
+      end
       found = refusals(bad, file, chunks)
       if found then return refuse(r, NOT_NEEDED, found) end
-      local keep, engines = {}, names_of("nm -g --defined-only " .. quote(theirs))
       for _, name in ipairs(gives) do if wants[name] and name:match("^ex%u") or engines[name] then keep[#keep + 1] = name end end
       write(o .. ".keep", table.concat(keep, "\n") .. "\n")
       local function keep_names(object) return ok("objcopy --keep-global-symbols=" .. quote(o .. ".keep") .. " " .. quote(object) .. " >>" .. quote(log) .. " 2>&1") end
@@ -831,3 +844,4 @@ require "class"(Course, commands, { read = read, write = write, quote = quote, o
 local command = table.remove(arg, 1)
 if not commands[command or ""] then die("no command %s", tostring(command)) end
 commands[command](table.unpack(arg))
+return Course

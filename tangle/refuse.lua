@@ -7,7 +7,7 @@ local MOST_BYTES, MOST_COLUMNS = 262144, 4000
 local function set(words) local t = {} for w in words:gmatch("%S+") do t[w] = true end return t end
 -- What an object may want besides the engine's names and those of its own exercise.
 local FUNCTIONS = set [[
-  memcpy memmove memset memcmp strlen strcmp strncmp strchr abs labs llabs qsort bsearch
+  memcpy memmove memset memcmp strlen strcmp strncmp strchr abs labs llabs
   malloc calloc realloc free printf puts putchar fprintf fputs fputc putc fwrite snprintf sprintf vsnprintf stdout stderr
   __assert_fail __errno_location __stack_chk_fail _GLOBAL_OFFSET_TABLE_
   __printf_chk __fprintf_chk __snprintf_chk __sprintf_chk __memcpy_chk __memmove_chk __memset_chk ]]
@@ -16,6 +16,7 @@ for w in ([[ acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh 
   remainder remquo rint round scalbln scalbn sin sincos sinh sqrt tan tanh tgamma trunc ]]):gmatch("%S+") do
   FUNCTIONS[w], FUNCTIONS[w .. "f"], FUNCTIONS[w .. "l"] = true, true, true
 end
+Refuse.functions = FUNCTIONS
 -- Words with two underscores, or one and a capital, that the headers' macros make.
 local RESERVED = set [[ _Bool _Static_assert _Alignas _Alignof _Generic _Noreturn _Thread_local __func__ __LINE__ __extension__
   __PRETTY_FUNCTION__ __assert_fail __FILE__ __builtin_offsetof __builtin_expect __builtin_nan __builtin_nanf __builtin_inf __builtin_inff
@@ -53,36 +54,46 @@ function Refuse.text(path, chunks, given, book)
     end
   end
   local n, inside, before, from = 0, false, "", nil
+  local function directive_in(plain)
+    local directive = plain:match("^%s*#%s*([^%s<\"(]*)")
+    if not directive then return false end
+    if not DIRECTIVES[directive] then bad(from, "#%s", directive:sub(1, 20)) end
+    if directive == "include" then
+      local bare = plain:gsub("%s+//.*$", "")
+      local system, own = bare:match("^%s*#%s*include%s*<([^>]*)>%s*$"), bare:match('^%s*#%s*include%s*"([^"]*)"%s*$')
+      if not (system and HEADERS[system]) and not (own and own:match("^[%w_]+/[%w_]+%.h$")) then bad(from, "#include of something else than <math.h> and its like, or the book's headers") end
+    elseif directive == "define" then
+      local name = plain:match("define%s+([%w_]+)")
+      if not name or Refuse.known[name] then bad(from, "#define %s, which has a meaning already", name or "?") end
+      if plain:find("##", 1, true) then bad(from, "## in a macro") end
+    end
+    if plain:match("%f[%w_]__%w") then bad(from, "a word with two underscores in a directive") end
+    return true
+  end
+  local function close() if inside and before ~= "" then bad(from, "a chunk that ends in a backslash: what stands behind it would be swallowed") end before = "" end
   for l in lines(read(path)) do
     n = n + 1
-    if l:match("^<<.->>=%s*$") then inside, before = true, ""
-    elseif l == "@" or l:match("^@ ") then inside, before = false, ""
+    if l:match("^<<.->>=%s*$") then close(); inside = true
+    elseif l == "@" or l:match("^@ ") then close(); inside = false
     elseif inside then
       from = before == "" and n or from
       local whole = before .. l
       before = ""
-      if l:match("\\%s*$") then before = whole:gsub("\\%s*$", "")
+      if l:match("%f[%w_][uUL]?8?R\"") then bad(n, "a raw string: it may hold lines that look like a directive's") end
+      if l:match("\\%s*$") then
+        before = whole:gsub("\\%s*$", "")
+        if before == "" then before = " " end
       else
-        -- a directive, even if a comment or a chunk stands before its sign: nothing is won by a better reading
-        local plain = whole:gsub("/%*.-%*/", " "):gsub("^.*%*/", ""):gsub("%%:", "#"):gsub("%?%?=", "#")
-        local directive = plain:match("^%s*#%s*([^%s<\"(]*)")
-        if directive then
-          if not DIRECTIVES[directive] then bad(from, "#%s", directive:sub(1, 20)) end
-          if directive == "include" then
-            local system, own = plain:match("^%s*#%s*include%s*<([^>]*)>%s*$"), plain:match('^%s*#%s*include%s*"([^"]*)"%s*$')
-            if not (system and HEADERS[system]) and not (own and own:match("^[%w_]+/[%w_]+%.h$")) then bad(from, "#include of something else than <math.h> and its like, or the book's headers") end
-          elseif directive == "define" then
-            local name = plain:match("define%s+([%w_]+)")
-            if not name or Refuse.known[name] then bad(from, "#define %s, which has a meaning already", name or "?") end
-            if plain:find("##", 1, true) then bad(from, "## in a macro") end
-          end
-          if plain:match("%f[%w_]__%w") then bad(from, "a word with two underscores in a directive") end
-        end
-        local rest = whole:match("<<.->>") and whole:gsub("^%s*<<.->>%s*$", "")
-        if rest and rest:match("<<[%a].->>") and not rest:match('"[^"]*<<.->>[^"]*"') then bad(from, "a chunk is used beside other text -- give it a line of its own") end
+        -- a directive, even if a comment stands before its sign, or seems to: nothing is won by a better reading
+        local plain = whole:gsub("/%*.-%*/", " "):gsub("%%:", "#"):gsub("%?%?=", "#")
+        if not directive_in(plain) then directive_in((plain:gsub("^.*%*/", ""))) end
+        local uses = whole:gsub("@<<", ""):gsub("@>>", "")
+        local alone = uses:match("^%s*<<(.-)>>%s*$")
+        if uses:match("<<.->>") and not (alone and not alone:find("<<", 1, true) and not alone:find(">>", 1, true)) then bad(from, "a chunk is used beside other text -- give it a line of its own") end
       end
     end
   end
+  close()
   return t
 end
 
@@ -115,11 +126,12 @@ local function words(text, line, word)
 end
 Refuse.words = words
 
--- What the preprocessor made of it: the lines that come from the submission.
-function Refuse.preprocessed(text, file)
-  local t, mine, n, seen = {}, false, 0, {}
+-- What the preprocessor made of it: the lines that come from the submission, and all others that no header gave. The second holds even
+-- if a line has got through that says where it comes from and lies; own(path): is that a file of the book's?
+function Refuse.preprocessed(text, file, own)
+  local t, mine, n, seen, depth = {}, false, 0, {}, 0
   local previous
-  local function bad(line, what) if not seen[what .. line] then seen[what .. line] = true; t[#t + 1] = { line, what } end end
+  local function bad(line, what) if not seen[what .. (line or "")] then seen[what .. (line or "")] = true; t[#t + 1] = { line, what } end end
   local function word(w, line)
     if w == "asm" or w == "typeof" then bad(line, w)
     elseif (w:match("^__") or w:match("^_%u")) and not RESERVED[w] then bad(line, w)
@@ -129,10 +141,13 @@ function Refuse.preprocessed(text, file)
     previous = w
   end
   for l in lines(text) do
-    local at, path = l:match('^# (%d+) "(.-)"')
-    if at then n, mine = tonumber(at) - 1, path == file
+    local at, path, flags = l:match('^# (%d+) "(.-)"(.*)')
+    if at then
+      depth = math.max(0, depth + (flags:match("^ 1") and 1 or flags:match("^ 2") and -1 or 0))
+      n, mine = tonumber(at) - 1, path == file or depth == 0 and not path:match("^<") and not own(path)
+      if path ~= file then n = nil end
     else
-      n = n + 1
+      n = n and n + 1
       if mine and l:match("^%s*#") then bad(n, "#pragma or another directive")
       elseif mine then words(l, n, word) end
     end
@@ -164,18 +179,26 @@ function Refuse.object(run, object, allowed)
   return t, gives
 end
 
--- Its instructions: a call or a jump through a pointer, in a line that the starter does not have.
-function Refuse.instructions(run, object, file, given)
+-- Its instructions: none that asks the system or changes how numbers are rounded; and no call or jump through a pointer, in a line that
+-- the starter does not have, but for its own such calls. own(path): is that a file of the book's?
+local NEVER = set "syscall sysenter int int3 into sysret ldmxcsr fldcw fldenv frstor fxrstor xrstor wrpkru wrfsbase wrgsbase svc hvc msr brk"
+function Refuse.instructions(run, object, file, given, own)
   local t, seen = {}, {}
   local mine, line
   local text = {}
   for l in lines(read(file)) do text[#text + 1] = l end
   for l in lines(run("objdump -d -l --no-show-raw-insn " .. object)) do
     local path, at = l:match("^(/?[^%s].-):(%d+)")
-    if path and not l:match("^%s") then mine, line = path == file or path:sub(-#file - 1) == "/" .. file, tonumber(at)
+    local word = l:match("^%s+%x+:%s+(%S+)")
+    if path and not l:match("^%s") then
+      local here = path == file or path:sub(-#file - 1) == "/" .. file
+      mine, line = here or not own(path:match("chapters/.*") or path), here and tonumber(at)
+    elseif word and NEVER[word] then t[#t + 1] = { line or nil, "the instruction " .. word }
     elseif mine and (l:match("%f[%a]call[q]?%s+%*") or l:match("%f[%a]jmp[q]?%s+%*") or l:match("%sblr%s") or l:match("%sbr%s+x")) then
       local words_there = (text[line] or ""):gsub("%s+", "")
-      if not given[words_there] and not seen[line] then seen[line] = true; t[#t + 1] = { line, "a call through a pointer" } end
+      local known = line and given[words_there]
+      for _, call in ipairs(given) do known = known or words_there:find(call, 1, true) end
+      if not known and not seen[line or 0] then seen[line or 0] = true; t[#t + 1] = { line or nil, "a call through a pointer" } end
     end
   end
   return t

@@ -4,11 +4,11 @@ void exBlock(wfReal k11, wfReal k12, wfReal k22, const wfReal u[2], const wfReal
 static void pressed(void)
 {
     wfReal u[2] = { -1, -1 }, a[2] = { 0, 0 }, x[2];
-    exBlock(2, 1, 2, u, a, x);
+    exBlock(2, 1, 2, shown_many(u, 2), shown_many(a, 2), x);
     expect_near("first sum for K = (2 1; 1 2), u = (-1, -1)", (double)x[0], 1 / 3.0, 1e-6);
     expect_near("second sum", (double)x[1], 1 / 3.0, 1e-6);
     wfReal parts[2] = { 5, 5 }, had[2] = { 1, 1 };
-    exBlock(2, 1, 2, parts, had, x);
+    exBlock(2, 1, 2, shown_many(parts, 2), shown_many(had, 2), x);
     expect_near("first sum of a contact that parts faster than it was pressed", (double)x[0], 0, 0);
     expect_near("second sum", (double)x[1], 0, 0);
 }
@@ -20,7 +20,7 @@ static void random_problems(void)
         wfReal k11 = (wfReal)(mass + inertia * r1 * r1), k12 = (wfReal)(mass + inertia * r1 * r2), k22 = (wfReal)(mass + inertia * r2 * r2);
         wfReal u[2], a[2], x[2];
         for (int k = 0; k < 2; k++) { u[k] = wfRandomReal(&r, -3, 3); a[k] = wfMaxR(wfRandomReal(&r, -1, 2), 0); }
-        exBlock(k11, k12, k22, u, a, x);
+        exBlock(k11, k12, k22, shown_many(u, 2), shown_many(a, 2), x);
         double d0 = (double)x[0] - (double)a[0], d1 = (double)x[1] - (double)a[1];
         double w[2] = { (double)u[0] + (double)k11 * d0 + (double)k12 * d1, (double)u[1] + (double)k12 * d0 + (double)k22 * d1 };
         double size = 1 + ((double)k11 + (double)k22) * (fabs((double)x[0]) + fabs((double)x[1]) + (double)a[0] + (double)a[1]);

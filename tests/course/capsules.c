@@ -11,8 +11,9 @@ static wfShape capsule(double half, double radius)
 static void compare(const char *what, wfShape a, wfTransform xa, wfShape b, wfTransform xb)
 {
     wfDistanceResult d;
+    double got = (double)exCapsuleDistance(shown(&a), xa, shown(&b), xb);
     expect_result("wfShapeDistance", wfShapeDistance(&a, xa, &b, xb, &d), WF_OK);
-    expect_near(what, (double)exCapsuleDistance(&a, xa, &b, xb), (double)d.distance, 1e-5 * (1 + (double)wfDistance(xa.p, xb.p)));
+    expect_near(what, got, (double)d.distance, 1e-5 * (1 + (double)wfDistance(xa.p, xb.p)));
 }
 static void random_poses(void)
 {
@@ -36,7 +37,7 @@ static void crossed(void)
 {
     wfShape a = capsule(2, 0.1), b = capsule(2, 0.1);
     for (int i = 1; i < 12; i++)
-        expect_near(say("distance of capsules that cross at %d tenths of a radian", i), (double)exCapsuleDistance(&a, wfMakeTransform(wfV2(0, 0), (wfReal)(0.2 + 0.1 * i)), &b, wfTransformIdentity()), 0, 0);
+        expect_near(say("distance of capsules that cross at %d tenths of a radian", i), (double)exCapsuleDistance(shown(&a), wfMakeTransform(wfV2(0, 0), (wfReal)(0.2 + 0.1 * i)), shown(&b), wfTransformIdentity()), 0, 0);
 }
 CRITERIA("capsules",
     { "random", 3, "capsules: the distance of the segments pq and rs", "20,000 random poses agree with GJK", random_poses, 0 },

@@ -18,7 +18,7 @@ static void cuts(bool areas)
         wfRot q = wfRotation(wfRandomReal(&r, -3, 3));
         wfVec2 normal = wfV2(q.c, q.s);
         wfReal c = wfRandomReal(&r, -2, 2);
-        int na = exClip(ring, n, normal, c, a), nb = exClip(ring, n, wfNeg(normal), -c, b);
+        int na = exClip(shown_many(ring, n), n, normal, c, a), nb = exClip(shown_many(ring, n), n, wfNeg(normal), -c, b);
         expect_at_most(say("corners of cut %d", k), na, n + 1);
         double above = -1e9;
         for (int i = 0; i < na; i++) { double h = (double)(wfDot(normal, a[i]) - c); if (!(h <= above)) above = h; }
@@ -31,12 +31,12 @@ static void areas(void) { cuts(true); }
 static void border(void)
 {
     wfVec2 box[4] = { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 0, 1 } } }, out[5];
-    expect_int("corners of a box that is wholly inside", exClip(box, 4, wfV2(1, 0), 3, out), 4);
-    expect_int("corners of a box that is wholly outside", exClip(box, 4, wfV2(1, 0), -1, out), 0);
-    expect_int("corners of a box that touches the border from inside", exClip(box, 4, wfV2(1, 0), 2, out), 4);
-    expect_int("corners of a box that is halved along its middle", exClip(box, 4, wfV2(1, 0), 1, out), 4);
+    expect_int("corners of a box that is wholly inside", exClip(shown_many(box, 4), 4, wfV2(1, 0), 3, out), 4);
+    expect_int("corners of a box that is wholly outside", exClip(shown_many(box, 4), 4, wfV2(1, 0), -1, out), 0);
+    expect_int("corners of a box that touches the border from inside", exClip(shown_many(box, 4), 4, wfV2(1, 0), 2, out), 4);
+    expect_int("corners of a box that is halved along its middle", exClip(shown_many(box, 4), 4, wfV2(1, 0), 1, out), 4);
     wfVec2 kite[4] = { { { 0, -1 } }, { { 1, 0 } }, { { 0, 1 } }, { { -1, 0 } } };
-    expect_int("corners of a kite that is halved through two corners", exClip(kite, 4, wfV2(1, 0), 0, out), 3);
+    expect_int("corners of a kite that is halved through two corners", exClip(shown_many(kite, 4), 4, wfV2(1, 0), 0, out), 3);
 }
 CRITERIA("clip",
     { "inside", 1, "clip: the edge from p to q", "what comes out is in the half-plane", inside, 0 },

@@ -23,22 +23,22 @@ static void covers(void)
     uint8_t mark[40];
     ExField f[4];
     memcpy(f, TABLE, sizeof f);
-    expect_true("a good table covers", exCovers(f, 4, 40, mark));
-    expect_false("a table without its last line covers", exCovers(f, 3, 40, mark));
+    expect_true("a good table covers", exCovers(shown_many(f, 4), 4, 40, mark));
+    expect_false("a table without its last line covers", exCovers(shown_many(f, 4), 3, 40, mark));
     f[2].count = 5;
-    expect_false("a table that names a byte twice covers", exCovers(f, 4, 40, mark));
+    expect_false("a table that names a byte twice covers", exCovers(shown_many(f, 4), 4, 40, mark));
     memcpy(f, TABLE, sizeof f);
     f[2].size = 3;
-    expect_false("a table with a number of 3 bytes covers", exCovers(f, 4, 40, mark));
+    expect_false("a table with a number of 3 bytes covers", exCovers(shown_many(f, 4), 4, 40, mark));
 }
 static void hostile(void)
 {
     static uint8_t mark[40];
     ExField over = { 0, 8, SIZE_MAX / 8 + 1 }, far = { SIZE_MAX - 3, 4, 1 }, none = { 0, 0, 40 };
     ExField both[2] = { { 0, 8, 1 }, over };
-    expect_false("a count whose bytes run over is accepted", exCovers(both, 2, 8, mark));
-    expect_false("an offset behind the end is accepted", exCovers(&far, 1, 40, mark));
-    expect_false("numbers of no bytes are accepted", exCovers(&none, 1, 40, mark));
+    expect_false("a count whose bytes run over is accepted", exCovers(shown_many(both, 2), 2, 8, mark));
+    expect_false("an offset behind the end is accepted", exCovers(shown(&far), 1, 40, mark));
+    expect_false("numbers of no bytes are accepted", exCovers(shown(&none), 1, 40, mark));
 }
 CRITERIA("endian",
     { "turns", 2, "endian: turn one number round", "numbers of all sizes are turned round, and back", turns, 0 },

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Coursework: the chapters' lists are whole; every solution has full points, no starter has, every planted wrong solution loses;
-# a class of good and bad submissions is graded (class.sh) and woven (weave.sh), and nobody's crash, loop or curiosity is paid by others.
+# the looks at a submission (looks.lua), the judge (judge.sh) and the rooms (room.sh) hold by themselves; a class of good and bad
+# submissions is graded (class.sh) and woven (weave.sh), and nobody's crash, loop or curiosity is paid by others.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
 fail() { echo "course: $1"; exit 1; }
@@ -44,6 +45,9 @@ grep -q 'a chapter still is here and in' "$out/log" || { cat "$out/log"; fail "l
 
 # -- a class that is not nice
 command -v bwrap >/dev/null || { echo "no bubblewrap: the class was not graded"; exit 77; }
+mkdir -p "$out/looks"; "$(tangle/lua)" tests/course/looks.lua "$out/looks" || fail "a look at submissions lets something pass"
+bash tests/course/judge.sh || exit 1
+bash tests/course/room.sh || exit 1
 bash tests/course/class.sh || exit 1
 bash tests/course/weave.sh || exit 1
 

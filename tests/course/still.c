@@ -12,7 +12,7 @@ static void rest(void)
         s.v = wfV2(vx, wfRandomReal(&r, -9, 9));
         s.w = wfRandomReal(&r, WF_R(0.1), 9) * (i & 1 ? 1 : -1);
         wfVec2 at = wfV2(0, 0);
-        expect_true(say("state %d has a point at rest", i), exStillPoint(&s, &at));
+        expect_true(say("state %d has a point at rest", i), exStillPoint(shown(&s), &at));
         expect_v2(say("velocity at the point, state %d", i), wfVelocityAt(&s, at), 0, 0, 2e-4);
     }
 }
@@ -20,10 +20,10 @@ static void none(void)
 {
     wfBodyState s = { .p = { { 1, 2 } }, .v = { { 3, 0 } } };
     wfVec2 at = wfV2(7, 7);
-    expect_false("a body that moves without turning has a point at rest", exStillPoint(&s, &at));
+    expect_false("a body that moves without turning has a point at rest", exStillPoint(shown(&s), &at));
     expect_v2("out of a call that found none", at, 7, 7, 0);
     s.v = wfV2(0, 0);
-    expect_true("a body at rest has a point at rest", exStillPoint(&s, &at));
+    expect_true("a body at rest has a point at rest", exStillPoint(shown(&s), &at));
     expect_true("that point is finite", wfIsFinite2(at));
 }
 CRITERIA("still",

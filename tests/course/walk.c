@@ -17,9 +17,11 @@ static void floors(void)
     wfRandom r = course_random(23);
     for (int turn = 0; turn < 100; turn++) {
         int n = 200, pairs = 150;
-        for (int i = 0; i < n; i++) moves[i] = wfRandomBelow(&r, 6) > 0, want[i] = moves[i] ? i : -1;
+        for (int i = 0; i < n; i++) moves[i] = wfRandomBelow(&r, 6) > 0, want[i] = 0;
         for (int i = 0; i < pairs; i++) pair[i][0] = (int32_t)wfRandomBelow(&r, 200), pair[i][1] = (int32_t)wfRandomBelow(&r, 200);
         join(n, (const int32_t (*)[2])pair, pairs);
+        exWalk(n, shown_many(moves, n), shown_many(first, n + 1), shown_many(other, 2 * pairs), island, wait_for);
+        for (int i = 0; i < n; i++) want[i] = moves[i] ? i : -1;
         for (bool some = true; some;) {
             some = false;
             for (int i = 0; i < pairs; i++) {
@@ -29,7 +31,6 @@ static void floors(void)
                 some = true;
             }
         }
-        exWalk(n, moves, first, other, island, wait_for);
         for (int i = 0; i < n; i++) expect_int(say("island of body %d, try %d", i, turn), island[i], want[i]);
     }
 }
@@ -39,7 +40,7 @@ static void chain(void)
     for (int i = 0; i < MOST; i++) moves[i] = true;
     for (int i = 0; i + 1 < MOST; i++) pair[i][0] = i, pair[i][1] = i + 1;
     join(MOST, (const int32_t (*)[2])pair, MOST - 1);
-    exWalk(MOST, moves, first, other, island, wait_for);
+    exWalk(MOST, shown_many(moves, MOST), shown_many(first, MOST + 1), shown_many(other, 2 * (MOST - 1)), island, wait_for);
     for (int i = 0; i < MOST; i += 997) expect_int(say("island of body %d of a chain", i), island[i], 0);
 }
 CRITERIA("walk",
