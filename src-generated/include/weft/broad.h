@@ -19,8 +19,7 @@ typedef struct wfFilter { uint64_t category, mask; int32_t group; } wfFilter;
 /* Category 1, meets everybody, no group. */
 static inline wfFilter wfDefaultFilter(void)
 {
-    wfFilter all = { 1, UINT64_MAX, 0 };
-    return all;
+    wfFilter all = { 1, UINT64_MAX, 0 }; return all;
 }
 
 static inline bool wfFilterAllows(wfFilter a, wfFilter b)
@@ -199,8 +198,7 @@ int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count);
 /* A pool over an index's bytes: pushing the row's arrays in order finds their places. */
 static inline wfPool wfOpenIndex(const void *index, size_t bytes)
 {
-    wfPool pool = { (uint8_t *)index, bytes, 0 };
-    return pool;
+    wfPool pool = { (uint8_t *)index, bytes, 0 }; return pool;
 }
 size_t wfIndexSize(int method, int32_t proxies);     /* bytes of an index; 0: has none */
 

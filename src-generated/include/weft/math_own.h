@@ -199,8 +199,7 @@ typedef union wfVec3 {
 
 static inline wfVec3 wfV3(wfReal x, wfReal y, wfReal z)
 {
-    wfVec3 v = { { x, y, z } };
-    return v;
+    wfVec3 v = { { x, y, z } }; return v;
 }
 static inline wfVec3 wfNeg3(wfVec3 a) { return wfV3(-a.x, -a.y, -a.z); }
 static inline wfVec3 wfScale3(wfReal s, wfVec3 a)
@@ -243,8 +242,7 @@ typedef union wfVec4 {
 
 static inline wfVec4 wfV4(wfReal x, wfReal y, wfReal z, wfReal w)
 {
-    wfVec4 made = { { x, y, z, w } };
-    return made;
+    wfVec4 made = { { x, y, z, w } }; return made;
 }
 static inline wfVec4 wfAdd4(wfVec4 a, wfVec4 b)
 {
@@ -282,8 +280,7 @@ typedef union wfMat22 {
 
 static inline wfMat22 wfMat22Make(wfReal e11, wfReal e12, wfReal e21, wfReal e22)
 {
-    wfMat22 made = { { e11, e12, e21, e22 } };
-    return made;
+    wfMat22 made = { { e11, e12, e21, e22 } }; return made;
 }
 static inline wfMat22 wfMat22Identity(void) { return wfMat22Make(1, 0, 0, 1); }
 
@@ -352,8 +349,7 @@ typedef union wfMat23 {
 static inline wfMat23 wfMat23Make(wfReal e11, wfReal e12, wfReal e13,
                                   wfReal e21, wfReal e22, wfReal e23)
 {
-    wfMat23 made = { { e11, e12, e13, e21, e22, e23 } };
-    return made;
+    wfMat23 made = { { e11, e12, e13, e21, e22, e23 } }; return made;
 }
 static inline wfMat23 wfMat23Identity(void) { return wfMat23Make(1, 0, 0, 0, 1, 0); }
 static inline wfMat23 wfMat23Translation(wfVec2 t)
@@ -452,8 +448,7 @@ static inline wfVec2 wfRotateInv(wfRot q, wfVec2 v)              /* by the oppos
 /* Both rotations, one after the other. */
 static inline wfRot wfRotMul(wfRot a, wfRot b)                  /* eq:numbers-rot-product */
 {
-    wfRot made = { a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s };
-    return made;
+    wfRot made = { a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s }; return made;
 }
 
 /* Back to length 1 after many products; what has no direction becomes the identity. */
@@ -468,8 +463,7 @@ typedef struct wfTransform { wfVec2 p; wfRot q; } wfTransform;
 
 static inline wfTransform wfMakeTransform(wfVec2 p, wfReal angle)
 {
-    wfTransform made = { p, wfRotation(angle) };
-    return made;
+    wfTransform made = { p, wfRotation(angle) }; return made;
 }
 static inline wfTransform wfTransformIdentity(void)
 {
@@ -487,13 +481,11 @@ static inline wfVec2 wfApplyInv(wfTransform t, wfVec2 w)         /* eq:numbers-a
 /* The transform that does b first and then a. */
 static inline wfTransform wfTransformMul(wfTransform a, wfTransform b)
 {
-    wfTransform made = { wfApply(a, b.p), wfRotMul(a.q, b.q) };
-    return made;
+    wfTransform made = { wfApply(a, b.p), wfRotMul(a.q, b.q) }; return made;
 }
 static inline wfTransform wfTransformInverse(wfTransform t)
 {
-    wfTransform made = { wfNeg(wfRotateInv(t.q, t.p)), wfRotInverse(t.q) };
-    return made;
+    wfTransform made = { wfNeg(wfRotateInv(t.q, t.p)), wfRotInverse(t.q) }; return made;
 }
 static inline wfMat23 wfTransformMat23(wfTransform t)
 {
@@ -505,8 +497,7 @@ typedef struct wfRect { wfVec2 min, max; } wfRect;
 
 static inline wfRect wfRectMinMax(wfVec2 a, wfVec2 b)  /* any two opposite corners */
 {
-    wfRect made = { wfMin2(a, b), wfMax2(a, b) };
-    return made;
+    wfRect made = { wfMin2(a, b), wfMax2(a, b) }; return made;
 }
 static inline wfRect wfRectMinDim(wfVec2 min, wfVec2 dim)
 {
@@ -542,27 +533,23 @@ static inline bool wfRectOverlap(wfRect a, wfRect b)             /* eq:numbers-o
 }
 static inline wfRect wfRectUnion(wfRect a, wfRect b)   /* the smallest that holds both */
 {
-    wfRect made = { wfMin2(a.min, b.min), wfMax2(a.max, b.max) };
-    return made;
+    wfRect made = { wfMin2(a.min, b.min), wfMax2(a.max, b.max) }; return made;
 }
 static inline wfRect wfRectGrow(wfRect r, wfReal margin)         /* on all four sides */
 {
     wfVec2 m = wfV2(margin, margin);
-    wfRect made = { wfSub(r.min, m), wfAdd(r.max, m) };
-    return made;
+    wfRect made = { wfSub(r.min, m), wfAdd(r.max, m) }; return made;
 }
 
 typedef struct wfCircle2 { wfVec2 center; wfReal radius; } wfCircle2;
 
 static inline wfCircle2 wfCircleCenterRadius(wfVec2 center, wfReal radius)
 {
-    wfCircle2 made = { center, radius };
-    return made;
+    wfCircle2 made = { center, radius }; return made;
 }
 static inline wfCircle2 wfCircleCenterDiameter(wfVec2 center, wfReal diameter)
 {
-    wfCircle2 made = { center, diameter / 2 };
-    return made;
+    wfCircle2 made = { center, diameter / 2 }; return made;
 }
 static inline wfVec2 wfCircleCenter(wfCircle2 c) { return c.center; }
 static inline wfReal wfCircleRadius(wfCircle2 c) { return c.radius; }
