@@ -381,7 +381,8 @@ void wfTreeCopy(void *to, const void *from, int32_t proxies)
     memcpy(made.nodes, old.nodes, n * sizeof *old.nodes);
     memcpy(made.nodes + capacity, old.nodes + capacity, n * sizeof *old.nodes);
     memcpy(made.places, old.places, n * sizeof *old.places);
-    memcpy(made.overlaps, old.overlaps, (size_t)(near > 0 ? near : 0) * sizeof *old.overlaps);
+    memcpy(made.overlaps, old.overlaps,
+           (size_t)(near > 0 ? near : 0) * sizeof *old.overlaps);
 }
 
 wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)

@@ -20,7 +20,7 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
     wfReal gain = s->b.head->dt * s->state[i].invInertia;
     wfReal spin = wfAbs(s->state[i].w) + gain * wfAbs(s->sums[i].torque);
     wfReal arm = wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
-    return wfMinR(spin, 2 / s->b.head->dt) * arm;   /* no turn brings it nearer than 2 arms */
+    return wfMinR(spin, 2 / s->b.head->dt) * arm;   /* no turn goes beyond two arms */
 }
 
 wfReal wfWayOfShape(struct wfStep *s, int32_t k)
@@ -49,7 +49,8 @@ wfReal wfWayOfPair(const struct wfStep *s, wfPair p)
     wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
     wfReal u = wfSqrt(wfMaxR(free, held));
     /* how far this pair is looked ahead */
-    wfReal way = s->b.head->dt * (u + (s->paces[p.a].rim + s->paces[p.b].rim));  /* eq:world-way */
+    wfReal rims = s->paces[p.a].rim + s->paces[p.b].rim;
+    wfReal way = s->b.head->dt * (u + rims);                    /* eq:world-way */
     if (!wfIsCrowd(&s->b) && (wfIsFollowed(s, p.a, way) || wfIsFollowed(s, p.b, way))) {
         wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->paces[p.a].rim);
         wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->paces[p.b].rim);

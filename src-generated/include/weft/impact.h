@@ -48,7 +48,7 @@ typedef enum wfImpactKind {
 typedef struct wfImpact {
     int32_t kind;               /* a wfImpactKind */
     wfReal t;                   /* 0 to 1: no touch before this time */
-    wfReal distance, touching;  /* m: the gap at t; the gap that counted as touching */
+    wfReal distance, touching;  /* m: the gap at t; and what counted as touching */
     wfVec2 normal;              /* unit, world frame, from A to B, at t; (0, 0): overlap */
     wfVec2 point;               /* world, m: halfway between the nearest points at t */
     int32_t steps;              /* distances asked for: 1 to WF_IMPACT_STEPS */
@@ -56,8 +56,8 @@ typedef struct wfImpact {
 /* The first moment at which two moving shapes touch, by conservative advancement with all
    bounds of wfAdvance.  With eta of eq:impact-noise and `touching` = n of
    eq:impact-strict: TOUCH: the distance at t is between n / 2 - eta and n + eta, and was
-   never less than n / 2 - eta.  A particle touches nothing; a link is met only by shapes whose
-   centre is on its outer side at the beginning.  WF_ERROR_NULL; _NOT_FINITE; _RANGE: an
+   never less than n / 2 - eta.  A particle touches nothing; a link is met only by shapes
+   whose centre is on its outer side at the beginning.  WF_ERROR_NULL; _NOT_FINITE; _RANGE: an
    angle beyond WF_MAX_ANGLE, a distance beyond WF_IMPACT_FAR; _UNKNOWN: no such kind of
    shape.  After an error *out is unchanged. */
 wfResult wfTimeOfImpact(const wfShape *a, wfSweep sweepA, const wfShape *b, wfSweep sweepB,
