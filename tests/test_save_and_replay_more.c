@@ -103,13 +103,13 @@ static bool may_be_huge(int region)
     return false;
 }
 
-static void goes_on(wfWorld *world, bool huge)
+static void goes_on(wfWorld *world, int steps, bool huge)
 {
     wfFault fault;
     wfResult result = WF_OK;
     wfWorld loaded;
     wfWorldDef def;
-    for (int i = 0; i < STEPS && result == WF_OK; i++) {
+    for (int i = 0; i < steps && result == WF_OK; i++) {
         uint64_t before = wfHashWorld(world);
         result = wfStepWorld(world);
         if (result != WF_OK && wfHashWorld(world) != before) fail_msg("%s: a step has failed, and changed the world", what);
@@ -131,8 +131,8 @@ static const wfReal reals[] = { (wfReal)NAN, (wfReal)INFINITY, (wfReal)-INFINITY
 static const int32_t ints[] = { -1, INT32_MAX, INT32_MIN, 1000 };
 enum { REALS = sizeof reals / sizeof *reals, VALUES = REALS + sizeof ints / sizeof *ints };
 
-/* Value v over word `at` of an element; 1: refused, 0: the world has gone on. */
-static int tried(wfWorld *world, const wfRegion *regions, int r, size_t element, size_t at, int v)
+/* Value v over word `at` of an element; 1: refused, 0: the world has gone on for so many steps. */
+static int tried(wfWorld *world, const wfRegion *regions, int r, size_t element, size_t at, int v, int steps)
 {
     static char text[200];
     wfFault fault;
@@ -148,7 +148,7 @@ static int tried(wfWorld *world, const wfRegion *regions, int r, size_t element,
     else if (result != WF_OK) {
         assert_int_equal(result, WF_ERROR_INVALID);
         if (!may_be_told_as(r, regions, fault.region)) fail_msg("%s: told as %s: %s", what, fault.region, fault.rule);
-    } else if (r != WF_REGION_HEADER || !is_setting(at)) goes_on(world, ((v >= 3 && v < REALS) || v == VALUES - 1) && may_be_huge(r));        /* 1000 is, as a real, next to 0 */
+    } else if (r != WF_REGION_HEADER || !is_setting(at)) goes_on(world, steps, ((v >= 3 && v < REALS) || v == VALUES - 1) && may_be_huge(r));        /* 1000 is, as a real, next to 0 */
     alarm(0);
     return result != WF_OK;
 }
@@ -171,7 +171,7 @@ static void either_refused_or_it_goes_on(void **unused)
                 for (size_t at = 0; at < regions[r].each; at += 4)
                     for (int v = 0; v < VALUES; v++) {
                         if (v < REALS && (at % sizeof(wfReal) != 0 || regions[r].each - at < sizeof(wfReal))) continue;      /* there is no real */
-                        refused[r] += tried(&world, regions, r, e, at, v);
+                        refused[r] += tried(&world, regions, r, e, at, v, STEPS);
                         memcpy(world.memory.permanent, whole, world.memory.permanentSize);
                     }
         for (int r = 0; r < WF_REGION_COUNT && kind + 1 == KINDS; r++) {      /* a rule that never speaks checks nothing */
@@ -249,7 +249,7 @@ static void nothing_points_into_what_has_no_room(void **unused)
             for (size_t at = 0; regions[r].chunk == 0 && regions[r].count > 0 && at < regions[r].each; at += 4)
                 for (int v = REALS + 1; v < VALUES; v += 2) {
                     if (r == WF_REGION_HEADER && !is_setting(at)) loads(&world, at, ints[v - REALS]);
-                    tried(&world, regions, r, regions[r].count > 1, at, v);
+                    tried(&world, regions, r, regions[r].count > 1, at, v, 3);
                     memcpy(world.memory.permanent, whole, world.memory.permanentSize);
                 }
         free(whole);

@@ -57,7 +57,7 @@ static bool check_layout(Check *c)
 
 static bool is_choice(int32_t x) { return x == 0 || x == 1; }
 
-static bool check_header(Check *c)
+static bool rule_of_header(Check *c)
 {
     const wfHeader *h = c->b.head;
     const wfRegion *r = c->region;
@@ -105,22 +105,22 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
                 "the free list holds every free slot once");
 }
 
-static bool check_body_slots(Check *c)
+static bool rule_of_body_slots(Check *c)
 {
     return check_slots(c, &c->b.head->bodySlots, WF_REGION_BODY_SLOTS, c->b.bodySlots);
 }
 
-static bool check_shape_slots(Check *c)
+static bool rule_of_shape_slots(Check *c)
 {
     return check_slots(c, &c->b.head->shapeSlots, WF_REGION_SHAPE_SLOTS, c->b.shapeSlots);
 }
 
-static bool check_force_slots(Check *c)
+static bool rule_of_force_slots(Check *c)
 {
     return check_slots(c, &c->b.head->forceSlots, WF_REGION_FORCE_SLOTS, c->b.forceSlots);
 }
 
-static bool check_joint_slots(Check *c)
+static bool rule_of_joint_slots(Check *c)
 {
     return check_slots(c, &c->b.head->jointSlots, WF_REGION_JOINT_SLOTS, c->b.jointSlots);
 }
@@ -153,7 +153,7 @@ static bool check_body(Check *c, int32_t i)
         && rule(c, obeys(s, p), WF_REGION_STATE, i, "only dynamic bodies have a mass");
 }
 
-static bool check_bodies(Check *c)
+static bool rule_of_bodies(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
         bool live = c->b.bodySlots[i].next == WF_SLOT_LIVE;
@@ -164,7 +164,7 @@ static bool check_bodies(Check *c)
     return true;
 }
 
-static bool check_applied(Check *c)
+static bool rule_of_applied(Check *c)
 {
     int32_t end = kept(c, WF_REGION_APPLIED, c->b.head->bodySlots.high);
     for (int32_t i = 0; i < end; i++) {
@@ -218,7 +218,7 @@ static bool check_shape(Check *c, int32_t k)
                 "a material is in range");
 }
 
-static bool check_bounds(Check *c)
+static bool rule_of_bounds(Check *c)
 {
     const wfBlock *b = &c->b;
     int32_t end = kept(c, WF_REGION_BOUNDS, b->head->shapeSlots.high);
@@ -234,7 +234,7 @@ static bool check_bounds(Check *c)
     return true;
 }
 
-static bool check_shapes(Check *c)
+static bool rule_of_shapes(Check *c)
 {
     const wfBlock *b = &c->b;
     int32_t end = b->head->shapeSlots.high, met = 0, sensors = 0;
@@ -260,7 +260,7 @@ static bool is_end(const wfBlock *b, int32_t i)
     return i == -1 || (in_range(i, b->head->bodySlots.high) && b->alive[i]);
 }
 
-static bool check_forces(Check *c)
+static bool rule_of_forces(Check *c)
 {
     for (int32_t f = 0; f < c->b.head->forceSlots.high; f++) {
         const wfForce *force = &c->b.forces[f];
@@ -297,7 +297,7 @@ static bool is_cache(const wfBlock *b, wfPair p, const wfManifoldCache *m)
     return a > 1 && d > 1 && in_range(m->edge, m->owner == 0 ? a : d);
 }
 
-static bool check_pairs(Check *c)
+static bool rule_of_pairs(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->pairCount; i++) {
@@ -330,7 +330,7 @@ static bool is_contact(const wfBlock *b, const wfContact *m)
     return m->shapeA < m->shapeB && is_choice(m->sliding) && is_choice(m->settled);
 }
 
-static bool check_contacts(Check *c)
+static bool rule_of_contacts(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->contactCount; i++) {
@@ -345,7 +345,7 @@ static bool check_contacts(Check *c)
     return true;
 }
 
-static bool check_touches(Check *c)
+static bool rule_of_touches(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->touchCount; i++) {
@@ -361,7 +361,7 @@ static bool check_touches(Check *c)
 }
 
 /* check what other chapters keep */
-static bool check_materials(Check *c)
+static bool rule_of_materials(Check *c)
 {
     const wfKnownPair *known = c->b.known;
     int32_t count = c->b.head->knownPairs;
@@ -382,7 +382,7 @@ static bool check_materials(Check *c)
     return true;
 }
 
-static bool check_joints(Check *c)
+static bool rule_of_joints(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->jointSlots.high; i++) {
         /* check whether a joint is alone */
@@ -414,7 +414,7 @@ static bool check_ring(Check *c, int32_t i, const uint8_t *flags, uint8_t *named
                 "who sleeps lives and does not move");
 }
 
-static bool check_rest(Check *c)
+static bool rule_of_rest(Check *c)
 {
     const wfHeader *h = c->b.head;
     const uint8_t *flags = c->b.rest;
@@ -447,7 +447,7 @@ static bool are_shapes(const Check *c, wfShapeId a, wfShapeId b)
     return is_id(a.index, a.generation, capacity) && is_id(b.index, b.generation, capacity);
 }
 
-static bool check_events(Check *c)
+static bool rule_of_events(Check *c)
 {
     int32_t count = 0;
     for (int k = 0; k < WF_EVENT_KINDS; k++) count += c->b.head->eventCount[k];
@@ -459,7 +459,7 @@ static bool check_events(Check *c)
     return true;
 }
 
-static bool check_hits(Check *c)
+static bool rule_of_hits(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->hitCount; i++) {
         const wfHit *h = &c->b.hits[i];
@@ -470,7 +470,7 @@ static bool check_hits(Check *c)
     return true;
 }
 
-static bool check_fine(Check *c)
+static bool rule_of_fine(Check *c)
 {
     int32_t end = kept(c, WF_REGION_FINE, c->b.head->bodySlots.high);
     for (int32_t i = 0; i < end; i++) {
@@ -483,7 +483,7 @@ static bool check_fine(Check *c)
     return true;
 }
 
-static bool check_broken(Check *c)
+static bool rule_of_broken(Check *c)
 {
     const wfHeader *h = c->b.head;
     const wfJointId *id = c->b.broken;
@@ -496,10 +496,10 @@ static bool check_broken(Check *c)
 }
 
 /* the table of checks */
-static bool check_any(Check *c) { return c->fault.rule == NULL; }
+static bool rule_of_any(Check *c) { return c->fault.rule == NULL; }
 
 static CheckFn *const rule_table[WF_REGION_KEPT] = {
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) check_##rule,
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) rule_of_##rule,
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "weft/array_rows.h"
 #undef WF_KEPT

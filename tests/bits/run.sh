@@ -17,7 +17,7 @@ work=build/bits bad=0 out=${OUT:-build/portability}
 rm -rf $work; mkdir -p $work
 tests/portability/run.sh gcc-O2 clang-O2 gcc-double gcc-native clang-native clang-casts clang-memory > $work/log 2>&1 || { cat $work/log; exit 1; }
 src=$(ls -td $out/src-* | head -1)
-std=$(sed -n 's/^STD ?= //p' tangle/compile.mk)
+std=$(tangle/std)
 components='core math collision dynamics engine'
 
 # Each rule prints what is wrong, a line each with the remedy, and nothing when all is well.
