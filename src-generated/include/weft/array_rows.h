@@ -2,8 +2,8 @@
  * it: bodies-in-a-world, step, joints-in-a-world, continuous-collision, sleep-in-a-world. Do not
  * edit this file: edit the chapter and type make. MIT licence. */
 /* The arrays of a world in the order in which they lie. For those who define WF_KEPT and
- * WF_FRESH: WF_KEPT(NAME, pointer, "name", per, type, modules, stage, rule) in the permanent
- * chunk, WF_FRESH(NAME, "name", per, type, modules, stage) in the transient one. */
+ * WF_FRESH: WF_KEPT(NAME, pointer, "name", per, type, modules, stage, rule) in the
+ * permanent chunk, WF_FRESH(NAME, "name", per, type, modules, stage) in the other. */
 WF_KEPT(HEADER, head, "header", WF_PER_WORLD, wfHeader, 0, NULL, header)
 WF_KEPT(BODY_SLOTS, bodySlots, "body slots", WF_PER_BODY, wfSlot, 0, NULL, body_slots)
 /* 1 for a live body */

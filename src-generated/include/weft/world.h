@@ -326,8 +326,8 @@ int wfFindNeed(const char *name);              /* row, or -1 */
 uint32_t wfAllNeeds(void);                     /* all that this engine can meet */
 uint32_t wfCloseNeeds(uint32_t needs);         /* with what they imply */
 /* Whom an array serves: any of these needs, or everybody if 0; the stage that fills it, or
- * NULL: calls between the steps; the rule by which wfCheckWorld looks at it (arrays that
- * make sense only together share one; "any": no bits are wrong), or NULL: it is not kept. */
+ * NULL: calls between steps; the rule by which wfCheckWorld looks at it (arrays that make
+ * sense only together share one; "any": no bits are wrong), or NULL: it is not kept. */
 typedef struct wfRegionUse { uint32_t needs; const char *stage, *rule; } wfRegionUse;
 wfRegionUse wfRegionServes(int region);
 /* Those of these needs that the world lacks, and would refuse; 0: none. */
