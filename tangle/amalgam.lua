@@ -248,6 +248,7 @@ for word in ("link unlink open close read write index rename remove access pipe 
 end
 
 -- ---- weft.h ------------------------------------------------------------------------------------------------------------------
+local flags = io.popen("tangle/std --line"):read("l")
 local version = read("include/weft/core.h"):gsub(".*WF_VERSION_MAJOR (%d+).*WF_VERSION_MINOR (%d+).*WF_VERSION_PATCH (%d+).*", "%1.%2.%3")
 local function banner(name, text)
   return "/* " .. name .. ": Weft " .. version .. ", a 2D rigid-body physics engine, " .. text .. "\n   Made by `make amalgam` from the chapters "
@@ -303,7 +304,7 @@ for _, file in ipairs(files) do
 end
 system["<string.h>"] = nil
 local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
-   cc -std=c11 -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -c weft.c
+]] .. "   " .. flags .. "\n" .. [[
    (the -f switches keep the same bits on every machine; without them wfCreateWorld may answer WF_ERROR_BUILD) */
 ]] .. table.concat(first, "\n") .. [[
 

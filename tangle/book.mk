@@ -41,7 +41,7 @@ $(HTML)/live.js: book/live.js tangle/bare
 
 # -- the gallery: every scene, drawn by the program that the figures' tree makes
 $(HTML)/gallery.html: $(W)/figures.stamp tangle/gallery
-	@if $(MAKE) --no-print-directory -j2 -f tangle/programs.mk SRC=$(W)/src OUT=$(BUILD)/plain CC="$(CC)" CFLAGS="-O1" STD="-std=c11 -ffp-contract=off -fno-math-errno" WARN="-w" \
+	@if $(MAKE) --no-print-directory -j2 -f tangle/programs.mk SRC=$(W)/src OUT=$(BUILD)/plain CC="$(CC)" CFLAGS="-O1" STD="$$(tangle/std)" WARN="-w" \
 	    $(BUILD)/plain/bin/weft-headless >$(BUILD)/gallery.log 2>&1; then tangle/gallery $(BUILD)/plain/bin/weft-headless $(HTML); \
 	 else echo "book: no gallery without weft-headless -- see $(BUILD)/gallery.log"; fi
 

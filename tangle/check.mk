@@ -1,5 +1,5 @@
 # check.mk: what proves the rest. `make check` takes about 75 minutes on two slow cores, and should take 45; the long runs have names of their own.
-.PHONY: pictures check evaluation mutate data clocks golden coverage fuzz portability leaks windows parts prices peers extremes
+.PHONY: pictures check evaluation mutate data clocks golden coverage fuzz portability portability-ends portability-readme leaks windows parts prices peers extremes
 SHARE ?= 1
 check:
 	@echo "[1/2] What the tests need"; $(if $(NO_INSTALL),NO_INSTALL=1) tangle/install check || echo "Going on with what is here; steps that lack a tool will fail."
@@ -29,6 +29,15 @@ portability:
 	@tangle/install portability || echo "Going on with what is here."
 	@tests/portability/run.sh; rc=$$?; tests/portability/run.sh --table > build/portability/table.csv && cp build/portability/table.csv book/data/portability.csv; \
 	   $(MAKE) --no-print-directory leaks; exit $$rc
+# The same for worlds whose settings are at the ends of their ranges (tests/ends.h), on a platform of each kind; book/data/portability-ends.csv.
+ENDS ?= gcc-O2 aarch64 armhf s390x wasm gcc-double aarch64-double s390x-double wasm-double
+portability-ends:
+	@tangle/install portability || echo "Going on with what is here."
+	@tests/portability/run.sh --ends $(ENDS); rc=$$?; tests/portability/run.sh --ends --table > build/portability/ends.csv && cp build/portability/ends.csv book/data/portability-ends.csv; exit $$rc
+# The line that README tells people to type, at every level of optimisation, by every gcc and clang that Debian has: one hash a scene?
+# Installs the compilers, takes half an hour, goes on where it was interrupted, and writes book/data/portability-readme.csv.
+portability-readme:
+	@tests/portability/readme.sh --install; tests/portability/readme.sh; rc=$$?; tests/portability/readme.sh --table > build/portability/readme.csv && cp build/portability/readme.csv book/data/portability-readme.csv; exit $$rc
 # What the forbidden flags do: builds whose bits must differ. After make golden; writes book/data/portability-leaks.csv.
 leaks:
 	@tests/portability/run.sh --leaks; mkdir -p build/portability; tests/portability/run.sh --leaks --table > build/portability/leaks.csv && cp build/portability/leaks.csv book/data/portability-leaks.csv

@@ -4,7 +4,9 @@
 # Used for the developer build, for sanitizer and double builds, for `make upto`, and for builds from src-generated/ alone.
 SRC ?= src-generated
 OUT ?= build
-STD ?= -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize
+ifndef STD
+STD := $(shell tangle/std)
+endif
 WARN ?= -Wall -Wextra
 CFLAGS ?= -O2 -g
 PREFIX ?= /usr/local
@@ -67,12 +69,14 @@ $(OUT)/lib/libweft.dylib: $(LIBOBJ)
 
 # Users of a double build must see the same reals as the library: the switch travels in the package files.
 SWITCHES := $(filter -DWF_%,$(CFLAGS))
+# And the flags that keep the same bits, for those whose own sums shall have them.
+BITS = $(filter-out -std=%,$(STD))
 $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/pkgconfig/weft-json.pc: $(OUT)/lib/pkgconfig/%.pc: tangle/%.pc.in $(LIBOBJ)
 	@mkdir -p $(@D)
-	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
+	@sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' -e 's|@BITS@|$(BITS)|' $< > $@
 $(OUT)/lib/cmake/weft/%.cmake: tangle/%.cmake.in $(LIBOBJ)
 	@mkdir -p $(@D)
-	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' $< > $@
+	@sed -e 's|@VERSION@|$(VERSION)|' -e 's|@SWITCHES@|$(SWITCHES)|' -e 's|@BITS@|$(BITS)|' $< > $@
 
 $(OUT)/tests/%: tests/%.c $(FLAGS) $(WEFT_LIBS) $(wildcard tests/*.h)
 	@mkdir -p $(@D)

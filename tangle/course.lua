@@ -136,7 +136,7 @@ local function criteria_of(base)
 end
 
 --------------------------------------------------------------------------------------------------- from a file to its results
-local STD = "-std=gnu11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize"
+local STD = "-std=gnu11 " .. io.popen("tangle/std --bits"):read("l")
 local function compile_line(out) return CC .. " " .. STD .. " " .. (os.getenv("COURSE_CFLAGS") or "-O1 -gdwarf-4") .. " -fno-pie -I" .. quote(out .. "/lines/include") .. " -I" .. quote(out .. "/lines") end
 
 local function refuse(r, what, list_of)

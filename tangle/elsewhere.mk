@@ -5,7 +5,7 @@ AMALGAM := $(BUILD)/amalgam
 amalgam:
 	@mkdir -p $(AMALGAM)
 	@if command -v noweb >/dev/null; then tangle/tangle $(AMALGAM)/tree $(NW) && tangle/amalgam $(AMALGAM)/tree $(AMALGAM); else tangle/amalgam src-generated $(AMALGAM); fi
-	@echo "$(AMALGAM)/weft.h, $(AMALGAM)/weft.c: compile weft.c with -ffp-contract=off -fno-math-errno -fno-tree-vectorize"
+	@echo "$(AMALGAM)/weft.h, $(AMALGAM)/weft.c: $$(tangle/std --line)"
 # CALLS random calls of the whole API of a world with everything checked behind each; writes book/data/abuse.csv.
 CALLS ?= 10000000
 SEED ?= 1

@@ -12,10 +12,10 @@ tangle: $(BUILD)/tangle.stamp
 $(BUILD)/chapters.list: FORCE
 	@mkdir -p $(BUILD); echo '$(NW)' | cmp -s - $@ || echo '$(NW)' > $@
 FORCE: ;
-$(BUILD)/tangle.stamp: $(NW) $(BUILD)/chapters.list $(wildcard tangle/*.lua) tangle/tangle tangle/markup
+$(BUILD)/tangle.stamp: $(NW) $(BUILD)/chapters.list $(wildcard tangle/*.lua) tangle/tangle tangle/markup tangle/std Makefile
 	@mkdir -p $(BUILD)
 	@tangle/tangle --lines $(LINES) $(NW)
-	@$(if $(EXTRA)$(filter-out build,$(BUILD)),,tangle/tangle src-generated $(CHAPTERS))
+	@$(if $(EXTRA)$(filter-out build,$(BUILD)),,tangle/tangle src-generated $(CHAPTERS) && tangle/std --readme)
 	@touch $@
 
 # The list of sources is known only after tangling, so a second make does the compiling.

@@ -3,7 +3,7 @@
 SRC ?= build/lines
 OUT ?= build/windows
 WINCC ?= x86_64-w64-mingw32-gcc
-STD := -std=gnu11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
+STD := -std=gnu11 $(shell tangle/std --bits)
 FLAGS = -O2 -DNDEBUG -DWF_NO_JSON -Wall -Wextra -Werror -I$(SRC)/include -I$(SRC) -isystem $(STB)
 SOURCES = $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)) $(filter-out %_main.c,$(wildcard $(SRC)/testbed/*.c)) \
           $(SRC)/testbed/win32_main.c)

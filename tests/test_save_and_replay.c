@@ -1086,16 +1086,27 @@ static void whatever_a_world_needs_it_can_be_loaded(void **unused)
     if (made < 500 || without < 50) fail_msg("only %d worlds, %d of them without bounds", made, without);
 }
 
+/* The table of arrays says whom an array serves and which rule looks at it. A rule looks at all of its arrays or at none: whatever a world
+   needs, they have room together. */
 static void every_kept_region_has_a_rule(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfRegion region[WF_REGION_COUNT];
     assert_ok(wfWorldRegions(&def, region));
-    for (int i = 0; i < WF_REGION_COUNT; i++)
-        if (region[i].chunk == 0 && wfRegionRule(i) == NULL) fail_msg("nobody checks the region \"%s\": give it a row in the table of rules", region[i].name);
-    assert_null(wfRegionRule(-1));
-    assert_null(wfRegionRule(WF_REGION_COUNT));
+    int any = 0;
+    for (int i = 0; i < WF_REGION_COUNT; i++) {
+        wfRegionUse use = wfRegionServes(i);
+        if ((region[i].chunk == 0) != (use.rule != NULL)) fail_msg("the region \"%s\": a rule for what is kept, and for nothing else", region[i].name);
+        if (use.rule == NULL) continue;
+        if (strcmp(use.rule, "any") == 0) { any++; continue; }
+        for (int k = 0; k < i; k++)
+            if (strcmp(wfRegionServes(k).rule, use.rule) == 0 && wfRegionServes(k).needs != use.needs)
+                fail_msg("the regions \"%s\" and \"%s\" share a rule and serve other needs", region[k].name, region[i].name);
+    }
+    assert_int_equal(any, 2);                               /* filters, and the index */
+    assert_null(wfRegionServes(-1).rule);
+    assert_null(wfRegionServes(WF_REGION_COUNT).rule);
 }
 
 static wfWorld *hooked;

@@ -70,7 +70,7 @@ static size_t index_size(const wfWorldDef *d)
 
 /* list the regions of the block */
 const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage) \
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
     { name, 0, per, sizeof(type) },
 #define WF_FRESH(NAME, name, per, type, modules, stage) \
     { name, 1, per, sizeof(type) },
@@ -260,7 +260,7 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
     const wfHeader *h = world->memory.permanent;
     uint8_t *base = world->memory.permanent;
     out->transient = world->memory.transient;
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage) \
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
     out->pointer = (void *)(base + h->offset[WF_REGION_##NAME]);
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "weft/array_rows.h"

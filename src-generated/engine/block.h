@@ -56,7 +56,7 @@ typedef struct wfHeader {
 /* The block's arrays as pointers: made from the offsets when a call begins, never
  * stored. */
 typedef struct wfBlock {
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage) type *pointer;
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) type *pointer;
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "weft/array_rows.h"
 #undef WF_KEPT

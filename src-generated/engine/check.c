@@ -23,6 +23,12 @@ static WF_ONE_COPY bool rule(Check *c, bool holds, int region, int32_t element,
 
 static bool in_range(int32_t i, int32_t end) { return i >= 0 && i < end; }
 
+/* How many of so many elements there are in a region that may have no room. */
+static int32_t kept(const Check *c, int region, int32_t elements)
+{
+    return c->region[region].count > 0 ? elements : 0;
+}
+
 /* A count of things, of which there is room for so many. */
 static bool counts(Check *c, int32_t count, size_t room, const char *text)
 {
@@ -51,7 +57,7 @@ static bool check_layout(Check *c)
 
 static bool is_choice(int32_t x) { return x == 0 || x == 1; }
 
-static bool check_counts(Check *c)
+static bool rule_of_header(Check *c)
 {
     const wfHeader *h = c->b.head;
     const wfRegion *r = c->region;
@@ -99,19 +105,24 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
                 "the free list holds every free slot once");
 }
 
-static bool check_body_slots(Check *c)
+static bool rule_of_body_slots(Check *c)
 {
     return check_slots(c, &c->b.head->bodySlots, WF_REGION_BODY_SLOTS, c->b.bodySlots);
 }
 
-static bool check_shape_slots(Check *c)
+static bool rule_of_shape_slots(Check *c)
 {
     return check_slots(c, &c->b.head->shapeSlots, WF_REGION_SHAPE_SLOTS, c->b.shapeSlots);
 }
 
-static bool check_force_slots(Check *c)
+static bool rule_of_force_slots(Check *c)
 {
     return check_slots(c, &c->b.head->forceSlots, WF_REGION_FORCE_SLOTS, c->b.forceSlots);
+}
+
+static bool rule_of_joint_slots(Check *c)
+{
+    return check_slots(c, &c->b.head->jointSlots, WF_REGION_JOINT_SLOTS, c->b.jointSlots);
 }
 
 /* check the bodies */
@@ -131,10 +142,6 @@ static bool check_body(Check *c, int32_t i)
 {
     const wfBodyState *s = &c->b.state[i];
     const wfBodyProps *p = &c->b.props[i];
-    const wfBodyForces *f = &c->b.applied[i];
-    bool pushed = c->region[WF_REGION_APPLIED].count == 0
-               || (wfIsFinite2(f->force) && wfIsFinite(f->torque));
-    if (!rule(c, pushed, WF_REGION_APPLIED, i, "applied forces are finite")) return false;
     if (!c->b.alive[i])
         return rule(c, is_still(s) && s->invMass == 0 && s->invInertia == 0
                        && p->shape == -1, WF_REGION_STATE, i, "an empty place is empty");
@@ -146,13 +153,24 @@ static bool check_body(Check *c, int32_t i)
         && rule(c, obeys(s, p), WF_REGION_STATE, i, "only dynamic bodies have a mass");
 }
 
-static bool check_bodies(Check *c)
+static bool rule_of_bodies(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
         bool live = c->b.bodySlots[i].next == WF_SLOT_LIVE;
         if (!rule(c, c->b.alive[i] == live, WF_REGION_ALIVE, i,
                   "alive says what the slot says")) return false;
         if (!check_body(c, i)) return false;
+    }
+    return true;
+}
+
+static bool rule_of_applied(Check *c)
+{
+    int32_t end = kept(c, WF_REGION_APPLIED, c->b.head->bodySlots.high);
+    for (int32_t i = 0; i < end; i++) {
+        const wfBodyForces *f = &c->b.applied[i];
+        if (!rule(c, wfIsFinite2(f->force) && wfIsFinite(f->torque), WF_REGION_APPLIED, i,
+                  "applied forces are finite")) return false;
     }
     return true;
 }
@@ -200,10 +218,11 @@ static bool check_shape(Check *c, int32_t k)
                 "a material is in range");
 }
 
-static bool check_bounds(Check *c)
+static bool rule_of_bounds(Check *c)
 {
     const wfBlock *b = &c->b;
-    for (int32_t k = 0; k < b->head->shapeSlots.high; k++) {
+    int32_t end = kept(c, WF_REGION_BOUNDS, b->head->shapeSlots.high);
+    for (int32_t k = 0; k < end; k++) {
         bool live = b->shapeSlots[k].next == WF_SLOT_LIVE;
         int flags = b->flags[k], all = WF_PROXY_LIVE | WF_PROXY_MOVES;
         bool flagged = (flags & ~all) == 0 && ((flags & WF_PROXY_LIVE) != 0) == live
@@ -215,7 +234,7 @@ static bool check_bounds(Check *c)
     return true;
 }
 
-static bool check_shapes(Check *c)
+static bool rule_of_shapes(Check *c)
 {
     const wfBlock *b = &c->b;
     int32_t end = b->head->shapeSlots.high, met = 0, sensors = 0;
@@ -241,7 +260,7 @@ static bool is_end(const wfBlock *b, int32_t i)
     return i == -1 || (in_range(i, b->head->bodySlots.high) && b->alive[i]);
 }
 
-static bool check_forces(Check *c)
+static bool rule_of_forces(Check *c)
 {
     for (int32_t f = 0; f < c->b.head->forceSlots.high; f++) {
         const wfForce *force = &c->b.forces[f];
@@ -278,7 +297,7 @@ static bool is_cache(const wfBlock *b, wfPair p, const wfManifoldCache *m)
     return a > 1 && d > 1 && in_range(m->edge, m->owner == 0 ? a : d);
 }
 
-static bool check_pairs(Check *c)
+static bool rule_of_pairs(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->pairCount; i++) {
@@ -311,7 +330,7 @@ static bool is_contact(const wfBlock *b, const wfContact *m)
     return m->shapeA < m->shapeB && is_choice(m->sliding) && is_choice(m->settled);
 }
 
-static bool check_contacts(Check *c)
+static bool rule_of_contacts(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->contactCount; i++) {
@@ -326,7 +345,7 @@ static bool check_contacts(Check *c)
     return true;
 }
 
-static bool check_touches(Check *c)
+static bool rule_of_touches(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->touchCount; i++) {
@@ -342,11 +361,9 @@ static bool check_touches(Check *c)
 }
 
 /* check what other chapters keep */
-static bool check_materials(Check *c)
+static bool rule_of_materials(Check *c)
 {
-    const uint8_t *base = (const uint8_t *)c->b.head;
-    const wfKnownPair *known = (const void *)(base
-                               + c->b.head->offset[WF_REGION_PAIR_MATERIALS]);
+    const wfKnownPair *known = c->b.known;
     int32_t count = c->b.head->knownPairs;
     if (!counts(c, count, c->region[WF_REGION_PAIR_MATERIALS].count, "known pairs fit"))
         return false;
@@ -365,22 +382,13 @@ static bool check_materials(Check *c)
     return true;
 }
 
-static bool check_joints(Check *c)
+static bool rule_of_joints(Check *c)
 {
-    const wfHeader *h = c->b.head;
-    const uint8_t *base = (const uint8_t *)h;
-    const wfSlot *slot = (const void *)(base + h->offset[WF_REGION_JOINT_SLOTS]);
-    const wfJoint *joint = (const void *)(base + h->offset[WF_REGION_JOINTS]);
-    /* find the list of joints alone */
-    const uint8_t *alone = base + h->offset[WF_REGION_ALONE];
-    if (!check_slots(c, &h->jointSlots, WF_REGION_JOINT_SLOTS, slot)
-        || !counts(c, h->brokenCount, c->region[WF_REGION_BROKEN].count,
-                   "broken joints fit")) return false;
-    for (int32_t i = 0; i < h->jointSlots.high; i++) {
+    for (int32_t i = 0; i < c->b.head->jointSlots.high; i++) {
         /* check whether a joint is alone */
-        if (!rule(c, alone[i] <= 1, WF_REGION_ALONE, i, "alone is 0 or 1")) return false;
-        if (slot[i].next != WF_SLOT_LIVE) continue;
-        const wfJoint *j = &joint[i];
+        if (!rule(c, c->b.alone[i] <= 1, WF_REGION_ALONE, i, "alone is 0 or 1")) return false;
+        if (c->b.jointSlots[i].next != WF_SLOT_LIVE) continue;
+        const wfJoint *j = &c->b.joints[i];
         bool good = wfCheckJoint(j) == WF_OK && j->a != -1 && j->b != -1
                  && is_end(&c->b, j->a) && is_end(&c->b, j->b) && wfAllFinite(j->given, 3);
         if (!rule(c, good, WF_REGION_JOINTS, i, "a joint is in range, of living bodies"))
@@ -392,8 +400,7 @@ static bool check_joints(Check *c)
 static bool check_ring(Check *c, int32_t i, const uint8_t *flags, uint8_t *named)
 {
     const wfHeader *h = c->b.head;
-    const uint8_t *base = (const uint8_t *)h;
-    const int32_t *ring = (const void *)(base + h->offset[WF_REGION_RINGS]);
+    const int32_t *ring = c->b.rings;
     bool asleep = (flags[i] & 1) != 0;
     if (!asleep)
         return rule(c, ring[i] == -1, WF_REGION_RINGS, i, "who is awake is in no ring");
@@ -407,14 +414,14 @@ static bool check_ring(Check *c, int32_t i, const uint8_t *flags, uint8_t *named
                 "who sleeps lives and does not move");
 }
 
-static bool check_rest(Check *c)
+static bool rule_of_rest(Check *c)
 {
     const wfHeader *h = c->b.head;
-    const uint8_t *base = (const uint8_t *)h, *flags = base + h->offset[WF_REGION_REST];
-    const wfReal *clock = (const void *)(base + h->offset[WF_REGION_CLOCKS]);
-    const int32_t *island = (const void *)(base + h->offset[WF_REGION_ISLANDS]);
+    const uint8_t *flags = c->b.rest;
+    const wfReal *clock = c->b.clocks;
+    const int32_t *island = c->b.islands;
     uint8_t *named = wfTransient(&c->b, WF_REGION_WOKEN);
-    int32_t asleep = 0, end = h->bodySlots.high;
+    int32_t asleep = 0, end = kept(c, WF_REGION_REST, h->bodySlots.high);
     memset(named, 0, (size_t)end);
     for (int32_t i = 0; i < end; i++) {
         bool timed = wfIsFinite(clock[i]) && clock[i] >= 0;
@@ -440,7 +447,7 @@ static bool are_shapes(const Check *c, wfShapeId a, wfShapeId b)
     return is_id(a.index, a.generation, capacity) && is_id(b.index, b.generation, capacity);
 }
 
-static bool check_events(Check *c)
+static bool rule_of_events(Check *c)
 {
     int32_t count = 0;
     for (int k = 0; k < WF_EVENT_KINDS; k++) count += c->b.head->eventCount[k];
@@ -452,7 +459,7 @@ static bool check_events(Check *c)
     return true;
 }
 
-static bool check_hits(Check *c)
+static bool rule_of_hits(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->hitCount; i++) {
         const wfHit *h = &c->b.hits[i];
@@ -463,9 +470,10 @@ static bool check_hits(Check *c)
     return true;
 }
 
-static bool check_fine(Check *c)
+static bool rule_of_fine(Check *c)
 {
-    for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
+    int32_t end = kept(c, WF_REGION_FINE, c->b.head->bodySlots.high);
+    for (int32_t i = 0; i < end; i++) {
         const wfFine *f = &c->b.fine[i];
         const wfBodyState none = { .w = 0 };    /* zero has no digits: eq:world-digits */
         const wfBodyState *s = c->b.alive[i] ? &c->b.state[i] : &none;
@@ -475,10 +483,12 @@ static bool check_fine(Check *c)
     return true;
 }
 
-static bool check_broken(Check *c)
+static bool rule_of_broken(Check *c)
 {
     const wfHeader *h = c->b.head;
-    const wfJointId *id = (const void *)((const uint8_t *)h + h->offset[WF_REGION_BROKEN]);
+    const wfJointId *id = c->b.broken;
+    if (!counts(c, h->brokenCount, c->region[WF_REGION_BROKEN].count, "broken joints fit"))
+        return false;
     for (int32_t i = 0; i < h->brokenCount; i++)
         if (!rule(c, is_id(id[i].index, id[i].generation, h->jointSlots.capacity),
                   WF_REGION_BROKEN, i, "what broke was a joint")) return false;
@@ -486,65 +496,31 @@ static bool check_broken(Check *c)
 }
 
 /* the table of checks */
-typedef struct RuleRow { CheckFn *check; const char *without; } RuleRow;
-static const RuleRow rule_table[WF_REGION_KEPT] = {
-    [WF_REGION_HEADER] = { check_counts, NULL },
-    [WF_REGION_BODY_SLOTS] = { check_body_slots, NULL },
-    [WF_REGION_ALIVE] = { check_bodies, NULL },
-    [WF_REGION_STATE] = { NULL, "with its body" },
-    [WF_REGION_APPLIED] = { NULL, "with its body" },
-    [WF_REGION_PROPS] = { NULL, "with its body" },
-    [WF_REGION_SHAPE_SLOTS] = { check_shape_slots, NULL },
-    [WF_REGION_SHAPES] = { check_shapes, NULL },
-    [WF_REGION_OWNERS] = { NULL, "with its shape" },
-    [WF_REGION_NEXT_SHAPES] = { NULL, "with its shape" },
-    [WF_REGION_FILTERS] = { NULL, "any bits are a filter" },
-    [WF_REGION_SHAPE_PROPS] = { NULL, "with its shape" },
-    [WF_REGION_BOUNDS] = { check_bounds, NULL },
-    [WF_REGION_FLAGS] = { NULL, "with its bounds" },
-    [WF_REGION_INDEX] = { NULL, "is built anew" },
-    [WF_REGION_FORCE_SLOTS] = { check_force_slots, NULL },
-    [WF_REGION_FORCES] = { check_forces, NULL },
-    [WF_REGION_ADDED] = { NULL, "with its force" },
-    [WF_REGION_PAIRS] = { check_pairs, NULL },
-    [WF_REGION_CACHES] = { NULL, "with its pair" },
-    [WF_REGION_CONTACTS] = { check_contacts, NULL },
-    [WF_REGION_TOUCHES] = { check_touches, NULL },
-    [WF_REGION_EVENTS] = { check_events, NULL },
-    [WF_REGION_HITS] = { check_hits, NULL },
-    [WF_REGION_FINE] = { check_fine, NULL },
-    [WF_REGION_PAIR_MATERIALS] = { check_materials, NULL },
-    [WF_REGION_JOINT_SLOTS] = { NULL, "with the joints" },
-    [WF_REGION_JOINTS] = { check_joints, NULL },
-    [WF_REGION_BROKEN] = { check_broken, NULL },
-    [WF_REGION_ALONE] = { NULL, "with its joint" },
-    [WF_REGION_REST] = { check_rest, NULL },
-    [WF_REGION_CLOCKS] = { NULL, "with the rest" },
-    [WF_REGION_RINGS] = { NULL, "with the rest" },
-    [WF_REGION_ISLANDS] = { NULL, "with the rest" },
+static bool rule_of_any(Check *c) { return c->fault.rule == NULL; }
+
+static CheckFn *const rule_table[WF_REGION_KEPT] = {
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) rule_of_##rule,
+#define WF_FRESH(NAME, name, per, type, modules, stage)
+#include "weft/array_rows.h"
+#undef WF_KEPT
+#undef WF_FRESH
 };
 
-const char *wfRegionRule(int region)
+/* Has none of the rows before it the same rule? */
+static bool is_first(int row)
 {
-    if (region < 0 || region >= WF_REGION_KEPT) return NULL;
-    return rule_table[region].check != NULL ? "has a rule" : rule_table[region].without;
+    for (int i = 0; i < row; i++)
+        if (rule_table[i] == rule_table[row]) return false;
+    return true;
 }
 
-/* Of what has no room there is none. */
-static bool check_absent(Check *c)
-{
-    return c->region[WF_REGION_REST].count > 0
-        || rule(c, c->b.head->asleep == 0, WF_REGION_HEADER, 0,
-                "without sleep nobody sleeps");
-}
-
+/* check a world */
 static bool check_all(Check *c, const wfWorld *world)
 {
     bool good = check_layout(c) && wfOpenBlock(world, &c->b) == WF_OK;
     for (int i = 0; i < WF_REGION_KEPT && good; i++)
-        if (rule_table[i].check != NULL && c->region[i].count > 0)
-            good = rule_table[i].check(c);
-    return good && check_absent(c);
+        good = !is_first(i) || rule_table[i](c);
+    return good;
 }
 
 wfResult wfCheckWorld(const wfWorld *world, wfFault *fault)

@@ -37,8 +37,9 @@ uint32_t wfCloseNeeds(uint32_t needs)
 }
 
 static const wfRegionUse region_use[WF_REGION_COUNT] = {
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage) { modules, stage },
-#define WF_FRESH(NAME, name, per, type, modules, stage)         { modules, stage },
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
+    { modules, stage, #rule },
+#define WF_FRESH(NAME, name, per, type, modules, stage) { modules, stage, NULL },
 #include "weft/array_rows.h"
 #undef WF_KEPT
 #undef WF_FRESH
@@ -47,7 +48,7 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
 wfRegionUse wfRegionServes(int region)
 {
     bool is = region >= 0 && region < WF_REGION_COUNT;
-    return is ? region_use[region] : (wfRegionUse){ 0, NULL };
+    return is ? region_use[region] : (wfRegionUse){ 0, NULL, NULL };
 }
 
 /* the needs of a definition */

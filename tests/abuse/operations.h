@@ -872,7 +872,6 @@ static wfResult op_needs(Session *s)
     MUST(wfInferSceneNeeds(&list, 0, &d) == WF_OK);
     MUST(wfStepWorldTimed(NULL, NULL) == WF_ERROR_NULL);
     (void)wfRegionServes((int)below(s, 120) - 10);
-    (void)wfRegionRule((int)below(s, 120) - 10);
     wfResult shown = wfExplainStage(w, (int)below(s, 40) - 4, &stage);
     MUST(wfExplainWorld(w, NULL, 0, say_nothing, NULL) == WF_OK || shown != WF_OK);
     return CALL(wfInferNeeds(w, bits, &d));

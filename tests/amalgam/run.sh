@@ -7,7 +7,12 @@ cd "$(dirname "$0")/../.."
 work=build/check/amalgam; mkdir -p "$work"
 make --no-print-directory BUILD="$work" amalgam >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 a=$work/amalgam
-strict="-O0 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -Wall -Wextra -Wshadow -Werror -I$a"
+tangle/std --check $a || exit 1
+# and a README, or a head of weft.c, that tells other flags is seen
+sed 's/^\(STD .*\) -fno-tree-vectorize/\1/' Makefile > "$work/other.mk"; sed 's/^   cc .*/   cc -O2 -c weft.c/' "$a/weft.c" > "$work/weft.c"
+STD_OF=$work/other.mk tangle/std --check > "$work/log" && { echo "tangle/std --check does not see that README.md tells other flags"; exit 1; }
+tangle/std --check "$work" > "$work/log" && { echo "tangle/std --check does not see that weft.c tells other flags"; exit 1; }
+strict="-O0 $(tangle/std --bits) -Wall -Wextra -Wshadow -Werror -I$a"
 one() {       # what it is called, the compiler, its language, further flags
   local name=$1 cc=$2 language=$3 out=$work/$1; shift 3
   # shellcheck disable=SC2086

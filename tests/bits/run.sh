@@ -17,7 +17,7 @@ work=build/bits bad=0 out=${OUT:-build/portability}
 rm -rf $work; mkdir -p $work
 tests/portability/run.sh gcc-O2 clang-O2 gcc-double gcc-native clang-native clang-casts clang-memory > $work/log 2>&1 || { cat $work/log; exit 1; }
 src=$(ls -td $out/src-* | head -1)
-std=$(sed -n 's/^STD ?= //p' tangle/compile.mk)
+std=$(tangle/std)
 components='core math collision dynamics engine'
 
 # Each rule prints what is wrong, a line each with the remedy, and nothing when all is well.
@@ -36,7 +36,7 @@ rule_flags() {     # makefiles
   local f
   for f in "$@"; do
     grep -nE -e '-(ffast-math|Ofast|funsafe-math|fassociative-math|freciprocal-math|ffinite-math|fno-signed-zeros|mfpmath=387|ffp-contract=(fast|on))' "$f" | sed "s|^|$f:|; s|\$| -- this flag lets the compiler choose another rounding|"
-    grep -E '^STD *[:?]?=' "$f" | grep -qv -e '-ffp-contract=off' && echo "$f: its STD lacks -ffp-contract=off"
+    grep -E '^STD *[:?]?=' "$f" | grep -qvE -e '-ffp-contract=off|tangle/std' && echo "$f: its STD lacks -ffp-contract=off"
   done
 }
 rule_guards() {    # an include directory: compiling must fail

@@ -10,6 +10,7 @@ make --no-print-directory engine >/dev/null
 make --no-print-directory install DESTDIR="$work/stage" PREFIX=/opt/weft >/dev/null
 sed -i "s|^prefix=.*|prefix=$work/stage/opt/weft|" "$work"/stage/opt/weft/lib/pkgconfig/weft*.pc
 export PKG_CONFIG_PATH=$work/stage/opt/weft/lib/pkgconfig
+tangle/std --check "$work/stage/opt/weft" && [ "$(pkg-config --variable=bits weft)" = "$(tangle/std --bits)" ]
 cc -std=c11 tests/install/user.c $(pkg-config --cflags --libs weft) -lm -o "$work/user-shared"
 LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-shared" && say "pkg-config, shared: ok"
 cc -std=c11 tests/install/user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-static"

@@ -5,6 +5,7 @@
 #   tests/portability/run.sh --cheap        those that need no cross compiler (`make check`)
 #   tests/portability/run.sh --leaks        builds with flags that the project forbids, whose bits must differ
 #   tests/portability/run.sh --table        the finished ones as book/data/portability.csv shows them (what make portability writes)
+#   tests/portability/run.sh --ends ...     the same with the worlds of tests/ends.h (ends.c) in place of the scenes; 30 steps
 # STEPS=n  steps of each scene; without it as many as the golden files have. Other numbers are compared with the first build instead.
 # JOBS=n   compilations at a time (default 2). What was finished is kept in build/portability and not run again unless a source, a
 # flag or STEPS changes; a run that was interrupted goes on with the next scene. So a run with few steps (STEPS=100: half an hour, most of
@@ -15,22 +16,27 @@ cd "$(dirname "$0")/../.." || exit 1
 out=${OUT:-build/portability} here=tests/portability
 mkdir -p $out
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
-golden() { case $1 in float) echo tests/golden/scenes.csv ;; double) echo tests/golden/scenes-double.csv ;; esac; }
+only=() cheap= table= leaks= program=scenes
+for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; --ends) program=ends ;; *) only+=("$a") ;; esac; done
+# What is kept of a run: DIRECTORY/KIND-STEPS. That of the scenes, which came first, has no name in it.
+of=$([ $program = scenes ] || echo $program-)
+golden() { [ $program = scenes ] || return 0; case $1 in float) echo tests/golden/scenes.csv ;; double) echo tests/golden/scenes-double.csv ;; esac; }
 recorded=$(awk -F, '$2 ~ /^[0-9]+$/ { print $2; exit }' tests/golden/scenes.csv)
+[ $program = scenes ] || recorded=30
 STEPS=${STEPS:-${recorded:-1000}}
-std=$(sed -n 's/^STD ?= //p' tangle/compile.mk)
+std=$(tangle/std)
 # The sources as they are now, without #line: neither tangling again while this runs nor a change of prose makes anything be built anew.
 names=$(cd build/lines && ls {core,math,collision,dynamics,engine}/*.c testbed/{scene,scene_table,classics,view}.c testbed/*_scenes.c testbed/scenes.c)
 new=$out/src.new.$$
 mkdir -p $new
-(cd build/lines && cp -r include core math collision dynamics engine testbed "../../$new/"); cp $here/scenes.c $new/
+(cd build/lines && cp -r include core math collision dynamics engine testbed "../../$new/"); cp $here/{scenes,ends}.c tests/ends.h $new/
 find $new -name '*.[ch]' -print0 | while IFS= read -r -d '' f; do
   sed -i '/^#line/d' "$f" && gcc -fpreprocessed -dD -E -P -w "$f" | sed '/^[[:space:]]*$/d' > $new/bare && mv $new/bare "$f" || exit 1
 done || { echo "portability: comments cannot be taken off"; exit 1; }
 sums=$(cd $new && find . -name '*.[ch]' | sort | xargs cat | cksum | tr ' ' -)
 export src=$out/src-$sums
 if [ -d "$src" ]; then rm -rf "$new"; touch "$src"; else mv $new "$src"; fi
-sources=(); for f in $names scenes.c; do sources+=("$src/$f"); done
+sources=(); for f in $names scenes.c ends.c; do sources+=("$src/$f"); done
 
 trim() { local s=$1; s=${s#"${s%%[![:space:]]*}"}; echo "${s%"${s##*[![:space:]]}"}"; }
 lacks() {      # what of the list is not here
@@ -48,21 +54,21 @@ build() {      # directory, compiler, flags: the program, anew when something ch
   local d=$1 cc=$2 flags=$3 key="$2|$3|$std|$sums" ld=
   [ "$(cat "$d/key" 2>/dev/null)" = "$key" ] && return 0
   rm -rf "$d"; mkdir -p "$d"
-  local program=$d/scenes
-  case $cc in *wasm32*) program=$program.wasm; ld=-Wl,-z,stack-size=1048576 ;; *mingw*) program=$program.exe; ld=-static ;; esac
+  local ending= p
+  case $cc in *wasm32*) ending=.wasm; ld=-Wl,-z,stack-size=1048576 ;; *mingw*) ending=.exe; ld=-static ;; esac
   printf '%s\n' "${sources[@]}" | D=$d CMD="$cc $std -w $flags -I$src/include -I$src" xargs -P "${JOBS:-2}" -I{} \
     bash -c '$CMD -c "$1" -o "$D/$(echo "${1#"$src"/}" | tr / -).o"' _ {} || return 1
   # shellcheck disable=SC2086
-  $cc $flags $ld "$d"/*.o -lm -o "$program" || return 1
+  for p in scenes ends; do $cc $flags $ld $(ls "$d"/*.o | grep -vE '/(scenes|ends)\.c\.o$') "$d/$p.c.o" -lm -o "$d/$p$ending" || return 1; done
   printf '%s' "$key" > "$d/key"
 }
 launch() {     # directory, what runs it, arguments
   local d=$1 by=$2; shift 2
   case $by in
-    node) node --no-warnings $here/wasi.mjs "$d/scenes.wasm" "$@" ;;
-    wine) WINEPREFIX=$PWD/$out/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree=;mshtml=" wine "$d/scenes.exe" "$@" | tr -d '\r' ;;
-    '') "$d/scenes" "$@" ;;
-    *) $by "$d/scenes" "$@" ;;
+    node) node --no-warnings $here/wasi.mjs "$d/$program.wasm" "$@" ;;
+    wine) WINEPREFIX=$PWD/$out/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree=;mshtml=" wine "$d/$program.exe" "$@" | tr -d '\r' ;;
+    '') "$d/$program" "$@" ;;
+    *) $by "$d/$program" "$@" ;;
   esac
 }
 version() {    # of a compiler, and of what runs the program
@@ -76,17 +82,15 @@ version() {    # of a compiler, and of what runs the program
 }
 wanted() {     # the hashes to be compared with: golden, or the first build of these reals
   local g; g=$(golden "$1")
-  if [ -f "$g" ] && awk -F, -v s="$STEPS" '$2 ~ /^[0-9]+$/ && $2 != s { bad = 1 } END { exit bad }' "$g"; then grep -E ',[0-9]+,[0-9a-f]{16}$' "$g"
-  elif [ -f "$out/want-$1-$STEPS-$sums.csv" ]; then cat "$out/want-$1-$STEPS-$sums.csv"; fi
+  if [ -n "$g" ] && [ -f "$g" ] && awk -F, -v s="$STEPS" '$2 ~ /^[0-9]+$/ && $2 != s { bad = 1 } END { exit bad }' "$g"; then grep -E ',[0-9]+,[0-9a-f]{16}$' "$g"
+  elif [ -f "$out/${of}want-$1-$STEPS-$sums.csv" ]; then cat "$out/${of}want-$1-$STEPS-$sums.csv"; fi
 }
 
-only=() cheap= table= leaks=
-for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; *) only+=("$a") ;; esac; done
 ran=0 unequal=0 listed=0 skipped=
 # The longest finished run of a build of the sources as they are: its number of steps.
 longest() {
   [[ "$(cat "$out/$1/key" 2>/dev/null)" == *"|$sums" ]] || return 1
-  (cd "$out/$1" && ls row-* 2>/dev/null) | sed 's/^row-//' | sort -n | tail -1 | grep .
+  (cd "$out/$1" && ls "${of}row-"* 2>/dev/null) | sed 's/.*row-//' | sort -n | tail -1 | grep .
 }
 rows() { grep -vE '^(#|$)' $here/platforms.txt; }
 for name in "${only[@]}"; do grep -qE "^$name +\|" $here/platforms.txt || { echo "portability: no platform called $name -- they are the first column of $here/platforms.txt"; exit 2; }; done
@@ -95,7 +99,7 @@ while IFS='|' read -r name platform kind reals cc flags by needs; do
   [ ${#only[@]} -eq 0 ] && [ "$kind" = leak ] && [ -z "$leaks" ] && continue
   [ -n "$leaks" ] && [ "$kind" != leak ] && continue
   if [ -n "$table" ]; then      # only what was run with the sources as they are
-    steps=$(longest "$name") && cat "$out/$name/row-$steps" >> "$out/rows.$$"
+    steps=$(longest "$name") && cat "$out/$name/${of}row-$steps" >> "$out/rows.$$"
     listed=$((listed + 1))
     continue
   fi
@@ -105,31 +109,33 @@ while IFS='|' read -r name platform kind reals cc flags by needs; do
   [ -n "$lack" ] && { echo "skip  $name: not here: $lack"; skipped="$skipped $name"; continue; }
   d=$out/$name; all=$flags; [ "$reals" = double ] && all="$flags -DWF_DOUBLE"
   build "$d" "$cc" "$all" > $out/build-$name.log 2>&1 || { tail -15 $out/build-$name.log; echo "FAIL  $name: does not compile"; unequal=$((unequal + 1)); continue; }
-  got=$d/hashes-$STEPS.csv; touch "$got"
-  if [ ! -f "$d/done-$STEPS" ]; then
+  got=$d/${of}hashes-$STEPS.csv; touch "$got"
+  if [ ! -f "$d/${of}done-$STEPS" ]; then
     first=$(wc -l < "$got"); t=$SECONDS
     launch "$d" "$by" "$STEPS" "$first" >> "$got" </dev/null || { echo "FAIL  $name: the program stopped after $(wc -l < "$got") scenes"; unequal=$((unequal + 1)); continue; }
-    touch "$d/done-$STEPS"; echo $((SECONDS - t)) > "$d/seconds"
+    touch "$d/${of}done-$STEPS"; echo $((SECONDS - t)) > "$d/${of}seconds"
   fi
-  [ -n "$(wanted "$reals")" ] || cp "$got" "$out/want-$reals-$STEPS-$sums.csv"
+  [ -n "$(wanted "$reals")" ] || cp "$got" "$out/${of}want-$reals-$STEPS-$sums.csv"
   ran=$((ran + 1))
   difference=$(diff <(wanted "$reals") "$got" | sed -nE 's/^> ([^,]*),.*/\1/p; s/^< ([^,]*),.*/\1/p' | head -1)
   scenes=$(wc -l < "$got"); equal=$(comm -12 <(wanted "$reals" | sort) <(sort "$got") | wc -l)
-  echo "$platform,$(version "$cc" "$by" | sed 's/, /,/; /,/!s/$/,/'),$(echo "$flags" | sed -E 's/ -([UD]__|fno-sanitize)[^ ]*//g'),$reals,$STEPS,$scenes,$equal,${difference:-none}" > "$d/row-$STEPS"
+  echo "$platform,$(version "$cc" "$by" | sed 's/, /,/; /,/!s/$/,/'),$(echo "$flags" | sed -E 's/ -([UD]__|fno-sanitize)[^ ]*//g'),$reals,$STEPS,$scenes,$equal,${difference:-none}" > "$d/${of}row-$STEPS"
   if [ "$kind" = leak ]; then      # here it is the difference that is looked for
     [ -n "$difference" ] && echo "ok    $name: $((scenes - equal)) of $scenes scenes differ, as they should" ||
       { unequal=$((unequal + 1)); echo "FAIL  $name: no scene differs -- does this flag leak no longer?"; }
     continue
   fi
   [ -n "$difference" ] && { unequal=$((unequal + 1)); echo "FAIL  $name: $equal of $scenes scenes; the first that differs: $difference"; } ||
-    echo "ok    $name: $scenes scenes, $STEPS steps, $(cat "$d/seconds") s"
+    echo "ok    $name: $scenes scenes, $STEPS steps, $(cat "$d/${of}seconds") s"
 done < <(rows)
 if [ -n "$table" ]; then
   touch "$out/rows.$$"
-  what='every scene on every platform: how many have the same hash, and the first that has not'
-  printf '%s\n' "# command: make $([ -n "$leaks" ] && echo leaks || echo portability)" "$(tangle/machine)" "# $what" \
-    "# $(wc -l < "$out/rows.$$") of $listed builds of one state of the sources ($sums): $(cut -d, -f6 "$out/rows.$$" | sort -rn | uniq -c | awk '{ printf "%s%d with %d steps", n++ ? ", " : "", $1, $2 }')" \
-    'platform,compiler,run by,flags,reals,steps,scenes,equal,first that differs'
+  what='every scene on every platform: how many have the same hash, and the first that has not' things=scenes run=portability
+  [ $program = ends ] && what='worlds whose settings are at the ends of their ranges, alone and in random pairs: how many have the same hash, and the first that has not' things=worlds run=portability-ends
+  [ -n "$leaks" ] && run=leaks
+  printf '%s\n' "# command: make $run" "$(tangle/machine)" "# $what" \
+    "# $(wc -l < "$out/rows.$$")$([ $program = ends ] || echo " of $listed") builds of one state of the sources ($sums): $(cut -d, -f6 "$out/rows.$$" | sort -rn | uniq -c | awk '{ printf "%s%d with %d steps", n++ ? ", " : "", $1, $2 }')" \
+    "platform,compiler,run by,flags,reals,steps,$things,equal,first that differs"
   cat "$out/rows.$$"; rm -f "$out/rows.$$"
   exit 0
 fi

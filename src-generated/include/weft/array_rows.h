@@ -2,65 +2,71 @@
  * it: bodies-in-a-world, step, joints-in-a-world, continuous-collision, sleep-in-a-world. Do not
  * edit this file: edit the chapter and type make. MIT licence. */
 /* The arrays of a world in the order in which they lie. For those who define WF_KEPT and
- * WF_FRESH: WF_KEPT(NAME, pointer, "name", per, type, modules, stage) in the permanent
- * chunk, WF_FRESH(NAME, "name", per, type, modules, stage) in the transient one. */
-WF_KEPT(HEADER, head, "header", WF_PER_WORLD, wfHeader, 0, NULL)
-WF_KEPT(BODY_SLOTS, bodySlots, "body slots", WF_PER_BODY, wfSlot, 0, NULL)
-WF_KEPT(ALIVE, alive, "alive", WF_PER_BODY, uint8_t, 0, NULL)  /* 1 for a live body */
-WF_KEPT(STATE, state, "states", WF_PER_BODY, wfBodyState, 0, NULL)
-WF_KEPT(APPLIED, applied, "applied forces", WF_PER_BODY, wfBodyForces,
-         WF_NEED_PUSHES, NULL)  /* what the user applied for the next step */
-WF_KEPT(PROPS, props, "properties", WF_PER_BODY, wfBodyProps, 0, NULL)
-WF_KEPT(SHAPE_SLOTS, shapeSlots, "shape slots", WF_PER_SHAPE, wfSlot,
-         WF_NEED_SHAPES, NULL)
+ * WF_FRESH: WF_KEPT(NAME, pointer, "name", per, type, modules, stage, rule) in the
+ * permanent chunk, WF_FRESH(NAME, "name", per, type, modules, stage) in the other. */
+WF_KEPT(HEADER, head, "header", WF_PER_WORLD, wfHeader, 0, NULL, header)
+WF_KEPT(BODY_SLOTS, bodySlots, "body slots", WF_PER_BODY, wfSlot, 0, NULL, body_slots)
+/* 1 for a live body */
+WF_KEPT(ALIVE, alive, "alive", WF_PER_BODY, uint8_t, 0, NULL, bodies)
+WF_KEPT(STATE, state, "states", WF_PER_BODY, wfBodyState, 0, NULL, bodies)
+WF_KEPT(APPLIED, applied, "applied forces", WF_PER_BODY, wfBodyForces, WF_NEED_PUSHES, NULL,
+         applied)  /* what the user applied for the next step */
+WF_KEPT(PROPS, props, "properties", WF_PER_BODY, wfBodyProps, 0, NULL, bodies)
+WF_KEPT(SHAPE_SLOTS, shapeSlots, "shape slots", WF_PER_SHAPE, wfSlot, WF_NEED_SHAPES, NULL,
+         shape_slots)
 /* relative to the centre of mass */
-WF_KEPT(SHAPES, shapes, "shapes", WF_PER_SHAPE, wfShape, WF_NEED_SHAPES, NULL)
+WF_KEPT(SHAPES, shapes, "shapes", WF_PER_SHAPE, wfShape, WF_NEED_SHAPES, NULL, shapes)
 /* the body of a shape, or -1: an empty place */
-WF_KEPT(OWNERS, owners, "owners of shapes", WF_PER_SHAPE, int32_t, WF_NEED_SHAPES, NULL)
+WF_KEPT(OWNERS, owners, "owners of shapes", WF_PER_SHAPE, int32_t, WF_NEED_SHAPES, NULL,
+         shapes)
 /* the next shape of the same body, or -1 */
-WF_KEPT(NEXT_SHAPES, next, "next shapes", WF_PER_SHAPE, int32_t, WF_NEED_SHAPES, NULL)
-WF_KEPT(FILTERS, filters, "filters", WF_PER_SHAPE, wfFilter, WF_NEED_SHAPES, NULL)
-WF_KEPT(SHAPE_PROPS, materials, "materials", WF_PER_SHAPE, wfShapeProps,
-         WF_NEED_SHAPES, NULL)
+WF_KEPT(NEXT_SHAPES, next, "next shapes", WF_PER_SHAPE, int32_t, WF_NEED_SHAPES, NULL,
+         shapes)
+WF_KEPT(FILTERS, filters, "filters", WF_PER_SHAPE, wfFilter, WF_NEED_SHAPES, NULL, any)
+WF_KEPT(SHAPE_PROPS, materials, "materials", WF_PER_SHAPE, wfShapeProps, WF_NEED_SHAPES,
+         NULL, shapes)
 /* of the shapes as they stand */
-WF_KEPT(BOUNDS, bounds, "bounds", WF_PER_SHAPE, wfRect,
-         WF_NEED_CONTACTS | WF_NEED_QUERIES, "bounds")
-WF_KEPT(FLAGS, flags, "flags", WF_PER_SHAPE, uint8_t,
-         WF_NEED_CONTACTS | WF_NEED_QUERIES, "bounds")
+WF_KEPT(BOUNDS, bounds, "bounds", WF_PER_SHAPE, wfRect, WF_NEED_CONTACTS | WF_NEED_QUERIES,
+         "bounds", bounds)
+WF_KEPT(FLAGS, flags, "flags", WF_PER_SHAPE, uint8_t, WF_NEED_CONTACTS | WF_NEED_QUERIES,
+         "bounds", bounds)
 WF_KEPT(INDEX, index, "index", WF_BYTES_OF_INDEX, uint8_t,
-         WF_NEED_CONTACTS | WF_NEED_QUERIES, "broad phase")
-WF_KEPT(FORCE_SLOTS, forceSlots, "force slots", WF_PER_FORCE, wfSlot,
-         WF_NEED_FORCES, NULL)
-WF_KEPT(FORCES, forces, "forces", WF_PER_FORCE, wfForce, WF_NEED_FORCES, NULL)
-WF_KEPT(ADDED, added, "times of forces", WF_PER_FORCE, double, WF_NEED_FORCES, NULL)
+         WF_NEED_CONTACTS | WF_NEED_QUERIES, "broad phase", any)  /* built anew */
+WF_KEPT(FORCE_SLOTS, forceSlots, "force slots", WF_PER_FORCE, wfSlot, WF_NEED_FORCES, NULL,
+         force_slots)
+WF_KEPT(FORCES, forces, "forces", WF_PER_FORCE, wfForce, WF_NEED_FORCES, NULL, forces)
+WF_KEPT(ADDED, added, "times of forces", WF_PER_FORCE, double, WF_NEED_FORCES, NULL, forces)
 /* of the last step */
-WF_KEPT(PAIRS, pairs, "pairs", WF_PER_PAIR, wfPair, WF_NEED_CONTACTS, "broad phase")
-WF_KEPT(CACHES, caches, "caches", WF_PER_PAIR, wfManifoldCache,
-         WF_NEED_CONTACTS, "narrow phase")  /* one for each pair */
-WF_KEPT(CONTACTS, contacts, "contacts", WF_PER_CONTACT, wfContact,
-         WF_NEED_CONTACTS, "narrow phase")
-WF_KEPT(TOUCHES, touches, "touches", WF_PER_TOUCH, wfTouch,
-         WF_NEED_CONTACTS, "narrow phase")  /* of the last step */
-WF_KEPT(EVENTS, events, "events", WF_PER_EVENT, wfTouchEvent, WF_NEED_EVENTS, "events")
-WF_KEPT(HITS, hits, "hits", WF_PER_TOUCH, wfHit, WF_NEED_EVENTS, "narrow phase")
+WF_KEPT(PAIRS, pairs, "pairs", WF_PER_PAIR, wfPair, WF_NEED_CONTACTS, "broad phase", pairs)
+WF_KEPT(CACHES, caches, "caches", WF_PER_PAIR, wfManifoldCache, WF_NEED_CONTACTS,
+         "narrow phase", pairs)  /* one for each pair */
+WF_KEPT(CONTACTS, contacts, "contacts", WF_PER_CONTACT, wfContact, WF_NEED_CONTACTS,
+         "narrow phase", contacts)
+WF_KEPT(TOUCHES, touches, "touches", WF_PER_TOUCH, wfTouch, WF_NEED_CONTACTS,
+         "narrow phase", touches)  /* of the last step */
+WF_KEPT(EVENTS, events, "events", WF_PER_EVENT, wfTouchEvent, WF_NEED_EVENTS, "events",
+         events)
+WF_KEPT(HITS, hits, "hits", WF_PER_TOUCH, wfHit, WF_NEED_EVENTS, "narrow phase", hits)
 WF_KEPT(PAIR_MATERIALS, known, "pairs of materials", WF_PER_PAIR_MATERIAL, wfKnownPair,
-         WF_NEED_MATERIALS, NULL)
+         WF_NEED_MATERIALS, NULL, materials)
 /* what states round away */
-WF_KEPT(FINE, fine, "digits beyond states", WF_PER_FINE_BODY, wfFine, 0, NULL)
-WF_KEPT(JOINT_SLOTS, jointSlots, "joint slots", WF_PER_JOINT, wfSlot,
-         WF_NEED_JOINTS, NULL)
-WF_KEPT(JOINTS, joints, "joints", WF_PER_JOINT, wfJoint, WF_NEED_JOINTS, "keep joints")
-WF_KEPT(BROKEN, broken, "broken joints", WF_PER_JOINT, wfJointId,
-         WF_NEED_JOINTS, "keep joints")
-WF_KEPT(ALONE, alone, "joints alone", WF_PER_JOINT, uint8_t,
-         WF_NEED_JOINTS, "keep joints")
-WF_KEPT(REST, rest, "rest", WF_PER_BODY, uint8_t, WF_NEED_SLEEP, "islands")
+WF_KEPT(FINE, fine, "digits beyond states", WF_PER_FINE_BODY, wfFine, 0, NULL, fine)
+WF_KEPT(JOINT_SLOTS, jointSlots, "joint slots", WF_PER_JOINT, wfSlot, WF_NEED_JOINTS, NULL,
+         joint_slots)
+WF_KEPT(JOINTS, joints, "joints", WF_PER_JOINT, wfJoint, WF_NEED_JOINTS, "keep joints",
+         joints)
+WF_KEPT(BROKEN, broken, "broken joints", WF_PER_JOINT, wfJointId, WF_NEED_JOINTS,
+         "keep joints", broken)
+WF_KEPT(ALONE, alone, "joints alone", WF_PER_JOINT, uint8_t, WF_NEED_JOINTS, "keep joints",
+         joints)
+WF_KEPT(REST, rest, "rest", WF_PER_BODY, uint8_t, WF_NEED_SLEEP, "islands", rest)
 /* s: for so long it has been still */
-WF_KEPT(CLOCKS, clocks, "clocks of rest", WF_PER_BODY, wfReal, WF_NEED_SLEEP, "islands")
-WF_KEPT(RINGS, rings, "rings of sleepers", WF_PER_BODY, int32_t,
-         WF_NEED_SLEEP, "islands")  /* of a sleeper: the next of its island */
+WF_KEPT(CLOCKS, clocks, "clocks of rest", WF_PER_BODY, wfReal, WF_NEED_SLEEP, "islands",
+         rest)
+WF_KEPT(RINGS, rings, "rings of sleepers", WF_PER_BODY, int32_t, WF_NEED_SLEEP, "islands",
+         rest)  /* of a sleeper: the next of its island */
 /* the smallest index in its island, or -1 */
-WF_KEPT(ISLANDS, islands, "islands", WF_PER_BODY, int32_t, WF_NEED_SLEEP, "islands")
+WF_KEPT(ISLANDS, islands, "islands", WF_PER_BODY, int32_t, WF_NEED_SLEEP, "islands", rest)
 WF_FRESH(NEW_STATE, "new states", WF_PER_BODY, wfBodyState, 0, "copy")
 WF_FRESH(PRESENT, "present", WF_PER_BODY, uint8_t, 0, "copy")
 WF_FRESH(ACTIVE_FORCES, "active forces", WF_PER_ACTIVE_FORCE, wfForce, 0, "forces")

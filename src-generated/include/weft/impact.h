@@ -57,9 +57,9 @@ typedef struct wfImpact {
    bounds of wfAdvance.  With eta of eq:impact-noise and `touching` = n of
    eq:impact-strict: TOUCH: the distance at t is between n / 2 - eta and n + eta, and was
    never less than n / 2 - eta.  A particle touches nothing; a link is met only by shapes
-   whose centre is on its outer side at the beginning.  WF_ERROR_NULL; _NOT_FINITE; _RANGE: an
-   angle beyond WF_MAX_ANGLE, a distance beyond WF_IMPACT_FAR; _UNKNOWN: no such kind of
-   shape.  After an error *out is unchanged. */
+   whose centre is on its outer side at the beginning.  WF_ERROR_NULL; _NOT_FINITE;
+   _RANGE: an angle beyond WF_MAX_ANGLE, a distance beyond WF_IMPACT_FAR; _UNKNOWN: no such
+   kind of shape.  After an error *out is unchanged. */
 wfResult wfTimeOfImpact(const wfShape *a, wfSweep sweepA, const wfShape *b, wfSweep sweepB,
                         wfImpact *out);
 

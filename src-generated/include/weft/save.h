@@ -250,8 +250,5 @@ typedef struct wfFault {
  * the header's magic must be right. `fault` may be NULL. Writes to the transient chunk.
  * WF_ERROR_INVALID: it does not; WF_ERROR_BUSY (from a hook); those of a bad handle. */
 wfResult wfCheckWorld(const wfWorld *world, wfFault *fault);
-/* How a region is checked, or why it is not; NULL: nobody has thought of it, or it is not
- * kept. */
-const char *wfRegionRule(int region);
 WF_END_C
 #endif

@@ -41,8 +41,7 @@ typedef struct wfForceId { uint32_t index, generation; } wfForceId;
 enum { WF_JOINTS_ONE_BY_ONE, WF_JOINTS_TOGETHER, WF_JOINTS_AUTO };
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
 
-/* The settings of a world: weft/setting_rows.h says of each its type, name, default,
- * meaning, range and unit. */
+/* The settings of a world; weft/setting_rows.h tells meaning, default, range and unit. */
 typedef struct wfWorldDef {
 #define WF_SETTING(type, name, usual, text, ...) type name;
 #include "weft/setting_rows.h"
@@ -275,9 +274,10 @@ extern const int wfNeedCount;
 int wfFindNeed(const char *name);              /* row, or -1 */
 uint32_t wfAllNeeds(void);                     /* all that this engine can meet */
 uint32_t wfCloseNeeds(uint32_t needs);         /* with what they imply */
-/* Whom an array serves: any of these needs, or everybody if 0; and the stage that fills
- * it, or NULL: calls between the steps. */
-typedef struct wfRegionUse { uint32_t needs; const char *stage; } wfRegionUse;
+/* Whom an array serves: any of these needs, or everybody if 0; the stage that fills it, or
+ * NULL: calls between steps; the rule by which wfCheckWorld looks at it (arrays that make
+ * sense only together share one; "any": no bits are wrong), or NULL: it is not kept. */
+typedef struct wfRegionUse { uint32_t needs; const char *stage, *rule; } wfRegionUse;
 wfRegionUse wfRegionServes(int region);
 /* Those of these needs that the world lacks, and would refuse; 0: none. */
 uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs);
@@ -389,7 +389,7 @@ typedef struct wfRegion {
     size_t  offset;            /* bytes from the start of the chunk */
 } wfRegion;
 enum {
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage) WF_REGION_##NAME,
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) WF_REGION_##NAME,
 #define WF_FRESH(NAME, name, per, type, modules, stage)         WF_REGION_##NAME,
 #include "weft/array_rows.h"
 #undef WF_KEPT
