@@ -166,7 +166,7 @@ static void test_motion_and_rays(void **state)
         assert_ok(wfTimeOfImpact(&a, sa, &b, sb, &t));
         assert_ok(wfTimeOfImpact(&A, wider(sa), &B, wider(sb), &u));
         assert_true(t.kind == u.kind && t.t == u.t && t.steps == u.steps);
-        assert_true(same(t.distance, u.distance) && same(t.near, u.near) && equal2(t.normal, u.normal) && same2(t.point, u.point));
+        assert_true(same(t.distance, u.distance) && same(t.touching, u.touching) && equal2(t.normal, u.normal) && same2(t.point, u.point));
         touches += t.kind == WF_IMPACT_TOUCH;
         wfTransform xa = random_transform(&r, 4), xb = random_transform(&r, 4);
         wfVec2 by = random_v2(&r, -8, 8), point = random_v2(&r, -4, 4);
