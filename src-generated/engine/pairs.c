@@ -31,7 +31,7 @@ wfResult wfBoundShapes(struct wfStep *s)
         if (i >= 0 && !s->present[i]) {
             s->bounds[k] = s->b.bounds[k];
             s->flags[k] = WF_PROXY_LIVE;
-            s->paces[k] = (wfPace){ wfVelocityToBe(s, i), 0, 0 };
+            if (wfSolverSteps(s)) s->paces[k] = (wfPace){ wfVelocityToBe(s, i), 0, 0 };
             continue;
         }
         /* find the box of a shape that takes part */
