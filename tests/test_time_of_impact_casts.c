@@ -293,7 +293,7 @@ static void test_the_inner_copy_is_as_deep_everywhere(void **state)
     long even = 0;
     for (int i = 0; i < 2000; i++) {
         wfShape s = random_shape(&r);
-        if (i % 10 == 0) s = box(5, WF_R(0.005) * (wfReal)(1 + i % 7));
+        if (i % 10 == 0) s = box(5, 0.005 * (1 + i % 7));
         wfReal sigma = (wfReal)(1 + i % 3) / 4, rho = wfInnerRadius(&s);
         double depth = (1 - (double)sigma) * (double)rho, tolerance = 64 * (double)(WF_EPSILON * wfShapeReach(&s));
         wfShape copy = inner_copy(&s, sigma);

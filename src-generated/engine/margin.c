@@ -30,7 +30,8 @@ wfReal wfWayOfShape(struct wfStep *s, int32_t k)
     wfReal is = wfLength(s->state[i].v), to_be = wfLength(pace.toBe);
     /* how far this shape is looked ahead */
     wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + pace.rim);
-    if (!wfIsCrowd(&s->b) && wfIsFollowed(s, k, way)) {
+    if (wfIsCrowd(&s->b)) way = wfMinR(way, 2 * s->b.materials[k].reach);
+    else if (wfIsFollowed(s, k, way)) {
         way = s->b.head->slop * s->b.materials[k].reach;
         s->followed = true;
         if (s->linked != NULL) s->linked[i] = 0;
@@ -51,12 +52,13 @@ wfReal wfWayOfPair(const struct wfStep *s, wfPair p)
     /* how far this pair is looked ahead */
     wfReal rims = s->paces[p.a].rim + s->paces[p.b].rim;
     wfReal way = s->b.head->dt * (u + rims);                    /* eq:world-way */
-    if (!wfIsCrowd(&s->b) && (wfIsFollowed(s, p.a, way) || wfIsFollowed(s, p.b, way))) {
+    const wfShapeProps *m = s->b.materials;
+    if (wfIsCrowd(&s->b)) way = wfMinR(way, 2 * (m[p.a].reach + m[p.b].reach));
+    else if (wfIsFollowed(s, p.a, way) || wfIsFollowed(s, p.b, way)) {
         wfReal ownA = s->b.head->dt * (wfMaxR(wfLength(va), wfLength(toA)) + s->paces[p.a].rim);
         wfReal ownB = s->b.head->dt * (wfMaxR(wfLength(vb), wfLength(toB)) + s->paces[p.b].rim);
         bool fast = wfIsFollowed(s, p.a, wfMinR(way, ownA))
                  || wfIsFollowed(s, p.b, wfMinR(way, ownB));
-        const wfShapeProps *m = s->b.materials;
         if (fast) way = s->b.head->slop * wfMinR(m[p.a].reach, m[p.b].reach);
     }
     return way;
