@@ -19,5 +19,9 @@ for path in $(grep -oE '`(chapters|book|tangle|tests|testbed|src-generated)/[^` 
   paths=$((paths + 1)); ls -d $path >/dev/null 2>&1 || say "there is no $path" "$path"
 done
 [ $paths -ge 8 ] || { echo "README.md: only $paths paths were found"; fail=1; }
+# the version is told once in C, and the same in the citation; functions that SECURITY.md names are declared
+v=$(sed -nE 's/^#define WF_VERSION_(MAJOR|MINOR|PATCH) //p' src-generated/include/weft/core.h | paste -sd.)
+grep -qx "version: $v" CITATION.cff || { echo "CITATION.cff does not say version: $v, which core.h says"; fail=1; }
+for f in $(grep -oE '`wf[A-Za-z]+`' SECURITY.md | tr -d '`' | sort -u); do grep -qE "\b$f\(" src-generated/include/weft/*.h || { echo "SECURITY.md: there is no $f"; fail=1; }; done
 [ $fail -eq 0 ] && echo "README.md: $rows places and $paths paths are where it says"
 exit $fail
