@@ -6,7 +6,7 @@ LINES := $(BUILD)/lines
 SUBMAKE = $(MAKE) --no-print-directory CC="$(CC)" CFLAGS="$(CFLAGS)" STD="$(STD)" WARN="$(WARN)" PREFIX="$(PREFIX)"
 PREFIX ?= /usr/local
 
-.PHONY: FORCE tangle engine game programs programs-double test upto upto-all install uninstall
+.PHONY: FORCE tangle engine game programs programs-double test upto upto-all install dist uninstall
 tangle: $(BUILD)/tangle.stamp
 # Which chapters there are is a source too: it changes when EXTRA does, or when a chapter goes.
 $(BUILD)/chapters.list: FORCE
@@ -78,6 +78,10 @@ install: $(BUILD)/lib/libweft.a
 	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfig*.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
 	@for p in weft-testbed weft-headless weft-lab; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
 	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/lib, pkg-config name weft, CMake package weft"
+# A tarball of what is committed: the same bytes whenever it is made. It builds with a compiler and make alone.
+dist:
+	@v=$$(sed -nE 's/^#define WF_VERSION_(MAJOR|MINOR|PATCH) //p' src-generated/include/weft/core.h | tr '\n' . | sed 's/\.$$//'); mkdir -p $(BUILD)/dist; \
+	   git archive --format=tar --prefix=weft-$$v/ HEAD | gzip -n9 > $(BUILD)/dist/weft-$$v.tar.gz && echo "$(BUILD)/dist/weft-$$v.tar.gz: $$(wc -c < $(BUILD)/dist/weft-$$v.tar.gz) bytes, of commit $$(git rev-parse --short HEAD)"
 uninstall:
 	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft-json.pc
 	@rm -f $(DESTDIR)$(PREFIX)/lib/libweft* $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab)

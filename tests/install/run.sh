@@ -56,6 +56,13 @@ make --no-print-directory uninstall DESTDIR="$work/stage" PREFIX=/opt/weft
 [ -z "$(find "$work/stage" -type f)" ] || { echo "uninstall left files:"; find "$work/stage" -type f; exit 1; }
 say "uninstall leaves nothing: ok"
 
+# a tarball of what is committed: the same bytes twice, and every file in it
+make --no-print-directory BUILD="$work/one" dist >/dev/null && make --no-print-directory BUILD="$work/two" dist >/dev/null || exit 1
+tar=$(echo "$work"/one/dist/weft-*.tar.gz)
+cmp "$tar" "$work"/two/dist/weft-*.tar.gz || { echo "make dist: two tarballs of one commit differ"; exit 1; }
+[ "$(tar -tzf "$tar" | grep -vc '/$')" = "$(git ls-tree -r --name-only HEAD | wc -l)" ] || { echo "make dist: not the files of the commit"; exit 1; }
+say "dist: ok"
+
 # a machine with only a compiler: the tools below are all that PATH holds
 mkdir -p "$work/bin" "$work/src"
 for t in bash sh make cc gcc as ld ar cp ln rm mkdir ls sed grep awk cat uname id env dirname basename head tail sort tr cut printf date expr test find wc mktemp tput uniq xargs chmod touch cmp install pwd echo true false; do
