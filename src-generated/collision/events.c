@@ -79,20 +79,13 @@ wfResult wfCompareTouches(const wfTouch *before, int32_t beforeCount, const wfTo
 }
 
 /* make a hit by eq:queries-speed */
-static wfReal approachSpeed(const wfContactPoint *p, wfVec2 normal, wfTwist a, wfTwist b)
-{
-    wfVec2 va = wfAdd(a.velocity, wfCrossSV(a.spin, p->armA));   /* eq:queries-velocity */
-    wfVec2 vb = wfAdd(b.velocity, wfCrossSV(b.spin, p->armB));
-    return wfDot(normal, wfSub(va, vb));
-}
-
 bool wfMakeHit(const wfTouch *touch, const wfManifold *m, wfTwist a, wfTwist b,
                wfReal least, wfHitEvent *out)
 {
     if (!touch || !m || !out || !(least >= 0)) return false;
     int32_t at = -1;
     for (int32_t i = 0; i < m->count; i++) {
-        wfReal speed = approachSpeed(&m->points[i], m->normal, a, b);
+        wfReal speed = wfApproachSpeed(&m->points[i], m->normal, a, b);
         if (!wfIsFinite(speed)) return false;
         if (speed <= least) continue;
         least = speed;

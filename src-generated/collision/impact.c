@@ -373,18 +373,29 @@ bool wfSweepIsFast(const wfShape *shape, wfSweep sweep)
     return way > wfInnerRadius(shape);
 }
 
+/* How the outline turns at corner i: the cosine, and the sum of the two normals. */
+static wfReal turnAt(const wfShape *s, int32_t i, wfVec2 *sum)
+{
+    wfVec2 n = s->normals[i], before = s->normals[i > 0 ? i - 1 : s->count - 1];
+    *sum = wfAdd(n, before);
+    return wfDot(n, before);
+}
+
+static wfReal tangentAt(const wfShape *s, int32_t i)
+{
+    wfVec2 sum;
+    wfReal c = turnAt(s, i, &sum);
+    return wfSqrt((1 - c) / wfMaxR(1 + c, WF_EPSILON));         /* eq:impact-vanish */
+}
+
 /* How deep the edges of a core can go in before one of them vanishes, nearly. */
 static wfReal deepestInset(const wfShape *s)
 {
-    wfReal least = WF_HUGE, tangent[WF_MAX_VERTICES];
-    for (int32_t i = 0; i < s->count; i++) {                    /* eq:impact-vanish */
-        wfReal c = wfDot(s->normals[i], s->normals[(i + s->count - 1) % s->count]);
-        tangent[i] = wfSqrt((1 - c) / wfMaxR(1 + c, WF_EPSILON));
-    }
+    wfReal least = WF_HUGE;
     for (int32_t i = 0; i < s->count; i++) {
-        int32_t next = (i + 1) % s->count;
+        int32_t next = i + 1 < s->count ? i + 1 : 0;
         wfReal length = wfDistance(s->vertices[i], s->vertices[next]);
-        least = wfMinR(least, length / (tangent[i] + tangent[next]));
+        least = wfMinR(least, length / (tangentAt(s, i) + tangentAt(s, next)));
     }
     return WF_R(0.875) * least;
 }
@@ -400,9 +411,9 @@ static wfShape innerCopy(const wfShape *s, wfReal share)        /* eq:impact-inn
     wfReal inset = wfMinR(depth, deepestInset(s));
     wfReal rest = (core - depth) / (core - inset);
     for (int32_t i = 0; i < s->count; i++) {
-        wfVec2 n = s->normals[i], m = s->normals[(i + s->count - 1) % s->count];
-        wfVec2 in = wfScale(-inset / (1 + wfDot(n, m)), wfAdd(n, m));
-        wfVec2 corner = wfAdd(s->vertices[i], in);
+        wfVec2 sum;
+        wfReal c = turnAt(s, i, &sum);
+        wfVec2 corner = wfAddScaled(s->vertices[i], -inset / (1 + c), sum);
         copy.vertices[i] = rest < 1 ? wfLerp(s->centre, corner, rest) : corner;
     }
     return copy;

@@ -103,7 +103,7 @@ wfResult wfTellEvents(struct wfStep *s);
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
  * therefore followed? eq:impact-fast */
-static inline bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal way)
+static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal way)
 {
     const wfShapeProps *m = &s->b.materials[k];
     wfReal least = s->b.head->slop * m->reach;

@@ -93,27 +93,17 @@ static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal 
     return square > 0 ? wfSqrt(square) : 0;
 }
 
-static wfReal fastest_approach(const struct wfStep *s, const wfContact *c)
-{
-    const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
-    wfReal fastest = 0;
-    for (int32_t i = 0; i < c->manifold.count; i++) {
-        const wfContactPoint *p = &c->manifold.points[i];
-        wfVec2 va = wfAdd(a->v, wfCrossSV(a->w, p->armA));
-        wfVec2 vb = wfAdd(b->v, wfCrossSV(b->w, p->armB));
-        fastest = wfMaxR(wfDot(c->manifold.normal, wfSub(va, vb)), fastest);
-    }
-    return fastest;
-}
-
 static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
 {
     const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
-    wfReal least = deepest(&c->manifold) >= 0 ? s->hitSpeed : 0;    /* no gap adds speed */
-    if (!(c->restitution > 0) && !(fastest_approach(s, c) > least)) return;
-    wfHitEvent hit = { .point = c->manifold.points[0].point, .normal = c->manifold.normal };
+    const wfManifold *m = &c->manifold;
     wfTwist ta = { a->v, a->w }, tb = { b->v, b->w };
-    bool comes = wfMakeHit(touch, &c->manifold, ta, tb, 0, &hit);
+    wfReal least = deepest(m) >= 0 ? s->hitSpeed : 0, fastest = 0;  /* no gap adds speed */
+    for (int32_t i = 0; i < m->count; i++)
+        fastest = wfMaxR(wfApproachSpeed(&m->points[i], m->normal, ta, tb), fastest);
+    if (!(c->restitution > 0) && !(fastest > least)) return;
+    wfHitEvent hit = { .point = m->points[0].point, .normal = m->normal };
+    bool comes = wfMakeHit(touch, m, ta, tb, 0, &hit);
     if (comes) hit.speed = speed_when_met(s, c, hit.speed);
     if (!(hit.speed > s->hitSpeed) && !(c->restitution > 0)) return;
     s->hits[s->hitCount++] = (wfHit){ .a = wfIdOfShape(&s->b, touch->a),

@@ -3,7 +3,7 @@
 local function read(path) local f = assert(io.open(path)); local t = f:read("a"); f:close(); return t end
 local calls, seen = {}, {}
 for _, path in ipairs(arg) do
-  local text = read(path):gsub("/%*.-%*/", " "):gsub("\\\n", " "):gsub("\n%s*#[^\n]*", "\n"):gsub("^%s*#[^\n]*", "")
+  local text = read(path):gsub("#ifdef __cplusplus\nextern.-#endif", ""):gsub("#ifdef __cplusplus\n}\n#endif", ""):gsub("/%*.-%*/", " "):gsub("\\\n", " "):gsub("\n%s*#[^\n]*", "\n"):gsub("^%s*#[^\n]*", "")
   local depth, statement = 0, {}
   -- what stands outside of braces, up to each semicolon
   for c in text:gmatch(".") do

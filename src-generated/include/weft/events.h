@@ -37,6 +37,16 @@ typedef struct wfHitEvent {
    how deep they overlap) is more than the margin; others must meet.
    eq:queries-hysteresis */
 bool wfTouchesNow(bool before, wfReal distance, wfReal margin);
+
+/* How fast two surfaces approach at a point of contact, m/s; below 0: they part.
+   eq:queries-speed.  Trusts its pointer. */
+static WF_ONE_COPY wfReal wfApproachSpeed(const wfContactPoint *p, wfVec2 normal, wfTwist a,
+                                          wfTwist b)
+{
+    wfVec2 va = wfAdd(a.velocity, wfCrossSV(a.spin, p->armA));   /* eq:queries-velocity */
+    wfVec2 vb = wfAdd(b.velocity, wfCrossSV(b.spin, p->armB));
+    return wfDot(normal, wfSub(va, vb));
+}
 /* Compares two lists, each sorted by (a, b) without repetitions.  end holds the touches of
    `before`, begin and stay those of `now`; all sorted.  A touch between the same indices
    with another stamp is another touch: one ends, one begins.  WF_ERROR_NULL; _RANGE: not
