@@ -82,7 +82,7 @@ static inline wfResult ends_fill(wfWorld *w)
     if (result == WF_OK) result = ends_add(w, bouncy, WF_DYNAMIC, wfV2(0, WF_R(1.49)), WF_R(0.5), NULL);
     if (result == WF_OK) result = ends_add(w, def, WF_DYNAMIC, wfV2(5, 3), WF_R(0.2), &bob);
     wfJoint j;
-    if (result == WF_OK) result = wfJoinBodies(w, "revolute", ground, bob, wfV2(4, 3), wfV2(4, 3), wfV2(1, 0), &j);
+    if (result == WF_OK) result = wfDefineJoint(w, "revolute", ground, bob, wfV2(4, 3), wfV2(4, 3), wfV2(1, 0), &j);
     if (result == WF_OK) result = wfAddJointToWorld(w, &j, NULL);
     if (result == WF_OK) result = ends_add(w, fast, WF_DYNAMIC, wfV2(-9, 2), WF_R(0.05), NULL);
     wfForce wind = wfWind(wfV2(3, 1), WF_R(0.1));

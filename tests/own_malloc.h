@@ -14,7 +14,7 @@
 #define OWN_MALLOC 1
 #endif
 
-static size_t calls, live, failAt;              /* failAt: the call that fails, from 1; 0: none */
+static size_t calls, live, fail_at;             /* failAt: the call that fails, from 1; 0: none */
 #if OWN_MALLOC
 static _Alignas(16) unsigned char store[1000u << 20];
 static size_t stored;
@@ -22,7 +22,7 @@ static size_t stored;
 static void *take(size_t size)
 {
     calls++;
-    if (failAt != 0 && calls == failAt) return NULL;
+    if (fail_at != 0 && calls == fail_at) return NULL;
     size_t need = (size + 15) / 16 * 16 + 16;
     if (need > sizeof store - stored) return NULL;
     unsigned char *p = store + stored;

@@ -248,7 +248,7 @@ static void test_tolerance_is_measuring_and_choosing(void **state)
         assert_int_equal(c.steps, d.steps);
         assert_ok(wfGetWorldDef(&fresh, &def));
         assert_int_equal(def.substeps, wfMethodTable[d.method].substeps);
-        assert_near(def.dt, (double)(WF_R(1.0) / 60) / d.steps, 1e-9);
+        assert_near(def.timeStep, (double)(WF_R(1.0) / 60) / d.steps, 1e-9);
         assert_ok(wfStepFrame(&fresh, &d));
         assert_int_equal(wfWorldSteps(&fresh), d.steps);
         assert_near(wfWorldTime(&fresh), 1.0 / 60, 1e-8);
@@ -367,7 +367,7 @@ static Crowd crowd(int32_t substeps, int32_t lanes)
 {
     Crowd c;
     wfWorldDef def = wfDefaultWorldDef();
-    def.substeps = substeps, def.lanes = def.colours = lanes;
+    def.substeps = substeps, def.enableSimd = def.graphColouring = lanes;
     assert_ok(wfCreateWorld(&def, &c.world));
     wfBodyDef d = wfDefaultBodyDef();
     d.type = WF_STATIC, d.position = wfV2(0, -1);
@@ -395,7 +395,7 @@ static Crowd crowd(int32_t substeps, int32_t lanes)
     hook.type = WF_STATIC, hook.position = wfV2(-30, 10), bob.mass = 1, bob.position = wfV2(-29, 10);
     wfBodyId on = add(&c.world, hook);
     c.bob = add(&c.world, bob);
-    assert_ok(wfJoinBodies(&c.world, "distance", on, c.bob, hook.position, bob.position, wfV2(1, 0), &rod));
+    assert_ok(wfDefineJoint(&c.world, "distance", on, c.bob, hook.position, bob.position, wfV2(1, 0), &rod));
     assert_ok(wfAddJointToWorld(&c.world, &rod, NULL));
     return c;
 }
@@ -610,7 +610,7 @@ static void test_rows(void **state)
         assert_true(m->substeps >= 1 && m->substepCost >= 0);
         assert_true(m->solver == NULL || wfFindSolver(m->solver) >= 0);
         assert_true(m->integrator == NULL || wfFindIntegrator(m->integrator) >= 0);
-        assert_true(m->joints == NULL || wfFindSettingRow(wfFindSetting("exactJoints"), m->joints) >= 0);
+        assert_true(m->joints == NULL || wfFindSettingRow(wfFindSetting("directJoints"), m->joints) >= 0);
         for (int k = 0; k < i; k++) assert_string_not_equal(m->name, wfMethodTable[k].name);
     }
     for (int i = 0; i < labTruthCount; i++) assert_true(labTruthError(&labTruths[i]) < 1e-8);

@@ -39,9 +39,9 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfAddForceToWorld, w, &with.force, NULL) \
     X(wfRemoveForceFromWorld, w, with.forceId) \
     X(wfSetForce, w, with.forceId, &with.force) \
-    X(wfGrabBody, w, with.bodyId, wfV2(0, 1), &with.hand) \
-    X(wfDragHand, w, with.hand, wfV2(0, 1)) \
-    X(wfStepWorldWith, w, NULL) \
+    X(wfAddMouseJoint, w, with.bodyId, wfV2(0, 1), &with.hand) \
+    X(wfSetMouseTarget, w, with.hand, wfV2(0, 1)) \
+    X(wfStepWorldWithCallbacks, w, NULL) \
     X(wfIndexWorld, w) \
     X(wfStepWorldTimed, w, NULL) \
     X(wfDestroyWorld, w) \
@@ -62,16 +62,16 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetGravity, w, wfV2(0, 0)) \
     X(wfSetWorldDef, w, &with.def) \
     X(wfSetMethods, w, -1, -1, -1, -1) \
-    X(wfSetWorldOrigin, w, (wfFar){ 1, 1 }) \
-    X(wfSetFarPosition, w, with.bodyId, (wfFar){ 1, 1 }, 0) \
-    X(wfMoveOrigin, w, wfV2(1, 1), NULL) \
-    X(wfCentreWorld, w, wfV2(100, 1), 10, NULL) \
+    X(wfSetWorldOrigin, w, (wfGlobalPoint){ 1, 1 }) \
+    X(wfSetGlobalPosition, w, with.bodyId, (wfGlobalPoint){ 1, 1 }, 0) \
+    X(wfShiftOrigin, w, wfV2(1, 1), NULL) \
+    X(wfRecentreWorld, w, wfV2(100, 1), 10, NULL) \
     X(wfAddJointToWorld, w, &with.joint, NULL) \
     X(wfRemoveJointFromWorld, w, with.jointId) \
     X(wfSetJoint, w, with.jointId, &with.joint) \
     X(wfWakeBody, w, with.bodyId) \
-    X(wfPutToSleep, w, with.bodyId) \
-    X(wfSetNeverSleeps, w, with.bodyId, 1) \
+    X(wfSetBodyAsleep, w, with.bodyId) \
+    X(wfDisableBodySleep, w, with.bodyId, 1) \
     X(wfRestoreWorld, w, with.snapshot, with.size) \
     X(wfGrowWorld, w, &with.def) \
     X(wfRewindTo, &with.ring, w, wfWorldSteps(w)) \
@@ -158,14 +158,14 @@ static void call_all(void)
         }
 }
 
-static bool filters(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool filters(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     (void)context, (void)view, (void)a, (void)b;
     call_all();
     return true;
 }
 
-static void sees(void *context, const wfHookView *view, const wfContact *contact, wfContactChange *change)
+static void sees(void *context, const wfCallbackView *view, const wfContact *contact, wfContactSettings *change)
 {
     (void)context, (void)view, (void)contact, (void)change;
     call_all();
@@ -182,7 +182,7 @@ static wfWorld filled(void)
 {
     wfWorld made;
     wfWorldDef def = wfDefaultWorldDef();
-    def.pairMaterials = 2;
+    def.materialPairCapacity = 2;
     assert_ok(wfCreateWorld(&def, &made));
     add(&made, floor_def());
     for (int i = 0; i < 8; i++) with.bodyId = add(&made, ball_def(i % 3, 0.5 + i / 3, 0.5));
@@ -192,8 +192,8 @@ static wfWorld filled(void)
     with.shape.shape = with.body.shape;
     with.force = wfDrag(1, 0);
     assert_ok(wfAddForceToWorld(&made, &with.force, &with.forceId));
-    assert_ok(wfGrabBody(&made, with.bodyId, wfV2(1, 2), &with.hand));
-    assert_ok(wfJoinBodies(&made, "revolute", with.bodyId, wfBodyAt(&made, 2), wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &with.joint));
+    assert_ok(wfAddMouseJoint(&made, with.bodyId, wfV2(1, 2), &with.hand));
+    assert_ok(wfDefineJoint(&made, "revolute", with.bodyId, wfBodyAt(&made, 2), wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &with.joint));
     assert_ok(wfAddJointToWorld(&made, &with.joint, &with.jointId));
     assert_ok(wfGetWorldDef(&made, &with.def));
     with.chosen = (wfAccuracy){ .method = 0, .steps = 1, .frame = WF_R(1.0) / 60 };
@@ -206,7 +206,7 @@ static void only_looking_is_allowed_in_a_step(void **unused)
     (void)unused;
     static _Alignas(16) uint8_t ring[1 << 18], notes[2][1 << 10], keep[1 << 18], more[1 << 18];
     static double seconds[64];
-    const wfHooks hooks[2] = { { .filter = filters }, { .preSolve = sees } };
+    const wfCallbacks hooks[2] = { { .filter = filters }, { .preSolve = sees } };
     const wfStepClock clock = { looks_at_the_clock, NULL, seconds };
     assert_true(wfStageCount <= 64);
     for (int k = 0; k < 3; k++) {
@@ -228,7 +228,7 @@ static void only_looking_is_allowed_in_a_step(void **unused)
         size_t used = with.journal.used;
         world = &made, asked = 0;
         for (int i = 0; i < 10; i++) {
-            assert_ok(k < 2 ? wfStepWorldWith(&made, &hooks[k]) : wfStepWorldTimed(&made, &clock));
+            assert_ok(k < 2 ? wfStepWorldWithCallbacks(&made, &hooks[k]) : wfStepWorldTimed(&made, &clock));
             assert_ok(wfStepWorld(&twin));
             wfDifference d;
             wfResult result = wfCompareWorlds(&made, &twin, &d);

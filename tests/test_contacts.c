@@ -28,7 +28,7 @@ static double off_outline(const wfShape *s, wfTransform xf, P q)
 
 static double tie(const wfShape *a, const wfShape *b)
 {
-    return (double)WF_AXIS_TIE * fmin((double)wfShapeReach(a), (double)wfShapeReach(b)) + ROUNDING;
+    return (double)WF_AXIS_TIE * fmin((double)wfShapeMaxExtent(a), (double)wfShapeMaxExtent(b)) + ROUNDING;
 }
 
 static wfManifold collide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb)
@@ -40,8 +40,8 @@ static wfManifold collide(const wfShape *a, wfTransform xa, const wfShape *b, wf
     assert_true(m.count >= 0 && m.count <= 2);
     for (int i = 0; i < m.count; i++) {
         assert_true(m.points[i].depth >= 0);
-        assert_near2(m.points[i].point, wfAdd(xa.p, m.points[i].armA), ROUNDING);
-        assert_near2(m.points[i].point, wfAdd(xb.p, m.points[i].armB), ROUNDING);
+        assert_near2(m.points[i].point, wfAdd(xa.p, m.points[i].rA), ROUNDING);
+        assert_near2(m.points[i].point, wfAdd(xb.p, m.points[i].rB), ROUNDING);
     }
     return m;
 }
@@ -265,8 +265,8 @@ static void assert_mirrored(const wfManifold *m, const wfManifold *w)
     for (int k = 0; k < m->count; k++) {
         const wfContactPoint *c = &m->points[k], *d = nearest(w, c->point);
         assert_near2(d->point, c->point, 8 * ROUNDING);
-        assert_near2(d->armB, c->armA, 8 * ROUNDING);
-        assert_near2(d->armA, c->armB, 8 * ROUNDING);
+        assert_near2(d->rB, c->rA, 8 * ROUNDING);
+        assert_near2(d->rA, c->rB, 8 * ROUNDING);
         assert_near(d->depth, c->depth, 8 * ROUNDING);
         if (c->feature != WF_FEATURE_CIRCLE) assert_int_equal(d->feature, c->feature ^ 0x10000);
         else assert_int_equal(d->feature, WF_FEATURE_CIRCLE);
@@ -349,9 +349,9 @@ static void test_far_from_the_origin(void **state)
         for (int k = 0; k < m.count; k++) {
             const wfContactPoint *c = &m.points[k], *d = &w.points[k];
             assert_true(c->depth == d->depth && c->feature == d->feature);
-            assert_true(c->armA.x == d->armA.x && c->armA.y == d->armA.y);
-            assert_true(c->armB.x == d->armB.x && c->armB.y == d->armB.y);
-            assert_near2(d->point, wfAdd(xa.p, c->armA), 0);
+            assert_true(c->rA.x == d->rA.x && c->rA.y == d->rA.y);
+            assert_true(c->rB.x == d->rB.x && c->rB.y == d->rB.y);
+            assert_near2(d->point, wfAdd(xa.p, c->rA), 0);
             contacts++;
         }
     }

@@ -134,7 +134,7 @@ static bool has_normal(const wfShape *l, P u, double tolerance)
     return at >= -fmax(t0, 0) - tolerance && at <= fmax(t1, 0) + tolerance;
 }
 
-static double reach_of(const wfShape *s) { return (double)wfShapeReach(s); }
+static double reach_of(const wfShape *s) { return (double)wfShapeMaxExtent(s); }
 
 /* Bodies with edges: every contact has a direction that the surface has; the corner in its name is where the point is;
    and swapping the two changes nothing. */
@@ -178,8 +178,8 @@ static void test_cores_keep_to_the_surface(void **state)
             wfVec2 named = wfApply(owner == 1 ? xb : xl, s->vertices[v]);
             wfReal out = (owner == 1 ? -1 : 1) * (s->radius - c->depth / 2);
             assert_near2(c->point, wfAddScaled(named, out, m.normal), 4 * ROUNDING);
-            assert_near2(c->point, wfAdd(xl.p, c->armA), ROUNDING);
-            assert_near2(c->point, wfAdd(xb.p, c->armB), ROUNDING);
+            assert_near2(c->point, wfAdd(xl.p, c->rA), ROUNDING);
+            assert_near2(c->point, wfAdd(xb.p, c->rB), ROUNDING);
         }
         /* what is behind is let through */
         wfVec2 centre = wfApply(wfRelativePose(xl, xb), body.centre);
@@ -515,8 +515,8 @@ typedef struct Ride {
 
 static void push(wfBodyState *b, wfVec2 d, const wfContactPoint *c, wfReal *sum, wfReal low, wfReal high, wfReal target)
 {
-    wfReal arm = wfCross(c->armB, d), k = b->invMass + arm * arm * b->invInertia, j = *sum;
-    wfVec2 v = wfAddScaled(b->v, b->w, wfPerpCCW(c->armB));
+    wfReal arm = wfCross(c->rB, d), k = b->invMass + arm * arm * b->invInertia, j = *sum;
+    wfVec2 v = wfAddScaled(b->v, b->w, wfPerpCCW(c->rB));
     *sum = wfMaxR(low, wfMinR(high, j + (target - wfDot(v, d)) / k));
     b->v = wfAddScaled(b->v, (*sum - j) * b->invMass, d);
     b->w += (*sum - j) * b->invInertia * arm;
@@ -530,14 +530,14 @@ static int step(Ride *r, wfReal h, wfReal gravity, wfReal recover)
     for (int i = 0; i < r->count; i++) {
         wfManifold now;
         collide(&r->links[i], at(0, 0, 0), &r->shape, xb, 0, &now);
-        wfKeepImpulses(&r->m[i], &now);
+        wfMatchImpulses(&r->m[i], &now);
         r->m[i] = now;
         contacts += now.count;
         for (int k = 0; k < now.count; k++) {                   /* begin with the impulses of the step before */
             wfContactPoint *c = &r->m[i].points[k];
             wfVec2 j = wfAddScaled(wfScale(c->normalImpulse, now.normal), c->tangentImpulse, wfPerpCW(now.normal));
             r->body.v = wfAddScaled(r->body.v, r->body.invMass, j);
-            r->body.w += r->body.invInertia * wfCross(c->armB, j);
+            r->body.w += r->body.invInertia * wfCross(c->rB, j);
         }
     }
     for (int pass = 0; pass < 40; pass++)

@@ -10,7 +10,7 @@
 
 static double tie(const wfShape *a, const wfShape *b)
 {
-    return (double)WF_AXIS_TIE * fmin((double)wfShapeReach(a), (double)wfShapeReach(b)) + 4 * ROUNDING;
+    return (double)WF_AXIS_TIE * fmin((double)wfShapeMaxExtent(a), (double)wfShapeMaxExtent(b)) + 4 * ROUNDING;
 }
 
 static int core(const wfShape *s, wfTransform xf, P *out)
@@ -73,8 +73,8 @@ static int make(int row, const wfShape *a, wfTransform xa, const wfShape *b, wfT
     for (int k = 0; k < m->count; k++) {
         assert_true(m->points[k].normalImpulse == 0 && m->points[k].tangentImpulse == 0);
         assert_true(m->points[k].depth >= -margin);
-        assert_near2(m->points[k].point, wfAdd(xa.p, m->points[k].armA), ROUNDING);
-        assert_near2(m->points[k].point, wfAdd(xb.p, m->points[k].armB), ROUNDING);
+        assert_near2(m->points[k].point, wfAdd(xa.p, m->points[k].rA), ROUNDING);
+        assert_near2(m->points[k].point, wfAdd(xb.p, m->points[k].rB), ROUNDING);
     }
     return m->count;
 }
@@ -159,8 +159,8 @@ static void assert_mirror(const wfManifold *m, const wfManifold *w)
         if (f == WF_FEATURE_CIRCLE) swapped = f;
         else if (f >> 16 == 2) swapped = wfFeature(2, (int)(f & 255), (int)(f >> 8 & 255));
         assert_near2(d->point, c->point, 4 * ROUNDING);
-        assert_near2(d->armA, c->armB, 4 * ROUNDING);
-        assert_near2(d->armB, c->armA, 4 * ROUNDING);
+        assert_near2(d->rA, c->rB, 4 * ROUNDING);
+        assert_near2(d->rB, c->rA, 4 * ROUNDING);
         assert_near(d->depth, c->depth, 4 * ROUNDING);
         assert_int_equal(d->feature, swapped);
     }
@@ -343,7 +343,7 @@ static void test_keep_by_hand(void **state)
     give(&before, 0, 3, -1);
     give(&before, 1, 5, 2);
     give(&now, 0, 77, 77);
-    wfKeepImpulses(&before, &now);
+    wfMatchImpulses(&before, &now);
     for (int k = 0; k < 2; k++) {
         int same = now.points[k].feature == before.points[0].feature ? 0 : 1;
         assert_int_equal(now.points[k].feature, before.points[same].feature);
@@ -354,20 +354,20 @@ static void test_keep_by_hand(void **state)
     one.points[0] = now.points[1];
     one.count = 1;
     give(&one, 0, 0, 0);
-    wfKeepImpulses(&before, &one);
+    wfMatchImpulses(&before, &one);
     assert_near(one.points[0].normalImpulse, now.points[1].normalImpulse, 0);
-    wfKeepImpulses(&none, &now);                                   /* new contacts begin with nothing */
+    wfMatchImpulses(&none, &now);                                  /* new contacts begin with nothing */
     for (int k = 0; k < 2; k++) assert_true(now.points[k].normalImpulse == 0 && now.points[k].tangentImpulse == 0);
     for (int turn = 80; turn <= 100; turn += 20) {                 /* a push does not become a pull */
         now = before;
         now.normal = wfRotate(wfRotation(wfRadians((wfReal)turn)), before.normal);
-        wfKeepImpulses(&before, &now);
+        wfMatchImpulses(&before, &now);
         assert_near(now.points[1].normalImpulse, turn < 90 ? 5 : 0, 0);
         assert_near(now.points[1].tangentImpulse, turn < 90 ? 2 : 0, 0);
     }
     now = before;
     now.normal = wfV2((wfReal)NAN, 0);
-    wfKeepImpulses(&before, &now);
+    wfMatchImpulses(&before, &now);
     assert_near(now.points[0].normalImpulse, 0, 0);
 }
 
@@ -392,7 +392,7 @@ static void test_impulses_never_jump(void **state)
             assert_ok(wfSeparate(sat, &a, xa, &b, xb, &s));
             xb.p = wfAddScaled(xb.p, -s.distance - WF_R(0.01), s.normal);     /* pressed against each other, 1 cm deep */
             make(sat, &a, xa, &b, xb, WF_R(0.01), &m);
-            wfKeepImpulses(&old, &m);
+            wfMatchImpulses(&old, &m);
             for (int k = 0; k < m.count; k++) {
                 wfContactPoint *c = &m.points[k];
                 if (c->normalImpulse == 0) {
@@ -431,7 +431,7 @@ static void test_a_slide_loses_nothing(void **state)
                 if (swap) make(0, &bodies[k], x, &table, at(0, 0, 0), WF_R(0.1), &m);
                 else make(0, &table, at(0, 0, 0), &bodies[k], x, WF_R(0.1), &m);
                 assert_int_equal(m.count, 2);
-                wfKeepImpulses(&old, &m);
+                wfMatchImpulses(&old, &m);
                 for (int j = 0; j < 2; j++) {
                     bool right = m.points[j].point.x > x.p.x;
                     if (i == 0) give(&m, j, right ? 2 : 1, 0);
@@ -467,7 +467,7 @@ static void test_reuse_is_bounded(void **state)
     for (int run = 0; run < 1500; run++) {
         wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
         wfTransform xa = random_transform(&r, 1), xb = random_transform(&r, 1);
-        wfReal reach = wfMinR(wfShapeReach(&a), wfShapeReach(&b)), margin = run % 2 ? 0 : WF_R(0.02) * reach;
+        wfReal reach = wfMinR(wfShapeMaxExtent(&a), wfShapeMaxExtent(&b)), margin = run % 2 ? 0 : WF_R(0.02) * reach;
         wfReal pace = run % 3 ? WF_R(0.0005) : WF_R(0.002);
         wfManifoldCache cache;
         memset(&cache, 0, sizeof cache);

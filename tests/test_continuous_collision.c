@@ -20,10 +20,10 @@ static wfWorld open_world(const wfWorldDef *def)
     return w;
 }
 
-static wfFastReport report(const wfWorld *w)
+static wfContinuousReport report(const wfWorld *w)
 {
-    wfFastReport r;
-    assert_ok(wfGetFastReport(w, &r));
+    wfContinuousReport r;
+    assert_ok(wfGetContinuousReport(w, &r));
     return r;
 }
 
@@ -56,10 +56,10 @@ typedef struct Shot {
 } Shot;
 
 /* One flight at a wall of 2 cm; true if it got through. phase: 0 .. 19, where in a step it arrives. */
-static bool gets_through(const Shot *s, int phase, wfFastReport *sum, double *lost)
+static bool gets_through(const Shot *s, int phase, wfContinuousReport *sum, double *lost)
 {
     wfWorldDef def = calm(s->solver);
-    def.impacts = s->impacts;
+    def.maxImpacts = s->impacts;
     wfWorld w = open_world(&def);
     wfBodyDef wd = wall_of(0.02, 100), bd = body_of(s->kind, 0.05);
     if (s->wall == 1) wd.type = WF_KINEMATIC, wd.velocity = wfV2(-1, 0);
@@ -75,7 +75,7 @@ static bool gets_through(const Shot *s, int phase, wfFastReport *sum, double *lo
     bool through = false;
     for (int i = 0; i < 6; i++) {
         assert_ok(wfStepWorld(&w));
-        wfFastReport r = report(&w);
+        wfContinuousReport r = report(&w);
         sum->bodies += r.bodies, sum->impacts += r.impacts, sum->held += r.held;
         wfBodyInfo a = info(&w, wall), b = info(&w, bullet);
         wfVec2 at = wfRotateInv(wfRotation(a.angle), wfSub(b.position, a.position));
@@ -91,7 +91,7 @@ static void nothing_gets_through(void **state)
 {
     (void)state;
     const double speeds[2] = { 300, 1e5 }, spins[2] = { 0, 1e4 };
-    wfFastReport sum = { 0, 0, 0 };
+    wfContinuousReport sum = { 0, 0, 0 };
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int n = 0; n < 4 * 4 * 2 * 2; n++) {
             Shot s = { wfSolverTable[solver].name, n % 4, n / 4 % 4, speeds[n / 16 % 2], spins[n / 32], 16 };
@@ -116,7 +116,7 @@ static void without_impacts_all_gets_through(void **state)
     (void)state;
     for (int wall = 0; wall < 4; wall++) {
         Shot s = { "sequential", 0, wall, 300, 0, 0 };
-        wfFastReport sum = { 0, 0, 0 };
+        wfContinuousReport sum = { 0, 0, 0 };
         double lost;
         int through = 0;
         for (int phase = 0; phase < 20; phase++) through += gets_through(&s, phase, &sum, &lost);
@@ -157,7 +157,7 @@ static void a_corner_is_passed_without_a_ghost(void **state)
 }
 
 typedef struct Says { int filtered, asked; } Says;
-static bool no_pair(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool no_pair(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     (void)view;
     assert_true(a < b);
@@ -165,7 +165,7 @@ static bool no_pair(void *context, const wfHookView *view, int32_t a, int32_t b)
     return false;
 }
 
-static void let_pass(void *context, const wfHookView *view, const wfContact *contact, wfContactChange *change)
+static void let_pass(void *context, const wfCallbackView *view, const wfContact *contact, wfContactSettings *change)
 {
     /* the bodies are shown where they meet */
     wfVec2 p = view->bodies.state[contact->b].p;
@@ -184,7 +184,7 @@ static void who_may_not_meet_is_not_stopped(void **state)
             wfWorldDef def = calm(wfSolverTable[solver].name);
             wfWorld w = open_world(&def);
             Says says = { 0, 0 };
-            wfHooks hooks = { .context = &says };
+            wfCallbacks hooks = { .context = &says };
             wfBodyDef wd = wall_of(0.02, 2), bd = body_of(0, 0.05);
             bd.position = wfV2(-9, 0), bd.velocity = wfV2(300, 0);
             wfBodyId wall = add(&w, wd), bullet = add(&w, bd);
@@ -203,12 +203,12 @@ static void who_may_not_meet_is_not_stopped(void **state)
             if (how == 2) hooks.filter = no_pair;
             if (how == 3) {
                 wfJoint j;
-                assert_ok(wfJoinBodies(&w, "distance", wall, bullet, wfV2(0, 0), wfV2(-9, 0), wfV2(1, 0), &j));
+                assert_ok(wfDefineJoint(&w, "distance", wall, bullet, wfV2(0, 0), wfV2(-9, 0), wfV2(1, 0), &j));
                 j.flags = WF_JOINT_LIMITS, j.lower = 0, j.upper = 1000;         /* a long rope */
                 assert_ok(wfAddJointToWorld(&w, &j, NULL));
             }
             if (how == 4) hooks.preSolve = let_pass;
-            for (int i = 0; i < 6; i++) assert_ok(wfStepWorldWith(&w, &hooks));
+            for (int i = 0; i < 6; i++) assert_ok(wfStepWorldWithCallbacks(&w, &hooks));
             assert_true(info(&w, bullet).velocity.x == 300 && info(&w, bullet).position.x > 15);
             assert_true((how == 2) == (says.filtered > 0) && (how == 4) == (says.asked == 1));
             wfDestroyWorld(&w);
@@ -243,15 +243,15 @@ static void an_impact_is_newtons(void **state)
             assert_near(a.position.x, -radius - half - near * 3 / 4 + va * (h - t), slack);
             assert_near(b.position.x, vb * (h - t), slack);
             int32_t count;
-            const wfHit *hits = wfWorldHits(&w, &count);
+            const wfContactHit *hits = wfWorldHits(&w, &count);
             assert_int_equal(count, 1);
             assert_ulps(hits[0].speed, v, 4, v);
             assert_near2(hits[0].point, wfV2((wfReal)-half, 0), near);
             assert_near(hits[0].normal.x, -1, 0);                          /* from the wall, which was there first */
-            const wfTouchEvent *begin = wfWorldEvents(&w, WF_TOUCH_BEGIN, &count);
+            const wfContactEvent *begin = wfWorldEvents(&w, WF_CONTACT_BEGIN, &count);
             assert_int_equal(count, 1);
             assert_ulps(begin[0].impulse, j, 16, j);
-            wfFastReport r = report(&w);
+            wfContinuousReport r = report(&w);
             assert_true(r.bodies == 1 && r.impacts == 1 && r.held == 0);
             wfDestroyWorld(&w);
         }
@@ -314,7 +314,7 @@ static void a_spinning_rod_hits_a_peg(void **state)
                 assert_ok(wfStepWorld(&w));
                 wfWorldHits(&w, &count);
             }
-            const wfHit *hit = wfWorldHits(&w, &count);
+            const wfContactHit *hit = wfWorldHits(&w, &count);
             assert_int_equal(count, 1);
             /* eq:impact-spin: it touches when the peg's direction is arcsin((h + rho) / R) away; the search stops a gap of
              * up to 1/256 of the peg's reach before that, and the angle is known to some roundings of all the turns of a step */
@@ -475,7 +475,7 @@ static double deepest_in_hall(int solver, int impacts, double *allowed)
 {
     const double R = 40, r = 0.35, pi = 3.14159265358979;
     wfWorldDef def = calm(wfSolverTable[solver].name);
-    def.bodyCapacity = 2, def.shapeCapacity = 400, def.impacts = impacts;
+    def.bodyCapacity = 2, def.shapeCapacity = 400, def.maxImpacts = impacts;
     wfWorld w = open_world(&def);
     wfBodyDef ground = wfDefaultBodyDef();
     ground.type = WF_STATIC, ground.mass = 1;
@@ -524,7 +524,7 @@ static void too_many_impacts_are_reported(void **state)
     (void)state;
     for (int most = 1; most <= 4; most++) {
         wfWorldDef def = calm("soft");
-        def.impacts = most;
+        def.maxImpacts = most;
         wfWorld w = open_world(&def);
         wfBodyDef left = wall_of(0.2, 2), right = left, bd = body_of(0, 0.05);
         left.position = wfV2(-WF_R(0.6), 0), right.position = wfV2(WF_R(0.6), 0);
@@ -534,7 +534,7 @@ static void too_many_impacts_are_reported(void **state)
         wfBodyId ball = add(&w, bd);
         for (int i = 0; i < 10; i++) {
             assert_ok(wfStepWorld(&w));
-            wfFastReport r = report(&w);
+            wfContinuousReport r = report(&w);
             assert_true(r.bodies == 1 && r.impacts == most && r.held == 1);
             assert_true(wfAbs(info(&w, ball).position.x) < WF_R(0.5));
             assert_ulps(wfAbs(info(&w, ball).velocity.x), 1000, 40, 1000);
@@ -550,7 +550,7 @@ static void three_hundred_and_fourteen(void **state)
     (void)state;
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = calm("soft");
-        if (k == 1) def.impacts = 16;
+        if (k == 1) def.maxImpacts = 16;
         wfWorld w = open_world(&def);
         wfBodyDef wall = wall_of(1, 10), light = body_of(0, 0.5), heavy = light;
         wall.position = wfV2(-WF_R(0.5), 0), light.position = wfV2(1, 0), heavy.position = wfV2(WF_R(2.5), 0);
@@ -585,7 +585,7 @@ static void a_step_has_room_for_so_many(void **state)
 {
     (void)state;
     wfWorldDef def = calm("soft");
-    def.impacts = 1000000;
+    def.maxImpacts = 1000000;
     wfWorld w = open_world(&def);
     wfBodyDef left = body_of(1, 1), right = left, ball = body_of(0, 0.05);
     left.type = right.type = WF_KINEMATIC, ball.restitution = left.restitution = right.restitution = 1;
@@ -594,7 +594,7 @@ static void a_step_has_room_for_so_many(void **state)
     ball.velocity = wfV2(5000, 0);
     add(&w, left), add(&w, right), add(&w, ball);
     assert_ok(wfStepWorld(&w));
-    wfFastReport r = report(&w);
+    wfContinuousReport r = report(&w);
     assert_true(r.impacts == 4096 && r.held == 1);
     wfDestroyWorld(&w);
 }
@@ -623,7 +623,7 @@ static void a_crowd_stays_in_its_room(void **state)
     }
     for (int i = 0; i < 60; i++) {
         assert_ok(wfStepWorld(&w));
-        wfFastReport r = report(&w);
+        wfContinuousReport r = report(&w);
         assert_false(full && r.impacts >= 4096);             /* never two in a row */
         full = r.impacts >= 4096;
         if (full) spent = i;
@@ -641,24 +641,24 @@ static void settings_are_checked_and_kept(void **state)
 {
     (void)state;
     wfWorldDef def = calm(NULL), got;
-    assert_int_equal(def.impacts, 4096);
+    assert_int_equal(def.maxImpacts, 4096);
     wfWorld w = open_world(&def), none = { 0 };
-    wfFastReport r;
-    assert_result(WF_ERROR_NULL, wfGetFastReport(&w, NULL));
-    assert_result(WF_ERROR_NULL, wfGetFastReport(NULL, &r));
-    assert_result(WF_ERROR_NULL, wfGetFastReport(&none, &r));
+    wfContinuousReport r;
+    assert_result(WF_ERROR_NULL, wfGetContinuousReport(&w, NULL));
+    assert_result(WF_ERROR_NULL, wfGetContinuousReport(NULL, &r));
+    assert_result(WF_ERROR_NULL, wfGetContinuousReport(&none, &r));
     assert_ok(wfGetWorldDef(&w, &got));
-    assert_int_equal(got.impacts, 4096);
+    assert_int_equal(got.maxImpacts, 4096);
     void *before = copy_of(&w);
-    got.impacts = -1;
+    got.maxImpacts = -1;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &got));
     assert_unchanged(&w, before);
-    got.impacts = 0;
+    got.maxImpacts = 0;
     assert_ok(wfSetWorldDef(&w, &got));
     assert_ok(wfGetWorldDef(&w, &got));
-    assert_int_equal(got.impacts, 0);
+    assert_int_equal(got.maxImpacts, 0);
     wfDestroyWorld(&w);
-    def.impacts = -1;
+    def.maxImpacts = -1;
     assert_result(WF_ERROR_RANGE, wfCreateWorld(&def, &w));
 }
 
@@ -686,10 +686,10 @@ static void a_step_that_fails_changes_nothing(void **state)
 /* ---- many ---- */
 
 static uint64_t gas(const char *broad, const char *solver, uint32_t without, int steps,
-                    wfFastReport *sum)
+                    wfContinuousReport *sum)
 {
     wfWorldDef def = calm(solver);
-    def.needs &= ~without;
+    def.modules &= ~without;
     def.bodyCapacity = 64;
     def.broadPhase = wfFindBroadPhase(broad);
     wfWorld w = open_world(&def);
@@ -711,7 +711,7 @@ static uint64_t gas(const char *broad, const char *solver, uint32_t without, int
     }
     for (int i = 0; i < steps; i++) {
         assert_ok(wfStepWorld(&w));
-        wfFastReport now = report(&w);
+        wfContinuousReport now = report(&w);
         sum->bodies += now.bodies, sum->impacts += now.impacts, sum->held += now.held;
         wfBodyView all = wfWorldBodies(&w);
         for (int k = 4; k < all.count; k++)                      /* nobody has left the room */
@@ -729,9 +729,9 @@ static void impacts_do_not_depend_on_queries(void **state)
     (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         const char *name = wfSolverTable[solver].name;
-        wfFastReport with = { 0, 0, 0 }, without = { 0, 0, 0 };
+        wfContinuousReport with = { 0, 0, 0 }, without = { 0, 0, 0 };
         uint64_t hash = gas("dynamic-tree", name, 0, 40, &with);
-        assert_true(gas("dynamic-tree", name, WF_NEED_QUERIES | WF_NEED_SLEEP, 40, &without) == hash);
+        assert_true(gas("dynamic-tree", name, WF_MODULE_QUERIES | WF_MODULE_SLEEP, 40, &without) == hash);
         assert_memory_equal(&with, &without, sizeof with);
     }
 }
@@ -740,10 +740,10 @@ static void a_room_of_bullets_is_the_same_for_all_broad_phases(void **state)
 {
     (void)state;
     for (int solver = 0; solver < wfSolverCount; solver += 2) {
-        wfFastReport sum = { 0, 0, 0 }, other;
+        wfContinuousReport sum = { 0, 0, 0 }, other;
         uint64_t first = gas(wfBroadPhaseTable[0].name, wfSolverTable[solver].name, 0, 20, &sum);
         for (int i = 1; i < wfBroadPhaseCount; i++) {
-            other = (wfFastReport){ 0, 0, 0 };
+            other = (wfContinuousReport){ 0, 0, 0 };
             assert_true(gas(wfBroadPhaseTable[i].name, wfSolverTable[solver].name, 0, 20, &other) == first);
             assert_memory_equal(&other, &sum, sizeof sum);
         }

@@ -30,7 +30,7 @@ static void thin_rods_do_not_sink(void **state)
             for (int r = 0; r < 2; r++) {
                 wfWorldDef def = wfDefaultWorldDef();
                 double half = halves[t], deepest = 0, slop = (double)def.slop * hypot(5, half);
-                def.dt = 1 / (wfReal)rates[r];
+                def.timeStep = 1 / (wfReal)rates[r];
                 wfWorld w = open_world(&def);
                 add(&w, floor_def());
                 wfBodyDef rod = box_def(0, 12, 5, half);
@@ -61,7 +61,7 @@ static void a_house_of_cards_stands(void **state)
         wfVec2 at[64];
         int n = 0;
         double y = 0.18, first = 0, tilt = 25 * (double)WF_PI / 180;
-        def.dt = 1 / (wfReal)houses[h].rate, def.solver = wfFindSolver(houses[h].solver);
+        def.timeStep = 1 / (wfReal)houses[h].rate, def.solver = wfFindSolver(houses[h].solver);
         wfWorld w = open_world(&def);
         wfBodyDef ground = floor_def();
         ground.friction = WF_R(0.7);
@@ -89,7 +89,7 @@ static void a_house_of_cards_stands(void **state)
 static double opened(const char *kind, double v, int phase, int impacts)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    def.impacts = impacts;
+    def.maxImpacts = impacts;
     wfWorld w = open_world(&def);
     wfBodyId id[4];
     wfJoint joint[4];
@@ -102,7 +102,7 @@ static double opened(const char *kind, double v, int phase, int impacts)
         bar.velocity = wfV2((wfReal)(phase * v / 8), (wfReal)-v);
         id[i] = add(&w, bar);
         if (i == 0) continue;
-        assert_ok(wfJoinBodies(&w, kind, id[i - 1], id[i], pin, rods ? bar.position : pin, wfV2(1, 0), &joint[i]));
+        assert_ok(wfDefineJoint(&w, kind, id[i - 1], id[i], pin, rods ? bar.position : pin, wfV2(1, 0), &joint[i]));
         assert_ok(wfAddJointToWorld(&w, &joint[i], NULL));
     }
     for (int k = 0; k < 60; k++) {
@@ -153,7 +153,7 @@ static void machines_do_not_get_through(void **state)
                         if (i == 0) continue;
                         wfJoint j;
                         wfVec2 pin = wfV2((wfReal)(x - 0.6 * i + 0.3), (wfReal)(0.013 * i));
-                        assert_ok(wfJoinBodies(&w, "revolute", id[i - 1], id[i], pin, pin, wfV2(1, 0), &j));
+                        assert_ok(wfDefineJoint(&w, "revolute", id[i - 1], id[i], pin, pin, wfV2(1, 0), &j));
                         assert_ok(wfAddJointToWorld(&w, &j, NULL));
                     }
                     for (int k = 0; k < 40; k++) {

@@ -21,7 +21,7 @@ static wfSolve solve_of(wfPool *pool, double h, int substeps)
 {
     wfPoolInit(pool, sizeof memory, memory);
     return (wfSolve){ .state = state, .bodyCount = bodies, .contacts = contact, .contactCount = contacts, .h = (wfReal)h,
-        .iterations = 1, .positionShare = WF_R(0.4), .substeps = substeps, .scratch = pool, .work = work, .report = &report };
+        .iterations = 1, .positionCorrection = WF_R(0.4), .substeps = substeps, .scratch = pool, .work = work, .report = &report };
 }
 
 static void step(double h, int substeps, bool pulled)
@@ -32,7 +32,7 @@ static void step(double h, int substeps, bool pulled)
     memset(&report, -1, sizeof report);
     static _Alignas(16) unsigned char room[1 << 18];
     wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING };
-    wfLaws laws;
+    wfConstraints laws;
     wfPool joined;
     wfPoolInit(&joined, sizeof room, room);
     if (joints > 0) {
@@ -74,10 +74,10 @@ static double coupling(const Row *r, const Row *s)
 static void make_row(int c, int point)
 {
     const wfManifold *m = &contact[c].manifold;
-    wfVec2 u = point < 2 ? m->normal : wfContactTangent(m->normal), rA = m->points[0].armA, rB = m->points[0].armB;
-    if (point == 1) rA = m->points[1].armA, rB = m->points[1].armB;
+    wfVec2 u = point < 2 ? m->normal : wfContactTangent(m->normal), rA = m->points[0].rA, rB = m->points[0].rB;
+    if (point == 1) rA = m->points[1].rA, rB = m->points[1].rB;
     if (point == 2 && m->count == 2)
-        rA = wfLerp(rA, m->points[1].armA, WF_R(0.5)), rB = wfLerp(rB, m->points[1].armB, WF_R(0.5));
+        rA = wfLerp(rA, m->points[1].rA, WF_R(0.5)), rB = wfLerp(rB, m->points[1].rB, WF_R(0.5));
     Row *r = &row[rows++];
     *r = (Row){ contact[c].a, contact[c].b, c, point, { -(double)u.x, -(double)u.y, 0 }, { (double)u.x, (double)u.y, 0 } };
     r->jA[2] = -((double)rA.x * (double)u.y - (double)rA.y * (double)u.x);
@@ -120,7 +120,7 @@ static bool try_states(const int *choice, double (*v)[3])
         const Row *r = &row[i];
         double mu = r->point < 3 ? (double)contact[r->contact].friction : 0;
         for (int k = 0; k < rows; k++) a[i][k] = choice[i] == 1 ? coupling(r, &row[k]) : i == k;
-        a[i][rows] = choice[i] == 1 ? -rate(r, v) + (r->point == 2 ? (double)contact[r->contact].surfaceSpeed : 0) : 0;
+        a[i][rows] = choice[i] == 1 ? -rate(r, v) + (r->point == 2 ? (double)contact[r->contact].tangentSpeed : 0) : 0;
         for (int k = 0; choice[i] > 1 && k < rows; k++)
             if (row[k].contact == r->contact && row[k].point < 2) a[i][k] = choice[i] == 2 ? -mu : mu;
     }
@@ -138,7 +138,7 @@ static bool try_states(const int *choice, double (*v)[3])
             if (j < -1e-9 || u < -1e-9) return false;
             continue;
         }
-        u -= (double)contact[row[i].contact].surfaceSpeed;
+        u -= (double)contact[row[i].contact].tangentSpeed;
         if (fabs(j) > mu * pushed[row[i].contact] + 1e-9) return false;
         if ((choice[i] == 2 && u > 1e-9) || (choice[i] == 3 && u < -1e-9)) return false;
     }
@@ -203,7 +203,7 @@ static void random_contact(wfRandom *r, int a, int b, double friction)
     for (int p = 0; p < c->manifold.count; p++) {
         wfContactPoint *q = &c->manifold.points[p];
         q->point = wfAddScaled(at, (wfReal)p, t);
-        q->armA = wfSub(q->point, state[a].p), q->armB = wfSub(q->point, state[b].p);
+        q->rA = wfSub(q->point, state[a].p), q->rB = wfSub(q->point, state[b].p);
         q->feature = (uint32_t)p;
     }
 }
@@ -232,7 +232,7 @@ static void assert_coulomb(double tolerance)
             if (n > 1e-4) assert_near(u, 0, tolerance);
             continue;
         }
-        u -= (double)c->surfaceSpeed;
+        u -= (double)c->tangentSpeed;
         assert_true(fabs(t) <= limit + tolerance);
         if (fabs(u) > tolerance && pushed[row[i].contact] > 1e-4) assert_near(t, u < 0 ? limit : -limit, tolerance);
     }
@@ -272,8 +272,8 @@ static void test_every_combination(void **unused)
 static double slides(const wfContact *c, int p, wfVec2 along)
 {
     const wfContactPoint *q = &c->manifold.points[p];
-    wfVec2 ofA = wfAdd(state[c->a].v, wfCrossSV(state[c->a].w, q->armA));
-    wfVec2 ofB = wfAdd(state[c->b].v, wfCrossSV(state[c->b].w, q->armB));
+    wfVec2 ofA = wfAdd(state[c->a].v, wfCrossSV(state[c->a].w, q->rA));
+    wfVec2 ofB = wfAdd(state[c->b].v, wfCrossSV(state[c->b].w, q->rB));
     return (double)wfDot(wfSub(ofB, ofA), along);
 }
 
@@ -476,9 +476,9 @@ static void stand_on(int i)
     for (int k = 0; k < 2; k++) {
         wfContactPoint *p = &c.manifold.points[k];
         wfReal at = wfClamp(x[k], -half, half), gap = y[0] + (y[1] - y[0]) * (at - x[0]) / (x[1] - x[0]);
-        p->armA = wfAddScaled(wfScale(at, t), top + gap / 2, n);
-        p->armB = wfSub(p->armA, d);
-        p->point = wfAdd(a->p, p->armA);
+        p->rA = wfAddScaled(wfScale(at, t), top + gap / 2, n);
+        p->rB = wfSub(p->rA, d);
+        p->point = wfAdd(a->p, p->rA);
         p->depth = -gap;
         p->normalImpulse = contact[i].manifold.points[k].normalImpulse;
         p->tangentImpulse = contact[i].manifold.points[k].tangentImpulse;
@@ -568,7 +568,7 @@ static void test_belt_and_rolling(void **unused)
     forces[1].force = wfV2(WF_R(0.02) * WF_R(9.81), WF_R(-9.81));
     for (int i = 0; i < 120; i++) {
         touch(1);
-        contact[0].rolling = i < 60 ? WF_R(0.011) : 0;                  /* up to rho / r = 0.022 it stays */
+        contact[0].rollingResistance = i < 60 ? WF_R(0.011) : 0;        /* up to rho / r = 0.022 it stays */
         step(1.0 / 60, 4, true);
         if (i == 59) assert_near(state[1].p.x, 0, 8 * (double)WF_EPSILON);
     }
@@ -577,7 +577,7 @@ static void test_belt_and_rolling(void **unused)
     add_box(0, 0.5, 4, 1, 1);
     for (int i = 0; i < 90; i++) {
         touch(1);
-        contact[0].surfaceSpeed = 2;
+        contact[0].tangentSpeed = 2;
         step(1.0 / 60, 4, true);
     }
     assert_near(state[1].v.x, 2, 1e-5);

@@ -5,42 +5,42 @@
 
 enum { MOST = 300 };
 
-static wfTouch touch(int a, int b, unsigned sa, unsigned sb)
+static wfTouchingPair touch(int a, int b, unsigned sa, unsigned sb)
 {
-    return (wfTouch){ .a = a, .b = b, .stampA = sa, .stampB = sb };
+    return (wfTouchingPair){ .a = a, .b = b, .stampA = sa, .stampB = sb };
 }
 
-static bool same(const wfTouch *x, const wfTouch *y)
+static bool same(const wfTouchingPair *x, const wfTouchingPair *y)
 {
     return x->a == y->a && x->b == y->b && x->stampA == y->stampA && x->stampB == y->stampB && x->flags == y->flags;
 }
 
-static bool equal(const wfTouch *x, const wfTouch *y)          /* the same touch; flags are not part of it */
+static bool equal(const wfTouchingPair *x, const wfTouchingPair *y) /* the same touch; flags are not part of it */
 {
     return x->a == y->a && x->b == y->b && x->stampA == y->stampA && x->stampB == y->stampB;
 }
 
-static bool has(const wfTouch *list, int32_t n, const wfTouch *t)
+static bool has(const wfTouchingPair *list, int32_t n, const wfTouchingPair *t)
 {
     for (int32_t i = 0; i < n; i++) if (equal(&list[i], t)) return true;
     return false;
 }
 
-static wfTouch begins[MOST], stays[MOST], ends[MOST];
+static wfTouchingPair begins[MOST], stays[MOST], ends[MOST];
 
-static wfTouchEvents room(int32_t begin, int32_t stay, int32_t end)
+static wfTouchingChanges room(int32_t begin, int32_t stay, int32_t end)
 {
-    wfTouchEvents e = { { begins, -5, begin }, { stays, -5, stay }, { ends, -5, end } };
+    wfTouchingChanges e = { { begins, -5, begin }, { stays, -5, stay }, { ends, -5, end } };
     return e;
 }
 
 static void test_by_hand(void **state)
 {
     (void)state;
-    wfTouch before[] = { touch(1, 2, 0, 0), touch(1, 5, 0, 0), touch(2, 4, 7, 7), touch(3, 4, 0, 0) };
-    wfTouch now[] = { touch(1, 3, 0, 0), touch(1, 5, 0, 0), touch(2, 4, 7, 8), touch(5, 6, 0, 0) };
+    wfTouchingPair before[] = { touch(1, 2, 0, 0), touch(1, 5, 0, 0), touch(2, 4, 7, 7), touch(3, 4, 0, 0) };
+    wfTouchingPair now[] = { touch(1, 3, 0, 0), touch(1, 5, 0, 0), touch(2, 4, 7, 8), touch(5, 6, 0, 0) };
     now[1].flags = WF_TOUCH_SENSOR_B;
-    wfTouchEvents e = room(MOST, MOST, MOST);
+    wfTouchingChanges e = room(MOST, MOST, MOST);
     assert_ok(wfCompareTouches(before, 4, now, 4, &e));
     assert_int_equal(e.begin.count, 3);
     assert_true(same(&begins[0], &now[0]) && same(&begins[1], &now[2]) && same(&begins[2], &now[3]));
@@ -54,12 +54,12 @@ static void test_by_hand(void **state)
     assert_true(e.begin.count == 0 && e.stay.count == 0 && e.end.count == 4);
     assert_ok(wfCompareTouches(NULL, 0, NULL, 0, &e));
     assert_true(e.begin.count == 0 && e.stay.count == 0 && e.end.count == 0);
-    wfTouch first[] = { touch(1, 2, 0, 0) }, other[] = { touch(1, 2, 1, 0) };
+    wfTouchingPair first[] = { touch(1, 2, 0, 0) }, other[] = { touch(1, 2, 1, 0) };
     assert_ok(wfCompareTouches(first, 1, other, 1, &e));       /* another owner of slot 1 */
     assert_true(e.begin.count == 1 && e.stay.count == 0 && e.end.count == 1 && begins[0].stampA == 1 && ends[0].stampA == 0);
 }
 
-static int32_t random_touches(wfRandom *r, wfTouch *out)
+static int32_t random_touches(wfRandom *r, wfTouchingPair *out)
 {
     int32_t n = 0;
     int share = 1 + (int)wfRandomBelow(r, 6);
@@ -72,10 +72,10 @@ static int32_t random_touches(wfRandom *r, wfTouch *out)
     return n;
 }
 
-static void check_sorted(const wfTouchList *list)
+static void check_sorted(const wfTouchingList *list)
 {
     for (int32_t i = 1; i < list->count; i++) {
-        const wfTouch *x = &list->touches[i - 1], *y = &list->touches[i];
+        const wfTouchingPair *x = &list->touches[i - 1], *y = &list->touches[i];
         assert_true(x->a < y->a || (x->a == y->a && x->b < y->b));
     }
 }
@@ -83,11 +83,11 @@ static void check_sorted(const wfTouchList *list)
 static void test_random(void **state)
 {
     (void)state;
-    static wfTouch before[MOST], now[MOST];
+    static wfTouchingPair before[MOST], now[MOST];
     wfRandom r = random_stream(1);
     for (int round = 0; round < 2000; round++) {
         int32_t n = random_touches(&r, before), m = random_touches(&r, now), begin = 0, stay = 0, end = 0;
-        wfTouchEvents e = room(MOST, MOST, MOST);
+        wfTouchingChanges e = room(MOST, MOST, MOST);
         assert_ok(wfCompareTouches(before, n, now, m, &e));
         for (int32_t i = 0; i < n; i++) {
             if (has(now, m, &before[i])) stay++;
@@ -104,20 +104,20 @@ static void test_random(void **state)
         check_sorted(&e.stay);
         check_sorted(&e.end);
         /* just enough room, one too few of each kind, and none at all */
-        wfTouchEvents tight = room(begin, stay, end);
+        wfTouchingChanges tight = room(begin, stay, end);
         assert_ok(wfCompareTouches(before, n, now, m, &tight));
         for (int k = 0; k < 3; k++) {
             tight = room(begin, stay, end);
-            wfTouchList *list = k == 0 ? &tight.begin : k == 1 ? &tight.stay : &tight.end;
+            wfTouchingList *list = k == 0 ? &tight.begin : k == 1 ? &tight.stay : &tight.end;
             if (list->capacity == 0) continue;
             list->capacity--;
             memset(begins, 0xEE, sizeof begins);
-            wfTouchEvents copy = tight;
+            wfTouchingChanges copy = tight;
             assert_result(WF_ERROR_FULL, wfCompareTouches(before, n, now, m, &tight));
             assert_memory_equal(&copy, &tight, sizeof copy);
             for (size_t i = 0; i < sizeof begins; i++) assert_int_equal(((uint8_t *)begins)[i], 0xEE);
         }
-        wfTouchEvents counted = { { NULL, 0, 0 }, { NULL, 0, 0 }, { NULL, 0, 0 } };
+        wfTouchingChanges counted = { { NULL, 0, 0 }, { NULL, 0, 0 }, { NULL, 0, 0 } };
         assert_ok(wfCompareTouches(before, n, now, m, &counted));
         assert_true(counted.begin.count == begin && counted.stay.count == stay && counted.end.count == end);
     }
@@ -126,11 +126,11 @@ static void test_random(void **state)
 static void test_bad_lists(void **state)
 {
     (void)state;
-    wfTouch good[] = { touch(1, 2, 0, 0), touch(1, 3, 0, 0) }, twice[] = { touch(1, 2, 0, 0), touch(1, 2, 1, 1) };
-    wfTouch turned[] = { touch(1, 3, 0, 0), touch(1, 2, 0, 0) }, fallen[] = { touch(2, 3, 0, 0), touch(1, 4, 0, 0) };
-    wfTouch self[] = { touch(1, 1, 0, 0) }, wrong[] = { touch(2, 1, 0, 0) };
-    wfTouchEvents e = room(MOST, MOST, MOST), copy = e;
-    struct { const wfTouch *list; int32_t n; } bad[] = { { twice, 2 }, { turned, 2 }, { fallen, 2 }, { self, 1 }, { wrong, 1 }, { good, -1 } };
+    wfTouchingPair good[] = { touch(1, 2, 0, 0), touch(1, 3, 0, 0) }, twice[] = { touch(1, 2, 0, 0), touch(1, 2, 1, 1) };
+    wfTouchingPair turned[] = { touch(1, 3, 0, 0), touch(1, 2, 0, 0) }, fallen[] = { touch(2, 3, 0, 0), touch(1, 4, 0, 0) };
+    wfTouchingPair self[] = { touch(1, 1, 0, 0) }, wrong[] = { touch(2, 1, 0, 0) };
+    wfTouchingChanges e = room(MOST, MOST, MOST), copy = e;
+    struct { const wfTouchingPair *list; int32_t n; } bad[] = { { twice, 2 }, { turned, 2 }, { fallen, 2 }, { self, 1 }, { wrong, 1 }, { good, -1 } };
     for (int k = 0; k < 6; k++) {
         assert_result(WF_ERROR_RANGE, wfCompareTouches(bad[k].list, bad[k].n, good, 2, &e));
         assert_result(WF_ERROR_RANGE, wfCompareTouches(good, 2, bad[k].list, bad[k].n, &e));
@@ -140,8 +140,8 @@ static void test_bad_lists(void **state)
     assert_result(WF_ERROR_NULL, wfCompareTouches(good, 2, good, 2, NULL));
     assert_memory_equal(&e, &copy, sizeof e);
     for (int k = 0; k < 3; k++) {
-        wfTouchEvents x = e;
-        wfTouchList *list = k == 0 ? &x.begin : k == 1 ? &x.stay : &x.end;
+        wfTouchingChanges x = e;
+        wfTouchingList *list = k == 0 ? &x.begin : k == 1 ? &x.stay : &x.end;
         list->capacity = -1;
         assert_result(WF_ERROR_RANGE, wfCompareTouches(good, 1, good + 1, 1, &x));
         list->touches = NULL;
@@ -180,16 +180,16 @@ static void test_margin(void **state)
 static void test_hits(void **state)
 {
     (void)state;
-    wfTouch t = touch(3, 9, 1, 2);
+    wfTouchingPair t = touch(3, 9, 1, 2);
     wfManifold m = { .normal = wfV2(0, 1), .count = 2 };        /* B stands on A */
     m.points[0].point = wfV2(-1, 5);
-    m.points[0].armA = wfV2(-1, 1);
-    m.points[0].armB = wfV2(-1, -1);
+    m.points[0].rA = wfV2(-1, 1);
+    m.points[0].rB = wfV2(-1, -1);
     m.points[1].point = wfV2(1, 5);
-    m.points[1].armA = wfV2(1, 1);
-    m.points[1].armB = wfV2(1, -1);
+    m.points[1].rA = wfV2(1, 1);
+    m.points[1].rB = wfV2(1, -1);
     wfTwist still = { wfV2(0, 0), 0 }, down = { wfV2(7, -3), 0 }, tipping = { wfV2(0, -1), -2 }, up = { wfV2(0, 3), 0 };
-    wfHitEvent hit;
+    wfPairHit hit;
     assert_true(wfMakeHit(&t, &m, still, down, 0, &hit));       /* sliding does not count */
     assert_near(hit.speed, 3, 0);
     assert_near2(hit.point, wfV2(-1, 5), 0);                    /* of equal speeds the first point */
@@ -204,7 +204,7 @@ static void test_hits(void **state)
     assert_true(wfMakeHit(&t, &m, spin, still, 0, &hit));       /* A turns: its right end rises by 4 */
     assert_near(hit.speed, 4, 0);
     assert_near2(hit.point, wfV2(1, 5), 0);
-    wfHitEvent copy = hit;
+    wfPairHit copy = hit;
     assert_false(wfMakeHit(&t, &m, still, up, 0, &hit));        /* they part */
     assert_false(wfMakeHit(&t, &m, still, still, 0, &hit));
     assert_false(wfMakeHit(&t, &m, still, down, 3, &hit));      /* not faster than asked for */
@@ -235,8 +235,8 @@ static void test_a_landing(void **state)
     (void)state;
     wfShape table = box(4, 1), crate = box(1, 1);
     wfManifold m;
-    wfHitEvent hit;
-    wfTouch t = touch(0, 1, 1, 1);
+    wfPairHit hit;
+    wfTouchingPair t = touch(0, 1, 1, 1);
     assert_int_equal(wfCollide(&table, at(0, 0, 0), &crate, at(1, 1.99, 0), &m), 2);
     wfTwist still = { wfV2(0, 0), 0 }, falling = { wfV2(2, -5), -1 };
     assert_true(wfMakeHit(&t, &m, still, falling, 1, &hit));

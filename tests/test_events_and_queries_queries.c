@@ -452,14 +452,14 @@ static void test_bad_input(void **state)
 {
     (void)state;
     wfRandom r = random_stream(8);
-    wfRayHit hit, hitBefore;
+    wfRayHit hit, hit_before;
     wfClosest c, cBefore;
     bool yes = true;
     wfTransform id = at(0, 0, 0);
     wfRay ray = { wfV2(-3, 0), wfV2(6, 0) };
     memset(&hit, 0xEE, sizeof hit);
     memset(&c, 0xEE, sizeof c);
-    hitBefore = hit;
+    hit_before = hit;
     cBefore = c;
     for (int kind = 0; kind < WF_SHAPE_KINDS; kind++) {
         wfShape s = { 0 }, odd;
@@ -501,7 +501,7 @@ static void test_bad_input(void **state)
         assert_result(WF_ERROR_NOT_FINITE, wfRayShape(&s, far, huge, &hit));
         assert_result(WF_ERROR_NOT_FINITE, wfClosestPoint(&s, far, huge.from, &c));
     }
-    assert_memory_equal(&hit, &hitBefore, sizeof hit);
+    assert_memory_equal(&hit, &hit_before, sizeof hit);
     assert_memory_equal(&c, &cBefore, sizeof c);
     assert_true(yes);
 }

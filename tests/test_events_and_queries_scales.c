@@ -93,7 +93,7 @@ static int assert_same_manifold(const wfManifold *m, const wfManifold *n)
     if (m->count) assert_true(equal2(m->normal, n->normal));
     for (int i = 0; i < m->count; i++) {
         const wfContactPoint *p = &m->points[i], *q = &n->points[i];
-        assert_true(same2(p->point, q->point) && same2(p->armA, q->armA) && same2(p->armB, q->armB));
+        assert_true(same2(p->point, q->point) && same2(p->rA, q->rA) && same2(p->rB, q->rB));
         assert_true(same(p->depth, q->depth) && p->feature == q->feature);
     }
     return m->count;

@@ -22,7 +22,7 @@ static wfJointStep step_of(int substeps, int passes)
     wfPoolInit(&pool, sizeof memory, memory);
     return (wfJointStep){ .state = state, .bodyCount = bodies, .joints = joint, .jointCount = joints, .forces = forces,
         .h = WF_R(1.0) / 60, .substeps = substeps, .passes = passes, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
-        .give = WF_JOINT_GIVE, .scratch = &pool, .prepare = wfExactJoints };
+        .give = WF_JOINT_COMPLIANCE, .scratch = &pool, .prepare = wfExactJoints };
 }
 
 static void add_body(double x, double y, double m)
@@ -80,7 +80,7 @@ static void machine(int kind, int n)
 static double give_of(double f, double K, int substeps)
 {
     double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD, beta = turn / (2 * WF_JOINT_DAMPING + turn), h = 1 / (60.0 * substeps);
-    return 1.1 * f * h * h * (double)WF_JOINT_GIVE * K / (2 * beta);
+    return 1.1 * f * h * h * (double)WF_JOINT_COMPLIANCE * K / (2 * beta);
 }
 
 static void test_all_rows_are_kept(void **unused)
@@ -122,7 +122,7 @@ static void test_weight_of_a_chain(void **unused)
     for (int i = 1; i <= 40; i++) add_body(0, 0.5 - i, 1);
     for (int i = 1; i <= 40; i++) {
         wfVec2 at = wfV2(0, (wfReal)(1 - i));
-        joint[joints++] = wfHinge(i - 1, &state[i - 1], i, &state[i], at);
+        joint[joints++] = wfMakeRevoluteJoint(i - 1, &state[i - 1], i, &state[i], at);
     }
     wfJointStep in = step_of(4, 1);
     for (int i = 0; i < 10; i++) assert_ok(wfStepJoints(&in));
@@ -138,7 +138,7 @@ static void test_heavy_load(void **unused)
     (void)unused;
     begin();
     for (int i = 1; i <= 20; i++) add_body(0, 0.5 - i, i == 20 ? 1000 : 1);
-    for (int i = 1; i <= 20; i++) joint[joints++] = wfHinge(i - 1, &state[i - 1], i, &state[i], wfV2(0, (wfReal)(1 - i)));
+    for (int i = 1; i <= 20; i++) joint[joints++] = wfMakeRevoluteJoint(i - 1, &state[i - 1], i, &state[i], wfV2(0, (wfReal)(1 - i)));
     state[20].v = wfV2(1, 0);
     wfJointStep in = step_of(4, 2);
     double widest = 0, error, rate;
@@ -244,14 +244,14 @@ static void test_bad_input(void **unused)
     assert_ok(wfExactJoints(&set, &in, &pool));
     assert_null(set.together);
     uint8_t alone[8];
-    assert_result(WF_ERROR_NULL, wfExactMachines(NULL, &in, 8, alone, false, &pool));
-    assert_result(WF_ERROR_NULL, wfExactMachines(&set, NULL, 8, alone, false, &pool));
-    assert_result(WF_ERROR_NULL, wfExactMachines(&set, &in, 8, NULL, false, &pool));
-    assert_result(WF_ERROR_NULL, wfExactMachines(&set, &in, 8, alone, false, NULL));
-    assert_ok(wfExactMachines(&set, &in, 8, alone, false, &pool));
+    assert_result(WF_ERROR_NULL, wfDirectArticulations(NULL, &in, 8, alone, false, &pool));
+    assert_result(WF_ERROR_NULL, wfDirectArticulations(&set, NULL, 8, alone, false, &pool));
+    assert_result(WF_ERROR_NULL, wfDirectArticulations(&set, &in, 8, NULL, false, &pool));
+    assert_result(WF_ERROR_NULL, wfDirectArticulations(&set, &in, 8, alone, false, NULL));
+    assert_ok(wfDirectArticulations(&set, &in, 8, alone, false, &pool));
     set.joints = joint, set.count = joints, in.state = state, in.bodyCount = bodies;
     wfPoolInit(&pool, 256, memory);
-    assert_result(WF_ERROR_MEMORY, wfExactMachines(&set, &in, 8, alone, false, &pool));
+    assert_result(WF_ERROR_MEMORY, wfDirectArticulations(&set, &in, 8, alone, false, &pool));
     set.count = 0, wfPoolInit(&pool, sizeof memory, memory);
     for (size_t size = 256; size < wfExactScratch(bodies, joints) / 2; size += 256) {
         wfPoolInit(&pool, size, memory);
@@ -311,7 +311,7 @@ static void test_pendulum(void **unused)
     int turns = -1;
     begin();
     add_body(1, 0, 1);
-    joint[joints++] = wfHinge(0, &state[0], 1, &state[1], wfV2(0, 0));
+    joint[joints++] = wfMakeRevoluteJoint(0, &state[0], 1, &state[1], wfV2(0, 0));
     wfJointStep in = step_of(4, 1);
     for (int i = 0; i < 3600; i++) {
         double before = (double)state[1].w;
@@ -340,7 +340,7 @@ static void test_swinging_load(void **unused)
             state[i].angle = (wfReal)angle, level += 9.81 * (i - 0.5) * (i == 20 ? 1000 : 1);
         }
         for (int i = 1; i <= 20; i++)
-            joint[joints++] = wfHinge(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)((i - 1) * sin(angle)), (wfReal)(-(i - 1) * cos(angle))));
+            joint[joints++] = wfMakeRevoluteJoint(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)((i - 1) * sin(angle)), (wfReal)(-(i - 1) * cos(angle))));
         wfJointStep in = step_of(4, 1);
         first = energy_of();
         for (int i = 0; i < 480; i++) {
@@ -363,8 +363,8 @@ static void test_straight_bridge(void **unused)
     (void)unused;
     begin();
     for (int i = 1; i <= 10; i++) add_body(i - 0.5, 0, 1);
-    for (int i = 1; i <= 10; i++) joint[joints++] = wfHinge(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)(i - 1), 0));
-    joint[joints++] = wfHinge(10, &state[10], 0, &state[0], wfV2(10, 0));
+    for (int i = 1; i <= 10; i++) joint[joints++] = wfMakeRevoluteJoint(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)(i - 1), 0));
+    joint[joints++] = wfMakeRevoluteJoint(10, &state[10], 0, &state[0], wfV2(10, 0));
     wfJointStep in = step_of(4, 1);
     double lowest = 0, fastest = 0;
     for (int i = 0; i < 600; i++) {
@@ -437,14 +437,14 @@ static void test_machines(void **unused)
         add_body(40, 0, 1), add_body(41, 0, 1);
         tie("weld", 16, 17), tie("weld", 0, 0 + 16);
         joint[joints - 1].flags = WF_JOINT_BROKEN;
-        wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING, .give = WF_JOINT_GIVE };
+        wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING, .give = WF_JOINT_COMPLIANCE };
         wfSolve in = { .state = state, .bodyCount = bodies, .h = WF_R(1.0) / 60, .substeps = 4, .iterations = 1, .scratch = &pool, .forces = forces };
-        wfLaws laws;
+        wfConstraints laws;
         in.laws = &laws;
         wfPoolInit(&pool, sizeof memory, memory);
         assert_ok(wfBeginJoints(&set, bodies, &pool, &laws));
         if (known) memcpy(alone[1], alone[0], sizeof alone[0]);
-        assert_ok(wfExactMachines(&set, &in, WF_EXACT_CHEAP, alone[known], known != 0, &pool));
+        assert_ok(wfDirectArticulations(&set, &in, WF_EXACT_CHEAP, alone[known], known != 0, &pool));
         for (int i = 0; i < joints; i++) assert_int_equal(alone[known][i], (i >= 8 && i < 29) || i == joints - 1);
         assert_ok(wfSolveStep(wfFindSolver("soft"), &in));
         wfEndJoints(&set, &in);
@@ -456,7 +456,7 @@ static void test_machines(void **unused)
         wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD };
         wfSolve in = { .state = state, .bodyCount = bodies };
         wfPoolInit(&pool, sizeof memory, memory);
-        assert_ok(wfExactMachines(&set, &in, limit ? -1 : 0, alone[0], false, &pool));
+        assert_ok(wfDirectArticulations(&set, &in, limit ? -1 : 0, alone[0], false, &pool));
         int together = 0;
         for (int i = 0; i < joints; i++) together += !alone[0][i];
         assert_int_equal(together, limit ? 8 + 1 : 1);              /* each with each: 210 blocks of 21 joints, and there is room for 168 */

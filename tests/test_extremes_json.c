@@ -12,7 +12,7 @@ static char text[1 << 20];
 static void keep(labTrace *t, int row, const wfWorld *world, double time)
 {
     double *to = t->cell + (size_t)row * (size_t)(2 + LAB_FIELDS * t->bodies);
-    wfFar origin;
+    wfGlobalPoint origin;
     assert_int_equal(wfGetWorldOrigin(world, &origin), WF_OK);
     *to++ = row;
     *to++ = time;

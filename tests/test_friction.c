@@ -29,19 +29,19 @@ static void rubbing_by_hand(void **unused)
         { -5.5, 1.5, 0, 1.5 }, { 5.5, 0, 0, 0 }, { 0, 9, 0, 0 }, { 5.5, 9, 2.75, -1 }, { 0, 9, -5.5, -2 }, { 0, 1, 5.5, 1 } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         wfBodyState ground = body(0, 0, 0, 0, 0, 0, 0), b = body(0, 3, c[i].vx, 0, 0, 2, 4);
-        wfReal j = wfRubPoint(&ground, &b, wfV2(0, 0), wfV2(0, 1), (wfReal)c[i].limit, (wfReal)c[i].belt);
+        wfReal j = wfApplyFriction(&ground, &b, wfV2(0, 0), wfV2(0, 1), (wfReal)c[i].limit, (wfReal)c[i].belt);
         assert_ulps(j, c[i].want, 8, 2);
         assert_ulps(b.v.x, c[i].vx + c[i].want / 2, 8, 6);
         assert_ulps(b.w, 3 * c[i].want / 4, 8, 2);               /* arm (0, -3) x (j, 0) = 3 j */
         assert_true(b.v.y == 0 && ground.v.x == 0 && ground.w == 0);
         /* the same with the bodies in the other order, and the normal turned round: the belt is the same belt */
         wfBodyState b2 = body(0, 3, c[i].vx, 0, 0, 2, 4);
-        wfReal j2 = wfRubPoint(&b2, &ground, wfV2(0, 0), wfV2(0, -1), (wfReal)c[i].limit, (wfReal)c[i].belt);
+        wfReal j2 = wfApplyFriction(&b2, &ground, wfV2(0, 0), wfV2(0, -1), (wfReal)c[i].limit, (wfReal)c[i].belt);
         assert_ulps(j2, c[i].want, 8, 2);
         assert_ulps(b2.v.x, b.v.x, 8, 6);
     }
     wfBodyState still[2] = { body(0, 0, 1, 0, 0, 0, 0), body(0, 1, 0, 0, 0, 0, 0) };       /* nothing can move */
-    assert_true(wfRubPoint(&still[0], &still[1], wfV2(0, 0), wfV2(0, 1), 1, 0) == 0);
+    assert_true(wfApplyFriction(&still[0], &still[1], wfV2(0, 0), wfV2(0, 1), 1, 0) == 0);
     assert_true(still[0].v.x == 1 && still[1].v.x == 0);
 }
 
@@ -53,13 +53,13 @@ static void rolling_resistance_by_hand(void **unused)
         { 3, 3, 9, 0 }, { 1, 6, 0, 0 } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         wfBodyState a = body(0, 0, 1, 2, c[i].wa, 1, 2), b = body(0, 1, 3, 4, c[i].wb, 1, 3);
-        assert_ulps(wfResistRolling(&a, &b, (wfReal)c[i].limit), c[i].want, 8, 6);
+        assert_ulps(wfApplyRollingResistance(&a, &b, (wfReal)c[i].limit), c[i].want, 8, 6);
         assert_ulps(a.w, c[i].wa - c[i].want / 2, 8, 6);
         assert_ulps(b.w, c[i].wb + c[i].want / 3, 8, 6);
         assert_true(a.v.x == 1 && a.v.y == 2 && b.v.x == 3 && b.v.y == 4);
     }
     wfBodyState a = body(0, 0, 0, 0, 5, 1, 0), b = body(0, 1, 0, 0, -5, 0, 0);
-    assert_true(wfResistRolling(&a, &b, 1) == 0 && a.w == 5 && b.w == -5);
+    assert_true(wfApplyRollingResistance(&a, &b, 1) == 0 && a.w == 5 && b.w == -5);
 }
 
 static void surfaces_mix(void **unused)
@@ -99,7 +99,7 @@ static void rubbing_obeys_the_laws(void **unused)
         double u = (double)wfRelativeNormalVelocity(&s[0], &s[1], p, t), before = energy_of(s, 2);
         wfVec2 sum = wfAdd(wfMomentum(&s[0]), wfMomentum(&s[1]));
         wfReal spin = wfAngularMomentum(&s[0], wfV2(0, 0)) + wfAngularMomentum(&s[1], wfV2(0, 0));
-        wfReal j = wfRubPoint(&s[0], &s[1], p, n, limit, 0);
+        wfReal j = wfApplyFriction(&s[0], &s[1], p, n, limit, 0);
         double v = (double)wfRelativeNormalVelocity(&s[0], &s[1], p, t), after = energy_of(s, 2);
         /* a handful of roundings of velocities below 15, of momenta below 50 */
         assert_near2(wfAdd(wfMomentum(&s[0]), wfMomentum(&s[1])), sum, 100 * (double)WF_EPSILON * 10);
@@ -128,7 +128,7 @@ static wfSolve problem(wfBodyState *s, int bodies, wfContact *c, int contacts, w
 {
     assert_ok(wfPoolInit(pool, sizeof memory, memory));
     return (wfSolve){ .state = s, .bodyCount = bodies, .contacts = c, .contactCount = contacts, .h = WF_R(0.01),
-                      .iterations = 1, .positionShare = 1, .scratch = pool };
+                      .iterations = 1, .positionCorrection = 1, .scratch = pool };
 }
 
 static void lists_with_friction_never_add_energy(void **unused)
@@ -145,7 +145,7 @@ static void lists_with_friction_never_add_energy(void **unused)
         for (int i = 0; i < C; i++) {
             int a = (int)wfRandomBelow(&r, N - 1), b = a + 1 + (int)wfRandomBelow(&r, (uint32_t)(N - 1 - a));
             c[i] = touch(a, b, random_unit(&r), random_v2(&r, -2, 2), (double)wfRandomReal(&r, 0, 1), (double)wfRandomReal(&r, 0, 2));
-            c[i].rolling = wfRandomReal(&r, 0, 1);
+            c[i].rollingResistance = wfRandomReal(&r, 0, 1);
             c[i].manifold.points[0].normalImpulse = c[i].rollingImpulse = 77;           /* what was there is forgotten */
             if (i % 2 == 0) continue;
             c[i].manifold.count = 2;
@@ -168,7 +168,7 @@ static void lists_with_friction_never_add_energy(void **unused)
                 assert_true(p->normalImpulse >= 0);
                 assert_true(wfAbs(p->tangentImpulse) <= c[i].friction * p->normalImpulse * (1 + 10 * WF_EPSILON));
             }
-            assert_true(wfAbs(c[i].rollingImpulse) <= c[i].rolling * total * (1 + 20 * WF_EPSILON));
+            assert_true(wfAbs(c[i].rollingImpulse) <= c[i].rollingResistance * total * (1 + 20 * WF_EPSILON));
         }
     }
 }
@@ -181,7 +181,7 @@ static void one_contact_with_everything_by_hand(void **unused)
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 10, -1, 0, 1, 0.5) };
     wfContact c = touch(0, 1, wfV2(0, 1), wfV2(0, 0), 0.5, 0.2);
     wfPool pool;
-    c.rolling = WF_R(0.1);
+    c.rollingResistance = WF_R(0.1);
     wfSolve in = problem(s, 2, &c, 1, &pool);
     assert_ok(wfSolveVelocities(wfFindSolver("impulse-friction"), &in));
     assert_ulps2(s[1].v, wfV2(WF_R(9.7), WF_R(0.5)), 8, 10);
@@ -193,7 +193,7 @@ static void one_contact_with_everything_by_hand(void **unused)
 
 /* ------------------------------------------------------------------------------ the schoolbook */
 
-typedef struct Bench { wfShape ground, thing; wfBodyState s[2]; wfVec2 g; wfReal h, mu, rolling, belt; int32_t first; } Bench;
+typedef struct Bench { wfShape ground, thing; wfBodyState s[2]; wfVec2 g; wfReal h, mu, rollingResistance, belt; int32_t first; } Bench;
 
 static void start(Bench *b, bool disc, double hertz, double mu)
 {
@@ -217,12 +217,12 @@ static void steps(Bench *b, int n)
         s->p = wfAddScaled(wfAddScaled(s->p, b->h, s->v), b->h * b->h / 2, b->g);
         s->v = wfAddScaled(s->v, b->h, b->g);
         s->angle += b->h * s->w;
-        wfContact k = { .a = a, .b = c, .friction = b->mu, .rolling = b->rolling, .surfaceSpeed = b->belt, .slop = WF_R(0.005) };
+        wfContact k = { .a = a, .b = c, .friction = b->mu, .rollingResistance = b->rollingResistance, .tangentSpeed = b->belt, .slop = WF_R(0.005) };
         int points = wfCollide(a ? &b->thing : &b->ground, wfBodyTransform(&b->s[a]), a ? &b->ground : &b->thing, wfBodyTransform(&b->s[c]), &k.manifold);
         wfSolve in = problem(b->s, 2, &k, points > 0, &pool);
         in.h = b->h;
         in.iterations = 8;
-        in.positionShare = WF_R(0.4);
+        in.positionCorrection = WF_R(0.4);
         in.restingSpeed = wfRestingSpeed(b->g, b->h, 2);
         assert_ok(wfSolveVelocities(wfFindSolver("impulse-friction"), &in));
         assert_ok(wfSolvePositions(wfFindSolver("impulse-friction"), &in));
@@ -298,7 +298,7 @@ static void rolling_resistance_slows_and_holds(void **unused)
     (void)unused;
     Bench b;
     start(&b, true, 240, 0.8);
-    b.rolling = WF_R(0.02);
+    b.rollingResistance = WF_R(0.02);
     steps(&b, 240);
     b.s[1].v.x = 2;
     b.s[1].w = -4;
@@ -310,7 +310,7 @@ static void rolling_resistance_slows_and_holds(void **unused)
     for (int k = 0; k < 2; k++) {                                       /* holds up to tan = rolling / r = 0.04 */
         double angle = atan(k == 0 ? 0.036 : 0.044);
         start(&b, true, 240, 0.8);
-        b.rolling = WF_R(0.02);
+        b.rollingResistance = WF_R(0.02);
         b.g = wfV2((wfReal)(9.81 * sin(angle)), (wfReal)(-9.81 * cos(angle)));
         steps(&b, 480);
         if (k == 0) assert_near(b.s[1].w, 0, 1e-4);

@@ -74,7 +74,7 @@ static double rounding(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
 
 static double tie(const wfShape *a, const wfShape *b)
 {
-    return (double)WF_AXIS_TIE * fmin((double)wfShapeReach(a), (double)wfShapeReach(b));
+    return (double)WF_AXIS_TIE * fmin((double)wfShapeMaxExtent(a), (double)wfShapeMaxExtent(b));
 }
 
 static int most_steps(const wfShape *a, const wfShape *b)

@@ -130,12 +130,12 @@ static void random_contacts(wfRandom *r, int32_t count)
     for (int32_t i = 0; i < count; i++) {
         wfReal angle = wfRandomReal(r, -3, 3);
         contacts[i] = (wfContact){ .a = ends[i].a, .b = ends[i].b, .shapeA = i, .friction = WF_R(0.5),
-                                   .rolling = i % 3 ? 0 : WF_R(0.01) };
+                                   .rollingResistance = i % 3 ? 0 : WF_R(0.01) };
         wfManifold *m = &contacts[i].manifold;
         m->normal = wfV2(wfCos(angle), wfSin(angle));
         m->count = 1 + (int32_t)wfRandomBelow(r, 2);
         for (int32_t k = 0; k < m->count; k++)
-            m->points[k] = (wfContactPoint){ .armA = random_v2(r, -1, 1), .armB = random_v2(r, -1, 1),
+            m->points[k] = (wfContactPoint){ .rA = random_v2(r, -1, 1), .rB = random_v2(r, -1, 1),
                 .depth = wfRandomReal(r, WF_R(-0.01), WF_R(0.01)), .feature = (uint32_t)k,
                 .normalImpulse = wfRandomReal(r, 0, WF_R(0.1)) };
     }
@@ -172,7 +172,7 @@ static void order_within_a_colour_does_not_matter(void **unused)
             memcpy(state, bodies, sizeof bodies);
             wfPool pool = pool_of(ROOM, run ? 0xFF : 0);
             wfSolve in = { .state = state, .bodyCount = BODIES, .contacts = run ? shuffled : contacts,
-                .contactCount = count, .h = WF_R(1.0) / 60, .iterations = 2, .substeps = 4, .colours = 1, .scratch = &pool };
+                .contactCount = count, .h = WF_R(1.0) / 60, .iterations = 2, .substeps = 4, .graphColouring = 1, .scratch = &pool };
             assert_int_equal(wfSolveStep(wfFindSolver("soft"), &in), WF_OK);
         }
         assert_memory_equal(once, twice, sizeof once);

@@ -101,7 +101,7 @@ static int32_t random_net(wfRandom *r, Kind kind)
         if (i < kind.hubs) a = 1;
         b = b < a ? b : b + 1;
         given[i] = (wfContact){ .a = a, .b = b, .shapeA = i, .friction = wfRandomReal(r, 0, 1), .slop = WF_R(0.005),
-                                .surfaceSpeed = i % 5 ? 0 : 1, .rolling = kind.rolls && i % 3 == 0 ? WF_R(0.01) : 0,
+                                .tangentSpeed = i % 5 ? 0 : 1, .rollingResistance = kind.rolls && i % 3 == 0 ? WF_R(0.01) : 0,
                                 .restitution = kind.bounces && i % 4 == 0 ? WF_R(0.5) : 0,
                                 .staticFriction = kind.statics && i % 5 == 0 ? 1 : 0 };
         wfReal angle = wfRandomReal(r, -3, 3), most = kind.deep ? 1 : WF_R(0.01);
@@ -109,7 +109,7 @@ static int32_t random_net(wfRandom *r, Kind kind)
         m->normal = wfV2(wfCos(angle), wfSin(angle));
         m->count = 1 + (int32_t)wfRandomBelow(r, 2);
         for (int32_t k = 0; k < m->count; k++)
-            m->points[k] = (wfContactPoint){ .armA = random_v2(r, -1, 1), .armB = random_v2(r, -1, 1),
+            m->points[k] = (wfContactPoint){ .rA = random_v2(r, -1, 1), .rB = random_v2(r, -1, 1),
                 .depth = wfRandomReal(r, WF_R(-0.01), most), .feature = i % 7 ? (uint32_t)k : WF_FEATURE_CIRCLE,
                 .normalImpulse = wfRandomBelow(r, 2) ? wfRandomReal(r, 0, WF_R(0.1)) : 0,
                 .tangentImpulse = wfRandomReal(r, WF_R(-0.01), WF_R(0.01)) };
@@ -129,7 +129,7 @@ static wfResult step(wfBodyState *state, wfContact *contacts, int32_t count, int
     assert_int_equal(wfPoolInit(&scratch, room, memory), WF_OK);
     wfSolve in = { .state = state, .bodyCount = BODIES, .contacts = contacts, .contactCount = count, .h = WF_R(1.0) / 60,
                    .iterations = 1, .restingSpeed = WF_R(0.1), .recoverySpeed = 2, .forces = forces, .substeps = 4,
-                   .colours = 1, .lanes = lanes, .columns = columns, .scratch = &scratch };
+                   .graphColouring = 1, .enableSimd = lanes, .stackSolver = columns, .scratch = &scratch };
     wfResult result = wfSoftStep(&in);
     assert_int_equal(scratch.used, 0);
     return result;
@@ -187,8 +187,8 @@ static void trees_beside_bundles(void **unused)
             for (int32_t k = 0; k < 2; k++) {
                 wfReal along = (wfReal)k - WF_R(0.5);
                 wfVec2 across = side ? wfV2(WF_R(0.5), along) : wfV2(along, WF_R(0.5));
-                c.manifold.points[k] = (wfContactPoint){ .armA = across, .feature = (uint32_t)k,
-                    .armB = side ? wfV2(WF_R(-0.5), along) : wfV2(along, WF_R(-0.5)), .depth = WF_R(0.001) };
+                c.manifold.points[k] = (wfContactPoint){ .rA = across, .feature = (uint32_t)k,
+                    .rB = side ? wfV2(WF_R(-0.5), along) : wfV2(along, WF_R(-0.5)), .depth = WF_R(0.001) };
             }
             given[count++] = c;
         }
@@ -214,7 +214,7 @@ static void what_is_alone_goes_with_the_passes(void **unused)
                             .restitution = i % 4 == 0 ? WF_R(0.5) : 0 };
             if (apart) c.a = i - 1;
             c.manifold = (wfManifold){ .normal = n, .count = 1 };
-            c.manifold.points[0] = (wfContactPoint){ .armA = n, .armB = wfNeg(n), .feature = WF_FEATURE_CIRCLE,
+            c.manifold.points[0] = (wfContactPoint){ .rA = n, .rB = wfNeg(n), .feature = WF_FEATURE_CIRCLE,
                 .depth = apart ? WF_R(-0.01) : wfRandomReal(&r, 0, round % 3 ? WF_R(0.01) : 1),
                 .normalImpulse = apart ? 0 : wfRandomReal(&r, 0, WF_R(0.1)) };
             given[count++] = c;
@@ -237,9 +237,9 @@ static void a_minus_zero_is_no_trouble(void **unused)
             wfVec2 n = wfV2(wfRandomReal(&r, -1, 1) < 0 ? -1 : 1, 0);
             if (round % 2) n = wfV2(0, n.x);
             start[i] = (wfBodyState){ .p = n, .v = wfScale(wfRandomReal(&r, -3, 1), n), .invMass = 1, .invInertia = 1 };
-            given[i - 1] = (wfContact){ .a = 0, .b = i, .slop = WF_R(0.005), .rolling = 0 };
+            given[i - 1] = (wfContact){ .a = 0, .b = i, .slop = WF_R(0.005), .rollingResistance = 0 };
             given[i - 1].manifold = (wfManifold){ .normal = n, .count = 1 };
-            given[i - 1].manifold.points[0] = (wfContactPoint){ .armB = wfNeg(n), .normalImpulse = wfRandomReal(&r, 0, 3) };
+            given[i - 1].manifold.points[0] = (wfContactPoint){ .rB = wfNeg(n), .normalImpulse = wfRandomReal(&r, 0, 3) };
         }
         both_ways(3, 1);
     }

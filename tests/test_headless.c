@@ -297,7 +297,7 @@ static void overlays_show_pairs_and_contacts_where_they_are(void **state)
         if (c->kind != WF_DRAW_LINE) continue;
         int found = 0;
         for (int p = 0; p < pairs; p++)
-            found |= near_to(xy, v.state[s.owners[pair[p].a]].p) && near_to(xy + 2, v.state[s.owners[pair[p].b]].p);
+            found |= near_to(xy, v.state[s.bodyOfShape[pair[p].a]].p) && near_to(xy + 2, v.state[s.bodyOfShape[pair[p].b]].p);
         assert_true(found);
         seenPairs++;
     }
@@ -380,7 +380,7 @@ static void machines_do_what_their_texts_say(void **state)
         run_scene(name[i], 300, &world);
         wfBodyView v = wfWorldBodies(&world);
         double off = (double)wfLength(v.state[v.count - 1].p) - 11;
-        assert_true(wfJointsSolvedTogether(&world) == (i == 1));
+        assert_true(wfAllJointsDirect(&world) == (i == 1));
         if (i == 0) assert_true(off > 0.05);
         else assert_true(fabs(off) < 0.01);         /* a thousandth of its length */
         wfDestroyWorld(&world);
@@ -398,7 +398,7 @@ static void asked_and_extreme_scenes_keep_their_lines(void **state)
     const wfContact *c = wfWorldContacts(&world, &count);
     wfShapeView s = wfWorldShapes(&world);
     for (int32_t i = 0; i < count; i++) {
-        int32_t a = s.owners[c[i].shapeA], b = s.owners[c[i].shapeB];
+        int32_t a = s.bodyOfShape[c[i].shapeA], b = s.bodyOfShape[c[i].shapeB];
         if (a != 1 && b != 1) continue;
         other = a == 1 ? b : a;
         assert_int_equal(other, 7);
@@ -526,7 +526,7 @@ static void as_many_bodies_as_the_report_had(void **state)
         const wfPair *pair = wfWorldPairs(&world, &pairs);
         assert_true(pairs >= test[k].falling / 2);
         for (int i = 0; i < pairs; i++)
-            assert_true(v.state[shapes.owners[pair[i].a]].invMass > 0 || v.state[shapes.owners[pair[i].b]].invMass > 0);
+            assert_true(v.state[shapes.bodyOfShape[pair[i].a]].invMass > 0 || v.state[shapes.bodyOfShape[pair[i].b]].invMass > 0);
         wfDestroyWorld(&world);
         wfDestroyWorld(&begin);
     }

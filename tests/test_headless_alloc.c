@@ -20,7 +20,7 @@ static void no_scene_allocates(void **unused)
         if (calls != before + 2) fail_msg("%s allocates while it runs", scene->name);
         wfDestroyWorld(&world);
     }
-    failAt = 0;
+    fail_at = 0;
     assert_true(live < 1000);
 }
 

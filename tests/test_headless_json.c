@@ -56,7 +56,7 @@ static double drift(const wfScene *scene, wfWorld *one, wfWorld *two, int steps,
     return most;
 }
 
-static bool has_sleepers(const wfWorld *world) { return wfWorldRest(world).asleep > 0; }
+static bool has_sleepers(const wfWorld *world) { return wfGetSleepCounts(world).asleep > 0; }
 
 static void every_scene_is_read_as_it_was(void **unused)
 {

@@ -27,16 +27,16 @@ static void a_lean_world_has_the_same_bits(void **state)
             hashes[k] = wfHashWorld(&rich);
         }
         wfWorldDef def;
-        assert_ok(wfInferNeeds(&rich, s->hooks != NULL ? WF_NEED_HOOKS : 0, &def));
+        assert_ok(wfInferModules(&rich, s->hooks != NULL ? WF_MODULE_HOOKS : 0, &def));
         assert_ok(wfCheckWorldDef(&def, NULL));
         assert_ok(wfCreateWorld(&def, &lean));
         wfResult result = s->build(&lean);
-        if (result != WF_OK) fail_msg("%s: cannot be built: %s (needs %x)", s->name, wfResultText(result), (unsigned)def.needs);
+        if (result != WF_OK) fail_msg("%s: cannot be built: %s (needs %x)", s->name, wfResultText(result), (unsigned)def.modules);
         for (int k = 0; k < STEPS; k++) {
             wfSceneInput in = wfSceneInputAt(s, k);
             result = wfStepScene(s, &lean, &in);
-            if (result != WF_OK) fail_msg("%s: step %d: %s (needs %x)", s->name, k, wfResultText(result), (unsigned)def.needs);
-            if (wfHashWorld(&lean) != hashes[k]) fail_msg("%s: step %d has other bits (needs %x)", s->name, k, (unsigned)def.needs);
+            if (result != WF_OK) fail_msg("%s: step %d: %s (needs %x)", s->name, k, wfResultText(result), (unsigned)def.modules);
+            if (wfHashWorld(&lean) != hashes[k]) fail_msg("%s: step %d has other bits (needs %x)", s->name, k, (unsigned)def.modules);
         }
         if (size_of(&lean) >= size_of(&rich)) fail_msg("%s: %zu bytes before, %zu now", s->name, size_of(&rich), size_of(&lean));
         if (2 * size_of(&lean) < size_of(&rich)) leaner++;

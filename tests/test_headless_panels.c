@@ -111,7 +111,7 @@ static void click_need(play *p, const char *need)
     snprintf(name, sizeof name, "with %s", need);
     play_click(p, name);
 }
-static void needs_are_switched_off_and_on(void **state)
+static void modules_are_switched_off_and_on(void **state)
 {
     (void)state;
     play p;
@@ -119,9 +119,9 @@ static void needs_are_switched_off_and_on(void **state)
     play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nframe\n");
     play_click(&p, "Needs");
     uint32_t all = (uint32_t)play_fact(&p, "needs", 0);
-    for (int i = 0; i < wfNeedCount; i++) {
-        if (wfNeedTable[i].bit & (WF_NEED_SHAPES | WF_NEED_CONTACTS)) continue;     /* the scene has shapes */
-        click_need(&p, wfNeedTable[i].name);
+    for (int i = 0; i < wfModuleCount; i++) {
+        if (wfModuleTable[i].bit & (WF_MODULE_SHAPES | WF_MODULE_CONTACTS)) continue; /* the scene has shapes */
+        click_need(&p, wfModuleTable[i].name);
         assert_int_equal((uint32_t)play_fact(&p, "needs", 0), all);                 /* a wish so far */
         play_click(&p, "Restart with these");
         uint32_t now = (uint32_t)play_fact(&p, "needs", 0);
@@ -129,20 +129,20 @@ static void needs_are_switched_off_and_on(void **state)
             assert_non_null(strstr(p.text, "said not without that: "));
             continue;
         }
-        assert_false(now & wfNeedTable[i].bit);
+        assert_false(now & wfModuleTable[i].bit);
         assert_int_equal((int)play_fact(&p, "bodies", 0), 7);
         play_run(&p, "steps 1\nkey p\nwait 20\nkey p\nframe\n");
-        click_need(&p, wfNeedTable[i].name);
+        click_need(&p, wfModuleTable[i].name);
         play_click(&p, "Restart with these");
-        assert_true((uint32_t)play_fact(&p, "needs", 0) & wfNeedTable[i].bit);
-        for (int k = 0; k < wfNeedCount; k++)                                       /* those that went with it */
-            if (!((uint32_t)play_fact(&p, "needs", 0) & wfNeedTable[k].bit) && (all & wfNeedTable[k].bit)) click_need(&p, wfNeedTable[k].name);
+        assert_true((uint32_t)play_fact(&p, "needs", 0) & wfModuleTable[i].bit);
+        for (int k = 0; k < wfModuleCount; k++)                                     /* those that went with it */
+            if (!((uint32_t)play_fact(&p, "needs", 0) & wfModuleTable[k].bit) && (all & wfModuleTable[k].bit)) click_need(&p, wfModuleTable[k].name);
         if ((uint32_t)play_fact(&p, "needs", 0) != all) play_click(&p, "Restart with these");
         assert_int_equal((uint32_t)play_fact(&p, "needs", 0), all);
     }
     click_need(&p, "friction");
     play_click(&p, "Restart with these");
-    assert_false((uint32_t)play_fact(&p, "needs", 0) & WF_NEED_FRICTION);           /* this one is not refused */
+    assert_false((uint32_t)play_fact(&p, "needs", 0) & WF_MODULE_FRICTION);           /* this one is not refused */
     play_run(&p, "key ]\nframe\nkey [\nframe\n");                                   /* another scene forgets it */
     assert_int_equal((uint32_t)play_fact(&p, "needs", 0), all);
     play_end(&p);
@@ -407,7 +407,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_numbers_of_a_body_are_changed), cmocka_unit_test(a_density_changes_a_mass_that_was_not_given),
-        cmocka_unit_test(needs_are_switched_off_and_on), cmocka_unit_test(runs_are_played_again),
+        cmocka_unit_test(modules_are_switched_off_and_on), cmocka_unit_test(runs_are_played_again),
         cmocka_unit_test(a_spoilt_tape_is_noticed_at_its_step), cmocka_unit_test(a_tool_takes_over_a_replay),
         cmocka_unit_test(worlds_are_saved_and_loaded),
 #ifndef WF_NO_JSON

@@ -42,15 +42,15 @@ static void the_pair_is_the_nearest(void **state)
         wfVec2 at = wfV2((wfReal)(n % 8) - 4, (wfReal)(n / 8));
         int32_t a, b;
         assert_true(wfPairAt(&w, at, &a, &b));
-        assert_true(s.owners[a] != s.owners[b]);
+        assert_true(s.bodyOfShape[a] != s.bodyOfShape[b]);
         wfShape point;
         assert_int_equal(wfMakeCircle(at, WF_R(1e-4), &point), WF_OK);
-        wfTransform here = { wfV2(0, 0), wfRotation(0) }, xa = wfBodyTransform(&v.state[s.owners[a]]);
+        wfTransform here = { wfV2(0, 0), wfRotation(0) }, xa = wfBodyTransform(&v.state[s.bodyOfShape[a]]);
         wfDistanceResult best, other;
         assert_int_equal(wfShapeDistance(&point, here, &s.shapes[a], xa, &best), WF_OK);
         for (int32_t k = 0; k < s.count; k++) {
-            if (s.owners[k] < 0) continue;
-            wfTransform xk = wfBodyTransform(&v.state[s.owners[k]]);
+            if (s.bodyOfShape[k] < 0) continue;
+            wfTransform xk = wfBodyTransform(&v.state[s.bodyOfShape[k]]);
             assert_int_equal(wfShapeDistance(&point, here, &s.shapes[k], xk, &other), WF_OK);
             assert_true(other.distance >= best.distance - WF_R(2e-4));
         }

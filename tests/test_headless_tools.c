@@ -294,7 +294,7 @@ static void what_a_world_lacks_is_refused_without_room(void **state)
     bench b;
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 2;
-    def.needs &= ~(uint32_t)WF_NEED_JOINTS;
+    def.modules &= ~(uint32_t)WF_MODULE_JOINTS;
     open_bench(&b, &def);
     for (int i = 0; i < 3; i++) {
         drag(&b, "Place", wfV2((wfReal)(3 * i), 0), wfV2((wfReal)(3 * i + 1), 0));

@@ -47,7 +47,7 @@ static wfContact two_points(int32_t a, int32_t b, wfVec2 normal, wfVec2 p, wfVec
 static wfSolve problem(wfBodyState *state, int bodies, wfContact *contacts, int count, wfPool *pool)
 {
     return (wfSolve){ .state = state, .bodyCount = bodies, .contacts = contacts, .contactCount = count,
-                      .h = WF_R(0.01), .iterations = 1, .positionShare = 1, .scratch = pool };
+                      .h = WF_R(0.01), .iterations = 1, .positionCorrection = 1, .scratch = pool };
 }
 
 /* ------------------------------------------------------------------------------ the parts of an impulse */
@@ -502,7 +502,7 @@ static void slop_and_share(void **unused)
     wfPool pool = scratch();
     wfSolve in = problem(s, 2, &c, 1, &pool);
     c.slop = WF_R(0.1);
-    in.positionShare = WF_R(0.25);
+    in.positionCorrection = WF_R(0.25);
     in.iterations = 4;
     assert_ok(wfSolvePositions(0, &in));
     assert_near(s[1].p.y, 1.075, 8 * WF_EPSILON);
@@ -612,13 +612,13 @@ static void bad_numbers_are_refused(void **unused)
         for (int field = 0; ; field++) {
             Case k;
             good_case(&k);
-            wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.c.slop, &k.c.restitution,
+            wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionCorrection, &k.c.slop, &k.c.restitution,
                 &k.c.friction, &k.c.manifold.normal.x, &k.c.manifold.normal.y, &k.c.manifold.points[0].point.x,
                 &k.c.manifold.points[1].point.y, &k.c.manifold.points[0].depth, &k.c.manifold.points[1].depth,
                 &k.s[1].p.x, &k.s[1].p.y, &k.s[0].angle, &k.s[1].v.x, &k.s[0].v.y, &k.s[1].w, &k.s[1].invMass,
-                &k.s[1].invInertia, &k.c.rolling, &k.c.surfaceSpeed, &k.c.rollingImpulse, &k.c.manifold.points[0].armA.x,
-                &k.c.manifold.points[1].armB.y, &k.c.manifold.points[0].normalImpulse, &k.c.manifold.points[1].tangentImpulse, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque,
-                &k.in.contactPeriod, &k.in.contactDamping, &k.in.recoverySpeed };
+                &k.s[1].invInertia, &k.c.rollingResistance, &k.c.tangentSpeed, &k.c.rollingImpulse, &k.c.manifold.points[0].rA.x,
+                &k.c.manifold.points[1].rB.y, &k.c.manifold.points[0].normalImpulse, &k.c.manifold.points[1].tangentImpulse, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque,
+                &k.in.contactPeriod, &k.in.contactDampingRatio, &k.in.recoverySpeed };
             if (field == (int)(sizeof place / sizeof *place)) break;
             *place[field] = BAD_REALS[b];
             refused(&k, WF_ERROR_NOT_FINITE);
@@ -634,21 +634,21 @@ static void numbers_out_of_range_are_refused(void **unused)
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
-        wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionShare, &k.c.slop, &k.c.restitution,
-            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia, &k.c.rolling, &k.in.contactPeriod,
-            &k.in.contactDamping, &k.in.recoverySpeed };
+        wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionCorrection, &k.c.slop, &k.c.restitution,
+            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia, &k.c.rollingResistance, &k.in.contactPeriod,
+            &k.in.contactDampingRatio, &k.in.recoverySpeed };
         *place[bad[field].at] = (wfReal)bad[field].value;
         refused(&k, WF_ERROR_RANGE);
     }
     for (int field = 0; ; field++) {
         static const struct { int at, value; } bad[] = { { 0, -1 }, { 1, -1 }, { 2, 0 }, { 2, -5 }, { 3, -1 }, { 3, 2 },
             { 3, 1 }, { 4, -1 }, { 4, 2 }, { 4, 0 }, { 5, -1 }, { 5, 3 }, { 0, 1 },
-            { 6, -1 }, { 7, -1 }, { 7, 2 + WF_COLUMN_LOOPS } };
+            { 6, -1 }, { 7, -1 }, { 7, 2 + WF_STACK_LOOPS } };
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
         int32_t *place[] = { &k.in.bodyCount, &k.in.contactCount, &k.in.iterations, &k.c.a, &k.c.b, &k.c.manifold.count,
-            &k.in.substeps, &k.in.columns };
+            &k.in.substeps, &k.in.stackSolver };
         *place[bad[field].at] = bad[field].value;
         refused(&k, WF_ERROR_RANGE);
     }
@@ -680,7 +680,7 @@ static void missing_parts_are_refused(void **unused)
     k.in.contactCount = 0;
     assert_result(WF_ERROR_NULL, wfSolveVelocities(0, &k.in));
     for (int missing = 0; missing < 2; missing++) { /* laws that have only one of their functions */
-        wfLaws laws = { .begin = missing ? NULL : no_begin, .solve = missing ? no_solve : NULL };
+        wfConstraints laws = { .begin = missing ? NULL : no_begin, .solve = missing ? no_solve : NULL };
         good_case(&k);
         k.in.laws = &laws;
         refused(&k, WF_ERROR_NULL);

@@ -43,9 +43,9 @@ static Room make_room(int32_t n)
 static wfIslands gather(const Graph *g, int32_t *parent, Room *room)
 {
     wfIslands out;
-    wfPlant(parent, g->n);
+    wfMakeSets(parent, g->n);
     for (int32_t e = 0; e < g->edges; e++)
-        if (g->moves[g->edge[e].a] && g->moves[g->edge[e].b]) wfUnite(parent, g->edge[e].a, g->edge[e].b);
+        if (g->moves[g->edge[e].a] && g->moves[g->edge[e].b]) wfUnionSets(parent, g->edge[e].a, g->edge[e].b);
     wfPoolRewind(&room->pool, 0);
     assert_ok(wfGatherIslands(parent, g->moves, g->n, &room->pool, &out));
     return out;
@@ -135,16 +135,16 @@ static void test_chains_and_tournaments(void **state)
     (void)state;
     int32_t parent[MOST];
     for (int way = 0; way < 3; way++) {
-        wfPlant(parent, MOST);
+        wfMakeSets(parent, MOST);
         int32_t joined = 0;
-        for (int32_t i = 1; i < MOST && way < 2; i++) joined += way == 0 ? wfUnite(parent, i - 1, i) : wfUnite(parent, MOST - i, MOST - i - 1);
+        for (int32_t i = 1; i < MOST && way < 2; i++) joined += way == 0 ? wfUnionSets(parent, i - 1, i) : wfUnionSets(parent, MOST - i, MOST - i - 1);
         for (int32_t half = 1; half < MOST && way == 2; half *= 2)
             for (int32_t at = 0; at + half < MOST; at += 2 * half)
-                joined += wfUnite(parent, at + half - 1, at + 2 * half < MOST ? at + 2 * half - 1 : MOST - 1);
+                joined += wfUnionSets(parent, at + half - 1, at + 2 * half < MOST ? at + 2 * half - 1 : MOST - 1);
         assert_int_equal(joined, MOST - 1);
-        assert_false(wfUnite(parent, 0, MOST - 1));
+        assert_false(wfUnionSets(parent, 0, MOST - 1));
         for (int32_t i = 0; i < MOST; i++) {
-            assert_int_equal(wfRootOf(parent, i), 0);
+            assert_int_equal(wfFindSet(parent, i), 0);
             assert_true(parent[i] <= i);                           /* eq:islands-root */
         }
     }
@@ -155,7 +155,7 @@ static void test_searches_shorten_the_way(void **state)
     (void)state;
     int32_t parent[1024], length = 0;
     for (int32_t i = 0; i < 1024; i++) parent[i] = i > 0 ? i - 1 : 0;
-    assert_int_equal(wfRootOf(parent, 1023), 0);
+    assert_int_equal(wfFindSet(parent, 1023), 0);
     for (int32_t i = 1023; parent[i] != i; i = parent[i]) length++;
     assert_true(length <= 512);                                    /* halved */
 }
@@ -167,7 +167,7 @@ static void test_bad_input(void **state)
     uint8_t moves[4] = { 1, 1, 1, 1 };
     wfIslands out = { .count = 77 };
     Room room = make_room(4);
-    wfPlant(parent, 4);
+    wfMakeSets(parent, 4);
     assert_result(WF_ERROR_NULL, wfGatherIslands(NULL, moves, 4, &room.pool, &out));
     assert_result(WF_ERROR_NULL, wfGatherIslands(parent, NULL, 4, &room.pool, &out));
     assert_result(WF_ERROR_NULL, wfGatherIslands(parent, moves, 4, NULL, &out));
@@ -218,7 +218,7 @@ static void test_no_flight_is_a_rest(void **state)
             wfBodyState s = { .v = wfV2(0, 1.5f * limit) };
             for (int i = 0; i < 100000 && s.v.y > -2 * limit; i++) {
                 s.v.y -= (wfReal)g * dt;
-                clock = wfRestClock(clock, wfIsStill(&s, (wfReal)pow(10, reach), limit), dt, wait);
+                clock = wfSleepTimer(clock, wfIsStill(&s, (wfReal)pow(10, reach), limit), dt, wait);
                 most = wfMaxR(most, clock);
             }
             assert_true(most <= wait / 2 + 2 * dt);
@@ -229,17 +229,17 @@ static void test_clock(void **state)
 {
     (void)state;
     wfReal clock = 0, wait = WF_R(0.5);
-    for (int i = 0; i < 31; i++) clock = wfRestClock(clock, true, WF_R(1.0) / 60, wait);
+    for (int i = 0; i < 31; i++) clock = wfSleepTimer(clock, true, WF_R(1.0) / 60, wait);
     assert_true(clock == wait);
-    assert_true(wfRestClock(clock, true, 1, wait) == wait);
-    assert_true(wfRestClock(clock, false, 1, wait) == 0);
+    assert_true(wfSleepTimer(clock, true, 1, wait) == wait);
+    assert_true(wfSleepTimer(clock, false, 1, wait) == 0);
     int32_t first[3] = { 0, 2, 3 }, members[3] = { 0, 2, 1 };
     wfIslands islands = { .count = 2, .first = first, .members = members };
     wfReal clocks[3] = { wait, wait / 2, wait };
-    assert_true(wfIslandIsTired(&islands, 0, clocks, wait));
-    assert_false(wfIslandIsTired(&islands, 1, clocks, wait));
+    assert_true(wfIslandMaySleep(&islands, 0, clocks, wait));
+    assert_false(wfIslandMaySleep(&islands, 1, clocks, wait));
     clocks[2] = 0;
-    assert_false(wfIslandIsTired(&islands, 0, clocks, wait));
+    assert_false(wfIslandMaySleep(&islands, 0, clocks, wait));
 }
 
 int main(void)

@@ -15,7 +15,7 @@ static wfBodyState body(double x, double y)
 {
     return (wfBodyState){ .p = wfV2((wfReal)x, (wfReal)y), .invMass = 1, .invInertia = 6 };
 }
-static wfBodyState randomBody(void)
+static wfBodyState random_body(void)
 {
     return (wfBodyState){ .p = vec(3), .angle = real(-3, 3), .v = vec(2), .w = real(-3, 3),
                           .invMass = real(0.2, 3), .invInertia = real(0.2, 3) };
@@ -58,7 +58,7 @@ static void test_jacobians(void **state)
     int compared = 0;
     for (int kind = 0; kind < wfJointKinds; kind++)
         for (int round = 0; round < 40; round++) {
-            wfBodyState s[2] = { randomBody(), randomBody() };
+            wfBodyState s[2] = { random_body(), random_body() };
             wfJoint j = full(kind, s);
             if (round % 2) j.flags = 0;
             wfJointRow rows[WF_JOINT_ROWS];
@@ -101,7 +101,7 @@ static void test_momentum_is_kept(void **state)
             || kind == wfFindJoint("rack") || kind == wfFindJoint("linkage")) continue;
         bool pinned = kind == wfFindJoint("revolute") || kind == wfFindJoint("weld");
         for (int round = 0; round < 20; round++) {
-            wfBodyState s[2] = { randomBody(), randomBody() };
+            wfBodyState s[2] = { random_body(), random_body() };
             wfJoint j = full(kind, s);
             if (round % 2) j.flags = 0;
             if (pinned) j.localB = wfApplyInv(wfBodyTransform(&s[1]), wfApply(wfBodyTransform(&s[0]), j.localA));
@@ -130,9 +130,9 @@ static void test_pair_in_flight(void **state)
 {
     (void)state;
     for (int round = 0; round < 20; round++) {
-        wfBodyState s[2] = { randomBody(), randomBody() };
+        wfBodyState s[2] = { random_body(), random_body() };
         wfVec2 pin = vec(2);
-        wfJoint j = round % 2 ? wfHinge(0, &s[0], 1, &s[1], pin) : wfWeld(0, &s[0], 1, &s[1], pin);
+        wfJoint j = round % 2 ? wfMakeRevoluteJoint(0, &s[0], 1, &s[1], pin) : wfMakeWeldJoint(0, &s[0], 1, &s[1], pin);
         wfVec2 p0 = wfAdd(wfMomentum(&s[0]), wfMomentum(&s[1])), o = wfV2(0, 0);
         double l0 = (double)(wfAngularMomentum(&s[0], o) + wfAngularMomentum(&s[1], o));
         wfJointStep in = step_of(s, 2, &j, 1, NULL);
@@ -162,7 +162,7 @@ static void test_pendulum(void **state)
     double exact = 2 * 3.14159265358979 * sqrt((1 + 1 / 6.0) / 9.81) / a;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
-    wfJoint j = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     wfJointStep in = step_of(s, 2, &j, 1, f);
     double first = 0, last = 0, mean = 0;
     int turns = -1;
@@ -186,7 +186,7 @@ static void test_load_and_breaking(void **state)
     for (int strong = 0; strong < 2; strong++) {
         wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
         wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
-        wfJoint j = wfWeld(0, &s[0], 1, &s[1], wfV2(0, 0));
+        wfJoint j = wfMakeWeldJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
         wfJointStep in = step_of(s, 2, &j, 1, f);
         for (int i = 0; i < 240; i++) assert_ok(wfStepJoints(&in));
         wfReal h = in.h / 4;
@@ -210,7 +210,7 @@ static void test_broken_is_free(void **state)
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, -10) } };
-    wfJoint j = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     j.flags = WF_JOINT_BROKEN;
     wfJointStep in = step_of(s, 2, &j, 1, f);
     for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
@@ -223,8 +223,8 @@ static void test_spring(void **state)
 {
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
-    wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
-    wfTuneJoint(&j, 1, 1, WF_R(0.1));
+    wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    wfSetJointSpring(&j, 1, 1, WF_R(0.1));
     assert_near(j.stiffness, 4 * 9.8696044, 1e-4);
     assert_near(j.damping, 0.4 * 3.14159265, 1e-5);
     s[1].p.x = WF_R(2.5);
@@ -245,7 +245,7 @@ static void test_stiff_spring_is_stable(void **state)
     (void)state;
     for (double k = 1; k < 1e12; k *= 100) {
         wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
-        wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+        wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
         j.flags = WF_JOINT_SPRING, j.stiffness = (wfReal)k;
         s[1].p.x = 3;
         wfJointStep in = step_of(s, 2, &j, 1, NULL);
@@ -261,7 +261,7 @@ static void test_limits(void **state)
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
-    wfJoint j = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     j.flags = WF_JOINT_LIMITS, j.lower = WF_R(-0.5), j.upper = WF_R(0.5);
     wfJointStep in = step_of(s, 2, &j, 1, f);
     double lowest = 0;
@@ -273,7 +273,7 @@ static void test_limits(void **state)
     assert_near(s[1].angle, -0.5, 0.002);
     /* a rope is slack inside its length and taut at it */
     wfBodyState r[2] = { { .invMass = 0 }, body(0, -1) };
-    j = wfRope(0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, -1), 2);
+    j = wfMakeRopeJoint(0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, -1), 2);
     in = step_of(r, 2, &j, 1, f);
     for (int i = 0; i < 20; i++) assert_ok(wfStepJoints(&in));
     assert_near(r[1].v.y, -9.81 / 3, 1e-3);                             /* free fall so far */
@@ -286,7 +286,7 @@ static void test_motors(void **state)
 {
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
-    wfJoint j = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     j.flags = WF_JOINT_MOTOR, j.motorSpeed = 3, j.motorForce = WF_R(0.25);      /* 0.25 N m * 6 = 1.5 rad/s^2 */
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
     for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
@@ -296,7 +296,7 @@ static void test_motors(void **state)
     /* a winch lifts and cannot push */
     wfBodyState r[2] = { { .invMass = 0 }, body(0, -3) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
-    j = wfRope(0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, -3), 3);
+    j = wfMakeRopeJoint(0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, -3), 3);
     j.flags |= WF_JOINT_MOTOR, j.motorSpeed = -1, j.motorForce = 20;
     in = step_of(r, 2, &j, 1, f);
     for (int i = 0; i < 90; i++) assert_ok(wfStepJoints(&in));
@@ -314,14 +314,14 @@ static void test_wheel_and_slide(void **state)
     wfBodyState s[2] = { { .invMass = 0 }, body(0, -1) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(3, WF_R(-9.81)), .torque = 1 } };
     wfJoint j = wfMakeJoint("wheel", 0, &s[0], 1, &s[1], wfV2(0, -1), wfV2(0, -1), wfV2(0, 1));
-    wfTuneJoint(&j, 1, 2, WF_R(0.7));
+    wfSetJointSpring(&j, 1, 2, WF_R(0.7));
     wfJointStep in = step_of(s, 2, &j, 1, f);
     for (int i = 0; i < 300; i++) assert_ok(wfStepJoints(&in));
     assert_near(s[1].p.x, 0, 2e-3);
     assert_near(s[1].p.y, -1 - 9.81 / (4 * 9.8696044 * 4), 1e-3);       /* m g / k below */
     assert_near(s[1].w, 30, 0.05);                                      /* free to turn: 6 rad/s^2 for 5 s */
     wfBodyState p[2] = { { .invMass = 0 }, body(0, 0) };
-    j = wfSlide(0, &p[0], 1, &p[1], wfV2(0, 0), wfV2(1, 0));
+    j = wfMakePrismaticJoint(0, &p[0], 1, &p[1], wfV2(0, 0), wfV2(1, 0));
     in = step_of(p, 2, &j, 1, f);
     for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
     assert_near(p[1].v.x, 3, 1e-4);
@@ -348,7 +348,7 @@ static void test_gear_and_ratchet(void **state)
 {
     (void)state;
     wfBodyState s[3] = { { .invMass = 0 }, body(0, 0), body(2, 0) };
-    wfJoint j[3] = { wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0)), wfHinge(0, &s[0], 2, &s[2], wfV2(2, 0)),
+    wfJoint j[3] = { wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0)), wfMakeRevoluteJoint(0, &s[0], 2, &s[2], wfV2(2, 0)),
                      wfMakeJoint("gear", 1, &s[1], 2, &s[2], s[1].p, s[2].p, wfV2(1, 0)) };
     j[2].ratio = 2, j[2].rest = 0;
     wfBodyForces f[3] = { { .torque = 0 }, { .torque = 1 }, { .torque = 0 } };
@@ -364,7 +364,7 @@ static void test_gear_and_ratchet(void **state)
     assert_near(j[2].turnA + 2 * j[2].turnB, 0, 0.05);
     assert_near(j[2].turnA, 240, 1.0);
     wfBodyState r[2] = { { .invMass = 0 }, body(0, 0) };
-    wfJoint k[2] = { wfHinge(0, &r[0], 1, &r[1], wfV2(0, 0)),
+    wfJoint k[2] = { wfMakeRevoluteJoint(0, &r[0], 1, &r[1], wfV2(0, 0)),
                      wfMakeJoint("ratchet", 0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0)) };
     k[1].ratio = WF_R(0.5);
     wfBodyForces g[2] = { { .torque = 0 }, { .torque = 1 } };
@@ -389,7 +389,7 @@ static void test_hand_and_servo(void **state)
     wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
     wfJoint j = wfMakeJoint("hand", 0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0));
     j.groundB = wfV2(100, 0), j.motorForce = 2;
-    wfTuneJoint(&j, 1, 5, 1);
+    wfSetJointSpring(&j, 1, 5, 1);
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
     for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
     assert_near(s[1].v.x, 2, 1e-3);                                     /* its force is bounded: 2 N on 1 kg for 1 s */
@@ -398,7 +398,7 @@ static void test_hand_and_servo(void **state)
     assert_near2(s[1].p, wfV2(1, 2), 1e-3);
     j = wfMakeJoint("servo", 0, &s[0], 1, &s[1], wfV2(0, 0), s[1].p, wfV2(1, 0));
     j.angle = 1, j.motorForce = 1000, j.ratio = WF_R(0.5), j.localA = wfV2(3, 3);
-    wfTuneJoint(&j, 1, 5, 1);
+    wfSetJointSpring(&j, 1, 5, 1);
     for (int i = 0; i < 180; i++) assert_ok(wfStepJoints(&in));
     assert_near2(s[1].p, wfV2(3, 3), 1e-3);
     assert_near(s[1].angle, 1, 1e-3);
@@ -410,7 +410,7 @@ static void test_rack_and_linkage(void **state)
     (void)state;
     wfBodyState s[3] = { { .invMass = 0 }, body(0, 1), body(2, 0) };
     wfBodyForces f[3] = { { .torque = 0 }, { .force = wfV2(3, 0) }, { .torque = 0 } };
-    wfJoint j[3] = { wfSlide(0, &s[0], 1, &s[1], s[1].p, wfV2(1, 0)), wfHinge(0, &s[0], 2, &s[2], s[2].p),
+    wfJoint j[3] = { wfMakePrismaticJoint(0, &s[0], 1, &s[1], s[1].p, wfV2(1, 0)), wfMakeRevoluteJoint(0, &s[0], 2, &s[2], s[2].p),
                      wfMakeJoint("rack", 1, &s[1], 2, &s[2], s[1].p, s[2].p, wfV2(1, 0)) };
     s[1].angle = 0, s[2].angle = WF_R(0.3), j[1].turnB = j[2].turnB = WF_R(0.3);
     wfSetRatio(&j[2], &s[1], &s[2], WF_R(0.5));
@@ -428,7 +428,7 @@ static void test_rack_and_linkage(void **state)
     /* a lift and its counterweight: slides along y, B twice as far the other way: x_A + 2 x_B */
     wfBodyState l[3] = { { .invMass = 0 }, body(0, 0), body(2, 0) };
     wfBodyForces g[3] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) }, { .force = wfV2(0, WF_R(-9.81)) } };
-    wfJoint k[3] = { wfSlide(0, &l[0], 1, &l[1], l[1].p, wfV2(0, 1)), wfSlide(0, &l[0], 2, &l[2], l[2].p, wfV2(0, 1)),
+    wfJoint k[3] = { wfMakePrismaticJoint(0, &l[0], 1, &l[1], l[1].p, wfV2(0, 1)), wfMakePrismaticJoint(0, &l[0], 2, &l[2], l[2].p, wfV2(0, 1)),
                      wfMakeJoint("linkage", 1, &l[1], 2, &l[2], l[1].p, l[2].p, wfV2(0, 1)) };
     wfSetRatio(&k[2], &l[1], &l[2], 2);
     in = step_of(l, 3, k, 3, g);
@@ -475,14 +475,14 @@ static void test_bounds_of_forces(void **state)
         wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
         wfJoint j = wfMakeJoint("hand", 0, &s[0], 1, &s[1], s[1].p, s[1].p, wfV2(1, 0));
         j.groundB = wfV2((wfReal)(100 * cos(angle)), (wfReal)(100 * sin(angle))), j.motorForce = 2;
-        wfTuneJoint(&j, 1, 5, 1);
+        wfSetJointSpring(&j, 1, 5, 1);
         wfJointStep in = step_of(s, 2, &j, 1, NULL);
         for (int i = 0; i < 60; i++) assert_ok(wfStepJoints(&in));
         assert_near(wfLength(s[1].v), 2, 2e-3);
         assert_near(wfCross(s[1].v, j.groundB) / 100, 0, 2e-3);
     }
     wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
-    wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
     j.flags = WF_JOINT_SPRING, j.stiffness = 1000, j.rest = 1, j.springForce = 3;
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
     for (int i = 0; i < 12; i++) assert_ok(wfStepJoints(&in));
@@ -494,7 +494,7 @@ static void test_slide_and_groove(void **state)
 {
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
-    wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
     j.flags = WF_JOINT_LIMITS, j.lower = 1, j.upper = 3;
     s[1].v = wfV2(2, 0);
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
@@ -529,7 +529,7 @@ static void test_rotary(void **state)
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(5, 5) };
     wfJoint j = wfMakeJoint("turn", 0, &s[0], 1, &s[1], s[1].p, s[1].p, wfV2(1, 0));
-    wfTuneJoint(&j, WF_R(1.0) / 6, 1, WF_R(0.05));
+    wfSetJointSpring(&j, WF_R(1.0) / 6, 1, WF_R(0.05));
     s[1].angle = j.turnB = WF_R(0.4);
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
     in.substeps = 64;
@@ -559,7 +559,7 @@ static void test_only_the_worst_breaks(void **state)
     memset(s, 0, sizeof s), memset(f, 0, sizeof f);
     for (int i = 1; i <= 5; i++) {
         s[i] = body(0, 0.5 - i), f[i].force = wfV2(0, WF_R(-9.81));
-        j[i - 1] = wfHinge(i - 1, &s[i - 1], i, &s[i], wfV2(0, (wfReal)(1 - i)));
+        j[i - 1] = wfMakeRevoluteJoint(i - 1, &s[i - 1], i, &s[i], wfV2(0, (wfReal)(1 - i)));
     }
     wfJointStep in = step_of(s, 6, j, 5, f);
     for (int i = 0; i < 240; i++) assert_ok(wfStepJoints(&in));
@@ -580,7 +580,7 @@ static double stretch(int links, double load, int substeps)
         wfReal m = i == links ? (wfReal)load : 1;
         s[i] = (wfBodyState){ .p = wfV2(0, WF_R(0.5) - (wfReal)i), .invMass = 1 / m, .invInertia = 6 / m };
         f[i].force = wfV2(0, WF_R(-9.81) * m);
-        j[i - 1] = wfHinge(i - 1, &s[i - 1], i, &s[i], wfV2(0, (wfReal)(1 - i)));
+        j[i - 1] = wfMakeRevoluteJoint(i - 1, &s[i - 1], i, &s[i], wfV2(0, (wfReal)(1 - i)));
     }
     wfJointStep in = step_of(s, links + 1, j, links, f);
     in.substeps = substeps;
@@ -611,7 +611,7 @@ static void test_period_zero_is_rigid(void **state)
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
-    wfJoint j = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     wfJointStep in = step_of(s, 2, &j, 1, f);
     in.period = 0, in.passes = 4;
     for (int i = 0; i < 600; i++) {
@@ -625,7 +625,7 @@ static void test_turns_are_counted(void **state)
 {
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
-    wfJoint j = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     double angle = 0;
     for (int i = 0; i < 1000; i++) {
         angle += 0.7;
@@ -643,7 +643,7 @@ static void test_singular(void **state)
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)), .torque = 1 } };
     s[1].invInertia = 0;
-    wfJoint j = wfWeld(0, &s[0], 1, &s[1], wfV2(0, 0));
+    wfJoint j = wfMakeWeldJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     wfJointStep in = step_of(s, 2, &j, 1, f);
     for (int i = 0; i < 120; i++) assert_ok(wfStepJoints(&in));
     assert_near2(s[1].p, wfV2(1, 0), 1e-3);
@@ -653,7 +653,7 @@ static void test_singular(void **state)
     assert_true(wfBodyIsFinite(&s[1]));
     /* a rod of length zero has no direction */
     wfBodyState r[2] = { { .invMass = 0 }, body(0, 0) };
-    j = wfRod(0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, 0));
+    j = wfMakeDistanceJoint(0, &r[0], 1, &r[1], wfV2(0, 0), wfV2(0, 0));
     in = step_of(r, 2, &j, 1, NULL);
     assert_ok(wfStepJoints(&in));
     assert_true(wfBodyIsFinite(&r[1]));
@@ -670,7 +670,7 @@ static void test_no_energy_from_a_swing(void **state)
             wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
             s[1].v = wfV2(0, w);
             if (hinge) s[1].w = w;
-            wfJoint j = hinge ? wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0)) : wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(1, 0));
+            wfJoint j = hinge ? wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0)) : wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(1, 0));
             wfJointStep step = step_of(s, 2, &j, 1, NULL);
             double first = 0, most = 0;
             step.passes = 4;
@@ -688,7 +688,7 @@ static void test_bad_input(void **state)
 {
     (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) }, was[2];
-    wfJoint good = wfHinge(0, &s[0], 1, &s[1], wfV2(0, 0)), j = good;
+    wfJoint good = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0)), j = good;
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
     assert_ok(wfCheckJoint(&good));
     assert_result(WF_ERROR_NULL, wfCheckJoint(NULL));

@@ -23,7 +23,7 @@ static void join(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b, wfVec
 {
     wfJoint j;
     wfVec2 p = info(world, a).position, q = info(world, b).position;
-    assert_ok(wfJoinBodies(world, kind, a, b, p, q, axis, &j));
+    assert_ok(wfDefineJoint(world, kind, a, b, p, q, axis, &j));
     bool pulley = strcmp(kind, "pulley") == 0, hand = strcmp(kind, "hand") == 0;
     if (pulley) {
         wfBodyView view = wfWorldBodies(world);
@@ -69,7 +69,7 @@ static void every_kind_of_joint_comes_along(void **state)
     double allowed = 10 * 30 * 128 * (double)WF_EPSILON;
     step(&stays, 2);
     wfWorld moves = twin_of(&stays);
-    assert_ok(wfMoveOrigin(&moves, by, NULL));
+    assert_ok(wfShiftOrigin(&moves, by, NULL));
     step(&stays, 30);
     step(&moves, 30);
     wfBodyView v = wfWorldBodies(&stays);
@@ -98,21 +98,21 @@ static void sleepers_sleep_on(void **state)
         top = add(&world, box);
     }
     step(&world, 200);
-    assert_false(wfIsAwake(&world, top));
+    assert_false(wfBodyIsAwake(&world, top));
     uint64_t local = wfHashWorld(&world);
-    assert_ok(wfMoveOrigin(&world, wfV2(0, 0), NULL));
+    assert_ok(wfShiftOrigin(&world, wfV2(0, 0), NULL));
     for (int i = 0; i < 50; i++) {
         int32_t begun, ended;
-        assert_ok(wfMoveOrigin(&world, wfV2(i % 2 ? -16 : 16, 0), NULL));
+        assert_ok(wfShiftOrigin(&world, wfV2(i % 2 ? -16 : 16, 0), NULL));
         step(&world, 1);
-        assert_false(wfIsAwake(&world, top));
-        wfWorldEvents(&world, WF_TOUCH_BEGIN, &begun);
-        wfWorldEvents(&world, WF_TOUCH_END, &ended);
+        assert_false(wfBodyIsAwake(&world, top));
+        wfWorldEvents(&world, WF_CONTACT_BEGIN, &begun);
+        wfWorldEvents(&world, WF_CONTACT_END, &ended);
         assert_int_equal(begun + ended, 0);
         if (i % 2) assert_near(info(&world, top).position.x, 0, 50 * 16 * (double)WF_EPSILON);
     }
     /* what falls on the sleepers in their new coordinates wakes them there */
-    assert_ok(wfMoveOrigin(&world, wfV2(16, 0), NULL));
+    assert_ok(wfShiftOrigin(&world, wfV2(16, 0), NULL));
     wfBodyDef box = wfDefaultBodyDef();
     assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.5), &box.shape));
     box.position = wfV2(-16, 6);
@@ -120,7 +120,7 @@ static void sleepers_sleep_on(void **state)
     bool awake = false;
     for (int i = 0; i < 60 && !awake; i++) {
         step(&world, 1);
-        awake = wfIsAwake(&world, top);
+        awake = wfBodyIsAwake(&world, top);
     }
     assert_true(awake);
     assert_true(wfHashWorld(&world) != local);

@@ -21,10 +21,10 @@ static void what_never_turns_takes_no_spin(void **state)
         assert_ok(wfSetBodyVelocity(&w, still, wfV2(1, 0), 5));
         assert_near(info(&w, still).velocity.x, 1, 0);
         wfJoint motor, slide;
-        assert_ok(wfJoinBodies(&w, "revolute", other, still, wfV2(0.5, 2), wfV2(0.5, 2), wfV2(1, 0), &motor));
+        assert_ok(wfDefineJoint(&w, "revolute", other, still, wfV2(0.5, 2), wfV2(0.5, 2), wfV2(1, 0), &motor));
         motor.flags = WF_JOINT_MOTOR, motor.motorSpeed = 9, motor.motorForce = 100;
         assert_ok(wfAddJointToWorld(&w, &motor, NULL));
-        assert_ok(wfJoinBodies(&w, "turn", other, still, wfV2(0, 2), wfV2(0, 2), wfV2(1, 0), &slide));
+        assert_ok(wfDefineJoint(&w, "turn", other, still, wfV2(0, 2), wfV2(0, 2), wfV2(1, 0), &slide));
         slide.flags = WF_JOINT_SPRING, slide.stiffness = 50;
         assert_ok(wfAddJointToWorld(&w, &slide, NULL));
         for (int k = 0; k < 120; k++) {

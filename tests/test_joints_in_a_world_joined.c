@@ -28,7 +28,7 @@ static wfJointId pin(wfWorld *w, const char *kind, wfBodyId a, wfBodyId b, doubl
     wfVec2 at = wfV2((wfReal)x, (wfReal)y);
     wfJoint j;
     wfJointId id;
-    assert_ok(wfJoinBodies(w, kind, a, b, at, at, wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(w, kind, a, b, at, at, wfV2(1, 0), &j));
     assert_ok(wfAddJointToWorld(w, &j, &id));
     return id;
 }
@@ -92,8 +92,8 @@ static void test_cart_drives(void **state)
         wfJoint j;
         def.position = wfV2(i ? WF_R(0.7) : WF_R(-0.7), WF_R(0.4));
         assert_ok(wfAddBodyToWorld(&w, &def, &wheel));
-        assert_ok(wfJoinBodies(&w, "wheel", cart, wheel, def.position, def.position, wfV2(0, 1), &j));
-        wfTuneJoint(&j, 1, 5, 1);
+        assert_ok(wfDefineJoint(&w, "wheel", cart, wheel, def.position, def.position, wfV2(0, 1), &j));
+        wfSetJointSpring(&j, 1, 5, 1);
         j.flags |= WF_JOINT_MOTOR;
         j.motorSpeed = -5, j.motorForce = 10;
         assert_ok(wfAddJointToWorld(&w, &j, NULL));
@@ -147,7 +147,7 @@ static void test_joined_do_not_collide(void **state)
         wfBodyId a = box(&w, WF_DYNAMIC, 0, 0, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0.8, 0.1, 0.5, 0.5);
         wfBodyId c = box(&w, WF_DYNAMIC, 0, 5, 0.5, 0.5), d = box(&w, WF_DYNAMIC, 0.8, 5, 0.5, 0.5);     /* not joined */
         wfJoint j;
-        assert_ok(wfJoinBodies(&w, "turn", b, a, wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
+        assert_ok(wfDefineJoint(&w, "turn", b, a, wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
         j.flags = collide ? WF_JOINT_COLLIDE : 0;
         assert_ok(wfAddJointToWorld(&w, &j, NULL));
         run(&w, 1);
@@ -182,7 +182,7 @@ static void test_every_joined_pair_is_found(void **state)
         int a = (int)((seed >> 8) % 12), b = (int)((seed >> 16) % 12);
         wfJoint j;
         if (a == b) continue;
-        assert_ok(wfJoinBodies(&w, "turn", id[a], id[b], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
+        assert_ok(wfDefineJoint(&w, "turn", id[a], id[b], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
         j.flags = WF_JOINT_SPRING;
         assert_ok(wfAddJointToWorld(&w, &j, NULL));
         joined[a][b] = joined[b][a] = true;
@@ -261,23 +261,23 @@ static void test_bad_input(void **state)
     wfJoint j, was;
     memset(&j, 0xEE, sizeof j);
     was = j;
-    assert_result(WF_ERROR_NULL, wfJoinBodies(NULL, "weld", a, b, o, o, x, &j));
-    assert_result(WF_ERROR_NULL, wfJoinBodies(&none, "weld", a, b, o, o, x, &j));
-    assert_result(WF_ERROR_NULL, wfJoinBodies(&w, NULL, a, b, o, o, x, &j));
-    assert_result(WF_ERROR_NULL, wfJoinBodies(&w, "weld", a, b, o, o, x, NULL));
-    assert_result(WF_ERROR_STALE_ID, wfJoinBodies(&w, "weld", stale, b, o, o, x, &j));
-    assert_result(WF_ERROR_STALE_ID, wfJoinBodies(&w, "weld", a, stale, o, o, x, &j));
-    assert_result(WF_ERROR_UNKNOWN, wfJoinBodies(&w, "glue", a, b, o, o, x, &j));
-    assert_result(WF_ERROR_RANGE, wfJoinBodies(&w, "weld", a, a, o, o, x, &j));
-    assert_result(WF_ERROR_RANGE, wfJoinBodies(&w, "weld", a, b, o, o, o, &j));
+    assert_result(WF_ERROR_NULL, wfDefineJoint(NULL, "weld", a, b, o, o, x, &j));
+    assert_result(WF_ERROR_NULL, wfDefineJoint(&none, "weld", a, b, o, o, x, &j));
+    assert_result(WF_ERROR_NULL, wfDefineJoint(&w, NULL, a, b, o, o, x, &j));
+    assert_result(WF_ERROR_NULL, wfDefineJoint(&w, "weld", a, b, o, o, x, NULL));
+    assert_result(WF_ERROR_STALE_ID, wfDefineJoint(&w, "weld", stale, b, o, o, x, &j));
+    assert_result(WF_ERROR_STALE_ID, wfDefineJoint(&w, "weld", a, stale, o, o, x, &j));
+    assert_result(WF_ERROR_UNKNOWN, wfDefineJoint(&w, "glue", a, b, o, o, x, &j));
+    assert_result(WF_ERROR_RANGE, wfDefineJoint(&w, "weld", a, a, o, o, x, &j));
+    assert_result(WF_ERROR_RANGE, wfDefineJoint(&w, "weld", a, b, o, o, o, &j));
     for (int k = 0; k < BAD_REAL_COUNT; k++) {
         wfVec2 bad = wfV2(BAD_REALS[k], 0);
-        assert_result(WF_ERROR_NOT_FINITE, wfJoinBodies(&w, "weld", a, b, bad, o, x, &j));
-        assert_result(WF_ERROR_NOT_FINITE, wfJoinBodies(&w, "weld", a, b, o, bad, x, &j));
-        assert_result(WF_ERROR_NOT_FINITE, wfJoinBodies(&w, "weld", a, b, o, o, bad, &j));
+        assert_result(WF_ERROR_NOT_FINITE, wfDefineJoint(&w, "weld", a, b, bad, o, x, &j));
+        assert_result(WF_ERROR_NOT_FINITE, wfDefineJoint(&w, "weld", a, b, o, bad, x, &j));
+        assert_result(WF_ERROR_NOT_FINITE, wfDefineJoint(&w, "weld", a, b, o, o, bad, &j));
     }
     assert_memory_equal(&j, &was, sizeof j);
-    assert_ok(wfJoinBodies(&w, "weld", a, b, o, o, x, &j));
+    assert_ok(wfDefineJoint(&w, "weld", a, b, o, o, x, &j));
     wfJointId id, no = { 7, 7 };
     assert_result(WF_ERROR_NULL, wfAddJointToWorld(&w, NULL, &id));
     assert_result(WF_ERROR_NULL, wfAddJointToWorld(&none, &j, &id));
@@ -317,14 +317,14 @@ static void test_solver_that_keeps_no_joints(void **state)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     def.solver = wfFindSolver("impulse");
-    def.jointCapacity = 5, def.exactJoints = WF_JOINTS_TOGETHER, def.exactCost = 3, def.jointGive = WF_R(1e-4);
+    def.jointCapacity = 5, def.directJoints = WF_JOINTS_DIRECT, def.directJointCost = 3, def.jointCompliance = WF_R(1e-4);
     assert_ok(wfCreateWorld(&def, &w));
     wfWorldDef told;
     assert_ok(wfGetWorldDef(&w, &told));
-    assert_true(told.jointCapacity == 5 && told.exactJoints == WF_JOINTS_TOGETHER && told.exactCost == 3 && told.jointGive == def.jointGive);
+    assert_true(told.jointCapacity == 5 && told.directJoints == WF_JOINTS_DIRECT && told.directJointCost == 3 && told.jointCompliance == def.jointCompliance);
     wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
     wfJoint j;
-    assert_ok(wfJoinBodies(&w, "weld", a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(&w, "weld", a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
     assert_result(WF_ERROR_SOLVER, wfAddJointToWorld(&w, &j, NULL));
     assert_ok(wfSetMethods(&w, -1, -1, -1, wfFindSolver("soft")));
     assert_ok(wfAddJointToWorld(&w, &j, NULL));
@@ -365,17 +365,17 @@ static void test_world_decides(void **state)
     for (int how = 0; how < 3; how++) {
         wfWorldDef def = wfDefaultWorldDef();
         wfWorld w;
-        assert_int_equal(def.exactJoints, WF_JOINTS_AUTO);
-        def.exactJoints = how, def.jointCapacity = 256;
+        assert_int_equal(def.directJoints, WF_JOINTS_AUTO);
+        def.directJoints = how, def.jointCapacity = 256;
         assert_ok(wfCreateWorld(&def, &w));
         chain(&w, 20, 6);
         net(&w, 0, 8);
         assert_int_equal(wfJointCount(&w), 6 + 112);
         run(&w, 1);
-        assert_int_equal(wfJointsTogether(&w), want[how][0]);
+        assert_int_equal(wfDirectJointCount(&w), want[how][0]);
         run(&w, 30);
-        assert_int_equal(wfJointsTogether(&w), want[how][1]);
-        assert_int_equal(wfJointsSolvedTogether(&w), how == WF_JOINTS_TOGETHER);
+        assert_int_equal(wfDirectJointCount(&w), want[how][1]);
+        assert_int_equal(wfAllJointsDirect(&w), how == WF_JOINTS_DIRECT);
         assert_int_equal(wfUnsolvedSubsteps(&w), 0);
         /* a joint that ties the chain to the net makes one machine of them: dear; without it all is as before */
         wfJointId tie = pin(&w, "revolute", (wfBodyId){ 8, wfBodyAt(&w, 7).generation }, wfBodyAt(&w, 20), 10, 5);
@@ -383,35 +383,35 @@ static void test_world_decides(void **state)
         assert_ok(wfGetJoint(&w, tie, &j));
         j.flags = 0;
         wfVec2 where = wfV2(10, 5);
-        assert_ok(wfJoinBodies(&w, "distance", wfBodyAt(&w, 6), wfBodyAt(&w, 20), where, where, wfV2(1, 0), &j));
+        assert_ok(wfDefineJoint(&w, "distance", wfBodyAt(&w, 6), wfBodyAt(&w, 20), where, where, wfV2(1, 0), &j));
         assert_ok(wfSetJoint(&w, tie, &j));
         run(&w, 1);
-        assert_int_equal(wfJointsTogether(&w), how == WF_JOINTS_TOGETHER ? 6 + 113 : 0);
+        assert_int_equal(wfDirectJointCount(&w), how == WF_JOINTS_DIRECT ? 6 + 113 : 0);
         assert_ok(wfRemoveJointFromWorld(&w, tie));
         run(&w, 1);
-        assert_int_equal(wfJointsTogether(&w), want[how][0]);
+        assert_int_equal(wfDirectJointCount(&w), want[how][0]);
         /* the price that is cheap can be changed */
         assert_ok(wfGetWorldDef(&w, &def));
-        def.exactCost = 1000;
+        def.directJointCost = 1000;
         assert_ok(wfSetWorldDef(&w, &def));
         run(&w, 1);
-        assert_int_equal(wfJointsTogether(&w), how ? 6 + 112 : 0);
+        assert_int_equal(wfDirectJointCount(&w), how ? 6 + 112 : 0);
         /* and so can who decides, at once, both ways */
-        if (how != WF_JOINTS_ONE_BY_ONE)
+        if (how != WF_JOINTS_ITERATIVE)
             for (int k = 0; k < 4; k++) {
-                def.exactCost = wfDefaultWorldDef().exactCost;
-                def.exactJoints = k % 2 ? WF_JOINTS_TOGETHER : WF_JOINTS_AUTO;
+                def.directJointCost = wfDefaultWorldDef().directJointCost;
+                def.directJoints = k % 2 ? WF_JOINTS_DIRECT : WF_JOINTS_AUTO;
                 assert_ok(wfSetWorldDef(&w, &def));
                 run(&w, 1);
-                assert_int_equal(wfJointsTogether(&w), want[k % 2 ? WF_JOINTS_TOGETHER : WF_JOINTS_AUTO][0]);
+                assert_int_equal(wfDirectJointCount(&w), want[k % 2 ? WF_JOINTS_DIRECT : WF_JOINTS_AUTO][0]);
             }
-        def.exactCost = -1;
+        def.directJointCost = -1;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
-        def.exactCost = (wfReal)NAN;
+        def.directJointCost = (wfReal)NAN;
         assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&w, &def));
-        def.exactCost = 8, def.jointGive = -1;
+        def.directJointCost = 8, def.jointCompliance = -1;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
-        def.jointGive = 0, def.exactJoints = 3;
+        def.jointCompliance = 0, def.directJoints = 3;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
         wfDestroyWorld(&w);
     }
@@ -458,7 +458,7 @@ static void test_every_solver_and_kind(void **state)
             def.solver = solver, def.iterations = 8;
             assert_ok(wfCreateWorld(&def, &w));
             wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
-            assert_ok(wfJoinBodies(&w, wfJointTable[kind].name, a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
+            assert_ok(wfDefineJoint(&w, wfJointTable[kind].name, a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
             wfResult result = wfAddJointToWorld(&w, &j, NULL);
             if (result != WF_OK) {
                 assert_result(WF_ERROR_SOLVER, result);
@@ -505,7 +505,7 @@ static void test_a_loaded_chain_stretches_as_much_as_it_gives(void **state)
     for (int n = 0; n < 2; n++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.solver = wfFindSolver("exact");
-        def.jointGive = n == 0 ? WF_JOINT_GIVE : WF_R(1e-6);
+        def.jointCompliance = n == 0 ? WF_JOINT_COMPLIANCE : WF_R(1e-6);
         wfWorld w;
         assert_ok(wfCreateWorld(&def, &w));
         wfBodyId last = box(&w, WF_STATIC, 0, 0.1, 0.01, 0.1);
@@ -518,7 +518,7 @@ static void test_a_loaded_chain_stretches_as_much_as_it_gives(void **state)
             wfBodyId link = add(&w, d);
             pin(&w, "revolute", last, link, 0, -0.2 * i);
             last = link;
-            sum += (double)def.jointGive * (i == 0 ? 1 : i < 19 ? 2 : 1.001) * h * h * 9.81 * (1019 - i) / (2 * beta);
+            sum += (double)def.jointCompliance * (i == 0 ? 1 : i < 19 ? 2 : 1.001) * h * h * 9.81 * (1019 - i) / (2 * beta);
         }
         run(&w, 600);
         double low = -(double)info(&w, last).position.y - 3.9;
@@ -553,7 +553,7 @@ static void test_ladder_and_grip(void **state)
     (void)state;
     for (double load = 1; load < 2000; load *= 10) {
         wfWorldDef def = wfDefaultWorldDef();
-        def.solver = wfFindSolver("exact"), def.exactJoints = WF_JOINTS_TOGETHER;
+        def.solver = wfFindSolver("exact"), def.directJoints = WF_JOINTS_DIRECT;
         wfWorld w;
         assert_ok(wfCreateWorld(&def, &w));
         box(&w, WF_STATIC, 0, -1, 100, 1), box(&w, WF_STATIC, -1, 50, 1, 50);
@@ -583,7 +583,7 @@ static void test_ladder_and_grip(void **state)
             assert_ok(wfMakeBox(WF_R(0.1), WF_R(0.9), &d.shape));
             wfBodyId jaw = add(&w, d);
             wfVec2 at = wfV2(d.position.x, 4);
-            assert_ok(wfJoinBodies(&w, "prismatic", beam, jaw, at, at, wfV2(1, 0), &j));
+            assert_ok(wfDefineJoint(&w, "prismatic", beam, jaw, at, at, wfV2(1, 0), &j));
             j.flags = WF_JOINT_MOTOR, j.motorSpeed = (wfReal)(-5 * side), j.motorForce = (wfReal)(9.81 * load * 1.25);
             assert_ok(wfAddJointToWorld(&w, &j, NULL));
         }
@@ -605,14 +605,14 @@ static double flung(const char *kind, bool rope, double speed, int substeps)
     double kinetic, potential, before, most = 0;
     wfWorld w;
     wfJoint j;
-    def.substeps = substeps, def.exactJoints = WF_JOINTS_ONE_BY_ONE;
+    def.substeps = substeps, def.directJoints = WF_JOINTS_ITERATIVE;
     assert_ok(wfCreateWorld(&def, &w));
     above = box(&w, WF_STATIC, 0, 0.4, 0.1, 0.1);
     for (int i = 0; i < 6; i++, above = link) {
         wfVec2 top = wfV2(0, WF_R(-0.8) * (wfReal)i), end = wfV2(0, top.y - WF_R(0.4));
         bool rods = kind[0] == 'd';
         link = box(&w, WF_DYNAMIC, 0, (double)end.y, 0.1, 0.3);
-        assert_ok(wfJoinBodies(&w, kind, above, link, rods ? wfV2(0, end.y + WF_R(0.8)) : top, rods ? end : top, wfV2(1, 0), &j));
+        assert_ok(wfDefineJoint(&w, kind, above, link, rods ? wfV2(0, end.y + WF_R(0.8)) : top, rods ? end : top, wfV2(1, 0), &j));
         if (rope) j.flags |= WF_JOINT_LIMITS, j.lower = 0, j.upper = j.rest;
         assert_ok(wfAddJointToWorld(&w, &j, NULL));
         if (i == 0) first = link;

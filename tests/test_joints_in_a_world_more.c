@@ -12,7 +12,7 @@ static wfWorld empty_world(wfReal gravity, int together)
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 16;
     def.gravity = wfV2(0, gravity);
-    def.exactJoints = together;
+    def.directJoints = together;
     wfWorld w = { .memory = { .owned = 0 } };
     assert_ok(wfCreateWorld(&def, &w));
     return w;
@@ -21,7 +21,7 @@ static wfWorld empty_world(wfReal gravity, int together)
 static wfJoint distance_joint(wfWorld *w, wfBodyId a, wfBodyId b, wfVec2 onA, wfVec2 onB)
 {
     wfJoint j;
-    assert_ok(wfJoinBodies(w, "distance", a, b, onA, onB, wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(w, "distance", a, b, onA, onB, wfV2(1, 0), &j));
     return j;
 }
 
@@ -131,7 +131,7 @@ static void servo_and_friction_keep_angular_momentum(void **state)
         def.position.x = cases[i / 2].apart, def.velocity.y = 2;
         wfBodyId b = add(&w, def);
         wfJoint j;
-        assert_ok(wfJoinBodies(&w, cases[i / 2].kind, a, b, wfV2(0, 0), def.position, wfV2(1, 0), &j));
+        assert_ok(wfDefineJoint(&w, cases[i / 2].kind, a, b, wfV2(0, 0), def.position, wfV2(1, 0), &j));
         j.stiffness = cases[i / 2].stiffness, j.damping = cases[i / 2].damping, j.motorForce = cases[i / 2].most;
         assert_ok(wfAddJointToWorld(&w, &j, NULL));
         double p0[2], p[2], l0, l;

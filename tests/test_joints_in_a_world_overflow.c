@@ -112,7 +112,7 @@ static void test_joined_walls(void **state)
     def.position.x = 200;
     wfBodyId b = add(&world, def);
     wfJoint joint;
-    assert_ok(wfJoinBodies(&world, "distance", a, b, wfV2(0, 0), wfV2(200, 0), wfV2(1, 0), &joint));
+    assert_ok(wfDefineJoint(&world, "distance", a, b, wfV2(0, 0), wfV2(200, 0), wfV2(1, 0), &joint));
     assert_ok(wfAddJointToWorld(&world, &joint, NULL));
     memset(world.memory.transient, 0x16, world.memory.transientSize);
     assert_int_equal(steps_or_refuses(&world, 2), 2);

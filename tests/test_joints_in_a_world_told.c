@@ -72,15 +72,15 @@ static double listen(const wfWorld *w, Told *t)
     int32_t n;
     double impulse = 0;
     t->goes_on = 0;
-    for (int kind = WF_TOUCH_BEGIN; kind <= WF_TOUCH_STAY; kind++) {
-        const wfTouchEvent *e = wfWorldEvents(w, kind, &n);
+    for (int kind = WF_CONTACT_BEGIN; kind <= WF_CONTACT_STAY; kind++) {
+        const wfContactEvent *e = wfWorldEvents(w, kind, &n);
         for (int32_t i = 0; i < n; i++) impulse += (double)e[i].impulse;
-        if (kind == WF_TOUCH_BEGIN) t->begins += n;
+        if (kind == WF_CONTACT_BEGIN) t->begins += n;
         t->goes_on += n;
     }
-    wfWorldEvents(w, WF_TOUCH_END, &n);
+    wfWorldEvents(w, WF_CONTACT_END, &n);
     t->ends += n;
-    const wfHit *hit = wfWorldHits(w, &n);
+    const wfContactHit *hit = wfWorldHits(w, &n);
     for (int32_t i = 0; i < n; i++) t->fastest = fmax(t->fastest, (double)hit[i].speed);
     t->hits += n;
     return impulse;
@@ -176,7 +176,7 @@ static bool fall_into_rope(double from, double strength)
     wfBodyId a = add(&w, top), b = add(&w, bob);
     wfJoint j;
     wfJointId id;
-    assert_ok(wfJoinBodies(&w, "distance", a, b, wfV2(0, 0), wfV2(0, (wfReal)-from), wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(&w, "distance", a, b, wfV2(0, 0), wfV2(0, (wfReal)-from), wfV2(1, 0), &j));
     j.flags = WF_JOINT_LIMITS, j.upper = 2, j.breakForce = (wfReal)strength;
     assert_ok(wfAddJointToWorld(&w, &j, &id));
     double v = 0;

@@ -2,12 +2,12 @@
 #include "testing.h"
 #include "world.h"
 
-static wfWorld made_for(uint32_t needs)
+static wfWorld made_for(uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     def.bodyCapacity = 40;
-    def.needs = needs;
+    def.modules = modules;
     assert_ok(wfCreateWorld(&def, &world));
     return world;
 }
@@ -17,73 +17,73 @@ static void steps(wfWorld *world, int n)
     for (int i = 0; i < n; i++) assert_ok(wfStepWorld(world));
 }
 
-static uint32_t needs_of(const wfWorld *world)
+static uint32_t modules_of(const wfWorld *world)
 {
     wfWorldDef def;
     assert_ok(wfGetWorldDef(world, &def));
-    return def.needs;
+    return def.modules;
 }
 
 static void the_table_is_in_order(void **unused)
 {
     (void)unused;
     uint32_t before = 0;
-    for (int i = 0; i < wfNeedCount; i++) {
-        const wfNeedRow *row = &wfNeedTable[i];
+    for (int i = 0; i < wfModuleCount; i++) {
+        const wfModule *row = &wfModuleTable[i];
         assert_true(row->bit != 0 && (row->bit & (row->bit - 1)) == 0 && (before & row->bit) == 0);
         assert_int_equal(row->implies & ~before, 0);           /* so one walk from the end closes a set */
-        assert_int_equal(wfFindNeed(row->name), i);
+        assert_int_equal(wfFindModule(row->name), i);
         assert_true(row->text[0] != 0 && row->error != WF_OK);
-        char bit[64] = "WF_NEED_";                             /* the sentence of the error names the bit */
+        char bit[64] = "WF_MODULE_";                             /* the sentence of the error names the bit */
         for (size_t k = 0; k < strlen(row->name); k++) bit[8 + k] = (char)(row->name[k] - 32);
         assert_non_null(strstr(wfResultText(row->error), bit));
         before |= row->bit;
     }
-    assert_int_equal(wfAllNeeds(), before);
-    assert_int_equal(wfFindNeed("no such need"), -1);
-    assert_int_equal(wfFindNeed(NULL), -1);
+    assert_int_equal(wfAllModules(), before);
+    assert_int_equal(wfFindModule("no such need"), -1);
+    assert_int_equal(wfFindModule(NULL), -1);
     for (uint32_t set = 0; set <= before; set += 37)           /* closed is closed, and never smaller */
-        assert_true(wfCloseNeeds(wfCloseNeeds(set)) == wfCloseNeeds(set) && (wfCloseNeeds(set) & set) == set);
+        assert_true(wfCloseModules(wfCloseModules(set)) == wfCloseModules(set) && (wfCloseModules(set) & set) == set);
 }
 
 static void the_default_is_all_of_them(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    assert_int_equal(def.needs, wfAllNeeds());
-    wfWorld world = made_for(wfAllNeeds());
-    assert_int_equal(needs_of(&world), wfAllNeeds());
+    assert_int_equal(def.modules, wfAllModules());
+    wfWorld world = made_for(wfAllModules());
+    assert_int_equal(modules_of(&world), wfAllModules());
     for (int i = 0; i < wfStageCount; i++) {
         wfStageReport r;
         assert_ok(wfExplainStage(&world, i, &r));
         assert_true(r.runs);
     }
     wfDestroyWorld(&world);
-    def.needs |= 1u << 31;                                     /* a need that nobody knows */
+    def.modules |= 1u << 31;                                   /* a need that nobody knows */
     const wfSetting *fault;
     assert_result(WF_ERROR_UNKNOWN, wfCheckWorldDef(&def, &fault));
-    assert_string_equal(fault->name, "needs");
-    const wfSetting *needs = wfFindSetting("needs");
-    assert_result(WF_ERROR_UNKNOWN, wfPutSetting(&def, needs, 0, 4294967295.0));
-    assert_result(WF_ERROR_RANGE, wfPutSetting(&def, needs, 0, -1));
-    assert_result(WF_ERROR_RANGE, wfPutSetting(&def, needs, 0, 0.5));
-    assert_ok(wfPutSetting(&def, needs, 0, (double)wfAllNeeds()));
-    assert_int_equal(def.needs, wfAllNeeds());
-    assert_string_equal(wfSettingRowName(needs, 0), wfNeedTable[0].name);
+    assert_string_equal(fault->name, "modules");
+    const wfSetting *modules = wfFindSetting("modules");
+    assert_result(WF_ERROR_UNKNOWN, wfPutSetting(&def, modules, 0, 4294967295.0));
+    assert_result(WF_ERROR_RANGE, wfPutSetting(&def, modules, 0, -1));
+    assert_result(WF_ERROR_RANGE, wfPutSetting(&def, modules, 0, 0.5));
+    assert_ok(wfPutSetting(&def, modules, 0, (double)wfAllModules()));
+    assert_int_equal(def.modules, wfAllModules());
+    assert_string_equal(wfSettingRowName(modules, 0), wfModuleTable[0].name);
 }
 
 static void a_need_brings_along_what_it_implies(void **unused)
 {
     (void)unused;
-    wfWorld world = made_for(WF_NEED_SENSORS);
-    uint32_t needs = needs_of(&world);                         /* "soft" steps by itself */
-    assert_int_equal(needs, WF_NEED_SENSORS | WF_NEED_EVENTS | WF_NEED_CONTACTS | WF_NEED_SHAPES | WF_NEED_SUBSTEPS);
+    wfWorld world = made_for(WF_MODULE_SENSORS);
+    uint32_t modules = modules_of(&world);                     /* "soft" steps by itself */
+    assert_int_equal(modules, WF_MODULE_SENSORS | WF_MODULE_EVENTS | WF_MODULE_CONTACTS | WF_MODULE_SHAPES | WF_MODULE_SUBSTEPS);
     wfDestroyWorld(&world);
     wfWorldDef def = wfDefaultWorldDef();
-    def.needs = WF_NEED_CONTACTS;
+    def.modules = WF_MODULE_CONTACTS;
     def.solver = wfFindSolver("sequential");
     assert_ok(wfCreateWorld(&def, &world));
-    assert_int_equal(needs_of(&world), WF_NEED_CONTACTS | WF_NEED_SHAPES);
+    assert_int_equal(modules_of(&world), WF_MODULE_CONTACTS | WF_MODULE_SHAPES);
     wfDestroyWorld(&world);
 }
 
@@ -103,7 +103,7 @@ DOOR(add_damped) { QUIET; wfBodyDef d = wfDefaultBodyDefFor(w); d.mass = 1; d.an
 DOOR(push) { QUIET; return wfApplyForceToBody(w, body, wfV2(1, 0), wfV2(0, 0)); }
 DOOR(twist) { QUIET; return wfApplyTorqueToBody(w, body, 0); }
 DOOR(add_force) { QUIET; wfForce f = wfGravity(wfV2(1, 0)); return wfAddForceToWorld(w, &f, NULL); }
-DOOR(grab) { QUIET; wfForceId id; return wfGrabBody(w, body, wfV2(0, 0), &id); }
+DOOR(grab) { QUIET; wfForceId id; return wfAddMouseJoint(w, body, wfV2(0, 0), &id); }
 DOOR(add_shaped) { QUIET; wfBodyDef d = ball_def(90, 90, 1); d.friction = 0; return wfAddBodyToWorld(w, &d, NULL); }
 DOOR(hang_shape)
 {
@@ -120,7 +120,7 @@ static wfResult set_shape(wfWorld *w, wfShapeId shape, wfReal friction, wfReal b
 {
     wfShapeDef d;
     if (wfGetShape(w, shape, &d) != WF_OK) return WF_OK;
-    d.friction = friction, d.restitution = bounce, d.rolling = rolling, d.sensor = sensor, d.surfaceSpeed = belt;
+    d.friction = friction, d.restitution = bounce, d.rollingResistance = rolling, d.sensor = sensor, d.tangentSpeed = belt;
     return wfSetShape(w, shape, &d);
 }
 DOOR(rough_shape) { QUIET; return set_shape(w, shape, 1, 0, 0, 0, 0); }
@@ -136,7 +136,7 @@ DOOR(second_shape)
     assert_ok(wfMakeCircle(wfV2(1, 0), 1, &d.shape));
     return wfAddShapeToBody(w, crate, &d, NULL);
 }
-DOOR(ask_hooks) { QUIET; wfHooks hooks = { .context = NULL }; return wfStepWorldWith(w, &hooks); }
+DOOR(ask_hooks) { QUIET; wfCallbacks hooks = { .context = NULL }; return wfStepWorldWithCallbacks(w, &hooks); }
 DOOR(look_around)
 {
     QUIET;
@@ -159,24 +159,24 @@ DOOR(other_integrator) { QUIET; return wfSetMethods(w, wfFindIntegrator("explici
 DOOR(other_broad) { QUIET; return wfSetMethods(w, -1, wfFindBroadPhase("brute-force"), -1, -1); }
 
 static const Door doors[] = {
-    { WF_NEED_ROTATION, spin_it }, { WF_NEED_ROTATION, kick_spin }, { WF_NEED_ROTATION, add_spinning },
-    { WF_NEED_DAMPING, damp_it }, { WF_NEED_DAMPING, add_damped }, { WF_NEED_PUSHES, push }, { WF_NEED_PUSHES, twist },
-    { WF_NEED_FORCES, add_force }, { WF_NEED_FORCES, grab }, { WF_NEED_SHAPES, add_shaped }, { WF_NEED_SHAPES, hang_shape },
-    { WF_NEED_FRICTION, add_rough }, { WF_NEED_FRICTION, roughen }, { WF_NEED_FRICTION, rough_shape }, { WF_NEED_FRICTION, belt },
-    { WF_NEED_RESTITUTION, bounce }, { WF_NEED_RESTITUTION, bouncy_shape }, { WF_NEED_ROLLING, rolling_shape },
-    { WF_NEED_SENSORS, make_sensor }, { WF_NEED_MATERIALS, know_pair }, { WF_NEED_COMPOUNDS, second_shape },
-    { WF_NEED_HOOKS, ask_hooks }, { WF_NEED_QUERIES, look_around }, { WF_NEED_QUERIES, see_boxes }, { WF_NEED_QUERIES, see_index }, { WF_NEED_QUERIES, make_index },
-    { WF_NEED_METHODS, other_solver }, { WF_NEED_METHODS, other_integrator }, { WF_NEED_METHODS, other_broad },
+    { WF_MODULE_ROTATION, spin_it }, { WF_MODULE_ROTATION, kick_spin }, { WF_MODULE_ROTATION, add_spinning },
+    { WF_MODULE_DAMPING, damp_it }, { WF_MODULE_DAMPING, add_damped }, { WF_MODULE_PUSHES, push }, { WF_MODULE_PUSHES, twist },
+    { WF_MODULE_FORCES, add_force }, { WF_MODULE_FORCES, grab }, { WF_MODULE_SHAPES, add_shaped }, { WF_MODULE_SHAPES, hang_shape },
+    { WF_MODULE_FRICTION, add_rough }, { WF_MODULE_FRICTION, roughen }, { WF_MODULE_FRICTION, rough_shape }, { WF_MODULE_FRICTION, belt },
+    { WF_MODULE_RESTITUTION, bounce }, { WF_MODULE_RESTITUTION, bouncy_shape }, { WF_MODULE_ROLLING, rolling_shape },
+    { WF_MODULE_SENSORS, make_sensor }, { WF_MODULE_MATERIALS, know_pair }, { WF_MODULE_COMPOUNDS, second_shape },
+    { WF_MODULE_HOOKS, ask_hooks }, { WF_MODULE_QUERIES, look_around }, { WF_MODULE_QUERIES, see_boxes }, { WF_MODULE_QUERIES, see_index }, { WF_MODULE_QUERIES, make_index },
+    { WF_MODULE_METHODS, other_solver }, { WF_MODULE_METHODS, other_integrator }, { WF_MODULE_METHODS, other_broad },
 };
 enum { DOORS = sizeof doors / sizeof *doors };
 
 /* All needs but one, and but those that imply it: what is behind the doors of the others must stay open. */
 static uint32_t all_without(uint32_t bit)
 {
-    uint32_t needs = wfAllNeeds();
-    for (int i = 0; i < wfNeedCount; i++)
-        if (wfCloseNeeds(wfNeedTable[i].bit) & bit) needs &= ~wfNeedTable[i].bit;
-    return needs;
+    uint32_t modules = wfAllModules();
+    for (int i = 0; i < wfModuleCount; i++)
+        if (wfCloseModules(wfModuleTable[i].bit) & bit) modules &= ~wfModuleTable[i].bit;
+    return modules;
 }
 
 static void without_a_need_its_door_is_shut(void **unused)
@@ -184,8 +184,8 @@ static void without_a_need_its_door_is_shut(void **unused)
     (void)unused;
     for (int d = 0; d < DOORS; d++)
         for (int shut = 0; shut < 2; shut++) {
-            uint32_t needs = shut ? all_without(doors[d].need) : wfAllNeeds();
-            wfWorld world = made_for(needs);
+            uint32_t modules = shut ? all_without(doors[d].need) : wfAllModules();
+            wfWorld world = made_for(modules);
             wfBodyDef particle = wfDefaultBodyDefFor(&world), crate = wfDefaultBodyDefFor(&world);
             particle.mass = 1;
             wfBodyId body = add(&world, particle), boxed = body;
@@ -193,12 +193,12 @@ static void without_a_need_its_door_is_shut(void **unused)
             crate.position = wfV2(30, 0);
             crate.friction = 0;
             assert_ok(wfMakeBox(1, 1, &crate.shape));
-            if (needs & WF_NEED_SHAPES) boxed = add(&world, crate);
-            if (needs & WF_NEED_SHAPES) shape = wfFirstShape(&world, boxed);
+            if (modules & WF_MODULE_SHAPES) boxed = add(&world, crate);
+            if (modules & WF_MODULE_SHAPES) shape = wfFirstShape(&world, boxed);
             void *bytes = copy_of(&world);
-            wfResult want = shut ? wfNeedTable[wfFindNeed(wfNeedTable[0].name)].error : WF_OK;
-            for (int i = 0; i < wfNeedCount && shut; i++)
-                if (wfNeedTable[i].bit == doors[d].need) want = wfNeedTable[i].error;
+            wfResult want = shut ? wfModuleTable[wfFindModule(wfModuleTable[0].name)].error : WF_OK;
+            for (int i = 0; i < wfModuleCount && shut; i++)
+                if (wfModuleTable[i].bit == doors[d].need) want = wfModuleTable[i].error;
             wfResult got = doors[d].knock(&world, body, boxed, shape);
             if (got != want) fail_msg("door %d, %s: %s", d, shut ? "shut" : "open", wfResultName(got));
             if (shut) assert_unchanged(&world, bytes);
@@ -211,7 +211,7 @@ static void without_a_need_its_door_is_shut(void **unused)
 static void what_cannot_show_is_not_missed(void **unused)
 {
     (void)unused;
-    wfWorld none = made_for(0), smooth = made_for(WF_NEED_CONTACTS), shaped = made_for(WF_NEED_SHAPES);
+    wfWorld none = made_for(0), smooth = made_for(WF_MODULE_CONTACTS), shaped = made_for(WF_MODULE_SHAPES);
     wfBodyDef d = wfDefaultBodyDef();
     d.mass = 1;
     assert_ok(wfAddBodyToWorld(&none, &d, NULL));              /* a particle's friction of 0.5 can never show */
@@ -219,9 +219,9 @@ static void what_cannot_show_is_not_missed(void **unused)
     assert_ok(wfMakeCircle(wfV2(0, 0), 1, &d.shape));
     d.restitution = 1;
     assert_ok(wfAddBodyToWorld(&shaped, &d, NULL));            /* nor does this one's: it meets nobody */
-    assert_int_equal(wfMissingNeeds(&shaped, wfNeedsOfBody(&d)), 0);
-    assert_int_equal(wfMissingNeeds(&smooth, wfNeedsOfBody(&d)), WF_NEED_FRICTION | WF_NEED_RESTITUTION);
-    assert_int_equal(wfMissingNeeds(&none, wfNeedsOfBody(&d)), WF_NEED_SHAPES);
+    assert_int_equal(wfMissingModules(&shaped, wfModulesOfBody(&d)), 0);
+    assert_int_equal(wfMissingModules(&smooth, wfModulesOfBody(&d)), WF_MODULE_FRICTION | WF_MODULE_RESTITUTION);
+    assert_int_equal(wfMissingModules(&none, wfModulesOfBody(&d)), WF_MODULE_SHAPES);
     assert_result(WF_ERROR_NO_FRICTION, wfAddBodyToWorld(&smooth, &d, NULL));
     d.friction = 0;
     assert_result(WF_ERROR_NO_RESTITUTION, wfAddBodyToWorld(&smooth, &d, NULL));
@@ -239,10 +239,10 @@ static void a_definition_may_not_contradict_itself(void **unused)
     const wfSetting *fault;
     static const struct { const char *name; double value; wfResult want; } said[] = {
         { "shapeCapacity", 9, WF_ERROR_NO_SHAPES }, { "pairCapacity", 9, WF_ERROR_NO_CONTACTS }, { "slop", 0.25, WF_ERROR_NO_CONTACTS },
-        { "forceCapacity", 9, WF_ERROR_NO_FORCES }, { "pairMaterials", 3, WF_ERROR_NO_MATERIALS }, { "substeps", 9, WF_ERROR_NO_CONTACTS } };
+        { "forceCapacity", 9, WF_ERROR_NO_FORCES }, { "materialPairCapacity", 3, WF_ERROR_NO_MATERIALS }, { "substeps", 9, WF_ERROR_NO_CONTACTS } };
     for (int i = 0; i < 6; i++) {
         wfWorldDef def = wfDefaultWorldDef();
-        def.needs = 0;
+        def.modules = 0;
         assert_ok(wfCheckWorldDef(&def, &fault));              /* what nobody wrote is passed over */
         assert_ok(wfPutSetting(&def, wfFindSetting(said[i].name), 0, said[i].value));
         assert_result(said[i].want, wfCheckWorldDef(&def, &fault));
@@ -284,7 +284,7 @@ static void a_profile_has_the_bits_of_the_whole(void **unused)
         def.bodyCapacity = 40;
         def.solver = solver;
         assert_ok(wfCreateWorld(&def, &whole));
-        def.needs = WF_NEED_ROTATION | WF_NEED_CONTACTS | WF_NEED_FRICTION | (wfFindNeed("fast") < 0 ? 0 : wfNeedTable[wfFindNeed("fast")].bit);
+        def.modules = WF_MODULE_ROTATION | WF_MODULE_CONTACTS | WF_MODULE_FRICTION | (wfFindModule("fast") < 0 ? 0 : wfModuleTable[wfFindModule("fast")].bit);
         assert_ok(wfCreateWorld(&def, &lean));
         build_heap(&whole);
         build_heap(&lean);
@@ -303,7 +303,7 @@ static void a_profile_has_the_bits_of_the_whole(void **unused)
 static void without_rotation_nothing_turns(void **unused)
 {
     (void)unused;
-    wfWorld whole = made_for(wfAllNeeds()), lean = made_for(WF_NEED_CONTACTS | WF_NEED_FRICTION);
+    wfWorld whole = made_for(wfAllModules()), lean = made_for(WF_MODULE_CONTACTS | WF_MODULE_FRICTION);
     wfWorld *both[2] = { &whole, &lean };
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 6; i++) {
@@ -336,12 +336,12 @@ static void drops_fly_in_a_few_bytes(void **unused)
     d.velocity = wfV2(3, 10);
     wfBodyId id = add(&world, d);
     steps(&world, 60);
-    double t = 60 * (double)def.dt;
+    double t = 60 * (double)def.timeStep;
     assert_near2(info(&world, id).position, wfV2((wfReal)(3 * t), (wfReal)(10 * t - 9.81 / 2 * t * t)), 60 * 20 * (double)WF_EPSILON);
     wfRegion region[WF_REGION_COUNT];
     assert_ok(wfWorldRegions(&def, region));
     for (int i = 0; i < WF_REGION_COUNT; i++)
-        if (wfRegionServes(i).needs != 0) assert_int_equal(region[i].count, 0);
+        if (wfRegionServes(i).modules != 0) assert_int_equal(region[i].count, 0);
     wfDestroyWorld(&world);
 }
 
@@ -349,10 +349,10 @@ static void drops_fly_in_a_few_bytes(void **unused)
 static void a_world_knows_what_it_used(void **unused)
 {
     (void)unused;
-    wfWorld world = made_for(wfAllNeeds());
+    wfWorld world = made_for(wfAllModules());
     wfWorldDef def;
-    assert_ok(wfInferNeeds(&world, 0, &def));
-    assert_int_equal(def.needs, WF_NEED_SUBSTEPS);             /* nothing was done; "soft" moves the bodies */
+    assert_ok(wfInferModules(&world, 0, &def));
+    assert_int_equal(def.modules, WF_MODULE_SUBSTEPS);         /* nothing was done; "soft" moves the bodies */
     assert_int_equal(def.bodyCapacity, 1);
     wfBodyDef d = wfDefaultBodyDef();
     d.mass = 1;
@@ -363,22 +363,22 @@ static void a_world_knows_what_it_used(void **unused)
     wfForceId force;
     assert_ok(wfAddForceToWorld(&world, &f, &force));
     assert_ok(wfRemoveForceFromWorld(&world, force));          /* used once is used */
-    assert_ok(wfInferNeeds(&world, WF_NEED_QUERIES, &def));
-    assert_int_equal(def.needs, WF_NEED_SUBSTEPS | WF_NEED_PUSHES | WF_NEED_DAMPING | WF_NEED_FORCES | WF_NEED_QUERIES | WF_NEED_SHAPES);
+    assert_ok(wfInferModules(&world, WF_MODULE_QUERIES, &def));
+    assert_int_equal(def.modules, WF_MODULE_SUBSTEPS | WF_MODULE_PUSHES | WF_MODULE_DAMPING | WF_MODULE_FORCES | WF_MODULE_QUERIES | WF_MODULE_SHAPES);
     assert_true(def.forceCapacity == 1 && def.bodyCapacity == 1);
     add(&world, floor_def());
     add(&world, ball_def(0, 20, 0.5));
-    assert_ok(wfInferNeeds(&world, 0, &def));
-    assert_false(def.needs & (WF_NEED_CONTACTS | WF_NEED_FRICTION));        /* they have never met */
-    assert_true(def.needs & WF_NEED_ROTATION);
+    assert_ok(wfInferModules(&world, 0, &def));
+    assert_false(def.modules & (WF_MODULE_CONTACTS | WF_MODULE_FRICTION));  /* they have never met */
+    assert_true(def.modules & WF_MODULE_ROTATION);
     steps(&world, 150);
-    assert_ok(wfInferNeeds(&world, 0, &def));
-    assert_true((def.needs & WF_NEED_CONTACTS) && (def.needs & WF_NEED_FRICTION) && !(def.needs & WF_NEED_RESTITUTION));
+    assert_ok(wfInferModules(&world, 0, &def));
+    assert_true((def.modules & WF_MODULE_CONTACTS) && (def.modules & WF_MODULE_FRICTION) && !(def.modules & WF_MODULE_RESTITUTION));
     assert_true(def.pairCapacity == 1 && def.contactCapacity == 1 && def.shapeCapacity == 2 && def.bodyCapacity == 3);
     void *bytes = copy_of(&world);
-    assert_result(WF_ERROR_NULL, wfInferNeeds(&world, 0, NULL));
-    assert_result(WF_ERROR_NULL, wfInferNeeds(NULL, 0, &def));
-    assert_result(WF_ERROR_UNKNOWN, wfInferNeeds(&world, 1u << 31, &def));
+    assert_result(WF_ERROR_NULL, wfInferModules(&world, 0, NULL));
+    assert_result(WF_ERROR_NULL, wfInferModules(NULL, 0, &def));
+    assert_result(WF_ERROR_UNKNOWN, wfInferModules(&world, 1u << 31, &def));
     assert_unchanged(&world, bytes);
     wfDestroyWorld(&world);
 }
@@ -391,13 +391,13 @@ static void a_list_knows_what_it_requires(void **unused)
     bodies[2].mass = 1;
     wfSceneList list = { .bodies = &bodies[2], .bodyCount = 1 };
     wfWorldDef def = wfDefaultWorldDef();
-    assert_ok(wfInferSceneNeeds(&list, 0, &def));
-    assert_int_equal(def.needs, 0);
+    assert_ok(wfInferSceneModules(&list, 0, &def));
+    assert_int_equal(def.modules, 0);
     list = (wfSceneList){ .bodies = bodies, .bodyCount = 3, .forceCount = 4 };
     def = wfDefaultWorldDef();
-    assert_ok(wfInferSceneNeeds(&list, WF_NEED_EVENTS, &def));
-    assert_int_equal(def.needs, WF_NEED_ROTATION | WF_NEED_SHAPES | WF_NEED_CONTACTS | WF_NEED_FRICTION | WF_NEED_RESTITUTION
-                              | WF_NEED_FORCES | WF_NEED_EVENTS | WF_NEED_SUBSTEPS);
+    assert_ok(wfInferSceneModules(&list, WF_MODULE_EVENTS, &def));
+    assert_int_equal(def.modules, WF_MODULE_ROTATION | WF_MODULE_SHAPES | WF_MODULE_CONTACTS | WF_MODULE_FRICTION | WF_MODULE_RESTITUTION
+                              | WF_MODULE_FORCES | WF_MODULE_EVENTS | WF_MODULE_SUBSTEPS);
     assert_true(def.bodyCapacity == 3 && def.shapeCapacity == 2 && def.forceCapacity == 4);
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
@@ -406,13 +406,13 @@ static void a_list_knows_what_it_requires(void **unused)
     steps(&world, 60);
     wfDestroyWorld(&world);
     list.bodyCount = 0;
-    assert_result(WF_ERROR_RANGE, wfInferSceneNeeds(&list, 0, &def));
+    assert_result(WF_ERROR_RANGE, wfInferSceneModules(&list, 0, &def));
     list.bodyCount = 1, list.forceCount = -1;
-    assert_result(WF_ERROR_RANGE, wfInferSceneNeeds(&list, 0, &def));
-    assert_result(WF_ERROR_NULL, wfInferSceneNeeds(NULL, 0, &def));
-    assert_result(WF_ERROR_NULL, wfInferSceneNeeds(&list, 0, NULL));
+    assert_result(WF_ERROR_RANGE, wfInferSceneModules(&list, 0, &def));
+    assert_result(WF_ERROR_NULL, wfInferSceneModules(NULL, 0, &def));
+    assert_result(WF_ERROR_NULL, wfInferSceneModules(&list, 0, NULL));
     list.forceCount = 0;
-    assert_result(WF_ERROR_UNKNOWN, wfInferSceneNeeds(&list, 1u << 30, &def));
+    assert_result(WF_ERROR_UNKNOWN, wfInferSceneModules(&list, 1u << 30, &def));
 }
 
 /* ---- explaining ---- */
@@ -437,7 +437,7 @@ static const char *line_of(const Pages *p, const char *start)
 static void a_world_explains_itself(void **unused)
 {
     (void)unused;
-    wfWorld world = made_for(WF_NEED_CONTACTS | WF_NEED_ROTATION);
+    wfWorld world = made_for(WF_MODULE_CONTACTS | WF_MODULE_ROTATION);
     Pages p = { .lines = 0 };
     assert_ok(wfExplainWorld(&world, NULL, 0, print_line, &p));
     assert_string_equal(line_of(&p, "made for:"), "made for: rotation, shapes, contacts, substeps");

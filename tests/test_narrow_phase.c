@@ -77,7 +77,7 @@ static wfSeparation sat(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
 
 static double tie(const wfShape *a, const wfShape *b)
 {
-    return (double)WF_AXIS_TIE * fmin((double)wfShapeReach(a), (double)wfShapeReach(b)) + ROUNDING;
+    return (double)WF_AXIS_TIE * fmin((double)wfShapeMaxExtent(a), (double)wfShapeMaxExtent(b)) + ROUNDING;
 }
 
 static void test_names(void **state)
@@ -171,8 +171,8 @@ static void test_relative_pose(void **state)
         assert_near2(wfApply(xa, wfApply(wfRelativePose(xa, xb), v)), wfApply(xb, v), ROUNDING);
     }
     wfShape b = box(3, 4), c = circle(7, 8, 2);
-    assert_near(wfShapeReach(&b), 5, ROUNDING);
-    assert_near(wfShapeReach(&c), 2, 0);
+    assert_near(wfShapeMaxExtent(&b), 5, ROUNDING);
+    assert_near(wfShapeMaxExtent(&c), 2, 0);
     for (int i = 0; i < 500; i++) {                          /* from the centroid, not from the origin; also below 1 m */
         wfShape s = random_polygon(&r);
         if (i % 2) {
@@ -182,7 +182,7 @@ static void test_relative_pose(void **state)
         double far = 0;
         for (int k = 0; k < s.count; k++) far = fmax(far, hypot((double)s.vertices[k].x - (double)s.centre.x,
                                                                (double)s.vertices[k].y - (double)s.centre.y));
-        assert_near(wfShapeReach(&s), far, ROUNDING);
+        assert_near(wfShapeMaxExtent(&s), far, ROUNDING);
     }
 }
 
@@ -539,10 +539,10 @@ static void test_projections_of_coats(void **state)
     p = wfProject(&c, at(2, 3, 90), wfV2(2, 0));              /* an axis of length 2 doubles coat and core */
     assert_near(p.min, 3.5, ROUNDING);
     assert_near(p.max, 4.5, ROUNDING);
-    assert_near(wfShapeReach(&c), 1.25, ROUNDING);
-    assert_near(wfShapeReach(&b), 7, ROUNDING);
-    assert_near(wfShapeReach(&g), 3, ROUNDING);
-    assert_near(wfShapeReach(&n), 0, 0);
+    assert_near(wfShapeMaxExtent(&c), 1.25, ROUNDING);
+    assert_near(wfShapeMaxExtent(&b), 7, ROUNDING);
+    assert_near(wfShapeMaxExtent(&g), 3, ROUNDING);
+    assert_near(wfShapeMaxExtent(&n), 0, 0);
 }
 
 /* Bodies that are apart by less than the tie are still apart. */

@@ -112,7 +112,7 @@ static void check(const wfShape *a, const wfShape *b, I dx, I dy, Tally *tally)
     double truth = meet ? -root(deep) - coats : root(d2) - coats;
     I state = meet ? (twice > 0 || deep.num > 0 ? -1 : 0) : sign(4 * d2.num - twice * twice * d2.den);
     if (state > 0) tally->apart++; else if (state == 0) tally->touching++; else if (meet) tally->cores++; else tally->coats++;
-    double tie = (double)WF_AXIS_TIE * fmin((double)wfShapeReach(a), (double)wfShapeReach(b));
+    double tie = (double)WF_AXIS_TIE * fmin((double)wfShapeMaxExtent(a), (double)wfShapeMaxExtent(b));
     for (int row = 0; row < wfNarrowPhaseCount; row++) {
         wfSeparation s;
         bool sat = row == wfFindNarrowPhase("sat");

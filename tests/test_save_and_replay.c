@@ -39,7 +39,7 @@ static void fill(wfWorld *world, int n)         /* boxes, balls, a sensor, sprin
     wfForce spring = wfSpring(wfBodyIndex(world, id[0]), wfV2(0, 0), wfBodyIndex(world, id[1]), wfV2(0, 0), 1, 20, 1);
     assert_ok(wfAddForceToWorld(world, &spring, NULL));
     wfJoint hinge;
-    assert_ok(wfJoinBodies(world, "revolute", id[2], id[3], wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &hinge));
+    assert_ok(wfDefineJoint(world, "revolute", id[2], id[3], wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &hinge));
     assert_ok(wfAddJointToWorld(world, &hinge, NULL));
     wfPairMaterial ice = { .friction = WF_R(0.01) };
     assert_ok(wfSetPairMaterial(world, 1, 2, &ice));
@@ -84,7 +84,7 @@ static void a_snapshot_takes_the_world_back(void **unused)
     for (int i = 0; i < 3; i++) {                           /* a place in the middle is free */
         wfJoint rod;
         wfBodyId one = wfBodyAt(&world, 10 + i), other = wfBodyAt(&world, 15 + i);
-        assert_ok(wfJoinBodies(&world, "distance", one, other, info(&world, one).position, info(&world, other).position, wfV2(1, 0), &rod));
+        assert_ok(wfDefineJoint(&world, "distance", one, other, info(&world, one).position, info(&world, other).position, wfV2(1, 0), &rod));
         assert_ok(wfAddJointToWorld(&world, &rod, &rods[i]));
     }
     assert_ok(wfRemoveJointFromWorld(&world, rods[1]));
@@ -472,7 +472,7 @@ static void play(wfWorld *w, wfJournal *j, int steps, bool odd)
         }
         if (i == 34) {
             wfInput q = { .kind = WF_INPUT_ADD_JOINT };
-            assert_ok(wfJoinBodies(w, "distance", b, (wfBodyId){ crate.index, crate.generation }, info(w, b).position, wfV2(3, 5), wfV2(1, 0), &q.joint));
+            assert_ok(wfDefineJoint(w, "distance", b, (wfBodyId){ crate.index, crate.generation }, info(w, b).position, wfV2(3, 5), wfV2(1, 0), &q.joint));
             rope = give(w, j, q);
             q.kind = WF_INPUT_SET_JOINT, q.index = rope.index, q.generation = rope.generation, q.joint.rest *= 2;
             give(w, j, q);
@@ -604,7 +604,7 @@ static void bad_journals_are_refused(void **unused)
 
     wfWorldDef def;
     assert_ok(wfGetWorldDef(&world, &def));
-    def.impacts = 0;                                        /* to follow what flies with 1e30 m/s takes patience */
+    def.maxImpacts = 0;                                     /* to follow what flies with 1e30 m/s takes patience */
     assert_ok(wfSetWorldDef(&world, &def));
     wfRandom random = random_stream(26);                    /* any bytes at all: an error, or a world in order */
     for (int n = 0; n < 3000; n++) {
@@ -866,7 +866,7 @@ static bool is_patient(const wfWorld *w)
 {
     wfWorldDef d;
     wfBodyView v = wfWorldBodies(w);
-    if (wfGetWorldDef(w, &d) != WF_OK || d.substeps > 100 || d.iterations > 100 || d.impacts > 100 || d.dt > 1) return false;
+    if (wfGetWorldDef(w, &d) != WF_OK || d.substeps > 100 || d.iterations > 100 || d.maxImpacts > 100 || d.timeStep > 1) return false;
     for (int32_t i = 0; i < v.count; i++) {
         wfReal most = wfMaxR(wfLength(v.state[i].v), wfAbs(v.state[i].w));
         if (most > 100 || wfLength(v.state[i].p) > 1000 || v.state[i].invMass > 1000 || v.state[i].invInertia > 1e5f) return false;
@@ -914,18 +914,18 @@ static void hostile_files_do_no_harm(void **unused)
 }
 
 /* A world that was made for little has little to keep; growth can give it more. */
-static void needs_are_kept_and_grow(void **unused)
+static void modules_are_kept_and_grow(void **unused)
 {
     (void)unused;
-    static const uint32_t without[] = { WF_NEED_JOINTS, WF_NEED_SLEEP, WF_NEED_EVENTS, WF_NEED_FORCES, WF_NEED_FAST, WF_NEED_QUERIES,
-                                        WF_NEED_JOINTS | WF_NEED_SLEEP | WF_NEED_EVENTS | WF_NEED_FORCES | WF_NEED_FAST | WF_NEED_QUERIES | WF_NEED_SENSORS };
+    static const uint32_t without[] = { WF_MODULE_JOINTS, WF_MODULE_SLEEP, WF_MODULE_EVENTS, WF_MODULE_FORCES, WF_MODULE_FAST, WF_MODULE_QUERIES,
+                                        WF_MODULE_JOINTS | WF_MODULE_SLEEP | WF_MODULE_EVENTS | WF_MODULE_FORCES | WF_MODULE_FAST | WF_MODULE_QUERIES | WF_MODULE_SENSORS };
     for (size_t k = 0; k < sizeof without / sizeof *without; k++) {
         wfWorldDef def = wfDefaultWorldDef(), room;
         wfWorld world, loaded;
         wfFault fault;
-        def.needs &= ~without[k];
-        if (without[k] & WF_NEED_EVENTS) def.events = 0, def.needs &= ~(uint32_t)WF_NEED_SENSORS;
-        if (without[k] & WF_NEED_FAST) def.impacts = 0;
+        def.modules &= ~without[k];
+        if (without[k] & WF_MODULE_EVENTS) def.events = 0, def.modules &= ~(uint32_t)WF_MODULE_SENSORS;
+        if (without[k] & WF_MODULE_FAST) def.maxImpacts = 0;
         if (wfCreateWorld(&def, &world) != WF_OK) { print_message("row %zu: not a legal set of needs\n", k); continue; }
         add(&world, floor_def());
         for (int i = 0; i < 20; i++) add(&world, i % 2 ? box_def(i % 5, 1 + i / 5, 0.4) : ball_def(i % 5, 1 + i / 5, 0.4));
@@ -937,7 +937,7 @@ static void needs_are_kept_and_grow(void **unused)
         assert_ok(wfLoadFromBytes(bytes, size, NULL, &loaded));
         assert_same(&world, &loaded);
         assert_ok(wfGetWorldDef(&loaded, &room));
-        room.needs = wfAllNeeds();
+        room.modules = wfAllModules();
         assert_ok(wfGrowWorld(&loaded, &room));
         assert_ok(wfCheckWorld(&loaded, NULL));
         for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&loaded));
@@ -978,7 +978,7 @@ static void broken_rules_are_named(void **unused)
         { WF_REGION_CONTACTS, 0, offsetof(wfContact, a), INT_, -5 },
         { WF_REGION_CONTACTS, 0, offsetof(wfContact, manifold.count), INT_, 3 },
         { WF_REGION_CONTACTS, 0, offsetof(wfContact, manifold.points[0].normalImpulse), NAN_, 0 },
-        { WF_REGION_TOUCHES, 0, offsetof(wfTouch, b), INT_, 1000 },
+        { WF_REGION_TOUCHES, 0, offsetof(wfTouchingPair, b), INT_, 1000 },
         { WF_REGION_PAIR_MATERIALS, 0, 0, INT_, 0 },
         { WF_REGION_JOINTS, 0, offsetof(wfJoint, a), INT_, 1000 },
         { WF_REGION_JOINTS, 0, offsetof(wfJoint, kind), INT_, -1 },
@@ -1035,13 +1035,13 @@ static void whatever_a_world_needs_it_can_be_loaded(void **unused)
         wfWorld world, loaded;
         wfFault fault;
         uint32_t often = 10 + 20 * (uint32_t)(n % 5);
-        def.needs = 0;
-        for (int i = 0; i < wfNeedCount; i++)
-            if (wfRandomBelow(&random, 100) < often) def.needs |= wfNeedTable[i].bit;
+        def.modules = 0;
+        for (int i = 0; i < wfModuleCount; i++)
+            if (wfRandomBelow(&random, 100) < often) def.modules |= wfModuleTable[i].bit;
         def.bodyCapacity = 16, def.jointCapacity = 8, def.forceCapacity = 8;
-        def.sleep = (def.needs & WF_NEED_SLEEP) != 0 && wfRandomBelow(&random, 2), def.fineSums = (int32_t)wfRandomBelow(&random, 2);
+        def.sleep = (def.modules & WF_MODULE_SLEEP) != 0 && wfRandomBelow(&random, 2), def.compensatedSums = (int32_t)wfRandomBelow(&random, 2);
         if (wfCreateWorld(&def, &world) != WF_OK) continue;
-        made++, without += (def.needs & (WF_NEED_CONTACTS | WF_NEED_QUERIES)) == 0;
+        made++, without += (def.modules & (WF_MODULE_CONTACTS | WF_MODULE_QUERIES)) == 0;
         for (int i = 0; i < 10; i++) {                      /* what it has no need for is refused, and leaves no trace */
             wfBodyDef d = wfDefaultBodyDefFor(&world);
             d.type = i == 0 ? WF_STATIC : i == 1 ? WF_KINEMATIC : WF_DYNAMIC;
@@ -1057,7 +1057,7 @@ static void whatever_a_world_needs_it_can_be_loaded(void **unused)
         wfShapeDef ball = wfDefaultShapeDefFor(&world);
         assert_ok(wfMakeCircle(wfV2(WF_R(0.2), 0), WF_R(0.2), &ball.shape));
         wfAddForceToWorld(&world, &drag, NULL);
-        if (wfJoinBodies(&world, "revolute", wfBodyAt(&world, 2), wfBodyAt(&world, 3), wfV2(2, 2), wfV2(2, 2), wfV2(1, 0), &hinge) == WF_OK)
+        if (wfDefineJoint(&world, "revolute", wfBodyAt(&world, 2), wfBodyAt(&world, 3), wfV2(2, 2), wfV2(2, 2), wfV2(1, 0), &hinge) == WF_OK)
             wfAddJointToWorld(&world, &hinge, NULL);
         wfAddShapeToBody(&world, wfBodyAt(&world, 4), &ball, NULL);
         ball.sensor = 1;
@@ -1065,15 +1065,15 @@ static void whatever_a_world_needs_it_can_be_loaded(void **unused)
         for (int k = 0; k < 16; k++) {
             if (k == 9) wfRemoveBodyFromWorld(&world, wfBodyAt(&world, 5));
             if (k == 10) wfApplyForceToBody(&world, wfBodyAt(&world, 6), wfV2(1, 1), wfV2(0, 0));
-            if (k == 11) wfMoveOrigin(&world, wfV2(2, 1), NULL);
+            if (k == 11) wfShiftOrigin(&world, wfV2(2, 1), NULL);
             wfResult step = wfStepWorld(&world);
             if (k % 5 != 2) continue;
-            if (wfCheckWorld(&world, &fault) != WF_OK) fail_msg("needs %08x, step %d: %s %d: %s", (unsigned)def.needs, k, fault.region, (int)fault.element, fault.rule);
+            if (wfCheckWorld(&world, &fault) != WF_OK) fail_msg("needs %08x, step %d: %s %d: %s", (unsigned)def.modules, k, fault.region, (int)fault.element, fault.rule);
             size_t size = wfSaveSize(&world);
             uint8_t *bytes = bytes_of(size);
             assert_ok(wfSaveToBytes(&world, bytes, size, &size));
             wfResult result = wfLoadFromBytes(bytes, size, NULL, &loaded);
-            if (result != WF_OK) fail_msg("needs %08x, step %d: %s", (unsigned)def.needs, k, wfResultName(result));
+            if (result != WF_OK) fail_msg("needs %08x, step %d: %s", (unsigned)def.modules, k, wfResultName(result));
             assert_same(&world, &loaded);
             assert_int_equal(wfStepWorld(&loaded), wfStepWorld(&world));
             assert_same(&world, &loaded);
@@ -1101,7 +1101,7 @@ static void every_kept_region_has_a_rule(void **unused)
         if (use.rule == NULL) continue;
         if (strcmp(use.rule, "any") == 0) { any++; continue; }
         for (int k = 0; k < i; k++)
-            if (strcmp(wfRegionServes(k).rule, use.rule) == 0 && wfRegionServes(k).needs != use.needs)
+            if (strcmp(wfRegionServes(k).rule, use.rule) == 0 && wfRegionServes(k).modules != use.modules)
                 fail_msg("the regions \"%s\" and \"%s\" share a rule and serve other needs", region[k].name, region[i].name);
     }
     assert_int_equal(any, 2);                               /* filters, and the index */
@@ -1110,7 +1110,7 @@ static void every_kept_region_has_a_rule(void **unused)
 }
 
 static wfWorld *hooked;
-static bool destroys(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool destroys(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     (void)view, (void)a, (void)b;
     ++*(int *)context;
@@ -1123,10 +1123,10 @@ static void no_hook_destroys_its_world(void **unused)
     (void)unused;
     wfWorld world = busy(10, 30), same = world;
     int asked = 0;
-    wfHooks hooks = { .context = &asked, .filter = destroys };
+    wfCallbacks hooks = { .context = &asked, .filter = destroys };
     hooked = &world;
-    assert_ok(wfStepWorldWith(&world, &hooks));
-    assert_ok(wfStepWorldWith(&same, &hooks));              /* nor through another handle */
+    assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
+    assert_ok(wfStepWorldWithCallbacks(&same, &hooks));     /* nor through another handle */
     assert_true(asked > 0);
     assert_ok(wfCheckWorld(&world, NULL));
     assert_ok(wfDestroyWorld(&world));
@@ -1223,7 +1223,7 @@ int main(void)
         cmocka_unit_test(journals_have_an_envelope),
         cmocka_unit_test(hostile_journals_do_no_harm),
         cmocka_unit_test(hostile_files_do_no_harm),
-        cmocka_unit_test(needs_are_kept_and_grow),
+        cmocka_unit_test(modules_are_kept_and_grow),
         cmocka_unit_test(broken_rules_are_named),
         cmocka_unit_test(whatever_a_world_needs_it_can_be_loaded),
         cmocka_unit_test(every_kept_region_has_a_rule),

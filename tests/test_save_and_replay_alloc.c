@@ -31,7 +31,7 @@ static void nothing_is_allocated_after_creation(void **unused)
         add(&world, d);
     }
     wfJoint rod;
-    assert_ok(wfJoinBodies(&world, "distance", wfBodyAt(&world, 3), wfBodyAt(&world, 4), wfV2(0, 1), wfV2(1, 1), wfV2(1, 0), &rod));
+    assert_ok(wfDefineJoint(&world, "distance", wfBodyAt(&world, 3), wfBodyAt(&world, 4), wfV2(0, 1), wfV2(1, 1), wfV2(1, 0), &rod));
     assert_ok(wfAddJointToWorld(&world, &rod, NULL));
     assert_ok(wfRewindInit(&ring, bytes, sizeof bytes));
     assert_ok(wfJournalInit(&journal, notes, sizeof notes, 0));
@@ -75,11 +75,11 @@ static void every_failed_allocation_is_survived(void **unused)
             uint64_t hash = wfHashWorld(&source);
             size_t had = live;
             void *at = source.memory.permanent;
-            calls = 0, failAt = n;
+            calls = 0, fail_at = n;
             wfResult result = what == 0 ? wfCreateWorld(&def, &out) : what == 1 ? wfCloneWorld(&source, NULL, &out)
                             : what == 2 ? wfLoadFromBytes(bytes, size, NULL, &out) : what == 3 ? wfGrowWorld(&source, &room)
                             : wfSaveToFile(&source, "build/alloc-test.weft");
-            failAt = 0;
+            fail_at = 0;
             if (calls < n) {                                /* there was no n-th: it went well */
                 assert_int_equal(result, WF_OK);
                 wfDestroyWorld(&out);

@@ -5,7 +5,7 @@
 
 static void assert_at(const wfWorld *world, double x, double y)
 {
-    wfFar o = { 0, 0 };
+    wfGlobalPoint o = { 0, 0 };
     assert_ok(wfGetWorldOrigin(world, &o));
     assert_true(o.x == x && o.y == y);
 }
@@ -18,7 +18,7 @@ static void a_grown_world_is_where_it_was(void **state)
     assert_ok(wfCreateWorld(&wd, &world));
     add(&world, floor_def());
     add(&world, ball_def(0, 3, 0.5));
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e12, -3e11 }));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e12, -3e11 }));
     for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
     uint64_t hash = wfHashWorld(&world);
     wd.bodyCapacity *= 2;
@@ -35,9 +35,9 @@ static void a_snapshot_goes_back_to_where_it_was(void **state)
     wfWorld world;
     assert_ok(wfCreateWorld(&wd, &world));
     add(&world, ball_def(5000, 3, 0.5));
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e6, 0 }));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e6, 0 }));
     void *before = copy_of(&world);
-    assert_ok(wfMoveOrigin(&world, wfV2(4096, 0), NULL));
+    assert_ok(wfShiftOrigin(&world, wfV2(4096, 0), NULL));
     assert_at(&world, 1e6 + 4096, 0);
     memcpy(world.memory.permanent, before, world.memory.permanentSize);
     assert_at(&world, 1e6, 0);

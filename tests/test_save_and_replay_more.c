@@ -16,7 +16,7 @@ static wfWorld full_world(int kind)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     def.bodyCapacity = 24, def.shapeCapacity = 32, def.jointCapacity = 8, def.forceCapacity = 16;
-    def.pairMaterials = 4, def.fineSums = 1, def.sleep = 1, def.impacts = 4;
+    def.materialPairCapacity = 4, def.compensatedSums = 1, def.sleep = 1, def.maxImpacts = 4;
     assert_ok(wfCreateWorld(&def, &world));
     wfBodyId id[12], ground = add(&world, floor_def());
     for (int i = 0; i < 12; i++) {
@@ -37,9 +37,9 @@ static wfWorld full_world(int kind)
     wfPairMaterial ice = { .friction = WF_R(0.01) };
     assert_ok(wfSetPairMaterial(&world, 1, 2, &ice));
     wfJoint joint;
-    assert_ok(wfJoinBodies(&world, "revolute", id[7], id[8], wfV2(11, 1), wfV2(11, 1), wfV2(1, 0), &joint));
+    assert_ok(wfDefineJoint(&world, "revolute", id[7], id[8], wfV2(11, 1), wfV2(11, 1), wfV2(1, 0), &joint));
     assert_ok(wfAddJointToWorld(&world, &joint, NULL));
-    assert_ok(wfJoinBodies(&world, "distance", id[9], id[10], wfV2(WF_R(13.5), 1), wfV2(15, 1), wfV2(1, 0), &joint));
+    assert_ok(wfDefineJoint(&world, "distance", id[9], id[10], wfV2(WF_R(13.5), 1), wfV2(15, 1), wfV2(1, 0), &joint));
     if (kind == BREAKING) joint.breakForce = WF_R(1e-3);
     assert_ok(wfAddJointToWorld(&world, &joint, NULL));
     if (!sleeping) {
@@ -56,7 +56,7 @@ static wfWorld full_world(int kind)
     assert_true(kind != HITTING || hits > 0);
     assert_true(kind != BREAKING || broken > 0);
     if (!sleeping) assert_ok(wfApplyForceToBody(&world, id[8], wfV2(1, 1), wfV2(11, 1)));
-    if (sleeping) assert_true(wfWorldRest(&world).asleep > 3);
+    if (sleeping) assert_true(wfGetSleepCounts(&world).asleep > 3);
     return world;
 }
 
@@ -117,7 +117,7 @@ static void goes_on(wfWorld *world, int steps, bool huge)
     bool told = huge && (result == WF_ERROR_NOT_FINITE || result == WF_ERROR_RANGE);
     if (result != WF_OK && !told) fail_msg("%s: let in, and then a step says %s", what, wfResultName(result));
     if (wfCheckWorld(world, &fault) != WF_OK) fail_msg("%s: let in, and then %s %d: %s", what, fault.region, (int)fault.element, fault.rule);
-    assert_ok(wfInferNeeds(world, 0, &def));
+    assert_ok(wfInferModules(world, 0, &def));
     size_t size = wfSaveSize(world);
     void *bytes = malloc(size);
     assert_ok(wfSaveToBytes(world, bytes, size, &size));
@@ -187,12 +187,12 @@ static void either_refused_or_it_goes_on(void **unused)
 }
 
 /* A small world of what these needs allow; what they do not is refused. */
-static wfWorld lean_world(uint32_t needs)
+static wfWorld lean_world(uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
-    def.needs = needs, def.bodyCapacity = 8;
-    def.sleep = (needs & WF_NEED_SLEEP) != 0, def.fineSums = (needs & WF_NEED_ROTATION) != 0;
+    def.modules = modules, def.bodyCapacity = 8;
+    def.sleep = (modules & WF_MODULE_SLEEP) != 0, def.compensatedSums = (modules & WF_MODULE_ROTATION) != 0;
     assert_ok(wfCreateWorld(&def, &world));
     for (int i = 0; i < 5; i++) {
         wfBodyDef d = wfDefaultBodyDefFor(&world);
@@ -205,7 +205,7 @@ static wfWorld lean_world(uint32_t needs)
     wfForce drag = wfDrag(WF_R(0.1), 0);
     wfJoint hinge;
     wfAddForceToWorld(&world, &drag, NULL);
-    if (wfJoinBodies(&world, "revolute", wfBodyAt(&world, 2), wfBodyAt(&world, 3), wfV2(2, 2), wfV2(2, 2), wfV2(1, 0), &hinge) == WF_OK)
+    if (wfDefineJoint(&world, "revolute", wfBodyAt(&world, 2), wfBodyAt(&world, 3), wfV2(2, 2), wfV2(2, 2), wfV2(1, 0), &hinge) == WF_OK)
         wfAddJointToWorld(&world, &hinge, NULL);
     for (int i = 0; i < 3; i++) assert_ok(wfStepWorld(&world));
     return world;
@@ -234,11 +234,11 @@ static void nothing_points_into_what_has_no_room(void **unused)
 {
     (void)unused;
     signal(SIGALRM, hangs);
-    for (int k = 0; k <= 2 * wfNeedCount; k++) {            /* nothing; each need with what it implies; all that can do without it */
-        uint32_t needs = 0, bit = k > 0 ? wfNeedTable[(k - 1) / 2].bit : 0;
-        if (k % 2) needs = wfCloseNeeds(bit);
-        else for (int i = 0; i < wfNeedCount && k > 0; i++) needs |= wfCloseNeeds(wfNeedTable[i].bit) & bit ? 0 : wfNeedTable[i].bit;
-        wfWorld world = lean_world(needs);
+    for (int k = 0; k <= 2 * wfModuleCount; k++) {          /* nothing; each need with what it implies; all that can do without it */
+        uint32_t modules = 0, bit = k > 0 ? wfModuleTable[(k - 1) / 2].bit : 0;
+        if (k % 2) modules = wfCloseModules(bit);
+        else for (int i = 0; i < wfModuleCount && k > 0; i++) modules |= wfCloseModules(wfModuleTable[i].bit) & bit ? 0 : wfModuleTable[i].bit;
+        wfWorld world = lean_world(modules);
         wfWorldDef def;
         wfRegion regions[WF_REGION_COUNT];
         assert_ok(wfGetWorldDef(&world, &def));
@@ -263,7 +263,7 @@ static void an_explosion_is_saved_with_its_time(void **unused)
     (void)unused;
     wfWorld world = { { .owned = 0 } }, loaded;
     wfWorldDef def = wfDefaultWorldDef();
-    def.gravity = wfV2(0, 0), def.dt = 30 * WF_R(86400.0);
+    def.gravity = wfV2(0, 0), def.timeStep = 30 * WF_R(86400.0);
     assert_ok(wfCreateWorld(&def, &world));
     add(&world, ball_def(2, 0, 0.5));
     assert_ok(wfStepWorld(&world));                         /* a month */

@@ -96,7 +96,7 @@ static void eight_digits_are_too_few(void **unused)       /* eq:save-digits: bet
 static const char *const seesaw =
     "{ \"weft\": 1, \"name\": \"a seesaw\", \"text\": \"It tips.\",\n"
     "  \"view\": { \"x\": 1, \"y\": 2, \"height\": 8 },\n"
-    "  \"settings\": { \"gravity\": [0, -10], \"solver\": \"soft\", \"substeps\": 6, \"reuse\": false },\n"
+    "  \"settings\": { \"gravity\": [0, -10], \"solver\": \"soft\", \"substeps\": 6, \"reuseManifolds\": false },\n"
     "  \"bodies\": [\n"
     "    { \"name\": \"ground\", \"type\": \"static\", \"shapes\": [\n"
     "        { \"kind\": \"segment\", \"from\": [-10, 0], \"to\": [10, 0] } ] },\n"
@@ -116,7 +116,7 @@ static wfWorld seesaw_by_hand(void)                       /* the same by the eng
     def.gravity = wfV2(0, -10);
     def.solver = wfFindSolver("soft");
     def.substeps = 6;
-    def.reuse = 0;
+    def.reuseManifolds = 0;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     wfBodyDef ground = wfDefaultBodyDef(), plank = ground, ball = ground;
@@ -138,7 +138,7 @@ static wfWorld seesaw_by_hand(void)                       /* the same by the eng
     s.material = 3;
     assert_ok(wfSetShape(&world, wfFirstShape(&world, b), &s));
     wfJoint j;
-    assert_ok(wfJoinBodies(&world, "revolute", g, p, wfV2(0, 1), wfV2(0, 1), wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(&world, "revolute", g, p, wfV2(0, 1), wfV2(0, 1), wfV2(1, 0), &j));
     assert_ok(wfAddJointToWorld(&world, &j, NULL));
     wfForce f = wfDrag(WF_R(0.5), WF_R(0.25));
     f.a = wfBodyIndex(&world, b);
@@ -272,7 +272,7 @@ static void what_is_easily_lost(void **unused)
     wfShapeDef more = wfDefaultShapeDef();                /* its place comes after those of later bodies */
     more.sensor = 1;
     more.filter = (wfFilter){ (uint64_t)1 << 63, 5, -2 };
-    more.surfaceSpeed = 3, more.rolling = WF_R(0.1), more.staticFriction = WF_R(0.9), more.userData = 12;
+    more.tangentSpeed = 3, more.rollingResistance = WF_R(0.1), more.staticFriction = WF_R(0.9), more.userData = 12;
     assert_ok(wfMakeBox(1, 1, &more.shape));
     assert_ok(wfAddShapeToBody(&world, first, &more, NULL));
     assert_ok(wfRemoveBodyFromWorld(&world, gone));
@@ -282,8 +282,8 @@ static void what_is_easily_lost(void **unused)
     wfWorld read = read_text(text);
     assert_int_equal(wfBodyCount(&read), 3);
     wfBodyId one = wfBodyAt(&read, 0), two = wfBodyAt(&read, 1);
-    assert_false(wfNeverSleeps(&read, one));
-    assert_true(wfNeverSleeps(&read, two));
+    assert_false(wfBodySleepDisabled(&read, one));
+    assert_true(wfBodySleepDisabled(&read, two));
     assert_int_equal(wfWorldBodies(&read).props[1].fixedRotation, 1);
     assert_int_equal(info(&read, two).userData, UINT64_MAX);
     assert_near(info(&read, two).mass, 7, 0);
@@ -338,7 +338,7 @@ static void every_setting_comes_back(void **unused)
             wfWorld read = read_text(text);
             assert_ok(wfGetWorldDef(&world, &def));
             assert_ok(wfGetWorldDef(&read, &is));
-            if (s->builtIn && s->need == 0 && strstr(s->name, "Capacity") != NULL) {    /* room may be more, not less */
+            if (s->builtIn && s->modules == 0 && strstr(s->name, "Capacity") != NULL) {    /* room may be more, not less */
                 int32_t wanted, got;
                 memcpy(&wanted, (char *)&def + s->offset, 4);
                 memcpy(&got, (char *)&is + s->offset, 4);
@@ -356,12 +356,12 @@ static void every_setting_comes_back(void **unused)
     assert_true(tried > 30 && skipped <= 2);
 }
 
-/* What a state has rounded away is in the text, too: with fineSums the future of what touches nothing has the same bits. */
+/* What a state has rounded away is in the text, too: with compensatedSums the future of what touches nothing has the same bits. */
 static void fine_sums_come_back(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    def.fineSums = 1;
+    def.compensatedSums = 1;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     for (int i = 0; i < 6; i++) {
@@ -428,7 +428,7 @@ static void a_world_for_little_stays_one(void **unused)   /* its arrays for what
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    def.needs = WF_NEED_SHAPES | WF_NEED_ROTATION;
+    def.modules = WF_MODULE_SHAPES | WF_MODULE_ROTATION;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     wfBodyDef d = ball_def(1, 2, 0.5);
@@ -436,11 +436,11 @@ static void a_world_for_little_stays_one(void **unused)   /* its arrays for what
     add(&world, d);
     for (int i = 0; i < 50; i++) assert_ok(wfStepWorld(&world));
     char *text = write_text(&world);
-    assert_non_null(strstr(text, "\"needs\": [\"rotation\", \"shapes\"]"));
+    assert_non_null(strstr(text, "\"modules\": [\"rotation\", \"shapes\"]"));
     wfWorld read = read_text(text);
     wfWorldDef is;
     assert_ok(wfGetWorldDef(&read, &is));
-    assert_int_equal(is.needs, def.needs);
+    assert_int_equal(is.modules, def.modules);
     for (int i = 0; i < 50; i++) {
         assert_int_equal(wfHashWorld(&world), wfHashWorld(&read));
         assert_ok(wfStepWorld(&world));
@@ -465,12 +465,12 @@ static const struct { const char *text, *where; int line; wfResult result; const
     { "{ \"weft\": 1, \"bodies\": {} }", "bodies", 1, WF_ERROR_TEXT, "must be an array" },
     { "{ \"weft\": 1, \"settings\": { \"gravity\": [0] } }", "settings.gravity", 1, WF_ERROR_TEXT, "array of 2 numbers" },
     { "{ \"weft\": 1, \"settings\": { \"gravity\": [0,\n\"1\"] } }", "settings.gravity[1]", 2, WF_ERROR_TEXT, "must be a number" },
-    { "{ \"weft\": 1, \"settings\": { \"dt\": 0 } }", "settings.dt", 1, WF_ERROR_RANGE, "must be > 0" },
-    { "{ \"weft\": 1, \"settings\": { \"dt\": 1e999 } }", "settings.dt", 1, WF_ERROR_NOT_FINITE, "too large" },
-    { "{ \"weft\": 1, \"settings\": { \"dt\": 1e-400 } }", "settings.dt", 1, WF_ERROR_RANGE, "must be > 0" },
+    { "{ \"weft\": 1, \"settings\": { \"timeStep\": 0 } }", "settings.timeStep", 1, WF_ERROR_RANGE, "must be > 0" },
+    { "{ \"weft\": 1, \"settings\": { \"timeStep\": 1e999 } }", "settings.timeStep", 1, WF_ERROR_NOT_FINITE, "too large" },
+    { "{ \"weft\": 1, \"settings\": { \"timeStep\": 1e-400 } }", "settings.timeStep", 1, WF_ERROR_RANGE, "must be > 0" },
     { "{ \"weft\": 1, \"settings\": { \"substeps\": 2.5 } }", "settings.substeps", 1, WF_ERROR_RANGE, "whole number" },
     { "{ \"weft\": 1, \"settings\": { \"substeps\": 1e12 } }", "settings.substeps", 1, WF_ERROR_NOT_FINITE, "too large" },
-    { "{ \"weft\": 1, \"settings\": { \"reuse\": 1 } }", "settings.reuse", 1, WF_ERROR_TEXT, "true or false" },
+    { "{ \"weft\": 1, \"settings\": { \"reuseManifolds\": 1 } }", "settings.reuseManifolds", 1, WF_ERROR_TEXT, "true or false" },
     { "{ \"weft\": 1, \"settings\": { \"solver\": \"sofd\" } }", "settings.solver", 1, WF_ERROR_UNKNOWN, "did you mean `soft'?" },
     { "{ \"weft\": 1, \"settings\": { \"bodyCapacity\": 1 }, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}] }", "settings.bodyCapacity", 1,
       WF_ERROR_FULL, "is 1, but the scene has 2" },
@@ -515,9 +515,9 @@ static const struct { const char *text, *where; int line; wfResult result; const
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"sprin\" } ] }", "forces[0].kind", 1, WF_ERROR_UNKNOWN, "`spring'" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"linear\": -1 } ] }", "forces[0]", 1, WF_ERROR_RANGE, "range" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"lineal\": 1 } ] }", "forces[0].lineal", 1, WF_ERROR_UNKNOWN, "`linear'" },
-    { "{ \"weft\": 1,\n\"needs\": [\"shapes\", \"contakts\"] }", "needs[1]", 2, WF_ERROR_UNKNOWN, "`contacts'" },
-    { "{ \"weft\": 1, \"needs\": [\"shapes\"], \"bodies\": [ { \"mass\": 1, \"linearDamping\": 1 } ] }", "bodies[0]", 1, WF_ERROR_NO_DAMPING, "damping" },
-    { "{ \"weft\": 1, \"needs\": [], \"bodies\": [ { \"mass\": 1,\n\"push\": { \"torque\": 1 } } ] }", "bodies[0].push", 2, WF_ERROR_NO_PUSHES, "PUSHES" },
+    { "{ \"weft\": 1,\n\"modules\": [\"shapes\", \"contakts\"] }", "modules[1]", 2, WF_ERROR_UNKNOWN, "`contacts'" },
+    { "{ \"weft\": 1, \"modules\": [\"shapes\"], \"bodies\": [ { \"mass\": 1, \"linearDamping\": 1 } ] }", "bodies[0]", 1, WF_ERROR_NO_DAMPING, "damping" },
+    { "{ \"weft\": 1, \"modules\": [], \"bodies\": [ { \"mass\": 1,\n\"push\": { \"torque\": 1 } } ] }", "bodies[0].push", 2, WF_ERROR_NO_PUSHES, "PUSHES" },
     { "{ \"weft\": 1, \"pairMaterials\": [ { \"a\": 1 } ] }", "pairMaterials[0]", 1, WF_ERROR_TEXT, "`a' and `b'" },
 };
 
@@ -870,7 +870,7 @@ static void a_scene_of_others_is_translated(void **unused)
     wfWorldDef def;
     assert_ok(wfGetWorldDef(&world, &def));
     assert_near(def.gravity.y, -10, 0);
-    assert_ulps(def.dt, 0.02, 1, 0.02);
+    assert_ulps(def.timeStep, 0.02, 1, 0.02);
     assert_int_equal(def.sleep, 0);
     assert_int_equal(wfShapeCount(&world), 4);            /* a chain of two sides, two shapes */
     wfBodyInfo box = info(&world, wfBodyAt(&world, 1)), disc = info(&world, wfBodyAt(&world, 2));

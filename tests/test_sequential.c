@@ -16,13 +16,13 @@ static wfSolve problem(wfBodyState *s, int bodies, wfContact *c, int contacts, w
 {
     assert_ok(wfPoolInit(pool, sizeof memory, memory));
     return (wfSolve){ .state = s, .bodyCount = bodies, .contacts = c, .contactCount = contacts, .h = WF_R(0.01),
-                      .iterations = 8, .positionShare = 1, .restingSpeed = 0, .scratch = pool };
+                      .iterations = 8, .positionCorrection = 1, .restingSpeed = 0, .scratch = pool };
 }
 
 static void set_point(const wfBodyState *s, wfContact *c, int k, wfVec2 at, double depth)
 {
     wfContactPoint *p = &c->manifold.points[k];
-    *p = (wfContactPoint){ .point = at, .armA = wfSub(at, s[c->a].p), .armB = wfSub(at, s[c->b].p), .depth = (wfReal)depth,
+    *p = (wfContactPoint){ .point = at, .rA = wfSub(at, s[c->a].p), .rB = wfSub(at, s[c->b].p), .depth = (wfReal)depth,
                            .feature = (uint32_t)k };
 }
 
@@ -66,7 +66,7 @@ static void random_heap(Heap *h, wfRandom *r, bool friction)
         }
         if (!friction) continue;
         h->c[i].friction = wfRandomReal(r, 0, 1);
-        h->c[i].rolling = wfRandomReal(r, 0, WF_R(0.5));
+        h->c[i].rollingResistance = wfRandomReal(r, 0, WF_R(0.5));
     }
 }
 
@@ -223,7 +223,7 @@ static void one_pass_by_hand(void **unused)
         wfBodyState t[2] = { s[0], s[1] };
         wfContact d = c;
         d.friction = WF_R(0.25);
-        d.surfaceSpeed = k ? 4 : 0;
+        d.tangentSpeed = k ? 4 : 0;
         wfSolve in = problem(t, 2, &d, 1, &pool);
         in.iterations = 5;
         assert_ok(wfSolveVelocities(wfFindSolver("sequential"), &in));
@@ -234,7 +234,7 @@ static void one_pass_by_hand(void **unused)
         wfBodyState t[2] = { s[0], body(0, 1, 0, -3, 3, 2, 1) };
         wfContact d = c;
         d.friction = 0;
-        d.rolling = k ? 1 : WF_R(0.25);
+        d.rollingResistance = k ? 1 : WF_R(0.25);
         wfSolve in = problem(t, 2, &d, 1, &pool);
         assert_ok(wfSolveVelocities(wfFindSolver("sequential"), &in));
         assert_ulps(t[1].w, k ? 0 : 1.5, 8, 3);
@@ -280,7 +280,7 @@ static void what_was_remembered_is_applied_and_taken_back(void **unused)
         wfContact c = touch(s, 0, 1, wfV2(0, 1), wfV2(0, 0), 0);
         wfPool pool;
         c.friction = WF_R(0.5);
-        c.rolling = WF_R(0.01);
+        c.rollingResistance = WF_R(0.01);
         c.manifold.points[0].normalImpulse = (wfReal)memory_of[k];
         c.manifold.points[0].tangentImpulse = (wfReal)(memory_of[k] / 4);      /* even of the wrong sign */
         c.rollingImpulse = (wfReal)(memory_of[k] / 100);
@@ -314,7 +314,7 @@ static void points_apart_may_close(void **unused)
         wfContact c = touch(s, 0, 1, wfV2(0, 1), wfV2(0, 0), -0.02);
         wfPool pool;
         wfSolve in = problem(s, 2, &c, 1, &pool);
-        in.positionShare = WF_R(0.5);
+        in.positionCorrection = WF_R(0.5);
         assert_ok(wfSolveVelocities(wfFindSolver(k == 1 ? "sequential-baumgarte" : "sequential"), &in));
         assert_near(s[1].v.y, want[k], 1e-5);
         wfVec2 p = s[1].p;
@@ -336,7 +336,7 @@ static void two_ways_out_of_an_overlap(void **unused)
         wfBodyState t[2] = { s[0], s[1] };
         wfContact d = c;
         wfSolve in = problem(t, 2, &d, 1, &pool);
-        in.positionShare = WF_R(0.25);
+        in.positionCorrection = WF_R(0.25);
         const char *name = row ? "sequential-baumgarte" : "sequential";
         assert_ok(wfSolveVelocities(wfFindSolver(name), &in));
         assert_near(t[1].v.y, row ? 0.25 * 0.04 / 0.01 : 0, 1e-5);              /* eq:sequential-target */

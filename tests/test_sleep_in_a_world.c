@@ -29,10 +29,10 @@ static void run(wfWorld *w, int steps)
 static int settle(wfWorld *w, int32_t sleepers)
 {
     for (int i = 0; i < 1200; i++) {
-        if (wfWorldRest(w).asleep == sleepers) return i;
+        if (wfGetSleepCounts(w).asleep == sleepers) return i;
         assert_ok(wfStepWorld(w));
     }
-    fail_msg("only %d of %d sleep after 20 s", wfWorldRest(w).asleep, sleepers);
+    fail_msg("only %d of %d sleep after 20 s", wfGetSleepCounts(w).asleep, sleepers);
     return 0;
 }
 
@@ -45,7 +45,7 @@ static Scene crate_on_floor(void)
     s.floor = add(&s.w, floor_def());
     s.crate = add(&s.w, box_def(0, 0.5, 0.5, 0.5));
     settle(&s.w, 1);
-    assert_false(wfIsAwake(&s.w, s.crate));
+    assert_false(wfBodyIsAwake(&s.w, s.crate));
     return s;
 }
 
@@ -68,8 +68,8 @@ static void test_off_by_default(void **state)
     add(&w, floor_def());
     wfBodyId crate = add(&w, box_def(0, 0.5, 0.5, 0.5));
     run(&w, 300);
-    assert_true(wfIsAwake(&w, crate));
-    assert_int_equal(wfWorldRest(&w).asleep, 0);
+    assert_true(wfBodyIsAwake(&w, crate));
+    assert_int_equal(wfGetSleepCounts(&w).asleep, 0);
     wfDestroyWorld(&w);
 }
 
@@ -87,8 +87,8 @@ static void test_a_crate_falls_asleep_after_the_time(void **state)
     run(&w, 100);
     wfBodyInfo later = info(&w, crate);
     assert_memory_equal(&i.position, &later.position, sizeof i.position);
-    assert_false(wfIsAwake(&w, crate));
-    assert_int_equal(wfWorldRest(&w).awake, 0);
+    assert_false(wfBodyIsAwake(&w, crate));
+    assert_int_equal(wfGetSleepCounts(&w).awake, 0);
     wfDestroyWorld(&w);
 }
 
@@ -101,7 +101,7 @@ static void test_stacks_sleep_as_islands(void **state)
     for (int s = 0; s < 3; s++)
         for (int i = 0; i < 5; i++) id[s][i] = add(&w, box_def(-5 + 5 * s, 0.5 + i, 0.5, 0.5));
     run(&w, 10);
-    assert_int_equal(wfWorldRest(&w).islands, 3);
+    assert_int_equal(wfGetSleepCounts(&w).islands, 3);
     for (int s = 0; s < 3; s++)
         for (int i = 1; i < 5; i++) assert_int_equal(wfBodyIsland(&w, id[s][0]), wfBodyIsland(&w, id[s][i]));
     assert_true(wfBodyIsland(&w, id[0][0]) != wfBodyIsland(&w, id[1][0]));
@@ -109,7 +109,7 @@ static void test_stacks_sleep_as_islands(void **state)
     assert_int_equal(wfBodyIsland(&w, id[1][4]), wfBodyIndex(&w, id[1][0]));
     assert_ok(wfWakeBody(&w, id[1][2]));                  /* one wakes: its island, and no other */
     for (int s = 0; s < 3; s++)
-        for (int i = 0; i < 5; i++) assert_int_equal(wfIsAwake(&w, id[s][i]), s == 1);
+        for (int i = 0; i < 5; i++) assert_int_equal(wfBodyIsAwake(&w, id[s][i]), s == 1);
     wfDestroyWorld(&w);
 }
 
@@ -122,16 +122,16 @@ static void test_never_sleeps(void **state)
     top.neverSleeps = 1;
     wfBodyId below = add(&w, box_def(0, 0.5, 0.5, 0.5)), above = add(&w, top), alone = add(&w, box_def(5, 0.5, 0.5, 0.5));
     run(&w, 300);
-    assert_true(wfIsAwake(&w, below) && wfIsAwake(&w, above));
-    assert_false(wfIsAwake(&w, alone));
-    assert_result(WF_ERROR_RANGE, wfPutToSleep(&w, above));
-    assert_ok(wfSetNeverSleeps(&w, above, 0));
+    assert_true(wfBodyIsAwake(&w, below) && wfBodyIsAwake(&w, above));
+    assert_false(wfBodyIsAwake(&w, alone));
+    assert_result(WF_ERROR_RANGE, wfSetBodyAsleep(&w, above));
+    assert_ok(wfDisableBodySleep(&w, above, 0));
     settle(&w, 3);
-    assert_ok(wfSetNeverSleeps(&w, below, 1));
-    assert_true(wfIsAwake(&w, below) && wfIsAwake(&w, above));
+    assert_ok(wfDisableBodySleep(&w, below, 1));
+    assert_true(wfBodyIsAwake(&w, below) && wfBodyIsAwake(&w, above));
     run(&w, 300);
-    assert_true(wfIsAwake(&w, above));
-    assert_result(WF_ERROR_RANGE, wfSetNeverSleeps(&w, above, 2));
+    assert_true(wfBodyIsAwake(&w, above));
+    assert_result(WF_ERROR_RANGE, wfDisableBodySleep(&w, above, 2));
     wfDestroyWorld(&w);
 }
 
@@ -141,9 +141,9 @@ static void test_put_to_sleep_in_the_air(void **state)
     wfWorld w = open_world(1);
     wfBodyId b = add(&w, box_def(0, 10, 0.5, 0.5));
     run(&w, 5);
-    assert_ok(wfPutToSleep(&w, b));
+    assert_ok(wfSetBodyAsleep(&w, b));
     run(&w, 1);
-    assert_false(wfIsAwake(&w, b));
+    assert_false(wfBodyIsAwake(&w, b));
     wfReal y = info(&w, b).position.y;
     run(&w, 60);
     assert_true(info(&w, b).position.y == y);             /* that is what was asked for */
@@ -165,7 +165,7 @@ static void test_nobody_sleeps_in_flight(void **state)
         wfBodyId id = add(&w, ball);
         for (int i = 0; i < (int)(120 / sqrt(gravity[g])); i++) {
             run(&w, 1);
-            assert_true(wfIsAwake(&w, id));
+            assert_true(wfBodyIsAwake(&w, id));
         }
         wfDestroyWorld(&w);
     }
@@ -180,15 +180,15 @@ static void test_weightless_bodies_drift_on(void **state)
     slow.velocity.x = WF_R(0.001);
     wfBodyId drifts = add(&w, slow), rests = add(&w, ball_def(5, 5, 0.5));
     run(&w, 600);
-    assert_true(wfIsAwake(&w, drifts));
+    assert_true(wfBodyIsAwake(&w, drifts));
     assert_near(info(&w, drifts).position.x, 0.01, 1e-4);
-    assert_false(wfIsAwake(&w, rests));                   /* its velocity is zero: nothing is lost */
+    assert_false(wfBodyIsAwake(&w, rests));               /* its velocity is zero: nothing is lost */
     wfDestroyWorld(&w);
 }
 
 /* --- what wakes --- */
 
-#define WAKES(scene, call) do { assert_ok(call); run(&(scene).w, 1); assert_true(wfIsAwake(&(scene).w, (scene).crate)); } while (0)
+#define WAKES(scene, call) do { assert_ok(call); run(&(scene).w, 1); assert_true(wfBodyIsAwake(&(scene).w, (scene).crate)); } while (0)
 #define FALLS(scene) do { run(&(scene).w, 30); assert_true(info(&(scene).w, (scene).crate).position.y < WF_R(0.3)); } while (0)
 #define END(scene) wfDestroyWorld(&(scene).w)
 
@@ -237,12 +237,12 @@ static void test_support_begins_to_move(void **state)
         settle(&w, 1);
         assert_ok(wfSetBodyVelocity(&w, platform, way == 0 ? wfV2(0, -1) : wfV2(1, 0), 0));
         run(&w, 60);
-        assert_true(wfIsAwake(&w, crate));                /* and stays awake, as long as it is carried */
+        assert_true(wfBodyIsAwake(&w, crate));            /* and stays awake, as long as it is carried */
         wfBodyInfo i = info(&w, crate);
         if (way == 0) assert_near(i.position.y, -0.5, 0.02);
         else assert_true(i.position.x > WF_R(0.5));
         run(&w, 120);
-        assert_true(wfIsAwake(&w, crate));
+        assert_true(wfBodyIsAwake(&w, crate));
         assert_ok(wfSetBodyVelocity(&w, platform, wfV2(0, 0), 0));
         settle(&w, 1);
         wfDestroyWorld(&w);
@@ -258,9 +258,9 @@ static void test_kinematic_body_comes_along(void **state)
     ram.velocity = wfV2(1, 0);
     add(&s.w, ram);
     run(&s.w, 60);
-    assert_false(wfIsAwake(&s.w, s.crate));               /* it is not there yet */
+    assert_false(wfBodyIsAwake(&s.w, s.crate));           /* it is not there yet */
     run(&s.w, 120);
-    assert_true(wfIsAwake(&s.w, s.crate));
+    assert_true(wfBodyIsAwake(&s.w, s.crate));
     assert_near(info(&s.w, s.crate).position.x, 1.0, 0.05);        /* -3 + 3 s + half of each */
     END(s);
 }
@@ -275,11 +275,11 @@ static void test_gravity_and_laws_change(void **state)
     s = crate_on_floor();
     assert_ok(wfSetGravity(&s.w, wfV2(0, WF_R(-9.81))));  /* the same again is no change */
     run(&s.w, 1);
-    assert_false(wfIsAwake(&s.w, s.crate)), END(s);
+    assert_false(wfBodyIsAwake(&s.w, s.crate)), END(s);
     s = crate_on_floor();
     assert_ok(wfSetTimeStep(&s.w, WF_R(1.0) / 120));      /* a balance of forces knows no step */
     run(&s.w, 1);
-    assert_false(wfIsAwake(&s.w, s.crate)), END(s);
+    assert_false(wfBodyIsAwake(&s.w, s.crate)), END(s);
     s = crate_on_floor();
     WAKES(s, wfSetMethods(&s.w, -1, -1, -1, wfFindSolver("impulse"))); END(s);
     s = crate_on_floor();
@@ -288,7 +288,7 @@ static void test_gravity_and_laws_change(void **state)
     def.sleep = 0;
     WAKES(s, wfSetWorldDef(&s.w, &def));
     run(&s.w, 300);
-    assert_true(wfIsAwake(&s.w, s.crate));
+    assert_true(wfBodyIsAwake(&s.w, s.crate));
     assert_int_equal(wfBodyIsland(&s.w, s.crate), -1), END(s);
 }
 
@@ -330,7 +330,7 @@ static void test_a_belt_is_switched_on(void **state)
     Scene s = crate_on_floor();
     wfShapeDef def;
     assert_ok(wfGetShape(&s.w, only_shape(&s.w, s.floor), &def));
-    def.surfaceSpeed = 2;
+    def.tangentSpeed = 2;
     WAKES(s, wfSetShape(&s.w, only_shape(&s.w, s.floor), &def));
     run(&s.w, 60);
     assert_true(wfAbs(info(&s.w, s.crate).position.x) > WF_R(0.5));
@@ -346,7 +346,7 @@ static void test_pushes(void **state)
     assert_ok(wfApplyImpulseToBody(&s.w, s.crate, wfV2(0, 0), at));
     assert_ok(wfApplyTorqueToBody(&s.w, s.crate, 0));
     run(&s.w, 1);
-    assert_false(wfIsAwake(&s.w, s.crate));
+    assert_false(wfBodyIsAwake(&s.w, s.crate));
     WAKES(s, wfApplyForceToBody(&s.w, s.crate, wfV2(1, 0), at));
     settle(&s.w, 1);
     WAKES(s, wfApplyTorqueToBody(&s.w, s.crate, 1));
@@ -363,7 +363,7 @@ static void test_pushes(void **state)
     for (int i = 0; i < 60; i++) {                        /* who is pushed all the time does not sleep */
         assert_ok(wfApplyForceToBody(&s.w, s.crate, wfV2(WF_R(0.01), 0), at));
         run(&s.w, 1);
-        assert_true(wfIsAwake(&s.w, s.crate));
+        assert_true(wfBodyIsAwake(&s.w, s.crate));
     }
     END(s);
 }
@@ -377,7 +377,7 @@ static void test_type_and_shapes_change(void **state)
     s = crate_on_floor();
     assert_ok(wfChangeBodyType(&s.w, s.crate, WF_STATIC));
     run(&s.w, 1);
-    assert_int_equal(wfWorldRest(&s.w).asleep, 0);
+    assert_int_equal(wfGetSleepCounts(&s.w).asleep, 0);
     WAKES(s, wfChangeBodyType(&s.w, s.crate, WF_DYNAMIC));
     settle(&s.w, 1);
     wfShapeDef more = wfDefaultShapeDef();
@@ -385,7 +385,7 @@ static void test_type_and_shapes_change(void **state)
     assert_ok(wfMakeCircle(wfV2(2, 0), WF_R(0.4), &more.shape));
     more.density = 4;
     assert_ok(wfAddShapeToBody(&s.w, s.crate, &more, &id));
-    assert_true(wfIsAwake(&s.w, s.crate));
+    assert_true(wfBodyIsAwake(&s.w, s.crate));
     run(&s.w, 60);
     assert_true(info(&s.w, s.crate).angle < WF_R(-0.01));          /* it tips over */
     settle(&s.w, 1);
@@ -435,13 +435,13 @@ static void test_the_far_neighbour_sleeps_on(void **state)
     wall.type = WF_STATIC;
     wfBodyId id = add(&s.w, wall), other = add(&s.w, box_def(-4, 0.5, 0.5, 0.5));
     run(&s.w, 10);
-    assert_false(wfIsAwake(&s.w, s.crate));
+    assert_false(wfBodyIsAwake(&s.w, s.crate));
     assert_ok(wfRemoveBodyFromWorld(&s.w, id));
     assert_ok(wfApplyImpulseToBody(&s.w, other, wfV2(0, 1), wfV2(-4, WF_R(0.5))));
     run(&s.w, 10);
     assert_ok(wfRemoveBodyFromWorld(&s.w, other));
     run(&s.w, 1);
-    assert_false(wfIsAwake(&s.w, s.crate));
+    assert_false(wfBodyIsAwake(&s.w, s.crate));
     END(s);
 }
 
@@ -455,9 +455,9 @@ static void test_joints(void **state)
     wfBodyId top = add(&w, hook), lamp = add(&w, box_def(0, 3, 0.2, 0.2)), low = add(&w, box_def(0, 1, 0.2, 0.2));
     wfJoint j;
     wfJointId upper, lower;
-    assert_ok(wfJoinBodies(&w, "revolute", top, lamp, wfV2(0, 5), wfV2(0, 5), wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(&w, "revolute", top, lamp, wfV2(0, 5), wfV2(0, 5), wfV2(1, 0), &j));
     assert_ok(wfAddJointToWorld(&w, &j, &upper));
-    assert_ok(wfJoinBodies(&w, "revolute", lamp, low, wfV2(0, 2), wfV2(0, 2), wfV2(1, 0), &j));
+    assert_ok(wfDefineJoint(&w, "revolute", lamp, low, wfV2(0, 2), wfV2(0, 2), wfV2(1, 0), &j));
     assert_ok(wfAddJointToWorld(&w, &j, &lower));
     settle(&w, 2);                                        /* held by a joint alone */
     assert_int_equal(wfBodyIsland(&w, lamp), wfBodyIsland(&w, low));
@@ -468,14 +468,14 @@ static void test_joints(void **state)
     j.flags |= WF_JOINT_MOTOR, j.motorSpeed = 1, j.motorForce = 20;
     assert_ok(wfSetJoint(&w, upper, &j));
     run(&w, 10);
-    assert_true(wfIsAwake(&w, low) && wfAbs(info(&w, lamp).angularVelocity) > WF_R(0.1));
+    assert_true(wfBodyIsAwake(&w, low) && wfAbs(info(&w, lamp).angularVelocity) > WF_R(0.1));
     j.flags &= ~WF_JOINT_MOTOR;
     assert_ok(wfSetJoint(&w, upper, &j));
     assert_ok(wfSetBodyDamping(&w, lamp, 3, 3));
     assert_ok(wfSetBodyDamping(&w, low, 3, 3));
     settle(&w, 2);
     assert_ok(wfRemoveJointFromWorld(&w, lower));
-    assert_true(wfIsAwake(&w, lamp) && wfIsAwake(&w, low));
+    assert_true(wfBodyIsAwake(&w, lamp) && wfBodyIsAwake(&w, low));
     run(&w, 30);
     assert_true(info(&w, low).position.y < WF_R(0.5));    /* falls */
     assert_ok(wfRemoveBodyFromWorld(&w, low));
@@ -504,7 +504,7 @@ static void test_what_hangs_on_a_wall(void **state)
                 assert_ok(wfAddForceToWorld(&w, &f, NULL));
             } else {
                 wfJoint j;
-                assert_ok(wfJoinBodies(&w, "revolute", hook, lamp, wfV2(0, 5), wfV2(0, 5), wfV2(1, 0), &j));
+                assert_ok(wfDefineJoint(&w, "revolute", hook, lamp, wfV2(0, 5), wfV2(0, 5), wfV2(1, 0), &j));
                 assert_ok(wfAddJointToWorld(&w, &j, NULL));
             }
             assert_ok(wfSetBodyDamping(&w, lamp, 1, 1));
@@ -513,7 +513,7 @@ static void test_what_hangs_on_a_wall(void **state)
             if (way == MOVED) assert_ok(wfSetBodyTransform(&w, hook, wfV2(3, 5), 0));
             if (way == CARRIED) assert_ok(wfSetBodyVelocity(&w, hook, wfV2(2, 0), 0));
             if (way == FREED) assert_ok(wfChangeBodyType(&w, hook, WF_DYNAMIC));
-            assert_true(wfIsAwake(&w, lamp));
+            assert_true(wfBodyIsAwake(&w, lamp));
             run(&w, 60);
             assert_true(wfLength(wfSub(info(&w, lamp).position, was)) > WF_R(0.5));
             wfDestroyWorld(&w);
@@ -534,10 +534,10 @@ static void test_forces(void **state)
     WAKES(s, wfRemoveForceFromWorld(&s.w, id));
     settle(&s.w, 1);
     wfForceId hand;
-    assert_ok(wfGrabBody(&s.w, s.crate, wfV2(0, WF_R(0.5)), &hand));
-    assert_true(wfIsAwake(&s.w, s.crate));
+    assert_ok(wfAddMouseJoint(&s.w, s.crate, wfV2(0, WF_R(0.5)), &hand));
+    assert_true(wfBodyIsAwake(&s.w, s.crate));
     settle(&s.w, 1);
-    assert_ok(wfDragHand(&s.w, hand, wfV2(0, 3)));
+    assert_ok(wfSetMouseTarget(&s.w, hand, wfV2(0, 3)));
     run(&s.w, 120);
     assert_true(info(&s.w, s.crate).position.y > 2);
     settle(&s.w, 1);                                      /* hangs from the hand at rest */
@@ -561,7 +561,7 @@ static void test_an_unsteady_force_lets_nobody_sleep(void **state)
     wfResult added = wfAddForceToWorld(&s.w, &f, NULL);
     assert_int_equal(added, WF_OK);
     run(&s.w, 300);
-    assert_true(wfIsAwake(&s.w, s.crate));
+    assert_true(wfBodyIsAwake(&s.w, s.crate));
     END(s);
 }
 
@@ -626,7 +626,7 @@ static void test_a_bullet_hits_a_sleeper(void **state)
         wfBodyId bullet = add(&w, b);
         double mb = (double)info(&w, bullet).mass, mt = (double)info(&w, target).mass;
         run(&w, 4);
-        assert_true(wfIsAwake(&w, target));
+        assert_true(wfBodyIsAwake(&w, target));
         assert_true(info(&w, bullet).position.x < info(&w, target).position.x);
         double sum = mb * (double)info(&w, bullet).velocity.x + mt * (double)info(&w, target).velocity.x;
         assert_near(sum, 300 * mb, 1e-4 * 300 * mb);
@@ -648,7 +648,7 @@ static void test_a_stack_is_hit_wakes_and_sleeps_again(void **state)
     int32_t most = 0;
     for (int i = 0; i < 60; i++) {
         run(&w, 1);
-        int32_t awake = wfWorldRest(&w).awake;
+        int32_t awake = wfGetSleepCounts(&w).awake;
         most = awake > most ? awake : most;
         assert_true(awake == 1 || awake == 9);            /* the ball; the ball and the stack that it hit */
     }
@@ -678,23 +678,23 @@ static void test_no_events_from_sleep(void **state)
     int begins = 0, ends = 0;
     for (int i = 0; i < 600; i++) {
         run(&w, 1);
-        begins += events(&w, WF_TOUCH_BEGIN) + events(&w, WF_SENSE_BEGIN);
-        ends += events(&w, WF_TOUCH_END) + events(&w, WF_SENSE_END);
-        assert_int_equal(events(&w, WF_SENSE_STAY), 3);   /* the sensor sees who sleeps in it */
-        if (i == 200 || i == 400) assert_int_equal(wfWorldRest(&w).asleep, 3);
+        begins += events(&w, WF_CONTACT_BEGIN) + events(&w, WF_SENSOR_BEGIN);
+        ends += events(&w, WF_CONTACT_END) + events(&w, WF_SENSOR_END);
+        assert_int_equal(events(&w, WF_SENSOR_STAY), 3);  /* the sensor sees who sleeps in it */
+        if (i == 200 || i == 400) assert_int_equal(wfGetSleepCounts(&w).asleep, 3);
         if (i == 200) assert_ok(wfWakeBody(&w, id[1]));
         if (i == 400) assert_ok(wfSetBodyVelocity(&w, id[2], wfV2(0, 0), 0));
-        if (i == 201) assert_int_equal(events(&w, WF_TOUCH_STAY), 3);
+        if (i == 201) assert_int_equal(events(&w, WF_CONTACT_STAY), 3);
     }
     assert_int_equal(begins, 0);
     assert_int_equal(ends, 0);
-    assert_int_equal(wfWorldRest(&w).asleep, 3);
-    assert_int_equal(events(&w, WF_TOUCH_STAY), 0);       /* nobody speaks of those who sleep */
+    assert_int_equal(wfGetSleepCounts(&w).asleep, 3);
+    assert_int_equal(events(&w, WF_CONTACT_STAY), 0);     /* nobody speaks of those who sleep */
     assert_ok(wfRemoveBodyFromWorld(&w, id[2]));
     run(&w, 1);
-    assert_int_equal(events(&w, WF_TOUCH_END), 1);        /* and their end is told, once */
-    assert_int_equal(events(&w, WF_SENSE_END), 1);
-    assert_int_equal(events(&w, WF_TOUCH_STAY), 2);
+    assert_int_equal(events(&w, WF_CONTACT_END), 1);      /* and their end is told, once */
+    assert_int_equal(events(&w, WF_SENSOR_END), 1);
+    assert_int_equal(events(&w, WF_CONTACT_STAY), 2);
     wfDestroyWorld(&w);
 }
 
@@ -709,8 +709,8 @@ static void test_two_sleepers_removed_at_once(void **state)
     assert_ok(wfRemoveBodyFromWorld(&w, b));
     add(&w, box_def(0, 0.5, 0.5, 0.5));                   /* a new tenant of the place */
     run(&w, 1);
-    assert_int_equal(events(&w, WF_TOUCH_END), 2);
-    assert_int_equal(events(&w, WF_TOUCH_BEGIN), 1);
+    assert_int_equal(events(&w, WF_CONTACT_END), 2);
+    assert_int_equal(events(&w, WF_CONTACT_BEGIN), 1);
     wfDestroyWorld(&w);
 }
 
@@ -730,8 +730,8 @@ static void test_a_moving_sensor_sees_sleepers(void **state)
     int begins = 0, ends = 0;
     for (int i = 0; i < 300; i++) {
         run(&s.w, 1);
-        assert_false(wfIsAwake(&s.w, s.crate));           /* it is seen, and not disturbed */
-        begins += events(&s.w, WF_SENSE_BEGIN), ends += events(&s.w, WF_SENSE_END);
+        assert_false(wfBodyIsAwake(&s.w, s.crate));       /* it is seen, and not disturbed */
+        begins += events(&s.w, WF_SENSOR_BEGIN), ends += events(&s.w, WF_SENSOR_END);
     }
     /* the sensor's box meets the floor as well, once for all */
     assert_true(begins >= 1 && begins <= 2);
@@ -782,7 +782,7 @@ static void test_the_same_until_the_first_sleep_and_nearly_so_after(void **state
     double worst = 0;
     for (int step = 0; step < 1500; step++) {
         run(&on, 1), run(&off, 1);
-        int32_t asleep = wfWorldRest(&on).asleep;
+        int32_t asleep = wfGetSleepCounts(&on).asleep;
         if (first < 0 && asleep > 0) first = step;
         if (first < 0) assert_true(wfHashWorld(&on) == wfHashWorld(&off));
         if (asleep == 40 && last < 0) last = step;
@@ -823,7 +823,7 @@ static void test_sleepers_cost_no_pairs_and_no_contacts(void **state)
     pile(&w, 40);
     settle(&w, 40);
     run(&w, 1);
-    wfRestCounts c = wfWorldRest(&w);
+    wfSleepCounts c = wfGetSleepCounts(&w);
     assert_int_equal(c.pairs, 0);
     assert_int_equal(c.contacts, 0);
     assert_true(c.pairsKept > 40 && c.contactsKept > 40);
@@ -833,7 +833,7 @@ static void test_sleepers_cost_no_pairs_and_no_contacts(void **state)
     far.velocity.x = 1;
     add(&w, far);
     run(&w, 5);
-    c = wfWorldRest(&w);
+    c = wfGetSleepCounts(&w);
     assert_int_equal(c.awake, 1);
     assert_int_equal(c.pairs, 1);                         /* the ball and the floor */
     assert_int_equal(c.contacts, 1);
@@ -902,7 +902,7 @@ static void test_a_failed_step_changes_nothing(void **state)
         else assert_unchanged(&w, before);
     }
     assert_int_equal(result, WF_ERROR_FULL);
-    assert_int_equal(wfWorldRest(&w).asleep, 4);
+    assert_int_equal(wfGetSleepCounts(&w).asleep, 4);
     wfDestroyWorld(&w);
 }
 
@@ -919,7 +919,7 @@ static void test_every_solver_and_broad_phase(void **state)
             assert_ok(wfCreateWorld(&def, &w));
             wfBodyId floor = add(&w, floor_def());
             for (int i = 0; i < 3; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
-            for (int i = 0; i < 600 && wfWorldRest(&w).asleep < 3; i++) run(&w, 1);
+            for (int i = 0; i < 600 && wfGetSleepCounts(&w).asleep < 3; i++) run(&w, 1);
             wfBodyDef ball = ball_def(-3, 1.5, 0.4);
             ball.velocity.x = 6;
             wfBodyId id = add(&w, ball);
@@ -927,7 +927,7 @@ static void test_every_solver_and_broad_phase(void **state)
             assert_ok(wfRemoveBodyFromWorld(&w, floor));
             run(&w, 60);
             assert_true(info(&w, id).position.y < -2);
-            assert_int_equal(wfWorldRest(&w).asleep, 0);
+            assert_int_equal(wfGetSleepCounts(&w).asleep, 0);
             if (broad == 0) hash = wfHashWorld(&w);
             assert_true(hash == wfHashWorld(&w));
             wfDestroyWorld(&w);
@@ -946,8 +946,8 @@ static void test_whatever_is_done_nobody_floats(void **state)
     def.sleep = 1;
     /* Who begins to move with an acceleration a goes a T^2 / 2 in the time T, and is still if that is below the share s of his
      * reach r = 0.71 m: a < 2 s r / T^2. Awake, he then goes a / 2 in a second, at most s r / T^2 = 0.028 m: less than 0.05 m. */
-    def.sleepTime = WF_R(0.5);
-    def.sleepShare = WF_R(0.01);
+    def.timeToSleep = WF_R(0.5);
+    def.sleepThreshold = WF_R(0.01);
     assert_ok(wfCreateWorld(&def, &w));
     add(&w, floor_def());
     for (int i = 0; i < 30; i++) id[i] = add(&w, box_def(-6 + 2 * (i % 6), 0.5 + i / 6, 0.5, 0.5));
@@ -965,7 +965,7 @@ static void test_whatever_is_done_nobody_floats(void **state)
         if (what == 3) assert_ok(wfChangeBodyType(&w, id[who], i.type == WF_STATIC ? WF_DYNAMIC : WF_STATIC));
         if (what == 4) assert_ok(wfSetBodyMaterial(&w, id[who], 0, WF_R(0.1)));
         if (what == 5 && i.type == WF_DYNAMIC) assert_ok(wfSetBodyMass(&w, id[who], 3));
-        wfRestCounts c = wfWorldRest(&w);
+        wfSleepCounts c = wfGetSleepCounts(&w);
         assert_true(c.awake >= 0 && c.asleep >= 0 && c.awake + c.asleep <= 30);
     }
     for (int i = 0; i < 30; i++)
@@ -983,12 +983,12 @@ static void test_whatever_is_done_nobody_floats(void **state)
 }
 
 /* What two shapes may tell: begin, then stay or nothing, then end. Nothing else, whoever sleeps and wakes meanwhile. */
-typedef struct Known { wfTouchEvent of[400]; int count; } Known;
+typedef struct Known { wfContactEvent of[400]; int count; } Known;
 
-static int find_known(const Known *k, const wfTouchEvent *e)
+static int find_known(const Known *k, const wfContactEvent *e)
 {
     for (int i = 0; i < k->count; i++) {
-        const wfTouchEvent *o = &k->of[i];
+        const wfContactEvent *o = &k->of[i];
         if (o->a.index == e->a.index && o->b.index == e->b.index && o->a.generation == e->a.generation
             && o->b.generation == e->b.generation) return i;
     }
@@ -999,13 +999,13 @@ static void watch(const wfWorld *w, Known known[2])
 {
     for (int kind = 0; kind < WF_EVENT_KINDS; kind++) {
         int32_t count;
-        const wfTouchEvent *e = wfWorldEvents(w, kind, &count);
+        const wfContactEvent *e = wfWorldEvents(w, kind, &count);
         Known *k = &known[kind / 3];
         for (int32_t i = 0; i < count; i++) {
             int at = find_known(k, &e[i]);
-            assert_int_equal(at >= 0, kind % 3 != WF_TOUCH_BEGIN);
-            if (kind % 3 == WF_TOUCH_BEGIN && k->count < 400) k->of[k->count++] = e[i];
-            if (kind % 3 == WF_TOUCH_END) k->of[at] = k->of[--k->count];
+            assert_int_equal(at >= 0, kind % 3 != WF_CONTACT_BEGIN);
+            if (kind % 3 == WF_CONTACT_BEGIN && k->count < 400) k->of[k->count++] = e[i];
+            if (kind % 3 == WF_CONTACT_END) k->of[at] = k->of[--k->count];
         }
     }
 }
@@ -1030,7 +1030,7 @@ static void edit(wfWorld *w, wfBodyId *id, int n, uint32_t *seed)
     case 5: def.filter.mask ^= 1; assert_ok(wfSetShape(w, k, &def)); break;
     case 6: if (i.type == WF_KINEMATIC) assert_ok(wfSetBodyVelocity(w, id[who], wfV2(WF_R(0.5), 0), 0)); break;
     case 7: if (i.type == WF_KINEMATIC) assert_ok(wfSetBodyVelocity(w, id[who], wfV2(0, 0), 0)); break;
-    default: if (i.type == WF_DYNAMIC) assert_ok(wfPutToSleep(w, id[who])); break;
+    default: if (i.type == WF_DYNAMIC) assert_ok(wfSetBodyAsleep(w, id[who])); break;
     }
 }
 
@@ -1046,7 +1046,7 @@ static void test_whatever_is_done_the_events_fit(void **state)
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.sleep = 1;
-        def.sleepTime = WF_R(0.15);
+        def.timeToSleep = WF_R(0.15);
         if (k == 1) def.broadPhase = wfFindBroadPhase("brute-force") >= 0 ? wfFindBroadPhase("brute-force") : 0;
         assert_ok(wfCreateWorld(&def, &w[k]));
         add(&w[k], floor_def());
@@ -1058,9 +1058,9 @@ static void test_whatever_is_done_the_events_fit(void **state)
             run(&w[k], 1);
         }
         watch(&w[0], known);
-        slept += wfWorldRest(&w[0]).asleep;
+        slept += wfGetSleepCounts(&w[0]).asleep;
         assert_true(wfHashWorld(&w[0]) == wfHashWorld(&w[1]));
-        wfRestCounts c = wfWorldRest(&w[0]);
+        wfSleepCounts c = wfGetSleepCounts(&w[0]);
         assert_true(c.awake >= 0 && c.asleep >= 0 && c.contactsKept <= c.pairsKept);
     }
     assert_true(slept > 1500);                            /* it was worth it: one sleeper at least, on the mean */
@@ -1069,13 +1069,13 @@ static void test_whatever_is_done_the_events_fit(void **state)
 
 typedef struct Meddler { wfWorld *world; wfBodyId id; wfResult got[3]; } Meddler;
 
-static void meddle(void *context, const wfHookView *view, const wfContact *contact, wfContactChange *change)
+static void meddle(void *context, const wfCallbackView *view, const wfContact *contact, wfContactSettings *change)
 {
     Meddler *m = context;
     (void)view, (void)contact, (void)change;
     m->got[0] = wfWakeBody(m->world, m->id);
-    m->got[1] = wfPutToSleep(m->world, m->id);
-    m->got[2] = wfSetNeverSleeps(m->world, m->id, 1);
+    m->got[1] = wfSetBodyAsleep(m->world, m->id);
+    m->got[2] = wfDisableBodySleep(m->world, m->id, 1);
 }
 
 static void test_hooks_may_not_wake(void **state)
@@ -1084,8 +1084,8 @@ static void test_hooks_may_not_wake(void **state)
     wfWorld w = open_world(1);
     add(&w, floor_def());
     Meddler m = { .world = &w, .id = add(&w, box_def(0, 0.5, 0.5, 0.5)) };
-    wfHooks hooks = { .context = &m, .preSolve = meddle };
-    assert_ok(wfStepWorldWith(&w, &hooks));
+    wfCallbacks hooks = { .context = &m, .preSolve = meddle };
+    assert_ok(wfStepWorldWithCallbacks(&w, &hooks));
     for (int i = 0; i < 3; i++) assert_int_equal(m.got[i], WF_ERROR_BUSY);
     wfDestroyWorld(&w);
 }
@@ -1095,29 +1095,29 @@ static void test_bad_input(void **state)
     (void)state;
     Scene s = crate_on_floor();
     wfBodyId stale = { 77, 1 };
-    assert_false(wfIsAwake(&s.w, stale));
+    assert_false(wfBodyIsAwake(&s.w, stale));
     assert_int_equal(wfBodyIsland(&s.w, stale), -1);
     assert_int_equal(wfBodyIsland(&s.w, s.floor), -1);
     assert_result(WF_ERROR_STALE_ID, wfWakeBody(&s.w, stale));
-    assert_result(WF_ERROR_STALE_ID, wfPutToSleep(&s.w, stale));
-    assert_result(WF_ERROR_STALE_ID, wfSetNeverSleeps(&s.w, stale, 1));
-    assert_result(WF_ERROR_RANGE, wfPutToSleep(&s.w, s.floor));
+    assert_result(WF_ERROR_STALE_ID, wfSetBodyAsleep(&s.w, stale));
+    assert_result(WF_ERROR_STALE_ID, wfDisableBodySleep(&s.w, stale, 1));
+    assert_result(WF_ERROR_RANGE, wfSetBodyAsleep(&s.w, s.floor));
     assert_result(WF_ERROR_NULL, wfWakeBody(NULL, s.crate));
-    assert_int_equal(wfWorldRest(NULL).awake, 0);
+    assert_int_equal(wfGetSleepCounts(NULL).awake, 0);
     wfWorldDef def;
     void *before = copy_of(&s.w);
     assert_ok(wfGetWorldDef(&s.w, &def));
     wfWorldDef bad = def;
-    bad.sleepTime = 0;
+    bad.timeToSleep = 0;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
-    bad = def, bad.sleepShare = -1;
+    bad = def, bad.sleepThreshold = -1;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
     bad = def, bad.sleep = 2;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
     for (int i = 0; i < BAD_REAL_COUNT; i++) {
-        bad = def, bad.sleepTime = BAD_REALS[i];
+        bad = def, bad.timeToSleep = BAD_REALS[i];
         assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&s.w, &bad));
-        bad = def, bad.sleepShare = BAD_REALS[i];
+        bad = def, bad.sleepThreshold = BAD_REALS[i];
         assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&s.w, &bad));
     }
     wfBodyDef body = box_def(0, 5, 0.5, 0.5);
@@ -1127,7 +1127,7 @@ static void test_bad_input(void **state)
     END(s);
     wfWorld off = open_world(0);
     wfBodyId id = add(&off, box_def(0, 5, 0.5, 0.5));
-    assert_result(WF_ERROR_RANGE, wfPutToSleep(&off, id));
+    assert_result(WF_ERROR_RANGE, wfSetBodyAsleep(&off, id));
     assert_ok(wfWakeBody(&off, id));
     wfDestroyWorld(&off);
 }

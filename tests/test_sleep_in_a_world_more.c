@@ -15,7 +15,7 @@ static wfWorld crate_asleep(wfBodyId *crate)
     assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape));
     *crate = add(&w, d);
     for (int i = 0; i < 300; i++) assert_ok(wfStepWorld(&w));
-    assert_false(wfIsAwake(&w, *crate));
+    assert_false(wfBodyIsAwake(&w, *crate));
     return w;
 }
 
@@ -53,15 +53,15 @@ static void a_sensor_put_onto_a_sleeper_lets_it_sleep(void **state)
             assert_ok(wfAddShapeToBody(&w, id, &second, NULL));
         }
         if (how % 3 != 1) assert_ok(wfSetBodyTransform(&w, id, wfV2(0, 1), 0));
-        assert_int_equal(wfIsAwake(&w, crate), !sensor);
+        assert_int_equal(wfBodyIsAwake(&w, crate), !sensor);
         for (int i = 0; sensor && i < 60; i++) {
             assert_ok(wfStepWorld(&w));
-            assert_false(wfIsAwake(&w, crate));
+            assert_false(wfBodyIsAwake(&w, crate));
         }
         if (sensor) {
             assert_ok(wfWakeBody(&w, crate));
             assert_ok(wfStepWorld(&w));
-            assert_int_equal(told(&w, WF_SENSE_BEGIN), how == 2 ? 2 : 1);
+            assert_int_equal(told(&w, WF_SENSOR_BEGIN), how == 2 ? 2 : 1);
         }
         wfDestroyWorld(&w);
     }

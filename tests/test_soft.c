@@ -26,16 +26,16 @@ static wfResult soft(const wfSolve *in) { return wfSolveStep(wfFindSolver("soft"
 /* ------------------------------------------------------------------------------ a small world */
 
 enum { THINGS = 64, TOUCHES = 512 };
-static int atOnce;      /* are towers solved at once? Tests marked so run both ways */
+static int at_once;     /* are towers solved at once? Tests marked so run both ways */
 typedef struct Bench {
     wfShape shape[THINGS];
     wfBodyState s[THINGS];
     wfBodyForces f[THINGS];
     wfContact c[TOUCHES], old[TOUCHES];
     int n, contacts, substeps, passes, columns;
-    wfReal h, e, mu, rolling, belt, resting, recovery;
+    wfReal h, e, mu, rollingResistance, belt, resting, recovery;
     wfVec2 g;
-    wfFine *fine;
+    wfResidual *fine;
     bool backwards;
 } Bench;
 
@@ -45,7 +45,7 @@ static void start(Bench *b, int substeps)
     b->h = WF_R(1.0) / 60;
     b->substeps = substeps;
     b->passes = 1;
-    b->columns = atOnce;
+    b->columns = at_once;
     b->mu = WF_R(0.5);
     b->g = wfV2(0, WF_R(-9.81));
     assert_ok(wfMakeBox(200, 1, &b->shape[0]));
@@ -76,7 +76,7 @@ static void find(Bench *b)
         for (int k = i + 1; k < b->n; k++) {
             wfTransform xi = wfBodyTransform(&b->s[i]), xk = wfBodyTransform(&b->s[k]);
             wfReal margin = 2 * b->h * (wfLength(wfSub(b->s[i].v, b->s[k].v)) + wfAbs(b->s[i].w) + wfAbs(b->s[k].w) + WF_R(0.2)) + WF_R(0.02);
-            wfContact c = { .a = i, .b = k, .restitution = b->e, .friction = b->mu, .rolling = b->rolling, .surfaceSpeed = b->belt };
+            wfContact c = { .a = i, .b = k, .restitution = b->e, .friction = b->mu, .rollingResistance = b->rollingResistance, .tangentSpeed = b->belt };
             wfSeparation s;
             assert_ok(wfSeparate(0, &b->shape[i], xi, &b->shape[k], xk, &s));
             wfMakeManifoldWithin(&b->shape[i], xi, &b->shape[k], xk, &s, margin, &c.manifold);
@@ -105,7 +105,7 @@ static void steps(Bench *b, int n)
         in.substeps = b->substeps;
         in.iterations = b->passes;
         in.restingSpeed = b->resting;
-        in.columns = b->columns;
+        in.stackSolver = b->columns;
         in.recoverySpeed = b->recovery;
         in.fine = b->fine;
         in.forces = b->f;
@@ -159,8 +159,8 @@ static void flight_is_a_parabola(void **unused)
 static wfContact under(const wfBodyState *s, double depth)
 {
     wfContact c = { .a = 0, .b = 1, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
-    c.manifold.points[0] = (wfContactPoint){ .point = wfV2(0, 0), .armA = wfSub(wfV2(0, 0), s[0].p),
-        .armB = wfSub(wfV2(0, 0), s[1].p), .depth = (wfReal)depth, .feature = WF_FEATURE_CIRCLE };
+    c.manifold.points[0] = (wfContactPoint){ .point = wfV2(0, 0), .rA = wfSub(wfV2(0, 0), s[0].p),
+        .rB = wfSub(wfV2(0, 0), s[1].p), .depth = (wfReal)depth, .feature = WF_FEATURE_CIRCLE };
     return c;
 }
 
@@ -170,7 +170,7 @@ static void one_substep_is_implicit_euler(void **unused)
     static const double speed[] = { 0, -0.5, 0.1 };
     for (int k = 0; k < 3; k++) {
         double mass = 3, dt = 0.01, g = -0.1, u = speed[k], K = 1 / mass;
-        double omega = 2 * PI / WF_CONTACT_PERIOD / dt, stiff = omega * omega / K, damp = 2 * WF_CONTACT_DAMPING * omega / K;
+        double omega = 2 * PI / WF_CONTACT_PERIOD / dt, stiff = omega * omega / K, damp = 2 * WF_CONTACT_DAMPING_RATIO * omega / K;
         /* lambda = -dt (stiff (g + dt u') + damp u'), u' = u + K lambda, solved for u' */
         double after = (u - K * dt * stiff * g) / (1 + K * dt * (stiff * dt + damp));
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 1, 0, u, 0, mass, 1) };
@@ -243,7 +243,7 @@ static void points_apart_close_and_stop(void **unused)
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.52, 0, -5, 0, 2, 1) };
         wfContact c = under(s, -0.02);
         wfPool pool;
-        c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
+        c.manifold.points[0].rB = wfV2(0, WF_R(-0.5));
         wfSolve in = problem(s, 2, &c, 1, &pool);
         in.substeps = n;
         assert_ok(soft(&in));
@@ -251,7 +251,7 @@ static void points_apart_close_and_stop(void **unused)
         assert_near(s[1].v.y, 0, 1e-6);
         s[1] = body(0, 0.52, 0, -1, 0, 2, 1);                                     /* does not get there: is left alone */
         c = under(s, -0.02);
-        c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
+        c.manifold.points[0].rB = wfV2(0, WF_R(-0.5));
         assert_ok(soft(&in));
         assert_near(s[1].p.y, 0.51, 1e-6);
         assert_near(s[1].v.y, -1, 1e-6);
@@ -311,7 +311,7 @@ static void discs_roll_and_resist(void **unused)
     assert_near(b.s[d].v.x, -0.5 * (double)b.s[d].w, 2e-3);
     assert_near(b.s[d].p.y, 0.5, 1e-3);
     start(&b, 4);
-    b.rolling = WF_R(0.02);
+    b.rollingResistance = WF_R(0.02);
     d = disc(&b, 0, 0.5);
     steps(&b, 60);
     b.s[d].v.x = 2;
@@ -364,14 +364,14 @@ static void a_bounce_at_the_end_of_a_step_is_not_lost(void **unused)
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5 + gap, 0, -speed, 0, 1, 0.125) };
         wfBodyForces f[2] = { { .force = wfV2(0, 0), .torque = 0 }, { .force = wfV2(0, (wfReal)-g), .torque = 0 } };
         wfContact c = { .a = 0, .b = 1, .restitution = 1, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
-        c.manifold.points[0] = (wfContactPoint){ .point = wfV2(0, (wfReal)(gap / 2)), .armA = wfV2(0, 1),
-            .armB = wfV2(0, WF_R(-0.5)), .depth = (wfReal)-gap, .feature = WF_FEATURE_CIRCLE };
+        c.manifold.points[0] = (wfContactPoint){ .point = wfV2(0, (wfReal)(gap / 2)), .rA = wfV2(0, 1),
+            .rB = wfV2(0, WF_R(-0.5)), .depth = (wfReal)-gap, .feature = WF_FEATURE_CIRCLE };
         wfPool pool;
         wfSolve in = problem(s, 2, &c, 1, &pool);
         in.h = (wfReal)h;
         in.substeps = i % 2 ? 4 : 1;
         in.forces = f;
-        in.columns = atOnce;
+        in.stackSolver = at_once;
         assert_ok(soft(&in));
         assert_near(fabs((double)s[1].v.y), speed + g * h, 32 * (double)WF_EPSILON * 10);
         bounced += s[1].v.y > 0;
@@ -394,7 +394,7 @@ static void one_bounce_is_exact(void **unused)
         f[ball].force.y = WF_R(-19.62);
         wfContact c = { .a = 0, .b = 1, .restitution = (wfReal)e, .manifold = { .normal = wfV2(0, ball ? 1 : -1), .count = 1 } };
         c.manifold.points[0] = (wfContactPoint){ .point = wfV2(3, WF_R(5.15)), .depth = WF_R(-0.3), .feature = WF_FEATURE_CIRCLE };
-        *(ball ? &c.manifold.points[0].armB : &c.manifold.points[0].armA) = wfV2(0, WF_R(-0.5));
+        *(ball ? &c.manifold.points[0].rB : &c.manifold.points[0].rA) = wfV2(0, WF_R(-0.5));
         wfPool pool;
         wfSolve in = problem(s, 2, &c, 1, &pool);
         in.h = WF_R(0.2);
@@ -420,8 +420,8 @@ static void a_plank_that_lands_flat_or_on_one_end(void **unused)
         wfContact c = { .a = 0, .b = 1, .restitution = 1, .manifold = { .normal = wfV2(0, 1), .count = 2 } };
         for (int i = 0; i < 2; i++) {
             double x = i ? 2 : -2, open = k == 2 + i ? 1 : 0.02;
-            c.manifold.points[i] = (wfContactPoint){ .point = wfV2((wfReal)x, 0), .armA = wfV2((wfReal)x, 1),
-                .armB = wfV2((wfReal)x, WF_R(-0.5)), .depth = (wfReal)-open, .feature = (uint32_t)i };
+            c.manifold.points[i] = (wfContactPoint){ .point = wfV2((wfReal)x, 0), .rA = wfV2((wfReal)x, 1),
+                .rB = wfV2((wfReal)x, WF_R(-0.5)), .depth = (wfReal)-open, .feature = (uint32_t)i };
         }
         wfPool pool;
         wfSolve in = problem(s, 2, &c, 1, &pool);
@@ -533,11 +533,11 @@ static void random_heaps_keep_momentum_and_gain_no_energy(void **unused)
         }
         for (int i = 0; i < C; i++) {
             int a = (int)wfRandomBelow(&r, N - 1), b = a + 1 + (int)wfRandomBelow(&r, (uint32_t)(N - 1 - a));
-            c[i] = (wfContact){ .a = a, .b = b, .friction = wfRandomReal(&r, 0, 1), .rolling = wfRandomReal(&r, 0, WF_R(0.3)),
+            c[i] = (wfContact){ .a = a, .b = b, .friction = wfRandomReal(&r, 0, 1), .rollingResistance = wfRandomReal(&r, 0, WF_R(0.3)),
                 .restitution = round % 2 ? wfRandomReal(&r, 0, 1) : 0, .manifold = { .normal = random_unit(&r), .count = 1 + i % 2 } };
             for (int k = 0; k < 2; k++) {
                 wfVec2 p = random_v2(&r, -2, 2);
-                c[i].manifold.points[k] = (wfContactPoint){ .point = p, .armA = wfSub(p, s[a].p), .armB = wfSub(p, s[b].p), .feature = (uint32_t)k };
+                c[i].manifold.points[k] = (wfContactPoint){ .point = p, .rA = wfSub(p, s[a].p), .rB = wfSub(p, s[b].p), .feature = (uint32_t)k };
             }
         }
         wfSolve in = problem(s, N, c, C, &pool);
@@ -599,7 +599,7 @@ static void other_laws_have_their_turn(void **unused)
     (void)unused;
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 1, 1), body(1, 0, 0, 0, 0, 1, 1) };
     Log log = { 0 };
-    wfLaws laws = { &log, log_begin, log_solve, NULL };
+    wfConstraints laws = { &log, log_begin, log_solve, NULL };
     wfPool pool;
     wfSolve in = problem(s, 2, NULL, 0, &pool);
     in.substeps = 2;
@@ -617,7 +617,7 @@ static void what_is_carried_over(void **unused)
     (void)unused;
     wfContact before = { .rollingImpulse = 7, .manifold = { .normal = wfV2(0, 1), .count = 2 } }, now = before;
     for (int k = 0; k < 2; k++) {
-        before.manifold.points[k] = (wfContactPoint){ .armA = wfV2((wfReal)(8 * k), 0), .feature = (uint32_t)(10 + k),
+        before.manifold.points[k] = (wfContactPoint){ .rA = wfV2((wfReal)(8 * k), 0), .feature = (uint32_t)(10 + k),
             .normalImpulse = (wfReal)(3 + k), .tangentImpulse = (wfReal)(-1 - k) };
         now.manifold.points[k] = before.manifold.points[k];
         now.manifold.points[k].normalImpulse = now.manifold.points[k].tangentImpulse = 99;
@@ -632,7 +632,7 @@ static void what_is_carried_over(void **unused)
     for (int i = 0; i < 6; i++) {                                                 /* by place: an eighth of 8 m or so */
         c = now;
         c.manifold.points[1].feature = at[i].feature;
-        c.manifold.points[1].armA.x = (wfReal)at[i].x;
+        c.manifold.points[1].rA.x = (wfReal)at[i].x;
         wfCarryImpulses(&before, &c);
         assert_near(c.manifold.points[0].normalImpulse, 3, 0);
         assert_near(c.manifold.points[1].normalImpulse, at[i].want, 0);
@@ -797,7 +797,7 @@ static void a_ball_keeps_its_height(void **unused)
     (void)unused;
     for (int k = 0; k < 3; k++) {
         Bench b;
-        wfFine fine[2] = { { .w = 0 } };
+        wfResidual fine[2] = { { .w = 0 } };
         start(&b, 4);
         b.e = 1;
         b.fine = fine;
@@ -892,13 +892,13 @@ static void settings_of_the_spring(void **unused)
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5, 0, 0, 0, 1, 0.2) };
         wfContact c = under(s, 0);
         wfBodyForces f[2] = { { .force = wfV2(0, 0), .torque = 0 }, { .force = wfV2(0, -10), .torque = 0 } };
-        c.manifold.points[0].armB = wfV2(0, WF_R(-0.5));
+        c.manifold.points[0].rB = wfV2(0, WF_R(-0.5));
         for (int i = 0; i < 2000; i++) {
             wfPool pool;
             wfSolve in = problem(s, 2, &c, 1, &pool);
             in.forces = f;
             in.contactPeriod = (wfReal)(4 * k);
-            in.contactDamping = (wfReal)k;
+            in.contactDampingRatio = (wfReal)k;
             c.manifold.points[0].depth = WF_R(0.5) - s[1].p.y;
             assert_ok(soft(&in));
         }
@@ -910,14 +910,14 @@ static void settings_of_the_spring(void **unused)
 static int solve_at_once(void **unused)
 {
     (void)unused;
-    atOnce = 1;
+    at_once = 1;
     return 0;
 }
 
 static int solve_by_passes(void **unused)
 {
     (void)unused;
-    atOnce = 0;
+    at_once = 0;
     return 0;
 }
 
@@ -941,11 +941,11 @@ static void test_what_is_alone_is_a_tree_of_one_limb(void **state)
             wfPool pool;
             wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(mass, -10 * mass), .torque = mass } };
             wfContact c = { .a = 0, .b = 1, .friction = 50, .staticFriction = k ? 51 : 0, .manifold = { .normal = wfV2(0, 1), .count = 1 } };
-            c.manifold.points[0] = (wfContactPoint){ .depth = wfMaxR(overlap, 0), .armB = arm, .feature = WF_FEATURE_CIRCLE };
+            c.manifold.points[0] = (wfContactPoint){ .depth = wfMaxR(overlap, 0), .rB = arm, .feature = WF_FEATURE_CIRCLE };
             s[k][0] = body(0, 0, 0, 0, 0, 0, 0);
             s[k][1] = body(0, 0.5, (double)v.x, lands ? (double)v.y - 2 : 0, 1, (double)mass, (double)mass / 8);
             wfSolve in = problem(s[k], 2, &c, 1, &pool);
-            in.forces = f, in.columns = 3, in.colours = 1, in.lanes = round % 2;
+            in.forces = f, in.stackSolver = 3, in.graphColouring = 1, in.enableSimd = round % 2;
             assert_ok(soft(&in));
         }
         double most = 1e-4 * (10 * 0.0025 + (lands ? 3 : 0)) + 64 * (double)WF_EPSILON, way = 0.01 * most + 16 * (double)WF_EPSILON;

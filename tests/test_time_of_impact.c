@@ -450,7 +450,7 @@ static void test_near_bodies_may_move(void **state)
         if (d0 < 5 * eta) break;
         hit = check_impact(&p, 50, NULL);
         assert_int_equal(hit.kind, WF_IMPACT_APART);
-        assert_near(hit.touching, fmin(d0 / 2, (double)wfShapeReach(&p.b) / 256), 2 * eta);
+        assert_near(hit.touching, fmin(d0 / 2, (double)wfShapeMaxExtent(&p.b) / 256), 2 * eta);
         p.sb.to.y = y + 1;                                          /* leaves */
         hit = check_impact(&p, 50, NULL);
         assert_int_equal(hit.kind, WF_IMPACT_APART);

@@ -241,7 +241,7 @@ static void test_who_is_fast(void **state)
         wfSweep slow = { wfV2(3, 4), wfV2((wfReal)(3 + 0.6 * 0.999 * rest), (wfReal)(4 - 0.8 * 0.999 * rest)), 7, (wfReal)(7 + turn) };
         wfSweep fast = { wfV2(3, 4), wfV2((wfReal)(3 + 0.6 * 1.001 * rest + 1e-5), (wfReal)(4 - 0.8 * 1.001 * rest)), 7, (wfReal)(7 + turn) };
         if (i < 4) assert_false(wfSweepIsFast(&shapes[i], slow));
-        assert_near((double)wfInnerRadius(&shapes[i]), inner[i], 4 * (double)WF_EPSILON);
+        assert_near((double)wfShapeMinExtent(&shapes[i]), inner[i], 4 * (double)WF_EPSILON);
         assert_true(wfSweepIsFast(&shapes[i], fast));
         assert_false(wfSweepIsFast(&shapes[i], wfSweepStill(wfV2(1, 2), 3)));
     }
@@ -257,7 +257,7 @@ static void test_who_is_fast(void **state)
     wfShape off = circle(2, 0, 0.5);                                /* an extent of 2: a turn alone is fast */
     assert_true(wfSweepIsFast(&off, (wfSweep){ wfV2(0, 0), wfV2(0, 0), 0, WF_R(0.26) }));
     assert_false(wfSweepIsFast(&off, (wfSweep){ wfV2(0, 0), wfV2(0, 0), 0, -WF_R(0.24) }));
-    assert_true(wfInnerRadius(NULL) == 0);
+    assert_true(wfShapeMinExtent(NULL) == 0);
     assert_false(wfSweepIsFast(NULL, (wfSweep){ wfV2(0, 0), wfV2(9, 0), 0, 0 }));
 }
 
@@ -266,7 +266,7 @@ static void test_who_is_fast(void **state)
 static wfShape inner_copy(const wfShape *s, wfReal sigma)            /* eq:impact-inner, eq:impact-vanish, as they read */
 {
     wfShape copy = *s;
-    wfReal core = wfInnerRadius(s) - s->radius, depth = (1 - sigma) * (core + s->radius), most = WF_HUGE, t[WF_MAX_VERTICES];
+    wfReal core = wfShapeMinExtent(s) - s->radius, depth = (1 - sigma) * (core + s->radius), most = WF_HUGE, t[WF_MAX_VERTICES];
     copy.radius = core <= 0 ? sigma * s->radius : wfMaxR(s->radius - depth, 0);
     depth -= s->radius;
     if (core <= 0 || depth <= 0) return copy;
@@ -294,8 +294,8 @@ static void test_the_inner_copy_is_as_deep_everywhere(void **state)
     for (int i = 0; i < 2000; i++) {
         wfShape s = random_shape(&r);
         if (i % 10 == 0) s = box(5, 0.005 * (1 + i % 7));
-        wfReal sigma = (wfReal)(1 + i % 3) / 4, rho = wfInnerRadius(&s);
-        double depth = (1 - (double)sigma) * (double)rho, tolerance = 64 * (double)(WF_EPSILON * wfShapeReach(&s));
+        wfReal sigma = (wfReal)(1 + i % 3) / 4, rho = wfShapeMinExtent(&s);
+        double depth = (1 - (double)sigma) * (double)rho, tolerance = 64 * (double)(WF_EPSILON * wfShapeMaxExtent(&s));
         wfShape copy = inner_copy(&s, sigma);
         if (s.count < 3) continue;
         double least = 1e9, most = 0;
@@ -306,7 +306,7 @@ static void test_the_inner_copy_is_as_deep_everywhere(void **state)
                 if (n == k || n == (k + 1) % s.count) most = fmax(most, below);
             }
         assert_true(least >= depth * 0.1 - tolerance);               /* within it: shrunk at the sharpest corners, and never outside */
-        assert_near((double)wfInnerRadius(&copy), (double)sigma * (double)rho, tolerance);
+        assert_near((double)wfShapeMinExtent(&copy), (double)sigma * (double)rho, tolerance);
         if (most - least > tolerance) continue;                      /* an edge vanished */
         even++;
         assert_near(least, depth, tolerance);
@@ -379,24 +379,24 @@ static void test_stop_at_the_first(void **state)
             passed += hit.kind == WF_IMPACT_TOUCH && t > 1;
         }
         wfStop stop, back, half;
-        assert_ok(wfStopAtFirst(&body, flight, list, N, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(&body, flight, list, N, 1, &stop));
         assert_int_equal(stop.obstacle, first);
         assert_true(stop.t == (least > 1 ? 1 : least) && stop.inner == deep && stop.stuck == stuck);
         stucks += stuck;
-        assert_ok(wfStopAtFirst(&body, flight, turned, N, 1, &back));
+        assert_ok(wfFirstTimeOfImpact(&body, flight, turned, N, 1, &back));
         assert_true(back.t == stop.t && (first < 0 ? back.obstacle == first : back.obstacle == N - 1 - first));
         assert_memory_equal(&back.impact, &stop.impact, sizeof stop.impact);
         if (first == WF_NO_OBSTACLE) continue;
         stopped++;
         inners += deep;
         assert_true(stop.impact.kind == WF_IMPACT_TOUCH && stop.impact.t == stop.t);
-        assert_ok(wfStopAtFirst(&body, flight, list, N, least / 2, &half));             /* before it, the way is free */
+        assert_ok(wfFirstTimeOfImpact(&body, flight, list, N, least / 2, &half));       /* before it, the way is free */
         assert_true(half.obstacle == WF_NO_OBSTACLE && half.t == least / 2 && half.impact.t == half.t && !half.inner);
         assert_true(half.impact.kind == WF_IMPACT_APART && half.impact.distance == 0 && half.impact.steps == 0);
-        assert_ok(wfStopAtFirst(&body, flight, list, first + 1, 1, &half));
+        assert_ok(wfFirstTimeOfImpact(&body, flight, list, first + 1, 1, &half));
         assert_true(half.t == least && half.obstacle == first);
         wfObstacle twice[3] = { list[first], list[first], list[first] };
-        assert_ok(wfStopAtFirst(&body, flight, twice, 3, 1, &half));
+        assert_ok(wfFirstTimeOfImpact(&body, flight, twice, 3, 1, &half));
         assert_true(half.obstacle == 0 && half.t == least);
     }
     assert_true(stopped > 200 && inners > 10 && passed > 30 && stucks > 10 && grazed > 30);
@@ -427,54 +427,54 @@ static void test_the_inner_copy_stops_what_touches_already(void **state)
     for (int k = 0; k < 3; k++) {
         const wfShape *body = bodies[k];
         wfSweep down = { wfV2(0, WF_R(0.9)), wfV2(0, -40), 0, 0 }, roll = { wfV2(0, WF_R(0.9)), wfV2(1, WF_R(0.9)), 0, 0 };
-        assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, down, list, 2, 1, &stop));
         assert_true(stop.obstacle == 0 && stop.inner && stop.impact.kind == WF_IMPACT_TOUCH);
         double y = 0.9 - 40.9 * (double)stop.t;
         assert_true(y >= 0.75 && y <= 0.75 + 2.5 / 256);
-        assert_ok(wfStopAtFirst(body, roll, list, 2, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, roll, list, 2, 1, &stop));
         assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == 1);
         roll.to.x = 9;                                                   /* against the post, with its outline */
-        assert_ok(wfStopAtFirst(body, roll, list, 2, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, roll, list, 2, 1, &stop));
         assert_true(stop.obstacle == 1 && !stop.inner);
         assert_near(9 * (double)stop.t, k ? 4.9 - 2 : 4.9 - 1, 1.0 / 64);
         assert_false(stop.stuck);
         for (int deep = 0; deep < 2; deep++) {                           /* too deep for one copy: the next smaller one */
             double from = deep ? 0.45 : 0.7, least = deep ? 0.25 : 0.5;
             down.from.y = (wfReal)from;
-            assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
+            assert_ok(wfFirstTimeOfImpact(body, down, list, 2, 1, &stop));
             assert_true(stop.obstacle == 0 && stop.inner && !stop.stuck);
             y = from - (40 + from) * (double)stop.t;
             assert_true(y >= least && y <= least + 2.5 / 256);
         }
         down.from.y = WF_R(0.2);                                         /* too deep for all: contacts must help */
-        assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, down, list, 2, 1, &stop));
         assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == 1 && stop.stuck);
         down.from.y = 1;                                                 /* touches, exactly */
-        assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, down, list, 2, 1, &stop));
         assert_true(stop.obstacle == 0 && stop.inner && 1 - 41 * (double)stop.t >= 0.75);
         down.from.y = 1 + 8 * WF_EPSILON;                                /* nearer than rounding can tell */
         wfImpact outline;
         assert_ok(wfTimeOfImpact(body, down, &floor, list[0].sweep, &outline));
         assert_true(at_once(&outline));
-        assert_ok(wfStopAtFirst(body, down, list, 2, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, down, list, 2, 1, &stop));
         assert_true(stop.obstacle == 0 && stop.inner && stop.t > 0 && 1 - 41 * (double)stop.t >= 0.75);
         wfSweep dip = { wfV2(0, 3), wfV2(6, WF_R(0.8)), 0, 0 };          /* a fifth deep at the end: harmless; a third is not */
-        assert_ok(wfStopAtFirst(body, dip, list, 1, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, dip, list, 1, 1, &stop));
         assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == 1);
         dip.to.y = WF_R(0.7);
-        assert_ok(wfStopAtFirst(body, dip, list, 1, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(body, dip, list, 1, 1, &stop));
         assert_true(stop.obstacle == 0 && !stop.inner);
         assert_near(3 - 2.3 * (double)stop.t, 1, 2.5 / 256);             /* where the outline touches */
     }
     assert_ok(wfMakePolygon(corners, 3, &offside));                      /* its inner radius is that of the long edge */
     wfSweep fall = { wfV2(0, -WF_R(0.1)), wfV2(0, -20), 0, 0 };
-    assert_ok(wfStopAtFirst(&offside, fall, list, 1, 1, &stop));
+    assert_ok(wfFirstTimeOfImpact(&offside, fall, list, 1, 1, &stop));
     assert_true(stop.inner);
     assert_near(sqrt(0.5) / 4 - 0.1 - 19.9 * (double)stop.t, 0, 0.02);
     wfShape line;                                                        /* a segment is its own inner copy, sideways */
     assert_ok(wfMakeSegment(wfV2(-1, 0), wfV2(1, 0), &line));
     wfSweep sink = { wfV2(0, 1), wfV2(0, -20), 0, 0 };
-    assert_ok(wfStopAtFirst(&line, sink, list, 1, 1, &stop));
+    assert_ok(wfFirstTimeOfImpact(&line, sink, list, 1, 1, &stop));
     assert_true(stop.obstacle == 0);
     assert_near(1 - 21 * (double)stop.t, 0, 0.01);
 }
@@ -490,10 +490,10 @@ static void test_seams_do_not_stop(void **state)
     for (int k = 0; k < 12; k++) {
         wfReal y = WF_R(0.5) + WF_R(0.0004) * (wfReal)(k - 6), to = (wfReal)(k % 3 == 0 ? 3 : k % 3 == 1 ? 20 : 95);
         wfSweep slide = { wfV2(0, y), wfV2(to, y - WF_R(0.003)), 0, k % 2 ? 40 : 0 };
-        assert_ok(wfStopAtFirst(k % 2 ? &ball : &crate, slide, tiles, 100, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(k % 2 ? &ball : &crate, slide, tiles, 100, 1, &stop));
         assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == 1);
         tiles[100] = (wfObstacle){ &tile, wfSweepStill(wfV2(to - 1, 1), WF_PI / 2) };       /* but a step does */
-        assert_ok(wfStopAtFirst(k % 2 ? &ball : &crate, slide, tiles, 101, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(k % 2 ? &ball : &crate, slide, tiles, 101, 1, &stop));
         assert_true(stop.obstacle == 100 && !stop.inner);
     }
 }
@@ -514,7 +514,7 @@ static void test_an_unfinished_search_stops_too(void **state)
         assert_ok(wfTimeOfImpact(&copy, p.sa, &p.b, p.sb, &in));
         if (hit.kind != WF_IMPACT_UNFINISHED && in.kind != WF_IMPACT_UNFINISHED) continue;
         wfObstacle o = { &p.b, p.sb };
-        assert_ok(wfStopAtFirst(&p.a, p.sa, &o, 1, 1, &stop));
+        assert_ok(wfFirstTimeOfImpact(&p.a, p.sa, &o, 1, 1, &stop));
         if (in.kind == WF_IMPACT_APART) {
             assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == 1);
             continue;
@@ -541,24 +541,24 @@ static void test_bad_stops(void **state)
     wfObstacle good[2] = { { &b, wfSweepStill(wfV2(1, 0), 0) }, { &b, wfSweepStill(wfV2(9, 0), 0) } };
     wfObstacle none[2] = { good[0], { NULL, s } }, odd[2] = { good[0], { &bad, s } }, sick[2] = { good[0], { &b, nan } };
     wfStop stop;
-    STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(NULL, s, good, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(&a, s, NULL, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(&a, s, NULL, 1, 1, out));
-    assert_result(WF_ERROR_NULL, wfStopAtFirst(&a, s, good, 2, 1, NULL));
-    STOP_UNCHANGED(WF_ERROR_NULL, wfStopAtFirst(&a, s, none, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfStopAtFirst(&a, s, odd, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfStopAtFirst(&bad, s, good, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfStopAtFirst(&bad, s, good, 0, 1, out));
-    STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfStopAtFirst(&a, s, sick, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfStopAtFirst(&a, nan, good, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfStopAtFirst(&a, nan, good, 0, 1, out));
-    STOP_UNCHANGED(WF_ERROR_RANGE, wfStopAtFirst(&a, far, good, 2, 1, out));
-    STOP_UNCHANGED(WF_ERROR_RANGE, wfStopAtFirst(&a, s, good, -1, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NULL, wfFirstTimeOfImpact(NULL, s, good, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NULL, wfFirstTimeOfImpact(&a, s, NULL, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NULL, wfFirstTimeOfImpact(&a, s, NULL, 1, 1, out));
+    assert_result(WF_ERROR_NULL, wfFirstTimeOfImpact(&a, s, good, 2, 1, NULL));
+    STOP_UNCHANGED(WF_ERROR_NULL, wfFirstTimeOfImpact(&a, s, none, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfFirstTimeOfImpact(&a, s, odd, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfFirstTimeOfImpact(&bad, s, good, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_UNKNOWN, wfFirstTimeOfImpact(&bad, s, good, 0, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfFirstTimeOfImpact(&a, s, sick, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfFirstTimeOfImpact(&a, nan, good, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_NOT_FINITE, wfFirstTimeOfImpact(&a, nan, good, 0, 1, out));
+    STOP_UNCHANGED(WF_ERROR_RANGE, wfFirstTimeOfImpact(&a, far, good, 2, 1, out));
+    STOP_UNCHANGED(WF_ERROR_RANGE, wfFirstTimeOfImpact(&a, s, good, -1, 1, out));
     static const double mosts[] = { -1e-3, 1.001, (double)NAN, (double)INFINITY };
-    for (int i = 0; i < 4; i++) STOP_UNCHANGED(WF_ERROR_RANGE, wfStopAtFirst(&a, s, good, 2, (wfReal)mosts[i], out));
-    assert_ok(wfStopAtFirst(&a, s, NULL, 0, WF_R(0.5), &stop));
+    for (int i = 0; i < 4; i++) STOP_UNCHANGED(WF_ERROR_RANGE, wfFirstTimeOfImpact(&a, s, good, 2, (wfReal)mosts[i], out));
+    assert_ok(wfFirstTimeOfImpact(&a, s, NULL, 0, WF_R(0.5), &stop));
     assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == WF_R(0.5) && !stop.inner && stop.impact.steps == 0);
-    assert_ok(wfStopAtFirst(&a, s, good, 2, 0, &stop));
+    assert_ok(wfFirstTimeOfImpact(&a, s, good, 2, 0, &stop));
     assert_true(stop.t == 0);
 }
 

@@ -38,7 +38,7 @@ static void who_is_born_in_one_place_without_gravity_parts_in_peace(void **state
         double fastest = 0, nearest = 2;
         wfBodyInfo all[5];
         def.gravity = wfV2(0, 0);
-        if (limit == 0) def.recoverySteps = 0;              /* asked for: no limit */
+        if (limit == 0) def.contactPushSpeed = 0;           /* asked for: no limit */
         assert_ok(wfCreateWorld(&def, &world));
         for (int i = 0; i < 5; i++) add(&world, ball_def(0, 0, 0.5));
         for (int k = 0; k < 300; k++) {
@@ -103,7 +103,7 @@ static void free_flight_is_the_parabola(void **unused)
     for (int k = 0; k < 3; k++) {
         wfWorldDef wd = wfDefaultWorldDef();
         wd.gravity = wfV2(WF_R(0.5), -8);
-        wd.dt = (wfReal)dts[k];
+        wd.timeStep = (wfReal)dts[k];
         wfWorld world;
         assert_ok(wfCreateWorld(&wd, &world));
         wfBodyDef d = ball_def(3, 5, 0.5);
@@ -163,7 +163,7 @@ static void damping_does_not_depend_on_the_step(void **unused)
     double error[2];
     for (int k = 0; k < 2; k++) {
         wfWorldDef wd = wfDefaultWorldDef();
-        wd.dt = k == 0 ? WF_R(0.25) : WF_R(0.125);
+        wd.timeStep = k == 0 ? WF_R(0.25) : WF_R(0.125);
         wfWorld world;
         assert_ok(wfCreateWorld(&wd, &world));
         wfBodyDef d = ball_def(0, 0, 0.5);
@@ -227,7 +227,7 @@ static void pushes_act_for_one_step(void **unused)
     (void)unused;
     wfWorldDef wd = wfDefaultWorldDef();
     wd.gravity = wfV2(0, 0);
-    wd.dt = WF_R(0.5);
+    wd.timeStep = WF_R(0.5);
     wfWorld world;
     assert_ok(wfCreateWorld(&wd, &world));
     wfBodyDef d = box_def(1, 1, 0.5);                     /* 1 kg, I = 1/6 */
@@ -312,7 +312,7 @@ static void ball_bounces_to_e_squared_h(void **unused)
     for (int k = 1; k <= 3; k++) {
         double e = k * 0.25, h = 1.0 / 960, drop = 2, radius = 0.25;
         wfWorldDef wd = wfDefaultWorldDef();
-        wd.dt = (wfReal)h;
+        wd.timeStep = (wfReal)h;
         wfWorld world;
         assert_ok(wfCreateWorld(&wd, &world));
         add(&world, floor_def());
@@ -507,7 +507,7 @@ static void stale_ids_are_refused_everywhere(void **unused)
         assert_result(WF_ERROR_STALE_ID, wfApplyTorqueToBody(&world, id, 1));
         assert_result(WF_ERROR_STALE_ID, wfApplyImpulseToBody(&world, id, v, v));
         assert_result(WF_ERROR_STALE_ID, wfApplyAngularImpulseToBody(&world, id, 1));
-        assert_result(WF_ERROR_STALE_ID, wfGrabBody(&world, id, v, &f));
+        assert_result(WF_ERROR_STALE_ID, wfAddMouseJoint(&world, id, v, &f));
         assert_int_equal(wfBodyIndex(&world, id), -1);
     }
     assert_unchanged(&world, bytes);
@@ -520,8 +520,8 @@ static void removal_takes_forces_and_contacts_along(void **unused)
     wfWorld world = make_world(4);
     wfBodyId ground = add(&world, floor_def()), a = add(&world, box_def(0, 0.45, 0.5)), b = add(&world, box_def(3, 0.45, 0.5));
     wfForceId hand, other;
-    assert_ok(wfGrabBody(&world, a, wfV2(0, WF_R(0.45)), &hand));
-    assert_ok(wfGrabBody(&world, b, wfV2(3, WF_R(0.45)), &other));
+    assert_ok(wfAddMouseJoint(&world, a, wfV2(0, WF_R(0.45)), &hand));
+    assert_ok(wfAddMouseJoint(&world, b, wfV2(3, WF_R(0.45)), &other));
     steps(&world, 1);
     int32_t n;
     wfWorldContacts(&world, &n);
@@ -694,7 +694,7 @@ static void capacities_left_open_are_chosen(void **unused)
         def.bodyCapacity = cases[i][0];
         def.pairCapacity = cases[i][1];
         def.contactCapacity = cases[i][2];
-        def.restingSteps = 0;
+        def.restitutionThreshold = 0;
         def.slop = 0;
         wfWorld world;
         assert_ok(wfCreateWorld(&def, &world));
@@ -865,8 +865,8 @@ static void bodies_and_forces_of_no_world_are_refused(void **unused)
         assert_result(WF_ERROR_NULL, wfGetForce(w, f, &force));
         assert_result(WF_ERROR_NULL, wfSetForce(w, f, &force));
         assert_result(WF_ERROR_NULL, wfRemoveForceFromWorld(w, f));
-        assert_result(WF_ERROR_NULL, wfGrabBody(w, id, v, &f));
-        assert_result(WF_ERROR_NULL, wfDragHand(w, f, v));
+        assert_result(WF_ERROR_NULL, wfAddMouseJoint(w, id, v, &f));
+        assert_result(WF_ERROR_NULL, wfSetMouseTarget(w, f, v));
         assert_result(WF_ERROR_NULL, wfWorldProxies(w, &proxies));
         assert_int_equal(pool.used, 0);
         assert_false(wfBodyIsValid(w, id));
@@ -875,7 +875,7 @@ static void bodies_and_forces_of_no_world_are_refused(void **unused)
     }
     wfWorld world = make_world(2);
     wfBodyId ball = add(&world, ball_def(0, 0, 1));
-    assert_result(WF_ERROR_NULL, wfGrabBody(&world, ball, wfV2(0, 0), NULL));
+    assert_result(WF_ERROR_NULL, wfAddMouseJoint(&world, ball, wfV2(0, 0), NULL));
     assert_result(WF_ERROR_NULL, wfAddBodyToWorld(&world, NULL, NULL));
     assert_result(WF_ERROR_NULL, wfAddForceToWorld(&world, NULL, NULL));
     wfDestroyWorld(&world);
@@ -1026,7 +1026,7 @@ static void overflow_is_an_error_and_spreads_to_no_one(void **unused)
     bytes = copy_of(&world);
     assert_ok(wfSetTimeStep(&world, 100));
     assert_result(WF_ERROR_NOT_FINITE, wfStepWorld(&world));
-    assert_ok(wfSetTimeStep(&world, wfDefaultWorldDef().dt));
+    assert_ok(wfSetTimeStep(&world, wfDefaultWorldDef().timeStep));
     assert_unchanged(&world, bytes);
     assert_ok(wfRemoveBodyFromWorld(&world, a));
     steps(&world, 10);
@@ -1043,8 +1043,8 @@ static void bad_world_definitions_are_refused(void **unused)
     for (int field = 0; field < 9; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
             wfWorldDef d = wfDefaultWorldDef();
-            wfReal *place[] = { &d.gravity.x, &d.gravity.y, &d.dt, &d.restingSteps, &d.positionShare, &d.slop, &d.contactPeriod,
-                &d.contactDamping, &d.recoverySteps };
+            wfReal *place[] = { &d.gravity.x, &d.gravity.y, &d.timeStep, &d.restitutionThreshold, &d.positionCorrection, &d.slop, &d.contactPeriod,
+                &d.contactDampingRatio, &d.contactPushSpeed };
             *place[field] = BAD_REALS[b];
             assert_result(WF_ERROR_NOT_FINITE, wfCreateWorld(&d, &world));
             assert_result(WF_ERROR_NOT_FINITE, wfWorldSize(&d, &p, &t));
@@ -1053,7 +1053,7 @@ static void bad_world_definitions_are_refused(void **unused)
         { 4, 0 }, { 4, -1 }, { 5, 0 }, { 5, -1 }, { 6, -1 } };
     for (size_t i = 0; i < sizeof range / sizeof *range; i++) {
         wfWorldDef d = wfDefaultWorldDef();
-        wfReal *place[] = { &d.dt, &d.restingSteps, &d.positionShare, &d.slop, &d.contactPeriod, &d.contactDamping, &d.recoverySteps };
+        wfReal *place[] = { &d.timeStep, &d.restitutionThreshold, &d.positionCorrection, &d.slop, &d.contactPeriod, &d.contactDampingRatio, &d.contactPushSpeed };
         *place[range[i].field] = (wfReal)range[i].value;
         assert_result(WF_ERROR_RANGE, wfCreateWorld(&d, &world));
     }
@@ -1302,11 +1302,11 @@ static void a_hand_carries_a_body(void **unused)
     wfWorld world = make_world(4);
     wfBodyId id = add(&world, box_def(0, 0, 0.5)), rock = add(&world, floor_def());
     wfForceId hand;
-    assert_result(WF_ERROR_RANGE, wfGrabBody(&world, rock, wfV2(0, 0), &hand));
-    assert_result(WF_ERROR_NOT_FINITE, wfGrabBody(&world, id, wfV2((wfReal)NAN, 0), &hand));
-    assert_ok(wfGrabBody(&world, id, wfV2(WF_R(0.5), WF_R(0.5)), &hand));    /* by a corner, where it is lightest */
-    assert_result(WF_ERROR_NOT_FINITE, wfDragHand(&world, hand, wfV2(0, (wfReal)INFINITY)));
-    assert_ok(wfDragHand(&world, hand, wfV2(5, 7)));
+    assert_result(WF_ERROR_RANGE, wfAddMouseJoint(&world, rock, wfV2(0, 0), &hand));
+    assert_result(WF_ERROR_NOT_FINITE, wfAddMouseJoint(&world, id, wfV2((wfReal)NAN, 0), &hand));
+    assert_ok(wfAddMouseJoint(&world, id, wfV2(WF_R(0.5), WF_R(0.5)), &hand)); /* by a corner, where it is lightest */
+    assert_result(WF_ERROR_NOT_FINITE, wfSetMouseTarget(&world, hand, wfV2(0, (wfReal)INFINITY)));
+    assert_ok(wfSetMouseTarget(&world, hand, wfV2(5, 7)));
     for (int i = 0; i < 600; i++) {
         steps(&world, 1);
         assert_true(fabs((double)info(&world, id).velocity.x) < 200);       /* never wild */
@@ -1319,11 +1319,11 @@ static void a_hand_carries_a_body(void **unused)
     assert_near(b.position.x, 5, 0.05);
     assert_true(b.position.y < corner.y);
     assert_ok(wfRemoveForceFromWorld(&world, hand));
-    assert_result(WF_ERROR_STALE_ID, wfDragHand(&world, hand, wfV2(0, 0)));
+    assert_result(WF_ERROR_STALE_ID, wfSetMouseTarget(&world, hand, wfV2(0, 0)));
     wfForce pull = wfGravity(wfV2(1, 0));
     wfForceId other;
     assert_ok(wfAddForceToWorld(&world, &pull, &other));
-    assert_result(WF_ERROR_RANGE, wfDragHand(&world, other, wfV2(0, 0)));    /* not a hand */
+    assert_result(WF_ERROR_RANGE, wfSetMouseTarget(&world, other, wfV2(0, 0))); /* not a hand */
     wfDestroyWorld(&world);
 }
 
@@ -1334,13 +1334,13 @@ static void a_hand_is_as_stiff_as_the_step_allows(void **unused)
     const double dt[] = { 0.001, 0.1 }, rate[] = { 31.41592653589793, 5 };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = wfDefaultWorldDef();
-        def.dt = (wfReal)dt[k];
+        def.timeStep = (wfReal)dt[k];
         wfWorld world;
         assert_ok(wfCreateWorld(&def, &world));
         wfBodyId id = add(&world, box_def(2, 3, 0.5));
         wfForceId hand;
         wfForce f;
-        assert_ok(wfGrabBody(&world, id, wfV2(WF_R(2.5), WF_R(3.5)), &hand));
+        assert_ok(wfAddMouseJoint(&world, id, wfV2(WF_R(2.5), WF_R(3.5)), &hand));
         assert_ok(wfGetForce(&world, hand, &f));
         assert_ulps(f.hand.stiffness, rate[k] * rate[k] / 4, 32, rate[k] * rate[k]);
         assert_ulps(f.hand.damping, 2 * rate[k] / 4, 32, rate[k]);
@@ -1364,9 +1364,9 @@ static void settings_are_kept(void **unused)
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef(), got;
     def.gravity = wfV2(1, 2);
-    def.dt = WF_R(0.125);
-    def.restingSteps = 3;
-    def.positionShare = WF_R(0.75);
+    def.timeStep = WF_R(0.125);
+    def.restitutionThreshold = 3;
+    def.positionCorrection = WF_R(0.75);
     def.slop = WF_R(0.25);
     def.iterations = 9;
     def.bodyCapacity = 5;
@@ -1377,7 +1377,7 @@ static void settings_are_kept(void **unused)
     assert_ok(wfCreateWorld(&def, &world));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_near2(got.gravity, def.gravity, 0);
-    assert_true(got.dt == def.dt && got.restingSteps == 3 && got.positionShare == def.positionShare && got.slop == def.slop);
+    assert_true(got.timeStep == def.timeStep && got.restitutionThreshold == 3 && got.positionCorrection == def.positionCorrection && got.slop == def.slop);
     assert_true(got.iterations == 9 && got.bodyCapacity == 5 && got.forceCapacity == 6 && got.pairCapacity == 7 && got.contactCapacity == 8);
     assert_null(got.memory.permanent);
     int other = wfFindIntegrator("explicit-euler"), brute = wfFindBroadPhase("brute-force");
@@ -1386,7 +1386,7 @@ static void settings_are_kept(void **unused)
     assert_ok(wfSetTimeStep(&world, 1));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_true(got.integrator == other && got.broadPhase == brute && got.narrowPhase == def.narrowPhase && got.solver == 1);
-    assert_true(got.gravity.x == 5 && got.gravity.y == 6 && got.dt == 1);
+    assert_true(got.gravity.x == 5 && got.gravity.y == 6 && got.timeStep == 1);
     wfBodyId id = add(&world, ball_def(0, 0, 1));
     steps(&world, 1);
     assert_near2(info(&world, id).position, wfV2(0, 0), 0);       /* explicit Euler moves before it speeds up */
@@ -1400,10 +1400,10 @@ static void settings_are_kept(void **unused)
 static void assert_same_def(const wfWorldDef *a, const wfWorldDef *b)
 {
 #define SAME(field) assert_memory_equal(&a->field, &b->field, sizeof a->field)
-    SAME(gravity); SAME(dt); SAME(bodyCapacity); SAME(shapeCapacity); SAME(forceCapacity); SAME(pairCapacity); SAME(contactCapacity);
-    SAME(integrator); SAME(broadPhase); SAME(narrowPhase); SAME(solver); SAME(iterations); SAME(substeps); SAME(restingSteps);
-    SAME(contactPeriod); SAME(contactDamping); SAME(recoverySteps); SAME(columns); SAME(colours);
-    SAME(hitSteps); SAME(positionShare); SAME(slop); SAME(reuse); SAME(events); SAME(queries);
+    SAME(gravity); SAME(timeStep); SAME(bodyCapacity); SAME(shapeCapacity); SAME(forceCapacity); SAME(pairCapacity); SAME(contactCapacity);
+    SAME(integrator); SAME(broadPhase); SAME(narrowPhase); SAME(solver); SAME(iterations); SAME(substeps); SAME(restitutionThreshold);
+    SAME(contactPeriod); SAME(contactDampingRatio); SAME(contactPushSpeed); SAME(stackSolver); SAME(graphColouring);
+    SAME(hitThreshold); SAME(positionCorrection); SAME(slop); SAME(reuseManifolds); SAME(events); SAME(queries);
     SAME(memory.permanent); SAME(memory.transient); SAME(memory.permanentSize); SAME(memory.transientSize); SAME(memory.owned);
 #undef SAME
 }
@@ -1415,14 +1415,14 @@ static void all_settings_can_be_changed(void **unused)
     wfWorldDef def, got;
     assert_ok(wfGetWorldDef(&world, &def));
     def.gravity = wfV2(1, 2);
-    def.dt = WF_R(0.125);
+    def.timeStep = WF_R(0.125);
     def.integrator = wfFindIntegrator("symplectic-euler");
     def.broadPhase = wfFindBroadPhase("brute-force");
     def.narrowPhase = wfFindNarrowPhase("gjk");
     def.solver = wfFindSolver("sequential");
-    def.iterations = 3, def.substeps = 7, def.reuse = 0, def.colours = 0, def.queries = 0;
-    def.restingSteps = 5, def.hitSteps = 9, def.positionShare = WF_R(0.25), def.slop = WF_R(0.0625);
-    def.contactPeriod = 3, def.contactDamping = 5, def.recoverySteps = 7, def.columns = 0;
+    def.iterations = 3, def.substeps = 7, def.reuseManifolds = 0, def.graphColouring = 0, def.queries = 0;
+    def.restitutionThreshold = 5, def.hitThreshold = 9, def.positionCorrection = WF_R(0.25), def.slop = WF_R(0.0625);
+    def.contactPeriod = 3, def.contactDampingRatio = 5, def.contactPushSpeed = 7, def.stackSolver = 0;
     assert_ok(wfSetWorldDef(&world, &def));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_same_def(&got, &def);
@@ -1435,10 +1435,10 @@ static void all_settings_can_be_changed(void **unused)
     def.substeps = 0;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
     def.substeps = 1;
-    def.hitSteps = -1;
+    def.hitThreshold = -1;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
-    def.hitSteps = 0;
-    def.reuse = 2;
+    def.hitThreshold = 0;
+    def.reuseManifolds = 2;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
     assert_result(WF_ERROR_NULL, wfSetWorldDef(&world, NULL));
     assert_result(WF_ERROR_NULL, wfSetWorldDef(NULL, &got));

@@ -97,17 +97,17 @@ static void check_contacts(const wfWorld *world)
     wfShapeView v = wfWorldShapes(world);
     for (int32_t i = 0; i < n; i++) {
         assert_true(c[i].shapeA < c[i].shapeB && c[i].shapeB < v.count);
-        assert_true(v.owners[c[i].shapeA] == c[i].a && v.owners[c[i].shapeB] == c[i].b);
+        assert_true(v.bodyOfShape[c[i].shapeA] == c[i].a && v.bodyOfShape[c[i].shapeB] == c[i].b);
         assert_true(c[i].a >= 0 && c[i].b >= 0 && c[i].a != c[i].b);
         if (i > 0) assert_true(c[i - 1].shapeA < c[i].shapeA || (c[i - 1].shapeA == c[i].shapeA && c[i - 1].shapeB < c[i].shapeB));
     }
-    for (int32_t i = 0; i < p; i++) assert_true(v.owners[pair[i].a] >= 0 && v.owners[pair[i].b] >= 0);
+    for (int32_t i = 0; i < p; i++) assert_true(v.bodyOfShape[pair[i].a] >= 0 && v.bodyOfShape[pair[i].b] >= 0);
 }
 
 /* Each pair begins, stays and ends in this order; whatever is done to the world between the steps. */
 typedef struct Machine { uint64_t active[512]; int count; } Machine;
 
-static uint64_t key_of(const wfTouchEvent *e)
+static uint64_t key_of(const wfContactEvent *e)
 {
     return ((uint64_t)(e->a.index * 1000u + e->a.generation) << 32) | (uint64_t)(e->b.index * 1000u + e->b.generation);
 }
@@ -121,7 +121,7 @@ static int find(const Machine *m, uint64_t key)
 static void follow(Machine *m, const wfWorld *world, int first)
 {
     int32_t n, stays = 0, old = m->count;
-    const wfTouchEvent *e = wfWorldEvents(world, first + 2, &n);
+    const wfContactEvent *e = wfWorldEvents(world, first + 2, &n);
     for (int32_t i = 0; i < n; i++) {
         int at = find(m, key_of(&e[i]));
         assert_true(at >= 0);
@@ -169,7 +169,7 @@ static void whatever_is_done_nothing_is_stale(void **unused)
     for (int k = 0; k < 3; k++) {
         wfWorldDef def = small_def(solvers[k]);
         def.pairCapacity = 4000;
-        def.reuse = k != 0;
+        def.reuseManifolds = k != 0;
         wfWorld world = make_world(&def), twin = make_world(&def);
         wfWorld *worlds[2] = { &world, &twin };
         def.broadPhase = wfFindBroadPhase("brute-force");
@@ -189,11 +189,11 @@ static void whatever_is_done_nothing_is_stale(void **unused)
                 assert_ok(wfStepWorld(worlds[w]));
                 check_contacts(worlds[w]);
                 if (w == 1) continue;
-                follow(&touch, &world, WF_TOUCH_BEGIN);
-                follow(&sense, &world, WF_SENSE_BEGIN);
-                begun += count_of(&world, WF_TOUCH_BEGIN);
-                ended += count_of(&world, WF_TOUCH_END);
-                sensed += count_of(&world, WF_SENSE_BEGIN);
+                follow(&touch, &world, WF_CONTACT_BEGIN);
+                follow(&sense, &world, WF_SENSOR_BEGIN);
+                begun += count_of(&world, WF_CONTACT_BEGIN);
+                ended += count_of(&world, WF_CONTACT_END);
+                sensed += count_of(&world, WF_SENSOR_BEGIN);
             }
         }
         assert_true(begun > 100 && ended > 50 && sensed > 5);
@@ -238,7 +238,7 @@ static void reuse_changes_little(void **unused)
     wfBodyInfo end[2][6];
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def("sequential");
-        def.reuse = k;
+        def.reuseManifolds = k;
         wfWorld world = make_world(&def);
         wfBodyId id[6];
         add(&world, floor_def());
@@ -270,15 +270,15 @@ static void a_ball_lands_stays_and_is_taken_away(void **unused)
         for (int i = 0; i < 90; i++) {
             assert_ok(wfStepWorld(&world));
             double t = wfWorldTime(&world);
-            if (count_of(&world, WF_TOUCH_BEGIN) > 0) {
-                const wfTouchEvent *e = wfWorldEvents(&world, WF_TOUCH_BEGIN, &n);
+            if (count_of(&world, WF_CONTACT_BEGIN) > 0) {
+                const wfContactEvent *e = wfWorldEvents(&world, WF_CONTACT_BEGIN, &n);
                 assert_true(n == 1 && same(e[0].a, ground) && same(e[0].b, ball));
                 assert_near(t, fall, 2.0 / 60);
                 begun++;
             }
-            assert_int_equal(count_of(&world, WF_TOUCH_END), 0);
-            assert_int_equal(count_of(&world, WF_TOUCH_STAY), begun - count_of(&world, WF_TOUCH_BEGIN));
-            const wfHit *h = wfWorldHits(&world, &n);
+            assert_int_equal(count_of(&world, WF_CONTACT_END), 0);
+            assert_int_equal(count_of(&world, WF_CONTACT_STAY), begun - count_of(&world, WF_CONTACT_BEGIN));
+            const wfContactHit *h = wfWorldHits(&world, &n);
             for (int32_t j = 0; j < n; j++) {
                 assert_near(h[j].speed, sqrt(2 * 9.81), 2 * 9.81 / 60 + 1e-4);
                 assert_near2(h[j].normal, wfV2(0, 1), 1e-6);
@@ -290,10 +290,10 @@ static void a_ball_lands_stays_and_is_taken_away(void **unused)
         assert_int_equal(begun, 1);                       /* no bounce: friction and e = 0; and no trembling either */
         assert_int_equal(hits, 1);
         assert_ok(wfRemoveBodyFromWorld(&world, id));
-        assert_int_equal(count_of(&world, WF_TOUCH_STAY), 1);      /* a removal changes nothing in the events */
+        assert_int_equal(count_of(&world, WF_CONTACT_STAY), 1);    /* a removal changes nothing in the events */
         assert_int_equal(contacts_of(&world), 0);
         assert_ok(wfStepWorld(&world));
-        const wfTouchEvent *e = wfWorldEvents(&world, WF_TOUCH_END, &n);
+        const wfContactEvent *e = wfWorldEvents(&world, WF_CONTACT_END, &n);
         assert_true(n == 1 && same(e[0].b, ball) && !wfShapeIsValid(&world, e[0].b));
         assert_ok(wfStepWorld(&world));
         for (int kind = 0; kind < WF_EVENT_KINDS; kind++) assert_int_equal(count_of(&world, kind), 0);
@@ -311,17 +311,17 @@ static void a_new_tenant_is_another_touch(void **unused)
     wfBodyId id = add(&world, d);
     wfShapeId old = shape_of(&world, id);
     for (int i = 0; i < 5; i++) assert_ok(wfStepWorld(&world));
-    assert_int_equal(count_of(&world, WF_TOUCH_STAY), 1);
+    assert_int_equal(count_of(&world, WF_CONTACT_STAY), 1);
     assert_ok(wfRemoveBodyFromWorld(&world, id));
     wfShapeId new = shape_of(&world, add(&world, d));
     assert_int_equal(new.index, old.index);
     assert_ok(wfStepWorld(&world));
     int32_t n;
-    const wfTouchEvent *e = wfWorldEvents(&world, WF_TOUCH_BEGIN, &n);
+    const wfContactEvent *e = wfWorldEvents(&world, WF_CONTACT_BEGIN, &n);
     assert_true(n == 1 && same(e[0].b, new));
-    e = wfWorldEvents(&world, WF_TOUCH_END, &n);
+    e = wfWorldEvents(&world, WF_CONTACT_END, &n);
     assert_true(n == 1 && same(e[0].b, old));
-    assert_int_equal(count_of(&world, WF_TOUCH_STAY), 0);
+    assert_int_equal(count_of(&world, WF_CONTACT_STAY), 0);
     wfDestroyWorld(&world);
 }
 
@@ -336,7 +336,7 @@ static void how_hard_they_press(void **unused)
     add(&world, d);
     for (int i = 0; i < 60; i++) assert_ok(wfStepWorld(&world));
     int32_t n;
-    const wfTouchEvent *e = wfWorldEvents(&world, WF_TOUCH_STAY, &n);
+    const wfContactEvent *e = wfWorldEvents(&world, WF_CONTACT_STAY, &n);
     assert_int_equal(n, 1);
     assert_near(e[0].impulse, 12 * 9.81 / 60, 12 * 9.81 / 60 * 0.01);
     wfDestroyWorld(&world);
@@ -347,7 +347,7 @@ static void the_threshold_of_hits_can_be_set(void **unused)
     (void)unused;
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def("sequential");
-        def.hitSteps = k == 0 ? 20 : 30;                  /* of 9.81/60 m/s: 3.27 and 4.9; the ball arrives with 4.43 */
+        def.hitThreshold = k == 0 ? 20 : 30;              /* of 9.81/60 m/s: 3.27 and 4.9; the ball arrives with 4.43 */
         wfWorld world = make_world(&def);
         add(&world, floor_def());
         add(&world, ball_def(0, 1.5, 0.5));
@@ -396,15 +396,15 @@ static void a_failed_step_keeps_the_events(void **unused)
     add(&world, floor_def());
     for (int i = 0; i < 3; i++) add(&world, ball_def(2 * i, 0.499, 0.5));
     assert_ok(wfStepWorld(&world));
-    assert_int_equal(count_of(&world, WF_TOUCH_BEGIN), 3);
+    assert_int_equal(count_of(&world, WF_CONTACT_BEGIN), 3);
     wfBodyId one = add(&world, ball_def(10, 0.499, 0.5));
     void *bytes = copy_of(&world);
     for (int i = 0; i < 3; i++) assert_result(WF_ERROR_FULL, wfStepWorld(&world));
     assert_unchanged(&world, bytes);
-    assert_int_equal(count_of(&world, WF_TOUCH_BEGIN), 3);
+    assert_int_equal(count_of(&world, WF_CONTACT_BEGIN), 3);
     assert_ok(wfRemoveBodyFromWorld(&world, one));
     assert_ok(wfStepWorld(&world));
-    assert_int_equal(count_of(&world, WF_TOUCH_STAY), 3);
+    assert_int_equal(count_of(&world, WF_CONTACT_STAY), 3);
     wfDestroyWorld(&world);
 }
 
@@ -426,13 +426,13 @@ static void a_sensor_notices_and_does_nothing(void **unused)
             assert_ok(wfStepWorld(&world));
             assert_ok(wfStepWorld(&empty));
             assert_int_equal(contacts_of(&world), 0);
-            const wfTouchEvent *e = wfWorldEvents(&world, WF_SENSE_BEGIN, &n);
+            const wfContactEvent *e = wfWorldEvents(&world, WF_SENSOR_BEGIN, &n);
             if (n > 0) assert_true(same(e[0].a, shape_of(&world, g)) && same(e[0].b, shape_of(&world, ball)));
             if (n > 0) assert_near(info(&world, ball).position.y, 1.5, 0.3);
             begin += n;
-            stay += count_of(&world, WF_SENSE_STAY);
-            end += count_of(&world, WF_SENSE_END);
-            if (count_of(&world, WF_SENSE_END)) assert_near(info(&world, ball).position.y, -1.5, 0.5);
+            stay += count_of(&world, WF_SENSOR_STAY);
+            end += count_of(&world, WF_SENSOR_END);
+            if (count_of(&world, WF_SENSOR_END)) assert_near(info(&world, ball).position.y, -1.5, 0.5);
         }
         assert_true(begin == 1 && end == 1 && stay > 5);
         assert_near2(info(&world, ball).position, info(&empty, twin).position, 0);       /* bit for bit */
@@ -462,14 +462,14 @@ static void what_sensors_see(void **unused)
     }
     assert_ok(wfStepWorld(&world));
     int32_t n;
-    const wfTouchEvent *e = wfWorldEvents(&world, WF_SENSE_BEGIN, &n);
+    const wfContactEvent *e = wfWorldEvents(&world, WF_SENSOR_BEGIN, &n);
     assert_int_equal(n, 8);
     for (int i = 1; i < 9; i++) assert_true(same(e[i - 1].a, shape_of(&world, sensor[i])) && same(e[i - 1].b, shape_of(&world, thing[i])));
     assert_int_equal(contacts_of(&world), 0);
     for (int i = 0; i < 9; i++) make_sensor(&world, thing[i]);   /* sensors do not see sensors */
     assert_ok(wfStepWorld(&world));
-    assert_int_equal(count_of(&world, WF_SENSE_END), 8);
-    assert_int_equal(count_of(&world, WF_SENSE_STAY), 0);
+    assert_int_equal(count_of(&world, WF_SENSOR_END), 8);
+    assert_int_equal(count_of(&world, WF_SENSOR_STAY), 0);
     wfDestroyWorld(&world);
 }
 
@@ -496,7 +496,7 @@ static void a_sensor_rides_along_and_weighs_nothing(void **unused)
     for (int i = 0; i < 30; i++) {
         assert_ok(wfStepWorld(&world));
         int32_t n;
-        const wfTouchEvent *e = wfWorldEvents(&world, WF_SENSE_BEGIN, &n);
+        const wfContactEvent *e = wfWorldEvents(&world, WF_SENSOR_BEGIN, &n);
         if (n == 0) continue;
         assert_true(same(e[0].a, eye) && same(e[0].b, seen) && at == 0);
         at = (double)info(&world, guard).angle;
@@ -527,17 +527,17 @@ static void filters_say_who_meets(void **unused)
 
 /* ------------------------------------------------------------------------------ hooks */
 
-typedef struct Asked { int filters, contacts; wfContactChange change; bool deny; wfWorld *world; wfBodyId id; wfResult got[24]; } Asked;
+typedef struct Asked { int filters, contacts; wfContactSettings change; bool deny; wfWorld *world; wfBodyId id; wfResult got[24]; } Asked;
 
-static bool ask_filter(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool ask_filter(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     Asked *asked = context;
-    assert_true(a < b && b < view->shapes.count && view->dt > 0);
+    assert_true(a < b && b < view->shapes.count && view->timeStep > 0);
     asked->filters++;
     return !asked->deny;
 }
 
-static void ask_contact(void *context, const wfHookView *view, const wfContact *c, wfContactChange *change)
+static void ask_contact(void *context, const wfCallbackView *view, const wfContact *c, wfContactSettings *change)
 {
     Asked *asked = context;
     assert_true(c->manifold.count > 0 && c->b < view->bodies.count && change->enabled == 1);
@@ -556,31 +556,31 @@ static void hooks_decide(void **unused)
         wfBodyDef d = box_def(0, 0.499, 0.5, 0.5);
         wfBodyId id = add(&world, d);
         Asked asked = { .change = { .enabled = -1 } };
-        wfHooks hooks = { &asked, ask_filter, ask_contact };
-        assert_ok(wfStepWorldWith(&world, &hooks));
+        wfCallbacks hooks = { &asked, ask_filter, ask_contact };
+        assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
         assert_true(asked.filters > 0 && asked.contacts == 1);
         assert_int_equal(contacts_of(&world), 1);
-        asked.change = (wfContactChange){ .enabled = 0 };
-        assert_ok(wfStepWorldWith(&world, &hooks));       /* disabled: it does not exist */
+        asked.change = (wfContactSettings){ .enabled = 0 };
+        assert_ok(wfStepWorldWithCallbacks(&world, &hooks)); /* disabled: it does not exist */
         assert_int_equal(contacts_of(&world), 0);
-        assert_int_equal(count_of(&world, WF_TOUCH_END), 1);
+        assert_int_equal(count_of(&world, WF_CONTACT_END), 1);
         asked.change.enabled = -1;
         asked.deny = true;
-        assert_ok(wfStepWorldWith(&world, &hooks));
+        assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
         assert_int_equal(contacts_of(&world), 0);
         assert_ok(wfSetBodyTransform(&world, id, wfV2(0, WF_R(0.499)), 0));
         assert_ok(wfSetBodyVelocity(&world, id, wfV2(3, 0), 0));
         asked.deny = false;
-        asked.change = (wfContactChange){ .enabled = 1 };  /* ice */
-        for (int i = 0; i < 30; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+        asked.change = (wfContactSettings){ .enabled = 1 }; /* ice */
+        for (int i = 0; i < 30; i++) assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
         assert_near(info(&world, id).velocity.x, 3, 1e-4);
         asked.change.friction = WF_R(0.5);                 /* a square box tips at 1 */
-        asked.change.surfaceSpeed = -2;
+        asked.change.tangentSpeed = -2;
         /* 5 m/s at g / 2 take 1.02 s, 62 steps */
-        for (int i = 0; i < 120; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+        for (int i = 0; i < 120; i++) assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
         assert_near(info(&world, id).velocity.x, -2, 1e-3);
-        wfHooks none = { NULL, NULL, NULL };
-        assert_ok(wfStepWorldWith(&world, &none));
+        wfCallbacks none = { NULL, NULL, NULL };
+        assert_ok(wfStepWorldWithCallbacks(&world, &none));
         wfDestroyWorld(&world);
     }
 }
@@ -594,27 +594,27 @@ static void bad_answers_of_hooks_change_nothing(void **unused)
     add(&world, box_def(0, 0.499, 0.5, 0.5));
     assert_ok(wfStepWorld(&world));
     Asked asked = { .change = { .enabled = 1 } };
-    wfHooks hooks = { &asked, NULL, ask_contact };
+    wfCallbacks hooks = { &asked, NULL, ask_contact };
     void *bytes = copy_of(&world);
     for (int field = 0; field < 3; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
-            asked.change = (wfContactChange){ .enabled = 1 };
-            wfReal *place[] = { &asked.change.restitution, &asked.change.friction, &asked.change.surfaceSpeed };
+            asked.change = (wfContactSettings){ .enabled = 1 };
+            wfReal *place[] = { &asked.change.restitution, &asked.change.friction, &asked.change.tangentSpeed };
             *place[field] = BAD_REALS[b];
-            assert_result(WF_ERROR_NOT_FINITE, wfStepWorldWith(&world, &hooks));
+            assert_result(WF_ERROR_NOT_FINITE, wfStepWorldWithCallbacks(&world, &hooks));
         }
-    asked.change = (wfContactChange){ .enabled = 1, .restitution = WF_R(1.01) };
-    assert_result(WF_ERROR_RANGE, wfStepWorldWith(&world, &hooks));
-    asked.change = (wfContactChange){ .enabled = 1, .restitution = WF_R(-0.01) };
-    assert_result(WF_ERROR_RANGE, wfStepWorldWith(&world, &hooks));
-    asked.change = (wfContactChange){ .enabled = 1, .friction = WF_R(-0.01) };
-    assert_result(WF_ERROR_RANGE, wfStepWorldWith(&world, &hooks));
+    asked.change = (wfContactSettings){ .enabled = 1, .restitution = WF_R(1.01) };
+    assert_result(WF_ERROR_RANGE, wfStepWorldWithCallbacks(&world, &hooks));
+    asked.change = (wfContactSettings){ .enabled = 1, .restitution = WF_R(-0.01) };
+    assert_result(WF_ERROR_RANGE, wfStepWorldWithCallbacks(&world, &hooks));
+    asked.change = (wfContactSettings){ .enabled = 1, .friction = WF_R(-0.01) };
+    assert_result(WF_ERROR_RANGE, wfStepWorldWithCallbacks(&world, &hooks));
     assert_unchanged(&world, bytes);
-    assert_result(WF_ERROR_NULL, wfStepWorldWith(NULL, &hooks));
+    assert_result(WF_ERROR_NULL, wfStepWorldWithCallbacks(NULL, &hooks));
     wfDestroyWorld(&world);
 }
 
-static void meddle(void *context, const wfHookView *view, const wfContact *c, wfContactChange *change)
+static void meddle(void *context, const wfCallbackView *view, const wfContact *c, wfContactSettings *change)
 {
     (void)view, (void)c, (void)change;
     Asked *asked = context;
@@ -632,7 +632,7 @@ static void meddle(void *context, const wfHookView *view, const wfContact *c, wf
         wfSetBodyDamping(w, asked->id, 0, 0), wfApplyForceToBody(w, asked->id, v, v), wfApplyTorqueToBody(w, asked->id, 1),
         wfApplyImpulseToBody(w, asked->id, v, v), wfApplyAngularImpulseToBody(w, asked->id, 1), wfChangeBodyType(w, asked->id, WF_STATIC),
         wfAddShapeToBody(w, asked->id, &s, NULL), wfRemoveShapeFromWorld(w, shape), wfSetShape(w, shape, &got),
-        wfAddForceToWorld(w, &f, NULL), wfGrabBody(w, asked->id, v, &force), wfSetGravity(w, v), wfSetTimeStep(w, 1),
+        wfAddForceToWorld(w, &f, NULL), wfAddMouseJoint(w, asked->id, v, &force), wfSetGravity(w, v), wfSetTimeStep(w, 1),
         wfSetMethods(w, -1, 0, -1, -1), wfStepWorld(w), wfIndexWorld(w), wfSetPairMaterial(w, 1, 1, NULL) };
     for (size_t i = 0; i < sizeof r / sizeof *r; i++) asked->got[i] = r[i];
 }
@@ -646,8 +646,8 @@ static void hooks_cannot_change_the_world(void **unused)
     add(&twin, floor_def());
     Asked asked = { .world = &world, .id = add(&world, box_def(0, 0.499, 0.5, 0.5)) };
     add(&twin, box_def(0, 0.499, 0.5, 0.5));
-    wfHooks hooks = { &asked, NULL, meddle };
-    assert_ok(wfStepWorldWith(&world, &hooks));
+    wfCallbacks hooks = { &asked, NULL, meddle };
+    assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
     for (int i = 0; i < 23; i++) assert_result(WF_ERROR_BUSY, asked.got[i]);
     assert_ok(wfStepWorld(&twin));
     assert_true(wfHashWorld(&world) == wfHashWorld(&twin));
@@ -657,7 +657,7 @@ static void hooks_cannot_change_the_world(void **unused)
 }
 
 /* eq:world-oneway: counts if no deeper than one step can have brought it, and if the upper side is meant. */
-static void one_way(void *context, const wfHookView *v, const wfContact *c, wfContactChange *change)
+static void one_way(void *context, const wfCallbackView *v, const wfContact *c, wfContactSettings *change)
 {
     int32_t platform = *(int32_t *)context;
     if (c->a != platform && c->b != platform) return;
@@ -669,7 +669,7 @@ static void one_way(void *context, const wfHookView *v, const wfContact *c, wfCo
         carried += p->normalImpulse;
         speed = wfMaxR(speed, -wfRelativeNormalVelocity(&v->bodies.state[c->a], &v->bodies.state[c->b], p->point, c->manifold.normal));
     }
-    change->enabled = up > WF_R(0.7) && (carried > 0 || depth <= c->slop + v->dt * speed);
+    change->enabled = up > WF_R(0.7) && (carried > 0 || depth <= c->slop + v->timeStep * speed);
 }
 
 static void a_one_way_platform(void **unused)
@@ -684,11 +684,11 @@ static void a_one_way_platform(void **unused)
             d.type = WF_STATIC;
             wfBodyId platform = add(&world, d), id = add(&world, ball_def(0, 0.5, 0.25));
             int32_t index = wfBodyIndex(&world, platform);
-            wfHooks hooks = { &index, NULL, one_way };
+            wfCallbacks hooks = { &index, NULL, one_way };
             assert_ok(wfSetBodyVelocity(&world, id, wfV2(0, (wfReal)speed), 0));
             double v = speed, top = 0.5 + v * v / (2 * 9.81), highest = 0;
             for (int i = 0; i < 150; i++) {
-                assert_ok(wfStepWorldWith(&world, &hooks));
+                assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
                 double y = (double)info(&world, id).position.y, t = wfWorldTime(&world);
                 if (y > highest) highest = y;
                 /* until it comes down on the platform it flies as if there were none */
@@ -712,7 +712,7 @@ static void a_conveyor_carries(void **unused)
             wfBodyId belt = add(&world, floor_def()), id = add(&world, box_def(0, 0.5, 0.5, 0.25));
             wfShapeDef s;
             assert_ok(wfGetShape(&world, shape_of(&world, belt), &s));
-            s.surfaceSpeed = (wfReal)(2 * sign);
+            s.tangentSpeed = (wfReal)(2 * sign);
             assert_ok(wfSetShape(&world, shape_of(&world, belt), &s));
             for (int i = 0; i < 180; i++) assert_ok(wfStepWorld(&world));
             assert_near(info(&world, id).velocity.x, 2 * sign, 0.01);
@@ -729,7 +729,7 @@ static void a_world_moves_house_with_its_memory(void **unused)
     const char *const solvers[] = { "sequential", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def(solvers[k]);
-        def.reuse = 1;
+        def.reuseManifolds = 1;
         wfWorld world = make_world(&def), twin = make_world(&def);
         wfWorld *worlds[2] = { &world, &twin };
         for (int w = 0; w < 2; w++) {

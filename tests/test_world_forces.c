@@ -11,7 +11,7 @@ static wfWorld world_of(double rate, wfReal gravity, int integrator)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 2, def.forceCapacity = 4;
-    def.dt = (wfReal)(1 / rate);
+    def.timeStep = (wfReal)(1 / rate);
     def.gravity = wfV2(0, gravity);
     if (integrator >= 0) def.solver = wfFindSolver("sequential"), def.integrator = integrator;    /* which leaves it the step */
     wfWorld w = { .memory = { .owned = 0 } };

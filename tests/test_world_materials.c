@@ -127,7 +127,7 @@ static double pyramid_goes(double angle, double slides, double holds, int rows, 
     wfBodyId id[15];
     int n = 0;
     double way = 0;
-    def.substeps = substeps, def.columns = columns;
+    def.substeps = substeps, def.stackSolver = columns;
     def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
     assert_ok(wfCreateWorld(&def, &world));
     lay(&world, -1, 500, 1, WF_STATIC, rough(slides, holds));
@@ -183,7 +183,7 @@ static void a_bow_makes_a_tone(void **unused)
     const double tone = 2 * d / belt + (3.14159265358979 + 2 * atan(belt / (omega * d))) / omega;
     wfWorld world = tilted("soft", 0);
     wfShapeDef bow = rough(slides, holds);
-    bow.surfaceSpeed = (wfReal)belt;
+    bow.tangentSpeed = (wfReal)belt;
     lay(&world, -1, 500, 1, WF_STATIC, bow);
     wfBodyId id = lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, rough(slides, holds));
     assert_ok(wfSetTimeStep(&world, WF_R(1.0) / 240));
@@ -245,8 +245,8 @@ static wfWorld pair_of(const wfWorldDef *def, int32_t a, int32_t b)
     wfWorld world;
     assert_ok(wfCreateWorld(def, &world));
     wfShapeDef one = rough(0.25, 0.5), two = rough(1, 0);
-    one.restitution = WF_R(0.25), one.rolling = WF_R(0.5), one.material = a;
-    two.restitution = WF_R(0.75), two.rolling = WF_R(0.125), two.material = b;
+    one.restitution = WF_R(0.25), one.rollingResistance = WF_R(0.5), one.material = a;
+    two.restitution = WF_R(0.75), two.rollingResistance = WF_R(0.125), two.material = b;
     lay(&world, -1, 50, 1, WF_STATIC, one);
     lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, two);
     return world;
@@ -255,28 +255,28 @@ static wfWorld pair_of(const wfWorldDef *def, int32_t a, int32_t b)
 static void a_world_mixes_by_its_rules(void **unused)
 {
     (void)unused;
-    static const struct { const char *name; double friction, holds, bounce, rolling; } c[] = {
+    static const struct { const char *name; double friction, holds, bounce, rollingResistance; } c[] = {
         { "geometric-mean", 0.5, 0.70710678, 0.4330127, 0.25 }, { "minimum", 0.25, 0.5, 0.25, 0.125 }, { "maximum", 1, 1, 0.75, 0.5 },
         { "average", 0.625, 0.75, 0.5, 0.3125 }, { "product", 0.25, 0.5, 0.1875, 0.0625 } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         wfWorldDef def = wfDefaultWorldDef(), got;
-        def.frictionMix = def.restitutionMix = def.rollingMix = wfFindMix(c[i].name);
+        def.frictionRule = def.restitutionRule = def.rollingRule = wfFindMix(c[i].name);
         wfWorld world = pair_of(&def, 0, 0);
         run(&world, 1);
         const wfContact *k = only_contact(&world);
         assert_ulps(k->friction, c[i].friction, 2, 1);
         assert_near(k->staticFriction, c[i].holds, 1e-6);
         assert_near(k->restitution, c[i].bounce, 1e-6);
-        assert_ulps(k->rolling, c[i].rolling, 2, 1);
+        assert_ulps(k->rollingResistance, c[i].rollingResistance, 2, 1);
         assert_ok(wfGetWorldDef(&world, &got));
-        assert_true(got.frictionMix == def.frictionMix && got.rollingMix == def.rollingMix && got.restitutionMix == def.restitutionMix);
-        got.frictionMix = 0, got.restitutionMix = 1, got.rollingMix = 2;
+        assert_true(got.frictionRule == def.frictionRule && got.rollingRule == def.rollingRule && got.restitutionRule == def.restitutionRule);
+        got.frictionRule = 0, got.restitutionRule = 1, got.rollingRule = 2;
         assert_ok(wfSetWorldDef(&world, &got));
         wfWorldDef again;
         assert_ok(wfGetWorldDef(&world, &again));
-        assert_true(again.frictionMix == 0 && again.restitutionMix == 1 && again.rollingMix == 2);
+        assert_true(again.frictionRule == 0 && again.restitutionRule == 1 && again.rollingRule == 2);
         void *bytes = copy_of(&world);
-        int32_t *place[] = { &got.frictionMix, &got.restitutionMix, &got.rollingMix };
+        int32_t *place[] = { &got.frictionRule, &got.restitutionRule, &got.rollingRule };
         for (int p = 0; p < 3; p++)
             for (int bad = 0; bad < 2; bad++) {
                 int32_t was = *place[p];
@@ -289,7 +289,7 @@ static void a_world_mixes_by_its_rules(void **unused)
     }
     wfWorldDef bad = wfDefaultWorldDef();
     wfWorld none;
-    bad.pairMaterials = -1;
+    bad.materialPairCapacity = -1;
     assert_result(WF_ERROR_RANGE, wfCreateWorld(&bad, &none));
 }
 
@@ -297,7 +297,7 @@ static void who_knows_the_pair_need_not_mix(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    def.pairMaterials = 3;
+    def.materialPairCapacity = 3;
     wfWorld world = pair_of(&def, 7, 3);
     wfPairMaterial m = { WF_R(0.5), 2, 3, WF_R(0.0625) }, got, other = { 1, 1, 1, 1 };
     assert_ok(wfSetPairMaterial(&world, 3, 7, &m));
@@ -305,13 +305,13 @@ static void who_knows_the_pair_need_not_mix(void **unused)
     assert_ok(wfSetPairMaterial(&world, 7, 7, &other));
     assert_result(WF_ERROR_FULL, wfSetPairMaterial(&world, 3, 3, &other));
     assert_ok(wfGetPairMaterial(&world, 7, 3, &got));
-    assert_true(got.restitution == m.restitution && got.friction == 2 && got.staticFriction == 3 && got.rolling == m.rolling);
+    assert_true(got.restitution == m.restitution && got.friction == 2 && got.staticFriction == 3 && got.rollingResistance == m.rollingResistance);
     assert_ok(wfGetPairMaterial(&world, 1, 9, &got));
     assert_true(got.friction == 1);
     assert_result(WF_ERROR_UNKNOWN, wfGetPairMaterial(&world, 3, 3, &got));
     run(&world, 1);
     const wfContact *c = only_contact(&world);
-    assert_true(c->friction == 2 && c->staticFriction == 3 && c->restitution == m.restitution && c->rolling == m.rolling);
+    assert_true(c->friction == 2 && c->staticFriction == 3 && c->restitution == m.restitution && c->rollingResistance == m.rollingResistance);
     m.friction = WF_R(1.5);                               /* known better now */
     assert_ok(wfSetPairMaterial(&world, 7, 3, &m));
     run(&world, 1);
@@ -332,7 +332,7 @@ static void who_knows_the_pair_need_not_mix(void **unused)
     assert_result(WF_ERROR_NULL, wfSetPairMaterial(NULL, 1, 1, &m));
     for (int f = 0; f < 4; f++) {
         wfPairMaterial bad = m;
-        wfReal *place[] = { &bad.restitution, &bad.friction, &bad.staticFriction, &bad.rolling };
+        wfReal *place[] = { &bad.restitution, &bad.friction, &bad.staticFriction, &bad.rollingResistance };
         for (int i = 0; i < BAD_REAL_COUNT; i++) {
             *place[f] = BAD_REALS[i];
             assert_result(WF_ERROR_NOT_FINITE, wfSetPairMaterial(&world, 2, 2, &bad));
@@ -353,7 +353,7 @@ static void the_list_of_pairs_is_a_map(void **unused)
     enum { N = 6 };
     wfRandom r = random_stream(3);
     wfWorldDef def = wfDefaultWorldDef();
-    def.pairMaterials = N * (N + 1) / 2;
+    def.materialPairCapacity = N * (N + 1) / 2;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     wfReal known[N + 1][N + 1];
@@ -399,8 +399,8 @@ static void shapes_refuse_bad_materials(void **unused)
     wfDestroyWorld(&world);
 }
 
-typedef struct Change { wfContactChange was, to; int asked; } Change;
-static void change_contact(void *context, const wfHookView *view, const wfContact *c, wfContactChange *change)
+typedef struct Change { wfContactSettings was, to; int asked; } Change;
+static void change_contact(void *context, const wfCallbackView *view, const wfContact *c, wfContactSettings *change)
 {
     (void)view, (void)c;
     Change *k = context;
@@ -415,33 +415,33 @@ static void a_hook_overrides_one_contact(void **unused)
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world = pair_of(&def, 0, 0);
-    Change k = { .to = { .enabled = 1, .friction = WF_R(0.125), .staticFriction = 4, .rolling = 2, .surfaceSpeed = 0 } };
-    wfHooks hooks = { .context = &k, .preSolve = change_contact };
-    assert_ok(wfStepWorldWith(&world, &hooks));
-    assert_true(k.asked == 1 && k.was.enabled == 1 && k.was.restitution == WF_R(0.75) && k.was.rolling == WF_R(0.5));
+    Change k = { .to = { .enabled = 1, .friction = WF_R(0.125), .staticFriction = 4, .rollingResistance = 2, .tangentSpeed = 0 } };
+    wfCallbacks hooks = { .context = &k, .preSolve = change_contact };
+    assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
+    assert_true(k.asked == 1 && k.was.enabled == 1 && k.was.restitution == WF_R(0.75) && k.was.rollingResistance == WF_R(0.5));
     assert_ulps(k.was.friction, 0.5, 2, 1);
     assert_near(k.was.staticFriction, 0.70710678, 1e-6);
     const wfContact *c = only_contact(&world);
-    assert_true(c->friction == WF_R(0.125) && c->staticFriction == 4 && c->rolling == 2 && c->restitution == 0 && c->surfaceSpeed == 0);
+    assert_true(c->friction == WF_R(0.125) && c->staticFriction == 4 && c->rollingResistance == 2 && c->restitution == 0 && c->tangentSpeed == 0);
     void *bytes = copy_of(&world);
     for (int f = 0; f < 5; f++) {
         const Change good = k;
-        wfReal *place[] = { &k.to.restitution, &k.to.friction, &k.to.staticFriction, &k.to.rolling, &k.to.surfaceSpeed };
+        wfReal *place[] = { &k.to.restitution, &k.to.friction, &k.to.staticFriction, &k.to.rollingResistance, &k.to.tangentSpeed };
         for (int i = 0; i < BAD_REAL_COUNT; i++) {
             *place[f] = BAD_REALS[i];
-            assert_result(WF_ERROR_NOT_FINITE, wfStepWorldWith(&world, &hooks));
+            assert_result(WF_ERROR_NOT_FINITE, wfStepWorldWithCallbacks(&world, &hooks));
         }
         *place[f] = WF_R(-0.5);
-        if (f < 4) assert_result(WF_ERROR_RANGE, wfStepWorldWith(&world, &hooks));
+        if (f < 4) assert_result(WF_ERROR_RANGE, wfStepWorldWithCallbacks(&world, &hooks));
         k = good;
     }
     assert_unchanged(&world, bytes);
     /* held by static friction alone against a pull of g/2, then let go: it slides with g/2 - g/8 */
     assert_ok(wfSetGravity(&world, wfV2((wfReal)(G / 2), (wfReal)-G)));
-    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
     assert_near(info(&world, wfBodyAt(&world, 1)).velocity.x, 0, 1e-5);
     k.to.staticFriction = 0;
-    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
     assert_near(info(&world, wfBodyAt(&world, 1)).velocity.x, G / 2 - G / 8, 1e-2);
     wfDestroyWorld(&world);
 }
@@ -455,12 +455,12 @@ static void a_hook_sets_rolling_resistance(void **unused)
     assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &wheel.shape));
     lay(&world, -1, 500, 1, WF_STATIC, wfDefaultShapeDef());
     wfBodyId id = lay(&world, 0.5, 0, 0, WF_DYNAMIC, wheel);
-    Change k = { .to = { .enabled = 1, .friction = 1, .rolling = WF_R(0.06) } };
-    wfHooks hooks = { .context = &k, .preSolve = change_contact };
-    for (int i = 0; i < 120; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    Change k = { .to = { .enabled = 1, .friction = 1, .rollingResistance = WF_R(0.06) } };
+    wfCallbacks hooks = { .context = &k, .preSolve = change_contact };
+    for (int i = 0; i < 120; i++) assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
     assert_near(along(&world, id), 0, 1e-3);
-    k.to.rolling = 0;
-    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWith(&world, &hooks));
+    k.to.rollingResistance = 0;
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
     assert_near(speed(&world, id), 2 * G * sin(atan(0.1)) / 3, 1e-2);
     wfDestroyWorld(&world);
 }

@@ -31,7 +31,7 @@ static void fill(wfWorld *world, wfVec2 o)
 
 static void step(wfWorld *world, int n) { for (int i = 0; i < n; i++) assert_ok(wfStepWorld(world)); }
 
-static const wfFar FAR[] = { { 1e12, -3e11 }, { 1e5, 1e5 }, { -7.25e9, 0 }, { 1e300, -1e300 }, { 0.1, 0.3 }, { -1e-300, 6e7 } };
+static const wfGlobalPoint FAR[] = { { 1e12, -3e11 }, { 1e5, 1e5 }, { -7.25e9, 0 }, { 1e300, -1e300 }, { 0.1, 0.3 }, { -1e-300, 6e7 } };
 
 static void the_same_digits_at_home_and_far_away(void **state)
 {
@@ -49,7 +49,7 @@ static void the_same_digits_at_home_and_far_away(void **state)
             step(&world, 1);
             assert_true(wfHashWorld(&world) == wfHashWorld(&home));
         }
-        wfFar o;
+        wfGlobalPoint o;
         assert_ok(wfGetWorldOrigin(&world, &o));
         assert_true(o.x == FAR[k].x && o.y == FAR[k].y);        /* the steps have left it alone */
         wfDestroyWorld(&world);
@@ -62,27 +62,27 @@ static void places_go_in_and_out(void **state)
     (void)state;
     wfWorld world;
     fill(&world, wfV2(0, 0));
-    wfFar o, far;
+    wfGlobalPoint o, far;
     wfVec2 local;
     wfBodyId id = wfBodyAt(&world, 1);
     assert_ok(wfGetWorldOrigin(&world, &o));
     assert_true(o.x == 0 && o.y == 0);
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e12, -3e11 }));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e12, -3e11 }));
     /* 40.25 and -8.5 are multiples of the gap of doubles at 1e12, 2^-13: every operation is exact */
-    assert_ok(wfToFar(&world, wfV2(WF_R(40.25), WF_R(-8.5)), &far));
+    assert_ok(wfLocalToGlobal(&world, wfV2(WF_R(40.25), WF_R(-8.5)), &far));
     assert_true(far.x == 1e12 + 40.25 && far.y == -3e11 - 8.5);
-    assert_ok(wfFromFar(&world, far, &local));
+    assert_ok(wfGlobalToLocal(&world, far, &local));
     assert_true(local.x == WF_R(40.25) && local.y == WF_R(-8.5));
-    assert_ok(wfSetFarPosition(&world, id, (wfFar){ 1e12 + 7.5, -3e11 + 30.125 }, WF_R(0.5)));
+    assert_ok(wfSetGlobalPosition(&world, id, (wfGlobalPoint){ 1e12 + 7.5, -3e11 + 30.125 }, WF_R(0.5)));
     wfBodyInfo b = info(&world, id);
     assert_ulps2(b.position, wfV2(WF_R(7.5), WF_R(30.125)), 2, 31);     /* eq:world-origin, there and back */
     assert_near(b.angle, 0.5, 0);
-    assert_ok(wfFarPosition(&world, id, &far));
+    assert_ok(wfGetGlobalPosition(&world, id, &far));
     assert_near(far.x - 1e12, 7.5, 1.0 / 8192);                         /* half a gap of the sum, and that of the float */
     assert_near(far.y + 3e11, 30.125, 1.0 / 8192);
     /* a far ray, made local, meets the body that was put there: from 10 m to its left */
     wfRayHit hit;
-    assert_ok(wfFromFar(&world, (wfFar){ 1e12 - 2.5, -3e11 + 30.125 }, &local));
+    assert_ok(wfGlobalToLocal(&world, (wfGlobalPoint){ 1e12 - 2.5, -3e11 + 30.125 }, &local));
     wfRay ray = { .from = local, .by = wfV2(20, 0) };
     assert_ok(wfWorldCastRay(&world, ray, NULL, &hit));
     wfShapeId met = wfShapeAt(&world, hit.shape);
@@ -112,16 +112,16 @@ static void a_move_there_and_back_changes_no_byte(void **state)
         int32_t rounded = -1;
         fill(&world, o);
         step(&world, age);
-        assert_ok(wfMoveOrigin(&world, wfV2(0, 0), NULL));              /* declares the index stale, and no more */
+        assert_ok(wfShiftOrigin(&world, wfV2(0, 0), NULL));             /* declares the index stale, and no more */
         void *before = copy_of(&world);
-        assert_ok(wfMoveOrigin(&world, by, &rounded));
+        assert_ok(wfShiftOrigin(&world, by, &rounded));
         assert_int_equal(rounded, 0);
         wfBodyInfo disk = info(&world, wfBodyAt(&world, 7));
         assert_true(wfAbs(disk.position.y - WF_R(0.5)) < 1);            /* it has arrived at home */
-        wfFar at;
-        assert_ok(wfFarPosition(&world, wfBodyAt(&world, 7), &at));     /* and is where it was */
+        wfGlobalPoint at;
+        assert_ok(wfGetGlobalPosition(&world, wfBodyAt(&world, 7), &at)); /* and is where it was */
         assert_near(at.y, -4095.5, 0.01);
-        assert_ok(wfMoveOrigin(&world, wfNeg(by), &rounded));
+        assert_ok(wfShiftOrigin(&world, wfNeg(by), &rounded));
         assert_int_equal(rounded, 0);
         assert_unchanged(&world, before);
         wfDestroyWorld(&world);
@@ -141,7 +141,7 @@ static void who_gets_farther_away_is_rounded_and_counted(void **state)
     wfBodyId left = add(&world, def);
     def.position = wfV2(1024 + 1024 * WF_EPSILON, 0);
     wfBodyId along = add(&world, def);
-    assert_ok(wfMoveOrigin(&world, wfV2(1024, 0), &rounded));
+    assert_ok(wfShiftOrigin(&world, wfV2(1024, 0), &rounded));
     assert_int_equal(rounded, 1);
     assert_true(info(&world, along).position.x == 1024 * WF_EPSILON);
     assert_near(info(&world, left).position.x, -1023, 1024 * (double)WF_EPSILON / 2);
@@ -169,7 +169,7 @@ static int32_t add_forces(wfWorld *world, wfVec2 o)
         assert_ok(wfAddForceToWorld(world, &f[i], NULL));
     }
     wfForceId hand;
-    assert_ok(wfGrabBody(world, id[5], wfAdd(o, wfV2(WF_R(40.25), 0)), &hand));
+    assert_ok(wfAddMouseJoint(world, id[5], wfAdd(o, wfV2(WF_R(40.25), 0)), &hand));
     return 6;
 }
 
@@ -188,7 +188,7 @@ static void forces_that_name_a_place_come_along(void **state)
     int32_t bodies = add_forces(&stays, wfV2(0, 0));
     step(&stays, 5);
     wfWorld moves = twin_of(&stays);
-    assert_ok(wfMoveOrigin(&moves, by, NULL));
+    assert_ok(wfShiftOrigin(&moves, by, NULL));
     step(&stays, 120);
     step(&moves, 120);
     for (int32_t i = 0; i < bodies; i++) {
@@ -216,14 +216,14 @@ static void contacts_hits_and_boxes_come_along(void **state)
     for (int i = 0; i < 120; i++) {
         int32_t hits, contacts, begun, ended;
         step(&world, 1);
-        wfHit hit = { .speed = 0 };
-        const wfHit *h = wfWorldHits(&world, &hits);
+        wfContactHit hit = { .speed = 0 };
+        const wfContactHit *h = wfWorldHits(&world, &hits);
         if (hits > 0) hit = h[0];
         const wfContact *c = wfWorldContacts(&world, &contacts);
         wfContact contact = { .a = 0 };
         if (contacts > 0) contact = c[0];
-        wfWorldEvents(&world, WF_TOUCH_BEGIN, &begun);
-        assert_ok(wfMoveOrigin(&world, by, NULL));
+        wfWorldEvents(&world, WF_CONTACT_BEGIN, &begun);
+        assert_ok(wfShiftOrigin(&world, by, NULL));
         double gap = 64 * (double)WF_EPSILON;
         if (hits > 0) assert_near2(wfWorldHits(&world, &hits)[0].point, wfSub(hit.point, by), gap);
         if (contacts > 0)
@@ -238,9 +238,9 @@ static void contacts_hits_and_boxes_come_along(void **state)
         wfClosest near;
         assert_ok(wfWorldClosest(&world, disk.position, 1, NULL, &near));
         assert_int_equal(near.shape, 7);
-        wfWorldEvents(&world, WF_TOUCH_END, &ended);
+        wfWorldEvents(&world, WF_CONTACT_END, &ended);
         if (i > 100) assert_int_equal(begun + ended, 0);                /* the pile has come to rest; no move shakes it */
-        assert_ok(wfMoveOrigin(&world, wfNeg(by), NULL));
+        assert_ok(wfShiftOrigin(&world, wfNeg(by), NULL));
     }
     assert_true(hitSeen);
     wfDestroyWorld(&world);
@@ -258,7 +258,7 @@ static void queries_find_what_has_moved(void **state)
         add(&world, def);
     }
     step(&world, 2);                                /* there is an index now */
-    assert_ok(wfMoveOrigin(&world, wfV2(1024, 512), NULL));
+    assert_ok(wfShiftOrigin(&world, wfV2(1024, 512), NULL));
     for (int again = 0; again < 2; again++) {
         for (int i = 0; i < 200; i++) {
             wfRayHit hit;
@@ -276,11 +276,11 @@ static void an_origin_follows_a_body(void **state)
     (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
     wfWorld world;
-    wfFar at, sum = { 0, 0 };
+    wfGlobalPoint at, sum = { 0, 0 };
     wfVec2 by;
     int moves = 0;
     wd.gravity = wfV2(0, 0);
-    wd.dt = 1 / WF_R(64.0);
+    wd.timeStep = 1 / WF_R(64.0);
     assert_ok(wfCreateWorld(&wd, &world));
     wfBodyDef def = wfDefaultBodyDef();
     def.mass = 1;
@@ -288,7 +288,7 @@ static void an_origin_follows_a_body(void **state)
     wfBodyId id = add(&world, def);
     for (int i = 0; i < 64 * 100; i++) {
         wfVec2 p = info(&world, id).position;
-        assert_ok(wfCentreWorld(&world, p, 100, &by));
+        assert_ok(wfRecentreWorld(&world, p, 100, &by));
         wfVec2 q = info(&world, id).position;
         assert_true(wfAbs(q.x) <= 100 && wfAbs(q.y) <= 100);
         assert_true(q.x == p.x - by.x && q.y == p.y - by.y);
@@ -299,19 +299,19 @@ static void an_origin_follows_a_body(void **state)
         step(&world, 1);
     }
     assert_true(moves > 500);
-    assert_ok(wfFarPosition(&world, id, &at));
+    assert_ok(wfGetGlobalPosition(&world, id, &at));
     assert_true(at.x == 64000 && at.y == -32000);   /* every number on the way was exact */
     assert_ok(wfGetWorldOrigin(&world, &at));
     assert_true(at.x == sum.x && at.y == sum.y);
     wfDestroyWorld(&world);
 }
 
-static bool refuse(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool refuse(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     (void)view, (void)a, (void)b;
-    assert_result(WF_ERROR_BUSY, wfSetWorldOrigin(context, (wfFar){ 1, 1 }));
-    assert_result(WF_ERROR_BUSY, wfMoveOrigin(context, wfV2(1, 1), NULL));
-    assert_result(WF_ERROR_BUSY, wfCentreWorld(context, wfV2(1, 1), 2, NULL));
+    assert_result(WF_ERROR_BUSY, wfSetWorldOrigin(context, (wfGlobalPoint){ 1, 1 }));
+    assert_result(WF_ERROR_BUSY, wfShiftOrigin(context, wfV2(1, 1), NULL));
+    assert_result(WF_ERROR_BUSY, wfRecentreWorld(context, wfV2(1, 1), 2, NULL));
     return true;
 }
 
@@ -319,56 +319,56 @@ static void bad_input_is_refused(void **state)
 {
     (void)state;
     wfWorld world, none = { .memory = { 0 } };
-    wfFar far = { 0, 0 };
+    wfGlobalPoint far = { 0, 0 };
     wfVec2 local = wfV2(0, 0);
     wfBodyId stale = { 77, 1 };
     fill(&world, wfV2(0, 0));
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e12, 5 }));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e12, 5 }));
     wfBodyId id = wfBodyAt(&world, 1);
     void *before = copy_of(&world);
     const double bad[] = { (double)NAN, (double)INFINITY, -(double)INFINITY };
     for (int i = 0; i < 3; i++) {
-        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldOrigin(&world, (wfFar){ bad[i], 0 }));
-        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldOrigin(&world, (wfFar){ 0, bad[i] }));
-        assert_result(WF_ERROR_NOT_FINITE, wfFromFar(&world, (wfFar){ bad[i], 0 }, &local));
-        assert_result(WF_ERROR_NOT_FINITE, wfFromFar(&world, (wfFar){ 0, bad[i] }, &local));
-        assert_result(WF_ERROR_NOT_FINITE, wfSetFarPosition(&world, id, (wfFar){ 0, bad[i] }, 0));
+        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldOrigin(&world, (wfGlobalPoint){ bad[i], 0 }));
+        assert_result(WF_ERROR_NOT_FINITE, wfSetWorldOrigin(&world, (wfGlobalPoint){ 0, bad[i] }));
+        assert_result(WF_ERROR_NOT_FINITE, wfGlobalToLocal(&world, (wfGlobalPoint){ bad[i], 0 }, &local));
+        assert_result(WF_ERROR_NOT_FINITE, wfGlobalToLocal(&world, (wfGlobalPoint){ 0, bad[i] }, &local));
+        assert_result(WF_ERROR_NOT_FINITE, wfSetGlobalPosition(&world, id, (wfGlobalPoint){ 0, bad[i] }, 0));
         wfReal r = (wfReal)bad[i];
-        assert_result(WF_ERROR_NOT_FINITE, wfToFar(&world, wfV2(r, 0), &far));
-        assert_result(WF_ERROR_NOT_FINITE, wfToFar(&world, wfV2(0, r), &far));
-        assert_result(WF_ERROR_NOT_FINITE, wfMoveOrigin(&world, wfV2(r, 0), NULL));
-        assert_result(WF_ERROR_NOT_FINITE, wfMoveOrigin(&world, wfV2(0, r), NULL));
-        assert_result(WF_ERROR_NOT_FINITE, wfCentreWorld(&world, wfV2(r, 0), 1, NULL));
-        assert_result(WF_ERROR_NOT_FINITE, wfCentreWorld(&world, wfV2(0, 0), r, NULL));
-        assert_result(WF_ERROR_NOT_FINITE, wfSetFarPosition(&world, id, (wfFar){ 1e12, 0 }, r));
+        assert_result(WF_ERROR_NOT_FINITE, wfLocalToGlobal(&world, wfV2(r, 0), &far));
+        assert_result(WF_ERROR_NOT_FINITE, wfLocalToGlobal(&world, wfV2(0, r), &far));
+        assert_result(WF_ERROR_NOT_FINITE, wfShiftOrigin(&world, wfV2(r, 0), NULL));
+        assert_result(WF_ERROR_NOT_FINITE, wfShiftOrigin(&world, wfV2(0, r), NULL));
+        assert_result(WF_ERROR_NOT_FINITE, wfRecentreWorld(&world, wfV2(r, 0), 1, NULL));
+        assert_result(WF_ERROR_NOT_FINITE, wfRecentreWorld(&world, wfV2(0, 0), r, NULL));
+        assert_result(WF_ERROR_NOT_FINITE, wfSetGlobalPosition(&world, id, (wfGlobalPoint){ 1e12, 0 }, r));
     }
     /* the gap of doubles at 1e12 is 2^-13: 2^-14 more, and the new origin is no double */
-    assert_result(WF_ERROR_RANGE, wfMoveOrigin(&world, wfV2((wfReal)0x1p-14, 0), NULL));
-    assert_result(WF_ERROR_RANGE, wfMoveOrigin(&world, wfV2(0, (wfReal)0x1p-60), NULL));
-    assert_result(WF_ERROR_RANGE, wfCentreWorld(&world, wfV2(5, 0), 0, NULL));
-    assert_result(WF_ERROR_RANGE, wfCentreWorld(&world, wfV2(5, 0), -1, NULL));
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ -1.7e308, 0 }));
-    assert_result(WF_ERROR_RANGE, wfFromFar(&world, (wfFar){ 1.7e308, 0 }, &local));    /* 3.4e308 is no double, either */
-    assert_result(WF_ERROR_RANGE, wfSetFarPosition(&world, id, (wfFar){ 1.7e308, 0 }, 0));
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 1e12, 5 }));
-    assert_result(WF_ERROR_STALE_ID, wfFarPosition(&world, stale, &far));
-    assert_result(WF_ERROR_STALE_ID, wfSetFarPosition(&world, stale, (wfFar){ 1e12, 0 }, 0));
+    assert_result(WF_ERROR_RANGE, wfShiftOrigin(&world, wfV2((wfReal)0x1p-14, 0), NULL));
+    assert_result(WF_ERROR_RANGE, wfShiftOrigin(&world, wfV2(0, (wfReal)0x1p-60), NULL));
+    assert_result(WF_ERROR_RANGE, wfRecentreWorld(&world, wfV2(5, 0), 0, NULL));
+    assert_result(WF_ERROR_RANGE, wfRecentreWorld(&world, wfV2(5, 0), -1, NULL));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ -1.7e308, 0 }));
+    assert_result(WF_ERROR_RANGE, wfGlobalToLocal(&world, (wfGlobalPoint){ 1.7e308, 0 }, &local)); /* 3.4e308 is no double, either */
+    assert_result(WF_ERROR_RANGE, wfSetGlobalPosition(&world, id, (wfGlobalPoint){ 1.7e308, 0 }, 0));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e12, 5 }));
+    assert_result(WF_ERROR_STALE_ID, wfGetGlobalPosition(&world, stale, &far));
+    assert_result(WF_ERROR_STALE_ID, wfSetGlobalPosition(&world, stale, (wfGlobalPoint){ 1e12, 0 }, 0));
     assert_result(WF_ERROR_NULL, wfGetWorldOrigin(&world, NULL));
-    assert_result(WF_ERROR_NULL, wfToFar(&world, local, NULL));
-    assert_result(WF_ERROR_NULL, wfFromFar(&world, far, NULL));
-    assert_result(WF_ERROR_NULL, wfFarPosition(&world, id, NULL));
+    assert_result(WF_ERROR_NULL, wfLocalToGlobal(&world, local, NULL));
+    assert_result(WF_ERROR_NULL, wfGlobalToLocal(&world, far, NULL));
+    assert_result(WF_ERROR_NULL, wfGetGlobalPosition(&world, id, NULL));
     assert_result(WF_ERROR_NULL, wfSetWorldOrigin(&none, far));
-    assert_result(WF_ERROR_NULL, wfMoveOrigin(NULL, local, NULL));
-    assert_result(WF_ERROR_NULL, wfCentreWorld(&none, local, 1, NULL));
+    assert_result(WF_ERROR_NULL, wfShiftOrigin(NULL, local, NULL));
+    assert_result(WF_ERROR_NULL, wfRecentreWorld(&none, local, 1, NULL));
     assert_unchanged(&world, before);
-    wfHooks hooks = { .context = &world, .filter = refuse };
-    assert_ok(wfStepWorldWith(&world, &hooks));
+    wfCallbacks hooks = { .context = &world, .filter = refuse };
+    assert_ok(wfStepWorldWithCallbacks(&world, &hooks));
     /* a body whose place would overflow keeps the origin where it is */
     wfReal huge = WF_HUGE / 4 * 3;
-    assert_ok(wfSetWorldOrigin(&world, (wfFar){ 0, 0 }));
+    assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 0, 0 }));
     assert_ok(wfSetBodyTransform(&world, id, wfV2(-huge, 0), 0));
     before = copy_of(&world);
-    assert_result(WF_ERROR_RANGE, wfMoveOrigin(&world, wfV2(huge, 0), NULL));
+    assert_result(WF_ERROR_RANGE, wfShiftOrigin(&world, wfV2(huge, 0), NULL));
     assert_unchanged(&world, before);
     wfDestroyWorld(&world);
 }

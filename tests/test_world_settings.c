@@ -155,7 +155,7 @@ static void what_cannot_be_asked_is_refused(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    const wfSetting *fault = &wfSettingTable[0], *dt = wfFindSetting("dt");
+    const wfSetting *fault = &wfSettingTable[0], *dt = wfFindSetting("timeStep");
     assert_result(WF_ERROR_NULL, wfCheckWorldDef(NULL, &fault));
     assert_null(fault);
     fault = dt;
@@ -194,7 +194,7 @@ static void settings_change_unless_they_are_built_in(void **unused)
             def = is;
             assert_ok(wfPutSetting(&def, s, 0, good[k]));
             wfResult result = wfSetWorldDef(&world, &def);
-            bool room = strcmp(s->name, "solver") == 0 || strcmp(s->name, "exactJoints") == 0;
+            bool room = strcmp(s->name, "solver") == 0 || strcmp(s->name, "directJoints") == 0;
             assert_ok(wfGetWorldDef(&world, &got));
             if (s->builtIn) assert_result(WF_ERROR_BUILT_IN, result);
             else if (!room || result != WF_ERROR_MEMORY) assert_result(WF_OK, result);

@@ -225,7 +225,7 @@ static void the_ground_keeps_its_centre(void **unused)
     for (int i = 0; i < LINKS; i++) {                     /* bit for bit as it was given */
         wfShapeDef want = box(0.1 * i, 0.3, 0.05, 0.1);
         assert_memory_equal(&v.shapes[i], &want.shape, sizeof want.shape);
-        assert_int_equal(v.owners[i], wfBodyIndex(&world, id));
+        assert_int_equal(v.bodyOfShape[i], wfBodyIndex(&world, id));
         assert_int_equal(wfShapeIndex(&world, ids[i]), i);
     }
     wfShapeDef more = disc(0, 0, 1);
@@ -279,23 +279,23 @@ static void materials_and_filters_are_the_shapes(void **unused)
     wfShapeDef rough = disc(1, 0, 0.5), got;
     rough.friction = 2;
     rough.restitution = WF_R(0.25);
-    rough.rolling = WF_R(0.125);
-    rough.surfaceSpeed = -3;
+    rough.rollingResistance = WF_R(0.125);
+    rough.tangentSpeed = -3;
     rough.userData = 99;
     rough.filter = (wfFilter){ 2, 5, -7 };
     wfShapeId s = hang(&world, id, rough);
     assert_ok(wfGetShape(&world, s, &got));
     assert_near(got.friction, 2, 0);
     assert_near(got.restitution, 0.25, 0);
-    assert_near(got.rolling, 0.125, 0);
-    assert_near(got.surfaceSpeed, -3, 0);
+    assert_near(got.rollingResistance, 0.125, 0);
+    assert_near(got.tangentSpeed, -3, 0);
     assert_true(got.userData == 99 && got.filter.category == 2 && got.filter.mask == 5 && got.filter.group == -7);
     assert_near(info(&world, id).friction, 0.5, 0);       /* of the first */
     assert_ok(wfSetBodyMaterial(&world, id, WF_R(0.75), 1));
     assert_ok(wfGetShape(&world, s, &got));
     assert_near(got.restitution, 0.75, 0);
     assert_near(got.friction, 1, 0);
-    assert_near(got.rolling, 0.125, 0);
+    assert_near(got.rollingResistance, 0.125, 0);
     double mass = (double)info(&world, id).mass;
     void *bytes = copy_of(&world);
     assert_ok(wfSetShape(&world, s, &got));               /* read and set again: nothing has changed */
@@ -359,7 +359,7 @@ static void bad_shapes_change_nothing(void **unused)
     for (int field = 0; field < 7; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
             wfShapeDef d[2] = { good, good };
-            wfReal *place[] = { &d[1].density, &d[1].restitution, &d[1].friction, &d[1].rolling, &d[1].surfaceSpeed,
+            wfReal *place[] = { &d[1].density, &d[1].restitution, &d[1].friction, &d[1].rollingResistance, &d[1].tangentSpeed,
                                 &d[1].shape.radius, &d[1].shape.centre.x };
             *place[field] = BAD_REALS[b];
             assert_result(WF_ERROR_NOT_FINITE, wfAddShapesToBody(&world, id, d, 2, ids));
@@ -368,7 +368,7 @@ static void bad_shapes_change_nothing(void **unused)
     static const struct { int field; double value; } range[] = { { 0, -1 }, { 1, -0.1 }, { 1, 1.1 }, { 2, -0.1 }, { 3, -0.1 } };
     for (size_t i = 0; i < sizeof range / sizeof *range; i++) {
         wfShapeDef d[2] = { good, good };
-        wfReal *place[] = { &d[1].density, &d[1].restitution, &d[1].friction, &d[1].rolling };
+        wfReal *place[] = { &d[1].density, &d[1].restitution, &d[1].friction, &d[1].rollingResistance };
         *place[range[i].field] = (wfReal)range[i].value;
         assert_result(WF_ERROR_RANGE, wfAddShapesToBody(&world, id, d, 2, ids));
         assert_result(WF_ERROR_RANGE, wfSetShape(&world, first, &d[1]));

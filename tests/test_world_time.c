@@ -19,7 +19,7 @@ static wfWorld aged(double age, const char *solver)
     if (!(age > 0)) return world;
     assert_ok(wfSetTimeStep(&world, (wfReal)age));         /* nobody waits for a hundred years: one step, in which nothing moves */
     assert_ok(wfStepWorld(&world));
-    assert_ok(wfSetTimeStep(&world, def.dt));
+    assert_ok(wfSetTimeStep(&world, def.timeStep));
     assert_near(wfWorldTime(&world), age, age * (double)WF_EPSILON);
     return world;
 }

@@ -21,8 +21,8 @@ bool wfPairAllowed(const wfProxies *in, int32_t a, int32_t b)
 }
 
 /* sort the pairs by counting */
-static void countingPass(const wfPair *from, wfPair *to, int32_t n, int32_t *start,
-                         int32_t proxies, bool byA)
+static void counting_pass(const wfPair *from, wfPair *to, int32_t n, int32_t *start,
+                          int32_t proxies, bool byA)
 {
     memset(start, 0, sizeof *start * ((size_t)proxies + 1));
     for (int32_t i = 0; i < n; i++) start[(byA ? from[i].a : from[i].b) + 1]++;
@@ -39,8 +39,8 @@ wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch)
         wfPoolRewind(scratch, mark);
         return WF_ERROR_MEMORY;
     }
-    countingPass(list->pairs, other, list->count, start, proxies, false);
-    countingPass(other, list->pairs, list->count, start, proxies, true);
+    counting_pass(list->pairs, other, list->count, start, proxies, false);
+    counting_pass(other, list->pairs, list->count, start, proxies, true);
     wfPoolRewind(scratch, mark);
     return WF_OK;
 }
@@ -74,8 +74,8 @@ size_t wfSortPairsSize(int32_t proxies, int32_t pairs)
 }
 
 /* sort and select by a key */
-static void mergeRows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mid,
-                      int32_t right)
+static void merge_rows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mid,
+                       int32_t right)
 {
     int32_t i = left, j = mid, k = left;
     if (mid < right && from[mid].key < from[mid - 1].key)
@@ -92,7 +92,7 @@ void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n)
         for (int64_t left = 0; left < n; left += 2 * width) {
             int64_t mid = left + width < n ? left + width : n;
             int64_t right = mid + width < n ? mid + width : n;
-            mergeRows(from, to, (int32_t)left, (int32_t)mid, (int32_t)right);
+            merge_rows(from, to, (int32_t)left, (int32_t)mid, (int32_t)right);
         }
         wfKeyed *swap = from;
         from = to;

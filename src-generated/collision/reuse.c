@@ -3,7 +3,7 @@
 #include "collision/clip.h"
 
 /* keep the impulses of the same features */
-void wfKeepImpulses(const wfManifold *before, wfManifold *now)
+void wfMatchImpulses(const wfManifold *before, wfManifold *now)
 {
     bool turned = !(wfDot(before->normal, now->normal) > 0);
     for (int32_t k = 0; k < now->count; k++) {
@@ -18,7 +18,7 @@ void wfKeepImpulses(const wfManifold *before, wfManifold *now)
 }
 
 /* remember the reference edge */
-static wfReal coreReach(const wfShape *s)
+static wfReal core_reach(const wfShape *s)
 {
     wfReal far = 0;
     for (int32_t i = 0; i < s->count; i++)
@@ -34,14 +34,14 @@ void wfRememberManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTr
     bool isB = edges && s->owner == 1;
     cache->relative = isB ? wfRelativePose(xb, xa) : wfRelativePose(xa, xb);
     cache->distance = s->distance;
-    cache->reach = coreReach(isB ? a : b);
-    cache->allowed = WF_REUSE_SHARE * wfMinR(wfShapeReach(a), wfShapeReach(b));
+    cache->reach = core_reach(isB ? a : b);
+    cache->allowed = WF_REUSE_SHARE * wfMinR(wfShapeMaxExtent(a), wfShapeMaxExtent(b));
     cache->owner = edges ? s->owner : WF_NO_EDGE;
     cache->edge = edges ? s->edge : WF_NO_EDGE;
 }
 
 /* measure how far a pair has moved by eq:contacts-moved */
-static wfReal movedBy(const wfManifoldCache *c, const wfShape *incident, wfTransform now)
+static wfReal moved_by(const wfManifoldCache *c, const wfShape *incident, wfTransform now)
 {
     wfVec2 from = wfApply(c->relative, incident->centre);
     wfVec2 way = wfSub(wfApply(now, incident->centre), from);
@@ -50,8 +50,8 @@ static wfReal movedBy(const wfManifoldCache *c, const wfShape *incident, wfTrans
 }
 
 /* use a reference edge again */
-static bool clipAgain(wfFacing *f, wfReal margin, const wfManifoldCache *cache,
-                      wfManifold *out)
+static bool clip_again(wfFacing *f, wfReal margin, const wfManifoldCache *cache,
+                       wfManifold *out)
 {
     wfClipPoint ends[2];
     wfCorners corners;
@@ -74,11 +74,11 @@ bool wfReuseManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
     wfFacing f;
     if (!(cache->allowed > 0)) return false;
     wfFaceShapes(a, xa, b, xb, cache->owner, &f);
-    wfReal moved = movedBy(cache, f.inc, f.rel);
+    wfReal moved = moved_by(cache, f.inc, f.rel);
     if (cache->distance - moved > margin) {
         *out = (wfManifold){ .normal = wfV2(0, 0) };
         return true;
     }
     if (!(moved <= cache->allowed)) return false;           /* eq:contacts-reuse-limit */
-    return clipAgain(&f, margin, cache, out);
+    return clip_again(&f, margin, cache, out);
 }

@@ -6,7 +6,7 @@
 #include "weft/query.h"
 
 /* check the set */
-static wfResult checkSet(const wfShapeSet *set)
+static wfResult check_set(const wfShapeSet *set)
 {
     if (!set || !set->place) return WF_ERROR_NULL;
     if (set->proxies.count < 0) return WF_ERROR_RANGE;
@@ -26,14 +26,14 @@ static bool wanted(const wfShapeSet *set, const wfFilter *filter, int32_t proxy)
     return yes;
 }
 
-static wfResult checkAsker(const wfShape *shape)
+static wfResult check_asker(const wfShape *shape)
 {
     if (!shape) return WF_ERROR_NULL;
     return shape->kind >= 0 && shape->kind < WF_SHAPE_KINDS ? WF_OK : WF_ERROR_UNKNOWN;
 }
 
 /* room for rounding by eq:queries-room */
-static wfVec2 roomFor(wfVec2 at, wfVec2 by)
+static wfVec2 room_for(wfVec2 at, wfVec2 by)
 {
     return wfScale(16 * WF_EPSILON, wfAdd(wfAbs2(at), wfAbs2(by)));
 }
@@ -46,60 +46,61 @@ typedef struct Keep {
     int32_t found;                /* how many there were */
 } Keep;
 
-static bool hitBefore(wfRayHit a, wfRayHit b)                        /* eq:queries-before */
+static bool hit_before(wfRayHit a, wfRayHit b)                       /* eq:queries-before */
 {
     return a.fraction < b.fraction || (a.fraction == b.fraction && a.shape < b.shape);
 }
 
-static wfRayHit entryOf(const Keep *k, int32_t i)
+static wfRayHit entry_of(const Keep *k, int32_t i)
 {
     return k->hits ? k->hits[i] : (wfRayHit){ .shape = k->shapes[i] };
 }
 
-static void putEntry(Keep *k, int32_t i, wfRayHit hit)
+static void put_entry(Keep *k, int32_t i, wfRayHit hit)
 {
     if (k->hits) k->hits[i] = hit;
     else k->shapes[i] = hit.shape;
 }
 
 /* lets the entry i of the first n sink below all that come after it */
-static void sinkEntry(Keep *k, int32_t i, int32_t n)
+static void sink_entry(Keep *k, int32_t i, int32_t n)
 {
-    wfRayHit sinking = entryOf(k, i);
+    wfRayHit sinking = entry_of(k, i);
     for (int32_t child = 2 * i + 1; child < n; child = 2 * i + 1) {
-        if (child + 1 < n && hitBefore(entryOf(k, child), entryOf(k, child + 1))) child++;
-        if (!hitBefore(sinking, entryOf(k, child))) break;
-        putEntry(k, i, entryOf(k, child));
+        if (child + 1 < n && hit_before(entry_of(k, child), entry_of(k, child + 1)))
+            child++;
+        if (!hit_before(sinking, entry_of(k, child))) break;
+        put_entry(k, i, entry_of(k, child));
         i = child;
     }
-    putEntry(k, i, sinking);
+    put_entry(k, i, sinking);
 }
 
-static void makeHeap(Keep *k)
+static void make_heap(Keep *k)
 {
-    for (int32_t i = k->count / 2 - 1; i >= 0; i--) sinkEntry(k, i, k->count);
+    for (int32_t i = k->count / 2 - 1; i >= 0; i--) sink_entry(k, i, k->count);
 }
 
-static void keepEntry(Keep *k, wfRayHit hit)
+static void keep_entry(Keep *k, wfRayHit hit)
 {
     k->found++;
     if (k->count < k->capacity) {
-        putEntry(k, k->count++, hit);
-        if (k->count == k->capacity) makeHeap(k);
-    } else if (k->capacity > 0 && hitBefore(hit, entryOf(k, 0))) {
-        putEntry(k, 0, hit);
-        sinkEntry(k, 0, k->count);
+        put_entry(k, k->count++, hit);
+        if (k->count == k->capacity) make_heap(k);
+    } else if (k->capacity > 0 && hit_before(hit, entry_of(k, 0))) {
+        put_entry(k, 0, hit);
+        sink_entry(k, 0, k->count);
     }
 }
 
-static void sortEntries(Keep *k)
+static void sort_entries(Keep *k)
 {
-    makeHeap(k);
+    make_heap(k);
     for (int32_t n = k->count - 1; n > 0; n--) {
-        wfRayHit last = entryOf(k, 0);
-        putEntry(k, 0, entryOf(k, n));
-        putEntry(k, n, last);
-        sinkEntry(k, 0, n);
+        wfRayHit last = entry_of(k, 0);
+        put_entry(k, 0, entry_of(k, n));
+        put_entry(k, n, last);
+        sink_entry(k, 0, n);
     }
 }
 
@@ -117,9 +118,9 @@ typedef struct Cast {
 } Cast;
 
 /* ask one shape of a set */
-static const wfRayHit noHit = { .shape = WF_NO_SHAPE, .fraction = 1 };
+static const wfRayHit no_hit = { .shape = WF_NO_SHAPE, .fraction = 1 };
 
-static wfResult askShape(const Cast *c, int32_t i, wfRayHit *hit)
+static wfResult ask_shape(const Cast *c, int32_t i, wfRayHit *hit)
 {
     const wfShape *shape = &c->set->shapes[i];
     wfTransform placed = c->set->place(c->set->context, i);
@@ -128,41 +129,43 @@ static wfResult askShape(const Cast *c, int32_t i, wfRayHit *hit)
     wfResult result = wfCastShape(c->moving, c->placed, c->ray.by, shape, placed, &cast);
     if (result != WF_OK) return result;
     *hit = (wfRayHit){ 0, cast.fraction, cast.point, cast.normal };
-    if (cast.kind == WF_IMPACT_APART) *hit = noHit;
+    if (cast.kind == WF_IMPACT_APART) *hit = no_hit;
     return WF_OK;
 }
 
-static wfReal castVisitor(void *context, int32_t proxy, wfReal most)
+static wfReal cast_visitor(void *context, int32_t proxy, wfReal most)
 {
     Cast *c = context;
     wfRayHit hit;
     if (!wanted(c->set, c->filter, proxy)) return most;
-    c->result = askShape(c, proxy, &hit);
+    c->result = ask_shape(c, proxy, &hit);
     if (c->result != WF_OK) return -1;
     if (hit.shape == WF_NO_SHAPE) return most;
     hit.shape = proxy;
     if (c->all) {
-        keepEntry(&c->keep, hit);
+        keep_entry(&c->keep, hit);
         return most;
     }
-    if (c->best.shape == WF_NO_SHAPE || hitBefore(hit, c->best)) c->best = hit;
+    if (c->best.shape == WF_NO_SHAPE || hit_before(hit, c->best)) c->best = hit;
     return c->best.fraction;
 }
 
-static wfResult runCast(Cast *c)
+static wfResult run_cast(Cast *c)
 {
-    wfBoxCast box = { c->ray.from, c->ray.by, roomFor(c->ray.from, c->ray.by), 1 };
-    wfResult result = checkSet(c->set);
+    wfBoxCast box = { c->ray.from, c->ray.by, room_for(c->ray.from, c->ray.by), 1 };
+    wfResult result = check_set(c->set);
     if (result != WF_OK) return result;
     /* if a shape moves, let its bounds move instead of a point */
     if (c->moving) {
         wfRect bounds = wfShapeBounds(c->moving, c->placed);
         wfVec2 half = wfScale(WF_R(0.5), wfSub(bounds.max, bounds.min));
         box.from = wfRectCenter(bounds);
-        box.half = wfAddScaled(half, 4, wfAdd(roomFor(box.from, box.by), roomFor(half, half)));
+        box.half = wfAddScaled(half, 4,
+                               wfAdd(room_for(box.from, box.by), room_for(half, half)));
     }
-    c->best = noHit;
-    result = wfCastIndex(c->set->method, &c->set->proxies, c->set->index, &box, castVisitor,
+    c->best = no_hit;
+    result = wfCastIndex(c->set->method, &c->set->proxies, c->set->index, &box,
+                         cast_visitor,
                          c);
     return result != WF_OK ? result : c->result;
 }
@@ -172,19 +175,19 @@ wfResult wfSetCastRay(const wfShapeSet *set, wfRay ray, const wfFilter *filter,
 {
     Cast c = { .set = set, .filter = filter, .ray = ray };
     if (!out) return WF_ERROR_NULL;
-    wfResult result = runCast(&c);
+    wfResult result = run_cast(&c);
     if (result == WF_OK) *out = c.best;
     return result;
 }
 
-static wfResult runCastAll(Cast *c, int32_t *count)
+static wfResult run_cast_all(Cast *c, int32_t *count)
 {
     if (!count || (c->keep.capacity > 0 && !c->keep.hits)) return WF_ERROR_NULL;
     if (c->keep.capacity < 0) return WF_ERROR_RANGE;
     c->all = true;
-    wfResult result = runCast(c);
+    wfResult result = run_cast(c);
     if (result != WF_OK) return result;
-    sortEntries(&c->keep);
+    sort_entries(&c->keep);
     *count = c->keep.found;
     return WF_OK;
 }
@@ -194,18 +197,18 @@ wfResult wfSetCastRayAll(const wfShapeSet *set, wfRay ray, const wfFilter *filte
 {
     Cast c = { .set = set, .filter = filter, .ray = ray };
     c.keep = (Keep){ .hits = hits, .capacity = capacity };
-    return runCastAll(&c, count);
+    return run_cast_all(&c, count);
 }
 
 wfResult wfSetCastShape(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
                         wfVec2 by, const wfFilter *filter, wfRayHit *out)
 {
     Cast c = { .set = set, .filter = filter, .moving = shape, .placed = placed };
-    wfResult result = checkAsker(shape);
+    wfResult result = check_asker(shape);
     if (result != WF_OK) return result;
     if (!out) return WF_ERROR_NULL;
     c.ray = (wfRay){ placed.p, by };
-    result = runCast(&c);
+    result = run_cast(&c);
     if (result == WF_OK) *out = c.best;
     return result;
 }
@@ -215,11 +218,11 @@ wfResult wfSetCastShapeAll(const wfShapeSet *set, const wfShape *shape, wfTransf
                            int32_t capacity, int32_t *count)
 {
     Cast c = { .set = set, .filter = filter, .moving = shape, .placed = placed };
-    wfResult result = checkAsker(shape);
+    wfResult result = check_asker(shape);
     if (result != WF_OK) return result;
     c.ray = (wfRay){ placed.p, by };
     c.keep = (Keep){ .hits = hits, .capacity = capacity };
-    return runCastAll(&c, count);
+    return run_cast_all(&c, count);
 }
 
 /* overlaps in a set */
@@ -234,8 +237,8 @@ typedef struct Overlap {
     wfResult result;
 } Overlap;
 
-static wfResult overlapArea(const wfShape *shape, wfTransform placed, wfRect bounds,
-                            wfRect area, bool *out)
+static wfResult overlap_area(const wfShape *shape, wfTransform placed, wfRect bounds,
+                             wfRect area, bool *out)
 {
     wfRect part = { wfMax2(bounds.min, area.min), wfMin2(bounds.max, area.max) };
     wfVec2 centre = wfRectCenter(part);
@@ -251,7 +254,7 @@ static wfResult overlapArea(const wfShape *shape, wfTransform placed, wfRect bou
     return wfOverlap(shape, placed, &box, here, out);
 }
 
-static bool overlapVisitor(void *context, int32_t proxy)
+static bool overlap_visitor(void *context, int32_t proxy)
 {
     Overlap *q = context;
     bool yes = false;
@@ -266,27 +269,27 @@ static bool overlapVisitor(void *context, int32_t proxy)
         yes = c.distance <= 0 && shape->kind != WF_SHAPE_NONE;
     } else {
         wfRect bounds = q->set->proxies.bounds[proxy];
-        q->result = overlapArea(shape, placed, bounds, q->area, &yes);
+        q->result = overlap_area(shape, placed, bounds, q->area, &yes);
     }
-    if (yes) keepEntry(&q->keep, (wfRayHit){ .shape = proxy });
+    if (yes) keep_entry(&q->keep, (wfRayHit){ .shape = proxy });
     return q->result == WF_OK;
 }
 
-static wfResult runOverlap(Overlap *q, int32_t *count)
+static wfResult run_overlap(Overlap *q, int32_t *count)
 {
-    wfResult result = checkSet(q->set);
+    wfResult result = check_set(q->set);
     if (result != WF_OK) return result;
     if (!count || (q->keep.capacity > 0 && !q->keep.shapes)) return WF_ERROR_NULL;
     if (q->keep.capacity < 0) return WF_ERROR_RANGE;
     /* make the area larger by eq:queries-room */
     wfRect area = q->area;
-    area.min = wfSub(area.min, roomFor(area.min, wfV2(0, 0)));
-    area.max = wfAdd(area.max, roomFor(area.max, wfV2(0, 0)));
+    area.min = wfSub(area.min, room_for(area.min, wfV2(0, 0)));
+    area.max = wfAdd(area.max, room_for(area.max, wfV2(0, 0)));
     result = wfQueryIndex(q->set->method, &q->set->proxies, q->set->index, area,
-                          overlapVisitor, q);
+                          overlap_visitor, q);
     if (result == WF_OK) result = q->result;
     if (result != WF_OK) return result;
-    sortEntries(&q->keep);
+    sort_entries(&q->keep);
     *count = q->keep.found;
     return WF_OK;
 }
@@ -296,11 +299,11 @@ wfResult wfSetOverlap(const wfShapeSet *set, const wfShape *shape, wfTransform p
                       int32_t *count)
 {
     Overlap q = { .set = set, .filter = filter, .shape = shape, .placed = placed };
-    wfResult result = checkAsker(shape);
+    wfResult result = check_asker(shape);
     if (result != WF_OK) return result;
     q.area = wfShapeBounds(shape, placed);
     q.keep = (Keep){ .shapes = shapes, .capacity = capacity };
-    return runOverlap(&q, count);
+    return run_overlap(&q, count);
 }
 
 wfResult wfSetOverlapArea(const wfShapeSet *set, wfRect area, const wfFilter *filter,
@@ -308,7 +311,7 @@ wfResult wfSetOverlapArea(const wfShapeSet *set, wfRect area, const wfFilter *fi
 {
     Overlap q = { .set = set, .filter = filter, .area = area };
     q.keep = (Keep){ .shapes = shapes, .capacity = capacity };
-    return runOverlap(&q, count);
+    return run_overlap(&q, count);
 }
 
 wfResult wfSetOverlapPoint(const wfShapeSet *set, wfVec2 point, const wfFilter *filter,
@@ -316,7 +319,7 @@ wfResult wfSetOverlapPoint(const wfShapeSet *set, wfVec2 point, const wfFilter *
 {
     Overlap q = { .set = set, .filter = filter, .area = { point, point }, .point = true };
     q.keep = (Keep){ .shapes = shapes, .capacity = capacity };
-    return runOverlap(&q, count);
+    return run_overlap(&q, count);
 }
 
 /* the nearest shape of a set */
@@ -331,7 +334,7 @@ typedef struct Search {
     wfResult result;
 } Search;
 
-static wfResult gapTo(const Search *q, int32_t proxy, wfClosest *out)
+static wfResult gap_to(const Search *q, int32_t proxy, wfClosest *out)
 {
     const wfShape *other = &q->set->shapes[proxy];
     wfTransform placed = q->set->place(q->set->context, proxy);
@@ -343,12 +346,12 @@ static wfResult gapTo(const Search *q, int32_t proxy, wfClosest *out)
     return WF_OK;
 }
 
-static bool searchVisitor(void *context, int32_t proxy)
+static bool search_visitor(void *context, int32_t proxy)
 {
     Search *q = context;
     wfClosest c;
     if (!wanted(q->set, q->filter, proxy)) return true;
-    q->result = gapTo(q, proxy, &c);
+    q->result = gap_to(q, proxy, &c);
     if (q->result != WF_OK) return false;
     if (c.distance > q->within) return true;
     c.shape = proxy;
@@ -361,32 +364,32 @@ static bool searchVisitor(void *context, int32_t proxy)
 enum { SAMPLE = 16 };
 
 /* asks some shapes; returns the half side to begin with, by eq:queries-guess */
-static wfReal guessHalf(Search *q)
+static wfReal guess_half(Search *q)
 {
     int32_t n = q->set->proxies.count, stride = n / SAMPLE + 1;
     for (int32_t i = 0; i < n; i += stride)
-        if ((q->set->proxies.flags[i] & WF_PROXY_LIVE) && !searchVisitor(q, i)) break;
+        if ((q->set->proxies.flags[i] & WF_PROXY_LIVE) && !search_visitor(q, i)) break;
     if (q->best.shape == WF_NO_SHAPE) return q->within;
     return q->best.distance / wfSqrt((wfReal)stride);
 }
 
-static wfRect squareAbout(wfRect from, wfReal half)
+static wfRect square_about(wfRect from, wfReal half)
 {
     wfVec2 h = wfV2(half, half), top = wfV2(WF_HUGE, WF_HUGE), bottom = wfNeg(top);
-    wfVec2 low = wfSub(from.min, wfAdd(h, roomFor(from.min, h)));
-    wfVec2 high = wfAdd(from.max, wfAdd(h, roomFor(from.max, h)));
+    wfVec2 low = wfSub(from.min, wfAdd(h, room_for(from.min, h)));
+    wfVec2 high = wfAdd(from.max, wfAdd(h, room_for(from.max, h)));
     return (wfRect){ wfMax2(low, bottom), wfMin2(high, top) };
 }
 
 static wfResult search(Search *q)
 {
     const wfShapeSet *set = q->set;
-    wfReal half = guessHalf(q);
+    wfReal half = guess_half(q);
     while (q->result == WF_OK) {
         wfReal most = q->best.shape == WF_NO_SHAPE ? q->within : q->best.distance;
         half = wfMinR(half, most);
         wfResult result = wfQueryIndex(set->method, &set->proxies, set->index,
-                                       squareAbout(q->from, half), searchVisitor, q);
+                                       square_about(q->from, half), search_visitor, q);
         if (result != WF_OK) return result;
         if (half >= q->within) break;
         if (q->best.shape != WF_NO_SHAPE && q->best.distance <= half) break;
@@ -395,9 +398,9 @@ static wfResult search(Search *q)
     return q->result;
 }
 
-static wfResult runSearch(Search *q, wfClosest *out)
+static wfResult run_search(Search *q, wfClosest *out)
 {
-    wfResult result = checkSet(q->set);
+    wfResult result = check_set(q->set);
     if (result != WF_OK) return result;
     if (!out) return WF_ERROR_NULL;
     if (!wfIsFinite2(q->from.min) || !wfIsFinite2(q->from.max)) return WF_ERROR_NOT_FINITE;
@@ -414,7 +417,7 @@ wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,
 {
     Search q = { .set = set, .filter = filter, .from = { point, point },
                  .within = within };
-    return runSearch(&q, out);
+    return run_search(&q, out);
 }
 
 wfResult wfSetDistance(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
@@ -422,8 +425,8 @@ wfResult wfSetDistance(const wfShapeSet *set, const wfShape *shape, wfTransform 
 {
     Search q = { .set = set, .filter = filter, .shape = shape, .placed = placed,
                  .within = within };
-    wfResult result = checkAsker(shape);
+    wfResult result = check_asker(shape);
     if (result != WF_OK) return result;
     q.from = wfShapeBounds(shape, placed);
-    return runSearch(&q, out);
+    return run_search(&q, out);
 }

@@ -31,28 +31,28 @@ typedef struct wfLimb {
     wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
 } wfLimb;
 
-typedef struct wfColumns {
+typedef struct wfStacks {
     wfLimb  *limb;               /* each after the one that it stands on */
     int32_t  count, room;
     wfReal  *answer;             /* what pushes at links do to links, sec:soft-again */
     int32_t  answers;
     uint8_t *held;               /* by place in c: is it solved here? */
     bool     linked, alone;      /* some tree has loops; some contact is alone */
-} wfColumns;
+} wfStacks;
 
 enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP, WF_HELD_ALONE };
 /* Finds the trees among the contacts that touch. WF_ERROR_MEMORY. */
-wfResult wfFindColumns(const wfSubsteps *s, wfColumns *out);
-size_t wfColumnScratch(int32_t bodies, int32_t contacts);
+wfResult wfFindStacks(const wfSubsteps *s, wfStacks *out);
+size_t wfStackScratch(int32_t bodies, int32_t contacts);
 /* A gap of no more counts as a touch, m. */
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
 /* Solves all trees: b and gamma / K of eq:soft-follow, how fast overlap is left at most.
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
-void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
-                    wfReal fastest);
+void wfSolveStacks(const wfSubsteps *s, wfStacks *t, wfReal bias, wfReal give,
+                   wfReal fastest);
 /* Takes back what the sums that were just handed out have too much, eq:soft-memory. */
-void wfTakeBackMemory(const wfSubsteps *s, wfColumns *t);
+void wfTakeBackMemory(const wfSubsteps *s, wfStacks *t);
 #define WF_LEFT_SHARE WF_R(0.01)   /* sigma: a lesser one is left where it is */
 /* Puts the contacts of each colour into bundles, but for those in trees. WF_ERROR_MEMORY */
-wfResult wfPackLanes(wfSubsteps *s, wfColumns *t);
+wfResult wfPackLanes(wfSubsteps *s, wfStacks *t);
 #endif

@@ -12,7 +12,7 @@ typedef struct Motion { wfVec2 v; wfReal w; } Motion;
 typedef struct Way {
     wfRot arm, mean;            /* turns an arm into r_* of eq:exact-arm; the mean */
     wfReal lever;               /* of eq:exact-slide */
-    wfPlace end;
+    wfJointFrame end;
 } Way;
 
 /* the matrix of all joints */
@@ -282,7 +282,7 @@ static wfReal sine_over(wfReal x)               /* sin x / x */
              * (1 - y * (WF_R(1.0) / 42)));
 }
 
-static Way way_of(const wfPlace *from, const Motion *v, wfReal h)
+static Way way_of(const wfJointFrame *from, const Motion *v, wfReal h)
 {
     wfReal turn = h * v->w, s = sine_over(turn / 2);
     wfRot half = wfTurnOn(from->q, turn / 2);
@@ -295,11 +295,12 @@ static Way way_of(const wfPlace *from, const Motion *v, wfReal h)
     return way;
 }
 
-static wfJointSight see_along(const wfJoint *j, const wfPlace *a, const wfPlace *b,
-                              const Way *wa, const Way *wb)
+static wfJointGeometry see_along(const wfJoint *j, const wfJointFrame *a,
+                                 const wfJointFrame *b,
+                                 const Way *wa, const Way *wb)
 {
-    wfJointSight begin = wfSee(j, a, b), end = wfSee(j, &wa->end, &wb->end);
-    wfJointSight at = { .rA = wfRotate(wa->arm, j->localA),
+    wfJointGeometry begin = wfSee(j, a, b), end = wfSee(j, &wa->end, &wb->end);
+    wfJointGeometry at = { .rA = wfRotate(wa->arm, j->localA),
         .rB = wfRotate(wb->arm, j->localB), .d = wfLerp(begin.d, end.d, WF_R(0.5)),
         .qA = wa->mean, .pA = wfLerp(begin.pA, end.pA, WF_R(0.5)),
         .pB = wfLerp(begin.pB, end.pB, WF_R(0.5)), .bow = 1,
@@ -353,7 +354,7 @@ static wfReal spread(const wfBodyState *s, wfReal inverse)
 static void note_size(Matrix *m, const wfJointSet *set, const wfSolve *in, int32_t i)
 {
     const wfJoint *j = &set->joints[i];
-    const wfPlace *a = &set->place[j->a], *b = &set->place[j->b];
+    const wfJointFrame *a = &set->place[j->a], *b = &set->place[j->b];
     wfReal lengths = wfLength(j->localA) + wfLength(j->localB) + wfDistance(a->p, b->p)
                    + wfLength(a->d) + wfLength(b->d)
                    + spread(&in->state[j->a], set->inverse[j->a])
@@ -404,10 +405,10 @@ static wfReal look_along(Matrix *m, const wfJointSet *set, const wfSolve *in, in
 {
     const wfJoint *j = &set->joints[i];
     const wfJointWork *w = &set->work[i];
-    const wfPlace *a = &set->place[j->a], *b = &set->place[j->b];
+    const wfJointFrame *a = &set->place[j->a], *b = &set->place[j->b];
     const Way *wa = &m->way[j->a], *wb = &m->way[j->b];
     wfJointRow along[WF_JOINT_ROWS], then[WF_JOINT_ROWS];
-    wfJointSight chord = see_along(j, a, b, wa, wb), end = wfSee(j, &wa->end, &wb->end);
+    wfJointGeometry chord = see_along(j, a, b, wa, wb), end = wfSee(j, &wa->end, &wb->end);
     wfReal worst = 0;
     wfJointTable[j->kind].build(j, &chord, along);
     wfJointTable[j->kind].build(j, &end, then);
@@ -1082,8 +1083,9 @@ static void judge(Matrix *m, const wfJointSet *set, const wfSolve *in, wfReal mo
     m->room = m->count * WF_EXACT_BLOCKS;
 }
 
-wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
-                         bool known, wfPool *scratch)
+wfResult wfDirectArticulations(wfJointSet *set, const wfSolve *in, wfReal most,
+                               uint8_t *alone,
+                               bool known, wfPool *scratch)
 {
     if (set == NULL || in == NULL || alone == NULL || scratch == NULL) return WF_ERROR_NULL;
     if (set->count == 0) return WF_OK;

@@ -4,7 +4,7 @@
 #include "dynamics/jointwork.h"
 
 /* build rows */
-static wfJointRow along(wfVec2 u, const wfJointSight *at)
+static wfJointRow along(wfVec2 u, const wfJointGeometry *at)
 {
     return (wfJointRow){ .law = WF_ROW_HOLD, .jA = wfNeg(u), .wA = -wfCross(at->rA, u),
                          .jB = u, .wB = wfCross(at->rB, u),      /* eq:joints-rod */
@@ -12,13 +12,13 @@ static wfJointRow along(wfVec2 u, const wfJointSight *at)
                          .least = -WF_JOINT_UNLIMITED };
 }
 
-static void pin(const wfJointSight *at, wfJointRow *rows)
+static void pin(const wfJointGeometry *at, wfJointRow *rows)
 {
     rows[0] = along(wfV2(1, 0), at);
     rows[1] = along(wfV2(0, 1), at);
 }
 
-static wfJointRow turning(const wfJointSight *at, wfReal rest)
+static wfJointRow turning(const wfJointGeometry *at, wfReal rest)
 {
     wfReal turn = at->turnB - at->turnA;
     return (wfJointRow){ .law = WF_ROW_HOLD, .wA = -1, .wB = 1,     /* eq:joints-turn */
@@ -70,7 +70,7 @@ static int32_t extras(const wfJoint *j, const wfJointRow *row, wfJointRow *rows)
     return stop ? 4 : motor ? 2 : sprung ? 1 : 0;
 }
 
-static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
+static wfJointRow along_axis(wfVec2 u, const wfJointGeometry *at)
 {
     wfJointRow row = along(u, at);
     row.wA = -wfCross(wfAdd(at->rA, at->lever), u);                 /* eq:joints-axis */
@@ -78,14 +78,14 @@ static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
 }
 
 /* kinds of joint */
-static int32_t build_revolute(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_revolute(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfJointRow turn = turning(at, j->rest);
     pin(at, rows);
     return 2 + extras(j, &turn, &rows[2]);
 }
 
-static int32_t build_weld(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_weld(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfReal most = j->springForce > 0 ? j->springForce : WF_JOINT_UNLIMITED;
     pin(at, rows);
@@ -95,7 +95,7 @@ static int32_t build_weld(const wfJoint *j, const wfJointSight *at, wfJointRow *
     return 3;
 }
 
-static int32_t build_turn(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_turn(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfJointRow turn = turning(at, j->rest);         /* no anchors */
     return extras(j, &turn, rows);
@@ -113,7 +113,7 @@ static bool is_point(const wfJoint *j)
     return is_bare(j) && j->rest <= WF_JOINT_POINT * arms;
 }
 
-static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_distance(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     if (is_point(j)) {
         pin(at, rows);
@@ -135,7 +135,8 @@ bool wfIsRod(const wfJoint *j)
     return wfJointTable[j->kind].build == build_distance && is_bare(j) && !is_point(j);
 }
 
-static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_prismatic(const wfJoint *j, const wfJointGeometry *at,
+                               wfJointRow *rows)
 {
     wfVec2 t = wfRotate(at->qA, j->axis);
     wfJointRow slide = along_axis(t, at);
@@ -145,7 +146,7 @@ static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJoint
     return 2 + extras(j, &slide, &rows[2]);
 }
 
-static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_wheel(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfVec2 t = wfRotate(at->qA, j->axis);
     wfJointRow slide = along_axis(t, at);
@@ -161,9 +162,9 @@ static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow 
 /* Two rows that are one force, no more than `most` in any direction. */
 static void in_a_plane(wfJointRow *rows) { rows[0].plane = 1; }
 
-static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_hand(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
-    wfJointSight see = { .rB = at->rB };
+    wfJointGeometry see = { .rB = at->rB };
     see.d = wfAdd(wfSub(at->pB, j->groundB), at->rB);
     for (int i = 0; i < 2; i++) {
         rows[i] = along(wfV2(i == 0, i == 1), &see);
@@ -174,7 +175,7 @@ static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *
     return 2;
 }
 
-static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_servo(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
     for (int i = 0; i < 2; i++) {
@@ -188,7 +189,7 @@ static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow 
     return 3;
 }
 
-static int32_t build_friction(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_friction(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     for (int i = 0; i < 2; i++) {
         rows[i] = along_axis(wfV2(i == 0, i == 1), at);
@@ -200,13 +201,13 @@ static int32_t build_friction(const wfJoint *j, const wfJointSight *at, wfJointR
     return 3;
 }
 
-static int32_t build_none(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_none(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     (void)j, (void)at, (void)rows;
     return 0;
 }
 
-static int32_t build_pulley(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_pulley(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfVec2 dA = wfAdd(wfSub(at->pA, j->groundA), at->rA);
     wfVec2 dB = wfAdd(wfSub(at->pB, j->groundB), at->rB);
@@ -218,7 +219,7 @@ static int32_t build_pulley(const wfJoint *j, const wfJointSight *at, wfJointRow
     return 1;
 }
 
-static int32_t build_gear(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_gear(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     rows[0] = turning(at, 0);
     rows[0].wA = 1;                                                 /* eq:joints-gear */
@@ -227,7 +228,7 @@ static int32_t build_gear(const wfJoint *j, const wfJointSight *at, wfJointRow *
     return 1;
 }
 
-static int32_t build_ratchet(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_ratchet(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     rows[0] = turning(at, j->rest);
     rows[0].law = WF_ROW_LIMIT;
@@ -248,7 +249,7 @@ static wfReal slides_along(wfVec2 t, wfVec2 p, wfVec2 r, wfVec2 *j, wfReal *w)
     return wfDot(t, wfAdd(p, r));
 }
 
-static int32_t build_rack(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_rack(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfJointRow row = turning(at, 0);
     row.error = slides_along(j->groundA, at->pA, at->rA, &row.jA, &row.wA);
@@ -258,7 +259,7 @@ static int32_t build_rack(const wfJoint *j, const wfJointSight *at, wfJointRow *
     return 1;
 }
 
-static int32_t build_linkage(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
+static int32_t build_linkage(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
 {
     wfJointRow row = turning(at, 0);
     wfReal slide = slides_along(j->groundB, at->pB, at->rB, &row.jB, &row.wB);
@@ -306,9 +307,9 @@ int wfFindJoint(const char *name)
 int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
                      wfJointRow *rows)
 {
-    wfPlace a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
-    wfPlace b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
-    wfJointSight at = wfSee(j, &a, &b);
+    wfJointFrame a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
+    wfJointFrame b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
+    wfJointGeometry at = wfSee(j, &a, &b);
     memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
     return wfJointTable[j->kind].build(j, &at, rows);
 }
@@ -410,7 +411,7 @@ static void weigh(wfJointWork *w, const wfJointPair *p)
 static void build(wfJoint *j, const wfJointPair *p, wfJointWork *w)
 {
     track(j, p->hereA->angle, p->hereB->angle);
-    wfJointSight at = wfSee(j, p->hereA, p->hereB);
+    wfJointGeometry at = wfSee(j, p->hereA, p->hereB);
     w->rows = wfJointTable[j->kind].build(j, &at, w->row);
     w->holds = 0;
     w->arm = at.rB;
@@ -500,17 +501,17 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
 }
 
 /* look where the bodies will be */
-static inline wfPlace will_be(const wfPlace *at, const wfBodyState *s, wfReal h)
+static inline wfJointFrame will_be(const wfJointFrame *at, const wfBodyState *s, wfReal h)
 {
     wfReal turn = h * s->w;
-    return (wfPlace){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
-                      .q = wfTurnOn(at->q, turn), .angle = at->angle + turn };
+    return (wfJointFrame){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
+                           .q = wfTurnOn(at->q, turn), .angle = at->angle + turn };
 }
 
 void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *rows)
 {
-    wfPlace qa = will_be(p->hereA, p->a, h), qb = will_be(p->hereB, p->b, h);
-    wfJointSight at = wfSee(j, &qa, &qb);                             /* eq:joints-aim */
+    wfJointFrame qa = will_be(p->hereA, p->a, h), qb = will_be(p->hereB, p->b, h);
+    wfJointGeometry at = wfSee(j, &qa, &qb);                          /* eq:joints-aim */
     wfJointTable[j->kind].build(j, &at, rows);
 }
 
@@ -696,7 +697,7 @@ static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
 {
     wfPin *q = &set->pins[i];
     const wfJoint *j = &set->joints[i];
-    const wfPlace *a = p->hereA, *b = p->hereB;
+    const wfJointFrame *a = p->hereA, *b = p->hereB;
     q->rA = wfRotate(a->q, j->localA);
     q->rB = wfRotate(b->q, j->localB);
     wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));
@@ -787,7 +788,8 @@ static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
     for (int32_t i = 0; i < set->bodies; i++) {
         wfReal angle = in->state[i].angle + moved[i].turn;
-        set->place[i] = (wfPlace){ in->state[i].p, moved[i].d, wfRotation(angle), angle };
+        set->place[i] = (wfJointFrame){ in->state[i].p, moved[i].d, wfRotation(angle),
+                                        angle };
         set->stiffness[i] = 0;
     }
     set->changed = set->built = true;
@@ -890,7 +892,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
 /* begin and end a step of joints */
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
-    size_t body = 2 * sizeof(wfReal) + sizeof(wfPlace);
+    size_t body = 2 * sizeof(wfReal) + sizeof(wfJointFrame);
     size_t joint = sizeof(wfJointWork) + sizeof(wfPin);
     return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
@@ -901,14 +903,15 @@ static const void *lending_of(void *context)
     return set->lending;
 }
 
-wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
+wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
+                       wfConstraints *laws)
 {
     if (set == NULL || scratch == NULL || laws == NULL) return WF_ERROR_NULL;
     set->bodies = bodies;
     set->work = wfPoolPushArray(scratch, set->count, wfJointWork);
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
-    set->place = wfPoolPushArray(scratch, bodies, wfPlace);
+    set->place = wfPoolPushArray(scratch, bodies, wfJointFrame);
     set->pins = wfPoolPushArray(scratch, set->count, wfPin);
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
              || set->place == NULL || set->pins == NULL;
@@ -923,7 +926,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws 
     }
     set->last = 0;
     set->built = false;
-    *laws = (wfLaws){ set, begin_joints, solve_joints, lending_of };
+    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of };
     return WF_OK;
 }
 
@@ -1055,7 +1058,7 @@ wfResult wfStepJoints(const wfJointStep *in)
     wfResult result = check_step(in);
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(in->scratch);
-    wfLaws laws;
+    wfConstraints laws;
     /* say what the solver needs to know */
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
@@ -1114,40 +1117,43 @@ wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t 
     return j;
 }
 
-wfJoint wfHinge(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-                wfVec2 anchor)
+wfJoint wfMakeRevoluteJoint(int32_t a, const wfBodyState *sA, int32_t b,
+                            const wfBodyState *sB,
+                            wfVec2 anchor)
 {
     return wfMakeJoint("revolute", a, sA, b, sB, anchor, anchor, wfV2(1, 0));
 }
 
-wfJoint wfWeld(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-               wfVec2 anchor)
+wfJoint wfMakeWeldJoint(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+                        wfVec2 anchor)
 {
     return wfMakeJoint("weld", a, sA, b, sB, anchor, anchor, wfV2(1, 0));
 }
 
-wfJoint wfRod(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-              wfVec2 anchorA, wfVec2 anchorB)
+wfJoint wfMakeDistanceJoint(int32_t a, const wfBodyState *sA, int32_t b,
+                            const wfBodyState *sB,
+                            wfVec2 anchorA, wfVec2 anchorB)
 {
     return wfMakeJoint("distance", a, sA, b, sB, anchorA, anchorB, wfV2(1, 0));
 }
 
-wfJoint wfRope(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-               wfVec2 anchorA, wfVec2 anchorB, wfReal length)
+wfJoint wfMakeRopeJoint(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+                        wfVec2 anchorA, wfVec2 anchorB, wfReal length)
 {
-    wfJoint j = wfRod(a, sA, b, sB, anchorA, anchorB);
+    wfJoint j = wfMakeDistanceJoint(a, sA, b, sB, anchorA, anchorB);
     j.flags = WF_JOINT_LIMITS;
     j.upper = length;
     return j;
 }
 
-wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-                wfVec2 anchor, wfVec2 axis)
+wfJoint wfMakePrismaticJoint(int32_t a, const wfBodyState *sA, int32_t b,
+                             const wfBodyState *sB,
+                             wfVec2 anchor, wfVec2 axis)
 {
     return wfMakeJoint("prismatic", a, sA, b, sB, anchor, anchor, axis);
 }
 
-void wfTuneJoint(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
+void wfSetJointSpring(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
 {
     wfReal omega = 2 * WF_PI * frequency;
     j->flags |= WF_JOINT_SPRING;

@@ -25,7 +25,7 @@ typedef struct wfJointWork {
 /* The bodies that get the impulses, and where they have got to. */
 typedef struct wfJointPair {
     wfBodyState *a, *b;
-    const wfPlace *hereA, *hereB;
+    const wfJointFrame *hereA, *hereB;
 } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
@@ -46,9 +46,10 @@ static inline wfReal wfFollow(wfReal turn, wfReal angle)
 }
 
 /* look at the bodies */
-static inline wfJointSight wfSee(const wfJoint *j, const wfPlace *a, const wfPlace *b)
+static inline wfJointGeometry wfSee(const wfJoint *j, const wfJointFrame *a,
+                                    const wfJointFrame *b)
 {
-    wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
+    wfJointGeometry at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
         .bow = 1, .qA = a->q, .pA = wfAdd(a->p, a->d), .pB = wfAdd(b->p, b->d),
         .turnA = wfFollow(j->turnA, a->angle), .turnB = wfFollow(j->turnB, b->angle) };
     wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));

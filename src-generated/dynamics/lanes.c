@@ -7,14 +7,14 @@ enum { KIND_ALONE = 3, KINDS };
 
 size_t wfLaneScratch(int32_t contacts)
 {
-    size_t full = sizeof(wfBundle) + 2 * (sizeof(wfBundlePoint) + sizeof(wfBundleGap));
+    size_t full = sizeof(wfContactSimd) + 2 * (sizeof(wfSimdPoint) + sizeof(wfSimdGap));
     size_t each = full / (size_t)WF_LANES + 1, more = 0;
     if (each > sizeof(wfPrepared)) more = each - sizeof(wfPrepared);
     size_t partly = contacts < 3 * WF_COLOURS ? (size_t)contacts : 3 * WF_COLOURS;
     return (size_t)contacts * more + partly * full + 3 * WF_POOL_ALIGN;
 }
 
-static int32_t kind_of(const wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t i)
+static int32_t kind_of(const wfSubsteps *s, const wfStacks *t, int32_t colour, int32_t i)
 {
     int32_t trait = s->trait[s->order[i]];
     if (colour == WF_COLOURS) return 0;
@@ -25,7 +25,7 @@ static int32_t kind_of(const wfSubsteps *s, const wfColumns *t, int32_t colour, 
 
 static int32_t points_of(int32_t kind) { return kind == KIND_ALONE ? 1 : kind; }
 
-static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
+static wfResult take_bundles(wfSubsteps *s, const wfStacks *t)
 {
     int32_t bundles = 0, points = 0;
     for (int32_t k = 0; k < WF_COLOURS; k++) {
@@ -38,9 +38,9 @@ static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
             points += full * points_of(n);
         }
     }
-    s->bundle = wfPoolPushArray(s->in->scratch, bundles, wfBundle);
-    s->point = wfPoolPushArray(s->in->scratch, points, wfBundlePoint);
-    s->gap = wfPoolPushArray(s->in->scratch, points, wfBundleGap);
+    s->bundle = wfPoolPushArray(s->in->scratch, bundles, wfContactSimd);
+    s->point = wfPoolPushArray(s->in->scratch, points, wfSimdPoint);
+    s->gap = wfPoolPushArray(s->in->scratch, points, wfSimdGap);
     bool room = s->bundle != NULL && s->point != NULL && s->gap != NULL;
     return room ? WF_OK : WF_ERROR_MEMORY;
 }
@@ -48,7 +48,7 @@ static wfResult take_bundles(wfSubsteps *s, const wfColumns *t)
     (offsetof(type, last) == offsetof(type, first) + 3 * sizeof(wfReal))
 WF_STATIC_ASSERT(HAS_FOUR(wfBodyState, v, invMass) && HAS_FOUR(wfMoved, d, spare) &&
                HAS_FOUR(wfBodyState, v.y, invInertia) &&
-               HAS_FOUR(wfContactPoint, armA, armB.y) &&
+               HAS_FOUR(wfContactPoint, rA, rB.y) &&
                HAS_FOUR(wfContactPoint, depth, feature), "gathered by fours");
 
 static wfLanes lever(wfLanes x, wfLanes y, wfLanes nx, wfLanes ny)
@@ -56,20 +56,22 @@ static wfLanes lever(wfLanes x, wfLanes y, wfLanes nx, wfLanes ny)
     return x * ny - y * nx;
 }
 
-static wfLanes mass_in_lanes(const wfBundle *q, wfLanes k, wfLanes leverA, wfLanes leverB)
+static wfLanes mass_in_lanes(const wfContactSimd *q, wfLanes k, wfLanes leverA,
+                             wfLanes leverB)
 {
     wfLanes zero = { 0 };                                           /* eq:impulses-k */
     k = k + leverA * leverA * q->iA + leverB * leverB * q->iB;
     return wfLanesWhere(wfLanesMore(k, zero), 1 / k);
 }
 
-static void prepare_points(const wfSubsteps *s, const wfBundle *q, wfLanes mass, int32_t k)
+static void prepare_points(const wfSubsteps *s, const wfContactSimd *q, wfLanes mass,
+                           int32_t k)
 {
     const wfContact *c = s->in->contacts;
-    wfBundlePoint *p = &s->point[q->first + k];
-    wfBundleGap *g = &s->gap[q->first + k];
+    wfSimdPoint *p = &s->point[q->first + k];
+    wfSimdGap *g = &s->gap[q->first + k];
     size_t at = offsetof(wfContact, manifold.points) + (size_t)k * sizeof(wfContactPoint);
-    wfFour arm = wfGather(c, at + offsetof(wfContactPoint, armA), sizeof *c, q->of);
+    wfFour arm = wfGather(c, at + offsetof(wfContactPoint, rA), sizeof *c, q->of);
     wfFour found = wfGather(c, at + offsetof(wfContactPoint, depth), sizeof *c, q->of);
     wfLanes nx = q->nx, ny = q->ny, flat;
     for (int32_t i = 0; i < WF_LANES; i++)
@@ -89,7 +91,7 @@ static void prepare_points(const wfSubsteps *s, const wfBundle *q, wfLanes mass,
     p->massT = mass_in_lanes(q, mass, p->tA, p->tB);
 }
 
-static void prepare_bundle(const wfSubsteps *s, wfBundle *q)
+static void prepare_bundle(const wfSubsteps *s, wfContactSimd *q)
 {
     const wfContact *c = s->in->contacts;
     const wfBodyState *state = s->in->state;
@@ -102,7 +104,7 @@ static void prepare_bundle(const wfSubsteps *s, wfBundle *q)
         *wfLane(&q->nx, i) = one->manifold.normal.x;
         *wfLane(&q->ny, i) = one->manifold.normal.y;
         *wfLane(&q->friction, i) = one->friction;
-        *wfLane(&q->surfaceSpeed, i) = one->surfaceSpeed;
+        *wfLane(&q->tangentSpeed, i) = one->tangentSpeed;
         *wfLane(&bounces, i) = one->restitution;
     }
     q->bounces = wfLanesMore(bounces, (wfLanes){ 0 });
@@ -114,11 +116,11 @@ static void prepare_bundle(const wfSubsteps *s, wfBundle *q)
 
 typedef struct Packing { int32_t bundles, points, ones; } Packing;
 
-static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t kind,
+static void pack_kind(wfSubsteps *s, const wfStacks *t, int32_t colour, int32_t kind,
                       Packing *to)
 {
     enum { AHEAD = 2 * WF_LANES };
-    wfBundle *q = NULL;
+    wfContactSimd *q = NULL;
     int32_t end = s->colours.first[colour + 1];
     for (int32_t i = s->colours.first[colour]; i < end; i++) {
         if (i + AHEAD < end) {
@@ -144,7 +146,7 @@ static void pack_kind(wfSubsteps *s, const wfColumns *t, int32_t colour, int32_t
     if (q != NULL) prepare_bundle(s, q);
 }
 
-static void keep_ones(wfSubsteps *s, wfColumns *t, int32_t colour, Packing *to)
+static void keep_ones(wfSubsteps *s, wfStacks *t, int32_t colour, Packing *to)
 {
     for (int32_t i = s->colours.first[colour]; i < s->colours.first[colour + 1]; i++) {
         if (kind_of(s, t, colour, i) != 0) continue;
@@ -155,7 +157,7 @@ static void keep_ones(wfSubsteps *s, wfColumns *t, int32_t colour, Packing *to)
     }
 }
 
-wfResult wfPackLanes(wfSubsteps *s, wfColumns *t)
+wfResult wfPackLanes(wfSubsteps *s, wfStacks *t)
 {
     Packing to = { 0, 0, 0 };
     int32_t kinds = t->alone ? KINDS : KIND_ALONE;
@@ -185,7 +187,7 @@ typedef struct PairLanes {
     wfLanes vn, vt, jn, jt, m;  /* as in wfPairMotion */
 } PairLanes;
 
-WF_INLINE PairLanes take_pairs(const wfBodyState *state, const wfBundle *q)
+WF_INLINE PairLanes take_pairs(const wfBodyState *state, const wfContactSimd *q)
 {
     PairLanes m = { .a = WF_GATHER(wfBodyState, v, state, q->a),
                     .b = WF_GATHER(wfBodyState, v, state, q->b) };
@@ -196,7 +198,7 @@ WF_INLINE PairLanes take_pairs(const wfBodyState *state, const wfBundle *q)
     return m;
 }
 
-WF_INLINE void give_pairs(wfBodyState *state, const wfBundle *q, PairLanes *m)
+WF_INLINE void give_pairs(wfBodyState *state, const wfContactSimd *q, PairLanes *m)
 {
     wfLanes x = m->jn * q->nx + m->jt * q->ny, y = m->jn * q->ny + m->jt * -q->nx;
     m->a.v[0] += -m->a.v[3] * x;                                /* eq:impulses-linear */
@@ -207,7 +209,7 @@ WF_INLINE void give_pairs(wfBodyState *state, const wfBundle *q, PairLanes *m)
     wfScatter(state, offsetof(wfBodyState, v), sizeof *state, q->b, q->used, m->b);
 }
 
-WF_INLINE void push_lanes(const wfBundle *q, const wfBundlePoint *p, wfLanes j,
+WF_INLINE void push_lanes(const wfContactSimd *q, const wfSimdPoint *p, wfLanes j,
                           PairLanes *m)
 {
     m->vn += j * m->m;                                  /* eq:sequential-kick-in-frame */
@@ -216,7 +218,7 @@ WF_INLINE void push_lanes(const wfBundle *q, const wfBundlePoint *p, wfLanes j,
     m->b.v[2] += j * p->nB * q->iB;
 }
 
-WF_INLINE void drag_lanes(const wfBundle *q, const wfBundlePoint *p, wfLanes j,
+WF_INLINE void drag_lanes(const wfContactSimd *q, const wfSimdPoint *p, wfLanes j,
                           PairLanes *m)
 {
     m->vt += j * m->m;
@@ -225,13 +227,13 @@ WF_INLINE void drag_lanes(const wfBundle *q, const wfBundlePoint *p, wfLanes j,
     m->b.v[2] += j * p->tB * q->iB;
 }
 
-void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
+void wfWarmSimdContacts(const wfSubsteps *s, const wfRun *run, wfReal share)
 {
     for (int32_t i = run->bundle; i < run->bundleEnd; i++) {
-        const wfBundle *q = &s->bundle[i];
+        const wfContactSimd *q = &s->bundle[i];
         PairLanes m = take_pairs(s->in->state, q);
         for (int32_t k = 0; k < q->points; k++) {
-            wfBundlePoint *p = &s->point[q->first + k];
+            wfSimdPoint *p = &s->point[q->first + k];
             s->gap[q->first + k].told += p->normal;
             p->normal *= wfLanesOf(share);
             p->tangent *= wfLanesOf(share);
@@ -242,15 +244,15 @@ void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
     }
 }
 
-static void find_bundle_gaps(const wfSubsteps *s, const wfBundle *q, wfLanes *lowest)
+static void find_bundle_gaps(const wfSubsteps *s, const wfContactSimd *q, wfLanes *lowest)
 {
     wfFour a = WF_GATHER(wfMoved, d, s->moved, q->a);
     wfFour b = WF_GATHER(wfMoved, d, s->moved, q->b);
     wfLanes dx = b.v[0] - a.v[0], dy = b.v[1] - a.v[1], tA = a.v[2], tB = b.v[2];
     wfLanes straight = dx * q->nx + dy * q->ny;
     for (int32_t k = 0; k < q->points; k++) {
-        wfBundlePoint *p = &s->point[q->first + k];
-        const wfBundleGap *g = &s->gap[q->first + k];
+        wfSimdPoint *p = &s->point[q->first + k];
+        const wfSimdGap *g = &s->gap[q->first + k];
         wfLanes first = p->nB * tB - p->nA * tA;
         wfLanes second = g->upB * tB * tB - g->upA * tA * tA;
         p->now = g->gap + (straight + (first - second / 2));    /* eq:sequential-gap */
@@ -258,7 +260,7 @@ static void find_bundle_gaps(const wfSubsteps *s, const wfBundle *q, wfLanes *lo
     }
 }
 
-void wfFindBundleGaps(wfSubsteps *s, const wfRun *run)
+void wfFindSimdGaps(wfSubsteps *s, const wfRun *run)
 {
     wfLanes lowest = wfLanesOf(s->lowest);
     for (int32_t i = run->bundle; i < run->bundleEnd; i++)
@@ -267,7 +269,7 @@ void wfFindBundleGaps(wfSubsteps *s, const wfRun *run)
         s->lowest = wfMinR(wfLaneOf(&lowest, i), s->lowest);
 }
 
-WF_INLINE wfLaneMask deep_in_lanes(const wfDeep *deep, const wfBundlePoint *p)
+WF_INLINE wfLaneMask deep_in_lanes(const wfDeep *deep, const wfSimdPoint *p)
 {
     wfLaneMask low = wfLanesMore(wfLanesOf(deep->gap), p->now);
     if (!wfAnyLane(low)) return low;
@@ -276,9 +278,9 @@ WF_INLINE wfLaneMask deep_in_lanes(const wfDeep *deep, const wfBundlePoint *p)
     return low & wfLanesMore(recovery - borne, wfLanesOf(deep->rest));
 }
 
-int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep)
+int32_t wfSimdDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep)
 {
-    const wfBundle *q = &s->bundle[bundle];
+    const wfContactSimd *q = &s->bundle[bundle];
     wfLaneMask is = deep_in_lanes(deep, &s->point[q->first]);
     if (q->points == 2) is |= deep_in_lanes(deep, &s->point[q->first + 1]);
     return wfAnyLane(is) ? q->used : 0;
@@ -286,7 +288,7 @@ int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep)
 
 /* What a point is to be pushed by, before the clamp. */
 WF_INLINE wfLanes soft_push(const wfCase *cases, const wfDeep *deep,
-                            const wfBundlePoint *p, wfLanes u)
+                            const wfSimdPoint *p, wfLanes u)
 {
     wfLanes zero = { 0 }, one = wfLanesOf(1), gap = p->now;
     wfCase ahead = cases[WF_APART], in = cases[WF_OVERLAP];
@@ -302,8 +304,9 @@ WF_INLINE wfLanes soft_push(const wfCase *cases, const wfDeep *deep,
     return -p->massN * mass * (u + rate * gap) - give * p->normal;
 }
 
-WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep, const wfBundle *q,
-                             const wfBundlePoint *p, wfLanes u)
+WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep,
+                             const wfContactSimd *q,
+                             const wfSimdPoint *p, wfLanes u)
 {
     wfLanes zero = { 0 }, gap = p->now;
     wfLaneMask apart = wfLanesMore(gap, zero), pushed = wfLanesMore(p->normal, zero);
@@ -314,7 +317,7 @@ WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep, const wfBu
 }
 
 WF_INLINE void push_point(const wfCase *cases, const wfDeep *deep, bool soft,
-                          const wfBundle *q, wfBundlePoint *p, PairLanes *m)
+                          const wfContactSimd *q, wfSimdPoint *p, PairLanes *m)
 {
     wfLanes zero = { 0 }, before = p->normal;
     wfLanes u = m->vn + (p->nB * m->b.v[2] - p->nA * m->a.v[2]);
@@ -323,19 +326,19 @@ WF_INLINE void push_point(const wfCase *cases, const wfDeep *deep, bool soft,
     push_lanes(q, p, p->normal - before, m);                    /* eq:soft-pass */
 }
 
-WF_INLINE void rub_point(const wfBundle *q, wfBundlePoint *p, PairLanes *m)
+WF_INLINE void rub_point(const wfContactSimd *q, wfSimdPoint *p, PairLanes *m)
 {
     wfLanes limit = q->friction * p->normal, before = p->tangent;
     wfLanes rate = m->vt + (p->tB * m->b.v[2] - p->tA * m->a.v[2]);
-    wfLanes to = before - p->massT * (rate - q->surfaceSpeed);
+    wfLanes to = before - p->massT * (rate - q->tangentSpeed);
     p->tangent = wfLanesMax(-limit, wfLanesMin(limit, to));     /* eq:sequential-friction */
     drag_lanes(q, p, p->tangent - before, m);
 }
 
 WF_INLINE void sweep_bundle(const wfSubsteps *s, const wfCase *cases, const wfDeep *deep,
-                            bool soft, const wfBundle *q)
+                            bool soft, const wfContactSimd *q)
 {
-    wfBundlePoint *p = &s->point[q->first];
+    wfSimdPoint *p = &s->point[q->first];
     PairLanes m = take_pairs(s->in->state, q);
     push_point(cases, deep, soft, q, p, &m);
     if (q->points == 2) push_point(cases, deep, soft, q, p + 1, &m);
@@ -344,8 +347,8 @@ WF_INLINE void sweep_bundle(const wfSubsteps *s, const wfCase *cases, const wfDe
     give_pairs(s->in->state, q, &m);
 }
 
-void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
-                    const wfDeep *deep, bool soft)
+void wfSweepSimdContacts(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
+                         const wfDeep *deep, bool soft)
 {
     if (soft)
         for (int32_t i = run->bundle; i < run->bundleEnd; i++)
@@ -355,25 +358,26 @@ void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CA
             sweep_bundle(s, cases[s->bundle[i].alone], deep, false, &s->bundle[i]);
 }
 
-static void store_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane, wfReal share)
+static void store_lane(const wfSubsteps *s, const wfContactSimd *q, int32_t lane,
+                       wfReal share)
 {
     wfContact *c = &s->in->contacts[q->of[lane]];
     for (int32_t k = 0; k < q->points; k++) {
-        const wfBundlePoint *p = &s->point[q->first + k];
+        const wfSimdPoint *p = &s->point[q->first + k];
         c->manifold.points[k].normalImpulse = share * wfLaneOf(&p->normal, lane);
         c->manifold.points[k].tangentImpulse = share * wfLaneOf(&p->tangent, lane);
     }
     c->rollingImpulse = 0;
 }
 
-void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share)
+void wfStoreSimdContacts(const wfSubsteps *s, const wfRun *run, wfReal share)
 {
     for (int32_t i = run->bundle; i < run->bundleEnd; i++)
         for (int32_t lane = 0; lane < s->bundle[i].used; lane++)
             store_lane(s, &s->bundle[i], lane, share);
 }
 
-static void tell_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane)
+static void tell_lane(const wfSubsteps *s, const wfContactSimd *q, int32_t lane)
 {
     wfTold *told = &s->in->told[q->of[lane]];
     for (int32_t k = 0; k < q->points; k++) {
@@ -383,7 +387,7 @@ static void tell_lane(const wfSubsteps *s, const wfBundle *q, int32_t lane)
     }
 }
 
-void wfTellBundles(const wfSubsteps *s, const wfRun *run)
+void wfTellSimdContacts(const wfSubsteps *s, const wfRun *run)
 {
     for (int32_t i = run->bundle; i < run->bundleEnd; i++)
         for (int32_t lane = 0; lane < s->bundle[i].used; lane++)
@@ -392,10 +396,10 @@ void wfTellBundles(const wfSubsteps *s, const wfRun *run)
 
 void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out)
 {
-    const wfBundle *q = &s->bundle[bundle];
+    const wfContactSimd *q = &s->bundle[bundle];
     wfPrepareContact(s->in, &s->in->contacts[q->of[lane]], out);
     for (int32_t k = 0; k < q->points; k++) {
-        const wfBundlePoint *p = &s->point[q->first + k];
+        const wfSimdPoint *p = &s->point[q->first + k];
         out->p[k].now = wfLaneOf(&p->now, lane);
         out->p[k].normal = wfLaneOf(&p->normal, lane);
         out->p[k].tangent = wfLaneOf(&p->tangent, lane);

@@ -149,22 +149,22 @@ enum { WF_OVERLAP, WF_PUSHED, WF_APART, WF_DEEP, WF_COMING, WF_CASES };
 typedef struct wfDeep { wfReal gap, bias, give, rest; } wfDeep;
 
 /* Contacts of one colour, one in each lane, all with as many points. */
-typedef struct wfBundle {
+typedef struct wfContactSimd {
     int32_t a[WF_LANES], b[WF_LANES];   /* their bodies */
     int32_t of[WF_LANES];               /* contact of[i] of in->contacts */
     int32_t used, points, first;        /* lanes in use; point[first] and after */
     bool alone;                         /* contacts of eq:soft-alone */
-    wfLanes nx, ny, friction, surfaceSpeed;
+    wfLanes nx, ny, friction, tangentSpeed;
     wfLanes iA, iB;                     /* inverse inertias */
     wfLaneMask bounces;
-} wfBundle;
+} wfContactSimd;
 
 /* as in wfPreparedPoint */
-typedef struct wfBundlePoint {
+typedef struct wfSimdPoint {
     wfLanes nA, nB, tA, tB, massN, massT, now, normal, tangent;
-} wfBundlePoint;
+} wfSimdPoint;
 
-typedef struct wfBundleGap { wfLanes gap, upA, upB, told; } wfBundleGap;
+typedef struct wfSimdGap { wfLanes gap, upA, upB, told; } wfSimdGap;
 /* A portion of the contacts: first bundles, then those that are taken one by one. */
 typedef struct wfRun { int32_t bundle, bundleEnd, one, oneEnd; } wfRun;
 #endif

@@ -14,7 +14,8 @@ typedef struct Softness {
 static Softness softness_of(const wfSolve *in, wfReal dt)
 {
     wfReal period = in->contactPeriod > 0 ? in->contactPeriod : WF_CONTACT_PERIOD;
-    wfReal damping = in->contactDamping > 0 ? in->contactDamping : WF_CONTACT_DAMPING;
+    wfReal damping = in->contactDampingRatio > 0 ?
+        in->contactDampingRatio : WF_CONTACT_DAMPING_RATIO;
     wfReal turn = 2 * WF_PI / period, sum = 2 * damping + turn;
     wfReal a = turn * sum;                                      /* eq:soft-numbers */
     bool limit = in->recoverySpeed > 0;
@@ -35,7 +36,7 @@ static void list_cases(const wfSubsteps *s, const Softness *soft, bool alone,
     out[WF_OVERLAP] = out[WF_COMING] =
         (wfCase){ soft->bias, soft->mass, soft->impulse * (s->dt / s->kick) };
     if (alone) out[WF_OVERLAP] = out[WF_COMING] =               /* eq:soft-follow */
-        (wfCase){ soft->bias, 1 / (1 + WF_COLUMN_GIVE), 0 };
+        (wfCase){ soft->bias, 1 / (1 + WF_STACK_COMPLIANCE), 0 };
     out[WF_APART] = ahead;
 }
 
@@ -78,13 +79,13 @@ static inline void push_softly(const wfCase *cases, const wfDeep *deep, wfPrepar
     }
 }
 
-static void sweep_columns(wfSubsteps *s, wfColumns *t, const Softness *soft)
+static void sweep_columns(wfSubsteps *s, wfStacks *t, const Softness *soft)
 {
-    if (soft == NULL) wfSolveColumns(s, t, 0, 0, 0);
-    else wfSolveColumns(s, t, soft->bias, WF_COLUMN_GIVE, soft->fastest);
+    if (soft == NULL) wfSolveStacks(s, t, 0, 0, 0);
+    else wfSolveStacks(s, t, soft->bias, WF_STACK_COMPLIANCE, soft->fastest);
 }
 
-static void judge(wfSubsteps *s, const wfColumns *t)
+static void judge(wfSubsteps *s, const wfStacks *t)
 {
     for (int32_t i = 0; i < s->ones; i++) {
         if (!(s->c[i].holds > s->c[i].slides)) continue;
@@ -93,7 +94,7 @@ static void judge(wfSubsteps *s, const wfColumns *t)
     }
 }
 
-static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
+static void sweep_ones(wfSubsteps *s, const wfStacks *t, const wfRun *run,
                        wfCase cases[2][WF_CASES], const wfDeep *deep)
 {
     for (int32_t i = run->one; i < run->oneEnd; i++) {
@@ -106,9 +107,9 @@ static void sweep_ones(wfSubsteps *s, const wfColumns *t, const wfRun *run,
     }
 }
 
-static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
+static void sweep(wfSubsteps *s, wfStacks *t, const Softness *soft)
 {
-    const wfLaws *laws = s->in->laws;
+    const wfConstraints *laws = s->in->laws;
     wfCase cases[2][WF_CASES];
     wfDeep deep = deep_for(s, soft);
     list_cases(s, soft, false, cases[0]);
@@ -118,7 +119,7 @@ static void sweep(wfSubsteps *s, wfColumns *t, const Softness *soft)
             laws->solve(laws->context, s->in, s->moved, s->dt, pass, soft != NULL);
         if (pass == 0 || laws != NULL) sweep_columns(s, t, soft);
         for (int32_t k = 0; k < s->runs; k++) {
-            wfSweepBundles(s, &s->run[k], cases, &deep, soft != NULL);
+            wfSweepSimdContacts(s, &s->run[k], cases, &deep, soft != NULL);
             sweep_ones(s, t, &s->run[k], cases, &deep);
         }
     }
@@ -161,13 +162,13 @@ static bool part_contact(const Parting *part, const wfPrepared *c, wfReal below)
     return some;
 }
 
-static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *t,
+static bool part_run(const Parting *part, const wfSubsteps *s, const wfStacks *t,
                      const wfRun *run)
 {
     bool some = false;
     wfPrepared one;
     for (int32_t i = run->bundle; i < run->bundleEnd; i++)
-        for (int32_t n = wfBundleDeep(s, i, &part->deep) - 1; n >= 0; n--) {
+        for (int32_t n = wfSimdDeep(s, i, &part->deep) - 1; n >= 0; n--) {
             wfUnpackContact(s, i, n, &one);
             if (part_contact(part, &one, -WF_HUGE)) some = true;
         }
@@ -178,7 +179,7 @@ static bool part_run(const Parting *part, const wfSubsteps *s, const wfColumns *
     return some;
 }
 
-static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
+static void part_deep(wfSubsteps *s, const wfStacks *t, const Softness *soft,
                       wfMoved *aside)
 {
     wfReal share = soft->bias * s->dt, deepest = wfMaxR(-s->lowest, 0) * share;
@@ -200,17 +201,17 @@ static void part_deep(wfSubsteps *s, const wfColumns *t, const Softness *soft,
 
 static void tell(const wfSubsteps *s)
 {
-    for (int32_t k = 0; k < s->runs; k++) wfTellBundles(s, &s->run[k]);
+    for (int32_t k = 0; k < s->runs; k++) wfTellSimdContacts(s, &s->run[k]);
     for (int32_t i = 0; i < s->ones; i++)
         wfTellPrepared(&s->c[i], &s->in->told[s->order[i]]);
 }
 
-static void finish(wfSubsteps *s, wfColumns *t)
+static void finish(wfSubsteps *s, wfStacks *t)
 {
     const wfSolve *in = s->in;
     wfReal whole = in->h / (s->dt / 2);
     wfKick(s, s->dt / 2, s->kick);
-    for (int32_t k = 0; k < s->runs; k++) wfStoreBundles(s, &s->run[k], whole);
+    for (int32_t k = 0; k < s->runs; k++) wfStoreSimdContacts(s, &s->run[k], whole);
     for (int32_t i = 0; i < s->ones; i++)
         wfStoreImpulses(&s->c[i], whole, &in->contacts[s->order[i]]);
     sweep(s, t, NULL);
@@ -218,7 +219,7 @@ static void finish(wfSubsteps *s, wfColumns *t)
     for (int32_t i = 0; i < in->bodyCount; i++) {
         if (in->present != NULL && !in->present[i]) continue;
         if (in->fine != NULL) {
-            wfArriveFinely(&in->state[i], &in->fine[i], &s->moved[i]);
+            wfArriveWithResidual(&in->state[i], &in->fine[i], &s->moved[i]);
             continue;
         }
         in->state[i].p = wfAdd(in->state[i].p, s->moved[i].d);
@@ -230,13 +231,14 @@ wfResult wfSoftStep(const wfSolve *in)
 {
     wfSubsteps s = { .in = in, .dt = in->h / (wfReal)in->substeps, .kick = in->h };
     size_t mark = wfPoolMark(in->scratch);
-    wfColumns columns;
+    wfStacks columns;
     wfResult result = wfTakeSubsteps(&s);
     wfMoved *aside = wfPoolPushArray(in->scratch, in->bodyCount, wfMoved);
-    if (result == WF_OK) result = aside != NULL ? wfFindColumns(&s, &columns)
+    if (result == WF_OK) result = aside != NULL ? wfFindStacks(&s, &columns)
                                                 : WF_ERROR_MEMORY;
     s.columns = &columns;
-    if (result == WF_OK && in->colours && in->lanes) result = wfPackLanes(&s, &columns);
+    if (result == WF_OK && in->graphColouring && in->enableSimd)
+        result = wfPackLanes(&s, &columns);
     if (result == WF_OK) result = wfPrepareOnes(&s);
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         aside[i] = (wfMoved){ .turn = 0 };
@@ -258,6 +260,6 @@ wfResult wfSoftStep(const wfSolve *in)
 size_t wfSoftScratch(int32_t bodies, int32_t contacts)
 {
     size_t aside = sizeof(wfMoved) * (size_t)bodies + WF_POOL_ALIGN;
-    return wfSubstepScratch(bodies, contacts) + wfColumnScratch(bodies, contacts) + aside
+    return wfSubstepScratch(bodies, contacts) + wfStackScratch(bodies, contacts) + aside
          + wfLaneScratch(contacts);
 }

@@ -43,7 +43,7 @@ static void push_apart(const wfSolve *in, const wfContact *c, const wfVec2 *star
     wfVec2 n = c->manifold.normal;
     wfReal depth = deepest(&c->manifold), both = a->invMass + b->invMass;
     if (!(depth > c->slop) || !(both > 0)) return;
-    wfReal keep = 1 - in->positionShare;
+    wfReal keep = 1 - in->positionCorrection;
     wfReal goal = c->slop + keep * (depth - c->slop);        /* eq:impulses-goal */
     wfVec2 moved = wfSub(wfSub(b->p, start[c->b]), wfSub(a->p, start[c->a]));
     wfReal push = depth - wfDot(moved, n) - goal;
@@ -98,7 +98,7 @@ static void rub_contact(const wfSolve *in, wfContact *c)
 {
     wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
     wfReal u = wfApproachOf(c, a, b), e = u > in->restingSpeed ? c->restitution : 0;
-    wfReal sum = wfRubContact(a, b, c, e);
+    wfReal sum = wfApplyContactFriction(a, b, c, e);
     if (in->told != NULL) wfTellBlow(&in->told[c - in->contacts], sum, e, u);
 }
 
@@ -151,17 +151,18 @@ static wfResult check_contact(const wfContact *c, int32_t bodyCount)
         return WF_ERROR_RANGE;
     /* check the materials of a contact */
     if (!wfIsFinite(c->restitution) || !wfIsFinite(c->friction)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(c->rolling) || !wfIsFinite(c->surfaceSpeed)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(c->rollingResistance) || !wfIsFinite(c->tangentSpeed))
+        return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->rollingImpulse) || !wfIsFinite(c->slop)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->staticFriction)) return WF_ERROR_NOT_FINITE;
     if (c->restitution < 0 || c->restitution > 1 || c->friction < 0) return WF_ERROR_RANGE;
-    if (c->rolling < 0 || c->slop < 0 || c->staticFriction < 0) return WF_ERROR_RANGE;
+    if (c->rollingResistance < 0 || c->slop < 0 || c->staticFriction < 0) return WF_ERROR_RANGE;
     if (!wfIsFinite2(m->normal)) return WF_ERROR_NOT_FINITE;
     if (m->count < 0 || m->count > 2) return WF_ERROR_RANGE;
     for (int32_t i = 0; i < m->count; i++) {
         const wfContactPoint *p = &m->points[i];
         if (!wfIsFinite2(p->point) || !wfIsFinite(p->depth)) return WF_ERROR_NOT_FINITE;
-        if (!wfIsFinite2(p->armA) || !wfIsFinite2(p->armB)) return WF_ERROR_NOT_FINITE;
+        if (!wfIsFinite2(p->rA) || !wfIsFinite2(p->rB)) return WF_ERROR_NOT_FINITE;
         if (!wfIsFinite(p->normalImpulse) || !wfIsFinite(p->tangentImpulse))
             return WF_ERROR_NOT_FINITE;
     }
@@ -188,18 +189,18 @@ wfResult wfCheckSolve(const wfSolve *in)
     if (in->iterations < 1 || in->substeps < 0) return WF_ERROR_RANGE;
     if (in->bodyCount > 0 && in->state == NULL) return WF_ERROR_NULL;
     if (in->contactCount > 0 && in->contacts == NULL) return WF_ERROR_NULL;
-    const wfLaws *laws = in->laws;
+    const wfConstraints *laws = in->laws;
     if (laws != NULL && (laws->begin == NULL || laws->solve == NULL)) return WF_ERROR_NULL;
     /* check the numbers of a solve */
     if (!wfIsFinite(in->h) || !wfIsFinite(in->restingSpeed)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(in->positionShare)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(in->positionCorrection)) return WF_ERROR_NOT_FINITE;
     if (in->h <= 0 || in->restingSpeed < 0) return WF_ERROR_RANGE;
-    if (in->positionShare < 0 || in->positionShare > 1) return WF_ERROR_RANGE;
-    if (!wfIsFinite(in->contactPeriod + in->contactDamping) ||
+    if (in->positionCorrection < 0 || in->positionCorrection > 1) return WF_ERROR_RANGE;
+    if (!wfIsFinite(in->contactPeriod + in->contactDampingRatio) ||
         !wfIsFinite(in->recoverySpeed))
         return WF_ERROR_NOT_FINITE;
-    if (in->contactPeriod < 0 || in->contactDamping < 0 || in->recoverySpeed < 0 ||
-        in->columns < 0 || in->columns > 1 + WF_COLUMN_LOOPS)
+    if (in->contactPeriod < 0 || in->contactDampingRatio < 0 || in->recoverySpeed < 0 ||
+        in->stackSolver < 0 || in->stackSolver > 1 + WF_STACK_LOOPS)
         return WF_ERROR_RANGE;
     wfResult result = WF_OK;
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)

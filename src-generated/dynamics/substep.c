@@ -13,7 +13,7 @@ static void add_finely(wfReal *sum, wfReal *rest, double more)  /* eq:soft-rest 
 }
 
 
-static void kick_finely(wfBodyState *b, wfFine *rest, const wfBodyForces *f, double t)
+static void kick_finely(wfBodyState *b, wfResidual *rest, const wfBodyForces *f, double t)
 {
     double mass = t * (double)b->invMass, inertia = t * (double)b->invInertia;
     add_finely(&b->v.x, &rest->v.x, mass * (double)f->force.x);
@@ -21,14 +21,14 @@ static void kick_finely(wfBodyState *b, wfFine *rest, const wfBodyForces *f, dou
     add_finely(&b->w, &rest->w, inertia * (double)f->torque);
 }
 
-static void drift_finely(wfMoved *m, wfFine *rest, const wfBodyState *b, double t)
+static void drift_finely(wfMoved *m, wfResidual *rest, const wfBodyState *b, double t)
 {
     add_finely(&m->d.x, &rest->p.x, t * ((double)b->v.x + (double)rest->v.x));
     add_finely(&m->d.y, &rest->p.y, t * ((double)b->v.y + (double)rest->v.y));
     add_finely(&m->turn, &rest->angle, t * ((double)b->w + (double)rest->w));
 }
 
-void wfArriveFinely(wfBodyState *b, wfFine *rest, const wfMoved *m)
+void wfArriveWithResidual(wfBodyState *b, wfResidual *rest, const wfMoved *m)
 {
     add_finely(&b->p.x, &rest->p.x, (double)m->d.x);
     add_finely(&b->p.y, &rest->p.y, (double)m->d.y);
@@ -42,7 +42,7 @@ static void forget_digits(wfSubsteps *s)
         wfPrepared room;
         const wfPrepared *c = wfPreparedOf(s, i, &room);
         if (!(c->p[0].normal > 0) && !(c->count > 1 && c->p[1].normal > 0)) continue;
-        s->in->fine[c->a] = s->in->fine[c->b] = (wfFine){ .w = 0 };
+        s->in->fine[c->a] = s->in->fine[c->b] = (wfResidual){ .w = 0 };
     }
 }
 
@@ -68,7 +68,7 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
         b->w += t * b->invInertia * in->forces[i].torque;
     }
     for (int32_t k = 0; k < s->runs; k++) {
-        wfWarmBundles(s, &s->run[k], t / last);
+        wfWarmSimdContacts(s, &s->run[k], t / last);
         for (int32_t i = s->run[k].one; i < s->run[k].oneEnd; i++)
             wfWarmStart(in, &s->c[i], t / last);
     }
@@ -81,7 +81,7 @@ void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapf
 void wfFindGaps(wfSubsteps *s)
 {
     s->lowest = WF_HUGE;
-    for (int32_t k = 0; k < s->runs; k++) wfFindBundleGaps(s, &s->run[k]);
+    for (int32_t k = 0; k < s->runs; k++) wfFindSimdGaps(s, &s->run[k]);
     for (int32_t i = 0; i < s->ones; i++) {
         wfPrepared *c = &s->c[i];
         const wfMoved *a = &s->moved[c->a], *b = &s->moved[c->b];
@@ -112,7 +112,7 @@ void wfDrift(wfSubsteps *s)
 static void fine_at_time(const wfSubsteps *s, int32_t i, wfReal t, double out[3])
 {
     const wfBodyState *now = &s->in->state[i];
-    const wfFine *rest = &s->in->fine[i], *had = &s->rest[i];
+    const wfResidual *rest = &s->in->fine[i], *had = &s->rest[i];
     const wfMotion *was = &s->before[i];
     double share = (double)t / (double)s->kick + (s->kick < s->dt ? 0 : 0.5);
     const double a[3] = { (double)was->v.x + (double)had->v.x,
@@ -146,7 +146,7 @@ static void give_finely(wfSubsteps *s, int32_t i, const double was[3], const dou
                         wfReal t)
 {
     wfBodyState *b = &s->in->state[i];
-    wfFine *rest = &s->in->fine[i], *had = &s->rest[i];
+    wfResidual *rest = &s->in->fine[i], *had = &s->rest[i];
     wfMotion *before = &s->before[i];
     wfMoved *m = &s->moved[i];
     double dv[3] = { is[0] - was[0], is[1] - was[1], is[2] - was[2] };
@@ -241,13 +241,13 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
         if (ti > s->dt) continue;
         t = wfMinR(t, ti);
         wfContactPoint *p = &hit.manifold.points[hit.manifold.count++];
-        p->point = wfSub(found[i].armA, found[0].armA);
+        p->point = wfSub(found[i].rA, found[0].rA);
     }
     if (hit.manifold.count == 0) return false;
     wfMotion ma = at_time(s, c->a, t), mb = at_time(s, c->b, t);
     /* the two bodies at the time of their impact */
     wfBodyState a = in->state[c->a], b = in->state[c->b];
-    a.p = wfNeg(found[0].armA), b.p = wfNeg(found[0].armB);
+    a.p = wfNeg(found[0].rA), b.p = wfNeg(found[0].rB);
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;
     wfTold *told = in->told == NULL ? NULL : &in->told[at];
     if (!wfBounce(&a, &b, &hit, in->restingSpeed, told)) return false;
@@ -292,7 +292,7 @@ static void read_contacts(wfSubsteps *s)
     for (int32_t i = 0; i < s->in->contactCount; i++) {
         const wfContact *c = &s->in->contacts[i];
         int32_t trait = c->manifold.count;
-        if (c->rolling > 0) trait |= WF_TRAIT_ROLLS;
+        if (c->rollingResistance > 0) trait |= WF_TRAIT_ROLLS;
         if (c->staticFriction > c->friction) trait |= WF_TRAIT_TWO_FRICTIONS;
         if (touches(c)) trait |= WF_TRAIT_TOUCHES;
         if (c->restitution > 0) s->bouncing = true;
@@ -314,11 +314,11 @@ static wfResult put_in_order(wfSubsteps *s)
     s->colours.order = s->order;
     if (s->order == NULL || s->at == NULL || s->run == NULL) return WF_ERROR_MEMORY;
     wfResult result = WF_OK;
-    if (in->colours)
+    if (in->graphColouring)
         result = wfColour(in->state, in->bodyCount, s->ends, in->contactCount, in->scratch,
                           &s->colours);
     for (int32_t i = 0; result == WF_OK && i < in->contactCount; i++) {
-        if (!in->colours) s->order[i] = i;
+        if (!in->graphColouring) s->order[i] = i;
         s->at[s->order[i]] = i;
     }
     s->ones = in->contactCount;
@@ -332,7 +332,8 @@ wfResult wfTakeSubsteps(wfSubsteps *s)
     const wfSolve *in = s->in;
     s->moved = wfPoolPushArray(in->scratch, in->bodyCount, wfMoved);
     s->before = wfPoolPushArray(in->scratch, in->bodyCount, wfMotion);
-    s->rest = in->fine == NULL ? NULL : wfPoolPushArray(in->scratch, in->bodyCount, wfFine);
+    s->rest = in->fine == NULL ?
+        NULL : wfPoolPushArray(in->scratch, in->bodyCount, wfResidual);
     if (s->moved == NULL || s->before == NULL) return WF_ERROR_MEMORY;
     if (in->fine != NULL && s->rest == NULL) return WF_ERROR_MEMORY;
     for (int32_t i = 0; i < in->bodyCount; i++) s->moved[i] = (wfMoved){ .turn = 0 };
@@ -351,7 +352,7 @@ wfResult wfPrepareOnes(wfSubsteps *s)
 
 size_t wfSubstepScratch(int32_t bodies, int32_t contacts)
 {
-    size_t body = sizeof(wfMoved) + sizeof(wfMotion) + sizeof(wfFine);
+    size_t body = sizeof(wfMoved) + sizeof(wfMotion) + sizeof(wfResidual);
     size_t contact = sizeof(wfPrepared) + 2 * sizeof(int32_t) + sizeof(wfPair) + 1;
     return contact * (size_t)contacts + body * (size_t)bodies + 9 * WF_POOL_ALIGN
          + (WF_COLOURS + 1) * sizeof(wfRun) + wfColourScratch(bodies, contacts);

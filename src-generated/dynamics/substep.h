@@ -22,7 +22,7 @@ typedef struct wfSubsteps {
     int32_t        ones;         /* so many: at first all of them */
     wfMoved       *moved;        /* since the beginning of the step */
     wfMotion      *before;       /* velocities before the last kick, */
-    wfFine        *rest;         /* and what they round away; if in->fine */
+    wfResidual    *rest;         /* and what they round away; if in->fine */
     int32_t       *order;        /* c[k] is contact order[k] of in->contacts */
     int32_t       *at;           /* and contact i is c[at[i]]; below 0: in a bundle */
     wfPair        *ends;         /* contact i is between these bodies; */
@@ -32,12 +32,12 @@ typedef struct wfSubsteps {
     wfColouring    colours;      /* where in `order` each colour begins, at first */
     wfRun         *run;          /* the portions in which contacts are gone through */
     int32_t        runs;
-    wfBundle      *bundle;       /* those that are taken several at once: sec:soft-lanes */
-    wfBundlePoint *point;        /* and their points, */
-    wfBundleGap   *gap;          /* and what only a motion needs of them */
+    wfContactSimd *bundle;       /* those that are taken several at once: sec:soft-lanes */
+    wfSimdPoint *point;          /* and their points, */
+    wfSimdGap     *gap;          /* and what only a motion needs of them */
     wfReal         dt;           /* a substep, s */
     wfReal         kick;         /* what the last kick was for: dt or dt/2, s */
-    struct wfColumns *columns;   /* sec:soft-columns; or NULL */
+    struct wfStacks *columns;    /* sec:soft-columns; or NULL */
 } wfSubsteps;
 /* Takes the arrays from the scratch and puts the contacts in order; then makes those ready
  * that are taken one by one. WF_ERROR_MEMORY. */
@@ -46,7 +46,7 @@ wfResult wfPrepareOnes(wfSubsteps *s);
 /* Forces, contacts as last time (they were for `last`) and other laws act for t. */
 void wfKick(wfSubsteps *s, wfReal t, wfReal last);
 /* The end of a step: a body's place and what it rounds away get what it has moved. */
-void wfArriveFinely(wfBodyState *b, wfFine *rest, const wfMoved *m);
+void wfArriveWithResidual(wfBodyState *b, wfResidual *rest, const wfMoved *m);
 /* All bodies move for a substep with the velocities that they have. */
 void wfDrift(wfSubsteps *s);
 /* Each point's `now`, from where the bodies are. The two that move them, wfDrift and
@@ -61,12 +61,12 @@ size_t wfLaneScratch(int32_t contacts);     /* what bundles take beyond wfSubste
 void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out);
 /* Contact i of in->contacts as it is in c, or unpacked. */
 const wfPrepared *wfPreparedOf(const wfSubsteps *s, int32_t i, wfPrepared *room);
-void wfWarmBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
-void wfFindBundleGaps(wfSubsteps *s, const wfRun *run);
-void wfSweepBundles(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
-                    const wfDeep *deep, bool soft);
-void wfStoreBundles(const wfSubsteps *s, const wfRun *run, wfReal share);
-void wfTellBundles(const wfSubsteps *s, const wfRun *run);  /* in->told is not NULL */
+void wfWarmSimdContacts(const wfSubsteps *s, const wfRun *run, wfReal share);
+void wfFindSimdGaps(wfSubsteps *s, const wfRun *run);
+void wfSweepSimdContacts(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],
+                         const wfDeep *deep, bool soft);
+void wfStoreSimdContacts(const wfSubsteps *s, const wfRun *run, wfReal share);
+void wfTellSimdContacts(const wfSubsteps *s, const wfRun *run); /* in->told is not NULL */
 /* Has it a deep overlap? Then how many contacts it has, else 0. */
-int32_t wfBundleDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep);
+int32_t wfSimdDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep);
 #endif

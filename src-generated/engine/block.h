@@ -9,7 +9,7 @@
 
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
-typedef struct wfKept { int32_t pairs, contacts, touches; } wfKept;
+typedef struct wfSleepingLists { int32_t pairs, contacts, touches; } wfSleepingLists;
 /* Of a shape in a step: its body's velocity to be and how fast its rim turns, m/s; how far
  * it is looked ahead for, m. */
 typedef struct wfPace { wfVec2 toBe; wfReal rim, way; } wfPace;
@@ -30,24 +30,24 @@ typedef struct wfHeader {
     wfSlots forceSlots;
     wfSlots shapeSlots;
     int32_t pairCount, contactCount;   /* of the last step */
-    wfKept kept;               /* how much of the lists the next step will not look at */
+    wfSleepingLists kept;      /* how much of the lists the next step will not look at */
     int32_t sensorCount;       /* shapes that are sensors */
     int32_t indexStale;        /* 1: the bounds have changed since the index was made */
     int32_t touchCount, hitCount, eventCount[WF_EVENT_KINDS];
     int32_t knownPairs, mostMaterials;   /* now, and ever */
     wfSolveReport report;         /* of the last step */
     int32_t large;                /* 1: created with room for the solver WF_SOLVER_LARGE */
-    wfFar   origin;            /* m: where (0, 0) is; no stage reads it */
+    wfGlobalPoint origin;      /* m: where (0, 0) is; no stage reads it */
     uint32_t used;                       /* needs that somebody had use for */
     int32_t mostPairs, mostContacts;     /* that a step has ever had */
     wfSlots jointSlots;
     int32_t brokenCount;       /* joints that broke in the last step */
-    int32_t together;          /* joints that the last step solved together */
+    int32_t directJointCount;  /* joints that the last step solved together */
     int32_t unsolved;          /* substeps of the last step not solved so */
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
     int32_t fastCount, impactCount, heldCount;  /* of the last step */
     int32_t crowd;             /* 1: its fast bodies were too many, and struck too often */
-    int32_t asleep;            /* how many bodies sleep */
+    int32_t sleepingCount;     /* how many bodies sleep */
     int32_t roused;            /* 1: since the last step somebody may have woken */
     int32_t islandCount;       /* of the last step: islands that were awake, at its end */
     int32_t    busy;           /* 1: a step runs that calls the user's functions */
@@ -64,15 +64,15 @@ typedef struct wfBlock {
     uint8_t *transient;
 } wfBlock;
 /* needs of a block */
-uint32_t wfNeedsOf(const wfWorldDef *def);
+uint32_t wfModulesOf(const wfWorldDef *def);
 /* Those of these needs that a world with `have` lacks. */
-uint32_t wfLacking(uint32_t have, uint32_t needs);
+uint32_t wfLacking(uint32_t have, uint32_t modules);
 /* What a scene with all of these needs: first the things, then what shows in them. */
-uint32_t wfNeedsOfAll(uint32_t needs);
+uint32_t wfModulesOfAll(uint32_t modules);
 /* The first need in this set: its error; WF_OK for none. */
-wfResult wfNeedError(uint32_t needs);
+wfResult wfModuleError(uint32_t modules);
 /* Does a stage run in worlds of these needs? */
-bool wfStageRuns(const wfStageRow *row, uint32_t needs);
+bool wfStageRuns(const wfStageRow *row, uint32_t modules);
 
 /* What an array holds in any world: `each` bytes for each of what `per` says. */
 typedef struct wfRegionRow {
@@ -131,8 +131,8 @@ int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
 wfBodyId wfIdOfBody(const wfBlock *b, int32_t i);
 /* Something was done to body i from outside (-1: to all); to both ends of a force, a joint
  * or a contact, as far as they are dynamic. */
-void wfDisturb(wfBlock *b, int32_t i);
-void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second);
+void wfBodyChanged(wfBlock *b, int32_t i);
+void wfEndsChanged(wfBlock *b, int32_t first, int32_t second);
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
 wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);
@@ -162,38 +162,38 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two);
 
 /* What the states round away; NULL: nobody keeps it. */
-static inline wfFine *wfFineOf(const wfBlock *b)
+static inline wfResidual *wfResidualOf(const wfBlock *b)
 {
-    return b->head->fineSums ? b->fine : NULL;
+    return b->head->compensatedSums ? b->fine : NULL;
 }
 /* Is a rest what rounding to this state can lose? eq:world-digits */
-WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfFine *rest);
+WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfResidual *rest);
 /* What a rest has more than that goes to the state. */
-void wfSettleDigits(wfBodyState *s, wfFine *rest);
+void wfSettleDigits(wfBodyState *s, wfResidual *rest);
 
 /* Was the world made for one of these needs? */
-static inline bool wfHas(const wfHeader *h, uint32_t needs)
+static inline bool wfHas(const wfHeader *h, uint32_t modules)
 {
-    (void)h, (void)needs;
+    (void)h, (void)modules;
     /* look whether a need is met */
-    if ((h->needs & needs) == 0) return false;
+    if ((h->modules & modules) == 0) return false;
     return true;
 }
 /* WF_OK if the world has all these needs; else the error of the first that it lacks. */
-static inline wfResult wfDemand(const wfBlock *b, uint32_t needs)
+static inline wfResult wfRequireModules(const wfBlock *b, uint32_t modules)
 {
-    (void)b, (void)needs;
+    (void)b, (void)modules;
     /* demand the needs */
-    uint32_t missing = wfLacking(b->head->needs, needs);
-    if (missing != 0) return wfNeedError(missing);
+    uint32_t missing = wfLacking(b->head->modules, modules);
+    if (missing != 0) return wfModuleError(missing);
     return WF_OK;
 }
 /* Somebody has had use for these needs. */
-static inline void wfUse(wfBlock *b, uint32_t needs)
+static inline void wfUse(wfBlock *b, uint32_t modules)
 {
-    (void)b, (void)needs;
+    (void)b, (void)modules;
     /* note the needs */
-    b->head->used |= needs;
+    b->head->used |= modules;
 }
 /* Removes the joints of a body. */
 void wfDropJoints(wfBlock *b, int32_t body);
@@ -201,7 +201,7 @@ void wfDropJoints(wfBlock *b, int32_t body);
 struct wfStep;
 wfResult wfLeaveOutJoined(struct wfStep *s);
 wfResult wfTakeJoints(struct wfStep *s);
-wfResult wfJudgeJoints(struct wfStep *s);
+wfResult wfBreakJoints(struct wfStep *s);
 wfResult wfKeepJoints(struct wfStep *s);
 /* Tells the joints that every place is called by less `by`. */
 void wfMoveJoints(wfBlock *b, wfVec2 by);
@@ -212,7 +212,7 @@ enum { WF_CROWD = 256, WF_STEP_ROOM = 4096 };
 static inline bool wfIsCrowd(const wfBlock *b) { return b->head->crowd != 0; }
 
 /* A body that is followed through a step. Times are shares of the step. */
-typedef struct wfFlight {
+typedef struct wfSweptBody {
     int32_t body, impacts;     /* whose it is; how many it has had */
     int32_t own, other;        /* the shapes that meet next; other -1: nobody */
     wfReal  since, next;       /* when the leg begins; when they meet, above 1: never */
@@ -224,36 +224,36 @@ typedef struct wfFlight {
     wfVec2  point, normal;     /* where they meet: halfway, and from `own` to `other` */
     bool    fast, held, lost;  /* looks for others; waits; does not know what comes */
     bool    fresh;             /* its leg has just been changed */
-} wfFlight;
+} wfSweptBody;
 /* A collision that was dealt with at its own moment. */
-typedef struct wfStrike {
+typedef struct wfImpactEvent {
     wfPair pair;
     wfVec2 point, normal;      /* world, m; unit, from pair.a to pair.b */
     wfReal speed, impulse;     /* m/s before it; N s */
     bool   bounced;
-} wfStrike;
+} wfImpactEvent;
 /* Stages of fast bodies, and what they need from others. */
-wfResult wfFlyFirst(struct wfStep *s);
-wfResult wfFlyLast(struct wfStep *s);
+wfResult wfContinuousBefore(struct wfStep *s);
+wfResult wfContinuousAfter(struct wfStep *s);
 wfResult wfFindPairsAgain(struct wfStep *s);
 wfContact wfStartContact(const struct wfStep *s, wfPair p);
-wfResult wfTellStrikes(struct wfStep *s);
+wfResult wfTellImpactEvents(struct wfStep *s);
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
 /* Is there a joint that keeps the bodies a and b from colliding? */
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);
 /* Sleep. A new or a cleared place; who is disturbed, and by what. */
 void wfBeginRest(wfBlock *b, int32_t i, int32_t never);
-void wfRouse(wfBlock *b, int32_t i);
-void wfRouseNear(wfBlock *b, int32_t k);
-bool wfSleeps(const wfBlock *b, int32_t i);
+void wfWakeIsland(wfBlock *b, int32_t i);
+void wfWakeNear(wfBlock *b, int32_t k);
+bool wfBodySleeps(const wfBlock *b, int32_t i);
 /* Wakes whom a joint holds to a body that is not dynamic. */
-void wfRouseJoined(wfBlock *b, int32_t body);
-void wfLeaveOutSleepers(struct wfStep *s);
+void wfWakeJoined(wfBlock *b, int32_t body);
+void wfLeaveOutSleeping(struct wfStep *s);
 void wfWakeInStep(struct wfStep *s, int32_t i);
 bool wfMovesNow(const struct wfStep *s, int32_t i);
 void wfKeepRest(struct wfStep *s);
-wfResult wfPlaceSleepers(struct wfStep *s);
+wfResult wfPlaceSleeping(struct wfStep *s);
 wfResult wfFindIslands(struct wfStep *s);
-int32_t wfOldTouches(const struct wfStep *s, wfTouch *out);
-void wfAddSensed(const struct wfStep *s, wfTouchList *stay);
+int32_t wfOldTouches(const struct wfStep *s, wfTouchingPair *out);
+void wfAddSensed(const struct wfStep *s, wfTouchingList *stay);
 #endif

@@ -49,19 +49,19 @@ static wfResult check_body_def(const wfBodyDef *d)
 }
 
 /* what bodies need */
-uint32_t wfNeedsOfBody(const wfBodyDef *d)
+uint32_t wfModulesOfBody(const wfBodyDef *d)
 {
-    uint32_t needs = 0;
-    if (d == NULL) return needs;
+    uint32_t modules = 0;
+    if (d == NULL) return modules;
     (void)d;
     /* what a body's definition requires */
-    if (d->angularVelocity != 0) needs |= WF_NEED_ROTATION;
-    if (d->linearDamping > 0 || d->angularDamping > 0) needs |= WF_NEED_DAMPING;
+    if (d->angularVelocity != 0) modules |= WF_MODULE_ROTATION;
+    if (d->linearDamping > 0 || d->angularDamping > 0) modules |= WF_MODULE_DAMPING;
     bool formed = d->shape.kind != WF_SHAPE_NONE;
-    if (formed) needs |= WF_NEED_SHAPES;
-    if (formed && d->friction > 0) needs |= WF_NEED_FRICTION;
-    if (formed && d->restitution > 0) needs |= WF_NEED_RESTITUTION;
-    return needs;
+    if (formed) modules |= WF_MODULE_SHAPES;
+    if (formed && d->friction > 0) modules |= WF_MODULE_FRICTION;
+    if (formed && d->restitution > 0) modules |= WF_MODULE_RESTITUTION;
+    return modules;
 }
 
 /* make a body from its definition */
@@ -103,7 +103,7 @@ static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
     out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
     out->state.angle = angle;
     out->state.w = d->fixedRotation ? 0 : d->angularVelocity;
-    bool still = d->fixedRotation || !wfHas(b->head, WF_NEED_ROTATION);
+    bool still = d->fixedRotation || !wfHas(b->head, WF_MODULE_ROTATION);
     out->props.fixedRotation = still;
     if (still) mass.inertia = 0;
     out->props.linearDamping = d->linearDamping;
@@ -119,7 +119,7 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     newBody made;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = check_body_def(def);
-    if (result == WF_OK) result = wfDemand(&b, wfNeedsOfBody(def));
+    if (result == WF_OK) result = wfRequireModules(&b, wfModulesOfBody(def));
     if (result == WF_OK) result = make_body(&b, def, &made);
     if (result == WF_OK && !wfBodyIsFinite(&made.state)) result = WF_ERROR_NOT_FINITE;
     if (result != WF_OK) return result;
@@ -132,7 +132,7 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     b.props[i] = made.props;
     b.alive[i] = 1;
     bool turns = made.state.invInertia > 0;
-    wfUse(&b, wfNeedsOfBody(def) | (turns ? WF_NEED_ROTATION : 0));
+    wfUse(&b, wfModulesOfBody(def) | (turns ? WF_MODULE_ROTATION : 0));
     /* give body i the shape of its definition */
     wfShapeDef own = wfDefaultShapeDef();
     own.shape = def->shape;
@@ -153,8 +153,8 @@ static void clear_place(wfBlock *b, int32_t i)
     b->props[i].shape = -1;
     b->alive[i] = 0;
     /* clear what else there is of body i */
-    if (wfHas(b->head, WF_NEED_PUSHES)) memset(&b->applied[i], 0, sizeof b->applied[i]);
-    if (wfFineOf(b) != NULL) memset(&b->fine[i], 0, sizeof b->fine[i]);
+    if (wfHas(b->head, WF_MODULE_PUSHES)) memset(&b->applied[i], 0, sizeof b->applied[i]);
+    if (wfResidualOf(b) != NULL) memset(&b->fine[i], 0, sizeof b->fine[i]);
 }
 
 wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
@@ -169,7 +169,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
     for (int32_t f = 0; f < b.head->forceSlots.high; f++) {
         bool live = b.forceSlots[f].next == WF_SLOT_LIVE;
         if (!live || (b.forces[f].a != i && b.forces[f].b != i)) continue;
-        wfDisturbEnds(&b, b.forces[f].a, b.forces[f].b);
+        wfEndsChanged(&b, b.forces[f].a, b.forces[f].b);
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
         memset(&b.forces[f], 0, sizeof b.forces[f]);
         b.added[f] = 0;
@@ -257,17 +257,17 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (result != WF_OK) return result;
     if (!wfIsFinite2(velocity) || !wfIsFinite(angularVelocity)) return WF_ERROR_NOT_FINITE;
     if (b.props[i].type == WF_STATIC) return WF_ERROR_RANGE;
-    uint32_t needs = angularVelocity != 0 ? WF_NEED_ROTATION : 0;
-    result = wfDemand(&b, needs);
+    uint32_t modules = angularVelocity != 0 ? WF_MODULE_ROTATION : 0;
+    result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
-    wfUse(&b, needs);
+    wfUse(&b, modules);
     wfBodyState *s = &b.state[i];
     if (b.props[i].fixedRotation) angularVelocity = 0;
     bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
     bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
     s->v = velocity;
     s->w = angularVelocity;
-    if (moved != moves || b.props[i].type == WF_DYNAMIC) wfDisturb(&b, i);
+    if (moved != moves || b.props[i].type == WF_DYNAMIC) wfBodyChanged(&b, i);
     return WF_OK;
 }
 
@@ -282,7 +282,7 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
     wfReal inertia = b.props[i].inertia * (mass / b.props[i].mass);
     result = wfSetMass(&b.state[i], &b.props[i], mass, inertia);
     if (result == WF_OK) b.props[i].givenMass = mass;
-    if (result == WF_OK) wfDisturb(&b, i);
+    if (result == WF_OK) wfBodyChanged(&b, i);
     return result;
 }
 
@@ -298,7 +298,7 @@ wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
     if (type == b.props[i].type) return WF_OK;
     result = wfWeighBody(&b, i, type, &state, &props);
     if (result != WF_OK) return result;
-    wfDisturb(&b, i);                   /* who hangs on it, as long as it is a wall */
+    wfBodyChanged(&b, i);               /* who hangs on it, as long as it is a wall */
     wfCarryOut(&b, i, &state, &props);
     wfForgetContacts(&b, i, -1);
     return WF_OK;
@@ -313,17 +313,17 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
     if (result != WF_OK) return result;
     if (!wfIsFinite(restitution) || !wfIsFinite(friction)) return WF_ERROR_NOT_FINITE;
     if (restitution < 0 || restitution > 1 || friction < 0) return WF_ERROR_RANGE;
-    uint32_t needs = restitution > 0 ? WF_NEED_RESTITUTION : 0;
-    if (friction > 0) needs |= WF_NEED_FRICTION;
-    result = wfDemand(&b, needs);
+    uint32_t modules = restitution > 0 ? WF_MODULE_RESTITUTION : 0;
+    if (friction > 0) modules |= WF_MODULE_FRICTION;
+    result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
-    wfUse(&b, needs);
+    wfUse(&b, modules);
     for (int32_t k = b.props[i].shape; k >= 0; k = b.next[k]) {
         b.materials[k].restitution = restitution;
         b.materials[k].friction = friction;
         b.materials[k].staticFriction = 0;
     }
-    wfDisturb(&b, i);
+    wfBodyChanged(&b, i);
     return WF_OK;
 }
 
@@ -335,10 +335,10 @@ wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal ang
     if (result != WF_OK) return result;
     if (!wfIsFinite(linear) || !wfIsFinite(angular)) return WF_ERROR_NOT_FINITE;
     if (linear < 0 || angular < 0) return WF_ERROR_RANGE;
-    uint32_t needs = linear > 0 || angular > 0 ? WF_NEED_DAMPING : 0;
-    result = wfDemand(&b, needs);
+    uint32_t modules = linear > 0 || angular > 0 ? WF_MODULE_DAMPING : 0;
+    result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
-    wfUse(&b, needs);
+    wfUse(&b, modules);
     b.props[i].linearDamping = linear;
     b.props[i].angularDamping = angular;
     return WF_OK;
@@ -350,14 +350,14 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
-    if (result == WF_OK) result = wfDemand(&b, WF_NEED_PUSHES);
+    if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_PUSHES);
     if (result != WF_OK) return result;
     wfBodyForces sums = b.applied[i];
     wfApplyForce(&sums, &b.state[i], force, point);
     if (!wfIsFinite2(sums.force) || !wfIsFinite(sums.torque)) return WF_ERROR_NOT_FINITE;
     b.applied[i] = sums;
-    wfUse(&b, WF_NEED_PUSHES);
-    if (force.x != 0 || force.y != 0) wfDisturb(&b, i);
+    wfUse(&b, WF_MODULE_PUSHES);
+    if (force.x != 0 || force.y != 0) wfBodyChanged(&b, i);
     return WF_OK;
 }
 
@@ -366,13 +366,13 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
-    uint32_t needs = WF_NEED_PUSHES | (torque != 0 ? WF_NEED_ROTATION : 0);
-    if (result == WF_OK) result = wfDemand(&b, needs);
+    uint32_t modules = WF_MODULE_PUSHES | (torque != 0 ? WF_MODULE_ROTATION : 0);
+    if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
     if (!wfIsFinite(b.applied[i].torque + torque)) return WF_ERROR_NOT_FINITE;
     wfApplyTorque(&b.applied[i], torque);
-    wfUse(&b, needs);
-    if (torque != 0) wfDisturb(&b, i);
+    wfUse(&b, modules);
+    if (torque != 0) wfBodyChanged(&b, i);
     return WF_OK;
 }
 
@@ -386,14 +386,14 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
     wfBodyState kicked = b.state[i];
     if (!wfIsFinite2(impulse) || !wfIsFinite(spin)) return WF_ERROR_NOT_FINITE;
     if (point != NULL && !wfIsFinite2(*point)) return WF_ERROR_NOT_FINITE;
-    result = wfDemand(&b, spin != 0 ? WF_NEED_ROTATION : 0);
+    result = wfRequireModules(&b, spin != 0 ? WF_MODULE_ROTATION : 0);
     if (result != WF_OK) return result;
     if (point != NULL) wfApplyImpulse(&kicked, impulse, *point);
     wfApplyAngularImpulse(&kicked, spin);
     if (!wfBodyIsFinite(&kicked)) return WF_ERROR_NOT_FINITE;
     b.state[i] = kicked;
-    if (spin != 0) wfUse(&b, WF_NEED_ROTATION);
-    if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfDisturb(&b, i);
+    if (spin != 0) wfUse(&b, WF_MODULE_ROTATION);
+    if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfBodyChanged(&b, i);
     return WF_OK;
 }
 

@@ -8,8 +8,9 @@ void wfFindLinked(struct wfStep *s)
 {
     wfJoints j = wfJointsOf(&s->b);
     const wfHeader *head = s->b.head;
-    if (head->jointSlots.count == 0 || head->impacts == 0 || !wfSolverSteps(s)) return;
-    if (head->exactJoints == WF_JOINTS_ONE_BY_ONE) return;
+    if (head->jointSlots.count == 0 || head->maxImpacts == 0 || !wfSolverIntegrates(s))
+        return;
+    if (head->directJoints == WF_JOINTS_ITERATIVE) return;
     s->linked = wfTransient(&s->b, WF_REGION_LINKED);
     memset(s->linked, 0, (size_t)s->count);
     for (int32_t i = 0; i < head->jointSlots.high; i++) {

@@ -20,7 +20,7 @@ wfResult wfBoundShapes(struct wfStep *s)
         s->movers += wfCanMove(&s->state[i]);
     }
     for (int32_t k = 0; k < s->shapeCount; k++) {
-        int32_t i = s->b.owners[k];
+        int32_t i = s->b.bodyOfShape[k];
         /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
         if (k + AHEAD < s->shapeCount) {
@@ -31,13 +31,13 @@ wfResult wfBoundShapes(struct wfStep *s)
         if (i >= 0 && !s->present[i]) {
             s->bounds[k] = s->b.bounds[k];
             s->flags[k] = WF_PROXY_LIVE;
-            if (wfSolverSteps(s)) s->paces[k] = (wfPace){ wfVelocityToBe(s, i), 0, 0 };
+            if (wfSolverIntegrates(s)) s->paces[k] = (wfPace){ wfVelocityToBe(s, i), 0, 0 };
             continue;
         }
         /* find the box of a shape that takes part */
         s->flags[k] = wfFlagShape(&s->b, s->state, k);
         s->bounds[k] = wfBoundOne(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
-        wfReal more = i >= 0 && wfSolverSteps(s) ? wfWayOfShape(s, k) : 0;
+        wfReal more = i >= 0 && wfSolverIntegrates(s) ? wfSpeculativeMargin(s, k) : 0;
         s->bounds[k].min = wfSub(s->bounds[k].min, wfV2(more, more));
         s->bounds[k].max = wfAdd(s->bounds[k].max, wfV2(more, more));
         if (!wfIsFinite2(s->bounds[k].min) || !wfIsFinite2(s->bounds[k].max))
@@ -57,10 +57,10 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
     /* who else makes no pair */
-    if (!senses && !wfMovesNow(s, s->b.owners[a]) && !wfMovesNow(s, s->b.owners[b]))
+    if (!senses && !wfMovesNow(s, s->b.bodyOfShape[a]) && !wfMovesNow(s, s->b.bodyOfShape[b]))
         return false;
     /* ask the user about the pair */
-    const wfHooks *hooks = s->hooks;
+    const wfCallbacks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
         may = hooks->filter(hooks->context, &s->view, a, b);
     return may;
@@ -79,7 +79,7 @@ static wfResult find_pairs(struct wfStep *s)
     /* who needs the rule for pairs */
     rule = rule || head->sensorCount > 0;
     rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
-    rule = rule || head->asleep > 0;
+    rule = rule || head->sleepingCount > 0;
     /* who needs the index */
     asked = head->queries && head->indexStale;
     if (rule) proxies.custom = pair_rule, proxies.context = s;
@@ -87,7 +87,7 @@ static wfResult find_pairs(struct wfStep *s)
                              .capacity = head->pairCapacity - s->kept.pairs };
     size_t bytes = wfIndexBytes(head);
     if (s->movers == 0 && !asked) return WF_OK;
-    bool meets = wfHas(head, WF_NEED_CONTACTS);
+    bool meets = wfHas(head, WF_MODULE_CONTACTS);
     if (bytes == 0 && !meets) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
     /* bring a copy of the index up to date */
@@ -119,7 +119,7 @@ wfResult wfPrepareIndex(struct wfStep *s)
     size_t mark = wfPoolMark(&s->scratch);
     uint8_t *moved = wfPoolPushArray(&s->scratch, s->count, uint8_t);
     if (moved == NULL) return WF_ERROR_MEMORY;
-    memset(moved, wfSolverSteps(s) ? 1 : 0, (size_t)s->count);
+    memset(moved, wfSolverIntegrates(s) ? 1 : 0, (size_t)s->count);
     for (int32_t i = 0; i < s->contactCount; i++)
         moved[s->contacts[i].a] = moved[s->contacts[i].b] = 1;
     for (int32_t i = 0; i < s->count; i++) {
@@ -127,7 +127,7 @@ wfResult wfPrepareIndex(struct wfStep *s)
         if (moved[i]) s->places[i] = wfBodyTransform(&s->state[i]);
     }
     for (int32_t k = 0; k < s->shapeCount; k++) {
-        int32_t i = s->b.owners[k];
+        int32_t i = s->b.bodyOfShape[k];
         /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
         if (k + AHEAD < s->shapeCount) {
@@ -152,7 +152,7 @@ wfResult wfIndexWorld(wfWorld *world)
     wfBlock b;
     wfPool scratch;
     wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK) result = wfDemand(&b, WF_NEED_QUERIES);
+    if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_QUERIES);
     if (result != WF_OK || wfIndexBytes(b.head) == 0) return result;
     size_t size = (size_t)(b.head->scratchBytes - b.head->offset[WF_REGION_SCRATCH]);
     result = wfPoolInit(&scratch, size, wfTransient(&b, WF_REGION_SCRATCH));

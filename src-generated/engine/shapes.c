@@ -7,9 +7,10 @@
 static wfResult check_shape_def(const wfShapeDef *d)
 {
     const wfReal number[] = { d->density, d->restitution, d->friction, d->staticFriction,
-                              d->rolling, d->surfaceSpeed };
+                              d->rollingResistance, d->tangentSpeed };
     if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
-    if (d->density < 0 || d->friction < 0 || d->rolling < 0) return WF_ERROR_RANGE;
+    if (d->density < 0 || d->friction < 0 || d->rollingResistance < 0)
+        return WF_ERROR_RANGE;
     if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
     if (d->staticFriction < 0 || d->material < 0) return WF_ERROR_RANGE;
     bool may = false;
@@ -20,16 +21,16 @@ static wfResult check_shape_def(const wfShapeDef *d)
 }
 
 /* what shapes need */
-uint32_t wfNeedsOfShape(const wfShapeDef *d)
+uint32_t wfModulesOfShape(const wfShapeDef *d)
 {
     if (d == NULL) return 0;
-    uint32_t needs = WF_NEED_SHAPES;
-    if (d->friction > 0 || d->staticFriction > 0 || d->surfaceSpeed != 0)
-        needs |= WF_NEED_FRICTION;
-    if (d->restitution > 0) needs |= WF_NEED_RESTITUTION;
-    if (d->rolling > 0) needs |= WF_NEED_ROLLING;
-    if (d->sensor) needs |= WF_NEED_SENSORS;
-    return needs;
+    uint32_t modules = WF_MODULE_SHAPES;
+    if (d->friction > 0 || d->staticFriction > 0 || d->tangentSpeed != 0)
+        modules |= WF_MODULE_FRICTION;
+    if (d->restitution > 0) modules |= WF_MODULE_RESTITUTION;
+    if (d->rollingResistance > 0) modules |= WF_MODULE_ROLLING;
+    if (d->sensor) modules |= WF_MODULE_SENSORS;
+    return modules;
 }
 
 /* weigh the shapes of a body */
@@ -131,8 +132,8 @@ void wfCarryOut(wfBlock *b, int32_t i, const wfBodyState *state, const wfBodyPro
     wfVec2 shift = wfSub(b->props[i].localCentre, props->localCentre);
     b->state[i] = *state;
     b->props[i] = *props;
-    if (state->invInertia > 0) wfUse(b, WF_NEED_ROTATION);
-    if (props->type == WF_DYNAMIC) wfDisturb(b, i);
+    if (state->invInertia > 0) wfUse(b, WF_MODULE_ROTATION);
+    if (props->type == WF_DYNAMIC) wfBodyChanged(b, i);
     wfBoundBody(b, i);  /* what moves and what does not may have changed */
     if (shift.x == 0 && shift.y == 0) return;
     for (int32_t k = props->shape; k >= 0; k = b->next[k])
@@ -159,10 +160,10 @@ static void tell_shape(const wfBlock *b, int32_t k, wfShapeDef *out)
     const wfShapeProps *p = &b->materials[k];
     *out = (wfShapeDef){ .shape = b->shapes[k], .density = p->density,
         .restitution = p->restitution, .friction = p->friction,
-        .staticFriction = p->staticFriction, .rolling = p->rolling,
-        .surfaceSpeed = p->surfaceSpeed, .filter = b->filters[k], .sensor = p->sensor,
+        .staticFriction = p->staticFriction, .rollingResistance = p->rollingResistance,
+        .tangentSpeed = p->tangentSpeed, .filter = b->filters[k], .sensor = p->sensor,
         .material = p->material, .userData = p->userData };
-    wfShapeMove(&out->shape, b->props[b->owners[k]].localCentre);
+    wfShapeMove(&out->shape, b->props[b->bodyOfShape[k]].localCentre);
 }
 
 wfResult wfGetShape(const wfWorld *world, wfShapeId id, wfShapeDef *out)
@@ -217,12 +218,12 @@ static void write_material(wfBlock *b, int32_t k, const wfShapeDef *def)
     b->materials[k] = (wfShapeProps){ .density = def->density,
         .restitution = def->restitution, .friction = def->friction,
         .staticFriction = def->staticFriction,
-        .rolling = def->rolling, .surfaceSpeed = def->surfaceSpeed,
-        .reach = wfShapeReach(&def->shape),
+        .rollingResistance = def->rollingResistance, .tangentSpeed = def->tangentSpeed,
+        .reach = wfShapeMaxExtent(&def->shape),
         .sensor = def->sensor, .material = def->material, .userData = def->userData };
     b->materials[k].arm = b->materials[k].reach - def->shape.radius;
     /* note what else matters about shape k */
-    b->materials[k].inner = wfInnerRadius(&def->shape);
+    b->materials[k].inner = wfShapeMinExtent(&def->shape);
 }
 
 int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
@@ -231,7 +232,7 @@ int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
     if (k < 0) return -1;
     place_shape(b, k, body, &def->shape);
     write_material(b, k, def);
-    b->owners[k] = body;
+    b->bodyOfShape[k] = body;
     b->next[k] = -1;
     wfBoundShape(b, k);
     int32_t *link = &b->props[body].shape;
@@ -242,14 +243,14 @@ int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def)
 
 void wfDropShape(wfBlock *b, int32_t k)
 {
-    int32_t *link = &b->props[b->owners[k]].shape;
+    int32_t *link = &b->props[b->bodyOfShape[k]].shape;
     while (*link != k) link = &b->next[*link];
     *link = b->next[k];
     b->head->sensorCount -= b->materials[k].sensor;
     memset(&b->shapes[k], 0, sizeof b->shapes[k]);
     memset(&b->materials[k], 0, sizeof b->materials[k]);
     memset(&b->filters[k], 0, sizeof b->filters[k]);
-    b->owners[k] = b->next[k] = -1;
+    b->bodyOfShape[k] = b->next[k] = -1;
     wfBoundShape(b, k);
     wfSlotGive(&b->head->shapeSlots, b->shapeSlots, k, b->shapeSlots[k].generation);
 }
@@ -268,12 +269,12 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     if (count < 0) return WF_ERROR_RANGE;
     /* check the new shapes and what they need */
     bool many = count + (b.props[i].shape >= 0) > 1;
-    uint32_t needs = count == 0 ? 0 : WF_NEED_SHAPES | (many ? WF_NEED_COMPOUNDS : 0);
+    uint32_t modules = count == 0 ? 0 : WF_MODULE_SHAPES | (many ? WF_MODULE_COMPOUNDS : 0);
     for (int32_t k = 0; k < count && result == WF_OK; k++) {
         result = check_shape_def(&defs[k]);
-        if (result == WF_OK) needs |= wfNeedsOfShape(&defs[k]);
+        if (result == WF_OK) modules |= wfModulesOfShape(&defs[k]);
     }
-    if (result == WF_OK) result = wfDemand(&b, needs);
+    if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result == WF_OK && count > wfFreeShapes(&b)) result = WF_ERROR_FULL;
     /* plan the body with the new shapes */
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
@@ -281,7 +282,7 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     props = b.props[i];
     if (result == WF_OK) result = plan_body(&plan, &state, &props);
     if (result != WF_OK) return result;
-    wfUse(&b, needs);
+    wfUse(&b, modules);
     wfCarryOut(&b, i, &state, &props);
     for (int32_t k = 0; k < count; k++) {
         int32_t made = wfHangShape(&b, i, &defs[k]);
@@ -304,12 +305,12 @@ wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
     wfBodyProps props;
     wfResult result = wfChangeShape(world, id, &b, &k);
     if (result != WF_OK) return result;
-    bodyPlan plan = { .b = &b, .body = b.owners[k], .without = k };
+    bodyPlan plan = { .b = &b, .body = b.bodyOfShape[k], .without = k };
     state = b.state[plan.body];
     props = b.props[plan.body];
     result = plan_body(&plan, &state, &props);
     if (result != WF_OK) return result;
-    wfCarryOut(&b, b.owners[k], &state, &props);
+    wfCarryOut(&b, b.bodyOfShape[k], &state, &props);
     wfForgetContacts(&b, -1, k);
     wfDropShape(&b, k);
     return WF_OK;
@@ -324,14 +325,14 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     wfShapeDef old;
     wfResult result = def == NULL ? WF_ERROR_NULL : wfChangeShape(world, id, &b, &k);
     if (result == WF_OK) result = check_shape_def(def);
-    if (result == WF_OK) result = wfDemand(&b, wfNeedsOfShape(def));
+    if (result == WF_OK) result = wfRequireModules(&b, wfModulesOfShape(def));
     if (result != WF_OK) return result;
     tell_shape(&b, k, &old);
     bool reshaped = !same_geometry(&old.shape, &def->shape);
     bool reweighed = old.density != def->density || old.sensor != def->sensor;
     if (reshaped || reweighed) {
         /* plan the body with the new shape in place of the old */
-        bodyPlan plan = { .b = &b, .body = b.owners[k], .without = k, .more = def,
+        bodyPlan plan = { .b = &b, .body = b.bodyOfShape[k], .without = k, .more = def,
                           .count = 1 };
         state = b.state[plan.body];
         props = b.props[plan.body];
@@ -340,10 +341,10 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
         wfCarryOut(&b, plan.body, &state, &props);
     }
     if (reshaped || meets_others(&old, def)) wfForgetContacts(&b, -1, k);
-    if (reshaped) place_shape(&b, k, b.owners[k], &def->shape);
+    if (reshaped) place_shape(&b, k, b.bodyOfShape[k], &def->shape);
     write_material(&b, k, def);
-    wfUse(&b, wfNeedsOfShape(def));
-    wfDisturb(&b, b.owners[k]);
+    wfUse(&b, wfModulesOfShape(def));
+    wfBodyChanged(&b, b.bodyOfShape[k]);
     wfBoundShape(&b, k);
     return WF_OK;
 }
@@ -365,7 +366,8 @@ wfShapeId wfShapeAt(const wfWorld *world, int32_t index)
     wfBlock b;
     wfShapeId none = { 0, 0 };
     if (wfOpenBlock(world, &b) != WF_OK) return none;
-    if (index < 0 || index >= b.head->shapeSlots.high || b.owners[index] < 0) return none;
+    if (index < 0 || index >= b.head->shapeSlots.high || b.bodyOfShape[index] < 0)
+        return none;
     return wfIdOfShape(&b, index);
 }
 
@@ -374,7 +376,7 @@ wfBodyId wfShapeBody(const wfWorld *world, wfShapeId id)
     wfBlock b;
     int32_t k;
     if (wfOpenShape(world, id, &b, &k) != WF_OK) return (wfBodyId){ 0, 0 };
-    return wfIdOfBody(&b, b.owners[k]);
+    return wfIdOfBody(&b, b.bodyOfShape[k]);
 }
 
 wfShapeId wfFirstShape(const wfWorld *world, wfBodyId id)

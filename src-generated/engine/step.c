@@ -16,12 +16,12 @@ static wfResult copy_states(struct wfStep *s)
     /* say which bodies do not take part */
     s->shapeCount = s->b.head->shapeSlots.high;
     s->kept = s->b.head->kept;     /* in this chapter nothing is */
-    s->view = (wfHookView){ .bodies = wfViewOf(&s->b, s->state),
-                            .shapes = wfShapesOf(&s->b), .dt = s->b.head->dt };
+    s->view = (wfCallbackView){ .bodies = wfViewOf(&s->b, s->state),
+                                .shapes = wfShapesOf(&s->b), .timeStep = s->b.head->timeStep };
     s->fine = NULL;
-    if (wfFineOf(&s->b) != NULL) s->fine = wfTransient(&s->b, WF_REGION_NEW_FINE);
+    if (wfResidualOf(&s->b) != NULL) s->fine = wfTransient(&s->b, WF_REGION_NEW_FINE);
     if (s->fine != NULL) memcpy(s->fine, s->b.fine, (size_t)s->count * sizeof *s->fine);
-    wfLeaveOutSleepers(s);
+    wfLeaveOutSleeping(s);
     const wfHeader *head = s->b.head;
     size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
     return wfPoolInit(&s->scratch, scratch, wfTransient(&s->b, WF_REGION_SCRATCH));
@@ -46,8 +46,8 @@ static wfResult list_forces(struct wfStep *s)
 /* damp the states by eq:world-split */
 static wfResult damp_half(struct wfStep *s)
 {
-    wfReal half = s->b.head->dt / 2;
-    if (!wfHas(s->b.head, WF_NEED_DAMPING)) return WF_OK;
+    wfReal half = s->b.head->timeStep / 2;
+    if (!wfHas(s->b.head, WF_MODULE_DAMPING)) return WF_OK;
     for (int32_t i = 0; i < s->count; i++) {
         const wfBodyProps *p = &s->b.props[i];
         if (s->present[i] && p->type == WF_DYNAMIC)
@@ -60,7 +60,7 @@ static wfResult damp_again(struct wfStep *s)
 {
     bool later = false;                     /* after a solver that steps by itself */
     /* see whether the second half comes later */
-    later = wfSolverSteps(s);
+    later = wfSolverIntegrates(s);
     return later ? WF_OK : damp_half(s);
 }
 
@@ -71,10 +71,10 @@ static void forces_on(void *context, const wfBodyState *state, int count, wfReal
     const struct wfStep *s = (const struct wfStep *)context;   /* since: s, of this step */
     wfBodyView bodies = wfViewOf(&s->b, state);
     bodies.alive = s->present;
-    bodies.step = s->b.head->dt;
+    bodies.step = s->b.head->timeStep;
     (void)count;
     /* add what the user applied */
-    bool pushed = wfHas(s->b.head, WF_NEED_PUSHES);
+    bool pushed = wfHas(s->b.head, WF_MODULE_PUSHES);
     for (int i = 0; pushed && i < count; i++) {
         if (!s->present[i]) continue;
         wfApplyForceToCentre(&out[i], s->b.applied[i].force);
@@ -88,7 +88,7 @@ static wfResult sum_forces(struct wfStep *s)
 {
     size_t mark = wfPoolMark(&s->scratch);
     wfBodyState *middle = wfPoolPushArray(&s->scratch, s->count, wfBodyState);
-    wfReal half = s->b.head->dt / 2;
+    wfReal half = s->b.head->timeStep / 2;
     s->sums = wfTransient(&s->b, WF_REGION_SUMS);
     if (middle == NULL) return WF_ERROR_MEMORY;
     s->movers = s->count;       /* until the boxes are made, if they are */
@@ -108,9 +108,9 @@ static wfResult integrate(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     /* leave it to a solver that steps by itself */
-    if (wfSolverSteps(s)) return sum_forces(s);
+    if (wfSolverIntegrates(s)) return sum_forces(s);
     wfIntegration in = { .state = s->state, .count = s->count, .time = 0,
-                         .h = head->dt, .forces = forces_on, .context = s,
+                         .h = head->timeStep, .forces = forces_on, .context = s,
                          .scratch = &s->scratch };
     return wfIntegratorTable[head->integrator].step(&in);
 }
@@ -130,23 +130,23 @@ static wfResult check_states(struct wfStep *s)
         const wfContact *c = &s->contacts[i];
         wfReal nought = 0 * c->manifold.normal.x + 0 * c->manifold.normal.y
                       + 0 * c->rollingImpulse + 0 * c->slop + 0 * c->friction
-                      + 0 * c->staticFriction + 0 * c->rolling + 0 * c->surfaceSpeed;
+                      + 0 * c->staticFriction + 0 * c->rollingResistance + 0 * c->tangentSpeed;
         for (int32_t k = 0; k < c->manifold.count; k++) {
             const wfContactPoint *p = &c->manifold.points[k];
-            nought += 0 * p->point.x + 0 * p->point.y + 0 * p->armA.x + 0 * p->armA.y;
-            nought += 0 * p->armB.x + 0 * p->armB.y + 0 * p->depth;
+            nought += 0 * p->point.x + 0 * p->point.y + 0 * p->rA.x + 0 * p->rA.y;
+            nought += 0 * p->rB.x + 0 * p->rB.y + 0 * p->depth;
             nought += 0 * p->normalImpulse + 0 * p->tangentImpulse;
         }
         if (nought != 0) return WF_ERROR_NOT_FINITE;
     }
-    double end = s->b.head->time + (double)s->b.head->dt;
+    double end = s->b.head->time + (double)s->b.head->timeStep;
     return wfIsFinite((wfReal)end) ? WF_OK : WF_ERROR_NOT_FINITE;
 }
 
 static void keep_digits(struct wfStep *s)
 {
     for (int32_t i = 0; i < s->count; i++)
-        s->b.fine[i] = s->present[i] ? s->fine[i] : (wfFine){ .w = 0 };
+        s->b.fine[i] = s->present[i] ? s->fine[i] : (wfResidual){ .w = 0 };
 }
 
 /* resolve the contacts */
@@ -158,25 +158,28 @@ int32_t wfPassesOf(const wfHeader *head)
 /* find how fast overlaps may be left */
 static wfReal recovery_speed(const wfHeader *head)
 {
-    wfReal speed = wfRestingSpeed(head->gravity, head->dt, head->recoverySteps);
-    return speed > 0 || head->recoverySteps == 0 ? speed : WF_HUGE;
+    wfReal speed = wfRestingSpeed(head->gravity, head->timeStep, head->contactPushSpeed);
+    return speed > 0 || head->contactPushSpeed == 0 ? speed : WF_HUGE;
 }
 
 static wfSolve to_solve(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     return (wfSolve){ .state = s->state, .bodyCount = s->count, .contacts = s->contacts,
-        .contactCount = s->contactCount, .h = head->dt, .iterations = wfPassesOf(head),
-        .restingSpeed = wfRestingSpeed(head->gravity, head->dt, head->restingSteps),
-        .positionShare = head->positionShare, .forces = s->sums,
+        .contactCount = s->contactCount, .h = head->timeStep,
+            .iterations = wfPassesOf(head),
+        .restingSpeed = wfRestingSpeed(head->gravity, head->timeStep,
+                                       head->restitutionThreshold),
+        .positionCorrection = head->positionCorrection, .forces = s->sums,
         .substeps = head->substeps, .laws = s->laws,
         .scratch = &s->scratch, .report = &s->report,
         .present = s->all ? NULL : s->present,
         /* what else a solver is told */
         .told = s->told,
         .recoverySpeed = recovery_speed(head),
-        .contactPeriod = head->contactPeriod, .contactDamping = head->contactDamping,
-        .columns = head->columns, .colours = head->colours, .lanes = head->lanes,
+        .contactPeriod = head->contactPeriod, .contactDampingRatio = head->contactDampingRatio,
+        .stackSolver = head->stackSolver, .graphColouring = head->graphColouring,
+            .enableSimd = head->enableSimd,
         .work = WF_EXACT_WORK,
         .fine = s->fine,
     };
@@ -186,7 +189,7 @@ static wfResult solve_velocities(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
     if (s->movers == 0) return WF_OK;
-    if (!wfSolverSteps(s)) return wfSolveVelocities(s->b.head->solver, &solve);
+    if (!wfSolverIntegrates(s)) return wfSolveVelocities(s->b.head->solver, &solve);
     wfResult result = WF_OK;
     bool done = false;
     /* let islands step by themselves */
@@ -201,7 +204,7 @@ static wfResult solve_velocities(struct wfStep *s)
 static wfResult solve_positions(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
-    return wfSolverSteps(s) ? WF_OK : wfSolvePositions(s->b.head->solver, &solve);
+    return wfSolverIntegrates(s) ? WF_OK : wfSolvePositions(s->b.head->solver, &solve);
 }
 
 /* commit the step */
@@ -217,7 +220,7 @@ static wfResult commit(struct wfStep *s)
     wfKeepRest(s);
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
     /* commit what was found */
-    if (wfHas(head, WF_NEED_PUSHES))
+    if (wfHas(head, WF_MODULE_PUSHES))
         memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
     copy_back(s->b.bounds, s->bounds, s->shapeCount, sizeof *s->bounds);
     copy_back(s->b.flags, s->flags, s->shapeCount, sizeof *s->flags);
@@ -235,7 +238,7 @@ static wfResult commit(struct wfStep *s)
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
     if (s->fine != NULL) keep_digits(s);
     /* count what was committed */
-    head->time += (double)head->dt;
+    head->time += (double)head->timeStep;
     head->steps++;
     head->kept = s->kept;
     head->pairCount = s->kept.pairs + s->pairs.count;
@@ -254,7 +257,7 @@ static wfResult commit(struct wfStep *s)
     head->impactCount = s->impactCount;
     head->heldCount = s->heldCount;
     head->crowd = s->fastCount > WF_CROWD && (head->crowd || s->impactCount >= WF_STEP_ROOM);
-    if (s->followed || s->fastCount > 0) wfUse(&s->b, WF_NEED_FAST);
+    if (s->followed || s->fastCount > 0) wfUse(&s->b, WF_MODULE_FAST);
     if (head->mostPairs < s->strikeCount) head->mostPairs = s->strikeCount;
     return WF_OK;
 }
@@ -269,76 +272,76 @@ const wfStageRow wfStageTable[] = {
       0, 0 },
     { "damp", "damp the velocities over the first half of the step",
       "properties", "new states", damp_half,
-      WF_NEED_DAMPING, 0 },
+      WF_MODULE_DAMPING, 0 },
     { "integrate", "let the forces act: new velocities, new places",
       "active and applied forces", "new states, sums of forces", integrate,
       0, 0 },
     { "damp again", "damp the velocities over the second half",
       "properties", "new states", damp_again,
-      WF_NEED_DAMPING, 0 },
+      WF_MODULE_DAMPING, 0 },
     { "check", "stop here if a number has overflowed",
       "new states", "", check_states,
       0, 0 },
     { "bounds", "put an upright box round every shape",
       "new states, shapes", "new bounds, new flags", wfBoundShapes,
-      0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
+      0, WF_MODULE_CONTACTS | WF_MODULE_QUERIES },
     /* stages that find pairs */
     { "broad phase", "find the pairs whose boxes overlap",
       "new bounds, new flags, index", "new pairs, new index", wfFindNewPairs,
-      0, WF_NEED_CONTACTS | WF_NEED_QUERIES },
+      0, WF_MODULE_CONTACTS | WF_MODULE_QUERIES },
     { "joined pairs", "bodies that are joined do not collide",
       "new pairs, joints", "new pairs", wfLeaveOutJoined,
-      WF_NEED_JOINTS | WF_NEED_CONTACTS, 0 },
+      WF_MODULE_JOINTS | WF_MODULE_CONTACTS, 0 },
     { "joints", "copy the joints, for the solver to keep",
       "joints", "new joints", wfTakeJoints,
-      WF_NEED_JOINTS, 0 },
+      WF_MODULE_JOINTS, 0 },
     { "impacts", "follow fast bodies to what they hit (a solver that does not step)",
-      "states, new states, joints", "new states, new pairs, strikes", wfFlyFirst,
-      WF_NEED_FAST, 0 },
+      "states, new states, joints", "new states, new pairs, strikes", wfContinuousBefore,
+      WF_MODULE_FAST, 0 },
     { "sleepers met", "place the sleepers whose boxes somebody has met",
-      "new pairs, new states", "places", wfPlaceSleepers,
-      WF_NEED_SLEEP, 0 },
+      "new pairs, new states", "places", wfPlaceSleeping,
+      WF_MODULE_SLEEP, 0 },
     { "narrow phase", "find the pairs that touch, and where",
       "new pairs, new states, contacts", "new contacts, touches, hits", wfFindContacts,
-      WF_NEED_CONTACTS, 0 },
+      WF_MODULE_CONTACTS, 0 },
     /* stages that mend */
     { "velocities", "make touching bodies part",
       "new contacts, sums of forces", "new states", solve_velocities,
-      0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
+      0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
     { "positions", "take overlaps away",
       "new contacts", "new states", solve_positions,
-      0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
+      0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
     { "loads", "see what the joints bore, and which of them broke",
-      "new joints", "new joints", wfJudgeJoints,
-      WF_NEED_JOINTS, 0 },
+      "new joints", "new joints", wfBreakJoints,
+      WF_MODULE_JOINTS, 0 },
     { "late impacts", "the same, behind a solver that steps",
-      "states, new states, joints", "new states, strikes", wfFlyLast,
-      WF_NEED_FAST, 0 },
+      "states, new states, joints", "new states, strikes", wfContinuousAfter,
+      WF_MODULE_FAST, 0 },
     { "strikes", "what was struck was touched, and hit",
-      "strikes", "new touches, hits", wfTellStrikes,
-      WF_NEED_FAST, 0 },
+      "strikes", "new touches, hits", wfTellImpactEvents,
+      WF_MODULE_FAST, 0 },
     { "check again", "stop here if a number has overflowed",
       "new states", "", check_states,
-      0, WF_NEED_CONTACTS | WF_NEED_SUBSTEPS },
+      0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
     { "touches", "remember who touches whom",
       "new touches, new contacts", "new touches", wfKeepTouches,
-      WF_NEED_CONTACTS, 0 },
+      WF_MODULE_CONTACTS, 0 },
     { "events", "say what began, goes on and ended",
       "new touches, touches", "new events", wfTellEvents,
-      WF_NEED_EVENTS, 0 },
+      WF_MODULE_EVENTS, 0 },
     /* stages before the end */
     { "index", "prepare the answers to queries",
       "new states, shapes", "new bounds, new index", wfPrepareIndex,
-      0, WF_NEED_QUERIES },
+      0, WF_MODULE_QUERIES },
     { "islands", "let islands that rest fall asleep",
       "new contacts, new joints, new states", "new states, clocks of rest", wfFindIslands,
-      WF_NEED_SLEEP, 0 },
+      WF_MODULE_SLEEP, 0 },
     { "commit", "what is new becomes the world",
       "all that is new", "all that is permanent", commit,
       0, 0 },
     { "keep joints", "the new joints become the world's",
       "new joints", "joints, broken joints", wfKeepJoints,
-      WF_NEED_JOINTS, 0 },
+      WF_MODULE_JOINTS, 0 },
 };
 const int wfStageCount = (int)(sizeof wfStageTable / sizeof *wfStageTable);
 
@@ -348,7 +351,7 @@ static wfResult run_stages(struct wfStep *step)
     wfResult result = WF_OK;
     for (int i = 0; i < wfStageCount && result == WF_OK; i++) {
         /* pass over a stage that nobody needs */
-        if (!wfStageRuns(&wfStageTable[i], step->b.head->needs)) continue;
+        if (!wfStageRuns(&wfStageTable[i], step->b.head->modules)) continue;
         const wfStepClock *clock = step->clock;
         double start = clock == NULL ? 0 : clock->now(clock->context);
         result = wfStageTable[i].run(step);
@@ -388,15 +391,16 @@ wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
 }
 
 /* step the world for hooks */
-wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks)
+wfResult wfStepWorldWithCallbacks(wfWorld *world, const wfCallbacks *hooks)
 {
     struct wfStep step = { .hooks = hooks };
     wfResult result = wfChangeBlock(world, &step.b);
-    if (result == WF_OK && hooks != NULL) result = wfDemand(&step.b, WF_NEED_HOOKS);
+    if (result == WF_OK && hooks != NULL)
+        result = wfRequireModules(&step.b, WF_MODULE_HOOKS);
     if (result != WF_OK) return result;
     step.b.head->busy = hooks != NULL;
     result = run_stages(&step);
     step.b.head->busy = 0;
-    if (result == WF_OK && hooks != NULL) wfUse(&step.b, WF_NEED_HOOKS);
+    if (result == WF_OK && hooks != NULL) wfUse(&step.b, WF_MODULE_HOOKS);
     return result;
 }

@@ -24,7 +24,7 @@ struct wfStep {
     /* arrays of the second half */
     int32_t          shapeCount;  /* places for shapes in use */
     int32_t          movers;      /* how many bodies can move, or do */
-    wfKept           kept;        /* of the last step, and not to be looked at again */
+    wfSleepingLists  kept;        /* of the last step, and not to be looked at again */
     wfBodyForces    *sums;        /* of the forces, for a solver that steps */
     wfTransform     *places;      /* of the bodies, from the new states */
     wfPace          *paces;       /* of the shapes, for a solver that steps */
@@ -36,32 +36,32 @@ struct wfStep {
     wfManifoldCache *caches;      /* one for each pair */
     wfContact       *contacts;
     int32_t          contactCount;
-    const wfLaws    *laws;        /* other laws than contacts, or NULL */
-    wfTouch         *touches;
+    const wfConstraints *laws;    /* other laws than contacts, or NULL */
+    wfTouchingPair  *touches;
     int32_t          touchCount;
     wfTold          *told;        /* of each contact; NULL: nobody asks */
-    wfHit           *hits;
+    wfContactHit    *hits;
     int32_t          hitCount;
     wfReal           hitSpeed;    /* m/s: faster approaches are hits */
-    wfTouchEvent    *events;
+    wfContactEvent  *events;
     int32_t          eventTotal, eventCount[WF_EVENT_KINDS];
-    const wfHooks   *hooks;       /* the user's functions, or NULL */
-    wfHookView       view;        /* what they get to see */
-    wfFine *fine;              /* the new one, or NULL */
+    const wfCallbacks *hooks;     /* the user's functions, or NULL */
+    wfCallbackView   view;        /* what they get to see */
+    wfResidual *fine;          /* the new one, or NULL */
     wfSolveReport report;         /* of the solver, if it makes one */
     int32_t          joinedCount; /* pairs of joined bodies, sorted, in their region */
     wfJointSet       jointSet;    /* copies of the joints, and what solving them takes */
-    wfLaws           jointLaws;
+    wfConstraints    jointLaws;
     int32_t         *jointPlaces; /* from which place each of them was copied */
     uint64_t         machines;    /* a fingerprint of who is joined to whom */
-    wfFlight        *flights;
+    wfSweptBody     *flights;
     int32_t         *flightOf;    /* of each body, or -1; valid when there are flights */
     int32_t          flightCount, fastCount, impactCount, heldCount;
     wfReal           slack;       /* m: no other body moves farther */
     wfKeyed         *inOrder;     /* flights by where their boxes begin, in x or y; or NULL */
     int32_t          alongY;
     wfReal           longest;     /* m: the longest side of their boxes, along the same axis */
-    wfStrike        *strikes;     /* in the order of their pairs */
+    wfImpactEvent   *strikes;     /* in the order of their pairs */
     int32_t          strikeCount;
     wfPair          *spared;      /* pairs that pass each other in this step, lower first; or
                                    * until the one comes over the other's link, higher first */
@@ -77,9 +77,9 @@ struct wfStep {
 };
 
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
-bool wfSolverSteps(const struct wfStep *s);
+bool wfSolverIntegrates(const struct wfStep *s);
 int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */
-wfReal wfWayOfShape(struct wfStep *s, int32_t k);   /* notes its pace, too */
+wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k); /* notes its pace, too */
 wfVec2 wfVelocityToBe(const struct wfStep *s, int32_t i);   /* of body i, m/s */
 /* Is it a sensor, and could a contact change its body's velocity? */
 static inline bool wfIsSensor(const wfBlock *b, int32_t k)
@@ -87,7 +87,7 @@ static inline bool wfIsSensor(const wfBlock *b, int32_t k)
     return b->materials[k].sensor != 0;
 }
 bool wfHasMass(const struct wfStep *s, int32_t k);
-wfReal wfWayOfPair(const struct wfStep *s, wfPair p);
+wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p);
 /* Does anything move it, or could it? Its flags and its box, where the body is placed. */
 bool wfCanMove(const wfBodyState *s);
 uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k);
@@ -107,9 +107,9 @@ static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal w
 {
     const wfShapeProps *m = &s->b.materials[k];
     wfReal least = s->b.head->slop * m->reach;
-    bool linked = s->linked != NULL && s->linked[s->b.owners[k]];
+    bool linked = s->linked != NULL && s->linked[s->b.bodyOfShape[k]];
     if (linked && way <= WF_LINKED_WAY * m->reach) return false;
-    return s->b.head->impacts > 0 && way > wfMaxR(m->inner, least);
+    return s->b.head->maxImpacts > 0 && way > wfMaxR(m->inner, least);
 }
 void wfFindLinked(struct wfStep *s);    /* which bodies have a joint that holds */
 /* Do some bodies make fewer substeps than others? The step of such a world. */

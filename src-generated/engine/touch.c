@@ -42,7 +42,7 @@ static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
 {
     while (w->touch < w->touches
            && before(b->touches[w->touch].a, b->touches[w->touch].b, p)) w->touch++;
-    const wfTouch *t = &b->touches[w->touch];
+    const wfTouchingPair *t = &b->touches[w->touch];
     bool found = w->touch < w->touches && t->a == p.a && t->b == p.b
               && t->stampA == b->shapeSlots[p.a].generation
               && t->stampB == b->shapeSlots[p.b].generation;
@@ -58,17 +58,17 @@ enum {
 #define SENSOR_STAMP 0x80000000u
 
 /* The generation of a shape, with the highest bit turned over if it touches as a sensor. */
-static uint32_t stamp_of(const wfTouch *t, bool second)
+static uint32_t stamp_of(const wfTouchingPair *t, bool second)
 {
     uint32_t as = second ? WF_TOUCH_SENSOR_B : WF_TOUCH_SENSOR_A;
     return (second ? t->stampB : t->stampA) ^ (t->flags & as ? SENSOR_STAMP : 0);
 }
 
-static wfTouch stamp_touch(const struct wfStep *s, wfPair p, uint32_t flags)
+static wfTouchingPair stamp_touch(const struct wfStep *s, wfPair p, uint32_t flags)
 {
-    wfTouch t = { .a = p.a, .b = p.b, .stampA = s->b.shapeSlots[p.a].generation,
-                  .stampB = s->b.shapeSlots[p.b].generation, .flags = flags };
-    wfTouch stamped = t;
+    wfTouchingPair t = { .a = p.a, .b = p.b, .stampA = s->b.shapeSlots[p.a].generation,
+                         .stampB = s->b.shapeSlots[p.b].generation, .flags = flags };
+    wfTouchingPair stamped = t;
     stamped.stampA = stamp_of(&t, false);
     stamped.stampB = stamp_of(&t, true);
     return stamped;
@@ -85,7 +85,7 @@ static wfReal deepest(const wfManifold *m)
 static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal u)
 {
     wfReal gap = -deepest(&c->manifold);
-    if (!wfSolverSteps(s) || !(gap > 0)) return u;
+    if (!wfSolverIntegrates(s) || !(gap > 0)) return u;
     wfVec2 a = wfScale(s->state[c->a].invMass, s->sums[c->a].force);
     wfVec2 b = wfScale(s->state[c->b].invMass, s->sums[c->b].force);
     wfReal square = u * u + 2 * gap * wfDot(wfSub(a, b), c->manifold.normal);
@@ -93,7 +93,7 @@ static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal 
     return square > 0 ? wfSqrt(square) : 0;
 }
 
-static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
+static void note_hit(struct wfStep *s, const wfContact *c, const wfTouchingPair *touch)
 {
     const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
     const wfManifold *m = &c->manifold;
@@ -102,11 +102,11 @@ static void note_hit(struct wfStep *s, const wfContact *c, const wfTouch *touch)
     for (int32_t i = 0; i < m->count; i++)
         fastest = wfMaxR(wfApproachSpeed(&m->points[i], m->normal, ta, tb), fastest);
     if (!(c->restitution > 0) && !(fastest > least)) return;
-    wfHitEvent hit = { .point = m->points[0].point, .normal = m->normal };
+    wfPairHit hit = { .point = m->points[0].point, .normal = m->normal };
     bool comes = wfMakeHit(touch, m, ta, tb, 0, &hit);
     if (comes) hit.speed = speed_when_met(s, c, hit.speed);
     if (!(hit.speed > s->hitSpeed) && !(c->restitution > 0)) return;
-    s->hits[s->hitCount++] = (wfHit){ .a = wfIdOfShape(&s->b, touch->a),
+    s->hits[s->hitCount++] = (wfContactHit){ .a = wfIdOfShape(&s->b, touch->a),
         .b = wfIdOfShape(&s->b, touch->b), .point = hit.point, .normal = hit.normal,
         .speed = hit.speed };
 }
@@ -115,9 +115,9 @@ static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
 {
     if (!s->b.head->events) return;
     wfPair p = { c->shapeA, c->shapeB };
-    wfTouch *touch = &s->touches[s->touchCount++];
+    wfTouchingPair *touch = &s->touches[s->touchCount++];
     *touch = stamp_touch(s, p, sure ? TOUCH_SURE : 0);
-    if (wfHas(s->b.head, WF_NEED_EVENTS)) note_hit(s, c, touch);
+    if (wfHas(s->b.head, WF_MODULE_EVENTS)) note_hit(s, c, touch);
 }
 
 static bool comes_after(wfPair a, wfPair b)
@@ -153,14 +153,14 @@ static wfResult touch_strikes(struct wfStep *s)
 }
 
 /* A strike that is fast enough is a hit; it takes the place of a slower one. */
-static wfResult hit_by_strike(struct wfStep *s, const wfStrike *strike)
+static wfResult hit_by_strike(struct wfStep *s, const wfImpactEvent *strike)
 {
-    wfHit hit = { .a = wfIdOfShape(&s->b, strike->pair.a),
-                  .b = wfIdOfShape(&s->b, strike->pair.b), .point = strike->point,
-                  .normal = strike->normal, .speed = strike->speed };
+    wfContactHit hit = { .a = wfIdOfShape(&s->b, strike->pair.a),
+                         .b = wfIdOfShape(&s->b, strike->pair.b), .point = strike->point,
+                         .normal = strike->normal, .speed = strike->speed };
     int32_t at = s->hitCount;
     for (; at > 0; at--) {
-        const wfHit *h = &s->hits[at - 1];
+        const wfContactHit *h = &s->hits[at - 1];
         wfPair p = { (int32_t)h->a.index - 1, (int32_t)h->b.index - 1 };
         if (!comes_after(p, strike->pair)) break;
     }
@@ -174,20 +174,20 @@ static wfResult hit_by_strike(struct wfStep *s, const wfStrike *strike)
     return WF_OK;
 }
 
-wfResult wfTellStrikes(struct wfStep *s)
+wfResult wfTellImpactEvents(struct wfStep *s)
 {
     if (!s->b.head->events || s->strikeCount == 0) return WF_OK;
     const wfHeader *head = s->b.head;
-    wfReal least = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
+    wfReal least = wfRestingSpeed(head->gravity, head->timeStep, head->hitThreshold);
     wfResult result = touch_strikes(s);
-    bool told = wfHas(head, WF_NEED_EVENTS);
+    bool told = wfHas(head, WF_MODULE_EVENTS);
     for (int32_t i = 0; i < s->strikeCount && result == WF_OK; i++)
         if (told && s->strikes[i].speed > least) result = hit_by_strike(s, &s->strikes[i]);
     return result;
 }
 
 /* The strike of shapes a and b, or NULL. */
-static const wfStrike *strike_of(const struct wfStep *s, int32_t a, int32_t b)
+static const wfImpactEvent *strike_of(const struct wfStep *s, int32_t a, int32_t b)
 {
     int32_t low = 0, high = s->strikeCount;
     while (low < high) {
@@ -207,7 +207,8 @@ static wfResult sense_pair(struct wfStep *s, int32_t i)
     wfPair p = s->pairs.pairs[i];
     wfSeparation found;
     s->caches[i] = (wfManifoldCache){ .allowed = 0 };
-    wfTransform xa = s->places[s->b.owners[p.a]], xb = s->places[s->b.owners[p.b]];
+    wfTransform xa = s->places[s->b.bodyOfShape[p.a]],
+        xb = s->places[s->b.bodyOfShape[p.b]];
     wfResult result = wfSeparate(s->b.head->narrowPhase, &s->b.shapes[p.a], xa,
                                  &s->b.shapes[p.b], xb, &found);
     if (result != WF_OK || found.distance > 0 || !s->b.head->events) return result;
@@ -219,12 +220,12 @@ static wfResult sense_pair(struct wfStep *s, int32_t i)
 /* ask the user about a contact */
 static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
 {
-    wfContactChange change = { .enabled = 1, .restitution = c->restitution,
+    wfContactSettings change = { .enabled = 1, .restitution = c->restitution,
         .friction = c->friction, .staticFriction = c->staticFriction,
-        .rolling = c->rolling, .surfaceSpeed = c->surfaceSpeed };
+        .rollingResistance = c->rollingResistance, .tangentSpeed = c->tangentSpeed };
     s->hooks->preSolve(s->hooks->context, &s->view, c, &change);
     const wfReal number[] = { change.restitution, change.friction, change.staticFriction,
-                              change.rolling, change.surfaceSpeed };
+                              change.rollingResistance, change.tangentSpeed };
     *enabled = change.enabled != 0;
     if (!wfAllFinite(number, 5)) return WF_ERROR_NOT_FINITE;
     for (int i = 0; i < 4; i++)
@@ -233,8 +234,8 @@ static wfResult ask_hook(struct wfStep *s, wfContact *c, bool *enabled)
     c->restitution = change.restitution;
     c->friction = change.friction;
     c->staticFriction = change.staticFriction;
-    c->rolling = change.rolling;
-    c->surfaceSpeed = change.surfaceSpeed;
+    c->rollingResistance = change.rollingResistance;
+    c->tangentSpeed = change.tangentSpeed;
     return WF_OK;
 }
 
@@ -250,12 +251,12 @@ static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
 {
     const wfShapeProps *a = &s->b.materials[p.a], *b = &s->b.materials[p.b];
     wfPairMaterial m = wfMixMaterials(&s->b, a, b);
-    c->a = s->b.owners[p.a], c->b = s->b.owners[p.b];
+    c->a = s->b.bodyOfShape[p.a], c->b = s->b.bodyOfShape[p.b];
     c->shapeA = p.a, c->shapeB = p.b;
     c->sliding = c->settled = 0;
-    c->restitution = m.restitution, c->rolling = m.rolling;
+    c->restitution = m.restitution, c->rollingResistance = m.rollingResistance;
     c->friction = m.friction, c->staticFriction = m.staticFriction;
-    c->surfaceSpeed = wfMixSurfaceSpeed(a->surfaceSpeed, b->surfaceSpeed);
+    c->tangentSpeed = wfMixSurfaceSpeed(a->tangentSpeed, b->tangentSpeed);
     c->rollingImpulse = 0;
     c->slop = slop_of(s, p);
 }
@@ -264,10 +265,11 @@ static wfResult measure(struct wfStep *s, wfPair p, const wfManifoldCache *known
                         wfReal margin, wfManifoldCache *cache, wfManifold *out)
 {
     const wfShape *a = &s->b.shapes[p.a], *b = &s->b.shapes[p.b];
-    wfTransform xa = s->places[s->b.owners[p.a]], xb = s->places[s->b.owners[p.b]];
+    wfTransform xa = s->places[s->b.bodyOfShape[p.a]],
+        xb = s->places[s->b.bodyOfShape[p.b]];
     bool worth = a->kind != WF_SHAPE_CIRCLE || b->kind != WF_SHAPE_CIRCLE;
     wfSeparation found;
-    if (known != NULL && s->b.head->reuse && worth) {
+    if (known != NULL && s->b.head->reuseManifolds && worth) {
         *cache = *known;
         if (wfReuseManifold(a, xa, b, xb, margin, known, out)) return WF_OK;
     }
@@ -300,7 +302,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     bool was = false, enabled = true;
     /* see whether the pair p touched before */
     was = touched_before(&s->b, w, p);
-    wfReal ahead = wfSolverSteps(s) ? wfWayOfPair(s, p) : 0;
+    wfReal ahead = wfSolverIntegrates(s) ? wfSpeculativeMarginOfPair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, slop_of(s, p)) : ahead;
     wfResult result = measure(s, p, known, margin, &s->caches[i], &c->manifold);
     if (result != WF_OK || c->manifold.count == 0) return result;
@@ -342,7 +344,7 @@ wfResult wfFindContacts(struct wfStep *s)
     s->touches = wfTransient(&s->b, WF_REGION_NEW_TOUCHES);
     s->hits = wfTransient(&s->b, WF_REGION_NEW_HITS);
     if (head->events) s->told = wfTransient(&s->b, WF_REGION_TOLD);
-    s->hitSpeed = wfRestingSpeed(head->gravity, head->dt, head->hitSteps);
+    s->hitSpeed = wfRestingSpeed(head->gravity, head->timeStep, head->hitThreshold);
     for (int32_t i = 0; i < s->pairs.count && result == WF_OK; i++) {
         /* ask for the shapes of a pair further on */
         enum { AHEAD = 6 };
@@ -387,7 +389,7 @@ static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
     wfTold told = { .impulse = 0 };
     if (*at < count && c[*at].shapeA == a && c[*at].shapeB == b) told = s->told[*at];
     /* add what else happened to this pair */
-    const wfStrike *strike = strike_of(s, a, b);
+    const wfImpactEvent *strike = strike_of(s, a, b);
     if (strike != NULL) {
         told.impulse += strike->impulse;
         told.bounced = told.bounced || strike->bounced;
@@ -396,15 +398,16 @@ static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
     return told;
 }
 
-static bool senses(const wfTouch *t)
+static bool senses(const wfTouchingPair *t)
 {
     return (t->flags & (WF_TOUCH_SENSOR_A | WF_TOUCH_SENSOR_B)) != 0;
 }
 
 /* The touch of the last step between the same shapes, or NULL; *at is a finger. */
-static const wfTouch *old_touch(const struct wfStep *s, int32_t *at, const wfTouch *t)
+static const wfTouchingPair *old_touch(const struct wfStep *s, int32_t *at,
+                                       const wfTouchingPair *t)
 {
-    const wfTouch *old = s->b.touches;
+    const wfTouchingPair *old = s->b.touches;
     int32_t count = s->b.head->touchCount;
     while (*at < count && before(old[*at].a, old[*at].b, (wfPair){ t->a, t->b })) ++*at;
     bool same = *at < count && old[*at].a == t->a && old[*at].b == t->b
@@ -412,7 +415,7 @@ static const wfTouch *old_touch(const struct wfStep *s, int32_t *at, const wfTou
     return same ? &old[*at] : NULL;
 }
 
-static uint32_t flags_after(uint32_t flags, const wfTouch *old, const wfTold *told)
+static uint32_t flags_after(uint32_t flags, const wfTouchingPair *old, const wfTold *told)
 {
     bool left = old != NULL && (old->flags & TOUCH_LEFT), push = told->impulse > 0;
     flags &= ~(uint32_t)TOUCH_SURE;
@@ -425,12 +428,12 @@ static void keep_touches(struct wfStep *s)
 {
     int32_t kept = 0, at = 0, before = s->b.head->kept.touches, hits = 0, hit = 0;
     for (int32_t i = 0; i < s->touchCount; i++) {
-        wfTouch t = s->touches[i];
+        wfTouchingPair t = s->touches[i];
         wfTold told = told_of(s, &at, t.a, t.b);
         bool is = senses(&t) || (t.flags & TOUCH_SURE) || told.impulse > 0;
         bool struck = hit < s->hitCount && s->hits[hit].a.index == (uint32_t)t.a + 1
                    && s->hits[hit].b.index == (uint32_t)t.b + 1;
-        wfHit now = struck ? s->hits[hit++] : (wfHit){ .speed = 0 };
+        wfContactHit now = struck ? s->hits[hit++] : (wfContactHit){ .speed = 0 };
         if (told.bounced) now.speed = wfMaxR(now.speed, told.speed);
         if (struck && is && now.speed > s->hitSpeed) s->hits[hits++] = now;
         t.flags = flags_after(t.flags, old_touch(s, &before, &t), &told);
@@ -440,17 +443,17 @@ static void keep_touches(struct wfStep *s)
     s->hitCount = hits;
 }
 
-static void list_events(struct wfStep *s, int kind, const wfTouchList *from)
+static void list_events(struct wfStep *s, int kind, const wfTouchingList *from)
 {
     int32_t at = 0, first = s->eventTotal;
     for (int32_t i = 0; i < from->count; i++) {
-        const wfTouch *t = &from->touches[i];
-        if (senses(t) != (kind >= WF_SENSE_BEGIN)) continue;
+        const wfTouchingPair *t = &from->touches[i];
+        if (senses(t) != (kind >= WF_SENSOR_BEGIN)) continue;
         wfShapeId a = { (uint32_t)t->a + 1, stamp_of(t, false) };
         wfShapeId b = { (uint32_t)t->b + 1, stamp_of(t, true) };
         bool swap = (t->flags & WF_TOUCH_SENSOR_B) != 0;
-        wfTouchEvent event = { .a = swap ? b : a, .b = swap ? a : b };
-        if (kind < WF_TOUCH_END) {
+        wfContactEvent event = { .a = swap ? b : a, .b = swap ? a : b };
+        if (kind < WF_CONTACT_END) {
             /* how hard this touch was */
             event.impulse = told_of(s, &at, t->a, t->b).impulse;
         }
@@ -465,7 +468,7 @@ wfResult wfKeepTouches(struct wfStep *s)
     return WF_OK;
 }
 
-static void put_in_order(wfTouchList *list, const wfTouch *t)
+static void put_in_order(wfTouchingList *list, const wfTouchingPair *t)
 {
     int32_t at = list->count++;
     for (; at > 0 && !before(list->touches[at - 1].a, list->touches[at - 1].b,
@@ -474,11 +477,11 @@ static void put_in_order(wfTouchList *list, const wfTouch *t)
     list->touches[at] = *t;
 }
 
-static void part_stays(wfTouchEvents *found)
+static void part_stays(wfTouchingChanges *found)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < found->stay.count; i++) {
-        const wfTouch t = found->stay.touches[i];
+        const wfTouchingPair t = found->stay.touches[i];
         if (t.flags & TOUCH_AGAIN) put_in_order(&found->begin, &t);
         if (t.flags & TOUCH_AGAIN) put_in_order(&found->end, &t);
         else found->stay.touches[kept++] = t;
@@ -492,16 +495,16 @@ wfResult wfTellEvents(struct wfStep *s)
     size_t mark = wfPoolMark(&s->scratch);
     /* make room for what began, what stays and what has ended */
     int32_t most = s->b.head->pairCapacity;
-    wfTouch *list[3];
-    for (int i = 0; i < 3; i++) list[i] = wfPoolPushArray(&s->scratch, most, wfTouch);
+    wfTouchingPair *list[3];
+    for (int i = 0; i < 3; i++) list[i] = wfPoolPushArray(&s->scratch, most, wfTouchingPair);
     if (list[2] == NULL) return WF_ERROR_MEMORY;
-    wfTouchEvents found = { .begin = { list[0], 0, most }, .stay = { list[1], 0, most },
-                            .end = { list[2], 0, most } };
-    const wfTouch *old = s->b.touches + s->b.head->kept.touches;
+    wfTouchingChanges found = { .begin = { list[0], 0, most }, .stay = { list[1], 0, most },
+                                .end = { list[2], 0, most } };
+    const wfTouchingPair *old = s->b.touches + s->b.head->kept.touches;
     int32_t oldCount = s->b.head->touchCount - s->b.head->kept.touches;
     /* which other touches of the last step are compared */
     if (s->roused) {
-        wfTouch *all = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
+        wfTouchingPair *all = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
         oldCount = wfOldTouches(s, all);
         old = all;
     }
@@ -510,7 +513,7 @@ wfResult wfTellEvents(struct wfStep *s)
     /* which touches go on without a look */
     if (s->b.head->sensorCount > 0) wfAddSensed(s, &found.stay);
     s->events = wfTransient(&s->b, WF_REGION_NEW_EVENTS);
-    const wfTouchList *lists[3] = { &found.begin, &found.stay, &found.end };
+    const wfTouchingList *lists[3] = { &found.begin, &found.stay, &found.end };
     for (int kind = 0; kind < WF_EVENT_KINDS && result == WF_OK; kind++)
         list_events(s, kind, lists[kind % 3]);
     wfPoolRewind(&s->scratch, mark);

@@ -24,14 +24,15 @@
 #define FIELDS(list) { list, (int)(sizeof list / sizeof *list) }
 
 /* tables of a scene's fields */
-static const char *const bodyTypes[] = { "static", "kinematic", "dynamic" };
-static const int bodyTypeCount = WF_BODY_TYPES;
-WF_STATIC_ASSERT(sizeof bodyTypes / sizeof *bodyTypes == WF_BODY_TYPES, "a name for each");
+static const char *const body_types[] = { "static", "kinematic", "dynamic" };
+static const int body_type_count = WF_BODY_TYPES;
+WF_STATIC_ASSERT(sizeof body_types / sizeof *body_types == WF_BODY_TYPES,
+                 "a name for each");
 
-static const wfField bodyFields[] = {
+static const wfField body_fields[] = {
     { AT(wfBodyText, name), STRING(WF_BODY_NAME),
       .text = "for joints and forces of this text; a world forgets it" },
-    { BODY(type), NAMED(bodyTypes, bodyTypeCount), .text = "how it moves" },
+    { BODY(type), NAMED(body_types, body_type_count), .text = "how it moves" },
     { BODY(position), VEC, .text = "of its origin, m" },
     { BODY(angle), REAL, .least = -1e6, .most = 1e6, .text = "rad, counter-clockwise" },
     { BODY(velocity), VEC, .text = "of the centre of mass, m/s" },
@@ -47,9 +48,9 @@ static const wfField bodyFields[] = {
     { BODY(neverSleeps), FLAG, .text = "nor does what hangs together with it" },
     { BODY(userData), BITS, .text = "yours" },
 };
-const wfFields wfBodyFields = FIELDS(bodyFields);
+const wfFields wfBodyFields = FIELDS(body_fields);
 
-static const wfField shapeFields[] = {
+static const wfField shape_fields[] = {
     { .name = "kind", .offset = offsetof(wfShapeText, form),
       NAMED(wfShapeForms, wfShapeFormCount), .text = "its form" },
     { AT(wfShapeText, centre), VEC, .text = "m, in the body's frame, like all that follows" },
@@ -66,8 +67,9 @@ static const wfField shapeFields[] = {
     { SHAPE(restitution), REAL, SHARE, .text = "of the speed, after a bounce" },
     { SHAPE(friction), REAL, NOT_NEGATIVE, .text = "while it slides" },
     { SHAPE(staticFriction), REAL, NOT_NEGATIVE, .text = "while it does not" },
-    { SHAPE(rolling), REAL, NOT_NEGATIVE, .text = "m: length of rolling resistance" },
-    { SHAPE(surfaceSpeed), REAL, ANY, .text = "m/s, along itself: a belt" },
+    { SHAPE(rollingResistance), REAL, NOT_NEGATIVE,
+      .text = "m: length of rolling resistance" },
+    { SHAPE(tangentSpeed), REAL, ANY, .text = "m/s, along itself: a belt" },
     { .name = "category", .offset = offsetof(wfShapeText, def.filter.category), BITS,
       .text = "bits: what it is" },
     { .name = "mask", .offset = offsetof(wfShapeText, def.filter.mask), BITS,
@@ -80,11 +82,11 @@ static const wfField shapeFields[] = {
     { AT(wfShapeText, place), INT, NOT_NEGATIVE,
       .text = "in the order in which a world keeps its shapes, when not that of the text" },
 };
-const wfFields wfShapeFields = FIELDS(shapeFields);
+const wfFields wfShapeFields = FIELDS(shape_fields);
 #define JOINT_BIT(word, bit, about) { .name = word, .offset = offsetof(wfJoint, flags), \
     .kind = WF_FIELD_BIT, .count = bit, .text = about }
 
-static const wfField jointFields[] = {
+static const wfField joint_fields[] = {
     { AT(wfJoint, kind), NAMED(wfJointTable, wfJointKinds), .text = "its law" },
     JOINT_BIT("spring", WF_JOINT_SPRING, "it has a spring"),
     JOINT_BIT("motor", WF_JOINT_MOTOR, "it has a motor"),
@@ -118,21 +120,22 @@ static const wfField jointFields[] = {
     { AT(wfJoint, peakForce), REAL, ANY, .text = "N: in one substep of it" },
     { AT(wfJoint, peakTorque), REAL, ANY, .text = "N m: in one substep of it" },
 };
-const wfFields wfJointFields = FIELDS(jointFields);
+const wfFields wfJointFields = FIELDS(joint_fields);
 #define PAIR(member) .name = #member, .offset = offsetof(wfPairText, m.member)
 #define INFO(word, member) .name = word, .offset = offsetof(wfRootText, info.member)
 
-static const wfField pairFields[] = {
+static const wfField pair_fields[] = {
     { AT(wfPairText, a), INT, .least = 1, .most = INT32_MAX, .text = "a material" },
     { AT(wfPairText, b), INT, .least = 1, .most = INT32_MAX, .text = "a material" },
     { PAIR(restitution), REAL, SHARE, .text = "of the speed, after a bounce" },
     { PAIR(friction), REAL, NOT_NEGATIVE, .text = "while they slide" },
     { PAIR(staticFriction), REAL, NOT_NEGATIVE, .text = "while they do not" },
-    { PAIR(rolling), REAL, NOT_NEGATIVE, .text = "m: length of rolling resistance" },
+    { PAIR(rollingResistance), REAL, NOT_NEGATIVE,
+      .text = "m: length of rolling resistance" },
 };
-const wfFields wfPairFields = FIELDS(pairFields);
+const wfFields wfPairFields = FIELDS(pair_fields);
 
-static const wfField rootFields[] = {
+static const wfField root_fields[] = {
     { .name = "weft", .offset = offsetof(wfRootText, version), INT,
       .least = 1, .most = WF_SCENE_VERSION, .text = "version of this text's rules" },
     { AT(wfRootText, digits), INT, NOT_NEGATIVE,
@@ -147,20 +150,20 @@ static const wfField rootFields[] = {
     { AT(wfRootText, time), .kind = WF_FIELD_DOUBLE, TIME, .text = "s, so far" },
     { AT(wfRootText, steps), BITS, .text = "made so far" },
 };
-const wfFields wfRootFields = FIELDS(rootFields);
+const wfFields wfRootFields = FIELDS(root_fields);
 
-static const wfField viewFields[] = {
+static const wfField view_fields[] = {
     { INFO("x", viewX), REAL, ANY, .text = "m: the middle" },
     { INFO("y", viewY), REAL, ANY, .text = "m: the middle" },
     { INFO("height", viewHeight), REAL, POSITIVE, .text = "m" },
 };
-const wfFields wfViewFields = FIELDS(viewFields);
+const wfFields wfViewFields = FIELDS(view_fields);
 
-static const wfField promiseFields[] = {
+static const wfField promise_fields[] = {
     { INFO("energy", energyBound), REAL, NOT_NEGATIVE, .text = "J: it gains no more" },
     { INFO("depth", depthBound), REAL, NOT_NEGATIVE, .text = "m: no overlap is deeper" },
 };
-const wfFields wfPromiseFields = FIELDS(promiseFields);
+const wfFields wfPromiseFields = FIELDS(promise_fields);
 #define EXACT(member) { AT(wfExactBody, member), REAL, ANY, \
     .text = "as the world keeps it" }
 #define EXACT_AT(member) { AT(wfExactBody, member), VEC, \
@@ -168,79 +171,79 @@ const wfFields wfPromiseFields = FIELDS(promiseFields);
 #define KEPT(member) { AT(wfExactShape, member), REAL, NOT_NEGATIVE, \
     .text = "as the world keeps it" }
 
-static const wfField exactBodyFields[] = {
+static const wfField exact_body_fields[] = {
     EXACT_AT(centre), EXACT_AT(localCentre), EXACT(angle), EXACT(mass), EXACT(inertia),
     EXACT(givenMass), EXACT(invMass), EXACT(invInertia),
 };
-const wfFields wfExactBodyFields = FIELDS(exactBodyFields);
+const wfFields wfExactBodyFields = FIELDS(exact_body_fields);
 
-static const wfField exactShapeFields[] = {
+static const wfField exact_shape_fields[] = {
     { .name = "radius", .offset = offsetof(wfExactShape, shape.radius), REAL, NOT_NEGATIVE,
       .text = "m, of the coat" },
     { .name = "centre", .offset = offsetof(wfExactShape, shape.centre), VEC,
       .text = "m, about the body's centre of mass" },
     KEPT(reach), KEPT(arm), KEPT(inner),
 };
-const wfFields wfExactShapeFields = FIELDS(exactShapeFields);
+const wfFields wfExactShapeFields = FIELDS(exact_shape_fields);
 
-static const wfField pushFields[] = {
+static const wfField push_fields[] = {
     { AT(wfBodyForces, force), VEC, .text = "N: acts in the next step" },
     { AT(wfBodyForces, torque), REAL, ANY, .text = "N m: acts in the next step" },
 };
-const wfFields wfPushFields = FIELDS(pushFields);
+const wfFields wfPushFields = FIELDS(push_fields);
 
-static const wfField fineFields[] = {
-    { AT(wfFine, p), VEC, .text = "m: what the centre of mass has rounded away" },
-    { AT(wfFine, v), VEC, .text = "m/s: what the velocity has" },
-    { AT(wfFine, angle), REAL, ANY, .text = "rad: what the angle has" },
-    { AT(wfFine, w), REAL, ANY, .text = "rad/s: what the angular velocity has" },
+static const wfField fine_fields[] = {
+    { AT(wfResidual, p), VEC, .text = "m: what the centre of mass has rounded away" },
+    { AT(wfResidual, v), VEC, .text = "m/s: what the velocity has" },
+    { AT(wfResidual, angle), REAL, ANY, .text = "rad: what the angle has" },
+    { AT(wfResidual, w), REAL, ANY, .text = "rad/s: what the angular velocity has" },
 };
-const wfFields wfFineFields = FIELDS(fineFields);
+const wfFields wfResidualFields = FIELDS(fine_fields);
 /* names of the parameters of forces */
 #define FORCE(part, member, about) { .name = #member, \
     .offset = offsetof(wfForce, part.member), .text = about, REAL, ANY }
 #define FORCE_AT(part, member, about) { .name = #member, \
     .offset = offsetof(wfForce, part.member), .text = about, VEC }
 
-static const wfField gravityFields[] = { FORCE_AT(gravity, g, "m/s^2") };
-static const wfField pointFields[] = {
+static const wfField gravity_fields[] = { FORCE_AT(gravity, g, "m/s^2") };
+static const wfField point_fields[] = {
     FORCE_AT(point, centre, "m; not used if there is a body b"),
     FORCE(point, strength, "m^3/s^2"), FORCE(point, softening, "m, >= 0") };
-static const wfField springFields[] = {
+static const wfField spring_fields[] = {
     FORCE_AT(spring, localA, "m, in a's frame"),
     FORCE_AT(spring, localB, "m, in b's frame"),
     FORCE(spring, rest, "m, >= 0"), FORCE(spring, stiffness, "N/m, >= 0"),
     FORCE(spring, damping, "N s/m, >= 0") };
-static const wfField dragFields[] = {
+static const wfField drag_fields[] = {
     FORCE(drag, linear, "N s/m, >= 0"), FORCE(drag, quadratic, "N s^2/m^2, >= 0") };
-static const wfField buoyancyFields[] = {
+static const wfField buoyancy_fields[] = {
     FORCE(buoyancy, surfaceY, "m"), FORCE(buoyancy, density, "kg/m^2, >= 0"),
     FORCE(buoyancy, g, "m/s^2, >= 0"), FORCE(buoyancy, drag, "1/s, >= 0") };
 
-static const wfField explosionFields[] = {
+static const wfField explosion_fields[] = {
     FORCE_AT(explosion, centre, "m"), FORCE(explosion, strength, "N s/m"),
     FORCE(explosion, radius, "m, > 0"), FORCE(explosion, start, "s, after `added'"),
     FORCE(explosion, duration, "s, > 0") };
-static const wfField windFields[] = {
+static const wfField wind_fields[] = {
     FORCE_AT(wind, velocity, "m/s"), FORCE(wind, coefficient, "kg/m^2, >= 0") };
-static const wfField handFields[] = {
+static const wfField hand_fields[] = {
     FORCE_AT(hand, local, "m, in a's frame"), FORCE_AT(hand, target, "m, world"),
     FORCE(hand, stiffness, "N/m, >= 0"), FORCE(hand, damping, "N s/m, >= 0"),
     FORCE(hand, spin, "N m s, >= 0") };
 
-static const struct { const char *name; wfFields fields; } forceNames[] = {
-    { "gravity", FIELDS(gravityFields) }, { "point-gravity", FIELDS(pointFields) },
-    { "spring", FIELDS(springFields) }, { "bungee", FIELDS(springFields) },
-    { "drag", FIELDS(dragFields) }, { "buoyancy", FIELDS(buoyancyFields) },
-    { "explosion", FIELDS(explosionFields) }, { "wind", FIELDS(windFields) },
-    { "hand", FIELDS(handFields) },
+static const struct { const char *name; wfFields fields; } force_names[] = {
+    { "gravity", FIELDS(gravity_fields) }, { "point-gravity", FIELDS(point_fields) },
+    { "spring", FIELDS(spring_fields) }, { "bungee", FIELDS(spring_fields) },
+    { "drag", FIELDS(drag_fields) }, { "buoyancy", FIELDS(buoyancy_fields) },
+    { "explosion", FIELDS(explosion_fields) }, { "wind", FIELDS(wind_fields) },
+    { "hand", FIELDS(hand_fields) },
 };
 
 wfFields wfForceFields(int32_t kind, wfField *spare)
 {
-    for (size_t i = 0; i < sizeof forceNames / sizeof *forceNames; i++)
-        if (strcmp(forceNames[i].name, wfForceTable[kind].name) == 0)
-            return forceNames[i].fields;
+    for (size_t i = 0; i < sizeof force_names / sizeof *force_names; i++)
+        if (strcmp(force_names[i].name, wfForceTable[kind].name) == 0)
+            return force_names[i].fields;
     int count = wfForceTable[kind].params;
     *spare = (wfField){ AT(wfForce, param), REAL, ANY, .count = count,
                         .text = "its parameters" };
@@ -259,7 +262,7 @@ static wfField field_of(const wfSetting *s)
         .rows = s->rows, .rowCount = s->rowCount, .rowSize = s->rowSize };
 }
 
-wfField wfNeedsField(void) { return field_of(wfFindSetting("needs")); }
+wfField wfModulesField(void) { return field_of(wfFindSetting("modules")); }
 
 const wfField wfAddedField = { .name = "added", .kind = WF_FIELD_DOUBLE, TIME,
                                .text = "s: time of the scene when it was added" };

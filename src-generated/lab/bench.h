@@ -23,13 +23,14 @@ typedef struct labBench {
     wfShape      shape[BENCH_BODIES];
     wfBodyState  state[BENCH_BODIES];
     wfBodyForces force[BENCH_BODIES];
-    wfReal       restitution[BENCH_BODIES], friction[BENCH_BODIES], rolling[BENCH_BODIES];
+    wfReal restitution[BENCH_BODIES], friction[BENCH_BODIES],
+        rollingResistance[BENCH_BODIES];
     wfReal       sticking[BENCH_BODIES];
     wfContact    contact[BENCH_CONTACTS], before[BENCH_CONTACTS];
     int          count, contacts, solver, passes, substeps, columns;
-    wfFine      *fine;
+    wfResidual  *fine;
     wfVec2       gravity;
-    wfReal       h, restingSteps, recoverySteps, slop, share;
+    wfReal       h, restitutionThreshold, contactPushSpeed, slop, share;
     wfReal       period, damping;    /* of soft contacts; 0: what is usual */
     _Alignas(16) uint8_t memory[1 << 20];
 } labBench;

@@ -43,21 +43,21 @@ static int measure_compound_remove(FILE *out)
     return 0;
 }
 enum { OUTLINE_MOST = 1600, OUTLINES_EACH = 100 };
-static wfVec2 outlineCorners[OUTLINE_MOST];
-static wfShape outlineShapes[OUTLINE_MOST];
+static wfVec2 outline_corners[OUTLINE_MOST];
+static wfShape outline_shapes[OUTLINE_MOST];
 static _Alignas(16) uint8_t outlineBytes[OUTLINE_MOST * 128];
-static const char *const outlineKind[] = { "star", "tangle" };
+static const char *const outline_kind[] = { "star", "tangle" };
 
-static wfPool outlineMake(wfRandom *r, int kind, int n)
+static wfPool outline_make(wfRandom *r, int kind, int n)
 {
     wfPool pool;
     wfPoolInit(&pool, sizeof outlineBytes, outlineBytes);
-    if (kind == 0) random_star(r, n, outlineCorners);
-    else random_tangle(r, n, outlineCorners);
+    if (kind == 0) random_star(r, n, outline_corners);
+    else random_tangle(r, n, outline_corners);
     return pool;
 }
 
-static int outlineReflex(const wfMesh *m)
+static int outline_reflex(const wfMesh *m)
 {
     int reflex = 0, n = m->cornerCount;
     for (int i = 0; i < n; i++) {
@@ -67,23 +67,23 @@ static int outlineReflex(const wfMesh *m)
     return reflex;
 }
 /* sums over many outlines: reflex corners, pieces without and with flips, shapes, bound */
-static int countPieces(int kind, int n, int sum[5], double *worst)
+static int count_pieces(int kind, int n, int sum[5], double *worst)
 {
     wfRandom r;
     wfRandomSeed(&r, (uint64_t)n);
     for (int k = 0; k < OUTLINES_EACH; k++) {
-        wfPool pool = outlineMake(&r, kind, n);
+        wfPool pool = outline_make(&r, kind, n);
         wfMesh m;
         int count = 0;
-        if (wfCutEars(outlineCorners, n, &pool, &m) != WF_OK) return 1;
-        int reflex = outlineReflex(&m), least = (reflex + 1) / 2 + 1;
+        if (wfCutEars(outline_corners, n, &pool, &m) != WF_OK) return 1;
+        int reflex = outline_reflex(&m), least = (reflex + 1) / 2 + 1;
         int plain = wfMergeMesh(&m);
         wfPoolReset(&pool);
-        if (wfCutEars(outlineCorners, n, &pool, &m) != WF_OK) return 1;
+        if (wfCutEars(outline_corners, n, &pool, &m) != WF_OK) return 1;
         wfFlipMesh(&m);
         int pieces = wfMergeMesh(&m);
         wfPoolReset(&pool);
-        if (wfDecompose(outlineCorners, n, outlineShapes, OUTLINE_MOST, &count, &pool))
+        if (wfDecompose(outline_corners, n, outline_shapes, OUTLINE_MOST, &count, &pool))
             return 1;
         const int add[5] = { reflex, plain, pieces, count, least };
         for (int i = 0; i < 5; i++) sum[i] += add[i];
@@ -98,33 +98,33 @@ static int measure_compound_pieces(FILE *out)
         for (int n = 10; n <= 160; n *= 2) {
             int sum[5] = { 0 };
             double worst = 0;
-            if (countPieces(kind, n, sum, &worst)) return 1;
-            fprintf(out, "%s,%d,%d", outlineKind[kind], n, n - 2);
+            if (count_pieces(kind, n, sum, &worst)) return 1;
+            fprintf(out, "%s,%d,%d", outline_kind[kind], n, n - 2);
             for (int i = 0; i < 5; i++)
                 fprintf(out, ",%.1f", (double)sum[i] / OUTLINES_EACH);
             fprintf(out, ",%.2f\n", worst);
         }
     return 0;
 }
-static double timeOrientation(int n)
+static double time_orientation(int n)
 {
     int sum = 0;
     clock_t start = clock();
     for (int k = 0; k < 2000000; k++)
-        sum += wfOrientation(outlineCorners[k % n], outlineCorners[k * 7 % n],
-                             outlineCorners[k * 3 % n]);
+        sum += wfOrientation(outline_corners[k % n], outline_corners[k * 7 % n],
+                             outline_corners[k * 3 % n]);
     double took = (double)(clock() - start) / CLOCKS_PER_SEC / 2000000;
     return sum > 2000000 ? -1 : took;                   /* so that the sum is needed */
 }
 /* the shortest of five runs, each of so many calls that it lasts, s; -1: failed */
-static double timeDecompose(int n, wfPool *pool)
+static double time_decompose(int n, wfPool *pool)
 {
     int count, calls = 200000 / (n * n) + 1;
     double best = 1e9;
     for (int run = 0; run < 5; run++) {
         clock_t start = clock();
         for (int i = 0; i < calls; i++)
-            if (wfDecompose(outlineCorners, n, outlineShapes, OUTLINE_MOST, &count, pool))
+            if (wfDecompose(outline_corners, n, outline_shapes, OUTLINE_MOST, &count, pool))
                 return -1;
         double took = (double)(clock() - start) / CLOCKS_PER_SEC / calls;
         if (took < best) best = took;
@@ -140,8 +140,8 @@ static int measure_compound_time(FILE *out)
     for (int n = 25; n <= OUTLINE_MOST; n *= 2) {
         fprintf(out, "%d", n);
         for (int kind = 0; kind < 2; kind++) {
-            wfPool pool = outlineMake(&r, kind, n);
-            double took = timeDecompose(n, &pool) / timeOrientation(n);
+            wfPool pool = outline_make(&r, kind, n);
+            double took = time_decompose(n, &pool) / time_orientation(n);
             if (took < 0) return 1;
             fprintf(out, ",%.0f,", took);
             if (last[kind] > 0) fprintf(out, "%.2f", log2(took / last[kind]));

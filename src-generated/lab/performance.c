@@ -43,7 +43,7 @@ static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
     wfWorldDef def = labLoadDef(load);
     wfWorld world;
     def.iterations = passes;                    /* 0: as many as the solver likes */
-    def.lanes = lanes;
+    def.enableSimd = lanes;
     *out = (PerfTimes){ .step = 0 };
     wfResult result = wfCreateWorld(&def, &world);
     if (result != WF_OK) return result;
@@ -135,7 +135,7 @@ static int one_colouring(FILE *out, int32_t colours, int32_t passes)
     wfWorld world;
     enum { BASE = 30 };
     double fastest = 0;
-    def.colours = colours;
+    def.graphColouring = colours;
     def.iterations = passes;
     def.bodyCapacity = BASE * (BASE + 1) / 2 + 1;
     if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -169,7 +169,7 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
     const labHeavy *heavy = labFindHeavy(name);
     wfWorldDef def = labHeavyDef(heavy);
     wfWorld world;
-    if (off) def.impacts = 0;
+    if (off) def.maxImpacts = 0;
     wfResult result = wfCreateWorld(&def, &world);
     if (result != WF_OK) return result;
     result = labBuildHeavy(heavy, &world);
@@ -177,9 +177,9 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
         bool first = k < FOLLOWED_FIRST;
         int steps = first ? FOLLOWED_FIRST : FOLLOWED_STEPS - FOLLOWED_FIRST;
         double stage[PERF_STAGES] = { 0 };
-        wfFastReport report = { 0, 0, 0 };
+        wfContinuousReport report = { 0, 0, 0 };
         result = timed_step(&world, stage);
-        if (result == WF_OK) result = wfGetFastReport(&world, &report);
+        if (result == WF_OK) result = wfGetContinuousReport(&world, &report);
         /* add the step to its part */
         Followed *part = &out[first ? 0 : 1];
         for (int i = 0; i < wfStageCount && i < PERF_STAGES; i++) {
@@ -244,8 +244,8 @@ static int measure_performance_steered(FILE *out)
     }
     return 0;
 }
-static bool has_shapes(uint32_t needs) { return (needs & WF_NEED_SHAPES) != 0; }
-static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs)
+static bool has_shapes(uint32_t modules) { return (modules & WF_MODULE_SHAPES) != 0; }
+static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pairs)
 {
     size_t permanent[2], transient[2], kept[2];
     for (int32_t i = 0; i < 2; i++) {
@@ -253,13 +253,13 @@ static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs
         int32_t n = 1000 * (i + 1);
         wfWorld world;
         wfBodyDef body = wfDefaultBodyDef();
-        def.needs = needs;
+        def.modules = modules;
         def.bodyCapacity = n;
         def.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
         /* ask for the size and fill the world */
-        if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
+        if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
         if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;
         for (int32_t k = 0; k < n; k++) {
@@ -299,21 +299,21 @@ static double copy_states(int32_t n)
     free(from);
     return 1e9 * least / n;
 }
-static double fly_freely(int32_t n, uint32_t needs)
+static double fly_freely(int32_t n, uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfBodyDef body = wfDefaultBodyDef();
     wfWorld world;
     double least = 1e9;
     int32_t rounds = 300000 / n + 1;
-    def.needs = needs;
+    def.modules = modules;
     def.bodyCapacity = n;
     def.gravity = wfV2(0, 0);
     body.type = WF_DYNAMIC;
     body.mass = 1;
     body.velocity = wfV2(1, 0);
-    if (has_shapes(needs)) def.pairCapacity = 4 * n;
-    if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
+    if (has_shapes(modules)) def.pairCapacity = 4 * n;
+    if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
     /* let them fly, nine times */
     for (int32_t k = 0; k < n; k++) {
@@ -331,7 +331,7 @@ static double fly_freely(int32_t n, uint32_t needs)
 }
 static int measure_performance_memory(FILE *out)
 {
-    uint32_t plain = wfDefaultWorldDef().needs;
+    uint32_t plain = wfDefaultWorldDef().modules;
     fprintf(out, "world,permanent,transient,snapshot\n");
     return memory_row(out, "particles, nothing else", 0, 0)
         || memory_row(out, "default", plain, 0)
@@ -341,7 +341,7 @@ static int measure_performance_memory(FILE *out)
 static int measure_performance_flight(FILE *out)
 {
     static const int32_t sizes[] = { 1000, 10000, 100000 };
-    uint32_t plain = wfDefaultWorldDef().needs;
+    uint32_t plain = wfDefaultWorldDef().modules;
     fprintf(out, "world,bodies,copy,step,copies\n");
     for (int k = 0; k < 5; k++) {
         int32_t n = sizes[k % 3];
@@ -401,7 +401,7 @@ static int measure_performance_bullets(FILE *out)
     fprintf(out, "bullets,ms,each,impacts\n");
     for (int32_t k = 0; k < SIZES; k++) {
         double times[STEPS], impacts = 0;
-        wfFastReport report = { 0 };
+        wfContinuousReport report = { 0 };
         wfWorld world;
         wfResult result = swarm((int32_t)n[k], &world) ? WF_ERROR_MEMORY : WF_OK;
         /* time the steps and count the impacts */
@@ -409,7 +409,7 @@ static int measure_performance_bullets(FILE *out)
             clock_t start = clock();
             result = wfStepWorld(&world);
             times[i] = 1e3 * seconds_since(start);
-            if (result == WF_OK) result = wfGetFastReport(&world, &report);
+            if (result == WF_OK) result = wfGetContinuousReport(&world, &report);
             impacts += report.impacts;
         }
         wfDestroyWorld(&world);

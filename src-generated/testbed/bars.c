@@ -116,7 +116,7 @@ static void press_reset(game *g) { game_open_scene(g, g->state->row); }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
 
-static const button_row buttonTable[] = {
+static const button_row button_table[] = {
     { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
     { "Tools", NULL, 0, FLAG(bar), NULL, "what the mouse can do: the row below" },
     { "Pause", "Run", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
@@ -129,7 +129,7 @@ static const button_row buttonTable[] = {
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
     { "Settings", NULL, 's', FLAG(panel), NULL, "numbers to change, at the right" },
 };
-enum { BUTTONS = sizeof buttonTable / sizeof *buttonTable };
+enum { BUTTONS = sizeof button_table / sizeof *button_table };
 
 static bool is_on(const game *g, const button_row *row)
 {
@@ -148,7 +148,7 @@ void game_press_button(game *g, const button_row *row)
 void game_button_key(game *g, int32_t key)
 {
     for (int i = 0; i < BUTTONS; i++)
-        if (buttonTable[i].key == key) game_press_button(g, &buttonTable[i]);
+        if (button_table[i].key == key) game_press_button(g, &button_table[i]);
 }
 
 static void bar_room(bar *b, float w)
@@ -169,7 +169,7 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
 void game_buttons(ui *u, game *g, bar *b)
 {
     for (int i = 0; i < BUTTONS; i++) {
-        const button_row *row = &buttonTable[i];
+        const button_row *row = &button_table[i];
         bool on = is_on(g, row);
         if (bar_button(u, b, on && row->other ? row->other : row->name, on, row->text))
             game_press_button(g, row);

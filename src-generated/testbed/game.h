@@ -88,7 +88,7 @@ typedef struct game_state {
     float panel_scroll, head;           /* head: height of the strip at the top, units */
     uint8_t changed[128];               /* which settings the user has changed ... */
     double wanted[128][2];              /* ... and to what */
-    uint32_t needs, wished;             /* instead of the scene's own; to be: 0: its own */
+    uint32_t modules, wished;           /* instead of the scene's own; to be: 0: its own */
     double seconds[STAGES];             /* that the stages took ... */
     int64_t timed;                      /* ... in so many steps */
     wfLook look;                        /* what the overlays look into ... */
@@ -144,7 +144,7 @@ void game_open_scene(game *g, int row);
 wfResult game_adopt(game *g, const wfWorld *made);
 void game_go_back(game *g, uint64_t before);
 void game_stay_there(game *g);
-wfResult game_make_room(void *context, uint32_t needs);
+wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_goes_along(const game_state *s, int i);
 void game_begin_others(game *g);

@@ -41,15 +41,15 @@ void game_open_scene(game *g, int row)
     /* make the scene's world */
     s->row = row;
     g->scene = game_scene_at(g, row);
-    s->result = wfOpenSceneNeeding(g->scene, &g->memory, same ? s->needs : 0, &g->world);
-    if (!same) s->needs = s->wished = 0;
+    s->result = wfOpenSceneWithModules(g->scene, &g->memory, same ? s->modules : 0, &g->world);
+    if (!same) s->modules = s->wished = 0;
     s->opened = s->result == WF_OK;
-    if (!s->opened && s->needs) {
+    if (!s->opened && s->modules) {
         /* open the scene with its own needs */
         snprintf(s->tools.said, sizeof s->tools.said, "not without that: %s",
                  wfResultText((wfResult)s->result));
         s->tools.refused = 1;
-        s->needs = s->wished = 0;
+        s->modules = s->wished = 0;
         s->result = wfOpenScene(g->scene, &g->memory, &g->world);
         s->opened = s->result == WF_OK;
     }
@@ -79,7 +79,7 @@ void game_open_scene(game *g, int row)
     }
 }
 
-wfResult game_make_room(void *context, uint32_t needs)
+wfResult game_make_room(void *context, uint32_t modules)
 {
     game *g = context;
     wfWorldDef room;
@@ -92,7 +92,7 @@ wfResult game_make_room(void *context, uint32_t needs)
         if (row->builtIn && row->kind == WF_SETTING_INT)
             wfPutSetting(&room, row, 0, 2 * now + 16 < row->most ? 2 * now + 16 : now);
     }
-    room.needs = wfCloseNeeds(room.needs | needs);
+    room.modules = wfCloseModules(room.modules | modules);
     result = wfWorldSize(&room, &bytes, &transient);
     if (result != WF_OK) return result;
     if (bytes > g->memory.permanentSize || transient > g->memory.transientSize)

@@ -146,7 +146,7 @@ static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
     for (int k = 0; k < steps && result == WF_OK; k++) {
         wfSceneInput in = wfSceneInputAt(s, k);
         if (s->update) s->update(world, &in);
-        result = s->hooks ? wfStepWorldWith(world, s->hooks)
+        result = s->hooks ? wfStepWorldWithCallbacks(world, s->hooks)
                           : wfStepWorldTimed(world, &clock);
     }
     if (result != WF_OK) return result;
@@ -174,7 +174,7 @@ static int explain_scene(const layer_options *options)
     wfWorldDef def;
     if (!s || wfOpenScene(s, NULL, &rich) != WF_OK) return free(made.text), 1;
     wfResult result = explain_run(s, &rich, steps);
-    if (result == WF_OK) result = wfInferNeeds(&rich, 0, &def);
+    if (result == WF_OK) result = wfInferModules(&rich, 0, &def);
     wfDestroyWorld(&rich);
     if (result == WF_OK && !s->build)
         puts("\n(this scene is opened as a whole, with the needs that it states itself)");

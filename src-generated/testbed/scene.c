@@ -17,16 +17,17 @@ int wfFindScene(const char *name)
 }
 
 /* open and step a scene */
-wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
-                            wfWorld *out)
+wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
+                                uint32_t modules,
+                                wfWorld *out)
 {
     if (scene->open)
         return scene->open(scene, memory, out);
     wfWorldDef def = wfDefaultWorldDef();
     if (scene->define)
         scene->define(&def);
-    if (needs)
-        def.needs = needs;
+    if (modules)
+        def.modules = modules;
     if (memory)
         def.memory = *memory;
     wfWorld world;
@@ -43,14 +44,14 @@ wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32
 
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
-    return wfOpenSceneNeeding(scene, memory, 0, out);
+    return wfOpenSceneWithModules(scene, memory, 0, out);
 }
 
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in)
 {
     if (scene->update)
         scene->update(world, in);
-    return wfStepWorldWith(world, scene->hooks);
+    return wfStepWorldWithCallbacks(world, scene->hooks);
 }
 
 /* wander over the view */

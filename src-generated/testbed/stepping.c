@@ -79,7 +79,7 @@ static wfResult take_step(game *g)
     bool timed = g->now && asked && g->scene->hooks == NULL && wfStageCount <= STAGES;
     g->staged = false;
     if (g->noted) return wfStepNoted(&g->world, &g->journal, g->scene->hooks);
-    if (!timed) return wfStepWorldWith(&g->world, g->scene->hooks);
+    if (!timed) return wfStepWorldWithCallbacks(&g->world, g->scene->hooks);
     memcpy(g->stage, s->seconds, sizeof g->stage);
     wfResult result = wfStepWorldTimed(&g->world, &clock);
     for (int i = 0; i < STAGES; i++) g->stage[i] = s->seconds[i] - g->stage[i];
@@ -120,15 +120,15 @@ void game_step_world(game *g)
     s->between = 1;
     if (steps < 0) {
         steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
-                                   (double)def.dt, STEP_CLOCK_MOST);
-        if (!s->paused) s->between = (wfReal)s->clock.left / def.dt;
+                                   (double)def.timeStep, STEP_CLOCK_MOST);
+        if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
     }
     if (s->paused)
         steps = s->single;
     s->single = 0;
     if (steps > 0) game_stay_there(g);
     for (; steps > 0; steps--) {
-        keep_moment(g, def.dt);
+        keep_moment(g, def.timeStep);
         keep_poses(g);
         double before = g->now ? g->now() : 0;
         /* make one step or replay one */
@@ -137,8 +137,8 @@ void game_step_world(game *g)
         } else {
             if (!s->moved)
                 s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
-            game_pull(g, def.dt);
-            pull_chosen(g, def.dt);
+            game_pull(g, def.timeStep);
+            pull_chosen(g, def.timeStep);
             s->result = step_one(g);
         }
         s->last_step = g->now ? g->now() - before : 0;
@@ -146,7 +146,7 @@ void game_step_world(game *g)
             s->paused = 1;
             return;
         }
-        step_others(g, def.dt);
+        step_others(g, def.timeStep);
     }
 }
 static double game_clock(void *context) { return ((game *)context)->now(); }

@@ -31,14 +31,14 @@ static void say_no(tool_memory *m, const char *why)
 }
 
 /* give an input, with room */
-wfResult tool_give(tool_work *w, uint32_t needs, const wfInput *in, wfInputId *made)
+wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made)
 {
     wfResult result = WF_OK;
-    if (w->make_room && wfMissingNeeds(w->world, needs))
-        result = w->make_room(w->context, needs);
+    if (w->make_room && wfMissingModules(w->world, modules))
+        result = w->make_room(w->context, modules);
     if (result == WF_OK) result = wfGiveInput(w->world, w->journal, in, made);
     if (result != WF_ERROR_FULL || !w->make_room) return result;
-    result = w->make_room(w->context, needs);
+    result = w->make_room(w->context, modules);
     return result == WF_OK ? wfGiveInput(w->world, w->journal, in, made) : result;
 }
 
@@ -74,14 +74,14 @@ static void choose_one(tool_work *w)
 }
 
 /* place a body */
-static const char *const shapeNames[] = { "circle", "box", "capsule", "hexagon" };
-static const char *const stuffNames[] = { "wood", "rubber", "ice", "steel" };
-static const char *const typeNames[] = { "dynamic", "static", "kinematic" };
+static const char *const shape_names[] = { "circle", "box", "capsule", "hexagon" };
+static const char *const stuff_names[] = { "wood", "rubber", "ice", "steel" };
+static const char *const type_names[] = { "dynamic", "static", "kinematic" };
 static const struct { wfReal density, friction, restitution; } stuff[] = {
     { 1, WF_R(0.5), WF_R(0.2) }, { WF_R(1.5), 1, WF_R(0.8) },
     { WF_R(1.3), WF_R(0.02), WF_R(0.1) }, { 10, WF_R(0.4), WF_R(0.4) },
 };
-static const int bodyTypes[] = { WF_DYNAMIC, WF_STATIC, WF_KINEMATIC };
+static const int body_types[] = { WF_DYNAMIC, WF_STATIC, WF_KINEMATIC };
 
 /* How far the mouse was pulled, or what a mere click means: m. */
 static wfVec2 pulled(const tool_memory *m)
@@ -111,7 +111,7 @@ static wfBodyDef body_of_choice(const tool_memory *m)
 {
     wfBodyDef def = wfDefaultBodyDef();
     int32_t s = m->choice[TOOL_STUFF];
-    def.type = bodyTypes[m->choice[TOOL_TYPE]];
+    def.type = body_types[m->choice[TOOL_TYPE]];
     def.density = stuff[s].density;
     def.friction = stuff[s].friction;
     def.restitution = stuff[s].restitution;
@@ -123,9 +123,9 @@ static wfResult add_body(tool_work *w, const wfBodyDef *def, wfBodyId *out)
 {
     wfInput in = { .kind = WF_INPUT_ADD_BODY, .body = *def };
     wfInputId made = { 0, 0 };
-    uint32_t needs = wfNeedsOfBody(def);
-    if (def->shape.kind != WF_SHAPE_NONE) needs |= WF_NEED_SHAPES | WF_NEED_CONTACTS;
-    wfResult result = tool_give(w, needs, &in, &made);
+    uint32_t modules = wfModulesOfBody(def);
+    if (def->shape.kind != WF_SHAPE_NONE) modules |= WF_MODULE_SHAPES | WF_MODULE_CONTACTS;
+    wfResult result = tool_give(w, modules, &in, &made);
     *out = (wfBodyId){ made.index, made.generation };
     return result;
 }
@@ -139,8 +139,8 @@ static void place(tool_work *w)
     if (result == WF_OK) result = add_body(w, &def, &id);
     if (result == WF_OK) tool_choose(m, id);
     say(m, result, result ? "not placed" : "placed: %s, %s, %s",
-        shapeNames[m->choice[TOOL_SHAPE]], stuffNames[m->choice[TOOL_STUFF]],
-        typeNames[m->choice[TOOL_TYPE]]);
+        shape_names[m->choice[TOOL_SHAPE]], stuff_names[m->choice[TOOL_STUFF]],
+        type_names[m->choice[TOOL_TYPE]]);
 }
 
 static void draw_placing(const tool_work *w, wfDraw *d)
@@ -206,7 +206,7 @@ static wfResult add_pieces(tool_work *w, const wfShape *piece, int count, wfBody
                        .generation = id->generation };
         shape.shape = piece[i];
         in.shape = shape;
-        result = tool_give(w, WF_NEED_COMPOUNDS, &in, NULL);
+        result = tool_give(w, WF_MODULE_COMPOUNDS, &in, NULL);
     }
     wfInput gone = { .kind = WF_INPUT_REMOVE_BODY, .index = id->index,
                      .generation = id->generation };
@@ -318,7 +318,7 @@ static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 t
         j->ratio = WF_PI / 6;
     } else if (strcmp(kind, "hand") == 0 || strcmp(kind, "servo") == 0) {
         j->motorForce = 98 * m;
-        wfTuneJoint(j, m, 2, 1);
+        wfSetJointSpring(j, m, 2, 1);
     } else if (strcmp(kind, "friction") == 0) {
         j->motorForce = 3 * m;
         j->ratio = wfSqrt(i / m);
@@ -337,7 +337,7 @@ static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2
                             to, axis);
     complete_joint(w, &j, from, to);
     wfInput in = { .kind = WF_INPUT_ADD_JOINT, .joint = j };
-    return tool_give(w, WF_NEED_JOINTS, &in, NULL);
+    return tool_give(w, WF_MODULE_JOINTS, &in, NULL);
 }
 
 static bool has_two_anchors(int kind)
@@ -507,15 +507,15 @@ static void away(tool_work *w)
 }
 
 /* ask the world */
-static const char *const probeNames[] = { "ray", "circle cast", "box cast",
-                                          "nearest point" };
+static const char *const probe_names[] = { "ray", "circle cast", "box cast",
+                                           "nearest point" };
 
 static void begin_probe(tool_work *w) { w->memory->probed = 1; }
 
 /* Which body it is that was hit; -1: none. */
 static int hit_body(const tool_work *w, int32_t shape)
 {
-    return shape < 0 ? -1 : (int)wfWorldShapes(w->world).owners[shape];
+    return shape < 0 ? -1 : (int)wfWorldShapes(w->world).bodyOfShape[shape];
 }
 
 static wfResult cast(const tool_work *w, wfShape *shape, wfRayHit *hit)
@@ -554,10 +554,10 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     if (met) wfDrawArrow(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
     /* say what the probe met */
     if (met) say(m, WF_OK, "%s: body %d at %.4f of %.4g m, normal (%.3f, %.3f)",
-                 probeNames[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
+                 probe_names[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
                  (double)hit.fraction, (double)wfLength(by), (double)hit.normal.x,
                  (double)hit.normal.y);
-    else say(m, WF_OK, "%s: nothing within %.4g m", probeNames[m->choice[TOOL_PROBE]],
+    else say(m, WF_OK, "%s: nothing within %.4g m", probe_names[m->choice[TOOL_PROBE]],
              (double)wfLength(by));
 }
 
@@ -608,9 +608,9 @@ const tool_row toolTable[] = {
 const int toolCount = (int)(sizeof toolTable / sizeof *toolTable);
 #define NAMES(list) list, (int32_t)(sizeof list / sizeof *list)
 const tool_names toolChoices[TOOL_CHOICES] = {
-    { "new shape", NAMES(shapeNames) }, { "new stuff", NAMES(stuffNames) },
-    { "new type", NAMES(typeNames) }, { "joint kind", NULL, 0 },
-    { "question", NAMES(probeNames) },
+    { "new shape", NAMES(shape_names) }, { "new stuff", NAMES(stuff_names) },
+    { "new type", NAMES(type_names) }, { "joint kind", NULL, 0 },
+    { "question", NAMES(probe_names) },
 };
 
 int32_t tool_choice_count(const void *choice)

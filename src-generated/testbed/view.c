@@ -59,8 +59,8 @@ static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
     wfBodyView v = wfWorldBodies(world);
     wfShapeView s = wfWorldShapes(world);
     for (int32_t i = 0; i < count; i++) {
-        const wfBodyState *a = &v.state[s.owners[pair[i].a]];
-        const wfBodyState *b = &v.state[s.owners[pair[i].b]];
+        const wfBodyState *a = &v.state[s.bodyOfShape[pair[i].a]];
+        const wfBodyState *b = &v.state[s.bodyOfShape[pair[i].b]];
         wfVec2 from = wfApply(wfBodyTransform(a), s.shapes[pair[i].a].centre);
         wfVec2 to = wfApply(wfBodyTransform(b), s.shapes[pair[i].b].centre);
         wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, WF_INK_BAD);
@@ -228,7 +228,7 @@ typedef struct JointLook {
     void (*draw)(wfDraw *d, const SeenJoint *s);
 } JointLook;
 
-static const JointLook jointLook[] = {
+static const JointLook joint_look[] = {
     { "revolute", see_hinge }, { "distance", see_distance }, { "prismatic", see_slide },
     { "wheel", see_slide }, { "pulley", see_pulley }, { "gear", see_turning },
     { "ratchet", see_turning }, { "turn", see_turning }, { "hand", see_hand },
@@ -238,9 +238,9 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
 {
     bool broken = (s->j.flags & WF_JOINT_BROKEN) != 0;
     void (*draw)(wfDraw *, const SeenJoint *) = see_line;
-    for (size_t i = 0; i < sizeof jointLook / sizeof *jointLook; i++)
-        if (strcmp(jointLook[i].kind, wfJointTable[s->j.kind].name) == 0)
-            draw = jointLook[i].draw;
+    for (size_t i = 0; i < sizeof joint_look / sizeof *joint_look; i++)
+        if (strcmp(joint_look[i].kind, wfJointTable[s->j.kind].name) == 0)
+            draw = joint_look[i].draw;
     if (!broken) draw(d, s);
     if (draw == see_turning || (draw == see_hand && broken)) return;
     wfDrawPoint(d, WF_XY(s->from), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
@@ -313,7 +313,7 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
     int32_t island = wfBodyIsland(world, id);
     if (v->props[i].type == WF_STATIC) return;
     *line = island < 0 ? WF_INK_LINE : ink[island % 5];
-    *fill = wfIsAwake(world, id) ? *line : WF_INK_FAINT;
+    *fill = wfBodyIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 
 static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTransform xf,

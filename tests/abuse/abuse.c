@@ -176,30 +176,30 @@ static wfWorldDef world_def(Session *s)
 {
     wfWorldDef d = wfDefaultWorldDef();
     d.gravity = vector(s, 10);
-    d.dt = chance(s, 200) ? WF_R(1.0) / 60 : more(s, WF_R(0.1));
+    d.timeStep = chance(s, 200) ? WF_R(1.0) / 60 : more(s, WF_R(0.1));
     d.bodyCapacity = whole(s, 1, 20);
     d.shapeCapacity = whole(s, 0, 30);
     d.forceCapacity = whole(s, 0, 6);
     d.jointCapacity = whole(s, 0, 10);
     d.pairCapacity = chance(s, 128) ? 0 : whole(s, 1, 90);
     d.contactCapacity = chance(s, 128) ? 0 : whole(s, 1, 60);
-    d.pairMaterials = whole(s, 0, 3);
-    d.impacts = whole(s, 0, 8);
+    d.materialPairCapacity = whole(s, 0, 3);
+    d.maxImpacts = whole(s, 0, 8);
     d.integrator = whole(s, 0, wfIntegratorCount - 1);
     d.broadPhase = whole(s, 0, wfBroadPhaseCount - 1);
     d.narrowPhase = whole(s, 0, wfNarrowPhaseCount - 1);
     if (chance(s, 128)) d.solver = whole(s, 0, wfSolverCount - 1);
-    d.exactJoints = whole(s, 0, 2);
+    d.directJoints = whole(s, 0, 2);
     d.sleep = yes(s);
-    d.sleepTime = WF_R(0.01) + more(s, WF_R(0.5));
+    d.timeToSleep = WF_R(0.01) + more(s, WF_R(0.5));
     d.substeps = whole(s, 1, 6);
     d.iterations = whole(s, 1, 2);                 /* a hopeless step of "exact" takes half a second for each, and five times that under the sanitizers */
-    d.events = yes(s); d.queries = yes(s); d.reuse = yes(s); d.columns = yes(s); d.colours = yes(s);
-    d.frictionMix = whole(s, 0, wfMixCount - 1);
-    d.restitutionMix = whole(s, 0, wfMixCount - 1);
-    d.rollingMix = whole(s, 0, wfMixCount - 1);
-    if (chance(s, 32)) { d.restingSteps = more(s, 4); d.hitSteps = more(s, 9); d.positionShare = more(s, 1); d.slop = more(s, WF_R(0.1)); }
-    if (chance(s, 32)) { d.contactPeriod = more(s, 20); d.contactDamping = more(s, 10); d.recoverySteps = more(s, 50); d.exactCost = more(s, 20); d.jointGive = more(s, WF_R(0.01)); }
+    d.events = yes(s); d.queries = yes(s); d.reuseManifolds = yes(s); d.stackSolver = yes(s); d.graphColouring = yes(s);
+    d.frictionRule = whole(s, 0, wfMixCount - 1);
+    d.restitutionRule = whole(s, 0, wfMixCount - 1);
+    d.rollingRule = whole(s, 0, wfMixCount - 1);
+    if (chance(s, 32)) { d.restitutionThreshold = more(s, 4); d.hitThreshold = more(s, 9); d.positionCorrection = more(s, 1); d.slop = more(s, WF_R(0.1)); }
+    if (chance(s, 32)) { d.contactPeriod = more(s, 20); d.contactDampingRatio = more(s, 10); d.contactPushSpeed = more(s, 50); d.directJointCost = more(s, 20); d.jointCompliance = more(s, WF_R(0.01)); }
     return d;
 }
 
@@ -289,7 +289,7 @@ static void check_lists(const Session *s, const wfWorld *w)
     const wfContact *c = wfWorldContacts(w, &n);
     for (int32_t i = 0; i < n; i++) {
         MUST(c[i].shapeA >= 0 && c[i].shapeB < shapes.count && c[i].shapeA < c[i].shapeB);
-        MUST(shapes.owners[c[i].shapeA] == c[i].a && shapes.owners[c[i].shapeB] == c[i].b);
+        MUST(shapes.bodyOfShape[c[i].shapeA] == c[i].a && shapes.bodyOfShape[c[i].shapeB] == c[i].b);
         for (int p = 0; p < c[i].manifold.count; p++)
             MUST(wfIsFinite2(c[i].manifold.points[p].point) && wfIsFinite(c[i].manifold.points[p].normalImpulse));
     }
@@ -387,7 +387,7 @@ void do_call(Session *s, Call call)
         wfBodyView v = wfWorldBodies(&s->world);
         for (int32_t i = 0; i < n; i++) printf("     pair %d %d\n", pairs[i].a, pairs[i].b);
         for (int32_t i = 0; i < v.count; i++)
-            printf("     body %d type %d awake %d at %g %g, v %g %g\n", i, v.props[i].type, wfIsAwake(&s->world, wfBodyAt(&s->world, i)), (double)v.state[i].p.x,
+            printf("     body %d type %d awake %d at %g %g, v %g %g\n", i, v.props[i].type, wfBodyIsAwake(&s->world, wfBodyAt(&s->world, i)), (double)v.state[i].p.x,
                 (double)v.state[i].p.y, (double)v.state[i].v.x, (double)v.state[i].v.y);
     }
     if (tracing > 0) printf("  %-28s %s\n", op->name, op->silent ? "" : wfResultName(r));

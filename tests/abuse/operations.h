@@ -144,7 +144,7 @@ static wfShapeDef shape_def(Session *s)
     if (d.shape.kind == WF_SHAPE_NONE) wfMakeCircle(wfV2(0, 0), WF_R(0.2), &d.shape);
     d.density = more(s, 3);
     d.restitution = more(s, 1); d.friction = more(s, 1);
-    if (chance(s, 60)) { d.staticFriction = more(s, 1); d.rolling = more(s, WF_R(0.1)); d.surfaceSpeed = real(s, 3); }
+    if (chance(s, 60)) { d.staticFriction = more(s, 1); d.rollingResistance = more(s, WF_R(0.1)); d.tangentSpeed = real(s, 3); }
     if (chance(s, 60)) d.filter = (wfFilter){ next(s), next(s), (int32_t)below(s, 5) - 2 };
     d.sensor = chance(s, 40) ? yes(s) : 0;
     d.material = chance(s, 60) ? whole(s, 0, 3) : 0;
@@ -342,7 +342,7 @@ static wfResult op_grab(Session *s)
     wfBodyId id = pick_bodies(s);
     wfVec2 p = vector(s, 5);
     wfForceId hand = { 0, 0 };
-    wfResult r = CALL(wfGrabBody(handle(s), id, p, &hand));
+    wfResult r = CALL(wfAddMouseJoint(handle(s), id, p, &hand));
     if (r == WF_OK) { MUST(!s->inHook); learn(&s->forces, hand.index, hand.generation, (int32_t)id.index - 1, -1, 0); }
     return r;
 }
@@ -350,7 +350,7 @@ static wfResult op_drag(Session *s)
 {
     wfForceId id = pick_forces(s);
     wfVec2 p = vector(s, 5);
-    return CALL(wfDragHand(handle(s), id, p));
+    return CALL(wfSetMouseTarget(handle(s), id, p));
 }
 
 /* ---- joints ------------------------------------------------------------------------------------------------------------------- */
@@ -359,7 +359,7 @@ static wfResult join(Session *s, wfJoint *j)
 {
     wfBodyId a = pick_bodies(s), b = pick_bodies(s);
     wfVec2 anchorA = vector(s, 3), anchorB = vector(s, 3), axis = vector(s, 1);
-    wfResult r = CALL_LOOSE(wfJoinBodies(handle(s), joint_kind(s), a, b, anchorA, anchorB, axis, j));
+    wfResult r = CALL_LOOSE(wfDefineJoint(handle(s), joint_kind(s), a, b, anchorA, anchorB, axis, j));
     if (r != WF_OK) return r;
     j->flags = (int32_t)below(s, 32);
     if (chance(s, 200)) j->flags &= WF_JOINT_SPRING | WF_JOINT_MOTOR | WF_JOINT_LIMITS | WF_JOINT_COLLIDE;
@@ -431,8 +431,8 @@ static wfResult op_look_at_joints(Session *s)
     const wfWorld *w = handle(s);
     int32_t n = -1, places = wfWorldJointPlaces(w), seenJoints = 0;
     for (int32_t i = 0; i < places; i++) seenJoints += wfJointAt(w, i).index != 0;
-    MUST(seenJoints == wfJointCount(w) && wfJointsTogether(w) >= 0 && wfUnsolvedSubsteps(w) >= 0);
-    (void)wfJointsSolvedTogether(w);
+    MUST(seenJoints == wfJointCount(w) && wfDirectJointCount(w) >= 0 && wfUnsolvedSubsteps(w) >= 0);
+    (void)wfAllJointsDirect(w);
     const wfJointId *broken_ = wfBrokenJoints(w, &n);
     MUST(n >= 0 && (n == 0 || broken_ != NULL));
     return WF_OK;
@@ -450,53 +450,53 @@ static wfResult op_body_substeps(Session *s)
 
 /* ---- sleep -------------------------------------------------------------------------------------------------------------------- */
 static wfResult op_wake(Session *s) { return CALL(wfWakeBody(handle(s), pick_bodies(s))); }
-static wfResult op_put_to_sleep(Session *s) { return CALL(wfPutToSleep(handle(s), pick_bodies(s))); }
+static wfResult op_put_to_sleep(Session *s) { return CALL(wfSetBodyAsleep(handle(s), pick_bodies(s))); }
 static wfResult op_never_sleeps(Session *s)
 {
     wfBodyId id = pick_bodies(s);
     int32_t never = yes(s);
-    return CALL(wfSetNeverSleeps(handle(s), id, never));
+    return CALL(wfDisableBodySleep(handle(s), id, never));
 }
 static wfResult op_look_at_sleep(Session *s)
 {
     const wfWorld *w = handle(s);
     wfBodyId id = pick_bodies(s);
-    wfRestCounts c = wfWorldRest(w);
-    bool never = wfNeverSleeps(w, id);
+    wfSleepCounts c = wfGetSleepCounts(w);
+    bool never = wfBodySleepDisabled(w, id);
     MUST(!never || (!s->badHandle && !stale));
     MUST(c.awake >= 0 && c.asleep >= 0 && c.islands >= 0 && c.awake + c.asleep <= s->bodies.alive);
-    if (s->badHandle || stale) MUST(!wfIsAwake(w, id) && wfBodyIsland(w, id) == -1);
+    if (s->badHandle || stale) MUST(!wfBodyIsAwake(w, id) && wfBodyIsland(w, id) == -1);
     else MUST(wfBodyIsland(w, id) >= -1);
     return WF_OK;
 }
 
 /* ---- steps and settings --------------------------------------------------------------------------------------------------------- */
 static Session *hooked;
-static int hookManners;                         /* 0: good; 1: says what it likes; 2: bad numbers; 3: meddles */
+static int hook_manners;                        /* 0: good; 1: says what it likes; 2: bad numbers; 3: meddles */
 static void meddle(Session *s);
-static bool filter_hook(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool filter_hook(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     Session *s = context;
     MUST(a >= 0 && a < b && b < view->shapes.count);
-    if (hookManners == 3 && chance(s, 30)) meddle(s);
-    return hookManners == 1 ? below(s, 2) : (a + b) % 5 != 0;
+    if (hook_manners == 3 && chance(s, 30)) meddle(s);
+    return hook_manners == 1 ? below(s, 2) : (a + b) % 5 != 0;
 }
-static void contact_hook(void *context, const wfHookView *view, const wfContact *c, wfContactChange *change)
+static void contact_hook(void *context, const wfCallbackView *view, const wfContact *c, wfContactSettings *change)
 {
     Session *s = context;
     MUST(c->a >= 0 && c->b < view->bodies.count && wfIsFinite2(c->manifold.normal));
-    if (hookManners == 3 && chance(s, 30)) meddle(s);
-    if (hookManners == 1) change->enabled = (int32_t)below(s, 2);
-    if (hookManners == 2) (&change->restitution)[below(s, 5)] = wild(s);
+    if (hook_manners == 3 && chance(s, 30)) meddle(s);
+    if (hook_manners == 1) change->enabled = (int32_t)below(s, 2);
+    if (hook_manners == 2) (&change->restitution)[below(s, 5)] = wild(s);
 }
 static wfResult op_step_with(Session *s)
 {
-    wfHooks hooks = { s, below(s, 3) ? filter_hook : NULL, below(s, 3) ? contact_hook : NULL };
-    hookManners = (int)below(s, 4);
+    wfCallbacks hooks = { s, below(s, 3) ? filter_hook : NULL, below(s, 3) ? contact_hook : NULL };
+    hook_manners = (int)below(s, 4);
     hooked = s;
     wfWorld *w = handle(s);
     bool bad = s->badHandle;
-    wfResult r = wfStepWorldWith(w, below(s, 10) ? &hooks : NULL);
+    wfResult r = wfStepWorldWithCallbacks(w, below(s, 10) ? &hooks : NULL);
     MUST((int)r >= 0 && r < WF_RESULT_COUNT && (!bad || r != WF_OK));
     if (s->inHook) MUST(r != WF_OK);
     if (r == WF_OK) tally->steps++;
@@ -546,7 +546,7 @@ static wfResult op_set_def(Session *s)
     if (r == WF_OK && chance(s, 230)) {         /* what is built in stays */
         d.bodyCapacity = now.bodyCapacity; d.shapeCapacity = now.shapeCapacity; d.forceCapacity = now.forceCapacity;
         d.jointCapacity = now.jointCapacity; d.pairCapacity = now.pairCapacity; d.contactCapacity = now.contactCapacity;
-        d.pairMaterials = now.pairMaterials; d.events = now.events; d.impacts = now.impacts; d.exactJoints = now.exactJoints;
+        d.materialPairCapacity = now.materialPairCapacity; d.events = now.events; d.maxImpacts = now.maxImpacts; d.directJoints = now.directJoints;
     }
     if (d.substeps > 99) d.substeps = 99;       /* who asks for a million passes gets them, and we would wait for ever */
     if (d.iterations != 1) d.iterations = 2;
@@ -590,7 +590,7 @@ static wfResult op_events(Session *s)
     int32_t n = -1;
     (void)wfWorldEvents(w, whole(s, 0, WF_EVENT_KINDS - 1), &n);
     MUST(n >= 0);
-    const wfHit *hits = wfWorldHits(w, &n);
+    const wfContactHit *hits = wfWorldHits(w, &n);
     MUST(n >= 0);
     for (int32_t i = 0; i < n; i++) MUST(wfIsFinite(hits[i].speed) && wfIsFinite2(hits[i].point));
     return WF_OK;
@@ -635,48 +635,48 @@ static wfResult op_index_boxes(Session *s)
 static wfResult op_reports(Session *s)
 {
     wfSolveReport solve;
-    wfFastReport fast;
+    wfContinuousReport fast;
     wfWorld *w = handle(s);
-    wfResult r = CALL(wfGetSolveReport(w, below(s, 30) ? &solve : NULL)), q = wfGetFastReport(w, below(s, 30) ? &fast : NULL);
+    wfResult r = CALL(wfGetSolveReport(w, below(s, 30) ? &solve : NULL)), q = wfGetContinuousReport(w, below(s, 30) ? &fast : NULL);
     MUST((int)q >= 0 && q < WF_RESULT_COUNT && (!s->badHandle || q != WF_OK));
     return r;
 }
 
 /* ---- far places ----------------------------------------------------------------------------------------------------------------- */
-static wfFar far_place(Session *s)
+static wfGlobalPoint far_place(Session *s)
 {
     static const double sizes[] = { 0, 1, 1e5, 1e12, 1e20, 1e300 };
     double size = sizes[below(s, 6)];
-    wfFar at = { size * (double)real(s, 1), size * (double)real(s, 1) };
+    wfGlobalPoint at = { size * (double)real(s, 1), size * (double)real(s, 1) };
     return at;
 }
 static wfResult op_far(Session *s)
 {
     wfWorld *w = handle(s);
-    wfFar at, origin;
+    wfGlobalPoint at, origin;
     wfVec2 local = vector(s, 5), back;
     wfBodyId id = pick_bodies(s);
-    wfResult r = CALL_LOOSE(wfFarPosition(w, id, &at));
+    wfResult r = CALL_LOOSE(wfGetGlobalPosition(w, id, &at));
     stale = false;
     bool poisoned = s->poisoned;
     wfResult q = CALL_LOOSE(wfGetWorldOrigin(w, below(s, 9) ? &origin : NULL));
     (void)q;
-    q = CALL_LOOSE(wfToFar(w, local, &at));
+    q = CALL_LOOSE(wfLocalToGlobal(w, local, &at));
     if (poisoned) MUST(q != WF_OK);
-    if (q == WF_OK) (void)CALL_LOOSE(wfFromFar(w, at, &back));
-    (void)CALL_LOOSE(wfFromFar(w, far_place(s), &back));
+    if (q == WF_OK) (void)CALL_LOOSE(wfGlobalToLocal(w, at, &back));
+    (void)CALL_LOOSE(wfGlobalToLocal(w, far_place(s), &back));
     return r;
 }
 static wfResult op_set_origin(Session *s)
 {
-    wfFar at = far_place(s);
+    wfGlobalPoint at = far_place(s);
     return CALL(wfSetWorldOrigin(handle(s), at));
 }
 static wfResult op_move_origin(Session *s)
 {
     wfVec2 by = vector(s, chance(s, 40) ? 1000 : 8);
     int32_t rounded = -1;
-    wfResult r = CALL(wfMoveOrigin(handle(s), by, below(s, 4) ? &rounded : NULL));
+    wfResult r = CALL(wfShiftOrigin(handle(s), by, below(s, 4) ? &rounded : NULL));
     if (s->inHook) MUST(r != WF_OK);
     return r;
 }
@@ -684,17 +684,17 @@ static wfResult op_centre(Session *s)
 {
     wfVec2 at = vector(s, 50), by;
     wfReal limit = more(s, 60);
-    return CALL(wfCentreWorld(handle(s), at, limit, below(s, 4) ? &by : NULL));
+    return CALL(wfRecentreWorld(handle(s), at, limit, below(s, 4) ? &by : NULL));
 }
 static wfResult op_set_far(Session *s)
 {
     wfBodyId id = pick_bodies(s);
-    wfFar at = { 0, 0 };
+    wfGlobalPoint at = { 0, 0 };
     wfReal angle = real(s, 3);
     bool bad = !s->made;
-    if (!bad && chance(s, 200)) (void)wfFarPosition(&s->world, id, &at);
+    if (!bad && chance(s, 200)) (void)wfGetGlobalPosition(&s->world, id, &at);
     else at = far_place(s);
-    return CALL(wfSetFarPosition(handle(s), id, at, angle));
+    return CALL(wfSetGlobalPosition(handle(s), id, at, angle));
 }
 
 /* ---- saving ----------------------------------------------------------------------------------------------------------------------- */
@@ -858,7 +858,7 @@ static wfResult op_distance(Session *s)
 static wfResult op_index(Session *s) { return CALL(wfIndexWorld(handle(s))); }
 
 static void say_nothing(void *context, const char *line) { (void)context, (void)line; }
-static wfResult op_needs(Session *s)
+static wfResult op_modules(Session *s)
 {
     wfWorldDef d = wfDefaultWorldDef();
     wfWorld *w = handle(s);
@@ -867,14 +867,14 @@ static wfResult op_needs(Session *s)
     wfBodyDef b = wfDefaultBodyDefFor(w);
     wfShapeDef sd = wfDefaultShapeDefFor(w);
     wfSceneList list = { .bodies = &b, .bodyCount = 1 };
-    MUST((wfCloseNeeds(bits) & bits) == bits && wfFindNeed("rotation") >= 0);
-    MUST((wfMissingNeeds(w, wfNeedsOfBody(&b) | wfNeedsOfShape(&sd)) & ~wfAllNeeds()) == 0);
-    MUST(wfInferSceneNeeds(&list, 0, &d) == WF_OK);
+    MUST((wfCloseModules(bits) & bits) == bits && wfFindModule("rotation") >= 0);
+    MUST((wfMissingModules(w, wfModulesOfBody(&b) | wfModulesOfShape(&sd)) & ~wfAllModules()) == 0);
+    MUST(wfInferSceneModules(&list, 0, &d) == WF_OK);
     MUST(wfStepWorldTimed(NULL, NULL) == WF_ERROR_NULL);
     (void)wfRegionServes((int)below(s, 120) - 10);
     wfResult shown = wfExplainStage(w, (int)below(s, 40) - 4, &stage);
     MUST(wfExplainWorld(w, NULL, 0, say_nothing, NULL) == WF_OK || shown != WF_OK);
-    return CALL(wfInferNeeds(w, bits, &d));
+    return CALL(wfInferModules(w, bits, &d));
 }
 
 /* ---- what was done, again: journals and files; on clones, for what they add the session does not know -------------------------------- */
@@ -1018,7 +1018,7 @@ static wfResult op_curve(Session *s)
 const Operation operations[] = {
     OP("worlds", 6, READS, wfWorldSize, op_world_size, false),
     OP("worlds", 2, READS, wfWorldRegions, op_regions, false),
-    OP("worlds", 2, READS, wfInferNeeds, op_needs, false),
+    OP("worlds", 2, READS, wfInferModules, op_modules, false),
     OP("worlds", 6, READS, wfCreateWorld, op_create, false),
     OP("worlds", 1, CHANGES, wfDestroyWorld, op_destroy, true),
     OP("worlds", 10, READS, wfOpenWorld, op_open, false),
@@ -1050,23 +1050,23 @@ const Operation operations[] = {
     OP("forces", 6, CHANGES, wfSetForce, op_set_force, false),
     OP("forces", 4, CHANGES, wfSetGravity, op_gravity, false),
     OP("forces", 2, READS, wfGetGravity, op_get_gravity, false),
-    OP("forces", 6, CHANGES, wfGrabBody, op_grab, false),
-    OP("forces", 5, CHANGES, wfDragHand, op_drag, false),
-    OP("joints", 4, READS, wfJoinBodies, op_join, false),
+    OP("forces", 6, CHANGES, wfAddMouseJoint, op_grab, false),
+    OP("forces", 5, CHANGES, wfSetMouseTarget, op_drag, false),
+    OP("joints", 4, READS, wfDefineJoint, op_join, false),
     OP("joints", 40, CHANGES, wfAddJointToWorld, op_add_joint, false),
     OP("joints", 16, CHANGES, wfRemoveJointFromWorld, op_remove_joint, false),
     OP("joints", 6, READS, wfGetJoint, op_get_joint, false),
     OP("joints", 4, READS, wfGetJointLoad, op_joint_load, false),
     OP("joints", 4, READS, wfGetJointPeak, op_joint_peak, false),
     OP("joints", 14, CHANGES, wfSetJoint, op_set_joint, false),
-    OP("joints", 4, READS, wfJointCount wfJointsTogether wfJointsSolvedTogether wfUnsolvedSubsteps wfJointAt wfWorldJointPlaces wfBrokenJoints, op_look_at_joints, true),
+    OP("joints", 4, READS, wfJointCount wfDirectJointCount wfAllJointsDirect wfUnsolvedSubsteps wfJointAt wfWorldJointPlaces wfBrokenJoints, op_look_at_joints, true),
     OP("sleep", 5, CHANGES, wfWakeBody, op_wake, false),
-    OP("sleep", 14, CHANGES, wfPutToSleep, op_put_to_sleep, false),
+    OP("sleep", 14, CHANGES, wfSetBodyAsleep, op_put_to_sleep, false),
     OP("bodies", 6, CHANGES, wfSetBodySubsteps, op_body_substeps, false),
-    OP("sleep", 4, CHANGES, wfSetNeverSleeps, op_never_sleeps, false),
-    OP("sleep", 5, READS, wfIsAwake wfNeverSleeps wfBodyIsland wfWorldRest, op_look_at_sleep, true),
+    OP("sleep", 4, CHANGES, wfDisableBodySleep, op_never_sleeps, false),
+    OP("sleep", 5, READS, wfBodyIsAwake wfBodySleepDisabled wfBodyIsland wfGetSleepCounts, op_look_at_sleep, true),
     OP("steps", 100, CHANGES, wfStepWorld, op_step, false),
-    OP("steps", 40, CHANGES, wfStepWorldWith, op_step_with, false),
+    OP("steps", 40, CHANGES, wfStepWorldWithCallbacks, op_step_with, false),
     OP("settings", 4, CHANGES, wfSetTimeStep, op_time_step, false),
     OP("settings", 8, CHANGES, wfSetMethods, op_methods, false),
     OP("settings", 3, READS, wfGetWorldDef, op_get_def, false),
@@ -1079,12 +1079,12 @@ const Operation operations[] = {
     OP("looking", 3, READS, wfWorldMomentum, op_momentum, false),
     OP("looking", 3, READS, wfWorldProxies, op_proxies, false),
     OP("looking", 3, READS, wfWorldIndexBoxes, op_index_boxes, false),
-    OP("looking", 3, READS, wfGetSolveReport wfGetFastReport, op_reports, false),
-    OP("looking", 5, READS, wfFarPosition wfGetWorldOrigin wfToFar wfFromFar, op_far, false),
+    OP("looking", 3, READS, wfGetSolveReport wfGetContinuousReport, op_reports, false),
+    OP("looking", 5, READS, wfGetGlobalPosition wfGetWorldOrigin wfLocalToGlobal wfGlobalToLocal, op_far, false),
     OP("changes", 1, CHANGES, wfSetWorldOrigin, op_set_origin, false),
-    OP("changes", 3, CHANGES, wfMoveOrigin, op_move_origin, false),
-    OP("changes", 2, CHANGES, wfCentreWorld, op_centre, false),
-    OP("changes", 4, CHANGES, wfSetFarPosition, op_set_far, false),
+    OP("changes", 3, CHANGES, wfShiftOrigin, op_move_origin, false),
+    OP("changes", 2, CHANGES, wfRecentreWorld, op_centre, false),
+    OP("changes", 4, CHANGES, wfSetGlobalPosition, op_set_far, false),
     OP("saving", 3, CHANGES, wfSnapshotWorld wfRestoreWorld wfCloneWorld wfCompareWorlds, op_snapshot, false),
     OP("saving", 2, READS, wfSaveToBytes wfLoadFromBytes, op_save, false),
     OP("saving", 2, CHANGES, wfGrowWorld, op_grow, false),

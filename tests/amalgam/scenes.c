@@ -48,7 +48,7 @@ static void machine(wfWorld *world)
     for (int i = 0; i < 12; i++) {
         wfBodyId next = add(world, WF_DYNAMIC, WF_R(0.9) * (wfReal)i + WF_R(0.5), 10, &link);
         wfVec2 at = wfV2(WF_R(0.9) * (wfReal)i + WF_R(0.05), 10);
-        must(wfJoinBodies(world, "revolute", last, next, at, at, wfV2(1, 0), &joint), "join");
+        must(wfDefineJoint(world, "revolute", last, next, at, at, wfV2(1, 0), &joint), "join");
         if (i == 0) { joint.flags |= WF_JOINT_MOTOR; joint.motorSpeed = 1; joint.motorForce = 50; }
         must(wfAddJointToWorld(world, &joint, NULL), "hinge");
         last = next;

@@ -6,7 +6,7 @@ static wfContact contacts[4];
 static wfSolve problem(int bodies, int n, int passes, wfPool *pool)
 {
     return (wfSolve){ .state = state, .bodyCount = bodies, .contacts = contacts, .contactCount = n, .h = WF_R(0.016), .iterations = passes, .substeps = 1,
-                      .positionShare = WF_R(0.2), .scratch = pool };
+                      .positionCorrection = WF_R(0.2), .scratch = pool };
 }
 static void solve(int bodies, int n, int passes)
 {
@@ -22,8 +22,8 @@ static wfContact touch(int a, int b, double nx, double ny, double x, double y, d
     c.manifold.normal = wfV2((wfReal)nx, (wfReal)ny);
     c.manifold.count = 1;
     c.manifold.points[0].point = wfV2((wfReal)x, (wfReal)y);
-    c.manifold.points[0].armA = wfSub(c.manifold.points[0].point, state[a].p);
-    c.manifold.points[0].armB = wfSub(c.manifold.points[0].point, state[b].p);
+    c.manifold.points[0].rA = wfSub(c.manifold.points[0].point, state[a].p);
+    c.manifold.points[0].rB = wfSub(c.manifold.points[0].point, state[b].p);
     return c;
 }
 static void ball(int i, double x, double y, double vx, double vy, double m)
@@ -61,7 +61,7 @@ static void stop(void)
     contacts[0].manifold.count = 2;
     contacts[0].manifold.points[1] = contacts[0].manifold.points[0];
     contacts[0].manifold.points[1].point = wfV2(1, WF_R(0.5));
-    contacts[0].manifold.points[1].armA = wfV2(1, WF_R(0.5)), contacts[0].manifold.points[1].armB = wfV2(1, -WF_R(0.5));
+    contacts[0].manifold.points[1].rA = wfV2(1, WF_R(0.5)), contacts[0].manifold.points[1].rB = wfV2(1, -WF_R(0.5));
     solve(2, 1, 60);
     expect_v2("velocity of a box that fell flat on the floor", state[1].v, 0, 0, 1e-4);
     expect_near("its spin", (double)state[1].w, 0, 1e-4);

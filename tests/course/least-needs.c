@@ -15,12 +15,12 @@ static void by_hand(void)
     wfBodyDef d[3] = { body(WF_DYNAMIC, false), body(WF_DYNAMIC, false), body(WF_STATIC, true) };
     expect_int("needs of nothing", exLeastNeeds(shown_many(d, 3), 0), 0);
     expect_int("needs of two particles", exLeastNeeds(shown_many(d, 3), 2), 0);
-    expect_int("needs of particles and a fixed shape", exLeastNeeds(shown_many(d, 3), 3), WF_NEED_SHAPES);
+    expect_int("needs of particles and a fixed shape", exLeastNeeds(shown_many(d, 3), 3), WF_MODULE_SHAPES);
     d[0] = body(WF_DYNAMIC, true);
     d[0].fixedRotation = 1;
-    expect_int("needs of a shape that never turns over a floor", exLeastNeeds(shown_many(d, 3), 3), WF_NEED_SHAPES | WF_NEED_CONTACTS);
+    expect_int("needs of a shape that never turns over a floor", exLeastNeeds(shown_many(d, 3), 3), WF_MODULE_SHAPES | WF_MODULE_CONTACTS);
     d[0].linearDamping = 1;
-    expect_int("needs when it is damped", exLeastNeeds(shown_many(d, 3), 3), WF_NEED_SHAPES | WF_NEED_CONTACTS | WF_NEED_DAMPING);
+    expect_int("needs when it is damped", exLeastNeeds(shown_many(d, 3), 3), WF_MODULE_SHAPES | WF_MODULE_CONTACTS | WF_MODULE_DAMPING);
 }
 static void pairs(void)
 {
@@ -39,14 +39,14 @@ static void pairs(void)
         }
         for (int i = 0; i < n; i++) {
             bool dynamic = d[i].type == WF_DYNAMIC, shape = d[i].shape.kind != WF_SHAPE_NONE;
-            want |= shape ? WF_NEED_SHAPES : 0;
-            want |= (dynamic && shape && !d[i].fixedRotation) || d[i].angularVelocity != 0 ? WF_NEED_ROTATION : 0;
-            want |= dynamic && d[i].angularDamping > 0 ? WF_NEED_DAMPING : 0;
+            want |= shape ? WF_MODULE_SHAPES : 0;
+            want |= (dynamic && shape && !d[i].fixedRotation) || d[i].angularVelocity != 0 ? WF_MODULE_ROTATION : 0;
+            want |= dynamic && d[i].angularDamping > 0 ? WF_MODULE_DAMPING : 0;
             for (int j = 0; j < n; j++) {
                 if (j == i || !shape || d[j].shape.kind == WF_SHAPE_NONE || !(dynamic || d[j].type == WF_DYNAMIC)) continue;
-                want |= WF_NEED_CONTACTS;
-                want |= d[i].friction * d[j].friction > 0 ? WF_NEED_FRICTION : 0;
-                want |= d[i].restitution > 0 ? WF_NEED_RESTITUTION : 0;
+                want |= WF_MODULE_CONTACTS;
+                want |= d[i].friction * d[j].friction > 0 ? WF_MODULE_FRICTION : 0;
+                want |= d[i].restitution > 0 ? WF_MODULE_RESTITUTION : 0;
             }
         }
         expect_int(say("needs of random list %d of %d bodies", k, n), exLeastNeeds(shown_many(d, n), n), want);

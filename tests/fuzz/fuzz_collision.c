@@ -9,14 +9,14 @@
 
 static const char *doing = "nothing";
 static const wfShape *shown[2];                 /* what a broken promise was about */
-static wfTransform shownAt[2];
+static wfTransform shown_at[2];
 
 static void show(void)
 {
     for (int i = 0; i < 2 && shown[i]; i++) {
         const wfShape *s = shown[i];
         fprintf(stderr, "  kind %d, radius %.9g, centre (%.9g, %.9g), at (%.9g, %.9g), turned (%.9g, %.9g)\n", (int)s->kind, (double)s->radius,
-            (double)s->centre.x, (double)s->centre.y, (double)shownAt[i].p.x, (double)shownAt[i].p.y, (double)shownAt[i].q.c, (double)shownAt[i].q.s);
+            (double)s->centre.x, (double)s->centre.y, (double)shown_at[i].p.x, (double)shown_at[i].p.y, (double)shown_at[i].q.c, (double)shown_at[i].q.s);
         for (int k = 0; k < (s->kind == WF_SHAPE_LINK ? 4 : s->count) && k < WF_MAX_VERTICES; k++)
             fprintf(stderr, "    (%.9g, %.9g) normal (%.9g, %.9g)\n", (double)s->vertices[k].x, (double)s->vertices[k].y,
                 (double)s->normals[k].x, (double)s->normals[k].y);
@@ -171,7 +171,7 @@ static void check_manifold(const wfManifold *m, wfReal margin, wfReal noise, boo
     if (rotations) MUST(unit(m->normal));
     for (int i = 0; i < m->count; i++) {
         const wfContactPoint *p = &m->points[i];
-        MUST(wfIsFinite2(p->point) && wfIsFinite2(p->armA) && wfIsFinite2(p->armB) && wfIsFinite(p->depth));
+        MUST(wfIsFinite2(p->point) && wfIsFinite2(p->rA) && wfIsFinite2(p->rB) && wfIsFinite(p->depth));
         MUST(p->normalImpulse == 0 && p->tangentImpulse == 0);
         if (rotations) MUST(p->depth >= -margin - noise);
     }
@@ -184,11 +184,11 @@ static void test_pair(Input *in)
     if (!make(in, &a) || !make(in, &b)) return;
     wfTransform xa = pose(in), xb = pose(in);
     if (byte(in) < 128) xb.p = wfAdd(xa.p, tame_vector(in, 4));
-    shown[0] = &a; shown[1] = &b; shownAt[0] = xa; shownAt[1] = xb;
+    shown[0] = &a; shown[1] = &b; shown_at[0] = xa; shown_at[1] = xb;
     bool rotations = a_rotation(xa) && a_rotation(xb), poses = finite_pose(xa) && finite_pose(xb);
     wfReal lowest = WF_HUGE, highest = -WF_HUGE, gjk = 0;
     wfReal scale = largest(&a) + largest(&b) + (rotations ? wfLength(wfSub(xb.p, xa.p)) : 0);
-    wfReal noise = 64 * WF_EPSILON * scale, reach = wfMinR(wfShapeReach(&a), wfShapeReach(&b));
+    wfReal noise = 64 * WF_EPSILON * scale, reach = wfMinR(wfShapeMaxExtent(&a), wfShapeMaxExtent(&b));
     wfSeparation s, first = { .distance = 1, .owner = WF_NO_EDGE, .edge = WF_NO_EDGE };
     int answers = 0;
     for (int row = 0; row < wfNarrowPhaseCount; row++) {
@@ -350,8 +350,8 @@ static void check_free(const wfShape *a, wfSweep sa, const wfShape *b, wfSweep s
     for (int k = 0; k <= 8; k++) {
         wfReal t = hit->t * (wfReal)k / 8;
         wfDistanceResult d;
-        shownAt[0] = wfSweepAt(sa, t); shownAt[1] = wfSweepAt(sb, t);
-        MUST(wfShapeDistance(a, shownAt[0], b, shownAt[1], &d) == WF_OK);
+        shown_at[0] = wfSweepAt(sa, t); shown_at[1] = wfSweepAt(sb, t);
+        MUST(wfShapeDistance(a, shown_at[0], b, shown_at[1], &d) == WF_OK);
         if (d.distance < hit->touching / 2 - noise)
             fprintf(stderr, "kind %d t %g of %g: distance %g, near %g, noise %g\n", (int)hit->kind, (double)t, (double)hit->t, (double)d.distance,
                 (double)hit->touching, (double)noise);

@@ -9,7 +9,7 @@
 #define MUST(x) do { if (!(x)) { fprintf(stderr, "%s:%d: not true: %s\n", __FILE__, __LINE__, #x); abort(); } } while (0)
 
 static uint8_t *saved, *work;
-static size_t savedSize;
+static size_t saved_size;
 static wfMemory room;
 
 static void make_template(void)
@@ -18,7 +18,7 @@ static void make_template(void)
     wfWorld world;
     def.bodyCapacity = 12;
     def.sleep = 1;
-    def.sleepTime = WF_R(0.2);
+    def.timeToSleep = WF_R(0.2);
     MUST(wfCreateWorld(&def, &world) == WF_OK);
     wfBodyDef d = wfDefaultBodyDef();
     d.type = WF_STATIC;
@@ -37,19 +37,19 @@ static void make_template(void)
     MUST(wfMakeCircle(wfV2(0, 2), 1, &zone.shape) == WF_OK);
     MUST(wfAddShapeToBody(&world, id[0], &zone, NULL) == WF_OK);
     wfJoint hinge;
-    MUST(wfJoinBodies(&world, "revolute", id[1], id[2], wfV2(2, 1), wfV2(2, 1), wfV2(1, 0), &hinge) == WF_OK);
+    MUST(wfDefineJoint(&world, "revolute", id[1], id[2], wfV2(2, 1), wfV2(2, 1), wfV2(1, 0), &hinge) == WF_OK);
     MUST(wfAddJointToWorld(&world, &hinge, NULL) == WF_OK);
     wfForce spring = wfSpringToPoint(wfBodyIndex(&world, id[7]), wfV2(0, 0), wfV2(9, 9), 1, 5, 1);
     MUST(wfAddForceToWorld(&world, &spring, NULL) == WF_OK);
     wfPairMaterial ice = { .friction = 0 };
     MUST(wfSetPairMaterial(&world, 1, 2, &ice) == WF_OK);
     for (int i = 0; i < 100; i++) MUST(wfStepWorld(&world) == WF_OK);
-    MUST(wfPutToSleep(&world, id[5]) == WF_OK);
+    MUST(wfSetBodyAsleep(&world, id[5]) == WF_OK);
     MUST(wfStepWorld(&world) == WF_OK);
-    savedSize = wfSaveSize(&world);
-    saved = malloc(savedSize);
-    work = malloc(savedSize);
-    MUST(wfSaveToBytes(&world, saved, savedSize, &savedSize) == WF_OK);
+    saved_size = wfSaveSize(&world);
+    saved = malloc(saved_size);
+    work = malloc(saved_size);
+    MUST(wfSaveToBytes(&world, saved, saved_size, &saved_size) == WF_OK);
     MUST(wfAllocateMemory(&room, 4 * world.memory.permanentSize, 4 * world.memory.transientSize) == WF_OK);
     wfDestroyWorld(&world);
 }
@@ -67,7 +67,7 @@ static bool is_patient(const wfWorld *w)
 {
     wfWorldDef d;
     wfBodyView v = wfWorldBodies(w);
-    if (wfGetWorldDef(w, &d) != WF_OK || d.substeps > 20 || d.iterations > 50 || d.impacts > 50 || !(d.dt < 1)) return false;
+    if (wfGetWorldDef(w, &d) != WF_OK || d.substeps > 20 || d.iterations > 50 || d.maxImpacts > 50 || !(d.timeStep < 1)) return false;
     for (int32_t i = 0; i < v.count; i++)
         if (wfLength(v.state[i].v) > 100 || wfAbs(v.state[i].w) > 100 || wfLength(v.state[i].p) > 1000
             || v.state[i].invMass > 1000 || v.state[i].invInertia > 100000) return false;
@@ -89,18 +89,18 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (saved == NULL) make_template();
     memset(room.permanent, 0, 64);                  /* so that an old world is not taken for the new one */
     if (size > 0 && data[0] % 4 == 0) {             /* any bytes behind a good header */
-        memcpy(work, saved, savedSize);
-        memcpy(work + 48, data + 1, size - 1 < savedSize - 56 ? size - 1 : savedSize - 56);
+        memcpy(work, saved, saved_size);
+        memcpy(work + 48, data + 1, size - 1 < saved_size - 56 ? size - 1 : saved_size - 56);
     } else {                                        /* or a world with some words changed */
-        memcpy(work, saved, savedSize);
+        memcpy(work, saved, saved_size);
         for (size_t at = 1; at + 6 <= size; at += 6) {
-            size_t place = 48 + (word(data + at) * 4u) % (savedSize - 56);
-            size_t many = savedSize - 8 - place < 4 ? savedSize - 8 - place : 4;
+            size_t place = 48 + (word(data + at) * 4u) % (saved_size - 56);
+            size_t many = saved_size - 8 - place < 4 ? saved_size - 8 - place : 4;
             memcpy(work + place, data + at + 2, many);
         }
     }
-    seal(work, savedSize);
-    if (load(work, savedSize, &world)) {
+    seal(work, saved_size);
+    if (load(work, saved_size, &world)) {
         MUST(wfCheckWorld(&world, NULL) == WF_OK);
         if (is_patient(&world))
             for (int i = 0; i < 2; i++) {
@@ -112,14 +112,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                 }
             }
     }
-    if (size > 1 && data[0] % 4 == 1 && wfLoadFromBytes(saved, savedSize, &room, &world) == WF_OK) {    /* as a journal */
-        wfJournal journal = { .bytes = work, .size = savedSize, .used = size - 1 < savedSize ? size - 1 : savedSize };
+    if (size > 1 && data[0] % 4 == 1 && wfLoadFromBytes(saved, saved_size, &room, &world) == WF_OK) {   /* as a journal */
+        wfJournal journal = { .bytes = work, .size = saved_size, .used = size - 1 < saved_size ? size - 1 : saved_size };
         memcpy(work, data + 1, journal.used);
         wfReplay replay = { .journal = &journal };
         int32_t stepped;
         wfWorldDef def;
         MUST(wfGetWorldDef(&world, &def) == WF_OK);
-        def.impacts = 0;                            /* to follow what flies with 1e30 m/s takes patience */
+        def.maxImpacts = 0;                         /* to follow what flies with 1e30 m/s takes patience */
         MUST(wfSetWorldDef(&world, &def) == WF_OK);
         for (int i = 0; i < 4 && wfReplayStep(&replay, &world, NULL, &stepped) == WF_OK && stepped; i++) { }
         MUST(wfCheckWorld(&world, NULL) == WF_OK);

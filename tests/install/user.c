@@ -6,7 +6,7 @@ int main(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, -10);
-    def.dt = 1 / (wfReal)64;
+    def.timeStep = 1 / (wfReal)64;
     wfWorld world;
     wfResult result = wfCreateWorld(&def, &world);
     if (result != WF_OK) { fprintf(stderr, "%s\n", wfResultText(result)); return 1; }

@@ -14,7 +14,7 @@ int main()
     if (std::strcmp(version, wfVersion()) != 0) return 1;
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, -10);
-    def.dt = 1 / wfReal(64);
+    def.timeStep = 1 / wfReal(64);
     wfWorld world;
     if (wfCreateWorld(&def, &world) != WF_OK) return 2;
     wfBodyDef ball = wfDefaultBodyDef();

@@ -12,7 +12,7 @@ int main(void)
     wfJoint joint;
     nail.type = WF_STATIC;
 #ifdef ONE_BY_ONE
-    def.exactJoints = WF_JOINTS_ONE_BY_ONE;
+    def.directJoints = WF_JOINTS_ITERATIVE;
 #endif
     OK(wfMakeCircle(wfV2(0, 0), WF_R(0.1), &link.shape));
     OK(wfCreateWorld(&def, &world));
@@ -21,7 +21,7 @@ int main(void)
         link.position = wfV2((wfReal)i, 0);
         OK(wfAddBodyToWorld(&world, &link, &id[i]));
         wfVec2 at = wfV2((wfReal)(i - 1), 0);
-        OK(wfJoinBodies(&world, "revolute", id[i - 1], id[i], at, at, wfV2(1, 0), &joint));
+        OK(wfDefineJoint(&world, "revolute", id[i - 1], id[i], at, at, wfV2(1, 0), &joint));
         OK(wfAddJointToWorld(&world, &joint, NULL));
     }
     CHECK(part_steps(&world, 120) == 0);

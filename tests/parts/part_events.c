@@ -20,7 +20,7 @@ int part_events(void)
     for (int i = 0; i < 90; i++) {
         int32_t count;
         OK(wfStepWorld(&world));
-        wfWorldEvents(&world, WF_TOUCH_BEGIN, &count);
+        wfWorldEvents(&world, WF_CONTACT_BEGIN, &count);
         begun += count;
         wfWorldHits(&world, &count);
         struck += count;

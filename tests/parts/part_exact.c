@@ -11,7 +11,7 @@ int part_exact(void)
     wfBodyId id[6];
     wfJoint joint;
     nail.type = WF_STATIC;
-    def.exactJoints = WF_JOINTS_TOGETHER;
+    def.directJoints = WF_JOINTS_DIRECT;
     OK(wfMakeCircle(wfV2(0, 0), WF_R(0.1), &link.shape));
     OK(wfCreateWorld(&def, &world));
     OK(wfAddBodyToWorld(&world, &nail, &id[0]));
@@ -19,11 +19,11 @@ int part_exact(void)
         link.position = wfV2((wfReal)i, 0);
         OK(wfAddBodyToWorld(&world, &link, &id[i]));
         wfVec2 at = wfV2((wfReal)(i - 1), 0);
-        OK(wfJoinBodies(&world, "revolute", id[i - 1], id[i], at, at, wfV2(1, 0), &joint));
+        OK(wfDefineJoint(&world, "revolute", id[i - 1], id[i], at, at, wfV2(1, 0), &joint));
         OK(wfAddJointToWorld(&world, &joint, NULL));
     }
     CHECK(part_steps(&world, 60) == 0);
-    CHECK(wfJointsSolvedTogether(&world));
+    CHECK(wfAllJointsDirect(&world));
     NEAR(wfLength(part_place(&world, id[1])), 1, 2e-3);
     wfDestroyWorld(&world);
     return 0;

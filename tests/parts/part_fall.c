@@ -24,7 +24,7 @@ int part_fall(void)
     }
     wfWorldDef bad = wfDefaultWorldDef();
     wfWorld none;
-    bad.dt = 0;
+    bad.timeStep = 0;
     CHECK(wfCreateWorld(&bad, &none) == WF_ERROR_RANGE);
     return 0;
 }

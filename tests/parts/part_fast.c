@@ -10,7 +10,7 @@ int part_fast(void)
     wfBodyDef sheet = wfDefaultBodyDef(), bullet = wfDefaultBodyDef();
     wfBodyId id;
     def.gravity = wfV2(0, 0);
-    if (def.impacts == 0) def.impacts = 8;
+    if (def.maxImpacts == 0) def.maxImpacts = 8;
     OK(wfCreateWorld(&def, &world));
     sheet.type = WF_STATIC;
     OK(wfMakeBox(WF_R(0.01), 1, &sheet.shape));

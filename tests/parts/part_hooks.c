@@ -2,7 +2,7 @@
 /* A hook that says no lets a ball fall through the floor. */
 #include "part.h"
 
-static bool never(void *context, const wfHookView *view, int32_t a, int32_t b)
+static bool never(void *context, const wfCallbackView *view, int32_t a, int32_t b)
 {
     (void)view, (void)a, (void)b;
     ++*(int *)context;
@@ -17,7 +17,7 @@ int part_hooks(void)
     wfBodyDef ground = wfDefaultBodyDef(), ball = wfDefaultBodyDef();
     wfBodyId id;
     int asked = 0;
-    wfHooks hooks = { .context = &asked, .filter = never };
+    wfCallbacks hooks = { .context = &asked, .filter = never };
     OK(wfCreateWorld(&def, &world));
     ground.type = WF_STATIC;
     OK(wfMakeBox(10, WF_R(0.5), &ground.shape));
@@ -25,7 +25,7 @@ int part_hooks(void)
     ball.position = wfV2(0, 2);
     OK(wfAddBodyToWorld(&world, &ground, NULL));
     OK(wfAddBodyToWorld(&world, &ball, &id));
-    for (int i = 0; i < 90; i++) OK(wfStepWorldWith(&world, &hooks));
+    for (int i = 0; i < 90; i++) OK(wfStepWorldWithCallbacks(&world, &hooks));
     CHECK(asked > 0);
     CHECK(part_place(&world, id).y < -5);
     wfDestroyWorld(&world);

@@ -16,7 +16,7 @@ int part_joints(void)
     OK(wfCreateWorld(&def, &world));
     OK(wfAddBodyToWorld(&world, &nail, &a));
     OK(wfAddBodyToWorld(&world, &bob, &b));
-    OK(wfJoinBodies(&world, "revolute", a, b, wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &joint));
+    OK(wfDefineJoint(&world, "revolute", a, b, wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &joint));
     OK(wfAddJointToWorld(&world, &joint, NULL));
     for (int i = 0; i < 120; i++) {
         OK(wfStepWorld(&world));

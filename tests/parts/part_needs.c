@@ -2,13 +2,13 @@
 /* A world that was made without shapes refuses a body that has one, and is as it was; a particle is welcome. */
 #include "part.h"
 
-int part_needs(void);
-int part_needs(void)
+int part_modules(void);
+int part_modules(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     wfBodyDef box = wfDefaultBodyDef(), ball = part_particle(0, 0);
-    def.needs = 0;
+    def.modules = 0;
     OK(wfCreateWorld(&def, &world));
     OK(wfMakeBox(1, 1, &box.shape));
     CHECK(wfAddBodyToWorld(&world, &box, NULL) != WF_OK);

@@ -31,7 +31,7 @@ int part_save(void)
         body.position = wfV2((wfReal)(2 + i), 5);
         OK(wfAddBodyToWorld(&world, &body, &id[i]));
     }
-    OK(wfJoinBodies(&world, "distance", id[0], id[1], wfV2(2, 5), wfV2(3, 5), wfV2(1, 0), &joint));
+    OK(wfDefineJoint(&world, "distance", id[0], id[1], wfV2(2, 5), wfV2(3, 5), wfV2(1, 0), &joint));
     OK(wfAddJointToWorld(&world, &joint, NULL));
     CHECK(part_steps(&world, 5) == 0);
     OK(wfSaveToBytes(&world, bytes, sizeof bytes, &size));

@@ -23,9 +23,9 @@ int part_sensors(void)
     for (int i = 0; i < 90; i++) {
         int32_t count;
         OK(wfStepWorld(&world));
-        wfWorldEvents(&world, WF_SENSE_BEGIN, &count);
+        wfWorldEvents(&world, WF_SENSOR_BEGIN, &count);
         begun += count;
-        wfWorldEvents(&world, WF_SENSE_END, &count);
+        wfWorldEvents(&world, WF_SENSOR_END, &count);
         ended += count;
     }
     CHECK(begun == 1 && ended == 1);

@@ -19,9 +19,9 @@ int part_sleep(void)
     OK(wfAddBodyToWorld(&world, &ground, NULL));
     OK(wfAddBodyToWorld(&world, &box, &id));
     CHECK(part_steps(&world, 240) == 0);
-    CHECK(!wfIsAwake(&world, id));
+    CHECK(!wfBodyIsAwake(&world, id));
     OK(wfSetBodyVelocity(&world, id, wfV2(1, 0), 0));
-    CHECK(wfIsAwake(&world, id));
+    CHECK(wfBodyIsAwake(&world, id));
     wfDestroyWorld(&world);
     return 0;
 }

@@ -50,7 +50,7 @@ for_scenes() {
 }
 echo '{ "weft": 1 }' > "$out/nothing.json"
 tangle/needs "$out/nothing.json" >/dev/null 2>"$out/log" && { echo "FAIL  a scene that does not say what it needs was taken for one"; exit 1; }
-grep -q 'no "needs" in this scene' "$out/log" || { cat "$out/log"; exit 1; }
+grep -q 'no "modules" in this scene' "$out/log" || { cat "$out/log"; exit 1; }
 { [ $# -eq 0 ] && { echo "whole --without "; echo "least --only "; for_scenes; }
   for p in $parts; do echo "only-$p --only $p"; echo "without-$p --without $p"; done; } | tee "$out/asked" |
   xargs -P "$(nproc 2>/dev/null || echo 2)" -d '\n' -n 1 bash -c 'set -- $0; engine "$1" "$2" "${*:3}"' | tee "$out/result"
@@ -62,8 +62,8 @@ hash() {      # NAME of the tree, flags
 }
 chains() {
   local settings whole got parts
-  for settings in '' '"exactJoints": "one-by-one"'; do
-    echo "{ \"weft\": 1, \"needs\": [\"shapes\", \"joints\", \"rotation\"], \"settings\": { $settings } }" > "$out/chain.json"
+  for settings in '' '"directJoints": "iterative"'; do
+    echo "{ \"weft\": 1, \"modules\": [\"shapes\", \"joints\", \"rotation\"], \"settings\": { $settings } }" > "$out/chain.json"
     parts=$(tangle/needs "$out/chain.json") && rm -rf "$out/derived" && tangle/tangle --lines --only "$parts" "$out/derived" $(tangle/chapters) || return 1
     whole=$(hash whole/lines ${settings:+-DONE_BY_ONE}) && got=$(hash derived) || return 1
     [ "$whole" = "$got" ] || { echo "FAIL  a chain ${settings:+with $settings }has the hash $got in the engine derived for it ($parts), $whole in the whole one"; return 1; }

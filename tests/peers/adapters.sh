@@ -65,7 +65,7 @@ cat > "$w/far.json" <<'E'
 E
 # what must be refused, and the name by which
 wrong=( 'bodies[0].linearDamping|"linearDamping":0.5|' 'bodies[0].mass|"mass":3|' 'bodies[0].gravityScale|"gravityScale":0|' 'bodies[0].colour|"colour":1|'
-        'bodies[0].shapes[0].rolling||"rolling":0.1' 'bodies[0].shapes[0].sensor||"sensor":true' 'bodies[0].shapes[0].surfaceSpeed||"surfaceSpeed":2'
+        'bodies[0].shapes[0].rollingResistance||"rollingResistance":0.1' 'bodies[0].shapes[0].sensor||"sensor":true' 'bodies[0].shapes[0].tangentSpeed||"tangentSpeed":2'
         'bodies[0].shapes[0].group||"group":-1' 'bodies[0].shapes[0].staticFriction||"staticFriction":0.7' )
 engines=("$@"); [ $# -gt 0 ] || engines=($(ls "$bin"))
 for engine in "${engines[@]}"; do

@@ -17,11 +17,11 @@ enum { ROOM = 90, FIXTURES = 17 };
 static wfWorld world;
 static uint64_t seed = 2026;
 static wfBodyId guests[ROOM];
-static int guestCount;
+static int guest_count;
 static wfBodyId chain[6];
 /* J: a box of 1.2 m and 1 kg/m^2 at 400 m/s and 20 rad/s, and 40 m of fall; m/s: the same as a speed. The speed has 7 % more, for what
    the turning of a bullet may give to somebody's centre. */
-static const double mostEnergy = 1.44 * (400.0 * 400 / 2 + 0.24 * 20 * 20 / 2 + 9.81 * 40), mostSpeed = 430;
+static const double most_energy = 1.44 * (400.0 * 400 / 2 + 0.24 * 20 * 20 / 2 + 9.81 * 40), mostSpeed = 430;
 
 static void must(wfResult r, const char *what)
 {
@@ -49,7 +49,7 @@ static wfShape ball(wfReal r) { wfShape s; must(wfMakeCircle(wfV2(0, 0), r, &s),
 static wfJoint join(const char *kind, wfBodyId a, wfBodyId b, wfReal x, wfReal y)
 {
     wfJoint j;
-    must(wfJoinBodies(&world, kind, a, b, wfV2(x, y), wfV2(x, y), wfV2(1, 0), &j), kind);
+    must(wfDefineJoint(&world, kind, a, b, wfV2(x, y), wfV2(x, y), wfV2(1, 0), &j), kind);
     return j;
 }
 
@@ -62,7 +62,7 @@ static void furnish(void)
     put(WF_STATIC, 0, 40, &floor);                                  /* a lid: nothing flies away */
     wfShapeDef belt = wfDefaultShapeDef();
     must(wfMakeOrientedBox(wfV2(20, WF_R(1.1)), 4, WF_R(0.1), 0, &belt.shape), "belt");
-    belt.surfaceSpeed = 2;
+    belt.tangentSpeed = 2;
     must(wfAddShapeToBody(&world, ground, &belt, NULL), "belt");
     wfShapeDef eye = wfDefaultShapeDef();
     must(wfMakeCircle(wfV2(-20, 3), 3, &eye.shape), "eye");
@@ -103,14 +103,14 @@ static void receive_guest(void)
     bool shot = chance(0, 1) < WF_R(0.2);
     wfBodyId id = put(WF_DYNAMIC, shot ? -27 : chance(-25, 25), shot ? chance(5, 30) : 36, &s);
     if (shot) must(wfSetBodyVelocity(&world, id, wfV2(chance(100, 400), 0), chance(-20, 20)), "shoot");
-    guests[guestCount++] = id;
+    guests[guest_count++] = id;
 }
 static void dismiss_guest(void)
 {
-    int which = (int)chance(0, (wfReal)guestCount);
-    if (which >= guestCount) which = guestCount - 1;
+    int which = (int)chance(0, (wfReal)guest_count);
+    if (which >= guest_count) which = guest_count - 1;
     must(wfRemoveBodyFromWorld(&world, guests[which]), "remove");
-    guests[which] = guests[--guestCount];
+    guests[which] = guests[--guest_count];
 }
 
 static bool is_link(int32_t i)
@@ -134,7 +134,7 @@ int main(int argc, char **argv)
     printf("# command: make soak STEPS=%ld\n# the two chunks have %zu bytes from the first step to the last\n", steps, bytes);
     printf("step,bodies,asleep,contacts,energy,speed,depth,usual,grown\n");
     for (long n = 1; n <= steps; n++) {
-        if (n % 40 == 0) { if (guestCount < 60 && chance(0, 1) < WF_R(0.55)) receive_guest(); else if (guestCount > 0) dismiss_guest(); }
+        if (n % 40 == 0) { if (guest_count < 60 && chance(0, 1) < WF_R(0.55)) receive_guest(); else if (guest_count > 0) dismiss_guest(); }
         must(wfStepWorld(&world), "step");
         int32_t count;
         double deepest = 0;
@@ -165,7 +165,7 @@ int main(int argc, char **argv)
         getrusage(RUSAGE_SELF, &use);
         if (n == every) rss = use.ru_maxrss;
         wfWorldEnergy(&world, &kinetic, NULL);
-        wfRestCounts rest = wfWorldRest(&world);
+        wfSleepCounts rest = wfGetSleepCounts(&world);
         printf("%ld,%d,%d,%d,%.6g,%.6g,%.6g,%.6g,%ld\n", n, (int)wfBodyCount(&world), (int)rest.asleep, (int)count, kinetic, sampleSpeed, sampleDepth, depths / (double)every, use.ru_maxrss - rss);
         if (sampleDepth > worstDepth) worstDepth = sampleDepth;
         if (sampleSpeed > worstSpeed) worstSpeed = sampleSpeed;
@@ -177,7 +177,7 @@ int main(int argc, char **argv)
     fprintf(stderr, "soak: %ld steps; fastest %.3g m/s (without the chain %.3g), most energy of a body %.3g kJ, deepest %.3g m\n", steps, worstSpeed, worstFree, worstEnergy / 1000, worstDepth);
     if (steps >= 100000 && usual > 0.1) { fprintf(stderr, "soak: overlaps are usually %g m\n", usual); return 1; }
     if (worstFree > mostSpeed) { fprintf(stderr, "soak: somebody is faster than a bullet and a fall: %g m/s\n", worstFree); return 1; }
-    if (worstEnergy > mostEnergy) { fprintf(stderr, "soak: somebody has more energy than a bullet and a fall: %g J\n", worstEnergy); return 1; }
+    if (worstEnergy > most_energy) { fprintf(stderr, "soak: somebody has more energy than a bullet and a fall: %g J\n", worstEnergy); return 1; }
     wfDestroyWorld(&world);
     return 0;
 }

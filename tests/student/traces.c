@@ -14,10 +14,10 @@ int main(void)
     wfResult result = wfWorldRegions(&def, region);
     const wfSetting *scale = wfFindSetting("traceScale");
     if (scale == NULL || def.traceScale != 2 || wfSettingValue(&def, scale, 0) != 2 || wfCheckSetting(scale, 0) != WF_ERROR_RANGE) return 10;
-    int row = wfFindNeed("traces");
-    if (row < 0 || wfNeedTable[row].bit != WF_NEED_TRACES || !(def.needs & WF_NEED_TRACES)) return 11;
+    int row = wfFindModule("traces");
+    if (row < 0 || wfModuleTable[row].bit != WF_MODULE_TRACES || !(def.modules & WF_MODULE_TRACES)) return 11;
     if (strcmp(wfResultName(WF_ERROR_NO_TRACES), "WF_ERROR_NO_TRACES") != 0) return 12;
-    if (strcmp(wfResultText(WF_ERROR_NO_TRACES), "this world was made without traces: add WF_NEED_TRACES") != 0) return 13;
+    if (strcmp(wfResultText(WF_ERROR_NO_TRACES), "this world was made without traces: add WF_MODULE_TRACES") != 0) return 13;
     const wfRegion *r = &region[WF_REGION_TRACES];
     if (result != WF_OK || strcmp(r->name, "traces") != 0 || r->chunk != 0) return 1;
     if (r->count != (size_t)def.bodyCapacity || r->each != sizeof(wfVec2)) return 2;
@@ -34,7 +34,7 @@ int main(void)
     wfWorldDef kept;
     if (wfGetWorldDef(&world, &kept) != WF_OK || kept.traceScale != 2) return 14;
     wfDestroyWorld(&world);
-    def.needs &= ~(uint32_t)WF_NEED_TRACES;
+    def.modules &= ~(uint32_t)WF_MODULE_TRACES;
     if (wfCreateWorld(&def, &world) != WF_OK || wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 15;
     if (wfTraceBody(&world, 0, &way) != WF_ERROR_NO_TRACES) return 16;
     wfDestroyWorld(&world);

@@ -9,32 +9,32 @@ WF_MODULE(PUSHES, 2, "pushes", 0, 0, "pushes", "the program pushes single bodies
 WF_MODULE(FORCES, 3, "forces", 0, 0, "forces",
           "springs, drag and other registered forces")
 WF_MODULE(SHAPES, 4, "shapes", 0, 0, "shapes", "bodies are more than points")
-WF_MODULE(CONTACTS, 5, "contacts", WF_NEED_SHAPES, 0, "contacts",
+WF_MODULE(CONTACTS, 5, "contacts", WF_MODULE_SHAPES, 0, "contacts",
           "bodies that meet are kept apart")
-WF_MODULE(FRICTION, 6, "friction", WF_NEED_CONTACTS, WF_NEED_CONTACTS, "friction",
+WF_MODULE(FRICTION, 6, "friction", WF_MODULE_CONTACTS, WF_MODULE_CONTACTS, "friction",
           "what slides is braked")
-WF_MODULE(RESTITUTION, 7, "restitution", WF_NEED_CONTACTS, WF_NEED_CONTACTS,
+WF_MODULE(RESTITUTION, 7, "restitution", WF_MODULE_CONTACTS, WF_MODULE_CONTACTS,
           "restitution", "what falls bounces")
-WF_MODULE(ROLLING, 8, "rolling", WF_NEED_CONTACTS, WF_NEED_CONTACTS,
+WF_MODULE(ROLLING, 8, "rolling", WF_MODULE_CONTACTS, WF_MODULE_CONTACTS,
           "rolling resistance", "what rolls is braked")
-WF_MODULE(MATERIALS, 9, "materials", WF_NEED_CONTACTS, 0, "pairs of materials",
+WF_MODULE(MATERIALS, 9, "materials", WF_MODULE_CONTACTS, 0, "pairs of materials",
           "pairs of materials are known")
-WF_MODULE(COMPOUNDS, 10, "compounds", WF_NEED_SHAPES, 0, "bodies of several shapes",
+WF_MODULE(COMPOUNDS, 10, "compounds", WF_MODULE_SHAPES, 0, "bodies of several shapes",
           "bodies have several shapes")
-WF_MODULE(EVENTS, 11, "events", WF_NEED_CONTACTS, 0, "events",
+WF_MODULE(EVENTS, 11, "events", WF_MODULE_CONTACTS, 0, "events",
           "what began and ended is listed")
-WF_MODULE(SENSORS, 12, "sensors", WF_NEED_CONTACTS | WF_NEED_EVENTS, 0, "sensors",
+WF_MODULE(SENSORS, 12, "sensors", WF_MODULE_CONTACTS | WF_MODULE_EVENTS, 0, "sensors",
           "places notice who is in them")
-WF_MODULE(HOOKS, 13, "hooks", WF_NEED_CONTACTS, 0, "hooks",
+WF_MODULE(HOOKS, 13, "hooks", WF_MODULE_CONTACTS, 0, "hooks",
           "the program decides about contacts")
-WF_MODULE(QUERIES, 14, "queries", WF_NEED_SHAPES, 0, "queries",
+WF_MODULE(QUERIES, 14, "queries", WF_MODULE_SHAPES, 0, "queries",
           "rays and overlaps are answered")
 WF_MODULE(SUBSTEPS, 15, "substeps", 0, 0, "substeps of a solver",
           "the solver moves the bodies, in substeps")
 WF_MODULE(METHODS, 16, "methods", 0, 0, "room for other methods",
           "methods are exchanged while the world runs")
-WF_MODULE(JOINTS, 17, "joints", WF_NEED_SUBSTEPS, 0, "joints", "bodies are joined")
-WF_MODULE(FAST, 18, "fast", WF_NEED_CONTACTS, 0, "fast bodies",
+WF_MODULE(JOINTS, 17, "joints", WF_MODULE_SUBSTEPS, 0, "joints", "bodies are joined")
+WF_MODULE(FAST, 18, "fast", WF_MODULE_CONTACTS, 0, "fast bodies",
           "fast bodies are followed to what they hit")
-WF_MODULE(SLEEP, 19, "sleep", WF_NEED_CONTACTS | WF_NEED_QUERIES, 0, "sleep",
+WF_MODULE(SLEEP, 19, "sleep", WF_MODULE_CONTACTS | WF_MODULE_QUERIES, 0, "sleep",
           "what rests is left out of the step")

@@ -25,8 +25,8 @@ typedef struct wfContact {
     wfReal     restitution;     /* e of eq:impulses-newton, 0 to 1 */
     wfReal     friction;        /* coefficient of friction >= 0; used by friction */
     wfReal     staticFriction;  /* while nothing slides; below `friction`: the same */
-    wfReal     rolling;         /* m, >= 0: length of rolling resistance */
-    wfReal     surfaceSpeed;    /* m/s: how fast b's surface runs over a's */
+    wfReal     rollingResistance; /* m, >= 0: length of rolling resistance */
+    wfReal     tangentSpeed;    /* m/s: how fast b's surface runs over a's */
     wfReal     rollingImpulse;  /* N m s that a solver applied against rolling */
     wfReal     slop;            /* overlap left alone, m, >= 0 */
     wfManifold manifold;        /* normal from a to b, points, depths */
@@ -41,7 +41,7 @@ typedef struct wfMoved {
 } wfMoved;
 
 /* Other laws than contacts, for `step` rows; `moved` has an entry for every body. */
-typedef struct wfLaws {
+typedef struct wfConstraints {
     void *context;
     /* After the forces have acted for t: make ready for a substep of dt, and push as last
      * time, for t. */
@@ -54,7 +54,7 @@ typedef struct wfLaws {
     /* How a solver gets at their rows that takes them together with contacts, in the words
      * of the direct solver; NULL or returning NULL: they take turns with it. */
     const void *(*lending)(void *context);
-} wfLaws;
+} wfConstraints;
 
 enum { WF_REPORT_COURSE = 12 };
 /* How a solver fared in a step. A problem: contacts that hang together, in one substep. */
@@ -70,13 +70,13 @@ typedef struct wfSolveReport {
     wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
 } wfSolveReport;
-#define WF_COLUMN_LOOPS 8       /* the most that `columns` may ask for */
+#define WF_STACK_LOOPS 8        /* the most that `columns` may ask for */
 
 /* What a body's state is too coarse for: to be added to its place and velocities. */
-typedef struct wfFine {
+typedef struct wfResidual {
     wfVec2 p, v;                /* m, m/s */
     wfReal angle, w;            /* rad, rad/s */
-} wfFine;
+} wfResidual;
 
 /* What happened at a contact in the whole step. */
 typedef struct wfTold {
@@ -95,21 +95,22 @@ typedef struct wfSolve {
     wfReal              h;              /* step, s, > 0 */
     int32_t             iterations;     /* passes over the contacts, >= 1 */
     wfReal              restingSpeed;   /* m/s: slower approaches do not bounce */
-    wfReal              positionShare;  /* share of the overlap removed in a step, 0 to 1 */
+    /* share of the overlap removed in a step, 0 to 1 */
+    wfReal              positionCorrection;
     const wfBodyForces *forces;         /* for `step` rows: constant; NULL: none */
     const uint8_t      *present;        /* for `step` rows: 0: a body that is left alone, at
                                          * rest and without contacts; NULL: no such body */
     int32_t             substeps;       /* for `step` rows: >= 1 */
-    int32_t             colours;        /* 1: in an order without neighbours */
-    int32_t             lanes;          /* 1: and several at once; the same to the bit */
-    const wfLaws       *laws;           /* for `step` rows: joints; NULL: none */
+    int32_t             graphColouring; /* 1: in an order without neighbours */
+    int32_t             enableSimd;     /* 1: and several at once; the same to the bit */
+    const wfConstraints *laws;          /* for `step` rows: joints; NULL: none */
     wfReal              contactPeriod;  /* of `soft` */
-    wfReal              contactDamping; /* WF_CONTACT_..., which 0 stands for; >= 0 */
+    wfReal              contactDampingRatio; /* WF_CONTACT_..., which 0 stands for; >= 0 */
     wfReal              recoverySpeed;  /* m/s: overlap is left no faster; 0: no limit;
                                          * WF_HUGE: by moving alone, sec:soft-deep */
-    int32_t             columns;        /* 0: contacts by passes; 1: towers are solved at
+    int32_t             stackSolver;    /* 0: contacts by passes; 1: towers are solved at
                                          * once; 1 + n: with up to n loops */
-    wfFine             *fine;           /* of each body: what its state rounds away,
+    wfResidual         *fine;           /* of each body: what its state rounds away,
                                          * for `soft`; NULL: it is lost */
     wfPool             *scratch;        /* room for the row's scratch(bodies, contacts) */
     int32_t             work;           /* of `exact`: millions of multiplications that a
@@ -153,17 +154,18 @@ static inline wfReal wfMixFriction(wfReal a, wfReal b) { return wfSqrt(a) * wfSq
 /* The direction along the surfaces, a quarter turn clockwise from the normal: to the right
  * on a floor. eq:friction-tangent */
 wfVec2 wfContactTangent(wfVec2 normal);
-/* Rubs at one point: takes the sliding u_t - surfaceSpeed away with an impulse along the
+/* Rubs at one point: takes the sliding u_t - tangentSpeed away with an impulse along the
  * tangent of at most `limit` (N s, >= 0) either way; returns it, N s. eq:friction-clamp */
-wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, wfReal limit,
-                  wfReal surfaceSpeed);
+wfReal wfApplyFriction(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
+                       wfReal limit,
+                       wfReal tangentSpeed);
 /* The coefficient that limits friction, eq:friction-static: `holds` (static) if it is
  * enough to give `wanted`, N s, under a normal impulse of `normal`, N s >= 0; else
  * `slides`. */
 wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal);
 /* Takes the relative spin w_B - w_A away with an angular impulse of at most `limit`
  * (N m s, >= 0) either way; returns it, N m s. eq:friction-rolling */
-wfReal wfResistRolling(wfBodyState *a, wfBodyState *b, wfReal limit);
+wfReal wfApplyRollingResistance(wfBodyState *a, wfBodyState *b, wfReal limit);
 /* Rules by which two materials' numbers (>= 0) become one for the pair. */
 typedef wfReal wfMixFn(wfReal a, wfReal b);
 typedef struct wfMixRow { const char *name, *text; wfMixFn *mix; } wfMixRow;
@@ -175,12 +177,13 @@ int wfFindMix(const char *name);        /* the row of that name, -1 if there is 
 static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
 static inline wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
 /* Gives `now` the impulses of `before`, the contact of the same shapes in the last step:
- * by name (wfKeepImpulses), by place if a name has changed, that of rolling, and whether
+ * by name (wfMatchImpulses), by place if a name has changed, that of rolling, and whether
  * it slides. */
 void wfCarryImpulses(const wfContact *before, wfContact *now);
 #define WF_CONTACT_PERIOD 6     /* P, substeps in a period of the spring: eq:soft-period */
-#define WF_CONTACT_DAMPING 5    /* zeta: how many times the critical damping */
-#define WF_COLUMN_GIVE WF_R(1e-4)  /* gamma / K of contacts solved at once: sec:soft-push */
+#define WF_CONTACT_DAMPING_RATIO 5 /* zeta: how many times the critical damping */
+/* gamma / K of contacts solved at once: sec:soft-push */
+#define WF_STACK_COMPLIANCE WF_R(1e-4)
 #define WF_ALONE_SHARE WF_R(1e-6)  /* how far a point may be from below the centre */
 
 typedef wfResult wfSolverFn(const wfSolve *in);
