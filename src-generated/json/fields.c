@@ -42,6 +42,29 @@ static bool unknown(wfText *t, const cJSON *at, const char *what, const char *wr
 
 static int farthest(const char *wrong) { return strlen(wrong) > 5 ? 4 : 3; }
 
+/* old words of a text */
+static const struct { const char *was, *is; } old_words[] = {
+    { "dt", "timeStep" }, { "needs", "modules" }, { "restingSteps", "restitutionThreshold" },
+    { "positionShare", "positionCorrection" }, { "reuse", "reuseManifolds" },
+    { "contactDamping", "contactDampingRatio" }, { "recoverySteps", "contactPushSpeed" },
+    { "colours", "graphColouring" }, { "lanes", "enableSimd" }, { "columns", "stackSolver" },
+    { "frictionMix", "frictionRule" }, { "restitutionMix", "restitutionRule" },
+    { "rollingMix", "rollingRule" }, { "hitSteps", "hitThreshold" },
+    { "pairMaterials", "materialPairCapacity" }, { "fineSums", "compensatedSums" },
+    { "exactJoints", "directJoints" }, { "exactCost", "directJointCost" },
+    { "jointGive", "jointCompliance" }, { "impacts", "maxImpacts" },
+    { "sleepTime", "timeToSleep" }, { "sleepShare", "sleepThreshold" },
+    { "rolling", "rollingResistance" }, { "surfaceSpeed", "tangentSpeed" },
+    { "one-by-one", "iterative" }, { "together", "direct" },
+};
+
+const char *wfOldWord(int i, const char **is)
+{
+    if (i < 0 || i >= (int)(sizeof old_words / sizeof *old_words)) return NULL;
+    *is = old_words[i].is;
+    return old_words[i].was;
+}
+
 /* read a field */
 static bool fits(wfText *t, const cJSON *item, const wfField *f, double x)
 {
@@ -196,14 +219,16 @@ const char *wfFieldRow(const wfField *f, int row)
 
 int wfFindFieldRow(const wfField *f, const char *wanted)
 {
-    const char *name;
+    const char *name, *is;
     for (int i = 0; (name = wfFieldRow(f, i)) != NULL; i++)
         if (strcmp(name, wanted) == 0) return i;
+    for (int i = 0; (name = wfOldWord(i, &is)) != NULL; i++)
+        if (strcmp(name, wanted) == 0) return wfFindFieldRow(f, is);
     return -1;
 }
 
 /* read an object */
-const cJSON *wfChild(const cJSON *object, const char *name)
+static const cJSON *child_called(const cJSON *object, const char *name)
 {
     for (const cJSON *c = object->child; c != NULL; c = c->next)
         if (c->string != NULL && strcmp(c->string, name) == 0) return c;
@@ -215,6 +240,15 @@ static const wfField *find_field(wfFields fields, const char *name)
     for (int i = 0; i < fields.count; i++)
         if (strcmp(fields.field[i].name, name) == 0) return &fields.field[i];
     return NULL;
+}
+
+const cJSON *wfChild(const cJSON *object, const char *name)
+{
+    const cJSON *found = child_called(object, name);
+    const char *was, *is;
+    for (int i = 0; found == NULL && (was = wfOldWord(i, &is)) != NULL; i++)
+        if (strcmp(is, name) == 0) found = child_called(object, was);
+    return found;
 }
 
 static bool unknown_field(wfText *t, const cJSON *item, wfFields fields,
@@ -235,17 +269,27 @@ static bool is_listed(const char *const *list, const char *name)
     return false;
 }
 
+/* The member as it is called today; NULL: nobody knows it. */
+static const char *called(wfFields fields, const char *const *also, const char *name)
+{
+    if (find_field(fields, name) != NULL || is_listed(also, name)) return name;
+    const char *was, *is;
+    for (int i = 0; (was = wfOldWord(i, &is)) != NULL; i++)
+        if (strcmp(was, name) == 0) return called(fields, also, is);
+    return NULL;
+}
+
 bool wfReadFields(wfText *t, const cJSON *object, wfFields fields, const char *const *also,
                   void *out)
 {
     if (!cJSON_IsObject(object))
         return wfTextFail(t, object, WF_ERROR_TEXT, "must be an object: { ... }");
     for (const cJSON *c = object->child; c != NULL; c = c->next) {
-        const wfField *f = find_field(fields, c->string);
-        if (f == NULL && !is_listed(also, c->string))
-            return unknown_field(t, c, fields, also);
-        if (wfChild(object, c->string) != c)
+        const char *name = called(fields, also, c->string);
+        if (name == NULL) return unknown_field(t, c, fields, also);
+        if (wfChild(object, name) != c)
             return wfTextFail(t, c, WF_ERROR_TEXT, "is there twice");
+        const wfField *f = find_field(fields, name);
         if (f != NULL && !wfReadField(t, c, f, out)) return false;
     }
     return true;

@@ -63,4 +63,7 @@ bool wfReadField(wfText *t, const cJSON *item, const wfField *f, void *out);
  * memory. */
 bool wfWriteFields(cJSON *object, wfFields fields, const void *from, const void *unless);
 const cJSON *wfChild(const cJSON *object, const char *name);    /* or NULL */
+/* Row i of the words that were renamed: what a text may still say, and what is meant; NULL
+ * behind the last. */
+const char *wfOldWord(int i, const char **is);
 #endif

@@ -1,0 +1,105 @@
+/* Words that were renamed, in scenes as text. Oracle: the same scene in the new words, read and written. */
+#include "testing.h"
+#include "world.h"
+#include "weft/json.h"
+#include "weft/weft.h"
+#include <cjson/cJSON.h>
+#include "json/scene.h"
+
+static const char now[] =
+    "{ \"weft\": 1, \"modules\": [\"shapes\", \"contacts\", \"friction\", \"restitution\", \"rolling\", \"rotation\", \"materials\","
+    " \"events\", \"joints\", \"fast\", \"sleep\", \"substeps\", \"queries\"],"
+    " \"settings\": { \"timeStep\": 0.02, \"restitutionThreshold\": 3, \"positionCorrection\": 0.3, \"reuseManifolds\": false,"
+    " \"contactDampingRatio\": 4, \"contactPushSpeed\": 20, \"graphColouring\": false, \"enableSimd\": false, \"stackSolver\": 2,"
+    " \"frictionRule\": \"maximum\", \"restitutionRule\": \"minimum\", \"rollingRule\": \"minimum\", \"hitThreshold\": 5,"
+    " \"materialPairCapacity\": 7, \"compensatedSums\": true, \"directJoints\": \"CHOICE\", \"directJointCost\": 3, \"jointCompliance\": 0.5,"
+    " \"maxImpacts\": 9, \"timeToSleep\": 0.25, \"sleepThreshold\": 0.125 },"
+    " \"bodies\": [ { \"type\": \"dynamic\", \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1, \"rollingResistance\": 0.5,"
+    " \"tangentSpeed\": 2 } ] } ], \"pairMaterials\": [ { \"a\": 1, \"b\": 2, \"rollingResistance\": 0.25 } ] }";
+
+/* `text` with every "word" of the one column written as that of the other; how many there were. */
+static int exchanged(const char *text, const char *word, const char *by, char *out)
+{
+    int count = 0;
+    size_t length = strlen(word);
+    while (*text != 0) {
+        if (*text == '"' && strncmp(text + 1, word, length) == 0 && text[1 + length] == '"') {
+            out += sprintf(out, "\"%s\"", by);
+            text += length + 2;
+            count++;
+        } else *out++ = *text++;
+    }
+    *out = 0;
+    return count;
+}
+
+/* The text of the world that a text makes. */
+static char *read_and_written(const char *text)
+{
+    wfWorld world;
+    wfTextError e;
+    char *out = NULL;
+    if (wfReadScene(text, strlen(text), NULL, &world, NULL, &e) != WF_OK)
+        fail_msg("%s, line %d: %s\n%s", e.where, (int)e.line, e.what, text);
+    assert_ok(wfWriteScene(&world, NULL, &out));
+    wfDestroyWorld(&world);
+    return out;
+}
+
+static void old_words_are_read(void **unused)
+{
+    (void)unused;
+    static const char *const choices[] = { "iterative", "direct" };
+    for (int c = 0; c < 2; c++) {
+        char text[4000], old[4000];
+        assert_int_equal(exchanged(now, "CHOICE", choices[c], text), 1);
+        char *want = read_and_written(text);
+        const char *was, *is;
+        int words = 0;
+        for (int i = 0; (was = wfOldWord(i, &is)) != NULL; i++) {
+            int times = exchanged(text, is, was, old);
+            bool other = strcmp(is, choices[1 - c]) == 0;
+            assert_true(other ? times == 0 : times >= 1);              /* the scene has every word but one */
+            words += times > 0;
+            char *got = read_and_written(old);
+            assert_string_equal(got, want);                            /* the new word is written */
+            wfFreeText(got);
+        }
+        assert_int_equal(words, 25);
+        wfFreeText(want);
+    }
+}
+
+static void who_says_both_says_it_twice(void **unused)
+{
+    (void)unused;
+    static const char *const texts[] = { "{ \"weft\": 1, \"needs\": [], \"modules\": [] }",
+                                         "{ \"weft\": 1, \"settings\": { \"dt\": 0.1, \"timeStep\": 0.1 } }",
+                                         "{ \"weft\": 1, \"settings\": { \"timeStep\": 0.1, \"dt\": 0.1 } }",
+                                         "{ \"weft\": 1, \"settings\": { \"dt\": 0.1, \"dt\": 0.1 } }" };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        wfWorld world;
+        wfTextError e;
+        assert_int_equal(wfReadScene(texts[i], strlen(texts[i]), NULL, &world, NULL, &e), WF_ERROR_TEXT);
+        assert_string_equal(e.what, "is there twice");
+    }
+}
+
+static void errors_name_the_word_that_was_said(void **unused)
+{
+    (void)unused;
+    const char *text = "{ \"weft\": 1, \"settings\": { \"dt\": 0 } }";
+    wfWorld world;
+    wfTextError e;
+    assert_int_equal(wfReadScene(text, strlen(text), NULL, &world, NULL, &e), WF_ERROR_RANGE);
+    assert_string_equal(e.where, "settings.dt");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(old_words_are_read), cmocka_unit_test(who_says_both_says_it_twice),
+        cmocka_unit_test(errors_name_the_word_that_was_said),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
