@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include "weft/world.h"
+#include "weft/weft.h"
 
 enum { ENDS_VALUES = 16, ENDS_PAIRS = 600 };
 

@@ -1,6 +1,7 @@
 /* Filters, and indices that are kept: pairs, areas and casts of every row against plain oracles, in worlds that
    move, grow and shrink; errors that change nothing; the dynamic tree from inside. */
 #include "boxes.h"
+#include "weft/dynamic_tree.h"
 
 static _Alignas(16) uint8_t index_a[1 << 20], index_b[1 << 20], index_c[1 << 20];
 

@@ -1,7 +1,7 @@
 /* Fast bodies in a world. */
 #include "testing.h"
 #include "world.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 static wfWorldDef calm(const char *solver)                   /* a world without gravity */
 {

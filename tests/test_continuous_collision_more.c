@@ -2,7 +2,7 @@
  * open no farther than without this stage, and none of them gets through a wall; a dense gas is no error. */
 #include "testing.h"
 #include "world.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 static wfWorld open_world(const wfWorldDef *def)
 {

@@ -1,7 +1,7 @@
 /* Joints in a world. */
 #include "testing.h"
 #include "world.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 static wfWorld open_world(void)
 {

@@ -1,6 +1,7 @@
 /* Needs: a world is made for what its scene requires, refuses the rest by name, and infers and explains itself. */
 #include "testing.h"
 #include "world.h"
+#include "engine/regions.h"
 
 static wfWorld made_for(uint32_t modules)
 {

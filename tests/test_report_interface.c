@@ -2,6 +2,7 @@
  * does what the appendix says. */
 #include "testing.h"
 #include "weft/report.h"
+#include "weft/inspect.h"
 
 /* ------------------------------------------------------------------------------ Appendix B, line by line */
 

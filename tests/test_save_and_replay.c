@@ -3,6 +3,7 @@
 #include "testing.h"
 #include "world.h"
 #include "weft/save.h"
+#include "engine/regions.h"
 
 /* ------------------------------------------------------------------------------ a busy world */
 

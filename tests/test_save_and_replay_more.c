@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <unistd.h>
 #include "weft/save.h"
+#include "engine/regions.h"
 
 enum { STEPS = 60, ELEMENTS = 2, HITTING = 0, BREAKING = 1, SLEEPING = 2, KINDS = 3 };
 

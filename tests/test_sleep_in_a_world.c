@@ -1,7 +1,7 @@
 /* Sleep in a world. */
 #include "testing.h"
 #include "world.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 static wfWorld open_world(int32_t sleep)
 {

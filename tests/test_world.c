@@ -3,6 +3,7 @@
 #include "testing.h"
 #include "world.h"
 #include "weft/weft.h"
+#include "engine/regions.h"
 
 /* ------------------------------------------------------------------------------ helpers */
 

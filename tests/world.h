@@ -1,7 +1,7 @@
 /* world.h: what the tests of a world share. Include testing.h first. */
 #ifndef WEFT_TEST_WORLD_H
 #define WEFT_TEST_WORLD_H
-#include "weft/world.h"
+#include "weft/weft.h"
 
 static inline wfBodyId add(wfWorld *world, wfBodyDef def)
 {

@@ -1,7 +1,7 @@
 /* Weft: collision/dynamictree.c, tangled from chapters/engine/11-broad-phase.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
-#include "weft/broad.h"
+#include "weft/dynamic_tree.h"
 
 /* make a box fat */
 wfRect wfFatBox(wfRect r, wfVec2 way, wfReal ratio)

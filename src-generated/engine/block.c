@@ -74,7 +74,7 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
     { name, 0, per, sizeof(type) },
 #define WF_FRESH(NAME, name, per, type, modules, stage) \
     { name, 1, per, sizeof(type) },
-#include "weft/array_rows.h"
+#include "engine/array_rows.h"
 #undef WF_KEPT
 #undef WF_FRESH
 };
@@ -141,7 +141,9 @@ static wfResult plan(const wfWorldDef *def, wfWorldDef *full,
     return lay_out(full, region, size) ? WF_OK : WF_ERROR_MEMORY;
 }
 
-wfResult wfWorldRegions(const wfWorldDef *def, wfRegion out[WF_REGION_COUNT])
+const int wfRegionCount = WF_REGION_COUNT;
+
+wfResult wfWorldRegions(const wfWorldDef *def, wfRegion *out)
 {
     wfWorldDef full;
     wfRegion region[WF_REGION_COUNT];
@@ -263,7 +265,7 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
     out->pointer = (void *)(base + h->offset[WF_REGION_##NAME]);
 #define WF_FRESH(NAME, name, per, type, modules, stage)
-#include "weft/array_rows.h"
+#include "engine/array_rows.h"
 #undef WF_KEPT
 #undef WF_FRESH
     return WF_OK;

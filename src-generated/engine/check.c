@@ -504,7 +504,7 @@ static bool rule_of_any(Check *c) { return c->fault.rule == NULL; }
 static CheckFn *const rule_table[WF_REGION_KEPT] = {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) rule_of_##rule,
 #define WF_FRESH(NAME, name, per, type, modules, stage)
-#include "weft/array_rows.h"
+#include "engine/array_rows.h"
 #undef WF_KEPT
 #undef WF_FRESH
 };

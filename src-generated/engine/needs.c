@@ -40,7 +40,7 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
     { modules, stage, #rule },
 #define WF_FRESH(NAME, name, per, type, modules, stage) { modules, stage, NULL },
-#include "weft/array_rows.h"
+#include "engine/array_rows.h"
 #undef WF_KEPT
 #undef WF_FRESH
 };

@@ -1,6 +1,7 @@
 /* Weft: figures/broad_phase.c, tangled from chapters/engine/11-broad-phase.figures.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #include "weft/broad.h"
+#include "weft/dynamic_tree.h"
 #include "figures/kit.h"
 enum { BROAD_FIGURE_MOST = 40 };
 typedef struct BroadFigure {

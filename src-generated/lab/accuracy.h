@@ -5,7 +5,7 @@
 /* Scenes of which the truth is known, and runs of them by any setting. */
 #include <stdio.h>
 #include "weft/accuracy.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 enum { LAB_FRAMES = 60, LAB_POINTS = 48 };
 /* Places of the bodies that move, in the order in which they were added: m. */

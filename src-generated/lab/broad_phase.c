@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 #include "weft/broad.h"
+#include "weft/dynamic_tree.h"
 #include "weft/body.h"
 #include "weft/integrate.h"
 #include "weft/shape.h"

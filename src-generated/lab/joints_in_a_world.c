@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
-#include "weft/world.h"
+#include "weft/weft.h"
 #include "lab/bench.h"
 typedef struct FastShot {
     const char *solver;

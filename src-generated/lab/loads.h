@@ -3,7 +3,7 @@
 #ifndef LAB_LOADS_H
 #define LAB_LOADS_H
 /* Heavy scenes. */
-#include "weft/world.h"
+#include "weft/weft.h"
 
 typedef struct labLoad {
     const char *name;

@@ -3,7 +3,8 @@
 #include <math.h>
 #include <string.h>
 #include <time.h>
-#include "weft/world.h"
+#include "weft/weft.h"
+#include "engine/regions.h"
 #include "lab/bench.h"
 enum { HEAP_BODIES = 400, HEAP_WIDE = 20, HEAP_SETTLE = 400, HEAP_BATCH = 20 };
 

@@ -4,7 +4,7 @@
 #define TESTBED_CLASSICS_H
 /* The classic scenes of which physics knows the outcome, and what they measure.
  * Builders fill an empty world; body 0 is the ground. Errors: those of the calls made. */
-#include "weft/world.h"
+#include "weft/weft.h"
 
 /* So many boxes of 1 m on each other, each off by up to 1 cm. */
 wfResult wfBuildTower(wfWorld *world, int boxes, uint32_t seed);

@@ -3,7 +3,7 @@
 #ifndef TESTBED_COPY_H
 #define TESTBED_COPY_H
 /* A world as a program in C that makes it. */
-#include "weft/world.h"
+#include "weft/weft.h"
 
 /* Writes the program; `warn', if not NULL, is put into its first lines. Returns the bytes
  * needed; when they are `size' or more, nothing of use was written. */

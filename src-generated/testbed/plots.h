@@ -4,7 +4,7 @@
 #define TESTBED_PLOTS_H
 /* The last seconds of a world as curves. */
 #include "weft/draw.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 enum { WF_PLOT_CURVES = 5, WF_PLOT_SAMPLES = 600, WF_PLOTS_MOST = 10 };
 enum { WF_PLOT_ERROR = 6, WF_PLOT_STAGES = 7 };         /* rows */

@@ -4,7 +4,7 @@
 #define TESTBED_SCENE_H
 /* Scenes: small worlds that show one thing each. */
 #include "weft/draw.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 /* Of the user, a scene knows where the mouse is and how often some keys were pressed. */
 typedef struct wfSceneInput {

@@ -326,14 +326,14 @@ static wfResult run_operation(Session *s, const Operation *op);
 /* Which array of the block is not what it was? */
 static void tell_difference(const Session *s, wfResult r)
 {
-    static wfRegion list[WF_REGION_COUNT];
+    static wfRegion list[MOST_ARRAYS];
     const uint8_t *now = s->world.memory.permanent;
     size_t at = 0;
     while (now[at] == s->shadow[at]) at++;
     const char *name = "?";
     size_t each = 1, from = 0;
     if (wfWorldRegions(&s->def, list) == WF_OK)
-        for (int i = 0; i < WF_REGION_COUNT; i++)
+        for (int i = 0; i < wfRegionCount; i++)
             if (list[i].chunk == 0 && list[i].offset <= at && at < list[i].offset + list[i].count * list[i].each) { name = list[i].name; each = list[i].each; from = list[i].offset; }
     snprintf(tally->broken, sizeof tally->broken, "%s returned %s and changed \"%s\" in element %zu, byte %zu",
         operations[tally->now.op].name, wfResultName(r), name, (at - from) / each, (at - from) % each);

@@ -11,9 +11,11 @@ static wfResult op_world_size(Session *s)
     if (r != WF_OK) MUST(permanent == 1 && transient == 1);
     return r;
 }
+enum { MOST_ARRAYS = 256 };
 static wfResult op_regions(Session *s)
 {
-    static wfRegion list[WF_REGION_COUNT];
+    static wfRegion list[MOST_ARRAYS];
+    MUST(wfRegionCount <= MOST_ARRAYS);
     wfWorldDef d = world_def(s);
     return wfWorldRegions(below(s, 20) ? &d : NULL, below(s, 20) ? list : NULL);
 }
@@ -871,7 +873,6 @@ static wfResult op_modules(Session *s)
     MUST((wfMissingModules(w, wfModulesOfBody(&b) | wfModulesOfShape(&sd)) & ~wfAllModules()) == 0);
     MUST(wfInferSceneModules(&list, 0, &d) == WF_OK);
     MUST(wfStepWorldTimed(NULL, NULL) == WF_ERROR_NULL);
-    (void)wfRegionServes((int)below(s, 120) - 10);
     wfResult shown = wfExplainStage(w, (int)below(s, 40) - 4, &stage);
     MUST(wfExplainWorld(w, NULL, 0, say_nothing, NULL) == WF_OK || shown != WF_OK);
     return CALL(wfInferModules(w, bits, &d));

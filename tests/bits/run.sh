@@ -94,8 +94,8 @@ printf 'STD := -std=c11\n' > $work/one.mk; printf 'CFLAGS := -O3 -ffast-math\nST
 caught flags $work/one.mk; caught flags $work/two.mk
 
 check guards "$src/include"
-mkdir -p $work/guards/weft; sed '/__FAST_MATH__/,/#endif/d; /FLT_EVAL_METHOD/,/;/d' "$src/include/weft/math_own.h" > $work/guards/weft/math_own.h
-cp "$src"/include/weft/{core,math,result_rows,module_rows}.h $work/guards/weft/ 2>/dev/null
+mkdir -p $work/guards/weft; sed '/__FAST_MATH__/,/#endif/d; /FLT_EVAL_METHOD/,/;/d' "$src/include/weft/math_real.h" > $work/guards/weft/math_real.h
+cp "$src"/include/weft/{core,math,math_vector,math_own,result_rows,module_rows}.h $work/guards/weft/ 2>/dev/null
 caught guards $work/guards
 [ "$(rule_guards $work/guards | grep -c 'can be compiled')" -eq 3 ] || { echo "guards: not each of the three flags is kept out by the guards alone"; bad=1; }
 

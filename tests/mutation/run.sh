@@ -16,7 +16,7 @@ lua=$(tangle/lua) || exit 1
 work=${MUTATION_DIR:-build/mutation}; rm -rf "$work"; mkdir -p "$work"
 tangle/tangle --lines "$work/base/lines" $(tangle/chapters) || exit 1
 if [ $# -gt 0 ]; then files=("$@"); else
-  files=(); for f in include/weft/math_own.h math/math.c include/weft/shape.h collision/*.c include/weft/body.h dynamics/*.c; do
+  files=(); for f in include/weft/math_real.h include/weft/math_vector.h include/weft/math_own.h math/math.c include/weft/shape.h collision/*.c include/weft/body.h dynamics/*.c; do
     for g in "$work"/base/lines/$f; do [ -f "$g" ] && files+=("${g#"$work"/base/lines/}"); done; done
 fi
 export CC=${CC:-gcc} CFLAGS="-O0"

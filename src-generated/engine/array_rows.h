@@ -1,9 +1,10 @@
-/* Weft: include/weft/array_rows.h, tangled from chapters/engine/20-world.nw. Chapters that add to
- * it: bodies-in-a-world, step, joints-in-a-world, continuous-collision, sleep-in-a-world. Do not
- * edit this file: edit the chapter and type make. MIT licence. */
+/* Weft: engine/array_rows.h, tangled from chapters/engine/20-world.nw. Chapters that add to it:
+ * bodies-in-a-world, step, joints-in-a-world, continuous-collision, sleep-in-a-world. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 /* The arrays of a world in the order in which they lie. For those who define WF_KEPT and
  * WF_FRESH: WF_KEPT(NAME, pointer, "name", per, type, modules, stage, rule) in the
  * permanent chunk, WF_FRESH(NAME, "name", per, type, modules, stage) in the other. */
+/* arrays that are kept */
 WF_KEPT(HEADER, head, "header", WF_PER_WORLD, wfHeader, 0, NULL, header)
 WF_KEPT(BODY_SLOTS, bodySlots, "body slots", WF_PER_BODY, wfSlot, 0, NULL, body_slots)
 /* 1 for a live body */
@@ -78,6 +79,7 @@ WF_KEPT(RINGS, rings, "rings of sleepers", WF_PER_BODY, int32_t, WF_MODULE_SLEEP
          rest)  /* of a sleeper: the next of its island */
 /* the smallest index in its island, or -1 */
 WF_KEPT(ISLANDS, islands, "islands", WF_PER_BODY, int32_t, WF_MODULE_SLEEP, "islands", rest)
+/* arrays of a step */
 WF_FRESH(NEW_STATE, "new states", WF_PER_BODY, wfBodyState, 0, "copy")
 WF_FRESH(PRESENT, "present", WF_PER_BODY, uint8_t, 0, "copy")
 WF_FRESH(ACTIVE_FORCES, "active forces", WF_PER_ACTIVE_FORCE, wfForce, 0, "forces")
