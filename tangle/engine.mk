@@ -70,7 +70,7 @@ upto-all:
 
 install: $(BUILD)/lib/libweft.a
 	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/bin
-	@install -m 644 src-generated/include/weft/*.h $(DESTDIR)$(PREFIX)/include/weft/
+	@install -m 644 src-generated/include/weft/*.h tangle/old_names.h $(DESTDIR)$(PREFIX)/include/weft/
 	@install -m 644 $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(DESTDIR)$(PREFIX)/lib/
 	@cp -P $(BUILD)/lib/libweft.so* $(BUILD)/lib/libweft.dylib $(DESTDIR)$(PREFIX)/lib/ 2>/dev/null || true
 	@[ ! -f $(BUILD)/lib/libweft-json.a ] || install -m 644 $(BUILD)/lib/libweft-json.a $(DESTDIR)$(PREFIX)/lib/

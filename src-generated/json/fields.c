@@ -44,10 +44,11 @@ static int farthest(const char *wrong) { return strlen(wrong) > 5 ? 4 : 3; }
 
 /* old words of a text */
 static const struct { const char *was, *is; } old_words[] = {
-    { "dt", "timeStep" }, { "needs", "modules" }, { "restingSteps", "restitutionThreshold" },
-    { "positionShare", "positionCorrection" }, { "reuse", "reuseManifolds" },
+    { "dt", "timeStep" }, { "needs", "modules" }, { "reuse", "reuseManifolds" },
+    { "restingSteps", "restitutionThreshold" }, { "positionShare", "positionCorrection" },
     { "contactDamping", "contactDampingRatio" }, { "recoverySteps", "contactPushSpeed" },
-    { "colours", "graphColouring" }, { "lanes", "enableSimd" }, { "columns", "stackSolver" },
+    { "colours", "graphColouring" }, { "lanes", "enableSimd" },
+    { "columns", "stackSolver" },
     { "frictionMix", "frictionRule" }, { "restitutionMix", "restitutionRule" },
     { "rollingMix", "rollingRule" }, { "hitSteps", "hitThreshold" },
     { "pairMaterials", "materialPairCapacity" }, { "fineSums", "compensatedSums" },

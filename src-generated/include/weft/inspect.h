@@ -40,8 +40,8 @@ typedef struct wfShapeProps {
     int32_t  sensor, material;
     uint64_t userData;
 } wfShapeProps;
-/* The world's own arrays of shapes, to read and not to keep. bodyOfShape[k] is the index of the
- * body of shape k, or -1: an empty place. For an empty handle the count is 0. */
+/* The world's own arrays of shapes, to read and not to keep. bodyOfShape[k] is the index of
+ * shape k's body, or -1: an empty place. For an empty handle the count is 0. */
 typedef struct wfShapeView {
     int32_t             count;
     const wfShape      *shapes;      /* relative to the centre of mass */
