@@ -85,6 +85,21 @@ static void who_says_both_says_it_twice(void **unused)
     }
 }
 
+static void room_for_materials_is_held_to(void **unused)
+{
+    (void)unused;
+    static const char *const words[] = { "materialPairCapacity", "pairMaterials" };
+    for (int i = 0; i < 2; i++) {
+        char text[400];
+        snprintf(text, sizeof text, "{ \"weft\": 1, \"settings\": { \"%s\": 1 }, \"pairMaterials\": [ { \"a\": 1, \"b\": 2 }, { \"a\": 1, \"b\": 3 } ] }", words[i]);
+        wfWorld world;
+        wfTextError e;
+        assert_int_equal(wfReadScene(text, strlen(text), NULL, &world, NULL, &e), WF_ERROR_FULL);
+        assert_memory_equal(e.where, "settings.", 9);
+        assert_string_equal(e.where + 9, words[i]);
+    }
+}
+
 static void errors_name_the_word_that_was_said(void **unused)
 {
     (void)unused;
@@ -99,7 +114,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(old_words_are_read), cmocka_unit_test(who_says_both_says_it_twice),
-        cmocka_unit_test(errors_name_the_word_that_was_said),
+        cmocka_unit_test(room_for_materials_is_held_to), cmocka_unit_test(errors_name_the_word_that_was_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

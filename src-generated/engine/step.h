@@ -36,7 +36,7 @@ struct wfStep {
     wfManifoldCache *caches;      /* one for each pair */
     wfContact       *contacts;
     int32_t          contactCount;
-    const wfConstraints *laws;    /* other laws than contacts, or NULL */
+    const wfConstraints *laws;    /* constraints besides contacts, or NULL */
     wfTouchingPair  *touches;
     int32_t          touchCount;
     wfTold          *told;        /* of each contact; NULL: nobody asks */

@@ -228,7 +228,8 @@ static bool create(Reader *r)
     if (own && !fit(r, "shapeCapacity", &d->shapeCapacity, r->shapeCount)) return false;
     if (!fit(r, "forceCapacity", &d->forceCapacity, length_of(r, "forces"))) return false;
     if (!fit(r, "jointCapacity", &d->jointCapacity, length_of(r, "joints"))) return false;
-    if (!fit(r, "pairMaterials", &d->materialPairCapacity, length_of(r, "pairMaterials")))
+    if (!fit(r, "materialPairCapacity", &d->materialPairCapacity,
+             length_of(r, "pairMaterials")))
         return false;
     const cJSON *at = r->settings != NULL ? r->settings : r->t.root;
     size_t permanent, transient;

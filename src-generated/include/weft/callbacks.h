@@ -31,8 +31,8 @@ typedef struct wfCallbacks {
     void (*preSolve)(void *context, const wfCallbackView *view, const wfContact *contact,
                      wfContactSettings *change);
 } wfCallbacks;
-/* wfStepWorld with hooks (may be NULL). Further errors: WF_ERROR_RANGE, WF_ERROR_NOT_FINITE
- * (a hook gave such a number); WF_ERROR_BUSY (called from a hook). */
-wfResult wfStepWorldWithCallbacks(wfWorld *world, const wfCallbacks *hooks);
+/* wfStepWorld with callbacks (may be NULL). Further errors: WF_ERROR_RANGE and
+ * WF_ERROR_NOT_FINITE (a callback gave such a number); WF_ERROR_BUSY (called from one). */
+wfResult wfStepWorldWithCallbacks(wfWorld *world, const wfCallbacks *callbacks);
 WF_END_C
 #endif

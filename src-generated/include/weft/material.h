@@ -14,7 +14,7 @@ typedef struct wfPairMaterial {
 } wfPairMaterial;
 /* From now on shapes of materials a and b (>= 1, in either order; may be equal) meet with
  * these numbers; NULL: they are mixed again. WF_ERROR_RANGE, _NOT_FINITE, _FULL (the
- * world's pairMaterials). */
+ * world's materialPairCapacity). */
 wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m);
 /* WF_ERROR_UNKNOWN: nothing is known of that pair. */
 wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMaterial *out);

@@ -5,8 +5,8 @@
 #include "weft/world.h"
 WF_BEGIN_C
 
-/* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is
- * long. */
+/* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if timeStep
+ * is long. */
 #define WF_MOUSE_JOINT_RATE (2 * WF_PI * 5)
 /* A hand that holds a body at a world point: a spring stiff enough to follow and soft
  * enough to be stable at the world's step. Move the hand with wfSetMouseTarget; let go with

@@ -40,7 +40,7 @@ typedef struct wfMoved {
     wfReal spare;             /* so that an entry has four numbers */
 } wfMoved;
 
-/* Other laws than contacts, for `step` rows; `moved` has an entry for every body. */
+/* Constraints besides contacts, for `step` rows; `moved` has an entry for every body. */
 typedef struct wfConstraints {
     void *context;
     /* After the forces have acted for t: make ready for a substep of dt, and push as last
@@ -70,7 +70,7 @@ typedef struct wfSolveReport {
     wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
 } wfSolveReport;
-#define WF_STACK_LOOPS 8        /* the most that `columns` may ask for */
+#define WF_STACK_LOOPS 8        /* the most that `stackSolver` may ask for */
 
 /* What a body's state is too coarse for: to be added to its place and velocities. */
 typedef struct wfResidual {

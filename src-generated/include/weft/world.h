@@ -242,7 +242,7 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque);
 /* A kick (N s) at a world point, or of spin (N m s): changes the velocity at once. */
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point);
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse);
-/* Advances the world by dt. On any error the world is as it was before the call:
+/* Advances the world by timeStep. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
  * WF_ERROR_NOT_FINITE, _RANGE: a number, or a turn, is too large, as forces may be. */
 wfResult wfStepWorld(wfWorld *world);
