@@ -35,8 +35,8 @@ static void the_table_is_in_order(void **unused)
         assert_int_equal(row->implies & ~before, 0);           /* so one walk from the end closes a set */
         assert_int_equal(wfFindModule(row->name), i);
         assert_true(row->text[0] != 0 && row->error != WF_OK);
-        char bit[64] = "WF_MODULE_";                             /* the sentence of the error names the bit */
-        for (size_t k = 0; k < strlen(row->name); k++) bit[8 + k] = (char)(row->name[k] - 32);
+        char bit[64] = "WF_MODULE_";                           /* the sentence of the error names the bit */
+        for (size_t k = 0; k < strlen(row->name); k++) bit[10 + k] = (char)(row->name[k] - 32);
         assert_non_null(strstr(wfResultText(row->error), bit));
         before |= row->bit;
     }
