@@ -3,7 +3,7 @@
 #include "weft/broad.h"
 
 /* build a tree of boxes */
-static wfRect box_around(const wfBoxTree *tree, int32_t first, int32_t count)
+static wfRect boxAround(const wfBoxTree *tree, int32_t first, int32_t count)
 {
     wfRect box = tree->in->bounds[tree->items[first].index];
     for (int32_t i = first + 1; i < first + count; i++)
@@ -14,7 +14,7 @@ static wfRect box_around(const wfBoxTree *tree, int32_t first, int32_t count)
 int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count)
 {
     int32_t n = tree->nodeCount++, half = count / 2;
-    wfRect box = box_around(tree, first, count);
+    wfRect box = boxAround(tree, first, count);
     tree->nodes[n] = (wfBoxNode){ box, first, count, WF_BOX_NONE };
     if (count <= WF_BOX_LEAF) return n;
     bool wide = box.max.x - box.min.x >= box.max.y - box.min.y;
@@ -30,18 +30,18 @@ int32_t wfBoxTreeBuild(wfBoxTree *tree, int32_t first, int32_t count)
 }
 
 /* find pairs in trees of boxes */
-static bool is_box_leaf(const wfBoxNode *node) { return node->right == WF_BOX_NONE; }
+static bool isBoxLeaf(const wfBoxNode *node) { return node->right == WF_BOX_NONE; }
 
-static bool pairs_between(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *out)
+static bool pairsBetween(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *out)
 {
     const wfBoxNode *p = &t->nodes[a], *q = &t->nodes[b];
     const wfRect *bounds = t->in->bounds;
     out->tests++;
     if (!wfRectOverlap(p->box, q->box)) return true;
-    if (!is_box_leaf(p) && (is_box_leaf(q) || p->count >= q->count))
-        return pairs_between(t, a + 1, b, out) && pairs_between(t, p->right, b, out);
-    if (!is_box_leaf(q))
-        return pairs_between(t, a, b + 1, out) && pairs_between(t, a, q->right, out);
+    if (!isBoxLeaf(p) && (isBoxLeaf(q) || p->count >= q->count))
+        return pairsBetween(t, a + 1, b, out) && pairsBetween(t, p->right, b, out);
+    if (!isBoxLeaf(q))
+        return pairsBetween(t, a, b + 1, out) && pairsBetween(t, a, q->right, out);
     for (int32_t i = p->first; i < p->first + p->count; i++) {
         int32_t one = t->items[i].index;
         for (int32_t j = q->first; j < q->first + q->count; j++) {
@@ -52,13 +52,13 @@ static bool pairs_between(const wfBoxTree *t, int32_t a, int32_t b, wfPairList *
     return true;
 }
 
-static bool pairs_within(const wfBoxTree *t, int32_t n, wfPairList *out)
+static bool pairsWithin(const wfBoxTree *t, int32_t n, wfPairList *out)
 {
     const wfBoxNode *p = &t->nodes[n];
     const wfRect *bounds = t->in->bounds;
-    if (!is_box_leaf(p))
-        return pairs_within(t, n + 1, out) && pairs_within(t, p->right, out)
-            && pairs_between(t, n + 1, p->right, out);
+    if (!isBoxLeaf(p))
+        return pairsWithin(t, n + 1, out) && pairsWithin(t, p->right, out)
+            && pairsBetween(t, n + 1, p->right, out);
     for (int32_t i = p->first; i < p->first + p->count; i++) {
         int32_t one = t->items[i].index;
         for (int32_t j = i + 1; j < p->first + p->count; j++) {
@@ -79,7 +79,7 @@ size_t wfBoxTreeIndexSize(int32_t proxies)
          + 3 * WF_POOL_ALIGN;
 }
 
-static wfBoxTree open_boxes(const wfProxies *in, const void *index, BoxHead **head)
+static wfBoxTree openBoxes(const wfProxies *in, const void *index, BoxHead **head)
 {
     wfPool pool = wfOpenIndex(index, wfBoxTreeIndexSize(in->count));
     wfBoxTree t = { .in = in };
@@ -96,7 +96,7 @@ wfResult wfBoxTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool 
     if (bytes < wfBoxTreeIndexSize(in->count)) return WF_ERROR_MEMORY;
     int32_t movers = 0, *ids = wfPoolPushArray(scratch, in->count, int32_t);
     if (!ids) return WF_ERROR_MEMORY;
-    wfBoxTree t = open_boxes(in, index, &head);
+    wfBoxTree t = openBoxes(in, index, &head);
     int32_t live = wfListLive(in, ids, &movers);
     for (int32_t i = 0; i < live; i++) t.items[i].index = ids[i];
     head->moving = head->still = WF_BOX_NONE;
@@ -110,13 +110,13 @@ wfResult wfBoxTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
                         wfPairList *out)
 {
     BoxHead *head;
-    wfBoxTree t = open_boxes(in, index, &head);
+    wfBoxTree t = openBoxes(in, index, &head);
     out->count = 0;
     out->tests = 0;
     bool anybody = head->moving != WF_BOX_NONE;
-    bool room = !anybody || pairs_within(&t, head->moving, out);
+    bool room = !anybody || pairsWithin(&t, head->moving, out);
     if (room && anybody && head->still != WF_BOX_NONE)
-        room = pairs_between(&t, head->moving, head->still, out);
+        room = pairsBetween(&t, head->moving, head->still, out);
     return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
 
@@ -126,14 +126,14 @@ size_t wfBoxTreeScratch(int32_t proxies, int32_t pairs)
 }
 
 /* ask a tree of boxes */
-static bool query_boxes(const wfBoxTree *t, int32_t n, wfRect area, wfVisitFn *visit,
-                        void *context)
+static bool queryBoxes(const wfBoxTree *t, int32_t n, wfRect area, wfVisitFn *visit,
+                       void *context)
 {
     const wfBoxNode *node = &t->nodes[n];
     if (!wfRectOverlap(node->box, area)) return true;
-    if (!is_box_leaf(node))
-        return query_boxes(t, n + 1, area, visit, context)
-            && query_boxes(t, node->right, area, visit, context);
+    if (!isBoxLeaf(node))
+        return queryBoxes(t, n + 1, area, visit, context)
+            && queryBoxes(t, node->right, area, visit, context);
     for (int32_t i = node->first; i < node->first + node->count; i++) {
         int32_t p = t->items[i].index;
         if (wfRectOverlap(t->in->bounds[p], area) && !visit(context, p)) return false;
@@ -145,23 +145,23 @@ void wfBoxTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisit
                     void *context)
 {
     BoxHead *head;
-    wfBoxTree t = open_boxes(in, index, &head);
-    if (head->moving == WF_BOX_NONE || query_boxes(&t, head->moving, area, visit, context))
-        if (head->still != WF_BOX_NONE) query_boxes(&t, head->still, area, visit, context);
+    wfBoxTree t = openBoxes(in, index, &head);
+    if (head->moving == WF_BOX_NONE || queryBoxes(&t, head->moving, area, visit, context))
+        if (head->still != WF_BOX_NONE) queryBoxes(&t, head->still, area, visit, context);
 }
 
-static bool cast_boxes(const wfBoxTree *t, int32_t n, wfBoxCast *c, wfCastVisitFn *visit,
-                       void *context)
+static bool castBoxes(const wfBoxTree *t, int32_t n, wfBoxCast *c, wfCastVisitFn *visit,
+                      void *context)
 {
     const wfBoxNode *node = &t->nodes[n];
-    if (!is_box_leaf(node)) {
+    if (!isBoxLeaf(node)) {
         wfReal left, right;
         bool l = wfCastMeets(c, t->nodes[n + 1].box, &left);
         bool r = wfCastMeets(c, t->nodes[node->right].box, &right);
         int32_t first = l && r && right < left ? node->right : n + 1;
         int32_t second = first == n + 1 ? node->right : n + 1;
-        return (!l || cast_boxes(t, first, c, visit, context))
-            && (!r || cast_boxes(t, second, c, visit, context));
+        return (!l || castBoxes(t, first, c, visit, context))
+            && (!r || castBoxes(t, second, c, visit, context));
     }
     for (int32_t i = node->first; i < node->first + node->count; i++)
         if (!wfOfferCast(t->in, c, t->items[i].index, visit, context)) return false;
@@ -172,28 +172,28 @@ void wfBoxTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast
                    wfCastVisitFn *visit, void *context)
 {
     BoxHead *head;
-    wfBoxTree t = open_boxes(in, index, &head);
+    wfBoxTree t = openBoxes(in, index, &head);
     wfBoxCast c = *cast;
-    if (head->still == WF_BOX_NONE || cast_boxes(&t, head->still, &c, visit, context))
-        if (head->moving != WF_BOX_NONE) cast_boxes(&t, head->moving, &c, visit, context);
+    if (head->still == WF_BOX_NONE || castBoxes(&t, head->still, &c, visit, context))
+        if (head->moving != WF_BOX_NONE) castBoxes(&t, head->moving, &c, visit, context);
 }
 
-static bool show_boxes(const wfBoxTree *t, int32_t n, int32_t depth, wfBoxVisitFn *visit,
-                       void *context)
+static bool showBoxes(const wfBoxTree *t, int32_t n, int32_t depth, wfBoxVisitFn *visit,
+                      void *context)
 {
     const wfBoxNode *node = &t->nodes[n];
-    bool leaf = is_box_leaf(node);
+    bool leaf = isBoxLeaf(node);
     wfIndexBox box = { node->box, depth, leaf ? node->count : 0 };
     return visit(context, &box)
-        && (leaf || (show_boxes(t, n + 1, depth + 1, visit, context)
-                     && show_boxes(t, node->right, depth + 1, visit, context)));
+        && (leaf || (showBoxes(t, n + 1, depth + 1, visit, context)
+                     && showBoxes(t, node->right, depth + 1, visit, context)));
 }
 
 void wfBoxTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                     void *context)
 {
     BoxHead *head;
-    wfBoxTree t = open_boxes(in, index, &head);
-    if (head->moving == WF_BOX_NONE || show_boxes(&t, head->moving, 0, visit, context))
-        if (head->still != WF_BOX_NONE) show_boxes(&t, head->still, 0, visit, context);
+    wfBoxTree t = openBoxes(in, index, &head);
+    if (head->moving == WF_BOX_NONE || showBoxes(&t, head->moving, 0, visit, context))
+        if (head->still != WF_BOX_NONE) showBoxes(&t, head->still, 0, visit, context);
 }

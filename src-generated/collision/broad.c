@@ -21,8 +21,8 @@ bool wfPairAllowed(const wfProxies *in, int32_t a, int32_t b)
 }
 
 /* sort the pairs by counting */
-static void counting_pass(const wfPair *from, wfPair *to, int32_t n, int32_t *start,
-                          int32_t proxies, bool byA)
+static void countingPass(const wfPair *from, wfPair *to, int32_t n, int32_t *start,
+                         int32_t proxies, bool byA)
 {
     memset(start, 0, sizeof *start * ((size_t)proxies + 1));
     for (int32_t i = 0; i < n; i++) start[(byA ? from[i].a : from[i].b) + 1]++;
@@ -39,23 +39,10 @@ wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch)
         wfPoolRewind(scratch, mark);
         return WF_ERROR_MEMORY;
     }
-    counting_pass(list->pairs, other, list->count, start, proxies, false);
-    counting_pass(other, list->pairs, list->count, start, proxies, true);
+    countingPass(list->pairs, other, list->count, start, proxies, false);
+    countingPass(other, list->pairs, list->count, start, proxies, true);
     wfPoolRewind(scratch, mark);
     return WF_OK;
-}
-
-/* list the live proxies */
-int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
-{
-    int32_t n = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        int wanted = pass == 0 ? WF_PROXY_LIVE | WF_PROXY_MOVES : WF_PROXY_LIVE;
-        for (int32_t i = 0; i < in->count; i++)
-            if ((in->flags[i] & (WF_PROXY_LIVE | WF_PROXY_MOVES)) == wanted) ids[n++] = i;
-        if (pass == 0) *movers = n;
-    }
-    return n;
 }
 
 wfResult wfFinishPairs(bool room, int32_t proxies, wfPool *scratch, size_t mark,
@@ -73,9 +60,22 @@ size_t wfSortPairsSize(int32_t proxies, int32_t pairs)
          + 2 * WF_POOL_ALIGN;
 }
 
+/* list the live proxies */
+int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
+{
+    int32_t n = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        int wanted = pass == 0 ? WF_PROXY_LIVE | WF_PROXY_MOVES : WF_PROXY_LIVE;
+        for (int32_t i = 0; i < in->count; i++)
+            if ((in->flags[i] & (WF_PROXY_LIVE | WF_PROXY_MOVES)) == wanted) ids[n++] = i;
+        if (pass == 0) *movers = n;
+    }
+    return n;
+}
+
 /* sort and select by a key */
-static void merge_rows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mid,
-                       int32_t right)
+static void mergeRows(const wfKeyed *from, wfKeyed *to, int32_t left, int32_t mid,
+                      int32_t right)
 {
     int32_t i = left, j = mid, k = left;
     if (mid < right && from[mid].key < from[mid - 1].key)
@@ -92,7 +92,7 @@ void wfSortKeyed(wfKeyed *items, wfKeyed *spare, int32_t n)
         for (int64_t left = 0; left < n; left += 2 * width) {
             int64_t mid = left + width < n ? left + width : n;
             int64_t right = mid + width < n ? mid + width : n;
-            merge_rows(from, to, (int32_t)left, (int32_t)mid, (int32_t)right);
+            mergeRows(from, to, (int32_t)left, (int32_t)mid, (int32_t)right);
         }
         wfKeyed *swap = from;
         from = to;

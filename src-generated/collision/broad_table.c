@@ -4,7 +4,7 @@
 #include "weft/broad.h"
 
 /* check the proxies */
-static wfResult check_proxies(const wfProxies *in)
+static wfResult checkProxies(const wfProxies *in)
 {
     if (in->count < 0) return WF_ERROR_RANGE;
     if (in->count > 0 && (!in->bounds || !in->flags)) return WF_ERROR_NULL;
@@ -18,7 +18,7 @@ static wfResult check_proxies(const wfProxies *in)
 }
 
 /* broad phases */
-static wfResult brute_force_pairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
+static wfResult bruteForcePairs(const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
     (void)scratch;
     out->count = 0;
@@ -37,7 +37,7 @@ static wfResult brute_force_pairs(const wfProxies *in, wfPool *scratch, wfPairLi
     return WF_OK;
 }
 
-static size_t brute_force_scratch(int32_t proxies, int32_t pairs)
+static size_t bruteForceScratch(int32_t proxies, int32_t pairs)
 {
     (void)proxies;
     (void)pairs;
@@ -45,8 +45,8 @@ static size_t brute_force_scratch(int32_t proxies, int32_t pairs)
 }
 
 /* find pairs by an index for the moment */
-static wfResult find_by_index(const wfBroadPhaseRow *row, const wfProxies *in,
-                              wfPool *scratch, wfPairList *out)
+static wfResult findByIndex(const wfBroadPhaseRow *row, const wfProxies *in,
+                            wfPool *scratch, wfPairList *out)
 {
     size_t mark = wfPoolMark(scratch), bytes = row->indexSize(in->count);
     void *index = wfPoolPush(scratch, bytes, WF_POOL_ALIGN);
@@ -66,15 +66,15 @@ wfResult wfFindPairs(int method, const wfProxies *in, wfPool *scratch, wfPairLis
     if (out->capacity < 0) return WF_ERROR_RANGE;
     out->count = 0;
     out->tests = 0;
-    wfResult result = check_proxies(in);
+    wfResult result = checkProxies(in);
     if (result != WF_OK) return result;
     const wfBroadPhaseRow *row = &wfBroadPhaseTable[method];
-    return row->find ? row->find(in, scratch, out) : find_by_index(row, in, scratch, out);
+    return row->find ? row->find(in, scratch, out) : findByIndex(row, in, scratch, out);
 }
 
 const wfBroadPhaseRow wfBroadPhaseTable[] = {
     { .name = "brute-force", .text = "tests every pair of boxes",
-      .find = brute_force_pairs, .scratch = brute_force_scratch },
+      .find = bruteForcePairs, .scratch = bruteForceScratch },
     { .name = "quad-tree", .text = "cuts the world into quarters", .scratch = wfQuadScratch,
       .indexSize = wfQuadIndexSize, .update = wfQuadUpdate, .pairs = wfQuadPairs,
       .query = wfQuadQuery, .cast = wfQuadCast, .boxes = wfQuadBoxes },
@@ -108,13 +108,13 @@ int wfFindBroadPhase(const char *name)
 /* ask the index */
 typedef struct IndexStamp { int32_t method, count; } IndexStamp;   /* method + 1; 0: none */
 
-static const wfBroadPhaseRow *row_of(int method)
+static const wfBroadPhaseRow *rowOf(int method)
 {
     return method >= 0 && method < wfBroadPhaseCount ? &wfBroadPhaseTable[method] : NULL;
 }
 
 /* the row's own bytes, or NULL if the index is not one of this row for these proxies */
-static const void *inside_index(int method, const wfProxies *in, const void *index)
+static const void *insideIndex(int method, const wfProxies *in, const void *index)
 {
     const IndexStamp *stamp = index;
     if (!index || !wfBroadPhaseTable[method].update) return NULL;
@@ -124,15 +124,15 @@ static const void *inside_index(int method, const wfProxies *in, const void *ind
 
 size_t wfIndexSize(int method, int32_t proxies)
 {
-    const wfBroadPhaseRow *row = row_of(method);
+    const wfBroadPhaseRow *row = rowOf(method);
     if (!row || !row->update || proxies < 0) return 0;
     return WF_POOL_ALIGN + row->indexSize(proxies);
 }
 
-static wfResult check_update(int method, const wfProxies *in, const void *index,
-                             size_t bytes)
+static wfResult checkUpdate(int method, const wfProxies *in, const void *index,
+                            size_t bytes)
 {
-    wfResult result = check_proxies(in);
+    wfResult result = checkProxies(in);
     if (result != WF_OK || !wfBroadPhaseTable[method].update) return result;
     if (!index) return WF_ERROR_NULL;
     if (bytes < wfIndexSize(method, in->count)) return WF_ERROR_MEMORY;
@@ -142,10 +142,10 @@ static wfResult check_update(int method, const wfProxies *in, const void *index,
 wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t bytes,
                        wfPool *scratch)
 {
-    const wfBroadPhaseRow *row = row_of(method);
+    const wfBroadPhaseRow *row = rowOf(method);
     if (!in || !scratch) return WF_ERROR_NULL;
     if (!row) return WF_ERROR_UNKNOWN;
-    wfResult result = check_update(method, in, index, bytes);
+    wfResult result = checkUpdate(method, in, index, bytes);
     if (result != WF_OK || !row->update) return result;
     uint8_t before[WF_POOL_ALIGN], *inside = (uint8_t *)index + WF_POOL_ALIGN;
     memcpy(before, inside, sizeof before);
@@ -159,7 +159,7 @@ wfResult wfUpdateIndex(int method, const wfProxies *in, void *index, size_t byte
 wfResult wfCopyIndex(int method, void *to, const void *from, size_t bytes,
                      int32_t proxies, bool lasts)
 {
-    const wfBroadPhaseRow *row = row_of(method);
+    const wfBroadPhaseRow *row = rowOf(method);
     if (!to || !from) return WF_ERROR_NULL;
     if (!row) return WF_ERROR_UNKNOWN;
     bool made = ((const IndexStamp *)from)->method == method + 1;
@@ -177,16 +177,16 @@ wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool
                       wfPairList *out)
 {
     if (!in || !scratch || !out || (out->capacity > 0 && !out->pairs)) return WF_ERROR_NULL;
-    if (!row_of(method)) return WF_ERROR_UNKNOWN;
+    if (!rowOf(method)) return WF_ERROR_UNKNOWN;
     if (out->capacity < 0) return WF_ERROR_RANGE;
-    const void *inside = inside_index(method, in, index);
+    const void *inside = insideIndex(method, in, index);
     if (!inside) return wfFindPairs(method, in, scratch, out);
     out->count = 0;
     out->tests = 0;
     return wfBroadPhaseTable[method].pairs(in, inside, scratch, out);
 }
 
-static wfResult check_rect(wfRect r)
+static wfResult checkRect(wfRect r)
 {
     if (!wfIsFinite2(r.min) || !wfIsFinite2(r.max)) return WF_ERROR_NOT_FINITE;
     return r.min.x > r.max.x || r.min.y > r.max.y ? WF_ERROR_RANGE : WF_OK;
@@ -196,10 +196,10 @@ wfResult wfQueryIndex(int method, const wfProxies *in, const void *index, wfRect
                       wfVisitFn *visit, void *context)
 {
     if (!in || !visit) return WF_ERROR_NULL;
-    if (!row_of(method)) return WF_ERROR_UNKNOWN;
-    wfResult result = check_rect(area);
+    if (!rowOf(method)) return WF_ERROR_UNKNOWN;
+    wfResult result = checkRect(area);
     if (result != WF_OK) return result;
-    const void *inside = inside_index(method, in, index);
+    const void *inside = insideIndex(method, in, index);
     if (inside) {
         wfBroadPhaseTable[method].query(in, inside, area, visit, context);
         return WF_OK;
@@ -210,7 +210,7 @@ wfResult wfQueryIndex(int method, const wfProxies *in, const void *index, wfRect
     return WF_OK;
 }
 
-static wfResult check_cast(const wfBoxCast *c)
+static wfResult checkCast(const wfBoxCast *c)
 {
     if (!wfIsFinite2(c->from) || !wfIsFinite2(c->by) || !wfIsFinite2(c->half)
         || !wfIsFinite(c->most)) return WF_ERROR_NOT_FINITE;
@@ -221,11 +221,11 @@ wfResult wfCastIndex(int method, const wfProxies *in, const void *index,
                      const wfBoxCast *cast, wfCastVisitFn *visit, void *context)
 {
     if (!in || !cast || !visit) return WF_ERROR_NULL;
-    if (!row_of(method)) return WF_ERROR_UNKNOWN;
-    wfResult result = check_cast(cast);
+    if (!rowOf(method)) return WF_ERROR_UNKNOWN;
+    wfResult result = checkCast(cast);
     if (result != WF_OK) return result;
     wfBoxCast c = wfPadCast(*cast);
-    const void *inside = inside_index(method, in, index);
+    const void *inside = insideIndex(method, in, index);
     if (inside) wfBroadPhaseTable[method].cast(in, inside, &c, visit, context);
     for (int32_t i = 0; !inside && i < in->count; i++)
         if ((in->flags[i] & WF_PROXY_LIVE)
@@ -237,9 +237,9 @@ wfResult wfIndexBoxes(int method, const wfProxies *in, const void *index,
                       wfBoxVisitFn *visit, void *context)
 {
     if (!in || !visit) return WF_ERROR_NULL;
-    const wfBroadPhaseRow *row = row_of(method);
+    const wfBroadPhaseRow *row = rowOf(method);
     if (!row) return WF_ERROR_UNKNOWN;
-    const void *inside = inside_index(method, in, index);
+    const void *inside = insideIndex(method, in, index);
     if (inside && row->boxes) row->boxes(in, inside, visit, context);
     return WF_OK;
 }

@@ -4,8 +4,8 @@
 #include "weft/broad.h"
 
 /* find the cells of a box */
-static int32_t cell_along(wfReal x, wfReal origin, wfReal perMetre, int32_t low,
-                          int32_t high)
+static int32_t cellAlong(wfReal x, wfReal origin, wfReal perMetre, int32_t low,
+                         int32_t high)
 {
     wfReal q = (x - origin) * perMetre;                   /* eq:broad-cell */
     if (!(q > (wfReal)low)) return low;
@@ -18,10 +18,10 @@ wfCellRange wfCellsOf(const wfCells *c, wfRect r)
 {
     wfCellRange l = c->limits;
     wfCellRange cells = {
-        cell_along(r.min.x, c->origin.x, c->perMetre, l.x0, l.x1),
-        cell_along(r.min.y, c->origin.y, c->perMetre, l.y0, l.y1),
-        cell_along(r.max.x, c->origin.x, c->perMetre, l.x0, l.x1),
-        cell_along(r.max.y, c->origin.y, c->perMetre, l.y0, l.y1),
+        cellAlong(r.min.x, c->origin.x, c->perMetre, l.x0, l.x1),
+        cellAlong(r.min.y, c->origin.y, c->perMetre, l.y0, l.y1),
+        cellAlong(r.max.x, c->origin.x, c->perMetre, l.x0, l.x1),
+        cellAlong(r.max.y, c->origin.y, c->perMetre, l.y0, l.y1),
     };
     return cells;
 }
@@ -79,7 +79,7 @@ typedef struct CellTable {
 } CellTable;
 
 /* at least two for each box, but not more than an int32_t can count */
-static int32_t buckets_for(int32_t proxies, bool hashed)
+static int32_t bucketsFor(int32_t proxies, bool hashed)
 {
     int32_t most = 1 << 30, buckets = 16;
     if (!hashed) return proxies < most / 2 - 4 ? 2 * proxies + 4 : most;
@@ -87,19 +87,19 @@ static int32_t buckets_for(int32_t proxies, bool hashed)
     return buckets;
 }
 
-static size_t cell_bytes(int32_t proxies, bool hashed)
+static size_t cellBytes(int32_t proxies, bool hashed)
 {
     size_t each = 2 * sizeof(int32_t) + sizeof(wfCellRange)
                 + WF_ENTRIES_PER_BOX * sizeof(CellEntry);
     return sizeof(CellHead) + (size_t)proxies * each + 6 * WF_POOL_ALIGN
-         + sizeof(int32_t) * ((size_t)buckets_for(proxies, hashed) + 1);
+         + sizeof(int32_t) * ((size_t)bucketsFor(proxies, hashed) + 1);
 }
 
-static CellTable open_cells(const wfProxies *in, const void *index, bool hashed)
+static CellTable openCells(const wfProxies *in, const void *index, bool hashed)
 {
     CellTable t = { .in = in, .hashed = hashed };
-    size_t n = (size_t)in->count, buckets = (size_t)buckets_for(in->count, hashed);
-    wfPool pool = wfOpenIndex(index, cell_bytes(in->count, hashed));
+    size_t n = (size_t)in->count, buckets = (size_t)bucketsFor(in->count, hashed);
+    wfPool pool = wfOpenIndex(index, cellBytes(in->count, hashed));
     t.head = wfPoolPushStruct(&pool, CellHead);
     t.ids = wfPoolPushArray(&pool, n, int32_t);
     t.large = wfPoolPushArray(&pool, n, int32_t);
@@ -109,27 +109,27 @@ static CellTable open_cells(const wfProxies *in, const void *index, bool hashed)
     return t;
 }
 
-static int32_t bucket_of(const CellTable *t, int32_t x, int32_t y)
+static int32_t bucketOf(const CellTable *t, int32_t x, int32_t y)
 {
     if (t->hashed) return (int32_t)(wfHashCell(x, y) & (uint32_t)(t->head->buckets - 1));
     return y * (t->head->cells.limits.x1 + 1) + x;
 }
 
-static int64_t cells_in(wfCellRange r)
+static int64_t cellsIn(wfCellRange r)
 {
     return ((int64_t)r.x1 - r.x0 + 1) * ((int64_t)r.y1 - r.y0 + 1);
 }
 
-static bool is_large(wfCellRange r) { return r.x1 < r.x0; }      /* it has no cells */
+static bool isLarge(wfCellRange r) { return r.x1 < r.x0; }       /* it has no cells */
 
-static void count_cells(CellTable *t)
+static void countCells(CellTable *t)
 {
     int64_t used = 0, room = (int64_t)t->in->count * WF_ENTRIES_PER_BOX;
     CellHead *h = t->head;
     for (int32_t i = 0; i < h->n; i++) {
         int32_t box = t->ids[i];
         wfCellRange r = wfCellsOf(&h->cells, t->in->bounds[box]);
-        int64_t many = cells_in(r);
+        int64_t many = cellsIn(r);
         if (many > WF_CELLS_MOST || used + many > room) {
             t->large[h->larges++] = box;
             t->boxCells[box] = (wfCellRange){ 0, 0, -1, -1 };
@@ -138,11 +138,11 @@ static void count_cells(CellTable *t)
         t->boxCells[box] = r;
         used += many;
         for (int32_t y = r.y0; y <= r.y1; y++)
-            for (int32_t x = r.x0; x <= r.x1; x++) t->start[bucket_of(t, x, y) + 1]++;
+            for (int32_t x = r.x0; x <= r.x1; x++) t->start[bucketOf(t, x, y) + 1]++;
     }
 }
 
-static void write_cells(CellTable *t)
+static void writeCells(CellTable *t)
 {
     for (int32_t i = 0; i < t->head->n; i++) {
         int32_t box = t->ids[i];
@@ -150,28 +150,28 @@ static void write_cells(CellTable *t)
         for (int32_t y = r.y0; y <= r.y1; y++)
             for (int32_t x = r.x0; x <= r.x1; x++) {
                 CellEntry e = { box, x, y, (x == r.x0) | (y == r.y0) << 1 };
-                t->entries[t->start[bucket_of(t, x, y)]++] = e;
+                t->entries[t->start[bucketOf(t, x, y)]++] = e;
             }
     }
 }
 
-static void fill_cells(CellTable *t)
+static void fillCells(CellTable *t)
 {
     int32_t buckets = t->head->buckets;
     memset(t->start, 0, sizeof *t->start * ((size_t)buckets + 1));
     t->head->larges = 0;
-    count_cells(t);
+    countCells(t);
     for (int32_t k = 1; k < buckets; k++) t->start[k] += t->start[k - 1];
-    write_cells(t);
+    writeCells(t);
 }
 
-static int32_t block_start(const CellTable *t, int32_t k)
+static int32_t blockStart(const CellTable *t, int32_t k)
 {
     return k > 0 ? t->start[k - 1] : 0;
 }
 
 /* look for pairs in the cells */
-static bool pairs_in_block(const CellTable *t, int32_t from, int32_t to, wfPairList *out)
+static bool pairsInBlock(const CellTable *t, int32_t from, int32_t to, wfPairList *out)
 {
     const wfRect *bounds = t->in->bounds;
     for (int32_t i = from; i < to; i++) {
@@ -188,7 +188,7 @@ static bool pairs_in_block(const CellTable *t, int32_t from, int32_t to, wfPairL
     return true;
 }
 
-static bool pairs_of_large(const CellTable *t, wfPairList *out)
+static bool pairsOfLarge(const CellTable *t, wfPairList *out)
 {
     const wfRect *bounds = t->in->bounds;
     for (int32_t i = 0; i < t->head->larges; i++) {
@@ -197,7 +197,7 @@ static bool pairs_of_large(const CellTable *t, wfPairList *out)
         int32_t end = moves ? t->head->n : t->head->movers;
         for (int32_t j = 0; j < end; j++) {
             int32_t b = t->ids[j];
-            if (is_large(t->boxCells[b])) continue;
+            if (isLarge(t->boxCells[b])) continue;
             if (!wfOfferPair(t->in, out, bounds[a], a, bounds[b], b)) return false;
         }
         for (int32_t j = i + 1; moves && j < t->head->larges; j++) {
@@ -209,11 +209,11 @@ static bool pairs_of_large(const CellTable *t, wfPairList *out)
 }
 
 /* look for boxes in the cells */
-static bool visit_cell(const CellTable *t, int32_t x, int32_t y, int32_t home, wfRect area,
-                       wfVisitFn *visit, void *context)
+static bool visitCell(const CellTable *t, int32_t x, int32_t y, int32_t home, wfRect area,
+                      wfVisitFn *visit, void *context)
 {
-    int32_t k = bucket_of(t, x, y);
-    for (int32_t i = block_start(t, k); i < t->start[k]; i++) {
+    int32_t k = bucketOf(t, x, y);
+    for (int32_t i = blockStart(t, k); i < t->start[k]; i++) {
         CellEntry e = t->entries[i];
         if (e.x != x || e.y != y || (e.home | home) != 3) continue;
         if (wfRectOverlap(t->in->bounds[e.box], area) && !visit(context, e.box))
@@ -222,8 +222,8 @@ static bool visit_cell(const CellTable *t, int32_t x, int32_t y, int32_t home, w
     return true;
 }
 
-static bool visit_list(const CellTable *t, const int32_t *ids, int32_t n, wfRect area,
-                       wfVisitFn *visit, void *context)
+static bool visitList(const CellTable *t, const int32_t *ids, int32_t n, wfRect area,
+                      wfVisitFn *visit, void *context)
 {
     for (int32_t i = 0; i < n; i++)
         if (wfRectOverlap(t->in->bounds[ids[i]], area) && !visit(context, ids[i]))
@@ -231,39 +231,39 @@ static bool visit_list(const CellTable *t, const int32_t *ids, int32_t n, wfRect
     return true;
 }
 
-static void query_cells(const CellTable *t, wfRect area, wfVisitFn *visit, void *context)
+static void queryCells(const CellTable *t, wfRect area, wfVisitFn *visit, void *context)
 {
     wfCellRange r = wfCellsOf(&t->head->cells, area);
-    if (cells_in(r) > t->head->n) {
-        visit_list(t, t->ids, t->head->n, area, visit, context);
+    if (cellsIn(r) > t->head->n) {
+        visitList(t, t->ids, t->head->n, area, visit, context);
         return;
     }
-    if (!visit_list(t, t->large, t->head->larges, area, visit, context)) return;
+    if (!visitList(t, t->large, t->head->larges, area, visit, context)) return;
     for (int32_t y = r.y0; y <= r.y1; y++)
         for (int32_t x = r.x0; x <= r.x1; x++) {
             int32_t home = (x == r.x0) | (y == r.y0) << 1;
-            if (!visit_cell(t, x, y, home, area, visit, context)) return;
+            if (!visitCell(t, x, y, home, area, visit, context)) return;
         }
 }
 
-static bool ranges_meet(wfCellRange a, wfCellRange b)
+static bool rangesMeet(wfCellRange a, wfCellRange b)
 {
     return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
 /* offers those in the cells of r who have none in `before`, the range of the last step */
-static bool cast_into_range(const CellTable *t, wfCellRange r, wfCellRange before,
-                            wfBoxCast *cast, wfCastVisitFn *visit, void *context)
+static bool castIntoRange(const CellTable *t, wfCellRange r, wfCellRange before,
+                          wfBoxCast *cast, wfCastVisitFn *visit, void *context)
 {
     for (int32_t y = r.y0; y <= r.y1; y++)
         for (int32_t x = r.x0; x <= r.x1; x++) {
             wfCellRange here = { x, y, x, y };
-            if (ranges_meet(here, before)) continue;
-            int32_t k = bucket_of(t, x, y), home = (x == r.x0) | (y == r.y0) << 1;
-            for (int32_t i = block_start(t, k); i < t->start[k]; i++) {
+            if (rangesMeet(here, before)) continue;
+            int32_t k = bucketOf(t, x, y), home = (x == r.x0) | (y == r.y0) << 1;
+            for (int32_t i = blockStart(t, k); i < t->start[k]; i++) {
                 CellEntry e = t->entries[i];
                 if (e.x != x || e.y != y || (e.home | home) != 3) continue;
-                if (ranges_meet(t->boxCells[e.box], before)) continue;
+                if (rangesMeet(t->boxCells[e.box], before)) continue;
                 if (!wfOfferCast(t->in, cast, e.box, visit, context)) return false;
             }
         }
@@ -271,17 +271,17 @@ static bool cast_into_range(const CellTable *t, wfCellRange r, wfCellRange befor
 }
 
 /* how many steps the cast makes between the fractions t0 and t1; 0: too many, or none */
-static int32_t cast_steps(const CellTable *t, const wfBoxCast *c, wfReal t0, wfReal t1)
+static int32_t castSteps(const CellTable *t, const wfBoxCast *c, wfReal t0, wfReal t1)
 {
     wfReal way = wfMaxR(wfAbs(c->by.x), wfAbs(c->by.y)) * (t1 - t0);
     wfReal steps = way * t->head->cells.perMetre;
     wfCellRange r = wfCellsOf(&t->head->cells, wfRectCenterHalfDim(c->from, c->half));
-    if (!(steps < 2 * (wfReal)t->head->n) || cells_in(r) > t->head->n) return 0;
+    if (!(steps < 2 * (wfReal)t->head->n) || cellsIn(r) > t->head->n) return 0;
     return (int32_t)steps + 1;
 }
 
 /* what the moving box covers between two fractions, padded by eq:broad-pad */
-static wfRect cast_area(const wfBoxCast *c, wfReal t0, wfReal t1, wfVec2 pad)
+static wfRect castArea(const wfBoxCast *c, wfReal t0, wfReal t1, wfVec2 pad)
 {
     wfVec2 a = wfAddScaled(c->from, t0, c->by), b = wfAddScaled(c->from, t1, c->by);
     wfVec2 half = wfAdd(c->half, pad);
@@ -289,8 +289,8 @@ static wfRect cast_area(const wfBoxCast *c, wfReal t0, wfReal t1, wfVec2 pad)
     return (wfRect){ wfSub(r.min, half), wfAdd(r.max, half) };
 }
 
-static void cast_cells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *visit,
-                       void *context)
+static void castCells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn *visit,
+                      void *context)
 {
     wfBoxCast c = *cast;
     wfReal t0 = 0, t1 = c.most;
@@ -300,10 +300,10 @@ static void cast_cells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn 
     if (!wfCutSlab(c.from.x, c.by.x, w.min.x - c.half.x, w.max.x + c.half.x, &t0, &t1)
         || !wfCutSlab(c.from.y, c.by.y, w.min.y - c.half.y, w.max.y + c.half.y, &t0, &t1))
         return;
-    int32_t steps = cast_steps(t, &c, t0, t1);
+    int32_t steps = castSteps(t, &c, t0, t1);
     /* if there are too many steps, offer all that are in cells */
     for (int32_t i = 0; steps == 0 && i < t->head->n; i++)
-        if (!is_large(t->boxCells[t->ids[i]])
+        if (!isLarge(t->boxCells[t->ids[i]])
             && !wfOfferCast(t->in, &c, t->ids[i], visit, context)) return;
     wfCellRange before = { INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN };     /* none */
     wfVec2 pad = wfSub(wfPadCast(c).half, c.half);
@@ -311,14 +311,14 @@ static void cast_cells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn 
         wfReal from = t0 + (t1 - t0) * ((wfReal)k / (wfReal)steps);
         wfReal to = k + 1 < steps ? t0 + (t1 - t0) * ((wfReal)(k + 1) / (wfReal)steps) : t1;
         if (from > c.most) return;
-        wfCellRange r = wfCellsOf(&t->head->cells, cast_area(&c, from, to, pad));
-        if (!cast_into_range(t, r, before, &c, visit, context)) return;
+        wfCellRange r = wfCellsOf(&t->head->cells, castArea(&c, from, to, pad));
+        if (!castIntoRange(t, r, before, &c, visit, context)) return;
         before = r;
     }
 }
 
 /* how many entries of the block are of the cell of entry i; 0: i isn't their first */
-static int32_t held_in_cell(const CellTable *t, int32_t from, int32_t i, int32_t to)
+static int32_t heldInCell(const CellTable *t, int32_t from, int32_t i, int32_t to)
 {
     int32_t held = 0;
     for (int32_t j = from; j < to; j++) {
@@ -330,7 +330,7 @@ static int32_t held_in_cell(const CellTable *t, int32_t from, int32_t i, int32_t
     return held;
 }
 
-static void show_cells(const CellTable *t, wfBoxVisitFn *visit, void *context)
+static void showCells(const CellTable *t, wfBoxVisitFn *visit, void *context)
 {
     const wfCells *c = &t->head->cells;
     for (int32_t i = 0; i < t->head->larges; i++) {
@@ -338,8 +338,8 @@ static void show_cells(const CellTable *t, wfBoxVisitFn *visit, void *context)
         if (!visit(context, &large)) return;
     }
     for (int32_t k = 0; k < t->head->buckets; k++)
-        for (int32_t i = block_start(t, k); i < t->start[k]; i++) {
-            int32_t held = held_in_cell(t, block_start(t, k), i, t->start[k]);
+        for (int32_t i = blockStart(t, k); i < t->start[k]; i++) {
+            int32_t held = heldInCell(t, blockStart(t, k), i, t->start[k]);
             if (held == 0) continue;
             wfVec2 at = wfV2((wfReal)t->entries[i].x, (wfReal)t->entries[i].y);
             wfVec2 low = wfAddScaled(c->origin, c->side, at);
@@ -349,7 +349,7 @@ static void show_cells(const CellTable *t, wfBoxVisitFn *visit, void *context)
 }
 
 /* choose cells for points */
-static wfReal spread_of(wfRect world)
+static wfReal spreadOf(wfRect world)
 {
     return wfMaxR(world.max.x - world.min.x, world.max.y - world.min.y);
 }
@@ -357,7 +357,7 @@ static wfReal spread_of(wfRect world)
 enum { SAMPLE = 255 };
 
 /* the median of the longer sides, of a sample; 0 if there is nobody */
-static wfReal typical_side(const CellTable *t)
+static wfReal typicalSide(const CellTable *t)
 {
     wfKeyed items[SAMPLE];
     wfRandom lot;
@@ -372,125 +372,125 @@ static wfReal typical_side(const CellTable *t)
     return few > 0 ? items[few / 2].key : 0;
 }
 
-static void choose_cells(CellTable *t)
+static void chooseCells(CellTable *t)
 {
     CellHead *h = t->head;
-    wfReal side = 2 * typical_side(t);
+    wfReal side = 2 * typicalSide(t);
     h->world = (wfRect){ wfV2(0, 0), wfV2(0, 0) };
     if (h->n > 0) h->world = t->in->bounds[t->ids[0]];
     for (int32_t i = 1; i < h->n; i++)
         h->world = wfRectUnion(h->world, t->in->bounds[t->ids[i]]);
-    int32_t most = buckets_for(h->n, t->hashed);
+    int32_t most = bucketsFor(h->n, t->hashed);
     h->cells = t->hashed
-             ? wfHashCells(side > 0 ? side : spread_of(h->world) / (wfReal)most)
+             ? wfHashCells(side > 0 ? side : spreadOf(h->world) / (wfReal)most)
              : wfGridCells(h->world, side, most);
     wfCellRange l = h->cells.limits;
     h->buckets = t->hashed ? most : (l.x1 + 1) * (l.y1 + 1);
 }
 
-static wfResult update_cells(const wfProxies *in, void *index, size_t bytes, bool hashed)
+static wfResult updateCells(const wfProxies *in, void *index, size_t bytes, bool hashed)
 {
-    if (bytes < cell_bytes(in->count, hashed)) return WF_ERROR_MEMORY;
-    CellTable t = open_cells(in, index, hashed);
+    if (bytes < cellBytes(in->count, hashed)) return WF_ERROR_MEMORY;
+    CellTable t = openCells(in, index, hashed);
     t.head->n = wfListLive(in, t.ids, &t.head->movers);
-    choose_cells(&t);
-    fill_cells(&t);
+    chooseCells(&t);
+    fillCells(&t);
     return WF_OK;
 }
 
-static wfResult cell_pairs(const wfProxies *in, const void *index, bool hashed,
-                           wfPool *scratch, wfPairList *out)
+static wfResult cellPairs(const wfProxies *in, const void *index, bool hashed,
+                          wfPool *scratch, wfPairList *out)
 {
-    CellTable t = open_cells(in, index, hashed);
+    CellTable t = openCells(in, index, hashed);
     out->count = 0;
     out->tests = 0;
-    bool room = pairs_of_large(&t, out);
+    bool room = pairsOfLarge(&t, out);
     for (int32_t k = 0; room && k < t.head->buckets; k++)
-        room = pairs_in_block(&t, block_start(&t, k), t.start[k], out);
+        room = pairsInBlock(&t, blockStart(&t, k), t.start[k], out);
     return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
 
-static size_t cell_scratch(int32_t proxies, int32_t pairs, bool hashed)
+static size_t cellScratch(int32_t proxies, int32_t pairs, bool hashed)
 {
-    return cell_bytes(proxies, hashed) + WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
+    return cellBytes(proxies, hashed) + WF_POOL_ALIGN + wfSortPairsSize(proxies, pairs);
 }
 
 size_t wfGridScratch(int32_t proxies, int32_t pairs)
 {
-    return cell_scratch(proxies, pairs, false);
+    return cellScratch(proxies, pairs, false);
 }
 
-size_t wfGridIndexSize(int32_t proxies) { return cell_bytes(proxies, false); }
+size_t wfGridIndexSize(int32_t proxies) { return cellBytes(proxies, false); }
 
 wfResult wfGridUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     (void)scratch;
-    return update_cells(in, index, bytes, false);
+    return updateCells(in, index, bytes, false);
 }
 
 wfResult wfGridPairs(const wfProxies *in, const void *index, wfPool *scratch,
                      wfPairList *out)
 {
-    return cell_pairs(in, index, false, scratch, out);
+    return cellPairs(in, index, false, scratch, out);
 }
 
 void wfGridQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                  void *context)
 {
-    CellTable t = open_cells(in, index, false);
-    query_cells(&t, area, visit, context);
+    CellTable t = openCells(in, index, false);
+    queryCells(&t, area, visit, context);
 }
 
 void wfGridCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                 wfCastVisitFn *visit, void *context)
 {
-    CellTable t = open_cells(in, index, false);
-    cast_cells(&t, cast, visit, context);
+    CellTable t = openCells(in, index, false);
+    castCells(&t, cast, visit, context);
 }
 
 void wfGridBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                  void *context)
 {
-    CellTable t = open_cells(in, index, false);
-    show_cells(&t, visit, context);
+    CellTable t = openCells(in, index, false);
+    showCells(&t, visit, context);
 }
 
 size_t wfHashScratch(int32_t proxies, int32_t pairs)
 {
-    return cell_scratch(proxies, pairs, true);
+    return cellScratch(proxies, pairs, true);
 }
 
-size_t wfHashIndexSize(int32_t proxies) { return cell_bytes(proxies, true); }
+size_t wfHashIndexSize(int32_t proxies) { return cellBytes(proxies, true); }
 
 wfResult wfHashUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     (void)scratch;
-    return update_cells(in, index, bytes, true);
+    return updateCells(in, index, bytes, true);
 }
 
 wfResult wfHashPairs(const wfProxies *in, const void *index, wfPool *scratch,
                      wfPairList *out)
 {
-    return cell_pairs(in, index, true, scratch, out);
+    return cellPairs(in, index, true, scratch, out);
 }
 
 void wfHashQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                  void *context)
 {
-    CellTable t = open_cells(in, index, true);
-    query_cells(&t, area, visit, context);
+    CellTable t = openCells(in, index, true);
+    queryCells(&t, area, visit, context);
 }
 
 void wfHashCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                 wfCastVisitFn *visit, void *context)
 {
-    CellTable t = open_cells(in, index, true);
-    cast_cells(&t, cast, visit, context);
+    CellTable t = openCells(in, index, true);
+    castCells(&t, cast, visit, context);
 }
 
 void wfHashBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                  void *context)
 {
-    CellTable t = open_cells(in, index, true);
-    show_cells(&t, visit, context);
+    CellTable t = openCells(in, index, true);
+    showCells(&t, visit, context);
 }

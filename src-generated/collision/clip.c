@@ -12,7 +12,7 @@ uint32_t wfFeature(int owner, int vertex, int edge)
 #define ALIGNED_TIE (16 * WF_EPSILON)
 
 /* the edge of s whose outward normal has the greatest component along d (s's frame) */
-static int32_t facing_edge(const wfShape *s, wfVec2 d)
+static int32_t facingEdge(const wfShape *s, wfVec2 d)
 {
     wfReal best = -WF_HUGE;
     for (int32_t i = 0; i < s->count; i++) best = wfMaxR(best, wfDot(s->normals[i], d));
@@ -21,7 +21,7 @@ static int32_t facing_edge(const wfShape *s, wfVec2 d)
     return edge;
 }
 
-static int32_t next_vertex(const wfShape *s, int32_t i)
+static int32_t nextVertex(const wfShape *s, int32_t i)
 {
     return i + 1 < s->count ? i + 1 : 0;
 }
@@ -31,7 +31,7 @@ int wfBestAligned(const wfShape *a, wfTransform xa, const wfShape *b, wfTransfor
                   wfVec2 normal, int32_t *edge)
 {
     wfVec2 da = wfRotateInv(xa.q, normal), db = wfNeg(wfRotateInv(xb.q, normal));
-    int32_t ea = facing_edge(a, da), eb = facing_edge(b, db);
+    int32_t ea = facingEdge(a, da), eb = facingEdge(b, db);
     bool isB = wfDot(b->normals[eb], db) > wfDot(a->normals[ea], da) + ALIGNED_TIE;
     *edge = isB ? eb : ea;
     return isB;
@@ -51,7 +51,7 @@ void wfFaceEdge(int32_t edge, wfFacing *f)
 {
     WF_ASSERT(edge >= 0 && edge < f->ref->count);
     f->r = edge;
-    f->i = facing_edge(f->inc, wfNeg(wfRotateInv(f->rel.q, f->ref->normals[edge])));
+    f->i = facingEdge(f->inc, wfNeg(wfRotateInv(f->rel.q, f->ref->normals[edge])));
 }
 
 void wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
@@ -70,7 +70,7 @@ wfVec2 wfFacingNormal(const wfFacing *f)
 /* take the incident edge into the frame of eq:contacts-frame */
 wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends)
 {
-    int32_t r2 = next_vertex(f->ref, f->r), i2 = next_vertex(f->inc, f->i);
+    int32_t r2 = nextVertex(f->ref, f->r), i2 = nextVertex(f->inc, f->i);
     wfVec2 origin = f->ref->vertices[f->r], n = f->ref->normals[f->r], t = wfPerpCCW(n);
     wfVec2 w[] = { wfSub(wfApply(f->rel, f->inc->vertices[f->i]), origin),
                    wfSub(wfApply(f->rel, f->inc->vertices[i2]), origin) };
@@ -82,8 +82,8 @@ wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends)
 
 /* cuts the end off at x = limit, if it lies above it (side 1) or below it (side -1);
    false: nothing would be left */
-static bool clip_end(wfClipPoint *end, const wfClipPoint *other, wfReal limit, wfReal side,
-                     uint32_t feature)
+static bool clipEnd(wfClipPoint *end, const wfClipPoint *other, wfReal limit, wfReal side,
+                    uint32_t feature)
 {
     wfReal beyond = side * (end->at.x - limit), within = side * (limit - other->at.x);
     if (beyond <= 0) return true;
@@ -99,10 +99,10 @@ bool wfClipIncident(const wfFacing *f, wfClipPoint *ends)
     wfReal length = wfIncidentEnds(f, ends);
     /* name the corners of the reference edge by eq:contacts-feature */
     uint32_t low = wfFeature(f->refIsB, f->r, f->i);
-    uint32_t high = wfFeature(f->refIsB, next_vertex(f->ref, f->r), f->i);
+    uint32_t high = wfFeature(f->refIsB, nextVertex(f->ref, f->r), f->i);
     for (int k = 0; k < 2; k++) {
-        if (!clip_end(&ends[k], &ends[!k], 0, -1, low)) return false;
-        if (!clip_end(&ends[k], &ends[!k], length, 1, high)) return false;
+        if (!clipEnd(&ends[k], &ends[!k], 0, -1, low)) return false;
+        if (!clipEnd(&ends[k], &ends[!k], length, 1, high)) return false;
     }
     return true;
 }
@@ -113,8 +113,8 @@ void wfAddContact(wfManifold *out, wfTransform xa, wfTransform xb, wfVec2 arm,
 {
     wfContactPoint *c = &out->points[out->count++];
     c->point = wfAdd(xa.p, arm);
-    c->rA = arm;
-    c->rB = wfSub(arm, wfSub(xb.p, xa.p));
+    c->armA = arm;
+    c->armB = wfSub(arm, wfSub(xb.p, xa.p));
     c->depth = depth;
     c->feature = feature;
 }
@@ -161,7 +161,7 @@ wfClipPoint wfDeepestVertex(const wfFacing *f)
 }
 
 /* the end of the incident edge that is nearest to the reference edge, and the way to it */
-static int nearest_end(const wfClipPoint *ends, wfReal length, wfVec2 *way)
+static int nearestEnd(const wfClipPoint *ends, wfReal length, wfVec2 *way)
 {
     wfVec2 to[2];
     for (int k = 0; k < 2; k++) {
@@ -177,9 +177,9 @@ bool wfFacingCorners(const wfFacing *f, const wfClipPoint *clipped, wfCorners *c
 {
     wfClipPoint ends[2];
     wfReal length = wfIncidentEnds(f, ends);
-    int k = nearest_end(ends, length, &c->way);
-    c->ref = c->way.x < 0 ? f->r : next_vertex(f->ref, f->r);
-    c->inc = k ? next_vertex(f->inc, f->i) : f->i;
+    int k = nearestEnd(ends, length, &c->way);
+    c->ref = c->way.x < 0 ? f->r : nextVertex(f->ref, f->r);
+    c->inc = k ? nextVertex(f->inc, f->i) : f->i;
     if (c->way.x == 0) return false;
     return !clipped || wfLength(c->way) < wfMinR(clipped[0].at.y, clipped[1].at.y);
 }

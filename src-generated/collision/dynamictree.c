@@ -28,7 +28,7 @@ size_t wfTreeSize(int32_t capacity)
          + 4 * WF_POOL_ALIGN;
 }
 
-static wfTree lay_tree(void *block, int32_t capacity)
+static wfTree layTree(void *block, int32_t capacity)
 {
     wfPool pool = wfOpenIndex(block, wfTreeSize(capacity));
     wfTree tree = { .head = wfPoolPushStruct(&pool, wfTreeHead) };
@@ -40,10 +40,10 @@ static wfTree lay_tree(void *block, int32_t capacity)
 
 wfTree wfTreeOpen(const void *block)
 {
-    return lay_tree((void *)block, ((const wfTreeHead *)block)->capacity);
+    return layTree((void *)block, ((const wfTreeHead *)block)->capacity);
 }
 
-static void empty_tree(wfTree *tree, int32_t capacity)
+static void emptyTree(wfTree *tree, int32_t capacity)
 {
     *tree->head = (wfTreeHead){ .capacity = capacity, .root = WF_TREE_NONE,
                                 .freeNode = capacity, .nearCount = WF_TREE_NONE };
@@ -61,27 +61,27 @@ wfResult wfTreeInit(wfTree *tree, void *block, size_t bytes, int32_t capacity)
     if (capacity < 1 || capacity > INT32_MAX / 2) return WF_ERROR_RANGE;
     if (bytes < wfTreeSize(capacity)) return WF_ERROR_MEMORY;
     if ((uintptr_t)block % WF_POOL_ALIGN != 0) return WF_ERROR_MEMORY;
-    *tree = lay_tree(block, capacity);
-    empty_tree(tree, capacity);
+    *tree = layTree(block, capacity);
+    emptyTree(tree, capacity);
     return WF_OK;
 }
 
 /* choose a sibling */
 static wfReal outline(wfRect r) { return r.max.x - r.min.x + (r.max.y - r.min.y); }
 
-static bool is_leaf(const wfTreeNode *node) { return node->left == WF_TREE_NONE; }
+static bool isLeaf(const wfTreeNode *node) { return node->left == WF_TREE_NONE; }
 
 static wfReal growth(const wfTreeNode *c, wfRect box)                 /* eq:broad-growth */
 {
     wfReal joined = outline(wfRectUnion(c->box, box));
-    return is_leaf(c) ? joined : joined - outline(c->box) + outline(box);
+    return isLeaf(c) ? joined : joined - outline(c->box) + outline(box);
 }
 
-static int32_t choose_sibling(const wfTree *tree, int32_t n, wfRect box)
+static int32_t chooseSibling(const wfTree *tree, int32_t n, wfRect box)
 {
     for (;;) {
         const wfTreeNode *node = &tree->nodes[n];
-        if (is_leaf(node)) return n;
+        if (isLeaf(node)) return n;
         const wfTreeNode *l = &tree->nodes[node->left], *r = &tree->nodes[node->right];
         wfReal gl = growth(l, box), gr = growth(r, box);
         if (wfMinR(gl, gr) > outline(node->box)) return n;     /* eq:broad-descend-rule */
@@ -100,7 +100,7 @@ static void refit(wfTree *tree, int32_t n)
     node->movers = l->movers + r->movers;
 }
 
-static void replace_child(wfTree *tree, int32_t parent, int32_t old, int32_t child)
+static void replaceChild(wfTree *tree, int32_t parent, int32_t old, int32_t child)
 {
     wfTreeNode *node = &tree->nodes[parent];
     if (node->left == old) node->left = child;
@@ -109,7 +109,7 @@ static void replace_child(wfTree *tree, int32_t parent, int32_t old, int32_t chi
 }
 
 /* how much smaller the group gets if `child`, its sibling, changes places with `out` */
-static wfReal swap_gain(const wfTree *tree, int32_t child, int32_t group, int32_t out)
+static wfReal swapGain(const wfTree *tree, int32_t child, int32_t group, int32_t out)
 {
     const wfTreeNode *g = &tree->nodes[group];
     int32_t stays = g->left == out ? g->right : g->left;
@@ -125,19 +125,19 @@ static void rotate(wfTree *tree, int32_t n)
     for (int k = 0; k < 2; k++) {
         const wfTreeNode *g = &tree->nodes[pair[1 - k]];
         int32_t inside[2] = { g->left, g->right };
-        for (int j = 0; j < 2 && !is_leaf(g); j++) {
-            wfReal gain = swap_gain(tree, pair[k], pair[1 - k], inside[j]);
+        for (int j = 0; j < 2 && !isLeaf(g); j++) {
+            wfReal gain = swapGain(tree, pair[k], pair[1 - k], inside[j]);
             if (!(gain > best)) continue;
             best = gain, child = pair[k], group = pair[1 - k], out = inside[j];
         }
     }
     if (child < 0) return;
-    replace_child(tree, n, child, out);
-    replace_child(tree, group, out, child);
+    replaceChild(tree, n, child, out);
+    replaceChild(tree, group, out, child);
     refit(tree, group);
 }
 
-static void refit_up(wfTree *tree, int32_t n)
+static void refitUp(wfTree *tree, int32_t n)
 {
     for (; n != WF_TREE_NONE; n = tree->nodes[n].parent) {
         refit(tree, n);
@@ -146,7 +146,7 @@ static void refit_up(wfTree *tree, int32_t n)
 }
 
 /* put in and take out */
-static void insert_leaf(wfTree *tree, int32_t leaf, int32_t from)
+static void insertLeaf(wfTree *tree, int32_t leaf, int32_t from)
 {
     wfTreeHead *h = tree->head;
     wfTreeNode *nodes = tree->nodes;
@@ -155,21 +155,21 @@ static void insert_leaf(wfTree *tree, int32_t leaf, int32_t from)
         h->root = leaf;
         return;
     }
-    int32_t sibling = choose_sibling(tree, from, nodes[leaf].box);
+    int32_t sibling = chooseSibling(tree, from, nodes[leaf].box);
     int32_t parent = nodes[sibling].parent, made = h->freeNode;
     h->freeNode = nodes[made].parent;
     nodes[made].parent = parent;
     if (parent == WF_TREE_NONE) h->root = made;
-    else replace_child(tree, parent, sibling, made);
+    else replaceChild(tree, parent, sibling, made);
     nodes[made].left = sibling;
     nodes[made].right = leaf;
     nodes[sibling].parent = made;
     nodes[leaf].parent = made;
-    refit_up(tree, made);
+    refitUp(tree, made);
 }
 
 /* takes a leaf out, returns the node from which on everything has to be put right */
-static int32_t unlink_leaf(wfTree *tree, int32_t leaf)
+static int32_t unlinkLeaf(wfTree *tree, int32_t leaf)
 {
     wfTreeHead *h = tree->head;
     wfTreeNode *nodes = tree->nodes;
@@ -185,51 +185,51 @@ static int32_t unlink_leaf(wfTree *tree, int32_t leaf)
         h->root = sibling;
         nodes[sibling].parent = WF_TREE_NONE;
     } else {
-        replace_child(tree, above, parent, sibling);
+        replaceChild(tree, above, parent, sibling);
     }
     *p = (wfTreeNode){ .parent = h->freeNode, .left = WF_TREE_NONE, .right = WF_TREE_NONE };
     h->freeNode = parent;
     return above;
 }
 
-static void move_leaf(wfTree *tree, int32_t leaf, wfRect box)
+static void moveLeaf(wfTree *tree, int32_t leaf, wfRect box)
 {
-    int32_t above = unlink_leaf(tree, leaf), from = above;
+    int32_t above = unlinkLeaf(tree, leaf), from = above;
     tree->nodes[leaf].box = box;
-    refit_up(tree, above);
+    refitUp(tree, above);
     while (from != WF_TREE_NONE && !wfRectContains(tree->nodes[from].box, box))
         from = tree->nodes[from].parent;
-    insert_leaf(tree, leaf, from == WF_TREE_NONE ? tree->head->root : from);
+    insertLeaf(tree, leaf, from == WF_TREE_NONE ? tree->head->root : from);
     tree->head->changes++;
 }
 
-static bool is_proxy(const wfTree *tree, int32_t proxy)
+static bool isProxy(const wfTree *tree, int32_t proxy)
 {
     return proxy >= 0 && proxy < tree->head->capacity;
 }
 
 bool wfTreeHolds(const wfTree *tree, int32_t proxy)
 {
-    return tree && is_proxy(tree, proxy) && tree->nodes[proxy].parent != WF_TREE_OUT;
+    return tree && isProxy(tree, proxy) && tree->nodes[proxy].parent != WF_TREE_OUT;
 }
 
-static wfResult check_box(const wfTree *tree, int32_t proxy, wfRect r, bool in)
+static wfResult checkBox(const wfTree *tree, int32_t proxy, wfRect r, bool in)
 {
     if (!tree) return WF_ERROR_NULL;
-    if (!is_proxy(tree, proxy) || wfTreeHolds(tree, proxy) != in) return WF_ERROR_RANGE;
+    if (!isProxy(tree, proxy) || wfTreeHolds(tree, proxy) != in) return WF_ERROR_RANGE;
     if (!wfIsFinite2(r.min) || !wfIsFinite2(r.max)) return WF_ERROR_NOT_FINITE;
     return r.min.x > r.max.x || r.min.y > r.max.y ? WF_ERROR_RANGE : WF_OK;
 }
 
 wfResult wfTreeInsert(wfTree *tree, int32_t proxy, wfRect box, bool moves)
 {
-    wfResult result = check_box(tree, proxy, box, false);
+    wfResult result = checkBox(tree, proxy, box, false);
     if (result != WF_OK) return result;
     tree->nodes[proxy] = (wfTreeNode){ .box = box, .left = WF_TREE_NONE,
                                        .right = WF_TREE_NONE, .leaves = 1,
                                        .movers = moves ? 1 : 0 };
     tree->places[proxy] = (wfTreePlace){ box.min, tree->head->step };
-    insert_leaf(tree, proxy, tree->head->root);
+    insertLeaf(tree, proxy, tree->head->root);
     if (tree->head->high <= proxy) tree->head->high = proxy + 1;
     tree->head->count++;
     tree->head->changes++;
@@ -240,7 +240,7 @@ wfResult wfTreeRemove(wfTree *tree, int32_t proxy)
 {
     if (!tree) return WF_ERROR_NULL;
     if (!wfTreeHolds(tree, proxy)) return WF_ERROR_RANGE;
-    refit_up(tree, unlink_leaf(tree, proxy));
+    refitUp(tree, unlinkLeaf(tree, proxy));
     tree->head->count--;
     tree->head->changes++;
     return WF_OK;
@@ -248,31 +248,31 @@ wfResult wfTreeRemove(wfTree *tree, int32_t proxy)
 
 wfResult wfTreeMove(wfTree *tree, int32_t proxy, wfRect box)
 {
-    wfResult result = check_box(tree, proxy, box, true);
-    if (result == WF_OK) move_leaf(tree, proxy, box);
+    wfResult result = checkBox(tree, proxy, box, true);
+    if (result == WF_OK) moveLeaf(tree, proxy, box);
     return result;
 }
 
 /* keep near pairs */
-static bool is_new(const wfTree *tree, int32_t leaf)
+static bool isNew(const wfTree *tree, int32_t leaf)
 {
     return tree->places[leaf].step == tree->head->step;
 }
 
 /* strikes the pairs of leaves that have another box in this step, or are gone */
-static void strike_near(wfTree *tree)
+static void strikeNear(wfTree *tree)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < tree->head->nearCount; i++) {
         wfPair p = tree->overlaps[i];
-        if (is_new(tree, p.a) || is_new(tree, p.b)) continue;
+        if (isNew(tree, p.a) || isNew(tree, p.b)) continue;
         if (!wfTreeHolds(tree, p.a) || !wfTreeHolds(tree, p.b)) continue;
         tree->overlaps[kept++] = p;
     }
     tree->head->nearCount = kept;
 }
 
-static int32_t node_after(const wfTree *tree, int32_t n)
+static int32_t nodeAfter(const wfTree *tree, int32_t n)
 {
     for (int32_t up = tree->nodes[n].parent; up != WF_TREE_NONE;) {
         if (tree->nodes[up].left == n) return tree->nodes[up].right;
@@ -283,29 +283,29 @@ static int32_t node_after(const wfTree *tree, int32_t n)
 }
 
 /* adds the near pairs of a leaf; false: no room */
-static bool add_near(const wfTree *tree, int32_t leaf, bool allNew, wfPairList *out)
+static bool addNear(const wfTree *tree, int32_t leaf, bool allNew, wfPairList *out)
 {
     const wfTreeNode *l = &tree->nodes[leaf];
     for (int32_t n = tree->head->root; n != WF_TREE_NONE;) {
         const wfTreeNode *node = &tree->nodes[n];
         bool met = node->movers + l->movers > 0 && wfRectOverlap(node->box, l->box);
-        if (met && !is_leaf(node)) {
+        if (met && !isLeaf(node)) {
             n = node->left;
             continue;
         }
-        bool mine = n > leaf || (n < leaf && !allNew && !is_new(tree, n));
+        bool mine = n > leaf || (n < leaf && !allNew && !isNew(tree, n));
         if (met && mine && !wfPushPair(out, leaf, n)) return false;
-        n = node_after(tree, n);
+        n = nodeAfter(tree, n);
     }
     return true;
 }
 
-static bool comes_before(wfPair p, wfPair q)
+static bool comesBefore(wfPair p, wfPair q)
 {
     return p.a < q.a || (p.a == q.a && p.b < q.b);
 }
 
-static bool merge_near(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *scratch)
+static bool mergeNear(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *scratch)
 {
     size_t mark = wfPoolMark(scratch);
     bool room = wfSortPairs(more, proxies, scratch) == WF_OK;
@@ -314,7 +314,7 @@ static bool merge_near(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *
     int32_t i = tree->head->nearCount - 1, k = room ? more->count - 1 : -1;
     for (int32_t m = 0; m <= k; m++) copy[m] = more->pairs[m];
     for (int32_t to = i + k + 1; k >= 0; to--) {
-        bool old = i >= 0 && comes_before(copy[k], tree->overlaps[i]);
+        bool old = i >= 0 && comesBefore(copy[k], tree->overlaps[i]);
         tree->overlaps[to] = old ? tree->overlaps[i--] : copy[k--];
     }
     tree->head->nearCount += more->count;
@@ -322,18 +322,18 @@ static bool merge_near(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *
     return room;
 }
 
-static void keep_near(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch)
+static void keepNear(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch)
 {
     wfTreeHead *h = tree->head;
     if (begin) h->nearCount = 0;
-    else strike_near(tree);
+    else strikeNear(tree);
     wfPairList more = { .pairs = tree->overlaps + h->nearCount,
                         .capacity = WF_TREE_NEAR * proxies - h->nearCount };
     bool room = true;
     for (int32_t i = 0; room && i < proxies; i++)
-        if (wfTreeHolds(tree, i) && (begin || is_new(tree, i)))
-            room = add_near(tree, i, begin, &more);
-    room = room && merge_near(tree, &more, proxies, scratch);
+        if (wfTreeHolds(tree, i) && (begin || isNew(tree, i)))
+            room = addNear(tree, i, begin, &more);
+    room = room && mergeNear(tree, &more, proxies, scratch);
     h->nearChanges = h->changes;
     if (room) return;
     h->nearCount = WF_TREE_NONE;
@@ -341,7 +341,7 @@ static void keep_near(wfTree *tree, bool begin, int32_t proxies, wfPool *scratch
 }
 
 /* update the dynamic tree */
-static void update_leaf(wfTree *tree, const wfProxies *in, int32_t i)
+static void updateLeaf(wfTree *tree, const wfProxies *in, int32_t i)
 {
     wfTreeNode *leaf = &tree->nodes[i];
     bool holds = leaf->parent != WF_TREE_OUT;
@@ -358,14 +358,14 @@ static void update_leaf(wfTree *tree, const wfProxies *in, int32_t i)
     } else if (!wfRectContains(leaf->box, r)) {
         wfReal steps = (wfReal)(now.step - place->step);
         wfVec2 way = wfScale(1 / steps, wfSub(r.min, place->at));
-        move_leaf(tree, i, wfFatBox(r, way, WF_TREE_RATIO));
+        moveLeaf(tree, i, wfFatBox(r, way, WF_TREE_RATIO));
     } else {
         return;
     }
     *place = now;
 }
 
-static int32_t in_use(const wfTree *tree, int32_t proxies)
+static int32_t inUse(const wfTree *tree, int32_t proxies)
 {
     int32_t high = tree->head->high, most = tree->head->capacity;
     high = high > proxies ? high : proxies;
@@ -374,9 +374,9 @@ static int32_t in_use(const wfTree *tree, int32_t proxies)
 
 void wfTreeCopy(void *to, const void *from, int32_t proxies)
 {
-    wfTree old = wfTreeOpen(from), made = lay_tree(to, old.head->capacity);
+    wfTree old = wfTreeOpen(from), made = layTree(to, old.head->capacity);
     int32_t capacity = old.head->capacity, near = old.head->nearCount;
-    size_t n = (size_t)in_use(&old, proxies);
+    size_t n = (size_t)inUse(&old, proxies);
     *made.head = *old.head;
     memcpy(made.nodes, old.nodes, n * sizeof *old.nodes);
     memcpy(made.nodes + capacity, old.nodes + capacity, n * sizeof *old.nodes);
@@ -397,13 +397,13 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     tree.head->step++;
     int64_t before = tree.head->changes;
     bool has = wfTreeHasNear(&tree);
-    for (int32_t i = 0, n = in_use(&tree, in->count); i < n; i++) update_leaf(&tree, in, i);
+    for (int32_t i = 0, n = inUse(&tree, in->count); i < n; i++) updateLeaf(&tree, in, i);
     /* keep the list of near pairs, if it pays */
     int64_t changed = tree.head->changes - before;
     bool little = changed * (has ? 4 : 16) <= tree.head->count;
     bool again = tree.head->changes >= tree.head->nearChanges;
     if (!little) tree.head->nearCount = WF_TREE_NONE;
-    else if (has ? changed > 0 : again) keep_near(&tree, !has, in->count, scratch);
+    else if (has ? changed > 0 : again) keepNear(&tree, !has, in->count, scratch);
     return WF_OK;
 }
 
@@ -419,55 +419,55 @@ typedef struct TreeWalk {
 } TreeWalk;
 
 /* false: the list of pairs is full */
-static bool push_nodes(TreeWalk *w, int32_t a, int32_t b)
+static bool pushNodes(TreeWalk *w, int32_t a, int32_t b)
 {
     const wfTreeNode *p = &w->tree.nodes[a], *q = &w->tree.nodes[b];
     if (p->movers + q->movers == 0) return true;
-    if (is_leaf(p) && is_leaf(q))
+    if (isLeaf(p) && isLeaf(q))
         return wfOfferPair(w->in, w->out, w->in->bounds[a], a, w->in->bounds[b], b);
     w->out->tests++;
     if (wfRectOverlap(p->box, q->box)) w->stack[w->size++] = (wfPair){ a, b };
     return true;
 }
 
-static void push_node(TreeWalk *w, int32_t a)
+static void pushNode(TreeWalk *w, int32_t a)
 {
     const wfTreeNode *p = &w->tree.nodes[a];
-    if (p->movers > 0 && !is_leaf(p)) w->stack[w->size++] = (wfPair){ a, a };
+    if (p->movers > 0 && !isLeaf(p)) w->stack[w->size++] = (wfPair){ a, a };
 }
 
-static bool split_nodes(TreeWalk *w, int32_t a, int32_t b)
+static bool splitNodes(TreeWalk *w, int32_t a, int32_t b)
 {
     const wfTreeNode *p = &w->tree.nodes[a], *q = &w->tree.nodes[b];
     if (a == b) {
-        push_node(w, p->left);
-        push_node(w, p->right);
-        return push_nodes(w, p->left, p->right);
+        pushNode(w, p->left);
+        pushNode(w, p->right);
+        return pushNodes(w, p->left, p->right);
     }
-    if (is_leaf(q) || (!is_leaf(p) && p->leaves >= q->leaves))
-        return push_nodes(w, p->left, b) && push_nodes(w, p->right, b);
-    return push_nodes(w, a, q->left) && push_nodes(w, a, q->right);
+    if (isLeaf(q) || (!isLeaf(p) && p->leaves >= q->leaves))
+        return pushNodes(w, p->left, b) && pushNodes(w, p->right, b);
+    return pushNodes(w, a, q->left) && pushNodes(w, a, q->right);
 }
 
-static wfResult walk_for_pairs(const wfTree *tree, const wfProxies *in, wfPool *scratch,
-                               wfPairList *out)
+static wfResult walkForPairs(const wfTree *tree, const wfProxies *in, wfPool *scratch,
+                             wfPairList *out)
 {
     size_t mark = wfPoolMark(scratch);
     TreeWalk w = { .in = in, .tree = *tree, .out = out };
     w.stack = wfPoolPushArray(scratch, 3 * (size_t)in->count + 8, wfPair);
     if (!w.stack) return WF_ERROR_MEMORY;
     int32_t root = w.tree.head->root;
-    if (root != WF_TREE_NONE) push_node(&w, root);
+    if (root != WF_TREE_NONE) pushNode(&w, root);
     bool room = true;
     while (room && w.size > 0) {
         wfPair top = w.stack[--w.size];
-        room = split_nodes(&w, top.a, top.b);
+        room = splitNodes(&w, top.a, top.b);
     }
     wfPoolRewind(scratch, mark);
     return wfFinishPairs(room, in->count, scratch, mark, out);
 }
 
-static bool offer_near(const wfTree *tree, const wfProxies *in, wfPairList *out)
+static bool offerNear(const wfTree *tree, const wfProxies *in, wfPairList *out)
 {
     bool room = true;
     for (int32_t i = 0; room && i < tree->head->nearCount; i++) {
@@ -484,8 +484,8 @@ wfResult wfTreePairs(const wfProxies *in, const void *index, wfPool *scratch,
     wfTree tree = wfTreeOpen(index);
     out->count = 0;
     out->tests = 0;
-    if (!wfTreeHasNear(&tree)) return walk_for_pairs(&tree, in, scratch, out);
-    return offer_near(&tree, in, out) ? WF_OK : WF_ERROR_FULL;
+    if (!wfTreeHasNear(&tree)) return walkForPairs(&tree, in, scratch, out);
+    return offerNear(&tree, in, out) ? WF_OK : WF_ERROR_FULL;
 }
 
 size_t wfTreeScratch(int32_t proxies, int32_t pairs)
@@ -496,7 +496,7 @@ size_t wfTreeScratch(int32_t proxies, int32_t pairs)
 }
 
 /* the first child of a node for a cast along `by` (0: the left one) */
-static int32_t first_child(const wfTree *t, int32_t n, wfVec2 by)
+static int32_t firstChild(const wfTree *t, int32_t n, wfVec2 by)
 {
     const wfTreeNode *node = &t->nodes[n];
     wfRect l = t->nodes[node->left].box, r = t->nodes[node->right].box;
@@ -506,13 +506,13 @@ static int32_t first_child(const wfTree *t, int32_t n, wfVec2 by)
 }
 
 /* the node after n and all that is under it; WF_TREE_NONE at the end */
-static int32_t next_node(const wfTree *t, int32_t n, wfVec2 by)
+static int32_t nextNode(const wfTree *t, int32_t n, wfVec2 by)
 {
     for (;;) {
         int32_t parent = t->nodes[n].parent;
         if (parent == WF_TREE_NONE) return WF_TREE_NONE;
         const wfTreeNode *p = &t->nodes[parent];
-        if (first_child(t, parent, by) == n) return p->left == n ? p->right : p->left;
+        if (firstChild(t, parent, by) == n) return p->left == n ? p->right : p->left;
         n = parent;
     }
 }
@@ -523,13 +523,13 @@ void wfTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
     wfTree t = wfTreeOpen(index);
     for (int32_t n = t.head->root; n != WF_TREE_NONE;) {
         const wfTreeNode *node = &t.nodes[n];
-        bool leaf = is_leaf(node), met = wfRectOverlap(node->box, area);
+        bool leaf = isLeaf(node), met = wfRectOverlap(node->box, area);
         if (met && !leaf) {
             n = node->left;
             continue;
         }
         if (met && wfRectOverlap(in->bounds[n], area) && !visit(context, n)) return;
-        n = node_after(&t, n);
+        n = nodeAfter(&t, n);
     }
 }
 
@@ -541,13 +541,13 @@ void wfTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
     for (int32_t n = t.head->root; n != WF_TREE_NONE;) {
         const wfTreeNode *node = &t.nodes[n];
         wfReal enter;
-        bool leaf = is_leaf(node), met = wfCastMeets(&c, node->box, &enter);
+        bool leaf = isLeaf(node), met = wfCastMeets(&c, node->box, &enter);
         if (met && !leaf) {
-            n = first_child(&t, n, c.by);
+            n = firstChild(&t, n, c.by);
             continue;
         }
         if (met && !wfOfferCast(in, &c, n, visit, context)) return;
-        n = next_node(&t, n, c.by);
+        n = nextNode(&t, n, c.by);
     }
 }
 
@@ -558,11 +558,11 @@ void wfTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
     wfTree t = wfTreeOpen(index);
     for (int32_t n = t.head->root; n != WF_TREE_NONE;) {
         const wfTreeNode *node = &t.nodes[n];
-        wfIndexBox box = { node->box, 0, is_leaf(node) ? 1 : 0 };
+        wfIndexBox box = { node->box, 0, isLeaf(node) ? 1 : 0 };
         for (int32_t p = node->parent; p != WF_TREE_NONE; p = t.nodes[p].parent)
             box.depth++;
         if (!visit(context, &box)) return;
-        n = is_leaf(node) ? node_after(&t, n) : node->left;
+        n = isLeaf(node) ? nodeAfter(&t, n) : node->left;
     }
 }
 

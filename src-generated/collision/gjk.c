@@ -37,7 +37,7 @@ static Corner support(const Difference *D, wfVec2 m)
     return s;
 }
 
-static bool same_corner(Corner a, Corner b)
+static bool sameCorner(Corner a, Corner b)
 {
     return a.i == b.i && a.j == b.j;
 }
@@ -51,7 +51,7 @@ typedef struct Simplex {
     wfReal length;                      /* its distance from the origin; 0 if n is 3 */
 } Simplex;
 
-static Simplex nearest_of_point(Corner p)
+static Simplex nearestOfPoint(Corner p)
 {
     Simplex x = { .n = 1, .c = { p }, .share = { 1 } };
     x.length = wfLength(p.d);
@@ -59,12 +59,12 @@ static Simplex nearest_of_point(Corner p)
     return x;
 }
 
-static Simplex nearest_of_segment(Corner p, Corner q)
+static Simplex nearestOfSegment(Corner p, Corner q)
 {
     wfVec2 e = wfSub(q.d, p.d);
     wfReal tq = -wfDot(p.d, e), tp = wfDot(q.d, e);         /* eq:narrow-segment */
-    if (tq <= 0) return nearest_of_point(p);
-    if (tp <= 0) return nearest_of_point(q);
+    if (tq <= 0) return nearestOfPoint(p);
+    if (tp <= 0) return nearestOfPoint(q);
     wfReal t = tq / (tq + tp);
     Simplex x = { .n = 2, .c = { p, q }, .share = { 1 - t, t } };
     /* look at the segment from the origin by eq:narrow-look */
@@ -79,7 +79,7 @@ static Simplex nearest_of_segment(Corner p, Corner q)
     return x;
 }
 
-static Simplex nearest_of_triangle(Corner p, Corner q, Corner s)
+static Simplex nearestOfTriangle(Corner p, Corner q, Corner s)
 {
     wfReal lp = wfCross(q.d, s.d), lq = wfCross(s.d, p.d), ls = wfCross(p.d, q.d);
     if ((lp > 0 && lq > 0 && ls > 0) || (lp < 0 && lq < 0 && ls < 0)) {
@@ -87,26 +87,26 @@ static Simplex nearest_of_triangle(Corner p, Corner q, Corner s)
         return (Simplex){ .n = 3, .c = { p, q, s },
                           .share = { lp / sum, lq / sum, ls / sum } };
     }
-    Simplex one = nearest_of_segment(p, s), other = nearest_of_segment(s, q);
+    Simplex one = nearestOfSegment(p, s), other = nearestOfSegment(s, q);
     return one.length <= other.length ? one : other;
 }
 
 /* set up the difference */
-static bool is_point(const wfShape *s)
+static bool isPoint(const wfShape *s)
 {
     return s->count == 0;
 }
 
-static void make_difference(const wfShape *a, wfTransform xa, const wfShape *b,
-                            wfTransform xb, Difference *D)
+static void makeDifference(const wfShape *a, wfTransform xa, const wfShape *b,
+                           wfTransform xb, Difference *D)
 {
     D->a = a;
     D->b = b;
     D->rel = wfRelativePose(xa, xb);
-    D->nv = is_point(a) ? 1 : a->count;
-    D->nw = is_point(b) ? 1 : b->count;
-    D->v = is_point(a) ? &a->centre : a->vertices;
-    const wfVec2 *w = is_point(b) ? &b->centre : b->vertices;
+    D->nv = isPoint(a) ? 1 : a->count;
+    D->nw = isPoint(b) ? 1 : b->count;
+    D->v = isPoint(a) ? &a->centre : a->vertices;
+    const wfVec2 *w = isPoint(b) ? &b->centre : b->vertices;
     wfReal size = 0;
     for (int32_t j = 0; j < D->nw; j++) {
         D->w[j] = wfApply(D->rel, w[j]);
@@ -116,14 +116,14 @@ static void make_difference(const wfShape *a, wfTransform xa, const wfShape *b,
     D->noise = WF_EPSILON * wfMaxR(4 * size, a->radius + b->radius);   /* eq:narrow-noise */
 }
 
-static bool is_finite_difference(const Difference *D)
+static bool isFiniteDifference(const Difference *D)
 {
     return wfIsFinite2(D->rel.p) && wfIsFinite2(wfV2(D->rel.q.c, D->rel.q.s))
         && wfIsFinite(D->noise);
 }
 
 /* record the steps */
-static wfGjkStep *new_step(wfGjkTrace *trace, int32_t phase, int32_t count)
+static wfGjkStep *newStep(wfGjkTrace *trace, int32_t phase, int32_t count)
 {
     wfGjkStep *step = &trace->steps[trace->count++];
     *step = (wfGjkStep){ .phase = phase, .count = count };
@@ -133,15 +133,15 @@ static wfGjkStep *new_step(wfGjkTrace *trace, int32_t phase, int32_t count)
 static void record(wfGjkTrace *trace, int32_t phase, const Simplex *x)
 {
     if (!trace) return;
-    wfGjkStep *step = new_step(trace, phase, x->n);
+    wfGjkStep *step = newStep(trace, phase, x->n);
     for (int32_t k = 0; k < x->n; k++) step->points[k] = x->c[k].d;
     step->nearest = wfScale(x->length, x->u);
 }
 
-static void record_edge(wfGjkTrace *trace, Corner p, Corner q, Corner s)
+static void recordEdge(wfGjkTrace *trace, Corner p, Corner q, Corner s)
 {
     if (!trace) return;
-    wfGjkStep *step = new_step(trace, WF_GJK_EXPAND, 3);
+    wfGjkStep *step = newStep(trace, WF_GJK_EXPAND, 3);
     step->points[0] = p.d;
     step->points[1] = q.d;
     step->points[2] = s.d;
@@ -161,16 +161,16 @@ static Simplex walk(const Difference *D, int32_t *steps, wfGjkTrace *trace)
 {
     wfVec2 start = wfSub(wfApply(D->rel, D->b->centre), D->a->centre);
     if (wfLengthSq(start) == 0) start = wfV2(1, 0);
-    Simplex x = nearest_of_point(support(D, wfNeg(start)));
+    Simplex x = nearestOfPoint(support(D, wfNeg(start)));
     for (*steps = 1; *steps < GJK_CAP; ++*steps) {
         record(trace, WF_GJK_WALK, &x);
         if (x.n == 3 || x.length <= D->noise) break;
         Corner s = support(D, wfNeg(x.u));
         wfReal progress = x.length - wfDot(x.u, s.d);
         if (progress <= 4 * WF_EPSILON * largest(&x, s)) break;
-        if (same_corner(s, x.c[0]) || (x.n == 2 && same_corner(s, x.c[1]))) break;
-        x = x.n == 1 ? nearest_of_segment(x.c[0], s)
-                     : nearest_of_triangle(x.c[0], x.c[1], s);
+        if (sameCorner(s, x.c[0]) || (x.n == 2 && sameCorner(s, x.c[1]))) break;
+        x = x.n == 1 ? nearestOfSegment(x.c[0], s)
+                     : nearestOfTriangle(x.c[0], x.c[1], s);
     }
     return x;
 }
@@ -192,7 +192,7 @@ static void witness(const Difference *D, const Simplex *x, wfDistanceResult *r)
     r->pointB = wfAddScaled(p, to, x->u);
 }
 
-static bool is_known(const wfShape *s)
+static bool isKnown(const wfShape *s)
 {
     return s->kind >= WF_SHAPE_NONE && s->kind < WF_SHAPE_KINDS;
 }
@@ -201,11 +201,11 @@ wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfT
                          wfDistanceResult *out)
 {
     if (!a || !b || !out) return WF_ERROR_NULL;
-    if (!is_known(a) || !is_known(b)) return WF_ERROR_UNKNOWN;
+    if (!isKnown(a) || !isKnown(b)) return WF_ERROR_UNKNOWN;
     Difference D;
     wfDistanceResult r;
-    make_difference(a, xa, b, xb, &D);
-    if (!is_finite_difference(&D)) return WF_ERROR_NOT_FINITE;
+    makeDifference(a, xa, b, xb, &D);
+    if (!isFiniteDifference(&D)) return WF_ERROR_NOT_FINITE;
     Simplex x = walk(&D, &r.iterations, NULL);
     witness(&D, &x, &r);
     r.pointA = wfApply(xa, r.pointA);
@@ -218,8 +218,8 @@ wfResult wfShapeDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfT
 }
 
 /* true: from p to q one shape's corner moves on by one edge: B's, or A's turned round */
-static bool edge_between(const Difference *D, Corner p, Corner q, int32_t *owner,
-                         int32_t *edge)
+static bool edgeBetween(const Difference *D, Corner p, Corner q, int32_t *owner,
+                        int32_t *edge)
 {
     int32_t i = p.i + 1 < D->nv ? p.i + 1 : 0, j = p.j + 1 < D->nw ? p.j + 1 : 0;
     bool moveA = D->nv > 1 && q.i == i && q.j == p.j;
@@ -229,7 +229,7 @@ static bool edge_between(const Difference *D, Corner p, Corner q, int32_t *owner
     return moveA || moveB;
 }
 
-static wfVec2 edge_normal(const Difference *D, int32_t owner, int32_t edge)
+static wfVec2 edgeNormal(const Difference *D, int32_t owner, int32_t edge)
 {
     return owner == 0 ? wfNeg(D->a->normals[edge])
                       : wfRotate(D->rel.q, D->b->normals[edge]);
@@ -249,35 +249,35 @@ typedef struct Way {                    /* the best way out so far */
     Corner from, to;                    /* the edge that it was found with */
 } Way;
 
-static void look_at_edge(const Difference *D, Ring *ring, int32_t k)
+static void lookAtEdge(const Difference *D, Ring *ring, int32_t k)
 {
     Corner p = ring->c[k], q = ring->c[k + 1 < ring->n ? k + 1 : 0];
     int32_t owner, edge;
     wfVec2 e = wfSub(q.d, p.d);
     ring->m[k] = wfNormalize(wfPerpCW(e));
-    if (edge_between(D, p, q, &owner, &edge)) ring->m[k] = edge_normal(D, owner, edge);
+    if (edgeBetween(D, p, q, &owner, &edge)) ring->m[k] = edgeNormal(D, owner, edge);
     bool degenerate = wfLengthSq(ring->m[k]) == 0;
     ring->low[k] = degenerate ? WF_HUGE : wfDot(ring->m[k], p.d);
 }
 
-static void start_ring(const Difference *D, const Simplex *x, Ring *ring)
+static void startRing(const Difference *D, const Simplex *x, Ring *ring)
 {
     ring->n = x->n;
     for (int32_t k = 0; k < x->n; k++) ring->c[k] = x->c[k];
     for (int32_t k = 0; x->n == 1 && ring->n == 1 && k < 4; k++) {
         static const int8_t way[4][2] = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
         ring->c[1] = support(D, wfV2(way[k][0], way[k][1]));
-        if (!same_corner(ring->c[1], ring->c[0])) ring->n = 2;
+        if (!sameCorner(ring->c[1], ring->c[0])) ring->n = 2;
     }
     wfVec2 one = wfSub(ring->c[1].d, ring->c[0].d);
     if (x->n == 3 && wfCross(one, wfSub(ring->c[2].d, ring->c[0].d)) < 0) {
         ring->c[1] = x->c[2];
         ring->c[2] = x->c[1];
     }
-    for (int32_t k = 0; k < ring->n; k++) look_at_edge(D, ring, k);
+    for (int32_t k = 0; k < ring->n; k++) lookAtEdge(D, ring, k);
 }
 
-static void push_out(const Difference *D, Ring *ring, int32_t k, Corner s)
+static void pushOut(const Difference *D, Ring *ring, int32_t k, Corner s)
 {
     for (int32_t i = ring->n++; i > k + 1; i--) {
         ring->c[i] = ring->c[i - 1];
@@ -285,15 +285,15 @@ static void push_out(const Difference *D, Ring *ring, int32_t k, Corner s)
         ring->low[i] = ring->low[i - 1];
     }
     ring->c[k + 1] = s;
-    look_at_edge(D, ring, k);
-    look_at_edge(D, ring, k + 1);
+    lookAtEdge(D, ring, k);
+    lookAtEdge(D, ring, k + 1);
 }
 
 static Way expand(const Difference *D, const Simplex *x, wfGjkTrace *trace)
 {
     Ring ring;
     Way best = { .high = WF_HUGE };
-    start_ring(D, x, &ring);
+    startRing(D, x, &ring);
     for (int32_t step = 0; step < 2 * GJK_CAP; step++) {
         int32_t k = 0;
         for (int32_t i = 1; i < ring.n; i++) if (ring.low[i] < ring.low[k]) k = i;
@@ -301,12 +301,12 @@ static Way expand(const Difference *D, const Simplex *x, wfGjkTrace *trace)
         Corner p = ring.c[k], q = ring.c[k + 1 < ring.n ? k + 1 : 0];
         Corner s = support(D, ring.m[k]);
         wfReal high = wfDot(ring.m[k], s.d);
-        record_edge(trace, p, q, s);
+        recordEdge(trace, p, q, s);
         if (high < best.high)
             best = (Way){ .high = high, .m = ring.m[k], .from = p, .to = q };
-        bool known = same_corner(s, p) || same_corner(s, q);
+        bool known = sameCorner(s, p) || sameCorner(s, q);
         if (known || high <= ring.low[k] || ring.n == GJK_CAP) ring.low[k] = WF_HUGE;
-        else push_out(D, &ring, k, s);
+        else pushOut(D, &ring, k, s);
     }
     return best;
 }
@@ -324,16 +324,16 @@ static void deepest(const Difference *D, const Simplex *x, wfTransform xa,
     Way way = expand(D, x, trace);
     found->distance = 0 - way.high - radii;
     found->normal = wfNeg(wfRotate(xa.q, way.m));
-    edge_between(D, way.from, way.to, &found->owner, &found->edge);
+    edgeBetween(D, way.from, way.to, &found->owner, &found->edge);
 }
 
 static wfResult prepare(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                         Difference *D)
 {
-    if (!is_known(a) || a->kind == WF_SHAPE_NONE) return WF_ERROR_UNKNOWN;
-    if (!is_known(b) || b->kind == WF_SHAPE_NONE) return WF_ERROR_UNKNOWN;
-    make_difference(a, xa, b, xb, D);
-    return is_finite_difference(D) ? WF_OK : WF_ERROR_NOT_FINITE;
+    if (!isKnown(a) || a->kind == WF_SHAPE_NONE) return WF_ERROR_UNKNOWN;
+    if (!isKnown(b) || b->kind == WF_SHAPE_NONE) return WF_ERROR_UNKNOWN;
+    makeDifference(a, xa, b, xb, D);
+    return isFiniteDifference(D) ? WF_OK : WF_ERROR_NOT_FINITE;
 }
 
 static wfResult separate(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
@@ -369,32 +369,32 @@ typedef struct Side {
 static int32_t after(const Side *s, int32_t i) { return i + 1 < s->n ? i + 1 : 0; }
 static int32_t before(const Side *s, int32_t i) { return i > 0 ? i - 1 : s->n - 1; }
 
-static wfVec2 point_of(const Side *s)
+static wfVec2 pointOf(const Side *s)
 {
     if (s->t >= 1) return s->v[after(s, s->i)];
     return s->t <= 0 ? s->v[s->i] : wfLerp(s->v[s->i], s->v[after(s, s->i)], s->t);
 }
 
 /* sets t to the place of the edge that is nearest to c: eq:narrow-segment */
-static void face_edge(Side *s, wfVec2 c)
+static void faceEdge(Side *s, wfVec2 c)
 {
     wfVec2 p = wfSub(s->v[s->i], c), q = wfSub(s->v[after(s, s->i)], c), e = wfSub(q, p);
     wfReal tq = -wfDot(p, e), tp = wfDot(q, e);
     s->t = tq <= 0 ? 0 : tp <= 0 ? 1 : tq / (tq + tp);
 }
 
-static void face_pair(Side *a, Side *b)
+static void facePair(Side *a, Side *b)
 {
     Side bestA = *a, bestB = *b;
     wfReal least = WF_HUGE;
     for (int32_t k = 0; k < 4; k++) {
         Side *end = k < 2 ? a : b, *edge = k < 2 ? b : a;
         end->t = (wfReal)(k & 1);
-        wfVec2 e = point_of(end);
-        face_edge(edge, e);
+        wfVec2 e = pointOf(end);
+        faceEdge(edge, e);
         int32_t other = k & 1 ? end->i : after(end, end->i);
         wfVec2 d = wfNormalize(wfSub(end->v[other], e));
-        wfReal on = wfDot(d, wfSub(point_of(edge), e));     /* eq:narrow-end */
+        wfReal on = wfDot(d, wfSub(pointOf(edge), e));      /* eq:narrow-end */
         if (on < least) least = on, bestA = *a, bestB = *b;
     }
     *a = bestA;
@@ -404,14 +404,14 @@ static void face_pair(Side *a, Side *b)
 enum Move { STAY, STEP, INSIDE };
 
 /* the edge's outward distance of c; the edges run counter-clockwise */
-static wfReal gap_of(const Side *s, int32_t i, wfVec2 c)
+static wfReal gapOf(const Side *s, int32_t i, wfVec2 c)
 {
     wfVec2 e = wfNormalize(wfSub(s->v[after(s, i)], s->v[i]));
     return wfDot(wfPerpCW(e), wfSub(c, s->v[i]));
 }
 
 /* turns to the edge that has something nearer to c than the place where we are */
-static enum Move turn_to(Side *s, wfVec2 c)
+static enum Move turnTo(Side *s, wfVec2 c)
 {
     if (s->n == 1) return STAY;
     if (s->t <= 0 || s->t >= 1) {
@@ -422,27 +422,27 @@ static enum Move turn_to(Side *s, wfVec2 c)
         s->i = s->t <= 0 ? next : at;                   /* eq:narrow-neighbour */
         return STEP;
     }
-    if (gap_of(s, s->i, c) >= 0) return STAY;
+    if (gapOf(s, s->i, c) >= 0) return STAY;
     int32_t best = 0;
-    for (int32_t i = 1; i < s->n; i++) if (gap_of(s, i, c) > gap_of(s, best, c)) best = i;
-    if (gap_of(s, best, c) <= 0) return INSIDE;
+    for (int32_t i = 1; i < s->n; i++) if (gapOf(s, i, c) > gapOf(s, best, c)) best = i;
+    if (gapOf(s, best, c) <= 0) return INSIDE;
     s->i = best;
     return STEP;
 }
 
 /* the number of steps; 0: a point of one is inside the other */
-static int32_t walk_regions(Side *a, Side *b)
+static int32_t walkRegions(Side *a, Side *b)
 {
     Side bestA = *a, bestB = *b;
     wfReal least = WF_HUGE;
     int32_t step = 0;
     while (step++ < a->n * b->n) {
-        face_pair(a, b);
-        wfVec2 p = point_of(a), q = point_of(b);
+        facePair(a, b);
+        wfVec2 p = pointOf(a), q = pointOf(b);
         wfReal d = wfDistance(p, q);
         if (d <= least) least = d, bestA = *a, bestB = *b;
-        enum Move move = turn_to(a, q);
-        if (move == STAY) move = turn_to(b, p);
+        enum Move move = turnTo(a, q);
+        if (move == STAY) move = turnTo(b, p);
         if (move == INSIDE) return 0;
         if (move == STAY) return step;
     }
@@ -452,9 +452,9 @@ static int32_t walk_regions(Side *a, Side *b)
 }
 
 /* separate by a walk over the regions */
-static wfReal look_across(const Difference *D, const Side *a, const Side *b, wfVec2 *normal)
+static wfReal lookAcross(const Difference *D, const Side *a, const Side *b, wfVec2 *normal)
 {
-    wfVec2 p = point_of(a), q = point_of(b), d = wfSub(q, p);
+    wfVec2 p = pointOf(a), q = pointOf(b), d = wfSub(q, p);
     *normal = wfNormalize(d);
     if (a->t > 0 && a->t < 1) *normal = D->a->normals[a->i];
     else if (b->t > 0 && b->t < 1) *normal = wfNeg(wfRotate(D->rel.q, D->b->normals[b->i]));
@@ -473,12 +473,12 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     Corner near = support(&D, wfNeg(start));
     Side sa = { .v = D.v, .n = D.nv, .i = near.i };
     Side sb = { .v = D.w, .n = D.nw, .i = near.j };
-    int32_t walked = walk_regions(&sa, &sb);
+    int32_t walked = walkRegions(&sa, &sb);
     *steps = 0;
     if (!walked) return wfSeparateGjk(a, xa, b, xb, out);
-    wfReal length = look_across(&D, &sa, &sb, &normal);
+    wfReal length = lookAcross(&D, &sa, &sb, &normal);
     wfReal low = wfDot(normal, support(&D, wfNeg(normal)).d);       /* eq:narrow-stop */
-    wfReal upper = wfDistance(point_of(&sa), point_of(&sb));
+    wfReal upper = wfDistance(pointOf(&sa), pointOf(&sb));
     bool proved = wfIsFinite(length) && length > D.noise && upper - low <= D.noise;
     if (!proved) return wfSeparateGjk(a, xa, b, xb, out);
     /* report what was proved */

@@ -3,8 +3,8 @@
 #include "collision/links.h"
 
 /* the greatest gap of n edges of s over the corners of other, and its edge */
-static wfReal greatest_gap(const wfShape *s, const wfShape *other, wfTransform rel,
-                           int32_t *edge)
+static wfReal greatestGap(const wfShape *s, const wfShape *other, wfTransform rel,
+                          int32_t *edge)
 {
     wfReal best = -WF_HUGE;
     for (int32_t i = 0; i < s->count; i++) {
@@ -18,18 +18,18 @@ static wfReal greatest_gap(const wfShape *s, const wfShape *other, wfTransform r
     return best;
 }
 
-static int widest_gap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                      int32_t *edge)
+static int widestGap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                     int32_t *edge)
 {
     int32_t ea = 0, eb = 0;
-    wfReal ga = greatest_gap(a, b, wfRelativePose(xa, xb), &ea);
-    wfReal gb = greatest_gap(b, a, wfRelativePose(xb, xa), &eb);
+    wfReal ga = greatestGap(a, b, wfRelativePose(xa, xb), &ea);
+    wfReal gb = greatestGap(b, a, wfRelativePose(xb, xa), &eb);
     *edge = gb > ga ? eb : ea;
     return gb > ga;
 }
 
 /* touch with two edges */
-static void edge_contacts(const wfFacing *f, bool apart, wfReal margin, wfManifold *out)
+static void edgeContacts(const wfFacing *f, bool apart, wfReal margin, wfManifold *out)
 {
     wfClipPoint ends[2];
     wfCorners corners;
@@ -46,26 +46,25 @@ static void edge_contacts(const wfFacing *f, bool apart, wfReal margin, wfManifo
 }
 
 /* make a manifold */
-static void core_contacts(const wfShape *a, wfTransform xa, const wfShape *b,
-                          wfTransform xb,
-                          const wfSeparation *s, wfReal margin, wfManifold *out)
+static void coreContacts(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                         const wfSeparation *s, wfReal margin, wfManifold *out)
 {
     wfClipPoint ends[2];
     wfCorners corners;
     bool apart = s->distance + (a->radius + b->radius) > 0;
     int32_t edge = s->edge;
     int owner = s->owner;
-    if (owner < 0 && apart) owner = widest_gap(a, xa, b, xb, &edge);
+    if (owner < 0 && apart) owner = widestGap(a, xa, b, xb, &edge);
     if (owner < 0) owner = wfBestAligned(a, xa, b, xb, s->normal, &edge);
     wfFacing f;
     wfFaceEdges(a, xa, b, xb, owner, edge, &f);
     const wfClipPoint *clipped = wfClipIncident(&f, ends) ? ends : NULL;
     if (apart && s->owner >= 0 && wfFacingCorners(&f, clipped, &corners)) {
-        owner = widest_gap(a, xa, b, xb, &edge);
+        owner = widestGap(a, xa, b, xb, &edge);
         wfFaceEdges(a, xa, b, xb, owner, edge, &f);
     }
     if (apart) out->normal = wfFacingNormal(&f);
-    edge_contacts(&f, apart, margin, out);
+    edgeContacts(&f, apart, margin, out);
 }
 
 void wfMakeManifoldWithin(const wfShape *a, wfTransform xa, const wfShape *b,
@@ -81,7 +80,7 @@ void wfMakeManifoldWithin(const wfShape *a, wfTransform xa, const wfShape *b,
     else if (a->kind == WF_SHAPE_CIRCLE || b->kind == WF_SHAPE_CIRCLE)
         wfCircleContact(a, xa, b, xb, 0 - s->distance, out);
     else
-        core_contacts(a, xa, b, xb, s, margin, out);
+        coreContacts(a, xa, b, xb, s, margin, out);
 }
 
 void wfMakeManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
@@ -100,4 +99,19 @@ int wfCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb
     int sat = wfFindNarrowPhase("sat");
     if (wfSeparate(sat, a, xa, b, xb, &s) == WF_OK) wfMakeManifold(a, xa, b, xb, &s, out);
     return out->count;
+}
+
+/* keep the impulses of the same features */
+void wfKeepImpulses(const wfManifold *before, wfManifold *now)
+{
+    bool turned = !(wfDot(before->normal, now->normal) > 0);
+    for (int32_t k = 0; k < now->count; k++) {
+        wfContactPoint *c = &now->points[k];
+        c->normalImpulse = c->tangentImpulse = 0;
+        for (int32_t i = 0; i < before->count && !turned; i++) {
+            if (before->points[i].feature != c->feature) continue;
+            c->normalImpulse = before->points[i].normalImpulse;
+            c->tangentImpulse = before->points[i].tangentImpulse;
+        }
+    }
 }

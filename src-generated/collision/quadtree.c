@@ -15,7 +15,7 @@ int wfQuadSector(wfVec2 centre, wfRect r)
 }
 
 /* make and free nodes of the quad tree */
-static int32_t take_node(wfQuadTree *tree)
+static int32_t takeNode(wfQuadTree *tree)
 {
     int32_t n = tree->freeNode;
     if (n != WF_QUAD_NONE) tree->freeNode = tree->nodes[n].parent;
@@ -23,14 +23,14 @@ static int32_t take_node(wfQuadTree *tree)
     return n;
 }
 
-static void clear_node(wfQuadNode *node, wfVec2 centre, wfVec2 half)
+static void clearNode(wfQuadNode *node, wfVec2 centre, wfVec2 half)
 {
     *node = (wfQuadNode){ .centre = centre, .half = half, .parent = WF_QUAD_NONE,
                           .sector = WF_QUAD_ROOT, .first = WF_QUAD_NONE };
     for (int s = 0; s < 4; s++) node->child[s] = WF_QUAD_NONE;
 }
 
-static void give_node(wfQuadTree *tree, int32_t n)
+static void giveNode(wfQuadTree *tree, int32_t n)
 {
     wfQuadNode *node = &tree->nodes[n];
     tree->nodes[node->parent].child[node->sector] = WF_QUAD_NONE;
@@ -39,15 +39,15 @@ static void give_node(wfQuadTree *tree, int32_t n)
     tree->freeNode = n;
 }
 
-static int32_t child_of(wfQuadTree *tree, int32_t parent, int sector)
+static int32_t childOf(wfQuadTree *tree, int32_t parent, int sector)
 {
     wfQuadNode *up = &tree->nodes[parent];
     if (up->child[sector] != WF_QUAD_NONE) return up->child[sector];
-    int32_t n = take_node(tree);
+    int32_t n = takeNode(tree);
     if (n == WF_QUAD_NONE) return n;
     wfVec2 half = wfScale(0.5f, up->half);
     wfVec2 step = wfV2(sector & 1 ? half.x : -half.x, sector & 2 ? half.y : -half.y);
-    clear_node(&tree->nodes[n], wfAdd(up->centre, step), half);
+    clearNode(&tree->nodes[n], wfAdd(up->centre, step), half);
     tree->nodes[n].parent = parent;
     tree->nodes[n].sector = sector;
     tree->nodes[n].depth = up->depth + 1;
@@ -56,23 +56,23 @@ static int32_t child_of(wfQuadTree *tree, int32_t parent, int sector)
 }
 
 /* link and unlink a proxy */
-static void add_below(wfQuadTree *tree, int32_t n, int32_t by)
+static void addBelow(wfQuadTree *tree, int32_t n, int32_t by)
 {
     for (n = tree->nodes[n].parent; n != WF_QUAD_NONE; n = tree->nodes[n].parent)
         tree->nodes[n].below += by;
 }
 
-static void link_proxy(wfQuadTree *tree, int32_t n, int32_t proxy)
+static void linkProxy(wfQuadTree *tree, int32_t n, int32_t proxy)
 {
     wfQuadNode *node = &tree->nodes[n];
     tree->links[proxy] = (wfQuadLink){ n, node->first, WF_QUAD_NONE };
     if (node->first != WF_QUAD_NONE) tree->links[node->first].previous = proxy;
     node->first = proxy;
     node->count++;
-    add_below(tree, n, 1);
+    addBelow(tree, n, 1);
 }
 
-static void unlink_proxy(wfQuadTree *tree, int32_t proxy)
+static void unlinkProxy(wfQuadTree *tree, int32_t proxy)
 {
     wfQuadLink link = tree->links[proxy];
     wfQuadNode *node = &tree->nodes[link.node];
@@ -80,40 +80,40 @@ static void unlink_proxy(wfQuadTree *tree, int32_t proxy)
     else node->first = link.next;
     if (link.next != WF_QUAD_NONE) tree->links[link.next].previous = link.previous;
     node->count--;
-    add_below(tree, link.node, -1);
+    addBelow(tree, link.node, -1);
     tree->links[proxy].node = WF_QUAD_NONE;
 }
 
 /* insert into the quad tree */
-static void insert_under(wfQuadTree *tree, int32_t n, int32_t proxy);
+static void insertUnder(wfQuadTree *tree, int32_t n, int32_t proxy);
 
-static void split_node(wfQuadTree *tree, int32_t n)
+static void splitNode(wfQuadTree *tree, int32_t n)
 {
     tree->nodes[n].split = true;
     for (int32_t next, p = tree->nodes[n].first; p != WF_QUAD_NONE; p = next) {
         next = tree->links[p].next;
         if (wfQuadSector(tree->nodes[n].centre, tree->bounds[p]) == WF_QUAD_NONE) continue;
-        unlink_proxy(tree, p);
-        insert_under(tree, n, p);
+        unlinkProxy(tree, p);
+        insertUnder(tree, n, p);
     }
 }
 
-static void insert_under(wfQuadTree *tree, int32_t n, int32_t proxy)
+static void insertUnder(wfQuadTree *tree, int32_t n, int32_t proxy)
 {
     while (tree->nodes[n].split) {
         int sector = wfQuadSector(tree->nodes[n].centre, tree->bounds[proxy]);
         if (sector == WF_QUAD_NONE) break;
-        int32_t child = child_of(tree, n, sector);
+        int32_t child = childOf(tree, n, sector);
         if (child == WF_QUAD_NONE) break;
         n = child;
     }
-    link_proxy(tree, n, proxy);
+    linkProxy(tree, n, proxy);
     const wfQuadNode *node = &tree->nodes[n];
     if (!node->split && node->count > tree->bucket && node->depth < tree->depthLimit)
-        split_node(tree, n);
+        splitNode(tree, n);
 }
 
-static wfResult check_bounds(const wfQuadTree *tree, int32_t proxy, wfRect r)
+static wfResult checkBounds(const wfQuadTree *tree, int32_t proxy, wfRect r)
 {
     if (!tree) return WF_ERROR_NULL;
     if (proxy < 0 || proxy >= tree->proxyCapacity) return WF_ERROR_RANGE;
@@ -123,24 +123,24 @@ static wfResult check_bounds(const wfQuadTree *tree, int32_t proxy, wfRect r)
 
 wfResult wfQuadTreeInsert(wfQuadTree *tree, int32_t proxy, wfRect bounds)
 {
-    wfResult result = check_bounds(tree, proxy, bounds);
+    wfResult result = checkBounds(tree, proxy, bounds);
     if (result != WF_OK) return result;
     if (tree->links[proxy].node != WF_QUAD_NONE) return WF_ERROR_RANGE;
     tree->bounds[proxy] = bounds;
     tree->count++;
-    insert_under(tree, 0, proxy);
+    insertUnder(tree, 0, proxy);
     return WF_OK;
 }
 
 /* remove from the quad tree */
-static void free_empty_nodes(wfQuadTree *tree, int32_t n)
+static void freeEmptyNodes(wfQuadTree *tree, int32_t n)
 {
     for (;;) {
         wfQuadNode *node = &tree->nodes[n];
         int32_t parent = node->parent;
         if (node->below == 0 && node->count <= tree->bucket) node->split = false;
         if (parent == WF_QUAD_NONE || node->count > 0 || node->below > 0) return;
-        give_node(tree, n);
+        giveNode(tree, n);
         n = parent;
     }
 }
@@ -149,21 +149,21 @@ wfResult wfQuadTreeRemove(wfQuadTree *tree, int32_t proxy)
 {
     int32_t n = wfQuadTreeNodeOf(tree, proxy);
     if (n == WF_QUAD_NONE) return WF_ERROR_RANGE;
-    unlink_proxy(tree, proxy);
-    free_empty_nodes(tree, n);
+    unlinkProxy(tree, proxy);
+    freeEmptyNodes(tree, n);
     tree->count--;
     return WF_OK;
 }
 
 wfResult wfQuadTreeMove(wfQuadTree *tree, int32_t proxy, wfRect bounds)
 {
-    wfResult result = check_bounds(tree, proxy, bounds);
+    wfResult result = checkBounds(tree, proxy, bounds);
     if (result == WF_OK) result = wfQuadTreeRemove(tree, proxy);
     return result != WF_OK ? result : wfQuadTreeInsert(tree, proxy, bounds);
 }
 
 /* make the quad tree */
-static wfResult check_def(const wfQuadTreeDef *def)
+static wfResult checkDef(const wfQuadTreeDef *def)
 {
     if (def->proxies < 0 || def->nodes < 1) return WF_ERROR_RANGE;
     if (def->depth < 0 || def->depth > WF_QUAD_MAX_DEPTH) return WF_ERROR_RANGE;
@@ -173,7 +173,7 @@ static wfResult check_def(const wfQuadTreeDef *def)
     return r.min.x > r.max.x || r.min.y > r.max.y ? WF_ERROR_RANGE : WF_OK;
 }
 
-static void set_up_tree(wfQuadTree *tree, const wfQuadTreeDef *def)
+static void setUpTree(wfQuadTree *tree, const wfQuadTreeDef *def)
 {
     tree->nodeCapacity = def->nodes;
     tree->proxyCapacity = def->proxies;
@@ -182,14 +182,14 @@ static void set_up_tree(wfQuadTree *tree, const wfQuadTreeDef *def)
     tree->nodeHigh = 1;
     tree->freeNode = WF_QUAD_NONE;
     wfVec2 low = wfScale(0.5f, def->root.min), high = wfScale(0.5f, def->root.max);
-    clear_node(&tree->nodes[0], wfAdd(low, high), wfSub(high, low));
+    clearNode(&tree->nodes[0], wfAdd(low, high), wfSub(high, low));
     for (int32_t i = 0; i < def->proxies; i++) tree->links[i].node = WF_QUAD_NONE;
 }
 
 wfResult wfQuadTreeInit(wfQuadTree *tree, wfPool *pool, const wfQuadTreeDef *def)
 {
     if (!tree || !pool || !def) return WF_ERROR_NULL;
-    wfResult result = check_def(def);
+    wfResult result = checkDef(def);
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(pool);
     wfQuadTree made = { 0 };
@@ -200,7 +200,7 @@ wfResult wfQuadTreeInit(wfQuadTree *tree, wfPool *pool, const wfQuadTreeDef *def
         wfPoolRewind(pool, mark);
         return WF_ERROR_MEMORY;
     }
-    set_up_tree(&made, def);
+    setUpTree(&made, def);
     *tree = made;
     return WF_OK;
 }
@@ -217,7 +217,7 @@ int32_t wfQuadTreeNodes(int32_t proxies)
     return proxies + 4 * WF_QUAD_MAX_DEPTH;
 }
 
-static wfRect common_bounds(const wfProxies *in)
+static wfRect commonBounds(const wfProxies *in)
 {
     wfRect all = { { { 0, 0 } }, { { 0, 0 } } };
     bool first = true;
@@ -232,7 +232,7 @@ static wfRect common_bounds(const wfProxies *in)
 wfResult wfQuadTreeBuild(wfQuadTree *tree, wfPool *pool, const wfProxies *in)
 {
     if (!tree || !pool || !in) return WF_ERROR_NULL;
-    wfQuadTreeDef def = { common_bounds(in), in->count, wfQuadTreeNodes(in->count),
+    wfQuadTreeDef def = { commonBounds(in), in->count, wfQuadTreeNodes(in->count),
                           WF_QUAD_MAX_DEPTH, WF_QUAD_BUCKET };
     wfResult result = wfQuadTreeInit(tree, pool, &def);
     for (int32_t i = 0; result == WF_OK && i < in->count; i++)
@@ -268,8 +268,8 @@ int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors)
 }
 
 /* find pairs in the quad tree */
-static bool offer_pair(const wfQuadTree *tree, const wfProxies *in, int32_t a, int32_t b,
-                       wfPairList *out)
+static bool offerPair(const wfQuadTree *tree, const wfProxies *in, int32_t a, int32_t b,
+                      wfPairList *out)
 {
     if (in && !wfPairWanted(in, a, b)) return true;
     out->tests++;
@@ -278,20 +278,20 @@ static bool offer_pair(const wfQuadTree *tree, const wfProxies *in, int32_t a, i
 }
 
 /* offers proxy a together with each proxy of a list */
-static bool offer_list(const wfQuadTree *tree, const wfProxies *in, int32_t a,
-                       int32_t first, wfPairList *out)
+static bool offerList(const wfQuadTree *tree, const wfProxies *in, int32_t a,
+                      int32_t first, wfPairList *out)
 {
     for (int32_t b = first; b != WF_QUAD_NONE; b = tree->links[b].next)
-        if (!offer_pair(tree, in, a, b, out)) return false;
+        if (!offerPair(tree, in, a, b, out)) return false;
     return true;
 }
 
-static bool pairs_above(const wfQuadTree *tree, const wfProxies *in, int32_t a,
-                        wfPairList *out)
+static bool pairsAbove(const wfQuadTree *tree, const wfProxies *in, int32_t a,
+                       wfPairList *out)
 {
     int32_t n = tree->nodes[tree->links[a].node].parent;
     for (; n != WF_QUAD_NONE; n = tree->nodes[n].parent)
-        if (!offer_list(tree, in, a, tree->nodes[n].first, out)) return false;
+        if (!offerList(tree, in, a, tree->nodes[n].first, out)) return false;
     return true;
 }
 
@@ -308,15 +308,15 @@ int wfQuadTreeReach(const wfQuadTree *tree, int32_t n, wfRect r, int32_t *reache
     return count;
 }
 
-static bool pairs_below(const wfQuadTree *tree, const wfProxies *in, int32_t a,
-                        wfPairList *out)
+static bool pairsBelow(const wfQuadTree *tree, const wfProxies *in, int32_t a,
+                       wfPairList *out)
 {
     int32_t stack[WF_QUAD_STACK];
     wfRect r = tree->bounds[a];
     int size = wfQuadTreeReach(tree, tree->links[a].node, r, stack);
     while (size > 0) {
         int32_t n = stack[--size];
-        if (!offer_list(tree, in, a, tree->nodes[n].first, out)) return false;
+        if (!offerList(tree, in, a, tree->nodes[n].first, out)) return false;
         size += wfQuadTreeReach(tree, n, r, stack + size);
     }
     return true;
@@ -331,9 +331,9 @@ wfResult wfQuadTreePairs(const wfQuadTree *tree, wfQuadReach reach, const wfProx
         if (!wfQuadTreeUses(tree, n)) continue;
         int32_t a = tree->nodes[n].first;
         for (; room && a != WF_QUAD_NONE; a = tree->links[a].next) {
-            room = offer_list(tree, in, a, tree->links[a].next, out);
-            if (room && reach == WF_QUAD_CLIMB) room = pairs_above(tree, in, a, out);
-            if (room && reach == WF_QUAD_DESCEND) room = pairs_below(tree, in, a, out);
+            room = offerList(tree, in, a, tree->links[a].next, out);
+            if (room && reach == WF_QUAD_CLIMB) room = pairsAbove(tree, in, a, out);
+            if (room && reach == WF_QUAD_DESCEND) room = pairsBelow(tree, in, a, out);
         }
     }
     if (room) return WF_OK;
@@ -347,7 +347,7 @@ size_t wfQuadIndexSize(int32_t proxies)
     return sizeof(wfQuadTree) + wfQuadTreeSize(proxies, wfQuadTreeNodes(proxies));
 }
 
-static wfQuadTree open_tree(const wfProxies *in, const void *index)
+static wfQuadTree openTree(const wfProxies *in, const void *index)
 {
     wfPool pool = wfOpenIndex(index, wfQuadIndexSize(in->count));
     wfQuadTree tree = *wfPoolPushStruct(&pool, wfQuadTree);
@@ -373,7 +373,7 @@ wfResult wfQuadUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
 wfResult wfQuadPairs(const wfProxies *in, const void *index, wfPool *scratch,
                      wfPairList *out)
 {
-    wfQuadTree tree = open_tree(in, index);
+    wfQuadTree tree = openTree(in, index);
     out->count = 0;
     out->tests = 0;
     wfResult result = wfQuadTreePairs(&tree, WF_QUAD_DESCEND, in, out);
@@ -390,7 +390,7 @@ size_t wfQuadScratch(int32_t proxies, int32_t pairs)
 void wfQuadQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                  void *context)
 {
-    wfQuadTree t = open_tree(in, index);
+    wfQuadTree t = openTree(in, index);
     int32_t stack[WF_QUAD_STACK];
     int size = 1;
     stack[0] = 0;
@@ -405,8 +405,8 @@ void wfQuadQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
 typedef struct QuadPlace { int32_t node; wfRect region; } QuadPlace;
 
 /* puts the children whose regions the cast meets on the stack, the nearest last */
-static int cast_reach(const wfQuadTree *t, QuadPlace at, const wfBoxCast *cast,
-                      QuadPlace *stack)
+static int castReach(const wfQuadTree *t, QuadPlace at, const wfBoxCast *cast,
+                     QuadPlace *stack)
 {
     const wfQuadNode *node = &t->nodes[at.node];
     int nearest = (cast->by.x < 0) | (cast->by.y < 0) << 1, count = 0;
@@ -427,7 +427,7 @@ static int cast_reach(const wfQuadTree *t, QuadPlace at, const wfBoxCast *cast,
 void wfQuadCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                 wfCastVisitFn *visit, void *context)
 {
-    wfQuadTree t = open_tree(in, index);
+    wfQuadTree t = openTree(in, index);
     wfBoxCast c = *cast;
     wfRect all = { wfV2(-WF_HUGE, -WF_HUGE), wfV2(WF_HUGE, WF_HUGE) };
     QuadPlace stack[WF_QUAD_STACK] = { { 0, all } };
@@ -436,14 +436,14 @@ void wfQuadCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
         QuadPlace at = stack[--size];
         for (int32_t p = t.nodes[at.node].first; p != WF_QUAD_NONE; p = t.links[p].next)
             if (!wfOfferCast(in, &c, p, visit, context)) return;
-        size += cast_reach(&t, at, &c, stack + size);
+        size += castReach(&t, at, &c, stack + size);
     }
 }
 
 void wfQuadBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                  void *context)
 {
-    wfQuadTree t = open_tree(in, index);
+    wfQuadTree t = openTree(in, index);
     int32_t stack[WF_QUAD_STACK] = { 0 };
     for (int size = 1; size > 0;) {
         int32_t n = stack[--size];

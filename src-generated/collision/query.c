@@ -11,7 +11,7 @@ typedef struct LocalRay {
     wfReal length;         /* m */
 } LocalRay;
 
-static wfResult see_ray(const wfShape *shape, wfTransform placed, wfRay ray, LocalRay *r)
+static wfResult seeRay(const wfShape *shape, wfTransform placed, wfRay ray, LocalRay *r)
 {
     if (!wfIsFinite2(ray.from) || !wfIsFinite2(ray.by)) return WF_ERROR_NOT_FINITE;
     r->start = wfRotateInv(placed.q, wfSub(ray.from, placed.p));
@@ -27,7 +27,7 @@ static wfResult see_ray(const wfShape *shape, wfTransform placed, wfRay ray, Loc
 }
 
 /* a corner as seen from the shape's centre; the only corner of a circle is its centre */
-static wfVec2 corner_of(const wfShape *s, int32_t i)
+static wfVec2 cornerOf(const wfShape *s, int32_t i)
 {
     return s->count > 0 ? wfSub(s->vertices[i], s->centre) : wfV2(0, 0);
 }
@@ -35,8 +35,8 @@ static wfVec2 corner_of(const wfShape *s, int32_t i)
 /* Where a ray enters: m along it from its near point; the place and the normal there */
 typedef struct Entry { wfReal at; wfVec2 point, normal; } Entry;
 
-static bool enter_disk(const LocalRay *r, wfVec2 centre, wfReal radius, wfReal from,
-                       Entry *e)
+static bool enterDisk(const LocalRay *r, wfVec2 centre, wfReal radius, wfReal from,
+                      Entry *e)
 {
     wfVec2 m = wfSub(centre, r->near);                          /* eq:queries-approach */
     wfReal s = wfDot(r->unit, m), h = wfCross(r->unit, m);
@@ -53,11 +53,11 @@ static bool enter_disk(const LocalRay *r, wfVec2 centre, wfReal radius, wfReal f
 /* what is left of the ray, and the edge through which it comes in (-1: it begins inside) */
 typedef struct Cut { wfReal enter, leave; int32_t edge; } Cut;
 
-static bool cut_ray(const wfShape *s, const LocalRay *r, Cut *c)
+static bool cutRay(const wfShape *s, const LocalRay *r, Cut *c)
 {
     *c = (Cut){ r->lo, r->hi, -1 };
     for (int32_t i = 0; i < s->count; i++) {
-        wfReal g = wfDot(s->normals[i], wfSub(r->near, corner_of(s, i))) - s->radius;
+        wfReal g = wfDot(s->normals[i], wfSub(r->near, cornerOf(s, i))) - s->radius;
         wfReal w = wfDot(s->normals[i], r->unit);
         if (w == 0) {
             if (g > 0) return false;
@@ -78,37 +78,37 @@ typedef struct Nearest {
     int32_t vertex;        /* the corner that it is (a centre is corner 0), or -1 */
 } Nearest;
 
-static Nearest nearest_vertex(wfVec2 v, int32_t vertex, wfVec2 p)
+static Nearest nearestVertex(wfVec2 v, int32_t vertex, wfVec2 p)
 {
     wfVec2 arm = wfSub(p, v);
     return (Nearest){ v, wfNormalize(arm), wfLength(arm), vertex };
 }
 
-static Nearest nearest_on_edge(const wfShape *s, int32_t i, wfVec2 p)
+static Nearest nearestOnEdge(const wfShape *s, int32_t i, wfVec2 p)
 {
     int32_t j = i + 1 < s->count ? i + 1 : 0;
-    wfVec2 v = corner_of(s, i), w = corner_of(s, j);
+    wfVec2 v = cornerOf(s, i), w = cornerOf(s, j);
     wfVec2 n = s->normals[i], along = wfPerpCCW(n), arm = wfSub(p, v);
     wfReal a = wfDot(arm, along), g = wfDot(arm, n);                /* eq:queries-nearest */
-    if (a <= 0) return nearest_vertex(v, i, p);
-    if (a >= wfDot(wfSub(w, v), along)) return nearest_vertex(w, j, p);
+    if (a <= 0) return nearestVertex(v, i, p);
+    if (a >= wfDot(wfSub(w, v), along)) return nearestVertex(w, j, p);
     return (Nearest){ wfAddScaled(v, a, along), g < 0 ? wfNeg(n) : n, wfAbs(g), -1 };
 }
 
-static Nearest nearest_on_core(const wfShape *s, wfVec2 p)
+static Nearest nearestOnCore(const wfShape *s, wfVec2 p)
 {
-    Nearest best = nearest_vertex(wfV2(0, 0), 0, p);          /* of a circle, a particle */
+    Nearest best = nearestVertex(wfV2(0, 0), 0, p);           /* of a circle, a particle */
     bool inside = s->count > 2;
     for (int32_t i = 0; i < s->count; i++) {
-        Nearest here = nearest_on_edge(s, i, p);
+        Nearest here = nearestOnEdge(s, i, p);
         if (i == 0 || here.distance < best.distance) best = here;
-        inside = inside && wfDot(wfSub(p, corner_of(s, i)), s->normals[i]) <= 0;
+        inside = inside && wfDot(wfSub(p, cornerOf(s, i)), s->normals[i]) <= 0;
     }
     return inside ? (Nearest){ p, wfV2(0, 0), 0, -1 } : best;
 }
 
 /* the nearest point of a shape */
-static bool is_kind(const wfShape *s)
+static bool isKind(const wfShape *s)
 {
     return s->kind >= 0 && s->kind < WF_SHAPE_KINDS;
 }
@@ -117,10 +117,10 @@ wfResult wfClosestPoint(const wfShape *shape, wfTransform placed, wfVec2 point,
                         wfClosest *out)
 {
     if (!shape || !out) return WF_ERROR_NULL;
-    if (!is_kind(shape)) return WF_ERROR_UNKNOWN;
+    if (!isKind(shape)) return WF_ERROR_UNKNOWN;
     wfVec2 p = wfSub(wfApplyInv(placed, point), shape->centre);
     if (!wfIsFinite2(p)) return WF_ERROR_NOT_FINITE;
-    Nearest n = nearest_on_core(shape, p);
+    Nearest n = nearestOnCore(shape, p);
     wfClosest c = { 0, n.distance - shape->radius, point, wfV2(0, 0) };
     if (c.distance > 0) {                                             /* eq:queries-coat */
         wfVec2 x = wfAddScaled(n.point, shape->radius, n.away);
@@ -135,50 +135,50 @@ wfResult wfClosestPoint(const wfShape *shape, wfTransform placed, wfVec2 point,
 }
 
 /* enter a convex shape */
-static bool enter_rounded(const wfShape *s, const LocalRay *r, const Cut *c, wfVec2 p,
-                          Entry *e)
+static bool enterRounded(const wfShape *s, const LocalRay *r, const Cut *c, wfVec2 p,
+                         Entry *e)
 {
-    Nearest n = nearest_on_core(s, p);
+    Nearest n = nearestOnCore(s, p);
     if (c->edge < 0 && n.distance <= s->radius) {
         *e = (Entry){ c->enter, p, wfV2(0, 0) };
         return true;
     }
-    if (n.vertex >= 0) return enter_disk(r, corner_of(s, n.vertex), s->radius, c->enter, e);
+    if (n.vertex >= 0) return enterDisk(r, cornerOf(s, n.vertex), s->radius, c->enter, e);
     *e = (Entry){ c->enter, wfAddScaled(n.point, s->radius, n.away), n.away };
     return true;
 }
 
-static bool enter_convex(const wfShape *s, const LocalRay *r, Entry *e)
+static bool enterConvex(const wfShape *s, const LocalRay *r, Entry *e)
 {
     Cut c;
-    if (!cut_ray(s, r, &c)) return false;
+    if (!cutRay(s, r, &c)) return false;
     wfVec2 p = c.edge < 0 ? r->first : wfAddScaled(r->near, c.enter, r->unit);
-    if (s->radius > 0) return enter_rounded(s, r, &c, p, e);
+    if (s->radius > 0) return enterRounded(s, r, &c, p, e);
     *e = (Entry){ c.enter, p, c.edge < 0 ? wfV2(0, 0) : s->normals[c.edge] };
     return true;
 }
 
 /* run along a segment */
-static bool run_along(const wfShape *s, const LocalRay *r, wfReal sa, wfReal sb, Entry *e)
+static bool runAlong(const wfShape *s, const LocalRay *r, wfReal sa, wfReal sb, Entry *e)
 {
     wfReal first = wfMinR(sa, sb);
     if (s->kind == WF_SHAPE_LINK) return false;
     if (wfMaxR(sa, sb) < 0 || first > r->length) return false;
     *e = (Entry){ r->lo, r->first, wfV2(0, 0) };
     if (first <= 0) return true;
-    *e = (Entry){ r->lo + first, corner_of(s, sa <= sb ? 0 : 1), wfNeg(r->unit) };
+    *e = (Entry){ r->lo + first, cornerOf(s, sa <= sb ? 0 : 1), wfNeg(r->unit) };
     return true;
 }
 
 /* cross a segment by eq:queries-cross */
-static bool cross_segment(const wfShape *s, const LocalRay *r, Entry *e)
+static bool crossSegment(const wfShape *s, const LocalRay *r, Entry *e)
 {
     wfVec2 a = wfSub(s->vertices[0], r->start), b = wfSub(s->vertices[1], r->start);
     wfReal ha = wfCross(r->unit, a), hb = wfCross(r->unit, b);
     wfReal sa = wfDot(r->unit, a), sb = wfDot(r->unit, b);
     wfReal facing = wfDot(r->unit, s->normals[0]);
     if (s->kind == WF_SHAPE_LINK && facing >= 0) return false;
-    if (ha == 0 && hb == 0) return run_along(s, r, sa, sb, e);
+    if (ha == 0 && hb == 0) return runAlong(s, r, sa, sb, e);
     if ((ha > 0 && hb > 0) || (ha < 0 && hb < 0)) return false;
     wfReal k = ha / (ha - hb), at = (1 - k) * sa + k * sb;
     if (!(at >= 0 && at <= r->length)) return false;
@@ -191,14 +191,16 @@ static bool cross_segment(const wfShape *s, const LocalRay *r, Entry *e)
 /* the ray against one shape */
 static bool meet(const wfShape *s, const LocalRay *r, Entry *e)
 {
-    bool thin = s->kind == WF_SHAPE_SEGMENT || s->kind == WF_SHAPE_LINK;
     if (s->kind == WF_SHAPE_NONE) return false;
+    /* cross what is thin */
+    bool thin = s->kind == WF_SHAPE_SEGMENT || s->kind == WF_SHAPE_LINK;
+    if (thin && r->length != 0) return crossSegment(s, r, e);
     if (r->length == 0) {
         *e = (Entry){ r->lo, r->first, wfV2(0, 0) };
         return s->kind != WF_SHAPE_LINK
-            && nearest_on_core(s, r->first).distance <= s->radius;
+            && nearestOnCore(s, r->first).distance <= s->radius;
     }
-    return thin ? cross_segment(s, r, e) : enter_convex(s, r, e);
+    return enterConvex(s, r, e);
 }
 
 wfResult wfRayShape(const wfShape *shape, wfTransform placed, wfRay ray, wfRayHit *out)
@@ -207,8 +209,8 @@ wfResult wfRayShape(const wfShape *shape, wfTransform placed, wfRay ray, wfRayHi
     Entry e;
     wfRayHit hit = { WF_NO_SHAPE, 1, wfV2(0, 0), wfV2(0, 0) };
     if (!shape || !out) return WF_ERROR_NULL;
-    if (!is_kind(shape)) return WF_ERROR_UNKNOWN;
-    wfResult result = see_ray(shape, placed, ray, &r);
+    if (!isKind(shape)) return WF_ERROR_UNKNOWN;
+    wfResult result = seeRay(shape, placed, ray, &r);
     if (result != WF_OK) return result;
     if (meet(shape, &r, &e)) {
         bool inside = e.normal.x == 0 && e.normal.y == 0;
@@ -230,7 +232,7 @@ wfResult wfOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransfo
 {
     wfSeparation s = { .distance = 1 };
     if (!a || !b || !out) return WF_ERROR_NULL;
-    if (!is_kind(a) || !is_kind(b)) return WF_ERROR_UNKNOWN;
+    if (!isKind(a) || !isKind(b)) return WF_ERROR_UNKNOWN;
     if (a->kind != WF_SHAPE_NONE && b->kind != WF_SHAPE_NONE) {
         wfResult result = wfSeparate(wfFindNarrowPhase("sat"), a, xa, b, xb, &s);
         if (result != WF_OK) return result;

@@ -37,7 +37,7 @@ wfReal wfAxisEscape(wfProjection a, wfProjection b)
 }
 
 /* see B from A by eq:narrow-relative */
-wfReal wfShapeMaxExtent(const wfShape *shape)
+wfReal wfShapeReach(const wfShape *shape)
 {
     wfReal far = 0;
     for (int32_t i = 0; i < shape->count; i++)
@@ -46,9 +46,8 @@ wfReal wfShapeMaxExtent(const wfShape *shape)
 }
 
 /* separate two circles by eq:narrow-circles */
-static void circle_circle(const wfShape *a, wfTransform xa, const wfShape *b,
-                          wfTransform xb,
-                          wfSeparation *out)
+static void circleCircle(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                         wfSeparation *out)
 {
     wfVec2 arms = wfSub(wfRotate(xb.q, b->centre), wfRotate(xa.q, a->centre));
     wfVec2 d = wfAdd(wfSub(xb.p, xa.p), arms);
@@ -60,7 +59,7 @@ static void circle_circle(const wfShape *a, wfTransform xa, const wfShape *b,
 }
 
 /* the first of n gaps of cores in coats that is as good as the greatest */
-static int32_t choose_axis(const wfReal *gaps, int32_t n, wfReal coats, wfReal tie)
+static int32_t chooseAxis(const wfReal *gaps, int32_t n, wfReal coats, wfReal tie)
 {
     wfReal best = gaps[0];
     for (int32_t i = 1; i < n; i++) best = wfMaxR(best, gaps[i]);
@@ -70,19 +69,19 @@ static int32_t choose_axis(const wfReal *gaps, int32_t n, wfReal coats, wfReal t
     return k;
 }
 
-static wfReal tie_of(const wfShape *a, const wfShape *b)
+static wfReal tieOf(const wfShape *a, const wfShape *b)
 {
-    return WF_AXIS_TIE * wfMinR(wfShapeMaxExtent(a), wfShapeMaxExtent(b));
+    return WF_AXIS_TIE * wfMinR(wfShapeReach(a), wfShapeReach(b));
 }
 
 /* the polygon's frame; normal from the polygon to the circle at c */
-static void polygon_point(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
-                          wfSeparation *out)
+static void polygonPoint(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
+                         wfSeparation *out)
 {
     wfReal gaps[WF_MAX_VERTICES];
     for (int32_t i = 0; i < p->count; i++)
         gaps[i] = wfDot(p->normals[i], wfSub(c, p->vertices[i]));
-    int32_t k = choose_axis(gaps, p->count, 0, tie);
+    int32_t k = chooseAxis(gaps, p->count, 0, tie);
     out->edge = k;
     out->owner = 0;
     out->normal = p->normals[k];
@@ -102,24 +101,24 @@ static void polygon_point(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
 }
 
 /* separate a polygon and a circle */
-static void polygon_circle(const wfShape *a, wfTransform xa, const wfShape *b,
-                           wfTransform xb, wfSeparation *out)
+static void polygonCircle(const wfShape *a, wfTransform xa, const wfShape *b,
+                          wfTransform xb, wfSeparation *out)
 {
     wfVec2 c = wfApply(wfRelativePose(xa, xb), b->centre);
-    polygon_point(a, c, b->radius, tie_of(a, b), out);
+    polygonPoint(a, c, b->radius, tieOf(a, b), out);
     out->normal = wfRotate(xa.q, out->normal);
 }
 
-static void circle_polygon(const wfShape *a, wfTransform xa, const wfShape *b,
-                           wfTransform xb, wfSeparation *out)
+static void circlePolygon(const wfShape *a, wfTransform xa, const wfShape *b,
+                          wfTransform xb, wfSeparation *out)
 {
-    polygon_circle(b, xb, a, xa, out);
+    polygonCircle(b, xb, a, xa, out);
     out->normal = wfNeg(out->normal);
     out->owner = 1;
 }
 
 /* the least distance of points v[0..n-1] from the line through p with this normal */
-static wfReal least_gap(wfVec2 normal, wfVec2 p, const wfVec2 *v, int32_t n)
+static wfReal leastGap(wfVec2 normal, wfVec2 p, const wfVec2 *v, int32_t n)
 {
     wfReal least = WF_HUGE;
     for (int32_t i = 0; i < n; i++) least = wfMinR(least, wfDot(normal, wfSub(v[i], p)));
@@ -132,14 +131,14 @@ typedef struct Core {
     const wfVec2 *v, *normals;
 } Core;
 
-static int32_t edges_of(const Core *core) { return core->n > 1 ? core->n : 0; }
+static int32_t edgesOf(const Core *core) { return core->n > 1 ? core->n : 0; }
 /* count the ends of a core */
-static int32_t ends_of(const Core *core) { return core->n == 2 ? 2 : 0; }
+static int32_t endsOf(const Core *core) { return core->n == 2 ? 2 : 0; }
 
-static wfReal *list_edges(const Core *core, const Core *other, wfReal *gaps)
+static wfReal *listEdges(const Core *core, const Core *other, wfReal *gaps)
 {
-    for (int32_t i = 0; i < edges_of(core); i++)
-        *gaps++ = least_gap(core->normals[i], core->v[i], other->v, other->n);
+    for (int32_t i = 0; i < edgesOf(core); i++)
+        *gaps++ = leastGap(core->normals[i], core->v[i], other->v, other->n);
     return gaps;
 }
 
@@ -149,13 +148,13 @@ typedef struct Face {
     int32_t ofB, edge;                  /* edge: WF_NO_EDGE for an end */
 } Face;
 
-static Face face_at(const Core *cores, int32_t k)
+static Face faceAt(const Core *cores, int32_t k)
 {
     Face f = { .edge = WF_NO_EDGE };
-    int32_t first = edges_of(&cores[0]), edges = first + edges_of(&cores[1]);
-    f.ofB = k < edges ? k >= first : k - edges >= ends_of(&cores[0]);
+    int32_t first = edgesOf(&cores[0]), edges = first + edgesOf(&cores[1]);
+    f.ofB = k < edges ? k >= first : k - edges >= endsOf(&cores[0]);
     const Core *core = &cores[f.ofB];
-    int32_t i = k < edges ? k - f.ofB * first : k - edges - f.ofB * ends_of(&cores[0]);
+    int32_t i = k < edges ? k - f.ofB * first : k - edges - f.ofB * endsOf(&cores[0]);
     wfVec2 outward = k < edges ? core->normals[i] : wfPerpCW(core->normals[i]);
     if (k < edges) f.edge = i;
     f.from = f.to = core->v[i];
@@ -165,17 +164,17 @@ static Face face_at(const Core *cores, int32_t k)
 }
 
 /* list the gaps of the ends of a core */
-static wfReal *list_ends(const Core *core, const Core *other, wfReal *gaps)
+static wfReal *listEnds(const Core *core, const Core *other, wfReal *gaps)
 {
-    for (int32_t i = 0; i < ends_of(core); i++) {
+    for (int32_t i = 0; i < endsOf(core); i++) {
         wfVec2 outward = wfPerpCW(core->normals[i]);    /* at v[i], away from the other */
-        *gaps++ = least_gap(outward, core->v[i], other->v, other->n);
+        *gaps++ = leastGap(outward, core->v[i], other->v, other->n);
     }
     return gaps;
 }
 
 /* from the nearest point of the segment from a to b to c */
-static wfVec2 from_segment(wfVec2 a, wfVec2 b, wfVec2 c)
+static wfVec2 fromSegment(wfVec2 a, wfVec2 b, wfVec2 c)
 {
     wfVec2 e = wfSub(b, a), p = wfSub(c, a), q = wfSub(c, b);
     wfReal along = wfDot(p, e), back = -wfDot(q, e);
@@ -185,7 +184,7 @@ static wfVec2 from_segment(wfVec2 a, wfVec2 b, wfVec2 c)
 }
 
 /* how far a difference of coordinates may be off: eq:narrow-noise */
-static wfReal noise_of(const Core *cores)
+static wfReal noiseOf(const Core *cores)
 {
     wfReal size = 0;
     for (int32_t k = 0; k < 2; k++)
@@ -194,19 +193,19 @@ static wfReal noise_of(const Core *cores)
     return 4 * WF_EPSILON * wfSqrt(size);
 }
 
-static void corner_to_corner(const Core *cores, const wfReal *gaps, int32_t n, wfReal coats,
-                             wfSeparation *out)
+static void cornerToCorner(const Core *cores, const wfReal *gaps, int32_t n, wfReal coats,
+                           wfSeparation *out)
 {
-    wfReal best = gaps[0], least = WF_HUGE, noise = noise_of(cores);
+    wfReal best = gaps[0], least = WF_HUGE, noise = noiseOf(cores);
     wfVec2 way = wfV2(0, 0);
     for (int32_t i = 1; i < n; i++) best = wfMaxR(best, gaps[i]);
     if (best <= 0) return;                                  /* the cores overlap */
     for (int32_t i = 0; i < n; i++) {
         if (gaps[i] < best - noise) continue;
-        Face f = face_at(cores, i);
+        Face f = faceAt(cores, i);
         const Core *other = &cores[!f.ofB];
         for (int32_t k = 0; k < other->n; k++) {
-            wfVec2 d = from_segment(f.from, f.to, other->v[k]);
+            wfVec2 d = fromSegment(f.from, f.to, other->v[k]);
             wfReal length = wfLength(d);
             if (length < least) least = length, way = f.ofB ? wfNeg(d) : d;
         }
@@ -217,14 +216,14 @@ static void corner_to_corner(const Core *cores, const wfReal *gaps, int32_t n, w
     out->owner = out->edge = WF_NO_EDGE;
 }
 
-static bool is_bare(const wfShape *s)
+static bool isBare(const wfShape *s)
 {
     return s->kind == WF_SHAPE_POLYGON && s->radius == 0;
 }
 
 /* separate two cores */
-static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                      wfSeparation *out)
+static void coreCore(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                     wfSeparation *out)
 {
     wfTransform rel = wfRelativePose(xa, xb);
     wfVec2 corners[WF_MAX_VERTICES], normals[WF_MAX_VERTICES];
@@ -240,36 +239,36 @@ static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTran
         { pointA ? 1 : a->count, pointA ? &a->centre : a->vertices, a->normals },
         { pointB ? 1 : b->count, corners, normals },
     };
-    wfReal *end = list_edges(&cores[1], &cores[0], list_edges(&cores[0], &cores[1], gaps));
-    end = list_ends(&cores[1], &cores[0], list_ends(&cores[0], &cores[1], end));
-    int32_t n = (int32_t)(end - gaps), k = choose_axis(gaps, n, coats, tie_of(a, b));
-    Face f = face_at(cores, k);
+    wfReal *end = listEdges(&cores[1], &cores[0], listEdges(&cores[0], &cores[1], gaps));
+    end = listEnds(&cores[1], &cores[0], listEnds(&cores[0], &cores[1], end));
+    int32_t n = (int32_t)(end - gaps), k = chooseAxis(gaps, n, coats, tieOf(a, b));
+    Face f = faceAt(cores, k);
     out->distance = gaps[k] - coats;
     out->normal = f.axis;
     out->owner = f.edge == WF_NO_EDGE ? WF_NO_EDGE : f.ofB;
     out->edge = f.edge;
-    if (coats > 0) corner_to_corner(cores, gaps, n, coats, out);
+    if (coats > 0) cornerToCorner(cores, gaps, n, coats, out);
     out->normal = wfRotate(xa.q, out->normal);
 }
 
 /* narrow phases */
-static bool is_finite_pose(wfTransform x)
+static bool isFinitePose(wfTransform x)
 {
     return wfIsFinite2(x.p) && wfIsFinite2(wfV2(x.q.c, x.q.s));
 }
 
-static wfResult sat_separate(const wfShape *a, wfTransform xa, const wfShape *b,
-                             wfTransform xb, wfSeparation *out)
+static wfResult satSeparate(const wfShape *a, wfTransform xa, const wfShape *b,
+                            wfTransform xb, wfSeparation *out)
 {
     bool circleA = a->kind == WF_SHAPE_CIRCLE, circleB = b->kind == WF_SHAPE_CIRCLE;
     if (a->kind <= WF_SHAPE_NONE || a->kind >= WF_SHAPE_KINDS) return WF_ERROR_UNKNOWN;
     if (b->kind <= WF_SHAPE_NONE || b->kind >= WF_SHAPE_KINDS) return WF_ERROR_UNKNOWN;
-    if (!is_finite_pose(xa) || !is_finite_pose(xb)) return WF_ERROR_NOT_FINITE;
+    if (!isFinitePose(xa) || !isFinitePose(xb)) return WF_ERROR_NOT_FINITE;
     wfSeparation found;
-    if (circleA && circleB) circle_circle(a, xa, b, xb, &found);
-    else if (circleA && is_bare(b)) circle_polygon(a, xa, b, xb, &found);
-    else if (is_bare(a) && circleB) polygon_circle(a, xa, b, xb, &found);
-    else core_core(a, xa, b, xb, &found);
+    if (circleA && circleB) circleCircle(a, xa, b, xb, &found);
+    else if (circleA && isBare(b)) circlePolygon(a, xa, b, xb, &found);
+    else if (isBare(a) && circleB) polygonCircle(a, xa, b, xb, &found);
+    else coreCore(a, xa, b, xb, &found);
     if (!(wfAbs(found.distance) < WF_HUGE / 2)) return WF_ERROR_NOT_FINITE;
     *out = found;
     return WF_OK;
@@ -277,7 +276,7 @@ static wfResult sat_separate(const wfShape *a, wfTransform xa, const wfShape *b,
 
 /* the narrow phase table */
 const wfNarrowPhaseRow wfNarrowPhaseTable[] = {
-    { "sat", "separating axes: edge normals of both shapes", sat_separate },
+    { "sat", "separating axes: edge normals of both shapes", satSeparate },
     { "gjk", "GJK for the distance, EPA for the depth", wfSeparateGjk },
     { "voronoi", "a walk over Voronoi regions, GJK and EPA where it fails", wfSeparateVoronoi },
 };

@@ -32,8 +32,8 @@ typedef struct SweepList {
 static wfReal side(wfVec2 v, int axis) { return axis == 0 ? v.x : v.y; }
 
 /* offers box i of a together with those of b from `from` on that begin before i ends */
-static bool offer_active(const SweepList *a, int32_t i, const SweepList *b, int32_t from,
-                         int axis, wfPairList *out)
+static bool offerActive(const SweepList *a, int32_t i, const SweepList *b, int32_t from,
+                        int axis, wfPairList *out)
 {
     wfRect r = a->boxes[i];
     wfReal end = side(r.max, axis);
@@ -43,17 +43,17 @@ static bool offer_active(const SweepList *a, int32_t i, const SweepList *b, int3
     return true;
 }
 
-static bool sweep_one(const SweepList *a, int axis, wfPairList *out)
+static bool sweepOne(const SweepList *a, int axis, wfPairList *out)
 {
     bool room = true;
     for (int32_t i = 0; room && i < a->n; i++)
-        room = offer_active(a, i, a, i + 1, axis, out);
+        room = offerActive(a, i, a, i + 1, axis, out);
     return room;
 }
 
 /* those of b that begin within one of a; strict: not those that begin where it begins */
-static bool sweep_two(const SweepList *a, const SweepList *b, bool strict, int axis,
-                      wfPairList *out)
+static bool sweepTwo(const SweepList *a, const SweepList *b, bool strict, int axis,
+                     wfPairList *out)
 {
     bool room = true;
     int32_t from = 0;
@@ -61,7 +61,7 @@ static bool sweep_two(const SweepList *a, const SweepList *b, bool strict, int a
         wfReal start = a->items[i].key;
         while (from < b->n && (b->items[from].key < start
                                || (strict && b->items[from].key <= start))) from++;
-        room = offer_active(a, i, b, from, axis, out);
+        room = offerActive(a, i, b, from, axis, out);
     }
     return room;
 }
@@ -81,7 +81,7 @@ size_t wfSweepIndexSize(int32_t proxies)
     return sizeof(SweepHead) + (size_t)proxies * each + 4 * WF_POOL_ALIGN;
 }
 
-static SweepIndex open_sweep(const wfProxies *in, const void *index)
+static SweepIndex openSweep(const wfProxies *in, const void *index)
 {
     wfPool pool = wfOpenIndex(index, wfSweepIndexSize(in->count));
     SweepIndex s = { .head = wfPoolPushStruct(&pool, SweepHead) };
@@ -91,14 +91,14 @@ static SweepIndex open_sweep(const wfProxies *in, const void *index)
     return s;
 }
 
-static SweepList sweep_part(const wfProxies *in, const SweepIndex *s, bool moving)
+static SweepList sweepPart(const wfProxies *in, const SweepIndex *s, bool moving)
 {
     int32_t first = moving ? 0 : s->head->movers;
     int32_t n = moving ? s->head->movers : s->head->live - first;
     return (SweepList){ in, s->items + first, s->boxes + first, s->reach + first, n };
 }
 
-static void fill_sweep_list(SweepList list, const int32_t *ids, int axis, wfKeyed *spare)
+static void fillSweepList(SweepList list, const int32_t *ids, int axis, wfKeyed *spare)
 {
     for (int32_t i = 0; i < list.n; i++)
         list.items[i] = (wfKeyed){ side(list.in->bounds[ids[i]].min, axis), ids[i] };
@@ -111,7 +111,7 @@ static void fill_sweep_list(SweepList list, const int32_t *ids, int axis, wfKeye
     }
 }
 
-static wfResult update_sweep(int axis, const wfProxies *in, void *index, wfPool *scratch)
+static wfResult updateSweep(int axis, const wfProxies *in, void *index, wfPool *scratch)
 {
     size_t mark = wfPoolMark(scratch), n = (size_t)in->count;
     int32_t *ids = wfPoolPushArray(scratch, n, int32_t);
@@ -120,11 +120,11 @@ static wfResult update_sweep(int axis, const wfProxies *in, void *index, wfPool 
         wfPoolRewind(scratch, mark);
         return WF_ERROR_MEMORY;
     }
-    SweepIndex s = open_sweep(in, index);
+    SweepIndex s = openSweep(in, index);
     s.head->live = wfListLive(in, ids, &s.head->movers);
     s.head->axis = axis < 0 ? wfSweepAxis(in, ids, s.head->live) : axis;
-    fill_sweep_list(sweep_part(in, &s, true), ids, s.head->axis, spare);
-    fill_sweep_list(sweep_part(in, &s, false), ids + s.head->movers, s.head->axis, spare);
+    fillSweepList(sweepPart(in, &s, true), ids, s.head->axis, spare);
+    fillSweepList(sweepPart(in, &s, false), ids + s.head->movers, s.head->axis, spare);
     wfPoolRewind(scratch, mark);
     return WF_OK;
 }
@@ -132,20 +132,20 @@ static wfResult update_sweep(int axis, const wfProxies *in, void *index, wfPool 
 wfResult wfSweepPairs(const wfProxies *in, const void *index, wfPool *scratch,
                       wfPairList *out)
 {
-    SweepIndex s = open_sweep(in, index);
-    SweepList moving = sweep_part(in, &s, true), still = sweep_part(in, &s, false);
+    SweepIndex s = openSweep(in, index);
+    SweepList moving = sweepPart(in, &s, true), still = sweepPart(in, &s, false);
     int axis = s.head->axis;
     out->count = 0;
     out->tests = 0;
-    bool room = sweep_one(&moving, axis, out)
-             && sweep_two(&moving, &still, false, axis, out)
-             && sweep_two(&still, &moving, true, axis, out);
+    bool room = sweepOne(&moving, axis, out)
+             && sweepTwo(&moving, &still, false, axis, out)
+             && sweepTwo(&still, &moving, true, axis, out);
     return wfFinishPairs(room, in->count, scratch, wfPoolMark(scratch), out);
 }
 
 /* the places [*first, *last) of those that may overlap [low, high] along the axis */
-static void sweep_range(const SweepList *l, wfReal low, wfReal high, int32_t *first,
-                        int32_t *last)
+static void sweepRange(const SweepList *l, wfReal low, wfReal high, int32_t *first,
+                       int32_t *last)
 {
     int32_t a = 0, b = l->n;
     while (a < b) {
@@ -165,26 +165,26 @@ static void sweep_range(const SweepList *l, wfReal low, wfReal high, int32_t *fi
 void wfSweepQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn *visit,
                   void *context)
 {
-    SweepIndex s = open_sweep(in, index);
+    SweepIndex s = openSweep(in, index);
     int axis = s.head->axis;
     for (int part = 0; part < 2; part++) {
-        SweepList l = sweep_part(in, &s, part == 0);
+        SweepList l = sweepPart(in, &s, part == 0);
         int32_t first, last;
-        sweep_range(&l, side(area.min, axis), side(area.max, axis), &first, &last);
+        sweepRange(&l, side(area.min, axis), side(area.max, axis), &first, &last);
         for (int32_t i = first; i < last; i++)
             if (wfRectOverlap(l.boxes[i], area) && !visit(context, l.items[i].index))
                 return;
     }
 }
 
-static bool cast_in_list(const SweepList *l, int axis, wfBoxCast *c, wfCastVisitFn *visit,
-                         void *context)
+static bool castInList(const SweepList *l, int axis, wfBoxCast *c, wfCastVisitFn *visit,
+                       void *context)
 {
     wfBoxCast wide = wfPadCast(*c);
     wfReal from = side(c->from, axis), half = side(wide.half, axis);
     wfReal to = from + c->most * side(c->by, axis);
     int32_t first, last;
-    sweep_range(l, wfMinR(from, to) - half, wfMaxR(from, to) + half, &first, &last);
+    sweepRange(l, wfMinR(from, to) - half, wfMaxR(from, to) + half, &first, &last);
     for (int32_t k = first; k < last; k++) {
         int32_t i = to < from ? last - 1 - (k - first) : k;
         if (!wfOfferCast(l->in, c, l->items[i].index, visit, context)) return false;
@@ -195,25 +195,25 @@ static bool cast_in_list(const SweepList *l, int axis, wfBoxCast *c, wfCastVisit
 void wfSweepCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
                  wfCastVisitFn *visit, void *context)
 {
-    SweepIndex s = open_sweep(in, index);
-    SweepList moving = sweep_part(in, &s, true), still = sweep_part(in, &s, false);
+    SweepIndex s = openSweep(in, index);
+    SweepList moving = sweepPart(in, &s, true), still = sweepPart(in, &s, false);
     wfBoxCast c = *cast;
-    if (cast_in_list(&still, s.head->axis, &c, visit, context))
-        cast_in_list(&moving, s.head->axis, &c, visit, context);
+    if (castInList(&still, s.head->axis, &c, visit, context))
+        castInList(&moving, s.head->axis, &c, visit, context);
 }
 
 /* the row of sweep and prune */
 wfResult wfSweepUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *scratch)
 {
     if (bytes < wfSweepIndexSize(in->count)) return WF_ERROR_MEMORY;
-    return update_sweep(-1, in, index, scratch);
+    return updateSweep(-1, in, index, scratch);
 }
 
 wfResult wfSweepAlong(int axis, const wfProxies *in, wfPool *scratch, wfPairList *out)
 {
     size_t mark = wfPoolMark(scratch);
     void *index = wfPoolPush(scratch, wfSweepIndexSize(in->count), WF_POOL_ALIGN);
-    wfResult result = index ? update_sweep(axis, in, index, scratch) : WF_ERROR_MEMORY;
+    wfResult result = index ? updateSweep(axis, in, index, scratch) : WF_ERROR_MEMORY;
     if (result == WF_OK) result = wfSweepPairs(in, index, scratch, out);
     wfPoolRewind(scratch, mark);
     return result;
@@ -230,7 +230,7 @@ size_t wfSweepScratch(int32_t proxies, int32_t pairs)
 void wfSweepBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                   void *context)
 {
-    SweepIndex s = open_sweep(in, index);
+    SweepIndex s = openSweep(in, index);
     for (int32_t i = 0; i < s.head->live; i++) {
         wfIndexBox box = { s.boxes[i], 0, 1 };
         if (s.head->axis == 0) box.box.min.y = -WF_HUGE, box.box.max.y = WF_HUGE;

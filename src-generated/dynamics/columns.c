@@ -7,18 +7,18 @@
 /* find the trees */
 typedef struct Search {
     const wfSubsteps *s;
-    wfStacks *t;
+    wfColumns *t;
     int32_t *first;             /* by body: its first entry in `next`, -1: none */
     int32_t *next;              /* two entries for each contact: of its a, of its b */
     int32_t *limb;              /* by body: its limb, NOT_SEEN or GIVEN_UP */
-    int32_t loops, link[WF_STACK_LOOPS];    /* of this tree: contacts that close loops */
+    int32_t loops, link[WF_COLUMN_LOOPS];   /* of this tree: contacts that close loops */
 } Search;
 
 enum { NOT_SEEN = -1, GIVEN_UP = -2 };
 enum { LIMB_OPEN, LIMB_RIGHT, LIMB_FAILS };     /* the state of a root */
 #define ANSWERS(rows) ((rows) * ((rows) + 1) / 2)       /* half of a symmetric matrix */
 /* for each link of a piece that has as many as there may be */
-#define MOST_ANSWERS (ANSWERS(3 * WF_STACK_LOOPS) / WF_STACK_LOOPS + 1)
+#define MOST_ANSWERS (ANSWERS(3 * WF_COLUMN_LOOPS) / WF_COLUMN_LOOPS + 1)
 
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact)
 {
@@ -83,7 +83,7 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
 /* A contact whose other end is no news. */
 static bool add_link(Search *q, int32_t contact)
 {
-    if (q->loops == q->s->in->stackSolver - 1) return false;
+    if (q->loops == q->s->in->columns - 1) return false;
     if (has_trait(q->s, contact, WF_TRAIT_ROLLS)) return false;
     q->link[q->loops++] = contact;
     return true;
@@ -109,7 +109,7 @@ static bool grow(Search *q, int32_t root)
 /* The links come after the limbs, each with its limbs; false: there is no room. */
 static bool close_loops(Search *q, int32_t root)
 {
-    wfStacks *t = q->t;
+    wfColumns *t = q->t;
     int32_t limbs = t->count - root;
     t->limb[root].end = t->count;
     if (q->loops > limbs || q->loops > t->room - t->count) return false;
@@ -142,7 +142,7 @@ static bool is_alone(const Search *q, const wfLimb *root)
     const wfBodyState *b = &s->in->state[root->body];
     if (root->links - root->root > 1 || c->manifold.count != 1) return false;
     if (has_trait(s, root->contact, WF_TRAIT_TWO_FRICTIONS)) return false;
-    wfReal lever = wfCross(root->upside ? p->rA : p->rB, c->manifold.normal);
+    wfReal lever = wfCross(root->upside ? p->armA : p->armB, c->manifold.normal);
     return lever * lever * b->invInertia <= WF_ALONE_SHARE * b->invMass;
 }
 
@@ -164,7 +164,7 @@ static void try_root(Search *q, int32_t contact)
 }
 
 
-wfResult wfFindStacks(const wfSubsteps *s, wfStacks *t)
+wfResult wfFindColumns(const wfSubsteps *s, wfColumns *t)
 {
     const wfSolve *in = s->in;
     Search q = { .s = s, .t = t };
@@ -181,11 +181,11 @@ wfResult wfFindStacks(const wfSubsteps *s, wfStacks *t)
         q.next == NULL || q.limb == NULL)
         return WF_ERROR_MEMORY;
     list_touches(&q);
-    for (int32_t i = 0; in->stackSolver != 0 && i < in->contactCount; i++) try_root(&q, i);
+    for (int32_t i = 0; in->columns != 0 && i < in->contactCount; i++) try_root(&q, i);
     return WF_OK;
 }
 
-size_t wfStackScratch(int32_t bodies, int32_t contacts)
+size_t wfColumnScratch(int32_t bodies, int32_t contacts)
 {
     size_t body = 2 * sizeof(wfLimb) + MOST_ANSWERS * sizeof(wfReal) + 2 * sizeof(int32_t);
     size_t contact = 2 * sizeof(int32_t) + 1;
@@ -257,7 +257,7 @@ static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
     if (l->points == 3) wrong[1] = e[1] - e[0];                 /* eq:soft-mean */
     if (!(c->friction > 0)) return;
     wrong[l->rows - 1] =
-        (wfTangentRate(&m, one) + wfTangentRate(&m, two)) / 2 - c->tangentSpeed;
+        (wfTangentRate(&m, one) + wfTangentRate(&m, two)) / 2 - c->surfaceSpeed;
 }
 
 /* The inverse of a symmetric positive matrix of n rows in its place. */
@@ -363,13 +363,13 @@ static void point_pushes(const wfLimb *l, const wfPrepared *c, wfReal out[2])
     out[1] = push[0] / 2 + push[1];
 }
 
-static wfLimb *below_of(const wfStacks *t, const wfLimb *l)
+static wfLimb *below_of(const wfColumns *t, const wfLimb *l)
 {
     return l->below < 0 ? NULL : &t->limb[l->below];
 }
 
 /* how fast a point that was left out will approach, beyond what it may, m/s */
-static wfReal approach(const wfSubsteps *s, const Law *law, const wfStacks *t,
+static wfReal approach(const wfSubsteps *s, const Law *law, const wfColumns *t,
                        const wfLimb *l, const wfPreparedPoint *p)
 {
     const wfPrepared *c = &s->c[l->contact];
@@ -385,7 +385,7 @@ static wfReal approach(const wfSubsteps *s, const Law *law, const wfStacks *t,
     return -what_is_wrong(s, law, p, wfNormalRate(&m, p));
 }
 
-static bool points_are_right(const wfSubsteps *s, const Law *law, const wfStacks *t,
+static bool points_are_right(const wfSubsteps *s, const Law *law, const wfColumns *t,
                              wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
@@ -426,14 +426,14 @@ static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
     if (l->points != was) root->made = false;
 }
 
-static void open_tree(const wfSubsteps *s, wfStacks *t, wfLimb *root, bool known)
+static void open_tree(const wfSubsteps *s, wfColumns *t, wfLimb *root, bool known)
 {
     for (int32_t i = root->root; i < root->links; i++)
         open_limb(s, &t->limb[i], root, known);
     root->state = LIMB_OPEN;
 }
 
-static void close_limb(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
+static void close_limb(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 {
     wfPrepared *c = &s->c[l->contact];
     const wfLimb *root = &t->limb[l->root];
@@ -454,7 +454,7 @@ static void close_limb(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
     wfGivePair(s->in, c, &m);
 }
 
-static void run_wave(wfStacks *t, const wfLimb *root, bool extra)
+static void run_wave(wfColumns *t, const wfLimb *root, bool extra)
 {
     int32_t from = root->root;
     for (int32_t i = root->end - 1; i >= from; i--) {
@@ -470,11 +470,11 @@ static void run_wave(wfStacks *t, const wfLimb *root, bool extra)
 }
 
 /* close the loops */
-enum { LINK_ROWS = 3 * WF_STACK_LOOPS };
+enum { LINK_ROWS = 3 * WF_COLUMN_LOOPS };
 typedef struct LinkRow { int32_t limb, row; } LinkRow;
 
 /* The rate of a link's row, by what its limbs gain. */
-static wfReal link_rate(const wfStacks *t, const wfLimb *l, int32_t row, bool extra)
+static wfReal link_rate(const wfColumns *t, const wfLimb *l, int32_t row, bool extra)
 {
     const wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
     wfReal rate = dot3(l->up[row], extra ? over->extra.gain : over->wave.gain);
@@ -483,7 +483,7 @@ static wfReal link_rate(const wfStacks *t, const wfLimb *l, int32_t row, bool ex
 }
 
 
-static void load_link(wfStacks *t, const wfLimb *l, int32_t row, wfReal push)
+static void load_link(wfColumns *t, const wfLimb *l, int32_t row, wfReal push)
 {
     wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
     for (int32_t k = 0; k < 3; k++) {
@@ -492,7 +492,7 @@ static void load_link(wfStacks *t, const wfLimb *l, int32_t row, wfReal push)
     }
 }
 
-static void clear_extra(wfStacks *t, const wfLimb *root)
+static void clear_extra(wfColumns *t, const wfLimb *root)
 {
     for (int32_t i = root->root; i < root->end; i++)
         memset(&t->limb[i].extra, 0, sizeof t->limb[i].extra);
@@ -523,7 +523,7 @@ static void solve_eliminated(int32_t n, const wfReal *A, wfReal x[LINK_ROWS])
     }
 }
 
-static int32_t list_link_rows(const wfStacks *t, const wfLimb *root, LinkRow *row)
+static int32_t list_link_rows(const wfColumns *t, const wfLimb *root, LinkRow *row)
 {
     int32_t n = 0;
     for (int32_t i = root->end; i < root->links; i++)
@@ -532,7 +532,7 @@ static int32_t list_link_rows(const wfStacks *t, const wfLimb *root, LinkRow *ro
 }
 
 /* The matrix of eq:soft-links, eliminated; false: it can't be. */
-static bool ask_links(wfStacks *t, const wfLimb *root)
+static bool ask_links(wfColumns *t, const wfLimb *root)
 {
     LinkRow row[LINK_ROWS];
     int32_t n = list_link_rows(t, root, row);
@@ -549,7 +549,7 @@ static bool ask_links(wfStacks *t, const wfLimb *root)
     return eliminate(n, A);
 }
 
-static void solve_links(wfStacks *t, const wfLimb *root)
+static void solve_links(wfColumns *t, const wfLimb *root)
 {
     wfReal x[LINK_ROWS];
     LinkRow row[LINK_ROWS];
@@ -572,7 +572,7 @@ static void solve_links(wfStacks *t, const wfLimb *root)
 }
 
 /* What the points that are left out have been given goes to the loads, eq:soft-let-go. */
-static void let_go(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
+static void let_go(const wfSubsteps *s, wfColumns *t, const wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
     wfReal sign = l->upside ? WF_R(-1.0) : WF_R(1.0);
@@ -590,7 +590,7 @@ static void let_go(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
 }
 
 
-static bool make_matrices(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
+static bool make_matrices(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     for (int32_t i = root->root; i < root->links; i++) make_rows(s, law, &t->limb[i]);
     for (int32_t i = root->end - 1; i >= root->root; i--)
@@ -600,7 +600,7 @@ static bool make_matrices(const wfSubsteps *s, const Law *law, wfStacks *t, wfLi
     return root->made;
 }
 
-static bool try_tree(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
+static bool try_tree(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     if (!root->made && !make_matrices(s, law, t, root)) return false;
     for (int32_t i = root->root; i < root->links; i++) find_wrong(s, law, &t->limb[i]);
@@ -611,7 +611,7 @@ static bool try_tree(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *r
 }
 
 /* A few tries, each with the guess that the one before leads to. */
-static void try_quickly(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
+static void try_quickly(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     for (int32_t n = 0; n < COLUMN_TRIES && root->state == LIMB_OPEN; n++) {
         bool right = true;
@@ -624,7 +624,7 @@ static void try_quickly(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb
 }
 
 /* Goes from the sums `at` towards those of the last try, until one is 0: its point. */
-static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *t,
+static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfColumns *t,
                                  wfLimb *root)
 {
     wfReal share = 1, more[2];
@@ -652,7 +652,7 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *
 }
 
 
-static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
+static bool take_in_worst(const wfSubsteps *s, const Law *law, wfColumns *t,
                           wfLimb *root)
 {
     wfReal worst = 0;
@@ -674,7 +674,7 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
 }
 
 
-static void try_carefully(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
+static void try_carefully(const wfSubsteps *s, const Law *law, wfColumns *t, wfLimb *root)
 {
     open_tree(s, t, root, false);
     for (int32_t n = 0; n < CAREFUL_TRIES && root->state == LIMB_OPEN; n++) {
@@ -684,7 +684,7 @@ static void try_carefully(const wfSubsteps *s, const Law *law, wfStacks *t, wfLi
     }
 }
 
-static wfReal push_noise(const wfSubsteps *s, const wfStacks *t, const wfLimb *root)
+static wfReal push_noise(const wfSubsteps *s, const wfColumns *t, const wfLimb *root)
 {
     wfReal most = 0;
     for (int32_t i = root->root; i < root->links; i++) {
@@ -712,7 +712,7 @@ static void add_memory(const wfLimb *l, const wfPrepared *c, wfReal *over, wfRea
 }
 
 /* eq:soft-memory: the share of the sums that is too much */
-static wfReal too_much(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
+static wfReal too_much(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
 {
     wfReal work = 0, energy = 0;
     for (int32_t i = root->root; i < root->links; i++)
@@ -723,7 +723,7 @@ static wfReal too_much(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
         wfPairMotion m = wfTakePair(s->in, c);
         for (int32_t k = 0; k < c->count; k++)
             work += c->p[k].normal * wfNormalRate(&m, &c->p[k])
-                  + c->p[k].tangent * (wfTangentRate(&m, &c->p[k]) - c->tangentSpeed);
+                  + c->p[k].tangent * (wfTangentRate(&m, &c->p[k]) - c->surfaceSpeed);
         add_memory(l, c, t->limb[l->over].wave.load,
                    l->below < 0 ? NULL : t->limb[l->below].wave.load);
     }
@@ -736,7 +736,7 @@ static wfReal too_much(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
     return work > 0 && energy > 0 ? wfMinR(work / energy, 1) : 0;
 }
 
-static void take_back(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
+static void take_back(const wfSubsteps *s, wfColumns *t, const wfLimb *root)
 {
     wfReal share = too_much(s, t, root);
     if (share < WF_LEFT_SHARE) return;
@@ -755,20 +755,20 @@ static void take_back(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
     }
 }
 
-void wfTakeBackMemory(const wfSubsteps *s, wfStacks *t)
+void wfTakeBackMemory(const wfSubsteps *s, wfColumns *t)
 {
     for (int32_t at = 0; at < t->count; at = t->limb[at].links)
         take_back(s, t, &t->limb[at]);
 }
 
-void wfSolveStacks(const wfSubsteps *s, wfStacks *t, wfReal bias, wfReal give,
-                   wfReal fastest)
+void wfSolveColumns(const wfSubsteps *s, wfColumns *t, wfReal bias, wfReal give,
+                    wfReal fastest)
 {
     for (int32_t at = 0; at < t->count; at = t->limb[at].links) {
         wfLimb *root = &t->limb[at];
         if (root->given_up) continue;
         bool loops = root->links > root->end;
-        Law law = { loops ? 0 : bias, give, fastest, loops ? WF_STACK_COMPLIANCE : 0,
+        Law law = { loops ? 0 : bias, give, fastest, loops ? WF_COLUMN_GIVE : 0,
                     loops ? push_noise(s, t, root) : 0 };
         open_tree(s, t, root, loops && root->state == LIMB_RIGHT);
         try_quickly(s, &law, t, root);

@@ -25,7 +25,7 @@ typedef struct ExactRow {
 typedef struct ExactNode {
     int32_t a, b, count;
     int32_t toA, toB;           /* blocks of the matrix; -1: that body cannot move */
-    double friction, rollingResistance;
+    double friction, rolling;
     ExactRow row[WF_NODE_ROWS];
 } ExactNode;
 
@@ -129,8 +129,8 @@ static void rows_of_contact(const Exact *e, int32_t i, ExactNode *n)
     for (int32_t k = 0; k < c->count; k++)
         add_row(n, c->n, c->p[k].nA, c->p[k].nB, ROW_PUSH);
     add_row(n, c->t, w * p->tA + (1 - w) * q->tA, w * p->tB + (1 - w) * q->tB, ROW_RUB);
-    if (c->rollingResistance > 0) add_row(n, wfV2(0, 0), 1, 1, ROW_ROLL);
-    n->rollingResistance = (double)c->rollingResistance;
+    if (c->rolling > 0) add_row(n, wfV2(0, 0), 1, 1, ROW_ROLL);
+    n->rolling = (double)c->rolling;
 }
 
 /* load and store contacts */
@@ -143,13 +143,13 @@ static const wfManifold *found_of(const Exact *e, int32_t i)
 static wfReal reach_of(const Exact *e, int32_t i, int32_t k)
 {
     const wfContactPoint *p = &found_of(e, i)->points[k];
-    return wfLength(p->rA) + wfLength(p->rB);
+    return wfLength(p->armA) + wfLength(p->armB);
 }
 
 static wfReal shorter_arm(const Exact *e, int32_t i, int32_t k)
 {
     const wfContactPoint *p = &found_of(e, i)->points[k];
-    return wfMinR(wfLength(p->rA), wfLength(p->rB));
+    return wfMinR(wfLength(p->armA), wfLength(p->armB));
 }
 
 static void load_contact(Exact *e, int32_t i, bool soft)
@@ -161,7 +161,7 @@ static void load_contact(Exact *e, int32_t i, bool soft)
         ExactRow *r = &n->row[k];
         weigh(e, n, r);
         if (r->law == ROW_RUB) {
-            r->target = (double)c->tangentSpeed;
+            r->target = (double)c->surfaceSpeed;
             r->sum = (double)c->p[0].tangent + (c->count > 1 ? (double)c->p[1].tangent : 0);
         } else if (r->law == ROW_ROLL)
             r->sum = (double)c->spin;
@@ -225,7 +225,7 @@ static void store_bodies(Exact *e)
 /* choose which rows hold */
 static double limit_of(const ExactNode *n, const ExactRow *r, double pushed)
 {
-    return (r->law == ROW_ROLL ? n->rollingResistance : n->friction) * pushed;
+    return (r->law == ROW_ROLL ? n->rolling : n->friction) * pushed;
 }
 
 /* eq:exact-states; true if any is new */
@@ -633,7 +633,7 @@ size_t wfExactTieScratch(int32_t joints)
 static void take_ties(Exact *e)
 {
     const wfSolve *in = e->s.in;
-    const wfConstraints *laws = in->laws;
+    const wfLaws *laws = in->laws;
     size_t mark = wfPoolMark(in->scratch);
     if (laws == NULL || laws->lending == NULL || e->count == 0) return;
     const void *lent = laws->lending(laws->context);
@@ -672,7 +672,7 @@ static void load_tie(Exact *e, const wfTie *tie, ExactNode *n)
 
 static void load_ties(Exact *e, bool soft)
 {
-    const wfConstraints *laws = e->s.in->laws;
+    const wfLaws *laws = e->s.in->laws;
     if (e->ties == 0) return;
     e->lending->fill(laws->context, e->s.in, e->s.dt, soft, e->tie, e->ties, e->inverse);
     for (int32_t i = 0; i < e->ties; i++) load_tie(e, &e->tie[i], &e->node[e->count + i]);
@@ -692,7 +692,7 @@ static void note_given(Exact *e, const ExactNode *n, const ExactRow *r, double g
 static void store_ties(Exact *e, bool soft)
 {
     const wfSolve *in = e->s.in;
-    const wfConstraints *laws = in->laws;
+    const wfLaws *laws = in->laws;
     if (e->ties == 0) return;
     memset(e->given, 0, (size_t)in->bodyCount * sizeof *e->given);
     for (int32_t i = 0; i < e->count + e->ties; i++) {
@@ -727,7 +727,7 @@ static double overlap_at(const Exact *e, int32_t i, int32_t k)
     const wfPrepared *c = &e->s.c[i];
     wfReal gap = c->p[k].now, far = reach_of(e, i, k);
     far += wfLength(in->state[c->a].p) + wfLength(in->state[c->b].p);
-    return gap < -WF_EPSILON * far ? -(double)(in->positionCorrection * gap) : 0;
+    return gap < -WF_EPSILON * far ? -(double)(in->positionShare * gap) : 0;
 }
 
 static bool want_apart(Exact *e, int32_t part)
@@ -878,7 +878,7 @@ static bool agree(const Exact *e, double before)
     return e->again && e->change <= WF_EXACT_FEW * e->coarse && e->change > before / 2;
 }
 
-static void solve_in_turns(Exact *e, const wfConstraints *laws, bool soft)
+static void solve_in_turns(Exact *e, const wfLaws *laws, bool soft)
 {
     const wfSolve *in = e->s.in;
     for (int32_t pass = 0; pass < WF_EXACT_TURNS * in->iterations; pass++) {
@@ -893,7 +893,7 @@ static void solve_in_turns(Exact *e, const wfConstraints *laws, bool soft)
 
 static void solve(Exact *e, bool soft)
 {
-    const wfConstraints *laws = e->s.in->laws;
+    const wfLaws *laws = e->s.in->laws;
     e->again = false;
     if (laws == NULL) solve_contacts(e, soft);
     else solve_in_turns(e, laws, soft);

@@ -3,12 +3,12 @@
 #include "weft/island.h"
 
 /* union and find */
-void wfMakeSets(int32_t *parent, int32_t count)
+void wfPlant(int32_t *parent, int32_t count)
 {
     for (int32_t i = 0; i < count; i++) parent[i] = i;
 }
 
-int32_t wfFindSet(int32_t *parent, int32_t i)
+int32_t wfRootOf(int32_t *parent, int32_t i)
 {
     while (parent[i] != i) {
         parent[i] = parent[parent[i]];
@@ -17,9 +17,9 @@ int32_t wfFindSet(int32_t *parent, int32_t i)
     return i;
 }
 
-bool wfUnionSets(int32_t *parent, int32_t a, int32_t b)
+bool wfUnite(int32_t *parent, int32_t a, int32_t b)
 {
-    int32_t p = wfFindSet(parent, a), q = wfFindSet(parent, b);
+    int32_t p = wfRootOf(parent, a), q = wfRootOf(parent, b);
     if (p == q) return false;
     parent[p > q ? p : q] = p > q ? q : p;             /* eq:islands-root */
     return true;
@@ -54,7 +54,7 @@ wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, w
     for (int32_t i = 0; i < count; i++) {
         made.island[i] = -1;
         if (!moves[i]) continue;
-        int32_t root = wfFindSet(parent, i);
+        int32_t root = wfRootOf(parent, i);
         if (root == i) made.first[++made.count] = 0;
         made.island[i] = root == i ? made.count - 1 : made.island[root];
         made.first[made.island[i] + 1]++;
@@ -79,12 +79,12 @@ bool wfIsStill(const wfBodyState *s, wfReal reach, wfReal limit)
     return wfLength(s->v) + wfAbs(s->w) * reach <= limit;      /* eq:islands-speed */
 }
 
-wfReal wfSleepTimer(wfReal clock, bool still, wfReal dt, wfReal wait)
+wfReal wfRestClock(wfReal clock, bool still, wfReal dt, wfReal wait)
 {
     return still ? wfMinR(clock + dt, wait) : 0;
 }
 
-bool wfIslandMaySleep(const wfIslands *islands, int32_t k, const wfReal *clock, wfReal wait)
+bool wfIslandIsTired(const wfIslands *islands, int32_t k, const wfReal *clock, wfReal wait)
 {
     for (int32_t m = islands->first[k]; m < islands->first[k + 1]; m++)
         if (clock[islands->members[m]] < wait) return false;

@@ -4,7 +4,7 @@
 #include "dynamics/jointwork.h"
 
 /* build rows */
-static wfJointRow along(wfVec2 u, const wfJointGeometry *at)
+static wfJointRow along(wfVec2 u, const wfJointSight *at)
 {
     return (wfJointRow){ .law = WF_ROW_HOLD, .jA = wfNeg(u), .wA = -wfCross(at->rA, u),
                          .jB = u, .wB = wfCross(at->rB, u),      /* eq:joints-rod */
@@ -12,13 +12,13 @@ static wfJointRow along(wfVec2 u, const wfJointGeometry *at)
                          .least = -WF_JOINT_UNLIMITED };
 }
 
-static void pin(const wfJointGeometry *at, wfJointRow *rows)
+static void pin(const wfJointSight *at, wfJointRow *rows)
 {
     rows[0] = along(wfV2(1, 0), at);
     rows[1] = along(wfV2(0, 1), at);
 }
 
-static wfJointRow turning(const wfJointGeometry *at, wfReal rest)
+static wfJointRow turning(const wfJointSight *at, wfReal rest)
 {
     wfReal turn = at->turnB - at->turnA;
     return (wfJointRow){ .law = WF_ROW_HOLD, .wA = -1, .wB = 1,     /* eq:joints-turn */
@@ -70,7 +70,7 @@ static int32_t extras(const wfJoint *j, const wfJointRow *row, wfJointRow *rows)
     return stop ? 4 : motor ? 2 : sprung ? 1 : 0;
 }
 
-static wfJointRow along_axis(wfVec2 u, const wfJointGeometry *at)
+static wfJointRow along_axis(wfVec2 u, const wfJointSight *at)
 {
     wfJointRow row = along(u, at);
     row.wA = -wfCross(wfAdd(at->rA, at->lever), u);                 /* eq:joints-axis */
@@ -78,14 +78,14 @@ static wfJointRow along_axis(wfVec2 u, const wfJointGeometry *at)
 }
 
 /* kinds of joint */
-static int32_t build_revolute(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_revolute(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow turn = turning(at, j->rest);
     pin(at, rows);
     return 2 + extras(j, &turn, &rows[2]);
 }
 
-static int32_t build_weld(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_weld(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal most = j->springForce > 0 ? j->springForce : WF_JOINT_UNLIMITED;
     pin(at, rows);
@@ -95,7 +95,7 @@ static int32_t build_weld(const wfJoint *j, const wfJointGeometry *at, wfJointRo
     return 3;
 }
 
-static int32_t build_turn(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_turn(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow turn = turning(at, j->rest);         /* no anchors */
     return extras(j, &turn, rows);
@@ -113,7 +113,7 @@ static bool is_point(const wfJoint *j)
     return is_bare(j) && j->rest <= WF_JOINT_POINT * arms;
 }
 
-static int32_t build_distance(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_distance(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     if (is_point(j)) {
         pin(at, rows);
@@ -135,8 +135,7 @@ bool wfIsRod(const wfJoint *j)
     return wfJointTable[j->kind].build == build_distance && is_bare(j) && !is_point(j);
 }
 
-static int32_t build_prismatic(const wfJoint *j, const wfJointGeometry *at,
-                               wfJointRow *rows)
+static int32_t build_prismatic(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfVec2 t = wfRotate(at->qA, j->axis);
     wfJointRow slide = along_axis(t, at);
@@ -146,7 +145,7 @@ static int32_t build_prismatic(const wfJoint *j, const wfJointGeometry *at,
     return 2 + extras(j, &slide, &rows[2]);
 }
 
-static int32_t build_wheel(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_wheel(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfVec2 t = wfRotate(at->qA, j->axis);
     wfJointRow slide = along_axis(t, at);
@@ -162,9 +161,9 @@ static int32_t build_wheel(const wfJoint *j, const wfJointGeometry *at, wfJointR
 /* Two rows that are one force, no more than `most` in any direction. */
 static void in_a_plane(wfJointRow *rows) { rows[0].plane = 1; }
 
-static int32_t build_hand(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_hand(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
-    wfJointGeometry see = { .rB = at->rB };
+    wfJointSight see = { .rB = at->rB };
     see.d = wfAdd(wfSub(at->pB, j->groundB), at->rB);
     for (int i = 0; i < 2; i++) {
         rows[i] = along(wfV2(i == 0, i == 1), &see);
@@ -175,7 +174,7 @@ static int32_t build_hand(const wfJoint *j, const wfJointGeometry *at, wfJointRo
     return 2;
 }
 
-static int32_t build_servo(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_servo(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfReal arm = j->ratio;                      /* forces at a lever of `ratio` metres */
     for (int i = 0; i < 2; i++) {
@@ -189,7 +188,7 @@ static int32_t build_servo(const wfJoint *j, const wfJointGeometry *at, wfJointR
     return 3;
 }
 
-static int32_t build_friction(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_friction(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     for (int i = 0; i < 2; i++) {
         rows[i] = along_axis(wfV2(i == 0, i == 1), at);
@@ -201,13 +200,13 @@ static int32_t build_friction(const wfJoint *j, const wfJointGeometry *at, wfJoi
     return 3;
 }
 
-static int32_t build_none(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_none(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     (void)j, (void)at, (void)rows;
     return 0;
 }
 
-static int32_t build_pulley(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_pulley(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfVec2 dA = wfAdd(wfSub(at->pA, j->groundA), at->rA);
     wfVec2 dB = wfAdd(wfSub(at->pB, j->groundB), at->rB);
@@ -219,7 +218,7 @@ static int32_t build_pulley(const wfJoint *j, const wfJointGeometry *at, wfJoint
     return 1;
 }
 
-static int32_t build_gear(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_gear(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     rows[0] = turning(at, 0);
     rows[0].wA = 1;                                                 /* eq:joints-gear */
@@ -228,7 +227,7 @@ static int32_t build_gear(const wfJoint *j, const wfJointGeometry *at, wfJointRo
     return 1;
 }
 
-static int32_t build_ratchet(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_ratchet(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     rows[0] = turning(at, j->rest);
     rows[0].law = WF_ROW_LIMIT;
@@ -249,7 +248,7 @@ static wfReal slides_along(wfVec2 t, wfVec2 p, wfVec2 r, wfVec2 *j, wfReal *w)
     return wfDot(t, wfAdd(p, r));
 }
 
-static int32_t build_rack(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_rack(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow row = turning(at, 0);
     row.error = slides_along(j->groundA, at->pA, at->rA, &row.jA, &row.wA);
@@ -259,7 +258,7 @@ static int32_t build_rack(const wfJoint *j, const wfJointGeometry *at, wfJointRo
     return 1;
 }
 
-static int32_t build_linkage(const wfJoint *j, const wfJointGeometry *at, wfJointRow *rows)
+static int32_t build_linkage(const wfJoint *j, const wfJointSight *at, wfJointRow *rows)
 {
     wfJointRow row = turning(at, 0);
     wfReal slide = slides_along(j->groundB, at->pB, at->rB, &row.jB, &row.wB);
@@ -272,27 +271,27 @@ static int32_t build_linkage(const wfJoint *j, const wfJointGeometry *at, wfJoin
 
 /* the joint table */
 const wfJointKindRow wfJointTable[] = {
-    { "revolute", "a hinge: two points stay together", build_revolute, NULL },
-    { "weld", "two bodies become one; with a spring it gives", build_weld, NULL },
-    { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn, NULL },
+    { "revolute", "a hinge: two points stay together", build_revolute, NULL, true },
+    { "weld", "two bodies become one; with a spring it gives", build_weld, NULL, true },
+    { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn, NULL, false },
     { "distance", "a rod, a spring, a rope or a winch between two points", build_distance,
-      NULL },
+      NULL, true },
     { "prismatic", "a slide: B moves along an axis of A and does not turn", build_prismatic,
-      NULL },
+      NULL, true },
     { "wheel", "B turns freely and moves along an axis of A; also a groove", build_wheel,
-      NULL },
+      NULL, true },
     { "hand", "pulls a point of B to a point of the world, with bounded force", build_hand,
-      NULL },
+      NULL, false },
     { "servo", "pulls B to a place and a turn as A sees it, with bounded force", build_servo,
-      NULL },
+      NULL, false },
     { "friction", "B slides and turns on A, rubbing; a top view's ground", build_friction,
-      NULL },
-    { "filter", "no law; joined bodies do not collide", build_none, NULL },
-    { "pulley", "a rope over two wheels", build_pulley, NULL },
-    { "gear", "two turns in a fixed ratio", build_gear, NULL },
-    { "ratchet", "B turns one way only", build_ratchet, click },
-    { "rack", "A's slide and B's turn in a fixed ratio", build_rack, NULL },
-    { "linkage", "two slides in a fixed ratio", build_linkage, NULL },
+      NULL, false },
+    { "filter", "no law; joined bodies do not collide", build_none, NULL, false },
+    { "pulley", "a rope over two wheels", build_pulley, NULL, false },
+    { "gear", "two turns in a fixed ratio", build_gear, NULL, false },
+    { "ratchet", "B turns one way only", build_ratchet, click, false },
+    { "rack", "A's slide and B's turn in a fixed ratio", build_rack, NULL, false },
+    { "linkage", "two slides in a fixed ratio", build_linkage, NULL, false },
 };
 const int wfJointKinds = (int)(sizeof wfJointTable / sizeof *wfJointTable);
 
@@ -307,9 +306,9 @@ int wfFindJoint(const char *name)
 int32_t wfBuildJoint(const wfJoint *j, const wfBodyState *sA, const wfBodyState *sB,
                      wfJointRow *rows)
 {
-    wfJointFrame a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
-    wfJointFrame b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
-    wfJointGeometry at = wfSee(j, &a, &b);
+    wfPlace a = { .p = sA->p, .q = wfRotation(sA->angle), .angle = sA->angle };
+    wfPlace b = { .p = sB->p, .q = wfRotation(sB->angle), .angle = sB->angle };
+    wfJointSight at = wfSee(j, &a, &b);
     memset(rows, 0, WF_JOINT_ROWS * sizeof *rows);
     return wfJointTable[j->kind].build(j, &at, rows);
 }
@@ -411,7 +410,7 @@ static void weigh(wfJointWork *w, const wfJointPair *p)
 static void build(wfJoint *j, const wfJointPair *p, wfJointWork *w)
 {
     track(j, p->hereA->angle, p->hereB->angle);
-    wfJointGeometry at = wfSee(j, p->hereA, p->hereB);
+    wfJointSight at = wfSee(j, p->hereA, p->hereB);
     w->rows = wfJointTable[j->kind].build(j, &at, w->row);
     w->holds = 0;
     w->arm = at.rB;
@@ -451,6 +450,7 @@ static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal
                     wfJointWork *w, bool holds)
 {
     wfReal share = w->swung ? 0 : t / last;                         /* eq:joints-swung */
+    w->answer[0] = w->answer[1] = w->answer[2] = 0;
     w->swung = false;
     for (int i = 0; i < w->rows; i++)
         if (holds || w->row[i].law != WF_ROW_HOLD) j->impulse[i] *= share;
@@ -501,17 +501,17 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
 }
 
 /* look where the bodies will be */
-static inline wfJointFrame will_be(const wfJointFrame *at, const wfBodyState *s, wfReal h)
+static inline wfPlace will_be(const wfPlace *at, const wfBodyState *s, wfReal h)
 {
     wfReal turn = h * s->w;
-    return (wfJointFrame){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
-                           .q = wfTurnOn(at->q, turn), .angle = at->angle + turn };
+    return (wfPlace){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
+                      .q = wfTurnOn(at->q, turn), .angle = at->angle + turn };
 }
 
 void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *rows)
 {
-    wfJointFrame qa = will_be(p->hereA, p->a, h), qb = will_be(p->hereB, p->b, h);
-    wfJointGeometry at = wfSee(j, &qa, &qb);                          /* eq:joints-aim */
+    wfPlace qa = will_be(p->hereA, p->a, h), qb = will_be(p->hereB, p->b, h);
+    wfJointSight at = wfSee(j, &qa, &qb);                             /* eq:joints-aim */
     wfJointTable[j->kind].build(j, &at, rows);
 }
 
@@ -521,8 +521,33 @@ bool wfHasTurned(const wfJointRow *r, const wfJointRow *then)
     return wfDot(r->jB, then->jB) < wfLengthSq(r->jB) / 2;          /* eq:joints-swung */
 }
 
-/* aim a joint at the end of the substep */
-static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
+/* eq:joints-stop: the mass that row i stops, and what the rows that hold answer. */
+static wfReal stop_mass(const wfJointWork *w, int i, const wfJointPair *p, wfReal *y)
+{
+    wfReal c[3] = { 0, 0, 0 }, left = w->own[i];
+    for (int k = 0; k < w->holds; k++)
+        c[k] = -wfCoupling(&w->row[i], &w->row[w->hold[k]], p->a, p->b);
+    solve_holds(w, c, y);
+    for (int k = 0; k < w->holds; k++) left += c[k] * y[k];
+    if (left > WF_JOINT_SINGULAR * w->own[i]) return 1 / left;
+    y[0] = y[1] = y[2] = 0;             /* what holds does not let it move */
+    return w->mass[i];
+}
+
+static void push_stop(wfJoint *j, wfJointWork *w, int i, wfReal sum, const wfReal *y,
+                      const wfJointPair *p)
+{
+    wfReal more = wfMaxR(0, sum) - j->impulse[i];
+    wfPushRow(&w->row[i], more, p->a, p->b);
+    j->impulse[i] += more;
+    for (int k = 0; k < w->holds; k++) {
+        wfPushRow(&w->row[w->hold[k]], -more * y[k], p->a, p->b);
+        j->impulse[w->hold[k]] -= more * y[k];
+        w->answer[k] -= more * y[k];
+    }
+}
+
+static void aim_soft(wfJoint *j, wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                      const wfJointPair *p)
 {
     wfJointRow then[WF_JOINT_ROWS];
@@ -540,11 +565,10 @@ static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiv
         if (lack < 0 && wfHasTurned(&w->row[i], &then[i]))      /* sec:joints-short */
             lack = wfRateOf(&w->row[i], p->a, p->b);
         bool ahead = w->row[i].error > 0;
-        wfReal mass = ahead ? w->mass[i] : give.mass * w->mass[i];
+        wfReal answer[3], mass = stop_mass(w, i, p, answer);
+        if (!ahead) mass *= give.mass;
         wfReal slack = ahead ? 0 : give.impulse * (h / t) * j->impulse[i];
-        wfReal sum = wfMaxR(0, j->impulse[i] - mass * lack - slack);
-        wfPushRow(&w->row[i], sum - j->impulse[i], p->a, p->b);
-        j->impulse[i] = sum;
+        push_stop(j, w, i, j->impulse[i] - mass * lack - slack, answer, p);
     }
 }
 
@@ -571,15 +595,14 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
 }
 
 /* make the velocities tangent */
-static void limits_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p)
+static void limits_tangent(wfJoint *j, wfJointWork *w, const wfJointPair *p)
 {
     for (int i = 0; i < w->rows; i++) {
         const wfJointRow *r = &w->row[i];
         if (r->law != WF_ROW_LIMIT || !(j->impulse[i] > 0)) continue;
-        wfReal sum = j->impulse[i] - wfRateOf(r, p->a, p->b) / w->own[i];
-        sum = wfMaxR(0, sum);
-        wfPushRow(r, sum - j->impulse[i], p->a, p->b);
-        j->impulse[i] = sum;
+        wfReal answer[3], mass = stop_mass(w, i, p, answer);
+        wfReal rate = wfRateOf(r, p->a, p->b);
+        push_stop(j, w, i, j->impulse[i] - mass * rate, answer, p);
     }
 }
 
@@ -621,11 +644,6 @@ static void close_kick(wfJointWork *w)
 }
 
 /* make taut links sluggish */
-static void remember_inertias(wfJointSet *set, const wfSolve *in)
-{
-    for (int32_t i = 0; i < set->bodies; i++) set->inverse[i] = in->state[i].invInertia;
-}
-
 static void add_stiffness(wfJointSet *set, int32_t i)
 {
     const wfJoint *j = &set->joints[i];
@@ -697,7 +715,7 @@ static void build_pin(wfJointSet *set, const wfJointPair *p, int32_t i)
 {
     wfPin *q = &set->pins[i];
     const wfJoint *j = &set->joints[i];
-    const wfJointFrame *a = p->hereA, *b = p->hereB;
+    const wfPlace *a = p->hereA, *b = p->hereB;
     q->rA = wfRotate(a->q, j->localA);
     q->rB = wfRotate(b->q, j->localB);
     wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));
@@ -788,8 +806,7 @@ static void look_round(wfJointSet *set, const wfSolve *in, const wfMoved *moved)
 {
     for (int32_t i = 0; i < set->bodies; i++) {
         wfReal angle = in->state[i].angle + moved[i].turn;
-        set->place[i] = (wfJointFrame){ in->state[i].p, moved[i].d, wfRotation(angle),
-                                        angle };
+        set->place[i] = (wfPlace){ in->state[i].p, moved[i].d, wfRotation(angle), angle };
         set->stiffness[i] = 0;
     }
     set->changed = set->built = true;
@@ -803,18 +820,14 @@ static bool is_alone(const wfJointSet *set, int32_t i)
 
 static void rebuild(wfJointSet *set, int32_t i, const wfJointPair *p)
 {
+    /* build plain hinge i */
     if (set->pins[i].on) {
         build_pin(set, p, i);
         return;
     }
     build(&set->joints[i], p, &set->work[i]);
+    /* add the stiffness of joint i */
     if (is_alone(set, i)) add_stiffness(set, i);
-}
-
-static void choose_pins(wfJointSet *set)
-{
-    for (int32_t i = 0; i < set->count; i++)
-        if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
 }
 
 static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
@@ -823,25 +836,27 @@ static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
     wfJointRow before[WF_JOINT_ROWS];
     memcpy(before, w->row, sizeof before);
     rebuild(set, i, p);
+    /* see whether it has swung */
     w->swung = has_swung(w, before, p);
 }
 
-static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
-                         wfReal t)
+/* choose plain hinges */
+static void choose_pins(wfJointSet *set)
 {
-    wfJointSet *set = context;
-    bool first = !(set->last > 0), build_them = !set->built;
-    if (first) set->last = dt;
-    if (first) remember_inertias(set, in);
-    if (first) choose_pins(set);
-    if (build_them) look_round(set, in, moved);
-    for (int32_t i = 0; build_them && i < set->count; i++) {
-        wfJointPair p = wfPairOf(set, in, &set->joints[i]);
-        if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
-    }
-    bool heavier = stiffen(set, in, dt);
-    /* give the old impulses again */
+    for (int32_t i = 0; i < set->count; i++)
+        if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
+}
+
+static void remember_inertias(wfJointSet *set, const wfSolve *in)
+{
+    for (int32_t i = 0; i < set->bodies; i++) set->inverse[i] = in->state[i].invInertia;
+}
+
+static void give_again(wfJointSet *set, const wfSolve *in, wfReal dt, wfReal t, bool first,
+                       bool heavier)
+{
     for (int32_t i = 0; i < set->count; i++) {
+        /* give a plain hinge its old impulse again */
         if (set->pins[i].on) {
             if (!first) set->work[i].kick = set->pins[i].impulse, close_kick(&set->work[i]);
             warm_pin(&set->pins[i], in, heavier, t / set->last);
@@ -854,8 +869,39 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
         prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i],
                 set->start == NULL || is_alone(set, i));
     }
+}
+
+static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
+                         wfReal t)
+{
+    wfJointSet *set = context;
+    bool first = !(set->last > 0), build_them = !set->built, heavier = false;
+    if (first) set->last = dt;
+    if (first) remember_inertias(set, in);
+    /* choose the plain hinges */
+    if (first) choose_pins(set);
+    if (build_them) look_round(set, in, moved);
+    for (int32_t i = 0; build_them && i < set->count; i++) {
+        wfJointPair p = wfPairOf(set, in, &set->joints[i]);
+        if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
+    }
+    /* let taut links be sluggish */
+    heavier = stiffen(set, in, dt);
+    give_again(set, in, dt, t, first, heavier);
     set->last = t;
     if (set->start != NULL) set->start(set, in, moved, dt, t);
+}
+
+/* Rows that hold are solved before their stops, if together: a push of theirs that answers
+   to forces is given twice, and a blow is not (sec:exact-tangent). */
+static bool has_stops(const wfJointSet *set)
+{
+    for (int32_t i = 0; i < set->count; i++) {
+        if (wfIsBroken(&set->joints[i]) || is_alone(set, i)) continue;
+        const wfJointWork *w = &set->work[i];
+        for (int k = 0; k < w->rows; k++) if (w->row[k].law == WF_ROW_LIMIT) return true;
+    }
+    return false;
 }
 
 static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
@@ -865,6 +911,8 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     wfGiving give = wfGivingOf(set);
     bool renew = !soft && !set->built;
     if (renew) look_round(set, in, moved);
+    if (soft && pass == 0 && set->together != NULL && has_stops(set))
+        set->together(set, in, moved, dt, soft);
     for (int32_t k = 0; k < set->count; k++) {
         int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
         /* solve it if it is a plain hinge */
@@ -892,8 +940,10 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
 /* begin and end a step of joints */
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
-    size_t body = 2 * sizeof(wfReal) + sizeof(wfJointFrame);
-    size_t joint = sizeof(wfJointWork) + sizeof(wfPin);
+    size_t body = 2 * sizeof(wfReal) + sizeof(wfPlace);
+    size_t joint = sizeof(wfJointWork);
+    /* what else a joint takes */
+    joint += sizeof(wfPin);
     return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
 
@@ -903,30 +953,32 @@ static const void *lending_of(void *context)
     return set->lending;
 }
 
-wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
-                       wfConstraints *laws)
+static void forget_step(wfJointWork *w)
+{
+    w->load = w->kick = wfV2(0, 0), w->twist = w->spin = w->most[0] = w->most[1] = 0;
+    memset(w->seen, 0, sizeof w->seen);
+    w->rows = w->holds = 0, w->swung = false;
+}
+
+wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws)
 {
     if (set == NULL || scratch == NULL || laws == NULL) return WF_ERROR_NULL;
     set->bodies = bodies;
     set->work = wfPoolPushArray(scratch, set->count, wfJointWork);
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
-    set->place = wfPoolPushArray(scratch, bodies, wfJointFrame);
-    set->pins = wfPoolPushArray(scratch, set->count, wfPin);
+    set->place = wfPoolPushArray(scratch, bodies, wfPlace);
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
-             || set->place == NULL || set->pins == NULL;
+             || set->place == NULL;
+    /* take room for plain hinges */
+    set->pins = wfPoolPushArray(scratch, set->count, wfPin);
+    full = full || set->pins == NULL;
+    for (int32_t i = 0; i < set->count && !full; i++) set->pins[i].on = 0;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
-    /* forget the last step */
-    for (int32_t i = 0; i < set->count; i++) {
-        wfJointWork *w = &set->work[i];
-        w->load = w->kick = wfV2(0, 0), w->twist = w->spin = w->most[0] = w->most[1] = 0;
-        memset(w->seen, 0, sizeof w->seen);
-        w->rows = w->holds = 0, w->swung = false;
-        set->pins[i].on = 0;
-    }
+    for (int32_t i = 0; i < set->count; i++) forget_step(&set->work[i]);
     set->last = 0;
     set->built = false;
-    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of };
+    *laws = (wfLaws){ set, begin_joints, solve_joints, lending_of };
     return WF_OK;
 }
 
@@ -974,8 +1026,10 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
     for (int32_t i = 0; i < set->bodies; i++) in->state[i].invInertia = set->inverse[i];
     for (int32_t i = 0; i < set->count; i++) {
         wfJoint *j = &set->joints[i];
-        if (set->pins[i].on) leave_pin(set, in, i);
-        else if (!wfIsBroken(j)) add_load(j, &set->work[i]);
+        bool rows = !wfIsBroken(j);
+        /* leave a plain hinge */
+        if (set->pins[i].on) leave_pin(set, in, i), rows = false;
+        if (rows) add_load(j, &set->work[i]);
         close_kick(&set->work[i]);
         /* tell what joint i bore */
         const wfJointWork *w = &set->work[i];
@@ -1058,8 +1112,7 @@ wfResult wfStepJoints(const wfJointStep *in)
     wfResult result = check_step(in);
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(in->scratch);
-    wfConstraints laws;
-    /* say what the solver needs to know */
+    wfLaws laws;
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
                        .give = in->give };
@@ -1117,43 +1170,40 @@ wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t 
     return j;
 }
 
-wfJoint wfMakeRevoluteJoint(int32_t a, const wfBodyState *sA, int32_t b,
-                            const wfBodyState *sB,
-                            wfVec2 anchor)
+wfJoint wfHinge(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+                wfVec2 anchor)
 {
     return wfMakeJoint("revolute", a, sA, b, sB, anchor, anchor, wfV2(1, 0));
 }
 
-wfJoint wfMakeWeldJoint(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-                        wfVec2 anchor)
+wfJoint wfWeld(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+               wfVec2 anchor)
 {
     return wfMakeJoint("weld", a, sA, b, sB, anchor, anchor, wfV2(1, 0));
 }
 
-wfJoint wfMakeDistanceJoint(int32_t a, const wfBodyState *sA, int32_t b,
-                            const wfBodyState *sB,
-                            wfVec2 anchorA, wfVec2 anchorB)
+wfJoint wfRod(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+              wfVec2 anchorA, wfVec2 anchorB)
 {
     return wfMakeJoint("distance", a, sA, b, sB, anchorA, anchorB, wfV2(1, 0));
 }
 
-wfJoint wfMakeRopeJoint(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-                        wfVec2 anchorA, wfVec2 anchorB, wfReal length)
+wfJoint wfRope(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+               wfVec2 anchorA, wfVec2 anchorB, wfReal length)
 {
-    wfJoint j = wfMakeDistanceJoint(a, sA, b, sB, anchorA, anchorB);
+    wfJoint j = wfRod(a, sA, b, sB, anchorA, anchorB);
     j.flags = WF_JOINT_LIMITS;
     j.upper = length;
     return j;
 }
 
-wfJoint wfMakePrismaticJoint(int32_t a, const wfBodyState *sA, int32_t b,
-                             const wfBodyState *sB,
-                             wfVec2 anchor, wfVec2 axis)
+wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+                wfVec2 anchor, wfVec2 axis)
 {
     return wfMakeJoint("prismatic", a, sA, b, sB, anchor, anchor, axis);
 }
 
-void wfSetJointSpring(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
+void wfTuneJoint(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
 {
     wfReal omega = 2 * WF_PI * frequency;
     j->flags |= WF_JOINT_SPRING;

@@ -18,6 +18,7 @@ typedef struct wfJointWork {
     wfReal seen[WF_JOINT_ROWS];         /* N s: what `kick` has of each impulse */
     wfReal own[WF_JOINT_ROWS];          /* K of each row */
     wfReal mass[WF_JOINT_ROWS];         /* 1 / (K + gamma) */
+    wfReal answer[3];                   /* N s: of the rows that hold, to stops */
     wfReal gamma[WF_JOINT_ROWS], bias[WF_JOINT_ROWS];
     wfJointRow row[WF_JOINT_ROWS];
 } wfJointWork;
@@ -25,7 +26,7 @@ typedef struct wfJointWork {
 /* The bodies that get the impulses, and where they have got to. */
 typedef struct wfJointPair {
     wfBodyState *a, *b;
-    const wfJointFrame *hereA, *hereB;
+    const wfPlace *hereA, *hereB;
 } wfJointPair;
 /* What the rows that hold keep of their old error, and how they give: eq:joints-give. */
 typedef struct wfGiving { wfReal keep, mass, impulse; } wfGiving;
@@ -46,10 +47,9 @@ static inline wfReal wfFollow(wfReal turn, wfReal angle)
 }
 
 /* look at the bodies */
-static inline wfJointGeometry wfSee(const wfJoint *j, const wfJointFrame *a,
-                                    const wfJointFrame *b)
+static inline wfJointSight wfSee(const wfJoint *j, const wfPlace *a, const wfPlace *b)
 {
-    wfJointGeometry at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
+    wfJointSight at = { .rA = wfRotate(a->q, j->localA), .rB = wfRotate(b->q, j->localB),
         .bow = 1, .qA = a->q, .pA = wfAdd(a->p, a->d), .pB = wfAdd(b->p, b->d),
         .turnA = wfFollow(j->turnA, a->angle), .turnB = wfFollow(j->turnB, b->angle) };
     wfVec2 apart = wfAdd(wfSub(b->p, a->p), wfSub(b->d, a->d));

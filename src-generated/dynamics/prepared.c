@@ -22,9 +22,9 @@ static void prepare_point(const wfBodyState *a, const wfBodyState *b,
 {
     bool round = from->feature == WF_FEATURE_CIRCLE;
     *p = (wfPreparedPoint){
-        .nA = wfCross(from->rA, n), .nB = wfCross(from->rB, n),
-        .tA = wfCross(from->rA, t), .tB = wfCross(from->rB, t),
-        .upA = round ? 0 : wfDot(from->rA, n), .upB = round ? 0 : wfDot(from->rB, n),
+        .nA = wfCross(from->armA, n), .nB = wfCross(from->armB, n),
+        .tA = wfCross(from->armA, t), .tB = wfCross(from->armB, t),
+        .upA = round ? 0 : wfDot(from->armA, n), .upB = round ? 0 : wfDot(from->armB, n),
         .gap = -from->depth, .now = -from->depth,
         .normal = from->normalImpulse, .tangent = from->tangentImpulse };
     p->massN = effective_mass(a, b, p->nA, p->nB);
@@ -35,7 +35,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
 {
     const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
     const wfManifold *m = &c->manifold;
-    bool rolls = c->rollingResistance > 0;
+    bool rolls = c->rolling > 0;
     out->a = c->a;
     out->b = c->b;
     out->count = m->count;
@@ -47,8 +47,8 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
     out->settled = c->settled;
     out->bounces = c->restitution > 0;
     out->friction = c->sliding ? out->slides : out->holds;
-    out->rollingResistance = c->rollingResistance;
-    out->tangentSpeed = c->tangentSpeed;
+    out->rolling = c->rolling;
+    out->surfaceSpeed = c->surfaceSpeed;
     out->spin = rolls ? c->rollingImpulse : 0;
     out->massSpin = rolls ? inverse_or_zero(a->invInertia + b->invInertia) : 0;
     for (int32_t i = 0; i < m->count; i++)
@@ -62,7 +62,7 @@ void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
     if (!(c->holds > c->slides)) return;
     for (int32_t i = 0; i < c->count; i++) {
         const wfPreparedPoint *p = &c->p[i];
-        wfReal slide = wfTangentRate(m, p) - c->tangentSpeed;
+        wfReal slide = wfTangentRate(m, p) - c->surfaceSpeed;
         wanted += p->tangent - p->massT * slide / (wfReal)c->count;
         normal += p->normal;
     }

@@ -18,7 +18,7 @@ typedef struct wfPreparedPoint {
 typedef struct wfPrepared {
     int32_t a, b, count;
     wfVec2  n, t;
-    wfReal  friction, rollingResistance, tangentSpeed; /* friction: the one in force */
+    wfReal  friction, rolling, surfaceSpeed;    /* friction: the one in force */
     wfReal  slides, holds;    /* mu and mu_s >= mu; sliding: which is in force */
     wfReal  massSpin, spin;   /* kg m^2; N m s applied so far */
     wfReal  guessed;          /* N s: sum over normals that the passes began with */
@@ -106,13 +106,13 @@ static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
     for (int32_t i = 0; i < c->count; i++) {
         wfPreparedPoint *p = &c->p[i];
         wfReal limit = c->friction * p->normal, before = p->tangent;
-        wfReal to = before - p->massT * (wfTangentRate(m, p) - c->tangentSpeed);
+        wfReal to = before - p->massT * (wfTangentRate(m, p) - c->surfaceSpeed);
         p->tangent = wfMaxR(-limit, wfMinR(limit, to));
         wfDragPoint(m, p, p->tangent - before);
         sum += p->normal;
     }
-    if (!(c->rollingResistance > 0)) return;
-    wfReal limit = c->rollingResistance * sum, before = c->spin;
+    if (!(c->rolling > 0)) return;
+    wfReal limit = c->rolling * sum, before = c->spin;
     c->spin = wfClamp(before - c->massSpin * (m->wB - m->wA), -limit, limit);
     m->wA -= (c->spin - before) * m->iA;
     m->wB += (c->spin - before) * m->iB;

@@ -130,12 +130,11 @@ void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
 
 wfVec2 wfContactTangent(wfVec2 normal) { return wfPerpCW(normal); }
 
-wfReal wfApplyFriction(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
-                       wfReal limit,
-                       wfReal tangentSpeed)
+wfReal wfRubPoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal, wfReal limit,
+                  wfReal surfaceSpeed)
 {
     wfVec2 t = wfContactTangent(normal);
-    wfReal slide = wfRelativeNormalVelocity(a, b, point, t) - tangentSpeed;
+    wfReal slide = wfRelativeNormalVelocity(a, b, point, t) - surfaceSpeed;
     /* eq:friction-slide; eq:friction-k is inside the effective mass */
     wfReal j = wfClamp(-slide * wfEffectiveMass(a, b, point, t), -limit, limit);
     wfApplyContactImpulse(a, b, point, wfScale(j, t));      /* eq:friction-clamp */
@@ -148,7 +147,7 @@ wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal)
     return held ? holds : slides;                           /* eq:friction-static */
 }
 
-wfReal wfApplyRollingResistance(wfBodyState *a, wfBodyState *b, wfReal limit)
+wfReal wfResistRolling(wfBodyState *a, wfBodyState *b, wfReal limit)
 {
     wfReal k = a->invInertia + b->invInertia;
     if (!(k > 0)) return 0;
@@ -163,12 +162,12 @@ static wfReal coefficient_now(const wfBodyState *a, const wfBodyState *b,
 {
     if (!(c->staticFriction > c->friction)) return c->friction;
     wfVec2 t = wfContactTangent(c->manifold.normal), at = c->manifold.points[0].point;
-    wfReal slide = wfRelativeNormalVelocity(a, b, at, t) - c->tangentSpeed;
+    wfReal slide = wfRelativeNormalVelocity(a, b, at, t) - c->surfaceSpeed;
     wfReal wanted = slide * wfEffectiveMass(a, b, at, t);
     return wfFrictionNow(c->friction, c->staticFriction, wanted, normal);
 }
 
-wfReal wfApplyContactFriction(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
+wfReal wfRubContact(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e)
 {
     wfReal j[2] = { 0, 0 }, sum = 0;
     wfManifold *m = &c->manifold;
@@ -181,10 +180,9 @@ wfReal wfApplyContactFriction(wfBodyState *a, wfBodyState *b, wfContact *c, wfRe
         wfContactPoint *p = &m->points[i];
         wfReal limit = mu * j[i];                           /* eq:friction-limit */
         p->normalImpulse += j[i];
-        p->tangentImpulse += wfApplyFriction(a, b, p->point, m->normal, limit,
-                                             c->tangentSpeed);
+        p->tangentImpulse += wfRubPoint(a, b, p->point, m->normal, limit, c->surfaceSpeed);
     }
-    c->rollingImpulse += wfApplyRollingResistance(a, b, c->rollingResistance * sum);
+    c->rollingImpulse += wfResistRolling(a, b, c->rolling * sum);
     return sum;
 }
 
@@ -206,20 +204,20 @@ void wfCarryImpulses(const wfContact *before, wfContact *now)
 {
     const wfManifold *old = &before->manifold;
     wfManifold *m = &now->manifold;
-    wfMatchImpulses(old, m);
+    wfKeepImpulses(old, m);
     now->rollingImpulse = before->rollingImpulse;
     now->sliding = before->sliding;
     now->settled = before->settled;
     if (m->count < 2 || !(wfDot(old->normal, m->normal) > 0)) return;
     if (has_all_names(old, m)) return;
     /* carry impulses from place to place */
-    wfReal near = wfLength(wfSub(m->points[1].rA, m->points[0].rA)) / 8;
+    wfReal near = wfLength(wfSub(m->points[1].armA, m->points[0].armA)) / 8;
     for (int32_t k = 0; k < m->count; k++)
         for (int32_t i = 0; i < old->count; i++) {
             wfContactPoint *to = &m->points[k];
             const wfContactPoint *from = &old->points[i];
             if (has_feature(old, to->feature) || has_feature(m, from->feature)) continue;
-            if (!(wfLength(wfSub(to->rA, from->rA)) < near)) continue;
+            if (!(wfLength(wfSub(to->armA, from->armA)) < near)) continue;
             to->normalImpulse = from->normalImpulse;
             to->tangentImpulse = from->tangentImpulse;
         }
@@ -231,7 +229,7 @@ bool wfBounce(wfBodyState *a, wfBodyState *b, const wfContact *c, wfReal resting
     wfReal u = wfApproachOf(c, a, b), e = u > restingSpeed ? c->restitution : 0;
     if (!(e > 0)) return false;
     wfContact once = *c;
-    wfReal sum = wfApplyContactFriction(a, b, &once, e);
+    wfReal sum = wfRubContact(a, b, &once, e);
     if (told != NULL) wfTellBlow(told, sum, e, u);
     return true;
 }

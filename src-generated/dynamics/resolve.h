@@ -11,5 +11,5 @@ wfReal wfApproachOf(const wfContact *c, const wfBodyState *a, const wfBodyState 
 void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed);
 /* Resolves a contact with restitution e, and its friction; adds the impulses to its own.
  * Returns the sum of the normal ones, N s. */
-wfReal wfApplyContactFriction(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e);
+wfReal wfRubContact(wfBodyState *a, wfBodyState *b, wfContact *c, wfReal e);
 #endif

@@ -24,7 +24,7 @@ static void part_contact(const wfSolve *in, wfPrepared *c, wfMoved *moved, wfRea
         wfPreparedPoint *p = &c->p[i];
         wfReal deep = -p->gap - slop, before = p->normal;
         if (!(deep > 0)) continue;
-        wfReal goal = slop + (1 - in->positionCorrection) * deep; /* eq:impulses-goal */
+        wfReal goal = slop + (1 - in->positionShare) * deep;    /* eq:impulses-goal */
         wfReal push = p->massN * (-wfGapNow(c, p, ma, mb) - goal);
         p->normal = wfMaxR(before + push, 0);                   /* eq:sequential-clamp */
         wfReal j = p->normal - before;                          /* kg m */
@@ -108,7 +108,7 @@ wfResult wfSequentialVelocities(const wfSolve *in) { return sequential(in, 0); }
 
 wfResult wfSequentialBaumgarte(const wfSolve *in)
 {
-    return sequential(in, in->positionCorrection);
+    return sequential(in, in->positionShare);
 }
 
 wfResult wfNothingLeft(const wfSolve *in)

@@ -11,7 +11,7 @@ const wfMethodRow wfMethodTable[] = {
     { "soft-16", "sixteen substeps a step", "soft", NULL, "auto", 16, 0, 0, 0.4 },
     { "swept-4", "one substep of four passes", "soft", NULL, "auto", 1, 4, 0, 1.0 },
     { "swept-16", "four substeps of four passes", "soft", NULL, "auto", 4, 4, 0, 1.0 },
-    { "exact-1", "contacts and joints to rounding", "exact", NULL, "direct", 1, 0, 0, 0.8 },
+    { "exact-1", "contacts and joints to rounding", "exact", NULL, "together", 1, 0, 0, 0.8 },
     { "verlet", "nobody touches: Verlet's method", "sequential", "verlet", NULL, 1, 0, 1, 0 },
     { "rk4", "nobody touches: Runge and Kutta's", "sequential", "rk4", NULL, 1, 0, 1, 0 },
 };
@@ -21,7 +21,7 @@ const int wfMethodCount = (int)(sizeof wfMethodTable / sizeof *wfMethodTable);
 static const wfSetting *setting_of(const wfWorldDef *def, const char *name)
 {
     const wfSetting *s = wfFindSetting(name);
-    bool idle = s != NULL && s->modules != 0 && (def->modules & s->modules) == 0;
+    bool idle = s != NULL && s->need != 0 && (def->needs & s->need) == 0;
     return idle ? NULL : s;
 }
 
@@ -43,14 +43,14 @@ static wfResult give_method(wfWorld *world, int method, int32_t steps, wfReal fr
     result = put_row(&def, "solver", m->solver);
     if (m->smooth && setting_of(&def, "solver") == NULL) result = WF_OK;
     if (result == WF_OK) result = put_row(&def, "integrator", m->integrator);
-    if (result == WF_OK && setting_of(&def, "directJoints") != NULL)
-        result = put_row(&def, "directJoints", m->joints);
+    if (result == WF_OK && setting_of(&def, "exactJoints") != NULL)
+        result = put_row(&def, "exactJoints", m->joints);
     if (result == WF_OK && substeps != NULL)
         result = wfPutSetting(&def, substeps, 0, m->substeps);
     const wfSetting *passes = setting_of(&def, "iterations");
     if (result == WF_OK && passes != NULL)
         result = wfPutSetting(&def, passes, 0, m->passes);
-    def.timeStep = frame / (wfReal)steps;
+    def.dt = frame / (wfReal)steps;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
 
@@ -117,7 +117,7 @@ static wfReal largest(const wfWorld *world)
     wfShapeView s = wfWorldShapes(world);
     wfReal most = 0;
     for (int32_t k = 0; k < s.count; k++)
-        if (s.bodyOfShape[k] >= 0 && bodies.state[s.bodyOfShape[k]].invMass > 0)
+        if (s.owners[k] >= 0 && bodies.state[s.owners[k]].invMass > 0)
             most = wfMaxR(most, s.props[k].reach);
     return most;
 }
@@ -126,7 +126,7 @@ static wfReal largest(const wfWorld *world)
 static wfReal rim_apart(const wfBodyView *x, const wfBodyView *y, const wfShapeView *s,
                         int32_t k)
 {
-    int32_t i = s->bodyOfShape[k];
+    int32_t i = s->owners[k];
     wfReal turn = wfAbs(wfWrapAngle(x->state[i].angle - y->state[i].angle));
     wfReal arm = wfLength(s->shapes[k].centre) + s->props[k].reach;
     return wfDistance(x->state[i].p, y->state[i].p) + turn * arm;
@@ -139,7 +139,7 @@ static wfReal apart(const wfWorld *a, const wfWorld *b)
     wfShapeView s = wfWorldShapes(a);
     wfReal most = farthest_way(a, b);
     for (int32_t k = 0; k < s.count; k++)
-        if (s.bodyOfShape[k] >= 0) most = wfMaxR(most, rim_apart(&x, &y, &s, k));
+        if (s.owners[k] >= 0) most = wfMaxR(most, rim_apart(&x, &y, &s, k));
     return most;
 }
 
@@ -335,8 +335,8 @@ static void demand(Trial *t, wfReal most)
     for (int32_t i = 0; i < x.count; i++)
         if (x.alive[i] && wfDistance(x.state[i].p, y.state[i].p) > most) mark(t, i, 0);
     for (int32_t k = 0; k < s.count; k++)
-        if (s.bodyOfShape[k] >= 0 && rim_apart(&x, &y, &s, k) > most)
-            mark(t, s.bodyOfShape[k], 0);
+        if (s.owners[k] >= 0 && rim_apart(&x, &y, &s, k) > most)
+            mark(t, s.owners[k], 0);
 }
 
 /* Runs a rung with the marks; its difference, as a share, in *out. limit: that of

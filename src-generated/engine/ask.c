@@ -6,13 +6,13 @@
 static wfTransform place_shape(const void *context, int32_t shape)
 {
     const wfBlock *b = context;
-    return wfBodyTransform(&b->state[b->bodyOfShape[shape]]);
+    return wfBodyTransform(&b->state[b->owners[shape]]);
 }
 
 static wfResult open_set(const wfWorld *world, wfBlock *b, wfShapeSet *set)
 {
     wfResult result = wfOpenBlock(world, b);
-    if (result == WF_OK) result = wfRequireModules(b, WF_MODULE_QUERIES);
+    if (result == WF_OK) result = wfDemand(b, WF_NEED_QUERIES);
     if (result != WF_OK) return result;
     *set = (wfShapeSet){ .proxies = wfProxiesOf(b, b->bounds, b->flags),
                          .shapes = b->shapes, .place = place_shape, .context = b,

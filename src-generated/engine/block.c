@@ -22,7 +22,7 @@ static bool is_wanted(const wfWorldDef *d, int row, int chosen)
 {
     (void)d, (void)row, (void)chosen;
     /* see whether methods may change */
-    if (!(d->modules & WF_MODULE_METHODS)) return row == chosen;
+    if (!(d->needs & WF_NEED_METHODS)) return row == chosen;
     return true;
 }
 
@@ -37,8 +37,8 @@ static size_t stage_scratch(const wfWorldDef *d)
     size_t bodies = (size_t)d->bodyCapacity;
     bool boxed = true, mends = true;
     /* see who needs boxes and a solver */
-    boxed = (d->modules & (WF_MODULE_CONTACTS | WF_MODULE_QUERIES)) != 0;
-    mends = (d->modules & (WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS)) != 0;
+    boxed = (d->needs & (WF_NEED_CONTACTS | WF_NEED_QUERIES)) != 0;
+    mends = (d->needs & (WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)) != 0;
     for (int i = 0; boxed && i < wfBroadPhaseCount; i++)
         if (is_wanted(d, i, d->broadPhase))
             most = larger(most, wfBroadPhaseTable[i].scratch(shapes, pairs));
@@ -49,8 +49,8 @@ static size_t stage_scratch(const wfWorldDef *d)
     }
     if (mends || boxed) most = larger(most, sizeof(wfBodyState) * bodies + WF_POOL_ALIGN);
     if (d->events)
-        most = larger(most, 3 * (sizeof(wfTouchingPair) * (size_t)pairs + WF_POOL_ALIGN));
-    bool ties = d->directJoints != WF_JOINTS_ITERATIVE
+        most = larger(most, 3 * (sizeof(wfTouch) * (size_t)pairs + WF_POOL_ALIGN));
+    bool ties = d->exactJoints != WF_JOINTS_ONE_BY_ONE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);
     if (mends)
@@ -95,11 +95,11 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
     per[WF_BYTES_OF_INDEX] = index_size(d);
     per[WF_PER_TOUCH] = d->events ? per[WF_PER_PAIR] : 0;
     per[WF_PER_EVENT] = 2 * per[WF_PER_TOUCH];
-    per[WF_PER_PAIR_MATERIAL] = (size_t)d->materialPairCapacity;
-    per[WF_PER_FINE_BODY] = d->compensatedSums ? per[WF_PER_BODY] : 0;
+    per[WF_PER_PAIR_MATERIAL] = (size_t)d->pairMaterials;
+    per[WF_PER_FINE_BODY] = d->fineSums ? per[WF_PER_BODY] : 0;
     per[WF_PER_JOINT] = (size_t)d->jointCapacity;
     per[WF_BYTES_OF_JOINT_ROWS] = wfJointScratch(d->bodyCapacity, d->jointCapacity);
-    if (d->directJoints)
+    if (d->exactJoints)
         per[WF_BYTES_OF_MATRIX] = wfExactScratch(d->bodyCapacity, d->jointCapacity);
     per[WF_BYTES_OF_ISLANDS] = wfIslandScratch(d->bodyCapacity) + 4 * WF_POOL_ALIGN
                              + per[WF_PER_BODY] * (sizeof(int32_t) + 2);
@@ -109,8 +109,8 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
     }
     /* leave out the arrays that serve nobody */
     for (int i = 0; i < WF_REGION_COUNT; i++) {
-        uint32_t serves = wfRegionServes(i).modules;
-        if (serves != 0 && (serves & d->modules) == 0) out[i].count = 0;
+        uint32_t serves = wfRegionServes(i).needs;
+        if (serves != 0 && (serves & d->needs) == 0) out[i].count = 0;
     }
 }
 
@@ -199,7 +199,7 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
 {
     wfWorldDef d;
-    wfWorld world;
+    wfWorld world = { .workers = { .run = NULL } };
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
     wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &d, region, size);
@@ -248,7 +248,7 @@ wfResult wfOpenWorld(const wfMemory *memory, wfWorld *out)
 {
     if (memory == NULL || out == NULL) return WF_ERROR_NULL;
     wfResult result = check_block(memory);
-    if (result == WF_OK) out->memory = *memory;
+    if (result == WF_OK) *out = (wfWorld){ .memory = *memory };
     return result;
 }
 

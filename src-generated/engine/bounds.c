@@ -10,12 +10,12 @@ bool wfCanMove(const wfBodyState *s)
 
 uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
 {
-    int32_t i = b->bodyOfShape[k];
+    int32_t i = b->owners[k];
     if (i < 0) return 0;
     bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
     bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
     /* who else looks out for what is kinematic */
-    seen = seen || (b->head->sleepingCount > 0 && wfCanMove(&state[i]));
+    seen = seen || (b->head->asleep > 0 && wfCanMove(&state[i]));
     return (uint8_t)(WF_PROXY_LIVE
                      | (moves || (kinematic && seen) ? WF_PROXY_MOVES : 0));
 }
@@ -23,19 +23,19 @@ uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
 wfRect wfBoundOne(const wfBlock *b, int32_t k, wfTransform placed)
 {
     wfRect none = { .min = wfV2(0, 0), .max = wfV2(0, 0) };
-    return b->bodyOfShape[k] >= 0 ? wfShapeBounds(&b->shapes[k], placed) : none;
+    return b->owners[k] >= 0 ? wfShapeBounds(&b->shapes[k], placed) : none;
 }
 
 void wfBoundShape(wfBlock *b, int32_t k)
 {
-    int32_t i = b->bodyOfShape[k];
-    if (!wfHas(b->head, WF_MODULE_CONTACTS | WF_MODULE_QUERIES)) return;
+    int32_t i = b->owners[k];
+    if (!wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES)) return;
     wfTransform placed = i >= 0 ? wfBodyTransform(&b->state[i]) : wfTransformIdentity();
     b->bounds[k] = wfBoundOne(b, k, placed);
     b->flags[k] = wfFlagShape(b, b->state, k);
     b->head->indexStale = 1;
     /* tell whom the box of shape k meets */
-    wfWakeNear(b, k);
+    wfRouseNear(b, k);
 }
 
 void wfBoundBody(wfBlock *b, int32_t i)
@@ -45,12 +45,12 @@ void wfBoundBody(wfBlock *b, int32_t i)
 
 bool wfHasMass(const struct wfStep *s, int32_t k)
 {
-    const wfBodyState *state = &s->state[s->b.bodyOfShape[k]];
+    const wfBodyState *state = &s->state[s->b.owners[k]];
     return state->invMass > 0 || state->invInertia > 0;
 }
 
 wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags)
 {
     return (wfProxies){ .count = b->head->shapeSlots.high, .bounds = bounds,
-                        .flags = flags, .filters = b->filters, .owners = b->bodyOfShape };
+                        .flags = flags, .filters = b->filters, .owners = b->owners };
 }

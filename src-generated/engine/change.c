@@ -5,19 +5,19 @@
 #include "engine/block.h"
 
 /* disturb a body */
-void wfBodyChanged(wfBlock *b, int32_t i)
+void wfDisturb(wfBlock *b, int32_t i)
 {
     (void)b, (void)i;
     /* what it means that something was done to body i */
-    if (wfResidualOf(b) != NULL && i >= 0) memset(&b->fine[i], 0, sizeof b->fine[i]);
-    wfWakeIsland(b, i);
+    if (wfFineOf(b) != NULL && i >= 0) memset(&b->fine[i], 0, sizeof b->fine[i]);
+    wfRouse(b, i);
 }
 
-void wfEndsChanged(wfBlock *b, int32_t first, int32_t second)
+void wfDisturbEnds(wfBlock *b, int32_t first, int32_t second)
 {
-    if (first < 0) wfBodyChanged(b, -1);
-    else if (b->props[first].type == WF_DYNAMIC) wfBodyChanged(b, first);
-    if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfBodyChanged(b, second);
+    if (first < 0) wfDisturb(b, -1);
+    else if (b->props[first].type == WF_DYNAMIC) wfDisturb(b, first);
+    if (second >= 0 && b->props[second].type == WF_DYNAMIC) wfDisturb(b, second);
 }
 
 static bool is_below(wfReal rest, wfReal sum)               /* eq:world-digits */
@@ -25,7 +25,7 @@ static bool is_below(wfReal rest, wfReal sum)               /* eq:world-digits *
     return wfAbs(rest) <= WF_EPSILON / 2 * wfAbs(sum);
 }
 
-bool wfAreDigits(const wfBodyState *s, const wfResidual *rest)
+bool wfAreDigits(const wfBodyState *s, const wfFine *rest)
 {
     return is_below(rest->p.x, s->p.x) && is_below(rest->p.y, s->p.y)
         && is_below(rest->angle, s->angle) && is_below(rest->v.x, s->v.x)
@@ -50,7 +50,7 @@ static void settle_angle(wfReal *sum, wfReal *rest)
     settle(sum, rest);
 }
 
-void wfSettleDigits(wfBodyState *s, wfResidual *rest)
+void wfSettleDigits(wfBodyState *s, wfFine *rest)
 {
     settle(&s->p.x, &rest->p.x), settle(&s->p.y, &rest->p.y);
     settle_angle(&s->angle, &rest->angle);
@@ -87,28 +87,28 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
         /* refuse a setting that has no meaning here */
-        bool idle = s->modules != 0 && (s->modules & is.modules) == 0;
+        bool idle = s->need != 0 && (s->need & is.needs) == 0;
         double wish = wfSettingValue(def, s, 0), now = wfSettingValue(&is, s, 0);
-        if (idle && wish != 0 && wish != now) return wfModuleError(s->modules & wfAllModules());
+        if (idle && wish != 0 && wish != now) return wfNeedError(s->need & wfAllNeeds());
         if (same_setting(s, &is, &d)) continue;
         if (s->builtIn) return WF_ERROR_BUILT_IN;
-        if (s->method) result = wfRequireModules(b, WF_MODULE_METHODS);
+        if (s->method) result = wfDemand(b, WF_NEED_METHODS);
         if (result != WF_OK) return result;
-        if (s->method) used |= WF_MODULE_METHODS;
+        if (s->method) used |= WF_NEED_METHODS;
         if (s->law) same = false;
     }
     /* what else a change of the settings needs */
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
     if (large && !h->large) return WF_ERROR_MEMORY;
-    bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
-    if (matrix != (d.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
-    if (!same) wfBodyChanged(b, -1);
+    bool matrix = h->exactJoints != WF_JOINTS_ONE_BY_ONE;
+    if (matrix != (d.exactJoints != WF_JOINTS_ONE_BY_ONE)) return WF_ERROR_MEMORY;
+    if (!same) wfDisturb(b, -1);
     /* before the settings change */
     if (!d.queries) h->indexStale = 1;
-    if (h->directJointCost < d.directJointCost || h->directJointCost > d.directJointCost
-        || h->directJoints != d.directJoints)
+    if (h->exactCost < d.exactCost || h->exactCost > d.exactCost
+        || h->exactJoints != d.exactJoints)
         h->machines = 0;                /* judged anew */
-    if (!d.sleep) wfBodyChanged(b, -1);
+    if (!d.sleep) wfDisturb(b, -1);
     wfKeepSettings(&d, h);
     wfUse(b, used);
     return WF_OK;
@@ -145,7 +145,7 @@ wfResult wfSetTimeStep(wfWorld *world, wfReal dt)
     wfResult result = wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
     wfWorldDef d = wfSettings(b.head);
-    d.timeStep = dt;
+    d.dt = dt;
     return change_settings(&b, &d);
 }
 
@@ -169,13 +169,14 @@ static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
     int32_t left = 0, before = b->head->kept.pairs;
     for (int32_t i = 0; i < b->head->pairCount; i++) {
         wfPair p = b->pairs[i];
-        bool ofBody = body >= 0 &&
-            (b->bodyOfShape[p.a] == body || b->bodyOfShape[p.b] == body);
+        bool ofBody = body >= 0 && (b->owners[p.a] == body || b->owners[p.b] == body);
         bool ofShape = p.a == shape || p.b == shape;
         if ((ofBody || ofShape) && i < before) b->head->kept.pairs--;
         if (ofBody || ofShape) continue;
         b->pairs[left] = p;
-        b->caches[left++] = b->caches[i];
+        /* move what is remembered of a pair */
+        b->caches[left] = b->caches[i];
+        left++;
     }
     b->head->pairCount = left;
 }
@@ -189,10 +190,10 @@ void wfForgetContacts(wfBlock *b, int32_t body, int32_t shape)
         bool ofShape = c.shapeA == shape || c.shapeB == shape;
         if ((ofBody || ofShape) && i < before) b->head->kept.contacts--;
         if (!ofBody && !ofShape) b->contacts[left++] = c;
-        else wfEndsChanged(b, c.a, c.b);
+        else wfDisturbEnds(b, c.a, c.b);
     }
     b->head->contactCount = left;
     forget_pairs(b, body, shape);
-    if (body >= 0) wfBodyChanged(b, body);
-    if (shape >= 0) wfEndsChanged(b, b->bodyOfShape[shape], -1);
+    if (body >= 0) wfDisturb(b, body);
+    if (shape >= 0) wfDisturbEnds(b, b->owners[shape], -1);
 }

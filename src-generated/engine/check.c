@@ -187,8 +187,8 @@ static bool is_shape(const wfShape *stored, wfVec2 centre)
 static bool is_material(const wfShapeProps *p)
 {
     const wfReal number[] = { p->density, p->restitution, p->friction, p->staticFriction,
-                              p->rollingResistance, p->reach, p->arm, p->inner };
-    if (!wfAllFinite(number, 8) || !wfIsFinite(p->tangentSpeed)) return false;
+                              p->rolling, p->reach, p->arm, p->inner };
+    if (!wfAllFinite(number, 8) || !wfIsFinite(p->surfaceSpeed)) return false;
     for (int i = 0; i < 8; i++)
         if (number[i] < 0) return false;
     return p->restitution <= 1 && is_choice(p->sensor) && p->material >= 0;
@@ -203,7 +203,7 @@ static bool is_box(wfRect r)
 static bool check_shape(Check *c, int32_t k)
 {
     const wfBlock *b = &c->b;
-    int32_t i = b->bodyOfShape[k], end = b->head->shapeSlots.high;
+    int32_t i = b->owners[k], end = b->head->shapeSlots.high;
     if (b->shapeSlots[k].next != WF_SLOT_LIVE)
         return rule(c, i == -1 && b->next[k] == -1 && b->materials[k].sensor == 0,
                     WF_REGION_OWNERS, k, "an empty place has no owner");
@@ -244,7 +244,7 @@ static bool rule_of_shapes(Check *c)
     }
     for (int32_t i = 0; i < b->head->bodySlots.high; i++)
         for (int32_t k = b->props[i].shape; k != -1; k = b->next[k]) {
-            bool own = in_range(k, end) && b->bodyOfShape[k] == i && ++met <= end;
+            bool own = in_range(k, end) && b->owners[k] == i && ++met <= end;
             if (!rule(c, own, WF_REGION_PROPS, i, "a chain holds its body's shapes"))
                 return false;
         }
@@ -283,7 +283,7 @@ static bool in_order(wfPair before, wfPair now)
 
 static bool is_live_shape(const wfBlock *b, int32_t k)
 {
-    return in_range(k, b->head->shapeSlots.high) && b->bodyOfShape[k] >= 0;
+    return in_range(k, b->head->shapeSlots.high) && b->owners[k] >= 0;
 }
 
 static bool is_cache(const wfBlock *b, wfPair p, const wfManifoldCache *m)
@@ -314,19 +314,17 @@ static bool rule_of_pairs(Check *c)
 
 static bool is_contact(const wfBlock *b, const wfContact *m)
 {
-    const wfReal number[] = { m->restitution, m->friction, m->staticFriction,
-                              m->rollingResistance,
-        m->tangentSpeed, m->rollingImpulse, m->slop, m->manifold.normal.x,
+    const wfReal number[] = { m->restitution, m->friction, m->staticFriction, m->rolling,
+        m->surfaceSpeed, m->rollingImpulse, m->slop, m->manifold.normal.x,
         m->manifold.normal.y };
     if (!is_live_shape(b, m->shapeA) || !is_live_shape(b, m->shapeB)) return false;
-    if (b->bodyOfShape[m->shapeA] != m->a || b->bodyOfShape[m->shapeB] != m->b)
-        return false;
+    if (b->owners[m->shapeA] != m->a || b->owners[m->shapeB] != m->b) return false;
     if (m->manifold.count < 1 || m->manifold.count > 2) return false;
     if (!wfAllFinite(number, sizeof number / sizeof *number)) return false;
     for (int32_t i = 0; i < m->manifold.count; i++) {
         const wfContactPoint *p = &m->manifold.points[i];
-        const wfReal of[] = { p->point.x, p->point.y, p->rA.x, p->rA.y, p->rB.x,
-                              p->rB.y, p->depth, p->normalImpulse, p->tangentImpulse };
+        const wfReal of[] = { p->point.x, p->point.y, p->armA.x, p->armA.y, p->armB.x,
+                              p->armB.y, p->depth, p->normalImpulse, p->tangentImpulse };
         if (!wfAllFinite(of, sizeof of / sizeof *of)) return false;
     }
     return m->shapeA < m->shapeB && is_choice(m->sliding) && is_choice(m->settled);
@@ -351,7 +349,7 @@ static bool rule_of_touches(Check *c)
 {
     const wfBlock *b = &c->b;
     for (int32_t i = 0; i < b->head->touchCount; i++) {
-        const wfTouchingPair *t = &b->touches[i];
+        const wfTouch *t = &b->touches[i];
         bool first = i == 0 || i == b->head->kept.touches;
         wfPair now = { t->a, t->b }, before = now;
         if (!first) before = (wfPair){ t[-1].a, t[-1].b };
@@ -372,7 +370,7 @@ static bool rule_of_materials(Check *c)
     for (int32_t i = 0; i < count; i++) {
         /* look at known pair i */
         const wfReal n[] = { known[i].m.restitution, known[i].m.friction,
-                             known[i].m.staticFriction, known[i].m.rollingResistance };
+                             known[i].m.staticFriction, known[i].m.rolling };
         bool good = wfAllFinite(n, 4) && known[i].a >= 1 && known[i].a <= known[i].b;
         for (int k = 0; k < 4; k++) good = good && n[k] >= 0;
         wfPair now = { known[i].a, known[i].b }, before = now;
@@ -392,7 +390,8 @@ static bool rule_of_joints(Check *c)
         if (c->b.jointSlots[i].next != WF_SLOT_LIVE) continue;
         const wfJoint *j = &c->b.joints[i];
         bool good = wfCheckJoint(j) == WF_OK && j->a != -1 && j->b != -1
-                 && is_end(&c->b, j->a) && is_end(&c->b, j->b) && wfAllFinite(j->given, 3);
+                 && is_end(&c->b, j->a) && is_end(&c->b, j->b) && wfAllFinite(j->given, 3)
+                 && wfAllFinite(j->elastic, 3) && wfAllFinite(j->loose, 3);
         if (!rule(c, good, WF_REGION_JOINTS, i, "a joint is in range, of living bodies"))
             return false;
     }
@@ -434,8 +433,7 @@ static bool rule_of_rest(Check *c)
             || !check_ring(c, i, flags, named)) return false;
         asleep += flags[i] & 1;
     }
-    return rule(c, asleep == h->sleepingCount && is_choice(h->roused) &&
-                h->islandCount >= 0,
+    return rule(c, asleep == h->asleep && is_choice(h->roused) && h->islandCount >= 0,
                 WF_REGION_HEADER, 0, "sleepers are counted");
 }
 
@@ -455,7 +453,7 @@ static bool rule_of_events(Check *c)
     int32_t count = 0;
     for (int k = 0; k < WF_EVENT_KINDS; k++) count += c->b.head->eventCount[k];
     for (int32_t i = 0; i < count; i++) {
-        const wfContactEvent *e = &c->b.events[i];
+        const wfTouchEvent *e = &c->b.events[i];
         if (!rule(c, are_shapes(c, e->a, e->b) && wfIsFinite(e->impulse), WF_REGION_EVENTS,
                   i, "an event has two shapes and an impulse")) return false;
     }
@@ -465,7 +463,7 @@ static bool rule_of_events(Check *c)
 static bool rule_of_hits(Check *c)
 {
     for (int32_t i = 0; i < c->b.head->hitCount; i++) {
-        const wfContactHit *h = &c->b.hits[i];
+        const wfHit *h = &c->b.hits[i];
         bool good = wfIsFinite2(h->point) && wfIsFinite2(h->normal) && wfIsFinite(h->speed);
         if (!rule(c, good && are_shapes(c, h->a, h->b), WF_REGION_HITS, i,
                   "a hit has two shapes, a place and a speed")) return false;
@@ -477,7 +475,7 @@ static bool rule_of_fine(Check *c)
 {
     int32_t end = kept(c, WF_REGION_FINE, c->b.head->bodySlots.high);
     for (int32_t i = 0; i < end; i++) {
-        const wfResidual *f = &c->b.fine[i];
+        const wfFine *f = &c->b.fine[i];
         const wfBodyState none = { .w = 0 };    /* zero has no digits: eq:world-digits */
         const wfBodyState *s = c->b.alive[i] ? &c->b.state[i] : &none;
         if (!rule(c, wfAreDigits(s, f), WF_REGION_FINE, i,

@@ -29,31 +29,31 @@ wfWorldDef wfCompleteDef(const wfWorldDef *def)
     if (d.pairCapacity < 1) d.pairCapacity = 1;
     if (d.contactCapacity == 0) d.contactCapacity = d.pairCapacity;
     /* leave out what is not needed */
-    d.modules = wfModulesOf(&d);
-    if (!(d.modules & WF_MODULE_FORCES)) d.forceCapacity = 0;
-    if (!(d.modules & WF_MODULE_SHAPES)) d.shapeCapacity = 0;
-    if (!(d.modules & WF_MODULE_CONTACTS)) d.pairCapacity = d.contactCapacity = 0;
-    if (!(d.modules & WF_MODULE_MATERIALS)) d.materialPairCapacity = 0;
-    if (!(d.modules & WF_MODULE_QUERIES)) d.queries = 0;
-    if (!(d.modules & WF_MODULE_JOINTS)) d.directJoints = 0;
-    if (!(d.modules & WF_MODULE_JOINTS)) d.jointCapacity = 0;
-    if (!(d.modules & WF_MODULE_FAST)) d.maxImpacts = 0;
-    if (!(d.modules & WF_MODULE_SLEEP)) d.sleep = 0;
+    d.needs = wfNeedsOf(&d);
+    if (!(d.needs & WF_NEED_FORCES)) d.forceCapacity = 0;
+    if (!(d.needs & WF_NEED_SHAPES)) d.shapeCapacity = 0;
+    if (!(d.needs & WF_NEED_CONTACTS)) d.pairCapacity = d.contactCapacity = 0;
+    if (!(d.needs & WF_NEED_MATERIALS)) d.pairMaterials = 0;
+    if (!(d.needs & WF_NEED_QUERIES)) d.queries = 0;
+    if (!(d.needs & WF_NEED_JOINTS)) d.exactJoints = 0;
+    if (!(d.needs & WF_NEED_JOINTS)) d.jointCapacity = 0;
+    if (!(d.needs & WF_NEED_FAST)) d.impacts = 0;
+    if (!(d.needs & WF_NEED_SLEEP)) d.sleep = 0;
     return d;
 }
 
 /* check what settings have to do with each other */
-static wfResult check_modules(const wfWorldDef *def, const wfSetting **fault)
+static wfResult check_needs(const wfWorldDef *def, const wfSetting **fault)
 {
     wfWorldDef usual = wfDefaultWorldDef();
-    uint32_t modules = wfModulesOf(def);
+    uint32_t needs = wfNeedsOf(def);
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        if (s->modules == 0 || (modules & s->modules) != 0) continue;
+        if (s->need == 0 || (needs & s->need) != 0) continue;
         double is = wfSettingValue(def, s, 0), was = wfSettingValue(&usual, s, 0);
         if (is == 0 || is == was) continue;
         if (fault != NULL) *fault = s;
-        return wfModuleError(s->modules & wfAllModules());
+        return wfNeedError(s->need & wfAllNeeds());
     }
     return WF_OK;
 }
@@ -72,6 +72,6 @@ wfResult wfCheckWorldDef(const wfWorldDef *def, const wfSetting **fault)
     }
     /* check the rest of a definition */
     if (result == WF_OK) result = wfCheckBuild();
-    if (result == WF_OK) result = check_modules(def, fault);
+    if (result == WF_OK) result = check_needs(def, fault);
     return result;
 }

@@ -26,7 +26,7 @@ wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out)
     result = wfWorldRegions(&def, region);
     if (result != WF_OK) return result;
     const wfStageRow *row = &wfStageTable[stage];
-    uint32_t have = b.head->modules, absent = row->all & ~have;
+    uint32_t have = b.head->needs, absent = row->all & ~have;
     bool runs = wfStageRuns(row, have);
     if (!runs && absent == 0) absent = row->any;
     *out = (wfStageReport){ .name = row->name, .runs = runs,
@@ -65,30 +65,29 @@ static void put_number(Line *l, double value, int columns, bool point)
     for (char one[2] = { 0 }; n > 0; put(l, one)) one[0] = digit[--n];
 }
 
-static void put_modules(Line *l, uint32_t modules, const char *between)
+static void put_needs(Line *l, uint32_t needs, const char *between)
 {
     bool first = true;
-    for (int i = 0; i < wfModuleCount; i++) {
-        if (!(modules & wfModuleTable[i].bit)) continue;
+    for (int i = 0; i < wfNeedCount; i++) {
+        if (!(needs & wfNeedTable[i].bit)) continue;
         if (!first) put(l, between);
-        put(l, wfModuleTable[i].name);
+        put(l, wfNeedTable[i].name);
         first = false;
     }
 }
 
 /* explain a world */
-static void tell_modules(const char *label, uint32_t modules, wfPrintFn *print,
-                         void *context)
+static void tell_needs(const char *label, uint32_t needs, wfPrintFn *print, void *context)
 {
     Line l = { .length = 0 };
     put(&l, label);
-    if (modules == 0) put(&l, "nothing");
-    for (int i = 0; i < wfModuleCount; i++) {
-        if (!(modules & wfModuleTable[i].bit)) continue;
-        put(&l, wfModuleTable[i].name);
-        modules &= ~wfModuleTable[i].bit;
-        if (modules != 0) put(&l, ", ");
-        if (modules == 0 || l.length < 60) continue;
+    if (needs == 0) put(&l, "nothing");
+    for (int i = 0; i < wfNeedCount; i++) {
+        if (!(needs & wfNeedTable[i].bit)) continue;
+        put(&l, wfNeedTable[i].name);
+        needs &= ~wfNeedTable[i].bit;
+        if (needs != 0) put(&l, ", ");
+        if (needs == 0 || l.length < 60) continue;
         print(context, l.text);
         l.length = 0;
         put(&l, "          ");
@@ -105,7 +104,7 @@ static void explain_one(Line *l, const wfStageReport *r, const double *seconds,
     put_column(l, 26);
     if (r->because == 0) put(l, "always");
     else put(l, r->runs ? "for " : "no ");
-    put_modules(l, r->because, r->runs ? ", " : " or ");
+    put_needs(l, r->because, r->runs ? ", " : " or ");
     put_column(l, 62);
     put_number(l, (double)r->bytes, 10, false);
     if (seconds == NULL || steps < 1) return;
@@ -119,8 +118,8 @@ wfResult wfExplainWorld(const wfWorld *world, const double *seconds, int64_t ste
     wfResult result = print == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result != WF_OK) return result;
     /* tell what the world was made for */
-    tell_modules("made for: ", b.head->modules, print, context);
-    tell_modules("without:  ", wfAllModules() & ~b.head->modules, print, context);
+    tell_needs("made for: ", b.head->needs, print, context);
+    tell_needs("without:  ", wfAllNeeds() & ~b.head->needs, print, context);
     Line size = { .length = 0 };
     put(&size, "bytes a body: ");
     put_number(&size, (double)(b.head->bytes / (uint64_t)b.head->bodyCapacity), 1, false);

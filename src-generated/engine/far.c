@@ -4,9 +4,9 @@
 #include "engine/block.h"
 
 /* say where a world is */
-static bool is_place(wfGlobalPoint p) { return p.x - p.x == 0 && p.y - p.y == 0; }
+static bool is_place(wfFar p) { return p.x - p.x == 0 && p.y - p.y == 0; }
 
-wfResult wfSetWorldOrigin(wfWorld *world, wfGlobalPoint origin)
+wfResult wfSetWorldOrigin(wfWorld *world, wfFar origin)
 {
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
@@ -16,7 +16,7 @@ wfResult wfSetWorldOrigin(wfWorld *world, wfGlobalPoint origin)
     return WF_OK;
 }
 
-wfResult wfGetWorldOrigin(const wfWorld *world, wfGlobalPoint *out)
+wfResult wfGetWorldOrigin(const wfWorld *world, wfFar *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
@@ -24,15 +24,14 @@ wfResult wfGetWorldOrigin(const wfWorld *world, wfGlobalPoint *out)
     return result;
 }
 
-wfResult wfLocalToGlobal(const wfWorld *world, wfVec2 local, wfGlobalPoint *out)
+wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result != WF_OK) return result;
     if (!wfIsFinite2(local)) return WF_ERROR_NOT_FINITE;
-    wfGlobalPoint o = b.head->origin;
-    /* eq:world-far-sum */
-    *out = (wfGlobalPoint){ o.x + (double)local.x, o.y + (double)local.y };
+    wfFar o = b.head->origin;
+    *out = (wfFar){ o.x + (double)local.x, o.y + (double)local.y };  /* eq:world-far-sum */
     return WF_OK;
 }
 
@@ -41,7 +40,7 @@ static bool fits(double a)
     return a <= (double)WF_HUGE && a >= -(double)WF_HUGE;
 }
 
-wfResult wfGlobalToLocal(const wfWorld *world, wfGlobalPoint place, wfVec2 *out)
+wfResult wfFromFar(const wfWorld *world, wfFar place, wfVec2 *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
@@ -53,17 +52,17 @@ wfResult wfGlobalToLocal(const wfWorld *world, wfGlobalPoint place, wfVec2 *out)
     return WF_OK;
 }
 
-wfResult wfGetGlobalPosition(const wfWorld *world, wfBodyId id, wfGlobalPoint *out)
+wfResult wfFarPosition(const wfWorld *world, wfBodyId id, wfFar *out)
 {
     wfBodyInfo info;
     wfResult result = wfGetBody(world, id, &info);
-    return result == WF_OK ? wfLocalToGlobal(world, info.position, out) : result;
+    return result == WF_OK ? wfToFar(world, info.position, out) : result;
 }
 
-wfResult wfSetGlobalPosition(wfWorld *world, wfBodyId id, wfGlobalPoint place, wfReal angle)
+wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle)
 {
     wfVec2 local;
-    wfResult result = wfGlobalToLocal(world, place, &local);
+    wfResult result = wfFromFar(world, place, &local);
     return result == WF_OK ? wfSetBodyTransform(world, id, local, angle) : result;
 }
 
@@ -82,12 +81,12 @@ static void move_lists(wfBlock *b, wfVec2 by)
 {
     (void)b, (void)by;
     /* move what else names places */
-    for (int32_t i = 0; i < b->head->bodySlots.high && wfResidualOf(b) != NULL; i++) {
+    for (int32_t i = 0; i < b->head->bodySlots.high && wfFineOf(b) != NULL; i++) {
         wfSettleDigits(&b->state[i], &b->fine[i]);      /* sec:world-digits */
     }
-    bool boxed = wfHas(b->head, WF_MODULE_CONTACTS | WF_MODULE_QUERIES);
+    bool boxed = wfHas(b->head, WF_NEED_CONTACTS | WF_NEED_QUERIES);
     for (int32_t k = 0; k < b->head->shapeSlots.high && boxed; k++) {
-        int32_t i = b->bodyOfShape[k];
+        int32_t i = b->owners[k];
         if (i < 0) continue;
         b->bounds[k] = wfShapeBounds(&b->shapes[k], wfBodyTransform(&b->state[i]));
     }
@@ -107,11 +106,11 @@ static void move_lists(wfBlock *b, wfVec2 by)
     wfMoveJoints(b, by);
 }
 
-static wfResult check_move(const wfBlock *b, wfVec2 by, wfGlobalPoint *to)
+static wfResult check_move(const wfBlock *b, wfVec2 by, wfFar *to)
 {
     if (!wfIsFinite2(by)) return WF_ERROR_NOT_FINITE;
-    wfGlobalPoint from = b->head->origin;
-    *to = (wfGlobalPoint){ from.x + (double)by.x, from.y + (double)by.y };
+    wfFar from = b->head->origin;
+    *to = (wfFar){ from.x + (double)by.x, from.y + (double)by.y };
     if (!is_exact_sum(to->x, from.x, (double)by.x)) return WF_ERROR_RANGE;
     if (!is_exact_sum(to->y, from.y, (double)by.y)) return WF_ERROR_RANGE;
     for (int32_t i = 0; i < b->head->bodySlots.high; i++)
@@ -128,10 +127,10 @@ static wfResult check_move(const wfBlock *b, wfVec2 by, wfGlobalPoint *to)
     return WF_OK;
 }
 
-wfResult wfShiftOrigin(wfWorld *world, wfVec2 by, int32_t *rounded)
+wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded)
 {
     wfBlock b;
-    wfGlobalPoint to;
+    wfFar to;
     int32_t lost = 0;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = check_move(&b, by, &to);
@@ -157,7 +156,7 @@ static wfReal whole_grains(wfReal p, wfReal limit)              /* eq:world-far-
     return g * wfFloor(p / g + WF_R(0.5));
 }
 
-wfResult wfRecentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by)
+wfResult wfCentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by)
 {
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
@@ -165,7 +164,7 @@ wfResult wfRecentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by)
     if (!wfIsFinite2(place) || !wfIsFinite(limit)) return WF_ERROR_NOT_FINITE;
     if (!(limit > 0)) return WF_ERROR_RANGE;
     wfVec2 d = wfV2(whole_grains(place.x, limit), whole_grains(place.y, limit));
-    if (d.x != 0 || d.y != 0) result = wfShiftOrigin(world, d, NULL);
+    if (d.x != 0 || d.y != 0) result = wfMoveOrigin(world, d, NULL);
     if (result == WF_OK && by != NULL) *by = d;
     return result;
 }

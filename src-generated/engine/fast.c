@@ -14,8 +14,8 @@ static wfSweep sweep_of(const struct wfStep *s, int32_t i)
 {
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
     wfReal turn = now->angle - old->angle, most = 2 * WF_PI * FLIGHT_TURNS;
-    if (!wfSolverIntegrates(s)) {                                   /* eq:fast-turn */
-        wfReal likely = s->b.head->timeStep * (old->w + now->w) / 2;
+    if (!wfSolverSteps(s)) {                                        /* eq:fast-turn */
+        wfReal likely = s->b.head->dt * (old->w + now->w) / 2;
         turn = likely + wfWrapAngle(turn - likely);
     }
     if (wfAbs(turn) > most)
@@ -40,7 +40,7 @@ static bool can_change(const struct wfStep *s, int32_t i)
     return s->state[i].invMass > 0 || s->state[i].invInertia > 0;
 }
 
-static wfRect box_of(const wfSweptBody *f)
+static wfRect box_of(const wfFlight *f)
 {
     wfRect ends = { .min = wfMin2(f->leg.from, f->leg.to),
                     .max = wfMax2(f->leg.from, f->leg.to) };
@@ -53,24 +53,24 @@ static wfReal smaller(wfReal a, wfReal b)
     return a < 0 && b < 0 ? wfMaxR(a, b) : 0;
 }
 
-static void note_gain(const struct wfStep *s, wfSweptBody *f)
+static void note_gain(const struct wfStep *s, wfFlight *f)
 {
     const wfBodyState *old = &s->b.state[f->body], *now = &s->state[f->body];
     if (!can_change(s, f->body)) return;
     f->gain = wfSub(now->v, old->v), f->spin = now->w - old->w;
-    if (!wfSolverIntegrates(s)) return;
+    if (!wfSolverSteps(s)) return;
     wfBodyForces sum = s->sums[f->body];
-    wfVec2 by = wfScale(s->b.head->timeStep * now->invMass, sum.force);
+    wfVec2 by = wfScale(s->b.head->dt * now->invMass, sum.force);
     f->gain = wfV2(smaller(f->gain.x, by.x), smaller(f->gain.y, by.y));
-    f->spin = smaller(f->spin, s->b.head->timeStep * now->invInertia * sum.torque);
+    f->spin = smaller(f->spin, s->b.head->dt * now->invInertia * sum.torque);
 }
 
-static wfSweptBody *flight_of(struct wfStep *s, int32_t i)
+static wfFlight *flight_of(struct wfStep *s, int32_t i)
 {
     if (s->flightOf[i] >= 0) return &s->flights[s->flightOf[i]];
-    wfSweptBody *f = &s->flights[s->flightCount];
+    wfFlight *f = &s->flights[s->flightCount];
     s->flightOf[i] = s->flightCount++;
-    *f = (wfSweptBody){ .body = i, .other = -1, .next = 2, .leg = sweep_of(s, i) };
+    *f = (wfFlight){ .body = i, .other = -1, .next = 2, .leg = sweep_of(s, i) };
     note_gain(s, f);
     for (int32_t k = s->b.props[i].shape; k >= 0; k = s->b.next[k]) {
         wfReal rim = wfLength(s->b.shapes[k].centre) + s->b.materials[k].reach;
@@ -81,7 +81,7 @@ static wfSweptBody *flight_of(struct wfStep *s, int32_t i)
 }
 
 /* Does a flight whose leg was bent go anywhere? No contact of this step knows of it. */
-static bool is_sent(const struct wfStep *s, const wfSweptBody *f)
+static bool is_sent(const struct wfStep *s, const wfFlight *f)
 {
     for (int32_t k = s->b.props[f->body].shape; k >= 0; k = s->b.next[k]) {
         wfReal least = s->b.head->slop * s->b.materials[k].reach;
@@ -103,29 +103,56 @@ static void start_flights(struct wfStep *s)
  * diagonal. */
 static wfReal rough_way(const struct wfStep *s, int32_t k)
 {
-    int32_t i = s->b.bodyOfShape[k];
+    int32_t i = s->b.owners[k];
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
     wfVec2 d = wfAbs2(wfSub(now->p, old->p)), c = wfAbs2(s->b.shapes[k].centre);
     wfReal rim = c.x + c.y + s->b.materials[k].reach;
     return d.x + d.y + wfAbs(now->angle - old->angle) * rim;
 }
 
+typedef struct Slow {
+    struct wfStep *s;
+    wfReal slack[WF_PARTS];
+    bool all[WF_PARTS];        /* nobody in the part needs another look */
+} Slow;
+
+static bool is_slow(const struct wfStep *s, int32_t k, wfReal *slack)
+{
+    int32_t i = s->b.owners[k];
+    if (i < 0 || !s->present[i] || wfIsSensor(&s->b, k)) return true;
+    wfReal rough = rough_way(s, k);
+    bool straight = wfSolverSteps(s) || s->state[i].w == 0;
+    if (!straight || !(rough <= s->b.materials[k].inner)) return false;
+    *slack = wfMaxR(*slack, rough);
+    return true;
+}
+
+static void slow_part(void *context, int32_t part, int32_t begin, int32_t end)
+{
+    Slow *slow = context;
+    slow->slack[part] = 0;
+    slow->all[part] = true;
+    for (int32_t k = begin; k < end; k++)
+        if (!is_slow(slow->s, k, &slow->slack[part])) slow->all[part] = false;
+}
+
 static void find_flights(struct wfStep *s)
 {
-    bool steps = wfSolverIntegrates(s);
-    for (int32_t k = 0; k < s->shapeCount; k++) {
-        int32_t i = s->b.bodyOfShape[k];
-        if (i < 0 || !s->present[i] || wfIsSensor(&s->b, k)) continue;
-        wfReal rough = rough_way(s, k);
-        if ((steps || s->state[i].w == 0) && rough <= s->b.materials[k].inner) {
-            s->slack = wfMaxR(s->slack, rough);
-            continue;
-        }
+    bool all = true;
+    Slow slow = { .s = s };
+    int32_t parts = wfInParts(&s->workers, s->shapeCount, WF_STEP_PART, slow_part, &slow);
+    for (int32_t part = 0; part < parts; part++) {
+        s->slack = wfMaxR(s->slack, slow.slack[part]);
+        all = all && slow.all[part];
+    }
+    for (int32_t k = 0; k < s->shapeCount && !all; k++) {
+        int32_t i = s->b.owners[k];
+        if (is_slow(s, k, &s->slack)) continue;
         /* follow the body of shape k if it is fast */
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
-        bool covered = steps && way <= s->paces[k].way + s->b.materials[k].inner;
-        if (s->linked != NULL && !covered) s->linked[i] = 0;
+        bool farther = s->linked != NULL && way > s->paces[k].way + s->b.materials[k].inner;
+        if (farther) s->linked[i] = 0;
         if (wfIsFollowed(s, k, way)) {
             if (s->flightCount == 0) start_flights(s);
             flight_of(s, i)->fast = true;
@@ -140,7 +167,7 @@ static void find_flights(struct wfStep *s)
 /* find who may be in the way */
 static wfSweep leg_from(const struct wfStep *s, int32_t i, wfReal t)
 {
-    const wfSweptBody *f = s->flightOf[i] < 0 ? NULL : &s->flights[s->flightOf[i]];
+    const wfFlight *f = s->flightOf[i] < 0 ? NULL : &s->flights[s->flightOf[i]];
     wfSweep leg = f != NULL ? f->leg : sweep_of(s, i);
     wfReal since = f != NULL ? f->since : 0;
     if (t <= since) return leg;
@@ -153,7 +180,7 @@ static wfSweep leg_from(const struct wfStep *s, int32_t i, wfReal t)
 
 static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
 {
-    int32_t i = s->b.bodyOfShape[k], j = s->b.bodyOfShape[other];
+    int32_t i = s->b.owners[k], j = s->b.owners[other];
     int32_t fi = s->flightOf[i], fj = s->flightOf[j];
     bool moves = (can_change(s, i) && !(fi >= 0 && s->flights[fi].held))
               || (can_change(s, j) && !(fj >= 0 && s->flights[fj].held));
@@ -166,7 +193,7 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
     bool may = true;
     /* who else is not met */
     if (wfIsJoined(s, i, j)) return false;
-    const wfCallbacks *hooks = s->hooks;
+    const wfHooks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
         may = hooks->filter(hooks->context, &s->view, p.a, p.b);
     return may;
@@ -174,9 +201,9 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
 
 /* Can a shape come near a flight from t on? The least distance of two centres that move
  * evenly, against the reaches: eq:fast-near. */
-static bool comes_near(const struct wfStep *s, const wfSweptBody *f, int32_t k, wfReal t)
+static bool comes_near(const struct wfStep *s, const wfFlight *f, int32_t k, wfReal t)
 {
-    int32_t i = s->b.bodyOfShape[k];
+    int32_t i = s->b.owners[k];
     wfSweep a = leg_from(s, f->body, t), b = leg_from(s, i, t);
     wfVec2 apart = wfSub(b.from, a.from);
     wfVec2 way = wfSub(wfSub(b.to, b.from), wfSub(a.to, a.from));
@@ -189,7 +216,7 @@ static bool comes_near(const struct wfStep *s, const wfSweptBody *f, int32_t k, 
 
 typedef struct Near {
     struct wfStep  *s;
-    const wfSweptBody *f;
+    const wfFlight *f;
     wfReal          t;         /* from when on */
     int32_t        *list, count;
     bool            alone;     /* one of a crowd: meets only whom nothing can change */
@@ -198,14 +225,14 @@ typedef struct Near {
 static bool note_near(void *context, int32_t k)
 {
     Near *near = context;
-    int32_t i = near->s->b.bodyOfShape[k];
+    int32_t i = near->s->b.owners[k];
     if (near->alone && can_change(near->s, i)) return true;
     bool flies = near->s->flightOf[i] >= 0;
     if (!flies && comes_near(near->s, near->f, k, near->t)) near->list[near->count++] = k;
     return true;
 }
 
-static void note_flight(Near *near, const wfSweptBody *g)
+static void note_flight(Near *near, const wfFlight *g)
 {
     const struct wfStep *s = near->s;
     for (int32_t k = s->b.props[g->body].shape; k >= 0; k = s->b.next[k])
@@ -269,21 +296,22 @@ static void note_flights(Near *near, wfRect area)
     int32_t n = s->inOrder == NULL ? 0 : first_near(s, area.min.E[s->alongY]);
     for (; n < s->flightCount; n++) {
         if (s->inOrder != NULL && s->inOrder[n].key > area.max.E[s->alongY]) break;
-        const wfSweptBody *g = &s->flights[s->inOrder == NULL ? n : s->inOrder[n].index];
+        const wfFlight *g = &s->flights[s->inOrder == NULL ? n : s->inOrder[n].index];
         if (g != near->f && wfRectOverlap(area, g->box)) note_flight(near, g);
     }
 }
 
-static Near look_from(struct wfStep *s, const wfSweptBody *f, wfReal t)
+static Near look_from(struct wfStep *s, const wfFlight *f, wfReal t, int32_t *list)
 {
-    return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEIGHBOURS),
+    return (Near){ .s = s, .f = f, .t = t, .list = list,
                    .alone = wfIsCrowd(&s->b) && can_change(s, f->body) };
 }
 
-static wfResult find_near(struct wfStep *s, const wfSweptBody *f, wfReal t, Near *near)
+static wfResult find_near(struct wfStep *s, const wfFlight *f, wfReal t, int32_t *list,
+                          Near *near)
 {
     wfRect area = f->box;
-    *near = look_from(s, f, t);
+    *near = look_from(s, f, t, list);
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     wfResult result = wfQueryIndex(s->b.head->broadPhase, &proxies, s->index,
                                    wfRectGrow(area, s->slack), note_near, near);
@@ -297,7 +325,7 @@ static wfBodyState state_at(const struct wfStep *s, int32_t i, wfReal t)
 {
     wfBodyState at = s->state[i];
     wfSweep rest = leg_from(s, i, t);
-    const wfSweptBody *f = s->flightOf[i] < 0 ? NULL : &s->flights[s->flightOf[i]];
+    const wfFlight *f = s->flightOf[i] < 0 ? NULL : &s->flights[s->flightOf[i]];
     at.p = rest.from;
     at.angle = wfWrapAngle(rest.angleFrom);
     if (f != NULL) at.v = wfAddScaled(at.v, -(1 - t), f->gain);    /* eq:fast-velocity */
@@ -309,7 +337,7 @@ static wfBodyState state_at(const struct wfStep *s, int32_t i, wfReal t)
 static void take_rates(const struct wfStep *s, int32_t i, wfReal t, wfBodyState *out)
 {
     wfSweep rest = leg_from(s, i, t);
-    wfReal time = (1 - t) * s->b.head->timeStep;
+    wfReal time = (1 - t) * s->b.head->dt;
     out->v = wfScale(1 / time, wfSub(rest.to, rest.from));
     out->w = (rest.angleTo - rest.angleFrom) / time;
 }
@@ -348,14 +376,14 @@ static bool do_press(const struct wfStep *s, const wfBodyState two[2], const wfC
     if (t >= 1 || c->manifold.count == 0) return false;
     take_rates(s, c->a, t, &rate[0]);
     take_rates(s, c->b, t, &rate[1]);
-    return approach(rate, &c->manifold, &where) * (1 - t) * s->b.head->timeStep > c->slop;
+    return approach(rate, &c->manifold, &where) * (1 - t) * s->b.head->dt > c->slop;
 }
 
 static wfResult press(const struct wfStep *s, int32_t k, int32_t other, wfReal t, bool *out)
 {
     wfPair p = { k < other ? k : other, k < other ? other : k };
-    wfBodyState two[2] = { state_at(s, s->b.bodyOfShape[p.a], t),
-                           state_at(s, s->b.bodyOfShape[p.b], t) };
+    wfBodyState two[2] = { state_at(s, s->b.owners[p.a], t),
+                           state_at(s, s->b.owners[p.b], t) };
     wfContact c;
     wfResult result = meet_at(s, p, two, &c);
     if (result == WF_OK) *out = do_press(s, two, &c, t);
@@ -363,7 +391,7 @@ static wfResult press(const struct wfStep *s, int32_t k, int32_t other, wfReal t
 }
 
 /* How far may be looked from t at once, so that rounding stays small? eq:fast-window */
-static wfReal window_end(const struct wfStep *s, const wfSweptBody *f, int32_t k, wfReal t)
+static wfReal window_end(const struct wfStep *s, const wfFlight *f, int32_t k, wfReal t)
 {
     wfReal way = way_of(s, k, leg_from(s, f->body, t));
     wfReal most = FLIGHT_WINDOW * s->b.materials[k].reach;
@@ -402,8 +430,8 @@ static wfReal comes_over(const struct wfStep *s, int32_t k, int32_t other,
     int32_t own = link == k ? other : k;
     const wfShape *l = &s->b.shapes[link];
     if (l->kind != WF_SHAPE_LINK) return 2;
-    wfSweep on = leg_between(s, s->b.bodyOfShape[link], span[0], span[1]);
-    wfSweep of = leg_between(s, s->b.bodyOfShape[own], span[0], span[1]);
+    wfSweep on = leg_between(s, s->b.owners[link], span[0], span[1]);
+    wfSweep of = leg_between(s, s->b.owners[own], span[0], span[1]);
     wfReal hair = WF_IMPACT_GAP * s->b.materials[own].reach, x[2];
     wfReal end = wfDistance(l->vertices[0], l->vertices[1]) - hair;
     for (int i = 0; i < 2; i++)
@@ -420,9 +448,8 @@ static wfReal graze_share(const struct wfStep *s, int32_t k)
 {
     const wfHeader *head = s->b.head;
     const wfShapeProps *m = &s->b.materials[k];
-    wfReal speed = wfRestingSpeed(head->gravity, head->timeStep,
-                                  head->restitutionThreshold);
-    wfReal coat = (4 * WF_IMPACT_GAP + 2 * head->slop) * m->reach + speed * head->timeStep;
+    wfReal speed = wfRestingSpeed(head->gravity, head->dt, head->restingSteps);
+    wfReal coat = (4 * WF_IMPACT_GAP + 2 * head->slop) * m->reach + speed * head->dt;
     return m->inner > 0 ? wfMaxR(1 - coat / m->inner, WF_IMPACT_INNER) : WF_IMPACT_INNER;
 }
 
@@ -438,7 +465,7 @@ typedef struct Ahead {
  * eq:fast-clear. */
 static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
 {
-    const wfBodyState *old = &s->b.state[s->b.bodyOfShape[k]];
+    const wfBodyState *old = &s->b.state[s->b.owners[k]];
     wfReal turn = wfAbs(leg.angleFrom - old->angle) + wfAbs(leg.angleTo - leg.angleFrom);
     wfReal arm = arm_of(s, k), angles = wfAbs(leg.angleFrom) + wfAbs(leg.angleTo) + 8;
     wfReal blur = 16 * WF_EPSILON * angles * (arm + s->b.shapes[k].radius);
@@ -465,8 +492,7 @@ static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, int32_t o
     return b.min.x > a.max.x || a.min.x > b.max.x || b.min.y > a.max.y || a.min.y > b.max.y;
 }
 
-static wfResult look_ahead(struct wfStep *s, const wfSweptBody *f, const Near *near,
-                           int32_t k,
+static wfResult look_ahead(struct wfStep *s, const wfFlight *f, const Near *near, int32_t k,
                            const wfReal span[2], Ahead *out)
 {
     *out = (Ahead){ .other = -1, .at = 2 };
@@ -478,7 +504,7 @@ static wfResult look_ahead(struct wfStep *s, const wfSweptBody *f, const Near *n
         if (from >= span[1]) continue;
         wfSweep own = leg_between(s, f->body, from, span[1]);
         wfObstacle other = { .shape = &s->b.shapes[j] };
-        other.sweep = leg_between(s, s->b.bodyOfShape[j], from, span[1]);
+        other.sweep = leg_between(s, s->b.owners[j], from, span[1]);
         if (keep_clear(s, k, own, j, other.sweep)) continue;
         wfResult result = wfStopAtOne(&s->b.shapes[k], own, &other, graze_share(s, k),
                                       &one.stop);
@@ -493,7 +519,7 @@ static wfResult look_ahead(struct wfStep *s, const wfSweptBody *f, const Near *n
     return WF_OK;
 }
 
-static void take_next(wfSweptBody *f, int32_t k, const Ahead *a)
+static void take_next(wfFlight *f, int32_t k, const Ahead *a)
 {
     if (a->at >= f->next) return;
     f->next = a->at, f->own = k, f->other = a->other;
@@ -503,7 +529,7 @@ static void take_next(wfSweptBody *f, int32_t k, const Ahead *a)
 }
 
 /* The first impact of one shape of a flight: f->next if it is before that. */
-static wfResult next_of_shape(struct wfStep *s, wfSweptBody *f, const Near *near, int32_t k,
+static wfResult next_of_shape(struct wfStep *s, wfFlight *f, const Near *near, int32_t k,
                               wfReal now)
 {
     wfReal span[2] = { now, window_end(s, f, k, now) };
@@ -526,7 +552,7 @@ static wfResult next_of_shape(struct wfStep *s, wfSweptBody *f, const Near *near
     return WF_OK;
 }
 
-static wfResult next_among(struct wfStep *s, wfSweptBody *f, const Near *near)
+static wfResult next_among(struct wfStep *s, wfFlight *f, const Near *near)
 {
     wfResult result = WF_OK;
     for (int32_t k = s->b.props[f->body].shape; k >= 0 && result == WF_OK; k = s->b.next[k])
@@ -535,34 +561,33 @@ static wfResult next_among(struct wfStep *s, wfSweptBody *f, const Near *near)
     return result;
 }
 
-static wfResult plan(struct wfStep *s, wfSweptBody *f, wfReal now)
+static wfResult plan(struct wfStep *s, wfFlight *f, wfReal now, int32_t *list)
 {
     Near near;
     f->next = 2, f->other = -1, f->lost = false;
     if (!f->fast || f->held || now >= 1) return WF_OK;
-    wfResult result = find_near(s, f, now, &near);
+    wfResult result = find_near(s, f, now, list, &near);
     return result == WF_OK ? next_among(s, f, &near) : result;
 }
 
 /* Another body has a new leg: does it come before what was planned? */
-static wfResult plan_with(struct wfStep *s, wfSweptBody *f, const wfSweptBody *other,
-                          wfReal now)
+static wfResult plan_with(struct wfStep *s, wfFlight *f, const wfFlight *other, wfReal now)
 {
     if (!f->fast || f->held || now >= 1) return WF_OK;
     if (!wfRectOverlap(f->box, other->box)) return WF_OK;
-    Near near = look_from(s, f, now);
+    Near near = look_from(s, f, now, wfTransient(&s->b, WF_REGION_NEIGHBOURS));
     note_flight(&near, other);
     return next_among(s, f, &near);
 }
 
 /* A leg that begins later, and ends elsewhere by what a change of its rates does. */
-static void cut_leg(struct wfStep *s, wfSweptBody *f, wfReal t)
+static void cut_leg(struct wfStep *s, wfFlight *f, wfReal t)
 {
     f->leg = leg_from(s, f->body, t);
     f->since = t;
 }
 
-static void bend_leg(wfSweptBody *f, wfVec2 dv, wfReal dw, wfReal time)
+static void bend_leg(wfFlight *f, wfVec2 dv, wfReal dw, wfReal time)
 {
     f->leg.to = wfAddScaled(f->leg.to, time, dv);
     f->leg.angleTo += time * dw;
@@ -570,7 +595,7 @@ static void bend_leg(wfSweptBody *f, wfVec2 dv, wfReal dw, wfReal time)
     f->fresh = true;
 }
 
-static void hold(struct wfStep *s, wfSweptBody *f)
+static void hold(struct wfStep *s, wfFlight *f)
 {
     f->leg = wfSweepStill(f->leg.from, f->leg.angleFrom);
     f->box = box_of(f);
@@ -588,13 +613,13 @@ static int32_t impact_passes(const struct wfStep *s)
 static wfReal resting_speed(const struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
-    return wfRestingSpeed(head->gravity, head->timeStep, head->restitutionThreshold);
+    return wfRestingSpeed(head->gravity, head->dt, head->restingSteps);
 }
 
 static wfResult collide(struct wfStep *s, wfBodyState two[2], wfContact *c, int32_t passes)
 {
     wfSolve solve = { .state = two, .bodyCount = 2, .contacts = c, .contactCount = 1,
-        .h = s->b.head->timeStep, .iterations = passes, .scratch = &s->scratch,
+        .h = s->b.head->dt, .iterations = passes, .scratch = &s->scratch,
         .restingSpeed = resting_speed(s) };
     c->a = 0, c->b = 1;
     return wfSolveVelocities(wfFindSolver("impulse-friction"), &solve);
@@ -604,7 +629,7 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
                           const int32_t who[2], const wfBodyState at[2],
                           const wfBodyState after[2])
 {
-    wfReal time = (1 - t) * s->b.head->timeStep;
+    wfReal time = (1 - t) * s->b.head->dt;
     int32_t where;
     if (!(time > 0)) return WF_OK;
     wfBodyState rate[2] = { at[0], at[1] }, kept[2];
@@ -620,7 +645,7 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
     }
     /* take the rest of the approach out of the legs */
     wfContact still = *hit;
-    still.restitution = still.friction = still.rollingResistance = 0;
+    still.restitution = still.friction = still.rolling = 0;
     wfResult result = WF_OK;
     if (approach(rate, &still.manifold, &where) > 0)
         result = collide(s, rate, &still, impact_passes(s));
@@ -636,13 +661,13 @@ static bool comes_after(wfPair a, wfPair b)
     return a.a != b.a ? a.a > b.a : a.b > b.b;
 }
 
-static wfResult note_strike(struct wfStep *s, wfImpactEvent now)
+static wfResult note_strike(struct wfStep *s, wfStrike now)
 {
     int32_t at = s->strikeCount;
     while (at > 0 && comes_after(s->strikes[at - 1].pair, now.pair)) at--;
     bool known = at > 0 && !comes_after(now.pair, s->strikes[at - 1].pair);
     if (known) {
-        wfImpactEvent *old = &s->strikes[at - 1];
+        wfStrike *old = &s->strikes[at - 1];
         now.impulse += old->impulse, now.bounced = now.bounced || old->bounced;
         if (old->speed > now.speed)
             now.speed = old->speed, now.point = old->point, now.normal = old->normal;
@@ -674,14 +699,14 @@ static wfResult strike(struct wfStep *s, wfPair p, const int32_t who[2], wfReal 
         impulse += c->manifold.points[i].normalImpulse;
     s->impactCount++;
     if (!(impulse > 0)) return WF_OK;
-    return note_strike(s, (wfImpactEvent){ .pair = p, .speed = speed, .impulse = impulse,
+    return note_strike(s, (wfStrike){ .pair = p, .speed = speed, .impulse = impulse,
         .bounced = c->restitution > 0 && speed > resting_speed(s),
         .point = c->manifold.points[where].point, .normal = c->manifold.normal });
 }
 
 /* If no point of the manifold approaches, in velocity or in the leg, the point is taken
  * that the search has found. */
-static void point_of_search(struct wfStep *s, const wfSweptBody *f, wfReal t,
+static void point_of_search(struct wfStep *s, const wfFlight *f, wfReal t,
                             const int32_t who[2], const wfBodyState at[2], wfContact *c)
 {
     wfBodyState rate[2] = { at[0], at[1] };
@@ -693,7 +718,7 @@ static void point_of_search(struct wfStep *s, const wfSweptBody *f, wfReal t,
     wfVec2 n = f->own == c->shapeA ? f->normal : wfNeg(f->normal);
     c->manifold = (wfManifold){ .normal = n, .count = 1 };
     c->manifold.points[0] = (wfContactPoint){ .point = f->point,
-        .rA = wfSub(f->point, at[0].p), .rB = wfSub(f->point, at[1].p) };
+        .armA = wfSub(f->point, at[0].p), .armB = wfSub(f->point, at[1].p) };
 }
 
 /* May they pass, since a hook says so, or since it is another link's affair? */
@@ -724,7 +749,7 @@ static bool is_fresh(const struct wfStep *s, int32_t i)
  * changed, and if they touch and press. */
 static wfResult strike_again(struct wfStep *s, wfPair p, wfReal t, bool *some)
 {
-    const int32_t who[2] = { s->b.bodyOfShape[p.a], s->b.bodyOfShape[p.b] };
+    const int32_t who[2] = { s->b.owners[p.a], s->b.owners[p.b] };
     bool pass, near = false;
     if (!is_fresh(s, who[0]) && !is_fresh(s, who[1])) return WF_OK;
     if (!may_meet(s, p.a, p.b)) return WF_OK;
@@ -757,11 +782,11 @@ static wfResult settle(struct wfStep *s, wfReal t)
     return result;
 }
 
-static wfResult impact(struct wfStep *s, wfSweptBody *f)
+static wfResult impact(struct wfStep *s, wfFlight *f)
 {
     int32_t own = f->own, other = f->other;
     wfPair p = { own < other ? own : other, own < other ? other : own };
-    int32_t who[2] = { s->b.bodyOfShape[p.a], s->b.bodyOfShape[p.b] };
+    int32_t who[2] = { s->b.owners[p.a], s->b.owners[p.b] };
     wfReal t = f->next;
     bool pass;
     wfContact c;
@@ -788,20 +813,20 @@ static wfResult impact(struct wfStep *s, wfSweptBody *f)
     if (!pass && result == WF_OK) result = settle(s, t);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
         /* count the impact of body i */
-        wfSweptBody *g = can_change(s, who[i]) ? flight_of(s, who[i]) : NULL;
+        wfFlight *g = can_change(s, who[i]) ? flight_of(s, who[i]) : NULL;
         if (g == NULL) continue;
         g->fresh = true;
-        if (!g->held && (pass || ++g->impacts >= s->b.head->maxImpacts)) hold(s, g);
+        if (!g->held && (pass || ++g->impacts >= s->b.head->impacts)) hold(s, g);
     }
     return result;
 }
 
 /* follow the flights in order of time */
-static wfSweptBody *earliest(struct wfStep *s)
+static wfFlight *earliest(struct wfStep *s)
 {
-    wfSweptBody *best = NULL;
+    wfFlight *best = NULL;
     for (int32_t n = 0; n < s->flightCount; n++) {
-        wfSweptBody *f = &s->flights[n];
+        wfFlight *f = &s->flights[n];
         if (f->next > 1) continue;
         bool first = best == NULL || f->next < best->next
                   || (f->next == best->next && f->body < best->body);
@@ -817,16 +842,16 @@ static wfResult plan_again(struct wfStep *s, wfReal now)
     wfResult result = WF_OK;
     int32_t *fresh = wfTransient(&s->b, WF_REGION_FRESH), count = 0;
     for (int32_t n = 0; n < s->flightCount; n++) {
-        wfSweptBody *f = &s->flights[n];
+        wfFlight *f = &s->flights[n];
         if (!f->fresh) continue;
         f->fast = f->fast || is_sent(s, f);
         fresh[count++] = n;
     }
     for (int32_t n = 0; n < s->flightCount && result == WF_OK; n++) {
-        wfSweptBody *f = &s->flights[n];
-        int32_t with = f->other >= 0 ? s->b.bodyOfShape[f->other] : -1;
+        wfFlight *f = &s->flights[n];
+        int32_t with = f->other >= 0 ? s->b.owners[f->other] : -1;
         bool again = f->fresh || is_fresh(s, with);
-        if (again) result = plan(s, f, now);
+        if (again) result = plan(s, f, now, wfTransient(&s->b, WF_REGION_NEIGHBOURS));
         for (int32_t k = 0; k < count && !again && result == WF_OK; k++)
             result = plan_with(s, f, &s->flights[fresh[k]], now);
     }
@@ -834,7 +859,7 @@ static wfResult plan_again(struct wfStep *s, wfReal now)
     return result;
 }
 
-static void give_up(struct wfStep *s, wfSweptBody *f, wfReal now)
+static void give_up(struct wfStep *s, wfFlight *f, wfReal now)
 {
     if (can_change(s, f->body)) {
         cut_leg(s, f, now);
@@ -845,18 +870,52 @@ static void give_up(struct wfStep *s, wfSweptBody *f, wfReal now)
     s->heldCount++;
 }
 
+typedef struct Plans {
+    struct wfStep *s;
+    int32_t *list, stride;
+    wfResult result[WF_PARTS];
+} Plans;
+
+static void plan_part(void *context, int32_t part, int32_t begin, int32_t end)
+{
+    Plans *p = context;
+    int32_t *list = p->list + (size_t)part * (size_t)p->stride;
+    wfResult result = WF_OK;
+    for (int32_t n = begin; n < end && result == WF_OK; n++)
+        result = plan(p->s, &p->s->flights[n], 0, list);
+    p->result[part] = result;
+}
+
+static wfResult plan_all(struct wfStep *s)
+{
+    bool shares = s->workers.run != NULL;
+    /* who plans in a loop */
+    shares = shares && s->hooks == NULL;
+    Plans p = { .s = s, .stride = s->shapeCount };
+    size_t most = (size_t)(s->fastCount < WF_PARTS ? s->fastCount : WF_PARTS);
+    if (shares) p.list = wfPoolPushArray(&s->scratch, most * (size_t)p.stride, int32_t);
+    shares = p.list != NULL;
+    if (!shares) {
+        p.list = wfTransient(&s->b, WF_REGION_NEIGHBOURS);
+        p.stride = 0;
+    }
+    wfResult result = WF_OK;
+    int32_t parts = wfInParts(shares ? &s->workers : NULL, s->fastCount, 4, plan_part, &p);
+    for (int32_t part = parts - 1; part >= 0; part--)
+        if (p.result[part] != WF_OK) result = p.result[part];
+    return result;
+}
+
 static wfResult follow(struct wfStep *s)
 {
-    wfResult result = WF_OK;
     size_t mark = wfPoolMark(&s->scratch);
     s->fastCount = s->flightCount;
     put_in_order(s);
-    for (int32_t n = 0; n < s->fastCount && result == WF_OK; n++)
-        result = plan(s, &s->flights[n], 0);
+    wfResult result = plan_all(s);
     wfPoolRewind(&s->scratch, mark);
     s->inOrder = NULL;
     while (result == WF_OK && !s->again) {
-        wfSweptBody *f = earliest(s);
+        wfFlight *f = earliest(s);
         if (f == NULL) break;
         wfReal now = f->next;
         f->fresh = true;
@@ -871,7 +930,7 @@ static bool land(struct wfStep *s)
 {
     bool moved = false;
     for (int32_t n = 0; n < s->flightCount; n++) {
-        const wfSweptBody *f = &s->flights[n];
+        const wfFlight *f = &s->flights[n];
         if (f->since <= 0 && f->impacts == 0 && !f->held) continue;
         s->state[f->body].p = f->leg.to;
         s->state[f->body].angle = f->leg.angleTo;
@@ -882,11 +941,11 @@ static bool land(struct wfStep *s)
 
 static wfResult fly(struct wfStep *s)
 {
-    if (s->b.head->maxImpacts == 0) return WF_OK;
+    if (s->b.head->impacts == 0) return WF_OK;
     find_flights(s);
     if (s->flightCount == 0) return WF_OK;
     wfResult result = follow(s);
-    if (result != WF_OK || s->again || !land(s) || wfSolverIntegrates(s)) return result;
+    if (result != WF_OK || s->again || !land(s) || wfSolverSteps(s)) return result;
     for (int32_t n = 0; n < s->flightCount; n++)
         wfWrapBodyAngle(&s->state[s->flights[n].body]);
     result = wfFindPairsAgain(s);
@@ -895,17 +954,14 @@ static wfResult fly(struct wfStep *s)
     return result;
 }
 
-wfResult wfContinuousBefore(struct wfStep *s) { return wfSolverIntegrates(s) ?
-                                                WF_OK : fly(s); }
-wfResult wfContinuousAfter(struct wfStep *s) { return wfSolverIntegrates(s) ?
-                                               fly(s) : WF_OK; }
+wfResult wfFlyFirst(struct wfStep *s) { return wfSolverSteps(s) ? WF_OK : fly(s); }
+wfResult wfFlyLast(struct wfStep *s) { return wfSolverSteps(s) ? fly(s) : WF_OK; }
 
-wfResult wfGetContinuousReport(const wfWorld *world, wfContinuousReport *out)
+wfResult wfGetFastReport(const wfWorld *world, wfFastReport *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result == WF_OK)
-        *out = (wfContinuousReport){ b.head->fastCount, b.head->impactCount,
-                                     b.head->heldCount };
+        *out = (wfFastReport){ b.head->fastCount, b.head->impactCount, b.head->heldCount };
     return result;
 }

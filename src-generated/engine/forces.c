@@ -43,14 +43,14 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = check_world_force(&b, force);
-    if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_FORCES);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_FORCES);
     if (result != WF_OK) return result;
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
     if (i < 0) return WF_ERROR_FULL;
     write_force(&b.forces[i], force);
     b.added[i] = b.head->time;
-    wfUse(&b, WF_MODULE_FORCES);
-    wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
+    wfUse(&b, WF_NEED_FORCES);
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     if (out != NULL) *out = (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
     return WF_OK;
 }
@@ -61,7 +61,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
     int32_t i;
     wfResult result = change_force(world, id, &b, &i);
     if (result != WF_OK) return result;
-    wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     memset(&b.forces[i], 0, sizeof b.forces[i]);
     b.added[i] = 0;
     return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
@@ -83,9 +83,9 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
     wfResult result = change_force(world, id, &b, &i);
     if (result == WF_OK) result = check_world_force(&b, force);
     if (result != WF_OK) return result;
-    wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     write_force(&b.forces[i], force);
-    wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
+    wfDisturbEnds(&b, b.forces[i].a, b.forces[i].b);
     return WF_OK;
 }
 
@@ -101,8 +101,7 @@ static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
     const wfBodyProps *p = &b->props[i];
     wfReal arm = wfLengthSq(wfSub(point, s->p));
     wfReal lightest = 1 / (s->invMass + arm * s->invInertia);     /* eq:world-handmass */
-    /* eq:world-handrate */
-    wfReal rate = wfMinR(WF_MOUSE_JOINT_RATE, WF_R(0.5) / b->head->timeStep);
+    wfReal rate = wfMinR(WF_HAND_RATE, WF_R(0.5) / b->head->dt);  /* eq:world-handrate */
     wfForce f = { .kind = wfFindForce("hand"), .a = i, .b = -1 };
     f.hand.local = wfApplyInv(wfBodyTransform(s), point);
     f.hand.target = point;
@@ -112,7 +111,7 @@ static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
     return f;
 }
 
-wfResult wfAddMouseJoint(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out)
+wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfChangeBlock(world, &b);
@@ -125,7 +124,7 @@ wfResult wfAddMouseJoint(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *o
     return wfAddForceToWorld(world, &f, out);
 }
 
-wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point)
+wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point)
 {
     wfForce f;
     wfResult result = wfGetForce(world, hand, &f);

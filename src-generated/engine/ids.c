@@ -77,7 +77,6 @@ wfShapeId wfIdOfShape(const wfBlock *b, int32_t k)
 wfShapeView wfShapesOf(const wfBlock *b)
 {
     return (wfShapeView){ .count = b->head->shapeSlots.high, .shapes = b->shapes,
-                          .bodyOfShape = b->bodyOfShape, .next = b->next,
-                              .filters = b->filters,
+                          .owners = b->owners, .next = b->next, .filters = b->filters,
                           .props = b->materials };
 }

@@ -19,7 +19,7 @@ static size_t used(const wfHeader *h, int region)
     case WF_REGION_BODY_SLOTS: case WF_REGION_ALIVE: case WF_REGION_STATE:
     case WF_REGION_APPLIED: case WF_REGION_PROPS:
         return (size_t)h->bodySlots.high;
-    case WF_REGION_FINE: return h->compensatedSums ? (size_t)h->bodySlots.high : 0;
+    case WF_REGION_FINE: return h->fineSums ? (size_t)h->bodySlots.high : 0;
     case WF_REGION_SHAPE_SLOTS: case WF_REGION_SHAPES: case WF_REGION_OWNERS:
     case WF_REGION_NEXT_SHAPES: case WF_REGION_FILTERS: case WF_REGION_SHAPE_PROPS:
     case WF_REGION_BOUNDS: case WF_REGION_FLAGS:
@@ -190,7 +190,7 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image)
     /* see that the block has what the image needs */
     if (head.solver == wfFindSolver(WF_SOLVER_LARGE) && !b->head->large)
         return WF_ERROR_BUILT_IN;
-    if ((head.directJoints != 0) != (b->head->directJoints != 0)) return WF_ERROR_BUILT_IN;
+    if ((head.exactJoints != 0) != (b->head->exactJoints != 0)) return WF_ERROR_BUILT_IN;
     for (int i = 0; i < WF_REGION_KEPT; i++)
         if (image->bytes[i] > room(b->head, i)) return WF_ERROR_FULL;
     for (int i = WF_REGION_HEADER + 1; i < WF_REGION_KEPT; i++) {

@@ -4,60 +4,60 @@
 #include "engine/block.h"
 
 /* ask a world for its needs */
-uint32_t wfMissingModules(const wfWorld *world, uint32_t modules)
+uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs)
 {
     wfBlock b;
-    return wfOpenBlock(world, &b) == WF_OK ? wfLacking(b.head->modules, modules) : modules;
+    return wfOpenBlock(world, &b) == WF_OK ? wfLacking(b.head->needs, needs) : needs;
 }
 
 wfBodyDef wfDefaultBodyDefFor(const wfWorld *world)
 {
     wfBodyDef def = wfDefaultBodyDef();
-    if (wfMissingModules(world, WF_MODULE_FRICTION)) def.friction = 0;
+    if (wfMissingNeeds(world, WF_NEED_FRICTION)) def.friction = 0;
     return def;
 }
 
 wfShapeDef wfDefaultShapeDefFor(const wfWorld *world)
 {
     wfShapeDef def = wfDefaultShapeDef();
-    if (wfMissingModules(world, WF_MODULE_FRICTION)) def.friction = 0;
+    if (wfMissingNeeds(world, WF_NEED_FRICTION)) def.friction = 0;
     return def;
 }
 
 /* infer the needs of a world */
-static uint32_t modules_used(const wfHeader *h)
+static uint32_t needs_used(const wfHeader *h)
 {
     uint32_t used = h->used;
     /* what else was used */
-    if (h->mostPairs > 0) used |= WF_MODULE_CONTACTS;
-    bool moves = wfSolverTable[h->solver].step != NULL && (h->modules & WF_MODULE_SUBSTEPS);
-    if (moves) used |= WF_MODULE_SUBSTEPS;
-    if (h->sleep) used |= WF_MODULE_SLEEP;
-    return wfModulesOfAll(used);
+    if (h->mostPairs > 0) used |= WF_NEED_CONTACTS;
+    bool moves = wfSolverTable[h->solver].step != NULL && (h->needs & WF_NEED_SUBSTEPS);
+    if (moves) used |= WF_NEED_SUBSTEPS;
+    if (h->sleep) used |= WF_NEED_SLEEP;
+    return wfNeedsOfAll(used);
 }
 
-wfResult wfInferModules(const wfWorld *world, uint32_t besides, wfWorldDef *out)
+wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
     if (result != WF_OK) return result;
-    if (besides & ~wfAllModules()) return WF_ERROR_UNKNOWN;
+    if (besides & ~wfAllNeeds()) return WF_ERROR_UNKNOWN;
     const wfHeader *h = b.head;
     wfWorldDef def = wfSettings(h), usual = wfDefaultWorldDef();
-    def.modules = modules_used(h) | besides;
-    def.modules = wfModulesOf(&def);
+    def.needs = needs_used(h) | besides;
+    def.needs = wfNeedsOf(&def);
     /* capacities that were used */
     def.bodyCapacity = h->bodySlots.high > 0 ? h->bodySlots.high : 1;
     def.forceCapacity = h->forceSlots.high;
-    bool meets = (def.modules & WF_MODULE_CONTACTS) != 0;
+    bool meets = (def.needs & WF_NEED_CONTACTS) != 0;
     def.shapeCapacity = h->shapeSlots.high > 0 ? h->shapeSlots.high : 1;
     def.pairCapacity = meets && h->mostPairs == 0 ? 1 : h->mostPairs;
     def.contactCapacity = meets && h->mostContacts == 0 ? 1 : h->mostContacts;
-    def.materialPairCapacity = h->mostMaterials;
+    def.pairMaterials = h->mostMaterials;
     def.jointCapacity = h->jointSlots.high;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
-        if (s->modules == 0 || (def.modules & s->modules) != 0) continue;
+        if (s->need == 0 || (def.needs & s->need) != 0) continue;
         for (int part = 0; part < 2; part++)
             wfPutSetting(&def, s, part, wfSettingValue(&usual, s, part));
     }
@@ -66,36 +66,36 @@ wfResult wfInferModules(const wfWorld *world, uint32_t besides, wfWorldDef *out)
 }
 
 /* infer the needs of a scene */
-static uint32_t modules_listed(const wfSceneList *list, int32_t *shapes)
+static uint32_t needs_listed(const wfSceneList *list, int32_t *shapes)
 {
-    uint32_t modules = list->forceCount > 0 ? WF_MODULE_FORCES : 0;
+    uint32_t needs = list->forceCount > 0 ? WF_NEED_FORCES : 0;
     for (int32_t i = 0; i < list->bodyCount; i++) {
         const wfBodyDef *d = &list->bodies[i];
         bool formed = d->shape.kind != WF_SHAPE_NONE;
         bool turns = d->type == WF_DYNAMIC && formed && !d->fixedRotation;
-        modules |= wfModulesOfBody(d) | (turns ? WF_MODULE_ROTATION : 0);
+        needs |= wfNeedsOfBody(d) | (turns ? WF_NEED_ROTATION : 0);
         *shapes += formed;
     }
     for (int32_t i = 0; i < list->shapeCount; i++)
-        modules |= wfModulesOfShape(&list->shapes[i]);
-    if (list->shapeCount > 0) modules |= WF_MODULE_COMPOUNDS;
+        needs |= wfNeedsOfShape(&list->shapes[i]);
+    if (list->shapeCount > 0) needs |= WF_NEED_COMPOUNDS;
     *shapes += list->shapeCount;
-    if (*shapes > 1) modules |= WF_MODULE_CONTACTS;
+    if (*shapes > 1) needs |= WF_NEED_CONTACTS;
     /* what else a list requires */
-    if (list->jointCount > 0) modules |= WF_MODULE_JOINTS;
-    return modules;
+    if (list->jointCount > 0) needs |= WF_NEED_JOINTS;
+    return needs;
 }
 
-wfResult wfInferSceneModules(const wfSceneList *list, uint32_t besides, wfWorldDef *def)
+wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def)
 {
     int32_t shapes = 0;
     if (list == NULL || def == NULL) return WF_ERROR_NULL;
-    if (besides & ~wfAllModules()) return WF_ERROR_UNKNOWN;
+    if (besides & ~wfAllNeeds()) return WF_ERROR_UNKNOWN;
     if (list->bodyCount < 1 || list->shapeCount < 0) return WF_ERROR_RANGE;
     if (list->forceCount < 0 || list->jointCount < 0) return WF_ERROR_RANGE;
-    uint32_t modules = modules_listed(list, &shapes) | besides;
-    def->modules = wfModulesOfAll(modules);
-    def->modules = wfModulesOf(def);
+    uint32_t needs = needs_listed(list, &shapes) | besides;
+    def->needs = wfNeedsOfAll(needs);
+    def->needs = wfNeedsOf(def);
     def->bodyCapacity = list->bodyCount;
     def->forceCapacity = list->forceCount;
     def->shapeCapacity = shapes;

@@ -34,8 +34,8 @@ static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 }
 
 /* join two bodies */
-wfResult wfDefineJoint(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
-                       wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out)
+wfResult wfJoinBodies(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
+                      wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out)
 {
     wfBlock block;
     if (kind == NULL || out == NULL) return WF_ERROR_NULL;
@@ -60,15 +60,15 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     wfBlock b;
     if (joint == NULL) return WF_ERROR_NULL;
     wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_JOINTS);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_JOINTS);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
     wfJoints j = wfJointsOf(&b);
     int32_t i = wfSlotTake(&b.head->jointSlots, j.slots);
     if (i < 0) return WF_ERROR_FULL;
     j.joints[i] = *joint;
-    wfUse(&b, WF_MODULE_JOINTS);
-    wfEndsChanged(&b, joint->a, joint->b);
+    wfUse(&b, WF_NEED_JOINTS);
+    wfDisturbEnds(&b, joint->a, joint->b);
     if (out != NULL) *out = (wfJointId){ (uint32_t)i + 1, j.slots[i].generation };
     return WF_OK;
 }
@@ -80,7 +80,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
     int32_t i;
     wfResult result = change_joint(world, id, &b, &j, &i);
     if (result != WF_OK) return result;
-    wfEndsChanged(&b, j.joints[i].a, j.joints[i].b);
+    wfDisturbEnds(&b, j.joints[i].a, j.joints[i].b);
     memset(&j.joints[i], 0, sizeof j.joints[i]);
     return wfSlotGive(&b.head->jointSlots, j.slots, i, id.generation);
 }
@@ -104,9 +104,9 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
     wfResult result = change_joint(world, id, &b, &j, &i);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
-    wfEndsChanged(&b, j.joints[i].a, j.joints[i].b);
+    wfDisturbEnds(&b, j.joints[i].a, j.joints[i].b);
     j.joints[i] = *joint;
-    wfEndsChanged(&b, joint->a, joint->b);
+    wfDisturbEnds(&b, joint->a, joint->b);
     return WF_OK;
 }
 
@@ -159,17 +159,17 @@ int32_t wfJointCount(const wfWorld *world)
     return count;
 }
 
-bool wfAllJointsDirect(const wfWorld *world)
+bool wfJointsSolvedTogether(const wfWorld *world)
 {
     wfBlock b;
-    if (wfOpenBlock(world, &b) != WF_OK || b.head->directJointCount == 0) return false;
-    return b.head->directJointCount == wfJointCount(world);
+    if (wfOpenBlock(world, &b) != WF_OK || b.head->together == 0) return false;
+    return b.head->together == wfJointCount(world);
 }
 
-int32_t wfDirectJointCount(const wfWorld *world)
+int32_t wfJointsTogether(const wfWorld *world)
 {
     wfBlock b;
-    return wfOpenBlock(world, &b) == WF_OK ? b.head->directJointCount : 0;
+    return wfOpenBlock(world, &b) == WF_OK ? b.head->together : 0;
 }
 
 int32_t wfUnsolvedSubsteps(const wfWorld *world)
@@ -195,7 +195,7 @@ void wfDropJoints(wfBlock *b, int32_t body)
     for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
         if (!wfJointIsLive(&j, i)) continue;
         if (j.joints[i].a != body && j.joints[i].b != body) continue;
-        wfEndsChanged(b, j.joints[i].a, j.joints[i].b);
+        wfDisturbEnds(b, j.joints[i].a, j.joints[i].b);
         wfSlotGive(&b->head->jointSlots, j.slots, i, j.slots[i].generation);
         memset(&j.joints[i], 0, sizeof j.joints[i]);
     }
@@ -259,7 +259,7 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
     if (count < 0) return WF_ERROR_MEMORY;
     for (int32_t i = 0; count > 0 && i < s->pairs.count; i++) {
         wfPair p = s->pairs.pairs[i];
-        int32_t a = s->b.bodyOfShape[p.a], b = s->b.bodyOfShape[p.b];
+        int32_t a = s->b.owners[p.a], b = s->b.owners[p.b];
         wfPair owners = { a < b ? a : b, a < b ? b : a };
         if (!is_joined(list, count, owners)) s->pairs.pairs[kept++] = p;
     }
@@ -305,10 +305,9 @@ static wfResult solve_machines(struct wfStep *s)
     s->machines = fingerprint(s);
     bool known = s->machines == h->machines;
     if (known) memcpy(alone, before, (size_t)s->jointSet.count);
-    return wfDirectArticulations(&s->jointSet, &states,
-                                 h->directJoints == WF_JOINTS_AUTO ?
-                                     h->directJointCost : -1, alone,
-                                 known, &pool);
+    return wfExactMachines(&s->jointSet, &states,
+                           h->exactJoints == WF_JOINTS_AUTO ? h->exactCost : -1, alone,
+                           known, &pool);
 }
 
 wfResult wfTakeJoints(struct wfStep *s)
@@ -326,7 +325,7 @@ wfResult wfTakeJoints(struct wfStep *s)
     s->jointSet = (wfJointSet){ .joints = copy, .count = count,
                                 .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING };
     if (count == 0) return WF_OK;
-    if (!wfSolverIntegrates(s)) return WF_ERROR_SOLVER;
+    if (!wfSolverSteps(s)) return WF_ERROR_SOLVER;
     wfPool pool;
     size_t bytes = wfJointScratch(s->b.head->bodyCapacity, s->b.head->jointCapacity);
     wfResult result = wfPoolInit(&pool, bytes, wfTransient(&s->b, WF_REGION_JOINT_WORK));
@@ -334,14 +333,14 @@ wfResult wfTakeJoints(struct wfStep *s)
                                                   &s->jointLaws);
     if (result == WF_OK) s->laws = &s->jointLaws;
     /* solve the joints together, if that is wanted */
-    s->jointSet.give = s->b.head->jointCompliance;
-    if (result == WF_OK && s->b.head->directJoints) result = solve_machines(s);
+    s->jointSet.give = s->b.head->jointGive;
+    if (result == WF_OK && s->b.head->exactJoints) result = solve_machines(s);
     return result;
 }
 
-wfResult wfBreakJoints(struct wfStep *s)
+wfResult wfJudgeJoints(struct wfStep *s)
 {
-    wfSolve done = { .state = s->state, .h = s->b.head->timeStep,
+    wfSolve done = { .state = s->state, .h = s->b.head->dt,
                      .substeps = s->b.head->substeps };
     if (s->laws == NULL) return WF_OK;
     wfEndJoints(&s->jointSet, &done);
@@ -350,6 +349,7 @@ wfResult wfBreakJoints(struct wfStep *s)
         const wfReal told[] = { j->load.x, j->load.y, j->twist, j->peakForce,
                                 j->peakTorque };
         if (!wfAllFinite(j->impulse, WF_JOINT_ROWS) || !wfAllFinite(j->given, 3)
+            || !wfAllFinite(j->elastic, 3) || !wfAllFinite(j->loose, 3)
             || !wfAllFinite(told, 5)) return WF_ERROR_NOT_FINITE;
     }
     return WF_OK;
@@ -361,11 +361,11 @@ wfResult wfKeepJoints(struct wfStep *s)
     wfJoints j = wfJointsOf(&s->b);
     head->brokenCount = 0;
     /* keep what was solved together */
-    head->directJointCount = 0;
+    head->together = 0;
     head->unsolved = s->jointSet.unsolved;
     for (int32_t i = 0; s->jointSet.together != NULL && i < s->jointSet.count; i++)
-        head->directJointCount += !s->jointSet.alone[i];
-    if (head->directJoints && s->jointSet.count > 0 && head->machines != s->machines) {
+        head->together += !s->jointSet.alone[i];
+    if (head->exactJoints && s->jointSet.count > 0 && head->machines != s->machines) {
         memcpy(s->b.alone, s->jointSet.alone, (size_t)s->jointSet.count);
         head->machines = s->machines;
     }

@@ -51,7 +51,7 @@ wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)
 {
     wfBlock b;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &b);
-    if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_QUERIES);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_QUERIES);
     if (result == WF_OK) *out = wfProxiesOf(&b, b.bounds, b.flags);
     return result;
 }
@@ -98,12 +98,12 @@ uint64_t wfHashWorld(const wfWorld *world)
         h = wfHashU32(h, b.bodySlots[i].generation);
         h = hash_state(h, &b.state[i]);
         /* hash what else there is of body i */
-        if (wfResidualOf(&b) != NULL) {
-            const wfResidual *f = &b.fine[i];
+        if (wfFineOf(&b) != NULL) {
+            const wfFine *f = &b.fine[i];
             h = wfHashReal(wfHashReal(wfHashReal(h, f->p.x), f->p.y), f->angle);
             h = wfHashReal(wfHashReal(wfHashReal(h, f->v.x), f->v.y), f->w);
         }
-        if (wfBodySleeps(&b, i)) h = wfHashU32(h, UINT32_MAX);
+        if (wfSleeps(&b, i)) h = wfHashU32(h, UINT32_MAX);
     }
     return h;
 }
@@ -157,18 +157,18 @@ wfResult wfWorldMomentum(const wfWorld *world, double linear[2], double *angular
 }
 
 /* look at the events of a world */
-const wfContactEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count)
+const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count)
 {
     wfBlock b;
     bool good = wfOpenBlock(world, &b) == WF_OK && kind >= 0 && kind < WF_EVENT_KINDS;
     if (count != NULL) *count = good ? b.head->eventCount[kind] : 0;
     if (!good) return NULL;
-    const wfContactEvent *first = b.events;
+    const wfTouchEvent *first = b.events;
     for (int i = 0; i < kind; i++) first += b.head->eventCount[i];
     return first;
 }
 
-const wfContactHit *wfWorldHits(const wfWorld *world, int32_t *count)
+const wfHit *wfWorldHits(const wfWorld *world, int32_t *count)
 {
     wfBlock b;
     bool open = wfOpenBlock(world, &b) == WF_OK;

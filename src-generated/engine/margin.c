@@ -3,47 +3,48 @@
 #include "engine/step.h"
 
 /* how far shapes may come in a step */
-bool wfSolverIntegrates(const struct wfStep *s)
+bool wfSolverSteps(const struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
-    return wfHas(head, WF_MODULE_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
+    return wfHas(head, WF_NEED_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
 }
 
-wfVec2 wfVelocityToBe(const struct wfStep *s, int32_t i)
+static wfVec2 velocity_to_be(const struct wfStep *s, int32_t i)
 {
-    wfReal gain = s->b.head->timeStep * s->state[i].invMass;
+    wfReal gain = s->b.head->dt * s->state[i].invMass;
     return wfAddScaled(s->state[i].v, gain, s->sums[i].force);
 }
 
 static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
 {
-    wfReal gain = s->b.head->timeStep * s->state[i].invInertia;
+    wfReal gain = s->b.head->dt * s->state[i].invInertia;
     wfReal spin = wfAbs(s->state[i].w) + gain * wfAbs(s->sums[i].torque);
     wfReal arm = wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
-    return wfMinR(spin, 2 / s->b.head->timeStep) * arm; /* no turn goes beyond two arms */
+    return wfMinR(spin, 2 / s->b.head->dt) * arm;   /* no turn goes beyond two arms */
 }
 
-wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k)
+wfReal wfWayOfShape(struct wfStep *s, int32_t k, bool *followed)
 {
-    int32_t i = s->b.bodyOfShape[k];
-    wfPace pace = { wfVelocityToBe(s, i), rim_speed(s, i, k), 0 };
+    (void)followed;
+    int32_t i = s->b.owners[k];
+    wfPace pace = { velocity_to_be(s, i), rim_speed(s, i, k), 0 };
     wfReal is = wfLength(s->state[i].v), to_be = wfLength(pace.toBe);
     /* how far this shape is looked ahead */
-    wfReal way = s->b.head->timeStep * (wfMaxR(is, to_be) + pace.rim);
-    if (wfIsCrowd(&s->b)) way = wfMinR(way, 2 * s->b.materials[k].reach);
-    else if (wfIsFollowed(s, k, way)) {
-        way = s->b.head->slop * s->b.materials[k].reach;
-        s->followed = true;
+    wfReal way = s->b.head->dt * (wfMaxR(is, to_be) + pace.rim);
+    pace.way = way;
+    s->paces[k] = pace;                         /* for wfWayOfPair: a shape has many pairs */
+    if (wfIsFollowed(s, k, way)) {
+        wfReal reach = s->b.materials[k].reach;
+        way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * reach) : s->b.head->slop * reach;
+        *followed = true;
         if (s->linked != NULL) s->linked[i] = 0;
     }
-    pace.way = way;
-    s->paces[k] = pace;          /* for wfSpeculativeMarginOfPair: a shape has many pairs */
     return way;
 }
 
-wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
+wfReal wfWayOfPair(const struct wfStep *s, wfPair p)
 {
-    int32_t a = s->b.bodyOfShape[p.a], b = s->b.bodyOfShape[p.b];
+    int32_t a = s->b.owners[p.a], b = s->b.owners[p.b];
     wfVec2 va = s->state[a].v, vb = s->state[b].v;
     wfVec2 toA = s->paces[p.a].toBe, toB = s->paces[p.b].toBe;
     wfReal free = wfLengthSq(wfSub(toB, toA));
@@ -51,17 +52,12 @@ wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
     wfReal u = wfSqrt(wfMaxR(free, held));
     /* how far this pair is looked ahead */
     wfReal rims = s->paces[p.a].rim + s->paces[p.b].rim;
-    wfReal way = s->b.head->timeStep * (u + rims);              /* eq:world-way */
-    const wfShapeProps *m = s->b.materials;
-    if (wfIsCrowd(&s->b)) way = wfMinR(way, 2 * (m[p.a].reach + m[p.b].reach));
-    else if (wfIsFollowed(s, p.a, way) || wfIsFollowed(s, p.b, way)) {
-        wfReal ownA = s->b.head->timeStep * (wfMaxR(wfLength(va), wfLength(toA)) +
-                                             s->paces[p.a].rim);
-        wfReal ownB = s->b.head->timeStep * (wfMaxR(wfLength(vb), wfLength(toB)) +
-                                             s->paces[p.b].rim);
-        bool fast = wfIsFollowed(s, p.a, wfMinR(way, ownA))
-                 || wfIsFollowed(s, p.b, wfMinR(way, ownB));
-        if (fast) way = s->b.head->slop * wfMinR(m[p.a].reach, m[p.b].reach);
+    wfReal way = s->b.head->dt * (u + rims);                    /* eq:world-way */
+    wfReal ownA = wfMinR(way, s->paces[p.a].way), ownB = wfMinR(way, s->paces[p.b].way);
+    if (wfIsFollowed(s, p.a, ownA) || wfIsFollowed(s, p.b, ownB)) {
+        wfReal reachA = s->b.materials[p.a].reach, reachB = s->b.materials[p.b].reach;
+        way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * (reachA + reachB))
+                                : s->b.head->slop * wfMinR(reachA, reachB);
     }
     return way;
 }

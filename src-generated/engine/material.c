@@ -37,20 +37,19 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
     }
     wfPairMaterial m = { .friction = 0 };
     /* mix the friction of two shapes */
-    if (wfHas(h, WF_MODULE_FRICTION)) {
+    if (wfHas(h, WF_NEED_FRICTION)) {
         wfReal holdsOne = wfMaxR(one->staticFriction, one->friction);
         wfReal holdsTwo = wfMaxR(two->staticFriction, two->friction);
-        wfMixFn *friction = wfMixTable[h->frictionRule].mix;
+        wfMixFn *friction = wfMixTable[h->frictionMix].mix;
         m.friction = friction(one->friction, two->friction);
         m.staticFriction = friction(holdsOne, holdsTwo);
     }
     /* mix the restitution of two shapes */
-    if (wfHas(h, WF_MODULE_RESTITUTION))
-        m.restitution = wfMixTable[h->restitutionRule].mix(one->restitution, two->restitution);
+    if (wfHas(h, WF_NEED_RESTITUTION))
+        m.restitution = wfMixTable[h->restitutionMix].mix(one->restitution, two->restitution);
     /* mix the rolling resistance of two shapes */
-    if (wfHas(h, WF_MODULE_ROLLING))
-        m.rollingResistance = wfMixTable[h->rollingRule].mix(one->rollingResistance,
-                                                             two->rollingResistance);
+    if (wfHas(h, WF_NEED_ROLLING))
+        m.rolling = wfMixTable[h->rollingMix].mix(one->rolling, two->rolling);
     return m;
 }
 
@@ -59,8 +58,7 @@ static wfResult check_pair(int32_t one, int32_t two, const wfPairMaterial *m)
 {
     if (one < 1 || two < 1) return WF_ERROR_RANGE;
     if (m == NULL) return WF_OK;
-    const wfReal number[] = { m->restitution, m->friction, m->staticFriction,
-                              m->rollingResistance };
+    const wfReal number[] = { m->restitution, m->friction, m->staticFriction, m->rolling };
     if (!wfAllFinite(number, 4)) return WF_ERROR_NOT_FINITE;
     for (int i = 0; i < 4; i++)
         if (number[i] < 0) return WF_ERROR_RANGE;
@@ -72,7 +70,7 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     wfBlock block;
     wfResult result = wfChangeBlock(world, &block);
     if (result == WF_OK) result = check_pair(a, b, m);
-    if (result == WF_OK) result = wfRequireModules(&block, WF_MODULE_MATERIALS);
+    if (result == WF_OK) result = wfDemand(&block, WF_NEED_MATERIALS);
     if (result != WF_OK) return result;
     wfKnownPair *known = block.known;
     int32_t at = place_of_pair(&block, a, b), *count = &block.head->knownPairs;
@@ -83,13 +81,13 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
         memmove(&known[at], &known[at + 1], behind - sizeof *known);
         memset(&known[--*count], 0, sizeof *known);
     }
-    if (m == NULL && there) wfBodyChanged(&block, -1);
+    if (m == NULL && there) wfDisturb(&block, -1);
     if (m == NULL) return WF_OK;
-    if (!there && *count == block.head->materialPairCapacity) return WF_ERROR_FULL;
-    wfBodyChanged(&block, -1);
+    if (!there && *count == block.head->pairMaterials) return WF_ERROR_FULL;
+    wfDisturb(&block, -1);
     if (!there) memmove(&known[at + 1], &known[at], behind);
     if (!there) ++*count;
-    wfUse(&block, WF_MODULE_MATERIALS);
+    wfUse(&block, WF_NEED_MATERIALS);
     if (block.head->mostMaterials < *count) block.head->mostMaterials = *count;
     known[at] = (wfKnownPair){ a < b ? a : b, a < b ? b : a, *m };
     return WF_OK;

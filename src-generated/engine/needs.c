@@ -4,36 +4,36 @@
 #include "engine/block.h"
 
 /* the table of needs */
-const wfModule wfModuleTable[] = {
+const wfNeedRow wfNeedTable[] = {
 #define WF_MODULE(NAME, bit, name, implies, within, without, text) \
-    { name, text, WF_MODULE_##NAME, implies, within, WF_ERROR_NO_##NAME },
+    { name, text, WF_NEED_##NAME, implies, within, WF_ERROR_NO_##NAME },
 #define WF_ABSENT(NAME, bit, name, implies, within, without, text)
 #include "weft/module_rows.h"
 #undef WF_ABSENT
 #undef WF_MODULE
 };
-const int wfModuleCount = (int)(sizeof wfModuleTable / sizeof *wfModuleTable);
+const int wfNeedCount = (int)(sizeof wfNeedTable / sizeof *wfNeedTable);
 
 /* look up needs */
-int wfFindModule(const char *name)
+int wfFindNeed(const char *name)
 {
-    for (int i = 0; name != NULL && i < wfModuleCount; i++)
-        if (strcmp(wfModuleTable[i].name, name) == 0) return i;
+    for (int i = 0; name != NULL && i < wfNeedCount; i++)
+        if (strcmp(wfNeedTable[i].name, name) == 0) return i;
     return -1;
 }
 
-uint32_t wfAllModules(void)
+uint32_t wfAllNeeds(void)
 {
     uint32_t all = 0;
-    for (int i = 0; i < wfModuleCount; i++) all |= wfModuleTable[i].bit;
+    for (int i = 0; i < wfNeedCount; i++) all |= wfNeedTable[i].bit;
     return all;
 }
 
-uint32_t wfCloseModules(uint32_t modules)
+uint32_t wfCloseNeeds(uint32_t needs)
 {
-    for (int i = wfModuleCount - 1; i >= 0; i--)
-        if (modules & wfModuleTable[i].bit) modules |= wfModuleTable[i].implies;
-    return modules;
+    for (int i = wfNeedCount - 1; i >= 0; i--)
+        if (needs & wfNeedTable[i].bit) needs |= wfNeedTable[i].implies;
+    return needs;
 }
 
 static const wfRegionUse region_use[WF_REGION_COUNT] = {
@@ -52,46 +52,46 @@ wfRegionUse wfRegionServes(int region)
 }
 
 /* the needs of a definition */
-uint32_t wfModulesOf(const wfWorldDef *d)
+uint32_t wfNeedsOf(const wfWorldDef *d)
 {
-    uint32_t modules = wfCloseModules(d->modules);
+    uint32_t needs = wfCloseNeeds(d->needs);
     /* what the methods imply */
     bool is = d->solver >= 0 && d->solver < wfSolverCount;
     bool steps = is && wfSolverTable[d->solver].step != NULL;
-    if (steps && (modules & WF_MODULE_CONTACTS)) modules |= WF_MODULE_SUBSTEPS;
-    return modules;
+    if (steps && (needs & WF_NEED_CONTACTS)) needs |= WF_NEED_SUBSTEPS;
+    return needs;
 }
 
 /* does a stage run */
-bool wfStageRuns(const wfStageRow *row, uint32_t modules)
+bool wfStageRuns(const wfStageRow *row, uint32_t needs)
 {
-    return (modules & row->all) == row->all && (row->any == 0 || (modules & row->any) != 0);
+    return (needs & row->all) == row->all && (row->any == 0 || (needs & row->any) != 0);
 }
 
 /* Without those that could not show in a world that has these. */
-static uint32_t that_show(uint32_t modules, uint32_t have)
+static uint32_t that_show(uint32_t needs, uint32_t have)
 {
-    for (int i = 0; i < wfModuleCount; i++)
-        if ((have & wfModuleTable[i].within) != wfModuleTable[i].within)
-            modules &= ~wfModuleTable[i].bit;
-    return modules;
+    for (int i = 0; i < wfNeedCount; i++)
+        if ((have & wfNeedTable[i].within) != wfNeedTable[i].within)
+            needs &= ~wfNeedTable[i].bit;
+    return needs;
 }
 
-uint32_t wfModulesOfAll(uint32_t modules)
+uint32_t wfNeedsOfAll(uint32_t needs)
 {
-    uint32_t things = wfCloseModules(that_show(modules, 0));
-    return things | that_show(modules, things);
+    uint32_t things = wfCloseNeeds(that_show(needs, 0));
+    return things | that_show(needs, things);
 }
 
-uint32_t wfLacking(uint32_t have, uint32_t modules)
+uint32_t wfLacking(uint32_t have, uint32_t needs)
 {
-    return that_show(modules & ~have, have);
+    return that_show(needs & ~have, have);
 }
 
-wfResult wfModuleError(uint32_t modules)
+wfResult wfNeedError(uint32_t needs)
 {
-    for (int i = 0; i < wfModuleCount; i++)
-        if (modules & wfModuleTable[i].bit) return wfModuleTable[i].error;
-    return modules == 0 ? WF_OK : WF_ERROR_UNKNOWN;
+    for (int i = 0; i < wfNeedCount; i++)
+        if (needs & wfNeedTable[i].bit) return wfNeedTable[i].error;
+    return needs == 0 ? WF_OK : WF_ERROR_UNKNOWN;
 }
 

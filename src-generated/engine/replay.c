@@ -133,7 +133,7 @@ static wfResult add_force(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     wfForceId id;
     bool grab = in->kind == WF_INPUT_GRAB;
-    wfResult result = grab ? wfAddMouseJoint(w, body_of(in), in->with.at, &id)
+    wfResult result = grab ? wfGrabBody(w, body_of(in), in->with.at, &id)
                            : wfAddForceToWorld(w, &in->force, &id);
     if (result == WF_OK) *made = (wfInputId){ id.index, id.generation };
     return result;
@@ -148,7 +148,7 @@ static wfResult remove_force(wfWorld *w, const wfInput *in, wfInputId *made)
 static wfResult set_force(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
-    if (in->kind == WF_INPUT_DRAG) return wfSetMouseTarget(w, force_of(in), in->with.at);
+    if (in->kind == WF_INPUT_DRAG) return wfDragHand(w, force_of(in), in->with.at);
     return wfSetForce(w, force_of(in), &in->force);
 }
 
@@ -181,8 +181,8 @@ static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
     if (in->kind == WF_INPUT_WAKE) return wfWakeBody(w, body_of(in));
-    if (in->kind == WF_INPUT_SLEEP) return wfSetBodyAsleep(w, body_of(in));
-    return wfDisableBodySleep(w, body_of(in), in->with.number);
+    if (in->kind == WF_INPUT_SLEEP) return wfPutToSleep(w, body_of(in));
+    return wfSetNeverSleeps(w, body_of(in), in->with.number);
 }
 
 static wfResult set_pair(wfWorld *w, const wfInput *in, wfInputId *made)
@@ -209,7 +209,7 @@ static wfResult set_setting(wfWorld *w, const wfInput *in, wfInputId *made)
 static wfResult move_origin(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
-    return wfShiftOrigin(w, in->with.by, NULL);
+    return wfMoveOrigin(w, in->with.by, NULL);
 }
 
 static wfResult set_origin(wfWorld *w, const wfInput *in, wfInputId *made)
@@ -259,7 +259,7 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_FORGET_PAIR] = { "forget a pair", 0, set_pair },
     [WF_INPUT_SETTING]     = { "setting", NUMBERS, set_setting },
     [WF_INPUT_MOVE_ORIGIN] = { "move origin", NUMBERS, move_origin },
-    [WF_INPUT_SET_ORIGIN]  = { "set origin", sizeof(wfGlobalPoint), set_origin },
+    [WF_INPUT_SET_ORIGIN]  = { "set origin", sizeof(wfFar), set_origin },
     [WF_INPUT_SUBSTEPS] = { "substeps", NUMBERS, set_substeps },
 };
 
@@ -340,13 +340,13 @@ static void note_step(wfJournal *j, const wfWorld *world)
     j->run = j->used;
 }
 
-wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfCallbacks *hooks)
+wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfHooks *hooks)
 {
     size_t need = 2 * entry_size(8);
     if (journal == NULL || world == NULL) return WF_ERROR_NULL;
     if (!has_room(journal, need)) return WF_ERROR_FULL;
     uint64_t before = first_hash(journal, world);
-    wfResult result = wfStepWorldWithCallbacks(world, hooks);
+    wfResult result = wfStepWorldWith(world, hooks);
     if (result != WF_OK) return result;
     journal->begins = before;
     note_step(journal, world);
@@ -392,8 +392,7 @@ static wfResult compare_hash(wfReplay *r, const wfWorld *world)
     return hash == wfHashWorld(world) ? WF_OK : WF_ERROR_DIVERGED;
 }
 
-wfResult wfReplayStep(wfReplay *r, wfWorld *world, const wfCallbacks *hooks,
-                      int32_t *stepped)
+wfResult wfReplayStep(wfReplay *r, wfWorld *world, const wfHooks *hooks, int32_t *stepped)
 {
     Entry e;
     const uint8_t *bytes;
@@ -407,7 +406,7 @@ wfResult wfReplayStep(wfReplay *r, wfWorld *world, const wfCallbacks *hooks,
         else result = give_entry(world, &e, bytes);
         if (result != WF_OK) return result;
     }
-    wfResult result = wfStepWorldWithCallbacks(world, hooks);
+    wfResult result = wfStepWorldWith(world, hooks);
     if (result != WF_OK) return result;
     r->left--;
     *stepped = 1;
@@ -459,7 +458,7 @@ static wfResult parted(const wfWorld *a, const wfWorld *b, wfDivergence *out)
 }
 
 wfResult wfFindDivergence(wfReplay *one, wfWorld *a, wfReplay *two, wfWorld *b,
-                          const wfCallbacks *hooks, wfDivergence *out)
+                          const wfHooks *hooks, wfDivergence *out)
 {
     int32_t first = 1, second = 1;
     if (out == NULL) return WF_ERROR_NULL;

@@ -7,9 +7,9 @@ physics_world wfReportCreateWorld(const real32 *Dt, size_t Count)
 {
     physics_world World = { .memory = { .owned = 0 } };
     wfWorldDef Def = wfDefaultWorldDef();
-    Def.timeStep = Count == 0 ? WF_R(1.0) / 30 : Dt[1];
+    Def.dt = Count == 0 ? WF_R(1.0) / 30 : Dt[1];
     Def.bodyCapacity = 1024;
-    if (Def.timeStep <= 1) wfCreateWorld(&Def, &World); /* above: milliseconds were meant */
+    if (Def.dt <= 1) wfCreateWorld(&Def, &World);  /* above: milliseconds were meant */
     return World;
 }
 

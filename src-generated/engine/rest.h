@@ -17,7 +17,7 @@ typedef struct wfRest {
 
 static inline wfRest wfRestOf(const wfBlock *b)
 {
-    if (!wfHas(b->head, WF_MODULE_SLEEP)) return (wfRest){ NULL, NULL, NULL, NULL };
+    if (!wfHas(b->head, WF_NEED_SLEEP)) return (wfRest){ NULL, NULL, NULL, NULL };
     return (wfRest){ b->rest, b->clocks, b->rings, b->islands };
 }
 
@@ -26,5 +26,5 @@ static inline bool wfIsAsleep(const wfRest *r, int32_t i)
     return r->flags != NULL && (r->flags[i] & WF_REST_ASLEEP) != 0;
 }
 /* Wakes body i, and with it everybody in its ring. */
-void wfWakeWholeIsland(wfBlock *b, const wfRest *r, int32_t i);
+void wfRouseIsland(wfBlock *b, const wfRest *r, int32_t i);
 #endif

@@ -19,7 +19,7 @@
     .rowSize = sizeof *names, .rowCount = &names##Count
 
 /* names of choices */
-static const char *const wfExactNames[] = { "iterative", "direct", "auto" };
+static const char *const wfExactNames[] = { "one-by-one", "together", "auto" };
 static const int wfExactNamesCount = 3;
 
 const wfSetting wfSettingTable[] = {
@@ -95,7 +95,7 @@ wfResult wfCheckSetting(const wfSetting *s, double value)
         return value >= 0 && value < *s->rowCount ? WF_OK : WF_ERROR_UNKNOWN;
     /* see that all of a set is known */
     bool set = s->kind == WF_SETTING_SET && value >= 0 && value <= UINT32_MAX;
-    if (set && ((uint32_t)value & ~wfAllModules()) != 0) return WF_ERROR_UNKNOWN;
+    if (set && ((uint32_t)value & ~wfAllNeeds()) != 0) return WF_ERROR_UNKNOWN;
     double most = s->kind == WF_SETTING_CHOICE ? *s->rowCount - 1 : s->most;
     bool low = s->above ? !(value > s->least) : value < s->least;
     return low || value > most ? WF_ERROR_RANGE : WF_OK;
@@ -139,7 +139,7 @@ void wfKeepSettings(const wfWorldDef *def, wfHeader *head)
 
 wfWorldDef wfSettings(const wfHeader *head)
 {
-    wfWorldDef def = { .timeStep = 0 };
+    wfWorldDef def = { .dt = 0 };
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
         memcpy((uint8_t *)&def + s->offset, (const uint8_t *)head + s->kept, bytes_of(s));

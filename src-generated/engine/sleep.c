@@ -9,7 +9,7 @@
 static bool keeps(const struct wfStep *s, int32_t a, int32_t b)
 {
     const wfBlock *block = &s->b;
-    int32_t i = block->bodyOfShape[a], k = block->bodyOfShape[b];
+    int32_t i = block->owners[a], k = block->owners[b];
     if (i < 0 || k < 0 || (s->present[i] && s->present[k])) return false;
     if (wfMovesNow(s, i) || wfMovesNow(s, k)) return false;
     bool senses = block->materials[a].sensor || block->materials[b].sensor;
@@ -21,7 +21,7 @@ static bool keeps(const struct wfStep *s, int32_t a, int32_t b)
 static void count_kept(struct wfStep *s)
 {
     const wfBlock *b = &s->b;
-    s->kept = (wfSleepingLists){ 0, 0, 0 };
+    s->kept = (wfKept){ 0, 0, 0 };
     for (int32_t i = 0; i < b->head->kept.pairs; i++)
         s->kept.pairs += keeps(s, b->pairs[i].a, b->pairs[i].b);
     for (int32_t i = 0; i < b->head->kept.contacts; i++)
@@ -31,14 +31,14 @@ static void count_kept(struct wfStep *s)
         s->kept.touches += keeps(s, b->touches[i].a, b->touches[i].b);
 }
 
-static bool touch_before(const wfTouchingPair *a, const wfTouchingPair *b)
+static bool touch_before(const wfTouch *a, const wfTouch *b)
 {
     return a->a != b->a ? a->a < b->a : a->b < b->b;
 }
 
-int32_t wfOldTouches(const struct wfStep *s, wfTouchingPair *out)
+int32_t wfOldTouches(const struct wfStep *s, wfTouch *out)
 {
-    const wfTouchingPair *t = s->b.touches;
+    const wfTouch *t = s->b.touches;
     int32_t kept = s->b.head->kept.touches, end = s->b.head->touchCount, count = 0, k = 0;
     for (int32_t i = kept; i < end || k < kept;) {
         bool fresh = k == kept || (i < end && touch_before(&t[i], &t[k]));
@@ -49,11 +49,11 @@ int32_t wfOldTouches(const struct wfStep *s, wfTouchingPair *out)
     return count;
 }
 
-void wfAddSensed(const struct wfStep *s, wfTouchingList *stay)
+void wfAddSensed(const struct wfStep *s, wfTouchList *stay)
 {
     const uint32_t sensors = WF_TOUCH_SENSOR_A | WF_TOUCH_SENSOR_B;
     for (int32_t k = 0; k < s->b.head->kept.touches; k++) {
-        wfTouchingPair t = s->b.touches[k];
+        wfTouch t = s->b.touches[k];
         if (!(t.flags & sensors) || !keeps(s, t.a, t.b)) continue;
         int32_t at = stay->count++;
         for (; at > 0 && touch_before(&t, &stay->touches[at - 1]); at--)
@@ -63,16 +63,16 @@ void wfAddSensed(const struct wfStep *s, wfTouchingList *stay)
 }
 
 /* leave out the sleepers */
-void wfLeaveOutSleeping(struct wfStep *s)
+void wfLeaveOutSleepers(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     wfRest r = wfRestOf(&s->b);
     if (r.flags == NULL) return;
     s->woken = wfTransient(&s->b, WF_REGION_WOKEN);
     if (s->restarts == 0) memset(s->woken, 0, (size_t)s->count);
-    for (int32_t i = 0; i < s->count && head->sleepingCount > 0; i++)
+    for (int32_t i = 0; i < s->count && head->asleep > 0; i++)
         if (wfIsAsleep(&r, i) && !s->woken[i]) s->present[i] = 0;
-    s->all = head->sleepingCount == 0;
+    s->all = head->asleep == 0;
     s->roused = head->roused || s->restarts > 0;
     if (s->roused) count_kept(s);
 }
@@ -85,11 +85,11 @@ void wfWakeInStep(struct wfStep *s, int32_t i)
     s->again = 1;
 }
 
-wfResult wfPlaceSleeping(struct wfStep *s)
+wfResult wfPlaceSleepers(struct wfStep *s)
 {
-    for (int32_t i = 0; s->b.head->sleepingCount > 0 && i < s->pairs.count; i++) {
-        const int32_t body[2] = { s->b.bodyOfShape[s->pairs.pairs[i].a],
-                                  s->b.bodyOfShape[s->pairs.pairs[i].b] };
+    for (int32_t i = 0; s->b.head->asleep > 0 && i < s->pairs.count; i++) {
+        const int32_t body[2] = { s->b.owners[s->pairs.pairs[i].a],
+                                  s->b.owners[s->pairs.pairs[i].b] };
         for (int e = 0; e < 2; e++)
             if (!s->present[body[e]])
                 s->places[body[e]] = wfBodyTransform(&s->state[body[e]]);
@@ -117,7 +117,7 @@ typedef struct Links {
 static void link_bodies(const struct wfStep *s, Links *l, int32_t a, int32_t b)
 {
     if (l->moves[a] && l->moves[b]) {
-        wfUnionSets(l->parent, a, b);
+        wfUnite(l->parent, a, b);
     } else if (l->moves[a] || l->moves[b]) {
         int32_t in = l->moves[a] ? a : b, out = l->moves[a] ? b : a;
         l->marks[in] |= wfMovesNow(s, out) ? LINK_RESTLESS : LINK_HELD;
@@ -165,12 +165,12 @@ static wfResult find_links(struct wfStep *s, wfPool *pool, Links *l)
                   .moves = wfPoolPushArray(pool, s->count, uint8_t),
                   .marks = wfPoolPushArray(pool, s->count, uint8_t) };
     if (l->marks == NULL) return WF_ERROR_MEMORY;
-    wfMakeSets(l->parent, s->count);
+    wfPlant(l->parent, s->count);
     for (int32_t i = 0; i < s->count; i++) {
         bool pushed = false;
         /* see whether body i is pushed */
         const wfBodyForces *f = &s->b.applied[i];
-        if (wfHas(s->b.head, WF_MODULE_PUSHES))
+        if (wfHas(s->b.head, WF_NEED_PUSHES))
             pushed = f->force.x != 0 || f->force.y != 0 || f->torque != 0;
         l->moves[i] = s->present[i] && (s->state[i].invMass > 0
                                         || s->state[i].invInertia > 0);
@@ -206,11 +206,11 @@ static void tick(struct wfStep *s, const Links *l)
         s->clocks[i] = 0;
         if (!l->moves[i] || (l->marks[i] & LINK_RESTLESS)) continue;
         wfReal reach = reach_of(&s->b, i), felt = wfAbs(s->b.props[i].gravityScale);
-        wfReal limit = wfStillSpeed(reach, gravity * felt, head->timeToSleep,
-                                    head->sleepThreshold);
+        wfReal limit = wfStillSpeed(reach, gravity * felt, head->sleepTime,
+                                    head->sleepShare);
         bool still = wfIsStill(&s->state[i], reach, limit);
         wfReal before = s->woken[i] ? 0 : r.clock[i];
-        s->clocks[i] = wfSleepTimer(before, still, head->timeStep, head->timeToSleep);
+        s->clocks[i] = wfRestClock(before, still, head->dt, head->sleepTime);
     }
 }
 
@@ -260,7 +260,7 @@ wfResult wfFindIslands(struct wfStep *s)
     tick(s, &l);
     for (int32_t k = 0; k < s->islands.count; k++) {
         Verdict v = judge(s, &l, k);
-        bool tired = wfIslandMaySleep(&s->islands, k, s->clocks, s->b.head->timeToSleep);
+        bool tired = wfIslandIsTired(&s->islands, k, s->clocks, s->b.head->sleepTime);
         if (v.restless || (!v.sent && !(tired && (v.held || v.zero)))) continue;
         lay_down(s, k);
     }
@@ -292,7 +292,7 @@ static void put(const List *to, uint8_t *base, int32_t at, const uint8_t *from, 
 /* Does its body sleep only since this step? */
 static bool just_slept(const struct wfStep *s, int32_t shape)
 {
-    return s->b.bodyOfShape[shape] >= 0 && s->woken[s->b.bodyOfShape[shape]] == 2;
+    return s->b.owners[shape] >= 0 && s->woken[s->b.owners[shape]] == 2;
 }
 
 static int32_t squeeze(struct wfStep *s, const List *l, const List *with, uint8_t *base,
@@ -334,16 +334,17 @@ static void sort_lists(struct wfStep *s)
 {
     const wfBlock *b = &s->b;
     const List none = { NULL, NULL, 0, 0 };
-    wfSleepingLists kept = b->head->kept;
+    wfKept kept = b->head->kept;
     List pairs = { (uint8_t *)b->pairs, (uint8_t *)s->pairs.pairs, sizeof(wfPair), 0 };
-    List caches = { (uint8_t *)b->caches, (uint8_t *)s->caches, sizeof(wfManifoldCache),
-                    0 };
+    List beside = none;
+    /* with each pair goes what is remembered of it */
+    beside = (List){ (uint8_t *)b->caches, (uint8_t *)s->caches, sizeof(wfManifoldCache), 0 };
     List contacts = { (uint8_t *)b->contacts, (uint8_t *)s->contacts, sizeof(wfContact),
                       offsetof(wfContact, shapeA) };
-    sort_out(s, pairs, caches, &kept.pairs, &s->pairs.count);
+    sort_out(s, pairs, beside, &kept.pairs, &s->pairs.count);
     sort_out(s, contacts, none, &kept.contacts, &s->contactCount);
     /* sort out the touches */
-    List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouchingPair), 0 };
+    List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouch), 0 };
     if (b->head->events) sort_out(s, touches, none, &kept.touches, &s->touchCount);
     s->kept = kept;
 }
@@ -366,7 +367,7 @@ static void lie_down(struct wfStep *s, const wfRest *r)
             r->ring[i] = in->members[m + 1 < end ? m + 1 : first];
         }
     }
-    s->b.head->sleepingCount += s->tired;
+    s->b.head->asleep += s->tired;
 }
 
 void wfKeepRest(struct wfStep *s)
@@ -374,7 +375,7 @@ void wfKeepRest(struct wfStep *s)
     wfRest r = wfRestOf(&s->b);
     wfHeader *head = s->b.head;
     for (int32_t i = 0; i < s->count && s->restarts > 0; i++)
-        if (s->woken[i]) wfWakeWholeIsland(&s->b, &r, i);
+        if (s->woken[i]) wfRouseIsland(&s->b, &r, i);
     head->islandCount = 0;
     if (s->islands.count > 0) lie_down(s, &r);
     if (s->roused || s->tired > 0) sort_lists(s);
@@ -400,7 +401,7 @@ static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, wfRes
     return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
 }
 
-bool wfBodyIsAwake(const wfWorld *world, wfBodyId id)
+bool wfIsAwake(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
     wfRest r;
@@ -414,17 +415,17 @@ wfResult wfWakeBody(wfWorld *world, wfBodyId id)
     wfRest r;
     int32_t i;
     wfResult result = change_rest(world, id, &b, &r, &i);
-    if (result == WF_OK) wfWakeIsland(&b, i);
+    if (result == WF_OK) wfRouse(&b, i);
     return result;
 }
 
-wfResult wfSetBodyAsleep(wfWorld *world, wfBodyId id)
+wfResult wfPutToSleep(wfWorld *world, wfBodyId id)
 {
     wfBlock b;
     wfRest r;
     int32_t i;
     wfResult result = change_rest(world, id, &b, &r, &i);
-    if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_SLEEP);
+    if (result == WF_OK) result = wfDemand(&b, WF_NEED_SLEEP);
     if (result != WF_OK) return result;
     if (!b.head->sleep || b.props[i].type != WF_DYNAMIC) return WF_ERROR_RANGE;
     if (r.flags[i] & WF_REST_NEVER) return WF_ERROR_RANGE;
@@ -432,7 +433,7 @@ wfResult wfSetBodyAsleep(wfWorld *world, wfBodyId id)
     return WF_OK;
 }
 
-wfResult wfDisableBodySleep(wfWorld *world, wfBodyId id, int32_t never)
+wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never)
 {
     wfBlock b;
     wfRest r;
@@ -441,18 +442,18 @@ wfResult wfDisableBodySleep(wfWorld *world, wfBodyId id, int32_t never)
     if (result != WF_OK) return result;
     if (never != 0 && never != 1) return WF_ERROR_RANGE;
     if (r.flags == NULL) return WF_OK;      /* nobody ever sleeps here */
-    if (never) wfWakeIsland(&b, i);
+    if (never) wfRouse(&b, i);
     if (never) r.flags[i] = WF_REST_NEVER;
     else r.flags[i] &= WF_REST_ASLEEP | WF_REST_SENT;
     return WF_OK;
 }
 
-bool wfBodySleepDisabled(const wfWorld *world, wfBodyId id)
+bool wfNeverSleeps(const wfWorld *world, wfBodyId id)
 {
     wfBlock b;
     int32_t i = wfBodyIndex(world, id);
     if (i < 0 || wfOpenBlock(world, &b) != WF_OK) return false;
-    if (!wfHas(b.head, WF_MODULE_SLEEP)) return false;
+    if (!wfHas(b.head, WF_NEED_SLEEP)) return false;
     return (wfRestOf(&b).flags[i] & WF_REST_NEVER) != 0;
 }
 
@@ -465,15 +466,15 @@ int32_t wfBodyIsland(const wfWorld *world, wfBodyId id)
     return found ? r.island[i] : -1;
 }
 
-wfSleepCounts wfGetSleepCounts(const wfWorld *world)
+wfRestCounts wfWorldRest(const wfWorld *world)
 {
     wfBlock b;
-    wfSleepCounts out = { .awake = 0 };
+    wfRestCounts out = { .awake = 0 };
     if (wfOpenBlock(world, &b) != WF_OK) return out;
     const wfHeader *head = b.head;
     for (int32_t i = 0; i < head->bodySlots.high; i++)
         out.awake += b.alive[i] && b.props[i].type != WF_STATIC;
-    out.asleep = head->sleepingCount;
+    out.asleep = head->asleep;
     out.awake -= out.asleep;
     out.islands = head->islandCount;
     out.pairsKept = head->kept.pairs;

@@ -79,9 +79,9 @@ static const Field field_table[] = {
     WHOLE(WF_REGION_PROPS, wfBodyProps, type), REAL(WF_REGION_PROPS, wfBodyProps, mass),
     REAL(WF_REGION_PROPS, wfBodyProps, linearDamping),
     WHOLE(WF_REGION_PROPS, wfBodyProps, shape),
-    REAL(WF_REGION_FINE, wfResidual, p.x), REAL(WF_REGION_FINE, wfResidual, p.y),
-    REAL(WF_REGION_FINE, wfResidual, angle), REAL(WF_REGION_FINE, wfResidual, v.x),
-    REAL(WF_REGION_FINE, wfResidual, v.y), REAL(WF_REGION_FINE, wfResidual, w),
+    REAL(WF_REGION_FINE, wfFine, p.x), REAL(WF_REGION_FINE, wfFine, p.y),
+    REAL(WF_REGION_FINE, wfFine, angle), REAL(WF_REGION_FINE, wfFine, v.x),
+    REAL(WF_REGION_FINE, wfFine, v.y), REAL(WF_REGION_FINE, wfFine, w),
     WHOLE(WF_REGION_CONTACTS, wfContact, a), WHOLE(WF_REGION_CONTACTS, wfContact, b),
     REAL(WF_REGION_CONTACTS, wfContact, friction),
     REAL(WF_REGION_CONTACTS, wfContact, manifold.points[0].depth),
@@ -231,6 +231,7 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfWorldDef def = with_room(b.head, room);
     result = wfWorldOfImage(&image, &def, &made);
     if (result != WF_OK) return result;
+    made.workers = world->workers;
     wfDestroyWorld(world);
     *world = made;
     return WF_OK;

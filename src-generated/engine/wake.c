@@ -4,70 +4,70 @@
 #include "engine/joints.h"
 
 /* rouse sleepers */
-void wfWakeWholeIsland(wfBlock *b, const wfRest *r, int32_t i)
+void wfRouseIsland(wfBlock *b, const wfRest *r, int32_t i)
 {
     while (wfIsAsleep(r, i)) {
         int32_t next = r->ring[i];
         r->flags[i] &= WF_REST_NEVER;
         r->clock[i] = 0;
         r->ring[i] = -1;
-        b->head->sleepingCount--;
+        b->head->asleep--;
         i = next;
     }
     b->head->roused = 1;
 }
 
-void wfWakeIsland(wfBlock *b, int32_t i)
+void wfRouse(wfBlock *b, int32_t i)
 {
     wfRest r = wfRestOf(b);
     if (r.clock != NULL && i >= 0) r.clock[i] = 0;
-    if (b->head->sleepingCount == 0) return;
+    if (b->head->asleep == 0) return;
     if (i < 0)
-        for (int32_t k = 0; k < b->head->bodySlots.high; k++) wfWakeWholeIsland(b, &r, k);
+        for (int32_t k = 0; k < b->head->bodySlots.high; k++) wfRouseIsland(b, &r, k);
     else if (wfIsAsleep(&r, i))
-        wfWakeWholeIsland(b, &r, i);
+        wfRouseIsland(b, &r, i);
     else if (b->props[i].type != WF_DYNAMIC) {
         for (int32_t k = 0; k < b->head->kept.contacts; k++) {
             const wfContact *c = &b->contacts[k];
-            if (c->a == i || c->b == i) wfWakeWholeIsland(b, &r, c->a == i ? c->b : c->a);
+            if (c->a == i || c->b == i) wfRouseIsland(b, &r, c->a == i ? c->b : c->a);
         }
         /* rouse what hangs on body i */
-        wfWakeJoined(b, i);
+        wfRouseJoined(b, i);
         for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
             const wfForce *f = &b->forces[k];
             if (b->forceSlots[k].next != WF_SLOT_LIVE || (f->a != i && f->b != i)) continue;
             int32_t other = f->a == i ? f->b : f->a;
-            if (other < 0 ? f->b == i : wfIsAsleep(&r, other)) wfWakeIsland(b, other);
+            if (other < 0 ? f->b == i : wfIsAsleep(&r, other)) wfRouse(b, other);
         }
     }
 }
 
-void wfWakeJoined(wfBlock *b, int32_t body)
+void wfRouseJoined(wfBlock *b, int32_t body)
 {
     wfJoints j = wfJointsOf(b);
     for (int32_t i = 0; i < b->head->jointSlots.high; i++) {
         if (!wfJointIsLive(&j, i)) continue;
         int32_t one = j.joints[i].a, two = j.joints[i].b;
-        if (one == body && wfBodySleeps(b, two)) wfWakeIsland(b, two);
-        if (two == body && wfBodySleeps(b, one)) wfWakeIsland(b, one);
+        if (one == body && wfSleeps(b, two)) wfRouse(b, two);
+        if (two == body && wfSleeps(b, one)) wfRouse(b, one);
     }
 }
 
-void wfWakeNear(wfBlock *b, int32_t k)
+void wfRouseNear(wfBlock *b, int32_t k)
 {
     wfRest r = wfRestOf(b);
-    int32_t i = b->bodyOfShape[k];
-    if (b->head->sleepingCount == 0) return;
+    int32_t i = b->owners[k];
+    if (b->head->asleep == 0) return;
     b->head->roused = 1;
     if (i < 0 || b->props[i].type == WF_DYNAMIC || b->materials[k].sensor) return;
     for (int32_t q = 0; q < b->head->shapeSlots.high; q++) {
-        int32_t other = b->bodyOfShape[q];
+        int32_t other = b->owners[q];
         if (other < 0 || !wfIsAsleep(&r, other)) continue;
-        if (wfRectOverlap(b->bounds[k], b->bounds[q])) wfWakeWholeIsland(b, &r, other);
+        if (wfRectOverlap(b->bounds[k], b->bounds[q])) wfRouseIsland(b, &r, other);
     }
 }
 
-bool wfBodySleeps(const wfBlock *b, int32_t i)
+bool wfSleeps(const wfBlock *b, int32_t i)
 {
     wfRest r = wfRestOf(b);
     return wfIsAsleep(&r, i);

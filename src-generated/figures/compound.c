@@ -15,7 +15,7 @@ typedef struct CompoundFigure {
     _Alignas(16) uint8_t bytes[COMPOUND_MOST * 128];
 } CompoundFigure;
 
-static void compound_open(CompoundFigure *f, const float *xy, int n, wfVec2 at)
+static void compoundOpen(CompoundFigure *f, const float *xy, int n, wfVec2 at)
 {
     wfPoolInit(&f->pool, sizeof f->bytes, f->bytes);
     f->n = n;
@@ -23,7 +23,7 @@ static void compound_open(CompoundFigure *f, const float *xy, int n, wfVec2 at)
     for (int i = 0; i < n; i++)
         f->corners[i] = wfAdd(at, wfV2((wfReal)xy[2 * i], (wfReal)xy[2 * i + 1]));
 }
-static void compound_outline(wfDraw *d, const CompoundFigure *f, float widthPx, int role)
+static void compoundOutline(wfDraw *d, const CompoundFigure *f, float widthPx, int role)
 {
     float xy[2 * COMPOUND_MOST];
     for (int i = 0; i < f->n; i++) {
@@ -32,7 +32,7 @@ static void compound_outline(wfDraw *d, const CompoundFigure *f, float widthPx, 
     }
     wfDrawPolygon(d, xy, f->n, widthPx, role, WF_INK_NONE);
 }
-static void compound_shapes(wfDraw *d, CompoundFigure *f)
+static void compoundShapes(wfDraw *d, CompoundFigure *f)
 {
     wfTransform here = wfTransformIdentity();
     wfPoolReset(&f->pool);
@@ -40,10 +40,10 @@ static void compound_shapes(wfDraw *d, CompoundFigure *f)
         f->count = 0;
     for (int i = 0; i < f->count; i++)
         figShape(d, &f->shapes[i], here, 1, WF_INK_BODY, WF_INK_BODY);
-    compound_outline(d, f, 2, f->count ? WF_INK_LINE : WF_INK_BAD);
+    compoundOutline(d, f, 2, f->count ? WF_INK_LINE : WF_INK_BAD);
 }
 /* the pieces of the mesh, the first `most` half-edges of it, filled */
-static void compound_mesh(wfDraw *d, const CompoundFigure *f, int32_t most)
+static void compoundMesh(wfDraw *d, const CompoundFigure *f, int32_t most)
 {
     int32_t ring[COMPOUND_MOST];
     float xy[2 * COMPOUND_MOST];
@@ -55,13 +55,13 @@ static void compound_mesh(wfDraw *d, const CompoundFigure *f, int32_t most)
         }
         if (n > 2) wfDrawPolygon(d, xy, n, 1, WF_INK_BODY, WF_INK_BODY);
     }
-    compound_outline(d, f, 2, WF_INK_LINE);
+    compoundOutline(d, f, 2, WF_INK_LINE);
 }
 static const float COMPOUND_U[16] = { -1.3f, 0, 1.3f, 0, 1.3f, 2.2f,
     0.8f, 2.2f, 0.8f, 0.5f, -0.8f, 0.5f, -0.8f, 2.2f, -1.3f, 2.2f };
 
 /* the ball, and the way out of it if it overlaps one of the shapes */
-static void compound_ball(wfDraw *d, const wfShape *shapes, int count, wfVec2 at)
+static void compoundBall(wfDraw *d, const wfShape *shapes, int count, wfVec2 at)
 {
     wfShape ball;
     wfTransform here = wfTransformIdentity();
@@ -82,14 +82,14 @@ static void figure_compound_hull(wfDraw *d, const wfFigureInput *in)
     CompoundFigure f;
     wfShape hull;
     wfVec2 ball = figHandle(in, 0), over = wfAdd(ball, wfV2(4, 0));
-    compound_open(&f, COMPOUND_U, 8, wfV2(2, WF_R(0.7)));
+    compoundOpen(&f, COMPOUND_U, 8, wfV2(2, WF_R(0.7)));
     if (wfMakePolygon(f.corners, 8, &hull) != WF_OK) return;
     figShape(d, &hull, wfTransformIdentity(), 1, WF_INK_BAD, WF_INK_BODY);
-    compound_outline(d, &f, 2, WF_INK_LINE);
-    compound_ball(d, &hull, 1, ball);
-    compound_open(&f, COMPOUND_U, 8, wfV2(6, WF_R(0.7)));
-    compound_shapes(d, &f);
-    compound_ball(d, f.shapes, f.count, over);
+    compoundOutline(d, &f, 2, WF_INK_LINE);
+    compoundBall(d, &hull, 1, ball);
+    compoundOpen(&f, COMPOUND_U, 8, wfV2(6, WF_R(0.7)));
+    compoundShapes(d, &f);
+    compoundBall(d, f.shapes, f.count, over);
     wfDrawTextf(d, 2, 0.25f, 13, WF_INK_TEXT, 0, "hull: area %.2f",
                 (double)wfShapeArea(&hull));
     wfMassData m;
@@ -150,9 +150,9 @@ static void figure_compound_ears(wfDraw *d, const wfFigureInput *in)
     (void)in;
     for (int panel = 0; panel < 4; panel++) {
         wfReal x = WF_R(0.2) + 3 * (wfReal)panel;
-        compound_open(&f, COMPOUND_PIKE, 11, wfV2(x, WF_R(0.3)));
+        compoundOpen(&f, COMPOUND_PIKE, 11, wfV2(x, WF_R(0.3)));
         if (wfCutEars(f.corners, f.n, &f.pool, &f.mesh) != WF_OK) return;
-        compound_mesh(d, &f, 3 * cuts[panel]);
+        compoundMesh(d, &f, 3 * cuts[panel]);
         for (int k = 0; k < cuts[panel]; k++) {
             wfVec2 middle = wfV2(0, 0);
             for (int i = 3 * k; i < 3 * k + 3; i++)
@@ -172,18 +172,18 @@ static void figure_compound_merge(wfDraw *d, const wfFigureInput *in)
     wfVec2 moved = wfSub(figHandle(in, 0), wfV2(WF_R(0.2), WF_R(0.5)));
     for (int panel = 0; panel < 3; panel++) {
         wfVec2 at = wfV2(WF_R(0.2) + 4 * (wfReal)panel, WF_R(0.5));
-        compound_open(&f, fish, 12, at);
+        compoundOpen(&f, fish, 12, at);
         f.corners[6] = wfAdd(at, moved);
         if (wfCutEars(f.corners, f.n, &f.pool, &f.mesh) != WF_OK) return;
         int32_t pieces = f.n - 2;
         if (panel > 0) wfFlipMesh(&f.mesh);
         if (panel > 1) pieces = wfMergeMesh(&f.mesh);
-        compound_mesh(d, &f, f.mesh.edgeCount);
+        compoundMesh(d, &f, f.mesh.edgeCount);
         wfDrawTextf(d, (float)at.x + 1.8f, 0.1f, 13, WF_INK_TEXT, 0, "%d pieces",
                     (int)pieces);
     }
 }
-static int compound_wheel(float *xy, int teeth, int perTooth, const float *radius)
+static int compoundWheel(float *xy, int teeth, int perTooth, const float *radius)
 {
     int n = teeth * perTooth;
     for (int i = 0; i < n; i++) {
@@ -203,21 +203,21 @@ static void figure_compound_gallery(wfDraw *d, const wfFigureInput *in)
     float wheel[2 * COMPOUND_MOST];
     wfRandom r;
     (void)in;
-    compound_open(&f, wheel, compound_wheel(wheel, 5, 2, star), wfV2(WF_R(1.3), WF_R(1.3)));
-    compound_shapes(d, &f);
-    compound_open(&f, wheel, compound_wheel(wheel, 9, 4, gear), wfV2(4, WF_R(1.3)));
-    compound_shapes(d, &f);
-    compound_open(&f, W, 13, wfV2(WF_R(6.7), WF_R(1.3)));
-    compound_shapes(d, &f);
+    compoundOpen(&f, wheel, compoundWheel(wheel, 5, 2, star), wfV2(WF_R(1.3), WF_R(1.3)));
+    compoundShapes(d, &f);
+    compoundOpen(&f, wheel, compoundWheel(wheel, 9, 4, gear), wfV2(4, WF_R(1.3)));
+    compoundShapes(d, &f);
+    compoundOpen(&f, W, 13, wfV2(WF_R(6.7), WF_R(1.3)));
+    compoundShapes(d, &f);
     /* draw a tangle of thirty corners */
     wfRandomSeed(&r, 4);
     f.n = 30;
     random_tangle(&r, f.n, f.corners);
     for (int i = 0; i < f.n; i++)
         f.corners[i] = wfAdd(wfV2(WF_R(9.4), WF_R(1.3)), f.corners[i]);
-    compound_shapes(d, &f);
+    compoundShapes(d, &f);
 }
-static void compound_chain(wfDraw *d, const wfVec2 *p, int n, bool loop)
+static void compoundChain(wfDraw *d, const wfVec2 *p, int n, bool loop)
 {
     wfShape links[COMPOUND_MOST];
     int count;
@@ -246,8 +246,8 @@ static void figure_compound_chain(wfDraw *d, const wfFigureInput *in)
         wfRot q = wfRotation(WF_PI * (wfReal)i / 3);
         island[i] = wfV2(4 + q.c * (i % 2 ? 1 : WF_R(0.8)), WF_R(2.8) + WF_R(0.7) * q.s);
     }
-    compound_chain(d, ground, 7, false);
-    compound_chain(d, island, 6, true);
+    compoundChain(d, ground, 7, false);
+    compoundChain(d, island, 6, true);
 }
 static const wfFigureRow rows[] = {
     { "compound-hull", figure_compound_hull, 8.0f, 3.6f, 1, { { 2.15f, 2.2f } } },

@@ -4,7 +4,7 @@
 #include "weft/contact.h"
 #include "figures/kit.h"
 /* the points of a manifold, with a rod from surface to surface */
-static void contact_points(wfDraw *d, const wfManifold *m, int role)
+static void contactPoints(wfDraw *d, const wfManifold *m, int role)
 {
     for (int i = 0; i < m->count; i++) {
         const wfContactPoint *c = &m->points[i];
@@ -15,14 +15,14 @@ static void contact_points(wfDraw *d, const wfManifold *m, int role)
     }
 }
 
-static void contact_pair(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
-                         wfTransform xb)
+static void contactPair(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
+                        wfTransform xb)
 {
     wfManifold m;
     figShape(d, a, xa, 2, WF_INK_BODY, WF_INK_BODY);
     figShape(d, b, xb, 2, WF_INK_BODY2, WF_INK_BODY2);
     wfCollide(a, xa, b, xb, &m);
-    contact_points(d, &m, WF_INK_ACCENT);
+    contactPoints(d, &m, WF_INK_ACCENT);
 }
 static void figure_contacts_kinds(wfDraw *d, const wfFigureInput *in)
 {
@@ -41,7 +41,7 @@ static void figure_contacts_kinds(wfDraw *d, const wfFigureInput *in)
         wfReal x = WF_R(1.5) + 3 * (wfReal)i;
         wfTransform xg = wfMakeTransform(wfV2(x, WF_R(1.2)), 0);
         wfTransform xb = wfMakeTransform(wfV2(places[i][0], places[i][1]), places[i][2]);
-        contact_pair(d, &ground, xg, i == 3 ? &ball : &box, xb);
+        contactPair(d, &ground, xg, i == 3 ? &ball : &box, xb);
         wfDrawText(d, (float)x, 0.1f, 14, WF_INK_TEXT, 0, names[i]);
     }
 }
@@ -55,11 +55,11 @@ static void figure_contacts_report(wfDraw *d, const wfFigureInput *in)
     wfTransform right = wfMakeTransform(wfV2(WF_R(7.4), 1), 0);
     wfTransform flat = wfMakeTransform(wfV2(WF_R(2.4), WF_R(2.22)), wfRadians(3));
     wfTransform corner = wfMakeTransform(wfV2(WF_R(8.7), WF_R(2.42)), WF_R(0.8));
-    contact_pair(d, &plank, left, &box, flat);
-    contact_pair(d, &plank, right, &box, corner);
+    contactPair(d, &plank, left, &box, flat);
+    contactPair(d, &plank, right, &box, corner);
     wfManifold m;
     wfCollide(&plank, left, &box, flat, &m);
-    contact_points(d, &m, WF_INK_GOOD);
+    contactPoints(d, &m, WF_INK_GOOD);
     int deepest = m.points[1].depth > m.points[0].depth;
     wfDrawCircle(d, WF_XY(m.points[deepest].point), 0.22f, 2, WF_INK_BAD, WF_INK_NONE);
     /* draw the counterpart of the corner, by centres and by the normal */
@@ -86,7 +86,7 @@ static void figure_contacts_clip(wfDraw *d, const wfFigureInput *in)
     if (wfMakePolygon(corners, 5, &body) != WF_OK) return;
     wfTransform xt = wfMakeTransform(wfV2(3, WF_R(1.5)), 0);
     wfTransform xb = wfMakeTransform(figHandle(in, 0), WF_R(0.12));
-    contact_pair(d, &table, xt, &body, xb);
+    contactPair(d, &table, xt, &body, xb);
     wfManifold m;
     if (!wfCollide(&table, xt, &body, xb, &m)) return;
     for (int i = -1; i <= 1; i += 2) {
@@ -104,7 +104,7 @@ static void figure_contacts_clip(wfDraw *d, const wfFigureInput *in)
                     f >> 16 ? 'B' : 'A', f & 255, (double)m.points[i].depth);
     }
 }
-static void contact_shape(wfDraw *d, const wfShape *s, wfTransform xf, int line, int fill)
+static void contactShape(wfDraw *d, const wfShape *s, wfTransform xf, int line, int fill)
 {
     wfVec2 rim[WF_RIM_POINTS];
     float xy[2 * WF_RIM_POINTS];
@@ -117,7 +117,7 @@ static void contact_shape(wfDraw *d, const wfShape *s, wfTransform xf, int line,
     else wfDrawPolyline(d, xy, n, 2.5f, line);
 }
 
-static void contact_core(wfDraw *d, const wfShape *s, wfTransform xf, int role)
+static void contactCore(wfDraw *d, const wfShape *s, wfTransform xf, int role)
 {
     for (int i = 0; i < s->count; i++) {
         wfVec2 to = s->vertices[(i + 1) % s->count];
@@ -136,12 +136,12 @@ static void figure_contacts_coats(wfDraw *d, const wfFigureInput *in)
         wfVec2 at = wfV2(x - WF_R(2.2) + figHandle(in, 0).x, figHandle(in, 0).y);
         wfTransform xp = wfMakeTransform(at, WF_R(0.06));
         bool last = i == 2;
-        contact_shape(d, &table, xt, last ? WF_INK_BODY : WF_INK_FAINT,
-                      last ? WF_INK_BODY : WF_INK_NONE);
-        contact_shape(d, &pill, xp, last ? WF_INK_BODY2 : WF_INK_FAINT,
-                      last ? WF_INK_BODY2 : WF_INK_NONE);
-        contact_core(d, &table, xt, WF_INK_BODY);
-        contact_core(d, &pill, xp, WF_INK_BODY2);
+        contactShape(d, &table, xt, last ? WF_INK_BODY : WF_INK_FAINT,
+                     last ? WF_INK_BODY : WF_INK_NONE);
+        contactShape(d, &pill, xp, last ? WF_INK_BODY2 : WF_INK_FAINT,
+                     last ? WF_INK_BODY2 : WF_INK_NONE);
+        contactCore(d, &table, xt, WF_INK_BODY);
+        contactCore(d, &pill, xp, WF_INK_BODY2);
         /* draw this step of the clipping */
         wfManifold m;
         wfCollide(&table, xt, &pill, xp, &m);
@@ -161,7 +161,7 @@ static void figure_contacts_coats(wfDraw *d, const wfFigureInput *in)
             if (i == 1) wfDrawPoint(d, WF_XY(ends[k]), 7, WF_INK_ACCENT);
         }
         if (i == 1 && m.count == 2) figSegment(d, ends[0], ends[1], 3, WF_INK_ACCENT);
-        if (last) contact_points(d, &m, WF_INK_ACCENT);
+        if (last) contactPoints(d, &m, WF_INK_ACCENT);
         wfDrawText(d, (float)x, 0.1f, 14, WF_INK_TEXT, 0, steps[i]);
     }
 }
@@ -184,13 +184,13 @@ static void figure_contacts_margin(wfDraw *d, const wfFigureInput *in)
     for (int k = 0; k < m.count; k++) {
         wfManifold one = { .normal = m.normal, .count = 1, .points = { m.points[k] } };
         bool gap = m.points[k].depth < 0;
-        contact_points(d, &one, gap ? WF_INK_GOOD : WF_INK_ACCENT);
+        contactPoints(d, &one, gap ? WF_INK_GOOD : WF_INK_ACCENT);
         wfDrawTextf(d, (float)m.points[k].point.x, 0.3f, 13, WF_INK_TEXT, 0,
                     gap ? "gap %.2f m" : "depth %.2f m", (double)wfAbs(m.points[k].depth));
     }
 }
 /* one floor of tiles and a box that enters the next one; red: a normal of an inner edge */
-static void ghost_floor(wfDraw *d, float x0, bool links, wfVec2 at)
+static void ghostFloor(wfDraw *d, float x0, bool links, wfVec2 at)
 {
     wfShape box, tile;
     wfReal x = (wfReal)x0;
@@ -203,10 +203,10 @@ static void ghost_floor(wfDraw *d, float x0, bool links, wfVec2 at)
         wfVec2 middle = wfV2(left + WF_R(0.65), WF_R(-0.35));
         if (links) wfMakeLink(wfAdd(p, along), p, q, wfSub(q, along), &tile);
         else wfMakeOrientedBox(middle, WF_R(0.65), WF_R(0.35), 0, &tile);
-        contact_shape(d, &tile, xt, WF_INK_BODY, WF_INK_BODY);
+        contactShape(d, &tile, xt, WF_INK_BODY, WF_INK_BODY);
         if (links) wfDrawPoint(d, WF_XY(wfApply(xt, p)), 6, WF_INK_BODY);
     }
-    contact_shape(d, &box, xb, WF_INK_BODY2, WF_INK_BODY2);
+    contactShape(d, &box, xb, WF_INK_BODY2, WF_INK_BODY2);
     /* draw what each tile thinks */
     for (int i = 0; i < 4; i++) {
         wfReal left = WF_R(0.3) + WF_R(1.3) * (wfReal)i, right = left + WF_R(1.3);
@@ -226,13 +226,13 @@ static void ghost_floor(wfDraw *d, float x0, bool links, wfVec2 at)
 }
 static void figure_contacts_ghost(wfDraw *d, const wfFigureInput *in)
 {
-    ghost_floor(d, 0, false, figHandle(in, 0));
-    ghost_floor(d, 6, true, figHandle(in, 0));
+    ghostFloor(d, 0, false, figHandle(in, 0));
+    ghostFloor(d, 6, true, figHandle(in, 0));
     wfDrawText(d, 2.9f, 0.05f, 14, WF_INK_TEXT, 0, "boxes");
     wfDrawText(d, 8.9f, 0.05f, 14, WF_INK_TEXT, 0, "links");
 }
 /* the fan between two unit normals, as a slice of radius r about `at` */
-static void gauss_fan(wfDraw *d, wfVec2 at, wfVec2 from, wfVec2 to, wfReal r)
+static void gaussFan(wfDraw *d, wfVec2 at, wfVec2 from, wfVec2 to, wfReal r)
 {
     float xy[2 * 14];
     xy[0] = (float)at.x;
@@ -245,14 +245,14 @@ static void gauss_fan(wfDraw *d, wfVec2 at, wfVec2 from, wfVec2 to, wfReal r)
     }
     wfDrawPolygon(d, xy, 14, 1, WF_INK_ACCENT, WF_INK_ACCENT);
 }
-static void gauss_link(wfDraw *d, const wfShape *l, wfVec2 round)
+static void gaussLink(wfDraw *d, const wfShape *l, wfVec2 round)
 {
     wfVec2 n = l->normals[0], far = wfAddScaled(round, WF_R(1.3), n);
     wfVec2 tip = wfAddScaled(l->centre, WF_R(0.9), n);
     wfVec2 after = wfPerpCW(wfNormalize(wfSub(l->vertices[3], l->vertices[1])));
     if (wfCross(n, after) > WF_R(0.001)) {
-        gauss_fan(d, l->vertices[1], n, after, WF_R(0.9));
-        gauss_fan(d, round, n, after, WF_R(1.3));
+        gaussFan(d, l->vertices[1], n, after, WF_R(0.9));
+        gaussFan(d, round, n, after, WF_R(1.3));
     }
     figSegment(d, l->vertices[0], l->vertices[1], 3, WF_INK_LINE);
     wfDrawArrow(d, WF_XY(l->centre), WF_XY(tip), 2, WF_INK_GOOD);
@@ -276,7 +276,7 @@ static void figure_contacts_gauss(wfDraw *d, const wfFigureInput *in)
         wfVec2 after = i < 4 ? p[i + 2] : wfSub(wfScale(2, p[5]), p[4]);
         wfVec2 before = i > 1 ? p[i - 1] : wfSub(wfScale(2, p[1]), p[2]);
         if (wfMakeLink(before, p[i], p[i + 1], after, &link) == WF_OK)
-            gauss_link(d, &link, round);
+            gaussLink(d, &link, round);
     }
 }
 static const wfFigureRow rows[] = {

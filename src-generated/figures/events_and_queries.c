@@ -14,11 +14,11 @@ typedef struct QueryFigure {
     wfShapeSet set;
 } QueryFigure;
 
-static wfTransform query_figure_place(const void *context, int32_t i)
+static wfTransform queryFigurePlace(const void *context, int32_t i)
 {
     return ((const QueryFigure *)context)->places[i];
 }
-static void query_shape(wfDraw *d, const wfShape *s, wfTransform xf)
+static void queryShape(wfDraw *d, const wfShape *s, wfTransform xf)
 {
     wfVec2 rim[WF_RIM_POINTS];
     float xy[2 * WF_RIM_POINTS];
@@ -30,7 +30,7 @@ static void query_shape(wfDraw *d, const wfShape *s, wfTransform xf)
     if (n > 2) wfDrawPolygon(d, xy, n, 2, WF_INK_BODY, WF_INK_BODY);
     else if (n == 2) wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], 3, WF_INK_BODY);
 }
-static void query_scene(QueryFigure *f)
+static void queryScene(QueryFigure *f)
 {
     static const wfReal places[QUERY_SHAPES][3] = {
         { WF_R(2.1), WF_R(5.4), 0 }, { 6, WF_R(6.0), WF_R(0.5) }, { WF_R(10.3), 5, 1 },
@@ -55,7 +55,7 @@ static void query_scene(QueryFigure *f)
     wfMakeLink(chain[1], chain[2], chain[3], wfV2(-1, 1), &f->shapes[6]);
     f->set = (wfShapeSet){ .proxies = { .count = QUERY_SHAPES, .bounds = f->bounds,
                                         .flags = f->flags },
-                           .shapes = f->shapes, .place = query_figure_place, .context = f };
+                           .shapes = f->shapes, .place = queryFigurePlace, .context = f };
     for (int i = 0; i < QUERY_SHAPES; i++) {
         f->places[i] = wfMakeTransform(wfV2(places[i][0], places[i][1]), places[i][2]);
         f->bounds[i] = wfShapeBounds(&f->shapes[i], f->places[i]);
@@ -67,7 +67,7 @@ static void figure_queries_fan(wfDraw *d, const wfFigureInput *in)
     enum { RAYS = 90 };
     QueryFigure f;
     wfVec2 from = figHandle(in, 0);
-    query_scene(&f);
+    queryScene(&f);
     for (int i = 0; i < RAYS; i++) {
         wfRot q = wfRotation(2 * WF_PI * (wfReal)i / RAYS);
         wfRay ray = { from, wfScale(20, wfV2(q.c, q.s)) };
@@ -80,7 +80,7 @@ static void figure_queries_fan(wfDraw *d, const wfFigureInput *in)
         figSegment(d, hit.point, wfAddScaled(hit.point, WF_R(0.25), hit.normal), 1.5f,
                    WF_INK_GOOD);
     }
-    for (int i = 0; i < QUERY_SHAPES; i++) query_shape(d, &f.shapes[i], f.places[i]);
+    for (int i = 0; i < QUERY_SHAPES; i++) queryShape(d, &f.shapes[i], f.places[i]);
     wfDrawPoint(d, WF_XY(from), 8, WF_INK_LINE);
 }
 static void figure_queries_closest(wfDraw *d, const wfFigureInput *in)
@@ -88,11 +88,11 @@ static void figure_queries_closest(wfDraw *d, const wfFigureInput *in)
     QueryFigure f;
     wfVec2 p = figHandle(in, 0);
     wfClosest best;
-    query_scene(&f);
+    queryScene(&f);
     if (wfSetClosest(&f.set, p, 100, NULL, &best) != WF_OK) return;
     for (int i = 0; i < QUERY_SHAPES; i++) {
         wfClosest c;
-        query_shape(d, &f.shapes[i], f.places[i]);
+        queryShape(d, &f.shapes[i], f.places[i]);
         if (wfClosestPoint(&f.shapes[i], f.places[i], p, &c) != WF_OK) return;
         int role = i == best.shape ? WF_INK_GOOD : WF_INK_ACCENT;
         figSegment(d, p, c.point, i == best.shape ? 2.5f : 1.2f, role);
@@ -144,7 +144,7 @@ static void figure_queries_corner(wfDraw *d, const wfFigureInput *in)
     wfTransform id = wfTransformIdentity();
     (void)in;
     if (wfMakeRoundedPolygon(corners, 3, 1, &s) != WF_OK) return;
-    query_shape(d, &s, id);
+    queryShape(d, &s, id);
     for (int i = 0; i < 3; i++) {
         int j = i < 2 ? i + 1 : 0;
         figSegment(d, s.vertices[i], s.vertices[j], 1, WF_INK_LINE);
@@ -167,51 +167,50 @@ static void figure_queries_corner(wfDraw *d, const wfFigureInput *in)
     }
 }
 enum { TIMELINE_STEPS = 12, TIMELINE_ROWS = 4 };
-static const wfPair timeline_pairs[TIMELINE_ROWS] = {
+static const wfPair timelinePairs[TIMELINE_ROWS] = {
     { 0, 1 }, { 1, 3 }, { 2, 4 }, { 3, 5 }
 };
-static const char *const timeline_touches[TIMELINE_ROWS] = {
+static const char *const timelineTouches[TIMELINE_ROWS] = {
     ".#####...##.", "...######...", "..###ooooo..", "......######"
 };
 /* the touches of a step; '#' and 'o' are two owners of the same index */
-static int32_t timeline_list(int step, wfTouchingPair *out)
+static int32_t timelineList(int step, wfTouch *out)
 {
     int32_t n = 0;
     for (int row = 0; row < TIMELINE_ROWS; row++) {
-        char c = timeline_touches[row][step];
+        char c = timelineTouches[row][step];
         if (c == '.') continue;
-        out[n++] = (wfTouchingPair){ .a = timeline_pairs[row].a, .b = timeline_pairs[row].b,
-                                     .stampB = c == 'o' };
+        out[n++] = (wfTouch){ .a = timelinePairs[row].a, .b = timelinePairs[row].b,
+                              .stampB = c == 'o' };
     }
     return n;
 }
 
-static float timeline_y(const wfTouchingPair *t)
+static float timelineY(const wfTouch *t)
 {
     int row = 0;
-    while (row < TIMELINE_ROWS - 1 && timeline_pairs[row].a != t->a) row++;
+    while (row < TIMELINE_ROWS - 1 && timelinePairs[row].a != t->a) row++;
     return 3.3f - 0.8f * (float)row;
 }
 /* draws the bars of the touches that stay, or the dots of those that begin and end */
-static void timeline_draw(wfDraw *d, bool dots)
+static void timelineDraw(wfDraw *d, bool dots)
 {
-    wfTouchingPair old[TIMELINE_ROWS], now[TIMELINE_ROWS], list[3][TIMELINE_ROWS];
+    wfTouch old[TIMELINE_ROWS], now[TIMELINE_ROWS], list[3][TIMELINE_ROWS];
     int32_t before = 0;
     for (int step = 0; step < TIMELINE_STEPS; step++) {
         float x = 1.6f + 0.8f * (float)step;
-        int32_t n = timeline_list(step, now);
-        wfTouchingChanges e = { { list[0], 0, TIMELINE_ROWS },
-                                { list[1], 0, TIMELINE_ROWS },
-                                { list[2], 0, TIMELINE_ROWS } };
+        int32_t n = timelineList(step, now);
+        wfTouchEvents e = { { list[0], 0, TIMELINE_ROWS }, { list[1], 0, TIMELINE_ROWS },
+                            { list[2], 0, TIMELINE_ROWS } };
         if (wfCompareTouches(old, before, now, n, &e) != WF_OK) return;
         /* draw the events of the step */
         for (int32_t i = 0; !dots && i < e.stay.count; i++)
-            wfDrawLine(d, x - 0.8f, timeline_y(&list[1][i]), x, timeline_y(&list[1][i]), 5,
+            wfDrawLine(d, x - 0.8f, timelineY(&list[1][i]), x, timelineY(&list[1][i]), 5,
                        WF_INK_BODY);
         for (int32_t i = 0; dots && i < e.end.count; i++)
-            wfDrawCircle(d, x - 0.35f, timeline_y(&list[2][i]), 0.11f, 2, WF_INK_BAD, WF_INK_PAPER);
+            wfDrawCircle(d, x - 0.35f, timelineY(&list[2][i]), 0.11f, 2, WF_INK_BAD, WF_INK_PAPER);
         for (int32_t i = 0; dots && i < e.begin.count; i++)
-            wfDrawCircle(d, x, timeline_y(&list[0][i]), 0.11f, 2, WF_INK_GOOD, WF_INK_GOOD);
+            wfDrawCircle(d, x, timelineY(&list[0][i]), 0.11f, 2, WF_INK_GOOD, WF_INK_GOOD);
         memcpy(old, now, sizeof old);
         before = n;
     }
@@ -226,9 +225,9 @@ static void figure_queries_timeline(wfDraw *d, const wfFigureInput *in)
     }
     for (int row = 0; row < TIMELINE_ROWS; row++)
         wfDrawTextf(d, 0.2f, 3.22f - 0.8f * (float)row, 14, WF_INK_TEXT, -1, "%d and %d",
-                    (int)timeline_pairs[row].a, (int)timeline_pairs[row].b);
-    timeline_draw(d, false);
-    timeline_draw(d, true);
+                    (int)timelinePairs[row].a, (int)timelinePairs[row].b);
+    timelineDraw(d, false);
+    timelineDraw(d, true);
 }
 static const wfFigureRow rows[] = {
     { "queries-fan", figure_queries_fan, 12.0f, 7.2f, 1, { { 5.6f, 3.6f } } },

@@ -55,7 +55,7 @@ static void arch_step(wfDraw *d, figArch *f)
     arch_touch(f);
     wfSolve in = { .state = f->state, .bodyCount = ARCH_STONES + 1, .contacts = f->contact,
                    .contactCount = f->contacts, .h = WF_R(1.0) / 60, .iterations = 1,
-                   .positionCorrection = WF_R(0.4), .forces = f->force, .substeps = 4,
+                   .positionShare = WF_R(0.4), .forces = f->force, .substeps = 4,
                    .scratch = &scratch };
     figAccept(d, wfSolveStep(wfFindSolver("exact"), &in));
 }

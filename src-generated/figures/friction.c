@@ -20,7 +20,7 @@ static void figure_friction_cone(wfDraw *d, const wfFigureInput *in)
     wfReal jn = wfResolvePoint(&ground, &disc, foot, n, 0);
     wfReal want = -wfRelativeNormalVelocity(&ground, &disc, foot, wfContactTangent(n))
                   * wfEffectiveMass(&ground, &disc, foot, wfContactTangent(n));
-    wfReal jt = wfApplyFriction(&ground, &disc, foot, n, mu * jn, 0);
+    wfReal jt = wfRubPoint(&ground, &disc, foot, n, mu * jn, 0);
     /* draw the impulses of the cone */
     wfVec2 sticks = wfAdd(foot, wfV2(want, jn)), gets = wfAdd(foot, wfV2(jt, jn));
     wfDrawDashed(d, WF_XY(sticks), WF_XY(gets), 1, WF_INK_BAD);

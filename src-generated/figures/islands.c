@@ -37,11 +37,11 @@ static void figure_islands_heaps(wfDraw *d, const wfFigureInput *in)
     wfPool pool;
     wfIslands islands;
     islands_lay(disc, in->handle[0]);
-    wfMakeSets(parent, ISLAND_DISCS);
+    wfPlant(parent, ISLAND_DISCS);
     memset(moves, 1, sizeof moves);
     for (int a = 0; a < ISLAND_DISCS; a++)
         for (int b = a + 1; b < ISLAND_DISCS; b++)
-            if (islands_touch(disc[a], disc[b])) wfUnionSets(parent, a, b);
+            if (islands_touch(disc[a], disc[b])) wfUnite(parent, a, b);
     if (wfPoolInit(&pool, sizeof room - 16, base) != WF_OK) return;
     if (wfGatherIslands(parent, moves, ISLAND_DISCS, &pool, &islands) != WF_OK) return;
     /* draw the discs of the islands */

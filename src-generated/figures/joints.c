@@ -83,7 +83,7 @@ static void figure_joints_aim(wfDraw *d, const wfFigureInput *in)
                          { .p = wfV2(2, 0), .v = wfV2(0, 2), .invMass = 1 } };
     _Alignas(WF_POOL_ALIGN) unsigned char memory[16384];
     wfPool pool;
-    wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    wfJoint j = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
     wfPoolInit(&pool, sizeof memory, memory);
     wfJointStep step = { .state = s, .bodyCount = 2, .joints = &j, .jointCount = 1, .h = h,
                          .substeps = 1, .passes = 4, .scratch = &pool };
@@ -106,12 +106,12 @@ static void joints_path(wfDraw *d, bool spring, wfReal h, int ink)
     static _Alignas(16) uint8_t memory[1 << 14];
     wfBodyState s[2] = { { .invMass = 0 }, { .p = wfV2(2, 0), .invMass = 1 } };
     wfBodyForces forces[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
-    wfJoint rod = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
+    wfJoint rod = wfRod(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
     wfPool pool;
     wfPoolInit(&pool, sizeof memory, memory);
     wfJointStep step = { .state = s, .bodyCount = 2, .joints = &rod, .jointCount = 1,
         .forces = forces, .h = h, .substeps = 1, .passes = 1, .period = WF_JOINT_PERIOD,
-        .damping = WF_JOINT_DAMPING, .give = WF_JOINT_COMPLIANCE, .scratch = &pool };
+        .damping = WF_JOINT_DAMPING, .give = WF_JOINT_GIVE, .scratch = &pool };
     for (wfReal t = 0; t < WF_R(1.4); t += h) {
         wfVec2 p = s[1].p;
         if (spring) joints_on_spring(&s[1], h);

@@ -10,9 +10,9 @@ static void fast_flight(wfDraw *d, wfReal angle, int rate, int impacts, int role
     wfBodyInfo now = { .position = { { WF_R(0.6), WF_R(0.5) } } };
     wfWorld w;
     wd.gravity = wfV2(0, 0);
-    wd.timeStep = WF_R(1.0) / (wfReal)rate;
+    wd.dt = WF_R(1.0) / (wfReal)rate;
     wd.solver = wfFindSolver("sequential");
-    wd.maxImpacts = impacts;
+    wd.impacts = impacts;
     if (wfCreateWorld(&wd, &w) != WF_OK) return;
     b.type = WF_STATIC, b.friction = 0, b.restitution = 1;
     /* build the room of the figure */
@@ -68,7 +68,7 @@ static void joined_pin(wfWorld *w, wfBodyId a, wfBodyId b, double x, double y)
 {
     wfVec2 at = wfV2((wfReal)x, (wfReal)y);
     wfJoint j;
-    if (wfDefineJoint(w, "revolute", a, b, at, at, wfV2(1, 0), &j) == WF_OK)
+    if (wfJoinBodies(w, "revolute", a, b, at, at, wfV2(1, 0), &j) == WF_OK)
         wfAddJointToWorld(w, &j, NULL);
 }
 static void joined_bridge(wfWorld *w)
@@ -91,9 +91,9 @@ static void joined_cart(wfWorld *w)
         wfJoint j;
         def.position = wfV2(WF_R(-4.6) + WF_R(1.2) * (wfReal)i, WF_R(0.4));
         wfAddBodyToWorld(w, &def, &wheel);
-        if (wfDefineJoint(w, "wheel", body, wheel, def.position, def.position, wfV2(0, 1),
-                          &j) != WF_OK) continue;
-        wfSetJointSpring(&j, 1, 4, WF_R(0.7));
+        if (wfJoinBodies(w, "wheel", body, wheel, def.position, def.position, wfV2(0, 1),
+                         &j) != WF_OK) continue;
+        wfTuneJoint(&j, 1, 4, WF_R(0.7));
         j.flags |= WF_JOINT_MOTOR;
         j.motorSpeed = -4, j.motorForce = 10;
         wfAddJointToWorld(w, &j, NULL);
@@ -106,10 +106,10 @@ static void joined_crane(wfWorld *w)
     wfBodyId load = joined_box(w, 6.4, 2.2, 0.4, 0.4, WF_DYNAMIC);
     wfVec2 root = wfV2(WF_R(8.5), WF_R(4.6)), tip = wfV2(WF_R(5.5), WF_R(4.6));
     wfJoint j;
-    if (wfDefineJoint(w, "weld", tower, beam, root, root, wfV2(1, 0), &j) == WF_OK)
+    if (wfJoinBodies(w, "weld", tower, beam, root, root, wfV2(1, 0), &j) == WF_OK)
         wfAddJointToWorld(w, &j, NULL);
-    if (wfDefineJoint(w, "distance", beam, load, tip, wfV2(WF_R(6.4), WF_R(2.6)),
-                      wfV2(1, 0), &j) != WF_OK) return;
+    if (wfJoinBodies(w, "distance", beam, load, tip, wfV2(WF_R(6.4), WF_R(2.6)),
+                     wfV2(1, 0), &j) != WF_OK) return;
     j.flags = WF_JOINT_LIMITS, j.upper = j.rest;
     wfAddJointToWorld(w, &j, NULL);
 }
@@ -163,7 +163,7 @@ static void sleep_draw(wfDraw *d, const wfWorld *w, wfVec2 shift)
         if (wfGetBodyShape(w, id, &shape) != WF_OK) continue;
         wfTransform at = wfMakeTransform(wfAdd(info.position, shift), info.angle);
         int32_t island = wfBodyIsland(w, id);
-        bool awake = info.type == WF_DYNAMIC && wfBodyIsAwake(w, id);
+        bool awake = info.type == WF_DYNAMIC && wfIsAwake(w, id);
         figShape(d, &shape, at, 2, WF_INK_LINE, awake ? ink[island < 0 ? 0 : island % 4]
                  : WF_INK_FAINT);
     }

@@ -4,8 +4,8 @@
 #include "weft/narrow.h"
 #include "figures/kit.h"
 /* the shadows of a and b on an axis through `at`; green if they are apart */
-static void narrow_shadows(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
-                           wfTransform xb, wfVec2 axis, wfVec2 at, bool best)
+static void narrowShadows(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
+                          wfTransform xb, wfVec2 axis, wfVec2 at, bool best)
 {
     wfProjection pa = wfProject(a, xa, axis), pb = wfProject(b, xb, axis);
     wfReal o = wfDot(axis, at);
@@ -39,8 +39,8 @@ static void figure_narrow_shadows(wfDraw *d, const wfFigureInput *in)
         /* draw the shadows on axis i */
         wfReal turn = (wfReal)(i & 1) * WF_PI / 2 + (i > 1 ? WF_R(0.6) : 0);
         wfVec2 axis = wfRotate(wfRotation(turn), wfV2(1, 0));
-        narrow_shadows(d, &a, xa, &b, xb, axis, places[i],
-                       wfAbs(wfDot(axis, s.normal)) > WF_R(0.999));
+        narrowShadows(d, &a, xa, &b, xb, axis, places[i],
+                      wfAbs(wfDot(axis, s.normal)) > WF_R(0.999));
     }
     wfReal way = apart ? WF_R(0.7) : wfMaxR(-s.distance, WF_R(0.2));
     wfVec2 tip = wfAddScaled(xb.p, way, s.normal);
@@ -48,7 +48,7 @@ static void figure_narrow_shadows(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 8.7f, 6.0f, 14, WF_INK_TEXT, 1,
                 apart ? "apart by %.2f m" : "depth %.2f m", (double)wfAbs(s.distance));
 }
-static void narrow_interval(wfDraw *d, wfProjection p, float y, int role, const char *name)
+static void narrowInterval(wfDraw *d, wfProjection p, float y, int role, const char *name)
 {
     wfDrawLine(d, (float)p.min, y, (float)p.max, y, 6, role);
     wfDrawTextf(d, (float)p.min - 0.15f, y - 0.07f, 13, WF_INK_TEXT, 1, "%s", name);
@@ -67,9 +67,9 @@ static void figure_narrow_nested(wfDraw *d, const wfFigureInput *in)
         wfProjection moved = { b.min + by[i], b.max + by[i] };
         bool free = moved.min >= a.max;
         wfDrawText(d, 0.6f, y + 0.35f, 13, WF_INK_TEXT, -1, text[i]);
-        narrow_interval(d, a, y, WF_INK_BODY, "A");
+        narrowInterval(d, a, y, WF_INK_BODY, "A");
         int role = i == 0 ? WF_INK_BODY2 : free ? WF_INK_GOOD : WF_INK_BAD;
-        narrow_interval(d, moved, y - 0.3f, role, "B");
+        narrowInterval(d, moved, y - 0.3f, role, "B");
     }
 }
 static void figure_narrow_false(wfDraw *d, const wfFigureInput *in)
@@ -81,12 +81,12 @@ static void figure_narrow_false(wfDraw *d, const wfFigureInput *in)
     wfReal r = wfSqrt(WF_R(0.5));
     figShape(d, &a, xa, 2, WF_INK_BODY, WF_INK_BODY);
     figShape(d, &a, xb, 2, WF_INK_BODY2, WF_INK_BODY2);
-    narrow_shadows(d, &a, xa, &a, xb, wfV2(1, 0), wfV2(0, WF_R(0.3)), false);
-    narrow_shadows(d, &a, xa, &a, xb, wfV2(0, 1), wfV2(WF_R(0.5), 0), false);
-    narrow_shadows(d, &a, xa, &a, xb, wfV2(r, r), wfV2(WF_R(6.8), WF_R(3.5)), true);
+    narrowShadows(d, &a, xa, &a, xb, wfV2(1, 0), wfV2(0, WF_R(0.3)), false);
+    narrowShadows(d, &a, xa, &a, xb, wfV2(0, 1), wfV2(WF_R(0.5), 0), false);
+    narrowShadows(d, &a, xa, &a, xb, wfV2(r, r), wfV2(WF_R(6.8), WF_R(3.5)), true);
 }
 /* colours an edge by whose normal it has; +1 A's turned round, -1 B's */
-static int narrow_edge_role(const wfShape *hull, int i, const wfShape *a, wfTransform xa)
+static int narrowEdgeRole(const wfShape *hull, int i, const wfShape *a, wfTransform xa)
 {
     for (int k = 0; k < a->count; k++)
         if (wfDot(hull->normals[i], wfRotate(xa.q, a->normals[k])) < -WF_R(0.9999))
@@ -94,8 +94,8 @@ static int narrow_edge_role(const wfShape *hull, int i, const wfShape *a, wfTran
     return WF_INK_BODY2;
 }
 
-static void narrow_difference(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
-                              wfTransform xb, wfVec2 origin)
+static void narrowDifference(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
+                             wfTransform xb, wfVec2 origin)
 {
     wfVec2 points[WF_MAX_VERTICES * WF_MAX_VERTICES];
     int n = 0;
@@ -107,7 +107,7 @@ static void narrow_difference(wfDraw *d, const wfShape *a, wfTransform xa, const
     for (int i = 0; i < hull.count; i++)
         figSegment(d, wfAdd(origin, hull.vertices[i]),
                    wfAdd(origin, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 2.5f,
-                   narrow_edge_role(&hull, i, a, xa));
+                   narrowEdgeRole(&hull, i, a, xa));
     wfDrawPoint(d, WF_XY(origin), 7, WF_INK_LINE);
 }
 static void figure_narrow_minkowski(wfDraw *d, const wfFigureInput *in)
@@ -124,7 +124,7 @@ static void figure_narrow_minkowski(wfDraw *d, const wfFigureInput *in)
     if (wfSeparate(wfFindNarrowPhase("sat"), &a, xa, &b, xb, &s) != WF_OK) return;
     figShape(d, &a, xa, 2, WF_INK_BODY, WF_INK_BODY);
     figShape(d, &b, xb, 2, WF_INK_BODY2, WF_INK_BODY2);
-    narrow_difference(d, &a, xa, &b, xb, origin);
+    narrowDifference(d, &a, xa, &b, xb, origin);
     wfVec2 tip = wfAddScaled(origin, s.distance, s.normal);
     wfVec2 move = wfAddScaled(xb.p, -s.distance, s.normal);
     wfDrawArrow(d, WF_XY(origin), WF_XY(tip), 2.5f, WF_INK_ACCENT);
@@ -182,7 +182,7 @@ static void figure_narrow_regions(wfDraw *d, const wfFigureInput *in)
                 s.distance > 0 ? "apart by %.2f m" : "depth %.2f m",
                 (double)wfAbs(s.distance));
 }
-static void narrow_core(wfDraw *d, const wfShape *s, wfTransform xf, int role)
+static void narrowCore(wfDraw *d, const wfShape *s, wfTransform xf, int role)
 {
     for (int i = 0; i < s->count; i++)
         figSegment(d, wfApply(xf, s->vertices[i]),
@@ -202,8 +202,8 @@ static void figure_narrow_coats(wfDraw *d, const wfFigureInput *in)
     if (wfSeparate(wfFindNarrowPhase("sat"), &a, xa, &b, xb, &s) != WF_OK) return;
     figShape(d, &a, xa, 2, WF_INK_BODY, WF_INK_BODY);
     figShape(d, &b, xb, 2, WF_INK_BODY2, WF_INK_BODY2);
-    narrow_core(d, &a, xa, WF_INK_LINE);
-    narrow_core(d, &b, xb, WF_INK_LINE);
+    narrowCore(d, &a, xa, WF_INK_LINE);
+    narrowCore(d, &b, xb, WF_INK_LINE);
     /* draw the way from core to core */
     wfShape coreA = a, coreB = b;
     wfDistanceResult r;
@@ -216,13 +216,13 @@ static void figure_narrow_coats(wfDraw *d, const wfFigureInput *in)
 }
 typedef struct GjkPanel { wfVec2 origin; wfReal scale; } GjkPanel;
 
-static wfVec2 on_panel(GjkPanel p, wfVec2 v) { return wfAddScaled(p.origin, p.scale, v); }
+static wfVec2 onPanel(GjkPanel p, wfVec2 v) { return wfAddScaled(p.origin, p.scale, v); }
 
-static void gjk_simplex(wfDraw *d, GjkPanel at, const wfVec2 *v, int n, float px, int role)
+static void gjkSimplex(wfDraw *d, GjkPanel at, const wfVec2 *v, int n, float px, int role)
 {
     float xy[6];
     for (int i = 0; i < n; i++) {
-        wfVec2 p = on_panel(at, v[i]);
+        wfVec2 p = onPanel(at, v[i]);
         xy[2 * i] = (float)p.x;
         xy[2 * i + 1] = (float)p.y;
         wfDrawPoint(d, WF_XY(p), 7, role);
@@ -231,8 +231,8 @@ static void gjk_simplex(wfDraw *d, GjkPanel at, const wfVec2 *v, int n, float px
     if (n == 3) wfDrawPolygon(d, xy, 3, px, role, WF_INK_NONE);
 }
 /* the outline of B - A, for the reader; the engine does not make it */
-static void gjk_outline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape *b,
-                        wfTransform rel)
+static void gjkOutline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape *b,
+                       wfTransform rel)
 {
     wfVec2 points[WF_MAX_VERTICES * WF_MAX_VERTICES];
     int n = 0;
@@ -242,14 +242,14 @@ static void gjk_outline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape 
     wfShape hull;
     if (wfMakePolygon(points, n, &hull) != WF_OK) return;
     for (int i = 0; i < hull.count; i++)
-        figSegment(d, on_panel(at, hull.vertices[i]),
-                   on_panel(at, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 1.5f,
+        figSegment(d, onPanel(at, hull.vertices[i]),
+                   onPanel(at, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 1.5f,
                    WF_INK_FAINT);
     wfDrawPoint(d, WF_XY(at.origin), 6, WF_INK_LINE);
 }
 /* the two shapes at the left; the relative pose of B, or false */
-static bool gjk_pair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
-                     wfTransform *xa, wfTransform *xb)
+static bool gjkPair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
+                    wfTransform *xa, wfTransform *xb)
 {
     wfVec2 round[8], five[5];
     for (int i = 0; i < 8; i++) {
@@ -268,7 +268,7 @@ static bool gjk_pair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
     figShape(d, b, *xb, 2, WF_INK_BODY2, WF_INK_BODY2);
     return true;
 }
-static void gjk_empty(wfDraw *d, const char *text)
+static void gjkEmpty(wfDraw *d, const char *text)
 {
     wfDrawText(d, 8.8f, 3.6f, 14, WF_INK_TEXT, 0, text);
 }
@@ -279,7 +279,7 @@ static void figure_narrow_gjk(wfDraw *d, const wfFigureInput *in)
     wfSeparation s;
     wfGjkTrace t;
     wfDistanceResult r;
-    if (!gjk_pair(d, in, &a, &b, &xa, &xb)) return;
+    if (!gjkPair(d, in, &a, &b, &xa, &xb)) return;
     if (wfTraceGjk(&a, xa, &b, xb, &s, &t) != WF_OK) return;
     if (wfShapeDistance(&a, xa, &b, xb, &r) != WF_OK) return;
     figSegment(d, r.pointA, r.pointB, 2, WF_INK_ACCENT);
@@ -293,16 +293,16 @@ static void figure_narrow_gjk(wfDraw *d, const wfFigureInput *in)
         GjkPanel at = { wfV2(x, k < 2 ? WF_R(4.4) : WF_R(0.6)), WF_R(0.8) };
         /* draw the simplex of step k */
         const wfGjkStep *step = &t.steps[k];
-        gjk_outline(d, at, &a, &b, wfRelativePose(xa, xb));
-        gjk_simplex(d, at, step->points, step->count, 2.5f, WF_INK_ACCENT);
-        wfVec2 nearest = on_panel(at, step->nearest);
+        gjkOutline(d, at, &a, &b, wfRelativePose(xa, xb));
+        gjkSimplex(d, at, step->points, step->count, 2.5f, WF_INK_ACCENT);
+        wfVec2 nearest = onPanel(at, step->nearest);
         if (step->count < 3) wfDrawArrow(d, WF_XY(nearest), WF_XY(at.origin), 1.5f, WF_INK_GOOD);
         wfDrawTextf(d, (float)at.origin.x + 0.2f, (float)at.origin.y - 0.1f, 15, WF_INK_TEXT, -1,
                     "%d", k + 1);
     }
 }
 /* the polygon before step k: the hull of GJK's last simplex and of all answers before it */
-static void gjk_ring(wfDraw *d, GjkPanel at, const wfGjkTrace *t, int first, int k)
+static void gjkRing(wfDraw *d, GjkPanel at, const wfGjkTrace *t, int first, int k)
 {
     wfVec2 points[3 + WF_GJK_STEPS];
     int n = 0;
@@ -313,8 +313,8 @@ static void gjk_ring(wfDraw *d, GjkPanel at, const wfGjkTrace *t, int first, int
         points[n++] = t->steps[first + i].points[2];
     if (wfMakePolygon(points, n, &hull) != WF_OK) return;
     for (int i = 0; i < hull.count; i++)
-        figSegment(d, on_panel(at, hull.vertices[i]),
-                   on_panel(at, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 2,
+        figSegment(d, onPanel(at, hull.vertices[i]),
+                   onPanel(at, hull.vertices[i + 1 < hull.count ? i + 1 : 0]), 2,
                    WF_INK_LINE);
 }
 static void figure_narrow_epa(wfDraw *d, const wfFigureInput *in)
@@ -323,11 +323,11 @@ static void figure_narrow_epa(wfDraw *d, const wfFigureInput *in)
     wfTransform xa, xb;
     wfSeparation s;
     wfGjkTrace t;
-    if (!gjk_pair(d, in, &a, &b, &xa, &xb)) return;
+    if (!gjkPair(d, in, &a, &b, &xa, &xb)) return;
     if (wfTraceGjk(&a, xa, &b, xb, &s, &t) != WF_OK) return;
     int first = 0;
     while (first < t.count && t.steps[first].phase == WF_GJK_WALK) first++;
-    if (first == t.count) { gjk_empty(d, "apart: nothing to grow"); return; }
+    if (first == t.count) { gjkEmpty(d, "apart: nothing to grow"); return; }
     wfVec2 tip = wfAddScaled(xb.p, -s.distance, s.normal);
     wfDrawArrow(d, WF_XY(xb.p), WF_XY(tip), 2.5f, WF_INK_ACCENT);
     wfDrawTextf(d, 0.2f, 0.8f, 14, WF_INK_TEXT, -1, "depth %.3f m", -(double)s.distance);
@@ -340,14 +340,14 @@ static void figure_narrow_epa(wfDraw *d, const wfFigureInput *in)
         wfReal x = WF_R(6.4) + WF_R(4.6) * (wfReal)(place % 2);
         GjkPanel at = { wfV2(x, place < 2 ? WF_R(5.3) : WF_R(1.6)), WF_R(0.8) };
         /* draw the polygon of step k */
-        gjk_outline(d, at, &a, &b, wfRelativePose(xa, xb));
-        gjk_ring(d, at, &t, first, k);
+        gjkOutline(d, at, &a, &b, wfRelativePose(xa, xb));
+        gjkRing(d, at, &t, first, k);
         const wfGjkStep *step = &t.steps[first + k];
-        gjk_simplex(d, at, step->points, 2, 3.5f, WF_INK_ACCENT);
-        wfVec2 answer = on_panel(at, step->points[2]);
+        gjkSimplex(d, at, step->points, 2, 3.5f, WF_INK_ACCENT);
+        wfVec2 answer = onPanel(at, step->points[2]);
         wfDrawCircle(d, WF_XY(answer), 0.1f, 2, WF_INK_GOOD, WF_INK_NONE);
         if (k == shown - 1) {
-            wfVec2 way = on_panel(at, wfRotateInv(xa.q, wfScale(s.distance, s.normal)));
+            wfVec2 way = onPanel(at, wfRotateInv(xa.q, wfScale(s.distance, s.normal)));
             wfDrawArrow(d, WF_XY(at.origin), WF_XY(way), 1.5f, WF_INK_GOOD);
         }
         wfDrawTextf(d, (float)at.origin.x - 1.4f, (float)at.origin.y - 1.3f, 15, WF_INK_TEXT, 0,
@@ -379,8 +379,8 @@ static void figure_narrow_simplex(wfDraw *d, const wfFigureInput *in)
     while (last + 1 < t.count && t.steps[last + 1].phase == WF_GJK_WALK) last++;
     const wfGjkStep *kept = &t.steps[last];
     GjkPanel at = { origin, 1 };
-    gjk_simplex(d, at, kept->points, kept->count, 4, WF_INK_ACCENT);
-    wfVec2 nearest = on_panel(at, kept->nearest);
+    gjkSimplex(d, at, kept->points, kept->count, 4, WF_INK_ACCENT);
+    wfVec2 nearest = onPanel(at, kept->nearest);
     if (kept->count < 3) wfDrawArrow(d, WF_XY(origin), WF_XY(nearest), 2, WF_INK_GOOD);
     wfDrawPoint(d, WF_XY(origin), 8, WF_INK_LINE);
     static const char *const names[4] = { "", "a corner", "an edge", "the whole triangle" };

@@ -12,8 +12,8 @@ static wfContact path_contact(wfBodyState *state, wfReal j0, wfReal j1)
     for (int i = 0; i < 2; i++) {
         wfContactPoint *p = &c.manifold.points[i];
         p->point = wfV2((wfReal)i - WF_R(0.5), 0);
-        p->rA = p->point;
-        p->rB = wfSub(p->point, state[1].p);
+        p->armA = p->point;
+        p->armB = wfSub(p->point, state[1].p);
         p->normalImpulse = j[i];
     }
     return c;
@@ -113,8 +113,8 @@ static void tower_passes(wfDraw *d, int n, int passes, wfReal *impulse, wfReal *
         c[i] = (wfContact){ .a = i, .b = i + 1,
                             .manifold = { .normal = wfV2(0, 1), .count = 1 } };
         c[i].manifold.points[0].point = at;
-        c[i].manifold.points[0].rA = wfSub(at, state[i].p);
-        c[i].manifold.points[0].rB = wfSub(at, state[i + 1].p);
+        c[i].manifold.points[0].armA = wfSub(at, state[i].p);
+        c[i].manifold.points[0].armB = wfSub(at, state[i + 1].p);
     }
     wfSolve in = { .state = state, .bodyCount = n + 1, .contacts = c, .contactCount = n,
                    .h = 1, .iterations = passes, .scratch = &scratch };

@@ -17,12 +17,12 @@ static void bounce_figure_step(wfDraw *d, wfBodyState *state, wfContact *c, int 
     wfContactPoint *p = &c->manifold.points[0];
     p->depth = WF_R(0.2) - state[1].p.y;
     p->point = wfV2(state[1].p.x, 0);
-    p->rA = p->point;
-    p->rB = wfV2(0, WF_R(-0.2));
+    p->armA = p->point;
+    p->armB = wfV2(0, WF_R(-0.2));
     bool near = wfSolverTable[row].step != NULL || p->depth >= 0;
     wfSolve in = { .state = state, .bodyCount = 2, .contacts = c, .contactCount = near,
                    .h = h, .iterations = 1, .forces = force, .substeps = 1,
-                   .positionCorrection = WF_R(0.4), .scratch = &scratch };
+                   .positionShare = WF_R(0.4), .scratch = &scratch };
     if (wfSolverTable[row].step != NULL) figAccept(d, wfSolveStep(row, &in));
     else if (figAccept(d, wfSolveVelocities(row, &in)))
         figAccept(d, wfSolvePositions(row, &in));
@@ -62,8 +62,8 @@ static void sag_step(wfDraw *d, wfBodyState *state, wfContact *c, int substeps)
         wfContactPoint *p = &c[i].manifold.points[0];
         p->depth = 1 - (state[i + 1].p.y - state[i].p.y);
         p->point = wfAdd(state[i].p, wfV2(0, WF_R(0.5)));
-        p->rA = wfV2(0, WF_R(0.5));
-        p->rB = wfSub(p->point, state[i + 1].p);
+        p->armA = wfV2(0, WF_R(0.5));
+        p->armB = wfSub(p->point, state[i + 1].p);
         force[i + 1].force = wfV2(0, WF_R(-9.81));
     }
     wfSolve in = { .state = state, .bodyCount = SAG_BOXES + 1, .contacts = c,

@@ -29,7 +29,7 @@ static void figure_impact_tunnel(wfDraw *d, const wfFigureInput *in)
     }
 }
 /* a body at several moments of its sweep, the later the fainter */
-static void impact_ghosts(wfDraw *d, const wfShape *s, wfSweep sweep, int count, int role)
+static void impactGhosts(wfDraw *d, const wfShape *s, wfSweep sweep, int count, int role)
 {
     for (int i = 0; i <= count; i++) {
         wfReal t = (wfReal)i / (wfReal)count;
@@ -45,7 +45,7 @@ static void figure_impact_rod(wfDraw *d, const wfFigureInput *in)
     if (wfMakeCircle(wfV2(0, 0), WF_R(0.2), &peg) != WF_OK) return;
     wfSweep turn = { middle, middle, WF_R(0.15), WF_R(0.15) + WF_PI };
     wfSweep still = wfSweepStill(figHandle(in, 0), 0);
-    impact_ghosts(d, &rod, turn, 10, WF_INK_FAINT);
+    impactGhosts(d, &rod, turn, 10, WF_INK_FAINT);
     figShape(d, &rod, wfSweepAt(turn, 0), 2, WF_INK_BODY, WF_INK_BODY);
     figShape(d, &peg, wfSweepAt(still, 0), 2, WF_INK_BODY2, WF_INK_BODY2);
     wfDrawPoint(d, WF_XY(middle), 7, WF_INK_LINE);
@@ -55,8 +55,8 @@ static void figure_impact_rod(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 4.9f, 0.5f, 14, WF_INK_TEXT, -1, "t = %.3f", (double)hit.t);
     wfDrawTextf(d, 4.9f, 0.15f, 14, WF_INK_TEXT, -1, "steps: %d", (int)hit.steps);
 }
-static bool impact_flight(wfVec2 to, wfShape *ground, wfShape *box, wfSweep *still,
-                          wfSweep *flight)
+static bool impactFlight(wfVec2 to, wfShape *ground, wfShape *box, wfSweep *still,
+                         wfSweep *flight)
 {
     *still = wfSweepStill(wfV2(4, WF_R(0.4)), 0);
     *flight = (wfSweep){ wfV2(WF_R(1.2), WF_R(4.1)), to, WF_R(0.8), WF_R(3.3) };
@@ -69,7 +69,7 @@ static void figure_impact_steps(wfDraw *d, const wfFigureInput *in)
     wfSweep still, flight;
     wfImpact hit;
     wfImpactTrace t;
-    if (!impact_flight(figHandle(in, 0), &ground, &box, &still, &flight)) return;
+    if (!impactFlight(figHandle(in, 0), &ground, &box, &still, &flight)) return;
     if (wfTraceImpact(&ground, still, &box, flight, WF_ADVANCE_ALONG, &hit, &t) != WF_OK)
         return;
     figShape(d, &ground, wfSweepAt(still, 0), 2, WF_INK_LINE, WF_INK_FAINT);
@@ -87,14 +87,14 @@ static void figure_impact_steps(wfDraw *d, const wfFigureInput *in)
 /* a graph in the rectangle from `at`, 8 wide: t from 0 to 1, gap from 0 to `most` */
 typedef struct ImpactGraph { float x, y, high, most; } ImpactGraph;
 
-static float graph_x(const ImpactGraph *g, wfReal t) { return g->x + 8 * (float)t; }
-static float graph_y(const ImpactGraph *g, wfReal v)
+static float graphX(const ImpactGraph *g, wfReal t) { return g->x + 8 * (float)t; }
+static float graphY(const ImpactGraph *g, wfReal v)
 {
     return g->y + g->high * (float)v / g->most;
 }
 
-static void impact_curve(wfDraw *d, const ImpactGraph *g, const wfShape *a, wfSweep sa,
-                         const wfShape *b, wfSweep sb)
+static void impactCurve(wfDraw *d, const ImpactGraph *g, const wfShape *a, wfSweep sa,
+                        const wfShape *b, wfSweep sb)
 {
     float xy[2 * 161];
     int n = 0;
@@ -103,22 +103,22 @@ static void impact_curve(wfDraw *d, const ImpactGraph *g, const wfShape *a, wfSw
         wfReal t = (wfReal)i / 160;
         if (wfShapeDistance(a, wfSweepAt(sa, t), b, wfSweepAt(sb, t), &r) != WF_OK) return;
         if (r.distance <= 0) break;
-        xy[n++] = graph_x(g, t);
-        xy[n++] = graph_y(g, r.distance);
+        xy[n++] = graphX(g, t);
+        xy[n++] = graphY(g, r.distance);
     }
     wfDrawPolyline(d, xy, n / 2, 2, WF_INK_BODY);
 }
-static void impact_sawtooth(wfDraw *d, const ImpactGraph *g, const wfImpactTrace *t,
-                            wfReal goal)
+static void impactSawtooth(wfDraw *d, const ImpactGraph *g, const wfImpactTrace *t,
+                           wfReal goal)
 {
     for (int k = 0; k < t->count; k++) {
         const wfImpactStep *s = &t->steps[k];
-        float x = graph_x(g, s->t), y = graph_y(g, s->distance);
+        float x = graphX(g, s->t), y = graphY(g, s->distance);
         wfDrawPoint(d, x, y, 6, WF_INK_ACCENT);
         if (k + 1 == t->count) break;
-        float next = graph_x(g, t->steps[k + 1].t), foot = graph_y(g, goal);
+        float next = graphX(g, t->steps[k + 1].t), foot = graphY(g, goal);
         wfDrawLine(d, x, y, next, foot, 1.5f, WF_INK_ACCENT);
-        wfDrawDashed(d, next, foot, next, graph_y(g, t->steps[k + 1].distance), 1,
+        wfDrawDashed(d, next, foot, next, graphY(g, t->steps[k + 1].distance), 1,
                      WF_INK_FAINT);
     }
 }
@@ -129,7 +129,7 @@ static void figure_impact_graph(wfDraw *d, const wfFigureInput *in)
     wfImpact hit;
     wfImpactTrace t;
     (void)in;
-    if (!impact_flight(wfV2(WF_R(6.2), WF_R(1.3)), &ground, &box, &still, &flight)) return;
+    if (!impactFlight(wfV2(WF_R(6.2), WF_R(1.3)), &ground, &box, &still, &flight)) return;
     for (int row = 0; row < 2; row++) {
         ImpactGraph g = { 0.9f, row == 0 ? 3.6f : 0.6f, 2.4f, 2.8f };
         int how = row == 0 ? WF_ADVANCE_PLAIN : WF_ADVANCE_CURVE;
@@ -138,8 +138,8 @@ static void figure_impact_graph(wfDraw *d, const wfFigureInput *in)
         wfDrawArrow(d, g.x, g.y, g.x, g.y + 2.6f, 1, WF_INK_LINE);
         wfDrawText(d, g.x + 8.25f, g.y - 0.35f, 14, WF_INK_TEXT, 1, "time t");
         wfDrawText(d, g.x + 0.15f, g.y + 2.4f, 14, WF_INK_TEXT, -1, "gap");
-        impact_curve(d, &g, &ground, still, &box, flight);
-        impact_sawtooth(d, &g, &t, hit.touching / 2);
+        impactCurve(d, &g, &ground, still, &box, flight);
+        impactSawtooth(d, &g, &t, hit.touching / 2);
         wfDrawTextf(d, g.x + 8.2f, g.y + 2.1f, 14, WF_INK_TEXT, 1, "steps: %d", t.count);
     }
 }
@@ -182,27 +182,27 @@ static void figure_impact_bound(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, x + 0.15f, y - 0.5f * (float)(h + extent) - 0.05f, 14, WF_INK_TEXT, -1,
                "e - h");
 }
-static const double impact_parabolas[3][2] = { { 0.667, -0.5 }, { 1.107, 0.6 },
-                                               { 2.787, 2.0 } };
+static const double impactParabolas[3][2] = { { 0.667, -0.5 }, { 1.107, 0.6 },
+                                              { 2.787, 2.0 } };
 
-static double impact_parabola(int i, double s)
+static double impactParabola(int i, double s)
 {
-    return impact_parabolas[i][0] - impact_parabolas[i][1] * s - 0.7 * s * s;
+    return impactParabolas[i][0] - impactParabolas[i][1] * s - 0.7 * s * s;
 }
 
-static int impact_lowest(double s)
+static int impactLowest(double s)
 {
     int best = 0;
     for (int i = 1; i < 3; i++)
-        if (impact_parabola(i, s) < impact_parabola(best, s)) best = i;
+        if (impactParabola(i, s) < impactParabola(best, s)) best = i;
     return best;
 }
-static void impact_parabola_line(wfDraw *d, int i, int role, float width)
+static void impactParabolaLine(wfDraw *d, int i, int role, float width)
 {
     float xy[2 * 81];
     int n = 0;
     for (int k = 0; k <= 80; k++) {
-        double s = 1.6 * k / 80, v = impact_parabola(i < 0 ? impact_lowest(s) : i, s);
+        double s = 1.6 * k / 80, v = impactParabola(i < 0 ? impactLowest(s) : i, s);
         if (v < -1.6) break;
         xy[n++] = (float)(0.7 + 4 * s);
         xy[n++] = (float)(1.6 + 0.8 * v);
@@ -212,14 +212,14 @@ static void impact_parabola_line(wfDraw *d, int i, int role, float width)
 static void figure_impact_curve(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
-    for (int i = 0; i < 3; i++) impact_parabola_line(d, i, WF_INK_BODY, 1.2f);
-    impact_parabola_line(d, -1, WF_INK_LINE, 3);
+    for (int i = 0; i < 3; i++) impactParabolaLine(d, i, WF_INK_BODY, 1.2f);
+    impactParabolaLine(d, -1, WF_INK_LINE, 3);
     wfDrawArrow(d, 0.4f, 1.6f, 7.6f, 1.6f, 1, WF_INK_LINE);
     wfDrawText(d, 7.7f, 1.52f, 14, WF_INK_TEXT, -1, "s");
     double s = 1.6;
     for (int round = 0; round < 4; round++) {
-        int i = impact_lowest(s);
-        double m = impact_parabolas[i][1], c = impact_parabolas[i][0];
+        int i = impactLowest(s);
+        double m = impactParabolas[i][1], c = impactParabolas[i][0];
         double root = 2 * c / (m + (double)wfSqrt((wfReal)(m * m + 2.8 * c)));
         if (m < 0) root = ((double)wfSqrt((wfReal)(m * m + 2.8 * c)) - m) / 1.4;
         float x = (float)(0.7 + 4 * s), to = (float)(0.7 + 4 * root);
@@ -231,11 +231,11 @@ static void figure_impact_curve(wfDraw *d, const wfFigureInput *in)
     }
 }
 /* a body, its inner copy, and where both are stopped */
-static void impact_stopped(wfDraw *d, const wfShape *body, const wfShape *inner,
-                           wfSweep sweep, const wfObstacle *list, int count)
+static void impactStopped(wfDraw *d, const wfShape *body, const wfShape *inner,
+                          wfSweep sweep, const wfObstacle *list, int count)
 {
     wfStop stop;
-    if (wfFirstTimeOfImpact(body, sweep, list, count, 1, &stop) != WF_OK) return;
+    if (wfStopAtFirst(body, sweep, list, count, 1, &stop) != WF_OK) return;
     wfTransform first = wfSweepAt(sweep, 0), last = wfSweepAt(sweep, stop.t);
     int role = stop.obstacle == WF_NO_OBSTACLE ? WF_INK_GOOD : WF_INK_ACCENT;
     for (int i = 0; i < count; i++)
@@ -262,8 +262,8 @@ static void figure_impact_core(wfDraw *d, const wfFigureInput *in)
     wfSweep slide = { .from = wfV2(WF_R(1.3), WF_R(1.24)),
                       .to = wfV2(WF_R(4.9), WF_R(1.24)) };
     wfSweep push = { .from = wfV2(WF_R(7.4), WF_R(1.2)), .to = wfV2(19, -WF_R(0.2)) };
-    impact_stopped(d, &crate, &inner, slide, tiles, 2);
-    impact_stopped(d, &crate, &inner, push, tiles + 2, 1);
+    impactStopped(d, &crate, &inner, slide, tiles, 2);
+    impactStopped(d, &crate, &inner, push, tiles + 2, 1);
 }
 static const wfFigureRow rows[] = {
     { "impact-tunnel", figure_impact_tunnel, 8.4f, 3.0f, 0, { { 0 } } },

@@ -33,13 +33,13 @@ wfExactShape wfTellExactShape(const wfWorld *world, int32_t k)
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i)
 {
     wfBlock b = block_of(world);
-    return wfHas(b.head, WF_MODULE_PUSHES) ? b.applied[i] : (wfBodyForces){ .torque = 0 };
+    return wfHas(b.head, WF_NEED_PUSHES) ? b.applied[i] : (wfBodyForces){ .torque = 0 };
 }
 
-wfResidual wfTellResidual(const wfWorld *world, int32_t i)
+wfFine wfTellFine(const wfWorld *world, int32_t i)
 {
     wfBlock b = block_of(world);
-    return wfResidualOf(&b) != NULL ? b.fine[i] : (wfResidual){ .angle = 0 };
+    return wfFineOf(&b) != NULL ? b.fine[i] : (wfFine){ .angle = 0 };
 }
 
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out, double *added)
@@ -170,15 +170,15 @@ void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot)
 wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push)
 {
     wfBlock b = block_of(world);
-    if (!wfHas(b.head, WF_MODULE_PUSHES)) return WF_ERROR_NO_PUSHES;
+    if (!wfHas(b.head, WF_NEED_PUSHES)) return WF_ERROR_NO_PUSHES;
     b.applied[i] = *push;
     return WF_OK;
 }
 
-wfResult wfPutResidual(wfWorld *world, int32_t i, const wfResidual *fine)
+wfResult wfPutFine(wfWorld *world, int32_t i, const wfFine *fine)
 {
     wfBlock b = block_of(world);
-    if (wfResidualOf(&b) == NULL) return WF_OK;
+    if (wfFineOf(&b) == NULL) return WF_OK;
     if (!wfAreDigits(&b.state[i], fine)) return WF_ERROR_RANGE;     /* eq:world-digits */
     b.fine[i] = *fine;
     return WF_OK;

@@ -140,7 +140,7 @@ static bool read_set(wfText *t, const cJSON *item, const wfField *f, uint32_t *o
     for (const cJSON *one = item->child; one != NULL; one = one->next) {
         int32_t row;
         if (!read_row(t, one, f, &row)) return false;
-        set |= wfModuleTable[row].bit;
+        set |= wfNeedTable[row].bit;
     }
     *out = set;
     return true;
@@ -292,9 +292,9 @@ static cJSON *doubles_item(const double *x, int count)
 static cJSON *set_item(uint32_t set)
 {
     cJSON *array = cJSON_CreateArray();
-    for (int i = 0; i < wfModuleCount && array != NULL; i++) {
-        if (!(set & wfModuleTable[i].bit)) continue;
-        cJSON *name = cJSON_CreateString(wfModuleTable[i].name);
+    for (int i = 0; i < wfNeedCount && array != NULL; i++) {
+        if (!(set & wfNeedTable[i].bit)) continue;
+        cJSON *name = cJSON_CreateString(wfNeedTable[i].name);
         if (name != NULL) cJSON_AddItemToArray(array, name);
         else cJSON_Delete(array), array = NULL;
     }

@@ -190,10 +190,10 @@ static bool read_settings(Reader *r)
     const wfSetting *fault;
     r->def = wfDefaultWorldDef();
     r->settings = wfChild(r->t.root, "settings");
-    const cJSON *modules = wfChild(r->t.root, "modules"), *at = NULL;
+    const cJSON *needs = wfChild(r->t.root, "needs"), *at = NULL;
     const cJSON *in = r->settings != NULL ? r->settings : r->t.root;
-    wfField need = wfModulesField();
-    if (modules != NULL && !wfReadField(&r->t, modules, &need, &r->def)) return false;
+    wfField need = wfNeedsField();
+    if (needs != NULL && !wfReadField(&r->t, needs, &need, &r->def)) return false;
     if (r->settings != NULL &&
         !wfReadFields(&r->t, in, wfSettingFields(list), nothing, &r->def))
         return false;
@@ -228,7 +228,7 @@ static bool create(Reader *r)
     if (own && !fit(r, "shapeCapacity", &d->shapeCapacity, r->shapeCount)) return false;
     if (!fit(r, "forceCapacity", &d->forceCapacity, length_of(r, "forces"))) return false;
     if (!fit(r, "jointCapacity", &d->jointCapacity, length_of(r, "joints"))) return false;
-    if (!fit(r, "pairMaterials", &d->materialPairCapacity, length_of(r, "pairMaterials")))
+    if (!fit(r, "pairMaterials", &d->pairMaterials, length_of(r, "pairMaterials")))
         return false;
     const cJSON *at = r->settings != NULL ? r->settings : r->t.root;
     size_t permanent, transient;
@@ -326,11 +326,11 @@ static bool put_sums(Reader *r, int32_t i, const cJSON *item)
 {
     const cJSON *push = wfChild(item, "push"), *digits = wfChild(item, "fine");
     wfBodyForces sums = { .torque = 0 };
-    wfResidual fine = { .angle = 0 };
-    if (digits != NULL && !wfReadFields(&r->t, digits, wfResidualFields, nothing, &fine))
+    wfFine fine = { .angle = 0 };
+    if (digits != NULL && !wfReadFields(&r->t, digits, wfFineFields, nothing, &fine))
         return false;
     if (digits != NULL && same_numbers(r)
-        && !wfTextResult(&r->t, digits, wfPutResidual(&r->world, i, &fine))) return false;
+        && !wfTextResult(&r->t, digits, wfPutFine(&r->world, i, &fine))) return false;
     if (push != NULL && !wfReadFields(&r->t, push, wfPushFields, nothing, &sums))
         return false;
     if (push == NULL) return true;
@@ -423,7 +423,7 @@ static bool join(Reader *r, const cJSON *item, wfJoint *j)
     if (!read_anchor(r, item, "anchorA", &a) || !read_anchor(r, item, "anchorB", &b) ||
         !read_anchor(r, item, "axis", &axis))
         return false;
-    wfResult result = wfDefineJoint(&r->world, wfJointTable[j->kind].name,
+    wfResult result = wfJoinBodies(&r->world, wfJointTable[j->kind].name,
         wfBodyAt(&r->world, j->a), wfBodyAt(&r->world, j->b), a, b, axis, j);
     return wfTextResult(&r->t, item, result);
 }
@@ -559,12 +559,12 @@ static bool read_part(Reader *r, const char *name, wfFields fields)
 
 static bool read_root(Reader *r)
 {
-    static const char *const also[] = { "settings", "modules", "bodies", "joints", "forces",
+    static const char *const also[] = { "settings", "needs", "bodies", "joints", "forces",
                                         "pairMaterials", "view", "promises", NULL };
     r->root = (wfRootText){ .info = { .energyBound = -1, .depthBound = -1 } };
     if (wfChild(r->t.root, "weft") == NULL && wfChild(r->t.root, "body") != NULL)
         return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
-            "this looks like a scene of R.U.B.E.: translate it first");
+            "this looks like a scene of R.U.B.E.: translate it by weft-rube");
     if (!wfReadFields(&r->t, r->t.root, wfRootFields, also, &r->root)) return false;
     if (r->root.version == 0)
         return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
@@ -604,7 +604,7 @@ static bool deliver(Reader *r, const wfMemory *memory, wfWorld *out)
     }
     memcpy(memory->permanent, own->permanent, own->permanentSize);
     wfDestroyWorld(&r->world);
-    out->memory = *memory;
+    *out = (wfWorld){ .memory = *memory };
     out->memory.owned = 0;
     return true;
 }

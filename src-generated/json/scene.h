@@ -43,7 +43,7 @@ typedef struct wfRootText {
     int32_t version, digits;    /* digits: binary ones of the writer's numbers */
     double time;                /* s */
     uint64_t steps;
-    wfGlobalPoint origin;       /* m: where the world's (0, 0) is */
+    wfFar origin;               /* m: where the world's (0, 0) is */
     wfSceneInfo info;
     char schema[WF_SCHEMA_NAME];
 } wfRootText;
@@ -55,9 +55,9 @@ enum { WF_DIGITS = FLT_MANT_DIG };
 #endif
 extern const wfFields wfRootFields, wfViewFields, wfPromiseFields, wfBodyFields,
     wfShapeFields, wfJointFields, wfPairFields, wfExactBodyFields, wfExactShapeFields,
-    wfPushFields, wfResidualFields;
+    wfPushFields, wfFineFields;
 wfFields wfSettingFields(wfField out[WF_MOST_SETTINGS]);
-wfField wfModulesField(void);
+wfField wfNeedsField(void);
 extern const wfField wfAddedField;      /* double: of a force */
 /* The parameters of a force; spare may be used for the answer. */
 wfFields wfForceFields(int32_t kind, wfField *spare);
@@ -82,10 +82,9 @@ void wfPutExactShape(wfWorld *world, int32_t k, const wfExactShape *e);
 void wfPutPivot(wfWorld *world, int32_t i, wfVec2 pivot);
 wfResult wfPutPush(wfWorld *world, int32_t i, const wfBodyForces *push);
 wfBodyForces wfTellPush(const wfWorld *world, int32_t i);
-/* What a state has rounded away; zero, and without effect, in a world without
- * compensatedSums. */
-wfResidual wfTellResidual(const wfWorld *world, int32_t i);
-wfResult wfPutResidual(wfWorld *world, int32_t i, const wfResidual *fine);
+/* What a state has rounded away; zero, and without effect, in a world without fineSums. */
+wfFine wfTellFine(const wfWorld *world, int32_t i);
+wfResult wfPutFine(wfWorld *world, int32_t i, const wfFine *fine);
 void wfPutClock(wfWorld *world, double time, uint64_t steps);
 /* The force at place i: 1; 0: the place is empty; -1: there is no such place. */
 int wfTellForce(const wfWorld *world, int32_t i, wfForce *out, double *added);

@@ -233,7 +233,7 @@ static void describe_body(Schema *s, cJSON *in)
     list_in(s, properties, "shapes", "#/$defs/shape");
     with_fields(s, object_in(s, properties, "exact"), wfExactBodyFields);
     with_fields(s, object_in(s, properties, "push"), wfPushFields);
-    with_fields(s, object_in(s, properties, "fine"), wfResidualFields);
+    with_fields(s, object_in(s, properties, "fine"), wfFineFields);
 }
 
 /* describe a scene */
@@ -258,7 +258,7 @@ static void describe_root(Schema *s, cJSON *in)
     with_fields(s, object_in(s, properties, "settings"), wfSettingFields(list));
     with_fields(s, object_in(s, properties, "view"), wfViewFields);
     with_fields(s, object_in(s, properties, "promises"), wfPromiseFields);
-    wfField need = wfModulesField();
+    wfField need = wfNeedsField();
     describe(s, properties, &need);
     list_in(s, properties, "bodies", "#/$defs/body");
     list_in(s, properties, "joints", "#/$defs/joint");

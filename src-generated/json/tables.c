@@ -24,15 +24,14 @@
 #define FIELDS(list) { list, (int)(sizeof list / sizeof *list) }
 
 /* tables of a scene's fields */
-static const char *const body_types[] = { "static", "kinematic", "dynamic" };
-static const int body_type_count = WF_BODY_TYPES;
-WF_STATIC_ASSERT(sizeof body_types / sizeof *body_types == WF_BODY_TYPES,
-                 "a name for each");
+static const char *const bodyTypes[] = { "static", "kinematic", "dynamic" };
+static const int bodyTypeCount = WF_BODY_TYPES;
+WF_STATIC_ASSERT(sizeof bodyTypes / sizeof *bodyTypes == WF_BODY_TYPES, "a name for each");
 
-static const wfField body_fields[] = {
+static const wfField bodyFields[] = {
     { AT(wfBodyText, name), STRING(WF_BODY_NAME),
       .text = "for joints and forces of this text; a world forgets it" },
-    { BODY(type), NAMED(body_types, body_type_count), .text = "how it moves" },
+    { BODY(type), NAMED(bodyTypes, bodyTypeCount), .text = "how it moves" },
     { BODY(position), VEC, .text = "of its origin, m" },
     { BODY(angle), REAL, .least = -1e6, .most = 1e6, .text = "rad, counter-clockwise" },
     { BODY(velocity), VEC, .text = "of the centre of mass, m/s" },
@@ -48,9 +47,9 @@ static const wfField body_fields[] = {
     { BODY(neverSleeps), FLAG, .text = "nor does what hangs together with it" },
     { BODY(userData), BITS, .text = "yours" },
 };
-const wfFields wfBodyFields = FIELDS(body_fields);
+const wfFields wfBodyFields = FIELDS(bodyFields);
 
-static const wfField shape_fields[] = {
+static const wfField shapeFields[] = {
     { .name = "kind", .offset = offsetof(wfShapeText, form),
       NAMED(wfShapeForms, wfShapeFormCount), .text = "its form" },
     { AT(wfShapeText, centre), VEC, .text = "m, in the body's frame, like all that follows" },
@@ -67,9 +66,8 @@ static const wfField shape_fields[] = {
     { SHAPE(restitution), REAL, SHARE, .text = "of the speed, after a bounce" },
     { SHAPE(friction), REAL, NOT_NEGATIVE, .text = "while it slides" },
     { SHAPE(staticFriction), REAL, NOT_NEGATIVE, .text = "while it does not" },
-    { SHAPE(rollingResistance), REAL, NOT_NEGATIVE,
-      .text = "m: length of rolling resistance" },
-    { SHAPE(tangentSpeed), REAL, ANY, .text = "m/s, along itself: a belt" },
+    { SHAPE(rolling), REAL, NOT_NEGATIVE, .text = "m: length of rolling resistance" },
+    { SHAPE(surfaceSpeed), REAL, ANY, .text = "m/s, along itself: a belt" },
     { .name = "category", .offset = offsetof(wfShapeText, def.filter.category), BITS,
       .text = "bits: what it is" },
     { .name = "mask", .offset = offsetof(wfShapeText, def.filter.mask), BITS,
@@ -82,11 +80,11 @@ static const wfField shape_fields[] = {
     { AT(wfShapeText, place), INT, NOT_NEGATIVE,
       .text = "in the order in which a world keeps its shapes, when not that of the text" },
 };
-const wfFields wfShapeFields = FIELDS(shape_fields);
+const wfFields wfShapeFields = FIELDS(shapeFields);
 #define JOINT_BIT(word, bit, about) { .name = word, .offset = offsetof(wfJoint, flags), \
     .kind = WF_FIELD_BIT, .count = bit, .text = about }
 
-static const wfField joint_fields[] = {
+static const wfField jointFields[] = {
     { AT(wfJoint, kind), NAMED(wfJointTable, wfJointKinds), .text = "its law" },
     JOINT_BIT("spring", WF_JOINT_SPRING, "it has a spring"),
     JOINT_BIT("motor", WF_JOINT_MOTOR, "it has a motor"),
@@ -115,27 +113,28 @@ static const wfField joint_fields[] = {
     { AT(wfJoint, impulse), REAL, ANY, .count = WF_JOINT_ROWS,
       .text = "N s or N m s, of the last substep" },
     { AT(wfJoint, given), REAL, ANY, .count = 3, .text = "N s, of the last substep" },
+    { AT(wfJoint, elastic), REAL, ANY, .count = 3, .text = "m or rad: given way so far" },
+    { AT(wfJoint, loose), REAL, ANY, .count = 3, .text = "m or rad: of its first gaps" },
     { AT(wfJoint, load), VEC, .text = "N: on b, in the last step" },
     { AT(wfJoint, twist), REAL, ANY, .text = "N m: on b, in the last step" },
     { AT(wfJoint, peakForce), REAL, ANY, .text = "N: in one substep of it" },
     { AT(wfJoint, peakTorque), REAL, ANY, .text = "N m: in one substep of it" },
 };
-const wfFields wfJointFields = FIELDS(joint_fields);
+const wfFields wfJointFields = FIELDS(jointFields);
 #define PAIR(member) .name = #member, .offset = offsetof(wfPairText, m.member)
 #define INFO(word, member) .name = word, .offset = offsetof(wfRootText, info.member)
 
-static const wfField pair_fields[] = {
+static const wfField pairFields[] = {
     { AT(wfPairText, a), INT, .least = 1, .most = INT32_MAX, .text = "a material" },
     { AT(wfPairText, b), INT, .least = 1, .most = INT32_MAX, .text = "a material" },
     { PAIR(restitution), REAL, SHARE, .text = "of the speed, after a bounce" },
     { PAIR(friction), REAL, NOT_NEGATIVE, .text = "while they slide" },
     { PAIR(staticFriction), REAL, NOT_NEGATIVE, .text = "while they do not" },
-    { PAIR(rollingResistance), REAL, NOT_NEGATIVE,
-      .text = "m: length of rolling resistance" },
+    { PAIR(rolling), REAL, NOT_NEGATIVE, .text = "m: length of rolling resistance" },
 };
-const wfFields wfPairFields = FIELDS(pair_fields);
+const wfFields wfPairFields = FIELDS(pairFields);
 
-static const wfField root_fields[] = {
+static const wfField rootFields[] = {
     { .name = "weft", .offset = offsetof(wfRootText, version), INT,
       .least = 1, .most = WF_SCENE_VERSION, .text = "version of this text's rules" },
     { AT(wfRootText, digits), INT, NOT_NEGATIVE,
@@ -150,20 +149,20 @@ static const wfField root_fields[] = {
     { AT(wfRootText, time), .kind = WF_FIELD_DOUBLE, TIME, .text = "s, so far" },
     { AT(wfRootText, steps), BITS, .text = "made so far" },
 };
-const wfFields wfRootFields = FIELDS(root_fields);
+const wfFields wfRootFields = FIELDS(rootFields);
 
-static const wfField view_fields[] = {
+static const wfField viewFields[] = {
     { INFO("x", viewX), REAL, ANY, .text = "m: the middle" },
     { INFO("y", viewY), REAL, ANY, .text = "m: the middle" },
     { INFO("height", viewHeight), REAL, POSITIVE, .text = "m" },
 };
-const wfFields wfViewFields = FIELDS(view_fields);
+const wfFields wfViewFields = FIELDS(viewFields);
 
-static const wfField promise_fields[] = {
+static const wfField promiseFields[] = {
     { INFO("energy", energyBound), REAL, NOT_NEGATIVE, .text = "J: it gains no more" },
     { INFO("depth", depthBound), REAL, NOT_NEGATIVE, .text = "m: no overlap is deeper" },
 };
-const wfFields wfPromiseFields = FIELDS(promise_fields);
+const wfFields wfPromiseFields = FIELDS(promiseFields);
 #define EXACT(member) { AT(wfExactBody, member), REAL, ANY, \
     .text = "as the world keeps it" }
 #define EXACT_AT(member) { AT(wfExactBody, member), VEC, \
@@ -171,79 +170,79 @@ const wfFields wfPromiseFields = FIELDS(promise_fields);
 #define KEPT(member) { AT(wfExactShape, member), REAL, NOT_NEGATIVE, \
     .text = "as the world keeps it" }
 
-static const wfField exact_body_fields[] = {
+static const wfField exactBodyFields[] = {
     EXACT_AT(centre), EXACT_AT(localCentre), EXACT(angle), EXACT(mass), EXACT(inertia),
     EXACT(givenMass), EXACT(invMass), EXACT(invInertia),
 };
-const wfFields wfExactBodyFields = FIELDS(exact_body_fields);
+const wfFields wfExactBodyFields = FIELDS(exactBodyFields);
 
-static const wfField exact_shape_fields[] = {
+static const wfField exactShapeFields[] = {
     { .name = "radius", .offset = offsetof(wfExactShape, shape.radius), REAL, NOT_NEGATIVE,
       .text = "m, of the coat" },
     { .name = "centre", .offset = offsetof(wfExactShape, shape.centre), VEC,
       .text = "m, about the body's centre of mass" },
     KEPT(reach), KEPT(arm), KEPT(inner),
 };
-const wfFields wfExactShapeFields = FIELDS(exact_shape_fields);
+const wfFields wfExactShapeFields = FIELDS(exactShapeFields);
 
-static const wfField push_fields[] = {
+static const wfField pushFields[] = {
     { AT(wfBodyForces, force), VEC, .text = "N: acts in the next step" },
     { AT(wfBodyForces, torque), REAL, ANY, .text = "N m: acts in the next step" },
 };
-const wfFields wfPushFields = FIELDS(push_fields);
+const wfFields wfPushFields = FIELDS(pushFields);
 
-static const wfField fine_fields[] = {
-    { AT(wfResidual, p), VEC, .text = "m: what the centre of mass has rounded away" },
-    { AT(wfResidual, v), VEC, .text = "m/s: what the velocity has" },
-    { AT(wfResidual, angle), REAL, ANY, .text = "rad: what the angle has" },
-    { AT(wfResidual, w), REAL, ANY, .text = "rad/s: what the angular velocity has" },
+static const wfField fineFields[] = {
+    { AT(wfFine, p), VEC, .text = "m: what the centre of mass has rounded away" },
+    { AT(wfFine, v), VEC, .text = "m/s: what the velocity has" },
+    { AT(wfFine, angle), REAL, ANY, .text = "rad: what the angle has" },
+    { AT(wfFine, w), REAL, ANY, .text = "rad/s: what the angular velocity has" },
 };
-const wfFields wfResidualFields = FIELDS(fine_fields);
+const wfFields wfFineFields = FIELDS(fineFields);
 /* names of the parameters of forces */
 #define FORCE(part, member, about) { .name = #member, \
     .offset = offsetof(wfForce, part.member), .text = about, REAL, ANY }
 #define FORCE_AT(part, member, about) { .name = #member, \
     .offset = offsetof(wfForce, part.member), .text = about, VEC }
 
-static const wfField gravity_fields[] = { FORCE_AT(gravity, g, "m/s^2") };
-static const wfField point_fields[] = {
+static const wfField gravityFields[] = { FORCE_AT(gravity, g, "m/s^2") };
+static const wfField pointFields[] = {
     FORCE_AT(point, centre, "m; not used if there is a body b"),
     FORCE(point, strength, "m^3/s^2"), FORCE(point, softening, "m, >= 0") };
-static const wfField spring_fields[] = {
+static const wfField springFields[] = {
     FORCE_AT(spring, localA, "m, in a's frame"),
     FORCE_AT(spring, localB, "m, in b's frame"),
     FORCE(spring, rest, "m, >= 0"), FORCE(spring, stiffness, "N/m, >= 0"),
     FORCE(spring, damping, "N s/m, >= 0") };
-static const wfField drag_fields[] = {
+static const wfField dragFields[] = {
     FORCE(drag, linear, "N s/m, >= 0"), FORCE(drag, quadratic, "N s^2/m^2, >= 0") };
-static const wfField buoyancy_fields[] = {
+static const wfField buoyancyFields[] = {
     FORCE(buoyancy, surfaceY, "m"), FORCE(buoyancy, density, "kg/m^2, >= 0"),
     FORCE(buoyancy, g, "m/s^2, >= 0"), FORCE(buoyancy, drag, "1/s, >= 0") };
 
-static const wfField explosion_fields[] = {
+static const wfField explosionFields[] = {
     FORCE_AT(explosion, centre, "m"), FORCE(explosion, strength, "N s/m"),
     FORCE(explosion, radius, "m, > 0"), FORCE(explosion, start, "s, after `added'"),
     FORCE(explosion, duration, "s, > 0") };
-static const wfField wind_fields[] = {
+static const wfField windFields[] = {
     FORCE_AT(wind, velocity, "m/s"), FORCE(wind, coefficient, "kg/m^2, >= 0") };
-static const wfField hand_fields[] = {
+static const wfField handFields[] = {
     FORCE_AT(hand, local, "m, in a's frame"), FORCE_AT(hand, target, "m, world"),
     FORCE(hand, stiffness, "N/m, >= 0"), FORCE(hand, damping, "N s/m, >= 0"),
     FORCE(hand, spin, "N m s, >= 0") };
 
-static const struct { const char *name; wfFields fields; } force_names[] = {
-    { "gravity", FIELDS(gravity_fields) }, { "point-gravity", FIELDS(point_fields) },
-    { "spring", FIELDS(spring_fields) }, { "bungee", FIELDS(spring_fields) },
-    { "drag", FIELDS(drag_fields) }, { "buoyancy", FIELDS(buoyancy_fields) },
-    { "explosion", FIELDS(explosion_fields) }, { "wind", FIELDS(wind_fields) },
-    { "hand", FIELDS(hand_fields) },
+static const struct { const char *name; wfFields fields; } forceNames[] = {
+    { "gravity", FIELDS(gravityFields) }, { "point-gravity", FIELDS(pointFields) },
+    { "spring", FIELDS(springFields) }, { "bungee", FIELDS(springFields) },
+    { "drag", FIELDS(dragFields) }, { "buoyancy", FIELDS(buoyancyFields) },
+    { "explosion", FIELDS(explosionFields) }, { "wind", FIELDS(windFields) },
+    { "hand", FIELDS(handFields) },
 };
 
 wfFields wfForceFields(int32_t kind, wfField *spare)
 {
-    for (size_t i = 0; i < sizeof force_names / sizeof *force_names; i++)
-        if (strcmp(force_names[i].name, wfForceTable[kind].name) == 0)
-            return force_names[i].fields;
+    for (size_t i = 0; i < sizeof forceNames / sizeof *forceNames; i++)
+        if (strcmp(forceNames[i].name, wfForceTable[kind].name) == 0)
+            return forceNames[i].fields;
     int count = wfForceTable[kind].params;
     *spare = (wfField){ AT(wfForce, param), REAL, ANY, .count = count,
                         .text = "its parameters" };
@@ -262,7 +261,7 @@ static wfField field_of(const wfSetting *s)
         .rows = s->rows, .rowCount = s->rowCount, .rowSize = s->rowSize };
 }
 
-wfField wfModulesField(void) { return field_of(wfFindSetting("modules")); }
+wfField wfNeedsField(void) { return field_of(wfFindSetting("needs")); }
 
 const wfField wfAddedField = { .name = "added", .kind = WF_FIELD_DOUBLE, TIME,
                                .text = "s: time of the scene when it was added" };

@@ -35,12 +35,12 @@ void wfTextOfDouble(double x, char out[WF_NUMBER_SIZE])
     end_number(out);
 }
 
-static const uint64_t most_exact = (uint64_t)1 << 53;
+static const uint64_t mostExact = (uint64_t)1 << 53;
 
 cJSON *wfTextOfBits(uint64_t bits)
 {
     char text[WF_NUMBER_SIZE];
-    if (bits > most_exact) {
+    if (bits > mostExact) {
         snprintf(text, sizeof text, "0x%016llx", (unsigned long long)bits);
         return cJSON_CreateString(text);
     }
@@ -52,7 +52,7 @@ bool wfBitsOfText(const cJSON *item, uint64_t *out)
 {
     if (cJSON_IsNumber(item)) {
         double x = item->valuedouble;
-        if (!(x >= 0 && x <= (double)most_exact)) return false;
+        if (!(x >= 0 && x <= (double)mostExact)) return false;
         *out = (uint64_t)x;
         return (double)*out >= x;                   /* a whole number? */
     }
@@ -202,7 +202,7 @@ static bool syntax_error(wfText *t, const char *stop, const char *why)
     return false;
 }
 
-static const char not_json[] = "this is not JSON";
+static const char notJson[] = "this is not JSON";
 
 bool wfIsText(const char *s, size_t room)
 {
@@ -282,14 +282,14 @@ static size_t word_length(const char *s, size_t left, const char **wrong)
     for (int i = 0; i < 3; i++)
         if (n == strlen(names[i]) && memcmp(s, names[i], n) == 0) return n;
     bool begins = s[0] == '-' || strchr(digits, s[0]) != NULL;
-    *wrong = begins ? "a number is not written like this" : not_json;
+    *wrong = begins ? "a number is not written like this" : notJson;
     return begins && is_number(s, n) ? n : 0;
 }
 
 static bool check_words(wfText *t)
 {
     for (size_t i = 0; i < t->length;) {
-        const char *s = t->text + i, *wrong = not_json;
+        const char *s = t->text + i, *wrong = notJson;
         size_t left = t->length - i, more = 1;
         if (*s == '"') {
             more = string_length(s, left, &wrong);
@@ -328,8 +328,8 @@ bool wfTextParse(wfText *t)
     if (!wfTextTake(t, NULL, t->length, 1)
         || !wfTextTake(t, NULL, (size_t)(INT64_MAX - left), NODE_BYTES)) return false;
     t->root = cJSON_ParseWithLengthOpts(t->text, t->length, &stop, 0);
-    if (t->root == NULL) return syntax_error(t, stop, not_json);
+    if (t->root == NULL) return syntax_error(t, stop, notJson);
     for (; stop < t->text + t->length; stop++)
-        if ((unsigned char)*stop > ' ') return syntax_error(t, stop, not_json);
+        if ((unsigned char)*stop > ' ') return syntax_error(t, stop, notJson);
     return true;
 }

@@ -185,7 +185,7 @@ static wfBodyText text_of_body(const Writer *w, int32_t i)
     t.def.linearDamping = p->linearDamping;
     t.def.angularDamping = p->angularDamping;
     t.def.gravityScale = p->gravityScale;
-    t.def.neverSleeps = wfBodySleepDisabled(w->world, id);
+    t.def.neverSleeps = wfNeverSleeps(w->world, id);
     t.def.userData = p->userData;
     if (p->type != WF_DYNAMIC) t.pivot = p->localCentre;
     return t;
@@ -201,11 +201,11 @@ static bool write_push(const Writer *w, cJSON *item, int32_t i)
 
 static bool write_fine(const Writer *w, cJSON *item, int32_t i)
 {
-    wfResidual fine = wfTellResidual(w->world, i), none = { .angle = 0 };
+    wfFine fine = wfTellFine(w->world, i), none = { .angle = 0 };
     if (memcmp(&fine, &none, sizeof fine) == 0) return true;
     cJSON *digits = cJSON_CreateObject();
     return give(item, "fine", digits)
-        && wfWriteFields(digits, wfResidualFields, &fine, &none);
+        && wfWriteFields(digits, wfFineFields, &fine, &none);
 }
 
 static bool write_bodies(Writer *w)
@@ -295,7 +295,7 @@ static bool write_settings(Writer *w)
 {
     wfField list[WF_MOST_SETTINGS];
     wfWorldDef def;
-    wfField need = wfModulesField();
+    wfField need = wfNeedsField();
     if (wfGetWorldDef(w->world, &def) != WF_OK) return false;
     if (!wfWriteFields(w->root, (wfFields){ &need, 1 }, &def, NULL)) return false;
     cJSON *item = cJSON_CreateObject();
@@ -400,7 +400,7 @@ static bool begin(Writer *w)
     for (int32_t i = 0; i < w->bodies.count; i++)
         w->number[i] = w->bodies.alive[i] ? w->bodyCount++ : -1;
     for (int32_t k = 0; k < w->shapes.count; k++)
-        w->rank[k] = w->shapes.bodyOfShape[k] >= 0 ? w->shapeCount++ : -1;
+        w->rank[k] = w->shapes.owners[k] >= 0 ? w->shapeCount++ : -1;
     return true;
 }
 

@@ -281,8 +281,8 @@ static wfResult build_chain(wfWorld *world, int n, double rod)
         wfVec2 from = wfV2((wfReal)(rod * (i - 1)), 0), to = wfV2((wfReal)(rod * i), 0);
         result = put(world, particle(), rod * i, 0, 0, 0, &next);
         if (result == WF_OK)
-            result = wfDefineJoint(world, "distance", last, next, from, to, wfV2(1, 0),
-                                   &joint);
+            result = wfJoinBodies(world, "distance", last, next, from, to, wfV2(1, 0),
+                                  &joint);
         if (result == WF_OK) result = wfAddJointToWorld(world, &joint, NULL);
     }
     return result;
@@ -322,9 +322,9 @@ static wfResult make_truth(const labTruth *scene, const char *solver, const char
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.solver = wfFindSolver(solver);
-    def.directJoints = wfFindSettingRow(wfFindSetting("directJoints"), joints);
+    def.exactJoints = wfFindSettingRow(wfFindSetting("exactJoints"), joints);
     def.bodyCapacity = 64;
-    def.compensatedSums = strcmp(solver, "soft") == 0 && !plain;
+    def.fineSums = strcmp(solver, "soft") == 0 && !plain;
     wfResult result = wfCreateWorld(&def, out);
     if (result != WF_OK) return result;
     result = scene->build(out);
@@ -378,7 +378,7 @@ static double size_of(const wfWorld *world, int n, labCourse course)
     wfBodyView bodies = wfWorldBodies(world);
     double size = 0;
     for (int32_t k = 0; k < s.count; k++)
-        if (s.bodyOfShape[k] >= 0 && bodies.state[s.bodyOfShape[k]].invMass > 0)
+        if (s.owners[k] >= 0 && bodies.state[s.owners[k]].invMass > 0)
             size = fmax(size, (double)s.props[k].reach);
     for (int k = 0; k <= LAB_FRAMES; k++)
         size = fmax(size, farthest(n, course[k], course[0]));
@@ -477,7 +477,7 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
 {
     wfWorldDef def;
     wfResult result = wfGetWorldDef(world, &def);
-    def.timeStep = WF_R(1.0) / 60 / (wfReal)dials->steps;
+    def.dt = WF_R(1.0) / 60 / (wfReal)dials->steps;
     def.substeps = dials->substeps;
     def.iterations = dials->passes;
     if (dials->period > 0) def.contactPeriod = (wfReal)dials->period;
@@ -591,10 +591,10 @@ static int islands_apart(FILE *out, const char *name, const labDials *dials)
 
 int labIslands(FILE *out)
 {
-    static const labDials one = { "soft", "iterative", 1, 4, 1, 0, 0 };
+    static const labDials one = { "soft", "one-by-one", 1, 4, 1, 0, 0 };
     static const labDials each = { "soft", "auto", 1, 4, 1, 0, 0 };
     static const labDials more = { "soft", "auto", 4, 4, 1, 0, 0 };
-    static const labDials all = { "exact", "direct", 1, 4, 1, 0, 0 };
+    static const labDials all = { "exact", "together", 1, 4, 1, 0, 0 };
     fprintf(out, "setting,flight,chain,stack\n");
     return islands_apart(out, "all joints one by one", &one)
         || islands_apart(out, "each island by its own method (default)", &each)
@@ -603,7 +603,7 @@ int labIslands(FILE *out)
 }
 
 /* give each island a world */
-static const labTruth three_islands = { "islands", build_islands, NULL, 0, 0, 0 };
+static const labTruth threeIslands = { "islands", build_islands, NULL, 0, 0, 0 };
 
 /* m: the size by which errors in a scene are divided */
 static double size_of_scene(const labTruth *scene)
@@ -641,7 +641,7 @@ int labWorldsApart(FILE *out)
     fprintf(out, "tolerance,world,flight,chain,stack,one,three,ratio\n");
     for (double t = 1e-2; t > 0.5e-5; t /= 10) {
         fprintf(out, "%.0e", t);
-        int one = substeps_for(out, &three_islands, t), three = 0;
+        int one = substeps_for(out, &threeIslands, t), three = 0;
         for (int i = 0; i < 3; i++) {
             const labTruth *scene = &labTruths[labFindTruth(names[i])];
             int n = substeps_for(out, scene, t * size / size_of_scene(scene));
@@ -659,7 +659,7 @@ enum { MIXED_MOST = 40 };           /* towers */
 static wfResult build_mixed(wfWorld *world, int towers)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    def.bodyCapacity = 10 * MIXED_MOST + 16, def.compensatedSums = 1;
+    def.bodyCapacity = 10 * MIXED_MOST + 16, def.fineSums = 1;
     if (towers < 0 || towers > MIXED_MOST) return WF_ERROR_RANGE;
     wfResult result = wfCreateWorld(&def, world);
     if (result == WF_OK) result = level_floor(world);
@@ -742,10 +742,10 @@ static double pile_apart(const wfWorld *a, const wfWorld *b)
 int labPileApart(FILE *out)
 {
     const labTruth *scene = &labTruths[labFindTruth("pile")];
-    labDials dials = { "exact", "direct", 16, 1, 1, 0, 0 };
+    labDials dials = { "exact", "together", 16, 1, 1, 0, 0 };
     wfWorld world[PILE_RUNS];
     for (int i = 0; i < PILE_RUNS; i++, dials.steps *= 2) {
-        if (labMakeTruth(scene, "exact", "direct", &world[i]) != WF_OK) return 1;
+        if (labMakeTruth(scene, "exact", "together", &world[i]) != WF_OK) return 1;
         if (turn_dials(&world[i], &dials) != WF_OK) return 1;
     }
     fprintf(out, "time,coarse,middle,fine\n");

@@ -18,8 +18,8 @@ void labStartBench(labBench *b, const char *solver, double hertz)
     b->substeps = 4;
     b->gravity = wfV2(0, WF_R(-9.81));
     b->h = (wfReal)(1 / hertz);
-    b->restitutionThreshold = 2;
-    b->contactPushSpeed = 24;
+    b->restingSteps = 2;
+    b->recoverySteps = 24;
     b->columns = 1;
     b->slop = WF_R(0.005);
     b->share = WF_R(0.4);
@@ -64,8 +64,7 @@ static void bench_pair(labBench *b, int i, int k, wfReal margin)
         .restitution = wfMixRestitution(b->restitution[i], b->restitution[k]),
         .friction = wfMixFriction(b->friction[i], b->friction[k]),
         .staticFriction = wfMixFriction(b->sticking[i], b->sticking[k]),
-        .rollingResistance = wfMixRolling(b->rollingResistance[i],
-                                          b->rollingResistance[k]) };
+        .rolling = wfMixRolling(b->rolling[i], b->rolling[k]) };
     if (wfSeparate(0, &b->shape[i], xi, &b->shape[k], xk, &s) != WF_OK) return;
     wfMakeManifoldWithin(&b->shape[i], xi, &b->shape[k], xk, &s, margin, &c.manifold);
     if (c.manifold.count > 0 && b->contacts < BENCH_CONTACTS) b->contact[b->contacts++] = c;
@@ -95,11 +94,10 @@ static wfSolve bench_solve(labBench *b, wfPool *scratch)
     wfPoolInit(scratch, sizeof b->memory, b->memory);
     return (wfSolve){ .state = b->state, .bodyCount = b->count, .contacts = b->contact,
         .contactCount = b->contacts, .h = b->h, .iterations = b->passes,
-        .restingSpeed = wfRestingSpeed(b->gravity, b->h, b->restitutionThreshold),
-        .recoverySpeed = wfRestingSpeed(b->gravity, b->h, b->contactPushSpeed),
-        .positionCorrection = b->share, .forces = b->force, .substeps = b->substeps,
-        .stackSolver = b->columns, .contactPeriod = b->period,
-            .contactDampingRatio = b->damping,
+        .restingSpeed = wfRestingSpeed(b->gravity, b->h, b->restingSteps),
+        .recoverySpeed = wfRestingSpeed(b->gravity, b->h, b->recoverySteps),
+        .positionShare = b->share, .forces = b->force, .substeps = b->substeps,
+        .columns = b->columns, .contactPeriod = b->period, .contactDamping = b->damping,
         .fine = b->fine, .scratch = scratch };
 }
 static void bench_fly(labBench *b)
@@ -203,14 +201,14 @@ void labMakeChain(labChain *c, int links, double load, int substeps, int passes)
         c->state[i] = (wfBodyState){ .p = wfV2(0, WF_R(0.5) - (wfReal)i), .invMass = 1 / m,
                                      .invInertia = 6 / m };
         c->forces[i].force = wfV2(0, WF_R(-9.81) * m);
-        c->joint[i - 1] = wfMakeRevoluteJoint(i - 1, &c->state[i - 1], i, &c->state[i],
-                                              wfV2(0, (wfReal)(1 - i)));
+        c->joint[i - 1] = wfHinge(i - 1, &c->state[i - 1], i, &c->state[i],
+                                  wfV2(0, (wfReal)(1 - i)));
     }
     wfPoolInit(&c->pool, sizeof c->memory, c->memory);
     c->step = (wfJointStep){ .state = c->state, .bodyCount = links + 1, .joints = c->joint,
         .jointCount = links, .forces = c->forces, .h = WF_R(1.0) / 60, .substeps = substeps,
         .passes = passes, .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING,
-        .give = WF_JOINT_COMPLIANCE, .scratch = &c->pool };
+        .give = WF_JOINT_GIVE, .scratch = &c->pool };
 }
 double labMean(double a, double b)       /* Gauss's arithmetic-geometric mean */
 {

@@ -23,14 +23,13 @@ typedef struct labBench {
     wfShape      shape[BENCH_BODIES];
     wfBodyState  state[BENCH_BODIES];
     wfBodyForces force[BENCH_BODIES];
-    wfReal restitution[BENCH_BODIES], friction[BENCH_BODIES],
-        rollingResistance[BENCH_BODIES];
+    wfReal       restitution[BENCH_BODIES], friction[BENCH_BODIES], rolling[BENCH_BODIES];
     wfReal       sticking[BENCH_BODIES];
     wfContact    contact[BENCH_CONTACTS], before[BENCH_CONTACTS];
     int          count, contacts, solver, passes, substeps, columns;
-    wfResidual  *fine;
+    wfFine      *fine;
     wfVec2       gravity;
-    wfReal       h, restitutionThreshold, contactPushSpeed, slop, share;
+    wfReal       h, restingSteps, recoverySteps, slop, share;
     wfReal       period, damping;    /* of soft contacts; 0: what is usual */
     _Alignas(16) uint8_t memory[1 << 20];
 } labBench;

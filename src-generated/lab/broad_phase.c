@@ -10,8 +10,8 @@
 #include "lab/bench.h"
 enum { BROAD_MOST = 100000, BROAD_PAIRS = 1 << 20, BROAD_SCENES = 5, BROAD_FRAMES = 8 };
 enum { BROAD_FREE = 10000 };                     /* so many circles fly freely */
-static const char *const broad_scenes[] = { "uniform", "mixed", "clustered", "tower",
-                                            "crowd" };
+static const char *const broadScenes[] = { "uniform", "mixed", "clustered", "tower",
+                                           "crowd" };
 
 typedef struct BroadWorld {
     wfRect bounds[BROAD_MOST];
@@ -22,12 +22,12 @@ typedef struct BroadWorld {
     wfBodyState states[BROAD_FREE];
 } BroadWorld;
 
-static BroadWorld *broad_world(void)     /* one for all measurements: it is large */
+static BroadWorld *broadWorld(void)      /* one for all measurements: it is large */
 {
     static BroadWorld world;
     return &world;
 }
-static void fill_broad_world(BroadWorld *world, int n, int scene, int frame)
+static void fillBroadWorld(BroadWorld *world, int n, int scene, int frame)
 {
     wfRandom random;
     wfRandomSeed(&random, 11);
@@ -65,7 +65,7 @@ static void fill_broad_world(BroadWorld *world, int n, int scene, int frame)
     world->flags[0] = WF_PROXY_LIVE;
 }
 /* how many tests a rule of the quad tree takes, or -1; *pairs: how many pairs it finds */
-static int64_t count_by_tree(BroadWorld *world, int n, wfQuadReach reach, int *pairs)
+static int64_t countByTree(BroadWorld *world, int n, wfQuadReach reach, int *pairs)
 {
     wfProxies in = { .count = n, .bounds = world->bounds, .flags = world->flags };
     wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
@@ -84,7 +84,7 @@ static int64_t count_by_tree(BroadWorld *world, int n, wfQuadReach reach, int *p
     *pairs = list.count;
     return list.tests;
 }
-static int64_t count_by_row(BroadWorld *world, int row, int n, wfPair *to, int *pairs)
+static int64_t countByRow(BroadWorld *world, int row, int n, wfPair *to, int *pairs)
 {
     wfProxies in = { .count = n, .bounds = world->bounds, .flags = world->flags };
     wfPairList list = { to, 0, BROAD_PAIRS, 0 };
@@ -95,12 +95,11 @@ static int64_t count_by_row(BroadWorld *world, int row, int n, wfPair *to, int *
     return list.tests;
 }
 enum { BROAD_OTHERS = 5, BROAD_COLUMNS = 4 + BROAD_OTHERS };
-static const char *const broad_others[] = { "grid", "spatial-hash", "sweep-and-prune",
-                                            "aabb-tree", "dynamic-tree" };
+static const char *const broadOthers[] = { "grid", "spatial-hash", "sweep-and-prune",
+                                           "aabb-tree", "dynamic-tree" };
 
 /* fills the columns; false if a method failed or found other pairs */
-static bool count_broad_tests(BroadWorld *world, int n, int64_t *now, int *pairs,
-                              int *report)
+static bool countBroadTests(BroadWorld *world, int n, int64_t *now, int *pairs, int *report)
 {
     int found[BROAD_COLUMNS] = { 0 };
     wfProxies in = { .count = n, .bounds = world->bounds, .flags = world->flags };
@@ -112,13 +111,13 @@ static bool count_broad_tests(BroadWorld *world, int n, int64_t *now, int *pairs
     if (wfSweepAlong(0, &in, &pool, &list) != WF_OK) return false;
     now[BROAD_COLUMNS - 1] = list.tests;
     found[BROAD_COLUMNS - 1] = list.count;
-    if (count_by_tree(world, n, WF_QUAD_SAME_NODE, report) < 0) return false;
-    now[1] = count_by_tree(world, n, WF_QUAD_CLIMB, &found[1]);
-    now[2] = count_by_tree(world, n, WF_QUAD_DESCEND, &found[2]);
-    now[0] = count_by_row(world, wfFindBroadPhase("brute-force"), n, world->pairs, &found[0]);
+    if (countByTree(world, n, WF_QUAD_SAME_NODE, report) < 0) return false;
+    now[1] = countByTree(world, n, WF_QUAD_CLIMB, &found[1]);
+    now[2] = countByTree(world, n, WF_QUAD_DESCEND, &found[2]);
+    now[0] = countByRow(world, wfFindBroadPhase("brute-force"), n, world->pairs, &found[0]);
     for (int k = 0; k < BROAD_OTHERS; k++) {
-        int row = wfFindBroadPhase(broad_others[k]);
-        now[3 + k] = count_by_row(world, row, n, world->others, &found[3 + k]);
+        int row = wfFindBroadPhase(broadOthers[k]);
+        now[3 + k] = countByRow(world, row, n, world->others, &found[3 + k]);
         size_t bytes = (size_t)found[0] * sizeof *world->pairs;
         same = same && memcmp(world->pairs, world->others, bytes) == 0;
     }
@@ -127,14 +126,14 @@ static bool count_broad_tests(BroadWorld *world, int n, int64_t *now, int *pairs
     *pairs = found[0];
     return same;
 }
-static int measure_broad_scene(FILE *out, BroadWorld *world, int scene)
+static int measureBroadScene(FILE *out, BroadWorld *world, int scene)
 {
     int64_t before[BROAD_COLUMNS] = { 0 }, now[BROAD_COLUMNS];
     for (int n = 10; n <= 5120; n *= 2) {
         int pairs = 0, report = 0;
-        fill_broad_world(world, n, scene, 0);
-        if (!count_broad_tests(world, n, now, &pairs, &report)) return 1;
-        fprintf(out, "%s,%d,%d,%d", broad_scenes[scene], n, pairs, report);
+        fillBroadWorld(world, n, scene, 0);
+        if (!countBroadTests(world, n, now, &pairs, &report)) return 1;
+        fprintf(out, "%s,%d,%d,%d", broadScenes[scene], n, pairs, report);
         for (int k = 0; k < BROAD_COLUMNS; k++) {
             fprintf(out, ",%lld,", (long long)now[k]);
             if (before[k]) fprintf(out, "%.2f", (double)now[k] / (double)before[k]);
@@ -152,26 +151,25 @@ static int measure_broad_pairs(FILE *out)
                  "sweep,sweep_growth,boxes,boxes_growth,dynamic,dynamic_growth,"
                  "sweep_x,sweep_x_growth\n");
     for (int scene = 0; scene < BROAD_SCENES && !failed; scene++)
-        failed = measure_broad_scene(out, broad_world(), scene);
+        failed = measureBroadScene(out, broadWorld(), scene);
     return failed;
 }
-static void fill_broad_frames(BroadWorld *world, int n, int scene)
+static void fillBroadFrames(BroadWorld *world, int n, int scene)
 {
     for (int frame = BROAD_FRAMES - 1; frame >= 0; frame--) {
-        fill_broad_world(world, n, scene, frame);
+        fillBroadWorld(world, n, scene, frame);
         memcpy(world->frames[frame], world->bounds, (size_t)n * sizeof *world->bounds);
     }
 }
 
 /* the frames forth and back: 0 1 2 ... 6 7 6 ... 1 0 1 ... */
-static const wfRect *broad_frame(const BroadWorld *world, int call)
+static const wfRect *broadFrame(const BroadWorld *world, int call)
 {
     int k = call % (2 * BROAD_FRAMES - 2);
     return world->frames[k < BROAD_FRAMES ? k : 2 * BROAD_FRAMES - 2 - k];
 }
 /* updates the index, if the row has one, and finds the pairs */
-static bool step_broad_row(BroadWorld *world, int row, const wfProxies *in,
-                           wfPairList *list)
+static bool stepBroadRow(BroadWorld *world, int row, const wfProxies *in, wfPairList *list)
 {
     wfPool pool;
     size_t bytes = wfIndexSize(row, in->count);
@@ -182,28 +180,28 @@ static bool step_broad_row(BroadWorld *world, int row, const wfProxies *in,
         && wfIndexPairs(row, in, index, &pool, list) == WF_OK;
 }
 /* so many rounds of steps: their time in s; -1: failed */
-static double time_broad_rounds(BroadWorld *world, int row, int n, int rounds, int *pairs)
+static double timeBroadRounds(BroadWorld *world, int row, int n, int rounds, int *pairs)
 {
     clock_t start = clock();
     for (int i = 0; i < rounds * (2 * BROAD_FRAMES - 2); i++) {
-        wfProxies in = { .count = n, .bounds = broad_frame(world, i),
+        wfProxies in = { .count = n, .bounds = broadFrame(world, i),
                          .flags = world->flags };
         wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
-        if (!step_broad_row(world, row, &in, &list)) return -1;
+        if (!stepBroadRow(world, row, &in, &list)) return -1;
         *pairs = list.count;
     }
     return (double)(clock() - start) / CLOCKS_PER_SEC;
 }
 /* the time of one step in s, by row, in batches that last a millisecond; -1: failed */
-static double time_broad_row(BroadWorld *world, int row, int n, int *pairs)
+static double timeBroadRow(BroadWorld *world, int row, int n, int *pairs)
 {
     enum { RUNS = 7 };
     double seconds[RUNS];
     int rounds = 1;
     memset(world->index, 0, 2 * WF_POOL_ALIGN);           /* a new index */
-    if (time_broad_rounds(world, row, n, 1, pairs) < 0) return -1;
+    if (timeBroadRounds(world, row, n, 1, pairs) < 0) return -1;
     for (int run = -1; run < RUNS;) {                     /* one run to warm up */
-        double took = time_broad_rounds(world, row, n, rounds, pairs);
+        double took = timeBroadRounds(world, row, n, rounds, pairs);
         if (took < 0) return -1;
         if (run < 0 && took < 0.001 && rounds < 1 << 16) { rounds *= 2; continue; }
         took /= rounds * (2 * BROAD_FRAMES - 2);
@@ -215,15 +213,15 @@ static double time_broad_row(BroadWorld *world, int row, int n, int *pairs)
 }
 
 /* the time of one box test of brute force, s */
-static double time_box_test(BroadWorld *world)
+static double timeBoxTest(BroadWorld *world)
 {
     int pairs, row = wfFindBroadPhase("brute-force");
-    fill_broad_frames(world, 1000, 0);
-    return time_broad_row(world, row, 1000, &pairs) / (500.0 * 999);
+    fillBroadFrames(world, 1000, 0);
+    return timeBroadRow(world, row, 1000, &pairs) / (500.0 * 999);
 }
 enum { BROAD_ROWS = 64 };                /* more rows than the table will ever have */
 
-static int time_broad_scene(FILE *out, BroadWorld *world, int scene)
+static int timeBroadScene(FILE *out, BroadWorld *world, int scene)
 {
     double last[BROAD_ROWS] = { 0 }, before[BROAD_ROWS] = { 0 }, now[BROAD_ROWS];
     for (int n = 10; n <= BROAD_MOST; n *= 10) {
@@ -232,13 +230,13 @@ static int time_broad_scene(FILE *out, BroadWorld *world, int scene)
             now[row] = 0;                /* left out: it would take too long */
             bool slow = before[row] > 0 && last[row] * last[row] / before[row] > 4e8;
             if (slow || (n > 100 && last[row] <= 0)) continue;
-            double unit = time_box_test(world);
-            fill_broad_frames(world, n, scene);
-            double took = time_broad_row(world, row, n, &pairs);
+            double unit = timeBoxTest(world);
+            fillBroadFrames(world, n, scene);
+            double took = timeBroadRow(world, row, n, &pairs);
             if (took < 0) return 1;
-            now[row] = took / (0.5 * (unit + time_box_test(world)));
+            now[row] = took / (0.5 * (unit + timeBoxTest(world)));
         }
-        fprintf(out, "%s,%d,%d", broad_scenes[scene], n, pairs);
+        fprintf(out, "%s,%d,%d", broadScenes[scene], n, pairs);
         for (int row = 0; row < wfBroadPhaseCount; row++) {
             /* write the time of a row and its exponent */
             double each = now[row] / n;
@@ -262,17 +260,17 @@ static int measure_broad_time(FILE *out)
                 wfBroadPhaseTable[row].name);
     fprintf(out, "\n");
     for (int scene = 0; scene < BROAD_SCENES && !failed; scene++)
-        failed = time_broad_scene(out, broad_world(), scene);
+        failed = timeBroadScene(out, broadWorld(), scene);
     return failed;
 }
-static void no_forces(void *context, const wfBodyState *state, int count, wfReal time,
-                      wfBodyForces *out)
+static void noForces(void *context, const wfBodyState *state, int count, wfReal time,
+                     wfBodyForces *out)
 {
     (void)context, (void)state, (void)time;
     memset(out, 0, (size_t)count * sizeof *out);
 }
 
-static void fill_free(BroadWorld *world)
+static void fillFree(BroadWorld *world)
 {
     wfRandom random;
     wfRandomSeed(&random, 5);
@@ -286,10 +284,10 @@ static void fill_free(BroadWorld *world)
     memset(world->index, 0, 2 * WF_POOL_ALIGN);
 }
 /* moves all circles on by a sixtieth of a second and finds their boxes */
-static bool move_free(BroadWorld *world, const wfShape *circle)
+static bool moveFree(BroadWorld *world, const wfShape *circle)
 {
     wfPool pool;
-    wfIntegration in = { world->states, BROAD_FREE, 0, 1 / WF_R(60.0), no_forces, NULL,
+    wfIntegration in = { world->states, BROAD_FREE, 0, 1 / WF_R(60.0), noForces, NULL,
                          &pool };
     if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK
         || wfIntegrate(wfFindIntegrator("symplectic-euler"), &in) != WF_OK) return false;
@@ -298,20 +296,20 @@ static bool move_free(BroadWorld *world, const wfShape *circle)
     return true;
 }
 /* medians of the times of moving and of the broad phase, in s; false if it failed */
-static bool time_free(BroadWorld *world, int row, double *move, double *find, int *pairs)
+static bool timeFree(BroadWorld *world, int row, double *move, double *find, int *pairs)
 {
     enum { RUNS = 61, BEFORE = 10 };
     double moves[RUNS], finds[RUNS];
     wfProxies in = { .count = BROAD_FREE, .bounds = world->bounds, .flags = world->flags };
     wfShape circle;
     if (wfMakeCircle(wfV2(0, 0), WF_R(0.5), &circle) != WF_OK) return false;
-    fill_free(world);
+    fillFree(world);
     for (int run = -BEFORE; run < RUNS; run++) {
         wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
         clock_t start = clock();
-        if (!move_free(world, &circle)) return false;
+        if (!moveFree(world, &circle)) return false;
         clock_t middle = clock();
-        if (!step_broad_row(world, row, &in, &list)) return false;
+        if (!stepBroadRow(world, row, &in, &list)) return false;
         clock_t end = clock();
         *pairs = list.count;
         /* enter both times in rising order */
@@ -330,13 +328,13 @@ static bool time_free(BroadWorld *world, int row, double *move, double *find, in
 }
 static int measure_broad_free(FILE *out)
 {
-    BroadWorld *world = broad_world();
+    BroadWorld *world = broadWorld();
     fprintf(out, "method,pairs,move,broad,step,tests\n");
     for (int row = 1; row < wfBroadPhaseCount; row++) {
-        double move = 0, find = 0, unit = time_box_test(world);
+        double move = 0, find = 0, unit = timeBoxTest(world);
         int pairs = 0;
-        if (!time_free(world, row, &move, &find, &pairs)) return 1;
-        unit = 0.5 * (unit + time_box_test(world));
+        if (!timeFree(world, row, &move, &find, &pairs)) return 1;
+        unit = 0.5 * (unit + timeBoxTest(world));
         fprintf(out, "%s,%d,%.2f,%.2f,%.2f,%.0f\n", wfBroadPhaseTable[row].name, pairs,
                 1e3 * move, 1e3 * find, 1e3 * (move + find),
                 (move + find) / BROAD_FREE / unit);
@@ -344,7 +342,7 @@ static int measure_broad_free(FILE *out)
     return 0;
 }
 /* moves the circles once; returns how many left their boxes and got new ones */
-static int64_t fly_on(BroadWorld *world, wfTree *tree, int n, int step, wfReal ratio)
+static int64_t flyOn(BroadWorld *world, wfTree *tree, int n, int step, wfReal ratio)
 {
     int64_t changes = 0;
     for (int i = 0; i < n; i++) {
@@ -362,19 +360,19 @@ static int64_t fly_on(BroadWorld *world, wfTree *tree, int n, int step, wfReal r
 static int measure_broad_fat(FILE *out)
 {
     enum { FLYERS = 2000, STEPS = 100 };
-    BroadWorld *world = broad_world();
+    BroadWorld *world = broadWorld();
     wfProxies in = { .count = FLYERS, .bounds = world->bounds, .flags = world->flags };
     fprintf(out, "ratio,changes,tests\n");
     for (double ratio = 0.25; ratio <= 64; ratio *= 2) {
         wfTree tree;
         int64_t changes = 0, tests = 0;
-        fill_free(world);
+        fillFree(world);
         /* fly with this ratio and count */
         if (wfTreeInit(&tree, world->index, sizeof world->index, FLYERS) != WF_OK) return 1;
         for (int step = -STEPS; step < STEPS; step++) {          /* the first half is not counted */
             wfPool pool;
             wfPairList list = { world->pairs, 0, BROAD_PAIRS, 0 };
-            int64_t changed = fly_on(world, &tree, FLYERS, step, (wfReal)ratio);
+            int64_t changed = flyOn(world, &tree, FLYERS, step, (wfReal)ratio);
             if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return 1;
             if (wfTreePairs(&in, world->index, &pool, &list) != WF_OK) return 1;
             if (step < 0) continue;

@@ -82,7 +82,7 @@ static void acc_write(const labTruth *scene, AccFile *f)
     const char *name = scene->name;
     const double o[2] = { 0, 0 }, under[2] = { 0, -1 };
     bool rolls = strcmp(name, "roll") == 0;
-    fprintf(f->file, "{\"weft\":1,\"settings\":{\"gravity\":[%s],\"timeStep\":%.17g},\n"
+    fprintf(f->file, "{\"weft\":1,\"settings\":{\"gravity\":[%s],\"dt\":%.17g},\n"
             "\"bodies\":[\n", rolls ? "2,-9.6" : "0,-9.81", 1.0 / 60);
     if (scene->rod > 0) {
         int links = scene->rod > 0.9 ? 1 : scene->rod > 0.4 ? 2 : 10;
@@ -265,7 +265,7 @@ static void sweep_accuracy_narrow(FILE *out, int full)
 enum { ACC_DIALS = 7 };
 /* Where a dial turns: name, for whom, and the dials at the value v. */
 static const char *const acc_dial[ACC_DIALS] = { "substeps", "steps", "passes",
-    "stiffness", "iterative", "sequential", "exact" };
+    "stiffness", "one-by-one", "sequential", "exact" };
 
 static labDials acc_dials(int dial, int v)
 {
@@ -274,9 +274,9 @@ static labDials acc_dials(int dial, int v)
     if (dial == 1 || dial == 6) d.steps = v;
     if (dial == 2 || dial == 5) d.passes = v;
     if (dial == 3) d.substeps = 4, d.period = 32.0 / v;
-    if (dial == 4) d.joints = "iterative";
+    if (dial == 4) d.joints = "one-by-one";
     if (dial == 5) d.solver = "sequential";
-    if (dial == 6) d.solver = "exact", d.joints = "direct";
+    if (dial == 6) d.solver = "exact", d.joints = "together";
     return d;
 }
 
@@ -374,7 +374,7 @@ static void sweep_accuracy_own(FILE *out, int full)
                     "towers=%d tolerance=%.0e substeps=own\n", towers, t, towers, t);
 }
 
-static const struct { const char *name, *adapter, *options; } extreme_engines[] = {
+static const struct { const char *name, *adapter, *options; } extremeEngines[] = {
     { "weft", "weft", "" }, { "weft double", "weft-double", "" },
     { "Box2D 2.4", "box2d2", "" }, { "Box2D 3", "box2d3-web", "" },
     { "Chipmunk2D", "chipmunk", "" }, { "Matter.js", "matter", "" },
@@ -383,7 +383,7 @@ static const struct { const char *name, *adapter, *options; } extreme_engines[] 
     { "double exact", "weft-double", "--set solver=exact" },
     { "Box2D 3.2", "box2d3", "" },
 };
-enum { EXTREME_ENGINES = sizeof extreme_engines / sizeof *extreme_engines };
+enum { EXTREME_ENGINES = sizeof extremeEngines / sizeof *extremeEngines };
 
 /* plays a scene; the exit status, -1 if there is none to be read */
 static int play_extreme(const char *scene, int engine, const labScene *s, int fast)
@@ -394,8 +394,8 @@ static int play_extreme(const char *scene, int engine, const labScene *s, int fa
     snprintf(command, sizeof command, "(ulimit -t %s; exec '%s/%s' '%s.json' --steps %d "
              "--every %d %s %s >'%s.csv' 2>'%s.err'); echo $? >'%s.status'",
              limit != NULL ? limit : "60", folder != NULL ? folder : "build/peers/bin",
-             extreme_engines[engine].adapter, scene, s->steps, s->every,
-             fast ? "--fast" : "", extreme_engines[engine].options, scene, scene, scene);
+             extremeEngines[engine].adapter, scene, s->steps, s->every,
+             fast ? "--fast" : "", extremeEngines[engine].options, scene, scene, scene);
     if (system(command) != 0) return -1;
     snprintf(line, sizeof line, "%.56s.status", scene);
     FILE *f = fopen(line, "r");
@@ -441,7 +441,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
         verdict = labJudgeExtreme(e, &trace, value, &error, &harm);
         labFreeTrace(&trace);
     }
-    fprintf(out, "%s,%s,%d,%d,%.9g,%s,%.3g,%.3g\n", e->name, extreme_engines[engine].name,
+    fprintf(out, "%s,%s,%d,%d,%.9g,%s,%.3g,%.3g\n", e->name, extremeEngines[engine].name,
             engine, rank, value, verdict, error, harm);
     /* remove the files of a cell */
     static const char *const ends[] = { "json", "csv", "err", "status" };

@@ -5,11 +5,11 @@
 #include "weft/contact.h"
 #include "lab/bench.h"
 /* the middle of the points of a manifold along x, weighted by their depths */
-static wfReal contact_middle(const wfManifold *m)
+static wfReal contactMiddle(const wfManifold *m)
 {
     wfReal sum = 0, weight = 0;
     for (int i = 0; i < m->count; i++) {
-        sum += m->points[i].depth * m->points[i].rB.x;
+        sum += m->points[i].depth * m->points[i].armB.x;
         weight += m->points[i].depth;
     }
     return weight > 0 ? sum / weight : 0;
@@ -30,13 +30,13 @@ static int measure_contacts_tilt(FILE *out)
         wfVec2 down = wfRotateInv(xb.q, wfV2(0, -1));
         wfVec2 low = wfRotate(xb.q, box.vertices[wfShapeSupport(&box, down)]);
         fprintf(out, "%.2f,%d,%.3f,%d,%.3f\n", (double)tilt, edges ? 2 : 1,
-                edges ? 0.0 : (double)low.x, m.count, (double)contact_middle(&m));
+                edges ? 0.0 : (double)low.x, m.count, (double)contactMiddle(&m));
     }
     return 0;
 }
 
 /* the two middle ones of the different values among n; false if there are too few */
-static bool report_middle(wfReal *v, int n, wfReal equal, wfReal middle[2])
+static bool reportMiddle(wfReal *v, int n, wfReal equal, wfReal middle[2])
 {
     for (int i = 1; i < n; i++)
         for (int k = i; k > 0 && v[k] < v[k - 1]; k--) {
@@ -54,7 +54,7 @@ static bool report_middle(wfReal *v, int n, wfReal equal, wfReal middle[2])
 
 typedef struct ReportPoint { wfVec2 point, counterpart; bool ofB; } ReportPoint;
 
-static int report_edges(const wfVec2 *corners, const wfSeparation *s, ReportPoint *out)
+static int reportEdges(const wfVec2 *corners, const wfSeparation *s, ReportPoint *out)
 {
     wfReal across[8], along[8], n2[2], t2[2], equal = 0;
     wfVec2 n = s->normal, t = wfPerpCCW(n);
@@ -63,8 +63,7 @@ static int report_edges(const wfVec2 *corners, const wfSeparation *s, ReportPoin
         across[i] = wfDot(n, corners[i]);
         along[i] = wfDot(t, corners[i]);
     }
-    if (!report_middle(across, 8, equal, n2) || !report_middle(along, 8, equal, t2))
-        return 0;
+    if (!reportMiddle(across, 8, equal, n2) || !reportMiddle(along, 8, equal, t2)) return 0;
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 8 && count < 4; i++) {
             wfReal x = wfDot(t, corners[i]);
@@ -77,8 +76,8 @@ static int report_edges(const wfVec2 *corners, const wfSeparation *s, ReportPoin
     return count;
 }
 
-static int report_vertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparation *s,
-                         ReportPoint *out)
+static int reportVertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparation *s,
+                        ReportPoint *out)
 {
     bool ofB = s->owner != 1;           /* A has the edge, so B has the vertex */
     wfVec2 into = ofB ? wfNeg(s->normal) : s->normal;
@@ -90,8 +89,8 @@ static int report_vertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparat
     return 1;
 }
 
-static int report_contacts(const wfShape *a, wfTransform xa, const wfShape *b,
-                           wfTransform xb, const wfSeparation *s, ReportPoint *out)
+static int reportContacts(const wfShape *a, wfTransform xa, const wfShape *b,
+                          wfTransform xb, const wfSeparation *s, ReportPoint *out)
 {
     wfVec2 corners[8], turn = wfV2(wfDot(wfV2(xa.q.c, xa.q.s), wfV2(xb.q.c, xb.q.s)),
                                    wfCross(wfV2(xa.q.c, xa.q.s), wfV2(xb.q.c, xb.q.s)));
@@ -100,19 +99,19 @@ static int report_contacts(const wfShape *a, wfTransform xa, const wfShape *b,
         corners[i + 4] = wfApply(xb, b->vertices[i]);
     }
     wfReal tilt = wfMinR(wfAbs(turn.x), wfAbs(turn.y));
-    if (tilt < WF_R(0.0087)) return report_edges(corners, s, out);     /* half a degree */
-    return report_vertex(corners, wfSub(xb.p, xa.p), s, out);
+    if (tilt < WF_R(0.0087)) return reportEdges(corners, s, out);      /* half a degree */
+    return reportVertex(corners, wfSub(xb.p, xa.p), s, out);
 }
 
 /* distance of p from the outline of a box */
-static wfReal report_off(const wfShape *s, wfTransform xf, wfVec2 p)
+static wfReal reportOff(const wfShape *s, wfTransform xf, wfVec2 p)
 {
     wfVec2 c = wfApplyInv(xf, p), half = wfSub(s->vertices[2], s->centre);
     wfReal x = wfAbs(c.x) - half.x, y = wfAbs(c.y) - half.y;
     if (x <= 0 && y <= 0) return wfMinR(wfAbs(x), wfAbs(y));
     return wfLength(wfV2(wfMaxR(x, 0), wfMaxR(y, 0)));
 }
-static void report_place(wfRandom *r, int kind, wfTransform *xa, wfTransform *xb)
+static void reportPlace(wfRandom *r, int kind, wfTransform *xa, wfTransform *xb)
 {
     wfReal turn = kind == 0 ? 0 : wfRandomReal(r, -1, 1), depth = WF_R(0.02);
     wfReal tilt = kind == 2 ? wfRandomReal(r, WF_R(0.1), WF_R(0.6)) : 0;
@@ -143,13 +142,13 @@ static int measure_contacts_report(FILE *out)
             wfSeparation s;
             wfManifold m;
             ReportPoint found[4];
-            report_place(&r, kind, &xa, &xb);
+            reportPlace(&r, kind, &xa, &xb);
             if (wfSeparate(wfFindNarrowPhase("sat"), &plank, xa, &box, xb, &s) != WF_OK) return 1;
-            int n = report_contacts(&plank, xa, &box, xb, &s, found);
+            int n = reportContacts(&plank, xa, &box, xb, &s, found);
             none += n == 0;
             for (int k = 0; k < n; k++) {
-                wfReal d = report_off(found[k].ofB ? &plank : &box, found[k].ofB ? xa : xb,
-                                      found[k].counterpart) / wfAbs(s.distance);
+                wfReal d = reportOff(found[k].ofB ? &plank : &box, found[k].ofB ? xa : xb,
+                                     found[k].counterpart) / wfAbs(s.distance);
                 worst = wfMaxR(worst, d);
                 off += d > WF_R(0.1);
                 points++;
@@ -158,8 +157,8 @@ static int measure_contacts_report(FILE *out)
             for (int k = 0; k < m.count; k++) {
                 wfVec2 ahead = wfAddScaled(m.points[k].point, m.points[k].depth / 2, m.normal);
                 wfVec2 back = wfAddScaled(m.points[k].point, -m.points[k].depth / 2, m.normal);
-                ours = wfMaxR(ours, report_off(&plank, xa, ahead) / -s.distance);
-                ours = wfMaxR(ours, report_off(&box, xb, back) / -s.distance);
+                ours = wfMaxR(ours, reportOff(&plank, xa, ahead) / -s.distance);
+                ours = wfMaxR(ours, reportOff(&box, xb, back) / -s.distance);
             }
         }
         fprintf(out, "%s,%.1f,%.1f,%.2g,%.2g\n", names[kind], none / 20.0,
@@ -180,7 +179,7 @@ typedef struct Slide {
     wfManifold near[SLIDE_NEAR];        /* of tile i at index i % SLIDE_NEAR */
 } Slide;
 
-static void slide_collide(Slide *s)
+static void slideCollide(Slide *s)
 {
     int32_t first = (int32_t)(s->body.p.x / SLIDE_TILE) - SLIDE_NEAR / 2 + 1;
     wfTransform xb = wfBodyTransform(&s->body);
@@ -188,23 +187,23 @@ static void slide_collide(Slide *s)
         wfManifold now, *m = &s->near[(uint32_t)i % SLIDE_NEAR];
         wfTransform xt = wfMakeTransform(wfV2((wfReal)i * SLIDE_TILE, 0), 0);
         wfCollide(&s->tile, xt, &s->shape, xb, &now);
-        wfMatchImpulses(m, &now);
+        wfKeepImpulses(m, &now);
         *m = now;
     }
 }
 
 /* changes the impulse so far by what makes the velocity along d zero, within limits */
-static void slide_push(Slide *s, wfVec2 d, const wfContactPoint *c, wfReal *sum,
-                       wfReal low, wfReal high)
+static void slidePush(Slide *s, wfVec2 d, const wfContactPoint *c, wfReal *sum,
+                      wfReal low, wfReal high)
 {
-    wfReal arm = wfCross(c->rB, d), j = *sum;
+    wfReal arm = wfCross(c->armB, d), j = *sum;
     wfReal k = s->body.invMass + arm * arm * s->body.invInertia;
     wfReal u = wfDot(wfVelocityAt(&s->body, c->point), d);
     *sum = wfMaxR(low, wfMinR(high, j - u / k));
     wfApplyImpulse(&s->body, wfScale(*sum - j, d), c->point);
 }
 
-static void slide_solve(Slide *s)
+static void slideSolve(Slide *s)
 {
     for (int pass = 0; pass < SLIDE_PASSES; pass++)
         for (int i = 0; i < SLIDE_NEAR; i++)
@@ -212,19 +211,19 @@ static void slide_solve(Slide *s)
                 wfContactPoint *c = &s->near[i].points[k];
                 wfVec2 n = s->near[i].normal;
                 wfReal most = s->friction * c->normalImpulse;
-                slide_push(s, wfPerpCW(n), c, &c->tangentImpulse, -most, most);
-                slide_push(s, n, c, &c->normalImpulse, 0, WF_HUGE);
+                slidePush(s, wfPerpCW(n), c, &c->tangentImpulse, -most, most);
+                slidePush(s, n, c, &c->normalImpulse, 0, WF_HUGE);
             }
 }
 
 /* steps for as long as 1000 tiles take; returns the greatest vertical speed, m/s */
-static wfReal slide_along(Slide *s)
+static wfReal slideAlong(Slide *s)
 {
     wfReal h = WF_R(1.0) / 60, most = 0;
     int steps = (int)(1010 * SLIDE_TILE / (SLIDE_SPEED * h));
     for (int step = 0; step < steps; step++) {
         s->body.v.y -= WF_R(9.81) * h;
-        slide_collide(s);
+        slideCollide(s);
         for (int i = 0; i < SLIDE_NEAR; i++)
             for (int k = 0; k < s->near[i].count; k++) {
                 wfContactPoint *c = &s->near[i].points[k];
@@ -233,7 +232,7 @@ static wfReal slide_along(Slide *s)
                 j = wfAddScaled(j, c->tangentImpulse, t);
                 wfApplyImpulse(&s->body, j, c->point);
             }
-        slide_solve(s);
+        slideSolve(s);
         s->body.p = wfAddScaled(s->body.p, h, s->body.v);
         s->body.angle += h * s->body.w;
         most = wfMaxR(most, wfAbs(s->body.v.y));
@@ -241,10 +240,10 @@ static wfReal slide_along(Slide *s)
     return most;
 }
 
-static const char *const slide_bodies[] = {
+static const char *const slideBodies[] = {
     "box", "rounded box", "hexagon", "capsule lying", "circle", "circle rolling" };
 
-static void slide_shape(int body, wfShape *s)
+static void slideShape(int body, wfShape *s)
 {
     wfVec2 p[6];
     for (int i = 0; i < 6; i++) {
@@ -260,7 +259,7 @@ static void slide_shape(int body, wfShape *s)
     }
 }
 
-static void slide_tile(int kind, wfShape *s)
+static void slideTile(int kind, wfShape *s)
 {
     wfReal l = SLIDE_TILE;
     if (kind == 0) wfMakeOrientedBox(wfV2(l / 2, -l / 2), l / 2, l / 2, 0, s);
@@ -268,12 +267,12 @@ static void slide_tile(int kind, wfShape *s)
     if (kind == 2) wfMakeLink(wfV2(2 * l, 0), wfV2(l, 0), wfV2(0, 0), wfV2(-l, 0), s);
 }
 
-static void slide_start(Slide *s, int body, int kind)
+static void slideStart(Slide *s, int body, int kind)
 {
     wfMassData mass;
     *s = (Slide){ .friction = 0 };
-    slide_shape(body, &s->shape);
-    slide_tile(kind, &s->tile);
+    slideShape(body, &s->shape);
+    slideTile(kind, &s->tile);
     wfShapeMass(&s->shape, 1, &mass);
     wfRect bounds = wfShapeBounds(&s->shape, wfMakeTransform(wfV2(0, 0), 0));
     s->body.p = wfV2(5, -bounds.min.y - WF_R(0.002));
@@ -290,11 +289,11 @@ static int measure_contacts_tiles(FILE *out)
 {
     fprintf(out, "body,boxes,boxes_tiles,segments,segments_tiles,links,links_tiles\n");
     for (int body = 0; body < 6; body++) {
-        fprintf(out, "%s", slide_bodies[body]);
+        fprintf(out, "%s", slideBodies[body]);
         for (int kind = 0; kind < 3; kind++) {
             Slide s;
-            slide_start(&s, body, kind);
-            wfReal most = slide_along(&s);
+            slideStart(&s, body, kind);
+            wfReal most = slideAlong(&s);
             int tiles = (int)((s.body.p.x - 5) / SLIDE_TILE);
             fprintf(out, ",%.2g,%d", (double)most, tiles < 1000 ? tiles : 1000);
         }
@@ -310,7 +309,7 @@ typedef struct Wander {
     wfReal reach;
 } Wander;
 
-static void wander_shape(wfRandom *r, wfShape *s)
+static void wanderShape(wfRandom *r, wfShape *s)
 {
     wfVec2 p[8];
     do {
@@ -322,12 +321,12 @@ static void wander_shape(wfRandom *r, wfShape *s)
 }
 
 /* a pair that overlaps by at most a twentieth of the smaller reach */
-static void wander_start(wfRandom *r, Wander *w)
+static void wanderStart(wfRandom *r, Wander *w)
 {
     wfSeparation s;
-    wander_shape(r, &w->a);
-    wander_shape(r, &w->b);
-    w->reach = wfMinR(wfShapeMaxExtent(&w->a), wfShapeMaxExtent(&w->b));
+    wanderShape(r, &w->a);
+    wanderShape(r, &w->b);
+    w->reach = wfMinR(wfShapeReach(&w->a), wfShapeReach(&w->b));
     w->xa = wfMakeTransform(wfV2(0, 0), wfRandomReal(r, -3, 3));
     wfReal x = wfRandomReal(r, -1, 1);
     w->xb = wfMakeTransform(wfV2(x, wfRandomReal(r, -1, 1)), wfRandomReal(r, -3, 3));
@@ -337,7 +336,7 @@ static void wander_start(wfRandom *r, Wander *w)
     w->xb.p = wfAddScaled(w->xb.p, out, s.normal);
 }
 
-static void wander_on(wfRandom *r, Wander *w, wfReal share)
+static void wanderOn(wfRandom *r, Wander *w, wfReal share)
 {
     wfReal x = wfRandomReal(r, -share, share) * w->reach;
     wfReal y = wfRandomReal(r, -share, share) * w->reach;
@@ -345,7 +344,7 @@ static void wander_on(wfRandom *r, Wander *w, wfReal share)
     w->xb.q = wfRotMul(w->xb.q, wfRotation(wfRandomReal(r, -share, share)));
 }
 
-static wfReal deepest_of(const wfManifold *m)
+static wfReal deepestOf(const wfManifold *m)
 {
     wfReal most = 0;
     for (int i = 0; i < m->count; i++) most = wfMaxR(most, m->points[i].depth);
@@ -353,7 +352,7 @@ static wfReal deepest_of(const wfManifold *m)
 }
 
 /* the share of steps that used a manifold again; *worst: how much too deep, by the reach */
-static double wander_all(wfReal share, wfReal step, double *worst)
+static double wanderAll(wfReal share, wfReal step, double *worst)
 {
     wfRandom r;
     int reused = 0, all = 0, sat = wfFindNarrowPhase("sat");
@@ -361,17 +360,17 @@ static double wander_all(wfReal share, wfReal step, double *worst)
     for (int pair = 0; pair < 400; pair++) {
         Wander w;
         wfManifoldCache cache = { .owner = WF_NO_EDGE };
-        wander_start(&r, &w);
+        wanderStart(&r, &w);
         for (int i = 0; i < 50; i++) {
             /* go on a step, and compare a manifold used again with a fresh one */
             wfSeparation s;
             wfManifold fresh, again;
-            wander_on(&r, &w, step);
+            wanderOn(&r, &w, step);
             if (wfSeparate(sat, &w.a, w.xa, &w.b, w.xb, &s) != WF_OK) return -1;
             wfMakeManifold(&w.a, w.xa, &w.b, w.xb, &s, &fresh);
             all += i > 0;
             if (wfReuseManifold(&w.a, w.xa, &w.b, w.xb, 0, &cache, &again)) {
-                double error = (double)((deepest_of(&again) - deepest_of(&fresh)) / w.reach);
+                double error = (double)((deepestOf(&again) - deepestOf(&fresh)) / w.reach);
                 if (error > *worst) *worst = error;
                 reused++;
             } else {
@@ -389,9 +388,9 @@ static int measure_contacts_reuse(FILE *out)
     for (int parts = 4096; parts >= 16; parts /= 4) {
         wfReal share = 1 / (wfReal)parts;
         double worst = 0;
-        double rest = wander_all(share, WF_R(0.00001), &worst);
-        double slow = wander_all(share, WF_R(0.001), &worst);
-        double brisk = wander_all(share, WF_R(0.01), &worst);
+        double rest = wanderAll(share, WF_R(0.00001), &worst);
+        double slow = wanderAll(share, WF_R(0.001), &worst);
+        double brisk = wanderAll(share, WF_R(0.01), &worst);
         fprintf(out, "1/%d,%.1f,%.1f,%.1f,%.2g,%.2g\n", parts, 100 * rest, 100 * slow,
                 100 * brisk, worst, (double)(2 * share + WF_AXIS_TIE));
     }
@@ -400,8 +399,7 @@ static int measure_contacts_reuse(FILE *out)
 enum { REUSE_POSES = 64, REUSE_ROUNDS = 2000 };
 
 /* way 0: fresh; 1: used again; 2: tried in vain, then fresh and remembered */
-static double reuse_batch(const wfShape *a, const wfShape *b, const wfTransform *xb,
-                          int way)
+static double reuseBatch(const wfShape *a, const wfShape *b, const wfTransform *xb, int way)
 {
     wfManifoldCache cache = { .owner = WF_NO_EDGE }, far;
     wfTransform xa = wfMakeTransform(wfV2(0, 0), 0);
@@ -429,7 +427,7 @@ static double reuse_batch(const wfShape *a, const wfShape *b, const wfTransform 
     double took = (double)(clock() - start) / CLOCKS_PER_SEC;
     return points ? took / (REUSE_POSES * REUSE_ROUNDS) * 1e9 : -1;
 }
-static void reuse_pair(FILE *out, const char *name, const wfShape *a, const wfShape *b)
+static void reusePair(FILE *out, const char *name, const wfShape *a, const wfShape *b)
 {
     wfTransform xb[REUSE_POSES];
     wfRandom r;
@@ -444,14 +442,14 @@ static void reuse_pair(FILE *out, const char *name, const wfShape *a, const wfSh
     }
     for (int batch = 0; batch < 7; batch++)
         for (int way = 0; way < 3; way++) {
-            double took = reuse_batch(a, b, xb, way);
+            double took = reuseBatch(a, b, xb, way);
             if (took < best[way]) best[way] = took;
         }
     int n = a->count, m = b->count;
     fprintf(out, "%s,%d,%d,%.0f,%.0f,%.2f,%.0f\n", name, 2 * n * m + n + m + m + 6,
             m + 6, best[0], best[1], best[0] / best[1], best[2]);
 }
-static void round_shape(int n, wfShape *s)
+static void roundShape(int n, wfShape *s)
 {
     wfVec2 p[WF_MAX_VERTICES];
     for (int i = 0; i < n; i++) {
@@ -466,14 +464,14 @@ static int measure_contacts_reuse_time(FILE *out)
     wfShape box, pill, eight, sixteen;
     wfMakeBox(1, 1, &box);
     wfMakeCapsule(wfV2(-1, 0), wfV2(1, 0), WF_R(0.5), &pill);
-    round_shape(8, &eight);
-    round_shape(16, &sixteen);
+    roundShape(8, &eight);
+    roundShape(16, &sixteen);
     fprintf(out, "pair,fresh_dots,reuse_dots,fresh,reuse,ratio,vain\n");
-    reuse_pair(out, "box on capsule", &box, &pill);
-    reuse_pair(out, "box on box", &box, &box);
-    reuse_pair(out, "8 corners on box", &eight, &box);
-    reuse_pair(out, "8 corners on 8", &eight, &eight);
-    reuse_pair(out, "16 corners on 16", &sixteen, &sixteen);
+    reusePair(out, "box on capsule", &box, &pill);
+    reusePair(out, "box on box", &box, &box);
+    reusePair(out, "8 corners on box", &eight, &box);
+    reusePair(out, "8 corners on 8", &eight, &eight);
+    reusePair(out, "16 corners on 16", &sixteen, &sixteen);
     return 0;
 }
 static const wfMeasureRow rows[] = {

@@ -15,31 +15,31 @@ typedef struct PoolGame {
     int name[POOL_BALLS], names;             /* every ball has a name of its own */
 } PoolGame;
 
-static void pool_new(PoolGame *g)
+static void poolNew(PoolGame *g)
 {
     int32_t i = wfSlotTake(&g->list, g->slots);
     if (i >= 0) g->name[i] = g->names++;
 }
 
 /* the user's function: ball b is in the pocket */
-static void pool_pocketed(PoolGame *g, int32_t b)
+static void poolPocketed(PoolGame *g, int32_t b)
 {
     wfSlotGive(&g->list, g->slots, b, g->slots[b].generation);
-    pool_new(g);
+    poolNew(g);
 }
 
-static void pool_start(PoolGame *g)
+static void poolStart(PoolGame *g)
 {
     *g = (PoolGame){ .names = 0 };
     wfSlotsInit(&g->list, g->slots, POOL_BALLS);
-    for (int i = 0; i < POOL_BALLS; i++) pool_new(g);
+    for (int i = 0; i < POOL_BALLS; i++) poolNew(g);
 }
 static int measure_queries_callback(FILE *out)
 {
     static const wfPair pairs[] = { { 0, 2 }, { 2, 3 } };
     PoolGame called, read;
-    pool_start(&called);
-    pool_start(&read);
+    poolStart(&called);
+    poolStart(&read);
     PoolGame truth = called;
     fprintf(out, "pair,truth,called,read\n");
     for (int i = 0; i < 2; i++) {
@@ -47,10 +47,10 @@ static int measure_queries_callback(FILE *out)
         fprintf(out, "%d and %d,balls %d and %d,balls %d and %d,balls %d and %d\n", a, b,
                 truth.name[a], truth.name[b], called.name[a], called.name[b],
                 read.name[a], read.name[b]);
-        if (a == 0) pool_pocketed(&called, b);       /* in the middle of the step */
+        if (a == 0) poolPocketed(&called, b);        /* in the middle of the step */
     }
     for (int i = 0; i < 2; i++)
-        if (pairs[i].a == 0) pool_pocketed(&read, pairs[i].b);      /* after it */
+        if (pairs[i].a == 0) poolPocketed(&read, pairs[i].b);       /* after it */
     return read.name[2] == called.name[2] ? 0 : 1;
 }
 static int measure_queries_flutter(FILE *out)
@@ -74,7 +74,7 @@ static int measure_queries_flutter(FILE *out)
     return 0;
 }
 enum { QUERY_MOST = 10000, QUERY_ASKED = 200, QUERY_KINDS = 5 };
-static const char *const query_names[QUERY_KINDS] = {
+static const char *const queryNames[QUERY_KINDS] = {
     "ray of 4 m", "long ray", "long ray; all hits", "area", "nearest"
 };
 
@@ -88,17 +88,17 @@ typedef struct QueryLab {
     wfQueryWork work;
     wfShapeSet set;
 } QueryLab;
-static QueryLab *query_lab(void)
+static QueryLab *queryLab(void)
 {
     static QueryLab lab;
     return &lab;
 }
 
-static wfTransform query_place(const void *context, int32_t shape)
+static wfTransform queryPlace(const void *context, int32_t shape)
 {
     return ((const QueryLab *)context)->places[shape];
 }
-static void fill_query_lab(QueryLab *lab, int32_t n)
+static void fillQueryLab(QueryLab *lab, int32_t n)
 {
     static const wfVec2 three[3] = { { { -WF_R(0.4), -WF_R(0.3) } },
                                      { { WF_R(0.4), -WF_R(0.3) } }, { { 0, WF_R(0.4) } } };
@@ -119,10 +119,10 @@ static void fill_query_lab(QueryLab *lab, int32_t n)
     }
     lab->set = (wfShapeSet){ .proxies = { .count = n, .bounds = lab->bounds,
                                           .flags = lab->flags },
-                             .shapes = lab->shapes, .place = query_place,
+                             .shapes = lab->shapes, .place = queryPlace,
                              .context = lab, .work = &lab->work };
 }
-static int choose_query_method(QueryLab *lab, int method)
+static int chooseQueryMethod(QueryLab *lab, int method)
 {
     wfPool scratch;
     size_t bytes = wfIndexSize(method, lab->set.proxies.count);
@@ -135,7 +135,7 @@ static int choose_query_method(QueryLab *lab, int method)
     lab->set.index = lab->index;
     return wfUpdateIndex(method, &lab->set.proxies, lab->index, bytes, &scratch) != WF_OK;
 }
-static wfResult ask_query(QueryLab *lab, int kind, wfRandom *r)
+static wfResult askQuery(QueryLab *lab, int kind, wfRandom *r)
 {
     static int32_t shapes[QUERY_MOST];
     int32_t count;
@@ -153,17 +153,17 @@ static wfResult ask_query(QueryLab *lab, int kind, wfRandom *r)
     return wfSetClosest(&lab->set, ray.from, side, NULL, &c);
 }
 /* the same two hundred questions for every method; shapes looked at per question, or -1 */
-static double ask_queries(QueryLab *lab, int kind)
+static double askQueries(QueryLab *lab, int kind)
 {
     wfRandom r;
     wfRandomSeed(&r, 32);
     lab->work = (wfQueryWork){ 0, 0 };
     for (int i = 0; i < QUERY_ASKED; i++)
-        if (ask_query(lab, kind, &r) != WF_OK) return -1;
+        if (askQuery(lab, kind, &r) != WF_OK) return -1;
     return (double)lab->work.tested / QUERY_ASKED;
 }
 
-static void query_header(FILE *out)
+static void queryHeader(FILE *out)
 {
     fprintf(out, "query,n");
     for (int m = 0; m < wfBroadPhaseCount; m++)
@@ -172,15 +172,15 @@ static void query_header(FILE *out)
 }
 static int measure_queries_work(FILE *out)
 {
-    QueryLab *lab = query_lab();
-    query_header(out);
+    QueryLab *lab = queryLab();
+    queryHeader(out);
     for (int32_t n = 100; n <= QUERY_MOST; n *= 10) {
-        fill_query_lab(lab, n);
+        fillQueryLab(lab, n);
         for (int kind = 0; kind < QUERY_KINDS; kind++) {
-            fprintf(out, "%s,%d", query_names[kind], (int)n);
+            fprintf(out, "%s,%d", queryNames[kind], (int)n);
             for (int m = 0; m < wfBroadPhaseCount; m++) {
-                if (choose_query_method(lab, m)) return 1;
-                fprintf(out, ",%.1f", ask_queries(lab, kind));
+                if (chooseQueryMethod(lab, m)) return 1;
+                fprintf(out, ",%.1f", askQueries(lab, kind));
             }
             fprintf(out, "\n");
         }
@@ -188,13 +188,13 @@ static int measure_queries_work(FILE *out)
     return 0;
 }
 /* s for the two hundred questions: median of five, in batches of a millisecond or more */
-static double time_queries(QueryLab *lab, int kind)
+static double timeQueries(QueryLab *lab, int kind)
 {
     enum { RUNS = 5 };
     double seconds[RUNS];
     for (int run = 0, batch = 1; run < RUNS;) {
         clock_t start = clock();
-        for (int i = 0; i < batch; i++) ask_queries(lab, kind);
+        for (int i = 0; i < batch; i++) askQueries(lab, kind);
         double took = (double)(clock() - start) / CLOCKS_PER_SEC;
         if (run == 0 && took < 0.001 && batch < 1 << 16) { batch *= 2; continue; }
         int k = run++;
@@ -205,17 +205,17 @@ static double time_queries(QueryLab *lab, int kind)
 }
 static int measure_queries_time(FILE *out)
 {
-    QueryLab *lab = query_lab();
-    query_header(out);
+    QueryLab *lab = queryLab();
+    queryHeader(out);
     for (int32_t n = 100; n <= QUERY_MOST; n *= 10) {
-        fill_query_lab(lab, n);
+        fillQueryLab(lab, n);
         for (int kind = 0; kind < QUERY_KINDS; kind++) {
-            choose_query_method(lab, wfFindBroadPhase("brute-force"));
-            double scan = time_queries(lab, kind);
-            fprintf(out, "%s,%d", query_names[kind], (int)n);
+            chooseQueryMethod(lab, wfFindBroadPhase("brute-force"));
+            double scan = timeQueries(lab, kind);
+            fprintf(out, "%s,%d", queryNames[kind], (int)n);
             for (int m = 0; m < wfBroadPhaseCount; m++) {
-                if (choose_query_method(lab, m)) return 1;
-                fprintf(out, ",%.3g", 100 * time_queries(lab, kind) / scan);
+                if (chooseQueryMethod(lab, m)) return 1;
+                fprintf(out, ",%.3g", 100 * timeQueries(lab, kind) / scan);
             }
             fprintf(out, "\n");
         }
@@ -223,7 +223,7 @@ static int measure_queries_time(FILE *out)
     return 0;
 }
 /* eq:queries-school for a circle of radius 1 about the origin; -1: missed */
-static wfReal school_fraction(wfRay ray)
+static wfReal schoolFraction(wfRay ray)
 {
     wfVec2 m = wfNeg(ray.from);
     wfReal a = wfDot(ray.by, ray.by), b = wfDot(ray.by, m), c = wfDot(m, m) - 1;
@@ -232,7 +232,7 @@ static wfReal school_fraction(wfRay ray)
 }
 
 /* how far a place on the ray is off the circle, m */
-static double off_circle(wfRay ray, wfReal t)
+static double offCircle(wfRay ray, wfReal t)
 {
     double x = (double)ray.from.x + (double)t * (double)ray.by.x;
     double y = (double)ray.from.y + (double)t * (double)ray.by.y;
@@ -258,8 +258,8 @@ static int measure_queries_school(FILE *out)
             wfRay ray = { from, wfScale(2, wfSub(target, from)) };
             wfRayHit hit;
             if (wfRayShape(&ball, wfTransformIdentity(), ray, &hit) != WF_OK) return 1;
-            wfReal t = school_fraction(ray);
-            double off = off_circle(ray, t), mine = off_circle(ray, hit.fraction);
+            wfReal t = schoolFraction(ray);
+            double off = offCircle(ray, t), mine = offCircle(ray, hit.fraction);
             missed += t < 0;
             lost += hit.shape == WF_NO_SHAPE;
             if (t >= 0 && off > school) school = off;

@@ -84,7 +84,7 @@ static wfSolve tall_solve(wfPool *scratch, int passes)
     wfPoolInit(scratch, sizeof tall.memory, tall.memory);
     return (wfSolve){ .state = tall.state, .bodyCount = tall.count,
         .contacts = tall.contact, .contactCount = tall.contacts, .h = WF_R(1.0) / 60,
-        .iterations = passes, .positionCorrection = WF_R(0.4), .forces = tall.force,
+        .iterations = passes, .positionShare = WF_R(0.4), .forces = tall.force,
         .substeps = 4, .scratch = scratch, .work = tall.work, .report = &tall.report };
 }
 
@@ -418,9 +418,8 @@ static bool tied_step(bool turns)
 {
     static _Alignas(WF_POOL_ALIGN) unsigned char room[1 << 20];
     wfPool scratch, pool;
-    wfConstraints laws;
-    wfJointSet set = { .joints = tall.joint, .count = tall.joints,
-                       .give = WF_JOINT_COMPLIANCE,
+    wfLaws laws;
+    wfJointSet set = { .joints = tall.joint, .count = tall.joints, .give = WF_JOINT_GIVE,
                        .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING };
     tall_touch();
     wfSolve in = tall_solve(&scratch, 1);
@@ -499,7 +498,7 @@ static int measure_exact_budget(FILE *out)
     }
     return 0;
 }
-static double lab_widest_gap(const labChain *c)
+static double labWidestGap(const labChain *c)
 {
     double widest = 0;
     for (int i = 0; i < c->step.jointCount; i++) {
@@ -511,7 +510,7 @@ static double lab_widest_gap(const labChain *c)
     return widest;
 }
 /* Turns a chain about its first hinge, rad. */
-static void lab_turn_chain(labChain *c, double angle)
+static void labTurnChain(labChain *c, double angle)
 {
     wfRot q = wfRotation((wfReal)angle);
     for (int i = 1; i < c->step.bodyCount; i++) {
@@ -521,11 +520,11 @@ static void lab_turn_chain(labChain *c, double angle)
     for (int i = 0; i < c->step.jointCount; i++) {
         wfJoint *j = &c->joint[i];
         wfVec2 at = wfApply(wfBodyTransform(&c->state[j->b]), j->localB);
-        *j = wfMakeRevoluteJoint(j->a, &c->state[j->a], j->b, &c->state[j->b], at);
+        *j = wfHinge(j->a, &c->state[j->a], j->b, &c->state[j->b], at);
     }
 }
 
-static double lab_chain_energy(const labChain *c)
+static double labChainEnergy(const labChain *c)
 {
     double sum = 0;
     for (int i = 1; i < c->step.bodyCount; i++)
@@ -536,13 +535,13 @@ static double lab_chain_energy(const labChain *c)
 typedef struct labSwings { labChain c; double first, level; int32_t unsolved; } labSwings;
 static _Alignas(WF_POOL_ALIGN) unsigned char labSwingRoom[1 << 18];
 /* how: 0 one by one, 1 rigidly and with many passes, 2 all at once */
-static void lab_make_swing(labSwings *s, int how, int links, double load, double degrees,
-                           int substeps)
+static void labMakeSwing(labSwings *s, int how, int links, double load, double degrees,
+                         int substeps)
 {
     labMakeChain(&s->c, links, load, substeps, how == 1 ? 400 : 1);
-    s->level = -lab_chain_energy(&s->c);
-    lab_turn_chain(&s->c, degrees * 3.14159265358979 / 180);
-    s->first = lab_chain_energy(&s->c);
+    s->level = -labChainEnergy(&s->c);
+    labTurnChain(&s->c, degrees * 3.14159265358979 / 180);
+    s->first = labChainEnergy(&s->c);
     wfPoolInit(&s->c.pool, sizeof labSwingRoom, labSwingRoom);
     if (how == 1) s->c.step.period = 0;
     s->c.step.unsolved = &s->unsolved;
@@ -550,15 +549,15 @@ static void lab_make_swing(labSwings *s, int how, int links, double load, double
 }
 
 /* The gain of energy so far, %. */
-static double lab_swing_gain(labSwings *s)
+static double labSwingGain(labSwings *s)
 {
-    return 100 * (lab_chain_energy(&s->c) - s->first) / s->level;
+    return 100 * (labChainEnergy(&s->c) - s->first) / s->level;
 }
 static int measure_exact_swing(FILE *out)
 {
     static labSwings s[3];
     bool over[3] = { false, false, false };
-    for (int how = 0; how < 3; how++) lab_make_swing(&s[how], how, 20, 1000, 60, 4);
+    for (int how = 0; how < 3; how++) labMakeSwing(&s[how], how, 20, 1000, 60, 4);
     fprintf(out, "time,one by one,rigidly 400 passes,all at once\n");
     for (int i = 0; i <= 600; i++) {
         for (int how = 0; how < 3 && i > 0; how++)
@@ -566,7 +565,7 @@ static int measure_exact_swing(FILE *out)
         if (i % 6 != 0) continue;
         fprintf(out, "%.1f", i / 60.0);
         for (int how = 0; how < 3; how++) {
-            double gain = over[how] ? 1e9 : lab_swing_gain(&s[how]);
+            double gain = over[how] ? 1e9 : labSwingGain(&s[how]);
             over[how] = over[how] || !(gain < 100);
             if (over[how]) fprintf(out, ",");
             else fprintf(out, ",%.2f", 100 + gain);
@@ -584,27 +583,27 @@ static int measure_exact_swings(FILE *out)
         int substeps = n < 6 ? 4 : n == 6 ? 2 : 8, lost = 0;
         for (int how = 0; how < 2; how++) {
             static labSwings s;
-            lab_make_swing(&s, 2 * how, 20, 1000, angle, substeps);
+            labMakeSwing(&s, 2 * how, 20, 1000, angle, substeps);
             for (int i = 0; i < 3600; i++) {
                 if (wfStepJoints(&s.c.step) != WF_OK) return 1;
-                double gain = lab_swing_gain(&s);
+                double gain = labSwingGain(&s);
                 if (how == 1) most = fmax(most, gain), lost += s.unsolved;
             }
-            end[how] = lab_swing_gain(&s);
+            end[how] = labSwingGain(&s);
         }
         fprintf(out, "%g,%d,%.1f,%.3g,%.2g,%d\n", angle, substeps, end[0], end[1], most,
                 lost);
     }
     return 0;
 }
-static double lab_pendulum(double give, int substeps, double *period)
+static double labPendulum(double give, int substeps, double *period)
 {
     static labSwings s;
     double first = 0, last = 0, mean = 0;
     int turns = -1;
-    lab_make_swing(&s, 2, 1, 1, 90, substeps);
+    labMakeSwing(&s, 2, 1, 1, 90, substeps);
     s.c.state[1].p = wfV2(1, 0);
-    s.c.joint[0] = wfMakeRevoluteJoint(0, &s.c.state[0], 1, &s.c.state[1], wfV2(0, 0));
+    s.c.joint[0] = wfHinge(0, &s.c.state[0], 1, &s.c.state[1], wfV2(0, 0));
     s.c.step.give = (wfReal)give;
     for (int i = 0; i < 3600; i++) {
         double before = (double)s.c.state[1].w;
@@ -624,8 +623,8 @@ static int measure_exact_pendulum(FILE *out)
     exact /= labMean(1, sqrt(0.5));
     fprintf(out, "substeps,energy,period,free\n");
     for (int substeps = 1; substeps <= 32; substeps *= 2) {
-        free = lab_pendulum(0, substeps, &period);
-        double energy = lab_pendulum((double)WF_JOINT_COMPLIANCE, substeps, &period);
+        free = labPendulum(0, substeps, &period);
+        double energy = labPendulum((double)WF_JOINT_GIVE, substeps, &period);
         fprintf(out, "%d,%.1f,%.4f,%.1f\n", substeps, energy, 100 * (period / exact - 1),
                 free);
     }
@@ -640,7 +639,7 @@ static int measure_exact_stretch(FILE *out)
         for (int substeps = 2; substeps <= 8; substeps *= 2) {
             static labSwings s;
             double h = 1 / (60.0 * substeps), sum = 0, straight = 0;
-            lab_make_swing(&s, 2, (int)links, load, 0, substeps);
+            labMakeSwing(&s, 2, (int)links, load, 0, substeps);
             s.c.step.give = (wfReal)give;
             const wfBodyState *last = &s.c.state[s.c.step.bodyCount - 1];
             straight = (double)last->p.y;
@@ -668,7 +667,7 @@ static int measure_exact_gap(FILE *out)
             if (exact) c.step.prepare = wfExactJoints;
             for (int i = 0; i < 300; i++) {
                 if (wfStepJoints(&c.step) != WF_OK) return 1;
-                widest = fmax(widest, lab_widest_gap(&c));
+                widest = fmax(widest, labWidestGap(&c));
             }
             fprintf(out, ",%.2g", fmax(widest, 1e-7));
         }
@@ -676,13 +675,13 @@ static int measure_exact_gap(FILE *out)
     }
     return 0;
 }
-static double lab_time_chain(int links, int how)
+static double labTimeChain(int links, int how)
 {
     static labSwings s;
     static wfExactCount count;
     double best = 1e9;
     for (int n = 0; n < 5; n++) {
-        lab_make_swing(&s, how == 1 ? 2 : 0, links, 1, 60, 4);
+        labMakeSwing(&s, how == 1 ? 2 : 0, links, 1, 60, 4);
         clock_t start = clock();
         for (int i = 0; i < 50; i++) {
             wfPoolInit(&s.c.pool, sizeof labSwingRoom, labSwingRoom);
@@ -697,17 +696,17 @@ static int measure_exact_time(FILE *out)
 {
     fprintf(out, "machine,joints,one,all,order\n");
     for (int links = 5; links <= 20; links *= 2)
-        fprintf(out, "chain,%d,%.1f,%.1f,%.2f\n", links, lab_time_chain(links, 0),
-                lab_time_chain(links, 1), lab_time_chain(links, 2));
+        fprintf(out, "chain,%d,%.1f,%.1f,%.2f\n", links, labTimeChain(links, 0),
+                labTimeChain(links, 1), labTimeChain(links, 2));
     return 0;
 }
-static void lab_tie(wfJoint *joint, int *count, int a, int b)
+static void labTie(wfJoint *joint, int *count, int a, int b)
 {
     joint[(*count)++] = (wfJoint){ .kind = wfFindJoint("revolute"), .a = a, .b = b,
                                    .ratio = 1, .axis = wfV2(1, 0) };
 }
 
-static int lab_machine(int kind, int n, wfJoint *joint, wfBodyState *state, int *bodies)
+static int labMachine(int kind, int n, wfJoint *joint, wfBodyState *state, int *bodies)
 {
     int joints = 0, side = 4;
     while (side * side < n / 2) side *= 2;
@@ -716,13 +715,13 @@ static int lab_machine(int kind, int n, wfJoint *joint, wfBodyState *state, int 
         state[i] = (wfBodyState){ .invMass = i > 0, .invInertia = i > 0 };
     for (int i = 1; i < *bodies && kind != 3; i++) {
         int to = kind == 1 ? (i - 1) / 2 : kind == 4 ? 1 : i - 1;
-        if (i != to) lab_tie(joint, &joints, to, i);
+        if (i != to) labTie(joint, &joints, to, i);
     }
-    if (kind == 2) lab_tie(joint, &joints, *bodies - 1, 0);
+    if (kind == 2) labTie(joint, &joints, *bodies - 1, 0);
     if (kind == 2) state[0] = (wfBodyState){ .invMass = 1, .invInertia = 1 };
     for (int i = 0; i < side * side && kind == 3; i++) {
-        if (i % side + 1 < side) lab_tie(joint, &joints, i, i + 1);
-        if (i + side < side * side) lab_tie(joint, &joints, i, i + side);
+        if (i % side + 1 < side) labTie(joint, &joints, i, i + 1);
+        if (i + side < side * side) labTie(joint, &joints, i, i + side);
     }
     return joints;
 }
@@ -737,7 +736,7 @@ static int measure_exact_cost(FILE *out)
             static _Alignas(WF_POOL_ALIGN) unsigned char room[1 << 20];
             wfExactCount count;
             wfPool pool;
-            int bodies = 0, joints = lab_machine(kind, n, joint, state, &bodies);
+            int bodies = 0, joints = labMachine(kind, n, joint, state, &bodies);
             wfPoolInit(&pool, sizeof room, room);
             wfResult result = wfCountExact(joint, joints, state, bodies, &pool, &count);
             if (result != WF_OK) fprintf(out, "%s,%d,-,-,-\n", name[kind], joints);

@@ -16,7 +16,7 @@ typedef struct Put {
 static void open_scene(const labScene *s)
 {
     fprintf(s->file, "{\"weft\":1,\"origin\":[%.17g,0],\"settings\":{\"gravity\":[0,%.17g],"
-            "\"timeStep\":%.17g},\n\"bodies\":[\n", s->origin, -s->gravity, s->dt);
+            "\"dt\":%.17g},\n\"bodies\":[\n", s->origin, -s->gravity, s->dt);
 }
 
 static void put_corners(const labScene *s, const double *corner)
@@ -212,22 +212,22 @@ static double bounced(double height, double e, double t)    /* its height at tha
     return v > 1e-9 ? v * t - 5 * t * t : 0;
 }
 
-static const double zeno_drop = 3.3;
+static const double zenoDrop = 3.3;
 
 static void build_zeno(labScene *s, double e)
 {
     s->restitution = e;
-    drop_ball(s, zeno_drop, 1.33 * fall_time(zeno_drop) * (1 + e) / (1 - e));
+    drop_ball(s, zenoDrop, 1.33 * fall_time(zenoDrop) * (1 + e) / (1 - e));
 }                                                           /* eq:extremes-zeno */
 
 static void judge_zeno(const labTrace *t, double e, double *error, double *harm)
 {
-    *error = fabs(at_end(t, 1, LAB_VY)) / sqrt(20 * zeno_drop);
+    *error = fabs(at_end(t, 1, LAB_VY)) / sqrt(20 * zenoDrop);
     for (int i = 0; i < t->rows; i++) {
         double y = labAt(t, i, 1, LAB_Y) - 0.5;
-        *error = fmax(*error, fabs(y - bounced(zeno_drop, e, labTime(t, i))) / zeno_drop);
+        *error = fmax(*error, fabs(y - bounced(zenoDrop, e, labTime(t, i))) / zenoDrop);
     }
-    *harm = peak_after(t, 0) / zeno_drop / 1.01;
+    *harm = peak_after(t, 0) / zenoDrop / 1.01;
 }
 
 static void build_cradle(labScene *s, double n)
@@ -253,32 +253,32 @@ static void judge_cradle(const labTrace *t, double n, double *error, double *har
     *harm = energy / 1.01;
 }
 
-static const double hung_rod = 2, hungAngle = 0.5;
+static const double hungRod = 2, hungAngle = 0.5;
 
 static void build_hung(labScene *s, double n)
 {
-    double aside = hung_rod * sin(hungAngle), low = hung_rod * cos(hungAngle);
+    double aside = hungRod * sin(hungAngle), low = hungRod * cos(hungAngle);
     s->gravity = 10;
     s->restitution = 1;
     s->steps = 102;
     open_scene(s);
-    put(s, &(Put){ .x = n / 2, .y = hung_rod + 1, .width = n, .height = 0.1, .mask = 2 });
+    put(s, &(Put){ .x = n / 2, .y = hungRod + 1, .width = n, .height = 0.1, .mask = 2 });
     for (int i = 0; i < (int)n; i++)
-        put(s, &(Put){ .x = i > 0 ? i : -aside, .y = hung_rod - (i > 0 ? hung_rod : low),
+        put(s, &(Put){ .x = i > 0 ? i : -aside, .y = hungRod - (i > 0 ? hungRod : low),
                        .angle = i > 0 ? 0 : -hungAngle, .radius = 0.5, .density = 1 });
-    for (int i = 0; i < (int)n; i++) hinge(s, 0, i + 1, i, hung_rod);
+    for (int i = 0; i < (int)n; i++) hinge(s, 0, i + 1, i, hungRod);
 }
 
 static void judge_hung(const labTrace *t, double n, double *error, double *harm)
 {
-    double lift = hung_rod * (1 - cos(hungAngle)), peak = 0, energy = 0;
+    double lift = hungRod * (1 - cos(hungAngle)), peak = 0, energy = 0;
     *error = 0;
     for (int i = 0; i < t->rows; i++) peak = fmax(peak, labAt(t, i, (int)n, LAB_Y));
     for (int k = 1; k <= (int)n; k++) {
         double x = at_end(t, k, LAB_X) - (k - 1), y = at_end(t, k, LAB_Y);
         double v = hypot(at_end(t, k, LAB_VX), at_end(t, k, LAB_VY));
         double w = at_end(t, k, LAB_SPIN);
-        if (k < (int)n) *error = fmax(*error, hypot(x, y) / (hung_rod * sin(hungAngle)));
+        if (k < (int)n) *error = fmax(*error, hypot(x, y) / (hungRod * sin(hungAngle)));
         energy += v * v / 2 + w * w / 16 + 10 * y;
     }
     *error = fmax(*error, fabs(peak / lift - 1));
@@ -414,20 +414,20 @@ static void judge_hold(const labTrace *t, double slope, double *error, double *h
     *error = *harm = moved(t, 1) / 2;
 }
 
-static const double slip_slope = 0.6;
+static const double slipSlope = 0.6;
 
 static double slip_rate(double share)                       /* m/s^2, down the slope */
 {
-    return share < 1 ? 10 * sin(atan(slip_slope)) * (1 - share) : 0;
+    return share < 1 ? 10 * sin(atan(slipSlope)) * (1 - share) : 0;
 }
 
 static void build_slip(labScene *s, double share)
 {
     s->gravity = 10;
-    s->friction = share * slip_slope;
+    s->friction = share * slipSlope;
     s->steps = share < 1 ? (int)(60 * sqrt(10 / slip_rate(share))) : 600;
     s->every = 1 + s->steps / 100;
-    put_slope(s, slip_slope, &(Put){ .width = 1, .height = 0.25, .density = 1 });
+    put_slope(s, slipSlope, &(Put){ .width = 1, .height = 0.25, .density = 1 });
 }
 
 static void judge_slip(const labTrace *t, double share, double *error, double *harm)
@@ -513,18 +513,18 @@ static void judge_tip(const labTrace *t, double share, double *error, double *ha
     else *error = *harm = moved(t, 1) / 2;
 }
 
-static const double ladder_half = 1, ladderThick = 0.02, ladderLean = 1.0471975511965976;
+static const double ladderHalf = 1, ladderThick = 0.02, ladderLean = 1.0471975511965976;
 
 static double ladder_friction(void)
 {
-    double a = 2 * ladder_half * cos(ladderLean), b = 2 * ladder_half * sin(ladderLean);
+    double a = 2 * ladderHalf * cos(ladderLean), b = 2 * ladderHalf * sin(ladderLean);
     double x = a / 2 + ladderThick * sin(ladderLean);
     return (sqrt(b * b - 4 * x * (x - a)) - b) / (2 * x);   /* eq:extremes-ladder */
 }
 
 static double ladder_rate(double at, double rate, double mu)
 {
-    double c = cos(at), s = sin(at), l = ladder_half, t = ladderThick, w2 = rate * rate;
+    double c = cos(at), s = sin(at), l = ladderHalf, t = ladderThick, w2 = rate * rate;
     double x = l * c + t * s, y = l * s + t * c, inertia = (l * l + t * t) / 3;
     double x1 = t * c - l * s, x0 = -x * w2, y1 = l * c - t * s, y0 = -y * w2;
     double floor1 = (y1 - mu * x1) / (1 + mu * mu), wall1 = x1 + mu * floor1;
@@ -543,9 +543,9 @@ static void build_ladder(labScene *s, double share)
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
     put(s, &(Put){ .x = -1, .y = 5, .width = 1, .height = 6 });
-    put(s, &(Put){ .x = ladder_half * c + ladderThick * d,
-                   .y = ladder_half * d + ladderThick * c, .angle = -ladderLean,
-                   .width = ladder_half, .height = ladderThick, .density = 1 });
+    put(s, &(Put){ .x = ladderHalf * c + ladderThick * d,
+                   .y = ladderHalf * d + ladderThick * c, .angle = -ladderLean,
+                   .width = ladderHalf, .height = ladderThick, .density = 1 });
 }
 
 static void judge_ladder(const labTrace *t, double share, double *error, double *harm)
@@ -554,7 +554,7 @@ static void judge_ladder(const labTrace *t, double share, double *error, double 
     if (share < 1)
         judge_turn(at_end(t, 2, LAB_ANGLE) - labAt(t, 0, 2, LAB_ANGLE),
                    ladderLean - fallen(ladder_rate, ladderLean, mu, time), error, harm);
-    else *error = *harm = moved(t, 2) / (2 * ladder_half);
+    else *error = *harm = moved(t, 2) / (2 * ladderHalf);
 }
 
 static double arch_limit(void)

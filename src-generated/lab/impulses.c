@@ -42,7 +42,7 @@ static wfReal lab_touch(labPile *pile, int boxes, int *contacts)
     return deepest;
 }
 static wfReal lab_step_pile(labPile *pile, int boxes, const char *solver, int passes,
-                            wfReal restitutionThreshold)
+                            wfReal restingSteps)
 {
     wfVec2 g = wfV2(0, WF_R(-9.81));
     wfPool scratch;
@@ -58,8 +58,8 @@ static wfReal lab_step_pile(labPile *pile, int boxes, const char *solver, int pa
     wfSolve solve = { .state = pile->state, .bodyCount = boxes + 1,
         .contacts = pile->contact, .contactCount = contacts, .h = pile->h,
         .iterations = passes,
-        .restingSpeed = wfRestingSpeed(g, pile->h, restitutionThreshold),
-        .positionCorrection = WF_R(0.4), .scratch = &scratch };
+        .restingSpeed = wfRestingSpeed(g, pile->h, restingSteps),
+        .positionShare = WF_R(0.4), .scratch = &scratch };
     wfSolveVelocities(wfFindSolver(solver), &solve);
     wfSolvePositions(wfFindSolver(solver), &solve);
     return deepest;

@@ -14,13 +14,13 @@ static int32_t island_search(islandRun *r, int32_t i)
     int32_t root = i;
     for (; r->parent[root] != root; root = r->parent[root]) r->arrows++;
     r->searches++;
-    return r->halve ? wfFindSet(r->parent, i) : root;
+    return r->halve ? wfRootOf(r->parent, i) : root;
 }
 
 static void island_edge(islandRun *r, int32_t a, int32_t b)
 {
     int32_t p = island_search(r, a), q = island_search(r, b);
-    if (p != q) wfUnionSets(r->parent, p, q);
+    if (p != q) wfUnite(r->parent, p, q);
 }
 
 static uint32_t island_random(uint32_t *seed, uint32_t below)
@@ -63,10 +63,10 @@ static void island_worst(islandRun *r, int32_t n)
     if (depth == NULL) return;
     for (int32_t half = 1; half < n - low; half *= 2)
         for (int32_t at = low; at + half < n; at += 2 * half)
-            wfUnionSets(r->parent, at, at + half);
+            wfUnite(r->parent, at, at + half);
     r->arrows = r->searches = 0;
     for (int32_t top = low - 1; top >= 0; top--) {
-        wfUnionSets(r->parent, top, top + 1);
+        wfUnite(r->parent, top, top + 1);
         depth[n - 1] = 0;
         island_search(r, r->halve ? island_deepest(r, depth, n) : n - 1);
     }
@@ -77,7 +77,7 @@ static double island_arrows(int kind, int32_t n, bool halve)
     islandRun r = { .parent = malloc(sizeof(int32_t) * 4 * (size_t)n), .halve = halve };
     uint32_t seed = 7;
     if (r.parent == NULL) return 0;
-    wfMakeSets(r.parent, 4 * n);
+    wfPlant(r.parent, 4 * n);
     if (kind == 0)
         for (int32_t i = 0; i < 2 * n; i++) {
             uint32_t a = island_random(&seed, (uint32_t)n);

@@ -5,7 +5,7 @@
 #include "weft/joint.h"
 #include "lab/bench.h"
 /* How far the load is below its place, m: the last value and, in *worst, the greatest. */
-static double lab_hang(labChain *c, int steps, double *worst)
+static double labHang(labChain *c, int steps, double *worst)
 {
     int links = c->step.jointCount;
     double off = 0;
@@ -28,7 +28,7 @@ static int measure_joints_chain(FILE *out)
             labChain chain;
             double worst;
             labMakeChain(&chain, 20, load, substeps, 1);
-            fprintf(out, ",%.3g", lab_hang(&chain, 1200, &worst) / 20);
+            fprintf(out, ",%.3g", labHang(&chain, 1200, &worst) / 20);
         }
         fprintf(out, "\n");
     }
@@ -46,7 +46,7 @@ static int measure_joints_rigid(FILE *out)
                     double worst;
                     labMakeChain(&chain, links, load, 4, passes);
                     if (!soft) chain.step.period = 0;
-                    lab_hang(&chain, 600, &worst);
+                    labHang(&chain, 600, &worst);
                     if (worst < 1e8) fprintf(out, ",%.2g", worst);
                     else fprintf(out, ",-");
                 }
@@ -54,14 +54,14 @@ static int measure_joints_rigid(FILE *out)
             }
     return 0;
 }
-static void lab_swing(FILE *out, int substeps)
+static void labSwing(FILE *out, int substeps)
 {
     labChain c;
     double mean = 0, gap = 0, first = 0, last = 0;
     int turns = -1;
     labMakeChain(&c, 1, 1, substeps, 1);
     c.state[1].p = wfV2(1, 0);
-    c.joint[0] = wfMakeRevoluteJoint(0, &c.state[0], 1, &c.state[1], wfV2(0, 0));
+    c.joint[0] = wfHinge(0, &c.state[0], 1, &c.state[1], wfV2(0, 0));
     for (int i = 0; i < 3600; i++) {
         double before = (double)c.state[1].w, now;
         wfStepJoints(&c.step);
@@ -80,10 +80,10 @@ static void lab_swing(FILE *out, int substeps)
 static int measure_joints_pendulum(FILE *out)
 {
     fprintf(out, "substeps,energy,period,gap\n");
-    for (int substeps = 1; substeps <= 32; substeps *= 2) lab_swing(out, substeps);
+    for (int substeps = 1; substeps <= 32; substeps *= 2) labSwing(out, substeps);
     return 0;
 }
-static bool lab_springs_survive(double k, int rate)
+static bool labSpringsSurvive(double k, int rate)
 {
     double y[12] = { 0 }, v[12] = { 0 }, h = 1.0 / rate;
     for (int i = 1; i <= 10; i++) y[i] = i == 10 ? 1e-3 : 0;       /* off their places */
@@ -104,13 +104,13 @@ static int measure_joints_spring(FILE *out)
         double low = 1, high = 1e9, worst;
         for (int i = 0; i < 60; i++) {
             double middle = sqrt(low * high);
-            if (lab_springs_survive(middle, rate)) low = middle;
+            if (labSpringsSurvive(middle, rate)) low = middle;
             else high = middle;
         }
         labChain chain;
         labMakeChain(&chain, 10, 1, 1, 1);
         chain.step.h = 1 / (wfReal)rate;
-        double joint = lab_hang(&chain, 20 * rate, &worst);
+        double joint = labHang(&chain, 20 * rate, &worst);
         fprintf(out, "%d,%.0f,%.2f,%.2g\n", rate, low, 100 * 9.81 * 55 / low / 10,
                 100 * joint / 10);
     }
@@ -119,45 +119,44 @@ static int measure_joints_spring(FILE *out)
 /* u: the row; before: the row of the last push */
 typedef struct labRound { double p[2], v[2], u[2], before[2], lambda; } labRound;
 
-static void lab_push_round(labRound *r, double more)
+static void labPushRound(labRound *r, double more)
 {
     r->v[0] += more * r->u[0], r->v[1] += more * r->u[1], r->lambda += more;
 }
 
-static double lab_round_length(labRound *r, double h)   /* of p + h v; sets u if h is 0 */
+static double labRoundLength(labRound *r, double h)     /* of p + h v; sets u if h is 0 */
 {
     double x = r->p[0] + h * r->v[0], y = r->p[1] + h * r->v[1];
     double length = sqrt(x * x + y * y);
     if (!(h > 0)) r->u[0] = x / length, r->u[1] = y / length;
     return length;
 }
-static void lab_go_round(labRound *r, bool forget)
+static void labGoRound(labRound *r, bool forget)
 {
     double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD;
     double both = 2 * WF_JOINT_DAMPING + turn;
     double give = 1 / (turn * both), keep = 1 - turn / both;    /* eq:joints-period */
-    double error = lab_round_length(r, 0) - 1, old = r->lambda;
+    double error = labRoundLength(r, 0) - 1, old = r->lambda;
     double cosine = r->before[0] * r->u[0] + r->before[1] * r->u[1];
     r->lambda = 0;
-    lab_push_round(r, forget && cosine < 0.5 ? 0 : old);        /* eq:joints-swung */
+    labPushRound(r, forget && cosine < 0.5 ? 0 : old);          /* eq:joints-swung */
     memcpy(r->before, r->u, sizeof r->u);
     for (int pass = 0; pass < 4; pass++) {                      /* eq:joints-give */
-        double lack = lab_round_length(r, 1) - 1 - keep * error;
-        lab_push_round(r, -(lack + give * r->lambda) / (1 + give));
+        double lack = labRoundLength(r, 1) - 1 - keep * error;
+        labPushRound(r, -(lack + give * r->lambda) / (1 + give));
     }
     for (int k = 0; k < 2; k++) r->p[k] += r->v[k];
-    lab_round_length(r, 0);
-    lab_push_round(r, -(r->u[0] * r->v[0] + r->u[1] * r->v[1])); /* tangent */
+    labRoundLength(r, 0);
+    labPushRound(r, -(r->u[0] * r->v[0] + r->u[1] * r->v[1]));  /* tangent */
 }
-static double lab_round_engine(double turn)
+static double labRoundEngine(double turn)
 {
     labChain c;
     double most = 0;
     labMakeChain(&c, 1, 1, 4, 4);
     c.step.h = 4, c.step.forces = NULL;
     c.state[1] = (wfBodyState){ .p = wfV2(1, 0), .v = wfV2(0, (wfReal)turn), .invMass = 1 };
-    c.joint[0] = wfMakeDistanceJoint(0, &c.state[0], 1, &c.state[1], wfV2(0, 0),
-                                     wfV2(1, 0));
+    c.joint[0] = wfRod(0, &c.state[0], 1, &c.state[1], wfV2(0, 0), wfV2(1, 0));
     for (int i = 0; i < 60; i++) {
         if (wfStepJoints(&c.step) != WF_OK) return HUGE_VAL;
         most = fmax(most, (double)wfLengthSq(c.state[1].v));
@@ -174,19 +173,19 @@ static int measure_joints_swung(FILE *out)
         for (int forget = 0; forget < 2; forget++) {
             labRound r = { { 1, 0 }, { 0, turns[i] }, { 1, 0 }, { 1, 0 }, 0 };
             for (int k = 0; k < 240 && most[forget] < 1e30; k++) {
-                lab_go_round(&r, forget);
+                labGoRound(&r, forget);
                 most[forget] = fmax(most[forget], r.v[0] * r.v[0] + r.v[1] * r.v[1]);
             }
             most[forget] /= turns[i] * turns[i];
         }
         fprintf(out, most[0] < 100 ? "%g,%.3f" : "%g,> 1e25", turns[i], most[0]);
-        fprintf(out, ",%.3f,%.3f\n", most[1], lab_round_engine(turns[i]));
+        fprintf(out, ",%.3f,%.3f\n", most[1], labRoundEngine(turns[i]));
     }
     return 0;
 }
 typedef struct labPeer { const char *engine, *theirs, *kind, *set; int32_t flags; } labPeer;
 
-static const labPeer lab_peers[] = {
+static const labPeer labPeers[] = {
     { "Box2D 2 and 3", "distance", "distance", "", 0 },
     { "Box2D 3", "distance with spring and limits", "distance", "stiffness and upper",
       WF_JOINT_SPRING | WF_JOINT_LIMITS },
@@ -226,8 +225,8 @@ static const labPeer lab_peers[] = {
 static int measure_joints_peers(FILE *out)
 {
     fprintf(out, "engine,joint,kind,set,hold,limit,drive,spring\n");
-    for (size_t i = 0; i < sizeof lab_peers / sizeof *lab_peers; i++) {
-        const labPeer *p = &lab_peers[i];
+    for (size_t i = 0; i < sizeof labPeers / sizeof *labPeers; i++) {
+        const labPeer *p = &labPeers[i];
         wfBodyState s[2] = { { .p = wfV2(0, 0) }, { .p = wfV2(2, 1), .invMass = 1 } };
         wfJointRow row[WF_JOINT_ROWS];
         int count[5] = { 0 };

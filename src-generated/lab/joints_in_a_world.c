@@ -27,7 +27,7 @@ static wfWorldDef fast_world(const char *solver, int bodies, int impacts)
     def.gravity = wfV2(0, 0);
     def.bodyCapacity = bodies;
     def.solver = wfFindSolver(solver);
-    def.maxImpacts = impacts;
+    def.impacts = impacts;
     return def;
 }
 static int fast_through(const FastShot *s, int phase)
@@ -129,7 +129,7 @@ static double fast_way(double speed, int impacts)
 {
     wfWorldDef wd = fast_world("soft", 3, impacts);
     wfBodyDef wall = wfDefaultBodyDef(), ball;
-    wfContinuousReport report;
+    wfFastReport report;
     wfBodyId id;
     wfBodyInfo b;
     wfWorld w;
@@ -149,7 +149,7 @@ static double fast_way(double speed, int impacts)
     bool right = true;
     for (int i = 0; i < 60; i++) {
         wfStepWorld(&w);
-        wfGetContinuousReport(&w, &report);
+        wfGetFastReport(&w, &report);
         wfGetBody(&w, id, &b);
         bool now = b.velocity.x > 0, turned = now != right;
         rooms += report.impacts + ((report.impacts % 2 != 0) != turned ? 1 : 0);
@@ -201,10 +201,10 @@ static void fast_crowd(wfWorld *w, int count, bool bullets)
     }
 }
 /* ms for a step; below 0: refused */
-static double fast_clock(int count, bool bullets, int impacts, wfContinuousReport *sum)
+static double fast_clock(int count, bool bullets, int impacts, wfFastReport *sum)
 {
     wfWorldDef wd = fast_world("soft", count + 4, impacts);
-    wfContinuousReport now;
+    wfFastReport now;
     wfWorld w;
     bool good = true;
     int steps = bullets ? 20 : 40;
@@ -216,7 +216,7 @@ static double fast_clock(int count, bool bullets, int impacts, wfContinuousRepor
     clock_t start = clock();
     for (int i = 0; i < steps && good; i++) {
         good = wfStepWorld(&w) == WF_OK;
-        wfGetContinuousReport(&w, &now);
+        wfGetFastReport(&w, &now);
         sum->bodies += now.bodies, sum->impacts += now.impacts;
     }
     double took = 1000 * (double)(clock() - start) / CLOCKS_PER_SEC / steps;
@@ -229,7 +229,7 @@ static int measure_fast_cost(FILE *out)
     static const int counts[4] = { 5000, 10, 100, 1000 };
     fprintf(out, "scene,off,on,fast,impacts\n");
     for (int i = 0; i < 4; i++) {
-        wfContinuousReport sum = { 0, 0, 0 }, none = { 0, 0, 0 };
+        wfFastReport sum = { 0, 0, 0 }, none = { 0, 0, 0 };
         double off = fast_clock(counts[i], i > 0, 0, &none);
         double on = fast_clock(counts[i], i > 0, 16, &sum);
         fprintf(out, "%s of %d,", i == 0 ? "a heap" : "bullets", counts[i]);
@@ -243,7 +243,7 @@ static void sleep_world(wfWorld *w, int32_t sleep, int32_t bodies, double share)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.sleep = sleep;
-    def.sleepThreshold = (wfReal)share;
+    def.sleepShare = (wfReal)share;
     def.bodyCapacity = bodies + 4;
     if (wfCreateWorld(&def, w) != WF_OK) exit(1);
 }
@@ -282,7 +282,7 @@ static int measure_sleep_time(FILE *out)
         double awake = sleep_step_ms(&off, 20);
         wfDestroyWorld(&off);
         sleep_stacks(&on, 1, bodies);
-        if (wfGetSleepCounts(&on).asleep != bodies) return 1;
+        if (wfWorldRest(&on).asleep != bodies) return 1;
         double asleep = sleep_step_ms(&on, 1000);
         wfBodyDef ball = wfDefaultBodyDef();
         wfMakeCircle(wfV2(0, 0), WF_R(0.5), &ball.shape);
@@ -319,7 +319,7 @@ static void sleep_try(double share, bool balls, double *time, double *way)
     sleep_pile(&on, 1, share, balls);
     sleep_pile(&off, 0, share, balls);
     for (int i = 0; i < 1000; i++) {
-        if (*time == 0 && wfGetSleepCounts(&on).asleep == 100) *time = i / 60.0;
+        if (*time == 0 && wfWorldRest(&on).asleep == 100) *time = i / 60.0;
         wfStepWorld(&on);
         wfStepWorld(&off);
     }
@@ -361,8 +361,8 @@ static bool whip_hang(wfWorld *w, bool rods, wfBodyId *first)
         if (rods) to = d.position;
         if (wfMakeBox(WF_R(0.1), WF_R(0.4), &d.shape) != WF_OK
             || wfAddBodyToWorld(w, &d, &link) != WF_OK
-            || wfDefineJoint(w, rods ? "distance" : "revolute", above, link, from, to,
-                             wfV2(1, 0), &j) != WF_OK
+            || wfJoinBodies(w, rods ? "distance" : "revolute", above, link, from, to,
+                            wfV2(1, 0), &j) != WF_OK
             || wfAddJointToWorld(w, &j, NULL) != WF_OK) return false;
         if (i == 0) *first = link;
     }
@@ -376,9 +376,8 @@ static double whip_gain(double speed, int substeps, int joints, bool rods)
     wfBodyId first = { 0, 0 };
     double kinetic, potential, rest, start = 0, most = 0;
     def.substeps = substeps;
-    def.directJoints = joints;
-    def.modules = WF_MODULE_ROTATION | WF_MODULE_SHAPES | WF_MODULE_JOINTS |
-        WF_MODULE_SUBSTEPS;
+    def.exactJoints = joints;
+    def.needs = WF_NEED_ROTATION | WF_NEED_SHAPES | WF_NEED_JOINTS | WF_NEED_SUBSTEPS;
     if (wfCreateWorld(&def, &w) != WF_OK) return -1;
     bool good = whip_hang(&w, rods, &first);
     for (int i = 0; i < 30 && good; i++) good = wfStepWorld(&w) == WF_OK;
@@ -412,7 +411,7 @@ static int measure_joined_whip(FILE *out)
         fprintf(out, "%d", speeds[s]);
         for (int k = 0; k < 9; k++) {
             double most = whip_worst(speeds[s], substeps[k % 3],
-                                     k < 6 ? WF_JOINTS_ITERATIVE : WF_JOINTS_DIRECT,
+                                     k < 6 ? WF_JOINTS_ONE_BY_ONE : WF_JOINTS_TOGETHER,
                                      k / 3 == 1);
             if (most < 0) return 1;
             fprintf(out, most < 100 ? ",%.2f" : ",%.1e", most);

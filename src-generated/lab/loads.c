@@ -95,7 +95,7 @@ static wfResult hinge(wfWorld *world, wfBodyId a, wfBodyId b, double x, double y
 {
     wfJoint joint;
     wfVec2 at = wfV2((wfReal)x, (wfReal)y);
-    wfResult result = wfDefineJoint(world, "revolute", a, b, at, at, wfV2(1, 0), &joint);
+    wfResult result = wfJoinBodies(world, "revolute", a, b, at, at, wfV2(1, 0), &joint);
     return result == WF_OK ? wfAddJointToWorld(world, &joint, NULL) : result;
 }
 
@@ -483,7 +483,7 @@ static wfResult hang_bone(wfWorld *world, const wfBodyId *doll, int i, wfVec2 fe
     wfJoint j;
     wfBodyId on = doll[bones[i].on];
     wfVec2 at = wfAdd(feet, wfV2(0, (wfReal)bones[i].pivot));
-    wfResult result = wfDefineJoint(world, "revolute", on, doll[i], at, at, wfV2(1, 0), &j);
+    wfResult result = wfJoinBodies(world, "revolute", on, doll[i], at, at, wfV2(1, 0), &j);
     if (result != WF_OK) return result;
     const wfBodyState *state = wfWorldBodies(world).state;
     wfReal felt = 1 / (state[j.a].invInertia + state[j.b].invInertia);
@@ -558,7 +558,7 @@ static wfResult add_bar(wfWorld *world, wfBodyId ground, wfBodyId *bar)
     wfMakeRoundedBox(WF_R(0.4), 20, WF_R(0.2), &s.shape);
     wfResult result = put(world, WF_DYNAMIC, 0, 12, &s, bar);
     if (result == WF_OK)
-        result = wfDefineJoint(world, "revolute", ground, *bar, at, at, wfV2(1, 0), &j);
+        result = wfJoinBodies(world, "revolute", ground, *bar, at, at, wfV2(1, 0), &j);
     if (result != WF_OK) return result;
     j.flags |= WF_JOINT_MOTOR;
     j.motorSpeed = 5;
@@ -599,7 +599,7 @@ wfResult labMakeSteered(const labSteered *scene, wfWorld *world, wfBodyId *drive
     d.bodyCapacity = scene->bodies, d.shapeCapacity = scene->shapes;
     d.pairCapacity = scene->pairs * scene->shapes;
     if (scene->joints > d.jointCapacity) d.jointCapacity = scene->joints;
-    if (!scene->follow) d.maxImpacts = 0;
+    if (!scene->follow) d.impacts = 0;
     wfResult result = wfCreateWorld(&d, world);
     if (result != WF_OK) return result;
     result = scene->build(world, driver);

@@ -29,7 +29,7 @@ typedef struct CoatCase {
     double exact;
 } CoatCase;
 
-static const CoatCase coat_cases[] = {
+static const CoatCase coatCases[] = {
     { "rounded squares: corner to corner", { 1, 1 }, 0.5f, { 1, 1 }, 0.5f, { 2.8f, 2.8f },
       0, 0.131371 },
     { "rounded squares: face to face", { 1, 1 }, 0.5f, { 1, 1 }, 0.5f, { 2.9f, 1 }, 0,
@@ -42,7 +42,7 @@ static const CoatCase coat_cases[] = {
     { "segment through a square", { 1, 1 }, 0, { 3, 0 }, 0, { 0, 0.75f }, 0, -0.25 },
     { "segments that meet in a T", { 1, 0 }, 0, { 1, 0 }, 0, { 0.5f, 1 }, 90, 0 },
 };
-static wfResult coat_shape(const wfReal core[2], wfReal coat, wfShape *out)
+static wfResult coatShape(const wfReal core[2], wfReal coat, wfShape *out)
 {
     wfVec2 end = wfV2(core[0], 0);
     if (core[1] > 0) return wfMakeRoundedBox(core[0], core[1], coat, out);
@@ -54,12 +54,12 @@ static int measure_narrow_coats(FILE *out)
     static const char *const rows[3] = { "sat", "gjk", "voronoi" };
     static const char *const owners[3] = { "nobody", "A", "B" };
     fprintf(out, "case,exact,sat,gjk,voronoi,feature\n");
-    for (size_t i = 0; i < sizeof coat_cases / sizeof *coat_cases; i++) {
-        const CoatCase *c = &coat_cases[i];
+    for (size_t i = 0; i < sizeof coatCases / sizeof *coatCases; i++) {
+        const CoatCase *c = &coatCases[i];
         wfShape a, b;
         wfSeparation s[3];
-        if (coat_shape(c->coreA, c->coatA, &a) != WF_OK) return 1;
-        if (coat_shape(c->coreB, c->coatB, &b) != WF_OK) return 1;
+        if (coatShape(c->coreA, c->coatA, &a) != WF_OK) return 1;
+        if (coatShape(c->coreB, c->coatB, &b) != WF_OK) return 1;
         wfTransform xa = wfTransformIdentity();
         wfVec2 place = wfV2(c->at[0], c->at[1]);
         wfTransform xb = wfMakeTransform(place, wfRadians(c->degrees));
@@ -72,7 +72,7 @@ static int measure_narrow_coats(FILE *out)
     }
     return 0;
 }
-static wfResult regular_polygon(int corners, wfShape *out)
+static wfResult regularPolygon(int corners, wfShape *out)
 {
     wfVec2 v[WF_MAX_VERTICES];
     for (int i = 0; i < corners; i++) {
@@ -83,7 +83,7 @@ static wfResult regular_polygon(int corners, wfShape *out)
 }
 typedef struct GjkCount { long pairs, walk, grow; int walkMost, growMost; } GjkCount;
 
-static void count_steps(const wfGjkTrace *t, GjkCount *c)
+static void countSteps(const wfGjkTrace *t, GjkCount *c)
 {
     int walk = 0;
     while (walk < t->count && t->steps[walk].phase == WF_GJK_WALK) walk++;
@@ -103,7 +103,7 @@ static int measure_narrow_gjk(FILE *out)
     for (int n = 3; n <= WF_MAX_VERTICES; n = n == 3 ? 4 : n * 2) {
         wfShape s;
         GjkCount count[2] = { { 0 }, { 0 } };
-        if (regular_polygon(n, &s) != WF_OK) return 1;
+        if (regularPolygon(n, &s) != WF_OK) return 1;
         for (int i = 0; i < 20000; i++) {
             /* separate a random pair and count its steps */
             wfGjkTrace t;
@@ -113,7 +113,7 @@ static int measure_narrow_gjk(FILE *out)
             wfTransform xa = wfMakeTransform(wfV2(0, 0), turnA);
             wfTransform xb = wfMakeTransform(wfV2(x, y), turnB);
             if (wfTraceGjk(&s, xa, &s, xb, &sep, &t) != WF_OK) return 1;
-            count_steps(&t, &count[sep.distance <= 0]);
+            countSteps(&t, &count[sep.distance <= 0]);
         }
         const GjkCount *apart = &count[0], *over = &count[1];
         double pairs = (double)apart->pairs, overs = (double)over->pairs;
@@ -125,7 +125,7 @@ static int measure_narrow_gjk(FILE *out)
     }
     return 0;
 }
-static void count_flips(const char *row, wfVec2 at, wfReal turn, int shakes, int flips[2])
+static void countFlips(const char *row, wfVec2 at, wfReal turn, int shakes, int flips[2])
 {
     wfRandom r;
     wfShape box;
@@ -155,8 +155,8 @@ static int measure_narrow_flips(FILE *out)
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         int sat[2] = { 0 }, gjk[2] = { 0 }, shakes = 1000;
         wfVec2 at = wfV2(pairs[i].x, pairs[i].y);
-        count_flips("sat", at, wfRadians(pairs[i].degrees), shakes, sat);
-        count_flips("gjk", at, wfRadians(pairs[i].degrees), shakes, gjk);
+        countFlips("sat", at, wfRadians(pairs[i].degrees), shakes, sat);
+        countFlips("gjk", at, wfRadians(pairs[i].degrees), shakes, gjk);
         fprintf(out, "%s,%d,%d,%d,%d,%d\n", pairs[i].name, shakes, sat[0], sat[1], gjk[0],
                 gjk[1]);
     }
@@ -168,7 +168,7 @@ typedef struct HardCase {
     double exact;
 } HardCase;
 
-static const HardCase hard_cases[] = {
+static const HardCase hardCases[] = {
     { "faces touch", { 1, 1 }, { 1, 1 }, { 2, 0 }, 0, 0 },
     { "corners touch", { 1, 1 }, { 1, 1 }, { 2, 2 }, 0, 0 },
     { "coincident", { 1, 1 }, { 1, 1 }, { 0, 0 }, 0, -2 },
@@ -187,8 +187,8 @@ static const HardCase hard_cases[] = {
 static int measure_narrow_hard(FILE *out)
 {
     fprintf(out, "case,exact,sat,gjk,steps,epa\n");
-    for (size_t i = 0; i < sizeof hard_cases / sizeof *hard_cases; i++) {
-        const HardCase *h = &hard_cases[i];
+    for (size_t i = 0; i < sizeof hardCases / sizeof *hardCases; i++) {
+        const HardCase *h = &hardCases[i];
         wfShape a, b;
         wfSeparation sat, gjk;
         wfGjkTrace t;
@@ -199,7 +199,7 @@ static int measure_narrow_hard(FILE *out)
         wfTransform xb = wfMakeTransform(wfV2(h->at[0], h->at[1]), wfRadians(h->degrees));
         if (wfSeparate(wfFindNarrowPhase("sat"), &a, xa, &b, xb, &sat) != WF_OK) return 1;
         if (wfTraceGjk(&a, xa, &b, xb, &gjk, &t) != WF_OK) return 1;
-        count_steps(&t, &count);
+        countSteps(&t, &count);
         fprintf(out, "%s,%.6g,%.6g,%.6g,%ld,%ld\n", h->name, h->exact,
                 (double)sat.distance, (double)gjk.distance, count.walk, count.grow);
     }

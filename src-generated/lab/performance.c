@@ -43,7 +43,7 @@ static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
     wfWorldDef def = labLoadDef(load);
     wfWorld world;
     def.iterations = passes;                    /* 0: as many as the solver likes */
-    def.enableSimd = lanes;
+    def.lanes = lanes;
     *out = (PerfTimes){ .step = 0 };
     wfResult result = wfCreateWorld(&def, &world);
     if (result != WF_OK) return result;
@@ -135,7 +135,7 @@ static int one_colouring(FILE *out, int32_t colours, int32_t passes)
     wfWorld world;
     enum { BASE = 30 };
     double fastest = 0;
-    def.graphColouring = colours;
+    def.colours = colours;
     def.iterations = passes;
     def.bodyCapacity = BASE * (BASE + 1) / 2 + 1;
     if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -169,7 +169,7 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
     const labHeavy *heavy = labFindHeavy(name);
     wfWorldDef def = labHeavyDef(heavy);
     wfWorld world;
-    if (off) def.maxImpacts = 0;
+    if (off) def.impacts = 0;
     wfResult result = wfCreateWorld(&def, &world);
     if (result != WF_OK) return result;
     result = labBuildHeavy(heavy, &world);
@@ -177,9 +177,9 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
         bool first = k < FOLLOWED_FIRST;
         int steps = first ? FOLLOWED_FIRST : FOLLOWED_STEPS - FOLLOWED_FIRST;
         double stage[PERF_STAGES] = { 0 };
-        wfContinuousReport report = { 0, 0, 0 };
+        wfFastReport report = { 0, 0, 0 };
         result = timed_step(&world, stage);
-        if (result == WF_OK) result = wfGetContinuousReport(&world, &report);
+        if (result == WF_OK) result = wfGetFastReport(&world, &report);
         /* add the step to its part */
         Followed *part = &out[first ? 0 : 1];
         for (int i = 0; i < wfStageCount && i < PERF_STAGES; i++) {
@@ -244,8 +244,8 @@ static int measure_performance_steered(FILE *out)
     }
     return 0;
 }
-static bool has_shapes(uint32_t modules) { return (modules & WF_MODULE_SHAPES) != 0; }
-static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pairs)
+static bool has_shapes(uint32_t needs) { return (needs & WF_NEED_SHAPES) != 0; }
+static int memory_row(FILE *out, const char *name, uint32_t needs, int32_t pairs)
 {
     size_t permanent[2], transient[2], kept[2];
     for (int32_t i = 0; i < 2; i++) {
@@ -253,13 +253,13 @@ static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pai
         int32_t n = 1000 * (i + 1);
         wfWorld world;
         wfBodyDef body = wfDefaultBodyDef();
-        def.modules = modules;
+        def.needs = needs;
         def.bodyCapacity = n;
         def.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
         /* ask for the size and fill the world */
-        if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
+        if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
         if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;
         for (int32_t k = 0; k < n; k++) {
@@ -299,21 +299,21 @@ static double copy_states(int32_t n)
     free(from);
     return 1e9 * least / n;
 }
-static double fly_freely(int32_t n, uint32_t modules)
+static double fly_freely(int32_t n, uint32_t needs)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfBodyDef body = wfDefaultBodyDef();
     wfWorld world;
     double least = 1e9;
     int32_t rounds = 300000 / n + 1;
-    def.modules = modules;
+    def.needs = needs;
     def.bodyCapacity = n;
     def.gravity = wfV2(0, 0);
     body.type = WF_DYNAMIC;
     body.mass = 1;
     body.velocity = wfV2(1, 0);
-    if (has_shapes(modules)) def.pairCapacity = 4 * n;
-    if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
+    if (has_shapes(needs)) def.pairCapacity = 4 * n;
+    if (has_shapes(needs)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
     /* let them fly, nine times */
     for (int32_t k = 0; k < n; k++) {
@@ -331,7 +331,7 @@ static double fly_freely(int32_t n, uint32_t modules)
 }
 static int measure_performance_memory(FILE *out)
 {
-    uint32_t plain = wfDefaultWorldDef().modules;
+    uint32_t plain = wfDefaultWorldDef().needs;
     fprintf(out, "world,permanent,transient,snapshot\n");
     return memory_row(out, "particles, nothing else", 0, 0)
         || memory_row(out, "default", plain, 0)
@@ -341,7 +341,7 @@ static int measure_performance_memory(FILE *out)
 static int measure_performance_flight(FILE *out)
 {
     static const int32_t sizes[] = { 1000, 10000, 100000 };
-    uint32_t plain = wfDefaultWorldDef().modules;
+    uint32_t plain = wfDefaultWorldDef().needs;
     fprintf(out, "world,bodies,copy,step,copies\n");
     for (int k = 0; k < 5; k++) {
         int32_t n = sizes[k % 3];
@@ -349,6 +349,175 @@ static int measure_performance_flight(FILE *out)
         if (!(step > 0 && step < 1e6)) return 1;
         fprintf(out, "%s,%d,%.2f,%.1f,%.1f\n", k < 3 ? "particles" : "\"discs, default\"",
                 (int)n, copy, step, step / copy);
+    }
+    return 0;
+}
+enum { PAPER_WORKS = 4096, PAPER_RUNS = 25, PAPER_CORES = 5 };
+typedef struct Paper {
+    double   part[PAPER_WORKS][WF_PARTS];   /* ms: the least of all runs */
+    int32_t  parts[PAPER_WORKS], stage[PAPER_WORKS];
+    double   alone[PERF_STAGES];            /* ms outside of works: the least, too */
+    double   in_works, cost;                /* ms, of this stage; of the clock for a part */
+    int32_t  works, now;                    /* stage */
+} Paper;
+
+static double wall(void)
+{
+    struct timespec t;
+    timespec_get(&t, TIME_UTC);
+    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+static void time_parts(void *user, int32_t parts, wfPartFn *work, void *context)
+{
+    Paper *p = user;
+    int32_t n = p->works < PAPER_WORKS ? p->works++ : PAPER_WORKS - 1;
+    p->parts[n] = parts;
+    p->stage[n] = p->now;
+    for (int32_t i = 0; i < parts; i++) {
+        double start = wall();
+        work(context, i);
+        double took = wall() - start;
+        p->in_works += took + p->cost;
+        if (p->part[n][i] <= 0 || took < p->part[n][i]) p->part[n][i] = took;
+    }
+}
+
+static wfResult paper_step(wfWorld *world, Paper *p)
+{
+    struct wfStep step = { .workers = { time_parts, p } };
+    wfResult result = wfChangeBlock(world, &step.b);
+    p->works = 0;
+    for (int i = 0; i < wfStageCount && i < PERF_STAGES && result == WF_OK; i++) {
+        double start = wall();
+        p->now = i;
+        p->in_works = 0;
+        result = wfStageTable[i].run(&step);
+        double took = wall() - start - p->in_works;
+        if (took < p->alone[i]) p->alone[i] = took > 0 ? took : 0;
+    }
+    return result;
+}
+static void in_a_row(void *user, int32_t parts, wfPartFn *work, void *context)
+{
+    (void)user;
+    for (int32_t i = 0; i < parts; i++) work(context, i);
+}
+
+static void do_nothing(void *context, int32_t part) { (void)context, (void)part; }
+
+/* ms for each part, by the clock alone */
+static double cost_of_clock(Paper *p)
+{
+    double least = 1;
+    for (int i = 0; i < 1000; i++) {
+        memset(p->part[0], 0, sizeof p->part[0]);
+        p->works = 0;
+        double start = wall(), took;
+        time_parts(p, WF_PARTS, do_nothing, NULL);
+        took = wall() - start;
+        for (int k = 0; k < WF_PARTS; k++) took -= p->part[0][k];
+        if (took / WF_PARTS < least) least = took / WF_PARTS;
+    }
+    return least > 0 ? least : 0;
+}
+
+static wfResult fill_paper(wfWorld *world, Paper *p)
+{
+    wfResult result = WF_OK;
+    double cost = cost_of_clock(p);
+    memset(p, 0, sizeof *p);
+    p->cost = cost;
+    for (int i = 0; i < PERF_STAGES; i++) p->alone[i] = i < wfStageCount ? 1e9 : 0;
+    for (int i = 0; i < PERF_BEFORE && result == WF_OK; i++) result = wfStepWorld(world);
+    for (int i = 0; i < PAPER_RUNS && result == WF_OK; i++) {
+        wfWorld copy;
+        result = wfCloneWorld(world, NULL, &copy);
+        if (result != WF_OK) return result;
+        copy.workers = (wfWorkers){ .run = in_a_row };
+        result = wfStepWorld(&copy);
+        if (result == WF_OK) result = paper_step(&copy, p);
+        wfDestroyWorld(&copy);
+    }
+    return result;
+}
+
+/* ms of a work by so many cores, in blocks */
+static double span_of(const Paper *p, int32_t n, int32_t cores)
+{
+    double longest = 0;
+    for (int32_t w = 0; w < cores; w++) {
+        double sum = 0;
+        for (int32_t i = p->parts[n] * w / cores; i < p->parts[n] * (w + 1) / cores; i++)
+            sum += p->part[n][i];
+        if (sum > longest) longest = sum;
+    }
+    return longest;
+}
+
+/* ms of a stage (-1: of all) on 1, 2, 4, 8, 16 cores; *serial: outside of works */
+static int32_t sum_paper(const Paper *p, int stage, double *serial, double ms[PAPER_CORES])
+{
+    int32_t works = 0;
+    *serial = 0;
+    for (int i = 0; i < PERF_STAGES; i++)
+        if (stage < 0 || i == stage) *serial += p->alone[i];
+    for (int k = 0; k < PAPER_CORES; k++) ms[k] = *serial;
+    for (int32_t n = 0; n < p->works; n++) {
+        if (stage >= 0 && p->stage[n] != stage) continue;
+        works++;
+        for (int k = 0; k < PAPER_CORES; k++)
+            ms[k] += span_of(p, n, 1 << k) + (k > 0 ? 1e-3 : 0);
+    }
+    return works;
+}
+
+static wfResult paper_of(int scene, Paper *p, const char **name)
+{
+    const labHeavy *tumbler = labFindHeavy("tumbler");
+    wfWorldDef def = scene < 2 ? labLoadDef(&labLoads[scene]) : labHeavyDef(tumbler);
+    wfWorld world;
+    *name = scene < 2 ? labLoads[scene].name : "tumbler of 2,025 boxes";
+    wfResult result = wfCreateWorld(&def, &world);
+    if (result != WF_OK) return result;
+    result = scene < 2 ? labLoads[scene].build(&world) : labBuildHeavy(tumbler, &world);
+    if (result == WF_OK) result = fill_paper(&world, p);
+    wfDestroyWorld(&world);
+    return result;
+}
+
+static int measure_performance_workers(FILE *out)
+{
+    static Paper p;
+    fprintf(out, "scene,ms,serial,works,two,four,eight,sixteen,amdahl,gustafson\n");
+    for (int scene = 0; scene < 3; scene++) {
+        const char *name;
+        double serial, ms[PAPER_CORES];
+        if (paper_of(scene, &p, &name) != WF_OK) return 1;
+        int32_t works = sum_paper(&p, -1, &serial, ms);
+        fprintf(out, "\"%s\",%.2f,%.2f,%d", name, ms[0], serial, (int)works);
+        for (int k = 1; k < PAPER_CORES; k++) fprintf(out, ",%.2f", ms[0] / ms[k]);
+        fprintf(out, ",%.1f,%.1f\n", ms[0] / serial, 16 - 15 * serial / ms[4]);
+    }
+    return 0;
+}
+
+static int measure_performance_span(FILE *out)
+{
+    static Paper p;
+    fprintf(out, "scene,stage,ms,serial,two,sixteen\n");
+    for (int scene = 0; scene < 3; scene++) {
+        const char *name;
+        double serial, all, ms[PAPER_CORES];
+        if (paper_of(scene, &p, &name) != WF_OK) return 1;
+        sum_paper(&p, -1, &serial, ms);
+        all = ms[0];
+        for (int i = 0; i < wfStageCount && i < PERF_STAGES; i++) {
+            sum_paper(&p, i, &serial, ms);
+            if (ms[0] < all / 100) continue;
+            fprintf(out, "\"%s\",%s,%.2f,%.2f,%.2f,%.2f\n", name, wfStageTable[i].name,
+                    ms[0], serial, ms[1], ms[4]);
+        }
     }
     return 0;
 }
@@ -401,7 +570,7 @@ static int measure_performance_bullets(FILE *out)
     fprintf(out, "bullets,ms,each,impacts\n");
     for (int32_t k = 0; k < SIZES; k++) {
         double times[STEPS], impacts = 0;
-        wfContinuousReport report = { 0 };
+        wfFastReport report = { 0 };
         wfWorld world;
         wfResult result = swarm((int32_t)n[k], &world) ? WF_ERROR_MEMORY : WF_OK;
         /* time the steps and count the impacts */
@@ -409,7 +578,7 @@ static int measure_performance_bullets(FILE *out)
             clock_t start = clock();
             result = wfStepWorld(&world);
             times[i] = 1e3 * seconds_since(start);
-            if (result == WF_OK) result = wfGetContinuousReport(&world, &report);
+            if (result == WF_OK) result = wfGetFastReport(&world, &report);
             impacts += report.impacts;
         }
         wfDestroyWorld(&world);
@@ -442,5 +611,8 @@ static const wfMeasureRow rows[] = {
       measure_performance_flight },
     { "performance-bullets-time", "what a step with many bullets costs",
       measure_performance_bullets },
+    { "performance-workers-time", "what workers gain, on paper",
+      measure_performance_workers },
+    { "performance-span-time", "which stages they share", measure_performance_span },
 };
 const wfMeasureSet performance_measurements = WF_ROWS(rows);

@@ -11,10 +11,10 @@ typedef struct PriceRow {
 } PriceRow;
 
 static void price_nothing(wfWorldDef *def) { (void)def; }
-static void price_exact(wfWorldDef *def) { def->directJoints = WF_JOINTS_ITERATIVE; }
-static void price_impacts(wfWorldDef *def) { def->maxImpacts = 0; }
-static void price_reuse(wfWorldDef *def) { def->reuseManifolds = 0; }
-static void price_columns(wfWorldDef *def) { def->stackSolver = 0; }
+static void price_exact(wfWorldDef *def) { def->exactJoints = WF_JOINTS_ONE_BY_ONE; }
+static void price_impacts(wfWorldDef *def) { def->impacts = 0; }
+static void price_reuse(wfWorldDef *def) { def->reuse = 0; }
+static void price_columns(wfWorldDef *def) { def->columns = 0; }
 static void price_substeps(wfWorldDef *def) { def->substeps = 1; }
 static const PriceRow price_rows[] = {
     { "nothing", price_nothing }, { "exact joints", price_exact },
@@ -30,10 +30,9 @@ static const char *price_off(int i, wfWorldDef *def)
 {
     if (i < PRICE_ROWS) price_rows[i].off(def);
     if (i < PRICE_ROWS) return price_rows[i].what;
-    const wfModule *need = &wfModuleTable[i - PRICE_ROWS];
-    for (int k = 0; k < wfModuleCount; k++)
-        if (wfCloseModules(wfModuleTable[k].bit) & need->bit)
-            def->modules &= ~wfModuleTable[k].bit;
+    const wfNeedRow *need = &wfNeedTable[i - PRICE_ROWS];
+    for (int k = 0; k < wfNeedCount; k++)
+        if (wfCloseNeeds(wfNeedTable[k].bit) & need->bit) def->needs &= ~wfNeedTable[k].bit;
     return need->name;
 }
 static bool price_size(int row, int32_t bodies, double size[2])
@@ -43,8 +42,8 @@ static bool price_size(int row, int32_t bodies, double size[2])
     def.bodyCapacity = bodies;
     def.forceCapacity = def.jointCapacity = bodies;
     price_off(row, &def);
-    if (!(def.modules & WF_MODULE_FORCES)) def.forceCapacity = 0;
-    if (!(def.modules & WF_MODULE_JOINTS)) def.jointCapacity = 0;
+    if (!(def.needs & WF_NEED_FORCES)) def.forceCapacity = 0;
+    if (!(def.needs & WF_NEED_JOINTS)) def.jointCapacity = 0;
     bool good = wfWorldSize(&def, &permanent, &transient) == WF_OK;
     if (good) size[0] = (double)permanent, size[1] = (double)transient;
     return good;
@@ -61,7 +60,7 @@ static int measure_price_world(FILE *out)
 {
     double all[2] = { 0, 0 };
     fprintf(out, "what,permanent,transient\n");
-    for (int i = 0; i < PRICE_ROWS + wfModuleCount; i++) {
+    for (int i = 0; i < PRICE_ROWS + wfNeedCount; i++) {
         wfWorldDef def = wfDefaultWorldDef();
         double body[2];
         if (!price_body(i, body)) continue;
@@ -85,7 +84,7 @@ static bool price_discs(wfWorld *world, bool heap)
 {
     wfWorldDef def;
     bool good = wfGetWorldDef(world, &def) == WF_OK;
-    bool shaped = (def.modules & WF_MODULE_SHAPES) != 0;
+    bool shaped = (def.needs & WF_NEED_SHAPES) != 0;
     wfBodyDef d = wfDefaultBodyDefFor(world);
     if (shaped) good = good && wfMakeCircle(wfV2(0, 0), WF_R(0.5), &d.shape) == WF_OK;
     else d.mass = 1, good = good && !heap;
@@ -111,7 +110,7 @@ static double price_step(int row, bool heap)
     wfWorld world;
     def.bodyCapacity = PRICE_BODIES;
     price_off(row, &def);
-    if (heap && !(def.modules & WF_MODULE_CONTACTS)) return -1;
+    if (heap && !(def.needs & WF_NEED_CONTACTS)) return -1;
     if (wfCreateWorld(&def, &world) != WF_OK) return -1;
     bool good = price_discs(&world, heap);
     for (int i = heap ? -PRICE_SETTLE : -1; i < PRICE_STEPS && good; i++) {
@@ -145,7 +144,7 @@ static void price_turns(int rows, int again, double least[][2])
 static int measure_price_time(FILE *out)
 {
     static double least[PRICE_MOST][2];
-    int rows = PRICE_ROWS + wfModuleCount, again = rows;    /* the last: row 0 again */
+    int rows = PRICE_ROWS + wfNeedCount, again = rows;      /* the last: row 0 again */
     if (rows >= PRICE_MOST) return 1;
     price_turns(rows + 1, again, least);
     fprintf(out, "what,rest,fall\n");
@@ -255,7 +254,7 @@ static double price_shoot(bool on)
         wfBodyDef sheet = wfDefaultBodyDef(), d = wfDefaultBodyDef();
         def.gravity = wfV2(0, 0);
         def.solver = wfFindSolver("sequential");
-        def.maxImpacts = on ? 16 : 0;
+        def.impacts = on ? 16 : 0;
         sheet.type = WF_STATIC;
         sheet.position = wfV2(10, 0);
         d.velocity = wfV2((wfReal)(300 + 50 * k), 0);
@@ -279,7 +278,7 @@ static double price_chain(int substeps, int together)
     wfJoint joint;
     double worst = 0;
     def.substeps = substeps;
-    def.directJoints = together;
+    def.exactJoints = together;
     bool good = wfMakeCircle(wfV2(0, 0), WF_R(0.1), &d.shape) == WF_OK
              && wfCreateWorld(&def, &world) == WF_OK;
     /* hang twenty links side by side */
@@ -289,8 +288,8 @@ static double price_chain(int substeps, int together)
         d.position = wfV2((wfReal)i, 0);
         good = wfAddBodyToWorld(&world, &d, &id[i]) == WF_OK;
         if (i == 0 || !good) continue;
-        good = wfDefineJoint(&world, "distance", id[i - 1], id[i], at, d.position,
-                             wfV2(1, 0), &joint) == WF_OK
+        good = wfJoinBodies(&world, "distance", id[i - 1], id[i], at, d.position,
+                            wfV2(1, 0), &joint) == WF_OK
             && wfAddJointToWorld(&world, &joint, NULL) == WF_OK;
     }
     /* swing, and keep the greatest error of the length */
@@ -310,12 +309,12 @@ static double price_chain(int substeps, int together)
 }
 static double price_substeps_of(bool on)
 {
-    return price_chain(on ? 4 : 1, WF_JOINTS_ITERATIVE);
+    return price_chain(on ? 4 : 1, WF_JOINTS_ONE_BY_ONE);
 }
 
 static double price_together(bool on)
 {
-    return price_chain(4, on ? WF_JOINTS_DIRECT : WF_JOINTS_ITERATIVE);
+    return price_chain(4, on ? WF_JOINTS_TOGETHER : WF_JOINTS_ONE_BY_ONE);
 }
 static int measure_price_buys(FILE *out)
 {

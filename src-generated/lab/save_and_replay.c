@@ -203,10 +203,9 @@ static int measure_rollback_time(FILE *out)
         wfWorldDef def;
         wfWorld world;
         double back[ROUNDS], again[ROUNDS];
-        /* make scene k and let it run up to the moment that is kept */
         if (save_scene(1000, row[k].spread, false, &world) != WF_OK) return 1;
         if (wfGetWorldDef(&world, &def) != WF_OK) return 1;
-        if (row[k].columns >= 0) def.stackSolver = row[k].columns;
+        if (row[k].columns >= 0) def.columns = row[k].columns;
         if (wfSetWorldDef(&world, &def) != WF_OK) return 1;
         for (int i = 0; i < row[k].steps; i++) wfStepWorld(&world);
         size_t size = wfSnapshotSize(&world);
@@ -249,7 +248,7 @@ static bool drift_hang(wfWorld *world, int32_t i)
     wfJoint j;
     wfBodyId a = wfBodyAt(world, i), b = wfBodyAt(world, i + 1);
     wfVec2 at = wfV2((wfReal)i, 10);
-    return wfDefineJoint(world, "revolute", a, b, at, at, wfV2(1, 0), &j) == WF_OK
+    return wfJoinBodies(world, "revolute", a, b, at, at, wfV2(1, 0), &j) == WF_OK
         && wfAddJointToWorld(world, &j, NULL) == WF_OK;
 }
 static bool drift_build(int kind, wfWorld *world)

@@ -20,8 +20,7 @@ static double ball_energy(const labBench *b)
     return (double)wfKineticEnergy(s) + 9.81 * ((double)s->p.y - 0.5);
 }
 /* the change of energy after so many bounces, as a share */
-static double after_bounces(const char *solver, double height, int bounces,
-                            wfResidual *fine)
+static double after_bounces(const char *solver, double height, int bounces, wfFine *fine)
 {
     labBench *b = bouncing_ball(solver, height);
     double start = ball_energy(b);
@@ -58,7 +57,7 @@ static int measure_soft_bounces(FILE *out)
     fprintf(out, "height,energy,kept,long\n");
     for (int i = 0; i < 5; i++) {
         double height = 0.5 + 0.7317 * i;
-        wfResidual fine[2] = { { .w = 0 } }, more[2] = { { .w = 0 } };
+        wfFine fine[2] = { { .w = 0 } }, more[2] = { { .w = 0 } };
         fprintf(out, "%.3f,%.0f,%.4f,%.4f\n", height,
                 1e6 * after_bounces("soft", height, 10000, NULL),
                 1e6 * after_bounces("soft", height, 10000, fine),
@@ -235,7 +234,7 @@ static void lab_spawn(double steps, double *peak, double *way, double *deep)
     *peak = *way = *deep = 0;
     labStartBench(&b, "soft", 60);
     b.passes = 1;
-    b.contactPushSpeed = (wfReal)steps;
+    b.recoverySteps = (wfReal)steps;
     labAddBox(&b, 0, -20, 400, 40, 0, 0.6);
     for (int i = 0; i < 60; i++) labAddBox(&b, 0, 2, 1, 1, 1, 0.6);
     for (int k = 0; k < 600; k++) {

@@ -3,7 +3,7 @@
 #include <time.h>
 #include "weft/impact.h"
 #include "lab/bench.h"
-static bool impact_picture(wfReal wall, wfReal radius, wfReal way, bool turnedBack)
+static bool impactPicture(wfReal wall, wfReal radius, wfReal way, bool turnedBack)
 {
     wfShape w, ball;
     wfSeparation s;
@@ -15,19 +15,19 @@ static bool impact_picture(wfReal wall, wfReal radius, wfReal way, bool turnedBa
     return s.distance <= 0 && (!turnedBack || s.normal.x < 0);
 }
 
-static bool impact_always(wfReal wall, wfReal radius, wfReal perStep, bool turnedBack)
+static bool impactAlways(wfReal wall, wfReal radius, wfReal perStep, bool turnedBack)
 {
     for (int phase = 1; phase <= 200; phase++)
-        if (!impact_picture(wall, radius, perStep * (wfReal)phase / 200, turnedBack))
+        if (!impactPicture(wall, radius, perStep * (wfReal)phase / 200, turnedBack))
             return false;
     return true;
 }
-static double impact_speed(wfReal wall, wfReal radius, bool turnedBack)
+static double impactSpeed(wfReal wall, wfReal radius, bool turnedBack)
 {
     wfReal low = 0, high = 1000;
     for (int i = 0; i < 30; i++) {
         wfReal middle = (low + high) / 2;
-        if (impact_always(wall, radius, middle / 60, turnedBack)) low = middle;
+        if (impactAlways(wall, radius, middle / 60, turnedBack)) low = middle;
         else high = middle;
     }
     return (double)low;
@@ -50,13 +50,13 @@ static int measure_impact_tunnel(FILE *out)
         if (wfTimeOfImpact(&w, still, &ball, flight, &hit) != WF_OK) return 1;
         if (hit.kind != WF_IMPACT_TOUCH) return 1;
         fprintf(out, "%g,%.2f,%.2f,%.2f,%.2f,%.2f,%d\n", walls[i],
-                impact_speed(wall, radius, false), 60 * sum,
-                impact_speed(wall, radius, true), 30 * sum, 1000 * (double)hit.distance,
+                impactSpeed(wall, radius, false), 60 * sum,
+                impactSpeed(wall, radius, true), 30 * sum, 1000 * (double)hit.distance,
                 (int)hit.steps);
     }
     return 0;
 }
-static bool impact_spin_seen(const wfShape *rod, const wfShape *peg, wfReal perStep)
+static bool impactSpinSeen(const wfShape *rod, const wfShape *peg, wfReal perStep)
 {
     wfTransform xp = wfMakeTransform(wfV2(WF_R(0.8), 0), 0);
     wfSeparation s;
@@ -84,7 +84,7 @@ static int measure_impact_spin(FILE *out)
         wfReal low = 0, high = 60;
         for (int k = 0; k < 20; k++) {
             wfReal middle = (low + high) / 2;
-            if (impact_spin_seen(&rod, &peg, middle / 60)) low = middle;
+            if (impactSpinSeen(&rod, &peg, middle / 60)) low = middle;
             else high = middle;
         }
         wfReal x = ((wfReal)pegs[i] + WF_R(0.02)) / WF_R(0.8);
@@ -122,7 +122,7 @@ static int measure_impact_convergence(FILE *out)
 }
 typedef struct ImpactFlight { wfShape a, b; wfSweep sa, sb; } ImpactFlight;
 
-static wfReal impact_shadow(const ImpactFlight *f, wfVec2 n, wfReal t, long *rounds)
+static wfReal impactShadow(const ImpactFlight *f, wfVec2 n, wfReal t, long *rounds)
 {
     ++*rounds;
     wfReal end = wfProject(&f->a, wfSweepAt(f->sa, t), n).max;
@@ -130,7 +130,7 @@ static wfReal impact_shadow(const ImpactFlight *f, wfVec2 n, wfReal t, long *rou
 }
 
 /* distances asked for; 0: it says "apart" */
-static int impact_bilateral(const ImpactFlight *f, wfReal near, long *rounds)
+static int impactBilateral(const ImpactFlight *f, wfReal near, long *rounds)
 {
     wfReal t = 0;
     for (int step = 1; step <= WF_IMPACT_STEPS; step++) {
@@ -138,13 +138,13 @@ static int impact_bilateral(const ImpactFlight *f, wfReal near, long *rounds)
         wfTransform xa = wfSweepAt(f->sa, t), xb = wfSweepAt(f->sb, t);
         if (wfShapeDistance(&f->a, xa, &f->b, xb, &r) != WF_OK) return 0;
         if (r.distance <= near) return step;
-        if (impact_shadow(f, r.normal, 1, rounds) > near / 2) return 0;
+        if (impactShadow(f, r.normal, 1, rounds) > near / 2) return 0;
         /* close in on the wanted gap from both sides */
         wfReal low = t, high = 1, fl = r.distance - near / 2;
-        wfReal fh = impact_shadow(f, r.normal, 1, rounds) - near / 2;
+        wfReal fh = impactShadow(f, r.normal, 1, rounds) - near / 2;
         for (int k = 0; k < 50 && fl > near / 4; k++) {
             wfReal at = k % 2 ? (low + high) / 2 : low + (high - low) * fl / (fl - fh);
-            wfReal value = impact_shadow(f, r.normal, at, rounds) - near / 2;
+            wfReal value = impactShadow(f, r.normal, at, rounds) - near / 2;
             if (value > 0) low = at, fl = value;
             else high = at, fh = value;
         }
@@ -152,7 +152,7 @@ static int impact_bilateral(const ImpactFlight *f, wfReal near, long *rounds)
     }
     return WF_IMPACT_STEPS;
 }
-static wfResult impact_body(int kind, wfShape *out)
+static wfResult impactBody(int kind, wfShape *out)
 {
     wfVec2 v[WF_MAX_VERTICES];
     switch (kind) {
@@ -169,17 +169,17 @@ static wfResult impact_body(int kind, wfShape *out)
     }
 }
 /* two draws in one call would have no fixed order */
-static wfVec2 impact_place(wfRandom *r)
+static wfVec2 impactPlace(wfRandom *r)
 {
     wfReal x = wfRandomReal(r, -3, 3);
     return wfV2(x, wfRandomReal(r, -3, 3));
 }
 
-static wfSweep impact_sweep(wfRandom *r, wfReal turn)
+static wfSweep impactSweep(wfRandom *r, wfReal turn)
 {
     wfSweep s;
-    s.from = impact_place(r);
-    s.to = impact_place(r);
+    s.from = impactPlace(r);
+    s.to = impactPlace(r);
     s.angleFrom = wfRandomReal(r, -WF_PI, WF_PI);
     s.angleTo = s.angleFrom + turn * (wfReal)(wfRandomU32(r) & 1 ? 1 : -1);
     return s;
@@ -202,7 +202,7 @@ static int impactCount(const ImpactFlight *f, ImpactCount *c)
     c->touching++;
     for (int how = 0; how < WF_ADVANCE_KINDS; how++) c->steps[how] += hit[how].steps;
     if (best->steps > c->most) c->most = best->steps;
-    int steps = impact_bilateral(f, best->touching, &rounds);
+    int steps = impactBilateral(f, best->touching, &rounds);
     if (steps == 0) { c->missed++; return 0; }
     c->found++;
     c->both += steps;
@@ -222,11 +222,11 @@ static int measure_impact_steps(FILE *out)
         ImpactCount c = { .most = 0 };
         ImpactFlight f;
         wfRandomSeed(&r, 21);
-        if (impact_body(row / 4, &f.a) != WF_OK || impact_body(row / 4, &f.b) != WF_OK)
+        if (impactBody(row / 4, &f.a) != WF_OK || impactBody(row / 4, &f.b) != WF_OK)
             return 1;
         for (int i = 0; i < 4000; i++) {
-            f.sa = impact_sweep(&r, (wfReal)turns[row % 4]);
-            f.sb = impact_sweep(&r, (wfReal)turns[row % 4]);
+            f.sa = impactSweep(&r, (wfReal)turns[row % 4]);
+            f.sb = impactSweep(&r, (wfReal)turns[row % 4]);
             if (impactCount(&f, &c) != 0) return 1;
         }
         /* write a row of the counts */
@@ -242,7 +242,7 @@ static int measure_impact_steps(FILE *out)
 enum { IMPACT_FLIGHTS = 1000 };
 
 /* what: 0 the distance, 1 a cast, 2 a time of impact; s in all */
-static double impact_clock(const ImpactFlight *f, int what)
+static double impactClock(const ImpactFlight *f, int what)
 {
     double least = 1e9;
     for (int batch = 0; batch < 9; batch++) {
@@ -275,12 +275,12 @@ static int measure_impact_time(FILE *out)
             wfRandom r;
             wfRandomSeed(&r, 21);
             for (int i = 0; i < IMPACT_FLIGHTS; i++) {
-                if (impact_body(row, &f[i].a) != WF_OK) return 1;
+                if (impactBody(row, &f[i].a) != WF_OK) return 1;
                 f[i].b = f[i].a;
-                f[i].sa = impact_sweep(&r, what == 3 ? WF_R(0.5) : 0);
-                f[i].sb = impact_sweep(&r, what == 3 ? WF_R(0.5) : 0);
+                f[i].sa = impactSweep(&r, what == 3 ? WF_R(0.5) : 0);
+                f[i].sb = impactSweep(&r, what == 3 ? WF_R(0.5) : 0);
             }
-            took[what] = impact_clock(f, what == 3 ? 2 : what);
+            took[what] = impactClock(f, what == 3 ? 2 : what);
         }
         fprintf(out, "%s,%.0f,%.0f,%.0f,%.0f\n", names[row], took[0], took[1], took[2],
                 took[3]);

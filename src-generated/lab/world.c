@@ -54,7 +54,7 @@ static int measure_world_reuse(FILE *out)
         /* make the two worlds, with reuse and without */
         for (int reuse = 0; reuse < 2; reuse++) {
             wfWorldDef def = wfDefaultWorldDef();
-            def.reuseManifolds = reuse;
+            def.reuse = reuse;
             def.bodyCapacity = HEAP_BODIES + 3;
             if (wfCreateWorld(&def, &world[reuse]) != WF_OK) return 1;
             if (fill_heap(&world[reuse], corners[row]) != WF_OK) return 1;
@@ -75,7 +75,7 @@ static int measure_world_reuse(FILE *out)
 static double apex_after_bounce(double drop, double dt)
 {
     wfWorldDef wd = wfDefaultWorldDef();
-    wd.timeStep = (wfReal)dt;
+    wd.dt = (wfReal)dt;
     wd.bodyCapacity = 2;
     wd.solver = wfFindSolver("impulse");
     wd.slop = 0;
@@ -155,7 +155,7 @@ static void run_far(double distance, bool hasOrigin, double way[FAR_THINGS][2])
     wfWorld world;
     wfBodyId id[FAR_THINGS];
     wfBodyInfo from[FAR_THINGS], to;
-    wfGlobalPoint far = { distance, -0.3 * distance };
+    wfFar far = { distance, -0.3 * distance };
     wfVec2 o = hasOrigin ? wfV2(0, 0) : wfV2((wfReal)far.x, (wfReal)far.y);
     memset(way, 0, FAR_THINGS * sizeof *way);
     if (!build_far(o, &world, id)) return;
@@ -219,16 +219,16 @@ static int measure_world_flight(FILE *out)
             for (int k = 0; k < 3; k++) {
                 wfBodyInfo info;
                 wfGetBody(&world[k], id[k], &info);
-                wfRecentreWorld(&world[k], info.position, (wfReal)limit[k], NULL);
+                wfCentreWorld(&world[k], info.position, (wfReal)limit[k], NULL);
                 wfStepWorld(&world[k]);
             }
         /* say how far the probes are from where they must be */
         bool asked = second == 1 || second == 10 || second == 60 || second % 300 == 0;
-        double way = 1000.0 * (double)wd.timeStep * step;
+        double way = 1000.0 * (double)wd.dt * step;
         if (asked) fprintf(out, "%d,%.0f", second, way);
         for (int k = 0; k < 3 && asked; k++) {
-            wfGlobalPoint at = { 0, 0 };
-            wfGetGlobalPosition(&world[k], id[k], &at);
+            wfFar at = { 0, 0 };
+            wfFarPosition(&world[k], id[k], &at);
             fprintf(out, ",%.2g", fabs(at.x - way));
         }
         if (asked) fprintf(out, "\n");
@@ -238,13 +238,13 @@ static int measure_world_flight(FILE *out)
 }
 enum { NEEDS_BODIES = 1000 };
 
-static void name_modules(uint32_t modules, char text[64])
+static void name_needs(uint32_t needs, char text[64])
 {
     text[0] = 0;
-    for (int i = 0; i < wfModuleCount; i++) {
-        if (!(modules & wfModuleTable[i].bit)) continue;
+    for (int i = 0; i < wfNeedCount; i++) {
+        if (!(needs & wfNeedTable[i].bit)) continue;
         if (text[0] != 0) strcat(text, " or ");
-        strcat(text, wfModuleTable[i].name);
+        strcat(text, wfNeedTable[i].name);
     }
 }
 static int measure_world_pays(FILE *out)
@@ -258,15 +258,15 @@ static int measure_world_pays(FILE *out)
     for (int i = 0; i < WF_REGION_SCRATCH; i++) {
         size_t bytes[2] = { 0, 0 };
         char text[64] = "every body";
-        uint32_t serves = wfRegionServes(i).modules;
+        uint32_t serves = wfRegionServes(i).needs;
         /* add up the arrays that serve the same needs */
         for (int k = i; k < WF_REGION_SCRATCH && !done[i]; k++) {
-            if (done[k] || wfRegionServes(k).modules != serves) continue;
+            if (done[k] || wfRegionServes(k).needs != serves) continue;
             bytes[region[k].chunk] += region[k].count * region[k].each;
             if (k > i) done[k] = true;
         }
         if (done[i]) continue;
-        if (serves != 0) name_modules(serves, text);
+        if (serves != 0) name_needs(serves, text);
         fprintf(out, "%s,%.1f,%.1f\n", text, (double)bytes[0] / NEEDS_BODIES,
                 (double)bytes[1] / NEEDS_BODIES);
     }
@@ -274,17 +274,17 @@ static int measure_world_pays(FILE *out)
             (double)region[WF_REGION_SCRATCH].count / NEEDS_BODIES);
     return 0;
 }
-static const struct { const char *name; uint32_t modules; } profile_table[] = {
+static const struct { const char *name; uint32_t needs; } profile_table[] = {
     { "drops", 0 },
-    { "drops that are pushed", WF_MODULE_PUSHES },
-    { "drops on springs and in wind", WF_MODULE_FORCES | WF_MODULE_DAMPING },
-    { "shapes that fly and turn", WF_MODULE_ROTATION | WF_MODULE_SHAPES },
-    { "the same and asked by rays", WF_MODULE_ROTATION | WF_MODULE_QUERIES },
-    { "crates", WF_MODULE_ROTATION | WF_MODULE_CONTACTS | WF_MODULE_FRICTION },
-    { "crates with events", WF_MODULE_ROTATION | WF_MODULE_FRICTION | WF_MODULE_EVENTS },
+    { "drops that are pushed", WF_NEED_PUSHES },
+    { "drops on springs and in wind", WF_NEED_FORCES | WF_NEED_DAMPING },
+    { "shapes that fly and turn", WF_NEED_ROTATION | WF_NEED_SHAPES },
+    { "the same and asked by rays", WF_NEED_ROTATION | WF_NEED_QUERIES },
+    { "crates", WF_NEED_ROTATION | WF_NEED_CONTACTS | WF_NEED_FRICTION },
+    { "crates with events", WF_NEED_ROTATION | WF_NEED_FRICTION | WF_NEED_EVENTS },
 };
 enum { PROFILES = sizeof profile_table / sizeof *profile_table };
-static int measure_world_modules(FILE *out)
+static int measure_world_needs(FILE *out)
 {
     fprintf(out, "profile,permanent,transient,stages\n");
     for (int p = 0; p <= PROFILES; p++) {
@@ -292,7 +292,7 @@ static int measure_world_modules(FILE *out)
         size_t size[2];
         int stages = 0;
         def.bodyCapacity = NEEDS_BODIES;
-        if (p < PROFILES) def.modules = profile_table[p].modules;
+        if (p < PROFILES) def.needs = profile_table[p].needs;
         if (wfWorldSize(&def, &size[0], &size[1]) != WF_OK) return 1;
         wfWorld world;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -345,7 +345,7 @@ static int measure_world_needs_time(FILE *out)
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = NEEDS_BODIES;
         if (p == 1) def.solver = wfFindSolver("impulse");
-        if (p >= 2) def.modules = p == 2 ? WF_MODULE_SUBSTEPS : 0;
+        if (p >= 2) def.needs = p == 2 ? WF_NEED_SUBSTEPS : 0;
         double ns = time_fountain(&def);
         if (p == 0) usual = ns;
         fprintf(out, "%s,%.1f,%.2f\n", name[p], ns, ns / usual);
@@ -373,13 +373,13 @@ static int infer_row(FILE *out, const char *name, wfResult fill(wfWorld *, int),
         hash[k] = wfHashWorld(&world[k]);
         const wfMemory *m = &world[k].memory;
         kB[k] = (double)(m->permanentSize + m->transientSize) / 1024;
-        if (wfInferModules(&world[k], 0, &def) != WF_OK) return 1;
+        if (wfInferNeeds(&world[k], 0, &def) != WF_OK) return 1;
     }
     fprintf(out, "%s,%.0f,%.0f,", name, kB[0], kB[1]);
     /* write the needs that were inferred */
-    for (int i = 0, first = 1; i < wfModuleCount; i++) {
-        if (!(def.modules & wfModuleTable[i].bit)) continue;
-        fprintf(out, "%s%s", first ? "" : " ", wfModuleTable[i].name);
+    for (int i = 0, first = 1; i < wfNeedCount; i++) {
+        if (!(def.needs & wfNeedTable[i].bit)) continue;
+        fprintf(out, "%s%s", first ? "" : " ", wfNeedTable[i].name);
         first = 0;
     }
     fprintf(out, "\n");
@@ -396,7 +396,7 @@ static int measure_world_inferred(FILE *out)
 static void explain_cell(FILE *out, const wfStageReport *r)
 {
     char text[64] = "always";
-    if (r->because != 0) name_modules(r->because, text);
+    if (r->because != 0) name_needs(r->because, text);
     if (r->runs) fprintf(out, ",%s,%zu", text, r->bytes);
     else fprintf(out, ",- (%s),0", text);
 }
@@ -405,8 +405,8 @@ static int measure_world_explain(FILE *out)
     wfWorldDef drops = wfDefaultWorldDef(), crates = wfDefaultWorldDef();
     wfWorld world[2];
     drops.bodyCapacity = crates.bodyCapacity = NEEDS_BODIES;
-    drops.modules = 0;
-    crates.modules = WF_MODULE_ROTATION | WF_MODULE_CONTACTS | WF_MODULE_FRICTION;
+    drops.needs = 0;
+    crates.needs = WF_NEED_ROTATION | WF_NEED_CONTACTS | WF_NEED_FRICTION;
     if (wfCreateWorld(&drops, &world[0]) != WF_OK) return 1;
     if (wfCreateWorld(&crates, &world[1]) != WF_OK) return 1;
     fprintf(out, "stage,fountain,fountain_bytes,crates,crates_bytes\n");
@@ -465,13 +465,13 @@ static int measure_world_settings(FILE *out)
 static int measure_needs_list(FILE *out)
 {
     fprintf(out, "need,text,implies\n");
-    for (int i = 0; i < wfModuleCount; i++) {
-        const wfModule *row = &wfModuleTable[i];
+    for (int i = 0; i < wfNeedCount; i++) {
+        const wfNeedRow *row = &wfNeedTable[i];
         fprintf(out, "%s,\"%s\",", row->name, row->text);
         const char *comma = "";
-        for (int k = 0; k < wfModuleCount; k++) {
-            if (!(row->implies & wfModuleTable[k].bit)) continue;
-            fprintf(out, "%s%s", comma, wfModuleTable[k].name);
+        for (int k = 0; k < wfNeedCount; k++) {
+            if (!(row->implies & wfNeedTable[k].bit)) continue;
+            fprintf(out, "%s%s", comma, wfNeedTable[k].name);
             comma = " ";
         }
         fprintf(out, "\n");
@@ -508,7 +508,7 @@ static const wfMeasureRow rows[] = {
     { "world-pays", "bytes a body in a default world for 1000, by what they are for",
       measure_world_pays },
     { "world-needs", "bytes a body and stages of worlds that are made for more and more",
-      measure_world_modules },
+      measure_world_needs },
     { "world-needs-time", "ns a body and step of 1000 drops, by needs",
       measure_world_needs_time },
     { "world-inferred", "kB of worlds before and after their needs were inferred",

@@ -79,8 +79,8 @@ static void update_platforms(wfWorld *world, const wfSceneInput *in)
     for (int i = 0; i < 2; i++) {
         wfBodyId id = wfBodyAt(world, 1 + 6 * i);
         wfVec2 now = wfWorldBodies(world).state[1 + 6 * i].p;
-        wfVec2 next = platform_at(i, wfWorldTime(world) + (double)def.timeStep);
-        wfSetBodyVelocity(world, id, wfScale(1 / def.timeStep, wfSub(next, now)), 0);
+        wfVec2 next = platform_at(i, wfWorldTime(world) + (double)def.dt);
+        wfSetBodyVelocity(world, id, wfScale(1 / def.dt, wfSub(next, now)), 0);
     }
 }
 

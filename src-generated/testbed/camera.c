@@ -2,11 +2,11 @@
  * the chapter and type make. MIT licence. */
 #include "testbed/camera.h"
 
-static const float view_shape = 1.59f;      /* width of a scene to its height, at most */
+static const float viewShape = 1.59f;       /* width of a scene to its height, at most */
 
 float camera_scale(const camera *c)
 {
-    float high = c->high / c->height, wide = c->wide / (view_shape * c->height);
+    float high = c->high / c->height, wide = c->wide / (viewShape * c->height);
     return high < wide ? high : wide;       /* eq:camera-scale */
 }
 

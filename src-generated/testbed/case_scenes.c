@@ -177,7 +177,7 @@ static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 static void rest_softly(wfWorldDef *def)
 {
     def->gravity = wfV2(0, 0);
-    def->positionCorrection = 0;
+    def->positionShare = 0;
 }
 
 static void draw_clip(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -280,7 +280,7 @@ static void by_quad_tree(wfWorldDef *def)
 static void push_out_at_once(wfWorldDef *def)
 {
     integrated_freely(def);
-    def->positionCorrection = 1;
+    def->positionShare = 1;
     def->slop = WF_R(0.001);
 }
 

@@ -197,7 +197,7 @@ static wfResult build_hung_cradle(wfWorld *world)
     }
     return m.result;
 }
-static const wfReal ramp_friction[4][3] = { { WF_R(0.7), 0, 0 }, /* mu, mu_s, a push */
+static const wfReal rampFriction[4][3] = { { WF_R(0.7), 0, 0 }, /* mu, mu_s, a push */
     { WF_R(0.4), WF_R(0.6), 0 }, { WF_R(0.4), WF_R(0.6), 1 }, { WF_R(0.3), WF_R(0.4), 0 } };
 
 static wfResult build_ramp(wfWorld *world)
@@ -219,13 +219,13 @@ static wfResult build_ramp(wfWorld *world)
         b.mass = 1;
         b.position = wfAdd(slope.position, off);
         b.angle = slope.angle;
-        b.velocity = wfV2(ramp_friction[i][2] * q.c, ramp_friction[i][2] * q.s);
+        b.velocity = wfV2(rampFriction[i][2] * q.c, rampFriction[i][2] * q.s);
         b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
         wfBodyId id = put(&m, &b);
         note(&m, wfMakeBox(WF_R(0.5), WF_R(0.3), &s.shape));
         /* the ramp has 1: the geometric mean is the root of the box's own */
-        s.friction = ramp_friction[i][0] * ramp_friction[i][0];
-        s.staticFriction = ramp_friction[i][1] * ramp_friction[i][1];
+        s.friction = rampFriction[i][0] * rampFriction[i][0];
+        s.staticFriction = rampFriction[i][1] * rampFriction[i][1];
         hang(&m, id, &s);
     }
     return m.result;
@@ -236,7 +236,7 @@ static void draw_ramp(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     (void)in;
     wfBodyView v = wfWorldBodies(world);
     for (int i = 0; i < 4 && i + 2 < v.count; i++) {
-        const wfReal *mu = ramp_friction[i];
+        const wfReal *mu = rampFriction[i];
         double held = (double)wfMaxR(mu[0], mu[1]);
         wfVec2 at = v.state[i + 2].p;
         wfDrawTextf(d, (float)at.x, (float)at.y + 0.6f, 13, WF_INK_TEXT, 0, "%.1f / %.1f",
@@ -245,7 +245,7 @@ static void draw_ramp(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 }
 
 enum { RACERS = 4 };
-static const wfReal race_slope = WF_R(-0.2), raceDrop = WF_R(2.6);
+static const wfReal raceSlope = WF_R(-0.2), raceDrop = WF_R(2.6);
 
 static wfVec2 race_start(int lane)
 {
@@ -277,7 +277,7 @@ static void hang_racer(Maker *m, wfBodyId id, int lane)
 static wfResult build_race(wfWorld *world)
 {
     Maker m = { world, WF_OK };
-    wfRot q = wfRotation(race_slope);
+    wfRot q = wfRotation(raceSlope);
     put_wall(&m, WF_R(8.5), 7, WF_R(0.5), 7, 0);
     for (int lane = 0; lane < RACERS; lane++) {
         wfVec2 at = race_start(lane);
@@ -285,7 +285,7 @@ static wfResult build_race(wfWorld *world)
         wfVec2 middle = wfAdd(at, under);
         wfBodyDef slope = box(&m, middle.x, middle.y, WF_R(8.4), WF_R(0.1)), racer;
         slope.type = WF_STATIC;
-        slope.angle = race_slope;
+        slope.angle = raceSlope;
         slope.friction = lane == 0 ? 0 : 1;
         put(&m, &slope);
         /* put a racer at its start */
@@ -293,7 +293,7 @@ static wfResult build_race(wfWorld *world)
         racer.mass = lane == 1 || lane == 3 ? 0 : 1;
         racer.type = WF_STATIC;         /* until it has a shape that weighs something */
         racer.position = at;
-        racer.angle = race_slope;
+        racer.angle = raceSlope;
         racer.userData = lane % 2 ? WF_INK_BODY : WF_INK_GOOD;
         wfBodyId id = put(&m, &racer);
         hang_racer(&m, id, lane);
@@ -306,7 +306,7 @@ static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
     wfBodyView v = wfWorldBodies(world);
-    wfRot q = wfRotation(race_slope);
+    wfRot q = wfRotation(raceSlope);
     wfReal t = (wfReal)wfWorldTime(world);
     for (int lane = 0; lane < RACERS && 2 * lane + 2 < v.count; lane++) {
         const wfBodyState *s = &v.state[2 * lane + 2];
@@ -412,7 +412,7 @@ enum { BRICKS_WIDE = 6, BRICKS_HIGH = 14 };
 static void many_joints(wfWorldDef *def)
 {
     jointly(def);
-    def->directJoints = WF_JOINTS_ITERATIVE;
+    def->exactJoints = WF_JOINTS_ONE_BY_ONE;
     def->jointCapacity = 512;
     def->bodyCapacity = 256;
 }
@@ -451,7 +451,7 @@ static wfResult build_breaking_wall(wfWorld *world)
 }
 
 enum { TRIAL_BOXES = 8, TRIAL_STEPS = 360 };
-static const wfReal trial_slope = WF_R(-0.4434);            /* arctan(0.95 / 2) */
+static const wfReal trialSlope = WF_R(-0.4434);             /* arctan(0.95 / 2) */
 
 static wfResult build_trial(wfWorld *world)
 {
@@ -460,11 +460,11 @@ static wfResult build_trial(wfWorld *world)
     /* put a sledge on its slope */
     wfBodyDef slope = box(&m, WF_R(0.3), WF_R(0.75), WF_R(0.9), WF_R(0.1));
     slope.type = WF_STATIC;
-    slope.angle = trial_slope;
+    slope.angle = trialSlope;
     put(&m, &slope);
-    wfRot q = wfRotation(trial_slope);
+    wfRot q = wfRotation(trialSlope);
     wfBodyDef sledge = box(&m, 0, 0, WF_R(0.25), WF_R(0.15));
-    sledge.angle = trial_slope;
+    sledge.angle = trialSlope;
     sledge.position = wfAdd(slope.position, wfV2(WF_R(-0.4) * q.c - WF_R(0.25) * q.s,
                                                  WF_R(-0.4) * q.s + WF_R(0.25) * q.c));
     put(&m, &sledge);
@@ -498,7 +498,7 @@ static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
     wfBodyView v = wfWorldBodies(world);
     wfShapeView s = wfWorldShapes(world);
     for (int32_t k = 0; k < s.count; k++) {
-        int32_t i = s.bodyOfShape[k];
+        int32_t i = s.owners[k];
         if (i < 0) continue;
         wfTransform xf = wfBodyTransform(&v.state[i]);
         if (xf.p.y < -1) continue;                          /* has fallen off */
@@ -511,7 +511,8 @@ static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
 static void write_length(wfDraw *d, float x, float y, double length)
 {
     if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "gone");
-    else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
+    else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, fabs(length) < 0.0995 ? "%.1f" : "%.0f",
+                     1000 * length);
 }
 
 static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
@@ -519,7 +520,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     wfBodyView v = wfWorldBodies(world);
     float x = (float)at.x, y = (float)at.y;
     wfBodyState sledge = v.state[2], ball = v.state[3], top = v.state[v.count - 1];
-    wfRot q = wfRotation(trial_slope);
+    wfRot q = wfRotation(trialSlope);
     double sunk = 0.4 * TRIAL_BOXES - 0.2 - (double)top.p.y, v2 = (double)ball.v.y;
     double crept = ((double)sledge.p.x - 0.3 + 0.4 * (double)q.c + 0.25 * (double)q.s)
                    / (double)q.c;
@@ -535,7 +536,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     wfDrawText(d, x + 0.3f, y + 3.5f, 13, WF_INK_ACCENT, 0, name);
     write_length(d, x - 1.6f, y - 0.75f, sunk);
     write_length(d, x + 0.1f, y - 0.75f, crept);
-    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.1f %%", 100 * energy);
+    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
 }
 
 static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -552,7 +553,8 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
         }
         wfDestroyWorld(&trial);
     }
-    wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1, "passes: %d", passes);
+    wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1, "passes: %d     below: sunk (mm), crept (mm), energy (%%)",
+                passes);
 }
 
 static const wfScene row[] = {

@@ -255,7 +255,7 @@ static void hinge(Yard *y, wfBodyId a, wfBodyId b, wfVec2 at)
 {
     wfJoint joint;
     if (y->result == WF_OK)
-        y->result = wfDefineJoint(y->world, "revolute", a, b, at, at, wfV2(0, 1), &joint);
+        y->result = wfJoinBodies(y->world, "revolute", a, b, at, at, wfV2(0, 1), &joint);
     if (y->result == WF_OK) y->result = wfAddJointToWorld(y->world, &joint, NULL);
 }
 
@@ -523,14 +523,14 @@ static double swing_period(const wfWorldDef *how)
 static double stiff_chain_stretch(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
-    def.jointCompliance = WF_R(1e-6);
+    def.jointGive = WF_R(1e-6);
     return chain_stretch(&def);
 }
 
 static double fine_swing_energy(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
-    def.compensatedSums = 1;
+    def.fineSums = 1;
     return swing_energy(&def);
 }
 
@@ -569,7 +569,7 @@ static double bounce_energy(const wfWorldDef *how)
 static double fine_bounce_energy(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
-    def.compensatedSums = 1;
+    def.fineSums = 1;
     return bounce_energy(&def);
 }
 
@@ -641,13 +641,13 @@ const wfClassic wfClassicTable[] = {
     { "creep", "creep at 95 % of friction (mm/s)", "0", creep },
     { "roll", "rolling disk 20 degrees: error of the distance (%)", "0.1", roll },
     { "chain", "20 links with a load of 1000 links: stretch (%)", "1", chain_stretch },
-    { "stiff-chain", "the same with jointCompliance = 1e-6", "0.001", stiff_chain_stretch },
+    { "stiff-chain", "the same with jointGive = 1e-6", "0.001", stiff_chain_stretch },
     { "energy", "rod pendulum: change of its energy in 60 s (%)", "0.5", swing_energy },
-    { "fine-energy", "the same with compensatedSums", "0.0001", fine_swing_energy },
+    { "fine-energy", "the same with fineSums", "0.0001", fine_swing_energy },
     { "period", "rod pendulum: error of its period (%)", "0.1", swing_period },
     { "bounce", "ball with e = 1: worst error of its energy in 10 000 bounces",
       "1e-6", bounce_energy },
-    { "fine-bounce", "the same with compensatedSums", "1e-6", fine_bounce_energy },
+    { "fine-bounce", "the same with fineSums", "1e-6", fine_bounce_energy },
     { "cradle", "five touching balls: error of the last one's speed (%)", "0", cradle_share },
     { "bullet-static", "bullets of 40 at 300 and 100 000 m/s through a static wall",
       "0", through_static },

@@ -4,7 +4,7 @@
 #include "testbed/maker.h"
 
 /* scenes of collision */
-static const wfReal wall_ball_x = -9, wallBallY = WF_R(2.5), wallBallV = 11, wallBallW = 5;
+static const wfReal wallBallX = -9, wallBallY = WF_R(2.5), wallBallV = 11, wallBallW = 5;
 
 static wfResult build_ball_and_wall(wfWorld *world)
 {
@@ -18,7 +18,7 @@ static wfResult build_ball_and_wall(wfWorld *world)
             b.userData = (uint64_t)((row + column) % 2 ? WF_INK_BODY : WF_INK_GOOD);
             put(&m, &b);
         }
-    wfBodyDef b = ball(&m, wall_ball_x, wallBallY, WF_R(0.6));
+    wfBodyDef b = ball(&m, wallBallX, wallBallY, WF_R(0.6));
     b.velocity = wfV2(wallBallV, wallBallW);
     b.density = 4;
     b.userData = WF_INK_BODY2;
@@ -31,7 +31,7 @@ static void draw_ball_and_wall(const wfWorld *world, wfDraw *d, const wfSceneInp
     (void)in;
     wfVec2 g;
     if (wfGetGravity(world, &g) == WF_OK)
-        draw_parabola(d, wfV2(wall_ball_x, wallBallY), wfV2(wallBallV, wallBallW), g,
+        draw_parabola(d, wfV2(wallBallX, wallBallY), wfV2(wallBallV, wallBallW), g,
                       WF_R(0.6));
 }
 

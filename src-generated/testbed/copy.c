@@ -142,7 +142,7 @@ static void copy_body_numbers(copier *c, int32_t i)
     put_int(c, "b.fixedRotation", v.props[i].fixedRotation, usual.fixedRotation);
     put_real(c, "b.linearDamping", b.linearDamping, usual.linearDamping);
     put_real(c, "b.angularDamping", b.angularDamping, usual.angularDamping);
-    put_int(c, "b.neverSleeps", wfBodySleepDisabled(c->world, id), usual.neverSleeps);
+    put_int(c, "b.neverSleeps", wfNeverSleeps(c->world, id), usual.neverSleeps);
     put_int(c, "b.userData", (int64_t)b.userData, (int64_t)usual.userData);
 }
 
@@ -161,8 +161,8 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
     if (all) {
         /* copy what a body's definition has not */
         put_real(c, "s.staticFriction", s->staticFriction, usual.staticFriction);
-        put_real(c, "s.rolling", s->rollingResistance, usual.rollingResistance);
-        put_real(c, "s.tangentSpeed", s->tangentSpeed, usual.tangentSpeed);
+        put_real(c, "s.rolling", s->rolling, usual.rolling);
+        put_real(c, "s.surfaceSpeed", s->surfaceSpeed, usual.surfaceSpeed);
         put_int(c, "s.sensor", s->sensor, usual.sensor);
         put_int(c, "s.material", s->material, usual.material);
         put_int(c, "s.userData", (int64_t)s->userData, (int64_t)usual.userData);
@@ -170,8 +170,7 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
             (unsigned long long)s->filter.category, (unsigned long long)s->filter.mask,
             (int)s->filter.group);
     }
-    return s->staticFriction != 0 || s->rollingResistance != 0 || s->tangentSpeed != 0 ||
-        s->sensor ||
+    return s->staticFriction != 0 || s->rolling != 0 || s->surfaceSpeed != 0 || s->sensor ||
            s->material || s->userData || s->filter.group || s->filter.category != 1 ||
            s->filter.mask != UINT64_MAX;
 }
@@ -210,7 +209,7 @@ static void copy_bodies(copier *c)
     wfShapeView s = wfWorldShapes(c->world);
     int32_t next = 0;
     for (int32_t k = 0; k <= s.count; k++) {
-        int32_t owner = k < s.count ? s.bodyOfShape[k] : v.count - 1;
+        int32_t owner = k < s.count ? s.owners[k] : v.count - 1;
         for (; next <= owner; next++)
             if (v.alive[next]) copy_body(c, next);
         if (k < s.count && owner >= 0 && v.props[owner].shape != k)
@@ -292,17 +291,17 @@ static void copy_pairs(copier *c)
                 put(c, "\n    DO(wfSetPairMaterial(&world, %d, %d, &(wfPairMaterial){\n"
                     "        %s, %s, %s, %s }));\n", (int)a, (int)b,
                     real(m.restitution).text, real(m.friction).text,
-                    real(m.staticFriction).text, real(m.rollingResistance).text);
+                    real(m.staticFriction).text, real(m.rolling).text);
 }
 /* copy a world */
-static const char copy_head[] =
+static const char copyHead[] =
     "#include <stdio.h>\n#include <stdlib.h>\n#include <weft/weft.h>\n\n"
     "#define DO(call) do { wfResult r = (call); if (r != WF_OK) { \\\n"
     "    fprintf(stderr, \"line %d: %s\\n\", __LINE__, wfResultText(r)); return 1; } } "
     "while (0)\n#define B(i) wfBodyIndex(&world, body[i])\n\n"
     "int main(int argc, char **argv)\n{\n"
     "    int steps = argc > 1 ? atoi(argv[1]) : 60;\n";
-static const char copy_tail[] =
+static const char copyTail[] =
     "\n    printf(\"%016llx\\n\", (unsigned long long)wfHashWorld(&world));\n"
     "    for (int i = 0; i < steps; i++) DO(wfStepWorld(&world));\n"
     "    printf(\"%016llx\\n\", (unsigned long long)wfHashWorld(&world));\n"
@@ -319,7 +318,7 @@ size_t wfCopyAsC(const wfWorld *world, const char *name, const char *warn, char 
     put(&c, "%s    wfBodyId body[%d];\n    wfBodyDef b;\n    wfShapeDef s;\n"
         "    wfJoint j;\n    wfForce f;\n    wfWorld world;\n"
         "    (void)body, (void)b, (void)s, (void)j, (void)f;\n\n"
-        "    wfWorldDef def = wfDefaultWorldDef();\n", copy_head,
+        "    wfWorldDef def = wfDefaultWorldDef();\n", copyHead,
         (int)wfWorldBodies(world).count + 1);
     copy_settings(&c);
     put(&c, "    DO(wfCreateWorld(&def, &world));\n");
@@ -327,6 +326,6 @@ size_t wfCopyAsC(const wfWorld *world, const char *name, const char *warn, char 
     copy_bodies(&c);
     copy_forces(&c);
     copy_joints(&c);
-    put(&c, "%s", copy_tail);
+    put(&c, "%s", copyTail);
     return c.used;
 }

@@ -19,7 +19,7 @@ static bool middle_of(const wfWorld *world, wfShapeId id, wfVec2 *out)
     wfBodyView v = wfWorldBodies(world);
     int32_t k = wfShapeIndex(world, id);
     if (k < 0) return false;
-    *out = wfApply(wfBodyTransform(&v.state[s.bodyOfShape[k]]), s.shapes[k].centre);
+    *out = wfApply(wfBodyTransform(&v.state[s.owners[k]]), s.shapes[k].centre);
     return true;
 }
 
@@ -52,10 +52,10 @@ static wfResult build_gate(wfWorld *world)
 static void draw_gate(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
-    for (int kind = WF_SENSOR_BEGIN; kind <= WF_SENSOR_STAY; kind++) {
+    for (int kind = WF_SENSE_BEGIN; kind <= WF_SENSE_STAY; kind++) {
         int32_t count;
         wfVec2 at;
-        const wfContactEvent *event = wfWorldEvents(world, kind, &count);
+        const wfTouchEvent *event = wfWorldEvents(world, kind, &count);
         for (int32_t i = 0; i < count; i++)
             if (middle_of(world, event[i].b, &at))
                 wfDrawCircle(d, WF_XY(at), 0.35f, 2, WF_INK_ACCENT, WF_INK_NONE);
@@ -90,8 +90,8 @@ static wfResult build_sieve(wfWorld *world)
 /* the hook of a one-way platform */
 enum { ONE_WAY = 1000 };
 
-static void one_way(void *context, const wfCallbackView *v, const wfContact *c,
-                    wfContactSettings *change)
+static void one_way(void *context, const wfHookView *v, const wfContact *c,
+                    wfContactChange *change)
 {
     (void)context;
     bool first = v->shapes.props[c->shapeA].userData == ONE_WAY;
@@ -106,11 +106,11 @@ static void one_way(void *context, const wfCallbackView *v, const wfContact *c,
         speed = wfMaxR(speed, -u);
         carried += p->normalImpulse;
     }
-    bool landed = depth <= c->slop + v->timeStep * speed; /* eq:world-oneway */
+    bool landed = depth <= c->slop + v->dt * speed;  /* eq:world-oneway */
     change->enabled = up > WF_R(0.7) && (landed || carried > 0);
 }
 
-static const wfCallbacks one_way_hooks = { NULL, NULL, one_way };
+static const wfHooks oneWayHooks = { NULL, NULL, one_way };
 
 static wfResult build_one_way(wfWorld *world)
 {
@@ -154,7 +154,7 @@ static wfResult build_conveyors(wfWorld *world)
         belt.position = wfV2(i % 2 ? 1 : -1, WF_R(1.5) + WF_R(2.4) * (wfReal)i);
         wfBodyId id = put(&m, &belt);
         wfShapeDef shape = wfDefaultShapeDef();
-        shape.tangentSpeed = (wfReal)(i % 2 ? -2 : 2);
+        shape.surfaceSpeed = (wfReal)(i % 2 ? -2 : 2);
         note(&m, wfMakeRoundedBox(4, WF_R(0.25), WF_R(0.2), &shape.shape));
         hang(&m, id, &shape);
     }
@@ -174,10 +174,10 @@ static void draw_conveyors(const wfWorld *world, wfDraw *d, const wfSceneInput *
     wfShapeView s = wfWorldShapes(world);
     wfBodyView v = wfWorldBodies(world);
     for (int32_t k = 0; k < s.count; k++) {
-        if (s.props[k].tangentSpeed == 0) continue;
-        wfVec2 at = v.state[s.bodyOfShape[k]].p;
+        if (s.props[k].surfaceSpeed == 0) continue;
+        wfVec2 at = v.state[s.owners[k]].p;
         float x = (float)at.x, y = (float)at.y;
-        float half = 0.3f * (float)s.props[k].tangentSpeed;
+        float half = 0.3f * (float)s.props[k].surfaceSpeed;
         wfDrawArrow(d, x - half, y, x + half, y, 2, WF_INK_ACCENT);
     }
 }
@@ -250,11 +250,11 @@ static void draw_hits(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
     int32_t count;
-    const wfContactHit *hit = wfWorldHits(world, &count);
+    const wfHit *hit = wfWorldHits(world, &count);
     for (int32_t i = 0; i < count; i++)
         wfDrawCircle(d, WF_XY(hit[i].point), 0.1f * (float)hit[i].speed, 3, WF_INK_BAD,
                      WF_INK_NONE);
-    const wfContactEvent *event = wfWorldEvents(world, WF_CONTACT_BEGIN, &count);
+    const wfTouchEvent *event = wfWorldEvents(world, WF_TOUCH_BEGIN, &count);
     for (int32_t i = 0; i < count; i++) {
         wfVec2 a, b;
         if (middle_of(world, event[i].a, &a) && middle_of(world, event[i].b, &b))
@@ -274,7 +274,7 @@ static const wfScene row[] = {
       .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
     { .category = "Events", .name = "one way", .chapter = "world",
       .text = "A hook lets through what comes from below and carries what comes from above.",
-      .define = softly, .build = build_one_way, .update = kick_upwards, .hooks = &one_way_hooks,
+      .define = softly, .build = build_one_way, .update = kick_upwards, .hooks = &oneWayHooks,
       .viewX = 0, .viewY = WF_R(4.5), .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
     { .category = "Events", .name = "conveyors", .chapter = "friction",
       .text = "Belts whose surface runs carry crates to and fro.",

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/layer.h"
+#include "testbed/workers.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -146,7 +147,7 @@ static wfResult explain_run(const wfScene *s, wfWorld *world, int steps)
     for (int k = 0; k < steps && result == WF_OK; k++) {
         wfSceneInput in = wfSceneInputAt(s, k);
         if (s->update) s->update(world, &in);
-        result = s->hooks ? wfStepWorldWithCallbacks(world, s->hooks)
+        result = s->hooks ? wfStepWorldWith(world, s->hooks)
                           : wfStepWorldTimed(world, &clock);
     }
     if (result != WF_OK) return result;
@@ -174,7 +175,7 @@ static int explain_scene(const layer_options *options)
     wfWorldDef def;
     if (!s || wfOpenScene(s, NULL, &rich) != WF_OK) return free(made.text), 1;
     wfResult result = explain_run(s, &rich, steps);
-    if (result == WF_OK) result = wfInferModules(&rich, 0, &def);
+    if (result == WF_OK) result = wfInferNeeds(&rich, 0, &def);
     wfDestroyWorld(&rich);
     if (result == WF_OK && !s->build)
         puts("\n(this scene is opened as a whole, with the needs that it states itself)");
@@ -250,27 +251,6 @@ static int watch_scenes(const layer_options *options)
     if (file) broken = watch(&made.scene, steps);
     free(made.text);
     return broken > 0;
-}
-
-static int translate_rube(const layer_options *options)
-{
-#ifdef WF_NO_JSON
-    (void)options;
-    return complain("this program was built without cJSON") + 1;
-#else
-    const char *path = options->argument ? options->argument : "";
-    char *text = whole_file(path), *out = NULL;
-    wfTextError e;
-    if (!text) return complain("--from-rube needs a file that can be read") + 1;
-    wfResult result = wfTranslateRube(text, strlen(text), &out, &e);
-    if (result == WF_OK) puts(out);
-    else
-        fprintf(stderr, "%s:%d: %s%s%s\n", path, (int)e.line, e.where,
-                e.where[0] ? ": " : "", e.what);
-    wfFreeText(out);
-    free(text);
-    return result != WF_OK;
-#endif
 }
 
 static int export_scene(const layer_options *options)
@@ -420,7 +400,6 @@ static const headless_command command_table[] = {
     { "--copy-c", "a scene as a program in C, after --steps", copy_scene },
     { "--export", "a scene as JSON after --steps", export_scene },
     { "--schema", "the JSON Schema of scenes", print_schema },
-    { "--from-rube", "translate a scene of R.U.B.E., in the file named", translate_rube },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
     { "--explain", "what a scene's world does in a step, and why", explain_scene },
     { "--freeze", "a scene after --steps as a vector picture, in the file named",
@@ -436,7 +415,8 @@ static int usage(void)
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
           "      [--png FILE] [--svg FILE] [--film FILE] [--frames DIR]\n"
           "      [--save-input FILE]\n"
-          "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [SCENE.json]\n",
+          "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [--workers N]\n"
+          "      [SCENE.json]\n",
           stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);
@@ -452,6 +432,10 @@ int main(int argc, char **argv)
         complain(error);
         return usage();
     }
+    /* hire workers for the scenes */
+    wfWorkers workers = work_pool_lend(work_pool_open(options.workers));
+    (void)workers;
+    wfShareScenes(workers);
     if (!options.command) return argc > 1 ? play(&options) : usage();
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         if (strcmp(command_table[i].name, options.command) == 0)

@@ -119,7 +119,7 @@ static wfResult build_cart(wfWorld *world)
         wheel.userData = WF_INK_BODY2;
         wfBodyId id = put(&m, &wheel);
         wfJoint j = joint_from(&m, "wheel", cart, id, wheel.position, wheel.position);
-        wfSetJointSpring(&j, WF_R(0.5), 2, WF_R(0.5));
+        wfTuneJoint(&j, WF_R(0.5), 2, WF_R(0.5));
         j.flags |= WF_JOINT_MOTOR | WF_JOINT_LIMITS;
         j.lower = WF_R(-0.25), j.upper = WF_R(0.25);
         j.motorSpeed = -8, j.motorForce = 4;
@@ -165,8 +165,8 @@ static wfResult build_crane(wfWorld *world)
     wfBodyId rail = put(&m, &beam), trolley = put(&m, &cab), weight = put(&m, &load);
     wfJoint j = { .kind = 0 };
     if (m.result == WF_OK)
-        note(&m, wfDefineJoint(world, "prismatic", rail, trolley, cab.position,
-                               cab.position, wfV2(1, 0), &j));
+        note(&m, wfJoinBodies(world, "prismatic", rail, trolley, cab.position,
+                              cab.position, wfV2(1, 0), &j));
     j.flags = WF_JOINT_MOTOR | WF_JOINT_LIMITS;
     j.lower = 0, j.upper = 8, j.motorForce = 10;
     join(&m, &j);
@@ -350,7 +350,7 @@ static void put_turns(Maker *m)
         j.lower = WF_R(-0.6), j.upper = WF_R(0.6);
         j.motorSpeed = 4, j.motorForce = 2;
         if (i == 0) j.flags = 0, j.rest = WF_R(0.8);
-        if (i == 0) wfSetJointSpring(&j, WF_R(0.8), 1, WF_R(0.1));
+        if (i == 0) wfTuneJoint(&j, WF_R(0.8), 1, WF_R(0.1));
         join(m, &j);
     }
 }
@@ -379,7 +379,7 @@ static wfResult build_table(wfWorld *world)
     wfBodyId led = put(&m, &block);
     wfJoint j = joint_from(&m, "servo", table, led, wfV2(3, 0), wfV2(3, 0));
     j.motorForce = 60;
-    wfSetJointSpring(&j, 1, 3, 1);
+    wfTuneJoint(&j, 1, 3, 1);
     join(&m, &j);
     for (int i = 0; i < 9; i++) {
         wfVec2 at = wfScale(WF_R(1.7), wfV2((wfReal)(i % 3 - 1), (wfReal)(i / 3 - 1)));
@@ -421,7 +421,7 @@ static wfResult build_springs(wfWorld *world)
         wfBodyId id = put(&m, &b);
         wfVec2 at = wfV2(x, WF_R(2.45));
         wfJoint j = joint_from(&m, "prismatic", bar, id, at, at);
-        wfSetJointSpring(&j, b.mass, WF_R(0.5), ratio[i]);
+        wfTuneJoint(&j, b.mass, WF_R(0.5), ratio[i]);
         join(&m, &j);
     }
     return m.result;
@@ -440,7 +440,7 @@ static void draw_springs(const wfWorld *world, wfDraw *d, const wfSceneInput *in
 typedef struct Limb { int8_t parent; float x0, y0, x1, y1, radius, lower, upper; } Limb;
 
 /* Each hangs from its parent at (x0, y0), standing, metres. Stops in rad. */
-static const Limb doll_limb[] = {
+static const Limb dollLimb[] = {
     { -1, 0, 1.0f, 0, 1.5f, 0.17f, 0, 0 },                      /* trunk */
     { 0, 0, 1.72f, 0, 1.95f, 0.14f, -0.5f, 0.5f },              /* head */
     { 0, 0, 1.5f, 0, 1.15f, 0.08f, -1.0f, 2.5f },               /* arms: upper, lower */
@@ -452,13 +452,13 @@ static const Limb doll_limb[] = {
     { 0, 0, 0.95f, 0, 0.5f, 0.1f, -0.4f, 1.8f },
     { 8, 0, 0.5f, 0, 0.08f, 0.08f, -2.4f, 0 },
 };
-enum { LIMBS = (int)(sizeof doll_limb / sizeof *doll_limb) };
+enum { LIMBS = (int)(sizeof dollLimb / sizeof *dollLimb) };
 
 static void put_doll(Maker *m, wfReal x, wfReal y, int32_t group, int role)
 {
     wfBodyId limb[LIMBS];
     for (int i = 0; i < LIMBS; i++) {
-        const Limb *l = &doll_limb[i];
+        const Limb *l = &dollLimb[i];
         wfBodyDef b = wfDefaultBodyDef();
         wfVec2 from = wfV2(l->x0, l->y0), to = wfV2(l->x1, l->y1);
         wfVec2 middle = wfLerp(from, to, WF_R(0.5));
@@ -519,13 +519,13 @@ static void finely(wfWorldDef *def)
 {
     jointly(def);
     def->substeps = 16;
-    def->directJoints = WF_JOINTS_ITERATIVE;
+    def->exactJoints = WF_JOINTS_ONE_BY_ONE;
 }
 
 static void exactly(wfWorldDef *def)
 {
     jointly(def);
-    def->directJoints = WF_JOINTS_DIRECT;
+    def->exactJoints = WF_JOINTS_TOGETHER;
 }
 
 static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput *in)

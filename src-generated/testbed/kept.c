@@ -10,8 +10,8 @@
 typedef struct kept_number { const char *name; size_t where; int32_t most; } kept_number;
 enum { KEPT_CURVES = -8, KEPT_OVERLAYS = -9 };      /* a bit for each row of a table */
 
-static const kept_number kept_table[] = {
-    { "dark", FLAG(dark), 1 }, { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 },
+static const kept_number keptTable[] = {
+    { "dark", FLAG(dark), 1 }, { "letters", FLAG(letters), UI_SIZES - 1 }, { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 },
     { "panel", FLAG(panel), 1 }, { "tab", FLAG(tab), -1 },
     { "tool", FLAG(tools.tool), -2 }, { "shape", FLAG(tools.choice[TOOL_SHAPE]), -3 },
     { "stuff", FLAG(tools.choice[TOOL_STUFF]), -4 },
@@ -21,7 +21,7 @@ static const kept_number kept_table[] = {
     { "curves", FLAG(curves), KEPT_CURVES }, { "overlays", FLAG(wanted_on), KEPT_OVERLAYS },
     { "overlays-not", FLAG(wanted_off), KEPT_OVERLAYS },
 };
-enum { KEPT = sizeof kept_table / sizeof *kept_table };
+enum { KEPT = sizeof keptTable / sizeof *keptTable };
 
 static int32_t all_overlays(void)
 {
@@ -45,9 +45,8 @@ static size_t settings_text(const game_state *s, char *out, size_t size)
     size_t used = 0;
     for (int i = 0; i < KEPT; i++) {
         int32_t value;
-        memcpy(&value, (const uint8_t *)s + kept_table[i].where, sizeof value);
-        int n = snprintf(out + used, size - used, "%s %d\n", kept_table[i].name,
-                         (int)value);
+        memcpy(&value, (const uint8_t *)s + keptTable[i].where, sizeof value);
+        int n = snprintf(out + used, size - used, "%s %d\n", keptTable[i].name, (int)value);
         used += n > 0 && (size_t)n < size - used ? (size_t)n : 0;
     }
     return used;
@@ -57,14 +56,14 @@ static size_t settings_text(const game_state *s, char *out, size_t size)
 static const char *read_line(const char *at, const char *end, int32_t value[KEPT])
 {
     for (int i = 0; i < KEPT; i++) {
-        size_t n = strlen(kept_table[i].name);
+        size_t n = strlen(keptTable[i].name);
         int64_t x = 0;
         const char *digit = at + n + 1;
-        if ((size_t)(end - at) < n + 3 || memcmp(at, kept_table[i].name, n) != 0 ||
+        if ((size_t)(end - at) < n + 3 || memcmp(at, keptTable[i].name, n) != 0 ||
             at[n] != ' ' || *digit < '0' || *digit > '9') continue;
         for (; digit < end && *digit >= '0' && *digit <= '9' && x < 100000000; digit++)
             x = 10 * x + (*digit - '0');
-        if (digit == end || *digit != '\n' || x > kept_most(&kept_table[i])) return NULL;
+        if (digit == end || *digit != '\n' || x > kept_most(&keptTable[i])) return NULL;
         value[i] = (int32_t)x;
         return digit + 1;
     }
@@ -76,10 +75,10 @@ static bool read_settings(game_state *s, const char *at, size_t size)
     int32_t value[KEPT];
     const char *end = at + size;
     for (int i = 0; i < KEPT; i++)
-        memcpy(&value[i], (uint8_t *)s + kept_table[i].where, sizeof *value);
+        memcpy(&value[i], (uint8_t *)s + keptTable[i].where, sizeof *value);
     while (at && at < end) at = read_line(at, end, value);
     for (int i = 0; at && i < KEPT; i++)
-        memcpy((uint8_t *)s + kept_table[i].where, &value[i], sizeof *value);
+        memcpy((uint8_t *)s + keptTable[i].where, &value[i], sizeof *value);
     return at != NULL;
 }
 

@@ -39,10 +39,10 @@ static inline wfBodyId put(Maker *m, const wfBodyDef *def)
 {
     wfBodyId id = { 0 };
     wfBodyDef fit = *def;
-    uint32_t lacks = wfMissingModules(m->world, wfAllModules());
-    if (lacks & WF_MODULE_FRICTION) fit.friction = 0;
-    if (lacks & WF_MODULE_RESTITUTION) fit.restitution = 0;
-    if (lacks & WF_MODULE_DAMPING) fit.linearDamping = fit.angularDamping = 0;
+    uint32_t lacks = wfMissingNeeds(m->world, wfAllNeeds());
+    if (lacks & WF_NEED_FRICTION) fit.friction = 0;
+    if (lacks & WF_NEED_RESTITUTION) fit.restitution = 0;
+    if (lacks & WF_NEED_DAMPING) fit.linearDamping = fit.angularDamping = 0;
     if (m->result == WF_OK)
         note(m, wfAddBodyToWorld(m->world, &fit, &id));
     return id;
@@ -184,7 +184,7 @@ static inline wfJoint joint_from(Maker *m, const char *kind, wfBodyId a, wfBodyI
 {
     wfJoint j = { .kind = 0 };
     if (m->result == WF_OK)
-        note(m, wfDefineJoint(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
+        note(m, wfJoinBodies(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
     return j;
 }
 
@@ -224,7 +224,7 @@ static inline wfJoint joint_along(Maker *m, const char *kind, wfBodyId a, wfBody
                                   wfVec2 at, wfVec2 axis)
 {
     wfJoint j = { .kind = 0 };
-    if (m->result == WF_OK) note(m, wfDefineJoint(m->world, kind, a, b, at, at, axis, &j));
+    if (m->result == WF_OK) note(m, wfJoinBodies(m->world, kind, a, b, at, at, axis, &j));
     return j;
 }
 #endif

@@ -4,7 +4,7 @@
 #include "testbed/maker.h"
 
 /* scenes of motion */
-static const wfReal fall_speed[3][2] = { { 0, 0 }, { 3, 4 }, { 5, 7 } };
+static const wfReal fallSpeed[3][2] = { { 0, 0 }, { 3, 4 }, { 5, 7 } };
 
 static wfResult build_free_fall(wfWorld *world)
 {
@@ -13,7 +13,7 @@ static wfResult build_free_fall(wfWorld *world)
     for (int i = 0; i < 3; i++) {
         wfBodyDef b = ball(&m, -3, 5, WF_R(0.25));
         b.position.x += WF_R(0.8) * (wfReal)i;
-        b.velocity = wfV2(fall_speed[i][0], fall_speed[i][1]);
+        b.velocity = wfV2(fallSpeed[i][0], fallSpeed[i][1]);
         b.restitution = WF_R(0.7);
         put(&m, &b);
     }
@@ -28,7 +28,7 @@ static void draw_free_fall(const wfWorld *world, wfDraw *d, const wfSceneInput *
         return;
     for (int i = 0; i < 3; i++)
         draw_parabola(d, wfV2(-3 + WF_R(0.8) * (wfReal)i, 5),
-                      wfV2(fall_speed[i][0], fall_speed[i][1]), g, WF_R(0.25));
+                      wfV2(fallSpeed[i][0], fallSpeed[i][1]), g, WF_R(0.25));
 }
 
 enum { ORBIT_GM = 32 };

@@ -8,7 +8,7 @@
 /* find the pair at a place */
 static wfTransform pose_of(const wfWorld *world, int32_t shape)
 {
-    int32_t body = wfWorldShapes(world).bodyOfShape[shape];
+    int32_t body = wfWorldShapes(world).owners[shape];
     return wfBodyTransform(&wfWorldBodies(world).state[body]);
 }
 
@@ -21,7 +21,7 @@ static int32_t nearest_shape(const wfWorld *world, const wfShape *shape, wfTrans
     int32_t found = -1;
     for (int32_t k = 0; k < s.count; k++) {
         wfDistanceResult r;
-        if (s.bodyOfShape[k] < 0 || s.bodyOfShape[k] == not) continue;
+        if (s.owners[k] < 0 || s.owners[k] == not) continue;
         if (wfShapeDistance(shape, xf, &s.shapes[k], pose_of(world, k), &r) != WF_OK ||
             !(r.distance < best))
             continue;
@@ -37,8 +37,7 @@ bool wfPairAt(const wfWorld *world, wfVec2 place, int32_t *a, int32_t *b)
     wfShape point = { .kind = WF_SHAPE_NONE };
     *b = -1;
     *a = nearest_shape(world, &point, (wfTransform){ place, wfRotation(0) }, -1);
-    if (*a >= 0) *b = nearest_shape(world, &s.shapes[*a], pose_of(world, *a),
-                                    s.bodyOfShape[*a]);
+    if (*a >= 0) *b = nearest_shape(world, &s.shapes[*a], pose_of(world, *a), s.owners[*a]);
     if (*b < 0) *a = -1;
     return *b >= 0;
 }
@@ -53,8 +52,8 @@ static bool see_pair(const wfWorld *world, const wfLook *look, SeenPair *p)
 {
     wfShapeView s = wfWorldShapes(world);
     int32_t a = look->shapeA, b = look->shapeB;
-    if (a < 0 || b < 0 || a >= s.count || b >= s.count || s.bodyOfShape[a] < 0 ||
-        s.bodyOfShape[b] < 0 || s.bodyOfShape[a] == s.bodyOfShape[b])
+    if (a < 0 || b < 0 || a >= s.count || b >= s.count || s.owners[a] < 0 ||
+        s.owners[b] < 0 || s.owners[a] == s.owners[b])
         return false;
     *p = (SeenPair){ &s.shapes[a], &s.shapes[b], pose_of(world, a), pose_of(world, b) };
     return true;
@@ -87,10 +86,9 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     if (!see_pair(world, look, &p) || wfSeparate(0, p.a, p.xa, p.b, p.xb, &s) != WF_OK)
         return;
     wfProjection a = wfProject(p.a, p.xa, s.normal), b = wfProject(p.b, p.xb, s.normal);
-    wfVec2 small = wfShapeMaxExtent(p.a) < wfShapeMaxExtent(p.b) ?
-        wfApply(p.xa, p.a->centre)
+    wfVec2 small = wfShapeReach(p.a) < wfShapeReach(p.b) ? wfApply(p.xa, p.a->centre)
                                                          : wfApply(p.xb, p.b->centre);
-    wfReal reach = wfMinR(wfShapeMaxExtent(p.a), wfShapeMaxExtent(p.b));
+    wfReal reach = wfMinR(wfShapeReach(p.a), wfShapeReach(p.b));
     wfReal lift = 2 * reach, step = WF_R(0.12) * reach;
     int role = s.distance < 0 ? WF_INK_BAD : WF_INK_GOOD;
     /* keep the axis near the smaller body */
@@ -400,7 +398,7 @@ static void look_at_pressures(const wfWorld *world, const wfLook *look, wfPool *
 {
     wfWorldDef def;
     (void)look, (void)scratch;
-    if (wfGetWorldDef(world, &def) == WF_OK) draw_pressures(world, def.timeStep, d);
+    if (wfGetWorldDef(world, &def) == WF_OK) draw_pressures(world, def.dt, d);
 }
 
 static void look_at_loads(const wfWorld *world, const wfLook *look, wfPool *scratch,
@@ -533,9 +531,9 @@ wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPoo
     result = wfCloneWorld(world, &room, out);
     int32_t whole = wfStepSubsteps(&def), n = substep < 1 ? 1 : substep;
     wfReal share = (wfReal)(n < whole ? n : whole) / (wfReal)whole; /* eq:scenes-part */
-    def.timeStep *= share;
-    def.restitutionThreshold /= share;
-    def.contactPushSpeed /= share;
+    def.dt *= share;
+    def.restingSteps /= share;
+    def.recoverySteps /= share;
     if (whole > 1) def.substeps = n < whole ? n : whole;
     def.iterations = pass < 1 ? 1 : pass;
     if (result == WF_OK) result = wfSetWorldDef(out, &def);
@@ -557,7 +555,7 @@ static void look_at_passes(const wfWorld *world, const wfLook *look, wfPool *scr
             if (v.state[i].invMass > 0)
                 wfDrawShape(d, &v.shapes[k], wfBodyTransform(&v.state[i]), WF_INK_GOOD,
                             WF_INK_NONE);
-    draw_pressures(&part, def.timeStep, d);
+    draw_pressures(&part, def.dt, d);
     float high = d->view[3] - d->view[1];
     wfDrawTextf(d, (d->view[0] + d->view[2]) / 2, d->view[3] - high / 6, 16, WF_INK_TEXT, 0,
                 "substep %d of %d, pass %d of %d",

@@ -9,8 +9,8 @@
 /* How much of the window's right side the panel takes from the world. */
 float game_beside(const game_state *s)
 {
-    float left = s->width - (s->list ? LIST_WIDTH : 0) - SETTINGS_WIDTH;
-    return s->panel && left >= 200 ? SETTINGS_WIDTH : 0;
+    float left = s->width - game_list_side(s) - SETTINGS_WIDTH;
+    return s->panel && !s->bare && left >= 200 ? SETTINGS_WIDTH : 0;
 }
 
 static bool panel_shows(const game *g, float y, float h)
@@ -24,8 +24,9 @@ void game_time_bar(ui *u, game *g)
 {
     game_state *s = g->state;
     uint64_t oldest, newest, now = wfWorldSteps(&g->world);
-    float left = (s->list ? LIST_WIDTH + 16 : 16), y = u->height - FOOT - 14;
+    float left = game_list_side(s) + 16, y = u->height - FOOT - 14;
     float w = u->width - left - (s->panel ? SETTINGS_WIDTH : 0) - 16;
+    float reach = s->finger ? 14 : 2;                       /* a finger is thick */
     if (wfRewindReach(&g->ring, &oldest, &newest) != WF_OK || newest <= oldest || w < 80)
         return;
     if (!s->back && now > newest) newest = now;
@@ -37,7 +38,9 @@ void game_time_bar(ui *u, game *g)
            s->back ? WF_INK_ACCENT : WF_INK_PAPER);
     ui_tip(u, "time", "Pull to go back in time. Run, and it goes on from there.", left, y,
            w, 12);
-    if (ui_area(u, "time", left - 4, y - 2, w + 8, 16)) u->memory->active = 1;
+    ui_area(u, "time", left - 4, y - 2, w + 8, 16);
+    if (u->press && ui_inside(u, left - 4, y - reach, w + 8, 12 + 2 * reach))
+        u->over = true, u->memory->active = 1;
     if (u->draw || u->memory->active != 1 || !u->held) return;
     float at = (u->x - left) / w;
     at = at < 0 ? 0 : at > 1 ? 1 : at;
@@ -54,7 +57,7 @@ static void change_setting(game *g, int i, int part, double value)
                    .generation = (uint32_t)part };
     if (i >= 128) return;
     in.with.x = (wfReal)value;
-    s->result = wfGiveInput(&g->world, g->noted, &in, NULL);
+    s->result = wfGiveInput(&g->world, game_begin_edit(g), &in, NULL);
     if (s->result != WF_OK || wfGetWorldDef(&g->world, &def) != WF_OK) return;
     s->changed[i] = 1;
     for (int k = 0; k < 2; k++) s->wanted[i][k] = wfSettingValue(&def, row, k);
@@ -91,9 +94,9 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
     bool hit = false;
     /* show the widget of the setting's kind */
     if (row->builtIn) {
-        char text[32];
+        char text[32], words[GAME_NAME_SIZE];
         snprintf(text, sizeof text, "%.6g", value);
-        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, name);
+        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, ui_words(name, words));
         ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, text);
     } else if (row->kind == WF_SETTING_SWITCH) {
         hit = ui_check(u, name, x, y, w, value != 0);
@@ -154,23 +157,23 @@ typedef struct body_line {
     const char *name, *text;
     ui_range range;
     int32_t input;                      /* WF_INPUT_... that changes it */
-    uint32_t modules;
+    uint32_t needs;
 } body_line;
 
-static const body_line body_lines[BODY_LINES] = {
+static const body_line bodyLines[BODY_LINES] = {
     { "mass", "kg", { 1e-6, 1e20, 1, false }, WF_INPUT_MASS, 0 },
     { "density", "of its shapes, kg/m^2", { 0, 1e20, 1, false }, WF_INPUT_SET_SHAPE, 0 },
     { "restitution", "0: clay, 1: nothing is lost", { 0, 1, 0.5, false },
-      WF_INPUT_MATERIAL, WF_MODULE_RESTITUTION },
+      WF_INPUT_MATERIAL, WF_NEED_RESTITUTION },
     { "friction", "0: ice, 1: rubber", { 0, 2, 0.5, false }, WF_INPUT_MATERIAL,
-      WF_MODULE_FRICTION },
+      WF_NEED_FRICTION },
     { "linear damping", "1/s: its velocity dies away", { 0, 1e20, 0.1, false },
-      WF_INPUT_DAMPING, WF_MODULE_DAMPING },
+      WF_INPUT_DAMPING, WF_NEED_DAMPING },
     { "angular damping", "1/s: its spin dies away", { 0, 1e20, 0.1, false },
-      WF_INPUT_DAMPING, WF_MODULE_DAMPING },
+      WF_INPUT_DAMPING, WF_NEED_DAMPING },
     { "velocity.x", "m/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, 0 },
     { "velocity.y", "m/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, 0 },
-    { "spin", "rad/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, WF_MODULE_ROTATION },
+    { "spin", "rad/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, WF_NEED_ROTATION },
 };
 
 bool game_body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[BODY_LINES])
@@ -206,7 +209,7 @@ static wfResult change_body(game *g, wfBodyId id, const body_line *line,
     tool_work w = game_tools_of(g);
     wfInput in = body_input(id, line->input, n);
     wfResult result = WF_OK;
-    if (line->input != WF_INPUT_SET_SHAPE) return tool_give(&w, line->modules, &in, NULL);
+    if (line->input != WF_INPUT_SET_SHAPE) return tool_give(&w, line->needs, &in, NULL);
     for (wfShapeId k = wfFirstShape(&g->world, id); k.index && result == WF_OK;
          k = wfNextShape(&g->world, k)) {
         wfShapeDef shape;
@@ -244,7 +247,7 @@ static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, 
         ui_choice(u, "body type", x, y, w, &type,
                   (ui_names){ type_count, type_name, NULL }, false)) {
         in.with.number = type;
-        tell_change(g, wfGiveInput(&g->world, g->noted, &in, NULL), "body type");
+        tell_change(g, wfGiveInput(&g->world, game_begin_edit(g), &in, NULL), "body type");
     }
     return y + UI_LINE;
 }
@@ -268,7 +271,7 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = type_line(u, g, id, b.type, x, y + UI_LINE, w);
     for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
-        const body_line *line = &body_lines[i];
+        const body_line *line = &bodyLines[i];
         if (!panel_shows(g, y, UI_LINE)) continue;
         if (ui_number(u, line->name, x, y, w, &n[i], line->range, false))
             tell_change(g, change_body(g, id, line, n), line->name);
@@ -280,23 +283,23 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
 uint32_t game_needs_now(const game *g)
 {
     wfWorldDef def;
-    return wfGetWorldDef(&g->world, &def) == WF_OK ? def.modules : 0;
+    return wfGetWorldDef(&g->world, &def) == WF_OK ? def.needs : 0;
 }
 
 /* These needs without one, and without all that can't do without it. */
-static uint32_t modules_without(uint32_t modules, uint32_t bit)
+static uint32_t needs_without(uint32_t needs, uint32_t bit)
 {
-    for (int i = 0; i < wfModuleCount; i++)
-        if (wfCloseModules(wfModuleTable[i].bit) & bit) modules &= ~wfModuleTable[i].bit;
-    return modules;
+    for (int i = 0; i < wfNeedCount; i++)
+        if (wfCloseNeeds(wfNeedTable[i].bit) & bit) needs &= ~wfNeedTable[i].bit;
+    return needs;
 }
 
 static double need_bytes(const wfWorldDef *now, uint32_t bit)      /* eq:scenes-need */
 {
     wfWorldDef with = *now, less = *now;
     size_t a = 0, b = 0, c = 0, d = 0;
-    with.modules = wfCloseModules(now->modules | bit);
-    less.modules = modules_without(now->modules, bit);
+    with.needs = wfCloseNeeds(now->needs | bit);
+    less.needs = needs_without(now->needs, bit);
     bool known = wfWorldSize(&with, &a, &b) == WF_OK;
     if (!known || wfWorldSize(&less, &c, &d) != WF_OK) return 0;
     return (double)(a + b) - (double)(c + d);
@@ -316,14 +319,14 @@ static void need_line(ui *u, game *g, const wfWorldDef *def, int i, float x, flo
                       float w)
 {
     game_state *s = g->state;
-    const wfModule *row = &wfModuleTable[i];
-    uint32_t ticks = s->wished ? s->wished : def->modules;
+    const wfNeedRow *row = &wfNeedTable[i];
+    uint32_t ticks = s->wished ? s->wished : def->needs;
     char text[40], name[GAME_NAME_SIZE];
     double us = 1e6 * need_seconds(g, row->bit);
     snprintf(name, sizeof name, "with %s", row->name);     /* `contacts' is an overlay's */
     if (ui_check(u, name, x, y, w - 130, ticks & row->bit))
-        s->wished = ticks & row->bit ? modules_without(ticks, row->bit)
-                                     : wfCloseModules(ticks | row->bit);
+        s->wished = ticks & row->bit ? needs_without(ticks, row->bit)
+                                     : wfCloseNeeds(ticks | row->bit);
     snprintf(text, sizeof text, "%.1f KB", need_bytes(def, row->bit) / 1000);
     ui_text(u, x + w - 62, y + 13.5f, 13, WF_INK_TEXT, 1, text);
     snprintf(text, sizeof text, us < 1 ? "%.2f us" : "%.0f us", us);
@@ -331,13 +334,13 @@ static void need_line(ui *u, game *g, const wfWorldDef *def, int i, float x, flo
     ui_tip(u, name, row->text, x, y, w, ROW);
 }
 
-static void restart_with_modules(game *g)
+static void restart_with_needs(game *g)
 {
-    g->state->modules = g->state->wished;
+    g->state->needs = g->state->wished;
     game_open_scene(g, g->state->row);
 }
 
-static float modules_panel(ui *u, game *g, float x, float y, float w)
+static float needs_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
     wfWorldDef def;
@@ -346,14 +349,14 @@ static float modules_panel(ui *u, game *g, float x, float y, float w)
     if (wfGetWorldDef(&g->world, &def) != WF_OK) return y;
     wfWorldSize(&def, &kept, &scratch);
     if (panel_shows(g, y, 28) &&
-        ui_button(u, "Restart with these", x, y, w, s->wished && s->wished != def.modules))
-        restart_with_modules(g);
+        ui_button(u, "Restart with these", x, y, w, s->wished && s->wished != def.needs))
+        restart_with_needs(g);
     snprintf(text, sizeof text, "world: %.0f KB kept, %.0f KB to work in",
              (double)kept / 1000, (double)scratch / 1000);
     y += 30;
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y += UI_LINE;
-    for (int i = 0; i < wfModuleCount; i++, y += ROW + 2)
+    for (int i = 0; i < wfNeedCount; i++, y += ROW + 2)
         if (panel_shows(g, y, ROW)) need_line(u, g, &def, i, x, y, w);
     return y;
 }
@@ -531,7 +534,7 @@ void game_draw_curves(ui *u, const game *g)
 }
 
 /* the panel of files */
-static const button_row file_table[] = {
+static const button_row fileTable[] = {
     { "Record", NULL, 'f', 0, game_press_record, "F: writes down what you do; again: stop" },
     { "Replay", NULL, 'k', 0, game_press_replay, "K: does it again, to the last bit" },
     { "Save the world", NULL, 'w', 0, game_press_save, "W: world.save" },
@@ -548,33 +551,33 @@ static const button_row file_table[] = {
       "&: frame-1.png, -2 ...; again: stop" },
     { "Copy as C", NULL, 'c', 0, game_press_copy, "C: scene.c, a program of its own" },
 };
-enum { FILES = sizeof file_table / sizeof *file_table };
+enum { FILES = sizeof fileTable / sizeof *fileTable };
 
 void game_file_key(game *g, int32_t key)
 {
     for (int i = 0; i < FILES; i++)
-        if (file_table[i].key == key) game_press_button(g, &file_table[i]);
+        if (fileTable[i].key == key) game_press_button(g, &fileTable[i]);
 }
 
 static float files_panel(ui *u, game *g, float x, float y, float w)
 {
     for (int i = 0; i < FILES; i++, y += 50) {
-        const button_row *row = &file_table[i];
+        const button_row *row = &fileTable[i];
         if (!panel_shows(g, y, 46)) continue;
         if (ui_button(u, row->name, x, y, w, false)) game_press_button(g, row);
         ui_fitted(u, x, y + 40, WF_INK_LINE, w, row->text);
     }
     return y;
 }
-static const panel_row panel_table[] = {
+static const panel_row panelTable[] = {
     { "World", "the settings of the world", world_panel },
     { "Body", "the numbers of the chosen body", body_panel },
-    { "Needs", "what this world has, and what each costs", modules_panel },
+    { "Needs", "what this world has, and what each costs", needs_panel },
     { "Files", "record, replay, save, load, copy", files_panel },
     { "See", "what is drawn over the bodies, step by step", see_panel },
     { "Compare", "other settings beside these, and curves", compare_panel },
 };
-enum { PANELS = sizeof panel_table / sizeof *panel_table };
+enum { PANELS = sizeof panelTable / sizeof *panelTable };
 int32_t game_panel_count(void) { return PANELS; }
 
 static void scroll_panel(ui *u, game *g, float length)
@@ -583,7 +586,7 @@ static void scroll_panel(ui *u, game *g, float length)
     float most = length - (g->panel_bottom - g->panel_top);
     const game_input *in = g->input;
     if (u->draw) return;
-    s->panel_scroll -= u->over_panel ? in->wheel * 3 * UI_LINE : 0;
+    s->panel_scroll -= u->over_panel ? in->wheel * 3 * UI_LINE + game_finger_way(u, g) : 0;
     for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS && s->ui.focus; i++) {
         if (in->keys[i] == GAME_KEY_UP) s->panel_scroll -= UI_LINE;
         if (in->keys[i] == GAME_KEY_DOWN) s->panel_scroll += UI_LINE;
@@ -601,12 +604,12 @@ void game_settings_panel(ui *u, game *g)
     ui_box(u, x - 12, s->head, SETTINGS_WIDTH + 2, bottom - s->head, WF_INK_FAINT,
            WF_INK_PAPER);
     for (int i = 0; i < PANELS; i++)
-        if (bar_button(u, &tabs, panel_table[i].name, i == s->tab, panel_table[i].text))
+        if (bar_button(u, &tabs, panelTable[i].name, i == s->tab, panelTable[i].text))
             s->tab = i, s->panel_scroll = 0;
     g->panel_top = tabs.y + BAR_ROW + 2;
     g->panel_bottom = bottom;
     float y = g->panel_top - s->panel_scroll;
-    float end = panel_table[s->tab].walk(u, g, x, y, w);
+    float end = panelTable[s->tab].walk(u, g, x, y, w);
     bar_thumb(u, u->width - 5, g->panel_top, bottom - g->panel_top, end - y,
               s->panel_scroll);
     u->over_panel = ui_inside(u, x - 12, s->head, SETTINGS_WIDTH, bottom - s->head);

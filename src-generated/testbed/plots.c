@@ -45,7 +45,7 @@ static void sample_contacts(const wfPlotInput *in, float out[WF_PLOT_CURVES])
     int32_t count;
     wfWorldContacts(in->world, &count);
     out[0] = (float)count;
-    out[1] = (float)wfGetSleepCounts(in->world).awake;
+    out[1] = (float)wfWorldRest(in->world).awake;
 }
 
 static void sample_time(const wfPlotInput *in, float out[WF_PLOT_CURVES])

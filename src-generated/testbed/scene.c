@@ -17,17 +17,24 @@ int wfFindScene(const char *name)
 }
 
 /* open and step a scene */
-wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
-                                uint32_t modules,
-                                wfWorld *out)
+static wfWorkers sharing;
+
+void wfShareScenes(wfWorkers workers) { sharing = workers; }
+
+wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
+                            wfWorld *out)
 {
-    if (scene->open)
-        return scene->open(scene, memory, out);
+    if (scene->open) {
+        wfResult opened = scene->open(scene, memory, out);
+        if (opened == WF_OK)
+            out->workers = sharing;
+        return opened;
+    }
     wfWorldDef def = wfDefaultWorldDef();
     if (scene->define)
         scene->define(&def);
-    if (modules)
-        def.modules = modules;
+    if (needs)
+        def.needs = needs;
     if (memory)
         def.memory = *memory;
     wfWorld world;
@@ -37,21 +44,23 @@ wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
     result = scene->build(&world);
     if (result != WF_OK)
         wfDestroyWorld(&world);
-    else
+    else {
+        world.workers = sharing;
         *out = world;
+    }
     return result;
 }
 
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
-    return wfOpenSceneWithModules(scene, memory, 0, out);
+    return wfOpenSceneNeeding(scene, memory, 0, out);
 }
 
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in)
 {
     if (scene->update)
         scene->update(world, in);
-    return wfStepWorldWithCallbacks(world, scene->hooks);
+    return wfStepWorldWith(world, scene->hooks);
 }
 
 /* wander over the view */

@@ -34,7 +34,7 @@ typedef struct wfScene {
     void (*update)(wfWorld *world, const wfSceneInput *in);  /* before each step; or NULL */
     /* draws over the bodies; or NULL */
     void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);
-    const wfCallbacks *hooks;               /* that each step asks; or NULL */
+    const wfHooks *hooks;                   /* that each step asks; or NULL */
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
     uint32_t show;                          /* overlays to begin with */
     wfReal energyBound;                     /* J it may gain; negative: not checked */
@@ -52,12 +52,13 @@ int wfSceneCount(void);
 int wfFindScene(const char *name);
 /* wfOpenScene, but for the needs: these instead of the scene's own, unless 0. A scene in a
  * file has its own in any case. */
-wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
-                                uint32_t modules,
-                                wfWorld *out);
+wfResult wfOpenSceneNeeding(const wfScene *scene, const wfMemory *memory, uint32_t needs,
+                            wfWorld *out);
 /* Makes the scene's world in the memory handed over, or in its own (memory NULL or all
    zero). The errors of wfCreateWorld and of the scene's calls; then no world is left. */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out);
+/* Who shares the work of scenes that are opened from now on; nobody at first. */
+void wfShareScenes(wfWorkers workers);
 /* Lets the scene act, then steps its world: the errors of wfStepWorld. */
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in);
 /* What a hand that nobody moves does at this step: wander over the view, turn, change. */

@@ -21,7 +21,7 @@ GROUP(wfAskedScenes)
 GROUP(wfLastScenes)
 #undef GROUP
 #define GROUP(name) &name,
-static const wfSceneGroup *const group_table[] = {
+static const wfSceneGroup *const groupTable[] = {
     /* groups of scenes */
     GROUP(wfMotionScenes)
     GROUP(wfForceScenes)
@@ -37,19 +37,19 @@ static const wfSceneGroup *const group_table[] = {
     GROUP(wfAskedScenes)
     GROUP(wfLastScenes)
 };
-enum { GROUPS = sizeof group_table / sizeof *group_table };
+enum { GROUPS = sizeof groupTable / sizeof *groupTable };
 int wfSceneCount(void)
 {
     size_t count = 0;
-    for (int i = 0; i < GROUPS; i++) count += group_table[i]->count;
+    for (int i = 0; i < GROUPS; i++) count += groupTable[i]->count;
     return (int)count;
 }
 
 const wfScene *wfSceneAt(int row)
 {
     for (int i = 0; i < GROUPS && row >= 0; i++) {
-        if ((size_t)row < group_table[i]->count) return &group_table[i]->scene[row];
-        row -= (int)group_table[i]->count;
+        if ((size_t)row < groupTable[i]->count) return &groupTable[i]->scene[row];
+        row -= (int)groupTable[i]->count;
     }
     return NULL;
 }

@@ -17,37 +17,37 @@ static wfResult build_throws(wfWorld *world)
     return m.result;
 }
 
-static void fifteen(wfWorldDef *def) { def->timeStep = WF_R(1.0) / 15; }
+static void fifteen(wfWorldDef *def) { def->dt = WF_R(1.0) / 15; }
 
 static wfResult build_far(wfWorld *world)
 {
     wfResult result = build_throws(world);
-    return result == WF_OK ? wfSetWorldOrigin(world, (wfGlobalPoint){ 1e9, 0 }) : result;
+    return result == WF_OK ? wfSetWorldOrigin(world, (wfFar){ 1e9, 0 }) : result;
 }
 
 static void draw_throws(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
     wfVec2 g;
-    wfGlobalPoint home, at;
+    wfFar home, at;
     if (wfGetGravity(world, &g) != WF_OK) return;
     for (int i = 0; i < 3; i++)
         draw_parabola(d, wfV2(-7, 1 + (wfReal)i), wfV2(4 + (wfReal)i, 7), g, WF_R(0.2));
     wfVec2 p = wfWorldBodies(world).state[3].p;
     if (wfGetWorldOrigin(world, &home) != WF_OK || home.x == 0) return;
-    if (wfLocalToGlobal(world, p, &at) == WF_OK)
+    if (wfToFar(world, p, &at) == WF_OK)
         wfDrawTextf(d, (float)p.x, (float)p.y + 0.4f, 13, WF_INK_ACCENT, 0,
                     "x = %.1f m", at.x);
 }
 
-static const wfReal spin_speed[4] = { 1, 10, 100, 300 };
+static const wfReal spinSpeed[4] = { 1, 10, 100, 300 };
 
 static wfResult build_spin(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     for (int i = 0; i < 4; i++) {
         wfBodyDef b = box(&m, WF_R(3.2) * (wfReal)i - WF_R(4.8), 0, WF_R(1.3), WF_R(0.2));
-        b.angularVelocity = spin_speed[i];
+        b.angularVelocity = spinSpeed[i];
         b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
         put(&m, &b);
     }
@@ -59,12 +59,12 @@ static void draw_spin(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     (void)in;
     double whole = 2 * (double)WF_PI;
     for (int i = 0; i < 4; i++) {
-        double turn = (double)spin_speed[i] * wfWorldTime(world);
+        double turn = (double)spinSpeed[i] * wfWorldTime(world);
         turn -= whole * (double)(int64_t)(turn / whole);
         wfRot q = wfRotation(wfWrapAngle((wfReal)turn));
         float x = 3.2f * (float)i - 4.8f, c = 1.5f * (float)q.c, s = 1.5f * (float)q.s;
         wfDrawLine(d, x - c, -s, x + c, s, 2, WF_INK_ACCENT);
-        wfDrawTextf(d, x, -2.1f, 13, WF_INK_TEXT, 0, "%g rad/s", (double)spin_speed[i]);
+        wfDrawTextf(d, x, -2.1f, 13, WF_INK_TEXT, 0, "%g rad/s", (double)spinSpeed[i]);
     }
 }
 
@@ -91,7 +91,7 @@ static void draw_billiard(const wfWorld *world, wfDraw *d, const wfSceneInput *i
     wfDrawTextf(d, 0, 2.4f, 16, WF_INK_TEXT, 0, "%.2f J of 200", kinetic);
 }
 
-static const wfReal slide_friction[4] = { WF_R(0.1), WF_R(0.2), WF_R(0.4), WF_R(0.8) };
+static const wfReal slideFriction[4] = { WF_R(0.1), WF_R(0.2), WF_R(0.4), WF_R(0.8) };
 
 static wfResult build_slides(wfWorld *world)
 {
@@ -100,11 +100,11 @@ static wfResult build_slides(wfWorld *world)
         wfReal y = WF_R(1.5) * (wfReal)i;
         wfBodyDef shelf = box(&m, 0, y - WF_R(0.1), 6, WF_R(0.1)), b;
         shelf.type = WF_STATIC;
-        shelf.friction = slide_friction[i];
+        shelf.friction = slideFriction[i];
         put(&m, &shelf);
         b = box(&m, -5, y + WF_R(0.15), WF_R(0.5), WF_R(0.15));
         b.velocity = wfV2(4, 0);
-        b.friction = slide_friction[i];
+        b.friction = slideFriction[i];
         b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
         put(&m, &b);
     }
@@ -117,10 +117,10 @@ static void draw_slides(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfVec2 g;
     if (wfGetGravity(world, &g) != WF_OK || g.y == 0) return;
     for (int i = 0; i < 4; i++) {
-        float y = 1.5f * (float)i, x = -5 - 8 / (float)(slide_friction[i] * g.y);
+        float y = 1.5f * (float)i, x = -5 - 8 / (float)(slideFriction[i] * g.y);
         wfDrawDashed(d, x, y, x, y + 0.7f, 2, WF_INK_ACCENT);
         wfDrawTextf(d, 5.9f, y + 0.5f, 13, WF_INK_TEXT, 1, "friction %g",
-                    (double)slide_friction[i]);
+                    (double)slideFriction[i]);
     }
 }
 

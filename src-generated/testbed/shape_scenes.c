@@ -43,7 +43,7 @@ static wfResult build_tiles(wfWorld *world)
     return m.result;
 }
 
-static const wfReal hammer_x = WF_R(-6.0), hammerY = 2, hammerV = WF_R(2.5), hammerW = 9;
+static const wfReal hammerX = WF_R(-6.0), hammerY = 2, hammerV = WF_R(2.5), hammerW = 9;
 
 static wfBodyId put_hammer(Maker *m, wfReal x, wfReal y)
 {
@@ -61,7 +61,7 @@ static void throw_hammer(Maker *m, wfReal spin)
     wfBodyId body = put_hammer(m, 0, 0);
     if (m->result == WF_OK) note(m, wfGetBody(m->world, body, &now));
     if (m->result != WF_OK) return;
-    wfVec2 start = wfSub(wfV2(hammer_x, hammerY), now.centre);
+    wfVec2 start = wfSub(wfV2(hammerX, hammerY), now.centre);
     note(m, wfSetBodyTransform(m->world, body, start, 0));
     note(m, wfSetBodyVelocity(m->world, body, wfV2(hammerV, hammerW), spin));
 }
@@ -93,7 +93,7 @@ static void draw_hammers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
     (void)in;
     wfVec2 g;
     if (wfGetGravity(world, &g) == WF_OK)
-        draw_parabola(d, wfV2(hammer_x, hammerY), wfV2(hammerV, hammerW), g, WF_R(0.4));
+        draw_parabola(d, wfV2(hammerX, hammerY), wfV2(hammerV, hammerW), g, WF_R(0.4));
 }
 
 static void put_outline(Maker *m, const wfVec2 *outline, int corners, wfVec2 at, int role)

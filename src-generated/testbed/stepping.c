@@ -8,6 +8,24 @@
 static double game_clock(void *context);            /* of sec:scenes-needs */
 static void step_others(game *g, wfReal h);         /* of sec:scenes-compare */
 
+/* keep to the pace of the machine */
+static void keep_pace(game_state *s, double seconds)
+{
+    if (s->most < 1) s->most = STEP_CLOCK_MOST;
+    if (seconds > 0.05 && s->made >= s->most && s->most > 1) s->most /= 2;
+    if (seconds < 0.025 && s->most < STEP_CLOCK_MOST) s->most++;
+}
+
+/* The share of the time on the wall that was simulated, about once a second. */
+static void note_pace(game_state *s, double wall, double passed)
+{
+    s->wall += wall;
+    s->passed += passed;
+    if (s->wall < 1) return;
+    s->pace = s->passed / s->wall;
+    s->wall = s->passed = 0;
+}
+
 /* turn by the law of the hand */
 static wfReal turning_speed(const wfBodyState *body, wfReal to, wfReal omega, wfReal h)
 {
@@ -63,9 +81,9 @@ static void keep_moment(game *g, wfReal h)
     double size = (double)wfSnapshotSize(&g->world);
     uint64_t every = 1 + (uint64_t)(10 / (double)h * size / RING_BYTES), oldest, newest;
     uint64_t now = wfWorldSteps(&g->world);
-    if (wfRewindReach(&g->ring, &oldest, &newest) == WF_OK && now >= newest &&
-        now < newest + every)
-        return;
+    bool known = wfRewindReach(&g->ring, &oldest, &newest) == WF_OK;
+    if (known && now >= newest && now < newest + every && !g->state->ring_due) return;
+    g->state->ring_due = 0;
     wfRewindKeep(&g->ring, &g->world);
     game_note_ring(g);
 }
@@ -79,7 +97,7 @@ static wfResult take_step(game *g)
     bool timed = g->now && asked && g->scene->hooks == NULL && wfStageCount <= STAGES;
     g->staged = false;
     if (g->noted) return wfStepNoted(&g->world, &g->journal, g->scene->hooks);
-    if (!timed) return wfStepWorldWithCallbacks(&g->world, g->scene->hooks);
+    if (!timed) return wfStepWorldWith(&g->world, g->scene->hooks);
     memcpy(g->stage, s->seconds, sizeof g->stage);
     wfResult result = wfStepWorldTimed(&g->world, &clock);
     for (int i = 0; i < STAGES; i++) g->stage[i] = s->seconds[i] - g->stage[i];
@@ -119,16 +137,19 @@ void game_step_world(game *g)
     int32_t steps = g->input->steps;
     s->between = 1;
     if (steps < 0) {
+        keep_pace(s, g->input->seconds);
         steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
-                                   (double)def.timeStep, STEP_CLOCK_MOST);
-        if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
+                                   (double)def.dt, s->most);
+        s->made = s->paused ? 0 : steps;
+        if (!s->paused) note_pace(s, g->input->seconds * s->rate, steps * (double)def.dt);
+        if (!s->paused) s->between = (wfReal)s->clock.left / def.dt;
     }
     if (s->paused)
         steps = s->single;
     s->single = 0;
     if (steps > 0) game_stay_there(g);
     for (; steps > 0; steps--) {
-        keep_moment(g, def.timeStep);
+        keep_moment(g, def.dt);
         keep_poses(g);
         double before = g->now ? g->now() : 0;
         /* make one step or replay one */
@@ -137,8 +158,8 @@ void game_step_world(game *g)
         } else {
             if (!s->moved)
                 s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
-            game_pull(g, def.timeStep);
-            pull_chosen(g, def.timeStep);
+            game_pull(g, def.dt);
+            pull_chosen(g, def.dt);
             s->result = step_one(g);
         }
         s->last_step = g->now ? g->now() - before : 0;
@@ -146,7 +167,7 @@ void game_step_world(game *g)
             s->paused = 1;
             return;
         }
-        step_others(g, def.timeStep);
+        step_others(g, def.dt);
     }
 }
 static double game_clock(void *context) { return ((game *)context)->now(); }

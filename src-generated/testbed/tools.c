@@ -31,15 +31,21 @@ static void say_no(tool_memory *m, const char *why)
 }
 
 /* give an input, with room */
-wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made)
+wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made)
+{
+    if (w->edit) w->journal = w->edit(w->context);
+    return wfGiveInput(w->world, w->journal, in, made);
+}
+
+wfResult tool_give(tool_work *w, uint32_t needs, const wfInput *in, wfInputId *made)
 {
     wfResult result = WF_OK;
-    if (w->make_room && wfMissingModules(w->world, modules))
-        result = w->make_room(w->context, modules);
-    if (result == WF_OK) result = wfGiveInput(w->world, w->journal, in, made);
+    if (w->make_room && wfMissingNeeds(w->world, needs))
+        result = w->make_room(w->context, needs);
+    if (result == WF_OK) result = tool_put(w, in, made);
     if (result != WF_ERROR_FULL || !w->make_room) return result;
-    result = w->make_room(w->context, modules);
-    return result == WF_OK ? wfGiveInput(w->world, w->journal, in, made) : result;
+    result = w->make_room(w->context, needs);
+    return result == WF_OK ? tool_put(w, in, made) : result;
 }
 
 /* choose bodies */
@@ -74,14 +80,14 @@ static void choose_one(tool_work *w)
 }
 
 /* place a body */
-static const char *const shape_names[] = { "circle", "box", "capsule", "hexagon" };
-static const char *const stuff_names[] = { "wood", "rubber", "ice", "steel" };
-static const char *const type_names[] = { "dynamic", "static", "kinematic" };
+static const char *const shapeNames[] = { "circle", "box", "capsule", "hexagon" };
+static const char *const stuffNames[] = { "wood", "rubber", "ice", "steel" };
+static const char *const typeNames[] = { "dynamic", "static", "kinematic" };
 static const struct { wfReal density, friction, restitution; } stuff[] = {
     { 1, WF_R(0.5), WF_R(0.2) }, { WF_R(1.5), 1, WF_R(0.8) },
     { WF_R(1.3), WF_R(0.02), WF_R(0.1) }, { 10, WF_R(0.4), WF_R(0.4) },
 };
-static const int body_types[] = { WF_DYNAMIC, WF_STATIC, WF_KINEMATIC };
+static const int bodyTypes[] = { WF_DYNAMIC, WF_STATIC, WF_KINEMATIC };
 
 /* How far the mouse was pulled, or what a mere click means: m. */
 static wfVec2 pulled(const tool_memory *m)
@@ -111,7 +117,7 @@ static wfBodyDef body_of_choice(const tool_memory *m)
 {
     wfBodyDef def = wfDefaultBodyDef();
     int32_t s = m->choice[TOOL_STUFF];
-    def.type = body_types[m->choice[TOOL_TYPE]];
+    def.type = bodyTypes[m->choice[TOOL_TYPE]];
     def.density = stuff[s].density;
     def.friction = stuff[s].friction;
     def.restitution = stuff[s].restitution;
@@ -123,9 +129,9 @@ static wfResult add_body(tool_work *w, const wfBodyDef *def, wfBodyId *out)
 {
     wfInput in = { .kind = WF_INPUT_ADD_BODY, .body = *def };
     wfInputId made = { 0, 0 };
-    uint32_t modules = wfModulesOfBody(def);
-    if (def->shape.kind != WF_SHAPE_NONE) modules |= WF_MODULE_SHAPES | WF_MODULE_CONTACTS;
-    wfResult result = tool_give(w, modules, &in, &made);
+    uint32_t needs = wfNeedsOfBody(def);
+    if (def->shape.kind != WF_SHAPE_NONE) needs |= WF_NEED_SHAPES | WF_NEED_CONTACTS;
+    wfResult result = tool_give(w, needs, &in, &made);
     *out = (wfBodyId){ made.index, made.generation };
     return result;
 }
@@ -139,8 +145,8 @@ static void place(tool_work *w)
     if (result == WF_OK) result = add_body(w, &def, &id);
     if (result == WF_OK) tool_choose(m, id);
     say(m, result, result ? "not placed" : "placed: %s, %s, %s",
-        shape_names[m->choice[TOOL_SHAPE]], stuff_names[m->choice[TOOL_STUFF]],
-        type_names[m->choice[TOOL_TYPE]]);
+        shapeNames[m->choice[TOOL_SHAPE]], stuffNames[m->choice[TOOL_STUFF]],
+        typeNames[m->choice[TOOL_TYPE]]);
 }
 
 static void draw_placing(const tool_work *w, wfDraw *d)
@@ -206,11 +212,11 @@ static wfResult add_pieces(tool_work *w, const wfShape *piece, int count, wfBody
                        .generation = id->generation };
         shape.shape = piece[i];
         in.shape = shape;
-        result = tool_give(w, WF_MODULE_COMPOUNDS, &in, NULL);
+        result = tool_give(w, WF_NEED_COMPOUNDS, &in, NULL);
     }
     wfInput gone = { .kind = WF_INPUT_REMOVE_BODY, .index = id->index,
                      .generation = id->generation };
-    if (result != WF_OK && id->index) wfGiveInput(w->world, w->journal, &gone, NULL);
+    if (result != WF_OK && id->index) tool_put(w, &gone, NULL);
     return result;
 }
 
@@ -318,7 +324,7 @@ static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 t
         j->ratio = WF_PI / 6;
     } else if (strcmp(kind, "hand") == 0 || strcmp(kind, "servo") == 0) {
         j->motorForce = 98 * m;
-        wfSetJointSpring(j, m, 2, 1);
+        wfTuneJoint(j, m, 2, 1);
     } else if (strcmp(kind, "friction") == 0) {
         j->motorForce = 3 * m;
         j->ratio = wfSqrt(i / m);
@@ -337,7 +343,7 @@ static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2
                             to, axis);
     complete_joint(w, &j, from, to);
     wfInput in = { .kind = WF_INPUT_ADD_JOINT, .joint = j };
-    return tool_give(w, WF_MODULE_JOINTS, &in, NULL);
+    return tool_give(w, WF_NEED_JOINTS, &in, NULL);
 }
 
 static bool has_two_anchors(int kind)
@@ -363,7 +369,7 @@ static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from
     if (result == WF_OK) result = add_joint(w, kind, a, b, at[0], at[1]);
     wfInput gone = { .kind = WF_INPUT_REMOVE_BODY, .index = nail.index,
                      .generation = nail.generation };
-    if (result != WF_OK && nail.index) wfGiveInput(w->world, w->journal, &gone, NULL);
+    if (result != WF_OK && nail.index) tool_put(w, &gone, NULL);
     return result;
 }
 
@@ -471,7 +477,7 @@ static bool remove_joint_at(tool_work *w, wfVec2 at)
             wfLength(wfSub(b, at)) > 6 * w->memory->unit) continue;
         wfInput in = { .kind = WF_INPUT_REMOVE_JOINT, .index = id.index,
                        .generation = id.generation };
-        wfResult result = wfGiveInput(w->world, w->journal, &in, NULL);
+        wfResult result = tool_put(w, &in, NULL);
         say(w->memory, result, result ? "not removed" : "removed: a joint, %s",
             wfJointTable[j.kind].name);
         return true;
@@ -487,7 +493,7 @@ void tool_remove_chosen(tool_work *w)
     for (int32_t i = 0; i < m->count && result == WF_OK; i++, gone++) {
         wfInput in = { .kind = WF_INPUT_REMOVE_BODY, .index = m->chosen[i].index,
                        .generation = m->chosen[i].generation };
-        result = wfGiveInput(w->world, w->journal, &in, NULL);
+        result = tool_put(w, &in, NULL);
     }
     say(m, result, result ? "not removed" : "bodies removed: %d", gone);
     m->count = 0;
@@ -507,15 +513,15 @@ static void away(tool_work *w)
 }
 
 /* ask the world */
-static const char *const probe_names[] = { "ray", "circle cast", "box cast",
-                                           "nearest point" };
+static const char *const probeNames[] = { "ray", "circle cast", "box cast",
+                                          "nearest point" };
 
 static void begin_probe(tool_work *w) { w->memory->probed = 1; }
 
 /* Which body it is that was hit; -1: none. */
 static int hit_body(const tool_work *w, int32_t shape)
 {
-    return shape < 0 ? -1 : (int)wfWorldShapes(w->world).bodyOfShape[shape];
+    return shape < 0 ? -1 : (int)wfWorldShapes(w->world).owners[shape];
 }
 
 static wfResult cast(const tool_work *w, wfShape *shape, wfRayHit *hit)
@@ -554,10 +560,10 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     if (met) wfDrawArrow(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
     /* say what the probe met */
     if (met) say(m, WF_OK, "%s: body %d at %.4f of %.4g m, normal (%.3f, %.3f)",
-                 probe_names[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
+                 probeNames[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
                  (double)hit.fraction, (double)wfLength(by), (double)hit.normal.x,
                  (double)hit.normal.y);
-    else say(m, WF_OK, "%s: nothing within %.4g m", probe_names[m->choice[TOOL_PROBE]],
+    else say(m, WF_OK, "%s: nothing within %.4g m", probeNames[m->choice[TOOL_PROBE]],
              (double)wfLength(by));
 }
 
@@ -608,9 +614,9 @@ const tool_row toolTable[] = {
 const int toolCount = (int)(sizeof toolTable / sizeof *toolTable);
 #define NAMES(list) list, (int32_t)(sizeof list / sizeof *list)
 const tool_names toolChoices[TOOL_CHOICES] = {
-    { "new shape", NAMES(shape_names) }, { "new stuff", NAMES(stuff_names) },
-    { "new type", NAMES(type_names) }, { "joint kind", NULL, 0 },
-    { "question", NAMES(probe_names) },
+    { "new shape", NAMES(shapeNames) }, { "new stuff", NAMES(stuffNames) },
+    { "new type", NAMES(typeNames) }, { "joint kind", NULL, 0 },
+    { "question", NAMES(probeNames) },
 };
 
 int32_t tool_choice_count(const void *choice)

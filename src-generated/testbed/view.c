@@ -38,15 +38,34 @@ static void draw_contacts(const wfWorld *world, wfPool *scratch, wfDraw *d)
             wfDrawPoint(d, WF_XY(contact[i].manifold.points[p].point), 7, WF_INK_ACCENT);
 }
 
+/* What a contact's normal is drawn with, m: 0.8 of the least half side of the boxes. */
+static wfReal normal_length(const wfBodyView *v, const wfProxies *boxes, const wfContact *c)
+{
+    const int32_t body[2] = { c->a, c->b }, shape[2] = { c->shapeA, c->shapeB };
+    wfReal least = -1;
+    for (int k = 0; k < 2; k++) {
+        if (shape[k] < 0 || shape[k] >= boxes->count || v->state[body[k]].invMass <= 0)
+            continue;
+        wfVec2 side = wfSub(boxes->bounds[shape[k]].max, boxes->bounds[shape[k]].min);
+        wfReal half = WF_R(0.5) * wfMinR(side.x, side.y);
+        if (least < 0 || half < least) least = half;
+    }
+    return least > 0 ? WF_R(0.8) * least : WF_R(0.4);
+}
+
 static void draw_normals(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
     int32_t count;
+    wfProxies boxes = { .count = 0 };
+    wfBodyView v = wfWorldBodies(world);
     const wfContact *contact = wfWorldContacts(world, &count);
+    wfWorldProxies(world, &boxes);
     for (int32_t i = 0; i < count; i++)
         for (int32_t p = 0; p < contact[i].manifold.count; p++) {
             wfVec2 at = contact[i].manifold.points[p].point;
-            wfVec2 to = wfAddScaled(at, WF_R(0.4), contact[i].manifold.normal);
+            wfVec2 to = wfAddScaled(at, normal_length(&v, &boxes, &contact[i]),
+                                    contact[i].manifold.normal);
             wfDrawArrow(d, WF_XY(at), WF_XY(to), 1.5f, WF_INK_GOOD);
         }
 }
@@ -59,8 +78,8 @@ static void draw_pairs(const wfWorld *world, wfPool *scratch, wfDraw *d)
     wfBodyView v = wfWorldBodies(world);
     wfShapeView s = wfWorldShapes(world);
     for (int32_t i = 0; i < count; i++) {
-        const wfBodyState *a = &v.state[s.bodyOfShape[pair[i].a]];
-        const wfBodyState *b = &v.state[s.bodyOfShape[pair[i].b]];
+        const wfBodyState *a = &v.state[s.owners[pair[i].a]];
+        const wfBodyState *b = &v.state[s.owners[pair[i].b]];
         wfVec2 from = wfApply(wfBodyTransform(a), s.shapes[pair[i].a].centre);
         wfVec2 to = wfApply(wfBodyTransform(b), s.shapes[pair[i].b].centre);
         wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, WF_INK_BAD);
@@ -228,7 +247,7 @@ typedef struct JointLook {
     void (*draw)(wfDraw *d, const SeenJoint *s);
 } JointLook;
 
-static const JointLook joint_look[] = {
+static const JointLook jointLook[] = {
     { "revolute", see_hinge }, { "distance", see_distance }, { "prismatic", see_slide },
     { "wheel", see_slide }, { "pulley", see_pulley }, { "gear", see_turning },
     { "ratchet", see_turning }, { "turn", see_turning }, { "hand", see_hand },
@@ -238,9 +257,9 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
 {
     bool broken = (s->j.flags & WF_JOINT_BROKEN) != 0;
     void (*draw)(wfDraw *, const SeenJoint *) = see_line;
-    for (size_t i = 0; i < sizeof joint_look / sizeof *joint_look; i++)
-        if (strcmp(joint_look[i].kind, wfJointTable[s->j.kind].name) == 0)
-            draw = joint_look[i].draw;
+    for (size_t i = 0; i < sizeof jointLook / sizeof *jointLook; i++)
+        if (strcmp(jointLook[i].kind, wfJointTable[s->j.kind].name) == 0)
+            draw = jointLook[i].draw;
     if (!broken) draw(d, s);
     if (draw == see_turning || (draw == see_hand && broken)) return;
     wfDrawPoint(d, WF_XY(s->from), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
@@ -311,9 +330,9 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
                                    WF_INK_BAD };
     wfBodyId id = wfBodyAt(world, i);
     int32_t island = wfBodyIsland(world, id);
-    if (v->props[i].type == WF_STATIC) return;
-    *line = island < 0 ? WF_INK_LINE : ink[island % 5];
-    *fill = wfBodyIsAwake(world, id) ? *line : WF_INK_FAINT;
+    if (v->props[i].type == WF_STATIC || island < 0) return;
+    *line = ink[island % 5];
+    *fill = wfIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 
 static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTransform xf,

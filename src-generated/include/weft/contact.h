@@ -10,7 +10,7 @@ WF_BEGIN_C
 /* A point where two shapes touch.  Report 5.6: contact_data. */
 typedef struct wfContactPoint {
     wfVec2 point;        /* world frame, m: halfway between the two surfaces */
-    wfVec2 rA, rB;       /* the same from the origins of A and B, world directions, m */
+    wfVec2 armA, armB;   /* the same from the origins of A and B, world directions, m */
     wfReal depth;        /* m, along the normal; below 0: a gap (eq:contacts-margin) */
     wfReal normalImpulse, tangentImpulse;   /* N s, what a solver applied; 0 when new */
     uint32_t feature;    /* which vertex on which edge: the same while they touch there */
@@ -46,7 +46,7 @@ int wfCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb
 /* Gives each point of `now` the impulses of the point of `before` with the same feature
    (which is at the same corner: eq:contacts-identity), and 0 if there is none, or if the
    normal has turned by a right angle or more. */
-void wfMatchImpulses(const wfManifold *before, wfManifold *now);
+void wfKeepImpulses(const wfManifold *before, wfManifold *now);
 
 /* How far a point of one shape may have moved, seen from the other, for its reference edge
    to be used again: a share of the smaller shape's reach.  eq:contacts-reuse-limit */

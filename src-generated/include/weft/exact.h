@@ -8,6 +8,7 @@ WF_BEGIN_C
 
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
 #define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
+#define WF_EXACT_AGAIN 4        /* and then from the velocities that are used, at most */
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
 #define WF_EXACT_ROUNDING (2 * WF_EPSILON)  /* gaps that are done, as a share of arms */
 #define WF_EXACT_TAUT WF_R(0.03)    /* share by which I' may differ in the first round */
@@ -26,9 +27,8 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch);
    blocks a joint (WF_EXACT_CHEAP is a good value; < 0: no limit), or more room than there
    is, is solved joint by joint. alone: [set->count], kept as long as the set; 1: joint by
    joint. known: it has been filled for these joints before. WF_ERROR_NULL, _MEMORY. */
-wfResult wfDirectArticulations(wfJointSet *set, const wfSolve *in, wfReal most,
-                               uint8_t *alone,
-                               bool known, wfPool *scratch);
+wfResult wfExactMachines(wfJointSet *set, const wfSolve *in, wfReal most, uint8_t *alone,
+                         bool known, wfPool *scratch);
 #define WF_EXACT_ROOM 6             /* blocks that there is room for, a body or contact */
 #define WF_EXACT_TOUCH WF_R(1e-6)   /* eta of eq:exact-target: gaps that count as closed */
 #define WF_EXACT_EAGER 1e-3         /* share of the speeds: a first guess of who touches */

@@ -95,7 +95,7 @@ typedef struct wfCast {
 wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
                      const wfShape *target, wfTransform placedTarget, wfCast *out);
 /* The distance of the centroid from the nearest edge, and the coat, m; NULL: 0. */
-wfReal wfShapeMinExtent(const wfShape *shape);
+wfReal wfInnerRadius(const wfShape *shape);
 /* eq:impact-fast: may this body pass through something in this step?  NULL: no. */
 bool wfSweepIsFast(const wfShape *shape, wfSweep sweep);
 
@@ -118,9 +118,8 @@ enum { WF_NO_OBSTACLE = -1 };
    body of several shapes take the least of their times.  Of equal times the first obstacle
    counts.  WF_ERROR_NULL; _RANGE: most not in [0, 1], count below 0; errors of
    wfTimeOfImpact.  After an error *out is unchanged. */
-wfResult wfFirstTimeOfImpact(const wfShape *shape, wfSweep sweep,
-                             const wfObstacle *obstacles,
-                             int32_t count, wfReal most, wfStop *out);
+wfResult wfStopAtFirst(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacles,
+                       int32_t count, wfReal most, wfStop *out);
 /* The same for one obstacle, with a larger inner copy that is asked first: share is its
    size, WF_IMPACT_INNER to 1.  WF_ERROR_RANGE: any other. */
 wfResult wfStopAtOne(const wfShape *shape, wfSweep sweep, const wfObstacle *obstacle,

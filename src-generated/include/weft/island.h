@@ -8,11 +8,11 @@
 WF_BEGIN_C
 
 /* A forest over the numbers 0 .. count - 1, each a set of its own. */
-void wfMakeSets(int32_t *parent, int32_t count);
+void wfPlant(int32_t *parent, int32_t count);
 /* The smallest number of the set of i. Shortens the way for the next. */
-int32_t wfFindSet(int32_t *parent, int32_t i);
+int32_t wfRootOf(int32_t *parent, int32_t i);
 /* Makes one set of those of a and b. False: they were one. */
-bool wfUnionSets(int32_t *parent, int32_t a, int32_t b);
+bool wfUnite(int32_t *parent, int32_t a, int32_t b);
 
 /* Who hangs together with whom: island k has the members first[k] .. first[k + 1] - 1. */
 typedef struct wfIslands {
@@ -34,9 +34,8 @@ wfReal wfStillSpeed(wfReal reach, wfReal gravity, wfReal wait, wfReal share);
 /* Is no point of the body faster than the limit? */
 bool wfIsStill(const wfBodyState *s, wfReal reach, wfReal limit);
 /* For how long (s, at most wait) it has been still, a step of dt later. */
-wfReal wfSleepTimer(wfReal clock, bool still, wfReal dt, wfReal wait);
+wfReal wfRestClock(wfReal clock, bool still, wfReal dt, wfReal wait);
 /* Have all members of island k been still for so long? */
-bool wfIslandMaySleep(const wfIslands *islands, int32_t k, const wfReal *clock,
-                      wfReal wait);
+bool wfIslandIsTired(const wfIslands *islands, int32_t k, const wfReal *clock, wfReal wait);
 WF_END_C
 #endif

@@ -12,7 +12,7 @@ WF_BEGIN_C
 
 #define WF_JOINT_PERIOD 4       /* substeps, > 0: good values of eq:joints-period ... */
 #define WF_JOINT_DAMPING 2      /* ... for chains and machines */
-#define WF_JOINT_COMPLIANCE WF_R(1e-5) /* >= 0: how joints give that are solved together */
+#define WF_JOINT_GIVE WF_R(1e-5)    /* >= 0: how joints give that are solved together */
 #define WF_JOINT_POINT WF_R(1e-4)   /* >= 0: a rod of this share of its arms is a pin */
 /* A row whose pivot is a smaller share of its own K says nothing new. */
 #define WF_JOINT_SINGULAR (32 * WF_EPSILON)
@@ -56,19 +56,21 @@ typedef struct wfJoint {
     wfReal turnA, turnB;        /* rad: how far the bodies have turned, whole turns too */
     wfReal impulse[WF_JOINT_ROWS];      /* N s or N m s of each row in the last substep */
     wfReal given[3];            /* direct solver: kept from one substep to the next, N s */
+    wfReal elastic[3];          /* and by how much its rows have given way, m or rad */
+    wfReal loose[3];            /* and what is left of the gaps it was made with */
     wfVec2 load;                /* N: what it did to B in the last step, in the mean */
     wfReal twist;               /* N m: the same about B's anchor */
     wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
 } wfJoint;
 
 /* A body at one moment, for joints. */
-typedef struct wfJointFrame {
+typedef struct wfPlace {
     wfVec2 p, d;            /* m: where it was when the step began; how far it went since */
     wfRot q;
     wfReal angle;           /* rad */
-} wfJointFrame;
+} wfPlace;
 /* What a joint sees of its two bodies, in the directions of the world. */
-typedef struct wfJointGeometry {
+typedef struct wfJointSight {
     wfVec2 rA, rB;          /* m: the arms, from the centres of mass to the anchors */
     wfVec2 d;               /* m: from A's anchor to B's */
     wfVec2 lever;           /* m: d, as an arm of A (along a way: not quite) */
@@ -76,16 +78,16 @@ typedef struct wfJointGeometry {
     wfRot qA;               /* A's rotation */
     wfVec2 pA, pB;          /* m: the centres of mass */
     wfReal turnA, turnB;    /* rad: the turns of the bodies, without jumps */
-} wfJointGeometry;
+} wfJointSight;
 
 /* Fills rows, some of WF_JOINT_ROWS, from what the joint sees; says how many it filled. A
    law keeps its place in the list; one that is not in force is OFF. Trusts the joint. */
-typedef int32_t wfJointFn(const wfJoint *joint, const wfJointGeometry *at,
-                          wfJointRow *rows);
+typedef int32_t wfJointFn(const wfJoint *joint, const wfJointSight *at, wfJointRow *rows);
 typedef struct wfJointKindRow {
     const char *name, *text;
     wfJointFn *build;
     void (*track)(wfJoint *joint);  /* after its turns were counted; NULL: nothing to do */
+    bool holds;                 /* it keeps points of its two bodies together, or in line */
 } wfJointKindRow;
 extern const wfJointKindRow wfJointTable[];
 extern const int wfJointKinds;
@@ -100,10 +102,10 @@ typedef struct wfJointSet {
     wfReal period, damping;     /* P and zeta of eq:joints-period; P = 0: rigid */
     wfReal give;                /* rows give by this share of their K, >= 0 */
     struct wfJointWork *work;   /* [count]; wfBeginJoints takes it from the pool */
-    struct wfPin *pins;         /* [count] plain hinges among them: eq:joints-pin */
+    struct wfPin *pins;             /* [count] plain hinges among them: eq:joints-pin */
     wfReal *stiffness;          /* [bodies] eq:joints-geometric; N m/rad */
     wfReal *inverse;            /* [bodies] their true inverse inertias */
-    wfJointFrame *place;        /* [bodies] where they were when the rows were built */
+    wfPlace *place;             /* [bodies] where they were when the rows were built */
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
@@ -132,7 +134,7 @@ typedef struct wfJointStep {
     int32_t substeps;           /* >= 1: in so many parts */
     int32_t passes;             /* >= 1: over the joints in each */
     wfReal period, damping;     /* P and zeta of eq:joints-period; P = 0: rigid */
-    wfReal give;                /* >= 0: WF_JOINT_COMPLIANCE if solved together; 0: rigid */
+    wfReal give;                /* >= 0: WF_JOINT_GIVE if solved together; 0: rigid */
     wfPool *scratch;            /* room for wfJointStepScratch bytes; given back */
     /* Called once before the step: wfExactJoints. NULL: joint by joint. */
     wfResult (*prepare)(wfJointSet *set, const wfSolve *in, wfPool *scratch);
@@ -147,8 +149,7 @@ void wfTrackJoint(wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB);
 size_t wfJointScratch(int32_t bodies, int32_t joints);
 /* Before a solver's step: makes *laws, to be given to it. The set must stay where it is.
    WF_ERROR_NULL, _MEMORY. After the step, if it went well: breaks what was overloaded. */
-wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
-                       wfConstraints *laws);
+wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch, wfLaws *laws);
 void wfEndJoints(wfJointSet *set, const wfSolve *in);
 /* Bytes of scratch for wfStepJoints. */
 size_t wfJointStepScratch(int32_t bodies, int32_t joints);
@@ -160,19 +161,16 @@ wfResult wfStepJoints(const wfJointStep *in);
    flags. Check the result with wfCheckJoint. */
 wfJoint wfMakeJoint(const char *kind, int32_t a, const wfBodyState *sA, int32_t b,
                     const wfBodyState *sB, wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis);
-wfJoint wfMakeRevoluteJoint(int32_t a, const wfBodyState *sA, int32_t b,
-                            const wfBodyState *sB,
-                            wfVec2 anchor);
-wfJoint wfMakeWeldJoint(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-                        wfVec2 anchor);
-wfJoint wfMakeDistanceJoint(int32_t a, const wfBodyState *sA, int32_t b,
-                            const wfBodyState *sB,
-                            wfVec2 anchorA, wfVec2 anchorB);
-wfJoint wfMakeRopeJoint(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
-                        wfVec2 anchorA, wfVec2 anchorB, wfReal length);
-wfJoint wfMakePrismaticJoint(int32_t a, const wfBodyState *sA, int32_t b,
-                             const wfBodyState *sB,
-                             wfVec2 anchor, wfVec2 axis);
+wfJoint wfHinge(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+                wfVec2 anchor);
+wfJoint wfWeld(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+               wfVec2 anchor);
+wfJoint wfRod(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+              wfVec2 anchorA, wfVec2 anchorB);
+wfJoint wfRope(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+               wfVec2 anchorA, wfVec2 anchorB, wfReal length);
+wfJoint wfSlide(int32_t a, const wfBodyState *sA, int32_t b, const wfBodyState *sB,
+                wfVec2 anchor, wfVec2 axis);
 /* Sets the ratio of a gear, rack, linkage or pulley (its wheels must have been set), and
    the rest to what it is as the bodies are. */
 void wfSetRatio(wfJoint *j, const wfBodyState *sA, const wfBodyState *sB, wfReal ratio);
@@ -182,6 +180,6 @@ void wfMoveJoint(wfJoint *j, wfVec2 by);
 /* Stiffness (N/m) and damping (N s/m) that make the joint's SPRING swing at `frequency`
    (Hz) with the damping ratio `ratio` (1: no swing), for the effective mass `mass` (kg, or
    kg m^2 for a turn). eq:joints-frequency */
-void wfSetJointSpring(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio);
+void wfTuneJoint(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio);
 WF_END_C
 #endif

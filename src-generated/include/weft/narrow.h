@@ -60,7 +60,7 @@ wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape 
                     wfTransform xb, wfSeparation *out);
 
 /* The greatest distance of a vertex from the shape's centre, plus the radius, m. */
-wfReal wfShapeMaxExtent(const wfShape *shape);
+wfReal wfShapeReach(const wfShape *shape);
 
 /* The nearest points of two shapes. */
 typedef struct wfDistanceResult {

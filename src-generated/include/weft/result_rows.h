@@ -47,7 +47,7 @@ WF_RESULT(WF_ERROR_BUSY,
           "a step is under way: hooks may look, but change nothing; do it after the step")
 #define WF_MODULE(NAME, bit, name, implies, within, without, text) \
     WF_RESULT(WF_ERROR_NO_##NAME, \
-              "this world was made without " without ": add WF_MODULE_" #NAME)
+              "this world was made without " without ": add WF_NEED_" #NAME)
 #define WF_ABSENT(NAME, bit, name, implies, within, without, text)
 #include "weft/module_rows.h"
 #undef WF_ABSENT
@@ -80,6 +80,6 @@ WF_RESULT(WF_ERROR_INVALID,
 WF_RESULT(WF_ERROR_TEXT,
           "the text is no scene: its wfTextError says what is wrong and where")
 WF_RESULT(WF_ERROR_TOLERANCE,
-          "nothing is so accurate: allow more, or more digits (compensatedSums, WF_DOUBLE)")
+          "nothing is so accurate here: allow more, or more digits (fineSums, WF_DOUBLE)")
 WF_RESULT(WF_ERROR_BUDGET,
           "not even the cheapest setting fits: allow more time, or simplify the scene")

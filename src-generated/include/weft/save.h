@@ -74,7 +74,7 @@ typedef struct wfInput {
         wfForce force;
         wfJoint joint;
         wfPairMaterial pair;
-        wfGlobalPoint global;
+        wfFar global;
     };
 } wfInput;
 typedef struct wfInputId { uint32_t index, generation; } wfInputId;
@@ -132,9 +132,8 @@ wfResult wfJournalInit(wfJournal *journal, void *bytes, size_t size, int32_t tra
  * the call; WF_ERROR_UNKNOWN: no such kind; _FULL: the journal is, nothing was done. */
 wfResult wfGiveInput(wfWorld *world, wfJournal *journal, const wfInput *input,
                      wfInputId *made);
-/* wfStepWorldWithCallbacks, noted. WF_ERROR_FULL: the journal is, the world did not step.
- * */
-wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfCallbacks *hooks);
+/* wfStepWorldWith, noted. WF_ERROR_FULL: the journal is, the world did not step. */
+wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfHooks *hooks);
 
 /* A finger on a journal. All zero but for the journal: at its beginning. */
 typedef struct wfReplay {
@@ -147,7 +146,7 @@ typedef struct wfReplay {
  * is none left. hooks as at recording. Errors of the inputs and of the step;
  * WF_ERROR_DIVERGED: the hash after the step is not the noted one; _INVALID: no journal of
  * this program. */
-wfResult wfReplayStep(wfReplay *replay, wfWorld *world, const wfCallbacks *hooks,
+wfResult wfReplayStep(wfReplay *replay, wfWorld *world, const wfHooks *hooks,
                       int32_t *stepped);
 
 /* Where two runs part. */
@@ -160,7 +159,7 @@ typedef struct wfDivergence {
 /* Replays two journals side by side, each in its world, until the worlds differ or both
  * end. WF_ERROR_DIVERGED, and where; errors of the replays other than that. */
 wfResult wfFindDivergence(wfReplay *one, wfWorld *a, wfReplay *two, wfWorld *b,
-                          const wfCallbacks *hooks, wfDivergence *out);
+                          const wfHooks *hooks, wfDivergence *out);
 #define WF_SAVE_VERSION 1
 /* What the header of a file says. */
 typedef struct wfSaveInfo {

@@ -7,97 +7,93 @@
 WF_SETTING(wfVec2, gravity, wfV2(0, WF_R(-9.81)),
            "acceleration of everything that has mass", .kind = WF_SETTING_VEC2, WF_ANY,
            .law = 1, .unit = "m/s^2")
-WF_SETTING(wfReal, timeStep, WF_R(1.0) / 60, "length of a step", WF_REAL, WF_ABOVE(0),
+WF_SETTING(wfReal, dt, WF_R(1.0) / 60, "length of a step", WF_REAL, WF_ABOVE(0),
            .unit = "s")
 WF_SETTING(int32_t, bodyCapacity, 256, "bodies at most", WF_COUNTED, WF_CAPACITY(1))
 WF_SETTING(int32_t, integrator, wfFindIntegrator("verlet"), "moves the bodies",
            WF_ROW(Integrator), .method = 1)
-WF_SETTING(uint32_t, modules, wfAllModules(), "what the scene requires",
-           .kind = WF_SETTING_SET, .rows = wfModuleTable, .rowSize = sizeof *wfModuleTable,
-           .rowCount = &wfModuleCount, .most = UINT32_MAX, .builtIn = 1)
+WF_SETTING(uint32_t, needs, wfAllNeeds(), "what the scene requires",
+           .kind = WF_SETTING_SET, .rows = wfNeedTable, .rowSize = sizeof *wfNeedTable,
+           .rowCount = &wfNeedCount, .most = UINT32_MAX, .builtIn = 1)
 WF_SETTING(int32_t, forceCapacity, 64, "registered forces at most", WF_COUNTED,
-           WF_CAPACITY(0), .modules = WF_MODULE_FORCES)
+           WF_CAPACITY(0), .need = WF_NEED_FORCES)
 WF_SETTING(int32_t, shapeCapacity, 0, "shapes at most; 0: as many as bodies",
-           WF_COUNTED, WF_CAPACITY(0), .modules = WF_MODULE_SHAPES)
+           WF_COUNTED, WF_CAPACITY(0), .need = WF_NEED_SHAPES)
 WF_SETTING(int32_t, pairCapacity, 0,
            "pairs in one step; 0: 16 a shape, or all there can be", WF_COUNTED,
-           WF_CAPACITY(0), .modules = WF_MODULE_CONTACTS)
+           WF_CAPACITY(0), .need = WF_NEED_CONTACTS)
 WF_SETTING(int32_t, contactCapacity, 0, "contacts in one step; 0: as many as pairs",
-           WF_COUNTED, WF_CAPACITY(0), .modules = WF_MODULE_CONTACTS)
+           WF_COUNTED, WF_CAPACITY(0), .need = WF_NEED_CONTACTS)
 WF_SETTING(int32_t, broadPhase, row_or_first(wfFindBroadPhase("dynamic-tree")),
            "finds pairs", WF_ROW(BroadPhase), .method = 1,
-           .modules = WF_MODULE_CONTACTS | WF_MODULE_QUERIES)
+           .need = WF_NEED_CONTACTS | WF_NEED_QUERIES)
 WF_SETTING(int32_t, narrowPhase, wfFindNarrowPhase("sat"), "separates shapes",
-           WF_ROW(NarrowPhase), .modules = WF_MODULE_CONTACTS | WF_MODULE_QUERIES)
+           WF_ROW(NarrowPhase), .need = WF_NEED_CONTACTS | WF_NEED_QUERIES)
 WF_SETTING(int32_t, solver, row_or_first(wfFindSolver("soft")), "mends contacts",
            WF_ROW(Solver), .law = 1, .method = 1,
-           .modules = WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS)
+           .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)
 WF_SETTING(int32_t, iterations, 0,
            "passes of the contact solver; 0: as many as it wants", WF_COUNTED,
-           WF_FROM(0), .law = 1, .modules = WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS)
+           WF_FROM(0), .law = 1, .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)
 WF_SETTING(int32_t, substeps, 4, "of solvers that step by themselves", WF_COUNTED,
-           WF_FROM(1), .law = 1, .modules = WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS)
-WF_SETTING(wfReal, restitutionThreshold, 2, "approaches slower than so many rest", WF_REAL,
-           WF_FROM(0), .law = 1, .unit = "steps of gravity", .modules = WF_MODULE_CONTACTS)
-WF_SETTING(wfReal, positionCorrection, WF_R(0.4), "removed in a step", WF_REAL,
+           WF_FROM(1), .law = 1, .need = WF_NEED_CONTACTS | WF_NEED_SUBSTEPS)
+WF_SETTING(wfReal, restingSteps, 2, "approaches slower than so many rest", WF_REAL,
+           WF_FROM(0), .law = 1, .unit = "steps of gravity", .need = WF_NEED_CONTACTS)
+WF_SETTING(wfReal, positionShare, WF_R(0.4), "removed in a step", WF_REAL,
            WF_BETWEEN(0, 1), .law = 1, .unit = "of the overlap",
-           .modules = WF_MODULE_CONTACTS)
+           .need = WF_NEED_CONTACTS)
 WF_SETTING(wfReal, slop, WF_R(0.005), "overlap that is left alone", WF_REAL, WF_FROM(0),
-           .law = 1, .unit = "of the smaller reach", .modules = WF_MODULE_CONTACTS)
-WF_SETTING(int32_t, reuseManifolds, 1, "contacts of pairs that hardly moved are kept",
-           WF_SWITCH,
-           .modules = WF_MODULE_CONTACTS)
+           .law = 1, .unit = "of the smaller reach", .need = WF_NEED_CONTACTS)
+WF_SETTING(int32_t, reuse, 1, "contacts of pairs that hardly moved are kept", WF_SWITCH,
+           .need = WF_NEED_CONTACTS)
 WF_SETTING(wfReal, contactPeriod, WF_CONTACT_PERIOD, "period of a contact's spring",
-           WF_REAL, WF_ABOVE(0), .law = 1, .unit = "substeps",
-               .modules = WF_MODULE_CONTACTS)
-WF_SETTING(wfReal, contactDampingRatio, WF_CONTACT_DAMPING_RATIO,
+           WF_REAL, WF_ABOVE(0), .law = 1, .unit = "substeps", .need = WF_NEED_CONTACTS)
+WF_SETTING(wfReal, contactDamping, WF_CONTACT_DAMPING,
            "damping ratio of a contact's spring", WF_REAL, WF_ABOVE(0), .law = 1,
-           .modules = WF_MODULE_CONTACTS)
-WF_SETTING(wfReal, contactPushSpeed, 24,
+           .need = WF_NEED_CONTACTS)
+WF_SETTING(wfReal, recoverySteps, 24,
            "overlap is left no faster than that; 0 or no gravity: no limit", WF_REAL,
-           WF_FROM(0), .law = 1, .unit = "steps of gravity", .modules = WF_MODULE_CONTACTS)
-WF_SETTING(int32_t, graphColouring, 1, "contacts are solved by colours", WF_SWITCH,
-           .modules = WF_MODULE_CONTACTS)
-WF_SETTING(int32_t, enableSimd, 1, "and several at once, to the same bits", WF_SWITCH,
-           .modules = WF_MODULE_CONTACTS)
-WF_SETTING(int32_t, stackSolver, 3,
+           WF_FROM(0), .law = 1, .unit = "steps of gravity", .need = WF_NEED_CONTACTS)
+WF_SETTING(int32_t, colours, 1, "contacts are solved by colours", WF_SWITCH,
+           .need = WF_NEED_CONTACTS)
+WF_SETTING(int32_t, lanes, 1, "and several at once, to the same bits", WF_SWITCH,
+           .need = WF_NEED_CONTACTS)
+WF_SETTING(int32_t, columns, 3,
            "1: towers are solved at once; 1 + n: with up to n loops", WF_COUNTED,
-           WF_BETWEEN(0, 1 + WF_STACK_LOOPS), .law = 1, .modules = WF_MODULE_CONTACTS)
-WF_SETTING(int32_t, frictionRule, wfFindMix("geometric-mean"), "of two shapes' friction",
-           WF_ROW(Mix), .law = 1, .modules = WF_MODULE_FRICTION)
-WF_SETTING(int32_t, restitutionRule, wfFindMix("maximum"), "of their restitution",
-           WF_ROW(Mix), .law = 1, .modules = WF_MODULE_RESTITUTION)
-WF_SETTING(int32_t, rollingRule, wfFindMix("maximum"), "of their rolling resistance",
-           WF_ROW(Mix), .law = 1, .modules = WF_MODULE_ROLLING)
+           WF_BETWEEN(0, 1 + WF_COLUMN_LOOPS), .law = 1, .need = WF_NEED_CONTACTS)
+WF_SETTING(int32_t, frictionMix, wfFindMix("geometric-mean"), "of two shapes' friction",
+           WF_ROW(Mix), .law = 1, .need = WF_NEED_FRICTION)
+WF_SETTING(int32_t, restitutionMix, wfFindMix("maximum"), "of their restitution",
+           WF_ROW(Mix), .law = 1, .need = WF_NEED_RESTITUTION)
+WF_SETTING(int32_t, rollingMix, wfFindMix("maximum"), "of their rolling resistance",
+           WF_ROW(Mix), .law = 1, .need = WF_NEED_ROLLING)
 WF_SETTING(int32_t, events, 1, "touches are remembered; told, if needed", WF_SWITCH,
-           .builtIn = 1, .modules = WF_MODULE_CONTACTS)
-WF_SETTING(wfReal, hitThreshold, 6, "approaches faster than so many are hits", WF_REAL,
-           WF_FROM(0), .unit = "steps of gravity", .modules = WF_MODULE_EVENTS)
+           .builtIn = 1, .need = WF_NEED_CONTACTS)
+WF_SETTING(wfReal, hitSteps, 6, "approaches faster than so many are hits", WF_REAL,
+           WF_FROM(0), .unit = "steps of gravity", .need = WF_NEED_EVENTS)
 WF_SETTING(int32_t, queries, 1, "queries are quick after every step", WF_SWITCH,
-           .modules = WF_MODULE_QUERIES)
-WF_SETTING(int32_t, materialPairCapacity, 16, "pairs of materials that may be known",
-           WF_COUNTED, WF_CAPACITY(0), .modules = WF_MODULE_MATERIALS)
-WF_SETTING(int32_t, compensatedSums, 0,
-           "what states round away is kept, by the solver soft",
+           .need = WF_NEED_QUERIES)
+WF_SETTING(int32_t, pairMaterials, 16, "pairs of materials that may be known",
+           WF_COUNTED, WF_CAPACITY(0), .need = WF_NEED_MATERIALS)
+WF_SETTING(int32_t, fineSums, 0, "what states round away is kept, by the solver soft",
            WF_SWITCH, .builtIn = 1, .law = 1)
 WF_SETTING(int32_t, jointCapacity, 64, "joints at most", WF_COUNTED, WF_CAPACITY(0),
-           .modules = WF_MODULE_JOINTS)
-WF_SETTING(int32_t, directJoints, WF_JOINTS_AUTO, "joints solved together",
-           WF_CHOICE(wfExactNames), .modules = WF_MODULE_JOINTS)
-WF_SETTING(wfReal, directJointCost, WF_EXACT_CHEAP,
+           .need = WF_NEED_JOINTS)
+WF_SETTING(int32_t, exactJoints, WF_JOINTS_AUTO, "joints solved together",
+           WF_CHOICE(wfExactNames), .need = WF_NEED_JOINTS)
+WF_SETTING(wfReal, exactCost, WF_EXACT_CHEAP,
            "AUTO: products of blocks a joint, at most", WF_REAL, WF_FROM(0),
-           .modules = WF_MODULE_JOINTS)
-WF_SETTING(wfReal, jointCompliance, WF_JOINT_COMPLIANCE,
-           "how much joints solved together give",
-           WF_REAL, WF_FROM(0), .modules = WF_MODULE_JOINTS)
-WF_SETTING(int32_t, maxImpacts, 4096,
+           .need = WF_NEED_JOINTS)
+WF_SETTING(wfReal, jointGive, WF_JOINT_GIVE, "how much joints solved together give",
+           WF_REAL, WF_FROM(0), .need = WF_NEED_JOINTS)
+WF_SETTING(int32_t, impacts, 4096,
            "impacts of a fast body in a step, at most; 0: none is looked for",
-           WF_COUNTED, WF_BETWEEN(0, WF_MAX_CAPACITY), .modules = WF_MODULE_FAST)
+           WF_COUNTED, WF_BETWEEN(0, WF_MAX_CAPACITY), .need = WF_NEED_FAST)
 WF_SETTING(int32_t, sleep, 0, "islands that rest are left out of the step", WF_SWITCH,
-           .modules = WF_MODULE_SLEEP)
-WF_SETTING(wfReal, timeToSleep, WF_R(0.5),
+           .need = WF_NEED_SLEEP)
+WF_SETTING(wfReal, sleepTime, WF_R(0.5),
            "for so long all of an island must have been still", WF_REAL, WF_ABOVE(0),
-           .unit = "s", .modules = WF_MODULE_SLEEP)
-WF_SETTING(wfReal, sleepThreshold, WF_R(0.04),
+           .unit = "s", .need = WF_NEED_SLEEP)
+WF_SETTING(wfReal, sleepShare, WF_R(0.04),
            "still is who goes less of its reach in that time", WF_REAL, WF_FROM(0),
-           .unit = "of the reach", .modules = WF_MODULE_SLEEP)
+           .unit = "of the reach", .need = WF_NEED_SLEEP)

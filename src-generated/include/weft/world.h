@@ -10,10 +10,10 @@
  * was destroyed, returns WF_ERROR_NULL (no block) or WF_ERROR_NOT_A_WORLD (the block
  * holds something else). */
 #include "weft/body.h"
-#include "weft/core.h"
 #include "weft/force.h"
 #include "weft/integrate.h"
 #include "weft/math.h"
+#include "weft/parallel.h"
 #include "weft/shape.h"
 #include "weft/broad.h"
 #include "weft/compound.h"
@@ -28,17 +28,17 @@
 #include "weft/island.h"
 WF_BEGIN_C
 
-/* A world by value: where its two chunks of memory are, and nothing else. All state is
- * in the chunks: memory.permanent can be copied, moved and saved as bytes. */
-typedef struct wfWorld { wfMemory memory; } wfWorld;
+/* A world by value: where its two chunks of memory are, and who shares the work of steps
+ * (nobody at first). All state is in memory.permanent: it can be copied, moved, saved. */
+typedef struct wfWorld { wfMemory memory; wfWorkers workers; } wfWorld;
 /* Names of things in a world, by value. index counts from 1; 0 is "none". An id of a thing
  * that was removed stays invalid, even when its place is taken again. */
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
 typedef struct wfShapeId { uint32_t index, generation; } wfShapeId;
 typedef struct wfForceId { uint32_t index, generation; } wfForceId;
-/* wfWorldDef.directJoints: solve together none; all that there is room for; those for which
- * it costs no more than directJointCost. */
-enum { WF_JOINTS_ITERATIVE, WF_JOINTS_DIRECT, WF_JOINTS_AUTO };
+/* wfWorldDef.exactJoints: solve together none; all that there is room for; those for which
+ * it costs no more than exactCost. */
+enum { WF_JOINTS_ONE_BY_ONE, WF_JOINTS_TOGETHER, WF_JOINTS_AUTO };
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
 
 /* The settings of a world; weft/setting_rows.h tells meaning, default, range and unit. */
@@ -79,8 +79,8 @@ typedef struct wfShapeDef {
     wfReal   restitution;      /* 0 to 1 */
     wfReal   friction;         /* >= 0 */
     wfReal   staticFriction;   /* >= 0: while nothing slides; below friction: the same */
-    wfReal   rollingResistance; /* m, >= 0: length of rolling resistance */
-    wfReal   tangentSpeed;     /* m/s: the surface runs so fast along itself, a belt */
+    wfReal   rolling;          /* m, >= 0: length of rolling resistance */
+    wfReal   surfaceSpeed;     /* m/s: the surface runs so fast along itself, a belt */
     wfFilter filter;           /* whom it may touch */
     int32_t  sensor;           /* 1: notices who is in it, stops nobody, weighs nothing */
     int32_t  material;         /* >= 0, yours: a name for wfSetPairMaterial; 0: none */
@@ -94,7 +94,7 @@ typedef struct wfPairMaterial {
     wfReal restitution;        /* 0 to 1 */
     wfReal friction;           /* >= 0 */
     wfReal staticFriction;     /* >= 0: while nothing slides; below friction: the same */
-    wfReal rollingResistance;  /* m, >= 0 */
+    wfReal rolling;            /* m, >= 0 */
 } wfPairMaterial;
 /* From now on shapes of materials a and b (>= 1, in either order; may be equal) meet with
  * these numbers; NULL: they are mixed again. WF_ERROR_RANGE, _NOT_FINITE, _FULL (the
@@ -133,10 +133,10 @@ int32_t wfShapeCount(const wfWorld *world);
 
 /* What is known of a shape besides its geometry. */
 typedef struct wfShapeProps {
-    wfReal  density, restitution, friction, staticFriction, rollingResistance, tangentSpeed;
-    wfReal   reach;            /* m: wfShapeMaxExtent, from its middle to its rim */
+    wfReal   density, restitution, friction, staticFriction, rolling, surfaceSpeed;
+    wfReal   reach;            /* m: wfShapeReach, from its middle to its rim */
     wfReal   arm;              /* m: the same of its core, without the coat */
-    wfReal   inner;           /* m: wfShapeMinExtent, from its middle to the nearest edge */
+    wfReal   inner;            /* m: wfInnerRadius, from its middle to the nearest edge */
     wfReal   spare;            /* 0: without it there would be a hole in the bytes */
     int32_t  sensor, material;
     uint64_t userData;
@@ -146,7 +146,7 @@ typedef struct wfShapeProps {
 typedef struct wfShapeView {
     int32_t             count;
     const wfShape      *shapes;      /* relative to the centre of mass */
-    const int32_t      *bodyOfShape;
+    const int32_t      *owners;
     const int32_t      *next;        /* the next shape of the same body, or -1 */
     const wfFilter     *filters;
     const wfShapeProps *props;
@@ -163,63 +163,62 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
 /* How fast a hand pulls, 1/s: five swings a second, critically damped; slower if dt is
  * long. */
-#define WF_MOUSE_JOINT_RATE (2 * WF_PI * 5)
+#define WF_HAND_RATE (2 * WF_PI * 5)
 /* A hand that holds a body at a world point: a spring stiff enough to follow and soft
- * enough to be stable at the world's step. Move the hand with wfSetMouseTarget; let go with
+ * enough to be stable at the world's step. Move the hand with wfDragHand; let go with
  * wfRemoveForceFromWorld. Errors of wfAddForceToWorld; WF_ERROR_RANGE: not a dynamic
  * body. */
-wfResult wfAddMouseJoint(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
-wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point);
+wfResult wfGrabBody(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out);
+wfResult wfDragHand(wfWorld *world, wfForceId hand, wfVec2 point);
 
 /* Two shapes, and how hard they pressed: the sum of all normal impulses of the step,
  * bounces included, N s; 0 for a sensor and for what has ended. Who bounced off in one step
  * and meets again in a later one has ended one touch and begun another. For a sensor's
  * events a is the sensor. The ids of an end may be stale: the shape was removed. */
-typedef struct wfContactEvent { wfShapeId a, b; wfReal impulse; } wfContactEvent;
-/* Two shapes came together faster than hitThreshold allows, anywhere in the step. */
-typedef struct wfContactHit {
+typedef struct wfTouchEvent { wfShapeId a, b; wfReal impulse; } wfTouchEvent;
+/* Two shapes came together faster than hitSteps allows, anywhere in the step. */
+typedef struct wfHit {
     wfShapeId a, b;
     wfVec2    point;           /* world, m: where they approached fastest */
     wfVec2    normal;          /* unit, from a to b */
     wfReal    speed;           /* m/s: of the approach when they met */
-} wfContactHit;
-enum { WF_CONTACT_BEGIN, WF_CONTACT_STAY, WF_CONTACT_END, WF_SENSOR_BEGIN, WF_SENSOR_STAY,
-       WF_SENSOR_END, WF_EVENT_KINDS };
+} wfHit;
+enum { WF_TOUCH_BEGIN, WF_TOUCH_STAY, WF_TOUCH_END, WF_SENSE_BEGIN, WF_SENSE_STAY,
+       WF_SENSE_END, WF_EVENT_KINDS };
 /* What happened in the last step that succeeded. (A touch of two that sleep is not told as
  * going on; a sensor's is.) Arrays of the world's own, each sorted by
  * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
  * step, whatever is added or removed meanwhile. A call that does not step changes nothing
  * in them. */
-const wfContactEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count);
-const wfContactHit *wfWorldHits(const wfWorld *world, int32_t *count);
+const wfTouchEvent *wfWorldEvents(const wfWorld *world, int kind, int32_t *count);
+const wfHit *wfWorldHits(const wfWorld *world, int32_t *count);
 
 /* What a hook may look at: the bodies as they are at this moment, the shapes. */
-typedef struct wfCallbackView { wfBodyView bodies; wfShapeView shapes; wfReal timeStep;
-                                } wfCallbackView;
+typedef struct wfHookView { wfBodyView bodies; wfShapeView shapes; wfReal dt; } wfHookView;
 /* What a hook may change about a contact, for this step only. */
-typedef struct wfContactSettings {
+typedef struct wfContactChange {
     int32_t enabled;           /* 0: contact and touch do not exist in this step */
     wfReal  restitution;       /* 0 to 1 */
     wfReal  friction;          /* >= 0 */
     wfReal  staticFriction;    /* >= 0: while nothing slides; below friction: the same */
-    wfReal  rollingResistance; /* m, >= 0 */
-    wfReal  tangentSpeed;      /* m/s */
-} wfContactSettings;
+    wfReal  rolling;           /* m, >= 0 */
+    wfReal  surfaceSpeed;      /* m/s */
+} wfContactChange;
 
 /* Functions of the user's that a step asks; each may be NULL. They must not change the
  * world (WF_ERROR_BUSY if they try) and give the same answer to the same question within a
  * step. */
-typedef struct wfCallbacks {
+typedef struct wfHooks {
     void *context;             /* handed to both */
     /* May the shapes with these indices meet? Asked after the filters, a < b. */
-    bool (*filter)(void *context, const wfCallbackView *view, int32_t a, int32_t b);
+    bool (*filter)(void *context, const wfHookView *view, int32_t a, int32_t b);
     /* Shown every contact before it is solved; `change` holds what will be used. */
-    void (*preSolve)(void *context, const wfCallbackView *view, const wfContact *contact,
-                     wfContactSettings *change);
-} wfCallbacks;
+    void (*preSolve)(void *context, const wfHookView *view, const wfContact *contact,
+                     wfContactChange *change);
+} wfHooks;
 /* wfStepWorld with hooks (may be NULL). Further errors: WF_ERROR_RANGE, WF_ERROR_NOT_FINITE
  * (a hook gave such a number); WF_ERROR_BUSY (called from a hook). */
-wfResult wfStepWorldWithCallbacks(wfWorld *world, const wfCallbacks *hooks);
+wfResult wfStepWorldWith(wfWorld *world, const wfHooks *hooks);
 /* Questions about the shapes as they stand, answered by weft/query.h, which says more.
  * Shapes in the answers are indices of wfWorldShapes: wfShapeAt makes ids of them. Sensors
  * are shapes: give them a category of their own to leave them out. filter: who may be
@@ -230,11 +229,6 @@ wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out);
 wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
                            wfRayHit *hits, int32_t capacity, int32_t *count);
-wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
-                          wfVec2 by, const wfFilter *filter, wfRayHit *out);
-wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
-                             wfTransform placed, wfVec2 by, const wfFilter *filter,
-                             wfRayHit *hits, int32_t capacity, int32_t *count);
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
@@ -242,6 +236,11 @@ wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *f
                             int32_t *shapes, int32_t capacity, int32_t *count);
 wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
                              int32_t *shapes, int32_t capacity, int32_t *count);
+wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                          wfVec2 by, const wfFilter *filter, wfRayHit *out);
+wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
+                             wfTransform placed, wfVec2 by, const wfFilter *filter,
+                             wfRayHit *hits, int32_t capacity, int32_t *count);
 wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out);
 wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
@@ -250,39 +249,38 @@ wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform
  * step does it, and queries are right without, only slower. */
 wfResult wfIndexWorld(wfWorld *world);
 
-/* What a scene may require: bits of wfWorldDef.modules. weft/module_rows.h says what for.
- * */
+/* What a scene may require: bits of wfWorldDef.needs. weft/module_rows.h says what for. */
 enum {
 #define WF_MODULE(NAME, bit, name, implies, within, without, text) \
-    WF_MODULE_##NAME = 1 << (bit),
+    WF_NEED_##NAME = 1 << (bit),
 #define WF_ABSENT WF_MODULE
 #include "weft/module_rows.h"
 #undef WF_ABSENT
 #undef WF_MODULE
 };
 /* What a definition requires; NULL: nothing. */
-uint32_t wfModulesOfBody(const wfBodyDef *def);
-uint32_t wfModulesOfShape(const wfShapeDef *def);
+uint32_t wfNeedsOfBody(const wfBodyDef *def);
+uint32_t wfNeedsOfShape(const wfShapeDef *def);
 
-typedef struct wfModule {
+typedef struct wfNeedRow {
     const char *name, *text;
     uint32_t bit;
     uint32_t implies;          /* other needs that this one cannot do without */
     uint32_t within;           /* missed only in a world that has these; 0: in every one */
     wfResult error;            /* what is returned to who misses it */
-} wfModule;
-extern const wfModule wfModuleTable[];
-extern const int wfModuleCount;
-int wfFindModule(const char *name);            /* row, or -1 */
-uint32_t wfAllModules(void);                   /* all that this engine can meet */
-uint32_t wfCloseModules(uint32_t modules);     /* with what they imply */
+} wfNeedRow;
+extern const wfNeedRow wfNeedTable[];
+extern const int wfNeedCount;
+int wfFindNeed(const char *name);              /* row, or -1 */
+uint32_t wfAllNeeds(void);                     /* all that this engine can meet */
+uint32_t wfCloseNeeds(uint32_t needs);         /* with what they imply */
 /* Whom an array serves: any of these needs, or everybody if 0; the stage that fills it, or
  * NULL: calls between steps; the rule by which wfCheckWorld looks at it (arrays that make
  * sense only together share one; "any": no bits are wrong), or NULL: it is not kept. */
-typedef struct wfRegionUse { uint32_t modules; const char *stage, *rule; } wfRegionUse;
+typedef struct wfRegionUse { uint32_t needs; const char *stage, *rule; } wfRegionUse;
 wfRegionUse wfRegionServes(int region);
 /* Those of these needs that the world lacks, and would refuse; 0: none. */
-uint32_t wfMissingModules(const wfWorld *world, uint32_t modules);
+uint32_t wfMissingNeeds(const wfWorld *world, uint32_t needs);
 /* The defaults of a world: without friction where it has none. */
 wfBodyDef wfDefaultBodyDefFor(const wfWorld *world);
 wfShapeDef wfDefaultShapeDefFor(const wfWorld *world);
@@ -291,7 +289,7 @@ wfShapeDef wfDefaultShapeDefFor(const wfWorld *world);
  * wfCreateWorld, and do the same again. `besides` is what leaves no trace: needs of a
  * program that reads events, asks queries, or will want more than it did. Give the
  * capacities some room where more is to come. WF_ERROR_NULL, _UNKNOWN (no such need). */
-wfResult wfInferModules(const wfWorld *world, uint32_t besides, wfWorldDef *out);
+wfResult wfInferNeeds(const wfWorld *world, uint32_t besides, wfWorldDef *out);
 
 /* What is to be put into a world: arrays and how long they are. */
 typedef struct wfSceneList {
@@ -303,7 +301,7 @@ typedef struct wfSceneList {
 } wfSceneList;
 /* Sets needs and capacities of *def for such a scene, and for what `besides` says; all else
  * stays. WF_ERROR_NULL, _RANGE (a count below 0, or nothing at all), _UNKNOWN. */
-wfResult wfInferSceneModules(const wfSceneList *list, uint32_t besides, wfWorldDef *def);
+wfResult wfInferSceneNeeds(const wfSceneList *list, uint32_t besides, wfWorldDef *def);
 
 /* A clock for the stages of a step. */
 typedef struct wfStepClock {
@@ -340,7 +338,7 @@ typedef struct wfSetting {
     size_t      kept;          /* the engine's: where a world keeps it */
     int32_t     kind;          /* INT, SWITCH (0 or 1), ROW and CHOICE: int32_t; REAL:
                                 * wfReal; VEC2: wfVec2, both parts within the range;
-                                * SET: uint32_t, bits of wfModuleTable */
+                                * SET: uint32_t, bits of wfNeedTable */
     const void *rows;          /* ROW, SET: a table; CHOICE: names. wfSettingRowName */
     size_t      rowSize;
     const int  *rowCount;
@@ -348,9 +346,9 @@ typedef struct wfSetting {
     int32_t     above;         /* 1: greater than `least`; 0: `least` itself is fine */
     int32_t     builtIn;       /* 1: built into the block; not to be changed later */
     int32_t     law;           /* 1: a change of it wakes all that sleep */
-    int32_t     method;        /* 1: to change it later takes WF_MODULE_METHODS */
+    int32_t     method;        /* 1: to change it later takes WF_NEED_METHODS */
     const char *unit;          /* may be NULL: a plain number */
-    uint32_t    modules;       /* means something if one of these is met; 0: always */
+    uint32_t    need;          /* means something if one of these is met; 0: always */
     const char *text;
 } wfSetting;
 extern const wfSetting wfSettingTable[];
@@ -457,9 +455,9 @@ wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse
 
 struct wfStep;
 typedef wfResult wfStageFn(struct wfStep *step);
-/* One stage of a step: what it is called, what it does, what it reads and writes. */
+/* One stage of a step: what it is called and what it does. */
 typedef struct wfStageRow {
-    const char *name, *text, *reads, *writes;
+    const char *name, *text;
     wfStageFn *run;
     uint32_t all, any;         /* needs: run if all of `all` are met, and one of `any` if
                                 * there are any */
@@ -484,31 +482,30 @@ wfResult wfSetWorldDef(wfWorld *world, const wfWorldDef *def);
 wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrowPhase,
                       int solver);
 /* A place anywhere, m: doubles in every build. */
-typedef struct wfGlobalPoint { double x, y; } wfGlobalPoint;
+typedef struct wfFar { double x, y; } wfFar;
 /* Where the world's own (0, 0) is. To set it is to say so: bodies and all else come along,
  * no step and no hash sees it. A new world is at (0, 0). WF_ERROR_NOT_FINITE. */
-wfResult wfSetWorldOrigin(wfWorld *world, wfGlobalPoint origin);
-wfResult wfGetWorldOrigin(const wfWorld *world, wfGlobalPoint *out);
+wfResult wfSetWorldOrigin(wfWorld *world, wfFar origin);
+wfResult wfGetWorldOrigin(const wfWorld *world, wfFar *out);
 /* From the world's own coordinates (m) to places, and back. A place that is too far away
  * for a wfReal: WF_ERROR_RANGE. WF_ERROR_NOT_FINITE. */
-wfResult wfLocalToGlobal(const wfWorld *world, wfVec2 local, wfGlobalPoint *out);
-wfResult wfGlobalToLocal(const wfWorld *world, wfGlobalPoint place, wfVec2 *out);
+wfResult wfToFar(const wfWorld *world, wfVec2 local, wfFar *out);
+wfResult wfFromFar(const wfWorld *world, wfFar place, wfVec2 *out);
 /* Where the body's origin is; and putting it there: wfSetBodyTransform. */
-wfResult wfGetGlobalPosition(const wfWorld *world, wfBodyId id, wfGlobalPoint *out);
-wfResult wfSetGlobalPosition(wfWorld *world, wfBodyId id, wfGlobalPoint place,
-                             wfReal angle);
+wfResult wfFarPosition(const wfWorld *world, wfBodyId id, wfFar *out);
+wfResult wfSetFarPosition(wfWorld *world, wfBodyId id, wfFar place, wfReal angle);
 /* Moves the origin by `by` (m): whatever names a place in the world gets by less, so that
  * all stay where they are. Contacts, events and sleep go on; no gap or overlap changes,
  * except for bodies that had to be rounded (eq:world-far-exact): *rounded tells how many,
  * and may be NULL. WF_ERROR_NOT_FINITE; WF_ERROR_RANGE: origin + by is no double, or a
  * place in the world would be no wfReal. What
  * the program keeps in the world's coordinates it has to move itself. */
-wfResult wfShiftOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
+wfResult wfMoveOrigin(wfWorld *world, wfVec2 by, int32_t *rounded);
 /* The same when `place` (the world's own coordinates: of a body, of the camera) is farther
  * than `limit` (m, > 0) from the origin along x or y, by as much as brings it within half
  * of that; *by tells how much, (0, 0) most of the time, and may be NULL. Call it before a
  * step. */
-wfResult wfRecentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by);
+wfResult wfCentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by);
 /* How the solver of the last step fared: "exact" tells how many problems it has solved and
  * how many not; other solvers leave zeros. WF_ERROR_NULL. */
 wfResult wfGetSolveReport(const wfWorld *world, wfSolveReport *out);
@@ -552,9 +549,9 @@ enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
  * bodies at anchors in the world (m), along an axis (world, any length > 0), at rest as
  * the bodies are now. WF_ERROR_NULL, _STALE_ID, _UNKNOWN (kind), _NOT_FINITE, _RANGE
  * (a body with itself, an axis of no length). The world is not changed. */
-wfResult wfDefineJoint(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
-                       wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out);
-/* Adds a joint; its a and b are body indices (wfBodyIndex), as wfDefineJoint sets them.
+wfResult wfJoinBodies(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
+                      wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out);
+/* Adds a joint; its a and b are body indices (wfBodyIndex), as wfJoinBodies sets them.
  * `out` may be NULL. WF_ERROR_FULL, _STALE_ID (a or b is an empty place), _BUSY, _SOLVER:
  * the world's solver keeps contacts only (wfSetMethods: "soft"), and what wfCheckJoint
  * finds wrong. */
@@ -578,42 +575,42 @@ int32_t wfWorldJointPlaces(const wfWorld *world);
  * wfSetJoint. */
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count);
 /* Joints that the last step solved together, and whether these were all. */
-int32_t wfDirectJointCount(const wfWorld *world);
-bool wfAllJointsDirect(const wfWorld *world);
+int32_t wfJointsTogether(const wfWorld *world);
+bool wfJointsSolvedTogether(const wfWorld *world);
 /* Substeps of the last step in which the joints that are solved together could not be: a
  * load that snapped a chain tight, say. They were taken inelastically. */
 int32_t wfUnsolvedSubsteps(const wfWorld *world);
 
 /* What became of fast bodies in the last step. */
-typedef struct wfContinuousReport {
+typedef struct wfFastReport {
     int32_t bodies;            /* that were followed, since they were fast */
     int32_t impacts;           /* collisions that were solved at their moment */
     int32_t held;              /* bodies that lost the rest of the step: too many impacts */
-} wfContinuousReport;
-wfResult wfGetContinuousReport(const wfWorld *world, wfContinuousReport *out);
+} wfFastReport;
+wfResult wfGetFastReport(const wfWorld *world, wfFastReport *out);
 /* Does the body take part in steps? False: it sleeps, or there is no such body. */
-bool wfBodyIsAwake(const wfWorld *world, wfBodyId id);
+bool wfIsAwake(const wfWorld *world, wfBodyId id);
 /* Wakes a body and its island; one that is not dynamic: those that touch it or hang on it.
  * Do this when a hook of yours would now answer otherwise. WF_ERROR_STALE_ID, _BUSY. */
 wfResult wfWakeBody(wfWorld *world, wfBodyId id);
 /* Lets the body's island sleep at the end of the next step, however it moves; it stays
  * where it is until something wakes it. _STALE_ID, _BUSY; _RANGE: the world has no sleep,
  * the body is not dynamic or never sleeps. */
-wfResult wfSetBodyAsleep(wfWorld *world, wfBodyId id);
+wfResult wfPutToSleep(wfWorld *world, wfBodyId id);
 /* May it sleep? never: 0 or 1 (else _RANGE). 1 wakes it. */
-wfResult wfDisableBodySleep(wfWorld *world, wfBodyId id, int32_t never);
-bool wfBodySleepDisabled(const wfWorld *world, wfBodyId id);
+wfResult wfSetNeverSleeps(wfWorld *world, wfBodyId id, int32_t never);
+bool wfNeverSleeps(const wfWorld *world, wfBodyId id);
 /* A number that all bodies of an island share, awake or asleep: the index of one of them.
  * -1: no such body, or one without an island (not dynamic; no sleep; not stepped yet). */
 int32_t wfBodyIsland(const wfWorld *world, wfBodyId id);
 
 /* How much of a world rests: bodies awake (dynamic and kinematic) and asleep; islands that
  * are awake; pairs and contacts that the last step looked at, and those that it kept. */
-typedef struct wfSleepCounts {
+typedef struct wfRestCounts {
     int32_t awake, asleep, islands;
     int32_t pairs, contacts;
     int32_t pairsKept, contactsKept;
-} wfSleepCounts;
-wfSleepCounts wfGetSleepCounts(const wfWorld *world);
+} wfRestCounts;
+wfRestCounts wfWorldRest(const wfWorld *world);
 WF_END_C
 #endif

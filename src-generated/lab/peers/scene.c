@@ -31,20 +31,20 @@ static void fail(const char *where, const char *what)
 typedef struct Keys {
     const char *read, *passed, *zero, *one;     /* between blanks */
 } Keys;
-static const Keys scene_keys = {
+static const Keys sceneKeys = {
     " weft settings bodies joints origin ",
-    " digits $schema name text view promises modules time steps ",
+    " digits $schema name text view promises needs time steps ",
     " forces pairMaterials ", " " };
-static const Keys body_keys = {
+static const Keys bodyKeys = {
     " name type position angle velocity angularVelocity fixedRotation shapes ",
     " userData exact neverSleeps pivot ",
     " mass linearDamping angularDamping push ", " gravityScale " };
-static const Keys shape_keys = {
+static const Keys shapeKeys = {
     " kind centre radius halfWidth halfHeight angle vertices density restitution friction "
     "category mask ",
     " userData place exact material ",
-    " staticFriction rolling tangentSpeed group sensor loop ", " " };
-static const Keys joint_keys = {
+    " staticFriction rolling surfaceSpeed group sensor loop ", " " };
+static const Keys jointKeys = {
     " kind a b anchor anchorA anchorB localA localB rest collide ",
     " angle axis ratio lower upper stiffness damping springForce motorSpeed motorForce "
     "groundA groundB turnA turnB impulse given exact ",
@@ -152,7 +152,7 @@ static void read_corners(const cJSON *item, const char *where, peerShape *s)
 static void read_shape(const cJSON *item, const char *where, peerShape *s)
 {
     const char *kind = word(item, "kind", "");
-    look_at_keys(item, &shape_keys, where);
+    look_at_keys(item, &shapeKeys, where);
     memset(s, 0, sizeof *s);
     point(item, "centre", s->centre);
     s->radius = number(item, "radius", 0);
@@ -190,7 +190,7 @@ static void read_body(const cJSON *item, const char *where, peerScene *out, peer
     const char *type = word(item, "type", "dynamic");
     double sum[3] = { 0, 0, 0 };
     char place[96];
-    look_at_keys(item, &body_keys, where);
+    look_at_keys(item, &bodyKeys, where);
     *b = (peerBody){ .firstShape = out->shapes, .angle = number(item, "angle", 0),
                      .spin = number(item, "angularVelocity", 0),
                      .fixedRotation = (int)number(item, "fixedRotation", 0) };
@@ -244,7 +244,7 @@ static void read_joint(const cJSON *root, const cJSON *item, const char *where,
 {
     static const char *const kinds[] = { "revolute", "distance", "weld" };
     double from[2], to[2];
-    look_at_keys(item, &joint_keys, where);
+    look_at_keys(item, &jointKeys, where);
     *j = (peerJoint){ .kind = -1, .a = which(root, item, "a"), .b = which(root, item, "b"),
                       .collide = (int)number(item, "collide", 0) };
     for (int i = 0; i < 3; i++)
@@ -280,11 +280,10 @@ static void read_settings(const cJSON *root, peerScene *out)
 {
     const cJSON *s = cJSON_GetObjectItem(root, "settings");
     if (!point(s, "gravity", out->gravity)) out->gravity[1] = -9.81;
-    out->dt = number(s, "timeStep", 1.0 / 60);
-    out->geometricFriction = strcmp(word(s, "frictionRule", "geometric-mean"),
+    out->dt = number(s, "dt", 1.0 / 60);
+    out->geometricFriction = strcmp(word(s, "frictionMix", "geometric-mean"),
                                     "geometric-mean") == 0;
-    out->greatestRestitution =
-        strcmp(word(s, "restitutionRule", "maximum"), "maximum") == 0;
+    out->greatestRestitution = strcmp(word(s, "restitutionMix", "maximum"), "maximum") == 0;
     out->oneFriction = out->oneRestitution = 1;
     for (int i = 1; i < out->shapes; i++) {
         if (out->shape[i].friction != out->shape[0].friction) out->oneFriction = 0;
@@ -306,7 +305,7 @@ void peerRead(const char *file, peerScene *out)
     char *text = whole_file(file), where[64];
     cJSON *root = cJSON_Parse(text);
     if (!cJSON_IsObject(root)) fail(file, "is not a scene in JSON");
-    look_at_keys(root, &scene_keys, "");
+    look_at_keys(root, &sceneKeys, "");
     const cJSON *bodies = cJSON_GetObjectItem(root, "bodies"), *item;
     const cJSON *joints = cJSON_GetObjectItem(root, "joints");
     int i = 0;

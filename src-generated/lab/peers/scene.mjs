@@ -16,14 +16,14 @@ export function fail(what) {
 const words = text => new Set(text.split(' '));
 const KEYS = {
   scene: ['weft settings bodies joints origin',
-    'digits $schema name text view promises modules time steps',
+    'digits $schema name text view promises needs time steps',
     'forces pairMaterials', ''],
   body: ['name type position angle velocity angularVelocity fixedRotation shapes',
     'userData exact neverSleeps pivot',
     'mass linearDamping angularDamping push', 'gravityScale'],
   shape: ['kind centre radius halfWidth halfHeight angle vertices density restitution ' +
     'friction category mask', 'userData place exact material',
-    'staticFriction rolling tangentSpeed group sensor loop', ''],
+    'staticFriction rolling surfaceSpeed group sensor loop', ''],
   joint: ['kind a b anchor anchorA anchorB localA localB rest collide',
     'angle axis ratio lower upper stiffness damping springForce motorSpeed motorForce ' +
     'groundA groundB turnA turnB impulse given exact',
@@ -136,8 +136,8 @@ export function readScene(file) {
   const shapes = bodies.flatMap(b => b.shapes);
   const same = key => shapes.every(s => s[key] === shapes[0][key]);
   const set = root.settings ?? {};
-  return { bodies, joints, gravity: set.gravity ?? [0, -9.81], dt: set.timeStep ?? 1 / 60,
+  return { bodies, joints, gravity: set.gravity ?? [0, -9.81], dt: set.dt ?? 1 / 60,
     oneFriction: same('friction'), oneRestitution: same('restitution'),
-    geometricFriction: (set.frictionRule ?? 'geometric-mean') === 'geometric-mean',
-    greatestRestitution: (set.restitutionRule ?? 'maximum') === 'maximum' };
+    geometricFriction: (set.frictionMix ?? 'geometric-mean') === 'geometric-mean',
+    greatestRestitution: (set.restitutionMix ?? 'maximum') === 'maximum' };
 }

@@ -10,7 +10,7 @@
 
 static wfWorld world;
 static const peerScene *played;
-static double step_now;                 /* s: in the settings already */
+static double stepNow;                  /* s: in the settings already */
 
 /* write options into a scene's settings */
 static void put_number(cJSON *settings, const char *key, double value)
@@ -43,7 +43,7 @@ static char *text_with_options(const peerScene *scene, const peerOptions *o)
     if (f != NULL) fclose(f);
     settings = cJSON_GetObjectItem(root, "settings");
     if (settings == NULL) settings = cJSON_AddObjectToObject(root, "settings");
-    put_number(settings, "timeStep", o->dt);
+    put_number(settings, "dt", o->dt);
     if (o->substeps > 0) put_number(settings, "substeps", o->substeps);
     if (o->iterations > 0) put_number(settings, "iterations", o->iterations);
     if (o->sleep) put_word(settings, "sleep=true");
@@ -105,13 +105,13 @@ static void build(const peerScene *scene, const peerOptions *o)
     if (result != WF_OK) peerRefuse("weft: %s: %s", error.where, error.what);
     free(text);
     played = scene;
-    step_now = o->dt;
+    stepNow = o->dt;
     if (o->spoil != NULL) add_spoilt(scene);
 }
 
 static void step(double dt)
 {
-    if (!(dt == step_now)) must(wfSetTimeStep(&world, (wfReal)(step_now = dt)));
+    if (!(dt == stepNow)) must(wfSetTimeStep(&world, (wfReal)(stepNow = dt)));
     wfResult result = wfStepWorld(&world);
     if (result == WF_OK) return;
     fprintf(stderr, "weft: %s\n", wfResultText(result));
