@@ -128,8 +128,7 @@
         ink.innerHTML = text.slice(text.indexOf('>') + 1, text.lastIndexOf('</svg>'));
       }
       [...grips.children].forEach((g, i) => {
-        g.setAttribute('cx', at[2 * i] * unit);
-        g.setAttribute('cy', (high - at[2 * i + 1]) * unit);
+        g.setAttribute('transform', `translate(${at[2 * i] * unit} ${(high - at[2 * i + 1]) * unit})`);
         g.setAttribute('aria-valuetext', at[2 * i].toFixed(2) + ', ' + at[2 * i + 1].toFixed(2));
       });
     };
@@ -139,10 +138,15 @@
       draw();
     };
     for (let i = 0; i < count; i++) {
-      const g = document.createElementNS(ns, 'circle');
-      g.setAttribute('r', 9); g.setAttribute('class', 'grip'); g.setAttribute('tabindex', 0);
+      // a ring, and around it as much as a finger needs: 44 px, whatever the figure's size
+      const g = document.createElementNS(ns, 'g'), ring = document.createElementNS(ns, 'circle'), room = document.createElementNS(ns, 'circle');
+      ring.setAttribute('r', 9); room.setAttribute('class', 'room');
+      g.append(room, ring);
+      g.setAttribute('class', 'grip'); g.setAttribute('tabindex', 0);
       g.setAttribute('role', 'slider'); g.setAttribute('aria-valuemin', 0); g.setAttribute('aria-valuemax', 100); g.setAttribute('aria-valuenow', 50);
       g.setAttribute('aria-label', 'point ' + (i + 1) + ' of ' + count + ': drag it, or use the arrow keys');
+      // a finger on a ring must not scroll the page: `touch-action' of a part of an SVG is not obeyed, a refused touchstart is
+      g.addEventListener('touchstart', e => e.preventDefault(), { passive: false });
       g.addEventListener('pointerdown', e => { g.setPointerCapture(e.pointerId); e.preventDefault(); g.focus(); });
       g.addEventListener('pointermove', e => {
         if (!g.hasPointerCapture(e.pointerId)) return;
@@ -178,7 +182,13 @@
     bar(figure, ...tools, hint);
     figure.liveSeen = is => { seen = is; };
     figure.classList.add('live');
+    const reach = () => {
+      const scale = svg.getScreenCTM();
+      grips.querySelectorAll('.room').forEach(c => c.setAttribute('r', Math.max(9, 22.1 / (scale && scale.a || 1))));
+    };
+    new ResizeObserver(reach).observe(svg);
     draw();
+    reach();
   };
 
   // -- simulations: the whole testbed on a canvas; each has a memory of its own, and few may run at once
@@ -188,10 +198,13 @@
   const makeGame = async (canvas, scene, options = {}) => {
     let part = await instance('testbed'), x = part.x, log = part.whole ? null : [], stuck = false, rest = null;
     const pen = canvas.getContext('2d');
-    let last = 0, on = false, dark = null, touches = new Map(), pinch = 0;
+    let last = 0, on = false, dark = null, touches = new Map(), pinch = null, finger = matchMedia('(pointer: coarse)').matches, looks = '', letters = null;
     // All that crosses into the module goes through act. Until the rest has come it is written down: a call that was broken off
     // by a function that is missing leaves a memory of no use, so the game is begun anew and the whole story told again, unseen.
+    let idle = false, waits = false, inside = false, frames = 0;
+    const wakeUp = () => { idle = false; if (waits && on) { waits = false; last = 0; requestAnimationFrame(tick); } };
     const act = (f, unseen = f) => {
+      if (!inside) wakeUp();
       if (log) log.push(unseen);
       if (stuck) return 0;
       try { return f(x); } catch (e) {
@@ -201,6 +214,7 @@
         return 0;
       }
     };
+    const quietly = (f, unseen) => { inside = true; try { return act(f, unseen); } finally { inside = false; } };
     const complete = async () => {
       for (let anew = stuck; ; anew = stuck) {
         if (anew) part = await instance('testbed');
@@ -246,8 +260,11 @@
         x.web_grant(came ? 1 : -1, came ? came.length : 0);
       });
     };
-    const frame = (seconds, steps) => {
-      const scale = Math.max(1, Math.min(3, devicePixelRatio || 1)), box = canvas.getBoundingClientRect();
+    const frame = (seconds, steps) => { inside = true; try { draw(seconds, steps); } finally { inside = false; } };
+    const draw = (seconds, steps) => {
+      // two pixels to a unit at most: the letters are baked for one and two, and a telephone has no time for three
+      const scale = Math.max(1, Math.min(2, devicePixelRatio || 1)), box = canvas.getBoundingClientRect(), bare = !options.whole && box.width < 560;
+      if (looks !== (looks = `${finger}${bare}`)) { const f = finger; act(x => x.web_looks(f ? 1 : 0, bare ? 1 : 0)); }
       const w = Math.max(64, Math.round(box.width * scale)), h = Math.max(64, Math.round(box.height * scale));
       const night = document.documentElement.dataset.theme === 'dark';
       if (night !== dark) { if (dark !== null || night) act(x => x.web_key(100)); dark = night; }
@@ -255,11 +272,14 @@
       const at = act(x => x.web_frame(w, h, scale, seconds, steps), x => x.web_unseen(w, h, scale, seconds, steps));
       if (!at) return;
       if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
+      frames++;
+      idle = x.web_still();
       pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
       grant(night);
     };
     const tick = now => {
       if (!on) return;
+      if (idle) { waits = true; return; }              // the picture stays as it is until something happens
       frame(last ? Math.min(0.25, (now - last) / 1000) : 0, -1);
       last = now;
       requestAnimationFrame(tick);
@@ -270,35 +290,69 @@
       act(x => x.web_mouse(...at));
     };
     const bit = e => e.button === 2 ? 4 : e.button === 1 ? 2 : 1;
+    const apart = () => {
+      const [a, b] = [...touches.values()];
+      return { clientX: (a.clientX + b.clientX) / 2, clientY: (a.clientY + b.clientY) / 2, d: Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY) };
+    };
     canvas.addEventListener('pointerdown', e => {
-      canvas.focus(); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e); place(e);
+      finger = e.pointerType === 'touch';
+      canvas.focus({ preventScroll: true }); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e); place(e);
       if (options.whole) more();
       const [which, down] = touches.size === 1 ? [bit(e), 1] : [1, 0];
       act(x => x.web_button(which, down));
+      pinch = touches.size === 2 ? apart() : null;
       e.preventDefault();
     });
     canvas.addEventListener('pointermove', e => {
+      if (e.pointerType !== 'touch') finger = false;
       if (touches.has(e.pointerId)) touches.set(e.pointerId, e);
-      if (touches.size === 2) {                        // two fingers: zoom
-        const [a, b] = [...touches.values()], d = Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-        const notches = pinch ? Math.log(d / pinch) * 5 : 0;
-        if (notches) act(x => x.web_wheel(notches));
-        pinch = d;
-      } else place(e);
+      if (touches.size < 2) { place(e); return; }
+      // two fingers: what is between them moves with them, and grows as they part (1.15 for a notch)
+      const k = canvas.width / canvas.getBoundingClientRect().width, now = apart(), was = pinch;
+      pinch = now;
+      if (!was || !was.d || !now.d) return;
+      place(now);
+      act(x => x.web_pan(k * (now.clientX - was.clientX), k * (now.clientY - was.clientY)));
+      act(x => x.web_wheel(Math.log(now.d / was.d) / Math.log(1.15)));
     });
-    const up = e => { const which = bit(e); touches.delete(e.pointerId); pinch = 0; act(x => x.web_button(which, 0)); };
+    // letters for a finger: a field that nobody sees, so that the keyboard comes up; it wants to be focused while the finger's event lasts
+    const type = () => {
+      frame(0, 0);
+      const wanted = finger && !stuck && x.web_letters();
+      if (wanted && !letters) {
+        letters = document.createElement('input');
+        letters.className = 'letters'; letters.autocapitalize = 'off'; letters.autocomplete = 'off'; letters.setAttribute('aria-label', 'find a scene');
+        letters.oninput = e => {
+          if (e.inputType === 'deleteContentBackward') act(x => x.web_key(8));
+          else for (const c of e.data || '') if (c >= ' ' && c < '\x7f') { const k = c.charCodeAt(0); act(x => x.web_key(k)); }
+          letters.value = ' ';
+        };
+        letters.onkeydown = e => { const k = { Enter: 13, Escape: 27 }[e.key]; if (k) { e.preventDefault(); act(x => x.web_key(k)); setTimeout(type, 100); } };
+        canvas.after(letters);
+      }
+      if (wanted) { letters.value = ' '; letters.focus({ preventScroll: true }); }
+      else if (letters && document.activeElement === letters) canvas.focus({ preventScroll: true });
+    };
+    const up = e => {
+      const which = bit(e);
+      if (touches.size < 2) place(e);
+      touches.delete(e.pointerId); pinch = null;
+      act(x => x.web_button(which, 0));
+      if (options.whole && finger) type();
+    };
     canvas.addEventListener('pointerup', up);
     canvas.addEventListener('pointercancel', up);
     canvas.addEventListener('contextmenu', e => e.preventDefault());
     canvas.addEventListener('wheel', e => {
       if (!options.whole && document.activeElement !== canvas) return;   // the page scrolls until the picture was clicked
       e.preventDefault();
-      const notches = -e.deltaY / (e.deltaMode ? 3 : 100);
+      // a touch pad pinches by a wheel with Ctrl, whose distance is a hundredth of the logarithm
+      const notches = e.ctrlKey && !e.deltaMode && Math.abs(e.deltaY) < 50 ? -e.deltaY / 100 / Math.log(1.15) : -e.deltaY / (e.deltaMode ? 3 : 100);
       act(x => x.web_wheel(notches));
     }, { passive: false });
     canvas.addEventListener('keydown', e => {
-      const k = e.ctrlKey || e.metaKey || e.altKey ? 0 : keyOf(e);
-      if (!k || (k === 9 && !options.whole)) return;   // in a page, Tab goes on to the next thing
+      const k = e.altKey ? 0 : e.ctrlKey || e.metaKey ? { z: 136, Z: 137, y: 137 }[e.key] || 0 : keyOf(e);
+      if (!k || k === 9) return;                       // Tab goes on to the next thing of the page
       if (k === 27 && !options.whole) { canvas.blur(); return; }
       e.preventDefault();
       more();
@@ -307,11 +361,20 @@
     const game = {
       frame, open, more,
       parts: () => log ? 1 : 2,
-      describe: () => act(x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe())), () => 0) || '',
-      run() { if (!on) { on = true; last = 0; requestAnimationFrame(tick); } },
+      frames: () => frames,
+      key: k => act(x => x.web_key(k)),
+      click(px, py) {
+        act(x => x.web_mouse(px, py));
+        act(x => x.web_button(1, 1));
+        act(x => x.web_button(1, 0));
+      },
+      describe: () => quietly(x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe())), () => 0) || '',
+      run() { if (!on) { on = true; idle = waits = false; last = 0; requestAnimationFrame(tick); } },
       stop() { on = false; },
       running: () => on,
     };
+    new ResizeObserver(wakeUp).observe(canvas);
+    new MutationObserver(wakeUp).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
     canvas.game = game;
     return game;
   };
@@ -380,8 +443,10 @@
       const scene = () => decodeURIComponent(location.hash.slice(1));
       makeGame(whole, scene(), { whole: true }).then(game => {
         addEventListener('hashchange', () => game.open(scene()));
+        if (matchMedia('(prefers-reduced-motion: reduce)').matches) game.key(112);      // it begins paused
         game.run();
         whole.focus();
+        document.head.append(Object.assign(document.createElement('script'), { src: here + 'spoken.js' }));
       });
     }
   };

@@ -29,14 +29,14 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 	@touch $@
 
 # -- HTML
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
 $(HTML)/book.css $(HTML)/book.js $(HTML)/testbed.html: $(HTML)/%: book/%
 	@mkdir -p $(@D); cp $< $@
-$(HTML)/live.js: book/live.js tangle/bare
+$(HTML)/live.js $(HTML)/spoken.js: $(HTML)/%: book/% tangle/bare
 	@mkdir -p $(@D); tangle/bare $< > $@
 
 # -- the gallery: every scene, drawn by the program that the figures' tree makes

@@ -76,7 +76,7 @@ install: $(BUILD)/lib/libweft.a
 	@[ ! -f $(BUILD)/lib/libweft-json.a ] || install -m 644 $(BUILD)/lib/libweft-json.a $(DESTDIR)$(PREFIX)/lib/
 	@for p in $(BUILD)/lib/pkgconfig/*.pc; do sed 's|^prefix=.*|prefix=$(PREFIX)|' $$p > $(DESTDIR)$(PREFIX)/lib/pkgconfig/$${p##*/}; done
 	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfig*.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
-	@for p in weft-testbed weft-headless weft-lab; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
+	@for p in weft-testbed weft-headless weft-lab weft-rube; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
 	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/lib, pkg-config name weft, CMake package weft"
 # A tarball of what is committed: the same bytes whenever it is made. It builds with a compiler and make alone.
 dist:
@@ -84,6 +84,6 @@ dist:
 	   git archive --format=tar --prefix=weft-$$v/ HEAD | gzip -n9 > $(BUILD)/dist/weft-$$v.tar.gz && echo "$(BUILD)/dist/weft-$$v.tar.gz: $$(wc -c < $(BUILD)/dist/weft-$$v.tar.gz) bytes, of commit $$(git rev-parse --short HEAD)"
 uninstall:
 	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft-json.pc
-	@rm -f $(DESTDIR)$(PREFIX)/lib/libweft* $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab)
+	@rm -f $(DESTDIR)$(PREFIX)/lib/libweft* $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab weft-rube)
 $(BUILD)/lib/libweft.a:
 	@$(if $(wildcard $(BUILD)/tangle.stamp),$(MAKE) --no-print-directory engine,$(SUBMAKE) -f tangle/compile.mk SRC=src-generated OUT=$(BUILD) lib)

@@ -206,6 +206,21 @@ function M.check(book)
     end
   end
   M.check_includes(book)
+  M.check_core(book)
+end
+
+-- The engine of its own volume: the part "core" is no code, but the parts that the chapters of chapters/engine/ have. Nothing that is in it may
+-- stand in a volume of methods, with one exception: the elementary functions, which the engine uses by their contract.
+local beside_core = { ["elementary-functions"] = true }
+function M.check_core(book)
+  if not book.parts.core then return end
+  for k in pairs(M.reached(book, M.closure(book, { core = true }))) do
+    local c = book.chunks[k]
+    if c.file:match("chapters/methods/") and not beside_core[book.chapters[c.chapter].name] then
+      book:complain(c.file, c.line, "<<" .. c.name .. ">> belongs to the engine without other parts (core), and stands in a volume of methods",
+        "mark it as code of a part (part=), or move it to chapters/engine/")
+    end
+  end
 end
 
 -- A file that is included must be there wherever the line that includes it is.

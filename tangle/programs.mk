@@ -35,6 +35,9 @@ PROGRAMS += $(if $(BOX2D3),$(if $(call mainof,lab/box2d_main.c),weft-box2d))
 # writes the heavy scenes of the chapter performance as text
 PROGRAMS += $(if $(CJSON),$(if $(call mainof,lab/load_main.c),weft-load))
 
+# translates scenes of R.U.B.E.; a tool of its own, outside the chapters
+PROGRAMS += $(if $(JSONOBJ),$(if $(call mainof,json/scene.h),$(if $(wildcard tools/rube/main.c),weft-rube)))
+
 .PHONY: programs
 programs: $(PROGRAMS:%=$(OUT)/bin/%)
 	@$(if $(strip $(LACK)),echo "programs: $(LACK) install them and say make again")
@@ -45,6 +48,8 @@ $(OUT)/bin/weft-lab: $(OUT)/obj/lab/lab_main.o $(WEFT_LIBS)
 	$(call LINK)
 $(OUT)/bin/weft-load: $(OUT)/obj/lab/load_main.o $(WEFT_LIBS)
 	$(call LINK)
+$(OUT)/bin/weft-rube: tools/rube/main.c tools/rube/rube.c tools/rube/rube.h $(JSONLIB) $(OUT)/lib/libweft.a
+	@mkdir -p $(@D); $(if $(V),,echo "  cc tools/rube";) $(COMPILE) $(LDFLAGS) $(filter %.c %.a,$^) $(CJSON) -lm -o $@
 $(OUT)/bin/weft-figures: $(OUT)/obj/lab/figures_main.o $(WEFT_LIBS)
 	$(call LINK)
 $(OUT)/bin/weft-headless: $(OUT)/obj/testbed/headless_main.o $(WEFT_LIBS)

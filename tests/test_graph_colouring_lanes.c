@@ -60,14 +60,14 @@ static void numbers_in_lanes(void **unused)
     }
 }
 
-/* Four numbers of each of WF_LANES things, chosen from seven, turned and turned back; things that are not in use stay. */
+/* Four numbers of each of WF_LANES things, chosen from seven, turned and turned back; those that are not written stay. */
 static void squares_turn_round_and_back(void **unused)
 {
     (void)unused;
     wfReal things[7][5], after[7][5];
     wfRandom r = random_stream(172);
     for (int round = 0; round < 200; round++) {
-        int32_t who[WF_LANES], used = 1 + (int32_t)wfRandomBelow(&r, WF_LANES);
+        int32_t who[WF_LANES], to = (int32_t)wfRandomBelow(&r, 1 << WF_LANES);
         for (int i = 0; i < 7; i++)
             for (int k = 0; k < 5; k++) things[i][k] = after[i][k] = wfRandomReal(&r, -1, 1);
         for (int32_t i = 0; i < WF_LANES; i++) who[i] = (i * 2 + round) % 7;
@@ -75,9 +75,9 @@ static void squares_turn_round_and_back(void **unused)
         for (int32_t i = 0; i < WF_LANES; i++)
             for (int k = 0; k < 4; k++) lane_is(&got.v[k], i, things[who[i]][1 + k]);
         for (int k = 0; k < 4; k++) got.v[k] = -got.v[k];
-        wfScatter(after, sizeof(wfReal), sizeof after[0], who, used, got);
-        for (int32_t i = 0; i < used; i++)
-            for (int k = 0; k < 4; k++) things[who[i]][1 + k] = -things[who[i]][1 + k];
+        wfScatter(after, sizeof(wfReal), sizeof after[0], who, to, got);
+        for (int32_t i = 0; i < WF_LANES; i++)
+            for (int k = 0; k < 4 && (to >> i & 1); k++) things[who[i]][1 + k] = -things[who[i]][1 + k];
         assert_true(same_bits(things, after, sizeof things));
     }
 }

@@ -828,8 +828,13 @@ static void a_narrow_window_shows_the_whole_scene(void **state)
     assert_int_equal((int)play_fact(&p, "list", 0), 0);      /* no room for it */
     play_click(&p, "List");
     assert_int_equal((int)play_fact(&p, "list", 0), 1);
-    play_click(&p, "List");
+    play_click(&p, "pyramid");                               /* it lies over all else, and a choice closes it */
     assert_int_equal((int)play_fact(&p, "list", 0), 0);
+    assert_true(is_scene(&p, "pyramid"));
+    play_click(&p, "List");
+    play_run(&p, "steps 0\nmove 500 300\nframe\nclick left\nframe\n");
+    assert_int_equal((int)play_fact(&p, "list", 0), 0);      /* and so does a click beside it */
+    assert_int_equal((int)play_fact(&p, "chosen", 0), 0);
     play_end(&p);
     play_begin(&p, 800, 480, 1);
     play_run(&p, "steps 0\nframe\n");

@@ -17,7 +17,7 @@ static void open_bench(bench *b, const wfWorldDef *def)
     b->bytes = aligned_alloc(64, SCRATCH);
     wfPoolInit(&b->scratch, SCRATCH, b->bytes);
     b->memory.unit = WF_R(0.01);
-    b->work = (tool_work){ &b->memory, &b->world, NULL, &b->scratch, NULL, NULL };
+    b->work = (tool_work){ &b->memory, &b->world, NULL, &b->scratch, NULL, NULL, NULL };
 }
 static void close_bench(bench *b) { wfDestroyWorld(&b->world); free(b->bytes); }
 

@@ -280,7 +280,7 @@ static int32_t random_key(void)
 {
     static const int32_t named[] = { GAME_KEY_BACKSPACE, GAME_KEY_TAB, GAME_KEY_ENTER, GAME_KEY_ESCAPE, GAME_KEY_SPACE,
         GAME_KEY_DELETE, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP, GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END,
-        GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN };
+        GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN, GAME_KEY_UNDO, GAME_KEY_REDO };
     return dice(2) ? (int32_t)(33 + dice(94)) : named[dice(sizeof named / sizeof *named)];
 }
 
@@ -291,6 +291,8 @@ static game_input random_input(game_input last)
     if (!dice(5)) in.steps = (int32_t)dice(5) - 1;
     if (dice(2)) in.mouse_x = (float)dice(1000000) / 777, in.mouse_y = -(float)dice(1000000) / 3333;
     if (!dice(4)) in.wheel = ((float)dice(100) - 50) / 7;
+    if (!dice(5)) in.pan_x = ((float)dice(100) - 50) / 7, in.pan_y = ((float)dice(100) - 50) / 11;
+    in.finger = dice(9) ? last.finger : !last.finger, in.bare = dice(9) ? last.bare : !last.bare;
     for (uint32_t bit = 1; bit <= 4; bit *= 2) {
         uint32_t was = last.held & bit, what = dice(4);     /* nothing; a change; a change and back */
         if (what == 1) { was ? (in.released |= bit) : (in.pressed |= bit); was ^= bit; }
@@ -306,7 +308,7 @@ static game_input random_input(game_input last)
 static int same_input(const game_input *a, const game_input *b)
 {
     return a->seconds == b->seconds && a->steps == b->steps && a->mouse_x == b->mouse_x && a->mouse_y == b->mouse_y &&
-           a->wheel == b->wheel && a->held == b->held && a->pressed == b->pressed && a->released == b->released &&
+           a->wheel == b->wheel && a->pan_x == b->pan_x && a->pan_y == b->pan_y && a->finger == b->finger && a->bare == b->bare && a->held == b->held && a->pressed == b->pressed && a->released == b->released &&
            a->key_count == b->key_count && memcmp(a->keys, b->keys, (size_t)a->key_count * sizeof *a->keys) == 0 &&
            strcmp(a->scene, b->scene) == 0;
 }

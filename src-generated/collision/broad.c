@@ -45,19 +45,6 @@ wfResult wfSortPairs(wfPairList *list, int32_t proxies, wfPool *scratch)
     return WF_OK;
 }
 
-/* list the live proxies */
-int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
-{
-    int32_t n = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        int wanted = pass == 0 ? WF_PROXY_LIVE | WF_PROXY_MOVES : WF_PROXY_LIVE;
-        for (int32_t i = 0; i < in->count; i++)
-            if ((in->flags[i] & (WF_PROXY_LIVE | WF_PROXY_MOVES)) == wanted) ids[n++] = i;
-        if (pass == 0) *movers = n;
-    }
-    return n;
-}
-
 wfResult wfFinishPairs(bool room, int32_t proxies, wfPool *scratch, size_t mark,
                        wfPairList *out)
 {
@@ -71,6 +58,19 @@ size_t wfSortPairsSize(int32_t proxies, int32_t pairs)
 {
     return sizeof(wfPair) * (size_t)pairs + sizeof(int32_t) * ((size_t)proxies + 1)
          + 2 * WF_POOL_ALIGN;
+}
+
+/* list the live proxies */
+int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers)
+{
+    int32_t n = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        int wanted = pass == 0 ? WF_PROXY_LIVE | WF_PROXY_MOVES : WF_PROXY_LIVE;
+        for (int32_t i = 0; i < in->count; i++)
+            if ((in->flags[i] & (WF_PROXY_LIVE | WF_PROXY_MOVES)) == wanted) ids[n++] = i;
+        if (pass == 0) *movers = n;
+    }
+    return n;
 }
 
 /* sort and select by a key */

@@ -400,21 +400,21 @@ static wfReal deepest_inset(const wfShape *s)
     return WF_R(0.875) * least;
 }
 
-static wfShape inner_copy(const wfShape *s, wfReal share)       /* eq:impact-inner */
+/* eq:impact-inner; or shrunk towards the centroid, also where an edge would vanish. */
+static wfShape inner_copy(const wfShape *s, wfReal share, bool shrunk)
 {
     wfShape copy = *s;
-    wfReal core = wfShapeMinExtent(s) - s->radius, depth = (1 - share) * (core + s->radius);
-    if (core <= 0) copy.radius = share * s->radius;
-    else copy.radius = wfMaxR(s->radius - depth, 0);
-    depth -= s->radius;
-    if (core <= 0 || depth <= 0) return copy;
-    wfReal inset = wfMinR(depth, deepest_inset(s));
-    wfReal rest = (core - depth) / (core - inset);
+    wfReal core = wfShapeMinExtent(s) - s->radius;
+    wfReal inset = (1 - share) * (core + s->radius) - s->radius;
+    bool flat = core <= 0;                      /* no more than a line: its coat shrinks */
+    shrunk = shrunk || (!flat && inset > deepest_inset(s));
+    copy.radius = flat || shrunk ? share * s->radius : wfMaxR(-inset, 0);
     for (int32_t i = 0; i < s->count; i++) {
         wfVec2 sum;
         wfReal c = turn_at(s, i, &sum);
-        wfVec2 corner = wfAddScaled(s->vertices[i], -inset / (1 + c), sum);
-        copy.vertices[i] = rest < 1 ? wfLerp(s->centre, corner, rest) : corner;
+        if (shrunk) copy.vertices[i] = wfLerp(s->centre, s->vertices[i], share);
+        else if (!flat && inset > 0)
+            copy.vertices[i] = wfAddScaled(s->vertices[i], -inset / (1 + c), sum);
     }
     return copy;
 }
@@ -428,11 +428,16 @@ static bool is_at_once(const wfImpact *i)
 static wfResult meet_inner(const wfShape *shape, wfSweep sweep, const wfObstacle *other,
                            wfReal share, wfReal most, wfImpact *out)
 {
-    for (;; share = share > WF_IMPACT_INNER ? WF_IMPACT_INNER : share - WF_R(0.25)) {
-        wfShape copy = inner_copy(shape, share);
+    bool shrunk = false;
+    for (;;) {
+        wfShape copy = inner_copy(shape, share, shrunk);
         wfResult found = impact_until(&copy, sweep, other->shape, other->sweep, most,
                                       WF_ADVANCE_CURVE, out, NULL);
-        if (found != WF_OK || !is_at_once(out) || share < WF_R(0.3)) return found;
+        if (found != WF_OK || !is_at_once(out)) return found;
+        share = share > WF_IMPACT_INNER ? WF_IMPACT_INNER : share - WF_R(0.25);
+        if (share > WF_R(0.2)) continue;
+        if (shrunk || shape->count < 2) return WF_OK;
+        shrunk = true, share = WF_IMPACT_INNER;
     }
 }
 

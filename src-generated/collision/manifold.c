@@ -101,3 +101,18 @@ int wfCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb
     if (wfSeparate(sat, a, xa, b, xb, &s) == WF_OK) wfMakeManifold(a, xa, b, xb, &s, out);
     return out->count;
 }
+
+/* keep the impulses of the same features */
+void wfMatchImpulses(const wfManifold *before, wfManifold *now)
+{
+    bool turned = !(wfDot(before->normal, now->normal) > 0);
+    for (int32_t k = 0; k < now->count; k++) {
+        wfContactPoint *c = &now->points[k];
+        c->normalImpulse = c->tangentImpulse = 0;
+        for (int32_t i = 0; i < before->count && !turned; i++) {
+            if (before->points[i].feature != c->feature) continue;
+            c->normalImpulse = before->points[i].normalImpulse;
+            c->tangentImpulse = before->points[i].tangentImpulse;
+        }
+    }
+}

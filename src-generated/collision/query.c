@@ -191,14 +191,16 @@ static bool cross_segment(const wfShape *s, const LocalRay *r, Entry *e)
 /* the ray against one shape */
 static bool meet(const wfShape *s, const LocalRay *r, Entry *e)
 {
-    bool thin = s->kind == WF_SHAPE_SEGMENT || s->kind == WF_SHAPE_LINK;
     if (s->kind == WF_SHAPE_NONE) return false;
+    /* cross what is thin */
+    bool thin = s->kind == WF_SHAPE_SEGMENT || s->kind == WF_SHAPE_LINK;
+    if (thin && r->length != 0) return cross_segment(s, r, e);
     if (r->length == 0) {
         *e = (Entry){ r->lo, r->first, wfV2(0, 0) };
         return s->kind != WF_SHAPE_LINK
             && nearest_on_core(s, r->first).distance <= s->radius;
     }
-    return thin ? cross_segment(s, r, e) : enter_convex(s, r, e);
+    return enter_convex(s, r, e);
 }
 
 wfResult wfRayShape(const wfShape *shape, wfTransform placed, wfRay ray, wfRayHit *out)

@@ -587,14 +587,14 @@ const wfForceRow wfForceTable[] = {
         .energy = gravity_energy,
         .steady = true,
     },
-    [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
-        4, point_apply, point_energy, point_check, true, point_move },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
         7, spring_apply, spring_energy, spring_check, true, spring_move },
-    [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
-        7, bungee_apply, bungee_energy, spring_check, true, spring_move },
     [WF_FORCE_DRAG] = { "drag", "resistance as the speed and as its square",
         2, drag_apply, NULL, drag_check, true, NULL },
+    [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
+        4, point_apply, point_energy, point_check, true, point_move },
+    [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
+        7, bungee_apply, bungee_energy, spring_check, true, spring_move },
     [WF_FORCE_BUOYANCY] = { "buoyancy", "the lift and the resistance of a fluid",
         4, buoyancy_apply, buoyancy_energy, buoyancy_check, true, buoyancy_move },
     [WF_FORCE_EXPLOSION] = { "explosion", "a push away from a point that lasts a while",
@@ -609,7 +609,7 @@ const int wfForceKinds = (int)(sizeof wfForceTable / sizeof *wfForceTable);
 int wfFindForce(const char *name)
 {
     for (int i = 0; name && i < wfForceKinds; i++)
-        if (strcmp(wfForceTable[i].name, name) == 0) return i;
+        if (wfForceTable[i].name && strcmp(wfForceTable[i].name, name) == 0) return i;
     return -1;
 }
 
@@ -619,12 +619,6 @@ wfForce wfGravity(wfVec2 g)
     return (wfForce){ .kind = WF_FORCE_GRAVITY, .a = -1, .b = -1, .gravity = { g } };
 }
 
-
-wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening)
-{
-    return (wfForce){ .kind = WF_FORCE_POINT_GRAVITY, .a = -1, .b = -1,
-                      .point = { centre, strength, softening } };
-}
 
 wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
                  wfReal stiffness, wfReal damping)
@@ -637,6 +631,12 @@ wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
                         wfReal stiffness, wfReal damping)
 {
     return wfSpring(a, localA, -1, point, rest, stiffness, damping);
+}
+
+wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening)
+{
+    return (wfForce){ .kind = WF_FORCE_POINT_GRAVITY, .a = -1, .b = -1,
+                      .point = { centre, strength, softening } };
 }
 
 wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
@@ -678,6 +678,7 @@ wfResult wfCheckForce(const wfForce *f)
     if (!f) return WF_ERROR_NULL;
     if (f->kind < 0 || f->kind >= wfForceKinds) return WF_ERROR_UNKNOWN;
     const wfForceRow *row = &wfForceTable[f->kind];
+    if (!row->name) return WF_ERROR_UNKNOWN;
     if (f->a < -1 || f->b < -1) return WF_ERROR_RANGE;
     for (int i = 0; i < row->params; i++)
         if (!wfIsFinite(f->param[i])) return WF_ERROR_NOT_FINITE;

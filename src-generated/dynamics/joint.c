@@ -272,27 +272,27 @@ static int32_t build_linkage(const wfJoint *j, const wfJointGeometry *at, wfJoin
 
 /* the joint table */
 const wfJointKindRow wfJointTable[] = {
-    { "revolute", "a hinge: two points stay together", build_revolute, NULL },
-    { "weld", "two bodies become one; with a spring it gives", build_weld, NULL },
-    { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn, NULL },
+    { "revolute", "a hinge: two points stay together", build_revolute, NULL, true },
+    { "weld", "two bodies become one; with a spring it gives", build_weld, NULL, true },
+    { "turn", "acts on the turn alone: rotary spring, motor, stops", build_turn, NULL, false },
     { "distance", "a rod, a spring, a rope or a winch between two points", build_distance,
-      NULL },
+      NULL, true },
     { "prismatic", "a slide: B moves along an axis of A and does not turn", build_prismatic,
-      NULL },
+      NULL, true },
     { "wheel", "B turns freely and moves along an axis of A; also a groove", build_wheel,
-      NULL },
+      NULL, true },
     { "hand", "pulls a point of B to a point of the world, with bounded force", build_hand,
-      NULL },
+      NULL, false },
     { "servo", "pulls B to a place and a turn as A sees it, with bounded force", build_servo,
-      NULL },
+      NULL, false },
     { "friction", "B slides and turns on A, rubbing; a top view's ground", build_friction,
-      NULL },
-    { "filter", "no law; joined bodies do not collide", build_none, NULL },
-    { "pulley", "a rope over two wheels", build_pulley, NULL },
-    { "gear", "two turns in a fixed ratio", build_gear, NULL },
-    { "ratchet", "B turns one way only", build_ratchet, click },
-    { "rack", "A's slide and B's turn in a fixed ratio", build_rack, NULL },
-    { "linkage", "two slides in a fixed ratio", build_linkage, NULL },
+      NULL, false },
+    { "filter", "no law; joined bodies do not collide", build_none, NULL, false },
+    { "pulley", "a rope over two wheels", build_pulley, NULL, false },
+    { "gear", "two turns in a fixed ratio", build_gear, NULL, false },
+    { "ratchet", "B turns one way only", build_ratchet, click, false },
+    { "rack", "A's slide and B's turn in a fixed ratio", build_rack, NULL, false },
+    { "linkage", "two slides in a fixed ratio", build_linkage, NULL, false },
 };
 const int wfJointKinds = (int)(sizeof wfJointTable / sizeof *wfJointTable);
 
@@ -451,6 +451,7 @@ static void prepare(wfJoint *j, const wfJointPair *p, wfReal h, wfReal t, wfReal
                     wfJointWork *w, bool holds)
 {
     wfReal share = w->swung ? 0 : t / last;                         /* eq:joints-swung */
+    w->answer[0] = w->answer[1] = w->answer[2] = 0;
     w->swung = false;
     for (int i = 0; i < w->rows; i++)
         if (holds || w->row[i].law != WF_ROW_HOLD) j->impulse[i] *= share;
@@ -521,8 +522,33 @@ bool wfHasTurned(const wfJointRow *r, const wfJointRow *then)
     return wfDot(r->jB, then->jB) < wfLengthSq(r->jB) / 2;          /* eq:joints-swung */
 }
 
-/* aim a joint at the end of the substep */
-static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
+/* eq:joints-stop: the mass that row i stops, and what the rows that hold answer. */
+static wfReal stop_mass(const wfJointWork *w, int i, const wfJointPair *p, wfReal *y)
+{
+    wfReal c[3] = { 0, 0, 0 }, left = w->own[i];
+    for (int k = 0; k < w->holds; k++)
+        c[k] = -wfCoupling(&w->row[i], &w->row[w->hold[k]], p->a, p->b);
+    solve_holds(w, c, y);
+    for (int k = 0; k < w->holds; k++) left += c[k] * y[k];
+    if (left > WF_JOINT_SINGULAR * w->own[i]) return 1 / left;
+    y[0] = y[1] = y[2] = 0;             /* what holds does not let it move */
+    return w->mass[i];
+}
+
+static void push_stop(wfJoint *j, wfJointWork *w, int i, wfReal sum, const wfReal *y,
+                      const wfJointPair *p)
+{
+    wfReal more = wfMaxR(0, sum) - j->impulse[i];
+    wfPushRow(&w->row[i], more, p->a, p->b);
+    j->impulse[i] += more;
+    for (int k = 0; k < w->holds; k++) {
+        wfPushRow(&w->row[w->hold[k]], -more * y[k], p->a, p->b);
+        j->impulse[w->hold[k]] -= more * y[k];
+        w->answer[k] -= more * y[k];
+    }
+}
+
+static void aim_soft(wfJoint *j, wfJointWork *w, wfReal h, wfReal t, wfGiving give,
                      const wfJointPair *p)
 {
     wfJointRow then[WF_JOINT_ROWS];
@@ -540,11 +566,10 @@ static void aim_soft(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiv
         if (lack < 0 && wfHasTurned(&w->row[i], &then[i]))      /* sec:joints-short */
             lack = wfRateOf(&w->row[i], p->a, p->b);
         bool ahead = w->row[i].error > 0;
-        wfReal mass = ahead ? w->mass[i] : give.mass * w->mass[i];
+        wfReal answer[3], mass = stop_mass(w, i, p, answer);
+        if (!ahead) mass *= give.mass;
         wfReal slack = ahead ? 0 : give.impulse * (h / t) * j->impulse[i];
-        wfReal sum = wfMaxR(0, j->impulse[i] - mass * lack - slack);
-        wfPushRow(&w->row[i], sum - j->impulse[i], p->a, p->b);
-        j->impulse[i] = sum;
+        push_stop(j, w, i, j->impulse[i] - mass * lack - slack, answer, p);
     }
 }
 
@@ -571,15 +596,14 @@ static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGi
 }
 
 /* make the velocities tangent */
-static void limits_tangent(wfJoint *j, const wfJointWork *w, const wfJointPair *p)
+static void limits_tangent(wfJoint *j, wfJointWork *w, const wfJointPair *p)
 {
     for (int i = 0; i < w->rows; i++) {
         const wfJointRow *r = &w->row[i];
         if (r->law != WF_ROW_LIMIT || !(j->impulse[i] > 0)) continue;
-        wfReal sum = j->impulse[i] - wfRateOf(r, p->a, p->b) / w->own[i];
-        sum = wfMaxR(0, sum);
-        wfPushRow(r, sum - j->impulse[i], p->a, p->b);
-        j->impulse[i] = sum;
+        wfReal answer[3], mass = stop_mass(w, i, p, answer);
+        wfReal rate = wfRateOf(r, p->a, p->b);
+        push_stop(j, w, i, j->impulse[i] - mass * rate, answer, p);
     }
 }
 
@@ -621,11 +645,6 @@ static void close_kick(wfJointWork *w)
 }
 
 /* make taut links sluggish */
-static void remember_inertias(wfJointSet *set, const wfSolve *in)
-{
-    for (int32_t i = 0; i < set->bodies; i++) set->inverse[i] = in->state[i].invInertia;
-}
-
 static void add_stiffness(wfJointSet *set, int32_t i)
 {
     const wfJoint *j = &set->joints[i];
@@ -803,18 +822,14 @@ static bool is_alone(const wfJointSet *set, int32_t i)
 
 static void rebuild(wfJointSet *set, int32_t i, const wfJointPair *p)
 {
+    /* build plain hinge i */
     if (set->pins[i].on) {
         build_pin(set, p, i);
         return;
     }
     build(&set->joints[i], p, &set->work[i]);
+    /* add the stiffness of joint i */
     if (is_alone(set, i)) add_stiffness(set, i);
-}
-
-static void choose_pins(wfJointSet *set)
-{
-    for (int32_t i = 0; i < set->count; i++)
-        if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
 }
 
 static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
@@ -823,25 +838,27 @@ static void renew_rows(wfJointSet *set, int32_t i, const wfJointPair *p)
     wfJointRow before[WF_JOINT_ROWS];
     memcpy(before, w->row, sizeof before);
     rebuild(set, i, p);
+    /* see whether it has swung */
     w->swung = has_swung(w, before, p);
 }
 
-static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
-                         wfReal t)
+/* choose plain hinges */
+static void choose_pins(wfJointSet *set)
 {
-    wfJointSet *set = context;
-    bool first = !(set->last > 0), build_them = !set->built;
-    if (first) set->last = dt;
-    if (first) remember_inertias(set, in);
-    if (first) choose_pins(set);
-    if (build_them) look_round(set, in, moved);
-    for (int32_t i = 0; build_them && i < set->count; i++) {
-        wfJointPair p = wfPairOf(set, in, &set->joints[i]);
-        if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
-    }
-    bool heavier = stiffen(set, in, dt);
-    /* give the old impulses again */
+    for (int32_t i = 0; i < set->count; i++)
+        if (is_alone(set, i) && is_plain_hinge(&set->joints[i])) take_pin(set, i);
+}
+
+static void remember_inertias(wfJointSet *set, const wfSolve *in)
+{
+    for (int32_t i = 0; i < set->bodies; i++) set->inverse[i] = in->state[i].invInertia;
+}
+
+static void give_again(wfJointSet *set, const wfSolve *in, wfReal dt, wfReal t, bool first,
+                       bool heavier)
+{
     for (int32_t i = 0; i < set->count; i++) {
+        /* give a plain hinge its old impulse again */
         if (set->pins[i].on) {
             if (!first) set->work[i].kick = set->pins[i].impulse, close_kick(&set->work[i]);
             warm_pin(&set->pins[i], in, heavier, t / set->last);
@@ -854,8 +871,39 @@ static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved,
         prepare(&set->joints[i], &p, dt, t, set->last, &set->work[i],
                 set->start == NULL || is_alone(set, i));
     }
+}
+
+static void begin_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
+                         wfReal t)
+{
+    wfJointSet *set = context;
+    bool first = !(set->last > 0), build_them = !set->built, heavier = false;
+    if (first) set->last = dt;
+    if (first) remember_inertias(set, in);
+    /* choose the plain hinges */
+    if (first) choose_pins(set);
+    if (build_them) look_round(set, in, moved);
+    for (int32_t i = 0; build_them && i < set->count; i++) {
+        wfJointPair p = wfPairOf(set, in, &set->joints[i]);
+        if (!wfIsBroken(&set->joints[i])) rebuild(set, i, &p);
+    }
+    /* let taut links be sluggish */
+    heavier = stiffen(set, in, dt);
+    give_again(set, in, dt, t, first, heavier);
     set->last = t;
     if (set->start != NULL) set->start(set, in, moved, dt, t);
+}
+
+/* Rows that hold are solved before their stops, if together: a push of theirs that answers
+   to forces is given twice, and a blow is not (sec:exact-tangent). */
+static bool has_stops(const wfJointSet *set)
+{
+    for (int32_t i = 0; i < set->count; i++) {
+        if (wfIsBroken(&set->joints[i]) || is_alone(set, i)) continue;
+        const wfJointWork *w = &set->work[i];
+        for (int k = 0; k < w->rows; k++) if (w->row[k].law == WF_ROW_LIMIT) return true;
+    }
+    return false;
 }
 
 static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
@@ -865,6 +913,8 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     wfGiving give = wfGivingOf(set);
     bool renew = !soft && !set->built;
     if (renew) look_round(set, in, moved);
+    if (soft && pass == 0 && set->together != NULL && has_stops(set))
+        set->together(set, in, moved, dt, soft);
     for (int32_t k = 0; k < set->count; k++) {
         int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
         /* solve it if it is a plain hinge */
@@ -893,7 +943,9 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
 size_t wfJointScratch(int32_t bodies, int32_t joints)
 {
     size_t body = 2 * sizeof(wfReal) + sizeof(wfJointFrame);
-    size_t joint = sizeof(wfJointWork) + sizeof(wfPin);
+    size_t joint = sizeof(wfJointWork);
+    /* what else a joint takes */
+    joint += sizeof(wfPin);
     return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
 }
 
@@ -901,6 +953,13 @@ static const void *lending_of(void *context)
 {
     const wfJointSet *set = context;
     return set->lending;
+}
+
+static void forget_step(wfJointWork *w)
+{
+    w->load = w->kick = wfV2(0, 0), w->twist = w->spin = w->most[0] = w->most[1] = 0;
+    memset(w->seen, 0, sizeof w->seen);
+    w->rows = w->holds = 0, w->swung = false;
 }
 
 wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
@@ -912,18 +971,14 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
     set->place = wfPoolPushArray(scratch, bodies, wfJointFrame);
-    set->pins = wfPoolPushArray(scratch, set->count, wfPin);
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
-             || set->place == NULL || set->pins == NULL;
+             || set->place == NULL;
+    /* take room for plain hinges */
+    set->pins = wfPoolPushArray(scratch, set->count, wfPin);
+    full = full || set->pins == NULL;
+    for (int32_t i = 0; i < set->count && !full; i++) set->pins[i].on = 0;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
-    /* forget the last step */
-    for (int32_t i = 0; i < set->count; i++) {
-        wfJointWork *w = &set->work[i];
-        w->load = w->kick = wfV2(0, 0), w->twist = w->spin = w->most[0] = w->most[1] = 0;
-        memset(w->seen, 0, sizeof w->seen);
-        w->rows = w->holds = 0, w->swung = false;
-        set->pins[i].on = 0;
-    }
+    for (int32_t i = 0; i < set->count; i++) forget_step(&set->work[i]);
     set->last = 0;
     set->built = false;
     *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of };
@@ -974,8 +1029,10 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
     for (int32_t i = 0; i < set->bodies; i++) in->state[i].invInertia = set->inverse[i];
     for (int32_t i = 0; i < set->count; i++) {
         wfJoint *j = &set->joints[i];
-        if (set->pins[i].on) leave_pin(set, in, i);
-        else if (!wfIsBroken(j)) add_load(j, &set->work[i]);
+        bool rows = !wfIsBroken(j);
+        /* leave a plain hinge */
+        if (set->pins[i].on) leave_pin(set, in, i), rows = false;
+        if (rows) add_load(j, &set->work[i]);
         close_kick(&set->work[i]);
         /* tell what joint i bore */
         const wfJointWork *w = &set->work[i];
@@ -1059,7 +1116,6 @@ wfResult wfStepJoints(const wfJointStep *in)
     if (result != WF_OK) return result;
     size_t mark = wfPoolMark(in->scratch);
     wfConstraints laws;
-    /* say what the solver needs to know */
     wfJointSet set = { .joints = in->joints, .count = in->jointCount,
                        .period = in->period, .damping = in->damping,
                        .give = in->give };

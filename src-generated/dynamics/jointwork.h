@@ -18,6 +18,7 @@ typedef struct wfJointWork {
     wfReal seen[WF_JOINT_ROWS];         /* N s: what `kick` has of each impulse */
     wfReal own[WF_JOINT_ROWS];          /* K of each row */
     wfReal mass[WF_JOINT_ROWS];         /* 1 / (K + gamma) */
+    wfReal answer[3];                   /* N s: of the rows that hold, to stops */
     wfReal gamma[WF_JOINT_ROWS], bias[WF_JOINT_ROWS];
     wfJointRow row[WF_JOINT_ROWS];
 } wfJointWork;

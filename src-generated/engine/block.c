@@ -201,7 +201,7 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
 {
     wfWorldDef d;
-    wfWorld world;
+    wfWorld world = { .workers = { .run = NULL } };
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
     wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &d, region, size);
@@ -250,7 +250,7 @@ wfResult wfOpenWorld(const wfMemory *memory, wfWorld *out)
 {
     if (memory == NULL || out == NULL) return WF_ERROR_NULL;
     wfResult result = check_block(memory);
-    if (result == WF_OK) out->memory = *memory;
+    if (result == WF_OK) *out = (wfWorld){ .memory = *memory };
     return result;
 }
 

@@ -19,7 +19,7 @@
  * many of the first entries, which are sorted by themselves. */
 typedef struct wfSleepingLists { int32_t pairs, contacts, touches; } wfSleepingLists;
 /* Of a shape in a step: its body's velocity to be and how fast its rim turns, m/s; how far
- * it is looked ahead for, m. */
+ * it may come, m. */
 typedef struct wfPace { wfVec2 toBe; wfReal rim, way; } wfPace;
 #define WF_SOLVER_LARGE "exact"     /* takes many times the room of others */
 typedef struct wfKnownPair { int32_t a, b; wfPairMaterial m; } wfKnownPair;
@@ -174,10 +174,6 @@ static inline wfResidual *wfResidualOf(const wfBlock *b)
 {
     return b->head->compensatedSums ? b->fine : NULL;
 }
-/* Is a rest what rounding to this state can lose? eq:world-digits */
-WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfResidual *rest);
-/* What a rest has more than that goes to the state. */
-void wfSettleDigits(wfBodyState *s, wfResidual *rest);
 
 /* Was the world made for one of these needs? */
 static inline bool wfHas(const wfHeader *h, uint32_t modules)
@@ -203,6 +199,10 @@ static inline void wfUse(wfBlock *b, uint32_t modules)
     /* note the needs */
     b->head->used |= modules;
 }
+/* Is a rest what rounding to this state can lose? eq:world-digits */
+WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfResidual *rest);
+/* What a rest has more than that goes to the state. */
+void wfSettleDigits(wfBodyState *s, wfResidual *rest);
 /* Removes the joints of a body. */
 void wfDropJoints(wfBlock *b, int32_t body);
 /* Stages of joints. */

@@ -175,7 +175,9 @@ static void forget_pairs(wfBlock *b, int32_t body, int32_t shape)
         if ((ofBody || ofShape) && i < before) b->head->kept.pairs--;
         if (ofBody || ofShape) continue;
         b->pairs[left] = p;
-        b->caches[left++] = b->caches[i];
+        /* move what is remembered of a pair */
+        b->caches[left] = b->caches[i];
+        left++;
     }
     b->head->pairCount = left;
 }

@@ -392,7 +392,8 @@ static bool rule_of_joints(Check *c)
         if (c->b.jointSlots[i].next != WF_SLOT_LIVE) continue;
         const wfJoint *j = &c->b.joints[i];
         bool good = wfCheckJoint(j) == WF_OK && j->a != -1 && j->b != -1
-                 && is_end(&c->b, j->a) && is_end(&c->b, j->b) && wfAllFinite(j->given, 3);
+                 && is_end(&c->b, j->a) && is_end(&c->b, j->b) && wfAllFinite(j->given, 3)
+                 && wfAllFinite(j->elastic, 3) && wfAllFinite(j->loose, 3);
         if (!rule(c, good, WF_REGION_JOINTS, i, "a joint is in range, of living bodies"))
             return false;
     }

@@ -110,22 +110,49 @@ static wfReal rough_way(const struct wfStep *s, int32_t k)
     return d.x + d.y + wfAbs(now->angle - old->angle) * rim;
 }
 
+typedef struct Slow {
+    struct wfStep *s;
+    wfReal slack[WF_PARTS];
+    bool all[WF_PARTS];        /* nobody in the part needs another look */
+} Slow;
+
+static bool is_slow(const struct wfStep *s, int32_t k, wfReal *slack)
+{
+    int32_t i = s->b.bodyOfShape[k];
+    if (i < 0 || !s->present[i] || wfIsSensor(&s->b, k)) return true;
+    wfReal rough = rough_way(s, k);
+    bool straight = wfSolverIntegrates(s) || s->state[i].w == 0;
+    if (!straight || !(rough <= s->b.materials[k].inner)) return false;
+    *slack = wfMaxR(*slack, rough);
+    return true;
+}
+
+static void slow_part(void *context, int32_t part, int32_t begin, int32_t end)
+{
+    Slow *slow = context;
+    slow->slack[part] = 0;
+    slow->all[part] = true;
+    for (int32_t k = begin; k < end; k++)
+        if (!is_slow(slow->s, k, &slow->slack[part])) slow->all[part] = false;
+}
+
 static void find_flights(struct wfStep *s)
 {
-    bool steps = wfSolverIntegrates(s);
-    for (int32_t k = 0; k < s->shapeCount; k++) {
+    bool all = true;
+    Slow slow = { .s = s };
+    int32_t parts = wfInParts(&s->workers, s->shapeCount, WF_STEP_PART, slow_part, &slow);
+    for (int32_t part = 0; part < parts; part++) {
+        s->slack = wfMaxR(s->slack, slow.slack[part]);
+        all = all && slow.all[part];
+    }
+    for (int32_t k = 0; k < s->shapeCount && !all; k++) {
         int32_t i = s->b.bodyOfShape[k];
-        if (i < 0 || !s->present[i] || wfIsSensor(&s->b, k)) continue;
-        wfReal rough = rough_way(s, k);
-        if ((steps || s->state[i].w == 0) && rough <= s->b.materials[k].inner) {
-            s->slack = wfMaxR(s->slack, rough);
-            continue;
-        }
+        if (is_slow(s, k, &s->slack)) continue;
         /* follow the body of shape k if it is fast */
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
-        bool covered = steps && way <= s->paces[k].way + s->b.materials[k].inner;
-        if (s->linked != NULL && !covered) s->linked[i] = 0;
+        bool farther = s->linked != NULL && way > s->paces[k].way + s->b.materials[k].inner;
+        if (farther) s->linked[i] = 0;
         if (wfIsFollowed(s, k, way)) {
             if (s->flightCount == 0) start_flights(s);
             flight_of(s, i)->fast = true;
@@ -274,16 +301,17 @@ static void note_flights(Near *near, wfRect area)
     }
 }
 
-static Near look_from(struct wfStep *s, const wfSweptBody *f, wfReal t)
+static Near look_from(struct wfStep *s, const wfSweptBody *f, wfReal t, int32_t *list)
 {
-    return (Near){ .s = s, .f = f, .t = t, .list = wfTransient(&s->b, WF_REGION_NEIGHBOURS),
+    return (Near){ .s = s, .f = f, .t = t, .list = list,
                    .alone = wfIsCrowd(&s->b) && can_change(s, f->body) };
 }
 
-static wfResult find_near(struct wfStep *s, const wfSweptBody *f, wfReal t, Near *near)
+static wfResult find_near(struct wfStep *s, const wfSweptBody *f, wfReal t, int32_t *list,
+                          Near *near)
 {
     wfRect area = f->box;
-    *near = look_from(s, f, t);
+    *near = look_from(s, f, t, list);
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     wfResult result = wfQueryIndex(s->b.head->broadPhase, &proxies, s->index,
                                    wfRectGrow(area, s->slack), note_near, near);
@@ -535,12 +563,12 @@ static wfResult next_among(struct wfStep *s, wfSweptBody *f, const Near *near)
     return result;
 }
 
-static wfResult plan(struct wfStep *s, wfSweptBody *f, wfReal now)
+static wfResult plan(struct wfStep *s, wfSweptBody *f, wfReal now, int32_t *list)
 {
     Near near;
     f->next = 2, f->other = -1, f->lost = false;
     if (!f->fast || f->held || now >= 1) return WF_OK;
-    wfResult result = find_near(s, f, now, &near);
+    wfResult result = find_near(s, f, now, list, &near);
     return result == WF_OK ? next_among(s, f, &near) : result;
 }
 
@@ -550,7 +578,7 @@ static wfResult plan_with(struct wfStep *s, wfSweptBody *f, const wfSweptBody *o
 {
     if (!f->fast || f->held || now >= 1) return WF_OK;
     if (!wfRectOverlap(f->box, other->box)) return WF_OK;
-    Near near = look_from(s, f, now);
+    Near near = look_from(s, f, now, wfTransient(&s->b, WF_REGION_NEIGHBOURS));
     note_flight(&near, other);
     return next_among(s, f, &near);
 }
@@ -826,7 +854,7 @@ static wfResult plan_again(struct wfStep *s, wfReal now)
         wfSweptBody *f = &s->flights[n];
         int32_t with = f->other >= 0 ? s->b.bodyOfShape[f->other] : -1;
         bool again = f->fresh || is_fresh(s, with);
-        if (again) result = plan(s, f, now);
+        if (again) result = plan(s, f, now, wfTransient(&s->b, WF_REGION_NEIGHBOURS));
         for (int32_t k = 0; k < count && !again && result == WF_OK; k++)
             result = plan_with(s, f, &s->flights[fresh[k]], now);
     }
@@ -845,14 +873,48 @@ static void give_up(struct wfStep *s, wfSweptBody *f, wfReal now)
     s->heldCount++;
 }
 
+typedef struct Plans {
+    struct wfStep *s;
+    int32_t *list, stride;
+    wfResult result[WF_PARTS];
+} Plans;
+
+static void plan_part(void *context, int32_t part, int32_t begin, int32_t end)
+{
+    Plans *p = context;
+    int32_t *list = p->list + (size_t)part * (size_t)p->stride;
+    wfResult result = WF_OK;
+    for (int32_t n = begin; n < end && result == WF_OK; n++)
+        result = plan(p->s, &p->s->flights[n], 0, list);
+    p->result[part] = result;
+}
+
+static wfResult plan_all(struct wfStep *s)
+{
+    bool shares = s->workers.run != NULL;
+    /* who plans in a loop */
+    shares = shares && s->hooks == NULL;
+    Plans p = { .s = s, .stride = s->shapeCount };
+    size_t most = (size_t)(s->fastCount < WF_PARTS ? s->fastCount : WF_PARTS);
+    if (shares) p.list = wfPoolPushArray(&s->scratch, most * (size_t)p.stride, int32_t);
+    shares = p.list != NULL;
+    if (!shares) {
+        p.list = wfTransient(&s->b, WF_REGION_NEIGHBOURS);
+        p.stride = 0;
+    }
+    wfResult result = WF_OK;
+    int32_t parts = wfInParts(shares ? &s->workers : NULL, s->fastCount, 4, plan_part, &p);
+    for (int32_t part = parts - 1; part >= 0; part--)
+        if (p.result[part] != WF_OK) result = p.result[part];
+    return result;
+}
+
 static wfResult follow(struct wfStep *s)
 {
-    wfResult result = WF_OK;
     size_t mark = wfPoolMark(&s->scratch);
     s->fastCount = s->flightCount;
     put_in_order(s);
-    for (int32_t n = 0; n < s->fastCount && result == WF_OK; n++)
-        result = plan(s, &s->flights[n], 0);
+    wfResult result = plan_all(s);
     wfPoolRewind(&s->scratch, mark);
     s->inOrder = NULL;
     while (result == WF_OK && !s->again) {

@@ -124,7 +124,7 @@ static bool read_all(File *f, uint8_t *bytes, size_t size)
 /* the files of Windows */
 #ifdef _WIN32
 #include <windows.h>
-#undef near         /* it makes nothing of these two words, for compilers of 1990 */
+#undef near         /* windows.h defines both as nothing */
 #undef far
 
 typedef struct File { HANDLE handle; } File;

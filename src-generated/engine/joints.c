@@ -350,6 +350,7 @@ wfResult wfBreakJoints(struct wfStep *s)
         const wfReal told[] = { j->load.x, j->load.y, j->twist, j->peakForce,
                                 j->peakTorque };
         if (!wfAllFinite(j->impulse, WF_JOINT_ROWS) || !wfAllFinite(j->given, 3)
+            || !wfAllFinite(j->elastic, 3) || !wfAllFinite(j->loose, 3)
             || !wfAllFinite(told, 5)) return WF_ERROR_NOT_FINITE;
     }
     return WF_OK;

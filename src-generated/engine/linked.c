@@ -15,6 +15,7 @@ void wfFindLinked(struct wfStep *s)
     memset(s->linked, 0, (size_t)s->count);
     for (int32_t i = 0; i < head->jointSlots.high; i++) {
         if (!wfJointIsLive(&j, i) || (j.joints[i].flags & WF_JOINT_BROKEN)) continue;
+        if (!wfJointTable[j.joints[i].kind].holds) continue;
         const int32_t ends[2] = { j.joints[i].a, j.joints[i].b };
         for (int k = 0; k < 2; k++)
             if (ends[k] >= 0 && wfCanMove(&s->state[ends[k]])) s->linked[ends[k]] = 1;

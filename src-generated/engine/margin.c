@@ -9,7 +9,7 @@ bool wfSolverIntegrates(const struct wfStep *s)
     return wfHas(head, WF_MODULE_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
 }
 
-wfVec2 wfVelocityToBe(const struct wfStep *s, int32_t i)
+static wfVec2 velocity_to_be(const struct wfStep *s, int32_t i)
 {
     wfReal gain = s->b.head->timeStep * s->state[i].invMass;
     return wfAddScaled(s->state[i].v, gain, s->sums[i].force);
@@ -23,21 +23,22 @@ static wfReal rim_speed(const struct wfStep *s, int32_t i, int32_t k)
     return wfMinR(spin, 2 / s->b.head->timeStep) * arm; /* no turn goes beyond two arms */
 }
 
-wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k)
+wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k, bool *followed)
 {
+    (void)followed;
     int32_t i = s->b.bodyOfShape[k];
-    wfPace pace = { wfVelocityToBe(s, i), rim_speed(s, i, k), 0 };
+    wfPace pace = { velocity_to_be(s, i), rim_speed(s, i, k), 0 };
     wfReal is = wfLength(s->state[i].v), to_be = wfLength(pace.toBe);
     /* how far this shape is looked ahead */
     wfReal way = s->b.head->timeStep * (wfMaxR(is, to_be) + pace.rim);
-    if (wfIsCrowd(&s->b)) way = wfMinR(way, 2 * s->b.materials[k].reach);
-    else if (wfIsFollowed(s, k, way)) {
-        way = s->b.head->slop * s->b.materials[k].reach;
-        s->followed = true;
+    pace.way = way;
+    s->paces[k] = pace;              /* for wfSpeculativeMarginOfPair: a shape has many pairs */
+    if (wfIsFollowed(s, k, way)) {
+        wfReal reach = s->b.materials[k].reach;
+        way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * reach) : s->b.head->slop * reach;
+        *followed = true;
         if (s->linked != NULL) s->linked[i] = 0;
     }
-    pace.way = way;
-    s->paces[k] = pace;          /* for wfSpeculativeMarginOfPair: a shape has many pairs */
     return way;
 }
 
@@ -52,16 +53,11 @@ wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
     /* how far this pair is looked ahead */
     wfReal rims = s->paces[p.a].rim + s->paces[p.b].rim;
     wfReal way = s->b.head->timeStep * (u + rims);              /* eq:world-way */
-    const wfShapeProps *m = s->b.materials;
-    if (wfIsCrowd(&s->b)) way = wfMinR(way, 2 * (m[p.a].reach + m[p.b].reach));
-    else if (wfIsFollowed(s, p.a, way) || wfIsFollowed(s, p.b, way)) {
-        wfReal ownA = s->b.head->timeStep * (wfMaxR(wfLength(va), wfLength(toA)) +
-                                             s->paces[p.a].rim);
-        wfReal ownB = s->b.head->timeStep * (wfMaxR(wfLength(vb), wfLength(toB)) +
-                                             s->paces[p.b].rim);
-        bool fast = wfIsFollowed(s, p.a, wfMinR(way, ownA))
-                 || wfIsFollowed(s, p.b, wfMinR(way, ownB));
-        if (fast) way = s->b.head->slop * wfMinR(m[p.a].reach, m[p.b].reach);
+    wfReal ownA = wfMinR(way, s->paces[p.a].way), ownB = wfMinR(way, s->paces[p.b].way);
+    if (wfIsFollowed(s, p.a, ownA) || wfIsFollowed(s, p.b, ownB)) {
+        wfReal reachA = s->b.materials[p.a].reach, reachB = s->b.materials[p.b].reach;
+        way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * (reachA + reachB))
+                                : s->b.head->slop * wfMinR(reachA, reachB);
     }
     return way;
 }

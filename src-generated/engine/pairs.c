@@ -5,21 +5,28 @@
 #include "engine/step.h"
 
 /* bound the shapes of a step */
-wfResult wfBoundShapes(struct wfStep *s)
+typedef struct Bounding {
+    struct wfStep *s;
+    int32_t movers[WF_PARTS];
+    bool followed[WF_PARTS];
+    wfResult result[WF_PARTS];
+} Bounding;
+
+static void place_bodies(void *context, int32_t part, int32_t begin, int32_t end)
 {
-    s->places = wfTransient(&s->b, WF_REGION_PLACES);
-    s->paces = wfTransient(&s->b, WF_REGION_PACES);
-    s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
-    s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
-    s->movers = 0;
-    /* what is known before the boxes */
-    wfFindLinked(s);
-    for (int32_t i = 0; i < s->count; i++) {
+    Bounding *b = (Bounding *)context;
+    struct wfStep *s = b->s;
+    b->movers[part] = 0;
+    for (int32_t i = begin; i < end; i++) {
         if (!s->present[i]) continue;
         s->places[i] = wfBodyTransform(&s->state[i]);
-        s->movers += wfCanMove(&s->state[i]);
+        b->movers[part] += wfCanMove(&s->state[i]);
     }
-    for (int32_t k = 0; k < s->shapeCount; k++) {
+}
+
+static wfResult bound_shapes(struct wfStep *s, int32_t begin, int32_t end, bool *followed)
+{
+    for (int32_t k = begin; k < end; k++) {
         int32_t i = s->b.bodyOfShape[k];
         /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
@@ -31,19 +38,51 @@ wfResult wfBoundShapes(struct wfStep *s)
         if (i >= 0 && !s->present[i]) {
             s->bounds[k] = s->b.bounds[k];
             s->flags[k] = WF_PROXY_LIVE;
-            if (wfSolverIntegrates(s)) s->paces[k] = (wfPace){ wfVelocityToBe(s, i), 0, 0 };
+            s->paces[k] = (wfPace){ s->state[i].v, 0, 0 };
             continue;
         }
         /* find the box of a shape that takes part */
         s->flags[k] = wfFlagShape(&s->b, s->state, k);
         s->bounds[k] = wfBoundOne(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
-        wfReal more = i >= 0 && wfSolverIntegrates(s) ? wfSpeculativeMargin(s, k) : 0;
+        wfReal more = i >= 0 && wfSolverIntegrates(s) ? wfSpeculativeMargin(s, k, followed) : 0;
         s->bounds[k].min = wfSub(s->bounds[k].min, wfV2(more, more));
         s->bounds[k].max = wfAdd(s->bounds[k].max, wfV2(more, more));
         if (!wfIsFinite2(s->bounds[k].min) || !wfIsFinite2(s->bounds[k].max))
             return WF_ERROR_NOT_FINITE;
     }
     return WF_OK;
+}
+
+static void bound_part(void *context, int32_t part, int32_t begin, int32_t end)
+{
+    Bounding *b = (Bounding *)context;
+    b->followed[part] = false;
+    b->result[part] = bound_shapes(b->s, begin, end, &b->followed[part]);
+}
+
+wfResult wfBoundShapes(struct wfStep *s)
+{
+    Bounding b = { .s = s };
+    wfResult result = WF_OK;
+    s->places = wfTransient(&s->b, WF_REGION_PLACES);
+    s->paces = wfTransient(&s->b, WF_REGION_PACES);
+    s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
+    s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
+    s->movers = 0;
+    /* what is known before the boxes */
+    wfFindLinked(s);
+    int32_t parts = wfInParts(&s->workers, s->count, WF_STEP_PART, place_bodies, &b);
+    for (int32_t part = 0; part < parts; part++) s->movers += b.movers[part];
+    const wfWorkers *shared = &s->workers;
+    /* who bounds shapes in one go */
+    if (s->linked != NULL) shared = NULL;       /* a shape tells the next one of its body */
+    parts = wfInParts(shared, s->shapeCount, WF_STEP_PART, bound_part, &b);
+    for (int32_t part = parts - 1; part >= 0; part--) {
+        /* note whether a shape of the part is followed */
+        s->followed = s->followed || b.followed[part];
+        if (b.result[part] != WF_OK) result = b.result[part];
+    }
+    return result;
 }
 
 /* find the pairs */
@@ -114,19 +153,24 @@ wfResult wfFindPairsAgain(struct wfStep *s)
 }
 
 /* keep the index for queries */
-wfResult wfPrepareIndex(struct wfStep *s)
+typedef struct Again { struct wfStep *s; uint8_t *moved; } Again;
+
+static void place_again(void *context, int32_t part, int32_t begin, int32_t end)
 {
-    size_t mark = wfPoolMark(&s->scratch);
-    uint8_t *moved = wfPoolPushArray(&s->scratch, s->count, uint8_t);
-    if (moved == NULL) return WF_ERROR_MEMORY;
-    memset(moved, wfSolverIntegrates(s) ? 1 : 0, (size_t)s->count);
-    for (int32_t i = 0; i < s->contactCount; i++)
-        moved[s->contacts[i].a] = moved[s->contacts[i].b] = 1;
-    for (int32_t i = 0; i < s->count; i++) {
-        if (!s->present[i]) moved[i] = 0;
-        if (moved[i]) s->places[i] = wfBodyTransform(&s->state[i]);
+    const Again *a = (const Again *)context;
+    (void)part;
+    for (int32_t i = begin; i < end; i++) {
+        if (!a->s->present[i]) a->moved[i] = 0;
+        if (a->moved[i]) a->s->places[i] = wfBodyTransform(&a->s->state[i]);
     }
-    for (int32_t k = 0; k < s->shapeCount; k++) {
+}
+
+static void bound_again(void *context, int32_t part, int32_t begin, int32_t end)
+{
+    const Again *a = (const Again *)context;
+    struct wfStep *s = a->s;
+    (void)part;
+    for (int32_t k = begin; k < end; k++) {
         int32_t i = s->b.bodyOfShape[k];
         /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
@@ -135,8 +179,21 @@ wfResult wfPrepareIndex(struct wfStep *s)
             WF_FETCH_SOON(soon);
             WF_FETCH_SOON(&soon->vertices[3]);
         }
-        if (i >= 0 && moved[i]) s->bounds[k] = wfBoundOne(&s->b, k, s->places[i]);
+        if (i >= 0 && a->moved[i]) s->bounds[k] = wfBoundOne(&s->b, k, s->places[i]);
     }
+}
+
+wfResult wfPrepareIndex(struct wfStep *s)
+{
+    size_t mark = wfPoolMark(&s->scratch);
+    uint8_t *moved = wfPoolPushArray(&s->scratch, s->count, uint8_t);
+    if (moved == NULL) return WF_ERROR_MEMORY;
+    memset(moved, wfSolverIntegrates(s) ? 1 : 0, (size_t)s->count);
+    for (int32_t i = 0; i < s->contactCount && !wfSolverIntegrates(s); i++)
+        moved[s->contacts[i].a] = moved[s->contacts[i].b] = 1;
+    Again a = { s, moved };
+    wfInParts(&s->workers, s->count, WF_STEP_PART, place_again, &a);
+    wfInParts(&s->workers, s->shapeCount, WF_STEP_PART, bound_again, &a);
     wfPoolRewind(&s->scratch, mark);
     wfResult result = WF_OK;
     /* bring the index up to date */

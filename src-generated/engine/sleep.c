@@ -336,11 +336,12 @@ static void sort_lists(struct wfStep *s)
     const List none = { NULL, NULL, 0, 0 };
     wfSleepingLists kept = b->head->kept;
     List pairs = { (uint8_t *)b->pairs, (uint8_t *)s->pairs.pairs, sizeof(wfPair), 0 };
-    List caches = { (uint8_t *)b->caches, (uint8_t *)s->caches, sizeof(wfManifoldCache),
-                    0 };
+    List beside = none;
+    /* with each pair goes what is remembered of it */
+    beside = (List){ (uint8_t *)b->caches, (uint8_t *)s->caches, sizeof(wfManifoldCache), 0 };
     List contacts = { (uint8_t *)b->contacts, (uint8_t *)s->contacts, sizeof(wfContact),
                       offsetof(wfContact, shapeA) };
-    sort_out(s, pairs, caches, &kept.pairs, &s->pairs.count);
+    sort_out(s, pairs, beside, &kept.pairs, &s->pairs.count);
     sort_out(s, contacts, none, &kept.contacts, &s->contactCount);
     /* sort out the touches */
     List touches = { (uint8_t *)b->touches, (uint8_t *)s->touches, sizeof(wfTouchingPair), 0 };

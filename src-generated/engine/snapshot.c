@@ -231,6 +231,7 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfWorldDef def = with_room(b.head, room);
     result = wfWorldOfImage(&image, &def, &made);
     if (result != WF_OK) return result;
+    made.workers = world->workers;
     wfDestroyWorld(world);
     *world = made;
     return WF_OK;

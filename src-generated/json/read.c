@@ -565,7 +565,7 @@ static bool read_root(Reader *r)
     r->root = (wfRootText){ .info = { .energyBound = -1, .depthBound = -1 } };
     if (wfChild(r->t.root, "weft") == NULL && wfChild(r->t.root, "body") != NULL)
         return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
-            "this looks like a scene of R.U.B.E.: translate it first");
+            "this looks like a scene of R.U.B.E.: translate it by weft-rube");
     if (!wfReadFields(&r->t, r->t.root, wfRootFields, also, &r->root)) return false;
     if (r->root.version == 0)
         return wfTextFail(&r->t, r->t.root, WF_ERROR_TEXT,
@@ -605,7 +605,7 @@ static bool deliver(Reader *r, const wfMemory *memory, wfWorld *out)
     }
     memcpy(memory->permanent, own->permanent, own->permanentSize);
     wfDestroyWorld(&r->world);
-    out->memory = *memory;
+    *out = (wfWorld){ .memory = *memory };
     out->memory.owned = 0;
     return true;
 }

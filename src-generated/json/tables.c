@@ -115,6 +115,8 @@ static const wfField joint_fields[] = {
     { AT(wfJoint, impulse), REAL, ANY, .count = WF_JOINT_ROWS,
       .text = "N s or N m s, of the last substep" },
     { AT(wfJoint, given), REAL, ANY, .count = 3, .text = "N s, of the last substep" },
+    { AT(wfJoint, elastic), REAL, ANY, .count = 3, .text = "m or rad: given way so far" },
+    { AT(wfJoint, loose), REAL, ANY, .count = 3, .text = "m or rad: of its first gaps" },
     { AT(wfJoint, load), VEC, .text = "N: on b, in the last step" },
     { AT(wfJoint, twist), REAL, ANY, .text = "N m: on b, in the last step" },
     { AT(wfJoint, peakForce), REAL, ANY, .text = "N: in one substep of it" },

@@ -352,6 +352,175 @@ static int measure_performance_flight(FILE *out)
     }
     return 0;
 }
+enum { PAPER_WORKS = 4096, PAPER_RUNS = 25, PAPER_CORES = 5 };
+typedef struct Paper {
+    double   part[PAPER_WORKS][WF_PARTS];   /* ms: the least of all runs */
+    int32_t  parts[PAPER_WORKS], stage[PAPER_WORKS];
+    double   alone[PERF_STAGES];            /* ms outside of works: the least, too */
+    double   in_works, cost;                /* ms, of this stage; of the clock for a part */
+    int32_t  works, now;                    /* stage */
+} Paper;
+
+static double wall(void)
+{
+    struct timespec t;
+    timespec_get(&t, TIME_UTC);
+    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+static void time_parts(void *user, int32_t parts, wfPartFn *work, void *context)
+{
+    Paper *p = user;
+    int32_t n = p->works < PAPER_WORKS ? p->works++ : PAPER_WORKS - 1;
+    p->parts[n] = parts;
+    p->stage[n] = p->now;
+    for (int32_t i = 0; i < parts; i++) {
+        double start = wall();
+        work(context, i);
+        double took = wall() - start;
+        p->in_works += took + p->cost;
+        if (p->part[n][i] <= 0 || took < p->part[n][i]) p->part[n][i] = took;
+    }
+}
+
+static wfResult paper_step(wfWorld *world, Paper *p)
+{
+    struct wfStep step = { .workers = { time_parts, p } };
+    wfResult result = wfChangeBlock(world, &step.b);
+    p->works = 0;
+    for (int i = 0; i < wfStageCount && i < PERF_STAGES && result == WF_OK; i++) {
+        double start = wall();
+        p->now = i;
+        p->in_works = 0;
+        result = wfStageTable[i].run(&step);
+        double took = wall() - start - p->in_works;
+        if (took < p->alone[i]) p->alone[i] = took > 0 ? took : 0;
+    }
+    return result;
+}
+static void in_a_row(void *user, int32_t parts, wfPartFn *work, void *context)
+{
+    (void)user;
+    for (int32_t i = 0; i < parts; i++) work(context, i);
+}
+
+static void do_nothing(void *context, int32_t part) { (void)context, (void)part; }
+
+/* ms for each part, by the clock alone */
+static double cost_of_clock(Paper *p)
+{
+    double least = 1;
+    for (int i = 0; i < 1000; i++) {
+        memset(p->part[0], 0, sizeof p->part[0]);
+        p->works = 0;
+        double start = wall(), took;
+        time_parts(p, WF_PARTS, do_nothing, NULL);
+        took = wall() - start;
+        for (int k = 0; k < WF_PARTS; k++) took -= p->part[0][k];
+        if (took / WF_PARTS < least) least = took / WF_PARTS;
+    }
+    return least > 0 ? least : 0;
+}
+
+static wfResult fill_paper(wfWorld *world, Paper *p)
+{
+    wfResult result = WF_OK;
+    double cost = cost_of_clock(p);
+    memset(p, 0, sizeof *p);
+    p->cost = cost;
+    for (int i = 0; i < PERF_STAGES; i++) p->alone[i] = i < wfStageCount ? 1e9 : 0;
+    for (int i = 0; i < PERF_BEFORE && result == WF_OK; i++) result = wfStepWorld(world);
+    for (int i = 0; i < PAPER_RUNS && result == WF_OK; i++) {
+        wfWorld copy;
+        result = wfCloneWorld(world, NULL, &copy);
+        if (result != WF_OK) return result;
+        copy.workers = (wfWorkers){ .run = in_a_row };
+        result = wfStepWorld(&copy);
+        if (result == WF_OK) result = paper_step(&copy, p);
+        wfDestroyWorld(&copy);
+    }
+    return result;
+}
+
+/* ms of a work by so many cores, in blocks */
+static double span_of(const Paper *p, int32_t n, int32_t cores)
+{
+    double longest = 0;
+    for (int32_t w = 0; w < cores; w++) {
+        double sum = 0;
+        for (int32_t i = p->parts[n] * w / cores; i < p->parts[n] * (w + 1) / cores; i++)
+            sum += p->part[n][i];
+        if (sum > longest) longest = sum;
+    }
+    return longest;
+}
+
+/* ms of a stage (-1: of all) on 1, 2, 4, 8, 16 cores; *serial: outside of works */
+static int32_t sum_paper(const Paper *p, int stage, double *serial, double ms[PAPER_CORES])
+{
+    int32_t works = 0;
+    *serial = 0;
+    for (int i = 0; i < PERF_STAGES; i++)
+        if (stage < 0 || i == stage) *serial += p->alone[i];
+    for (int k = 0; k < PAPER_CORES; k++) ms[k] = *serial;
+    for (int32_t n = 0; n < p->works; n++) {
+        if (stage >= 0 && p->stage[n] != stage) continue;
+        works++;
+        for (int k = 0; k < PAPER_CORES; k++)
+            ms[k] += span_of(p, n, 1 << k) + (k > 0 ? 1e-3 : 0);
+    }
+    return works;
+}
+
+static wfResult paper_of(int scene, Paper *p, const char **name)
+{
+    const labHeavy *tumbler = labFindHeavy("tumbler");
+    wfWorldDef def = scene < 2 ? labLoadDef(&labLoads[scene]) : labHeavyDef(tumbler);
+    wfWorld world;
+    *name = scene < 2 ? labLoads[scene].name : "tumbler of 2,025 boxes";
+    wfResult result = wfCreateWorld(&def, &world);
+    if (result != WF_OK) return result;
+    result = scene < 2 ? labLoads[scene].build(&world) : labBuildHeavy(tumbler, &world);
+    if (result == WF_OK) result = fill_paper(&world, p);
+    wfDestroyWorld(&world);
+    return result;
+}
+
+static int measure_performance_workers(FILE *out)
+{
+    static Paper p;
+    fprintf(out, "scene,ms,serial,works,two,four,eight,sixteen,amdahl,gustafson\n");
+    for (int scene = 0; scene < 3; scene++) {
+        const char *name;
+        double serial, ms[PAPER_CORES];
+        if (paper_of(scene, &p, &name) != WF_OK) return 1;
+        int32_t works = sum_paper(&p, -1, &serial, ms);
+        fprintf(out, "\"%s\",%.2f,%.2f,%d", name, ms[0], serial, (int)works);
+        for (int k = 1; k < PAPER_CORES; k++) fprintf(out, ",%.2f", ms[0] / ms[k]);
+        fprintf(out, ",%.1f,%.1f\n", ms[0] / serial, 16 - 15 * serial / ms[4]);
+    }
+    return 0;
+}
+
+static int measure_performance_span(FILE *out)
+{
+    static Paper p;
+    fprintf(out, "scene,stage,ms,serial,two,sixteen\n");
+    for (int scene = 0; scene < 3; scene++) {
+        const char *name;
+        double serial, all, ms[PAPER_CORES];
+        if (paper_of(scene, &p, &name) != WF_OK) return 1;
+        sum_paper(&p, -1, &serial, ms);
+        all = ms[0];
+        for (int i = 0; i < wfStageCount && i < PERF_STAGES; i++) {
+            sum_paper(&p, i, &serial, ms);
+            if (ms[0] < all / 100) continue;
+            fprintf(out, "\"%s\",%s,%.2f,%.2f,%.2f,%.2f\n", name, wfStageTable[i].name,
+                    ms[0], serial, ms[1], ms[4]);
+        }
+    }
+    return 0;
+}
 static int32_t swarm(int32_t n, wfWorld *world)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -442,5 +611,8 @@ static const wfMeasureRow rows[] = {
       measure_performance_flight },
     { "performance-bullets-time", "what a step with many bullets costs",
       measure_performance_bullets },
+    { "performance-workers-time", "what workers gain, on paper",
+      measure_performance_workers },
+    { "performance-span-time", "which stages they share", measure_performance_span },
 };
 const wfMeasureSet performance_measurements = WF_ROWS(rows);

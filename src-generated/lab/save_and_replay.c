@@ -203,7 +203,6 @@ static int measure_rollback_time(FILE *out)
         wfWorldDef def;
         wfWorld world;
         double back[ROUNDS], again[ROUNDS];
-        /* make scene k and let it run up to the moment that is kept */
         if (save_scene(1000, row[k].spread, false, &world) != WF_OK) return 1;
         if (wfGetWorldDef(&world, &def) != WF_OK) return 1;
         if (row[k].columns >= 0) def.stackSolver = row[k].columns;

@@ -15,6 +15,13 @@ void bar_thumb(ui *u, float x, float top, float room, float length, float scroll
            WF_INK_BODY);
 }
 
+/* How high the rows of the list may be together, units. */
+static float list_room(const game_state *s)
+{
+    bool alone = s->width < LIST_ROOM && s->height < LOW;
+    return s->height - LIST_TOP - (alone ? 8 : LIST_BOTTOM);
+}
+
 static float list_length(const game *g)
 {
     int rows = game_scene_count(g);
@@ -35,7 +42,7 @@ static void reveal_row(game_state *s, float y, float room)
 static int list_scenes(ui *u, game *g)
 {
     game_state *s = g->state;
-    float room = s->height - LIST_TOP - LIST_BOTTOM, y = LIST_TOP - s->scroll;
+    float room = list_room(s), y = LIST_TOP - s->scroll;
     int chosen = -1;
     for (int i = 0; i < game_scene_count(g); i++) {
         const wfScene *scene = game_scene_at(g, i);
@@ -58,7 +65,7 @@ static int list_found(ui *u, game *g)
 {
     const game_state *s = g->state;
     bool told[512] = { false };
-    float y = LIST_TOP, room = s->height - LIST_TOP - LIST_BOTTOM;
+    float y = LIST_TOP, room = list_room(s);
     int chosen = -1, count = game_scene_count(g) < 512 ? game_scene_count(g) : 512;
     for (int rank = 0; y + ROW <= LIST_TOP + room; rank++, y += ROW) {
         float most = -1;
@@ -76,36 +83,57 @@ static int list_found(ui *u, game *g)
     return chosen;
 }
 
+bool game_has_drawer(const game_state *s) { return s->list && s->width < LIST_ROOM; }
+
+/* How much of the window's left side the list takes from the world. */
+float game_list_side(const game_state *s)
+{
+    return s->list && !s->bare && !game_has_drawer(s) ? LIST_WIDTH : 0;
+}
+
+/* How far a finger that came down on this list has moved since the last frame, units. */
+float game_finger_way(const ui *u, const game *g)
+{
+    const game_input *in = g->input;
+    bool pulls = u->finger && u->held && !u->press && !u->memory->active;
+    return pulls ? (in->mouse_y - g->state->mouse_y) / u->scale : 0;
+}
+
 void game_list_panel(ui *u, game *g)
 {
     game_state *s = g->state;
     ui_box(u, -2, -2, LIST_WIDTH + 2, s->height + 4, WF_INK_FAINT, WF_INK_PAPER);
     ui_text(u, 12, 28, 16, WF_INK_TEXT, -1, "Weft");
     ui_query(u, "find", 62, 12, LIST_WIDTH - 74);
+    if (game_has_drawer(s) && u->click && !ui_inside(u, 0, 0, LIST_WIDTH, s->height))
+        s->list = 0;
     int chosen = s->ui.query[0] ? list_found(u, g) : list_scenes(u, g);
     if (chosen >= 0) {
         game_open_scene(g, chosen);
+        if (game_has_drawer(s)) s->list = 0;
         s->ui.typing = 0;
         s->ui.query[0] = 0;
     }
-    float y = s->height - LIST_BOTTOM + 14, room = s->height - LIST_TOP - LIST_BOTTOM;
+    float y = s->height - LIST_BOTTOM + 14, room = list_room(s);
     if (!s->ui.query[0])
         bar_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(g), s->scroll);
-    /* tick the overlays */
-    ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
-    for (int i = 0; i < wfOverlayCount; i++) {
-        const wfOverlay *o = &wfOverlayTable[i];
-        if (!o->key) continue;                          /* of the panel "See" */
-        float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
-        float line = y + 13 + (float)(i / 2 * ROW);
-        if (ui_check(u, o->name, x, line, 84, s->show & o->bit))
-            game_press_overlay(g, o->bit);
-        ui_tip(u, o->name, o->text, x, line, 84, ROW);
+    if (list_room(s) <= s->height - LIST_TOP - LIST_BOTTOM) {
+        /* tick the overlays */
+        ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
+        for (int i = 0; i < wfOverlayCount; i++) {
+            const wfOverlay *o = &wfOverlayTable[i];
+            if (!o->key) continue;                          /* of the panel "See" */
+            float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
+            float line = y + 13 + (float)(i / 2 * ROW);
+            if (ui_check(u, o->name, x, line, 84, s->show & o->bit))
+                game_press_overlay(g, o->bit);
+            ui_tip(u, o->name, o->text, x, line, 84, ROW);
+        }
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
         u->over = true;
         float most = list_length(g) - room;
-        if (!u->draw) s->scroll -= g->input->wheel * 3 * ROW;
+        if (!u->draw) s->scroll -= g->input->wheel * 3 * ROW + game_finger_way(u, g);
         if (s->scroll > most) s->scroll = most;
         if (s->scroll < 0) s->scroll = 0;
     }
@@ -115,6 +143,7 @@ static void press_step(game *g) { g->state->paused = g->state->single = 1; }
 static void press_reset(game *g) { game_open_scene(g, g->state->row); }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
+static void press_size(game *g) { g->state->letters = (g->state->letters + 1) % UI_SIZES; }
 
 static const button_row button_table[] = {
     { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
@@ -122,9 +151,12 @@ static const button_row button_table[] = {
     { "Pause", "Run", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
     { "Step", NULL, 'o', 0, press_step, "one step" },
     { "Reset", NULL, 'r', 0, press_reset, "the scene from its beginning" },
+    { "Undo", NULL, GAME_KEY_UNDO, 0, game_undo, "take the last change back" },
+    { "Redo", NULL, GAME_KEY_REDO, 0, game_redo, "make the change that was taken back" },
     { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
     { "Next", NULL, ']', 0, press_next, "the next scene" },
     { "Home", NULL, 'h', 0, game_look_home, "look at the whole scene" },
+    { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and small again" },
     { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
     { "Settings", NULL, 's', FLAG(panel), NULL, "numbers to change, at the right" },
@@ -170,8 +202,11 @@ void game_buttons(ui *u, game *g, bar *b)
 {
     for (int i = 0; i < BUTTONS; i++) {
         const button_row *row = &button_table[i];
-        bool on = is_on(g, row);
-        if (bar_button(u, b, on && row->other ? row->other : row->name, on, row->text))
+        bool on = is_on(g, row), narrow = g->state->finger && g->state->width < LIST_ROOM;
+        if (narrow && (row->press == press_previous || row->press == press_next ||
+                       row->key == '?')) continue;
+        if (bar_button(u, b, on && row->other ? row->other : row->name, on && !row->other,
+                       row->text))
             game_press_button(g, row);
     }
 }
@@ -184,9 +219,12 @@ void game_state_line(ui *u, const game *g, float x)
     int32_t contacts;
     wfWorldContacts(&g->world, &contacts);
     wfWorldEnergy(&g->world, &kinetic, &potential);
+    char how[48] = "running";
+    if (s->pace > 0 && s->pace < 0.95)
+        snprintf(how, sizeof how, "running at %.2g of real time", s->pace * s->rate);
     snprintf(line, sizeof line,
              "%s   step %llu   %.2f s   bodies %d   contacts %d   energy %.4g J",
-             s->paused ? "paused" : "running", (unsigned long long)wfWorldSteps(&g->world),
+             s->paused ? "paused" : how, (unsigned long long)wfWorldSteps(&g->world),
              wfWorldTime(&g->world), (int)wfBodyCount(&g->world), (int)contacts,
              kinetic + potential);
     if (s->result != WF_OK)
@@ -205,6 +243,7 @@ void game_state_line(ui *u, const game *g, float x)
     if (s->tools.said[0]) ui_fitted(u, x, s->height - 13, s->tools.refused ? WF_INK_BAD :
                                     WF_INK_TEXT, room, s->tools.said);
     else ui_fitted(u, x, s->height - 13, WF_INK_LINE, room,
+            s->finger ? "a finger holds and throws, or moves the view; two zoom" :
             "?: all keys   drag: hold and throw   right drag: move the view   wheel: zoom");
 }
 
@@ -213,7 +252,7 @@ void game_key_sheet(ui *u, const game_state *s, float x)
     static const char *const sheet[][2] = {
         /* keys and what they do */
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
-        { "[ and ]", "previous, next scene" }, { "Tab", "hide or show the list" },
+        { "[ and ]", "previous, next scene" }, { "Tab, \\", "hide or show the list" },
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
         { "arrows", "move the view" },
         { "Q and E", "turn the testing body" }, { "T", "change its shape" },
@@ -227,7 +266,8 @@ void game_key_sheet(ui *u, const game_state *s, float x)
         { "% &", "film; film as single pictures" },
         { "M", "arrows and Enter are the mouse" },
         { "N, Delete", "choose a body; remove it" },
-        { ", and .", "back and forth in time" }, { "< and >", "slower, faster" },
+        { ", and .", "back and forth in time" }, { "Ctrl-Z, -Y", "undo, redo" },
+            { "< and >", "slower, faster" },
         { "PgDn, PgUp", "to the next, last widget" }, { "Enter", "press it" },
         { "?", "this sheet" },
     };

@@ -511,7 +511,8 @@ static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
 static void write_length(wfDraw *d, float x, float y, double length)
 {
     if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "gone");
-    else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, "%.1f mm", 1000 * length);
+    else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, fabs(length) < 0.0995 ? "%.1f" : "%.0f",
+                     1000 * length);
 }
 
 static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
@@ -535,7 +536,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     wfDrawText(d, x + 0.3f, y + 3.5f, 13, WF_INK_ACCENT, 0, name);
     write_length(d, x - 1.6f, y - 0.75f, sunk);
     write_length(d, x + 0.1f, y - 0.75f, crept);
-    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.1f %%", 100 * energy);
+    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
 }
 
 static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -552,7 +553,9 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
         }
         wfDestroyWorld(&trial);
     }
-    wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1, "passes: %d", passes);
+    wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1,
+                "passes: %d     below: sunk (mm), crept (mm), energy (%%)",
+                passes);
 }
 
 static const wfScene row[] = {

@@ -18,12 +18,23 @@ static void strip(ui *u, float y, float h)
 static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
-    float x = s->list ? LIST_WIDTH + 16 : 16;
+    float x = game_list_side(s) + 16, mouse = u->x;
     bar b = { x, s->width - 8, x, 10 };
+    if (s->bare) {
+        /* walk over a picture that has no bars */
+        s->head = 0;
+        if (s->keys) game_key_sheet(u, s, 4);
+        ui_finish(u, seconds);
+        return;
+    }
+    u->room[0] = game_list_side(s), u->room[1] = s->head;
+    u->room[2] = s->width - game_beside(s), u->room[3] = s->height - FOOT - TIME_BAR;
+    bool drawer = game_has_drawer(s);
+    if (drawer) u->x = -1e6f;                           /* it lies over all else */
     strip(u, -2, s->head);
     strip(u, s->height - FOOT + 2, FOOT);
     game_draw_curves(u, g);
-    if (s->list)
+    if (s->list && !drawer)
         game_list_panel(u, g);
     if (s->panel)
         game_settings_panel(u, g);
@@ -38,6 +49,11 @@ static void interface(ui *u, game *g, double seconds)
     game_time_bar(u, g);
     if (s->keys)
         game_key_sheet(u, s, x);
+    u->x = mouse;
+    if (drawer) {
+        game_list_panel(u, g);
+        u->over = true;
+    }
     ui_finish(u, seconds);
 }
 
@@ -72,6 +88,8 @@ static void draw_interface(game *g, ui *u, frame_buffer *buffer, const wfPalette
 }
 
 /* update and render */
+static const float uiSizes[UI_SIZES] = { 1, 1, 1.25f, 1.7f, 2, 0.85f };
+
 static void begin_game(game *g)
 {
     game_state *s = g->state;
@@ -89,9 +107,38 @@ static void begin_game(game *g)
 
 static void measure_picture(game_state *s, const frame_buffer *buffer)
 {
+    float size = s->letters > 0 &&
+        s->letters < UI_SIZES ? uiSizes[s->letters] : s->finger ? 1.25f : 1;
     s->scale = buffer->scale >= 0.25f && buffer->scale <= 16 ? buffer->scale : 1;
+    s->scale *= size;
     s->width = (float)buffer->width / s->scale;
     s->height = (float)buffer->height / s->scale;
+}
+
+static bool stays_as_it_is(game *g)
+{
+    game_state *s = g->state;
+    const game_input *in = g->input;
+    bool moved = in->mouse_x != s->seen_x || in->mouse_y != s->seen_y;
+    bool busy = in->pressed || in->released || in->key_count || in->wheel != 0 || moved ||
+                in->pan_x != 0 || in->pan_y != 0 || in->scene[0] ||
+                s->seen_width != s->width || s->seen_height != s->height ||
+                (s->opened && !s->paused);
+    s->seen_x = in->mouse_x, s->seen_y = in->mouse_y;
+    s->seen_width = s->width, s->seen_height = s->height;
+    s->quiet = busy ? 0 : s->quiet < 9 ? s->quiet + 1 : 9;
+    bool tip = s->ui.rests && s->ui.rested < 0.6;
+    bool file = g->file && (g->file->wish != GAME_FILE_NONE || s->asked == 0);
+    return s->quiet >= 3 && !tip && !file && !s->shots && !s->filming && !s->film_over;
+}
+
+static void open_by_name(game *g, const char *name)
+{
+    char line[TOOL_WORDS];
+    int row = wfFindScene(name);
+    if (row >= 0) game_open_scene(g, row);
+    snprintf(line, sizeof line, "there is no scene %.39s", name);
+    if (row < 0) game_tell(g, true, line);
 }
 
 void game_update_and_render(game_memory *memory, const game_input *input,
@@ -102,13 +149,16 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     /* find everything again, and take what came */
     game_begin_call(&g, memory, &now);
     game_state *s = g.state;
+    s->finger = now.finger;
+    s->bare = now.bare;
     measure_picture(s, buffer);
     begin_game(&g);
     game_obey_mark(s, &now);
     input = &now;
+    if (!(input->held & GAME_BUTTON_LEFT)) s->editing = 0;
     game_take_answer(&g);
-    if (input->scene[0] && wfFindScene(input->scene) >= 0)
-        game_open_scene(&g, wfFindScene(input->scene));
+    if (input->scene[0]) open_by_name(&g, input->scene);
+    if (memory->news) game_tell(&g, false, memory->news);
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
     s->enter = 0;
     /* obey the keys that the interface leaves */
@@ -119,10 +169,12 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     interface(&u, &g, 0);
     game_place_camera(&g);
     game_obey_mouse(&g, u.over);
+    game_end_edit(&g);
     if (s->opened)
         game_step_world(&g);
     game_note_tape(&g);
     game_keep_settings(&g);
+    memory->still = stays_as_it_is(&g);
     if (!buffer->pixels) return;
     /* paint the frame */
     const wfPalette *palette = s->dark ? &wfDarkPalette : &wfLightPalette;
@@ -196,8 +248,10 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         (int)s->filming, (int)(s->film.pictures + s->frame_count));
     say(&w, "tool %s\nchosen %d\nsaid %s\n", toolTable[s->tools.tool].name,
         (int)s->tools.count, s->tools.said);
-    say(&w, "list %d\npanel %d\nback %d\nrate %g\ndark %d\nkeys %d\n", (int)s->list,
-        (int)s->panel, (int)s->back, s->rate, (int)s->dark, (int)s->keys);
+    say(&w, "pace %.4g\nmost %d\nstill %d\n", s->pace, (int)s->most, (int)memory->still);
+    say(&w, "letters %d\nlist %d\npanel %d\nback %d\nrate %g\ndark %d\nkeys %d\n",
+        (int)s->letters,
+        (int)s->list, (int)s->panel, (int)s->back, s->rate, (int)s->dark, (int)s->keys);
     say(&w, "view %.4f %.4f %.4f\nhash %016llx\n", (double)s->camera.x, (double)s->camera.y,
         (double)s->camera.height, (unsigned long long)wfHashWorld(&g.world));
     /* say what is compared and looked into */
@@ -214,6 +268,12 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         say(&w, "widget %s pixel %.1f %.1f\n", s->ui.places[i].name,
             (double)s->ui.places[i].x, (double)s->ui.places[i].y);
     return w.used;
+}
+
+bool game_wants_letters(const game_memory *memory)
+{
+    const game_state *s = memory->permanent;
+    return s->begun && s->size == sizeof *s && s->ui.typing;
 }
 
 bool game_knows_scene(const char *name)

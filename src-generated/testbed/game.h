@@ -31,6 +31,9 @@ enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
+enum { UNDO_BYTES = 8 * 1024 * 1024, UNDO_MOST = 64 };
+/* Where a moment lies in the bytes of undo, how long it is, its step. */
+typedef struct undo_moment { size_t at, size; uint64_t step; } undo_moment;
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
 
@@ -52,10 +55,16 @@ typedef struct game_state {
     float scroll;                       /* of the list, interface units */
     int32_t reveal;                     /* 1: scroll to the scene's row */
     float width, height, scale;         /* of the last picture: units, pixels a unit */
+    int32_t letters; /* their size, and that of buttons: a row of uiSizes */
+    int32_t finger, bare;               /* of the last frame, as in game_input */
     ui_memory ui;
     /* what the game remembers of settings and time */
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
+    float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
+    int32_t quiet;                      /* frames in which nothing has happened */
+    int32_t most, made;                 /* steps in a frame, at most; in the last one */
+    double wall, passed, pace; /* s on the wall, in the world; the share of the last second */
     int32_t turning;                    /* what is held shall have a certain angle ... */
     wfReal turn_to;                     /* ... rad */
     int32_t mark, mark_down;            /* the arrows move a mark; it is pressed */
@@ -82,7 +91,11 @@ typedef struct game_state {
     size_t ring_oldest, ring_newest;    /* the ring's record, but for its address */
     int32_t ring_count;
     int32_t back;                       /* 1: the world was taken back, and stands there */
+    int32_t ring_due;                   /* 1: the next step begins with a snapshot */
     double rate;                        /* of time: 1 is as on the wall; 0: not set yet */
+    undo_moment undo[UNDO_MOST];        /* worlds before a change, and the one that undo left */
+    int32_t undo_at, undo_count;        /* the world stands before undo[undo_at]; how many */
+    int32_t editing;                    /* 1: a change began in this frame; 2: and goes on */
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
     int32_t bar;                        /* the tools are shown */
     float panel_scroll, head;           /* head: height of the strip at the top, units */
@@ -124,6 +137,7 @@ typedef struct game {
     bool staged;                        /* ... if anybody measured it */
     uint32_t *film_last;                /* the last picture of a film ... */
     uint8_t *film_bytes;                /* ... and the film, as long as the card's at most */
+    uint8_t *undo;                      /* the bytes of undo's moments */
     float panel_top, panel_bottom;      /* lines of a panel between these are shown */
     uint8_t *others;                    /* where the other worlds are kept */
 } game;
@@ -144,6 +158,11 @@ void game_open_scene(game *g, int row);
 wfResult game_adopt(game *g, const wfWorld *made);
 void game_go_back(game *g, uint64_t before);
 void game_stay_there(game *g);
+void game_forget_after(game *g, uint64_t step);
+wfJournal *game_begin_edit(void *context);
+void game_end_edit(game *g);
+void game_undo(game *g);
+void game_redo(game *g);
 wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_goes_along(const game_state *s, int i);

@@ -61,7 +61,7 @@ static wfMemory world_memory(const game_memory *memory)
     return (wfMemory){ .permanent = (uint8_t *)memory->permanent + begin,
                        .permanentSize = memory->permanent_size - begin - FILM_BYTES -
                                         RING_BYTES - TAPE_BYTES -
-                                        OTHERS * OTHER_BYTES - POSES_BYTES,
+                                        OTHERS * OTHER_BYTES - POSES_BYTES - UNDO_BYTES,
                        .transient = memory->transient, .transientSize = half };
 }
 
@@ -84,6 +84,7 @@ void game_begin_call(game *g, const game_memory *memory, const game_input *input
     find_ring(g, memory);
     g->others = g->ring.bytes - TAPE_BYTES - OTHERS * OTHER_BYTES;
     g->pose = (wfTransform *)(void *)(g->others - POSES_BYTES);
+    g->undo = g->others - POSES_BYTES - UNDO_BYTES;
     if (g->state->opened && wfOpenWorld(&g->memory, &g->world) != WF_OK)
         g->state->opened = 0;
     g->text = memory->text;

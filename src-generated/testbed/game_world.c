@@ -37,11 +37,13 @@ void game_open_scene(game *g, int row)
 {
     game_state *s = g->state;
     row = (row + game_scene_count(g)) % game_scene_count(g); /* after the last, the first */
+    s->tools.said[0] = 0;                                   /* it was about another world */
+    s->tools.refused = s->tools.probed = s->tools.down = s->tools.points = 0;
     bool same = s->row == row && s->opened;
-    /* make the scene's world */
     s->row = row;
     g->scene = game_scene_at(g, row);
-    s->result = wfOpenSceneWithModules(g->scene, &g->memory, same ? s->modules : 0, &g->world);
+    s->result = wfOpenSceneWithModules(g->scene, &g->memory, same ? s->modules : 0,
+                                       &g->world);
     if (!same) s->modules = s->wished = 0;
     s->opened = s->result == WF_OK;
     if (!s->opened && s->modules) {
@@ -63,7 +65,9 @@ void game_open_scene(game *g, int row)
     s->clock = (step_clock){ 0 };
     s->held = (wfBodyId){ 0 };
     s->single = 0;
+    s->wall = s->passed = s->pace = 0;
     s->posed = 0;
+    s->undo_at = s->undo_count = s->editing = 0;
     s->input = (wfSceneInput){ 0 };
     s->reveal = 1;
     s->back = 0;
@@ -111,13 +115,6 @@ wfResult game_make_room(void *context, uint32_t modules)
     return result;
 }
 
-tool_work game_tools_of(game *g)
-{
-    game_state *s = g->state;
-    s->tools.unit = (wfReal)(s->scale / camera_scale(&s->camera));
-    return (tool_work){ &s->tools, &g->world, g->noted, &g->scratch, game_make_room, g };
-}
-
 /* Takes over a world that was made in the scratch memory. */
 wfResult game_adopt(game *g, const wfWorld *made)
 {
@@ -136,6 +133,7 @@ wfResult game_adopt(game *g, const wfWorld *made)
     g->state->posed = 0;
     g->state->held = (wfBodyId){ 0 };
     g->state->tools.count = 0;
+    g->state->undo_at = g->state->undo_count = g->state->editing = 0;
     if (g->state->tape != TAPE_EMPTY) g->state->tape = TAPE_DONE;
     g->noted = NULL;
     wfRewindInit(&g->ring, g->ring.bytes, RING_BYTES);
@@ -155,15 +153,36 @@ void game_go_back(game *g, uint64_t before)
     g->state->held = (wfBodyId){ 0 };
 }
 
+
+/* The ring forgets all moments after this step; the world stays as it is. */
+void game_forget_after(game *g, uint64_t step)
+{
+    size_t bytes, transient, mark = wfPoolMark(&g->scratch);
+    wfWorld copy;
+    wfWorldDef def;
+    uint64_t oldest, newest;
+    wfMemory m = g->memory;
+    if (wfRewindReach(&g->ring, &oldest, &newest) != WF_OK || newest <= step) return;
+    wfResult result = wfGetWorldDef(&g->world, &def);
+    if (result == WF_OK) result = wfWorldSize(&def, &bytes, &transient);
+    if (result == WF_OK) m.permanent = wfPoolPush(&g->scratch, bytes, WF_POOL_ALIGN);
+    if (result == WF_OK && !m.permanent) result = WF_ERROR_MEMORY;
+    if (result == WF_OK) m.permanentSize = bytes;
+    if (result == WF_OK) result = wfCloneWorld(&g->world, &m, &copy);
+    if (result == WF_OK) result = wfRewindTo(&g->ring, &copy, step);
+    if (result != WF_OK) wfRewindInit(&g->ring, g->ring.bytes, RING_BYTES);
+    wfPoolRewind(&g->scratch, mark);
+    game_note_ring(g);
+}
+
 /* Time runs on from where the world stands: what came after is forgotten. */
 void game_stay_there(game *g)
 {
     if (!g->state->back) return;
-    wfRewindTo(&g->ring, &g->world, wfWorldSteps(&g->world));
+    game_forget_after(g, wfWorldSteps(&g->world));
     g->state->back = 0;
     if (g->state->tape != TAPE_EMPTY) g->state->tape = TAPE_DONE;
     g->noted = NULL;
-    game_note_ring(g);
     game_begin_others(g);
     g->state->plots.count = 0;
 }
@@ -195,7 +214,7 @@ static wfResult other_world(game *g, int i, wfWorld *out)
     wfMemory m = { .permanent = g->others + (size_t)i * OTHER_BYTES,
                    .permanentSize = OTHER_BYTES, .transientSize = transient };
     m.transient = wfPoolPush(&g->scratch, transient, WF_POOL_ALIGN);
-    *out = (wfWorld){ m };
+    *out = (wfWorld){ .memory = m };
     return permanent <= OTHER_BYTES && m.transient ? WF_OK : WF_ERROR_MEMORY;
 }
 

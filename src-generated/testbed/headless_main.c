@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/layer.h"
+#include "testbed/workers.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -252,27 +253,6 @@ static int watch_scenes(const layer_options *options)
     return broken > 0;
 }
 
-static int translate_rube(const layer_options *options)
-{
-#ifdef WF_NO_JSON
-    (void)options;
-    return complain("this program was built without cJSON") + 1;
-#else
-    const char *path = options->argument ? options->argument : "";
-    char *text = whole_file(path), *out = NULL;
-    wfTextError e;
-    if (!text) return complain("--from-rube needs a file that can be read") + 1;
-    wfResult result = wfTranslateRube(text, strlen(text), &out, &e);
-    if (result == WF_OK) puts(out);
-    else
-        fprintf(stderr, "%s:%d: %s%s%s\n", path, (int)e.line, e.where,
-                e.where[0] ? ": " : "", e.what);
-    wfFreeText(out);
-    free(text);
-    return result != WF_OK;
-#endif
-}
-
 static int export_scene(const layer_options *options)
 {
 #ifdef WF_NO_JSON
@@ -420,7 +400,6 @@ static const headless_command command_table[] = {
     { "--copy-c", "a scene as a program in C, after --steps", copy_scene },
     { "--export", "a scene as JSON after --steps", export_scene },
     { "--schema", "the JSON Schema of scenes", print_schema },
-    { "--from-rube", "translate a scene of R.U.B.E., in the file named", translate_rube },
     { "--hash", "the hash of a scene's state after --steps", hash_scene },
     { "--explain", "what a scene's world does in a step, and why", explain_scene },
     { "--freeze", "a scene after --steps as a vector picture, in the file named",
@@ -436,7 +415,8 @@ static int usage(void)
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
           "      [--png FILE] [--svg FILE] [--film FILE] [--frames DIR]\n"
           "      [--save-input FILE]\n"
-          "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [SCENE.json]\n",
+          "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [--workers N]\n"
+          "      [SCENE.json]\n",
           stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);
@@ -452,6 +432,10 @@ int main(int argc, char **argv)
         complain(error);
         return usage();
     }
+    /* hire workers for the scenes */
+    wfWorkers workers = work_pool_lend(work_pool_open(options.workers));
+    (void)workers;
+    wfShareScenes(workers);
     if (!options.command) return argc > 1 ? play(&options) : usage();
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         if (strcmp(command_table[i].name, options.command) == 0)

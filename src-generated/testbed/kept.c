@@ -11,7 +11,8 @@ typedef struct kept_number { const char *name; size_t where; int32_t most; } kep
 enum { KEPT_CURVES = -8, KEPT_OVERLAYS = -9 };      /* a bit for each row of a table */
 
 static const kept_number kept_table[] = {
-    { "dark", FLAG(dark), 1 }, { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 },
+    { "dark", FLAG(dark), 1 }, { "letters", FLAG(letters), UI_SIZES - 1 },
+        { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 },
     { "panel", FLAG(panel), 1 }, { "tab", FLAG(tab), -1 },
     { "tool", FLAG(tools.tool), -2 }, { "shape", FLAG(tools.choice[TOOL_SHAPE]), -3 },
     { "stuff", FLAG(tools.choice[TOOL_STUFF]), -4 },

@@ -24,8 +24,10 @@ static const char *read_amount(const char *name, const char *text, layer_options
     double x = strtod(text, &end);
     bool scale = strcmp(name, "--scale") == 0;
     if (end == text || *end || !(x >= (scale ? 0.5 : 0) && x <= (scale ? 4 : 1e9)))
-        return scale ? "--scale takes a number from 0.5 to 4" : "--steps takes a number";
+        return scale ? "--scale takes a number from 0.5 to 4"
+                     : "--steps and --workers take a number";
     if (scale) out->scale = (float)x;
+    else if (strcmp(name, "--workers") == 0) out->workers = (int32_t)x;
     else out->steps = (int32_t)x;
     return NULL;
 }
@@ -47,7 +49,8 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
             if (strcmp(name, texts[t].name) == 0)
                 place = texts[t].place;
         bool size = strcmp(name, "--size") == 0;
-        bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0;
+        bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0
+                   || strcmp(name, "--workers") == 0;
         if (!place && !size && !amount) {
             /* keep a command or its argument */
             const char **word = name[0] == '-' ? &out->command : &out->argument;
@@ -218,6 +221,16 @@ static void record_input(layer *l, const game_input *input)
         fwrite(text, 1, length, l->record);
 }
 
+static void take_new_code(layer *l)
+{
+    int64_t before = l->code.stamp;
+    bool good = game_code_refresh(&l->code, l->options->library);
+    if (l->code.stamp == before || l->frames == 0) return;
+    l->memory.news = good ? "the game's code is new; the world goes on"
+                          : "the new code can't be loaded; the old one goes on";
+    fprintf(stderr, "weft: %s\n", l->memory.news);
+}
+
 static void press(game_input *in, int32_t key)
 {
     if (in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
@@ -238,7 +251,8 @@ bool layer_frame(layer *l, const game_input *input)
     if (l->frames == 0 && l->options->scene && !now.scene[0])
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
     if (l->record) record_input(l, &now);
-    if (l->options->library) game_code_refresh(&l->code, l->options->library);
+    l->memory.news = NULL;
+    if (l->options->library) take_new_code(l);
     game_input told = now;
     if (l->frames == 0 && l->options->film) press(&told, GAME_KEY_FILM);
     if (l->frames == 0 && l->options->frames) press(&told, GAME_KEY_FRAMES);
@@ -247,7 +261,7 @@ bool layer_frame(layer *l, const game_input *input)
     l->last = now;
     l->frames++;
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;
-    if (l->options->log && (over || l->frames % 6 == 1)) write_log(l);
+    if (l->options->log && (over || l->memory.still || l->frames % 6 == 1)) write_log(l);
     return !over;
 }
 
@@ -283,15 +297,45 @@ bool layer_finish(layer *l)
 }
 
 /* live the life of a window */
+static int print_help(void)
+{
+    puts("weft-testbed [SCENE | FILE.json] [OPTION ...]\n"
+         "  --scene NAME        open this scene (weft-headless --list names them)\n"
+         "  --size WxH          the window, in units of the interface (1100x700)\n"
+         "  --scale N           pixels to a unit, 0.5 to 4\n"
+         "  --folder DIR        where worlds, pictures and settings are kept\n"
+         "  --input FILE        play a script of input     --save-input FILE  write one\n"
+         "  --steps N           stop after so many steps   --log FILE         what goes on\n"
+         "  --png FILE, --svg FILE, --film FILE, --frames DIR                pictures\n"
+         "  --game LIB.so       take the game from a library, again whenever it is new");
+    return 0;
+}
+
+/* Makes a scene's name of the bare word, unless it is a file's. What is wrong, or NULL. */
+static const char *take_argument(layer_options *o)
+{
+    const char *word = o->argument;
+    size_t length = word ? strlen(word) : 0;
+    if (!word || (length >= 5 && strcmp(word + length - 5, ".json") == 0)) return NULL;
+    if (!game_knows_scene(word) && !o->library)
+        return "neither a scene nor a file that ends with .json";
+    o->scene = word;
+    o->argument = NULL;
+    return NULL;
+}
+
 int layer_main(int argc, char **argv, bool (*run)(layer *l))
 {
     layer_options options;
     layer l;
     char folder[1024];
     const char *error = layer_read_options(argc, argv, &options);
-    if (!error && options.command) error = "no such option";
+    if (!error && options.command && strcmp(options.command, "--help") == 0)
+        return print_help();
+    if (!error && options.command) error = "no such option (--help lists them)";
+    if (!error) error = take_argument(&options);
     if (error) {
-        complain(error, options.command);
+        complain(error, options.command ? options.command : options.argument);
         return 2;
     }
     if (!options.folder) options.folder = layer_user_folder(folder, sizeof folder);

@@ -14,6 +14,7 @@ typedef struct layer_options {
     const char *svg, *film, *frames;    /* sec:platform-pictures */
     const char *command, *argument;     /* an option not in the table; a bare word */
     int32_t steps;                      /* -1: not given */
+    int32_t workers;                    /* who share a step: sec:workers */
     int32_t width, height;              /* interface units */
     float scale;
 } layer_options;

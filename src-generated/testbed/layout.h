@@ -9,5 +9,6 @@ enum { HEAD = HEAD_TEXT + 2 * BAR_ROW, FOOT = 48 };     /* strips above, below t
 enum { TIME_BAR = 18 };                 /* the line of the kept steps, above the foot */
 enum { LOW = 420 };                     /* lower windows go without that name and text */
 enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
-enum { LIST_ROOM = 800 };               /* narrower windows begin without the list */
+enum { LIST_ROOM = 800 };               /* in narrower windows the list is a drawer */
+enum { UI_SIZES = 6 };                  /* of letters and buttons */
 #endif

@@ -9,8 +9,8 @@
 /* How much of the window's right side the panel takes from the world. */
 float game_beside(const game_state *s)
 {
-    float left = s->width - (s->list ? LIST_WIDTH : 0) - SETTINGS_WIDTH;
-    return s->panel && left >= 200 ? SETTINGS_WIDTH : 0;
+    float left = s->width - game_list_side(s) - SETTINGS_WIDTH;
+    return s->panel && !s->bare && left >= 200 ? SETTINGS_WIDTH : 0;
 }
 
 static bool panel_shows(const game *g, float y, float h)
@@ -24,8 +24,9 @@ void game_time_bar(ui *u, game *g)
 {
     game_state *s = g->state;
     uint64_t oldest, newest, now = wfWorldSteps(&g->world);
-    float left = (s->list ? LIST_WIDTH + 16 : 16), y = u->height - FOOT - 14;
+    float left = game_list_side(s) + 16, y = u->height - FOOT - 14;
     float w = u->width - left - (s->panel ? SETTINGS_WIDTH : 0) - 16;
+    float reach = s->finger ? 14 : 2;                       /* a finger is thick */
     if (wfRewindReach(&g->ring, &oldest, &newest) != WF_OK || newest <= oldest || w < 80)
         return;
     if (!s->back && now > newest) newest = now;
@@ -37,7 +38,9 @@ void game_time_bar(ui *u, game *g)
            s->back ? WF_INK_ACCENT : WF_INK_PAPER);
     ui_tip(u, "time", "Pull to go back in time. Run, and it goes on from there.", left, y,
            w, 12);
-    if (ui_area(u, "time", left - 4, y - 2, w + 8, 16)) u->memory->active = 1;
+    ui_area(u, "time", left - 4, y - 2, w + 8, 16);
+    if (u->press && ui_inside(u, left - 4, y - reach, w + 8, 12 + 2 * reach))
+        u->over = true, u->memory->active = 1;
     if (u->draw || u->memory->active != 1 || !u->held) return;
     float at = (u->x - left) / w;
     at = at < 0 ? 0 : at > 1 ? 1 : at;
@@ -54,7 +57,7 @@ static void change_setting(game *g, int i, int part, double value)
                    .generation = (uint32_t)part };
     if (i >= 128) return;
     in.with.x = (wfReal)value;
-    s->result = wfGiveInput(&g->world, g->noted, &in, NULL);
+    s->result = wfGiveInput(&g->world, game_begin_edit(g), &in, NULL);
     if (s->result != WF_OK || wfGetWorldDef(&g->world, &def) != WF_OK) return;
     s->changed[i] = 1;
     for (int k = 0; k < 2; k++) s->wanted[i][k] = wfSettingValue(&def, row, k);
@@ -91,9 +94,9 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
     bool hit = false;
     /* show the widget of the setting's kind */
     if (row->builtIn) {
-        char text[32];
+        char text[32], words[GAME_NAME_SIZE];
         snprintf(text, sizeof text, "%.6g", value);
-        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, name);
+        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, ui_words(name, words));
         ui_text(u, x + w - 6, y + 15, 13, WF_INK_LINE, 1, text);
     } else if (row->kind == WF_SETTING_SWITCH) {
         hit = ui_check(u, name, x, y, w, value != 0);
@@ -244,7 +247,7 @@ static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, 
         ui_choice(u, "body type", x, y, w, &type,
                   (ui_names){ type_count, type_name, NULL }, false)) {
         in.with.number = type;
-        tell_change(g, wfGiveInput(&g->world, g->noted, &in, NULL), "body type");
+        tell_change(g, wfGiveInput(&g->world, game_begin_edit(g), &in, NULL), "body type");
     }
     return y + UI_LINE;
 }
@@ -583,7 +586,7 @@ static void scroll_panel(ui *u, game *g, float length)
     float most = length - (g->panel_bottom - g->panel_top);
     const game_input *in = g->input;
     if (u->draw) return;
-    s->panel_scroll -= u->over_panel ? in->wheel * 3 * UI_LINE : 0;
+    s->panel_scroll -= u->over_panel ? in->wheel * 3 * UI_LINE + game_finger_way(u, g) : 0;
     for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS && s->ui.focus; i++) {
         if (in->keys[i] == GAME_KEY_UP) s->panel_scroll -= UI_LINE;
         if (in->keys[i] == GAME_KEY_DOWN) s->panel_scroll += UI_LINE;

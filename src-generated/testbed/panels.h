@@ -49,6 +49,9 @@ void game_state_line(ui *u, const game *g, float x);
 void game_key_sheet(ui *u, const game_state *s, float x);
 /* panels */
 float game_beside(const game_state *s);
+bool game_has_drawer(const game_state *s);
+float game_list_side(const game_state *s);
+float game_finger_way(const ui *u, const game *g);
 int32_t game_panel_count(void);
 bool game_body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[BODY_LINES]);
 uint32_t game_needs_now(const game *g);

@@ -32,9 +32,11 @@ typedef struct game_memory {
     const char *text;           /* a scene as text that the user brought along, or NULL */
     game_file *file;            /* of sec:platform-files, or NULL: there are no files */
     double (*now)(void);        /* s, since whenever; NULL: no clock. To measure only */
+    const char *news;           /* from the platform, for the line of state; or NULL */
+    int32_t still; /* the game's: 1: without input the next picture is this one */
 } game_memory;
 
-enum { GAME_PERMANENT_SIZE = 100 * 1024 * 1024,
+enum { GAME_PERMANENT_SIZE = 108 * 1024 * 1024,
        GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
 
 /* the input of one frame */
@@ -44,7 +46,8 @@ enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
 enum {
     GAME_KEY_BACKSPACE = 8, GAME_KEY_TAB = 9, GAME_KEY_ENTER = 13, GAME_KEY_ESCAPE = 27,
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
-    GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN
+    GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN,
+    GAME_KEY_UNDO, GAME_KEY_REDO    /* Ctrl-Z; Ctrl-Shift-Z or Ctrl-Y */
 };
 /* What a command line may press by itself: sec:platform-pictures. */
 enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
@@ -58,6 +61,9 @@ typedef struct game_input {
     int32_t steps;              /* simulate so many steps; -1: as many as fit in seconds */
     float mouse_x, mouse_y;     /* pixels from the upper left corner, y down */
     float wheel;                /* notches in this frame, positive away from the user */
+    float pan_x, pan_y;         /* pixels by which two fingers pulled the world */
+    int32_t finger;             /* 1: what moves the mouse is a finger */
+    int32_t bare; /* 1: the page has its own frame: no bars around the world */
     uint32_t held;              /* buttons that are down at the end of this frame */
     uint32_t pressed, released; /* buttons that went down, up in this frame; or both */
     int32_t key_count;          /* keys that went down in this frame, in order */
@@ -82,6 +88,9 @@ bool game_knows_scene(const char *name);
 /* Can the game open this scene, as text? If not, error says why: "line 7:
    bodies[2].mass must be > 0". */
 bool game_reads_scene(const char *text, char *error, size_t size);
+
+/* Does the user type letters? A page raises a keyboard for a finger then. */
+bool game_wants_letters(const game_memory *memory);
 
 /* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel
    400 300' ... For logs and tests. Returns the length; the text is cut to fit into size

@@ -17,12 +17,20 @@ int wfFindScene(const char *name)
 }
 
 /* open and step a scene */
+static wfWorkers sharing;
+
+void wfShareScenes(wfWorkers workers) { sharing = workers; }
+
 wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
                                 uint32_t modules,
                                 wfWorld *out)
 {
-    if (scene->open)
-        return scene->open(scene, memory, out);
+    if (scene->open) {
+        wfResult opened = scene->open(scene, memory, out);
+        if (opened == WF_OK)
+            out->workers = sharing;
+        return opened;
+    }
     wfWorldDef def = wfDefaultWorldDef();
     if (scene->define)
         scene->define(&def);
@@ -37,8 +45,10 @@ wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
     result = scene->build(&world);
     if (result != WF_OK)
         wfDestroyWorld(&world);
-    else
+    else {
+        world.workers = sharing;
         *out = world;
+    }
     return result;
 }
 

@@ -20,6 +20,7 @@ static const named_code key_names[] = {
     { "left", GAME_KEY_LEFT }, { "right", GAME_KEY_RIGHT }, { "up", GAME_KEY_UP },
     { "down", GAME_KEY_DOWN }, { "home", GAME_KEY_HOME }, { "end", GAME_KEY_END },
     { "page-up", GAME_KEY_PAGE_UP }, { "page-down", GAME_KEY_PAGE_DOWN },
+    { "undo", GAME_KEY_UNDO }, { "redo", GAME_KEY_REDO },
     { NULL, 0 }
 };
 
@@ -49,7 +50,7 @@ static const char *name_of(const named_code *names, int32_t code)
 /* forget what lasts for one frame */
 static void forget_moment(game_input *input)
 {
-    input->wheel = 0;
+    input->wheel = input->pan_x = input->pan_y = 0;
     input->pressed = input->released = 0;
     input->key_count = 0;
     memset(input->keys, 0, sizeof input->keys);
@@ -124,12 +125,13 @@ static const char *do_number(const script_line *line, input_script *script)
     const char *word = line->word[0];
     game_input *now = &script->now;
     double a, b;
-    if (strcmp(word, "move") == 0) {
+    bool move = strcmp(word, "move") == 0;
+    if (move || strcmp(word, "pan") == 0) {
         if (line->count != 3 || !read_number(line->word[1], -1e6, 1e6, &a) ||
             !read_number(line->word[2], -1e6, 1e6, &b))
-            return "move takes two numbers";
-        now->mouse_x = (float)a;
-        now->mouse_y = (float)b;
+            return move ? "move takes two numbers" : "pan takes two numbers";
+        *(move ? &now->mouse_x : &now->pan_x) = (float)a;
+        *(move ? &now->mouse_y : &now->pan_y) = (float)b;
         return NULL;
     }
     bool frames = strcmp(word, "wait") == 0 || strcmp(word, "steps") == 0;
@@ -139,6 +141,8 @@ static const char *do_number(const script_line *line, input_script *script)
     if (strcmp(word, "wait") == 0) script->waiting = a > 0 ? (int32_t)a : 0;
     else if (strcmp(word, "steps") == 0) now->steps = (int32_t)a;
     else if (strcmp(word, "wheel") == 0) now->wheel += (float)a;
+    else if (strcmp(word, "finger") == 0) now->finger = a != 0;
+    else if (strcmp(word, "bare") == 0) now->bare = a != 0;
     else if (a >= 0) now->seconds = a;
     else return "time does not run backwards";
     return NULL;
@@ -155,14 +159,15 @@ static bool is_one_of(const char *word, const char *const *list)
 static const char *do_line(const script_line *line, input_script *script)
 {
     static const char *const buttons[] = { "down", "up", "click", NULL };
-    static const char *const numbers[] = { "move", "wait", "steps", "wheel", "seconds",
-                                           NULL };
+    static const char *const numbers[] = { "move", "pan", "wait", "steps", "wheel",
+                                           "seconds", "finger", "bare", NULL };
     const char *word = line->word[0];
     if (strcmp(word, "frame") == 0) {
         script->waiting = 1;
         return line->count == 1 ? NULL : "frame stands alone";
     }
-    if (line->count < 2 || line->count > (strcmp(word, "move") == 0 ? 3 : 2))
+    bool two = strcmp(word, "move") == 0 || strcmp(word, "pan") == 0;
+    if (line->count < 2 || line->count > (two ? 3 : 2))
         return "a word is missing, or one too many";
     if (is_one_of(word, buttons)) return do_button(line, &script->now);
     if (is_one_of(word, numbers)) return do_number(line, script);
@@ -210,6 +215,13 @@ static void add_word(text_end *end, const char *word, const char *what)
     end->used += n > 0 ? (size_t)n : 0;
 }
 
+static void add_place(text_end *end, const char *word, float x, float y)
+{
+    char place[80];
+    snprintf(place, sizeof place, "%.9g %.9g", (double)x, (double)y);
+    add_word(end, word, place);
+}
+
 static void add_number(text_end *end, const char *word, double x, int digits)
 {
     char number[40];
@@ -244,12 +256,11 @@ size_t input_script_write(char *text, size_t size, const game_input *last,
     if (now->scene[0]) add_scene(&end, now->scene);
     if (now->seconds != last->seconds) add_number(&end, "seconds", now->seconds, 17);
     if (now->steps != last->steps) add_number(&end, "steps", now->steps, 17);
-    if (now->mouse_x != last->mouse_x || now->mouse_y != last->mouse_y) {
-        char place[80];
-        snprintf(place, sizeof place, "%.9g %.9g", (double)now->mouse_x,
-                 (double)now->mouse_y);
-        add_word(&end, "move", place);
-    }
+    if (now->finger != last->finger) add_number(&end, "finger", now->finger, 17);
+    if (now->bare != last->bare) add_number(&end, "bare", now->bare, 17);
+    if (now->mouse_x != last->mouse_x || now->mouse_y != last->mouse_y)
+        add_place(&end, "move", now->mouse_x, now->mouse_y);
+    if (now->pan_x != 0 || now->pan_y != 0) add_place(&end, "pan", now->pan_x, now->pan_y);
     add_buttons(&end, now);
     if (now->wheel != 0) add_number(&end, "wheel", (double)now->wheel, 9);
     for (int i = 0; i < now->key_count && i < GAME_MAX_KEYS; i++) {

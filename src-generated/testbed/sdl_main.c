@@ -36,11 +36,18 @@ static bool fit(sdl_app *app)
 /* open the window */
 static bool open_window(sdl_app *app, const layer_options *o)
 {
-    if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_TIMER) != 0) return false;
+    if (SDL_Init(SDL_INIT_VIDEO | SDL_INIT_TIMER) != 0) {
+        fprintf(stderr, "weft-testbed: there is no display to open a window on; "
+                        "weft-headless runs scenes without one\n");
+        return false;
+    }
     float s = o->scale;
+    SDL_Rect room = { 0, 0, 8192, 8192 }; /* what the screen has for windows */
+    SDL_GetDisplayUsableBounds(0, &room);
+    float wide = (float)o->width * s, high = (float)o->height * s;
     app->window = SDL_CreateWindow("Weft testbed", SDL_WINDOWPOS_CENTERED,
                                    SDL_WINDOWPOS_CENTERED,
-        (int)((float)o->width * s), (int)((float)o->height * s),
+        (int)wide < room.w ? (int)wide : room.w, (int)high < room.h ? (int)high : room.h,
         SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI);
     if (!app->window) return false;
     app->renderer = SDL_CreateRenderer(app->window, -1, SDL_RENDERER_PRESENTVSYNC);
@@ -77,6 +84,14 @@ static int32_t key_of(SDL_Keycode code)
     return 0;
 }
 
+/* What the keys with Ctrl (Command on a Mac) mean. */
+static int32_t with_control(const SDL_KeyboardEvent *e)
+{
+    if (e->keysym.sym == SDLK_y) return GAME_KEY_REDO;
+    if (e->keysym.sym != SDLK_z) return 0;
+    return e->keysym.mod & KMOD_SHIFT ? GAME_KEY_REDO : GAME_KEY_UNDO;
+}
+
 static void add_key(game_input *input, int32_t key)
 {
     if (key && input->key_count < GAME_MAX_KEYS)
@@ -103,17 +118,22 @@ static void take_event(sdl_app *app, const SDL_Event *e)
     switch (e->type) {
     case SDL_QUIT: app->open = false; break;
     case SDL_MOUSEMOTION:
+        in->finger = e->motion.which == SDL_TOUCH_MOUSEID;
         in->mouse_x = (float)e->motion.x * app->density;
         in->mouse_y = (float)e->motion.y * app->density;
         break;
     case SDL_MOUSEBUTTONDOWN: case SDL_MOUSEBUTTONUP:
+        in->finger = e->button.which == SDL_TOUCH_MOUSEID;
         in->mouse_x = (float)e->button.x * app->density;
         in->mouse_y = (float)e->button.y * app->density;
         add_button(in, e->button.button, e->type == SDL_MOUSEBUTTONDOWN);
         SDL_CaptureMouse(in->held ? SDL_TRUE : SDL_FALSE);
         break;
     case SDL_MOUSEWHEEL: in->wheel += e->wheel.preciseY; break;
-    case SDL_KEYDOWN: add_key(in, key_of(e->key.keysym.sym)); break;
+    case SDL_KEYDOWN:
+        if (e->key.keysym.mod & (KMOD_CTRL | KMOD_GUI)) add_key(in, with_control(&e->key));
+        else add_key(in, key_of(e->key.keysym.sym));
+        break;
     case SDL_TEXTINPUT:
         for (const char *c = e->text.text; *c; c++)
             if (*c >= 32 && *c < 127)
@@ -133,6 +153,12 @@ static bool show(sdl_app *app)
 }
 
 /* run the window */
+static bool may_rest(const layer *l)
+{
+    const layer_options *o = l->options;
+    return l->memory.still && !l->text && o->steps < 0 && !o->library;
+}
+
 static bool run(sdl_app *app)
 {
     double ticks = (double)SDL_GetPerformanceFrequency();
@@ -141,8 +167,12 @@ static bool run(sdl_app *app)
     app->open = true;
     while (app->open) {
         SDL_Event event;
+        bool idle = may_rest(app->layer);
+        if (idle && !SDL_WaitEventTimeout(&event, 100)) continue;
+        if (idle) take_event(app, &event);
         while (SDL_PollEvent(&event))
             take_event(app, &event);
+        if (idle) before = SDL_GetPerformanceCounter(); /* no time passed: it was paused */
         uint64_t now = SDL_GetPerformanceCounter();
         app->input.seconds = (double)(now - before) / ticks;
         before = now;

@@ -8,6 +8,24 @@
 static double game_clock(void *context);            /* of sec:scenes-needs */
 static void step_others(game *g, wfReal h);         /* of sec:scenes-compare */
 
+/* keep to the pace of the machine */
+static void keep_pace(game_state *s, double seconds)
+{
+    if (s->most < 1) s->most = STEP_CLOCK_MOST;
+    if (seconds > 0.05 && s->made >= s->most && s->most > 1) s->most /= 2;
+    if (seconds < 0.025 && s->most < STEP_CLOCK_MOST) s->most++;
+}
+
+/* The share of the time on the wall that was simulated, about once a second. */
+static void note_pace(game_state *s, double wall, double passed)
+{
+    s->wall += wall;
+    s->passed += passed;
+    if (s->wall < 1) return;
+    s->pace = s->passed / s->wall;
+    s->wall = s->passed = 0;
+}
+
 /* turn by the law of the hand */
 static wfReal turning_speed(const wfBodyState *body, wfReal to, wfReal omega, wfReal h)
 {
@@ -63,9 +81,9 @@ static void keep_moment(game *g, wfReal h)
     double size = (double)wfSnapshotSize(&g->world);
     uint64_t every = 1 + (uint64_t)(10 / (double)h * size / RING_BYTES), oldest, newest;
     uint64_t now = wfWorldSteps(&g->world);
-    if (wfRewindReach(&g->ring, &oldest, &newest) == WF_OK && now >= newest &&
-        now < newest + every)
-        return;
+    bool known = wfRewindReach(&g->ring, &oldest, &newest) == WF_OK;
+    if (known && now >= newest && now < newest + every && !g->state->ring_due) return;
+    g->state->ring_due = 0;
     wfRewindKeep(&g->ring, &g->world);
     game_note_ring(g);
 }
@@ -119,8 +137,11 @@ void game_step_world(game *g)
     int32_t steps = g->input->steps;
     s->between = 1;
     if (steps < 0) {
+        keep_pace(s, g->input->seconds);
         steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
-                                   (double)def.timeStep, STEP_CLOCK_MOST);
+                                   (double)def.timeStep, s->most);
+        s->made = s->paused ? 0 : steps;
+        if (!s->paused) note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
         if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
     }
     if (s->paused)

@@ -31,15 +31,21 @@ static void say_no(tool_memory *m, const char *why)
 }
 
 /* give an input, with room */
+wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made)
+{
+    if (w->edit) w->journal = w->edit(w->context);
+    return wfGiveInput(w->world, w->journal, in, made);
+}
+
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made)
 {
     wfResult result = WF_OK;
     if (w->make_room && wfMissingModules(w->world, modules))
         result = w->make_room(w->context, modules);
-    if (result == WF_OK) result = wfGiveInput(w->world, w->journal, in, made);
+    if (result == WF_OK) result = tool_put(w, in, made);
     if (result != WF_ERROR_FULL || !w->make_room) return result;
     result = w->make_room(w->context, modules);
-    return result == WF_OK ? wfGiveInput(w->world, w->journal, in, made) : result;
+    return result == WF_OK ? tool_put(w, in, made) : result;
 }
 
 /* choose bodies */
@@ -210,7 +216,7 @@ static wfResult add_pieces(tool_work *w, const wfShape *piece, int count, wfBody
     }
     wfInput gone = { .kind = WF_INPUT_REMOVE_BODY, .index = id->index,
                      .generation = id->generation };
-    if (result != WF_OK && id->index) wfGiveInput(w->world, w->journal, &gone, NULL);
+    if (result != WF_OK && id->index) tool_put(w, &gone, NULL);
     return result;
 }
 
@@ -363,7 +369,7 @@ static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from
     if (result == WF_OK) result = add_joint(w, kind, a, b, at[0], at[1]);
     wfInput gone = { .kind = WF_INPUT_REMOVE_BODY, .index = nail.index,
                      .generation = nail.generation };
-    if (result != WF_OK && nail.index) wfGiveInput(w->world, w->journal, &gone, NULL);
+    if (result != WF_OK && nail.index) tool_put(w, &gone, NULL);
     return result;
 }
 
@@ -471,7 +477,7 @@ static bool remove_joint_at(tool_work *w, wfVec2 at)
             wfLength(wfSub(b, at)) > 6 * w->memory->unit) continue;
         wfInput in = { .kind = WF_INPUT_REMOVE_JOINT, .index = id.index,
                        .generation = id.generation };
-        wfResult result = wfGiveInput(w->world, w->journal, &in, NULL);
+        wfResult result = tool_put(w, &in, NULL);
         say(w->memory, result, result ? "not removed" : "removed: a joint, %s",
             wfJointTable[j.kind].name);
         return true;
@@ -487,7 +493,7 @@ void tool_remove_chosen(tool_work *w)
     for (int32_t i = 0; i < m->count && result == WF_OK; i++, gone++) {
         wfInput in = { .kind = WF_INPUT_REMOVE_BODY, .index = m->chosen[i].index,
                        .generation = m->chosen[i].generation };
-        result = wfGiveInput(w->world, w->journal, &in, NULL);
+        result = tool_put(w, &in, NULL);
     }
     say(m, result, result ? "not removed" : "bodies removed: %d", gone);
     m->count = 0;

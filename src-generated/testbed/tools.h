@@ -38,6 +38,8 @@ typedef struct tool_work {
     /* Makes the world larger, with these needs too; or NULL: it is as large as it is. */
     wfResult (*make_room)(void *context, uint32_t modules);
     void *context;
+    /* Is told before each change, and returns the journal for it; or NULL: nobody is. */
+    wfJournal *(*edit)(void *context);
 } tool_work;
 
 /* the table of tools */
@@ -63,7 +65,10 @@ void tool_press(tool_work *w, wfVec2 at);
 void tool_move(tool_work *w, wfVec2 at);
 void tool_release(tool_work *w, wfVec2 at);
 void tool_draw(const tool_work *w, wfDraw *d);
-/* Carries out an input for which the world must have these needs; makes room if it is full.
+/* Carries out an input. Errors of wfGiveInput. */
+wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
+/* The same for an input for which the world must have these needs; makes room if it is
+ * full.
  * Errors of wfGiveInput. */
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made);
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */

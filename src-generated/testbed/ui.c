@@ -21,23 +21,37 @@ static void take_keys(ui *u, const game_input *input)
     }
 }
 
+static void take_finger(ui *u, const game_input *input)
+{
+    ui_memory *m = u->memory;
+    if (u->press) m->press_x = u->x, m->press_y = u->y, m->strayed = 0;
+    if (fabsf(u->x - m->press_x) + fabsf(u->y - m->press_y) > 8) m->strayed = 1;
+    if (!u->finger) return;
+    bool up = input->released & GAME_BUTTON_LEFT;
+    u->click = up && !m->strayed;
+    if (!u->held && !up) u->x = u->y = -1e6f;
+}
+
 ui ui_look(ui_memory *memory, const game_input *input, float width, float height,
            float scale)
 {
     ui u = { .memory = memory, .width = width, .height = height, .scale = scale,
              .x = input->mouse_x / scale, .y = input->mouse_y / scale,
-             .click = input->pressed & GAME_BUTTON_LEFT,
-             .held = input->held & GAME_BUTTON_LEFT };
+             .press = input->pressed & GAME_BUTTON_LEFT,
+             .held = input->held & GAME_BUTTON_LEFT, .finger = input->finger != 0,
+             .room = { 0, 0, width, height } };
+    u.click = u.press;
+    take_finger(&u, input);
     take_keys(&u, input);
-    if (u.click) memory->focus = 0;
-    if (!u.held && !u.click) memory->active = 0;
+    if (u.press) memory->focus = 0;
+    if (!u.held && !u.press) memory->active = 0;
     return u;
 }
 
 void ui_show(ui *u, wfDraw *draw)
 {
     u->draw = draw;
-    u->click = u->enter = false;
+    u->click = u->press = u->enter = false;
     u->turn = 0;
     u->index = 0;
     u->tip = NULL;
@@ -60,6 +74,20 @@ void ui_box(ui *u, float x, float y, float w, float h, int line, int fill)
 void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text)
 {
     if (u->draw) wfDrawText(u->draw, x, u->height - y, size, role, anchor, text);
+}
+
+const char *ui_words(const char *name, char out[GAME_NAME_SIZE])
+{
+    size_t n = 0;
+    for (const char *c = name; *c && n + 2 < GAME_NAME_SIZE; c++) {
+        bool large = *c >= 'A' && *c <= 'Z', after = c > name && c[-1] >= 'a' &&
+            c[-1] <= 'z';
+        bool dot = *c == '.' && after;
+        if (large && after) out[n++] = ' ';
+        out[n++] = dot ? ' ' : large && after ? (char)(*c - 'A' + 'a') : *c;
+    }
+    out[n] = 0;
+    return out;
 }
 
 void ui_fitted(ui *u, float x, float y, int role, float room, const char *text)
@@ -117,8 +145,9 @@ void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w
     if (!u->draw || !ui_inside(u, x, y, w, h) || below_menu(u)) return;
     if (m->rests != id_of(name)) m->rested = 0;
     m->rests = id_of(name);
-    if (m->rested > 0.5) u->tip = text;
-    else u->tip = "";
+    u->tip = m->rested > 0.5 ? text : "";
+    u->tip_x = x;
+    u->tip_y = y + h + 4;
 }
 
 /* buttons, boxes, rows */
@@ -141,7 +170,8 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
         float tick[] = { x + 3, top - 9, x + 5.5f, top - 12, x + 9.5f, top - 6 };
         wfDrawPolyline(u->draw, tick, 3, 1.5f, WF_INK_TEXT);
     }
-    ui_text(u, x + 17, y + 13.5f, 13, WF_INK_TEXT, -1, name);
+    char words[GAME_NAME_SIZE];
+    ui_text(u, x + 17, y + 13.5f, 13, WF_INK_TEXT, -1, ui_words(name, words));
     return ui_area(u, name, x, y, w, 19);
 }
 
@@ -171,7 +201,7 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
                         ui_range r, bool changed)
 {
     bool hot = ui_inside(u, x, y, w, UI_LINE) || u->memory->active == id_of(name);
-    char text[32];
+    char text[32], words[GAME_NAME_SIZE];
     int length = snprintf(text, sizeof text, "%.5g", value);
     if (length > 9) snprintf(text, sizeof text, "%.3g", value);
     ui_box(u, x + w - 92, y + 1, 92, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
@@ -180,7 +210,8 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
         float part = (float)((value - r.least) / (r.most - r.least));
         ui_box(u, x + w - 91, y + UI_LINE - 5, 90 * part, 2, WF_INK_NONE, WF_INK_BODY);
     }
-    ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1, name);
+    ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1,
+            ui_words(name, words));
     ui_text(u, x + w - 6, y + 15, 13, WF_INK_TEXT, 1, text);
 }
 
@@ -191,7 +222,8 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     uint32_t id = id_of(name);
     double was = *value;
     draw_number(u, name, x, y, w, *value, r, changed);
-    if (ui_area(u, name, x + w - 92, y, 92, UI_LINE) && u->click) {
+    ui_area(u, name, x + w - 92, y, 92, UI_LINE);
+    if (u->press && !below_menu(u) && ui_inside(u, x + w - 92, y, 92, UI_LINE)) {
         m->active = id;
         m->grip = *value;
         m->grip_x = u->x;
@@ -248,10 +280,12 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     bool hot = ui_inside(u, left, y, wide, UI_LINE), open = m->open == id_of(name);
     const char *text = names.name(names.of, *now);
     int ink = changed ? WF_INK_ACCENT : WF_INK_TEXT;
-    if (left > x) ui_text(u, x, y + 15, 13, ink, -1, name);
+    char words[GAME_NAME_SIZE];
+    if (left > x) ui_text(u, x, y + 15, 13, ink, -1, ui_words(name, words));
     ui_box(u, left, y + 1, wide, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
-    ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26, text ? text : "?");
+    ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26,
+              text ? ui_words(text, words) : "?");
     draw_triangle(u, x + w - 12, y + UI_LINE / 2);
     /* take a row of the open list */
     if (open && (row = menu_row(u, count)) >= 0) {
@@ -306,7 +340,7 @@ void ui_query(ui *u, const char *name, float x, float y, float w)
     ui_box(u, x, y, w, 20, hot ? WF_INK_ACCENT : WF_INK_FAINT, WF_INK_PAPER);
     bool empty = !m->typing && !m->query[0];
     ui_text(u, x + 6, y + 14.5f, 13, empty ? WF_INK_LINE : WF_INK_TEXT, -1,
-            empty ? "find  ( / )" : text);
+            !empty ? text : u->finger ? "find" : "find  ( / )");
     if (ui_area(u, name, x, y, w, 20)) m->typing = 1;
     else if (u->click && !u->draw) m->typing = 0;
 }
@@ -341,7 +375,9 @@ static void draw_menu(ui *u)
         if (i == u->menu_now || ui_inside(u, m[0], y, m[2], 19))
             ui_box(u, m[0], y, m[2], 19, WF_INK_NONE,
                    i == u->menu_now ? WF_INK_ACCENT : WF_INK_FAINT);
-        ui_text(u, m[0] + 6, y + 13.5f, 13, WF_INK_TEXT, -1, name ? name : "?");
+        char words[GAME_NAME_SIZE];
+        ui_text(u, m[0] + 6, y + 13.5f, 13, WF_INK_TEXT, -1,
+                name ? ui_words(name, words) : "?");
         if (name) keep_place(u, name, m[0] + m[2] / 2, y + 9.5f);
     }
 }
@@ -359,9 +395,13 @@ static void draw_tip(ui *u)
         at += most;
         while (*at == ' ') at++;
     }
-    float w = 284, h = 17.0f * (float)lines + 10;
-    float x = u->x + 14 + w > u->width ? u->x - 14 - w : u->x + 14;
-    float y = u->y + 18 + h > u->height ? u->y - 8 - h : u->y + 18;
+    float w = 0, h = 17.0f * (float)lines + 10;
+    for (int i = 0; i < lines; i++) w =
+        fmaxf(w, wfTextWidth(&wfBakedFont, 13, line[i]) + 16);
+    float x = fmaxf(fminf(u->tip_x, u->room[2] - w - 4), u->room[0] + 4);
+    float y = fmaxf(fminf(u->tip_y, u->room[3] - h - 4), u->room[1] + 4);
+    x = fmaxf(fminf(x, u->width - w), 0);
+    y = fmaxf(fminf(y, u->height - h), 0);
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);
     for (int i = 0; i < lines; i++)
         ui_text(u, x + 8, y + 17 + 17.0f * (float)i, 13, WF_INK_TEXT, -1, line[i]);

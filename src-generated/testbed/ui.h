@@ -16,6 +16,8 @@ typedef struct ui_place { char name[GAME_NAME_SIZE]; float x, y; } ui_place;
 typedef struct ui_memory {
     uint32_t active;            /* whom the mouse holds; 0: nobody */
     uint32_t open;              /* whose list of choices is open */
+    float press_x, press_y;     /* where the button went down last, and ... */
+    int32_t strayed;            /* ... the finger has moved away from there */
     float grip_x;               /* where it took hold, and of which value */
     double grip;
     float menu[4];              /* the open list: x, y, width, height */
@@ -34,12 +36,15 @@ typedef struct ui {
     wfDraw *draw;               /* NULL in the walk that looks for clicks */
     float width, height, scale; /* of the picture, units; pixels a unit */
     float x, y;                 /* the mouse */
-    bool click, held;           /* the button went down in this frame; is down */
+    bool press, held;           /* the button went down in this frame; is down */
+    bool click, finger;         /* what does something; the mouse is a finger */
     bool over, over_panel;      /* the mouse is over some part of it; over the panel */
     bool enter;                 /* the widget with the keys was pressed by a key */
     int turn;                   /* the arrow keys: -1, 0 or 1 */
     int32_t index;              /* of the widget, from 1 */
-    const char *tip;            /* what to say about the one under the mouse */
+    const char *tip;            /* what to say about the one under the mouse, ... */
+    float tip_x, tip_y;         /* ... which is above this place */
+    float room[4];              /* where tips may lie: left, top, right, bottom */
     int32_t (*menu_size)(const void *);     /* the open list, to be drawn last */
     const char *(*menu_name)(const void *, int);
     const void *menu_of;
@@ -50,6 +55,8 @@ typedef struct ui {
 ui ui_look(ui_memory *memory, const game_input *input, float width, float height,
            float scale);
 void ui_show(ui *u, wfDraw *draw);
+/* The name of a field as words: "positionCorrection" as "position share". Returns out. */
+const char *ui_words(const char *name, char out[GAME_NAME_SIZE]);
 /* Ends a walk: the open list and the tip are drawn over all else. */
 void ui_finish(ui *u, double seconds);
 bool ui_inside(const ui *u, float x, float y, float w, float h);

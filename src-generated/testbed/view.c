@@ -38,15 +38,34 @@ static void draw_contacts(const wfWorld *world, wfPool *scratch, wfDraw *d)
             wfDrawPoint(d, WF_XY(contact[i].manifold.points[p].point), 7, WF_INK_ACCENT);
 }
 
+/* What a contact's normal is drawn with, m: 0.8 of the least half side of the boxes. */
+static wfReal normal_length(const wfBodyView *v, const wfProxies *boxes, const wfContact *c)
+{
+    const int32_t body[2] = { c->a, c->b }, shape[2] = { c->shapeA, c->shapeB };
+    wfReal least = -1;
+    for (int k = 0; k < 2; k++) {
+        if (shape[k] < 0 || shape[k] >= boxes->count || v->state[body[k]].invMass <= 0)
+            continue;
+        wfVec2 side = wfSub(boxes->bounds[shape[k]].max, boxes->bounds[shape[k]].min);
+        wfReal half = WF_R(0.5) * wfMinR(side.x, side.y);
+        if (least < 0 || half < least) least = half;
+    }
+    return least > 0 ? WF_R(0.8) * least : WF_R(0.4);
+}
+
 static void draw_normals(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
     int32_t count;
+    wfProxies boxes = { .count = 0 };
+    wfBodyView v = wfWorldBodies(world);
     const wfContact *contact = wfWorldContacts(world, &count);
+    wfWorldProxies(world, &boxes);
     for (int32_t i = 0; i < count; i++)
         for (int32_t p = 0; p < contact[i].manifold.count; p++) {
             wfVec2 at = contact[i].manifold.points[p].point;
-            wfVec2 to = wfAddScaled(at, WF_R(0.4), contact[i].manifold.normal);
+            wfVec2 to = wfAddScaled(at, normal_length(&v, &boxes, &contact[i]),
+                                    contact[i].manifold.normal);
             wfDrawArrow(d, WF_XY(at), WF_XY(to), 1.5f, WF_INK_GOOD);
         }
 }
@@ -311,8 +330,8 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
                                    WF_INK_BAD };
     wfBodyId id = wfBodyAt(world, i);
     int32_t island = wfBodyIsland(world, id);
-    if (v->props[i].type == WF_STATIC) return;
-    *line = island < 0 ? WF_INK_LINE : ink[island % 5];
+    if (v->props[i].type == WF_STATIC || island < 0) return;
+    *line = ink[island % 5];
     *fill = wfBodyIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 

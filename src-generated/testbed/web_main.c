@@ -13,7 +13,7 @@ static char text[1 << 16];
 static uint8_t file_bytes[GAME_FILE_BYTES];
 static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
-                              NULL, &file, NULL };
+                              NULL, &file, NULL, NULL, 0 };
 static game_input input;
 
 /* take input from the page */
@@ -42,6 +42,22 @@ EXPORT("web_button") void web_button(uint32_t button, int down)
 
 EXPORT("web_wheel") void web_wheel(float notches) { input.wheel += notches; }
 
+EXPORT("web_pan") void web_pan(float x, float y)
+{
+    input.pan_x += x;
+    input.pan_y += y;
+}
+
+EXPORT("web_looks") void web_looks(int finger, int bare)
+{
+    input.finger = finger;
+    input.bare = bare;
+}
+
+/* Without input the next picture is this one: the page need not ask for it. */
+EXPORT("web_still") int web_still(void) { return memory.still; }
+EXPORT("web_letters") int web_letters(void) { return game_wants_letters(&memory); }
+
 EXPORT("web_key") void web_key(int key)
 {
     if (input.key_count < GAME_MAX_KEYS) input.keys[input.key_count++] = key;
@@ -67,7 +83,7 @@ static void make_frame(frame_buffer *picture, double seconds, int steps)
     input.seconds = seconds;
     input.steps = steps;
     game_update_and_render(&memory, &input, picture);
-    input.wheel = 0;
+    input.wheel = input.pan_x = input.pan_y = 0;
     input.pressed = input.released = 0;
     input.key_count = 0;
     input.scene[0] = 0;

@@ -68,7 +68,12 @@ static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
         in->wheel += (float)GET_WHEEL_DELTA_WPARAM(w) / WHEEL_DELTA;
         return 0;
     case WM_KEYDOWN: note_key(in, key_of(w)); return 0;
-    case WM_CHAR: if (w >= 32 && w < 127) note_key(in, (int32_t)w); return 0;
+    case WM_CHAR: /* Ctrl-Z comes as 26, Ctrl-Y as 25 */
+        if (w == 25 || w == 26)
+            note_key(in, w == 25 || GetKeyState(VK_SHIFT) < 0 ?
+                     GAME_KEY_REDO : GAME_KEY_UNDO);
+        if (w >= 32 && w < 127) note_key(in, (int32_t)w);
+        return 0;
     default: return DefWindowProcW(window, what, w, l);
     }
 }
@@ -134,6 +139,11 @@ static bool run(win_app *app, HWND window)
     app->input.steps = -1;
     app->open = true;
     while (app->open) {
+        const layer_options *o = app->layer->options;
+        if (app->layer->memory.still && !app->layer->text && o->steps < 0) {
+            WaitMessage();                              /* the picture stays as it is */
+            QueryPerformanceCounter(&before);
+        }
         for (MSG m; PeekMessageW(&m, NULL, 0, 0, PM_REMOVE); ) {
             TranslateMessage(&m);                       /* makes WM_CHAR of WM_KEYDOWN */
             DispatchMessageW(&m);

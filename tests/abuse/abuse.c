@@ -74,8 +74,8 @@ static wfWorld *handle(Session *s)
     if (!s->made || (!s->inHook && below(s, 128) == 0)) {
         s->badHandle = true;
         memset(rubbish, (int)below(s, 256), sizeof rubbish);
-        wrong = (wfWorld){ { rubbish, sizeof rubbish, rubbish, sizeof rubbish, 0 } };
-        none = (wfWorld){ { 0 } };
+        wrong = (wfWorld){ .memory = { rubbish, sizeof rubbish, rubbish, sizeof rubbish, 0 } };
+        none = (wfWorld){ .memory = { .owned = 0 } };
         uint32_t which = below(s, 3);
         return which == 0 ? NULL : which == 1 ? &none : &wrong;
     }

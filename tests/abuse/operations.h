@@ -22,7 +22,7 @@ static wfResult op_regions(Session *s)
 static wfResult op_create(Session *s)           /* another world beside, with too little memory or enough, and away again */
 {
     wfWorldDef d = world_def(s);
-    wfWorld other = { { 0 } };
+    wfWorld other = { .memory = { .owned = 0 } };
     size_t size[2];
     if (wfWorldSize(&d, &size[0], &size[1]) != WF_OK) { wfResult r = wfCreateWorld(&d, &other); MUST(r != WF_OK && !other.memory.permanent); return r; }
     if (size[0] > 1 << 22 || size[1] > 1 << 23) return WF_ERROR_MEMORY;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "weft/json.h"
+#include "../../tools/rube/rube.c"
 
 #define MUST(x) ((x) ? (void)0 : (fprintf(stderr, "broken promise: %s, line %d\n", #x, __LINE__), abort()))
 

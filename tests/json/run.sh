@@ -37,7 +37,7 @@ while read -r name; do
   $headless --export "$name" --steps 60 > "$work/$(echo "$name" | tr ' ' '-').json" || fail "$name cannot be written"
 done < "$work/names"
 for f in tests/json/rube/*.json; do
-  $headless --from-rube "$f" > "$work/rube-${f##*/}" || fail "$f is not translated"
+  build/bin/weft-rube "$f" > "$work/rube-${f##*/}" || fail "$f is not translated"
   $headless --hash "$work/rube-${f##*/}" --steps 300 >/dev/null || fail "$f does not run"
 done
 $python tests/json/check.py $headless testbed/scenes/scene.schema.json "$work"/*.json testbed/scenes/*.json || exit 1

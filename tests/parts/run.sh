@@ -2,7 +2,10 @@
 # The parts of the engine (the chapter design, section "Parts that may be left out"): the least engine, each part alone with what it needs, each
 # left out with what needs it, those for the scenes in files (make engine FOR=), and the whole are tangled, compiled with warnings as
 # errors, linked with the small tests that apply, and run. Then the sizes that the price list promises are checked.
+# And "core", the engine of its own volume: it has golden hashes, which the whole engine has too with what core lacks switched off, and
+# does the report's cases.
 #   tests/parts/run.sh            all of that, without optimization
+#   tests/parts/run.sh --record   the golden hashes of core: tests/golden/core.csv, core-double.csv
 #   tests/parts/run.sh NAME ...   these parts alone and left out
 set -uo pipefail
 cd "$(dirname "$0")/../.."
@@ -10,6 +13,29 @@ out=build/check/parts; mkdir -p "$out"
 CC=${CC:-gcc}
 flags="-std=c11 -O0 -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wfloat-conversion -Wundef -Wvla -Werror"
 tangle/tangle --lines --without "" "$out/whole/lines" $(tangle/chapters) || exit 1
+sources() { ls "$1"/{core,math,collision,dynamics,engine}/*.c 2>/dev/null; }
+make_core() { rm -rf "$out/core-lines"; tangle/tangle --lines --only core "$out/core-lines" $(tangle/chapters); }
+# core_table TREE flags: the scenes of tests/parts/core.c and their hashes, by the engine of a tree
+core_table() { $CC $flags "${@:2}" -I"$1/include" -I"$1" tests/parts/core.c $(sources "$1") -lm -o "$out/core.run" && "$out/core.run"; }
+core() {
+  local d=$out/core-lines real bytes
+  make_core || return 1
+  for real in "" -double; do
+    core_table "$d" ${real:+-DWF_DOUBLE} > "$out/core$real.csv" || { echo "FAIL  core$real: not compiled, or a call failed"; return 1; }
+    diff "$out/core$real.csv" "tests/golden/core$real.csv" || { echo "FAIL  core$real has other hashes than tests/golden/core$real.csv"; return 1; }
+  done
+  core_table "$out/whole/lines" -DIN_THE_WHOLE | diff - tests/golden/core.csv || { echo "FAIL  the whole engine with what core lacks switched off is another engine than core"; return 1; }
+  echo "ok    core has its golden hashes, float and double, and the whole engine has them with what core lacks switched off"
+  tangle/tangle --lines "$out/lab" $(tangle/chapters) &&
+    $CC $flags -Wno-unused-function -include tests/parts/core_lacks.h -I"$d/include" -I"$d" -I"$out/lab" tests/parts/core_cases.c "$out/lab/lab/cases.c" $(sources "$d") -lm -o "$out/cases.run" &&
+    "$out/cases.run" > "$out/cases" || { echo "FAIL  core does not do the report's cases"; cat "$out/cases"; return 1; }
+  sed 's/^/      /' "$out/cases"
+  for real in core-lines whole/lines; do
+    for f in $(sources "$out/$real"); do $CC -std=c11 -Os -w -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-asynchronous-unwind-tables -fno-stack-protector -fno-pic -I"$out/$real/include" -I"$out/$real" -c "$f" -o "$out/o.o" && size -A "$out/o.o"; done |
+      awk -v n="$(cat $(sources "$out/$real") $(find "$out/$real" -name '*.h') | grep -v '^#line' | grep -c '[^[:space:]]')" -v what="${real%%[-/]*}" '$1 ~ /^\.text/ { t += $2 } $1 ~ /^\.(rodata|data\.rel)/ { d += $2 } END { printf "ok    %s: %d lines of C, %d bytes of code and %d of data by -Os\n", what, n, t, d }'
+  done
+}
+if [ "${1-}" = --record ]; then make_core && core_table "$out/core-lines" > tests/golden/core.csv && core_table "$out/core-lines" -DWF_DOUBLE > tests/golden/core-double.csv; exit; fi
 all=$(cat "$out/whole/lines/parts")
 parts=${*:-$all}
 for p in $parts; do grep -qx -- "$p" "$out/whole/lines/parts" || { echo "tests/parts/run.sh: no part is called $p -- the parts are: "$all; exit 1; }; done
@@ -76,6 +102,7 @@ failed=$(grep -c '^FAIL' "$out/result")
 answers=$(grep -cE '^(ok|same|FAIL) ' "$out/result") asked=$(wc -l < "$out/asked")
 [ "$answers" -eq "$asked" ] || { echo "FAIL  $asked engines were asked for, $answers have answered"; failed=$((failed + 1)); }
 [ $# -eq 0 ] && { tangle/tangle --lines --without "" "$out/whole/lines" $(tangle/chapters) && chains || failed=$((failed + 1)); }
+[ $# -eq 0 ] && { core || failed=$((failed + 1)); }
 [ $# -eq 0 ] && { bash tests/parts/size.sh || failed=$((failed + 1)); }
 echo "parts: $(grep -c '^ok' "$out/result") engines built and tested, $failed failed"
 [ "$failed" -eq 0 ]

@@ -57,6 +57,10 @@ t1=$(date +%s%N)
 back() { awk -v x="$(place)" 'BEGIN { exit !(x < 0) }'; }
 until_true "the saved chapter pulls it to the left" back
 t2=$(date +%s%N)
+grep -q "the game's code is new" "$work/said" || { echo "FAIL  the reload said nothing"; exit 1; }
+echo 'not a library' > build/reload/lib/libweft-game.so.new && mv build/reload/lib/libweft-game.so.new build/reload/lib/libweft-game.so
+said() { grep -q "can't be loaded" "$work/said"; }
+until_true "a library that is none is told" said
 steps "$before" || { echo "FAIL  the world began again: $(fact steps) steps, $before before"; exit 1; }
 echo "ok    the world went on: $before steps before (x $from), $(fact steps) after (x $(place))"
 printf 'built in %d ms, seen after %d ms\n' $(((t1 - t0) / 1000000)) $(((t2 - t0) / 1000000))

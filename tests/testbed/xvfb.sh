@@ -26,6 +26,23 @@ trap clean EXIT
 SDL_VIDEODRIVER=dummy timeout 60 "$program" --scene free-fall --steps 30 --folder "$work" --log "$work/dummy"
 grep -qx 'scene free fall' "$work/dummy"
 
+# -- what can't be opened is told, and nothing opens
+"$program" --help | grep -q -e '--scale' || { echo "xvfb.sh: --help lists no options"; exit 1; }
+told() { local want=$1 rc=0; shift; SDL_VIDEODRIVER=dummy timeout 60 "$program" --steps 3 --folder "$work" "$@" >"$work/said" 2>&1 || rc=$?
+  { [ $rc != 0 ] && [ $rc != 124 ] && grep -q "$want" "$work/said"; } || { echo "xvfb.sh: $*: left with $rc and said: $(head -3 "$work/said")"; exit 1; }; }
+printf '{' > "$work/bad.json"; mkdir "$work/folder.json"
+told 'neither a scene nor a file' "$work"
+told 'neither a scene nor a file' stack-of-bixes
+told 'no such scene' --scene stack-of-bixes
+told 'line 1' "$work/bad.json"
+told "can't read the scene" "$work/folder.json"
+told "can't read the scene" "$work/none.json"
+told 'no such option' --sceen
+SDL_VIDEODRIVER=x11 DISPLAY=:nowhere "$program" --steps 3 >"$work/said" 2>&1 && { echo "xvfb.sh: without a display it leaves with 0"; exit 1; }
+grep -q 'no display' "$work/said" || { echo "xvfb.sh: without a display it says: $(cat "$work/said")"; exit 1; }
+SDL_VIDEODRIVER=dummy timeout 60 "$program" dominoes --steps 3 --folder "$work" --log "$work/dummy"
+grep -qx 'scene dominoes' "$work/dummy"
+
 # -- a screen, the program on it
 Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
 xvfb=$!
@@ -64,6 +81,9 @@ click Pause
 until_true "Pause stops time" is paused 1
 sleep 0.4; was=$(fact steps); sleep 0.5
 [ "$(fact steps)" = "$was" ] || fail "time went on while paused"
+ticks() { local f; read -r -a f < /proc/$app/stat; echo $((f[13] + f[14])); }                # of the processor, in hundredths of a second
+was_ticks=$(ticks); sleep 2
+[ $(($(ticks) - was_ticks)) -le 10 ] || fail "paused, it used $(($(ticks) - was_ticks)) hundredths of two seconds"
 click Step
 until_true "Step makes one step" is steps $((was + 1))
 key o
@@ -154,6 +174,13 @@ start
 for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
 until_true "it is dark again, without the list" is dark 1
 until_true "the list stays hidden" is list 0
+kill -TERM "$app"; wait "$app" || fail "the program left badly"
+app=
+# -- twice the size asks for more than the screen has: the window fits it
+SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --scale 2 & app=$!
+window=$(xdotool search --sync --onlyvisible --pid "$app" | head -1)
+eval "$(xdotool getwindowgeometry --shell "$window" | sed 's/^/win_/')"
+[ "$win_WIDTH" -le 1280 ] && [ "$win_HEIGHT" -le 800 ] || fail "--scale 2 opens $win_WIDTH x $win_HEIGHT on a screen of 1280 x 800"
 kill -TERM "$app"; wait "$app" || fail "the program left badly"
 app=
 [ "$(convert "$out/testbed.png" -unique-colors -format '%w' info:)" -gt 20 ] || fail "the screenshot is empty"

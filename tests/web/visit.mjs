@@ -12,11 +12,11 @@ export const named = (x, scene) => {
 };
 export const described = x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe()));
 // scenes of chapters that are left to the second part, should the first grow too heavy; the chapter on platform layers would have to say so
-const late = ['TC06 quad tree', 'integrators', 'round edges', 'crane', 'spring and orbit'];      // the overlay tree and all of the quad tree; what no other scene calls
+const late = ['TC06 quad tree', 'integrators', 'round edges', 'crane', 'spring and orbit', 'ton joint by joint', 'gate', 'bungee', 'arch', 'hammers', 'ramp', 'pendulums', 'TC08 positional correction'];      // the overlay tree and all of the quad tree; what no other scene calls
 const frames = (x, count, width = 1280, height = 800, scale = 1) => {
   for (let i = 0; i < count; i++) {
     x.web_frame(width, height, scale, i ? 1 / 60 : 0, -1);
-    x.web_file_name(); x.web_file_bytes(); x.web_file_size();
+    x.web_still(); x.web_file_name(); x.web_file_bytes(); x.web_file_size();
     if (x.web_wish()) x.web_grant(-1, 0);
   }
 };
@@ -33,9 +33,23 @@ const hand = x => {
   for (const key of 'por') { x.web_key(key.charCodeAt(0)); frames(x, 2); }
   described(x);
 };
+const fingers = x => {
+  const scene = named(x, 'stack of boxes');
+  x.web_looks(1, 0);
+  frames(x, 30, 780, 1500, 2);
+  const at = described(x).match(/^body 6 x \S+ y \S+ pixel (\S+) (\S+)$/m).slice(1).map(Number);
+  for (const from of [at, [100, 900]]) {
+    x.web_mouse(...from); x.web_button(1, 1); frames(x, 2, 780, 1500, 2);
+    for (let i = 0; i < 9; i++) { x.web_mouse(from[0] + 9 * i, from[1] - 3 * i); frames(x, 2, 780, 1500, 2); }
+    x.web_button(1, 0); frames(x, 3, 780, 1500, 2);
+    x.web_pan(9, 4); x.web_wheel(0.3); frames(x, 2, 780, 1500, 2);
+  }
+  x.web_looks(1, 1); frames(x, 3, 700, 400, 2); x.web_letters();
+};
 // each: a name, and what is done to a fresh instance's exports
 export const visits = () => [
   ['the testbed', x => { frames(x, 300); described(x); }],
   ['a phone, by night', x => { frames(x, 30, 840, 1600, 2); x.web_key(100); frames(x, 30, 840, 1600, 2); described(x); }],
   ['a hand', hand],
+  ['fingers', fingers],
   ...shown().filter(scene => !late.includes(scene)).map(scene => [scene, x => { named(x, scene); frames(x, 300, 640, 400); described(x); }])];

@@ -136,10 +136,6 @@ static inline bool wfPairWanted(const wfProxies *in, int32_t a, int32_t b)
     return (!in->filters && !in->owners && !in->custom) || wfPairAllowed(in, a, b);
 }
 
-/* Writes the live proxies to ids (room for in->count), those that move first, each group in
-   rising order.  Returns how many; *movers: how many of them move. */
-int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers);
-
 /* How a row ends: sorts the pairs (room) or empties the list (WF_ERROR_FULL); gives scratch
    back to the mark. */
 wfResult wfFinishPairs(bool room, int32_t proxies, wfPool *scratch, size_t mark,
@@ -155,6 +151,9 @@ static inline bool wfOfferPair(const wfProxies *in, wfPairList *out, wfRect ra, 
     out->tests++;
     return !wfRectOverlap(ra, rb) || wfPushPair(out, a, b);
 }
+/* Writes the live proxies to ids (room for in->count), those that move first, each group in
+   rising order.  Returns how many; *movers: how many of them move. */
+int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers);
 typedef struct wfKeyed { wfReal key; int32_t index; } wfKeyed;
 
 /* Sorts by key, equal keys keep their order; spare has room for n.  No key may be NaN. */

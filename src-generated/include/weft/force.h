@@ -109,12 +109,7 @@ wfReal wfForceEnergy(const wfForce *forces, int n, const wfBodyView *bodies);
 /* A force on every body (a = -1); set .a to the index of one body to have it alone. */
 wfForce wfGravity(wfVec2 g);
 /* Likewise. */
-wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening);
 wfForce wfDrag(wfReal linear, wfReal quadratic);
-wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag);
-wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start,
-                    wfReal duration);
-wfForce wfWind(wfVec2 velocity, wfReal coefficient);
 /* Forces between a point of body a and a point of body b, or of the world. */
 wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
                  wfReal stiffness, wfReal damping);
@@ -122,6 +117,12 @@ wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
                         wfReal stiffness, wfReal damping);
 wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
                  wfReal stiffness, wfReal damping);
+/* On every body, as wfGravity. */
+wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening);
+wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag);
+wfForce wfExplosion(wfVec2 centre, wfReal strength, wfReal radius, wfReal start,
+                    wfReal duration);
+wfForce wfWind(wfVec2 velocity, wfReal coefficient);
 
 /* The part of a placed shape that is below the line y = surfaceY. */
 typedef struct wfSubmerged {

@@ -21,9 +21,9 @@ wfResult wfWorldRegions(const wfWorldDef *def, wfRegion *out);
 extern const int wfRegionCount;
 struct wfStep;
 typedef wfResult wfStageFn(struct wfStep *step);
-/* One stage of a step: what it is called, what it does, what it reads and writes. */
+/* One stage of a step: what it is called and what it does. */
 typedef struct wfStageRow {
-    const char *name, *text, *reads, *writes;
+    const char *name, *text;
     wfStageFn *run;
     uint32_t all, any;         /* needs: run if all of `all` are met, and one of `any` if
                                 * there are any */

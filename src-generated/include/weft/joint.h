@@ -56,6 +56,8 @@ typedef struct wfJoint {
     wfReal turnA, turnB;        /* rad: how far the bodies have turned, whole turns too */
     wfReal impulse[WF_JOINT_ROWS];      /* N s or N m s of each row in the last substep */
     wfReal given[3];            /* direct solver: kept from one substep to the next, N s */
+    wfReal elastic[3];          /* and by how much its rows have given way, m or rad */
+    wfReal loose[3];            /* and what is left of the gaps it was made with */
     wfVec2 load;                /* N: what it did to B in the last step, in the mean */
     wfReal twist;               /* N m: the same about B's anchor */
     wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
@@ -86,6 +88,7 @@ typedef struct wfJointKindRow {
     const char *name, *text;
     wfJointFn *build;
     void (*track)(wfJoint *joint);  /* after its turns were counted; NULL: nothing to do */
+    bool holds;                 /* it keeps points of its two bodies together, or in line */
 } wfJointKindRow;
 extern const wfJointKindRow wfJointTable[];
 extern const int wfJointKinds;
@@ -100,7 +103,7 @@ typedef struct wfJointSet {
     wfReal period, damping;     /* P and zeta of eq:joints-period; P = 0: rigid */
     wfReal give;                /* rows give by this share of their K, >= 0 */
     struct wfJointWork *work;   /* [count]; wfBeginJoints takes it from the pool */
-    struct wfPin *pins;         /* [count] plain hinges among them: eq:joints-pin */
+    struct wfPin *pins;             /* [count] plain hinges among them: eq:joints-pin */
     wfReal *stiffness;          /* [bodies] eq:joints-geometric; N m/rad */
     wfReal *inverse;            /* [bodies] their true inverse inertias */
     wfJointFrame *place;        /* [bodies] where they were when the rows were built */

@@ -93,7 +93,6 @@ wfResult wfSetOverlapArea(const wfShapeSet *set, wfRect area, const wfFilter *fi
                           int32_t *shapes, int32_t capacity, int32_t *count);
 wfResult wfSetOverlapPoint(const wfShapeSet *set, wfVec2 point, const wfFilter *filter,
                            int32_t *shapes, int32_t capacity, int32_t *count);
-
 /* The shape nearest to a point, no farther than `within` (m, >= 0); of equally near ones
    the lowest. */
 wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,

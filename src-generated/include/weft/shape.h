@@ -68,6 +68,8 @@ wfResult wfMakeOrientedBox(wfVec2 centre, wfReal halfWidth, wfReal halfHeight, w
    should be none, a wrong number of corners), _SIZE, _TOO_FEW, _TOO_MANY, _DEGENERATE,
    _NOT_CONVEX, _COAT. */
 wfResult wfCheckShape(const wfShape *shape);
+/* Moves the shape within its body's frame (m). */
+void wfShapeMove(wfShape *shape, wfVec2 by);
 /* The points within radius (m) of the convex hull of n points: a polygon with rounded
    corners; radius 0: wfMakePolygon. Its errors, WF_ERROR_RANGE (radius below 0), _COAT. */
 wfResult wfMakeRoundedPolygon(const wfVec2 *points, int n, wfReal radius, wfShape *out);
@@ -82,8 +84,6 @@ wfResult wfMakeSegment(wfVec2 p, wfVec2 q, wfShape *out);
    are the chain's points before p and after q (at a loose end: go straight on). Errors as
    above, and _DEGENERATE for a ghost on its end. */
 wfResult wfMakeLink(wfVec2 before, wfVec2 p, wfVec2 q, wfVec2 after, wfShape *out);
-/* Moves the shape within its body's frame (m). */
-void wfShapeMove(wfShape *shape, wfVec2 by);
 /* The smallest upright rectangle round the placed shape (m). A particle's is a point. */
 wfRect wfShapeBounds(const wfShape *shape, wfTransform placed);
 /* True if the point (world, m) is in the placed shape or on its edge; no particle, segment

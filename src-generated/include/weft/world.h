@@ -9,10 +9,10 @@
  * was destroyed, returns WF_ERROR_NULL (no block) or WF_ERROR_NOT_A_WORLD (the block
  * holds something else). */
 #include "weft/body.h"
-#include "weft/core.h"
 #include "weft/force.h"
 #include "weft/integrate.h"
 #include "weft/math.h"
+#include "weft/parallel.h"
 #include "weft/shape.h"
 #include "weft/broad.h"
 #include "weft/compound.h"
@@ -27,9 +27,9 @@
 #include "weft/island.h"
 WF_BEGIN_C
 
-/* A world by value: where its two chunks of memory are, and nothing else. All state is
- * in the chunks: memory.permanent can be copied, moved and saved as bytes. */
-typedef struct wfWorld { wfMemory memory; } wfWorld;
+/* A world by value: where its two chunks of memory are, and who shares the work of steps
+ * (nobody at first). All state is in memory.permanent: it can be copied, moved, saved. */
+typedef struct wfWorld { wfMemory memory; wfWorkers workers; } wfWorld;
 /* Names of things in a world, by value. index counts from 1; 0 is "none". An id of a thing
  * that was removed stays invalid, even when its place is taken again. */
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
@@ -156,11 +156,6 @@ wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out);
 wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
                            wfRayHit *hits, int32_t capacity, int32_t *count);
-wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
-                          wfVec2 by, const wfFilter *filter, wfRayHit *out);
-wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
-                             wfTransform placed, wfVec2 by, const wfFilter *filter,
-                             wfRayHit *hits, int32_t capacity, int32_t *count);
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
@@ -168,6 +163,11 @@ wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *f
                             int32_t *shapes, int32_t capacity, int32_t *count);
 wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
                              int32_t *shapes, int32_t capacity, int32_t *count);
+wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                          wfVec2 by, const wfFilter *filter, wfRayHit *out);
+wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
+                             wfTransform placed, wfVec2 by, const wfFilter *filter,
+                             wfRayHit *hits, int32_t capacity, int32_t *count);
 wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out);
 wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
@@ -242,7 +242,7 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque);
 /* A kick (N s) at a world point, or of spin (N m s): changes the velocity at once. */
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point);
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse);
-/* Advances the world by timeStep. On any error the world is as it was before the call:
+/* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
  * WF_ERROR_NOT_FINITE, _RANGE: a number, or a turn, is too large, as forces may be. */
 wfResult wfStepWorld(wfWorld *world);

@@ -1,0 +1,246 @@
+/* The testbed under fingers, and tips: what a finger that comes down, moves and goes up does to widgets, lists and the world; and distances of the wheel. */
+#include "play.h"
+
+static double widget(play *p, const char *name, int n)
+{
+    char label[64];
+    snprintf(label, sizeof label, "widget %s pixel", name);
+    return play_fact(p, label, n);
+}
+static void finger(play *p, double x, double y, double dx, double dy)     /* a script of one finger begins with its line */
+{
+    char script[500];
+    snprintf(script, sizeof script,
+             "finger 1\nsteps 0\nmove %g %g\ndown left\nframe\nmove %g %g\nframe\nmove %g %g\nframe\nup left\nframe\nframe\n", x, y, x + dx / 2, y + dy / 2,
+             x + dx, y + dy);
+    play_run(p, script);
+}
+static void press(play *p, const char *name) { finger(p, widget(p, name, 0), widget(p, name, 1), 2, 1); }
+
+/* A telephone upright: 390 units of the page, two pixels each. */
+static void begin(play *p, const char *scene)
+{
+    char script[100];
+    play_begin(p, 780, 1500, 2);
+    snprintf(script, sizeof script, "finger 1\nsteps 0\nscene %s\nframe\nframe\n", scene);
+    play_run(p, script);
+}
+
+static void a_tap_clicks_and_a_stroke_does_not(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, "stack-of-boxes");
+    finger(&p, widget(&p, "Pause", 0), widget(&p, "Pause", 1), 0, 120);
+    assert_near(play_fact(&p, "paused", 0), 0, 0);
+    char script[200];                                           /* nothing happens before the finger goes up */
+    snprintf(script, sizeof script, "finger 1\nsteps 0\nmove %g %g\ndown left\nframe\n", widget(&p, "Pause", 0), widget(&p, "Pause", 1));
+    play_run(&p, script);
+    assert_near(play_fact(&p, "paused", 0), 0, 0);
+    play_run(&p, "finger 1\nsteps 0\nup left\nframe\n");
+    press(&p, "Pause");
+    assert_near(play_fact(&p, "paused", 0), 1, 0);
+    play_end(&p);
+}
+
+static void the_list_is_a_drawer(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, "stack-of-boxes");
+    assert_near(play_fact(&p, "list", 0), 0, 0);
+    press(&p, "List");
+    assert_near(play_fact(&p, "list", 0), 1, 0);
+    double x = widget(&p, "pyramid", 0), y = widget(&p, "pyramid", 1), from = y;
+    finger(&p, x, y, 0, -100);                                  /* a stroke scrolls: 40 units on the list are 100 pixels */
+    assert_near(play_fact(&p, "list", 0), 1, 0);
+    assert_true(strncmp(p.text, "scene stack of boxes\n", 21) == 0);
+    assert_near(widget(&p, "pyramid", 1), from - 100, 1);
+    press(&p, "pyramid");
+    assert_near(play_fact(&p, "list", 0), 0, 0);
+    assert_true(strncmp(p.text, "scene pyramid\n", 14) == 0);
+    press(&p, "List");
+    press(&p, "find");
+    assert_true(game_wants_letters(&p.memory));                 /* the page raises a keyboard */
+    finger(&p, 740, 700, 0, 0);
+    assert_near(play_fact(&p, "list", 0), 0, 0);
+    play_end(&p);
+    play_begin(&p, 1688, 660, 2);                               /* lying: 675 x 264 units, and all of them for the scenes */
+    play_run(&p, "finger 1\nsteps 0\nscene spring-and-orbit\nframe\nframe\n");
+    press(&p, "List");
+    assert_null(strstr(p.text, "widget contacts "));
+    assert_non_null(strstr(p.text, "widget explosion "));
+    play_end(&p);
+}
+
+static void one_finger_moves_the_view_where_nothing_is_held(void **state)
+{
+    (void)state;
+    play p;
+    begin(&p, "stack-of-boxes");
+    double x = play_fact(&p, "view", 0), y = play_fact(&p, "view", 1), a = play_fact(&p, "body 6 x", 2), b = play_fact(&p, "body 6 x", 3);
+    finger(&p, 120, 1000, 90, 60);
+    assert_near(play_fact(&p, "body 6 x", 2), a + 90, 0.2);     /* all of it, and no jump from where the last finger was */
+    assert_near(play_fact(&p, "body 6 x", 3), b + 60, 0.2);
+    assert_true(play_fact(&p, "view", 0) != x && play_fact(&p, "view", 1) != y);
+    x = play_fact(&p, "view", 0);
+    char script[300];
+    snprintf(script, sizeof script, "finger 1\nsteps 1\nmove %g %g\ndown left\nframe\nmove %g %g\nframe\n", a + 90, b + 60, a + 150, b + 60);
+    play_run(&p, script);
+    assert_near(play_fact(&p, "held", 0), 6, 0);                /* on a body it holds */
+    assert_near(play_fact(&p, "view", 0), x, 0);
+    play_run(&p, "finger 1\nsteps 0\nup left\nframe\nframe\n");
+    a = play_fact(&p, "body 6 x", 2), b = play_fact(&p, "body 6 x", 3);
+    play_run(&p, "finger 1\nsteps 0\npan 31 -17\nframe\nframe\n");
+    assert_near(play_fact(&p, "body 6 x", 2), a + 31, 0.2);
+    assert_near(play_fact(&p, "body 6 x", 3), b - 17, 0.2);
+    play_end(&p);
+    play_begin(&p, 1000, 700, 1);                               /* a mouse doesn't */
+    play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+    x = play_fact(&p, "view", 0);
+    play_run(&p, "steps 0\nmove 300 300\nframe\ndown left\nframe\nmove 400 320\nframe\nup left\nframe\n");
+    assert_near(play_fact(&p, "view", 0), x, 0);
+    play_end(&p);
+}
+
+/* Of a wheel the distance counts: 3 notches at once, one by one, or in sixty parts. */
+static void the_wheel_counts_distance(void **state)
+{
+    (void)state;
+    double height[3];
+    for (int way = 0; way < 3; way++) {
+        play p;
+        play_begin(&p, 1000, 700, 1);
+        play_run(&p, "steps 0\nscene stack-of-boxes\nmove 500 300\nframe\nframe\n");
+        double before = play_fact(&p, "view", 2);
+        if (way == 0) play_run(&p, "steps 0\nmove 500 300\nwheel 3\nframe\n");
+        for (int i = 0; way == 1 && i < 3; i++) play_run(&p, "steps 0\nmove 500 300\nwheel 1\nframe\n");
+        for (int i = 0; way == 2 && i < 60; i++) play_run(&p, "steps 0\nmove 500 300\nwheel 0.05\nframe\n");
+        height[way] = before / play_fact(&p, "view", 2);
+        play_run(&p, "steps 0\nmove 500 300\nwheel -3\nframe\n");
+        assert_near(play_fact(&p, "view", 2), before, 2e-4);    /* to the four digits that are told */
+        play_end(&p);
+    }
+    for (int way = 0; way < 3; way++) assert_near(height[way], 1.15 * 1.15 * 1.15, 1e-4);
+    /* and so it turns what is held: 2 notches are 0.4 rad, whatever their parts; a spring of 25 rad/s is there after 60 steps */
+    for (int parts = 1; parts <= 20; parts += 19) {
+        play p;
+        char script[300];
+        play_begin(&p, 1000, 700, 1);
+        play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+        double x = play_fact(&p, "body 6 x", 2), y = play_fact(&p, "body 6 x", 3);
+        snprintf(script, sizeof script, "steps 1\nmove %g %g\ndown left\nframe\nmove %g %g\nwait 90\n", x, y, x, y - 60);
+        play_run(&p, script);
+        double from = play_fact(&p, "held-angle", 0);
+        input_script s;
+        for (int i = 0; i < parts; i++) {
+            snprintf(script, sizeof script, "wheel %.9g\nframe\n", 2.0 / parts);
+            input_script_open(&s, script);
+            s.now.mouse_x = (float)x, s.now.mouse_y = (float)y - 60, s.now.held = GAME_BUTTON_LEFT;
+            game_input in;
+            assert_int_equal(input_script_next(&s, &in), 1);
+            game_update_and_render(&p.memory, &in, &p.buffer);
+        }
+        game_input in = { .steps = 1, .mouse_x = (float)x, .mouse_y = (float)y - 60, .held = GAME_BUTTON_LEFT };
+        for (int i = 0; i < 120; i++) game_update_and_render(&p.memory, &in, &p.buffer);
+        game_describe(&p.memory, p.text, sizeof p.text);
+        assert_near(play_fact(&p, "held-angle", 0) - from, 0.4, 2e-3);
+        play_end(&p);
+    }
+}
+
+static void a_bare_picture_has_no_bars(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 380, 220, 1);
+    play_run(&p, "bare 1\nfinger 1\nsteps 0\nscene stack-of-boxes\nframe\nframe\n");
+    assert_null(strstr(p.text, "\nwidget "));
+    double top = play_fact(&p, "body 6 x", 3), low = play_fact(&p, "body 1 x", 3);
+    assert_true(low - top > 90);                                /* the world has the height: before, the bars left it 50 pixels */
+    play_end(&p);
+}
+
+static void letters_grow_and_the_size_is_kept(void **state)
+{
+    (void)state;
+    play p;
+    play_begin(&p, 1800, 1000, 1);
+    play_run(&p, "steps 0\nframe\nframe\n");
+    double was = widget(&p, "Step", 0);
+    play_click(&p, "Size");                                     /* as usual, then each size, then as usual again */
+    play_click(&p, "Size");
+    assert_near(play_fact(&p, "letters", 0), 2, 0);
+    play_run(&p, "steps 0\nframe\n");
+    assert_true(widget(&p, "Step", 0) > 1.2 * was);
+    for (int i = 0; i < 4; i++) {
+        play_run(&p, "steps 0\nframe\n");
+        play_click(&p, "Size");
+    }
+    play_run(&p, "steps 0\nframe\n");
+    assert_near(play_fact(&p, "letters", 0), 0, 0);
+    assert_near(widget(&p, "Step", 0), was, 0);
+    play_end(&p);
+}
+
+/* Where the picture changes when a tip comes: in the world's room, and never on another widget. */
+static void tips_cover_no_widget(void **state)
+{
+    (void)state;
+    static const struct { int width, height; const char *widget; } cases[] = {
+        { 1100, 700, "Step" }, { 1100, 700, "Settings" }, { 1100, 700, "Probe" }, { 1100, 700, "islands" }, { 1100, 700, "contacts" },
+        { 1100, 700, "gravity.y" }, { 1100, 700, "position share" }, { 640, 460, "Home" }, { 820, 560, "touching" }, { 1100, 700, "time" },
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        play p;
+        char script[200], label[64];
+        play_begin(&p, cases[i].width, cases[i].height, 1);
+        play_run(&p, "steps 1\nscene stack-of-boxes\nwait 20\nkey p\nframe\n");
+        bool panel = strchr(cases[i].widget, '.') || strchr(cases[i].widget, ' ');
+        if (panel) play_run(&p, "steps 0\nkey s\nframe\nframe\n");
+        snprintf(label, sizeof label, "widget %s pixel", strcmp(cases[i].widget, "position share") ? cases[i].widget : "positionCorrection");
+        double x = play_fact(&p, label, 0), y = play_fact(&p, label, 1);
+        snprintf(script, sizeof script, "seconds 0.02\nsteps 0\nmove %g %g\nwait 5\n", x, y);
+        play_run(&p, script);
+        size_t n = (size_t)(cases[i].width * cases[i].height);
+        uint32_t *was = malloc(4 * n);
+        memcpy(was, p.buffer.pixels, 4 * n);
+        snprintf(script, sizeof script, "seconds 0.02\nsteps 0\nmove %g %g\nwait 40\n", x, y);
+        play_run(&p, script);
+        int left = 9999, top = 9999, right = -1, bottom = -1;
+        for (int k = 0; k < (int)n; k++) {
+            if (was[k] == p.buffer.pixels[k]) continue;
+            int px = k % cases[i].width, py = k / cases[i].width;
+            if (px < left) left = px;
+            if (px > right) right = px;
+            if (py < top) top = py;
+            if (py > bottom) bottom = py;
+        }
+        if (right < 0) fail_msg("%s: no tip comes", cases[i].widget);
+        const char *line = p.text;                              /* no widget's middle is under it */
+        while ((line = strstr(line, "\nwidget ")) != NULL) {
+            char name[64];
+            double wx = 0, wy = 0;
+            const char *pixel = strstr(++line, " pixel ");
+            snprintf(name, sizeof name, "%.*s", (int)(pixel - line - 7), line + 7);
+            sscanf(pixel, " pixel %lf %lf", &wx, &wy);
+            if (wx >= left && wx <= right && wy >= top && wy <= bottom && strcmp(name, "time") != 0)
+                fail_msg("the tip of %s lies on %s", cases[i].widget, name);
+        }
+        if (left < 1 || top < 1 || right > cases[i].width - 2 || bottom > cases[i].height - 2)
+            fail_msg("the tip of %s goes over the edge: %d..%d, %d..%d", cases[i].widget, left, right, top, bottom);
+        free(was);
+        play_end(&p);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_tap_clicks_and_a_stroke_does_not), cmocka_unit_test(the_list_is_a_drawer),
+        cmocka_unit_test(one_finger_moves_the_view_where_nothing_is_held), cmocka_unit_test(the_wheel_counts_distance),
+        cmocka_unit_test(a_bare_picture_has_no_bars), cmocka_unit_test(letters_grow_and_the_size_is_kept),
+        cmocka_unit_test(tips_cover_no_widget),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

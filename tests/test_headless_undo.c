@@ -1,0 +1,284 @@
+/* Every change by the user, made where the time bar was pulled back to, and undone. What must come of it is told by a second game that was
+   never taken back: it stops at the same step and makes the same change. */
+#include "play.h"
+
+typedef struct edit { const char *name; void (*make)(play *p); } edit;
+
+static uint64_t hash_of(const play *p)
+{
+    const char *line = play_line(p, "hash");
+    assert_non_null(line);
+    return strtoull(line + 5, NULL, 16);
+}
+/* Frames that nobody sees are cheap. */
+static void unseen(play *p, const char *script)
+{
+    uint32_t *pixels = p->buffer.pixels;
+    p->buffer.pixels = NULL;
+    play_run(p, script);
+    p->buffer.pixels = pixels;
+}
+static void spot(const play *p, int body, double out[2])
+{
+    char label[32];
+    snprintf(label, sizeof label, "body %d x", body);
+    if (!play_line(p, label)) fail_msg("no body %d in\n%s", body, p->text);
+    out[0] = play_fact(p, label, 2), out[1] = play_fact(p, label, 3);
+}
+static void drag(play *p, const char *tool, double x, double y, double dx, double dy)
+{
+    char script[300];
+    snprintf(script, sizeof script, "steps 0\nkey %s\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\nframe\n", tool,
+             x, y, x + dx, y + dy);
+    play_run(p, script);
+}
+static void press_at_body(play *p, const char *tool, int body, double dx, double dy)
+{
+    double at[2];
+    spot(p, body, at);
+    drag(p, tool, at[0], at[1], dx, dy);
+}
+static void pull(play *p, const char *name, int by)
+{
+    char label[64], script[300];
+    snprintf(label, sizeof label, "widget %s pixel", name);
+    double x = play_fact(p, label, 0), y = play_fact(p, label, 1);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nmove %g %g\nframe\nup left\nframe\n", x, y,
+             x + by / 2, y, x + by, y);
+    play_run(p, script);
+}
+
+static void place(play *p) { drag(p, "b", 900, 160, 20, 15); }
+static void draw(play *p)
+{
+    play_run(p, "steps 0\nkey y\nmove 900 150\nframe\ndown left\nframe\nmove 960 150\nframe\nmove 960 200\nframe\nmove 900 200\nframe\n"
+                "move 900 152\nframe\nup left\nframe\nframe\n");
+}
+static void pin(play *p) { press_at_body(p, "i", 6, 0, 0); }
+static void connect(play *p)
+{
+    double a[2], b[2];
+    spot(p, 6, a), spot(p, 5, b);
+    drag(p, "j", a[0], a[1], b[0] - a[0], b[1] - a[1]);
+}
+static void remove_joint(play *p)
+{
+    double a[2];
+    pin(p);                                                     /* a pin has a joint where it was clicked */
+    spot(p, 6, a);
+    drag(p, "x", a[0], a[1], 0, 0);
+}
+static void delete_body(play *p) { press_at_body(p, "x", 6, 0, 0); }
+static void delete_chosen(play *p)
+{
+    press_at_body(p, "g", 6, 0, 0);
+    play_run(p, "steps 0\nkey delete\nframe\nframe\n");
+}
+static void setting(play *p)
+{
+    play_run(p, "steps 0\nkey s\nframe\nframe\n");
+    play_click(p, "World");
+    pull(p, "gravity.y", 60);
+    play_run(p, "steps 0\nkey s\nframe\n");
+}
+static void number(play *p)
+{
+    press_at_body(p, "g", 6, 0, 0);
+    play_run(p, "steps 0\nkey s\nframe\nframe\n");
+    play_click(p, "Body");
+    pull(p, "velocity.y", 80);
+    play_run(p, "steps 0\nkey s\nframe\n");
+}
+static void type(play *p)
+{
+    press_at_body(p, "g", 6, 0, 0);
+    play_run(p, "steps 0\nkey s\nframe\nframe\n");
+    play_click(p, "Body");
+    play_choose(p, "body type", "static");
+    play_run(p, "steps 0\nkey s\nframe\n");
+}
+static const edit edits[] = {
+    { "place", place }, { "draw", draw }, { "pin", pin }, { "connect", connect }, { "remove a joint", remove_joint },
+    { "delete", delete_body }, { "delete the chosen", delete_chosen }, { "a setting", setting }, { "a number of a body", number },
+    { "the type of a body", type },
+};
+enum { EDITS = sizeof edits / sizeof *edits, BEGIN = 60 };
+
+/* Stands, paused, at a step before the last, by the bar. Returns the step. */
+static int begin_back(play *p)
+{
+    play_begin(p, 1100, 700, 1);
+    play_run(p, "scene tower\nsteps 1\nwait 1\n");
+    char script[64];
+    snprintf(script, sizeof script, "steps 1\nwait %d\n", BEGIN - 1);
+    unseen(p, script);
+    for (int i = 0; i < 8; i++) unseen(p, "steps 0\nkey ,\nframe\n");
+    play_run(p, "steps 0\nframe\n");
+    assert_near(play_fact(p, "back", 0), 1, 0);
+    int step = (int)play_fact(p, "steps", 0);
+    assert_true(step > 10 && step < BEGIN - 4);
+    return step;
+}
+static void begin_plain(play *p, int step)
+{
+    char script[64];
+    play_begin(p, 1100, 700, 1);
+    play_run(p, "scene tower\nsteps 1\nwait 1\n");
+    snprintf(script, sizeof script, "steps 1\nwait %d\n", step - 1);
+    unseen(p, script);
+    play_run(p, "steps 0\nkey p\nframe\n");
+    assert_int_equal((int)play_fact(p, "steps", 0), step);
+}
+/* The hash after some more steps; settings aren't in the hash, but in what comes of them. */
+static uint64_t hash_after(play *p, int steps)
+{
+    for (int i = 0; i < steps; i++) unseen(p, "steps 1\nkey o\nframe\n");
+    return hash_of(p);
+}
+static uint64_t expected(const edit *e, int step, int after)
+{
+    play q;
+    begin_plain(&q, step);
+    if (e) e->make(&q);
+    uint64_t h = hash_after(&q, after);
+    play_end(&q);
+    return h;
+}
+
+static void a_change_made_back_in_time_stays(void **state)
+{
+    (void)state;
+    for (int i = 0; i < EDITS; i++) {
+        play p;
+        int step = begin_back(&p);
+        uint64_t want = expected(&edits[i], step, 6), plain = expected(NULL, step, 6);
+        if (want == plain) fail_msg("%s: the second game changed nothing", edits[i].name);
+        edits[i].make(&p);                                                          /* Step */
+        if (hash_after(&p, 6) != want) fail_msg("%s, then Step: the change is lost", edits[i].name);
+        play_end(&p);
+
+        begin_back(&p);                                                             /* Run */
+        edits[i].make(&p);
+        play_run(&p, "steps 1\nkey space\nwait 6\nkey space\nframe\n");
+        assert_int_equal((int)play_fact(&p, "steps", 0), step + 6);
+        if (hash_of(&p) != want) fail_msg("%s, then Run: the change is lost", edits[i].name);
+        play_end(&p);
+
+        begin_back(&p);                                                             /* Record, and the tape has it */
+        edits[i].make(&p);
+        play_run(&p, "steps 0\nkey f\nframe\n");
+        assert_near(play_fact(&p, "tape", 0), 2, 0);
+        if (hash_after(&p, 6) != want) fail_msg("%s, then Record: the change is lost", edits[i].name);
+        play_run(&p, "steps 1\nkey f\nframe\nkey k\nwait 7\n");
+        if (hash_of(&p) != want) fail_msg("%s: the tape plays something else", edits[i].name);
+        play_end(&p);
+    }
+}
+
+static void a_change_made_back_in_time_is_saved(void **state)
+{
+    (void)state;
+    for (int i = 0; i < EDITS; i++) {
+        play p, q;
+        int step = begin_back(&p);
+        p.file.bytes = malloc(GAME_FILE_BYTES), p.file.capacity = GAME_FILE_BYTES;
+        edits[i].make(&p);
+        p.memory.file = &p.file;
+        p.file.wish = GAME_FILE_NONE;
+        for (int k = 0; k < 4; k++) {                                               /* its settings: not to be had */
+            play_run(&p, "steps 0\nframe\n");
+            if (p.file.wish) p.file.answer = GAME_FILE_FAILED;
+        }
+        play_run(&p, "steps 0\nkey w\nframe\n");
+        assert_string_equal(p.file.name, "world.save");
+        play_begin(&q, 1100, 700, 1);
+        q.file = p.file, q.file.bytes = malloc(GAME_FILE_BYTES), q.file.wish = GAME_FILE_NONE;
+        play_run(&q, "steps 0\nframe\n");
+        q.memory.file = &q.file;
+        play_run(&q, "steps 0\nframe\n");
+        q.file.answer = GAME_FILE_FAILED;
+        play_run(&q, "steps 0\nframe\nkey a\nframe\n");
+        assert_int_equal(q.file.wish, GAME_FILE_FETCH);
+        memcpy(q.file.bytes, p.file.bytes, p.file.size);
+        q.file.size = p.file.size, q.file.answer = GAME_FILE_DONE;
+        play_run(&q, "steps 0\nkey p\nframe\n");
+        if (hash_after(&q, 6) != expected(&edits[i], step, 6)) fail_msg("%s, then saved: the change is lost", edits[i].name);
+        play_end(&p);
+        play_end(&q);
+    }
+}
+
+static void what_came_after_a_change_is_forgotten(void **state)
+{
+    (void)state;
+    play p;
+    int step = begin_back(&p);
+    place(&p);
+    double bodies = play_fact(&p, "bodies", 0);
+    hash_after(&p, 3);
+    for (int i = 0; i < 3 && (int)play_fact(&p, "steps", 0) > step; i++)            /* to the first moment after the change, with it */
+        play_run(&p, "steps 0\nkey ,\nframe\n");
+    assert_int_equal((int)play_fact(&p, "steps", 0), step);
+    assert_near(play_fact(&p, "bodies", 0), bodies, 0);
+    play_run(&p, "steps 0\nkey ,\nframe\n");                                        /* and to before it */
+    assert_true(play_fact(&p, "steps", 0) < step);
+    assert_near(play_fact(&p, "bodies", 0), bodies - 1, 0);
+    play_end(&p);
+}
+
+static void every_change_is_undone_and_made_again(void **state)
+{
+    (void)state;
+    for (int i = 0; i < EDITS; i++) for (int back = 0; back < 2; back++) {
+        play p;
+        int step = 30;
+        if (back) step = begin_back(&p);
+        else begin_plain(&p, step);
+        uint64_t plain = expected(NULL, step, 4), with = expected(&edits[i], step, 4);
+        edits[i].make(&p);
+        if (hash_after(&p, 4) != with) fail_msg("%s: not what the second game has", edits[i].name);
+        play_run(&p, "steps 0\nkey undo\nframe\n");
+        if (edits[i].make == remove_joint) play_run(&p, "steps 0\nkey undo\nframe\n");      /* the pin was a change, too */
+        assert_int_equal((int)play_fact(&p, "steps", 0), step);
+        play_run(&p, "steps 0\nkey undo\nframe\n");
+        assert_true(play_says(&p, "said there is nothing to undo"));
+        play_run(&p, "steps 0\nkey redo\nframe\n");
+        if (edits[i].make == remove_joint) play_run(&p, "steps 0\nkey redo\nframe\n");
+        if (hash_of(&p) != with) fail_msg("%s: redo does not come back", edits[i].name);
+        play_run(&p, "steps 0\nkey redo\nframe\n");
+        assert_true(play_says(&p, "said there is nothing to redo"));
+        play_run(&p, "steps 0\nkey undo\nkey undo\nframe\n");
+        if (hash_after(&p, 4) != plain) fail_msg("%s: undone, the world goes on otherwise", edits[i].name);
+        play_end(&p);
+    }
+}
+
+static void nothing_is_left_of_a_refused_change_and_the_last_63_are_kept(void **state)
+{
+    (void)state;
+    play p;
+    begin_plain(&p, 5);
+    drag(&p, "x", 900, 160, 0, 0);                                                  /* there is no body */
+    play_run(&p, "steps 0\nkey undo\nframe\n");
+    assert_true(play_says(&p, "said there is nothing to undo"));
+    double first = play_fact(&p, "bodies", 0);
+    for (int i = 0; i < 100; i++) place(&p);
+    assert_near(play_fact(&p, "bodies", 0), first + 100, 0);
+    int undone = 0;
+    for (; undone < 200 && !play_says(&p, "said there is nothing to undo"); undone++) play_run(&p, "steps 0\nkey undo\nframe\n");
+    assert_int_equal(undone - 1, 63);                                               /* of 64 places one is for what undo left */
+    assert_near(play_fact(&p, "bodies", 0), first + 100 - 63, 0);
+    play_run(&p, "steps 0\nkey r\nframe\nkey undo\nframe\n");
+    assert_true(play_says(&p, "said there is nothing to undo"));
+    play_end(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_change_made_back_in_time_stays), cmocka_unit_test(a_change_made_back_in_time_is_saved),
+        cmocka_unit_test(what_came_after_a_change_is_forgotten), cmocka_unit_test(every_change_is_undone_and_made_again),
+        cmocka_unit_test(nothing_is_left_of_a_refused_change_and_the_last_63_are_kept),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
