@@ -32,7 +32,7 @@ static void is_saved_and_loaded(const char *name, const wfScene *scene, wfWorld 
 {
     wfFault fault;
     for (int i = 0; i < STEPS; i++) {
-        wfWorld loaded = { { .owned = 0 } };
+        wfWorld loaded = { .memory = { .owned = 0 } };
         if (wfCheckWorld(world, &fault) != WF_OK) fail_msg("%s, step %d: %s %d: %s", name, i, fault.region, (int)fault.element, fault.rule);
         if (i % EVERY == 0) {
             size_t size = wfSaveSize(world);
