@@ -255,7 +255,7 @@ static void test_moved_block_and_failed_step(void **state)
 static void test_bad_input(void **state)
 {
     (void)state;
-    wfWorld w = open_world(), none = { { 0 } };
+    wfWorld w = open_world(), none = { .memory = { 0 } };
     wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5), stale = { 99, 1 };
     wfVec2 o = wfV2(0, 0), x = wfV2(1, 0);
     wfJoint j, was;

@@ -262,7 +262,7 @@ static void nothing_points_into_what_has_no_room(void **unused)
 static void an_explosion_is_saved_with_its_time(void **unused)
 {
     (void)unused;
-    wfWorld world = { { .owned = 0 } }, loaded;
+    wfWorld world = { .memory = { .owned = 0 } }, loaded;
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0), def.timeStep = 30 * WF_R(86400.0);
     assert_ok(wfCreateWorld(&def, &world));
