@@ -1,4 +1,4 @@
-/* Weft: engine/fast.c, tangled from chapters/methods/25-continuous-collision.nw. Do not edit this
+/* Weft: engine/fast.c, tangled from chapters/methods/26-continuous-collision.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "engine/step.h"
