@@ -80,7 +80,7 @@ static void warm_run(wfSubsteps *s, const wfRun *run, wfReal share)
     for (int32_t i = run->one; i < run->oneEnd; i++) wfWarmStart(s->in, &s->c[i], share);
 }
 
-void wfKick(wfSubsteps *s, wfReal t, wfReal last)
+void wfKick(wfSubsteps *s, wfReal t, wfReal last)               /* eq:soft-leapfrog */
 {
     const wfSolve *in = s->in;
     s->kick = t;

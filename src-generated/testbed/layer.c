@@ -305,7 +305,7 @@ static int print_help(void)
          "  --scale N           pixels to a unit, 0.5 to 4\n"
          "  --folder DIR        where worlds, pictures and settings are kept\n"
          "  --input FILE        play a script of input     --save-input FILE  write one\n"
-         "  --steps N           stop after so many steps   --log FILE         what goes on\n"
+         "  --steps N           stop after so many steps   --log FILE        what goes on\n"
          "  --png FILE, --svg FILE, --film FILE, --frames DIR                pictures\n"
          "  --game LIB.so       take the game from a library, again whenever it is new");
     return 0;
