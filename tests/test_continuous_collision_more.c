@@ -48,41 +48,51 @@ static void thin_rods_do_not_sink(void **state)
             }
 }
 
-/* Box2D's house of cards of 2 mm: it begins with gaps of some millimetres and settles. At 4 substeps the fifth storey fell at 60 Hz, with the solver
- * "exact" the third, since a card is fast at 6 cm/s and its ends met nothing. */
+/* Does a house of cards of 2 mm still stand after 8 s? It begins with gaps of some millimetres, `lift` higher, and settles. */
+static bool house_stands(int storeys, int rate, const char *solver, double lift)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfBodyId id[64];
+    wfVec2 at[64];
+    int n = 0;
+    double y = 0.18 + lift, first = 0, tilt = 25 * (double)WF_PI / 180;
+    bool stands = true;
+    def.timeStep = 1 / (wfReal)rate, def.solver = wfFindSolver(solver);
+    wfWorld w = open_world(&def);
+    wfBodyDef ground = floor_def();
+    ground.friction = WF_R(0.7);
+    add(&w, ground);
+    for (int row = storeys; row > 0; row--, y += 0.37, first += 0.175) {
+        double x = first;
+        for (int i = 0; i < row; i++)
+            for (int q = 0; q < 3; q++) {
+                wfBodyDef card = box_def(x, y, 0.001, 0.2);
+                card.friction = WF_R(0.7);
+                if (q == 0 && i == row - 1) continue;
+                if (q == 0) card.position = wfV2((wfReal)(x + 0.25), (wfReal)(y + 0.185)), card.angle = WF_PI / 2;
+                else card.angle = (wfReal)(q == 1 ? -tilt : tilt), x += 0.175;
+                at[n] = card.position;
+                id[n++] = add(&w, card);
+            }
+    }
+    for (int i = 0; i < 8 * rate; i++) assert_ok(wfStepWorld(&w));
+    for (int i = 0; i < n; i++) stands = stands && wfDistance(info(&w, id[i]).centre, at[i]) < WF_R(0.1);
+    wfDestroyWorld(&w);
+    return stands;
+}
+
+/* Box2D's house. At 4 substeps the fifth storey fell at 60 Hz, with the solver "exact" the third, since a card is fast at 6 cm/s and its ends met
+ * nothing. Five storeys at 60 Hz are the edge: of sixteen that begin a hundredth of a millimetre apart, one in doubles falls, where six did. */
 static void a_house_of_cards_stands(void **state)
 {
     (void)state;
-    const struct { int storeys, rate; const char *solver; } houses[] = { { 3, 60, "soft" }, { 5, 60, "soft" }, { 5, 120, "soft" }, { 5, 240, "soft" },
-                                                                         { 4, 60, "exact" } };
-    for (size_t h = 0; h < sizeof houses / sizeof *houses; h++) {
-        wfWorldDef def = wfDefaultWorldDef();
-        wfBodyId id[64];
-        wfVec2 at[64];
-        int n = 0;
-        double y = 0.18, first = 0, tilt = 25 * (double)WF_PI / 180;
-        def.timeStep = 1 / (wfReal)houses[h].rate, def.solver = wfFindSolver(houses[h].solver);
-        wfWorld w = open_world(&def);
-        wfBodyDef ground = floor_def();
-        ground.friction = WF_R(0.7);
-        add(&w, ground);
-        for (int row = houses[h].storeys; row > 0; row--, y += 0.37, first += 0.175) {
-            double x = first;
-            for (int i = 0; i < row; i++)
-                for (int q = 0; q < 3; q++) {
-                    wfBodyDef card = box_def(x, y, 0.001, 0.2);
-                    card.friction = WF_R(0.7);
-                    if (q == 0 && i == row - 1) continue;
-                    if (q == 0) card.position = wfV2((wfReal)(x + 0.25), (wfReal)(y + 0.185)), card.angle = WF_PI / 2;
-                    else card.angle = (wfReal)(q == 1 ? -tilt : tilt), x += 0.175;
-                    at[n] = card.position;
-                    id[n++] = add(&w, card);
-                }
-        }
-        for (int i = 0; i < 8 * houses[h].rate; i++) assert_ok(wfStepWorld(&w));
-        for (int i = 0; i < n; i++) assert_true(wfDistance(info(&w, id[i]).centre, at[i]) < WF_R(0.1));
-        wfDestroyWorld(&w);
-    }
+    int fallen = 0;
+    assert_true(house_stands(3, 60, "soft", 0));
+    assert_true(house_stands(5, 120, "soft", 0));
+    assert_true(house_stands(5, 240, "soft", 0));
+    assert_true(house_stands(4, 60, "exact", 0));
+    for (int i = 0; i < 16; i++) fallen += !house_stands(5, 60, "soft", 1e-5 * i);
+    assert_true(fallen <= 1);
 }
 
 /* Four bars on hinges, rods or welds fall on a floor: how far does a joint open at most? */
