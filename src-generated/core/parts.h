@@ -8,6 +8,8 @@
 enum { WF_PARTS = 64 };        /* at most */
 /* Does the things begin to end - 1, which are a part. */
 typedef void wfRangeFn(void *context, int32_t part, int32_t begin, int32_t end);
+
+/* a work in parts */
 typedef struct wfPartWork {
     wfRangeFn *work;
     void      *context;
@@ -25,17 +27,21 @@ static inline void wfDoPart(void *context, int32_t part)
 static inline int32_t wfInParts(const wfWorkers *workers, int32_t count, int32_t least,
                                 wfRangeFn *work, void *context)
 {
-    int32_t size = count / WF_PARTS + (count % WF_PARTS != 0);
-#ifdef WF_SMALL_PARTS
-    least = least / 64 + 1;     /* for tests: small scenes have parts, too */
-#endif
-    if (size < least) size = least;
-    wfPartWork w = { work, context, count, size };
-    int32_t parts = count / size + (count % size != 0);
-    if (parts > 1 && workers != NULL && workers->run != NULL)
-        workers->run(workers->user, parts, wfDoPart, &w);
-    else
-        for (int32_t part = 0; part < parts; part++) wfDoPart(&w, part);
-    return parts;
+    (void)workers, (void)least;
+    /* let workers share the work */
+    if (workers != NULL && workers->run != NULL) {
+        int32_t size = count / WF_PARTS + (count % WF_PARTS != 0);
+    #ifdef WF_SMALL_PARTS
+        least = least / 64 + 1;     /* for tests: small scenes have parts, too */
+    #endif
+        if (size < least) size = least;
+        wfPartWork w = { work, context, count, size };
+        int32_t parts = count / size + (count % size != 0);
+        if (parts > 1) workers->run(workers->user, parts, wfDoPart, &w);
+        else if (parts == 1) wfDoPart(&w, 0);
+        return parts;
+    }
+    if (count > 0) work(context, 0, 0, count);
+    return count > 0;
 }
 #endif
