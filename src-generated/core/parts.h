@@ -5,11 +5,10 @@
 /* Cuts work into parts. For the engine's own files; not installed. */
 #include "weft/parallel.h"
 
-enum { WF_PARTS = 64 };        /* at most */
 /* Does the things begin to end - 1, which are a part. */
 typedef void wfRangeFn(void *context, int32_t part, int32_t begin, int32_t end);
-
 /* a work in parts */
+#define WF_PARTS 64
 typedef struct wfPartWork {
     wfRangeFn *work;
     void      *context;
@@ -23,6 +22,9 @@ static inline void wfDoPart(void *context, int32_t part)
     w->work(w->context, part, begin, begin + (left < w->size ? left : w->size));
 }
 
+#ifndef WF_PARTS
+#define WF_PARTS 1              /* at most */
+#endif
 /* Works on `count` things, at least `least` of them in a part; returns how many parts. */
 static inline int32_t wfInParts(const wfWorkers *workers, int32_t count, int32_t least,
                                 wfRangeFn *work, void *context)
@@ -41,7 +43,7 @@ static inline int32_t wfInParts(const wfWorkers *workers, int32_t count, int32_t
         else if (parts == 1) wfDoPart(&w, 0);
         return parts;
     }
-    if (count > 0) work(context, 0, 0, count);
-    return count > 0;
+    work(context, 0, 0, count);
+    return 1;
 }
 #endif

@@ -438,9 +438,11 @@ wfResult wfStepWorld(wfWorld *world)
     struct wfStep step = { .count = 0 };
     wfResult result = wfChangeBlock(world, &step.b);
     if (result != WF_OK) return result;
+    /* lend workers to the step */
     step.workers = world->workers;
-    step.b.head->busy = step.workers.run != NULL;
+    step.b.head->busy = step.workers.run != NULL;       /* it is the user's */
     result = run_stages(&step);
+    /* take the workers back */
     step.b.head->busy = 0;
     return result;
 }
@@ -450,8 +452,10 @@ wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
     struct wfStep step = { .clock = clock };
     wfResult result = wfChangeBlock(world, &step.b);
     if (result != WF_OK) return result;
+    /* lend workers to the step */
     step.workers = world->workers;
-    step.b.head->busy = clock != NULL || step.workers.run != NULL;   /* the user's */
+    step.b.head->busy = step.workers.run != NULL;       /* it is the user's */
+    if (clock != NULL) step.b.head->busy = 1;
     result = run_stages(&step);
     step.b.head->busy = 0;
     return result;
