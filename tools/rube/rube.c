@@ -376,9 +376,9 @@ static void put_settings(Rube *r, cJSON *out)
         refuse(r, wfChild(root, "autoClearForces"), "here a push lasts for one step");
     if (r->failed) return;
     put_point(r, settings, "gravity", point_of(r, wfChild(root, "gravity")));
-    put(r, settings, "dt", 1 / rate);
+    put(r, settings, "timeStep", 1 / rate);
     put_flag(r, settings, "sleep", yes(r, root, "allowSleep", true));
-    if (!yes(r, root, "continuousPhysics", true)) put(r, settings, "impacts", 0);
+    if (!yes(r, root, "continuousPhysics", true)) put(r, settings, "maxImpacts", 0);
 }
 
 /* Bodies keep their order, so the numbers by which joints name them stay right. */
