@@ -136,10 +136,11 @@ const wfFlowRow wfFlowTable[] = {
         F(PRESENT) | F(NEW_STATE) | F(NEW_CONTACTS) | F(WOKEN) },
       { 0, F(PRESENT) | F(NEW_STATE) | F(NEW_FLAGS) | F(NEW_CLOCKS) | F(NEW_ISLANDS) }, NULL },
     { "commit", WF_EITHER,
-      { K(PROPS) | K(OWNERS) | K(SHAPE_PROPS) | K(PAIRS) | K(CACHES) | K(CONTACTS) | K(REST)
+      { K(PROPS) | K(OWNERS) | K(SHAPE_PROPS) | K(PAIRS) | K(CONTACTS) | K(REST)
         | K(CLOCKS) | K(RINGS), F(PRESENT) | F(WOKEN) | F(NEW_CLOCKS) | F(NEW_ISLANDS) },
       { K(REST) | K(CLOCKS) | K(RINGS) | K(ISLANDS),
-        F(WOKEN) | F(NEW_PAIRS) | F(NEW_CACHES) | F(NEW_CONTACTS) }, NULL },
+        F(WOKEN) | F(NEW_PAIRS) | F(NEW_CONTACTS) }, NULL },
+    { "commit", WF_EITHER, { K(CACHES), 0 }, { 0, F(NEW_CACHES) }, NULL },
     { "copy", WF_EITHER, { K(TOUCHES), 0 }, { 0, 0 }, NULL },
     { "events", WF_EITHER,
       { K(PROPS) | K(OWNERS) | K(SHAPE_PROPS), F(PRESENT) | F(NEW_STATE) }, { 0, 0 }, NULL },
