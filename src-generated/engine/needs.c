@@ -32,7 +32,8 @@ uint32_t wfAllModules(void)
 uint32_t wfCloseModules(uint32_t modules)
 {
     for (int i = wfModuleCount - 1; i >= 0; i--)
-        if (modules & wfModuleTable[i].bit) modules |= wfModuleTable[i].implies;
+        if (modules & wfModuleTable[i].bit)
+            modules |= wfModuleTable[i].implies & wfAllModules();
     return modules;
 }
 
