@@ -43,6 +43,7 @@ static inline int32_t wfInParts(const wfWorkers *workers, int32_t count, int32_t
         else if (parts == 1) wfDoPart(&w, 0);
         return parts;
     }
+    if (count <= 0) return 0;
     work(context, 0, 0, count);
     return 1;
 }
