@@ -7,8 +7,8 @@ M="make --no-print-directory"
 build=build/check/threads
 flags="-O1 -g -fsanitize=thread -DWF_SMALL_PARTS"
 echo 'int main(void) { return 0; }' | clang -fsanitize=thread -x c - -o /dev/null 2>/dev/null || { echo "clang has no thread sanitizer here"; exit 77; }
-$M -s -f tangle/compile.mk SRC=build/lines OUT=$build CC=clang CFLAGS="$flags" WARN=-w $build/tests/test_headless_workers || exit 1
-$build/tests/test_headless_workers || { echo "workers: see above"; exit 1; }
+$M -s -f tangle/compile.mk SRC=build/lines OUT=$build CC=clang CFLAGS="$flags" WARN=-w $build/tests/test_performance_workers || exit 1
+$build/tests/test_performance_workers || { echo "workers: see above"; exit 1; }
 $M programs >/dev/null || exit 1
 build/bin/weft-headless --workers 3 --record | cmp - tests/golden/scenes.csv || { echo "workers: three of them make other bits"; exit 1; }
 echo "all scenes: the same bits for 1, 2, 3 and 8 workers, and no race"
