@@ -81,18 +81,18 @@ static bool house_stands(int storeys, int rate, const char *solver, double lift)
     return stands;
 }
 
-/* Box2D's house. At 4 substeps the fifth storey fell at 60 Hz, with the solver "exact" the third, since a card is fast at 6 cm/s and its ends met
- * nothing. Five storeys at 60 Hz are the edge: of sixteen that begin a hundredth of a millimetre apart, one falls, and in doubles six. */
-static void a_house_of_cards_stands(void **state)
+/* Box2D's house. Since a card is fast at 6 cm/s, it was followed while it settled, and houses fell: the fifth storey at 60 Hz, with the solver "exact"
+ * the third. A single house is chance: sixteen begin a hundredth of a millimetre apart. */
+static void houses_of_cards_stand(void **state)
 {
     (void)state;
-    int fallen = 0;
-    assert_true(house_stands(3, 60, "soft", 0));
-    assert_true(house_stands(5, 120, "soft", 0));
-    assert_true(house_stands(5, 240, "soft", 0));
-    assert_true(house_stands(4, 60, "exact", 0));
-    for (int i = 0; i < 16; i++) fallen += !house_stands(5, 60, "soft", 1e-5 * i);
-    assert_true(fallen <= (sizeof(wfReal) == sizeof(double) ? 6 : 1));
+    for (int storeys = 3; storeys <= 6; storeys++)
+        for (int i = 0; i < 16; i++) assert_true(house_stands(storeys, 60, "soft", 1e-5 * i));
+    for (int i = 0; i < 4; i++) {
+        assert_true(house_stands(5, 120, "soft", 1e-5 * i));
+        assert_true(house_stands(5, 240, "soft", 1e-5 * i));
+        assert_true(house_stands(4, 60, "exact", 1e-5 * i));
+    }
 }
 
 /* Four bars on hinges, rods or welds fall on a floor: how far does a joint open at most? */
@@ -228,7 +228,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(thin_rods_do_not_sink),
-        cmocka_unit_test(a_house_of_cards_stands),
+        cmocka_unit_test(houses_of_cards_stand),
         cmocka_unit_test(joints_open_no_farther_than_without),
         cmocka_unit_test(machines_do_not_get_through),
         cmocka_unit_test(a_dense_gas_is_no_error),

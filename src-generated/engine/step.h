@@ -119,13 +119,14 @@ wfResult wfFindContacts(struct wfStep *s);
 wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
+#define WF_NEAR_WAY WF_R(0.125)     /* reaches in a step: nobody is followed below */
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
  * therefore followed? eq:impact-fast */
 static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal way)
 {
     const wfShapeProps *m = &s->b.materials[k];
-    wfReal least = s->b.head->slop * m->reach;
+    wfReal least = (wfSolverIntegrates(s) ? WF_NEAR_WAY : s->b.head->slop) * m->reach;
     bool linked = s->linked != NULL && s->linked[s->b.bodyOfShape[k]];
     if (linked && way <= WF_LINKED_WAY * m->reach) return false;
     return s->b.head->maxImpacts > 0 && way > wfMaxR(m->inner, least);
