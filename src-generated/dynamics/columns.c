@@ -126,7 +126,7 @@ static bool close_loops(Search *q, int32_t root)
     }
     if (q->loops > 0) t->linked = true;
     t->limb[root].links = t->count;
-    t->limb[root].given_up = t->limb[root].made = false;
+    t->limb[root].given_up = t->limb[root].made[0] = t->limb[root].made[1] = false;
     t->limb[root].state = LIMB_FAILS;
     t->limb[root].answers = t->answers;
     t->answers += ANSWERS(3 * q->loops);
@@ -193,9 +193,9 @@ size_t wfStackScratch(int32_t bodies, int32_t contacts)
 }
 
 /* solve one limb */
-typedef struct Law { wfReal bias, give, fastest, loop, noise; } Law;
+typedef struct Law { int32_t gamma; wfReal bias, fastest, noise; } Law;
 
-static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal soft)
+static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal ease)
 {
     wfReal sign = l->upside ? WF_R(-1.0) : WF_R(1.0);
     wfReal *up = l->up[l->rows], *down = l->down[l->rows];
@@ -203,7 +203,7 @@ static void add_row(wfLimb *l, wfVec2 d, wfReal leverA, wfReal leverB, wfReal so
     up[1] = down[1] = sign * d.y;
     up[2] = sign * (l->upside ? leverA : leverB);
     down[2] = sign * (l->upside ? leverB : leverA);
-    l->soft[l->rows++] = soft;
+    l->ease[l->rows++] = ease;
 }
 
 static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPreparedPoint *p,
@@ -213,32 +213,33 @@ static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPrepare
     return rate + wfMaxR(law->bias * p->now, -law->fastest);    /* eq:soft-follow */
 }
 
-static void add_friction(wfLimb *l, const wfPrepared *c, wfReal give)
+static void add_friction(wfLimb *l, const wfPrepared *c)
 {
     const wfPreparedPoint *p = &c->p[l->points == 2], *q = &c->p[l->points > 1];
     if (!(c->friction > 0)) return;
-    add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, give / p->massT);
+    add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, 1 / p->massT);
 }
 
-static void make_rows(const wfSubsteps *s, const Law *law, wfLimb *l)
+static void make_rows(const wfSubsteps *s, wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
     const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2];
-    const wfBodyState *b = &s->in->state[l->body];
-    wfReal soft[2];
-    for (int32_t k = 0; k < c->count; k++)
-        soft[k] = wfMaxR(p[k].now > 0 ? 0 : law->give, law->loop) / p[k].massN;
     l->rows = 0;
     if (l->points == 3) {                                       /* eq:soft-mean */
-        add_row(l, c->n, (p[0].nA + p[1].nA) / 2, (p[0].nB + p[1].nB) / 2,
-                (soft[0] + soft[1]) / 4);
-        add_row(l, wfV2(0, 0), p[1].nA - p[0].nA, p[1].nB - p[0].nB, soft[0] + soft[1]);
+        wfReal ease = 1 / p[0].massN + 1 / p[1].massN;
+        add_row(l, c->n, (p[0].nA + p[1].nA) / 2, (p[0].nB + p[1].nB) / 2, ease / 4);
+        add_row(l, wfV2(0, 0), p[1].nA - p[0].nA, p[1].nB - p[0].nB, ease);
     } else if (l->points != 0)
-        add_row(l, c->n, one->nA, one->nB, soft[one - p]);
-    if (l->points != 0) add_friction(l, c, law->loop);
-    memset(l->mass, 0, sizeof l->mass);
-    l->mass[0][0] = l->mass[1][1] = 1 / b->invMass;
-    l->mass[2][2] = 1 / b->invInertia;
+        add_row(l, c->n, one->nA, one->nB, 1 / one->massN);
+    if (l->points != 0) add_friction(l, c);
+}
+
+static void begin_mass(const wfSubsteps *s, const wfLimb *l, wfFold *f)
+{
+    const wfBodyState *b = &s->in->state[l->body];
+    memset(f->mass, 0, sizeof f->mass);
+    f->mass[0][0] = f->mass[1][1] = 1 / b->invMass;
+    f->mass[2][2] = 1 / b->invInertia;
 }
 
 static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
@@ -304,38 +305,38 @@ static void add3(wfReal to[3], wfReal share, const wfReal v[3])
     to[0] += share * v[0], to[1] += share * v[1], to[2] += share * v[2];
 }
 
-static bool fold(wfLimb *l, wfLimb *below)
+static bool fold(const wfLimb *l, wfFold *f, wfFold *below, wfReal gamma)
 {
-    if (!ease_mass(l->mass)) return false;
+    if (!ease_mass(f->mass)) return false;
     for (int32_t i = 0; i < l->rows; i++) {
-        wfReal eased[3], *S = l->hold[i];
-        for (int32_t k = 0; k < 3; k++) eased[k] = dot3(l->mass[k], l->up[i]);
-        for (int32_t j = 0; j < i; j++) S[j] = l->hold[j][i] = dot3(eased, l->up[j]);
-        S[i] = dot3(eased, l->up[i]) * (1 + 4 * WF_EPSILON) + l->soft[i];
+        wfReal eased[3], *S = f->hold[i];
+        for (int32_t k = 0; k < 3; k++) eased[k] = dot3(f->mass[k], l->up[i]);
+        for (int32_t j = 0; j < i; j++) S[j] = f->hold[j][i] = dot3(eased, l->up[j]);
+        S[i] = dot3(eased, l->up[i]) * (1 + 4 * WF_EPSILON) + gamma * l->ease[i];
     }
-    if (!invert(l->rows, l->hold)) return false;
+    if (!invert(l->rows, f->hold)) return false;
     for (int32_t i = 0; below != NULL && i < l->rows; i++) {    /* eq:soft-fold */
         wfReal held[3] = { 0, 0, 0 };
-        for (int32_t j = 0; j < l->rows; j++) add3(held, l->hold[i][j], l->down[j]);
+        for (int32_t j = 0; j < l->rows; j++) add3(held, f->hold[i][j], l->down[j]);
         for (int32_t k = 0; k < 3; k++) add3(below->mass[k], l->down[i][k], held);
     }
     return true;
 }
 
-static void carry_down(const wfLimb *l, wfWave *w, wfWave *below)
+static void carry_down(const wfLimb *l, const wfFold *f, wfWave *w, wfWave *below)
 {
     wfReal eased[3];
-    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(l->mass[k], w->load);
+    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(f->mass[k], w->load);
     for (int32_t i = 0; i < l->rows; i++)
         w->wrong[i] += dot3(l->up[i], eased);                   /* eq:soft-limb-impulse */
     for (int32_t i = 0; below != NULL && i < l->rows; i++) {
         wfReal held = 0;
-        for (int32_t j = 0; j < l->rows; j++) held += l->hold[i][j] * w->wrong[j];
+        for (int32_t j = 0; j < l->rows; j++) held += f->hold[i][j] * w->wrong[j];
         add3(below->load, held, l->down[i]);                    /* eq:soft-fold */
     }
 }
 
-static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
+static void carry_up(const wfLimb *l, const wfFold *f, wfWave *w, const wfWave *below)
 {
     static const wfReal still[3] = { 0, 0, 0 };
     const wfReal *under = below == NULL ? still : below->gain;
@@ -343,15 +344,15 @@ static void carry_up(const wfLimb *l, wfWave *w, const wfWave *below)
     for (int32_t i = 0; i < l->rows; i++) lack[i] = dot3(l->down[i], under) - w->wrong[i];
     for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-limb-impulse */
         wfReal push = 0;
-        for (int32_t j = 0; j < l->rows; j++) push += l->hold[i][j] * lack[j];
+        for (int32_t j = 0; j < l->rows; j++) push += f->hold[i][j] * lack[j];
         w->push[i] = push;
         add3(force, push, l->up[i]);
     }
-    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(l->mass[k], force);
+    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(f->mass[k], force);
 }
 
 /* solve the trees */
-enum { COLUMN_TRIES = 3, CAREFUL_TRIES = 64 };
+enum { COLUMN_TRIES = 12, CAREFUL_TRIES = 64 };
 
 static void point_pushes(const wfLimb *l, const wfPrepared *c, wfReal out[2])
 {
@@ -423,7 +424,7 @@ static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
         l->at[k] = c->p[k].normal;
         if (touches || c->p[k].normal > 0) l->points |= 1 << k;
     }
-    if (l->points != was) root->made = false;
+    if (l->points != was) root->made[0] = root->made[1] = false;
 }
 
 static void open_tree(const wfSubsteps *s, wfStacks *t, wfLimb *root, bool known)
@@ -454,18 +455,18 @@ static void close_limb(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
     wfGivePair(s->in, c, &m);
 }
 
-static void run_wave(wfStacks *t, const wfLimb *root, bool extra)
+static void run_wave(wfStacks *t, const wfLimb *root, int32_t gamma, bool extra)
 {
     int32_t from = root->root;
     for (int32_t i = root->end - 1; i >= from; i--) {
         wfLimb *l = &t->limb[i], *below = below_of(t, l);
         wfWave *under = below == NULL ? NULL : extra ? &below->extra : &below->wave;
-        carry_down(l, extra ? &l->extra : &l->wave, under);
+        carry_down(l, &l->fold[gamma], extra ? &l->extra : &l->wave, under);
     }
     for (int32_t i = from; i < root->end; i++) {
         wfLimb *l = &t->limb[i], *below = below_of(t, l);
         const wfWave *under = below == NULL ? NULL : extra ? &below->extra : &below->wave;
-        carry_up(l, extra ? &l->extra : &l->wave, under);
+        carry_up(l, &l->fold[gamma], extra ? &l->extra : &l->wave, under);
     }
 }
 
@@ -532,7 +533,7 @@ static int32_t list_link_rows(const wfStacks *t, const wfLimb *root, LinkRow *ro
 }
 
 /* The matrix of eq:soft-links, eliminated; false: it can't be. */
-static bool ask_links(wfStacks *t, const wfLimb *root)
+static bool ask_links(wfStacks *t, const wfLimb *root, int32_t gamma)
 {
     LinkRow row[LINK_ROWS];
     int32_t n = list_link_rows(t, root, row);
@@ -541,15 +542,15 @@ static bool ask_links(wfStacks *t, const wfLimb *root)
         const wfLimb *l = &t->limb[row[i].limb];
         clear_extra(t, root);
         load_link(t, l, row[i].row, 1);
-        run_wave(t, root, true);
+        run_wave(t, root, gamma, true);
         for (int32_t k = i; k < n; k++)
             A[ANSWER(k, i)] = link_rate(t, &t->limb[row[k].limb], row[k].row, true);
-        A[ANSWER(i, i)] += l->soft[row[i].row];
+        A[ANSWER(i, i)] += gamma * WF_STACK_COMPLIANCE * l->ease[row[i].row];
     }
     return eliminate(n, A);
 }
 
-static void solve_links(wfStacks *t, const wfLimb *root)
+static void solve_links(wfStacks *t, const wfLimb *root, int32_t gamma)
 {
     wfReal x[LINK_ROWS];
     LinkRow row[LINK_ROWS];
@@ -564,7 +565,7 @@ static void solve_links(wfStacks *t, const wfLimb *root)
         load_link(t, &t->limb[row[i].limb], row[i].row, x[i]);
         t->limb[row[i].limb].wave.push[row[i].row] = x[i];
     }
-    run_wave(t, root, true);
+    run_wave(t, root, gamma, true);
     for (int32_t i = root->root; i < root->end; i++) {
         wfLimb *l = &t->limb[i];
         add3(l->wave.push, 1, l->extra.push), add3(l->wave.gain, 1, l->extra.gain);
@@ -590,23 +591,27 @@ static void let_go(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
 }
 
 
-static bool make_matrices(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
+static bool make_matrices(const wfSubsteps *s, wfStacks *t, wfLimb *root, int32_t gamma)
 {
-    for (int32_t i = root->root; i < root->links; i++) make_rows(s, law, &t->limb[i]);
-    for (int32_t i = root->end - 1; i >= root->root; i--)
-        if (!fold(&t->limb[i], below_of(t, &t->limb[i]))) return false;
-    if (root->links == root->end) return true;
-    root->made = ask_links(t, root);
-    return root->made;
+    for (int32_t i = root->root; i < root->links; i++) make_rows(s, &t->limb[i]);
+    for (int32_t i = root->root; i < root->end; i++)
+        begin_mass(s, &t->limb[i], &t->limb[i].fold[gamma]);
+    for (int32_t i = root->end - 1; i >= root->root; i--) {
+        wfLimb *l = &t->limb[i], *below = below_of(t, l);
+        wfFold *under = below == NULL ? NULL : &below->fold[gamma];
+        if (!fold(l, &l->fold[gamma], under, gamma * WF_STACK_COMPLIANCE)) return false;
+    }
+    root->made[gamma] = root->links == root->end || ask_links(t, root, gamma);
+    return root->made[gamma];
 }
 
 static bool try_tree(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
 {
-    if (!root->made && !make_matrices(s, law, t, root)) return false;
+    if (!root->made[law->gamma] && !make_matrices(s, t, root, law->gamma)) return false;
     for (int32_t i = root->root; i < root->links; i++) find_wrong(s, law, &t->limb[i]);
     for (int32_t i = root->root; i < root->links; i++) let_go(s, t, &t->limb[i]);
-    run_wave(t, root, false);
-    if (root->links > root->end) solve_links(t, root);
+    run_wave(t, root, law->gamma, false);
+    if (root->links > root->end) solve_links(t, root, law->gamma);
     return true;
 }
 
@@ -618,9 +623,14 @@ static void try_quickly(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb
         if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
         for (int32_t i = root->root; i < root->links; i++)
             if (!points_are_right(s, law, t, &t->limb[i])) right = false;
-        if (!right) root->made = false;
+        if (!right) root->made[0] = root->made[1] = false;
         else if (root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
     }
+}
+
+static int32_t point_name(const wfStacks *t, const wfLimb *l, int32_t point)
+{
+    return 2 * (int32_t)(l - t->limb) + point;
 }
 
 /* Goes from the sums `at` towards those of the last try, until one is 0: its point. */
@@ -645,9 +655,10 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *
             }
         }
     if (limb == NULL) return false;
+    if (share == 0 && root->came == point_name(t, limb, point)) root->state = LIMB_FAILS;
     limb->at[point] = 0;
     limb->points &= ~(1 << point);
-    root->made = false;
+    root->made[0] = root->made[1] = false;
     return true;
 }
 
@@ -669,7 +680,8 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
     }
     if (limb == NULL) return false;
     limb->points |= 1 << point;
-    root->made = false;
+    root->came = point_name(t, limb, point);
+    root->made[0] = root->made[1] = false;
     return true;
 }
 
@@ -677,6 +689,7 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
 static void try_carefully(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
 {
     open_tree(s, t, root, false);
+    root->came = -1;
     for (int32_t n = 0; n < CAREFUL_TRIES && root->state == LIMB_OPEN; n++) {
         if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
         else if (!go_until_one_lets_go(s, law, t, root) && !take_in_worst(s, law, t, root))
@@ -761,18 +774,17 @@ void wfTakeBackMemory(const wfSubsteps *s, wfStacks *t)
         take_back(s, t, &t->limb[at]);
 }
 
-void wfSolveStacks(const wfSubsteps *s, wfStacks *t, wfReal bias, wfReal give,
+void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
                    wfReal fastest)
 {
     for (int32_t at = 0; at < t->count; at = t->limb[at].links) {
         wfLimb *root = &t->limb[at];
         if (root->given_up) continue;
         bool loops = root->links > root->end;
-        Law law = { loops ? 0 : bias, give, fastest, loops ? WF_STACK_COMPLIANCE : 0,
-                    loops ? push_noise(s, t, root) : 0 };
-        open_tree(s, t, root, loops && root->state == LIMB_RIGHT);
+        Law law = { soft || loops, loops ? 0 : bias, fastest, push_noise(s, t, root) };
+        open_tree(s, t, root, root->state == LIMB_RIGHT);
         try_quickly(s, &law, t, root);
-        if (loops && root->state == LIMB_OPEN) try_carefully(s, &law, t, root);
+        if (root->state == LIMB_OPEN) try_carefully(s, &law, t, root);
         for (int32_t i = at; i < root->links && root->state == LIMB_RIGHT; i++)
             if (foot_slips(s, &t->limb[i])) root->state = LIMB_FAILS;
         for (int32_t i = at; i < root->links; i++) close_limb(s, t, &t->limb[i]);

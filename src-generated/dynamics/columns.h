@@ -11,6 +11,11 @@ typedef struct wfWave {
     wfReal push[3], gain[3];     /* f and D */
 } wfWave;
 
+typedef struct wfFold {
+    wfReal mass[3][3];           /* of the body and all above it; folded: its inverse */
+    wfReal hold[3][3];           /* inverse of S */
+} wfFold;
+
 /* A body that stands on one contact, and on it whatever stands there: a limb of a tree. Or
  * a link: a contact that closes a loop, between two limbs or a limb and the ground. */
 typedef struct wfLimb {
@@ -22,11 +27,12 @@ typedef struct wfLimb {
     int32_t rows, state;
     bool    upside;              /* the body is the contact's a */
     bool    given_up;            /* a root with loops: by passes for the rest of the step */
-    bool    made;                /* a root with loops: the matrices are those of `points` */
+    bool    made[2];             /* a root: its matrices are those of `points` */
+    int32_t came;                /* of a root: the point that was taken in last */
     int32_t answers;             /* of a root: where its part of answer[] begins */
     wfReal  up[3][3], down[3][3];           /* J and G */
-    wfReal  mass[3][3];          /* of the body and all above it; folded: its inverse */
-    wfReal  hold[3][3], soft[3];            /* inverse of S; of Gamma */
+    wfReal  ease[3];             /* 1/kg: K of the rows, which Gamma is a share of */
+    wfFold  fold[2];             /* for Gamma of the rigid sweep and of the soft one */
     wfWave  wave, extra;         /* of the tree alone; of a push at a link */
     wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
 } wfLimb;
@@ -48,7 +54,7 @@ size_t wfStackScratch(int32_t bodies, int32_t contacts);
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
 /* Solves all trees: b and gamma / K of eq:soft-follow, how fast overlap is left at most.
  * What can't be, for a point would have to pull or a foot slips, is left to passes. */
-void wfSolveStacks(const wfSubsteps *s, wfStacks *t, wfReal bias, wfReal give,
+void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
                    wfReal fastest);
 /* Takes back what the sums that were just handed out have too much, eq:soft-memory. */
 void wfTakeBackMemory(const wfSubsteps *s, wfStacks *t);

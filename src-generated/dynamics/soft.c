@@ -29,8 +29,8 @@ static Softness softness_of(const wfSolve *in, wfReal dt)
 /* sweep what is solved at once */
 static void sweep_columns(wfSubsteps *s, const Softness *soft)
 {
-    if (soft == NULL) wfSolveStacks(s, s->columns, 0, 0, 0);
-    else wfSolveStacks(s, s->columns, soft->bias, WF_STACK_COMPLIANCE, soft->fastest);
+    if (soft == NULL) wfSolveStacks(s, s->columns, false, 0, 0);
+    else wfSolveStacks(s, s->columns, true, soft->bias, soft->fastest);
 }
 
 /* soft: NULL after the bodies have moved */

@@ -322,13 +322,18 @@ void wfBounceAll(wfSubsteps *s)
     if (any) wfFindGaps(s);
 }
 
-/* take room for substeps */
-static bool touches(const wfContact *c)
+/* Does a point of it touch, or push, or will it before the step ends? */
+static bool touches(const wfSolve *in, const wfContact *c)
 {
     const wfManifold *m = &c->manifold;
+    const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
     wfReal near = WF_NEAR_SHARE * c->slop;
-    for (int32_t k = 0; k < m->count; k++)
-        if (m->points[k].normalImpulse > 0 || !(-m->points[k].depth > near)) return true;
+    for (int32_t k = 0; k < m->count; k++) {
+        const wfContactPoint *p = &m->points[k];
+        if (p->normalImpulse > 0 || !(-p->depth > near)) return true;
+        wfReal way = in->h * wfRelativeNormalVelocity(a, b, p->point, m->normal);
+        if (c->restitution == 0 && way < p->depth) return true;
+    }
     return false;
 }
 
@@ -341,7 +346,7 @@ static void read_part(void *context, int32_t part, int32_t begin, int32_t end)
         int32_t trait = c->manifold.count;
         if (c->rollingResistance > 0) trait |= WF_TRAIT_ROLLS;
         if (c->staticFriction > c->friction) trait |= WF_TRAIT_TWO_FRICTIONS;
-        if (touches(c)) trait |= WF_TRAIT_TOUCHES;
+        if (touches(s->in, c)) trait |= WF_TRAIT_TOUCHES;
         if (c->restitution > 0) trait |= WF_TRAIT_BOUNCES;
         s->ends[i] = (wfPair){ c->a, c->b };
         s->trait[i] = (uint8_t)trait;
