@@ -322,13 +322,31 @@ void wfBounceAll(wfSubsteps *s)
     if (any) wfFindGaps(s);
 }
 
-/* take room for substeps */
-static bool touches(const wfContact *c)
+/* How fast a point of body i moves along n, and what the forces add to that in the step. */
+static wfReal rate_along(const wfSolve *in, int32_t i, wfVec2 arm, wfVec2 n, wfReal *gain)
+{
+    const wfBodyState *b = &in->state[i];
+    *gain = in->forces == NULL ? 0 : in->h * b->invMass * wfDot(in->forces[i].force, n);
+    return wfDot(wfAddScaled(b->v, b->w, wfPerpCCW(arm)), n);
+}
+
+/* May this gap close within the step, with both bodies free or one of them held? */
+static bool arrives(const wfSolve *in, const wfContact *c, const wfContactPoint *p)
+{
+    wfVec2 n = c->manifold.normal;
+    wfReal gainA, gainB, u = rate_along(in, c->a, p->rA, n, &gainA);
+    u -= rate_along(in, c->b, p->rB, n, &gainB);
+    u += wfMaxR(gainA - gainB, wfMaxR(gainA, -gainB));
+    return u * in->h > -p->depth;
+}
+
+static bool touches(const wfSolve *in, const wfContact *c)
 {
     const wfManifold *m = &c->manifold;
     wfReal near = WF_NEAR_SHARE * c->slop;
     for (int32_t k = 0; k < m->count; k++)
-        if (m->points[k].normalImpulse > 0 || !(-m->points[k].depth > near)) return true;
+        if (m->points[k].normalImpulse > 0 || !(-m->points[k].depth > near)
+            || (!(c->restitution > 0) && arrives(in, c, &m->points[k]))) return true;
     return false;
 }
 
@@ -341,7 +359,7 @@ static void read_part(void *context, int32_t part, int32_t begin, int32_t end)
         int32_t trait = c->manifold.count;
         if (c->rollingResistance > 0) trait |= WF_TRAIT_ROLLS;
         if (c->staticFriction > c->friction) trait |= WF_TRAIT_TWO_FRICTIONS;
-        if (touches(c)) trait |= WF_TRAIT_TOUCHES;
+        if (touches(s->in, c)) trait |= WF_TRAIT_TOUCHES;
         if (c->restitution > 0) trait |= WF_TRAIT_BOUNCES;
         s->ends[i] = (wfPair){ c->a, c->b };
         s->trait[i] = (uint8_t)trait;
