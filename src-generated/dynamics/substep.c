@@ -322,18 +322,31 @@ void wfBounceAll(wfSubsteps *s)
     if (any) wfFindGaps(s);
 }
 
-/* Does a point of it touch, or push, or will it before the step ends? */
+/* How fast a point of body i moves along n, and what the forces add to that in the step. */
+static wfReal rate_along(const wfSolve *in, int32_t i, wfVec2 arm, wfVec2 n, wfReal *gain)
+{
+    const wfBodyState *b = &in->state[i];
+    *gain = in->forces == NULL ? 0 : in->h * b->invMass * wfDot(in->forces[i].force, n);
+    return wfDot(wfAddScaled(b->v, b->w, wfPerpCCW(arm)), n);
+}
+
+/* May this gap close within the step, with both bodies free or one of them held? */
+static bool arrives(const wfSolve *in, const wfContact *c, const wfContactPoint *p)
+{
+    wfVec2 n = c->manifold.normal;
+    wfReal gainA, gainB, u = rate_along(in, c->a, p->rA, n, &gainA);
+    u -= rate_along(in, c->b, p->rB, n, &gainB);
+    u += wfMaxR(gainA - gainB, wfMaxR(gainA, -gainB));
+    return u * in->h > -p->depth;
+}
+
 static bool touches(const wfSolve *in, const wfContact *c)
 {
     const wfManifold *m = &c->manifold;
-    const wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
     wfReal near = WF_NEAR_SHARE * c->slop;
-    for (int32_t k = 0; k < m->count; k++) {
-        const wfContactPoint *p = &m->points[k];
-        if (p->normalImpulse > 0 || !(-p->depth > near)) return true;
-        wfReal way = in->h * wfRelativeNormalVelocity(a, b, p->point, m->normal);
-        if (c->restitution == 0 && way < p->depth) return true;
-    }
+    for (int32_t k = 0; k < m->count; k++)
+        if (m->points[k].normalImpulse > 0 || !(-m->points[k].depth > near)
+            || (!(c->restitution > 0) && arrives(in, c, &m->points[k]))) return true;
     return false;
 }
 

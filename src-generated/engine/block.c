@@ -1,6 +1,6 @@
 /* Weft: engine/block.c, tangled from chapters/engine/20-world.nw. Chapters that add to it:
- * bodies-in-a-world, step, modules, joints-in-a-world, sleep-in-a-world, accuracy. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+ * bodies-in-a-world, step, modules, joints-in-a-world, sleep-in-a-world, seams, accuracy. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "engine/block.h"
 
@@ -53,6 +53,9 @@ static size_t stage_scratch(const wfWorldDef *d)
     bool ties = d->directJoints != WF_JOINTS_ITERATIVE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);
+    if (boxed)
+        most = larger(most, sizeof(int32_t) * ((size_t)shapes + (size_t)pairs)
+                            + 2 * WF_POOL_ALIGN);
     if (mends)
         most += (sizeof(int32_t) + 1) * bodies + sizeof(int32_t) * (size_t)d->contactCapacity
               + 3 * WF_POOL_ALIGN;

@@ -1,6 +1,6 @@
 /* Weft: engine/step.h, tangled from chapters/engine/20-world.nw. Chapters that add to it: step,
- * looking, joints-in-a-world, continuous-collision, sleep-in-a-world, accuracy. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+ * looking, joints-in-a-world, continuous-collision, sleep-in-a-world, seams, accuracy. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ENGINE_STEP_H
 #define WEFT_ENGINE_STEP_H
 /* A step in the making. For the engine's own files; not installed. */
@@ -78,6 +78,8 @@ struct wfStep {
     int32_t          tired;       /* how many fall asleep at the end */
     wfReal          *clocks;      /* new clocks of rest */
     wfIslands        islands;
+    int32_t         *firstTile;   /* of each shape: the first pair with a tile, or -1; or NULL */
+    int32_t         *nextTile;    /* of each pair: the next pair of the same shape, or -1 */
 };
 
 /* by chunk; a bit is an array */
@@ -132,6 +134,11 @@ static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal w
     return s->b.head->maxImpacts > 0 && way > wfMaxR(m->inner, least);
 }
 void wfFindLinked(struct wfStep *s);    /* which bodies have a joint that holds */
+/* Tiles. */
+void wfFindTiles(struct wfStep *s);
+void wfMendTile(const struct wfStep *s, wfPair p, wfReal margin, wfManifold *m);
+void wfMendStruck(const struct wfStep *s, wfPair p, const wfTransform at[2], wfReal margin,
+                  wfManifold *m);
 /* Do some bodies make fewer substeps than others? The step of such a world. */
 bool wfStepsApart(const struct wfStep *s);
 wfResult wfStepApart(struct wfStep *s, const wfSolve *solve);
