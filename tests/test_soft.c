@@ -599,7 +599,7 @@ static void other_laws_have_their_turn(void **unused)
     (void)unused;
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 1, 1), body(1, 0, 0, 0, 0, 1, 1) };
     Log log = { 0 };
-    wfConstraints laws = { &log, log_begin, log_solve, NULL };
+    wfConstraints laws = { &log, log_begin, log_solve, NULL, NULL };
     wfPool pool;
     wfSolve in = problem(s, 2, NULL, 0, &pool);
     in.substeps = 2;

@@ -108,7 +108,7 @@ static wfReal note_gap(wfMatrix *m, const wfJointSet *set, int32_t i, int k, wfR
     const wfJointWork *w = &set->work[i];
     int32_t row = w->hold[k];
     m->x[i][k] = then - w->row[row].error + (1 - keep) * m->part[i][k] - m->shift[i][k]
-               + h * set->give * w->own[row] * m->impulse[i][k];    /* eq:exact-part */
+               + h * wfGiveOf(set, i) * w->own[row] * m->impulse[i][k];    /* eq:exact-part */
     return wfAbs(m->x[i][k]) * m->size[i][k];
 }
 
@@ -120,7 +120,7 @@ static wfReal note_rate(wfMatrix *m, const wfJointSet *set, const wfSolve *in, i
     const wfJointWork *w = &set->work[i];
     wfReal rate = wfRateOf(w->row, &in->state[j->a], &in->state[j->b]);
     m->line[i][0] = line_of(w->row);                            /* eq:exact-turned */
-    m->x[i][0] = h * (rate + set->give * w->own[0] * m->impulse[i][0]);
+    m->x[i][0] = h * (rate + wfGiveOf(set, i) * w->own[0] * m->impulse[i][0]);
     return wfAbs(m->x[i][0]) * m->size[i][0];
 }
 
@@ -337,9 +337,10 @@ static void note_elastic(const wfMatrix *m, wfJointSet *set)
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         const wfJointWork *w = &set->work[i];
+        wfReal give = wfGiveOf(set, i), share = give > set->give ? set->give / give : 1;
         for (int32_t k = 0; k < w->holds; k++)
-            set->joints[i].elastic[k] = keep * m->part[i][k]
-                - m->h * set->give * w->own[w->hold[k]] * m->impulse[i][k];
+            set->joints[i].elastic[k] = share * (keep * m->part[i][k]
+                - m->h * give * w->own[w->hold[k]] * m->impulse[i][k]);
     }
 }
 
@@ -465,10 +466,11 @@ static bool find_wrong(wfMatrix *m, wfJointSet *set, const wfSolve *in, int32_t 
     wfJoint *j = &set->joints[i];
     bool some = false, new = is_new(j, w);
     bool apart = wfIsRod(j) && wfAbs(w->row[0].error) > j->rest / 2;
-    wfReal share = (1 - wfGivingOf(set).keep) / m->h;
+    wfReal share = (1 - wfGivingOf(set).keep) / m->h, more = 1;
+    if (set->give > 0) more = wfGiveOf(set, i) / set->give;
     for (int32_t k = 0; k < w->holds; k++) {
         wfReal gap = w->row[w->hold[k]].error, size = m->size[i][k];
-        wfReal part = wfClamp(j->elastic[k], wfMinR(gap, 0), wfMaxR(gap, 0));
+        wfReal part = wfClamp(more * j->elastic[k], wfMinR(gap, 0), wfMaxR(gap, 0));
         if (apart || !(wfAbs(gap - part) * size > 8 * WF_EXACT_ROUNDING)) part = gap;
         wfReal wrong = gap - part;
         if (new) j->loose[k] = wrong;

@@ -121,7 +121,7 @@ void wfFillJoints(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
         int32_t i = m->order[n];
         fill_block(m, set, in, i, i, &m->own[i]);
         for (int k = 0; k < set->work[i].holds; k++)            /* eq:exact-give */
-            m->own[i].v[k][k] += set->give * set->work[i].own[set->work[i].hold[k]];
+            m->own[i].v[k][k] += wfGiveOf(set, i) * set->work[i].own[set->work[i].hold[k]];
         for (int32_t e = m->head[i]; e >= 0; e = m->edge[e].next) {
             int32_t k = m->edge[e].to;
             if (k < i) fill_block(m, set, in, i, k, &m->value[m->edge[e].block]);

@@ -63,6 +63,14 @@ static inline bool wfJointMoves(const wfBodyState *s)
     return s->invMass > 0 || s->invInertia > 0;
 }
 
+/* The share of K by which the rows of joint i give: more in a heap. */
+static inline wfReal wfGiveOf(const wfJointSet *set, int32_t i)
+{
+    const wfJoint *j = &set->joints[i];
+    bool lies = set->lying != NULL && (set->lying[j->a] || set->lying[j->b]);
+    return lies ? wfMaxR(set->give, WF_EXACT_HEAP) : set->give;
+}
+
 bool wfJoinNeighbours(wfMatrix *m, const wfJoint *joints, const wfBodyState *state,
                       const int32_t *list, int32_t count, int32_t *first, int32_t *next);
 bool wfOrderJoints(wfMatrix *m, const int32_t *list, int32_t count, int64_t most);

@@ -686,6 +686,76 @@ static bool has_swung(const wfJointWork *w, const wfJointRow *before, const wfJo
     return now < then / 2;                                          /* eq:joints-swung */
 }
 
+/* find machines that lie in a heap */
+static bool can_move(const wfBodyState *s) { return s->invMass > 0 || s->invInertia > 0; }
+
+static int32_t machine_of(int32_t *parent, int32_t b)
+{
+    while (parent[b] != b) b = parent[b] = parent[parent[b]];
+    return b;
+}
+
+static bool bears(const wfContact *c)
+{
+    for (int32_t k = 0; k < c->manifold.count; k++)
+        if (c->manifold.points[k].normalImpulse > 0 || c->manifold.points[k].depth >= 0)
+            return true;
+    return false;
+}
+
+/* Joins what joints hold together; a joint counts -1, and a nail as much as there is. */
+static void count_joints(wfJointSet *set, const wfSolve *in)
+{
+    for (int32_t i = 0; i < set->count; i++) {
+        const wfJoint *j = &set->joints[i];
+        bool a = can_move(&in->state[j->a]), b = can_move(&in->state[j->b]);
+        if (wfIsBroken(j) || !wfJointTable[j->kind].holds || !(a || b)) continue;
+        int32_t one = machine_of(set->parent, a ? j->a : j->b);
+        int32_t two = machine_of(set->parent, b ? j->b : j->a);
+        int32_t least = one < two ? one : two, sum = set->tally[one];
+        if (one != two) sum += set->tally[two];
+        set->parent[one] = set->parent[two] = least;
+        set->tally[least] = a && b && sum > -WF_JOINT_NAIL ? sum - 1 : -WF_JOINT_NAIL;
+        set->lies[j->a] = set->lies[j->a] || a, set->lies[j->b] = set->lies[j->b] || b;
+    }
+}
+
+static const uint8_t *find_lying(void *context, const wfSolve *in)
+{
+    wfJointSet *set = context;
+    for (int32_t b = 0; b < set->bodies; b++)
+        set->parent[b] = b, set->tally[b] = 0, set->lies[b] = 0;
+    count_joints(set, in);
+    for (int32_t i = 0; i < in->contactCount; i++) {
+        const wfContact *c = &in->contacts[i];
+        int32_t a = machine_of(set->parent, c->a), b = machine_of(set->parent, c->b);
+        if (a == b || !bears(c)) continue;
+        set->tally[a] += set->tally[a] > -WF_JOINT_NAIL ? 2 : 0;
+        set->tally[b] += set->tally[b] > -WF_JOINT_NAIL ? 2 : 0;
+    }
+    for (int32_t b = 0; b < set->bodies; b++)
+        set->lies[b] = set->lies[b] && set->tally[machine_of(set->parent, b)] >= 0;
+    return set->lying = set->count > 0 ? set->lies : NULL;
+}
+
+static void calm(const wfJointSet *set, const wfSolve *in, wfReal h)
+{
+    for (int32_t i = 0; i < set->count; i++) {
+        const wfJoint *j = &set->joints[i];
+        wfBodyState *a = &in->state[j->a], *b = &in->state[j->b];
+        wfReal give = a->invInertia + b->invInertia, w = b->w - a->w;
+        if (wfIsBroken(j) || !set->lying[j->a] || !set->lying[j->b] || !(give > 0)) continue;
+        wfReal slow = in->restingSpeed * in->restingSpeed, k = 0;
+        if (a->invInertia > 0) k = a->invMass / a->invInertia;
+        if (b->invInertia > 0) k = wfMinR(k > 0 ? k : WF_HUGE, b->invMass / b->invInertia);
+        wfReal rate = h * WF_JOINT_CALM * (1 - w * w * k / slow);   /* eq:joints-calm */
+        if (!(rate > 0)) continue;
+        wfReal push = w * rate / ((1 + rate) * give);
+        a->w += push * a->invInertia;
+        b->w -= push * b->invInertia;
+    }
+}
+
 /* solve plain hinges */
 static bool is_plain_hinge(const wfJoint *j)
 {
@@ -906,35 +976,41 @@ static bool has_stops(const wfJointSet *set)
     return false;
 }
 
+static void solve_one(wfJointSet *set, const wfSolve *in, int32_t i, wfReal dt, bool soft,
+                      bool renew)
+{
+    wfGiving give = wfGivingOf(set);
+    /* solve it if it is a plain hinge */
+    if (set->pins[i].on) {
+        if (renew) renew_pin(set, in, i);
+        if (soft) aim_pin(&set->pins[i], in, dt, set->last, give);
+        else relax_pin(&set->pins[i], in);
+        return;
+    }
+    wfJoint *j = &set->joints[i];
+    if (wfIsBroken(j)) return;
+    wfJointPair p = wfPairOf(set, in, j);
+    if (renew) add_load(j, &set->work[i]);
+    if (renew) renew_rows(set, i, &p);
+    if (soft) aim_soft(j, &set->work[i], dt, set->last, give, &p);
+    else limits_tangent(j, &set->work[i], &p);
+    if (!is_alone(set, i)) return;
+    if (soft) aim_holds(j, &set->work[i], dt, set->last, give, &p);
+    else holds_tangent(j, &set->work[i], &p);
+}
+
 static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved, wfReal dt,
                          int32_t pass, bool soft)
 {
     wfJointSet *set = context;
-    wfGiving give = wfGivingOf(set);
     bool renew = !soft && !set->built;
     if (renew) look_round(set, in, moved);
+    /* calm who lies in a heap */
+    if (renew && set->lying != NULL) calm(set, in, dt);
     if (soft && pass == 0 && set->together != NULL && has_stops(set))
         set->together(set, in, moved, dt, soft);
-    for (int32_t k = 0; k < set->count; k++) {
-        int32_t i = pass % 2 == 0 || renew ? k : set->count - 1 - k;
-        /* solve it if it is a plain hinge */
-        if (set->pins[i].on) {
-            if (renew) renew_pin(set, in, i);
-            if (soft) aim_pin(&set->pins[i], in, dt, set->last, give);
-            else relax_pin(&set->pins[i], in);
-            continue;
-        }
-        wfJoint *j = &set->joints[i];
-        if (wfIsBroken(j)) continue;
-        wfJointPair p = wfPairOf(set, in, j);
-        if (renew) add_load(j, &set->work[i]);
-        if (renew) renew_rows(set, i, &p);
-        if (soft) aim_soft(j, &set->work[i], dt, set->last, give, &p);
-        else limits_tangent(j, &set->work[i], &p);
-        if (!is_alone(set, i)) continue;
-        if (soft) aim_holds(j, &set->work[i], dt, set->last, give, &p);
-        else holds_tangent(j, &set->work[i], &p);
-    }
+    for (int32_t k = 0; k < set->count; k++)
+        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, soft, renew);
     if (set->together != NULL) set->together(set, in, moved, dt, soft);
     if (soft) set->built = false;           /* the bodies are about to move */
 }
@@ -945,8 +1021,9 @@ size_t wfJointScratch(int32_t bodies, int32_t joints)
     size_t body = 2 * sizeof(wfReal) + sizeof(wfJointFrame);
     size_t joint = sizeof(wfJointWork);
     /* what else a joint takes */
+    body += 2 * sizeof(int32_t) + 1;
     joint += sizeof(wfPin);
-    return (size_t)joints * joint + (size_t)bodies * body + 5 * WF_POOL_ALIGN;
+    return (size_t)joints * joint + (size_t)bodies * body + 8 * WF_POOL_ALIGN;
 }
 
 static const void *lending_of(void *context)
@@ -971,17 +1048,23 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
     set->place = wfPoolPushArray(scratch, bodies, wfJointFrame);
+    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of, NULL };
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
              || set->place == NULL;
     /* take room for plain hinges */
+    set->parent = wfPoolPushArray(scratch, bodies, int32_t);
+    set->tally = wfPoolPushArray(scratch, bodies, int32_t);
+    set->lies = wfPoolPushArray(scratch, bodies, uint8_t);
+    laws->lying = find_lying;
+    full = full || set->parent == NULL || set->tally == NULL || set->lies == NULL;
     set->pins = wfPoolPushArray(scratch, set->count, wfPin);
     full = full || set->pins == NULL;
     for (int32_t i = 0; i < set->count && !full; i++) set->pins[i].on = 0;
     if (full && set->count > 0) return WF_ERROR_MEMORY;
+    set->lying = NULL;
     for (int32_t i = 0; i < set->count; i++) forget_step(&set->work[i]);
     set->last = 0;
     set->built = false;
-    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of };
     return WF_OK;
 }
 
@@ -1043,91 +1126,4 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
         for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] *= dt / set->last;
     }
     break_worst(set);
-}
-
-/* check a joint */
-static bool numbers_are_finite(const wfJoint *j)
-{
-    const wfReal number[] = { j->localA.x, j->localA.y, j->localB.x, j->localB.y, j->axis.x,
-        j->axis.y, j->groundA.x, j->groundA.y, j->groundB.x, j->groundB.y, j->rest,
-        j->angle, j->ratio, j->lower, j->upper, j->stiffness, j->damping, j->motorSpeed,
-        j->motorForce, j->springForce, j->breakForce, j->breakTorque, j->turnA, j->turnB,
-        j->load.x, j->load.y, j->twist, j->peakForce, j->peakTorque };
-    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
-        if (!wfIsFinite(number[i])) return false;
-    for (int i = 0; i < WF_JOINT_ROWS; i++)
-        if (!wfIsFinite(j->impulse[i])) return false;
-    return true;
-}
-
-wfResult wfCheckJoint(const wfJoint *j)
-{
-    if (j == NULL) return WF_ERROR_NULL;
-    if (j->kind < 0 || j->kind >= wfJointKinds) return WF_ERROR_UNKNOWN;
-    if (!numbers_are_finite(j)) return WF_ERROR_NOT_FINITE;
-    if (j->a < 0 || j->b < 0 || j->a == j->b) return WF_ERROR_RANGE;
-    if (j->stiffness < 0 || j->damping < 0 || j->motorForce < 0) return WF_ERROR_RANGE;
-    if (j->springForce < 0) return WF_ERROR_RANGE;
-    if (j->breakForce < 0 || j->breakTorque < 0) return WF_ERROR_RANGE;
-    if (j->lower > j->upper || j->ratio == 0) return WF_ERROR_RANGE;
-    if (wfAbs(wfLength(j->axis) - 1) > WF_R(0.001)) return WF_ERROR_RANGE;
-    return j->kind == wfFindJoint("ratchet") && j->ratio < 0 ? WF_ERROR_RANGE : WF_OK;
-}
-
-/* check a step of joints */
-static wfResult check_step(const wfJointStep *in)
-{
-    if (in == NULL || in->scratch == NULL) return WF_ERROR_NULL;
-    if (in->bodyCount < 0 || in->jointCount < 0) return WF_ERROR_RANGE;
-    if (in->bodyCount > 0 && in->state == NULL) return WF_ERROR_NULL;
-    if (in->jointCount > 0 && in->joints == NULL) return WF_ERROR_NULL;
-    if (!wfIsFinite(in->h)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(in->period) || !wfIsFinite(in->damping)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(in->give)) return WF_ERROR_NOT_FINITE;
-    if (in->give < 0) return WF_ERROR_RANGE;
-    if (in->h <= 0 || in->substeps < 1 || in->passes < 1) return WF_ERROR_RANGE;
-    if (in->period < 0 || in->damping < 0) return WF_ERROR_RANGE;
-    wfResult result = WF_OK;
-    /* check bodies, forces and joints */
-    for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
-        if (!wfBodyIsFinite(&in->state[i])) result = WF_ERROR_NOT_FINITE;
-    for (int32_t i = 0; in->forces != NULL && i < in->bodyCount && result == WF_OK; i++)
-        if (!wfIsFinite2(in->forces[i].force) || !wfIsFinite(in->forces[i].torque))
-            result = WF_ERROR_NOT_FINITE;
-    for (int32_t i = 0; i < in->jointCount && result == WF_OK; i++) {
-        const wfJoint *j = &in->joints[i];
-        result = wfCheckJoint(j);
-        if (result == WF_OK && (j->a >= in->bodyCount || j->b >= in->bodyCount))
-            result = WF_ERROR_RANGE;
-    }
-    return result;
-}
-
-/* step joined bodies */
-size_t wfJointStepScratch(int32_t bodies, int32_t joints)
-{
-    const wfSolverRow *soft = &wfSolverTable[wfFindSolver("soft")];
-    return soft->scratch(bodies, 0) + wfJointScratch(bodies, joints) + WF_POOL_ALIGN;
-}
-
-wfResult wfStepJoints(const wfJointStep *in)
-{
-    wfResult result = check_step(in);
-    if (result != WF_OK) return result;
-    size_t mark = wfPoolMark(in->scratch);
-    wfConstraints laws;
-    wfJointSet set = { .joints = in->joints, .count = in->jointCount,
-                       .period = in->period, .damping = in->damping,
-                       .give = in->give };
-    wfSolve solve = { .state = in->state, .bodyCount = in->bodyCount, .h = in->h,
-        .iterations = in->passes, .forces = in->forces, .substeps = in->substeps,
-        .laws = &laws, .scratch = in->scratch };
-    result = wfBeginJoints(&set, in->bodyCount, in->scratch, &laws);
-    if (result == WF_OK && in->prepare != NULL)
-        result = in->prepare(&set, &solve, in->scratch);
-    if (result == WF_OK) result = wfSolveStep(wfFindSolver("soft"), &solve);
-    if (result == WF_OK) wfEndJoints(&set, &solve);
-    if (result == WF_OK && in->unsolved != NULL) *in->unsolved = set.unsolved;
-    wfPoolRewind(in->scratch, mark);
-    return result;
 }

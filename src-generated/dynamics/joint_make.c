@@ -83,3 +83,90 @@ void wfSetJointSpring(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
     j->stiffness = mass * omega * omega;                        /* eq:joints-frequency */
     j->damping = 2 * ratio * mass * omega;
 }
+
+/* check a joint */
+static bool numbers_are_finite(const wfJoint *j)
+{
+    const wfReal number[] = { j->localA.x, j->localA.y, j->localB.x, j->localB.y, j->axis.x,
+        j->axis.y, j->groundA.x, j->groundA.y, j->groundB.x, j->groundB.y, j->rest,
+        j->angle, j->ratio, j->lower, j->upper, j->stiffness, j->damping, j->motorSpeed,
+        j->motorForce, j->springForce, j->breakForce, j->breakTorque, j->turnA, j->turnB,
+        j->load.x, j->load.y, j->twist, j->peakForce, j->peakTorque };
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        if (!wfIsFinite(number[i])) return false;
+    for (int i = 0; i < WF_JOINT_ROWS; i++)
+        if (!wfIsFinite(j->impulse[i])) return false;
+    return true;
+}
+
+wfResult wfCheckJoint(const wfJoint *j)
+{
+    if (j == NULL) return WF_ERROR_NULL;
+    if (j->kind < 0 || j->kind >= wfJointKinds) return WF_ERROR_UNKNOWN;
+    if (!numbers_are_finite(j)) return WF_ERROR_NOT_FINITE;
+    if (j->a < 0 || j->b < 0 || j->a == j->b) return WF_ERROR_RANGE;
+    if (j->stiffness < 0 || j->damping < 0 || j->motorForce < 0) return WF_ERROR_RANGE;
+    if (j->springForce < 0) return WF_ERROR_RANGE;
+    if (j->breakForce < 0 || j->breakTorque < 0) return WF_ERROR_RANGE;
+    if (j->lower > j->upper || j->ratio == 0) return WF_ERROR_RANGE;
+    if (wfAbs(wfLength(j->axis) - 1) > WF_R(0.001)) return WF_ERROR_RANGE;
+    return j->kind == wfFindJoint("ratchet") && j->ratio < 0 ? WF_ERROR_RANGE : WF_OK;
+}
+
+/* check a step of joints */
+static wfResult check_step(const wfJointStep *in)
+{
+    if (in == NULL || in->scratch == NULL) return WF_ERROR_NULL;
+    if (in->bodyCount < 0 || in->jointCount < 0) return WF_ERROR_RANGE;
+    if (in->bodyCount > 0 && in->state == NULL) return WF_ERROR_NULL;
+    if (in->jointCount > 0 && in->joints == NULL) return WF_ERROR_NULL;
+    if (!wfIsFinite(in->h)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(in->period) || !wfIsFinite(in->damping)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(in->give)) return WF_ERROR_NOT_FINITE;
+    if (in->give < 0) return WF_ERROR_RANGE;
+    if (in->h <= 0 || in->substeps < 1 || in->passes < 1) return WF_ERROR_RANGE;
+    if (in->period < 0 || in->damping < 0) return WF_ERROR_RANGE;
+    wfResult result = WF_OK;
+    /* check bodies, forces and joints */
+    for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
+        if (!wfBodyIsFinite(&in->state[i])) result = WF_ERROR_NOT_FINITE;
+    for (int32_t i = 0; in->forces != NULL && i < in->bodyCount && result == WF_OK; i++)
+        if (!wfIsFinite2(in->forces[i].force) || !wfIsFinite(in->forces[i].torque))
+            result = WF_ERROR_NOT_FINITE;
+    for (int32_t i = 0; i < in->jointCount && result == WF_OK; i++) {
+        const wfJoint *j = &in->joints[i];
+        result = wfCheckJoint(j);
+        if (result == WF_OK && (j->a >= in->bodyCount || j->b >= in->bodyCount))
+            result = WF_ERROR_RANGE;
+    }
+    return result;
+}
+
+/* step joined bodies */
+size_t wfJointStepScratch(int32_t bodies, int32_t joints)
+{
+    const wfSolverRow *soft = &wfSolverTable[wfFindSolver("soft")];
+    return soft->scratch(bodies, 0) + wfJointScratch(bodies, joints) + WF_POOL_ALIGN;
+}
+
+wfResult wfStepJoints(const wfJointStep *in)
+{
+    wfResult result = check_step(in);
+    if (result != WF_OK) return result;
+    size_t mark = wfPoolMark(in->scratch);
+    wfConstraints laws;
+    wfJointSet set = { .joints = in->joints, .count = in->jointCount,
+                       .period = in->period, .damping = in->damping,
+                       .give = in->give };
+    wfSolve solve = { .state = in->state, .bodyCount = in->bodyCount, .h = in->h,
+        .iterations = in->passes, .forces = in->forces, .substeps = in->substeps,
+        .laws = &laws, .scratch = in->scratch };
+    result = wfBeginJoints(&set, in->bodyCount, in->scratch, &laws);
+    if (result == WF_OK && in->prepare != NULL)
+        result = in->prepare(&set, &solve, in->scratch);
+    if (result == WF_OK) result = wfSolveStep(wfFindSolver("soft"), &solve);
+    if (result == WF_OK) wfEndJoints(&set, &solve);
+    if (result == WF_OK && in->unsolved != NULL) *in->unsolved = set.unsolved;
+    wfPoolRewind(in->scratch, mark);
+    return result;
+}

@@ -259,6 +259,8 @@ static void finish(wfSubsteps *s)
 
 static wfResult make_ready(wfSubsteps *s)
 {
+    const wfConstraints *laws = s->in->laws;
+    if (laws != NULL && laws->lying != NULL) s->lying = laws->lying(laws->context, s->in);
     wfResult result = wfTakeSubsteps(s);
     /* find what is solved at once */
     if (result == WF_OK) result = wfFindStacks(s, s->columns);

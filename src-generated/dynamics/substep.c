@@ -359,7 +359,8 @@ static void read_part(void *context, int32_t part, int32_t begin, int32_t end)
         int32_t trait = c->manifold.count;
         if (c->rollingResistance > 0) trait |= WF_TRAIT_ROLLS;
         if (c->staticFriction > c->friction) trait |= WF_TRAIT_TWO_FRICTIONS;
-        if (touches(s->in, c)) trait |= WF_TRAIT_TOUCHES;
+        bool lies = s->lying != NULL && (s->lying[c->a] || s->lying[c->b]);
+        if (touches(s->in, c) && !lies) trait |= WF_TRAIT_TOUCHES;
         if (c->restitution > 0) trait |= WF_TRAIT_BOUNCES;
         s->ends[i] = (wfPair){ c->a, c->b };
         s->trait[i] = (uint8_t)trait;

@@ -42,6 +42,7 @@ typedef struct wfSubsteps {
     int32_t       *at;           /* and contact i is c[at[i]]; below 0: not alone */
     wfPair        *ends;         /* contact i is between these bodies; */
     uint8_t       *trait;        /* bits of WF_TRAIT_...: what to know before it is read */
+    const uint8_t *lying;        /* of wfConstraints; or NULL */
     bool           bouncing;     /* some contact has restitution */
     wfReal         lowest;       /* m: no gap is below */
     wfRun         *run;          /* the portions in which contacts are gone through */

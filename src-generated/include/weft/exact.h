@@ -8,6 +8,7 @@ WF_BEGIN_C
 
 #define WF_EXACT_BLOCKS 8       /* room for pairs of joints that share a body, a joint */
 #define WF_EXACT_CHEAP 8        /* products of blocks for a joint: cheap enough */
+#define WF_EXACT_HEAP WF_R(0.1) /* give of joints in a heap, as of those one by one */
 #define WF_EXACT_AGAIN 4        /* and then from the velocities that are used, at most */
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
 #define WF_EXACT_ROUNDING (2 * WF_EPSILON)  /* gaps that are done, as a share of arms */

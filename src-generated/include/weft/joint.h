@@ -17,6 +17,8 @@ WF_BEGIN_C
 #define WF_JOINT_POINT WF_R(1e-4)   /* >= 0: a rod of this share of its arms is a pin */
 /* A row whose pivot is a smaller share of its own K says nothing new. */
 #define WF_JOINT_SINGULAR (32 * WF_EPSILON)
+#define WF_JOINT_CALM 4         /* 1/s: hinges in a heap rub, eq:joints-calm */
+#define WF_JOINT_NAIL 0x20000000    /* counts for more joints than there are */
 
 enum { WF_ROW_OFF, WF_ROW_HOLD, WF_ROW_LIMIT, WF_ROW_DRIVE, WF_ROW_SPRING };
 
@@ -104,7 +106,10 @@ typedef struct wfJointSet {
     wfReal period, damping;     /* P and zeta of eq:joints-period; P = 0: rigid */
     wfReal give;                /* rows give by this share of their K, >= 0 */
     struct wfJointWork *work;   /* [count]; wfBeginJoints takes it from the pool */
+    int32_t *parent, *tally;        /* [bodies] machines; 2 touches - joints of each */
+    uint8_t *lies;                  /* [bodies] */
     struct wfPin *pins;             /* [count] plain hinges among them: eq:joints-pin */
+    const uint8_t *lying;       /* [bodies] 1: in a heap, sec:joints-heaps; or NULL */
     wfReal *stiffness;          /* [bodies] eq:joints-geometric; N m/rad */
     wfReal *inverse;            /* [bodies] their true inverse inertias */
     wfJointFrame *place;        /* [bodies] where they were when the rows were built */
