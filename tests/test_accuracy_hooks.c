@@ -66,6 +66,7 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetGlobalPosition, w, with.bodyId, (wfGlobalPoint){ 1, 1 }, 0) \
     X(wfShiftOrigin, w, wfV2(1, 1), NULL) \
     X(wfRecentreWorld, w, wfV2(100, 1), 10, NULL) \
+    X(wfDefineJoint, w, "revolute", with.bodyId, wfBodyAt(w, 2), wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &with.joint) \
     X(wfAddJointToWorld, w, &with.joint, NULL) \
     X(wfRemoveJointFromWorld, w, with.jointId) \
     X(wfSetJoint, w, with.jointId, &with.joint) \

@@ -1,6 +1,6 @@
 /* Weft: engine/block.c, tangled from chapters/engine/20-world.nw. Chapters that add to it:
- * bodies-in-a-world, step, modules, joints-in-a-world, sleep-in-a-world, accuracy. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+ * bodies-in-a-world, step, looking, modules, joints-in-a-world, sleep-in-a-world, accuracy. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "engine/block.h"
 
@@ -206,6 +206,8 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     size_t size[2];
     wfResult result = out == NULL ? WF_ERROR_NULL : plan(def, &d, region, size);
     if (result == WF_OK) result = wfTakeMemory(&d.memory, size, &world.memory);
+    /* note why no world is made */
+    if (result != WF_OK && out != NULL) wfNoteWorld(out, def, result);
     if (result != WF_OK) return result;
     if (!world.memory.owned) memset(world.memory.permanent, 0, size[0]);
     /* start the empty world */
@@ -256,6 +258,8 @@ wfResult wfOpenWorld(const wfMemory *memory, wfWorld *out)
 
 wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
 {
+    /* note no fault */
+    out->fault = NULL;
     if (world == NULL) return WF_ERROR_NULL;
     wfResult result = check_block(&world->memory);
     if (result != WF_OK) return result;
@@ -271,12 +275,6 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
     return WF_OK;
 }
 
-wfResult wfChangeBlock(const wfWorld *world, wfBlock *out)
-{
-    wfResult result = wfOpenBlock(world, out);
-    return result == WF_OK && out->head->busy ? WF_ERROR_BUSY : result;
-}
-
 void *wfTransient(const wfBlock *b, int region)
 {
     return b->transient + b->head->offset[region];
@@ -290,4 +288,23 @@ wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)
     view.shapes = b->shapes;
     view.next = b->next;
     return view;
+}
+
+wfResult wfOpenAtRest(const wfWorld *world, wfBlock *out)
+{
+    wfResult result = wfOpenBlock(world, out);
+    return result == WF_OK && out->head->busy ? WF_ERROR_BUSY : result;
+}
+
+wfResult wfChangeBlockAs(const char *call, wfWorld *world, wfBlock *out)
+{
+    wfResult result = wfOpenAtRest(world, out);
+    (void)call;
+    /* begin a call that may be refused */
+    if (world == NULL || result == WF_ERROR_BUSY) return result;
+    world->fault.result = WF_OK;
+    world->fault.call = call;
+    out->fault = &world->fault;
+    result = wfRefuse(out, result, "world", NULL);
+    return result;
 }

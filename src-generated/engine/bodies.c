@@ -13,38 +13,33 @@ wfBodyDef wfDefaultBodyDef(void)
         .density = 1, .friction = WF_R(0.5),
     };
 }
-
 /* check a body's definition */
-static bool numbers_are_finite(const wfBodyDef *d)
-{
-    const wfReal number[] = { d->position.x, d->position.y, d->velocity.x, d->velocity.y,
-        d->mass, d->gravityScale,
-        /* more numbers in a definition */
-        d->angle, d->angularVelocity,
-        d->linearDamping, d->angularDamping,
-        d->density, d->restitution, d->friction,
-    };
-    return wfAllFinite(number, sizeof number / sizeof *number);
-}
+#define BODY(field, ...) WF_NUMBER(wfBodyDef, field, __VA_ARGS__)
+static const wfNumber body_numbers[] = {
+    WF_WHOLE(wfBodyDef, type, 0, WF_BODY_TYPES - 1), BODY(position.x, WF_ANY_REAL),
+    BODY(position.y, WF_ANY_REAL), BODY(velocity.x, WF_ANY_REAL),
+    BODY(velocity.y, WF_ANY_REAL), BODY(mass, WF_FROM_ZERO), BODY(gravityScale, WF_ANY_REAL),
+    /* more numbers of a body */
+    BODY(angle, -WF_MAX_ANGLE, WF_MAX_ANGLE),
+    BODY(angularVelocity, WF_ANY_REAL), WF_WHOLE(wfBodyDef, fixedRotation, 0, 1),
+    BODY(linearDamping, WF_FROM_ZERO), BODY(angularDamping, WF_FROM_ZERO),
+    BODY(density, WF_FROM_ZERO), BODY(restitution, 0, 1), BODY(friction, WF_FROM_ZERO),
+    WF_WHOLE(wfBodyDef, neverSleeps, 0, 1),
+};
 
-static wfResult check_body_def(const wfBodyDef *d)
+static wfResult check_body_def(const wfBlock *b, const wfBodyDef *d)
 {
-    if (d == NULL) return WF_ERROR_NULL;
-    if (!numbers_are_finite(d)) return WF_ERROR_NOT_FINITE;
-    if (d->type < 0 || d->type >= WF_BODY_TYPES) return WF_ERROR_RANGE;
-    if (d->mass < 0) return WF_ERROR_RANGE;
-    wfResult result = WF_OK;
+    if (d == NULL) return wfRefuse(b, WF_ERROR_NULL, "def", NULL);
+    wfResult result = wfCheckFields(b, "def.", 0, d, body_numbers,
+                                    sizeof body_numbers / sizeof *body_numbers);
     bool moves = d->velocity.x != 0 || d->velocity.y != 0;
-    if (d->type == WF_STATIC && moves) return WF_ERROR_RANGE;
     /* check what else a body is made from */
-    if (d->fixedRotation != 0 && d->fixedRotation != 1) return WF_ERROR_RANGE;
-    if (wfAbs(d->angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
-    if (d->type == WF_STATIC && d->angularVelocity != 0) return WF_ERROR_RANGE;
-    if (d->linearDamping < 0 || d->angularDamping < 0) return WF_ERROR_RANGE;
-    if (d->density < 0 || d->friction < 0) return WF_ERROR_RANGE;
-    if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
-    if (d->shape.kind != WF_SHAPE_NONE) result = wfCheckShape(&d->shape);
-    if (d->neverSleeps != 0 && d->neverSleeps != 1) return WF_ERROR_RANGE;
+    moves = moves || d->angularVelocity != 0;
+    if (result == WF_OK && d->shape.kind != WF_SHAPE_NONE)
+        result = wfRefuse(b, wfCheckShape(&d->shape), "def.shape", NULL);
+    if (result == WF_OK && d->type == WF_STATIC && moves)
+        return wfRefuse(b, WF_ERROR_RANGE, "def.velocity",
+                        "a static body has none: make it kinematic");
     return result;
 }
 
@@ -118,15 +113,18 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     wfBlock b;
     newBody made;
     wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK) result = check_body_def(def);
+    if (result == WF_OK) result = check_body_def(&b, def);
     if (result == WF_OK) result = wfRequireModules(&b, wfModulesOfBody(def));
-    if (result == WF_OK) result = make_body(&b, def, &made);
-    if (result == WF_OK && !wfBodyIsFinite(&made.state)) result = WF_ERROR_NOT_FINITE;
+    if (result == WF_OK) result = wfRefuse(&b, make_body(&b, def, &made), "def.mass", NULL);
+    if (result == WF_OK && !wfBodyIsFinite(&made.state))
+        result = wfRefuse(&b, WF_ERROR_NOT_FINITE, "def.position", NULL);
     if (result != WF_OK) return result;
-    if (b.head->bodySlots.count == b.head->bodySlots.capacity) return WF_ERROR_FULL;
+    int32_t room = b.head->bodySlots.capacity;
+    if (b.head->bodySlots.count == room)
+        return wfRefuseFull(&b, "bodyCapacity", room, room + 1);
     /* look for room for its shape */
     bool formed = def->shape.kind != WF_SHAPE_NONE;
-    if (wfFreeShapes(&b) < (formed ? 1 : 0)) return WF_ERROR_FULL;
+    if (wfFreeShapes(&b) < (formed ? 1 : 0)) return wfRefuseShapes(&b, 1);
     int32_t i = wfSlotTake(&b.head->bodySlots, b.bodySlots);
     b.state[i] = made.state;
     b.props[i] = made.props;
@@ -228,17 +226,17 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
+    if (result == WF_OK) result = wfCheckVector(&b, "position.", position);
+    if (result == WF_OK) result = wfCheckReal(&b, "angle", angle, -WF_MAX_ANGLE, WF_MAX_ANGLE);
     if (result != WF_OK) return result;
-    if (!wfIsFinite2(position) || !wfIsFinite(angle)) return WF_ERROR_NOT_FINITE;
-    if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
     wfVec2 centre = position;
     bool turns = false;
     /* turn the body to its angle */
     turns = true;
     angle = wfWrapAngle(angle);
     centre = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
-    if (!turns && angle != 0) return WF_ERROR_RANGE;
-    if (!wfIsFinite2(centre)) return WF_ERROR_NOT_FINITE;
+    if (!turns && angle != 0) return wfRefuse(&b, WF_ERROR_RANGE, "angle", NULL);
+    if (!wfIsFinite2(centre)) return wfRefuse(&b, WF_ERROR_NOT_FINITE, "position", NULL);
     b.state[i].p = centre;
     b.state[i].angle = angle;
     /* what it means that body i was moved by hand */
@@ -253,9 +251,13 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
+    if (result == WF_OK) result = wfCheckVector(&b, "velocity.", velocity);
+    if (result == WF_OK)
+        result = wfCheckReal(&b, "angularVelocity", angularVelocity, WF_ANY_REAL);
     if (result != WF_OK) return result;
-    if (!wfIsFinite2(velocity) || !wfIsFinite(angularVelocity)) return WF_ERROR_NOT_FINITE;
-    if (b.props[i].type == WF_STATIC) return WF_ERROR_RANGE;
+    if (b.props[i].type == WF_STATIC)
+        return wfRefuse(&b, WF_ERROR_RANGE, "velocity",
+                        "a static body has none: make it kinematic by wfChangeBodyType");
     uint32_t modules = angularVelocity != 0 ? WF_MODULE_ROTATION : 0;
     result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
@@ -275,14 +277,15 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
+    if (result == WF_OK) result = wfCheckReal(&b, "mass", mass, WF_FROM_ZERO);
     if (result != WF_OK) return result;
-    if (!wfIsFinite(mass)) return WF_ERROR_NOT_FINITE;
-    if (b.props[i].type != WF_DYNAMIC || !(mass > 0)) return WF_ERROR_RANGE;
+    if (b.props[i].type != WF_DYNAMIC || mass == 0)
+        return wfRefuse(&b, WF_ERROR_RANGE, "mass", "a dynamic body has one above 0");
     wfReal inertia = b.props[i].inertia * (mass / b.props[i].mass);
     result = wfSetMass(&b.state[i], &b.props[i], mass, inertia);
     if (result == WF_OK) b.props[i].givenMass = mass;
     if (result == WF_OK) wfBodyChanged(&b, i);
-    return result;
+    return wfRefuse(&b, result, "mass", NULL);
 }
 
 wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
@@ -293,9 +296,10 @@ wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
     wfBodyProps props;
     wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
-    if (type < 0 || type >= WF_BODY_TYPES) return WF_ERROR_RANGE;
+    if (type < 0 || type >= WF_BODY_TYPES)
+        return wfRefuse(&b, WF_ERROR_RANGE, "type", "WF_STATIC, _KINEMATIC or _DYNAMIC");
     if (type == b.props[i].type) return WF_OK;
-    result = wfWeighBody(&b, i, type, &state, &props);
+    result = wfRefuse(&b, wfWeighBody(&b, i, type, &state, &props), "id", NULL);
     if (result != WF_OK) return result;
     wfBodyChanged(&b, i);               /* who hangs on it, as long as it is a wall */
     wfCarryOut(&b, i, &state, &props);
@@ -309,12 +313,11 @@ wfResult wfSetBodyMaterial(wfWorld *world, wfBodyId id, wfReal restitution,
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
-    if (result != WF_OK) return result;
-    if (!wfIsFinite(restitution) || !wfIsFinite(friction)) return WF_ERROR_NOT_FINITE;
-    if (restitution < 0 || restitution > 1 || friction < 0) return WF_ERROR_RANGE;
+    if (result == WF_OK) result = wfCheckReal(&b, "restitution", restitution, 0, 1);
+    if (result == WF_OK) result = wfCheckReal(&b, "friction", friction, WF_FROM_ZERO);
     uint32_t modules = restitution > 0 ? WF_MODULE_RESTITUTION : 0;
     if (friction > 0) modules |= WF_MODULE_FRICTION;
-    result = wfRequireModules(&b, modules);
+    if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
     wfUse(&b, modules);
     for (int32_t k = b.props[i].shape; k >= 0; k = b.next[k]) {
@@ -331,11 +334,10 @@ wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal ang
     wfBlock b;
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
-    if (result != WF_OK) return result;
-    if (!wfIsFinite(linear) || !wfIsFinite(angular)) return WF_ERROR_NOT_FINITE;
-    if (linear < 0 || angular < 0) return WF_ERROR_RANGE;
+    if (result == WF_OK) result = wfCheckReal(&b, "linear", linear, WF_FROM_ZERO);
+    if (result == WF_OK) result = wfCheckReal(&b, "angular", angular, WF_FROM_ZERO);
     uint32_t modules = linear > 0 || angular > 0 ? WF_MODULE_DAMPING : 0;
-    result = wfRequireModules(&b, modules);
+    if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
     wfUse(&b, modules);
     b.props[i].linearDamping = linear;
@@ -353,7 +355,8 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     if (result != WF_OK) return result;
     wfBodyForces sums = b.applied[i];
     wfApplyForce(&sums, &b.state[i], force, point);
-    if (!wfIsFinite2(sums.force) || !wfIsFinite(sums.torque)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite2(sums.force) || !wfIsFinite(sums.torque))
+        return wfRefuse(&b, WF_ERROR_NOT_FINITE, "force", NULL);
     b.applied[i] = sums;
     wfUse(&b, WF_MODULE_PUSHES);
     if (force.x != 0 || force.y != 0) wfBodyChanged(&b, i);
@@ -368,28 +371,30 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque)
     uint32_t modules = WF_MODULE_PUSHES | (torque != 0 ? WF_MODULE_ROTATION : 0);
     if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
-    if (!wfIsFinite(b.applied[i].torque + torque)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(b.applied[i].torque + torque))
+        return wfRefuse(&b, WF_ERROR_NOT_FINITE, "torque", NULL);
     wfApplyTorque(&b.applied[i], torque);
     wfUse(&b, modules);
     if (torque != 0) wfBodyChanged(&b, i);
     return WF_OK;
 }
 
-static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *point,
-                     wfReal spin)
+static wfResult kick(const char *call, wfWorld *world, wfBodyId id, wfVec2 impulse,
+                     const wfVec2 *point, wfReal spin)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = wfChangeBody(world, id, &b, &i);
+    wfResult result = wfChangeBodyAs(call, world, id, &b, &i);
+    if (result == WF_OK) result = wfCheckVector(&b, "impulse.", impulse);
+    if (result == WF_OK) result = wfCheckReal(&b, "impulse", spin, WF_ANY_REAL);
+    if (result == WF_OK && point != NULL) result = wfCheckVector(&b, "point.", *point);
+    if (result == WF_OK)
+        result = wfRequireModules(&b, spin != 0 ? WF_MODULE_ROTATION : 0);
     if (result != WF_OK) return result;
     wfBodyState kicked = b.state[i];
-    if (!wfIsFinite2(impulse) || !wfIsFinite(spin)) return WF_ERROR_NOT_FINITE;
-    if (point != NULL && !wfIsFinite2(*point)) return WF_ERROR_NOT_FINITE;
-    result = wfRequireModules(&b, spin != 0 ? WF_MODULE_ROTATION : 0);
-    if (result != WF_OK) return result;
     if (point != NULL) wfApplyImpulse(&kicked, impulse, *point);
     wfApplyAngularImpulse(&kicked, spin);
-    if (!wfBodyIsFinite(&kicked)) return WF_ERROR_NOT_FINITE;
+    if (!wfBodyIsFinite(&kicked)) return wfRefuse(&b, WF_ERROR_NOT_FINITE, "impulse", NULL);
     b.state[i] = kicked;
     if (spin != 0) wfUse(&b, WF_MODULE_ROTATION);
     if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfBodyChanged(&b, i);
@@ -398,10 +403,10 @@ static wfResult kick(wfWorld *world, wfBodyId id, wfVec2 impulse, const wfVec2 *
 
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point)
 {
-    return kick(world, id, impulse, &point, 0);
+    return kick(__func__, world, id, impulse, &point, 0);
 }
 
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse)
 {
-    return kick(world, id, wfV2(0, 0), NULL, impulse);
+    return kick(__func__, world, id, wfV2(0, 0), NULL, impulse);
 }

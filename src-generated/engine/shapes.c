@@ -4,20 +4,35 @@
 #include "engine/block.h"
 
 /* check a shape's definition */
-static wfResult check_shape_def(const wfShapeDef *d)
+#define SHAPE(field, ...) WF_NUMBER(wfShapeDef, field, __VA_ARGS__)
+enum {
+    MOST_SENSOR = 0
+    /* plus one, if a shape may be a sensor */
+    + 1
+};
+static const wfNumber shape_numbers[] = {
+    SHAPE(density, WF_FROM_ZERO), SHAPE(restitution, 0, 1), SHAPE(friction, WF_FROM_ZERO),
+    SHAPE(staticFriction, WF_FROM_ZERO), SHAPE(rollingResistance, WF_FROM_ZERO),
+    SHAPE(tangentSpeed, WF_ANY_REAL), WF_WHOLE(wfShapeDef, sensor, 0, MOST_SENSOR),
+    WF_WHOLE(wfShapeDef, material, 0, (wfReal)INT32_MAX),
+};
+
+static wfResult check_shape_def(const wfBlock *b, bool listed, int32_t k,
+                                const wfShapeDef *d)
 {
-    const wfReal number[] = { d->density, d->restitution, d->friction, d->staticFriction,
-                              d->rollingResistance, d->tangentSpeed };
-    if (!wfAllFinite(number, sizeof number / sizeof *number)) return WF_ERROR_NOT_FINITE;
-    if (d->density < 0 || d->friction < 0 || d->rollingResistance < 0)
-        return WF_ERROR_RANGE;
-    if (d->restitution < 0 || d->restitution > 1) return WF_ERROR_RANGE;
-    if (d->staticFriction < 0 || d->material < 0) return WF_ERROR_RANGE;
-    bool may = false;
-    /* see whether a shape may be a sensor */
-    may = true;
-    if (d->sensor != 0 && (d->sensor != 1 || !may)) return WF_ERROR_RANGE;
-    return d->shape.kind == WF_SHAPE_NONE ? WF_ERROR_RANGE : wfCheckShape(&d->shape);
+    wfResult result = wfCheckFields(b, listed ? "defs[]." : "def.", k, d, shape_numbers,
+                                    sizeof shape_numbers / sizeof *shape_numbers);
+    if (result != WF_OK) return result;
+    bool formed = d->shape.kind != WF_SHAPE_NONE;
+    return wfRefuseOne(b, formed ? wfCheckShape(&d->shape) : WF_ERROR_RANGE,
+                       listed ? "defs[].shape" : "def.shape", k,
+                       formed ? NULL : "make one: wfMakeBox, wfMakeCircle and others");
+}
+
+wfResult wfRefuseShapes(const wfBlock *b, int32_t more)
+{
+    const wfSlots *s = &b->head->shapeSlots;
+    return wfRefuseFull(b, "shapeCapacity", s->capacity, s->count + more);
 }
 
 /* what shapes need */
@@ -255,32 +270,32 @@ void wfDropShape(wfBlock *b, int32_t k)
     wfSlotGive(&b->head->shapeSlots, b->shapeSlots, k, b->shapeSlots[k].generation);
 }
 
-wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs,
-                           int32_t count, wfShapeId *out)
+static wfResult add_shapes(const char *call, wfWorld *world, wfBodyId body, bool listed,
+                           const wfShapeDef *defs, int32_t count, wfShapeId *out)
 {
     wfBlock b;
     wfBodyState state;
     wfBodyProps props;
-    wfResult result = wfChangeBlock(world, &b);
+    int32_t i;
+    wfResult result = wfChangeBodyAs(call, world, body, &b, &i);
     if (result != WF_OK) return result;
-    int32_t i = wfBodyIndex(world, body);
-    if (i < 0) return WF_ERROR_STALE_ID;
-    if (defs == NULL) return WF_ERROR_NULL;
-    if (count < 0) return WF_ERROR_RANGE;
+    if (defs == NULL) return wfRefuse(&b, WF_ERROR_NULL, listed ? "defs" : "def", NULL);
+    if (count < 0) return wfRefuse(&b, WF_ERROR_RANGE, "count", "must be >= 0");
     /* check the new shapes and what they need */
     bool many = count + (b.props[i].shape >= 0) > 1;
     uint32_t modules = count == 0 ? 0 : WF_MODULE_SHAPES | (many ? WF_MODULE_COMPOUNDS : 0);
     for (int32_t k = 0; k < count && result == WF_OK; k++) {
-        result = check_shape_def(&defs[k]);
+        result = check_shape_def(&b, listed, k, &defs[k]);
         if (result == WF_OK) modules |= wfModulesOfShape(&defs[k]);
     }
     if (result == WF_OK) result = wfRequireModules(&b, modules);
-    if (result == WF_OK && count > wfFreeShapes(&b)) result = WF_ERROR_FULL;
+    if (result == WF_OK && count > wfFreeShapes(&b)) result = wfRefuseShapes(&b, count);
     /* plan the body with the new shapes */
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
     state = b.state[i];
     props = b.props[i];
-    if (result == WF_OK) result = plan_body(&plan, &state, &props);
+    if (result == WF_OK)
+        result = wfRefuse(&b, plan_body(&plan, &state, &props), "body", NULL);
     if (result != WF_OK) return result;
     wfUse(&b, modules);
     wfCarryOut(&b, i, &state, &props);
@@ -291,10 +306,16 @@ wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs
     return WF_OK;
 }
 
+wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs,
+                           int32_t count, wfShapeId *out)
+{
+    return add_shapes(__func__, world, body, true, defs, count, out);
+}
+
 wfResult wfAddShapeToBody(wfWorld *world, wfBodyId body, const wfShapeDef *def,
                           wfShapeId *out)
 {
-    return wfAddShapesToBody(world, body, def, 1, out);
+    return add_shapes(__func__, world, body, false, def, 1, out);
 }
 
 wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
@@ -308,7 +329,7 @@ wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
     bodyPlan plan = { .b = &b, .body = b.bodyOfShape[k], .without = k };
     state = b.state[plan.body];
     props = b.props[plan.body];
-    result = plan_body(&plan, &state, &props);
+    result = wfRefuse(&b, plan_body(&plan, &state, &props), "id", NULL);
     if (result != WF_OK) return result;
     wfCarryOut(&b, b.bodyOfShape[k], &state, &props);
     wfForgetContacts(&b, -1, k);
@@ -323,8 +344,9 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     wfBodyState state;
     wfBodyProps props;
     wfShapeDef old;
-    wfResult result = def == NULL ? WF_ERROR_NULL : wfChangeShape(world, id, &b, &k);
-    if (result == WF_OK) result = check_shape_def(def);
+    wfResult result = wfChangeShape(world, id, &b, &k);
+    if (result == WF_OK && def == NULL) result = wfRefuse(&b, WF_ERROR_NULL, "def", NULL);
+    if (result == WF_OK) result = check_shape_def(&b, false, 0, def);
     if (result == WF_OK) result = wfRequireModules(&b, wfModulesOfShape(def));
     if (result != WF_OK) return result;
     tell_shape(&b, k, &old);
@@ -336,7 +358,7 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
                           .count = 1 };
         state = b.state[plan.body];
         props = b.props[plan.body];
-        result = plan_body(&plan, &state, &props);
+        result = wfRefuse(&b, plan_body(&plan, &state, &props), "def.shape", NULL);
         if (result != WF_OK) return result;
         wfCarryOut(&b, plan.body, &state, &props);
     }

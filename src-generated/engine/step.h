@@ -119,6 +119,7 @@ wfResult wfFindContacts(struct wfStep *s);
 wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
+void wfNoteStep(const struct wfStep *s, wfResult result);
 #define WF_NEAR_WAY WF_R(0.125)     /* reaches in a step: nobody is followed below */
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it

@@ -23,13 +23,18 @@
 #include "weft/query.h"
 #include "weft/impact.h"
 #include "weft/exact.h"
+#include "weft/fault.h"
 #include "weft/joint.h"
 #include "weft/island.h"
 WF_BEGIN_C
 
 /* A world by value: where its two chunks of memory are, and who shares the work of steps
  * (nobody at first). All state is in memory.permanent: it can be copied, moved, saved. */
-typedef struct wfWorld { wfMemory memory; wfWorkers workers; } wfWorld;
+typedef struct wfWorld {
+    wfMemory memory;
+    wfWorkers workers;
+    wfCallFault fault;         /* wfLastFault */
+} wfWorld;
 /* Names of things in a world, by value. index counts from 1; 0 is "none". An id of a thing
  * that was removed stays invalid, even when its place is taken again. */
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
@@ -266,6 +271,11 @@ wfBodyView wfWorldBodies(const wfWorld *world);
 int32_t wfBodyCount(const wfWorld *world);
 double wfWorldTime(const wfWorld *world);      /* s since creation */
 uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
+/* Of the last call through this handle that takes a wfWorld * which is not const: what was
+ * wrong. Never NULL. Kept in the handle: no part of the world's state. WF_ERROR_BUSY, and a
+ * handle that is NULL, are not noted; "wfCreateWorld" is, in the handle that it was to
+ * fill. */
+const wfCallFault *wfLastFault(const wfWorld *world);
 /* The body of which a shape covers the point, the last added first (highest index). False:
  * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
@@ -273,8 +283,8 @@ enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
 /* Fills *out with a joint of a kind ("revolute", "distance", ...: wfJointTable) between two
  * bodies at anchors in the world (m), along an axis (world, any length > 0), at rest as
  * the bodies are now. WF_ERROR_NULL, _STALE_ID, _UNKNOWN (kind), _NOT_FINITE, _RANGE
- * (a body with itself, an axis of no length). The world is not changed. */
-wfResult wfDefineJoint(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
+ * (a body with itself, an axis of no length), _BUSY. */
+wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out);
 /* Adds a joint; its a and b are body indices (wfBodyIndex), as wfDefineJoint sets them.
  * `out` may be NULL. WF_ERROR_FULL, _STALE_ID (a or b is an empty place), _BUSY, _SOLVER:
