@@ -51,6 +51,12 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetBodyVelocity, w, with.bodyId, wfV2(0, 1), 0) \
     X(wfSetBodyMass, w, with.bodyId, 1) \
     X(wfSetBodyDamping, w, with.bodyId, 1, 1) \
+    X(wfSetBodyGravityScale, w, with.bodyId, 1) \
+    X(wfSetBodyUserData, w, with.bodyId, 1) \
+    X(wfSetShapeUserData, w, with.shapeId, 1) \
+    X(wfSetBodyMassData, w, with.bodyId, &(wfMassData){ .mass = 1 }) \
+    X(wfSetBodyFixedRotation, w, with.bodyId, 0) \
+    X(wfSetBodyTarget, w, with.bodyId, wfV2(0, 1), 0, 1) \
     X(wfChangeBodyType, w, with.bodyId, WF_STATIC) \
     X(wfSetBodyMaterial, w, with.bodyId, 0, 0) \
     X(wfApplyForceToBody, w, with.bodyId, wfV2(0, 1), wfV2(0, 0)) \

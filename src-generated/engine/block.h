@@ -244,6 +244,8 @@ static inline void wfUse(wfBlock *b, uint32_t modules)
     /* note the needs */
     b->head->used |= modules;
 }
+/* Weighs body i with these properties and makes it so; errors of wfWeighBody. */
+wfResult wfReweighBody(wfBlock *b, int32_t i, const wfBodyProps *changed);
 /* Is a rest what rounding to this state can lose? eq:world-digits */
 WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfResidual *rest);
 /* What a rest has more than that goes to the state. */

@@ -157,6 +157,42 @@ wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfRea
 }
 
 /* look at the joints of a world */
+wfResult wfGetJointMotion(const wfWorld *world, wfJointId id, wfReal *coordinate,
+                          wfReal *speed)
+{
+    wfBlock block;
+    wfJoints j;
+    int32_t i, k = 0;
+    wfJointRow row[WF_JOINT_ROWS];
+    wfResult result = open_joint(world, id, &block, &j, &i);
+    if (result != WF_OK) return result;
+    wfJoint bare = j.joints[i];
+    bare.flags = WF_JOINT_LIMITS;
+    bare.rest = bare.lower = 0;
+    const wfBodyState *a = &block.state[bare.a], *b = &block.state[bare.b];
+    int32_t count = wfBuildJoint(&bare, a, b, row);
+    while (k < count - 1 && row[k].law != WF_ROW_LIMIT) k++;
+    const wfJointRow *r = &row[k];
+    if (count == 0 || (r->law != WF_ROW_LIMIT && r->law != WF_ROW_HOLD))
+        return WF_ERROR_UNKNOWN;
+    wfReal sign = bare.kind == wfFindJoint("pulley") ? -1 : 1;      /* its row is for slack */
+    wfReal rate = wfDot(r->jA, a->v) + r->wA * a->w + wfDot(r->jB, b->v) + r->wB * b->w;
+    if (coordinate != NULL) *coordinate = sign * r->error;
+    if (speed != NULL) *speed = sign * rate;
+    return WF_OK;
+}
+
+wfJointId wfNextJoint(const wfWorld *world, wfBodyId id, wfJointId after)
+{
+    wfJoint j;
+    int32_t i = wfBodyIndex(world, id), places = wfWorldJointPlaces(world);
+    for (uint32_t k = after.index; i >= 0 && k < (uint32_t)places; k++) {
+        wfJointId at = wfJointAt(world, (int32_t)k);
+        if (wfGetJoint(world, at, &j) == WF_OK && (j.a == i || j.b == i)) return at;
+    }
+    return (wfJointId){ 0, 0 };
+}
+
 int32_t wfWorldJointPlaces(const wfWorld *world)
 {
     wfBlock b;
