@@ -191,6 +191,7 @@ static void every_argument_of_a_body(void **unused)
     assert_string_equal(wfLastFault(&w)->call, "wfRemoveShapeFromWorld");
     assert_ok(wfSetBodyDamping(&w, b, 0, 1));
     assert_int_equal(wfLastFault(&w)->result, WF_OK);
+    assert_string_equal(wfLastFault(&w)->text, "");
     /* two handles of one world have a fault each; a copy of the block has none */
     wfWorld second = w;
     expect(&second, WF_ERROR_RANGE, wfSetBodyDamping(&second, b, -1, 0), "wfSetBodyDamping: linear is -1, must be >= 0");

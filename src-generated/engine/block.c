@@ -304,6 +304,7 @@ wfResult wfChangeBlockAs(const char *call, wfWorld *world, wfBlock *out)
     if (world == NULL || result == WF_ERROR_BUSY) return result;
     world->fault.result = WF_OK;
     world->fault.call = call;
+    world->fault.field[0] = world->fault.text[0] = 0;
     out->fault = &world->fault;
     result = wfRefuse(out, result, "world", NULL);
     return result;
