@@ -51,6 +51,12 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetBodyVelocity, w, with.bodyId, wfV2(0, 1), 0) \
     X(wfSetBodyMass, w, with.bodyId, 1) \
     X(wfSetBodyDamping, w, with.bodyId, 1, 1) \
+    X(wfSetBodyGravityScale, w, with.bodyId, 1) \
+    X(wfSetBodyUserData, w, with.bodyId, 1) \
+    X(wfSetShapeUserData, w, with.shapeId, 1) \
+    X(wfSetBodyMassData, w, with.bodyId, &(wfMassData){ .mass = 1 }) \
+    X(wfSetBodyFixedRotation, w, with.bodyId, 0) \
+    X(wfSetBodyTarget, w, with.bodyId, wfV2(0, 1), 0, 1) \
     X(wfChangeBodyType, w, with.bodyId, WF_STATIC) \
     X(wfSetBodyMaterial, w, with.bodyId, 0, 0) \
     X(wfApplyForceToBody, w, with.bodyId, wfV2(0, 1), wfV2(0, 0)) \
@@ -66,6 +72,7 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetGlobalPosition, w, with.bodyId, (wfGlobalPoint){ 1, 1 }, 0) \
     X(wfShiftOrigin, w, wfV2(1, 1), NULL) \
     X(wfRecentreWorld, w, wfV2(100, 1), 10, NULL) \
+    X(wfDefineJoint, w, "revolute", with.bodyId, wfBodyAt(w, 2), wfV2(1, 1), wfV2(1, 1), wfV2(1, 0), &with.joint) \
     X(wfAddJointToWorld, w, &with.joint, NULL) \
     X(wfRemoveJointFromWorld, w, with.jointId) \
     X(wfSetJoint, w, with.jointId, &with.joint) \

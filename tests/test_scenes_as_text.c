@@ -513,7 +513,7 @@ static const struct { const char *text, *where; int line; wfResult result; const
     { "{ \"weft\": 1, \"settings\": { \"solver\": \"impulse\" }, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": "
       "[ { \"kind\": \"weld\", \"a\": 0, \"b\": 1 } ] }", "joints[0]", 1, WF_ERROR_SOLVER, "solver" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"sprin\" } ] }", "forces[0].kind", 1, WF_ERROR_UNKNOWN, "`spring'" },
-    { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"linear\": -1 } ] }", "forces[0]", 1, WF_ERROR_RANGE, "range" },
+    { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"linear\": -1 } ] }", "forces[0]", 1, WF_ERROR_RANGE, "drag.linear is -1, must be >= 0" },
     { "{ \"weft\": 1, \"forces\": [ { \"kind\": \"drag\", \"lineal\": 1 } ] }", "forces[0].lineal", 1, WF_ERROR_UNKNOWN, "`linear'" },
     { "{ \"weft\": 1,\n\"modules\": [\"shapes\", \"contakts\"] }", "modules[1]", 2, WF_ERROR_UNKNOWN, "`contacts'" },
     { "{ \"weft\": 1, \"modules\": [\"shapes\"], \"bodies\": [ { \"mass\": 1, \"linearDamping\": 1 } ] }", "bodies[0]", 1, WF_ERROR_NO_DAMPING, "damping" },

@@ -14,6 +14,25 @@ static wfResult check_masses(wfReal mass, wfReal inertia)
 }
 
 /* check the properties of a body */
+wfReal wfNumberOf(const void *structure, const wfNumber *n)
+{
+    const void *at = (const char *)structure + n->offset;
+    return n->whole ? (wfReal)*(const int32_t *)at : *(const wfReal *)at;
+}
+
+wfResult wfCheckNumbers(const void *structure, const wfNumber *numbers, int count,
+                        int *which)
+{
+    for (int i = 0; i < count; i++) {
+        const wfNumber *n = &numbers[i];
+        wfReal x = wfNumberOf(structure, n);
+        if (x >= n->least && x <= n->most) continue;            /* a NaN is neither */
+        if (which != NULL) *which = i;
+        return wfIsFinite(x) ? WF_ERROR_RANGE : WF_ERROR_NOT_FINITE;
+    }
+    return WF_OK;
+}
+
 wfBodyProps wfDefaultBodyProps(void)
 {
     return (wfBodyProps){ .type = WF_DYNAMIC, .mass = 1, .gravityScale = 1, .shape = -1 };

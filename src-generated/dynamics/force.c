@@ -37,8 +37,12 @@ static int32_t shape_after(const wfBodyView *bodies, int32_t k)
 {
     return bodies->next ? bodies->next[k] : -1;
 }
-
 /* force generators */
+#define ANY(field) WF_NUMBER(wfForce, field, WF_ANY_REAL)
+#define PLACE(field) ANY(field.x), ANY(field.y)
+#define FROM_ZERO(field) WF_NUMBER(wfForce, field, WF_FROM_ZERO)
+static const wfNumber gravity_numbers[] = { PLACE(gravity.g) };
+
 static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                           wfBodyForces *out)
 {
@@ -123,9 +127,13 @@ static wfReal spring_energy(const wfForce *f, const wfBodyView *bodies)
 
 static wfResult spring_check(const wfForce *f)
 {
-    if (f->a < 0 || f->a == f->b || f->spring.rest < 0) return WF_ERROR_RANGE;
-    return f->spring.stiffness >= 0 && f->spring.damping >= 0 ? WF_OK : WF_ERROR_RANGE;
+    return f->a < 0 || f->a == f->b ? WF_ERROR_RANGE : WF_OK;
 }
+
+static const wfNumber spring_numbers[] = {
+    PLACE(spring.localA), PLACE(spring.localB), FROM_ZERO(spring.rest),
+    FROM_ZERO(spring.stiffness), FROM_ZERO(spring.damping),
+};
 
 static void spring_move(wfForce *f, wfVec2 by)
 {
@@ -146,10 +154,7 @@ static void drag_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
     }
 }
 
-static wfResult drag_check(const wfForce *f)
-{
-    return f->drag.linear >= 0 && f->drag.quadratic >= 0 ? WF_OK : WF_ERROR_RANGE;
-}
+static const wfNumber drag_numbers[] = { FROM_ZERO(drag.linear), FROM_ZERO(drag.quadratic) };
 
 static wfVec2 attractor(const wfForce *f, const wfBodyView *bodies)
 {
@@ -191,10 +196,9 @@ static wfReal point_energy(const wfForce *f, const wfBodyView *bodies)
     return sum;
 }
 
-static wfResult point_check(const wfForce *f)
-{
-    return f->point.softening >= 0 ? WF_OK : WF_ERROR_RANGE;
-}
+static const wfNumber point_numbers[] = {
+    PLACE(point.centre), ANY(point.strength), FROM_ZERO(point.softening),
+};
 
 static void point_move(wfForce *f, wfVec2 by)
 {
@@ -451,11 +455,10 @@ static wfReal buoyancy_energy(const wfForce *f, const wfBodyView *bodies)
     return sum;
 }
 
-static wfResult buoyancy_check(const wfForce *f)
-{
-    if (f->buoyancy.density < 0 || f->buoyancy.g < 0) return WF_ERROR_RANGE;
-    return f->buoyancy.drag >= 0 ? WF_OK : WF_ERROR_RANGE;
-}
+static const wfNumber buoyancy_numbers[] = {
+    ANY(buoyancy.surfaceY), FROM_ZERO(buoyancy.density), FROM_ZERO(buoyancy.g),
+    FROM_ZERO(buoyancy.drag),
+};
 
 static void buoyancy_move(wfForce *f, wfVec2 by) { f->buoyancy.surfaceY -= by.y; }
 
@@ -522,11 +525,11 @@ static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal t
         wfApplyForce(&out[i], b, wfScale(push, away), middle);
     }
 }
-
-static wfResult explosion_check(const wfForce *f)
-{
-    return f->explosion.radius > 0 && f->explosion.duration > 0 ? WF_OK : WF_ERROR_RANGE;
-}
+#define ABOVE_ZERO(field) WF_NUMBER(wfForce, field, WF_TINY, WF_HUGE)
+static const wfNumber explosion_numbers[] = {
+    PLACE(explosion.centre), ANY(explosion.strength), ABOVE_ZERO(explosion.radius),
+    ANY(explosion.start), ABOVE_ZERO(explosion.duration),
+};
 
 static void explosion_move(wfForce *f, wfVec2 by)
 {
@@ -549,10 +552,7 @@ static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
     }
 }
 
-static wfResult wind_check(const wfForce *f)
-{
-    return f->wind.coefficient >= 0 ? WF_OK : WF_ERROR_RANGE;
-}
+static const wfNumber wind_numbers[] = { PLACE(wind.velocity), FROM_ZERO(wind.coefficient) };
 
 static void hand_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out)
@@ -569,10 +569,13 @@ static void hand_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
 
 static wfResult hand_check(const wfForce *f)
 {
-    if (f->a < 0 || f->b != -1) return WF_ERROR_RANGE;
-    bool good = f->hand.stiffness >= 0 && f->hand.damping >= 0 && f->hand.spin >= 0;
-    return good ? WF_OK : WF_ERROR_RANGE;
+    return f->a < 0 || f->b != -1 ? WF_ERROR_RANGE : WF_OK;
 }
+
+static const wfNumber hand_numbers[] = {
+    PLACE(hand.local), PLACE(hand.target), FROM_ZERO(hand.stiffness),
+    FROM_ZERO(hand.damping), FROM_ZERO(hand.spin),
+};
 
 static void hand_move(wfForce *f, wfVec2 by)
 {
@@ -585,24 +588,24 @@ const wfForceRow wfForceTable[] = {
         .params = 2, .apply = gravity_apply,
         /* the energy of gravity */
         .energy = gravity_energy,
-        .steady = true,
+        .steady = true, .numbers = gravity_numbers,
     },
     [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
-        4, point_apply, point_energy, point_check, true, point_move },
+        4, point_apply, point_energy, NULL, true, point_move, point_numbers },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
-        7, spring_apply, spring_energy, spring_check, true, spring_move },
+        7, spring_apply, spring_energy, spring_check, true, spring_move, spring_numbers },
     [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
-        7, bungee_apply, bungee_energy, spring_check, true, spring_move },
+        7, bungee_apply, bungee_energy, spring_check, true, spring_move, spring_numbers },
     [WF_FORCE_DRAG] = { "drag", "resistance as the speed and as its square",
-        2, drag_apply, NULL, drag_check, true, NULL },
+        2, drag_apply, NULL, NULL, true, NULL, drag_numbers },
     [WF_FORCE_BUOYANCY] = { "buoyancy", "the lift and the resistance of a fluid",
-        4, buoyancy_apply, buoyancy_energy, buoyancy_check, true, buoyancy_move },
+        4, buoyancy_apply, buoyancy_energy, NULL, true, buoyancy_move, buoyancy_numbers },
     [WF_FORCE_EXPLOSION] = { "explosion", "a push away from a point that lasts a while",
-        6, explosion_apply, NULL, explosion_check, false, explosion_move },
+        6, explosion_apply, NULL, NULL, false, explosion_move, explosion_numbers },
     [WF_FORCE_WIND] = { "wind", "moving air pushes what stands in its way",
-        3, wind_apply, NULL, wind_check, true, NULL },
+        3, wind_apply, NULL, NULL, true, NULL, wind_numbers },
     { "hand", "a spring and a brake that hold a point of a body at a point of the world",
-        7, hand_apply, NULL, hand_check, true, hand_move },
+        7, hand_apply, NULL, hand_check, true, hand_move, hand_numbers },
 };
 const int wfForceKinds = (int)(sizeof wfForceTable / sizeof *wfForceTable);
 
@@ -682,7 +685,9 @@ wfResult wfCheckForce(const wfForce *f)
     if (f->a < -1 || f->b < -1) return WF_ERROR_RANGE;
     for (int i = 0; i < row->params; i++)
         if (!wfIsFinite(f->param[i])) return WF_ERROR_NOT_FINITE;
-    return row->check ? row->check(f) : WF_OK;
+    wfResult result = WF_OK;
+    if (row->numbers) result = wfCheckNumbers(f, row->numbers, row->params, NULL);
+    return result == WF_OK && row->check ? row->check(f) : result;
 }
 
 /* add up forces */

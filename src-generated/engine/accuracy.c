@@ -209,7 +209,7 @@ wfCurveDef wfDefaultCurveDef(void)
 static wfResult check_curve(const wfWorld *world, const wfCurveDef *how)
 {
     wfBlock b;
-    wfResult result = how == NULL ? WF_ERROR_NULL : wfChangeBlock(world, &b);
+    wfResult result = how == NULL ? WF_ERROR_NULL : wfOpenAtRest(world, &b);
     if (result != WF_OK) return result;     /* a copy of a world in a step is in one, too */
     if (!wfIsFinite(how->frame) || !wfIsFinite(how->enough)) return WF_ERROR_NOT_FINITE;
     bool good = how->frame > 0 && how->enough >= 0 && how->frames >= 1

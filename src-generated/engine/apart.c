@@ -158,11 +158,10 @@ wfResult wfStepApart(struct wfStep *s, const wfSolve *solve)
 wfResult wfSetBodySubsteps(wfWorld *world, wfBodyId id, int32_t substeps)
 {
     wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
+    int32_t i;
+    wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
-    int32_t i = wfBodyIndex(world, id);
-    if (i < 0) return WF_ERROR_STALE_ID;
-    if (substeps < 0) return WF_ERROR_RANGE;
+    if (substeps < 0) return wfRefuse(&b, WF_ERROR_RANGE, "substeps", "must be >= 0");
     b.props[i].substeps = substeps;
     return WF_OK;
 }

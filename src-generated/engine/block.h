@@ -70,6 +70,8 @@ typedef struct wfBlock {
 #undef WF_KEPT
 #undef WF_FRESH
     uint8_t *transient;
+    /* whom a block tells of a fault */
+    wfCallFault *fault;        /* the handle's; NULL: nobody */
 } wfBlock;
 /* needs of a block */
 uint32_t wfModulesOf(const wfWorldDef *def);
@@ -115,8 +117,6 @@ wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out
 
 /* Checks a handle and finds the arrays. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 WF_FOR_SCENES wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
-/* The same for a call that changes the world. WF_ERROR_BUSY. */
-wfResult wfChangeBlock(const wfWorld *world, wfBlock *out);
 /* An array of the transient chunk. */
 void *wfTransient(const wfBlock *b, int region);
 /* The settings of a header, as a definition; and from a definition that was checked. */
@@ -131,7 +131,6 @@ wfResult wfCheckSetting(const wfSetting *s, double value);
 int wfSettingParts(const wfSetting *s);
 /* The body that an id names, as wfOpenBlock and wfChangeBlock; WF_ERROR_STALE_ID. */
 wfResult wfOpenBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index);
-wfResult wfChangeBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index);
 /* The slot that an id names, or -1. */
 int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
                    uint32_t generation);
@@ -144,11 +143,11 @@ void wfEndsChanged(wfBlock *b, int32_t first, int32_t second);
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
 wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);
-wfResult wfChangeShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);
 wfShapeView wfShapesOf(const wfBlock *b);
 wfShapeId wfIdOfShape(const wfBlock *b, int32_t k);
 /* How many more shapes there is room for; hang one on a body (-1: no room), or drop it. */
 int32_t wfFreeShapes(const wfBlock *b);
+wfResult wfRefuseShapes(const wfBlock *b, int32_t more);    /* WF_ERROR_FULL */
 int32_t wfHangShape(wfBlock *b, int32_t body, const wfShapeDef *def);
 void wfDropShape(wfBlock *b, int32_t k);
 /* Bounds a shape, or all shapes of a body, anew: after every change from outside. */
@@ -175,6 +174,52 @@ static inline wfResidual *wfResidualOf(const wfBlock *b)
     return b->head->compensatedSums ? b->fine : NULL;
 }
 
+/* As wfOpenBlock; WF_ERROR_BUSY. The second: for a call of that name, which changes the
+ * world. */
+wfResult wfOpenAtRest(const wfWorld *world, wfBlock *out);
+wfResult wfChangeBlockAs(const char *call, wfWorld *world, wfBlock *out);
+#define wfChangeBlock(world, out) wfChangeBlockAs(__func__, world, out)
+wfResult wfChangeBodyAs(const char *call, wfWorld *world, wfBodyId id, wfBlock *b,
+                        int32_t *index);
+#define wfChangeBody(world, id, b, index) wfChangeBodyAs(__func__, world, id, b, index)
+/* Notes that a number of a structure is refused (number NULL: a field of that name). */
+void wfNoteFault(const wfBlock *b, wfResult result, const char *of, int32_t element,
+                 const char *field, const wfNumber *number, double value,
+                 const char *mend);
+void wfNoteWorld(wfWorld *world, const wfWorldDef *def, wfResult result);
+/* Returns the result. If it is an error, and no other was noted for this call: notes that
+ * it is a field's, and what mends it (NULL: what the result says). A "[]" of the field
+ * stands for an element's index. */
+static inline wfResult wfRefuseOne(const wfBlock *b, wfResult result, const char *field,
+                                   int32_t element, const char *mend)
+{
+    (void)b, (void)field, (void)element, (void)mend;
+    /* note what is refused */
+    if (result != WF_OK && b->fault != NULL && b->fault->result == WF_OK)
+        wfNoteFault(b, result, "", element, field, NULL, 0, mend);
+    return result;
+}
+static inline wfResult wfRefuse(const wfBlock *b, wfResult result, const char *field,
+                                const char *mend)
+{
+    return wfRefuseOne(b, result, field, 0, mend);
+}
+/* Are the numbers of a structure what they may be? Their names begin with `of`. */
+wfResult wfCheckFields(const wfBlock *b, const char *of, int32_t element,
+                       const void *structure, const wfNumber *numbers, int count);
+/* Likewise a number, and the parts of a vector. */
+wfResult wfCheckReal(const wfBlock *b, const char *name, wfReal x, wfReal least,
+                     wfReal most);
+wfResult wfCheckVector(const wfBlock *b, const char *name, wfVec2 v);
+/* Returns the result: a setting of a definition is wrong (NULL: none by itself). */
+wfResult wfRefuseSetting(const wfBlock *b, wfResult result, const wfSetting *s,
+                         const wfWorldDef *def);
+/* WF_ERROR_FULL: a capacity, of which more is needed. */
+wfResult wfRefuseFull(const wfBlock *b, const char *name, int32_t capacity, int32_t need);
+wfResult wfChangeShapeAs(const char *call, wfWorld *world, wfShapeId id, wfBlock *b,
+                         int32_t *index);
+#define wfChangeShape(world, id, b, index) wfChangeShapeAs(__func__, world, id, b, index)
+
 /* Was the world made for one of these needs? */
 static inline bool wfHas(const wfHeader *h, uint32_t modules)
 {
@@ -189,7 +234,7 @@ static inline wfResult wfRequireModules(const wfBlock *b, uint32_t modules)
     (void)b, (void)modules;
     /* demand the needs */
     uint32_t missing = wfLacking(b->head->modules, modules);
-    if (missing != 0) return wfModuleError(missing);
+    if (missing != 0) return wfRefuse(b, wfModuleError(missing), "modules", NULL);
     return WF_OK;
 }
 /* Somebody has had use for these needs. */
@@ -199,6 +244,8 @@ static inline void wfUse(wfBlock *b, uint32_t modules)
     /* note the needs */
     b->head->used |= modules;
 }
+/* Weighs body i with these properties and makes it so; errors of wfWeighBody. */
+wfResult wfReweighBody(wfBlock *b, int32_t i, const wfBodyProps *changed);
 /* Is a rest what rounding to this state can lose? eq:world-digits */
 WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfResidual *rest);
 /* What a rest has more than that goes to the state. */

@@ -78,8 +78,9 @@ static bool same_setting(const wfSetting *s, const wfWorldDef *a, const wfWorldD
 
 static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
 {
-    wfResult result = wfCheckWorldDef(def, NULL);
-    if (result != WF_OK) return result;
+    const wfSetting *fault;
+    wfResult result = wfCheckWorldDef(def, &fault);
+    if (result != WF_OK) return wfRefuseSetting(b, result, fault, def);
     wfHeader *h = b->head;
     wfWorldDef is = wfSettings(h), d = wfCompleteDef(def);
     bool same = true;                                   /* the laws */
@@ -89,9 +90,10 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
         /* refuse a setting that has no meaning here */
         bool idle = s->modules != 0 && (s->modules & is.modules) == 0;
         double wish = wfSettingValue(def, s, 0), now = wfSettingValue(&is, s, 0);
-        if (idle && wish != 0 && wish != now) return wfModuleError(s->modules & wfAllModules());
+        if (idle && wish != 0 && wish != now)
+            return wfRefuseSetting(b, wfModuleError(s->modules & wfAllModules()), s, def);
         if (same_setting(s, &is, &d)) continue;
-        if (s->builtIn) return WF_ERROR_BUILT_IN;
+        if (s->builtIn) return wfRefuseSetting(b, WF_ERROR_BUILT_IN, s, &d);
         if (s->method) result = wfRequireModules(b, WF_MODULE_METHODS);
         if (result != WF_OK) return result;
         if (s->method) used |= WF_MODULE_METHODS;
@@ -99,7 +101,7 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     }
     /* what else a change of the settings needs */
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
-    if (large && !h->large) return WF_ERROR_MEMORY;
+    if (large && !h->large) return wfRefuseSetting(b, WF_ERROR_MEMORY, NULL, &d);
     bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
     if (matrix != (d.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
     if (!same) wfBodyChanged(b, -1);

@@ -11,7 +11,7 @@ wfResult wfSetWorldOrigin(wfWorld *world, wfGlobalPoint origin)
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
-    if (!is_place(origin)) return WF_ERROR_NOT_FINITE;
+    if (!is_place(origin)) return wfRefuse(&b, WF_ERROR_NOT_FINITE, "origin", NULL);
     b.head->origin = origin;
     return WF_OK;
 }
@@ -62,8 +62,11 @@ wfResult wfGetGlobalPosition(const wfWorld *world, wfBodyId id, wfGlobalPoint *o
 
 wfResult wfSetGlobalPosition(wfWorld *world, wfBodyId id, wfGlobalPoint place, wfReal angle)
 {
+    wfBlock b;
     wfVec2 local;
-    wfResult result = wfGlobalToLocal(world, place, &local);
+    wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK)
+        result = wfRefuse(&b, wfGlobalToLocal(world, place, &local), "place", NULL);
     return result == WF_OK ? wfSetBodyTransform(world, id, local, angle) : result;
 }
 
@@ -109,7 +112,8 @@ static void move_lists(wfBlock *b, wfVec2 by)
 
 static wfResult check_move(const wfBlock *b, wfVec2 by, wfGlobalPoint *to)
 {
-    if (!wfIsFinite2(by)) return WF_ERROR_NOT_FINITE;
+    wfResult result = wfCheckVector(b, "by.", by);
+    if (result != WF_OK) return result;
     wfGlobalPoint from = b->head->origin;
     *to = (wfGlobalPoint){ from.x + (double)by.x, from.y + (double)by.y };
     if (!is_exact_sum(to->x, from.x, (double)by.x)) return WF_ERROR_RANGE;
@@ -134,7 +138,8 @@ wfResult wfShiftOrigin(wfWorld *world, wfVec2 by, int32_t *rounded)
     wfGlobalPoint to;
     int32_t lost = 0;
     wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK) result = check_move(&b, by, &to);
+    if (result == WF_OK)
+        result = wfRefuse(&b, check_move(&b, by, &to), "by", "a place would be rounded away");
     if (result != WF_OK) return result;
     for (int32_t i = 0; i < b.head->bodySlots.high; i++) {
         if (!b.alive[i]) continue;
@@ -161,9 +166,10 @@ wfResult wfRecentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by)
 {
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK) result = wfCheckVector(&b, "place.", place);
+    if (result == WF_OK) result = wfCheckReal(&b, "limit", limit, WF_FROM_ZERO);
     if (result != WF_OK) return result;
-    if (!wfIsFinite2(place) || !wfIsFinite(limit)) return WF_ERROR_NOT_FINITE;
-    if (!(limit > 0)) return WF_ERROR_RANGE;
+    if (limit == 0) return wfRefuse(&b, WF_ERROR_RANGE, "limit", "must be above 0");
     wfVec2 d = wfV2(whole_grains(place.x, limit), whole_grains(place.y, limit));
     if (d.x != 0 || d.y != 0) result = wfShiftOrigin(world, d, NULL);
     if (result == WF_OK && by != NULL) *by = d;

@@ -5,18 +5,17 @@
 #include "engine/block.h"
 
 /* forces in a world */
-static wfResult open_force(const wfWorld *world, wfForceId id, wfBlock *b, int32_t *index)
+static wfResult find_force(wfResult opened, wfForceId id, const wfBlock *b, int32_t *index)
 {
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
+    if (opened != WF_OK) return opened;
     *index = wfFindSlot(&b->head->forceSlots, b->forceSlots, id.index, id.generation);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
+    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
 }
 
-static wfResult change_force(const wfWorld *world, wfForceId id, wfBlock *b, int32_t *index)
+static wfResult change_force(const char *call, wfWorld *world, wfForceId id, wfBlock *b,
+                             int32_t *index)
 {
-    wfResult result = open_force(world, id, b, index);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
+    return find_force(wfChangeBlockAs(call, world, b), id, b, index);
 }
 
 static bool is_place(const wfBlock *b, int32_t i)
@@ -26,9 +25,17 @@ static bool is_place(const wfBlock *b, int32_t i)
 
 static wfResult check_world_force(const wfBlock *b, const wfForce *f)
 {
-    if (f == NULL) return WF_ERROR_NULL;
-    if (!is_place(b, f->a) || !is_place(b, f->b)) return WF_ERROR_STALE_ID;
-    return wfCheckForce(f);
+    if (f == NULL) return wfRefuse(b, WF_ERROR_NULL, "force", NULL);
+    bool first = !is_place(b, f->a);
+    if (first || !is_place(b, f->b))
+        return wfRefuse(b, WF_ERROR_STALE_ID, first ? "force.a" : "force.b", NULL);
+    if (f->kind < 0 || f->kind >= wfForceKinds)
+        return wfRefuse(b, WF_ERROR_UNKNOWN, "force.kind", NULL);
+    const wfForceRow *row = &wfForceTable[f->kind];
+    wfResult result = WF_OK;
+    if (row->numbers)
+        result = wfCheckFields(b, "force.", 0, f, row->numbers, row->params);
+    return result == WF_OK ? wfRefuse(b, wfCheckForce(f), "force", NULL) : result;
 }
 
 static void write_force(wfForce *to, const wfForce *f)
@@ -46,7 +53,8 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_FORCES);
     if (result != WF_OK) return result;
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
-    if (i < 0) return WF_ERROR_FULL;
+    int32_t room = b.head->forceSlots.capacity;
+    if (i < 0) return wfRefuseFull(&b, "forceCapacity", room, room + 1);
     write_force(&b.forces[i], force);
     b.added[i] = b.head->time;
     wfUse(&b, WF_MODULE_FORCES);
@@ -59,7 +67,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_force(world, id, &b, &i);
+    wfResult result = change_force(__func__, world, id, &b, &i);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
     memset(&b.forces[i], 0, sizeof b.forces[i]);
@@ -71,7 +79,8 @@ wfResult wfGetForce(const wfWorld *world, wfForceId id, wfForce *out)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = out == NULL ? WF_ERROR_NULL : open_force(world, id, &b, &i);
+    wfResult result = out == NULL ? WF_ERROR_NULL
+                                  : find_force(wfOpenBlock(world, &b), id, &b, &i);
     if (result == WF_OK) *out = b.forces[i];
     return result;
 }
@@ -80,7 +89,7 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_force(world, id, &b, &i);
+    wfResult result = change_force(__func__, world, id, &b, &i);
     if (result == WF_OK) result = check_world_force(&b, force);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
@@ -115,22 +124,26 @@ static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
 wfResult wfAddMouseJoint(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *out)
 {
     wfBlock b;
-    wfResult result = out == NULL ? WF_ERROR_NULL : wfChangeBlock(world, &b);
+    int32_t i;
+    wfResult result = wfChangeBody(world, id, &b, &i);
+    if (result == WF_OK && out == NULL) result = wfRefuse(&b, WF_ERROR_NULL, "out", NULL);
+    if (result == WF_OK) result = wfCheckVector(&b, "point.", point);
     if (result != WF_OK) return result;
-    int32_t i = wfBodyIndex(world, id);
-    if (i < 0) return WF_ERROR_STALE_ID;
-    if (!wfIsFinite2(point)) return WF_ERROR_NOT_FINITE;
-    if (b.props[i].type != WF_DYNAMIC) return WF_ERROR_RANGE;
+    if (b.props[i].type != WF_DYNAMIC)
+        return wfRefuse(&b, WF_ERROR_RANGE, "id", "only a dynamic body can be held");
     wfForce f = hand_for(&b, i, point);
     return wfAddForceToWorld(world, &f, out);
 }
 
 wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point)
 {
-    wfForce f;
-    wfResult result = wfGetForce(world, hand, &f);
+    wfBlock b;
+    int32_t i;
+    wfResult result = change_force(__func__, world, hand, &b, &i);
     if (result != WF_OK) return result;
-    if (f.kind != wfFindForce("hand")) return WF_ERROR_RANGE;
+    wfForce f = b.forces[i];
+    if (f.kind != wfFindForce("hand"))
+        return wfRefuse(&b, WF_ERROR_RANGE, "hand", "wfAddMouseJoint makes one");
     f.hand.target = point;
     return wfSetForce(world, hand, &f);
 }

@@ -12,18 +12,22 @@ int32_t wfFindSlot(const wfSlots *s, const wfSlot *slots, uint32_t index,
 }
 
 /* find a body by its id */
-wfResult wfOpenBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
+static wfResult find_body(wfResult opened, wfBodyId id, const wfBlock *b, int32_t *index)
 {
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
+    if (opened != WF_OK) return opened;
     *index = wfFindSlot(&b->head->bodySlots, b->bodySlots, id.index, id.generation);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
+    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
 }
 
-wfResult wfChangeBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
+wfResult wfOpenBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
 {
-    wfResult result = wfOpenBody(world, id, b, index);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
+    return find_body(wfOpenBlock(world, b), id, b, index);
+}
+
+wfResult wfChangeBodyAs(const char *call, wfWorld *world, wfBodyId id, wfBlock *b,
+                        int32_t *index)
+{
+    return find_body(wfChangeBlockAs(call, world, b), id, b, index);
 }
 
 int32_t wfBodyIndex(const wfWorld *world, wfBodyId id)
@@ -53,18 +57,23 @@ wfBodyId wfBodyAt(const wfWorld *world, int32_t index)
 }
 
 /* find a shape by its id */
-wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)
+static wfResult find_shape(wfResult opened, wfShapeId id, const wfBlock *b,
+                           int32_t *index)
 {
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
+    if (opened != WF_OK) return opened;
     *index = wfFindSlot(&b->head->shapeSlots, b->shapeSlots, id.index, id.generation);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
+    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
 }
 
-wfResult wfChangeShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)
+wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)
 {
-    wfResult result = wfOpenShape(world, id, b, index);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
+    return find_shape(wfOpenBlock(world, b), id, b, index);
+}
+
+wfResult wfChangeShapeAs(const char *call, wfWorld *world, wfShapeId id, wfBlock *b,
+                         int32_t *index)
+{
+    return find_shape(wfChangeBlockAs(call, world, b), id, b, index);
 }
 
 wfShapeId wfIdOfShape(const wfBlock *b, int32_t k)

@@ -5,51 +5,74 @@
 #include "engine/step.h"
 
 /* open a joint */
+static wfResult find_joint(wfResult opened, wfJointId id, const wfBlock *b, wfJoints *j,
+                           int32_t *index)
+{
+    if (opened != WF_OK) return opened;
+    *j = wfJointsOf(b);
+    *index = wfFindSlot(&b->head->jointSlots, j->slots, id.index, id.generation);
+    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
+}
+
 static wfResult open_joint(const wfWorld *world, wfJointId id, wfBlock *b, wfJoints *j,
                            int32_t *index)
 {
-    wfResult result = wfOpenBlock(world, b);
-    if (result != WF_OK) return result;
-    *j = wfJointsOf(b);
-    *index = wfFindSlot(&b->head->jointSlots, j->slots, id.index, id.generation);
-    return *index < 0 ? WF_ERROR_STALE_ID : WF_OK;
+    return find_joint(wfOpenBlock(world, b), id, b, j, index);
 }
 
-static wfResult change_joint(const wfWorld *world, wfJointId id, wfBlock *b, wfJoints *j,
-                             int32_t *index)
+static wfResult change_joint(const char *call, wfWorld *world, wfJointId id, wfBlock *b,
+                             wfJoints *j, int32_t *index)
 {
-    wfResult result = open_joint(world, id, b, j, index);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
+    return find_joint(wfChangeBlockAs(call, world, b), id, b, j, index);
 }
 
 static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 {
-    wfResult result = wfCheckJoint(j);
+    if (j == NULL) return wfRefuse(b, WF_ERROR_NULL, "joint", NULL);
+    wfResult result = wfCheckFields(b, "joint.", 0, j, wfJointNumbers, wfJointNumberCount);
+    if (result == WF_OK && j->a == j->b)
+        return wfRefuse(b, WF_ERROR_RANGE, "joint.b", "it joins a body with itself");
+    if (result == WF_OK && j->lower > j->upper)
+        return wfRefuse(b, WF_ERROR_RANGE, "joint.lower", "it is above joint.upper");
+    if (result == WF_OK && (j->kind < 0 || j->kind >= wfJointKinds))
+        return wfRefuse(b, WF_ERROR_UNKNOWN, "joint.kind", NULL);
+    if (result == WF_OK && j->ratio == 0)
+        return wfRefuse(b, WF_ERROR_RANGE, "joint.ratio", "it must not be 0");
+    if (result == WF_OK)
+        result = wfRefuse(b, wfCheckJoint(j), "joint.axis", "it must have the length 1");
     if (result != WF_OK) return result;
     int32_t high = b->head->bodySlots.high;
-    if (j->a >= high || j->b >= high) return WF_ERROR_STALE_ID;
-    if (!b->alive[j->a] || !b->alive[j->b]) return WF_ERROR_STALE_ID;
+    bool first = j->a >= high || !b->alive[j->a];
+    if (first || j->b >= high || !b->alive[j->b])
+        return wfRefuse(b, WF_ERROR_STALE_ID, first ? "joint.a" : "joint.b", NULL);
     bool steps = wfSolverTable[b->head->solver].step != NULL;
-    return steps ? WF_OK : WF_ERROR_SOLVER;
+    return steps ? WF_OK : wfRefuse(b, WF_ERROR_SOLVER, "solver", NULL);
 }
 
 /* join two bodies */
-wfResult wfDefineJoint(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
+wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out)
 {
     wfBlock block;
-    if (kind == NULL || out == NULL) return WF_ERROR_NULL;
-    wfResult result = wfOpenBlock(world, &block);
+    wfResult result = wfChangeBlock(world, &block);
     if (result != WF_OK) return result;
+    if (kind == NULL || out == NULL)
+        return wfRefuse(&block, WF_ERROR_NULL, kind == NULL ? "kind" : "out", NULL);
     int32_t i = wfBodyIndex(world, a), k = wfBodyIndex(world, b);
-    if (i < 0 || k < 0) return WF_ERROR_STALE_ID;
-    if (wfFindJoint(kind) < 0) return WF_ERROR_UNKNOWN;
-    if (!wfIsFinite2(anchorA) || !wfIsFinite2(anchorB) || !wfIsFinite2(axis))
-        return WF_ERROR_NOT_FINITE;
-    if (i == k || !(wfLength(axis) > 0)) return WF_ERROR_RANGE;
+    if (i < 0 || k < 0)
+        return wfRefuse(&block, WF_ERROR_STALE_ID, i < 0 ? "a" : "b", NULL);
+    if (wfFindJoint(kind) < 0)
+        return wfRefuse(&block, WF_ERROR_UNKNOWN, "kind", "wfJointTable has their names");
+    result = wfCheckVector(&block, "anchorA.", anchorA);
+    if (result == WF_OK) result = wfCheckVector(&block, "anchorB.", anchorB);
+    if (result == WF_OK) result = wfCheckVector(&block, "axis.", axis);
+    if (result != WF_OK) return result;
+    if (i == k) return wfRefuse(&block, WF_ERROR_RANGE, "b", "it joins a body with itself");
+    if (!(wfLength(axis) > 0))
+        return wfRefuse(&block, WF_ERROR_RANGE, "axis", "it has no length");
     wfJoint made = wfMakeJoint(kind, i, &block.state[i], k, &block.state[k], anchorA,
                                anchorB, axis);
-    result = wfCheckJoint(&made);
+    result = wfRefuse(&block, wfCheckJoint(&made), "anchorA or anchorB", NULL);
     if (result == WF_OK) *out = made;
     return result;
 }
@@ -58,14 +81,14 @@ wfResult wfDefineJoint(const wfWorld *world, const char *kind, wfBodyId a, wfBod
 wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
 {
     wfBlock b;
-    if (joint == NULL) return WF_ERROR_NULL;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_JOINTS);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
     wfJoints j = wfJointsOf(&b);
     int32_t i = wfSlotTake(&b.head->jointSlots, j.slots);
-    if (i < 0) return WF_ERROR_FULL;
+    int32_t room = b.head->jointSlots.capacity;
+    if (i < 0) return wfRefuseFull(&b, "jointCapacity", room, room + 1);
     j.joints[i] = *joint;
     wfUse(&b, WF_MODULE_JOINTS);
     wfEndsChanged(&b, joint->a, joint->b);
@@ -78,7 +101,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
     wfBlock b;
     wfJoints j;
     int32_t i;
-    wfResult result = change_joint(world, id, &b, &j, &i);
+    wfResult result = change_joint(__func__, world, id, &b, &j, &i);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, j.joints[i].a, j.joints[i].b);
     memset(&j.joints[i], 0, sizeof j.joints[i]);
@@ -100,8 +123,7 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
     wfBlock b;
     wfJoints j;
     int32_t i;
-    if (joint == NULL) return WF_ERROR_NULL;
-    wfResult result = change_joint(world, id, &b, &j, &i);
+    wfResult result = change_joint(__func__, world, id, &b, &j, &i);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, j.joints[i].a, j.joints[i].b);
@@ -135,6 +157,42 @@ wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfRea
 }
 
 /* look at the joints of a world */
+wfResult wfGetJointMotion(const wfWorld *world, wfJointId id, wfReal *coordinate,
+                          wfReal *speed)
+{
+    wfBlock block;
+    wfJoints j;
+    int32_t i, k = 0;
+    wfJointRow row[WF_JOINT_ROWS];
+    wfResult result = open_joint(world, id, &block, &j, &i);
+    if (result != WF_OK) return result;
+    wfJoint bare = j.joints[i];
+    bare.flags = WF_JOINT_LIMITS;
+    bare.rest = bare.lower = 0;
+    const wfBodyState *a = &block.state[bare.a], *b = &block.state[bare.b];
+    int32_t count = wfBuildJoint(&bare, a, b, row);
+    while (k < count - 1 && row[k].law != WF_ROW_LIMIT) k++;
+    const wfJointRow *r = &row[k];
+    if (count == 0 || (r->law != WF_ROW_LIMIT && r->law != WF_ROW_HOLD))
+        return WF_ERROR_UNKNOWN;
+    wfReal sign = bare.kind == wfFindJoint("pulley") ? -1 : 1;      /* its row is for slack */
+    wfReal rate = wfDot(r->jA, a->v) + r->wA * a->w + wfDot(r->jB, b->v) + r->wB * b->w;
+    if (coordinate != NULL) *coordinate = sign * r->error;
+    if (speed != NULL) *speed = sign * rate;
+    return WF_OK;
+}
+
+wfJointId wfNextJoint(const wfWorld *world, wfBodyId id, wfJointId after)
+{
+    wfJoint j;
+    int32_t i = wfBodyIndex(world, id), places = wfWorldJointPlaces(world);
+    for (uint32_t k = after.index; i >= 0 && k < (uint32_t)places; k++) {
+        wfJointId at = wfJointAt(world, (int32_t)k);
+        if (wfGetJoint(world, at, &j) == WF_OK && (j.a == i || j.b == i)) return at;
+    }
+    return (wfJointId){ 0, 0 };
+}
+
 int32_t wfWorldJointPlaces(const wfWorld *world)
 {
     wfBlock b;

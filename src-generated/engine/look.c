@@ -77,6 +77,59 @@ wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *
     return result;
 }
 
+static wfTransform frame_of(const wfWorld *world, wfBodyId id, wfBodyState *state)
+{
+    wfBlock b;
+    int32_t i;
+    *state = (wfBodyState){ .invMass = 0 };
+    if (wfOpenBody(world, id, &b, &i) != WF_OK) return wfBodyTransform(state);
+    *state = b.state[i];
+    wfTransform frame = wfBodyTransform(state);
+    frame.p = wfApply(frame, wfNeg(b.props[i].localCentre));      /* eq:world-origin */
+    return frame;
+}
+
+wfVec2 wfBodyWorldPoint(const wfWorld *world, wfBodyId id, wfVec2 local)
+{
+    wfBodyState s;
+    return wfApply(frame_of(world, id, &s), local);
+}
+
+wfVec2 wfBodyLocalPoint(const wfWorld *world, wfBodyId id, wfVec2 point)
+{
+    wfBodyState s;
+    return wfApplyInv(frame_of(world, id, &s), point);
+}
+
+wfVec2 wfBodyWorldVector(const wfWorld *world, wfBodyId id, wfVec2 local)
+{
+    wfBodyState s;
+    return wfRotate(frame_of(world, id, &s).q, local);
+}
+
+wfVec2 wfBodyLocalVector(const wfWorld *world, wfBodyId id, wfVec2 vector)
+{
+    wfBodyState s;
+    return wfRotateInv(frame_of(world, id, &s).q, vector);
+}
+
+wfVec2 wfBodyVelocityAt(const wfWorld *world, wfBodyId id, wfVec2 point)
+{
+    wfBodyState s;
+    frame_of(world, id, &s);
+    return wfVelocityAt(&s, point);
+}
+
+const wfContact *wfNextContact(const wfWorld *world, wfBodyId id, const wfContact *after)
+{
+    int32_t count, i = wfBodyIndex(world, id);
+    const wfContact *list = wfWorldContacts(world, &count);
+    ptrdiff_t k = after == NULL ? 0 : after - list + 1;
+    for (; i >= 0 && k < count; k++)
+        if (list[k].a == i || list[k].b == i) return &list[k];
+    return NULL;
+}
+
 /* hash a world */
 static uint64_t hash_state(uint64_t h, const wfBodyState *s)
 {

@@ -55,23 +55,26 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
 }
 
 /* know a pair of materials */
-static wfResult check_pair(int32_t one, int32_t two, const wfPairMaterial *m)
+static const wfNumber pair_numbers[] = {
+    WF_NUMBER(wfPairMaterial, restitution, 0, 1),
+    WF_NUMBER(wfPairMaterial, friction, WF_FROM_ZERO),
+    WF_NUMBER(wfPairMaterial, staticFriction, WF_FROM_ZERO),
+    WF_NUMBER(wfPairMaterial, rollingResistance, WF_FROM_ZERO),
+};
+
+static wfResult check_pair(const wfBlock *b, int32_t one, int32_t two,
+                           const wfPairMaterial *m)
 {
-    if (one < 1 || two < 1) return WF_ERROR_RANGE;
-    if (m == NULL) return WF_OK;
-    const wfReal number[] = { m->restitution, m->friction, m->staticFriction,
-                              m->rollingResistance };
-    if (!wfAllFinite(number, 4)) return WF_ERROR_NOT_FINITE;
-    for (int i = 0; i < 4; i++)
-        if (number[i] < 0) return WF_ERROR_RANGE;
-    return m->restitution > 1 ? WF_ERROR_RANGE : WF_OK;
+    if (one < 1 || two < 1)
+        return wfRefuse(b, WF_ERROR_RANGE, one < 1 ? "a" : "b", "materials begin with 1");
+    return m == NULL ? WF_OK : wfCheckFields(b, "m->", 0, m, pair_numbers, 4);
 }
 
 wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMaterial *m)
 {
     wfBlock block;
     wfResult result = wfChangeBlock(world, &block);
-    if (result == WF_OK) result = check_pair(a, b, m);
+    if (result == WF_OK) result = check_pair(&block, a, b, m);
     if (result == WF_OK) result = wfRequireModules(&block, WF_MODULE_MATERIALS);
     if (result != WF_OK) return result;
     wfKnownPair *known = block.known;
@@ -85,7 +88,8 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     }
     if (m == NULL && there) wfBodyChanged(&block, -1);
     if (m == NULL) return WF_OK;
-    if (!there && *count == block.head->materialPairCapacity) return WF_ERROR_FULL;
+    if (!there && *count == block.head->materialPairCapacity)
+        return wfRefuseFull(&block, "materialPairCapacity", *count, *count + 1);
     wfBodyChanged(&block, -1);
     if (!there) memmove(&known[at + 1], &known[at], behind);
     if (!there) ++*count;
@@ -99,7 +103,7 @@ wfResult wfGetPairMaterial(const wfWorld *world, int32_t a, int32_t b, wfPairMat
 {
     wfBlock block;
     wfResult result = out == NULL ? WF_ERROR_NULL : wfOpenBlock(world, &block);
-    if (result == WF_OK) result = check_pair(a, b, NULL);
+    if (result == WF_OK) result = check_pair(&block, a, b, NULL);
     if (result != WF_OK) return result;
     int32_t at = place_of_pair(&block, a, b);
     if (!is_pair(&block, at, a, b)) return WF_ERROR_UNKNOWN;

@@ -129,7 +129,7 @@ static void seal(uint8_t *b, const wfSaveInfo *info)
 static wfResult image_of(const wfWorld *world, wfImage *out)
 {
     wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
+    wfResult result = wfOpenAtRest(world, &b);
     return result == WF_OK ? wfImageOfBlock(&b, out) : result;
 }
 

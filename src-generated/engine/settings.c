@@ -90,15 +90,14 @@ double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part)
 /* check one setting */
 wfResult wfCheckSetting(const wfSetting *s, double value)
 {
-    if (!(value - value == 0)) return WF_ERROR_NOT_FINITE;      /* NaN, or infinite */
-    if (s->kind == WF_SETTING_ROW)
-        return value >= 0 && value < *s->rowCount ? WF_OK : WF_ERROR_UNKNOWN;
+    bool row = s->kind == WF_SETTING_ROW, choice = s->kind == WF_SETTING_CHOICE;
     /* see that all of a set is known */
     bool set = s->kind == WF_SETTING_SET && value >= 0 && value <= UINT32_MAX;
     if (set && ((uint32_t)value & ~wfAllModules()) != 0) return WF_ERROR_UNKNOWN;
-    double most = s->kind == WF_SETTING_CHOICE ? *s->rowCount - 1 : s->most;
-    bool low = s->above ? !(value > s->least) : value < s->least;
-    return low || value > most ? WF_ERROR_RANGE : WF_OK;
+    double most = row || choice ? *s->rowCount - 1 : s->most;
+    if (value >= s->least && value <= most && (value > s->least || !s->above)) return WF_OK;
+    if (!(value - value == 0)) return WF_ERROR_NOT_FINITE;      /* NaN, or infinite */
+    return row ? WF_ERROR_UNKNOWN : WF_ERROR_RANGE;
 }
 
 wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double value)

@@ -394,11 +394,12 @@ static wfResult open_rest(const wfWorld *world, wfBodyId id, wfBlock *b, wfRest 
     return WF_OK;
 }
 
-static wfResult change_rest(const wfWorld *world, wfBodyId id, wfBlock *b, wfRest *r,
-                            int32_t *i)
+static wfResult change_rest(const char *call, wfWorld *world, wfBodyId id, wfBlock *b,
+                            wfRest *r, int32_t *i)
 {
-    wfResult result = open_rest(world, id, b, r, i);
-    return result == WF_OK && b->head->busy ? WF_ERROR_BUSY : result;
+    wfResult result = wfChangeBodyAs(call, world, id, b, i);
+    if (result == WF_OK) *r = wfRestOf(b);
+    return result;
 }
 
 bool wfBodyIsAwake(const wfWorld *world, wfBodyId id)
@@ -414,7 +415,7 @@ wfResult wfWakeBody(wfWorld *world, wfBodyId id)
     wfBlock b;
     wfRest r;
     int32_t i;
-    wfResult result = change_rest(world, id, &b, &r, &i);
+    wfResult result = change_rest(__func__, world, id, &b, &r, &i);
     if (result == WF_OK) wfWakeIsland(&b, i);
     return result;
 }
@@ -424,11 +425,13 @@ wfResult wfSetBodyAsleep(wfWorld *world, wfBodyId id)
     wfBlock b;
     wfRest r;
     int32_t i;
-    wfResult result = change_rest(world, id, &b, &r, &i);
+    wfResult result = change_rest(__func__, world, id, &b, &r, &i);
     if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_SLEEP);
     if (result != WF_OK) return result;
-    if (!b.head->sleep || b.props[i].type != WF_DYNAMIC) return WF_ERROR_RANGE;
-    if (r.flags[i] & WF_REST_NEVER) return WF_ERROR_RANGE;
+    bool may = b.head->sleep && b.props[i].type == WF_DYNAMIC;
+    if (!may || (r.flags[i] & WF_REST_NEVER))
+        return wfRefuse(&b, WF_ERROR_RANGE, "id",
+                        "it never sleeps: see wfDisableBodySleep, wfWorldDef.sleep");
     if (!wfIsAsleep(&r, i)) r.flags[i] |= WF_REST_SENT;
     return WF_OK;
 }
@@ -438,9 +441,10 @@ wfResult wfDisableBodySleep(wfWorld *world, wfBodyId id, int32_t never)
     wfBlock b;
     wfRest r;
     int32_t i;
-    wfResult result = change_rest(world, id, &b, &r, &i);
+    wfResult result = change_rest(__func__, world, id, &b, &r, &i);
     if (result != WF_OK) return result;
-    if (never != 0 && never != 1) return WF_ERROR_RANGE;
+    if (never != 0 && never != 1)
+        return wfRefuse(&b, WF_ERROR_RANGE, "never", "must be 0 or 1");
     if (r.flags == NULL) return WF_OK;      /* nobody ever sleeps here */
     if (never) wfWakeIsland(&b, i);
     if (never) r.flags[i] = WF_REST_NEVER;

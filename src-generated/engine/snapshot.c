@@ -7,7 +7,7 @@
 /* take and restore snapshots */
 static wfResult open_image(const wfWorld *world, wfBlock *b, wfImage *out)
 {
-    wfResult result = wfChangeBlock(world, b);
+    wfResult result = wfOpenAtRest(world, b);
     return result == WF_OK ? wfImageOfBlock(b, out) : result;
 }
 

@@ -519,9 +519,9 @@ static bool read_force(Reader *r, const cJSON *item)
     if (!find_bodies(r, item, &f.a, &f.b, false)) return false;
     wfForceId id;
     wfResult result = wfAddForceToWorld(&r->world, &f, &id);
-    if (result == WF_ERROR_RANGE)
-        return wfTextFail(&r->t, item, result, "a number of it is out of its range");
-    return wfTextResult(&r->t, item, result) && put_added(r, item, id);
+    if (result != WF_OK)
+        return wfTextFail(&r->t, item, result, "%s", wfLastFault(&r->world)->text);
+    return put_added(r, item, id);
 }
 
 static bool read_forces(Reader *r)

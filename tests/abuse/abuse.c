@@ -166,6 +166,8 @@ static wfResult seen(Session *s, wfResult r, bool usesAll)
     if (s->badHandle) MUST(r != WF_OK);
     if (stale) MUST(r != WF_OK);
     if (usesAll && s->poisoned) MUST(r != WF_OK);
+    bool noted = r != WF_OK && r != WF_ERROR_BUSY && !s->badHandle && !s->inHook && operations[tally->now.op].kind == CHANGES;
+    if (noted) MUST(wfLastFault(&s->world)->result == r && strchr(wfLastFault(&s->world)->text, ':') != NULL);
     return r;
 }
 #define CALL(call) seen(s, call, true)

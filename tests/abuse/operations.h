@@ -252,6 +252,51 @@ static wfResult op_set_damping(Session *s)
     wfReal a = more(s, 2), b = more(s, 2);
     return CALL(wfSetBodyDamping(handle(s), id, a, b));
 }
+static wfResult op_more_of_body(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfWorld *w = handle(s);
+    wfMassData m = { 0 };
+    int32_t fixed;
+    switch (below(s, 4)) {
+    case 0: { wfReal scale = real(s, 2); return CALL(wfSetBodyGravityScale(w, id, scale)); }
+    case 1: m.mass = more(s, 5); m.inertia = more(s, 5); m.centre = vector(s, 1); return CALL(wfSetBodyMassData(w, id, &m));
+    case 2: fixed = yes(s); return CALL(wfSetBodyFixedRotation(w, id, fixed));
+    default: return CALL(wfSetBodyUserData(w, id, next(s)));
+    }
+}
+static wfResult op_target(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    wfVec2 to = vector(s, 5);
+    wfReal angle = real(s, 4), seconds = WF_R(0.01) + more(s, 1);
+    return CALL(wfSetBodyTarget(handle(s), id, to, angle, seconds));
+}
+static wfResult op_shape_data(Session *s)
+{
+    wfShapeId id = pick_shapes(s);
+    return CALL(wfSetShapeUserData(handle(s), id, next(s)));
+}
+static wfResult op_points(Session *s)           /* there and back; all contacts of a body, and its joints, and no others */
+{
+    const wfWorld *w = handle(s);
+    wfBodyId id = pick_bodies(s);
+    wfVec2 p = wfV2(unit(s), unit(s)), v = wfBodyWorldVector(w, id, p);
+    int32_t i = wfBodyIndex(w, id), n = 0, mine = 0, joints = 0;
+    MUST(wfIsFinite2(v) && wfLengthSq(wfSub(wfBodyLocalVector(w, id, v), p)) <= 1000 * WF_EPSILON * WF_EPSILON);
+    if (s->badHandle || stale) MUST(wfLengthSq(wfSub(wfBodyLocalPoint(w, id, wfBodyWorldPoint(w, id, p)), p)) == 0 && wfLengthSq(wfBodyVelocityAt(w, id, p)) == 0);
+    const wfContact *all = wfWorldContacts(w, &n), *c = NULL;
+    for (int32_t k = 0; k < n; k++) mine += i >= 0 && (all[k].a == i || all[k].b == i);
+    while ((c = wfNextContact(w, id, c)) != NULL) { MUST(c->a == i || c->b == i); mine--; }
+    for (wfJointId j = wfNextJoint(w, id, (wfJointId){ 0, 0 }); j.index != 0; j = wfNextJoint(w, id, j)) {
+        wfReal at = 0, rate = 0;
+        wfResult r = wfGetJointMotion(w, j, &at, &rate);
+        MUST(r == WF_OK || r == WF_ERROR_UNKNOWN);
+        joints++;
+    }
+    MUST(mine == 0 && joints <= wfJointCount(w));
+    return WF_OK;
+}
 static wfResult op_apply_force(Session *s)
 {
     wfBodyId id = pick_bodies(s);
@@ -1041,6 +1086,10 @@ const Operation operations[] = {
     OP("changes", 12, CHANGES, wfChangeBodyType, op_change_type, false),
     OP("changes", 6, CHANGES, wfSetBodyMaterial, op_set_material, false),
     OP("changes", 5, CHANGES, wfSetBodyDamping, op_set_damping, false),
+    OP("changes", 8, CHANGES, wfSetBodyGravityScale wfSetBodyMassData wfSetBodyFixedRotation wfSetBodyUserData, op_more_of_body, false),
+    OP("changes", 4, CHANGES, wfSetBodyTarget, op_target, false),
+    OP("changes", 1, CHANGES, wfSetShapeUserData, op_shape_data, false),
+    OP("looking", 6, READS, wfBodyWorldPoint wfBodyLocalPoint wfBodyWorldVector wfBodyLocalVector wfBodyVelocityAt wfNextContact wfNextJoint wfGetJointMotion, op_points, true),
     OP("pushes", 10, CHANGES, wfApplyForceToBody, op_apply_force, false),
     OP("pushes", 5, CHANGES, wfApplyTorqueToBody, op_apply_torque, false),
     OP("pushes", 10, CHANGES, wfApplyImpulseToBody, op_apply_impulse, false),

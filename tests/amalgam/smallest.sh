@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The whole engine as small as gcc makes it: the amalgamation, -Oz, and each switch that was found to save bytes. Is it still
+# The whole engine, but for the words of its faults, as small as gcc makes it: the amalgamation, -Oz, and each switch that was found to save bytes. Is it still
 # the same engine? Three scenes must have the hashes that they have at -O2.
 #   tests/amalgam/smallest.sh              builds it and compares
 #   tests/amalgam/smallest.sh --compiler   prints the compiler and its switches
@@ -13,7 +13,7 @@ smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronou
 [ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
 [ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
 work=build/check/smallest; mkdir -p "$work"
-tangle/tangle "$work/tree" $(tangle/chapters) && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
+tangle/tangle --without faults "$work/tree" $(tangle/chapters) && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
 scenes() {    # compiler and flags: the hashes of three scenes
   "$@" -I"$work" -c "$work/weft.c" -o "$work/weft.o" && "$@" -I"$work" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$work/scenes.o" &&
     gcc -no-pie "$work/weft.o" "$work/scenes.o" -o "$work/scenes" && "$work/scenes"
@@ -22,8 +22,8 @@ scenes() {    # compiler and flags: the hashes of three scenes
 scenes $smallest > "$work/smallest.txt" && code=$(size -A "$work/weft.o" | awk '$1 ~ /^\.text/ { t += $2 } END { print t }') &&
   scenes gcc -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -w -O2 -fno-pic > "$work/O2.txt" || exit 1
 diff "$work/O2.txt" "$work/smallest.txt" || { echo "smallest: the engine made small has other hashes"; exit 1; }
-# It was to be 200 KB of code; it was 255, and is 263 since a step can be shared by workers and joints move out of wrong places (the chapter price-list
-# says what was tried). Further it shall not go unnoticed.
-[ "$code" -le 264000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 264000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
+# It was to be 200 KB of code; it was 255, was 263 when a step could be shared by workers and joints moved out of wrong places, and is 265 since more of a
+# body can be set and asked (the chapter price-list says what was tried). Further it shall not go unnoticed.
+[ "$code" -le 266000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 266000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
 echo "the smallest build has $code bytes of code"
 echo "the smallest build has the hashes of -O2 ($(wc -l < "$work/O2.txt") scenes)"

@@ -47,6 +47,25 @@ typedef struct wfBodyProps {
     int32_t fixedRotation;  /* 1: no torque turns it                                      */
     uint64_t userData;      /* the caller's own                                           */
 } wfBodyProps;
+
+/* A number of a structure, and what it may be. */
+typedef struct wfNumber {
+    const char *name;       /* of the field, as "velocity.x"                              */
+    size_t offset;          /* bytes                                                      */
+    bool whole;             /* an int32_t; else a wfReal                                  */
+    wfReal least, most;
+} wfNumber;
+#define WF_NUMBER(type, field, ...) \
+    { #field, offsetof(type, field), false, __VA_ARGS__ }
+#define WF_WHOLE(type, field, ...) \
+    { #field, offsetof(type, field), true, __VA_ARGS__ }
+#define WF_ANY_REAL -WF_HUGE, WF_HUGE
+#define WF_FROM_ZERO 0, WF_HUGE
+wfReal wfNumberOf(const void *structure, const wfNumber *number);
+/* Is each what it may be? which, unless NULL: the first that is not. WF_ERROR_NOT_FINITE,
+   _RANGE. */
+wfResult wfCheckNumbers(const void *structure, const wfNumber *numbers, int count,
+                        int *which);
 /* A dynamic particle of mass 1 without damping. */
 wfBodyProps wfDefaultBodyProps(void);
 /* WF_OK, or what is wrong: WF_ERROR_NULL, _NOT_FINITE, _UNKNOWN (type), _MASS, _RANGE (a

@@ -87,9 +87,10 @@ typedef struct wfForceRow {
     int params;                 /* how many reals of param are in use                   */
     wfForceFn *apply;
     wfForceEnergyFn *energy;    /* NULL: the force has no potential                     */
-    wfForceCheckFn *check;      /* NULL: any finite numbers will do                     */
+    wfForceCheckFn *check;      /* of more than its numbers; NULL: there is no more     */
     bool steady;                /* the same as long as the bodies that it names rest    */
     wfForceMoveFn *move;        /* NULL: it names no place of the world                 */
+    const wfNumber *numbers;    /* [params] their names and ranges; NULL: any that are finite */
 } wfForceRow;
 
 extern const wfForceRow wfForceTable[];

@@ -70,6 +70,17 @@ wfResult wfWorldIndexBoxes(const wfWorld *world, wfPool *scratch, wfBoxVisitFn *
 /* The contact of two shapes in the last step, either one first. WF_ERROR_STALE_ID;
  * WF_ERROR_UNKNOWN: they have none. */
 wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact *out);
+/* A point (m) or a direction from the frame of a body's origin to the world, and back; how
+ * fast the point of the body is that is now there (m/s). A stale id: as a body at rest in
+ * the world's origin. */
+wfVec2 wfBodyWorldPoint(const wfWorld *world, wfBodyId id, wfVec2 local);
+wfVec2 wfBodyLocalPoint(const wfWorld *world, wfBodyId id, wfVec2 point);
+wfVec2 wfBodyWorldVector(const wfWorld *world, wfBodyId id, wfVec2 local);
+wfVec2 wfBodyLocalVector(const wfWorld *world, wfBodyId id, wfVec2 vector);
+wfVec2 wfBodyVelocityAt(const wfWorld *world, wfBodyId id, wfVec2 point);
+/* The next contact of the last step in which a body is, after that one (NULL: the first);
+ * NULL: no more. As wfWorldContacts, to read and not to keep. */
+const wfContact *wfNextContact(const wfWorld *world, wfBodyId id, const wfContact *after);
 /* Kinetic energy of the dynamic bodies, and potential energy in gravity and in the
  * registered forces that have one, J. Either pointer may be NULL. */
 wfResult wfWorldEnergy(const wfWorld *world, double *kinetic, double *potential);
@@ -111,6 +122,13 @@ bool wfAllJointsDirect(const wfWorld *world);
 /* Substeps of the last step in which the joints that are solved together could not be: a
  * load that snapped a chain tight, say. They were taken inelastically. */
 int32_t wfUnsolvedSubsteps(const wfWorld *world);
+/* Where a joint is on its way, m or rad: the length, the slide along the axis, the turn of
+ * b against a; of a gear, rack, linkage or pulley their sum of both; and how fast that
+ * changes. Either may be NULL. WF_ERROR_STALE_ID, _UNKNOWN: this kind has no way. */
+wfResult wfGetJointMotion(const wfWorld *world, wfJointId id, wfReal *coordinate,
+                          wfReal *speed);
+/* The next joint of a body, after that one (index 0: the first); index 0: no more. */
+wfJointId wfNextJoint(const wfWorld *world, wfBodyId id, wfJointId after);
 /* What became of fast bodies in the last step. */
 typedef struct wfContinuousReport {
     int32_t bodies;            /* that were followed, since they were fast */

@@ -23,11 +23,13 @@ typedef double wfReal;
 #define WF_R(x) (x)
 #define WF_EPSILON DBL_EPSILON          /* 2^-52; eq:numbers-gap */
 #define WF_HUGE DBL_MAX                 /* the greatest finite wfReal */
+#define WF_TINY DBL_MIN                 /* the least above 0 with all its digits */
 #else
 typedef float wfReal;
 #define WF_R(x) x##f
 #define WF_EPSILON FLT_EPSILON          /* 2^-23; eq:numbers-gap */
 #define WF_HUGE FLT_MAX
+#define WF_TINY FLT_MIN
 #endif
 #define WF_PI WF_R(3.14159265358979323846)
 #ifndef __GNUC__

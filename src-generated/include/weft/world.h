@@ -23,13 +23,19 @@
 #include "weft/query.h"
 #include "weft/impact.h"
 #include "weft/exact.h"
+#include "weft/fault.h"
 #include "weft/joint.h"
 #include "weft/island.h"
 WF_BEGIN_C
 
 /* A world by value: where its two chunks of memory are, and who shares the work of steps
  * (nobody at first). All state is in memory.permanent: it can be copied, moved, saved. */
-typedef struct wfWorld { wfMemory memory; wfWorkers workers; } wfWorld;
+typedef struct wfWorld {
+    wfMemory memory;
+    wfWorkers workers;
+    wfCallFault fault;         /* wfLastFault */
+    void *user;                /* yours: no part of the world's state */
+} wfWorld;
 /* Names of things in a world, by value. index counts from 1; 0 is "none". An id of a thing
  * that was removed stays invalid, even when its place is taken again. */
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
@@ -55,7 +61,7 @@ typedef struct wfBodyDef {
     int32_t  type;             /* WF_STATIC, WF_KINEMATIC, WF_DYNAMIC */
     wfVec2   position;         /* of the body's origin, m */
     wfVec2   velocity;         /* of the centre of mass, m/s */
-    wfReal   mass;             /* kg; 0: from the density. A particle needs one */
+    wfReal   mass;             /* kg; 0: that of its shapes; 1 kg as long as it has none */
     wfReal   gravityScale;     /* multiplies gravity */
     wfReal   angle;            /* rad */
     wfReal   angularVelocity;  /* rad/s */
@@ -207,6 +213,7 @@ typedef struct wfBodyInfo {
     wfVec2   centre;           /* of mass, world coordinates, m */
     wfVec2   velocity;         /* of the centre of mass, m/s */
     wfReal   mass;             /* kg */
+    int32_t  massGiven;        /* 1: it was given; shapes and densities do not change it */
     wfReal   gravityScale;
     wfReal   angle;            /* rad, -pi to pi */
     wfReal   angularVelocity;  /* rad/s */
@@ -226,7 +233,8 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity);
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
- * proportion. It is a given mass from now on: new shapes do not change it. */
+ * proportion. It is a given mass from now on: new shapes do not change it. 0: it is that of
+ * the shapes again. */
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
 /* Makes a body WF_STATIC, WF_KINEMATIC or WF_DYNAMIC. Static: it stops. Dynamic: it has the
@@ -242,6 +250,21 @@ wfResult wfApplyTorqueToBody(wfWorld *world, wfBodyId id, wfReal torque);
 /* A kick (N s) at a world point, or of spin (N m s): changes the velocity at once. */
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point);
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse);
+/* Multiplies gravity; 0: none, below 0: it rises. */
+wfResult wfSetBodyGravityScale(wfWorld *world, wfBodyId id, wfReal scale);
+wfResult wfSetBodyUserData(wfWorld *world, wfBodyId id, uint64_t data);
+wfResult wfSetShapeUserData(wfWorld *world, wfShapeId id, uint64_t data);
+/* Mass > 0, centre (in the frame of its origin) and inertia (about the centre, 0: nothing
+ * turns it) of a dynamic body, by hand; the area is not looked at. The mass is a given one;
+ * when its shapes change, centre and inertia follow from these again. Errors of wfSetMass,
+ * and of wfAddShapesToBody for shapes far from the centre. */
+wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
+/* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
+wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
+/* Gives a kinematic body the velocity by which its origin will be there, turned so, after
+ * so many seconds (> 0): call it before each step with timeStep. By the shorter turn. */
+wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle,
+                         wfReal seconds);
 /* Advances the world by dt. On any error the world is as it was before the call:
  * WF_ERROR_FULL: more pairs or contacts than there is room for (make a world with more);
  * WF_ERROR_NOT_FINITE, _RANGE: a number, or a turn, is too large, as forces may be. */
@@ -266,6 +289,11 @@ wfBodyView wfWorldBodies(const wfWorld *world);
 int32_t wfBodyCount(const wfWorld *world);
 double wfWorldTime(const wfWorld *world);      /* s since creation */
 uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
+/* Of the last call through this handle that takes a wfWorld * which is not const: what was
+ * wrong. Never NULL. Kept in the handle: no part of the world's state. WF_ERROR_BUSY, and a
+ * handle that is NULL, are not noted; "wfCreateWorld" is, in the handle that it was to
+ * fill. */
+const wfCallFault *wfLastFault(const wfWorld *world);
 /* The body of which a shape covers the point, the last added first (highest index). False:
  * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
@@ -273,8 +301,8 @@ enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
 /* Fills *out with a joint of a kind ("revolute", "distance", ...: wfJointTable) between two
  * bodies at anchors in the world (m), along an axis (world, any length > 0), at rest as
  * the bodies are now. WF_ERROR_NULL, _STALE_ID, _UNKNOWN (kind), _NOT_FINITE, _RANGE
- * (a body with itself, an axis of no length). The world is not changed. */
-wfResult wfDefineJoint(const wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
+ * (a body with itself, an axis of no length), _BUSY. */
+wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out);
 /* Adds a joint; its a and b are body indices (wfBodyIndex), as wfDefineJoint sets them.
  * `out` may be NULL. WF_ERROR_FULL, _STALE_ID (a or b is an empty place), _BUSY, _SOLVER:
