@@ -1,5 +1,5 @@
 /* Weft: engine/step.h, tangled from chapters/engine/20-world.nw. Chapters that add to it: step,
- * looking, joints-in-a-world, continuous-collision, sleep-in-a-world, accuracy. Do not edit this
+ * looking, joints-in-a-world, continuous-collision, sleep-in-a-world, tolerance. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ENGINE_STEP_H
 #define WEFT_ENGINE_STEP_H
