@@ -249,6 +249,7 @@ static void figure_compound_chain(wfDraw *d, const wfFigureInput *in)
     compound_chain(d, ground, 7, false);
     compound_chain(d, island, 6, true);
 }
+
 static const wfFigureRow rows[] = {
     { "compound-hull", figure_compound_hull, 8.0f, 3.6f, 1, { { 2.15f, 2.2f } } },
     { "compound-l", figure_compound_l, 8.0f, 4.1f, 1, { { 3.6f, 0.9f } } },

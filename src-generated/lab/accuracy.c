@@ -525,6 +525,7 @@ double labJudge(const labTruth *scene, double reach, labCourse got, int bodies)
     }
     return error / size;
 }
+
 /* measure how long an error stays small */
 enum { HORIZON = 15 * LAB_FRAMES, HORIZON_EACH = 15, HORIZON_RUNS = 3 };
 

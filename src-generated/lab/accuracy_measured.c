@@ -5,6 +5,7 @@
 #include <time.h>
 #include "lab/accuracy.h"
 #include "lab/bench.h"
+
 typedef struct AccProblem {
     const char *name;
     double at[4];                               /* x, y, vx, vy */
@@ -53,6 +54,7 @@ static void acc_float(const double *x, const double *v, double *a)
     (void)v;
     a[0] = 0, a[1] = -9.81 + 2 * 9.81 * under;
 }
+
 enum { ACC_PROBLEMS = 6 };
 static const AccProblem acc_problems[ACC_PROBLEMS] = {
     { "spring", { 1, 0, 0, 0.5 }, 10, acc_spring },
@@ -80,6 +82,7 @@ static void acc_reference(const AccProblem *p, int steps, double y[4])
 }
 
 typedef struct AccRun { const AccProblem *problem; long asked; } AccRun;
+
 static void acc_forces(void *context, const wfBodyState *state, int count, wfReal time,
                        wfBodyForces *out)
 {
@@ -123,6 +126,7 @@ static int measure_accuracy_integrators(FILE *out)
     }
     return 0;
 }
+
 static int measure_accuracy_truth(FILE *out)
 {
     fprintf(out, "what,error\n");
@@ -184,6 +188,7 @@ static int measure_accuracy_pile_double(FILE *out)
 {
     return labNeedsDoubles("accuracy-pile-double") ? labPileApart(out) : 1;
 }
+
 static int measure_accuracy_own(FILE *out) { return wfRunSweep("accuracy-own", out); }
 
 static int measure_accuracy_solvers_time(FILE *out)

@@ -8,6 +8,7 @@
 #include "weft/resolve.h"
 #include "weft/exact.h"
 #include "lab/bench.h"
+
 enum { TALL_BODIES = 1010, TALL_CONTACTS = 2100 };
 typedef struct labTall {
     wfShape      shape[TALL_BODIES];

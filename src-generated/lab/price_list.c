@@ -333,6 +333,7 @@ static int measure_price_buys(FILE *out)
                 rows[i].error(true));
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "price-world", "bytes a body, and what is saved by each thing switched off",
       measure_price_world },

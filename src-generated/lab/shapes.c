@@ -71,6 +71,7 @@ static double naive_inertia(const wfVec2 *p, int n, double *area)
     *area = (double)a;
     return (double)(j - wfLengthSq(moment) / a);    /* J - A |c|^2 */
 }
+
 static int measure_shapes_far(FILE *out)
 {
     /* prepare the far rectangle and its true numbers */

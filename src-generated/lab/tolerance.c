@@ -4,6 +4,7 @@
 #include <time.h>
 #include "lab/accuracy.h"
 #include "lab/bench.h"
+
 enum { ACC_FINEST = 32 };
 /* now: a clock, in seconds, or NULL to count. */
 static int acc_curve(const labTruth *scene, double (*now)(void *), wfAccuracy *points)
@@ -51,6 +52,7 @@ static void acc_choice(FILE *out, const labTruth *scene, const wfAccuracy *point
     labPrintNumber(out, r.error);
     fprintf(out, "\n");
 }
+
 static int acc_tolerances(FILE *out, double least)
 {
     fprintf(out, "scene,tolerance,method,steps,cost,estimate,error\n");
@@ -69,6 +71,7 @@ static int measure_accuracy_tolerance_double(FILE *out)
 {
     return labNeedsDoubles("accuracy-tolerance-double") ? acc_tolerances(out, 1e-9) : 1;
 }
+
 static int measure_accuracy_budget(FILE *out)
 {
     static const char *const scenes[] = { "orbit", "double-pendulum", "chain", "stack",

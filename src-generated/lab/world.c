@@ -6,6 +6,7 @@
 #include "weft/weft.h"
 #include "engine/regions.h"
 #include "lab/bench.h"
+
 enum { HEAP_BODIES = 400, HEAP_WIDE = 20, HEAP_SETTLE = 400, HEAP_BATCH = 20 };
 
 static wfResult heap_shape(int corners, wfShape *out)
@@ -194,6 +195,7 @@ static int measure_world_far(FILE *out)
     }
     return 0;
 }
+
 static int measure_world_far_double(FILE *out)
 {
     if (sizeof(wfReal) == sizeof(double)) return measure_world_far(out);
@@ -358,6 +360,7 @@ static wfResult fill_drops(wfWorld *world, int corners)
     (void)corners;
     return fill_fountain(world);
 }
+
 static int infer_row(FILE *out, const char *name, wfResult fill(wfWorld *, int),
                      int corners)
 {
@@ -394,6 +397,7 @@ static int measure_world_inferred(FILE *out)
         || infer_row(out, "a heap of 400 boxes", fill_heap, 4)
         || infer_row(out, "a heap of 400 capsules", fill_heap, 2);
 }
+
 static void explain_cell(FILE *out, const wfStageReport *r)
 {
     char text[64] = "always";

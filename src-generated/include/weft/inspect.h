@@ -98,6 +98,7 @@ typedef struct wfStageReport {
 wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock);
 /* Row `stage` of wfStageTable in this world. WF_ERROR_NULL, _UNKNOWN. */
 wfResult wfExplainStage(const wfWorld *world, int stage, wfStageReport *out);
+
 typedef void wfPrintFn(void *context, const char *line);
 /* Tells what this world was made for, what a step of it does, what it leaves out and why,
  * and how many bytes and how much time each stage takes: a line at a time, without the

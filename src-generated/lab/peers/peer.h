@@ -49,6 +49,7 @@ typedef struct peerOptions {
     double badStep;                             /* s, for one step more, if badSteps is 1 */
     int    badSteps;
 } peerOptions;
+
 /* Says why not on stderr, and ends the program with status 3. */
 void peerRefuse(const char *what, ...);
 /* Reads a scene; ends the program if it cannot be read (1) or is refused (3). */
