@@ -191,7 +191,6 @@ static void write_header(const wfWorldDef *d, const wfRegion *region, const size
 {
     *head = (wfHeader){ .magic = WF_BLOCK_MAGIC, .bytes = size[0], .scratchBytes = size[1],
         /* what else the header begins with */
-        .steps = 0,
         .large = d->solver == wfFindSolver(WF_SOLVER_LARGE),
     };
     wfKeepSettings(d, head);
