@@ -558,7 +558,6 @@ static void list_events(struct wfStep *s, int kind, const wfTouchingList *from)
         bool swap = (t->flags & WF_TOUCH_SENSOR_B) != 0;
         wfContactEvent event = { .a = swap ? b : a, .b = swap ? a : b };
         if (kind < WF_CONTACT_END) {
-            /* how hard this touch was */
             event.impulse = told_of(s, &at, t->a, t->b).impulse;
         }
         s->events[s->eventTotal++] = event;

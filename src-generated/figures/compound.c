@@ -112,7 +112,6 @@ static void figure_compound_l(wfDraw *d, const wfFigureInput *in)
         figShape(d, &plank[i], wfTransformIdentity(), 2, WF_INK_LINE, role);
         wfDrawDashed(d, WF_XY(part[i].centre), WF_XY(all.centre), 1.5f, WF_INK_ACCENT);
         wfDrawPoint(d, WF_XY(part[i].centre), 6, WF_INK_LINE);
-        /* write what a plank adds to the inertia */
         double moved = (double)(wfInertiaAbout(&part[i], all.centre) - part[i].inertia);
         wfDrawTextf(d, 7.8f, 3.4f - 0.5f * (float)i, 14, role, 1, "own %.2f, moved %.2f",
                     (double)part[i].inertia, moved);

@@ -74,7 +74,6 @@ static void figure_intro_crates(wfDraw *d, const wfFigureInput *in)
     wfShape box;
     wfReal inertia = 0;
     build_crate(wfV2(1.6f, 2), point, spring);
-    /* sum the inertia of the nine points */
     for (int i = 0; i < CRATE_POINTS; i++)
         inertia += wfDistanceSq(point[i].p, point[4].p) / CRATE_POINTS;
     rigid.invInertia = 1 / inertia;

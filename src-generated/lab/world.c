@@ -212,7 +212,6 @@ static int measure_world_flight(FILE *out)
     wd.gravity = wfV2(0, 0);
     def.mass = 1;
     def.velocity = wfV2(1000, 0);
-    /* launch the three probes */
     for (int k = 0; k < 3; k++)
         if (wfCreateWorld(&wd, &world[k]) != WF_OK ||
             wfAddBodyToWorld(&world[k], &def, &id[k]) != WF_OK) return 1;
