@@ -19,24 +19,6 @@ static int acc_curve(const labTruth *scene, double (*now)(void *), wfAccuracy *p
     wfDestroyWorld(&world);
     return result == WF_OK ? count : -1;
 }
-static int measure_accuracy_curves(FILE *out)
-{
-    fprintf(out, "scene,method,steps,cost,estimate,error\n");
-    for (int s = 0; s < labTruthCount; s++) {
-        wfAccuracy p[WF_CURVE_POINTS];
-        int count = acc_curve(&labTruths[s], NULL, p);
-        if (count < 0) return 1;
-        for (int i = 0; i < count; i++) {
-            labResult r = labRunChosen(&labTruths[s], "soft", &p[i]);
-            fprintf(out, "%s,%s,%d,%.1f,%.2e", labTruths[s].name,
-                    wfMethodTable[p[i].method].name, (int)p[i].steps, p[i].cost,
-                    (double)p[i].error);
-            labPrintNumber(out, r.error);
-            fprintf(out, "\n");
-        }
-    }
-    return 0;
-}
 static void acc_choice(FILE *out, const labTruth *scene, const wfAccuracy *points,
                        int count, double tolerance)
 {
@@ -144,8 +126,6 @@ static int measure_accuracy_budget_time(FILE *out)
     return 0;
 }
 static const wfMeasureRow rows[] = {
-    { "accuracy-curves", "the curves that the engine measures, and the true errors",
-      measure_accuracy_curves },
     { "accuracy-tolerance", "what is chosen for a tolerance, and the true error",
       measure_accuracy_tolerance },
     { "accuracy-tolerance-double", "the same, by a lab compiled with doubles",
