@@ -46,8 +46,8 @@ wfResult wfInferModules(const wfWorld *world, uint32_t besides, wfWorldDef *out)
     wfWorldDef def = wfSettings(h), usual = wfDefaultWorldDef();
     def.modules = modules_used(h) | besides;
     def.modules = wfModulesOf(&def);
-    /* capacities that were used */
     def.bodyCapacity = h->bodySlots.high > 0 ? h->bodySlots.high : 1;
+    /* capacities that were used */
     def.forceCapacity = h->forceSlots.high;
     bool meets = (def.modules & WF_MODULE_CONTACTS) != 0;
     def.shapeCapacity = h->shapeSlots.high > 0 ? h->shapeSlots.high : 1;

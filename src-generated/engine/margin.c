@@ -29,10 +29,10 @@ wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k, bool *followed)
     int32_t i = s->b.bodyOfShape[k];
     wfPace pace = { velocity_to_be(s, i), rim_speed(s, i, k), 0 };
     wfReal is = wfLength(s->state[i].v), to_be = wfLength(pace.toBe);
-    /* how far this shape is looked ahead */
     wfReal way = s->b.head->timeStep * (wfMaxR(is, to_be) + pace.rim);
     pace.way = way;
-    s->paces[k] = pace;              /* for wfSpeculativeMarginOfPair: a shape has many pairs */
+    s->paces[k] = pace;     /* for wfSpeculativeMarginOfPair */
+    /* how far this shape is looked ahead */
     if (wfIsFollowed(s, k, way)) {
         wfReal reach = s->b.materials[k].reach;
         way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * reach) : s->b.head->slop * reach;
@@ -50,9 +50,9 @@ wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
     wfReal free = wfLengthSq(wfSub(toB, toA));
     wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
     wfReal u = wfSqrt(wfMaxR(free, held));
-    /* how far this pair is looked ahead */
     wfReal rims = s->paces[p.a].rim + s->paces[p.b].rim;
     wfReal way = s->b.head->timeStep * (u + rims);              /* eq:world-way */
+    /* how far this pair is looked ahead */
     wfReal ownA = wfMinR(way, s->paces[p.a].way), ownB = wfMinR(way, s->paces[p.b].way);
     if (wfIsFollowed(s, p.a, ownA) || wfIsFollowed(s, p.b, ownB)) {
         wfReal reachA = s->b.materials[p.a].reach, reachB = s->b.materials[p.b].reach;

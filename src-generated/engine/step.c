@@ -275,8 +275,8 @@ static void copy_list(const struct wfStep *s, void *to, const void *from, int32_
 
 static wfResult commit(struct wfStep *s)
 {
-    /* before the step becomes the world */
     wfHeader *head = s->b.head;
+    /* before the step becomes the world */
     wfKeepRest(s);
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
     /* commit what was found */
@@ -297,9 +297,9 @@ static wfResult commit(struct wfStep *s)
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
     if (s->fine != NULL) keep_digits(s);
-    /* count what was committed */
     head->time += (double)head->timeStep;
     head->steps++;
+    /* count what was committed */
     head->kept = s->kept;
     head->pairCount = s->kept.pairs + s->pairs.count;
     head->contactCount = s->kept.contacts + s->contactCount;

@@ -443,8 +443,8 @@ wfResult wfFindContacts(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfWalk walk = { .pair = head->kept.pairs, .contact = head->kept.contacts,
                     .pairs = head->pairCount, .contacts = head->contactCount };
-    /* where else contacts of the last step may be */
     walk.after = NULL;
+    /* where else contacts of the last step may be */
     wfWalk slept = { .pairs = head->kept.pairs, .contacts = head->kept.contacts,
                      .touches = head->kept.touches };
     walk.after = s->roused ? &slept : NULL;
