@@ -146,16 +146,16 @@ static bool is_bad(Check *c, int32_t count, wfRangeFn *check)
 /* check contacts */
 static bool is_contact_finite(const wfContact *c)
 {
-    wfReal nought = 0 * c->manifold.normal.x + 0 * c->manifold.normal.y
+    wfReal zero = 0 * c->manifold.normal.x + 0 * c->manifold.normal.y
               + 0 * c->rollingImpulse + 0 * c->slop + 0 * c->friction
               + 0 * c->staticFriction + 0 * c->rollingResistance + 0 * c->tangentSpeed;
     for (int32_t k = 0; k < c->manifold.count; k++) {
         const wfContactPoint *p = &c->manifold.points[k];
-        nought += 0 * p->point.x + 0 * p->point.y + 0 * p->rA.x + 0 * p->rA.y;
-        nought += 0 * p->rB.x + 0 * p->rB.y + 0 * p->depth;
-        nought += 0 * p->normalImpulse + 0 * p->tangentImpulse;
+        zero += 0 * p->point.x + 0 * p->point.y + 0 * p->rA.x + 0 * p->rA.y;
+        zero += 0 * p->rB.x + 0 * p->rB.y + 0 * p->depth;
+        zero += 0 * p->normalImpulse + 0 * p->tangentImpulse;
     }
-    return !(nought != 0);
+    return !(zero != 0);
 }
 
 static void check_contacts(void *context, int32_t part, int32_t begin, int32_t end)

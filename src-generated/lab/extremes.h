@@ -10,7 +10,7 @@ enum { LAB_X, LAB_Y, LAB_ANGLE, LAB_VX, LAB_VY, LAB_SPIN, LAB_FIELDS };
 typedef struct labScene {
     FILE  *file;
     int    bodies, joints;
-    int    steps, every, fast;  /* fast: whoever can sweep, shall */
+    int    steps, every, fast;  /* fast: engines that can sweep do */
     double dt, gravity, friction, restitution, origin;
 } labScene;
 /* What an adapter said: the states of all bodies after so many steps. */
