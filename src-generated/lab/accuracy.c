@@ -8,34 +8,35 @@
 #include "testbed/classics.h"
 #include "weft/joint.h"
 
-/* Accelerations of n points; x, v, a: x and y of each in turn. */
-typedef void Accelerations(int n, const double *x, const double *v, double *a);
+/* a reference in double */
 enum { REF = 2 * LAB_POINTS };
 
-static void ref_step(Accelerations *f, int n, double h, double *x, double *v)
+void labReference(labAccelerations *f, int n, double h, int steps, double *x, double *v)
 {
     double a[4][REF], u[4][REF], tx[REF], tv[REF];
     static const double at[4] = { 0, 0.5, 0.5, 1 };
-    for (int k = 0; k < 4; k++) {
-        for (int i = 0; i < 2 * n; i++) {
-            tx[i] = x[i] + (k > 0 ? at[k] * h * u[k - 1][i] : 0);
-            tv[i] = v[i] + (k > 0 ? at[k] * h * a[k - 1][i] : 0);
-            u[k][i] = tv[i];
+    for (int s = 0; s < steps; s++) {
+        for (int k = 0; k < 4; k++) {
+            for (int i = 0; i < 2 * n; i++) {
+                tx[i] = x[i] + (k > 0 ? at[k] * h * u[k - 1][i] : 0);
+                tv[i] = v[i] + (k > 0 ? at[k] * h * a[k - 1][i] : 0);
+                u[k][i] = tv[i];
+            }
+            f(n, tx, tv, a[k]);
         }
-        f(n, tx, tv, a[k]);
-    }
-    for (int i = 0; i < 2 * n; i++) {
-        x[i] += h / 6 * (u[0][i] + 2 * u[1][i] + 2 * u[2][i] + u[3][i]);
-        v[i] += h / 6 * (a[0][i] + 2 * a[1][i] + 2 * a[2][i] + a[3][i]);
+        for (int i = 0; i < 2 * n; i++) {
+            x[i] += h / 6 * (u[0][i] + 2 * u[1][i] + 2 * u[2][i] + u[3][i]);
+            v[i] += h / 6 * (a[0][i] + 2 * a[1][i] + 2 * a[2][i] + a[3][i]);
+        }
     }
 }
 
-static void ref_course(Accelerations *f, int n, double *x, double *v, int fine,
+static void ref_course(labAccelerations *f, int n, double *x, double *v, int fine,
                        labCourse out)
 {
     for (int k = 0; k <= LAB_FRAMES; k++) {
         memcpy(out[k], x, 2 * (size_t)n * sizeof *x);
-        for (int i = 0; i < fine; i++) ref_step(f, n, 1.0 / 60 / fine, x, v);
+        labReference(f, n, 1.0 / 60 / fine, fine, x, v);
     }
 }
 
@@ -545,7 +546,7 @@ int labHorizon(FILE *out)
     fprintf(out, "time,1 substep,4 substeps,16 substeps\n");
     /* follow the three runs and the truth */
     for (int k = 1; k <= HORIZON; k++) {
-        for (int i = 0; i < 256; i++) ref_step(hanging, 2, 1.0 / 60 / 256, place[0], v);
+        labReference(hanging, 2, 1.0 / 60 / 256, 256, place[0], v);
         if (k % HORIZON_EACH == 0) fprintf(out, "%.2f", k / 60.0);
         for (int i = 0; i < HORIZON_RUNS; i++) {
             for (int s = 0; s < steps[i]; s++) wfStepWorld(&world[i]);

@@ -19,6 +19,10 @@ typedef struct labTruth {
     int         conserves;         /* 1: energy; 2: and angular momentum about (0, 0) */
     int         stands;            /* 1: its course is to stay where it was put */
 } labTruth;
+/* Accelerations of n points; x, v, a: x and y of each in turn. */
+typedef void labAccelerations(int n, const double *x, const double *v, double *a);
+/* So many steps of h (s) by Runge and Kutta's classical method; n <= LAB_POINTS. */
+void labReference(labAccelerations *f, int n, double h, int steps, double *x, double *v);
 extern const labTruth labTruths[];
 extern const int labTruthCount;
 int labFindTruth(const char *name);             /* -1: no such scene */

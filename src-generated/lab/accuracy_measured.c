@@ -10,7 +10,7 @@ typedef struct AccProblem {
     const char *name;
     double at[4];                               /* x, y, vx, vy */
     double span;                                /* s */
-    void (*force)(const double *x, const double *v, double *a);
+    labAccelerations *force;
 } AccProblem;
 
 static double acc_sine(double x)                /* by its series, |x| <= 4 */
@@ -22,36 +22,36 @@ static double acc_sine(double x)                /* by its series, |x| <= 4 */
     }
     return sum;
 }
-static void acc_spring(const double *x, const double *v, double *a)
+static void acc_spring(int n, const double *x, const double *v, double *a)
 {
-    (void)v;
+    (void)n, (void)v;
     a[0] = -x[0], a[1] = -x[1];
 }
-static void acc_stiff(const double *x, const double *v, double *a)
+static void acc_stiff(int n, const double *x, const double *v, double *a)
 {
-    (void)v;
+    (void)n, (void)v;
     a[0] = -1e4 * x[0] - x[0] * x[0] * x[0], a[1] = -x[1];
 }
-static void acc_pendulum(const double *x, const double *v, double *a)
+static void acc_pendulum(int n, const double *x, const double *v, double *a)
 {
-    (void)v;
+    (void)n, (void)v;
     a[0] = -9.81 * acc_sine(x[0]), a[1] = 0;
 }
-static void acc_orbit(const double *x, const double *v, double *a)
+static void acc_orbit(int n, const double *x, const double *v, double *a)
 {
     double square = x[0] * x[0] + x[1] * x[1], cube = square * sqrt(square);
-    (void)v;
+    (void)n, (void)v;
     a[0] = -x[0] / cube, a[1] = -x[1] / cube;
 }
-static void acc_flight(const double *x, const double *v, double *a)
+static void acc_flight(int n, const double *x, const double *v, double *a)
 {
-    (void)x, (void)v;
+    (void)n, (void)x, (void)v;
     a[0] = 0, a[1] = -9.81;
 }
-static void acc_float(const double *x, const double *v, double *a)
+static void acc_float(int n, const double *x, const double *v, double *a)
 {
     double under = fmin(fmax(0.5 - x[1], 0), 1);        /* of a box of 1 m */
-    (void)v;
+    (void)n, (void)v;
     a[0] = 0, a[1] = -9.81 + 2 * 9.81 * under;
 }
 
@@ -64,21 +64,10 @@ static const AccProblem acc_problems[ACC_PROBLEMS] = {
     { "stiff spring", { 1, 1, 0, 0 }, 1, acc_stiff },
     { "buoyancy", { 0, 1.5, 0, 0 }, 4, acc_float },
 };
-/* The end of a problem, by Runge and Kutta's method in double. */
 static void acc_reference(const AccProblem *p, int steps, double y[4])
 {
-    double h = p->span / steps, k[4][4], t[4];
-    static const double at[4] = { 0, 0.5, 0.5, 1 };
     memcpy(y, p->at, sizeof p->at);
-    for (int i = 0; i < steps; i++) {
-        for (int s = 0; s < 4; s++) {
-            for (int j = 0; j < 4; j++) t[j] = y[j] + (s > 0 ? at[s] * h * k[s - 1][j] : 0);
-            k[s][0] = t[2], k[s][1] = t[3];
-            p->force(t, t + 2, k[s] + 2);
-        }
-        for (int j = 0; j < 4; j++)
-            y[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
-    }
+    labReference(p->force, 1, p->span / steps, steps, y, y + 2);
 }
 
 typedef struct AccRun { const AccProblem *problem; long asked; } AccRun;
@@ -91,7 +80,7 @@ static void acc_forces(void *context, const wfBodyState *state, int count, wfRea
     double v[2] = { (double)state->v.x, (double)state->v.y };
     (void)count, (void)time;
     run->asked++;
-    run->problem->force(x, v, a);
+    run->problem->force(1, x, v, a);
     out->force = wfAdd(out->force, wfV2((wfReal)a[0], (wfReal)a[1]));
 }
 /* Writes the error at the end; a step that fails, or an error of 10 m, is a failure. */
