@@ -1,4 +1,4 @@
-# peers.mk: the adapters of the chapter similar-systems, by which other engines play our scenes.  make -f tangle/peers.mk SRC=build/lines OUT=build peers
+# peers.mk: the adapters of the chapter adapters, by which other engines play our scenes.  make -f tangle/peers.mk SRC=build/lines OUT=build peers
 # Makes those whose engine is there, and names the others. Programs are in OUT/peers/bin. Engines in JavaScript are
 # packages of npm; they are put into OUT/peers/node_modules, at the versions of this list, and nowhere else.
 #   BOX2D3=/usr/local   the prefix of an installed Box2D 3.2, or several: 'box2d3=/opt/a box2d3-plain=/opt/b'

@@ -133,7 +133,6 @@ typedef struct Core {
 } Core;
 
 static int32_t edges_of(const Core *core) { return core->n > 1 ? core->n : 0; }
-/* count the ends of a core */
 static int32_t ends_of(const Core *core) { return core->n == 2 ? 2 : 0; }
 
 static wfReal *list_edges(const Core *core, const Core *other, wfReal *gaps)

@@ -476,8 +476,7 @@ static bool find_wrong(wfMatrix *m, wfJointSet *set, const wfSolve *in, int32_t 
         if (new) j->loose[k] = wrong;
         j->loose[k] = wfClamp(j->loose[k], wfMinR(wrong, 0), wfMaxR(wrong, 0));
         wfReal over = new && first ? 0 : excess(m, set, i, k, j->loose[k]);
-        /* how fast the wrong part of a gap may close */
-        wfReal most = size > 0 ? 1 / (32 * m->h * size) : 0;
+        wfReal most = size > 0 ? 1 / (32 * m->h * size) : 0;  /* how fast it may close */
         if (in->recoverySpeed > 0) most = wfMinR(most, in->recoverySpeed);
         m->part[i][k] = part;
         m->shift[i][k] = 0;

@@ -83,31 +83,28 @@ void wfSetJointSpring(wfJoint *j, wfReal mass, wfReal frequency, wfReal ratio)
     j->stiffness = mass * omega * omega;                        /* eq:joints-frequency */
     j->damping = 2 * ratio * mass * omega;
 }
-
 /* check a joint */
-static bool numbers_are_finite(const wfJoint *j)
-{
-    const wfReal number[] = { j->localA.x, j->localA.y, j->localB.x, j->localB.y, j->axis.x,
-        j->axis.y, j->groundA.x, j->groundA.y, j->groundB.x, j->groundB.y, j->rest,
-        j->angle, j->ratio, j->lower, j->upper, j->stiffness, j->damping, j->motorSpeed,
-        j->motorForce, j->springForce, j->breakForce, j->breakTorque, j->turnA, j->turnB,
-        j->load.x, j->load.y, j->twist, j->peakForce, j->peakTorque };
-    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
-        if (!wfIsFinite(number[i])) return false;
-    for (int i = 0; i < WF_JOINT_ROWS; i++)
-        if (!wfIsFinite(j->impulse[i])) return false;
-    return true;
-}
+#define ANY(field) WF_NUMBER(wfJoint, field, WF_ANY_REAL)
+#define FROM_ZERO(field) WF_NUMBER(wfJoint, field, WF_FROM_ZERO)
+const wfNumber wfJointNumbers[] = {
+    WF_WHOLE(wfJoint, a, 0, (wfReal)INT32_MAX), WF_WHOLE(wfJoint, b, 0, (wfReal)INT32_MAX),
+    ANY(localA.x), ANY(localA.y), ANY(localB.x), ANY(localB.y), ANY(axis.x), ANY(axis.y),
+    ANY(groundA.x), ANY(groundA.y), ANY(groundB.x), ANY(groundB.y), ANY(rest), ANY(angle),
+    ANY(ratio), ANY(lower), ANY(upper), FROM_ZERO(stiffness), FROM_ZERO(damping),
+    FROM_ZERO(springForce), ANY(motorSpeed), FROM_ZERO(motorForce), FROM_ZERO(breakForce),
+    FROM_ZERO(breakTorque), ANY(turnA), ANY(turnB), ANY(impulse[0]), ANY(impulse[1]),
+    ANY(impulse[2]), ANY(impulse[3]), ANY(impulse[4]), ANY(impulse[5]), ANY(load.x),
+    ANY(load.y), ANY(twist), ANY(peakForce), ANY(peakTorque),
+};
+const int wfJointNumberCount = (int)(sizeof wfJointNumbers / sizeof *wfJointNumbers);
 
 wfResult wfCheckJoint(const wfJoint *j)
 {
     if (j == NULL) return WF_ERROR_NULL;
     if (j->kind < 0 || j->kind >= wfJointKinds) return WF_ERROR_UNKNOWN;
-    if (!numbers_are_finite(j)) return WF_ERROR_NOT_FINITE;
-    if (j->a < 0 || j->b < 0 || j->a == j->b) return WF_ERROR_RANGE;
-    if (j->stiffness < 0 || j->damping < 0 || j->motorForce < 0) return WF_ERROR_RANGE;
-    if (j->springForce < 0) return WF_ERROR_RANGE;
-    if (j->breakForce < 0 || j->breakTorque < 0) return WF_ERROR_RANGE;
+    wfResult result = wfCheckNumbers(j, wfJointNumbers, wfJointNumberCount, NULL);
+    if (result != WF_OK) return result;
+    if (j->a == j->b) return WF_ERROR_RANGE;
     if (j->lower > j->upper || j->ratio == 0) return WF_ERROR_RANGE;
     if (wfAbs(wfLength(j->axis) - 1) > WF_R(0.001)) return WF_ERROR_RANGE;
     return j->kind == wfFindJoint("ratchet") && j->ratio < 0 ? WF_ERROR_RANGE : WF_OK;

@@ -1,6 +1,6 @@
-/* Weft: engine/bodies.c, tangled from chapters/engine/20-world.nw. Chapters that add to it:
- * bodies-in-a-world, step, looking, sensors-and-callbacks, joints-in-a-world, sleep-in-a-world. Do
- * not edit this file: edit the chapter and type make. MIT licence. */
+/* Weft: engine/bodies.c, tangled from chapters/engine/21-bodies-in-a-world.nw. Chapters that add to
+ * it: step, looking, sensors-and-callbacks, joints-in-a-world, sleep-in-a-world. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "engine/block.h"
 

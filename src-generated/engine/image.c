@@ -166,7 +166,6 @@ static void empty_places(uint8_t *array, int region, size_t from, size_t end)
 static void begin_places(uint8_t *array, size_t place, int region, const wfHeader *head)
 {
     switch (region) {
-    /* regions that begin with -1 */
     case WF_REGION_RINGS: case WF_REGION_ISLANDS:
         break;
     default: return;
@@ -211,7 +210,6 @@ wfResult wfTakeImage(wfBlock *b, const wfImage *image)
 static bool is_list(int region)
 {
     switch (region) {
-    /* regions that are lists */
     case WF_REGION_PAIRS: case WF_REGION_CACHES: case WF_REGION_CONTACTS:
     case WF_REGION_TOUCHES: case WF_REGION_HITS: case WF_REGION_EVENTS:
     case WF_REGION_INDEX:
@@ -238,7 +236,6 @@ void wfPlaceImage(const wfImage *image, uint8_t *base)
 static void make_room(const wfImage *image, wfWorldDef *def)
 {
     (void)image, (void)def;
-    /* make room for what the image may need */
     if (image->head.large) def->solver = wfFindSolver(WF_SOLVER_LARGE);
 }
 

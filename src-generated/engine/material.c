@@ -44,10 +44,9 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
         m.friction = friction(one->friction, two->friction);
         m.staticFriction = friction(holdsOne, holdsTwo);
     }
-    /* mix the restitution of two shapes */
     if (wfHas(h, WF_MODULE_RESTITUTION))
-        m.restitution = wfMixTable[h->restitutionRule].mix(one->restitution, two->restitution);
-    /* mix the rolling resistance of two shapes */
+        m.restitution = wfMixTable[h->restitutionRule].mix(one->restitution,
+                                                           two->restitution);
     if (wfHas(h, WF_MODULE_ROLLING))
         m.rollingResistance = wfMixTable[h->rollingRule].mix(one->rollingResistance,
                                                              two->rollingResistance);

@@ -1,6 +1,6 @@
-/* Weft: engine/step.h, tangled from chapters/engine/20-world.nw. Chapters that add to it: step,
- * looking, joints-in-a-world, continuous-collision, sleep-in-a-world, seams, accuracy. Do not edit
- * this file: edit the chapter and type make. MIT licence. */
+/* Weft: engine/step.h, tangled from chapters/engine/22-step.nw. Chapters that add to it: looking,
+ * joints-in-a-world, continuous-collision, sleep-in-a-world, seams, tolerance. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ENGINE_STEP_H
 #define WEFT_ENGINE_STEP_H
 /* A step in the making. For the engine's own files; not installed. */
@@ -121,6 +121,7 @@ wfResult wfFindContacts(struct wfStep *s);
 wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
+void wfNoteStep(const struct wfStep *s, wfResult result);
 #define WF_NEAR_WAY WF_R(0.5)       /* reaches in a step: nobody is followed below */
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it

@@ -1,4 +1,4 @@
-/* Weft: engine/touch.c, tangled from chapters/engine/20-world.nw. Chapters that add to it: step,
+/* Weft: engine/touch.c, tangled from chapters/engine/22-step.nw. Chapters that add to it: looking,
  * sensors-and-callbacks, workers, continuous-collision, sleep-in-a-world, seams. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
@@ -443,8 +443,8 @@ static wfResult find_contacts(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfWalk walk = { .pair = head->kept.pairs, .contact = head->kept.contacts,
                     .pairs = head->pairCount, .contacts = head->contactCount };
-    /* where else contacts of the last step may be */
     walk.after = NULL;
+    /* where else contacts of the last step may be */
     wfWalk slept = { .pairs = head->kept.pairs, .contacts = head->kept.contacts,
                      .touches = head->kept.touches };
     walk.after = s->roused ? &slept : NULL;
@@ -568,7 +568,6 @@ static void list_events(struct wfStep *s, int kind, const wfTouchingList *from)
         bool swap = (t->flags & WF_TOUCH_SENSOR_B) != 0;
         wfContactEvent event = { .a = swap ? b : a, .b = swap ? a : b };
         if (kind < WF_CONTACT_END) {
-            /* how hard this touch was */
             event.impulse = told_of(s, &at, t->a, t->b).impulse;
         }
         s->events[s->eventTotal++] = event;

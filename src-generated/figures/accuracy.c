@@ -1,6 +1,7 @@
 /* Weft: figures/accuracy.c, tangled from chapters/lab/02-accuracy.figures.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include "figures/kit.h"
+
 typedef struct ChoiceLine {
     const char *name;
     float start, order;

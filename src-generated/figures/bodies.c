@@ -73,6 +73,7 @@ static void figure_bodies_blows(wfDraw *d, const wfFigureInput *in)
         wfDrawTextf(d, (float)s.p.x, 3.75f, 13, WF_INK_TEXT, 0, "%.1f rad/s", (double)s.w);
     }
 }
+
 static const wfFigureRow rows[] = {
     { "bodies-velocity", figure_bodies_velocity, 8.0f, 5.4f, 1, { { 4.4f, 2.66f } } },
     { "bodies-lever", figure_bodies_lever, 7.0f, 5.2f, 1, { { 4.9f, 2.9f } } },

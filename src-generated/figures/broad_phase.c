@@ -3,6 +3,7 @@
 #include "weft/broad.h"
 #include "weft/dynamic_tree.h"
 #include "figures/kit.h"
+
 enum { BROAD_FIGURE_MOST = 40 };
 typedef struct BroadFigure {
     wfRect bounds[BROAD_FIGURE_MOST];

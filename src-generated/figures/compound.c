@@ -112,7 +112,6 @@ static void figure_compound_l(wfDraw *d, const wfFigureInput *in)
         figShape(d, &plank[i], wfTransformIdentity(), 2, WF_INK_LINE, role);
         wfDrawDashed(d, WF_XY(part[i].centre), WF_XY(all.centre), 1.5f, WF_INK_ACCENT);
         wfDrawPoint(d, WF_XY(part[i].centre), 6, WF_INK_LINE);
-        /* write what a plank adds to the inertia */
         double moved = (double)(wfInertiaAbout(&part[i], all.centre) - part[i].inertia);
         wfDrawTextf(d, 7.8f, 3.4f - 0.5f * (float)i, 14, role, 1, "own %.2f, moved %.2f",
                     (double)part[i].inertia, moved);
@@ -249,6 +248,7 @@ static void figure_compound_chain(wfDraw *d, const wfFigureInput *in)
     compound_chain(d, ground, 7, false);
     compound_chain(d, island, 6, true);
 }
+
 static const wfFigureRow rows[] = {
     { "compound-hull", figure_compound_hull, 8.0f, 3.6f, 1, { { 2.15f, 2.2f } } },
     { "compound-l", figure_compound_l, 8.0f, 4.1f, 1, { { 3.6f, 0.9f } } },

@@ -3,6 +3,7 @@
 #include "weft/math.h"
 #include "testbed/raster.h"
 #include "figures/kit.h"
+
 static void drawing_square(wfDraw *d, float x, float y, float side, int line, int role)
 {
     float a = x - 0.5f * side, b = x + 0.5f * side;
@@ -193,6 +194,7 @@ static void figure_drawing_stages(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawDashed(d, 4.12f, 0.05f, 4.12f, 1.5f, 1, WF_INK_FAINT);
 }
+
 static const wfFigureRow rows[] = {
     { "drawing-stages", figure_drawing_stages, 10.35f, 1.6f, 0, {{0}} },
     { "drawing-distance", figure_drawing_distance, 11.0f, 7.0f, 2,

@@ -5,6 +5,7 @@
 #include "weft/events.h"
 #include "weft/query.h"
 #include "figures/kit.h"
+
 enum { QUERY_SHAPES = 7 };
 typedef struct QueryFigure {
     wfShape shapes[QUERY_SHAPES];
@@ -173,6 +174,7 @@ static const wfPair timeline_pairs[TIMELINE_ROWS] = {
 static const char *const timeline_touches[TIMELINE_ROWS] = {
     ".#####...##.", "...######...", "..###ooooo..", "......######"
 };
+
 /* the touches of a step; '#' and 'o' are two owners of the same index */
 static int32_t timeline_list(int step, wfTouchingPair *out)
 {
@@ -230,6 +232,7 @@ static void figure_queries_timeline(wfDraw *d, const wfFigureInput *in)
     timeline_draw(d, false);
     timeline_draw(d, true);
 }
+
 static const wfFigureRow rows[] = {
     { "queries-fan", figure_queries_fan, 12.0f, 7.2f, 1, { { 5.6f, 3.6f } } },
     { "queries-disk", figure_queries_disk, 9.4f, 4.4f, 1, { { 0.8f, 0.7f } } },

@@ -59,6 +59,7 @@ static void arch_step(wfDraw *d, figArch *f)
                    .scratch = &scratch };
     figAccept(d, wfSolveStep(wfFindSolver("exact"), &in));
 }
+
 static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
 {
     static figArch f;

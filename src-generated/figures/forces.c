@@ -152,7 +152,6 @@ static void figure_forces_coat(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 0.15f, 3.7f, 13, WF_INK_TEXT, -1, "under water: %.2f of %.2f m²",
                 (double)wet.area, (double)wfShapeArea(&box));
 }
-
 /* float a box by one of three rules */
 enum { FLOAT_SIGN, FLOAT_DEPTH, FLOAT_EXACT, FLOAT_RULES };
 

@@ -2,6 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/resolve.h"
 #include "figures/kit.h"
+
 static void figure_friction_cone(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 foot = wfV2(4, WF_R(0.8)), n = wfV2(0, 1);

@@ -146,6 +146,7 @@ static void figure_scenes_forces(wfDraw *d, const wfFigureInput *in)
     (void)in;
     draw_gallery(d, tile, 4, 2);
 }
+
 static void figure_scenes_joints(wfDraw *d, const wfFigureInput *in)
 {
     static const SceneTile tile[] = {
@@ -216,6 +217,7 @@ static void window_box(wfDraw *d, const camera *c, float x, float y, float w, fl
     float xy[] = { a[0], a[1], b[0], a[1], b[0], b[1], a[0], b[1] };
     wfDrawPolygon(d, xy, 4, 0.8f, WF_INK_FAINT, fill);
 }
+
 static void window_text(wfDraw *d, const camera *c, float x, float y, int role, int anchor,
                         const char *text)
 {
@@ -359,6 +361,7 @@ static void figure_scenes_hand(wfDraw *d, const wfFigureInput *in)
     draw_pull(d, 1, WF_INK_GOOD, "critical", 1.5f);
     draw_pull(d, 2, WF_INK_ACCENT, "twice", 1.1f);
 }
+
 static void tape_box(wfDraw *d, float x, float y, float w, int fill, const char *name)
 {
     float xy[] = { x, y, x + w, y, x + w, y + 0.7f, x, y + 0.7f };

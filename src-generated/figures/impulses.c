@@ -3,6 +3,7 @@
 #include <math.h>
 #include "weft/resolve.h"
 #include "figures/kit.h"
+
 static void impulse_arrow(wfDraw *d, wfVec2 at, wfVec2 v, float width, int role)
 {
     wfVec2 tip = wfAdd(at, v);
@@ -99,6 +100,7 @@ static void figure_impulses_step(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawTextf(d, 4, 4.75f, 13, WF_INK_TEXT, 0, "step of 1/%.0f s", (double)(1 / h));
 }
+
 static const wfFigureRow rows[] = {
     { "impulses-discs", figure_impulses_discs, 8.0f, 4.6f, 1, { { 3.6f, 1.9f } } },
     { "impulses-corner", figure_impulses_corner, 6.0f, 3.6f, 1, { { 4.0f, 0.3f } } },

@@ -6,7 +6,6 @@
 #include "figures/kit.h"
 static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
 {
-    /* the methods that fly, and their colours */
     static const char *const method[4] = { "rk4", "explicit-euler", "symplectic-euler",
                                            "verlet" };
     static const int ink[4] = { WF_INK_FAINT, WF_INK_BAD, WF_INK_ACCENT, WF_INK_GOOD };

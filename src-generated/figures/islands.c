@@ -3,6 +3,7 @@
 #include <string.h>
 #include "weft/island.h"
 #include "figures/kit.h"
+
 enum { ISLAND_DISCS = 27 };
 
 typedef struct islandDisc { float x, y, r; } islandDisc;

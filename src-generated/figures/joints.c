@@ -2,6 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/joint.h"
 #include "figures/kit.h"
+
 static void joints_box(wfDraw *d, const wfBodyState *s, float wide, float high, int ink)
 {
     float xy[8];
@@ -133,6 +134,7 @@ static void figure_joints_step(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 7.8f, 5.2f, 13, WF_INK_GOOD, 1, "a joint");
     wfDrawText(d, 7.8f, 4.9f, 13, WF_INK_BAD, 1, "a stiff spring");
 }
+
 static const wfFigureRow rows[] = {
     { "joints-kinds", figure_joints_kinds, 12.4f, 10.4f, 0, {{0}} },
     { "joints-aim", figure_joints_aim, 5.6f, 3.6f, 0, {{0}} },

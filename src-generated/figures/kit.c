@@ -43,6 +43,7 @@ void figShape(wfDraw *d, const wfShape *s, wfTransform at, float widthPx,
     else if (n > 2) figRing(d, ring, n, widthPx, line, fill);
     else if (n == 2) wfDrawLine(d, WF_XY(ring[0]), WF_XY(ring[1]), widthPx, line);
 }
+
 wfVec2 figHandle(const wfFigureInput *in, int i)
 {
     return wfV2((wfReal)in->handle[i][0], (wfReal)in->handle[i][1]);
@@ -54,6 +55,7 @@ static void orbit_pull(void *context, const wfBodyState *state, int count, wfRea
     wfBodyView view = { .count = count, .state = state, .props = &props };
     wfAccumulateForces(context, 1, &view, time, out);
 }
+
 int figPath(const char *method, wfBodyState *body, wfForce *force, double h,
             int steps, float *xy)
 {
@@ -89,6 +91,7 @@ wfReal figSlider(wfDraw *d, const wfFigureInput *in, const char *left,
     wfDrawText(d, 7.1f, 0.25f, 11, WF_INK_TEXT, -1, right);
     return (wfReal)(x - 1) / 6;
 }
+
 wfReal figStepSlider(wfDraw *d, const wfFigureInput *in)
 {
     return figSlider(d, in, "short", "long");

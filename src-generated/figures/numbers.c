@@ -2,6 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/math.h"
 #include "figures/kit.h"
+
 static void figure_vector(wfDraw *d, wfVec2 from, wfVec2 v, int role, const char *name)
 {
     wfVec2 tip = wfAdd(from, v), label = wfAddScaled(tip, WF_R(0.22), wfNormalize(v));

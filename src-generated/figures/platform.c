@@ -2,6 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "testbed/platform.h"
 #include "figures/kit.h"
+
 static void platform_box(wfDraw *d, float x, float y, float w, float h, int fill,
                          const char *name)
 {
@@ -91,6 +92,7 @@ static void figure_platform_spiral(wfDraw *d, const wfFigureInput *in)
     platform_spiral(d, 1.4, STEP_CLOCK_MOST, WF_INK_ACCENT, "c = 1.4 h, bound 8");
     platform_spiral(d, 0.6, STEP_CLOCK_MOST, WF_INK_GOOD, "c = 0.6 h");
 }
+
 static const wfFigureRow rows[] = {
     { "platform-service", figure_platform_service, 8.9f, 4.8f, 0, { { 0 } } },
     { "platform-clock", figure_platform_clock, 8.1f, 3.1f, 0, { { 0 } } },

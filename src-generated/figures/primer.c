@@ -2,6 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "lab/taste.h"
 #include "figures/kit.h"
+
 static void figure_primer_pipeline(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const stage[5] = { "forces", "integration", "broad phase",
@@ -73,7 +74,6 @@ static void figure_intro_crates(wfDraw *d, const wfFigureInput *in)
     wfShape box;
     wfReal inertia = 0;
     build_crate(wfV2(1.6f, 2), point, spring);
-    /* sum the inertia of the nine points */
     for (int i = 0; i < CRATE_POINTS; i++)
         inertia += wfDistanceSq(point[i].p, point[4].p) / CRATE_POINTS;
     rigid.invInertia = 1 / inertia;
@@ -184,6 +184,7 @@ static void figure_req_oracles(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 11.1f, 1.74f, 13, WF_INK_TEXT, 0, "equal?");
     wfDrawText(d, 9.2f, 0.2f, 14, WF_INK_TEXT, 0, "differential");
 }
+
 static const wfFigureRow rows[] = {
     { "primer-pipeline", figure_primer_pipeline, 13.65f, 2.3f, 0, { { 0 } } },
     { "intro-crates", figure_intro_crates, 12.2f, 3.4f, 0, { { 0 } } },

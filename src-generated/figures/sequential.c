@@ -144,6 +144,7 @@ static void figure_sequential_passes(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 1.45f, 4.85f, 11, WF_INK_TEXT, 0, "sinking");
     wfDrawText(d, 7.6f, 4.3f, 11, WF_INK_TEXT, 1, "impulse below (line: needed)");
 }
+
 static const wfFigureRow rows[] = {
     { "sequential-path", figure_sequential_path, 6.8f, 5.2f, 1, { { 5.2f, 3.6f } } },
     { "sequential-passes", figure_sequential_passes, 8.0f, 5.4f, 1, { { 3.6f, 0.3f } } },

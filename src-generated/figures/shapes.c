@@ -18,7 +18,6 @@ static void figure_shapes_bounds(wfDraw *d, const wfFigureInput *in)
     figShape(d, &box, at, 1.5f, WF_INK_GOOD, WF_INK_NONE);
     figShape(d, &s, at, 2, WF_INK_LINE, WF_INK_BODY);
     wfDrawPoint(d, WF_XY(p), 6, WF_INK_LINE);
-    /* name the bounds in the figure */
     wfDrawText(d, 0.1f, 0.2f, 13, WF_INK_BODY2, -1, "bounding circle");
     wfDrawText(d, 3, 0.2f, 13, WF_INK_ACCENT, 0, "axis-aligned bounds");
     wfDrawText(d, 5.9f, 0.2f, 13, WF_INK_GOOD, 1, "oriented box");

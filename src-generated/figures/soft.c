@@ -3,6 +3,7 @@
 #include "weft/contact.h"
 #include "weft/resolve.h"
 #include "figures/kit.h"
+
 static void bounce_figure_step(wfDraw *d, wfBodyState *state, wfContact *c, int row)
 {
     wfReal h = WF_R(0.1), g = WF_R(-9.81);
@@ -130,6 +131,7 @@ static void figure_soft_gather(wfDraw *d, const wfFigureInput *in)
         wfDrawText(d, 1.5f, y, 12, WF_INK_TEXT, 1, body[row]);
     }
 }
+
 static const wfFigureRow rows[] = {
     { "soft-gather", figure_soft_gather, 12.4f, 5.2f, 0, {{0}} },
     { "soft-sag", figure_soft_sag, 8.0f, 5.6f, 1, { { 1.2f, 0.3f } } },

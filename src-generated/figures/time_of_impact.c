@@ -36,6 +36,7 @@ static void impact_ghosts(wfDraw *d, const wfShape *s, wfSweep sweep, int count,
         figShape(d, s, wfSweepAt(sweep, t), 2, role, WF_INK_NONE);
     }
 }
+
 static void figure_impact_rod(wfDraw *d, const wfFigureInput *in)
 {
     wfShape rod, peg;
@@ -197,6 +198,7 @@ static int impact_lowest(double s)
         if (impact_parabola(i, s) < impact_parabola(best, s)) best = i;
     return best;
 }
+
 static void impact_parabola_line(wfDraw *d, int i, int role, float width)
 {
     float xy[2 * 81];
@@ -265,6 +267,7 @@ static void figure_impact_core(wfDraw *d, const wfFigureInput *in)
     impact_stopped(d, &crate, &inner, slide, tiles, 2);
     impact_stopped(d, &crate, &inner, push, tiles + 2, 1);
 }
+
 static const wfFigureRow rows[] = {
     { "impact-tunnel", figure_impact_tunnel, 8.4f, 3.0f, 0, { { 0 } } },
     { "impact-rod", figure_impact_rod, 6.4f, 4.6f, 1, { { 3.5f, 3.4f } } },

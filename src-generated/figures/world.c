@@ -4,6 +4,7 @@
 #include "weft/weft.h"
 #include "engine/step.h"
 #include "figures/kit.h"
+
 static void figure_world_block(wfDraw *d, const wfFigureInput *in)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -158,6 +159,7 @@ static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
         draw_flow_of(d, array, y);
     }
 }
+
 static const wfFigureRow rows[] = {
     { "world-block", figure_world_block, 11.4f, 6.1f, 0, {{0}} },
     { "world-three", figure_world_three, 10.7f, 8.6f, 0, {{0}} },

@@ -1,5 +1,5 @@
 /* Weft: lab/bench.c, tangled from chapters/engine/04-design.nw. Chapters that add to it:
- * friction.lab, sequential.lab, soft.lab, joints.lab, drawing-pixels.lab, accuracy. Do not edit
+ * friction.lab, sequential.lab, soft.lab, joints.lab, drawing-pixels.lab, accuracy.lab. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include <string.h>
@@ -46,6 +46,7 @@ int labAddBox(labBench *b, double x, double y, double w, double h, double mass,
     wfMakeBox((wfReal)(w / 2), (wfReal)(h / 2), &box);
     return bench_add(b, box, x, y, mass, mu);
 }
+
 int labAddDisc(labBench *b, double x, double y, double r, double mass, double mu)
 {
     wfShape disc;
@@ -102,6 +103,7 @@ static wfSolve bench_solve(labBench *b, wfPool *scratch)
             .contactDampingRatio = b->damping,
         .fine = b->fine, .scratch = scratch };
 }
+
 static void bench_fly(labBench *b)
 {
     for (int i = 0; i < b->count; i++) {
@@ -135,6 +137,7 @@ void labStepBench(labBench *b)
     else if (wfSolveVelocities(b->solver, &solve) == WF_OK)
         wfSolvePositions(b->solver, &solve);
 }
+
 void labRunBench(labBench *b, int steps)
 {
     for (int i = 0; i < steps; i++) labStepBench(b);
@@ -221,6 +224,7 @@ double labMean(double a, double b)       /* Gauss's arithmetic-geometric mean */
     }
     return a;
 }
+
 double labSwingEnergy(const wfBodyState *s)
 {
     double x = (double)s->v.x, y = (double)s->v.y, w = (double)s->w;

@@ -1,5 +1,5 @@
 /* Weft: lab/bench.h, tangled from chapters/engine/04-design.nw. Chapters that add to it:
- * friction.lab, sequential.lab, soft.lab, joints.lab, drawing-pixels.lab, accuracy. Do not edit
+ * friction.lab, sequential.lab, soft.lab, joints.lab, drawing-pixels.lab, accuracy.lab. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_LAB_BENCH_H
 #define WEFT_LAB_BENCH_H

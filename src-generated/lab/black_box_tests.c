@@ -2,6 +2,7 @@
  * this file: edit the chapter and type make. MIT licence. */
 #include "lab/cases.h"
 #include "lab/bench.h"
+
 static int measure_cases(FILE *out)
 {
     fprintf(out, "id,purpose,input,expected,tries,worst,bound,unit,verdict\n");
@@ -14,6 +15,7 @@ static int measure_cases(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "cases", "the report's black-box tests TC01 to TC08, with numbers", measure_cases },
 };

@@ -3,6 +3,7 @@
 #include "weft/body.h"
 #include "weft/shape.h"
 #include "lab/bench.h"
+
 static int measure_bodies_sizes(FILE *out)
 {
     fprintf(out, "structure,bytes\n");
@@ -30,6 +31,7 @@ static int measure_bodies_damping(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "bodies-sizes", "bytes that one body takes, by structure", measure_bodies_sizes },
     { "bodies-damping", "speed after 2 s of damping at 3/s, by method and step",

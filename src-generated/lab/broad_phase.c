@@ -9,6 +9,7 @@
 #include "weft/integrate.h"
 #include "weft/shape.h"
 #include "lab/bench.h"
+
 enum { BROAD_MOST = 100000, BROAD_PAIRS = 1 << 20, BROAD_SCENES = 5, BROAD_FRAMES = 8 };
 enum { BROAD_FREE = 10000 };                     /* so many circles fly freely */
 static const char *const broad_scenes[] = { "uniform", "mixed", "clustered", "tower",

@@ -105,6 +105,7 @@ static wfResult resolving(wfReal share, wfReal slop, int32_t bodies, wfWorld *wo
     def.bodyCapacity = bodies;
     return wfCreateWorld(&def, world);
 }
+
 /* Puts two random bodies into a world of `resolving`, looks, and takes them out again, so
    often: the worst of what `look` has seen. */
 typedef double PairLook(wfWorld *world, const wfShape s[2], const wfTransform x[2],

@@ -3,6 +3,7 @@
 #include <string.h>
 #include "testbed/classics.h"
 #include "lab/bench.h"
+
 /* What is left out with the exact solver, lest the table take minutes. */
 static bool is_dear(const wfClassic *c)
 {

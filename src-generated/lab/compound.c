@@ -106,6 +106,7 @@ static int measure_compound_pieces(FILE *out)
         }
     return 0;
 }
+
 static double time_orientation(int n)
 {
     int sum = 0;
@@ -151,6 +152,7 @@ static int measure_compound_time(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "compound-remove", "errors after a part is put on and taken off by subtraction",
       measure_compound_remove },

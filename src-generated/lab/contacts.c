@@ -4,6 +4,7 @@
 #include "weft/body.h"
 #include "weft/contact.h"
 #include "lab/bench.h"
+
 /* the middle of the points of a manifold along x, weighted by their depths */
 static wfReal contact_middle(const wfManifold *m)
 {
@@ -476,6 +477,7 @@ static int measure_contacts_reuse_time(FILE *out)
     reuse_pair(out, "16 corners on 16", &sixteen, &sixteen);
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "contacts-tilt", "contact points under a tilted box, by angles and by clipping",
       measure_contacts_tilt },

@@ -2,6 +2,7 @@
  * this file: edit the chapter and type make. MIT licence. */
 #include "testbed/raster.h"
 #include "lab/bench.h"
+
 /* The ink of shape k, moved by (x, y), in a picture of 32 x 32 pixels. */
 static double drawing_ink(int k, float size, float x, float y, bool jagged)
 {
@@ -97,6 +98,7 @@ static int measure_drawing_time(FILE *out)
         }
     return d.overflow + d.refused;
 }
+
 static const wfMeasureRow rows[] = {
     { "drawing-coverage", "ink against area, smooth and jagged", measure_drawing_coverage },
     { "drawing-time", "milliseconds to draw a frame of 1280 x 720", measure_drawing_time },

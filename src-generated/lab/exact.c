@@ -8,6 +8,7 @@
 #include "weft/resolve.h"
 #include "weft/exact.h"
 #include "lab/bench.h"
+
 enum { TALL_BODIES = 1010, TALL_CONTACTS = 2100 };
 typedef struct labTall {
     wfShape      shape[TALL_BODIES];
@@ -149,7 +150,6 @@ static void tall_arch(int stones, double thickness)
         for (int k = 0; k < 4; k++) corner[k] = wfSub(corner[k], middle);
         if (wfMakePolygon(corner, 4, &stone) != WF_OK) return;
         if (wfShapeMass(&stone, 1, &mass) != WF_OK) return;
-        /* move the stone's origin to its centre of mass */
         for (int k = 0; k < 4; k++) corner[k] = wfSub(corner[k], mass.centre);
         if (wfMakePolygon(corner, 4, &stone) != WF_OK) return;
         tall_add(&stone, wfAdd(middle, mass.centre), (double)mass.mass,

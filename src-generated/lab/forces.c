@@ -84,6 +84,7 @@ static int measure_forces_sliver(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "forces-sliver", "a ball that dips into the water: area as written and as computed",
       measure_forces_sliver },

@@ -69,6 +69,7 @@ static int measure_friction_creep(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "friction-roll", "speed (m/s) and rim speed of a disc that slides and begins to roll",
       measure_friction_roll },

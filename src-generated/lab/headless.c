@@ -5,6 +5,7 @@
 #include "testbed/platform.h"
 #include "engine/image.h"
 #include "lab/bench.h"
+
 /* A bin with n balls and boxes in rows; it will settle to a heap. */
 static wfResult frame_heap(int n, wfWorld *out)
 {

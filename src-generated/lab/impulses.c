@@ -154,6 +154,7 @@ static int measure_impulses_stack(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "impulses-rest", "height (mm) of a box put at rest on a floor, e = 0.8, 60 Hz",
       measure_impulses_rest },

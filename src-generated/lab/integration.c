@@ -78,6 +78,7 @@ static void motion_forces(void *context, const wfBodyState *state, int count, wf
     run->evaluations++;
     wfAccumulateForces(run->problem->forces, run->problem->forceCount, &view, time, out);
 }
+
 static void motion_begin(MotionRun *run, const MotionProblem *problem)
 {
     run->problem = problem;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include "weft/island.h"
 #include "lab/bench.h"
+
 typedef struct islandRun {
     int32_t *parent;
     double arrows, searches;
@@ -97,6 +98,7 @@ static int measure_islands_steps(FILE *out)
                 island_arrows(3, n, true), island_arrows(3, n, false));
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "islands-steps", "arrows followed per search of union-find, by the number of bodies",
       measure_islands_steps },

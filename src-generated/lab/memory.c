@@ -4,6 +4,7 @@
 #include <time.h>
 #include "lab/toy_heap.h"
 #include "lab/bench.h"
+
 static int measure_memory_holes(FILE *out)
 {
     static ToyHeap heap;
@@ -57,6 +58,7 @@ static int measure_memory_time(FILE *out)
     wfFreeMemory(&memory);
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "memory-holes", "a first-fit heap of 600 cells: free cells and longest hole",
       measure_memory_holes },

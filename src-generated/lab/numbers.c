@@ -4,6 +4,7 @@
 #include <time.h>
 #include "weft/math.h"
 #include "lab/bench.h"
+
 static float next_float(float x)
 {
     union { float real; uint32_t bits; } u = { x };
@@ -99,6 +100,7 @@ static int measure_numbers_time(FILE *out)
             nanoseconds_per_call(timed_your_exp));
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "numbers-gap", "the gap between floats far from the origin", measure_numbers_gap },
     { "numbers-sine", "largest error of the sine by size of the angle",

@@ -31,6 +31,7 @@ static wfResult timed_step(wfWorld *world, double *stage)
     }
     return result;
 }
+
 static int compare_doubles(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -245,6 +246,7 @@ static int measure_performance_steered(FILE *out)
     return 0;
 }
 static bool has_shapes(uint32_t modules) { return (modules & WF_MODULE_SHAPES) != 0; }
+
 static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pairs)
 {
     size_t permanent[2], transient[2], kept[2];

@@ -52,6 +52,7 @@ static int measure_platform_variable_step(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "platform-variable-step",
       "a spring on three machines, stepped by the clock and by a fixed step",

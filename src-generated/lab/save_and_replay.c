@@ -8,6 +8,7 @@
 #include "weft/save.h"
 #include "weft/json.h"
 #include "lab/bench.h"
+
 static void save_wall(wfWorld *world, wfReal x, wfReal y, wfReal halfWidth,
                       wfReal halfHeight)
 {
@@ -315,6 +316,7 @@ static int measure_text_drift(FILE *out)
           && drift_row(out, "forty boxes tumble", 3));
 #endif
 }
+
 static const wfMeasureRow rows[] = {
     { "save-rewind", "bytes for a step of the past: whole, differences, every 60th",
       measure_save_rewind },

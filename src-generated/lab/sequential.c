@@ -2,6 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include "lab/bench.h"
+
 static int measure_sequential_stack(FILE *out)
 {
     static labBench b;
@@ -91,6 +92,7 @@ static int measure_sequential_creep(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "sequential-stack", "ten boxes on each other for 20 s, by solver",
       measure_sequential_stack },

@@ -71,6 +71,7 @@ static double naive_inertia(const wfVec2 *p, int n, double *area)
     *area = (double)a;
     return (double)(j - wfLengthSq(moment) / a);    /* J - A |c|^2 */
 }
+
 static int measure_shapes_far(FILE *out)
 {
     /* prepare the far rectangle and its true numbers */
@@ -88,9 +89,9 @@ static int measure_shapes_far(FILE *out)
         for (int i = 0; i < 4; i++) p[i] = wfAdd(away, wfV2(x[i], y[i]));
         double j = naive_inertia(p, 4, &a);
         if (wfMakePolygon(p, 4, &s) != WF_OK || wfShapeMass(&s, 1, &d) != WF_OK) return 1;
-        /* print the four relative errors */
-        fprintf(out, "%d,%.2g,%.2g,%.2g,%.2g\n", far, labRelative(a, area), labRelative(j, inertia),
-                labRelative((double)d.area, area), labRelative((double)d.inertia, inertia));
+        fprintf(out, "%d,%.2g,%.2g,%.2g,%.2g\n", far, labRelative(a, area),
+                labRelative(j, inertia), labRelative((double)d.area, area),
+                labRelative((double)d.inertia, inertia));
     }
     return 0;
 }

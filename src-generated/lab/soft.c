@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 #include "lab/bench.h"
+
 static labBench *bouncing_ball(const char *solver, double height)
 {
     static labBench b;
@@ -273,6 +274,7 @@ static int measure_soft_target(FILE *out)
     fprintf(out, "roll: error of the distance (%%),%.4f\n", 100 * labRollError("soft", 1));
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "soft-compare", "sliding, rolling, creeping and bouncing, by solver",
       measure_soft_compare },

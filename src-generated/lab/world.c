@@ -6,6 +6,7 @@
 #include "weft/weft.h"
 #include "engine/regions.h"
 #include "lab/bench.h"
+
 enum { HEAP_BODIES = 400, HEAP_WIDE = 20, HEAP_SETTLE = 400, HEAP_BATCH = 20 };
 
 static wfResult heap_shape(int corners, wfShape *out)
@@ -194,6 +195,7 @@ static int measure_world_far(FILE *out)
     }
     return 0;
 }
+
 static int measure_world_far_double(FILE *out)
 {
     if (sizeof(wfReal) == sizeof(double)) return measure_world_far(out);
@@ -210,7 +212,6 @@ static int measure_world_flight(FILE *out)
     wd.gravity = wfV2(0, 0);
     def.mass = 1;
     def.velocity = wfV2(1000, 0);
-    /* launch the three probes */
     for (int k = 0; k < 3; k++)
         if (wfCreateWorld(&wd, &world[k]) != WF_OK ||
             wfAddBodyToWorld(&world[k], &def, &id[k]) != WF_OK) return 1;
@@ -358,6 +359,7 @@ static wfResult fill_drops(wfWorld *world, int corners)
     (void)corners;
     return fill_fountain(world);
 }
+
 static int infer_row(FILE *out, const char *name, wfResult fill(wfWorld *, int),
                      int corners)
 {
@@ -394,6 +396,7 @@ static int measure_world_inferred(FILE *out)
         || infer_row(out, "a heap of 400 boxes", fill_heap, 4)
         || infer_row(out, "a heap of 400 capsules", fill_heap, 2);
 }
+
 static void explain_cell(FILE *out, const wfStageReport *r)
 {
     char text[64] = "always";

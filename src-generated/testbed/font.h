@@ -22,6 +22,7 @@ typedef struct wfFont {
     int32_t glyphCount;
 } wfFont;
 extern const wfFont wfBakedFont;     /* made at build time; no sizes when it could not be */
+
 /* The size that is nearest to px (an index); -1 for a font without sizes. */
 int32_t wfNearestSize(const wfFont *font, float px);
 /* The letter's glyph at that size; for a letter that the font lacks, that of U+FFFD. */

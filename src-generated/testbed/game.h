@@ -65,7 +65,7 @@ typedef struct game_state {
     int32_t quiet;                      /* frames in which nothing has happened */
     int32_t most, made;                 /* steps in a frame, at most; in the last one */
     double wall, passed, pace; /* s on the wall, in the world; the share of the last second */
-    int32_t turning;                    /* what is held shall have a certain angle ... */
+    int32_t turning;                    /* what is held is to have a certain angle ... */
     wfReal turn_to;                     /* ... rad */
     int32_t mark, mark_down;            /* the arrows move a mark; it is pressed */
     float mark_x, mark_y;               /* pixels */

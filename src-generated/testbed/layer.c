@@ -52,7 +52,6 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
         bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0
                    || strcmp(name, "--workers") == 0;
         if (!place && !size && !amount) {
-            /* keep a command or its argument */
             const char **word = name[0] == '-' ? &out->command : &out->argument;
             if (*word) return "more than one command";
             *word = name;

@@ -76,6 +76,7 @@ static wfResult build_among(wfWorld *world, int32_t pegs)
     drop_crowd(&m, FALLING, (pegs - FALLING) / CROWD_ROW, 2, WF_R(0.3));
     return m.result;
 }
+
 static wfResult build_among_1000(wfWorld *world) { return build_among(world, 1000); }
 static wfResult build_among_2000(wfWorld *world) { return build_among(world, 2000); }
 

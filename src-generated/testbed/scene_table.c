@@ -38,6 +38,7 @@ static const wfSceneGroup *const group_table[] = {
     GROUP(wfLastScenes)
 };
 enum { GROUPS = sizeof group_table / sizeof *group_table };
+
 int wfSceneCount(void)
 {
     size_t count = 0;

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The adapters of the chapter similar-systems, each against what any engine must do: it flies as its integrator says, falls, rests, turns about a hinge,
+# The adapters of the chapter adapters, each against what any engine must do: it flies as its integrator says, falls, rests, turns about a hinge,
 # minds filters; it tells as many columns as there are bodies; and what is in a scene and not understood is refused by its name, by
 # all in the same words. Adapters that are not in build/peers/bin are not tested (make peers).
 #   tests/peers/adapters.sh [NAME ...]

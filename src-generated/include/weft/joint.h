@@ -150,6 +150,8 @@ typedef struct wfJointStep {
 /* WF_ERROR_NULL, _UNKNOWN (kind), _NOT_FINITE, _RANGE (a body with itself, a negative
    stiffness, damping or strength, an axis not of length 1, lower > upper, ratio 0). */
 wfResult wfCheckJoint(const wfJoint *joint);
+extern const wfNumber wfJointNumbers[];     /* those that have a range by themselves */
+extern const int wfJointNumberCount;
 /* Brings turnA and turnB up to date, and lets a ratchet click. wfStepJoints does it. */
 void wfTrackJoint(wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB);
 /* Bytes that wfBeginJoints takes. */

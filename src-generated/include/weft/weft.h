@@ -1,6 +1,6 @@
 /* Weft: include/weft/weft.h, tangled from chapters/engine/20-world.nw. Chapters that add to it:
- * looking, sensors-and-callbacks, mouse-joint, world-origin, save-and-replay, accuracy. Do not edit
- * this file: edit the chapter and type make. MIT licence. */
+ * looking, sensors-and-callbacks, mouse-joint, world-origin, save-and-replay, tolerance. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_WEFT_H
 #define WEFT_WEFT_H
 /* All of the engine. */

@@ -319,6 +319,7 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
 /* The greatest force (N) and torque (N m) that it exerted in any substep of that step; no
  * less than the mean. Either may be NULL. */
 wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfReal *torque);
+
 int32_t wfJointCount(const wfWorld *world);
 /* Joint number i of 0 .. wfWorldJointPlaces - 1; index 0 in the id: an empty place. */
 wfJointId wfJointAt(const wfWorld *world, int32_t i);
