@@ -30,9 +30,9 @@ typedef struct wfHeader {
     uint64_t   steps;
     double     time;           /* s */
     uint64_t   offset[WF_REGION_COUNT];
-#define WF_SETTING(type, name, usual, text, ...) type name;
+#define WF_SETTING(type, name, ...) type name;
+#define WF_ADVANCED WF_SETTING
 #include "weft/setting_rows.h"
-#undef WF_SETTING
     /* what else a world keeps */
     wfSlots bodySlots;
     wfSlots forceSlots;
@@ -67,8 +67,6 @@ typedef struct wfBlock {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) type *pointer;
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
     uint8_t *transient;
 } wfBlock;
 /* needs of a block */

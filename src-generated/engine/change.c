@@ -101,12 +101,13 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
     if (large && !h->large) return WF_ERROR_MEMORY;
     bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
-    if (matrix != (d.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
+    if (matrix != (d.advanced.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
     if (!same) wfBodyChanged(b, -1);
     /* before the settings change */
-    if (!d.queries) h->indexStale = 1;
-    if (h->directJointCost < d.directJointCost || h->directJointCost > d.directJointCost
-        || h->directJoints != d.directJoints)
+    if (!d.advanced.queries) h->indexStale = 1;
+    const wfAdvancedDef *to = &d.advanced;
+    if (h->directJointCost < to->directJointCost || h->directJointCost > to->directJointCost
+        || h->directJoints != to->directJoints)
         h->machines = 0;                /* judged anew */
     if (!d.sleep) wfBodyChanged(b, -1);
     wfKeepSettings(&d, h);
@@ -157,8 +158,8 @@ wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrow
     if (result != WF_OK) return result;
     wfWorldDef d = wfSettings(b.head);
     if (integrator != -1) d.integrator = integrator;
-    if (broadPhase != -1) d.broadPhase = broadPhase;
-    if (narrowPhase != -1) d.narrowPhase = narrowPhase;
+    if (broadPhase != -1) d.advanced.broadPhase = broadPhase;
+    if (narrowPhase != -1) d.advanced.narrowPhase = narrowPhase;
     if (solver != -1) d.solver = solver;
     return change_settings(&b, &d);
 }
