@@ -5,6 +5,16 @@
 #include "engine/block.h"
 
 /* disturb a body */
+void wfClearPlace(wfBlock *b, int32_t of, int32_t i)
+{
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
+    if (per == of && _Generic((type *)NULL, wfSlot *: false, default: true) \
+        && ((modules) == 0 || wfHas(b->head, modules))) \
+        memset(&b->pointer[i], 0, sizeof(type));
+#define WF_FRESH(NAME, name, per, type, modules, stage)
+#include "engine/array_rows.h"
+}
+
 void wfBodyChanged(wfBlock *b, int32_t i)
 {
     (void)b, (void)i;
