@@ -1,7 +1,8 @@
 #ifndef WEFT_OLD_NAMES_H
 #define WEFT_OLD_NAMES_H
 /* Weft: the names of the last release, for one release more. Fields are words: with WF_OLD_FIELDS they are renamed wherever they stand in
- * what follows, other people's as well. MIT licence. */
+ * what follows, other people's as well. If it is defined before the first header of Weft's is included, what stands in wfWorldDef.advanced
+ * is found in wfWorldDef itself, too. MIT licence. */
 #include "weft/weft.h"
 
 /* types */

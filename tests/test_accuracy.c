@@ -367,7 +367,7 @@ static Crowd crowd(int32_t substeps, int32_t lanes)
 {
     Crowd c;
     wfWorldDef def = wfDefaultWorldDef();
-    def.substeps = substeps, def.enableSimd = def.graphColouring = lanes;
+    def.substeps = substeps, def.advanced.enableSimd = def.advanced.graphColouring = lanes;
     assert_ok(wfCreateWorld(&def, &c.world));
     wfBodyDef d = wfDefaultBodyDef();
     d.type = WF_STATIC, d.position = wfV2(0, -1);

@@ -191,7 +191,7 @@ static wfWorld filled(void)
 {
     wfWorld made;
     wfWorldDef def = wfDefaultWorldDef();
-    def.materialPairCapacity = 2;
+    def.advanced.materialPairCapacity = 2;
     assert_ok(wfCreateWorld(&def, &made));
     add(&made, floor_def());
     for (int i = 0; i < 8; i++) with.bodyId = add(&made, ball_def(i % 3, 0.5 + i / 3, 0.5));

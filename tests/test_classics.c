@@ -167,7 +167,7 @@ static void boxes_born_in_one_place_come_apart(void **unused)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     int32_t count;
-    def.pairCapacity = def.contactCapacity = 1300;
+    def.advanced.pairCapacity = def.advanced.contactCapacity = 1300;
     assert_ok(wfCreateWorld(&def, &world));
     assert_ok(wfBuildCoincident(&world, 50));
     for (int i = 0; i < 900; i++) assert_ok(wfStepWorld(&world));

@@ -147,7 +147,7 @@ static void a_corner_is_passed_without_a_ghost(void **state)
             for (int phase = 0; phase < 20; phase += 3) {
                 wfWorldDef def = calm(wfSolverTable[solver].name);
                 wfBodyDef post = wall_of(0.2, 2), bullet = body_of(kind, 0.05);
-                double half = kind == 2 ? 0.025 : 0.05, gap = 2 * (double)def.slop * 0.0708;
+                double half = kind == 2 ? 0.025 : 0.05, gap = 2 * (double)def.advanced.slop * 0.0708;
                 bullet.velocity = wfV2(300, 0);
                 bullet.position = wfV2((wfReal)(-8 - 0.25 * phase), (wfReal)(1 + half + gap));
                 wfBodyInfo with = fly_past(&def, &post, bullet, 6), alone = fly_past(&def, NULL, bullet, 6);
@@ -500,7 +500,7 @@ static double deepest_in_hall(int solver, int impacts, double *allowed)
         wfVec2 p = info(&w, id).position;
         deepest = fmax(deepest, hypot((double)p.x, (double)p.y) + r - R + inside);
     }
-    *allowed = (4.0 / 256 + 3 * (double)def.slop) * r + inside;
+    *allowed = (4.0 / 256 + 3 * (double)def.advanced.slop) * r + inside;
     wfDestroyWorld(&w);
     return deepest;
 }
@@ -608,7 +608,7 @@ static void a_crowd_stays_in_its_room(void **state)
     int outside = 0, spent = 0, crowded = 0;
     bool full = false;
     wfWorldDef def = calm("soft");
-    def.bodyCapacity = 2004, def.pairCapacity = 200000, def.gravity = wfV2(0, -10);
+    def.bodyCapacity = 2004, def.advanced.pairCapacity = 200000, def.gravity = wfV2(0, -10);
     wfWorld w = open_world(&def);
     for (int i = 0; i < 4; i++) {
         wfBodyDef wall = wall_of(i < 2 ? 0.2 : 11, i < 2 ? 21 : 0.2);
@@ -668,7 +668,7 @@ static void a_step_that_fails_changes_nothing(void **state)
     (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         wfWorldDef def = calm(wfSolverTable[solver].name);
-        def.pairCapacity = 1;
+        def.advanced.pairCapacity = 1;
         wfWorld w = open_world(&def);
         wfBodyDef wall = wall_of(0.02, 10), bullet = body_of(0, 0.05);
         add(&w, wall);
@@ -691,7 +691,7 @@ static uint64_t gas(const char *broad, const char *solver, uint32_t without, int
     wfWorldDef def = calm(solver);
     def.modules &= ~without;
     def.bodyCapacity = 64;
-    def.broadPhase = wfFindBroadPhase(broad);
+    def.advanced.broadPhase = wfFindBroadPhase(broad);
     wfWorld w = open_world(&def);
     wfRandom r;
     wfRandomSeed(&r, 25);

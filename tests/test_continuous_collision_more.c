@@ -29,7 +29,7 @@ static void thin_rods_do_not_sink(void **state)
         for (int t = 0; t < 4; t++)
             for (int r = 0; r < 2; r++) {
                 wfWorldDef def = wfDefaultWorldDef();
-                double half = halves[t], deepest = 0, slop = (double)def.slop * hypot(5, half);
+                double half = halves[t], deepest = 0, slop = (double)def.advanced.slop * hypot(5, half);
                 def.timeStep = 1 / (wfReal)rates[r];
                 wfWorld w = open_world(&def);
                 add(&w, floor_def());

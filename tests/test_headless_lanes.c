@@ -27,8 +27,8 @@ static void every_scene_has_the_same_bits_with_and_without(void **unused)
         assert_ok(wfOpenScene(scene, NULL, &lanes));
         assert_ok(wfOpenScene(scene, NULL, &plain));
         assert_ok(wfGetWorldDef(&plain, &def));
-        wide += def.enableSimd && def.graphColouring && def.solver == wfFindSolver("soft");
-        def.enableSimd = 0;
+        wide += def.advanced.enableSimd && def.advanced.graphColouring && def.solver == wfFindSolver("soft");
+        def.advanced.enableSimd = 0;
         assert_ok(wfSetWorldDef(&plain, &def));
         for (int i = 0; i < STEPS; i++) {
             wfSceneInput in = wfSceneInputAt(scene, i);

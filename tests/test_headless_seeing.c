@@ -486,7 +486,7 @@ static void the_tree_is_the_one_in_use(void **state)
     wfWorld w = open("TC06 quad tree", 5);
     wfWorldDef def;
     assert_int_equal(wfGetWorldDef(&w, &def), WF_OK);
-    assert_string_equal(wfBroadPhaseTable[def.broadPhase].name, "quad-tree");
+    assert_string_equal(wfBroadPhaseTable[def.advanced.broadPhase].name, "quad-tree");
     for (int row = 0; row < wfBroadPhaseCount; row++) {
         wfDraw d;
         int boxes = 0;

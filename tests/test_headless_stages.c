@@ -180,8 +180,8 @@ static bool small_world(const wfScene *s, wfWorldDef *def)
     assert_ok(wfInferModules(&world, s->hooks != NULL ? WF_MODULE_HOOKS : 0, def));
     wfDestroyWorld(&world);
     def->modules = usual.modules;
-    def->pairCapacity = 2 * def->pairCapacity + 64;
-    def->contactCapacity = 2 * def->contactCapacity + 64;
+    def->advanced.pairCapacity = 2 * def->advanced.pairCapacity + 64;
+    def->advanced.contactCapacity = 2 * def->advanced.contactCapacity + 64;
     return true;
 }
 
@@ -247,8 +247,8 @@ static void the_page_of_stages_is_true(void **state)
             wfWorldDef other = def;
             other.solver = k;
             other.sleep = 1;
-            other.timeToSleep = (wfReal)0.1;
-            other.compensatedSums = k % 2;
+            other.advanced.timeToSleep = (wfReal)0.1;
+            other.advanced.compensatedSums = k % 2;
             int good = watch(s, &other, false);
             worlds += good > 0;
             steps += good;

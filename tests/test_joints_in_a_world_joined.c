@@ -317,11 +317,11 @@ static void test_solver_that_keeps_no_joints(void **state)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     def.solver = wfFindSolver("impulse");
-    def.jointCapacity = 5, def.directJoints = WF_JOINTS_DIRECT, def.directJointCost = 3, def.jointCompliance = WF_R(1e-4);
+    def.jointCapacity = 5, def.advanced.directJoints = WF_JOINTS_DIRECT, def.advanced.directJointCost = 3, def.advanced.jointCompliance = WF_R(1e-4);
     assert_ok(wfCreateWorld(&def, &w));
     wfWorldDef told;
     assert_ok(wfGetWorldDef(&w, &told));
-    assert_true(told.jointCapacity == 5 && told.directJoints == WF_JOINTS_DIRECT && told.directJointCost == 3 && told.jointCompliance == def.jointCompliance);
+    assert_true(told.jointCapacity == 5 && told.advanced.directJoints == WF_JOINTS_DIRECT && told.advanced.directJointCost == 3 && told.advanced.jointCompliance == def.advanced.jointCompliance);
     wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
     wfJoint j;
     assert_ok(wfDefineJoint(&w, "weld", a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
@@ -365,8 +365,8 @@ static void test_world_decides(void **state)
     for (int how = 0; how < 3; how++) {
         wfWorldDef def = wfDefaultWorldDef();
         wfWorld w;
-        assert_int_equal(def.directJoints, WF_JOINTS_AUTO);
-        def.directJoints = how, def.jointCapacity = 256;
+        assert_int_equal(def.advanced.directJoints, WF_JOINTS_AUTO);
+        def.advanced.directJoints = how, def.jointCapacity = 256;
         assert_ok(wfCreateWorld(&def, &w));
         chain(&w, 20, 6);
         net(&w, 0, 8);
@@ -392,26 +392,26 @@ static void test_world_decides(void **state)
         assert_int_equal(wfDirectJointCount(&w), want[how][0]);
         /* the price that is cheap can be changed */
         assert_ok(wfGetWorldDef(&w, &def));
-        def.directJointCost = 1000;
+        def.advanced.directJointCost = 1000;
         assert_ok(wfSetWorldDef(&w, &def));
         run(&w, 1);
         assert_int_equal(wfDirectJointCount(&w), how ? 6 + 112 : 0);
         /* and so can who decides, at once, both ways */
         if (how != WF_JOINTS_ITERATIVE)
             for (int k = 0; k < 4; k++) {
-                def.directJointCost = wfDefaultWorldDef().directJointCost;
-                def.directJoints = k % 2 ? WF_JOINTS_DIRECT : WF_JOINTS_AUTO;
+                def.advanced.directJointCost = wfDefaultWorldDef().advanced.directJointCost;
+                def.advanced.directJoints = k % 2 ? WF_JOINTS_DIRECT : WF_JOINTS_AUTO;
                 assert_ok(wfSetWorldDef(&w, &def));
                 run(&w, 1);
                 assert_int_equal(wfDirectJointCount(&w), want[k % 2 ? WF_JOINTS_DIRECT : WF_JOINTS_AUTO][0]);
             }
-        def.directJointCost = -1;
+        def.advanced.directJointCost = -1;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
-        def.directJointCost = (wfReal)NAN;
+        def.advanced.directJointCost = (wfReal)NAN;
         assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&w, &def));
-        def.directJointCost = 8, def.jointCompliance = -1;
+        def.advanced.directJointCost = 8, def.advanced.jointCompliance = -1;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
-        def.jointCompliance = 0, def.directJoints = 3;
+        def.advanced.jointCompliance = 0, def.advanced.directJoints = 3;
         assert_result(WF_ERROR_RANGE, wfSetWorldDef(&w, &def));
         wfDestroyWorld(&w);
     }
@@ -505,7 +505,7 @@ static void test_a_loaded_chain_stretches_as_much_as_it_gives(void **state)
     for (int n = 0; n < 2; n++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.solver = wfFindSolver("exact");
-        def.jointCompliance = n == 0 ? WF_JOINT_COMPLIANCE : WF_R(1e-6);
+        def.advanced.jointCompliance = n == 0 ? WF_JOINT_COMPLIANCE : WF_R(1e-6);
         wfWorld w;
         assert_ok(wfCreateWorld(&def, &w));
         wfBodyId last = box(&w, WF_STATIC, 0, 0.1, 0.01, 0.1);
@@ -518,7 +518,7 @@ static void test_a_loaded_chain_stretches_as_much_as_it_gives(void **state)
             wfBodyId link = add(&w, d);
             pin(&w, "revolute", last, link, 0, -0.2 * i);
             last = link;
-            sum += (double)def.jointCompliance * (i == 0 ? 1 : i < 19 ? 2 : 1.001) * h * h * 9.81 * (1019 - i) / (2 * beta);
+            sum += (double)def.advanced.jointCompliance * (i == 0 ? 1 : i < 19 ? 2 : 1.001) * h * h * 9.81 * (1019 - i) / (2 * beta);
         }
         run(&w, 600);
         double low = -(double)info(&w, last).position.y - 3.9;
@@ -553,7 +553,7 @@ static void test_ladder_and_grip(void **state)
     (void)state;
     for (double load = 1; load < 2000; load *= 10) {
         wfWorldDef def = wfDefaultWorldDef();
-        def.solver = wfFindSolver("exact"), def.directJoints = WF_JOINTS_DIRECT;
+        def.solver = wfFindSolver("exact"), def.advanced.directJoints = WF_JOINTS_DIRECT;
         wfWorld w;
         assert_ok(wfCreateWorld(&def, &w));
         box(&w, WF_STATIC, 0, -1, 100, 1), box(&w, WF_STATIC, -1, 50, 1, 50);
@@ -605,7 +605,7 @@ static double flung(const char *kind, bool rope, double speed, int substeps)
     double kinetic, potential, before, most = 0;
     wfWorld w;
     wfJoint j;
-    def.substeps = substeps, def.directJoints = WF_JOINTS_ITERATIVE;
+    def.substeps = substeps, def.advanced.directJoints = WF_JOINTS_ITERATIVE;
     assert_ok(wfCreateWorld(&def, &w));
     above = box(&w, WF_STATIC, 0, 0.4, 0.1, 0.1);
     for (int i = 0; i < 6; i++, above = link) {

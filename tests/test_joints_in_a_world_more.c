@@ -12,7 +12,7 @@ static wfWorld empty_world(wfReal gravity, int together)
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 16;
     def.gravity = wfV2(0, gravity);
-    def.directJoints = together;
+    def.advanced.directJoints = together;
     wfWorld w = { .memory = { .owned = 0 } };
     assert_ok(wfCreateWorld(&def, &w));
     return w;

@@ -252,9 +252,9 @@ static void a_definition_may_not_contradict_itself(void **unused)
     wfWorld world = made_for(0);
     wfWorldDef def;
     assert_ok(wfGetWorldDef(&world, &def));
-    assert_true(def.pairCapacity == 0 && def.contactCapacity == 0 && def.shapeCapacity == 0 && def.forceCapacity == 0);
+    assert_true(def.advanced.pairCapacity == 0 && def.advanced.contactCapacity == 0 && def.shapeCapacity == 0 && def.forceCapacity == 0);
     assert_ok(wfSetWorldDef(&world, &def));
-    def.queries = 1;                                           /* off, and to be on without the need */
+    def.advanced.queries = 1;                                           /* off, and to be on without the need */
     assert_result(WF_ERROR_NO_QUERIES, wfSetWorldDef(&world, &def));
     wfDestroyWorld(&world);
 }
@@ -375,7 +375,7 @@ static void a_world_knows_what_it_used(void **unused)
     steps(&world, 150);
     assert_ok(wfInferModules(&world, 0, &def));
     assert_true((def.modules & WF_MODULE_CONTACTS) && (def.modules & WF_MODULE_FRICTION) && !(def.modules & WF_MODULE_RESTITUTION));
-    assert_true(def.pairCapacity == 1 && def.contactCapacity == 1 && def.shapeCapacity == 2 && def.bodyCapacity == 3);
+    assert_true(def.advanced.pairCapacity == 1 && def.advanced.contactCapacity == 1 && def.shapeCapacity == 2 && def.bodyCapacity == 3);
     void *bytes = copy_of(&world);
     assert_result(WF_ERROR_NULL, wfInferModules(&world, 0, NULL));
     assert_result(WF_ERROR_NULL, wfInferModules(NULL, 0, &def));

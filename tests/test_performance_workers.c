@@ -97,9 +97,9 @@ static void step_heavy(const char *name, int before, int steps, const wfWorldDef
     const labHeavy *heavy = labFindHeavy(name);
     wfWorldDef def = labHeavyDef(heavy);
     wfWorld plain, twin;
-    if (how->broadPhase) def.broadPhase = how->broadPhase;
+    if (how->advanced.broadPhase) def.advanced.broadPhase = how->advanced.broadPhase;
     if (how->solver) def.solver = how->solver;
-    def.compensatedSums = how->compensatedSums;
+    def.advanced.compensatedSums = how->advanced.compensatedSums;
     def.sleep = how->sleep;
     assert_ok(wfCreateWorld(&def, &plain));
     assert_ok(labBuildHeavy(heavy, &plain));
@@ -124,14 +124,14 @@ static void step_heavy(const char *name, int before, int steps, const wfWorldDef
 static void heavy_scenes_have_the_same_bits(void **unused)
 {
     (void)unused;
-    const wfWorldDef usual = { .compensatedSums = 0 }, fine = { .compensatedSums = 1 }, tired = { .sleep = 1 };
+    const wfWorldDef usual = { .advanced.compensatedSums = 0 }, fine = { .advanced.compensatedSums = 1 }, tired = { .sleep = 1 };
     odd.parts = 0;
     step_heavy("heap-1000", 60, 6, &usual);
     step_heavy("report-1000", 90, 6, &fine);
     step_heavy("report-500", 60, 20, &tired);
     step_heavy("tumbler", 70, 4, &usual);
     for (int row = 0; row < wfBroadPhaseCount; row++)
-        step_heavy("report-500", 30, 3, &(wfWorldDef){ .broadPhase = row });
+        step_heavy("report-500", 30, 3, &(wfWorldDef){ .advanced.broadPhase = row });
     for (int row = 0; row < wfSolverCount; row++)
         if (row != wfFindSolver("exact")) step_heavy("report-500", 30, 3, &(wfWorldDef){ .solver = row });
     assert_true(odd.parts > 10000);
@@ -145,7 +145,7 @@ static void a_step_that_fails_has_the_same_error(void **unused)
     const labHeavy *heavy = labFindHeavy("report-500");
     for (int32_t room = 100; room < 3000; room += 50) {
         wfWorldDef def = labHeavyDef(heavy);
-        def.pairCapacity = 3000, def.contactCapacity = room;
+        def.advanced.pairCapacity = 3000, def.advanced.contactCapacity = room;
         wfWorld plain, twin;
         assert_ok(wfCreateWorld(&def, &plain));
         assert_ok(wfCreateWorld(&def, &twin));

@@ -213,7 +213,7 @@ static void the_first_difference_has_a_name(void **unused)
     assert_ok(wfCloneWorld(&a, NULL, &b));
     wfWorldDef def;
     assert_ok(wfGetWorldDef(&b, &def));
-    def.slop *= 2;
+    def.advanced.slop *= 2;
     assert_ok(wfSetWorldDef(&b, &def));
     assert_result(WF_ERROR_DIFFERENT, wfCompareWorlds(&a, &b, &d));
     assert_string_equal(d.region, "header");
@@ -238,7 +238,7 @@ static void a_world_grows_and_nobody_notices(void **unused)
     wfBodyId id = wfBodyAt(&world, 5);
     assert_result(WF_ERROR_FULL, wfAddBodyToWorld(&world, &(wfBodyDef){ .type = WF_STATIC, .gravityScale = 1 }, NULL));
     assert_ok(wfGetWorldDef(&world, &room));
-    room.bodyCapacity = 100, room.shapeCapacity = 300, room.pairCapacity = 5000, room.contactCapacity = 5000;
+    room.bodyCapacity = 100, room.shapeCapacity = 300, room.advanced.pairCapacity = 5000, room.advanced.contactCapacity = 5000;
     room.jointCapacity = 100, room.forceCapacity = 70;
     room.gravity = wfV2(5, 5);                              /* not looked at */
     assert_ok(wfGrowWorld(&world, &room));
@@ -1040,7 +1040,7 @@ static void whatever_a_world_needs_it_can_be_loaded(void **unused)
         for (int i = 0; i < wfModuleCount; i++)
             if (wfRandomBelow(&random, 100) < often) def.modules |= wfModuleTable[i].bit;
         def.bodyCapacity = 16, def.jointCapacity = 8, def.forceCapacity = 8;
-        def.sleep = (def.modules & WF_MODULE_SLEEP) != 0 && wfRandomBelow(&random, 2), def.compensatedSums = (int32_t)wfRandomBelow(&random, 2);
+        def.sleep = (def.modules & WF_MODULE_SLEEP) != 0 && wfRandomBelow(&random, 2), def.advanced.compensatedSums = (int32_t)wfRandomBelow(&random, 2);
         if (wfCreateWorld(&def, &world) != WF_OK) continue;
         made++, without += (def.modules & (WF_MODULE_CONTACTS | WF_MODULE_QUERIES)) == 0;
         for (int i = 0; i < 10; i++) {                      /* what it has no need for is refused, and leaves no trace */

@@ -17,7 +17,7 @@ static wfWorld full_world(int kind)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     def.bodyCapacity = 24, def.shapeCapacity = 32, def.jointCapacity = 8, def.forceCapacity = 16;
-    def.materialPairCapacity = 4, def.compensatedSums = 1, def.sleep = 1, def.maxImpacts = 4;
+    def.advanced.materialPairCapacity = 4, def.advanced.compensatedSums = 1, def.sleep = 1, def.maxImpacts = 4;
     assert_ok(wfCreateWorld(&def, &world));
     wfBodyId id[12], ground = add(&world, floor_def());
     for (int i = 0; i < 12; i++) {
@@ -193,7 +193,7 @@ static wfWorld lean_world(uint32_t modules)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     def.modules = modules, def.bodyCapacity = 8;
-    def.sleep = (modules & WF_MODULE_SLEEP) != 0, def.compensatedSums = (modules & WF_MODULE_ROTATION) != 0;
+    def.sleep = (modules & WF_MODULE_SLEEP) != 0, def.advanced.compensatedSums = (modules & WF_MODULE_ROTATION) != 0;
     assert_ok(wfCreateWorld(&def, &world));
     for (int i = 0; i < 5; i++) {
         wfBodyDef d = wfDefaultBodyDefFor(&world);

@@ -116,7 +116,7 @@ static wfWorld seesaw_by_hand(void)                       /* the same by the eng
     def.gravity = wfV2(0, -10);
     def.solver = wfFindSolver("soft");
     def.substeps = 6;
-    def.reuseManifolds = 0;
+    def.advanced.reuseManifolds = 0;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     wfBodyDef ground = wfDefaultBodyDef(), plank = ground, ball = ground;
@@ -361,7 +361,7 @@ static void fine_sums_come_back(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    def.compensatedSums = 1;
+    def.advanced.compensatedSums = 1;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     for (int i = 0; i < 6; i++) {

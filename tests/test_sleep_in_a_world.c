@@ -886,7 +886,7 @@ static void test_a_failed_step_changes_nothing(void **state)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     def.sleep = 1;
-    def.pairCapacity = 4;
+    def.advanced.pairCapacity = 4;
     assert_ok(wfCreateWorld(&def, &w));
     add(&w, floor_def());
     for (int i = 0; i < 4; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
@@ -915,7 +915,7 @@ static void test_every_solver_and_broad_phase(void **state)
         for (int broad = 0; broad < wfBroadPhaseCount; broad++) {
             wfWorldDef def = wfDefaultWorldDef();
             wfWorld w;
-            def.sleep = 1, def.solver = solver, def.broadPhase = broad;
+            def.sleep = 1, def.solver = solver, def.advanced.broadPhase = broad;
             assert_ok(wfCreateWorld(&def, &w));
             wfBodyId floor = add(&w, floor_def());
             for (int i = 0; i < 3; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
@@ -946,8 +946,8 @@ static void test_whatever_is_done_nobody_floats(void **state)
     def.sleep = 1;
     /* Who begins to move with an acceleration a goes a T^2 / 2 in the time T, and is still if that is below the share s of his
      * reach r = 0.71 m: a < 2 s r / T^2. Awake, he then goes a / 2 in a second, at most s r / T^2 = 0.028 m: less than 0.05 m. */
-    def.timeToSleep = WF_R(0.5);
-    def.sleepThreshold = WF_R(0.01);
+    def.advanced.timeToSleep = WF_R(0.5);
+    def.advanced.sleepThreshold = WF_R(0.01);
     assert_ok(wfCreateWorld(&def, &w));
     add(&w, floor_def());
     for (int i = 0; i < 30; i++) id[i] = add(&w, box_def(-6 + 2 * (i % 6), 0.5 + i / 6, 0.5, 0.5));
@@ -1046,8 +1046,8 @@ static void test_whatever_is_done_the_events_fit(void **state)
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.sleep = 1;
-        def.timeToSleep = WF_R(0.15);
-        if (k == 1) def.broadPhase = wfFindBroadPhase("brute-force") >= 0 ? wfFindBroadPhase("brute-force") : 0;
+        def.advanced.timeToSleep = WF_R(0.15);
+        if (k == 1) def.advanced.broadPhase = wfFindBroadPhase("brute-force") >= 0 ? wfFindBroadPhase("brute-force") : 0;
         assert_ok(wfCreateWorld(&def, &w[k]));
         add(&w[k], floor_def());
         for (int i = 0; i < 20; i++) id[k][i] = add(&w[k], box_def(-4 + 2 * (i % 5), 0.5 + i / 5, 0.5, 0.5));
@@ -1108,16 +1108,16 @@ static void test_bad_input(void **state)
     void *before = copy_of(&s.w);
     assert_ok(wfGetWorldDef(&s.w, &def));
     wfWorldDef bad = def;
-    bad.timeToSleep = 0;
+    bad.advanced.timeToSleep = 0;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
-    bad = def, bad.sleepThreshold = -1;
+    bad = def, bad.advanced.sleepThreshold = -1;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
     bad = def, bad.sleep = 2;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&s.w, &bad));
     for (int i = 0; i < BAD_REAL_COUNT; i++) {
-        bad = def, bad.timeToSleep = BAD_REALS[i];
+        bad = def, bad.advanced.timeToSleep = BAD_REALS[i];
         assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&s.w, &bad));
-        bad = def, bad.sleepThreshold = BAD_REALS[i];
+        bad = def, bad.advanced.sleepThreshold = BAD_REALS[i];
         assert_result(WF_ERROR_NOT_FINITE, wfSetWorldDef(&s.w, &bad));
     }
     wfBodyDef body = box_def(0, 5, 0.5, 0.5);

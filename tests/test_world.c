@@ -39,7 +39,7 @@ static void who_is_born_in_one_place_without_gravity_parts_in_peace(void **state
         double fastest = 0, nearest = 2;
         wfBodyInfo all[5];
         def.gravity = wfV2(0, 0);
-        if (limit == 0) def.contactPushSpeed = 0;           /* asked for: no limit */
+        if (limit == 0) def.advanced.contactPushSpeed = 0;           /* asked for: no limit */
         assert_ok(wfCreateWorld(&def, &world));
         for (int i = 0; i < 5; i++) add(&world, ball_def(0, 0, 0.5));
         for (int k = 0; k < 300; k++) {
@@ -657,8 +657,8 @@ static void the_layout_is_what_was_asked_for(void **unused)
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 37;
     def.forceCapacity = 5;
-    def.pairCapacity = 11;
-    def.contactCapacity = 7;
+    def.advanced.pairCapacity = 11;
+    def.advanced.contactCapacity = 7;
     wfRegion region[WF_REGION_COUNT];
     size_t size[2], end[2] = { 0, 0 };
     assert_ok(wfWorldRegions(&def, region));
@@ -693,15 +693,15 @@ static void capacities_left_open_are_chosen(void **unused)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         wfWorldDef def = wfDefaultWorldDef(), got;
         def.bodyCapacity = cases[i][0];
-        def.pairCapacity = cases[i][1];
-        def.contactCapacity = cases[i][2];
-        def.restitutionThreshold = 0;
-        def.slop = 0;
+        def.advanced.pairCapacity = cases[i][1];
+        def.advanced.contactCapacity = cases[i][2];
+        def.advanced.restitutionThreshold = 0;
+        def.advanced.slop = 0;
         wfWorld world;
         assert_ok(wfCreateWorld(&def, &world));
         assert_ok(wfGetWorldDef(&world, &got));
-        assert_int_equal(got.pairCapacity, cases[i][3]);
-        assert_int_equal(got.contactCapacity, cases[i][4]);
+        assert_int_equal(got.advanced.pairCapacity, cases[i][3]);
+        assert_int_equal(got.advanced.contactCapacity, cases[i][4]);
         wfDestroyWorld(&world);
     }
 }
@@ -995,8 +995,8 @@ static void too_many_pairs_leave_the_world_as_it_was(void **unused)
     for (int which = 0; which < 2; which++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 8;
-        def.pairCapacity = which == 0 ? 2 : 10;
-        def.contactCapacity = which == 0 ? 10 : 2;
+        def.advanced.pairCapacity = which == 0 ? 2 : 10;
+        def.advanced.contactCapacity = which == 0 ? 10 : 2;
         wfWorld world;
         assert_ok(wfCreateWorld(&def, &world));
         for (int i = 0; i < 3; i++) add(&world, ball_def(0.1 * i, 0, 0.5));
@@ -1044,8 +1044,8 @@ static void bad_world_definitions_are_refused(void **unused)
     for (int field = 0; field < 9; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
             wfWorldDef d = wfDefaultWorldDef();
-            wfReal *place[] = { &d.gravity.x, &d.gravity.y, &d.timeStep, &d.restitutionThreshold, &d.positionCorrection, &d.slop, &d.contactPeriod,
-                &d.contactDampingRatio, &d.contactPushSpeed };
+            wfReal *place[] = { &d.gravity.x, &d.gravity.y, &d.timeStep, &d.advanced.restitutionThreshold, &d.advanced.positionCorrection, &d.advanced.slop, &d.advanced.contactPeriod,
+                &d.advanced.contactDampingRatio, &d.advanced.contactPushSpeed };
             *place[field] = BAD_REALS[b];
             assert_result(WF_ERROR_NOT_FINITE, wfCreateWorld(&d, &world));
             assert_result(WF_ERROR_NOT_FINITE, wfWorldSize(&d, &p, &t));
@@ -1054,7 +1054,7 @@ static void bad_world_definitions_are_refused(void **unused)
         { 4, 0 }, { 4, -1 }, { 5, 0 }, { 5, -1 }, { 6, -1 } };
     for (size_t i = 0; i < sizeof range / sizeof *range; i++) {
         wfWorldDef d = wfDefaultWorldDef();
-        wfReal *place[] = { &d.timeStep, &d.restitutionThreshold, &d.positionCorrection, &d.slop, &d.contactPeriod, &d.contactDampingRatio, &d.contactPushSpeed };
+        wfReal *place[] = { &d.timeStep, &d.advanced.restitutionThreshold, &d.advanced.positionCorrection, &d.advanced.slop, &d.advanced.contactPeriod, &d.advanced.contactDampingRatio, &d.advanced.contactPushSpeed };
         *place[range[i].field] = (wfReal)range[i].value;
         assert_result(WF_ERROR_RANGE, wfCreateWorld(&d, &world));
     }
@@ -1066,8 +1066,8 @@ static void bad_world_definitions_are_refused(void **unused)
         { 7, 1000, WF_ERROR_UNKNOWN }, { 8, -1, WF_ERROR_UNKNOWN }, { 8, 1000, WF_ERROR_UNKNOWN } };
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
         wfWorldDef d = wfDefaultWorldDef();
-        int32_t *place[] = { &d.bodyCapacity, &d.forceCapacity, &d.pairCapacity, &d.contactCapacity, &d.iterations,
-                             &d.integrator, &d.broadPhase, &d.narrowPhase, &d.solver };
+        int32_t *place[] = { &d.bodyCapacity, &d.forceCapacity, &d.advanced.pairCapacity, &d.advanced.contactCapacity, &d.iterations,
+                             &d.integrator, &d.advanced.broadPhase, &d.advanced.narrowPhase, &d.solver };
         *place[whole[i].field] = whole[i].value;
         wfRegion regions[WF_REGION_COUNT];
         assert_result(whole[i].want, wfCreateWorld(&d, &world));
@@ -1363,27 +1363,27 @@ static void settings_are_kept(void **unused)
     wfWorldDef def = wfDefaultWorldDef(), got;
     def.gravity = wfV2(1, 2);
     def.timeStep = WF_R(0.125);
-    def.restitutionThreshold = 3;
-    def.positionCorrection = WF_R(0.75);
-    def.slop = WF_R(0.25);
+    def.advanced.restitutionThreshold = 3;
+    def.advanced.positionCorrection = WF_R(0.75);
+    def.advanced.slop = WF_R(0.25);
     def.iterations = 9;
     def.bodyCapacity = 5;
     def.forceCapacity = 6;
-    def.pairCapacity = 7;
-    def.contactCapacity = 8;
+    def.advanced.pairCapacity = 7;
+    def.advanced.contactCapacity = 8;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_near2(got.gravity, def.gravity, 0);
-    assert_true(got.timeStep == def.timeStep && got.restitutionThreshold == 3 && got.positionCorrection == def.positionCorrection && got.slop == def.slop);
-    assert_true(got.iterations == 9 && got.bodyCapacity == 5 && got.forceCapacity == 6 && got.pairCapacity == 7 && got.contactCapacity == 8);
+    assert_true(got.timeStep == def.timeStep && got.advanced.restitutionThreshold == 3 && got.advanced.positionCorrection == def.advanced.positionCorrection && got.advanced.slop == def.advanced.slop);
+    assert_true(got.iterations == 9 && got.bodyCapacity == 5 && got.forceCapacity == 6 && got.advanced.pairCapacity == 7 && got.advanced.contactCapacity == 8);
     assert_null(got.memory.permanent);
     int other = wfFindIntegrator("explicit-euler"), brute = wfFindBroadPhase("brute-force");
     assert_ok(wfSetMethods(&world, other, brute, -1, wfFindSolver("impulse-by-point")));
     assert_ok(wfSetGravity(&world, wfV2(5, 6)));
     assert_ok(wfSetTimeStep(&world, 1));
     assert_ok(wfGetWorldDef(&world, &got));
-    assert_true(got.integrator == other && got.broadPhase == brute && got.narrowPhase == def.narrowPhase && got.solver == 1);
+    assert_true(got.integrator == other && got.advanced.broadPhase == brute && got.advanced.narrowPhase == def.advanced.narrowPhase && got.solver == 1);
     assert_true(got.gravity.x == 5 && got.gravity.y == 6 && got.timeStep == 1);
     wfBodyId id = add(&world, ball_def(0, 0, 1));
     steps(&world, 1);
@@ -1394,14 +1394,12 @@ static void settings_are_kept(void **unused)
     wfDestroyWorld(&world);
 }
 
-/* Field by field: between the fields there may be holes, and what is in a hole is nobody's business. */
+/* Setting by setting: between the fields there may be holes, and what is in a hole is nobody's business. */
 static void assert_same_def(const wfWorldDef *a, const wfWorldDef *b)
 {
+    for (int i = 0; i < 2 * wfSettingCount; i++)
+        assert_true(wfSettingValue(a, &wfSettingTable[i / 2], i % 2) == wfSettingValue(b, &wfSettingTable[i / 2], i % 2));
 #define SAME(field) assert_memory_equal(&a->field, &b->field, sizeof a->field)
-    SAME(gravity); SAME(timeStep); SAME(bodyCapacity); SAME(shapeCapacity); SAME(forceCapacity); SAME(pairCapacity); SAME(contactCapacity);
-    SAME(integrator); SAME(broadPhase); SAME(narrowPhase); SAME(solver); SAME(iterations); SAME(substeps); SAME(restitutionThreshold);
-    SAME(contactPeriod); SAME(contactDampingRatio); SAME(contactPushSpeed); SAME(stackSolver); SAME(graphColouring);
-    SAME(hitThreshold); SAME(positionCorrection); SAME(slop); SAME(reuseManifolds); SAME(events); SAME(queries);
     SAME(memory.permanent); SAME(memory.transient); SAME(memory.permanentSize); SAME(memory.transientSize); SAME(memory.owned);
 #undef SAME
 }
@@ -1415,12 +1413,12 @@ static void all_settings_can_be_changed(void **unused)
     def.gravity = wfV2(1, 2);
     def.timeStep = WF_R(0.125);
     def.integrator = wfFindIntegrator("symplectic-euler");
-    def.broadPhase = wfFindBroadPhase("brute-force");
-    def.narrowPhase = wfFindNarrowPhase("gjk");
+    def.advanced.broadPhase = wfFindBroadPhase("brute-force");
+    def.advanced.narrowPhase = wfFindNarrowPhase("gjk");
     def.solver = wfFindSolver("sequential");
-    def.iterations = 3, def.substeps = 7, def.reuseManifolds = 0, def.graphColouring = 0, def.queries = 0;
-    def.restitutionThreshold = 5, def.hitThreshold = 9, def.positionCorrection = WF_R(0.25), def.slop = WF_R(0.0625);
-    def.contactPeriod = 3, def.contactDampingRatio = 5, def.contactPushSpeed = 7, def.stackSolver = 0;
+    def.iterations = 3, def.substeps = 7, def.advanced.reuseManifolds = 0, def.advanced.graphColouring = 0, def.advanced.queries = 0;
+    def.advanced.restitutionThreshold = 5, def.advanced.hitThreshold = 9, def.advanced.positionCorrection = WF_R(0.25), def.advanced.slop = WF_R(0.0625);
+    def.advanced.contactPeriod = 3, def.advanced.contactDampingRatio = 5, def.advanced.contactPushSpeed = 7, def.advanced.stackSolver = 0;
     assert_ok(wfSetWorldDef(&world, &def));
     assert_ok(wfGetWorldDef(&world, &got));
     assert_same_def(&got, &def);
@@ -1433,10 +1431,10 @@ static void all_settings_can_be_changed(void **unused)
     def.substeps = 0;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
     def.substeps = 1;
-    def.hitThreshold = -1;
+    def.advanced.hitThreshold = -1;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
-    def.hitThreshold = 0;
-    def.reuseManifolds = 2;
+    def.advanced.hitThreshold = 0;
+    def.advanced.reuseManifolds = 2;
     assert_result(WF_ERROR_RANGE, wfSetWorldDef(&world, &def));
     assert_result(WF_ERROR_NULL, wfSetWorldDef(&world, NULL));
     assert_result(WF_ERROR_NULL, wfSetWorldDef(NULL, &got));
@@ -1458,7 +1456,7 @@ static void every_combination_of_rows_runs_a_pile(void **unused)
                     assert_ok(wfSetMethods(&world, i, b, n, s));
                     assert_ok(wfSetMethods(&world, -1, -1, -1, -1));
                     assert_ok(wfGetWorldDef(&world, &got));
-                    assert_true(got.integrator == i && got.broadPhase == b && got.narrowPhase == n && got.solver == s);
+                    assert_true(got.integrator == i && got.advanced.broadPhase == b && got.advanced.narrowPhase == n && got.solver == s);
                     steps(&world, 120);
                     double kinetic, potential;
                     assert_ok(wfWorldEnergy(&world, &kinetic, &potential));
@@ -1490,7 +1488,7 @@ static void an_empty_world_and_one_of_a_single_body(void **unused)
     def.forceCapacity = 0;
     for (int b = 0; b < wfBroadPhaseCount; b++) {
         wfWorld world;
-        def.broadPhase = b;
+        def.advanced.broadPhase = b;
         assert_ok(wfCreateWorld(&def, &world));
         steps(&world, 3);
         assert_int_equal(wfBodyCount(&world), 0);

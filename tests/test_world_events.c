@@ -168,11 +168,11 @@ static void whatever_is_done_nothing_is_stale(void **unused)
     const char *const solvers[] = { "impulse", "sequential", "soft" };
     for (int k = 0; k < 3; k++) {
         wfWorldDef def = small_def(solvers[k]);
-        def.pairCapacity = 4000;
-        def.reuseManifolds = k != 0;
+        def.advanced.pairCapacity = 4000;
+        def.advanced.reuseManifolds = k != 0;
         wfWorld world = make_world(&def), twin = make_world(&def);
         wfWorld *worlds[2] = { &world, &twin };
-        def.broadPhase = wfFindBroadPhase("brute-force");
+        def.advanced.broadPhase = wfFindBroadPhase("brute-force");
         assert_ok(wfSetMethods(&twin, -1, wfFindBroadPhase("brute-force"), -1, -1));
         Machine touch = { .count = 0 }, sense = { .count = 0 };
         int32_t begun = 0, ended = 0, sensed = 0;
@@ -238,7 +238,7 @@ static void reuse_changes_little(void **unused)
     wfBodyInfo end[2][6];
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def("sequential");
-        def.reuseManifolds = k;
+        def.advanced.reuseManifolds = k;
         wfWorld world = make_world(&def);
         wfBodyId id[6];
         add(&world, floor_def());
@@ -347,7 +347,7 @@ static void the_threshold_of_hits_can_be_set(void **unused)
     (void)unused;
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def("sequential");
-        def.hitThreshold = k == 0 ? 20 : 30;              /* of 9.81/60 m/s: 3.27 and 4.9; the ball arrives with 4.43 */
+        def.advanced.hitThreshold = k == 0 ? 20 : 30;              /* of 9.81/60 m/s: 3.27 and 4.9; the ball arrives with 4.43 */
         wfWorld world = make_world(&def);
         add(&world, floor_def());
         add(&world, ball_def(0, 1.5, 0.5));
@@ -391,7 +391,7 @@ static void a_failed_step_keeps_the_events(void **unused)
 {
     (void)unused;
     wfWorldDef def = small_def("sequential");
-    def.contactCapacity = 3;
+    def.advanced.contactCapacity = 3;
     wfWorld world = make_world(&def);
     add(&world, floor_def());
     for (int i = 0; i < 3; i++) add(&world, ball_def(2 * i, 0.499, 0.5));
@@ -729,7 +729,7 @@ static void a_world_moves_house_with_its_memory(void **unused)
     const char *const solvers[] = { "sequential", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def(solvers[k]);
-        def.reuseManifolds = 1;
+        def.advanced.reuseManifolds = 1;
         wfWorld world = make_world(&def), twin = make_world(&def);
         wfWorld *worlds[2] = { &world, &twin };
         for (int w = 0; w < 2; w++) {

@@ -127,7 +127,7 @@ static double pyramid_goes(double angle, double slides, double holds, int rows, 
     wfBodyId id[15];
     int n = 0;
     double way = 0;
-    def.substeps = substeps, def.stackSolver = columns;
+    def.substeps = substeps, def.advanced.stackSolver = columns;
     def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
     assert_ok(wfCreateWorld(&def, &world));
     lay(&world, -1, 500, 1, WF_STATIC, rough(slides, holds));
@@ -260,7 +260,7 @@ static void a_world_mixes_by_its_rules(void **unused)
         { "average", 0.625, 0.75, 0.5, 0.3125 }, { "product", 0.25, 0.5, 0.1875, 0.0625 } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
         wfWorldDef def = wfDefaultWorldDef(), got;
-        def.frictionRule = def.restitutionRule = def.rollingRule = wfFindMix(c[i].name);
+        def.frictionRule = def.restitutionRule = def.advanced.rollingRule = wfFindMix(c[i].name);
         wfWorld world = pair_of(&def, 0, 0);
         run(&world, 1);
         const wfContact *k = only_contact(&world);
@@ -269,14 +269,14 @@ static void a_world_mixes_by_its_rules(void **unused)
         assert_near(k->restitution, c[i].bounce, 1e-6);
         assert_ulps(k->rollingResistance, c[i].rollingResistance, 2, 1);
         assert_ok(wfGetWorldDef(&world, &got));
-        assert_true(got.frictionRule == def.frictionRule && got.rollingRule == def.rollingRule && got.restitutionRule == def.restitutionRule);
-        got.frictionRule = 0, got.restitutionRule = 1, got.rollingRule = 2;
+        assert_true(got.frictionRule == def.frictionRule && got.advanced.rollingRule == def.advanced.rollingRule && got.restitutionRule == def.restitutionRule);
+        got.frictionRule = 0, got.restitutionRule = 1, got.advanced.rollingRule = 2;
         assert_ok(wfSetWorldDef(&world, &got));
         wfWorldDef again;
         assert_ok(wfGetWorldDef(&world, &again));
-        assert_true(again.frictionRule == 0 && again.restitutionRule == 1 && again.rollingRule == 2);
+        assert_true(again.frictionRule == 0 && again.restitutionRule == 1 && again.advanced.rollingRule == 2);
         void *bytes = copy_of(&world);
-        int32_t *place[] = { &got.frictionRule, &got.restitutionRule, &got.rollingRule };
+        int32_t *place[] = { &got.frictionRule, &got.restitutionRule, &got.advanced.rollingRule };
         for (int p = 0; p < 3; p++)
             for (int bad = 0; bad < 2; bad++) {
                 int32_t was = *place[p];
@@ -289,7 +289,7 @@ static void a_world_mixes_by_its_rules(void **unused)
     }
     wfWorldDef bad = wfDefaultWorldDef();
     wfWorld none;
-    bad.materialPairCapacity = -1;
+    bad.advanced.materialPairCapacity = -1;
     assert_result(WF_ERROR_RANGE, wfCreateWorld(&bad, &none));
 }
 
@@ -297,7 +297,7 @@ static void who_knows_the_pair_need_not_mix(void **unused)
 {
     (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    def.materialPairCapacity = 3;
+    def.advanced.materialPairCapacity = 3;
     wfWorld world = pair_of(&def, 7, 3);
     wfPairMaterial m = { WF_R(0.5), 2, 3, WF_R(0.0625) }, got, other = { 1, 1, 1, 1 };
     assert_ok(wfSetPairMaterial(&world, 3, 7, &m));
@@ -353,7 +353,7 @@ static void the_list_of_pairs_is_a_map(void **unused)
     enum { N = 6 };
     wfRandom r = random_stream(3);
     wfWorldDef def = wfDefaultWorldDef();
-    def.materialPairCapacity = N * (N + 1) / 2;
+    def.advanced.materialPairCapacity = N * (N + 1) / 2;
     wfWorld world;
     assert_ok(wfCreateWorld(&def, &world));
     wfReal known[N + 1][N + 1];
@@ -474,7 +474,7 @@ static void a_little_bounce_does_not_burst_what_overlaps(void **state)
     for (int k = 1; k <= 5; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 64;
-        def.pairCapacity = def.contactCapacity = 4000;
+        def.advanced.pairCapacity = def.advanced.contactCapacity = 4000;
         wfWorld world;
         assert_ok(wfCreateWorld(&def, &world));
         wfBodyDef b = wfDefaultBodyDef();

@@ -8,8 +8,8 @@ static wfWorld make_world(int broadPhase, int queries)
     def.gravity = wfV2(0, -2);
     def.bodyCapacity = 128;
     def.shapeCapacity = 256;
-    def.broadPhase = broadPhase;
-    def.queries = queries;
+    def.advanced.broadPhase = broadPhase;
+    def.advanced.queries = queries;
     wfWorld world = { .memory = { .owned = 0 } };
     assert_ok(wfCreateWorld(&def, &world));
     return world;

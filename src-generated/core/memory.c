@@ -15,7 +15,6 @@ const char *wfVersion(void)
 static const struct { const char *name, *text; } result_table[] = {
 #define WF_RESULT(name, text) { #name, text },
 #include "weft/result_rows.h"
-#undef WF_RESULT
 };
 
 const char *wfResultName(wfResult result)

@@ -33,31 +33,32 @@ static size_t stage_scratch(const wfWorldDef *d)
         if (is_wanted(d, i, d->integrator))
             most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
     /* see what other stages need */
-    int32_t shapes = d->shapeCapacity, pairs = d->pairCapacity;
+    int32_t shapes = d->shapeCapacity, pairs = d->advanced.pairCapacity;
     size_t bodies = (size_t)d->bodyCapacity;
     bool boxed = true, mends = true;
     /* see who needs boxes and a solver */
     boxed = (d->modules & (WF_MODULE_CONTACTS | WF_MODULE_QUERIES)) != 0;
     mends = (d->modules & (WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS)) != 0;
     for (int i = 0; boxed && i < wfBroadPhaseCount; i++)
-        if (is_wanted(d, i, d->broadPhase))
+        if (is_wanted(d, i, d->advanced.broadPhase))
             most = larger(most, wfBroadPhaseTable[i].scratch(shapes, pairs));
     for (int i = 0; mends && i < wfSolverCount; i++) {
         bool large = i != d->solver && i == wfFindSolver(WF_SOLVER_LARGE);
+        int32_t contacts = d->advanced.contactCapacity;
         if (!large && is_wanted(d, i, d->solver))
-            most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, d->contactCapacity));
+            most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, contacts));
     }
     if (mends || boxed) most = larger(most, sizeof(wfBodyState) * bodies + WF_POOL_ALIGN);
     if (d->events)
         most = larger(most, 3 * (sizeof(wfTouchingPair) * (size_t)pairs + WF_POOL_ALIGN));
-    bool ties = d->directJoints != WF_JOINTS_ITERATIVE
+    bool ties = d->advanced.directJoints != WF_JOINTS_ITERATIVE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);
     if (boxed)
         most = larger(most, sizeof(int32_t) * ((size_t)shapes + (size_t)pairs)
                             + 2 * WF_POOL_ALIGN);
     if (mends)
-        most += (sizeof(int32_t) + 1) * bodies + sizeof(int32_t) * (size_t)d->contactCapacity
+        most += (sizeof(int32_t) + 1) * bodies + sizeof(int32_t) * (size_t)d->advanced.contactCapacity
               + 3 * WF_POOL_ALIGN;
     return most + WF_POOL_ALIGN;
 }
@@ -66,7 +67,7 @@ static size_t index_size(const wfWorldDef *d)
 {
     size_t most = 0;
     for (int i = 0; i < wfBroadPhaseCount; i++)
-        if (is_wanted(d, i, d->broadPhase))
+        if (is_wanted(d, i, d->advanced.broadPhase))
             most = larger(most, wfIndexSize(i, d->shapeCapacity));
     return most;
 }
@@ -78,8 +79,6 @@ const wfRegionRow wfRegionTable[WF_REGION_COUNT] = {
 #define WF_FRESH(NAME, name, per, type, modules, stage) \
     { name, 1, per, sizeof(type) },
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
 };
 
 static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
@@ -93,16 +92,16 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
     per[WF_PER_FORCE] = (size_t)d->forceCapacity;
     per[WF_PER_ACTIVE_FORCE] += per[WF_PER_FORCE];
     per[WF_PER_SHAPE] = (size_t)d->shapeCapacity;
-    per[WF_PER_PAIR] = (size_t)d->pairCapacity;
-    per[WF_PER_CONTACT] = (size_t)d->contactCapacity;
+    per[WF_PER_PAIR] = (size_t)d->advanced.pairCapacity;
+    per[WF_PER_CONTACT] = (size_t)d->advanced.contactCapacity;
     per[WF_BYTES_OF_INDEX] = index_size(d);
     per[WF_PER_TOUCH] = d->events ? per[WF_PER_PAIR] : 0;
     per[WF_PER_EVENT] = 2 * per[WF_PER_TOUCH];
-    per[WF_PER_PAIR_MATERIAL] = (size_t)d->materialPairCapacity;
-    per[WF_PER_FINE_BODY] = d->compensatedSums ? per[WF_PER_BODY] : 0;
+    per[WF_PER_PAIR_MATERIAL] = (size_t)d->advanced.materialPairCapacity;
+    per[WF_PER_FINE_BODY] = d->advanced.compensatedSums ? per[WF_PER_BODY] : 0;
     per[WF_PER_JOINT] = (size_t)d->jointCapacity;
     per[WF_BYTES_OF_JOINT_ROWS] = wfJointScratch(d->bodyCapacity, d->jointCapacity);
-    if (d->directJoints)
+    if (d->advanced.directJoints)
         per[WF_BYTES_OF_MATRIX] = wfExactScratch(d->bodyCapacity, d->jointCapacity);
     per[WF_BYTES_OF_ISLANDS] = wfIslandScratch(d->bodyCapacity) + 4 * WF_POOL_ALIGN
                              + per[WF_PER_BODY] * (sizeof(int32_t) + 2);
@@ -272,8 +271,6 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
     out->pointer = (void *)(base + h->offset[WF_REGION_##NAME]);
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
     return WF_OK;
 }
 

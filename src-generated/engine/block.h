@@ -30,9 +30,9 @@ typedef struct wfHeader {
     uint64_t   steps;
     double     time;           /* s */
     uint64_t   offset[WF_REGION_COUNT];
-#define WF_SETTING(type, name, usual, text, ...) type name;
+#define WF_SETTING(type, name, ...) type name;
+#define WF_ADVANCED WF_SETTING
 #include "weft/setting_rows.h"
-#undef WF_SETTING
     /* what else a world keeps */
     wfSlots bodySlots;
     wfSlots forceSlots;
@@ -67,8 +67,6 @@ typedef struct wfBlock {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) type *pointer;
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
     uint8_t *transient;
     /* whom a block tells of a fault */
     wfCallFault *fault;        /* the handle's; NULL: nobody */
@@ -140,6 +138,8 @@ wfBodyId wfIdOfBody(const wfBlock *b, int32_t i);
  * or a contact, as far as they are dynamic. */
 void wfBodyChanged(wfBlock *b, int32_t i);
 void wfEndsChanged(wfBlock *b, int32_t first, int32_t second);
+/* Clears thing i, all but its slot, in all arrays of one each (of: WF_PER_BODY ...). */
+void wfClearPlace(wfBlock *b, int32_t of, int32_t i);
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
 wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);

@@ -5,6 +5,16 @@
 #include "engine/block.h"
 
 /* disturb a body */
+void wfClearPlace(wfBlock *b, int32_t of, int32_t i)
+{
+#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
+    if (per == of && _Generic((type *)NULL, wfSlot *: false, default: true) \
+        && ((modules) == 0 || wfHas(b->head, modules))) \
+        memset(&b->pointer[i], 0, sizeof(type));
+#define WF_FRESH(NAME, name, per, type, modules, stage)
+#include "engine/array_rows.h"
+}
+
 void wfBodyChanged(wfBlock *b, int32_t i)
 {
     (void)b, (void)i;
@@ -103,12 +113,13 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
     if (large && !h->large) return wfRefuseSetting(b, WF_ERROR_MEMORY, NULL, &d);
     bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
-    if (matrix != (d.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
+    if (matrix != (d.advanced.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
     if (!same) wfBodyChanged(b, -1);
     /* before the settings change */
-    if (!d.queries) h->indexStale = 1;
-    if (h->directJointCost < d.directJointCost || h->directJointCost > d.directJointCost
-        || h->directJoints != d.directJoints)
+    if (!d.advanced.queries) h->indexStale = 1;
+    const wfAdvancedDef *to = &d.advanced;
+    if (h->directJointCost < to->directJointCost || h->directJointCost > to->directJointCost
+        || h->directJoints != to->directJoints)
         h->machines = 0;                /* judged anew */
     if (!d.sleep) wfBodyChanged(b, -1);
     wfKeepSettings(&d, h);
@@ -159,8 +170,8 @@ wfResult wfSetMethods(wfWorld *world, int integrator, int broadPhase, int narrow
     if (result != WF_OK) return result;
     wfWorldDef d = wfSettings(b.head);
     if (integrator != -1) d.integrator = integrator;
-    if (broadPhase != -1) d.broadPhase = broadPhase;
-    if (narrowPhase != -1) d.narrowPhase = narrowPhase;
+    if (broadPhase != -1) d.advanced.broadPhase = broadPhase;
+    if (narrowPhase != -1) d.advanced.narrowPhase = narrowPhase;
     if (solver != -1) d.solver = solver;
     return change_settings(&b, &d);
 }

@@ -506,8 +506,6 @@ static CheckFn *const rule_table[WF_REGION_KEPT] = {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) rule_of_##rule,
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
 };
 
 /* Has none of the rows before it the same rule? */

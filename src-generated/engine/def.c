@@ -10,9 +10,9 @@ static int32_t row_or_first(int row) { return row < 0 ? 0 : row; }
 wfWorldDef wfDefaultWorldDef(void)
 {
     return (wfWorldDef){
-#define WF_SETTING(type, name, usual, text, ...) .name = usual,
+#define WF_SETTING(type, name, usual, ...) .name = usual,
+#define WF_ADVANCED(type, name, usual, ...) .advanced.name = usual,
 #include "weft/setting_rows.h"
-#undef WF_SETTING
     };
 }
 
@@ -24,18 +24,20 @@ wfWorldDef wfCompleteDef(const wfWorldDef *def)
     if (d.shapeCapacity == 0) d.shapeCapacity = d.bodyCapacity;
     int64_t n = d.shapeCapacity;
     int64_t all = n * (n - 1) / 2, some = 16 * n;
-    if (d.pairCapacity == 0) d.pairCapacity = (int32_t)(all < some ? all : some);
-    if (d.pairCapacity > WF_MAX_CAPACITY) d.pairCapacity = WF_MAX_CAPACITY;
-    if (d.pairCapacity < 1) d.pairCapacity = 1;
-    if (d.contactCapacity == 0) d.contactCapacity = d.pairCapacity;
+    wfAdvancedDef *room = &d.advanced;
+    if (room->pairCapacity == 0) room->pairCapacity = (int32_t)(all < some ? all : some);
+    if (room->pairCapacity > WF_MAX_CAPACITY) room->pairCapacity = WF_MAX_CAPACITY;
+    if (room->pairCapacity < 1) room->pairCapacity = 1;
+    if (room->contactCapacity == 0) room->contactCapacity = room->pairCapacity;
     /* leave out what is not needed */
     d.modules = wfModulesOf(&d);
     if (!(d.modules & WF_MODULE_FORCES)) d.forceCapacity = 0;
     if (!(d.modules & WF_MODULE_SHAPES)) d.shapeCapacity = 0;
-    if (!(d.modules & WF_MODULE_CONTACTS)) d.pairCapacity = d.contactCapacity = 0;
-    if (!(d.modules & WF_MODULE_MATERIALS)) d.materialPairCapacity = 0;
-    if (!(d.modules & WF_MODULE_QUERIES)) d.queries = 0;
-    if (!(d.modules & WF_MODULE_JOINTS)) d.directJoints = 0;
+    if (!(d.modules & WF_MODULE_CONTACTS)) d.advanced.pairCapacity = 0;
+    if (!(d.modules & WF_MODULE_CONTACTS)) d.advanced.contactCapacity = 0;
+    if (!(d.modules & WF_MODULE_MATERIALS)) d.advanced.materialPairCapacity = 0;
+    if (!(d.modules & WF_MODULE_QUERIES)) d.advanced.queries = 0;
+    if (!(d.modules & WF_MODULE_JOINTS)) d.advanced.directJoints = 0;
     if (!(d.modules & WF_MODULE_JOINTS)) d.jointCapacity = 0;
     if (!(d.modules & WF_MODULE_FAST)) d.maxImpacts = 0;
     if (!(d.modules & WF_MODULE_SLEEP)) d.sleep = 0;

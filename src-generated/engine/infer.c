@@ -51,9 +51,9 @@ wfResult wfInferModules(const wfWorld *world, uint32_t besides, wfWorldDef *out)
     def.forceCapacity = h->forceSlots.high;
     bool meets = (def.modules & WF_MODULE_CONTACTS) != 0;
     def.shapeCapacity = h->shapeSlots.high > 0 ? h->shapeSlots.high : 1;
-    def.pairCapacity = meets && h->mostPairs == 0 ? 1 : h->mostPairs;
-    def.contactCapacity = meets && h->mostContacts == 0 ? 1 : h->mostContacts;
-    def.materialPairCapacity = h->mostMaterials;
+    def.advanced.pairCapacity = meets && h->mostPairs == 0 ? 1 : h->mostPairs;
+    def.advanced.contactCapacity = meets && h->mostContacts == 0 ? 1 : h->mostContacts;
+    def.advanced.materialPairCapacity = h->mostMaterials;
     def.jointCapacity = h->jointSlots.high;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
@@ -99,7 +99,7 @@ wfResult wfInferSceneModules(const wfSceneList *list, uint32_t besides, wfWorldD
     def->bodyCapacity = list->bodyCount;
     def->forceCapacity = list->forceCount;
     def->shapeCapacity = shapes;
-    def->pairCapacity = def->contactCapacity = 0;
+    def->advanced.pairCapacity = def->advanced.contactCapacity = 0;
     /* what else a list has room for */
     def->jointCapacity = list->jointCount;
     return WF_OK;

@@ -9,8 +9,6 @@ const wfModule wfModuleTable[] = {
     { name, text, WF_MODULE_##NAME, implies, within, WF_ERROR_NO_##NAME },
 #define WF_ABSENT(NAME, bit, name, implies, within, without, text)
 #include "weft/module_rows.h"
-#undef WF_ABSENT
-#undef WF_MODULE
 };
 const int wfModuleCount = (int)(sizeof wfModuleTable / sizeof *wfModuleTable);
 
@@ -42,8 +40,6 @@ static const wfRegionUse region_use[WF_REGION_COUNT] = {
     { modules, stage, #rule },
 #define WF_FRESH(NAME, name, per, type, modules, stage) { modules, stage, NULL },
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
 };
 
 wfRegionUse wfRegionServes(int region)

@@ -9,8 +9,6 @@ enum {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) WF_REGION_##NAME,
 #define WF_FRESH(NAME, name, per, type, modules, stage)         WF_REGION_##NAME,
 #include "engine/array_rows.h"
-#undef WF_KEPT
-#undef WF_FRESH
     WF_REGION_COUNT
 };
 /* Whom an array serves: any of these needs, or everybody if 0; the stage that fills it, or

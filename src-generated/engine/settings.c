@@ -23,11 +23,12 @@ static const char *const wfExactNames[] = { "iterative", "direct", "auto" };
 static const int wfExactNamesCount = 3;
 
 const wfSetting wfSettingTable[] = {
-#define WF_SETTING(type, field, usual, words, ...) { .name = #field, \
-    .offset = offsetof(wfWorldDef, field), .kept = offsetof(wfHeader, field), \
+#define ROW(place, field, words, ...) { .name = #field, \
+    .offset = offsetof(wfWorldDef, place), .kept = offsetof(wfHeader, field), \
     __VA_ARGS__, .text = words },
+#define WF_SETTING(type, field, usual, ...) ROW(field, field, __VA_ARGS__)
+#define WF_ADVANCED(type, field, usual, ...) ROW(advanced.field, field, __VA_ARGS__)
 #include "weft/setting_rows.h"
-#undef WF_SETTING
 };
 const int wfSettingCount = (int)(sizeof wfSettingTable / sizeof *wfSettingTable);
 
@@ -77,14 +78,12 @@ double wfSettingValue(const wfWorldDef *def, const wfSetting *s, int part)
     const uint8_t *at = (const uint8_t *)def + s->offset;
     wfReal real;
     int32_t number;
-    uint32_t set;
     if (is_real(s)) {
         memcpy(&real, at + (size_t)part * sizeof real, sizeof real);
         return (double)real;
     }
     memcpy(&number, at, sizeof number);
-    memcpy(&set, at, sizeof set);
-    return s->kind == WF_SETTING_SET ? (double)set : (double)number;
+    return s->kind == WF_SETTING_SET ? (double)(uint32_t)number : (double)number;
 }
 
 /* check one setting */
@@ -123,25 +122,18 @@ wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double valu
 }
 
 /* keep the settings in the header */
-static size_t bytes_of(const wfSetting *s)
-{
-    return is_real(s) ? (size_t)wfSettingParts(s) * sizeof(wfReal) : sizeof(int32_t);
-}
-
 void wfKeepSettings(const wfWorldDef *def, wfHeader *head)
 {
-    for (int i = 0; i < wfSettingCount; i++) {
-        const wfSetting *s = &wfSettingTable[i];
-        memcpy((uint8_t *)head + s->kept, (const uint8_t *)def + s->offset, bytes_of(s));
-    }
+#define WF_SETTING(type, name, ...) head->name = def->name;
+#define WF_ADVANCED(type, name, ...) head->name = def->advanced.name;
+#include "weft/setting_rows.h"
 }
 
 wfWorldDef wfSettings(const wfHeader *head)
 {
-    wfWorldDef def = { .timeStep = 0 };
-    for (int i = 0; i < wfSettingCount; i++) {
-        const wfSetting *s = &wfSettingTable[i];
-        memcpy((uint8_t *)&def + s->offset, (const uint8_t *)head + s->kept, bytes_of(s));
-    }
-    return def;
+    return (wfWorldDef){
+#define WF_SETTING(type, name, ...) .name = head->name,
+#define WF_ADVANCED(type, name, ...) .advanced.name = head->name,
+#include "weft/setting_rows.h"
+    };
 }

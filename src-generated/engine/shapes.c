@@ -303,9 +303,7 @@ void wfDropShape(wfBlock *b, int32_t k)
     while (*link != k) link = &b->next[*link];
     *link = b->next[k];
     b->head->sensorCount -= b->materials[k].sensor;
-    memset(&b->shapes[k], 0, sizeof b->shapes[k]);
-    memset(&b->materials[k], 0, sizeof b->materials[k]);
-    memset(&b->filters[k], 0, sizeof b->filters[k]);
+    wfClearPlace(b, WF_PER_SHAPE, k);
     b->bodyOfShape[k] = b->next[k] = -1;
     wfBoundShape(b, k);
     wfSlotGive(&b->head->shapeSlots, b->shapeSlots, k, b->shapeSlots[k].generation);

@@ -228,7 +228,7 @@ static bool create(Reader *r)
     if (own && !fit(r, "shapeCapacity", &d->shapeCapacity, r->shapeCount)) return false;
     if (!fit(r, "forceCapacity", &d->forceCapacity, length_of(r, "forces"))) return false;
     if (!fit(r, "jointCapacity", &d->jointCapacity, length_of(r, "joints"))) return false;
-    if (!fit(r, "materialPairCapacity", &d->materialPairCapacity,
+    if (!fit(r, "materialPairCapacity", &d->advanced.materialPairCapacity,
              length_of(r, "pairMaterials")))
         return false;
     const cJSON *at = r->settings != NULL ? r->settings : r->t.root;

@@ -323,9 +323,9 @@ static wfResult make_truth(const labTruth *scene, const char *solver, const char
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.solver = wfFindSolver(solver);
-    def.directJoints = wfFindSettingRow(wfFindSetting("directJoints"), joints);
+    def.advanced.directJoints = wfFindSettingRow(wfFindSetting("directJoints"), joints);
     def.bodyCapacity = 64;
-    def.compensatedSums = strcmp(solver, "soft") == 0 && !plain;
+    def.advanced.compensatedSums = strcmp(solver, "soft") == 0 && !plain;
     wfResult result = wfCreateWorld(&def, out);
     if (result != WF_OK) return result;
     result = scene->build(out);
@@ -481,7 +481,7 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
     def.timeStep = WF_R(1.0) / 60 / (wfReal)dials->steps;
     def.substeps = dials->substeps;
     def.iterations = dials->passes;
-    if (dials->period > 0) def.contactPeriod = (wfReal)dials->period;
+    if (dials->period > 0) def.advanced.contactPeriod = (wfReal)dials->period;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
 
@@ -661,7 +661,7 @@ enum { MIXED_MOST = 40 };           /* towers */
 static wfResult build_mixed(wfWorld *world, int towers)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    def.bodyCapacity = 10 * MIXED_MOST + 16, def.compensatedSums = 1;
+    def.bodyCapacity = 10 * MIXED_MOST + 16, def.advanced.compensatedSums = 1;
     if (towers < 0 || towers > MIXED_MOST) return WF_ERROR_RANGE;
     wfResult result = wfCreateWorld(&def, world);
     if (result == WF_OK) result = level_floor(world);

@@ -100,8 +100,8 @@ static wfResult resolving(wfReal share, wfReal slop, int32_t bodies, wfWorld *wo
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0);
     def.solver = wfFindSolver("impulse");
-    def.positionCorrection = share;
-    def.slop = slop;
+    def.advanced.positionCorrection = share;
+    def.advanced.slop = slop;
     def.bodyCapacity = bodies;
     return wfCreateWorld(&def, world);
 }

@@ -16,7 +16,7 @@ static int measure_figures_arch(FILE *out)
 {
     wfWorldDef how = wfDefaultWorldDef();
     static const int32_t passes[3] = { 1, 8, 30 };
-    how.stackSolver = 1;
+    how.advanced.stackSolver = 1;
     fprintf(out, "substeps,1 pass,8 passes,30 passes\n");
     for (how.substeps = 4; how.substeps <= 16; how.substeps *= 2) {
         fprintf(out, "%d", (int)how.substeps);

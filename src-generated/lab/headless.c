@@ -12,7 +12,7 @@ static wfResult frame_heap(int n, wfWorld *out)
     wfWorldDef def = wfDefaultWorldDef();
     const wfReal r = WF_R(0.08);
     def.bodyCapacity = n + 3;
-    def.pairCapacity = def.contactCapacity = 8 * n;
+    def.advanced.pairCapacity = def.advanced.contactCapacity = 8 * n;
     wfResult result = wfCreateWorld(&def, out);
     for (int i = 0; i < n + 3 && result == WF_OK; i++) {
         wfBodyDef b = wfDefaultBodyDef();

@@ -243,7 +243,7 @@ static void sleep_world(wfWorld *w, int32_t sleep, int32_t bodies, double share)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.sleep = sleep;
-    def.sleepThreshold = (wfReal)share;
+    def.advanced.sleepThreshold = (wfReal)share;
     def.bodyCapacity = bodies + 4;
     if (wfCreateWorld(&def, w) != WF_OK) exit(1);
 }
@@ -376,7 +376,7 @@ static double whip_gain(double speed, int substeps, int joints, bool rods)
     wfBodyId first = { 0, 0 };
     double kinetic, potential, rest, start = 0, most = 0;
     def.substeps = substeps;
-    def.directJoints = joints;
+    def.advanced.directJoints = joints;
     def.modules = WF_MODULE_ROTATION | WF_MODULE_SHAPES | WF_MODULE_JOINTS |
         WF_MODULE_SUBSTEPS;
     if (wfCreateWorld(&def, &w) != WF_OK) return -1;

@@ -341,7 +341,7 @@ wfWorldDef labHeavyDef(const labHeavy *bench)
     d.gravity = wfV2(0, -(wfReal)bench->gravity);
     d.bodyCapacity = bench->bodies;
     d.shapeCapacity = bench->shapes;
-    d.pairCapacity = bench->pairs * bench->shapes;
+    d.advanced.pairCapacity = bench->pairs * bench->shapes;
     if (bench->joints > d.jointCapacity) d.jointCapacity = bench->joints;
     return d;
 }
@@ -597,7 +597,7 @@ wfResult labMakeSteered(const labSteered *scene, wfWorld *world, wfBodyId *drive
     wfWorldDef d = wfDefaultWorldDef();
     d.gravity = wfV2(0, -10);
     d.bodyCapacity = scene->bodies, d.shapeCapacity = scene->shapes;
-    d.pairCapacity = scene->pairs * scene->shapes;
+    d.advanced.pairCapacity = scene->pairs * scene->shapes;
     if (scene->joints > d.jointCapacity) d.jointCapacity = scene->joints;
     if (!scene->follow) d.maxImpacts = 0;
     wfResult result = wfCreateWorld(&d, world);

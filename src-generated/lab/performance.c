@@ -44,7 +44,7 @@ static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
     wfWorldDef def = labLoadDef(load);
     wfWorld world;
     def.iterations = passes;                    /* 0: as many as the solver likes */
-    def.enableSimd = lanes;
+    def.advanced.enableSimd = lanes;
     *out = (PerfTimes){ .step = 0 };
     wfResult result = wfCreateWorld(&def, &world);
     if (result != WF_OK) return result;
@@ -136,7 +136,7 @@ static int one_colouring(FILE *out, int32_t colours, int32_t passes)
     wfWorld world;
     enum { BASE = 30 };
     double fastest = 0;
-    def.graphColouring = colours;
+    def.advanced.graphColouring = colours;
     def.iterations = passes;
     def.bodyCapacity = BASE * (BASE + 1) / 2 + 1;
     if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -257,7 +257,7 @@ static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pai
         wfBodyDef body = wfDefaultBodyDef();
         def.modules = modules;
         def.bodyCapacity = n;
-        def.pairCapacity = pairs * n;
+        def.advanced.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
         /* ask for the size and fill the world */
@@ -314,7 +314,7 @@ static double fly_freely(int32_t n, uint32_t modules)
     body.type = WF_DYNAMIC;
     body.mass = 1;
     body.velocity = wfV2(1, 0);
-    if (has_shapes(modules)) def.pairCapacity = 4 * n;
+    if (has_shapes(modules)) def.advanced.pairCapacity = 4 * n;
     if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.1), &body.shape);
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
     /* let them fly, nine times */
@@ -531,7 +531,7 @@ static int32_t swarm(int32_t n, wfWorld *world)
     wfRandomSeed(&r, 32);
     def.gravity = wfV2(0, 0);
     def.bodyCapacity = n + 4;
-    def.pairCapacity = 200 * n;
+    def.advanced.pairCapacity = 200 * n;
     if (wfCreateWorld(&def, world) != WF_OK) return 1;
     for (int32_t i = 0; i < n + 4; i++) {
         wfBodyDef b = wfDefaultBodyDef();

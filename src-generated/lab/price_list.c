@@ -11,10 +11,10 @@ typedef struct PriceRow {
 } PriceRow;
 
 static void price_nothing(wfWorldDef *def) { (void)def; }
-static void price_exact(wfWorldDef *def) { def->directJoints = WF_JOINTS_ITERATIVE; }
+static void price_exact(wfWorldDef *d) { d->advanced.directJoints = WF_JOINTS_ITERATIVE; }
 static void price_impacts(wfWorldDef *def) { def->maxImpacts = 0; }
-static void price_reuse(wfWorldDef *def) { def->reuseManifolds = 0; }
-static void price_columns(wfWorldDef *def) { def->stackSolver = 0; }
+static void price_reuse(wfWorldDef *def) { def->advanced.reuseManifolds = 0; }
+static void price_columns(wfWorldDef *def) { def->advanced.stackSolver = 0; }
 static void price_substeps(wfWorldDef *def) { def->substeps = 1; }
 static const PriceRow price_rows[] = {
     { "nothing", price_nothing }, { "exact joints", price_exact },
@@ -279,7 +279,7 @@ static double price_chain(int substeps, int together)
     wfJoint joint;
     double worst = 0;
     def.substeps = substeps;
-    def.directJoints = together;
+    def.advanced.directJoints = together;
     bool good = wfMakeCircle(wfV2(0, 0), WF_R(0.1), &d.shape) == WF_OK
              && wfCreateWorld(&def, &world) == WF_OK;
     /* hang twenty links side by side */

@@ -206,7 +206,7 @@ static int measure_rollback_time(FILE *out)
         double back[ROUNDS], again[ROUNDS];
         if (save_scene(1000, row[k].spread, false, &world) != WF_OK) return 1;
         if (wfGetWorldDef(&world, &def) != WF_OK) return 1;
-        if (row[k].columns >= 0) def.stackSolver = row[k].columns;
+        if (row[k].columns >= 0) def.advanced.stackSolver = row[k].columns;
         if (wfSetWorldDef(&world, &def) != WF_OK) return 1;
         for (int i = 0; i < row[k].steps; i++) wfStepWorld(&world);
         size_t size = wfSnapshotSize(&world);

@@ -56,7 +56,7 @@ static int measure_world_reuse(FILE *out)
         /* make the two worlds, with reuse and without */
         for (int reuse = 0; reuse < 2; reuse++) {
             wfWorldDef def = wfDefaultWorldDef();
-            def.reuseManifolds = reuse;
+            def.advanced.reuseManifolds = reuse;
             def.bodyCapacity = HEAP_BODIES + 3;
             if (wfCreateWorld(&def, &world[reuse]) != WF_OK) return 1;
             if (fill_heap(&world[reuse], corners[row]) != WF_OK) return 1;
@@ -80,7 +80,7 @@ static double apex_after_bounce(double drop, double dt)
     wd.timeStep = (wfReal)dt;
     wd.bodyCapacity = 2;
     wd.solver = wfFindSolver("impulse");
-    wd.slop = 0;
+    wd.advanced.slop = 0;
     wfWorld world;
     wfBodyDef ground = wfDefaultBodyDef(), ball = wfDefaultBodyDef();
     wfBodyId id;
@@ -459,7 +459,8 @@ static int measure_world_settings(FILE *out)
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
         bool room = s->builtIn && s->kind == WF_SETTING_INT;
-        fprintf(out, "%s,%s", room ? "room" : kind[s->kind], s->name);
+        const char *in = s->offset < offsetof(wfWorldDef, advanced) ? "" : "advanced.";
+        fprintf(out, "%s,%s%s", room ? "room" : kind[s->kind], in, s->name);
         tell_default(out, s, &def);
         tell_range(out, s);
         fprintf(out, ",\"%s\"\n", s->text);

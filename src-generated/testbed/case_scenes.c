@@ -177,7 +177,7 @@ static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 static void rest_softly(wfWorldDef *def)
 {
     def->gravity = wfV2(0, 0);
-    def->positionCorrection = 0;
+    def->advanced.positionCorrection = 0;
 }
 
 static void draw_clip(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -274,14 +274,14 @@ static void by_quad_tree(wfWorldDef *def)
 {
     without_gravity(def);
     int row = wfFindBroadPhase("quad-tree");      /* -1: left out of this build */
-    if (row >= 0) def->broadPhase = row;
+    if (row >= 0) def->advanced.broadPhase = row;
 }
 
 static void push_out_at_once(wfWorldDef *def)
 {
     integrated_freely(def);
-    def->positionCorrection = 1;
-    def->slop = WF_R(0.001);
+    def->advanced.positionCorrection = 1;
+    def->advanced.slop = WF_R(0.001);
 }
 
 static void draw_wish(const wfWorld *world, wfDraw *d, const wfSceneInput *in)

@@ -61,7 +61,7 @@ static wfResult build_one_place(wfWorld *world) { return wfBuildCoincident(world
 
 static void with_room_for_pairs(wfWorldDef *def)
 {
-    def->pairCapacity = def->contactCapacity = 2048;
+    def->advanced.pairCapacity = def->advanced.contactCapacity = 2048;
 }
 
 static wfResult build_dominoes(wfWorld *world)
@@ -412,7 +412,7 @@ enum { BRICKS_WIDE = 6, BRICKS_HIGH = 14 };
 static void many_joints(wfWorldDef *def)
 {
     jointly(def);
-    def->directJoints = WF_JOINTS_ITERATIVE;
+    def->advanced.directJoints = WF_JOINTS_ITERATIVE;
     def->jointCapacity = 512;
     def->bodyCapacity = 256;
 }

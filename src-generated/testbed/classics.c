@@ -53,7 +53,7 @@ static bool open_yard(const wfWorldDef *how, int bodies, wfWorld *out)
     wfWorldDef def = *how;
     def.bodyCapacity = bodies + 4;
     def.shapeCapacity = 0;
-    def.pairCapacity = 0;
+    def.advanced.pairCapacity = 0;
     return wfCreateWorld(&def, out) == WF_OK;
 }
 
@@ -523,14 +523,14 @@ static double swing_period(const wfWorldDef *how)
 static double stiff_chain_stretch(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
-    def.jointCompliance = WF_R(1e-6);
+    def.advanced.jointCompliance = WF_R(1e-6);
     return chain_stretch(&def);
 }
 
 static double fine_swing_energy(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
-    def.compensatedSums = 1;
+    def.advanced.compensatedSums = 1;
     return swing_energy(&def);
 }
 
@@ -569,7 +569,7 @@ static double bounce_energy(const wfWorldDef *how)
 static double fine_bounce_energy(const wfWorldDef *how)
 {
     wfWorldDef def = *how;
-    def.compensatedSums = 1;
+    def.advanced.compensatedSums = 1;
     return bounce_energy(&def);
 }
 
@@ -617,7 +617,7 @@ static double coincident_peak(const wfWorldDef *how)
     wfWorldDef def = *how;
     wfWorld world;
     def.bodyCapacity = 204;
-    def.pairCapacity = def.contactCapacity = 204 * 203 / 2;
+    def.advanced.pairCapacity = def.advanced.contactCapacity = 204 * 203 / 2;
     double peak = 0;
     if (wfCreateWorld(&def, &world) != WF_OK) return FAILED;
     bool well = wfBuildCoincident(&world, 200) == WF_OK;

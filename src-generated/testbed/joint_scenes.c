@@ -519,13 +519,13 @@ static void finely(wfWorldDef *def)
 {
     jointly(def);
     def->substeps = 16;
-    def->directJoints = WF_JOINTS_ITERATIVE;
+    def->advanced.directJoints = WF_JOINTS_ITERATIVE;
 }
 
 static void exactly(wfWorldDef *def)
 {
     jointly(def);
-    def->directJoints = WF_JOINTS_DIRECT;
+    def->advanced.directJoints = WF_JOINTS_DIRECT;
 }
 
 static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput *in)

@@ -534,8 +534,8 @@ wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPoo
     int32_t whole = wfStepSubsteps(&def), n = substep < 1 ? 1 : substep;
     wfReal share = (wfReal)(n < whole ? n : whole) / (wfReal)whole; /* eq:scenes-part */
     def.timeStep *= share;
-    def.restitutionThreshold /= share;
-    def.contactPushSpeed /= share;
+    def.advanced.restitutionThreshold /= share;
+    def.advanced.contactPushSpeed /= share;
     if (whole > 1) def.substeps = n < whole ? n : whole;
     def.iterations = pass < 1 ? 1 : pass;
     if (result == WF_OK) result = wfSetWorldDef(out, &def);

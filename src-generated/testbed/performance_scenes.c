@@ -10,8 +10,8 @@ enum { CROWD_ROW = 40 };
 static void crowd_room(wfWorldDef *def, int32_t bodies, int32_t falling)
 {
     def->bodyCapacity = bodies + 8;
-    def->pairCapacity = 4 * falling;
-    def->contactCapacity = 3 * falling;
+    def->advanced.pairCapacity = 4 * falling;
+    def->advanced.contactCapacity = 3 * falling;
 }
 
 static void room_for_100(wfWorldDef *def) { crowd_room(def, 100, 100); }

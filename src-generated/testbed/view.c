@@ -132,11 +132,11 @@ static void draw_tree(const wfWorld *world, wfPool *scratch, wfDraw *d)
     if (wfGetWorldDef(world, &def) != WF_OK ||
         wfWorldIndexBoxes(world, scratch, draw_index_box, &sight) != WF_OK)
         return;
-    if (wfBroadPhaseTable[def.broadPhase].boxes == NULL)
+    if (wfBroadPhaseTable[def.advanced.broadPhase].boxes == NULL)
         wfDrawTextf(d, (d->view[0] + d->view[2]) / 2,
                     d->view[3] - (d->view[3] - d->view[1]) / 4, 16, WF_INK_TEXT, 0,
                     "%s: no index, each box is tested against each",
-                    wfBroadPhaseTable[def.broadPhase].name);
+                    wfBroadPhaseTable[def.advanced.broadPhase].name);
 }
 
 static void draw_velocities(const wfWorld *world, wfPool *scratch, wfDraw *d)

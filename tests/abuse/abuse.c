@@ -183,25 +183,25 @@ static wfWorldDef world_def(Session *s)
     d.shapeCapacity = whole(s, 0, 30);
     d.forceCapacity = whole(s, 0, 6);
     d.jointCapacity = whole(s, 0, 10);
-    d.pairCapacity = chance(s, 128) ? 0 : whole(s, 1, 90);
-    d.contactCapacity = chance(s, 128) ? 0 : whole(s, 1, 60);
-    d.materialPairCapacity = whole(s, 0, 3);
+    d.advanced.pairCapacity = chance(s, 128) ? 0 : whole(s, 1, 90);
+    d.advanced.contactCapacity = chance(s, 128) ? 0 : whole(s, 1, 60);
+    d.advanced.materialPairCapacity = whole(s, 0, 3);
     d.maxImpacts = whole(s, 0, 8);
     d.integrator = whole(s, 0, wfIntegratorCount - 1);
-    d.broadPhase = whole(s, 0, wfBroadPhaseCount - 1);
-    d.narrowPhase = whole(s, 0, wfNarrowPhaseCount - 1);
+    d.advanced.broadPhase = whole(s, 0, wfBroadPhaseCount - 1);
+    d.advanced.narrowPhase = whole(s, 0, wfNarrowPhaseCount - 1);
     if (chance(s, 128)) d.solver = whole(s, 0, wfSolverCount - 1);
-    d.directJoints = whole(s, 0, 2);
+    d.advanced.directJoints = whole(s, 0, 2);
     d.sleep = yes(s);
-    d.timeToSleep = WF_R(0.01) + more(s, WF_R(0.5));
+    d.advanced.timeToSleep = WF_R(0.01) + more(s, WF_R(0.5));
     d.substeps = whole(s, 1, 6);
     d.iterations = whole(s, 1, 2);                 /* a hopeless step of "exact" takes half a second for each, and five times that under the sanitizers */
-    d.events = yes(s); d.queries = yes(s); d.reuseManifolds = yes(s); d.stackSolver = yes(s); d.graphColouring = yes(s);
+    d.events = yes(s); d.advanced.queries = yes(s); d.advanced.reuseManifolds = yes(s); d.advanced.stackSolver = yes(s); d.advanced.graphColouring = yes(s);
     d.frictionRule = whole(s, 0, wfMixCount - 1);
     d.restitutionRule = whole(s, 0, wfMixCount - 1);
-    d.rollingRule = whole(s, 0, wfMixCount - 1);
-    if (chance(s, 32)) { d.restitutionThreshold = more(s, 4); d.hitThreshold = more(s, 9); d.positionCorrection = more(s, 1); d.slop = more(s, WF_R(0.1)); }
-    if (chance(s, 32)) { d.contactPeriod = more(s, 20); d.contactDampingRatio = more(s, 10); d.contactPushSpeed = more(s, 50); d.directJointCost = more(s, 20); d.jointCompliance = more(s, WF_R(0.01)); }
+    d.advanced.rollingRule = whole(s, 0, wfMixCount - 1);
+    if (chance(s, 32)) { d.advanced.restitutionThreshold = more(s, 4); d.advanced.hitThreshold = more(s, 9); d.advanced.positionCorrection = more(s, 1); d.advanced.slop = more(s, WF_R(0.1)); }
+    if (chance(s, 32)) { d.advanced.contactPeriod = more(s, 20); d.advanced.contactDampingRatio = more(s, 10); d.advanced.contactPushSpeed = more(s, 50); d.advanced.directJointCost = more(s, 20); d.advanced.jointCompliance = more(s, WF_R(0.01)); }
     return d;
 }
 

@@ -592,8 +592,8 @@ static wfResult op_set_def(Session *s)
     wfResult r = wfGetWorldDef(&s->world, &now);
     if (r == WF_OK && chance(s, 230)) {         /* what is built in stays */
         d.bodyCapacity = now.bodyCapacity; d.shapeCapacity = now.shapeCapacity; d.forceCapacity = now.forceCapacity;
-        d.jointCapacity = now.jointCapacity; d.pairCapacity = now.pairCapacity; d.contactCapacity = now.contactCapacity;
-        d.materialPairCapacity = now.materialPairCapacity; d.events = now.events; d.maxImpacts = now.maxImpacts; d.directJoints = now.directJoints;
+        d.jointCapacity = now.jointCapacity; d.advanced.pairCapacity = now.advanced.pairCapacity; d.advanced.contactCapacity = now.advanced.contactCapacity;
+        d.advanced.materialPairCapacity = now.advanced.materialPairCapacity; d.events = now.events; d.maxImpacts = now.maxImpacts; d.advanced.directJoints = now.advanced.directJoints;
     }
     if (d.substeps > 99) d.substeps = 99;       /* who asks for a million passes gets them, and we would wait for ever */
     if (d.iterations != 1) d.iterations = 2;

@@ -5,7 +5,7 @@
 static uint64_t drop_crates(const char *broadPhase, const char *solver, double *lowest)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    def.broadPhase = wfFindBroadPhase(broadPhase);
+    def.advanced.broadPhase = wfFindBroadPhase(broadPhase);
     def.solver = wfFindSolver(solver);
     def.jointCapacity = 0;                  /* this solver keeps contacts only */
     wfWorld world;

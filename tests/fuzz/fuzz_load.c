@@ -18,7 +18,7 @@ static void make_template(void)
     wfWorld world;
     def.bodyCapacity = 12;
     def.sleep = 1;
-    def.timeToSleep = WF_R(0.2);
+    def.advanced.timeToSleep = WF_R(0.2);
     MUST(wfCreateWorld(&def, &world) == WF_OK);
     wfBodyDef d = wfDefaultBodyDef();
     d.type = WF_STATIC;

@@ -14,8 +14,9 @@ told=$($lua tests/house/circles.lua "$work" two) && { echo "house: a circle of t
 grep -q 'a.c needs wf_b of b.c, and b.c needs wf_a of a.c' <<<"$told" || { echo "house: the circle is not told by its two calls: $told"; bad=1; }
 $lua tests/house/house.lua tests/house/declared $(tangle/chapters) || bad=1
 # a setting is turned by somebody: a scene, a measurement or a test
-for s in $(sed -nE 's/^WF_SETTING\(\w+, (\w+),.*/\1/p' src-generated/include/weft/setting_rows.h); do
+for s in $(sed -nE 's/^WF_(SETTING|ADVANCED)\(\w+, (\w+),.*/\2/p' src-generated/include/weft/setting_rows.h); do
   grep -rqE --include='*.c' --include='*.h' "(\.|->)$s( =|$)" src-generated/{testbed,lab,figures} tests || { echo "house: nobody turns the setting $s -- use it, or take it away"; bad=1; }
 done
+[ "$(grep -c '^WF_SETTING(' src-generated/include/weft/setting_rows.h)" -le 16 ] || { echo "house: wfWorldDef has more than 16 settings of its own -- WF_ADVANCED for those that few turn"; bad=1; }
 tests/house/readme.sh || bad=1
 exit $bad

@@ -14,6 +14,8 @@ int main(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.dt = 1 / (wfReal)64, def.restingSteps = 2, def.columns = 0, def.exactJoints = WF_JOINTS_ONE_BY_ONE, def.impacts = 8;
+    def.slop = def.positionShare = 0, def.advanced.contactPeriod = 8;
+    if (def.contactPeriod != 8 || def.advanced.slop != 0 || def.advanced.restitutionThreshold != 2) return 7;
     def.needs = wfAllNeeds() & ~(uint32_t)WF_NEED_SLEEP;
     wfWorld world;
     if (wfCreateWorld(&def, &world) != WF_OK) return 1;

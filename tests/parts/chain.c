@@ -12,7 +12,7 @@ int main(void)
     wfJoint joint;
     nail.type = WF_STATIC;
 #ifdef ONE_BY_ONE
-    def.directJoints = WF_JOINTS_ITERATIVE;
+    def.advanced.directJoints = WF_JOINTS_ITERATIVE;
 #endif
     OK(wfMakeCircle(wfV2(0, 0), WF_R(0.1), &link.shape));
     OK(wfCreateWorld(&def, &world));

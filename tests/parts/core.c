@@ -94,7 +94,7 @@ static uint64_t played(int k, int solver, int integrator)
     wfRayHit hit = { .shape = WF_NO_SHAPE };
     def.solver = solver;
 #ifdef IN_THE_WHOLE                /* the whole engine, with what core has not switched off: the same bits */
-    def.graphColouring = def.enableSimd = def.stackSolver = def.reuseManifolds = def.maxImpacts = 0;
+    def.advanced.graphColouring = def.advanced.enableSimd = def.advanced.stackSolver = def.advanced.reuseManifolds = def.maxImpacts = 0;
 #endif
     if (integrator >= 0) def.integrator = integrator;
     need(wfCreateWorld(&def, &w) == WF_OK, "no world");

@@ -7,7 +7,7 @@ static uint64_t pile(int colours, int lanes)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     wfBodyDef ground = wfDefaultBodyDef(), box = wfDefaultBodyDef();
-    def.graphColouring = colours, def.enableSimd = lanes;
+    def.advanced.graphColouring = colours, def.advanced.enableSimd = lanes;
     if (wfCreateWorld(&def, &world) != WF_OK) return 0;
     ground.type = WF_STATIC;
     wfMakeBox(20, 1, &ground.shape);

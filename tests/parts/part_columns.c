@@ -9,7 +9,7 @@ static double sunk(int columns)
     wfWorld world;
     wfBodyDef ground = wfDefaultBodyDef(), box = wfDefaultBodyDef();
     wfBodyId id = { 0 };
-    def.stackSolver = columns;
+    def.advanced.stackSolver = columns;
     if (wfCreateWorld(&def, &world) != WF_OK) return 1000;
     ground.type = WF_STATIC;
     wfMakeBox(10, 1, &ground.shape);

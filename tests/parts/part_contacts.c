@@ -9,8 +9,8 @@ static int stays(int broad, int narrow, int solver)
     wfWorld world;
     wfBodyDef ground = wfDefaultBodyDef(), box = wfDefaultBodyDef();
     wfBodyId id;
-    if (broad >= 0) def.broadPhase = broad;
-    if (narrow >= 0) def.narrowPhase = narrow;
+    if (broad >= 0) def.advanced.broadPhase = broad;
+    if (narrow >= 0) def.advanced.narrowPhase = narrow;
     if (solver >= 0) def.solver = solver;
     OK(wfCreateWorld(&def, &world));
     ground.type = WF_STATIC;

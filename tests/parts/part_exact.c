@@ -11,7 +11,7 @@ int part_exact(void)
     wfBodyId id[6];
     wfJoint joint;
     nail.type = WF_STATIC;
-    def.directJoints = WF_JOINTS_DIRECT;
+    def.advanced.directJoints = WF_JOINTS_DIRECT;
     OK(wfMakeCircle(wfV2(0, 0), WF_R(0.1), &link.shape));
     OK(wfCreateWorld(&def, &world));
     OK(wfAddBodyToWorld(&world, &nail, &id[0]));

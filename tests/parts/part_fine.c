@@ -10,7 +10,7 @@ int part_fine(void)
     wfBodyDef ground = wfDefaultBodyDef(), ball = wfDefaultBodyDef();
     wfBodyId id;
     double top = 0;
-    def.compensatedSums = 1;
+    def.advanced.compensatedSums = 1;
     OK(wfCreateWorld(&def, &world));
     ground.type = WF_STATIC;
     OK(wfMakeBox(10, 1, &ground.shape));

@@ -33,14 +33,14 @@ boasting() {
     echo "a student's integrator that claims order 3 and has order 2 passes the tests"; return 1; fi
   grep -q 'FAILED' "$out.log" || { tail -20 "$out.log"; return 1; }
 }
-# One line adds an array to the block of a world, one a setting, one a module.
+# One line adds an array to the block of a world, one a setting, one a module; one hears that a body is moved.
 one_line() {
   local out=build/student/traces
   mkdir -p "$out"
   tangle/tangle --lines "$out/lines" $(tangle/chapters) tests/student/62-traces.nw
   ${CC:-cc} -std=c11 -O0 -w -I"$out/lines/include" -I"$out/lines" "$out"/lines/{core,math,collision,dynamics,engine}/*.c tests/student/traces.c -lm -o "$out/run"
-  "$out/run" || { echo "a student's array, setting or module: tests/student/traces.c failed at step $?"; return 1; }
-  echo "tests/student/62-traces.nw: an array of the block, a setting and a module, each in one line"
+  "$out/run" || { echo "a student's array, setting, module or hook: tests/student/traces.c failed at step $?"; return 1; }
+  echo "tests/student/62-traces.nw: an array of the block, a setting, a module and a word with a body that is moved, each in one line"
 }
 before=$(git status --porcelain -- chapters src-generated 2>/dev/null || true)
 rm -rf build/student; mkdir -p build/student

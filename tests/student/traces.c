@@ -1,5 +1,6 @@
 /* A student's array is in the block: in the table, in the layout, and where its pointer says. His setting is a field, has its default and its
- * row, and is kept; his module has a name, an error that names it, and is refused where it was not asked for. */
+ * row, and is kept; his module has a name, an error that names it, and is refused where it was not asked for. He hears that a body is moved, and
+ * what he keeps of one that is removed is cleared. */
 #include <string.h>
 #include "engine/block.h"
 #include "weft/traces.h"
@@ -24,13 +25,17 @@ int main(void)
     wfMakeCircle(wfV2(0, 0), 1, &body.shape);
     body.position = wfV2(3, 4);
     if (wfCreateWorld(&def, &world) != WF_OK) return 3;
-    if (wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 4;
+    wfBodyId id;
+    if (wfAddBodyToWorld(&world, &body, &id) != WF_OK) return 4;
     if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 6 || way.y != 8) return 5;
     uint64_t before = wfHashWorld(&world);
     if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 0 || way.y != 0) return 6;
     if (wfHashWorld(&world) != before) return 7;
     if (wfStepWorld(&world) != WF_OK) return 8;
     if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 0 || !(way.y < 0)) return 9;
+    if (wfSetBodyTransform(&world, id, wfV2(9, 9), 0) != WF_OK || wfTraceBody(&world, 0, &way) != WF_OK || way.x != 0 || way.y != 0) return 18;
+    if (wfRemoveBodyFromWorld(&world, id) != WF_OK || wfAddBodyToWorld(&world, &body, NULL) != WF_OK) return 19;
+    if (wfTraceBody(&world, 0, &way) != WF_OK || way.x != 6 || way.y != 8) return 20;
     wfWorldDef kept;
     if (wfGetWorldDef(&world, &kept) != WF_OK || kept.traceScale != 2) return 14;
     wfDestroyWorld(&world);

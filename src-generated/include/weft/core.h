@@ -64,7 +64,6 @@ const char *wfVersion(void);    /* of the library: "MAJOR.MINOR.PATCH" */
 typedef enum wfResult {
 #define WF_RESULT(name, text) name,
 #include "weft/result_rows.h"
-#undef WF_RESULT
     WF_RESULT_COUNT
 } wfResult;
 

@@ -6,8 +6,7 @@
 WF_MODULE(ROTATION, 0, "rotation", 0, 0, "rotation", "bodies turn")
 WF_MODULE(DAMPING, 1, "damping", 0, 0, "damping", "velocities die away")
 WF_MODULE(PUSHES, 2, "pushes", 0, 0, "pushes", "the program pushes single bodies")
-WF_MODULE(FORCES, 3, "forces", 0, 0, "forces",
-          "springs, drag and other registered forces")
+WF_MODULE(FORCES, 3, "forces", 0, 0, "forces", "springs, drag and other registered forces")
 WF_MODULE(SHAPES, 4, "shapes", 0, 0, "shapes", "bodies are more than points")
 WF_MODULE(CONTACTS, 5, "contacts", WF_MODULE_SHAPES, 0, "contacts",
           "bodies that meet are kept apart")
@@ -38,3 +37,5 @@ WF_MODULE(FAST, 18, "fast", WF_MODULE_CONTACTS, 0, "fast bodies",
           "fast bodies are followed to what they hit")
 WF_MODULE(SLEEP, 19, "sleep", WF_MODULE_CONTACTS | WF_MODULE_QUERIES, 0, "sleep",
           "what rests is left out of the step")
+#undef WF_MODULE
+#undef WF_ABSENT

@@ -12,8 +12,6 @@ enum {
     WF_MODULE_##NAME = 1 << (bit),
 #define WF_ABSENT WF_MODULE
 #include "weft/module_rows.h"
-#undef WF_ABSENT
-#undef WF_MODULE
 };
 /* What a definition requires; NULL: nothing. */
 uint32_t wfModulesOfBody(const wfBodyDef *def);

@@ -50,8 +50,6 @@ WF_RESULT(WF_ERROR_BUSY,
               "this world was made without " without ": add WF_MODULE_" #NAME)
 #define WF_ABSENT(NAME, bit, name, implies, within, without, text)
 #include "weft/module_rows.h"
-#undef WF_ABSENT
-#undef WF_MODULE
 WF_RESULT(WF_ERROR_SOLVER,
           "this world's solver keeps contacts only: choose one that keeps joints, as soft")
 WF_RESULT(WF_ERROR_DIFFERENT,
@@ -83,3 +81,4 @@ WF_RESULT(WF_ERROR_TOLERANCE,
           "nothing is so accurate: allow more, or more digits (compensatedSums, WF_DOUBLE)")
 WF_RESULT(WF_ERROR_BUDGET,
           "not even the cheapest setting fits: allow more time, or simplify the scene")
+#undef WF_RESULT

@@ -41,16 +41,33 @@ typedef struct wfWorld {
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
 typedef struct wfShapeId { uint32_t index, generation; } wfShapeId;
 typedef struct wfForceId { uint32_t index, generation; } wfForceId;
-/* wfWorldDef.directJoints: solve together none; all that there is room for; those for which
- * it costs no more than directJointCost. */
+/* wfAdvancedDef.directJoints: solve together none; all that there is room for; those for
+ * which it costs no more than directJointCost. */
 enum { WF_JOINTS_ITERATIVE, WF_JOINTS_DIRECT, WF_JOINTS_AUTO };
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
 
+/* Those settings of a world that few programs turn. */
+typedef struct wfAdvancedDef {
+#define WF_SETTING(...)
+#define WF_ADVANCED(type, name, ...) type name;
+#include "weft/setting_rows.h"
+} wfAdvancedDef;
 /* The settings of a world; weft/setting_rows.h tells meaning, default, range and unit. */
 typedef struct wfWorldDef {
-#define WF_SETTING(type, name, usual, text, ...) type name;
+#define WF_SETTING(type, name, ...) type name;
+#define WF_ADVANCED(...)
 #include "weft/setting_rows.h"
-#undef WF_SETTING
+#ifdef WF_OLD_FIELDS           /* for a release they are called without `advanced`, too */
+    union { struct {
+#define WF_SETTING(...)
+#define WF_ADVANCED(type, name, ...) type name;
+#include "weft/setting_rows.h"
+    };
+#endif
+    wfAdvancedDef advanced;
+#ifdef WF_OLD_FIELDS
+    };
+#endif
     wfMemory memory;           /* handed over; all zero: allocated at creation */
 } wfWorldDef;
 /* Standard gravity downwards, 60 steps a second, 256 bodies, 64 forces, the default
