@@ -116,12 +116,50 @@ static void landings_give_no_energy(void **state)
     }
 }
 
+/* 63 discs in a bin, and on them a box that is up to a thousand times as dense: none is pressed through the floor or a wall. (They do overlap.) Before,
+ * the floor gave way in proportion to the load. */
+static void bins_hold_under_a_load(void **state)
+{
+    (void)state;
+    wfRandom r;
+    wfRandomSeed(&r, 63);
+    for (int run = 0; run < 10; run++) {
+        enum { MOST = 63 };
+        double size = (double)wfRandomReal(&r, WF_R(0.24), WF_R(0.26)), rho = pow(10, 2 + run / 9.0);
+        wfBodyId id[MOST];
+        wfWorld w = open_world(60);
+        wfBodyDef wall = box_def(-3.5, 5, 0.5, 6), load = box_def((double)wfRandomReal(&r, WF_R(-0.1), WF_R(0.1)), 4.5, 2.8, 0.5);
+        wall.type = WF_STATIC;
+        add(&w, wall);
+        wall.position.x = WF_R(3.5);
+        add(&w, wall);
+        add(&w, floor_def());
+        int n = 0;
+        for (int row = 0; row < 6; row++)
+            for (int i = 0; i < 11 - row % 2; i++) {
+                wfBodyDef d = ball_def(-2.7 + 0.54 * i + row % 2 * 0.27, 0.26 + row * 0.47, size);
+                d.friction = WF_R(0.6);
+                id[n++] = add(&w, d);
+            }
+        for (int i = 0; i < 180; i++) assert_ok(wfStepWorld(&w));
+        load.density = (wfReal)rho;
+        add(&w, load);
+        for (int i = 0; i < 360; i++) assert_ok(wfStepWorld(&w));
+        for (int i = 0; i < n; i++) {
+            wfVec2 p = info(&w, id[i]).position;
+            if (!(p.y > 0 && fabs((double)p.x) < 3)) fail_msg("run %d, a load of %g: disc %d is at %g, %g", run, rho, i, (double)p.x, (double)p.y);
+        }
+        wfDestroyWorld(&w);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_that_fall_on_boxes_stay),
         cmocka_unit_test(planks_that_are_hit_lie_on_their_posts),
         cmocka_unit_test(landings_give_no_energy),
+        cmocka_unit_test(bins_hold_under_a_load),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -116,6 +116,7 @@ static void prepare_bundle(const wfSubsteps *s, wfContactSimd *q)
         *wfLane(&q->friction, i) = one->friction;
         *wfLane(&q->tangentSpeed, i) = one->tangentSpeed;
         *wfLane(&bounces, i) = one->restitution;
+        *wfLane(&q->firm, i) = wfFirmOf(&state[one->a], &state[one->b], one);
     }
     q->bounces = wfLanesMore(bounces, (wfLanes){ 0 });
     wfFour a = WF_GATHER(wfBodyState, v.y, state, q->a);
@@ -336,20 +337,22 @@ void wfFindSimdGaps(wfSubsteps *s, const wfRun *run)
             s->lowest = wfMinR(wfLaneOf(&lowest[part], i), s->lowest);
 }
 
-WF_INLINE wfLaneMask deep_in_lanes(const wfDeep *deep, const wfSimdPoint *p)
+WF_INLINE wfLaneMask deep_in_lanes(const wfDeep *deep, const wfContactSimd *q,
+                                   const wfSimdPoint *p)
 {
     wfLaneMask low = wfLanesMore(wfLanesOf(deep->gap), p->now);
     if (!wfAnyLane(low)) return low;
     wfLanes recovery = wfLanesOf(-deep->bias) * p->now;
     wfLanes borne = wfLanesOf(deep->give) * p->normal / p->massN;
+    borne = wfLanesMin(borne, wfLanesOf(deep->bias) * q->firm);
     return low & wfLanesMore(recovery - borne, wfLanesOf(deep->rest));
 }
 
 int32_t wfSimdDeep(const wfSubsteps *s, int32_t bundle, const wfDeep *deep)
 {
     const wfContactSimd *q = &s->bundle[bundle];
-    wfLaneMask is = deep_in_lanes(deep, &s->point[q->first]);
-    if (q->points == 2) is |= deep_in_lanes(deep, &s->point[q->first + 1]);
+    wfLaneMask is = deep_in_lanes(deep, q, &s->point[q->first]);
+    if (q->points == 2) is |= deep_in_lanes(deep, q, &s->point[q->first + 1]);
     return wfAnyLane(is) ? q->used : 0;
 }
 
@@ -373,11 +376,12 @@ bool wfAnyDeep(const wfSubsteps *s, const wfDeep *deep)
 
 /* What a point is to be pushed by, before the clamp. */
 WF_INLINE wfLanes soft_push(const wfCase *cases, const wfDeep *deep,
+                            const wfContactSimd *q,
                             const wfSimdPoint *p, wfLanes u)
 {
     wfLanes zero = { 0 }, one = wfLanesOf(1), gap = p->now;
     wfCase ahead = cases[WF_APART], in = cases[WF_OVERLAP];
-    wfLaneMask apart = wfLanesMore(gap, zero), is = deep_in_lanes(deep, p);
+    wfLaneMask apart = wfLanesMore(gap, zero), is = deep_in_lanes(deep, q, p);
     wfLanes rate = wfLanesPick(apart, wfLanesOf(ahead.rate), wfLanesOf(in.rate));
     wfLanes mass = wfLanesPick(apart, one, wfLanesOf(in.mass));
     wfLanes give = wfLanesWhere(~apart, wfLanesOf(in.give));
@@ -386,7 +390,8 @@ WF_INLINE wfLanes soft_push(const wfCase *cases, const wfDeep *deep,
         mass = wfLanesPick(is, one, mass);
         give = wfLanesWhere(~is, give);
     }
-    return -p->massN * mass * (u + rate * gap) - give * p->normal;
+    wfLanes most = p->massN * mass * rate * q->firm;            /* eq:soft-firm */
+    return -p->massN * mass * (u + rate * gap) - wfLanesMin(give * p->normal, most);
 }
 
 WF_INLINE wfLanes rigid_push(const wfCase *cases, const wfDeep *deep,
@@ -406,7 +411,7 @@ WF_INLINE void push_point(const wfCase *cases, const wfDeep *deep, bool soft,
 {
     wfLanes zero = { 0 }, before = p->normal;
     wfLanes u = m->vn + (p->nB * m->b.v[2] - p->nA * m->a.v[2]);
-    wfLanes j = soft ? soft_push(cases, deep, p, u) : rigid_push(cases, deep, q, p, u);
+    wfLanes j = soft ? soft_push(cases, deep, q, p, u) : rigid_push(cases, deep, q, p, u);
     p->normal = wfLanesMax(zero, before + j);                   /* eq:sequential-clamp */
     push_lanes(q, p, p->normal - before, m);                    /* eq:soft-pass */
 }

@@ -151,7 +151,7 @@ typedef struct wfContactSimd {
     int32_t movesA, movesB;             /* bits of the lanes whose a, whose b moves */
     bool alone;                         /* contacts of eq:soft-alone */
     wfLanes nx, ny, friction, tangentSpeed;
-    wfLanes iA, iB;                     /* inverse inertias */
+    wfLanes iA, iB, firm;               /* inverse inertias */
     wfLaneMask bounces;
 } wfContactSimd;
 

@@ -46,6 +46,7 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
     out->sliding = c->sliding;
     out->settled = c->settled;
     out->bounces = c->restitution > 0;
+    out->firm = wfFirmOf(a, b, c);
     out->friction = c->sliding ? out->slides : out->holds;
     out->rollingResistance = c->rollingResistance;
     out->tangentSpeed = c->tangentSpeed;

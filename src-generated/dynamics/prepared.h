@@ -25,6 +25,7 @@ typedef struct wfPrepared {
     wfReal  told;             /* N s: sum over normals of all substeps before this one */
     int32_t sliding, settled; /* as the contact's */
     int32_t bounces;          /* 1 if it has restitution */
+    wfReal  firm;             /* m: no overlap beyond it bears anything (wfFirmOf) */
     wfPreparedPoint p[2];
 } wfPrepared;
 
@@ -35,6 +36,12 @@ typedef struct wfPairMotion {
     wfReal jn, jt;            /* N s: the sums of the impulses given since then */
     wfReal m, iA, iB;         /* sum of the inverse masses; inverse inertias */
 } wfPairMotion;
+#define WF_FIRM_SLOPS 32    /* what can't move is pressed in by so many slops, eq:soft-firm */
+static inline wfReal wfFirmOf(const wfBodyState *a, const wfBodyState *b, const wfContact *c)
+{
+    bool move = a->invMass > 0 && b->invMass > 0;
+    return move || !(c->slop > 0) ? WF_HUGE : WF_FIRM_SLOPS * c->slop;
+}
 
 void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out);
 

@@ -54,10 +54,10 @@ static wfDeep deep_for(const wfSubsteps *s, const Softness *soft)
 }
 
 /* Would the spring push faster than what counts as rest? */
-static inline bool is_deep(const wfDeep *deep, const wfPreparedPoint *p)
+static inline bool is_deep(const wfDeep *deep, const wfPrepared *c, const wfPreparedPoint *p)
 {
     if (!(p->now < deep->gap)) return false;
-    wfReal borne = deep->give * p->normal / p->massN;
+    wfReal borne = wfMinR(deep->give * p->normal / p->massN, deep->bias * c->firm);
     return -deep->bias * p->now - borne > deep->rest;           /* eq:soft-recovery */
 }
 
@@ -66,7 +66,7 @@ static inline int case_of(const wfPrepared *c, const wfPreparedPoint *p, wfReal 
 {
     bool pushed = p->normal > 0;
     if (p->now > 0) return pushed ? WF_PUSHED : WF_APART;
-    if (is_deep(deep, p)) return WF_DEEP;
+    if (is_deep(deep, c, p)) return WF_DEEP;
     bool coming = c->bounces && !pushed && -u > deep->rest;     /* eq:soft-coming */
     return coming ? WF_COMING : WF_OVERLAP;
 }
@@ -79,7 +79,8 @@ static inline void push_softly(const wfCase *cases, const wfDeep *deep, wfPrepar
         wfReal gap = p->now, before = p->normal;
         wfReal u = wfNormalRate(m, p);
         const wfCase *k = &cases[case_of(c, p, u, deep)];
-        wfReal j = -p->massN * k->mass * (u + k->rate * gap) - k->give * before;
+        wfReal most = p->massN * k->mass * k->rate * c->firm;       /* eq:soft-firm */
+        wfReal j = -p->massN * k->mass * (u + k->rate * gap) - wfMinR(k->give * before, most);
         p->normal = wfMaxR(0, before + j);                      /* eq:sequential-clamp */
         wfPushPoint(m, p, p->normal - before);                  /* eq:soft-pass */
     }
@@ -167,7 +168,7 @@ static bool part_contact(const Parting *part, const wfPrepared *c, wfReal below)
     bool some = false;
     for (int32_t k = 0; k < c->count; k++) {
         const wfPreparedPoint *p = &c->p[k];
-        if (!(p->now < below) && !is_deep(&part->deep, p)) continue;
+        if (!(p->now < below) && !is_deep(&part->deep, c, p)) continue;
         wfReal want = wfMinR(-p->now * part->share, part->most);
         some = part_point(p, c, part->in, want, part->aside);
     }
