@@ -1,0 +1,131 @@
+/* Cloth of joint springs gains no energy, whatever its mesh, springs and step; a chain of springs stretches as it should; a stop that is met fast,
+ * with joints one by one, gives nothing back. */
+#include "testing.h"
+#include "world.h"
+#include "weft/world.h"
+
+enum { MOST = 10 };
+
+static wfReal between(wfRandom *r, double lo, double hi) { return wfRandomReal(r, (wfReal)lo, (wfReal)hi); }
+
+static double energy_of(const wfWorld *w)
+{
+    double kinetic, potential;
+    assert_ok(wfWorldEnergy(w, &kinetic, &potential));
+    return kinetic + potential;
+}
+
+static void tie(wfWorld *w, wfBodyId a, wfBodyId b, wfReal mass, wfReal hertz, wfReal ratio)
+{
+    wfJoint j;
+    assert_ok(wfDefineJoint(w, "distance", a, b, info(w, a).centre, info(w, b).centre, wfV2(1, 0), &j));
+    j.flags |= WF_JOINT_SPRING;
+    wfSetJointSpring(&j, mass, hertz, ratio);
+    assert_ok(wfAddJointToWorld(w, &j, NULL));
+}
+
+/* A mesh of n by n particles at rest hangs on two corners. Its springs hold nothing at first, so kinetic and potential energy together never exceed their
+ * start: up to 1 % of what it takes to lift the mesh by its height. It was 700 J for 5, or beyond all numbers. */
+static void cloth_gains_no_energy(void **unused)
+{
+    (void)unused;
+    for (uint64_t seed = 1; seed <= 24; seed++) {
+        wfRandom r = random_stream(seed);
+        int n = 2 + (int)between(&r, 0, MOST - 1.01), ways = 2 + (int)between(&r, 0, 1.99);
+        wfReal size = between(&r, 0.1, 0.5), hertz = 5 * wfExp(between(&r, 0, 3.7)), ratio = seed % 3 == 0 ? 0 : between(&r, 0, 0.5);
+        wfWorldDef def = wfDefaultWorldDef();
+        def.jointCapacity = 3 * MOST * MOST, def.timeStep = 1 / between(&r, 30, 240), def.substeps = 1 + (int32_t)between(&r, 0, 3.99);
+        wfWorld w;
+        wfBodyId at[MOST][MOST];
+        assert_ok(wfCreateWorld(&def, &w));
+        for (int y = 0; y < n; y++)
+            for (int x = 0; x < n; x++) {
+                wfBodyDef body = wfDefaultBodyDef();
+                body.type = y == 0 && (x == 0 || x == n - 1) ? WF_STATIC : WF_DYNAMIC;
+                body.position = wfV2((wfReal)x * size, -(wfReal)y * size), body.mass = body.type == WF_STATIC ? 0 : WF_R(0.02);
+                at[y][x] = add(&w, body);
+            }
+        for (int y = 0; y < n; y++)
+            for (int x = 0; x < n; x++)
+                for (int d = 0; d < ways; d++)
+                    if (x + (d != 1) < n && y + (d > 0) < n) tie(&w, at[y][x], at[y + (d > 0)][x + (d != 1)], WF_R(0.02), hertz, ratio);
+        double before = energy_of(&w), lift = 0.02 * 9.81 * n * n * n * (double)size;
+        for (int i = 0; i < 300; i++) {
+            assert_ok(wfStepWorld(&w));
+            if (!(energy_of(&w) < before + 0.01 * lift)) fail_msg("cloth %d: %d by %d, %g Hz, gains %g J", (int)seed, n, n, (double)hertz, energy_of(&w) - before);
+        }
+        wfDestroyWorld(&w);
+    }
+}
+
+/* Ten springs in a row stretch by the weight below each; what begins with nothing makes them softer by at most 2 %. */
+static void a_chain_of_springs_is_as_stiff_as_it_should_be(void **unused)
+{
+    (void)unused;
+    const double hertz[] = { 10, 30, 60 };
+    for (int k = 0; k < 3; k++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        wfWorld w;
+        assert_ok(wfCreateWorld(&def, &w));
+        wfBodyDef body = wfDefaultBodyDef();
+        body.type = WF_STATIC;
+        wfBodyId last = add(&w, body);
+        double stiffness = 0.02 * pow(2 * acos(-1) * hertz[k], 2), stretch = 0;
+        body.type = WF_DYNAMIC, body.mass = WF_R(0.02);
+        for (int i = 1; i <= 10; i++) {
+            body.position = wfV2(0, -WF_R(0.25) * (wfReal)i);
+            wfBodyId next = add(&w, body);
+            tie(&w, last, next, WF_R(0.02), (wfReal)hertz[k], WF_R(0.3));
+            last = next, stretch += 0.02 * 9.81 * (11 - i) / stiffness;
+        }
+        for (int i = 0; i < 1800; i++) assert_ok(wfStepWorld(&w));
+        assert_near(-(double)info(&w, last).centre.y - 2.5, stretch, 0.02 * stretch);
+        wfDestroyWorld(&w);
+    }
+}
+
+/* Bars on pins and ropes, joints one by one, up to half a radian in a substep. */
+static void stops_give_nothing_back_one_by_one(void **unused)
+{
+    (void)unused;
+    wfRandom r = random_stream(5);
+    for (int n = 0; n < 200; n++) {
+        bool turns = n % 2 == 0;
+        wfReal arm = between(&r, 0.2, 2.2), limit = between(&r, 0.3, 2.3), spin = between(&r, 0.5, 30);
+        wfWorldDef def = wfDefaultWorldDef();
+        wfWorld w;
+        wfJoint j;
+        def.gravity = wfV2(0, 0), def.directJoints = WF_JOINTS_ITERATIVE, def.substeps = 1 + (int32_t)between(&r, 0, 7.99);
+        spin = wfMinR(spin, WF_R(30.0) * (wfReal)def.substeps);
+        assert_ok(wfCreateWorld(&def, &w));
+        wfBodyDef post = wfDefaultBodyDef(), bar = post;
+        post.type = n % 4 < 2 ? WF_STATIC : WF_DYNAMIC;
+        assert_ok(wfMakeBox(WF_R(0.3), WF_R(0.3), &post.shape));
+        assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.1), &bar.shape));
+        bar.position = wfV2(arm, 0);
+        bar.velocity = turns ? wfV2(0, spin * arm) : wfV2(spin, 0), bar.angularVelocity = turns ? spin : 0;
+        wfBodyId a = add(&w, post), b = add(&w, bar);
+        assert_ok(wfDefineJoint(&w, turns ? "revolute" : "distance", a, b, wfV2(0, 0), turns ? wfV2(0, 0) : bar.position, wfV2(1, 0), &j));
+        j.flags |= WF_JOINT_LIMITS, j.lower = turns ? -limit : 0, j.upper = turns ? limit : arm + limit;
+        assert_ok(wfAddJointToWorld(&w, &j, NULL));
+        double before = energy_of(&w), way = (double)spin / 60 / def.substeps;
+        for (int i = 0; i < 120; i++) {
+            assert_ok(wfStepWorld(&w));
+            if (!(energy_of(&w) < 1.001 * before)) fail_msg("bar %d: %g of %g J", n, energy_of(&w), before);
+            assert_ok(wfGetJoint(&w, wfJointAt(&w, 0), &j));
+            double c = turns ? (double)(j.turnB - j.turnA) : (double)wfDistance(info(&w, a).centre, info(&w, b).centre);
+            if (!(c < (double)j.upper + 1.05 * way + 0.01)) fail_msg("bar %d: %g beyond %g", n, c, (double)j.upper);
+        }
+        wfDestroyWorld(&w);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cloth_gains_no_energy),
+        cmocka_unit_test(a_chain_of_springs_is_as_stiff_as_it_should_be),
+        cmocka_unit_test(stops_give_nothing_back_one_by_one),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
