@@ -22,8 +22,8 @@ scenes() {    # compiler and flags: the hashes of three scenes
 scenes $smallest > "$work/smallest.txt" && code=$(size -A "$work/weft.o" | awk '$1 ~ /^\.text/ { t += $2 } END { print t }') &&
   scenes gcc -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -w -O2 -fno-pic > "$work/O2.txt" || exit 1
 diff "$work/O2.txt" "$work/smallest.txt" || { echo "smallest: the engine made small has other hashes"; exit 1; }
-# It was to be 200 KB of code; it was 255, and is 263 since a step can be shared by workers and joints move out of wrong places (the chapter price-list
+# It was to be 200 KB of code; it was 255, and is 266 since a step can be shared by workers, joints move out of wrong places and heaps of them rest (the chapter price-list
 # says what was tried). Further it shall not go unnoticed.
-[ "$code" -le 264000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 264000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
+[ "$code" -le 267000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 267000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
 echo "the smallest build has $code bytes of code"
 echo "the smallest build has the hashes of -O2 ($(wc -l < "$work/O2.txt") scenes)"
