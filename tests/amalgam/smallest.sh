@@ -22,8 +22,8 @@ scenes() {    # compiler and flags: the hashes of three scenes
 scenes $smallest > "$work/smallest.txt" && code=$(size -A "$work/weft.o" | awk '$1 ~ /^\.text/ { t += $2 } END { print t }') &&
   scenes gcc -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -w -O2 -fno-pic > "$work/O2.txt" || exit 1
 diff "$work/O2.txt" "$work/smallest.txt" || { echo "smallest: the engine made small has other hashes"; exit 1; }
-# It was to be 200 KB of code; it was 255, was 263 when a step could be shared by workers and joints moved out of wrong places, and is 265 since more of a
-# body can be set and asked (the chapter price-list says what was tried). Further it shall not go unnoticed.
-[ "$code" -le 266000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 266000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
+# It was to be 200 KB of code; it was 255 before a step could be shared by workers, more of a body set and asked, joints moved out of wrong places, tiles
+# lay flush and heaps of machines came to rest (the chapter price-list says what was tried). Further it shall not go unnoticed.
+[ "$code" -le 272000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 272000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
 echo "the smallest build has $code bytes of code"
 echo "the smallest build has the hashes of -O2 ($(wc -l < "$work/O2.txt") scenes)"
