@@ -24,6 +24,6 @@ scenes $smallest > "$work/smallest.txt" && code=$(size -A "$work/weft.o" | awk '
 diff "$work/O2.txt" "$work/smallest.txt" || { echo "smallest: the engine made small has other hashes"; exit 1; }
 # It was to be 200 KB of code; it was 255 before a step could be shared by workers, more of a body set and asked, joints moved out of wrong places, tiles
 # lay flush and heaps of machines came to rest (the chapter price-list says what was tried). Further it shall not go unnoticed.
-[ "$code" -le 272000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 272000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
+[ "$code" -le 275000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 275000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
 echo "the smallest build has $code bytes of code"
 echo "the smallest build has the hashes of -O2 ($(wc -l < "$work/O2.txt") scenes)"

@@ -13,4 +13,13 @@ typedef struct wfCallFault {
     double      least, most;   /* and what may; both 0: `text` says it */
     char        text[176];     /* all that as a sentence, and what mends it */
 } wfCallFault;
+
+WF_BEGIN_C
+struct wfWorld;
+/* Of the last call through this handle that takes a wfWorld * which is not const: what was
+ * wrong. Never NULL. Kept in the handle: no part of the world's state. WF_ERROR_BUSY, and a
+ * handle that is NULL, are not noted; "wfCreateWorld" is, in the handle that it was to
+ * fill. */
+const wfCallFault *wfLastFault(const struct wfWorld *world);
+WF_END_C
 #endif

@@ -70,8 +70,7 @@ typedef struct wfWorldDef {
 #endif
     wfMemory memory;           /* handed over; all zero: allocated at creation */
 } wfWorldDef;
-/* Standard gravity downwards, 60 steps a second, 256 bodies, 64 forces, the default
- * rows. */
+/* Standard gravity, 60 steps a second, 256 bodies, 64 forces, the default rows. */
 wfWorldDef wfDefaultWorldDef(void);
 
 typedef struct wfBodyDef {
@@ -250,8 +249,7 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity);
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
- * proportion. It is a given mass from now on: new shapes do not change it. 0: it is that of
- * the shapes again. */
+ * proportion. It is a given mass from now on: new shapes do not change it. 0: its shapes'. */
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
 /* Makes a body WF_STATIC, WF_KINEMATIC or WF_DYNAMIC. Static: it stops. Dynamic: it has the
@@ -273,8 +271,8 @@ wfResult wfSetBodyUserData(wfWorld *world, wfBodyId id, uint64_t data);
 wfResult wfSetShapeUserData(wfWorld *world, wfShapeId id, uint64_t data);
 /* Mass > 0, centre (in the frame of its origin) and inertia (about the centre, 0: nothing
  * turns it) of a dynamic body, by hand; the area is not looked at. The mass is a given one;
- * when its shapes change, centre and inertia follow from these again. Errors of wfSetMass,
- * and of wfAddShapesToBody for shapes far from the centre. */
+ * when its shapes change, centre and inertia follow from these again. Errors of wfSetMass
+ * and wfAddShapesToBody. */
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
 /* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
 wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
@@ -306,11 +304,6 @@ wfBodyView wfWorldBodies(const wfWorld *world);
 int32_t wfBodyCount(const wfWorld *world);
 double wfWorldTime(const wfWorld *world);      /* s since creation */
 uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
-/* Of the last call through this handle that takes a wfWorld * which is not const: what was
- * wrong. Never NULL. Kept in the handle: no part of the world's state. WF_ERROR_BUSY, and a
- * handle that is NULL, are not noted; "wfCreateWorld" is, in the handle that it was to
- * fill. */
-const wfCallFault *wfLastFault(const wfWorld *world);
 /* The body of which a shape covers the point, the last added first (highest index). False:
  * none. */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
