@@ -1,5 +1,6 @@
 /* Why a call was refused: wfLastFault names the call, the field and the value, tells what is allowed, and its advice works. */
 #include <float.h>
+#include <math.h>
 #include "testing.h"
 #include "world.h"
 
@@ -81,7 +82,7 @@ static void try_numbers(wfWorld *w, const Definition *d, const wfNumber *numbers
     for (int i = 0; i < count; i++) {
         const wfNumber *n = &numbers[i];
         double least = (double)n->least, most = (double)n->most;
-        if (!n->whole) try_number(w, d, n, NAN), try_number(w, d, n, INFINITY), try_number(w, d, n, -INFINITY);
+        if (!n->whole) try_number(w, d, n, (double)NAN), try_number(w, d, n, (double)INFINITY), try_number(w, d, n, -(double)INFINITY);
         if (least > -(double)WF_HUGE) try_number(w, d, n, n->whole || least > 0 ? least - 1 : least - 0.25 - fabs(least) / 4);
         if (least == 0 && !n->whole) try_number(w, d, n, -(double)WF_TINY);
         if (n->whole ? most < INT32_MAX : most < (double)WF_HUGE) try_number(w, d, n, most + 1 + (n->whole ? 0 : most / 4));
@@ -215,7 +216,7 @@ static void every_setting(void **unused)
         double most = s->rowCount != NULL ? *s->rowCount - 1 : s->most, wrong[4];
         int n = 0;
         if (s->kind == WF_SETTING_SET) continue;
-        if (real) wrong[n++] = NAN, wrong[n++] = -INFINITY;
+        if (real) wrong[n++] = (double)NAN, wrong[n++] = -(double)INFINITY;
         if (s->least > INT32_MIN) wrong[n++] = s->above ? s->least : s->least - 1;
         if (most < INT32_MAX) wrong[n++] = most + 1;
         for (int k = 0; k < n; k++) {

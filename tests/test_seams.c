@@ -12,7 +12,7 @@ static wfWorld open_world(double rate, wfVec2 gravity)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     def.timeStep = 1 / (wfReal)rate, def.gravity = gravity, def.sleep = 0;
-    def.bodyCapacity = def.shapeCapacity = 600, def.pairCapacity = 6000, def.contactCapacity = 3000;
+    def.bodyCapacity = def.shapeCapacity = 600, def.advanced.pairCapacity = 6000, def.advanced.contactCapacity = 3000;
     assert_ok(wfCreateWorld(&def, &w));
     return w;
 }

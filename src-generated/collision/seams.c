@@ -114,11 +114,13 @@ static int32_t bare_edge(const wfSeam *s, wfVec2 centre, wfReal *gap)
     int32_t best = -1;
     *gap = -WF_HUGE;
     for (int32_t i = 0; i < tile->count; i++) {
-        wfReal length = along_edge(tile, i, tile->vertices[i + 1 < tile->count ? i + 1 : 0]);
+        int32_t next = i + 1 < tile->count ? i + 1 : 0;
+        wfReal length = along_edge(tile, i, tile->vertices[next]);
         Stretch below = shadow_on(s, i);
         if (wfDot(tile->normals[i], wfSub(centre, tile->vertices[i])) <= 0) continue;
         if (below.from > length + s->flush || below.to < -s->flush) continue;
-        below.from = wfClamp(below.from, 0, length), below.to = wfClamp(below.to, 0, length);
+        below.from = wfClamp(below.from, 0, length);
+        below.to = wfClamp(below.to, 0, length);
         wfReal g = gap_above(s, i);
         if (g > *gap && is_bare(s, i, below)) *gap = g, best = i;
     }
@@ -173,7 +175,8 @@ void wfMendSeam(const wfSeam *s, wfManifold *m)
 {
     wfVec2 n = wfRotateInv(s->tile.at.q, s->tileIsB ? wfNeg(m->normal) : m->normal);
     if (!is_ghost(s, n, m)) return;
-    wfVec2 centre = wfApply(wfRelativePose(s->tile.at, s->mover.at), s->mover.shape->centre);
+    wfTransform rel = wfRelativePose(s->tile.at, s->mover.at);
+    wfVec2 centre = wfApply(rel, s->mover.shape->centre);
     if (is_inside(s, centre)) return;
     wfReal gap;
     int32_t edge = bare_edge(s, centre, &gap);

@@ -108,7 +108,7 @@ static wfReal note_gap(wfMatrix *m, const wfJointSet *set, int32_t i, int k, wfR
     const wfJointWork *w = &set->work[i];
     int32_t row = w->hold[k];
     m->x[i][k] = then - w->row[row].error + (1 - keep) * m->part[i][k] - m->shift[i][k]
-               + h * wfGiveOf(set, i) * w->own[row] * m->impulse[i][k];    /* eq:exact-part */
+               + h * wfGiveOf(set, i) * w->own[row] * m->impulse[i][k];  /* eq:exact-part */
     return wfAbs(m->x[i][k]) * m->size[i][k];
 }
 

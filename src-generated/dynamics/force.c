@@ -154,7 +154,8 @@ static void drag_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
     }
 }
 
-static const wfNumber drag_numbers[] = { FROM_ZERO(drag.linear), FROM_ZERO(drag.quadratic) };
+static const wfNumber drag_numbers[] = {
+    FROM_ZERO(drag.linear), FROM_ZERO(drag.quadratic) };
 
 static wfVec2 attractor(const wfForce *f, const wfBodyView *bodies)
 {
@@ -552,7 +553,8 @@ static void wind_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
     }
 }
 
-static const wfNumber wind_numbers[] = { PLACE(wind.velocity), FROM_ZERO(wind.coefficient) };
+static const wfNumber wind_numbers[] = {
+    PLACE(wind.velocity), FROM_ZERO(wind.coefficient) };
 
 static void hand_apply(const wfForce *f, const wfBodyView *bodies, wfReal time,
                        wfBodyForces *out)

@@ -778,7 +778,8 @@ static void calm(const wfJointSet *set, const wfSolve *in, wfReal h)
         const wfJoint *j = &set->joints[i];
         wfBodyState *a = &in->state[j->a], *b = &in->state[j->b];
         wfReal give = a->invInertia + b->invInertia, w = b->w - a->w;
-        if (wfIsBroken(j) || !set->lying[j->a] || !set->lying[j->b] || !(give > 0)) continue;
+        bool lies = set->lying[j->a] && set->lying[j->b];
+        if (wfIsBroken(j) || !lies || !(give > 0)) continue;
         wfReal slow = in->restingSpeed * in->restingSpeed, k = 0;
         if (a->invInertia > 0) k = a->invMass / a->invInertia;
         if (b->invInertia > 0) k = wfMinR(k > 0 ? k : WF_HUGE, b->invMass / b->invInertia);
@@ -790,7 +791,10 @@ static void calm(const wfJointSet *set, const wfSolve *in, wfReal h)
     }
 }
 
-static bool is_spring(const wfJointWork *w, int k) { return w->row[k].law == WF_ROW_SPRING; }
+static bool is_spring(const wfJointWork *w, int k)      /* eq:joints-woven */
+{
+    return w->row[k].law == WF_ROW_SPRING;
+}
 
 static bool has_spring(const wfJointSet *set, int32_t i)
 {
@@ -808,7 +812,8 @@ static void find_woven(wfJointSet *set, const wfSolve *in, bool first, wfReal t)
     if (!first) return;
     for (int32_t b = 0; b < set->bodies; b++) set->tally[b] = 0;
     for (int32_t i = 0; i < set->count; i++)
-        if (has_spring(set, i)) set->tally[set->joints[i].a]++, set->tally[set->joints[i].b]++;
+        if (has_spring(set, i))
+            set->tally[set->joints[i].a]++, set->tally[set->joints[i].b]++;
     for (int32_t i = 0; i < set->count; i++) {
         int32_t a = set->joints[i].a, b = set->joints[i].b;
         bool shares = (can_move(&in->state[a]) && set->tally[a] > 1)
@@ -1100,7 +1105,8 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (soft && pass == 0 && set->together != NULL && has_stops(set))
         set->together(set, in, moved, dt, soft);
     for (int32_t k = 0; k < set->count; k++)
-        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, soft, renew);
+        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, soft,
+                  renew);
     if (set->together != NULL) set->together(set, in, moved, dt, soft);
     if (soft) set->built = false;           /* the bodies are about to move */
 }

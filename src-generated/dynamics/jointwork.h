@@ -10,7 +10,7 @@ typedef struct wfJointWork {
     int32_t rows;                       /* how many rows the kind filled */
     int32_t hold[3], holds;             /* which rows are HOLD, how many */
     bool swung;                         /* turned too far in a substep: eq:joints-swung */
-    bool struck;                        /* met a stop after half a radian: sec:joints-blow */
+    bool struck;                    /* met a stop after half a radian: sec:joints-blow */
     bool woven, fresh;                  /* its springs share bodies: sec:joints-woven */
     wfReal borne[WF_JOINT_ROWS];        /* N: of stops, at the last kick */
     wfReal factor[3][3], pivot[3];      /* their K = L D L^T; 1 / D */

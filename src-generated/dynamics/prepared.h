@@ -36,8 +36,9 @@ typedef struct wfPairMotion {
     wfReal jn, jt;            /* N s: the sums of the impulses given since then */
     wfReal m, iA, iB;         /* sum of the inverse masses; inverse inertias */
 } wfPairMotion;
-#define WF_FIRM_SLOPS 32    /* what can't move is pressed in by so many slops, eq:soft-firm */
-static inline wfReal wfFirmOf(const wfBodyState *a, const wfBodyState *b, const wfContact *c)
+#define WF_FIRM_SLOPS 32    /* what can't move is pressed in by so many, eq:soft-firm */
+static inline wfReal wfFirmOf(const wfBodyState *a, const wfBodyState *b,
+                              const wfContact *c)
 {
     bool move = a->invMass > 0 && b->invMass > 0;
     return move || !(c->slop > 0) ? WF_HUGE : WF_FIRM_SLOPS * c->slop;

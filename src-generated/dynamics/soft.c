@@ -54,7 +54,8 @@ static wfDeep deep_for(const wfSubsteps *s, const Softness *soft)
 }
 
 /* Would the spring push faster than what counts as rest? */
-static inline bool is_deep(const wfDeep *deep, const wfPrepared *c, const wfPreparedPoint *p)
+static inline bool is_deep(const wfDeep *deep, const wfPrepared *c,
+                           const wfPreparedPoint *p)
 {
     if (!(p->now < deep->gap)) return false;
     wfReal borne = wfMinR(deep->give * p->normal / p->massN, deep->bias * c->firm);
@@ -80,7 +81,8 @@ static inline void push_softly(const wfCase *cases, const wfDeep *deep, wfPrepar
         wfReal u = wfNormalRate(m, p);
         const wfCase *k = &cases[case_of(c, p, u, deep)];
         wfReal most = p->massN * k->mass * k->rate * c->firm;       /* eq:soft-firm */
-        wfReal j = -p->massN * k->mass * (u + k->rate * gap) - wfMinR(k->give * before, most);
+        wfReal j = -p->massN * k->mass * (u + k->rate * gap)
+                 - wfMinR(k->give * before, most);
         p->normal = wfMaxR(0, before + j);                      /* eq:sequential-clamp */
         wfPushPoint(m, p, p->normal - before);                  /* eq:soft-pass */
     }

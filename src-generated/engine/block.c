@@ -58,7 +58,8 @@ static size_t stage_scratch(const wfWorldDef *d)
         most = larger(most, sizeof(int32_t) * ((size_t)shapes + (size_t)pairs)
                             + 2 * WF_POOL_ALIGN);
     if (mends)
-        most += (sizeof(int32_t) + 1) * bodies + sizeof(int32_t) * (size_t)d->advanced.contactCapacity
+        most += (sizeof(int32_t) + 1) * bodies
+              + sizeof(int32_t) * (size_t)d->advanced.contactCapacity
               + 3 * WF_POOL_ALIGN;
     return most + WF_POOL_ALIGN;
 }

@@ -18,7 +18,8 @@ wfBodyDef wfDefaultBodyDef(void)
 static const wfNumber body_numbers[] = {
     WF_WHOLE(wfBodyDef, type, 0, WF_BODY_TYPES - 1), BODY(position.x, WF_ANY_REAL),
     BODY(position.y, WF_ANY_REAL), BODY(velocity.x, WF_ANY_REAL),
-    BODY(velocity.y, WF_ANY_REAL), BODY(mass, WF_FROM_ZERO), BODY(gravityScale, WF_ANY_REAL),
+    BODY(velocity.y, WF_ANY_REAL), BODY(mass, WF_FROM_ZERO),
+    BODY(gravityScale, WF_ANY_REAL),
     /* more numbers of a body */
     BODY(angle, -WF_MAX_ANGLE, WF_MAX_ANGLE),
     BODY(angularVelocity, WF_ANY_REAL), WF_WHOLE(wfBodyDef, fixedRotation, 0, 1),
@@ -185,7 +186,8 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
     const wfBodyState *s = &b.state[i];
     const wfBodyProps *p = &b.props[i];
     *out = (wfBodyInfo){ .type = p->type, .position = s->p, .centre = s->p,
-        .velocity = s->v, .mass = p->mass, .massGiven = p->givenMass > 0, .gravityScale = p->gravityScale,
+        .velocity = s->v, .mass = p->mass, .massGiven = p->givenMass > 0,
+        .gravityScale = p->gravityScale,
         .userData = p->userData };
     /* tell the rest about the body */
     out->position = origin_of(s, p);
@@ -219,7 +221,8 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
     if (result == WF_OK) result = wfCheckVector(&b, "position.", position);
-    if (result == WF_OK) result = wfCheckReal(&b, "angle", angle, -WF_MAX_ANGLE, WF_MAX_ANGLE);
+    if (result == WF_OK)
+        result = wfCheckReal(&b, "angle", angle, -WF_MAX_ANGLE, WF_MAX_ANGLE);
     if (result != WF_OK) return result;
     wfVec2 centre = position;
     bool turns = false;
@@ -390,11 +393,12 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     if (result == WF_OK) result = wfCheckReal(&b, "seconds", seconds, WF_TINY, WF_HUGE);
     if (result != WF_OK) return result;
     if (b.props[i].type != WF_KINEMATIC)
-        return wfRefuse(&b, WF_ERROR_RANGE, "id", "only a kinematic body goes where it is told");
+        return wfRefuse(&b, WF_ERROR_RANGE, "id", "only kinematic bodies have a target");
     const wfBodyState *s = &b.state[i];
     wfVec2 to = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
     wfReal turn = wfWrapAngle(angle - s->angle);
-    return wfSetBodyVelocity(world, id, wfScale(1 / seconds, wfSub(to, s->p)), turn / seconds);
+    wfVec2 way = wfSub(to, s->p);
+    return wfSetBodyVelocity(world, id, wfScale(1 / seconds, way), turn / seconds);
 }
 
 /* push a body in a world */

@@ -138,7 +138,8 @@ wfResult wfShiftOrigin(wfWorld *world, wfVec2 by, int32_t *rounded)
     int32_t lost = 0;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK)
-        result = wfRefuse(&b, check_move(&b, by, &to), "by", "a place would be rounded away");
+        result = wfRefuse(&b, check_move(&b, by, &to), "by",
+                          "a place would be rounded away");
     if (result != WF_OK) return result;
     for (int32_t i = 0; i < b.head->bodySlots.high; i++) {
         if (!b.alive[i]) continue;

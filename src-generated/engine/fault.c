@@ -142,7 +142,8 @@ void wfNoteFault(const wfBlock *b, wfResult result, const char *of, int32_t elem
     if (number != NULL) put_range(&text, number);
     if (number == NULL && *field != 0) put(&text, ": ");
     if (number != NULL && mend != NULL) put(&text, ": ");
-    if (number == NULL || mend != NULL) put(&text, mend != NULL ? mend : wfResultText(result));
+    if (number == NULL || mend != NULL)
+        put(&text, mend != NULL ? mend : wfResultText(result));
 }
 
 void wfNoteWorld(wfWorld *world, const wfWorldDef *def, wfResult result)

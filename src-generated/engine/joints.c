@@ -175,7 +175,7 @@ wfResult wfGetJointMotion(const wfWorld *world, wfJointId id, wfReal *coordinate
     const wfJointRow *r = &row[k];
     if (count == 0 || (r->law != WF_ROW_LIMIT && r->law != WF_ROW_HOLD))
         return WF_ERROR_UNKNOWN;
-    wfReal sign = bare.kind == wfFindJoint("pulley") ? -1 : 1;      /* its row is for slack */
+    wfReal sign = bare.kind == wfFindJoint("pulley") ? -1 : 1;  /* its row is for slack */
     wfReal rate = wfDot(r->jA, a->v) + r->wA * a->w + wfDot(r->jB, b->v) + r->wB * b->w;
     if (coordinate != NULL) *coordinate = sign * r->error;
     if (speed != NULL) *speed = sign * rate;

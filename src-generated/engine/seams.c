@@ -56,7 +56,8 @@ static bool begin_seam(const struct wfStep *s, wfPair p, wfReal margin, Beside *
     const wfShape *shape = &s->b.shapes[b->mover];
     if ((isB && !is_tile(s, p.b)) || shape->kind == WF_SHAPE_LINK) return false;
     wfReal reach = wfMinR(s->b.materials[p.a].reach, s->b.materials[p.b].reach);
-    b->seam = (wfSeam){ .tile = { &s->b.shapes[b->tile], s->places[s->b.bodyOfShape[b->tile]] },
+    wfTransform at = s->places[s->b.bodyOfShape[b->tile]];
+    b->seam = (wfSeam){ .tile = { &s->b.shapes[b->tile], at },
         .mover = { shape, s->places[s->b.bodyOfShape[b->mover]] }, .tileIsB = isB,
         .beside = b->list, .margin = margin, .flush = WF_FLUSH_SHARE * reach };
     return true;
@@ -100,12 +101,15 @@ static void take_deepest(const struct wfStep *s, const Beside *from, wfManifold 
     wfReal most = -WF_HUGE;
     for (int32_t i = 0; i < from->seam.count; i++) {
         const wfTile *t = &from->list[i], *mover = &from->seam.mover;
-        const wfTile *a = from->seam.tileIsB ? mover : t, *b = from->seam.tileIsB ? t : mover;
+        bool swap = from->seam.tileIsB;
+        const wfTile *a = swap ? mover : t, *b = swap ? t : mover;
         wfSeparation found;
         wfManifold its;
-        if (wfSeparate(s->b.head->narrowPhase, a->shape, a->at, b->shape, b->at, &found) != WF_OK)
+        if (wfSeparate(s->b.head->narrowPhase, a->shape, a->at, b->shape, b->at,
+                       &found) != WF_OK)
             continue;
-        wfMakeManifoldWithin(a->shape, a->at, b->shape, b->at, &found, from->seam.margin, &its);
+        wfMakeManifoldWithin(a->shape, a->at, b->shape, b->at, &found,
+                             from->seam.margin, &its);
         if (its.count > 0 && -found.distance > most) most = -found.distance, *m = its;
     }
 }
@@ -116,7 +120,8 @@ void wfMendStruck(const struct wfStep *s, wfPair p, const wfTransform at[2], wfR
     Beside b;
     if (m->count == 0 || !begin_seam(s, p, margin, &b)) return;
     b.seam.tile.at = at[b.seam.tileIsB], b.seam.mover.at = at[!b.seam.tileIsB];
-    wfRect area = wfRectGrow(wfRectMinMax(m->points[0].point, m->points[m->count - 1].point),
+    wfVec2 first = m->points[0].point, last = m->points[m->count - 1].point;
+    wfRect area = wfRectGrow(wfRectMinMax(first, last),
                              wfAbs(m->points[0].depth) + 2 * b.seam.flush);
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     if (wfQueryIndex(s->b.head->broadPhase, &proxies, s->index, area, visit_beside, &b)

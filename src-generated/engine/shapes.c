@@ -126,7 +126,8 @@ static wfResult become(const bodyPlan *plan, const wfMassData *m, wfBodyState *s
     state->v = wfVelocityAt(state, wfAdd(state->p, shift));  /* eq:world-recentre */
     state->p = wfAdd(state->p, shift);
     props->localCentre = m->centre;
-    wfResult result = wfSetMass(state, props, m->mass, props->fixedRotation ? 0 : m->inertia);
+    wfReal inertia = props->fixedRotation ? 0 : m->inertia;
+    wfResult result = wfSetMass(state, props, m->mass, inertia);
     if (result == WF_OK && !wfBodyIsFinite(state)) return WF_ERROR_NOT_FINITE;
     return result == WF_OK ? check_forms(plan, props->localCentre) : result;
 }
@@ -190,8 +191,10 @@ wfResult wfReweighBody(wfBlock *b, int32_t i, const wfBodyProps *changed)
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data)
 {
     static const wfNumber numbers[] = {
-        WF_NUMBER(wfMassData, mass, WF_FROM_ZERO), WF_NUMBER(wfMassData, inertia, WF_FROM_ZERO),
-        WF_NUMBER(wfMassData, centre.x, WF_ANY_REAL), WF_NUMBER(wfMassData, centre.y, WF_ANY_REAL),
+        WF_NUMBER(wfMassData, mass, WF_FROM_ZERO),
+        WF_NUMBER(wfMassData, inertia, WF_FROM_ZERO),
+        WF_NUMBER(wfMassData, centre.x, WF_ANY_REAL),
+        WF_NUMBER(wfMassData, centre.y, WF_ANY_REAL),
     };
     wfBlock b;
     int32_t i;

@@ -78,7 +78,7 @@ struct wfStep {
     int32_t          tired;       /* how many fall asleep at the end */
     wfReal          *clocks;      /* new clocks of rest */
     wfIslands        islands;
-    int32_t         *firstTile;   /* of each shape: the first pair with a tile, or -1; or NULL */
+    int32_t         *firstTile;   /* of each shape: its first pair with a tile, -1; or NULL */
     int32_t         *nextTile;    /* of each pair: the next pair of the same shape, or -1 */
 };
 

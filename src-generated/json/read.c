@@ -519,8 +519,10 @@ static bool read_force(Reader *r, const cJSON *item)
     if (!find_bodies(r, item, &f.a, &f.b, false)) return false;
     wfForceId id;
     wfResult result = wfAddForceToWorld(&r->world, &f, &id);
-    if (result != WF_OK)
-        return wfTextFail(&r->t, item, result, "%s", wfLastFault(&r->world)->text);
+    const char *why = wfResultText(result);
+    /* ask the world why it refused */
+    why = wfLastFault(&r->world)->text;
+    if (result != WF_OK) return wfTextFail(&r->t, item, result, "%s", why);
     return put_added(r, item, id);
 }
 

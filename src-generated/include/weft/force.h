@@ -90,7 +90,7 @@ typedef struct wfForceRow {
     wfForceCheckFn *check;      /* of more than its numbers; NULL: there is no more     */
     bool steady;                /* the same as long as the bodies that it names rest    */
     wfForceMoveFn *move;        /* NULL: it names no place of the world                 */
-    const wfNumber *numbers;    /* [params] their names and ranges; NULL: any that are finite */
+    const wfNumber *numbers;    /* [params] names and ranges; NULL: any that are finite */
 } wfForceRow;
 
 extern const wfForceRow wfForceTable[];

@@ -55,7 +55,7 @@ typedef struct wfConstraints {
     /* How a solver gets at their rows that takes them together with contacts, in the words
      * of the direct solver; NULL or returning NULL: they take turns with it. */
     const void *(*lending)(void *context);
-    /* [bodies] 1: part of a machine that lies in a heap. NULL or returning NULL: none is. */
+    /* [bodies] 1: of a machine that lies in a heap. NULL or returning NULL: none is. */
     const uint8_t *(*lying)(void *context, const struct wfSolve *in);
 } wfConstraints;
 

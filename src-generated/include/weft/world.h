@@ -249,7 +249,7 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity);
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
- * proportion. It is a given mass from now on: new shapes do not change it. 0: its shapes'. */
+ * proportion. It is a given mass from now on: new shapes don't change it. 0: theirs. */
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass);
 wfResult wfSetBodyDamping(wfWorld *world, wfBodyId id, wfReal linear, wfReal angular);
 /* Makes a body WF_STATIC, WF_KINEMATIC or WF_DYNAMIC. Static: it stops. Dynamic: it has the

@@ -95,7 +95,7 @@ static void stops_give_nothing_back_one_by_one(void **unused)
         wfWorldDef def = wfDefaultWorldDef();
         wfWorld w;
         wfJoint j;
-        def.gravity = wfV2(0, 0), def.directJoints = WF_JOINTS_ITERATIVE, def.substeps = 1 + (int32_t)between(&r, 0, 7.99);
+        def.gravity = wfV2(0, 0), def.advanced.directJoints = WF_JOINTS_ITERATIVE, def.substeps = 1 + (int32_t)between(&r, 0, 7.99);
         spin = wfMinR(spin, WF_R(30.0) * (wfReal)def.substeps);
         assert_ok(wfCreateWorld(&def, &w));
         wfBodyDef post = wfDefaultBodyDef(), bar = post;
