@@ -39,8 +39,7 @@ static wfResult give_shapes(wfWorld *w, const void *d)
 static void put(void *def, const wfNumber *n, double x)
 {
     wfReal real = (wfReal)x;
-    int32_t whole = (int32_t)x;
-    if (n->whole) memcpy((char *)def + n->offset, &whole, sizeof whole);
+    if (n->whole) memcpy((char *)def + n->offset, &(int32_t){ (int32_t)x }, sizeof(int32_t));
     else memcpy((char *)def + n->offset, &real, sizeof real);
 }
 
