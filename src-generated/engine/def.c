@@ -11,8 +11,13 @@ wfWorldDef wfDefaultWorldDef(void)
 {
     return (wfWorldDef){
 #define WF_SETTING(type, name, usual, ...) .name = usual,
-#define WF_ADVANCED(type, name, usual, ...) .advanced.name = usual,
+#define WF_ADVANCED(...)
 #include "weft/setting_rows.h"
+        .advanced = {
+#define WF_SETTING(...)
+#define WF_ADVANCED(type, name, usual, ...) .name = usual,
+#include "weft/setting_rows.h"
+        },
     };
 }
 

@@ -133,7 +133,12 @@ wfWorldDef wfSettings(const wfHeader *head)
 {
     return (wfWorldDef){
 #define WF_SETTING(type, name, ...) .name = head->name,
-#define WF_ADVANCED(type, name, ...) .advanced.name = head->name,
+#define WF_ADVANCED(...)
 #include "weft/setting_rows.h"
+        .advanced = {
+#define WF_SETTING(...)
+#define WF_ADVANCED(type, name, ...) .name = head->name,
+#include "weft/setting_rows.h"
+        },
     };
 }
