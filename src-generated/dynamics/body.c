@@ -16,6 +16,7 @@ static wfResult check_masses(wfReal mass, wfReal inertia)
 /* check the properties of a body */
 wfReal wfNumberOf(const void *structure, const wfNumber *n)
 {
+    if (structure == NULL || n == NULL) return 0;
     const void *at = (const char *)structure + n->offset;
     return n->whole ? (wfReal)*(const int32_t *)at : *(const wfReal *)at;
 }

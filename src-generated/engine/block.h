@@ -138,8 +138,8 @@ wfBodyId wfIdOfBody(const wfBlock *b, int32_t i);
  * or a contact, as far as they are dynamic. */
 void wfBodyChanged(wfBlock *b, int32_t i);
 void wfEndsChanged(wfBlock *b, int32_t first, int32_t second);
-/* Clears thing i, all but its slot, in all arrays of one each (of: WF_PER_BODY ...). */
-void wfClearPlace(wfBlock *b, int32_t of, int32_t i);
+/* Clears thing i in all arrays of one each (of: WF_PER_BODY ...), but not its slot. */
+void wfClearPlace(wfBlock *b, int32_t of, const void *slots, int32_t i);
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
 wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);

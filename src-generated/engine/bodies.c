@@ -160,11 +160,11 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         if (!live || (b.forces[f].a != i && b.forces[f].b != i)) continue;
         wfEndsChanged(&b, b.forces[f].a, b.forces[f].b);
         wfSlotGive(&b.head->forceSlots, b.forceSlots, f, b.forceSlots[f].generation);
-        wfClearPlace(&b, WF_PER_FORCE, f);
+        wfClearPlace(&b, WF_PER_FORCE, b.forceSlots, f);
     }
     wfDropJoints(&b, i);
     wfSlotGive(&b.head->bodySlots, b.bodySlots, i, id.generation);
-    wfClearPlace(&b, WF_PER_BODY, i);
+    wfClearPlace(&b, WF_PER_BODY, b.bodySlots, i);
     b.props[i].shape = -1;
     /* what is not zero in an empty place */
     wfBeginRest(&b, i, 0);

@@ -5,10 +5,10 @@
 #include "engine/block.h"
 
 /* disturb a body */
-void wfClearPlace(wfBlock *b, int32_t of, int32_t i)
+void wfClearPlace(wfBlock *b, int32_t of, const void *slots, int32_t i)
 {
 #define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
-    if (per == of && _Generic((type *)NULL, wfSlot *: false, default: true) \
+    if (per == of && (const void *)b->pointer != slots \
         && ((modules) == 0 || wfHas(b->head, modules))) \
         memset(&b->pointer[i], 0, sizeof(type));
 #define WF_FRESH(NAME, name, per, type, modules, stage)

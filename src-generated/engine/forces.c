@@ -70,7 +70,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
     wfResult result = change_force(__func__, world, id, &b, &i);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
-    wfClearPlace(&b, WF_PER_FORCE, i);
+    wfClearPlace(&b, WF_PER_FORCE, b.forceSlots, i);
     return wfSlotGive(&b.head->forceSlots, b.forceSlots, i, id.generation);
 }
 

@@ -306,7 +306,7 @@ void wfDropShape(wfBlock *b, int32_t k)
     while (*link != k) link = &b->next[*link];
     *link = b->next[k];
     b->head->sensorCount -= b->materials[k].sensor;
-    wfClearPlace(b, WF_PER_SHAPE, k);
+    wfClearPlace(b, WF_PER_SHAPE, b->shapeSlots, k);
     b->bodyOfShape[k] = b->next[k] = -1;
     wfBoundShape(b, k);
     wfSlotGive(&b->head->shapeSlots, b->shapeSlots, k, b->shapeSlots[k].generation);
