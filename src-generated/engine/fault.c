@@ -66,6 +66,12 @@ static void put(Line *l, const char *text)
     *l->to = 0;
 }
 
+static void put_letter(Line *l, char c)
+{
+    const char letter[2] = { c, 0 };
+    put(l, letter);
+}
+
 static void put_whole(Line *l, uint64_t x)
 {
     char digit[24] = "";
@@ -95,7 +101,7 @@ static void put_number(Line *l, double x)
         for (int i = -1; i > shift; i--) put(l, "0");
         for (int i = 0; i < 7; i++) {
             if (digit[i] == 0 && i > shift) break;
-            put(l, (char[2]){ digit[i] != 0 ? digit[i] : '0' });
+            put_letter(l, digit[i] != 0 ? digit[i] : '0');
             if (i == shift && digit[i + 1] != 0) put(l, ".");
         }
         if (far) put(l, "e"), put_number(l, power);
@@ -106,7 +112,7 @@ static void put_number(Line *l, double x)
 static void put_name(Line *l, const char *name, int32_t element)
 {
     for (; *name != 0; name++) {
-        put(l, (char[2]){ *name });
+        put_letter(l, *name);
         if (name[0] == '[' && name[1] == ']') put_whole(l, (uint64_t)element);
     }
 }
