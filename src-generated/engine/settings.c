@@ -122,23 +122,25 @@ wfResult wfPutSetting(wfWorldDef *def, const wfSetting *s, int part, double valu
 }
 
 /* keep the settings in the header */
+static size_t bytes_of(const wfSetting *s)
+{
+    return is_real(s) ? (size_t)wfSettingParts(s) * sizeof(wfReal) : sizeof(int32_t);
+}
+
 void wfKeepSettings(const wfWorldDef *def, wfHeader *head)
 {
-#define WF_SETTING(type, name, ...) head->name = def->name;
-#define WF_ADVANCED(type, name, ...) head->name = def->advanced.name;
-#include "weft/setting_rows.h"
+    for (int i = 0; i < wfSettingCount; i++) {
+        const wfSetting *s = &wfSettingTable[i];
+        memcpy((uint8_t *)head + s->kept, (const uint8_t *)def + s->offset, bytes_of(s));
+    }
 }
 
 wfWorldDef wfSettings(const wfHeader *head)
 {
-    return (wfWorldDef){
-#define WF_SETTING(type, name, ...) .name = head->name,
-#define WF_ADVANCED(...)
-#include "weft/setting_rows.h"
-        .advanced = {
-#define WF_SETTING(...)
-#define WF_ADVANCED(type, name, ...) .name = head->name,
-#include "weft/setting_rows.h"
-        },
-    };
+    wfWorldDef def = { .timeStep = 0 };
+    for (int i = 0; i < wfSettingCount; i++) {
+        const wfSetting *s = &wfSettingTable[i];
+        memcpy((uint8_t *)&def + s->offset, (const uint8_t *)head + s->kept, bytes_of(s));
+    }
+    return def;
 }

@@ -29,8 +29,7 @@ static wfShape wedge(void)
     return s;
 }
 static void ground(wfWorld *w) { add(w, WF_STATIC, box(60, 2), 0, -1, 0); }
-/* The walls do not touch the ground: core knows nothing of seams. */
-static void bin(wfWorld *w) { ground(w); add(w, WF_STATIC, box(1, 12), -6, 6.1, 0); add(w, WF_STATIC, box(1, 12), 6, 6.1, 0); }
+static void bin(wfWorld *w) { ground(w); add(w, WF_STATIC, box(1, 12), -6, 6, 0); add(w, WF_STATIC, box(1, 12), 6, 6, 0); }
 
 static void fall(wfWorld *w) { add(w, WF_DYNAMIC, box(1, 2), 0, 50, 0.3); }
 static void stack(wfWorld *w) { ground(w); for (int i = 0; i < 10; i++) add(w, WF_DYNAMIC, box(1, 1), 0.01 * (i % 3), 0.5 + i, 0); }
