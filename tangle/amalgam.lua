@@ -22,6 +22,12 @@ end
 -- A header of Weft's is put where it is first asked for; one without a guard (a list of rows) wherever it is asked for. A
 -- header that every compiler has goes to the top of the file; others stay where they are, under their conditions.
 local done, system, first = {}, {}, {}
+local sources_text = {}                 -- every function that a source defines: what else a private header declares is not made static
+for _, part in ipairs { "core", "math", "collision", "dynamics", "engine" } do
+  for _, name in ipairs(list(part .. "/*.c")) do
+    if name ~= "engine/report.c" and name ~= "core/draw.c" then for f in ("\n" .. read(name)):gmatch("\n%a[%w_ %*]-([%w_]+)%([^;{]-%)\n{") do sources_text[f] = true end end
+  end
+end
 local free = { ["<stdbool.h>"] = true, ["<stddef.h>"] = true, ["<stdint.h>"] = true, ["<float.h>"] = true, ["<string.h>"] = true }
 local function find(name)
   local f = io.open(src .. "/include/" .. name)
@@ -33,6 +39,7 @@ local function inline(name, sink)
   local guard = text:match("#ifndef (WEFT_[%w_]+_H)\n#define %1")
   if guard and done[name] then return end
   done[name] = true
+  local private = guard and not name:match("^include/")
   for line in (text .. "\n"):gmatch("(.-)\n") do
     local own, theirs = line:match('^#include "([^"]+)"'), line:match("^#include (<[^>]+>)")
     if own then inline(find(own), sink)
@@ -40,7 +47,10 @@ local function inline(name, sink)
       local name = line:match("#define (%S+)")
       first[#first + 1] = "#ifndef " .. name .. "\n" .. line .. "\n#endif"
     elseif theirs and free[theirs] then system[theirs] = true
-    else sink[#sink + 1] = line end
+    else
+      local f = private and line:match("^%a[%w_ %*]-([%w_]+)%(")
+      sink[#sink + 1] = f and sources_text[f] and not line:match("^static") and "WF_PRIVATE " .. line or line
+    end
   end
 end
 local function drop_heads(lines)        -- the tangled file's own head: two or more lines that say where it comes from
@@ -340,6 +350,13 @@ static inline size_t wfTextLength(const char *a)
 #define strlen wfTextLength
 #else
 #include <string.h>
+#endif
+
+/* What other sources of the engine call and no user: here all are one. */
+#ifdef __GNUC__
+#define WF_PRIVATE __attribute__((unused)) static
+#else
+#define WF_PRIVATE static
 #endif
 
 #undef near                        /* windows.h, if it was included before, has given these words away */

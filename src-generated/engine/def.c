@@ -13,11 +13,11 @@ wfWorldDef wfDefaultWorldDef(void)
 #define WF_SETTING(type, name, usual, ...) .name = usual,
 #define WF_ADVANCED(...)
 #include "weft/setting_rows.h"
-        /* defaults of settings that few turn */
+/* defaults of settings that few turn */
         .advanced = {
-        #define WF_SETTING(...)
-        #define WF_ADVANCED(type, name, usual, ...) .name = usual,
-        #include "weft/setting_rows.h"
+#define WF_SETTING(...)
+#define WF_ADVANCED(type, name, usual, ...) .name = usual,
+#include "weft/setting_rows.h"
         },
     };
 }
