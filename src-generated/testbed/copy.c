@@ -65,7 +65,8 @@ static void copy_settings(copier *c)
         double x = wfSettingValue(&def, s, 0), y = 0, ux = wfSettingValue(&usual, s, 0);
         bool vector = s->kind == WF_SETTING_VEC2;
         if (vector) y = wfSettingValue(&def, s, 1);
-        snprintf(name, sizeof name, "def.%s", s->name);
+        bool few = s->offset >= offsetof(wfWorldDef, advanced);
+        snprintf(name, sizeof name, "def.%s%s", few ? "advanced." : "", s->name);
         if (vector) put_vector(c, name, wfV2((wfReal)x, (wfReal)y), usual.gravity);
         else if (s->kind == WF_SETTING_REAL) put_real(c, name, (wfReal)x, (wfReal)ux);
         else if (s->kind == WF_SETTING_SET && x != ux)
