@@ -843,7 +843,6 @@ static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *
     }
     for (int32_t i = 0; i < count; i++)
         for (int32_t k = 0; k < ties[i].count; k++) {
-            /* add what the row has given to its joint */
             const wfTieRow *r = &ties[i].row[k];
             int32_t joint = ties[i].joint;
             if (r->idle) continue;
