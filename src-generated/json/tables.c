@@ -40,7 +40,6 @@ static const wfField body_fields[] = {
     { BODY(mass), REAL, NOT_NEGATIVE, .text = "kg; 0: that of its shapes" },
     { AT(wfBodyText, pivot), VEC,
       .text = "m, in its frame: about this a body turns that is not dynamic" },
-    /* more fields of a body */
     { BODY(fixedRotation), FLAG, .text = "it never turns" },
     { BODY(linearDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
     { BODY(angularDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
