@@ -39,7 +39,6 @@ typedef struct wfMatrix {
     uint8_t *rod;               /* [count] how it is solved in this substep, ROD_... */
     int32_t hinge;              /* the row of "revolute" in the table of joints */
     wfReal *inverse;            /* [bodies] 1/I as the matrix sees it; 1/(kg m^2) */
-    /* what a way through a substep takes */
     wfJointMotion *free;               /* [bodies] velocities but for the joints' push */
     wfJointMotion *left; /* [bodies] velocities when we were last done with them */
     wfJointMotion *next;               /* [bodies] what this round is about to add */
