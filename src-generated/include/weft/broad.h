@@ -154,6 +154,7 @@ static inline bool wfOfferPair(const wfProxies *in, wfPairList *out, wfRect ra, 
 /* Writes the live proxies to ids (room for in->count), those that move first, each group in
    rising order.  Returns how many; *movers: how many of them move. */
 int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers);
+
 typedef struct wfKeyed { wfReal key; int32_t index; } wfKeyed;
 
 /* Sorts by key, equal keys keep their order; spare has room for n.  No key may be NaN. */
