@@ -32,8 +32,8 @@ bool wfSparseTake(wfSparse *m, int32_t nodes, int32_t bodies, wfPool *pool, size
     m->direct = wfPoolPushArray(pool, 3 * (nodes + 1), bool);
     double *reals = wfPoolPushArray(pool, NUMBERS_OF_NODE * nodes, double);
     if (numbers == NULL || m->direct == NULL || reals == NULL) return false;
-    int32_t **const array[14] = { &m->rows, &m->head, &m->mark, &m->list, &m->rank, &m->order,
-        &m->degree, &m->bucket, &m->next, &m->before, &m->start, &m->part,
+    int32_t **const array[14] = { &m->rows, &m->head, &m->mark, &m->list, &m->rank,
+        &m->order, &m->degree, &m->bucket, &m->next, &m->before, &m->start, &m->part,
         &m->end, &m->other };
     for (int i = 0; i < 14; i++) *array[i] = numbers + i * (nodes + 1);
     m->ready = m->direct + nodes + 1;
