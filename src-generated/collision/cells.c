@@ -301,7 +301,6 @@ static void cast_cells(const CellTable *t, const wfBoxCast *cast, wfCastVisitFn 
         || !wfCutSlab(c.from.y, c.by.y, w.min.y - c.half.y, w.max.y + c.half.y, &t0, &t1))
         return;
     int32_t steps = cast_steps(t, &c, t0, t1);
-    /* if there are too many steps, offer all that are in cells */
     for (int32_t i = 0; steps == 0 && i < t->head->n; i++)
         if (!is_large(t->boxCells[t->ids[i]])
             && !wfOfferCast(t->in, &c, t->ids[i], visit, context)) return;

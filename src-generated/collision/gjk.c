@@ -481,7 +481,6 @@ wfResult wfWalkVoronoi(const wfShape *a, wfTransform xa, const wfShape *b, wfTra
     wfReal upper = wfDistance(point_of(&sa), point_of(&sb));
     bool proved = wfIsFinite(length) && length > D.noise && upper - low <= D.noise;
     if (!proved) return wfSeparateGjk(a, xa, b, xb, out);
-    /* report what was proved */
     wfSeparation found = { .owner = WF_NO_EDGE, .edge = WF_NO_EDGE };
     found.distance = length - (a->radius + b->radius);
     found.normal = wfRotate(xa.q, normal);

@@ -248,7 +248,7 @@ static wfResult advance(Course *c, wfReal end, int32_t how, wfImpact *out,
     }
 }
 
-/* say which side of a link a point is on */
+/* skip pairs that never meet */
 static bool is_behind(const wfShape *link, wfTransform xf, wfVec2 point)
 {
     if (link->kind != WF_SHAPE_LINK) return false;

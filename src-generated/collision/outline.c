@@ -24,8 +24,6 @@ static double two_product(double a, double b, double *error)
 #endif
     return product;
 }
-
-/* add up without error */
 typedef struct ExactSum { double part[12]; int count; } ExactSum;
 
 static void add_exactly(ExactSum *s, double x)

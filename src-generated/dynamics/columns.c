@@ -114,7 +114,6 @@ static bool close_loops(Search *q, int32_t root)
     t->limb[root].end = t->count;
     if (q->loops > limbs || q->loops > t->room - t->count) return false;
     for (int32_t i = 0; i < q->loops; i++) {
-        /* put link i behind the limbs */
         wfPair c = ends_of(q->s, q->link[i]);
         int32_t a = q->limb[c.a], b = q->limb[c.b];
         bool upside = is_ground(&q->s->in->state[c.b]);
@@ -162,7 +161,6 @@ static void try_root(Search *q, int32_t contact)
     if (tree && !alone) return;
     while (q->t->count > root) q->limb[q->t->limb[--q->t->count].body] = GIVEN_UP;
 }
-
 
 wfResult wfFindStacks(const wfSubsteps *s, wfStacks *t)
 {
@@ -483,7 +481,6 @@ static wfReal link_rate(const wfStacks *t, const wfLimb *l, int32_t row, bool ex
     return rate - dot3(l->down[row], extra ? below->extra.gain : below->wave.gain);
 }
 
-
 static void load_link(wfStacks *t, const wfLimb *l, int32_t row, wfReal push)
 {
     wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
@@ -590,7 +587,6 @@ static void let_go(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
     }
 }
 
-
 static bool make_matrices(const wfSubsteps *s, wfStacks *t, wfLimb *root, int32_t gamma)
 {
     for (int32_t i = root->root; i < root->links; i++) make_rows(s, &t->limb[i]);
@@ -646,7 +642,6 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *
             const wfPrepared *c = &s->c[l->contact];
             point_pushes(l, c, more);
             for (int32_t k = 0; k < c->count; k++) {
-                /* find the share of the way, or go it */
                 wfReal aim = c->p[k].normal + more[k], from = l->at[k];
                 if (pass == 1) l->at[k] = wfMaxR(from + share * (aim - from), 0);
                 else if ((l->points >> k & 1) && aim < -law->noise &&
@@ -661,7 +656,6 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *
     root->made[0] = root->made[1] = false;
     return true;
 }
-
 
 static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
                           wfLimb *root)
@@ -684,7 +678,6 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
     root->made[0] = root->made[1] = false;
     return true;
 }
-
 
 static void try_carefully(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
 {

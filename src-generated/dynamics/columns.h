@@ -47,6 +47,7 @@ typedef struct wfStacks {
 } wfStacks;
 
 enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP, WF_HELD_ALONE };
+
 /* Finds the trees among the contacts that touch. WF_ERROR_MEMORY. */
 wfResult wfFindStacks(const wfSubsteps *s, wfStacks *out);
 size_t wfStackScratch(int32_t bodies, int32_t contacts);

@@ -209,12 +209,10 @@ static void newton_step(wfMatrix *m, const wfJointSet *set, const wfSolve *in, w
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         wfBodyState *s = &in->state[b];
-        /* the change that the push and the new inertia bring */
         wfReal part = set->inverse[b] > 0 ? m->inverse[b] / set->inverse[b] : 0;
         m->next[b].v = wfSub(m->next[b].v, s->v);
         m->next[b].w = part * (m->next[b].w - s->w);
     }
-    /* ask every row for the rate that closes its gap */
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++)
@@ -402,7 +400,6 @@ static void arrive(wfMatrix *m, const wfJointSet *set, const wfSolve *in, wfReal
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            /* give half of the last push, or take it back */
             bool once = m->rod[i] != ROD_SOUND;
             bool none = !m->moved || m->lost;
             wfReal push = none ? 0 : once ? -m->impulse[i][k] : m->smooth[i][k];
@@ -843,7 +840,6 @@ static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *
     }
     for (int32_t i = 0; i < count; i++)
         for (int32_t k = 0; k < ties[i].count; k++) {
-            /* add what the row has given to its joint */
             const wfTieRow *r = &ties[i].row[k];
             int32_t joint = ties[i].joint;
             if (r->idle) continue;
@@ -966,7 +962,6 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
     wfMatrix *m = take_matrix(set->count, in->bodyCount, scratch);
     return m == NULL ? WF_ERROR_MEMORY : assemble(m, set, in);
 }
-
 
 /* A body of the joint that can move, or -1. */
 static int32_t mover_of(const wfJoint *j, const wfBodyState *state)

@@ -36,7 +36,6 @@ typedef struct Exact {
     wfSparse m;                 /* bodies first, then the nodes */
     ExactNode *node;            /* [count + ties] of contacts, then of ties */
     int32_t count;              /* contacts */
-    /* what the exact solver needs for ties */
     const wfLending *lending;   /* NULL: joints take turns with the contacts */
     wfTie *tie;
     int32_t ties;
@@ -45,7 +44,6 @@ typedef struct Exact {
     double (*inverse)[3];               /* [bodies] 1/m, 1/m, 1/I */
     double give;                        /* share of K by which a row that is ON gives way */
     bool *factored;             /* [parts] the factors are those of the states */
-    /* what is known of the part that is being solved */
     double allowed[2], speed;   /* of a part: errors that count as none; the first speeds */
     double noise;               /* of a part: what rounding does to its targets, m/s */
     bool tied;                  /* of a part: joints have rows in it */
@@ -166,7 +164,6 @@ static void load_contact(Exact *e, int32_t i, bool soft)
         } else if (r->law == ROW_ROLL)
             r->sum = (double)c->spin;
         else {
-            /* fill the row that pushes at point k */
             const wfPreparedPoint *p = &c->p[k];
             wfReal gap = p->now;
             r->sum = (double)p->normal;
@@ -238,7 +235,6 @@ static bool choose_states(const Exact *e, ExactNode *n, double eager)
         int32_t state = ROW_OFF;
         double stiff = r->k + r->give, z = r->sum * stiff - off_of(e, n, r);
         bool fresh = eager > 0 && r->sum == 0;
-        /* the state that row r should have */
         if (r->law == ROW_TIE && !r->idle)                      /* eq:exact-bounded */
             state = z > r->most * stiff ? ROW_UP : z < r->least * stiff ? ROW_DOWN : ROW_ON;
         else if (r->law == ROW_PUSH && !r->idle && z + (fresh ? eager : 0) > 0) {
@@ -552,7 +548,6 @@ static double try_carefully(Exact *e, int32_t part)
         if (!can_pay(e, part)) break;
         keep_or_restore(e, part, true);
         double now = step_of(e, part, give, 0), share = 1;
-        /* halve a step that does not help */
         for (int k = 0; k < 3 && !(now < best); k++) {
             go(e, part, -share / 2);
             share /= 2;
@@ -564,7 +559,6 @@ static double try_carefully(Exact *e, int32_t part)
             continue;
         }
         keep_or_restore(e, part, false);
-        /* stiffen, or begin elsewhere */
         give *= 4;
         if (give > 100 * WF_EXACT_STIFFEST) {
             give = WF_EXACT_STIFFEST;
@@ -596,7 +590,6 @@ static void solve_part(Exact *e, int32_t part)
     bool done = left <= 1 || (e->again && e->lack <= e->noise);
     keep_or_restore(e, part, true);
     e->limit = e->spent + share_of(e, part);
-    /* try Newton's method, and then the careful one */
     if (!done && e->m.direct[part]) {
         left = try_newton(e, part);
         if (left > 1 && !(e->tied && e->lack <= e->noise)) {
@@ -842,7 +835,6 @@ static wfResult make_system(Exact *e)
     e->count = in->contactCount;
     take_ties(e);
     int32_t nodes = e->count + e->ties;
-    /* take the arrays of the system */
     e->node = wfPoolPushArray(pool, nodes, ExactNode);
     e->v = (double(*)[3])wfPoolPushArray(pool, 12 * in->bodyCount, double);
     e->factored = wfPoolPushArray(pool, in->bodyCount + nodes, bool);
@@ -854,7 +846,6 @@ static wfResult make_system(Exact *e)
     e->given = e->kept + in->bodyCount;
     if (!wfSparseTake(&e->m, in->bodyCount + nodes, in->bodyCount, pool, 0))
         return WF_ERROR_MEMORY;
-    /* put bodies and nodes into the system */
     load_bodies(e);
     for (int32_t i = 0; i < in->bodyCount; i++) e->m.rows[i] = 3;
     for (int32_t i = 0; i < nodes; i++) {

@@ -180,7 +180,6 @@ void wfFactorJoints(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
                 wfSolveBlock(own->v, m->pivot[p], w);
             }
         }
-        /* eliminate joint p */
         for (int32_t e = m->head[p]; e >= 0; e = m->edge[e].next) {
             if (m->rank[m->edge[e].to] < n) continue;
             for (int32_t f = m->head[p]; f >= 0; f = m->edge[f].next) {

@@ -39,7 +39,6 @@ typedef struct wfMatrix {
     uint8_t *rod;               /* [count] how it is solved in this substep, ROD_... */
     int32_t hinge;              /* the row of "revolute" in the table of joints */
     wfReal *inverse;            /* [bodies] 1/I as the matrix sees it; 1/(kg m^2) */
-    /* what a way through a substep takes */
     wfJointMotion *free;               /* [bodies] velocities but for the joints' push */
     wfJointMotion *left; /* [bodies] velocities when we were last done with them */
     wfJointMotion *next;               /* [bodies] what this round is about to add */
@@ -49,7 +48,7 @@ typedef struct wfMatrix {
     wfReal (*smooth)[3];        /* [count] the same before others answered, N s */
     wfReal (*before)[3];        /* [count] what was pushed since the last move, N s */
     wfReal (*size)[3];          /* [count] 1 / what an error is measured by, 1/m or 1/rad */
-    wfReal (*part)[3];          /* [count] the elastic part of a gap, m or rad: eq:exact-part */
+    wfReal (*part)[3];          /* [count] elastic part of a gap, m or rad: eq:exact-part */
     wfReal (*shift)[3];         /* [count] by how much the rest closes in this substep */
     wfJointMotion *moving; /* [bodies] the velocities that close it: eq:exact-move */
     bool moves;                 /* they are in the velocities */

@@ -526,6 +526,7 @@ static void explosion_apply(const wfForce *f, const wfBodyView *bodies, wfReal t
         wfApplyForce(&out[i], b, wfScale(push, away), middle);
     }
 }
+
 #define ABOVE_ZERO(field) WF_NUMBER(wfForce, field, WF_TINY, WF_HUGE)
 static const wfNumber explosion_numbers[] = {
     PLACE(explosion.centre), ANY(explosion.strength), ABOVE_ZERO(explosion.radius),

@@ -24,6 +24,7 @@ typedef wfReal wfLanes;
 typedef int32_t wfLaneMask;
 #define WF_INLINE static inline
 #endif
+
 #ifdef WF_HAS_LANES
 #ifdef WF_DOUBLE
 WF_INLINE wfLanes wfLanesOf(wfReal x) { return (wfLanes){ x, x }; }

@@ -32,9 +32,8 @@ bool wfSparseTake(wfSparse *m, int32_t nodes, int32_t bodies, wfPool *pool, size
     m->direct = wfPoolPushArray(pool, 3 * (nodes + 1), bool);
     double *reals = wfPoolPushArray(pool, NUMBERS_OF_NODE * nodes, double);
     if (numbers == NULL || m->direct == NULL || reals == NULL) return false;
-    /* hand out the arrays of a sparse matrix */
-    int32_t **const array[14] = { &m->rows, &m->head, &m->mark, &m->list, &m->rank, &m->order,
-        &m->degree, &m->bucket, &m->next, &m->before, &m->start, &m->part,
+    int32_t **const array[14] = { &m->rows, &m->head, &m->mark, &m->list, &m->rank,
+        &m->order, &m->degree, &m->bucket, &m->next, &m->before, &m->start, &m->part,
         &m->end, &m->other };
     for (int i = 0; i < 14; i++) *array[i] = numbers + i * (nodes + 1);
     m->ready = m->direct + nodes + 1;
@@ -230,7 +229,6 @@ void wfSparseOrder(wfSparse *m)
         m->part[++m->parts] = m->listed;
     }
     for (int32_t i = 0; i < m->nodes; i++) m->mark[i] = -1;
-    /* order each part */
     for (int32_t k = 0; k < m->parts; k++) {
         int32_t from = m->part[k], to = m->part[k + 1], had = laters;
         int32_t numbers = m->numbers, blocks = m->blocks;
@@ -272,7 +270,6 @@ static void invert(double *a, int n, const double *size)
         full[r][WF_NODE_ROWS + r] = 1;
     }
     for (int c = 0; c < n; c++) {
-        /* choose the pivot of column c */
         int best = -1;
         double most = 0;
         for (int r = 0; r < n; r++) {

@@ -16,7 +16,6 @@ typedef struct wfSparse {
     int32_t blocks, room;       /* edges in use, and at most */
     int32_t numbers, most;      /* numbers in the blocks, in use and at most */
     int32_t parts, listed;      /* pieces that hang together; nodes with any edge */
-    /* arrays for ordering the nodes */
     int32_t *rows;              /* [nodes] */
     int32_t *head, *mark;       /* [nodes] first edge or -1; for marking neighbours */
     int32_t *list;              /* [nodes] those with edges, part by part */

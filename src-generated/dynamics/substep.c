@@ -13,7 +13,6 @@ static void add_finely(wfReal *sum, wfReal *rest, double more)  /* eq:soft-rest 
     *rest = (wfReal)(exact - (double)*sum);
 }
 
-
 static void kick_finely(wfBodyState *b, wfResidual *rest, const wfBodyForces *f, double t)
 {
     double mass = t * (double)b->invMass, inertia = t * (double)b->invInertia;
@@ -147,7 +146,6 @@ static void fine_at_time(const wfSubsteps *s, int32_t i, wfReal t, double out[3]
     for (int k = 0; k < 3; k++) out[k] = a[k] + share * (b[k] - a[k]);
 }
 
-
 static double fine_rate(const wfPrepared *c, const wfPreparedPoint *p, const double a[3],
                         const double b[3])
 {
@@ -165,7 +163,6 @@ static void push_finely(const wfSubsteps *s, const wfPrepared *c, const wfPrepar
     b[0] += mb * (double)c->n.x, b[1] += mb * (double)c->n.y;
     b[2] += j * (double)sb->invInertia * (double)p->nB;
 }
-
 
 static void give_finely(wfSubsteps *s, int32_t i, const double was[3], const double is[3],
                         wfReal t)

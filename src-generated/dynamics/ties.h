@@ -16,6 +16,7 @@ typedef struct wfTieRow {
     bool keeps;                 /* its rate is to stay what it is, and not `target` */
     bool idle, weak;            /* it takes no part; it has no say in places */
 } wfTieRow;
+
 typedef struct wfTie {
     int32_t a, b, count;        /* bodies; rows */
     int32_t joint;

@@ -263,7 +263,7 @@ void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* Would all of them still be joints? */
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
 enum { WF_CROWD = 256, WF_STEP_ROOM = 4096 };
-/* Are those who are fast followed to unmovable things alone? */
+/* Are fast bodies followed to unmovable things alone? */
 static inline bool wfIsCrowd(const wfBlock *b) { return b->head->crowd != 0; }
 
 /* A body that is followed through a step. Times are shares of the step. */

@@ -64,7 +64,6 @@ static bool rule_of_header(Check *c)
     size_t events = 0;
     bool good = h->time >= 0 && wfIsFinite((wfReal)h->time) && is_choice(h->busy)
              && is_choice(h->indexStale);
-    /* check what else the header says */
     good = good && is_choice(h->large) && h->report.solved >= 0;
     good = good && h->origin.x - h->origin.x == 0 && h->origin.y - h->origin.y == 0;
     for (int k = 0; k < WF_EVENT_KINDS; k++) {
@@ -89,7 +88,6 @@ static bool check_slots(Check *c, const wfSlots *s, int region, const wfSlot *sl
     if (!rule(c, s->capacity >= 0 && (size_t)s->capacity == c->region[region].count
                  && s->high >= 0 && s->high <= s->capacity, WF_REGION_HEADER, 0,
               "slots in use are within the array")) return false;
-    /* look at each slot and count those that are live */
     for (int32_t i = 0; i < s->capacity; i++) {
         bool fresh = slot[i].next == WF_SLOT_END && slot[i].generation == 1;
         bool used = slot[i].generation != 0 && (slot[i].next == WF_SLOT_LIVE
@@ -207,7 +205,6 @@ static bool check_shape(Check *c, int32_t k)
     if (b->shapeSlots[k].next != WF_SLOT_LIVE)
         return rule(c, i == -1 && b->next[k] == -1 && b->materials[k].sensor == 0,
                     WF_REGION_OWNERS, k, "an empty place has no owner");
-    /* ask a live shape for its owner, its next and what it is made of */
     bool owned = in_range(i, b->head->bodySlots.high) && b->alive[i];
     return rule(c, owned, WF_REGION_OWNERS, k, "a shape hangs on a living body")
         && rule(c, b->next[k] == -1 || in_range(b->next[k], end), WF_REGION_NEXT_SHAPES, k,
@@ -370,7 +367,6 @@ static bool rule_of_materials(Check *c)
     if (!counts(c, count, c->region[WF_REGION_PAIR_MATERIALS].count, "known pairs fit"))
         return false;
     for (int32_t i = 0; i < count; i++) {
-        /* look at known pair i */
         const wfReal n[] = { known[i].m.restitution, known[i].m.friction,
                              known[i].m.staticFriction, known[i].m.rollingResistance };
         bool good = wfAllFinite(n, 4) && known[i].a >= 1 && known[i].a <= known[i].b;

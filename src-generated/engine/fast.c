@@ -113,7 +113,7 @@ static wfReal rough_way(const struct wfStep *s, int32_t k)
 typedef struct Slow {
     struct wfStep *s;
     wfReal slack[WF_PARTS];
-    bool all[WF_PARTS];        /* nobody in the part needs another look */
+    bool all[WF_PARTS];        /* no shape of the part needs another look */
 } Slow;
 
 static bool is_slow(const struct wfStep *s, int32_t k, wfReal *slack)
@@ -148,7 +148,6 @@ static void find_flights(struct wfStep *s)
     for (int32_t k = 0; k < s->shapeCount && !all; k++) {
         int32_t i = s->b.bodyOfShape[k];
         if (is_slow(s, k, &s->slack)) continue;
-        /* follow the body of shape k if it is fast */
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
         bool farther = s->linked != NULL && way > s->paces[k].way + s->b.materials[k].inner;
@@ -219,7 +218,7 @@ typedef struct Near {
     const wfSweptBody *f;
     wfReal          t;         /* from when on */
     int32_t        *list, count;
-    bool            alone;     /* one of a crowd: meets only whom nothing can change */
+    bool            alone;     /* one of a crowd: meets only what nothing can change */
 } Near;
 
 static bool note_near(void *context, int32_t k)
@@ -481,7 +480,7 @@ static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
 
 static wfReal sum_of_sides(wfVec2 v) { return wfAbs(v.x) + wfAbs(v.y); }
 
-/* Do two shapes keep clear of each other on their legs? False: nobody knows. */
+/* Do two shapes keep clear of each other on their legs? False: not known. */
 static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, int32_t other,
                        wfSweep leg)
 {
@@ -649,7 +648,6 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
         rate[i].v = wfAdd(rate[i].v, wfSub(after[i].v, at[i].v));    /* eq:fast-shift */
         rate[i].w += after[i].w - at[i].w;
     }
-    /* take the rest of the approach out of the legs */
     wfContact still = *hit;
     still.restitution = still.friction = still.rollingResistance = 0;
     wfResult result = WF_OK;
@@ -803,7 +801,6 @@ static wfResult impact(struct wfStep *s, wfSweptBody *f)
     if (result == WF_OK) result = ask_to_pass(s, &c, two, &pass);
     if (result == WF_OK && !pass) point_of_search(s, f, t, who, two, &c);
     if (result != WF_OK) return result;
-    /* let them pass if the user says so */
     if (pass && s->sparedCount < s->b.head->shapeCapacity) {
         const wfReal rest[2] = { t, 1 };
         bool first = c.manifold.count == 0 && t < 1 && !is_deferred(s, own, other);
@@ -818,7 +815,6 @@ static wfResult impact(struct wfStep *s, wfSweptBody *f)
     if (!pass) result = strike(s, p, who, t, &c);
     if (!pass && result == WF_OK) result = settle(s, t);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
-        /* count the impact of body i */
         wfSweptBody *g = can_change(s, who[i]) ? flight_of(s, who[i]) : NULL;
         if (g == NULL) continue;
         g->fresh = true;
@@ -841,7 +837,7 @@ static wfSweptBody *earliest(struct wfStep *s)
     return best;
 }
 
-/* Whose leg was changed, or who was to meet such a one, looks at everything anew; the
+/* A flight with a new leg, or that was to meet such a one, looks at everything anew; the
  * others look at the new legs only. */
 static wfResult plan_again(struct wfStep *s, wfReal now)
 {

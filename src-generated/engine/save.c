@@ -36,7 +36,6 @@ uint64_t wfLayoutHash(void)
         h = wfHashU64(h, region[i].each);
     }
     h = wfHashFields(hash_settings(h));
-    /* hash the rows of tables that no setting names */
     for (int i = 0; i < wfForceKinds; i++) h = hash_text(h, wfForceTable[i].name);
     for (int i = 0; i < wfJointKinds; i++) h = hash_text(h, wfJointTable[i].name);
     return h;
@@ -198,7 +197,6 @@ wfResult wfLoadFromBytesWithin(const void *bytes, size_t size, const wfLoadLimit
     if (memory == NULL && wfMemoryOf(&room) > wfMostMemory(limits)) return WF_ERROR_LIMIT;
     if (memory != NULL) def.memory = *memory;
     result = wfWorldOfImage(&image, &def, &made);
-    /* ask the new world whether it keeps its rules */
     if (result == WF_ERROR_FULL) return WF_ERROR_INVALID;     /* more than it says itself */
     if (result != WF_OK) return result;
     result = wfCheckWorld(&made, NULL);

@@ -82,6 +82,7 @@ static const Field field_table[] = {
     REAL(WF_REGION_FINE, wfResidual, p.x), REAL(WF_REGION_FINE, wfResidual, p.y),
     REAL(WF_REGION_FINE, wfResidual, angle), REAL(WF_REGION_FINE, wfResidual, v.x),
     REAL(WF_REGION_FINE, wfResidual, v.y), REAL(WF_REGION_FINE, wfResidual, w),
+
     WHOLE(WF_REGION_CONTACTS, wfContact, a), WHOLE(WF_REGION_CONTACTS, wfContact, b),
     REAL(WF_REGION_CONTACTS, wfContact, friction),
     REAL(WF_REGION_CONTACTS, wfContact, manifold.points[0].depth),
@@ -90,6 +91,7 @@ static const Field field_table[] = {
     REAL(WF_REGION_CONTACTS, wfContact, manifold.points[1].normalImpulse),
     WHOLE(WF_REGION_HEADER, wfHeader, pairCount),
     WHOLE(WF_REGION_HEADER, wfHeader, contactCount),
+
     WHOLE(WF_REGION_JOINTS, wfJoint, kind), WHOLE(WF_REGION_JOINTS, wfJoint, a),
     WHOLE(WF_REGION_JOINTS, wfJoint, b), REAL(WF_REGION_JOINTS, wfJoint, impulse[0]),
     REAL(WF_REGION_JOINTS, wfJoint, impulse[1]), REAL(WF_REGION_JOINTS, wfJoint, turnB),

@@ -122,7 +122,7 @@ wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
 void wfNoteStep(const struct wfStep *s, wfResult result);
-#define WF_NEAR_WAY WF_R(0.5)       /* reaches in a step: nobody is followed below */
+#define WF_NEAR_WAY WF_R(0.5)       /* reaches in a step: no body is followed below */
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
  * therefore followed? eq:impact-fast */

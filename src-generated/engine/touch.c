@@ -141,7 +141,6 @@ static wfResult touch_strikes(struct wfStep *s)
     }
     if (s->touchCount + fresh > s->b.head->pairCapacity) return WF_ERROR_FULL;
     at = s->touchCount + fresh - 1, old = s->touchCount - 1;
-    /* put the new touches between the old ones */
     for (int32_t i = s->strikeCount - 1; i >= 0; i--) {
         wfPair p = s->strikes[i].pair;
         while (old >= 0 && comes_after((wfPair){ s->touches[old].a, s->touches[old].b }, p))

@@ -3,7 +3,6 @@
 #include <string.h>
 #include "json/scene.h"
 
-/* look for a word */
 const char *const wfGeometry = "centre radius halfWidth halfHeight angle from to before "
                                "after loop vertices";
 

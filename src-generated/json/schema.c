@@ -132,7 +132,6 @@ static void describe(Schema *s, cJSON *properties, const wfField *f)
         break;
     case WF_FIELD_INT: one_number(s, in, f, "integer"); break;
     case WF_FIELD_ROW: names_in(s, in, f); break;
-    /* describe a set of names */
     case WF_FIELD_SET:
         say(s, in, "type", "array");
         names_in(s, object_in(s, in, "items"), f);

@@ -40,7 +40,6 @@ static const wfField body_fields[] = {
     { BODY(mass), REAL, NOT_NEGATIVE, .text = "kg; 0: that of its shapes" },
     { AT(wfBodyText, pivot), VEC,
       .text = "m, in its frame: about this a body turns that is not dynamic" },
-    /* more fields of a body */
     { BODY(fixedRotation), FLAG, .text = "it never turns" },
     { BODY(linearDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
     { BODY(angularDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
@@ -53,7 +52,8 @@ const wfFields wfBodyFields = FIELDS(body_fields);
 static const wfField shape_fields[] = {
     { .name = "kind", .offset = offsetof(wfShapeText, form),
       NAMED(wfShapeForms, wfShapeFormCount), .text = "its form" },
-    { AT(wfShapeText, centre), VEC, .text = "m, in the body's frame, like all that follows" },
+    { AT(wfShapeText, centre), VEC,
+      .text = "m, in the body's frame, like all that follows" },
     { AT(wfShapeText, radius), REAL, NOT_NEGATIVE, .text = "m, of the coat" },
     { AT(wfShapeText, halfWidth), REAL, POSITIVE, .text = "m" },
     { AT(wfShapeText, halfHeight), REAL, POSITIVE, .text = "m" },
@@ -107,7 +107,8 @@ static const wfField joint_fields[] = {
     { AT(wfJoint, breakTorque), REAL, NOT_NEGATIVE, .text = "N m; 0: never" },
     { AT(wfJoint, localA), VEC, .text = "m, in a's frame, from its centre of mass" },
     { AT(wfJoint, localB), VEC, .text = "m, in b's frame, from its centre of mass" },
-    { AT(wfJoint, axis), VEC, .text = "with localA: unit, in a's frame; else in the world" },
+    { AT(wfJoint, axis), VEC,
+      .text = "with localA: unit, in a's frame; else in the world" },
     { AT(wfJoint, groundA), VEC, .text = "m, world: a pulley's wheel" },
     { AT(wfJoint, groundB), VEC, .text = "m, world: the other; a hand's target" },
     { AT(wfJoint, turnA), REAL, ANY, .text = "rad: how far a has turned" },

@@ -64,6 +64,7 @@ bool wfBitsOfText(const cJSON *item, uint64_t *out)
     return true;
 }
 
+/* A tab inside a string is written \t, so every tab of cJSON's stands behind a colon. */
 char *wfPrettyText(const cJSON *root)
 {
     char *text = cJSON_Print(root);
@@ -103,7 +104,6 @@ static int32_t scan(const wfText *t, int64_t *order, int *depth)
         char c = t->text[i];
         int32_t here = line;
         bool value = false;
-        /* go over a string, a value or what stands between values */
         if (c == '"') {
             i = skip_string(t, i, &line);
             value = !is_key(t, i);

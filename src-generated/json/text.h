@@ -16,7 +16,6 @@ typedef struct wfText {
     const wfLoadLimits *limits;
     size_t taken;                   /* bytes, of what they allow */
 } wfText;
-
 enum {
     WF_FIELD_REAL, WF_FIELD_VEC,    /* wfReal: 0.5; wfVec2: [0.5, 1] */
     WF_FIELD_DOUBLE, WF_FIELD_INT,  /* double; int32_t */

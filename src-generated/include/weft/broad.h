@@ -154,6 +154,7 @@ static inline bool wfOfferPair(const wfProxies *in, wfPairList *out, wfRect ra, 
 /* Writes the live proxies to ids (room for in->count), those that move first, each group in
    rising order.  Returns how many; *movers: how many of them move. */
 int32_t wfListLive(const wfProxies *in, int32_t *ids, int32_t *movers);
+
 typedef struct wfKeyed { wfReal key; int32_t index; } wfKeyed;
 
 /* Sorts by key, equal keys keep their order; spare has room for n.  No key may be NaN. */
@@ -327,6 +328,7 @@ wfResult wfQuadTreeInsert(wfQuadTree *tree, int32_t proxy, wfRect bounds);
 wfResult wfQuadTreeRemove(wfQuadTree *tree, int32_t proxy);
 /* Gives a proxy that is in the tree new bounds. */
 wfResult wfQuadTreeMove(wfQuadTree *tree, int32_t proxy, wfRect bounds);
+
 /* Appends the pairs by the given rule, unsorted, each once.  Only those that `in` wants;
    NULL: all are live and move.  WF_ERROR_FULL: out->count is 0. */
 wfResult wfQuadTreePairs(const wfQuadTree *tree, wfQuadReach reach, const wfProxies *in,
@@ -339,6 +341,7 @@ int wfQuadTreePath(const wfQuadTree *tree, int32_t node, int32_t *sectors);
 /* The children of a node that the bounds reach into, room for 4; returns how many. */
 int wfQuadTreeReach(const wfQuadTree *tree, int32_t node, wfRect bounds, int32_t *reached);
 int wfQuadSector(wfVec2 centre, wfRect bounds);   /* the quarter that holds it, or NONE */
+
 /* The row of quadtree.c: its functions trust their input, as those of every row. */
 wfBroadScratchFn wfQuadScratch;
 wfRowIndexSizeFn wfQuadIndexSize;

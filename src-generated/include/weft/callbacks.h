@@ -20,6 +20,7 @@ typedef struct wfContactSettings {
     wfReal  rollingResistance; /* m, >= 0 */
     wfReal  tangentSpeed;      /* m/s */
 } wfContactSettings;
+
 /* Functions of the user's that a step asks; each may be NULL. They must not change the
  * world (WF_ERROR_BUSY if they try) and give the same answer to the same question within a
  * step. */

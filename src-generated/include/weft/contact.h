@@ -60,6 +60,7 @@ typedef struct wfManifoldCache {
     wfReal allowed;         /* m, the greatest d; 0: nothing is remembered */
     int32_t owner, edge;    /* the reference edge; WF_NO_EDGE: only the distance is known */
 } wfManifoldCache;
+
 /* Remembers what a narrow phase found for this pair. */
 void wfRememberManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                         const wfSeparation *s, wfManifoldCache *cache);

@@ -50,7 +50,6 @@ enum { WF_EXACT_BETWEEN = 4 };      /* sweeps before shorter steps are tried */
    the end; turns of joints and contacts. */
 enum { WF_EXACT_SYSTEMS = 8, WF_EXACT_CAREFUL = 40 };
 enum { WF_EXACT_SWEEPS = 64, WF_EXACT_TURNS = 8 };
-
 typedef struct wfExactCount {
     int32_t blocks, fill;       /* pairs of joints that share a body; that were filled in */
     int64_t pairs;              /* pairs of blocks that a factorisation multiplies */

@@ -53,6 +53,7 @@ typedef struct wfImpact {
     wfVec2 point;               /* world, m: halfway between the nearest points at t */
     int32_t steps;              /* distances asked for: 1 to WF_IMPACT_STEPS */
 } wfImpact;
+
 /* The first moment at which two moving shapes touch, by conservative advancement with all
    bounds of wfAdvance.  With eta of eq:impact-noise and `touching` = n of
    eq:impact-strict: TOUCH: the distance at t is between n / 2 - eta and n + eta, and was
@@ -94,6 +95,7 @@ typedef struct wfCast {
    wfTimeOfImpact, and its errors. */
 wfResult wfCastShape(const wfShape *moving, wfTransform placed, wfVec2 by,
                      const wfShape *target, wfTransform placedTarget, wfCast *out);
+
 /* The distance of the centroid from the nearest edge, and the coat, m; NULL: 0. */
 wfReal wfShapeMinExtent(const wfShape *shape);
 /* eq:impact-fast: may this body pass through something in this step?  NULL: no. */
@@ -114,6 +116,7 @@ typedef struct wfStop {
     wfImpact impact;            /* with it; if there is none, all 0 but t */
 } wfStop;
 enum { WF_NO_OBSTACLE = -1 };
+
 /* How far one shape may move among obstacles, at most until `most`; sec:impact-core.  For a
    body of several shapes take the least of their times.  Of equal times the first obstacle
    counts.  WF_ERROR_NULL; _RANGE: most not in [0, 1], count below 0; errors of

@@ -27,6 +27,7 @@ typedef struct wfIslands {
 wfResult wfGatherIslands(int32_t *parent, const uint8_t *moves, int32_t count, wfPool *pool,
                          wfIslands *out);
 size_t wfIslandScratch(int32_t count);
+
 /* Up to which speed (m/s) a body counts as still: reach (m, from its centre to its farthest
  * point), gravity (m/s^2, >= 0: what it feels), wait (s, > 0), share (>= 0: how much of its
  * reach it may go in that time). eq:islands-limit. */

@@ -52,6 +52,7 @@ static inline v2 PerpCCW(v2 A) { return wfPerpCCW(A); }
     _Generic((A), v2: wfNormalize, v3: wfNormalize3, v4: wfNormalize4)(A)
 #define DistanceSq(A, B) \
     _Generic((A), v2: wfDistanceSq, v3: wfDistanceSq3, v4: wfDistanceSq4)((A), (B))
+
 /* C has no operators for vectors: the report's A + B, A - B and s * A. */
 #define Add(A, B)          _Generic((A), v2: wfAdd, v3: wfAdd3, v4: wfAdd4)((A), (B))
 #define Sub(A, B)          _Generic((A), v2: wfSub, v3: wfSub3, v4: wfSub4)((A), (B))
@@ -69,6 +70,7 @@ static inline mat23 wfReportMat23(const real32 *E, size_t Count)
  * six. */
 #define Mat22(...) wfReportMat22(WF_REPORT_NUMBERS(4, 4, __VA_ARGS__))
 #define Mat23(...) wfReportMat23(WF_REPORT_NUMBERS(6, 6, __VA_ARGS__))
+
 static inline mat22 RotationMat22Rad(real32 Angle) { return wfMat22RotationRad(Angle); }
 static inline mat22 RotationMat22Deg(real32 Angle) { return wfMat22RotationDeg(Angle); }
 static inline mat23 RotationMat23Rad(real32 Angle) { return wfMat23RotationRad(Angle); }
