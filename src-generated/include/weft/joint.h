@@ -99,6 +99,7 @@ int wfFindJoint(const char *name);      /* the row of that name, -1 if there is 
 /* All WF_JOINT_ROWS of a joint whose bodies are where sA, sB say; returns as `build`. */
 int32_t wfBuildJoint(const wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB,
                      wfJointRow *rows);
+
 /* The joints of a step as the other laws of wfSolve. */
 typedef struct wfJointSet {
     wfJoint *joints;
@@ -116,7 +117,6 @@ typedef struct wfJointSet {
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
-
     /* Pushes the rows that hold after a kick for t. NULL: as last time. */
     void (*start)(struct wfJointSet *set, const wfSolve *in, const struct wfMoved *moved,
                   wfReal dt, wfReal t);
