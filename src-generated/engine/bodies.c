@@ -459,10 +459,10 @@ static wfResult kick(const char *call, wfWorld *world, wfBodyId id, wfVec2 impul
 
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point)
 {
-    return kick(__func__, world, id, impulse, &point, 0);
+    return kick(WF_CALL, world, id, impulse, &point, 0);
 }
 
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse)
 {
-    return kick(__func__, world, id, wfV2(0, 0), NULL, impulse);
+    return kick(WF_CALL, world, id, wfV2(0, 0), NULL, impulse);
 }

@@ -161,6 +161,7 @@ typedef struct wfContactHit {
 } wfContactHit;
 enum { WF_CONTACT_BEGIN, WF_CONTACT_STAY, WF_CONTACT_END, WF_SENSOR_BEGIN, WF_SENSOR_STAY,
        WF_SENSOR_END, WF_EVENT_KINDS };
+
 /* What happened in the last step that succeeded. (A touch of two that sleep is not told as
  * going on; a sensor's is.) Arrays of the world's own, each sorted by
  * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
@@ -178,6 +179,7 @@ wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out);
 wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
                            wfRayHit *hits, int32_t capacity, int32_t *count);
+
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
