@@ -217,10 +217,10 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     wfSlot *bodySlots = (void *)(base + region[WF_REGION_BODY_SLOTS].offset);
     wfSlotsInit(&head->bodySlots, bodySlots, d.bodyCapacity);
     /* start the empty world */
-    wfSlot *shapeSlots = (void *)(base + region[WF_REGION_SHAPE_SLOTS].offset);
-    wfSlotsInit(&head->shapeSlots, shapeSlots, d.shapeCapacity);
     wfSlot *forceSlots = (void *)(base + region[WF_REGION_FORCE_SLOTS].offset);
     wfSlotsInit(&head->forceSlots, forceSlots, d.forceCapacity);
+    wfSlot *shapeSlots = (void *)(base + region[WF_REGION_SHAPE_SLOTS].offset);
+    wfSlotsInit(&head->shapeSlots, shapeSlots, d.shapeCapacity);
     wfSlot *jointSlots = (void *)(base + region[WF_REGION_JOINT_SLOTS].offset);
     wfSlotsInit(&head->jointSlots, jointSlots, d.jointCapacity);
     *out = world;

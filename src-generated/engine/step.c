@@ -304,13 +304,13 @@ static wfResult commit(struct wfStep *s)
     head->pairCount = s->kept.pairs + s->pairs.count;
     head->contactCount = s->kept.contacts + s->contactCount;
     head->indexStale = 1;
+    head->touchCount = s->kept.touches + s->touchCount;
+    head->hitCount = s->hitCount;
+    memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
     if (head->mostPairs < s->foundPairs) head->mostPairs = s->foundPairs;
     if (head->mostContacts < head->contactCount) head->mostContacts = head->contactCount;
     head->report = s->report;      /* the solver's, sec:world-substeps */
     head->indexStale = !head->queries;
-    head->touchCount = s->kept.touches + s->touchCount;
-    head->hitCount = s->hitCount;
-    memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
     if (head->mostPairs < head->touchCount) head->mostPairs = head->touchCount;
     if (head->mostPairs < head->hitCount) head->mostPairs = head->hitCount;
     head->fastCount = s->fastCount;

@@ -34,6 +34,7 @@ typedef struct wfJointRow {
     wfReal stiffness, damping;  /* SPRING: k and c, N/m and N s/m */
     int32_t plane;              /* 1: `most` is for the vector of this row and the next */
 } wfJointRow;
+
 enum { WF_JOINT_ROWS = 6 };
 enum { WF_JOINT_SPRING = 1, WF_JOINT_MOTOR = 2, WF_JOINT_LIMITS = 4, WF_JOINT_BROKEN = 8 };
 #define WF_JOINT_UNLIMITED WF_R(1e30)    /* N or N m: no bound of a force */

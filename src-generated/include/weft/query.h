@@ -20,6 +20,7 @@ typedef struct wfRayHit {
     wfVec2 point;      /* world, m: on the surface of the shape; (0, 0) if none is met */
     wfVec2 normal;     /* unit, out of the shape; (0, 0): begins inside, or none is met */
 } wfRayHit;
+
 /* The point of a shape that is nearest to a given point. */
 typedef struct wfClosest {
     int32_t shape;     /* which one (0 if only one was asked); WF_NO_SHAPE: none is near */

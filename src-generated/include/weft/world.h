@@ -148,8 +148,8 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
 
 /* Two shapes, and how hard they pressed: the sum of all normal impulses of the step,
- * bounces included, N s; 0 for a sensor and for what has ended. Who bounced off in one step
- * and meets again in a later one has ended one touch and begun another. For a sensor's
+ * bounces included, N s; 0 for a sensor and for what has ended. Two that bounce off in one
+ * step and meet again in a later one have ended one touch and begun another. For a sensor's
  * events a is the sensor. The ids of an end may be stale: the shape was removed. */
 typedef struct wfContactEvent { wfShapeId a, b; wfReal impulse; } wfContactEvent;
 /* Two shapes came together faster than hitThreshold allows, anywhere in the step. */
