@@ -296,7 +296,7 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     if (hit.manifold.count == 0) return false;
     wfMotion ma = at_time(s, c->a, t), mb = at_time(s, c->b, t);
     wfBodyState a = in->state[c->a], b = in->state[c->b];
-    a.p = wfNeg(found[0].rA), b.p = wfNeg(found[0].rB);     /* the first point is the origin */
+    a.p = wfNeg(found[0].rA), b.p = wfNeg(found[0].rB);   /* point 0: the origin */
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;
     wfTold *told = in->told == NULL ? NULL : &in->told[at];
     if (!wfBounce(&a, &b, &hit, in->restingSpeed, told)) return false;
