@@ -116,7 +116,6 @@ typedef struct Cast {
     wfResult result;
 } Cast;
 
-/* ask one shape of a set */
 static const wfRayHit no_hit = { .shape = WF_NO_SHAPE, .fraction = 1 };
 
 static wfResult ask_shape(const Cast *c, int32_t i, wfRayHit *hit)
@@ -283,8 +282,7 @@ static wfResult run_overlap(Overlap *q, int32_t *count)
     if (result != WF_OK) return result;
     if (!count || (q->keep.capacity > 0 && !q->keep.shapes)) return WF_ERROR_NULL;
     if (q->keep.capacity < 0) return WF_ERROR_RANGE;
-    /* make the area larger by eq:queries-room */
-    wfRect area = q->area;
+    wfRect area = q->area;                                          /* eq:queries-room */
     area.min = wfSub(area.min, room_for(area.min, wfV2(0, 0)));
     area.max = wfAdd(area.max, room_for(area.max, wfV2(0, 0)));
     result = wfQueryIndex(q->set->method, &q->set->proxies, q->set->index, area,

@@ -537,7 +537,6 @@ void wfLookAhead(const wfJoint *j, wfReal h, const wfJointPair *p, wfJointRow *r
     wfJointTable[j->kind].build(j, &at, rows);
 }
 
-/* see whether a rod has turned */
 bool wfHasTurned(const wfJointRow *r, const wfJointRow *then)
 {
     return wfDot(r->jB, then->jB) < wfLengthSq(r->jB) / 2;          /* eq:joints-swung */
@@ -588,13 +587,12 @@ static void aim_stops(wfJoint *j, wfJointWork *w, wfReal h, wfReal t, wfGiving g
                       const wfJointPair *p)
 {
     wfJointRow then[WF_JOINT_ROWS];
-    /* aim the limits */
     for (int i = 0; i < w->rows; i++) {
         if (w->row[i].law != WF_ROW_LIMIT) continue;
         wfLookAhead(j, h, p, then);
         wfReal over = wfMinR(w->row[i].error, 0);
-        wfReal lack = (then[i].error - give.keep * over) / h;           /* eq:joints-newton */
-        if (lack < 0 && wfHasTurned(&w->row[i], &then[i]))      /* sec:joints-short */
+        wfReal lack = (then[i].error - give.keep * over) / h;       /* eq:joints-newton */
+        if (lack < 0 && wfHasTurned(&w->row[i], &then[i]))  /* sec:joints-short */
             lack = wfRateOf(&w->row[i], p->a, p->b);
         w->struck = w->struck || (lack < 0 && is_fast(p, h));
         bool ahead = w->row[i].error > 0;

@@ -124,7 +124,6 @@ static wfResult check_step(const wfJointStep *in)
     if (in->h <= 0 || in->substeps < 1 || in->passes < 1) return WF_ERROR_RANGE;
     if (in->period < 0 || in->damping < 0) return WF_ERROR_RANGE;
     wfResult result = WF_OK;
-    /* check bodies, forces and joints */
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         if (!wfBodyIsFinite(&in->state[i])) result = WF_ERROR_NOT_FINITE;
     for (int32_t i = 0; in->forces != NULL && i < in->bodyCount && result == WF_OK; i++)

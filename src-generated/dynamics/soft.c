@@ -284,7 +284,6 @@ wfResult wfSoftStep(const wfSolve *in)
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         aside[i] = (wfMoved){ .turn = 0 };
     Softness soft = softness_of(in, s.dt);
-    /* make the substeps */
     for (int32_t k = 0; k < in->substeps && result == WF_OK; k++) {
         wfKick(&s, k == 0 ? s.dt / 2 : s.dt, s.kick);
         wfBounceAll(&s);

@@ -50,27 +50,6 @@ wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filt
     return wfSetCastRayAll(&set, ray, filter, hits, capacity, count);
 }
 
-wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
-                          wfVec2 by, const wfFilter *filter, wfRayHit *out)
-{
-    wfBlock b;
-    wfShapeSet set;
-    wfResult result = open_probe(world, shape, &b, &set);
-    if (result != WF_OK) return result;
-    return wfSetCastShape(&set, shape, placed, by, filter, out);
-}
-
-wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
-                             wfTransform placed, wfVec2 by, const wfFilter *filter,
-                             wfRayHit *hits, int32_t capacity, int32_t *count)
-{
-    wfBlock b;
-    wfShapeSet set;
-    wfResult result = open_probe(world, shape, &b, &set);
-    if (result != WF_OK) return result;
-    return wfSetCastShapeAll(&set, shape, placed, by, filter, hits, capacity, count);
-}
-
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count)
@@ -100,6 +79,27 @@ wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter 
     wfResult result = open_set(world, &b, &set);
     if (result != WF_OK) return result;
     return wfSetOverlapPoint(&set, point, filter, shapes, capacity, count);
+}
+
+wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
+                          wfVec2 by, const wfFilter *filter, wfRayHit *out)
+{
+    wfBlock b;
+    wfShapeSet set;
+    wfResult result = open_probe(world, shape, &b, &set);
+    if (result != WF_OK) return result;
+    return wfSetCastShape(&set, shape, placed, by, filter, out);
+}
+
+wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
+                             wfTransform placed, wfVec2 by, const wfFilter *filter,
+                             wfRayHit *hits, int32_t capacity, int32_t *count)
+{
+    wfBlock b;
+    wfShapeSet set;
+    wfResult result = open_probe(world, shape, &b, &set);
+    if (result != WF_OK) return result;
+    return wfSetCastShapeAll(&set, shape, placed, by, filter, hits, capacity, count);
 }
 
 wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,

@@ -169,13 +169,12 @@ wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient
     return WF_OK;
 }
 
-/* is a chunk good enough */
+/* create a world */
 static bool holds(const void *chunk, size_t size, size_t need)
 {
     return (uintptr_t)chunk % WF_POOL_ALIGN == 0 && size >= need;
 }
 
-/* create a world */
 wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out)
 {
     bool none = given->permanent == NULL && given->transient == NULL
@@ -212,16 +211,16 @@ wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out)
     if (result != WF_OK && out != NULL) wfNoteWorld(out, def, result);
     if (result != WF_OK) return result;
     if (!world.memory.owned) memset(world.memory.permanent, 0, size[0]);
-    /* start the empty world */
     uint8_t *base = world.memory.permanent;
     wfHeader *head = world.memory.permanent;
     write_header(&d, region, size, head);
     wfSlot *bodySlots = (void *)(base + region[WF_REGION_BODY_SLOTS].offset);
     wfSlotsInit(&head->bodySlots, bodySlots, d.bodyCapacity);
-    wfSlot *shapeSlots = (void *)(base + region[WF_REGION_SHAPE_SLOTS].offset);
-    wfSlotsInit(&head->shapeSlots, shapeSlots, d.shapeCapacity);
+    /* start the empty world */
     wfSlot *forceSlots = (void *)(base + region[WF_REGION_FORCE_SLOTS].offset);
     wfSlotsInit(&head->forceSlots, forceSlots, d.forceCapacity);
+    wfSlot *shapeSlots = (void *)(base + region[WF_REGION_SHAPE_SLOTS].offset);
+    wfSlotsInit(&head->shapeSlots, shapeSlots, d.shapeCapacity);
     wfSlot *jointSlots = (void *)(base + region[WF_REGION_JOINT_SLOTS].offset);
     wfSlotsInit(&head->jointSlots, jointSlots, d.jointCapacity);
     *out = world;

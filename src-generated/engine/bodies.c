@@ -172,11 +172,6 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
 }
 
 /* tell about a body */
-static wfVec2 origin_of(const wfBodyState *s, const wfBodyProps *p)
-{
-    return wfApply(wfBodyTransform(s), wfNeg(p->localCentre));  /* eq:world-origin */
-}
-
 wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
 {
     wfBlock b;
@@ -190,7 +185,7 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out)
         .gravityScale = p->gravityScale,
         .userData = p->userData };
     /* tell the rest about the body */
-    out->position = origin_of(s, p);
+    out->position = wfApply(wfBodyTransform(s), wfNeg(p->localCentre)); /* eq:world-origin */
     out->angle = s->angle;
     out->angularVelocity = s->w;
     out->inertia = p->inertia;
@@ -459,10 +454,10 @@ static wfResult kick(const char *call, wfWorld *world, wfBodyId id, wfVec2 impul
 
 wfResult wfApplyImpulseToBody(wfWorld *world, wfBodyId id, wfVec2 impulse, wfVec2 point)
 {
-    return kick(__func__, world, id, impulse, &point, 0);
+    return kick(WF_CALL, world, id, impulse, &point, 0);
 }
 
 wfResult wfApplyAngularImpulseToBody(wfWorld *world, wfBodyId id, wfReal impulse)
 {
-    return kick(__func__, world, id, wfV2(0, 0), NULL, impulse);
+    return kick(WF_CALL, world, id, wfV2(0, 0), NULL, impulse);
 }

@@ -7,12 +7,14 @@
 /* disturb a body */
 void wfClearPlace(wfBlock *b, int32_t of, const void *slots, int32_t i)
 {
-#define WF_KEPT(NAME, pointer, name, per, type, modules, stage, rule) \
-    if (per == of && (const void *)b->pointer != slots \
-        && ((modules) == 0 || wfHas(b->head, modules))) \
-        memset(&b->pointer[i], 0, sizeof(type));
-#define WF_FRESH(NAME, name, per, type, modules, stage)
-#include "engine/array_rows.h"
+    const wfHeader *h = b->head;
+    for (int k = 0; k < WF_REGION_KEPT; k++) {
+        const wfRegionRow *r = &wfRegionTable[k];
+        uint8_t *array = (uint8_t *)b->head + h->offset[k];
+        uint64_t end = k + 1 < WF_REGION_KEPT ? h->offset[k + 1] : h->bytes;
+        if (r->per == of && array != slots && end > h->offset[k])
+            memset(array + (size_t)i * r->each, 0, r->each);
+    }
 }
 
 void wfBodyChanged(wfBlock *b, int32_t i)

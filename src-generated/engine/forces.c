@@ -67,7 +67,7 @@ wfResult wfRemoveForceFromWorld(wfWorld *world, wfForceId id)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_force(__func__, world, id, &b, &i);
+    wfResult result = change_force(WF_CALL, world, id, &b, &i);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
     wfClearPlace(&b, WF_PER_FORCE, b.forceSlots, i);
@@ -88,7 +88,7 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_force(__func__, world, id, &b, &i);
+    wfResult result = change_force(WF_CALL, world, id, &b, &i);
     if (result == WF_OK) result = check_world_force(&b, force);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, b.forces[i].a, b.forces[i].b);
@@ -138,7 +138,7 @@ wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point)
 {
     wfBlock b;
     int32_t i;
-    wfResult result = change_force(__func__, world, hand, &b, &i);
+    wfResult result = change_force(WF_CALL, world, hand, &b, &i);
     if (result != WF_OK) return result;
     wfForce f = b.forces[i];
     if (f.kind != wfFindForce("hand"))

@@ -87,6 +87,5 @@ wfShapeView wfShapesOf(const wfBlock *b)
 {
     return (wfShapeView){ .count = b->head->shapeSlots.high, .shapes = b->shapes,
                           .bodyOfShape = b->bodyOfShape, .next = b->next,
-                              .filters = b->filters,
-                          .props = b->materials };
+                          .filters = b->filters, .props = b->materials };
 }

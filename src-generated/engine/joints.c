@@ -101,7 +101,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id)
     wfBlock b;
     wfJoints j;
     int32_t i;
-    wfResult result = change_joint(__func__, world, id, &b, &j, &i);
+    wfResult result = change_joint(WF_CALL, world, id, &b, &j, &i);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, j.joints[i].a, j.joints[i].b);
     memset(&j.joints[i], 0, sizeof j.joints[i]);
@@ -123,7 +123,7 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
     wfBlock b;
     wfJoints j;
     int32_t i;
-    wfResult result = change_joint(__func__, world, id, &b, &j, &i);
+    wfResult result = change_joint(WF_CALL, world, id, &b, &j, &i);
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
     wfEndsChanged(&b, j.joints[i].a, j.joints[i].b);

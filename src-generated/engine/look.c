@@ -12,23 +12,6 @@ wfBodyView wfWorldBodies(const wfWorld *world)
     return wfViewOf(&b, b.state);
 }
 
-
-const wfPair *wfWorldPairs(const wfWorld *world, int32_t *count)
-{
-    wfBlock b;
-    bool open = wfOpenBlock(world, &b) == WF_OK;
-    if (count != NULL) *count = open ? b.head->pairCount : 0;
-    return open ? b.pairs : NULL;
-}
-
-const wfContact *wfWorldContacts(const wfWorld *world, int32_t *count)
-{
-    wfBlock b;
-    bool open = wfOpenBlock(world, &b) == WF_OK;
-    if (count != NULL) *count = open ? b.head->contactCount : 0;
-    return open ? b.contacts : NULL;
-}
-
 int32_t wfBodyCount(const wfWorld *world)
 {
     wfBlock b;
@@ -45,6 +28,22 @@ uint64_t wfWorldSteps(const wfWorld *world)
 {
     wfBlock b;
     return wfOpenBlock(world, &b) == WF_OK ? b.head->steps : 0;
+}
+
+const wfPair *wfWorldPairs(const wfWorld *world, int32_t *count)
+{
+    wfBlock b;
+    bool open = wfOpenBlock(world, &b) == WF_OK;
+    if (count != NULL) *count = open ? b.head->pairCount : 0;
+    return open ? b.pairs : NULL;
+}
+
+const wfContact *wfWorldContacts(const wfWorld *world, int32_t *count)
+{
+    wfBlock b;
+    bool open = wfOpenBlock(world, &b) == WF_OK;
+    if (count != NULL) *count = open ? b.head->contactCount : 0;
+    return open ? b.contacts : NULL;
 }
 
 wfResult wfWorldProxies(const wfWorld *world, wfProxies *out)

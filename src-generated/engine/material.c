@@ -36,7 +36,6 @@ wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
         if (is_pair(b, at, one->material, two->material)) return b->known[at].m;
     }
     wfPairMaterial m = { .friction = 0 };
-    /* mix the friction of two shapes */
     if (wfHas(h, WF_MODULE_FRICTION)) {
         wfReal holdsOne = wfMaxR(one->staticFriction, one->friction);
         wfReal holdsTwo = wfMaxR(two->staticFriction, two->friction);
@@ -80,7 +79,6 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     int32_t at = place_of_pair(&block, a, b), *count = &block.head->knownPairs;
     bool there = is_pair(&block, at, a, b);
     size_t behind = (size_t)(*count - at) * sizeof *known;
-    /* forget the pair, if nothing is to be known of it */
     if (m == NULL && there) {
         memmove(&known[at], &known[at + 1], behind - sizeof *known);
         memset(&known[--*count], 0, sizeof *known);

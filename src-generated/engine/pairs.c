@@ -41,10 +41,10 @@ static wfResult bound_shapes(struct wfStep *s, int32_t begin, int32_t end, bool 
             s->paces[k] = (wfPace){ s->state[i].v, 0, 0 };
             continue;
         }
-        /* find the box of a shape that takes part */
         s->flags[k] = wfFlagShape(&s->b, s->state, k);
         s->bounds[k] = wfBoundOne(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
-        wfReal more = i >= 0 && wfSolverIntegrates(s) ? wfSpeculativeMargin(s, k, followed) : 0;
+        bool ahead = i >= 0 && wfSolverIntegrates(s);
+        wfReal more = ahead ? wfSpeculativeMargin(s, k, followed) : 0;
         s->bounds[k].min = wfSub(s->bounds[k].min, wfV2(more, more));
         s->bounds[k].max = wfAdd(s->bounds[k].max, wfV2(more, more));
         if (!wfIsFinite2(s->bounds[k].min) || !wfIsFinite2(s->bounds[k].max))
@@ -129,7 +129,6 @@ static wfResult find_pairs(struct wfStep *s)
     bool meets = wfHas(head, WF_MODULE_CONTACTS);
     if (bytes == 0 && !meets) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
-    /* bring a copy of the index up to date */
     s->index = wfTransient(&s->b, WF_REGION_NEW_INDEX);
     wfCopyIndex(head->broadPhase, s->index, s->b.index, bytes, s->shapeCount, false);
     wfResult result = wfUpdateIndex(head->broadPhase, &proxies, s->index, bytes,

@@ -332,7 +332,6 @@ static wfResult add_shapes(const char *call, wfWorld *world, wfBodyId body, bool
     }
     if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result == WF_OK && count > wfFreeShapes(&b)) result = wfRefuseShapes(&b, count);
-    /* plan the body with the new shapes */
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
     state = b.state[i];
     props = b.props[i];
@@ -351,13 +350,13 @@ static wfResult add_shapes(const char *call, wfWorld *world, wfBodyId body, bool
 wfResult wfAddShapesToBody(wfWorld *world, wfBodyId body, const wfShapeDef *defs,
                            int32_t count, wfShapeId *out)
 {
-    return add_shapes(__func__, world, body, true, defs, count, out);
+    return add_shapes(WF_CALL, world, body, true, defs, count, out);
 }
 
 wfResult wfAddShapeToBody(wfWorld *world, wfBodyId body, const wfShapeDef *def,
                           wfShapeId *out)
 {
-    return add_shapes(__func__, world, body, false, def, 1, out);
+    return add_shapes(WF_CALL, world, body, false, def, 1, out);
 }
 
 wfResult wfRemoveShapeFromWorld(wfWorld *world, wfShapeId id)
@@ -395,7 +394,6 @@ wfResult wfSetShape(wfWorld *world, wfShapeId id, const wfShapeDef *def)
     bool reshaped = !same_geometry(&old.shape, &def->shape);
     bool reweighed = old.density != def->density || old.sensor != def->sensor;
     if (reshaped || reweighed) {
-        /* plan the body with the new shape in place of the old */
         bodyPlan plan = { .b = &b, .body = b.bodyOfShape[k], .without = k, .more = def,
                           .count = 1 };
         state = b.state[plan.body];
@@ -464,8 +462,6 @@ int32_t wfShapeCount(const wfWorld *world)
     wfBlock b;
     return wfOpenBlock(world, &b) == WF_OK ? b.head->shapeSlots.count : 0;
 }
-
-
 wfShapeView wfWorldShapes(const wfWorld *world)
 {
     wfBlock b;

@@ -415,7 +415,7 @@ wfResult wfWakeBody(wfWorld *world, wfBodyId id)
     wfBlock b;
     wfRest r;
     int32_t i;
-    wfResult result = change_rest(__func__, world, id, &b, &r, &i);
+    wfResult result = change_rest(WF_CALL, world, id, &b, &r, &i);
     if (result == WF_OK) wfWakeIsland(&b, i);
     return result;
 }
@@ -425,7 +425,7 @@ wfResult wfSetBodyAsleep(wfWorld *world, wfBodyId id)
     wfBlock b;
     wfRest r;
     int32_t i;
-    wfResult result = change_rest(__func__, world, id, &b, &r, &i);
+    wfResult result = change_rest(WF_CALL, world, id, &b, &r, &i);
     if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_SLEEP);
     if (result != WF_OK) return result;
     bool may = b.head->sleep && b.props[i].type == WF_DYNAMIC;
@@ -441,7 +441,7 @@ wfResult wfDisableBodySleep(wfWorld *world, wfBodyId id, int32_t never)
     wfBlock b;
     wfRest r;
     int32_t i;
-    wfResult result = change_rest(__func__, world, id, &b, &r, &i);
+    wfResult result = change_rest(WF_CALL, world, id, &b, &r, &i);
     if (result != WF_OK) return result;
     if (never != 0 && never != 1)
         return wfRefuse(&b, WF_ERROR_RANGE, "never", "must be 0 or 1");

@@ -304,13 +304,13 @@ static wfResult commit(struct wfStep *s)
     head->pairCount = s->kept.pairs + s->pairs.count;
     head->contactCount = s->kept.contacts + s->contactCount;
     head->indexStale = 1;
+    head->touchCount = s->kept.touches + s->touchCount;
+    head->hitCount = s->hitCount;
+    memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
     if (head->mostPairs < s->foundPairs) head->mostPairs = s->foundPairs;
     if (head->mostContacts < head->contactCount) head->mostContacts = head->contactCount;
     head->report = s->report;      /* the solver's, sec:world-substeps */
     head->indexStale = !head->queries;
-    head->touchCount = s->kept.touches + s->touchCount;
-    head->hitCount = s->hitCount;
-    memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
     if (head->mostPairs < head->touchCount) head->mostPairs = head->touchCount;
     if (head->mostPairs < head->hitCount) head->mostPairs = head->hitCount;
     head->fastCount = s->fastCount;
@@ -325,30 +325,19 @@ static wfResult commit(struct wfStep *s)
 /* the table of stages */
 const wfStageRow wfStageTable[] = {
     { "copy", "copy the states, so that a step that fails has changed nothing",
-      copy_states,
-      0, 0 },
-    { "forces", "list gravity and the registered forces that act",
-      list_forces,
-      0, 0 },
+      copy_states, 0, 0 },
+    { "forces", "list gravity and the registered forces that act", list_forces, 0, 0 },
     { "damp", "damp the velocities over the first half of the step",
-      damp_half,
-      WF_MODULE_DAMPING, 0 },
-    { "integrate", "let the forces act: new velocities, new places",
-      integrate,
-      0, 0 },
+      damp_half, WF_MODULE_DAMPING, 0 },
+    { "integrate", "let the forces act: new velocities, new places", integrate, 0, 0 },
     { "damp again", "damp the velocities over the second half",
-      damp_again,
-      WF_MODULE_DAMPING, 0 },
-    { "check", "stop here if a number has overflowed",
-      check_states,
-      0, 0 },
+      damp_again, WF_MODULE_DAMPING, 0 },
+    { "check", "stop here if a number has overflowed", check_states, 0, 0 },
     { "bounds", "put an upright box round every shape",
-      wfBoundShapes,
-      0, WF_MODULE_CONTACTS | WF_MODULE_QUERIES },
-    /* stages that find pairs */
+      wfBoundShapes, 0, WF_MODULE_CONTACTS | WF_MODULE_QUERIES },
     { "broad phase", "find the pairs whose boxes overlap",
-      wfFindNewPairs,
-      0, WF_MODULE_CONTACTS | WF_MODULE_QUERIES },
+      wfFindNewPairs, 0, WF_MODULE_CONTACTS | WF_MODULE_QUERIES },
+    /* stages that find pairs */
     { "joined pairs", "bodies that are joined do not collide",
       wfLeaveOutJoined,
       WF_MODULE_JOINTS | WF_MODULE_CONTACTS, 0 },
@@ -362,15 +351,12 @@ const wfStageRow wfStageTable[] = {
       wfPlaceSleeping,
       WF_MODULE_SLEEP, 0 },
     { "narrow phase", "find the pairs that touch, and where",
-      wfFindContacts,
-      WF_MODULE_CONTACTS, 0 },
-    /* stages that mend */
+      wfFindContacts, WF_MODULE_CONTACTS, 0 },
     { "velocities", "make touching bodies part",
-      solve_velocities,
-      0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
+      solve_velocities, 0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
     { "positions", "take overlaps away",
-      solve_positions,
-      0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
+      solve_positions, 0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
+    /* stages that mend */
     { "loads", "see what the joints bore, and which of them broke",
       wfBreakJoints,
       WF_MODULE_JOINTS, 0 },
@@ -381,24 +367,15 @@ const wfStageRow wfStageTable[] = {
       wfTellImpactEvents,
       WF_MODULE_FAST, 0 },
     { "check again", "stop here if a number has overflowed",
-      check_states,
-      0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
-    { "touches", "remember who touches whom",
-      wfKeepTouches,
-      WF_MODULE_CONTACTS, 0 },
-    { "events", "say what began, goes on and ended",
-      wfTellEvents,
-      WF_MODULE_EVENTS, 0 },
+      check_states, 0, WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS },
+    { "touches", "remember who touches whom", wfKeepTouches, WF_MODULE_CONTACTS, 0 },
+    { "events", "say what began, goes on and ended", wfTellEvents, WF_MODULE_EVENTS, 0 },
     /* stages before the end */
-    { "index", "prepare the answers to queries",
-      wfPrepareIndex,
-      0, WF_MODULE_QUERIES },
+    { "index", "prepare the answers to queries", wfPrepareIndex, 0, WF_MODULE_QUERIES },
     { "islands", "let islands that rest fall asleep",
       wfFindIslands,
       WF_MODULE_SLEEP, 0 },
-    { "commit", "what is new becomes the world",
-      commit,
-      0, 0 },
+    { "commit", "what is new becomes the world", commit, 0, 0 },
     { "keep joints", "the new joints become the world's",
       wfKeepJoints,
       WF_MODULE_JOINTS, 0 },

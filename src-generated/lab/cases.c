@@ -316,27 +316,28 @@ static double in_both(const Overlap *o, double x, double y)
     return larger(outside(&o->s[0], o->x[0], p), outside(&o->s[1], o->x[1], p));
 }
 
-static double deepest_at(const Overlap *o, double x)
+typedef double Depth(const Overlap *o, double x, double y);
+
+/* The least of a convex function of its second number; the first one stays. */
+static double lowest(const Overlap *o, Depth *of, double x)
 {
     double low = -2, high = 2;
     for (int i = 0; i < 36; i++) {
         double third = (high - low) / 3;
-        if (in_both(o, x, low + third) < in_both(o, x, high - third)) high -= third;
+        if (of(o, x, low + third) < of(o, x, high - third)) high -= third;
         else low += third;
     }
-    return in_both(o, x, (low + high) / 2);
+    return of(o, x, (low + high) / 2);
 }
 
-static double deepest(const Overlap *o)                     /* eq:cases-deepest */
+static double deepest_at(const Overlap *o, double none, double x)
 {
-    double low = -2, high = 2;
-    for (int i = 0; i < 36; i++) {
-        double third = (high - low) / 3;
-        if (deepest_at(o, low + third) < deepest_at(o, high - third)) high -= third;
-        else low += third;
-    }
-    return deepest_at(o, (low + high) / 2);
+    (void)none;
+    return lowest(o, in_both, x);
 }
+
+/* eq:cases-deepest */
+static double deepest(const Overlap *o) { return lowest(o, deepest_at, 0); }
 
 /* By how much the colour is wrong: how deep two white bodies overlap, how far apart two
    red ones are. */

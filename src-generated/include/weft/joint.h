@@ -34,6 +34,7 @@ typedef struct wfJointRow {
     wfReal stiffness, damping;  /* SPRING: k and c, N/m and N s/m */
     int32_t plane;              /* 1: `most` is for the vector of this row and the next */
 } wfJointRow;
+
 enum { WF_JOINT_ROWS = 6 };
 enum { WF_JOINT_SPRING = 1, WF_JOINT_MOTOR = 2, WF_JOINT_LIMITS = 4, WF_JOINT_BROKEN = 8 };
 #define WF_JOINT_UNLIMITED WF_R(1e30)    /* N or N m: no bound of a force */
@@ -99,6 +100,7 @@ int wfFindJoint(const char *name);      /* the row of that name, -1 if there is 
 /* All WF_JOINT_ROWS of a joint whose bodies are where sA, sB say; returns as `build`. */
 int32_t wfBuildJoint(const wfJoint *joint, const wfBodyState *sA, const wfBodyState *sB,
                      wfJointRow *rows);
+
 /* The joints of a step as the other laws of wfSolve. */
 typedef struct wfJointSet {
     wfJoint *joints;
@@ -116,7 +118,6 @@ typedef struct wfJointSet {
     int32_t bodies;
     wfReal last;                /* s: what the impulses are for */
     bool built;                 /* the rows are those of where the bodies are */
-
     /* Pushes the rows that hold after a kick for t. NULL: as last time. */
     void (*start)(struct wfJointSet *set, const wfSolve *in, const struct wfMoved *moved,
                   wfReal dt, wfReal t);

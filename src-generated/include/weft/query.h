@@ -20,6 +20,7 @@ typedef struct wfRayHit {
     wfVec2 point;      /* world, m: on the surface of the shape; (0, 0) if none is met */
     wfVec2 normal;     /* unit, out of the shape; (0, 0): begins inside, or none is met */
 } wfRayHit;
+
 /* The point of a shape that is nearest to a given point. */
 typedef struct wfClosest {
     int32_t shape;     /* which one (0 if only one was asked); WF_NO_SHAPE: none is near */
@@ -64,6 +65,7 @@ typedef struct wfShapeSet {
     const void *index;
     wfQueryWork *work;            /* or NULL */
 } wfShapeSet;
+
 /* All of them: only live proxies are asked, and only those whose filter and the query's
    allow each other (wfFilterAllows; filter NULL: all).  The answers do not depend on the
    method.  WF_ERROR_NULL, _UNKNOWN (method or kind), _NOT_FINITE, _RANGE (a count, capacity
@@ -77,13 +79,6 @@ wfResult wfSetCastRay(const wfShapeSet *set, wfRay ray, const wfFilter *filter,
    If that is more than the capacity, the array holds the first `capacity` of them. */
 wfResult wfSetCastRayAll(const wfShapeSet *set, wfRay ray, const wfFilter *filter,
                          wfRayHit *hits, int32_t capacity, int32_t *count);
-
-/* The same for a shape that is moved by `by` (m) without turning: wfCastShape. */
-wfResult wfSetCastShape(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
-                        wfVec2 by, const wfFilter *filter, wfRayHit *out);
-wfResult wfSetCastShapeAll(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
-                           wfVec2 by, const wfFilter *filter, wfRayHit *hits,
-                           int32_t capacity, int32_t *count);
 /* The shapes that overlap a shape, an upright rectangle, or a point, sorted.  *count as for
    wfSetCastRayAll: there may be more than the array holds. */
 wfResult wfSetOverlap(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
@@ -93,6 +88,13 @@ wfResult wfSetOverlapArea(const wfShapeSet *set, wfRect area, const wfFilter *fi
                           int32_t *shapes, int32_t capacity, int32_t *count);
 wfResult wfSetOverlapPoint(const wfShapeSet *set, wfVec2 point, const wfFilter *filter,
                            int32_t *shapes, int32_t capacity, int32_t *count);
+/* Casts of a shape that is moved by `by` (m) without turning: wfCastShape. */
+wfResult wfSetCastShape(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
+                        wfVec2 by, const wfFilter *filter, wfRayHit *out);
+wfResult wfSetCastShapeAll(const wfShapeSet *set, const wfShape *shape, wfTransform placed,
+                           wfVec2 by, const wfFilter *filter, wfRayHit *hits,
+                           int32_t capacity, int32_t *count);
+
 /* The shape nearest to a point, no farther than `within` (m, >= 0); of equally near ones
    the lowest. */
 wfResult wfSetClosest(const wfShapeSet *set, wfVec2 point, wfReal within,

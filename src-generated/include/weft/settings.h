@@ -28,6 +28,7 @@ typedef struct wfSetting {
     uint32_t    modules;       /* means something if one of these is met; 0: always */
     const char *text;
 } wfSetting;
+
 extern const wfSetting wfSettingTable[];
 extern const int wfSettingCount;
 /* The row of that name, NULL if there is none. */

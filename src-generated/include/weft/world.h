@@ -148,8 +148,8 @@ wfResult wfSetForce(wfWorld *world, wfForceId id, const wfForce *force);
 int32_t wfForceCount(const wfWorld *world);
 
 /* Two shapes, and how hard they pressed: the sum of all normal impulses of the step,
- * bounces included, N s; 0 for a sensor and for what has ended. Who bounced off in one step
- * and meets again in a later one has ended one touch and begun another. For a sensor's
+ * bounces included, N s; 0 for a sensor and for what has ended. Two that bounce off in one
+ * step and meet again in a later one have ended one touch and begun another. For a sensor's
  * events a is the sensor. The ids of an end may be stale: the shape was removed. */
 typedef struct wfContactEvent { wfShapeId a, b; wfReal impulse; } wfContactEvent;
 /* Two shapes came together faster than hitThreshold allows, anywhere in the step. */
@@ -161,6 +161,7 @@ typedef struct wfContactHit {
 } wfContactHit;
 enum { WF_CONTACT_BEGIN, WF_CONTACT_STAY, WF_CONTACT_END, WF_SENSOR_BEGIN, WF_SENSOR_STAY,
        WF_SENSOR_END, WF_EVENT_KINDS };
+
 /* What happened in the last step that succeeded. (A touch of two that sleep is not told as
  * going on; a sensor's is.) Arrays of the world's own, each sorted by
  * the indices of a and b (of a sensor's pair: the lower one first): valid until the next
@@ -178,6 +179,7 @@ wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out);
 wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
                            wfRayHit *hits, int32_t capacity, int32_t *count);
+
 wfResult wfWorldOverlap(const wfWorld *world, const wfShape *shape, wfTransform placed,
                         const wfFilter *filter, int32_t *shapes, int32_t capacity,
                         int32_t *count);
