@@ -111,7 +111,6 @@ static void chain_course(int n, double rod, int fine, labCourse out)
 static void pendulum_course(int fine, labCourse out) { chain_course(1, 1, fine, out); }
 static void double_course(int fine, labCourse out) { chain_course(2, 0.5, fine, out); }
 static void ten_course(int fine, labCourse out) { chain_course(10, 0.125, fine, out); }
-
 /* A body whose place is a formula of the time. */
 static void formula_course(void (*place)(double t, double at[2]), labCourse out)
 {
@@ -256,7 +255,6 @@ static wfResult build_stack(wfWorld *world)
 }
 
 static wfResult build_cards(wfWorld *world) { return wfBuildCardHouse(world, 3, 0, 1); }
-
 static wfResult build_pile(wfWorld *world)
 {
     wfResult result = level_floor(world);
@@ -485,7 +483,8 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
 
-/* With these dials, or with settings that were chosen. */
+/* With these dials, or with settings that were chosen.
+   Dials and chosen settings end in one function, so that they differ in nothing else. */
 static labResult run_set(const labTruth *scene, const char *solver, const char *joints,
                          const labDials *dials, const wfAccuracy *chosen)
 {

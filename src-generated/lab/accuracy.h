@@ -41,7 +41,9 @@ typedef struct labResult {
     double depth, gap;             /* greatest, as shares of the size */
     double seconds;                /* of processor time, for all frames */
 } labResult;
-/* A new world with the scene, for that solver, and with fine sums if it keeps them. */
+
+/* A new world with the scene, for that solver, and with fine sums if it keeps them.
+   In shares of a scene's own size: a chain and a drop can stand in one table. */
 wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joints,
                       wfWorld *out);
 /* Runs a second of it with these dials. */
@@ -51,6 +53,7 @@ labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen);
 /* The error of a course that somebody else has computed; reach: of the largest body. */
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
+
 /* By how much the pile of steps and of half as long ones are apart, moment by moment. */
 int labPileApart(FILE *out);
 /* By how much a double pendulum is off, s after s, by steps of a frame. */

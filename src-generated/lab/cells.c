@@ -385,7 +385,8 @@ static const struct { const char *name, *adapter, *options; } extreme_engines[] 
 };
 enum { EXTREME_ENGINES = sizeof extreme_engines / sizeof *extreme_engines };
 
-/* plays a scene; the exit status, -1 if there is none to be read */
+/* plays a scene; the exit status, -1 if there is none to be read;
+   ulimit: what hangs cannot watch its clock; system() would return the shell's status */
 static int play_extreme(const char *scene, int engine, const labScene *s, int fast)
 {
     const char *folder = getenv("WEFT_PEERS"), *limit = getenv("WEFT_LIMIT");

@@ -9,6 +9,8 @@
 #include "lab/loads.h"
 #include "dynamics/colour.h"
 #include "lab/bench.h"
+
+/* the median of the step, but means of the stages: means may be added up */
 enum { PERF_BEFORE = 300, PERF_RUNS = 201, PERF_STAGES = 64 };
 
 typedef struct PerfTimes {
@@ -37,6 +39,8 @@ static int compare_doubles(const void *a, const void *b)
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
+
+/* the steps before run the same code, so that it and its memory are warm */
 static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
                           PerfTimes *out)
 {
@@ -153,6 +157,7 @@ static int one_colouring(FILE *out, int32_t colours, int32_t passes)
     wfDestroyWorld(&world);
     return result != WF_OK;
 }
+
 static int measure_performance_colours(FILE *out)
 {
     fprintf(out, "order,passes,colours,top,fastest\n");
@@ -194,6 +199,7 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
     wfDestroyWorld(&world);
     return result;
 }
+
 static int measure_performance_followed(FILE *out)
 {
     static const char *const names[] = { "tumbler", "compounds" };
@@ -217,6 +223,7 @@ static int32_t lost_in(const labSteered *s, const wfWorld *world)
         if (state[i].invMass > 0 && s->lost(state[i].p)) lost++;
     return lost;
 }
+
 static int measure_performance_steered(FILE *out)
 {
     fprintf(out, "scene,bodies,steps,pairs,lost,weft\n");
@@ -301,6 +308,7 @@ static double copy_states(int32_t n)
     free(from);
     return 1e9 * least / n;
 }
+
 static double fly_freely(int32_t n, uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -565,6 +573,7 @@ static double exponent_of(const double *n, const double *t, int32_t count)
     }
     return xy / xx;
 }
+
 static int measure_performance_bullets(FILE *out)
 {
     enum { SIZES = 4, STEPS = 40 };

@@ -252,6 +252,7 @@ static bool drift_hang(wfWorld *world, int32_t i)
     return wfDefineJoint(world, "revolute", a, b, at, at, wfV2(1, 0), &j) == WF_OK
         && wfAddJointToWorld(world, &j, NULL) == WF_OK;
 }
+
 static bool drift_build(int kind, wfWorld *world)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -269,6 +270,7 @@ static bool drift_build(int kind, wfWorld *world)
     for (int i = 0; i < 120 && good; i++) good = wfStepWorld(world) == WF_OK;
     return good;
 }
+
 static double drift_between(const wfWorld *one, const wfWorld *two)
 {
     wfBodyView a = wfWorldBodies(one), b = wfWorldBodies(two);
@@ -279,6 +281,7 @@ static double drift_between(const wfWorld *one, const wfWorld *two)
     }
     return most;
 }
+
 static bool drift_row(FILE *out, const char *name, int kind)
 {
     static const int after[] = { 0, 1, 10, 100, 600 };

@@ -130,6 +130,7 @@ static void read_body(int i, double state[6])
     state[5] = (double)info.angularVelocity;
 }
 
+/* a pair whose manifold has no points does nothing and is not counted */
 static void count(int *pairs, int *points)
 {
     int32_t n = 0;
