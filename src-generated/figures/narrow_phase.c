@@ -111,6 +111,7 @@ static void narrow_difference(wfDraw *d, const wfShape *a, wfTransform xa, const
                    narrow_edge_role(&hull, i, a, xa));
     wfDrawPoint(d, WF_XY(origin), 7, WF_INK_LINE);
 }
+
 static void figure_narrow_minkowski(wfDraw *d, const wfFigureInput *in)
 {
     wfShape a, b;

@@ -82,7 +82,7 @@ static void pulled(int n, const double *x, const double *v, double *a)
     a[0] = -36 * x[0], a[1] = -36 * x[1];
 }
 
-static void attracted(int n, const double *x, const double *v, double *a)
+void labOrbit(int n, const double *x, const double *v, double *a)
 {
     double square = x[0] * x[0] + x[1] * x[1], cube = square * sqrt(square);
     (void)n, (void)v;
@@ -98,7 +98,7 @@ static void spring_course(int fine, labCourse out)
 static void orbit_course(int fine, labCourse out)
 {
     double x[2] = { 0.25, 0 }, v[2] = { 0, 2.5 };
-    ref_course(attracted, 1, x, v, fine, out);
+    ref_course(labOrbit, 1, x, v, fine, out);
 }
 
 static void chain_course(int n, double rod, int fine, labCourse out)

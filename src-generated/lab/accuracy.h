@@ -23,6 +23,8 @@ typedef struct labTruth {
 typedef void labAccelerations(int n, const double *x, const double *v, double *a);
 /* So many steps of h (s) by Runge and Kutta's classical method; n <= LAB_POINTS. */
 void labReference(labAccelerations *f, int n, double h, int steps, double *x, double *v);
+/* About (0, 0), with G M = 1. */
+void labOrbit(int n, const double *x, const double *v, double *a);
 extern const labTruth labTruths[];
 extern const int labTruthCount;
 int labFindTruth(const char *name);             /* -1: no such scene */

@@ -38,12 +38,6 @@ static void acc_pendulum(int n, const double *x, const double *v, double *a)
     (void)n, (void)v;
     a[0] = -9.81 * acc_sine(x[0]), a[1] = 0;
 }
-static void acc_orbit(int n, const double *x, const double *v, double *a)
-{
-    double square = x[0] * x[0] + x[1] * x[1], cube = square * sqrt(square);
-    (void)n, (void)v;
-    a[0] = -x[0] / cube, a[1] = -x[1] / cube;
-}
 static void acc_flight(int n, const double *x, const double *v, double *a)
 {
     (void)n, (void)x, (void)v;
@@ -59,7 +53,7 @@ static void acc_float(int n, const double *x, const double *v, double *a)
 enum { ACC_PROBLEMS = 6 };
 static const AccProblem acc_problems[ACC_PROBLEMS] = {
     { "spring", { 1, 0, 0, 0.5 }, 10, acc_spring },
-    { "orbit", { 0.7, 0, 0, 1.3627702877384937 }, 5, acc_orbit },
+    { "orbit", { 0.7, 0, 0, 1.3627702877384937 }, 5, labOrbit },
     { "pendulum", { 2, 0, 0, 0 }, 5, acc_pendulum },
     { "projectile", { 0, 0, 7, 9 }, 2, acc_flight },
     { "stiff spring", { 1, 1, 0, 0 }, 1, acc_stiff },

@@ -10,6 +10,12 @@ double labRelative(double got, double want)
 {
     return got > want ? got / want - 1 : 1 - got / want;
 }
+int labByValue(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
 void labStartBench(labBench *b, const char *solver, double hertz)
 {
     memset(b, 0, sizeof *b);

@@ -24,6 +24,7 @@ static double drawing_ink(int k, float size, float x, float y, bool jagged)
     }
     return sum;
 }
+
 static double drawing_area(int k, double size)
 {
     const double pi = 3.14159265358979;

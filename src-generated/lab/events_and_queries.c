@@ -196,8 +196,7 @@ static int measure_queries_work(FILE *out)
     return 0;
 }
 
-/* s for the two hundred questions: median of five, in batches of a millisecond or more;
-   in batches, for two hundred questions may take less than a tick of the clock */
+/* s for the two hundred questions: median of five, in batches of a millisecond or more */
 static double time_queries(QueryLab *lab, int kind)
 {
     enum { RUNS = 5 };

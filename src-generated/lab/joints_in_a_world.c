@@ -184,6 +184,7 @@ static void fast_room(wfWorld *w, wfReal half)
         wfAddBodyToWorld(w, &wall, NULL);
     }
 }
+
 static void fast_crowd(wfWorld *w, int count, bool bullets)
 {
     wfRandom r;
@@ -227,6 +228,7 @@ static double fast_clock(int count, bool bullets, int impacts, wfContinuousRepor
     wfDestroyWorld(&w);
     return good ? took : -1;
 }
+
 static int measure_fast_cost(FILE *out)
 {
     static const int counts[4] = { 5000, 10, 100, 1000 };

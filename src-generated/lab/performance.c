@@ -34,12 +34,6 @@ static wfResult timed_step(wfWorld *world, double *stage)
     return result;
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* the steps before run the same code, so that it and its memory are warm */
 static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
                           PerfTimes *out)
@@ -61,7 +55,7 @@ static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
     }
     wfWorldContacts(&world, &out->contacts);
     wfDestroyWorld(&world);
-    qsort(times, PERF_RUNS, sizeof *times, compare_doubles);
+    qsort(times, PERF_RUNS, sizeof *times, labByValue);
     out->step = times[PERF_RUNS / 2];
     for (int i = 0; i < PERF_STAGES; i++) out->stage[i] /= PERF_RUNS;
     return result;
@@ -246,7 +240,7 @@ static int measure_performance_steered(FILE *out)
         int32_t lost = lost_in(s, &world);
         wfDestroyWorld(&world);
         if (result != WF_OK) return 1;
-        qsort(times, (size_t)s->steps, sizeof *times, compare_doubles);
+        qsort(times, (size_t)s->steps, sizeof *times, labByValue);
         fprintf(out, "%s,%d,%d,%d,%d,%.2f\n", s->name, (int)s->bodies, (int)s->steps,
                 (int)pairs, (int)lost, times[s->steps / 2]);
     }
@@ -594,7 +588,7 @@ static int measure_performance_bullets(FILE *out)
         }
         wfDestroyWorld(&world);
         if (result != WF_OK) return 1;
-        qsort(times, STEPS, sizeof *times, compare_doubles);
+        qsort(times, STEPS, sizeof *times, labByValue);
         ms[k] = times[STEPS / 2];
         fprintf(out, "%.0f,%.2f,%.1f,%.0f\n", n[k], ms[k], 1e3 * ms[k] / n[k],
                 impacts / STEPS);

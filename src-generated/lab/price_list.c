@@ -104,12 +104,6 @@ static bool price_discs(wfWorld *world, bool heap)
         && price_wall(world, 27, 50, 1, 50);
 }
 
-static int price_compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* a heap has to settle; discs in flight need one step, to touch the memory */
 static double price_step(int row, bool heap)
 {
@@ -127,7 +121,7 @@ static double price_step(int row, bool heap)
         if (i >= 0) times[i] = (double)(clock() - start) / CLOCKS_PER_SEC;
     }
     wfDestroyWorld(&world);
-    qsort(times, PRICE_STEPS, sizeof *times, price_compare);
+    qsort(times, PRICE_STEPS, sizeof *times, labByValue);
     return good ? 1e9 * times[PRICE_STEPS / 2] / PRICE_BODIES : -1;
 }
 enum { PRICE_ROUNDS = 5, PRICE_MOST = 64 };
