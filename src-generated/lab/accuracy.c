@@ -370,7 +370,7 @@ double labTruthError(const labTruth *scene)
     return most;
 }
 
-/* The size of a scene, as the engine sees it: how far somebody gets, or how large he is. */
+/* The size of a scene, as the engine sees it: how far a body gets, or how large it is. */
 static double size_of(const wfWorld *world, int n, labCourse course)
 {
     wfShapeView s = wfWorldShapes(world);

@@ -15,7 +15,7 @@ typedef struct labTruth {
     wfResult  (*build)(wfWorld *world);
     /* The true course, with so many steps of the reference in a frame; NULL: unknown. */
     void      (*course)(int fine, labCourse out);
-    double      rod;               /* m: between neighbours that are joined; 0: nobody is */
+    double      rod;               /* m: between neighbours that are joined; 0: none are */
     int         conserves;         /* 1: energy; 2: and angular momentum about (0, 0) */
     int         stands;            /* 1: its course is to stay where it was put */
 } labTruth;
@@ -53,7 +53,7 @@ labResult labRunDials(const labTruth *scene, const labDials *dials);
 /* The same with settings that were chosen. */
 labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen);
-/* The error of a course that somebody else has computed; reach: of the largest body. */
+/* The error of a course that was computed elsewhere; reach: of the largest body. */
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
 
 /* By how much the pile of steps and of half as long ones are apart, moment by moment. */

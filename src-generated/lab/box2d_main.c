@@ -293,7 +293,7 @@ static int compare(const void *a, const void *b)
 typedef struct Scene {
     const char *name;
     void (*build)(b2WorldId world);
-    void (*steer)(int k);           /* before step k; NULL: nobody steers */
+    void (*steer)(int k);           /* before step k; NULL: not steered */
     int before, runs;               /* steps that are not timed, and that are */
     int (*lost)(void);              /* bodies that are lost at the end; NULL: none */
 } Scene;

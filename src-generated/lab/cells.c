@@ -263,7 +263,7 @@ static void sweep_accuracy_narrow(FILE *out, int full)
 }
 
 enum { ACC_DIALS = 7 };
-/* Where a dial turns: name, for whom, and the dials at the value v. */
+/* Where a dial turns: name, solver, and the dials at the value v. */
 static const char *const acc_dial[ACC_DIALS] = { "substeps", "steps", "passes",
     "stiffness", "iterative", "sequential", "exact" };
 

@@ -220,7 +220,7 @@ static void slide_solve(Slide *s)
 }
 
 /* steps for as long as 1000 tiles take; returns the greatest vertical speed, m/s;
-   impulses are carried over, so that a bump comes from the floor and not from cold passes */
+   impulses are carried over: a bump comes from the floor, not from cold passes */
 static wfReal slide_along(Slide *s)
 {
     wfReal h = WF_R(1.0) / 60, most = 0;

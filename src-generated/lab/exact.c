@@ -735,7 +735,7 @@ static int measure_exact_time(FILE *out)
     return 0;
 }
 
-/* particles: only who is joined to whom matters */
+/* particles, since only the graph of the joints matters */
 static void lab_tie(wfJoint *joint, int *count, int a, int b)
 {
     joint[(*count)++] = (wfJoint){ .kind = wfFindJoint("revolute"), .a = a, .b = b,
