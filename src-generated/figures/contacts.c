@@ -65,7 +65,7 @@ static void figure_contacts_report(wfDraw *d, const wfFigureInput *in)
     contact_points(d, &m, WF_INK_GOOD);
     int deepest = m.points[1].depth > m.points[0].depth;
     wfDrawCircle(d, WF_XY(m.points[deepest].point), 0.22f, 2, WF_INK_BAD, WF_INK_NONE);
-    /* draw the counterpart of the corner, by centres and by the normal */
+    /* the engine's point is halfway: the corner is half a depth back */
     wfCollide(&plank, right, &box, corner, &m);
     wfReal depth = m.points[0].depth;
     wfVec2 vertex = wfAddScaled(m.points[0].point, -depth / 2, m.normal);

@@ -90,6 +90,7 @@ static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
         wfDrawPoint(d, WF_XY(at), 6, WF_INK_BAD);
     }
 }
+
 static const wfFigureRow rows[] = {
     { "exact-arch", figure_exact_arch, 8.0f, 4.4f, 1, { { 0.0f, 3.13f } } },
 };

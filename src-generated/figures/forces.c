@@ -265,7 +265,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
             curve[2 * i] = left + 3 * (float)t;
             curve[2 * i + 1] = 0.8f + 1.1f * (float)blast_level(kind, t);
         }
-        /* draw what an integrator sees of the pulse */
+        /* a bar as wide as a step, as high as the force at its beginning */
         for (wfReal t = phase - step; t < WF_R(1.2); t += step) {
             wfReal level = blast_level(kind, t);
             float x = left + 3 * (float)t, y = 0.8f + 1.1f * (float)level;
@@ -281,6 +281,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawPoint(d, in->handle[0][0], in->handle[0][1], 9, WF_INK_ACCENT);
 }
+
 static const wfFigureRow rows[] = {
     { "forces-point", figure_forces_point, 8.0f, 5.0f, 2,
       { { 2.8f, 2.6f }, { 6.0f, 3.1f } } },

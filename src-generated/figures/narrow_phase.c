@@ -184,6 +184,7 @@ static void figure_narrow_regions(wfDraw *d, const wfFigureInput *in)
                 s.distance > 0 ? "apart by %.2f m" : "depth %.2f m",
                 (double)wfAbs(s.distance));
 }
+
 static void narrow_core(wfDraw *d, const wfShape *s, wfTransform xf, int role)
 {
     for (int i = 0; i < s->count; i++)

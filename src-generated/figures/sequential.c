@@ -73,6 +73,7 @@ static void path_line(wfDraw *d, int corner)
     float x = corner == 1 ? 4.2f : (float)a.x + 0.2f, y = corner == 1 ? 3.3f : (float)a.y;
     wfDrawText(d, x, y, 12, WF_INK_TEXT, -1, corner ? "right at rest" : "left at rest");
 }
+
 static void path_draw(wfDraw *d, bool sums, wfReal j0, wfReal j1, int role)
 {
     wfVec2 before = path_place(wfV2(j0, j1));

@@ -543,7 +543,7 @@ int labHorizon(FILE *out)
         if (turn_dials(&world[i], &dials) != WF_OK) return 1;
     }
     fprintf(out, "time,1 substep,4 substeps,16 substeps\n");
-    /* follow the three runs and the truth */
+    /* the truth is stepped along, 256 times in a frame */
     for (int k = 1; k <= HORIZON; k++) {
         labReference(hanging, 2, 1.0 / 60 / 256, 256, place[0], v);
         if (k % HORIZON_EACH == 0) fprintf(out, "%.2f", k / 60.0);

@@ -87,7 +87,6 @@ static void tile(b2BodyId body, double x, double y, double width, double height)
     b2CreatePolygonShape(body, &d, &box);
 }
 
-
 static void junkyard(b2WorldId world)
 {
     b2ShapeDef d = b2DefaultShapeDef();

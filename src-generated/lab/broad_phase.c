@@ -77,7 +77,7 @@ static int64_t count_by_tree(BroadWorld *world, int n, wfQuadReach reach, int *p
     if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return -1;
     if (wfQuadTreeBuild(&tree, &pool, &in) != WF_OK) return -1;
     if (reach == WF_QUAD_SAME_NODE) {
-        /* build the report's tree, which has no buckets */
+        /* the report's tree has no buckets; eight nodes for each box have been enough */
         wfQuadTreeDef def = { wfQuadTreeRect(&tree, 0), n, 8 * n, WF_QUAD_MAX_DEPTH, 0 };
         wfPoolReset(&pool);
         if (wfQuadTreeInit(&tree, &pool, &def) != WF_OK) return -1;

@@ -176,7 +176,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     int value = (int)wfCellNumber(in, "value", 1), steps = 1;
     const char *peer = wfCellText(in, "engine", ""), *dial = wfCellText(in, "dial", "");
     if (scene < 0 || value < 1) return 1;
-    /* write the scene for the peer */
+    /* a file whose name holds all that makes the cell, so that cells can run at once */
     snprintf(file, sizeof file, "build/lab/peer-%.16s-%d-%.16s-%d.json", peer, scene, dial,
              value);
     snprintf(printed, sizeof printed, "%s.csv", file);
@@ -433,7 +433,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     if (f == NULL) return 1;
     labBuildExtreme(e, value, f, &s);
     if (fclose(f) != 0) return 1;
-    /* play the scene and judge it */
+    /* an engine that refuses to sweep is asked once more without */
     int status = play_extreme(scene, engine, &s, s.fast);
     if (status == 3 && s.fast) status = play_extreme(scene, engine, &s, 0);
     const char *verdict = outcome(status);

@@ -121,6 +121,7 @@ static int measure_frame_time(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "frame-time", "ms of a frame of the testbed: input, step, drawing, with 2,000 bodies",
       measure_frame_time },

@@ -368,7 +368,6 @@ static wfShapeDef junk(void)
     return s;
 }
 
-
 static wfResult build_tiles(wfWorld *world)
 {
     wfBodyDef d = wfDefaultBodyDef();

@@ -261,7 +261,7 @@ static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pai
         def.advanced.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
-        /* ask for the size and fill the world */
+        /* a snapshot takes what is in the world: discs that do not touch */
         if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
         if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;

@@ -296,7 +296,7 @@ static double price_chain(int substeps, int together)
                              wfV2(1, 0), &joint) == WF_OK
             && wfAddJointToWorld(&world, &joint, NULL) == WF_OK;
     }
-    /* swing, and keep the greatest error of the length */
+    /* five seconds: the chain comes down and swings up on the other side */
     for (int step = 0; step < 300 && good; step++) {
         wfVec2 from = wfV2(0, 0);
         double length = 0;

@@ -90,6 +90,7 @@ static int measure_save_rewind(FILE *out)
     }
     return 0;
 }
+
 typedef struct SaveTimes {
     double copy, snapshot, restore, clone, compare, save;
     double freshCopy, freshClone;      /* into memory that was allocated for it */

@@ -155,6 +155,7 @@ static bool build_far(wfVec2 o, wfWorld *world, wfBodyId id[FAR_THINGS])
                                      wfAdd(o, wfV2(18, 8)), 2, 4, 0);
     return wfAddForceToWorld(world, &spring, NULL) == WF_OK;
 }
+
 static void run_far(double distance, bool hasOrigin, double way[FAR_THINGS][2])
 {
     wfWorld world;

@@ -74,7 +74,6 @@ static void must(wfResult result)
 
 static wfVec2 vec(const double p[2]) { return wfV2((wfReal)p[0], (wfReal)p[1]); }
 
-
 static void add_spoilt(const peerScene *scene)
 {
     const peerBody *b = &scene->body[scene->bodies - 1];
