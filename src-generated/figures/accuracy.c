@@ -43,6 +43,7 @@ static void choice_axes(wfDraw *d)
                  choice_y(choice_rounding(4)), 1.2f, WF_INK_FAINT);
     wfDrawText(d, choice_x(3.9f), choice_y(-5.2f), 12, WF_INK_FAINT, 1, "rounding");
 }
+
 static void figure_accuracy_choice(wfDraw *d, const wfFigureInput *in)
 {
     float error = (in->handle[0][1] - 4.6f) / 0.55f, best = -1;

@@ -28,6 +28,7 @@ static void broad_pair_lines(wfDraw *d, const BroadFigure *f, int count, int rol
         wfDrawLine(d, WF_XY(a), WF_XY(b), 2, role);
     }
 }
+
 static wfProxies broad_figure_world(BroadFigure *f, int n, float w, float h, float size,
                                     uint64_t seed)
 {
@@ -45,6 +46,7 @@ static wfProxies broad_figure_world(BroadFigure *f, int n, float w, float h, flo
     wfProxies in = { .count = n, .bounds = f->bounds, .flags = f->flags };
     return in;
 }
+
 static void figure_broad_lines(wfDraw *d, const wfFigureInput *in)
 {
     BroadFigure f;
@@ -138,6 +140,7 @@ static void broad_shade(wfDraw *d, const wfQuadTree *tree, int32_t n, wfRect bou
         broad_shade(d, tree, reached[i], bounds);
     }
 }
+
 static void figure_broad_reach(wfDraw *d, const wfFigureInput *in)
 {
     BroadFigure f;
@@ -157,6 +160,7 @@ static void figure_broad_reach(wfDraw *d, const wfFigureInput *in)
                    WF_INK_NONE);
     broad_rect(d, asker, 2.5f, WF_INK_GOOD, WF_INK_NONE);
 }
+
 static void figure_broad_grid(wfDraw *d, const wfFigureInput *in)
 {
     BroadFigure f;
@@ -204,6 +208,7 @@ static int broad_used_cells(const wfProxies *world, const wfCells *cells,
     }
     return count;
 }
+
 static void figure_broad_hash(wfDraw *d, const wfFigureInput *in)
 {
     BroadFigure f;
@@ -278,6 +283,7 @@ static void broad_boxes(wfDraw *d, const wfBoxTree *tree, int32_t n, float width
     broad_boxes(d, tree, n + 1, widthPx * 0.6f);
     broad_boxes(d, tree, node->right, widthPx * 0.6f);
 }
+
 static void figure_broad_boxes(wfDraw *d, const wfFigureInput *in)
 {
     BroadFigure f;
@@ -293,6 +299,7 @@ static void figure_broad_boxes(wfDraw *d, const wfFigureInput *in)
         broad_rect(d, f.bounds[i], 1.5f, i ? WF_INK_BODY : WF_INK_ACCENT,
                    i ? WF_INK_NONE : WF_INK_ACCENT);
 }
+
 static void figure_broad_walk(wfDraw *d, const wfFigureInput *in)
 {
     enum { STEPS = 8 };
@@ -347,6 +354,7 @@ static void figure_broad_fat(wfDraw *d, const wfFigureInput *in)
     broad_rect(d, box, 2, WF_INK_BODY, WF_INK_FAINT);
     wfDrawArrow(d, WF_XY(at), WF_XY(tip), 2, WF_INK_ACCENT);
 }
+
 /* draws the node's box and above it the branches to its children; returns where it is */
 static wfVec2 broad_branch(wfDraw *d, const wfTree *t, int32_t n, int level, wfVec2 move)
 {
@@ -369,6 +377,8 @@ static wfVec2 broad_branch(wfDraw *d, const wfTree *t, int32_t n, int level, wfV
     wfDrawPoint(d, WF_XY(here), 7, WF_INK_LINE);
     return here;
 }
+
+/* inserting would repair the bad tree, so its nodes are written by hand */
 enum { ROTATE_BOXES = 4 };
 
 /* a bad tree, made by hand: the first box, and beside it all the rest, and so on */
@@ -405,6 +415,7 @@ static void figure_broad_rotate(wfDraw *d, const wfFigureInput *in)
     wfTreeInsert(&tree, ROTATE_BOXES - 1, boxes[ROTATE_BOXES - 1], true);
     broad_branch(d, &tree, tree.head->root, 0, wfV2(WF_R(6.4), 0));
 }
+
 static const wfFigureRow rows[] = {
     { "broad-walk", figure_broad_walk, 8.0f, 8.0f, 2, { { 0.4f, 1.3f }, { 7.3f, 5.6f } } },
     { "broad-fat", figure_broad_fat, 6.5f, 3.6f, 1, { { 3.3f, 2.1f } } },

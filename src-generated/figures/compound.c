@@ -4,6 +4,7 @@
 #include "lab/outlines.h"
 #include "weft/narrow.h"
 #include "figures/kit.h"
+
 enum { COMPOUND_MOST = 64 };
 
 typedef struct CompoundFigure {
@@ -23,6 +24,7 @@ static void compound_open(CompoundFigure *f, const float *xy, int n, wfVec2 at)
     for (int i = 0; i < n; i++)
         f->corners[i] = wfAdd(at, wfV2((wfReal)xy[2 * i], (wfReal)xy[2 * i + 1]));
 }
+
 static void compound_outline(wfDraw *d, const CompoundFigure *f, float widthPx, int role)
 {
     float xy[2 * COMPOUND_MOST];
@@ -32,6 +34,7 @@ static void compound_outline(wfDraw *d, const CompoundFigure *f, float widthPx, 
     }
     wfDrawPolygon(d, xy, f->n, widthPx, role, WF_INK_NONE);
 }
+
 static void compound_shapes(wfDraw *d, CompoundFigure *f)
 {
     wfTransform here = wfTransformIdentity();
@@ -42,6 +45,7 @@ static void compound_shapes(wfDraw *d, CompoundFigure *f)
         figShape(d, &f->shapes[i], here, 1, WF_INK_BODY, WF_INK_BODY);
     compound_outline(d, f, 2, f->count ? WF_INK_LINE : WF_INK_BAD);
 }
+
 /* the pieces of the mesh, the first `most` half-edges of it, filled */
 static void compound_mesh(wfDraw *d, const CompoundFigure *f, int32_t most)
 {
@@ -77,6 +81,7 @@ static void compound_ball(wfDraw *d, const wfShape *shapes, int count, wfVec2 at
     }
     wfDrawCircle(d, WF_XY(at), 0.35f, 2, role, role);
 }
+
 static void figure_compound_hull(wfDraw *d, const wfFigureInput *in)
 {
     CompoundFigure f;
@@ -97,6 +102,7 @@ static void figure_compound_hull(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 6, 0.25f, 13, WF_INK_TEXT, 0, "%d pieces: area %.2f", f.count,
                 (double)m.area);
 }
+
 static void figure_compound_l(wfDraw *d, const wfFigureInput *in)
 {
     wfShape plank[2];
@@ -138,6 +144,7 @@ static void figure_compound_sign(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 1.8f, 0.05f, 13, WF_INK_TEXT, 0, "rounded");
     wfDrawText(d, 5.6f, 0.05f, 13, WF_INK_TEXT, 0, "exact");
 }
+
 static const float COMPOUND_PIKE[22] = { 0, 0.2f, 0.9f, 0, 1.3f, 0.6f,
     2.1f, 0.1f, 2.6f, 0.9f, 2.2f, 1.6f, 2.5f, 2.4f, 1.4f, 2,
     1, 2.6f, 0.2f, 2.2f, 0.7f, 1.2f };
@@ -162,6 +169,7 @@ static void figure_compound_ears(wfDraw *d, const wfFigureInput *in)
         }
     }
 }
+
 static void figure_compound_merge(wfDraw *d, const wfFigureInput *in)
 {
     static const float fish[24] = { 0, 0.4f, 1.1f, 0.3f, 2, 0,
@@ -182,6 +190,7 @@ static void figure_compound_merge(wfDraw *d, const wfFigureInput *in)
                     (int)pieces);
     }
 }
+
 static int compound_wheel(float *xy, int teeth, int perTooth, const float *radius)
 {
     int n = teeth * perTooth;
@@ -216,6 +225,7 @@ static void figure_compound_gallery(wfDraw *d, const wfFigureInput *in)
         f.corners[i] = wfAdd(wfV2(WF_R(9.4), WF_R(1.3)), f.corners[i]);
     compound_shapes(d, &f);
 }
+
 static void compound_chain(wfDraw *d, const wfVec2 *p, int n, bool loop)
 {
     wfShape links[COMPOUND_MOST];

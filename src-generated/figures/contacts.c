@@ -3,6 +3,7 @@
 #include <math.h>
 #include "weft/contact.h"
 #include "figures/kit.h"
+
 /* the points of a manifold, with a rod from surface to surface */
 static void contact_points(wfDraw *d, const wfManifold *m, int role)
 {
@@ -24,6 +25,7 @@ static void contact_pair(wfDraw *d, const wfShape *a, wfTransform xa, const wfSh
     wfCollide(a, xa, b, xb, &m);
     contact_points(d, &m, WF_INK_ACCENT);
 }
+
 static void figure_contacts_kinds(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -45,6 +47,7 @@ static void figure_contacts_kinds(wfDraw *d, const wfFigureInput *in)
         wfDrawText(d, (float)x, 0.1f, 14, WF_INK_TEXT, 0, names[i]);
     }
 }
+
 static void figure_contacts_report(wfDraw *d, const wfFigureInput *in)
 {
     wfShape plank, box;
@@ -62,7 +65,7 @@ static void figure_contacts_report(wfDraw *d, const wfFigureInput *in)
     contact_points(d, &m, WF_INK_GOOD);
     int deepest = m.points[1].depth > m.points[0].depth;
     wfDrawCircle(d, WF_XY(m.points[deepest].point), 0.22f, 2, WF_INK_BAD, WF_INK_NONE);
-    /* draw the counterpart of the corner, by centres and by the normal */
+    /* the engine's point is halfway: the corner is half a depth back */
     wfCollide(&plank, right, &box, corner, &m);
     wfReal depth = m.points[0].depth;
     wfVec2 vertex = wfAddScaled(m.points[0].point, -depth / 2, m.normal);
@@ -124,6 +127,7 @@ static void contact_core(wfDraw *d, const wfShape *s, wfTransform xf, int role)
         figSegment(d, wfApply(xf, s->vertices[i]), wfApply(xf, to), 1.5f, role);
     }
 }
+
 static void figure_contacts_coats(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const steps[3] = { "the cores' edges", "cut", "coats put on" };
@@ -224,6 +228,7 @@ static void ghost_floor(wfDraw *d, float x0, bool links, wfVec2 at)
         }
     }
 }
+
 static void figure_contacts_ghost(wfDraw *d, const wfFigureInput *in)
 {
     ghost_floor(d, 0, false, figHandle(in, 0));
@@ -231,6 +236,7 @@ static void figure_contacts_ghost(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 2.9f, 0.05f, 14, WF_INK_TEXT, 0, "boxes");
     wfDrawText(d, 8.9f, 0.05f, 14, WF_INK_TEXT, 0, "links");
 }
+
 /* the fan between two unit normals, as a slice of radius r about `at` */
 static void gauss_fan(wfDraw *d, wfVec2 at, wfVec2 from, wfVec2 to, wfReal r)
 {
@@ -258,6 +264,7 @@ static void gauss_link(wfDraw *d, const wfShape *l, wfVec2 round)
     wfDrawArrow(d, WF_XY(l->centre), WF_XY(tip), 2, WF_INK_GOOD);
     wfDrawArrow(d, WF_XY(round), WF_XY(far), 2, WF_INK_GOOD);
 }
+
 static void figure_contacts_gauss(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 round = wfV2(WF_R(10.4), WF_R(1.7));
@@ -279,6 +286,7 @@ static void figure_contacts_gauss(wfDraw *d, const wfFigureInput *in)
             gauss_link(d, &link, round);
     }
 }
+
 static const wfFigureRow rows[] = {
     { "contacts-coats", figure_contacts_coats, 14.6f, 3.9f, 1, { { 3.1f, 2.48f } } },
     { "contacts-margin", figure_contacts_margin, 8.0f, 2.8f, 0, { { 0 } } },

@@ -67,6 +67,7 @@ static void design_pairs(wfDraw *d, float x, float y)
                 y -= 0.35f;
             }
 }
+
 static void figure_design_zone(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -89,6 +90,7 @@ static void figure_design_zone(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 6.4f, 2.05f, 12, WF_INK_TEXT, 0, "broad");
     wfDrawText(d, 6.4f, 1.5f, 12, WF_INK_TEXT, 0, "phase");
 }
+
 static void figure_design_pipeline(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const stage[7] = { "forces", "integration", "bounds", "broad phase",
@@ -132,6 +134,7 @@ static void figure_design_tables(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 7.5f, 1.85f, 12, WF_INK_TEXT, -1, "tests");
     wfDrawText(d, 7.5f, 1.15f, 12, WF_INK_TEXT, -1, "lab");
 }
+
 static void figure_design_testbed(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const name[4] = { "SDL2", "headless", "web page", "Win32" };
@@ -146,6 +149,7 @@ static void figure_design_testbed(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 3.95f, 2.42f, 12, WF_INK_TEXT, 0, "memory, input");
     wfDrawText(d, 3.95f, 1.62f, 12, WF_INK_TEXT, 0, "pixels");
 }
+
 static void figure_design_backends(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;

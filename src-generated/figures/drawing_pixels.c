@@ -22,6 +22,7 @@ static void drawing_row(wfDraw *d, const wfCoverRow *row, float x, float y, int 
         if (side > 0.02f) drawing_square(d, cx, y + 0.5f, side, WF_INK_NONE, role);
     }
 }
+
 static void figure_drawing_jagged(wfDraw *d, const wfFigureInput *in)
 {
     static wfCoverRow row;
@@ -38,6 +39,8 @@ static void figure_drawing_jagged(wfDraw *d, const wfFigureInput *in)
         wfDrawLine(d, from[0] + x, from[1] + 0.5f, to[0] + x, to[1] + 0.5f, 1,
                    WF_INK_ACCENT);
 }
+
+/* eq:draw-nearest: the rasteriser keeps the point to itself */
 static void figure_drawing_distance(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 a = wfV2(in->handle[0][0], in->handle[0][1]);
@@ -77,6 +80,7 @@ static void figure_drawing_polygon(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawPolygon(d, corners, 3, 1.5f, WF_INK_ACCENT, WF_INK_NONE);
 }
+
 static void figure_drawing_edge(wfDraw *d, const wfFigureInput *in)
 {
     static wfCoverRow row;
@@ -102,6 +106,7 @@ static void figure_drawing_edge(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 0.5f, 3.55f, 12, WF_INK_TEXT, -1, "coverage right of the edge");
     wfDrawText(d, 0.5f, 1.75f, 12, WF_INK_TEXT, -1, "its changes, as they are stored");
 }
+
 static void drawing_axes(wfDraw *d, float x, float y, float w, float h, const char *along,
                          const char *up)
 {
@@ -117,6 +122,7 @@ static float drawing_corner(float u)                      /* eq:draw-corner */
     float part = left > 0 ? left * left : 0;
     return u < 0 ? 1 - part : part;
 }
+
 static void figure_drawing_error(wfDraw *d, const wfFigureInput *in)
 {
     float exact[2 * 81], near[2 * 81];
@@ -169,6 +175,7 @@ static void figure_drawing_blend(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 5.7f, 0.58f, 11, WF_INK_TEXT, 0, "1");
     wfDrawText(d, 0.6f, 0.58f, 11, WF_INK_TEXT, 0, "0");
 }
+
 static void figure_drawing_roles(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -179,6 +186,7 @@ static void figure_drawing_roles(wfDraw *d, const wfFigureInput *in)
                    wfInkName(role));
     }
 }
+
 static void figure_drawing_stages(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const title[5] = { "list", "commands", "stencils", "rows",

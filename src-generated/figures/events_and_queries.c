@@ -19,6 +19,7 @@ static wfTransform query_figure_place(const void *context, int32_t i)
 {
     return ((const QueryFigure *)context)->places[i];
 }
+
 static void query_shape(wfDraw *d, const wfShape *s, wfTransform xf)
 {
     wfVec2 rim[WF_RIM_POINTS];
@@ -31,6 +32,7 @@ static void query_shape(wfDraw *d, const wfShape *s, wfTransform xf)
     if (n > 2) wfDrawPolygon(d, xy, n, 2, WF_INK_BODY, WF_INK_BODY);
     else if (n == 2) wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], 3, WF_INK_BODY);
 }
+
 static void query_scene(QueryFigure *f)
 {
     static const wfReal places[QUERY_SHAPES][3] = {
@@ -84,6 +86,7 @@ static void figure_queries_fan(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < QUERY_SHAPES; i++) query_shape(d, &f.shapes[i], f.places[i]);
     wfDrawPoint(d, WF_XY(from), 8, WF_INK_LINE);
 }
+
 static void figure_queries_closest(wfDraw *d, const wfFigureInput *in)
 {
     QueryFigure f;
@@ -107,6 +110,8 @@ static void figure_queries_closest(wfDraw *d, const wfFigureInput *in)
     wfDrawLine(d, (float)p.x, (float)p.y - 0.15f, (float)p.x, (float)p.y + 0.15f, 2,
                WF_INK_LINE);
 }
+
+/* the hit is asked of the engine, so the picture shows if the formula differs */
 static void figure_queries_disk(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 from = figHandle(in, 0), c = wfV2(6, WF_R(2.3));
@@ -167,6 +172,7 @@ static void figure_queries_corner(wfDraw *d, const wfFigureInput *in)
                              WF_INK_GOOD);
     }
 }
+
 enum { TIMELINE_STEPS = 12, TIMELINE_ROWS = 4 };
 static const wfPair timeline_pairs[TIMELINE_ROWS] = {
     { 0, 1 }, { 1, 3 }, { 2, 4 }, { 3, 5 }

@@ -4,6 +4,7 @@
 #include "weft/narrow.h"
 #include "weft/resolve.h"
 #include "figures/kit.h"
+
 enum { ARCH_STONES = 15 };
 typedef struct figArch {
     wfShape      shape[ARCH_STONES + 1];
@@ -13,6 +14,7 @@ typedef struct figArch {
     int          contacts;
     _Alignas(16) uint8_t memory[1 << 17];
 } figArch;
+
 static void arch_stone(figArch *f, int i, wfReal r, wfReal thickness)
 {
     wfReal part = WF_PI / ARCH_STONES;
@@ -31,6 +33,7 @@ static void arch_stone(figArch *f, int i, wfReal r, wfReal thickness)
                                  .invInertia = 1 / mass.inertia };
     f->force[i].force = wfV2(0, WF_R(-9.81) * mass.mass);
 }
+
 static void arch_touch(figArch *f)
 {
     f->contacts = 0;
@@ -87,6 +90,7 @@ static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
         wfDrawPoint(d, WF_XY(at), 6, WF_INK_BAD);
     }
 }
+
 static const wfFigureRow rows[] = {
     { "exact-arch", figure_exact_arch, 8.0f, 4.4f, 1, { { 0.0f, 3.13f } } },
 };

@@ -2,11 +2,14 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/force.h"
 #include "figures/kit.h"
+
+/* a force that would make no visible arrow is left out */
 static void forces_arrow(wfDraw *d, wfVec2 at, wfVec2 force, wfReal scale, int ink)
 {
     wfVec2 end = wfAddScaled(at, scale, force);
     if (wfDistance(at, end) > 0.03f) wfDrawArrow(d, WF_XY(at), WF_XY(end), 2.5f, ink);
 }
+
 /* The sums of force and torque on the bodies of a figure. */
 static void forces_sum(const wfForce *f, int n, const wfBodyState *state,
                        const wfShape *shapes, int count, wfBodyForces *out)
@@ -20,6 +23,7 @@ static void forces_sum(const wfForce *f, int n, const wfBodyState *state,
     wfBodyView view = { .count = count, .state = state, .props = props, .shapes = shapes };
     wfAccumulateForces(f, n, &view, 0, out);
 }
+
 static void figure_forces_point(wfDraw *d, const wfFigureInput *in)
 {
     wfForce f[2];
@@ -43,6 +47,7 @@ static void figure_forces_point(wfDraw *d, const wfFigureInput *in)
         wfDrawCircle(d, WF_XY(f[k].point.centre), k ? 0.17f : 0.3f, 2, WF_INK_LINE,
                      WF_INK_ACCENT);
 }
+
 static void figure_forces_spring(wfDraw *d, const wfFigureInput *in)
 {
     wfShape shape[2];
@@ -164,6 +169,7 @@ static wfBodyState float_begin(wfShape *box)
                           .invInertia = 1 / data.inertia };
 }
 
+/* gravity is always there; the two other rules add their lift by hand, to the centre */
 static void float_step(int rule, const wfShape *box, wfBodyState *b, wfReal h)
 {
     wfBodyProps props = wfDefaultBodyProps();
@@ -246,6 +252,7 @@ static wfReal blast_level(int kind, wfReal t)
     forces_sum(&f, 1, &particle, NULL, 1, &sum);
     return sum.force.y;
 }
+
 static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
 {
     wfReal step = WF_R(0.4), phase = ((wfReal)in->handle[0][0] - WF_R(0.8)) / 3;
@@ -258,7 +265,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
             curve[2 * i] = left + 3 * (float)t;
             curve[2 * i + 1] = 0.8f + 1.1f * (float)blast_level(kind, t);
         }
-        /* draw what an integrator sees of the pulse */
+        /* a bar as wide as a step, as high as the force at its beginning */
         for (wfReal t = phase - step; t < WF_R(1.2); t += step) {
             wfReal level = blast_level(kind, t);
             float x = left + 3 * (float)t, y = 0.8f + 1.1f * (float)level;
@@ -274,6 +281,7 @@ static void figure_forces_blast(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawPoint(d, in->handle[0][0], in->handle[0][1], 9, WF_INK_ACCENT);
 }
+
 static const wfFigureRow rows[] = {
     { "forces-point", figure_forces_point, 8.0f, 5.0f, 2,
       { { 2.8f, 2.6f }, { 6.0f, 3.1f } } },

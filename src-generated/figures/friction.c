@@ -31,6 +31,7 @@ static void figure_friction_cone(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 2.9f, 0.35f, 12, WF_INK_TEXT, -1, "to stick %.2f", (double)want);
     wfDrawTextf(d, 5.2f, 0.35f, 12, WF_INK_TEXT, -1, "friction %.2f", (double)jt);
 }
+
 static const wfFigureRow rows[] = {
     { "friction-cone", figure_friction_cone, 8.0f, 3.6f, 1, { { 6.6f, 1.0f } } },
 };

@@ -7,6 +7,8 @@
 #include "testbed/layout.h"
 #include "testbed/camera.h"
 #include "figures/kit.h"
+
+/* by the testbed's own calls: if a scene changes, its picture does */
 static void draw_scene(wfDraw *d, const char *name, int steps, uint32_t show)
 {
     static _Alignas(WF_POOL_ALIGN) uint8_t bytes[256 * 1024];
@@ -24,6 +26,7 @@ static void draw_scene(wfDraw *d, const char *name, int steps, uint32_t show)
     if (scene->draw) scene->draw(&world, d, &in);
     wfDestroyWorld(&world);
 }
+
 static void figure_scenes_wall(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -44,6 +47,7 @@ static void figure_scenes_tree(wfDraw *d, const wfFigureInput *in)
     wfDrawView(d, -10.2f, 4.4f, 0.4f, 11.2f);
     draw_scene(d, "TC06 quad tree", 200, WF_SHOW_TREE);
 }
+
 static void figure_scenes_integrators(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -82,6 +86,7 @@ static bool tile_points(const TilePlace *p, const float *from, int32_t count, fl
     }
     return right && left && above && below;
 }
+
 static void copy_command(wfDraw *d, const wfDraw *from, int i, const TilePlace *p)
 {
     const wfDrawCommand *c = wfDrawAt(from, i);
@@ -105,6 +110,7 @@ static void copy_command(wfDraw *d, const wfDraw *from, int i, const TilePlace *
     default: break;
     }
 }
+
 static void draw_gallery(wfDraw *d, const SceneTile *tile, int count, int columns)
 {
     static _Alignas(WF_POOL_ALIGN) uint8_t bytes[512 * 1024];
@@ -179,6 +185,7 @@ static void figure_scenes_classics(wfDraw *d, const wfFigureInput *in)
     (void)in;
     draw_gallery(d, tile, 6, 2);
 }
+
 static void figure_scenes_solvers(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -195,6 +202,8 @@ static void figure_scenes_fast(wfDraw *d, const wfFigureInput *in)
     (void)in;
     draw_gallery(d, tile, 3, 3);
 }
+
+/* those test cases that can be told from a still picture */
 static void figure_scenes_cases(wfDraw *d, const wfFigureInput *in)
 {
     static const SceneTile tile[] = {
@@ -234,6 +243,7 @@ static void window_mark(wfDraw *d, const camera *c, float x, float y, const char
     camera_pick(c, x, y + 9, a);
     wfDrawText(d, a[0], a[1], 11, WF_INK_TEXT, 0, letter);
 }
+
 static void window_list(wfDraw *d, const camera *c, const char *open)
 {
     float y = LIST_TOP;
@@ -309,6 +319,7 @@ static void camera_mark(wfDraw *d, const camera *c, float x, float y, const char
     wfDrawPoint(d, 6.4f + pixel[0], 4.2f - pixel[1], 7, WF_INK_ACCENT);
     wfDrawText(d, 6.52f + pixel[0], 4.32f - pixel[1], 14, WF_INK_TEXT, -1, p);
 }
+
 static void figure_scenes_camera(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -331,6 +342,8 @@ static void figure_scenes_camera(wfDraw *d, const wfFigureInput *in)
     wfDrawArrow(d, 6.2f, 4.2f, 6.2f, 2.6f, 1.5f, WF_INK_LINE);
     wfDrawText(d, 6.1f, 2.25f, 13, WF_INK_TEXT, 0, "y");
 }
+
+/* eq:hand-velocity with 1 + 2 zeta w h + w^2 h^2 below the line */
 static void draw_pull(wfDraw *d, float zeta, int role, const char *name, float ty)
 {
     const float h = 1.0f / 60, omega = 8;
@@ -368,6 +381,7 @@ static void tape_box(wfDraw *d, float x, float y, float w, int fill, const char 
     wfDrawPolygon(d, xy, 4, 1.5f, WF_INK_LINE, fill);
     wfDrawText(d, x + w / 2, y + 0.25f, 13, WF_INK_TEXT, 0, name);
 }
+
 static void figure_scenes_tape(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;

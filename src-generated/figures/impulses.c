@@ -9,6 +9,7 @@ static void impulse_arrow(wfDraw *d, wfVec2 at, wfVec2 v, float width, int role)
     wfVec2 tip = wfAdd(at, v);
     if (wfLengthSq(v) > WF_R(1e-4)) wfDrawArrow(d, WF_XY(at), WF_XY(tip), width, role);
 }
+
 static void figure_impulses_discs(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 hit = wfV2((wfReal)in->handle[0][0], (wfReal)in->handle[0][1]);
@@ -29,6 +30,7 @@ static void figure_impulses_discs(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(p), 6, WF_INK_TEXT);
     wfDrawTextf(d, 0.2f, 0.25f, 12, WF_INK_TEXT, -1, "impulse %.2f N s", (double)j);
 }
+
 static void impulse_outline(wfDraw *d, const wfShape *shape, wfTransform xf,
                             int line, int fill)
 {
@@ -40,6 +42,7 @@ static void impulse_outline(wfDraw *d, const wfShape *shape, wfTransform xf,
     }
     wfDrawPolygon(d, xy, shape->count, 1.5f, line, fill);
 }
+
 static void figure_impulses_corner(wfDraw *d, const wfFigureInput *in)
 {
     wfShape box;
@@ -80,6 +83,7 @@ static void impulses_true_bounces(wfDraw *d, wfReal e)
     }
     wfDrawPolyline(d, xy, 161, 1, WF_INK_LINE);
 }
+
 static void figure_impulses_step(wfDraw *d, const wfFigureInput *in)
 {
     const wfReal e = WF_R(0.8), g = WF_R(9.81);

@@ -58,6 +58,7 @@ static void figure_int_step(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawTextf(d, 4, 0.5f, 13, WF_INK_TEXT, 0, "%d steps a turn", a_turn);
 }
+
 static void figure_int_step_spring(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const method[5] = { "explicit-euler", "symplectic-euler", "verlet",
@@ -104,6 +105,7 @@ static void figure_int_patch(wfDraw *d, const char *method, wfVec2 patch, int st
     }
     wfDrawPolygon(d, xy, N, 2, ink, steps == 0 ? WF_INK_BODY : WF_INK_NONE);
 }
+
 static void figure_int_area(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 at = wfV2((wfReal)in->handle[0][0] - 4, (wfReal)in->handle[0][1] - WF_R(2.6));
@@ -119,6 +121,7 @@ static void figure_int_area(wfDraw *d, const wfFigureInput *in)
         if (steps <= 8) figure_int_patch(d, "explicit-euler", at, steps, WF_INK_BAD);
     }
 }
+
 static float figure_curve(float x)
 {
     return 0.55f + 1.5f * x * (1.9f - x) + 0.35f * x * x * x;
@@ -133,6 +136,7 @@ static float figure_rule(int kind, float x)
     if (kind == 2) return m;
     return a * (1 - x) * (1 - 2 * x) + 4 * m * x * (1 - x) - b * x * (1 - 2 * x);
 }
+
 static void figure_int_quadrature(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const name[4] = { "rectangle", "trapezoid", "midpoint", "parabola" };

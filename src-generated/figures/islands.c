@@ -26,6 +26,7 @@ static bool islands_touch(islandDisc a, islandDisc b)
     float x = a.x - b.x, y = a.y - b.y, reach = (a.r + b.r) * 1.01f;
     return x * x + y * y <= reach * reach;
 }
+
 static void figure_islands_heaps(wfDraw *d, const wfFigureInput *in)
 {
     static const int ink[5] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD, WF_INK_BAD,

@@ -24,6 +24,7 @@ static void joints_arc(wfDraw *d, wfVec2 at, int ink)
         wfDrawLine(d, WF_XY(p), WF_XY(q), 2, ink);
     }
 }
+
 static void joints_rows(wfDraw *d, const wfJoint *j, const wfBodyState *s)
 {
     static const int inks[] = { WF_INK_FAINT, WF_INK_BAD, WF_INK_ACCENT, WF_INK_GOOD,
@@ -44,6 +45,7 @@ static void joints_rows(wfDraw *d, const wfJoint *j, const wfBodyState *s)
     wfDrawPoint(d, WF_XY(a), 5, WF_INK_LINE);
     wfDrawPoint(d, WF_XY(b), 5, WF_INK_LINE);
 }
+
 static void figure_joints_kinds(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -102,6 +104,7 @@ static wfVec2 joints_on_spring(wfBodyState *s, wfReal h)
     s->v = wfAddScaled(s->v, h, wfAdd(pull, wfV2(0, WF_R(-9.81))));
     return s->p = wfAddScaled(s->p, h, s->v);
 }
+
 static void joints_path(wfDraw *d, bool spring, wfReal h, int ink)
 {
     static _Alignas(16) uint8_t memory[1 << 14];
@@ -124,6 +127,7 @@ static void joints_path(wfDraw *d, bool spring, wfReal h, int ink)
         if (h > WF_R(0.012)) wfDrawPoint(d, 4 + (float)q.x, 3.5f + (float)q.y, 5, ink);
     }
 }
+
 static void figure_joints_step(wfDraw *d, const wfFigureInput *in)
 {
     wfReal h = figTwoTo(5 * figStepSlider(d, in)) / 480;  /* 1/480 s to 1/15 s */

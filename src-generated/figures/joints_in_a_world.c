@@ -83,6 +83,7 @@ static void joined_bridge(wfWorld *w)
     }
     joined_pin(w, last, right, 5, -0.1);
 }
+
 static void joined_cart(wfWorld *w)
 {
     wfBodyId body = joined_box(w, -4, 0.75, 0.9, 0.25, WF_DYNAMIC), wheel;
@@ -100,6 +101,7 @@ static void joined_cart(wfWorld *w)
         wfAddJointToWorld(w, &j, NULL);
     }
 }
+
 static void joined_crane(wfWorld *w)
 {
     wfBodyId tower = joined_box(w, 8.5, 1.5, 0.3, 3.5, WF_STATIC);
@@ -114,6 +116,7 @@ static void joined_crane(wfWorld *w)
     j.flags = WF_JOINT_LIMITS, j.upper = j.rest;
     wfAddJointToWorld(w, &j, NULL);
 }
+
 static void joined_draw(wfDraw *d, const wfWorld *w)
 {
     wfBodyView all = wfWorldBodies(w);
@@ -152,6 +155,7 @@ static void figure_joined_machines(wfDraw *d, const wfFigureInput *in)
     joined_draw(d, &world);
     wfDestroyWorld(&world);
 }
+
 static void sleep_draw(wfDraw *d, const wfWorld *w, wfVec2 shift)
 {
     static const int ink[4] = { WF_INK_BODY, WF_INK_BODY2, WF_INK_GOOD, WF_INK_BAD };
@@ -169,6 +173,7 @@ static void sleep_draw(wfDraw *d, const wfWorld *w, wfVec2 shift)
                  : WF_INK_FAINT);
     }
 }
+
 static void figure_sleep_stacks(wfDraw *d, const wfFigureInput *in)
 {
     wfWorld w;

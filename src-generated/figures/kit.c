@@ -32,6 +32,7 @@ void figRing(wfDraw *d, const wfVec2 *ring, int count, float widthPx, int line,
     }
     wfDrawPolygon(d, xy, count, widthPx, line, fill);
 }
+
 void figShape(wfDraw *d, const wfShape *s, wfTransform at, float widthPx,
               int line, int fill)
 {
@@ -81,6 +82,7 @@ wfReal figTwoTo(wfReal u)
     }
     return out;
 }
+
 wfReal figSlider(wfDraw *d, const wfFigureInput *in, const char *left,
                  const char *right)
 {

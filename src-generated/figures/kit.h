@@ -36,6 +36,6 @@ wfReal figSlider(wfDraw *d, const wfFigureInput *in, const char *left,
                  const char *right);
 wfReal figStepSlider(wfDraw *d, const wfFigureInput *in);
 void figSegment(wfDraw *d, wfVec2 from, wfVec2 to, float widthPx, int role);
-/* Did the engine do it? If not, whoever shows the figure is told. */
+/* Did the engine do it? If not, the program that draws the figures is told. */
 bool figAccept(wfDraw *d, wfResult result);
 #endif

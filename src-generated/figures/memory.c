@@ -25,6 +25,7 @@ static void figure_memory_holes(wfDraw *d, const wfFigureInput *in)
                 TOY_CELLS);
     wfDrawTextf(d, 9.3f, 0.2f, 14, WF_INK_ACCENT, 1, "longest hole: %d", longest);
 }
+
 static void figure_memory_pool(wfDraw *d, const wfFigureInput *in)
 {
     static _Alignas(16) uint8_t bytes[48];

@@ -72,6 +72,7 @@ static void figure_narrow_nested(wfDraw *d, const wfFigureInput *in)
         narrow_interval(d, moved, y - 0.3f, role, "B");
     }
 }
+
 static void figure_narrow_false(wfDraw *d, const wfFigureInput *in)
 {
     wfShape a;
@@ -110,6 +111,7 @@ static void narrow_difference(wfDraw *d, const wfShape *a, wfTransform xa, const
                    narrow_edge_role(&hull, i, a, xa));
     wfDrawPoint(d, WF_XY(origin), 7, WF_INK_LINE);
 }
+
 static void figure_narrow_minkowski(wfDraw *d, const wfFigureInput *in)
 {
     wfShape a, b;
@@ -182,12 +184,14 @@ static void figure_narrow_regions(wfDraw *d, const wfFigureInput *in)
                 s.distance > 0 ? "apart by %.2f m" : "depth %.2f m",
                 (double)wfAbs(s.distance));
 }
+
 static void narrow_core(wfDraw *d, const wfShape *s, wfTransform xf, int role)
 {
     for (int i = 0; i < s->count; i++)
         figSegment(d, wfApply(xf, s->vertices[i]),
                    wfApply(xf, s->vertices[i + 1 < s->count ? i + 1 : 0]), 2.5f, role);
 }
+
 static void figure_narrow_coats(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const whose[3] = { "nobody's edge: corner to corner, or end",
@@ -230,6 +234,7 @@ static void gjk_simplex(wfDraw *d, GjkPanel at, const wfVec2 *v, int n, float px
     if (n == 2) wfDrawLine(d, xy[0], xy[1], xy[2], xy[3], px, role);
     if (n == 3) wfDrawPolygon(d, xy, 3, px, role, WF_INK_NONE);
 }
+
 /* the outline of B - A, for the reader; the engine does not make it */
 static void gjk_outline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape *b,
                         wfTransform rel)
@@ -247,6 +252,7 @@ static void gjk_outline(wfDraw *d, GjkPanel at, const wfShape *a, const wfShape 
                    WF_INK_FAINT);
     wfDrawPoint(d, WF_XY(at.origin), 6, WF_INK_LINE);
 }
+
 /* the two shapes at the left; the relative pose of B, or false */
 static bool gjk_pair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
                      wfTransform *xa, wfTransform *xb)
@@ -268,6 +274,8 @@ static bool gjk_pair(wfDraw *d, const wfFigureInput *in, wfShape *a, wfShape *b,
     figShape(d, b, *xb, 2, WF_INK_BODY2, WF_INK_BODY2);
     return true;
 }
+
+/* an octagon and a pentagon: with two boxes GJK ends after two or three answers */
 static void gjk_empty(wfDraw *d, const char *text)
 {
     wfDrawText(d, 8.8f, 3.6f, 14, WF_INK_TEXT, 0, text);

@@ -14,6 +14,7 @@ static wfVec2 figure_handle(const wfFigureInput *in, int i, wfVec2 origin)
 {
     return wfSub(wfV2((wfReal)in->handle[i][0], (wfReal)in->handle[i][1]), origin);
 }
+
 static void figure_numbers_cross(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 o = wfV2(1.5f, 0.8f), a = figure_handle(in, 0, o), b = figure_handle(in, 1, o);
@@ -27,6 +28,7 @@ static void figure_numbers_cross(wfDraw *d, const wfFigureInput *in)
     wfVec2 middle = wfLerp(o, q, WF_R(0.55));
     wfDrawTextf(d, WF_XY(middle), 15, WF_INK_TEXT, 0, "a \xc3\x97 b = %.2f", (double)area);
 }
+
 static void figure_numbers_projection(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 o = wfV2(0.8f, 0.6f), a = figure_handle(in, 0, o), b = figure_handle(in, 1, o);
@@ -41,6 +43,7 @@ static void figure_numbers_projection(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 5.8f, 3.6f, 14, WF_INK_TEXT, 1, "a \xc2\xb7 b = %.2f",
                 (double)wfDot(a, b));
 }
+
 static void figure_arc(wfDraw *d, wfVec2 centre, wfReal radius, wfReal from, wfReal to,
                        int role)
 {
@@ -74,6 +77,7 @@ static void figure_numbers_rotation(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 3.25f, 0.75f, 14, WF_INK_ACCENT, -1, "%.0f\xc2\xb0",
                 (double)wfDegrees(angle));
 }
+
 static void figure_numbers_quarters(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 o = wfV2(2.4f, 2.1f), v = figure_handle(in, 0, o);
@@ -119,6 +123,7 @@ static void figure_numbers_lattice(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 2.5f, 0.12f, 14, WF_INK_TEXT, 0, "%.0f km from the origin: gap %.3g m",
                 (double)centre / 1000, (double)gap);
 }
+
 static void figure_numbers_transform(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 o = wfV2(0.4f, 0.4f), p = figure_handle(in, 0, o);

@@ -10,6 +10,7 @@ static void platform_box(wfDraw *d, float x, float y, float w, float h, int fill
     wfDrawPolygon(d, xy, 4, 1.5f, WF_INK_LINE, fill);
     wfDrawText(d, x + w / 2, y + h / 2 - 0.1f, 14, WF_INK_TEXT, 0, name);
 }
+
 static void figure_platform_service(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -30,6 +31,7 @@ static void figure_platform_service(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawText(d, 4.5f, 4.4f, 13, WF_INK_TEXT, 0, "game_update_and_render");
 }
+
 static void figure_platform_clock(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -76,6 +78,7 @@ static void platform_spiral(wfDraw *d, double cost, int32_t most, int role,
     wfDrawPolyline(d, xy, k, 2, role);
     wfDrawText(d, xy[2 * k - 2] + 0.15f, xy[2 * k - 1] + 0.08f, 13, role, -1, name);
 }
+
 static void figure_platform_spiral(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;

@@ -39,6 +39,7 @@ static void build_crate(wfVec2 centre, wfBodyState *point, wfForce *spring)
             spring[n++] = wfSpring(i, wfV2(0, 0), j, wfV2(0, 0), rest, 500, 0);
         }
 }
+
 static void pull_crate(void *springs, const wfBodyState *point, int count, wfReal time,
                        wfBodyForces *out)
 {
@@ -163,6 +164,7 @@ static void draw_algebraic_oracle(wfDraw *d)
     wfDrawText(d, 5.95f, 1.2f, 13, WF_INK_GOOD, -1, "and back");
     wfDrawText(d, 5.1f, 0.2f, 14, WF_INK_TEXT, 0, "algebraic");
 }
+
 static void draw_box_with_word(wfDraw *d, float x, float y, float width, const char *word)
 {
     figRect(d, x, y, x + width, y + 0.6f, 1.5f, WF_INK_LINE, WF_INK_BODY);

@@ -3,6 +3,7 @@
 #include "engine/image.h"
 #include "weft/save.h"
 #include "figures/kit.h"
+
 static bool save_pile(wfWorld *world)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -22,6 +23,8 @@ static bool save_pile(wfWorld *world)
     for (int i = 0; i < 60; i++) wfStepWorld(world);
     return true;
 }
+
+/* regions under 20 kB would have no width: not drawn, but in the sum */
 static void figure_save_used(wfDraw *d, const wfFigureInput *in)
 {
     wfWorld world;
@@ -50,6 +53,7 @@ static void figure_save_used(wfDraw *d, const wfFigureInput *in)
                 (int)(counts / 1000), (int)(all / 1000));
     wfDestroyWorld(&world);
 }
+
 static void figure_save_ring(wfDraw *d, const wfFigureInput *in)
 {
     static _Alignas(16) uint8_t bytes[72000];
@@ -106,6 +110,7 @@ static wfResult journal_do(wfWorld *world, wfJournal *j, int what, int number)
         result = wfStepNoted(world, j, NULL);
     return result;
 }
+
 static void figure_save_journal(wfDraw *d, const wfFigureInput *in)
 {
     static _Alignas(16) uint8_t bytes[4096];
@@ -152,7 +157,9 @@ static void ruler_ticks(wfDraw *d, double step, float y, float length)
         wfDrawLine(d, x, y - length / 2, x, y + length / 2, 1.2f, WF_INK_LINE);
     }
 }
-/* The nearest decimal: so many units above 1000. */
+
+/* The nearest decimal: so many units above 1000.
+   24 binary digits, nine before the point: floats near 1000 are 2^(9-23) apart. */
 static int decimal(double x, double unit) { return (int)((x - 1000) / unit + 0.5); }
 
 static void figure_save_digits(wfDraw *d, const wfFigureInput *in)

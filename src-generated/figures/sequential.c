@@ -2,6 +2,7 @@
  * this file: edit the chapter and type make. MIT licence. */
 #include "weft/resolve.h"
 #include "figures/kit.h"
+
 static wfContact path_contact(wfBodyState *state, wfReal j0, wfReal j1)
 {
     wfContact c = { .a = 0, .b = 1, .manifold = { .normal = wfV2(0, 1), .count = 2 } };
@@ -18,6 +19,7 @@ static wfContact path_contact(wfBodyState *state, wfReal j0, wfReal j1)
     }
     return c;
 }
+
 /* the two impulses after so many passes that may only push */
 static wfVec2 path_pushed(int passes)
 {
@@ -71,6 +73,7 @@ static void path_line(wfDraw *d, int corner)
     float x = corner == 1 ? 4.2f : (float)a.x + 0.2f, y = corner == 1 ? 3.3f : (float)a.y;
     wfDrawText(d, x, y, 12, WF_INK_TEXT, -1, corner ? "right at rest" : "left at rest");
 }
+
 static void path_draw(wfDraw *d, bool sums, wfReal j0, wfReal j1, int role)
 {
     wfVec2 before = path_place(wfV2(j0, j1));
@@ -84,6 +87,7 @@ static void path_draw(wfDraw *d, bool sums, wfReal j0, wfReal j1, int role)
         before = corner;
     }
 }
+
 static void figure_sequential_path(wfDraw *d, const wfFigureInput *in)
 {
     wfReal j0 = wfMaxR(((wfReal)in->handle[0][0] - WF_R(0.6)) / WF_R(2.6), 0);
@@ -124,6 +128,7 @@ static void tower_passes(wfDraw *d, int n, int passes, wfReal *impulse, wfReal *
         sink[i] = -state[i + 1].v.y;
     }
 }
+
 static void figure_sequential_passes(wfDraw *d, const wfFigureInput *in)
 {
     enum { BOXES = 8 };

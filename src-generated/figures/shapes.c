@@ -22,6 +22,7 @@ static void figure_shapes_bounds(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 3, 0.2f, 13, WF_INK_ACCENT, 0, "axis-aligned bounds");
     wfDrawText(d, 5.9f, 0.2f, 13, WF_INK_GOOD, 1, "oriented box");
 }
+
 static void figure_shapes_hull(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 points[20], hull[20];
@@ -44,6 +45,7 @@ static void figure_shapes_hull(wfDraw *d, const wfFigureInput *in)
         wfDrawTextf(d, WF_XY(label), 13, WF_INK_ACCENT, 0, "%d", i);
     }
 }
+
 static wfReal standing_height(const wfShape *s, wfReal tilt)
 {
     return 0 - wfShapeBounds(s, wfMakeTransform(wfV2(0, 0), tilt)).min.y;
@@ -86,6 +88,7 @@ static void figure_shapes_rock(wfDraw *d, const wfFigureInput *in)
         wfDrawPoint(d, foot, 0.3f, 9, WF_INK_ACCENT);
     }
 }
+
 static void figure_shapes_tiles(wfDraw *d, const wfFigureInput *in)
 {
     wfShape tile, crate;
@@ -110,6 +113,7 @@ static void figure_shapes_tiles(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, 4, 3.2f, 14, bump ? WF_INK_BAD : WF_INK_GOOD, 0,
                bump ? "the tile's side: a bump" : "the tile's top: all is well");
 }
+
 static void figure_sector(wfDraw *d, wfVec2 at, wfVec2 from, wfReal turn, wfReal r,
                           int role)
 {
@@ -142,6 +146,7 @@ static void figure_shapes_steiner(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(s.centre), 7, WF_INK_ACCENT);
     wfDrawText(d, (float)disk.x, 1.15f, 14, WF_INK_TEXT, 0, "all sectors");
 }
+
 static void figure_shapes_green(wfDraw *d, const wfFigureInput *in)
 {
     static const wfVec2 points[5] = { { { 3.2f, 1.6f } }, { { 5.8f, 1.2f } },
@@ -164,6 +169,7 @@ static void figure_shapes_green(wfDraw *d, const wfFigureInput *in)
     wfDrawText(d, (float)s.centre.x + 0.15f, (float)s.centre.y, 14, WF_INK_TEXT, -1, "c");
     wfDrawTextf(d, 7.8f, 0.3f, 14, WF_INK_TEXT, 1, "A = %.2f", (double)wfShapeArea(&s));
 }
+
 static void figure_shapes_axis(wfDraw *d, const wfFigureInput *in)
 {
     wfVec2 q = figHandle(in, 0);

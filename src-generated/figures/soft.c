@@ -28,6 +28,7 @@ static void bounce_figure_step(wfDraw *d, wfBodyState *state, wfContact *c, int 
     else if (figAccept(d, wfSolveVelocities(row, &in)))
         figAccept(d, wfSolvePositions(row, &in));
 }
+
 static void bounce_figure_path(wfDraw *d, const char *solver, wfReal top, int role)
 {
     wfBodyState state[2] = { { .invMass = 0 }, { .p = wfV2(WF_R(0.3), top),
@@ -51,6 +52,7 @@ static void figure_soft_path(wfDraw *d, const wfFigureInput *in)
     bounce_figure_path(d, "impulse-friction", top, WF_INK_BAD);
     bounce_figure_path(d, "soft", top, WF_INK_GOOD);
 }
+
 enum { SAG_BOXES = 10 };
 
 static void sag_step(wfDraw *d, wfBodyState *state, wfContact *c, int substeps)
@@ -82,6 +84,7 @@ static void sag_tower(wfDraw *d, wfBodyState *state, int substeps)
                             .manifold = { .normal = wfV2(0, 1), .count = 1 } };
     for (int i = 0; i < 480; i++) sag_step(d, state, c, substeps);
 }
+
 static void figure_soft_sag(wfDraw *d, const wfFigureInput *in)
 {
     wfBodyState state[SAG_BOXES + 1];
@@ -105,6 +108,7 @@ static void figure_soft_sag(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 4.4f, 2.4f, 13, WF_INK_ACCENT, -1, "by the formula %.1f mm",
                 1000 * (double)sunk);
 }
+
 static void gather_square(wfDraw *d, float left, bool turned, const char *title)
 {
     static const char *const name[4] = { "vx", "vy", "w", "1/m" };
@@ -119,6 +123,7 @@ static void gather_square(wfDraw *d, float left, bool turned, const char *title)
             wfDrawText(d, x + 0.5f, y + 0.38f, 12, WF_INK_TEXT, 0, name[number]);
         }
 }
+
 static void figure_soft_gather(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;

@@ -4,6 +4,8 @@
 #include "weft/impact.h"
 #include "weft/narrow.h"
 #include "figures/kit.h"
+
+/* the tunnel is drawn five times as large */
 static void figure_impact_tunnel(wfDraw *d, const wfFigureInput *in)
 {
     wfShape wall, ball;
@@ -28,6 +30,7 @@ static void figure_impact_tunnel(wfDraw *d, const wfFigureInput *in)
         }
     }
 }
+
 /* a body at several moments of its sweep, the later the fainter */
 static void impact_ghosts(wfDraw *d, const wfShape *s, wfSweep sweep, int count, int role)
 {
@@ -56,6 +59,7 @@ static void figure_impact_rod(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 4.9f, 0.5f, 14, WF_INK_TEXT, -1, "t = %.3f", (double)hit.t);
     wfDrawTextf(d, 4.9f, 0.15f, 14, WF_INK_TEXT, -1, "steps: %d", (int)hit.steps);
 }
+
 static bool impact_flight(wfVec2 to, wfShape *ground, wfShape *box, wfSweep *still,
                           wfSweep *flight)
 {
@@ -85,6 +89,7 @@ static void figure_impact_steps(wfDraw *d, const wfFigureInput *in)
     }
     wfDrawTextf(d, 7.9f, 4.2f, 14, WF_INK_TEXT, 1, "steps: %d", (int)hit.steps);
 }
+
 /* a graph in the rectangle from `at`, 8 wide: t from 0 to 1, gap from 0 to `most` */
 typedef struct ImpactGraph { float x, y, high, most; } ImpactGraph;
 
@@ -109,6 +114,7 @@ static void impact_curve(wfDraw *d, const ImpactGraph *g, const wfShape *a, wfSw
     }
     wfDrawPolyline(d, xy, n / 2, 2, WF_INK_BODY);
 }
+
 static void impact_sawtooth(wfDraw *d, const ImpactGraph *g, const wfImpactTrace *t,
                             wfReal goal)
 {
@@ -144,6 +150,7 @@ static void figure_impact_graph(wfDraw *d, const wfFigureInput *in)
         wfDrawTextf(d, g.x + 8.2f, g.y + 2.1f, 14, WF_INK_TEXT, 1, "steps: %d", t.count);
     }
 }
+
 static void figure_impact_bound(wfDraw *d, const wfFigureInput *in)
 {
     wfShape box;
@@ -211,6 +218,7 @@ static void impact_parabola_line(wfDraw *d, int i, int role, float width)
     }
     wfDrawPolyline(d, xy, n / 2, width, role);
 }
+
 static void figure_impact_curve(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
@@ -232,6 +240,7 @@ static void figure_impact_curve(wfDraw *d, const wfFigureInput *in)
         s = root;
     }
 }
+
 /* a body, its inner copy, and where both are stopped */
 static void impact_stopped(wfDraw *d, const wfShape *body, const wfShape *inner,
                            wfSweep sweep, const wfObstacle *list, int count)

@@ -84,6 +84,7 @@ static void draw_places(wfDraw *d, const wfWorld *world, wfBodyId old, float y,
                 "(%u, %u): %s", (unsigned)old.index, (unsigned)old.generation,
                 valid ? "valid" : "refused");
 }
+
 static void figure_world_ids(wfDraw *d, const wfFigureInput *in)
 {
     const char *const before[3] = { "A", "B", "C" }, *const after[3] = { "A", "D", "C" };
@@ -103,6 +104,7 @@ static void figure_world_ids(wfDraw *d, const wfFigureInput *in)
     draw_places(d, &world, id[1], 0.1f, "D added", after);
     wfDestroyWorld(&world);
 }
+
 /* For which kinds of step does this stage read (or write) this array? */
 static int32_t flow_pages(const char *stage, int array, bool writes)
 {
@@ -137,6 +139,7 @@ static void draw_flow_of(wfDraw *d, int array, float y)
         if (writes) wfDrawCircle(d, x, y, 0.03f, 2.4f, flow_ink(writes), flow_ink(writes));
     }
 }
+
 static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
 {
     float y = flowTop;

@@ -82,7 +82,7 @@ static void pulled(int n, const double *x, const double *v, double *a)
     a[0] = -36 * x[0], a[1] = -36 * x[1];
 }
 
-static void attracted(int n, const double *x, const double *v, double *a)
+void labOrbit(int n, const double *x, const double *v, double *a)
 {
     double square = x[0] * x[0] + x[1] * x[1], cube = square * sqrt(square);
     (void)n, (void)v;
@@ -98,7 +98,7 @@ static void spring_course(int fine, labCourse out)
 static void orbit_course(int fine, labCourse out)
 {
     double x[2] = { 0.25, 0 }, v[2] = { 0, 2.5 };
-    ref_course(attracted, 1, x, v, fine, out);
+    ref_course(labOrbit, 1, x, v, fine, out);
 }
 
 static void chain_course(int n, double rod, int fine, labCourse out)
@@ -111,7 +111,6 @@ static void chain_course(int n, double rod, int fine, labCourse out)
 static void pendulum_course(int fine, labCourse out) { chain_course(1, 1, fine, out); }
 static void double_course(int fine, labCourse out) { chain_course(2, 0.5, fine, out); }
 static void ten_course(int fine, labCourse out) { chain_course(10, 0.125, fine, out); }
-
 /* A body whose place is a formula of the time. */
 static void formula_course(void (*place)(double t, double at[2]), labCourse out)
 {
@@ -256,7 +255,6 @@ static wfResult build_stack(wfWorld *world)
 }
 
 static wfResult build_cards(wfWorld *world) { return wfBuildCardHouse(world, 3, 0, 1); }
-
 static wfResult build_pile(wfWorld *world)
 {
     wfResult result = level_floor(world);
@@ -372,7 +370,7 @@ double labTruthError(const labTruth *scene)
     return most;
 }
 
-/* The size of a scene, as the engine sees it: how far somebody gets, or how large he is. */
+/* The size of a scene, as the engine sees it: how far a body gets, or how large it is. */
 static double size_of(const wfWorld *world, int n, labCourse course)
 {
     wfShapeView s = wfWorldShapes(world);
@@ -485,7 +483,8 @@ static wfResult turn_dials(wfWorld *world, const labDials *dials)
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }
 
-/* With these dials, or with settings that were chosen. */
+/* With these dials, or with settings that were chosen.
+   Dials and chosen settings end in one function, so that they differ in nothing else. */
 static labResult run_set(const labTruth *scene, const char *solver, const char *joints,
                          const labDials *dials, const wfAccuracy *chosen)
 {
@@ -544,7 +543,7 @@ int labHorizon(FILE *out)
         if (turn_dials(&world[i], &dials) != WF_OK) return 1;
     }
     fprintf(out, "time,1 substep,4 substeps,16 substeps\n");
-    /* follow the three runs and the truth */
+    /* the truth is stepped along, 256 times in a frame */
     for (int k = 1; k <= HORIZON; k++) {
         labReference(hanging, 2, 1.0 / 60 / 256, 256, place[0], v);
         if (k % HORIZON_EACH == 0) fprintf(out, "%.2f", k / 60.0);

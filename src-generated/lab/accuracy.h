@@ -15,7 +15,7 @@ typedef struct labTruth {
     wfResult  (*build)(wfWorld *world);
     /* The true course, with so many steps of the reference in a frame; NULL: unknown. */
     void      (*course)(int fine, labCourse out);
-    double      rod;               /* m: between neighbours that are joined; 0: nobody is */
+    double      rod;               /* m: between neighbours that are joined; 0: none are */
     int         conserves;         /* 1: energy; 2: and angular momentum about (0, 0) */
     int         stands;            /* 1: its course is to stay where it was put */
 } labTruth;
@@ -23,6 +23,8 @@ typedef struct labTruth {
 typedef void labAccelerations(int n, const double *x, const double *v, double *a);
 /* So many steps of h (s) by Runge and Kutta's classical method; n <= LAB_POINTS. */
 void labReference(labAccelerations *f, int n, double h, int steps, double *x, double *v);
+/* About (0, 0), with G M = 1. */
+void labOrbit(int n, const double *x, const double *v, double *a);
 extern const labTruth labTruths[];
 extern const int labTruthCount;
 int labFindTruth(const char *name);             /* -1: no such scene */
@@ -41,7 +43,9 @@ typedef struct labResult {
     double depth, gap;             /* greatest, as shares of the size */
     double seconds;                /* of processor time, for all frames */
 } labResult;
-/* A new world with the scene, for that solver, and with fine sums if it keeps them. */
+
+/* A new world with the scene, for that solver, and with fine sums if it keeps them.
+   In shares of a scene's own size: a chain and a drop can stand in one table. */
 wfResult labMakeTruth(const labTruth *scene, const char *solver, const char *joints,
                       wfWorld *out);
 /* Runs a second of it with these dials. */
@@ -49,8 +53,9 @@ labResult labRunDials(const labTruth *scene, const labDials *dials);
 /* The same with settings that were chosen. */
 labResult labRunChosen(const labTruth *scene, const char *solver,
                        const wfAccuracy *chosen);
-/* The error of a course that somebody else has computed; reach: of the largest body. */
+/* The error of a course that was computed elsewhere; reach: of the largest body. */
 double labJudge(const labTruth *scene, double reach, labCourse got, int bodies);
+
 /* By how much the pile of steps and of half as long ones are apart, moment by moment. */
 int labPileApart(FILE *out);
 /* By how much a double pendulum is off, s after s, by steps of a frame. */

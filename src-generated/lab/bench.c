@@ -10,6 +10,12 @@ double labRelative(double got, double want)
 {
     return got > want ? got / want - 1 : 1 - got / want;
 }
+int labByValue(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
 void labStartBench(labBench *b, const char *solver, double hertz)
 {
     memset(b, 0, sizeof *b);
@@ -24,6 +30,7 @@ void labStartBench(labBench *b, const char *solver, double hertz)
     b->slop = WF_R(0.005);
     b->share = WF_R(0.4);
 }
+
 static int bench_add(labBench *b, wfShape shape, double x, double y, double mass, double mu)
 {
     int i = b->count++;
@@ -39,6 +46,7 @@ static int bench_add(labBench *b, wfShape shape, double x, double y, double mass
     b->state[i].invInertia = (wfReal)(1 / inertia);
     return i;
 }
+
 int labAddBox(labBench *b, double x, double y, double w, double h, double mass,
               double mu)
 {
@@ -71,6 +79,7 @@ static void bench_pair(labBench *b, int i, int k, wfReal margin)
     wfMakeManifoldWithin(&b->shape[i], xi, &b->shape[k], xk, &s, margin, &c.manifold);
     if (c.manifold.count > 0 && b->contacts < BENCH_CONTACTS) b->contact[b->contacts++] = c;
 }
+
 static void bench_touch(labBench *b, wfReal margin)
 {
     int old = b->contacts;
@@ -114,6 +123,8 @@ static void bench_fly(labBench *b)
         s->angle += b->h * s->w;
     }
 }
+
+/* twice what the fastest body can go in a step, and 2 cm; a spin counts 1 m out */
 static wfReal bench_margin(const labBench *b)
 {
     wfReal fastest = 0;
@@ -123,6 +134,8 @@ static wfReal bench_margin(const labBench *b)
     }
     return 2 * b->h * (fastest + b->h * wfLength(b->gravity)) + WF_R(0.02);
 }
+
+/* some solvers move the bodies themselves, in one call for a step */
 void labStepBench(labBench *b)
 {
     wfPool scratch;
@@ -172,6 +185,7 @@ double labSlideError(const char *solver, int passes)
     labRunBench(&b, 180);
     return ((double)b.state[box].p.x - start) * 9.81 / 100 - 1;
 }
+
 double labRollError(const char *solver, int passes)
 {
     static labBench b;
@@ -184,6 +198,8 @@ double labRollError(const char *solver, int passes)
     labRunBench(&b, 120);
     return (double)b.state[disc].p.x / want - 1;
 }
+
+/* the first five seconds are settling and no creep */
 double labLateCreep(const char *solver, int passes, double steep)
 {
     static labBench b;

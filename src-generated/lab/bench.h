@@ -42,6 +42,7 @@ int labAddDisc(labBench *b, double x, double y, double r, double mass, double mu
 void labStepBench(labBench *b);
 void labRunBench(labBench *b, int steps);
 double labCreepOnSlope(const char *solver, double steep);
+int labByValue(const void *a, const void *b);           /* orders doubles, for qsort */
 void labStackBoxes(labBench *b, const char *solver, int boxes);
 double labSlideError(const char *solver, int passes);
 double labRollError(const char *solver, int passes);

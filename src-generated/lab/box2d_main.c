@@ -87,7 +87,6 @@ static void tile(b2BodyId body, double x, double y, double width, double height)
     b2CreatePolygonShape(body, &d, &box);
 }
 
-
 static void junkyard(b2WorldId world)
 {
     b2ShapeDef d = b2DefaultShapeDef();
@@ -293,7 +292,7 @@ static int compare(const void *a, const void *b)
 typedef struct Scene {
     const char *name;
     void (*build)(b2WorldId world);
-    void (*steer)(int k);           /* before step k; NULL: nobody steers */
+    void (*steer)(int k);           /* before step k; NULL: not steered */
     int before, runs;               /* steps that are not timed, and that are */
     int (*lost)(void);              /* bodies that are lost at the end; NULL: none */
 } Scene;

@@ -29,6 +29,7 @@ static BroadWorld *broad_world(void)     /* one for all measurements: it is larg
     static BroadWorld world;
     return &world;
 }
+
 static void fill_broad_world(BroadWorld *world, int n, int scene, int frame)
 {
     wfRandom random;
@@ -76,7 +77,7 @@ static int64_t count_by_tree(BroadWorld *world, int n, wfQuadReach reach, int *p
     if (wfPoolInit(&pool, sizeof world->scratch, world->scratch) != WF_OK) return -1;
     if (wfQuadTreeBuild(&tree, &pool, &in) != WF_OK) return -1;
     if (reach == WF_QUAD_SAME_NODE) {
-        /* build the report's tree, which has no buckets */
+        /* the report's tree has no buckets; eight nodes for each box have been enough */
         wfQuadTreeDef def = { wfQuadTreeRect(&tree, 0), n, 8 * n, WF_QUAD_MAX_DEPTH, 0 };
         wfPoolReset(&pool);
         if (wfQuadTreeInit(&tree, &pool, &def) != WF_OK) return -1;
@@ -86,6 +87,7 @@ static int64_t count_by_tree(BroadWorld *world, int n, wfQuadReach reach, int *p
     *pairs = list.count;
     return list.tests;
 }
+
 static int64_t count_by_row(BroadWorld *world, int row, int n, wfPair *to, int *pairs)
 {
     wfProxies in = { .count = n, .bounds = world->bounds, .flags = world->flags };
@@ -146,6 +148,7 @@ static int measure_broad_scene(FILE *out, BroadWorld *world, int scene)
     }
     return 0;
 }
+
 static int measure_broad_pairs(FILE *out)
 {
     int failed = 0;
@@ -171,7 +174,9 @@ static const wfRect *broad_frame(const BroadWorld *world, int call)
     int k = call % (2 * BROAD_FRAMES - 2);
     return world->frames[k < BROAD_FRAMES ? k : 2 * BROAD_FRAMES - 2 - k];
 }
-/* updates the index, if the row has one, and finds the pairs */
+
+/* updates the index, if the row has one, and finds the pairs;
+   a row without an index does nothing in the update */
 static bool step_broad_row(BroadWorld *world, int row, const wfProxies *in,
                            wfPairList *list)
 {
@@ -223,6 +228,8 @@ static double time_box_test(BroadWorld *world)
     fill_broad_frames(world, 1000, 0);
     return time_broad_row(world, row, 1000, &pairs) / (500.0 * 999);
 }
+
+/* the unit is measured before and after each row: a machine that slows down slows both */
 enum { BROAD_ROWS = 64 };                /* more rows than the table will ever have */
 
 static int time_broad_scene(FILE *out, BroadWorld *world, int scene)
@@ -287,6 +294,7 @@ static void fill_free(BroadWorld *world)
     }
     memset(world->index, 0, 2 * WF_POOL_ALIGN);
 }
+
 /* moves all circles on by a sixtieth of a second and finds their boxes */
 static bool move_free(BroadWorld *world, const wfShape *circle)
 {
@@ -299,7 +307,9 @@ static bool move_free(BroadWorld *world, const wfShape *circle)
         world->bounds[i] = wfShapeBounds(circle, wfBodyTransform(&world->states[i]));
     return true;
 }
-/* medians of the times of moving and of the broad phase, in s; false if it failed */
+
+/* medians of the times of moving and of the broad phase, in s; false if it failed;
+   ten steps before are not counted: in the first, the tree is built */
 static bool time_free(BroadWorld *world, int row, double *move, double *find, int *pairs)
 {
     enum { RUNS = 61, BEFORE = 10 };
@@ -361,6 +371,7 @@ static int64_t fly_on(BroadWorld *world, wfTree *tree, int n, int step, wfReal r
     }
     return changes;
 }
+
 static int measure_broad_fat(FILE *out)
 {
     enum { FLYERS = 2000, STEPS = 100 };

@@ -176,7 +176,7 @@ static int cell_accuracy_peers(FILE *out, const wfCellInput *in)
     int value = (int)wfCellNumber(in, "value", 1), steps = 1;
     const char *peer = wfCellText(in, "engine", ""), *dial = wfCellText(in, "dial", "");
     if (scene < 0 || value < 1) return 1;
-    /* write the scene for the peer */
+    /* a file whose name holds all that makes the cell, so that cells can run at once */
     snprintf(file, sizeof file, "build/lab/peer-%.16s-%d-%.16s-%d.json", peer, scene, dial,
              value);
     snprintf(printed, sizeof printed, "%s.csv", file);
@@ -263,7 +263,7 @@ static void sweep_accuracy_narrow(FILE *out, int full)
 }
 
 enum { ACC_DIALS = 7 };
-/* Where a dial turns: name, for whom, and the dials at the value v. */
+/* Where a dial turns: name, solver, and the dials at the value v. */
 static const char *const acc_dial[ACC_DIALS] = { "substeps", "steps", "passes",
     "stiffness", "iterative", "sequential", "exact" };
 
@@ -385,7 +385,8 @@ static const struct { const char *name, *adapter, *options; } extreme_engines[] 
 };
 enum { EXTREME_ENGINES = sizeof extreme_engines / sizeof *extreme_engines };
 
-/* plays a scene; the exit status, -1 if there is none to be read */
+/* plays a scene; the exit status, -1 if there is none to be read;
+   ulimit: what hangs cannot watch its clock; system() would return the shell's status */
 static int play_extreme(const char *scene, int engine, const labScene *s, int fast)
 {
     const char *folder = getenv("WEFT_PEERS"), *limit = getenv("WEFT_LIMIT");
@@ -432,7 +433,7 @@ static int cell_extremes(FILE *out, const wfCellInput *in)
     if (f == NULL) return 1;
     labBuildExtreme(e, value, f, &s);
     if (fclose(f) != 0) return 1;
-    /* play the scene and judge it */
+    /* an engine that refuses to sweep is asked once more without */
     int status = play_extreme(scene, engine, &s, s.fast);
     if (status == 3 && s.fast) status = play_extreme(scene, engine, &s, 0);
     const char *verdict = outcome(status);

@@ -66,6 +66,7 @@ static int outline_reflex(const wfMesh *m)
     }
     return reflex;
 }
+
 /* sums over many outlines: reflex corners, pieces without and with flips, shapes, bound */
 static int count_pieces(int kind, int n, int sum[5], double *worst)
 {
@@ -117,6 +118,7 @@ static double time_orientation(int n)
     double took = (double)(clock() - start) / CLOCKS_PER_SEC / 2000000;
     return sum > 2000000 ? -1 : took;                   /* so that the sum is needed */
 }
+
 /* the shortest of five runs, each of so many calls that it lasts, s; -1: failed */
 static double time_decompose(int n, wfPool *pool)
 {
@@ -132,6 +134,8 @@ static double time_decompose(int n, wfPool *pool)
     }
     return best;
 }
+
+/* the logarithm to the base two, for the corners double from row to row */
 static int measure_compound_time(FILE *out)
 {
     double last[2] = { 0 };

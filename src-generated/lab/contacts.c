@@ -125,6 +125,7 @@ static void report_place(wfRandom *r, int kind, wfTransform *xa, wfTransform *xb
     wfTransform over = { wfV2(x, WF_R(0.5) + low - depth), q };
     *xb = wfTransformMul(*xa, over);
 }
+
 static int measure_contacts_report(FILE *out)
 {
     static const char *const names[4] = { "upright", "both turned", "corner on a plank",
@@ -218,7 +219,8 @@ static void slide_solve(Slide *s)
             }
 }
 
-/* steps for as long as 1000 tiles take; returns the greatest vertical speed, m/s */
+/* steps for as long as 1000 tiles take; returns the greatest vertical speed, m/s;
+   impulses are carried over: a bump comes from the floor, not from cold passes */
 static wfReal slide_along(Slide *s)
 {
     wfReal h = WF_R(1.0) / 60, most = 0;
@@ -322,7 +324,8 @@ static void wander_shape(wfRandom *r, wfShape *s)
     } while (wfMakePolygon(p, 8, s) != WF_OK);
 }
 
-/* a pair that overlaps by at most a twentieth of the smaller reach */
+/* a pair that overlaps by at most a twentieth of the smaller reach;
+   moved along the normal until it just overlaps: all pairs begin in one state */
 static void wander_start(wfRandom *r, Wander *w)
 {
     wfSeparation s;
@@ -338,6 +341,7 @@ static void wander_start(wfRandom *r, Wander *w)
     w->xb.p = wfAddScaled(w->xb.p, out, s.normal);
 }
 
+/* the deepest point counts, for eq:contacts-reuse bounds its depth */
 static void wander_on(wfRandom *r, Wander *w, wfReal share)
 {
     wfReal x = wfRandomReal(r, -share, share) * w->reach;
@@ -398,6 +402,8 @@ static int measure_contacts_reuse(FILE *out)
     }
     return 0;
 }
+
+/* all three ways take the same poses; the best of seven batches counts */
 enum { REUSE_POSES = 64, REUSE_ROUNDS = 2000 };
 
 /* way 0: fresh; 1: used again; 2: tried in vain, then fresh and remembered */
@@ -452,6 +458,7 @@ static void reuse_pair(FILE *out, const char *name, const wfShape *a, const wfSh
     fprintf(out, "%s,%d,%d,%.0f,%.0f,%.2f,%.0f\n", name, 2 * n * m + n + m + m + 6,
             m + 6, best[0], best[1], best[0] / best[1], best[2]);
 }
+
 static void round_shape(int n, wfShape *s)
 {
     wfVec2 p[WF_MAX_VERTICES];
@@ -462,6 +469,7 @@ static void round_shape(int n, wfShape *s)
     }
     wfMakePolygon(p, n, s);
 }
+
 static int measure_contacts_reuse_time(FILE *out)
 {
     wfShape box, pill, eight, sixteen;

@@ -24,6 +24,7 @@ static double drawing_ink(int k, float size, float x, float y, bool jagged)
     }
     return sum;
 }
+
 static double drawing_area(int k, double size)
 {
     const double pi = 3.14159265358979;
@@ -35,6 +36,7 @@ static double drawing_area(int k, double size)
     default: return 0.5 * (18 * s * 17 * s - 7 * s * 3);
     }
 }
+
 static int measure_drawing_coverage(FILE *out)
 {
     static const struct { const char *name; int kind; float size; } shape[] = {
@@ -74,6 +76,7 @@ static void drawing_bodies(wfDraw *d, int n, float half)
         wfDrawCircle(d, x + 15.3f, y, h, 1.5f, WF_INK_BODY2, WF_INK_BODY2);
     }
 }
+
 static int measure_drawing_time(FILE *out)
 {
     enum { WIDE = 1280, HIGH = 720, FRAMES = 20 };

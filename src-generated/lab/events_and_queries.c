@@ -34,6 +34,7 @@ static void pool_start(PoolGame *g)
     wfSlotsInit(&g->list, g->slots, POOL_BALLS);
     for (int i = 0; i < POOL_BALLS; i++) pool_new(g);
 }
+
 static int measure_queries_callback(FILE *out)
 {
     static const wfPair pairs[] = { { 0, 2 }, { 2, 3 } };
@@ -88,6 +89,8 @@ typedef struct QueryLab {
     wfQueryWork work;
     wfShapeSet set;
 } QueryLab;
+
+/* too large for the stack */
 static QueryLab *query_lab(void)
 {
     static QueryLab lab;
@@ -98,6 +101,8 @@ static wfTransform query_place(const void *context, int32_t shape)
 {
     return ((const QueryLab *)context)->places[shape];
 }
+
+/* the side of the square grows with the root of n: all worlds are equally dense */
 static void fill_query_lab(QueryLab *lab, int32_t n)
 {
     static const wfVec2 three[3] = { { { -WF_R(0.4), -WF_R(0.3) } },
@@ -122,6 +127,7 @@ static void fill_query_lab(QueryLab *lab, int32_t n)
                              .shapes = lab->shapes, .place = query_place,
                              .context = lab, .work = &lab->work };
 }
+
 static int choose_query_method(QueryLab *lab, int method)
 {
     wfPool scratch;
@@ -152,6 +158,7 @@ static wfResult ask_query(QueryLab *lab, int kind, wfRandom *r)
         return wfSetOverlapArea(&lab->set, area, NULL, shapes, QUERY_MOST, &count);
     return wfSetClosest(&lab->set, ray.from, side, NULL, &c);
 }
+
 /* the same two hundred questions for every method; shapes looked at per question, or -1 */
 static double ask_queries(QueryLab *lab, int kind)
 {
@@ -170,6 +177,7 @@ static void query_header(FILE *out)
         fprintf(out, ",%s", wfBroadPhaseTable[m].name);
     fprintf(out, "\n");
 }
+
 static int measure_queries_work(FILE *out)
 {
     QueryLab *lab = query_lab();
@@ -187,6 +195,7 @@ static int measure_queries_work(FILE *out)
     }
     return 0;
 }
+
 /* s for the two hundred questions: median of five, in batches of a millisecond or more */
 static double time_queries(QueryLab *lab, int kind)
 {
@@ -222,6 +231,7 @@ static int measure_queries_time(FILE *out)
     }
     return 0;
 }
+
 /* eq:queries-school for a circle of radius 1 about the origin; -1: missed */
 static wfReal school_fraction(wfRay ray)
 {
@@ -239,6 +249,8 @@ static double off_circle(wfRay ray, wfReal t)
     double square = x * x + y * y - 1;                     /* (d - 1)(d + 1) */
     return (square < 0 ? -square : square) / 2;
 }
+
+/* up to 0.8 m beside the centre: each ray must hit, and none grazes */
 static int measure_queries_school(FILE *out)
 {
     enum { RAYS = 1000 };

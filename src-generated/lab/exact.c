@@ -34,6 +34,7 @@ static int tall_add(const wfShape *shape, wfVec2 at, double mass, double inertia
     tall.force[i].force = wfV2(0, (wfReal)(-9.81 * mass));
     return i;
 }
+
 static int tall_box(double x, double y, double w, double h, double mass)
 {
     wfShape box;
@@ -48,6 +49,8 @@ static void tall_start(int reach)
     tall.friction = WF_R(0.6);
     tall_box(0, -1, 1000, 2, 0);
 }
+
+/* not if a joint ties them: what hangs together overlaps there and must not push */
 static void tall_pair(int i, int k)
 {
     wfSeparation s;
@@ -63,6 +66,8 @@ static void tall_pair(int i, int k)
     wfMakeManifoldWithin(&tall.shape[i], xi, &tall.shape[k], xk, &s, margin.x, &c.manifold);
     if (c.manifold.count > 0) tall.contact[tall.contacts++] = c;
 }
+
+/* impulses are carried over; both lists are in one order */
 static void tall_touch(void)
 {
     int had = tall.contacts, at = 0;
@@ -103,6 +108,8 @@ static double tall_run(int steps)
         fastest = fmax(fastest, (double)wfLength(tall.state[i].v));
     return fastest;
 }
+
+/* askew, always alike: a perfect one would stand in any solver */
 static void tall_tower(int boxes, double top)
 {
     uint32_t random = 7;
@@ -121,6 +128,7 @@ static void tall_pyramid(int base)
         for (int x = 0; x < base - y; x++)
             tall_box(1.05 * x + 0.525 * y, y + 0.5, 1, 1, 1);
 }
+
 /* planks of 1 m, each farther out than the one below, by so much of what is possible */
 static void tall_overhang(int planks, double share)
 {
@@ -156,6 +164,8 @@ static void tall_arch(int stones, double thickness)
                  (double)mass.inertia);
     }
 }
+
+/* the measure of eq:exact-natural, for any solver */
 static double tall_error(void)
 {
     double worst = 0;
@@ -194,6 +204,7 @@ static double tall_passes(int passes)
     wfSolveVelocities(wfFindSolver("sequential"), &in);
     return tall_error() / before;
 }
+
 static int measure_exact_course(FILE *out)
 {
     wfPool scratch;
@@ -211,6 +222,7 @@ static int measure_exact_course(FILE *out)
     }
     return 0;
 }
+
 static void tall_scene(int scene)
 {
     if (scene < 3) tall_tower(scene == 0 ? 10 : scene == 1 ? 100 : 1000, 1);
@@ -219,6 +231,8 @@ static void tall_scene(int scene)
     if (scene == 5) tall_arch(20, 0.12);
     if (scene == 6) tall_overhang(10, 0.99);
 }
+
+/* passes double until a thousandth of the error is left; a dash: 16,384 are not enough */
 static int measure_exact_systems(FILE *out)
 {
     static const char *const name[7] = { "tower of 10", "tower of 100", "tower of 1000",
@@ -266,6 +280,7 @@ static double tall_sinks(double ratio)
     tall_run(600);
     return 1000 * (double)wfDistance(at, tall.state[2].p);
 }
+
 static int measure_exact_target(FILE *out)
 {
     fprintf(out, "what,got\n");
@@ -288,6 +303,7 @@ static int measure_exact_target(FILE *out)
     fprintf(out, "roll: error of the distance (%%),%.4f\n", 100 * labRollError("exact", 1));
     return 0;
 }
+
 static double tall_energy(void)
 {
     double sum = 0;
@@ -298,6 +314,7 @@ static double tall_energy(void)
     }
     return sum;
 }
+
 static void tall_heap(double friction)
 {
     uint32_t random = 7;
@@ -338,12 +355,14 @@ static int measure_exact_heap(FILE *out)
     }
     return 0;
 }
+
 static void tied_join(const char *kind, int a, int b, double x, double y, wfVec2 axis)
 {
     wfVec2 at = wfV2((wfReal)x, (wfReal)y);
     tall.joint[tall.joints++] = wfMakeJoint(kind, a, &tall.state[a], b, &tall.state[b], at,
                                             at, axis);
 }
+
 /* A ladder of ten welded pieces against a wall, with a load above its middle. */
 static int tied_ladder(double load)
 {
@@ -364,6 +383,7 @@ static int tied_ladder(double load)
     tied_join("weld", middle, top, (double)p.x, (double)p.y, wfV2(0, 1));
     return top;
 }
+
 /* Eleven planks between two banks, and five crates on them. */
 static int tied_bridge(double load)
 {
@@ -397,6 +417,8 @@ static int tied_grip(double load)
     }
     return tall_box(0, 3.1, 1, 0.8, load);
 }
+
+/* how much a row that holds still moves, and eq:exact-natural for the contacts */
 static double tied_error(void)
 {
     double worst = tall_error();
@@ -413,7 +435,9 @@ static double tied_error(void)
     }
     return worst;
 }
-/* One step, the joints in the contacts' matrix or by turns. */
+
+/* One step, the joints in the contacts' matrix or by turns.
+   A set of joints that lends nothing takes turns with the contacts. */
 static bool tied_step(bool turns)
 {
     static _Alignas(WF_POOL_ALIGN) unsigned char room[1 << 20];
@@ -472,6 +496,8 @@ static void tall_crowd(int boxes)
         tall.state[box].angle = (wfReal)(6 * number[2]);
     }
 }
+
+/* the dearest step, for a picture waits on it; boxes that fall get 5 s to arrive */
 static int measure_exact_budget(FILE *out)
 {
     static const char *const name[7] = { "tower of 1000", "pyramid of base 10",
@@ -554,6 +580,8 @@ static double lab_swing_gain(labSwings *s)
 {
     return 100 * (lab_chain_energy(&s->c) - s->first) / s->level;
 }
+
+/* a curve ends where its energy has doubled: the chain is gone */
 static int measure_exact_swing(FILE *out)
 {
     static labSwings s[3];
@@ -575,6 +603,8 @@ static int measure_exact_swing(FILE *out)
     }
     return 0;
 }
+
+/* the greatest gain, too: a method may gain, lose again and look innocent */
 static int measure_exact_swings(FILE *out)
 {
     static const double degrees[] = { 10, 60, 80, 90, 120, 150 };
@@ -631,6 +661,7 @@ static int measure_exact_pendulum(FILE *out)
     }
     return 0;
 }
+
 static int measure_exact_stretch(FILE *out)
 {
     double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD;
@@ -654,6 +685,7 @@ static int measure_exact_stretch(FILE *out)
         }
     return 0;
 }
+
 static int measure_exact_gap(FILE *out)
 {
     fprintf(out, "load,one by one,all at once\n");
@@ -693,6 +725,7 @@ static double lab_time_chain(int links, int how)
     }
     return 1e6 * best;
 }
+
 static int measure_exact_time(FILE *out)
 {
     fprintf(out, "machine,joints,one,all,order\n");
@@ -701,6 +734,8 @@ static int measure_exact_time(FILE *out)
                 lab_time_chain(links, 1), lab_time_chain(links, 2));
     return 0;
 }
+
+/* particles, since only the graph of the joints matters */
 static void lab_tie(wfJoint *joint, int *count, int a, int b)
 {
     joint[(*count)++] = (wfJoint){ .kind = wfFindJoint("revolute"), .a = a, .b = b,
@@ -726,6 +761,8 @@ static int lab_machine(int kind, int n, wfJoint *joint, wfBodyState *state, int 
     }
     return joints;
 }
+
+/* a row, a tree, one loop, many loops, and one hub */
 static int measure_exact_cost(FILE *out)
 {
     static const char *const name[] = { "chain", "tree", "ring", "net", "wheel" };

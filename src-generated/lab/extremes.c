@@ -112,6 +112,7 @@ static void judge_throw(const labTrace *t, double value, double *error, double *
     *error = *harm = hypot(dx, dy) / 5;
 }
 
+/* without forces neither the rate nor the place may change: the worse counts */
 static void build_spin(labScene *s, double spin)
 {
     s->steps = 600;
@@ -159,6 +160,7 @@ static void judge_bounce(const labTrace *t, double e, double *error, double *har
     *harm = peak / 1.01;
 }
 
+/* beyond thirty every sixth step, or reading would take longer than playing */
 static void build_bounces(labScene *s, double n)
 {
     s->restitution = 1;
@@ -220,6 +222,7 @@ static void build_zeno(labScene *s, double e)
     drop_ball(s, zeno_drop, 1.33 * fall_time(zeno_drop) * (1 + e) / (1 - e));
 }                                                           /* eq:extremes-zeno */
 
+/* harm: higher than it was let go, or below the floor */
 static void judge_zeno(const labTrace *t, double e, double *error, double *harm)
 {
     *error = fabs(at_end(t, 1, LAB_VY)) / sqrt(20 * zeno_drop);
@@ -379,6 +382,7 @@ static void build_slide(labScene *s, double mu)
                    .upright = 1 });
 }
 
+/* a block that friction presses into the floor has failed as well */
 static void judge_slide(const labTrace *t, double mu, double *error, double *harm)
 {
     double d = mu > 0 ? 5 / mu : 10 * labTime(t, t->rows - 1);
@@ -437,6 +441,7 @@ static void judge_slip(const labTrace *t, double share, double *error, double *h
     *harm = exact > 0 ? 2 * *error : *error;
 }
 
+/* rolling needs a third of the slope; with 2 no engine can slip by right */
 static void build_roll(labScene *s, double slope)
 {
     s->gravity = 10;
@@ -764,6 +769,7 @@ static void judge_falling(const labTrace *t, double gap, double *error, double *
     *harm = fmax(aside, rise / work);
 }
 
+/* all is scaled but gravity and the step, so this is no mere change of units */
 static void build_size(labScene *s, double side)
 {
     s->gravity = 10;
@@ -822,6 +828,7 @@ static void judge_chain(const labTrace *t, double ratio, double *error, double *
     *error = *harm = moved(t, 11) / 5;
 }
 
+/* from its hinge's height and from rest: its energy is 0, what is measured the error */
 static void build_pendulum(labScene *s, double seconds)
 {
     s->gravity = 10;
@@ -885,6 +892,7 @@ static void build_double(labScene *s, double seconds)
     hinge(s, 1, 2, 2, 0);
 }
 
+/* the gap between the rods' ends: an engine may be content with a joint come apart */
 static void judge_double(const labTrace *t, double seconds, double *error, double *harm)
 {
     double gap = 0;

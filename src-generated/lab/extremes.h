@@ -20,6 +20,7 @@ typedef struct labTrace {
 } labTrace;
 double labAt(const labTrace *t, int row, int body, int field);
 double labTime(const labTrace *t, int row);
+
 typedef struct labExtreme {
     const char *name, *axis, *text;
     double value[10];           /* of the axis, from tame to wild */

@@ -15,6 +15,7 @@ static wfBodyState float_begin(wfShape *box)
                           .invInertia = 1 / data.inertia };
 }
 
+/* gravity is always there; the two other rules add their lift by hand, to the centre */
 static void float_step(int rule, const wfShape *box, wfBodyState *b, wfReal h)
 {
     wfBodyProps props = wfDefaultBodyProps();
@@ -37,6 +38,7 @@ static double thousandths(wfReal x)
 {
     return (double)(long)((double)x * 1000 + (x < 0 ? -0.5 : 0.5)) / 1000;
 }
+
 static int measure_forces_float(FILE *out)
 {
     static const char *const name[FLOAT_RULES] = { "centre under water",
@@ -67,6 +69,7 @@ static double sliver_area(double root)
     }
     return 4 * 1.4142135623730951 * root * d * sum;
 }
+
 static int measure_forces_sliver(FILE *out)
 {
     wfShape ball;

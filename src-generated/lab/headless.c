@@ -38,6 +38,8 @@ typedef struct FrameBench {
     game_file file;
     frame_buffer picture;
 } FrameBench;
+
+/* what a window calls, with keys and a picture: a frame as a user gets it */
 static void frame_play(FrameBench *b, int key, int steps, bool drawn)
 {
     game_input in = { .steps = steps, .mouse_x = 600, .mouse_y = 300, .key_count = key != 0,
@@ -46,6 +48,8 @@ static void frame_play(FrameBench *b, int key, int steps, bool drawn)
     none.pixels = NULL;
     game_update_and_render(&b->memory, &in, drawn ? &b->picture : &none);
 }
+
+/* a heap is too much for the keyboard, so it comes as a saved world */
 static bool frame_open(FrameBench *b, int n)
 {
     wfWorld world;
@@ -67,6 +71,7 @@ static bool frame_open(FrameBench *b, int n)
     frame_play(b, 0, 0, false);
     return saved == WF_OK;
 }
+
 enum { FRAME_ROUNDS = 60 };
 
 static int frame_less(const void *a, const void *b)
@@ -116,6 +121,7 @@ static int measure_frame_time(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "frame-time", "ms of a frame of the testbed: input, step, drawing, with 2,000 bodies",
       measure_frame_time },

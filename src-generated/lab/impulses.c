@@ -25,6 +25,7 @@ static void lab_start_pile(labPile *pile, int boxes, wfReal restitution)
     pile->restitution = restitution;
     pile->h = WF_R(1.0) / 60;
 }
+
 static wfReal lab_touch(labPile *pile, int boxes, int *contacts)
 {
     wfReal deepest = 0;
@@ -41,6 +42,7 @@ static wfReal lab_touch(labPile *pile, int boxes, int *contacts)
     }
     return deepest;
 }
+
 static wfReal lab_step_pile(labPile *pile, int boxes, const char *solver, int passes,
                             wfReal restitutionThreshold)
 {
@@ -79,6 +81,7 @@ static int measure_impulses_rest(FILE *out)
     }
     return 0;
 }
+
 static wfReal spin_of_flat_landing(const char *solver, int passes)
 {
     wfBodyState s[2] = { { .invMass = 0 }, { .p = wfV2(0, WF_R(0.5)), .v = wfV2(0, -1),
@@ -94,6 +97,7 @@ static wfReal spin_of_flat_landing(const char *solver, int passes)
     wfSolveVelocities(wfFindSolver(solver), &solve);
     return s[1].w;
 }
+
 static int measure_impulses_spin(FILE *out)
 {
     fprintf(out, "passes,one after the other,both together\n");
@@ -104,6 +108,8 @@ static int measure_impulses_spin(FILE *out)
     }
     return 0;
 }
+
+/* two boxes that differ in all, hit off centre: the share left of the energy u^2 / 2K */
 static int measure_impulses_energy(FILE *out)
 {
     wfVec2 point = wfV2(WF_R(0.4), WF_R(0.7)), n = wfV2(WF_R(0.6), WF_R(0.8));
@@ -139,6 +145,7 @@ static void lab_rest_of_stack(int boxes, int passes, double *depth, double *spee
         }
     }
 }
+
 static int measure_impulses_stack(FILE *out)
 {
     static const int passes[3] = { 1, 8, 64 };

@@ -16,6 +16,7 @@ static void orbit_exp(double re, double im, double *cosine, double *sine)
         *cosine += x, *sine += y;
     }
 }
+
 static void exact_spring(double t, double *x, double *y)
 {
     orbit_exp(0, t, x, y);
@@ -39,6 +40,7 @@ static void exact_drag(double t, double *x, double *y)
     *x = 3 * (1 - q) / 2;                                       /* eq:int-drag-exact */
     *y = -5 * t + 5 * (1 - q) / 2;
 }
+
 typedef struct MotionProblem {
     const char *name;
     double span;                                    /* s */
@@ -62,6 +64,7 @@ static void motion_problems(MotionProblem *out)
     out[2] = (MotionProblem){ "drag", 1.7, { .v = { { 3, 0 } }, .invMass = 1 },
         exact_drag, { wfGravity(wfV2(0, -10)), wfDrag(2, 0) }, 2 };
 }
+
 typedef struct MotionRun {
     const MotionProblem *problem;
     wfBodyState body;
@@ -86,6 +89,7 @@ static void motion_begin(MotionRun *run, const MotionProblem *problem)
     run->props = wfDefaultBodyProps();
     run->evaluations = 0;
 }
+
 static wfResult motion_step(MotionRun *run, int row, double time, double h)
 {
     wfPool pool;
@@ -95,6 +99,7 @@ static wfResult motion_step(MotionRun *run, int row, double time, double h)
                          .scratch = &pool };
     return result == WF_OK ? wfIntegrate(row, &in) : result;
 }
+
 /* The error at the end of so many steps; negative if a step failed. */
 static double motion_error(MotionRun *run, const MotionProblem *problem, int row, int steps)
 {
@@ -134,6 +139,7 @@ static double motion_log2(double x)  /* 2 atanh((x - 1)/(x + 1)) / ln 2, x > 0 *
     for (int k = 1; k < 60; k += 2, power *= q * q) sum += power / k;
     return n + 2 * sum / 0.69314718055994531;
 }
+
 /* The slope of log error over log h, fitted to the steps with errors of least to 0.03
    that still shrink. */
 static double motion_slope(MotionRun *run, const MotionProblem *problem, int row,
@@ -151,6 +157,8 @@ static double motion_slope(MotionRun *run, const MotionProblem *problem, int row
     }
     return n < 2 ? 0 : (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
+
+/* where rounding begins is a matter of the build: in double the reference is less exact */
 static int measure_integrators_slopes(FILE *out)
 {
     static MotionRun run;
@@ -167,6 +175,7 @@ static int measure_integrators_slopes(FILE *out)
     }
     return 0;
 }
+
 static double motion_energy(const MotionRun *run)
 {
     wfBodyView view = { .count = 1, .state = &run->body, .props = &run->props };
@@ -203,6 +212,8 @@ static int measure_integrators_energy(FILE *out)
     }
     return 0;
 }
+
+/* omega = 1, so the step is h omega; failed steps count as well */
 static int measure_integrators_midpoint(FILE *out)
 {
     static MotionRun run;
@@ -225,6 +236,7 @@ static int measure_integrators_midpoint(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "integrators-order", "error against step and evaluations, by problem and method",
       measure_integrators_order },

@@ -29,6 +29,7 @@ static uint32_t island_random(uint32_t *seed, uint32_t below)
     *seed = *seed * 1664525u + 1013904223u;
     return (uint32_t)(((uint64_t)*seed * below) >> 32);
 }
+
 static void island_wall(islandRun *r, int32_t n, bool shuffled)
 {
     int32_t w = 1;
@@ -73,6 +74,7 @@ static void island_worst(islandRun *r, int32_t n)
     }
     free(depth);
 }
+
 static double island_arrows(int kind, int32_t n, bool halve)
 {
     islandRun r = { .parent = malloc(sizeof(int32_t) * 4 * (size_t)n), .halve = halve };
@@ -89,6 +91,7 @@ static double island_arrows(int kind, int32_t n, bool halve)
     free(r.parent);
     return r.arrows / r.searches;
 }
+
 static int measure_islands_steps(FILE *out)
 {
     fprintf(out, "bodies,random,grid,grid_random,worst,plain\n");

@@ -19,6 +19,8 @@ static double lab_hang(labChain *c, int steps, double *worst)
     }
     return off;
 }
+
+/* a new chain for each load: an old one would still swing */
 static int measure_joints_chain(FILE *out)
 {
     fprintf(out, "substeps,load 1,load 10,load 100,load 1000\n");
@@ -34,6 +36,8 @@ static int measure_joints_chain(FILE *out)
     }
     return 0;
 }
+
+/* P = 0 is the rigid aim of eq:joints-newton; a dash: the chain has exploded */
 static int measure_joints_rigid(FILE *out)
 {
     fprintf(out, "links,load,passes,rigid,soft\n");
@@ -77,6 +81,7 @@ static void lab_swing(FILE *out, int substeps)
     fprintf(out, "%d,%.3f,%.4f,%.2g\n", substeps, -100 * mean / 9.81,
             100 * ((last - first) / turns / exact - 1), 1000 * gap);
 }
+
 static int measure_joints_pendulum(FILE *out)
 {
     fprintf(out, "substeps,energy,period,gap\n");
@@ -97,6 +102,7 @@ static bool lab_springs_survive(double k, int rate)
     }
     return true;
 }
+
 static int measure_joints_spring(FILE *out)
 {
     fprintf(out, "rate,stiffness,spring,joint\n");
@@ -131,6 +137,7 @@ static double lab_round_length(labRound *r, double h)   /* of p + h v; sets u if
     if (!(h > 0)) r->u[0] = x / length, r->u[1] = y / length;
     return length;
 }
+
 static void lab_go_round(labRound *r, bool forget)
 {
     double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD;
@@ -149,6 +156,7 @@ static void lab_go_round(labRound *r, bool forget)
     lab_round_length(r, 0);
     lab_push_round(r, -(r->u[0] * r->v[0] + r->u[1] * r->v[1])); /* tangent */
 }
+
 static double lab_round_engine(double turn)
 {
     labChain c;
@@ -164,6 +172,8 @@ static double lab_round_engine(double turn)
     }
     return most / (turn * turn);
 }
+
+/* beyond 10^30 the run is given up */
 static int measure_joints_swung(FILE *out)
 {
     static const double turns[] = { 0.1, 0.5, 0.8, 1.0, 1.1, 1.2, 1.5, 2, 3, 10, 100 };
@@ -203,6 +213,7 @@ static const labPeer lab_peers[] = {
     { "Box2D 2 and 3", "mouse", "hand", "groundB and motorForce", 0 },
     { "Box2D 2 and 3", "wheel", "wheel", "stiffness and motorSpeed",
       WF_JOINT_SPRING | WF_JOINT_MOTOR },
+/* in Box2D 3 gear and pulley are gone, and the rope is a distance with a limit */
     { "Box2D 2 and 3", "weld", "weld", "", 0 },
     { "Box2D 2 and 3", "weld that gives", "weld", "stiffness", WF_JOINT_SPRING },
     { "Box2D 2", "friction", "friction", "motorForce and ratio", 0 },
@@ -217,12 +228,14 @@ static const labPeer lab_peers[] = {
     { "Chipmunk", "damped rotary spring", "turn", "stiffness and damping",
       WF_JOINT_SPRING },
     { "Chipmunk", "rotary limit", "turn", "lower and upper", WF_JOINT_LIMITS },
+/* the slide is a rope with a least length, too; the groove a wheel without a spring */
     { "Chipmunk", "ratchet", "ratchet", "ratio (a tooth)", 0 },
     { "Chipmunk", "gear", "gear", "ratio", 0 },
     { "Chipmunk", "simple motor", "turn", "motorSpeed and motorForce", WF_JOINT_MOTOR },
     { "", "winch", "distance", "upper and negative motorSpeed",
       WF_JOINT_MOTOR | WF_JOINT_LIMITS },
 };
+
 static int measure_joints_peers(FILE *out)
 {
     fprintf(out, "engine,joint,kind,set,hold,limit,drive,spring\n");

@@ -5,6 +5,7 @@
 #include <time.h>
 #include "weft/weft.h"
 #include "lab/bench.h"
+
 typedef struct FastShot {
     const char *solver;
     int kind, wall, impacts;    /* wall: 0 stands, 1 is dynamic and light, 2 heavy */
@@ -68,6 +69,7 @@ static int fast_count(FastShot s)
         for (int phase = 0; phase < 20; phase++) sum += fast_through(&s, phase);
     return sum;
 }
+
 static int measure_fast_tunnel(FILE *out)
 {
     static const double speeds[6] = { 10, 100, 300, 1000, 1e4, 1e5 };
@@ -116,6 +118,7 @@ static double fast_ghost(double gap, int impacts)
     }
     return worst;
 }
+
 static int measure_fast_ghost(FILE *out)
 {
     static const double gaps[5] = { 0.001, 0.003, 0.01, 0.03, 0.1 };
@@ -181,6 +184,7 @@ static void fast_room(wfWorld *w, wfReal half)
         wfAddBodyToWorld(w, &wall, NULL);
     }
 }
+
 static void fast_crowd(wfWorld *w, int count, bool bullets)
 {
     wfRandom r;
@@ -224,6 +228,7 @@ static double fast_clock(int count, bool bullets, int impacts, wfContinuousRepor
     wfDestroyWorld(&w);
     return good ? took : -1;
 }
+
 static int measure_fast_cost(FILE *out)
 {
     static const int counts[4] = { 5000, 10, 100, 1000 };
@@ -259,12 +264,14 @@ static wfBodyId sleep_box(wfWorld *w, int32_t type, double x, double y, double w
         wfAddBodyToWorld(w, &def, &id);
     return id;
 }
+
 static double sleep_step_ms(wfWorld *w, int steps)
 {
     clock_t start = clock();
     for (int i = 0; i < steps; i++) wfStepWorld(w);
     return 1000.0 * (double)(clock() - start) / CLOCKS_PER_SEC / steps;
 }
+
 static void sleep_stacks(wfWorld *w, int32_t sleep, int32_t bodies)
 {
     sleep_world(w, sleep, bodies, 0.04);
@@ -273,6 +280,8 @@ static void sleep_stacks(wfWorld *w, int32_t sleep, int32_t bodies)
         sleep_box(w, WF_DYNAMIC, 2.0 * (i / 10), 0.5 + i % 10, 0.5, 0.5);
     for (int i = 0; i < 100; i++) wfStepWorld(w);
 }
+
+/* the ball shows whether one waking body makes the sleeping ones cost anything */
 static int measure_sleep_time(FILE *out)
 {
     fprintf(out, "bodies,awake,asleep,ratio,one,one_ratio\n");
@@ -311,6 +320,7 @@ static void sleep_pile(wfWorld *w, int32_t sleep, double share, bool balls)
         else sleep_box(w, WF_DYNAMIC, x, y, 0.3, 0.3);
     }
 }
+
 /* the time until all sleep, s, and how far the farthest is from where it would be, m */
 static void sleep_try(double share, bool balls, double *time, double *way)
 {
@@ -331,6 +341,7 @@ static void sleep_try(double share, bool balls, double *time, double *way)
     wfDestroyWorld(&on);
     wfDestroyWorld(&off);
 }
+
 static int measure_sleep_share(FILE *out)
 {
     static const double share[3] = { 0.01, 0.04, 0.08 };
@@ -393,6 +404,8 @@ static double whip_gain(double speed, int substeps, int joints, bool rods)
     wfDestroyWorld(&w);
     return good ? most / start : -1;
 }
+
+/* a whip is chaotic: each speed is tried ten times, by a percent faster each time */
 static double whip_worst(double speed, int substeps, int joints, bool rods)
 {
     double most = 0;
@@ -403,6 +416,7 @@ static double whip_worst(double speed, int substeps, int joints, bool rods)
     }
     return most;
 }
+
 static int measure_joined_whip(FILE *out)
 {
     static const int speeds[6] = { 30, 100, 300, 1000, 3000, 10000 };

@@ -90,7 +90,6 @@ wfResult labPyramid(wfWorld *world, int32_t base)
 }
 
 static wfResult build_pyramid(wfWorld *world) { return labPyramid(world, PYRAMID); }
-
 static wfResult hinge(wfWorld *world, wfBodyId a, wfBodyId b, double x, double y)
 {
     wfJoint joint;
@@ -307,6 +306,7 @@ static wfResult pyramid_bench(wfWorld *world, int32_t count, int32_t other)
     (void)other;
     return labPyramid(world, count);
 }
+
 #define REPORT(n, s) n + s + 3, n + s + 3, 0, 600, 10, build_report, n, s, 0
 #define HEAP(n) n + 3, n + 3, 0, 180, 10, build_heap, n, 0, 0
 const labHeavy labHeavies[] = {
@@ -367,7 +367,6 @@ static wfShapeDef junk(void)
     s.friction = WF_R(0.6);
     return s;
 }
-
 
 static wfResult build_tiles(wfWorld *world)
 {
@@ -582,7 +581,6 @@ static wfResult build_spinner(wfWorld *world, wfBodyId *bar)
 }
 
 static bool out_of_hall(wfVec2 p) { return wfDistance(p, wfV2(0, 32)) > 40; }
-
 const labSteered labSteereds[LAB_STEERED] = {
     { "junkyard", JUNK_COLUMNS * JUNK_ROWS + 2, JUNK_COLUMNS * JUNK_ROWS + 262, 0, 800,
       build_junkyard, push, false, 0, NULL },

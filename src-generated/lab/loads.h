@@ -38,7 +38,7 @@ typedef struct labSteered {
     const char *name;
     int32_t bodies, shapes, joints, steps;
     wfResult (*build)(wfWorld *world, wfBodyId *driver);
-    wfResult (*steer)(wfWorld *world, wfBodyId driver, int32_t k);   /* NULL: nobody */
+    wfResult (*steer)(wfWorld *world, wfBodyId driver, int32_t k);   /* NULL: none */
     bool follow;                    /* fast bodies, to what they hit */
     int32_t pairs;                  /* room for each shape; 0: the usual */
     bool (*lost)(wfVec2 p);         /* is a body there lost?  NULL: none can be */

@@ -43,6 +43,7 @@ static double seconds_of_pool(wfPool *pool, size_t size)
     }
     return block[0] ? (double)(clock() - start) / CLOCKS_PER_SEC : 0;
 }
+
 static int measure_memory_time(FILE *out)
 {
     wfMemory memory;

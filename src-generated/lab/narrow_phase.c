@@ -42,6 +42,7 @@ static const CoatCase coat_cases[] = {
     { "segment through a square", { 1, 1 }, 0, { 3, 0 }, 0, { 0, 0.75f }, 0, -0.25 },
     { "segments that meet in a T", { 1, 0 }, 0, { 1, 0 }, 0, { 0.5f, 1 }, 90, 0 },
 };
+
 static wfResult coat_shape(const wfReal core[2], wfReal coat, wfShape *out)
 {
     wfVec2 end = wfV2(core[0], 0);
@@ -49,6 +50,7 @@ static wfResult coat_shape(const wfReal core[2], wfReal coat, wfShape *out)
     if (coat > 0) return wfMakeCapsule(wfNeg(end), end, coat, out);
     return wfMakeSegment(wfNeg(end), end, out);
 }
+
 static int measure_narrow_coats(FILE *out)
 {
     static const char *const rows[3] = { "sat", "gjk", "voronoi" };
@@ -81,6 +83,7 @@ static wfResult regular_polygon(int corners, wfShape *out)
     }
     return wfMakePolygon(v, corners, out);
 }
+
 typedef struct GjkCount { long pairs, walk, grow; int walkMost, growMost; } GjkCount;
 
 static void count_steps(const wfGjkTrace *t, GjkCount *c)
@@ -184,6 +187,7 @@ static const HardCase hard_cases[] = {
       5e-4 },
     { "1 mm into 1 km", { 500, 1 }, { WF_R(5e-4), WF_R(5e-4) }, { 3, 1 }, 0, -5e-4 },
 };
+
 static int measure_narrow_hard(FILE *out)
 {
     fprintf(out, "case,exact,sat,gjk,steps,epa\n");
@@ -205,6 +209,7 @@ static int measure_narrow_hard(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "narrow-far", "change of a computed depth far from the origin", measure_narrow_far },
     { "narrow-coats", "capsules, segments and rounded boxes in hard poses",

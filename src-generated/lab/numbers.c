@@ -36,6 +36,7 @@ static double sine_error_in_floats(float x)
     double s = pick < 1 ? sin(r) : pick < 2 ? cos(r) : pick < 3 ? -sin(r) : -cos(r);
     return fabs(s - sin((double)x));
 }
+
 static int measure_numbers_sine(FILE *out)
 {
     wfRandom r;
@@ -54,6 +55,7 @@ static int measure_numbers_sine(FILE *out)
     }
     return 0;
 }
+
 static int measure_numbers_drift(FILE *out)
 {
     wfRot step = wfRotation(wfRadians(1)), plain = wfRotIdentity(), kept = plain;
@@ -89,6 +91,7 @@ static double nanoseconds_per_call(NumbersTimed *f)
     (void)sink;
     return (double)(clock() - start) / CLOCKS_PER_SEC * 1e9 / CALLS;
 }
+
 static int measure_numbers_time(FILE *out)
 {
     fprintf(out, "function,ours (ns),C library (ns)\n");

@@ -9,6 +9,8 @@
 #include "lab/loads.h"
 #include "dynamics/colour.h"
 #include "lab/bench.h"
+
+/* the median of the step, but means of the stages: means may be added up */
 enum { PERF_BEFORE = 300, PERF_RUNS = 201, PERF_STAGES = 64 };
 
 typedef struct PerfTimes {
@@ -32,11 +34,7 @@ static wfResult timed_step(wfWorld *world, double *stage)
     return result;
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
+/* the steps before run the same code, so that it and its memory are warm */
 static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
                           PerfTimes *out)
 {
@@ -57,7 +55,7 @@ static wfResult time_load(const labLoad *load, int32_t passes, int32_t lanes,
     }
     wfWorldContacts(&world, &out->contacts);
     wfDestroyWorld(&world);
-    qsort(times, PERF_RUNS, sizeof *times, compare_doubles);
+    qsort(times, PERF_RUNS, sizeof *times, labByValue);
     out->step = times[PERF_RUNS / 2];
     for (int i = 0; i < PERF_STAGES; i++) out->stage[i] /= PERF_RUNS;
     return result;
@@ -153,6 +151,7 @@ static int one_colouring(FILE *out, int32_t colours, int32_t passes)
     wfDestroyWorld(&world);
     return result != WF_OK;
 }
+
 static int measure_performance_colours(FILE *out)
 {
     fprintf(out, "order,passes,colours,top,fastest\n");
@@ -194,6 +193,7 @@ static wfResult follow_scene(const char *name, bool off, Followed out[2])
     wfDestroyWorld(&world);
     return result;
 }
+
 static int measure_performance_followed(FILE *out)
 {
     static const char *const names[] = { "tumbler", "compounds" };
@@ -217,6 +217,7 @@ static int32_t lost_in(const labSteered *s, const wfWorld *world)
         if (state[i].invMass > 0 && s->lost(state[i].p)) lost++;
     return lost;
 }
+
 static int measure_performance_steered(FILE *out)
 {
     fprintf(out, "scene,bodies,steps,pairs,lost,weft\n");
@@ -239,7 +240,7 @@ static int measure_performance_steered(FILE *out)
         int32_t lost = lost_in(s, &world);
         wfDestroyWorld(&world);
         if (result != WF_OK) return 1;
-        qsort(times, (size_t)s->steps, sizeof *times, compare_doubles);
+        qsort(times, (size_t)s->steps, sizeof *times, labByValue);
         fprintf(out, "%s,%d,%d,%d,%d,%.2f\n", s->name, (int)s->bodies, (int)s->steps,
                 (int)pairs, (int)lost, times[s->steps / 2]);
     }
@@ -260,7 +261,7 @@ static int memory_row(FILE *out, const char *name, uint32_t modules, int32_t pai
         def.advanced.pairCapacity = pairs * n;
         body.type = WF_DYNAMIC;
         body.mass = 1;
-        /* ask for the size and fill the world */
+        /* a snapshot takes what is in the world: discs that do not touch */
         if (has_shapes(modules)) wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
         if (wfWorldSize(&def, &permanent[i], &transient[i]) != WF_OK) return 1;
         if (wfCreateWorld(&def, &world) != WF_OK) return 1;
@@ -301,6 +302,7 @@ static double copy_states(int32_t n)
     free(from);
     return 1e9 * least / n;
 }
+
 static double fly_freely(int32_t n, uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -565,6 +567,7 @@ static double exponent_of(const double *n, const double *t, int32_t count)
     }
     return xy / xx;
 }
+
 static int measure_performance_bullets(FILE *out)
 {
     enum { SIZES = 4, STEPS = 40 };
@@ -585,7 +588,7 @@ static int measure_performance_bullets(FILE *out)
         }
         wfDestroyWorld(&world);
         if (result != WF_OK) return 1;
-        qsort(times, STEPS, sizeof *times, compare_doubles);
+        qsort(times, STEPS, sizeof *times, labByValue);
         ms[k] = times[STEPS / 2];
         fprintf(out, "%.0f,%.2f,%.1f,%.0f\n", n[k], ms[k], 1e3 * ms[k] / n[k],
                 impacts / STEPS);

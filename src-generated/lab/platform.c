@@ -3,7 +3,9 @@
 #include "testbed/platform.h"
 #include "weft/integrate.h"
 #include "lab/bench.h"
-/* The length of frame k on machine 0 (fast), 1 (plain), 2 (busy), in seconds. */
+
+/* The length of frame k on machine 0 (fast), 1 (plain), 2 (busy), in seconds.
+   The hiccup is in the frame with the middle of a second: alike in each run. */
 static double platform_frame(int machine, wfRandom *random, double time)
 {
     double jitter = (double)wfRandomReal(random, -1, 1);
@@ -21,6 +23,7 @@ static void platform_spring(void *context, const wfBodyState *state, int count, 
     for (int i = 0; i < count; i++)             /* omega = 20 rad/s for a mass of 1 kg */
         wfApplyForceToCentre(&out[i], wfScale(-400, state[i].p));
 }
+
 static wfResult platform_step(wfBodyState *body, double h)
 {
     uint8_t bytes[1024];
@@ -30,6 +33,8 @@ static wfResult platform_step(wfBodyState *body, double h)
                          .forces = platform_spring, .scratch = &scratch };
     return wfIntegratorTable[wfFindIntegrator("symplectic-euler")].step(&in);
 }
+
+/* one copy of the mass by the frame's length, one by the clock with h = 1/120 s */
 static int measure_platform_variable_step(FILE *out)
 {
     fprintf(out, "machine,time,from_the_clock,fixed\n");

@@ -16,6 +16,7 @@ static void price_impacts(wfWorldDef *def) { def->maxImpacts = 0; }
 static void price_reuse(wfWorldDef *def) { def->advanced.reuseManifolds = 0; }
 static void price_columns(wfWorldDef *def) { def->advanced.stackSolver = 0; }
 static void price_substeps(wfWorldDef *def) { def->substeps = 1; }
+/* the others are compared with the first */
 static const PriceRow price_rows[] = {
     { "nothing", price_nothing }, { "exact joints", price_exact },
     { "impacts of fast bodies", price_impacts },
@@ -49,6 +50,7 @@ static bool price_size(int row, int32_t bodies, double size[2])
     if (good) size[0] = (double)permanent, size[1] = (double)transient;
     return good;
 }
+
 static bool price_body(int row, double bytes[2])
 {
     double one[2], two[2];
@@ -81,6 +83,8 @@ static bool price_wall(wfWorld *world, double x, double y, double w, double h)
     if (wfMakeBox((wfReal)w, (wfReal)h, &d.shape) != WF_OK) return false;
     return wfAddBodyToWorld(world, &d, NULL) == WF_OK;
 }
+
+/* without shapes the discs are particles, and then they can only be apart */
 static bool price_discs(wfWorld *world, bool heap)
 {
     wfWorldDef def;
@@ -99,11 +103,8 @@ static bool price_discs(wfWorld *world, bool heap)
     return price_wall(world, 12, -1, 30, 1) && price_wall(world, -2, 50, 1, 50)
         && price_wall(world, 27, 50, 1, 50);
 }
-static int price_compare(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
+
+/* a heap has to settle; discs in flight need one step, to touch the memory */
 static double price_step(int row, bool heap)
 {
     static double times[PRICE_STEPS];
@@ -120,7 +121,7 @@ static double price_step(int row, bool heap)
         if (i >= 0) times[i] = (double)(clock() - start) / CLOCKS_PER_SEC;
     }
     wfDestroyWorld(&world);
-    qsort(times, PRICE_STEPS, sizeof *times, price_compare);
+    qsort(times, PRICE_STEPS, sizeof *times, labByValue);
     return good ? 1e9 * times[PRICE_STEPS / 2] / PRICE_BODIES : -1;
 }
 enum { PRICE_ROUNDS = 5, PRICE_MOST = 64 };
@@ -142,6 +143,7 @@ static void price_turns(int rows, int again, double least[][2])
                 if (round == 0 || t < least[i][k]) least[i][k] = t;
             }
 }
+
 static int measure_price_time(FILE *out)
 {
     static double least[PRICE_MOST][2];
@@ -163,6 +165,7 @@ static int measure_price_world_double(FILE *out)
     fprintf(out, "what,permanent,transient\nnothing,%.0f,%.0f\n", body[0], body[1]);
     return 0;
 }
+
 static int measure_price_double_time(FILE *out)
 {
     double least[1][2] = { { 0, 0 } };
@@ -293,7 +296,7 @@ static double price_chain(int substeps, int together)
                              wfV2(1, 0), &joint) == WF_OK
             && wfAddJointToWorld(&world, &joint, NULL) == WF_OK;
     }
-    /* swing, and keep the greatest error of the length */
+    /* five seconds: the chain comes down and swings up on the other side */
     for (int step = 0; step < 300 && good; step++) {
         wfVec2 from = wfV2(0, 0);
         double length = 0;
@@ -308,6 +311,7 @@ static double price_chain(int substeps, int together)
     wfDestroyWorld(&world);
     return good ? 1e3 * worst : -1;
 }
+
 static double price_substeps_of(bool on)
 {
     return price_chain(on ? 4 : 1, WF_JOINTS_ITERATIVE);

@@ -18,6 +18,7 @@ static void save_wall(wfWorld *world, wfReal x, wfReal y, wfReal halfWidth,
     wfMakeBox(halfWidth, halfHeight, &d.shape);
     wfAddBodyToWorld(world, &d, NULL);
 }
+
 /* n boxes that fall between two walls, or n balls that roll on a floor. */
 static wfResult save_scene(int n, bool spread, bool sleep, wfWorld *out)
 {
@@ -89,6 +90,7 @@ static int measure_save_rewind(FILE *out)
     }
     return 0;
 }
+
 typedef struct SaveTimes {
     double copy, snapshot, restore, clone, compare, save;
     double freshCopy, freshClone;      /* into memory that was allocated for it */
@@ -152,6 +154,7 @@ static bool save_fresh_round(wfWorld *world, const uint8_t *bytes, size_t size, 
     keep_least(&t->freshClone, save_seconds(start));
     return good;
 }
+
 static int measure_snapshot_time(FILE *out)
 {
     fprintf(out, "bodies,bytes,memcpy,us,snapshot,restore,clone,compare,save,room,fresh\n");
@@ -182,11 +185,6 @@ static int measure_snapshot_time(FILE *out)
         wfDestroyWorld(&twin);
     }
     return 0;
-}
-static int save_by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 static int measure_rollback_time(FILE *out)
 {
@@ -221,8 +219,8 @@ static int measure_rollback_time(FILE *out)
                 if (wfStepWorld(&world) != WF_OK) return 1;
             again[round] = save_seconds(start) - back[round];
         }
-        qsort(back, ROUNDS, sizeof *back, save_by_size);
-        qsort(again, ROUNDS, sizeof *again, save_by_size);
+        qsort(back, ROUNDS, sizeof *back, labByValue);
+        qsort(again, ROUNDS, sizeof *again, labByValue);
         double ms = 1e3 * back[ROUNDS / 2], steps = 1e3 * again[ROUNDS / 2];
         fprintf(out, "%s,%.3f,%.2f,%.0f\n", row[k].name, ms, steps, (ms + steps) * 6);
         free(bytes);
@@ -252,6 +250,7 @@ static bool drift_hang(wfWorld *world, int32_t i)
     return wfDefineJoint(world, "revolute", a, b, at, at, wfV2(1, 0), &j) == WF_OK
         && wfAddJointToWorld(world, &j, NULL) == WF_OK;
 }
+
 static bool drift_build(int kind, wfWorld *world)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -269,6 +268,7 @@ static bool drift_build(int kind, wfWorld *world)
     for (int i = 0; i < 120 && good; i++) good = wfStepWorld(world) == WF_OK;
     return good;
 }
+
 static double drift_between(const wfWorld *one, const wfWorld *two)
 {
     wfBodyView a = wfWorldBodies(one), b = wfWorldBodies(two);
@@ -279,6 +279,7 @@ static double drift_between(const wfWorld *one, const wfWorld *two)
     }
     return most;
 }
+
 static bool drift_row(FILE *out, const char *name, int kind)
 {
     static const int after[] = { 0, 1, 10, 100, 600 };

@@ -197,6 +197,7 @@ static void work_of_pairs(void *context)
                      != WF_OK;
 }
 
+/* half way between the surfaces: r_a + d / 2 along the normal */
 static void add_error(labNarrow *sum, double error)
 {
     sum->worst = fmax(sum->worst, error);

@@ -18,6 +18,8 @@ typedef struct labSearch {
 /* A second of squares that fly. `method`: a row of the broad phases, or "report": its quad
    tree; every > 0: searches each so many frames, whatever moves. 0 if all went well. */
 int labSearchBroad(const char *method, double margin, int every, labSearch *out);
+
+/* errors only: nothing can be missed once a pair is looked at */
 typedef struct labNarrow {
     double mean, worst; /* error of the place of contact, as a share of the radius */
     double depth;       /* the same of the depth, on the mean */

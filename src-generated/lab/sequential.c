@@ -57,6 +57,7 @@ static int measure_sequential_convergence(FILE *out)
                 chain_error(passes, true), pow(shrink, 2 * passes));
     return 0;
 }
+
 static double leap(const char *solver, double depth)
 {
     static labBench b;
@@ -81,6 +82,7 @@ static int measure_sequential_pop(FILE *out)
     }
     return 0;
 }
+
 static int measure_sequential_creep(FILE *out)
 {
     fprintf(out, "steepness,friction,sequential,predicted\n");

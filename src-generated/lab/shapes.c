@@ -117,6 +117,7 @@ static int measure_shapes_capsule(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "shapes-flat", "corners found in a polygon of 12, by size and kind of tolerance",
       measure_shapes_flat },

@@ -20,6 +20,7 @@ static double ball_energy(const labBench *b)
     const wfBodyState *s = &b->state[1];
     return (double)wfKineticEnergy(s) + 9.81 * ((double)s->p.y - 0.5);
 }
+
 /* the change of energy after so many bounces, as a share */
 static double after_bounces(const char *solver, double height, int bounces,
                             wfResidual *fine)
@@ -54,6 +55,7 @@ static int measure_soft_bounce(FILE *out)
                 energy[2][i]);
     return 0;
 }
+
 static int measure_soft_bounces(FILE *out)
 {
     fprintf(out, "height,energy,kept,long\n");
@@ -115,6 +117,8 @@ static int measure_soft_squash(FILE *out)
     }
     return 0;
 }
+
+/* a pyramid is no tree, so it goes by passes anyway */
 static int measure_soft_passes(FILE *out)
 {
     static labBench b;
@@ -139,6 +143,7 @@ static int measure_soft_passes(FILE *out)
     }
     return 0;
 }
+
 static void lab_tower(labBench *b, int boxes, uint32_t random)
 {
     labStartBench(b, "soft", 60);
@@ -171,6 +176,8 @@ static bool passes_hold(int boxes, int substeps)
     b.columns = 0;
     return tower_stays(&b);
 }
+
+/* found by halving; beside it the height by eq:soft-tower */
 static int measure_soft_tower(FILE *out)
 {
     fprintf(out, "substeps,predicted,stands\n");
@@ -187,6 +194,8 @@ static int measure_soft_tower(FILE *out)
     }
     return 0;
 }
+
+/* built from seeds: one tower that stands might be a lucky one */
 static int measure_soft_columns(FILE *out)
 {
     static labBench b;
@@ -205,6 +214,7 @@ static int measure_soft_columns(FILE *out)
         }
     return 0;
 }
+
 static double heavy_sinks(double ratio, int columns)
 {
     static labBench b;
@@ -221,6 +231,7 @@ static double heavy_sinks(double ratio, int columns)
     }
     return 1.5 - low;
 }
+
 static int measure_soft_heavy(FILE *out)
 {
     fprintf(out, "ratio,passes,columns\n");
@@ -253,6 +264,8 @@ static void lab_spawn(double steps, double *peak, double *way, double *deep)
         for (int k = 0; k < b.contact[i].manifold.count; k++)
             *deep = fmax(*deep, (double)b.contact[i].manifold.points[k].depth);
 }
+
+/* a limit of 0 steps stands for none */
 static int measure_soft_spawn(FILE *out)
 {
     fprintf(out, "setting,peak,moved,overlap\n");
@@ -263,6 +276,7 @@ static int measure_soft_spawn(FILE *out)
     }
     return 0;
 }
+
 static int measure_soft_target(FILE *out)
 {
     fprintf(out, "what,got\n");

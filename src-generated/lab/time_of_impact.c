@@ -22,6 +22,7 @@ static bool impact_always(wfReal wall, wfReal radius, wfReal perStep, bool turne
             return false;
     return true;
 }
+
 static double impact_speed(wfReal wall, wfReal radius, bool turnedBack)
 {
     wfReal low = 0, high = 1000;
@@ -32,6 +33,7 @@ static double impact_speed(wfReal wall, wfReal radius, bool turnedBack)
     }
     return (double)low;
 }
+
 static int measure_impact_tunnel(FILE *out)
 {
     static const double walls[] = { 0.001, 0.01, 0.1, 1 };
@@ -56,6 +58,7 @@ static int measure_impact_tunnel(FILE *out)
     }
     return 0;
 }
+
 static bool impact_spin_seen(const wfShape *rod, const wfShape *peg, wfReal perStep)
 {
     wfTransform xp = wfMakeTransform(wfV2(WF_R(0.8), 0), 0);
@@ -93,6 +96,7 @@ static int measure_impact_spin(FILE *out)
     }
     return 0;
 }
+
 static int measure_impact_convergence(FILE *out)
 {
     wfShape ground, box;
@@ -152,6 +156,7 @@ static int impact_bilateral(const ImpactFlight *f, wfReal near, long *rounds)
     }
     return WF_IMPACT_STEPS;
 }
+
 static wfResult impact_body(int kind, wfShape *out)
 {
     wfVec2 v[WF_MAX_VERTICES];
@@ -168,6 +173,7 @@ static wfResult impact_body(int kind, wfShape *out)
         return wfMakePolygon(v, WF_MAX_VERTICES, out);
     }
 }
+
 /* two draws in one call would have no fixed order */
 static wfVec2 impact_place(wfRandom *r)
 {
@@ -188,6 +194,7 @@ typedef struct ImpactCount {
     long touching, steps[WF_ADVANCE_KINDS], both, rounds, missed, found, open;
     int most;
 } ImpactCount;
+
 static int impactCount(const ImpactFlight *f, ImpactCount *c)
 {
     wfImpact hit[WF_ADVANCE_KINDS];
@@ -209,6 +216,7 @@ static int impactCount(const ImpactFlight *f, ImpactCount *c)
     c->rounds += rounds;
     return 0;
 }
+
 static int measure_impact_steps(FILE *out)
 {
     static const char *const names[5] = { "two circles", "two boxes", "two rods",
@@ -263,6 +271,7 @@ static double impact_clock(const ImpactFlight *f, int what)
     }
     return 1e9 * least / IMPACT_FLIGHTS;
 }
+
 static int measure_impact_time(FILE *out)
 {
     static const char *const names[5] = { "two circles", "two boxes", "two rods",
@@ -287,6 +296,7 @@ static int measure_impact_time(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "impact-tunnel", "speeds at which a ball tunnels, and what the time of impact finds",
       measure_impact_tunnel },

@@ -19,6 +19,7 @@ static int acc_curve(const labTruth *scene, double (*now)(void *), wfAccuracy *p
     wfDestroyWorld(&world);
     return result == WF_OK ? count : -1;
 }
+
 static void acc_choice(FILE *out, const labTruth *scene, const wfAccuracy *points,
                        int count, double tolerance)
 {
@@ -76,6 +77,7 @@ static int measure_accuracy_budget(FILE *out)
     }
     return 0;
 }
+
 static double acc_clock(void *context)
 {
     (void)context;
@@ -125,6 +127,7 @@ static int measure_accuracy_budget_time(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "accuracy-tolerance", "what is chosen for a tolerance, and the true error",
       measure_accuracy_tolerance },

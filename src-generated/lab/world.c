@@ -21,6 +21,7 @@ static wfResult heap_shape(int corners, wfShape *out)
     }
     return wfMakePolygon(v, corners, out);
 }
+
 /* a floor, two walls, and bodies in rows, each a little out of line */
 static wfResult fill_heap(wfWorld *world, int corners)
 {
@@ -44,6 +45,8 @@ static wfResult fill_heap(wfWorld *world, int corners)
     for (int i = 0; i < HEAP_SETTLE && result == WF_OK; i++) result = wfStepWorld(world);
     return result;
 }
+
+/* the batches alternate: a machine that slows down slows both; the least counts */
 static int measure_world_reuse(FILE *out)
 {
     static const int corners[] = { 2, 4, 8, 16 };
@@ -152,6 +155,7 @@ static bool build_far(wfVec2 o, wfWorld *world, wfBodyId id[FAR_THINGS])
                                      wfAdd(o, wfV2(18, 8)), 2, 4, 0);
     return wfAddForceToWorld(world, &spring, NULL) == WF_OK;
 }
+
 static void run_far(double distance, bool hasOrigin, double way[FAR_THINGS][2])
 {
     wfWorld world;
@@ -202,6 +206,7 @@ static int measure_world_far_double(FILE *out)
     fprintf(stderr, "weft-lab: this one has floats; take build/double/bin/weft-lab\n");
     return 1;
 }
+
 static int measure_world_flight(FILE *out)
 {
     static const double limit[3] = { 1e30, 1000, 10 };          /* m */
@@ -249,6 +254,7 @@ static void name_modules(uint32_t modules, char text[64])
         strcat(text, wfModuleTable[i].name);
     }
 }
+
 static int measure_world_pays(FILE *out)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -286,6 +292,7 @@ static const struct { const char *name; uint32_t modules; } profile_table[] = {
     { "crates with events", WF_MODULE_ROTATION | WF_MODULE_FRICTION | WF_MODULE_EVENTS },
 };
 enum { PROFILES = sizeof profile_table / sizeof *profile_table };
+
 static int measure_world_modules(FILE *out)
 {
     fprintf(out, "profile,permanent,transient,stages\n");
@@ -322,6 +329,7 @@ static wfResult fill_fountain(wfWorld *world)
     }
     return result;
 }
+
 static double time_fountain(const wfWorldDef *def)
 {
     wfWorld world;
@@ -337,6 +345,7 @@ static double time_fountain(const wfWorldDef *def)
     wfDestroyWorld(&world);
     return 1e9 * least;
 }
+
 static int measure_world_needs_time(FILE *out)
 {
     double usual = 0;
@@ -404,6 +413,7 @@ static void explain_cell(FILE *out, const wfStageReport *r)
     if (r->runs) fprintf(out, ",%s,%zu", text, r->bytes);
     else fprintf(out, ",- (%s),0", text);
 }
+
 static int measure_world_explain(FILE *out)
 {
     wfWorldDef drops = wfDefaultWorldDef(), crates = wfDefaultWorldDef();
@@ -447,6 +457,7 @@ static void tell_default(FILE *out, const wfSetting *s, const wfWorldDef *def)
     else fprintf(out, ",%.4g", value);
     if (s->kind == WF_SETTING_VEC2) fprintf(out, " and %.4g", wfSettingValue(def, s, 1));
 }
+
 static int measure_world_settings(FILE *out)
 {
     static const char *const kind[] = {
@@ -467,6 +478,7 @@ static int measure_world_settings(FILE *out)
     }
     return 0;
 }
+
 static int measure_needs_list(FILE *out)
 {
     fprintf(out, "need,text,implies\n");
@@ -499,6 +511,7 @@ static int measure_world_layout(FILE *out)
     }
     return 0;
 }
+
 static const wfMeasureRow rows[] = {
     { "world-reuse-time", "ms for a step of a heap at rest, manifolds fresh and used again",
       measure_world_reuse },

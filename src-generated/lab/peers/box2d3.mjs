@@ -96,6 +96,7 @@ function count() {
   });
   return [seen.size, points];
 }
+
 const v = B.b2GetVersion ? B.b2GetVersion() : null;
 main({ name: v ? `Box2D ${v.major}.${v.minor}.${v.revision} web` : 'Box2D 3 web',
   real: 'float', ownSubsteps: true, canSweep: true, canSleep: true, mixesFriction: true,

@@ -51,6 +51,7 @@ static b2BodyId add_body(const peerScene *scene, const peerBody *b, bool bullet)
     return body;
 }
 
+/* at rest the two frames coincide: A's is turned by what B is turned against A */
 static void set_base(b2JointDef *base, const peerJoint *j)
 {
     base->bodyIdA = bodies[j->a];
@@ -111,6 +112,7 @@ static void read_body(int i, double state[6])
     state[5] = b2Body_GetAngularVelocity(bodies[i]);
 }
 
+/* a pair of two dynamic bodies is found twice and counted once */
 static void count(int *pairs, int *points)
 {
     *pairs = *points = 0;

@@ -30,6 +30,7 @@ static void add_shape(cpBody *body, const peerShape *s)
     cpSpaceAddShape(space, shape);
 }
 
+/* to forbid a body to turn is to give it an infinite moment of inertia */
 static cpBody *add_body(const peerScene *scene, const peerBody *b)
 {
     cpBody *body = b->type == PEER_STATIC ? cpBodyNewStatic()
@@ -45,6 +46,7 @@ static cpBody *add_body(const peerScene *scene, const peerBody *b)
     return body;
 }
 
+/* a static body must be added too, or it has no place; a weld: a pivot and a gear */
 static void keep(cpConstraint *c, const peerJoint *j)
 {
     cpConstraintSetCollideBodies(c, j->collide);
@@ -94,6 +96,7 @@ static void read_body(int i, double state[6])
     state[5] = cpBodyGetAngularVelocity(b);
 }
 
+/* a pair hangs in the lists of both bodies and is counted once */
 static void count_one(cpBody *body, cpArbiter *arbiter, void *sums)
 {
     CP_ARBITER_GET_BODIES(arbiter, a, b);

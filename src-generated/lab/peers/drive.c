@@ -50,6 +50,7 @@ static double value_of(int argc, char **argv, int *i)
     return value;
 }
 
+/* a misspelt --substep 8 would otherwise measure the default */
 static const char *read_options(int argc, char **argv, peerOptions *o)
 {
     const char *file = NULL;

@@ -70,6 +70,7 @@ function kernel(least) {
   return least;
 }
 
+/* NaN and infinity are spelt as C spells them */
 function row(e, s, o, step) {
   const states = s.bodies.map((b, i) => e.read(i));
   const heights = states.filter((_, i) => s.bodies[i].type === 'dynamic').map(v => v[1]);

@@ -51,6 +51,7 @@ function middle(s) {
   return area === 0 ? [0, 0] : [x / area, y / area];
 }
 
+/* an anchor is told from the centre, in the directions of the world at the start */
 const anchor = (body, p) => {
   const c = Math.cos(body.angle), s = Math.sin(body.angle);
   const at = place([p[0] - body.weftCentre[0], p[1] - body.weftCentre[1]]);
@@ -64,6 +65,7 @@ function addJoint(j) {
     length: j.kind === 'distance' ? UNITS * j.rest : 0 });
 }
 
+/* 1 m/s2 is 100 pixels in 10^6 ms^2: the scale of the gravity */
 function build(scene, o) {
   engine = Engine.create({ enableSleeping: !!o.sleep });
   engine.gravity = { x: scene.gravity[0], y: -scene.gravity[1], scale: UNITS * 1e-6 };

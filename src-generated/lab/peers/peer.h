@@ -16,7 +16,7 @@ typedef struct peerShape {
     double corner[8][2];        /* in the body's frame */
     double density, friction, restitution;
     unsigned category, mask;    /* 16 bits */
-    int    doubtful;            /* 1: nobody promises that the corners are a polygon */
+    int    doubtful;            /* 1: the corners may be no polygon */
 } peerShape;
 typedef struct peerBody {
     int    type, fixedRotation, firstShape, shapes;

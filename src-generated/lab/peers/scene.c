@@ -68,6 +68,7 @@ static int neutral(const cJSON *item, double value)
     return cJSON_IsArray(item) || cJSON_IsObject(item);
 }
 
+/* the place is told as a path, bodies[3].shapes[0].sensor */
 static void look_at_keys(const cJSON *object, const Keys *keys, const char *where)
 {
     const cJSON *item;
@@ -132,6 +133,7 @@ static void turn(double x, double y, double angle, const double by[2], double ou
     out[1] = by[1] + s * x + c * y;
 }
 
+/* eight corners are the most that Box2D takes */
 static void read_corners(const cJSON *item, const char *where, peerShape *s)
 {
     static const double sign[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
@@ -222,6 +224,7 @@ static int which(const cJSON *root, const cJSON *joint, const char *key)
     return 0;
 }
 
+/* in the body's own frame, which is what most engines store */
 static void read_anchor(const cJSON *item, const char *global, const char *local,
                         const double origin[2], const peerBody *b, double out[2])
 {
@@ -239,6 +242,7 @@ static void read_anchor(const cJSON *item, const char *global, const char *local
     }
 }
 
+/* a rod without a length is as long as it is now */
 static void read_joint(const cJSON *root, const cJSON *item, const char *where,
                        peerScene *out, peerJoint *j)
 {

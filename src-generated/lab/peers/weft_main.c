@@ -74,7 +74,6 @@ static void must(wfResult result)
 
 static wfVec2 vec(const double p[2]) { return wfV2((wfReal)p[0], (wfReal)p[1]); }
 
-
 static void add_spoilt(const peerScene *scene)
 {
     const peerBody *b = &scene->body[scene->bodies - 1];
@@ -130,6 +129,7 @@ static void read_body(int i, double state[6])
     state[5] = (double)info.angularVelocity;
 }
 
+/* a pair whose manifold has no points does nothing and is not counted */
 static void count(int *pairs, int *points)
 {
     int32_t n = 0;
