@@ -284,7 +284,6 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     wfReal t = s->dt;
     hit.manifold.count = 0;
     for (int32_t i = 0; i < c->count; i++) {
-        /* ask point i when it arrives */
         wfReal ti = impact_time(s, c, &c->p[i]);
         if (ti > s->dt) continue;
         t = wfMinR(t, ti);
@@ -293,9 +292,8 @@ static bool bounce_contact(wfSubsteps *s, int32_t at)
     }
     if (hit.manifold.count == 0) return false;
     wfMotion ma = at_time(s, c->a, t), mb = at_time(s, c->b, t);
-    /* the two bodies at the time of their impact */
     wfBodyState a = in->state[c->a], b = in->state[c->b];
-    a.p = wfNeg(found[0].rA), b.p = wfNeg(found[0].rB);
+    a.p = wfNeg(found[0].rA), b.p = wfNeg(found[0].rB);   /* point 0: the origin */
     a.v = ma.v, a.w = ma.w, b.v = mb.v, b.w = mb.w;
     wfTold *told = in->told == NULL ? NULL : &in->told[at];
     if (!wfBounce(&a, &b, &hit, in->restingSpeed, told)) return false;

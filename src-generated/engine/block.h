@@ -33,8 +33,8 @@ typedef struct wfHeader {
 #define WF_SETTING(type, name, ...) type name;
 #define WF_ADVANCED WF_SETTING
 #include "weft/setting_rows.h"
+    wfSlots    bodySlots;
     /* what else a world keeps */
-    wfSlots bodySlots;
     wfSlots forceSlots;
     wfSlots shapeSlots;
     int32_t pairCount, contactCount;   /* of the last step */
@@ -104,8 +104,6 @@ enum {
 };
 /* The arrays of the permanent chunk are the first so many. */
 #define WF_REGION_KEPT WF_REGION_NEW_STATE
-/* Chunks of these sizes: what is given, as it is, or cleared ones if nothing is. */
-wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out);
 /* What the library of scenes as text calls, too, is marked. */
 #if defined __GNUC__ && !defined _WIN32
 #define WF_FOR_SCENES __attribute__((visibility("default")))
@@ -113,6 +111,8 @@ wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out
 #define WF_FOR_SCENES
 #endif
 
+/* Chunks of these sizes: what is given, as it is, or cleared ones if nothing is. */
+wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out);
 /* Checks a handle and finds the arrays. WF_ERROR_NULL, _MEMORY, _NOT_A_WORLD. */
 WF_FOR_SCENES wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
 /* An array of the transient chunk. */
@@ -173,15 +173,19 @@ static inline wfResidual *wfResidualOf(const wfBlock *b)
 {
     return b->head->compensatedSums ? b->fine : NULL;
 }
-
+/* name the call that runs */
+#define WF_CALL __func__
+#ifndef WF_CALL
+#define WF_CALL NULL            /* nobody wants to know it */
+#endif
 /* As wfOpenBlock; WF_ERROR_BUSY. The second: for a call of that name, which changes the
  * world. */
 wfResult wfOpenAtRest(const wfWorld *world, wfBlock *out);
 wfResult wfChangeBlockAs(const char *call, wfWorld *world, wfBlock *out);
-#define wfChangeBlock(world, out) wfChangeBlockAs(__func__, world, out)
+#define wfChangeBlock(world, out) wfChangeBlockAs(WF_CALL, world, out)
 wfResult wfChangeBodyAs(const char *call, wfWorld *world, wfBodyId id, wfBlock *b,
                         int32_t *index);
-#define wfChangeBody(world, id, b, index) wfChangeBodyAs(__func__, world, id, b, index)
+#define wfChangeBody(world, id, b, index) wfChangeBodyAs(WF_CALL, world, id, b, index)
 /* Notes that a number of a structure is refused (number NULL: a field of that name). */
 void wfNoteFault(const wfBlock *b, wfResult result, const char *of, int32_t element,
                  const char *field, const wfNumber *number, double value,
@@ -218,7 +222,7 @@ wfResult wfRefuseSetting(const wfBlock *b, wfResult result, const wfSetting *s,
 wfResult wfRefuseFull(const wfBlock *b, const char *name, int32_t capacity, int32_t need);
 wfResult wfChangeShapeAs(const char *call, wfWorld *world, wfShapeId id, wfBlock *b,
                          int32_t *index);
-#define wfChangeShape(world, id, b, index) wfChangeShapeAs(__func__, world, id, b, index)
+#define wfChangeShape(world, id, b, index) wfChangeShapeAs(WF_CALL, world, id, b, index)
 
 /* Was the world made for one of these needs? */
 static inline bool wfHas(const wfHeader *h, uint32_t modules)

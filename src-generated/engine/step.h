@@ -96,7 +96,6 @@ typedef struct wfFlowRow {
 extern const wfFlowRow wfFlowTable[];
 extern const int wfFlowCount;
 
-
 /* Does the world's solver move the bodies itself? How far may a shape come, m? */
 bool wfSolverIntegrates(const struct wfStep *s);
 int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */

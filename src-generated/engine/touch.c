@@ -16,18 +16,6 @@ static bool before(int32_t a, int32_t b, wfPair than)
 {
     return a < than.a || (a == than.a && b < than.b);
 }
-
-
-static const wfManifoldCache *old_cache(const wfBlock *b, wfWalk *w, wfPair p)
-{
-    while (w->pair < w->pairs
-           && before(b->pairs[w->pair].a, b->pairs[w->pair].b, p)) w->pair++;
-    bool found = w->pair < w->pairs
-              && b->pairs[w->pair].a == p.a && b->pairs[w->pair].b == p.b;
-    if (!found && w->after != NULL) return old_cache(b, w->after, p);
-    return found ? &b->caches[w->pair] : NULL;
-}
-
 static const wfContact *old_contact(const wfBlock *b, wfWalk *w, wfPair p)
 {
     while (w->contact < w->contacts
@@ -37,6 +25,16 @@ static const wfContact *old_contact(const wfBlock *b, wfWalk *w, wfPair p)
     bool found = w->contact < w->contacts && c->shapeA == p.a && c->shapeB == p.b;
     if (!found && w->after != NULL) return old_contact(b, w->after, p);
     return found ? c : NULL;
+}
+
+static const wfManifoldCache *old_cache(const wfBlock *b, wfWalk *w, wfPair p)
+{
+    while (w->pair < w->pairs
+           && before(b->pairs[w->pair].a, b->pairs[w->pair].b, p)) w->pair++;
+    bool found = w->pair < w->pairs
+              && b->pairs[w->pair].a == p.a && b->pairs[w->pair].b == p.b;
+    if (!found && w->after != NULL) return old_cache(b, w->after, p);
+    return found ? &b->caches[w->pair] : NULL;
 }
 
 static bool touched_before(const wfBlock *b, wfWalk *w, wfPair p)
@@ -605,13 +603,13 @@ wfResult wfTellEvents(struct wfStep *s)
 {
     if (!s->b.head->events) return WF_OK;
     size_t mark = wfPoolMark(&s->scratch);
-    /* make room for what began, what stays and what has ended */
     int32_t most = s->b.head->pairCapacity;
     wfTouchingPair *list[3];
-    for (int i = 0; i < 3; i++) list[i] = wfPoolPushArray(&s->scratch, most, wfTouchingPair);
+    for (int i = 0; i < 3; i++)
+        list[i] = wfPoolPushArray(&s->scratch, most, wfTouchingPair);
     if (list[2] == NULL) return WF_ERROR_MEMORY;
-    wfTouchingChanges found = { .begin = { list[0], 0, most }, .stay = { list[1], 0, most },
-                                .end = { list[2], 0, most } };
+    wfTouchingChanges found = { .begin = { list[0], 0, most },
+        .stay = { list[1], 0, most }, .end = { list[2], 0, most } };
     const wfTouchingPair *old = s->b.touches + s->b.head->kept.touches;
     int32_t oldCount = s->b.head->touchCount - s->b.head->kept.touches;
     /* which other touches of the last step are compared */
