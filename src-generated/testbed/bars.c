@@ -51,8 +51,7 @@ static int list_scenes(ui *u, game *g)
                 ui_text(u, 10, y + 14, 13, WF_INK_ACCENT, -1, scene->category);
             y += ROW;
         }
-        if (i == s->row && s->reveal)
-            reveal_row(s, y, room);
+        if (i == s->row && s->reveal) reveal_row(s, y, room);
         if (y >= LIST_TOP && y + ROW <= LIST_TOP + room &&
             ui_row(u, scene->name, 8, y, LIST_WIDTH - 16, i == s->row))
             chosen = i;
@@ -283,8 +282,7 @@ void game_key_sheet(ui *u, const game_state *s, float x)
     if (line * (float)each > room) line = room / (float)each;
     float h = line * (float)each + 14;
     ui_box(u, x, top, wide * (float)columns, h, WF_INK_FAINT, WF_INK_PAPER);
-    if (ui_inside(u, x, top, wide * (float)columns, h))
-        u->over = true;
+    if (ui_inside(u, x, top, wide * (float)columns, h)) u->over = true;
     for (int i = 0; i < rows; i++) {
         float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
         ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);

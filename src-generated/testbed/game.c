@@ -11,8 +11,7 @@
 static void strip(ui *u, float y, float h)
 {
     ui_box(u, -2, y, u->width + 4, h, WF_INK_PAPER, WF_INK_PAPER);
-    if (ui_inside(u, 0, y, u->width, h))
-        u->over = true;
+    if (ui_inside(u, 0, y, u->width, h)) u->over = true;
 }
 
 static void interface(ui *u, game *g, double seconds)
@@ -34,10 +33,8 @@ static void interface(ui *u, game *g, double seconds)
     strip(u, -2, s->head);
     strip(u, s->height - FOOT + 2, FOOT);
     game_draw_curves(u, g);
-    if (s->list && !drawer)
-        game_list_panel(u, g);
-    if (s->panel)
-        game_settings_panel(u, g);
+    if (s->list && !drawer) game_list_panel(u, g);
+    if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
@@ -47,8 +44,7 @@ static void interface(ui *u, game *g, double seconds)
     }
     game_state_line(u, g, x);
     game_time_bar(u, g);
-    if (s->keys)
-        game_key_sheet(u, s, x);
+    if (s->keys) game_key_sheet(u, s, x);
     u->x = mouse;
     if (drawer) {
         game_list_panel(u, g);
@@ -170,8 +166,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_place_camera(&g);
     game_obey_mouse(&g, u.over);
     game_end_edit(&g);
-    if (s->opened)
-        game_step_world(&g);
+    if (s->opened) game_step_world(&g);
     game_note_tape(&g);
     game_keep_settings(&g);
     memory->still = stays_as_it_is(&g);
@@ -206,8 +201,7 @@ static void say_bodies(writer *w, const game *g)
     wfBodyView v = wfWorldBodies(&g->world);
     for (int32_t i = 0, told = 0; i < v.count && told < 40; i++) {
         float pixel[2];
-        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC)
-            continue;
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         camera_see(&g->state->camera, WF_XY(v.state[i].p), pixel);
         say(w, "body %d x %.4f y %.4f pixel %.1f %.1f\n", (int)i, (double)v.state[i].p.x,
             (double)v.state[i].p.y, (double)pixel[0], (double)pixel[1]);
@@ -239,8 +233,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
     wfBodyInfo chosen;
     double n[BODY_LINES];
     if (s->tools.count && game_body_numbers(&g, s->tools.chosen[0], &chosen, n)) {
-        say(&w, "chosen-body %d\nbody-numbers",
-            (int)wfBodyIndex(&g.world, s->tools.chosen[0]));
+        say(&w, "chosen-body %d\nbody-numbers", (int)wfBodyIndex(&g.world, s->tools.chosen[0]));
         for (int i = 0; i < BODY_LINES; i++) say(&w, " %.9g", n[i]);
         say(&w, "\n");
     }

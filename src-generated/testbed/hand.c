@@ -5,8 +5,7 @@
 wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega,
                      wfReal h)
 {
-    if (body->invMass <= 0)
-        return wfV2(0, 0);
+    if (body->invMass <= 0) return wfV2(0, 0);
     wfVec2 d = wfSub(grip, target), v = wfVelocityAt(body, grip), r = wfSub(grip, body->p);
     /* find the velocity that the hand wants by eq:hand-velocity */
     wfReal q = wfSquare(1 + omega * h);

@@ -43,8 +43,7 @@ static int play(const layer_options *options)
     if (good) {
         uint32_t *pixels = l.buffer.pixels;
         if (!options->film && !options->frames) l.buffer.pixels = NULL;
-        while (layer_frame(&l, &input))
-            input.steps = 1;
+        while (layer_frame(&l, &input)) input.steps = 1;
         l.buffer.pixels = pixels;
         good = l.script.error == NULL && layer_finish(&l);
     }
@@ -179,8 +178,7 @@ static int explain_scene(const layer_options *options)
     wfDestroyWorld(&rich);
     if (result == WF_OK && !s->build)
         puts("\n(this scene is opened as a whole, with the needs that it states itself)");
-    else if (result == WF_OK)
-        result = explain_lean(s, &def, steps);
+    else if (result == WF_OK) result = explain_lean(s, &def, steps);
     free(made.text);
     return result != WF_OK;
 }
@@ -316,8 +314,7 @@ static void print_first_row(const wfWorld *world, const wfBodyState *ball,
     if (unhurt)                                     /* nothing has touched it yet */
         printf("  %9.4f",
                (double)was->p.y + (double)was->v.y * t + (double)g.y / 2 * t * t);
-    else
-        printf("  %9s", "-");
+    else printf("  %9s", "-");
     printf("  %10.3f  %8d\n", kinetic + potential, (int)contacts);
 }
 
@@ -336,8 +333,7 @@ static int first_simulation(const layer_options *options)
            "contacts");
     wfResult result = WF_OK;
     for (int step = 0; step <= 120 && result == WF_OK; step++) {
-        if (step % 12 == 0)
-            print_first_row(&world, ball, &was);
+        if (step % 12 == 0) print_first_row(&world, ball, &was);
         wfSceneInput in = wfSceneInputAt(scene, step);
         result = wfStepScene(scene, &world, &in);
     }

@@ -46,8 +46,7 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
     for (int i = 1; i < argc; i++) {
         const char **place = NULL, *error = NULL, *name = argv[i];
         for (size_t t = 0; t < sizeof texts / sizeof *texts; t++)
-            if (strcmp(name, texts[t].name) == 0)
-                place = texts[t].place;
+            if (strcmp(name, texts[t].name) == 0) place = texts[t].place;
         bool size = strcmp(name, "--size") == 0;
         bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0
                    || strcmp(name, "--workers") == 0;
@@ -216,8 +215,7 @@ static void record_input(layer *l, const game_input *input)
 {
     char text[1024];
     size_t length = input_script_write(text, sizeof text, &l->last, input);
-    if (length < sizeof text)
-        fwrite(text, 1, length, l->record);
+    if (length < sizeof text) fwrite(text, 1, length, l->record);
 }
 
 static void take_new_code(layer *l)
@@ -242,8 +240,7 @@ bool layer_frame(layer *l, const game_input *input)
         /* take the next frame of the script */
         int more = input_script_next(&l->script, &now);
         if (more < 0)
-            fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line,
-                    l->script.error);
+            fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line, l->script.error);
         if (more == 0 && l->options->log) write_log(l);
         if (more <= 0) return false;
     }

@@ -39,8 +39,7 @@ void game_list_world(game *g, wfDraw *d, const float view[4])
     game_find_seen(&s->camera, s->look.seen);
     wfDrawLook(&g->world, s->show, &s->look, &g->scratch, d);
     draw_ghosts(g, d);
-    if (g->scene->draw)
-        g->scene->draw(&g->world, d, &s->input);
+    if (g->scene->draw) g->scene->draw(&g->world, d, &s->input);
     tool_work tools = game_tools_of(g);
     tool_draw(&tools, d);
     if (s->held.index) {

@@ -265,8 +265,7 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     }
     /* say which body it is and where */
     char text[80];
-    snprintf(text, sizeof text, "body %d at (%.3f, %.3f) m",
-             (int)wfBodyIndex(&g->world, id),
+    snprintf(text, sizeof text, "body %d at (%.3f, %.3f) m", (int)wfBodyIndex(&g->world, id),
              (double)b.position.x, (double)b.position.y);
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = type_line(u, g, id, b.type, x, y + UI_LINE, w);

@@ -144,8 +144,7 @@ void game_step_world(game *g)
         if (!s->paused) note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
         if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
     }
-    if (s->paused)
-        steps = s->single;
+    if (s->paused) steps = s->single;
     s->single = 0;
     if (steps > 0) game_stay_there(g);
     for (; steps > 0; steps--) {
@@ -156,8 +155,7 @@ void game_step_world(game *g)
         if (s->tape == TAPE_REPLAYING) {
             game_replay_one(g);
         } else {
-            if (!s->moved)
-                s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
+            if (!s->moved) s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
             game_pull(g, def.timeStep);
             pull_chosen(g, def.timeStep);
             s->result = step_one(g);

@@ -17,8 +17,7 @@ extern const int wfOverlayCount;
    memory or in the list is left out. */
 void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
 /* The same without overlays, the first `count' bodies at other places, in their order. */
-void wfDrawWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count,
-                   wfDraw *d);
+void wfDrawWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d);
 /* The share t of the way from a to b, turning by the short way. */
 wfTransform wfPoseBetween(wfTransform a, wfTransform b, wfReal t);
 /* The outline of a rectangle. */
