@@ -220,7 +220,6 @@ void game_obey_key(game *g, int32_t key)
     case GAME_KEY_DELETE: remove_chosen(g); break;
     default: if (!s->ui.focus) obey_view_key(g, key); break;
     }
-    /* press the keys of tools, files and overlays */
     for (int i = 0; i < toolCount; i++)
         if (toolTable[i].key == small) game_choose_tool(g, i);
     game_file_key(g, small);

@@ -3,8 +3,6 @@
 #include <stddef.h>
 #include "testbed/canvas.h"
 #include "testbed/font.h"
-
-/* find the nearest size */
 int32_t wfNearestSize(const wfFont *font, float px)
 {
     int32_t best = -1;
@@ -18,8 +16,6 @@ int32_t wfNearestSize(const wfFont *font, float px)
     }
     return best;
 }
-
-/* find a glyph */
 const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
 {
     int32_t size = wfNearestSize(font, px);
@@ -34,8 +30,6 @@ const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
     if (glyphs[low].letter == letter) return &glyphs[low];
     return &glyphs[font->glyphCount - 1];    /* U+FFFD is the last */
 }
-
-/* measure text */
 float wfTextWidth(const wfFont *font, float px, const char *utf8)
 {
     float width = 0;

@@ -20,7 +20,6 @@ static void interface(ui *u, game *g, double seconds)
     float x = game_list_side(s) + 16, mouse = u->x;
     bar b = { x, s->width - 8, x, 10 };
     if (s->bare) {
-        /* walk over a picture that has no bars */
         s->head = 0;
         if (s->keys) game_key_sheet(u, s, 4);
         ui_finish(u, seconds);
@@ -142,7 +141,6 @@ void game_update_and_render(game_memory *memory, const game_input *input,
 {
     game g;
     game_input now = *input;
-    /* find everything again, and take what came */
     game_begin_call(&g, memory, &now);
     game_state *s = g.state;
     s->finger = now.finger;
@@ -157,7 +155,6 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     if (memory->news) game_tell(&g, false, memory->news);
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
     s->enter = 0;
-    /* obey the keys that the interface leaves */
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
         if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
         if (!ui_takes(&s->ui, input->keys[i])) game_obey_key(&g, input->keys[i]);
@@ -171,7 +168,6 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_keep_settings(&g);
     memory->still = stays_as_it_is(&g);
     if (!buffer->pixels) return;
-    /* paint the frame */
     const wfPalette *palette = s->dark ? &wfDarkPalette : &wfLightPalette;
     wfClearFrame(buffer, palette->area[WF_INK_PAPER]);
     game_draw_world(&g, buffer, palette);

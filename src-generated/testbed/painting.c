@@ -31,6 +31,8 @@ void game_find_seen(const camera *c, float seen[4])
     camera_pick(c, c->left + c->wide, c->top, &seen[2]);
 }
 
+/* From below to above: bodies and overlays, looks into a step, ghosts of other worlds, the
+ * scene's own lines, the tool's, and the hand's band. */
 void game_list_world(game *g, wfDraw *d, const float view[4])
 {
     game_state *s = g->state;

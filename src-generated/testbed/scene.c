@@ -20,8 +20,7 @@ static wfWorkers sharing;
 void wfShareScenes(wfWorkers workers) { sharing = workers; }
 
 wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
-                                uint32_t modules,
-                                wfWorld *out)
+                                uint32_t modules, wfWorld *out)
 {
     if (scene->open) {
         wfResult opened = scene->open(scene, memory, out);

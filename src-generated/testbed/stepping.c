@@ -26,7 +26,7 @@ static void note_pace(game_state *s, double wall, double passed)
     s->wall = s->passed = 0;
 }
 
-/* turn by the law of the hand */
+/* step the game's world */
 static wfReal turning_speed(const wfBodyState *body, wfReal to, wfReal omega, wfReal h)
 {
     wfReal d = wfWrapAngle(body->angle - to);
@@ -133,7 +133,6 @@ void game_step_world(game *g)
     game_state *s = g->state;
     wfWorldDef def;
     wfGetWorldDef(&g->world, &def);
-    /* find how many steps are due */
     int32_t steps = g->input->steps;
     s->between = 1;
     if (steps < 0) {
@@ -151,7 +150,6 @@ void game_step_world(game *g)
         keep_moment(g, def.timeStep);
         keep_poses(g);
         double before = g->now ? g->now() : 0;
-        /* make one step or replay one */
         if (s->tape == TAPE_REPLAYING) {
             game_replay_one(g);
         } else {

@@ -15,8 +15,6 @@
 #include <sys/stat.h>
 #define make_folder(path) mkdir(path, 0700)
 #endif
-
-/* find the user's folder */
 static bool make_path(char *path)
 {
     for (char *at = path + 1; ; at++) {
@@ -42,8 +40,6 @@ const char *layer_user_folder(char *path, size_t size)
     int n = base && base[0] ? snprintf(path, size, "%s%s/weft", base, below) : -1;
     return n > 0 && (size_t)n < size && make_path(path) ? path : NULL;
 }
-
-/* ask for the time */
 double layer_now(void)
 {
 #ifdef _WIN32

@@ -558,7 +558,6 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     wfVec2 tip = wfAddScaled(hit.point, 30 * m->unit, hit.normal);
     if (met) wfDrawPoint(d, WF_XY(hit.point), 8, WF_INK_BAD);
     if (met) wfDrawArrow(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
-    /* say what the probe met */
     if (met) say(m, WF_OK, "%s: body %d at %.4f of %.4g m, normal (%.3f, %.3f)",
                  probe_names[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
                  (double)hit.fraction, (double)wfLength(by), (double)hit.normal.x,

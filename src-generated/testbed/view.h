@@ -13,6 +13,7 @@ typedef struct wfOverlay {
 } wfOverlay;
 extern const wfOverlay wfOverlayTable[];
 extern const int wfOverlayCount;
+
 /* Draws all bodies, and the overlays whose bits are set. What doesn't fit in the scratch
    memory or in the list is left out. */
 void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
