@@ -272,8 +272,8 @@ void game_key_sheet(ui *u, const game_state *s, float x)
     float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
     float least = s->width < 2 * wide ? 13 : 17;            /* of a line, for one column */
     int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
-    if (columns == 2 && x + 2 * wide > s->width) x = s->width > 2 * wide ? s->width - 2 * wide
-                                                                         : 4;
+    if (columns == 2 && x + 2 * wide > s->width)
+        x = s->width > 2 * wide ? s->width - 2 * wide : 4;
     if (columns == 2 && 2 * wide > s->width - 8) wide = (s->width - 8) / 2;
     if (line * (float)each > room) line = room / (float)each;
     float h = line * (float)each + 14;

@@ -253,7 +253,7 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfWorldProxies(world, &proxies) != WF_OK ||
         wfQuadTreeBuild(&tree, &pool, &proxies) != WF_OK)
         return;
-    int32_t best = -1;                      /* nodes are nested: the deepest is the smallest */
+    int32_t best = -1;                  /* nodes are nested: the deepest is the smallest */
     for (int32_t n = 0; n < tree.nodeHigh; n++)
         if (wfQuadTreeUses(&tree, n) &&
             wfRectHasPoint(wfQuadTreeRect(&tree, n), in->mouse) &&
@@ -298,34 +298,34 @@ static const wfScene row[] = {
     { .category = "Test cases", .name = "TC01 masses", .chapter = "bodies",
       .text = "The same force on masses 1 to 4: distances are as 1, 1/2, 1/3, 1/4.",
       .define = without_gravity, .build = build_forces, .update = update_forces,
-      .draw = draw_forces, VIEW(0.5, 2.2, 8), BOUNDS(-1, -1) },
+      .draw = draw_forces, VIEW(0.5, 2.2, 8), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC02 arms", .chapter = "bodies",
       .text = "The same force, ever farther off the centre: all go as far, but spin.",
       .define = without_gravity, .build = build_rotation, .update = update_rotation,
-      .draw = draw_arms, VIEW(0.5, 2.2, 8), BOUNDS(-1, -1) },
+      .draw = draw_arms, VIEW(0.5, 2.2, 8), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC03 separating axis", .chapter = "narrow-phase",
       .text = "The axis on which the closest body overlaps least, or is farthest. T, Q, E.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_axis, VIEW(0, 0, 9), BOUNDS(-1, -1) },
+      .draw = draw_axis, VIEW(0, 0, 9), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC04 contact points", .chapter = "contacts",
       .text = "Where the testing body touches the others, and how deep (red arrows).",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_clip, VIEW(0, 0, 9), BOUNDS(-1, -1) },
+      .draw = draw_clip, VIEW(0, 0, 9), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC05 colours", .chapter = "narrow-phase",
       .text = "A body that touches another is red, else white. T, Q, E change it.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      VIEW(0, 0, 9), .show = WF_SHOW_TOUCHING, BOUNDS(-1, -1) },
+      VIEW(0, 0, 9), .show = WF_SHOW_TOUCHING, PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC06 quad tree", .chapter = "broad-phase",
       .text = "Each body says which node holds it; the node under the mouse is marked.",
       .define = by_quad_tree, .build = build_drift, .draw = draw_nodes, VIEW(0, 5, 12),
-      .show = WF_SHOW_TREE, BOUNDS(0.05, 0.2) },
+      .show = WF_SHOW_TREE, PROMISE(0.05, 0.2) },
     { .category = "Test cases", .name = "TC07 pairs", .chapter = "broad-phase",
       .text = "A red line joins each potential pair: boxes round the bodies that overlap.",
       .define = without_gravity, .build = build_drift, VIEW(0, 5, 12),
-      .show = WF_SHOW_PAIRS | WF_SHOW_BOUNDS, BOUNDS(0.05, 0.2) },
+      .show = WF_SHOW_PAIRS | WF_SHOW_BOUNDS, PROMISE(0.05, 0.2) },
     { .category = "Test cases", .name = "TC08 positional correction", .chapter = "impulses",
       .text = "Press the body against another: it is moved out until the edges barely touch.",
       .define = push_out_at_once, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_wish, VIEW(0, 0, 9), BOUNDS(-1, -1) },
+      .draw = draw_wish, VIEW(0, 0, 9), PROMISE(-1, -1) },
 };
 const wfSceneGroup wfCaseScenes = { row, sizeof row / sizeof *row };

@@ -170,8 +170,8 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
             (int)s->filter.group);
     }
     return s->staticFriction != 0 || s->rollingResistance != 0 || s->tangentSpeed != 0 ||
-           s->sensor || s->material || s->userData || s->filter.group || s->filter.category != 1 ||
-           s->filter.mask != UINT64_MAX;
+           s->sensor || s->material || s->userData || s->filter.group ||
+           s->filter.category != 1 || s->filter.mask != UINT64_MAX;
 }
 
 static void copy_body(copier *c, int32_t i)

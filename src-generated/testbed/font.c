@@ -16,6 +16,7 @@ int32_t wfNearestSize(const wfFont *font, float px)
     }
     return best;
 }
+
 const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
 {
     int32_t size = wfNearestSize(font, px);
@@ -30,6 +31,7 @@ const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
     if (glyphs[low].letter == letter) return &glyphs[low];
     return &glyphs[font->glyphCount - 1];    /* U+FFFD is the last */
 }
+
 float wfTextWidth(const wfFont *font, float px, const char *utf8)
 {
     float width = 0;

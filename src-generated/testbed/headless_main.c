@@ -413,6 +413,7 @@ static int usage(void)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);
     return 2;
 }
+
 int main(int argc, char **argv)
 {
     layer_options options;

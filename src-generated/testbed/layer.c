@@ -237,7 +237,8 @@ bool layer_frame(layer *l, const game_input *input)
     if (l->text) {
         int more = input_script_next(&l->script, &now);
         if (more < 0)
-            fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line, l->script.error);
+            fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line,
+                    l->script.error);
         if (more == 0 && l->options->log) write_log(l);
         if (more <= 0) return false;
     }

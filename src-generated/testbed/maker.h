@@ -12,7 +12,8 @@
 /* For rows of scenes: where the camera looks, m, and the promises, J and m. */
 #define VIEW(x, y, height) .viewX = (wfReal)(x), .viewY = (wfReal)(y), \
     .viewHeight = (wfReal)(height)
-#define BOUNDS(energy, depth) .energyBound = (wfReal)(energy), .depthBound = (wfReal)(depth)
+#define PROMISE(energy, depth) .energyBound = (wfReal)(energy), \
+    .depthBound = (wfReal)(depth)
 
 #define GROUP(name) extern const wfSceneGroup name;
 /* groups of scenes */

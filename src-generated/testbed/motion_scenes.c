@@ -121,14 +121,14 @@ static const wfScene row[] = {
     { .category = "Motion", .name = "free fall", .chapter = "integration",
       .text = "Balls on the parabolas that they must follow: dashed is exact.",
       .build = build_free_fall, .draw = draw_free_fall, VIEW(2.5, 3.6, 9),
-      BOUNDS(0.05, 0.2) },
+      PROMISE(0.05, 0.2) },
     { .category = "Motion", .name = "spring and orbit", .chapter = "integration",
       .text = "A mass on a spring, a planet on a circle: rings show where they must be.",
       .define = integrated_freely, .build = build_spring_orbit, .draw = draw_spring_orbit,
-      VIEW(1, 0, 9), BOUNDS(0.001, -1) },
+      VIEW(1, 0, 9), PROMISE(0.001, -1) },
     { .category = "Motion", .name = "integrators", .chapter = "integration",
       .text = "The same orbit by each integrator, thirty steps to a turn. Some keep it.",
       .define = integrated_freely, .build = build_nothing, .draw = draw_integrators,
-      VIEW(4, -2.4, 10), BOUNDS(0, -1) },
+      VIEW(4, -2.4, 10), PROMISE(0, -1) },
 };
 const wfSceneGroup wfMotionScenes = { row, sizeof row / sizeof *row };

@@ -436,8 +436,10 @@ static void look_at_colours(const wfWorld *world, const wfLook *look, wfPool *sc
             if (at->manifold.count < 1) continue;
             wfVec2 a = v.state[at->a].p, b = v.state[at->b].p;
             wfVec2 mid = at->manifold.points[0].point;
-            if (v.state[at->a].invMass > 0) wfDrawLine(d, WF_XY(a), WF_XY(mid), 2.5f, ink[k % 6]);
-            if (v.state[at->b].invMass > 0) wfDrawLine(d, WF_XY(b), WF_XY(mid), 2.5f, ink[k % 6]);
+            if (v.state[at->a].invMass > 0)
+                wfDrawLine(d, WF_XY(a), WF_XY(mid), 2.5f, ink[k % 6]);
+            if (v.state[at->b].invMass > 0)
+                wfDrawLine(d, WF_XY(b), WF_XY(mid), 2.5f, ink[k % 6]);
             wfDrawTextf(d, WF_XY(mid), 13, WF_INK_TEXT, -1, " %d", (int)k);
         }
 }

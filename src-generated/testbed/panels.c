@@ -263,8 +263,8 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
         return y + UI_LINE;
     }
     char text[80];
-    snprintf(text, sizeof text, "body %d at (%.3f, %.3f) m", (int)wfBodyIndex(&g->world, id),
-             (double)b.position.x, (double)b.position.y);
+    snprintf(text, sizeof text, "body %d at (%.3f, %.3f) m",
+             (int)wfBodyIndex(&g->world, id), (double)b.position.x, (double)b.position.y);
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = type_line(u, g, id, b.type, x, y + UI_LINE, w);
     for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
@@ -529,7 +529,8 @@ void game_draw_curves(ui *u, const game *g)
 
 /* the panel of files */
 static const button_row file_table[] = {
-    { "Record", NULL, 'f', 0, game_press_record, "F: writes down what you do; again: stop" },
+    { "Record", NULL, 'f', 0, game_press_record,
+      "F: writes down what you do; again: stop" },
     { "Replay", NULL, 'k', 0, game_press_replay, "K: does it again, to the last bit" },
     { "Save the world", NULL, 'w', 0, game_press_save, "W: world.save" },
     { "Load the world", NULL, 'a', 0, game_press_load, "A: world.save" },

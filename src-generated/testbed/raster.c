@@ -124,7 +124,7 @@ static void add_up(wfCoverRow *row)
     for (int32_t i = row->low; i < row->high; i++) {
         empty = row->at[i] == 0 ? empty + 1 : 0;
         sum += row->at[i];
-        row->at[i] = clamp01(sum > -sum ? sum : -sum);
+        row->at[i] = clamp01(sum > -sum ? sum : -sum);      /* eq:draw-sum */
         if (empty < RUN || row->at[i] < 1 - 1e-6f) continue;
         int32_t end = empty_until(row, i + 1);
         fill_run(row, i + 1, end);
@@ -259,7 +259,7 @@ void wfCoverDisc(wfCoverRow *row, float x, float y, float radius)
 {
     int32_t first, last, inner[2];
     float squared = radius * radius;
-    bool large = squared > 1.0f / 3;
+    bool large = squared > 1.0f / 3;                        /* eq:draw-disc */
     float edge = large ? (float)wfSqrt(squared - 1.0f / 12) : 0.5f;
     float strength = large ? 1 : 3 * squared;
     if (!reach_range(row, x, y, edge + 0.5f, &first, &last)) return;

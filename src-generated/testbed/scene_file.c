@@ -42,6 +42,7 @@ void wfSceneOfText(const char *text, const wfSceneInfo *info, wfScene *out)
         .viewHeight = seen ? info->viewHeight : 10,
         .energyBound = info->energyBound, .depthBound = info->depthBound };
 }
+
 wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
                        wfWorld *out, wfTextError *error)
 {

@@ -153,16 +153,16 @@ static wfResult build_round(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Shapes", .name = "tiled valley", .chapter = "contacts",
       .text = "Two hundred tiles make one smooth valley: nothing stumbles over a seam.",
-      .define = softly, .build = build_tiles, VIEW(0, 2.6, 9), BOUNDS(0.5, 0.1) },
+      .define = softly, .build = build_tiles, VIEW(0, 2.6, 9), PROMISE(0.5, 0.1) },
     { .category = "Shapes", .name = "hammers", .chapter = "compound",
       .text = "Bodies of several shapes turn about their common centre of mass.",
       .define = softly, .build = build_hammers, .draw = draw_hammers, VIEW(0, 3, 9),
-      BOUNDS(1, 0.3) },
+      PROMISE(1, 0.3) },
     { .category = "Shapes", .name = "outlines", .chapter = "compound",
       .text = "Outlines that are not convex, cut into convex pieces, hook into each other.",
-      .define = softly, .build = build_outlines, VIEW(0, 5, 12), BOUNDS(2, 0.35) },
+      .define = softly, .build = build_outlines, VIEW(0, 5, 12), PROMISE(2, 0.35) },
     { .category = "Shapes", .name = "round edges", .chapter = "shapes",
       .text = "Capsules, rounded boxes and rounded triangles in a bowl of links.",
-      .define = softly, .build = build_round, VIEW(0, 5, 11), BOUNDS(2, 0.3) },
+      .define = softly, .build = build_round, VIEW(0, 5, 11), PROMISE(2, 0.3) },
 };
 const wfSceneGroup wfShapeScenes = { row, sizeof row / sizeof *row };

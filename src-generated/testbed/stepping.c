@@ -140,7 +140,8 @@ void game_step_world(game *g)
         steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
                                    (double)def.timeStep, s->most);
         s->made = s->paused ? 0 : steps;
-        if (!s->paused) note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
+        if (!s->paused)
+            note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
         if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
     }
     if (s->paused) steps = s->single;
@@ -153,7 +154,8 @@ void game_step_world(game *g)
         if (s->tape == TAPE_REPLAYING) {
             game_replay_one(g);
         } else {
-            if (!s->moved) s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
+            if (!s->moved)
+                s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
             game_pull(g, def.timeStep);
             pull_chosen(g, def.timeStep);
             s->result = step_one(g);

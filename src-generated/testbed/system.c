@@ -40,6 +40,7 @@ const char *layer_user_folder(char *path, size_t size)
     int n = base && base[0] ? snprintf(path, size, "%s%s/weft", base, below) : -1;
     return n > 0 && (size_t)n < size && make_path(path) ? path : NULL;
 }
+
 double layer_now(void)
 {
 #ifdef _WIN32

@@ -593,15 +593,15 @@ static void draw_probe(const tool_work *w, wfDraw *d)
 static void nothing(tool_work *w) { (void)w; }
 
 const tool_row toolTable[] = {
-    { "Hand", "drag bodies and throw them; the wheel turns what is held", 'g', 0, choose_one,
-      nothing, nothing, NULL },
+    { "Hand", "drag bodies and throw them; the wheel turns what is held", 'g', 0,
+      choose_one, nothing, nothing, NULL },
     { "Place", "press for the middle of a new body, pull it to its size", 'b',
       1 << TOOL_SHAPE | 1 << TOOL_STUFF | 1 << TOOL_TYPE, nothing, nothing, place,
       draw_placing },
     { "Draw", "draw the outline of a new body", 'y', 1 << TOOL_STUFF | 1 << TOOL_TYPE,
       begin_stroke, add_point, end_outline, draw_stroke },
-    { "Pin", "click a body: it turns about that point of the ground", 'i', 0, nothing, nothing,
-      pin, NULL },
+    { "Pin", "click a body: it turns about that point of the ground", 'i', 0, nothing,
+      nothing, pin, NULL },
     { "Connect", "press on one body, let go on another, or on the ground", 'j',
       1 << TOOL_JOINT, nothing, nothing, connect, draw_connecting },
     { "Lasso", "draw a loop; then drag, pin or delete who is in it", 'l', 0, begin_lasso,

@@ -55,7 +55,7 @@ typedef struct ui {
 ui ui_look(ui_memory *memory, const game_input *input, float width, float height,
            float scale);
 void ui_show(ui *u, wfDraw *draw);
-/* The name of a field as words: "positionCorrection" as "position correction". Returns out. */
+/* The name of a field as words: "timeStep" as "time step". Returns out. */
 const char *ui_words(const char *name, char out[GAME_NAME_SIZE]);
 /* Ends a walk: the open list and the tip are drawn over all else. */
 void ui_finish(ui *u, double seconds);
