@@ -12,6 +12,7 @@ static bool is_dear(const wfClassic *c)
         if (strcmp(c->name, name[i]) == 0) return true;
     return false;
 }
+
 static int measure_figures_arch(FILE *out)
 {
     wfWorldDef how = wfDefaultWorldDef();
@@ -28,6 +29,7 @@ static int measure_figures_arch(FILE *out)
     }
     return 0;
 }
+
 static int measure_figures_classics(FILE *out)
 {
     wfWorldDef how = wfDefaultWorldDef(), exact = how;

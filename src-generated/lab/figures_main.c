@@ -8,7 +8,6 @@
 
 enum { FIGURE_WIDTH = 480, LIST_BYTES = 1 << 22 };
 
-/* write one figure */
 static int same_bytes(const char *a, const char *b)
 {
     FILE *fa = fopen(a, "rb"), *fb = fopen(b, "rb");
@@ -50,7 +49,6 @@ static int write_figure(const wfFigureRow *row, const char *dir)
     return rename(draft, path) != 0;
 }
 
-/* list the figures that can move */
 static size_t figure_at(const wfFigureRow *row, float time, char *text, size_t size)
 {
     _Alignas(8) static unsigned char memory[LIST_BYTES];
@@ -76,7 +74,6 @@ static int list_live(void)
     return 0;
 }
 
-/* write all figures, or one */
 int main(int argc, char **argv)
 {
     const wfFigureRow *row;

@@ -10,8 +10,6 @@ enum { LIVE_WIDTH = 480 };
 _Alignas(16) static unsigned char list_memory[1 << 21];
 static char text[1 << 21];
 static wfFigureInput given;
-
-/* answer the page's questions about a figure */
 EXPORT("live_text") char *live_text(void) { return text; }
 
 /* The figure whose name is in live_text(): its row, or -1. Its handles go home. */

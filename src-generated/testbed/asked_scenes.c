@@ -11,13 +11,11 @@ static wfVec2 teleport_home(int i)          /* of box i: four at the left, three
 
 static wfResult build_teleport(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     for (int i = 0; i < 7; i++) {
         wfVec2 at = teleport_home(i);
         wfBodyDef b = box(&m, at.x, at.y, WF_R(0.5), WF_R(0.5));
-        b.userData = i == 0 ? WF_INK_BODY2 : i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i == 0 ? WF_INK_BODY2 : i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -51,21 +49,18 @@ static wfVec2 platform_at(int i, double t)
 
 static wfResult build_platforms(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     for (int i = 0; i < 2; i++) {
         wfVec2 at = platform_at(i, 0);
         wfBodyDef b = box(&m, at.x, at.y, WF_R(1.5), WF_R(0.15));
         b.type = WF_KINEMATIC;
-        b.userData = WF_INK_ACCENT;
-        put(&m, &b);
+        put_ink(&m, &b, WF_INK_ACCENT);
         for (int k = 0; k < 5; k++) {
             wfReal side = k < 3 ? (wfReal)(k - 1) : (wfReal)k - WF_R(3.5);
             b = box(&m, at.x + WF_R(0.8) * side, at.y + (k < 3 ? WF_R(0.45) : WF_R(1.05)),
                     WF_R(0.3), WF_R(0.3));
             b.velocity = i ? wfV2(0, WF_R(1.5)) : wfV2(3, 0);       /* A omega: it rides */
-            b.userData = k % 2 ? WF_INK_BODY : WF_INK_GOOD;
-            put(&m, &b);
+            put_ink(&m, &b, k % 2 ? WF_INK_BODY : WF_INK_GOOD);
         }
     }
     return m.result;
@@ -87,18 +82,13 @@ static void update_platforms(wfWorld *world, const wfSceneInput *in)
 static wfResult build_jitter(wfWorld *world)
 {
     Maker m = { world, WF_OK };
-    for (int i = -1; i <= 1; i += 2) {
-        wfBodyDef side = box(&m, WF_R(3.2) * (wfReal)i, 2, 4, WF_R(0.3));
-        side.type = WF_STATIC;
-        side.angle = WF_R(0.6) * (wfReal)i;
-        put(&m, &side);
-    }
+    for (int i = -1; i <= 1; i += 2)
+        put_slope(&m, WF_R(3.2) * (wfReal)i, 2, 4, WF_R(0.3), WF_R(0.6) * (wfReal)i);
     for (int i = 0; i < 24; i++) {
         wfBodyDef b = box(&m, WF_R(0.62) * (wfReal)(i % 4) - WF_R(0.93),
                           3 + WF_R(0.62) * (wfReal)(i / 4), WF_R(0.3),
                           i % 3 ? WF_R(0.3) : WF_R(0.2));
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -123,8 +113,7 @@ static wfResult build_honey(wfWorld *world)
         wfBodyDef b = ball(&m, -5, WF_R(1.5) * (wfReal)i, WF_R(0.5));
         b.mass = 1 + (wfReal)i;
         b.velocity = wfV2(4, 0);
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     push(&m, &drag);
     return m.result;
@@ -142,15 +131,13 @@ static void draw_honey(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 
 static wfResult build_lift(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 6, WF_R(0.5), 0);
+    Maker m = on_ground(world, 6);
     wfBodyId frame = put_nail(&m, 0, 7), side[2];
     for (int i = 0; i < 2; i++) {
         wfReal x = i ? WF_R(1.5) : WF_R(-1.5);
         wfBodyDef b = box(&m, x, WF_R(3.5), i ? WF_R(0.5) : 1, i ? WF_R(0.5) : WF_R(0.1));
         b.mass = 4;
-        b.userData = i ? WF_INK_BODY2 : WF_INK_BODY;
-        side[i] = put(&m, &b);
+        side[i] = put_ink(&m, &b, i ? WF_INK_BODY2 : WF_INK_BODY);
         wfJoint slide = joint_along(&m, "prismatic", frame, side[i], wfV2(x, WF_R(3.5)),
                                     wfV2(0, 1));
         join(&m, &slide);
@@ -161,8 +148,7 @@ static wfResult build_lift(wfWorld *world)
     join(&m, &tie);
     wfBodyDef crate = box(&m, WF_R(-1.5), WF_R(5.5), WF_R(0.4), WF_R(0.4));
     crate.mass = 1;
-    crate.userData = WF_INK_GOOD;
-    put(&m, &crate);
+    put_ink(&m, &crate, WF_INK_GOOD);
     return m.result;
 }
 
@@ -179,27 +165,21 @@ static const wfScene row[] = {
     { .category = "Asked", .name = "teleport", .chapter = "world",
       .text = "The lowest box is at once on the other tower. Who leant on it falls.",
       .build = build_teleport, .update = update_teleport, .draw = draw_teleport,
-      .viewX = 0, .viewY = WF_R(2.2), .viewHeight = 7,
-      .energyBound = -1, .depthBound = WF_R(0.1) },
+      VIEW(0, 2.2, 7), PROMISE(-1, 0.1) },
     { .category = "Asked", .name = "moving platforms", .chapter = "world",
       .text = "Moved by their velocity, they carry their loads. To and fro, up and down.",
-      .build = build_platforms, .update = update_platforms,
-      .viewX = 0, .viewY = WF_R(2.4), .viewHeight = 7,
-      .energyBound = -1, .depthBound = WF_R(0.05) },
+      .build = build_platforms, .update = update_platforms, VIEW(0, 2.4, 7),
+      PROMISE(-1, 0.05) },
     { .category = "Asked", .name = "jitter", .chapter = "soft",
       .text = "A metre of bar for each centimetre a second: what moves that should be at rest?",
-      .build = build_jitter, .draw = draw_jitter,
-      .viewX = 0, .viewY = WF_R(3.4), .viewHeight = WF_R(8.5),
-      .energyBound = 1, .depthBound = WF_R(0.15) },
+      .build = build_jitter, .draw = draw_jitter, VIEW(0, 3.4, 8.5), PROMISE(1, 0.15) },
     { .category = "Asked", .name = "honey", .chapter = "forces",
       .text = "Drag of 2 N for each m/s: masses 1 to 4 with 4 m/s must stop at their lines.",
       .define = integrated_freely, .build = build_honey, .draw = draw_honey,
-      .viewX = 0, .viewY = WF_R(2.25), .viewHeight = WF_R(9.0),
-      .energyBound = 0, .depthBound = -1 },
+      VIEW(0, 2.25, 9.0), PROMISE(0, -1) },
     { .category = "Asked", .name = "lift", .chapter = "joints",
       .text = "A cabin and its counterweight, two slides tied by a linkage. A crate falls in.",
-      .define = jointly, .build = build_lift, .draw = draw_lift,
-      .viewX = 0, .viewY = WF_R(3.2), .viewHeight = 9,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+      .define = jointly, .build = build_lift, .draw = draw_lift, VIEW(0, 3.2, 9),
+      PROMISE(0.5, 0.2) },
 };
 const wfSceneGroup wfAskedScenes = { row, sizeof row / sizeof *row };

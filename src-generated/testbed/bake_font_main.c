@@ -8,7 +8,6 @@
 #define STBTT_STATIC
 #include <stb_truetype.h>
 
-/* the letters that are baked */
 static const struct { int first, last; } ranges[] = {
     { 0x20, 0x7e }, { 0xa0, 0xff },          /* Latin */
     { 0x391, 0x3a9 }, { 0x3b1, 0x3c9 },      /* Greek */
@@ -22,8 +21,6 @@ static const struct { int first, last; } ranges[] = {
 };
 static int range_count = sizeof ranges / sizeof *ranges;
 static int shades = 256;
-
-/* a shelf for the pictures of letters */
 enum { ATLAS_WIDTH = 1024, ATLAS_HEIGHT = 2048 };
 static unsigned char atlas[ATLAS_WIDTH * ATLAS_HEIGHT];
 typedef struct shelf { int x, y, height; } shelf;
@@ -42,7 +39,6 @@ static int place(shelf *s, int w, int h, int *x, int *y)
     return 1;
 }
 
-/* read the font's file */
 static unsigned char *read_file(const char *path)
 {
     FILE *in = fopen(path, "rb");
@@ -59,7 +55,6 @@ static unsigned char *read_file(const char *path)
     return bytes;
 }
 
-/* bake one letter */
 static int bake(const stbtt_fontinfo *font, float scale, int letter, shelf *s)
 {
     int x0, y0, x1, y1, advance, bearing, x = 0, y = 0;
@@ -75,7 +70,6 @@ static int bake(const stbtt_fontinfo *font, float scale, int letter, shelf *s)
     return 1;
 }
 
-/* write the atlas as C */
 static void write_atlas(int rows)
 {
     printf("static const uint8_t cover[] = {\n");
@@ -98,13 +92,11 @@ static void write_sizes(const stbtt_fontinfo *font, int count, char **sizes)
     printf("};\n");
 }
 
-/* bake all letters at all sizes */
 int main(int argc, char **argv)
 {
     stbtt_fontinfo font;
     shelf s = { 0, 0, 0 };
     int letters = 0;
-    /* read the options and the font */
     if (argc > 1 && strcmp(argv[1], "--ascii") == 0) {
         range_count = 1;
         shades = 16;
@@ -119,11 +111,11 @@ int main(int argc, char **argv)
     printf("/* Made by bake-font. */\n#include \"testbed/font.h\"\n");
     printf("static const wfGlyph glyphs[] = {\n");
     for (int size = 2; size < argc; size++) {
-        /* bake all letters at one size */
         float scale = stbtt_ScaleForMappingEmToPixels(&font, (float)atof(argv[size]));
         letters = 0;
         for (int r = 0; r < range_count; r++)
-            for (int letter = ranges[r].first; letter <= ranges[r].last; letter++, letters++)
+            for (int letter = ranges[r].first; letter <= ranges[r].last;
+                 letter++, letters++)
                 if (!bake(&font, scale, letter, &s)) {
                     fprintf(stderr, "bake-font: the atlas is full -- bake fewer sizes\n");
                     free(bytes);

@@ -51,8 +51,7 @@ static int list_scenes(ui *u, game *g)
                 ui_text(u, 10, y + 14, 13, WF_INK_ACCENT, -1, scene->category);
             y += ROW;
         }
-        if (i == s->row && s->reveal)
-            reveal_row(s, y, room);
+        if (i == s->row && s->reveal) reveal_row(s, y, room);
         if (y >= LIST_TOP && y + ROW <= LIST_TOP + room &&
             ui_row(u, scene->name, 8, y, LIST_WIDTH - 16, i == s->row))
             chosen = i;
@@ -118,7 +117,6 @@ void game_list_panel(ui *u, game *g)
     if (!s->ui.query[0])
         bar_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(g), s->scroll);
     if (list_room(s) <= s->height - LIST_TOP - LIST_BOTTOM) {
-        /* tick the overlays */
         ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
         for (int i = 0; i < wfOverlayCount; i++) {
             const wfOverlay *o = &wfOverlayTable[i];
@@ -229,7 +227,6 @@ void game_state_line(ui *u, const game *g, float x)
              kinetic + potential);
     if (s->result != WF_OK)
         snprintf(line, sizeof line, "stopped: %s", wfResultText((wfResult)s->result));
-    /* say it while a tape or a film runs */
     if (s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING)
         snprintf(line, sizeof line, "%s step %d of the tape   hash %016llx",
                  s->tape == TAPE_RECORDING ? "recording:" : "replaying:",
@@ -250,7 +247,6 @@ void game_state_line(ui *u, const game *g, float x)
 void game_key_sheet(ui *u, const game_state *s, float x)
 {
     static const char *const sheet[][2] = {
-        /* keys and what they do */
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
         { "[ and ]", "previous, next scene" }, { "Tab, \\", "hide or show the list" },
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
@@ -272,19 +268,17 @@ void game_key_sheet(ui *u, const game_state *s, float x)
         { "?", "this sheet" },
     };
     int rows = (int)(sizeof sheet / sizeof *sheet);
-    /* lay out the sheet in one column, or in two */
     float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
     float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
     float least = s->width < 2 * wide ? 13 : 17;            /* of a line, for one column */
     int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
-    if (columns == 2 && x + 2 * wide > s->width) x = s->width > 2 * wide ? s->width - 2 * wide
-                                                                         : 4;
+    if (columns == 2 && x + 2 * wide > s->width)
+        x = s->width > 2 * wide ? s->width - 2 * wide : 4;
     if (columns == 2 && 2 * wide > s->width - 8) wide = (s->width - 8) / 2;
     if (line * (float)each > room) line = room / (float)each;
     float h = line * (float)each + 14;
     ui_box(u, x, top, wide * (float)columns, h, WF_INK_FAINT, WF_INK_PAPER);
-    if (ui_inside(u, x, top, wide * (float)columns, h))
-        u->over = true;
+    if (ui_inside(u, x, top, wide * (float)columns, h)) u->over = true;
     for (int i = 0; i < rows; i++) {
         float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
         ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);

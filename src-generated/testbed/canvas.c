@@ -22,8 +22,7 @@ wfPixelMap wfMapView(const float view[4], float widthPx, float heightPx)
 {
     float w = view[2] - view[0], h = view[3] - view[1];
     float sx = widthPx / w, sy = heightPx / h;
-    /* choose the scale by eq:draw-map and the offsets by eq:draw-offset */
-    float scale = sx < sy ? sx : sy;
+    float scale = sx < sy ? sx : sy;                /* eq:draw-map, eq:draw-offset */
     return (wfPixelMap){ scale, 0.5f * (widthPx - scale * w) - scale * view[0],
                          0.5f * (heightPx + scale * h) + scale * view[1] };
 }

@@ -10,8 +10,7 @@ static wfResult build_column(wfWorld *world, wfReal first, wfReal more)
     for (int i = 0; i < 4; i++) {
         wfBodyDef b = box(&m, -5, WF_R(4.5) - WF_R(1.5) * (wfReal)i, WF_R(0.5), WF_R(0.5));
         b.mass = first + more * (wfReal)i;
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -23,8 +22,7 @@ static wfResult build_rotation(wfWorld *world) { return build_column(world, 2, 0
    above its centre. */
 static void pull_right(wfWorld *world, wfReal above)
 {
-    if (wfWorldTime(world) > 4)
-        return;
+    if (wfWorldTime(world) > 4) return;
     wfBodyView v = wfWorldBodies(world);
     for (int32_t i = 0; i < v.count; i++) {
         wfVec2 arm = wfRotate(wfRotation(v.state[i].angle), wfV2(0, above * (wfReal)i));
@@ -83,8 +81,7 @@ static void put_testing_bodies(Maker *m)
     };
     for (int i = 0; i < TESTING_BODIES; i++) {
         shape[i].position = wfV2(1000 + 10 * (wfReal)i, 1000);
-        shape[i].userData = WF_INK_BODY2;
-        put(m, &shape[i]);
+        put_ink(m, &shape[i], WF_INK_BODY2);
     }
 }
 
@@ -132,8 +129,7 @@ static int32_t closest_body(const wfBodyView *v, int32_t test, wfSeparation *bes
                 wfBodyTransform(&v->state[test]), &v->shapes[v->props[i].shape],
                 wfBodyTransform(&v->state[i]), &s) != WF_OK)
             continue;
-        if (found < 0 || s.distance < best->distance)
-            *best = s, found = i;
+        if (found < 0 || s.distance < best->distance) *best = s, found = i;
     }
     return found;
 }
@@ -156,8 +152,7 @@ static void draw_axis(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfBodyView v = wfWorldBodies(world);
     wfSeparation s = { 0 };
     int32_t test = testing_body(in), near = closest_body(&v, test, &s);
-    if (near < 0)
-        return;
+    if (near < 0) return;
     int role = s.distance < 0 ? WF_INK_BAD : WF_INK_GOOD;
     wfVec2 origin = wfLerp(v.state[test].p, v.state[near].p, WF_R(0.5));
     wfVec2 side = wfPerpCCW(s.normal);
@@ -238,8 +233,7 @@ static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
     for (int32_t i = 0; i < v.count; i++) {
         int32_t path[WF_QUAD_MAX_DEPTH], shape = v.alive[i] ? v.props[i].shape : -1;
         int32_t node = shape >= 0 ? wfQuadTreeNodeOf(tree, shape) : -1;
-        if (node < 0 || v.props[i].type == WF_STATIC)
-            continue;
+        if (node < 0 || v.props[i].type == WF_STATIC) continue;
         int depth = wfQuadTreePath(tree, node, path);
         wfVec2 above = wfAdd(v.state[i].p, wfV2(0, WF_R(0.3)));
         wfDrawTextf(d, WF_XY(above), 11, WF_INK_TEXT, 0, "%s%s%s",
@@ -259,14 +253,13 @@ static void draw_nodes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfWorldProxies(world, &proxies) != WF_OK ||
         wfQuadTreeBuild(&tree, &pool, &proxies) != WF_OK)
         return;
-    int32_t best = -1;
+    int32_t best = -1;                  /* nodes are nested: the deepest is the smallest */
     for (int32_t n = 0; n < tree.nodeHigh; n++)
         if (wfQuadTreeUses(&tree, n) &&
             wfRectHasPoint(wfQuadTreeRect(&tree, n), in->mouse) &&
             (best < 0 || tree.nodes[n].depth > tree.nodes[best].depth))
             best = n;
-    if (best >= 0)
-        mark_node(world, d, &tree, best);
+    if (best >= 0) mark_node(world, d, &tree, best);
     write_nodes(world, d, &tree);
 }
 
@@ -305,42 +298,34 @@ static const wfScene row[] = {
     { .category = "Test cases", .name = "TC01 masses", .chapter = "bodies",
       .text = "The same force on masses 1 to 4: distances are as 1, 1/2, 1/3, 1/4.",
       .define = without_gravity, .build = build_forces, .update = update_forces,
-      .draw = draw_forces, .viewX = WF_R(0.5), .viewY = WF_R(2.2), .viewHeight = 8,
-      .energyBound = -1, .depthBound = -1 },
+      .draw = draw_forces, VIEW(0.5, 2.2, 8), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC02 arms", .chapter = "bodies",
       .text = "The same force, ever farther off the centre: all go as far, but spin.",
       .define = without_gravity, .build = build_rotation, .update = update_rotation,
-      .draw = draw_arms, .viewX = WF_R(0.5), .viewY = WF_R(2.2), .viewHeight = 8,
-      .energyBound = -1, .depthBound = -1 },
+      .draw = draw_arms, VIEW(0.5, 2.2, 8), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC03 separating axis", .chapter = "narrow-phase",
       .text = "The axis on which the closest body overlaps least, or is farthest. T, Q, E.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_axis, .viewX = 0, .viewY = 0, .viewHeight = 9,
-      .energyBound = -1, .depthBound = -1 },
+      .draw = draw_axis, VIEW(0, 0, 9), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC04 contact points", .chapter = "contacts",
       .text = "Where the testing body touches the others, and how deep (red arrows).",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_clip, .viewX = 0, .viewY = 0, .viewHeight = 9,
-      .energyBound = -1, .depthBound = -1 },
+      .draw = draw_clip, VIEW(0, 0, 9), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC05 colours", .chapter = "narrow-phase",
       .text = "A body that touches another is red, else white. T, Q, E change it.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_TOUCHING,
-      .energyBound = -1, .depthBound = -1 },
+      VIEW(0, 0, 9), .show = WF_SHOW_TOUCHING, PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC06 quad tree", .chapter = "broad-phase",
       .text = "Each body says which node holds it; the node under the mouse is marked.",
-      .define = by_quad_tree, .build = build_drift, .draw = draw_nodes,
-      .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_TREE,
-      .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
+      .define = by_quad_tree, .build = build_drift, .draw = draw_nodes, VIEW(0, 5, 12),
+      .show = WF_SHOW_TREE, PROMISE(0.05, 0.2) },
     { .category = "Test cases", .name = "TC07 pairs", .chapter = "broad-phase",
       .text = "A red line joins each potential pair: boxes round the bodies that overlap.",
-      .define = without_gravity, .build = build_drift,
-      .viewX = 0, .viewY = 5, .viewHeight = 12, .show = WF_SHOW_PAIRS | WF_SHOW_BOUNDS,
-      .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
+      .define = without_gravity, .build = build_drift, VIEW(0, 5, 12),
+      .show = WF_SHOW_PAIRS | WF_SHOW_BOUNDS, PROMISE(0.05, 0.2) },
     { .category = "Test cases", .name = "TC08 positional correction", .chapter = "impulses",
       .text = "Press the body against another: it is moved out until the edges barely touch.",
       .define = push_out_at_once, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_wish, .viewX = 0, .viewY = 0, .viewHeight = 9,
-      .energyBound = -1, .depthBound = -1 },
+      .draw = draw_wish, VIEW(0, 0, 9), PROMISE(-1, -1) },
 };
 const wfSceneGroup wfCaseScenes = { row, sizeof row / sizeof *row };

@@ -31,16 +31,14 @@ static void draw_overhang(const wfWorld *world, wfDraw *d, const wfSceneInput *i
 
 static wfResult build_heavy_pairs(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
+    Maker m = on_ground(world, 8);
     wfReal mass = 1;
     for (int i = 0; i < 3; i++, mass *= 100)
         for (int k = 0; k < 2; k++) {
             wfBodyDef b = box(&m, WF_R(2.5) * (wfReal)(i - 1), WF_R(0.5) + (wfReal)k,
                               WF_R(0.5), WF_R(0.5));
             b.mass = k ? mass : 1;
-            b.userData = k ? WF_INK_BODY2 : WF_INK_GOOD;
-            put(&m, &b);
+            put_ink(&m, &b, k ? WF_INK_BODY2 : WF_INK_GOOD);
         }
     return m.result;
 }
@@ -66,20 +64,16 @@ static void with_room_for_pairs(wfWorldDef *def)
 
 static wfResult build_dominoes(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     for (int i = 0; i < 30; i++) {
-        wfBodyDef b = box(&m, WF_R(0.45) * (wfReal)i - 6, WF_R(0.5), WF_R(0.08),
-                          WF_R(0.5));
+        wfBodyDef b = box(&m, WF_R(0.45) * (wfReal)i - 6, WF_R(0.5), WF_R(0.08), WF_R(0.5));
         b.friction = WF_R(0.4);
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     wfBodyDef b = ball(&m, -8, WF_R(0.35), WF_R(0.35));
     b.velocity = wfV2(3, 0);
     b.angularVelocity = -3 / WF_R(0.35);
-    b.userData = WF_INK_BODY2;
-    put(&m, &b);
+    put_ink(&m, &b, WF_INK_BODY2);
     return m.result;
 }
 
@@ -90,8 +84,7 @@ static wfResult build_tumbler(wfWorld *world)
     drum.type = WF_KINEMATIC;
     drum.position = wfV2(0, 4);
     drum.angularVelocity = WF_R(0.63);
-    drum.userData = WF_INK_LINE;
-    wfBodyId id = put(&m, &drum);
+    wfBodyId id = put_ink(&m, &drum, WF_INK_LINE);
     for (int side = -1; side <= 1; side += 2) {
         hang_box(&m, id, 3 * (wfReal)side, 0, WF_R(0.2), WF_R(3.2), 1);
         hang_box(&m, id, 0, 3 * (wfReal)side, WF_R(3.2), WF_R(0.2), 1);
@@ -101,8 +94,7 @@ static wfResult build_tumbler(wfWorld *world)
         wfReal y = WF_R(2.2) + WF_R(0.42) * (wfReal)(i / 12);
         wfBodyDef b = i % 3 ? box(&m, x, y, WF_R(0.17), WF_R(0.17))
                             : ball(&m, x, y, WF_R(0.19));
-        b.userData = i % 3 == 0 ? WF_INK_BODY2 : i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 3 == 0 ? WF_INK_BODY2 : i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -141,8 +133,7 @@ static wfResult build_galton(wfWorld *world)
         wfBodyDef b = ball(&m, x, WF_R(10.2) + WF_R(0.4) * (wfReal)(i / 20), WF_R(0.16));
         b.type = WF_STATIC;
         b.friction = 0;
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_BODY2;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_BODY2);
     }
     return m.result;
 }
@@ -152,7 +143,7 @@ static void release_a_ball(wfWorld *world, const wfSceneInput *in)
     (void)in;
     int64_t step = (int64_t)(wfWorldTime(world) * 60 + 0.5);
     if (step % 12 != 0 || step / 12 >= GALTON_BALLS) return;
-    int32_t i = (int32_t)(step / 12);
+    int32_t i = (int32_t)(step / 12);              /* body 0 is the board */
     wfBodyId id = wfBodyAt(world, i + 1);
     wfReal x = WF_R(0.001) * (wfReal)(i * 7919 % 101 - 50);
     if (wfChangeBodyType(world, id, WF_DYNAMIC) == WF_OK)
@@ -167,7 +158,6 @@ static void draw_galton(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int32_t i = 0; i < v.count; i++)
         arrived += v.alive[i] && v.state[i].invMass > 0 && v.state[i].p.y < 2;
     float ways = 1, last = 0;
-    /* draw how high each heap should be */
     for (int k = 0; k <= GALTON_ROWS; k++) {
         /* a bin is 1 m wide; three balls side by side in it make a layer of 0.29 m */
         float high = (float)arrived * ways / 256 / 3 * 0.29f, x = (float)k - 4.5f;
@@ -190,20 +180,20 @@ static wfResult build_hung_cradle(wfWorld *world)
         if (i == 0) b.position = wfV2(x + 3 * q.s, 5 - 3 * q.c);
         b.restitution = 1;
         b.friction = 0;
-        b.userData = i == 0 ? WF_INK_ACCENT : WF_INK_BODY;
-        wfBodyId id = put(&m, &b);
+        wfBodyId id = put_ink(&m, &b, i == 0 ? WF_INK_ACCENT : WF_INK_BODY);
         wfJoint rod = joint_from(&m, "distance", nail, id, wfV2(x, 5), b.position);
         join(&m, &rod);
     }
     return m.result;
 }
-static const wfReal ramp_friction[4][3] = { { WF_R(0.7), 0, 0 }, /* mu, mu_s, a push */
+
+static const wfReal ramp_friction[4][3] = { /* mu, mu_s against the ramp; a push */
+    { WF_R(0.7), 0, 0 },
     { WF_R(0.4), WF_R(0.6), 0 }, { WF_R(0.4), WF_R(0.6), 1 }, { WF_R(0.3), WF_R(0.4), 0 } };
 
 static wfResult build_ramp(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     wfRot q = wfRotation(WF_R(-0.4636476));                 /* arctan 1/2 */
     wfBodyDef slope = box(&m, 0, WF_R(3.2), 8, WF_R(0.2));
     slope.type = WF_STATIC;
@@ -211,7 +201,6 @@ static wfResult build_ramp(wfWorld *world)
     slope.friction = 1;
     put(&m, &slope);
     for (int i = 0; i < 4; i++) {
-        /* put box i on the ramp */
         wfReal along = WF_R(2.2) * (wfReal)i - WF_R(6.2);
         wfBodyDef b = wfDefaultBodyDef();
         wfShapeDef s = wfDefaultShapeDef();
@@ -288,7 +277,6 @@ static wfResult build_race(wfWorld *world)
         slope.angle = race_slope;
         slope.friction = lane == 0 ? 0 : 1;
         put(&m, &slope);
-        /* put a racer at its start */
         racer = wfDefaultBodyDef();
         racer.mass = lane == 1 || lane == 3 ? 0 : 1;
         racer.type = WF_STATIC;         /* until it has a shape that weighs something */
@@ -333,10 +321,9 @@ static wfVec2 third(wfVec2 p, wfVec2 a0, wfVec2 b0, wfVec2 a, wfVec2 b)
 
 typedef struct Leg { wfVec2 foot, knee, ankle, hip, heel, top, crank; } Leg;
 
-/* A leg in the drawing (side 1 or -1), and with the crank elsewhere. */
+/* A leg whose crank is turned by an angle, from the drawing d, m; side 1 or -1. */
 static Leg leg_at(wfReal side, wfReal angle)
 {
-    /* the drawing of a leg */
     Leg d = { wfV2(WF_R(1.35) * side, WF_R(-1.525)), wfV2(WF_R(1.8) * side, WF_R(-0.3)),
               wfV2(WF_R(1.075) * side, WF_R(-0.475)), wfV2(WF_R(0.775) * side, WF_R(0.2)),
               wfV2(WF_R(1.5) * side, WF_R(0.375)), wfV2(WF_R(0.625) * side, WF_R(0.925)),
@@ -351,6 +338,7 @@ static Leg leg_at(wfReal side, wfReal angle)
     return l;
 }
 
+/* A body about the mean of its corners, in the group of parts that do not meet. */
 static wfBodyId put_triangle(Maker *m, wfVec2 at, wfVec2 a, wfVec2 b, wfVec2 c)
 {
     wfVec2 middle = wfScale(WF_R(1.0) / 3, wfAdd(a, wfAdd(b, c)));
@@ -394,7 +382,6 @@ static wfResult build_walker(wfWorld *world)
     motor.motorSpeed = -2;
     motor.motorForce = 40;
     join(&m, &motor);
-    /* give it six legs */
     for (int phase = 0; phase < 3; phase++)
         for (int side = -1; side <= 1; side += 2) {
             Leg l = leg_at((wfReal)side, 2 * WF_PI / 3 * (wfReal)phase);
@@ -435,9 +422,7 @@ static wfResult build_breaking_wall(wfWorld *world)
         for (int k = 0; k < BRICKS_WIDE; k++) {
             wfReal x = 2 + 2 * w * (wfReal)k + (row % 2 ? w : 0);
             wfReal y = h + 2 * h * (wfReal)row;
-            wfBodyDef b = box(&m, x, y, w, h);
-            b.userData = (uint64_t)(row % 2 ? WF_INK_BODY : WF_INK_BODY2);
-            brick[row][k] = put(&m, &b);
+            brick[row][k] = put_box(&m, x, y, w, h, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
             if (k > 0) mortar(&m, brick[row][k - 1], brick[row][k], x - w, y);
             mortar(&m, row > 0 ? brick[row - 1][k] : wfBodyAt(world, 0), brick[row][k],
                    row > 0 ? x + (row % 2 ? -w : w) / 2 : x, y - h);
@@ -445,19 +430,17 @@ static wfResult build_breaking_wall(wfWorld *world)
     wfBodyDef shot = ball(&m, -6, WF_R(2.6), WF_R(0.4));
     shot.density = 20;
     shot.velocity = wfV2(14, 2);
-    shot.userData = WF_INK_ACCENT;
-    put(&m, &shot);
+    put_ink(&m, &shot, WF_INK_ACCENT);
     return m.result;
 }
 
 enum { TRIAL_BOXES = 8, TRIAL_STEPS = 360 };
-static const wfReal trial_slope = WF_R(-0.4434);            /* arctan(0.95 / 2) */
+static const wfReal trial_slope = WF_R(-0.4434);   /* arctan(0.95 / 2), 95 % of friction */
 
 static wfResult build_trial(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     put_wall(&m, 0, WF_R(-0.2), WF_R(2.3), WF_R(0.2), 0);
-    /* put a sledge on its slope */
     wfBodyDef slope = box(&m, WF_R(0.3), WF_R(0.75), WF_R(0.9), WF_R(0.1));
     slope.type = WF_STATIC;
     slope.angle = trial_slope;
@@ -472,8 +455,7 @@ static wfResult build_trial(wfWorld *world)
     b.restitution = 1;
     put(&m, &b);
     for (int i = 0; i < TRIAL_BOXES; i++) {
-        b = box(&m, WF_R(-1.5), WF_R(0.2) + WF_R(0.4) * (wfReal)i, WF_R(0.2), WF_R(0.2));
-        put(&m, &b);
+        put_box(&m, WF_R(-1.5), WF_R(0.2) + WF_R(0.4) * (wfReal)i, WF_R(0.2), WF_R(0.2), 0);
     }
     return m.result;
 }
@@ -525,7 +507,6 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     double crept = ((double)sledge.p.x - 0.3 + 0.4 * (double)q.c + 0.25 * (double)q.s)
                    / (double)q.c;
     double energy = (v2 * v2 / 2 + 9.81 * ((double)ball.p.y - 0.2)) / (9.81 * 2);
-    /* mark where each should be */
     wfDrawDashed(d, x - 1.9f, y + 0.4f * TRIAL_BOXES, x - 1.1f, y + 0.4f * TRIAL_BOXES, 1,
                  WF_INK_BAD);
     wfDrawDashed(d, x + 1.4f, y + 2.4f, x + 2.2f, y + 2.4f, 1, WF_INK_BAD);
@@ -561,68 +542,52 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
 static const wfScene row[] = {
     { .category = "Classics", .name = "card house", .chapter = "classics",
       .text = "Five storeys of cards lean on each other. Take one out.",
-      .build = build_card_house, .viewX = 0, .viewY = WF_R(2.3), .viewHeight = WF_R(6.2),
-      .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
+      .build = build_card_house, VIEW(0, 2.3, 6.2), PROMISE(0.1, 0.02) },
     { .category = "Classics", .name = "arch", .chapter = "classics",
       .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
-      .build = build_arch,
-      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 7,
-      .show = WF_SHOW_CONTACTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.02) },
+      .build = build_arch, VIEW(0, 2.6, 7), .show = WF_SHOW_CONTACTS, PROMISE(0.1, 0.02) },
     { .category = "Classics", .name = "overhang", .chapter = "classics",
       .text = "Ten blocks hang over the edge by 99 % of what is possible.",
-      .build = build_overhang, .draw = draw_overhang, .viewX = 0, .viewY = 2,
-      .viewHeight = 5, .energyBound = WF_R(0.2), .depthBound = WF_R(0.02) },
+      .build = build_overhang, .draw = draw_overhang, VIEW(0, 2, 5), PROMISE(0.2, 0.02) },
     { .category = "Classics", .name = "heavy on light", .chapter = "soft",
       .text = "One box on another: equal, a hundred and ten thousand times as heavy.",
-      .build = build_heavy_pairs, .draw = draw_masses, .viewX = 0, .viewY = WF_R(1.4),
-      .viewHeight = 5, .energyBound = WF_R(0.5), .depthBound = WF_R(0.01) },
+      .build = build_heavy_pairs, .draw = draw_masses, VIEW(0, 1.4, 5), PROMISE(0.5, 0.01) },
     { .category = "Classics", .name = "tower of a hundred", .chapter = "soft",
       .text = "A hundred boxes, each a hundredth askew, and the default settings.",
-      .build = build_high_tower, .viewX = 0, .viewY = 50, .viewHeight = 112,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.01) },
+      .build = build_high_tower, VIEW(0, 50, 112), PROMISE(0.5, 0.01) },
     { .category = "Classics", .name = "one place", .chapter = "soft",
       .text = "Forty boxes are born in the same place, and have to come apart.",
-      .define = with_room_for_pairs, .build = build_one_place,
-      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8, .energyBound = -1, .depthBound = -1 },
+      .define = with_room_for_pairs, .build = build_one_place, VIEW(0, 2.6, 8),
+      PROMISE(-1, -1) },
     { .category = "Classics", .name = "dominoes", .chapter = "classics",
       .text = "A wave runs through thirty stones with a speed of its own.",
-      .build = build_dominoes, .viewX = 0, .viewY = WF_R(2.2), .viewHeight = WF_R(9.5),
-      .energyBound = WF_R(0.1), .depthBound = WF_R(0.1) },
+      .build = build_dominoes, VIEW(0, 2.2, 9.5), PROMISE(0.1, 0.1) },
     { .category = "Classics", .name = "tumbler", .chapter = "compound",
       .text = "A drum turns and never lets its heap come to rest.",
-      .build = build_tumbler, .viewX = 0, .viewY = 4, .viewHeight = 10,
-      .energyBound = -1, .depthBound = WF_R(0.2) },
+      .build = build_tumbler, VIEW(0, 4, 10), PROMISE(-1, 0.2) },
     { .category = "Classics", .name = "Galton board", .chapter = "classics",
       .text = "Left or right at each peg: the line is the binomial distribution.",
-      .define = softly, .build = build_galton, .update = release_a_ball, .draw = draw_galton,
-      .viewX = 0, .viewY = WF_R(5.6), .viewHeight = WF_R(13.6),
-      .energyBound = -1, .depthBound = WF_R(0.25) },
+      .define = softly, .build = build_galton, .update = release_a_ball,
+      .draw = draw_galton, VIEW(0, 5.6, 13.6), PROMISE(-1, 0.25) },
     { .category = "Classics", .name = "hung cradle", .chapter = "joints",
       .text = "Five touching balls on rods. One comes in, and one goes out.",
-      .build = build_hung_cradle, .viewX = 0, .viewY = WF_R(3.4), .viewHeight = 6,
-      .show = WF_SHOW_JOINTS, .energyBound = WF_R(0.1), .depthBound = WF_R(0.08) },
+      .build = build_hung_cradle, VIEW(0, 3.4, 6), .show = WF_SHOW_JOINTS,
+      PROMISE(0.1, 0.08) },
     { .category = "Classics", .name = "ramp", .chapter = "friction",
       .text = "Static over dynamic friction, on a slope of 1/2: who holds, who slides?",
-      .build = build_ramp, .draw = draw_ramp, .viewX = 0, .viewY = WF_R(3.4), .viewHeight = 10,
-      .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
+      .build = build_ramp, .draw = draw_ramp, VIEW(0, 3.4, 10), PROMISE(0.1, 0.15) },
     { .category = "Classics", .name = "rolling race", .chapter = "friction",
       .text = "Ice, a heavy middle, a plain disc, a heavy rim: the dashed lines are exact.",
-      .build = build_race, .draw = draw_race, .viewX = 0, .viewY = WF_R(6.6), .viewHeight = 14,
-      .energyBound = WF_R(0.1), .depthBound = WF_R(0.15) },
+      .build = build_race, .draw = draw_race, VIEW(0, 6.6, 14), PROMISE(0.1, 0.15) },
     { .category = "Classics", .name = "walker", .chapter = "joints-in-a-world",
       .text = "Jansen's legs: one crank, six linkages. The body hardly rises and falls.",
-      .define = jointly, .build = build_walker,
-      .viewX = 0, .viewY = 3, .viewHeight = 8, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = WF_R(0.1) },
+      .define = jointly, .build = build_walker, VIEW(0, 3, 8), .show = WF_SHOW_JOINTS,
+      PROMISE(-1, 0.1) },
     { .category = "Classics", .name = "wall to break", .chapter = "joints-in-a-world",
       .text = "Mortar that holds 60 N, and a ball that brings more. Pieces fall as one.",
-      .define = many_joints, .build = build_breaking_wall,
-      .viewX = 2, .viewY = 3, .viewHeight = 8,
-      .energyBound = 5, .depthBound = WF_R(0.5) },
+      .define = many_joints, .build = build_breaking_wall, VIEW(2, 3, 8), PROMISE(5, 0.5) },
     { .category = "Classics", .name = "solvers", .chapter = "soft",
       .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
-      .build = build_nothing, .draw = draw_solvers,
-      .viewX = 5, .viewY = WF_R(-4.4), .viewHeight = 18, .energyBound = 0,
-      .depthBound = -1 },
+      .build = build_nothing, .draw = draw_solvers, VIEW(5, -4.4, 18), PROMISE(0, -1) },
 };
 const wfSceneGroup wfClassicScenes = { row, sizeof row / sizeof *row };

@@ -3,35 +3,31 @@
 #include <math.h>
 #include <string.h>
 #include "testbed/classics.h"
-#include "weft/draw.h"
-#include "weft/joint.h"
+#include "testbed/maker.h"
 
 /* helpers of the classics */
 #define FAILED ((double)NAN)    /* what an experiment returns that has come to nothing */
 #define FULL_TURN 6.283185307179586
 
-typedef struct Yard { wfWorld *world; wfResult result; wfBodyId id; int count; } Yard;
-
-static void lay(Yard *y, wfBodyDef *def)
+/* Puts a body in; its colour changes from one to the next. */
+static wfBodyId lay(Maker *m, wfBodyDef *def)
 {
-    def->userData = (uint64_t)(y->count % 2 ? WF_INK_BODY : WF_INK_GOOD);
-    if (y->result == WF_OK) y->result = wfAddBodyToWorld(y->world, def, &y->id);
-    y->count++;
+    wfBodyId id = { 0 };
+    def->userData = (uint64_t)(wfBodyCount(m->world) % 2 ? WF_INK_BODY : WF_INK_GOOD);
+    if (m->result == WF_OK) note(m, wfAddBodyToWorld(m->world, def, &id));
+    return id;
 }
 
 /* A box with its middle at (x, z), so wide and so high. */
-static wfBodyDef brick(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high)
+static wfBodyDef brick(Maker *m, wfReal x, wfReal z, wfReal wide, wfReal high)
 {
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2(x, z);
-    wfResult result = wfMakeBox(wide / 2, high / 2, &def.shape);
-    if (y->result == WF_OK) y->result = result;
-    return def;
+    return box(m, x, z, wide / 2, high / 2);
 }
 
-static Yard yard_on(wfWorld *world, wfReal friction, wfReal restitution)
+/* Ground 400 m wide: whatever goes wrong, nothing falls off its edge. */
+static Maker yard_on(wfWorld *world, wfReal friction, wfReal restitution)
 {
-    Yard y = { .world = world };
+    Maker y = { world, WF_OK };
     wfBodyDef ground = brick(&y, 0, -1, 400, 2);
     ground.type = WF_STATIC;
     ground.friction = friction;
@@ -104,10 +100,9 @@ static bool open_slope(const wfWorldDef *how, double angle, bool disc, double fr
     wfWorldDef def = *how;
     def.gravity = wfV2((wfReal)(9.81 * sin(angle)), (wfReal)(-9.81 * cos(angle)));
     if (!open_yard(&def, 2, out)) return false;
-    Yard y = yard_on(out, (wfReal)friction, 0);
+    Maker y = yard_on(out, (wfReal)friction, 0);
     wfBodyDef body = brick(&y, 0, WF_R(0.5), 2, 1);
-    if (disc && y.result == WF_OK)
-        y.result = wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape);
+    if (disc) note(&y, wfMakeCircle(wfV2(0, 0), WF_R(0.5), &body.shape));
     body.friction = (wfReal)friction;
     lay(&y, &body);
     return y.result == WF_OK;
@@ -116,7 +111,7 @@ static bool open_slope(const wfWorldDef *how, double angle, bool disc, double fr
 /* classic scenes */
 wfResult wfBuildTower(wfWorld *world, int boxes, uint32_t seed)
 {
-    Yard y = yard_on(world, WF_R(0.6), 0);
+    Maker y = yard_on(world, WF_R(0.6), 0);
     for (int i = 0; i < boxes; i++) {
         wfReal off = WF_R(0.01) * shake(&seed);
         wfBodyDef def = brick(&y, off, (wfReal)i + WF_R(0.5), 1, 1);
@@ -128,7 +123,7 @@ wfResult wfBuildTower(wfWorld *world, int boxes, uint32_t seed)
 
 wfResult wfBuildHeavyOnLight(wfWorld *world, wfReal ratio)
 {
-    Yard y = yard_on(world, WF_R(0.6), 0);
+    Maker y = yard_on(world, WF_R(0.6), 0);
     for (int i = 0; i < 2; i++) {
         wfBodyDef def = brick(&y, 0, (wfReal)i + WF_R(0.5), 1, 1);
         def.mass = i == 0 ? 1 : ratio;
@@ -140,7 +135,7 @@ wfResult wfBuildHeavyOnLight(wfWorld *world, wfReal ratio)
 
 wfResult wfBuildCoincident(wfWorld *world, int boxes)
 {
-    Yard y = yard_on(world, WF_R(0.6), 0);
+    Maker y = yard_on(world, WF_R(0.6), 0);
     for (int i = 0; i < boxes; i++) {
         wfBodyDef def = brick(&y, 0, 1, WF_R(0.5), WF_R(0.5));
         lay(&y, &def);
@@ -148,7 +143,7 @@ wfResult wfBuildCoincident(wfWorld *world, int boxes)
     return y.result;
 }
 
-static void lay_card(Yard *y, wfReal x, wfReal z, wfReal wide, wfReal high, wfReal angle)
+static void lay_card(Maker *y, wfReal x, wfReal z, wfReal wide, wfReal high, wfReal angle)
 {
     wfBodyDef def = brick(y, x, z, wide, high);
     def.angle = angle;
@@ -162,7 +157,7 @@ wfResult wfBuildCardHouse(wfWorld *world, int storeys, wfReal off, uint32_t seed
     wfRot q = wfRotation(lean);
     wfReal high = q.c + thick * q.s, wide = q.s + thick * q.c;
     wfReal pitch = 2 * wide + thick, z = 0;
-    Yard y = yard_on(world, WF_R(0.7), 0);
+    Maker y = yard_on(world, WF_R(0.7), 0);
     for (int storey = 0; storey < storeys; storey++, z += high + thick) {
         int pairs = storeys - storey;
         for (int i = 0; i < 2 * pairs; i++) {
@@ -184,7 +179,7 @@ wfResult wfBuildArch(wfWorld *world, int stones, double thickness)
 {
     const double radius = 5;
     double out = radius * (1 + thickness / 2), in = radius * (1 - thickness / 2);
-    Yard y = yard_on(world, WF_R(0.8), 0);
+    Maker y = yard_on(world, WF_R(0.8), 0);
     for (int i = 0; i < stones; i++) {
         wfRot a = wfRotation(WF_PI * (wfReal)i / (wfReal)stones);
         wfRot b = wfRotation(WF_PI * (wfReal)(i + 1) / (wfReal)stones);
@@ -198,7 +193,7 @@ wfResult wfBuildArch(wfWorld *world, int stones, double thickness)
         for (int k = 0; k < 4; k++) corner[k] = wfSub(corner[k], middle);
         def.position = middle;
         def.friction = WF_R(0.8);
-        if (y.result == WF_OK) y.result = wfMakePolygon(corner, 4, &def.shape);
+        note(&y, wfMakePolygon(corner, 4, &def.shape));
         lay(&y, &def);
     }
     return y.result;
@@ -228,8 +223,7 @@ bool wfArchCanStand(int stones, double thickness)
         double a = low + (high - low) / 3, b = high - (high - low) / 3;
         if (thrust_misses(stones, thickness, a) < thrust_misses(stones, thickness, b))
             high = b;
-        else
-            low = a;
+        else low = a;
     }
     return thrust_misses(stones, thickness, low) <= 0;
 }
@@ -237,7 +231,7 @@ bool wfArchCanStand(int stones, double thickness)
 wfResult wfBuildOverhang(wfWorld *world, int blocks, wfReal share)
 {
     const wfReal high = WF_R(0.2), top = 2;
-    Yard y = yard_on(world, WF_R(0.6), 0);
+    Maker y = yard_on(world, WF_R(0.6), 0);
     wfBodyDef table = brick(&y, -2, top / 2, 4, top);
     table.type = WF_STATIC;
     lay(&y, &table);
@@ -251,79 +245,56 @@ wfResult wfBuildOverhang(wfWorld *world, int blocks, wfReal share)
     return y.result;
 }
 
-static void hinge(Yard *y, wfBodyId a, wfBodyId b, wfVec2 at)
-{
-    wfJoint joint;
-    if (y->result == WF_OK)
-        y->result = wfDefineJoint(y->world, "revolute", a, b, at, at, wfV2(0, 1), &joint);
-    if (y->result == WF_OK) y->result = wfAddJointToWorld(y->world, &joint, NULL);
-}
-
-static Yard nail_at_origin(wfWorld *world)
-{
-    Yard y = { .world = world };
-    wfBodyDef nail = wfDefaultBodyDef();
-    nail.type = WF_STATIC;
-    lay(&y, &nail);
-    return y;
-}
-
-/* Hangs up `def` by a hinge, out of reach of all others. */
-static void hang_on(Yard *y, wfBodyDef *def, wfBodyId from, wfVec2 at)
+/* Hangs up `def` by a hinge, out of reach of all others: links that overlap at their
+ * hinges would push each other apart, so their masks are empty. */
+static wfBodyId hang_on(Maker *y, wfBodyDef *def, wfBodyId from, wfVec2 at)
 {
     wfShapeDef shape;
-    lay(y, def);
-    wfShapeId id = wfFirstShape(y->world, y->id);
-    if (y->result == WF_OK) y->result = wfGetShape(y->world, id, &shape);
+    wfBodyId body = lay(y, def);
+    wfShapeId id = wfFirstShape(y->world, body);
+    if (y->result == WF_OK) note(y, wfGetShape(y->world, id, &shape));
     shape.filter.mask = 0;
-    if (y->result == WF_OK) y->result = wfSetShape(y->world, id, &shape);
-    hinge(y, from, y->id, at);
+    if (y->result == WF_OK) note(y, wfSetShape(y->world, id, &shape));
+    pin(y, from, body, at);
+    return body;
 }
 
 wfResult wfBuildLoadedChain(wfWorld *world, int links, wfReal load)
 {
-    Yard y = nail_at_origin(world);
+    Maker y = { world, WF_OK };
     const wfReal length = WF_R(0.2);
+    wfBodyDef nail = wfDefaultBodyDef();
+    nail.type = WF_STATIC;
+    wfBodyId last = lay(&y, &nail);
     for (int i = 0; i <= links; i++) {
-        wfBodyId from = y.id;
         wfReal top = -length * (wfReal)i;
         wfBodyDef def = brick(&y, 0, top - length / 2, WF_R(0.05), length);
         def.mass = 1;
         if (i == links) {
             def.position = wfV2(0, top);
             def.mass = load;
-            if (y.result == WF_OK)
-                y.result = wfMakeCircle(wfV2(0, 0), WF_R(0.5), &def.shape);
+            note(&y, wfMakeCircle(wfV2(0, 0), WF_R(0.5), &def.shape));
         }
-        hang_on(&y, &def, from, wfV2(0, top));
+        last = hang_on(&y, &def, last, wfV2(0, top));
     }
     return y.result;
 }
 
 wfResult wfBuildRodPendulum(wfWorld *world)
 {
-    Yard y = nail_at_origin(world);
-    wfBodyId nail = y.id;
-    wfBodyDef def = brick(&y, WF_R(0.5), 0, 1, WF_R(0.02));
+    Maker y = { world, WF_OK };
+    wfBodyDef nail = wfDefaultBodyDef(), def = brick(&y, WF_R(0.5), 0, 1, WF_R(0.02));
+    nail.type = WF_STATIC;
     def.mass = 1;
-    hang_on(&y, &def, nail, wfV2(0, 0));
+    hang_on(&y, &def, lay(&y, &nail), wfV2(0, 0));
     return y.result;
-}
-
-static wfBodyDef sphere(Yard *y, wfReal x, wfReal z, wfReal radius)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    wfResult result = wfMakeCircle(wfV2(0, 0), radius, &def.shape);
-    if (y->result == WF_OK) y->result = result;
-    def.position = wfV2(x, z);
-    return def;
 }
 
 wfResult wfBuildTouchingCradle(wfWorld *world, int balls)
 {
-    Yard y = { .world = world };
+    Maker y = { world, WF_OK };
     for (int i = 0; i < balls; i++) {
-        wfBodyDef def = sphere(&y, i == 0 ? -3 : (wfReal)i, 0, WF_R(0.5));
+        wfBodyDef def = ball(&y, i == 0 ? -3 : (wfReal)i, 0, WF_R(0.5));
         def.velocity = wfV2(i == 0 ? 3 : 0, 0);
         def.restitution = 1;
         lay(&y, &def);
@@ -333,12 +304,12 @@ wfResult wfBuildTouchingCradle(wfWorld *world, int balls)
 
 wfResult wfBuildBullet(wfWorld *world, wfReal speed, wfReal from, bool dynamic)
 {
-    Yard y = { .world = world };
+    Maker y = { world, WF_OK };
     wfBodyDef wall = brick(&y, 0, 0, WF_R(0.05), 4);
     wall.type = dynamic ? WF_DYNAMIC : WF_STATIC;
     wall.mass = dynamic ? 10 : 0;
     lay(&y, &wall);
-    wfBodyDef bullet = sphere(&y, -from, 0, WF_R(0.025));
+    wfBodyDef bullet = ball(&y, -from, 0, WF_R(0.025));
     bullet.velocity = wfV2(speed, 0);
     bullet.mass = WF_R(0.1);
     lay(&y, &bullet);
@@ -357,12 +328,9 @@ static bool tower_stands(const wfWorldDef *how, int boxes)
     return well;
 }
 
-/* Towers up to this height are tried. */
-enum { TALLEST_TOWER = 200 };
-
 static double greatest_tower(const wfWorldDef *how)
 {
-    int low = 1, high = TALLEST_TOWER;
+    int low = 1, high = 200;
     if (tower_stands(how, high)) return high;
     while (high - low > 1) {
         int middle = (low + high) / 2;
@@ -539,8 +507,8 @@ static double bounce_from(const wfWorldDef *how, double height, int bounces)
 {
     wfWorld world;
     if (!open_yard(how, 2, &world)) return FAILED;
-    Yard y = yard_on(&world, 0, 1);
-    wfBodyDef def = sphere(&y, 0, (wfReal)(0.5 + height), WF_R(0.5));
+    Maker y = yard_on(&world, 0, 1);
+    wfBodyDef def = ball(&y, 0, (wfReal)(0.5 + height), WF_R(0.5));
     def.restitution = 1;
     lay(&y, &def);
     double worst = 0, full = 9.81 * ((double)def.position.y - 0.5);
@@ -632,7 +600,8 @@ static double coincident_peak(const wfWorldDef *how)
 const wfClassic wfClassicTable[] = {
     { "tower", "tower with 1 % offsets: boxes that stand for 20 s (200 tried)",
       "200", greatest_tower },
-    { "heavy", "heavy on light: greatest ratio of masses that stands", "1000", greatest_load },
+    { "heavy", "heavy on light: greatest ratio of masses that stands", "1000",
+      greatest_load },
     { "cards", "card house: storeys that stand (7 tried)", "5", greatest_card_house },
     { "arch", "arch: thickness/radius that stands", "0.1075 +- 0.002", thinnest_arch },
     { "overhang", "overhang: share of the possible", "0.995", greatest_overhang },
@@ -648,7 +617,8 @@ const wfClassic wfClassicTable[] = {
     { "bounce", "ball with e = 1: worst error of its energy in 10 000 bounces",
       "1e-6", bounce_energy },
     { "fine-bounce", "the same with compensatedSums", "1e-6", fine_bounce_energy },
-    { "cradle", "five touching balls: error of the last one's speed (%)", "0", cradle_share },
+    { "cradle", "five touching balls: error of the last one's speed (%)", "0",
+      cradle_share },
     { "bullet-static", "bullets of 40 at 300 and 100 000 m/s through a static wall",
       "0", through_static },
     { "bullet-dynamic", "the same through a free wall of 10 kg", "0", through_dynamic },

@@ -4,22 +4,16 @@
 
 int32_t step_clock_advance(step_clock *clock, double seconds, double dt, int32_t most)
 {
-    if (!(dt > 0) || most < 1)
-        return 0;
-    if (!(seconds > 0))
-        seconds = 0;
+    if (!(dt > 0) || most < 1) return 0;
+    if (!(seconds > 0)) seconds = 0;
     double due = clock->left + seconds;
-    /* forget what exceeds the bound by eq:clock-bound */
-    if (due >= (most + 1.0) * dt) {
+    if (due >= (most + 1.0) * dt) {                 /* eq:clock-bound */
         clock->left = 0;
         return most;
     }
-    /* count whole steps by eq:clock-steps */
-    int32_t n = (int32_t)(due / dt);
-    if (n > most)
-        n = most;
+    int32_t n = (int32_t)(due / dt);                /* eq:clock-steps */
+    if (n > most) n = most;
     clock->left = due - n * dt;
-    if (clock->left < 0)
-        clock->left = 0;
+    if (clock->left < 0) clock->left = 0;
     return n;
 }

@@ -49,8 +49,7 @@ static void find_mouse(game *g)
     game_state *s = g->state;
     float world[2];
     camera_pick(&s->camera, g->input->mouse_x, g->input->mouse_y, world);
-    if (s->moved)
-        s->input.mouse = wfV2((wfReal)world[0], (wfReal)world[1]);
+    if (s->moved) s->input.mouse = wfV2((wfReal)world[0], (wfReal)world[1]);
     else if (wfWorldSteps(&g->world) > 0)               /* what the last step was given */
         s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world) - 1);
 }
@@ -221,11 +220,9 @@ void game_obey_key(game *g, int32_t key)
     case GAME_KEY_DELETE: remove_chosen(g); break;
     default: if (!s->ui.focus) obey_view_key(g, key); break;
     }
-    /* press the keys of tools, files and overlays */
     for (int i = 0; i < toolCount; i++)
         if (toolTable[i].key == small) game_choose_tool(g, i);
     game_file_key(g, small);
     for (int i = 0; i < wfOverlayCount; i++)
-        if (key == wfOverlayTable[i].key)
-            game_press_overlay(g, wfOverlayTable[i].bit);
+        if (key == wfOverlayTable[i].key) game_press_overlay(g, wfOverlayTable[i].bit);
 }

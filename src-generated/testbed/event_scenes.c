@@ -27,12 +27,11 @@ static wfResult build_gate(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     put_room(&m, 7, 4, WF_R(0.5));
-    wfBodyDef slope = box(&m, -4, 6, 3, WF_R(0.1)), place = wfDefaultBodyDef();
+    wfBodyDef place = wfDefaultBodyDef();
     wfVec2 corner[3] = { wfV2(0, 0), wfV2(3, -1), wfV2(3, 1) };
     wfShape gate, fan;
-    slope.type = place.type = WF_STATIC;
-    slope.angle = WF_R(-0.3);
-    put(&m, &slope);
+    place.type = WF_STATIC;
+    put_slope(&m, -4, 6, 3, WF_R(0.1), WF_R(-0.3));
     note(&m, wfMakeBox(WF_R(1.2), WF_R(0.8), &gate));
     note(&m, wfMakePolygon(corner, 3, &fan));
     place.position = wfV2(WF_R(0.5), 3);
@@ -75,8 +74,7 @@ static wfResult build_sieve(wfWorld *world)
         wfBodyDef b = plate ? box(&m, 0, WF_R(2.4) * (wfReal)i + 1, WF_R(4.4), WF_R(0.1))
                             : ball(&m, x, y, WF_R(0.22));
         b.type = plate ? WF_STATIC : WF_DYNAMIC;
-        b.userData = (uint64_t)role[i % 3];
-        wfBodyId id = put(&m, &b);
+        wfBodyId id = put_ink(&m, &b, role[i % 3]);
         wfShapeDef shape;
         if (m.result != WF_OK) return m.result;
         note(&m, wfGetShape(world, wfFirstShape(world, id), &shape));
@@ -87,7 +85,6 @@ static wfResult build_sieve(wfWorld *world)
     return m.result;
 }
 
-/* the hook of a one-way platform */
 enum { ONE_WAY = 1000 };
 
 static void one_way(void *context, const wfCallbackView *v, const wfContact *c,
@@ -117,9 +114,8 @@ static wfResult build_one_way(wfWorld *world)
     Maker m = { world, WF_OK };
     put_room(&m, 6, 5, 0);
     for (int i = 0; i < 3; i++) {
-        wfBodyDef plank = wfDefaultBodyDef();
+        wfBodyDef plank = body_at(i == 1 ? 2 : -2, WF_R(2.2) + 2 * (wfReal)i);
         plank.type = WF_STATIC;
-        plank.position = wfV2(i == 1 ? 2 : -2, WF_R(2.2) + 2 * (wfReal)i);
         wfBodyId id = put(&m, &plank);
         wfShapeDef shape = wfDefaultShapeDef();
         shape.userData = ONE_WAY;
@@ -128,8 +124,7 @@ static wfResult build_one_way(wfWorld *world)
     }
     for (int i = 0; i < 8; i++) {
         wfBodyDef b = ball(&m, WF_R(1.4) * (wfReal)i - 5, WF_R(0.3), WF_R(0.3));
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -149,9 +144,8 @@ static wfResult build_conveyors(wfWorld *world)
     Maker m = { world, WF_OK };
     put_room(&m, 6, 5, 0);
     for (int i = 0; i < 3; i++) {
-        wfBodyDef belt = wfDefaultBodyDef();
+        wfBodyDef belt = body_at(i % 2 ? 1 : -1, WF_R(1.5) + WF_R(2.4) * (wfReal)i);
         belt.type = WF_STATIC;
-        belt.position = wfV2(i % 2 ? 1 : -1, WF_R(1.5) + WF_R(2.4) * (wfReal)i);
         wfBodyId id = put(&m, &belt);
         wfShapeDef shape = wfDefaultShapeDef();
         shape.tangentSpeed = (wfReal)(i % 2 ? -2 : 2);
@@ -161,9 +155,7 @@ static wfResult build_conveyors(wfWorld *world)
     for (int i = 0; i < 9; i++) {
         wfReal x = WF_R(0.9) * (wfReal)(i % 3) - 3;
         wfReal y = WF_R(7.2) + WF_R(0.8) * (wfReal)(i / 3);
-        wfBodyDef b = box(&m, x, y, WF_R(0.35), WF_R(0.25));
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_BODY2;
-        put(&m, &b);
+        put_box(&m, x, y, WF_R(0.35), WF_R(0.25), i % 2 ? WF_INK_BODY : WF_INK_BODY2);
     }
     return m.result;
 }
@@ -265,28 +257,26 @@ static void draw_hits(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 static const wfScene row[] = {
     { .category = "Events", .name = "gate", .chapter = "world",
       .text = "Two sensors, one that turns: whoever is in one of them has a ring.",
-      .define = softly, .build = build_gate, .draw = draw_gate,
-      .viewX = 0, .viewY = 4, .viewHeight = 11, .energyBound = WF_R(0.5),
-      .depthBound = WF_R(0.2) },
+      .define = softly, .build = build_gate, .draw = draw_gate, VIEW(0, 4, 11),
+      PROMISE(0.5, 0.2) },
     { .category = "Events", .name = "sieve", .chapter = "broad-phase",
       .text = "Filters: each floor carries the balls of its own colour.",
-      .define = softly, .build = build_sieve, .viewX = 0, .viewY = 5, .viewHeight = 11,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+      .define = softly, .build = build_sieve, VIEW(0, 5, 11), PROMISE(0.5, 0.2) },
     { .category = "Events", .name = "one way", .chapter = "world",
       .text = "A hook lets through what comes from below and carries what comes from above.",
-      .define = softly, .build = build_one_way, .update = kick_upwards, .hooks = &one_way_hooks,
-      .viewX = 0, .viewY = WF_R(4.5), .viewHeight = 10, .energyBound = -1, .depthBound = -1 },
+      .define = softly, .build = build_one_way, .update = kick_upwards,
+      .hooks = &one_way_hooks, VIEW(0, 4.5, 10), PROMISE(-1, -1) },
     { .category = "Events", .name = "conveyors", .chapter = "friction",
       .text = "Belts whose surface runs carry crates to and fro.",
-      .define = softly, .build = build_conveyors, .draw = draw_conveyors,
-      .viewX = 0, .viewY = 5, .viewHeight = 11, .energyBound = -1, .depthBound = WF_R(0.2) },
+      .define = softly, .build = build_conveyors, .draw = draw_conveyors, VIEW(0, 5, 11),
+      PROMISE(-1, 0.2) },
     { .category = "Events", .name = "probe", .chapter = "events-and-queries",
       .text = "Rays, the nearest point, and a box that is cast down, asked at every frame.",
-      .define = float_softly, .build = build_probe, .draw = draw_probe,
-      .viewX = 0, .viewY = 4, .viewHeight = 9, .energyBound = -1, .depthBound = WF_R(0.2) },
+      .define = float_softly, .build = build_probe, .draw = draw_probe, VIEW(0, 4, 9),
+      PROMISE(-1, 0.2) },
     { .category = "Events", .name = "hits", .chapter = "world",
       .text = "A ring for every hit, as wide as it was fast; a line where a touch begins.",
-      .define = softly, .build = build_hits, .draw = draw_hits,
-      .viewX = 0, .viewY = 4, .viewHeight = 9, .energyBound = 1, .depthBound = WF_R(0.25) },
+      .define = softly, .build = build_hits, .draw = draw_hits, VIEW(0, 4, 9),
+      PROMISE(1, 0.25) },
 };
 const wfSceneGroup wfEventScenes = { row, sizeof row / sizeof *row };

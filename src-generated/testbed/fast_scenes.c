@@ -6,18 +6,15 @@
 /* scenes of fast bodies */
 static wfResult build_bullets(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 16, WF_R(0.5), 0);
+    Maker m = on_ground(world, 16);
     put_wall(&m, 5, WF_R(3.5), WF_R(0.01), WF_R(1.2), 0);
     wfBodyDef plate = box(&m, 2, WF_R(0.75), WF_R(0.01), WF_R(0.75));
     plate.density = 40;
-    plate.userData = WF_INK_ACCENT;
-    put(&m, &plate);
+    put_ink(&m, &plate, WF_INK_ACCENT);
     for (int i = 0; i < 8; i++) {
         wfBodyDef b = ball(&m, -9 + WF_R(0.3) * (wfReal)i, WF_R(0.1), WF_R(0.1));
         b.density = 5;
-        b.userData = i % 2 ? WF_INK_BODY2 : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY2 : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -52,32 +49,26 @@ static wfResult build_bullet_room(wfWorld *world)
         wfRot q = wfRotation(wfWrapAngle(WF_R(2.4) * (wfReal)i));
         b.velocity = wfV2(120 * q.c, 120 * q.s);
         b.restitution = 1, b.friction = 0;
-        b.userData = i % 3 ? WF_INK_BODY : WF_INK_ACCENT;
-        put(&m, &b);
+        put_ink(&m, &b, i % 3 ? WF_INK_BODY : WF_INK_ACCENT);
     }
     return m.result;
 }
 
 static wfResult build_fan(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 12, WF_R(0.5), 0);
+    Maker m = on_ground(world, 12);
     put_wall(&m, WF_R(11.5), 6, WF_R(0.5), 6, WF_R(0.5));
     put_wall(&m, WF_R(-11.5), 6, WF_R(0.5), 6, WF_R(0.5));
     put_wall(&m, 0, WF_R(12.5), 12, WF_R(0.5), WF_R(0.5));
-    wfBodyDef slope = box(&m, -7, WF_R(1.2), 5, WF_R(0.2)), blade;
-    slope.type = WF_STATIC, slope.angle = -WF_R(0.35);
-    put(&m, &slope);
-    blade = box(&m, 2, WF_R(1.8), WF_R(1.5), WF_R(0.02));
+    put_slope(&m, -7, WF_R(1.2), 5, WF_R(0.2), -WF_R(0.35));
+    wfBodyDef blade = box(&m, 2, WF_R(1.8), WF_R(1.5), WF_R(0.02));
     blade.type = WF_KINEMATIC, blade.angularVelocity = WF_R(57.6);
-    blade.userData = WF_INK_ACCENT;
-    put(&m, &blade);
+    put_ink(&m, &blade, WF_INK_ACCENT);
     for (int i = 0; i < 16; i++) {
         wfBodyDef b = ball(&m, -10 + WF_R(0.5) * (wfReal)(i % 8), 4 + (wfReal)(i / 8),
                            WF_R(0.2));
         b.restitution = WF_R(0.3);
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -85,17 +76,13 @@ static wfResult build_fan(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Fast bodies", .name = "bullets", .chapter = "joints-in-a-world",
       .text = "300 m/s, a falling plate, a hanging sheet, 2 cm each: none gets through.",
-      .build = build_bullets, .update = update_bullets,
-      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
-      .energyBound = -1, .depthBound = -1 },
+      .build = build_bullets, .update = update_bullets, VIEW(0, 2.6, 8), PROMISE(-1, -1) },
     { .category = "Fast bodies", .name = "bullet room", .chapter = "joints-in-a-world",
       .text = "Twenty-four balls at 120 m/s between walls of 2 cm: nobody gets out.",
-      .define = without_gravity, .build = build_bullet_room,
-      .viewX = 0, .viewY = 4, .viewHeight = 9,
-      .energyBound = 12, .depthBound = -1 },
+      .define = without_gravity, .build = build_bullet_room, VIEW(0, 4, 9),
+      PROMISE(12, -1) },
     { .category = "Fast bodies", .name = "fan", .chapter = "joints-in-a-world",
       .text = "A blade that turns by 55 degrees in a step bats away what rolls into its way.",
-      .build = build_fan, .viewX = 0, .viewY = 6, .viewHeight = 14,
-      .energyBound = -1, .depthBound = -1 },
+      .build = build_fan, VIEW(0, 6, 14), PROMISE(-1, -1) },
 };
 const wfSceneGroup wfFastScenes = { row, sizeof row / sizeof *row };

@@ -3,8 +3,6 @@
 #include <stddef.h>
 #include "testbed/canvas.h"
 #include "testbed/font.h"
-
-/* find the nearest size */
 int32_t wfNearestSize(const wfFont *font, float px)
 {
     int32_t best = -1;
@@ -19,7 +17,6 @@ int32_t wfNearestSize(const wfFont *font, float px)
     return best;
 }
 
-/* find a glyph */
 const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
 {
     int32_t size = wfNearestSize(font, px);
@@ -35,7 +32,6 @@ const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
     return &glyphs[font->glyphCount - 1];    /* U+FFFD is the last */
 }
 
-/* measure text */
 float wfTextWidth(const wfFont *font, float px, const char *utf8)
 {
     float width = 0;

@@ -12,8 +12,7 @@ static wfResult build_bungee(wfWorld *world)
         wfReal x = 3 * (wfReal)(i - 1);
         wfBodyDef b = box(&m, x, WF_R(4.5), WF_R(0.25), WF_R(0.4));
         b.mass = (wfReal)(1 << i);
-        b.userData = WF_INK_BODY + (uint64_t)(i % 2);
-        int32_t body = wfBodyIndex(world, put(&m, &b));
+        int32_t body = wfBodyIndex(world, put_ink(&m, &b, WF_INK_BODY + i % 2));
         wfForce rope = wfBungee(body, wfV2(0, WF_R(0.4)), -1, wfV2(x, 5), 2, 30, WF_R(0.8));
         push(&m, &rope);
     }
@@ -43,17 +42,14 @@ static wfResult build_net(wfWorld *world)
         b.mass = WF_R(0.5);
         int32_t body = wfBodyIndex(world, put(&m, &b));
         wfForce s = wfSpring(body, wfV2(0, 0), last, wfV2(0, 0), WF_R(0.6), 400, 2);
-        if (last >= 0)
-            push(&m, &s);
+        if (last >= 0) push(&m, &s);
         last = body;
     }
-    /* drop three balls on the net */
     for (int i = 0; i < 3; i++) {
         wfBodyDef b = ball(&m, WF_R(0.9) * (wfReal)(i - 1), 3 + (wfReal)i, WF_R(0.4));
         b.mass = 1;
         b.restitution = WF_R(0.3);
-        b.userData = WF_INK_BODY2;
-        put(&m, &b);
+        put_ink(&m, &b, WF_INK_BODY2);
     }
     return m.result;
 }
@@ -79,8 +75,7 @@ static wfResult build_buoyancy(wfWorld *world)
                     ? ball(&m, x, 2, WF_R(0.6)) : regular(&m, x, 2, WF_R(0.75), 1 + i % 4);
         b.density = density[i / 2];
         b.angle = WF_R(0.4) * (wfReal)(i % 3);
-        b.userData = WF_INK_BODY + (uint64_t)(i % 2);
-        put(&m, &b);
+        put_ink(&m, &b, WF_INK_BODY + i % 2);
     }
     wfForce water = wfBuoyancy(0, 1, WF_R(9.80665), WF_R(0.6));
     push(&m, &water);
@@ -105,8 +100,7 @@ static wfResult build_wind(wfWorld *world)
         b.position = wfV2(-6, WF_R(1.3) * (wfReal)(i % 6) + (i < 6 ? 0 : WF_R(0.65)));
         b.density = i < 6 ? WF_R(0.4) : 2;
         b.angle = wfWrapAngle((wfReal)i);
-        b.userData = i < 6 ? WF_INK_GOOD : WF_INK_BODY;
-        put(&m, &b);
+        put_ink(&m, &b, i < 6 ? WF_INK_GOOD : WF_INK_BODY);
     }
     wfForce wind = wfWind(wfV2(5, 0), WF_R(0.2));
     push(&m, &wind);
@@ -115,14 +109,12 @@ static wfResult build_wind(wfWorld *world)
 
 static wfResult build_explosion(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 11, WF_R(0.5), 0);
+    Maker m = on_ground(world, 11);
     for (int i = 0; i < 30; i++) {
         wfBodyDef b = box(&m, WF_R(0.62) * ((wfReal)(i % 6) - WF_R(2.5)), 0, WF_R(0.3),
                           WF_R(0.3));
         b.position.y = WF_R(0.3) + WF_R(0.6) * (wfReal)(i / 6);
-        b.userData = (uint64_t)((i + i / 6) % 2 ? WF_INK_BODY : WF_INK_BODY2);
-        put(&m, &b);
+        put_ink(&m, &b, (i + i / 6) % 2 ? WF_INK_BODY : WF_INK_BODY2);
     }
     wfForce bang = wfExplosion(wfV2(0, WF_R(0.3)), 3, 5, 1, WF_R(0.1));
     push(&m, &bang);
@@ -132,24 +124,19 @@ static wfResult build_explosion(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Forces", .name = "bungee", .chapter = "forces",
       .text = "Three masses on equal ropes that pull and never push.",
-      .build = build_bungee, .draw = draw_ropes, .viewX = 0, .viewY = 1, .viewHeight = 10,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+      .build = build_bungee, .draw = draw_ropes, VIEW(0, 1, 10), PROMISE(0.5, 0.2) },
     { .category = "Forces", .name = "spring net", .chapter = "forces",
       .text = "Knots joined by damped springs catch three balls.",
-      .build = build_net, .draw = draw_net, .viewX = 0, .viewY = WF_R(0.5), .viewHeight = 10,
-      .energyBound = 1, .depthBound = WF_R(0.2) },
+      .build = build_net, .draw = draw_net, VIEW(0, 0.5, 10), PROMISE(1, 0.2) },
     { .category = "Forces", .name = "buoyancy", .chapter = "forces",
       .text = "Densities 0.2, 0.5, 0.9 and 1.5 in water of 1: three pairs float, one sinks.",
-      .build = build_buoyancy, .draw = draw_water, .viewX = 0, .viewY = -1, .viewHeight = 8,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.15) },
+      .build = build_buoyancy, .draw = draw_water, VIEW(0, -1, 8), PROMISE(0.5, 0.15) },
     { .category = "Forces", .name = "wind", .chapter = "forces",
       .text = "A wind of 5 m/s, no weight: green bodies are light, blue ones heavy.",
-      .define = without_gravity, .build = build_wind,
-      .viewX = 0, .viewY = WF_R(3.5), .viewHeight = 9, .show = WF_SHOW_VELOCITIES,
-      .energyBound = -1, .depthBound = WF_R(0.2) },
+      .define = without_gravity, .build = build_wind, VIEW(0, 3.5, 9),
+      .show = WF_SHOW_VELOCITIES, PROMISE(-1, 0.2) },
     { .category = "Forces", .name = "explosion", .chapter = "forces",
       .text = "After one second a charge goes off at the foot of the wall.",
-      .build = build_explosion, .viewX = 0, .viewY = 3, .viewHeight = 9,
-      .energyBound = -1, .depthBound = WF_R(0.25) },
+      .build = build_explosion, VIEW(0, 3, 9), PROMISE(-1, 0.25) },
 };
 const wfSceneGroup wfForceScenes = { row, sizeof row / sizeof *row };

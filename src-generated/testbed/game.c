@@ -11,8 +11,7 @@
 static void strip(ui *u, float y, float h)
 {
     ui_box(u, -2, y, u->width + 4, h, WF_INK_PAPER, WF_INK_PAPER);
-    if (ui_inside(u, 0, y, u->width, h))
-        u->over = true;
+    if (ui_inside(u, 0, y, u->width, h)) u->over = true;
 }
 
 static void interface(ui *u, game *g, double seconds)
@@ -21,7 +20,6 @@ static void interface(ui *u, game *g, double seconds)
     float x = game_list_side(s) + 16, mouse = u->x;
     bar b = { x, s->width - 8, x, 10 };
     if (s->bare) {
-        /* walk over a picture that has no bars */
         s->head = 0;
         if (s->keys) game_key_sheet(u, s, 4);
         ui_finish(u, seconds);
@@ -34,10 +32,8 @@ static void interface(ui *u, game *g, double seconds)
     strip(u, -2, s->head);
     strip(u, s->height - FOOT + 2, FOOT);
     game_draw_curves(u, g);
-    if (s->list && !drawer)
-        game_list_panel(u, g);
-    if (s->panel)
-        game_settings_panel(u, g);
+    if (s->list && !drawer) game_list_panel(u, g);
+    if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
@@ -47,8 +43,7 @@ static void interface(ui *u, game *g, double seconds)
     }
     game_state_line(u, g, x);
     game_time_bar(u, g);
-    if (s->keys)
-        game_key_sheet(u, s, x);
+    if (s->keys) game_key_sheet(u, s, x);
     u->x = mouse;
     if (drawer) {
         game_list_panel(u, g);
@@ -146,7 +141,6 @@ void game_update_and_render(game_memory *memory, const game_input *input,
 {
     game g;
     game_input now = *input;
-    /* find everything again, and take what came */
     game_begin_call(&g, memory, &now);
     game_state *s = g.state;
     s->finger = now.finger;
@@ -161,7 +155,6 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     if (memory->news) game_tell(&g, false, memory->news);
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
     s->enter = 0;
-    /* obey the keys that the interface leaves */
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
         if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
         if (!ui_takes(&s->ui, input->keys[i])) game_obey_key(&g, input->keys[i]);
@@ -170,13 +163,11 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_place_camera(&g);
     game_obey_mouse(&g, u.over);
     game_end_edit(&g);
-    if (s->opened)
-        game_step_world(&g);
+    if (s->opened) game_step_world(&g);
     game_note_tape(&g);
     game_keep_settings(&g);
     memory->still = stays_as_it_is(&g);
     if (!buffer->pixels) return;
-    /* paint the frame */
     const wfPalette *palette = s->dark ? &wfDarkPalette : &wfLightPalette;
     wfClearFrame(buffer, palette->area[WF_INK_PAPER]);
     game_draw_world(&g, buffer, palette);
@@ -206,8 +197,7 @@ static void say_bodies(writer *w, const game *g)
     wfBodyView v = wfWorldBodies(&g->world);
     for (int32_t i = 0, told = 0; i < v.count && told < 40; i++) {
         float pixel[2];
-        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC)
-            continue;
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         camera_see(&g->state->camera, WF_XY(v.state[i].p), pixel);
         say(w, "body %d x %.4f y %.4f pixel %.1f %.1f\n", (int)i, (double)v.state[i].p.x,
             (double)v.state[i].p.y, (double)pixel[0], (double)pixel[1]);
@@ -239,8 +229,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
     wfBodyInfo chosen;
     double n[BODY_LINES];
     if (s->tools.count && game_body_numbers(&g, s->tools.chosen[0], &chosen, n)) {
-        say(&w, "chosen-body %d\nbody-numbers",
-            (int)wfBodyIndex(&g.world, s->tools.chosen[0]));
+        say(&w, "chosen-body %d\nbody-numbers", (int)wfBodyIndex(&g.world, s->tools.chosen[0]));
         for (int i = 0; i < BODY_LINES; i++) say(&w, " %.9g", n[i]);
         say(&w, "\n");
     }

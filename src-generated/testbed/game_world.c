@@ -14,8 +14,6 @@ void game_look_home(game *g)
 }
 
 static void keep_wishes(game *g);
-
-/* choose overlays */
 void game_show_overlays(game *g)
 {
     game_state *s = g->state;
@@ -47,7 +45,6 @@ void game_open_scene(game *g, int row)
     if (!same) s->modules = s->wished = 0;
     s->opened = s->result == WF_OK;
     if (!s->opened && s->modules) {
-        /* open the scene with its own needs */
         snprintf(s->tools.said, sizeof s->tools.said, "not without that: %s",
                  wfResultText((wfResult)s->result));
         s->tools.refused = 1;
@@ -152,7 +149,6 @@ void game_go_back(game *g, uint64_t before)
     g->state->result = WF_OK;
     g->state->held = (wfBodyId){ 0 };
 }
-
 
 /* The ring forgets all moments after this step; the world stays as it is. */
 void game_forget_after(game *g, uint64_t step)

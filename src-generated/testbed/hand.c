@@ -5,15 +5,12 @@
 wfVec2 wfHandImpulse(const wfBodyState *body, wfVec2 grip, wfVec2 target, wfReal omega,
                      wfReal h)
 {
-    if (body->invMass <= 0)
-        return wfV2(0, 0);
+    if (body->invMass <= 0) return wfV2(0, 0);
     wfVec2 d = wfSub(grip, target), v = wfVelocityAt(body, grip), r = wfSub(grip, body->p);
-    /* find the velocity that the hand wants by eq:hand-velocity */
-    wfReal q = wfSquare(1 + omega * h);
+    wfReal q = wfSquare(1 + omega * h);                     /* eq:hand-velocity */
     wfVec2 wanted = wfScale(1 / q, wfAddScaled(v, -h * omega * omega, d));
     wfVec2 change = wfSub(wanted, v);
-    /* solve eq:hand-matrix for the impulse */
-    wfReal m = body->invMass, i = body->invInertia;
+    wfReal m = body->invMass, i = body->invInertia;         /* eq:hand-matrix */
     wfReal a = m + i * r.y * r.y, b = -i * r.x * r.y, c = m + i * r.x * r.x;
     wfReal det = m * m + m * i * wfLengthSq(r);
     return wfV2((c * change.x - b * change.y) / det, (a * change.y - b * change.x) / det);

@@ -12,11 +12,9 @@
 #include "testbed/scene.h"
 #include "testbed/scene_file.h"
 #include <time.h>
-enum { FIRST_PICTURE = 80 };                /* the step at which the picture is taken */
-#include <stdlib.h>
-#include <string.h>
 #include "testbed/svg.h"
 #include "testbed/view.h"
+enum { FIRST_PICTURE = 80 };                /* the step at which the picture is taken */
 enum { FROZEN_WIDTH = 640, FROZEN_BYTES = 1 << 22 };
 
 typedef struct headless_command {
@@ -24,7 +22,6 @@ typedef struct headless_command {
     int (*run)(const layer_options *options);
 } headless_command;
 
-/* complain to the user */
 static bool complain(const char *what)
 {
     fprintf(stderr, "weft-headless: %s\n", what);
@@ -43,8 +40,7 @@ static int play(const layer_options *options)
     if (good) {
         uint32_t *pixels = l.buffer.pixels;
         if (!options->film && !options->frames) l.buffer.pixels = NULL;
-        while (layer_frame(&l, &input))
-            input.steps = 1;
+        while (layer_frame(&l, &input)) input.steps = 1;
         l.buffer.pixels = pixels;
         good = l.script.error == NULL && layer_finish(&l);
     }
@@ -179,10 +175,20 @@ static int explain_scene(const layer_options *options)
     wfDestroyWorld(&rich);
     if (result == WF_OK && !s->build)
         puts("\n(this scene is opened as a whole, with the needs that it states itself)");
-    else if (result == WF_OK)
-        result = explain_lean(s, &def, steps);
+    else if (result == WF_OK) result = explain_lean(s, &def, steps);
     free(made.text);
     return result != WF_OK;
+}
+
+/* Opens a scene and lets it run for so many steps. */
+static wfResult open_after(const wfScene *s, int32_t steps, wfWorld *world)
+{
+    wfResult result = wfOpenScene(s, NULL, world);
+    for (int step = 0; step < steps && result == WF_OK; step++) {
+        wfSceneInput in = wfSceneInputAt(s, step);
+        result = wfStepScene(s, world, &in);
+    }
+    return result;
 }
 
 static int copy_scene(const layer_options *options)
@@ -193,11 +199,7 @@ static int copy_scene(const layer_options *options)
     char *text = malloc(most);
     const wfScene *s = scene_of(options, options->argument ? options->argument
                                                            : "free fall", &made);
-    wfResult result = s && text ? wfOpenScene(s, NULL, &world) : WF_ERROR_NULL;
-    for (int step = 0; step < options->steps && result == WF_OK; step++) {
-        wfSceneInput in = wfSceneInputAt(s, step);
-        result = wfStepScene(s, &world, &in);
-    }
+    wfResult result = s && text ? open_after(s, options->steps, &world) : WF_ERROR_NULL;
     bool acts = s && (s->update || s->hooks);
     if (result == WF_OK) {
         used = wfCopyAsC(&world, s->name, acts ? "Its own actions are not copied." : NULL,
@@ -264,14 +266,8 @@ static int export_scene(const layer_options *options)
     char *text = NULL;
     const wfScene *s = scene_of(options, options->argument ? options->argument
                                                            : "free fall", &made);
-    /* open the scene and let it run */
-    wfResult result = s ? wfOpenScene(s, NULL, &world) : WF_ERROR_NULL;
-    for (int step = 0; step < options->steps && result == WF_OK; step++) {
-        wfSceneInput in = wfSceneInputAt(s, step);
-        result = wfStepScene(s, &world, &in);
-    }
+    wfResult result = s ? open_after(s, options->steps, &world) : WF_ERROR_NULL;
     wfSceneInfo info = { .energyBound = -1, .depthBound = -1 };
-    /* say what the scene is called and where to look */
     if (s) snprintf(info.name, sizeof info.name, "%s", s->name);
     if (s) snprintf(info.text, sizeof info.text, "%s", s->text);
     if (s) info.viewX = s->viewX, info.viewY = s->viewY, info.viewHeight = s->viewHeight;
@@ -316,8 +312,7 @@ static void print_first_row(const wfWorld *world, const wfBodyState *ball,
     if (unhurt)                                     /* nothing has touched it yet */
         printf("  %9.4f",
                (double)was->p.y + (double)was->v.y * t + (double)g.y / 2 * t * t);
-    else
-        printf("  %9s", "-");
+    else printf("  %9s", "-");
     printf("  %10.3f  %8d\n", kinetic + potential, (int)contacts);
 }
 
@@ -336,13 +331,11 @@ static int first_simulation(const layer_options *options)
            "contacts");
     wfResult result = WF_OK;
     for (int step = 0; step <= 120 && result == WF_OK; step++) {
-        if (step % 12 == 0)
-            print_first_row(&world, ball, &was);
+        if (step % 12 == 0) print_first_row(&world, ball, &was);
         wfSceneInput in = wfSceneInputAt(scene, step);
         result = wfStepScene(scene, &world, &in);
     }
     wfDestroyWorld(&world);
-    /* ask for its picture */
     layer_options picture = *options;
     picture.scene = scene->name;
     picture.steps = FIRST_PICTURE;
@@ -408,8 +401,6 @@ static const headless_command command_table[] = {
     { "--first", "the first simulation: a table, and a picture in the file named",
       first_simulation },
 };
-
-/* tell how the headless program is used */
 static int usage(void)
 {
     fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
@@ -423,7 +414,6 @@ static int usage(void)
     return 2;
 }
 
-/* choose the headless command */
 int main(int argc, char **argv)
 {
     layer_options options;

@@ -38,6 +38,7 @@ static wfVec2 bridge_hinge(int i)
     return wfV2(WF_R(0.45) * BRIDGE_PLANKS * t, 2 + t * t);
 }
 
+/* Hinge i joins plank i - 1 to plank i; strength, N: 0 never breaks. */
 static void put_bridge(Maker *m, wfReal strength)
 {
     wfReal end = WF_R(0.45) * BRIDGE_PLANKS;
@@ -69,8 +70,7 @@ static void put_crates(Maker *m)
         wfBodyDef b = i % 2 ? ball(m, x, 5, WF_R(0.4))
                             : box(m, x, WF_R(4.2), WF_R(0.45), WF_R(0.45));
         b.friction = WF_R(0.6);
-        b.userData = (uint64_t)(i % 2 ? WF_INK_GOOD : WF_INK_BODY2);
-        put(m, &b);
+        put_ink(m, &b, i % 2 ? WF_INK_GOOD : WF_INK_BODY2);
     }
 }
 
@@ -89,8 +89,7 @@ static wfResult build_weak_bridge(wfWorld *world)
     put_crates(&m);
     wfBodyDef b = ball(&m, WF_R(0.9), 7, WF_R(0.6));
     b.density = 5;
-    b.userData = WF_INK_GOOD;
-    put(&m, &b);
+    put_ink(&m, &b, WF_INK_GOOD);
     return m.result;
 }
 
@@ -116,8 +115,7 @@ static wfResult build_cart(wfWorld *world)
         wfBodyDef wheel = ball(&m, WF_R(-6.7) + WF_R(1.4) * (wfReal)i, WF_R(0.5),
                                WF_R(0.4));
         wheel.friction = 1;
-        wheel.userData = WF_INK_BODY2;
-        wfBodyId id = put(&m, &wheel);
+        wfBodyId id = put_ink(&m, &wheel, WF_INK_BODY2);
         wfJoint j = joint_from(&m, "wheel", cart, id, wheel.position, wheel.position);
         wfSetJointSpring(&j, WF_R(0.5), 2, WF_R(0.5));
         j.flags |= WF_JOINT_MOTOR | WF_JOINT_LIMITS;
@@ -133,12 +131,8 @@ static void drive_cart(wfWorld *world, const wfSceneInput *in)
 {
     (void)in;
     wfReal x = wfWorldBodies(world).state[0].p.x;
-    for (int32_t i = 0; i < 2 && wfAbs(x) > WF_R(6.5); i++) {
-        wfJoint j;
-        if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) continue;
-        j.motorSpeed = x < 0 ? -8 : 8;      /* turning clockwise drives to the right */
-        wfSetJoint(world, wfJointAt(world, i), &j);
-    }
+    for (int32_t i = 0; i < 2 && wfAbs(x) > WF_R(6.5); i++)
+        set_motor(world, i, x < 0 ? -8 : 8);    /* turning clockwise drives to the right */
 }
 
 static void put_yard(Maker *m)
@@ -147,26 +141,19 @@ static void put_yard(Maker *m)
     put_wall(m, 0, WF_R(-0.5), 8, WF_R(0.5), 0);
     for (int i = 0; i < 4; i++) {
         wfReal x = 2 + WF_R(1.2) * (wfReal)i;
-        wfBodyDef crate = box(m, x, WF_R(0.4), WF_R(0.4), WF_R(0.4));
-        crate.userData = WF_INK_GOOD;
-        put(m, &crate);
+        put_box(m, x, WF_R(0.4), WF_R(0.4), WF_R(0.4), WF_INK_GOOD);
     }
 }
 
 static wfResult build_crane(wfWorld *world)
 {
     Maker m = { world, WF_OK };
-    wfBodyDef beam = box(&m, 0, 7, 6, WF_R(0.12));
+    wfBodyId rail = put_wall(&m, 0, 7, 6, WF_R(0.12), 0);
     wfBodyDef cab = box(&m, -4, 7, WF_R(0.5), WF_R(0.2));
     wfBodyDef load = box(&m, -4, WF_R(3.5), WF_R(0.5), WF_R(0.5));
-    beam.type = WF_STATIC;
     cab.density = load.density = 4;
-    cab.userData = WF_INK_BODY2;
-    wfBodyId rail = put(&m, &beam), trolley = put(&m, &cab), weight = put(&m, &load);
-    wfJoint j = { .kind = 0 };
-    if (m.result == WF_OK)
-        note(&m, wfDefineJoint(world, "prismatic", rail, trolley, cab.position,
-                               cab.position, wfV2(1, 0), &j));
+    wfBodyId trolley = put_ink(&m, &cab, WF_INK_BODY2), weight = put(&m, &load);
+    wfJoint j = joint_along(&m, "prismatic", rail, trolley, cab.position, wfV2(1, 0));
     j.flags = WF_JOINT_MOTOR | WF_JOINT_LIMITS;
     j.lower = 0, j.upper = 8, j.motorForce = 10;
     join(&m, &j);
@@ -184,12 +171,8 @@ static void work_crane(wfWorld *world, const wfSceneInput *in)
     static const wfReal rope[] = { -1, 0, 1, -1, 0, 1 };
     (void)in;
     int phase = (int)(wfWorldSteps(world) / 180 % 6);
-    for (int32_t i = 0; i < 2; i++) {
-        wfJoint j;
-        if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) continue;
-        j.motorSpeed = i == 0 ? 2 * across[phase] : WF_R(0.7) * rope[phase];
-        wfSetJoint(world, wfJointAt(world, i), &j);
-    }
+    set_motor(world, 0, 2 * across[phase]);
+    set_motor(world, 1, WF_R(0.7) * rope[phase]);
 }
 
 static wfBodyId put_wheel(Maker *m, wfBodyId frame, wfReal x, wfReal y, wfReal radius,
@@ -223,6 +206,7 @@ static void put_gears(Maker *m, wfBodyId frame)
     }
 }
 
+/* Joint 0 is the wheel's axle, joint 1 the lever's; a tooth is 1/24 of a turn. */
 static wfResult build_gears(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -248,11 +232,8 @@ static wfResult build_gears(wfWorld *world)
 
 static void rock_lever(wfWorld *world, const wfSceneInput *in)
 {
-    wfJoint j;
     (void)in;
-    if (wfGetJoint(world, wfJointAt(world, 1), &j) != WF_OK) return;
-    j.motorSpeed = wfWorldSteps(world) / 60 % 2 ? WF_R(-1.8) : WF_R(1.8);
-    wfSetJoint(world, wfJointAt(world, 1), &j);
+    set_motor(world, 1, wfWorldSteps(world) / 60 % 2 ? WF_R(-1.8) : WF_R(1.8));
 }
 
 static void put_crank(Maker *m, wfBodyId frame)
@@ -293,11 +274,8 @@ static wfResult build_crank(wfWorld *world)
 
 static void turn_pinion(wfWorld *world, const wfSceneInput *in)
 {
-    wfJoint j;
     (void)in;
-    if (wfGetJoint(world, wfJointAt(world, 0), &j) != WF_OK) return;
-    j.motorSpeed = (wfWorldSteps(world) + 60) / 120 % 2 ? WF_R(-1.5) : WF_R(1.5);
-    wfSetJoint(world, wfJointAt(world, 0), &j);
+    set_motor(world, 0, (wfWorldSteps(world) + 60) / 120 % 2 ? WF_R(-1.5) : WF_R(1.5));
 }
 
 static void put_slides(Maker *m)
@@ -307,13 +285,13 @@ static void put_slides(Maker *m)
     wfJoint j = joint_from(m, "distance", nail, hung, wfV2(-7, 3), wfV2(-7, 2));
     j.flags = WF_JOINT_LIMITS, j.lower = WF_R(0.6), j.upper = WF_R(2.2);
     join(m, &j);
-    peg.userData = WF_INK_BODY2;
-    nail = put_nail(m, -4, 3), pin_there = put(m, &peg);
+    nail = put_nail(m, -4, 3), pin_there = put_ink(m, &peg, WF_INK_BODY2);
     j = joint_along(m, "wheel", nail, pin_there, wfV2(-4, 3), wfV2(1, WF_R(-0.4)));
     j.flags = WF_JOINT_LIMITS, j.lower = WF_R(-1.2), j.upper = WF_R(1.2);
     join(m, &j);
 }
 
+/* 1 kg and 2 kg; a distance keeps the light one from being pulled into its wheel. */
 static void put_pulley(Maker *m)
 {
     wfBodyId end[2];
@@ -335,6 +313,7 @@ static void put_pulley(Maker *m)
     join(m, &j);
 }
 
+/* Three joints of the kind *turn*: a spring, a pair of stops, a motor. */
 static void put_turns(Maker *m)
 {
     for (int i = 0; i < 3; i++) {
@@ -374,9 +353,7 @@ static wfResult build_table(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     wfBodyId table = put_nail(&m, 0, 0);
-    wfBodyDef block = box(&m, 3, 0, WF_R(0.5), WF_R(0.5));
-    block.userData = WF_INK_BODY2;
-    wfBodyId led = put(&m, &block);
+    wfBodyId led = put_box(&m, 3, 0, WF_R(0.5), WF_R(0.5), WF_INK_BODY2);
     wfJoint j = joint_from(&m, "servo", table, led, wfV2(3, 0), wfV2(3, 0));
     j.motorForce = 60;
     wfSetJointSpring(&j, 1, 3, 1);
@@ -410,15 +387,12 @@ static wfResult build_springs(wfWorld *world)
 {
     static const wfReal ratio[] = { 0, WF_R(0.05), WF_R(0.2), WF_R(0.5), 1, 3 };
     Maker m = { world, WF_OK };
-    wfBodyDef beam = box(&m, 0, 5, 7, WF_R(0.2));
-    beam.type = WF_STATIC;
-    wfBodyId bar = put(&m, &beam);
+    wfBodyId bar = put_wall(&m, 0, 5, 7, WF_R(0.2), 0);
     for (int i = 0; i < SPRINGS; i++) {
         wfReal x = WF_R(2.2) * ((wfReal)i - WF_R(2.5));
         wfBodyDef b = box(&m, x, 2, WF_R(0.45), WF_R(0.45));
         b.mass = WF_R(0.8);
-        b.userData = (uint64_t)(i % 2 ? WF_INK_BODY2 : WF_INK_BODY);
-        wfBodyId id = put(&m, &b);
+        wfBodyId id = put_ink(&m, &b, i % 2 ? WF_INK_BODY2 : WF_INK_BODY);
         wfVec2 at = wfV2(x, WF_R(2.45));
         wfJoint j = joint_from(&m, "prismatic", bar, id, at, at);
         wfSetJointSpring(&j, b.mass, WF_R(0.5), ratio[i]);
@@ -439,7 +413,7 @@ static void draw_springs(const wfWorld *world, wfDraw *d, const wfSceneInput *in
 
 typedef struct Limb { int8_t parent; float x0, y0, x1, y1, radius, lower, upper; } Limb;
 
-/* Each hangs from its parent at (x0, y0), standing, metres. Stops in rad. */
+/* A capsule about its own middle; its hinge is at (x0, y0), m, standing; stops in rad. */
 static const Limb doll_limb[] = {
     { -1, 0, 1.0f, 0, 1.5f, 0.17f, 0, 0 },                      /* trunk */
     { 0, 0, 1.72f, 0, 1.95f, 0.14f, -0.5f, 0.5f },              /* head */
@@ -549,68 +523,55 @@ static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput
 static const wfScene row[] = {
     { .category = "Joints", .name = "pendulums", .chapter = "joints",
       .text = "One rod comes back to the dashed line. Two in a row do what nobody can tell.",
-      .define = jointly, .build = build_pendulums, .draw = draw_level,
-      .viewX = 0, .viewY = -1, .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = WF_R(0.1), .depthBound = -1 },
+      .define = jointly, .build = build_pendulums, .draw = draw_level, VIEW(0, -1, 10),
+      .show = WF_SHOW_JOINTS, PROMISE(0.1, -1) },
     { .category = "Joints", .name = "bridge", .chapter = "joints-in-a-world",
       .text = "Planks on hinges: the bridge takes the shape of its load.",
-      .define = jointly, .build = build_bridge,
-      .viewX = 0, .viewY = 3, .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.2) },
+      .define = jointly, .build = build_bridge, VIEW(0, 3, 10), .show = WF_SHOW_JOINTS,
+      PROMISE(0.5, 0.2) },
     { .category = "Joints", .name = "weak bridge", .chapter = "joints",
       .text = "The same bridge with hinges that break, and a ball that is too heavy for it.",
-      .define = jointly, .build = build_weak_bridge,
-      .viewX = 0, .viewY = 3, .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.3) },
+      .define = jointly, .build = build_weak_bridge, VIEW(0, 3, 10), .show = WF_SHOW_JOINTS,
+      PROMISE(0.5, 0.3) },
     { .category = "Joints", .name = "cart", .chapter = "joints-in-a-world",
       .text = "Wheels on springs, with motors, on bumps that get higher to the right.",
-      .define = jointly, .build = build_cart, .update = drive_cart,
-      .viewX = 0, .viewY = 2, .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = WF_R(0.1) },
+      .define = jointly, .build = build_cart, .update = drive_cart, VIEW(0, 2, 10),
+      .show = WF_SHOW_JOINTS, PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "crane", .chapter = "joints",
       .text = "A trolley, and a winch that pulls and never pushes, worked by the clock.",
-      .define = jointly, .build = build_crane, .update = work_crane,
-      .viewX = 0, .viewY = WF_R(3.5), .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = WF_R(0.1) },
+      .define = jointly, .build = build_crane, .update = work_crane, VIEW(0, 3.5, 10),
+      .show = WF_SHOW_JOINTS, PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "gears and ratchet", .chapter = "joints",
       .text = "Wheels of radius 1, 2, 3 in gear; a lever rocks, and its wheel only turns.",
-      .define = jointly, .build = build_gears, .update = rock_lever,
-      .viewX = WF_R(-0.6), .viewY = WF_R(0.2), .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = -1 },
+      .define = jointly, .build = build_gears, .update = rock_lever, VIEW(-0.6, 0.2, 10),
+      .show = WF_SHOW_JOINTS, PROMISE(-1, -1) },
     { .category = "Joints", .name = "crank and rack", .chapter = "joints",
       .text = "A crank drives a piston; a wheel runs along a toothed rod.",
-      .define = jointly, .build = build_crank, .update = turn_pinion,
-      .viewX = WF_R(-0.5), .viewY = 0, .viewHeight = 8, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = -1 },
+      .define = jointly, .build = build_crank, .update = turn_pinion, VIEW(-0.5, 0, 8),
+      .show = WF_SHOW_JOINTS, PROMISE(-1, -1) },
     { .category = "Joints", .name = "small machines", .chapter = "joints",
       .text = "Slide, groove, pulley, rotary spring, rotary limit, motor.",
-      .define = jointly, .build = build_small,
-      .viewX = 0, .viewY = WF_R(2.2), .viewHeight = 9, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = WF_R(0.1) },
+      .define = jointly, .build = build_small, VIEW(0, 2.2, 9), .show = WF_SHOW_JOINTS,
+      PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "seen from above", .chapter = "joints",
       .text = "Discs that rub on a table, and a block that is led round among them.",
-      .define = on_table, .build = build_table, .update = lead_block,
-      .viewX = 0, .viewY = 0, .viewHeight = 9, .show = WF_SHOW_JOINTS,
-      .energyBound = -1, .depthBound = WF_R(0.1) },
+      .define = on_table, .build = build_table, .update = lead_block, VIEW(0, 0, 9),
+      .show = WF_SHOW_JOINTS, PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "springs", .chapter = "joints",
       .text = "Damped by 0, 0.05, 0.2, 0.5, 1 and 3 times the critical: who is first at rest?",
-      .define = jointly, .build = build_springs, .draw = draw_springs,
-      .viewX = 0, .viewY = 2, .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = WF_R(0.2), .depthBound = -1 },
+      .define = jointly, .build = build_springs, .draw = draw_springs, VIEW(0, 2, 10),
+      .show = WF_SHOW_JOINTS, PROMISE(0.2, -1) },
     { .category = "Joints", .name = "ragdolls", .chapter = "joints",
       .text = "Capsules on hinges with stops: no knee bends forward, however they fall.",
-      .define = jointly, .build = build_ragdolls,
-      .viewX = 0, .viewY = WF_R(4.4), .viewHeight = 10, .show = WF_SHOW_JOINTS,
-      .energyBound = 1, .depthBound = WF_R(0.35) },
+      .define = jointly, .build = build_ragdolls, VIEW(0, 4.4, 10), .show = WF_SHOW_JOINTS,
+      PROMISE(1, 0.35) },
     { .category = "Joints", .name = "ton joint by joint", .chapter = "joints",
       .text = "A ton on links of a kilogram: its centre belongs on the arc. The joints give.",
       .define = finely, .build = build_heavy_chain, .draw = draw_heavy_chain,
-      .viewX = 0, .viewY = -6, .viewHeight = 17, .show = WF_SHOW_JOINTS,
-      .energyBound = 10, .depthBound = -1 },
+      VIEW(0, -6, 17), .show = WF_SHOW_JOINTS, PROMISE(10, -1) },
     { .category = "Joints", .name = "ton all at once", .chapter = "exact",
       .text = "The same ton and the same links, all joints solved together: no gap.",
       .define = exactly, .build = build_heavy_chain, .draw = draw_heavy_chain,
-      .viewX = 0, .viewY = -6, .viewHeight = 17, .show = WF_SHOW_JOINTS,
-      .energyBound = 10, .depthBound = -1 },
+      VIEW(0, -6, 17), .show = WF_SHOW_JOINTS, PROMISE(10, -1) },
 };
 const wfSceneGroup wfJointScenes = { row, sizeof row / sizeof *row };

@@ -35,7 +35,6 @@ static const char *read_amount(const char *name, const char *text, layer_options
 const char *layer_read_options(int argc, char **argv, layer_options *out)
 {
     *out = (layer_options){ .steps = -1, .width = 1100, .height = 700, .scale = 1 };
-    /* where the words of options go */
     struct { const char *name, **place; } texts[] = {
         { "--scene", &out->scene }, { "--input", &out->input },
         { "--save-input", &out->record },
@@ -46,8 +45,7 @@ const char *layer_read_options(int argc, char **argv, layer_options *out)
     for (int i = 1; i < argc; i++) {
         const char **place = NULL, *error = NULL, *name = argv[i];
         for (size_t t = 0; t < sizeof texts / sizeof *texts; t++)
-            if (strcmp(name, texts[t].name) == 0)
-                place = texts[t].place;
+            if (strcmp(name, texts[t].name) == 0) place = texts[t].place;
         bool size = strcmp(name, "--size") == 0;
         bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0
                    || strcmp(name, "--workers") == 0;
@@ -123,7 +121,6 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
         return complain("can't load the game", options->library);
     if (options->scene && !options->library && !game_knows_scene(options->scene))
         return complain("no such scene (try `weft-headless --list')", options->scene);
-    /* lend the game its memory */
     l->memory.permanent_size = GAME_PERMANENT_SIZE;
     l->memory.transient_size = GAME_TRANSIENT_SIZE;
     l->memory.permanent = calloc(1, GAME_PERMANENT_SIZE);
@@ -216,8 +213,7 @@ static void record_input(layer *l, const game_input *input)
 {
     char text[1024];
     size_t length = input_script_write(text, sizeof text, &l->last, input);
-    if (length < sizeof text)
-        fwrite(text, 1, length, l->record);
+    if (length < sizeof text) fwrite(text, 1, length, l->record);
 }
 
 static void take_new_code(layer *l)
@@ -239,7 +235,6 @@ bool layer_frame(layer *l, const game_input *input)
 {
     game_input now = *input;
     if (l->text) {
-        /* take the next frame of the script */
         int more = input_script_next(&l->script, &now);
         if (more < 0)
             fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line,

@@ -51,6 +51,7 @@ typedef struct layer {
     int64_t frames;
     game_code code;             /* the game itself: what is linked in, or a library's */
 } layer;
+
 /* Gets memory and a picture of width x height pixels, opens the files that the options
    name. False, with a word to stderr, when something is not to be had; close it all the
    same. */
@@ -67,6 +68,7 @@ bool layer_frame(layer *l, const game_input *input);
 
 /* After the last frame: saves the pictures that the options name. */
 bool layer_finish(layer *l);
+
 /* The whole life of a program with one window: reads the options, opens the layer, lets
    `run' open its window and play, saves what was wanted, closes. Returns the exit code. */
 int layer_main(int argc, char **argv, bool (*run)(layer *l));

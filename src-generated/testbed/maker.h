@@ -9,6 +9,12 @@
 #include "weft/integrate.h"
 #include "weft/joint.h"
 
+/* For rows of scenes: where the camera looks, m, and the promises, J and m. */
+#define VIEW(x, y, height) .viewX = (wfReal)(x), .viewY = (wfReal)(y), \
+    .viewHeight = (wfReal)(height)
+#define PROMISE(energy, depth) .energyBound = (wfReal)(energy), \
+    .depthBound = (wfReal)(depth)
+
 #define GROUP(name) extern const wfSceneGroup name;
 /* groups of scenes */
 GROUP(wfMotionScenes)
@@ -31,10 +37,10 @@ typedef struct Maker { wfWorld *world; wfResult result; } Maker;
 
 static inline void note(Maker *m, wfResult result)
 {
-    if (m->result == WF_OK)
-        m->result = result;
+    if (m->result == WF_OK) m->result = result;
 }
 
+/* Drops what the world was not made for, such as friction (sec:scenes-needs). */
 static inline wfBodyId put(Maker *m, const wfBodyDef *def)
 {
     wfBodyId id = { 0 };
@@ -43,39 +49,41 @@ static inline wfBodyId put(Maker *m, const wfBodyDef *def)
     if (lacks & WF_MODULE_FRICTION) fit.friction = 0;
     if (lacks & WF_MODULE_RESTITUTION) fit.restitution = 0;
     if (lacks & WF_MODULE_DAMPING) fit.linearDamping = fit.angularDamping = 0;
-    if (m->result == WF_OK)
-        note(m, wfAddBodyToWorld(m->world, &fit, &id));
+    if (m->result == WF_OK) note(m, wfAddBodyToWorld(m->world, &fit, &id));
     return id;
 }
 
 static inline void push(Maker *m, const wfForce *force)
 {
-    if (m->result == WF_OK)
-        note(m, wfAddForceToWorld(m->world, force, NULL));
+    if (m->result == WF_OK) note(m, wfAddForceToWorld(m->world, force, NULL));
+}
+
+static inline wfBodyDef body_at(wfReal x, wfReal y)
+{
+    wfBodyDef def = wfDefaultBodyDef();
+    def.position = wfV2(x, y);
+    return def;
 }
 
 static inline wfBodyDef box(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
                             wfReal halfHeight)
 {
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2(x, y);
+    wfBodyDef def = body_at(x, y);
     note(m, wfMakeBox(halfWidth, halfHeight, &def.shape));
     return def;
 }
 
 static inline wfBodyDef ball(Maker *m, wfReal x, wfReal y, wfReal radius)
 {
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2(x, y);
+    wfBodyDef def = body_at(x, y);
     note(m, wfMakeCircle(wfV2(0, 0), radius, &def.shape));
     return def;
 }
 
 static inline wfBodyDef regular(Maker *m, wfReal x, wfReal y, wfReal radius, int corners)
 {
-    wfBodyDef def = wfDefaultBodyDef();
+    wfBodyDef def = body_at(x, y);
     wfVec2 point[WF_MAX_VERTICES];
-    def.position = wfV2(x, y);
     for (int i = 0; i < corners; i++) {
         wfRot q = wfRotation(wfWrapAngle(2 * WF_PI * (wfReal)i / (wfReal)corners));
         point[i] = wfV2(radius * q.c, radius * q.s);
@@ -84,13 +92,44 @@ static inline wfBodyDef regular(Maker *m, wfReal x, wfReal y, wfReal radius, int
     return def;
 }
 
-static inline void put_wall(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
-                            wfReal halfHeight, wfReal restitution)
+/* Puts a body in, filled with a colour of `weft/draw.h`. */
+static inline wfBodyId put_ink(Maker *m, wfBodyDef *def, int ink)
+{
+    def->userData = (uint64_t)ink;
+    return put(m, def);
+}
+
+static inline wfBodyId put_box(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
+                               wfReal halfHeight, int ink)
+{
+    wfBodyDef def = box(m, x, y, halfWidth, halfHeight);
+    return put_ink(m, &def, ink);
+}
+
+static inline wfBodyId put_wall(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
+                                wfReal halfHeight, wfReal restitution)
 {
     wfBodyDef wall = box(m, x, y, halfWidth, halfHeight);
     wall.type = WF_STATIC;
     wall.restitution = restitution;
-    put(m, &wall);
+    return put(m, &wall);
+}
+
+static inline void put_slope(Maker *m, wfReal x, wfReal y, wfReal halfWidth,
+                             wfReal halfHeight, wfReal angle)
+{
+    wfBodyDef slope = box(m, x, y, halfWidth, halfHeight);
+    slope.type = WF_STATIC;
+    slope.angle = angle;
+    put(m, &slope);
+}
+
+/* A maker whose first body is the ground: its top at 0, from -halfWidth to halfWidth. */
+static inline Maker on_ground(wfWorld *world, wfReal halfWidth)
+{
+    Maker m = { world, WF_OK };
+    put_wall(&m, 0, WF_R(-0.5), halfWidth, WF_R(0.5), 0);
+    return m;
 }
 
 /* Four walls round the rectangle of half width w and half height h about (0, h). */
@@ -120,8 +159,7 @@ static inline void draw_parabola(wfDraw *d, wfVec2 from, wfVec2 v, wfVec2 g, wfR
     for (int i = 1; i < 200 && last.y > floor; i++) {
         wfReal t = WF_R(0.02) * (wfReal)i;
         wfVec2 at = wfAdd(from, wfAdd(wfScale(t, v), wfScale(t * t / 2, g)));
-        if (i % 2)
-            wfDrawLine(d, WF_XY(last), WF_XY(at), 1.5f, WF_INK_ACCENT);
+        if (i % 2) wfDrawLine(d, WF_XY(last), WF_XY(at), 1.5f, WF_INK_ACCENT);
         last = at;
     }
 }
@@ -172,43 +210,6 @@ static inline void put_chain(Maker *m, const wfVec2 *point, int count)
     }
 }
 
-static inline void jointly(wfWorldDef *def)
-{
-    softly(def);
-    def->jointCapacity = 64;
-}
-
-/* A joint at rest between two points of the world; its axis is upright. */
-static inline wfJoint joint_from(Maker *m, const char *kind, wfBodyId a, wfBodyId b,
-                                 wfVec2 from, wfVec2 to)
-{
-    wfJoint j = { .kind = 0 };
-    if (m->result == WF_OK)
-        note(m, wfDefineJoint(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
-    return j;
-}
-
-static inline void join(Maker *m, const wfJoint *joint)
-{
-    if (m->result == WF_OK)
-        note(m, wfAddJointToWorld(m->world, joint, NULL));
-}
-
-static inline void pin(Maker *m, wfBodyId a, wfBodyId b, wfVec2 at)
-{
-    wfJoint j = joint_from(m, "revolute", a, b, at, at);
-    join(m, &j);
-}
-
-static inline wfBodyId put_nail(Maker *m, wfReal x, wfReal y)
-{
-    wfBodyDef nail = wfDefaultBodyDef();
-    nail.type = WF_STATIC;
-    nail.position = wfV2(x, y);
-    nail.userData = WF_INK_LINE;
-    return put(m, &nail);
-}
-
 static inline wfBodyId put_in_group(Maker *m, const wfBodyDef *def, int32_t group)
 {
     wfShapeDef shape;
@@ -220,11 +221,54 @@ static inline wfBodyId put_in_group(Maker *m, const wfBodyDef *def, int32_t grou
     return body;
 }
 
+static inline void jointly(wfWorldDef *def)
+{
+    softly(def);
+    def->jointCapacity = 64;
+}
+
+/* A joint at rest between two points of the world, its axis upright; or along an axis. */
+static inline wfJoint joint_from(Maker *m, const char *kind, wfBodyId a, wfBodyId b,
+                                 wfVec2 from, wfVec2 to)
+{
+    wfJoint j = { .kind = 0 };
+    if (m->result == WF_OK)
+        note(m, wfDefineJoint(m->world, kind, a, b, from, to, wfV2(0, 1), &j));
+    return j;
+}
+
 static inline wfJoint joint_along(Maker *m, const char *kind, wfBodyId a, wfBodyId b,
                                   wfVec2 at, wfVec2 axis)
 {
     wfJoint j = { .kind = 0 };
     if (m->result == WF_OK) note(m, wfDefineJoint(m->world, kind, a, b, at, at, axis, &j));
     return j;
+}
+
+static inline void join(Maker *m, const wfJoint *joint)
+{
+    if (m->result == WF_OK) note(m, wfAddJointToWorld(m->world, joint, NULL));
+}
+
+/* What turns joint i of a world from now on, rad/s or m/s. */
+static inline void set_motor(wfWorld *world, int32_t i, wfReal speed)
+{
+    wfJoint j;
+    if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) return;
+    j.motorSpeed = speed;
+    wfSetJoint(world, wfJointAt(world, i), &j);
+}
+
+static inline void pin(Maker *m, wfBodyId a, wfBodyId b, wfVec2 at)
+{
+    wfJoint j = joint_from(m, "revolute", a, b, at, at);
+    join(m, &j);
+}
+
+static inline wfBodyId put_nail(Maker *m, wfReal x, wfReal y)
+{
+    wfBodyDef nail = body_at(x, y);
+    nail.type = WF_STATIC;
+    return put_ink(m, &nail, WF_INK_LINE);
 }
 #endif

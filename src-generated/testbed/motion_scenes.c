@@ -24,8 +24,7 @@ static void draw_free_fall(const wfWorld *world, wfDraw *d, const wfSceneInput *
 {
     (void)in;
     wfVec2 g;
-    if (wfGetGravity(world, &g) != WF_OK)
-        return;
+    if (wfGetGravity(world, &g) != WF_OK) return;
     for (int i = 0; i < 3; i++)
         draw_parabola(d, wfV2(-3 + WF_R(0.8) * (wfReal)i, 5),
                       wfV2(fall_speed[i][0], fall_speed[i][1]), g, WF_R(0.25));
@@ -49,11 +48,11 @@ static wfResult build_spring_orbit(wfWorld *world)
     wfForce force[] = { wfSpringToPoint(a, wfV2(0, 0), wfV2(-5, 0), 0, 9, 0), pull, pull };
     force[1].a = b;
     force[2].a = c;
-    for (int i = 0; i < 3; i++)
-        push(&m, &force[i]);
+    for (int i = 0; i < 3; i++) push(&m, &force[i]);
     return m.result;
 }
 
+/* The exact angles, 3 t and 2 t, are counted in turns; their fraction is a rotation. */
 static void draw_spring_orbit(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
@@ -93,14 +92,12 @@ static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, wfReal size
         wfVec2 at = wfAdd(middle, wfScale(size, planet.p));
         xy[2 * n] = (float)at.x;
         xy[2 * n + 1] = (float)at.y;
-        if (wfIntegrate(row, &in) != WF_OK || wfLengthSq(planet.p) > 4)
-            break;
+        if (wfIntegrate(row, &in) != WF_OK || wfLengthSq(planet.p) > 4) break;
     }
     wfDrawCircle(d, WF_XY(middle), (float)size, 1, WF_INK_FAINT, WF_INK_NONE);
     wfDrawPoint(d, WF_XY(middle), 8, WF_INK_ACCENT);
     wfVec2 at = wfAdd(middle, wfScale(size, planet.p));
-    if (n > 1)
-        wfDrawPolyline(d, xy, n, 1.5f, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
+    if (n > 1) wfDrawPolyline(d, xy, n, 1.5f, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
     wfDrawPoint(d, WF_XY(at), 8, WF_INK_LINE);
     wfDrawText(d, (float)middle.x, (float)(middle.y - 2 * size), 13, WF_INK_TEXT, 0,
                wfIntegratorTable[row].name);
@@ -123,16 +120,15 @@ static void draw_integrators(const wfWorld *world, wfDraw *d, const wfSceneInput
 static const wfScene row[] = {
     { .category = "Motion", .name = "free fall", .chapter = "integration",
       .text = "Balls on the parabolas that they must follow: dashed is exact.",
-      .build = build_free_fall, .draw = draw_free_fall,
-      .viewX = WF_R(2.5), .viewY = WF_R(3.6), .viewHeight = 9,
-      .energyBound = WF_R(0.05), .depthBound = WF_R(0.2) },
+      .build = build_free_fall, .draw = draw_free_fall, VIEW(2.5, 3.6, 9),
+      PROMISE(0.05, 0.2) },
     { .category = "Motion", .name = "spring and orbit", .chapter = "integration",
       .text = "A mass on a spring, a planet on a circle: rings show where they must be.",
       .define = integrated_freely, .build = build_spring_orbit, .draw = draw_spring_orbit,
-      .viewX = 1, .viewY = 0, .viewHeight = 9, .energyBound = WF_R(0.001), .depthBound = -1 },
+      VIEW(1, 0, 9), PROMISE(0.001, -1) },
     { .category = "Motion", .name = "integrators", .chapter = "integration",
       .text = "The same orbit by each integrator, thirty steps to a turn. Some keep it.",
       .define = integrated_freely, .build = build_nothing, .draw = draw_integrators,
-      .viewX = 4, .viewY = WF_R(-2.4), .viewHeight = 10, .energyBound = 0, .depthBound = -1 },
+      VIEW(4, -2.4, 10), PROMISE(0, -1) },
 };
 const wfSceneGroup wfMotionScenes = { row, sizeof row / sizeof *row };

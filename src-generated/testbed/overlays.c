@@ -87,13 +87,11 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     if (!see_pair(world, look, &p) || wfSeparate(0, p.a, p.xa, p.b, p.xb, &s) != WF_OK)
         return;
     wfProjection a = wfProject(p.a, p.xa, s.normal), b = wfProject(p.b, p.xb, s.normal);
-    wfVec2 small = wfShapeMaxExtent(p.a) < wfShapeMaxExtent(p.b) ?
-        wfApply(p.xa, p.a->centre)
-                                                         : wfApply(p.xb, p.b->centre);
-    wfReal reach = wfMinR(wfShapeMaxExtent(p.a), wfShapeMaxExtent(p.b));
+    wfReal far = wfShapeMaxExtent(p.a), other = wfShapeMaxExtent(p.b);
+    wfVec2 small = far < other ? wfApply(p.xa, p.a->centre) : wfApply(p.xb, p.b->centre);
+    wfReal reach = wfMinR(far, other);
     wfReal lift = 2 * reach, step = WF_R(0.12) * reach;
     int role = s.distance < 0 ? WF_INK_BAD : WF_INK_GOOD;
-    /* keep the axis near the smaller body */
     wfReal low = wfMinR(a.min, b.min), high = wfMaxR(a.max, b.max);
     low = wfMaxR(low, wfDot(small, s.normal) - 4 * reach);
     high = wfMinR(high, wfDot(small, s.normal) + 4 * reach);
@@ -104,7 +102,6 @@ static void look_at_axis(const wfWorld *world, const wfLook *look, wfPool *scrat
     wfProjection cb = { wfMaxR(b.min, low), wfMinR(b.max, high) };
     draw_shadow(d, small, s.normal, ca, lift, lift - step, WF_INK_BODY);
     draw_shadow(d, small, s.normal, cb, lift, lift + step, WF_INK_BODY2);
-    /* write the gap beside the axis */
     wfVec2 end = on_axis(small, s.normal, a.max, lift);
     wfVec2 begin = on_axis(small, s.normal, b.min, lift);
     wfDrawLine(d, WF_XY(end), WF_XY(begin), 3, role);
@@ -219,7 +216,6 @@ static void look_at_gjk(const wfWorld *world, const wfLook *look, wfPool *scratc
     for (const wfGjkStep *old = trace.steps; old < now; old++)
         draw_loop(d, &w, old->points, old->count, 1, WF_INK_LINE, WF_INK_NONE);
     draw_loop(d, &w, now->points, now->count, 2, WF_INK_ACCENT, WF_INK_NONE);
-    /* draw the origin and the way to it */
     wfVec2 zero = in_inset(&w, wfV2(0, 0)), near = in_inset(&w, now->nearest);
     wfReal arm = w.size / 30;
     wfVec2 right = wfV2(arm, 0), top = wfV2(0, arm);
@@ -279,7 +275,6 @@ bool wfClipAt(const wfWorld *world, const wfLook *look, int32_t cuts, wfClipView
     v.side = wfPerpCCW(v.normal);
     v.kept[0] = v.incident[0];
     v.kept[1] = v.incident[1];
-    /* keep what the cuts leave */
     wfReal low = wfDot(v.side, v.reference[0]), high = wfDot(v.side, v.reference[1]);
     if (cuts > 1 && !cut(v.kept, wfNeg(v.side), -low)) v.count = 0;
     if (cuts > 2 && v.count && !cut(v.kept, v.side, high)) v.count = 0;
@@ -307,7 +302,6 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfClipView v;
     (void)scratch;
     if (!wfClipAt(world, look, k, &v)) return;
-    /* place the normal's arrow */
     wfReal reach = wfLength(wfSub(v.reference[1], v.reference[0]));
     wfReal short_ = wfMinR(reach, wfLength(wfSub(v.incident[1], v.incident[0])));
     wfVec2 foot = wfLerp(v.incident[0], v.incident[1], WF_R(0.5));
@@ -315,7 +309,6 @@ static void look_at_clipping(const wfWorld *world, const wfLook *look, wfPool *s
     wfVec2 tip = wfAddScaled(foot, WF_R(0.35) * short_, v.normal);
     wfDrawLine(d, WF_XY(v.reference[0]), WF_XY(v.reference[1]), 3, WF_INK_GOOD);
     wfDrawArrow(d, WF_XY(foot), WF_XY(tip), 1.5f, WF_INK_GOOD);
-    /* draw the two sides that cut */
     for (int e = 0; e < 2 && k > 1 - e && k > 1; e++) {
         if (e == 1 && k < 3) break;
         wfVec2 up = wfAddScaled(v.reference[e], WF_R(0.5) * short_, v.normal);
@@ -439,7 +432,6 @@ static void look_at_colours(const wfWorld *world, const wfLook *look, wfPool *sc
         return;
     for (int32_t k = 0; k <= WF_COLOURS; k++)
         for (int32_t n = out.first[k]; n < out.first[k + 1]; n++) {
-            /* draw a contact in its colour */
             const wfContact *at = &c[out.order[n]];
             if (at->manifold.count < 1) continue;
             wfVec2 a = v.state[at->a].p, b = v.state[at->b].p;
@@ -515,7 +507,6 @@ int32_t wfStepSubsteps(const wfWorldDef *def)
 int32_t wfStepPasses(const wfWorldDef *def)
 {
     return def->iterations > 0 ? def->iterations : wfUsualPasses(def->solver);
-
 }
 
 wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPool *scratch,

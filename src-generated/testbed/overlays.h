@@ -12,6 +12,7 @@ typedef struct wfLook {
     int32_t substep, pass;      /* the next step is shown up to here, from 1 */
     float   seen[4];            /* m: what of the view nothing covers; 0: all of it */
 } wfLook;
+
 /* The pair at a place: the shape nearest to it, and the shape of another body nearest to
    that one. False, with -1 for both, when the world has no two bodies with shapes. */
 bool wfPairAt(const wfWorld *world, wfVec2 place, int32_t *a, int32_t *b);
@@ -25,6 +26,7 @@ int32_t wfStepSubsteps(const wfWorldDef *def);
    eq:scenes-part. WF_ERROR_MEMORY, and the errors of the step. */
 wfResult wfPartOfStep(const wfWorld *world, int32_t substep, int32_t pass, wfPool *scratch,
                       wfWorld *out);
+
 /* Where the contact's edges are after so many cuts (wfClipSteps): in the world, m. False
    for shapes that are not cut. */
 typedef struct wfClipView {

@@ -31,6 +31,8 @@ void game_find_seen(const camera *c, float seen[4])
     camera_pick(c, c->left + c->wide, c->top, &seen[2]);
 }
 
+/* From below to above: bodies and overlays, looks into a step, ghosts of other worlds, the
+ * scene's own lines, the tool's, and the hand's band. */
 void game_list_world(game *g, wfDraw *d, const float view[4])
 {
     game_state *s = g->state;
@@ -39,8 +41,7 @@ void game_list_world(game *g, wfDraw *d, const float view[4])
     game_find_seen(&s->camera, s->look.seen);
     wfDrawLook(&g->world, s->show, &s->look, &g->scratch, d);
     draw_ghosts(g, d);
-    if (g->scene->draw)
-        g->scene->draw(&g->world, d, &s->input);
+    if (g->scene->draw) g->scene->draw(&g->world, d, &s->input);
     tool_work tools = game_tools_of(g);
     tool_draw(&tools, d);
     if (s->held.index) {

@@ -92,7 +92,6 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
              row->kind != WF_SETTING_VEC2 ? "" : part ? ".y" : ".x");
     int choice = (int)value;
     bool hit = false;
-    /* show the widget of the setting's kind */
     if (row->builtIn) {
         char text[32], words[GAME_NAME_SIZE];
         snprintf(text, sizeof text, "%.6g", value);
@@ -263,11 +262,9 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
         ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, "Click a body, or press N.");
         return y + UI_LINE;
     }
-    /* say which body it is and where */
     char text[80];
     snprintf(text, sizeof text, "body %d at (%.3f, %.3f) m",
-             (int)wfBodyIndex(&g->world, id),
-             (double)b.position.x, (double)b.position.y);
+             (int)wfBodyIndex(&g->world, id), (double)b.position.x, (double)b.position.y);
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = type_line(u, g, id, b.type, x, y + UI_LINE, w);
     for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
@@ -446,7 +443,6 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
         choose_setting(g, i, which);
     y += UI_LINE;
     if (!panel_shows(g, y, UI_LINE)) return y + UI_LINE + 6;
-    /* offer the value that differs */
     if (row->kind == WF_SETTING_ROW || row->kind == WF_SETTING_CHOICE) {
         hit = ui_choice(u, value, x, y, w, &choice, (ui_names){ row_count, row_name, row },
                         true);
@@ -465,7 +461,6 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
     static const char *const many[] = { "One world", "Two", "Four" };
-    /* offer one world, two or four */
     for (int i = 0; i < 3; i++) {
         float left = x + w / 3 * (float)i;
         int worlds = i == 2 ? 4 : i + 1;
@@ -486,7 +481,6 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
     if (panel_shows(g, y, ROW))
         ui_text(u, x, y + 12, 13, WF_INK_ACCENT, -1, "Curves of the last ten seconds");
     y += ROW + 2;
-    /* offer the curves in two columns */
     for (int i = 0; i < wfPlotCount; i++) {
         float left = i % 2 ? x + w / 2 - 10 : x, line = y + (float)(i / 2 * ROW);
         char name[GAME_NAME_SIZE];
@@ -535,7 +529,8 @@ void game_draw_curves(ui *u, const game *g)
 
 /* the panel of files */
 static const button_row file_table[] = {
-    { "Record", NULL, 'f', 0, game_press_record, "F: writes down what you do; again: stop" },
+    { "Record", NULL, 'f', 0, game_press_record,
+      "F: writes down what you do; again: stop" },
     { "Replay", NULL, 'k', 0, game_press_replay, "K: does it again, to the last bit" },
     { "Save the world", NULL, 'w', 0, game_press_save, "W: world.save" },
     { "Load the world", NULL, 'a', 0, game_press_load, "A: world.save" },

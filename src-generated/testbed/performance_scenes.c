@@ -37,8 +37,7 @@ static void drop_crowd(Maker *m, int32_t count, int32_t firstRow, wfReal apart,
         wfReal y = apart * ((wfReal)(firstRow + i / CROWD_ROW) + WF_R(0.5));
         wfBodyDef b = i % 2 ? ball(m, x, y, WF_R(0.4)) : box(m, x, y, WF_R(0.4), WF_R(0.4));
         b.friction = WF_R(0.6);
-        b.userData = i / CROWD_ROW % 2 ? WF_INK_BODY : WF_INK_BODY2;
-        put(m, &b);
+        put_ink(m, &b, i / CROWD_ROW % 2 ? WF_INK_BODY : WF_INK_BODY2);
     }
 }
 
@@ -83,27 +82,23 @@ static wfResult build_among_2000(wfWorld *world) { return build_among(world, 200
 static const wfScene row[] = {
     { .category = "Performance", .name = "a hundred bodies", .chapter = "performance",
       .text = "The least of the report's six performance tests: boxes and discs in a bin.",
-      .define = room_for_100, .build = build_100, .viewX = 0, .viewY = 7, .viewHeight = 28,
-      .energyBound = WF_R(0.07), .depthBound = WF_R(0.1) },
+      .define = room_for_100, .build = build_100, VIEW(0, 7, 28), PROMISE(0.07, 0.1) },
     { .category = "Performance", .name = "five hundred bodies", .chapter = "performance",
       .text = "Thirteen rows of boxes and discs come down together in a bin.",
-      .define = room_for_500, .build = build_500, .viewX = 0, .viewY = 10, .viewHeight = 30,
-      .energyBound = WF_R(1.7), .depthBound = WF_R(0.25) },
+      .define = room_for_500, .build = build_500, VIEW(0, 10, 30), PROMISE(1.7, 0.25) },
     { .category = "Performance", .name = "a thousand bodies", .chapter = "performance",
       .text = "Twenty-five rows: the lowest are pressed while the highest still fall.",
-      .define = room_for_1000, .build = build_1000, .viewX = 0, .viewY = 15, .viewHeight = 38,
-      .energyBound = 7, .depthBound = WF_R(0.35) },
+      .define = room_for_1000, .build = build_1000, VIEW(0, 15, 38), PROMISE(7, 0.35) },
     { .category = "Performance", .name = "two thousand bodies", .chapter = "performance",
       .text = "The most at once. Does it still run smoothly? Watch the curve of time.",
-      .define = room_for_2000, .build = build_2000, .viewX = 0, .viewY = 25, .viewHeight = 58,
-      .energyBound = 28, .depthBound = WF_R(0.5) },
+      .define = room_for_2000, .build = build_2000, VIEW(0, 25, 58), PROMISE(28, 0.5) },
     { .category = "Performance", .name = "a thousand among pegs", .chapter = "performance",
       .text = "1,000 fall among 1,000 that stand still, from where they stand.",
-      .define = room_among_1000, .build = build_among_1000,
-      .viewX = 0, .viewY = 27, .viewHeight = 66, .energyBound = 14, .depthBound = WF_R(0.3) },
+      .define = room_among_1000, .build = build_among_1000, VIEW(0, 27, 66),
+      PROMISE(14, 0.3) },
     { .category = "Performance", .name = "a thousand on pegs", .chapter = "performance",
       .text = "1,000 fall among 2,000 that stand still and cost next to nothing.",
-      .define = room_among_2000, .build = build_among_2000,
-      .viewX = 0, .viewY = 52, .viewHeight = 116, .energyBound = 30, .depthBound = WF_R(0.3) },
+      .define = room_among_2000, .build = build_among_2000, VIEW(0, 52, 116),
+      PROMISE(30, 0.3) },
 };
 const wfSceneGroup wfPerformanceScenes = { row, sizeof row / sizeof *row };

@@ -6,7 +6,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* names and their length */
 enum { GAME_NAME_SIZE = 40 };
 
 /* a file that goes in or out */

@@ -19,6 +19,7 @@ typedef struct wfPlotInput {
     bool clocked;               /* there is a clock */
     bool hooked;                /* the scene has hooks: its stages are not timed */
 } wfPlotInput;
+
 typedef struct wfPlotRow {
     const char *name, *unit, *text;
     const char *curve[WF_PLOT_CURVES];      /* NULL: no more */
@@ -27,6 +28,7 @@ typedef struct wfPlotRow {
 } wfPlotRow;
 extern const wfPlotRow wfPlotTable[];
 extern const int wfPlotCount;
+
 /* All zero: empty. A ring: the newest sample is before `next'. staged: 1 if the stages of
    the newest step were timed, -1 if they can't be. */
 typedef struct wfPlots {

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/png.h"
-/* take the header that compresses pictures */
 #ifdef __wasm__
 void *web_lend(size_t size);
 void *web_lend_more(void *old, size_t had, size_t size);

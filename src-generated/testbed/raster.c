@@ -79,8 +79,7 @@ static void cover_piece(wfCoverRow *row, float xa, float xb, float dy)
     for (;; i += step) {
         float next = i == last ? xb : (float)(step > 0 ? i + 1 : i);
         float part = xb != xa ? slope * (next - x) : dy;
-        /* add the part's share by eq:draw-edge */
-        float right = 0.5f * (x + next) - (float)i;
+        float right = 0.5f * (x + next) - (float)i;         /* eq:draw-edge */
         row->at[i] += part * (1 - right);
         row->at[i + 1] += part * right;
         if (i == last) break;
@@ -110,7 +109,6 @@ static void cover_edge(wfCoverRow *row, double xa, double xb, double dy)
     if (inside > 0) cover_piece(row, (float)ca, (float)cb, (float)(dy * inside));
 }
 
-/* the end of a run of empty cells */
 enum { RUN = 8 };
 
 static int32_t empty_until(const wfCoverRow *row, int32_t i)
@@ -126,7 +124,7 @@ static void add_up(wfCoverRow *row)
     for (int32_t i = row->low; i < row->high; i++) {
         empty = row->at[i] == 0 ? empty + 1 : 0;
         sum += row->at[i];
-        row->at[i] = clamp01(sum > -sum ? sum : -sum);
+        row->at[i] = clamp01(sum > -sum ? sum : -sum);      /* eq:draw-sum */
         if (empty < RUN || row->at[i] < 1 - 1e-6f) continue;
         int32_t end = empty_until(row, i + 1);
         fill_run(row, i + 1, end);
@@ -260,9 +258,8 @@ static int32_t next_outside(int32_t i, const int32_t inner[2])
 void wfCoverDisc(wfCoverRow *row, float x, float y, float radius)
 {
     int32_t first, last, inner[2];
-    /* correct the radius and the strength by eq:draw-disc */
     float squared = radius * radius;
-    bool large = squared > 1.0f / 3;
+    bool large = squared > 1.0f / 3;                        /* eq:draw-disc */
     float edge = large ? (float)wfSqrt(squared - 1.0f / 12) : 0.5f;
     float strength = large ? 1 : 3 * squared;
     if (!reach_range(row, x, y, edge + 0.5f, &first, &last)) return;
@@ -296,8 +293,7 @@ static ink_light light_of(wfInk ink)
 
 static uint8_t mixed(float old, float new_light, float share)
 {
-    /* mix the light by eq:draw-blend */
-    float light = old * old + share * (new_light - old * old);
+    float light = old * old + share * (new_light - old * old);     /* eq:draw-blend */
     return (uint8_t)((float)wfSqrt(light) + 0.5f);
 }
 
@@ -505,7 +501,6 @@ static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawC
     wfInk area = p->area[c->fill >= 0 ? c->fill : WF_INK_PAPER];
     bool line = c->line >= 0 && c->size > 0, fill = c->fill >= 0;
     switch (c->kind) {
-    /* draw one command by its kind */
     case WF_DRAW_POINT:
         if (!fill) break;
         s.kind = DISC;

@@ -7,8 +7,6 @@
 #include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-/* exchange the game's code */
 static int64_t stamp_of(const char *path)
 {
     struct stat s;

@@ -8,10 +8,8 @@ int wfFindScene(const char *name)
 {
     for (int row = 0; row < wfSceneCount(); row++) {
         const char *a = wfSceneAt(row)->name, *b = name;
-        while (*a && (*a == *b || (*a == ' ' && *b == '-')))
-            a++, b++;
-        if (*a == 0 && *b == 0)
-            return row;
+        while (*a && (*a == *b || (*a == ' ' && *b == '-'))) a++, b++;
+        if (*a == 0 && *b == 0) return row;
     }
     return -1;
 }
@@ -22,29 +20,22 @@ static wfWorkers sharing;
 void wfShareScenes(wfWorkers workers) { sharing = workers; }
 
 wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
-                                uint32_t modules,
-                                wfWorld *out)
+                                uint32_t modules, wfWorld *out)
 {
     if (scene->open) {
         wfResult opened = scene->open(scene, memory, out);
-        if (opened == WF_OK)
-            out->workers = sharing;
+        if (opened == WF_OK) out->workers = sharing;
         return opened;
     }
     wfWorldDef def = wfDefaultWorldDef();
-    if (scene->define)
-        scene->define(&def);
-    if (modules)
-        def.modules = modules;
-    if (memory)
-        def.memory = *memory;
+    if (scene->define) scene->define(&def);
+    if (modules) def.modules = modules;
+    if (memory) def.memory = *memory;
     wfWorld world;
     wfResult result = wfCreateWorld(&def, &world);
-    if (result != WF_OK)
-        return result;
+    if (result != WF_OK) return result;
     result = scene->build(&world);
-    if (result != WF_OK)
-        wfDestroyWorld(&world);
+    if (result != WF_OK) wfDestroyWorld(&world);
     else {
         world.workers = sharing;
         *out = world;
@@ -59,8 +50,7 @@ wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in)
 {
-    if (scene->update)
-        scene->update(world, in);
+    if (scene->update) scene->update(world, in);
     return wfStepWorldWithCallbacks(world, scene->hooks);
 }
 
@@ -88,16 +78,14 @@ static void look_at_world(const wfWorld *world, wfSceneReport *report)
 {
     wfBodyView view = wfWorldBodies(world);
     for (int32_t i = 0; i < view.count; i++)
-        if (view.alive[i] && !wfBodyIsFinite(&view.state[i]))
-            report->finite = false;
+        if (view.alive[i] && !wfBodyIsFinite(&view.state[i])) report->finite = false;
     const wfContact *contact = wfWorldContacts(world, &report->contacts);
     for (int32_t c = 0; c < report->contacts; c++)
         for (int32_t p = 0; p < contact[c].manifold.count; p++)
             if ((double)contact[c].manifold.points[p].depth > report->deepest)
                 report->deepest = (double)contact[c].manifold.points[p].depth;
     double gain = total_energy(world) - report->energy;
-    if (gain > report->gain)
-        report->gain = gain;
+    if (gain > report->gain) report->gain = gain;
 }
 
 wfSceneReport wfWatchScene(const wfScene *scene, int32_t steps)
@@ -105,14 +93,12 @@ wfSceneReport wfWatchScene(const wfScene *scene, int32_t steps)
     wfSceneReport report = { .finite = true };
     wfWorld world;
     report.result = wfOpenScene(scene, NULL, &world);
-    if (report.result != WF_OK)
-        return report;
+    if (report.result != WF_OK) return report;
     report.energy = total_energy(&world);
     while (report.steps < steps && report.result == WF_OK) {
         wfSceneInput in = wfSceneInputAt(scene, report.steps);
         report.result = wfStepScene(scene, &world, &in);
-        if (report.result == WF_OK)
-            report.steps++;
+        if (report.result == WF_OK) report.steps++;
         look_at_world(&world, &report);
     }
     report.bodies = wfBodyCount(&world);

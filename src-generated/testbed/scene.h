@@ -53,8 +53,7 @@ int wfFindScene(const char *name);
 /* wfOpenScene, but for the needs: these instead of the scene's own, unless 0. A scene in a
  * file has its own in any case. */
 wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
-                                uint32_t modules,
-                                wfWorld *out);
+                                uint32_t modules, wfWorld *out);
 /* Makes the scene's world in the memory handed over, or in its own (memory NULL or all
    zero). The errors of wfCreateWorld and of the scene's calls; then no world is left. */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out);

@@ -3,7 +3,6 @@
 #include <string.h>
 #include "testbed/scene_file.h"
 
-/* read a scene's text */
 static wfResult read_scene(const char *text, const wfMemory *memory, wfWorld *out,
                            wfSceneInfo *info, wfTextError *error)
 {
@@ -27,7 +26,6 @@ wfResult wfCheckSceneText(const char *text, wfSceneInfo *info, wfTextError *erro
     return result;
 }
 
-/* make a scene of a text */
 static wfResult open_text(const wfScene *scene, const wfMemory *memory, wfWorld *out)
 {
     wfSceneInfo info;
@@ -45,7 +43,6 @@ void wfSceneOfText(const char *text, const wfSceneInfo *info, wfScene *out)
         .energyBound = info->energyBound, .depthBound = info->depthBound };
 }
 
-/* read and write a world as text */
 wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
                        wfWorld *out, wfTextError *error)
 {

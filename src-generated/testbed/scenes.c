@@ -6,13 +6,11 @@
 /* scenes */
 static wfResult build_throws(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     for (int i = 0; i < 3; i++) {
         wfBodyDef b = ball(&m, -7, 1 + (wfReal)i, WF_R(0.2));
         b.velocity = wfV2(4 + (wfReal)i, 7);
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -48,8 +46,7 @@ static wfResult build_spin(wfWorld *world)
     for (int i = 0; i < 4; i++) {
         wfBodyDef b = box(&m, WF_R(3.2) * (wfReal)i - WF_R(4.8), 0, WF_R(1.3), WF_R(0.2));
         b.angularVelocity = spin_speed[i];
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -77,8 +74,7 @@ static wfResult build_billiard(wfWorld *world)
         b.mass = i ? 100 : 1;
         b.velocity = wfV2(i ? -2 : 0, 0);
         b.restitution = 1, b.friction = 0;
-        b.userData = i ? WF_INK_BODY : WF_INK_BODY2;
-        put(&m, &b);
+        put_ink(&m, &b, i ? WF_INK_BODY : WF_INK_BODY2);
     }
     return m.result;
 }
@@ -105,8 +101,7 @@ static wfResult build_slides(wfWorld *world)
         b = box(&m, -5, y + WF_R(0.15), WF_R(0.5), WF_R(0.15));
         b.velocity = wfV2(4, 0);
         b.friction = slide_friction[i];
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(&m, &b);
+        put_ink(&m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
     return m.result;
 }
@@ -128,8 +123,7 @@ static void put_tower(Maker *m, wfReal x, wfReal half)
 {
     for (int i = 0; i < 5; i++) {
         wfBodyDef b = box(m, x, half * (wfReal)(2 * i + 1), half, half);
-        b.userData = i % 2 ? WF_INK_BODY : WF_INK_GOOD;
-        put(m, &b);
+        put_ink(m, &b, i % 2 ? WF_INK_BODY : WF_INK_GOOD);
     }
 }
 
@@ -137,8 +131,7 @@ static void heavily(wfWorldDef *def) { def->gravity = wfV2(0, WF_R(-981.0)); }
 
 static wfResult build_weight(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     put_tower(&m, 0, WF_R(0.5));
     return m.result;
 }
@@ -147,8 +140,7 @@ static wfResult build_sizes(wfWorld *world)
 {
     static const wfReal half[4] = { WF_R(0.025), WF_R(0.1), WF_R(0.4), 1 };
     static const wfReal place[4] = { -6, -5, -3, 2 };
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 10, WF_R(0.5), 0);
+    Maker m = on_ground(world, 10);
     for (int i = 0; i < 4; i++) put_tower(&m, place[i], half[i]);
     return m.result;
 }
@@ -156,37 +148,27 @@ static wfResult build_sizes(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Extremes", .name = "fifteen steps", .chapter = "extremes",
       .text = "Throws at fifteen steps a second. The dashed lines are exact.",
-      .define = fifteen, .build = build_throws, .draw = draw_throws,
-      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
-      .energyBound = 1, .depthBound = WF_R(0.4) },
+      .define = fifteen, .build = build_throws, .draw = draw_throws, VIEW(0, 2.6, 8),
+      PROMISE(1, 0.4) },
     { .category = "Extremes", .name = "far from home", .chapter = "extremes",
       .text = "A throw, a million kilometres away. It must look like one at home.",
-      .build = build_far, .draw = draw_throws,
-      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
-      .energyBound = 1, .depthBound = WF_R(0.2) },
+      .build = build_far, .draw = draw_throws, VIEW(0, 2.6, 8), PROMISE(1, 0.2) },
     { .category = "Extremes", .name = "spin", .chapter = "extremes",
       .text = "Planks at 1, 10, 100 and 300 rad/s: each must stay on its line.",
-      .define = without_gravity, .build = build_spin, .draw = draw_spin,
-      .viewX = 0, .viewY = 0, .viewHeight = 8,
-      .energyBound = 5, .depthBound = 0 },
+      .define = without_gravity, .build = build_spin, .draw = draw_spin, VIEW(0, 0, 8),
+      PROMISE(5, 0) },
     { .category = "Extremes", .name = "billiard with pi", .chapter = "extremes",
       .text = "Between a wall and a hundredfold mass: thirty-one clacks, no energy lost.",
       .define = without_gravity, .build = build_billiard, .draw = draw_billiard,
-      .viewX = 2, .viewY = 0, .viewHeight = 10,
-      .energyBound = 2, .depthBound = WF_R(0.4) },
+      VIEW(2, 0, 10), PROMISE(2, 0.4) },
     { .category = "Extremes", .name = "slides", .chapter = "extremes",
       .text = "Blocks with 4 m/s and frictions from 0.1 to 0.8: each must stop at its line.",
-      .build = build_slides, .draw = draw_slides,
-      .viewX = 0, .viewY = WF_R(2.4), .viewHeight = 8,
-      .energyBound = WF_R(0.1), .depthBound = WF_R(0.05) },
+      .build = build_slides, .draw = draw_slides, VIEW(0, 2.4, 8), PROMISE(0.1, 0.05) },
     { .category = "Extremes", .name = "hundredfold weight", .chapter = "extremes",
       .text = "Five boxes under 981 m/s2: a tower is a tower.",
-      .define = heavily, .build = build_weight,
-      .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 8,
-      .energyBound = 100, .depthBound = WF_R(0.3) },
+      .define = heavily, .build = build_weight, VIEW(0, 2.6, 8), PROMISE(100, 0.3) },
     { .category = "Extremes", .name = "sizes", .chapter = "extremes",
       .text = "Towers of boxes of 5 cm, 20 cm, 80 cm and 2 m: all must stand.",
-      .build = build_sizes, .viewX = 0, .viewY = 5, .viewHeight = 12,
-      .energyBound = 5, .depthBound = WF_R(0.05) },
+      .build = build_sizes, VIEW(0, 5, 12), PROMISE(5, 0.05) },
 };
 const wfSceneGroup wfLastScenes = { row, sizeof row / sizeof *row };

@@ -27,23 +27,20 @@ static const named_code key_names[] = {
 static int32_t code_of(const named_code *names, const char *name)
 {
     for (; names->name; names++)
-        if (strcmp(names->name, name) == 0)
-            return names->code;
+        if (strcmp(names->name, name) == 0) return names->code;
     return 0;
 }
 
 static int32_t key_of(const char *name)
 {
-    if (name[0] > 32 && name[0] < 127 && name[1] == 0)
-        return name[0];
+    if (name[0] > 32 && name[0] < 127 && name[1] == 0) return name[0];
     return code_of(key_names, name);
 }
 
 static const char *name_of(const named_code *names, int32_t code)
 {
     for (; names->name; names++)
-        if (names->code == code)
-            return names->name;
+        if (names->code == code) return names->name;
     return NULL;
 }
 
@@ -67,8 +64,7 @@ static const char *split_line(const char *at, script_line *out)
     while (*at && *at != '\n') {
         if (*at == ' ' || *at == '\t' || *at == '\r') { at++; continue; }
         if (*at == '#' && out->count == 0) {
-            while (*at && *at != '\n')
-                at++;
+            while (*at && *at != '\n') at++;
             break;
         }
         int length = 0, index = out->count++;
@@ -95,8 +91,7 @@ static bool read_number(const char *word, double least, double most, double *out
 static const char *do_button(const script_line *line, game_input *now)
 {
     uint32_t button = (uint32_t)code_of(button_names, line->word[1]);
-    if (!button)
-        return "no such button: left, middle or right";
+    if (!button) return "no such button: left, middle or right";
     bool click = strcmp(line->word[0], "click") == 0;
     if (click || strcmp(line->word[0], "down") == 0) {
         now->held |= button;
@@ -112,10 +107,8 @@ static const char *do_button(const script_line *line, game_input *now)
 static const char *do_key(const script_line *line, game_input *now)
 {
     int32_t key = key_of(line->word[1]);
-    if (!key)
-        return "no such key";
-    if (now->key_count == GAME_MAX_KEYS)
-        return "too many keys in one frame";
+    if (!key) return "no such key";
+    if (now->key_count == GAME_MAX_KEYS) return "too many keys in one frame";
     now->keys[now->key_count++] = key;
     return NULL;
 }
@@ -151,8 +144,7 @@ static const char *do_number(const script_line *line, input_script *script)
 static bool is_one_of(const char *word, const char *const *list)
 {
     for (; *list; list++)
-        if (strcmp(word, *list) == 0)
-            return true;
+        if (strcmp(word, *list) == 0) return true;
     return false;
 }
 
@@ -187,18 +179,15 @@ void input_script_open(input_script *script, const char *text)
 
 int input_script_next(input_script *script, game_input *out)
 {
-    if (script->error)
-        return -1;
+    if (script->error) return -1;
     forget_moment(&script->now);
     while (script->waiting == 0) {
-        if (*script->at == 0)
-            return 0;
+        if (*script->at == 0) return 0;
         script_line line;
         script->at = split_line(script->at, &line);
         script->line++;
         script->error = line.count ? do_line(&line, script) : NULL;
-        if (script->error)
-            return -1;
+        if (script->error) return -1;
     }
     script->waiting--;
     *out = script->now;

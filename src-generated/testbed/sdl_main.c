@@ -79,8 +79,7 @@ static int32_t key_of(SDL_Keycode code)
         { SDLK_PAGEUP, GAME_KEY_PAGE_UP }, { SDLK_PAGEDOWN, GAME_KEY_PAGE_DOWN }
     };
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        if (keys[i].code == code)
-            return keys[i].key;
+        if (keys[i].code == code) return keys[i].key;
     return 0;
 }
 
@@ -94,8 +93,7 @@ static int32_t with_control(const SDL_KeyboardEvent *e)
 
 static void add_key(game_input *input, int32_t key)
 {
-    if (key && input->key_count < GAME_MAX_KEYS)
-        input->keys[input->key_count++] = key;
+    if (key && input->key_count < GAME_MAX_KEYS) input->keys[input->key_count++] = key;
 }
 
 static void add_button(game_input *input, uint8_t index, bool down)
@@ -136,8 +134,7 @@ static void take_event(sdl_app *app, const SDL_Event *e)
         break;
     case SDL_TEXTINPUT:
         for (const char *c = e->text.text; *c; c++)
-            if (*c >= 32 && *c < 127)
-                add_key(in, *c);
+            if (*c >= 32 && *c < 127) add_key(in, *c);
         break;
     default: break;
     }
@@ -170,8 +167,7 @@ static bool run(sdl_app *app)
         bool idle = may_rest(app->layer);
         if (idle && !SDL_WaitEventTimeout(&event, 100)) continue;
         if (idle) take_event(app, &event);
-        while (SDL_PollEvent(&event))
-            take_event(app, &event);
+        while (SDL_PollEvent(&event)) take_event(app, &event);
         if (idle) before = SDL_GetPerformanceCounter(); /* no time passed: it was paused */
         uint64_t now = SDL_GetPerformanceCounter();
         app->input.seconds = (double)(now - before) / ticks;
@@ -184,8 +180,7 @@ static bool run(sdl_app *app)
         app->input.pressed = app->input.released = 0;
         app->input.key_count = 0;
         double spent = (double)(SDL_GetPerformanceCounter() - now) / ticks;
-        if (spent < 0.008)
-            SDL_Delay((uint32_t)(1000 * (1.0 / 60 - spent)));
+        if (spent < 0.008) SDL_Delay((uint32_t)(1000 * (1.0 / 60 - spent)));
     }
     return true;
 }

@@ -14,16 +14,6 @@ static void put_valley(Maker *m, wfReal halfWidth, wfReal depth)
     put_chain(m, point, CHAIN_MOST);
 }
 
-static void put_rider(Maker *m, const wfBodyDef *def)
-{
-    wfShapeDef shape;
-    wfBodyId body = put(m, def);
-    if (m->result != WF_OK) return;
-    note(m, wfGetShape(m->world, wfFirstShape(m->world, body), &shape));
-    shape.filter.group = -1;
-    note(m, wfSetShape(m->world, wfFirstShape(m->world, body), &shape));
-}
-
 static wfResult build_tiles(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -38,7 +28,7 @@ static wfResult build_tiles(wfWorld *world)
         rider[i].angle = i == 0 ? 0 : WF_R(0.5);
         rider[i].userData = (uint64_t)(i == 0 ? WF_INK_GOOD : i == 1 ? WF_INK_BODY2
                                                                      : WF_INK_BODY);
-        put_rider(&m, &rider[i]);
+        put_in_group(&m, &rider[i], -1);
     }
     return m.result;
 }
@@ -49,8 +39,7 @@ static wfBodyId put_hammer(Maker *m, wfReal x, wfReal y)
 {
     wfBodyDef def = box(m, x, y, WF_R(0.7), WF_R(0.08));
     def.density = WF_R(0.7);
-    def.userData = WF_INK_BODY2;
-    wfBodyId body = put(m, &def);
+    wfBodyId body = put_ink(m, &def, WF_INK_BODY2);
     hang_box(m, body, WF_R(0.8), 0, WF_R(0.2), WF_R(0.4), 8);
     return body;
 }
@@ -68,13 +57,11 @@ static void throw_hammer(Maker *m, wfReal spin)
 
 static wfResult build_hammers(wfWorld *world)
 {
-    Maker m = { world, WF_OK };
-    put_wall(&m, 0, WF_R(-0.5), 12, WF_R(0.5), 0);
+    Maker m = on_ground(world, 12);
     throw_hammer(&m, -7);
     put_hammer(&m, 1, WF_R(0.5));
     wfBodyDef bell = ball(&m, 2, 4, WF_R(0.5)), ell = box(&m, 7, 1, WF_R(0.8), WF_R(0.2));
-    bell.userData = WF_INK_GOOD;
-    wfBodyId id = put(&m, &bell);
+    wfBodyId id = put_ink(&m, &bell, WF_INK_GOOD);
     hang_box(&m, id, 1, 0, WF_R(0.6), WF_R(0.1), 1);
     wfShapeDef end = wfDefaultShapeDef();
     note(&m, wfMakeCircle(wfV2(2, 0), WF_R(0.5), &end.shape));
@@ -158,8 +145,7 @@ static wfResult build_round(wfWorld *world)
         if (i % 3 == 1) note(&m, wfMakeRoundedBox(half, low, WF_R(0.15), &b.shape));
         if (i % 3 == 2) note(&m, wfMakeRoundedPolygon(corner, 3, WF_R(0.12), &b.shape));
         b.angle = (wfReal)(i % 7) - 3;
-        b.userData = role[i % 3];
-        put(&m, &b);
+        put_ink(&m, &b, role[i % 3]);
     }
     return m.result;
 }
@@ -167,19 +153,16 @@ static wfResult build_round(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Shapes", .name = "tiled valley", .chapter = "contacts",
       .text = "Two hundred tiles make one smooth valley: nothing stumbles over a seam.",
-      .define = softly, .build = build_tiles, .viewX = 0, .viewY = WF_R(2.6), .viewHeight = 9,
-      .energyBound = WF_R(0.5), .depthBound = WF_R(0.1) },
+      .define = softly, .build = build_tiles, VIEW(0, 2.6, 9), PROMISE(0.5, 0.1) },
     { .category = "Shapes", .name = "hammers", .chapter = "compound",
       .text = "Bodies of several shapes turn about their common centre of mass.",
-      .define = softly, .build = build_hammers, .draw = draw_hammers,
-      .viewX = 0, .viewY = 3, .viewHeight = 9, .energyBound = 1, .depthBound = WF_R(0.3) },
+      .define = softly, .build = build_hammers, .draw = draw_hammers, VIEW(0, 3, 9),
+      PROMISE(1, 0.3) },
     { .category = "Shapes", .name = "outlines", .chapter = "compound",
       .text = "Outlines that are not convex, cut into convex pieces, hook into each other.",
-      .define = softly, .build = build_outlines, .viewX = 0, .viewY = 5, .viewHeight = 12,
-      .energyBound = 2, .depthBound = WF_R(0.35) },
+      .define = softly, .build = build_outlines, VIEW(0, 5, 12), PROMISE(2, 0.35) },
     { .category = "Shapes", .name = "round edges", .chapter = "shapes",
       .text = "Capsules, rounded boxes and rounded triangles in a bowl of links.",
-      .define = softly, .build = build_round, .viewX = 0, .viewY = 5, .viewHeight = 11,
-      .energyBound = 2, .depthBound = WF_R(0.3) },
+      .define = softly, .build = build_round, VIEW(0, 5, 11), PROMISE(2, 0.3) },
 };
 const wfSceneGroup wfShapeScenes = { row, sizeof row / sizeof *row };

@@ -26,7 +26,7 @@ static void note_pace(game_state *s, double wall, double passed)
     s->wall = s->passed = 0;
 }
 
-/* turn by the law of the hand */
+/* step the game's world */
 static wfReal turning_speed(const wfBodyState *body, wfReal to, wfReal omega, wfReal h)
 {
     wfReal d = wfWrapAngle(body->angle - to);
@@ -133,7 +133,6 @@ void game_step_world(game *g)
     game_state *s = g->state;
     wfWorldDef def;
     wfGetWorldDef(&g->world, &def);
-    /* find how many steps are due */
     int32_t steps = g->input->steps;
     s->between = 1;
     if (steps < 0) {
@@ -141,18 +140,17 @@ void game_step_world(game *g)
         steps = step_clock_advance(&s->clock, g->input->seconds * s->rate,
                                    (double)def.timeStep, s->most);
         s->made = s->paused ? 0 : steps;
-        if (!s->paused) note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
+        if (!s->paused)
+            note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
         if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
     }
-    if (s->paused)
-        steps = s->single;
+    if (s->paused) steps = s->single;
     s->single = 0;
     if (steps > 0) game_stay_there(g);
     for (; steps > 0; steps--) {
         keep_moment(g, def.timeStep);
         keep_poses(g);
         double before = g->now ? g->now() : 0;
-        /* make one step or replay one */
         if (s->tape == TAPE_REPLAYING) {
             game_replay_one(g);
         } else {

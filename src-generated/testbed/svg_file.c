@@ -2,8 +2,6 @@
  * edit the chapter and type make. MIT licence. */
 #include <stdlib.h>
 #include "testbed/svg.h"
-
-/* write text of known length into a file */
 static int write_text(const wfDraw *list, int widthPx, FILE *out)
 {
     size_t size = 1 + (list ? wfSvgText(list, widthPx, NULL, 0) : wfSvgStyleText(NULL, 0));

@@ -15,8 +15,6 @@
 #include <sys/stat.h>
 #define make_folder(path) mkdir(path, 0700)
 #endif
-
-/* find the user's folder */
 static bool make_path(char *path)
 {
     for (char *at = path + 1; ; at++) {
@@ -43,7 +41,6 @@ const char *layer_user_folder(char *path, size_t size)
     return n > 0 && (size_t)n < size && make_path(path) ? path : NULL;
 }
 
-/* ask for the time */
 double layer_now(void)
 {
 #ifdef _WIN32

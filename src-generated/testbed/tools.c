@@ -558,7 +558,6 @@ static void draw_cast(const tool_work *w, wfDraw *d)
     wfVec2 tip = wfAddScaled(hit.point, 30 * m->unit, hit.normal);
     if (met) wfDrawPoint(d, WF_XY(hit.point), 8, WF_INK_BAD);
     if (met) wfDrawArrow(d, WF_XY(hit.point), WF_XY(tip), 2, WF_INK_GOOD);
-    /* say what the probe met */
     if (met) say(m, WF_OK, "%s: body %d at %.4f of %.4g m, normal (%.3f, %.3f)",
                  probe_names[m->choice[TOOL_PROBE]], hit_body(w, hit.shape),
                  (double)hit.fraction, (double)wfLength(by), (double)hit.normal.x,
@@ -594,15 +593,15 @@ static void draw_probe(const tool_work *w, wfDraw *d)
 static void nothing(tool_work *w) { (void)w; }
 
 const tool_row toolTable[] = {
-    { "Hand", "drag bodies and throw them; the wheel turns what is held", 'g', 0, choose_one,
-      nothing, nothing, NULL },
+    { "Hand", "drag bodies and throw them; the wheel turns what is held", 'g', 0,
+      choose_one, nothing, nothing, NULL },
     { "Place", "press for the middle of a new body, pull it to its size", 'b',
       1 << TOOL_SHAPE | 1 << TOOL_STUFF | 1 << TOOL_TYPE, nothing, nothing, place,
       draw_placing },
     { "Draw", "draw the outline of a new body", 'y', 1 << TOOL_STUFF | 1 << TOOL_TYPE,
       begin_stroke, add_point, end_outline, draw_stroke },
-    { "Pin", "click a body: it turns about that point of the ground", 'i', 0, nothing, nothing,
-      pin, NULL },
+    { "Pin", "click a body: it turns about that point of the ground", 'i', 0, nothing,
+      nothing, pin, NULL },
     { "Connect", "press on one body, let go on another, or on the ground", 'j',
       1 << TOOL_JOINT, nothing, nothing, connect, draw_connecting },
     { "Lasso", "draw a loop; then drag, pin or delete who is in it", 'l', 0, begin_lasso,

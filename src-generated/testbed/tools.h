@@ -67,9 +67,8 @@ void tool_release(tool_work *w, wfVec2 at);
 void tool_draw(const tool_work *w, wfDraw *d);
 /* Carries out an input. Errors of wfGiveInput. */
 wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
-/* The same for an input for which the world must have these needs; makes room if it is
- * full.
- * Errors of wfGiveInput. */
+/* The same for an input for which the world must have these modules; makes room if it is
+ * full. Errors of wfGiveInput. */
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made);
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */
 void tool_forget(tool_work *w);

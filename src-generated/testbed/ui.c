@@ -287,7 +287,6 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26,
               text ? ui_words(text, words) : "?");
     draw_triangle(u, x + w - 12, y + UI_LINE / 2);
-    /* take a row of the open list */
     if (open && (row = menu_row(u, count)) >= 0) {
         *now = row;
         m->open = 0;
@@ -299,7 +298,6 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     else if (pressed) open_menu(u, name, x + w, y + UI_LINE, wide, names);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
-    /* remember the list to draw */
     if (u->draw && m->open == id_of(name)) {
         u->menu_size = names.count;
         u->menu_name = names.name;

@@ -55,10 +55,11 @@ typedef struct ui {
 ui ui_look(ui_memory *memory, const game_input *input, float width, float height,
            float scale);
 void ui_show(ui *u, wfDraw *draw);
-/* The name of a field as words: "positionCorrection" as "position share". Returns out. */
+/* The name of a field as words: "timeStep" as "time step". Returns out. */
 const char *ui_words(const char *name, char out[GAME_NAME_SIZE]);
 /* Ends a walk: the open list and the tip are drawn over all else. */
 void ui_finish(ui *u, double seconds);
+
 bool ui_inside(const ui *u, float x, float y, float w, float h);
 void ui_box(ui *u, float x, float y, float w, float h, int line, int fill);
 void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text);

@@ -4,7 +4,6 @@
 #include <string.h>
 #include "testbed/game.h"
 
-/* keep a moment for undo */
 enum { WISHES = sizeof((game_state *)0)->changed + sizeof((game_state *)0)->wanted };
 
 static void drop_first(game *g)

@@ -97,8 +97,7 @@ static void draw_bounds(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     wfProxies proxies;
     (void)scratch;
-    if (wfWorldProxies(world, &proxies) != WF_OK)
-        return;
+    if (wfWorldProxies(world, &proxies) != WF_OK) return;
     for (int32_t i = 0; i < proxies.count; i++)
         if (proxies.flags[i] & WF_PROXY_LIVE)
             wfDrawRect(d, proxies.bounds[i], 1, WF_INK_FAINT);
@@ -118,10 +117,8 @@ static bool draw_index_box(void *context, const wfIndexBox *seen)
         wfDrawLine(d, (float)r.min.x, y, (float)r.max.x, y, 3, WF_INK_GOOD);
     else if (r.max.x >= WF_HUGE)
         wfDrawLine(d, x, (float)r.min.y, x, (float)r.max.y, 3, WF_INK_GOOD);
-    else if (seen->depth < 0)
-        wfDrawRect(d, r, 2, WF_INK_ACCENT);
-    else
-        wfDrawRect(d, r, 1 + 2 / (float)(1 + seen->depth), WF_INK_GOOD);
+    else if (seen->depth < 0) wfDrawRect(d, r, 2, WF_INK_ACCENT);
+    else wfDrawRect(d, r, 1 + 2 / (float)(1 + seen->depth), WF_INK_GOOD);
     return true;
 }
 
@@ -341,8 +338,7 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTr
     wfShape particle = { .kind = WF_SHAPE_NONE };
     int role = (int)(v->props[i].userData & 15);
     int line = role ? role : WF_INK_BODY, fill = line;
-    if (v->props[i].type == WF_STATIC && !role)
-        line = WF_INK_LINE, fill = WF_INK_FAINT;
+    if (v->props[i].type == WF_STATIC && !role) line = WF_INK_LINE, fill = WF_INK_FAINT;
     if (show & WF_SHOW_TOUCHING) {
         bool red = is_touching(world, i);
         line = red ? WF_INK_BAD : WF_INK_LINE;

@@ -9,6 +9,7 @@
 #define STB_SPRINTF_IMPLEMENTATION
 #define STB_SPRINTF_STATIC
 #include <stb_sprintf.h>
+
 static size_t lent_base, lent_end, lent_count;
 
 int web_vsnprintf(char *text, size_t size, const char *format, va_list list);
@@ -28,7 +29,6 @@ int web_snprintf(char *text, size_t size, const char *format, ...)
     return length;
 }
 
-/* lend memory behind the module's own */
 void *web_lend(size_t size);
 void *web_lend_more(void *old, size_t had, size_t size);
 void web_take_back(void *lent);

@@ -56,7 +56,6 @@ static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
     }
     switch (what) {
     case WM_CLOSE: app->open = false; return 0;
-    /* note the buttons of the mouse */
     case WM_LBUTTONDOWN: note_button(window, in, GAME_BUTTON_LEFT, true); return 0;
     case WM_LBUTTONUP:   note_button(window, in, GAME_BUTTON_LEFT, false); return 0;
     case WM_MBUTTONDOWN: note_button(window, in, GAME_BUTTON_MIDDLE, true); return 0;
