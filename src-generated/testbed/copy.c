@@ -160,7 +160,6 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
     put_real(c, NAMED("friction"), s->friction, usual.friction);
 #undef NAMED
     if (all) {
-        /* copy what a body's definition has not */
         put_real(c, "s.staticFriction", s->staticFriction, usual.staticFriction);
         put_real(c, "s.rolling", s->rollingResistance, usual.rollingResistance);
         put_real(c, "s.tangentSpeed", s->tangentSpeed, usual.tangentSpeed);
@@ -172,9 +171,8 @@ static bool copy_shape_numbers(copier *c, const wfShapeDef *s, bool all)
             (int)s->filter.group);
     }
     return s->staticFriction != 0 || s->rollingResistance != 0 || s->tangentSpeed != 0 ||
-        s->sensor ||
-           s->material || s->userData || s->filter.group || s->filter.category != 1 ||
-           s->filter.mask != UINT64_MAX;
+           s->sensor || s->material || s->userData || s->filter.group ||
+           s->filter.category != 1 || s->filter.mask != UINT64_MAX;
 }
 
 static void copy_body(copier *c, int32_t i)
@@ -295,6 +293,7 @@ static void copy_pairs(copier *c)
                     real(m.restitution).text, real(m.friction).text,
                     real(m.staticFriction).text, real(m.rollingResistance).text);
 }
+
 /* copy a world */
 static const char copy_head[] =
     "#include <stdio.h>\n#include <stdlib.h>\n#include <weft/weft.h>\n\n"
