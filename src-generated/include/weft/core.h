@@ -24,6 +24,7 @@
 #else
 #define WF_FETCH_SOON(address) ((void)(address))
 #endif
+
 /* In place of inline: where size counts, one copy that is called. clang reckons rightly. */
 #ifndef WF_ONE_COPY
 #if defined __OPTIMIZE_SIZE__ && defined __GNUC__ && !defined __clang__
