@@ -11,6 +11,7 @@ typedef struct wfProjection { wfReal min, max; } wfProjection;
 
 /* eq:narrow-projection.  A particle gives its centre alone. */
 wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis);
+
 /* The report's SATAxisOverlap: smallest maximum minus biggest minimum, m; below 0 a gap. */
 wfReal wfAxisOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfVec2 axis);
