@@ -127,8 +127,7 @@ void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
 wfVec2 wfContactTangent(wfVec2 normal) { return wfPerpCW(normal); }
 
 wfReal wfApplyFriction(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
-                       wfReal limit,
-                       wfReal tangentSpeed)
+                       wfReal limit, wfReal tangentSpeed)
 {
     wfVec2 t = wfContactTangent(normal);
     wfReal slide = wfRelativeNormalVelocity(a, b, point, t) - tangentSpeed;
@@ -208,7 +207,6 @@ void wfCarryImpulses(const wfContact *before, wfContact *now)
     now->settled = before->settled;
     if (m->count < 2 || !(wfDot(old->normal, m->normal) > 0)) return;
     if (has_all_names(old, m)) return;
-    /* carry impulses from place to place */
     wfReal near = wfLength(wfSub(m->points[1].rA, m->points[0].rA)) / 8;
     for (int32_t k = 0; k < m->count; k++)
         for (int32_t i = 0; i < old->count; i++) {
