@@ -93,6 +93,7 @@ void *wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align);
     ((type *)wfPoolPush((pool), sizeof(type), WF_ALIGN_OF(type)))
 #define wfPoolPushArray(pool, count, type) \
     ((type *)wfPoolPushMany((pool), (size_t)(count), sizeof(type), WF_ALIGN_OF(type)))
+
 void   wfPoolReset(wfPool *pool);               /* gives everything back          */
 size_t wfPoolMark(const wfPool *pool);          /* remembers how full the pool is */
 /* Gives back all that was pushed since; a mark above the used bytes is ignored. */

@@ -56,6 +56,7 @@ typedef struct wfNarrowPhaseRow {
 extern const wfNarrowPhaseRow wfNarrowPhaseTable[];
 extern const int wfNarrowPhaseCount;
 int wfFindNarrowPhase(const char *name);   /* the row of that name, -1 if there is none */
+
 /* Checks its arguments (WF_ERROR_NULL, _UNKNOWN), then calls row `method`. */
 wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape *b,
                     wfTransform xb, wfSeparation *out);
