@@ -398,7 +398,7 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     int64_t before = tree.head->changes;
     bool has = wfTreeHasNear(&tree);
     for (int32_t i = 0, n = in_use(&tree, in->count); i < n; i++) update_leaf(&tree, in, i);
-    int64_t changed = tree.head->changes - before;              /* keep near pairs, if it pays */
+    int64_t changed = tree.head->changes - before;      /* keep near pairs, if it pays */
     bool little = changed * (has ? 4 : 16) <= tree.head->count;
     bool again = tree.head->changes >= tree.head->nearChanges;
     if (!little) tree.head->nearCount = WF_TREE_NONE;

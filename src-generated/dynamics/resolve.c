@@ -87,8 +87,9 @@ bool wfResolveTwoPoints(wfBodyState *a, wfBodyState *b, const wfManifold *m,
     wfVec2 p0 = m->points[0].point, p1 = m->points[1].point;
     wfReal b0 = (1 + restitution) * wfRelativeNormalVelocity(a, b, p0, m->normal);
     wfReal b1 = (1 + restitution) * wfRelativeNormalVelocity(a, b, p1, m->normal);
-    wfReal a0 = wfCross(wfSub(p0, a->p), m->normal), a1 = wfCross(wfSub(p1, a->p), m->normal);
-    wfReal c0 = wfCross(wfSub(p0, b->p), m->normal), c1 = wfCross(wfSub(p1, b->p), m->normal);
+    wfVec2 n = m->normal;
+    wfReal a0 = wfCross(wfSub(p0, a->p), n), a1 = wfCross(wfSub(p1, a->p), n);
+    wfReal c0 = wfCross(wfSub(p0, b->p), n), c1 = wfCross(wfSub(p1, b->p), n);
     wfReal both = a->invMass + b->invMass;                      /* eq:impulses-matrix */
     wfReal k00 = both + a0 * a0 * a->invInertia + c0 * c0 * b->invInertia;
     wfReal k01 = both + a0 * a1 * a->invInertia + c0 * c1 * b->invInertia;
