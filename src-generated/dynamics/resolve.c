@@ -100,13 +100,12 @@ bool wfResolveTwoPoints(wfBodyState *a, wfBodyState *b, const wfManifold *m,
     return true;
 }
 
-/* tell the resting speed by eq:impulses-resting */
+/* rub and bounce */
 wfReal wfRestingSpeed(wfVec2 gravity, wfReal h, wfReal steps)
 {
-    return steps * h * wfLength(gravity);
+    return steps * h * wfLength(gravity);               /* eq:impulses-resting */
 }
 
-/* choose the restitution of a contact */
 wfReal wfApproachOf(const wfContact *c, const wfBodyState *a, const wfBodyState *b)
 {
     wfReal fastest = 0;

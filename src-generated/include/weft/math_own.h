@@ -183,7 +183,6 @@ static inline wfRot wfRotMul(wfRot a, wfRot b)                  /* eq:numbers-ro
 {
     wfRot made = { a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s }; return made;
 }
-
 /* Back to length 1 after many products; what has no direction becomes the identity. */
 static inline wfRot wfRotNormalize(wfRot q)
 {
