@@ -24,12 +24,11 @@ static wfResult brute_force_pairs(const wfProxies *in, wfPool *scratch, wfPairLi
     (void)scratch;
     out->count = 0;
     out->tests = 0;
-    /* test each of the P(n) pairs of eq:broad-count */
-    for (int32_t a = 0; a < in->count; a++)
-        for (int32_t b = a + 1; b < in->count; b++) {
+    for (int32_t a = 0; a < in->count; a++)                          /* eq:broad-count */
+        for (int32_t b = a + 1; b < in->count; b++) {                /* eq:broad-overlap */
             if (!wfPairWanted(in, a, b)) continue;
             out->tests++;
-            if (!wfRectOverlap(in->bounds[a], in->bounds[b])) continue;   /* eq:broad-overlap */
+            if (!wfRectOverlap(in->bounds[a], in->bounds[b])) continue;
             if (!wfPushPair(out, a, b)) {
                 out->count = 0;
                 return WF_ERROR_FULL;

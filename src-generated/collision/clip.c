@@ -97,8 +97,7 @@ static bool clip_end(wfClipPoint *end, const wfClipPoint *other, wfReal limit, w
 bool wfClipIncident(const wfFacing *f, wfClipPoint *ends)
 {
     wfReal length = wfIncidentEnds(f, ends);
-    /* name the corners of the reference edge by eq:contacts-feature */
-    uint32_t low = wfFeature(f->refIsB, f->r, f->i);
+    uint32_t low = wfFeature(f->refIsB, f->r, f->i);            /* eq:contacts-feature */
     uint32_t high = wfFeature(f->refIsB, next_vertex(f->ref, f->r), f->i);
     for (int k = 0; k < 2; k++) {
         if (!clip_end(&ends[k], &ends[!k], 0, -1, low)) return false;
@@ -193,12 +192,11 @@ void wfCornerContact(const wfFacing *f, const wfCorners *c, wfReal margin, wfMan
     u = wfAddScaled(u, c->way.y / length, n);
     wfReal middle = 0.5f * (f->ref->radius + (length - f->inc->radius));
     wfVec2 arm = wfAddScaled(f->ref->vertices[c->ref], middle, u);
-    /* put the corners' contact where B sees it too */
     arm = wfRotate(f->xr.q, arm);
     out->normal = wfRotate(f->xr.q, u);
     wfTransform xa = f->xr, xb = f->xi;
     uint32_t feature = wfFeature(2, c->ref, c->inc);
-    if (f->refIsB) {
+    if (f->refIsB) {            /* turn way and arm round; A's corner is named first */
         xa = f->xi, xb = f->xr;
         arm = wfAdd(arm, wfSub(xb.p, xa.p));
         out->normal = wfNeg(out->normal);

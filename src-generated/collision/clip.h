@@ -25,6 +25,8 @@ void wfFaceEdge(int32_t edge, wfFacing *f);
 /* Both: edge `edge` of shape `owner`. */
 void wfFaceEdges(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                  int owner, int32_t edge, wfFacing *f);
+/* The reference edge's normal in world directions, from A to B. */
+wfVec2 wfFacingNormal(const wfFacing *f);
 
 /* An end of the incident edge in the reference edge's frame, and its name. */
 typedef struct wfClipPoint {
@@ -34,8 +36,10 @@ typedef struct wfClipPoint {
 
 /* The incident edge's ends by eq:contacts-frame; returns the reference edge's length, m. */
 wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends);
+
 /* Cuts the ends to the stretch below the reference edge; false: nothing is there. */
 bool wfClipIncident(const wfFacing *f, wfClipPoint *ends);
+
 /* The incident core's corner that is deepest below the reference edge's line. */
 wfClipPoint wfDeepestVertex(const wfFacing *f);
 
@@ -67,6 +71,4 @@ void wfAddEnds(const wfFacing *f, const wfClipPoint *ends, wfReal margin, wfMani
 /* A point, `arm` from A's origin in world directions. */
 void wfAddContact(wfManifold *out, wfTransform xa, wfTransform xb, wfVec2 arm,
                   wfReal depth, uint32_t feature);
-/* The reference edge's normal in world directions, from A to B. */
-wfVec2 wfFacingNormal(const wfFacing *f);
 #endif

@@ -398,8 +398,7 @@ wfResult wfTreeUpdate(const wfProxies *in, void *index, size_t bytes, wfPool *sc
     int64_t before = tree.head->changes;
     bool has = wfTreeHasNear(&tree);
     for (int32_t i = 0, n = in_use(&tree, in->count); i < n; i++) update_leaf(&tree, in, i);
-    /* keep the list of near pairs, if it pays */
-    int64_t changed = tree.head->changes - before;
+    int64_t changed = tree.head->changes - before;      /* keep near pairs, if it pays */
     bool little = changed * (has ? 4 : 16) <= tree.head->count;
     bool again = tree.head->changes >= tree.head->nearChanges;
     if (!little) tree.head->nearCount = WF_TREE_NONE;
@@ -551,6 +550,7 @@ void wfTreeCast(const wfProxies *in, const void *index, const wfBoxCast *cast,
     }
 }
 
+/* A node's depth is counted on the way up to the root: only a picture asks. */
 void wfTreeBoxes(const wfProxies *in, const void *index, wfBoxVisitFn *visit,
                  void *context)
 {

@@ -25,7 +25,7 @@ static wfReal outside(wfVec2 a, wfVec2 b, wfVec2 p)
     return wfCross(wfSub(p, a), wfNormalize(wfSub(b, a)));
 }
 
-/* find the two points that the hull starts from */
+/* find the first corners, and the next one */
 static void start_ring(const wfVec2 *points, int n, wfVec2 ring[2])
 {
     wfVec2 first = points[0], last = points[0];
@@ -39,7 +39,6 @@ static void start_ring(const wfVec2 *points, int n, wfVec2 ring[2])
     ring[1] = last;
 }
 
-/* find the point furthest outside the ring */
 typedef struct Farthest { wfReal distance; int point, edge; } Farthest;
 
 static Farthest farthest_outside(const wfVec2 *points, int n, const wfVec2 *ring, int count)
@@ -81,7 +80,6 @@ wfResult wfHullRing(const wfVec2 *points, int n, wfVec2 *ring, int capacity, int
     wfReal tolerance = WF_HULL_TOLERANCE * size;        /* eq:shapes-tolerance */
     int k = 2;
     start_ring(points, n, ring);
-    /* push the farthest point into the ring until none is outside */
     for (;;) {
         Farthest f = farthest_outside(points, n, ring, k);
         if (f.distance <= tolerance) break;

@@ -74,7 +74,7 @@ void wfMakeManifoldWithin(const wfShape *a, wfTransform xa, const wfShape *b,
 {
     wfManifold empty = { .normal = s->normal };
     *out = empty;
-    if (!(s->distance <= margin)) return;
+    if (!(s->distance <= margin)) return;               /* true for NaN, too */
     if (a->kind == WF_SHAPE_NONE || b->kind == WF_SHAPE_NONE) return;
     if (a->kind == WF_SHAPE_LINK || b->kind == WF_SHAPE_LINK)
         wfLinkContacts(a, xa, b, xb, margin, out);

@@ -89,8 +89,7 @@ static void polygon_point(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
     out->distance = gaps[k] - radius;
     if (gaps[k] <= 0) return;
     wfVec2 v = p->vertices[k], next = p->vertices[k + 1 < p->count ? k + 1 : 0];
-    /* turn to the corner if eq:narrow-regions says so */
-    if (wfDot(wfSub(c, v), wfSub(next, v)) > 0) {
+    if (wfDot(wfSub(c, v), wfSub(next, v)) > 0) {           /* eq:narrow-regions */
         if (wfDot(wfSub(c, next), wfSub(v, next)) > 0) return;
         v = next;
     }

@@ -129,8 +129,8 @@ static wfResult check_between(const wfShape *s)
     return s->kind == WF_SHAPE_CAPSULE && s->radius == 0 ? WF_ERROR_COAT : check_coat(s);
 }
 
-/* add up the turns of a ring by eq:shapes-turns */
-static wfReal sum_turns(const wfShape *s)
+/* check a shape */
+static wfReal sum_turns(const wfShape *s)                       /* eq:shapes-turns */
 {
     wfReal sum = 0;
     for (int i = 0; i < s->count; i++) sum += turn_at(s, i);
@@ -201,7 +201,6 @@ wfResult wfMakeOrientedBox(wfVec2 centre, wfReal halfWidth, wfReal halfHeight, w
     static const int8_t corner[4][2] = { {-1, -1}, {1, -1}, {1, 1}, {-1, 1} };
     static const int8_t normal[4][2] = { {0, -1}, {1, 0}, {0, 1}, {-1, 0} };
     if (!out) return WF_ERROR_NULL;
-    /* refuse a box with bad numbers */
     bool finite = wfIsFinite2(centre) && wfIsFinite2(wfV2(halfWidth, halfHeight));
     if (!finite || !wfIsFinite(angle)) return WF_ERROR_NOT_FINITE;
     if (wfAbs(angle) > WF_MAX_ANGLE) return WF_ERROR_RANGE;
@@ -491,8 +490,7 @@ wfResult wfShapeMass(const wfShape *shape, wfReal density, wfMassData *out)
     return wfShapeMassOf(shape, density * wfShapeArea(shape), out);
 }
 
-/* move the inertia to another point by eq:shapes-parallel */
-wfReal wfInertiaAbout(const wfMassData *data, wfVec2 point)
+wfReal wfInertiaAbout(const wfMassData *data, wfVec2 point)     /* eq:shapes-parallel */
 {
     return data->inertia + data->mass * wfDistanceSq(point, data->centre);
 }

@@ -25,7 +25,7 @@ void wfDrawInit(wfDraw *d, void *memory, size_t bytes)
 }
 
 /* refuse a drawing command with bad numbers */
-static bool in_limits(float x)  /* false for NaN too: every comparison with it is */
+static bool in_limits(float x)  /* false for NaN */
 {
     return x >= -WF_DRAW_LIMIT && x <= WF_DRAW_LIMIT;
 }
@@ -51,12 +51,10 @@ static bool good_command(const wfDrawCommand *c, const float *xy, const char *te
 static void store(wfDraw *d, wfDrawCommand c, const float *xy, const char *text)
 {
     if (!good_command(&c, xy, text)) { d->refused++; return; }
-    /* compute the length of the payload by eq:design-payload */
     size_t points = 2 * sizeof(float) * (size_t)c.count;
     size_t letters = text ? strlen(text) + 1 : 0;
-    size_t payload = points + ((letters + 7) & ~(size_t)7);
-    /* refuse the command if there is no room by eq:design-room */
-    size_t room = d->top - (size_t)d->count * sizeof c;
+    size_t payload = points + ((letters + 7) & ~(size_t)7);          /* eq:design-payload */
+    size_t room = d->top - (size_t)d->count * sizeof c;              /* eq:design-room */
     if (room < sizeof c || room - sizeof c < payload) { d->overflow++; return; }
     d->top -= payload;
     memcpy(d->base + d->top, xy, points);
@@ -172,6 +170,7 @@ size_t wfDrawBytes(const wfDraw *d)
     return (size_t)d->count * sizeof(wfDrawCommand) + (d->size - d->top);
 }
 
+/* The names are those of a style sheet: it decides on the colour of .s-body. */
 const char *wfInkName(int role)
 {
     static const char *const name[WF_INK_COUNT] = {

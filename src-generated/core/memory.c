@@ -41,8 +41,7 @@ void *wfPoolPush(wfPool *pool, size_t size, size_t align)
 {
     bool power_of_two = align != 0 && (align & (align - 1)) == 0;
     if (!pool || !power_of_two || align > WF_POOL_ALIGN) return NULL;
-    /* round the used bytes up to the alignment by eq:memory-align */
-    size_t padding = (0 - pool->used) & (align - 1);
+    size_t padding = (0 - pool->used) & (align - 1);             /* eq:memory-align */
     if (padding > pool->size - pool->used) return NULL;
     size_t start = pool->used + padding;
     if (size > pool->size - start) return NULL;

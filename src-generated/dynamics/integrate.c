@@ -80,8 +80,7 @@ static wfResult explicit_euler(const wfIntegration *in)
     if (!reserve(in, 1, false, &s)) return WF_ERROR_MEMORY;
     find_accelerations(in, in->state, in->time, s.forces, s.a);
     for (int32_t i = 0; i < in->count; i++) {
-        /* step body i by eq:int-explicit */
-        wfBodyState *b = &in->state[i];
+        wfBodyState *b = &in->state[i];                         /* eq:int-explicit */
         drift(b, in->h, b->v, b->w);
         kick(b, in->h, &s.a[i]);
     }
@@ -97,8 +96,7 @@ static wfResult symplectic_euler(const wfIntegration *in)
     if (!reserve(in, 1, false, &s)) return WF_ERROR_MEMORY;
     find_accelerations(in, in->state, in->time, s.forces, s.a);
     for (int32_t i = 0; i < in->count; i++) {
-        /* step body i by eq:int-symplectic */
-        wfBodyState *b = &in->state[i];
+        wfBodyState *b = &in->state[i];                         /* eq:int-symplectic */
         kick(b, in->h, &s.a[i]);
         drift(b, in->h, b->v, b->w);
     }
@@ -115,17 +113,15 @@ static wfResult verlet(const wfIntegration *in)
     Acceleration *begin = s.a, *end = s.a + in->count;
     find_accelerations(in, in->state, in->time, s.forces, begin);
     for (int32_t i = 0; i < in->count; i++) {
-        /* try the end of the step by eq:int-verlet-p and eq:int-verlet-predict */
-        wfBodyState half = in->state[i];
+        wfBodyState half = in->state[i];                        /* eq:int-verlet-p */
         kick(&half, in->h / 2, &begin[i]);
         s.trial[i] = in->state[i];
         drift(&s.trial[i], in->h, half.v, half.w);
-        kick(&s.trial[i], in->h, &begin[i]);
+        kick(&s.trial[i], in->h, &begin[i]);                    /* eq:int-verlet-predict */
     }
     find_accelerations(in, s.trial, in->time + in->h, s.forces, end);
     for (int32_t i = 0; i < in->count; i++) {
-        /* end the step by eq:int-verlet-v */
-        wfBodyState *b = &in->state[i];
+        wfBodyState *b = &in->state[i];                         /* eq:int-verlet-v */
         Acceleration sum = { wfAdd(begin[i].linear, end[i].linear),
                              begin[i].angular + end[i].angular };
         b->p = s.trial[i].p;
@@ -158,8 +154,7 @@ static wfResult rk4(const wfIntegration *in)
     wfReal h = in->h, t = in->time;
     Acceleration *a1 = s.a, *a2 = a1 + in->count, *a3 = a2 + in->count;
     Acceleration *a4 = a3 + in->count;
-    /* evaluate the four stages of eq:int-rk4-stages */
-    find_accelerations(in, in->state, t, s.forces, a1);
+    find_accelerations(in, in->state, t, s.forces, a1);         /* eq:int-rk4-stages */
     try_stage(in, h / 2, NULL, a1, s.trial);
     find_accelerations(in, s.trial, t + h / 2, s.forces, a2);
     try_stage(in, h / 2, a1, a2, s.trial);

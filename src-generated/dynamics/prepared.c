@@ -2,9 +2,6 @@
  * edit the chapter and type make. MIT licence. */
 #include "dynamics/prepared.h"
 
-/* The normal sums of a contact are known when passes change them by no larger share. */
-#define WF_FRICTION_FOUND (WF_R(1.0) / 16)
-
 /* make contacts ready */
 static wfReal inverse_or_zero(wfReal k) { return k > 0 ? 1 / k : 0; }
 
@@ -56,6 +53,9 @@ void wfPrepareContact(const wfSolve *in, const wfContact *c, wfPrepared *out)
         prepare_point(a, b, &m->points[i], out->n, out->t, &out->p[i]);
     out->told = -wfSumOfNormals(out);           /* until the first warm start */
 }
+
+/* The normal sums of a contact are known when passes change them by no larger share. */
+#define WF_FRICTION_FOUND (WF_R(1.0) / 16)
 
 void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found)
 {

@@ -15,6 +15,7 @@ typedef struct wfPreparedPoint {
     wfReal normal, tangent;   /* N s: applied so far, the sums that are clamped */
 } wfPreparedPoint;
 
+/* A contact has one or two such points, and what they share. */
 typedef struct wfPrepared {
     int32_t a, b, count;
     wfVec2  n, t;
@@ -106,6 +107,9 @@ static inline wfReal wfSumOfNormals(const wfPrepared *c)
     for (int32_t i = 0; i < c->count; i++) sum += c->p[i].normal;
     return sum;
 }
+/* After a step or substep: does the contact slide? eq:sequential-slides. found: its
+ * impulses are the law's, or as near as they come; else eq:sequential-patience. */
+void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found);
 
 /* One pass over friction and rolling: eq:sequential-friction. */
 static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
@@ -125,9 +129,6 @@ static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
     m->wA -= (c->spin - before) * m->iA;
     m->wB += (c->spin - before) * m->iB;
 }
-/* After a step or substep: does the contact slide? eq:sequential-slides. found: its
- * impulses are the law's, or as near as they come; else eq:sequential-patience. */
-void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found);
 
 /* The gap at a point when a and b have moved, m; negative: overlap. */
 static inline wfReal wfGapNow(const wfPrepared *c, const wfPreparedPoint *p,

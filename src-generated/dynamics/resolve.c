@@ -12,7 +12,7 @@ wfReal wfRelativeNormalVelocity(const wfBodyState *a, const wfBodyState *b,
     return wfDot(wfSub(ofB, ofA), normal);
 }
 
-/* add up one body's share of K */
+/* measure how easily two bodies part */
 static wfReal share_of_k(const wfBodyState *s, wfVec2 point, wfVec2 normal)
 {
     wfReal arm = wfCross(wfSub(point, s->p), normal);
@@ -32,14 +32,13 @@ wfReal wfEffectiveMass(const wfBodyState *a, const wfBodyState *b,
     return k > 0 ? 1 / k : 0;
 }
 
-/* apply an impulse to both bodies */
+/* resolve one point by eq:impulses-j */
 void wfApplyContactImpulse(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 impulse)
 {
     wfApplyImpulse(a, wfNeg(impulse), point);  /* eq:impulses-linear, eq:impulses-angular */
     wfApplyImpulse(b, impulse, point);
 }
 
-/* resolve one point by eq:impulses-j */
 wfReal wfResolvePoint(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
                       wfReal restitution)
 {
@@ -63,20 +62,18 @@ static bool solve_two(wfReal k00, wfReal k01, wfReal k11, wfReal b0, wfReal b1, 
     if (b0 >= 0 && b1 >= 0) return true;  /* both part: no kick */
     wfReal det = k00 * k11 - k01 * k01;
     if (!(det > WF_TWO_POINT_LIMIT * k00 * k11)) return false;
-    /* push at both points, if both are pushed */
-    wfReal both0 = (k01 * b1 - k11 * b0) / det;                     /* eq:impulses-both */
+    wfReal both0 = (k01 * b1 - k11 * b0) / det;                 /* eq:impulses-both */
     wfReal both1 = (k01 * b0 - k00 * b1) / det;
     if (both0 >= 0 && both1 >= 0) {
         j[0] = both0;
         j[1] = both1;
         return true;
     }
-    /* push at the first point or at the second alone */
-    if (b0 < 0 && b1 - k01 * b0 / k00 >= 0) {
+    if (b0 < 0 && b1 - k01 * b0 / k00 >= 0) {   /* the first alone */
         j[0] = -b0 / k00;
         return true;
     }
-    if (b1 < 0 && b0 - k01 * b1 / k11 >= 0) {
+    if (b1 < 0 && b0 - k01 * b1 / k11 >= 0) {   /* the second alone */
         j[1] = -b1 / k11;
         return true;
     }
@@ -90,10 +87,10 @@ bool wfResolveTwoPoints(wfBodyState *a, wfBodyState *b, const wfManifold *m,
     wfVec2 p0 = m->points[0].point, p1 = m->points[1].point;
     wfReal b0 = (1 + restitution) * wfRelativeNormalVelocity(a, b, p0, m->normal);
     wfReal b1 = (1 + restitution) * wfRelativeNormalVelocity(a, b, p1, m->normal);
-    /* fill the matrix of eq:impulses-matrix */
-    wfReal a0 = wfCross(wfSub(p0, a->p), m->normal), a1 = wfCross(wfSub(p1, a->p), m->normal);
-    wfReal c0 = wfCross(wfSub(p0, b->p), m->normal), c1 = wfCross(wfSub(p1, b->p), m->normal);
-    wfReal both = a->invMass + b->invMass;
+    wfVec2 n = m->normal;
+    wfReal a0 = wfCross(wfSub(p0, a->p), n), a1 = wfCross(wfSub(p1, a->p), n);
+    wfReal c0 = wfCross(wfSub(p0, b->p), n), c1 = wfCross(wfSub(p1, b->p), n);
+    wfReal both = a->invMass + b->invMass;                      /* eq:impulses-matrix */
     wfReal k00 = both + a0 * a0 * a->invInertia + c0 * c0 * b->invInertia;
     wfReal k01 = both + a0 * a1 * a->invInertia + c0 * c1 * b->invInertia;
     wfReal k11 = both + a1 * a1 * a->invInertia + c1 * c1 * b->invInertia;
@@ -103,13 +100,12 @@ bool wfResolveTwoPoints(wfBodyState *a, wfBodyState *b, const wfManifold *m,
     return true;
 }
 
-/* tell the resting speed by eq:impulses-resting */
+/* rub and bounce */
 wfReal wfRestingSpeed(wfVec2 gravity, wfReal h, wfReal steps)
 {
-    return steps * h * wfLength(gravity);
+    return steps * h * wfLength(gravity);               /* eq:impulses-resting */
 }
 
-/* choose the restitution of a contact */
 wfReal wfApproachOf(const wfContact *c, const wfBodyState *a, const wfBodyState *b)
 {
     wfReal fastest = 0;
@@ -131,8 +127,7 @@ void wfTellBlow(wfTold *told, wfReal impulse, wfReal e, wfReal speed)
 wfVec2 wfContactTangent(wfVec2 normal) { return wfPerpCW(normal); }
 
 wfReal wfApplyFriction(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
-                       wfReal limit,
-                       wfReal tangentSpeed)
+                       wfReal limit, wfReal tangentSpeed)
 {
     wfVec2 t = wfContactTangent(normal);
     wfReal slide = wfRelativeNormalVelocity(a, b, point, t) - tangentSpeed;
@@ -212,7 +207,6 @@ void wfCarryImpulses(const wfContact *before, wfContact *now)
     now->settled = before->settled;
     if (m->count < 2 || !(wfDot(old->normal, m->normal) > 0)) return;
     if (has_all_names(old, m)) return;
-    /* carry impulses from place to place */
     wfReal near = wfLength(wfSub(m->points[1].rA, m->points[0].rA)) / 8;
     for (int32_t k = 0; k < m->count; k++)
         for (int32_t i = 0; i < old->count; i++) {

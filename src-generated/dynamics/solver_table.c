@@ -28,7 +28,6 @@ static wfResult resolve_velocities(const wfSolve *in, bool together)
     return WF_OK;
 }
 
-/* find the deepest point of a manifold */
 static wfReal deepest(const wfManifold *m)
 {
     wfReal depth = 0;
@@ -36,7 +35,6 @@ static wfReal deepest(const wfManifold *m)
     return depth;
 }
 
-/* push one pair apart */
 static void push_apart(const wfSolve *in, const wfContact *c, const wfVec2 *start)
 {
     wfBodyState *a = &in->state[c->a], *b = &in->state[c->b];
@@ -51,6 +49,7 @@ static void push_apart(const wfSolve *in, const wfContact *c, const wfVec2 *star
     a->p = wfAddScaled(a->p, -push * a->invMass / both, n);  /* eq:impulses-shares */
     b->p = wfAddScaled(b->p, push * b->invMass / both, n);
 }
+
 static wfResult correct_positions(const wfSolve *in)
 {
     size_t mark = wfPoolMark(in->scratch);
@@ -143,20 +142,53 @@ int wfFindSolver(const char *name)
     return -1;
 }
 
-/* check one contact */
-static wfResult check_contact(const wfContact *c, int32_t bodyCount)
+/* check what a solver is given */
+static wfResult check_counts(const wfSolve *in)
 {
-    const wfManifold *m = &c->manifold;
-    if (c->a < 0 || c->b < 0 || c->a >= bodyCount || c->b >= bodyCount || c->a == c->b)
-        return WF_ERROR_RANGE;
-    /* check the materials of a contact */
+    if (in == NULL || in->scratch == NULL) return WF_ERROR_NULL;
+    if (in->bodyCount < 0 || in->contactCount < 0) return WF_ERROR_RANGE;
+    if (in->iterations < 1 || in->substeps < 0) return WF_ERROR_RANGE;
+    if (in->bodyCount > 0 && in->state == NULL) return WF_ERROR_NULL;
+    if (in->contactCount > 0 && in->contacts == NULL) return WF_ERROR_NULL;
+    const wfConstraints *laws = in->laws;
+    bool half = laws != NULL && (laws->begin == NULL || laws->solve == NULL);
+    return half ? WF_ERROR_NULL : WF_OK;
+}
+
+static wfResult check_numbers(const wfSolve *in)
+{
+    if (!wfIsFinite(in->h) || !wfIsFinite(in->restingSpeed)) return WF_ERROR_NOT_FINITE;
+    if (!wfIsFinite(in->positionCorrection)) return WF_ERROR_NOT_FINITE;
+    if (in->h <= 0 || in->restingSpeed < 0) return WF_ERROR_RANGE;
+    if (in->positionCorrection < 0 || in->positionCorrection > 1) return WF_ERROR_RANGE;
+    if (!wfIsFinite(in->contactPeriod + in->contactDampingRatio) ||
+        !wfIsFinite(in->recoverySpeed))
+        return WF_ERROR_NOT_FINITE;
+    bool out = in->contactPeriod < 0 || in->contactDampingRatio < 0 ||
+               in->recoverySpeed < 0 || in->stackSolver < 0 ||
+               in->stackSolver > 1 + WF_STACK_LOOPS;
+    return out ? WF_ERROR_RANGE : WF_OK;
+}
+
+static wfResult check_materials(const wfContact *c)
+{
     if (!wfIsFinite(c->restitution) || !wfIsFinite(c->friction)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->rollingResistance) || !wfIsFinite(c->tangentSpeed))
         return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->rollingImpulse) || !wfIsFinite(c->slop)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->staticFriction)) return WF_ERROR_NOT_FINITE;
     if (c->restitution < 0 || c->restitution > 1 || c->friction < 0) return WF_ERROR_RANGE;
-    if (c->rollingResistance < 0 || c->slop < 0 || c->staticFriction < 0) return WF_ERROR_RANGE;
+    bool out = c->rollingResistance < 0 || c->slop < 0 || c->staticFriction < 0;
+    return out ? WF_ERROR_RANGE : WF_OK;
+}
+
+static wfResult check_contact(const wfContact *c, int32_t bodyCount)
+{
+    const wfManifold *m = &c->manifold;
+    if (c->a < 0 || c->b < 0 || c->a >= bodyCount || c->b >= bodyCount || c->a == c->b)
+        return WF_ERROR_RANGE;
+    wfResult result = check_materials(c);
+    if (result != WF_OK) return result;
     if (!wfIsFinite2(m->normal)) return WF_ERROR_NOT_FINITE;
     if (m->count < 0 || m->count > 2) return WF_ERROR_RANGE;
     for (int32_t i = 0; i < m->count; i++) {
@@ -169,7 +201,6 @@ static wfResult check_contact(const wfContact *c, int32_t bodyCount)
     return WF_OK;
 }
 
-/* check one state */
 static wfResult check_state(const wfBodyState *s)
 {
     if (!wfBodyIsFinite(s)) return WF_ERROR_NOT_FINITE;
@@ -183,26 +214,9 @@ static wfResult check_forces(const wfBodyForces *f)
 
 wfResult wfCheckSolve(const wfSolve *in)
 {
-    /* check the counts and pointers of a solve */
-    if (in == NULL || in->scratch == NULL) return WF_ERROR_NULL;
-    if (in->bodyCount < 0 || in->contactCount < 0) return WF_ERROR_RANGE;
-    if (in->iterations < 1 || in->substeps < 0) return WF_ERROR_RANGE;
-    if (in->bodyCount > 0 && in->state == NULL) return WF_ERROR_NULL;
-    if (in->contactCount > 0 && in->contacts == NULL) return WF_ERROR_NULL;
-    const wfConstraints *laws = in->laws;
-    if (laws != NULL && (laws->begin == NULL || laws->solve == NULL)) return WF_ERROR_NULL;
-    /* check the numbers of a solve */
-    if (!wfIsFinite(in->h) || !wfIsFinite(in->restingSpeed)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(in->positionCorrection)) return WF_ERROR_NOT_FINITE;
-    if (in->h <= 0 || in->restingSpeed < 0) return WF_ERROR_RANGE;
-    if (in->positionCorrection < 0 || in->positionCorrection > 1) return WF_ERROR_RANGE;
-    if (!wfIsFinite(in->contactPeriod + in->contactDampingRatio) ||
-        !wfIsFinite(in->recoverySpeed))
-        return WF_ERROR_NOT_FINITE;
-    if (in->contactPeriod < 0 || in->contactDampingRatio < 0 || in->recoverySpeed < 0 ||
-        in->stackSolver < 0 || in->stackSolver > 1 + WF_STACK_LOOPS)
-        return WF_ERROR_RANGE;
-    wfResult result = WF_OK;
+    wfResult result = check_counts(in);
+    if (result == WF_OK) result = check_numbers(in);
+    if (result != WF_OK) return result;
     for (int32_t i = 0; i < in->bodyCount && result == WF_OK; i++)
         result = check_state(&in->state[i]);
     for (int32_t i = 0; in->forces != NULL && i < in->bodyCount && result == WF_OK; i++)

@@ -10,7 +10,6 @@ static const wfFigureSet *const set[] = {
 };
 enum { SETS = (int)(sizeof set / sizeof *set) };
 
-/* find a figure and draw it */
 const wfFigureRow *wfFigureAt(int i)
 {
     for (int k = 0; k < SETS && i >= 0; i -= set[k++]->count)

@@ -56,6 +56,7 @@ static int list_cells(int full)
     return fflush(stdout) != 0;
 }
 
+/* Asked for its columns instead of its words, a cell says how its lines are to be read. */
 static int cell(const char *name, const wfCellInput *in)
 {
     int i = wfFindCell(name);

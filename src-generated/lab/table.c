@@ -10,7 +10,6 @@ static const wfMeasureSet *const set[] = {
 };
 enum { SETS = (int)(sizeof set / sizeof *set) };
 
-/* find a measurement */
 const wfMeasureRow *wfMeasureAt(int i)
 {
     for (int k = 0; k < SETS && i >= 0; i -= set[k++]->count)

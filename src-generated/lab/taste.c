@@ -7,8 +7,7 @@ double tasteFallBySteps(double g, double seconds, int steps)
 {
     double h = seconds / steps, v = 0, s = 0;
     for (int i = 0; i < steps; i++) {
-        /* take one step by eq:intro-euler */
-        v += h * g;
+        v += h * g;                                   /* eq:intro-euler */
         s += h * v;
     }
     return s;

@@ -33,7 +33,6 @@ static inline int toy_free(const ToyHeap *heap)
     return sum;
 }
 
-/* live one step with the toy heap */
 static inline void toy_step(ToyHeap *heap, int step)
 {
     int longest;

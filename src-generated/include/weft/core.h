@@ -24,6 +24,7 @@
 #else
 #define WF_FETCH_SOON(address) ((void)(address))
 #endif
+
 /* In place of inline: where size counts, one copy that is called. clang reckons rightly. */
 #ifndef WF_ONE_COPY
 #if defined __OPTIMIZE_SIZE__ && defined __GNUC__ && !defined __clang__
@@ -92,6 +93,7 @@ void *wfPoolPushMany(wfPool *pool, size_t count, size_t size, size_t align);
     ((type *)wfPoolPush((pool), sizeof(type), WF_ALIGN_OF(type)))
 #define wfPoolPushArray(pool, count, type) \
     ((type *)wfPoolPushMany((pool), (size_t)(count), sizeof(type), WF_ALIGN_OF(type)))
+
 void   wfPoolReset(wfPool *pool);               /* gives everything back          */
 size_t wfPoolMark(const wfPool *pool);          /* remembers how full the pool is */
 /* Gives back all that was pushed since; a mark above the used bytes is ignored. */

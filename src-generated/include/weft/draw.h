@@ -87,7 +87,8 @@ __attribute__((format(printf, 7, 8)))
 #endif
 void wfDrawTextf(wfDraw *d, float x, float y, float sizePx, int role, int anchor,
                  const char *format, ...);
-/* Reading a list: command i (0 <= i < count), its points (x, y in turn), its text. */
+/* Back ends read a list by these and never touch its insides. Command i (0 <= i < count),
+   its points (x, y in turn), its text. */
 const wfDrawCommand *wfDrawAt(const wfDraw *d, int i);
 const float *wfDrawPoints(const wfDraw *d, const wfDrawCommand *c);
 const char *wfDrawString(const wfDraw *d, const wfDrawCommand *c);

@@ -20,6 +20,7 @@ typedef struct wfTreeNode {
 
 /* When and where a proxy was put in, to see how fast it moves. */
 typedef struct wfTreePlace { wfVec2 at; uint32_t step; } wfTreePlace;
+
 typedef struct wfTreeHead {
     int32_t capacity;             /* 0: not set up yet */
     int32_t root, freeNode, count;
@@ -38,6 +39,7 @@ typedef struct wfTree {
     wfTreePlace *places;
     wfPair *overlaps;             /* leaves whose fat boxes overlap, sorted */
 } wfTree;
+
 size_t wfTreeSize(int32_t capacity);    /* bytes of a tree for proxies 0 .. capacity - 1 */
 /* An empty tree in a block (aligned to WF_POOL_ALIGN; it may be moved and copied).
    WF_ERROR_NULL, _RANGE (capacity < 1), _MEMORY. */

@@ -29,6 +29,7 @@ static inline wfMat22 wfMat22Mul(wfMat22 a, wfMat22 b)           /* eq:numbers-p
     return wfMat22Make(a.E11 * b.E11 + a.E12 * b.E21, a.E11 * b.E12 + a.E12 * b.E22,
                        a.E21 * b.E11 + a.E22 * b.E21, a.E21 * b.E12 + a.E22 * b.E22);
 }
+
 static inline wfMat22 wfMat22Add(wfMat22 a, wfMat22 b)
 {
     return wfMat22Make(a.E11 + b.E11, a.E12 + b.E12, a.E21 + b.E21, a.E22 + b.E22);
@@ -182,7 +183,6 @@ static inline wfRot wfRotMul(wfRot a, wfRot b)                  /* eq:numbers-ro
 {
     wfRot made = { a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s }; return made;
 }
-
 /* Back to length 1 after many products; what has no direction becomes the identity. */
 static inline wfRot wfRotNormalize(wfRot q)
 {
@@ -273,6 +273,7 @@ static inline wfRect wfRectGrow(wfRect r, wfReal margin)         /* on all four 
     wfRect made = { wfSub(r.min, m), wfAdd(r.max, m) }; return made;
 }
 
+/* The circle of the report's Appendix C; the engine's own circles are shapes. */
 typedef struct wfCircle2 { wfVec2 center; wfReal radius; } wfCircle2;
 
 static inline wfCircle2 wfCircleCenterRadius(wfVec2 center, wfReal radius)

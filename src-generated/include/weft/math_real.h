@@ -51,6 +51,7 @@ static WF_ONE_COPY wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
 {
     return a < lo ? lo : a > hi ? hi : a;
 }
+
 #ifndef __GNUC__             /* gcc and clang: no library, given -fno-math-errno */
 #define WF_NATIVE_SQRT(a) ((wfReal)sqrt((double)(a)))
 #elif defined WF_DOUBLE

@@ -66,6 +66,7 @@ static inline bool wfSquareIsSafe(wfReal s)
 
 wfReal wfLengthOfMany(const wfReal *e, int n);       /* of n components; see wfLength */
 void   wfNormalizeMany(wfReal *e, int n);            /* see wfNormalize */
+
 /* Length. Safe for any finite vector; what is longer than WF_HUGE has the length WF_HUGE.
    Error: 2.5 eps of the length. Eq. numbers-length. */
 static inline wfReal wfLength(wfVec2 a)

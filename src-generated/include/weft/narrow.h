@@ -11,6 +11,7 @@ typedef struct wfProjection { wfReal min, max; } wfProjection;
 
 /* eq:narrow-projection.  A particle gives its centre alone. */
 wfProjection wfProject(const wfShape *shape, wfTransform xf, wfVec2 axis);
+
 /* The report's SATAxisOverlap: smallest maximum minus biggest minimum, m; below 0 a gap. */
 wfReal wfAxisOverlap(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                      wfVec2 axis);
@@ -55,6 +56,7 @@ typedef struct wfNarrowPhaseRow {
 extern const wfNarrowPhaseRow wfNarrowPhaseTable[];
 extern const int wfNarrowPhaseCount;
 int wfFindNarrowPhase(const char *name);   /* the row of that name, -1 if there is none */
+
 /* Checks its arguments (WF_ERROR_NULL, _UNKNOWN), then calls row `method`. */
 wfResult wfSeparate(int method, const wfShape *a, wfTransform xa, const wfShape *b,
                     wfTransform xb, wfSeparation *out);

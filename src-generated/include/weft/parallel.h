@@ -13,7 +13,7 @@ typedef void wfPartFn(void *context, int32_t part);
  * done. What a part wrote must then be visible to the caller, as behind a lock or a join.
  * It must not call the engine for the world that is being stepped: WF_ERROR_BUSY. */
 typedef void wfParallelForFn(void *user, int32_t parts, wfPartFn *work, void *context);
-/* Who does the parts; run NULL: the calling thread, one after the other. */
+/* What does the parts; run NULL: the calling thread, one after the other. */
 typedef struct wfWorkers {
     wfParallelForFn *run;
     void            *user;     /* handed to run */

@@ -161,8 +161,7 @@ wfVec2 wfContactTangent(wfVec2 normal);
 /* Rubs at one point: takes the sliding u_t - tangentSpeed away with an impulse along the
  * tangent of at most `limit` (N s, >= 0) either way; returns it, N s. eq:friction-clamp */
 wfReal wfApplyFriction(wfBodyState *a, wfBodyState *b, wfVec2 point, wfVec2 normal,
-                       wfReal limit,
-                       wfReal tangentSpeed);
+                       wfReal limit, wfReal tangentSpeed);         /* sec:friction-belt */
 /* The coefficient that limits friction, eq:friction-static: `holds` (static) if it is
  * enough to give `wanted`, N s, under a normal impulse of `normal`, N s >= 0; else
  * `slides`. */
@@ -170,16 +169,17 @@ wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal);
 /* Takes the relative spin w_B - w_A away with an angular impulse of at most `limit`
  * (N m s, >= 0) either way; returns it, N m s. eq:friction-rolling */
 wfReal wfApplyRollingResistance(wfBodyState *a, wfBodyState *b, wfReal limit);
+/* One number for a pair of surfaces: the greater length of rolling resistance, m; the sum
+ * of the speeds with which they run clockwise, m/s (eq:friction-belt). */
+static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
+static inline wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
+
 /* Rules by which two materials' numbers (>= 0) become one for the pair. */
 typedef wfReal wfMixFn(wfReal a, wfReal b);
 typedef struct wfMixRow { const char *name, *text; wfMixFn *mix; } wfMixRow;
 extern const wfMixRow wfMixTable[];
 extern const int wfMixCount;
 int wfFindMix(const char *name);        /* the row of that name, -1 if there is none */
-/* One number for a pair of surfaces: the greater length of rolling resistance, m; the sum
- * of the speeds with which they run clockwise, m/s (eq:friction-belt). */
-static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
-static inline wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
 /* Gives `now` the impulses of `before`, the contact of the same shapes in the last step:
  * by name (wfMatchImpulses), by place if a name has changed, that of rolling, and whether
  * it slides. */

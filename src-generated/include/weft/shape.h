@@ -41,6 +41,7 @@ typedef struct wfShape {
                                    from vertices[i] to vertices[(i + 1) % count]          */
 } wfShape;
 
+/* What a shape weighs, and how its mass is spread: sec:shapes-mass. */
 typedef struct wfMassData {
     wfReal mass;                /* kg                                                     */
     wfVec2 centre;              /* m: the centre of mass in the body's frame              */
