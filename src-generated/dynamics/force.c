@@ -87,8 +87,7 @@ static Stretch stretch_of(const wfForce *f, const wfBodyView *bodies)
         s.b = wfApply(wfBodyTransform(&bodies->state[f->b]), f->spring.localB);
         v = wfSub(v, wfVelocityAt(&bodies->state[f->b], s.b));
     }
-    /* measure the stretch by eq:force-stretch */
-    wfVec2 d = wfSub(s.a, s.b);
+    wfVec2 d = wfSub(s.a, s.b);                                     /* eq:force-stretch */
     s.length = wfLength(d);
     s.along = wfNormalize(d);
     s.rate = wfDot(v, s.along);
@@ -593,14 +592,14 @@ const wfForceRow wfForceTable[] = {
         .energy = gravity_energy,
         .steady = true, .numbers = gravity_numbers,
     },
-    [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
-        4, point_apply, point_energy, NULL, true, point_move, point_numbers },
     [WF_FORCE_SPRING] = { "spring", "Hooke's law between two points, damped",
         7, spring_apply, spring_energy, spring_check, true, spring_move, spring_numbers },
-    [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
-        7, bungee_apply, bungee_energy, spring_check, true, spring_move, spring_numbers },
     [WF_FORCE_DRAG] = { "drag", "resistance as the speed and as its square",
         2, drag_apply, NULL, NULL, true, NULL, drag_numbers },
+    [WF_FORCE_POINT_GRAVITY] = { "point-gravity", "a pull to a point as the inverse square",
+        4, point_apply, point_energy, NULL, true, point_move, point_numbers },
+    [WF_FORCE_BUNGEE] = { "bungee", "a spring that only pulls",
+        7, bungee_apply, bungee_energy, spring_check, true, spring_move, spring_numbers },
     [WF_FORCE_BUOYANCY] = { "buoyancy", "the lift and the resistance of a fluid",
         4, buoyancy_apply, buoyancy_energy, NULL, true, buoyancy_move, buoyancy_numbers },
     [WF_FORCE_EXPLOSION] = { "explosion", "a push away from a point that lasts a while",
@@ -639,6 +638,12 @@ wfForce wfSpringToPoint(int32_t a, wfVec2 localA, wfVec2 point, wfReal rest,
     return wfSpring(a, localA, -1, point, rest, stiffness, damping);
 }
 
+wfForce wfDrag(wfReal linear, wfReal quadratic)
+{
+    return (wfForce){ .kind = WF_FORCE_DRAG, .a = -1, .b = -1,
+                      .drag = { linear, quadratic } };
+}
+
 wfForce wfPointGravity(wfVec2 centre, wfReal strength, wfReal softening)
 {
     return (wfForce){ .kind = WF_FORCE_POINT_GRAVITY, .a = -1, .b = -1,
@@ -651,12 +656,6 @@ wfForce wfBungee(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest
     wfForce f = wfSpring(a, localA, b, localB, rest, stiffness, damping);
     f.kind = WF_FORCE_BUNGEE;
     return f;
-}
-
-wfForce wfDrag(wfReal linear, wfReal quadratic)
-{
-    return (wfForce){ .kind = WF_FORCE_DRAG, .a = -1, .b = -1,
-                      .drag = { linear, quadratic } };
 }
 
 wfForce wfBuoyancy(wfReal surfaceY, wfReal density, wfReal g, wfReal drag)
@@ -700,16 +699,16 @@ void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, 
     if (bodies == NULL) return;
     for (int i = 0; i < n; i++)
         wfForceTable[forces[i].kind].apply(&forces[i], bodies, time, out);
-    /* leave of the forces what the step can follow */
     for (int32_t i = 0; i < bodies->count; i++) {
         wfReal h = wfAbs(bodies->step), stiff = h * h * out[i].swing;
         wfReal most = h * out[i].rate + stiff;
         if (!(most > 1)) continue;
         const wfBodyState *b = &bodies->state[i];
-        wfReal take = wfMinR(stiff, most - 1) / h;                      /* eq:force-stiff */
-        if (b->invMass > 0) out[i].force = wfAddScaled(out[i].force, -take / b->invMass, b->v);
+        wfReal take = wfMinR(stiff, most - 1) / h;                  /* eq:force-stiff */
+        if (b->invMass > 0)
+            out[i].force = wfAddScaled(out[i].force, -take / b->invMass, b->v);
         if (b->invInertia > 0) out[i].torque -= take / b->invInertia * b->w;
-        out[i].force = wfScale(1 / most, out[i].force);                 /* eq:force-follow */
+        out[i].force = wfScale(1 / most, out[i].force);             /* eq:force-follow */
         out[i].torque /= most;
     }
 }

@@ -78,6 +78,7 @@ static int report_edges(const wfVec2 *corners, const wfSeparation *s, ReportPoin
     return count;
 }
 
+/* 5.6.2: the corner that reaches farthest, and its counterpart */
 static int report_vertex(const wfVec2 *corners, wfVec2 fromAToB, const wfSeparation *s,
                          ReportPoint *out)
 {

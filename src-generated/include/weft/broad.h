@@ -71,6 +71,7 @@ typedef bool wfVisitFn(void *context, int32_t proxy);
 /* Is shown a proxy that the cast may meet.  Returns how far to look from now on: `most` to
    go on as before, less to look less far, a negative number to stop. */
 typedef wfReal wfCastVisitFn(void *context, int32_t proxy, wfReal most);
+
 typedef size_t wfRowIndexSizeFn(int32_t proxies);          /* bytes for so many proxies */
 /* Makes the index agree with the proxies.  WF_ERROR_MEMORY (bytes or scratch too few): the
    index is as before. */
@@ -200,6 +201,7 @@ static inline wfPool wfOpenIndex(const void *index, size_t bytes)
 {
     wfPool pool = { (uint8_t *)index, bytes, 0 }; return pool;
 }
+
 size_t wfIndexSize(int method, int32_t proxies);     /* bytes of an index; 0: has none */
 
 /* Makes the index (bytes: as wfIndexSize for at least in->count, aligned to WF_POOL_ALIGN,
@@ -218,6 +220,7 @@ wfResult wfCopyIndex(int method, void *to, const void *from, size_t bytes,
 /* As wfFindPairs, by an index that agrees with the proxies (or NULL: without one). */
 wfResult wfIndexPairs(int method, const wfProxies *in, const void *index, wfPool *scratch,
                       wfPairList *out);
+
 /* Shows every live proxy whose bounds overlap the area (touching counts), each once, in an
    order that depends on the index alone.  index as in wfIndexPairs.  WF_ERROR_NULL,
    _UNKNOWN, _RANGE (min > max), _NOT_FINITE. */
