@@ -230,13 +230,19 @@ local function undesignate(text)
     local entries = {}                  -- rows that are all in braces may stand in any order: chapters add theirs where they need them
     local rest = rows:sub(2, -2):gsub("/%*.-%*/", ""):gsub("%[(WF_[%w_]+)%]%s*= (%b{}),?", function(name, row)
       entries[#entries + 1] = { place_of(name), row } return "" end)
-    if not rest:find("%S") then
+    local last = 0
+    for _, e in ipairs(entries) do last = math.max(last, e[1]) end
+    -- rows without a place go on from the last one that has one: they may follow when that is the highest
+    local follow = entries[1] and entries[#entries][1] == last and rest:gsub("%b{},?", ""):find("%S") == nil
+      and rows:sub(2, -2):gsub("/%*.-%*/", ""):gsub("%s+", ""):sub(-#rest:gsub("%s+", "")) == rest:gsub("%s+", "")
+    if not rest:find("%S") or follow then
       table.sort(entries, function(a, b) return a[1] < b[1] end)
       local all = {}
       for _, e in ipairs(entries) do
         for _ = next, e[1] - 1 do all[#all + 1] = "{ 0 }" end
         all[#all + 1], next = e[2], e[1] + 1
       end
+      if rest:find("%S") then all[#all + 1] = rest:gsub("^%s+", ""):gsub("[,%s]+$", "") end
       return "= {\n    " .. table.concat(all, ",\n    ") .. "\n}"
     end
     return "= " .. rows:gsub("%[(WF_[%w_]+)%]%s*= ", function(name)

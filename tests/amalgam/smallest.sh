@@ -8,8 +8,10 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronous-unwind-tables -fno-stack-protector -fno-pic
-  -ftree-slp-vectorize -fno-tree-loop-vectorize -fno-trapping-math -fno-ipa-sra -fno-ipa-cp -fno-tree-loop-distribute-patterns
-  -fno-move-loop-invariants -fno-tree-dominator-opts -fno-caller-saves -fno-shrink-wrap -fno-schedule-insns2"
+  -mtune=core2 -ftree-slp-vectorize -fno-tree-loop-vectorize -fno-ipa-sra -fno-ipa-pure-const -fno-tree-loop-distribute-patterns
+  -fno-move-loop-invariants -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-dominator-opts -fno-tree-forwprop -fno-forward-propagate
+  -fno-tree-scev-cprop -fno-early-inlining -fno-inline-small-functions -fno-caller-saves -fno-shrink-wrap -fno-schedule-insns2
+  -fsplit-wide-types-early"
 [ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
 [ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
 work=build/check/smallest; mkdir -p "$work"
