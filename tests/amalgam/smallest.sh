@@ -11,7 +11,7 @@ smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronou
   -mtune=core2 -ftree-slp-vectorize -fno-tree-loop-vectorize -fno-ipa-sra -fno-ipa-pure-const -fno-tree-loop-distribute-patterns
   -fno-move-loop-invariants -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-dominator-opts -fno-tree-forwprop -fno-forward-propagate
   -fno-tree-scev-cprop -fno-early-inlining -fno-inline-small-functions -fno-caller-saves -fno-shrink-wrap -fno-schedule-insns2
-  -fsplit-wide-types-early"
+  -fno-tree-fre -fno-tree-copy-prop -fsplit-wide-types-early --param=logical-op-non-short-circuit=0"
 [ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
 [ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
 work=build/check/smallest; mkdir -p "$work"
@@ -24,8 +24,8 @@ scenes() {    # compiler and flags: the hashes of three scenes
 scenes $smallest > "$work/smallest.txt" && code=$(size -A "$work/weft.o" | awk '$1 ~ /^\.text/ { t += $2 } END { print t }') &&
   scenes gcc -std=c11 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -w -O2 -fno-pic > "$work/O2.txt" || exit 1
 diff "$work/O2.txt" "$work/smallest.txt" || { echo "smallest: the engine made small has other hashes"; exit 1; }
-# It was to be 200 KB of code; it was 255 before a step could be shared by workers, more of a body set and asked, joints moved out of wrong places, tiles
-# lay flush and heaps of machines came to rest (the chapter price-list says what was tried). Further it shall not go unnoticed.
-[ "$code" -le 275000 ] || { echo "smallest: the whole engine has $code bytes of code, more than 275000 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
+# It was to be 200 KB of code, and it was 264; flush tiles (the part seams) took 4.3, what more can be set and asked of a body the rest (the chapter price-list
+# says what was tried). Further it shall not go unnoticed.
+[ "$code" -le 269500 ] || { echo "smallest: the whole engine has $code bytes of code, more than 269500 -- what has grown? (tests/parts/price.sh; the chapter price-list)"; exit 1; }
 echo "the smallest build has $code bytes of code"
 echo "the smallest build has the hashes of -O2 ($(wc -l < "$work/O2.txt") scenes)"
