@@ -22,10 +22,10 @@ end
 -- A header of Weft's is put where it is first asked for; one without a guard (a list of rows) wherever it is asked for. A
 -- header that every compiler has goes to the top of the file; others stay where they are, under their conditions.
 local done, system, first = {}, {}, {}
-local sources_text = {}                 -- every function that a source defines: what else a private header declares is not made static
+local defined = {}                 -- every function that a source defines: what a private header declares of them is static, but for what reads scenes (WF_FOR_SCENES)
 for _, part in ipairs { "core", "math", "collision", "dynamics", "engine" } do
   for _, name in ipairs(list(part .. "/*.c")) do
-    if name ~= "engine/report.c" and name ~= "core/draw.c" then for f in ("\n" .. read(name)):gmatch("\n%a[%w_ %*]-([%w_]+)%([^;{]-%)\n{") do sources_text[f] = true end end
+    if name ~= "engine/report.c" and name ~= "core/draw.c" then for f in ("\n" .. read(name)):gmatch("\n%a[%w_ %*]-([%w_]+)%([^;{]-%)\n{") do defined[f] = true end end
   end
 end
 local free = { ["<stdbool.h>"] = true, ["<stddef.h>"] = true, ["<stdint.h>"] = true, ["<float.h>"] = true, ["<string.h>"] = true }
@@ -49,7 +49,7 @@ local function inline(name, sink)
     elseif theirs and free[theirs] then system[theirs] = true
     else
       local f = private and line:match("^%a[%w_ %*]-([%w_]+)%(")
-      sink[#sink + 1] = f and sources_text[f] and not line:match("^static") and "WF_PRIVATE " .. line or line
+      sink[#sink + 1] = f and defined[f] and not line:match("^static") and not line:match("^WF_FOR_SCENES") and "WF_PRIVATE " .. line or line
     end
   end
 end
