@@ -199,6 +199,7 @@ static bool has_all_names(const wfManifold *old, const wfManifold *m)
 
 void wfCarryImpulses(const wfContact *before, wfContact *now)
 {
+    if (before == NULL || now == NULL) return;
     const wfManifold *old = &before->manifold;
     wfManifold *m = &now->manifold;
     wfMatchImpulses(old, m);
