@@ -25,7 +25,7 @@ const open = async (context, file) => {
 const ink = figure => figure.locator('svg > g').first().evaluate(g => g.innerHTML);
 
 const tryFigure = async (page, figure, name, where) => {
-  const frozen = await figure.locator('.pic svg').evaluate(s => s.querySelectorAll('*:not(g):not(.grip)').length);   // one in view may be alive already
+  const frozen = await figure.locator('.pic svg').evaluate(s => s.querySelectorAll('*:not(g):not(.grip *)').length);   // one in view may be alive already
   await figure.scrollIntoViewIfNeeded();
   try { await page.waitForFunction(f => f.classList.contains('live') || f.dataset.liveError, await figure.elementHandle(), { timeout: 15000 }); }
   catch { return fail(`${where}: figure ${name} does not come alive`); }
