@@ -761,7 +761,7 @@ static void test_contacts_of_sleepers_can_be_read(void **state)
 
 /* --- motion --- */
 
-static void pile(wfWorld *w, int n)
+static void floor_and_walls(wfWorld *w)
 {
     add(w, floor_def());
     for (int side = -1; side <= 1; side += 2) {
@@ -769,19 +769,20 @@ static void pile(wfWorld *w, int n)
         wall.type = WF_STATIC;
         add(w, wall);
     }
+}
+
+static void pile(wfWorld *w, int n)
+{
+    floor_and_walls(w);
     for (int i = 0; i < n; i++) add(w, i % 3 ? box_def(-2.5 + (i * 7 % 11) * 0.5, 1 + i * 0.5, 0.3, 0.3)
                                             : ball_def(-2.5 + (i * 7 % 11) * 0.5, 1 + i * 0.5, 0.35));
 }
 
-/* A heap whose bodies land together: all are near the ground, so none is at rest for long while others still fall. */
+/* A heap whose bodies land together: all are near the ground, so none is at rest for long while others still fall. Every other row is shifted: from
+ * eight columns, which lean on each other and may rock for 20 s before they sleep, to a wall, which sleeps after 2. */
 static void heap_that_lands_together(wfWorld *w, double shift)
 {
-    add(w, floor_def());
-    for (int side = -1; side <= 1; side += 2) {
-        wfBodyDef wall = box_def(side * 4.5, 4, 0.5, 5);
-        wall.type = WF_STATIC;
-        add(w, wall);
-    }
+    floor_and_walls(w);
     for (int i = 0; i < 40; i++) {
         double x = -3.4 + i % 8 * 0.95 + i / 8 % 2 * shift, y = 0.4 + i / 8 * 0.75;
         add(w, i % 3 ? box_def(x, y, 0.3, 0.3) : ball_def(x, y, 0.35));
@@ -791,25 +792,29 @@ static void heap_that_lands_together(wfWorld *w, double shift)
 static void test_the_same_until_the_first_sleep_and_nearly_so_after(void **state)
 {
     (void)state;
-    for (int trial = 10; trial < 20; trial++) {
+    int slept = 0;
+    for (int trial = 0; trial < 20; trial++) {
         wfWorld on = open_world(1), off = open_world(0);
         double worst = 0, shift = 0.01 + 0.02 * trial;
         int first = -1, last = -1;
         heap_that_lands_together(&on, shift), heap_that_lands_together(&off, shift);
-        for (int step = 0; step < 600 && last < 0; step++) {
+        for (int step = 0; step < 1500 && last < 0; step++) {
             run(&on, 1), run(&off, 1);
             int32_t asleep = wfGetSleepCounts(&on).asleep;
             if (first < 0 && asleep > 0) first = step;
             if (first < 0) assert_true(wfHashWorld(&on) == wfHashWorld(&off));
             if (asleep == 40) last = step;
         }
-        assert_true(first > 30 && last >= first);
-        run(&off, 600);
+        assert_true(first < 0 || first > 30);
+        slept += last >= 0;
+        run(&off, 300);
+        if (first < 0) run(&on, 300);
         wfBodyView a = wfWorldBodies(&on), b = wfWorldBodies(&off);
         for (int32_t i = 0; i < a.count; i++) worst = fmax(worst, (double)wfDistance(a.state[i].p, b.state[i].p));
         assert_true(worst < 0.3);                         /* the heaps differ by less than half a body */
         wfDestroyWorld(&on), wfDestroyWorld(&off);
     }
+    assert_true(slept >= 19);                             /* of single precision one rocks on */
 }
 
 static void test_waking_is_seamless(void **state)
