@@ -22,10 +22,13 @@ end
 -- A header of Weft's is put where it is first asked for; one without a guard (a list of rows) wherever it is asked for. A
 -- header that every compiler has goes to the top of the file; others stay where they are, under their conditions.
 local done, system, first = {}, {}, {}
-local defined = {}                 -- every function that a source defines: what a private header declares of them is static, but for what reads scenes (WF_FOR_SCENES)
+-- Every function that a source defines. Those that only private headers declare become static, but for what the reader of scenes calls (WF_FOR_SCENES).
+local defined = {}
 for _, part in ipairs { "core", "math", "collision", "dynamics", "engine" } do
   for _, name in ipairs(list(part .. "/*.c")) do
-    if name ~= "engine/report.c" and name ~= "core/draw.c" then for f in ("\n" .. read(name)):gmatch("\n%a[%w_ %*]-([%w_]+)%([^;{]-%)\n{") do defined[f] = true end end
+    if name ~= "engine/report.c" and name ~= "core/draw.c" then
+      for f in ("\n" .. read(name)):gmatch("\n%a[%w_ %*]-([%w_]+)%([^;{]-%)\n{") do defined[f] = true end
+    end
   end
 end
 local free = { ["<stdbool.h>"] = true, ["<stddef.h>"] = true, ["<stdint.h>"] = true, ["<float.h>"] = true, ["<string.h>"] = true }
@@ -49,7 +52,8 @@ local function inline(name, sink)
     elseif theirs and free[theirs] then system[theirs] = true
     else
       local f = private and line:match("^%a[%w_ %*]-([%w_]+)%(")
-      sink[#sink + 1] = f and defined[f] and not line:match("^static") and not line:match("^WF_FOR_SCENES") and "WF_PRIVATE " .. line or line
+      local is_open = line:match("^static") or line:match("^WF_FOR_SCENES")
+      sink[#sink + 1] = f and defined[f] and not is_open and "WF_PRIVATE " .. line or line
     end
   end
 end
@@ -227,22 +231,21 @@ local function undesignate(text)
     if not rows:match("^{%s*%[WF_") and not rows:match("^{%s*/%*.-%*/%s*%[WF_") then return nil end
     local next = 0
     local function place_of(name) return places[name] or fail("which number is " .. name .. ", the place of a row? -- write it in an enum that counts from 0") end
-    local entries = {}                  -- rows that are all in braces may stand in any order: chapters add theirs where they need them
-    local rest = rows:sub(2, -2):gsub("/%*.-%*/", ""):gsub("%[(WF_[%w_]+)%]%s*= (%b{}),?", function(name, row)
-      entries[#entries + 1] = { place_of(name), row } return "" end)
-    local last = 0
-    for _, e in ipairs(entries) do last = math.max(last, e[1]) end
-    -- rows without a place go on from the last one that has one: they may follow when that is the highest
-    local follow = entries[1] and entries[#entries][1] == last and rest:gsub("%b{},?", ""):find("%S") == nil
-      and rows:sub(2, -2):gsub("/%*.-%*/", ""):gsub("%s+", ""):sub(-#rest:gsub("%s+", "")) == rest:gsub("%s+", "")
-    if not rest:find("%S") or follow then
+    -- Rows with a place may stand in any order: chapters add theirs where they need them. Rows without one follow the last, if that has the highest place.
+    local entries, highest = {}, 0
+    local head, tail = rows:sub(2, -2):gsub("/%*.-%*/", ""):match("^(.*%[WF_[%w_]+%]%s*= %b{},?)(.*)$")
+    local other = (head or "?"):gsub("%[(WF_[%w_]+)%]%s*= (%b{}),?", function(name, row)
+      entries[#entries + 1] = { place_of(name), row }
+      highest = math.max(highest, place_of(name))
+      return "" end)
+    if not other:find("%S") and (not tail:find("%S") or entries[#entries][1] == highest) then
       table.sort(entries, function(a, b) return a[1] < b[1] end)
       local all = {}
       for _, e in ipairs(entries) do
         for _ = next, e[1] - 1 do all[#all + 1] = "{ 0 }" end
         all[#all + 1], next = e[2], e[1] + 1
       end
-      if rest:find("%S") then all[#all + 1] = rest:gsub("^%s+", ""):gsub("[,%s]+$", "") end
+      if tail:find("%S") then all[#all + 1] = tail:gsub("^%s+", ""):gsub("[,%s]+$", "") end
       return "= {\n    " .. table.concat(all, ",\n    ") .. "\n}"
     end
     return "= " .. rows:gsub("%[(WF_[%w_]+)%]%s*= ", function(name)
@@ -358,7 +361,7 @@ static inline size_t wfTextLength(const char *a)
 #include <string.h>
 #endif
 
-/* What other sources of the engine call and no user: here all are one. */
+/* Functions that only the engine's own sources call. They are one file here, so nobody else has to see them. */
 #ifdef __GNUC__
 #define WF_PRIVATE __attribute__((unused)) static
 #else

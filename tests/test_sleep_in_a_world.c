@@ -779,7 +779,7 @@ static void pile(wfWorld *w, int n)
 }
 
 /* A heap whose bodies land together: all are near the ground, so none is at rest for long while others still fall. Every other row is shifted: from
- * eight columns, which lean on each other and may rock for 20 s before they sleep, to a wall, which sleeps after 2. */
+ * eight columns, some of which rock on a ball for 20 s, since nothing brakes what rolls, to a wall, which sleeps after 2 s. */
 static void heap_that_lands_together(wfWorld *w, double shift)
 {
     floor_and_walls(w);
@@ -814,7 +814,7 @@ static void test_the_same_until_the_first_sleep_and_nearly_so_after(void **state
         assert_true(worst < 0.3);                         /* the heaps differ by less than half a body */
         wfDestroyWorld(&on), wfDestroyWorld(&off);
     }
-    assert_true(slept >= 19);                             /* of single precision one rocks on */
+    assert_true(slept >= 19);                             /* in single precision one still rocks after 25 s */
 }
 
 static void test_waking_is_seamless(void **state)

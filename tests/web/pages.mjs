@@ -24,8 +24,7 @@ const open = async (context, file) => {
 };
 const ink = figure => figure.locator('svg > g').first().evaluate(g => g.innerHTML);
 
-const tryFigure = async (page, figure, name, where) => {
-  const frozen = await figure.locator('.pic svg').evaluate(s => s.querySelectorAll('*:not(g):not(.grip *)').length);   // one in view may be alive already
+const tryFigure = async (page, figure, name, where, frozen) => {
   await figure.scrollIntoViewIfNeeded();
   try { await page.waitForFunction(f => f.classList.contains('live') || f.dataset.liveError, await figure.elementHandle(), { timeout: 15000 }); }
   catch { return fail(`${where}: figure ${name} does not come alive`); }
@@ -94,10 +93,15 @@ const tryScene = async (page, figure, name, where) => {
 const alive = readdirSync(html).filter(f => f.endsWith('.html') && /data-(live|scene)=/.test(readFileSync(join(html, f), 'utf8')));
 const pages = alive.filter((f, i) => only.length ? only.includes(f) : process.env.ALL_PAGES || i % 5 === 0);
 const desk = await browser.newContext({ viewport: { width: 1100, height: 900 }, reducedMotion: 'no-preference' });
+const plain = await browser.newContext({ javaScriptEnabled: false });      // here no figure comes alive: what each draws when it is frozen
 for (const file of pages) {
+  const quiet = await plain.newPage();
+  await quiet.goto(url(file));
+  const frozen = await quiet.locator('figure[data-live]').evaluateAll(all => all.map(f => f.querySelectorAll('.pic svg *:not(g)').length));
+  await quiet.close();
   const page = await open(desk, file);
   const list = page.locator('figure[data-live]'), sims = page.locator('figure[data-scene]');
-  for (let i = 0; i < await list.count(); i++) await tryFigure(page, list.nth(i), await list.nth(i).getAttribute('data-live'), file);
+  for (let i = 0; i < await list.count(); i++) await tryFigure(page, list.nth(i), await list.nth(i).getAttribute('data-live'), file, frozen[i]);
   for (let i = 0; i < await sims.count(); i++) await tryScene(page, sims.nth(i), await sims.nth(i).getAttribute('data-scene'), file);
   check(await page.evaluate(() => [...document.querySelectorAll('math')].slice(0, 20).every(m => m.getBoundingClientRect().width > 0)), `${file}: formulas are not shown`);
   await page.close();
@@ -164,7 +168,6 @@ if (check(top, 'testbed.html on a phone: the sixth body is not in view')) {
 await bed2.close();
 
 // without JavaScript the frozen figures are there
-const plain = await browser.newContext({ javaScriptEnabled: false });
 const still = await plain.newPage();
 await still.goto(url('narrow-phase.html'));
 check(await still.locator('figure[data-live] svg').count() > 3, 'narrow-phase.html: without JavaScript there is no figure');
