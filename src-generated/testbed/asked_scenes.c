@@ -163,7 +163,7 @@ static void draw_lift(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 
 static const wfScene row[] = {
     { .category = "Asked", .name = "teleport", .chapter = "world",
-      .text = "The lowest box is at once on the other tower. Who leant on it falls.",
+      .text = "The lowest box is at once on the other tower. The box that leant on it falls.",
       .build = build_teleport, .update = update_teleport, .draw = draw_teleport,
       VIEW(0, 2.2, 7), PROMISE(-1, 0.1) },
     { .category = "Asked", .name = "moving platforms", .chapter = "world",

@@ -57,7 +57,7 @@ wfResult wfOpenSceneWithModules(const wfScene *scene, const wfMemory *memory,
 /* Makes the scene's world in the memory handed over, or in its own (memory NULL or all
    zero). The errors of wfCreateWorld and of the scene's calls; then no world is left. */
 wfResult wfOpenScene(const wfScene *scene, const wfMemory *memory, wfWorld *out);
-/* Who shares the work of scenes that are opened from now on; nobody at first. */
+/* The threads that share the work of scenes opened from now on; none at first. */
 void wfShareScenes(wfWorkers workers);
 /* Lets the scene act, then steps its world: the errors of wfStepWorld. */
 wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *in);

@@ -80,8 +80,9 @@ wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen);
  * are then as they were. */
 wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccuracy *out);
 /* Says that so many substeps suffice for a body, of those that its world makes (>= 0; 0:
- * it needs all). Who hangs together makes as many as the most demanding needs, and who is
- * joined makes all. For the solver "soft". WF_ERROR_STALE_ID, _RANGE, _BUSY. */
+ * it needs all). The bodies of an island make as many as the most demanding of them needs,
+ * and bodies with joints make all. For the solver "soft". WF_ERROR_STALE_ID, _RANGE,
+ * _BUSY. */
 wfResult wfSetBodySubsteps(wfWorld *world, wfBodyId id, int32_t substeps);
 int32_t wfBodySubsteps(const wfWorld *world, wfBodyId id);     /* 0 for a stale id, too */
 WF_END_C

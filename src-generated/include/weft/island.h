@@ -2,7 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ISLAND_H
 #define WEFT_ISLAND_H
-/* Who hangs together with whom, and who has been still for how long. Plain
+/* Which bodies are joined or touch, and how long each has been still. Plain
  * functions over arrays, which trust their pointers; the world has its own for them. */
 #include "weft/body.h"
 WF_BEGIN_C
@@ -14,7 +14,7 @@ int32_t wfFindSet(int32_t *parent, int32_t i);
 /* Makes one set of those of a and b. False: they were one. */
 bool wfUnionSets(int32_t *parent, int32_t a, int32_t b);
 
-/* Who hangs together with whom: island k has the members first[k] .. first[k + 1] - 1. */
+/* Which bodies are joined or touch: island k has the members first[k] .. first[k + 1] - 1. */
 typedef struct wfIslands {
     int32_t  count;
     int32_t *first;            /* count + 1 of them */
