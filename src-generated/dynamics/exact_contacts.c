@@ -622,7 +622,7 @@ size_t wfExactTieScratch(int32_t joints)
     return 2 * (size_t)joints * sizeof(wfTie) + room_for(0, 2 * joints);
 }
 
-/* The bodies that joints tie. Without room for them the joints take turns, as any other laws. */
+/* The bodies that joints tie. Without room for them the joints take turns. */
 static void take_ties(Exact *e)
 {
     const wfSolve *in = e->s.in;
