@@ -14,7 +14,7 @@ int32_t wfFindSet(int32_t *parent, int32_t i);
 /* Makes one set of those of a and b. False: they were one. */
 bool wfUnionSets(int32_t *parent, int32_t a, int32_t b);
 
-/* Which bodies touch or are joined: island k: the members first[k] .. first[k + 1] - 1. */
+/* Bodies that touch or are joined; island k has members first[k] .. first[k + 1] - 1. */
 typedef struct wfIslands {
     int32_t  count;
     int32_t *first;            /* count + 1 of them */
