@@ -104,7 +104,7 @@ static int check_manifolds(const wfShape *a, wfTransform xa, const wfShape *b, w
 {
     wfShape A = larger(a), B = larger(b);
     wfManifold m, n;
-    wfManifoldCache small = { .owner = WF_NO_EDGE }, large = small;
+    wfManifoldCache small, large;
     wfSeparation s, t;
     int row = wfFindNarrowPhase("sat");
     wfReal margin = wfRandomBelow(r, 2) ? WF_R(0.125) : 0;
@@ -113,12 +113,14 @@ static int check_manifolds(const wfShape *a, wfTransform xa, const wfShape *b, w
     wfMakeManifoldWithin(a, xa, b, xb, &s, margin, &m);
     wfMakeManifoldWithin(&A, further(xa), &B, further(xb), &t, k * margin, &n);
     int points = assert_same_manifold(&m, &n);
-    wfRememberManifold(a, xa, b, xb, &s, &small);
-    wfRememberManifold(&A, further(xa), &B, further(xb), &t, &large);
-    assert_true(same(small.allowed, large.allowed) && same(small.reach, large.reach) && small.edge == large.edge);
-    xb.p = wfAdd(xb.p, random_v2(r, -WF_R(0.003), WF_R(0.003)));            /* about as far as is allowed */
-    bool again = wfReuseManifold(a, xa, b, xb, margin, &small, &m);
-    assert_int_equal(again, wfReuseManifold(&A, further(xa), &B, further(xb), k * margin, &large, &n));
+    wfReal reachA = wfShapeMaxExtent(a), reachB = wfShapeMaxExtent(b), within = margin + WF_R(0.0625);
+    wfMakeManifoldWithin(a, xa, b, xb, &s, within, &m);
+    wfMakeManifoldWithin(&A, further(xa), &B, further(xb), &t, k * within, &n);
+    wfRememberManifold(xa, xb, s.distance, within, WF_R(0.0625), &m, &small);
+    wfRememberManifold(further(xa), further(xb), t.distance, k * within, k * WF_R(0.0625), &n, &large);
+    xb.p = wfAdd(xb.p, random_v2(r, -WF_R(0.06), WF_R(0.06)));            /* about as far as is allowed */
+    bool again = wfReuseManifold(reachA, xa, reachB, xb, margin, &small, &m);
+    assert_int_equal(again, wfReuseManifold(k * reachA, further(xa), k * reachB, further(xb), k * margin, &large, &n));
     if (again) assert_same_manifold(&m, &n);
     return points;
 }

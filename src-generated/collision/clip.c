@@ -180,7 +180,8 @@ bool wfFacingCorners(const wfFacing *f, const wfClipPoint *clipped, wfCorners *c
     c->ref = c->way.x < 0 ? f->r : next_vertex(f->ref, f->r);
     c->inc = k ? next_vertex(f->inc, f->i) : f->i;
     if (c->way.x == 0) return false;
-    return !clipped || wfLength(c->way) < wfMinR(clipped[0].at.y, clipped[1].at.y);
+    wfReal far = (1 + WF_CORNER_SHARE) * wfLength(c->way);
+    return !clipped || far < wfMinR(clipped[0].at.y, clipped[1].at.y);
 }
 
 void wfCornerContact(const wfFacing *f, const wfCorners *c, wfReal margin, wfManifold *out)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "dynamics/columns.h"
+#include "dynamics/resolve.h"
 
 /* find the trees */
 typedef struct Search {
@@ -145,6 +146,71 @@ static bool is_alone(const Search *q, const wfLimb *root)
     return lever * lever * b->invInertia <= WF_ALONE_SHARE * b->invMass;
 }
 
+/* Does something come in, or remember that it has?  load: N, what the contact will bear */
+static bool lands(const Search *q, const wfContact *c, wfReal load)
+{
+    const wfSolve *in = q->s->in;
+    const wfManifold *m = &c->manifold;
+    wfReal borne = 0;
+    for (int32_t i = 0; i < m->count; i++) borne += m->points[i].normalImpulse;
+    return borne > WF_LANDED * load * in->h
+        || wfApproachOf(c, &in->state[c->a], &in->state[c->b]) > in->restingSpeed;
+}
+
+/* Would its spring give more than stackSag slops?  load: N */
+static bool gives_way(const Search *q, const wfLimb *l, wfReal load)
+{
+    const wfSolve *in = q->s->in;
+    wfReal period = in->contactPeriod > 0 ? in->contactPeriod : WF_CONTACT_PERIOD;
+    wfReal turn = period * q->s->dt / (2 * WF_PI), ease = in->state[l->body].invMass;
+    if (l->below >= 0) ease += in->state[q->t->limb[l->below].body].invMass;
+    wfReal slop = in->contacts[q->s->order[l->contact]].slop;
+    return load * ease * turn * turn > in->stackSag * slop;     /* eq:soft-worth */
+}
+
+/* Is the load outside the middle half of what it stands on? */
+static bool leans(const wfContact *c, const wfReal load[3])
+{
+    const wfContactPoint *p = c->manifold.points;
+    if (c->manifold.count < 2) return false;
+    wfVec2 force = wfV2(load[0], load[1]), ends = wfAdd(p[0].point, p[1].point);
+    wfReal moment = load[2] - wfCross(wfScale(WF_R(0.5), ends), force);
+    wfReal quarter = wfDistance(p[0].point, p[1].point) / 4;
+    return wfAbs(moment) > quarter * wfLength(force);
+}
+
+/* Is a tree worth more than passes?  The loads, as force and moment about the origin, are
+ * added up from the top. */
+static bool is_worth(Search *q, wfLimb *root)
+{
+    const wfSolve *in = q->s->in;
+    wfLimb *limb = q->t->limb;
+    int32_t limbs = root->end - root->root;
+    root->lands = false;
+    if (!(in->stackSag > 0) || in->forces == NULL || limbs <= WF_SMALL_TREE) return true;
+    for (int32_t i = root->root; i < root->end; i++) {
+        memset(limb[i].wave.load, 0, sizeof limb[i].wave.load);
+        limb[i].height = limb[i].below < 0 ? 1 : limb[limb[i].below].height + 1;
+        if (limb[i].height > WF_TALL_TREE) return true;
+    }
+    for (int32_t i = root->end - 1; i >= root->root; i--) {
+        const wfContact *c = &in->contacts[q->s->order[limb[i].contact]];
+        wfReal *load = limb[i].wave.load;
+        wfVec2 f = in->forces[limb[i].body].force;
+        load[0] += f.x, load[1] += f.y, load[2] += wfCross(in->state[limb[i].body].p, f);
+        wfReal weight = wfLength(wfV2(load[0], load[1]));
+        if (lands(q, c, weight)) root->lands = true;
+        if (gives_way(q, &limb[i], weight) || leans(c, load)) {
+            root->lands = false;
+            return true;
+        }
+        wfReal *under = limb[i].below < 0 ? NULL : limb[limb[i].below].wave.load;
+        for (int32_t k = 0; under != NULL && k < 3; k++) under[k] += load[k];
+    }
+    return root->lands;
+}
+
+
 static void try_root(Search *q, int32_t contact)
 {
     wfPair c = ends_of(q->s, contact);
@@ -158,7 +224,7 @@ static void try_root(Search *q, int32_t contact)
     bool tree = grow(q, root) && close_loops(q, root);
     bool alone = tree && is_alone(q, &q->t->limb[root]);
     if (alone) q->t->held[contact] = WF_HELD_ALONE, q->t->alone = true;
-    if (tree && !alone) return;
+    if (tree && !alone && is_worth(q, &q->t->limb[root])) return;
     while (q->t->count > root) q->limb[q->t->limb[--q->t->count].body] = GIVEN_UP;
 }
 
@@ -767,6 +833,20 @@ void wfTakeBackMemory(const wfSubsteps *s, wfStacks *t)
         take_back(s, t, &t->limb[at]);
 }
 
+/* The top of a tower rises by what all contacts are pushed by: no faster than rest. */
+static wfReal share_of_lift(const wfSubsteps *s, const wfStacks *t, const wfLimb *root,
+                            wfReal bias)
+{
+    wfReal lift = 0;
+    if (!(s->in->stackSag > 0) || !(bias > 0)) return 1;
+    for (int32_t i = root->root; i < root->end; i++) {
+        const wfPrepared *c = &s->c[t->limb[i].contact];
+        wfReal now = c->count > 1 ? wfMaxR(c->p[0].now, c->p[1].now) : c->p[0].now;
+        if (now < 0) lift -= bias * now;
+    }
+    return lift > s->in->restingSpeed ? s->in->restingSpeed / lift : 1;
+}
+
 void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
                    wfReal fastest)
 {
@@ -774,8 +854,10 @@ void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
         wfLimb *root = &t->limb[at];
         if (root->given_up) continue;
         bool loops = root->links > root->end;
-        Law law = { soft || loops, loops ? 0 : bias, fastest, push_noise(s, t, root) };
+        Law law = { soft || loops, loops || root->lands ? 0 : bias, fastest,
+                    push_noise(s, t, root) };
         open_tree(s, t, root, root->state == LIMB_RIGHT);
+        law.bias *= share_of_lift(s, t, root, law.bias);
         try_quickly(s, &law, t, root);
         if (root->state == LIMB_OPEN) try_carefully(s, &law, t, root);
         for (int32_t i = at; i < root->links && root->state == LIMB_RIGHT; i++)

@@ -24,9 +24,11 @@ typedef struct wfLimb {
     int32_t over;                /* the limb of `body`; another one: this is a link */
     int32_t end, links;          /* of a root: where its limbs end, and its links */
     int32_t points;              /* bits of the points that bear */
+    int32_t height;              /* limbs from the ground to this one */
     int32_t rows, state;
     bool    upside;              /* the body is the contact's a */
     bool    given_up;            /* a root with loops: by passes for the rest of the step */
+    bool    lands;               /* a root: only its velocities are solved at once */
     bool    made[2];             /* a root: its matrices are those of `points` */
     int32_t came;                /* of a root: the point that was taken in last */
     int32_t answers;             /* of a root: where its part of answer[] begins */

@@ -165,7 +165,7 @@ static wfResult check_numbers(const wfSolve *in)
         !wfIsFinite(in->recoverySpeed))
         return WF_ERROR_NOT_FINITE;
     bool out = in->contactPeriod < 0 || in->contactDampingRatio < 0 ||
-               in->recoverySpeed < 0 || in->stackSolver < 0 ||
+               in->recoverySpeed < 0 || in->stackSag < 0 || in->stackSolver < 0 ||
                in->stackSolver > 1 + WF_STACK_LOOPS;
     return out ? WF_ERROR_RANGE : WF_OK;
 }

@@ -50,6 +50,8 @@ static wfResult give_method(wfWorld *world, int method, int32_t steps, wfReal fr
     const wfSetting *passes = setting_of(&def, "iterations");
     if (result == WF_OK && passes != NULL)
         result = wfPutSetting(&def, passes, 0, m->passes);
+    const wfSetting *sag = setting_of(&def, "stackSag");
+    if (result == WF_OK && sag != NULL) result = wfPutSetting(&def, sag, 0, 0);
     def.timeStep = frame / (wfReal)steps;
     return result == WF_OK ? wfSetWorldDef(world, &def) : result;
 }

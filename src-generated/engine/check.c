@@ -283,15 +283,11 @@ static bool is_live_shape(const wfBlock *b, int32_t k)
     return in_range(k, b->head->shapeSlots.high) && b->bodyOfShape[k] >= 0;
 }
 
-static bool is_cache(const wfBlock *b, wfPair p, const wfManifoldCache *m)
+static bool is_cache(const wfManifoldCache *m)
 {
-    const wfReal number[] = { m->relative.p.x, m->relative.p.y, m->relative.q.c,
-                              m->relative.q.s, m->distance, m->reach, m->allowed };
-    if (!wfAllFinite(number, 7)) return false;
-    if (!(m->allowed > 0) || m->owner == WF_NO_EDGE) return true;
-    if (m->owner != 0 && m->owner != 1) return false;
-    int32_t a = b->shapes[p.a].count, d = b->shapes[p.b].count;
-    return a > 1 && d > 1 && in_range(m->edge, m->owner == 0 ? a : d);
+    const wfReal number[] = { m->apart.x, m->apart.y, m->qA.c, m->qA.s, m->qB.c, m->qB.s,
+                              m->distance, m->within, m->allowed, m->gap[0], m->gap[1] };
+    return wfAllFinite(number, 11) && in_range(m->known, 4);
 }
 
 static bool rule_of_pairs(Check *c)
@@ -303,8 +299,8 @@ static bool rule_of_pairs(Check *c)
         bool good = p.a < p.b && is_live_shape(b, p.a) && is_live_shape(b, p.b)
                  && (first || in_order(b->pairs[i - 1], p));
         if (!rule(c, good, WF_REGION_PAIRS, i, "pairs are of live shapes, in order")
-            || !rule(c, is_cache(b, p, &b->caches[i]), WF_REGION_CACHES, i,
-                     "a cache names an edge that there is")) return false;
+            || !rule(c, is_cache(&b->caches[i]), WF_REGION_CACHES, i,
+                     "a cache knows two points at most")) return false;
     }
     return true;
 }

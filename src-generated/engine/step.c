@@ -212,7 +212,7 @@ static wfSolve to_solve(struct wfStep *s)
         .told = s->told,
         .recoverySpeed = recovery_speed(head),
         .contactPeriod = head->contactPeriod, .contactDampingRatio = head->contactDampingRatio,
-        .stackSolver = head->stackSolver,
+        .stackSolver = head->stackSolver, .stackSag = head->stackSag,
         .graphColouring = head->graphColouring, .enableSimd = head->enableSimd,
         .work = WF_EXACT_WORK,
         .fine = s->fine,

@@ -205,7 +205,7 @@ static wfResult sense_pair(struct wfStep *s, int32_t i)
     wfPair p = s->pairs.pairs[i];
     wfSeparation found;
     /* nothing is remembered of pair i */
-    s->caches[i] = (wfManifoldCache){ .allowed = 0 };
+    s->caches[i] = (wfManifoldCache){ .known = 0 };
     wfTransform xa = s->places[s->b.bodyOfShape[p.a]],
         xb = s->places[s->b.bodyOfShape[p.b]];
     wfResult result = wfSeparate(s->b.head->narrowPhase, &s->b.shapes[p.a], xa,
@@ -261,28 +261,37 @@ static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
 }
 
 static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
-                        wfManifold *out)
+                        const wfContact *old, wfManifold *out)
 {
     wfPair p = s->pairs.pairs[i];
     const wfShape *a = &s->b.shapes[p.a], *b = &s->b.shapes[p.b];
     wfTransform xa = s->places[s->b.bodyOfShape[p.a]],
         xb = s->places[s->b.bodyOfShape[p.b]];
+    wfReal within = margin;
     wfSeparation found;
-    (void)w;
+    (void)w, (void)old;
     /* use the manifold of pair p again */
+    const wfShapeProps *pa = &s->b.materials[p.a], *pb = &s->b.materials[p.b];
     const wfManifoldCache *known = old_cache(&s->b, w, p);
     wfManifoldCache *cache = &s->caches[i];
-    bool worth = a->kind != WF_SHAPE_CIRCLE || b->kind != WF_SHAPE_CIRCLE;
+    bool round = a->count < 2 || b->count < 2, worth = a->count > 1 || b->count > 1;
+    bool link = a->kind == WF_SHAPE_LINK || b->kind == WF_SHAPE_LINK;
+    wfReal allowed = round || link ? 0 : WF_REUSE_SHARE * wfMinR(pa->inner, pb->inner);
     if (known != NULL && s->b.head->reuseManifolds && worth) {
         *cache = *known;
-        if (wfReuseManifold(a, xa, b, xb, margin, known, out)) return WF_OK;
+        out->count = 0;
+        if (old != NULL) *out = old->manifold;
+        if (wfReuseManifold(pa->reach, xa, pb->reach, xb, margin, known, out)) return WF_OK;
     }
-    if (!worth) *cache = (wfManifoldCache){ .allowed = 0 };
+    if (!worth) *cache = (wfManifoldCache){ .known = 0 };
+    within += allowed;
     wfResult result = wfSeparate(s->b.head->narrowPhase, a, xa, b, xb, &found);
     if (result != WF_OK) return result;
-    wfMakeManifoldWithin(a, xa, b, xb, &found, margin, out);
+    wfMakeManifoldWithin(a, xa, b, xb, &found, within, out);
+    /* mend the manifold of a tile */
+    if (s->firstTile != NULL && out->count > 0) wfMendTile(s, p, within, out);
     /* remember the manifold of pair p */
-    if (worth) wfRememberManifold(a, xa, b, xb, &found, cache);
+    if (worth) wfRememberManifold(xa, xb, found.distance, within, allowed, out, cache);
     return WF_OK;
 }
 
@@ -305,10 +314,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     was = touched_before(&s->b, w, p);
     wfReal ahead = wfSolverIntegrates(s) ? wfSpeculativeMarginOfPair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, slop_of(s, p)) : ahead;
-    wfResult result = measure(s, w, i, margin, &c->manifold);
-    /* mend the contact c of a tile */
-    if (s->firstTile != NULL && c->manifold.count > 0)
-        wfMendTile(s, p, margin, &c->manifold);
+    wfResult result = measure(s, w, i, margin, old, &c->manifold);
     if (result != WF_OK || c->manifold.count == 0) return result;
     start_contact(s, p, c);
     if (old != NULL) wfCarryImpulses(old, c);
@@ -319,7 +325,8 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
     note_touch(s, c, is);
     if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
-    drop_gaps(&c->manifold, ahead);
+    if (!wfSolverIntegrates(s) || -deepest(&c->manifold) > ahead)
+        drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
     /* whom the contact c concerns besides its bodies */

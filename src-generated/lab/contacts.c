@@ -366,23 +366,26 @@ static double wander_all(wfReal share, wfReal step, double *worst)
     wfRandomSeed(&r, 13);
     for (int pair = 0; pair < 400; pair++) {
         Wander w;
-        wfManifoldCache cache = { .owner = WF_NO_EDGE };
+        wfManifoldCache cache = { .known = 0 };
+        wfManifold again = { .count = 0 };
         wander_start(&r, &w);
         for (int i = 0; i < 50; i++) {
             /* go on a step, and compare a manifold used again with a fresh one */
             wfSeparation s;
-            wfManifold fresh, again;
+            wfManifold fresh;
+            wfReal reachA = wfShapeMaxExtent(&w.a), reachB = wfShapeMaxExtent(&w.b);
             wander_on(&r, &w, step);
             if (wfSeparate(sat, &w.a, w.xa, &w.b, w.xb, &s) != WF_OK) return -1;
             wfMakeManifold(&w.a, w.xa, &w.b, w.xb, &s, &fresh);
             all += i > 0;
-            if (wfReuseManifold(&w.a, w.xa, &w.b, w.xb, 0, &cache, &again)) {
+            if (wfReuseManifold(reachA, w.xa, reachB, w.xb, 0, &cache, &again)) {
                 double error = (double)((deepest_of(&again) - deepest_of(&fresh)) / w.reach);
-                if (error > *worst) *worst = error;
+                if (again.count > 0 && fresh.count > 0 && error > *worst) *worst = error;
                 reused++;
             } else {
-                wfRememberManifold(&w.a, w.xa, &w.b, w.xb, &s, &cache);
-                cache.allowed = share * w.reach;
+                wfReal allowed = share * w.reach;
+                wfMakeManifoldWithin(&w.a, w.xa, &w.b, w.xb, &s, allowed, &again);
+                wfRememberManifold(w.xa, w.xb, s.distance, allowed, allowed, &again, &cache);
             }
         }
     }
@@ -411,27 +414,29 @@ enum { REUSE_POSES = 64, REUSE_ROUNDS = 2000 };
 static double reuse_batch(const wfShape *a, const wfShape *b, const wfTransform *xb,
                           int way)
 {
-    wfManifoldCache cache = { .owner = WF_NO_EDGE }, far;
+    wfManifoldCache cache, far;
     wfTransform xa = wfMakeTransform(wfV2(0, 0), 0);
     wfSeparation s;
     wfManifold m;
     int sat = wfFindNarrowPhase("sat"), points = 0;
+    wfReal reachA = wfShapeMaxExtent(a), reachB = wfShapeMaxExtent(b), allowed = reachA;
     wfSeparate(sat, a, xa, b, xb[0], &s);
-    wfRememberManifold(a, xa, b, xb[0], &s, &cache);
+    wfMakeManifoldWithin(a, xa, b, xb[0], &s, allowed, &m);
+    wfRememberManifold(xa, xb[0], s.distance, 2 * allowed, allowed, &m, &cache);
     far = cache;
-    far.relative.p.y += 1;
+    far.allowed = 0;
     clock_t start = clock();
     for (int i = 0; i < REUSE_POSES * REUSE_ROUNDS; i++) {
         const wfTransform *x = &xb[i % REUSE_POSES];
         /* make the manifold this way */
-        if (way == 1 && wfReuseManifold(a, xa, b, *x, 0, &cache, &m)) {
+        if (way == 1 && wfReuseManifold(reachA, xa, reachB, *x, 0, &cache, &m)) {
             points += m.count;
             continue;
         }
-        if (way == 2 && wfReuseManifold(a, xa, b, *x, 0, &far, &m)) return -1;
+        if (way == 2 && wfReuseManifold(reachA, xa, reachB, *x, 0, &far, &m)) return -1;
         wfSeparate(sat, a, xa, b, *x, &s);
         wfMakeManifold(a, xa, b, *x, &s, &m);
-        if (way == 2) wfRememberManifold(a, xa, b, *x, &s, &cache);
+        if (way == 2) wfRememberManifold(xa, *x, s.distance, 0, 0, &m, &cache);
         points += m.count;
     }
     double took = (double)(clock() - start) / CLOCKS_PER_SEC;

@@ -233,11 +233,13 @@ static void test_pair(Input *in)
     wfManifoldCache cache;
     memset(&cache, 0, sizeof cache);
     doing = "reuse";
-    MUST(!wfReuseManifold(&a, xa, &b, xb, margin, &cache, &m));
-    wfRememberManifold(&a, xa, &b, xb, &first, &cache);
+    wfReal reachA = wfShapeMaxExtent(&a), reachB = wfShapeMaxExtent(&b);
+    MUST(!wfReuseManifold(reachA, xa, reachB, xb, margin, &cache, &m));
+    wfMakeManifoldWithin(&a, xa, &b, xb, &first, margin + reach, &again);
+    wfRememberManifold(xa, xb, first.distance, margin + reach, reach, &again, &cache);
     xb.p = wfAdd(xb.p, tame_vector(in, reach / 64));
-    if (wfReuseManifold(&a, xa, &b, xb, margin, &cache, &again))
-        check_manifold(&again, margin + reach, noise, rotations);
+    if (wfReuseManifold(reachA, xa, reachB, xb, margin, &cache, &again))
+        check_manifold(&again, margin + 2 * reach, noise, rotations);
 }
 
 /* ---- queries ------------------------------------------------------------------------------------------------------- */

@@ -48,28 +48,32 @@ int wfCollide(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb
    normal has turned by a right angle or more. */
 void wfMatchImpulses(const wfManifold *before, wfManifold *now);
 
-/* How far a point of one shape may have moved, seen from the other, for its reference edge
-   to be used again: a share of the smaller shape's reach.  eq:contacts-reuse-limit */
-#define WF_REUSE_SHARE WF_R(0.00390625)   /* 1/256 */
+/* How far the bodies of a contact may have moved for it to be used again: a share of the
+   lesser distance from a middle to an edge.  eq:contacts-reuse-limit */
+#define WF_REUSE_SHARE WF_R(0.03125)   /* 1/32 */
 
 /* What is remembered of a pair.  All bytes zero: nothing. */
 typedef struct wfManifoldCache {
-    wfTransform relative;   /* the incident shape (A's frame: B) as the reference saw it */
+    wfVec2 apart;           /* m: from A's origin to B's when it was measured */
+    wfRot  qA, qB;          /* and the rotations */
     wfReal distance;        /* m, what the narrow phase said */
-    wfReal reach;           /* m, of the incident shape's core: R of eq:contacts-moved */
-    wfReal allowed;         /* m, the greatest d; 0: nothing is remembered */
-    int32_t owner, edge;    /* the reference edge; WF_NO_EDGE: only the distance is known */
+    wfReal within;          /* m: points with gaps up to this one are known */
+    wfReal allowed;         /* m, the greatest d; 0: only the distance is used again */
+    wfReal gap[2];          /* m, of the manifold's points */
+    int32_t known;          /* 1 + the manifold's points; 0: nothing is remembered */
 } wfManifoldCache;
 
-/* Remembers what a narrow phase found for this pair. */
-void wfRememberManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                        const wfSeparation *s, wfManifoldCache *cache);
+/* Remembers the distance (m) of a pair and its manifold, made within the margin `within`. */
+void wfRememberManifold(wfTransform xa, wfTransform xb, wfReal distance, wfReal within,
+                        wfReal allowed, const wfManifold *m, wfManifoldCache *cache);
 
-/* The manifold of the same two shapes in new poses, without a narrow phase: true, and *out
-   (without impulses) as wfMakeManifoldWithin would fill it, but for depths that may be
-   greater by 2 WF_REUSE_SHARE + WF_AXIS_TIE of the smaller reach (eq:contacts-reuse).
-   false: the pair has moved too far, or nothing is remembered; *out is unchanged. */
-bool wfReuseManifold(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                     wfReal margin, const wfManifoldCache *cache, wfManifold *out);
+/* The manifold of a pair in new poses, without a narrow phase: *m holds the one that was
+   remembered, or what this function made of it since, and gets new gaps and points.  true,
+   with count 0: the pair is further apart than the margin.  false, and nothing is changed:
+   it has moved too far, or nothing is remembered.  reachA, reachB (m): no point of the shape
+   is further from its body's origin.  Gaps may be wrong by twice `allowed` and a tie
+   (eq:contacts-reuse). */
+bool wfReuseManifold(wfReal reachA, wfTransform xa, wfReal reachB, wfTransform xb,
+                     wfReal margin, const wfManifoldCache *cache, wfManifold *m);
 WF_END_C
 #endif

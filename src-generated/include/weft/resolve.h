@@ -113,6 +113,8 @@ typedef struct wfSolve {
                                          * WF_HUGE: by moving alone, sec:soft-deep */
     int32_t             stackSolver;    /* 0: contacts by passes; 1: towers are solved at
                                          * once; 1 + n: with up to n loops */
+    wfReal              stackSag;       /* slops: towers whose springs give no more go by
+                                         * passes all the same; 0: none does */
     wfResidual         *fine;           /* of each body: what its state rounds away,
                                          * for `soft`; NULL: it is lost */
     wfPool             *scratch;        /* room for the row's scratch(bodies, contacts) */
@@ -189,6 +191,9 @@ void wfCarryImpulses(const wfContact *before, wfContact *now);
 /* gamma / K of contacts solved at once: sec:soft-push */
 #define WF_STACK_COMPLIANCE WF_R(1e-4)
 #define WF_ALONE_SHARE WF_R(1e-6)  /* how far a point may be from below the centre */
+#define WF_SMALL_TREE 2  /* trees of no more bodies are always solved at once, */
+#define WF_TALL_TREE 30  /* and those with more on top of each other */
+#define WF_LANDED 2      /* so many times its load in a contact's memory: a landing */
 
 typedef wfResult wfSolverFn(const wfSolve *in);
 typedef size_t wfSolverScratchFn(int32_t bodies, int32_t contacts);

@@ -63,6 +63,9 @@ WF_ADVANCED(int32_t, enableSimd, 1, "and several at once, to the same bits", WF_
 WF_ADVANCED(int32_t, stackSolver, 3,
             "1: towers are solved at once; 1 + n: with up to n loops", WF_COUNTED,
             WF_BETWEEN(0, 1 + WF_STACK_LOOPS), .law = 1, .modules = WF_MODULE_CONTACTS)
+WF_ADVANCED(wfReal, stackSag, 3,
+            "springs that give no more need no such solver; 0: all do", WF_REAL,
+            WF_FROM(0), .law = 1, .unit = "slops", .modules = WF_MODULE_CONTACTS)
 WF_SETTING(int32_t, frictionRule, wfFindMix("geometric-mean"), "of two shapes' friction",
            WF_ROW(Mix), .law = 1, .modules = WF_MODULE_FRICTION)
 WF_SETTING(int32_t, restitutionRule, wfFindMix("maximum"), "of their restitution",
