@@ -267,7 +267,7 @@ static void a_world_grows_and_nobody_notices(void **unused)
 static void the_ring_keeps_the_newest(void **unused)
 {
     (void)unused;
-    enum { STEPS = 200, UNIT = 10001 * sizeof(wfReal) };
+    enum { STEPS = 200, UNIT = 12001 * sizeof(wfReal) };
     static uint64_t hash[STEPS + 1];
     for (int memory = 1; memory <= 3; memory++) {           /* room for few, some, many */
         wfWorld world = busy_with(12, 0, 3);
