@@ -35,6 +35,7 @@ help:
 	@echo "make data               measure again what the book's plots and tables show (book/data/; make clocks: only what has a clock in it)"
 	@echo "make lab                the lab's sweeps, minutes (make lab-full: all of them): build/lab/*.csv; goes on when interrupted"
 	@echo "make amalgam            the engine as two files: build/amalgam/weft.h, weft.c"
+	@echo "make npm | python       packages for JavaScript (WebAssembly) and Python: build/npm, build/python"
 	@echo "make peers              adapters for other engines: build/peers/bin/ (BOX2D3=its prefix)"
 	@echo "make extremes           every engine on scenes with exact answers, swept past sense (the chapter extremes; long)"
 	@echo "make parts              build and test the least engine, each part alone and left out;  make prices  what each costs"

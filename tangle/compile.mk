@@ -49,7 +49,7 @@ $(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS) $(JSONINC)' | cmp -s - $(F
 .DELETE_ON_ERROR:
 lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(JSONLIB) $(JSONLIB:$(OUT)/lib/lib%.a=$(OUT)/lib/pkgconfig/%.pc) $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake $(OUT)/lib/cmake/weft/weftConfigVersion.cmake
 
-$(LIBOBJ): HIDDEN := -fvisibility=hidden
+$(LIBOBJ): HIDDEN := -fvisibility=hidden -DWF_ENGINE
 $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
 	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -fno-semantic-interposition $(HIDDEN) -MMD -MP -c $< -o $@

@@ -31,7 +31,15 @@ sed -i "s|^prefix=.*|prefix=$work/d/opt/weft|" "$work/d/opt/weft/lib/pkgconfig/w
 flags=$(PKG_CONFIG_PATH=$work/d/opt/weft/lib/pkgconfig pkg-config --cflags weft)
 [[ $flags == *-DWF_DOUBLE* ]] || { echo "weft.pc of a double build does not say -DWF_DOUBLE: $flags"; exit 1; }
 cc -std=c11 tests/install/user.c $flags "$work/d/opt/weft/lib/libweft.a" -lm -o "$work/user-double" && "$work/user-double"
-say "double precision: ok"
+# a program of the other precision does not link, static or shared, and the message names the switch
+for way in "-DWF_DOUBLE stage" "-UWF_DOUBLE d"; do
+  set -- $way
+  for lib in "$work/$2/opt/weft/lib/libweft.a" "-L$work/$2/opt/weft/lib -lweft"; do
+    ! cc -std=c11 "$1" "-I$work/$2/opt/weft/include" tests/install/user.c $lib -lm -o "$work/mixed" 2>"$work/log" && grep -q 'wf[A-Za-z]*Has[A-Z]*_DOUBLEBut' "$work/log" ||
+      { cat "$work/log"; echo "a program with $1 and the library $lib were linked, or the message does not say why not"; exit 1; }
+  done
+done
+say "double precision, and no mixture: ok"
 
 # every public header compiles alone, so that a user may include just one
 for h in "$work"/stage/opt/weft/include/weft/*.h; do
