@@ -22,6 +22,8 @@ done
 # the version is told once in C, and the same in the citation; functions that SECURITY.md names are declared
 v=$(sed -nE 's/^#define WF_VERSION_(MAJOR|MINOR|PATCH) //p' src-generated/include/weft/core.h | paste -sd.)
 grep -qx "version: $v" CITATION.cff || { echo "CITATION.cff does not say version: $v, which core.h says"; fail=1; }
+grep -q "^weft ($v-" packaging/debian/changelog || { echo "packaging/debian/changelog does not begin with weft ($v-...)"; fail=1; }
+for f in packaging/vcpkg/vcpkg.json packaging/conan/conanfile.py; do grep -qE "version[\"' :=]+$v['\"]" $f || { echo "$f does not say version $v"; fail=1; }; done
 for f in $(grep -oE '`wf[A-Za-z]+`' SECURITY.md | tr -d '`' | sort -u); do grep -qE "\b$f\(" src-generated/include/weft/*.h || { echo "SECURITY.md: there is no $f"; fail=1; }; done
 [ $fail -eq 0 ] && echo "README.md: $rows places and $paths paths are where it says"
 exit $fail
