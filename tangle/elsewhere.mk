@@ -7,7 +7,7 @@ amalgam:
 	@if command -v noweb >/dev/null; then tangle/tangle $(AMALGAM)/tree $(NW) && tangle/amalgam $(AMALGAM)/tree $(AMALGAM); else tangle/amalgam src-generated $(AMALGAM); fi
 	@echo "$(AMALGAM)/weft.h, $(AMALGAM)/weft.c: $$(tangle/std --line)"
 # build/npm: a package for JavaScript; build/python: one for Python. Nothing is published. (tangle/bindings.mk)
-npm python: $(if $(shell command -v noweb),tangle)
+npm python: $(if $(NOWEB),tangle)
 	@$(MAKE) --no-print-directory -f tangle/bindings.mk SRC=src-generated OUT=$(BUILD) $@
 # CALLS random calls of the whole API of a world with everything checked behind each; writes book/data/abuse.csv.
 CALLS ?= 10000000

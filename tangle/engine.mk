@@ -28,9 +28,11 @@ SPACE := $(NOTHING) $(NOTHING)
 PART_NAME ?= $(subst $(SPACE),+,$(strip $(if $(FOR),for $(basename $(notdir $(FOR)))) $(if $(filter command,$(firstword $(origin ONLY))),only $(or $(ONLY),nothing)) $(if $(WITHOUT),without $(WITHOUT))))
 PART_DIR = $(if $(filter build,$(BUILD)),build/parts/$(PART_NAME),$(BUILD))
 PART_CHOICE = $(if $(FOR),--only '$(FOR_PARTS)')$(if $(filter command,$(firstword $(origin ONLY))),--only '$(ONLY)') $(if $(WITHOUT),--without '$(WITHOUT)')
+# Without noweb the engine is made from the committed C.
+NOWEB := $(firstword $(wildcard $(addsuffix /mnt,$(NOWEB_LIB) /usr/lib/noweb /usr/local/lib/noweb /opt/homebrew/lib/noweb /opt/local/lib/noweb)))
 ifeq ($(CHOSEN),)
-engine: $(BUILD)/tangle.stamp
-	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) lib
+engine: $(if $(NOWEB),$(BUILD)/tangle.stamp)
+	@$(SUBMAKE) -f tangle/compile.mk SRC=$(if $(NOWEB),$(LINES),src-generated) OUT=$(BUILD) lib
 else
 .PHONY: parts-tangled
 parts-tangled:

@@ -15,6 +15,9 @@ cc -std=c11 tests/install/user.c $(pkg-config --cflags --libs weft) -lm -o "$wor
 LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-shared" && say "pkg-config, shared: ok"
 cc -std=c11 tests/install/user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-static"
 "$work/user-static" && say "pkg-config, static: ok"
+sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' >"$work/readme.c"           # what README shows first
+cc -std=c11 -Wall -Wextra -Werror "$work/readme.c" $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/readme"
+[ "$("$work/readme")" = "height after one second: 5.0950 m" ] || { "$work/readme"; echo "README's program tells another height"; exit 1; }
 cc -std=c11 -Wall -Wextra -Werror tests/install/old_names_user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-old"
 "$work/user-old" && say "a program in the names of the last release: ok"
 if [ -f "$work/stage/opt/weft/lib/libweft-json.a" ]; then
@@ -82,5 +85,6 @@ git ls-files -z | tar --null -T - -cf - 2>/dev/null | tar -xf - -C "$work/src"
 out=$(cd "$work/src" && env -i HOME="$work" PATH="$work/bin" NO_INSTALL=1 make 2>&1) || { echo "$out"; echo "make fails on a machine with only a compiler"; exit 1; }
 grep -q 'libweft.a' <<<"$out" && [ -f "$work/src/build/lib/libweft.a" ] || { echo "$out"; exit 1; }
 grep -q 'noweb' <<<"$out" && grep -q 'no book' <<<"$out" || { echo "$out"; echo "make does not say what the machine lacks"; exit 1; }
+out=$(cd "$work/src" && env -i HOME="$work" PATH="$work/bin" NOWEB_LIB=/nowhere make engine NOWEB= 2>&1) || { echo "$out"; echo "make engine fails on a machine with only a compiler"; exit 1; }
 cc -std=c11 -I"$work/src/src-generated/include" tests/install/user.c "$work/src/build/lib/libweft.a" -lm -o "$work/user-bare" && "$work/user-bare"
 say "compiler only, from the committed C: ok"
