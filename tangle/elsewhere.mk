@@ -23,4 +23,5 @@ soak:
 deb: dist
 	@rm -rf $(BUILD)/deb; mkdir -p $(BUILD)/deb; f=$$(echo $(BUILD)/dist/weft-*.tar.gz); v=$${f##*/weft-}; v=$${v%.tar.gz}; \
 	   cp $$f $(BUILD)/deb/weft_$$v.orig.tar.gz && tar -xzf $$f -C $(BUILD)/deb && cp -r packaging/debian $(BUILD)/deb/weft-$$v/debian && cd $(BUILD)/deb/weft-$$v && \
-	   env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS dpkg-buildpackage -us -uc && cd .. && ls -l *.deb
+	   env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS dpkg-buildpackage -us -uc
+	@tests/install/deb.sh
