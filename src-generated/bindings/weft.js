@@ -78,6 +78,7 @@ const get = (type, at) => {
   if (type === 't') return words(get('u', at));
   if (simple[type]) return look()['get' + simple[type][1]](at, true);
   const out = {};
+  if (type === 'wfVec2') return { x: get('f', at), y: get('f', at + 4) };
   for (const f of parsed[type].fields) {
     const one = k => get(f.type, at + f.at + k * sizeOf(f.type));
     out[f.field] = !f.count ? one(0) : f.type === 'b' ? words(at + f.at)
@@ -283,7 +284,14 @@ const plain = ({ form, ...def }) => form ? { shape: form, ...def } : def;
 //: export class Body {
 class Body extends Thing {
   //: readonly world: World; userData: any;
-  get info() { return ask('wfBodyInfo', out => C.wfGetBody(this.h, this.id, out)); }
+  one(field) {
+    return scope(() => {
+      const at = room(sizeOf('wfBodyInfo'));
+      const f = parsed.wfBodyInfo.fields.find(f => f.field === field);
+      C.wfGetBody(this.h, this.id, at);
+      return get(f.type, at + f.at);
+    });
+  }
   //: readonly valid: boolean;
   get valid() { return C.wfBodyIsValid(this.h, this.id); }
   /** Its state is the 8 numbers of world.states from 8 * index on. */
@@ -291,33 +299,33 @@ class Body extends Thing {
   get index() { return this.id.index - 1; }
   /** Of its origin, m. */
   //: readonly position: Vec;
-  get position() { return this.info.position; }
+  get position() { return this.one('position'); }
   /** Of mass, m. */
   //: readonly centre: Vec;
-  get centre() { return this.info.centre; }
+  get centre() { return this.one('centre'); }
   /** rad, -pi to pi, counter-clockwise. */
   //: readonly angle: number;
-  get angle() { return this.info.angle; }
+  get angle() { return this.one('angle'); }
   /** Of the centre of mass, m/s. */
   //: velocity: Vec;
-  get velocity() { return this.info.velocity; }
+  get velocity() { return this.one('velocity'); }
   set velocity(v) { C.wfSetBodyVelocity(this.h, this.id, v, this.angularVelocity); }
   /** rad/s. */
   //: angularVelocity: number;
-  get angularVelocity() { return this.info.angularVelocity; }
+  get angularVelocity() { return this.one('angularVelocity'); }
   set angularVelocity(w) { C.wfSetBodyVelocity(this.h, this.id, this.velocity, w); }
   /** kg. */
   //: mass: number;
-  get mass() { return this.info.mass; }
+  get mass() { return this.one('mass'); }
   set mass(m) { C.wfSetBodyMass(this.h, this.id, m); }
   /** kg m^2, about the centre of mass. */
   //: readonly inertia: number;
-  get inertia() { return this.info.inertia; }
+  get inertia() { return this.one('inertia'); }
   //: type: 'static' | 'kinematic' | 'dynamic';
-  get type() { return types[this.info.type]; }
+  get type() { return types[this.one('type')]; }
   set type(name) { C.wfChangeBodyType(this.h, this.id, types.indexOf(name)); }
   //: gravityScale: number;
-  get gravityScale() { return this.info.gravityScale; }
+  get gravityScale() { return this.one('gravityScale'); }
   set gravityScale(s) { C.wfSetBodyGravityScale(this.h, this.id, s); }
   //: readonly awake: boolean;
   get awake() { return C.wfBodyIsAwake(this.h, this.id); }
@@ -550,7 +558,7 @@ class World {
   /** The states of all bodies where the engine keeps them, 8 numbers each, from 8 *
    *  body.index on: x, y (of the centre of mass, m), angle (rad), vx, vy (m/s), spin
    *  (rad/s), 1/mass, 1/inertia.
-   *  Read it anew after each call that adds something; it costs nothing. */
+   *  Read it anew after each call that adds something. */
   //: readonly states: Float32Array;
   get states() {
     const { count, state } = C.wfWorldBodies(this.handle);
