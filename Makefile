@@ -35,13 +35,14 @@ help:
 	@echo "make data               measure again what the book's plots and tables show (book/data/; make clocks: only what has a clock in it)"
 	@echo "make lab                the lab's sweeps, minutes (make lab-full: all of them): build/lab/*.csv; goes on when interrupted"
 	@echo "make amalgam            the engine as two files: build/amalgam/weft.h, weft.c"
+	@echo "make npm | python       packages for JavaScript (WebAssembly) and Python: build/npm, build/python"
 	@echo "make peers              adapters for other engines: build/peers/bin/ (BOX2D3=its prefix)"
 	@echo "make extremes           every engine on scenes with exact answers, swept past sense (the chapter extremes; long)"
 	@echo "make parts              build and test the least engine, each part alone and left out;  make prices  what each costs"
 	@echo "make mutate             plant mutants and count how many the tests catch (long)"
 	@echo "make abuse CALLS=10000000 and make soak STEPS=1000000: random calls, and a long run, with everything checked"
 	@echo "make exercise | try | grade | weave E=10.2 [NAME=ada], progress: exercises;  make teacher | assignment E=\"...\" | grade-all DIR=...: for teachers; make course: proves them"
-	@echo "make install PREFIX=... and make uninstall;  make dist: a tarball that builds with a compiler and make alone"
+	@echo "make install PREFIX=... and make uninstall;  make dist: a tarball that builds with a compiler and make alone;  make deb: Debian packages"
 	@echo "make clean              remove build/"
 
 renumber:

@@ -38,7 +38,8 @@ TESTBIN := $(patsubst tests/%.c,$(OUT)/tests/%,$(if $(JSONOBJ),$(TESTS),$(filter
 # what a test or a program is linked with, in this order
 EXTRA_LIB := $(if $(PARTS_FILE),,$(OUT)/lib/libweft-extra.a)
 WEFT_LIBS := $(EXTRA_LIB) $(JSONLIB) $(OUT)/lib/libweft.a
-SHARED := $(if $(filter Darwin,$(shell uname -s)),libweft.dylib,libweft.so)
+SHARED := $(if $(findstring mingw,$(CC)),weft.dll,$(if $(filter Darwin,$(shell uname -s)),libweft.dylib,libweft.so))
+AR := $(if $(findstring mingw,$(CC)),$(CC:gcc=)ar,ar)
 
 # Objects are made again when the compiler or its flags change: a float object never meets a double one.
 FLAGS := $(OUT)/flags
@@ -49,11 +50,11 @@ $(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS) $(JSONINC)' | cmp -s - $(F
 .DELETE_ON_ERROR:
 lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(JSONLIB) $(JSONLIB:$(OUT)/lib/lib%.a=$(OUT)/lib/pkgconfig/%.pc) $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake $(OUT)/lib/cmake/weft/weftConfigVersion.cmake
 
-$(LIBOBJ): HIDDEN := -fvisibility=hidden
+$(LIBOBJ): HIDDEN := -fvisibility=hidden -DWF_ENGINE
 $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
 	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -fno-semantic-interposition $(HIDDEN) -MMD -MP -c $< -o $@
-archive = @mkdir -p $(@D); rm -f $@; ar rcs $@ $^
+archive = @mkdir -p $(@D); rm -f $@; $(AR) rcs $@ $^
 $(OUT)/lib/libweft.a: $(LIBOBJ) ; $(archive)
 $(OUT)/lib/libweft-collision.a: $(call objects,core math collision) ; $(archive)
 $(OUT)/lib/libweft-json.a: $(JSONOBJ) ; $(archive)
@@ -66,6 +67,12 @@ $(OUT)/lib/libweft.so: $(LIBOBJ)
 $(OUT)/lib/libweft.dylib: $(LIBOBJ)
 	@mkdir -p $(@D)
 	@$(CC) $(CFLAGS) -dynamiclib -install_name @rpath/libweft.dylib -o $@ $^ -lm
+
+# CC=x86_64-w64-mingw32-gcc: a DLL that shows what the headers declare, and its import library
+$(OUT)/lib/weft.dll: $(LIBOBJ)
+	@mkdir -p $(@D); grep -ohE '\bwf[A-Za-z0-9_]+' $(SRC)/include/weft/*.h | sort -u > $(OUT)/declared
+	@{ echo EXPORTS; $(CC:gcc=)nm -g --defined-only $^ | awk 'NR == FNR { said[$$1]; next } NF == 3 && $$3 in said { print "  " $$3 ($$2 ~ /[DR]/ ? " DATA" : "") }' $(OUT)/declared - | sort -u; } > $(OUT)/weft.def
+	@$(CC) $(CFLAGS) -shared -static-libgcc -Wl,--out-implib,$(@D)/libweft.dll.a -o $@ $^ $(OUT)/weft.def -lm
 
 # Users of a double build must see the same reals as the library: the switch travels in the package files.
 SWITCHES := $(filter -DWF_%,$(CFLAGS))

@@ -28,9 +28,11 @@ SPACE := $(NOTHING) $(NOTHING)
 PART_NAME ?= $(subst $(SPACE),+,$(strip $(if $(FOR),for $(basename $(notdir $(FOR)))) $(if $(filter command,$(firstword $(origin ONLY))),only $(or $(ONLY),nothing)) $(if $(WITHOUT),without $(WITHOUT))))
 PART_DIR = $(if $(filter build,$(BUILD)),build/parts/$(PART_NAME),$(BUILD))
 PART_CHOICE = $(if $(FOR),--only '$(FOR_PARTS)')$(if $(filter command,$(firstword $(origin ONLY))),--only '$(ONLY)') $(if $(WITHOUT),--without '$(WITHOUT)')
+# Without noweb the engine is made from the committed C.
+NOWEB := $(firstword $(wildcard $(addsuffix /mnt,$(NOWEB_LIB) /usr/lib/noweb /usr/local/lib/noweb /opt/homebrew/lib/noweb /opt/local/lib/noweb)))
 ifeq ($(CHOSEN),)
-engine: $(BUILD)/tangle.stamp
-	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) lib
+engine: $(if $(NOWEB),$(BUILD)/tangle.stamp)
+	@$(SUBMAKE) -f tangle/compile.mk SRC=$(if $(NOWEB),$(LINES),src-generated) OUT=$(BUILD) lib
 else
 .PHONY: parts-tangled
 parts-tangled:
@@ -68,22 +70,27 @@ upto-all:
 	@for n in $$(tangle/chapters --steps); do \
 	   $(MAKE) --no-print-directory upto CHAPTER=$$n UPTO_TESTS=own-tests UPTO_DIR=$(BUILD)/upto/all >$(BUILD)/upto/$$n.log 2>&1 && tail -1 $(BUILD)/upto/$$n.log || { cat $(BUILD)/upto/$$n.log; exit 1; }; done
 
+# LIBDIR=lib64, or lib/x86_64-linux-gnu: where the system keeps its libraries
+LIBDIR ?= lib
+UP = $(shell echo '$(LIBDIR)' | sed 's|[^/][^/]*|..|g')
 install: $(BUILD)/lib/libweft.a
-	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/bin
+	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/weft $(DESTDIR)$(PREFIX)/bin
 	@install -m 644 src-generated/include/weft/*.h tangle/old_names.h $(DESTDIR)$(PREFIX)/include/weft/
-	@install -m 644 $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(DESTDIR)$(PREFIX)/lib/
-	@cp -P $(BUILD)/lib/libweft.so* $(BUILD)/lib/libweft.dylib $(DESTDIR)$(PREFIX)/lib/ 2>/dev/null || true
-	@[ ! -f $(BUILD)/lib/libweft-json.a ] || install -m 644 $(BUILD)/lib/libweft-json.a $(DESTDIR)$(PREFIX)/lib/
-	@for p in $(BUILD)/lib/pkgconfig/*.pc; do sed 's|^prefix=.*|prefix=$(PREFIX)|' $$p > $(DESTDIR)$(PREFIX)/lib/pkgconfig/$${p##*/}; done
-	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfig*.cmake $(DESTDIR)$(PREFIX)/lib/cmake/weft/
+	@install -m 644 $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(DESTDIR)$(PREFIX)/$(LIBDIR)/
+	@cp -P $(BUILD)/lib/libweft.so* $(BUILD)/lib/libweft.dylib $(DESTDIR)$(PREFIX)/$(LIBDIR)/ 2>/dev/null || true
+	@[ ! -f $(BUILD)/lib/weft.dll ] || { install -m 755 $(BUILD)/lib/weft.dll $(DESTDIR)$(PREFIX)/bin/; install -m 644 $(BUILD)/lib/libweft.dll.a $(DESTDIR)$(PREFIX)/$(LIBDIR)/; }
+	@[ ! -f $(BUILD)/lib/libweft-json.a ] || install -m 644 $(BUILD)/lib/libweft-json.a $(DESTDIR)$(PREFIX)/$(LIBDIR)/
+	@for p in $(BUILD)/lib/pkgconfig/*.pc; do sed 's|^prefix=.*|prefix=$(PREFIX)|; s|^libdir=.*|libdir=$${prefix}/$(LIBDIR)|' $$p > $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig/$${p##*/}; done
+	@install -m 644 $(BUILD)/lib/cmake/weft/weftConfigVersion.cmake $(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/weft/
+	@sed 's|_weft_lib}/\.\.|_weft_lib}/$(UP)|' $(BUILD)/lib/cmake/weft/weftConfig.cmake > $(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/weft/weftConfig.cmake
 	@for p in weft-testbed weft-headless weft-lab weft-rube; do [ -x $(BUILD)/bin/$$p ] && install -m 755 $(BUILD)/bin/$$p $(DESTDIR)$(PREFIX)/bin/ || true; done
-	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/lib, pkg-config name weft, CMake package weft"
+	@echo "installed: headers in $(PREFIX)/include/weft, libraries in $(PREFIX)/$(LIBDIR), pkg-config name weft, CMake package weft"
 # A tarball of what is committed: the same bytes whenever it is made. It builds with a compiler and make alone.
 dist:
 	@v=$$(sed -nE 's/^#define WF_VERSION_(MAJOR|MINOR|PATCH) //p' src-generated/include/weft/core.h | tr '\n' . | sed 's/\.$$//'); mkdir -p $(BUILD)/dist; \
 	   git archive --format=tar --prefix=weft-$$v/ HEAD | gzip -n9 > $(BUILD)/dist/weft-$$v.tar.gz && echo "$(BUILD)/dist/weft-$$v.tar.gz: $$(wc -c < $(BUILD)/dist/weft-$$v.tar.gz) bytes, of commit $$(git rev-parse --short HEAD)"
 uninstall:
-	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/lib/cmake/weft $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft.pc $(DESTDIR)$(PREFIX)/lib/pkgconfig/weft-json.pc
-	@rm -f $(DESTDIR)$(PREFIX)/lib/libweft* $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab weft-rube)
+	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/weft $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig/weft.pc $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig/weft-json.pc
+	@rm -f $(DESTDIR)$(PREFIX)/$(LIBDIR)/libweft* $(DESTDIR)$(PREFIX)/bin/weft.dll $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab weft-rube)
 $(BUILD)/lib/libweft.a:
 	@$(if $(wildcard $(BUILD)/tangle.stamp),$(MAKE) --no-print-directory engine,$(SUBMAKE) -f tangle/compile.mk SRC=src-generated OUT=$(BUILD) lib)

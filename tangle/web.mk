@@ -14,7 +14,7 @@ SPLIT ?= $(shell command -v wasm-split)
 SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
 FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
-         -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
+         -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_ENGINE -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
 LINK = $(WEBLD) --no-entry --gc-sections --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi
 FONT_SIZES := 13 26
 FONT_FLAGS := --ascii

@@ -3,6 +3,8 @@
 #include "weft/core.h"
 
 /* write the version */
+const char wfSameReals = 1;
+
 #define WF_DIGITS(x) #x
 #define WF_DOTTED(a, b, c) WF_DIGITS(a) "." WF_DIGITS(b) "." WF_DIGITS(c)
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The README shows the way: the files, folders and functions that it names are there.
+# README.md and CONTRIBUTING.md show the way: the files, folders and functions that they name are there.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 fail=0
-say() { echo "README.md:$(grep -nF -- "$2" README.md | head -1 | cut -d: -f1): $1"; fail=1; }
+say() { echo "$(grep -nF -- "$2" README.md CONTRIBUTING.md | head -1 | cut -d: -f1,2): $1"; fail=1; }
 # a row of "where is": the first name in it stands in the file in it
 rows=0
 while IFS='|' read -r _ _ name file _; do
@@ -11,17 +11,19 @@ while IFS='|' read -r _ _ name file _; do
   [ -n "$name" ] && [ -n "$file" ] || continue
   rows=$((rows + 1))
   grep -qE "^[a-zA-Z].*\b$name(\(|\[)" "src-generated/$file" 2>/dev/null || say "src-generated/$file does not define $name" "$name"
-done < <(sed -n '/^| where is/,/^$/p' README.md)
-[ $rows -ge 12 ] || { echo "README.md: only $rows rows say where something is"; fail=1; }
+done < <(sed -n '/^| where is/,/^$/p' CONTRIBUTING.md)
+[ $rows -ge 12 ] || { echo "CONTRIBUTING.md: only $rows rows say where something is"; fail=1; }
 # paths in code spans, but those under build/ and those with a word in capitals that stands for another
 paths=0
-for path in $(grep -oE '`(chapters|book|tangle|tests|testbed|src-generated)/[^` ]*`' README.md | tr -d '`' | grep -vE '[A-Z]{2}|mine' | sort -u); do
+for path in $(grep -oE '`(chapters|book|tangle|tests|testbed|src-generated|packaging)/[^` ]*`' README.md CONTRIBUTING.md -h | tr -d '`' | grep -vE '[A-Z]{2}|mine' | sort -u); do
   paths=$((paths + 1)); ls -d $path >/dev/null 2>&1 || say "there is no $path" "$path"
 done
 [ $paths -ge 8 ] || { echo "README.md: only $paths paths were found"; fail=1; }
 # the version is told once in C, and the same in the citation; functions that SECURITY.md names are declared
 v=$(sed -nE 's/^#define WF_VERSION_(MAJOR|MINOR|PATCH) //p' src-generated/include/weft/core.h | paste -sd.)
 grep -qx "version: $v" CITATION.cff || { echo "CITATION.cff does not say version: $v, which core.h says"; fail=1; }
-for f in $(grep -oE '`wf[A-Za-z]+`' SECURITY.md | tr -d '`' | sort -u); do grep -qE "\b$f\(" src-generated/include/weft/*.h || { echo "SECURITY.md: there is no $f"; fail=1; }; done
+grep -q "^weft ($v-" packaging/debian/changelog || { echo "packaging/debian/changelog does not begin with weft ($v-...)"; fail=1; }
+for f in packaging/vcpkg/vcpkg.json packaging/conan/conanfile.py; do grep -qE "version[\"' :=]+$v['\"]" $f || { echo "$f does not say version $v"; fail=1; }; done
+for f in $(grep -ohE '`wf[A-Za-z]+' SECURITY.md README.md | tr -d '`' | sort -u); do grep -qE "\b$f *[(;]" src-generated/include/weft/*.h || { echo "SECURITY.md or README.md: there is no $f"; fail=1; }; done
 [ $fail -eq 0 ] && echo "README.md: $rows places and $paths paths are where it says"
 exit $fail

@@ -55,7 +55,7 @@ strange=$( { symbols -g "$prefix"/lib/libweft*.a; symbols -D "$prefix"/lib/libwe
 [ -z "$strange" ] || { echo "headers: the libraries define names without wf: $strange"; fail=1; }
 # what the shared library shows is what the headers declare and the library of scenes calls
 nm -D --defined-only "$prefix/lib/libweft.so" 2>/dev/null | awk 'NF == 3 { print $3 }' | grep '^wf' | sort -u >"$work/shown"
-{ grep -ohE '\bwf[A-Za-z0-9]+' "$prefix"/include/weft/*.h; nm "$prefix/lib/libweft-json.a" 2>/dev/null | awk '$1 == "U" && $2 ~ /^wf/ { print $2 }'; } | sort -u >"$work/declared"
+{ grep -ohE '\bwf[A-Za-z0-9_]+' "$prefix"/include/weft/*.h; nm "$prefix/lib/libweft-json.a" 2>/dev/null | awk '$1 == "U" && $2 ~ /^wf/ { print $2 }'; } | sort -u >"$work/declared"
 inner=$(comm -23 "$work/shown" "$work/declared" | tr '\n' ' ')
 [ -z "$inner" ] && [ "$(wc -l <"$work/shown")" -gt 200 ] || { echo "headers: the shared library shows what no header declares, or too little ($(wc -l <"$work/shown") names): $inner"; fail=1; }
 [ $fail -eq 0 ] && echo "headers: $count files, C and C++, float and double; names against C++$looked; $(wc -l <"$work/shown") symbols shown: ok"

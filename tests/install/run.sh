@@ -15,6 +15,9 @@ cc -std=c11 tests/install/user.c $(pkg-config --cflags --libs weft) -lm -o "$wor
 LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-shared" && say "pkg-config, shared: ok"
 cc -std=c11 tests/install/user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-static"
 "$work/user-static" && say "pkg-config, static: ok"
+sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' >"$work/readme.c"           # what README shows first
+cc -std=c11 -Wall -Wextra -Werror "$work/readme.c" $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/readme"
+[ "$("$work/readme")" = "height after one second: 5.0950 m" ] || { "$work/readme"; echo "README's program tells another height"; exit 1; }
 cc -std=c11 -Wall -Wextra -Werror tests/install/old_names_user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-old"
 "$work/user-old" && say "a program in the names of the last release: ok"
 if [ -f "$work/stage/opt/weft/lib/libweft-json.a" ]; then
@@ -31,7 +34,15 @@ sed -i "s|^prefix=.*|prefix=$work/d/opt/weft|" "$work/d/opt/weft/lib/pkgconfig/w
 flags=$(PKG_CONFIG_PATH=$work/d/opt/weft/lib/pkgconfig pkg-config --cflags weft)
 [[ $flags == *-DWF_DOUBLE* ]] || { echo "weft.pc of a double build does not say -DWF_DOUBLE: $flags"; exit 1; }
 cc -std=c11 tests/install/user.c $flags "$work/d/opt/weft/lib/libweft.a" -lm -o "$work/user-double" && "$work/user-double"
-say "double precision: ok"
+# a program of the other precision does not link, static or shared, and the message names the switch
+for way in "-DWF_DOUBLE stage" "-UWF_DOUBLE d"; do
+  set -- $way
+  for lib in "$work/$2/opt/weft/lib/libweft.a" "-L$work/$2/opt/weft/lib -lweft"; do
+    ! cc -std=c11 "$1" "-I$work/$2/opt/weft/include" tests/install/user.c $lib -lm -o "$work/mixed" 2>"$work/log" && grep -q 'wf[A-Za-z]*Has[A-Z]*_DOUBLEBut' "$work/log" ||
+      { cat "$work/log"; echo "a program with $1 and the library $lib were linked, or the message does not say why not"; exit 1; }
+  done
+done
+say "double precision, and no mixture: ok"
 
 # every public header compiles alone, so that a user may include just one
 for h in "$work"/stage/opt/weft/include/weft/*.h; do
@@ -65,6 +76,14 @@ cmp "$tar" "$work"/two/dist/weft-*.tar.gz || { echo "make dist: two tarballs of 
 [ "$(tar -tzf "$tar" | grep -vc '/$')" = "$(git ls-tree -r --name-only HEAD | wc -l)" ] || { echo "make dist: not the files of the commit"; exit 1; }
 say "dist: ok"
 
+# by CMake alone, as vcpkg and Conan build it: a shared library, the package files, the same bits
+cmake -S packaging/cmake -B "$work/alone" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_PREFIX="$work/p" -DCMAKE_INSTALL_LIBDIR=lib >"$work/log" 2>&1 &&
+  cmake --build "$work/alone" >>"$work/log" 2>&1 && cmake --install "$work/alone" >>"$work/log" 2>&1 || { tail -20 "$work/log"; exit 1; }
+cc -std=c11 -I"$work/p/include" tests/npm/scene.c "$work/p/lib/libweft.so" -lm -o "$work/scene-p" && cc -std=c11 -Isrc-generated/include tests/npm/scene.c build/lib/libweft.a -lm -o "$work/scene"
+[ "$(LD_LIBRARY_PATH=$work/p/lib "$work/scene-p")" = "$("$work/scene")" ] || { echo "the library that packaging/cmake builds has other bits"; exit 1; }
+[ "$(nm -D --defined-only "$work/p/lib/libweft.so" | awk '$3 !~ /^wf/' | wc -l)" = 0 ] && [ -L "$work/p/lib/libweft.so.0" ] && [ -f "$work/p/lib/cmake/weft/weftConfig.cmake" ] || { echo "what packaging/cmake installs is not right"; ls "$work/p/lib"; exit 1; }
+say "packaging/cmake: ok"
+
 # a machine with only a compiler: the tools below are all that PATH holds
 mkdir -p "$work/bin" "$work/src"
 for t in bash sh make cc gcc as ld ar cp ln rm mkdir ls sed grep awk cat uname id env dirname basename head tail sort tr cut printf date expr test find wc mktemp tput uniq xargs chmod touch cmp install pwd echo true false; do
@@ -74,5 +93,6 @@ git ls-files -z | tar --null -T - -cf - 2>/dev/null | tar -xf - -C "$work/src"
 out=$(cd "$work/src" && env -i HOME="$work" PATH="$work/bin" NO_INSTALL=1 make 2>&1) || { echo "$out"; echo "make fails on a machine with only a compiler"; exit 1; }
 grep -q 'libweft.a' <<<"$out" && [ -f "$work/src/build/lib/libweft.a" ] || { echo "$out"; exit 1; }
 grep -q 'noweb' <<<"$out" && grep -q 'no book' <<<"$out" || { echo "$out"; echo "make does not say what the machine lacks"; exit 1; }
+out=$(cd "$work/src" && env -i HOME="$work" PATH="$work/bin" NOWEB_LIB=/nowhere make engine NOWEB= 2>&1) || { echo "$out"; echo "make engine fails on a machine with only a compiler"; exit 1; }
 cc -std=c11 -I"$work/src/src-generated/include" tests/install/user.c "$work/src/build/lib/libweft.a" -lm -o "$work/user-bare" && "$work/user-bare"
 say "compiler only, from the committed C: ok"

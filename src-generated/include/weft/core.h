@@ -60,6 +60,12 @@ WF_BEGIN_C
 #define WF_VERSION_PATCH 0
 
 const char *wfVersion(void);    /* of the library: "MAJOR.MINOR.PATCH" */
+#ifdef WF_DOUBLE
+#define wfSameReals wfProgramHasWF_DOUBLEButLibraryHasNot
+#else
+#define wfSameReals wfLibraryHasWF_DOUBLEButProgramHasNot
+#endif
+extern const char wfSameReals;
 
 /* What a call that can fail returns. After any value but WF_OK (0) nothing has changed. */
 typedef enum wfResult {

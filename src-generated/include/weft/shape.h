@@ -10,6 +10,9 @@
 #include "weft/math.h"
 WF_BEGIN_C
 
+#if defined __GNUC__ && !defined WF_ENGINE  /* a program: sec:memory-version */
+static const char *const wfLinkedReals __attribute__((used)) = &wfSameReals;
+#endif
 #define WF_MAX_VERTICES 16              /* corners of a polygon                           */
 #define WF_MIN_SIZE WF_R(1e-5)          /* m: the longer side of a shape's bounds         */
 #define WF_MAX_SIZE WF_R(1e6)           /* m: no coordinate is further from the origin    */
