@@ -18,10 +18,10 @@ abuse:
 STEPS ?= 1000000
 soak:
 	@OUT=book/data/soak.csv tests/soak/run.sh $(STEPS)
-# Debian packages of what is committed: build/deb/*.deb (packaging/debian; packaging/ has the port for vcpkg and the recipe for Conan too)
+# Debian packages of what is committed: build/deb/*.deb (tangle/packaging/debian; tangle/packaging/ has the port for vcpkg and the recipe for Conan too)
 .PHONY: deb
 deb: dist
 	@rm -rf $(BUILD)/deb; mkdir -p $(BUILD)/deb; f=$$(echo $(BUILD)/dist/weft-*.tar.gz); v=$${f##*/weft-}; v=$${v%.tar.gz}; \
-	   cp $$f $(BUILD)/deb/weft_$$v.orig.tar.gz && tar -xzf $$f -C $(BUILD)/deb && cp -r packaging/debian $(BUILD)/deb/weft-$$v/debian && cd $(BUILD)/deb/weft-$$v && \
+	   cp $$f $(BUILD)/deb/weft_$$v.orig.tar.gz && tar -xzf $$f -C $(BUILD)/deb && cp -r tangle/packaging/debian $(BUILD)/deb/weft-$$v/debian && cd $(BUILD)/deb/weft-$$v && \
 	   env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS dpkg-buildpackage -us -uc
 	@tests/install/deb.sh

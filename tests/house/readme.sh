@@ -15,15 +15,15 @@ done < <(sed -n '/^| where is/,/^$/p' CONTRIBUTING.md)
 [ $rows -ge 12 ] || { echo "CONTRIBUTING.md: only $rows rows say where something is"; fail=1; }
 # paths in code spans, but those under build/ and those with a word in capitals that stands for another
 paths=0
-for path in $(grep -oE '`(chapters|book|tangle|tests|testbed|src-generated|packaging)/[^` ]*`' README.md CONTRIBUTING.md -h | tr -d '`' | grep -vE '[A-Z]{2}|mine' | sort -u); do
+for path in $(grep -oE '`(chapters|book|tangle|tests|testbed|src-generated)/[^` ]*`' README.md CONTRIBUTING.md -h | tr -d '`' | grep -vE '[A-Z]{2}|mine' | sort -u); do
   paths=$((paths + 1)); ls -d $path >/dev/null 2>&1 || say "there is no $path" "$path"
 done
 [ $paths -ge 8 ] || { echo "README.md: only $paths paths were found"; fail=1; }
 # the version is told once in C, and the same in the citation; functions that SECURITY.md names are declared
 v=$(sed -nE 's/^#define WF_VERSION_(MAJOR|MINOR|PATCH) //p' src-generated/include/weft/core.h | paste -sd.)
 grep -qx "version: $v" CITATION.cff || { echo "CITATION.cff does not say version: $v, which core.h says"; fail=1; }
-grep -q "^weft ($v-" packaging/debian/changelog || { echo "packaging/debian/changelog does not begin with weft ($v-...)"; fail=1; }
-for f in packaging/vcpkg/vcpkg.json packaging/conan/conanfile.py; do grep -qE "version[\"' :=]+$v['\"]" $f || { echo "$f does not say version $v"; fail=1; }; done
+grep -q "^weft ($v-" tangle/packaging/debian/changelog || { echo "tangle/packaging/debian/changelog does not begin with weft ($v-...)"; fail=1; }
+for f in tangle/packaging/vcpkg/vcpkg.json tangle/packaging/conan/conanfile.py; do grep -qE "version[\"' :=]+$v['\"]" $f || { echo "$f does not say version $v"; fail=1; }; done
 for f in $(grep -ohE '`wf[A-Za-z]+' SECURITY.md README.md | tr -d '`' | sort -u); do grep -qE "\b$f *[(;]" src-generated/include/weft/*.h || { echo "SECURITY.md or README.md: there is no $f"; fail=1; }; done
 [ $fail -eq 0 ] && echo "README.md: $rows places and $paths paths are where it says"
 exit $fail

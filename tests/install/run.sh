@@ -77,12 +77,12 @@ cmp "$tar" "$work"/two/dist/weft-*.tar.gz || { echo "make dist: two tarballs of 
 say "dist: ok"
 
 # by CMake alone, as vcpkg and Conan build it: a shared library, the package files, the same bits
-cmake -S packaging/cmake -B "$work/alone" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_PREFIX="$work/p" -DCMAKE_INSTALL_LIBDIR=lib >"$work/log" 2>&1 &&
+cmake -S tangle/packaging/cmake -B "$work/alone" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DCMAKE_INSTALL_PREFIX="$work/p" -DCMAKE_INSTALL_LIBDIR=lib >"$work/log" 2>&1 &&
   cmake --build "$work/alone" >>"$work/log" 2>&1 && cmake --install "$work/alone" >>"$work/log" 2>&1 || { tail -20 "$work/log"; exit 1; }
 cc -std=c11 -I"$work/p/include" tests/npm/scene.c "$work/p/lib/libweft.so" -lm -o "$work/scene-p" && cc -std=c11 -Isrc-generated/include tests/npm/scene.c build/lib/libweft.a -lm -o "$work/scene"
-[ "$(LD_LIBRARY_PATH=$work/p/lib "$work/scene-p")" = "$("$work/scene")" ] || { echo "the library that packaging/cmake builds has other bits"; exit 1; }
-[ "$(nm -D --defined-only "$work/p/lib/libweft.so" | awk '$3 !~ /^wf/' | wc -l)" = 0 ] && [ -L "$work/p/lib/libweft.so.0" ] && [ -f "$work/p/lib/cmake/weft/weftConfig.cmake" ] || { echo "what packaging/cmake installs is not right"; ls "$work/p/lib"; exit 1; }
-say "packaging/cmake: ok"
+[ "$(LD_LIBRARY_PATH=$work/p/lib "$work/scene-p")" = "$("$work/scene")" ] || { echo "the library that tangle/packaging/cmake builds has other bits"; exit 1; }
+[ "$(nm -D --defined-only "$work/p/lib/libweft.so" | awk '$3 !~ /^wf/' | wc -l)" = 0 ] && [ -L "$work/p/lib/libweft.so.0" ] && [ -f "$work/p/lib/cmake/weft/weftConfig.cmake" ] || { echo "what tangle/packaging/cmake installs is not right"; ls "$work/p/lib"; exit 1; }
+say "tangle/packaging/cmake: ok"
 
 # a machine with only a compiler: the tools below are all that PATH holds
 mkdir -p "$work/bin" "$work/src"

@@ -1,4 +1,4 @@
-"""conan create packaging/conan: the engine by CMake, from the committed C."""
+"""conan create tangle/packaging/conan: the engine by CMake, from the committed C."""
 import os
 from conan import ConanFile
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
@@ -19,7 +19,7 @@ class Weft(ConanFile):
     def export_sources(self):
         top = os.path.join(self.recipe_folder, '..', '..')
         for pattern in ('Makefile', 'LICENSE', 'tangle/*.in', 'tangle/old_names.h', 'src-generated/*',
-                        'packaging/cmake/*'):
+                        'tangle/packaging/cmake/*'):
             copy(self, pattern, top, self.export_sources_folder)
 
     def layout(self):
@@ -32,7 +32,7 @@ class Weft(ConanFile):
 
     def build(self):
         cmake = CMake(self)
-        cmake.configure(build_script_folder='packaging/cmake')
+        cmake.configure(build_script_folder='tangle/packaging/cmake')
         cmake.build()
 
     def package(self):
