@@ -17,7 +17,7 @@ class Weft(ConanFile):
     implements = ['auto_shared_fpic']
 
     def export_sources(self):
-        top = os.path.join(self.recipe_folder, '..', '..')
+        top = os.path.join(self.recipe_folder, '..', '..', '..')
         for pattern in ('Makefile', 'LICENSE', 'tangle/*.in', 'tangle/old_names.h', 'src-generated/*',
                         'tangle/packaging/cmake/*'):
             copy(self, pattern, top, self.export_sources_folder)
