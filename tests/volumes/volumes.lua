@@ -124,7 +124,7 @@ do
       if not i then break end
       if not text:sub(i - 1, i - 1):match("%a") then n = n + 1 end
     end
-    if n < 2 then bad("the glossary explains '%s', and the first volume has it %d times -- use the word, or take it out of book/glossary.tsv", g.term, n) end
+    if n == 0 then bad("the glossary explains '%s', and the first volume has not the word -- use it, or take it out of book/glossary.tsv", g.term) end
     if last and term < last then bad("the glossary has '%s' behind '%s' -- sort it", g.term, last) end
     last = term
     if db.volume_of[db.labels[g.id].page] ~= db.volumes[1].name or db.labels[g.id].online then bad("the glossary sends the reader of '%s' out of the volume", g.term) end
