@@ -14,7 +14,7 @@ PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if
 .PHONY: book html pdf figures
 ifneq ($(CHOSEN),)
 book html pdf: engine $(W)/figures.stamp
-	@tangle/shrunk '$(PART_DIR)' '$(if $(FOR),$(basename $(notdir $(FOR))),$(subst +, ,$(PART_NAME)))' $@ $(PART_CHOICE) -- $(HTML) $(NW)
+	@tangle/shrunk '$(PART_DIR)' '$(if $(FOR),for $(basename $(notdir $(FOR))),$(subst only nothing,without parts,$(subst +, ,$(PART_NAME))))' $@ $(PART_CHOICE) -- $(HTML) $(NW)
 else
 book: html pdf
 endif

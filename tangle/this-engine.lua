@@ -42,7 +42,7 @@ return function(book, chosen, keep, roots, called, bytes)
     files, lines = files + 1, lines + n
   end
   local parts = Parts.list(chosen)
-  put("This book was woven for %s. It has the chapters of which that engine contains code, without the sections of parts that it lacks; their numbers are those of the whole book, so a number that no page here has is of a chapter that this engine does without.\n\n", called and plain(called) or "one engine")
+  put("This is the book of %s. It has the chapters of which that engine contains code, without the sections of parts that it lacks; their numbers are those of the whole book, so a number that no page here has is of a chapter that this engine does without.\n\n", called and "an engine " .. plain(called) or "one engine")
   put(#parts > 0 and "Its parts are %s.\n\n" or "It has none of the parts that can be left out.%s\n\n", #parts > 0 and (#parts > 1 and table.concat(parts, ", ", 1, #parts - 1) .. " and " or "") .. parts[#parts] or "")
   put("## A step {#sec:this-step}\n\n")
   local step, stages = roots["engine/step.c"], {}

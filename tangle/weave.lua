@@ -116,7 +116,7 @@ do
   for i, e in ipairs(list) do e.order = nil; entries[i] = e end
   if how then
     for i = #volumes, 2, -1 do volumes[i] = nil end
-    volumes[1].title, volumes[1].short = "An engine for " .. (called or "a scene"), "this book"
+    volumes[1].title, volumes[1].short = "An engine " .. (called or "of some parts"), "this book"
     volumes[1].what = "The chapters of what it contains"
   end
 end
