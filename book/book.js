@@ -54,15 +54,17 @@
     index(names, rows) { index = { names, rows, titles: new Map(rows.filter(r => r[0] === 'sec').map(r => [r[2] + '#' + r[3], r[1]])), lower: rows.map(r => (r[1] + ' ' + (r[4] || '')).toLowerCase()) }; },
   };
 
-  // -- search: every word must occur; titles count more than text, beginnings more than middles
-  const weight = { ident: 9, sec: 8, chunk: 6, eq: 6, fig: 5, ex: 4, file: 6, text: 1 };
-  const kinds = { ident: 'identifier', sec: 'section', chunk: 'chunk', eq: 'equation', fig: 'figure', ex: 'exercise', file: 'file', text: 'text' };
+  // -- search: every word must occur; titles count more than text, beginnings more than middles. Names that are no part of the interface come
+  // behind the text, unless what is looked for can only be a name.
+  const weight = { ident: 9, sec: 8, chunk: 6, eq: 6, fig: 5, ex: 4, file: 6, text: 1, private: 0 };
+  const kinds = { ident: 'identifier', private: 'internal', sec: 'section', chunk: 'chunk', eq: 'equation', fig: 'figure', ex: 'exercise', file: 'file', text: 'text' };
   const find = query => {
     const words = query.toLowerCase().split(/\s+/).filter(Boolean), found = [];
     if (!index || !words.length) return found;
+    const name = /_|[a-z][A-Z]/.test(query);
     index.rows.forEach((r, i) => {
       const all = index.lower[i], title = r[1].toLowerCase();
-      let score = weight[r[0]] || 1;
+      let score = name ? weight[r[0]] : r[0] === 'private' ? -100 : r[0] === 'ident' ? 4 : weight[r[0]];
       for (const w of words) {
         if (!all.includes(w)) return;
         const at = title.indexOf(w);

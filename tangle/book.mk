@@ -1,4 +1,5 @@
-# book.mk: the book. `make html`, `make pdf`, `make book` (both). BUILD=dir puts it elsewhere; TOLERANT=1 tells errors and goes on;
+# book.mk: the book. `make html`, `make pdf`, `make book` (both); with FOR=scene.json, ONLY="parts" or WITHOUT="parts" that of a smaller engine,
+# in build/parts/NAME/book. BUILD=dir puts it elsewhere; TOLERANT=1 tells errors and goes on;
 # TEACHER=1 keeps the solutions; STRICT=1 makes an equation that no code refers to an error.
 BUILD    ?= build
 W        := $(BUILD)/weave
@@ -6,14 +7,20 @@ HTML     := $(BUILD)/book/html
 TEXDIR   := $(BUILD)/tex
 BASES    := $(shell tangle/chapters --name $(NW))
 ONLINE   := $(filter %.figures %.lab,$(BASES))
+VOLUMES  := $(shell tangle/chapters --volumes | cut -f1)
 LOOM     := $(wildcard tangle/*.lua) tangle/weave tangle/markup tangle/page
 PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true) $(if $(filter chapters/testbed/%,$(NW)),-M testbed=true)
 
 .PHONY: book html pdf figures
+ifneq ($(CHOSEN),)
+book html pdf: engine $(W)/figures.stamp
+	@tangle/shrunk '$(PART_DIR)' '$(if $(FOR),for $(basename $(notdir $(FOR))),$(subst only nothing,without parts,$(subst +, ,$(PART_NAME))))' $@ $(PART_CHOICE) -- $(HTML) $(NW)
+else
 book: html pdf
+endif
 
 # -- the material: one pass over all chapters; the files in $(W) are written only when they change
-$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv tests/examples/*)
+$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/glossary.tsv book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv tests/examples/*)
 	@mkdir -p $(W) $(HTML)/data
 	@tangle/bib $(W)
 	@tangle/weave $(if $(TOLERANT),--tolerant) $(if $(STRICT),--strict) --html $(HTML) $(W) $(NW)
@@ -29,8 +36,10 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 	@touch $@
 
 # -- HTML
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
-$(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
+ifeq ($(CHOSEN),)
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
+endif
+$(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/contents.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
@@ -64,6 +73,13 @@ $(HTML)/fonts/.stamp:
 # -- PDF
 $(TEXDIR)/ch/%.tex: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/page book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page latex $* $(W) $@ $(PAGEMETA)
-pdf: $(BUILD)/book/weft.pdf
-$(BUILD)/book/weft.pdf: $(patsubst %,$(TEXDIR)/ch/%.tex,$(filter-out $(ONLINE),$(BASES))) book/book.tex tangle/pdf $(W)/figures.stamp
-	@tangle/pdf $(BUILD)
+# a PDF for each volume that has a chapter; what is not in the plan goes to the first
+define volume
+IN_$(1) := $(filter-out $(ONLINE),$(shell tangle/chapters --in $(1) $(NW)))
+ifneq ($$(if $(CHOSEN),,$$(IN_$(1))),)
+pdf: $(BUILD)/book/$(1).pdf
+endif
+$(BUILD)/book/$(1).pdf: $$(IN_$(1):%=$(TEXDIR)/ch/%.tex) $(TEXDIR)/ch/glossary.tex book/book.tex tangle/pdf $(W)/figures.stamp
+	@tangle/pdf $(BUILD) $(1)
+endef
+$(foreach v,$(VOLUMES),$(eval $(call volume,$(v))))

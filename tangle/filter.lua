@@ -16,17 +16,26 @@ local function fail(...) errors[#errors + 1] = string.format(...) end
 local function href(page, id) return Code.href(db, page, here, id) end
 
 ------------------------------------------------------------------------------------------------------ cross references
+local called = {}                                     -- volumes that this chapter has named
+local function volume_called(name) for _, v in ipairs(db.volumes) do if v.name == name then return v.short end end end
 local function ref(id)
   local l = db.labels[id] or db.labels[id:sub(1, 1):lower() .. id:sub(2)]
   if not l then return nil end
   if not db.labels[id] then id = id:sub(1, 1):lower() .. id:sub(2) end
   local text = Code.ref_text(l)
+  if l.gone then return raw(html and '<span title="not in this engine">' .. Code.html(text) .. "</span>" or (Code.tex(text):gsub(" ", "~", 1))) end
   if html then
     return raw(string.format('<a class="xref %s" href="%s"%s>%s</a>', l.kind, href(l.page, id),
       l.title and ' title="' .. Code.html(l.title) .. '"' or "", (Code.html(text):gsub(" ", "\u{a0}", 1))))
   end
-  if l.online then return raw((Code.tex(text):gsub(" ", "~", 1))) end
-  return raw("\\hyperlink{" .. id .. "}{" .. Code.tex(text):gsub(" ", "~", 1) .. "}")
+  text = Code.tex(text):gsub(" ", "~", 1)
+  if Code.far(db, l.page) then                          -- in another volume, which the first one of a chapter names
+    local volume = db.volume_of[l.page]
+    local first = not called[volume]
+    called[volume] = true
+    return raw((l.online and text or "\\wFar{" .. volume .. "}{" .. id .. "}{" .. text .. "}") .. (first and " of \\emph{" .. Code.tex(volume_called(volume)) .. "}" or ""))
+  end
+  return raw(l.online and text or "\\hyperlink{" .. id .. "}{" .. text .. "}")
 end
 
 local function source(id)
@@ -102,15 +111,24 @@ local function chunk_link(id, named)
   if html then
     return '<a class="cref" href="' .. href(c.page, id) .. '">' .. (named and '<span class="nm">' .. Code.name(db, c.name, "html") .. "</span> " or "") .. "<b>" .. c.num .. "</b></a>"
   end
-  return (named and "\\wName{" .. Code.name(db, c.name, "tex") .. "}~" or "") .. (c.online and c.num or "\\wRef{" .. id .. "}{" .. c.num .. "}")
+  return (named and "\\wName{" .. Code.name(db, c.name, "tex") .. "}~" or "") .. ((c.online or Code.far(db, c.page)) and c.num or "\\wRef{" .. id .. "}{" .. c.num .. "}")
 end
 
+-- In print those that are printed in this volume: the pages have all.
+local function near(ids)
+  if html then return ids end
+  local r = {}
+  for _, id in ipairs(ids) do if not Code.far(db, db.chunks[id].page) and not db.chunks[id].online then r[#r + 1] = id end end
+  return r
+end
 local function chunk(k)
   local c = mine.chunks[k]
   local feet = {}
   local function list(label, ids, named, most)
     if #ids == 0 then return end
     local r = {}
+    ids = near(ids)
+    if #ids == 0 then return end
     for i, id in ipairs(ids) do
       if most and i > most then r[#r + 1] = "\u{2026}" break end
       r[#r + 1] = chunk_link(id, named)
@@ -124,22 +142,30 @@ local function chunk(k)
     local r = {}
     for _, id in ipairs(c.eqs) do
       local l = db.labels[id]
-      r[#r + 1] = html and '<a class="xref eq" href="' .. href(l.page, id) .. '">(' .. l.num .. ")</a>" or "\\hyperlink{" .. id .. "}{(" .. l.num .. ")}"
+      r[#r + 1] = html and '<a class="xref eq" href="' .. href(l.page, id) .. '">(' .. l.num .. ")</a>" or
+        (l.online or Code.far(db, l.page)) and "(" .. l.num .. ")" or "\\hyperlink{" .. id .. "}{(" .. l.num .. ")}"
     end
     feet[#feet + 1] = (html and "<span><i>Equations</i> " or "Equations ") .. table.concat(r, ", ") .. (html and "</span>" or "")
   end
   if #c.defs > 0 then
     local r = {}
     for _, d in ipairs(c.defs) do
-      local users = {}
-      for i, u in ipairs(d.uses) do
+      local users, uses = {}, near(d.uses)
+      if not html then                                  -- print: by other chapters
+        local far = {}
+        for _, u in ipairs(uses) do if db.chunks[u].page ~= here then far[#far + 1] = u end end
+        uses = far
+        if #uses == 0 then goto next end
+      end
+      for i, u in ipairs(uses) do
         if i > 6 then users[#users + 1] = "\u{2026}" break end
         users[#users + 1] = chunk_link(u)
       end
       r[#r + 1] = (html and '<a href="#' .. d.anchor .. '"><code>' .. d.name .. "</code></a>" or "\\wId{" .. Code.tex_id(d.anchor) .. "}{\\wFootCode{" .. Code.tex(d.name):gsub("\\_", "\\_\\wBreak{}") .. "}}") ..
         (#users > 0 and " (" .. table.concat(users, " ") .. ")" or "")
+      ::next::
     end
-    feet[#feet + 1] = (html and "<span><i>Defines</i> " or "Defines ") .. table.concat(r, ", ") .. (html and "</span>" or "")
+    if #r > 0 then feet[#feet + 1] = (html and "<span><i>Defines</i> " or "Defines ") .. table.concat(r, ", ") .. (html and "</span>" or "") end
   end
   if html then
     local rows = {}
@@ -155,18 +181,13 @@ local function chunk(k)
     previews[#previews + 1] = { c.id, head .. body }
     return rawb('<figure class="chunk" id="' .. c.id .. '">' .. head .. "\n" .. body .. "\n" .. foot .. "</figure>")
   end
-  local indexed = {}
-  local function index(name, defining)
-    if indexed[name .. tostring(defining)] then return "" end
-    indexed[name .. tostring(defining)] = true
-    return "\\wIx{" .. name:gsub("^wf", ""):gsub("^WF_", ""):gsub("_", "") .. "}{" .. name:gsub("_", "\\_") .. "}{" .. (defining and "wDefPage" or "wUsePage") .. "}"
+  local rows, last = {}, c.printed or #c.lines
+  for i = 1, last do
+    local glue = (i == 1 or i == 2 and last > 3 or i >= last - 1) and "N" or ""     -- no lone line at a page's foot or head
+    if i == last and #feet == 0 and not c.printed then glue = "" end
+    rows[i] = "\\wL" .. glue .. "{" .. Code.line_tex(db, c.lines[i]) .. "}"
   end
-  local rows = {}
-  for i, l in ipairs(c.lines) do
-    local glue = (i == 1 or i == 2 and #c.lines > 3 or i >= #c.lines - 1) and "N" or ""     -- no lone line at a page's foot or head
-    if i == #c.lines and #feet == 0 then glue = "" end
-    rows[i] = "\\wL" .. glue .. "{" .. Code.line_tex(db, l, index) .. "}"
-  end
+  if c.printed then rows[#rows + 1] = "\\wMore{" .. #c.lines - last .. "}{" .. Code.tex(here) .. "}" end
   return rawb(string.format("\\wChunk{%s}{%s}{%s}{%s}{%s}{%s}%%\n%s\n\\wFoot{%s}", c.id, c.num, Code.name(db, c.name, "tex"),
     c.part > 1 and "\\wPlus" or "", (c.only and "only with \\textbf{" .. Code.tex(c.only) .. "}, " or "") .. Code.tex(c.file) .. ":" .. c.line, c.part == 1 and Code.tex(c.name:lower():gsub("[^%w ]", "")) or "",
     table.concat(rows, "\n"), table.concat(feet, ". ") .. (#feet > 0 and "." or "")))
@@ -183,7 +204,7 @@ local function inlines(list)
       local id = list[j] and list[j].t == "Str" and list[j].text:match("^{#(eq:[%w_%-]+)}$")
       local l = id and db.labels[id]
       if l then
-        local users = (db.eqs[id] or {}).chunks or {}
+        local users = near((db.eqs[id] or {}).chunks or {})
         local links = {}
         for k, u in ipairs(users) do
           if k > 6 then links[#links + 1] = "\u{2026}" break end
@@ -403,13 +424,47 @@ local function data_table(el)
     r:insert(rawb(command_line({ command }, machine) .. "</div></div>"))
   else
     local spec, head, body = {}, {}, {}
-    for j, col in ipairs(columns) do spec[j] = numeric[j] and "r" or "l"; head[j] = "\\textbf{" .. Code.tex(col[2]) .. "}" end
+    -- too wide for letters of 7 pt: columns of text are as wide as their share, their lines broken, and the table may break over pages
+    local most, word, all = {}, {}, 0
+    for j, col in ipairs(columns) do
+      most[j], word[j] = 0, 0
+      for i = 0, #cells do
+        local cell = i == 0 and col[2] or cells[i][j]
+        most[j] = math.max(most[j], utf8.len(cell) or #cell)
+        for w in cell:gmatch("[^%s]+") do word[j] = math.max(word[j], utf8.len(w) or #w) end
+      end
+      all = all + most[j] + 1
+    end
+    local broken, broad, lines = all > 112, {}, 4
+    if broken then
+      local room, share = 104 - 1.4 * #columns, 0                      -- in letters of 8 pt
+      for j = 1, #columns do if most[j] <= 14 then room = room - most[j] else share = share + math.sqrt(most[j]) * math.sqrt(most[j]) ^ 0.5 end end
+      for j = 1, #columns do
+        if most[j] > 14 then
+          local w = math.max(word[j], math.min(most[j], room * math.sqrt(most[j]) ^ 1.5 / share))
+          broad[j] = w
+          spec[j] = string.format(">{\\raggedright\\arraybackslash}p{%.1fpt}", w * 3.95)
+        end
+      end
+    end
+    for j, col in ipairs(columns) do spec[j] = spec[j] or numeric[j] and "r" or "l"; head[j] = "\\textbf{" .. Code.tex(col[2]) .. "}" end
     for i, line in ipairs(cells) do
       local t = {}
       for j, cell in ipairs(line) do t[j] = show(cell) end
       body[i] = table.concat(t, " & ") .. "\\\\"
     end
-    caption.content:insert(1, raw("\\begin{wTable}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wFit{\\begin{tabular}{" .. table.concat(spec) .. "}\\toprule " ..
+    for _, line in ipairs(cells) do
+      local n = 1
+      for j, w in pairs(broad) do n = math.max(n, math.ceil(1.15 * (utf8.len(line[j]) or #line[j]) / w)) end
+      lines = lines + n
+    end
+    if broken and lines > 44 then
+      local words = pandoc.write(pandoc.Pandoc { caption }, "latex-smart"):gsub("%s+$", "")
+      return pandoc.List { rawb("\\begin{wLongTable}\\needspace{14\\baselineskip}\\fontsize{8}{9.8}\\selectfont\\setlength\\tabcolsep{2.5pt}\\begin{longtable}{@{}" .. table.concat(spec) .. "@{}}\\multicolumn{" .. #columns .. "}{@{}l@{}}{" ..
+        (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wTableCaption{" .. (l and "Table~" .. l.num or "") .. "}{" .. words .. command_line({ command }, machine) .. "}}\\\\[3pt]\\toprule " ..
+        table.concat(head, " & ") .. "\\\\\\midrule\\noalign{}\\endfirsthead\\toprule " .. table.concat(head, " & ") .. "\\\\\\midrule\\noalign{}\\endhead\n" .. table.concat(body, "\n") .. "\n\\bottomrule\\end{longtable}\\end{wLongTable}") }
+    end
+    caption.content:insert(1, raw("\\begin{wTable}" .. (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. (broken and "\\fontsize{8}{9.8}\\selectfont\\setlength\\tabcolsep{2.5pt}" or "") .. "\\wFit{\\begin{tabular}{" .. table.concat(spec) .. "}\\toprule " ..
       table.concat(head, " & ") .. "\\\\\\midrule\n" .. table.concat(body, "\n") .. "\n\\bottomrule\\end{tabular}}\n\\wCaption{" .. (l and "Table~" .. l.num or "") .. "}{"))
     caption.content:insert(raw(command_line({ command }, machine) .. "}\\end{wTable}"))
     r:insert(caption)
@@ -578,37 +633,6 @@ local function header(el)
   return pandoc.Plain(el.content)
 end
 
-local function contents(m)
-  local t, part = {}, nil
-  for _, e in ipairs(db.entries) do
-    if e.of then goto next end
-    if e.part ~= part then
-      if part then t[#t + 1] = "</ol>" end
-      part = e.part
-      t[#t + 1] = '<p class="part">' .. Code.html(part) .. "</p><ol>"
-    end
-    local is_here = not e.planned and (e.page == here or e.name == mine.base:gsub("%.%a+$", ""))
-    if e.planned then t[#t + 1] = '<li class="planned" title="planned"><span class="n">' .. e.num .. "</span> " .. Code.html(e.title) .. "</li>"
-    else
-      t[#t + 1] = '<li' .. (is_here and ' class="here"' or "") .. '><a href="' .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. Code.html(Code.plain(e.title)) .. "</a>"
-      if is_here then
-        t[#t + 1] = "<ol>"
-        for _, h in ipairs(db.heads) do
-          if h.page == e.page and h.level == 2 then t[#t + 1] = '<li><a href="' .. href(h.page, h.id) .. '"><span class="n">' .. h.num .. "</span> " .. Code.html(Code.plain(h.title)) .. "</a></li>" end
-        end
-        for _, x in ipairs(db.entries) do
-          if x.of == e.name then t[#t + 1] = '<li' .. (x.page == here and ' class="here"' or "") .. '><a href="' .. x.page .. '"><span class="n">' .. x.num .. "</span> " .. Code.html(Code.plain(x.title)) .. "</a></li>" end
-        end
-        t[#t + 1] = "</ol>"
-      end
-      t[#t + 1] = "</li>"
-    end
-    ::next::
-  end
-  t[#t + 1] = "</ol>"
-  return table.concat(t)
-end
-
 local function meta(m)
   local function get(k, default) return m[k] and stringify(m[k]) or default end
   weave = get("weave", "build/weave")
@@ -620,6 +644,7 @@ local function meta(m)
   local f = loadfile(weave .. "/bib.lua")
   bib = f and f() or {}
   here = mine.base .. ".html"
+  if tex then db.mine = db.volume_of[here] or db.volumes[1].name end
   local written, me, title = {}, nil, nil
   for _, e in ipairs(db.entries) do
     if not e.planned and not e.of then written[#written + 1] = e end
@@ -632,7 +657,7 @@ local function meta(m)
     if e.name == me and e.page == here then m.prev, m.next = nav(written[i - 1]), nav(written[i + 1])
     elseif e.name == me then m.prev, m.next = nav(e), nav(written[i + 1]) end
   end
-  m.toc = pandoc.MetaBlocks { rawb(contents(m)) }
+  m.toc = pandoc.MetaBlocks { rawb(require "contents"(db, here, (mine.base:gsub("%.%a+$", "")))) }
   m.pagetitle = pandoc.MetaString(title or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
@@ -704,6 +729,9 @@ local function web_line(text, blocks, num, id)
 end
 local function leave_out(blocks)
   local r, section, inside = pandoc.List {}, nil, nil
+  local flat = pandoc.List {}                         -- a box .only is no box in print
+  for _, b in ipairs(blocks) do if b.t == "Div" and b.classes:includes("only") then flat:extend(b.content) else flat:insert(b) end end
+  blocks = flat
   local function close()
     if not section then return end
     local l = db.labels[section.identifier]
@@ -712,16 +740,35 @@ local function leave_out(blocks)
     r:insert(web_line((l and l.num .. "\\enspace " or "") .. Code.tex(l and l.title or stringify(section.content)), inside, l and "section " .. l.num, section.identifier))
     section = nil
   end
+  local run
+  local function is_online(b) return b.t == "RawBlock" and b.format == "weftchunk" and mine.chunks[tonumber(b.text)].online end
+  local function end_run()
+    if not run then return end
+    local names, lines, last = {}, 0, nil
+    for _, b in ipairs(run) do
+      local c = mine.chunks[tonumber(b.text)]
+      lines = lines + #c.lines
+      names[#names + 1] = (c.name ~= last and "\\wName{" .. Code.name(db, c.name, "tex") .. "}~" or "") .. "{\\footnotesize " .. c.num .. "}"
+      last = c.name
+    end
+    r:insert(rawb("\\wOnline{" .. table.concat(names, ", ") .. "}{" .. lines .. (lines == 1 and " line, " or " lines, ") .. "}{" .. Code.tex(here) .. "}"))
+    run = nil
+  end
   for _, b in ipairs(blocks) do
+    if run and not (not section and is_online(b)) then end_run() end
     if b.t == "Header" and section and b.level <= section.level then close() end
     if section then inside:insert(b)
     elseif b.t == "Header" and b.attributes.print == "web" then section, inside = b, pandoc.List {}
+    elseif is_online(b) then                         -- chunks that follow one another are one line
+      run = run or pandoc.List {}
+      run:insert(b)
     elseif b.t == "Div" and b.classes:includes("web") then r:insert(web_line(b.attributes.title and Code.tex(b.attributes.title), b.content))
     else
       if b.t == "Div" then b.content = leave_out(b.content) end
       r:insert(b)
     end
   end
+  end_run()
   close()
   return r
 end
@@ -737,6 +784,10 @@ return {
     RawBlock = function(el)
       if el.format == "weftchunk" then return chunk(tonumber(el.text)) end
       if el.text:match("^%s*\\newcommand") or el.text:match("^%s*\\renewcommand") then return {} end
+    end,
+    Link = function(el)                                    -- one that leads out of a printed volume is its words
+      local l = db.labels[el.target:match("^#(.*)$") or ""]
+      if l and (l.gone or tex and (l.online or Code.far(db, l.page))) then return el.content end
     end,
     Para = figure, Div = div, Table = table_block },
   { Inlines = inlines, Header = header },

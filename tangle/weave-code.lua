@@ -132,10 +132,27 @@ local code_map = { ["`"] = "\\textasciigrave{}", ["'"] = "\\textquotesingle{}", 
 for k, v in pairs(tex_map) do code_map[k] = v end
 function M.tex_code(s) return (s:gsub("[\\{}#%$%%&_%^~`'\"%-<> ]", code_map)) end
 
+-- A formula within a line as plain signs, without TeX.
+local signs = {}
+for w, sign in ([[cdot · times × le ≤ leq ≤ ge ≥ geq ≥ ne ≠ neq ≠ approx ≈ sim ~ infty ∞ pm ± mp ∓ to → rightarrow → Rightarrow ⇒ sum Σ int ∫ partial ∂ sqrt √ in ∈ ll ≪ gg ≫ propto ∝ circ ° ldots … dots …
+  alpha α beta β gamma γ delta δ epsilon ε varepsilon ε zeta ζ eta η theta θ kappa κ lambda λ mu μ nu ν xi ξ pi π rho ρ sigma σ tau τ phi φ varphi φ chi χ psi ψ omega ω Gamma Γ Delta Δ Theta Θ Lambda Λ
+  Pi Π Sigma Σ Phi Φ Psi Ψ Omega Ω perp ⊥ perpccw ⊥ top T lVert ‖ rVert ‖ Vert ‖ lvert | rvert | langle ⟨ rangle ⟩ cross ×]]):gmatch("(%a+) (%S+)") do signs[w] = sign end
+local powers = { ["0"] = "⁰", ["1"] = "¹", ["2"] = "²", ["3"] = "³", ["4"] = "⁴", ["5"] = "⁵", ["6"] = "⁶", ["7"] = "⁷", ["8"] = "⁸", ["9"] = "⁹", ["-"] = "⁻" }
+local function plain_math(m)
+  local function raised(p) return p:match("^[%d%-]+$") and p:gsub(".", powers) or (#p == 1 and "^" .. p or "^(" .. p .. ")") end
+  for _ = 1, 3 do m = m:gsub("\\[dt]?frac%s*(%b{})%s*(%b{})", function(a, b) return a:sub(2, -2) .. "/" .. b:sub(2, -2) end):gsub("\\[dt]?frac(%d)(%d)", "%1/%2") end
+  m = m:gsub("%^(%b{})", function(p) return raised(p:sub(2, -2)) end):gsub("%^(%d)", raised)
+  m = m:gsub("\\[,;:! ]", " "):gsub("\\([{}%%#&_$])", "%1"):gsub("\\q?quad", " "):gsub("\\(%a+)", function(w)
+    return signs[w] or (w:match("^math") or w:match("^text") or w:match("^operatorname") or w:match("^[lr]?e?[fi]?[gf]?h?t$") or w:match("^[bB]igg?[lrm]?$") or w:match("^[dh]?d?[oa]t$") or
+      w:match("^bar$") or w:match("^vec$") or w:match("^tilde$") or w:match("^over") or w:match("^under") or w:match("style$")) and "" or w
+  end)
+  return (m:gsub("[{}\\]", ""):gsub("%s+", " "):gsub("^ ", ""):gsub(" $", ""))
+end
+
 -- Markdown as plain words: for titles, tooltips, the search index.
 function M.plain(s)
   s = s:gsub("%[%[(.-)%]%]", "%1"):gsub("`([^`]*)`{[^}]*}", "%1"):gsub("!?%[([^%]]*)%]%b()", "%1"):gsub("%s*{[#%.][^}]*}", "")
-  s = s:gsub("%$(.-)%$", function(m) return (m:gsub("\\%a+", function(w) return w:match("^\\math") and "" or w:sub(2) end):gsub("[{}]", "")) end)
+  s = s:gsub("%$(.-)%$", plain_math)
   s = s:gsub("%*%*?([^%*]+)%*%*?", "%1"):gsub("[`\\]", ""):gsub("%-%-%-", "\u{2014}"):gsub("%-%-", "\u{2013}")
   return s
 end
@@ -250,8 +267,12 @@ function M.line_html(db, line, here, tokens_only)
   return table.concat(out)
 end
 
--- Is what a link leads to, "page#anchor", in the web edition alone?
-function M.online(db, target) return db.online[target:match("^(.-)#")] or db.online[target:match("#(.*)$")] end
+-- Does a link of a printed volume (db.mine) to "page#anchor" lead out of it: to another volume, or to what the web edition alone has?
+function M.far(db, page) return db.mine and (db.volume_of[page] or db.mine) ~= db.mine end
+function M.online(db, target)
+  local page = target:match("^(.-)#")
+  return db.online[page] or db.online[target:match("#(.*)$")] or M.far(db, page)
+end
 
 local tex_class = { co = "wCo", st = "wSt", pp = "wPp", nu = "wNu", kw = "wKw" }
 function M.line_tex(db, line, index)
@@ -265,10 +286,11 @@ function M.line_tex(db, line, index)
     elseif class == "def" then
       out[#out + 1] = (index and index(t[2], true) or "") .. "\\wDef{" .. M.tex_id(t[3]) .. "}{" .. text .. "}"
     elseif class == "eq" then
-      out[#out + 1] = "\\wCo{\\hyperlink{" .. t[3] .. "}{" .. M.tex_code(M.ref_text(db.labels[t[3]])) .. "}}"
+      local l, text = db.labels[t[3]], M.tex_code(M.ref_text(db.labels[t[3]]))
+      out[#out + 1] = "\\wCo{" .. ((l.online or M.far(db, l.page)) and text or "\\hyperlink{" .. t[3] .. "}{" .. text .. "}") .. "}"
     elseif class == "use" then
       local n = db.names[t[2]]
-      out[#out + 1] = n and n.online and "\\wUseOnline{" .. n.num .. "}{" .. M.name(db, t[2], "tex") .. "}" or
+      out[#out + 1] = n and (n.online or M.far(db, n.page)) and "\\wUseOnline{" .. n.num .. "}{" .. M.name(db, t[2], "tex") .. "}" or
         "\\wUse{" .. (n and n.id or "") .. "}{" .. (n and n.num or "?") .. "}{" .. M.name(db, t[2], "tex") .. "}"
     else out[#out + 1] = text end
   end

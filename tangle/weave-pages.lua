@@ -1,6 +1,6 @@
 -- weave-pages.lua: the pages that need no pandoc: index, lists, bibliography, assembled sources, search index; and what TeX needs
 -- to put the chapters together.
-local Code = require "weave-code"
+local Code, contents = require "weave-code", require "contents"
 local Pages = {}
 local h = Code.html
 
@@ -14,28 +14,11 @@ local function fill(template, values)
   end))
 end
 
-local function contents(db, up)
-  local t, part = {}, nil
-  for _, e in ipairs(db.entries) do
-    if e.of then goto next end
-    if e.part ~= part then
-      if part then t[#t + 1] = "</ol>" end
-      part = e.part
-      t[#t + 1] = '<p class="part">' .. h(part) .. "</p><ol>"
-    end
-    if e.planned then t[#t + 1] = '<li class="planned" title="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. "</li>"
-    else t[#t + 1] = '<li><a href="' .. up .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. h(Code.plain(e.title)) .. "</a></li>" end
-    ::next::
-  end
-  t[#t + 1] = "</ol>"
-  return table.concat(t)
-end
-
-local lists = { { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
+local lists = { { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
   { "sources.html", "Assembled sources" }, { "bibliography.html", "Bibliography" } }
-local function list_links()
+local function list_links(db)
   local t = {}
-  for _, l in ipairs(lists) do t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end
+  for i, l in ipairs(lists) do if i > 1 or #db.glossary > 0 then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
   return "<ul>" .. table.concat(t) .. "</ul>"
 end
 
@@ -52,46 +35,68 @@ function Pages.write(w)
     Code.write_if_changed(html_dir .. "/" .. name, fill(template, v))
   end
   local in_order = {}                                  -- all chunks, chapter by chapter as the contents have them
-  for _, e in ipairs(db.entries) do for _, c in ipairs(book.chunks) do if book.chapters[c.chapter].entry == e then in_order[#in_order + 1] = c end end end
+  for _, e in ipairs(db.entries) do for _, c in ipairs(book.chunks) do if book.chapters[c.chapter].entry == e and not c.gone then in_order[#in_order + 1] = c end end end
   local function chunk_link(id) local c = db.chunks[id] return '<a class="cref" href="' .. c.page .. "#" .. id .. '"><b>' .. c.num .. "</b></a>" end
 
   ---------------------------------------------------------------------------------------------------------- index page
   do
-    local t, part, open = {}, nil, false
+    local t, part = {}, nil
     local cover = Code.read(w.root .. "book/cover.svg")
-    local first
-    for _, e in ipairs(db.entries) do if not e.planned then first = first or e end end
     t[#t + 1] = '<header class="cover">' .. (cover and '<div class="coverpic">' .. cover:gsub("^.-(<svg)", "%1") .. "</div>" or "") ..
       '<h1 class="booktitle">Weft</h1><p class="subtitle">A textbook that builds into a rigid-body physics engine</p></header>'
+    t[#t + 1] = '<section class="doors">'               -- a door for each volume, and one for the course
+    local function chapters_of(v)
+      local r = {}
+      for _, e in ipairs(db.entries) do if not e.of and (e.volume or db.volumes[1].name) == v.name then r[#r + 1] = e end end
+      return r
+    end
+    for i, v in ipairs(db.volumes) do
+      local written = {}
+      for _, e in ipairs(chapters_of(v)) do if not e.planned then written[#written + 1] = e end end
+      if #written > 0 then
+        t[#t + 1] = '<div class="door"><h2>' .. (#db.volumes > 1 and "<small>Volume " .. i .. "</small> " or "") .. '<a href="' .. written[1].page .. '">' .. h(v.title) .. "</a></h2><p>" .. h(v.what) .. "</p><p><a href=\"#v-" .. v.name .. '">' ..
+          #written .. (#written == 1 and " chapter" or " chapters") .. '</a> <a class="pdf" href="../' .. v.name .. '.pdf">PDF</a></p></div>'
+      end
+    end
+    if #db.weeks > 0 then
+      local weeks = {}
+      for i, k in ipairs(db.weeks) do weeks[i] = '<a href="' .. k.page .. '" title="' .. h(k.title) .. '">' .. k.n .. "</a>" end
+      t[#t + 1] = '<div class="door course"><h2><small>The course</small> <a href="' .. db.labels["sec:coursework-weeks"].page .. '#sec:coursework-weeks">' .. (#weeks == 12 and "Twelve" or #weeks) ..
+        " weeks</a></h2><p>A way through the first volume, with exercises. Each week ends with something that runs.</p><p>Week " .. table.concat(weeks, " ") .. "</p></div>"
+    end
+    t[#t + 1] = "</section>"
     t[#t + 1] = '<section class="how"><p>Each chapter interleaves the physics, its derivation and the C code. The code that you read is the code that runs: it is taken from these pages and compiled.</p><ul>' ..
       "<li>Code comes in named, numbered chunks. Click a \u{27e8}chunk\u{27e9} to go to it, rest on it to see it, click with Shift to open it in place, with all its pieces. <i>Assembled</i>, above a chunk, shows it whole, as the compiler sees it.</li>" ..
       "<li>Every identifier leads to its definition. Every chunk says where it is used and in which line of which file it stands.</li>" ..
       "<li>Beside each numbered equation stand the chunks that compute it; <a href=\"formulas.html\">Formulas and their code</a> lists them all.</li>" ..
-      "<li>Press <kbd>/</kbd> to search: headings, chunks, identifiers, equations, and every paragraph.</li></ul>" ..
-      (first and '<p><a class="start" href="' .. first.page .. '">Begin with chapter ' .. first.num .. " \u{2192}</a></p>" or "") .. "</section>"
-    t[#t + 1] = '<section class="contents"><h2>Contents</h2>'
-    for _, e in ipairs(db.entries) do
-      if e.of then goto next end
-      if e.part ~= part then
-        if part then t[#t + 1] = "</ol>" end
-        part = e.part
-        t[#t + 1] = "<h3>" .. (e.part_number and "Part " .. e.part_number .. ": " or "") .. h(part) .. "</h3><ol>"
-      end
-      if e.planned then t[#t + 1] = '<li class="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. " <small>planned</small></li>"
-      else
-        t[#t + 1] = '<li><a href="' .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. h(Code.plain(e.title)) .. "</a>"
-        local s = {}
-        for _, x in ipairs(db.heads) do
-          if x.page == e.page and x.level == 2 then s[#s + 1] = '<a href="' .. x.page .. "#" .. x.id .. '">' .. h(Code.plain(x.title)) .. "</a>" end
+      "<li>Press <kbd>/</kbd> to search: headings, text, equations, chunks and identifiers.</li></ul></section>"
+    t[#t + 1] = '<section class="contents">'
+    for i, v in ipairs(db.volumes) do
+      local list = chapters_of(v)
+      if #list > 0 then t[#t + 1] = '<h2 id="v-' .. v.name .. '">' .. (#db.volumes > 1 and i .. " " or "") .. h(v.title) .. "</h2>" end
+      part = nil
+      for _, e in ipairs(list) do
+        if e.part ~= part then
+          if part then t[#t + 1] = "</ol>" end
+          part = e.part
+          t[#t + 1] = (part ~= v.title and "<h3>" .. (e.part_number and "Part " .. e.part_number .. ": " or "") .. h(part) .. "</h3>" or "") .. "<ol>"
         end
-        for _, x in ipairs(db.entries) do
-          if x.of == e.name then s[#s + 1] = '<a href="' .. x.page .. '">' .. h(Code.plain(x.title)) .. "</a>" end
+        if e.planned then t[#t + 1] = '<li class="planned"><span class="n">' .. e.num .. "</span> " .. h(e.title) .. " <small>planned</small></li>"
+        else
+          t[#t + 1] = '<li><a href="' .. e.page .. '"><span class="n">' .. e.num .. "</span> " .. h(Code.plain(e.title)) .. "</a>"
+          local s = {}
+          for _, x in ipairs(db.heads) do
+            if x.page == e.page and x.level == 2 then s[#s + 1] = '<a href="' .. x.page .. "#" .. x.id .. '">' .. h(Code.plain(x.title)) .. "</a>" end
+          end
+          for _, x in ipairs(db.entries) do
+            if x.of == e.name then s[#s + 1] = '<a href="' .. x.page .. '">' .. h(Code.plain(x.title)) .. "</a>" end
+          end
+          t[#t + 1] = (#s > 0 and '<p class="secs">' .. table.concat(s, " \u{b7} ") .. "</p>" or "") .. "</li>"
         end
-        t[#t + 1] = (#s > 0 and '<p class="secs">' .. table.concat(s, " \u{b7} ") .. "</p>" or "") .. "</li>"
       end
-      ::next::
+      if part then t[#t + 1] = "</ol>" end
     end
-    t[#t + 1] = "</ol><h3>Lists</h3>" .. list_links() .. "</section>"
+    t[#t + 1] = "<h2>Lists</h2>" .. list_links(db) .. "</section>"
     t[#t + 1] = '<p class="licence">The code is free under the MIT licence, the text and the figures under <a href="https://creativecommons.org/licenses/by/4.0/">CC BY 4.0</a>.</p>'
     page("index.html", "Weft", table.concat(t))
   end
@@ -188,14 +193,15 @@ function Pages.write(w)
     local keys = {}
     for _, k in ipairs(db.cited) do if bib[k] and bib[k].order then keys[#keys + 1] = k end end
     table.sort(keys, function(a, b) return bib[a].order < bib[b].order end)
-    local t, x = { '<h1>Bibliography</h1><ul class="plainlist refs">' }, {}
-    for _, k in ipairs(keys) do
-      t[#t + 1] = '<li id="ref-' .. k .. '">' .. bib[k].html .. "</li>"
-      x[#x + 1] = "\\wSource{ref-" .. k .. "}{" .. bib[k].tex .. "}"
-    end
+    local t = { '<h1>Bibliography</h1><ul class="plainlist refs">' }
+    for _, k in ipairs(keys) do t[#t + 1] = '<li id="ref-' .. k .. '">' .. bib[k].html .. "</li>" end
     t[#t + 1] = "</ul>"
     page("bibliography.html", "Bibliography", table.concat(t))
-    Code.write_if_changed(w.out .. "/bibliography.tex", table.concat(x, "\n") .. "\n")
+    for _, v in ipairs(db.volumes) do                  -- in print each volume has its own sources
+      local x, mine = {}, db.cited_in[v.name] or {}
+      for _, k in ipairs(keys) do if mine[k] then x[#x + 1] = "\\wSource{ref-" .. k .. "}{" .. bib[k].tex .. "}" end end
+      Code.write_if_changed(w.out .. "/bibliography-" .. v.name .. ".tex", table.concat(x, "\n") .. "\n")
+    end
   end
 
   -------------------------------------------------------------------------------- formulas: made by pandoc from Markdown
@@ -233,14 +239,14 @@ function Pages.write(w)
       return (text:gsub("%[@([%w_%-]+)", "[%1"):gsub("%s*|[%s|:%-]*", " \u{b7} "))
     end
     for _, s in ipairs(w.search) do add(s.kind, s.title, s.page, s.id, readable(s.text)) end
-    for _, c in ipairs(book.chunks) do if c.part == 1 then add("chunk", c.num .. " \u{27e8}" .. Code.plain(c.name):gsub("@(%a+:[%w_%-]+)", function(id) return w.labels[id] and Code.ref_text(w.labels[id]) or id end) .. "\u{27e9}", c.page, c.id) end end
+    for _, c in ipairs(book.chunks) do if c.part == 1 and not c.gone then add("chunk", c.num .. " \u{27e8}" .. Code.plain(c.name):gsub("@(%a+:[%w_%-]+)", function(id) return w.labels[id] and Code.ref_text(w.labels[id]) or id end) .. "\u{27e9}", c.page, c.id) end end
     local names = {}
     for name in pairs(db.idents) do if not name:match("_H$") then names[#names + 1] = name end end
     table.sort(names)
     for _, name in ipairs(names) do
       for _, d in ipairs(db.idents[name]) do
         local p, id = d.target:match("^(.-)#(.*)$")
-        add("ident", name, p, id, d.kind .. ", chunk " .. d.num)
+        add((d.static or not name:lower():match("^wf")) and "private" or "ident", name, p, id, d.kind .. ", chunk " .. d.num)
       end
     end
     for _, f in ipairs(files) do add("file", f.name, f.page, "", f.lines .. " lines") end
@@ -273,40 +279,30 @@ function Pages.write(w)
     p:close()
   end
 
-  --------------------------------------------------------------------------------------------------- the frame for TeX
-  do
-    local t, part, planned, written = {}, nil, {}, {}
+  --------------------------------------------------------------------------- the frame for TeX: the chapters of each volume
+  for i, v in ipairs(db.volumes) do
+    local t, part, written = {}, nil, {}
+    local function mine(e) return not e.of and (e.volume or db.volumes[1].name) == v.name end
+    for _, e in ipairs(db.entries) do if mine(e) and not e.planned then written[e.part] = (written[e.part] or 0) + 1 end end
     for _, e in ipairs(db.entries) do                 -- a part has a page of its own when it has several chapters
-      if e.of then goto next end
-      planned[e.part] = (planned[e.part] or 0) + 1
-      if not e.planned then written[e.part] = (written[e.part] or 0) + 1 end
-      ::next::
-    end
-    for _, e in ipairs(db.entries) do
-      if e.of then goto next end
+      if not mine(e) then goto next end
       if e.part ~= part then
         part = e.part
-        local page = planned[part] > 1 and written[part]
+        local page = e.appendix or (written[part] or 0) > 1
         if e.appendix then t[#t + 1] = "\\wAppendices"
-        else t[#t + 1] = "\\w" .. (page and "Part" or "QuietPart") .. "{" .. (e.part_number or "") .. "}{" .. Code.tex(part) .. "}" end
+        elseif part ~= v.title then t[#t + 1] = "\\w" .. (page and "Part" or "QuietPart") .. "{" .. (e.part_number or "") .. "}{" .. Code.tex(part) .. "}" end
       end
       if e.planned then t[#t + 1] = "\\wPlanned{" .. e.num .. "}{" .. Code.tex(e.title) .. "}"
       else t[#t + 1] = "\\wNumber{" .. e.num .. "}\n\\include{ch/" .. e.name .. "}" end
       ::next::
     end
-    Code.write_if_changed(w.out .. "/chapters.tex", table.concat(t, "\n") .. "\n")
-    local l = {}
-    local chapter
-    for _, c in ipairs(in_order) do
-      if c.part == 1 and not db.chunks[c.id].online then
-        if c.chapter ~= chapter then
-          chapter = c.chapter
-          l[#l + 1] = "\\wListedChapter{" .. book.chapters[chapter].num .. " " .. Code.tex(Code.plain(book.chapters[chapter].title or "")) .. "}"
-        end
-        l[#l + 1] = "\\wListed{" .. c.id .. "}{" .. c.num .. "}{" .. Code.name(db, c.name, "tex") .. "}"
-      end
+    Code.write_if_changed(w.out .. "/chapters-" .. v.name .. ".tex", table.concat(t, "\n") .. "\n")
+    local others = {}
+    for j, o in ipairs(db.volumes) do
+      if j ~= i then others[#others + 1] = (o.letter == "" and "one without a letter is of" or "\\textsf{" .. o.letter .. "} means") .. " \\emph{" .. Code.tex(o.title) .. "}" end
     end
-    Code.write_if_changed(w.out .. "/chunklist.tex", table.concat(l, "\n") .. "\n")
+    Code.write_if_changed(w.out .. "/volume-" .. v.name .. ".tex", "\\renewcommand\\wVolume{" .. (#db.volumes > 1 and "Volume " .. i .. " of " .. #db.volumes or "") .. "}\\renewcommand\\wVolumeTitle{" .. Code.tex(v.title) .. "}\\renewcommand\\wVolumeWhat{" ..
+      Code.tex(v.what) .. "}\\renewcommand\\wVolumeOthers{" .. (#others > 0 and "A number with another letter before it is of another volume: " .. table.concat(others, ", ") or "A number that no page here has is of the whole book") .. "}\n" .. (i == 1 and #db.glossary > 0 and "\\renewcommand\\wGlossary{\\input{ch/glossary.tex}}\n" or "") .. "\\hypersetup{pdftitle={Weft" .. (#others > 0 and " " .. i or "") .. ": " .. Code.tex(v.title) .. "}}\n")
   end
 end
 

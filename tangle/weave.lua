@@ -1,6 +1,6 @@
 -- weave.lua: from noweb's markup to what the pages are made of.
 --
---   lua weave.lua OUT [--tolerant] [--strict] [--html DIR] < stream
+--   lua weave.lua OUT [--tolerant] [--strict] [--html DIR] [--only WORDS] [--without WORDS] [--called NAME] [--bytes TEXT] < stream
 --
 -- OUT/db.lua      what every page needs: numbers of labels, names of chunks, definitions of identifiers, contents
 -- OUT/BASE.md     one chapter as pandoc Markdown, each chunk replaced by a marker
@@ -9,17 +9,23 @@
 -- All are written only when they change, so that make remakes only the pages that must change.
 -- With --strict, a numbered equation that no code refers to is an error, not a warning.
 -- With --tolerant, errors are told but what can be woven is woven.
+-- With --only or --without (as tangle.lua), the book of an engine that has some parts alone: the chapters that have a chunk of it, without the
+-- sections and boxes of other parts; numbers are those of the whole book. OUT/bases lists its pages; the first tells of the engine.
 local here = arg[0]:match("^(.*/)") or "./"
 package.path = here .. "?.lua;" .. package.path
 local Book, Code, Parts = require "book", require "weave-code", require "parts"
 
 local out, tolerant, strict, html_dir
+local how, called, bytes = nil, nil, nil      -- which parts, the name of what they were chosen for, how large that engine is
 do
   local i = 1
   while arg[i] do
     if arg[i] == "--tolerant" then tolerant = true
     elseif arg[i] == "--strict" then strict = true
     elseif arg[i] == "--html" then i = i + 1; html_dir = arg[i]
+    elseif arg[i] == "--only" or arg[i] == "--without" then how = how or {}; how[arg[i]:sub(3)] = arg[i + 1]; i = i + 1
+    elseif arg[i] == "--called" then i = i + 1; called = arg[i]
+    elseif arg[i] == "--bytes" then i = i + 1; bytes = arg[i]
     else out = arg[i] end
     i = i + 1
   end
@@ -36,15 +42,49 @@ local book = Book.read(tmp)
 tmp:close()
 book:check_chunks()
 local chunks_good = #book.errors == 0
+-- The book of a smaller engine: its chunks, of a name the pieces that it has; sections in which it has no code (by file and line).
+local chosen, keep, gone_at = nil, nil, {}
+if how then
+  chosen = Parts.choose(book, how)
+  keep = Parts.reached(book, chosen)
+  for i, c in ipairs(book.chunks) do if not keep[i] then c.gone = true end end
+  local stack, ci, line, code, index, fence = {}, 0, 1, false, 0, false
+  for l in stream:gmatch("([^\n]*)\n") do
+    local key, rest = l:match("^@(%S+) ?(.*)$")
+    if key == "file" then ci, line, stack, fence = ci + 1, 1, {}, false
+    elseif key == "begin" then code = rest:match("^code") ~= nil
+    elseif key == "defn" then
+      index = index + 1
+      for _, s in pairs(stack) do s.all = s.all + 1; s.kept = s.kept + (keep[index] and 1 or 0) end
+    elseif key == "text" and not code then
+      if rest:match("^```") or rest:match("^~~~") then fence = not fence end
+      local marks = not fence and rest:match("^(##+)%s")
+      if marks then
+        for level in pairs(stack) do if level >= #marks then stack[level] = nil end end
+        stack[#marks] = { all = 0, kept = 0 }
+        gone_at[ci .. ":" .. line] = stack[#marks]
+      end
+    elseif key == "nl" or key == "index" and rest:match("^nl") then line = line + 1 end
+  end
+  for _, n in pairs(book.names) do
+    local parts, uses = {}, {}
+    for _, p in ipairs(n.parts) do if keep[p] then parts[#parts + 1] = p; book.chunks[p].part = #parts end end
+    for _, u in ipairs(n.uses) do if keep[u.chunk] then uses[#uses + 1] = u end end
+    n.parts, n.uses = parts, uses
+  end
+  for _, c in ipairs(book.chapters) do c.gone = true end
+  for i, c in ipairs(book.chunks) do if keep[i] then book.chapters[c.chapter].gone = nil end end
+end
 local warnings = {}
 local function warn(file, line, what, remedy)
+  if how then return end
   if strict then book:complain(file, line, what, remedy) return end
   warnings[#warnings + 1] = string.format("%s:%d: warning: %s -- %s", file, line, what, remedy)
 end
 
 ----------------------------------------------------------------------------------- the plan: every chapter, written or not
 -- entries: of the contents, volume by volume; entry_of[name]; what belongs to a chapter (e.of) and solved exercises come behind.
-local entries, entry_of = {}, {}
+local entries, entry_of, volumes = {}, {}, {}
 local function sh(s) return "'" .. s:gsub("'", "'\\''") .. "'" end
 local function plan(what)
   local p = io.popen("WEFT_ROOT=" .. sh(root) .. " " .. sh(here .. "chapters") .. " --" .. what)
@@ -53,19 +93,19 @@ local function plan(what)
   return text:gmatch("([^\n]+)")
 end
 do
-  local volumes, parts, list = {}, {}, {}
+  local parts, list = {}, {}
   for l in plan "volumes" do
-    local name, _, title = l:match("^(.-)\t(.-)\t(.*)$")
-    volumes[#volumes + 1] = name
+    local name, letter, title, short, what = (l .. "\t\t\t"):match("^(.-)\t(.-)\t(.-)\t(.-)\t(.-)\t")
+    volumes[#volumes + 1] = { name = name, letter = letter, title = title, short = short ~= "" and short or title, what = what }
     volumes[name] = { order = #volumes, title = title }
   end
   for l in plan "plan" do
     local name, volume, num, part, title, report = l:match("^(.-)\t(.-)\t(.-)\t(.-)\t(.-)\t(.*)$")
     local v = volumes[volume] or { order = 50, title = volume }
-    local e = { name = name, num = num, volume = volume, part = (volume == volumes[1] or part == "Appendices") and part or v.title, title = title, report = report, planned = true }
+    local e = { name = name, num = num, volume = volume, part = (volume == volumes[1].name or part == "Appendices") and part or v.title, title = title, report = report, planned = true }
     e.appendix = part == "Appendices" or nil
     e.order = (e.appendix and 99 or v.order) * 1000 + #list
-    if volume == volumes[1] and not e.appendix then      -- the engine has parts, as the report; each other volume is one
+    if volume == volumes[1].name and not e.appendix then      -- the engine has parts, as the report; each other volume is one
       if not parts[part] then parts[#parts + 1] = part; parts[part] = #parts end
       e.part_number = parts[part]
     end
@@ -74,6 +114,11 @@ do
   end
   table.sort(list, function(x, y) return x.order < y.order end)
   for i, e in ipairs(list) do e.order = nil; entries[i] = e end
+  if how then
+    for i = #volumes, 2, -1 do volumes[i] = nil end
+    volumes[1].title, volumes[1].short = "An engine " .. (called or "of some parts"), "this book"
+    volumes[1].what = "The chapters of what it contains"
+  end
 end
 local exercise_number = {}                 -- by the name of its starter
 do
@@ -87,7 +132,8 @@ do
     end
   end
 end
-local reserved = { index = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
+local volume_of = {}                       -- a page's volume; what is not in the plan goes to the first
+local reserved = { index = 1, glossary = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
 local online = {}                          -- pages and anchors that the print has not
 local taken = {}                           -- a printed number: the file of its chapter
 for _, e in ipairs(entries) do taken[e.num] = "book/plan.tsv" end
@@ -114,13 +160,16 @@ for _, c in ipairs(book.chapters) do
     entry_of[c.name] = e
   end
   e.planned = nil
+  if how then e.volume, e.gone = volumes[1].name, c.gone end
   c.entry, c.num = e, e.num
   e.file, e.page = c.file, c.name .. ".html"
+  volume_of[e.page] = e.volume or volumes[1].name
   if c.online then online[e.page] = true end
 end
 
 local labels, heads, where = {}, {}, {}      -- labels by id; headings in order; where[id] = "file:line"
-local db = { up = "", labels = labels, heads = heads, names = {}, chunks = {}, idents = {}, entries = entries, eqs = {}, online = online }
+local db = { up = "", labels = labels, heads = heads, names = {}, chunks = {}, idents = {}, entries = entries, eqs = {}, online = online, volumes = {}, volume_of = volume_of }
+for i, v in ipairs(volumes) do db.volumes[i] = v end
 
 ------------------------------------------------------------------------------------------------- chunks: numbers, ids
 local function slug(s)
@@ -144,10 +193,10 @@ do
       n.slug = s
     end
     c.id = n.slug .. (c.part > 1 and "-" .. c.part or "")
-    db.chunks[c.id] = { num = c.num, page = c.page, name = c.name, part = c.part, online = chapter.online }
+    if c.gone then c.id = n.slug .. "-gone" else db.chunks[c.id] = { num = c.num, page = c.page, name = c.name, part = c.part, online = chapter.online } end
   end
   for name, n in pairs(book.names) do
-    local first = book.chunks[n.parts[1]]
+    local first = n.parts[1] and book.chunks[n.parts[1]]
     if first then db.names[name] = { id = first.id, num = first.num, page = first.page, online = book.chapters[first.chapter].online } end
   end
 end
@@ -158,7 +207,7 @@ for key in (Code.read(root .. "book/refs.bib") or ""):gmatch("@%a+%s*{%s*([^,%s]
 local refs_seen = {}                         -- { file, line, id } of every cross reference
 local images = {}                            -- { file, line, path }
 local search = {}                            -- { kind, title, page, id, text }
-local cited = {}
+local cited, cited_in = {}, {}               -- sources; in each volume
 
 local function add_label(chapter, line, id, kind, num, title)
   if labels[id] then
@@ -166,7 +215,7 @@ local function add_label(chapter, line, id, kind, num, title)
     return
   end
   where[id] = chapter.file .. ":" .. line
-  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title, online = chapter.online or chapter.web or nil }
+  labels[id] = { kind = kind, num = num, page = chapter.entry.page, title = title, online = chapter.online or chapter.web or nil, gone = how and chapter.dropped or nil }
   return labels[id]
 end
 
@@ -177,6 +226,14 @@ local function count_label(chapter, line, id)
   return l
 end
 
+-- The first volume prints the engine that it describes, "core" (parts.lua); code and sections of other parts stand on the pages.
+local core = not how and book.parts.core and Parts.closure(book, { core = true })
+local in_core = core and Parts.reached(book, core)
+local function beyond_core(chapter, part)
+  if not core or not part or chapter.online or chapter.entry.volume ~= volumes[1].name then return false end
+  for w in part:gmatch("[%w_%-]+") do if not core[w] then return true end end
+  return false
+end
 local function heading(chapter, line, level, text)
   local id = text:match("{#([^%s}]+)")
   local title = text:gsub("%s*{[^}]*}%s*$", "")
@@ -203,6 +260,10 @@ local function heading(chapter, line, level, text)
   local l = add_label(chapter, line, id, "sec", num, Code.plain(title))
   if not l then return text end
   local print = text:match('print="?([%w_%-]*)')
+  if not print and level > 1 and beyond_core(chapter, text:match('part="([^"]*)"')) then
+    print = "web"
+    text = text:gsub("}%s*$", ' print="web"}')
+  end
   if print == "web" then chapter.web_level = chapter.web_level or level; chapter.web = true      -- print has its title alone
   elseif print then book:complain(chapter.file, line, 'print="' .. print .. '" says nothing', 'write print="web" at a section that only the pages have') end
   chapter.here = id
@@ -211,6 +272,7 @@ local function heading(chapter, line, level, text)
     chapter.entry.id = id
     chapter.entry.title = title
   end
+  if how and chapter.dropped then return text end
   heads[#heads + 1] = h
   search[#search + 1] = { kind = "sec", title = num .. " " .. Code.plain(title), page = h.page, id = id }
   return text
@@ -230,6 +292,8 @@ local function check_prose(chapter, line, l)
       refs_seen[#refs_seen + 1] = { chapter.file, line, kind:lower() .. ":" .. id }
     elseif before:match("[%s%[%(;%-]") then
       cited[key] = true
+      local volume = volume_of[chapter.entry.page]
+      if not chapter.online then cited_in[volume] = cited_in[volume] or {}; cited_in[volume][key] = true end
       if not bib_keys[key] then
         book:complain(chapter.file, line, "no source @" .. key .. " in book/refs.bib",
           "add the source to book/refs.bib, mend the key, or put an @ that is no citation in backticks")
@@ -343,6 +407,7 @@ local function doc_line(chapter, line, l)
   if not display and dollars == 0 then check_prose(chapter, line, l) end
   -- the search index: paragraphs, each under the heading that it stands below
   if l:match("%S") and not display and not marks and not l:match("^:::") and not l:match("^%$%$") then
+    if l:match("^[%s|:%-]+$") then return l end       -- a table's rule
     chapter.para = (chapter.para and chapter.para .. " " or "") .. l
   elseif chapter.para then
     search[#search + 1] = { kind = "text", title = "", page = chapter.entry.page, id = chapter.here, text = Code.plain(chapter.para):gsub("%s+", " ") }
@@ -356,6 +421,7 @@ local chunk_at = {}
 for _, c in ipairs(book.chunks) do chunk_at[c.chapter .. "." .. c.k] = c end
 local function web_chunk(ci, k)
   local c = chunk_at[ci .. "." .. k]
+  if c.gone then return end
   c.web = true
   online[c.id] = true
   db.chunks[c.id].online = true
@@ -365,6 +431,26 @@ do
   local chapter, kind, line, k
   local text, quote = "", nil
   local ci = 0
+  local marks                                  -- which part the prose belongs to: only in the book of a smaller engine
+  local function c_gone(c) return how and c.gone or nil end
+  local function emit(c, i, at, t)
+    if not how then c.md[#c.md + 1] = doc_line(c, at, t) .. "\n" return end
+    local before = Parts.within(marks.here(), chosen)
+    marks.line(at, t)
+    local here = Parts.within(marks.here(), chosen)
+    local level = #(t:match("^(#+)%s") or "")
+    local section = gone_at[i .. ":" .. at]
+    if c.fence or c.display then level, section = 0, nil end
+    if level > 0 and c.drop_level and level <= c.drop_level then c.drop_level = nil end
+    if section and section.all > 0 and section.kept == 0 then c.drop_level = c.drop_level or level end
+    if t:match("^:::+%s*$") then here = before end
+    c.dropped = c.gone or c.drop_level or not here or nil
+    local found = #search
+    local l = doc_line(c, at, t)
+    if not c.dropped then c.md[#c.md + 1] = l .. "\n" return end
+    c.para = nil
+    for j = #search, found + 1, -1 do search[j] = nil end
+  end
   for l in stream:gmatch("([^\n]*)\n") do
     local key, rest = l:match("^@(%S+) ?(.*)$")
     if key == "file" then
@@ -373,6 +459,8 @@ do
       chapter = book.chapters[ci]
       chapter.count, chapter.md, line, k = {}, {}, 1, 0
       chapter.web_boxes, chapter.web_divs = 0, {}
+      chapter.dropped = c_gone(chapter)
+      marks = how and Parts.reader({ parts = {}, part_uses = {}, complain = function() end }, { file = chapter.file })
     elseif key == "begin" then
       kind = rest:match("^%a+")
       text, quote = "", nil
@@ -401,7 +489,7 @@ do
       if kind ~= "code" and kind then
         if quote then quote = quote .. " "
         else
-          chapter.md[#chapter.md + 1] = doc_line(chapter, line, text) .. "\n"
+          emit(chapter, ci, line, text)
           text = ""
         end
       end
@@ -410,9 +498,9 @@ do
     elseif key == "end" then
       if kind == "code" then
         if chapter.para then doc_line(chapter, line, "") end
-        chapter.md[#chapter.md + 1] = "\n```{=weftchunk}\n" .. k .. "\n```\n\n"
+        if not chunk_at[ci .. "." .. k].gone then chapter.md[#chapter.md + 1] = "\n```{=weftchunk}\n" .. k .. "\n```\n\n" end
       elseif text ~= "" then
-        chapter.md[#chapter.md + 1] = doc_line(chapter, line, text) .. "\n"
+        emit(chapter, ci, line, text)
         text = ""
       end
       kind = nil
@@ -552,7 +640,7 @@ local function tangled()                       -- the same files as src-generate
   local lua, lib = os.getenv("WEFT_LUA"), os.getenv("NOWEB_LIB")
   if not (lua and lib and Code.read(out .. "/stream") == stream) then return false end
   make_directories()
-  return os.execute(lua .. " " .. sh(here .. "tangle.lua") .. " plain " .. sh(out .. "/roots") .. " < " .. sh(out .. "/stream") .. " > " .. sh(out .. "/annotated") ..
+  return os.execute(lua .. " " .. sh(here .. "tangle.lua") .. " plain " .. sh(out .. "/roots") .. (how and " " .. sh(out .. "/parts") .. (how.only and " only " .. sh(how.only) or "") .. (how.without and " without " .. sh(how.without) or "") or "") .. " < " .. sh(out .. "/stream") .. " > " .. sh(out .. "/annotated") ..
     " && cd " .. sh(src) .. " && " .. sh(lib .. "/mnt") .. " -all < ../annotated 2> ../tangle.log && find . -type f | sed 's|^./||' | sort > ../there && sort -u ../roots > ../roots.sorted" ..
     " && comm -23 ../there ../roots.sorted | xargs -r rm -f")
 end
@@ -598,6 +686,58 @@ for _, name in ipairs(root_names) do
       c.at[l.line] = c.at[l.line] or { r, i }
       c.roots = c.roots or {}
       c.roots[name] = true
+    end
+  end
+end
+
+---------------------------------------------------------------------------------------------- what print leaves out by itself
+-- Of chunks the declarations of functions, beyond the first piece of a volume (the reference has them all), the code of programs that
+-- belong to another volume, in the first volume what is not in core, and rows of a table beyond the first five. Print has one line in their
+-- place; the pages have everything.
+local FEW_ROWS = 5
+local function only_declares(c)
+  local any = false
+  local text, depth = {}, 0
+  for _, l in ipairs(lines_of(c)) do
+    if l.use then return false end
+    text[#text + 1] = l.text
+  end
+  local code = table.concat(text, "\n"):gsub("/%*.-%*/", ""):gsub("\n#[^\n]*", "")
+  for statement in (code:gsub("^#[^\n]*", "")):gmatch("[^;]+") do
+    if statement:match("%S") then
+      if statement:match("[{}=]") or statement:match("typedef") or not statement:match("%)%s*[%u_]*$") then return false end
+      any = true
+    end
+  end
+  return any
+end
+do
+  local shown = {}
+  for index, c in ipairs(book.chunks) do
+    local chapter = book.chapters[c.chapter]
+    local volume = volume_of[chapter.entry.page]
+    if not c.web and not chapter.online and chapter.entry.volume and next(c.roots or {}) then
+      local headers, foreign = true, true
+      for root in pairs(c.roots) do
+        headers = headers and root:match("%.h$") ~= nil
+        local program = root:match("^(%a+)/")
+        foreign = foreign and (program == "figures" or (program == "lab" or program == "testbed") and volume ~= program)
+      end
+      if foreign or in_core and not in_core[index] and volume == volumes[1].name then web_chunk(c.chapter, c.k)
+      elseif headers and only_declares(c) then
+        if shown[volume] then web_chunk(c.chapter, c.k) end
+        shown[volume] = true
+      elseif c.name:match("^rows of ") then
+        local lines, rows, first = lines_of(c), 0, nil
+        for i, l in ipairs(lines) do
+          local indent = #(l.use and l.indent or l.text):match("^ *")
+          first = first or indent
+          if indent <= first and (l.text ~= "" or l.use) then
+            rows = rows + 1
+            if rows == FEW_ROWS + 1 and #lines - i > 1 then c.printed = i - 1 end
+          end
+        end
+      end
     end
   end
 end
@@ -715,7 +855,7 @@ for index, c in ipairs(book.chunks) do
   c.tokens, c.defs, c.eqs = {}, {}, {}
   local root_name = c.roots and next(c.roots)
   local function eq_use(id)
-    if labels[id] and not c.eqs[id] then
+    if labels[id] and not labels[id].gone and not c.eqs[id] then
       c.eqs[id] = true
       c.eqs[#c.eqs + 1] = id
       eq_users[id] = eq_users[id] or {}
@@ -738,7 +878,8 @@ for index, c in ipairs(book.chunks) do
     if Code.kind_name[id:match("^%a+"):lower()] then ref_in_code(id, c.line) end
   end
   local inside = false
-  for _, l in ipairs(lines_of(c)) do
+  for _, l in ipairs(c.gone and {} or lines_of(c)) do
+    if how and l.use and book:is_empty(l.use) then goto next_line end       -- not tangled, so not woven
     local row = {}
     local code = l.use and l.indent or l.text
     local columns = utf8.len(l.text) or #l.text
@@ -783,7 +924,7 @@ for index, c in ipairs(book.chunks) do
             book:complain(c.file, l.line, text .. " is used here but first declared later, in " .. book.chapters[earliest].file,
               "move its declaration to this chapter or an earlier one, or move the use")
           end
-          local missing = c.roots and not mine and lacks(text, place and place[1].name, c, list)
+          local missing = not how and c.roots and not mine and lacks(text, place and place[1].name, c, list)
           if missing and not told[c.file .. text .. l.line] then
             told[c.file .. text .. l.line] = true
             book:complain(c.file, l.line, text .. " is used here, but is defined only with " .. Parts.say(Parts.short(book, missing)),
@@ -797,7 +938,8 @@ for index, c in ipairs(book.chunks) do
           if not a then break end
           if a > i then row[#row + 1] = { "co", text:sub(i, a - 1) } end
           ref_in_code(id, l.line)
-          row[#row + 1] = labels[id] and { "eq", id, id } or { "co", id }
+          local l = labels[id]
+          row[#row + 1] = l and (l.gone and { "co", Code.ref_text(l) } or { "eq", id, id }) or { "co", id }
           i = b + 1
         end
         if i <= #text then row[#row + 1] = { "co", text:sub(i) } end
@@ -815,6 +957,7 @@ for index, c in ipairs(book.chunks) do
     c.tokens[#c.tokens + 1] = row
     c.row_at = c.row_at or {}
     c.row_at[l.line] = row
+    ::next_line::
   end
 end
 for _, p in ipairs(pointers) do                -- a definition that a macro makes has no place: its chunk is as near as can be
@@ -822,6 +965,7 @@ for _, p in ipairs(pointers) do                -- a definition that a macro make
 end
 for id, e in pairs(db.eqs) do
   local l = labels[id]
+  if l.gone then db.eqs[id] = nil goto next_eq end
   e.chunks = {}
   for _, k in ipairs(eq_users[id] or {}) do e.chunks[#e.chunks + 1] = book.chunks[k].id end
   if #e.chunks == 0 and not l.theory then
@@ -829,6 +973,7 @@ for id, e in pairs(db.eqs) do
     warn(file, tonumber(line), "no code refers to equation " .. id,
       "write @" .. id .. " in a chunk's name or " .. id .. " in a comment of the code, or mark it {#" .. id .. " .theory}")
   end
+  ::next_eq::
 end
 for name, list in pairs(tags) do
   local shown = {}
@@ -843,6 +988,48 @@ for name, list in pairs(tags) do
     shown.header = list.header
     db.idents[name] = shown
   end
+end
+
+--------------------------------------------------------------------------- the glossary: book/glossary.tsv, a page and print's last pages
+local glossary = {}
+if not how then
+  local n, t = 0, {}
+  for l in (Code.read(root .. "book/glossary.tsv") or ""):gmatch("([^\n]*)\n") do
+    n = n + 1
+    local term, meaning, id = l:match("^([^#\t]+)\t(.+)\t(%S+)$")
+    if term and not labels[id] then book:complain("book/glossary.tsv", n, "nothing is labelled " .. id, "name a label of the section that explains it")
+    elseif term then
+      glossary[#glossary + 1] = { term = term, id = id }
+      t[#t + 1] = "**" .. term .. "**: " .. meaning .. " (@" .. id .. ").\n\n"
+      search[#search + 1] = { kind = "sec", title = term, page = "glossary.html", text = meaning }
+    elseif l:match("^[^#]") then book:complain("book/glossary.tsv", n, "this is no row", "write term, meaning and label, parted by tabs") end
+  end
+  os.execute("mkdir -p " .. sh(out))
+  Code.write_if_changed(out .. "/glossary.md", "# Glossary {.unnumbered}\n\n" .. table.concat(t))
+  Code.write_if_changed(out .. "/glossary.lua", 'return {["base"]="glossary",["chunks"]={},["file"]="book/glossary.tsv"}\n')
+end
+db.glossary = glossary
+
+---------------------------------------------------------------------------------- the book of a smaller engine: what it is about
+if how then
+  for i = #entries, 1, -1 do if entries[i].gone or entries[i].planned then table.remove(entries, i) end end
+  local text = require "this-engine"(book, chosen, keep, roots, called, bytes)
+  local e = { name = "this-engine", page = "this-engine.html", num = "0", title = "This engine", id = "sec:this-engine", volume = volumes[1].name, part = "What it is" }
+  table.insert(entries, 1, e)
+  volume_of[e.page] = e.volume
+  local second, third = 0, 0
+  for marks, title, id in text:gmatch("(#+) ([^\n]-) {#([^}]*)}") do
+    if #marks == 2 then second, third = second + 1, 0 elseif #marks == 3 then third = third + 1 end
+    local num = "0" .. (#marks > 1 and "." .. second or "") .. (#marks > 2 and "." .. third or "")
+    labels[id] = { kind = "sec", num = num, page = e.page, title = Code.plain(title) }
+    heads[#heads + 1] = { level = #marks, num = num, id = id, title = title, page = e.page }
+  end
+  os.execute("mkdir -p " .. sh(out))
+  Code.write_if_changed(out .. "/this-engine.md", text)
+  Code.write_if_changed(out .. "/this-engine.lua", 'return {["base"]="this-engine",["chunks"]={},["num"]="0",["file"]="this-engine.md"}\n')
+  local names = {}
+  for i, x in ipairs(entries) do names[i] = x.name end
+  Code.write_if_changed(out .. "/bases", table.concat(names, "\n") .. "\n")
 end
 
 --------------------------------------------------------------------------------------------------- what is handed on
@@ -861,9 +1048,11 @@ table.sort(scene_lines)
 Code.write_if_changed(out .. "/scenes.list", table.concat(scene_lines, "\n") .. "\n")
 
 for i, ch in ipairs(book.chapters) do
+  if ch.gone then goto next_chapter end
   local mine = { file = ch.file, base = ch.name, num = ch.num, exercise = ch.entry.exercise, chunks = {} }
   for index, c in ipairs(book.chunks) do
-    if c.chapter == i then
+    if c.chapter == i and c.gone then mine.chunks[c.k] = false
+    elseif c.chapter == i then
       local n = book.names[c.name]
       local users = {}
       for _, u in ipairs(n.uses) do users[#users + 1] = u.chunk end
@@ -873,7 +1062,7 @@ for i, ch in ipairs(book.chapters) do
       end
       local files = {}
       if Book.is_root(c.name) then files[1] = c.name end
-      mine.chunks[c.k] = { num = c.num, id = c.id, name = c.name, part = c.part, only = Parts.margin(book, c), file = c.file, line = c.line, lines = c.tokens, defs = defs,
+      mine.chunks[c.k] = { num = c.num, id = c.id, name = c.name, part = c.part, only = Parts.margin(book, c), online = c.web, printed = c.printed, file = c.file, line = c.line, lines = c.tokens, defs = defs,
         eqs = { table.unpack(c.eqs) }, used = keyed(users), first = book.chunks[n.parts[1]].id, pieces = #n.parts, previous = c.part > 1 and book.chunks[n.parts[c.part - 1]].id or nil,
         following = c.part < #n.parts and book.chunks[n.parts[c.part + 1]].id or nil, source = files[1] and roots[files[1]].page or nil }
     end
@@ -881,10 +1070,39 @@ for i, ch in ipairs(book.chapters) do
   Code.write_if_changed(out .. "/" .. ch.name .. ".lua", "return " .. Code.serialise(mine) .. "\n")
   Code.write_if_changed(out .. "/" .. ch.name .. ".md", table.concat(ch.md))
   Code.write_if_changed(out .. "/" .. ch.name .. ".uses", table.concat(ch.assets or {}, "\n") .. "\n")
+  ::next_chapter::
+end
+-- The course: the rows of the table in the chapter coursework, "| week | @sec:a, @sec:b to @sec:d | pages |", and of each chapter its week.
+db.weeks = {}
+for _, c in ipairs(book.chapters) do
+  if c.name == "coursework" and labels["sec:coursework-weeks"] then
+    for n, read, pages in table.concat(c.md):gmatch("\n| *(%d+) *|([^|\n]*@sec:[^|\n]*)| *(%d+) *|") do
+      local week, last = { n = n, title = "", pages = tonumber(pages), chapters = {} }, nil
+      for between, id in read:gmatch("(.-)@(sec:[%w_%-]*%w)") do
+        local l = labels[id]
+        for i, e in ipairs(entries) do
+          if l and e.page == l.page and not e.of then
+            for k = between == " to " and last and last + 1 or i, i do
+              local x = entries[k]
+              if not x.planned then
+                x.week = x.week or n
+                week.chapters[#week.chapters + 1] = x.name
+                week.title = week.title .. (week.title == "" and "" or ", ") .. x.num .. " " .. Code.plain(x.title)
+                week.page = week.page or x.page
+              end
+            end
+            last = i
+          end
+        end
+      end
+      if week.page then db.weeks[#db.weeks + 1] = week end
+    end
+  end
 end
 db.cited = {}
 for k in pairs(cited) do db.cited[#db.cited + 1] = k end
 table.sort(db.cited)
+db.cited_in = cited_in
 Code.write_if_changed(out .. "/db.lua", "return " .. Code.serialise(db) .. "\n")
 
 local Pages = require "weave-pages"

@@ -11,43 +11,43 @@ failed=0
 bad() { failed=$((failed + 1)); echo "FAIL $*"; }
 
 # ---- what should be there
-for f in index chunks identifiers sources bibliography formulas; do [ -s "$html/$f.html" ] || bad "$html/$f.html is not there"; done
+for f in index glossary chunks identifiers sources bibliography formulas; do [ -s "$html/$f.html" ] || bad "$html/$f.html is not there"; done
 for c in $(tangle/chapters); do
   b=$(tangle/chapters --name "$c")
   [ -s "$html/$b.html" ] || bad "no page for $c"
   case $b in *.figures|*.lab) continue ;; esac                # online only
-  printed="${printed-} $html/$b.html"
   [ -s "$tex/ch/$b.tex" ] || bad "no TeX for $c"
 done
 $lua tests/loom/links.lua "$html" || bad "links"
 $lua tests/loom/agree.lua "$w" "$html" "$tex/ch" || bad "numbers"
 grep -lE 'not (drawn|measured) yet' "$html"/*.html && bad "a figure or a table is missing"
 
-# ---- the PDF
-if [ -s "$build/book/weft.pdf" ]; then
-  if command -v pdftotext >/dev/null; then
-    pdftotext -layout "$build/book/weft.pdf" "$work/text"
-    pages=$(pdfinfo "$build/book/weft.pdf" | sed -nE 's/^Pages: +//p')
-    for c in $(tangle/chapters | grep -vE '\.(figures|lab)\.nw$'); do
-      title=$(sed -nE '1,5s/^# ([^{]*[^ {]).*/\1/p' "$c" | head -1 | sed "s/[*\`]//g; s/'/’/g")
-      grep -qF -- "${title:0:24}" "$work/text" || bad "the PDF does not show '$title'"
-    done
-    # every numbered figure and table of the pages is in print too: nothing fell off a page's foot
-    grep -ohE '<b>(Figure|Table) ?[0-9A-Z]+\.[0-9]+' $printed | sed 's/<b>//; s/\xc2\xa0/ /' | sort -u > "$work/numbered"
-    tr '\n\f' '  ' < "$work/text" | sed 's/\xc2\xa0/ /g; s/  */ /g' > "$work/flat"
-    while read -r want; do grep -qE "$(sed 's/\./\\./' <<<"$want")\." "$work/flat" || bad "the PDF lacks $want"; done < "$work/numbered"
-    [ "$(wc -l < "$work/numbered")" -gt 50 ] || bad "only $(wc -l < "$work/numbered") numbered figures and tables were looked for"
-    for want in 'List of chunks' 'Index of identifiers' 'Bibliography' 'MIT licence' 'CC BY 4.0'; do grep -qF "$want" "$work/text" || bad "the PDF lacks '$want'"; done
-    # a reference that leads nowhere is printed as ??; JavaScript has an operator of that name, which stands before a value
-    grep -nF '??' "$work/text" | grep -vE "\?\? ([0-9{['-]|item|Math)" > "$work/unknown"
-    [ ! -s "$work/unknown" ] || bad "the PDF holds ??: $(head -3 "$work/unknown")"
-    over=$(grep -c '^Overfull \\hbox' "$tex/weft.log"); [ "$over" -le 5 ] || bad "$over lines of the PDF stand out of the page by more than 1 pt"
-    lost=$(grep -c 'Missing character' "$tex/weft.log"); [ "$lost" -eq 0 ] || bad "$lost characters are missing in the PDF: $(grep -m1 'Missing character' "$tex/weft.log")"
-    grep -q 'undefined references' "$tex/weft.log" && bad "the PDF has undefined references"
-    grep -q 'name{.*} has been referenced but does not exist' "$tex/weft.log" && bad "the PDF has links that lead nowhere: $(grep -m2 'has been referenced but' "$tex/weft.log")"
-    echo "weft.pdf: $pages pages"
-  fi
-else bad "$build/book/weft.pdf is not there"; fi
+# ---- the PDFs: one for each volume
+command -v pdftotext >/dev/null && for v in $(tangle/chapters --volumes | cut -f1); do
+  pdf=$build/book/$v.pdf log=$tex/$v.log printed= files=()
+  [ -s "$pdf" ] || { bad "$pdf is not there"; continue; }
+  for c in $(tangle/chapters | grep -vE '\.(figures|lab)\.nw$'); do [ -z "$(tangle/chapters --in "$v" "$c")" ] || files+=("$c"); done
+  for c in "${files[@]}"; do printed="$printed $html/$(tangle/chapters --name "$c").html"; done
+  pdftotext -layout "$pdf" "$work/text"
+  tr '\n\f' '  ' < "$work/text" | sed 's/\xc2\xa0/ /g; s/  */ /g' > "$work/flat"
+  for c in "${files[@]}"; do
+    title=$(sed -nE '1,5s/^# ([^{]*[^ {]).*/\1/p' "$c" | head -1 | sed "s/[*\`]//g; s/'/’/g")
+    grep -qF -- "${title:0:24}" "$work/text" || bad "$v.pdf does not show '$title'"
+  done
+  # every numbered figure and table that print has not left out is there: nothing fell off a page's foot
+  grep -ohE '<b>(Figure|Table) ?[0-9A-Z]+\.[0-9]+' $printed | sed 's/<b>//; s/\xc2\xa0/ /' | sort -u > "$work/numbered"
+  while read -r want; do grep -qE "$(sed 's/\./\\./' <<<"$want")\." "$work/flat" || bad "$v.pdf lacks $want"; done < "$work/numbered"
+  [ "$(wc -l < "$work/numbered")" -gt 10 ] || bad "only $(wc -l < "$work/numbered") numbered figures and tables of $v were looked for"
+  for want in 'Bibliography' 'MIT licence' 'CC BY 4.0'; do grep -qF "$want" "$work/text" || bad "$v.pdf lacks '$want'"; done
+  # a reference that leads nowhere is printed as ??; JavaScript has an operator of that name, which stands before a value
+  grep -nF '??' "$work/text" | grep -vE "\?\? ([0-9{['-]|item|Math)" > "$work/unknown"
+  [ ! -s "$work/unknown" ] || bad "$v.pdf holds ??: $(head -3 "$work/unknown")"
+  over=$(grep -c '^Overfull \\hbox' "$log"); [ "$over" -le 5 ] || bad "$over lines of $v.pdf stand out of the page by more than 1 pt"
+  lost=$(grep -c 'Missing character' "$log"); [ "$lost" -eq 0 ] || bad "$lost characters are missing in $v.pdf: $(grep -m1 'Missing character' "$log")"
+  grep -q 'undefined references' "$log" && bad "$v.pdf has undefined references"
+  grep -q 'name{.*} has been referenced but does not exist' "$log" && bad "$v.pdf has links that lead nowhere: $(grep -m2 'has been referenced but' "$log")"
+  echo "$v.pdf: $(pdfinfo "$pdf" | sed -nE 's/^Pages: +//p') pages"
+done
 
 # ---- in a browser, from file://
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)

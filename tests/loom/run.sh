@@ -489,7 +489,7 @@ hasnt "$html" 'Secret answer' "solutions stay away from readers"
 has "$dir/out/html/index.html" '<li class="planned"><span class="n">3</span> Three' "a planned chapter is listed without a link"
 has "$dir/out/html/formulas.html" 'two.html#c-double-by-eq-twice' "the list of formulas leads to the code"
 has "$dir/out/html/source-core-two-c.html" 'two.html#c-double-by-eq-twice' "assembled lines lead to their chunk"
-has "$dir/out/weave/chapters.tex" '\wPlanned{3}{Three}' "planned in the PDF's contents, too"
+has "$dir/out/weave/chapters-engine.tex" '\wPlanned{3}{Three}' "planned in the PDF's contents, too"
 WEFT_ROOT=$dir tangle/page html two "$dir/out/weave" "$dir/out/teacher.html" -M teacher=true >"$work/log" 2>&1
 has "$dir/out/teacher.html" 'Secret answer' "solutions are there for teachers"
 cp book/book.css book/book.js book/live.js "$dir/out/html/"
@@ -524,7 +524,7 @@ for b in one one.figures one.lab; do WEFT_ROOT=$dir tangle/page html $b "$dir/ou
 WEFT_ROOT=$dir tangle/page latex one "$dir/out/weave" "$dir/out/one.tex" >>"$work/log" 2>&1 || bad "TeX one"
 has "$dir/out/html/one.html" 'href="one.figures.html"' "the chapter leads to its figures"
 has "$dir/out/html/one.figures.html" '>1.F.1</span>' "its sections are numbered by it"
-hasnt "$dir/out/weave/chapters.tex" 'one.figures' "they are not printed"
+hasnt "$dir/out/weave/chapters-engine.tex" 'one.figures' "they are not printed"
 hasnt "$dir/out/one.tex" 'hyperlink{sec:one-drawn}' "print has no link to what is not printed"
 
 # ---- what only the pages have: a box, a section; print says how much code it is and where
@@ -582,6 +582,139 @@ hasnt "$dir/out/html/one.html" 'print="web"' "the mark is not on the page"
 $(tangle/lua) tests/loom/agree.lua "$dir/out/weave" "$dir/out/html" "$dir/out" >"$work/log" 2>&1 && ok "the numbers agree where print leaves out a section" || bad "the numbers agree where print leaves out a section"
 sed -i 's/print="web"/print="wed"/' "$dir/chapters/01-one.nw"
 refuse "a mark that says nothing" 01-one.nw 22 'print="wed" says nothing' 'print="web"'
+
+# ---- two volumes: print leads from one to the other, names it once in a chapter, and lists what stands in its own volume
+book volumes
+printf '=engine\t\tThe engine\tThe engine\tAll of it\n=methods\tM\tMethods for the curious\tMethods\tMore\none\tengine\tImplementation\tOne\t1\nmore\tmethods\tMethods\tMore\t2\ncoursework\tengine\tAppendices\tCoursework\t3\n' > "$dir/book/plan.tsv"
+chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+See @sec:more-code and @sec:more.
+
+<<include/weft/one.h>>=
+<<types of one>>
+<<declarations of one>>
+@
+<<types of one>>=
+typedef int wfOne;
+@
+<<declarations of one>>=
+int wfFirst(void);
+@
+<<declarations of one>>=
+int wfSecond(void);     /* of two */
+@
+<<core/one.c>>=
+<<functions of one>>
+static const int rows[] = {
+    <<rows of the table>>
+};
+@
+<<functions of one>>=
+int wfFirst(void) { return 1; }
+@
+<<rows of the table>>=
+1,
+2,
+3,
+4,
+5,
+6,
+7,
+8,
+@
+<<lab/one.c>>=
+int lab = 1;
+@
+X
+chapter 02-more.nw <<'X'
+# More {#sec:more}
+
+## Code {#sec:more-code}
+
+As in @sec:one.
+
+<<functions of one>>=
+int wfSecond(void) { return wfFirst() + 1; }
+@
+X
+chapter A-coursework.nw <<'X'
+# Coursework {#sec:coursework}
+
+## Weeks {#sec:coursework-weeks}
+
+| week | read | pages |
+|---|---|---|
+| 1 | @sec:one | 3 |
+X
+if weave; then ok "a book of two volumes"; else bad "a book of two volumes"; fi
+for b in one more; do WEFT_ROOT=$dir tangle/page latex $b "$dir/out/weave" "$dir/out/$b.tex" >>"$work/log" 2>&1 || bad "TeX $b"; done
+WEFT_ROOT=$dir tangle/page html more "$dir/out/weave" "$dir/out/html/more.html" >>"$work/log" 2>&1
+has "$dir/out/one.tex" '\wFar{methods}{sec:more-code}{Section~M1.1} of \emph{Methods}' "the first reference names the volume"
+has "$dir/out/one.tex" '\wFar{methods}{sec:more}{Chapter~M1}.' "the next has its letter"
+has "$dir/out/more.tex" '\wFar{engine}{sec:one}{Chapter~1} of \emph{The engine}' "and back"
+hasnt "$dir/out/more.tex" 'wId{d-wfFirst}' "print has no link to another volume's code"
+has "$dir/out/weave/chapters-engine.tex" 'ch/one' "a volume has its chapters"; hasnt "$dir/out/weave/chapters-engine.tex" 'ch/more' "and no others"
+has "$dir/out/weave/chapters-methods.tex" 'ch/more' "which are in theirs"
+has "$dir/out/one.tex" '{declarations of one}' "a volume prints its first declaration of a function"
+hasnt "$dir/out/one.tex" 'wfSecond' "the others are on the pages"
+has "$dir/out/one.tex" 'wfOne' "types are printed"
+hasnt "$dir/out/one.tex" '{lab}' "programs of another volume are not"
+has "$dir/out/one.tex" '\wMore{3}{one.html}' "of a long table print has five rows"
+has "$dir/out/html/index.html" '<div class="door"><h2><small>Volume 2</small> <a href="more.html">Methods for the curious</a>' "the front page has a door for each volume"
+has "$dir/out/html/index.html" '<a href="one.html" title="1 One">1</a>' "and one for the course"
+has "$dir/out/html/more.html" '<i class="wk" title="read in week 1 of the course">1</i>' "a chapter of the course has its week beside it"
+has "$dir/out/html/more.html" '<details open><summary><b>2</b> Methods' "the volume that is read is open"
+
+# ---- the book of a smaller engine
+book smaller; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+::: {.goals parts="extra:"}
+- a goal, see @sec:one-extra
+:::
+
+<<core/one.c>>=
+int wfAlways(void) { return 1; }
+<<more of one>>
+@
+
+## Extra {#sec:one-extra part="extra"}
+
+Words of the extra part.
+
+<<more of one>>=
+int wfExtra(void) { return wfAlways(); }
+@
+
+## Behind {#sec:one-behind}
+
+::: {.only part="extra"}
+Words in a box.
+:::
+
+Words for all.
+X
+chapter 02-two.nw <<'X'
+# Two {#sec:two}
+
+::: {.goals part="extra"}
+- a goal
+:::
+
+<<core/two.c>>=
+int wfTwo(void) { return 2; }
+@
+X
+if weave --only "" --called "for least"; then ok "the book of an engine without parts"; else bad "the book of an engine without parts"; fi
+WEFT_ROOT=$dir tangle/page html one "$dir/out/weave" "$dir/out/html/one.html" >>"$work/log" 2>&1 || bad "its page"
+for w in 'Words of the extra' wfExtra 'Words in a box' 'href="#sec:one-extra"'; do hasnt "$dir/out/html/one.html" "$w" "it has not: $w"; done
+for w in 'Words for all' wfAlways 'Section 1.1</span>' '1.2</span>'; do has "$dir/out/html/one.html" "$w" "it has: $w"; done
+[ "$(tr '\n' ' ' < "$dir/out/weave/bases")" = "this-engine one " ] && ok "its chapters" || { cp "$dir/out/weave/bases" "$work/log"; bad "its chapters"; }
+has "$dir/out/weave/this-engine.md" 'the book of an engine for least' "its first chapter tells what for"
+rm -rf "$dir/out"
+if weave --only extra --called more; then ok "the same with a part"; else bad "the same with a part"; fi
+[ "$(tr '\n' ' ' < "$dir/out/weave/bases")" = "this-engine one two " ] && ok "its chapters" || { cp "$dir/out/weave/bases" "$work/log"; bad "its chapters"; }
 
 # ---- a formula that cannot be set
 book formula; chapter 01-one.nw <<'X'

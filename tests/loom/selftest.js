@@ -20,6 +20,21 @@
     $('q').dispatchEvent(new Event('input'));
     await wait(300);
     if (document.querySelectorAll('#hits a').length < 3) throw 'search in the text';
+    // a word: text before names that are no part of the interface; a name that can be nothing else is found all the same
+    let both = 0;
+    for (const word of ['ladder', 'tilt', 'rouse', 'spring']) {
+      $('q').value = word;
+      $('q').dispatchEvent(new Event('input'));
+      await wait(300);
+      const kinds = [...document.querySelectorAll('#hits a small')].map(x => x.textContent), at = kinds.indexOf('internal');
+      if (at >= 0 && kinds.includes('text')) both++;
+      if (at >= 0 && kinds.slice(at).some(k => k !== 'internal')) throw 'search: names of files before the text for ' + word + ': ' + kinds.join(' ');
+    }
+    if (!both) throw 'search: no word that is in the text and in an internal name';
+    $('q').value = 'push_softly';
+    $('q').dispatchEvent(new Event('input'));
+    await wait(300);
+    if (!document.querySelector('#hits a') || !document.querySelector('#hits a').textContent.includes('push_softly')) throw 'search for an internal name';
     done.push('search');
     // a chunk of this page and one of another page, opened in place
     for (const far of [false, true]) {

@@ -1,0 +1,137 @@
+-- volumes.lua: what the printed volumes promise, read from what was made.
+--   lua volumes.lua BUILD BOUNDS [--record]
+-- Pages of each volume (BOUNDS: "name pages" a line, numbers that only fall) and of each week of the course; sizes of letters in tables and code;
+-- references to other volumes: they lead to a place that is there, have that volume's letter, and the first of a chapter names the volume.
+local build, bounds, record = arg[1], arg[2], arg[3] == "--record"
+local function read(path) local f = io.open(path, "rb") if not f then return nil end local s = f:read("a") f:close() return s end
+local function run(command) local p = io.popen(command) local s = p:read("a") p:close() return s end
+local errors = {}
+local function bad(...) errors[#errors + 1] = string.format(...) end
+local db = assert(loadfile(build .. "/weave/db.lua"))()
+local GOAL = { engine = 500 }
+
+---------------------------------------------------------------------------------------------------------------- pages
+local limit, pages, order = {}, {}, {}
+for name, n in (read(bounds) or ""):gsub("#[^\n]*", ""):gmatch("(%w+) (%d+)") do limit[name] = tonumber(n) end
+for _, v in ipairs(db.volumes) do
+  local n = tonumber(run("pdfinfo '" .. build .. "/book/" .. v.name .. ".pdf' 2>/dev/null"):match("Pages: +(%d+)"))
+  if not n then bad("%s/book/%s.pdf is not there -- make pdf", build, v.name)
+  else
+    pages[v.name], order[#order + 1] = n, v.name
+    if record then limit[v.name] = math.min(limit[v.name] or n, n) end
+    if not limit[v.name] then bad("%s has no bound in %s -- add one", v.name, bounds)
+    elseif n > limit[v.name] then bad("%s.pdf has %d pages, %d more than it may -- shorten a chapter, or put a section on the pages alone (print=\"web\")", v.name, n, n - limit[v.name])
+    elseif n < limit[v.name] then print(v.name .. ".pdf has fewer pages than its bound: tests/volumes/run.sh --record") end
+  end
+end
+if record then
+  local head, t = (read(bounds) or ""):match("^(#.-\n)[^#]") or "", {}
+  for _, v in ipairs(order) do t[#t + 1] = v .. " " .. limit[v] .. "\n" end
+  local f = assert(io.open(bounds, "w"))
+  f:write(head, table.concat(t))
+  f:close()
+end
+for i, v in ipairs(order) do
+  order[i] = v .. " " .. pages[v] .. (GOAL[v] and pages[v] > GOAL[v] and " (" .. pages[v] - GOAL[v] .. " above its goal of " .. GOAL[v] .. ")" or "")
+end
+print("pages: " .. table.concat(order, ", "))
+
+----------------------------------------------------------------------------------------------- the weeks of the course
+-- a chapter's first page, from the contents; it ends where the next chapter or part begins
+local function chapters(volume)
+  local starts, list = {}, {}
+  for l in (read(build .. "/tex/" .. volume .. ".toc") or ""):gmatch("[^\n]+") do
+    local kind, rest = l:match("^\\contentsline {(%a+)}(.*)$")
+    if kind == "chapter" or kind == "part" then
+      local page = rest:match("}{(%d+)}{[^{}]*}%%?$")
+      starts[#starts + 1] = { rest:match("\\chapternumberline {(.-)}"), tonumber(page) }
+    end
+  end
+  for i, s in ipairs(starts) do if s[1] and starts[i + 1] then list[s[1]] = starts[i + 1][2] - s[2] end end
+  return list
+end
+local printed = chapters(db.volumes[1].name)
+local entry = {}
+for _, e in ipairs(db.entries) do entry[e.name] = e end
+local said = {}
+if #db.weeks ~= 12 then bad("the course has %d weeks, not 12 -- see the table of the chapter coursework", #db.weeks) end
+for i, w in ipairs(db.weeks) do
+  local n = 0
+  if tonumber(w.n) ~= i then bad("week %s of the course stands in place %d", w.n, i) end
+  for _, name in ipairs(w.chapters) do
+    local e = entry[name]
+    if db.volume_of[e.page] ~= db.volumes[1].name then bad("week %s reads %s, which is not in the first volume", w.n, name) end
+    if not printed[e.num] then bad("the contents do not say where chapter %s begins", e.num) end
+    n = n + (printed[e.num] or 0)
+  end
+  if n > w.pages then bad("week %s reads %d pages, and its row says %d -- shorten, or move a chapter to another week (coursework)", w.n, n, w.pages) end
+  said[i] = n
+end
+print("weeks: " .. table.concat(said, " ") .. " pages")
+
+---------------------------------------------------------------------------- letters: TeX has counted those that it has shipped
+-- kind font size count page; kind 1: tables, 2: chunks and blocks of code. Formulas are apart, for their indices are small.
+local least = {}
+for _, v in ipairs(db.volumes) do
+  local text = read(build .. "/tex/" .. v.name .. ".sizes") or bad("%s/tex/%s.sizes is not there", build, v.name) or ""
+  for kind, font, size, count, page in text:gmatch("(%d) (%S+) (%S+) (%d+) (%d+)\n") do
+    size = tonumber(size)
+    local what = font:match("^JetBrains") and (kind == "1" and "table" or "code") or kind == "1" and not font:match("Math") and "table"
+    if what then
+      least[what] = math.min(least[what] or 99, size)
+      if size < (what == "code" and 7.6 or 7) - 0.005 then bad("%s.pdf has %s letters of a %s in %s %s pt, first on page %s", v.name, count, what, font, size, page) end
+    end
+  end
+  local turned = (read(build .. "/tex/" .. v.name .. ".log") or ""):match("wFit: turned, (%S+)")
+  if turned then bad("%s.pdf has a table that is too wide at 7 pt (%s) -- leave out a column, or shorten its text", v.name, turned) end
+end
+print(string.format("least letters: %s pt in tables, %s pt in code", least.table or "none", least.code or "none"))
+
+--------------------------------------------------------------------------------------------- references across volumes
+local there, count = {}, 0
+for _, v in ipairs(db.volumes) do
+  there[v.name] = { letter = v.letter, short = v.short }
+  for name in run("pdfinfo -dests '" .. build .. "/book/" .. v.name .. ".pdf' 2>/dev/null"):gmatch('"([^"\n]+)"') do there[v.name][name] = true end
+end
+for _, e in ipairs(db.entries) do
+  local text = e.page and not e.of and read(build .. "/tex/ch/" .. e.name .. ".tex")
+  local named = {}
+  for volume, id, words, behind in (text or ""):gmatch("\\wFar{(%w+)}{([^}]*)}{([^}]*)}()") do
+    count = count + 1
+    if not there[volume] then bad("%s refers to a volume %s", e.name, volume)
+    else
+      if not there[volume][id] then bad("%s: %s (%s) is not in %s.pdf", e.name, words, id, volume) end
+      if (words:match("~%(?(%u?)%d") or "") ~= there[volume].letter then bad("%s: %s has not the letter of %s", e.name, words, volume) end
+      if not named[volume] and text:sub(behind, behind + 9) ~= " of \\emph{" then bad("%s: the first reference to %s, %s, does not name it", e.name, volume, words) end
+    end
+    named[volume] = true
+  end
+end
+if count < 100 then bad("only %d references to other volumes were found", count) end
+print(count .. " references to other volumes")
+
+------------------------------------------------------------------------------------------- the glossary: its words are used
+do
+  local text = run("pdftotext '" .. build .. "/book/" .. db.volumes[1].name .. ".pdf' - 2>/dev/null"):gsub("\u{ad}", ""):gsub("-\n", "-"):gsub("%s+", " ")
+  local at, from = nil, 1                              -- the glossary itself is behind the last chapter
+  repeat at, from = from, (text:find("Glossary AABB", from, true) or #text + 1) + 1 until from > #text
+  text = text:sub(1, at - 1):lower()
+  local last
+  for _, g in ipairs(db.glossary) do
+    local term, n, i = g.term:lower(), 0, 0
+    while true do
+      i = text:find(term, i + 1, true)
+      if not i then break end
+      if not text:sub(i - 1, i - 1):match("%a") then n = n + 1 end
+    end
+    if n == 0 then bad("the glossary explains '%s', and the first volume has not the word -- use it, or take it out of book/glossary.tsv", g.term) end
+    if last and term < last then bad("the glossary has '%s' behind '%s' -- sort it", g.term, last) end
+    last = term
+    if db.volume_of[db.labels[g.id].page] ~= db.volumes[1].name or db.labels[g.id].online then bad("the glossary sends the reader of '%s' out of the volume", g.term) end
+  end
+  if #db.glossary < 30 then bad("the glossary has %d words", #db.glossary) end
+  print(#db.glossary .. " words in the glossary")
+end
+
+for i, e in ipairs(errors) do if i <= 30 then print("FAIL  " .. e) end end
+os.exit(#errors == 0)
