@@ -93,6 +93,28 @@ static wfResult spin(wfWorld *w, const wfInput *in, wfInputId *made)
     return wfApplyAngularImpulseToBody(w, body_of(in), in->with.x);
 }
 
+static wfResult set_more(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    wfMassData mass = { .mass = in->with.x, .centre = in->with.at, .inertia = in->with.y };
+    if (in->kind == WF_INPUT_GRAVITY_SCALE)
+        return wfSetBodyGravityScale(w, body_of(in), in->with.x);
+    if (in->kind == WF_INPUT_FIXED_ROTATION)
+        return wfSetBodyFixedRotation(w, body_of(in), in->with.number);
+    if (in->kind == WF_INPUT_MASS_DATA) return wfSetBodyMassData(w, body_of(in), &mass);
+    return wfSetBodyTarget(w, body_of(in), in->with.at, in->with.x, in->with.y);
+}
+
+static wfResult set_data(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    wfShapeId shape = { in->index, in->generation };
+    wfJointId joint = { in->index, in->generation };
+    if (in->kind == WF_INPUT_SHAPE_DATA) return wfSetShapeUserData(w, shape, in->userData);
+    if (in->kind == WF_INPUT_JOINT_DATA) return wfSetJointUserData(w, joint, in->userData);
+    return wfSetBodyUserData(w, body_of(in), in->userData);
+}
+
 static wfShapeId shape_of(const wfInput *in)
 {
     return (wfShapeId){ in->index, in->generation };
@@ -240,6 +262,13 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_SPIN]        = { "spin", NUMBERS, spin },
     [WF_INPUT_GRAVITY]     = { "gravity", NUMBERS, set_gravity },
     [WF_INPUT_DT]          = { "time step", NUMBERS, set_dt },
+    [WF_INPUT_GRAVITY_SCALE]  = { "gravity scale", NUMBERS, set_more },
+    [WF_INPUT_FIXED_ROTATION] = { "fixed rotation", NUMBERS, set_more },
+    [WF_INPUT_MASS_DATA]      = { "mass data", NUMBERS, set_more },
+    [WF_INPUT_TARGET]         = { "target", NUMBERS, set_more },
+    [WF_INPUT_BODY_DATA]      = { "data of a body", sizeof(uint64_t), set_data },
+    [WF_INPUT_SHAPE_DATA]     = { "data of a shape", sizeof(uint64_t), set_data },
+    [WF_INPUT_JOINT_DATA]     = { "data of a joint", sizeof(uint64_t), set_data },
     [WF_INPUT_ADD_SHAPE]    = { "add shape", sizeof(wfShapeDef), add_shape },
     [WF_INPUT_REMOVE_SHAPE] = { "remove shape", 0, remove_shape },
     [WF_INPUT_SET_SHAPE]    = { "set shape", sizeof(wfShapeDef), set_shape },

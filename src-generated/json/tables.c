@@ -105,6 +105,7 @@ static const wfField joint_fields[] = {
     { AT(wfJoint, motorForce), REAL, NOT_NEGATIVE, .text = "N or N m at most" },
     { AT(wfJoint, breakForce), REAL, NOT_NEGATIVE, .text = "N; 0: never" },
     { AT(wfJoint, breakTorque), REAL, NOT_NEGATIVE, .text = "N m; 0: never" },
+    { AT(wfJoint, userData), BITS, .text = "yours" },
     { AT(wfJoint, localA), VEC, .text = "m, in a's frame, from its centre of mass" },
     { AT(wfJoint, localB), VEC, .text = "m, in b's frame, from its centre of mass" },
     { AT(wfJoint, axis), VEC,

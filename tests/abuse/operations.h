@@ -277,6 +277,11 @@ static wfResult op_shape_data(Session *s)
     wfShapeId id = pick_shapes(s);
     return CALL(wfSetShapeUserData(handle(s), id, next(s)));
 }
+static wfResult op_joint_data(Session *s)
+{
+    wfJointId id = pick_joints(s);
+    return CALL(wfSetJointUserData(handle(s), id, next(s)));
+}
 static wfResult op_points(Session *s)           /* there and back; all contacts of a body, and its joints, and no others */
 {
     const wfWorld *w = handle(s);
@@ -934,10 +939,10 @@ static wfInput input(Session *s)                /* a call as a value, on what is
     switch (in.kind) {
     case WF_INPUT_ADD_BODY: in.body = wfDefaultBodyDef(); in.body.type = WF_DYNAMIC; in.body.shape = shape(s); in.body.position = vector(s, 5); in.body.mass = more(s, 3); break;
     case WF_INPUT_ADD_SHAPE: in.shape = shape_def(s); break;
-    case WF_INPUT_SET_SHAPE: case WF_INPUT_REMOVE_SHAPE: t = pick(s, &s->shapes); if (in.kind == WF_INPUT_SET_SHAPE) in.shape = shape_def(s); break;
+    case WF_INPUT_SET_SHAPE: case WF_INPUT_REMOVE_SHAPE: case WF_INPUT_SHAPE_DATA: t = pick(s, &s->shapes); if (in.kind == WF_INPUT_SET_SHAPE) in.shape = shape_def(s); break;
     case WF_INPUT_ADD_FORCE: in.force = force(s); break;
     case WF_INPUT_SET_FORCE: case WF_INPUT_REMOVE_FORCE: case WF_INPUT_DRAG: t = pick(s, &s->forces); if (in.kind == WF_INPUT_SET_FORCE) in.force = force(s); break;
-    case WF_INPUT_SET_JOINT: case WF_INPUT_REMOVE_JOINT: t = pick(s, &s->joints); break;
+    case WF_INPUT_SET_JOINT: case WF_INPUT_REMOVE_JOINT: case WF_INPUT_JOINT_DATA: t = pick(s, &s->joints); break;
     case WF_INPUT_SET_ORIGIN: in.global = far_place(s); break;
     default: break;
     }
@@ -1089,6 +1094,7 @@ const Operation operations[] = {
     OP("changes", 8, CHANGES, wfSetBodyGravityScale wfSetBodyMassData wfSetBodyFixedRotation wfSetBodyUserData, op_more_of_body, false),
     OP("changes", 4, CHANGES, wfSetBodyTarget, op_target, false),
     OP("changes", 1, CHANGES, wfSetShapeUserData, op_shape_data, false),
+    OP("changes", 1, CHANGES, wfSetJointUserData, op_joint_data, false),
     OP("looking", 6, READS, wfBodyWorldPoint wfBodyLocalPoint wfBodyWorldVector wfBodyLocalVector wfBodyVelocityAt wfNextContact wfNextJoint wfGetJointMotion, op_points, true),
     OP("pushes", 10, CHANGES, wfApplyForceToBody, op_apply_force, false),
     OP("pushes", 5, CHANGES, wfApplyTorqueToBody, op_apply_torque, false),

@@ -65,6 +65,7 @@ typedef struct wfJoint {
     wfVec2 load;                /* N: what it did to B in the last step, in the mean */
     wfReal twist;               /* N m: the same about B's anchor */
     wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
+    uint64_t userData;          /* yours */
 } wfJoint;
 
 /* A body at one moment, for joints. */

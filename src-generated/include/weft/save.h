@@ -77,6 +77,7 @@ typedef struct wfInput {
     union {
         struct { wfVec2 at, by; wfReal x, y; int32_t number; } with;
         wfBodyDef body;
+        uint64_t userData;
         wfShapeDef shape;
         wfForce force;
         wfJoint joint;
@@ -100,6 +101,11 @@ enum {
     WF_INPUT_SPIN,                 /* x: N m s */
     WF_INPUT_GRAVITY,              /* by: m/s^2 */
     WF_INPUT_DT,                   /* x: s */
+    WF_INPUT_GRAVITY_SCALE,        /* x */
+    WF_INPUT_FIXED_ROTATION,       /* number: 0 or 1 */
+    WF_INPUT_MASS_DATA,            /* at: centre, m; x: kg; y: inertia, kg m^2 */
+    WF_INPUT_TARGET,               /* at: m; x: angle, rad; y: seconds */
+    WF_INPUT_BODY_DATA, WF_INPUT_SHAPE_DATA, WF_INPUT_JOINT_DATA,   /* userData */
     WF_INPUT_ADD_SHAPE,            /* shape; the id is the body's */
     WF_INPUT_REMOVE_SHAPE,
     WF_INPUT_SET_SHAPE,            /* shape */

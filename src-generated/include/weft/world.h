@@ -276,6 +276,7 @@ wfResult wfSetShapeUserData(wfWorld *world, wfShapeId id, uint64_t data);
  * when its shapes change, centre and inertia follow from these again. Errors of wfSetMass
  * and wfAddShapesToBody. */
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
+wfResult wfSetJointUserData(wfWorld *world, wfJointId id, uint64_t data);
 /* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
 wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
 /* Gives a kinematic body the velocity by which its origin will be there, turned so, after
@@ -331,7 +332,6 @@ wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfRea
 /* The greatest force (N) and torque (N m) that it exerted in any substep of that step; no
  * less than the mean. Either may be NULL. */
 wfResult wfGetJointPeak(const wfWorld *world, wfJointId id, wfReal *force, wfReal *torque);
-
 int32_t wfJointCount(const wfWorld *world);
 /* Joint number i of 0 .. wfWorldJointPlaces - 1; index 0 in the id: an empty place. */
 wfJointId wfJointAt(const wfWorld *world, int32_t i);
