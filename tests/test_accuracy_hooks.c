@@ -54,6 +54,7 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetBodyGravityScale, w, with.bodyId, 1) \
     X(wfSetBodyUserData, w, with.bodyId, 1) \
     X(wfSetShapeUserData, w, with.shapeId, 1) \
+    X(wfEnableBody, w, with.bodyId, 0) \
     X(wfSetJointUserData, w, with.jointId, 1) \
     X(wfSetBodyMassData, w, with.bodyId, &(wfMassData){ .mass = 1 }) \
     X(wfSetBodyFixedRotation, w, with.bodyId, 0) \

@@ -14,6 +14,7 @@
 #include "weft/callbacks.h"
 #include "weft/mouse.h"
 #include "weft/origin.h"
+#include "weft/disable.h"
 
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
  * many of the first entries, which are sorted by themselves. */
@@ -34,6 +35,7 @@ typedef struct wfHeader {
 #define WF_ADVANCED WF_SETTING
 #include "weft/setting_rows.h"
     wfSlots    bodySlots;
+    int32_t    disabledCount;  /* live bodies that take no part in steps */
     /* what else a world keeps */
     wfSlots forceSlots;
     wfSlots shapeSlots;
@@ -140,6 +142,9 @@ void wfBodyChanged(wfBlock *b, int32_t i);
 void wfEndsChanged(wfBlock *b, int32_t first, int32_t second);
 /* Clears thing i in all arrays of one each (of: WF_PER_BODY ...), but not its slot. */
 void wfClearPlace(wfBlock *b, int32_t of, const void *slots, int32_t i);
+/* alive[i] of a body that takes no part in steps; of one that does, awake or asleep: 1. */
+enum { WF_DISABLED = 2 };
+static inline bool wfIsEnabled(const wfBlock *b, int32_t i) { return b->alive[i] == 1; }
 /* True when no number is NaN or infinite. */
 bool wfAllFinite(const wfReal *number, size_t count);
 wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index);
@@ -315,4 +320,5 @@ wfResult wfPlaceSleeping(struct wfStep *s);
 wfResult wfFindIslands(struct wfStep *s);
 int32_t wfOldTouches(const struct wfStep *s, wfTouchingPair *out);
 void wfAddSensed(const struct wfStep *s, wfTouchingList *stay);
+void wfLeaveOutDisabled(struct wfStep *s);
 #endif

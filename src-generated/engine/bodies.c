@@ -163,6 +163,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         wfClearPlace(&b, WF_PER_FORCE, b.forceSlots, f);
     }
     wfDropJoints(&b, i);
+    b.head->disabledCount -= b.alive[i] == WF_DISABLED;
     wfSlotGive(&b.head->bodySlots, b.bodySlots, i, id.generation);
     wfClearPlace(&b, WF_PER_BODY, b.bodySlots, i);
     b.props[i].shape = -1;

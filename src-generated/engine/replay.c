@@ -207,6 +207,12 @@ static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
     return wfDisableBodySleep(w, body_of(in), in->with.number);
 }
 
+static wfResult enable(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    return wfEnableBody(w, body_of(in), in->with.number);
+}
+
 static wfResult set_pair(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
@@ -284,6 +290,7 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_WAKE]         = { "wake", 0, set_rest },
     [WF_INPUT_SLEEP]        = { "sleep", 0, set_rest },
     [WF_INPUT_NEVER_SLEEPS] = { "never sleeps", NUMBERS, set_rest },
+    [WF_INPUT_ENABLE]       = { "enable", NUMBERS, enable },
     [WF_INPUT_PAIR]        = { "pair of materials", sizeof(wfPairMaterial), set_pair },
     [WF_INPUT_FORGET_PAIR] = { "forget a pair", 0, set_pair },
     [WF_INPUT_SETTING]     = { "setting", NUMBERS, set_setting },

@@ -45,6 +45,7 @@ static const wfField body_fields[] = {
     { BODY(angularDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
     { BODY(gravityScale), REAL, ANY, .text = "times the world's gravity" },
     { BODY(neverSleeps), FLAG, .text = "nor does what hangs together with it" },
+    { AT(wfBodyText, disabled), FLAG, .text = "it takes no part in steps" },
     { BODY(userData), BITS, .text = "yours" },
 };
 const wfFields wfBodyFields = FIELDS(body_fields);

@@ -277,6 +277,14 @@ static wfResult op_shape_data(Session *s)
     wfShapeId id = pick_shapes(s);
     return CALL(wfSetShapeUserData(handle(s), id, next(s)));
 }
+static wfResult op_enable(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    int32_t enabled = yes(s);
+    wfResult r = CALL(wfEnableBody(handle(s), id, enabled));
+    if (r == WF_OK) MUST(wfBodyIsEnabled(&s->world, id) == (enabled == 1));
+    return r;
+}
 static wfResult op_joint_data(Session *s)
 {
     wfJointId id = pick_joints(s);
@@ -1094,6 +1102,7 @@ const Operation operations[] = {
     OP("changes", 8, CHANGES, wfSetBodyGravityScale wfSetBodyMassData wfSetBodyFixedRotation wfSetBodyUserData, op_more_of_body, false),
     OP("changes", 4, CHANGES, wfSetBodyTarget, op_target, false),
     OP("changes", 1, CHANGES, wfSetShapeUserData, op_shape_data, false),
+    OP("changes", 8, CHANGES, wfEnableBody wfBodyIsEnabled, op_enable, false),
     OP("changes", 1, CHANGES, wfSetJointUserData, op_joint_data, false),
     OP("looking", 6, READS, wfBodyWorldPoint wfBodyLocalPoint wfBodyWorldVector wfBodyLocalVector wfBodyVelocityAt wfNextContact wfNextJoint wfGetJointMotion, op_points, true),
     OP("pushes", 10, CHANGES, wfApplyForceToBody, op_apply_force, false),

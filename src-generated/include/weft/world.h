@@ -173,8 +173,7 @@ const wfContactHit *wfWorldHits(const wfWorld *world, int32_t *count);
  * Shapes in the answers are indices of wfWorldShapes: wfShapeAt makes ids of them. Sensors
  * are shapes: give them a category of their own to leave them out. filter: who may be
  * found; NULL: all. Further errors: those of a bad handle, and of wfCheckShape for a shape
- * that asks. Any number of threads may ask at
- * the same time, as long as nobody changes the world. */
+ * that asks. Any number of threads may ask, as long as nobody changes the world. */
 wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
                         wfRayHit *out);
 wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,
@@ -276,7 +275,6 @@ wfResult wfSetShapeUserData(wfWorld *world, wfShapeId id, uint64_t data);
  * when its shapes change, centre and inertia follow from these again. Errors of wfSetMass
  * and wfAddShapesToBody. */
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
-wfResult wfSetJointUserData(wfWorld *world, wfJointId id, uint64_t data);
 /* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
 wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
 /* Gives a kinematic body the velocity by which its origin will be there, turned so, after
@@ -326,6 +324,7 @@ wfResult wfRemoveJointFromWorld(wfWorld *world, wfJointId id);
 /* Read, or change, a joint: its motor, its limits. A change is checked like a new one. */
 wfResult wfGetJoint(const wfWorld *world, wfJointId id, wfJoint *out);
 wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint);
+wfResult wfSetJointUserData(wfWorld *world, wfJointId id, uint64_t data);
 /* The force (N) and the torque (N m, about the anchor) that the joint exerted on its body b
  * in the last step, in the mean. Either may be NULL. */
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque);
