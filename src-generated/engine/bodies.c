@@ -123,10 +123,14 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     if (result != WF_OK) return result;
     int32_t room = b.head->bodySlots.capacity;
     if (b.head->bodySlots.count == room)
-        return wfRefuseFull(&b, "bodyCapacity", room, room + 1);
+        return wfGrew(world, &b, "bodyCapacity", room + 1)
+             ? wfAddBodyToWorld(world, def, out)
+             : wfRefuseFull(&b, "bodyCapacity", room, room + 1);
     /* look for room for its shape */
     bool formed = def->shape.kind != WF_SHAPE_NONE;
-    if (wfFreeShapes(&b) < (formed ? 1 : 0)) return wfRefuseShapes(&b, 1);
+    if (wfFreeShapes(&b) < (formed ? 1 : 0))
+        return wfGrew(world, &b, "shapeCapacity", b.head->shapeSlots.count + 1)
+             ? wfAddBodyToWorld(world, def, out) : wfRefuseShapes(&b, 1);
     int32_t i = wfSlotTake(&b.head->bodySlots, b.bodySlots);
     b.state[i] = made.state;
     b.props[i] = made.props;

@@ -96,13 +96,13 @@ static wfResult spin(wfWorld *w, const wfInput *in, wfInputId *made)
 static wfResult set_more(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
-    wfMassData mass = { .mass = in->with.x, .centre = in->with.at, .inertia = in->with.y };
-    if (in->kind == WF_INPUT_GRAVITY_SCALE)
-        return wfSetBodyGravityScale(w, body_of(in), in->with.x);
-    if (in->kind == WF_INPUT_FIXED_ROTATION)
-        return wfSetBodyFixedRotation(w, body_of(in), in->with.number);
-    if (in->kind == WF_INPUT_MASS_DATA) return wfSetBodyMassData(w, body_of(in), &mass);
-    return wfSetBodyTarget(w, body_of(in), in->with.at, in->with.x, in->with.y);
+    wfBodyId id = body_of(in);
+    wfReal x = in->with.x, y = in->with.y;
+    wfMassData mass = { .mass = x, .centre = in->with.at, .inertia = y };
+    if (in->kind == WF_INPUT_TARGET) return wfSetBodyTarget(w, id, in->with.at, x, y);
+    if (in->kind == WF_INPUT_MASS_DATA) return wfSetBodyMassData(w, id, &mass);
+    if (in->kind == WF_INPUT_GRAVITY_SCALE) return wfSetBodyGravityScale(w, id, x);
+    return wfSetBodyFixedRotation(w, id, in->with.number);
 }
 
 static wfResult set_data(wfWorld *w, const wfInput *in, wfInputId *made)

@@ -486,7 +486,7 @@ wfSleepCounts wfGetSleepCounts(const wfWorld *world)
     if (wfOpenBlock(world, &b) != WF_OK) return out;
     const wfHeader *head = b.head;
     for (int32_t i = 0; i < head->bodySlots.high; i++)
-        out.awake += wfIsEnabled(&b, i) && b.props[i].type != WF_STATIC;
+        out.awake += b.alive[i] && wfIsEnabled(&b, i) && b.props[i].type != WF_STATIC;
     out.asleep = head->sleepingCount;
     out.awake -= out.asleep;
     out.islands = head->islandCount;

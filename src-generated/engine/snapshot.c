@@ -218,6 +218,9 @@ static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
                    sizeof(int32_t));
     }
     def.memory = room->memory;
+    /* let capacities follow */
+    wfWorldDef now = wfSettings(head);
+    wfLetFollow(&now, &def);
     return def;
 }
 
@@ -234,6 +237,7 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     result = wfWorldOfImage(&image, &def, &made);
     if (result != WF_OK) return result;
     made.workers = world->workers;
+    made.user = world->user;
     wfDestroyWorld(world);
     *world = made;
     return WF_OK;

@@ -426,6 +426,8 @@ wfResult wfStepWorld(wfWorld *world)
     result = run_stages(&step);
     /* take the workers back */
     step.b.head->busy = 0;
+    if (result == WF_ERROR_FULL && wfGrew(world, &step.b, "pairCapacity", 0))
+        return wfStepWorld(world);
     return result;
 }
 
@@ -440,6 +442,8 @@ wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
     if (clock != NULL) step.b.head->busy = 1;
     result = run_stages(&step);
     step.b.head->busy = 0;
+    if (result == WF_ERROR_FULL && wfGrew(world, &step.b, "pairCapacity", 0))
+        return wfStepWorldTimed(world, clock);
     return result;
 }
 
@@ -455,6 +459,8 @@ wfResult wfStepWorldWithCallbacks(wfWorld *world, const wfCallbacks *hooks)
     step.b.head->busy = hooks != NULL || step.workers.run != NULL;
     result = run_stages(&step);
     step.b.head->busy = 0;
+    if (result == WF_ERROR_FULL && wfGrew(world, &step.b, "pairCapacity", 0))
+        return wfStepWorldWithCallbacks(world, hooks);
     if (result == WF_OK && hooks != NULL) wfUse(&step.b, WF_MODULE_HOOKS);
     return result;
 }

@@ -46,9 +46,11 @@ typedef struct wfDifference {
  * Capacities may differ. WF_ERROR_DIFFERENT, and where; `out` may be NULL. */
 wfResult wfCompareWorlds(const wfWorld *a, const wfWorld *b, wfDifference *out);
 /* Moves a world into a block with the room that `room` names (read it by wfGetWorldDef and
- * raise what is built in; its memory: handed over, or zero for the world's own). Ids, state
- * and future stay; the old block is freed if the world owned it. Errors of wfCreateWorld;
- * WF_ERROR_FULL: there is more in the world than that; _BUILT_IN; _BUSY. */
+ * raise what is built in; its memory: handed over, or zero for the world's own). With more
+ * bodies or shapes, capacities that followed from these (wfWorldDef) and are not raised by
+ * themselves follow again. Ids, state and future stay; the old block is freed if the world
+ * owned it. Errors of wfCreateWorld; WF_ERROR_FULL: there is more in the world than that;
+ * _BUILT_IN; _BUSY. */
 wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room);
 
 /* A ring of snapshots in memory that the user gives: the newest push out the oldest. */
