@@ -236,10 +236,8 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfWorldDef def = with_room(b.head, room);
     result = wfWorldOfImage(&image, &def, &made);
     if (result != WF_OK) return result;
-    made.workers = world->workers;
-    made.user = world->user;
     wfDestroyWorld(world);
-    *world = made;
+    world->memory = made.memory;
     return WF_OK;
 }
 

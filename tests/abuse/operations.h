@@ -285,6 +285,38 @@ static wfResult op_enable(Session *s)
     if (r == WF_OK) MUST(wfBodyIsEnabled(&s->world, id) == (enabled == 1));
     return r;
 }
+static void see_shape(void *context, wfShapeId id, const wfVec2 *outline, int32_t count)
+{
+    (void)id;
+    if (count < 2 || count > WF_OUTLINE_POINTS) *(bool *)context = false;
+    for (int32_t i = 0; i < count; i++) if (!wfIsFinite2(outline[i])) *(bool *)context = false;
+}
+static wfResult op_draw(Session *s)
+{
+    bool good = true;
+    wfDrawCallbacks draw = { .context = &good, .shape = see_shape };
+    wfResult r = wfDrawWorld(handle(s), below(s, 20) ? &draw : NULL);
+    MUST(good);
+    return r;
+}
+static wfResult op_mover(Session *s)
+{
+    wfMover m = wfDefaultMover();
+    m.position = vector(s, 5); m.velocity = vector(s, 20); m.oneWay = next(s);
+    if (below(s, 2)) { const Thing *t = pick(s, &s->shapes); m.ground = (wfShapeId){ t->index, t->generation }; }
+    stale = false;
+    wfReal seconds = more(s, 1);
+    wfResult r = wfMoveMover(handle(s), below(s, 20) ? &m : NULL, seconds);
+    return r;
+}
+static wfResult op_advance(Session *s)
+{
+    double seconds = (double)more(s, 1) / 20;
+    int32_t most = 1 + (int32_t)below(s, 3);
+    wfReal share = wfStepShare(&s->world);
+    MUST(share >= 0 && share <= 1 && wfPoseBetween(wfTransformIdentity(), wfTransformIdentity(), share).p.x == 0);
+    return CALL(wfAdvanceWorld(handle(s), seconds, most));
+}
 static wfResult op_joint_data(Session *s)
 {
     wfJointId id = pick_joints(s);
@@ -1103,6 +1135,9 @@ const Operation operations[] = {
     OP("changes", 4, CHANGES, wfSetBodyTarget, op_target, false),
     OP("changes", 1, CHANGES, wfSetShapeUserData, op_shape_data, false),
     OP("changes", 8, CHANGES, wfEnableBody wfBodyIsEnabled, op_enable, false),
+    OP("looking", 3, READS, wfDrawWorld, op_draw, false),
+    OP("queries", 6, READS, wfMoveMover wfDefaultMover, op_mover, false),
+    OP("steps", 10, CHANGES, wfAdvanceWorld wfStepShare wfPoseBetween, op_advance, false),
     OP("changes", 1, CHANGES, wfSetJointUserData, op_joint_data, false),
     OP("looking", 6, READS, wfBodyWorldPoint wfBodyLocalPoint wfBodyWorldVector wfBodyLocalVector wfBodyVelocityAt wfNextContact wfNextJoint wfGetJointMotion, op_points, true),
     OP("pushes", 10, CHANGES, wfApplyForceToBody, op_apply_force, false),
