@@ -189,7 +189,7 @@ wfResult wfMoveMover(const wfWorld *world, wfMover *m, wfReal seconds)
     bool walled = false;
     w.gap = WF_R(0.013) * wfShapeMaxExtent(&m->shape);
     w.flattest = wfCos(m->steepest);
-    w.stood = m->ground.index != 0;
+    if (m->ground.index != 0) w.stood = true;
     wfVec2 at = push_out(&w, m->position), by = wfScale(seconds, m->velocity);
     go(&w, &at, wfScale(seconds, carried(&w)), &hit);
     wfVec2 along = wfSub(by, wfScale(rise(&w, by), m->up)), velocity = m->velocity, top = at;
