@@ -54,6 +54,9 @@ typedef struct Row { const char *name; wfResult (*call)(wfWorld *w); } Row;
     X(wfSetBodyGravityScale, w, with.bodyId, 1) \
     X(wfSetBodyUserData, w, with.bodyId, 1) \
     X(wfSetShapeUserData, w, with.shapeId, 1) \
+    X(wfAdvanceWorld, w, 1, 1) \
+    X(wfEnableBody, w, with.bodyId, 0) \
+    X(wfSetJointUserData, w, with.jointId, 1) \
     X(wfSetBodyMassData, w, with.bodyId, &(wfMassData){ .mass = 1 }) \
     X(wfSetBodyFixedRotation, w, with.bodyId, 0) \
     X(wfSetBodyTarget, w, with.bodyId, wfV2(0, 1), 0, 1) \
@@ -145,7 +148,7 @@ static int look_for_worlds(const char *header)
 static void every_function_that_changes_a_world_has_a_row(void **unused)
 {
     (void)unused;
-    static const char *const headers[] = { "world", "inspect", "settings", "modules", "callbacks", "origin", "material", "mouse", "save", "accuracy" };
+    static const char *const headers[] = { "world", "inspect", "settings", "modules", "callbacks", "origin", "material", "mouse", "disable", "frames", "save", "accuracy" };
     int found = 0;
     for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) found += look_for_worlds(headers[i]);
     if (found < CHANGING) fail_msg("%d functions found in the headers, %d in the table", found, (int)CHANGING);

@@ -197,7 +197,7 @@ static void tc05_colours_follow_the_contacts(void **state)
         wfPool pool;
         wfDrawInit(&d, list, sizeof list);
         assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
-        wfDrawWorld(&world, WF_SHOW_TOUCHING, &pool, &d);
+        wfShowWorld(&world, WF_SHOW_TOUCHING, &pool, &d);
         int red = 0, white = 0;
         for (int i = 0; i < d.count; i++) {
             red += wfDrawAt(&d, i)->fill == WF_INK_BAD;
@@ -247,7 +247,7 @@ static void every_scene_and_overlay_can_be_drawn(void **state)
         uint64_t hash = wfHashWorld(&world);
         wfDrawInit(&d, list, sizeof list);
         assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
-        wfDrawWorld(&world, 0xffffffffu, &pool, &d);
+        wfShowWorld(&world, 0xffffffffu, &pool, &d);
         if (s->draw) s->draw(&world, &d, &in);
         if (d.refused || d.overflow) fail_msg("%s: %d commands refused, %d too many", s->name, (int)d.refused, (int)d.overflow);
         assert_true(d.count > 0);
@@ -287,9 +287,9 @@ static void overlays_show_pairs_and_contacts_where_they_are(void **state)
     static uint8_t list2[1024 * 1024];
     assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
     wfDrawInit(&plain, list2, sizeof list2);
-    wfDrawWorld(&world, 0, &pool, &plain);
+    wfShowWorld(&world, 0, &pool, &plain);
     wfDrawInit(&d, list, sizeof list);
-    wfDrawWorld(&world, WF_SHOW_PAIRS | WF_SHOW_CONTACTS, &pool, &d);
+    wfShowWorld(&world, WF_SHOW_PAIRS | WF_SHOW_CONTACTS, &pool, &d);
     for (int i = plain.count; i < d.count; i++) {   /* what the overlays added */
         const wfDrawCommand *c = wfDrawAt(&d, i);
         const float *xy = wfDrawPoints(&d, c);
@@ -335,10 +335,10 @@ static void joints_are_drawn_where_they_hold_and_red_when_broken(void **state)
     wfDraw plain, d;
     assert_ok(wfPoolInit(&pool, sizeof scratch, scratch));
     wfDrawInit(&d, list, sizeof list);
-    wfDrawWorld(&world, 0, &pool, &d);
+    wfShowWorld(&world, 0, &pool, &d);
     plain = d;
     wfDrawInit(&d, list, sizeof list);
-    wfDrawWorld(&world, WF_SHOW_JOINTS, &pool, &d);
+    wfShowWorld(&world, WF_SHOW_JOINTS, &pool, &d);
     for (int i = plain.count; i < d.count; i++) {
         const wfDrawCommand *c = wfDrawAt(&d, i);
         red += c->kind == WF_DRAW_POINT && c->fill == WF_INK_BAD;

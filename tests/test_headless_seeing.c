@@ -387,7 +387,7 @@ static void each_overlay_has_its_picture(void **state)
         wfDraw d, without;
         wfPairAt(&w, wfV2((wfReal)rows[i].x, (wfReal)rows[i].y), &look.shapeA, &look.shapeB);
         begin_list(&d, rows[i].x, rows[i].y, rows[i].high);
-        wfDrawWorld(&w, rows[i].show, &scratch, &d);
+        wfShowWorld(&w, rows[i].show, &scratch, &d);
         int plain = d.count;
         wfDrawLook(&w, rows[i].show, &look, &scratch, &d);
         assert_true(d.count > plain);
@@ -493,9 +493,9 @@ static void the_tree_is_the_one_in_use(void **state)
         assert_int_equal(wfSetMethods(&w, -1, row, -1, -1), WF_OK);
         assert_int_equal(wfWorldIndexBoxes(&w, &scratch, count_box, &boxes), WF_OK);
         begin_list(&d, 0, 5, 30);
-        wfDrawWorld(&w, 0, &scratch, &d);
+        wfShowWorld(&w, 0, &scratch, &d);
         int plain = d.count;
-        wfDrawWorld(&w, WF_SHOW_TREE, &scratch, &d);
+        wfShowWorld(&w, WF_SHOW_TREE, &scratch, &d);
         assert_true(wfBroadPhaseTable[row].update ? boxes > 10 : boxes == 0);
         assert_int_equal(d.count - 2 * plain, boxes > 0 ? boxes : 1);
         assert_int_equal(scratch.used, 0);

@@ -110,10 +110,34 @@ static void errors_name_the_word_that_was_said(void **unused)
     assert_string_equal(e.where, "settings.dt");
 }
 
+static void a_body_that_is_taken_out_and_data_of_a_joint_are_kept(void **unused)
+{
+    (void)unused;
+    static const char text[] = "{ \"weft\": 1, \"bodies\": ["
+        " { \"disabled\": true, \"velocity\": [3, 4], \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1 } ] },"
+        " { \"position\": [5, 0], \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1 } ] } ],"
+        " \"joints\": [ { \"kind\": \"distance\", \"a\": 0, \"b\": 1, \"userData\": 77 } ] }";
+    wfWorld world;
+    wfJoint j;
+    char *first = read_and_written(text), *second = read_and_written(first);
+    assert_string_equal(first, second);
+    assert_ok(wfReadScene(first, strlen(first), NULL, &world, NULL, NULL));
+    assert_false(wfBodyIsEnabled(&world, wfBodyAt(&world, 0)));
+    assert_true(wfBodyIsEnabled(&world, wfBodyAt(&world, 1)));
+    for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
+    assert_true(info(&world, wfBodyAt(&world, 0)).position.x == 0 && info(&world, wfBodyAt(&world, 0)).velocity.x == 3);
+    assert_ok(wfGetJoint(&world, wfJointAt(&world, 0), &j));
+    assert_int_equal(j.userData, 77);
+    wfDestroyWorld(&world);
+    wfFreeText(first);
+    wfFreeText(second);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(old_words_are_read), cmocka_unit_test(who_says_both_says_it_twice),
+        cmocka_unit_test(old_words_are_read),
+        cmocka_unit_test(a_body_that_is_taken_out_and_data_of_a_joint_are_kept), cmocka_unit_test(who_says_both_says_it_twice),
         cmocka_unit_test(room_for_materials_is_held_to), cmocka_unit_test(errors_name_the_word_that_was_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

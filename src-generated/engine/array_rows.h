@@ -7,7 +7,7 @@
 /* arrays that are kept */
 WF_KEPT(HEADER, head, "header", WF_PER_WORLD, wfHeader, 0, NULL, header)
 WF_KEPT(BODY_SLOTS, bodySlots, "body slots", WF_PER_BODY, wfSlot, 0, NULL, body_slots)
-/* 1 for a live body */
+/* 1: a live body; WF_DISABLED: a live one that takes no part in steps */
 WF_KEPT(ALIVE, alive, "alive", WF_PER_BODY, uint8_t, 0, NULL, bodies)
 WF_KEPT(STATE, state, "states", WF_PER_BODY, wfBodyState, 0, NULL, bodies)
 WF_KEPT(APPLIED, applied, "applied forces", WF_PER_BODY, wfBodyForces, WF_MODULE_PUSHES,

@@ -123,10 +123,14 @@ wfResult wfAddBodyToWorld(wfWorld *world, const wfBodyDef *def, wfBodyId *out)
     if (result != WF_OK) return result;
     int32_t room = b.head->bodySlots.capacity;
     if (b.head->bodySlots.count == room)
-        return wfRefuseFull(&b, "bodyCapacity", room, room + 1);
+        return wfGrew(world, &b, "bodyCapacity", room + 1)
+             ? wfAddBodyToWorld(world, def, out)
+             : wfRefuseFull(&b, "bodyCapacity", room, room + 1);
     /* look for room for its shape */
     bool formed = def->shape.kind != WF_SHAPE_NONE;
-    if (wfFreeShapes(&b) < (formed ? 1 : 0)) return wfRefuseShapes(&b, 1);
+    if (wfFreeShapes(&b) < (formed ? 1 : 0))
+        return wfGrew(world, &b, "shapeCapacity", b.head->shapeSlots.count + 1)
+             ? wfAddBodyToWorld(world, def, out) : wfRefuseShapes(&b, 1);
     int32_t i = wfSlotTake(&b.head->bodySlots, b.bodySlots);
     b.state[i] = made.state;
     b.props[i] = made.props;
@@ -163,6 +167,7 @@ wfResult wfRemoveBodyFromWorld(wfWorld *world, wfBodyId id)
         wfClearPlace(&b, WF_PER_FORCE, b.forceSlots, f);
     }
     wfDropJoints(&b, i);
+    b.head->disabledCount -= b.alive[i] == WF_DISABLED;
     wfSlotGive(&b.head->bodySlots, b.bodySlots, i, id.generation);
     wfClearPlace(&b, WF_PER_BODY, b.bodySlots, i);
     b.props[i].shape = -1;

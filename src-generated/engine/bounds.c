@@ -11,7 +11,7 @@ bool wfCanMove(const wfBodyState *s)
 uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
 {
     int32_t i = b->bodyOfShape[k];
-    if (i < 0) return 0;
+    if (i < 0 || !wfIsEnabled(b, i)) return 0;
     bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
     bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
     /* who else looks out for what is kinematic */

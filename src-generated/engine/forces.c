@@ -54,7 +54,10 @@ wfResult wfAddForceToWorld(wfWorld *world, const wfForce *force, wfForceId *out)
     if (result != WF_OK) return result;
     int32_t i = wfSlotTake(&b.head->forceSlots, b.forceSlots);
     int32_t room = b.head->forceSlots.capacity;
-    if (i < 0) return wfRefuseFull(&b, "forceCapacity", room, room + 1);
+    if (i < 0)
+        return wfGrew(world, &b, "forceCapacity", room + 1)
+             ? wfAddForceToWorld(world, force, out)
+             : wfRefuseFull(&b, "forceCapacity", room, room + 1);
     write_force(&b.forces[i], force);
     b.added[i] = b.head->time;
     wfUse(&b, WF_MODULE_FORCES);

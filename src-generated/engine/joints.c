@@ -88,7 +88,10 @@ wfResult wfAddJointToWorld(wfWorld *world, const wfJoint *joint, wfJointId *out)
     wfJoints j = wfJointsOf(&b);
     int32_t i = wfSlotTake(&b.head->jointSlots, j.slots);
     int32_t room = b.head->jointSlots.capacity;
-    if (i < 0) return wfRefuseFull(&b, "jointCapacity", room, room + 1);
+    if (i < 0)
+        return wfGrew(world, &b, "jointCapacity", room + 1)
+             ? wfAddJointToWorld(world, joint, out)
+             : wfRefuseFull(&b, "jointCapacity", room, room + 1);
     j.joints[i] = *joint;
     wfUse(&b, WF_MODULE_JOINTS);
     wfEndsChanged(&b, joint->a, joint->b);
@@ -130,6 +133,16 @@ wfResult wfSetJoint(wfWorld *world, wfJointId id, const wfJoint *joint)
     j.joints[i] = *joint;
     wfEndsChanged(&b, joint->a, joint->b);
     return WF_OK;
+}
+
+wfResult wfSetJointUserData(wfWorld *world, wfJointId id, uint64_t data)
+{
+    wfBlock b;
+    wfJoints j;
+    int32_t i;
+    wfResult result = change_joint(WF_CALL, world, id, &b, &j, &i);
+    if (result == WF_OK) j.joints[i].userData = data;
+    return result;
 }
 
 wfResult wfGetJointLoad(const wfWorld *world, wfJointId id, wfVec2 *force, wfReal *torque)

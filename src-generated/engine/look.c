@@ -234,6 +234,7 @@ bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out)
     wfBlock b;
     if (wfOpenBlock(world, &b) != WF_OK || !wfIsFinite2(point)) return false;
     for (int32_t i = b.head->bodySlots.high - 1; i >= 0; i--) {
+        if (!wfIsEnabled(&b, i)) continue;
         wfTransform placed = wfBodyTransform(&b.state[i]);
         bool found = false;
         for (int32_t k = b.props[i].shape; k >= 0 && !found; k = b.next[k])

@@ -86,7 +86,9 @@ wfResult wfSetPairMaterial(wfWorld *world, int32_t a, int32_t b, const wfPairMat
     if (m == NULL && there) wfBodyChanged(&block, -1);
     if (m == NULL) return WF_OK;
     if (!there && *count == block.head->materialPairCapacity)
-        return wfRefuseFull(&block, "materialPairCapacity", *count, *count + 1);
+        return wfGrew(world, &block, "materialPairCapacity", *count + 1)
+             ? wfSetPairMaterial(world, a, b, m)
+             : wfRefuseFull(&block, "materialPairCapacity", *count, *count + 1);
     wfBodyChanged(&block, -1);
     if (!there) memmove(&known[at + 1], &known[at], behind);
     if (!there) ++*count;

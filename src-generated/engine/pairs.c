@@ -37,7 +37,7 @@ static wfResult bound_shapes(struct wfStep *s, int32_t begin, int32_t end, bool 
         }
         if (i >= 0 && !s->present[i]) {
             s->bounds[k] = s->b.bounds[k];
-            s->flags[k] = WF_PROXY_LIVE;
+            s->flags[k] = s->b.flags[k] & WF_PROXY_LIVE;
             s->paces[k] = (wfPace){ s->state[i].v, 0, 0 };
             continue;
         }

@@ -93,6 +93,28 @@ static wfResult spin(wfWorld *w, const wfInput *in, wfInputId *made)
     return wfApplyAngularImpulseToBody(w, body_of(in), in->with.x);
 }
 
+static wfResult set_more(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    wfBodyId id = body_of(in);
+    wfReal x = in->with.x, y = in->with.y;
+    wfMassData mass = { .mass = x, .centre = in->with.at, .inertia = y };
+    if (in->kind == WF_INPUT_TARGET) return wfSetBodyTarget(w, id, in->with.at, x, y);
+    if (in->kind == WF_INPUT_MASS_DATA) return wfSetBodyMassData(w, id, &mass);
+    if (in->kind == WF_INPUT_GRAVITY_SCALE) return wfSetBodyGravityScale(w, id, x);
+    return wfSetBodyFixedRotation(w, id, in->with.number);
+}
+
+static wfResult set_data(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    wfShapeId shape = { in->index, in->generation };
+    wfJointId joint = { in->index, in->generation };
+    if (in->kind == WF_INPUT_SHAPE_DATA) return wfSetShapeUserData(w, shape, in->userData);
+    if (in->kind == WF_INPUT_JOINT_DATA) return wfSetJointUserData(w, joint, in->userData);
+    return wfSetBodyUserData(w, body_of(in), in->userData);
+}
+
 static wfShapeId shape_of(const wfInput *in)
 {
     return (wfShapeId){ in->index, in->generation };
@@ -185,6 +207,12 @@ static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
     return wfDisableBodySleep(w, body_of(in), in->with.number);
 }
 
+static wfResult enable(wfWorld *w, const wfInput *in, wfInputId *made)
+{
+    (void)made;
+    return wfEnableBody(w, body_of(in), in->with.number);
+}
+
 static wfResult set_pair(wfWorld *w, const wfInput *in, wfInputId *made)
 {
     (void)made;
@@ -240,6 +268,13 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_SPIN]        = { "spin", NUMBERS, spin },
     [WF_INPUT_GRAVITY]     = { "gravity", NUMBERS, set_gravity },
     [WF_INPUT_DT]          = { "time step", NUMBERS, set_dt },
+    [WF_INPUT_GRAVITY_SCALE]  = { "gravity scale", NUMBERS, set_more },
+    [WF_INPUT_FIXED_ROTATION] = { "fixed rotation", NUMBERS, set_more },
+    [WF_INPUT_MASS_DATA]      = { "mass data", NUMBERS, set_more },
+    [WF_INPUT_TARGET]         = { "target", NUMBERS, set_more },
+    [WF_INPUT_BODY_DATA]      = { "data of a body", sizeof(uint64_t), set_data },
+    [WF_INPUT_SHAPE_DATA]     = { "data of a shape", sizeof(uint64_t), set_data },
+    [WF_INPUT_JOINT_DATA]     = { "data of a joint", sizeof(uint64_t), set_data },
     [WF_INPUT_ADD_SHAPE]    = { "add shape", sizeof(wfShapeDef), add_shape },
     [WF_INPUT_REMOVE_SHAPE] = { "remove shape", 0, remove_shape },
     [WF_INPUT_SET_SHAPE]    = { "set shape", sizeof(wfShapeDef), set_shape },
@@ -255,6 +290,7 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_WAKE]         = { "wake", 0, set_rest },
     [WF_INPUT_SLEEP]        = { "sleep", 0, set_rest },
     [WF_INPUT_NEVER_SLEEPS] = { "never sleeps", NUMBERS, set_rest },
+    [WF_INPUT_ENABLE]       = { "enable", NUMBERS, enable },
     [WF_INPUT_PAIR]        = { "pair of materials", sizeof(wfPairMaterial), set_pair },
     [WF_INPUT_FORGET_PAIR] = { "forget a pair", 0, set_pair },
     [WF_INPUT_SETTING]     = { "setting", NUMBERS, set_setting },

@@ -331,7 +331,10 @@ static wfResult add_shapes(const char *call, wfWorld *world, wfBodyId body, bool
         if (result == WF_OK) modules |= wfModulesOfShape(&defs[k]);
     }
     if (result == WF_OK) result = wfRequireModules(&b, modules);
-    if (result == WF_OK && count > wfFreeShapes(&b)) result = wfRefuseShapes(&b, count);
+    if (result == WF_OK && count > wfFreeShapes(&b))
+        return wfGrew(world, &b, "shapeCapacity", b.head->shapeSlots.count + count)
+             ? add_shapes(call, world, body, listed, defs, count, out)
+             : wfRefuseShapes(&b, count);
     bodyPlan plan = { .b = &b, .body = i, .without = -1, .more = defs, .count = count };
     state = b.state[i];
     props = b.props[i];

@@ -11,6 +11,7 @@ static bool keeps(const struct wfStep *s, int32_t a, int32_t b)
     const wfBlock *block = &s->b;
     int32_t i = block->bodyOfShape[a], k = block->bodyOfShape[b];
     if (i < 0 || k < 0 || (s->present[i] && s->present[k])) return false;
+    if (!wfIsEnabled(block, i) || !wfIsEnabled(block, k)) return false;
     if (wfMovesNow(s, i) || wfMovesNow(s, k)) return false;
     bool senses = block->materials[a].sensor || block->materials[b].sensor;
     bool seen = block->props[i].type == WF_KINEMATIC
@@ -102,6 +103,13 @@ bool wfMovesNow(const struct wfStep *s, int32_t i)
     const wfBodyState *b = &s->state[i];
     if (!s->present[i]) return false;
     return b->invMass > 0 || b->invInertia > 0 || b->v.x != 0 || b->v.y != 0 || b->w != 0;
+}
+
+void wfLeaveOutDisabled(struct wfStep *s)
+{
+    for (int32_t i = 0; i < s->count; i++)
+        if (s->b.alive[i] == WF_DISABLED) s->present[i] = 0;
+    s->all = false;
 }
 
 /* find the links of islands */
@@ -407,7 +415,8 @@ bool wfBodyIsAwake(const wfWorld *world, wfBodyId id)
     wfBlock b;
     wfRest r;
     int32_t i;
-    return open_rest(world, id, &b, &r, &i) == WF_OK && !wfIsAsleep(&r, i);
+    if (open_rest(world, id, &b, &r, &i) != WF_OK) return false;
+    return wfIsEnabled(&b, i) && !wfIsAsleep(&r, i);
 }
 
 wfResult wfWakeBody(wfWorld *world, wfBodyId id)
@@ -477,7 +486,7 @@ wfSleepCounts wfGetSleepCounts(const wfWorld *world)
     if (wfOpenBlock(world, &b) != WF_OK) return out;
     const wfHeader *head = b.head;
     for (int32_t i = 0; i < head->bodySlots.high; i++)
-        out.awake += b.alive[i] && b.props[i].type != WF_STATIC;
+        out.awake += b.alive[i] && wfIsEnabled(&b, i) && b.props[i].type != WF_STATIC;
     out.asleep = head->sleepingCount;
     out.awake -= out.asleep;
     out.islands = head->islandCount;
@@ -486,4 +495,44 @@ wfSleepCounts wfGetSleepCounts(const wfWorld *world)
     out.pairs = head->pairCount - head->kept.pairs;
     out.contacts = head->contactCount - head->kept.contacts;
     return out;
+}
+
+static void tell_ends(wfBlock *b, int32_t i)
+{
+    wfBodyChanged(b, i);
+    wfForgetContacts(b, i, -1);
+    /* tell the other ends of what hangs on body i */
+    for (int32_t k = 0; k < b->head->jointSlots.high; k++) {
+        const wfJoint *j = &b->joints[k];
+        bool hangs = b->jointSlots[k].next == WF_SLOT_LIVE && (j->a == i || j->b == i);
+        if (hangs) wfEndsChanged(b, j->a, j->b);
+    }
+    for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
+        const wfForce *f = &b->forces[k];
+        bool hangs = b->forceSlots[k].next == WF_SLOT_LIVE && (f->a == i || f->b == i);
+        if (hangs) wfEndsChanged(b, f->a, f->b);
+    }
+}
+
+wfResult wfEnableBody(wfWorld *world, wfBodyId id, int32_t enabled)
+{
+    wfBlock b;
+    int32_t i;
+    wfResult result = wfChangeBody(world, id, &b, &i);
+    if (result != WF_OK) return result;
+    if (enabled != 0 && enabled != 1)
+        return wfRefuse(&b, WF_ERROR_RANGE, "enabled", "must be 0 or 1");
+    if (wfIsEnabled(&b, i) == (enabled == 1)) return WF_OK;
+    tell_ends(&b, i);
+    b.alive[i] = enabled ? 1 : WF_DISABLED;
+    b.head->disabledCount += enabled ? -1 : 1;
+    wfBoundBody(&b, i);
+    return WF_OK;
+}
+
+bool wfBodyIsEnabled(const wfWorld *world, wfBodyId id)
+{
+    wfBlock b;
+    int32_t i = wfBodyIndex(world, id);
+    return i >= 0 && wfOpenBlock(world, &b) == WF_OK && wfIsEnabled(&b, i);
 }

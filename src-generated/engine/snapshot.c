@@ -218,6 +218,9 @@ static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
                    sizeof(int32_t));
     }
     def.memory = room->memory;
+    /* let capacities follow */
+    wfWorldDef now = wfSettings(head);
+    wfLetFollow(&now, &def);
     return def;
 }
 
@@ -233,9 +236,8 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfWorldDef def = with_room(b.head, room);
     result = wfWorldOfImage(&image, &def, &made);
     if (result != WF_OK) return result;
-    made.workers = world->workers;
     wfDestroyWorld(world);
-    *world = made;
+    world->memory = made.memory;
     return WF_OK;
 }
 

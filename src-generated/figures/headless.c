@@ -22,7 +22,7 @@ static void draw_scene(wfDraw *d, const char *name, int steps, uint32_t show)
         in = wfSceneInputAt(scene, step);
         wfStepScene(scene, &world, &in);
     }
-    wfDrawWorld(&world, show, &scratch, d);
+    wfShowWorld(&world, show, &scratch, d);
     if (scene->draw) scene->draw(&world, d, &in);
     wfDestroyWorld(&world);
 }

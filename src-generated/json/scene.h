@@ -12,6 +12,7 @@ typedef struct wfBodyText {
     wfBodyDef def;              /* without a shape */
     char name[WF_BODY_NAME];
     wfVec2 pivot;               /* m, in the body's frame */
+    int32_t disabled;
 } wfBodyText;
 
 typedef struct wfShapeText {

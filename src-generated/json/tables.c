@@ -45,6 +45,7 @@ static const wfField body_fields[] = {
     { BODY(angularDamping), REAL, NOT_NEGATIVE, .text = "1/s" },
     { BODY(gravityScale), REAL, ANY, .text = "times the world's gravity" },
     { BODY(neverSleeps), FLAG, .text = "nor does what hangs together with it" },
+    { AT(wfBodyText, disabled), FLAG, .text = "it takes no part in steps" },
     { BODY(userData), BITS, .text = "yours" },
 };
 const wfFields wfBodyFields = FIELDS(body_fields);
@@ -105,6 +106,7 @@ static const wfField joint_fields[] = {
     { AT(wfJoint, motorForce), REAL, NOT_NEGATIVE, .text = "N or N m at most" },
     { AT(wfJoint, breakForce), REAL, NOT_NEGATIVE, .text = "N; 0: never" },
     { AT(wfJoint, breakTorque), REAL, NOT_NEGATIVE, .text = "N m; 0: never" },
+    { AT(wfJoint, userData), BITS, .text = "yours" },
     { AT(wfJoint, localA), VEC, .text = "m, in a's frame, from its centre of mass" },
     { AT(wfJoint, localB), VEC, .text = "m, in b's frame, from its centre of mass" },
     { AT(wfJoint, axis), VEC,

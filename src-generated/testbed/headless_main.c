@@ -358,7 +358,7 @@ static wfResult freeze(const wfScene *scene, int32_t steps, wfDraw *d, wfPool *s
     float high = (float)scene->viewHeight, wide = 1.6f * high;
     float x = (float)scene->viewX, y = (float)scene->viewY;
     wfDrawView(d, x - wide / 2, y - high / 2, x + wide / 2, y + high / 2);
-    wfDrawWorld(&world, scene->show, scratch, d);
+    wfShowWorld(&world, scene->show, scratch, d);
     if (scene->draw) scene->draw(&world, d, &in);
     wfDestroyWorld(&world);
     return result;

@@ -20,7 +20,7 @@ static bool draw_between(game *g, wfDraw *d)
     wfTransform *at = wfPoolPushArray(&g->scratch, n, wfTransform);
     for (int32_t i = 0; at && i < n; i++)
         at[i] = wfPoseBetween(g->pose[i], wfBodyTransform(&v.state[i]), s->between);
-    wfDrawWorldAt(&g->world, at, at ? n : 0, d);
+    wfShowWorldAt(&g->world, at, at ? n : 0, d);
     wfPoolRewind(&g->scratch, mark);
     return true;
 }
@@ -37,7 +37,7 @@ void game_list_world(game *g, wfDraw *d, const float view[4])
 {
     game_state *s = g->state;
     wfDrawView(d, view[0], view[1], view[2], view[3]);
-    if (!draw_between(g, d)) wfDrawWorld(&g->world, s->show, &g->scratch, d);
+    if (!draw_between(g, d)) wfShowWorld(&g->world, s->show, &g->scratch, d);
     game_find_seen(&s->camera, s->look.seen);
     wfDrawLook(&g->world, s->show, &s->look, &g->scratch, d);
     draw_ghosts(g, d);
@@ -147,7 +147,7 @@ static void draw_pane(game *g, const wfWorld *world, const char *name, frame_buf
     camera_window(&c, (float)pane->width, (float)pane->height, view);
     wfDrawInit(&d, memory, memory ? bytes : 0);
     wfDrawView(&d, view[0], view[1], view[2], view[3]);
-    wfDrawWorld(world, s->show, &g->scratch, &d);
+    wfShowWorld(world, s->show, &g->scratch, &d);
     wfDrawLook(world, s->show, &s->look, &g->scratch, &d);
     if (g->scene->draw) g->scene->draw(world, &d, &s->input);
     float edge[] = { view[0], view[1], view[2], view[1],

@@ -351,7 +351,7 @@ static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTr
         wfDrawShape(d, &v->shapes[k], xf, line, s.props[k].sensor ? WF_INK_NONE : fill);
 }
 
-void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d)
+void wfShowWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d)
 {
     wfBodyView view = wfWorldBodies(world);
     for (int32_t i = 0; i < view.count; i++)
@@ -365,16 +365,7 @@ void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d
     }
 }
 
-wfTransform wfPoseBetween(wfTransform a, wfTransform b, wfReal t)
-{
-    wfVec2 from = wfV2(a.q.c, a.q.s), to = wfV2(b.q.c, b.q.s), mean = wfLerp(from, to, t);
-    wfReal length = wfLength(mean);                 /* eq:scenes-between */
-    wfTransform out = { .p = wfLerp(a.p, b.p, t), .q = b.q };
-    if (length > WF_R(0.01)) out.q = (wfRot){ mean.x / length, mean.y / length };
-    return out;
-}
-
-void wfDrawWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d)
+void wfShowWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d)
 {
     wfBodyView view = wfWorldBodies(world);
     for (int32_t i = 0; i < view.count; i++)

@@ -16,11 +16,9 @@ extern const int wfOverlayCount;
 
 /* Draws all bodies, and the overlays whose bits are set. What doesn't fit in the scratch
    memory or in the list is left out. */
-void wfDrawWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
+void wfShowWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
 /* The same without overlays, the first `count' bodies at other places, in their order. */
-void wfDrawWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d);
-/* The share t of the way from a to b, turning by the short way. */
-wfTransform wfPoseBetween(wfTransform a, wfTransform b, wfReal t);
+void wfShowWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d);
 /* The outline of a rectangle. */
 void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role);
 /* One shape at a place, with a line that shows how it is turned. */

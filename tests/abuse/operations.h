@@ -277,6 +277,51 @@ static wfResult op_shape_data(Session *s)
     wfShapeId id = pick_shapes(s);
     return CALL(wfSetShapeUserData(handle(s), id, next(s)));
 }
+static wfResult op_enable(Session *s)
+{
+    wfBodyId id = pick_bodies(s);
+    int32_t enabled = yes(s);
+    wfResult r = CALL(wfEnableBody(handle(s), id, enabled));
+    if (r == WF_OK) MUST(wfBodyIsEnabled(&s->world, id) == (enabled == 1));
+    return r;
+}
+static void see_shape(void *context, wfShapeId id, const wfVec2 *outline, int32_t count)
+{
+    (void)id;
+    if (count < 2 || count > WF_OUTLINE_POINTS) *(bool *)context = false;
+    for (int32_t i = 0; i < count; i++) if (!wfIsFinite2(outline[i])) *(bool *)context = false;
+}
+static wfResult op_draw(Session *s)
+{
+    bool good = true;
+    wfDrawCallbacks draw = { .context = &good, .shape = see_shape };
+    wfResult r = wfDrawWorld(handle(s), below(s, 20) ? &draw : NULL);
+    MUST(good);
+    return r;
+}
+static wfResult op_mover(Session *s)
+{
+    wfMover m = wfDefaultMover();
+    m.position = vector(s, 5); m.velocity = vector(s, 20); m.oneWay = next(s);
+    if (below(s, 2)) { const Thing *t = pick(s, &s->shapes); m.ground = (wfShapeId){ t->index, t->generation }; }
+    stale = false;
+    wfReal seconds = more(s, 1);
+    wfResult r = wfMoveMover(handle(s), below(s, 20) ? &m : NULL, seconds);
+    return r;
+}
+static wfResult op_advance(Session *s)
+{
+    double seconds = (double)more(s, 1) / 20;
+    int32_t most = 1 + (int32_t)below(s, 3);
+    wfReal share = wfStepShare(&s->world);
+    MUST(share >= 0 && share <= 1 && wfPoseBetween(wfTransformIdentity(), wfTransformIdentity(), share).p.x == 0);
+    return CALL(wfAdvanceWorld(handle(s), seconds, most));
+}
+static wfResult op_joint_data(Session *s)
+{
+    wfJointId id = pick_joints(s);
+    return CALL(wfSetJointUserData(handle(s), id, next(s)));
+}
 static wfResult op_points(Session *s)           /* there and back; all contacts of a body, and its joints, and no others */
 {
     const wfWorld *w = handle(s);
@@ -934,10 +979,10 @@ static wfInput input(Session *s)                /* a call as a value, on what is
     switch (in.kind) {
     case WF_INPUT_ADD_BODY: in.body = wfDefaultBodyDef(); in.body.type = WF_DYNAMIC; in.body.shape = shape(s); in.body.position = vector(s, 5); in.body.mass = more(s, 3); break;
     case WF_INPUT_ADD_SHAPE: in.shape = shape_def(s); break;
-    case WF_INPUT_SET_SHAPE: case WF_INPUT_REMOVE_SHAPE: t = pick(s, &s->shapes); if (in.kind == WF_INPUT_SET_SHAPE) in.shape = shape_def(s); break;
+    case WF_INPUT_SET_SHAPE: case WF_INPUT_REMOVE_SHAPE: case WF_INPUT_SHAPE_DATA: t = pick(s, &s->shapes); if (in.kind == WF_INPUT_SET_SHAPE) in.shape = shape_def(s); break;
     case WF_INPUT_ADD_FORCE: in.force = force(s); break;
     case WF_INPUT_SET_FORCE: case WF_INPUT_REMOVE_FORCE: case WF_INPUT_DRAG: t = pick(s, &s->forces); if (in.kind == WF_INPUT_SET_FORCE) in.force = force(s); break;
-    case WF_INPUT_SET_JOINT: case WF_INPUT_REMOVE_JOINT: t = pick(s, &s->joints); break;
+    case WF_INPUT_SET_JOINT: case WF_INPUT_REMOVE_JOINT: case WF_INPUT_JOINT_DATA: t = pick(s, &s->joints); break;
     case WF_INPUT_SET_ORIGIN: in.global = far_place(s); break;
     default: break;
     }
@@ -1089,6 +1134,11 @@ const Operation operations[] = {
     OP("changes", 8, CHANGES, wfSetBodyGravityScale wfSetBodyMassData wfSetBodyFixedRotation wfSetBodyUserData, op_more_of_body, false),
     OP("changes", 4, CHANGES, wfSetBodyTarget, op_target, false),
     OP("changes", 1, CHANGES, wfSetShapeUserData, op_shape_data, false),
+    OP("changes", 8, CHANGES, wfEnableBody wfBodyIsEnabled, op_enable, false),
+    OP("looking", 3, READS, wfDrawWorld, op_draw, false),
+    OP("queries", 6, READS, wfMoveMover wfDefaultMover, op_mover, false),
+    OP("steps", 10, CHANGES, wfAdvanceWorld wfStepShare wfPoseBetween, op_advance, false),
+    OP("changes", 1, CHANGES, wfSetJointUserData, op_joint_data, false),
     OP("looking", 6, READS, wfBodyWorldPoint wfBodyLocalPoint wfBodyWorldVector wfBodyLocalVector wfBodyVelocityAt wfNextContact wfNextJoint wfGetJointMotion, op_points, true),
     OP("pushes", 10, CHANGES, wfApplyForceToBody, op_apply_force, false),
     OP("pushes", 5, CHANGES, wfApplyTorqueToBody, op_apply_torque, false),

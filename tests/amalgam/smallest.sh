@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The whole engine, but for the words of its faults, as small as gcc makes it: the amalgamation, -Oz, and each switch that was found to save bytes. Is it still
+# The whole engine, but for the words of its faults and what games ask for, as small as gcc makes it: the amalgamation, -Oz, and each switch that was found to save bytes. Is it still
 # the same engine? Three scenes must have the hashes that they have at -O2.
 #   tests/amalgam/smallest.sh              builds it and compares
 #   tests/amalgam/smallest.sh --compiler   prints the compiler and its switches
@@ -15,7 +15,7 @@ smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronou
 [ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
 [ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
 work=build/check/smallest; mkdir -p "$work"
-tangle/tangle --without faults "$work/tree" $(tangle/chapters) && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
+tangle/tangle --without "faults disabled growth frames world-drawing mover" "$work/tree" $(tangle/chapters) && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
 scenes() {    # compiler and flags: the hashes of three scenes
   "$@" -I"$work" -c "$work/weft.c" -o "$work/weft.o" && "$@" -I"$work" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$work/scenes.o" &&
     gcc -no-pie "$work/weft.o" "$work/scenes.o" -o "$work/scenes" && "$work/scenes"

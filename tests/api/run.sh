@@ -12,6 +12,8 @@ make --no-print-directory -s -f tangle/compile.mk SRC=build/lines OUT=build/abus
 gcc -std=c11 -Wall -Wextra -Wno-missing-field-initializers -Ibuild/lines/include -I"$work" tests/api/zero.c build/abuse/plain/lib/libweft.a -lm -o "$work/zero" || exit 1
 "$work/zero" > "$work/fallen" 2>"$work/count" || exit 1
 bad=0
+# shellcheck disable=SC2046
+$lua tests/api/journal.lua tests/api/not-journalled src-generated/engine/replay.c $(ls src-generated/include/weft/*.h | grep -v '_rows\.h') || bad=1
 while read -r name header status; do
   grep -qx "$header $name" tests/api/trusted && continue
   echo "api: $name of weft/$header, called with nothing, falls (status $status): answer with an error or a neutral value"; bad=1

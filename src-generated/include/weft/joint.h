@@ -50,7 +50,7 @@ typedef struct wfJoint {
     wfVec2 groundA, groundB;    /* m, world: a pulley's wheels; groundB: a hand's target;
                                    a rack's and a linkage's directions of sliding, unit */
     wfReal rest, angle;         /* m or rad: coordinate at rest; rad: B's turn at rest */
-    wfReal ratio;               /* of a pulley or gear; rad: a tooth of a ratchet, > 0 */
+    wfReal ratio;               /* not 0; > 0 for a ratchet: its tooth, rad */
     wfReal lower, upper;        /* LIMITS of the coordinate */
     wfReal stiffness, damping;  /* SPRING: N/m, N s/m, or N m/rad, N m s/rad; >= 0 */
     wfReal springForce;         /* SPRING: greatest force, N or N m; 0: no bound */
@@ -65,7 +65,26 @@ typedef struct wfJoint {
     wfVec2 load;                /* N: what it did to B in the last step, in the mean */
     wfReal twist;               /* N m: the same about B's anchor */
     wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
+    uint64_t userData;          /* yours */
 } wfJoint;
+/* What each kind reads of these, beside a, b and what breaks it. S: with the flag SPRING,
+   stiffness, damping, springForce; M: with MOTOR, motorSpeed, motorForce; L: with LIMITS,
+   lower, upper. Appendix B of the book tells signs, units and other engines' names.
+     revolute   localA localB rest S M L
+     weld       localA localB rest S
+     turn       rest S M L
+     distance   localA localB rest S M L
+     prismatic  localA localB axis rest angle S M L
+     wheel      localA localB axis rest S M L
+     hand       localB groundB stiffness damping motorForce
+     servo      localA localB angle ratio stiffness damping motorForce
+     friction   localA localB ratio motorForce
+     filter     -
+     pulley     localA localB groundA groundB rest ratio
+     gear       rest ratio
+     ratchet    rest ratio
+     rack       localA groundA rest ratio
+     linkage    localA localB groundA groundB rest ratio */
 
 /* A body at one moment, for joints. */
 typedef struct wfJointFrame {

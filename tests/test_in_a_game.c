@@ -1,0 +1,285 @@
+/* Frames and steps, outlines, and a character that is no body. */
+#include "testing.h"
+#include "world.h"
+
+static wfWorld empty(void)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w;
+    def.bodyCapacity = 32;
+    assert_ok(wfCreateWorld(&def, &w));
+    return w;
+}
+
+/* ------------------------------------------------------------------------------ frames */
+
+static void a_world_keeps_the_time_of_the_frames(void **unused)
+{
+    (void)unused;
+    uint64_t seed = 1;
+    const double frame[] = { 1.0 / 60, 1.0 / 144, 1.0 / 24, 0 };
+    for (int k = 0; k < 4; k++) {
+        wfWorld w = empty();
+        double passed = 0;
+        uint64_t before = 0, most = 0;
+        while (passed < 600) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            double seconds = frame[k] > 0 ? frame[k] : (double)(seed >> 40) / (1 << 24) / 20;
+            assert_ok(wfAdvanceWorld(&w, seconds, 4));
+            passed += seconds;
+            uint64_t made = wfWorldSteps(&w) - before;
+            before += made;
+            if (most < made) most = made;
+            assert_true(wfStepShare(&w) >= 0 && wfStepShare(&w) <= 1);
+            if (k == 0) assert_int_equal(made, 1);
+        }
+        /* to the nearest step; the timeStep is a float: in 600 s it is off by 600 * 60 * 2^-24 steps at most */
+        assert_near((double)wfWorldSteps(&w), passed * 60, 0.51);
+        assert_int_equal(most, k < 2 ? 1 : 3);
+        wfDestroyWorld(&w);
+    }
+    wfWorld w = empty();
+    assert_ok(wfAdvanceWorld(&w, 100, 3));                  /* too slow: the rest is forgotten */
+    assert_int_equal(wfWorldSteps(&w), 3);
+    assert_ok(wfAdvanceWorld(&w, 0.001, 3));
+    assert_int_equal(wfWorldSteps(&w), 3);
+    assert_result(WF_ERROR_RANGE, wfAdvanceWorld(&w, -1, 3));
+    assert_result(WF_ERROR_RANGE, wfAdvanceWorld(&w, (double)NAN, 3));
+    assert_result(WF_ERROR_RANGE, wfAdvanceWorld(&w, 1, 0));
+    assert_int_equal(wfWorldSteps(&w), 3);
+    wfDestroyWorld(&w);
+}
+
+/* ------------------------------------------------------------------------------ drawing */
+
+typedef struct Seen { double area[8]; int shapes, boxes, contacts, joints, points; } Seen;
+
+static void see_shape(void *context, wfShapeId id, const wfVec2 *p, int32_t n)
+{
+    Seen *s = context;
+    double twice = 0;
+    for (int32_t i = 0; i < n; i++) twice += (double)wfCross(p[i], p[(i + 1) % n]);
+    s->area[id.index] = twice / 2;
+    s->points = n;
+    s->shapes++;
+}
+static void see_box(void *context, wfShapeId id, wfRect box) { (void)id, (void)box; ((Seen *)context)->boxes++; }
+static void see_contact(void *context, wfVec2 at, wfVec2 n, wfReal i) { (void)at, (void)n, (void)i; ((Seen *)context)->contacts++; }
+static void see_joint(void *context, wfVec2 a, wfVec2 b)
+{
+    assert_near(wfLength(wfSub(b, a)), 2, 1e-3);
+    ((Seen *)context)->joints++;
+}
+
+static void what_is_drawn_is_what_is_there(void **unused)
+{
+    (void)unused;
+    wfWorld w = empty();
+    wfBodyDef d[5];
+    wfVec2 rock[5] = { wfV2(0, 0), wfV2(1, 0), wfV2(WF_R(1.5), 1), wfV2(WF_R(0.5), 2), wfV2(WF_R(-0.5), 1) };
+    wfBodyId id[5];
+    for (int i = 0; i < 5; i++) d[i] = wfDefaultBodyDef(), d[i].position = wfV2(4 * (wfReal)i, 9);
+    assert_ok(wfMakeCircle(wfV2(0, 0), 1, &d[0].shape));
+    assert_ok(wfMakeBox(1, 2, &d[1].shape));
+    assert_ok(wfMakeCapsule(wfV2(-1, 0), wfV2(1, 0), WF_R(0.5), &d[2].shape));
+    assert_ok(wfMakeRoundedPolygon(rock, 5, WF_R(0.25), &d[3].shape));
+    assert_ok(wfMakeCircle(wfV2(0, 0), 1, &d[4].shape));
+    for (int i = 0; i < 5; i++) id[i] = add(&w, d[i]);
+    wfBodyId floor = add(&w, floor_def()), ball = add(&w, ball_def(30, 0.5, 0.5));
+    wfJoint j;
+    assert_ok(wfDefineJoint(&w, "distance", id[0], id[1], wfV2(1, 9), wfV2(3, 9), wfV2(1, 0), &j));
+    assert_ok(wfAddJointToWorld(&w, &j, NULL));
+    assert_ok(wfStepWorld(&w));
+    Seen s = { .shapes = 0 };
+    wfDrawCallbacks draw = { &s, see_shape, see_box, see_contact, see_joint };
+    assert_ok(wfDrawWorld(&w, &draw));
+    assert_true(s.shapes == 7 && s.boxes == 7 && s.joints == 1 && s.contacts == 1);
+    /* a chord of at most 15 degrees encloses sin(a) / a of its arc's sector, so the outline no less than that of all; never more, but for rounding */
+    for (uint32_t i = 1; i <= 4; i++) {
+        double area = (double)wfShapeArea(&d[i - 1].shape);
+        assert_true(s.area[i] > area * sin(15 * 3.14159265 / 180) / (15 * 3.14159265 / 180) - 1e-3 && s.area[i] < area + 1e-3);
+    }
+    assert_near(s.area[2], 8, 1e-3);
+    assert_ok(wfEnableBody(&w, ball, 0));
+    assert_ok(wfEnableBody(&w, floor, 0));
+    s.shapes = s.contacts = 0;
+    draw.box = NULL;
+    assert_ok(wfDrawWorld(&w, &draw));
+    assert_true(s.shapes == 5 && s.boxes == 7 && s.contacts == 0);
+    assert_result(WF_ERROR_NULL, wfDrawWorld(&w, NULL));
+    wfDestroyWorld(&w);
+}
+
+/* ------------------------------------------------------------------------------ the mover */
+
+static const wfReal dt = WF_R(1.0) / 60;
+
+static wfBodyId solid(wfWorld *w, int type, wfReal x, wfReal y, wfReal halfWide, wfReal halfHigh, wfReal angle, uint64_t category)
+{
+    wfBodyDef d = wfDefaultBodyDef();
+    wfShapeDef s = wfDefaultShapeDef();
+    d.type = type, d.position = wfV2(x, y), d.angle = angle;
+    assert_ok(wfMakeBox(halfWide, halfHigh, &s.shape));
+    s.filter.category = category;
+    wfBodyId id = add(w, d);
+    assert_ok(wfAddShapeToBody(w, id, &s, NULL));
+    return id;
+}
+
+static wfWorld level(void)
+{
+    wfWorld w = empty();
+    solid(&w, WF_STATIC, 0, -1, 50, 1, 0, 1);               /* its top is y = 0 */
+    return w;
+}
+
+/* Walks for so many frames at a speed, and falls; it is never inside of anything but what is one-way. */
+static void walk(wfWorld *w, wfMover *m, wfReal speed, int frames)
+{
+    for (int i = 0; i < frames; i++) {
+        int32_t shapes[8], n = 0;
+        m->velocity = wfV2(speed, m->velocity.y - 10 * dt);
+        assert_ok(wfStepWorld(w));
+        assert_ok(wfMoveMover(w, m, dt));
+        wfFilter walls = m->filter;
+        walls.mask &= ~m->oneWay;
+        assert_ok(wfWorldOverlap(w, &m->shape, wfMakeTransform(m->position, 0), &walls, shapes, 8, &n));
+        if (n > 0) {
+            wfSeparation s;
+            wfShapeView v = wfWorldShapes(w);
+            wfBodyView b = wfWorldBodies(w);
+            wfSeparate(0, &m->shape, wfMakeTransform(m->position, 0), &v.shapes[shapes[0]], wfBodyTransform(&b.state[v.bodyOfShape[shapes[0]]]), &s);
+            print_error("frame %d at %g %g v %g: %g in shape %d, normal %g %g, ground %u\n", i, (double)m->position.x, (double)m->position.y, (double)m->velocity.y, (double)s.distance, shapes[0], (double)s.normal.x, (double)s.normal.y, m->ground.index);
+        }
+        assert_int_equal(n, 0);
+    }
+}
+
+static void it_stands_walks_and_is_stopped(void **unused)
+{
+    (void)unused;
+    wfWorld w = level();
+    wfMover m = wfDefaultMover();
+    solid(&w, WF_STATIC, 6, 5, 1, 5, 0, 1);
+    m.position = wfV2(0, 2);
+    walk(&w, &m, 0, 120);
+    assert_true(m.ground.index != 0 && m.velocity.y == 0);
+    assert_near(m.position.y, 0, 0.03);
+    assert_near(m.position.x, 0, 1e-5);
+    walk(&w, &m, 3, 60);
+    assert_near(m.position.x, 3, 0.01);                     /* as fast as it wants */
+    walk(&w, &m, 3, 60);
+    assert_near(m.position.x, 4.7, 0.03);                   /* the wall begins at 5, it is 0.3 thick */
+    assert_true(m.velocity.x <= WF_R(1e-5));
+    m.velocity.y = 5;                                       /* it jumps at the wall, and slides up along it */
+    wfReal top = 0;
+    for (int i = 0; i < 40; i++) {
+        walk(&w, &m, 3, 1);
+        top = wfMaxR(top, m.position.y);
+    }
+    assert_near(top, 1.25, 0.1);                            /* v^2 / 2 g, as without a wall */
+    wfDestroyWorld(&w);
+}
+
+static void it_climbs_ledges_and_slopes_up_to_its_limits(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < 4; k++) {
+        const wfReal ledge[] = { WF_R(0.1), WF_R(0.25), WF_R(0.4), WF_R(1.0) };
+        wfWorld w = level();
+        wfMover m = wfDefaultMover();
+        solid(&w, WF_STATIC, 7, ledge[k] - 1, 5, 1, 0, 1);  /* from x = 2 */
+        walk(&w, &m, 0, 10);
+        walk(&w, &m, 3, 100);
+        if (k < 2) {
+            assert_near(m.position.y, ledge[k], 0.03);
+            assert_true(m.position.x > WF_R(4.7));
+            walk(&w, &m, -3, 30);                           /* and down again without flying */
+            for (int i = 0; i < 60; i++) {
+                walk(&w, &m, -3, 1);
+                assert_true(m.ground.index != 0);
+            }
+            assert_near(m.position.y, 0, 0.03);
+        } else assert_near(m.position.x, 1.7, 0.03);
+        wfDestroyWorld(&w);
+    }
+    for (int k = 0; k < 2; k++) {
+        wfReal angle = k ? WF_R(1.0) : WF_R(0.6), slope = wfSin(angle) / wfCos(angle);
+        wfWorld w = level();
+        wfMover m = wfDefaultMover();
+        solid(&w, WF_STATIC, 2 + 5 * wfCos(angle) + wfSin(angle), 5 * wfSin(angle) - wfCos(angle), 5, 1, angle, 1);     /* from (2, 0) */
+        walk(&w, &m, 0, 10);
+        walk(&w, &m, 2, 120);
+        if (k == 0) {
+            assert_true(m.position.y > WF_R(0.8) && m.ground.index != 0);
+            wfVec2 rests = m.position;
+            walk(&w, &m, 0, 60);                            /* it stands on the slope */
+            assert_near2(m.position, rests, 0.02);
+            assert_near(m.position.y, (m.position.x - 2) * slope + WF_R(0.3) / wfCos(angle) - WF_R(0.3), 0.05);
+        } else assert_true(m.position.x < 2 && m.position.y < WF_R(0.1));
+        wfDestroyWorld(&w);
+    }
+}
+
+static void it_rides_on_platforms(void **unused)
+{
+    (void)unused;
+    const wfVec2 way[] = { wfV2(2, 0), wfV2(0, 1), wfV2(0, -1), wfV2(-1, 1) };
+    for (int k = 0; k < 4; k++) {
+        wfWorld w = empty();
+        wfMover m = wfDefaultMover();
+        wfBodyId lift = solid(&w, WF_KINEMATIC, 0, -1, 3, 1, 0, 1);
+        walk(&w, &m, 0, 10);
+        assert_ok(wfSetBodyVelocity(&w, lift, way[k], 0));
+        wfVec2 from = m.position, was = info(&w, lift).position;
+        walk(&w, &m, 0, 90);
+        wfVec2 moved = wfSub(info(&w, lift).position, was);
+        assert_near2(wfSub(m.position, from), moved, 0.06);
+        assert_true(m.ground.index != 0);
+        wfDestroyWorld(&w);
+    }
+}
+
+static void a_one_way_platform_stops_it_only_from_above(void **unused)
+{
+    (void)unused;
+    wfWorld w = level();
+    wfMover m = wfDefaultMover();
+    m.oneWay = 2;
+    solid(&w, WF_STATIC, 0, 2, 2, WF_R(0.1), 0, 2);
+    walk(&w, &m, 0, 10);
+    m.velocity.y = 8;
+    walk(&w, &m, 0, 120);
+    assert_near(m.position.y, 2.1, 0.03);
+    assert_true(m.ground.index != 0);
+    walk(&w, &m, 3, 120);                                   /* and off its end */
+    assert_near(m.position.y, 0, 0.03);
+    wfDestroyWorld(&w);
+}
+
+static void bad_movers_are_refused(void **unused)
+{
+    (void)unused;
+    wfWorld w = level();
+    wfMover m = wfDefaultMover();
+    assert_result(WF_ERROR_NULL, wfMoveMover(&w, NULL, dt));
+    assert_result(WF_ERROR_NULL, wfMoveMover(NULL, &m, dt));
+    assert_result(WF_ERROR_RANGE, wfMoveMover(&w, &m, 0));
+    m.velocity.x = (wfReal)NAN;
+    assert_result(WF_ERROR_NOT_FINITE, wfMoveMover(&w, &m, dt));
+    wfDestroyWorld(&w);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_world_keeps_the_time_of_the_frames),
+        cmocka_unit_test(what_is_drawn_is_what_is_there),
+        cmocka_unit_test(it_stands_walks_and_is_stopped),
+        cmocka_unit_test(it_climbs_ledges_and_slopes_up_to_its_limits),
+        cmocka_unit_test(it_rides_on_platforms),
+        cmocka_unit_test(a_one_way_platform_stops_it_only_from_above),
+        cmocka_unit_test(bad_movers_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
