@@ -153,13 +153,17 @@ static bool check_body(Check *c, int32_t i)
 
 static bool rule_of_bodies(Check *c)
 {
+    int32_t disabled = 0;
     for (int32_t i = 0; i < c->b.head->bodySlots.high; i++) {
         bool live = c->b.bodySlots[i].next == WF_SLOT_LIVE;
-        if (!rule(c, c->b.alive[i] == live, WF_REGION_ALIVE, i,
+        disabled += c->b.alive[i] == WF_DISABLED;
+        if (!rule(c, (c->b.alive[i] != 0) == live && c->b.alive[i] <= WF_DISABLED,
+                  WF_REGION_ALIVE, i,
                   "alive says what the slot says")) return false;
         if (!check_body(c, i)) return false;
     }
-    return true;
+    return rule(c, disabled == c->b.head->disabledCount, WF_REGION_ALIVE, 0,
+                "those that are taken out are counted");
 }
 
 static bool rule_of_applied(Check *c)
@@ -220,7 +224,8 @@ static bool rule_of_bounds(Check *c)
     const wfBlock *b = &c->b;
     int32_t end = kept(c, WF_REGION_BOUNDS, b->head->shapeSlots.high);
     for (int32_t k = 0; k < end; k++) {
-        bool live = b->shapeSlots[k].next == WF_SLOT_LIVE;
+        bool live = b->shapeSlots[k].next == WF_SLOT_LIVE
+                 && wfIsEnabled(b, b->bodyOfShape[k]);
         int flags = b->flags[k], all = WF_PROXY_LIVE | WF_PROXY_MOVES;
         bool flagged = (flags & ~all) == 0 && ((flags & WF_PROXY_LIVE) != 0) == live
                     && (live || flags == 0);

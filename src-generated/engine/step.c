@@ -22,6 +22,7 @@ static wfResult copy_states(struct wfStep *s)
     if (wfResidualOf(&s->b) != NULL) s->fine = wfTransient(&s->b, WF_REGION_NEW_FINE);
     if (s->fine != NULL) memcpy(s->fine, s->b.fine, (size_t)s->count * sizeof *s->fine);
     wfLeaveOutSleeping(s);
+    if (s->b.head->disabledCount > 0) wfLeaveOutDisabled(s);
     const wfHeader *head = s->b.head;
     size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
     return wfPoolInit(&s->scratch, scratch, wfTransient(&s->b, WF_REGION_SCRATCH));
@@ -278,6 +279,8 @@ static wfResult commit(struct wfStep *s)
     wfHeader *head = s->b.head;
     /* before the step becomes the world */
     wfKeepRest(s);
+    for (int32_t i = 0; s->b.head->disabledCount > 0 && i < s->count; i++)
+        if (s->b.alive[i] == WF_DISABLED) s->state[i] = s->b.state[i];
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
     /* commit what was found */
     if (wfHas(head, WF_MODULE_PUSHES))
@@ -423,6 +426,8 @@ wfResult wfStepWorld(wfWorld *world)
     result = run_stages(&step);
     /* take the workers back */
     step.b.head->busy = 0;
+    if (result == WF_ERROR_FULL && wfGrew(world, &step.b, "pairCapacity", 0))
+        return wfStepWorld(world);
     return result;
 }
 
@@ -437,6 +442,8 @@ wfResult wfStepWorldTimed(wfWorld *world, const wfStepClock *clock)
     if (clock != NULL) step.b.head->busy = 1;
     result = run_stages(&step);
     step.b.head->busy = 0;
+    if (result == WF_ERROR_FULL && wfGrew(world, &step.b, "pairCapacity", 0))
+        return wfStepWorldTimed(world, clock);
     return result;
 }
 
@@ -452,6 +459,8 @@ wfResult wfStepWorldWithCallbacks(wfWorld *world, const wfCallbacks *hooks)
     step.b.head->busy = hooks != NULL || step.workers.run != NULL;
     result = run_stages(&step);
     step.b.head->busy = 0;
+    if (result == WF_ERROR_FULL && wfGrew(world, &step.b, "pairCapacity", 0))
+        return wfStepWorldWithCallbacks(world, hooks);
     if (result == WF_OK && hooks != NULL) wfUse(&step.b, WF_MODULE_HOOKS);
     return result;
 }
