@@ -440,7 +440,7 @@ static wfReal excess(const wfMatrix *m, const wfJointSet *set, int32_t i, int32_
                      wfReal gap)
 {
     int32_t row = set->work[i].hold[k];
-    wfReal turn = set->period / (2 * WF_PI), load = set->joints[i].impulse[row];
+    wfReal turn = set->period / WF_PI, load = set->joints[i].impulse[row];
     wfReal left = gap + m->h * turn * turn * set->work[i].own[row] * load;
     return wfClamp(left, wfMinR(gap, 0), wfMaxR(gap, 0));
 }

@@ -155,9 +155,10 @@ static inline bool wfIsEnabled(const wfBlock *b, int32_t i)
     if (b->alive[i] == WF_DISABLED) return false;
     return true;
 }
+/* who can let a world grow */
+bool wfGrowFor(wfWorld *world, const char *name, int32_t need);
 /* Has the world grown, so that there is room for `need` of what this capacity counts (0: of
  * pairs and contacts, for a step), and the call should be made again? b is then no more. */
-bool wfGrowFor(wfWorld *world, const char *name, int32_t need);
 static inline bool wfGrew(wfWorld *world, const wfBlock *b, const char *name, int32_t need)
 {
     (void)world, (void)b, (void)name, (void)need;

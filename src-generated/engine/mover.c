@@ -86,7 +86,8 @@ static wfVec2 slide(const Walk *w, wfVec2 at, wfVec2 by, wfVec2 *velocity, bool 
             by = clip(by, up);
             *velocity = clip(*velocity, up);
         } else {
-            if (w->stood && rise(w, n) > 0) n = wfNormalize(wfSub(n, wfScale(rise(w, n), up)));
+            if (w->stood && rise(w, n) > 0)
+                n = wfNormalize(wfSub(n, wfScale(rise(w, n), up)));
             *walled = *walled || wfAbs(rise(w, n)) < WF_R(0.5);
             *velocity = clip(*velocity, n);
         }
@@ -192,7 +193,8 @@ wfResult wfMoveMover(const wfWorld *world, wfMover *m, wfReal seconds)
     if (m->ground.index != 0) w.stood = true;
     wfVec2 at = push_out(&w, m->position), by = wfScale(seconds, m->velocity);
     go(&w, &at, wfScale(seconds, carried(&w)), &hit);
-    wfVec2 along = wfSub(by, wfScale(rise(&w, by), m->up)), velocity = m->velocity, top = at;
+    wfVec2 along = wfSub(by, wfScale(rise(&w, by), m->up));
+    wfVec2 velocity = m->velocity, top = at;
     wfVec2 slid = slide(&w, at, by, &velocity, &walled);
     bool climbs = walled && w.stood && climb(&w, &top, along);
     m->position = climbs ? top : slid;

@@ -295,9 +295,12 @@ static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
     return WF_OK;
 }
 
-static void drop_gaps(wfManifold *m, wfReal margin)
+/* whole: nothing is dropped if a point is within the margin */
+static void drop_gaps(wfManifold *m, wfReal margin, bool whole)
 {
     int32_t kept = 0;
+    for (int32_t i = 0; i < m->count; i++)
+        if (whole && m->points[i].depth >= -margin) return;
     for (int32_t i = 0; i < m->count; i++)
         if (m->points[i].depth >= -margin) m->points[kept++] = m->points[i];
     m->count = kept;
@@ -325,8 +328,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
     note_touch(s, c, is);
     if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
-    if (!wfSolverIntegrates(s) || -deepest(&c->manifold) > ahead)
-        drop_gaps(&c->manifold, ahead);
+    drop_gaps(&c->manifold, ahead, wfSolverIntegrates(s));
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
     /* whom the contact c concerns besides its bodies */

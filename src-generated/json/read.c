@@ -295,6 +295,7 @@ static bool set_type(Reader *r, int32_t i, const cJSON *item)
         wfPutPivot(&r->world, i, r->body[i].pivot);
     if (result == WF_OK && def->type != WF_STATIC)
         result = wfSetBodyVelocity(&r->world, id, def->velocity, def->angularVelocity);
+    /* take out a body that the text takes out */
     if (result == WF_OK && r->body[i].disabled) result = wfEnableBody(&r->world, id, 0);
     return wfTextResult(&r->t, item, result);
 }

@@ -188,6 +188,7 @@ static wfBodyText text_of_body(const Writer *w, int32_t i)
     t.def.neverSleeps = wfBodySleepDisabled(w->world, id);
     t.def.userData = p->userData;
     if (p->type != WF_DYNAMIC) t.pivot = p->localCentre;
+    /* say whether a body is taken out */
     t.disabled = !wfBodyIsEnabled(w->world, id);
     return t;
 }

@@ -563,8 +563,8 @@ static int measure_soft_worth(FILE *out)
 }
 
 static const wfMeasureRow rows[] = {
-    { "soft-worth", "towers that stand by passes, with manifolds anew and used again, and by "
-      "default", measure_soft_worth },
+    { "soft-worth", "towers that stand: by passes, with manifolds used again, by default",
+      measure_soft_worth },
     { "world-reuse-time", "ms for a step of a heap at rest, manifolds fresh and used again",
       measure_world_reuse },
     { "world-bounce", "relative error of the apex after one bounce, e = 1, by step",

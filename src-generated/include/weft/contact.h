@@ -63,16 +63,16 @@ typedef struct wfManifoldCache {
     int32_t known;          /* 1 + the manifold's points; 0: nothing is remembered */
 } wfManifoldCache;
 
-/* Remembers the distance (m) of a pair and its manifold, made within the margin `within`. */
+/* Remembers the distance (m) of a pair, and its manifold, made within a margin. */
 void wfRememberManifold(wfTransform xa, wfTransform xb, wfReal distance, wfReal within,
                         wfReal allowed, const wfManifold *m, wfManifoldCache *cache);
 
 /* The manifold of a pair in new poses, without a narrow phase: *m holds the one that was
    remembered, or what this function made of it since, and gets new gaps and points.  true,
    with count 0: the pair is further apart than the margin.  false, and nothing is changed:
-   it has moved too far, or nothing is remembered.  reachA, reachB (m): no point of the shape
-   is further from its body's origin.  Gaps may be wrong by twice `allowed` and a tie
-   (eq:contacts-reuse). */
+   it has moved too far, or nothing is remembered.  reachA, reachB (m): no point of the
+   shape is further from its body's origin.  Gaps may be wrong by twice `allowed` and a
+   tie (eq:contacts-reuse). */
 bool wfReuseManifold(wfReal reachA, wfTransform xa, wfReal reachB, wfTransform xb,
                      wfReal margin, const wfManifoldCache *cache, wfManifold *m);
 WF_END_C

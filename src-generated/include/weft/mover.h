@@ -17,7 +17,7 @@ typedef struct wfMover {
     uint64_t oneWay;           /* categories of shapes that stop it only from above */
     wfShapeId ground;          /* what it stands on; index 0: nothing */
 } wfMover;
-/* A capsule 1.8 m high and 0.6 m wide on its foot, up is +y, 46 degrees, ledges of 0.3 m. */
+/* A capsule 1.8 m high, 0.6 m wide, on its foot; up is +y, 46 degrees, ledges of 0.3 m. */
 wfMover wfDefaultMover(void);
 /* Moves it for so many seconds (> 0) and says where it is, how fast, and on what it stands.
  * It is carried by what it stands on. Sensors don't stop it. Changes nothing in the world:

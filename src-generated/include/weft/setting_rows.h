@@ -104,7 +104,7 @@ WF_ADVANCED(wfReal, timeToSleep, WF_R(0.5),
 WF_ADVANCED(wfReal, sleepThreshold, WF_R(0.04),
             "still is who goes less of its reach in that time", WF_REAL, WF_FROM(0),
             .unit = "of the reach", .modules = WF_MODULE_SLEEP)
-WF_ADVANCED(int32_t, growth, 0, "memory of its own grows by itself; open capacities are small",
-            WF_SWITCH)
+WF_ADVANCED(int32_t, growth, 0,
+            "memory of its own grows by itself; open capacities are small", WF_SWITCH)
 #undef WF_SETTING
 #undef WF_ADVANCED
