@@ -146,70 +146,54 @@ static bool is_alone(const Search *q, const wfLimb *root)
     return lever * lever * b->invInertia <= WF_ALONE_SHARE * b->invMass;
 }
 
-/* Does something come in, or remember that it has?  load: N, what the contact will bear */
-static bool lands(const Search *q, const wfContact *c, wfReal load)
+/* What a limb bears: force and moment about the origin. */
+static void begin_load(const wfSolve *in, wfLimb *l, int32_t below)
 {
-    const wfSolve *in = q->s->in;
-    const wfManifold *m = &c->manifold;
-    wfReal borne = 0;
-    for (int32_t i = 0; i < m->count; i++) borne += m->points[i].normalImpulse;
-    return borne > WF_LANDED * load * in->h
-        || wfApproachOf(c, &in->state[c->a], &in->state[c->b]) > in->restingSpeed;
+    wfVec2 f = in->forces[l->body].force;
+    wfReal *load = l->wave.load;
+    load[0] = f.x, load[1] = f.y, load[2] = wfCross(in->state[l->body].p, f);
+    l->height = below + 1;
 }
 
-/* Would its spring give more than stackSag slops?  load: N */
-static bool gives_way(const Search *q, const wfLimb *l, wfReal load)
+/* Would its spring give too much (eq:soft-worth), or is its load not in the middle? */
+static bool is_hard(const Search *q, const wfLimb *l, const wfContact *c)
 {
     const wfSolve *in = q->s->in;
-    wfReal period = in->contactPeriod > 0 ? in->contactPeriod : WF_CONTACT_PERIOD;
-    wfReal turn = period * q->s->dt / (2 * WF_PI), ease = in->state[l->body].invMass;
-    if (l->below >= 0) ease += in->state[q->t->limb[l->below].body].invMass;
-    wfReal slop = in->contacts[q->s->order[l->contact]].slop;
-    return load * ease * turn * turn > in->stackSag * slop;     /* eq:soft-worth */
-}
-
-/* Is the load outside the middle half of what it stands on? */
-static bool leans(const wfContact *c, const wfReal load[3])
-{
     const wfContactPoint *p = c->manifold.points;
-    if (c->manifold.count < 2) return false;
-    wfVec2 force = wfV2(load[0], load[1]), ends = wfAdd(p[0].point, p[1].point);
-    wfReal moment = load[2] - wfCross(wfScale(WF_R(0.5), ends), force);
-    wfReal quarter = wfDistance(p[0].point, p[1].point) / 4;
-    return wfAbs(moment) > quarter * wfLength(force);
+    wfVec2 force = wfV2(l->wave.load[0], l->wave.load[1]);
+    wfReal turn = in->contactPeriod > 0 ? in->contactPeriod : WF_CONTACT_PERIOD;
+    turn *= q->s->dt / (2 * WF_PI);
+    wfReal ease = (in->state[c->a].invMass + in->state[c->b].invMass) * turn * turn;
+    if (wfLength(force) * ease > in->stackSag * c->slop) return true;
+    wfVec2 twice = wfAdd(p[0].point, p[1].point);
+    wfReal moment = 4 * l->wave.load[2] - 2 * wfCross(twice, force);
+    return c->manifold.count > 1 && moment * moment > wfDistanceSq(p[0].point, p[1].point)
+                                                    * wfLengthSq(force);
 }
 
-/* Is a tree worth more than passes?  The loads, as force and moment about the origin, are
- * added up from the top. */
+/* Is a tree worth more than passes?  Its loads are added up from the top. */
 static bool is_worth(Search *q, wfLimb *root)
 {
     const wfSolve *in = q->s->in;
     wfLimb *limb = q->t->limb;
-    int32_t limbs = root->end - root->root;
+    bool hard = root->end - root->root <= WF_SMALL_TREE || in->forces == NULL;
     root->lands = false;
-    if (!(in->stackSag > 0) || in->forces == NULL || limbs <= WF_SMALL_TREE) return true;
-    for (int32_t i = root->root; i < root->end; i++) {
-        memset(limb[i].wave.load, 0, sizeof limb[i].wave.load);
-        limb[i].height = limb[i].below < 0 ? 1 : limb[limb[i].below].height + 1;
-        if (limb[i].height > WF_TALL_TREE) return true;
+    if (!(in->stackSag > 0)) return true;
+    for (int32_t i = root->root; i < root->end && !hard; i++) {
+        begin_load(in, &limb[i], limb[i].below < 0 ? 0 : limb[limb[i].below].height);
+        hard = limb[i].height > WF_TALL_TREE;
     }
-    for (int32_t i = root->end - 1; i >= root->root; i--) {
+    for (int32_t i = root->end - 1; i >= root->root && !hard; i--) {
         const wfContact *c = &in->contacts[q->s->order[limb[i].contact]];
-        wfReal *load = limb[i].wave.load;
-        wfVec2 f = in->forces[limb[i].body].force;
-        load[0] += f.x, load[1] += f.y, load[2] += wfCross(in->state[limb[i].body].p, f);
-        wfReal weight = wfLength(wfV2(load[0], load[1]));
-        if (lands(q, c, weight)) root->lands = true;
-        if (gives_way(q, &limb[i], weight) || leans(c, load)) {
-            root->lands = false;
-            return true;
-        }
         wfReal *under = limb[i].below < 0 ? NULL : limb[limb[i].below].wave.load;
-        for (int32_t k = 0; under != NULL && k < 3; k++) under[k] += load[k];
+        wfReal speed = wfApproachOf(c, &in->state[c->a], &in->state[c->b]);
+        if (speed > in->restingSpeed) root->lands = true;
+        hard = is_hard(q, &limb[i], c);
+        for (int32_t k = 0; under != NULL && k < 3; k++) under[k] += limb[i].wave.load[k];
     }
-    return root->lands;
+    root->lands = root->lands && !hard;
+    return hard || root->lands;
 }
-
 
 static void try_root(Search *q, int32_t contact)
 {

@@ -193,7 +193,6 @@ void wfCarryImpulses(const wfContact *before, wfContact *now);
 #define WF_ALONE_SHARE WF_R(1e-6)  /* how far a point may be from below the centre */
 #define WF_SMALL_TREE 2  /* trees of no more bodies are always solved at once, */
 #define WF_TALL_TREE 30  /* and those with more on top of each other */
-#define WF_LANDED 2      /* so many times its load in a contact's memory: a landing */
 
 typedef wfResult wfSolverFn(const wfSolve *in);
 typedef size_t wfSolverScratchFn(int32_t bodies, int32_t contacts);
