@@ -324,6 +324,7 @@ static wfResult make_truth(const labTruth *scene, const char *solver, const char
     def.advanced.directJoints = wfFindSettingRow(wfFindSetting("directJoints"), joints);
     def.bodyCapacity = 64;
     def.advanced.compensatedSums = strcmp(solver, "soft") == 0 && !plain;
+    def.advanced.stackSag = 0;                          /* towers at once */
     wfResult result = wfCreateWorld(&def, out);
     if (result != WF_OK) return result;
     result = scene->build(out);
@@ -661,6 +662,7 @@ static wfResult build_mixed(wfWorld *world, int towers)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 10 * MIXED_MOST + 16, def.advanced.compensatedSums = 1;
+    def.advanced.stackSag = 0;
     if (towers < 0 || towers > MIXED_MOST) return WF_ERROR_RANGE;
     wfResult result = wfCreateWorld(&def, world);
     if (result == WF_OK) result = level_floor(world);
