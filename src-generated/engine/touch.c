@@ -299,10 +299,11 @@ static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
 static void drop_gaps(wfManifold *m, wfReal margin, bool whole)
 {
     int32_t kept = 0;
-    for (int32_t i = 0; i < m->count; i++)
-        if (whole && m->points[i].depth >= -margin) return;
-    for (int32_t i = 0; i < m->count; i++)
-        if (m->points[i].depth >= -margin) m->points[kept++] = m->points[i];
+    for (int32_t i = 0; i < m->count; i++) {
+        if (!(m->points[i].depth >= -margin)) continue;
+        if (whole) return;
+        m->points[kept++] = m->points[i];
+    }
     m->count = kept;
 }
 
