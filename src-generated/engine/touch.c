@@ -295,15 +295,11 @@ static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
     return WF_OK;
 }
 
-/* whole: nothing is dropped if a point is within the margin */
-static void drop_gaps(wfManifold *m, wfReal margin, bool whole)
+static void drop_gaps(wfManifold *m, wfReal margin)
 {
     int32_t kept = 0;
-    for (int32_t i = 0; i < m->count; i++) {
-        if (!(m->points[i].depth >= -margin)) continue;
-        if (whole) return;
-        m->points[kept++] = m->points[i];
-    }
+    for (int32_t i = 0; i < m->count; i++)
+        if (m->points[i].depth >= -margin) m->points[kept++] = m->points[i];
     m->count = kept;
 }
 
@@ -329,7 +325,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
     note_touch(s, c, is);
     if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
-    drop_gaps(&c->manifold, ahead, wfSolverIntegrates(s));
+    drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
     /* whom the contact c concerns besides its bodies */
