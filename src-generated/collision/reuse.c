@@ -8,7 +8,9 @@ void wfRememberManifold(wfTransform xa, wfTransform xb, wfReal distance, wfReal 
 {
     *cache = (wfManifoldCache){ .apart = wfSub(xb.p, xa.p), .qA = xa.q, .qB = xb.q,
         .distance = distance, .within = within, .allowed = allowed, .known = 1 + m->count };
-    for (int32_t i = 0; i < m->count; i++) cache->gap[i] = -m->points[i].depth;
+    wfReal sum = distance + within + cache->apart.x + cache->apart.y;
+    for (int32_t i = 0; i < m->count; i++) sum += cache->gap[i] = -m->points[i].depth;
+    if (!wfIsFinite(sum)) *cache = (wfManifoldCache){ .known = 0 };
 }
 
 /* use a manifold again */

@@ -63,7 +63,8 @@ typedef struct wfManifoldCache {
     int32_t known;          /* 1 + the manifold's points; 0: nothing is remembered */
 } wfManifoldCache;
 
-/* Remembers the distance (m) of a pair, and its manifold, made within a margin. */
+/* Remembers the distance (m) of a pair, and its manifold, made within a margin; nothing if
+   they are so far away that a number is not finite. */
 void wfRememberManifold(wfTransform xa, wfTransform xb, wfReal distance, wfReal within,
                         wfReal allowed, const wfManifold *m, wfManifoldCache *cache);
 
