@@ -276,8 +276,10 @@ static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
     wfManifoldCache *cache = &s->caches[i];
     bool round = a->count < 2 || b->count < 2, worth = a->count > 1 || b->count > 1;
     bool link = a->kind == WF_SHAPE_LINK || b->kind == WF_SHAPE_LINK;
-    wfReal allowed = round || link ? 0 : WF_REUSE_SHARE * wfMinR(pa->inner, pb->inner);
-    if (known != NULL && s->b.head->reuseManifolds && worth) {
+    bool again = s->b.head->reuseManifolds && worth;
+    wfReal thin = round || link || !again ? 0 : wfMinR(pa->inner, pb->inner);
+    wfReal allowed = WF_REUSE_SHARE * thin;
+    if (known != NULL && again) {
         *cache = *known;
         out->count = 0;
         if (old != NULL) *out = old->manifold;
@@ -315,6 +317,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     wfReal ahead = wfSolverIntegrates(s) ? wfSpeculativeMarginOfPair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, slop_of(s, p)) : ahead;
     wfResult result = measure(s, w, i, margin, old, &c->manifold);
+    drop_gaps(&c->manifold, margin);
     if (result != WF_OK || c->manifold.count == 0) return result;
     start_contact(s, p, c);
     if (old != NULL) wfCarryImpulses(old, c);
