@@ -100,6 +100,7 @@ static void sleepers_sleep_on(void **state)
     step(&world, 200);
     assert_false(wfBodyIsAwake(&world, top));
     uint64_t local = wfHashWorld(&world);
+    double lies = (double)info(&world, top).position.x;             /* passes have moved it by some micrometres */
     assert_ok(wfShiftOrigin(&world, wfV2(0, 0), NULL));
     for (int i = 0; i < 50; i++) {
         int32_t begun, ended;
@@ -109,7 +110,7 @@ static void sleepers_sleep_on(void **state)
         wfWorldEvents(&world, WF_CONTACT_BEGIN, &begun);
         wfWorldEvents(&world, WF_CONTACT_END, &ended);
         assert_int_equal(begun + ended, 0);
-        if (i % 2) assert_near(info(&world, top).position.x, 0, 50 * 16 * (double)WF_EPSILON);
+        if (i % 2) assert_near(info(&world, top).position.x, lies, 50 * 16 * (double)WF_EPSILON);
     }
     /* what falls on the sleepers in their new coordinates wakes them there */
     assert_ok(wfShiftOrigin(&world, wfV2(16, 0), NULL));
