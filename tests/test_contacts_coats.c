@@ -119,7 +119,7 @@ static void test_all_kinds(void **state)
         if (n == 2) assert_int_not_equal(m.points[0].feature, m.points[1].feature);
         two += n == 2;
         gaps += gap > 0;
-        double deepest = -1e9, corner = fmax(apart, 0) / 256;         /* two corners that are nearer by less are no news */
+        double deepest = -1e9, corner = fmax(apart, 0) / 256;         /* two corners that are nearer by less do not count */
         for (int k = 0; k < n; k++) deepest = fmax(deepest, (double)m.points[k].depth);
         if (apart > 2 * ROUNDING) {
             assert_near(deepest, -gap, tie(&a, &b) + corner);

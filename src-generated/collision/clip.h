@@ -50,7 +50,7 @@ typedef struct wfCorners {
     wfVec2 way;
 } wfCorners;
 
-/* Corners that are nearer by a lesser share than this are no news. */
+/* Two corners are a contact only if they are nearer than edge and corner by this share. */
 #define WF_CORNER_SHARE WF_R(0.00390625)   /* 1/256 */
 /* true: an end of the incident edge is beyond the reference edge, and nearer to its corner
    than the clipped ends (or NULL, if clipping left nothing) are to the edge */

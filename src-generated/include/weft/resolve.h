@@ -113,7 +113,7 @@ typedef struct wfSolve {
                                          * WF_HUGE: by moving alone, sec:soft-deep */
     int32_t             stackSolver;    /* 0: contacts by passes; 1: towers are solved at
                                          * once; 1 + n: with up to n loops */
-    wfReal              stackSag;       /* slops: towers whose springs give no more go by
+    wfReal              stackSag;       /* slops: a tower whose springs sag no more goes by
                                          * passes all the same; 0: none does */
     wfResidual         *fine;           /* of each body: what its state rounds away,
                                          * for `soft`; NULL: it is lost */

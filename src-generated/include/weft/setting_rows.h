@@ -64,7 +64,7 @@ WF_ADVANCED(int32_t, stackSolver, 3,
             "1: towers are solved at once; 1 + n: with up to n loops", WF_COUNTED,
             WF_BETWEEN(0, 1 + WF_STACK_LOOPS), .law = 1, .modules = WF_MODULE_CONTACTS)
 WF_ADVANCED(wfReal, stackSag, 3,
-            "springs that give no more need no such solver; 0: all do", WF_REAL,
+            "a tower whose springs sag more is solved at once; 0: all are", WF_REAL,
             WF_FROM(0), .law = 1, .unit = "slops", .modules = WF_MODULE_CONTACTS)
 WF_SETTING(int32_t, frictionRule, wfFindMix("geometric-mean"), "of two shapes' friction",
            WF_ROW(Mix), .law = 1, .modules = WF_MODULE_FRICTION)
