@@ -1,7 +1,9 @@
 /* Sleep in a world: a sensor that stands still and is put onto a sleeper lets it sleep, whether it is moved there, made there, or one of two
- * shapes that are put there; it tells of the sleeper when that wakes. A solid shape that is put there wakes it. */
+ * shapes that are put there, and tells of it at once; whatever takes sensor and sleeper apart is told, too. A solid shape that is put there
+ * wakes it. */
 #include "testing.h"
 #include "world.h"
+#include "weft/disable.h"
 #include "weft/weft.h"
 
 static wfWorld crate_asleep(wfBodyId *crate)
@@ -54,14 +56,91 @@ static void a_sensor_put_onto_a_sleeper_lets_it_sleep(void **state)
         }
         if (how % 3 != 1) assert_ok(wfSetBodyTransform(&w, id, wfV2(0, 1), 0));
         assert_int_equal(wfBodyIsAwake(&w, crate), !sensor);
+        int32_t begun = 0;
         for (int i = 0; sensor && i < 60; i++) {
             assert_ok(wfStepWorld(&w));
             assert_false(wfBodyIsAwake(&w, crate));
+            begun += told(&w, WF_SENSOR_BEGIN);
+            if (i == 0) assert_int_equal(begun, how == 2 ? 2 : 1);
         }
         if (sensor) {
             assert_ok(wfWakeBody(&w, crate));
             assert_ok(wfStepWorld(&w));
-            assert_int_equal(told(&w, WF_SENSOR_BEGIN), how == 2 ? 2 : 1);
+            assert_int_equal(begun + told(&w, WF_SENSOR_BEGIN), how == 2 ? 2 : 1);
+            assert_int_equal(told(&w, WF_SENSOR_END), 0);
+        }
+        wfDestroyWorld(&w);
+    }
+}
+
+enum { MOVED, FILTERED, SMALLER, SOLID, DISABLED, SHAPE_REMOVED, REMOVED, SLEEPER_MOVED, SLEEPER_REMOVED, SLEEPER_DISABLED, WAYS };
+
+static void take_apart(wfWorld *w, int way, wfBodyId sensor, wfBodyId crate)
+{
+    wfShapeId id = wfFirstShape(w, sensor);
+    wfShapeDef def;
+    assert_ok(wfGetShape(w, id, &def));
+    switch (way) {
+    case MOVED: assert_ok(wfSetBodyTransform(w, sensor, wfV2(0, 50), 0)); break;
+    case FILTERED: def.filter.mask = 0; assert_ok(wfSetShape(w, id, &def)); break;
+    case SMALLER: assert_ok(wfMakeCircle(wfV2(0, WF_R(0.9)), WF_R(0.05), &def.shape)); assert_ok(wfSetShape(w, id, &def)); break;
+    case SOLID: def.sensor = 0; assert_ok(wfSetShape(w, id, &def)); break;
+    case DISABLED: assert_ok(wfEnableBody(w, sensor, 0)); break;
+    case SHAPE_REMOVED: assert_ok(wfRemoveShapeFromWorld(w, id)); break;
+    case REMOVED: assert_ok(wfRemoveBodyFromWorld(w, sensor)); break;
+    case SLEEPER_MOVED: assert_ok(wfSetBodyTransform(w, crate, wfV2(0, 50), 0)); break;
+    case SLEEPER_REMOVED: assert_ok(wfRemoveBodyFromWorld(w, crate)); break;
+    case SLEEPER_DISABLED: assert_ok(wfEnableBody(w, crate, 0)); break;
+    }
+}
+
+/* Whatever ends it, and whether the index for queries is kept or not: as many ends as begins. */
+static void what_leaves_a_sleeper_is_told(void **state)
+{
+    (void)state;
+    for (int way = 0; way < WAYS * 4; way++) {
+        wfBodyId crate;
+        wfWorld w = crate_asleep(&crate);
+        wfWorldDef def;
+        assert_ok(wfGetWorldDef(&w, &def));
+        def.advanced.queries = way / WAYS % 2;
+        assert_ok(wfSetWorldDef(&w, &def));
+        wfBodyId sensor = wall(&w, 1, true);
+        if (way / WAYS / 2) assert_ok(wfChangeBodyType(&w, sensor, WF_KINEMATIC));
+        int32_t begun = 0, ended = 0;
+        for (int i = 0; i < 4; i++) {
+            assert_ok(wfStepWorld(&w));
+            begun += told(&w, WF_SENSOR_BEGIN), ended += told(&w, WF_SENSOR_END);
+        }
+        assert_false(wfBodyIsAwake(&w, crate));
+        int32_t inside = begun;         /* the crate; one that moves sees the floor, too */
+        assert_in_range(inside, 1, 2);
+        assert_int_equal(ended, 0);
+        take_apart(&w, way % WAYS, sensor, crate);
+        for (int i = 0; i < 2; i++) {
+            assert_ok(wfStepWorld(&w));
+            begun += told(&w, WF_SENSOR_BEGIN), ended += told(&w, WF_SENSOR_END);
+        }
+        bool floor = inside == 2 && way % WAYS >= SLEEPER_MOVED;        /* which is still inside */
+        assert_int_equal(ended, begun - floor);
+        wfDestroyWorld(&w);
+    }
+}
+
+/* A kinematic sensor that stands still in a wall, where nothing else moves: it sees the wall in every step. */
+static void a_still_sensor_goes_on_seeing(void **state)
+{
+    (void)state;
+    for (int sleep = 0; sleep < 2; sleep++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.bodyCapacity = 8, def.sleep = sleep;
+        wfWorld w = { .memory = { .owned = 0 } };
+        assert_ok(wfCreateWorld(&def, &w));
+        add(&w, floor_def());
+        assert_ok(wfChangeBodyType(&w, wall(&w, 0.5, true), WF_KINEMATIC));
+        for (int i = 0; i < 9; i++) {
+            assert_ok(wfStepWorld(&w));
+            assert_int_equal(told(&w, i == 0 ? WF_SENSOR_BEGIN : WF_SENSOR_STAY), 1);
         }
         wfDestroyWorld(&w);
     }
@@ -69,6 +148,8 @@ static void a_sensor_put_onto_a_sleeper_lets_it_sleep(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_sensor_put_onto_a_sleeper_lets_it_sleep) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(a_sensor_put_onto_a_sleeper_lets_it_sleep),
+                                        cmocka_unit_test(what_leaves_a_sleeper_is_told),
+                                        cmocka_unit_test(a_still_sensor_goes_on_seeing) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

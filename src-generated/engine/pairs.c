@@ -20,7 +20,8 @@ static void place_bodies(void *context, int32_t part, int32_t begin, int32_t end
     for (int32_t i = begin; i < end; i++) {
         if (!s->present[i]) continue;
         s->places[i] = wfBodyTransform(&s->state[i]);
-        b->movers[part] += wfCanMove(&s->state[i]);
+        bool seen = s->b.props[i].type == WF_KINEMATIC && s->b.head->sensorCount > 0;
+        b->movers[part] += seen || wfCanMove(&s->state[i]);
     }
 }
 
@@ -96,8 +97,9 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
     /* who else makes no pair */
-    if (!senses && !wfMovesNow(s, s->b.bodyOfShape[a]) && !wfMovesNow(s, s->b.bodyOfShape[b]))
-        return false;
+    int32_t i = s->b.bodyOfShape[a], k = s->b.bodyOfShape[b];
+    if (!senses && !wfMovesNow(s, i) && !wfMovesNow(s, k)) return false;
+    if (s->b.props[i].type == WF_STATIC && s->b.props[k].type == WF_STATIC) return false;
     /* ask the user about the pair */
     const wfCallbacks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
@@ -121,6 +123,8 @@ static wfResult find_pairs(struct wfStep *s)
     rule = rule || head->sleepingCount > 0;
     /* who needs the index */
     asked = head->queries && head->indexStale;
+    /* who else needs the index */
+    asked = asked || (head->roused && head->sensorCount > 0);
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
                              .capacity = head->pairCapacity - s->kept.pairs };

@@ -15,7 +15,7 @@ static bool keeps(const struct wfStep *s, int32_t a, int32_t b)
     if (wfMovesNow(s, i) || wfMovesNow(s, k)) return false;
     bool senses = block->materials[a].sensor || block->materials[b].sensor;
     bool seen = block->props[i].type == WF_KINEMATIC
-             || block->props[k].type == WF_KINEMATIC;
+             || block->props[k].type == WF_KINEMATIC || block->head->roused;
     return !(senses && seen);
 }
 
@@ -386,8 +386,8 @@ void wfKeepRest(struct wfStep *s)
         if (s->woken[i]) wfWakeWholeIsland(&s->b, &r, i);
     head->islandCount = 0;
     if (s->islands.count > 0) lie_down(s, &r);
+    head->roused = 0;           /* from here on a sensor's touch of a sleeper is kept */
     if (s->roused || s->tired > 0) sort_lists(s);
-    head->roused = 0;
 }
 
 /* calls about rest */
