@@ -37,7 +37,7 @@ static size_t stage_scratch(const wfWorldDef *d)
     int32_t shapes = d->shapeCapacity, pairs = d->advanced.pairCapacity;
     size_t bodies = (size_t)d->bodyCapacity;
     bool boxed = true, mends = true;
-    /* see who needs boxes and a solver */
+    /* see whether boxes and a solver are needed */
     boxed = (d->modules & (WF_MODULE_CONTACTS | WF_MODULE_QUERIES)) != 0;
     mends = (d->modules & (WF_MODULE_CONTACTS | WF_MODULE_SUBSTEPS)) != 0;
     for (int i = 0; boxed && i < wfBroadPhaseCount; i++)

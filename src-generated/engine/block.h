@@ -73,7 +73,7 @@ typedef struct wfBlock {
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "engine/array_rows.h"
     uint8_t *transient;
-    /* whom a block tells of a fault */
+    /* where a block notes a fault */
     wfCallFault *fault;        /* the handle's; NULL: nobody */
 } wfBlock;
 /* needs of a block */

@@ -74,7 +74,7 @@ wfResult wfBoundShapes(struct wfStep *s)
     int32_t parts = wfInParts(&s->workers, s->count, WF_STEP_PART, place_bodies, &b);
     for (int32_t part = 0; part < parts; part++) s->movers += b.movers[part];
     const wfWorkers *shared = &s->workers;
-    /* who bounds shapes in one go */
+    /* see whether shapes are bounded in one go */
     if (s->linked != NULL) shared = NULL;       /* a shape tells the next one of its body */
     parts = wfInParts(shared, s->shapeCount, WF_STEP_PART, bound_part, &b);
     for (int32_t part = parts - 1; part >= 0; part--) {
@@ -95,7 +95,7 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
     if (first && second) return false;
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
-    /* who else makes no pair */
+    /* refuse other pairs */
     if (!senses && !wfMovesNow(s, s->b.bodyOfShape[a]) && !wfMovesNow(s, s->b.bodyOfShape[b]))
         return false;
     /* ask the user about the pair */
@@ -115,11 +115,11 @@ static wfResult find_pairs(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     bool rule = false, asked = false;
-    /* who needs the rule for pairs */
+    /* see whether pairs need the rule */
     rule = rule || head->sensorCount > 0;
     rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
     rule = rule || head->sleepingCount > 0;
-    /* who needs the index */
+    /* see whether the index is needed */
     asked = head->queries && head->indexStale;
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
