@@ -1097,7 +1097,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     wfJointSet *set = context;
     bool renew = !soft && !set->built;
     if (renew) look_round(set, in, moved);
-    /* calm who lies in a heap */
+    /* calm joints in a heap */
     if (renew && set->lying != NULL) calm(set, in, dt);
     if (soft) solve_woven(set, in);
     if (soft && pass == 0 && set->together != NULL && has_stops(set))
@@ -1186,6 +1186,6 @@ void wfEndJoints(wfJointSet *set, const wfSolve *in)
         tell_load(j, &set->work[i], in->h, dt);
         for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] *= dt / set->last;
     }
-    /* break who was overloaded */
+    /* break overloaded joints */
     wfBreakWorst(set);
 }

@@ -25,7 +25,6 @@ typedef struct wfJointWork {
     wfReal gamma[WF_JOINT_ROWS], bias[WF_JOINT_ROWS];
     wfJointRow row[WF_JOINT_ROWS];
 } wfJointWork;
-
 /* The bodies that get the impulses, and where they have got to. */
 typedef struct wfJointPair {
     wfBodyState *a, *b;

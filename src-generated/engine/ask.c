@@ -21,6 +21,15 @@ static wfResult open_set(const wfWorld *world, wfBlock *b, wfShapeSet *set)
     return WF_OK;
 }
 
+wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
+                        wfRayHit *out)
+{
+    wfBlock b;
+    wfShapeSet set;
+    wfResult result = open_set(world, &b, &set);
+    return result == WF_OK ? wfSetCastRay(&set, ray, filter, out) : result;
+}
+
 static wfResult open_probe(const wfWorld *world, const wfShape *shape, wfBlock *b,
                            wfShapeSet *set)
 {
@@ -29,15 +38,6 @@ static wfResult open_probe(const wfWorld *world, const wfShape *shape, wfBlock *
     if (shape == NULL) return WF_ERROR_NULL;
     if (shape->kind == WF_SHAPE_NONE && shape->count == 0) return WF_OK;    /* a point */
     return wfCheckShape(shape);
-}
-
-wfResult wfWorldCastRay(const wfWorld *world, wfRay ray, const wfFilter *filter,
-                        wfRayHit *out)
-{
-    wfBlock b;
-    wfShapeSet set;
-    wfResult result = open_set(world, &b, &set);
-    return result == WF_OK ? wfSetCastRay(&set, ray, filter, out) : result;
 }
 
 wfResult wfWorldCastRayAll(const wfWorld *world, wfRay ray, const wfFilter *filter,

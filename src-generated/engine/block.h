@@ -73,7 +73,7 @@ typedef struct wfBlock {
 #define WF_FRESH(NAME, name, per, type, modules, stage)
 #include "engine/array_rows.h"
     uint8_t *transient;
-    /* whom a block tells of a fault */
+    /* where a block notes a fault */
     wfCallFault *fault;        /* the handle's; NULL: nobody */
 } wfBlock;
 /* needs of a block */
@@ -193,12 +193,6 @@ wfResult wfCheckMovedShape(const wfShape *stored, wfVec2 centre);
 /* What two shapes' materials make together: known, or mixed by the world's rules. */
 wfPairMaterial wfMixMaterials(const wfBlock *b, const wfShapeProps *one,
                               const wfShapeProps *two);
-
-/* What the states round away; NULL: nobody keeps it. */
-static inline wfResidual *wfResidualOf(const wfBlock *b)
-{
-    return b->head->compensatedSums ? b->fine : NULL;
-}
 /* name the call that runs */
 #define WF_CALL __func__
 #ifndef WF_CALL
@@ -276,6 +270,12 @@ static inline void wfUse(wfBlock *b, uint32_t modules)
 }
 /* Weighs body i with these properties and makes it so; errors of wfWeighBody. */
 wfResult wfReweighBody(wfBlock *b, int32_t i, const wfBodyProps *changed);
+
+/* What the states round away; NULL: nobody keeps it. */
+static inline wfResidual *wfResidualOf(const wfBlock *b)
+{
+    return b->head->compensatedSums ? b->fine : NULL;
+}
 /* Is a rest what rounding to this state can lose? eq:world-digits */
 WF_FOR_SCENES bool wfAreDigits(const wfBodyState *s, const wfResidual *rest);
 /* What a rest has more than that goes to the state. */
@@ -292,10 +292,10 @@ wfResult wfKeepJoints(struct wfStep *s);
 void wfMoveJoints(wfBlock *b, wfVec2 by);
 /* Would all of them still be joints? */
 bool wfJointsCanMove(const wfBlock *b, wfVec2 by);
+
 enum { WF_CROWD = 256, WF_STEP_ROOM = 4096 };
 /* Are fast bodies followed to unmovable things alone? */
 static inline bool wfIsCrowd(const wfBlock *b) { return b->head->crowd != 0; }
-
 /* A body that is followed through a step. Times are shares of the step. */
 typedef struct wfSweptBody {
     int32_t body, impacts;     /* whose it is; how many it has had */
@@ -326,13 +326,13 @@ wfResult wfTellImpactEvents(struct wfStep *s);
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
 /* Is there a joint that keeps the bodies a and b from colliding? */
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);
+/* Wakes whom a joint holds to a body that is not dynamic. */
+void wfWakeJoined(wfBlock *b, int32_t body);
 /* Sleep. A new or a cleared place; who is disturbed, and by what. */
 void wfBeginRest(wfBlock *b, int32_t i, int32_t never);
 void wfWakeIsland(wfBlock *b, int32_t i);
 void wfWakeNear(wfBlock *b, int32_t k);
 bool wfBodySleeps(const wfBlock *b, int32_t i);
-/* Wakes whom a joint holds to a body that is not dynamic. */
-void wfWakeJoined(wfBlock *b, int32_t body);
 void wfLeaveOutSleeping(struct wfStep *s);
 void wfWakeInStep(struct wfStep *s, int32_t i);
 bool wfMovesNow(const struct wfStep *s, int32_t i);

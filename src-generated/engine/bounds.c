@@ -14,7 +14,7 @@ uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
     if (i < 0 || !wfIsEnabled(b, i)) return 0;
     bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
     bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
-    /* who else looks out for what is kinematic */
+    /* see whether kinematic bodies are looked for */
     seen = seen || (b->head->sleepingCount > 0 && wfCanMove(&state[i]));
     moves = moves || (b->head->roused && b->materials[k].sensor);
     return (uint8_t)(WF_PROXY_LIVE
@@ -35,7 +35,7 @@ void wfBoundShape(wfBlock *b, int32_t k)
     b->bounds[k] = wfBoundOne(b, k, placed);
     b->flags[k] = wfFlagShape(b, b->state, k);
     b->head->indexStale = 1;
-    /* tell whom the box of shape k meets */
+    /* wake what the box of shape k meets */
     wfWakeNear(b, k);
 }
 

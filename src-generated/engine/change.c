@@ -1,6 +1,6 @@
 /* Weft: engine/change.c, tangled from chapters/engine/20-world.nw. Chapters that add to it:
- * bodies-in-a-world, step, sensors-and-callbacks, joints-in-a-world, sleep-in-a-world. Do not edit
- * this file: edit the chapter and type make. MIT licence. */
+ * bodies-in-a-world, sensors-and-callbacks, joints-in-a-world, sleep-in-a-world. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "engine/block.h"
 

@@ -90,7 +90,6 @@ static void put_number(Line *l, double x)
     else {
         for (; x >= 10; power++) x /= 10;
         for (; x < 1; power--) x *= 10;
-        /* put a number of seven digits */
         char digit[8] = "";
         uint64_t seven = (uint64_t)(x * 1e6 + 0.5);
         for (int i = 6; i >= 0; i--, seven /= 10) digit[i] = (char)('0' + seven % 10);

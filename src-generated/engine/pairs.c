@@ -75,7 +75,7 @@ wfResult wfBoundShapes(struct wfStep *s)
     int32_t parts = wfInParts(&s->workers, s->count, WF_STEP_PART, place_bodies, &b);
     for (int32_t part = 0; part < parts; part++) s->movers += b.movers[part];
     const wfWorkers *shared = &s->workers;
-    /* who bounds shapes in one go */
+    /* see whether shapes are bounded in one go */
     if (s->linked != NULL) shared = NULL;       /* a shape tells the next one of its body */
     parts = wfInParts(shared, s->shapeCount, WF_STEP_PART, bound_part, &b);
     for (int32_t part = parts - 1; part >= 0; part--) {
@@ -96,7 +96,7 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
     if (first && second) return false;
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
-    /* who else makes no pair */
+    /* refuse other pairs */
     int32_t i = s->b.bodyOfShape[a], k = s->b.bodyOfShape[b];
     if (!senses && !wfMovesNow(s, i) && !wfMovesNow(s, k)) return false;
     if (s->b.props[i].type == WF_STATIC && s->b.props[k].type == WF_STATIC) return false;
@@ -117,13 +117,13 @@ static wfResult find_pairs(struct wfStep *s)
     const wfHeader *head = s->b.head;
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     bool rule = false, asked = false;
-    /* who needs the rule for pairs */
+    /* see whether pairs need the rule */
     rule = rule || head->sensorCount > 0;
     rule = rule || (s->hooks != NULL && s->hooks->filter != NULL);
     rule = rule || head->sleepingCount > 0;
-    /* who needs the index */
+    /* see whether the index is needed */
     asked = head->queries && head->indexStale;
-    /* who else needs the index */
+    /* see whether the index is needed besides */
     asked = asked || (head->roused && head->sensorCount > 0);
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),

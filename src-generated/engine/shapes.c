@@ -323,7 +323,6 @@ static wfResult add_shapes(const char *call, wfWorld *world, wfBodyId body, bool
     if (result != WF_OK) return result;
     if (defs == NULL) return wfRefuse(&b, WF_ERROR_NULL, listed ? "defs" : "def", NULL);
     if (count < 0) return wfRefuse(&b, WF_ERROR_RANGE, "count", "must be >= 0");
-    /* check the new shapes and what they need */
     bool many = count + (b.props[i].shape >= 0) > 1;
     uint32_t modules = count == 0 ? 0 : WF_MODULE_SHAPES | (many ? WF_MODULE_COMPOUNDS : 0);
     for (int32_t k = 0; k < count && result == WF_OK; k++) {

@@ -199,7 +199,7 @@ static const wfImpactEvent *strike_of(const struct wfStep *s, int32_t a, int32_t
     return found ? &s->strikes[low] : NULL;
 }
 
-/* sense who is in a sensor */
+/* sense what is in a sensor */
 static wfResult sense_pair(struct wfStep *s, int32_t i)
 {
     wfPair p = s->pairs.pairs[i];
@@ -331,7 +331,7 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
     if (full) return WF_ERROR_FULL;
-    /* whom the contact c concerns besides its bodies */
+    /* note what else the contact c concerns */
     wfWakeInStep(s, c->a);
     wfWakeInStep(s, c->b);
     s->contactCount++;
@@ -375,7 +375,7 @@ typedef struct Share {
 static bool can_share(const struct wfStep *s, const wfWalk *walk)
 {
     bool can = s->workers.run != NULL && walk->after == NULL;
-    /* who else takes the pairs in a loop */
+    /* see whether pairs are taken in one go */
     can = can && s->hooks == NULL;
     can = can && s->b.head->sleepingCount == 0;
     return can;

@@ -67,24 +67,6 @@ typedef struct wfJoint {
     wfReal peakForce, peakTorque;   /* N, N m: in the substep in which it did most */
     uint64_t userData;          /* yours */
 } wfJoint;
-/* What each kind reads of these, beside a, b and what breaks it. S: with the flag SPRING,
-   stiffness, damping, springForce; M: with MOTOR, motorSpeed, motorForce; L: with LIMITS,
-   lower, upper. Appendix B of the book tells signs, units and other engines' names.
-     revolute   localA localB rest S M L
-     weld       localA localB rest S
-     turn       rest S M L
-     distance   localA localB rest S M L
-     prismatic  localA localB axis rest angle S M L
-     wheel      localA localB axis rest S M L
-     hand       localB groundB stiffness damping motorForce
-     servo      localA localB angle ratio stiffness damping motorForce
-     friction   localA localB ratio motorForce
-     filter     -
-     pulley     localA localB groundA groundB rest ratio
-     gear       rest ratio
-     ratchet    rest ratio
-     rack       localA groundA rest ratio
-     linkage    localA localB groundA groundB rest ratio */
 
 /* A body at one moment, for joints. */
 typedef struct wfJointFrame {
@@ -186,6 +168,25 @@ size_t wfJointStepScratch(int32_t bodies, int32_t joints);
 /* A step of joined bodies, eq:joints-aim. WF_ERROR_NULL, _RANGE, _NOT_FINITE, what
    wfCheckJoint finds, _MEMORY: scratch too small. After an error nothing has changed. */
 wfResult wfStepJoints(const wfJointStep *in);
+/* What each kind reads of a wfJoint, beside a, b and what breaks it. S: with the flag
+   SPRING, stiffness, damping, springForce; M: with MOTOR, motorSpeed, motorForce; L: with
+   LIMITS, lower, upper. Appendix B of the book tells signs, units and other engines'
+   names.
+     revolute   localA localB rest S M L
+     weld       localA localB rest S
+     turn       rest S M L
+     distance   localA localB rest S M L
+     prismatic  localA localB axis rest angle S M L
+     wheel      localA localB axis rest S M L
+     hand       localB groundB stiffness damping motorForce
+     servo      localA localB angle ratio stiffness damping motorForce
+     friction   localA localB ratio motorForce
+     filter     -
+     pulley     localA localB groundA groundB rest ratio
+     gear       rest ratio
+     ratchet    rest ratio
+     rack       localA groundA rest ratio
+     linkage    localA localB groundA groundB rest ratio */
 /* All: kind by name, bodies a and b, where they are now, one anchor of both or one for each
    (world, m), the axis (world, any length > 0). Everything is at rest as the bodies are; no
    flags. Check the result with wfCheckJoint. */

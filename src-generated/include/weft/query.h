@@ -65,7 +65,6 @@ typedef struct wfShapeSet {
     const void *index;
     wfQueryWork *work;            /* or NULL */
 } wfShapeSet;
-
 /* All of them: only live proxies are asked, and only those whose filter and the query's
    allow each other (wfFilterAllows; filter NULL: all).  The answers do not depend on the
    method.  WF_ERROR_NULL, _UNKNOWN (method or kind), _NOT_FINITE, _RANGE (a count, capacity

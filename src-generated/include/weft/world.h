@@ -186,6 +186,9 @@ wfResult wfWorldOverlapArea(const wfWorld *world, wfRect area, const wfFilter *f
                             int32_t *shapes, int32_t capacity, int32_t *count);
 wfResult wfWorldOverlapPoint(const wfWorld *world, wfVec2 point, const wfFilter *filter,
                              int32_t *shapes, int32_t capacity, int32_t *count);
+/* Brings the index for queries up to date after changes between two steps. Not needed: a
+ * step does it, and queries are right without, only slower. */
+wfResult wfIndexWorld(wfWorld *world);
 wfResult wfWorldCastShape(const wfWorld *world, const wfShape *shape, wfTransform placed,
                           wfVec2 by, const wfFilter *filter, wfRayHit *out);
 wfResult wfWorldCastShapeAll(const wfWorld *world, const wfShape *shape,
@@ -195,9 +198,6 @@ wfResult wfWorldClosest(const wfWorld *world, wfVec2 point, wfReal within,
                         const wfFilter *filter, wfClosest *out);
 wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform placed,
                          wfReal within, const wfFilter *filter, wfClosest *out);
-/* Brings the index for queries up to date after changes between two steps. Not needed: a
- * step does it, and queries are right without, only slower. */
-wfResult wfIndexWorld(wfWorld *world);
 /* Most elements of any array of a world. Keeps every index and count within int32_t. */
 #define WF_MAX_CAPACITY (1 << 24)
 /* Bytes of the two chunks that wfCreateWorld needs. WF_ERROR_NULL, _NOT_FINITE, _RANGE,
