@@ -83,6 +83,7 @@ local function chunks_of(path)
     n = n + 1
     local name = l:match("^<<(.-)>>=%s*$")
     if name then
+      if inside then inside.open = n end
       inside = { name = name, from = n }
       t.list[#t.list + 1] = inside
       t.defined[name] = t.defined[name] or n
@@ -91,8 +92,10 @@ local function chunks_of(path)
       inside.to = n
       local u = l:match("^%s*<<(.-)>>%s*$")
       if u and not t.used[u] then t.used[u] = n; t.first[#t.first + 1] = u end
+      inside[#inside + 1] = l:gsub("%s+$", "")
     end
   end
+  if inside then inside.open = n end
   return t
 end
 local function chunk_at(chunks, line)
@@ -109,6 +112,33 @@ local function strays_of(chunks, base)
   local given, t = chunks_of(STARTERS .. "/" .. base .. ".nw"), {}
   for _, c in ipairs(chunks.list) do if not chunks.used[c.name] and not given.defined[c.name] then t[#t + 1] = c.name end end
   return t
+end
+-- What is told of a chapter's chunks before it is built: chunks without an end, what is given and was changed (that is refused), holes that
+-- are defined more than once.
+local function oddities(file, chunks, base)
+  local given, open, changed, twice, lines_of, seen = chunks_of(STARTERS .. "/" .. base .. ".nw"), {}, {}, {}, {}, {}
+  for _, c in ipairs(chunks.list) do
+    if c.open then open[#open + 1] = string.format("%s:%d: the chunk <<%s>> has no end: all that stands behind this line is taken for code -- end it by a line with @ alone", file, c.from, c.name) end
+    lines_of[c.name] = lines_of[c.name] or {}
+    for _, l in ipairs(c) do if l ~= "" then table.insert(lines_of[c.name], l) end end
+    if not given.defined[c.name] and chunks.used[c.name] then
+      if seen[c.name] then twice[#twice + 1] = string.format("%s:%d: <<%s>> is defined here, and in line %d: both stand in the program, one behind the other", file, c.from, c.name, seen[c.name]) end
+      seen[c.name] = seen[c.name] or c.from
+    end
+  end
+  local at = {}
+  for _, c in ipairs(given.list) do
+    local mine = lines_of[c.name] or {}
+    for _, l in ipairs(c) do
+      if l ~= "" and #changed == 0 then
+        local k = (at[c.name] or 0) + 1
+        while mine[k] and mine[k] ~= l do k = k + 1 end
+        if mine[k] then at[c.name] = k
+        else changed[1] = string.format("%s:%d: a line of <<%s>> that is given was changed or taken out: \"%s\" -- put it back; your code goes into the holes", file, chunks.defined[c.name] or 1, c.name, l:gsub("^%s+", "")) end
+      end
+    end
+  end
+  return open, changed, twice
 end
 -- The name that shares the most pairs of neighbouring letters with another one, at least half of them.
 local function nearest(name, names)
@@ -146,13 +176,29 @@ local function refuse(r, what, list_of)
 end
 
 -- What a compiler or the loom says of the student's file, each with its chunk. Other messages come behind.
-local function told(said, file, chunks)
-  local mine, others = {}, {}
+local function header_of(said, l)
+  local name = l:match("declaration of function [^%w_]*([%w_]+)") or l:match("[^%w_]([%a_][%w_]*)[^%w_]+ undeclared") or l:match("unknown type name [^%w_]*([%w_]+)")
+  if not name then return nil end
+  if name:match("^[Ww][Ff]") then
+    local header = out_of("grep -lE '" .. ("^[A-Za-z].*[ *]NAME\\(|^} NAME;|^typedef .* NAME;|^#define NAME\\b|^ *NAME( *=|,|$)"):gsub("NAME", name) .. "' " .. quote(B .. "/lines/include") .. "/weft/*.h 2>/dev/null"):match("/(weft/[%w_]+%.h)\n")
+    return header and '"' .. header .. '"'
+  end
+  local behind = said:sub((said:find(l, 1, true)))
+  for n in lines(behind) do
+    local h = (n:match("[^%w_]" .. name .. "[^%w_]") and (n:match("include [^%w<]*(<[%w_/]+%.h>)") or n:match("header [^%w<]*(<[%w_/]+%.h>)")))
+    if h then return h end
+  end
+end
+local function told(said, file, chunks, base)
+  local mine, others, given = {}, {}, {}
   for l in lines(said) do
     local line = l:sub(1, #file + 1) == file .. ":" and tonumber(l:sub(#file + 2):match("^(%d+)"))
     if line and (l:match("error") or l:match("%-%- ") or l:match("warning")) then
       local c = chunk_at(chunks, line)
-      local advice = l:match("implicit declaration") and "\n    no function of that name is known here -- appendices B and C list them, and the book's index of identifiers" or ""
+      local header = header_of(said, l)
+      local advice = header and string.format("\n    write #include %s into the chunk <<%s: helpers>>", header, (holes_of(STARTERS .. "/" .. base .. ".nw")[1] or base):match("^[^:]*"))
+        or l:match("implicit declaration") and "\n    no function of that name is known here -- appendices B and C list them, and the book's index of identifiers" or ""
+      if given[advice] then advice = "" else given[advice] = true end
       mine[#mine + 1] = l .. (c and "\n    in the chunk <<" .. c .. ">>" or "") .. advice
     elseif l:match("error") or l:match("undefined reference") or l:match("multiple definition") or l:match("%-%- ") then others[#others + 1] = l end
   end
@@ -248,6 +294,11 @@ function Course.build(file, base, out, like, sanitize)
         or string.format("%s:%d: the hole <<%s>> is empty -- write it: a line <<%s>>= , the code, and a line with @ alone", file, chunks.used[hole] or 1, hole, hole)
     end
   end
+  local odd, changed, twice = oddities(file, chunks, base)
+  table.move(twice, 1, #twice, #odd + 1, odd)
+  if #changed > 0 then return refuse(r, "what is given was changed", changed) end
+  local refused = refuse
+  local function refuse(result, what, messages) messages = messages or {}; return refused(result, what, table.move(messages, 1, #messages, #odd + 1, odd)) end
   if #holes > 0 then return refuse(r, #holes == 1 and "a hole is empty" or #holes .. " holes are empty", holes) end
   local found = refusals(Refuse.text(file, chunks, given, book_chunks), file, chunks)
   if found then return refuse(r, NOT_NEEDED, found) end
@@ -258,11 +309,11 @@ function Course.build(file, base, out, like, sanitize)
   local alone = not (like and not read(like .. "/alone")) and tangle("")
   if alone then write(out .. "/alone", "")
   elseif not tangle("$(tangle/chapters) ") then
-    return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks))
+    return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks, base))
   end
   local include = " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines")
   local test = Course.test_object(base, out, "", ".o")
-  if not test then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks)) end
+  if not test then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks, base)) end
   -- The submission's objects. Only names that the test asks for, or that the engine's own object gives, leave them; what else they
   -- define is nobody's but theirs.
   local wants = names_of("nm -u " .. quote(test))
@@ -278,11 +329,11 @@ function Course.build(file, base, out, like, sanitize)
   for _, f in ipairs(differing(out, like)) do
     if f:match("%.c$") and not f:match("_main%.c$") then
       local o, source = out .. "/" .. f:gsub("[/%.]", "_") .. ".o", quote(out .. "/lines/" .. f)
-      local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -fno-jump-tables "
+      local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -Werror=return-type -fno-jump-tables "
       found = refusals(Refuse.preprocessed(out_of(compile .. "-E " .. source .. " 2>/dev/null"), file, of_book), file, chunks)
       if found then return refuse(r, NOT_NEEDED, found) end
       if not ok(compile .. "-c " .. source .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
-        return refuse(r, "the compiler refuses the code", told(read(log), file, chunks))
+        return refuse(r, "the compiler refuses the code", told(read(log), file, chunks, base))
       end
       local bad = {}
       if not engine then
@@ -315,7 +366,7 @@ function Course.build(file, base, out, like, sanitize)
       end
     end
   end
-  r.warnings = told(read(log), file, chunks)
+  r.warnings = table.move(told(read(log), file, chunks, base), 1, 99, #odd + 1, odd)
   local json = read(B .. "/lib/libweft-json.a") and quote(B .. "/lib/libweft-json.a") .. " " or ""
   local libraries = quote(B .. "/lib/libweft-extra.a") .. " " .. json .. quote(B .. "/lib/libweft.a") .. " " ..
     (json ~= "" and out_of("pkg-config --libs libcjson 2>/dev/null"):gsub("\n", "") or "")
@@ -323,7 +374,7 @@ function Course.build(file, base, out, like, sanitize)
     return ok(CC .. " -g -no-pie -Wl,-z,relro,-z,now " .. flags .. " " .. quote(first) .. " " .. table.concat(rest, " ") .. " " .. libraries .. " -lm -o " .. quote(program) .. " >>" .. quote(log) .. " 2>&1")
   end
   if not link(out .. "/program", "", test, objects) then
-    return refuse(r, "the program does not link", told(read(log), file, chunks))
+    return refuse(r, "the program does not link", told(read(log), file, chunks, base))
   end
   r.program = out .. "/program"
   local safe = sanitize and #sanitized == #objects and Course.test_object(base, out, SANITIZE, ".san.o")
@@ -353,7 +404,7 @@ local function expected_of(base, criterion)
 end
 
 -- Runs the criteria. launch(program, criterion) returns what the judge wrote; place(program, addresses) returns addr2line's lines.
-function Course.run(r, launch, place)
+function Course.run(r, launch, place, tell)
   if r.refused then return r end
   local function line_of(program, f, from)
     local at = {}
@@ -364,10 +415,11 @@ function Course.run(r, launch, place)
     end
   end
   local signals = { ["11"] = "a bad address (segmentation fault)", ["8"] = "a division by zero", ["6"] = "abort", ["4"] = "an illegal instruction", ["7"] = "a bad address (bus error)" }
+  local slow                                  -- a criterion has not ended: the line, or true; those behind it get less time
   for _, c in ipairs(r.criteria) do
     local want = expected_of(r.base, c.name)
-    local function judge(program)
-      local f = verdict_of(launch(program, c.name), c.name)
+    local function judge(program, again)
+      local f = verdict_of(launch(program, c.name, slow, again), c.name)
       local word, line = f[2], nil
       c.met = nil
       if word == "pass" then
@@ -379,6 +431,8 @@ function Course.run(r, launch, place)
       elseif word == "time" then
         c.status, c.what, c.expected, c.got = "too long", "the time of this criterion", "an end", "none: an endless loop, or too slow"
         line = line_of(program, f, 4)
+        if slow then c.what, c.got = nil, slow == line and "it does not end, as above" or "it does not end either, in the shorter time that is left to it" end
+        slow = slow or line or true
       elseif word == "crash" then
         c.status, c.what, c.expected, c.got = "crashed", "the program", "no crash", signals[f[3]] or "it ended by itself"
         line = line_of(program, f, 4)
@@ -397,22 +451,34 @@ function Course.run(r, launch, place)
     end
     judge(r.program)
     local met = c.met
-    if c.status == "ok" and r.sanitized then judge(r.sanitized) end
+    if c.status == "ok" and r.sanitized then judge(r.sanitized, true) end
     c.met = met
     c.earned = c.status == "ok" and c.points or 0
     r.earned = r.earned + c.earned
+    if r.said then c.said = r.said(c) end
+    if tell then tell(c) end
   end
   return r
 end
 
 -- At home: on this machine, with limits, and with the plots' data. In a class the programs run in a room (tangle/room).
-function Course.try(file, base, out, like)
+function Course.try(file, base, out, like, begin)
   local r = Course.build(file, base, out, like, not like)
-  return Course.run(r, function(program, criterion)
-    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
-      " 2>>" .. quote(out .. "/output") .. " </dev/null")
+  local tell = begin and begin(r)
+  local output = out .. "/output"
+  function r.said(c)                          -- what the student's code printed: twenty lines
+    local f, t = io.open(output .. ".of." .. c.name, "rb"), {}
+    if not f then return nil end
+    for l in lines(f:read(65536)) do if l ~= "" or t[1] then t[#t + 1] = l:sub(1, 200):gsub("[%c\127]", " ") end end
+    f:close()
+    if t[#t] == "" then t[#t] = nil end
+    return t
+  end
+  return Course.run(r, function(program, criterion, slow, again)
+    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. (slow and "COURSE_SECONDS=2 " or "") .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
+      " 2>" .. quote(output .. (again and "" or ".of." .. criterion)) .. " </dev/null")
     return read(out .. "/verdict")
-  end, function(program, at) return out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null") end)
+  end, function(program, at) return out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null") end, tell)
 end
 
 ------------------------------------------------------------------------------------------------------------------------ reports
@@ -445,23 +511,29 @@ local function plot(r, c, say)              -- the data that a criterion left, a
   end
 end
 
-function Course.table(r, e, say, plots)
+-- A table in three parts, so that a result is told as soon as it is there: what stands above, a criterion, what stands below.
+local MOST_SAID = 20
+function Course.head(r, e, say)
   say(string.format("%s  %s%s", e.number, e.name_of or e.label, r.student and "  (" .. r.student .. ")" or ""))
-  if r.refused then
-    say("  " .. r.refused .. ":")
-    for i, m in ipairs(r.messages) do if i <= 200 then say("    " .. m) end end
-  else
-    for _, w in ipairs(r.warnings or {}) do say("    " .. w) end
-    for _, c in ipairs(r.criteria) do
-      say(string.format("  %-9s %4s  %s", c.status == "ok" and "ok" or c.status:upper(), points_text(c.points), c.text))
-      if c.status ~= "ok" then
-        if c.what then say(string.format("             %s: expected %s, got %s", c.what, c.expected, c.got)) elseif c.got then say("             " .. c.got) end
-        say(string.format("             chunk <<%s>>, %s:%d", c.hole, r.file, c.line or 1))
-        if plots then plot(r, c, say) end
-      end
-    end
+  if r.refused then say("  " .. r.refused .. ":") end
+  for i, m in ipairs(r.refused and r.messages or r.warnings or {}) do if i <= 200 then say("    " .. m) end end
+end
+function Course.criterion(r, c, say, plots)
+  say(string.format("  %-9s %4s  %s", c.status == "ok" and "ok" or c.status:upper(), points_text(c.points), c.text))
+  for i, l in ipairs(c.said or {}) do
+    if i <= MOST_SAID then say("             | " .. l) elseif i == MOST_SAID + 1 then say(string.format("             | ... it printed %d lines", #c.said)) end
   end
-  say(string.format("  %s of %s points", points_text(r.earned), points_text(r.max)))
+  if c.status ~= "ok" then
+    if c.what then say(string.format("             %s: expected %s, got %s", c.what, c.expected, c.got)) elseif c.got then say("             " .. c.got) end
+    say(string.format("             chunk <<%s>>, %s:%d", c.hole, r.file, c.line or 1))
+    if plots then plot(r, c, say) end
+  end
+end
+function Course.sum(r, say) say(string.format("  %s of %s points", points_text(r.earned), points_text(r.max))) end
+function Course.table(r, e, say, plots)
+  Course.head(r, e, say)
+  for _, c in ipairs(r.refused and {} or r.criteria) do Course.criterion(r, c, say, plots) end
+  Course.sum(r, say)
 end
 
 local function json_string(s) return '"' .. tostring(s):gsub('[%c"\\]', function(c) return string.format("\\u%04x", c:byte()) end) .. '"' end
@@ -719,10 +791,15 @@ local function grade(ids, plots)
   for _, e in ipairs(which) do
     local file = where(student, e)
     if not read(file) then die("%s is not there -- make it with: make exercise E=%s%s", file, e.number, student == "me" and "" or " NAME=" .. student) end
-    local r = Course.try(file, e.base, B .. "/course/" .. student .. "/" .. e.base)
-    r.e, r.student = e, student
+    io.stdout:setvbuf("line")
+    local r = Course.try(file, e.base, B .. "/course/" .. student .. "/" .. e.base, nil, function(begun)
+      begun.student = student
+      Course.head(begun, e, print)
+      return function(c) Course.criterion(begun, c, print, plots) end
+    end)
+    r.e = e
     results[#results + 1] = r
-    Course.table(r, e, print, plots)
+    Course.sum(r, print)
     full = full and r.earned == r.max
     save({ r }, B .. "/course/" .. student .. "/" .. e.base .. "/result")
   end

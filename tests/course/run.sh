@@ -38,6 +38,8 @@ python3 -c 'import json, sys; r = json.load(open(sys.argv[1])); assert r[0]["ear
 grep -q '<testsuite name="8.4 bodies-centre" tests="2" failures="1">' build/course/tester/grade.xml || fail "grade.xml"
 tangle/course progress > "$out/log"; grep -q 'part \* 8.4' "$out/log" || fail "make progress"
 
+bash tests/course/told.sh || exit 1
+
 # -- two chapters that solve the same exercise are refused
 tangle/course lint >/dev/null; "$(tangle/lua)" tangle/course.lua composed still "$out/still.nw"
 tangle/tangle --lines "$out/lines" $(tangle/chapters) "$out/still.nw" coursework/tester/still.nw > "$out/log" 2>&1 && fail "a solution and somebody's chapter are linked together"
