@@ -696,6 +696,7 @@ function Course.lint(all)
       for i, f in ipairs { TESTS .. "/" .. e.base .. ".c", SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".wrong" } do
         if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then bad(e, "%s is missing", f) end       -- what a class gets has no solutions
       end
+      if #list(SOLUTIONS, "nw") > 0 and #Course.rubric(e.base) == 0 then bad(e, "what a good explanation says is missing -- add lines for %s to %s/rubrics.tsv", e.base, SOLUTIONS) end
     elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw", e.starter, STARTERS, e.starter) end
   end
   for _, e in ipairs(all) do
@@ -865,7 +866,7 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
     t[#t + 1] = string.format("| %s | %s | %s | %d | `coursework/me/%s.nw` |", e.number, e.name_of, points_text(e.points), e.minutes, e.base)
     for _, c in ipairs(criteria_of(e.base)) do
       tests[#tests + 1] = string.format('    { "name": %s, "setup": "", "run": %s, "input": "", "output": "", "comparison": "included", "timeout": 10, "points": %s }', json_string(e.number .. " " .. c.text),
-        json_string("make grade E=" .. e.number .. " && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
+        json_string("cd teacher && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
     end
     os.execute("mkdir -p " .. quote(to .. "/coursework/me"))
     write(to .. "/coursework/me/" .. e.base .. ".nw", read(STARTERS .. "/" .. e.base .. ".nw"))
@@ -876,9 +877,14 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
     ids:match("[^%s,]+") .. "            # builds and tests one exercise, and says what failed and where\n    make grade                  # all of them, with points\n\nHand in by committing `coursework/me/`.\n")
   write(to .. "/.github/classroom/autograding.json", '{\n  "tests": [\n' .. table.concat(tests, ",\n") .. "\n  ]\n}\n")
   local install = "sudo apt-get update && sudo apt-get install -y --no-install-recommends gcc make noweb lua5.4 pkg-config libcjson-dev libstb-dev fonts-dejavu-core gnuplot-nox"
+  -- both take the grader, the tests and the starters from the teacher's repository (named in the variable WEFT_TEACHER), and from the student his
+  -- files alone: what else was changed in his repository is not there
   write(to .. "/.github/workflows/classroom.yml", "name: Grade\non: [push, workflow_dispatch]\npermissions: { checks: write, actions: read, contents: read }\njobs:\n  grade:\n    runs-on: ubuntu-latest\n    steps:\n" ..
-    "      - uses: actions/checkout@v4\n      - run: " .. install .. "\n      - run: make grade\n      - uses: education/autograding@v1\n      - uses: actions/upload-artifact@v4\n        if: always()\n        with: { name: grade, path: build/course/me/grade.* }\n")
-  write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  script:\n    - " .. install:gsub("sudo ", "") .. "\n    - make grade\n  artifacts:\n    when: always\n    paths: [build/course/me/grade.json]\n    reports:\n      junit: build/course/me/grade.xml\n")
+    "      - uses: actions/checkout@v4\n        with: { path: student }\n      - uses: actions/checkout@v4\n        with: { path: teacher, repository: '${{ vars.WEFT_TEACHER }}', token: '${{ secrets.WEFT_TOKEN }}' }\n" ..
+    "      - run: " .. install .. "\n      - run: teacher/tangle/course from student\n      - run: mkdir -p .github && cp -r student/.github/classroom .github/\n      - uses: education/autograding@v1\n      - uses: actions/upload-artifact@v4\n" ..
+    "        if: always()\n        with: { name: grade, path: teacher/build/course/me/grade.* }\n")
+  write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  variables: { GIT_STRATEGY: clone }\n  script:\n    - " .. install:gsub("sudo ", "") .. " git\n    - git clone --depth 1 \"$WEFT_TEACHER\" teacher\n    - teacher/tangle/course from .\n" ..
+    "  artifacts:\n    when: always\n    paths: [teacher/build/course/me/grade.json]\n    reports:\n      junit: teacher/build/course/me/grade.xml\n")
 end
 function commands.composed(base, to) write(to, (Course.compose(base))) end
 function commands.tests(base)              -- both of an exercise's test objects, so that they are there in a room
