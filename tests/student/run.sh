@@ -23,6 +23,20 @@ check() {      # the directory of the build, the arguments for make
   grep -q 'leapfrog.html' "$out/book/html/integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
   grep -q 'median.html' "$out/book/html/broad-phase.html" || { echo "the broad phases' chapter does not link to the student's row"; return 1; }
 }
+# One page alone, in at most five seconds of the processor: its references lead where the whole book's do, and its own mistakes are told.
+one_page() {
+  local out=build/student/page; mkdir -p "$out"; rm -rf build/page
+  make --no-print-directory html PAGE=60 EXTRA="$chapter" >"$out.log" 2>&1 || { tail -5 "$out.log"; return 1; }     # the first reads all
+  local TIMEFORMAT='%U %S' spent
+  spent=$({ time make --no-print-directory html PAGE=60 EXTRA="$chapter" >"$out.log" 2>&1; } 2>&1) || { tail -5 "$out.log"; return 1; }
+  awk '{ exit !($1 + $2 <= 5) }' <<< "$spent" || { echo "a page alone takes $spent seconds of the processor (user, system)"; return 1; }
+  grep -q 'href="integration.html#sec:integration"' build/page/html/leapfrog.html || { echo "a page that was woven alone doesn't refer to the book"; return 1; }
+  sed 's/@sec:scenes/@sec:scenez/' "$chapter" > "$out/60-leapfrog.nw"
+  make --no-print-directory html PAGE=60 EXTRA="$out/60-leapfrog.nw" >"$out.log" 2>&1
+  grep -q '60-leapfrog.nw:7: nothing is labelled sec:scenez' "$out.log" || { cat "$out.log"; echo "a mistake of a page that is woven alone isn't told"; return 1; }
+  [ "$(wc -l < "$out.log")" -le 3 ] || { cat "$out.log"; echo "a page that is woven alone tells mistakes that are not its own"; return 1; }
+  echo "PAGE=60: one page in $spent seconds of the processor (user, system)"
+}
 # The test of the integrators must measure the student's row, not only list it: a row that claims too high an order fails.
 boasting() {
   local out=build/student/boast
@@ -46,6 +60,7 @@ before=$(git status --porcelain -- chapters src-generated 2>/dev/null || true)
 rm -rf build/student; mkdir -p build/student
 check build/student EXTRA="$both"
 boasting
+one_page
 one_line
 echo "EXTRA=\"$both\": in the program, the tests and the book"
 [ "$before" = "$(git status --porcelain -- chapters src-generated 2>/dev/null || true)" ] || { echo "a tracked file was changed:"; git status --short -- chapters src-generated; exit 1; }
