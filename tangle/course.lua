@@ -28,6 +28,23 @@ local function die(...) io.stderr:write("course: ", string.format(...), "\n"); o
 local function list(dir, ext) local t = {} for l in lines(out_of("ls " .. quote(dir) .. " 2>/dev/null")) do if l:match("%." .. ext .. "$") then t[#t + 1] = l:sub(1, -#ext - 2) end end return t end
 local function points_text(p) return (string.format("%.2f", p):gsub("%.?0+$", "")) end
 
+-- An exercise of a chapter that EXTRA names, or that was put straight into chapters/, stands in that chapter: <<exercises/NAME.nw>>, .solution,
+-- .c, .wrong. noweb takes them out.
+local extra = { files = {}, elsewhere = os.getenv("EXTRA") or "" }
+for file in (extra.elsewhere .. " " .. out_of("ls chapters/*.nw 2>/dev/null"):gsub("\n", " ")):gmatch("%S+") do
+  extra.files[#extra.files + 1] = file
+  for l in lines(read(file)) do
+    local name = l:match("^<<exercises/([%w_%-]+%.%a+)>>=%s*$")
+    if name and not extra[name] then
+      extra[name] = B .. "/course/extra/" .. name
+      os.execute("mkdir -p " .. quote(B .. "/course/extra") .. "; notangle -R'exercises/" .. name .. "' " .. quote(file) .. " > " .. quote(extra[name]))
+    end
+  end
+end
+local function starter_file(base) return extra[base .. ".nw"] or STARTERS .. "/" .. base .. ".nw" end
+local function solution_file(base) return extra[base .. ".solution"] or SOLUTIONS .. "/" .. base .. ".nw" end
+local function test_file(base, kind) return extra[base .. "." .. kind] or TESTS .. "/" .. base .. "." .. kind end
+
 ------------------------------------------------------------------------------------------------------- exercises in the chapters
 -- All of them in the order of the book: { number, chapter, title, label, points, minutes, difficulty, kind, file, line, base }
 local function exercises()
@@ -36,9 +53,10 @@ local function exercises()
     local name, volume, number, part = l:match("^(.-)\t(.-)\t(.-)\t(.-)\t")
     if name then rows[name] = { volume = volume, number = number, part = part } end
   end
-  for file in lines(out_of("tangle/chapters")) do
+  for file in lines(out_of("tangle/chapters") .. extra.elsewhere:gsub("%s+", "\n")) do
     local name = (file:match("([^/]+)%.nw$") or ""):gsub("^%w+%-", "", 1)
     local row = rows[name]
+    for _, f in ipairs(extra.files) do if f == file then row = { volume = "extra", number = file:match("([^/-]+)[^/]*%.nw$"), part = "Extra" } end end
     local chapter = row and row.number
     local k, n, title = 0, 0, nil
     for l in lines(row and read(file)) do
@@ -51,7 +69,7 @@ local function exercises()
         e.label = attributes:match("#ex:([%w_%-]+)")
         for key, v in attributes:gmatch('([%a]+)=(["%w%-%./]+)') do e[key] = v:gsub('"', "") end
         for _, key in ipairs { "points", "minutes", "difficulty" } do e[key] = tonumber(e[key]) end
-        e.base = e.starter and read(STARTERS .. "/" .. e.starter .. ".nw") and e.starter
+        e.base = e.starter and read(starter_file(e.starter)) and e.starter
         all[#all + 1] = e
       end
     end
@@ -109,14 +127,14 @@ end
 
 -- Chunks of somebody's chapter that neither it uses nor the starter has: a hole's name copied wrongly is among them.
 local function strays_of(chunks, base)
-  local given, t = chunks_of(STARTERS .. "/" .. base .. ".nw"), {}
+  local given, t = chunks_of(starter_file(base)), {}
   for _, c in ipairs(chunks.list) do if not chunks.used[c.name] and not given.defined[c.name] then t[#t + 1] = c.name end end
   return t
 end
 -- What is told of a chapter's chunks before it is built: chunks without an end, what is given and was changed (that is refused), holes that
 -- are defined more than once.
 local function oddities(file, chunks, base)
-  local given, open, changed, twice, lines_of, seen = chunks_of(STARTERS .. "/" .. base .. ".nw"), {}, {}, {}, {}, {}
+  local given, open, changed, twice, lines_of, seen = chunks_of(starter_file(base)), {}, {}, {}, {}, {}
   for _, c in ipairs(chunks.list) do
     if c.open then open[#open + 1] = string.format("%s:%d: the chunk <<%s>> has no end: all that stands behind this line is taken for code -- end it by a line with @ alone", file, c.from, c.name) end
     lines_of[c.name] = lines_of[c.name] or {}
@@ -156,7 +174,7 @@ end
 
 -- The criteria as the test's source lists them: { name, points, hole, text }
 local function criteria_of(base)
-  local s = read(TESTS .. "/" .. base .. ".c") or ""
+  local s = read(test_file(base, "c")) or ""
   local body = s:match("CRITERIA%(.*$")
   local t = {}
   for name, points, hole, text in (body or ""):gmatch('{%s*"([^"]*)",%s*([%d%.]+),%s*"([^"]*)",%s*"([^"]*)"') do
@@ -196,7 +214,7 @@ local function told(said, file, chunks, base)
     if line and (l:match("error") or l:match("%-%- ") or l:match("warning")) then
       local c = chunk_at(chunks, line)
       local header = header_of(said, l)
-      local advice = header and string.format("\n    write #include %s into the chunk <<%s: helpers>>", header, (holes_of(STARTERS .. "/" .. base .. ".nw")[1] or base):match("^[^:]*"))
+      local advice = header and string.format("\n    write #include %s into the chunk <<%s: helpers>>", header, (holes_of(starter_file(base))[1] or base):match("^[^:]*"))
         or l:match("implicit declaration") and "\n    no function of that name is known here -- appendices B and C list them, and the book's index of identifiers" or ""
       if given[advice] then advice = "" else given[advice] = true end
       mine[#mine + 1] = l .. (c and "\n    in the chunk <<" .. c .. ">>" or "") .. advice
@@ -257,7 +275,7 @@ local function names_of(command) local t = {} for l in lines(out_of(command .. "
 
 -- The test itself: compiled once, unless it includes a header of the exercise's own. NAME.o, and NAME.san.o with the sanitizers.
 function Course.test_object(base, out, flags, kind)
-  local source, log = TESTS .. "/" .. base .. ".c", out .. "/log"
+  local source, log = test_file(base, "c"), out .. "/log"
   local own = out_of("grep -ohE '\"(lab|course)/[a-z0-9_]+\\.h\"' " .. quote(source) .. " 2>/dev/null") ~= ""
   local test = B .. "/course/tests/" .. base .. kind
   if not own and read(test) then return test end
@@ -285,7 +303,7 @@ function Course.build(file, base, out, like, sanitize)
   r.chunks = chunks
   for _, c in ipairs(r.criteria) do c.line = chunks.defined[c.hole] or chunks.used[c.hole] end
   os.execute("rm -rf " .. quote(out) .. " && mkdir -p " .. quote(out))
-  local holes, wanted, given = {}, holes_of(STARTERS .. "/" .. base .. ".nw")
+  local holes, wanted, given = {}, holes_of(starter_file(base))
   local strays = strays_of(chunks, base)
   for _, hole in ipairs(wanted) do
     if not chunks.defined[hole] then
@@ -319,7 +337,7 @@ function Course.build(file, base, out, like, sanitize)
   local wants = names_of("nm -u " .. quote(test))
   local engine
   local given_lines = {}
-  for l in lines(read(STARTERS .. "/" .. base .. ".nw")) do
+  for l in lines(read(starter_file(base))) do
     local plain = l:gsub("%s+", "")
     given_lines[plain] = true
     for call in plain:gmatch("[%w_]+%->[%w_]+%(") do given_lines[#given_lines + 1] = call end          -- m->step( may be called elsewhere, too
@@ -578,8 +596,8 @@ end
 ---------------------------------------------------------------------------------------------- starter and solution, and wrong ones
 local function trim_end(s) return (s:gsub("%s+$", "")) .. "\n" end
 function Course.compose(base, solution)
-  local a = read(STARTERS .. "/" .. base .. ".nw")
-  local b = solution or read(SOLUTIONS .. "/" .. base .. ".nw")
+  local a = read(starter_file(base))
+  local b = solution or read(solution_file(base))
   if not a or not b then return nil end
   local _, count = trim_end(a):gsub("\n", "\n")
   return trim_end(a) .. "\n### Solution\n\n" .. b, count
@@ -587,8 +605,8 @@ end
 
 -- The wrong solutions: { name, lose = {criteria}, text }. Each replaces lines of the right one; what is replaced must be there once.
 function Course.wrong(base)
-  local t, right, errors = {}, read(SOLUTIONS .. "/" .. base .. ".nw") or "", {}
-  local path = TESTS .. "/" .. base .. ".wrong"
+  local t, right, errors = {}, read(solution_file(base)) or "", {}
+  local path = test_file(base, "wrong")
   local w, n = nil, 0
   local function close(old, new)
     if not w or #old == 0 then return end
@@ -632,7 +650,7 @@ function Course.prove(e, say)
   local total = 0
   for _, c in ipairs(criteria_of(base)) do total = total + c.points end
   if math.abs(total - (e.points or 0)) > 1e-9 then bad("%s.c: its criteria are worth %s points, the chapter says %s", base, points_text(total), points_text(e.points or 0)) end
-  local r = try("starter", read(STARTERS .. "/" .. base .. ".nw"))
+  local r = try("starter", read(starter_file(base)))
   if r.earned >= r.max then bad("the starter has full points") end
   local text = Course.compose(base)
   if not text then bad("there is no solution %s/%s.nw", SOLUTIONS, base) return false end
@@ -641,7 +659,7 @@ function Course.prove(e, say)
   local passed = {}
   for _, c in ipairs(r.criteria) do
     local want = expected_of(base, c.name)
-    if c.met and want ~= c.met then bad("criterion %s meets %d expectations, %s/expectations.csv says %s -- type: tangle/course expectations", c.name, c.met, TESTS, want or "nothing") end
+    if c.met and want ~= c.met and not extra[base .. ".c"] then bad("criterion %s meets %d expectations, %s/expectations.csv says %s -- type: tangle/course expectations", c.name, c.met, TESTS, want or "nothing") end
     passed[c.name] = c.met
   end
   if r.refused or r.earned < r.max or r.max == 0 then bad("the solution has %s of %s points:", points_text(r.earned), points_text(r.max)); Course.table(r, e, function(l) say("    " .. l) end) end
@@ -668,7 +686,7 @@ end
 function Course.csv(all)
   local t = { "number,exercise,points,minutes" }
   for _, e in ipairs(all) do
-    if e.base then t[#t + 1] = string.format("%s,%s,%s,%d", e.number, (read(STARTERS .. "/" .. e.base .. ".nw"):match("^# (.-)%s*{#"):gsub(",", "")), points_text(e.points), e.minutes) end
+    if e.base and e.volume ~= "extra" then t[#t + 1] = string.format("%s,%s,%s,%d", e.number, (read(starter_file(e.base)):match("^# (.-)%s*{#"):gsub(",", "")), points_text(e.points), e.minutes) end
   end
   return table.concat(t, "\n") .. "\n"
 end
@@ -689,14 +707,14 @@ function Course.lint(all)
     if e.base then
       c.starters = c.starters + 1
       if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
-      local text = read(STARTERS .. "/" .. e.base .. ".nw")
+      local text = read(starter_file(e.base))
       if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s and says starter=%s", e.label, e.number, e.base) end
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
-      for i, f in ipairs { TESTS .. "/" .. e.base .. ".c", SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".wrong" } do
+      for i, f in ipairs { test_file(e.base, "c"), solution_file(e.base), test_file(e.base, "wrong") } do
         if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then bad(e, "%s is missing", f) end       -- what a class gets has no solutions
       end
-      if #list(SOLUTIONS, "nw") > 0 and #Course.rubric(e.base) == 0 then bad(e, "what a good explanation says is missing -- add lines for %s to %s/rubrics.tsv", e.base, SOLUTIONS) end
+      if not extra[e.base .. ".nw"] and #list(SOLUTIONS, "nw") > 0 and #Course.rubric(e.base) == 0 then bad(e, "what a good explanation says is missing -- add lines for %s to %s/rubrics.tsv", e.base, SOLUTIONS) end
     elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw", e.starter, STARTERS, e.starter) end
   end
   for _, e in ipairs(all) do
@@ -727,7 +745,7 @@ end
 
 ------------------------------------------------------------------------------------------------------------------------ commands
 local commands = {}
-local function with_names(all) for _, e in ipairs(all) do if e.base then e.name_of = (read(STARTERS .. "/" .. e.base .. ".nw") or ""):match("^# (.-)%s*{#") or (read(STARTERS .. "/" .. e.base .. ".nw") or ""):match("^# (.-)\n") end end return all end
+local function with_names(all) for _, e in ipairs(all) do if e.base then e.name_of = (read(starter_file(e.base)) or ""):match("^# (.-)%s*{#") or (read(starter_file(e.base)) or ""):match("^# (.-)\n") end end return all end
 local function where(student, e) return "coursework/" .. student .. "/" .. e.base .. ".nw" end
 local function student_of(name)
   name = name or os.getenv("NAME")
@@ -745,7 +763,7 @@ local SHOWN = {
   ["rows of the force table"] = "by its name in scene files (kind)",
 }
 local function shown(base)
-  for _, c in ipairs(chunks_of(STARTERS .. "/" .. base .. ".nw").list) do
+  for _, c in ipairs(chunks_of(starter_file(base)).list) do
     if c.name:match("^rows of the ") then return SHOWN[c.name] or "as a row of the table" end
   end
 end
@@ -758,12 +776,12 @@ function commands.exercise(ids)
     if read(file) then print(file .. " is there already; it is left as it is.")
     else
       os.execute("mkdir -p coursework/" .. student)
-      write(file, read(STARTERS .. "/" .. e.base .. ".nw"))
+      write(file, read(starter_file(e.base)))
       print("made: " .. file)
     end
     print(string.format("  Exercise %s, %s: %s points, about %d minutes. It belongs to %s.", e.number, e.name_of, points_text(e.points), e.minutes, e.file))
     print("  Write these chunks at its end, each with the prose that explains it:")
-    for _, h in ipairs((holes_of(STARTERS .. "/" .. e.base .. ".nw"))) do print("      <<" .. h .. ">>=") end
+    for _, h in ipairs((holes_of(starter_file(e.base)))) do print("      <<" .. h .. ">>=") end
     print("  What counts:")
     for _, c in ipairs(criteria_of(e.base)) do print(string.format("    %4s  %s", points_text(c.points), c.text)) end
     local name = student == "me" and "" or " NAME=" .. student
@@ -869,7 +887,7 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
         json_string("cd teacher && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
     end
     os.execute("mkdir -p " .. quote(to .. "/coursework/me"))
-    write(to .. "/coursework/me/" .. e.base .. ".nw", read(STARTERS .. "/" .. e.base .. ".nw"))
+    write(to .. "/coursework/me/" .. e.base .. ".nw", read(starter_file(e.base)))
   end
   os.execute("mkdir -p " .. quote(to .. "/.github/classroom") .. " " .. quote(to .. "/.github/workflows"))
   write(to .. "/ASSIGNMENT.md", "# Assignment\n\n| exercise | | points | minutes | write in |\n|---|---|---|---|---|\n" .. table.concat(t, "\n") ..
