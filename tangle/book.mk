@@ -1,6 +1,6 @@
 # book.mk: the book. `make html`, `make pdf`, `make book` (both); with FOR=scene.json, ONLY="parts" or WITHOUT="parts" that of a smaller engine,
 # in build/parts/NAME/book. BUILD=dir puts it elsewhere; TOLERANT=1 tells errors and goes on;
-# TEACHER=1 keeps the solutions; STRICT=1 makes an equation that no code refers to an error.
+# PAGE=60 (a file's number, its name or its path) weaves one page alone, in seconds; TEACHER=1 keeps the solutions; STRICT=1 makes an equation that no code refers to an error.
 BUILD    ?= build
 W        := $(BUILD)/weave
 HTML     := $(BUILD)/book/html
@@ -36,7 +36,12 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 	@touch $@
 
 # -- HTML
-ifeq ($(CHOSEN),)
+ifneq ($(PAGE),)
+html:
+	@file='$(firstword $(filter $(PAGE),$(NW)) $(foreach f,$(NW),$(if $(filter $(PAGE) $(PAGE)-% %-$(PAGE),$(basename $(notdir $f))),$f)))'; \
+	[ -n "$$file" ] || { echo "book: no chapter $(PAGE) -- PAGE=60, PAGE=leapfrog or its file, with EXTRA= where it lives elsewhere" >&2; exit 2; }; \
+	tangle/preview "$$file" $(BUILD)/page
+else ifeq ($(CHOSEN),)
 html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 endif
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/contents.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets

@@ -381,7 +381,11 @@ return function(Course, commands, H)
     local prose, head = {}, {}
     for i, old in ipairs(csv_rows(read(H.B .. "/course/grades.before.csv"))) do
       if i == 1 then for k, name in ipairs(old) do head[name] = k end
-      elseif head.prose and old[head.prose] ~= "" then prose[(old[head.student] or "") .. "\n" .. (old[head.id] or "") .. "\n" .. (old[head.exercise] or "")] = old[head.prose] end
+      else
+        for _, k in ipairs { "prose", "comment" } do
+          if head[k] and (old[head[k]] or "") ~= "" then prose[k .. "\n" .. (old[head.student] or "") .. "\n" .. (old[head.id] or "") .. "\n" .. (old[head.exercise] or "")] = old[head[k]] end
+        end
+      end
     end
     for _, base in ipairs(plan.exercises) do
       local group = {}
@@ -409,7 +413,7 @@ return function(Course, commands, H)
     local order = {}
     for i, r in ipairs(rows) do order[r] = i end
     table.sort(rows, function(a, b) if a.p.name ~= b.p.name then return a.p.name < b.p.name end if a.p.id ~= b.p.id then return a.p.id < b.p.id end return order[a] < order[b] end)
-    local t = { "student,id,exercise,earned,points,status,look,prose,attempts,handed_in,late_hours,other_files,similar,folder" }
+    local t = { "student,id,exercise,earned,points,status,look,prose,attempts,handed_in,late_hours,other_files,similar,comment,folder" }
     for _, c in ipairs(columns) do t[1] = t[1] .. "," .. field(H.bare(c[1]) .. ": " .. c[2]) end
     local results = {}
     for _, r in ipairs(rows) do
@@ -420,9 +424,9 @@ return function(Course, commands, H)
       table.sort(r.like or {}, function(a, b) return a[1] > b[1] end)
       for i, l in ipairs(r.like or {}) do if i <= 3 then like[i] = string.format("%s %d%%", l[2], math.floor(100 * l[1])) end end
       local exercise = e and H.bare(e.base) or ""
-      local cells = { r.p.name, r.p.id, exercise, e and points_text(r.earned) or "", e and points_text(r.max) or "", r.status, table.concat(r.look, "; "), prose[r.p.name .. "\n" .. r.p.id .. "\n" .. exercise] or "",
+      local cells = { r.p.name, r.p.id, exercise, e and points_text(r.earned) or "", e and points_text(r.max) or "", r.status, table.concat(r.look, "; "), prose["prose\n" .. r.p.name .. "\n" .. r.p.id .. "\n" .. exercise] or "",
         h and h.attempts or "", h and os.date("%Y-%m-%d %H:%M", math.floor(h.time)) or "", h and due and (h.time > due and string.format("%.1f", (h.time - due) / 3600) or "0") or "",
-        h and table.concat(h.others, "; ") or "", table.concat(like, "; "), h and h.number or "" }
+        h and table.concat(h.others, "; ") or "", table.concat(like, "; "), prose["comment\n" .. r.p.name .. "\n" .. r.p.id .. "\n" .. exercise] or "", h and h.number or "" }
       for i, c in ipairs(cells) do cells[i] = field(c) end
       for _, c in ipairs(columns) do
         local earned = ""
@@ -442,6 +446,84 @@ return function(Course, commands, H)
     end
     write(CLASS .. "/grades.csv", table.concat(t, "\n") .. "\n")
     write(CLASS .. "/grades.xml", Course.junit(results))
+  end
+
+  ------------------------------------------------------------------------------------------- from the list to pages and to an LMS
+  -- Rows of the list by student, with marks of the prose and of the criteria: { name, id, rows = { { exercise = ..., ... } } }
+  local function people()
+    local list, by, head = {}, {}, nil
+    for i, row in ipairs(csv_rows(read(CLASS .. "/grades.csv"))) do
+      if i == 1 then head = row
+      else
+        local r = { criteria = {} }
+        for k, name in ipairs(head) do
+          local base, criterion = name:match("^(.-): (.*)$")
+          if not base then r[name] = row[k] or "" elseif base == r.exercise then r.criteria[#r.criteria + 1] = { criterion, row[k] } end
+        end
+        local key = r.student .. "\n" .. r.id
+        if not by[key] then by[key] = { name = r.student, id = r.id, rows = {} }; list[#list + 1] = by[key] end
+        if r.exercise ~= "" then table.insert(by[key].rows, r) end
+      end
+    end
+    if not head then H.die("there is no list yet -- make grade-all DIR=submissions/") end
+    return list
+  end
+  function Course.rubric(base)
+    local t = {}
+    for l in lines(read("chapters/solutions/rubrics.tsv")) do
+      local b, marks, what = l:match("^([^#\t]+)\t([%d%.]+)\t(.+)$")
+      if b == base then t[#t + 1] = { tonumber(marks), what } end
+    end
+    return t
+  end
+  local function marks(r) return tonumber((r.prose:gsub(",", "."):match("^%s*(%d*%.?%d+)"))) or 0 end
+  local function sums(base)
+    local m = 0
+    for _, c in ipairs(H.criteria_of(base)) do m = m + c.points end
+    local q = 0
+    for _, k in ipairs(Course.rubric(base)) do q = q + k[1] end
+    return m, q
+  end
+  function commands.feedback()                -- a page for each student, and the points as Moodle and Canvas read them
+    local all, list, bases, seen = H.with_names(Course.exercises()), people(), {}, {}
+    for _, p in ipairs(list) do for _, r in ipairs(p.rows) do if not seen[r.exercise] then seen[r.exercise] = true; bases[#bases + 1] = r.exercise end end end
+    table.sort(bases)
+    os.execute("rm -rf " .. quote(CLASS .. "/feedback") .. "; mkdir -p " .. quote(CLASS .. "/feedback"))
+    local function plain(s) return (clean(s):gsub("[\\`*_{}%[%]<>#|$]", "\\%0")) end     -- no mark of Markdown's comes from a submission
+    local moodle, canvas = { "Full name,ID number" }, { "Student,ID,SIS User ID,SIS Login ID,Section", "    Points Possible,,,," }
+    for _, b in ipairs(bases) do
+      local e, m, q = H.find(all, b), sums(b)
+      local name = field(e.number .. " " .. e.name_of)
+      moodle[1], canvas[1] = moodle[1] .. "," .. name .. "," .. field(e.number .. " comment"), canvas[1] .. "," .. name
+      canvas[2] = canvas[2] .. "," .. points_text(m + q)
+    end
+    for n, p in ipairs(list) do
+      local t, cells, of = { "# " .. plain(p.name) .. "\n" }, { field(p.name), field(p.id) }, {}
+      local row = { field(p.name), "", field(p.id), "", "" }
+      for _, r in ipairs(p.rows) do
+        local e, m, q = H.find(all, r.exercise), sums(r.exercise)
+        of[r.exercise] = r
+        t[#t + 1] = string.format("## %s %s\n\n%s of %s points for the program, %s of %s for the explanation. %s\n\n| criterion | points |\n|---|---|", e.number, plain(e.name_of), r.earned, points_text(m), points_text(marks(r)), points_text(q), r.status == "graded" and "" or plain(r.status))
+        for i, c in ipairs(H.criteria_of(r.exercise)) do t[#t + 1] = string.format("| %s | %s of %s |", plain(c.text), (r.criteria[i] or {})[2] or "0", points_text(c.points)) end
+        t[#t + 1] = "\nA good explanation says:\n"
+        for _, k in ipairs(Course.rubric(r.exercise)) do t[#t + 1] = string.format("- %s (%s)", k[2], points_text(k[1])) end
+        if r.comment ~= "" then t[#t + 1] = "\n> " .. plain(r.comment) end
+        local said = r.folder ~= "" and read(CLASS .. "/" .. r.folder .. "/told")
+        if said then t[#t + 1] = "\n" .. clean("What the tests said:") .. "\n\n    " .. said:gsub("%s+$", ""):gsub("\n", "\n    ") end
+        t[#t + 1] = ""
+      end
+      write(string.format("%s/feedback/%d.md", CLASS, n), table.concat(t, "\n"))
+      for _, b in ipairs(bases) do
+        local r = of[b]
+        local points = r and points_text(tonumber(r.earned) + marks(r)) or ""
+        cells[#cells + 1], row[#row + 1] = points, points
+        cells[#cells + 1] = field(r and r.comment or "")
+      end
+      moodle[#moodle + 1], canvas[#canvas + 1] = table.concat(cells, ","), table.concat(row, ",")
+    end
+    write(CLASS .. "/moodle.csv", table.concat(moodle, "\n") .. "\n")
+    write(CLASS .. "/canvas.csv", table.concat(canvas, "\n") .. "\n")
+    print(string.format("%d pages: %s/feedback/, made of grades.csv with its columns prose and comment; for Moodle %s/moodle.csv, for Canvas %s/canvas.csv", #list, CLASS, CLASS, CLASS))
   end
   return Class
 end

@@ -28,6 +28,23 @@ local function die(...) io.stderr:write("course: ", string.format(...), "\n"); o
 local function list(dir, ext) local t = {} for l in lines(out_of("ls " .. quote(dir) .. " 2>/dev/null")) do if l:match("%." .. ext .. "$") then t[#t + 1] = l:sub(1, -#ext - 2) end end return t end
 local function points_text(p) return (string.format("%.2f", p):gsub("%.?0+$", "")) end
 
+-- An exercise of a chapter that EXTRA names, or that was put straight into chapters/, stands in that chapter: <<exercises/NAME.nw>>, .solution,
+-- .c, .wrong. noweb takes them out.
+local extra = { files = {}, elsewhere = os.getenv("EXTRA") or "" }
+for file in (extra.elsewhere .. " " .. out_of("ls chapters/*.nw 2>/dev/null"):gsub("\n", " ")):gmatch("%S+") do
+  extra.files[#extra.files + 1] = file
+  for l in lines(read(file)) do
+    local name = l:match("^<<exercises/([%w_%-]+%.%a+)>>=%s*$")
+    if name and not extra[name] then
+      extra[name] = B .. "/course/extra/" .. name
+      os.execute("mkdir -p " .. quote(B .. "/course/extra") .. "; notangle -R'exercises/" .. name .. "' " .. quote(file) .. " > " .. quote(extra[name]))
+    end
+  end
+end
+local function starter_file(base) return extra[base .. ".nw"] or STARTERS .. "/" .. base .. ".nw" end
+local function solution_file(base) return extra[base .. ".solution"] or SOLUTIONS .. "/" .. base .. ".nw" end
+local function test_file(base, kind) return extra[base .. "." .. kind] or TESTS .. "/" .. base .. "." .. kind end
+
 ------------------------------------------------------------------------------------------------------- exercises in the chapters
 -- All of them in the order of the book: { number, chapter, title, label, points, minutes, difficulty, kind, file, line, base }
 local function exercises()
@@ -36,9 +53,10 @@ local function exercises()
     local name, volume, number, part = l:match("^(.-)\t(.-)\t(.-)\t(.-)\t")
     if name then rows[name] = { volume = volume, number = number, part = part } end
   end
-  for file in lines(out_of("tangle/chapters")) do
+  for file in lines(out_of("tangle/chapters") .. extra.elsewhere:gsub("%s+", "\n")) do
     local name = (file:match("([^/]+)%.nw$") or ""):gsub("^%w+%-", "", 1)
     local row = rows[name]
+    for _, f in ipairs(extra.files) do if f == file then row = { volume = "extra", number = file:match("([^/-]+)[^/]*%.nw$"), part = "Extra" } end end
     local chapter = row and row.number
     local k, n, title = 0, 0, nil
     for l in lines(row and read(file)) do
@@ -51,7 +69,7 @@ local function exercises()
         e.label = attributes:match("#ex:([%w_%-]+)")
         for key, v in attributes:gmatch('([%a]+)=(["%w%-%./]+)') do e[key] = v:gsub('"', "") end
         for _, key in ipairs { "points", "minutes", "difficulty" } do e[key] = tonumber(e[key]) end
-        e.base = e.starter and read(STARTERS .. "/" .. e.starter .. ".nw") and e.starter
+        e.base = e.starter and read(starter_file(e.starter)) and e.starter
         all[#all + 1] = e
       end
     end
@@ -83,6 +101,7 @@ local function chunks_of(path)
     n = n + 1
     local name = l:match("^<<(.-)>>=%s*$")
     if name then
+      if inside then inside.open = n end
       inside = { name = name, from = n }
       t.list[#t.list + 1] = inside
       t.defined[name] = t.defined[name] or n
@@ -91,8 +110,10 @@ local function chunks_of(path)
       inside.to = n
       local u = l:match("^%s*<<(.-)>>%s*$")
       if u and not t.used[u] then t.used[u] = n; t.first[#t.first + 1] = u end
+      inside[#inside + 1] = l:gsub("%s+$", "")
     end
   end
+  if inside then inside.open = n end
   return t
 end
 local function chunk_at(chunks, line)
@@ -106,9 +127,36 @@ end
 
 -- Chunks of somebody's chapter that neither it uses nor the starter has: a hole's name copied wrongly is among them.
 local function strays_of(chunks, base)
-  local given, t = chunks_of(STARTERS .. "/" .. base .. ".nw"), {}
+  local given, t = chunks_of(starter_file(base)), {}
   for _, c in ipairs(chunks.list) do if not chunks.used[c.name] and not given.defined[c.name] then t[#t + 1] = c.name end end
   return t
+end
+-- What is told of a chapter's chunks before it is built: chunks without an end, what is given and was changed (that is refused), holes that
+-- are defined more than once.
+local function oddities(file, chunks, base)
+  local given, open, changed, twice, lines_of, seen = chunks_of(starter_file(base)), {}, {}, {}, {}, {}
+  for _, c in ipairs(chunks.list) do
+    if c.open then open[#open + 1] = string.format("%s:%d: the chunk <<%s>> has no end: all that stands behind this line is taken for code -- end it by a line with @ alone", file, c.from, c.name) end
+    lines_of[c.name] = lines_of[c.name] or {}
+    for _, l in ipairs(c) do if l ~= "" then table.insert(lines_of[c.name], l) end end
+    if not given.defined[c.name] and chunks.used[c.name] then
+      if seen[c.name] then twice[#twice + 1] = string.format("%s:%d: <<%s>> is defined here, and in line %d: both stand in the program, one behind the other", file, c.from, c.name, seen[c.name]) end
+      seen[c.name] = seen[c.name] or c.from
+    end
+  end
+  local at = {}
+  for _, c in ipairs(given.list) do
+    local mine = lines_of[c.name] or {}
+    for _, l in ipairs(c) do
+      if l ~= "" and #changed == 0 then
+        local k = (at[c.name] or 0) + 1
+        while mine[k] and mine[k] ~= l do k = k + 1 end
+        if mine[k] then at[c.name] = k
+        else changed[1] = string.format("%s:%d: a line of <<%s>> that is given was changed or taken out: \"%s\" -- put it back; your code goes into the holes", file, chunks.defined[c.name] or 1, c.name, l:gsub("^%s+", "")) end
+      end
+    end
+  end
+  return open, changed, twice
 end
 -- The name that shares the most pairs of neighbouring letters with another one, at least half of them.
 local function nearest(name, names)
@@ -126,7 +174,7 @@ end
 
 -- The criteria as the test's source lists them: { name, points, hole, text }
 local function criteria_of(base)
-  local s = read(TESTS .. "/" .. base .. ".c") or ""
+  local s = read(test_file(base, "c")) or ""
   local body = s:match("CRITERIA%(.*$")
   local t = {}
   for name, points, hole, text in (body or ""):gmatch('{%s*"([^"]*)",%s*([%d%.]+),%s*"([^"]*)",%s*"([^"]*)"') do
@@ -146,13 +194,29 @@ local function refuse(r, what, list_of)
 end
 
 -- What a compiler or the loom says of the student's file, each with its chunk. Other messages come behind.
-local function told(said, file, chunks)
-  local mine, others = {}, {}
+local function header_of(said, l)
+  local name = l:match("declaration of function [^%w_]*([%w_]+)") or l:match("[^%w_]([%a_][%w_]*)[^%w_]+ undeclared") or l:match("unknown type name [^%w_]*([%w_]+)")
+  if not name then return nil end
+  if name:match("^[Ww][Ff]") then
+    local header = out_of("grep -lE '" .. ("^[A-Za-z].*[ *]NAME\\(|^} NAME;|^typedef .* NAME;|^#define NAME\\b|^ *NAME( *=|,|$)"):gsub("NAME", name) .. "' " .. quote(B .. "/lines/include") .. "/weft/*.h 2>/dev/null"):match("/(weft/[%w_]+%.h)\n")
+    return header and '"' .. header .. '"'
+  end
+  local behind = said:sub((said:find(l, 1, true)))
+  for n in lines(behind) do
+    local h = (n:match("[^%w_]" .. name .. "[^%w_]") and (n:match("include [^%w<]*(<[%w_/]+%.h>)") or n:match("header [^%w<]*(<[%w_/]+%.h>)")))
+    if h then return h end
+  end
+end
+local function told(said, file, chunks, base)
+  local mine, others, given = {}, {}, {}
   for l in lines(said) do
     local line = l:sub(1, #file + 1) == file .. ":" and tonumber(l:sub(#file + 2):match("^(%d+)"))
     if line and (l:match("error") or l:match("%-%- ") or l:match("warning")) then
       local c = chunk_at(chunks, line)
-      local advice = l:match("implicit declaration") and "\n    no function of that name is known here -- appendices B and C list them, and the book's index of identifiers" or ""
+      local header = header_of(said, l)
+      local advice = header and string.format("\n    write #include %s into the chunk <<%s: helpers>>", header, (holes_of(starter_file(base))[1] or base):match("^[^:]*"))
+        or l:match("implicit declaration") and "\n    no function of that name is known here -- appendices B and C list them, and the book's index of identifiers" or ""
+      if given[advice] then advice = "" else given[advice] = true end
       mine[#mine + 1] = l .. (c and "\n    in the chunk <<" .. c .. ">>" or "") .. advice
     elseif l:match("error") or l:match("undefined reference") or l:match("multiple definition") or l:match("%-%- ") then others[#others + 1] = l end
   end
@@ -211,7 +275,7 @@ local function names_of(command) local t = {} for l in lines(out_of(command .. "
 
 -- The test itself: compiled once, unless it includes a header of the exercise's own. NAME.o, and NAME.san.o with the sanitizers.
 function Course.test_object(base, out, flags, kind)
-  local source, log = TESTS .. "/" .. base .. ".c", out .. "/log"
+  local source, log = test_file(base, "c"), out .. "/log"
   local own = out_of("grep -ohE '\"(lab|course)/[a-z0-9_]+\\.h\"' " .. quote(source) .. " 2>/dev/null") ~= ""
   local test = B .. "/course/tests/" .. base .. kind
   if not own and read(test) then return test end
@@ -239,7 +303,7 @@ function Course.build(file, base, out, like, sanitize)
   r.chunks = chunks
   for _, c in ipairs(r.criteria) do c.line = chunks.defined[c.hole] or chunks.used[c.hole] end
   os.execute("rm -rf " .. quote(out) .. " && mkdir -p " .. quote(out))
-  local holes, wanted, given = {}, holes_of(STARTERS .. "/" .. base .. ".nw")
+  local holes, wanted, given = {}, holes_of(starter_file(base))
   local strays = strays_of(chunks, base)
   for _, hole in ipairs(wanted) do
     if not chunks.defined[hole] then
@@ -248,6 +312,11 @@ function Course.build(file, base, out, like, sanitize)
         or string.format("%s:%d: the hole <<%s>> is empty -- write it: a line <<%s>>= , the code, and a line with @ alone", file, chunks.used[hole] or 1, hole, hole)
     end
   end
+  local odd, changed, twice = oddities(file, chunks, base)
+  table.move(twice, 1, #twice, #odd + 1, odd)
+  if #changed > 0 then return refuse(r, "what is given was changed", changed) end
+  local refused = refuse
+  local function refuse(result, what, messages) messages = messages or {}; return refused(result, what, table.move(messages, 1, #messages, #odd + 1, odd)) end
   if #holes > 0 then return refuse(r, #holes == 1 and "a hole is empty" or #holes .. " holes are empty", holes) end
   local found = refusals(Refuse.text(file, chunks, given, book_chunks), file, chunks)
   if found then return refuse(r, NOT_NEEDED, found) end
@@ -258,17 +327,17 @@ function Course.build(file, base, out, like, sanitize)
   local alone = not (like and not read(like .. "/alone")) and tangle("")
   if alone then write(out .. "/alone", "")
   elseif not tangle("$(tangle/chapters) ") then
-    return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks))
+    return refuse(r, "the loom refuses the chapter", told(read(log), file, chunks, base))
   end
   local include = " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines")
   local test = Course.test_object(base, out, "", ".o")
-  if not test then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks)) end
+  if not test then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks, base)) end
   -- The submission's objects. Only names that the test asks for, or that the engine's own object gives, leave them; what else they
   -- define is nobody's but theirs.
   local wants = names_of("nm -u " .. quote(test))
   local engine
   local given_lines = {}
-  for l in lines(read(STARTERS .. "/" .. base .. ".nw")) do
+  for l in lines(read(starter_file(base))) do
     local plain = l:gsub("%s+", "")
     given_lines[plain] = true
     for call in plain:gmatch("[%w_]+%->[%w_]+%(") do given_lines[#given_lines + 1] = call end          -- m->step( may be called elsewhere, too
@@ -278,11 +347,11 @@ function Course.build(file, base, out, like, sanitize)
   for _, f in ipairs(differing(out, like)) do
     if f:match("%.c$") and not f:match("_main%.c$") then
       local o, source = out .. "/" .. f:gsub("[/%.]", "_") .. ".o", quote(out .. "/lines/" .. f)
-      local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -fno-jump-tables "
+      local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -Werror=return-type -fno-jump-tables "
       found = refusals(Refuse.preprocessed(out_of(compile .. "-E " .. source .. " 2>/dev/null"), file, of_book), file, chunks)
       if found then return refuse(r, NOT_NEEDED, found) end
       if not ok(compile .. "-c " .. source .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
-        return refuse(r, "the compiler refuses the code", told(read(log), file, chunks))
+        return refuse(r, "the compiler refuses the code", told(read(log), file, chunks, base))
       end
       local bad = {}
       if not engine then
@@ -315,7 +384,7 @@ function Course.build(file, base, out, like, sanitize)
       end
     end
   end
-  r.warnings = told(read(log), file, chunks)
+  r.warnings = table.move(told(read(log), file, chunks, base), 1, 99, #odd + 1, odd)
   local json = read(B .. "/lib/libweft-json.a") and quote(B .. "/lib/libweft-json.a") .. " " or ""
   local libraries = quote(B .. "/lib/libweft-extra.a") .. " " .. json .. quote(B .. "/lib/libweft.a") .. " " ..
     (json ~= "" and out_of("pkg-config --libs libcjson 2>/dev/null"):gsub("\n", "") or "")
@@ -323,7 +392,7 @@ function Course.build(file, base, out, like, sanitize)
     return ok(CC .. " -g -no-pie -Wl,-z,relro,-z,now " .. flags .. " " .. quote(first) .. " " .. table.concat(rest, " ") .. " " .. libraries .. " -lm -o " .. quote(program) .. " >>" .. quote(log) .. " 2>&1")
   end
   if not link(out .. "/program", "", test, objects) then
-    return refuse(r, "the program does not link", told(read(log), file, chunks))
+    return refuse(r, "the program does not link", told(read(log), file, chunks, base))
   end
   r.program = out .. "/program"
   local safe = sanitize and #sanitized == #objects and Course.test_object(base, out, SANITIZE, ".san.o")
@@ -353,7 +422,7 @@ local function expected_of(base, criterion)
 end
 
 -- Runs the criteria. launch(program, criterion) returns what the judge wrote; place(program, addresses) returns addr2line's lines.
-function Course.run(r, launch, place)
+function Course.run(r, launch, place, tell)
   if r.refused then return r end
   local function line_of(program, f, from)
     local at = {}
@@ -364,10 +433,11 @@ function Course.run(r, launch, place)
     end
   end
   local signals = { ["11"] = "a bad address (segmentation fault)", ["8"] = "a division by zero", ["6"] = "abort", ["4"] = "an illegal instruction", ["7"] = "a bad address (bus error)" }
+  local slow                                  -- a criterion has not ended: the line, or true; those behind it get less time
   for _, c in ipairs(r.criteria) do
     local want = expected_of(r.base, c.name)
-    local function judge(program)
-      local f = verdict_of(launch(program, c.name), c.name)
+    local function judge(program, again)
+      local f = verdict_of(launch(program, c.name, slow, again), c.name)
       local word, line = f[2], nil
       c.met = nil
       if word == "pass" then
@@ -379,6 +449,8 @@ function Course.run(r, launch, place)
       elseif word == "time" then
         c.status, c.what, c.expected, c.got = "too long", "the time of this criterion", "an end", "none: an endless loop, or too slow"
         line = line_of(program, f, 4)
+        if slow then c.what, c.got = nil, slow == line and "it does not end, as above" or "it does not end either, in the shorter time that is left to it" end
+        slow = slow or line or true
       elseif word == "crash" then
         c.status, c.what, c.expected, c.got = "crashed", "the program", "no crash", signals[f[3]] or "it ended by itself"
         line = line_of(program, f, 4)
@@ -397,22 +469,34 @@ function Course.run(r, launch, place)
     end
     judge(r.program)
     local met = c.met
-    if c.status == "ok" and r.sanitized then judge(r.sanitized) end
+    if c.status == "ok" and r.sanitized then judge(r.sanitized, true) end
     c.met = met
     c.earned = c.status == "ok" and c.points or 0
     r.earned = r.earned + c.earned
+    if r.said then c.said = r.said(c) end
+    if tell then tell(c) end
   end
   return r
 end
 
 -- At home: on this machine, with limits, and with the plots' data. In a class the programs run in a room (tangle/room).
-function Course.try(file, base, out, like)
+function Course.try(file, base, out, like, begin)
   local r = Course.build(file, base, out, like, not like)
-  return Course.run(r, function(program, criterion)
-    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
-      " 2>>" .. quote(out .. "/output") .. " </dev/null")
+  local tell = begin and begin(r)
+  local output = out .. "/output"
+  function r.said(c)                          -- what the student's code printed: twenty lines
+    local f, t = io.open(output .. ".of." .. c.name, "rb"), {}
+    if not f then return nil end
+    for l in lines(f:read(65536)) do if l ~= "" or t[1] then t[#t + 1] = l:sub(1, 200):gsub("[%c\127]", " ") end end
+    f:close()
+    if t[#t] == "" then t[#t] = nil end
+    return t
+  end
+  return Course.run(r, function(program, criterion, slow, again)
+    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. (slow and "COURSE_SECONDS=2 " or "") .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
+      " 2>" .. quote(output .. (again and "" or ".of." .. criterion)) .. " </dev/null")
     return read(out .. "/verdict")
-  end, function(program, at) return out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null") end)
+  end, function(program, at) return out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null") end, tell)
 end
 
 ------------------------------------------------------------------------------------------------------------------------ reports
@@ -445,23 +529,29 @@ local function plot(r, c, say)              -- the data that a criterion left, a
   end
 end
 
-function Course.table(r, e, say, plots)
+-- A table in three parts, so that a result is told as soon as it is there: what stands above, a criterion, what stands below.
+local MOST_SAID = 20
+function Course.head(r, e, say)
   say(string.format("%s  %s%s", e.number, e.name_of or e.label, r.student and "  (" .. r.student .. ")" or ""))
-  if r.refused then
-    say("  " .. r.refused .. ":")
-    for i, m in ipairs(r.messages) do if i <= 200 then say("    " .. m) end end
-  else
-    for _, w in ipairs(r.warnings or {}) do say("    " .. w) end
-    for _, c in ipairs(r.criteria) do
-      say(string.format("  %-9s %4s  %s", c.status == "ok" and "ok" or c.status:upper(), points_text(c.points), c.text))
-      if c.status ~= "ok" then
-        if c.what then say(string.format("             %s: expected %s, got %s", c.what, c.expected, c.got)) elseif c.got then say("             " .. c.got) end
-        say(string.format("             chunk <<%s>>, %s:%d", c.hole, r.file, c.line or 1))
-        if plots then plot(r, c, say) end
-      end
-    end
+  if r.refused then say("  " .. r.refused .. ":") end
+  for i, m in ipairs(r.refused and r.messages or r.warnings or {}) do if i <= 200 then say("    " .. m) end end
+end
+function Course.criterion(r, c, say, plots)
+  say(string.format("  %-9s %4s  %s", c.status == "ok" and "ok" or c.status:upper(), points_text(c.points), c.text))
+  for i, l in ipairs(c.said or {}) do
+    if i <= MOST_SAID then say("             | " .. l) elseif i == MOST_SAID + 1 then say(string.format("             | ... it printed %d lines", #c.said)) end
   end
-  say(string.format("  %s of %s points", points_text(r.earned), points_text(r.max)))
+  if c.status ~= "ok" then
+    if c.what then say(string.format("             %s: expected %s, got %s", c.what, c.expected, c.got)) elseif c.got then say("             " .. c.got) end
+    say(string.format("             chunk <<%s>>, %s:%d", c.hole, r.file, c.line or 1))
+    if plots then plot(r, c, say) end
+  end
+end
+function Course.sum(r, say) say(string.format("  %s of %s points", points_text(r.earned), points_text(r.max))) end
+function Course.table(r, e, say, plots)
+  Course.head(r, e, say)
+  for _, c in ipairs(r.refused and {} or r.criteria) do Course.criterion(r, c, say, plots) end
+  Course.sum(r, say)
 end
 
 local function json_string(s) return '"' .. tostring(s):gsub('[%c"\\]', function(c) return string.format("\\u%04x", c:byte()) end) .. '"' end
@@ -506,8 +596,8 @@ end
 ---------------------------------------------------------------------------------------------- starter and solution, and wrong ones
 local function trim_end(s) return (s:gsub("%s+$", "")) .. "\n" end
 function Course.compose(base, solution)
-  local a = read(STARTERS .. "/" .. base .. ".nw")
-  local b = solution or read(SOLUTIONS .. "/" .. base .. ".nw")
+  local a = read(starter_file(base))
+  local b = solution or read(solution_file(base))
   if not a or not b then return nil end
   local _, count = trim_end(a):gsub("\n", "\n")
   return trim_end(a) .. "\n### Solution\n\n" .. b, count
@@ -515,8 +605,8 @@ end
 
 -- The wrong solutions: { name, lose = {criteria}, text }. Each replaces lines of the right one; what is replaced must be there once.
 function Course.wrong(base)
-  local t, right, errors = {}, read(SOLUTIONS .. "/" .. base .. ".nw") or "", {}
-  local path = TESTS .. "/" .. base .. ".wrong"
+  local t, right, errors = {}, read(solution_file(base)) or "", {}
+  local path = test_file(base, "wrong")
   local w, n = nil, 0
   local function close(old, new)
     if not w or #old == 0 then return end
@@ -560,7 +650,7 @@ function Course.prove(e, say)
   local total = 0
   for _, c in ipairs(criteria_of(base)) do total = total + c.points end
   if math.abs(total - (e.points or 0)) > 1e-9 then bad("%s.c: its criteria are worth %s points, the chapter says %s", base, points_text(total), points_text(e.points or 0)) end
-  local r = try("starter", read(STARTERS .. "/" .. base .. ".nw"))
+  local r = try("starter", read(starter_file(base)))
   if r.earned >= r.max then bad("the starter has full points") end
   local text = Course.compose(base)
   if not text then bad("there is no solution %s/%s.nw", SOLUTIONS, base) return false end
@@ -569,7 +659,7 @@ function Course.prove(e, say)
   local passed = {}
   for _, c in ipairs(r.criteria) do
     local want = expected_of(base, c.name)
-    if c.met and want ~= c.met then bad("criterion %s meets %d expectations, %s/expectations.csv says %s -- type: tangle/course expectations", c.name, c.met, TESTS, want or "nothing") end
+    if c.met and want ~= c.met and not extra[base .. ".c"] then bad("criterion %s meets %d expectations, %s/expectations.csv says %s -- type: tangle/course expectations", c.name, c.met, TESTS, want or "nothing") end
     passed[c.name] = c.met
   end
   if r.refused or r.earned < r.max or r.max == 0 then bad("the solution has %s of %s points:", points_text(r.earned), points_text(r.max)); Course.table(r, e, function(l) say("    " .. l) end) end
@@ -596,7 +686,7 @@ end
 function Course.csv(all)
   local t = { "number,exercise,points,minutes" }
   for _, e in ipairs(all) do
-    if e.base then t[#t + 1] = string.format("%s,%s,%s,%d", e.number, (read(STARTERS .. "/" .. e.base .. ".nw"):match("^# (.-)%s*{#"):gsub(",", "")), points_text(e.points), e.minutes) end
+    if e.base and e.volume ~= "extra" then t[#t + 1] = string.format("%s,%s,%s,%d", e.number, (read(starter_file(e.base)):match("^# (.-)%s*{#"):gsub(",", "")), points_text(e.points), e.minutes) end
   end
   return table.concat(t, "\n") .. "\n"
 end
@@ -617,13 +707,14 @@ function Course.lint(all)
     if e.base then
       c.starters = c.starters + 1
       if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
-      local text = read(STARTERS .. "/" .. e.base .. ".nw")
+      local text = read(starter_file(e.base))
       if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s and says starter=%s", e.label, e.number, e.base) end
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
-      for i, f in ipairs { TESTS .. "/" .. e.base .. ".c", SOLUTIONS .. "/" .. e.base .. ".nw", TESTS .. "/" .. e.base .. ".wrong" } do
+      for i, f in ipairs { test_file(e.base, "c"), solution_file(e.base), test_file(e.base, "wrong") } do
         if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then bad(e, "%s is missing", f) end       -- what a class gets has no solutions
       end
+      if not extra[e.base .. ".nw"] and #list(SOLUTIONS, "nw") > 0 and #Course.rubric(e.base) == 0 then bad(e, "what a good explanation says is missing -- add lines for %s to %s/rubrics.tsv", e.base, SOLUTIONS) end
     elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw", e.starter, STARTERS, e.starter) end
   end
   for _, e in ipairs(all) do
@@ -654,7 +745,7 @@ end
 
 ------------------------------------------------------------------------------------------------------------------------ commands
 local commands = {}
-local function with_names(all) for _, e in ipairs(all) do if e.base then e.name_of = (read(STARTERS .. "/" .. e.base .. ".nw") or ""):match("^# (.-)%s*{#") or (read(STARTERS .. "/" .. e.base .. ".nw") or ""):match("^# (.-)\n") end end return all end
+local function with_names(all) for _, e in ipairs(all) do if e.base then e.name_of = (read(starter_file(e.base)) or ""):match("^# (.-)%s*{#") or (read(starter_file(e.base)) or ""):match("^# (.-)\n") end end return all end
 local function where(student, e) return "coursework/" .. student .. "/" .. e.base .. ".nw" end
 local function student_of(name)
   name = name or os.getenv("NAME")
@@ -672,7 +763,7 @@ local SHOWN = {
   ["rows of the force table"] = "by its name in scene files (kind)",
 }
 local function shown(base)
-  for _, c in ipairs(chunks_of(STARTERS .. "/" .. base .. ".nw").list) do
+  for _, c in ipairs(chunks_of(starter_file(base)).list) do
     if c.name:match("^rows of the ") then return SHOWN[c.name] or "as a row of the table" end
   end
 end
@@ -685,12 +776,12 @@ function commands.exercise(ids)
     if read(file) then print(file .. " is there already; it is left as it is.")
     else
       os.execute("mkdir -p coursework/" .. student)
-      write(file, read(STARTERS .. "/" .. e.base .. ".nw"))
+      write(file, read(starter_file(e.base)))
       print("made: " .. file)
     end
     print(string.format("  Exercise %s, %s: %s points, about %d minutes. It belongs to %s.", e.number, e.name_of, points_text(e.points), e.minutes, e.file))
     print("  Write these chunks at its end, each with the prose that explains it:")
-    for _, h in ipairs((holes_of(STARTERS .. "/" .. e.base .. ".nw"))) do print("      <<" .. h .. ">>=") end
+    for _, h in ipairs((holes_of(starter_file(e.base)))) do print("      <<" .. h .. ">>=") end
     print("  What counts:")
     for _, c in ipairs(criteria_of(e.base)) do print(string.format("    %4s  %s", points_text(c.points), c.text)) end
     local name = student == "me" and "" or " NAME=" .. student
@@ -719,10 +810,15 @@ local function grade(ids, plots)
   for _, e in ipairs(which) do
     local file = where(student, e)
     if not read(file) then die("%s is not there -- make it with: make exercise E=%s%s", file, e.number, student == "me" and "" or " NAME=" .. student) end
-    local r = Course.try(file, e.base, B .. "/course/" .. student .. "/" .. e.base)
-    r.e, r.student = e, student
+    io.stdout:setvbuf("line")
+    local r = Course.try(file, e.base, B .. "/course/" .. student .. "/" .. e.base, nil, function(begun)
+      begun.student = student
+      Course.head(begun, e, print)
+      return function(c) Course.criterion(begun, c, print, plots) end
+    end)
+    r.e = e
     results[#results + 1] = r
-    Course.table(r, e, print, plots)
+    Course.sum(r, print)
     full = full and r.earned == r.max
     save({ r }, B .. "/course/" .. student .. "/" .. e.base .. "/result")
   end
@@ -788,10 +884,10 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
     t[#t + 1] = string.format("| %s | %s | %s | %d | `coursework/me/%s.nw` |", e.number, e.name_of, points_text(e.points), e.minutes, e.base)
     for _, c in ipairs(criteria_of(e.base)) do
       tests[#tests + 1] = string.format('    { "name": %s, "setup": "", "run": %s, "input": "", "output": "", "comparison": "included", "timeout": 10, "points": %s }', json_string(e.number .. " " .. c.text),
-        json_string("make grade E=" .. e.number .. " && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
+        json_string("cd teacher && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
     end
     os.execute("mkdir -p " .. quote(to .. "/coursework/me"))
-    write(to .. "/coursework/me/" .. e.base .. ".nw", read(STARTERS .. "/" .. e.base .. ".nw"))
+    write(to .. "/coursework/me/" .. e.base .. ".nw", read(starter_file(e.base)))
   end
   os.execute("mkdir -p " .. quote(to .. "/.github/classroom") .. " " .. quote(to .. "/.github/workflows"))
   write(to .. "/ASSIGNMENT.md", "# Assignment\n\n| exercise | | points | minutes | write in |\n|---|---|---|---|---|\n" .. table.concat(t, "\n") ..
@@ -799,9 +895,14 @@ function commands.assignment(to, ids)       -- what a class gets beside the book
     ids:match("[^%s,]+") .. "            # builds and tests one exercise, and says what failed and where\n    make grade                  # all of them, with points\n\nHand in by committing `coursework/me/`.\n")
   write(to .. "/.github/classroom/autograding.json", '{\n  "tests": [\n' .. table.concat(tests, ",\n") .. "\n  ]\n}\n")
   local install = "sudo apt-get update && sudo apt-get install -y --no-install-recommends gcc make noweb lua5.4 pkg-config libcjson-dev libstb-dev fonts-dejavu-core gnuplot-nox"
+  -- both take the grader, the tests and the starters from the teacher's repository (named in the variable WEFT_TEACHER), and from the student his
+  -- files alone: what else was changed in his repository is not there
   write(to .. "/.github/workflows/classroom.yml", "name: Grade\non: [push, workflow_dispatch]\npermissions: { checks: write, actions: read, contents: read }\njobs:\n  grade:\n    runs-on: ubuntu-latest\n    steps:\n" ..
-    "      - uses: actions/checkout@v4\n      - run: " .. install .. "\n      - run: make grade\n      - uses: education/autograding@v1\n      - uses: actions/upload-artifact@v4\n        if: always()\n        with: { name: grade, path: build/course/me/grade.* }\n")
-  write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  script:\n    - " .. install:gsub("sudo ", "") .. "\n    - make grade\n  artifacts:\n    when: always\n    paths: [build/course/me/grade.json]\n    reports:\n      junit: build/course/me/grade.xml\n")
+    "      - uses: actions/checkout@v4\n        with: { path: student }\n      - uses: actions/checkout@v4\n        with: { path: teacher, repository: '${{ vars.WEFT_TEACHER }}', token: '${{ secrets.WEFT_TOKEN }}' }\n" ..
+    "      - run: " .. install .. "\n      - run: teacher/tangle/course from student\n      - run: mkdir -p .github && cp -r student/.github/classroom .github/\n      - uses: education/autograding@v1\n      - uses: actions/upload-artifact@v4\n" ..
+    "        if: always()\n        with: { name: grade, path: teacher/build/course/me/grade.* }\n")
+  write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  variables: { GIT_STRATEGY: clone }\n  script:\n    - " .. install:gsub("sudo ", "") .. " git\n    - git clone --depth 1 \"$WEFT_TEACHER\" teacher\n    - teacher/tangle/course from .\n" ..
+    "  artifacts:\n    when: always\n    paths: [teacher/build/course/me/grade.json]\n    reports:\n      junit: teacher/build/course/me/grade.xml\n")
 end
 function commands.composed(base, to) write(to, (Course.compose(base))) end
 function commands.tests(base)              -- both of an exercise's test objects, so that they are there in a room

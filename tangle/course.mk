@@ -1,8 +1,8 @@
 # course.mk: coursework (appendix E). E="10.2 11.6" says which exercises, NAME=ada whose; tangle/course does the work.
-.PHONY: exercise try grade weave progress teacher assignment grade-all course
+.PHONY: exercise try grade weave progress teacher assignment grade-all feedback course
 exercise try grade weave assignment:
 	@BUILD=$(BUILD) NAME='$(NAME)' tangle/course $@ '$(E)'
-progress teacher:
+progress teacher feedback:
 	@BUILD=$(BUILD) NAME='$(NAME)' tangle/course $@
 grade-all:
 	@BUILD=$(BUILD) ROSTER='$(ROSTER)' DUE='$(DUE)' E='$(E)' tangle/course $@ '$(DIR)'

@@ -254,7 +254,7 @@ local function machine_of_csv(path)
 end
 local function commands_of_plot(name)
   local list, seen, machine = {}, {}, nil
-  local gp = Code.read(root .. "book/plots/" .. name .. ".gp") or ""
+  local gp = Code.read(root .. "book/plots/" .. name .. ".gp") or Code.read(weave .. "/src/plots/" .. name .. ".gp") or ""
   local function add(c) if c and not seen[c] then seen[c] = true; list[#list + 1] = c end end
   for c in gp:gmatch("#%s*command:%s*([^\n]+)") do add(c) end
   for csv in gp:gmatch("(book/data/[%w_%-]+%.csv)") do add(command_of_csv(csv)); machine = machine or machine_of_csv(csv) end

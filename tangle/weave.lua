@@ -576,7 +576,7 @@ do
         book:complain(file, line, "no function draws " .. path, 'add a row { "' .. name .. '", ... } to the rows of figures/CHAPTER.c or mend the name')
       end
     elseif plot then
-      if not Code.read(root .. "book/plots/" .. plot .. ".gp") then
+      if not Code.read(root .. "book/plots/" .. plot .. ".gp") and not book.names["plots/" .. plot .. ".gp"] then
         book:complain(file, line, "no script plots " .. path, "write book/plots/" .. plot .. ".gp or mend the name")
       end
     elseif not path:match("^https?:") and not Code.read(root .. path) and not Code.read(root .. "book/" .. path) then

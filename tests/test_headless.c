@@ -234,7 +234,7 @@ static void tc08_overlap_goes_and_no_velocity_comes(void **state)
 static void every_scene_and_overlay_can_be_drawn(void **state)
 {
     (void)state;
-    static uint8_t list[1024 * 1024];
+    static uint8_t list[2 * 1024 * 1024];    /* all overlays at once, and an extender's */
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);

@@ -38,10 +38,22 @@ python3 -c 'import json, sys; r = json.load(open(sys.argv[1])); assert r[0]["ear
 grep -q '<testsuite name="8.4 bodies-centre" tests="2" failures="1">' build/course/tester/grade.xml || fail "grade.xml"
 tangle/course progress > "$out/log"; grep -q 'part \* 8.4' "$out/log" || fail "make progress"
 
+bash tests/course/told.sh || exit 1
+
 # -- two chapters that solve the same exercise are refused
 tangle/course lint >/dev/null; "$(tangle/lua)" tangle/course.lua composed still "$out/still.nw"
 tangle/tangle --lines "$out/lines" $(tangle/chapters) "$out/still.nw" coursework/tester/still.nw > "$out/log" 2>&1 && fail "a solution and somebody's chapter are linked together"
 grep -q 'a chapter still is here and in' "$out/log" || { cat "$out/log"; fail "linking two is refused without a clear word"; }
+
+# -- in CI the grader and the tests are the teacher's, whatever the student's repository holds
+mkdir -p "$out/repo/coursework/me" "$out/repo/tests/course" "$out/repo/tangle" "$out/repo/chapters/exercises"
+"$(tangle/lua)" tangle/course.lua composed still "$out/repo/coursework/me/still.nw"; sed -i 's/wfPerpCCW/wfPerpCW/' "$out/repo/coursework/me/still.nw"
+printf '#include "course.h"\nCRITERIA("still")\n' > "$out/repo/tests/course/still.c"; echo 'exit 0' > "$out/repo/tangle/course"
+echo x > "$out/repo/coursework/me/other.nw"; ln -s /etc/passwd "$out/repo/coursework/me/heun.nw"
+mkdir -p coursework; [ ! -e coursework/me ] || mv coursework/me "$out/me"
+BUILD=build tangle/course from "$out/repo" > "$out/log" 2>&1
+[ "$(ls coursework/me)" = still.nw ] && grep -q '^sum  *1  *2' "$out/log" || { cat "$out/log"; fail "grading somebody's repository"; }
+rm -rf coursework/me; [ ! -e "$out/me" ] || mv "$out/me" coursework/me
 
 # -- a class that is not nice
 command -v bwrap >/dev/null || { echo "no bubblewrap: the class was not graded"; exit 77; }
@@ -50,6 +62,7 @@ bash tests/course/judge.sh || exit 1
 bash tests/course/room.sh || exit 1
 bash tests/course/class.sh || exit 1
 bash tests/course/weave.sh || exit 1
+bash tests/course/feedback.sh || exit 1
 
 # -- an assignment has no solution in it
 BUILD=build tangle/course assignment "8.4 10.2" > "$out/log" || { cat "$out/log"; fail "make assignment"; }
@@ -57,5 +70,6 @@ a=build/assignment
 [ -f $a/coursework/me/heun.nw ] && [ -f $a/.gitlab-ci.yml ] && [ -f $a/.github/classroom/autograding.json ] || fail "the assignment lacks a file"
 [ -z "$(find $a -path '*solutions*' -o -name '*.wrong' -o -name '7.8-*')" ] || fail "the assignment holds solutions"
 grep -rq 'wfPerpCCW(s->v)' $a/chapters $a/coursework && fail "the assignment holds a solution"
+grep -q 'repository:.*WEFT_TEACHER' $a/.github/workflows/classroom.yml && grep -q 'git clone.*WEFT_TEACHER' $a/.gitlab-ci.yml || fail "the examples for GitHub and GitLab take the grader from the student"
 (cd $a && "$OLDPWD/tangle/lua" >/dev/null && tangle/course lint) > "$out/log" 2>&1 || { cat "$out/log"; fail "the assignment's own lists are not whole"; }
 echo "coursework: proved, tried, graded, handed out, in $((SECONDS - start)) s"

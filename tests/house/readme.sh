@@ -25,5 +25,10 @@ grep -qx "version: $v" CITATION.cff || { echo "CITATION.cff does not say version
 grep -q "^weft ($v-" tangle/packaging/debian/changelog || { echo "tangle/packaging/debian/changelog does not begin with weft ($v-...)"; fail=1; }
 for f in tangle/packaging/vcpkg/vcpkg.json tangle/packaging/conan/conanfile.py; do grep -qE "version[\"' :=]+$v['\"]" $f || { echo "$f does not say version $v"; fail=1; }; done
 for f in $(grep -ohE '`wf[A-Za-z]+' SECURITY.md README.md | tr -d '`' | sort -u); do grep -qE "\b$f *[(;]" src-generated/include/weft/*.h || { echo "SECURITY.md or README.md: there is no $f"; fail=1; }; done
+# EXTENDING.md is what the chapters make, and has every table: one that is taken out of its list is missed
+tangle/extensions --check || fail=1
+grep -v '^rows of the mixing table' book/extensions.tsv > build/extensions.tsv
+said=$(tangle/extensions --check build/extensions.tsv 2>&1)
+grep -q '^chapters/engine/.*: the table <<rows of the mixing table>> is missing' <<< "$said" || { echo "tangle/extensions: a table that is missing isn't told"; fail=1; }
 [ $fail -eq 0 ] && echo "README.md: $rows places and $paths paths are where it says"
 exit $fail

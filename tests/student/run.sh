@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # A student's chapter needs no edit elsewhere. The same files are tried in both ways: named with EXTRA=, and dropped into
-# chapters/ of a copy. One has an integrator, a scene, a figure and a measurement, the other a broad phase. Each must be in the program, held to its
-# promises by the tests that run over all rows, and in the book.
+# chapters/ of a copy. One has an integrator, a scene, a figure and a measurement, one a broad phase, one everything else. Each must be in the
+# program, held to its promises by the tests that run over all rows, and in the book.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 chapter=tests/student/60-leapfrog.nw
-both="$chapter tests/student/61-median.nw"
+all=tests/student/63-bumper.nw
+both="$chapter tests/student/61-median.nw $all"
 tests="test_integration test_headless test_broad_phase test_broad_phase_index test_events_and_queries_sets"
 check() {      # the directory of the build, the arguments for make
   local out=$1; shift
@@ -23,6 +24,20 @@ check() {      # the directory of the build, the arguments for make
   grep -q 'leapfrog.html' "$out/book/html/integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
   grep -q 'median.html' "$out/book/html/broad-phase.html" || { echo "the broad phases' chapter does not link to the student's row"; return 1; }
 }
+# One page alone, in at most five seconds of the processor: its references lead where the whole book's do, and its own mistakes are told.
+one_page() {
+  local out=build/student/page; mkdir -p "$out"; rm -rf build/page
+  make --no-print-directory html PAGE=60 EXTRA="$chapter" >"$out.log" 2>&1 || { tail -5 "$out.log"; return 1; }     # the first reads all
+  local TIMEFORMAT='%U %S' spent
+  spent=$({ time make --no-print-directory html PAGE=60 EXTRA="$chapter" >"$out.log" 2>&1; } 2>&1) || { tail -5 "$out.log"; return 1; }
+  awk '{ exit !($1 + $2 <= 5) }' <<< "$spent" || { echo "a page alone takes $spent seconds of the processor (user, system)"; return 1; }
+  grep -q 'href="integration.html#sec:integration"' build/page/html/leapfrog.html || { echo "a page that was woven alone doesn't refer to the book"; return 1; }
+  sed 's/@sec:scenes/@sec:scenez/' "$chapter" > "$out/60-leapfrog.nw"
+  make --no-print-directory html PAGE=60 EXTRA="$out/60-leapfrog.nw" >"$out.log" 2>&1
+  grep -q '60-leapfrog.nw:7: nothing is labelled sec:scenez' "$out.log" || { cat "$out.log"; echo "a mistake of a page that is woven alone isn't told"; return 1; }
+  [ "$(wc -l < "$out.log")" -le 3 ] || { cat "$out.log"; echo "a page that is woven alone tells mistakes that are not its own"; return 1; }
+  echo "PAGE=60: one page in $spent seconds of the processor (user, system)"
+}
 # The test of the integrators must measure the student's row, not only list it: a row that claims too high an order fails.
 boasting() {
   local out=build/student/boast
@@ -32,6 +47,39 @@ boasting() {
   if make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS=tests/test_integration.c test >"$out.log" 2>&1; then
     echo "a student's integrator that claims order 3 and has order 2 passes the tests"; return 1; fi
   grep -q 'FAILED' "$out.log" || { tail -20 "$out.log"; return 1; }
+}
+# One file brings everything: what check has built of it is looked at here, in the directory of that build.
+everything() {
+  local out=$1
+  "$out/bin/weft-headless" --list | grep -q ' bumper ' || { echo "the scene bumper is not in the list"; return 1; }
+  grep -q '"ways"' "$out/lines/testbed/view.c" || { echo "the overlay is not in its table"; return 1; }
+  "$out/bin/weft-headless" --schema > "$out.schema" && grep -q '"bumperForce": {' "$out.schema" && grep -q '"sleep", "bumpers"' "$out.schema" || { echo "the schema of scenes doesn't know the setting and the module"; return 1; }
+  "$out/bin/weft-headless" --export bumper --steps 30 > "$out.json" && grep -q '"bumperForce": 2' "$out.json" || { echo "a scene as text lacks the setting"; return 1; }
+  sed 's/"bumperForce": 2/"bumperForce": 5/' "$out.json" > "$out.5.json" && "$out/bin/weft-headless" --export "$out.5.json" 2>"$out.log" | grep -q '"bumperForce": 5' || { cat "$out.log"; echo "the setting isn't read from a scene's text"; return 1; }
+  ${CC:-cc} -std=c11 -w -I"$out/lines/include" tests/student/bumper.c "$out/lib/libweft.a" -lm -o "$out/bumper" && "$out/bumper" "$out/bumper.save" || { echo "tests/student/bumper.c failed at step $?: the setting in a save"; return 1; }
+  "$out/bin/weft-lab" run price-world | grep -q '^bumpers,' || { echo "the module is not in the price list"; return 1; }
+  grep -q '<svg' "$out/book/html/plots/bumper-fall.svg" && [ "$(wc -c < "$out/book/html/plots/bumper-fall.svg")" -gt 2000 ] || { echo "the plot whose script is a chunk was not drawn"; return 1; }
+  [ -s "$out/data/bumper-fall.csv" ] || { echo "the plot's data were not measured"; return 1; }
+  grep -q 'plot' "$out/book/html/bumper.html" && [ -s "$out/book/html/scenes/bumper-30.svg" ] || { echo "plot and frozen scene are not on the page"; return 1; }
+  grep -q 'data-scene="bumper"' "$out/book/html/bumper.html" || { echo "the scene doesn't run on the page"; return 1; }
+  # a plot that fails is a warning and an empty frame
+  mkdir -p "$out.broken/weave"; cp -r "$out/weave/src" "$out.broken/weave/"; mkdir -p "$out.broken/plain"; cp -r "$out/plain/." "$out.broken/plain/"
+  echo 'plot nonsense' > "$out.broken/weave/src/plots/bumper-fall.gp"
+  tangle/figures "$out.broken/weave/src" "$out.broken" > "$out.log" 2>&1 || { cat "$out.log"; echo "a broken plot of an extender stops the book"; return 1; }
+  grep -q 'warning: plots/bumper-fall.svg is an empty frame' "$out.log" && grep -q '<rect' "$out.broken/book/html/plots/bumper-fall.svg" || { cat "$out.log"; echo "a broken plot isn't told, or leaves no frame"; return 1; }
+  # in print
+  tangle/page latex bumper "$out/weave" "$out/bumper.tex" -M "figures=$PWD/$out/book/html" && grep -q 'includegraphics.*bumper-fall.pdf' "$out/bumper.tex" && [ -s "$out/book/html/plots/bumper-fall.pdf" ] || { echo "the chapter or its plot is not in print"; return 1; }
+  # the exercise: solution, starter and wrong solutions are chunks. It is graded with this build's engine, beside the step "course".
+  local -x BUILD=$out EXTRA=$all COURSE_READY=1
+  mkdir -p "$out/course"; nm -g --defined-only "$out"/lib/*.a 2>/dev/null | sed -nE 's/^.* [A-Z] //p' | sort -u > "$out/course/engine.names"
+  tangle/course lint > "$out.log" 2>&1 && tangle/course prove bumper-bounce > "$out.log" 2>&1 && grep -q '^ok   bumper-bounce .* 2 wrong solutions' "$out.log" || { tail -20 "$out.log"; echo "an exercise whose files are chunks isn't proved"; return 1; }
+  NAME=extender tangle/course exercise bumper-bounce > "$out.log" && grep -q '<<bumper: the new velocity>>' coursework/extender/bumper-bounce.nw || { rm -rf coursework/extender; echo "an extender's exercise isn't handed out"; return 1; }
+  if tangle/room there; then
+    rm -rf "$out/class"; mkdir -p "$out/class/ada"; "$(tangle/lua)" tangle/course.lua composed bumper-bounce "$out/class/ada/bumper-bounce.nw"
+    tangle/course grade-all "$out/class" > "$out.log" 2>&1 && grep -q '^ada,,bumper-bounce,2,2,graded' "$out/course/class/grades.csv" || { tail -5 "$out.log"; echo "an extender's exercise isn't graded"; return 1; }
+  fi
+  rm -rf coursework/extender
+  echo "$all: scene, overlay, setting, module, schema, text, save, price, plot, page, print, exercise"
 }
 # One line adds an array to the block of a world, one a setting, one a module; one hears that a body is moved.
 one_line() {
@@ -45,7 +93,9 @@ one_line() {
 before=$(git status --porcelain -- chapters src-generated 2>/dev/null || true)
 rm -rf build/student; mkdir -p build/student
 check build/student EXTRA="$both"
+everything build/student
 boasting
+one_page
 one_line
 echo "EXTRA=\"$both\": in the program, the tests and the book"
 [ "$before" = "$(git status --porcelain -- chapters src-generated 2>/dev/null || true)" ] || { echo "a tracked file was changed:"; git status --short -- chapters src-generated; exit 1; }
