@@ -37,12 +37,19 @@ static void same(void)
 /* Seconds of the fastest of nine runs of each. The processor's own clock ticks too slowly beside the criterion's limit. */
 static double now(void) { struct timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec; }
 #define RACE(slow, fast, t) do { t[0] = t[1] = 1e9; for (int run = 0; run < 9; run++) { double a = now(); slow; double b = now(); fast; t[0] = fmin(t[0], b - a), t[1] = fmin(t[1], now() - b); } } while (0)
+/* Sanitizers, which look at every access, weigh on both as they like: the time is asked of the plain build alone. */
+#ifdef __SANITIZE_ADDRESS__
+enum { LEAST = 0 };
+#else
+enum { LEAST = 2 };
+#endif
+
 static void twice(void)
 {
     const wfRect *given = lay(BOXES, 1, 9);
     double t[2];
     RACE(plain(BOXES, PAIRS), exFastPairs(given, BOXES, got, PAIRS), t);
-    expect_at_least("how many times as fast as two loops", t[0] / t[1], 2);
+    expect_at_least("how many times as fast as two loops", t[0] / t[1], LEAST);
 }
 CRITERIA("fast-broad",
     { "same", 2, "fast broad: list the pairs", "the same pairs in the same order", same, 0 },

@@ -29,13 +29,20 @@ static void bits(void)
 /* Seconds of the fastest of nine runs of each. The processor's own clock ticks too slowly beside the criterion's limit. */
 static double now(void) { struct timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec; }
 #define RACE(slow, fast, t) do { t[0] = t[1] = 1e9; for (int run = 0; run < 9; run++) { double a = now(); slow; double b = now(); fast; t[0] = fmin(t[0], b - a), t[1] = fmin(t[1], now() - b); } } while (0)
+/* Sanitizers, which look at every access, weigh on both as they like: the time is asked of the plain build alone. */
+#ifdef __SANITIZE_ADDRESS__
+enum { LEAST = 0 };
+#else
+enum { LEAST = 2 };
+#endif
+
 static void twice(void)
 {
     wfRandom r = course_random(12);
     double t[2];
     make(&r);
     RACE(for (int k = 0; k < 200; k++) plain(100), for (int k = 0; k < 200; k++) exFastLanes(place, angle, corner, 100, got), t);
-    expect_at_least("how many times as fast", t[0] / t[1], 2);
+    expect_at_least("how many times as fast", t[0] / t[1], LEAST);
 }
 CRITERIA("fast-lanes",
     { "bits", 2, "fast lanes: place the corners", "the same bits", bits, 0 },

@@ -42,12 +42,19 @@ static void all(const ExPolygon *p, bool (*overlap)(const ExPolygon *, const ExP
 /* Seconds of the fastest of nine runs of each. The processor's own clock ticks too slowly beside the criterion's limit. */
 static double now(void) { struct timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec; }
 #define RACE(slow, fast, t) do { t[0] = t[1] = 1e9; for (int run = 0; run < 9; run++) { double a = now(); slow; double b = now(); fast; t[0] = fmin(t[0], b - a), t[1] = fmin(t[1], now() - b); } } while (0)
+/* Sanitizers, which look at every access, weigh on both as they like: the time is asked of the plain build alone. */
+#ifdef __SANITIZE_ADDRESS__
+enum { LEAST = 0 };
+#else
+enum { LEAST = 2 };
+#endif
+
 static void twice(void)
 {
     const ExPolygon *given = lay(12, 5);
     double t[2];
     RACE(all(given, plain), all(given, exFastOverlap), t);
-    expect_at_least("how many times as fast", t[0] / t[1], 2);
+    expect_at_least("how many times as fast", t[0] / t[1], LEAST);
 }
 CRITERIA("fast-narrow",
     { "same", 2, "fast narrow: do a and b overlap", "the same answers", same, 0 },
