@@ -38,16 +38,17 @@
   };
   // another scene is a step of the page's history, another setting is not
   const sceneOf = text => text.replace(/&.*/, '');
-  let shown = '', first = '', going = false;
+  const begins = hash => 'scene=' + ((/=/.test(hash) ? new URLSearchParams(hash).get('scene') : decodeURIComponent(hash)) || 'tumbler').replace(/ /g, '-');
+  let shown = begins(location.hash.slice(1)), going = false;
+  const first = shown;
   const follow = () => {
     const now = document.hidden || going ? shown : link();
     if (!now || now === shown) return;
-    first = first || now;
-    if (shown) history[sceneOf(now) === sceneOf(shown) ? 'replaceState' : 'pushState'](null, '', '#' + now);
+    history[sceneOf(now) === sceneOf(shown) ? 'replaceState' : 'pushState'](null, '', '#' + now);
     shown = now;
   };
   const came = async hash => { going = true; await go(hash); shown = link(); going = false; };
   if (/[=&]/.test(location.hash)) came(location.hash.slice(1));
   setInterval(follow, 500);
-  addEventListener('popstate', () => came(location.hash.slice(1) || sceneOf(first)));
+  addEventListener('popstate', () => came(location.hash.slice(1) || first));
 })();
