@@ -299,7 +299,8 @@
     };
     canvas.addEventListener('pointerdown', e => {
       finger = e.pointerType === 'touch';
-      canvas.focus({ preventScroll: true }); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e); place(e);
+      canvas.focus({ preventScroll: true }); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e);
+      if (touches.size === 1) place(e);                // a second finger ends the first one's pull where that is
       if (options.whole) more();
       const [which, down] = touches.size === 1 ? [bit(e), 1] : [1, 0];
       act(x => x.web_button(which, down));
