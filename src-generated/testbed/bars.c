@@ -88,7 +88,8 @@ static int list_found(ui *u, game *g)
             (rank == 0 && !u->draw && s->ui.typing && s->enter))
             chosen = best;
     }
-    if (y == LIST_TOP) ui_text(u, 10, y + 14, 13, WF_INK_LINE, -1, "no scene has these words");
+    if (y == LIST_TOP)
+        ui_text(u, 10, y + 14, 13, WF_INK_LINE, -1, "no scene has these words");
     return chosen;
 }
 
@@ -252,8 +253,8 @@ void game_state_line(ui *u, const game *g, float x)
                                     WF_INK_TEXT, room, s->tools.said);
     else ui_fitted(u, x, s->height - 13, WF_INK_LINE, room,
             s->finger ? "a finger holds and throws, or moves the view; two zoom" :
-            "?: all keys   drag: hold and throw   right drag: move the view   wheel: zoom   "
-            "right click: menu");
+            "?: all keys   drag: hold and throw   right drag: move the view   "
+            "wheel: zoom   right click: menu");
 }
 
 void game_key_sheet(ui *u, const game_state *s, float x)

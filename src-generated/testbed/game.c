@@ -157,7 +157,8 @@ static void begin_again(game *g)
     game_state *s = g->state;
     wfBodyView v = wfWorldBodies(&g->world);
     const camera *c = &s->camera;
-    bool any = false, left = g->input->steps < 0 && !s->paused && !s->ends && !s->undo_count;
+    bool any = false, runs = g->input->steps < 0 && !s->paused;
+    bool left = runs && !s->ends && !s->undo_count;
     for (int32_t i = 0; i < v.count && left; i++) {
         if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         any = true;

@@ -564,7 +564,8 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, ROW);
     }
     y += (float)((wfPlotCount + 1) / 2 * ROW) + 6;
-    if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false)) press_csv(g);
+    if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false))
+        press_csv(g);
     return y + 32;
 }
 

@@ -159,7 +159,7 @@ void wfPlotSample(wfPlots *plots, const wfPlotInput *in)
     int32_t last = (at + WF_PLOT_SAMPLES - 1) % WF_PLOT_SAMPLES;
     if ((plots->count && (float)wfWorldTime(in->world) < plots->time[last]) ||
         plots->body.index != in->body.index)
-        plots->count = 0;                               /* time went back, or another body */
+        plots->count = 0;                           /* time went back, or another body */
     plots->body = in->body;
     plots->time[at] = (float)wfWorldTime(in->world);
     for (int row = 0; row < wfPlotCount && row < WF_PLOTS_MOST; row++) {
@@ -303,7 +303,8 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
     if (row >= WF_PLOT_BODY)
         wfDrawTextf(d, x + 6, y + h - 13, 11, WF_INK_TEXT, -1, "%s of %d (%s)", r->name,
                     (int)p->body.index - 1, r->unit);
-    else wfDrawTextf(d, x + 6, y + h - 13, 11, WF_INK_TEXT, -1, "%s (%s)", r->name, r->unit);
+    else wfDrawTextf(d, x + 6, y + h - 13, 11, WF_INK_TEXT, -1, "%s (%s)", r->name,
+                     r->unit);
     const char *none = why_not(p, row);
     if (none) {
         wfDrawText(d, x + w / 2, y + h / 2 - 4, 13, WF_INK_TEXT, 0, none);

@@ -587,7 +587,8 @@ static void draw_sample_joint(wfDraw *d, const char *kind, int32_t flags, wfVec2
 const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size)
 {
     static const char *const words[] = {
-        "moves", "sleeps: nothing happens to it", "stands still", "moved by the scene alone",
+        "moves", "sleeps: nothing happens to it", "stands still",
+        "moved by the scene alone",
         "a sensor: tells who is in it", "a rod", "a rope, slack", "a spring", "a hinge",
         "a motor, and its way", "a pulley", "water", "what attracts" };
     static const BodyLook look[] = {
