@@ -45,7 +45,8 @@ double wfWorldsApart(const wfWorld *a, const wfWorld *b);
    ten, and about `about' of them fit in. Returns the step. */
 double wfNiceAxis(double least, double most, int about, double *from, double *to);
 /* The samples of the rows whose bits are set, oldest first, as comma-separated values
-   with a line of names. Returns the bytes needed; what doesn't fit into size is left out. */
+   with a line of names. Returns the bytes needed; what doesn't fit into size is left
+   out. */
 size_t wfPlotText(const wfPlots *plots, uint32_t rows, char *text, size_t size);
 /* Draws a row into the box with the lower left corner x, y (y up, units of the view). */
 void wfDrawPlot(wfDraw *d, int row, const wfPlots *plots, float x, float y, float w,
