@@ -238,6 +238,11 @@
       if (name === 'weft/settings.txt') text = text.replace(/^dark \d$/m, 'dark ' + (night ? 1 : 0));
       return Uint8Array.from(text, c => c.charCodeAt(0));
     };
+    const handOut = (bytes, name) => {
+      const a = document.createElement('a');
+      a.href = URL.createObjectURL(new Blob([bytes])); a.download = name; a.click();
+      setTimeout(() => URL.revokeObjectURL(a.href), 10000);
+    };
     const grant = night => {
       const wish = stuck ? 0 : x.web_wish();
       if (!wish) return;
@@ -246,14 +251,10 @@
       let came = null;
       try {
         if (!options.whole) came = null;
+        else if (game.own && (came = game.own(wish, name, bytes))) { /* address.js has it */ }
         else if (wish === 1) { keep('weft/' + name, bytes); came = bytes; }
         else if (wish === 2) came = fetched('weft/' + name, night);
-        else {
-          const a = document.createElement('a');
-          a.href = URL.createObjectURL(new Blob([bytes])); a.download = name; a.click();
-          setTimeout(() => URL.revokeObjectURL(a.href), 10000);
-          came = bytes;
-        }
+        else { handOut(bytes, name); came = bytes; }
       } catch (e) { came = null; }                     // a full store, or one that is switched off
       act(x => {
         if (came && wish === 2) new Uint8Array(x.memory.buffer, x.web_file_bytes(), came.length).set(came);
@@ -274,6 +275,8 @@
       if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
       frames++;
       idle = x.web_still();
+      const cursor = ['', 'pointer', 'grab', 'crosshair'][x.web_cursor()] || '';
+      if (canvas.style.cursor !== cursor) canvas.style.cursor = cursor;
       pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
       grant(night);
     };
@@ -296,7 +299,8 @@
     };
     canvas.addEventListener('pointerdown', e => {
       finger = e.pointerType === 'touch';
-      canvas.focus({ preventScroll: true }); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e); place(e);
+      canvas.focus({ preventScroll: true }); canvas.setPointerCapture(e.pointerId); touches.set(e.pointerId, e);
+      if (touches.size === 1) place(e);                // a second finger ends the first one's pull where that is
       if (options.whole) more();
       const [which, down] = touches.size === 1 ? [bit(e), 1] : [1, 0];
       act(x => x.web_button(which, down));
@@ -359,7 +363,7 @@
       act(x => x.web_key(k));
     });
     const game = {
-      frame, open, more,
+      frame, open, more, act, handOut,
       parts: () => log ? 1 : 2,
       frames: () => frames,
       key: k => act(x => x.web_key(k)),
@@ -368,7 +372,9 @@
         act(x => x.web_button(1, 1));
         act(x => x.web_button(1, 0));
       },
-      describe: () => quietly(x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x.web_describe())), () => 0) || '',
+      say: what => quietly(x => words.decode(new Uint8Array(x.memory.buffer, x.web_name(), x[what]())), () => 0) || '',
+      set: (name, value) => act(x => x.web_set(put(x, x.web_name(), name), value)),
+      describe: () => game.say('web_describe'),
       run() { if (!on) { on = true; idle = waits = false; last = 0; requestAnimationFrame(tick); } },
       stop() { on = false; },
       running: () => on,
@@ -440,13 +446,12 @@
     all.forEach(f => watch.observe(f));
     const whole = document.getElementById('testbed');
     if (whole) {
-      const scene = () => decodeURIComponent(location.hash.slice(1));
-      makeGame(whole, scene(), { whole: true }).then(game => {
-        addEventListener('hashchange', () => game.open(scene()));
+      const hash = location.hash.slice(1);
+      makeGame(whole, decodeURIComponent(hash.replace(/^scene=/, '').replace(/&.*/, '')), { whole: true }).then(game => {
         if (matchMedia('(prefers-reduced-motion: reduce)').matches) game.key(112);      // it begins paused
         game.run();
         whole.focus();
-        document.head.append(Object.assign(document.createElement('script'), { src: here + 'spoken.js' }));
+        for (const src of ['spoken.js', 'address.js']) document.head.append(Object.assign(document.createElement('script'), { src: here + src }));
       });
     }
   };

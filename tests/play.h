@@ -13,7 +13,7 @@ static inline void play_begin(play *p, int width, int height, float scale)
 {
     memset(p, 0, sizeof *p);
     p->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
-                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL, NULL, NULL, NULL, 0 };
+                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL, NULL, NULL, NULL, 0, 0 };
     p->buffer = (frame_buffer){ calloc((size_t)(width * height), 4), width, height, width, scale };
     assert_true(p->memory.permanent && p->memory.transient && p->buffer.pixels);
 }

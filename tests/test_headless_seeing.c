@@ -189,7 +189,7 @@ static void curves_are_the_worlds_numbers(void **state)
     static wfPlots plots;
     wfWorld w = open("cradle", 40), other = open("cradle", 10);
     double kinetic, potential, p[2], l;
-    wfPlotInput in = { &w, &other, 1, 0.002, 0.016, NULL, true, false };
+    wfPlotInput in = { &w, &other, 1, 0.002, 0.016, NULL, true, false, { 0, 0 } };
     for (int i = 0; i < WF_PLOT_SAMPLES + 5; i++) wfPlotSample(&plots, &in);
     assert_int_equal(plots.count, WF_PLOT_SAMPLES);
     assert_int_equal(plots.next, 5);
@@ -411,7 +411,7 @@ static void a_plot_has_its_picture(void **state)
     for (int i = 0; i < 240; i++) {
         wfSceneInput in = wfSceneInputAt(row, i);
         assert_int_equal(wfStepScene(row, &w, &in), WF_OK);
-        wfPlotInput ask = { &w, NULL, 0, 0, 0, NULL, false, false };
+        wfPlotInput ask = { &w, NULL, 0, 0, 0, NULL, false, false, { 0, 0 } };
         wfPlotSample(&plots, &ask);
     }
     wfDraw d;
@@ -431,7 +431,7 @@ static void a_plots_words_have_room(void **state)
     static wfPlots plots;
     wfWorld w = open("cradle", 3), others[3] = { w, w, w };
     static double stage[64] = { 0.001 };
-    wfPlotInput ask = { &w, others, 3, 0.001, 0.016, stage, true, false };
+    wfPlotInput ask = { &w, others, 3, 0.001, 0.016, stage, true, false, { 1, 0 } };
     for (int run = 0; run < 4; run++) {
         int timed = run % 2, low = run / 2;
         ask.stage = timed ? stage : NULL;

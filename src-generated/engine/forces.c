@@ -106,6 +106,15 @@ int32_t wfForceCount(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->forceSlots.count : 0;
 }
 
+wfForceId wfForceAt(const wfWorld *world, int32_t i)
+{
+    wfBlock b;
+    if (wfOpenBlock(world, &b) != WF_OK || i < 0 || i >= b.head->forceSlots.high ||
+        b.forceSlots[i].next != WF_SLOT_LIVE)
+        return (wfForceId){ 0, 0 };
+    return (wfForceId){ (uint32_t)i + 1, b.forceSlots[i].generation };
+}
+
 static wfForce hand_for(const wfBlock *b, int32_t i, wfVec2 point)
 {
     const wfBodyState *s = &b->state[i];

@@ -60,6 +60,15 @@ static int list_scenes(ui *u, game *g)
     return chosen;
 }
 
+/* How well the query fits the scene: its name, or else its sentence or its chapter. */
+static float scene_fit(const wfScene *scene, const char *query)
+{
+    float fit = ui_fit(query, scene->name);
+    bool told = ui_holds(scene->text, query) || ui_holds(scene->category, query) ||
+                ui_holds(scene->chapter, query);
+    return fit >= 0 ? fit + 1 : told ? 0 : -1;
+}
+
 static int list_found(ui *u, game *g)
 {
     const game_state *s = g->state;
@@ -70,7 +79,7 @@ static int list_found(ui *u, game *g)
         float most = -1;
         int best = -1;
         for (int i = 0; i < count; i++) {
-            float fit = told[i] ? -1 : ui_fit(s->ui.query, game_scene_at(g, i)->name);
+            float fit = told[i] ? -1 : scene_fit(game_scene_at(g, i), s->ui.query);
             if (fit > most) most = fit, best = i;
         }
         if (best < 0) break;
@@ -79,6 +88,8 @@ static int list_found(ui *u, game *g)
             (rank == 0 && !u->draw && s->ui.typing && s->enter))
             chosen = best;
     }
+    if (y == LIST_TOP)
+        ui_text(u, 10, y + 14, 13, WF_INK_LINE, -1, "no scene has these words");
     return chosen;
 }
 
@@ -109,6 +120,7 @@ void game_list_panel(ui *u, game *g)
     int chosen = s->ui.query[0] ? list_found(u, g) : list_scenes(u, g);
     if (chosen >= 0) {
         game_open_scene(g, chosen);
+        s->hint = 0;
         if (game_has_drawer(s)) s->list = 0;
         s->ui.typing = 0;
         s->ui.query[0] = 0;
@@ -146,7 +158,7 @@ static void press_size(game *g) { g->state->letters = (g->state->letters + 1) % 
 static const button_row button_table[] = {
     { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
     { "Tools", NULL, 0, FLAG(bar), NULL, "what the mouse can do: the row below" },
-    { "Pause", "Run", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
+    { "Pause", "Play", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
     { "Step", NULL, 'o', 0, press_step, "one step" },
     { "Reset", NULL, 'r', 0, press_reset, "the scene from its beginning" },
     { "Undo", NULL, GAME_KEY_UNDO, 0, game_undo, "take the last change back" },
@@ -188,11 +200,11 @@ static void bar_room(bar *b, float w)
 
 bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
 {
-    float w = 18 + wfTextWidth(&wfBakedFont, 13, name);
+    float w = (ui_has_icon(name) ? 22 : 16) + wfTextWidth(&wfBakedFont, 13, name);
     bar_room(b, w);
     bool hit = ui_button(u, name, b->x, b->y, w, on);
     ui_tip(u, name, text, b->x, b->y, w, 24);
-    b->x += w + 6;
+    b->x += w + 4;
     return hit;
 }
 
@@ -241,7 +253,8 @@ void game_state_line(ui *u, const game *g, float x)
                                     WF_INK_TEXT, room, s->tools.said);
     else ui_fitted(u, x, s->height - 13, WF_INK_LINE, room,
             s->finger ? "a finger holds and throws, or moves the view; two zoom" :
-            "?: all keys   drag: hold and throw   right drag: move the view   wheel: zoom");
+            "?: all keys   drag: hold and throw   right drag: move the view   "
+            "wheel: zoom   right click: menu");
 }
 
 void game_key_sheet(ui *u, const game_state *s, float x)

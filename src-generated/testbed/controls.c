@@ -15,8 +15,9 @@ static void take_hold(game *g)
     if (wfGetBody(&g->world, id, &info) != WF_OK || info.type != WF_DYNAMIC) return;
     const wfBodyState *body = &wfWorldBodies(&g->world).state[wfBodyIndex(&g->world, id)];
     s->held = id;
+    s->hint = 0;
     s->grip = wfApplyInv(wfBodyTransform(body), s->input.mouse);
-    s->turning = 0;
+    s->turning = s->pulled = 0;
 }
 
 static void turn_held(game *g, wfReal by)
@@ -66,7 +67,10 @@ static void use_tool(game *g, bool over)
     }
     if (g->input->held & GAME_BUTTON_LEFT) tool_move(&w, s->input.mouse);
     else tool_release(&w, s->input.mouse);
-    if (!(g->input->held & GAME_BUTTON_LEFT) || !wfBodyIsValid(&g->world, s->held))
+    bool flick = !s->pulled && !s->paused && wfLength(wfSub(s->tools.at, s->tools.from)) >
+                                             6 * s->tools.unit;
+    if ((!(g->input->held & GAME_BUTTON_LEFT) && !flick) ||
+        !wfBodyIsValid(&g->world, s->held))
         s->held = (wfBodyId){ 0 };
 }
 
@@ -78,6 +82,33 @@ static void choose_pair(game *g)
         wfPairAt(&g->world, s->input.mouse, &s->look.shapeA, &s->look.shapeB);
 }
 
+/* The body that a press would hit. */
+static void find_hover(game *g, bool over)
+{
+    game_state *s = g->state;
+    tool_work w = game_tools_of(g);
+    bool pressed = (g->input->pressed | g->input->held | g->input->released) != 0;
+    bool seen = s->opened && s->moved && !over && (!s->finger || pressed);
+    s->hover = seen ? tool_pick(&g->world, s->input.mouse, w.memory->reach) :
+               (wfBodyId){ 0, 0 };
+}
+
+/* A right button that went down and up in one place, a finger that rests. */
+static void ask_for_menu(game *g, bool over)
+{
+    game_state *s = g->state;
+    const game_input *in = g->input;
+    float x = in->mouse_x - s->asked_x, y = in->mouse_y - s->asked_y;
+    if (in->pressed) s->asked_x = in->mouse_x, s->asked_y = in->mouse_y, s->rest = 0;
+    bool strayed = !in->pressed && x * x + y * y > 36 * s->scale * s->scale;
+    s->rest = strayed || !in->held ? -1 : s->rest < 0 ? -1 : s->rest + in->seconds;
+    bool rested = s->finger && s->tools.tool == 0 && s->rest > 0.6;
+    bool clicked = (in->released & GAME_BUTTON_RIGHT) && !strayed;
+    if (over || s->menu || !(rested || clicked)) return;
+    s->rest = -1;
+    game_open_menu(g, in->mouse_x, in->mouse_y);
+}
+
 void game_obey_mouse(game *g, bool over)
 {
     game_state *s = g->state;
@@ -86,6 +117,8 @@ void game_obey_mouse(game *g, bool over)
     if (s->panning)
         camera_pan(&s->camera, in->mouse_x - s->mouse_x, in->mouse_y - s->mouse_y);
     if ((in->pressed & pull) && !over) s->panning = 1;
+    if (s->panning && (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y))
+        s->follow = (wfBodyId){ 0 };
     if (!(in->held & (s->panning == 2 ? GAME_BUTTON_LEFT : pull))) s->panning = 0;
     camera_pan(&s->camera, in->pan_x, in->pan_y);
     if (in->wheel != 0 && s->held.index) turn_held(g, WF_R(0.2) * (wfReal)in->wheel);
@@ -94,7 +127,9 @@ void game_obey_mouse(game *g, bool over)
     if (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y) s->moved = 1;
     find_mouse(g);
     if (!over) choose_pair(g);
+    find_hover(g, over);
     use_tool(g, over);
+    ask_for_menu(g, over);
     s->mouse_x = in->mouse_x;
     s->mouse_y = in->mouse_y;
 }
@@ -218,6 +253,7 @@ void game_obey_key(game *g, int32_t key)
     case 'm': case 'M': put_mark(g); break;
     case 'n': case 'N': choose_next(g); break;
     case GAME_KEY_DELETE: remove_chosen(g); break;
+    case GAME_KEY_ESCAPE: s->menu = 0; break;
     default: if (!s->ui.focus) obey_view_key(g, key); break;
     }
     for (int i = 0; i < toolCount; i++)

@@ -32,7 +32,7 @@ bool game_has_card(game *g)
 
 enum { SAVE_HEAD = 64 };
 
-void game_press_save(game *g)
+static void send_world(game *g, int32_t wanted, int32_t what, const char *name)
 {
     if (!game_has_card(g)) return;
     game_file *f = g->file;
@@ -42,7 +42,17 @@ void game_press_save(game *g)
                                     f->capacity - SAVE_HEAD, &f->size);
     f->size += SAVE_HEAD;
     if (result != WF_OK) game_tell(g, true, wfResultText(result));
-    else game_wish(g, GAME_FILE_KEEP, FILE_WORLD, "world.save");
+    else game_wish(g, wanted, what, name);
+}
+
+void game_press_save(game *g)
+{
+    send_world(g, GAME_FILE_KEEP, FILE_WORLD, "world.save");
+}
+
+void game_press_link(game *g)
+{
+    send_world(g, GAME_FILE_EXPORT, FILE_LINK, "link.save");
 }
 
 void game_press_load(game *g)

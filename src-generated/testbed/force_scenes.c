@@ -19,16 +19,6 @@ static wfResult build_bungee(wfWorld *world)
     return m.result;
 }
 
-static void draw_ropes(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
-{
-    (void)in;
-    wfBodyView v = wfWorldBodies(world);
-    for (int32_t i = 1; i < v.count; i++) {
-        wfVec2 hook = wfApply(wfBodyTransform(&v.state[i]), wfV2(0, WF_R(0.4)));
-        wfDrawLine(d, 3 * (float)(i - 2), 5, WF_XY(hook), 2, WF_INK_ACCENT);
-    }
-}
-
 enum { NET_KNOTS = 13 };
 
 static wfResult build_net(wfWorld *world)
@@ -54,14 +44,6 @@ static wfResult build_net(wfWorld *world)
     return m.result;
 }
 
-static void draw_net(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
-{
-    (void)in;
-    wfBodyView v = wfWorldBodies(world);
-    for (int32_t i = 1; i < NET_KNOTS && i < v.count; i++)
-        wfDrawLine(d, WF_XY(v.state[i - 1].p), WF_XY(v.state[i].p), 2, WF_INK_ACCENT);
-}
-
 static wfResult build_buoyancy(wfWorld *world)
 {
     Maker m = { world, WF_OK };
@@ -80,14 +62,6 @@ static wfResult build_buoyancy(wfWorld *world)
     wfForce water = wfBuoyancy(0, 1, WF_R(9.80665), WF_R(0.6));
     push(&m, &water);
     return m.result;
-}
-
-static void draw_water(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
-{
-    (void)world, (void)in;
-    wfDrawLine(d, -7, 0, 7, 0, 2.5f, WF_INK_GOOD);
-    for (int i = 1; i < 8; i++)
-        wfDrawLine(d, -7, -0.5f * (float)i, 7, -0.5f * (float)i, 1, WF_INK_FAINT);
 }
 
 static wfResult build_wind(wfWorld *world)
@@ -124,13 +98,13 @@ static wfResult build_explosion(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Forces", .name = "bungee", .chapter = "forces",
       .text = "Three masses on equal ropes that pull and never push.",
-      .build = build_bungee, .draw = draw_ropes, VIEW(0, 1, 10), PROMISE(0.5, 0.2) },
+      .build = build_bungee, VIEW(0, 1, 10), PROMISE(0.5, 0.2) },
     { .category = "Forces", .name = "spring net", .chapter = "forces",
       .text = "Knots joined by damped springs catch three balls.",
-      .build = build_net, .draw = draw_net, VIEW(0, 0.5, 10), PROMISE(1, 0.2) },
+      .build = build_net, VIEW(0, 0.5, 10), PROMISE(1, 0.2) },
     { .category = "Forces", .name = "buoyancy", .chapter = "forces",
       .text = "Densities 0.2, 0.5, 0.9 and 1.5 in water of 1: three pairs float, one sinks.",
-      .build = build_buoyancy, .draw = draw_water, VIEW(0, -1, 8), PROMISE(0.5, 0.15) },
+      .build = build_buoyancy, VIEW(0, -1, 8), PROMISE(0.5, 0.15) },
     { .category = "Forces", .name = "wind", .chapter = "forces",
       .text = "A wind of 5 m/s, no weight: green bodies are light, blue ones heavy.",
       .define = without_gravity, .build = build_wind, VIEW(0, 3.5, 9),

@@ -28,7 +28,7 @@ static void interface(ui *u, game *g, double seconds)
     u->room[0] = game_list_side(s), u->room[1] = s->head;
     u->room[2] = s->width - game_beside(s), u->room[3] = s->height - FOOT - TIME_BAR;
     bool drawer = game_has_drawer(s);
-    if (drawer) u->x = -1e6f;                           /* it lies over all else */
+    if (drawer || s->menu) u->x = -1e6f;                /* they lie over all else */
     strip(u, -2, s->head);
     strip(u, s->height - FOOT + 2, FOOT);
     game_draw_curves(u, g);
@@ -44,7 +44,13 @@ static void interface(ui *u, game *g, double seconds)
     game_state_line(u, g, x);
     game_time_bar(u, g);
     if (s->keys) game_key_sheet(u, s, x);
-    u->x = mouse;
+    if (s->hint)
+        ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
+                s->height - FOOT - TIME_BAR - 14, 16, WF_INK_ACCENT, 0,
+                "Grab something: drag it, and throw it.");
+    if (!drawer || s->menu) u->x = mouse;
+    game_body_menu(u, g);
+    u->x = s->menu ? -1e6f : mouse;
     if (drawer) {
         game_list_panel(u, g);
         u->over = true;
@@ -97,7 +103,9 @@ static void begin_game(game *g)
     s->row = -1;
     if (g->text) wfCheckSceneText(g->text, &s->info, NULL);
     wfSceneOfText(g->text, &s->info, &g->guest);
-    game_open_scene(g, g->text ? wfSceneCount() : 0);
+    s->hint = !g->text && !g->input->scene[0];
+    int first = wfFindScene("tumbler");
+    game_open_scene(g, g->text ? wfSceneCount() : first < 0 ? 0 : first);
 }
 
 static void measure_picture(game_state *s, const frame_buffer *buffer)
@@ -127,11 +135,59 @@ static bool stays_as_it_is(game *g)
     return s->quiet >= 3 && !tip && !file && !s->shots && !s->filming && !s->film_over;
 }
 
+static void follow(game *g)
+{
+    camera *c = &g->state->camera;
+    int32_t i = wfBodyIndex(&g->world, g->state->follow);
+    if (i < 0) return;
+    wfVec2 p = wfWorldBodies(&g->world).state[i].p;
+    c->x += 0.15f * ((float)p.x - c->x);
+    c->y += 0.15f * ((float)p.y - c->y);
+}
+
+static bool sees(float x, float y, float height, wfVec2 p)
+{
+    float dx = (float)p.x - x, dy = (float)p.y - y;
+    return dx < height && dx > -height && dy < 0.6f * height && dy > -0.6f * height;
+}
+
+/* A scene that everybody has left begins again, if nobody has changed anything. */
+static void begin_again(game *g)
+{
+    game_state *s = g->state;
+    wfBodyView v = wfWorldBodies(&g->world);
+    const camera *c = &s->camera;
+    bool any = false, runs = g->input->steps < 0 && !s->paused;
+    bool left = runs && !s->ends && !s->undo_count;
+    for (int32_t i = 0; i < v.count && left; i++) {
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
+        any = true;
+        left = !sees(c->x, c->y, c->height, v.state[i].p) &&
+               !sees((float)g->scene->viewX, (float)g->scene->viewY,
+                     (float)g->scene->viewHeight, v.state[i].p);
+    }
+    bool taped = s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING;
+    s->empty = left && any && !taped && !s->held.index ? s->empty + g->input->seconds : 0;
+    if (s->empty < 2) return;
+    game_open_scene(g, s->row);
+    game_tell(g, false, "all had left: from the beginning");
+}
+
+static int32_t cursor_of(const game *g, const ui *u)
+{
+    const game_state *s = g->state;
+    bool world = !u->over;
+    if (s->held.index || s->panning) return GAME_CURSOR_GRAB;
+    if (u->hot || (world && s->tools.tool == 0 && game_may_take(g)))
+        return GAME_CURSOR_POINT;
+    return world && s->tools.tool > 0 ? GAME_CURSOR_CROSS : GAME_CURSOR_ARROW;
+}
+
 static void open_by_name(game *g, const char *name)
 {
     char line[TOOL_WORDS];
     int row = wfFindScene(name);
-    if (row >= 0) game_open_scene(g, row);
+    if (row >= 0) game_open_scene(g, row), g->state->hint = 0;
     snprintf(line, sizeof line, "there is no scene %.39s", name);
     if (row < 0) game_tell(g, true, line);
 }
@@ -164,6 +220,9 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_obey_mouse(&g, u.over);
     game_end_edit(&g);
     if (s->opened) game_step_world(&g);
+    if (s->opened) begin_again(&g);
+    follow(&g);
+    memory->cursor = cursor_of(&g, &u);
     game_note_tape(&g);
     game_keep_settings(&g);
     memory->still = stays_as_it_is(&g);
@@ -237,6 +296,9 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         (int)s->filming, (int)(s->film.pictures + s->frame_count));
     say(&w, "tool %s\nchosen %d\nsaid %s\n", toolTable[s->tools.tool].name,
         (int)s->tools.count, s->tools.said);
+    say(&w, "hover %d\nmenu %d\nfollow %d\nhint %d\ncursor %d\n",
+        (int)wfBodyIndex(&g.world, s->hover), (int)s->menu,
+        (int)wfBodyIndex(&g.world, s->follow), (int)s->hint, (int)memory->cursor);
     say(&w, "pace %.4g\nmost %d\nstill %d\n", s->pace, (int)s->most, (int)memory->still);
     say(&w, "letters %d\nlist %d\npanel %d\nback %d\nrate %g\ndark %d\nkeys %d\n",
         (int)s->letters,

@@ -26,7 +26,7 @@ typedef struct tape_note {
 } tape_note;
 enum { TAPE_STEP = 256 };           /* more bytes of a journal than a step needs */
 enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
-       FILE_FRAME };
+       FILE_FRAME, FILE_CURVES, FILE_LINK };
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
@@ -60,10 +60,20 @@ typedef struct game_state {
     /* what the game remembers of settings and time */
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
+    wfBodyId hover;                     /* the body under the mouse; index 0: none */
+    int32_t menu;                       /* its menu is open, here: units */
+    float menu_x, menu_y;
+    double rest;                        /* s that a finger has rested where it came down */
+    float asked_x, asked_y;             /* pixels: there */
+    wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
+    int32_t hint;                       /* nobody has grabbed anything yet */
+    int32_t ends;                       /* 1: a scene that is empty stays so */
+    double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
     int32_t quiet;                      /* frames in which nothing has happened */
     int32_t most, made;                 /* steps in a frame, at most; in the last one */
     double wall, passed, pace; /* s on the wall, in the world; the share of the last second */
+    int32_t pulled;                     /* the hand has pulled since it took hold */
     int32_t turning;                    /* what is held is to have a certain angle ... */
     wfReal turn_to;                     /* ... rad */
     int32_t mark, mark_down;            /* the arrows move a mark; it is pressed */
@@ -103,6 +113,7 @@ typedef struct game_state {
     uint32_t modules, wished;           /* instead of the scene's own; to be: 0: its own */
     double seconds[STAGES];             /* that the stages took ... */
     int64_t timed;                      /* ... in so many steps */
+    wfBodyId plotted;                   /* whose own curves are kept */
     wfLook look;                        /* what the overlays look into ... */
     int32_t pinned;                     /* ... 1: and it does not follow the mouse */
     int32_t curves;                     /* which plots are shown, a bit each */
@@ -176,6 +187,7 @@ wfVec2 game_grip_place(const game *g);
 void game_pull(game *g, wfReal h);
 void game_step_world(game *g);
 /* painting */
+bool game_may_take(const game *g);
 bool game_has_panes(const game_state *s);
 void game_take_pane(const game_state *s, camera *c);
 frame_buffer game_seen_of(const game_state *s, const frame_buffer *whole);

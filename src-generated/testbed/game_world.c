@@ -66,6 +66,10 @@ void game_open_scene(game *g, int row)
     s->posed = 0;
     s->undo_at = s->undo_count = s->editing = 0;
     s->input = (wfSceneInput){ 0 };
+    s->hover = s->follow = (wfBodyId){ 0 };
+    s->plotted = (wfBodyId){ 0 };
+    s->menu = 0;
+    s->empty = 0;
     s->reveal = 1;
     s->back = 0;
     wfRewindInit(&g->ring, g->ring.bytes, RING_BYTES);

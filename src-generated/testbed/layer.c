@@ -231,6 +231,28 @@ static void press(game_input *in, int32_t key)
     if (in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
 }
 
+static void play(layer *l, const game_input *now, const game_input *told)
+{
+    if (l->record) record_input(l, now);
+    l->code.update(&l->memory, told, &l->buffer);
+    grant_wish(l);
+    l->last = *now;
+}
+
+void layer_event(layer *l, game_input *in, const game_event *e)
+{
+    if (game_take_event(in, e)) return;
+    game_input part = *in;
+    uint32_t *pixels = l->buffer.pixels;
+    part.seconds = 0;
+    part.steps = 0;
+    l->buffer.pixels = NULL;
+    if (!l->text && l->frames > 0) play(l, &part, &part);
+    l->buffer.pixels = pixels;
+    game_forget_moment(in);
+    game_take_event(in, e);
+}
+
 bool layer_frame(layer *l, const game_input *input)
 {
     game_input now = *input;
@@ -244,15 +266,12 @@ bool layer_frame(layer *l, const game_input *input)
     }
     if (l->frames == 0 && l->options->scene && !now.scene[0])
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
-    if (l->record) record_input(l, &now);
     l->memory.news = NULL;
     if (l->options->library) take_new_code(l);
     game_input told = now;
     if (l->frames == 0 && l->options->film) press(&told, GAME_KEY_FILM);
     if (l->frames == 0 && l->options->frames) press(&told, GAME_KEY_FRAMES);
-    l->code.update(&l->memory, &told, &l->buffer);
-    grant_wish(l);
-    l->last = now;
+    play(l, &now, &told);
     l->frames++;
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;
     if (l->options->log && (over || l->memory.still || l->frames % 6 == 1)) write_log(l);

@@ -65,6 +65,8 @@ double layer_now(void);
 /* One frame: takes input from the script if there is one, calls the game, records and logs.
    False when it is time to stop: the script or the number of steps is at its end. */
 bool layer_frame(layer *l, const game_input *input);
+/* Adds an event to a frame's input; what its order would spoil is played before, unseen. */
+void layer_event(layer *l, game_input *in, const game_event *e);
 
 /* After the last frame: saves the pictures that the options name. */
 bool layer_finish(layer *l);

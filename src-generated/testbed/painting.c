@@ -8,11 +8,19 @@
 
 static void draw_ghosts(game *g, wfDraw *d);        /* of sec:scenes-compare */
 
-/* paint the world */
+/* The body under the mouse is one that the tool would do something with. */
+bool game_may_take(const game *g)
+{
+    const game_state *s = g->state;
+    int32_t i = wfBodyIndex(&g->world, s->hover);
+    if (i < 0) return false;
+    return s->tools.tool > 0 || wfWorldBodies(&g->world).props[i].type == WF_DYNAMIC;
+}
+
 static bool draw_between(game *g, wfDraw *d)
 {
     game_state *s = g->state;
-    bool plain = s->show == 0 && !g->scene->draw && s->worlds < 2;
+    bool plain = s->show == 0 && !g->scene->draw && s->worlds < 2 && !s->hover.index;
     if (!plain || s->between >= 1 || s->posed != wfWorldSteps(&g->world)) return false;
     wfBodyView v = wfWorldBodies(&g->world);
     int32_t n = v.count < s->poses ? v.count : s->poses;
@@ -43,6 +51,7 @@ void game_list_world(game *g, wfDraw *d, const float view[4])
     draw_ghosts(g, d);
     if (g->scene->draw) g->scene->draw(&g->world, d, &s->input);
     tool_work tools = game_tools_of(g);
+    if (!s->held.index && game_may_take(g)) tool_outline(&g->world, s->hover, d);
     tool_draw(&tools, d);
     if (s->held.index) {
         wfVec2 grip = game_grip_place(g);

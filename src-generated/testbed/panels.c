@@ -117,6 +117,49 @@ typedef struct panel_row {
     float (*walk)(ui *u, game *g, float x, float y, float w);
 } panel_row;
 
+/* panels */
+bool game_set(game_memory *memory, const char *name, double value)
+{
+    static const game_input none = { 0 };
+    game g;
+    game_begin_call(&g, memory, &none);
+    for (int i = 0; i < wfSettingCount && g.state->opened; i++) {
+        const wfSetting *row = &wfSettingTable[i];
+        size_t n = strlen(row->name);
+        int part = row->kind == WF_SETTING_VEC2 && strcmp(name + n, ".x") != 0;
+        if (strncmp(name, row->name, n) != 0 || (name[n] && name[n] != '.')) continue;
+        change_setting(&g, i, part, value);
+        game_end_edit(&g);
+        return g.state->result == WF_OK;
+    }
+    return false;
+}
+
+size_t game_link(game_memory *memory, char *text, size_t size)
+{
+    static const game_input none = { 0 };
+    game g;
+    wfWorldDef def;
+    game_begin_call(&g, memory, &none);
+    if (!g.state->opened || wfGetWorldDef(&g.world, &def) != WF_OK) return 0;
+    int n = snprintf(text, size, "scene=%s", g.scene->name);
+    size_t used = n > 0 ? (size_t)n : 0;
+    for (size_t i = 0; i < used && i < size; i++)
+        if (text[i] == ' ') text[i] = '-';
+    for (int i = 0; i < wfSettingCount && i < 128; i++) {
+        const wfSetting *row = &wfSettingTable[i];
+        int parts = row->kind == WF_SETTING_VEC2 ? 2 : 1;
+        for (int part = 0; g.state->changed[i] && part < parts; part++) {
+            size_t room = used < size ? size - used : 0;
+            n = snprintf(room ? text + used : NULL, room, "&%s%s=%.9g", row->name,
+                         parts < 2 ? "" : part ? ".y" : ".x",
+                         wfSettingValue(&def, row, part));
+            used += n > 0 ? (size_t)n : 0;
+        }
+    }
+    return used;
+}
+
 /* A line with a name and a word or number that can't be changed; where the next begins. */
 static float told_line(ui *u, const game *g, float x, float y, float w, const char *name,
                        const char *told)
@@ -138,6 +181,10 @@ static float world_panel(ui *u, game *g, float x, float y, float w)
         game_open_scene(g, s->row);
     }
     y += 30;
+    if (panel_shows(g, y, ROW) && ui_check(u, "Begin again when all have left", x, y, w,
+                                           !s->ends))
+        s->ends = !s->ends;
+    y += ROW + 2;
     y = told_line(u, g, x, y, w, "precision (when it is compiled)",
                   sizeof(wfReal) == 8 ? "double" : "float");
     for (int i = 0; i < wfSettingCount; i++) {
@@ -358,6 +405,22 @@ static float modules_panel(ui *u, game *g, float x, float y, float w)
     return y;
 }
 
+void game_plot_body(game *g, wfBodyId id)
+{
+    g->state->plotted = id;
+    g->state->curves |= 3 << WF_PLOT_BODY;
+}
+
+static void press_csv(game *g)
+{
+    game_state *s = g->state;
+    if (!game_has_card(g)) return;
+    game_file *f = g->file;
+    f->size = wfPlotText(&s->plots, (uint32_t)s->curves, (char *)f->bytes, f->capacity);
+    if (f->size >= f->capacity) game_tell(g, true, "the curves are too long for a file");
+    else game_wish(g, GAME_FILE_EXPORT, FILE_CURVES, "curves.csv");
+}
+
 static void look_number(ui *u, game *g, const char *name, float x, float *y, float w,
                         int32_t *value, int32_t least, int32_t most)
 {
@@ -369,6 +432,16 @@ static void look_number(ui *u, game *g, const char *name, float x, float *y, flo
     if (*value > most) *value = most;
     if (*value < least) *value = least;
     *y += UI_LINE;
+}
+
+static float legend(ui *u, const game *g, float x, float y)
+{
+    for (int i = 0; wfDrawLegend(i, NULL, 0, 0, 0); i++, y += UI_LINE) {
+        if (!panel_shows(g, y, UI_LINE)) continue;
+        ui_text(u, x + 44, y + 15, 13, WF_INK_TEXT, -1, wfDrawLegend(i, NULL, 0, 0, 0));
+        if (u->draw) wfDrawLegend(i, u->draw, x + 20, u->height - y - 11, 12);
+    }
+    return y;
 }
 
 static float see_panel(ui *u, game *g, float x, float y, float w)
@@ -394,7 +467,7 @@ static float see_panel(ui *u, game *g, float x, float y, float w)
                 wfClipSteps(&g->world, &s->look) - 1);
     look_number(u, g, "Substep", x, &y, w, &s->look.substep, 1, wfStepSubsteps(&def));
     look_number(u, g, "Pass", x, &y, w, &s->look.pass, 1, wfStepPasses(&def));
-    return y;
+    return legend(u, g, x, y + 6);
 }
 
 static int32_t setting_count(const void *of) { return (void)of, wfSettingCount; }
@@ -490,7 +563,10 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
             s->curves ^= 1 << i;
         ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, ROW);
     }
-    return y + (float)((wfPlotCount + 1) / 2 * ROW);
+    y += (float)((wfPlotCount + 1) / 2 * ROW) + 6;
+    if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false))
+        press_csv(g);
+    return y + 32;
 }
 
 enum { CURVE_WIDE = 268, CURVE_HIGH = 120, CURVE_LOW = 80, CURVE_GAP = 8 };
@@ -534,6 +610,7 @@ static const button_row file_table[] = {
     { "Replay", NULL, 'k', 0, game_press_replay, "K: does it again, to the last bit" },
     { "Save the world", NULL, 'w', 0, game_press_save, "W: world.save" },
     { "Load the world", NULL, 'a', 0, game_press_load, "A: world.save" },
+    { "Copy link", NULL, 0, 0, game_press_link, "with this world in it; else link.save" },
     { "Write JSON", NULL, 'u', 0, game_press_write, "U: scene.json, for people" },
     { "Read JSON", NULL, 'z', 0, game_press_read, "Z: scene.json" },
     { "Picture", NULL, GAME_KEY_PICTURE, 0, game_press_picture,

@@ -26,6 +26,7 @@ void game_load_world(game *g);
 void game_read_text(game *g);
 void game_press_save(game *g);
 void game_press_load(game *g);
+void game_press_link(game *g);
 void game_press_write(game *g);
 void game_press_read(game *g);
 void game_press_copy(game *g);
@@ -47,6 +48,9 @@ void game_buttons(ui *u, game *g, bar *b);
 void game_tool_bar(ui *u, game *g, bar *b);
 void game_state_line(ui *u, const game *g, float x);
 void game_key_sheet(ui *u, const game_state *s, float x);
+void game_open_menu(game *g, float x, float y);         /* pixels */
+void game_body_menu(ui *u, game *g);
+void game_plot_body(game *g, wfBodyId id);
 /* panels */
 float game_beside(const game_state *s);
 bool game_has_drawer(const game_state *s);

@@ -33,7 +33,11 @@ typedef struct game_memory {
     double (*now)(void);        /* s, since whenever; NULL: no clock. To measure only */
     const char *news;           /* from the platform, for the line of state; or NULL */
     int32_t still; /* the game's: 1: without input the next picture is this one */
+    int32_t cursor;             /* the game's: what the mouse looks like, GAME_CURSOR_... */
 } game_memory;
+
+enum { GAME_CURSOR_ARROW, GAME_CURSOR_POINT, GAME_CURSOR_GRAB, GAME_CURSOR_CROSS,
+       GAME_CURSORS };
 
 enum { GAME_PERMANENT_SIZE = 108 * 1024 * 1024,
        GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
@@ -67,8 +71,23 @@ typedef struct game_input {
     uint32_t pressed, released; /* buttons that went down, up in this frame; or both */
     int32_t key_count;          /* keys that went down in this frame, in order */
     int32_t keys[GAME_MAX_KEYS];
+    int32_t moved;              /* for game_take_event: the mouse moved in this frame */
     char scene[GAME_NAME_SIZE]; /* a scene to be opened (by a command line); or "" */
 } game_input;
+
+/* events in their order */
+enum { GAME_EVENT_MOVE, GAME_EVENT_DOWN, GAME_EVENT_UP, GAME_EVENT_WHEEL, GAME_EVENT_KEY };
+typedef struct game_event {
+    int32_t kind;
+    float x, y;                 /* MOVE, DOWN, UP: pixels; WHEEL: y has the notches */
+    int32_t code;               /* DOWN, UP: a button; KEY: a key; 0 does nothing */
+} game_event;
+
+/* Adds an event to a frame's input. False: it would come out of order or find no room;
+   nothing was added, and what is there has to be played first, in no time. */
+bool game_take_event(game_input *in, const game_event *e);
+/* Forgets what lasts for one frame: wheel, ways, presses, keys, the scene. */
+void game_forget_moment(game_input *in);
 
 /* To be filled by the game. Without pixels (NULL) the game updates and draws nothing. */
 typedef struct frame_buffer {
@@ -87,6 +106,14 @@ bool game_knows_scene(const char *name);
 /* Can the game open this scene, as text? If not, error says why: "line 7:
    bodies[2].mass must be > 0". */
 bool game_reads_scene(const char *text, char *error, size_t size);
+
+/* Sets a setting of the world by its name, "timeStep" or "gravity.y". False: there is none
+   of this name, or the world refused the value. */
+bool game_set(game_memory *memory, const char *name, double value);
+
+/* What leads here again: "scene=stack-of-boxes&gravity.y=-3", the scene and the settings
+   that the user has changed. Returns the length, as game_describe does. */
+size_t game_link(game_memory *memory, char *text, size_t size);
 
 /* Does the user type letters? A page raises a keyboard for a finger then. */
 bool game_wants_letters(const game_memory *memory);

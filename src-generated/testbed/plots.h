@@ -6,8 +6,8 @@
 #include "weft/draw.h"
 #include "weft/weft.h"
 
-enum { WF_PLOT_CURVES = 5, WF_PLOT_SAMPLES = 600, WF_PLOTS_MOST = 10 };
-enum { WF_PLOT_ERROR = 6, WF_PLOT_STAGES = 7 };         /* rows */
+enum { WF_PLOT_CURVES = 5, WF_PLOT_SAMPLES = 600, WF_PLOTS_MOST = 14 };
+enum { WF_PLOT_ERROR = 6, WF_PLOT_STAGES = 7, WF_PLOT_BODY = 8 };       /* rows */
 
 /* What is asked at each sample. */
 typedef struct wfPlotInput {
@@ -18,6 +18,7 @@ typedef struct wfPlotInput {
     const double *stage;        /* s that each stage of it took; NULL: nobody knows */
     bool clocked;               /* there is a clock */
     bool hooked;                /* the scene has hooks: its stages are not timed */
+    wfBodyId body;              /* whose own numbers are wanted; index 0: nobody's */
 } wfPlotInput;
 
 typedef struct wfPlotRow {
@@ -33,6 +34,7 @@ extern const int wfPlotCount;
    the newest step were timed, -1 if they can't be. */
 typedef struct wfPlots {
     int32_t count, next, others, clocked, staged;
+    wfBodyId body;                          /* the one that was asked */
     float time[WF_PLOT_SAMPLES];            /* s */
     float value[WF_PLOTS_MOST][WF_PLOT_SAMPLES][WF_PLOT_CURVES];
 } wfPlots;
@@ -42,6 +44,10 @@ double wfWorldsApart(const wfWorld *a, const wfWorld *b);
 /* Nice ends and steps for an axis from least to most: a step is 1, 2 or 5 times a power of
    ten, and about `about' of them fit in. Returns the step. */
 double wfNiceAxis(double least, double most, int about, double *from, double *to);
+/* The samples of the rows whose bits are set, oldest first, as comma-separated values
+   with a line of names. Returns the bytes needed; what doesn't fit into size is left
+   out. */
+size_t wfPlotText(const wfPlots *plots, uint32_t rows, char *text, size_t size);
 /* Draws a row into the box with the lower left corner x, y (y up, units of the view). */
 void wfDrawPlot(wfDraw *d, int row, const wfPlots *plots, float x, float y, float w,
                 float h);

@@ -44,16 +44,6 @@ static const char *name_of(const named_code *names, int32_t code)
     return NULL;
 }
 
-/* forget what lasts for one frame */
-static void forget_moment(game_input *input)
-{
-    input->wheel = input->pan_x = input->pan_y = 0;
-    input->pressed = input->released = 0;
-    input->key_count = 0;
-    memset(input->keys, 0, sizeof input->keys);
-    memset(input->scene, 0, sizeof input->scene);
-}
-
 /* read words and numbers */
 typedef struct script_line { char word[3][GAME_NAME_SIZE]; int count; } script_line;
 
@@ -180,7 +170,7 @@ void input_script_open(input_script *script, const char *text)
 int input_script_next(input_script *script, game_input *out)
 {
     if (script->error) return -1;
-    forget_moment(&script->now);
+    game_forget_moment(&script->now);
     while (script->waiting == 0) {
         if (*script->at == 0) return 0;
         script_line line;

@@ -13,6 +13,8 @@ typedef struct sdl_app {
     layer *layer;
     game_input input;
     float density;              /* pixels to one unit of the mouse's coordinates */
+    SDL_Cursor *cursor[GAME_CURSORS];
+    int32_t shown;              /* which of them */
     bool open;
 } sdl_app;
 
@@ -54,12 +56,19 @@ static bool open_window(sdl_app *app, const layer_options *o)
     if (!app->renderer)
         app->renderer = SDL_CreateRenderer(app->window, -1, SDL_RENDERER_SOFTWARE);
     if (!app->renderer) return false;
+    static const SDL_SystemCursor cursor[GAME_CURSORS] = {
+        SDL_SYSTEM_CURSOR_ARROW, SDL_SYSTEM_CURSOR_HAND, SDL_SYSTEM_CURSOR_SIZEALL,
+        SDL_SYSTEM_CURSOR_CROSSHAIR };
+    for (int i = 0; i < GAME_CURSORS; i++)
+        app->cursor[i] = SDL_CreateSystemCursor(cursor[i]);
     SDL_StartTextInput();
     return fit(app);
 }
 
 static void close_window(sdl_app *app)
 {
+    for (int i = 0; i < GAME_CURSORS; i++)
+        if (app->cursor[i]) SDL_FreeCursor(app->cursor[i]);
     if (app->texture) SDL_DestroyTexture(app->texture);
     if (app->renderer) SDL_DestroyRenderer(app->renderer);
     if (app->window) SDL_DestroyWindow(app->window);
@@ -91,50 +100,42 @@ static int32_t with_control(const SDL_KeyboardEvent *e)
     return e->keysym.mod & KMOD_SHIFT ? GAME_KEY_REDO : GAME_KEY_UNDO;
 }
 
-static void add_key(game_input *input, int32_t key)
+static int32_t button_of(uint8_t index)
 {
-    if (key && input->key_count < GAME_MAX_KEYS) input->keys[input->key_count++] = key;
+    return index == SDL_BUTTON_LEFT ? GAME_BUTTON_LEFT
+         : index == SDL_BUTTON_MIDDLE ? GAME_BUTTON_MIDDLE
+         : index == SDL_BUTTON_RIGHT ? GAME_BUTTON_RIGHT : 0;
 }
 
-static void add_button(game_input *input, uint8_t index, bool down)
+static void take(sdl_app *app, int32_t kind, float x, float y, int32_t code)
 {
-    uint32_t button = index == SDL_BUTTON_LEFT ? GAME_BUTTON_LEFT
-                    : index == SDL_BUTTON_MIDDLE ? GAME_BUTTON_MIDDLE
-                    : index == SDL_BUTTON_RIGHT ? GAME_BUTTON_RIGHT : 0;
-    if (down) {
-        input->held |= button;
-        input->pressed |= button;
-    } else {
-        input->held &= ~button;
-        input->released |= button;
-    }
+    layer_event(app->layer, &app->input, &(game_event){ kind, x, y, code });
 }
 
 static void take_event(sdl_app *app, const SDL_Event *e)
 {
-    game_input *in = &app->input;
+    float k = app->density;
+    bool down = e->type == SDL_MOUSEBUTTONDOWN;
     switch (e->type) {
     case SDL_QUIT: app->open = false; break;
     case SDL_MOUSEMOTION:
-        in->finger = e->motion.which == SDL_TOUCH_MOUSEID;
-        in->mouse_x = (float)e->motion.x * app->density;
-        in->mouse_y = (float)e->motion.y * app->density;
+        app->input.finger = e->motion.which == SDL_TOUCH_MOUSEID;
+        take(app, GAME_EVENT_MOVE, k * (float)e->motion.x, k * (float)e->motion.y, 0);
         break;
     case SDL_MOUSEBUTTONDOWN: case SDL_MOUSEBUTTONUP:
-        in->finger = e->button.which == SDL_TOUCH_MOUSEID;
-        in->mouse_x = (float)e->button.x * app->density;
-        in->mouse_y = (float)e->button.y * app->density;
-        add_button(in, e->button.button, e->type == SDL_MOUSEBUTTONDOWN);
-        SDL_CaptureMouse(in->held ? SDL_TRUE : SDL_FALSE);
+        app->input.finger = e->button.which == SDL_TOUCH_MOUSEID;
+        take(app, down ? GAME_EVENT_DOWN : GAME_EVENT_UP, k * (float)e->button.x,
+             k * (float)e->button.y, button_of(e->button.button));
+        SDL_CaptureMouse(app->input.held ? SDL_TRUE : SDL_FALSE);
         break;
-    case SDL_MOUSEWHEEL: in->wheel += e->wheel.preciseY; break;
+    case SDL_MOUSEWHEEL: take(app, GAME_EVENT_WHEEL, 0, e->wheel.preciseY, 0); break;
     case SDL_KEYDOWN:
-        if (e->key.keysym.mod & (KMOD_CTRL | KMOD_GUI)) add_key(in, with_control(&e->key));
-        else add_key(in, key_of(e->key.keysym.sym));
+        take(app, GAME_EVENT_KEY, 0, 0, e->key.keysym.mod & (KMOD_CTRL | KMOD_GUI)
+             ? with_control(&e->key) : key_of(e->key.keysym.sym));
         break;
     case SDL_TEXTINPUT:
         for (const char *c = e->text.text; *c; c++)
-            if (*c >= 32 && *c < 127) add_key(in, *c);
+            if (*c >= 32 && *c < 127) take(app, GAME_EVENT_KEY, 0, 0, *c);
         break;
     default: break;
     }
@@ -144,6 +145,9 @@ static void take_event(sdl_app *app, const SDL_Event *e)
 static bool show(sdl_app *app)
 {
     const frame_buffer *b = &app->layer->buffer;
+    int32_t cursor = app->layer->memory.cursor;
+    if (cursor != app->shown && cursor < GAME_CURSORS && app->cursor[cursor])
+        SDL_SetCursor(app->cursor[app->shown = cursor]);
     return SDL_UpdateTexture(app->texture, NULL, b->pixels, b->pitch * 4) == 0 &&
            SDL_RenderCopy(app->renderer, app->texture, NULL, NULL) == 0 &&
            (SDL_RenderPresent(app->renderer), true);
@@ -175,10 +179,7 @@ static bool run(sdl_app *app)
         if (!fit(app)) return false;
         if (!layer_frame(app->layer, &app->input)) app->open = false;
         if (!show(app)) return false;
-        /* forget what belonged to this frame */
-        app->input.wheel = 0;
-        app->input.pressed = app->input.released = 0;
-        app->input.key_count = 0;
+        game_forget_moment(&app->input);
         double spent = (double)(SDL_GetPerformanceCounter() - now) / ticks;
         if (spent < 0.008) SDL_Delay((uint32_t)(1000 * (1.0 / 60 - spent)));
     }

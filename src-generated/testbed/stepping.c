@@ -54,6 +54,7 @@ void game_pull(game *g, wfReal h)
     const wfBodyState *body = &wfWorldBodies(&g->world).state[i];
     wfVec2 grip = game_grip_place(g);
     wfVec2 impulse = wfHandImpulse(body, grip, s->input.mouse, 25, h);
+    s->pulled = 1;
     wfReal change = -body->w * wfMinR(1, 3 * h);
     if (s->turning) change = turning_speed(body, s->turn_to, 25, h) - body->w;
     wfInput spin = { .kind = WF_INPUT_SPIN, .index = s->held.index,
@@ -166,6 +167,8 @@ void game_step_world(game *g)
             return;
         }
         step_others(g, def.timeStep);
+        if (!(g->input->held & GAME_BUTTON_LEFT) && s->tape != TAPE_REPLAYING)
+            s->held = (wfBodyId){ 0 };
     }
 }
 static double game_clock(void *context) { return ((game *)context)->now(); }
@@ -184,9 +187,11 @@ static void step_others(game *g, wfReal h)
         s->other[i] = (int32_t)wfStepScene(g->scene, &other[i], &s->input);
     }
     g->world = own;
+    bool own_curves = s->curves >> WF_PLOT_BODY;
+    if (own_curves && !s->plotted.index && s->tools.count) s->plotted = s->tools.chosen[0];
     wfPlotInput in = { &g->world, other, count, s->last_step, g->input->seconds,
                        g->staged ? g->stage : NULL, g->now != NULL,
-                       g->scene->hooks != NULL };
+                       g->scene->hooks != NULL, s->plotted };
     wfPlotSample(&s->plots, &in);
     wfPoolRewind(&g->scratch, mark);
 }

@@ -73,6 +73,41 @@ void tool_forget(tool_work *w)
     if (!wfBodyIsValid(w->world, m->body)) m->body = (wfBodyId){ 0 };
 }
 
+/* How far a place is from a body, m; more than reach: no nearer than that. */
+static wfReal distance_to(const wfBodyView *v, int32_t i, wfVec2 at, wfReal reach)
+{
+    wfTransform xf = wfBodyTransform(&v->state[i]);
+    wfShape point = { .kind = WF_SHAPE_NONE };
+    wfReal best = 2 * reach;
+    if (v->props[i].shape < 0) return wfLength(wfSub(xf.p, at));
+    for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k]) {
+        wfDistanceResult r;
+        wfReal size = wfShapeMaxExtent(&v->shapes[k]) + reach;
+        if (wfLengthSq(wfSub(wfApply(xf, v->shapes[k].centre), at)) <= size * size &&
+            wfShapeDistance(&point, (wfTransform){ at, wfRotation(0) }, &v->shapes[k], xf,
+                            &r) == WF_OK)
+            best = wfMinR(best, r.distance);
+    }
+    return best;
+}
+
+wfBodyId tool_pick(const wfWorld *world, wfVec2 at, wfReal reach)
+{
+    wfBodyView v = wfWorldBodies(world);
+    wfBodyId hit = { 0, 0 };
+    wfReal best = reach;
+    int32_t found = -1;
+    if (!wfBodyAtPoint(world, at, &hit)) hit = (wfBodyId){ 0, 0 };
+    int32_t index = wfBodyIndex(world, hit);
+    if (index >= 0 && v.props[index].type == WF_DYNAMIC) return hit;
+    for (int32_t i = 0; i < v.count; i++) {
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
+        wfReal far = distance_to(&v, i, at, reach);
+        if (far < best) best = far, found = i;
+    }
+    return found >= 0 ? wfBodyAt(world, found) : hit;
+}
+
 static void choose_one(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -237,6 +272,51 @@ static wfResult add_outline(tool_work *w, wfVec2 *outline, int n, int *pieces)
     result = add_pieces(w, piece, *pieces, &def, &id);
     if (result == WF_OK) tool_choose(m, id);
     return result;
+}
+
+/* Takes its material from the first shape, its shapes one by one. */
+void tool_copy(tool_work *w, wfBodyId id)
+{
+    enum { MOST = 64 };
+    tool_memory *m = w->memory;
+    wfBodyInfo b;
+    wfShapeDef shape[MOST];
+    wfBodyDef def = wfDefaultBodyDef();
+    wfBodyId made = { 0, 0 };
+    int n = 0;
+    wfResult result = wfGetBody(w->world, id, &b);
+    for (wfShapeId k = wfFirstShape(w->world, id); k.index && n < MOST && result == WF_OK;
+         k = wfNextShape(w->world, k))
+        result = wfGetShape(w->world, k, &shape[n++]);
+    wfReal aside = 20 * m->unit;
+    for (int i = 0; i < n; i++)
+        aside = wfMaxR(aside, 2 * wfShapeMaxExtent(&shape[i].shape));
+    def.type = b.type;
+    def.position = wfAdd(b.position, wfV2(aside, 0));
+    def.angle = b.angle;
+    def.userData = b.userData;
+    def.gravityScale = b.gravityScale;
+    def.linearDamping = b.linearDamping;
+    def.angularDamping = b.angularDamping;
+    if (n > 0) {
+        def.shape = shape[0].shape;
+        def.density = shape[0].density;
+        def.friction = shape[0].friction;
+        def.restitution = shape[0].restitution;
+    }
+    if (result == WF_OK) result = add_body(w, &def, &made);
+    for (int i = 1; i < n && result == WF_OK; i++) {
+        wfInput in = { .kind = WF_INPUT_ADD_SHAPE, .index = made.index,
+                       .generation = made.generation };
+        in.shape = shape[i];
+        result = tool_give(w, WF_MODULE_COMPOUNDS, &in, NULL);
+    }
+    wfInput mass = { .kind = WF_INPUT_MASS, .index = made.index,
+                     .generation = made.generation };
+    mass.with.x = b.mass;
+    if (result == WF_OK && b.type == WF_DYNAMIC && b.massGiven) tool_put(w, &mass, NULL);
+    if (result == WF_OK) tool_choose(m, made);
+    say(m, result, result ? "not copied" : "copied");
 }
 
 static void add_point(tool_work *w)
@@ -640,7 +720,7 @@ void tool_press(tool_work *w, wfVec2 at)
     m->from = m->at = at;
     m->said[0] = 0;
     m->refused = 0;
-    if (!wfBodyAtPoint(w->world, at, &m->body)) m->body = (wfBodyId){ 0 };
+    m->body = tool_pick(w->world, at, m->reach);
     toolTable[m->tool].press(w);
 }
 
@@ -660,16 +740,18 @@ void tool_release(tool_work *w, wfVec2 at)
     toolTable[w->memory->tool].release(w);
 }
 
+void tool_outline(const wfWorld *world, wfBodyId id, wfDraw *d)
+{
+    wfBodyView v = wfWorldBodies(world);
+    int32_t body = wfBodyIndex(world, id);
+    for (int32_t k = body < 0 ? -1 : v.props[body].shape; k >= 0; k = v.next[k])
+        wfDrawShape(d, &v.shapes[k], wfBodyTransform(&v.state[body]), WF_INK_ACCENT,
+                    WF_INK_NONE);
+}
+
 void tool_draw(const tool_work *w, wfDraw *d)
 {
     const tool_memory *m = w->memory;
-    wfBodyView v = wfWorldBodies(w->world);
-    for (int32_t i = 0; i < m->count; i++) {
-        int32_t body = wfBodyIndex(w->world, m->chosen[i]);
-        if (body < 0) continue;
-        wfTransform xf = wfBodyTransform(&v.state[body]);
-        for (int32_t k = v.props[body].shape; k >= 0; k = v.next[k])
-            wfDrawShape(d, &v.shapes[k], xf, WF_INK_ACCENT, WF_INK_NONE);
-    }
+    for (int32_t i = 0; i < m->count; i++) tool_outline(w->world, m->chosen[i], d);
     if (toolTable[m->tool].draw) toolTable[m->tool].draw(w, d);
 }

@@ -16,6 +16,7 @@ typedef struct tool_memory {
     int32_t down;                   /* the button went down over the world, and is held */
     wfVec2  from, at;               /* m: where it went down; where the mouse is */
     wfReal  unit;                   /* m: an interface unit, as it is zoomed now */
+    wfReal  reach;                  /* m: how far beside a body a press still hits it */
     wfBodyId body;                  /* what lay under `from'; index 0: nothing */
     int32_t points;                 /* of what is drawn by hand, m */
     wfVec2  point[TOOL_POINTS];
@@ -65,6 +66,7 @@ void tool_press(tool_work *w, wfVec2 at);
 void tool_move(tool_work *w, wfVec2 at);
 void tool_release(tool_work *w, wfVec2 at);
 void tool_draw(const tool_work *w, wfDraw *d);
+void tool_outline(const wfWorld *world, wfBodyId id, wfDraw *d);    /* nobody: nothing */
 /* Carries out an input. Errors of wfGiveInput. */
 wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
 /* The same for an input for which the world must have these modules; makes room if it is
@@ -74,6 +76,10 @@ wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId 
 void tool_forget(tool_work *w);
 void tool_choose(tool_memory *m, wfBodyId id);
 bool tool_is_chosen(const tool_memory *m, wfBodyId id);
-/* Removes all that are chosen; pins all that are chosen. */
+/* The body that is meant by a place: index 0: none. */
+wfBodyId tool_pick(const wfWorld *world, wfVec2 at, wfReal reach);
+/* Removes all that are chosen. */
 void tool_remove_chosen(tool_work *w);
+/* Makes another body like this one, beside it, and chooses it. */
+void tool_copy(tool_work *w, wfBodyId id);
 #endif

@@ -15,7 +15,7 @@ static void take_keys(ui *u, const game_input *input)
         if (key == GAME_KEY_PAGE_DOWN) m->focus = m->focus % (m->count ? m->count : 1) + 1;
         if (key == GAME_KEY_PAGE_UP) m->focus = m->focus > 1 ? m->focus - 1 : m->count;
         if (key == GAME_KEY_ESCAPE) m->focus = 0, m->open = 0;
-        if (m->focus && key == GAME_KEY_ENTER) u->enter = true;
+        if (m->focus && !m->edits && key == GAME_KEY_ENTER) u->enter = true;
         if (m->focus && key == GAME_KEY_LEFT) u->turn = -1;
         if (m->focus && key == GAME_KEY_RIGHT) u->turn = 1;
     }
@@ -44,7 +44,10 @@ ui ui_look(ui_memory *memory, const game_input *input, float width, float height
     take_finger(&u, input);
     take_keys(&u, input);
     if (u.press) memory->focus = 0;
-    if (!u.held && !u.press) memory->active = 0;
+    if (!u.held && !u.press) {
+        u.tapped = memory->strayed ? 0 : memory->active;
+        memory->active = 0;
+    }
     return u;
 }
 
@@ -54,6 +57,7 @@ void ui_show(ui *u, wfDraw *draw)
     u->click = u->press = u->enter = false;
     u->turn = 0;
     u->index = 0;
+    u->tapped = 0;
     u->tip = NULL;
     u->memory->place_count = 0;
 }
@@ -133,7 +137,7 @@ bool ui_area(ui *u, const char *name, float x, float y, float w, float h)
     ui_memory *m = u->memory;
     bool inside = ui_inside(u, x, y, w, h) && !below_menu(u), focus;
     focus = ++u->index == m->focus;
-    if (inside) u->over = true;
+    if (inside) u->over = u->hot = true;
     if (focus) ui_box(u, x - 2, y - 2, w + 4, h + 4, WF_INK_ACCENT, WF_INK_NONE);
     keep_place(u, name, x + w / 2, y + h / 2);
     return (inside && u->click) || (focus && u->enter);
@@ -151,12 +155,58 @@ void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w
 }
 
 /* buttons, boxes, rows */
+static const struct { const char *name, *strokes; } icons[] = {
+    { "List", "cdmd chmh clml" }, { "Tools", "cmdjkcmeflcm" },
+    { "Play", "Fdbmhdn" }, { "Pause", "Fdcfcfmdm Fjclclmjm" },
+    { "Step", "Fccecemcm Fgcmhgm" }, { "Reset", "eehckdmhklhmelci Fbaghbg" },
+    { "Undo", "dfjfmijlfl Fbffbfj" }, { "Redo", "lfffcifljl Fnfjbjj" },
+    { "Previous", "Fmcehmm Fccecemcm" }, { "Next", "Fcckhcm Fkcmcmmkm" },
+    { "Home", "bhhbnh dgdmlmlg" }, { "Size", "bmfdjm djij jmlhnm" },
+    { "Dark", "Fjbfcchfmjnhkghhe" },
+    { "Light", "Fhejfkhjjhkfjehff hbhc hmhn bhch mhnh" },
+    { "Keys", "bdndnlblbd dfef gfhf jfkf eiki" },
+    { "Settings", "cdmd chmh clml Fecgcgeee Fjglgliji Fdkfkfmdm" },
+    { "Hand", "Fdbdlgjinjmhili" }, { "Place", "cecmkmkece mamd kbnb" },
+    { "Draw", "bkdfhclgkknm" }, { "Pin", "Fhbjckejghhfgeefc hhhn" },
+    { "Connect", "Fbjejembm Fkcncnfkf dkle" }, { "Lasso", "hcddbgdjikminfldhc ejdn" },
+    { "Delete", "ccmm mccm" }, { "Probe", "bmjf Fjcmcmfjf" },
+};
+
+static const char *icon_of(const char *name)
+{
+    for (size_t i = 0; i < sizeof icons / sizeof *icons; i++)
+        if (strcmp(icons[i].name, name) == 0) return icons[i].strokes;
+    return NULL;
+}
+
+bool ui_has_icon(const char *name) { return icon_of(name) != NULL; }
+
+static void draw_icon(ui *u, const char *at, float x, float y)
+{
+    while (u->draw && at && *at) {
+        float xy[40];
+        int n = 0;
+        bool filled = *at == 'F';
+        if (filled) at++;
+        for (; at[0] > ' ' && n < 20; at += 2, n++) {
+            xy[2 * n] = x + (float)(at[0] - 'a') * 0.86f;
+            xy[2 * n + 1] = u->height - y - (float)(at[1] - 'a') * 0.86f;
+        }
+        if (filled) wfDrawPolygon(u->draw, xy, n, 0, WF_INK_NONE, WF_INK_TEXT);
+        else wfDrawPolyline(u->draw, xy, n, 1.5f, WF_INK_TEXT);
+        if (*at == ' ') at++;
+    }
+}
+
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
 {
     bool hot = ui_inside(u, x, y, w, 24);
+    const char *icon = icon_of(name);
     ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            on ? WF_INK_ACCENT : WF_INK_PAPER);
-    ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
+    draw_icon(u, icon, x + 3, y + 6);
+    if (icon) ui_text(u, x + 18, y + 16.5f, 13, WF_INK_TEXT, -1, name);
+    else ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
     return ui_area(u, name, x, y, w, 24);
 }
 
@@ -197,6 +247,77 @@ double ui_pulled(double v0, double d, ui_range r)
     return v < r.least ? r.least : v > r.most ? r.most : v;
 }
 
+static const char *read_digits(const char *t, double *n, int *count)
+{
+    for (; *t >= '0' && *t <= '9'; t++, ++*count) *n = 10 * *n + (*t - '0');
+    return t;
+}
+
+/* A number at the beginning of a text, and where it ends; NULL: there is none. */
+static const char *read_number(const char *t, double *out)
+{
+    double n = 0, power = 0;
+    int digits = 0, after = 0, of_power = 0;
+    bool minus = *t == '-', less = false;
+    t = read_digits(t + minus, &n, &digits);
+    if (*t == '.') t = read_digits(t + 1, &n, &after);
+    if (digits + after == 0) return NULL;
+    if (*t == 'e') {
+        less = *++t == '-';
+        t = read_digits(t + less, &power, &of_power);
+        if (of_power == 0 || power > 300) return NULL;
+    }
+    int ten = (less ? -(int)power : (int)power) - after;
+    for (; ten > 0; ten--) n *= 10;
+    double divisor = 1;
+    for (; ten < 0; ten++) divisor *= 10;
+    *out = (minus ? -n : n) / divisor;
+    return t;
+}
+
+bool ui_typed(const char *text, double *out)
+{
+    double a, b = 1;
+    const char *end = read_number(text, &a);
+    if (end && *end == '/') end = read_number(end + 1, &b);
+    if (!end || *end || !(a / b > -1e300 && a / b < 1e300)) return false;
+    *out = a / b;
+    return true;
+}
+
+/* Begins to type the number, or takes what was typed. */
+static void type_number(ui *u, uint32_t id, double *value, ui_range r, bool inside)
+{
+    ui_memory *m = u->memory;
+    double typed;
+    if (u->tapped == id && *value == m->grip) {
+        m->edits = id;
+        m->edited = m->typing = 0;
+        m->edit[0] = 0;
+    }
+    if (m->edits != id) return;
+    if (u->press && !inside) m->edited = 1;
+    if (!m->edited) return;
+    m->edits = 0;
+    if (!ui_typed(m->edit, &typed)) return;
+    if (r.whole) typed = floor(typed + 0.5);
+    *value = typed < r.least ? r.least : typed > r.most ? r.most : typed;
+}
+
+static bool takes_digit(ui_memory *m, int32_t key)
+{
+    size_t length = strlen(m->edit);
+    if (key == GAME_KEY_ENTER) m->edited = 1;
+    else if (key == GAME_KEY_ESCAPE) m->edits = 0;
+    else if (key == GAME_KEY_BACKSPACE && length > 0) m->edit[length - 1] = 0;
+    else if (key > ' ' && key < 127 && strchr("0123456789.-/e", key) &&
+             length + 1 < sizeof m->edit) {
+        m->edit[length] = (char)key;
+        m->edit[length + 1] = 0;
+    }
+    return key != GAME_KEY_PAGE_DOWN && key != GAME_KEY_PAGE_UP;
+}
+
 static void draw_number(ui *u, const char *name, float x, float y, float w, double value,
                         ui_range r, bool changed)
 {
@@ -204,6 +325,8 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
     char text[32], words[GAME_NAME_SIZE];
     int length = snprintf(text, sizeof text, "%.5g", value);
     if (length > 9) snprintf(text, sizeof text, "%.3g", value);
+    if (u->memory->edits == id_of(name))
+        snprintf(text, sizeof text, "%s|", u->memory->edit), hot = true;
     ui_box(u, x + w - 92, y + 1, 92, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
     if (r.most - r.least < 1e4 && r.most > r.least) {
@@ -222,8 +345,11 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     uint32_t id = id_of(name);
     double was = *value;
     draw_number(u, name, x, y, w, *value, r, changed);
-    ui_area(u, name, x + w - 92, y, 92, UI_LINE);
-    if (u->press && !below_menu(u) && ui_inside(u, x + w - 92, y, 92, UI_LINE)) {
+    bool inside = ui_inside(u, x + w - 92, y, 92, UI_LINE);
+    if (ui_area(u, name, x + w - 92, y, 92, UI_LINE) && u->enter)
+        u->tapped = id, m->grip = *value;
+    if (!u->draw) type_number(u, id, value, r, inside);
+    if (u->press && !below_menu(u) && inside) {
         m->active = id;
         m->grip = *value;
         m->grip_x = u->x;
@@ -311,6 +437,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 bool ui_takes(ui_memory *m, int32_t key)
 {
     size_t length = strlen(m->query);
+    if (m->edits) return takes_digit(m, key);
     if (!m->typing) {
         if (key != '/') return false;
         m->typing = 1;
@@ -359,6 +486,16 @@ float ui_fit(const char *query, const char *name)
     }
     fit -= (float)strlen(name) / 8;
     return fit > 0 ? fit : 0;
+}
+
+bool ui_holds(const char *text, const char *query)
+{
+    for (; text && *text; text++) {
+        size_t n = 0;
+        while (query[n] && small(query[n]) == small(text[n])) n++;
+        if (!query[n]) return true;
+    }
+    return false;
 }
 
 /* end a walk */

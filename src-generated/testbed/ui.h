@@ -25,6 +25,9 @@ typedef struct ui_memory {
     uint32_t rests;             /* over whom the mouse rests, and for how long, s */
     double rested;
     int32_t typing;             /* letters go to the query */
+    uint32_t edits;             /* which number is being typed; 0: none */
+    int32_t edited;             /* ... and that it is ready */
+    char edit[UI_QUERY];
     char query[UI_QUERY];
     int32_t place_count;        /* where everything is, for game_describe, pixels */
     ui_place places[UI_PLACES];
@@ -39,6 +42,8 @@ typedef struct ui {
     bool press, held;           /* the button went down in this frame; is down */
     bool click, finger;         /* what does something; the mouse is a finger */
     bool over, over_panel;      /* the mouse is over some part of it; over the panel */
+    bool hot;                   /* the mouse is over something that can be clicked */
+    uint32_t tapped;            /* what the mouse held, and let go where it took it */
     bool enter;                 /* the widget with the keys was pressed by a key */
     int turn;                   /* the arrow keys: -1, 0 or 1 */
     int32_t index;              /* of the widget, from 1 */
@@ -68,6 +73,7 @@ void ui_fitted(ui *u, float x, float y, int role, float room, const char *text);
 /* Was it clicked, or pressed by a key? Each widget is one of these. */
 bool ui_area(ui *u, const char *name, float x, float y, float w, float h);
 void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w, float h);
+bool ui_has_icon(const char *name);     /* a button of this name is wider by 13 units */
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
@@ -75,6 +81,8 @@ bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
 /* What a number may be: ends (may be huge), its usual size; whole: an integer. */
 typedef struct ui_range { double least, most, usual; bool whole; } ui_range;
 double ui_pulled(double v0, double d, ui_range r);
+/* The number that was typed, or the quotient of two; false: it is none. */
+bool ui_typed(const char *text, double *out);
 /* A number of UI_LINE units in height; true when it was changed by mouse or key. */
 bool ui_number(ui *u, const char *name, float x, float y, float w, double *value,
                ui_range r, bool changed);
@@ -91,4 +99,5 @@ void ui_query(ui *u, const char *name, float x, float y, float w);
 bool ui_takes(ui_memory *m, int32_t key);
 /* How well a name fits a query, eq:interface-fit; -1: not at all. */
 float ui_fit(const char *query, const char *name);
+bool ui_holds(const char *text, const char *query);     /* capitals or not */
 #endif

@@ -3,7 +3,13 @@
 #include <string.h>
 #include "testbed/view.h"
 
-/* draw a shape */
+/* m: what is small in this view, but can be seen; the ring of a pulley's wheel. */
+static float small_thing(const wfDraw *d)
+{
+    float high = d->view[3] - d->view[1];
+    return high > 0 ? high / 80 : 0.1f;
+}
+
 void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
                  int fillRole)
 {
@@ -156,51 +162,100 @@ static void draw_numbers(const wfWorld *world, wfPool *scratch, wfDraw *d)
             wfDrawTextf(d, WF_XY(v.state[i].p), 13, WF_INK_TEXT, 0, "%d", (int)i);
 }
 
-/* draw joints */
-static void draw_zigzag(wfDraw *d, wfVec2 from, wfVec2 to)
+/* Bodies, the first of them perhaps elsewhere than their states say. */
+typedef struct Places { const wfBodyView *view; const wfTransform *pose; int32_t count; }
+        Places;
+
+static wfTransform place_of(const Places *at, int32_t i)
 {
-    enum { POINTS = 12 };
+    return i < at->count ? at->pose[i] : wfBodyTransform(&at->view->state[i]);
+}
+
+static void draw_coil(wfDraw *d, wfVec2 from, wfVec2 to, wfReal rest, int ink)
+{
+    enum { TURNS = 6, EACH = 8, POINTS = TURNS * EACH + 3 };
+    wfVec2 along = wfSub(to, from), across = wfNormalize(wfPerpCCW(along));
+    wfReal length = wfLength(along), natural = rest > length / 4 ? rest : length / 4;
+    wfReal r0 = WF_R(0.06) * natural, p0 = WF_R(0.8) * natural / TURNS;
+    wfReal p = WF_R(0.8) * length / TURNS, turn = 2 * WF_PI;
+    wfReal square = r0 * r0 + (p0 * p0 - p * p) / (turn * turn);    /* eq:scenes-coil */
+    wfReal r = square > r0 * r0 / 9 ? wfSqrt(square) : r0 / 3;
     float xy[2 * POINTS];
-    wfVec2 along = wfSub(to, from), across = wfScale(WF_R(0.06), wfPerpCCW(along));
     for (int i = 0; i < POINTS; i++) {
-        wfReal t = i < 2 ? WF_R(0.1) * (wfReal)i : i > POINTS - 3 ? 1 - WF_R(0.1) *
-                   (wfReal)(POINTS - 1 - i) : WF_R(0.1) + WF_R(0.8) * (wfReal)(i - 1) /
-                   (POINTS - 3);
-        wfReal side = i < 2 || i > POINTS - 3 ? 0 : i % 2 ? 1 : -1;
-        wfVec2 at = wfAddScaled(wfAddScaled(from, t, along), side, across);
+        wfReal t = (wfReal)(i - 1) / (POINTS - 3), shift = WF_R(0.1) + WF_R(0.8) * t;
+        wfVec2 q = wfRotate(wfRotation(turn * (wfReal)(i - 1) / EACH), wfV2(r, 0));
+        bool end = i == 0 || i == POINTS - 1;
+        if (end) shift = i == 0 ? 0 : 1, q = wfV2(r, 0);
+        wfVec2 at = wfAddScaled(wfAddScaled(from, shift, along), q.y, across);
+        if (length > 0) at = wfAddScaled(at, WF_R(0.5) * (q.x - r) / length, along);
         xy[2 * i] = (float)at.x;
         xy[2 * i + 1] = (float)at.y;
     }
-    wfDrawPolyline(d, xy, POINTS, 1.5f, WF_INK_ACCENT);
+    wfDrawPolyline(d, xy, POINTS, 1.5f, ink);
+}
+
+/* A rope of a length: a line, or a curve that hangs if it is longer than the way. */
+static void draw_rope(wfDraw *d, wfVec2 from, wfVec2 to, wfReal length, int ink)
+{
+    enum { POINTS = 13 };
+    wfReal way = wfLengthSq(wfSub(to, from)), sag = 0;
+    float xy[2 * POINTS];
+    if (length * length > way) sag = WF_R(0.43) * wfSqrt(length * length - way);
+    for (int i = 0; i < POINTS; i++) {
+        wfReal t = (wfReal)i / (POINTS - 1);
+        wfVec2 at = wfLerp(from, to, t);
+        xy[2 * i] = (float)at.x;
+        xy[2 * i + 1] = (float)(at.y - 4 * sag * t * (1 - t));
+    }
+    if (sag > 0) wfDrawPolyline(d, xy, POINTS, 1.5f, ink);
+    else wfDrawLine(d, WF_XY(from), WF_XY(to), 1.5f, ink);
 }
 
 typedef struct SeenJoint {
     wfJoint j;
     wfTransform a, b;           /* where the bodies are */
     wfVec2 from, to;            /* anchors in the world */
+    int ink;
+    bool full;                  /* as an overlay, with stops and anchors */
 } SeenJoint;
 
 static void see_line(wfDraw *d, const SeenJoint *s)
 {
-    wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
+    wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), 1.5f, s->ink);
 }
 
 static void see_distance(wfDraw *d, const SeenJoint *s)
 {
-    wfReal length = wfLength(wfSub(s->to, s->from));
-    bool rope = (s->j.flags & WF_JOINT_LIMITS) && length < WF_R(0.99) * s->j.upper;
-    if (s->j.flags & WF_JOINT_SPRING) draw_zigzag(d, s->from, s->to);
+    bool limits = (s->j.flags & WF_JOINT_LIMITS) != 0, rope = limits && s->j.lower <= 0;
+    if (s->j.flags & WF_JOINT_SPRING) draw_coil(d, s->from, s->to, s->j.rest, s->ink);
     else if (rope && !(s->j.flags & WF_JOINT_MOTOR))
-        wfDrawDashed(d, WF_XY(s->from), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
-    else see_line(d, s);
+        draw_rope(d, s->from, s->to, WF_R(0.99) * s->j.upper, s->ink);
+    else wfDrawLine(d, WF_XY(s->from), WF_XY(s->to), limits ? 1.5f : 2.5f,
+                    limits || s->full ? s->ink : WF_INK_FAINT);
 }
 
 static void see_pulley(wfDraw *d, const SeenJoint *s)
 {
+    float r = small_thing(d);
     float xy[] = { (float)s->from.x, (float)s->from.y, (float)s->j.groundA.x,
                    (float)s->j.groundA.y, (float)s->j.groundB.x, (float)s->j.groundB.y,
                    (float)s->to.x, (float)s->to.y };
-    wfDrawPolyline(d, xy, 4, 1.5f, WF_INK_ACCENT);
+    wfDrawPolyline(d, xy, 4, 1.5f, s->ink);
+    wfDrawCircle(d, xy[2], xy[3], r, 1.5f, s->ink, WF_INK_PAPER);
+    wfDrawCircle(d, xy[4], xy[5], r, 1.5f, s->ink, WF_INK_PAPER);
+}
+
+/* Three quarters of a circle that turn with B, and a head where the motor wants to go. */
+static void see_motor(wfDraw *d, const SeenJoint *s)
+{
+    enum { POINTS = 13 };
+    wfVec2 p[POINTS], arm = wfRotate(s->b.q, wfV2(2 * (wfReal)small_thing(d), 0));
+    wfReal way = s->j.motorSpeed < 0 ? -1 : 1;
+    for (int i = 0; i < POINTS; i++)
+        p[i] = wfAdd(s->to, wfRotate(wfRotation(way * WF_PI / 8 * (wfReal)i), arm));
+    for (int i = 1; i < POINTS - 1; i++)
+        wfDrawLine(d, WF_XY(p[i - 1]), WF_XY(p[i]), 1.5f, s->ink);
+    wfDrawArrow(d, WF_XY(p[POINTS - 2]), WF_XY(p[POINTS - 1]), 1.5f, s->ink);
 }
 
 static void see_hinge(wfDraw *d, const SeenJoint *s)
@@ -208,11 +263,13 @@ static void see_hinge(wfDraw *d, const SeenJoint *s)
     wfReal turn = s->j.turnB - s->j.turnA;
     const wfReal stop[] = { s->j.lower, s->j.upper };
     wfVec2 arm = wfScale(WF_R(0.7), wfSub(s->b.p, s->to));
-    for (int i = 0; (s->j.flags & WF_JOINT_LIMITS) && i < 2; i++) {
+    bool stops = s->full && (s->j.flags & WF_JOINT_LIMITS);
+    for (int i = 0; stops && i < 2; i++) {
         wfRot missing = wfRotation(wfWrapAngle(stop[i] - turn));
         wfVec2 end = wfAdd(s->to, wfRotate(missing, arm));
         wfDrawLine(d, WF_XY(s->to), WF_XY(end), 1, WF_INK_LINE);
     }
+    if (s->j.flags & WF_JOINT_MOTOR) see_motor(d, s);
     see_line(d, s);
 }
 
@@ -221,22 +278,37 @@ static void see_slide(wfDraw *d, const SeenJoint *s)
     wfVec2 axis = wfRotate(s->a.q, s->j.axis);
     wfVec2 low = wfAddScaled(s->from, s->j.lower, axis);
     wfVec2 high = wfAddScaled(s->from, s->j.upper, axis);
-    wfReal past = wfDot(axis, wfSub(s->a.p, s->to));
+    wfVec2 past = wfAddScaled(s->to, wfDot(axis, wfSub(s->a.p, s->to)), axis);
+    bool wheel = strcmp(wfJointTable[s->j.kind].name, "wheel") == 0;
     if (s->j.flags & WF_JOINT_LIMITS)
         wfDrawLine(d, WF_XY(low), WF_XY(high), 1, WF_INK_LINE);
     if (s->j.flags & WF_JOINT_SPRING)
-        draw_zigzag(d, wfAddScaled(s->to, past, axis), s->to);
+        draw_coil(d, past, s->to, wfLength(wfSub(past, s->to)), s->ink);
     else see_line(d, s);
+    if (!(s->j.flags & WF_JOINT_MOTOR)) return;
+    wfReal length = (s->j.motorSpeed < 0 ? -3 : 3) * (wfReal)small_thing(d);
+    wfVec2 tip = wfAddScaled(s->to, length, axis);
+    if (wheel) see_motor(d, s);
+    else wfDrawArrow(d, WF_XY(s->to), WF_XY(tip), 1.5f, s->ink);
 }
 
 static void see_turning(wfDraw *d, const SeenJoint *s)
 {
-    wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, WF_INK_ACCENT);
+    SeenJoint at = *s;
+    at.to = s->b.p;
+    if (s->full) wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, s->ink);
+    if (s->j.flags & WF_JOINT_MOTOR) see_motor(d, &at);
 }
 
 static void see_hand(wfDraw *d, const SeenJoint *s)
 {
-    wfDrawLine(d, WF_XY(s->j.groundB), WF_XY(s->to), 1.5f, WF_INK_ACCENT);
+    wfDrawLine(d, WF_XY(s->j.groundB), WF_XY(s->to), 1.5f, s->ink);
+}
+
+/* What needs no picture among the bodies. */
+static void see_nothing(wfDraw *d, const SeenJoint *s)
+{
+    if (s->full) see_line(d, s);
 }
 
 typedef struct JointLook {
@@ -248,6 +320,7 @@ static const JointLook joint_look[] = {
     { "revolute", see_hinge }, { "distance", see_distance }, { "prismatic", see_slide },
     { "wheel", see_slide }, { "pulley", see_pulley }, { "gear", see_turning },
     { "ratchet", see_turning }, { "turn", see_turning }, { "hand", see_hand },
+    { "servo", see_nothing }, { "friction", see_nothing }, { "filter", see_nothing },
 };
 
 static void draw_joint(wfDraw *d, const SeenJoint *s)
@@ -259,22 +332,102 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
             draw = joint_look[i].draw;
     if (!broken) draw(d, s);
     if (draw == see_turning || (draw == see_hand && broken)) return;
-    wfDrawPoint(d, WF_XY(s->from), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
-    wfDrawPoint(d, WF_XY(s->to), broken ? 6 : 4, broken ? WF_INK_BAD : WF_INK_ACCENT);
+    if (!s->full && !broken && draw == see_nothing) return;
+    bool ring = draw == see_hinge && !s->full && !broken;
+    bool strut = draw == see_slide && (s->j.flags & WF_JOINT_SPRING) && !s->full;
+    int ink = broken ? WF_INK_BAD : ring ? WF_INK_FAINT : s->ink;
+    float size = broken ? 6 : ring ? 6.5f : s->full ? 4 : 3;
+    if (!strut) wfDrawPoint(d, WF_XY(s->from), size, ink);
+    wfDrawPoint(d, WF_XY(s->to), size, ink);
+    if (ring) wfDrawPoint(d, WF_XY(s->to), 3, WF_INK_PAPER);
+}
+
+static void show_joints(const wfWorld *world, const Places *at, bool full, wfDraw *d)
+{
+    for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
+        SeenJoint s = { .ink = full ? WF_INK_ACCENT : WF_INK_LINE, .full = full };
+        if (wfGetJoint(world, wfJointAt(world, i), &s.j) != WF_OK) continue;
+        s.a = place_of(at, s.j.a);
+        s.b = place_of(at, s.j.b);
+        s.from = wfApply(s.a, s.j.localA);
+        s.to = wfApply(s.b, s.j.localB);
+        draw_joint(d, &s);
+    }
 }
 
 static void draw_joints(const wfWorld *world, wfPool *scratch, wfDraw *d)
 {
     (void)scratch;
     wfBodyView v = wfWorldBodies(world);
-    for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
-        SeenJoint s;
-        if (wfGetJoint(world, wfJointAt(world, i), &s.j) != WF_OK) continue;
-        s.a = wfBodyTransform(&v.state[s.j.a]);
-        s.b = wfBodyTransform(&v.state[s.j.b]);
-        s.from = wfApply(s.a, s.j.localA);
-        s.to = wfApply(s.b, s.j.localB);
-        draw_joint(d, &s);
+    show_joints(world, &(Places){ &v, NULL, 0 }, true, d);
+}
+
+/* A wind on all bodies, or on the one that is at a place. */
+static void draw_wind(wfDraw *d, wfVec2 wind, const wfVec2 *only)
+{
+    wfReal speed = wfLength(wind), high = (wfReal)(d->view[3] - d->view[1]);
+    wfReal wide = (wfReal)(d->view[2] - d->view[0]);
+    wfVec2 low = wfV2((wfReal)d->view[0], (wfReal)d->view[1]);
+    if (!(speed > 0)) return;
+    wfVec2 arrow = wfScale(high / 15 / (speed + 5), wind);      /* m, for 5 m/s the half */
+    for (int i = 0; i < (only ? 1 : 24); i++) {
+        wfVec2 cell = wfV2(wide * (WF_R(0.5) + (wfReal)(i % 6)) / 6,
+                           high * (WF_R(0.5) + (wfReal)(i / 6)) / 4);
+        if (i / 6 % 2) cell.x += wide / 12;
+        wfVec2 at = only ? *only : wfAdd(low, cell);
+        wfVec2 tip = wfAdd(at, arrow);
+        wfDrawArrow(d, WF_XY(at), WF_XY(tip), 1, WF_INK_FAINT);
+    }
+}
+
+static void draw_water(wfDraw *d, wfReal surface)
+{
+    float y = (float)surface, top = y < d->view[3] ? y : d->view[3];
+    float xy[] = { d->view[0], d->view[1], d->view[2], d->view[1], d->view[2], top,
+                   d->view[0], top };
+    if (!(top > d->view[1])) return;
+    wfDrawPolygon(d, xy, 4, 0, WF_INK_NONE, WF_INK_GOOD);
+    if (y <= top) wfDrawLine(d, d->view[0], y, d->view[2], y, 2, WF_INK_GOOD);
+}
+
+/* What is behind the bodies. */
+static void draw_field(const wfWorld *world, const wfForce *f, const Places *at, wfDraw *d)
+{
+    bool of_body = f->kind == WF_FORCE_POINT_GRAVITY && f->b >= 0;
+    wfVec2 centre = of_body ? place_of(at, f->b).p : f->point.centre;
+    float r = small_thing(d);
+    if (f->kind == WF_FORCE_BUOYANCY) draw_water(d, f->buoyancy.surfaceY);
+    wfVec2 place = f->a >= 0 ? place_of(at, f->a).p : centre;
+    if (f->kind == WF_FORCE_WIND)
+        draw_wind(d, f->wind.velocity, f->a >= 0 ? &place : NULL);
+    for (int i = 2; f->kind == WF_FORCE_POINT_GRAVITY && i < 5; i++)
+        wfDrawCircle(d, WF_XY(centre), r * (float)(i * i), 1, WF_INK_FAINT, WF_INK_NONE);
+    if (f->kind == WF_FORCE_EXPLOSION &&
+        wfWorldTime(world) < (double)(f->explosion.start + f->explosion.duration)) {
+        wfVec2 c = f->explosion.centre;
+        wfDrawCircle(d, WF_XY(c), (float)f->explosion.radius, 1, WF_INK_FAINT, WF_INK_NONE);
+        wfDrawPoint(d, WF_XY(c), 8, WF_INK_BAD);
+    }
+}
+
+static void draw_spring(const wfForce *f, const Places *at, wfDraw *d)
+{
+    bool coil = f->kind == WF_FORCE_SPRING;
+    if ((!coil && f->kind != WF_FORCE_BUNGEE) || f->a < 0) return;
+    wfVec2 from = wfApply(place_of(at, f->a), f->spring.localA), to = f->spring.localB;
+    if (f->b >= 0) to = wfApply(place_of(at, f->b), to);
+    if (coil) draw_coil(d, from, to, f->spring.rest, WF_INK_LINE);
+    else draw_rope(d, from, to, f->spring.rest, WF_INK_LINE);
+}
+
+static void draw_forces(const wfWorld *world, const Places *at, bool behind, wfDraw *d)
+{
+    wfForce f;
+    for (int32_t i = 0, left = wfForceCount(world); left > 0; i++) {
+        if (wfGetForce(world, wfForceAt(world, i), &f) != WF_OK) continue;
+        if (behind) draw_field(world, &f, at, d);
+        else draw_spring(&f, at, d);
+        left--;
     }
 }
 
@@ -332,31 +485,80 @@ static void colour_island(const wfWorld *world, const wfBodyView *v, int32_t i, 
     *fill = wfBodyIsAwake(world, id) ? *line : WF_INK_FAINT;
 }
 
+/* Every other piece of the outline, and a line from piece to piece of a long side. */
+static void draw_sensor(wfDraw *d, const wfShape *shape, wfTransform xf, int line)
+{
+    wfVec2 rim[WF_RIM_POINTS];
+    int n = wfShapeOutline(shape, xf, rim), round = shape->kind == WF_SHAPE_CIRCLE;
+    for (int i = 0; i < n; i += 1 + round) {
+        wfVec2 a = rim[i], b = rim[(i + 1) % n];
+        if (round) wfDrawLine(d, WF_XY(a), WF_XY(b), 1.5f, line);
+        else wfDrawDashed(d, WF_XY(a), WF_XY(b), 1.5f, line);
+    }
+}
+
+/* One shape of a body: what kind of body it is, and what it does, is seen. */
+typedef struct BodyLook { int32_t type, line, fill; bool awake; } BodyLook;
+
+static void draw_part(wfDraw *d, const wfShape *shape, wfTransform xf, const BodyLook *b,
+                      bool sensor)
+{
+    if (sensor) draw_sensor(d, shape, xf, b->line);
+    else wfDrawShape(d, shape, xf, b->line, b->awake ? b->fill : WF_INK_PAPER);
+    if (b->type != WF_KINEMATIC) return;
+    float x = (float)xf.p.x, y = (float)xf.p.y, r = 2 * small_thing(d);
+    wfDrawArrow(d, x, y, x + r, y, 1.5f, WF_INK_LINE);
+    wfDrawArrow(d, x, y, x - r, y, 1.5f, WF_INK_LINE);
+}
+
 static void draw_body(const wfWorld *world, const wfBodyView *v, int32_t i, wfTransform xf,
                       uint32_t show, wfDraw *d)
 {
     wfShape particle = { .kind = WF_SHAPE_NONE };
-    int role = (int)(v->props[i].userData & 15);
-    int line = role ? role : WF_INK_BODY, fill = line;
-    if (v->props[i].type == WF_STATIC && !role) line = WF_INK_LINE, fill = WF_INK_FAINT;
+    int role = (int)(v->props[i].userData & 15), line = role ? role : WF_INK_BODY;
+    bool fixed = v->props[i].type != WF_DYNAMIC && !role;
+    BodyLook b = { v->props[i].type, fixed ? WF_INK_LINE : line,
+                   fixed ? WF_INK_FAINT : line, true };
+    if (b.type == WF_DYNAMIC) b.awake = wfBodyIsAwake(world, wfBodyAt(world, i));
     if (show & WF_SHOW_TOUCHING) {
         bool red = is_touching(world, i);
-        line = red ? WF_INK_BAD : WF_INK_LINE;
-        fill = red ? WF_INK_BAD : WF_INK_PAPER;
+        b.line = red ? WF_INK_BAD : WF_INK_LINE;
+        b.fill = red ? WF_INK_BAD : WF_INK_PAPER;
+        b.awake = true;
     }
-    if (show & WF_SHOW_ISLANDS) colour_island(world, v, i, &line, &fill);
-    if (v->props[i].shape < 0) wfDrawShape(d, &particle, xf, line, fill);
+    if (show & WF_SHOW_ISLANDS) {
+        colour_island(world, v, i, &b.line, &b.fill);
+        b.awake = true;
+    }
+    if (v->props[i].shape < 0) wfDrawShape(d, &particle, xf, b.line, b.fill);
     wfShapeView s = wfWorldShapes(world);
-    for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k])
-        wfDrawShape(d, &v->shapes[k], xf, line, s.props[k].sensor ? WF_INK_NONE : fill);
+    for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k]) {
+        draw_part(d, &v->shapes[k], xf, &b, s.props[k].sensor != 0);
+        b.type = WF_DYNAMIC;                            /* one arrow is enough */
+    }
+}
+
+/* Water, bodies, and what joins them; the first `count' bodies at other places. */
+static void show_bodies(const wfWorld *world, const wfTransform *pose, int32_t count,
+                        uint32_t show, wfDraw *d)
+{
+    wfBodyView view = wfWorldBodies(world);
+    Places at = { &view, pose, count };
+    draw_forces(world, &at, true, d);
+    for (int32_t i = 0; i < view.count; i++)
+        if (view.alive[i]) draw_body(world, &view, i, place_of(&at, i), show, d);
+    draw_forces(world, &at, false, d);
+    if (!(show & WF_SHOW_JOINTS)) show_joints(world, &at, false, d);
+}
+
+void wfShowWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d)
+{
+    show_bodies(world, pose, count, 0, d);
 }
 
 void wfShowWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d)
 {
-    wfBodyView view = wfWorldBodies(world);
-    for (int32_t i = 0; i < view.count; i++)
-        if (view.alive[i])
-            draw_body(world, &view, i, wfBodyTransform(&view.state[i]), show, d);
+    show_bodies(world, NULL, 0, show, d);
     for (int row = 0; row < wfOverlayCount; row++) {
         size_t mark = wfPoolMark(scratch);
         if ((show & wfOverlayTable[row].bit) && wfOverlayTable[row].draw)
@@ -365,11 +567,60 @@ void wfShowWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d
     }
 }
 
-void wfShowWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d)
+/* draw the legend */
+static void draw_sample_joint(wfDraw *d, const char *kind, int32_t flags, wfVec2 at,
+                              wfReal r)
 {
-    wfBodyView view = wfWorldBodies(world);
-    for (int32_t i = 0; i < view.count; i++)
-        if (view.alive[i])
-            draw_body(world, &view, i,
-                      i < count ? pose[i] : wfBodyTransform(&view.state[i]), 0, d);
+    wfTransform xf = { .p = at, .q = wfRotation(0) };
+    bool hinge = strcmp(kind, "revolute") == 0, pulley = strcmp(kind, "pulley") == 0;
+    wfVec2 side = hinge ? wfV2(0, 0) : wfV2(r, pulley ? -r : 0);
+    SeenJoint s = { .a = xf, .b = xf, .from = wfSub(at, side), .to = wfAdd(at, side),
+                    .ink = WF_INK_LINE };
+    s.j = (wfJoint){ .kind = wfFindJoint(kind), .flags = flags, .rest = 2 * r,
+                     .upper = WF_R(2.6) * r, .motorSpeed = 1 };
+    if (pulley) s.from = wfAdd(at, wfV2(-r, -r / 2));
+    s.j.groundA = wfAdd(at, wfV2(-r, r));
+    s.j.groundB = wfAdd(at, wfV2(r, r));
+    draw_joint(d, &s);
+}
+
+const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size)
+{
+    static const char *const words[] = {
+        "moves", "sleeps: nothing happens to it", "stands still",
+        "moved by the scene alone",
+        "a sensor: tells who is in it", "a rod", "a rope, slack", "a spring", "a hinge",
+        "a motor, and its way", "a pulley", "water", "what attracts" };
+    static const BodyLook look[] = {
+        { WF_DYNAMIC, WF_INK_BODY, WF_INK_BODY, true },
+        { WF_DYNAMIC, WF_INK_BODY, WF_INK_BODY, false },
+        { WF_STATIC, WF_INK_LINE, WF_INK_FAINT, true },
+        { WF_KINEMATIC, WF_INK_LINE, WF_INK_FAINT, true },
+        { WF_STATIC, WF_INK_LINE, WF_INK_FAINT, true } };
+    static const struct { const char *kind; int32_t flags; } joint[] = {
+        { "distance", 0 }, { "distance", WF_JOINT_LIMITS }, { "distance", WF_JOINT_SPRING },
+        { "revolute", 0 }, { "revolute", WF_JOINT_MOTOR }, { "pulley", 0 } };
+    enum { BODIES = sizeof look / sizeof *look, JOINTS = sizeof joint / sizeof *joint };
+    if (row < 0 || row >= (int)(sizeof words / sizeof *words)) return NULL;
+    wfReal r = (wfReal)size / 2;
+    wfVec2 at = wfV2((wfReal)x, (wfReal)y);
+    wfShape box;
+    if (!d || wfMakeBox(2 * r, r, &box) != WF_OK) return words[row];
+    int k = row - BODIES;
+    float high = d->view[3];
+    d->view[3] = d->view[1] + 25 * size;                /* what is small is smaller here */
+    if (k < 0)
+        draw_part(d, &box, (wfTransform){ .p = at, .q = wfRotation(0) }, &look[row],
+                  row == BODIES - 1);
+    else if (k < JOINTS)
+        draw_sample_joint(d, joint[k].kind, joint[k].flags, at, k < JOINTS - 1 ? 2 * r : r);
+    else if (k > JOINTS) wfDrawCircle(d, x, y, size / 2, 1, WF_INK_FAINT, WF_INK_NONE);
+    if (k == JOINTS) {
+        float xy[] = { x - size, y - size / 2, x + size, y - size / 2, x + size,
+                       y + size / 3, x - size, y + size / 3 };
+        wfDrawPolygon(d, xy, 4, 0, WF_INK_NONE, WF_INK_GOOD);
+        wfDrawLine(d, xy[4], xy[5], xy[6], xy[7], 2, WF_INK_GOOD);
+    }
+    d->view[3] = high;
+    return words[row];
 }

@@ -14,11 +14,14 @@ typedef struct wfOverlay {
 extern const wfOverlay wfOverlayTable[];
 extern const int wfOverlayCount;
 
-/* Draws all bodies, and the overlays whose bits are set. What doesn't fit in the scratch
-   memory or in the list is left out. */
+/* Draws water and winds, all bodies, what joins them, and the overlays whose bits are set.
+   What doesn't fit in the scratch memory or in the list is left out. */
 void wfShowWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
 /* The same without overlays, the first `count' bodies at other places, in their order. */
 void wfShowWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d);
+/* The legend: words about the row, NULL if there is none; d, unless NULL, gets a sample
+   about x, y, so large. */
+const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size);
 /* The outline of a rectangle. */
 void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role);
 /* One shape at a place, with a line that shows how it is turned. */

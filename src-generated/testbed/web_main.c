@@ -13,8 +13,9 @@ static char text[1 << 16];
 static uint8_t file_bytes[GAME_FILE_BYTES];
 static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
-                              NULL, &file, NULL, NULL, 0 };
+                              NULL, &file, NULL, NULL, 0, 0 };
 static game_input input;
+static frame_buffer seen;               /* the last picture, without its pixels */
 
 /* take input from the page */
 EXPORT("web_name") char *web_name(void) { return text; }
@@ -28,19 +29,45 @@ EXPORT("web_open") int web_open(int length)
     return game_knows_scene(input.scene);
 }
 
-EXPORT("web_mouse") void web_mouse(float x, float y)
+static void make_frame(frame_buffer *picture, double seconds, int steps)
 {
-    input.mouse_x = x;
-    input.mouse_y = y;
+    input.seconds = seconds;
+    input.steps = steps;
+    game_update_and_render(&memory, &input, picture);
+    game_forget_moment(&input);
 }
 
-EXPORT("web_button") void web_button(uint32_t button, int down)
+static void take(int32_t kind, float x, float y, int32_t code)
 {
-    if (down) { input.pressed |= button; input.held |= button; }
-    else { input.released |= button; input.held &= ~button; }
+    const game_event e = { kind, x, y, code };
+    if (game_take_event(&input, &e)) return;
+    make_frame(&seen, 0, 0);
+    game_take_event(&input, &e);
 }
 
-EXPORT("web_wheel") void web_wheel(float notches) { input.wheel += notches; }
+/* A setting of the name (as many bytes) in web_name(). */
+EXPORT("web_set") int web_set(int length, double value)
+{
+    if (length < 1 || length >= NAME_BYTES) return 0;
+    text[length] = 0;
+    return game_set(&memory, text, value);
+}
+
+/* What leads to this scene and its settings, in web_name(); returns the length. */
+EXPORT("web_link") size_t web_link(void)
+{
+    size_t length = game_link(&memory, text, sizeof text);
+    return length < sizeof text ? length : sizeof text - 1;
+}
+
+EXPORT("web_mouse") void web_mouse(float x, float y) { take(GAME_EVENT_MOVE, x, y, 0); }
+
+EXPORT("web_button") void web_button(int button, int down)
+{
+    take(down ? GAME_EVENT_DOWN : GAME_EVENT_UP, input.mouse_x, input.mouse_y, button);
+}
+
+EXPORT("web_wheel") void web_wheel(float notches) { take(GAME_EVENT_WHEEL, 0, notches, 0); }
 
 EXPORT("web_pan") void web_pan(float x, float y)
 {
@@ -56,12 +83,10 @@ EXPORT("web_looks") void web_looks(int finger, int bare)
 
 /* Without input the next picture is this one: the page need not ask for it. */
 EXPORT("web_still") int web_still(void) { return memory.still; }
+EXPORT("web_cursor") int web_cursor(void) { return memory.cursor; }
 EXPORT("web_letters") int web_letters(void) { return game_wants_letters(&memory); }
 
-EXPORT("web_key") void web_key(int key)
-{
-    if (input.key_count < GAME_MAX_KEYS) input.keys[input.key_count++] = key;
-}
+EXPORT("web_key") void web_key(int key) { take(GAME_EVENT_KEY, 0, 0, key); }
 
 /* grant wishes in the page */
 EXPORT("web_wish") int web_wish(void) { return file.answer ? 0 : file.wish; }
@@ -77,24 +102,13 @@ EXPORT("web_grant") void web_grant(int answer, size_t size)
         file.size = size < sizeof file_bytes ? size : sizeof file_bytes;
 }
 
-/* make a frame for the page */
-static void make_frame(frame_buffer *picture, double seconds, int steps)
-{
-    input.seconds = seconds;
-    input.steps = steps;
-    game_update_and_render(&memory, &input, picture);
-    input.wheel = input.pan_x = input.pan_y = 0;
-    input.pressed = input.released = 0;
-    input.key_count = 0;
-    input.scene[0] = 0;
-}
-
 /* The next picture: NULL for a size that is too large. steps as in game_input. */
 EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, double seconds,
                                         int steps)
 {
     if (width < 1 || width > MOST_WIDTH || height < 1 || height > MOST_HEIGHT) return NULL;
     frame_buffer picture = { pixels, width, height, width, scale };
+    seen = (frame_buffer){ NULL, width, height, width, scale };
     make_frame(&picture, seconds, steps);
     return pixels;
 }
@@ -103,8 +117,8 @@ EXPORT("web_frame") uint32_t *web_frame(int width, int height, float scale, doub
 EXPORT("web_unseen") void web_unseen(int width, int height, float scale, double seconds,
                                      int steps)
 {
-    frame_buffer picture = { NULL, width, height, width, scale };
-    make_frame(&picture, seconds, steps);
+    seen = (frame_buffer){ NULL, width, height, width, scale };
+    make_frame(&seen, seconds, steps);
 }
 
 /* What is going on, in words, in web_name(); returns the length. */

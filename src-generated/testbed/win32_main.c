@@ -12,9 +12,9 @@
 typedef struct win_app { layer *layer; game_input input; bool open; } win_app;
 
 /* note what happened to the window */
-static void note_key(game_input *in, int32_t key)
+static void take(win_app *app, int32_t kind, float x, float y, int32_t code)
 {
-    if (key && in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
+    layer_event(app->layer, &app->input, &(game_event){ kind, x, y, code });
 }
 
 static int32_t key_of(WPARAM code)
@@ -32,46 +32,38 @@ static int32_t key_of(WPARAM code)
     return 0;
 }
 
-static void note_button(HWND window, game_input *in, uint32_t button, bool down)
-{
-    if (down) {
-        in->held |= button;
-        in->pressed |= button;
-        SetCapture(window);
-    } else {
-        in->held &= ~button;
-        in->released |= button;
-        if (!in->held) ReleaseCapture();
-    }
-}
-
 static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
 {
+    static const struct { UINT what; int32_t kind, button; } mouse[] = {
+        { WM_MOUSEMOVE, GAME_EVENT_MOVE, 0 },
+        { WM_LBUTTONDOWN, GAME_EVENT_DOWN, GAME_BUTTON_LEFT },
+        { WM_LBUTTONUP, GAME_EVENT_UP, GAME_BUTTON_LEFT },
+        { WM_MBUTTONDOWN, GAME_EVENT_DOWN, GAME_BUTTON_MIDDLE },
+        { WM_MBUTTONUP, GAME_EVENT_UP, GAME_BUTTON_MIDDLE },
+        { WM_RBUTTONDOWN, GAME_EVENT_DOWN, GAME_BUTTON_RIGHT },
+        { WM_RBUTTONUP, GAME_EVENT_UP, GAME_BUTTON_RIGHT },
+    };
     win_app *app = (win_app *)(uintptr_t)GetWindowLongPtrW(window, GWLP_USERDATA);
     if (!app) return DefWindowProcW(window, what, w, l);
-    game_input *in = &app->input;
-    if (what >= WM_MOUSEMOVE && what <= WM_MBUTTONUP) {
-        in->mouse_x = (float)GET_X_LPARAM(l);
-        in->mouse_y = (float)GET_Y_LPARAM(l);
+    for (size_t i = 0; i < sizeof mouse / sizeof *mouse; i++) {
+        if (mouse[i].what != what) continue;
+        take(app, mouse[i].kind, (float)GET_X_LPARAM(l), (float)GET_Y_LPARAM(l),
+             mouse[i].button);
+        if (mouse[i].kind == GAME_EVENT_DOWN) SetCapture(window);
+        if (mouse[i].kind == GAME_EVENT_UP && !app->input.held) ReleaseCapture();
+        return 0;
     }
     switch (what) {
     case WM_CLOSE: app->open = false; return 0;
-    case WM_LBUTTONDOWN: note_button(window, in, GAME_BUTTON_LEFT, true); return 0;
-    case WM_LBUTTONUP:   note_button(window, in, GAME_BUTTON_LEFT, false); return 0;
-    case WM_MBUTTONDOWN: note_button(window, in, GAME_BUTTON_MIDDLE, true); return 0;
-    case WM_MBUTTONUP:   note_button(window, in, GAME_BUTTON_MIDDLE, false); return 0;
-    case WM_RBUTTONDOWN: note_button(window, in, GAME_BUTTON_RIGHT, true); return 0;
-    case WM_RBUTTONUP:   note_button(window, in, GAME_BUTTON_RIGHT, false); return 0;
-    case WM_MOUSEMOVE:   return 0;
     case WM_MOUSEWHEEL:
-        in->wheel += (float)GET_WHEEL_DELTA_WPARAM(w) / WHEEL_DELTA;
+        take(app, GAME_EVENT_WHEEL, 0, (float)GET_WHEEL_DELTA_WPARAM(w) / WHEEL_DELTA, 0);
         return 0;
-    case WM_KEYDOWN: note_key(in, key_of(w)); return 0;
+    case WM_KEYDOWN: take(app, GAME_EVENT_KEY, 0, 0, key_of(w)); return 0;
     case WM_CHAR: /* Ctrl-Z comes as 26, Ctrl-Y as 25 */
         if (w == 25 || w == 26)
-            note_key(in, w == 25 || GetKeyState(VK_SHIFT) < 0 ?
-                     GAME_KEY_REDO : GAME_KEY_UNDO);
-        if (w >= 32 && w < 127) note_key(in, (int32_t)w);
+            take(app, GAME_EVENT_KEY, 0, 0, w == 25 || GetKeyState(VK_SHIFT) < 0 ?
+                 GAME_KEY_REDO : GAME_KEY_UNDO);
+        if (w >= 32 && w < 127) take(app, GAME_EVENT_KEY, 0, 0, (int32_t)w);
         return 0;
     default: return DefWindowProcW(window, what, w, l);
     }
@@ -123,10 +115,7 @@ static bool frame(win_app *app, HWND window, double seconds)
     app->input.seconds = seconds;
     if (!layer_frame(app->layer, &app->input)) app->open = false;
     if (r.right > 0 && r.bottom > 0 && !show(window, b)) return false;
-    /* forget what belonged to this frame */
-    app->input.wheel = 0;
-    app->input.pressed = app->input.released = 0;
-    app->input.key_count = 0;
+    game_forget_moment(&app->input);
     return true;
 }
 

@@ -128,7 +128,7 @@ static wfResult op_names(Session *s)            /* ids and indices, back and for
     MUST(wfBodyIsValid(w, b) == (!bad && !staleBody) && wfShapeIsValid(w, h) == (!bad && !staleShape));
     MUST((wfBodyIndex(w, b) >= 0) == (!bad && !staleBody) && (wfShapeIndex(w, h) >= 0) == (!bad && !staleShape));
     int32_t i = whole(s, -3, 40);
-    if (bad) MUST(wfBodyAt(w, i).index == 0 && wfShapeAt(w, i).index == 0 && wfJointAt(w, i).index == 0);
+    if (bad) MUST(wfBodyAt(w, i).index == 0 && wfShapeAt(w, i).index == 0 && wfJointAt(w, i).index == 0 && wfForceAt(w, i).index == 0);
     wfBodyId at = wfBodyAt(w, i);
     if (at.index) MUST(wfBodyIsValid(w, at) && wfBodyIndex(w, at) == i);
     wfShapeId shapeAt = wfShapeAt(w, i);
@@ -1172,7 +1172,7 @@ const Operation operations[] = {
     OP("settings", 3, READS, wfGetWorldDef, op_get_def, false),
     OP("settings", 8, CHANGES, wfSetWorldDef, op_set_def, false),
     OP("settings", 6, READS, wfPutSetting wfFindSetting wfSettingValue wfSettingRowName wfFindSettingRow wfCheckWorldDef, op_settings, false),
-    OP("looking", 8, READS, wfWorldBodies wfWorldShapes wfWorldPairs wfWorldContacts wfBodyCount wfShapeCount wfForceCount wfWorldTime wfWorldSteps wfHashWorld wfBodyAtPoint, op_look, true),
+    OP("looking", 8, READS, wfWorldBodies wfWorldShapes wfWorldPairs wfWorldContacts wfBodyCount wfShapeCount wfForceCount wfForceAt wfWorldTime wfWorldSteps wfHashWorld wfBodyAtPoint, op_look, true),
     OP("looking", 6, READS, wfWorldEvents wfWorldHits, op_events, true),
     OP("looking", 5, READS, wfGetContact, op_get_contact, false),
     OP("looking", 3, READS, wfWorldEnergy, op_energy, false),

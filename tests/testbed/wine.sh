@@ -39,7 +39,7 @@ widget() { tr -d '\r' <"$log" | sed -n "s/^widget $1 pixel //p" | head -1; }
 at() { xdotool mousemove --sync $((win_X + ${1%.*})) $((win_Y + ${2%.*})); sleep 0.1; }
 click() { local p; p=$(widget "$1"); [ -n "$p" ] || fail "no widget $1"; at $p; xdotool mousedown 1; sleep 0.1; xdotool mouseup 1; }
 click Pause; until_true "a click pauses" is paused 1
-click Run; until_true "and runs again" is paused 0
+click Play; until_true "and runs again" is paused 0
 body() { tr -d '\r' <"$log" | sed -n "s/^body 6 .*pixel //p" | head -1; }
 place() { tr -d '\r' <"$log" | sed -n "s/^body 6 x \([-0-9.]*\) .*/\1/p" | head -1; }
 x=$(place); p=$(body); at $p; xdotool mousedown 1; sleep 0.2

@@ -93,7 +93,7 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   near(to[0] - from[0], 30, 2, `${name}: two fingers that go together move the view sideways`);
   near(to[1] - from[1], 16, 2, `${name}: and down`);
   await tap('Home');
-  await tap('Run');
+  await tap('Play');
   from = await spot('body 6');
   const x6 = await fact('body 6', 1);
   await bed.stroke([from], [[from[0] + 60, from[1] - 10]]);

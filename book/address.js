@@ -1,0 +1,54 @@
+// The testbed's address: it follows scene and settings, leads to them, and may hold a whole world.
+//   #ragdolls    #scene=ragdolls&gravity.y=-3    #scene=...&world=LETTERS
+(() => {
+  'use strict';
+  const game = document.getElementById('testbed').game, link = () => game.parts() > 1 ? game.say('web_link') : '', MOST = 8192;
+  const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+  const letters = bytes => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); return btoa(t).replace(/[+/=]/g, c => ({ '+': '-', '/': '_' }[c] || '')); };
+  const bytesOf = text => Uint8Array.from(atob(text.replace(/[-_]/g, c => ({ '-': '+', _: '/' }[c]))), c => c.charCodeAt(0));
+  let linked = null;                                   // a world that came by the address, for the next load
+  // what the game wants of files: the world of the address, and a world that goes into one; a larger one is a file
+  game.own = (wish, name, bytes) => {
+    if (wish === 3 && name === 'link.save') { copy(bytes); return bytes; }
+    if (wish !== 2 || name !== 'world.save' || !linked) return null;
+    const came = linked;
+    linked = null;
+    return came;
+  };
+  const copy = async bytes => {
+    const packed = letters(await through(bytes, new CompressionStream('deflate-raw')));
+    if (packed.length > MOST) { game.handOut(bytes, 'world.save'); return; }
+    game.copied = location.href.replace(/#.*/, '') + '#' + link() + '&world=' + packed;
+    try { await navigator.clipboard.writeText(game.copied); } catch (e) { window.prompt('the link', game.copied); }
+  };
+  const go = async hash => {
+    const named = hash.includes('='), told = new URLSearchParams(named ? hash : ''), scene = named ? told.get('scene') : decodeURIComponent(hash), world = told.get('world');
+    told.delete('scene'); told.delete('world');
+    if (scene) game.open(scene);
+    await game.more();
+    game.frame(0, 0);
+    for (const [name, value] of told) game.set(name, +value);
+    if (!world) return;
+    try {
+      linked = await through(bytesOf(world), new DecompressionStream('deflate-raw'));
+      for (let i = 0; i < 4; i++) game.frame(0, 0);    // its settings may be on the card
+      game.key(97);                                    // A: load
+      for (let i = 0; i < 4; i++) game.frame(0, 0);
+    } catch (e) { linked = null; }
+  };
+  // another scene is a step of the page's history, another setting is not
+  const sceneOf = text => text.replace(/&.*/, '');
+  const begins = hash => 'scene=' + ((/=/.test(hash) ? new URLSearchParams(hash).get('scene') : decodeURIComponent(hash)) || 'tumbler').replace(/ /g, '-');
+  let shown = begins(location.hash.slice(1)), going = false;
+  const first = shown;
+  const follow = () => {
+    const now = document.hidden || going ? shown : link();
+    if (!now || now === shown) return;
+    history[sceneOf(now) === sceneOf(shown) ? 'replaceState' : 'pushState'](null, '', '#' + now);
+    shown = now;
+  };
+  const came = async hash => { going = true; await go(hash); shown = link(); going = false; };
+  if (/[=&]/.test(location.hash)) came(location.hash.slice(1));
+  setInterval(follow, 500);
+  addEventListener('popstate', () => came(location.hash.slice(1) || first));
+})();

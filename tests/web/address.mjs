@@ -1,0 +1,67 @@
+// address.mjs: the testbed's address in Chromium: it follows the scene and its settings, Back and Forward go there, an unknown scene is told,
+// and a link holds a world that was changed.
+//   node tests/web/address.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
+import { createRequire } from 'node:module';
+import { resolve, join } from 'node:path';
+const require = createRequire(join(process.cwd(), 'build/node/'));
+const { chromium } = require('playwright-core');
+const html = resolve(process.argv[2]);
+const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
+const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
+let failed = 0, checks = 0;
+const check = (truth, text) => { checks++; if (!truth) { failed++; console.log('address: ' + text); } return truth; };
+const open = async (hash, reducedMotion = 'no-preference') => {
+  const context = await browser.newContext({ viewport: { width: 1100, height: 720 }, reducedMotion }), page = await context.newPage();
+  page.on('pageerror', e => check(false, e.message));
+  page.on('dialog', d => d.dismiss());
+  await page.goto('file://' + join(html, 'testbed.html' + hash));
+  await page.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && c.game.own && /^widget /m.test(c.game.describe()); }, null, { timeout: 20000 });
+  await page.evaluate(() => document.getElementById('testbed').game.more());
+  page.tell = label => page.evaluate(label => (document.getElementById('testbed').game.describe().match(new RegExp(`^${label} (.*)$`, 'm')) || ['', ''])[1], label);
+  page.until = (label, want) => page.waitForFunction(([label, want]) => (document.getElementById('testbed').game.describe().match(new RegExp(`^${label} (.*)$`, 'm')) || ['', ''])[1] === want,
+    [label, want], { timeout: 10000 }).catch(async () => check(false, `${label} is ${await page.tell(label)}, and not ${want}`));
+  page.hash = want => page.waitForFunction(want => location.hash === want, want, { timeout: 10000 }).catch(async () => check(false, `the address ends with ${await page.evaluate(() => location.hash)}, and not ${want}`));
+  page.link = () => page.evaluate(() => document.getElementById('testbed').game.say('web_link'));
+  page.click1 = name => page.evaluate(name => {
+    const game = document.getElementById('testbed').game, at = game.describe().match(new RegExp(`^widget ${name} pixel (\\S+) (\\S+)$`, 'm'));
+    if (!at) throw new Error('no widget ' + name);
+    game.click(+at[1], +at[2]); game.frame(0, 0); game.frame(0, 0);
+  }, name);
+  return page;
+};
+const page = await open('#cradle');
+await page.until('scene', 'cradle');
+await page.evaluate(() => document.getElementById('testbed').game.open('bridge'));
+await page.hash('#scene=bridge');
+await page.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
+await page.hash('#scene=dominoes');
+await page.goBack();
+await page.until('scene', 'bridge');
+await page.goForward();
+await page.until('scene', 'dominoes');
+await page.evaluate(() => { location.hash = '#scene=pyramid&gravity.y=-3'; });
+await page.until('scene', 'pyramid');
+await page.waitForFunction(() => /gravity\.y=-3$/.test(document.getElementById('testbed').game.say('web_link')), null, { timeout: 10000 }).catch(async () => check(false, `the link is ${await page.link()}`));
+await page.evaluate(() => { location.hash = '#scene=nowhere'; });
+await page.until('said', 'there is no scene nowhere');
+check(await page.tell('scene') === 'pyramid', 'an unknown scene takes the other one away');
+
+// a world that was changed, in a link
+const made = await open('#scene=stack-of-boxes&gravity.y=-5');
+await made.until('scene', 'stack of boxes');
+await made.waitForTimeout(500);
+await made.evaluate(async () => { const g = document.getElementById('testbed').game; await g.more(); g.key(112); g.frame(0, 0); g.key(110); g.key(127); g.frame(0, 0); });
+const bodies = await made.tell('bodies'), hash = await made.tell('hash');
+check(bodies === '6', `a box of seven bodies was removed: ${bodies}`);
+await made.evaluate(() => { const g = document.getElementById('testbed').game; g.key(115); g.frame(0, 0); g.frame(0, 0); });
+await made.click1('Files');
+await made.click1('Copy link');
+await made.waitForFunction(() => document.getElementById('testbed').game.copied, null, { timeout: 10000 }).catch(() => check(false, 'no link was made'));
+const url = await made.evaluate(() => document.getElementById('testbed').game.copied || '');
+check(url.length > 100 && url.length < 8500, `the link has ${url.length} letters`);
+const came = await open(url.replace(/^[^#]*/, ''), 'reduce');       // it begins paused
+await came.until('bodies', bodies);
+await came.until('hash', hash);
+await browser.close();
+console.log(`address: ${checks} checks, ${failed} failed`);
+process.exit(failed ? 1 : 0);
