@@ -88,12 +88,11 @@ static bool clip_end(wfClipPoint *end, const wfClipPoint *other, wfReal limit, w
     wfReal beyond = side * (end->at.x - limit), within = side * (limit - other->at.x);
     if (beyond <= 0) return true;
     if (within <= 0) return false;
-    end->at = wfLerp(end->at, other->at, beyond / (beyond + within));
+    end->at = wfLerp(end->at, other->at, beyond / (beyond + within)); /* eq:contacts-clip */
     end->feature = feature;
     return true;
 }
 
-/* clip the incident edge */
 bool wfClipIncident(const wfFacing *f, wfClipPoint *ends)
 {
     wfReal length = wfIncidentEnds(f, ends);
@@ -106,7 +105,7 @@ bool wfClipIncident(const wfFacing *f, wfClipPoint *ends)
     return true;
 }
 
-/* arm: the point from A's origin, world directions */
+/* go halfway by eq:contacts-half */
 void wfAddContact(wfManifold *out, wfTransform xa, wfTransform xb, wfVec2 arm,
                   wfReal depth, uint32_t feature)
 {

@@ -5,10 +5,6 @@
 #define WEFT_COLLISION_CLIP_H
 #include "weft/contact.h"
 
-/* Whose edge looks along the normal best, 0: A's, 1: B's, and which edge that is. */
-int wfBestAligned(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
-                  wfVec2 normal, int32_t *edge);
-
 /* Edge r of the reference shape gives the normal; edge i of the incident one faces it. */
 typedef struct wfFacing {
     const wfShape *ref, *inc;
@@ -16,8 +12,10 @@ typedef struct wfFacing {
     int32_t r, i;
     bool refIsB;
 } wfFacing;
-
-/* Fills in who is the reference: A, or B if owner is 1.  No edges yet. */
+/* Whose edge looks along the normal best, 0: A's, 1: B's, and which edge that is. */
+int wfBestAligned(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
+                  wfVec2 normal, int32_t *edge);
+/* Fills in which is the reference: A, or B if owner is 1.  No edges yet. */
 void wfFaceShapes(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                   int owner, wfFacing *f);
 /* Edge `edge` of the reference shape, and the edge of the incident one that faces it. */
@@ -34,15 +32,6 @@ typedef struct wfClipPoint {
     uint32_t feature;
 } wfClipPoint;
 
-/* The incident edge's ends by eq:contacts-frame; returns the reference edge's length, m. */
-wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends);
-
-/* Cuts the ends to the stretch below the reference edge; false: nothing is there. */
-bool wfClipIncident(const wfFacing *f, wfClipPoint *ends);
-
-/* The incident core's corner that is deepest below the reference edge's line. */
-wfClipPoint wfDeepestVertex(const wfFacing *f);
-
 /* A corner of the reference shape, one of the incident shape, and the way between them in
    the reference edge's frame. */
 typedef struct wfCorners {
@@ -52,11 +41,21 @@ typedef struct wfCorners {
 
 /* Two corners are a contact only if they are nearer than edge and corner by this share. */
 #define WF_CORNER_SHARE WF_R(0.00390625)   /* 1/256 */
+/* The incident edge's ends by eq:contacts-frame; returns the reference edge's length, m. */
+wfReal wfIncidentEnds(const wfFacing *f, wfClipPoint *ends);
+
+/* Cuts the ends to the stretch below the reference edge; false: nothing is there. */
+bool wfClipIncident(const wfFacing *f, wfClipPoint *ends);
+
+/* The incident core's corner that is deepest below the reference edge's line. */
+wfClipPoint wfDeepestVertex(const wfFacing *f);
+
 /* true: an end of the incident edge is beyond the reference edge, and nearer to its corner
    than the clipped ends (or NULL, if clipping left nothing) are to the edge */
 bool wfFacingCorners(const wfFacing *f, const wfClipPoint *clipped, wfCorners *c);
 /* The contact of eq:contacts-corners, if within the margin; it turns out->normal. */
 void wfCornerContact(const wfFacing *f, const wfCorners *c, wfReal margin, wfManifold *out);
+
 /* A place in the reference edge's frame becomes a contact by eq:contacts-coats. */
 void wfAddClipped(const wfFacing *f, const wfClipPoint *c, wfManifold *out);
 

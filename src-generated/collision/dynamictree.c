@@ -253,6 +253,17 @@ wfResult wfTreeMove(wfTree *tree, int32_t proxy, wfRect box)
     return result;
 }
 
+/* climb to the node after another */
+static int32_t node_after(const wfTree *tree, int32_t n)
+{
+    for (int32_t up = tree->nodes[n].parent; up != WF_TREE_NONE;) {
+        if (tree->nodes[up].left == n) return tree->nodes[up].right;
+        n = up;
+        up = tree->nodes[n].parent;
+    }
+    return WF_TREE_NONE;
+}
+
 /* keep near pairs */
 static bool is_new(const wfTree *tree, int32_t leaf)
 {
@@ -270,16 +281,6 @@ static void strike_near(wfTree *tree)
         tree->overlaps[kept++] = p;
     }
     tree->head->nearCount = kept;
-}
-
-static int32_t node_after(const wfTree *tree, int32_t n)
-{
-    for (int32_t up = tree->nodes[n].parent; up != WF_TREE_NONE;) {
-        if (tree->nodes[up].left == n) return tree->nodes[up].right;
-        n = up;
-        up = tree->nodes[n].parent;
-    }
-    return WF_TREE_NONE;
 }
 
 /* adds the near pairs of a leaf; false: no room */

@@ -47,8 +47,7 @@ wfReal wfShapeMaxExtent(const wfShape *shape)
 
 /* separate two circles by eq:narrow-circles */
 static void circle_circle(const wfShape *a, wfTransform xa, const wfShape *b,
-                          wfTransform xb,
-                          wfSeparation *out)
+                          wfTransform xb, wfSeparation *out)
 {
     wfVec2 arms = wfSub(wfRotate(xb.q, b->centre), wfRotate(xa.q, a->centre));
     wfVec2 d = wfAdd(wfSub(xb.p, xa.p), arms);
@@ -215,11 +214,6 @@ static void corner_to_corner(const Core *cores, const wfReal *gaps, int32_t n, w
     out->owner = out->edge = WF_NO_EDGE;
 }
 
-static bool is_bare(const wfShape *s)
-{
-    return s->kind == WF_SHAPE_POLYGON && s->radius == 0;
-}
-
 /* separate two cores */
 static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb,
                       wfSeparation *out)
@@ -227,7 +221,6 @@ static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTran
     wfTransform rel = wfRelativePose(xa, xb);
     wfVec2 corners[WF_MAX_VERTICES], normals[WF_MAX_VERTICES];
     wfReal gaps[2 * WF_MAX_VERTICES + 4], coats = a->radius + b->radius;
-    /* see both cores from A */
     bool pointA = a->count == 0, pointB = b->count == 0;
     for (int32_t j = 0; j < b->count; j++) {
         corners[j] = wfApply(rel, b->vertices[j]);
@@ -239,6 +232,7 @@ static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTran
         { pointB ? 1 : b->count, corners, normals },
     };
     wfReal *end = list_edges(&cores[1], &cores[0], list_edges(&cores[0], &cores[1], gaps));
+    /* list the ends of segments */
     end = list_ends(&cores[1], &cores[0], list_ends(&cores[0], &cores[1], end));
     int32_t n = (int32_t)(end - gaps), k = choose_axis(gaps, n, coats, tie_of(a, b));
     Face f = face_at(cores, k);
@@ -246,11 +240,17 @@ static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTran
     out->normal = f.axis;
     out->owner = f.edge == WF_NO_EDGE ? WF_NO_EDGE : f.ofB;
     out->edge = f.edge;
+    /* measure from corner to corner */
     if (coats > 0) corner_to_corner(cores, gaps, n, coats, out);
     out->normal = wfRotate(xa.q, out->normal);
 }
 
 /* narrow phases */
+static bool is_bare(const wfShape *s)
+{
+    return s->kind == WF_SHAPE_POLYGON && s->radius == 0;
+}
+
 static bool is_finite_pose(wfTransform x)
 {
     return wfIsFinite2(x.p) && wfIsFinite2(wfV2(x.q.c, x.q.s));

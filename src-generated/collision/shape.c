@@ -158,7 +158,7 @@ static wfResult check_ring(const wfShape *s)
 
 static bool may_have_coat(const wfShape *s)
 {
-    /* who else may have a coat */
+    /* kinds that may have a radius */
     if (s->kind == WF_SHAPE_POLYGON || s->kind == WF_SHAPE_CAPSULE) return true;
     return s->kind == WF_SHAPE_CIRCLE;
 }

@@ -162,8 +162,7 @@ static wfResult rk4(const wfIntegration *in)
     try_stage(in, h, a2, a3, s.trial);
     find_accelerations(in, s.trial, t + h, s.forces, a4);
     for (int32_t i = 0; i < in->count; i++) {
-        /* sum the four stages by eq:int-rk4 */
-        wfBodyState *b = &in->state[i];
+        wfBodyState *b = &in->state[i];                         /* eq:int-rk4 */
         wfVec2 middle = wfAdd(a2[i].linear, a3[i].linear);
         wfReal turn = a2[i].angular + a3[i].angular;
         Acceleration forP = { wfAdd(a1[i].linear, middle), a1[i].angular + turn };

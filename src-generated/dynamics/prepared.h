@@ -10,7 +10,7 @@ typedef struct wfPreparedPoint {
     wfReal nA, nB, tA, tB;    /* levers, m: rA x n, rB x n, rA x t, rB x t */
     wfReal upA, upB;          /* m: arms along the normal; 0 for a circle's contact */
     wfReal gap;               /* m when the contact was found: minus its depth */
-    wfReal now;               /* m: where the bodies are now, for who keeps it so */
+    wfReal now;               /* m: where the bodies are now, for a solver that uses it */
     wfReal massN, massT;      /* kg: effective masses along normal and tangent */
     wfReal normal, tangent;   /* N s: applied so far, the sums that are clamped */
 } wfPreparedPoint;

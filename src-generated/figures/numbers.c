@@ -153,6 +153,7 @@ static void figure_numbers_transform(wfDraw *d, const wfFigureInput *in)
     wfDrawTextf(d, 0.2f, 3.5f, 14, WF_INK_TEXT, -1, "in the world: (%.2f, %.2f)",
                 (double)w.x, (double)w.y);
 }
+
 static const wfFigureRow rows[] = {
     { "numbers-cross", figure_numbers_cross, 6.0f, 4.0f, 2,
       { {4.2f, 1.3f}, {2.4f, 2.9f} } },

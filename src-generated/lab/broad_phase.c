@@ -262,6 +262,7 @@ static int time_broad_scene(FILE *out, BroadWorld *world, int scene)
     }
     return 0;
 }
+
 static int measure_broad_time(FILE *out)
 {
     int failed = 0;

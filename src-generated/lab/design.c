@@ -9,7 +9,6 @@ static int measure_design_list(FILE *out)
     wfDraw d;
     wfDrawInit(&d, memory, sizeof memory);
     fprintf(out, "command,bytes\n");
-    /* write the bytes that each kind of command takes */
     wfDrawPoint(&d, 0, 0, 4, WF_INK_LINE);
     fprintf(out, "point,%zu\n", wfDrawBytes(&d));
     wfDrawReset(&d);

@@ -222,6 +222,14 @@ void wfNormalizeMany(wfReal *e, int n)
 }
 
 /* inverses of matrices */
+wfMat23 wfMat23Inverse(wfMat23 a)                    /* eq:numbers-m23-inverse */
+{
+    wfMat22 l = wfMat22Inverse(wfMat22From23(a));
+    wfVec2 t = wfMat22MulV(l, wfV2(a.E13, a.E23));
+    if (!wfIsFinite2(t)) return (wfMat23){ { 0, 0, 0, 0, 0, 0 } };
+    return wfMat23Make(l.E11, l.E12, -t.x, l.E21, l.E22, -t.y);
+}
+
 wfMat22 wfMat22Inverse(wfMat22 a)                    /* eq:numbers-inverse */
 {
     static const wfMat22 none = { { 0, 0, 0, 0 } };
@@ -233,14 +241,6 @@ wfMat22 wfMat22Inverse(wfMat22 a)                    /* eq:numbers-inverse */
     wfMat22 inverse = wfMat22Make(b.E22 / det / m, -b.E12 / det / m,
                                   -b.E21 / det / m, b.E11 / det / m);
     return wfIsFinite(largest_component(inverse.E, 4)) ? inverse : none;
-}
-
-wfMat23 wfMat23Inverse(wfMat23 a)                    /* eq:numbers-m23-inverse */
-{
-    wfMat22 l = wfMat22Inverse(wfMat22From23(a));
-    wfVec2 t = wfMat22MulV(l, wfV2(a.E13, a.E23));
-    if (!wfIsFinite2(t)) return (wfMat23){ { 0, 0, 0, 0, 0, 0 } };
-    return wfMat23Make(l.E11, l.E12, -t.x, l.E21, l.E22, -t.y);
 }
 
 /* the random number generator */

@@ -39,7 +39,6 @@ typedef struct wfTree {
     wfTreePlace *places;
     wfPair *overlaps;             /* leaves whose fat boxes overlap, sorted */
 } wfTree;
-
 size_t wfTreeSize(int32_t capacity);    /* bytes of a tree for proxies 0 .. capacity - 1 */
 /* An empty tree in a block (aligned to WF_POOL_ALIGN; it may be moved and copied).
    WF_ERROR_NULL, _RANGE (capacity < 1), _MEMORY. */

@@ -29,7 +29,18 @@ static inline wfMat22 wfMat22Mul(wfMat22 a, wfMat22 b)           /* eq:numbers-p
     return wfMat22Make(a.E11 * b.E11 + a.E12 * b.E21, a.E11 * b.E12 + a.E12 * b.E22,
                        a.E21 * b.E11 + a.E22 * b.E21, a.E21 * b.E12 + a.E22 * b.E22);
 }
-
+static inline wfMat22 wfMat22RotationRad(wfReal radians)         /* eq:numbers-rotation */
+{
+    wfReal s, c;
+    wfSinCos(radians, &s, &c);
+    return wfMat22Make(c, -s, s, c);
+}
+static inline wfReal wfMat22Det(wfMat22 a)                       /* eq:numbers-cramer */
+{
+    return a.E11 * a.E22 - a.E12 * a.E21;
+}
+/* The inverse, eq:numbers-inverse; the zero matrix if there is none or it is not finite. */
+wfMat22 wfMat22Inverse(wfMat22 a);
 static inline wfMat22 wfMat22Add(wfMat22 a, wfMat22 b)
 {
     return wfMat22Make(a.E11 + b.E11, a.E12 + b.E12, a.E21 + b.E21, a.E22 + b.E22);
@@ -46,12 +57,6 @@ static inline wfMat22 wfMat22Transpose(wfMat22 a)    /* rows become columns */
 {
     return wfMat22Make(a.E11, a.E21, a.E12, a.E22);
 }
-static inline wfMat22 wfMat22RotationRad(wfReal radians)         /* eq:numbers-rotation */
-{
-    wfReal s, c;
-    wfSinCos(radians, &s, &c);
-    return wfMat22Make(c, -s, s, c);
-}
 static inline wfMat22 wfMat22RotationDeg(wfReal degrees)         /* eq:numbers-rotation */
 {
     wfReal s, c;
@@ -67,12 +72,6 @@ static inline wfMat22 wfMat22AddRotationDeg(wfMat22 a, wfReal degrees)
 {
     return wfMat22Mul(a, wfMat22RotationDeg(degrees));
 }
-static inline wfReal wfMat22Det(wfMat22 a)                       /* eq:numbers-cramer */
-{
-    return a.E11 * a.E22 - a.E12 * a.E21;
-}
-/* The inverse, eq:numbers-inverse; the zero matrix if there is none or it is not finite. */
-wfMat22 wfMat22Inverse(wfMat22 a);
 
 typedef union wfMat23 {
     struct { wfReal E11, E12, E13, E21, E22, E23; }; /* row by row; below them 0 0 1 */
@@ -197,10 +196,6 @@ static inline wfTransform wfMakeTransform(wfVec2 p, wfReal angle)
 {
     wfTransform made = { p, wfRotation(angle) }; return made;
 }
-static inline wfTransform wfTransformIdentity(void)
-{
-    return wfMakeTransform(wfV2(0, 0), 0);
-}
 static inline wfVec2 wfApply(wfTransform t, wfVec2 v)            /* eq:numbers-apply */
 {
     return wfAdd(t.p, wfRotate(t.q, v));
@@ -210,6 +205,10 @@ static inline wfVec2 wfApplyInv(wfTransform t, wfVec2 w)         /* eq:numbers-a
     return wfRotateInv(t.q, wfSub(w, t.p));
 }
 
+static inline wfTransform wfTransformIdentity(void)
+{
+    return wfMakeTransform(wfV2(0, 0), 0);
+}
 /* The transform that does b first and then a. */
 static inline wfTransform wfTransformMul(wfTransform a, wfTransform b)
 {
@@ -227,28 +226,7 @@ static inline wfMat23 wfTransformMat23(wfTransform t)
 /* An upright rectangle with its border; min.x <= max.x, min.y <= max.y. */
 typedef struct wfRect { wfVec2 min, max; } wfRect;
 
-static inline wfRect wfRectMinMax(wfVec2 a, wfVec2 b)  /* any two opposite corners */
-{
-    wfRect made = { wfMin2(a, b), wfMax2(a, b) }; return made;
-}
-static inline wfRect wfRectMinDim(wfVec2 min, wfVec2 dim)
-{
-    return wfRectMinMax(min, wfAdd(min, dim));
-}
-static inline wfRect wfRectCenterHalfDim(wfVec2 center, wfVec2 half)
-{
-    return wfRectMinMax(wfSub(center, half), wfAdd(center, half));
-}
-static inline wfRect wfRectCenterDim(wfVec2 center, wfVec2 dim)
-{
-    return wfRectCenterHalfDim(center, wfScale(WF_R(0.5), dim));
-}
-
-static inline wfVec2 wfRectMinCorner(wfRect r) { return r.min; }
-static inline wfVec2 wfRectMaxCorner(wfRect r) { return r.max; }
 static inline wfVec2 wfRectCenter(wfRect r)    { return wfLerp(r.min, r.max, WF_R(0.5)); }
-static inline wfReal wfRectWidth(wfRect r)     { return r.max.x - r.min.x; }
-static inline wfReal wfRectHeight(wfRect r)    { return r.max.y - r.min.y; }
 static inline bool   wfRectHasPoint(wfRect r, wfVec2 p)
 {
     return r.min.x <= p.x && p.x <= r.max.x && r.min.y <= p.y && p.y <= r.max.y;
@@ -272,6 +250,28 @@ static inline wfRect wfRectGrow(wfRect r, wfReal margin)         /* on all four 
     wfVec2 m = wfV2(margin, margin);
     wfRect made = { wfSub(r.min, m), wfAdd(r.max, m) }; return made;
 }
+
+static inline wfRect wfRectMinMax(wfVec2 a, wfVec2 b)  /* any two opposite corners */
+{
+    wfRect made = { wfMin2(a, b), wfMax2(a, b) }; return made;
+}
+static inline wfRect wfRectMinDim(wfVec2 min, wfVec2 dim)
+{
+    return wfRectMinMax(min, wfAdd(min, dim));
+}
+static inline wfRect wfRectCenterHalfDim(wfVec2 center, wfVec2 half)
+{
+    return wfRectMinMax(wfSub(center, half), wfAdd(center, half));
+}
+static inline wfRect wfRectCenterDim(wfVec2 center, wfVec2 dim)
+{
+    return wfRectCenterHalfDim(center, wfScale(WF_R(0.5), dim));
+}
+
+static inline wfVec2 wfRectMinCorner(wfRect r) { return r.min; }
+static inline wfVec2 wfRectMaxCorner(wfRect r) { return r.max; }
+static inline wfReal wfRectWidth(wfRect r)     { return r.max.x - r.min.x; }
+static inline wfReal wfRectHeight(wfRect r)    { return r.max.y - r.min.y; }
 
 /* The circle of the report's Appendix C; the engine's own circles are shapes. */
 typedef struct wfCircle2 { wfVec2 center; wfReal radius; } wfCircle2;

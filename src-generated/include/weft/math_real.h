@@ -40,6 +40,22 @@ typedef float wfReal;
 #define WF_NATIVE_ABS(a) __builtin_fabsf(a)
 #endif
 
+#ifndef __GNUC__             /* gcc and clang: no library, given -fno-math-errno */
+#define WF_NATIVE_SQRT(a) ((wfReal)sqrt((double)(a)))
+#elif defined WF_DOUBLE
+#define WF_NATIVE_SQRT(a) __builtin_sqrt(a)
+#else
+#define WF_NATIVE_SQRT(a) __builtin_sqrtf(a)
+#endif
+
+#ifdef WF_DOUBLE
+#define WF_SQUARE_LOW  1.1830521861667747e-271  /* 2^-900: sums of squares between these */
+#define WF_SQUARE_HIGH 1.0715086071862673e+301  /* 2^1000: have all digits */
+#else
+#define WF_SQUARE_LOW  8.077935669463161e-28f   /* 2^-90 */
+#define WF_SQUARE_HIGH 1.329227995784916e+36f   /* 2^120 */
+#endif
+
 static inline wfReal wfAbs(wfReal a)            { return WF_NATIVE_ABS(a); }
 static inline wfReal wfMinR(wfReal a, wfReal b) { return a < b ? a : b; }
 static inline wfReal wfMaxR(wfReal a, wfReal b) { return a > b ? a : b; }
@@ -51,14 +67,6 @@ static WF_ONE_COPY wfReal wfClamp(wfReal a, wfReal lo, wfReal hi)
 {
     return a < lo ? lo : a > hi ? hi : a;
 }
-
-#ifndef __GNUC__             /* gcc and clang: no library, given -fno-math-errno */
-#define WF_NATIVE_SQRT(a) ((wfReal)sqrt((double)(a)))
-#elif defined WF_DOUBLE
-#define WF_NATIVE_SQRT(a) __builtin_sqrt(a)
-#else
-#define WF_NATIVE_SQRT(a) __builtin_sqrtf(a)
-#endif
 
 /* Correctly rounded, so the same everywhere. What rounding made negative counts as 0. */
 static inline wfReal wfSqrt(wfReal a) { return a < 0 ? 0 : WF_NATIVE_SQRT(a); }

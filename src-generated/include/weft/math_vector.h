@@ -29,17 +29,6 @@ static inline wfVec2 wfLerp(wfVec2 a, wfVec2 b, wfReal t)        /* eq:numbers-l
 {
     return wfV2((1 - t) * a.x + t * b.x, (1 - t) * a.y + t * b.y);
 }
-/* component by component */
-static inline wfVec2 wfMin2(wfVec2 a, wfVec2 b)
-{
-    return wfV2(wfMinR(a.x, b.x), wfMinR(a.y, b.y));
-}
-static inline wfVec2 wfMax2(wfVec2 a, wfVec2 b)
-{
-    return wfV2(wfMaxR(a.x, b.x), wfMaxR(a.y, b.y));
-}
-static inline wfVec2 wfAbs2(wfVec2 a)      { return wfV2(wfAbs(a.x), wfAbs(a.y)); }
-static inline bool   wfIsFinite2(wfVec2 a) { return wfIsFinite(a.x) && wfIsFinite(a.y); }
 /* eq:numbers-dot and eq:numbers-cross */
 static WF_ONE_COPY wfReal wfDot(wfVec2 a, wfVec2 b)  { return a.x * b.x + a.y * b.y; }
 static WF_ONE_COPY wfReal wfCross(wfVec2 a, wfVec2 b) { return a.x * b.y - a.y * b.x; }
@@ -52,13 +41,6 @@ static inline wfVec2 wfCrossVS(wfVec2 v, wfReal s) { return wfV2(s * v.y, -s * v
 static inline wfReal wfLengthSq(wfVec2 a)             { return wfDot(a, a); }
 static inline wfReal wfDistanceSq(wfVec2 a, wfVec2 b) { return wfLengthSq(wfSub(b, a)); }
 
-#ifdef WF_DOUBLE
-#define WF_SQUARE_LOW  1.1830521861667747e-271  /* 2^-900: sums of squares between these */
-#define WF_SQUARE_HIGH 1.0715086071862673e+301  /* 2^1000: have all digits */
-#else
-#define WF_SQUARE_LOW  8.077935669463161e-28f   /* 2^-90 */
-#define WF_SQUARE_HIGH 1.329227995784916e+36f   /* 2^120 */
-#endif
 static inline bool wfSquareIsSafe(wfReal s)
 {
     return s > WF_SQUARE_LOW && s < WF_SQUARE_HIGH;
@@ -88,6 +70,17 @@ static inline wfVec2 wfNormalize(wfVec2 a)
 }
 
 static inline wfReal wfDistance(wfVec2 a, wfVec2 b) { return wfLength(wfSub(b, a)); }
+/* component by component */
+static inline wfVec2 wfMin2(wfVec2 a, wfVec2 b)
+{
+    return wfV2(wfMinR(a.x, b.x), wfMinR(a.y, b.y));
+}
+static inline wfVec2 wfMax2(wfVec2 a, wfVec2 b)
+{
+    return wfV2(wfMaxR(a.x, b.x), wfMaxR(a.y, b.y));
+}
+static inline wfVec2 wfAbs2(wfVec2 a)      { return wfV2(wfAbs(a.x), wfAbs(a.y)); }
+static inline bool   wfIsFinite2(wfVec2 a) { return wfIsFinite(a.x) && wfIsFinite(a.y); }
 
 typedef union wfVec3 {
     struct { wfReal x, y, z; };

@@ -73,6 +73,7 @@ typedef struct wfSolveReport {
     wfReal  course[WF_REPORT_COURSE];   /* m/s: its error at first, after one system, ... */
     wfReal  residual;         /* m/s: the greatest error left in any problem */
 } wfSolveReport;
+
 #define WF_STACK_LOOPS 8        /* the most that `stackSolver` may ask for */
 
 /* What a body's state is too coarse for: to be added to its place and velocities. */
@@ -122,7 +123,7 @@ typedef struct wfSolve {
                                          * step may take; 0: no bound */
     wfSolveReport      *report;         /* written by rows that can fail; NULL: not asked */
     wfTold             *told;           /* of each contact, zero before; NULL: not asked */
-    const wfWorkers    *workers;        /* who shares the work of `soft`; NULL: nobody */
+    const wfWorkers    *workers;        /* that share the work of `soft`; NULL: none */
 } wfSolve;
 /* Normal velocity at a point, m/s, by eq:impulses-approach: negative when the bodies
  * approach. `normal` is a unit vector from A to B, `point` is in world coordinates. */
