@@ -943,7 +943,6 @@ static void bad_chains_are_refused(void **state)
 static void a_placed_shape_is_where_it_was_seen(void **unused)
 {
     (void)unused;
-    wfShape shape[4];
     assert_ok(wfMakeRoundedBox(2, 1, WF_R(0.1), &shape[0]));
     assert_ok(wfMakeCircle(wfV2(1, 1), 1, &shape[1]));
     assert_ok(wfMakeCapsule(wfV2(0, 0), wfV2(1, 2), WF_R(0.5), &shape[2]));
