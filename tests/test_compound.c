@@ -940,6 +940,26 @@ static void bad_chains_are_refused(void **state)
     assert_memory_equal(shape, again, sizeof shape);
 }
 
+static void a_placed_shape_is_where_it_was_seen(void **unused)
+{
+    (void)unused;
+    assert_ok(wfMakeRoundedBox(2, 1, WF_R(0.1), &shape[0]));
+    assert_ok(wfMakeCircle(wfV2(1, 1), 1, &shape[1]));
+    assert_ok(wfMakeCapsule(wfV2(0, 0), wfV2(1, 2), WF_R(0.5), &shape[2]));
+    assert_ok(wfMakeLink(wfV2(3, 1), wfV2(2, 0), wfV2(0, 0), wfV2(-1, 2), &shape[3]));
+    for (int k = 0; k < 4; k++) for (int i = 0; i < 24; i++) {
+        wfTransform by = wfMakeTransform(wfV2((wfReal)i, -3), WF_R(0.3) * (wfReal)i - 3);
+        wfShape placed = shape[k];
+        wfShapePlace(&placed, by);
+        assert_ok(wfCheckShape(&placed));
+        wfRect a = wfShapeBounds(&shape[k], by), b = wfShapeBounds(&placed, wfTransformIdentity());
+        const double margin = 64 * 30 * (double)WF_EPSILON;
+        assert_near((double)a.min.x, (double)b.min.x, margin);
+        assert_near((double)a.max.y, (double)b.max.y, margin);
+        assert_near((double)wfLength(wfSub(wfApply(by, wfShapeCentroid(&shape[k])), wfShapeCentroid(&placed))), 0, margin);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -974,6 +994,7 @@ int main(void)
         cmocka_unit_test(an_open_chain_goes_straight_on),
         cmocka_unit_test(a_loop_closes),
         cmocka_unit_test(bad_chains_are_refused),
+        cmocka_unit_test(a_placed_shape_is_where_it_was_seen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -257,6 +257,46 @@ static void a_one_way_platform_stops_it_only_from_above(void **unused)
     wfDestroyWorld(&w);
 }
 
+static void it_pushes_what_is_beside_it(void **unused)
+{
+    (void)unused;
+    for (int heavy = 0; heavy < 3; heavy++) {
+        wfWorld w = empty();
+        wfBodyDef b = wfDefaultBodyDef();
+        wfBodyId crate, floor;
+        b.friction = 0;
+        b.type = WF_STATIC;
+        assert_ok(wfMakeBox(50, 1, &b.shape));
+        b.position = wfV2(0, -1);
+        assert_ok(wfAddBodyToWorld(&w, &b, &floor));
+        b.type = WF_DYNAMIC, b.density = heavy == 0 ? WF_R(0.1) : heavy == 1 ? 1 : 1000;
+        assert_ok(wfMakeBox(1, 1, &b.shape));
+        b.position = wfV2(2, 1);
+        assert_ok(wfAddBodyToWorld(&w, &b, &crate));
+        wfMover m = wfDefaultMover();
+        m.position = wfV2(0, WF_R(0.05)), m.stepHeight = 0;
+        for (int i = 0; i < 120; i++) {
+            assert_ok(wfStepWorld(&w));
+            wfVec2 want = m.velocity = wfV2(2, m.velocity.y - WF_R(9.81) / 60);
+            assert_ok(wfMoveMover(&w, &m, WF_R(1.0) / 60));
+            assert_ok(wfPushBodies(&w, &m, want));
+        }
+        /* from its first touch it goes at 2 m/s, ahead of the mover by half a metre less a gap or two */
+        assert_near((double)info(&w, crate).velocity.x, 2, 1e-3);
+        assert_near((double)(info(&w, crate).position.x - m.position.x), 1.3, 0.05);
+        /* what it stands on is not pushed down, nor is anything by one who stands still */
+        m.position = wfV2(info(&w, crate).position.x, WF_R(2.1)), m.velocity = wfV2(0, -1), m.ground = (wfShapeId){ 0, 0 };
+        for (int i = 0; i < 30 && m.ground.index == 0; i++) assert_ok(wfMoveMover(&w, &m, WF_R(1.0) / 60));
+        assert_int_equal(wfBodyIndex(&w, wfShapeBody(&w, m.ground)), wfBodyIndex(&w, crate));
+        wfVec2 before = info(&w, crate).velocity;
+        assert_ok(wfPushBodies(&w, &m, wfV2(0, -5)));
+        assert_near((double)wfDistance(before, info(&w, crate).velocity), 0, 0);
+        assert_result(WF_ERROR_NULL, wfPushBodies(&w, NULL, before));
+        assert_result(WF_ERROR_NOT_FINITE, wfPushBodies(&w, &m, wfV2((wfReal)NAN, 0)));
+        wfDestroyWorld(&w);
+    }
+}
+
 static void bad_movers_are_refused(void **unused)
 {
     (void)unused;
@@ -279,6 +319,7 @@ int main(void)
         cmocka_unit_test(it_climbs_ledges_and_slopes_up_to_its_limits),
         cmocka_unit_test(it_rides_on_platforms),
         cmocka_unit_test(a_one_way_platform_stops_it_only_from_above),
+        cmocka_unit_test(it_pushes_what_is_beside_it),
         cmocka_unit_test(bad_movers_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -120,11 +120,63 @@ static void stops_give_nothing_back_one_by_one(void **unused)
     }
 }
 
+/* A spring of any kind of joint swings as it was told to, whatever its two bodies weigh: by the times at which it passes its rest. A hinge needs no axis. */
+static void a_spring_has_its_frequency(void **unused)
+{
+    (void)unused;
+    const char *kind[] = { "revolute", "weld", "distance", "prismatic", "wheel" };
+    for (int k = 0; k < 5; k++) for (int pair = 0; pair < 2; pair++) {
+        bool turns = k < 2;
+        wfWorldDef def = wfDefaultWorldDef();
+        def.gravity = wfV2(0, 0), def.timeStep = WF_R(1.0) / 240;
+        wfWorld w;
+        wfBodyId id[2];
+        assert_ok(wfCreateWorld(&def, &w));
+        for (int i = 0; i < 2; i++) {
+            wfBodyDef b = wfDefaultBodyDef();
+            b.type = i == 0 && pair == 0 ? WF_STATIC : WF_DYNAMIC;
+            b.position = wfV2(turns ? 0 : 3 * (wfReal)i, 0), b.mass = i == 0 ? 5 : 2;
+            assert_ok(wfMakeBox(WF_R(0.4), WF_R(0.3), &b.shape));
+            assert_ok(wfAddBodyToWorld(&w, &b, &id[i]));
+        }
+        wfJoint j;
+        wfJointId joint;
+        wfVec2 from = wfV2(0, 0), to = wfV2(turns || k > 2 ? 0 : 3, 0);
+        assert_ok(wfDefineJoint(&w, kind[k], id[0], id[1], from, to, k > 2 ? wfV2(1, 0) : wfV2(0, 0), &j));
+        assert_ok(wfTuneJointSpring(&w, &j, 2, 0));
+        assert_ok(wfAddJointToWorld(&w, &j, &joint));
+        assert_ok(wfSetBodyVelocity(&w, id[1], wfV2(turns ? 0 : 1, 0), turns ? 1 : 0));
+        double start = 0, last = 0, passes = 0;
+        wfReal before = 0, now, rest = j.rest;
+        for (int i = 0; i < 480; i++) {
+            assert_ok(wfStepWorld(&w));
+            assert_ok(wfGetJointMotion(&w, joint, &now, NULL));
+            now -= rest;
+            if (i > 0 && before < 0 && now >= 0) {
+                last = (i + (double)(before / (before - now))) / 240;
+                if (passes++ < 1) start = last;
+            }
+            before = now;
+        }
+        /* implicit: w h = 2 pi 2 / 960 is 0.013, its square the loss of frequency; the moments are found to a hundredth of a step */
+        assert_true(passes >= 3);
+        assert_near((passes - 1) / (last - start), 2, 0.01);
+        assert_result(WF_ERROR_RANGE, wfTuneJointSpring(&w, &j, 0, 0));
+        assert_result(WF_ERROR_RANGE, wfTuneJointSpring(&w, &j, 1, -1));
+        assert_result(WF_ERROR_NULL, wfTuneJointSpring(&w, NULL, 1, 0));
+        assert_ok(wfDefineJoint(&w, "gear", id[0], id[1], from, to, wfV2(1, 0), &j));
+        assert_result(WF_ERROR_UNKNOWN, wfTuneJointSpring(&w, &j, 1, 0));
+        assert_result(WF_ERROR_RANGE, wfDefineJoint(&w, "wheel", id[0], id[1], from, to, wfV2(0, 0), &j));
+        wfDestroyWorld(&w);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cloth_gains_no_energy),
         cmocka_unit_test(a_chain_of_springs_is_as_stiff_as_it_should_be),
+        cmocka_unit_test(a_spring_has_its_frequency),
         cmocka_unit_test(stops_give_nothing_back_one_by_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -313,7 +313,7 @@ static void rules_of_two_fields(void **unused)
     expect(&w, WF_ERROR_NULL, wfAddBodyToWorld(&w, NULL, NULL), "wfAddBodyToWorld: def: a pointer is NULL: pass the address of a structure");
     expect(&w, WF_ERROR_UNKNOWN, wfDefineJoint(&w, "reolute", a, b, o, o, x, &j), "wfDefineJoint: kind: wfJointTable has their names");
     expect(&w, WF_ERROR_RANGE, wfDefineJoint(&w, "revolute", a, a, o, o, x, &j), "wfDefineJoint: b: it joins a body with itself");
-    expect(&w, WF_ERROR_RANGE, wfDefineJoint(&w, "revolute", a, b, o, o, o, &j), "wfDefineJoint: axis: it has no length");
+    expect(&w, WF_ERROR_RANGE, wfDefineJoint(&w, "prismatic", a, b, o, o, o, &j), "wfDefineJoint: axis: it has no length");
     expect(&w, WF_ERROR_STALE_ID, wfDefineJoint(&w, "revolute", a, stale, o, o, x, &j), "wfDefineJoint: b: an id names something that was removed or never existed");
     assert_ok(wfDefineJoint(&w, "revolute", a, b, o, o, x, &j));
     wfJoint bad = j;

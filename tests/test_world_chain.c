@@ -84,9 +84,57 @@ static void nobody_hops_over_a_thousand_tiles(void **unused)
         }
 }
 
+/* A chain in one call is the same, to the last bit, as its links one by one; a refused one has changed nothing. */
+static void a_chain_in_one_call(void **unused)
+{
+    (void)unused;
+    const wfVec2 point[5] = { WF_V2(4, 0), WF_V2(2, 1), WF_V2(0, 0), WF_V2(-2, 1), WF_V2(-4, 0) };
+    for (int loop = 0; loop < 2; loop++) {
+        uint64_t hash[2];
+        for (int way = 0; way < 2; way++) {
+            wfWorldDef def = wfDefaultWorldDef();
+            wfWorld w;
+            wfBodyDef b = wfDefaultBodyDef();
+            wfBodyId ground, ball;
+            wfShape link[5];
+            wfShapeDef like = wfDefaultShapeDef(), defs[5];
+            wfShapeId id[5];
+            int count;
+            def.shapeCapacity = 6;
+            like.friction = WF_R(0.25), like.userData = 7;
+            assert_ok(wfCreateWorld(&def, &w));
+            b.type = WF_STATIC, b.position = wfV2(1, 2), b.angle = WF_R(0.1);
+            assert_ok(wfAddBodyToWorld(&w, &b, &ground));
+            b.type = WF_DYNAMIC, b.position = wfV2(1, 5);
+            assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.3), &b.shape));
+            assert_ok(wfAddBodyToWorld(&w, &b, &ball));
+            uint64_t before = wfHashWorld(&w);
+            assert_result(WF_ERROR_RANGE, wfAddChainToBody(&w, ball, point, 5, loop, &like, id));
+            assert_result(WF_ERROR_TOO_FEW, wfAddChainToBody(&w, ground, point, loop ? 2 : 1, loop, &like, id));
+            assert_result(WF_ERROR_NULL, wfAddChainToBody(&w, ground, NULL, 5, loop, &like, id));
+            assert_result(WF_ERROR_NULL, wfAddChainToBody(&w, ground, point, 5, loop, NULL, id));
+            like.friction = -1;
+            assert_result(WF_ERROR_RANGE, wfAddChainToBody(&w, ground, point, 5, loop, &like, id));
+            like.friction = WF_R(0.25);
+            assert_true(wfHashWorld(&w) == before);
+            assert_ok(wfMakeChain(point, 5, loop, link, 5, &count));
+            for (int i = 0; i < count; i++) defs[i] = like, defs[i].shape = link[i];
+            if (way == 0) assert_ok(wfAddShapesToBody(&w, ground, defs, count, id));
+            else assert_ok(wfAddChainToBody(&w, ground, point, 5, loop, &like, id));
+            for (int i = 0; i < count; i++) assert_true(wfShapeIsValid(&w, id[i]) && WF_SAME(wfShapeBody(&w, id[i]), ground));
+            assert_result(WF_ERROR_FULL, wfAddChainToBody(&w, ground, point, 5, loop, &like, id));
+            for (int i = 0; i < 120; i++) assert_ok(wfStepWorld(&w));
+            hash[way] = wfHashWorld(&w);
+            wfDestroyWorld(&w);
+        }
+        assert_true(hash[0] == hash[1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_chain_in_one_call),
         cmocka_unit_test(nobody_hops_over_a_thousand_tiles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -28,6 +28,17 @@ static wfResult make_link(const wfVec2 *p, int n, bool loop, int i, wfShape *out
 }
 
 /* make a chain */
+wfResult wfMakeChainLink(const wfVec2 *points, int n, bool loop, int i, wfShape *out)
+{
+    wfShape link;
+    if (!points || !out) return WF_ERROR_NULL;
+    if (n < (loop ? 3 : 2)) return WF_ERROR_TOO_FEW;
+    if (i < 0 || i >= (loop ? n : n - 1)) return WF_ERROR_RANGE;
+    wfResult result = make_link(points, n, loop, i, &link);
+    if (result == WF_OK) *out = link;
+    return result;
+}
+
 wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int capacity,
                      int *count)
 {
@@ -43,4 +54,15 @@ wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int c
     for (int i = 0; i < links; i++) make_link(points, n, loop, i, &out[i]);
     *count = links;
     return WF_OK;
+}
+
+/* move and turn a shape */
+void wfShapePlace(wfShape *shape, wfTransform by)
+{
+    if (shape == NULL) return;
+    int held = shape->kind == WF_SHAPE_LINK ? 4 : shape->count;     /* with the ghosts */
+    shape->centre = wfApply(by, shape->centre);
+    for (int i = 0; i < held; i++) shape->vertices[i] = wfApply(by, shape->vertices[i]);
+    for (int i = 0; i < shape->count; i++)
+        shape->normals[i] = wfRotate(by.q, shape->normals[i]);
 }

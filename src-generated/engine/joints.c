@@ -50,6 +50,14 @@ static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 }
 
 /* join two bodies */
+static bool slides(const char *kind)
+{
+    static const char *const those[] = { "prismatic", "wheel", "rack", "linkage" };
+    for (int i = 0; i < 4; i++)
+        if (strcmp(kind, those[i]) == 0) return true;
+    return false;
+}
+
 wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out)
 {
@@ -68,12 +76,41 @@ wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
     if (result == WF_OK) result = wfCheckVector(&block, "axis.", axis);
     if (result != WF_OK) return result;
     if (i == k) return wfRefuse(&block, WF_ERROR_RANGE, "b", "it joins a body with itself");
+    if (axis.x == 0 && axis.y == 0 && !slides(kind)) axis = wfV2(1, 0);
     if (!(wfLength(axis) > 0))
         return wfRefuse(&block, WF_ERROR_RANGE, "axis", "it has no length");
     wfJoint made = wfMakeJoint(kind, i, &block.state[i], k, &block.state[k], anchorA,
                                anchorB, axis);
     result = wfRefuse(&block, wfCheckJoint(&made), "anchorA or anchorB", NULL);
     if (result == WF_OK) *out = made;
+    return result;
+}
+#include "weft/spring.h"
+
+wfResult wfTuneJointSpring(wfWorld *world, wfJoint *joint, wfReal frequency, wfReal ratio)
+{
+    wfBlock b;
+    wfJointRow rows[WF_JOINT_ROWS], *r = rows;
+    wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK) result = check_world_joint(&b, joint);
+    if (result != WF_OK) return result;
+    if (!(frequency > 0 && frequency < WF_HUGE))
+        return wfRefuse(&b, WF_ERROR_RANGE, "frequency", "must be above 0, in Hz");
+    if (!(ratio >= 0 && ratio < WF_HUGE))
+        return wfRefuse(&b, WF_ERROR_RANGE, "ratio", "must be 0 or more");
+    wfJoint made = *joint;
+    const wfBodyState *sA = &b.state[joint->a], *sB = &b.state[joint->b];
+    made.flags |= WF_JOINT_SPRING;
+    int32_t left = wfBuildJoint(&made, sA, sB, rows);
+    while (left > 0 && r->law != WF_ROW_SPRING) r++, left--;
+    if (left == 0)
+        return wfRefuse(&b, WF_ERROR_UNKNOWN, "joint.kind", "this kind has no spring");
+    wfReal k = sA->invMass * wfDot(r->jA, r->jA) + sB->invMass * wfDot(r->jB, r->jB)
+             + sA->invInertia * r->wA * r->wA + sB->invInertia * r->wB * r->wB;
+    if (!(k > 0)) return wfRefuse(&b, WF_ERROR_MASS, "joint", "neither body gives way");
+    wfSetJointSpring(&made, 1 / k, frequency, ratio);
+    result = wfRefuse(&b, wfCheckJoint(&made), "frequency", "too high");
+    if (result == WF_OK) *joint = made;
     return result;
 }
 

@@ -203,3 +203,41 @@ wfResult wfMoveMover(const wfWorld *world, wfMover *m, wfReal seconds)
     find_ground(&w, &m->position);
     return WF_OK;
 }
+static void push(wfWorld *world, const wfBlock *b, const wfMover *m, int32_t k,
+                 wfVec2 velocity)
+{
+    int32_t i = b->bodyOfShape[k];
+    const wfBodyState *s = &b->state[i];
+    wfTransform placed = wfMakeTransform(m->position, 0);
+    wfDistanceResult touch;
+    if (b->props[i].type != WF_DYNAMIC || b->materials[k].sensor) return;
+    if (wfShapeDistance(&m->shape, placed, &b->shapes[k], wfBodyTransform(s), &touch)
+        != WF_OK) return;
+    wfReal arm = wfCross(wfSub(touch.pointB, s->p), touch.normal);
+    wfVec2 lacks = wfSub(velocity, wfVelocityAt(s, touch.pointB));
+    wfReal faster = wfDot(touch.normal, lacks);
+    wfReal mass = 1 / (s->invMass + s->invInertia * arm * arm);
+    if (faster > 0)
+        wfApplyImpulseToBody(world, wfIdOfBody(b, i),
+                             wfScale(mass * faster, touch.normal), touch.pointB);
+}
+
+wfResult wfPushBodies(wfWorld *world, const wfMover *m, wfVec2 velocity)
+{
+    wfBlock b;
+    int32_t shape[MOVER_HITS], count = 0;
+    wfResult result = wfChangeBlock(world, &b);
+    if (result != WF_OK) return result;
+    if (m == NULL) return wfRefuse(&b, WF_ERROR_NULL, "mover", NULL);
+    result = wfCheckVector(&b, "velocity.", velocity);
+    if (result != WF_OK) return result;
+    wfShape wide = m->shape;
+    wide.radius += WF_R(0.026) * wfShapeMaxExtent(&m->shape);       /* two gaps */
+    result = wfWorldOverlap(world, &wide, wfMakeTransform(m->position, 0), &m->filter,
+                            shape, MOVER_HITS, &count);
+    if (result != WF_OK) return wfRefuse(&b, result, "mover", NULL);
+    int32_t under = wfShapeIndex(world, m->ground);
+    for (int32_t i = 0; i < count && i < MOVER_HITS; i++)
+        if (shape[i] != under) push(world, &b, m, shape[i], velocity);
+    return WF_OK;
+}

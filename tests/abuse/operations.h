@@ -174,6 +174,19 @@ static wfResult op_add_shapes(Session *s)
     if (r == WF_OK) for (int i = 0; i < n; i++) learn(&s->shapes, ids[i].index, ids[i].generation, 0, 0, body.index);
     return r;
 }
+static wfResult op_add_chain(Session *s)
+{
+    wfVec2 p[4];
+    wfShapeDef like = shape_def(s);
+    wfShapeId ids[4] = { { 0, 0 } };
+    int32_t n = (int32_t)below(s, 5);
+    bool loop = below(s, 2);
+    for (int i = 0; i < 4; i++) p[i] = vector(s, 5);
+    wfBodyId body = pick_bodies(s);
+    wfResult r = CALL_LOOSE(wfAddChainToBody(handle(s), body, below(s, 40) ? p : NULL, n, loop, below(s, 40) ? &like : NULL, ids));
+    if (r == WF_OK) for (int i = 0; i < (loop ? n : n - 1); i++) learn(&s->shapes, ids[i].index, ids[i].generation, 0, 0, body.index);
+    return r;
+}
 static wfResult op_remove_shape(Session *s)
 {
     wfShapeId id = pick_shapes(s);
@@ -308,6 +321,13 @@ static wfResult op_mover(Session *s)
     wfReal seconds = more(s, 1);
     wfResult r = wfMoveMover(handle(s), below(s, 20) ? &m : NULL, seconds);
     return r;
+}
+static wfResult op_push(Session *s)
+{
+    wfMover m = wfDefaultMover();
+    m.position = vector(s, 5);
+    wfVec2 velocity = vector(s, 20);
+    return CALL(wfPushBodies(handle(s), below(s, 20) ? &m : NULL, velocity));
 }
 static wfResult op_advance(Session *s)
 {
@@ -467,6 +487,13 @@ static wfResult op_join(Session *s)
 {
     wfJoint j;
     return join(s, &j);
+}
+static wfResult op_tune(Session *s)
+{
+    wfJoint j;
+    if (join(s, &j) != WF_OK) return WF_ERROR_NULL;
+    wfReal frequency = more(s, 10), ratio = more(s, 1);
+    return CALL_LOOSE(wfTuneJointSpring(handle(s), below(s, 20) ? &j : NULL, frequency, ratio));
 }
 static wfResult op_add_joint(Session *s)
 {
@@ -1120,6 +1147,7 @@ const Operation operations[] = {
     OP("bodies", 10, READS, wfBodyIsValid wfBodyIndex wfBodyAt wfShapeIsValid wfShapeIndex wfShapeAt wfShapeBody wfFirstShape wfNextShape, op_names, true),
     OP("shapes", 30, CHANGES, wfAddShapeToBody, op_add_shape, false),
     OP("shapes", 10, CHANGES, wfAddShapesToBody, op_add_shapes, false),
+    OP("shapes", 4, CHANGES, wfAddChainToBody, op_add_chain, false),
     OP("shapes", 24, CHANGES, wfRemoveShapeFromWorld, op_remove_shape, false),
     OP("shapes", 6, READS, wfGetShape, op_get_shape, false),
     OP("shapes", 14, CHANGES, wfSetShape, op_set_shape, false),
@@ -1137,6 +1165,7 @@ const Operation operations[] = {
     OP("changes", 8, CHANGES, wfEnableBody wfBodyIsEnabled, op_enable, false),
     OP("looking", 3, READS, wfDrawWorld, op_draw, false),
     OP("queries", 6, READS, wfMoveMover wfDefaultMover, op_mover, false),
+    OP("changes", 3, CHANGES, wfPushBodies, op_push, false),
     OP("steps", 10, CHANGES, wfAdvanceWorld wfStepShare wfPoseBetween, op_advance, false),
     OP("changes", 1, CHANGES, wfSetJointUserData, op_joint_data, false),
     OP("looking", 6, READS, wfBodyWorldPoint wfBodyLocalPoint wfBodyWorldVector wfBodyLocalVector wfBodyVelocityAt wfNextContact wfNextJoint wfGetJointMotion, op_points, true),
@@ -1153,6 +1182,7 @@ const Operation operations[] = {
     OP("forces", 6, CHANGES, wfAddMouseJoint, op_grab, false),
     OP("forces", 5, CHANGES, wfSetMouseTarget, op_drag, false),
     OP("joints", 4, READS, wfDefineJoint, op_join, false),
+    OP("joints", 3, READS, wfTuneJointSpring, op_tune, false),
     OP("joints", 40, CHANGES, wfAddJointToWorld, op_add_joint, false),
     OP("joints", 16, CHANGES, wfRemoveJointFromWorld, op_remove_joint, false),
     OP("joints", 6, READS, wfGetJoint, op_get_joint, false),

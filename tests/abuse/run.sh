@@ -9,7 +9,7 @@ set -uo pipefail
 cd "$(dirname "$0")/../.."
 work=build/abuse; mkdir -p "$work"
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
-functions() { sed -nE '/^typedef/d; s/^[a-zA-Z].*[ *](wf[A-Z][A-Za-z0-9]*)\(.*/\1/p' build/lines/include/weft/{world,inspect,settings,modules,callbacks,origin,material,mouse,disable,frames,world_draw,mover,save,accuracy}.h | sort -u; }
+functions() { sed -nE '/^typedef/d; s/^[a-zA-Z].*[ *](wf[A-Z][A-Za-z0-9]*)\(.*/\1/p' build/lines/include/weft/{world,inspect,settings,modules,callbacks,origin,material,mouse,disable,frames,world_draw,mover,chain,spring,save,accuracy}.h | sort -u; }
 for f in $(functions); do
   grep -qw "$f" tests/abuse/abuse.c tests/abuse/operations.h || { echo "abuse: no random call calls $f of weft/ -- give it an operation in tests/abuse/operations.h"; missing=1; }
 done

@@ -54,4 +54,18 @@ if command -v wasm-ld >/dev/null && command -v node >/dev/null; then
   diff "$work/hosted.txt" "$work/wasm.txt" || fail "as WebAssembly the hash is another"
   echo "freestanding.js: the same as WebAssembly: ok"
 else echo "freestanding.js: no wasm-ld or node here, left out"; fi
+# scenes of other engines, written anew by what is installed: each is no longer than its original, and ends as physics says
+make --no-print-directory install PREFIX="$work/prefix" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig LD_LIBRARY_PATH=$work/prefix/lib ports=0
+for f in "$here"/ports/*.c; do
+  name=$(basename "$f" .c) ports=$((ports + 1))
+  # lines of code, a line beyond 120 columns counted as two
+  lines=$(cc -fpreprocessed -dD -E -P "$f" 2>/dev/null | awk 'NF { n += 1 + int((length($0) - 1) / 120) } END { print n }')
+  most=$(awk -v name="$name" '$1 == name { print $2 }' "$here/ports/lines")
+  [ -n "$most" ] && [ "$lines" -le "$most" ] || fail "ports/$name.c has $lines lines of code, its original ${most:-no row in ports/lines}"
+  cc $flags $(pkg-config --cflags weft) "$f" $(pkg-config --libs weft) -lm -o "$work/$name" || exit 1
+  timeout 60 "$work/$name" >"$work/got" 2>&1 || fail "ports/$name.c: $(tail -1 "$work/got")"
+  echo "ports/$name.c ($lines lines, $most in the original): $(tail -1 "$work/got")"
+done
+[ "$ports" -eq "$(grep -vc '^#' "$here/ports/lines")" ] || fail "a port of ports/lines is not there"
 echo "every example builds, runs and prints what it says"

@@ -80,5 +80,10 @@ wfResult wfDecompose(const wfVec2 *outline, int n, wfShape *out, int capacity, i
    _FLAT: turns back on itself; what wfMakeLink returns. After an error nothing changed. */
 wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int capacity,
                      int *count);
+/* Link i of that chain, 0 and up, by itself. The same errors; WF_ERROR_RANGE: there is no
+   such link. */
+wfResult wfMakeChainLink(const wfVec2 *points, int n, bool loop, int i, wfShape *out);
+/* Turns and moves the shape within its body's frame: what `by` does to every point. */
+void wfShapePlace(wfShape *shape, wfTransform by);
 WF_END_C
 #endif

@@ -23,5 +23,11 @@ wfMover wfDefaultMover(void);
  * It is carried by what it stands on. Sensors don't stop it. Changes nothing in the world:
  * any number of threads may move movers. Errors of wfWorldCastShape; _RANGE (seconds). */
 wfResult wfMoveMover(const wfWorld *world, wfMover *mover, wfReal seconds);
+/* Pushes the dynamic bodies beside the mover, not what it stands on, as a wall would that
+ * moves at `velocity` (m/s: as the mover wanted to, before it was moved): where they touch,
+ * none is slower than that, away from it. Call it after wfMoveMover and before the step.
+ * A body that this would make too fast for a number is left alone. Errors of
+ * wfWorldOverlap; _NOT_FINITE (velocity). */
+wfResult wfPushBodies(wfWorld *world, const wfMover *mover, wfVec2 velocity);
 WF_END_C
 #endif
