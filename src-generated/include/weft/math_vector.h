@@ -13,6 +13,7 @@ typedef union wfVec2 {
 } wfVec2;
 
 #define WF_XY(v) (float)(v).x, (float)(v).y    /* a vector as two arguments, for wfDraw */
+#define WF_V2(x, y) { { (x), (y) } }    /* a vector in a list, or for a constant */
 
 static inline wfVec2 wfV2(wfReal x, wfReal y)  { wfVec2 v = { { x, y } }; return v; }
 static inline wfVec2 wfAdd(wfVec2 a, wfVec2 b) { return wfV2(a.x + b.x, a.y + b.y); }

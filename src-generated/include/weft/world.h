@@ -41,8 +41,8 @@ typedef struct wfWorld {
 typedef struct wfBodyId { uint32_t index, generation; } wfBodyId;
 typedef struct wfShapeId { uint32_t index, generation; } wfShapeId;
 typedef struct wfForceId { uint32_t index, generation; } wfForceId;
-/* wfAdvancedDef.directJoints: solve together none; all that there is room for; those for
- * which it costs no more than directJointCost. */
+#define WF_SAME(a, b) ((a).index == (b).index && (a).generation == (b).generation)
+/* wfAdvancedDef.directJoints: none together; all with room; up to directJointCost each. */
 enum { WF_JOINTS_ITERATIVE, WF_JOINTS_DIRECT, WF_JOINTS_AUTO };
 typedef struct wfJointId { uint32_t index, generation; } wfJointId;
 
@@ -310,9 +310,9 @@ uint64_t wfWorldSteps(const wfWorld *world);   /* steps since creation */
 bool wfBodyAtPoint(const wfWorld *world, wfVec2 point, wfBodyId *out);
 enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
 /* Fills *out with a joint of a kind ("revolute", "distance", ...: wfJointTable) between two
- * bodies at anchors in the world (m), along an axis (world, any length > 0), at rest as
- * the bodies are now. WF_ERROR_NULL, _STALE_ID, _UNKNOWN (kind), _NOT_FINITE, _RANGE
- * (a body with itself, an axis of no length), _BUSY. */
+ * bodies at anchors in the world (m), along an axis (world, any length > 0; (0, 0) for a
+ * kind that slides nowhere), at rest as the bodies are now. WF_ERROR_NULL, _STALE_ID,
+ * _UNKNOWN (kind), _NOT_FINITE, _RANGE (a body with itself, an axis of no length), _BUSY. */
 wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out);
 /* Adds a joint; its a and b are body indices (wfBodyIndex), as wfDefineJoint sets them.
