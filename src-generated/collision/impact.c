@@ -1,4 +1,4 @@
-/* Weft: collision/impact.c, tangled from chapters/methods/16-time-of-impact.nw. Do not edit this
+/* Weft: collision/impact.c, tangled from chapters/methods/17-time-of-impact.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/impact.h"
 #include "weft/narrow.h"

@@ -1,4 +1,4 @@
-/* Weft: collision/reuse.c, tangled from chapters/methods/08-manifold-reuse.nw. Do not edit this
+/* Weft: collision/reuse.c, tangled from chapters/methods/09-manifold-reuse.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/contact.h"
 

@@ -1,4 +1,4 @@
-/* Weft: dynamics/breaking.c, tangled from chapters/methods/12-more-joints.nw. Do not edit this
+/* Weft: dynamics/breaking.c, tangled from chapters/methods/13-more-joints.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "dynamics/breaking.h"

@@ -1,4 +1,4 @@
-/* Weft: dynamics/columns.h, tangled from chapters/methods/10-stack-solver.nw. Do not edit this
+/* Weft: dynamics/columns.h, tangled from chapters/methods/11-stack-solver.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_COLUMNS_H
 #define WEFT_COLUMNS_H

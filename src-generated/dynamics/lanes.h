@@ -1,4 +1,4 @@
-/* Weft: dynamics/lanes.h, tangled from chapters/methods/11-graph-colouring.nw. Do not edit this
+/* Weft: dynamics/lanes.h, tangled from chapters/methods/12-graph-colouring.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_LANES_H
 #define WEFT_LANES_H

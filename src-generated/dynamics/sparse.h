@@ -1,4 +1,4 @@
-/* Weft: dynamics/sparse.h, tangled from chapters/methods/14-direct-contacts.nw. Do not edit this
+/* Weft: dynamics/sparse.h, tangled from chapters/methods/15-direct-contacts.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_SPARSE_H
 #define WEFT_SPARSE_H

@@ -1,4 +1,4 @@
-/* Weft: dynamics/ties.h, tangled from chapters/methods/14-direct-contacts.nw. Do not edit this
+/* Weft: dynamics/ties.h, tangled from chapters/methods/15-direct-contacts.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_TIES_H
 #define WEFT_TIES_H

@@ -1,4 +1,4 @@
-/* Weft: engine/joints.h, tangled from chapters/methods/25-joints-in-a-world.nw. Do not edit this
+/* Weft: engine/joints.h, tangled from chapters/methods/26-joints-in-a-world.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ENGINE_JOINTS_H
 #define WEFT_ENGINE_JOINTS_H

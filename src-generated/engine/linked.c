@@ -1,4 +1,4 @@
-/* Weft: engine/linked.c, tangled from chapters/methods/26-continuous-collision.nw. Do not edit this
+/* Weft: engine/linked.c, tangled from chapters/methods/27-continuous-collision.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "engine/joints.h"

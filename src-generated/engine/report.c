@@ -1,4 +1,4 @@
-/* Weft: engine/report.c, tangled from chapters/methods/21-report-interface.nw. Do not edit this
+/* Weft: engine/report.c, tangled from chapters/methods/22-report-interface.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/report.h"
 

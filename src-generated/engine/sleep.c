@@ -1,4 +1,4 @@
-/* Weft: engine/sleep.c, tangled from chapters/methods/27-sleep-in-a-world.nw. Do not edit this
+/* Weft: engine/sleep.c, tangled from chapters/methods/28-sleep-in-a-world.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <stddef.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Weft: figures/compound.c, tangled from chapters/methods/15-compound.figures.nw. Do not edit this
+/* Weft: figures/compound.c, tangled from chapters/methods/16-compound.figures.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/compound.h"
 #include "lab/outlines.h"

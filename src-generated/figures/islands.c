@@ -1,4 +1,4 @@
-/* Weft: figures/islands.c, tangled from chapters/methods/17-islands.figures.nw. Do not edit this
+/* Weft: figures/islands.c, tangled from chapters/methods/18-islands.figures.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
 #include "weft/island.h"

@@ -1,4 +1,4 @@
-/* Weft: figures/save_and_replay.c, tangled from chapters/methods/28-save-and-replay.figures.nw. Do
+/* Weft: figures/save_and_replay.c, tangled from chapters/methods/29-save-and-replay.figures.nw. Do
  * not edit this file: edit the chapter and type make. MIT licence. */
 #include "engine/image.h"
 #include "weft/save.h"

@@ -1,4 +1,4 @@
-/* Weft: figures/time_of_impact.c, tangled from chapters/methods/16-time-of-impact.figures.nw. Do
+/* Weft: figures/time_of_impact.c, tangled from chapters/methods/17-time-of-impact.figures.nw. Do
  * not edit this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include "weft/impact.h"

@@ -1,4 +1,4 @@
-/* Weft: lab/joints_in_a_world.c, tangled from chapters/methods/25-joints-in-a-world.lab.nw. Do not
+/* Weft: lab/joints_in_a_world.c, tangled from chapters/methods/26-joints-in-a-world.lab.nw. Do not
  * edit this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include <stdlib.h>

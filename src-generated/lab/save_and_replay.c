@@ -1,4 +1,4 @@
-/* Weft: lab/save_and_replay.c, tangled from chapters/methods/28-save-and-replay.lab.nw. Do not edit
+/* Weft: lab/save_and_replay.c, tangled from chapters/methods/29-save-and-replay.lab.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Weft: lab/time_of_impact.c, tangled from chapters/methods/16-time-of-impact.lab.nw. Do not edit
+/* Weft: lab/time_of_impact.c, tangled from chapters/methods/17-time-of-impact.lab.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #include <time.h>
 #include "weft/impact.h"

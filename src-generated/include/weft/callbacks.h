@@ -1,4 +1,4 @@
-/* Weft: include/weft/callbacks.h, tangled from chapters/methods/19-sensors-and-callbacks.nw. Do not
+/* Weft: include/weft/callbacks.h, tangled from chapters/methods/20-sensors-and-callbacks.nw. Do not
  * edit this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_CALLBACKS_H
 #define WEFT_CALLBACKS_H

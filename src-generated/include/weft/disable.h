@@ -1,4 +1,4 @@
-/* Weft: include/weft/disable.h, tangled from chapters/methods/27-sleep-in-a-world.nw. Do not edit
+/* Weft: include/weft/disable.h, tangled from chapters/methods/28-sleep-in-a-world.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_DISABLE_H
 #define WEFT_DISABLE_H

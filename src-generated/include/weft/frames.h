@@ -1,4 +1,4 @@
-/* Weft: include/weft/frames.h, tangled from chapters/methods/35-in-a-game.nw. Do not edit this
+/* Weft: include/weft/frames.h, tangled from chapters/methods/36-in-a-game.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_FRAMES_H
 #define WEFT_FRAMES_H

@@ -1,4 +1,4 @@
-/* Weft: include/weft/impact.h, tangled from chapters/methods/16-time-of-impact.nw. Do not edit this
+/* Weft: include/weft/impact.h, tangled from chapters/methods/17-time-of-impact.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 /* impact.h: when two moving shapes first touch; shapes cast along a line; where to stop a
    fast body.  Lengths in m, angles in rad, times are shares of a step, world frame. */

@@ -1,4 +1,4 @@
-/* Weft: include/weft/json.h, tangled from chapters/methods/32-scenes-as-text.nw. Do not edit this
+/* Weft: include/weft/json.h, tangled from chapters/methods/33-scenes-as-text.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_JSON_H
 #define WEFT_JSON_H

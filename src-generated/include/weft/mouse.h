@@ -1,4 +1,4 @@
-/* Weft: include/weft/mouse.h, tangled from chapters/methods/20-mouse-joint.nw. Do not edit this
+/* Weft: include/weft/mouse.h, tangled from chapters/methods/21-mouse-joint.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_MOUSE_H
 #define WEFT_MOUSE_H

@@ -1,4 +1,4 @@
-/* Weft: include/weft/origin.h, tangled from chapters/methods/22-world-origin.nw. Do not edit this
+/* Weft: include/weft/origin.h, tangled from chapters/methods/23-world-origin.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ORIGIN_H
 #define WEFT_ORIGIN_H

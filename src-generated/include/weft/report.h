@@ -1,4 +1,4 @@
-/* Weft: include/weft/report.h, tangled from chapters/methods/21-report-interface.nw. Do not edit
+/* Weft: include/weft/report.h, tangled from chapters/methods/22-report-interface.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_REPORT_H
 #define WEFT_REPORT_H

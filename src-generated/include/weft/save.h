@@ -1,4 +1,4 @@
-/* Weft: include/weft/save.h, tangled from chapters/methods/28-save-and-replay.nw. Chapters that add
+/* Weft: include/weft/save.h, tangled from chapters/methods/29-save-and-replay.nw. Chapters that add
  * to it: compound, world, looking, sensors-and-callbacks, mouse-joint, world-origin,
  * joints-in-a-world, sleep-in-a-world, rewind, replay, save-files, in-a-game, tolerance. Do not
  * edit this file: edit the chapter and type make. MIT licence. */

@@ -1,4 +1,4 @@
-/* Weft: include/weft/spring.h, tangled from chapters/methods/25-joints-in-a-world.nw. Do not edit
+/* Weft: include/weft/spring.h, tangled from chapters/methods/26-joints-in-a-world.nw. Do not edit
  * this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_SPRING_H
 #define WEFT_SPRING_H

@@ -1,4 +1,4 @@
-/* Weft: include/weft/world_draw.h, tangled from chapters/methods/35-in-a-game.nw. Do not edit this
+/* Weft: include/weft/world_draw.h, tangled from chapters/methods/36-in-a-game.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_WORLD_DRAW_H
 #define WEFT_WORLD_DRAW_H
