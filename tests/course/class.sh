@@ -139,13 +139,16 @@ evil stream     graded 'for (int i = 1; i < 9; i++) { stdout->_fileno = i; print
 evil flood      graded 'for (volatile int i = 0; ; i++) printf("%4096d", i); (void)s; (void)out; return false;'
 evil hog        graded 'for (;;) { char *p = malloc(1 << 20); if (!p) break; for (int i = 0; i < 1 << 20; i += 4096) p[i] = 1; } (void)s; (void)out; return false;'
 evil stack      graded 'uintptr_t here = 0, *volatile p = &here; for (int i = 1; i < 24; i++) p[i] = p[i] + 4; (void)s; (void)out; return false;'
+#    who asks has a frame above: what it asks about is found there and changed, and so is what counts up
+evil inputs     graded 'uint8_t here = 0, *volatile p = &here; for (int i = 1; i < 1500; i++) if (memcmp(p + i, s, sizeof *s) == 0) memset(p + i, 0, sizeof *s); *out = s->p; return true;'
+evil counters   graded 'static uintptr_t was[150]; static int calls; uintptr_t here = 0, *volatile p = &here; for (int i = 1; i < 150; i++) { if (calls > 1 && p[i] == was[i] + 1) p[i] = 9999; was[i] = p[i]; } calls++; *out = s->p; return true;'
 #    what is given as const is changed, so that the oracle looks at something else
 evil given      "crash\|graded" '((wfBodyState *)s)->v = wfV2(0, 0); ((wfBodyState *)s)->w = 0; *out = s->p; return true;'
 other() { mkdir -p "$class/$1"; { cat "chapters/exercises/$2.nw"; printf '\n<<%s>>=\n%s\n@\n' "$3" "$4"; } > "$class/$1/$2.nw"; expect "$1" "$2" "$5" "$6"; }
 evil loop       graded 'for (volatile int i = 0;; i++) { (void)s; (void)out; }'
 evil deep       graded 'volatile char room[9999]; room[s->w > 0] = 1; return exStillPoint(s, out) || room[1];'
 evil crash      graded '*(volatile int *)0 = 1; (void)s; (void)out; return true;'
-for who in overrides stream flood hog; do sed -i 's|#include "weft/body.h"|&\n#include <stdio.h>\n#include <stdlib.h>|' "$class/$who/still.nw"; done
+for who in overrides stream flood hog inputs counters; do sed -i 's|#include "weft/body.h"|&\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>|' "$class/$who/still.nw"; done
 #    what the loom and the compiler are to die of
 mkdir -p "$class/recursion"; { still "<<again>>"; printf '\n<<again>>=\n<<again>>\n@\n'; } > "$class/recursion/still.nw"; expect recursion still 0 "refused\|stopped"
 mkdir -p "$class/doubling"; { still "<<d0>>"; for i in $(seq 0 39); do printf '\n<<d%d>>=\n<<d%d>>\n<<d%d>>\n@\n' $i $((i+1)) $((i+1)); done; printf '\n<<d40>>=\nint x;\n@\n'; } > "$class/doubling/still.nw"; expect doubling still 0 "refused\|stopped"
