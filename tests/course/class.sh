@@ -31,6 +31,8 @@ mine "copy/still (1).nw"; sed -i '/@ex:bodies-centre/d' "$class/copy/still (1).n
 mine "spaces and more/my  folder/8.4-still (12).nw";                  expect "spaces and more" still 2 graded
 mine "unnamed/homework.nw";                                           expect unnamed still 2 graded
 mine "Flat Moodle_777_assignsubmission_file_still.nw";                expect "Flat Moodle" still 2 graded
+mkdir -p "$class/Flat Moodle_777_assignsubmission_onlinetext_"; echo x > "$class/Flat Moodle_777_assignsubmission_onlinetext_/onlinetext.html"; expect "Flat Moodle" "" "" "777.*onlinetext.html"
+mine "Zoe Muller/still.nw";                                           expect "Zoë Müller" still 2 "not on the roster; two folders have this name"
 mine "4711/STILL.NW";                                                 expect "Number Only" still 2 "4711"
 mine $'bi\u202edi\u200b/still.nw';                                    expect "bi di" still 2 graded
 mine $'\u0391da Lovelace/still.nw';                                   expect $'\u0391da Lovelace' still 2 "not on the roster"
@@ -193,6 +195,7 @@ t=$SECONDS
 export COURSE_READY=1
 ROSTER=$out/roster.csv DUE="2026-11-02 23:59" LIMIT_CRITERION=1 LIMIT_SECONDS=60 LIMIT_CPU=10 tangle/course grade-all "$class" > "$out/log" 2>&1 || { tail -20 "$out/log"; fail "grade-all fails"; }
 "$lua" tests/course/class.lua build/course/class/grades.csv "$want" || fail "the class's list is not right"
+[ -n "${ONLY:-}" ] || [ "$(grep -c '^Flat Moodle,777,still,' build/course/class/grades.csv)" = 1 ] || fail "one student's two folders of Moodle's are two students"
 # what a submission that loses points for C is told
 [ -n "${ONLY:-}" ] || { grep -q 'use-after-poison' build/course/class/*/told && grep -q 'enter every live box.*, /hand/strips.nw:[0-9]' build/course/class/*/told; } || fail "a write beyond what was pushed is not told with its chunk and line"
 [ -n "${ONLY:-}" ] || grep -q 'signed integer overflow\|Signed integer overflow' build/course/class/*/told || fail "an overflow is not told"
