@@ -163,22 +163,23 @@ return function(Course, commands, H)
       if same[fold(p.name)] == 1 then by["name " .. fold(p.name)] = p end
       if p.id ~= "" then by["id " .. fold(p.id)] = p end
     end
-    -- Somebody's folder. Two of Moodle's numbers are two people, even if one has given himself the other's name.
+    -- Somebody's folder. Two folders are two people, whoever has given himself the other's name, unless they have one number of Moodle's.
     local function person(who)
       if by["folder " .. who] then return by["folder " .. who] end
       local name, number = of_moodle(who)
-      local p = by["name " .. fold(name or who)] or by["id " .. fold(name or who)] or number and by["id " .. number]
+      local p = number and by["moodle " .. number] or by["name " .. fold(name or who)] or by["id " .. fold(name or who)] or number and by["id " .. number]
       if not p and not name then
         for part in who:gmatch("[^_]+") do p = p or by["id " .. fold(part)] end
       end
       local twin
-      if p and number and p.moodle and p.moodle ~= number then p, twin, p.twin = nil, true, true end
-      if p and number then p.moodle = number end
+      if p and p.folder and not (number and p.moodle == number) then p, twin, p.twin = nil, true, true end
       if not p then
         p = { name = clean(name or who, 80), id = number or "", files = {}, stranger = listed, twin = twin }
         people[#people + 1] = p
       end
+      p.folder, p.moodle = who, number
       by["folder " .. who] = p
+      if number then by["moodle " .. number] = p end
       return p
     end
     local wanted

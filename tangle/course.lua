@@ -395,6 +395,7 @@ function Course.build(file, base, out, like, sanitize)
     return refuse(r, "the program does not link", told(read(log), file, chunks, base))
   end
   r.program = out .. "/program"
+  function r.bare() return link(out .. "/bare", "-Wl,--unresolved-symbols=ignore-all", test, {}) and out .. "/bare" end
   local safe = sanitize and #sanitized == #objects and Course.test_object(base, out, SANITIZE, ".san.o")
   if safe and link(out .. "/sanitized", SANITIZE .. WRAP, safe, sanitized) then r.sanitized = out .. "/sanitized" end
   return r
@@ -664,6 +665,14 @@ function Course.prove(e, say)
   end
   if r.refused or r.earned < r.max or r.max == 0 then bad("the solution has %s of %s points:", points_text(r.earned), points_text(r.max)); Course.table(r, e, function(l) say("    " .. l) end) end
   for _, w in ipairs(r.warnings or {}) do bad("the solution: %s", w) end
+  -- who judges needs no code of a submission: a program without any comes to the same, given what the solution has answered
+  local bare, kept = r.program and r.bare(), quote(dir .. "/answers")
+  for _, c in ipairs(bare and r.criteria or {}) do
+    out_of("COURSE_KEEP=" .. kept .. " " .. quote(r.program) .. " '' " .. c.name)
+    local f = verdict_of(out_of("COURSE_GIVEN=" .. kept .. " " .. quote(bare) .. " '' " .. c.name .. " 2>/dev/null"), c.name)
+    if f[2] ~= "pass" or tonumber(f[3]) ~= passed[c.name] then bad("criterion %s cannot be judged without the solution's code: %s %s %s %s -- each call of it goes through asked or done (tests/course/course.h)", c.name, f[2] or "", f[3] or "", f[4] or "", f[5] or "") end
+  end
+  os.execute("rm -f " .. kept)
   local wrong, errors = Course.wrong(base)
   for _, m in ipairs(errors) do bad("%s", m) end
   if #wrong < 2 then bad("%d wrong solutions are planted, two is the least", #wrong) end

@@ -4,7 +4,9 @@
 enum { EX_VERTICES = 64 };
 typedef struct ExAvbd { int n; wfVec2 x[EX_VERTICES], v[EX_VERTICES], y[EX_VERTICES]; wfReal m[EX_VERTICES]; wfReal length; wfReal lambda[EX_VERTICES], k[EX_VERTICES]; } ExAvbd;
 void exAvbdVertex(ExAvbd *r, int i, wfReal h);
+#define exAvbdVertex(r, i, h) done(exAvbdVertex(r, i, h), left(*(r)))
 void exAvbdStep(ExAvbd *r, wfVec2 g, wfReal h, int passes);
+#define exAvbdStep(r, g, h, passes) done(exAvbdStep(r, g, h, passes), left(*(r)))
 static ExAvbd hung(int n, double end)
 {
     ExAvbd r = { .n = n, .length = WF_R(0.1) };

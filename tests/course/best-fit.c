@@ -1,6 +1,7 @@
 /* Exercise interface-fit. Oracle: trying every placing. */
 #include "course.h"
 int exBestFit(const char *query, const char *name);
+#define exBestFit(query, name) asked(exBestFit(query, name))
 static int all(const char *q, const char *name, int i, int last)
 {
     if (!*q) return 0;

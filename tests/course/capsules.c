@@ -2,6 +2,7 @@
 #include "course.h"
 #include "weft/narrow.h"
 wfReal exCapsuleDistance(const wfShape *a, wfTransform xa, const wfShape *b, wfTransform xb);
+#define exCapsuleDistance(a, xa, b, xb) asked(exCapsuleDistance(a, xa, b, xb))
 static wfShape capsule(double half, double radius)
 {
     wfShape s;

@@ -31,6 +31,8 @@ mine "copy/still (1).nw"; sed -i '/@ex:bodies-centre/d' "$class/copy/still (1).n
 mine "spaces and more/my  folder/8.4-still (12).nw";                  expect "spaces and more" still 2 graded
 mine "unnamed/homework.nw";                                           expect unnamed still 2 graded
 mine "Flat Moodle_777_assignsubmission_file_still.nw";                expect "Flat Moodle" still 2 graded
+mkdir -p "$class/Flat Moodle_777_assignsubmission_onlinetext_"; echo x > "$class/Flat Moodle_777_assignsubmission_onlinetext_/onlinetext.html"; expect "Flat Moodle" "" "" "777.*onlinetext.html"
+mine "Zoe Muller/still.nw";                                           expect "Zoë Müller" still 2 "not on the roster; two folders have this name"
 mine "4711/STILL.NW";                                                 expect "Number Only" still 2 "4711"
 mine $'bi\u202edi\u200b/still.nw';                                    expect "bi di" still 2 graded
 mine $'\u0391da Lovelace/still.nw';                                   expect $'\u0391da Lovelace' still 2 "not on the roster"
@@ -139,13 +141,16 @@ evil stream     graded 'for (int i = 1; i < 9; i++) { stdout->_fileno = i; print
 evil flood      graded 'for (volatile int i = 0; ; i++) printf("%4096d", i); (void)s; (void)out; return false;'
 evil hog        graded 'for (;;) { char *p = malloc(1 << 20); if (!p) break; for (int i = 0; i < 1 << 20; i += 4096) p[i] = 1; } (void)s; (void)out; return false;'
 evil stack      graded 'uintptr_t here = 0, *volatile p = &here; for (int i = 1; i < 24; i++) p[i] = p[i] + 4; (void)s; (void)out; return false;'
+#    who asks has a frame above: what it asks about is found there and changed, and so is what counts up
+evil inputs     graded 'uint8_t here = 0, *volatile p = &here; for (int i = 1; i < 1500; i++) if (memcmp(p + i, s, sizeof *s) == 0) memset(p + i, 0, sizeof *s); *out = s->p; return true;'
+evil counters   graded 'static uintptr_t was[150]; static int calls; uintptr_t here = 0, *volatile p = &here; for (int i = 1; i < 150; i++) { if (calls > 1 && p[i] == was[i] + 1) p[i] = 9999; was[i] = p[i]; } calls++; *out = s->p; return true;'
 #    what is given as const is changed, so that the oracle looks at something else
 evil given      "crash\|graded" '((wfBodyState *)s)->v = wfV2(0, 0); ((wfBodyState *)s)->w = 0; *out = s->p; return true;'
 other() { mkdir -p "$class/$1"; { cat "chapters/exercises/$2.nw"; printf '\n<<%s>>=\n%s\n@\n' "$3" "$4"; } > "$class/$1/$2.nw"; expect "$1" "$2" "$5" "$6"; }
 evil loop       graded 'for (volatile int i = 0;; i++) { (void)s; (void)out; }'
 evil deep       graded 'volatile char room[9999]; room[s->w > 0] = 1; return exStillPoint(s, out) || room[1];'
 evil crash      graded '*(volatile int *)0 = 1; (void)s; (void)out; return true;'
-for who in overrides stream flood hog; do sed -i 's|#include "weft/body.h"|&\n#include <stdio.h>\n#include <stdlib.h>|' "$class/$who/still.nw"; done
+for who in overrides stream flood hog inputs counters; do sed -i 's|#include "weft/body.h"|&\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>|' "$class/$who/still.nw"; done
 #    what the loom and the compiler are to die of
 mkdir -p "$class/recursion"; { still "<<again>>"; printf '\n<<again>>=\n<<again>>\n@\n'; } > "$class/recursion/still.nw"; expect recursion still 0 "refused\|stopped"
 mkdir -p "$class/doubling"; { still "<<d0>>"; for i in $(seq 0 39); do printf '\n<<d%d>>=\n<<d%d>>\n<<d%d>>\n@\n' $i $((i+1)) $((i+1)); done; printf '\n<<d40>>=\nint x;\n@\n'; } > "$class/doubling/still.nw"; expect doubling still 0 "refused\|stopped"
@@ -190,6 +195,7 @@ t=$SECONDS
 export COURSE_READY=1
 ROSTER=$out/roster.csv DUE="2026-11-02 23:59" LIMIT_CRITERION=1 LIMIT_SECONDS=60 LIMIT_CPU=10 tangle/course grade-all "$class" > "$out/log" 2>&1 || { tail -20 "$out/log"; fail "grade-all fails"; }
 "$lua" tests/course/class.lua build/course/class/grades.csv "$want" || fail "the class's list is not right"
+[ -n "${ONLY:-}" ] || [ "$(grep -c '^Flat Moodle,777,still,' build/course/class/grades.csv)" = 1 ] || fail "one student's two folders of Moodle's are two students"
 # what a submission that loses points for C is told
 [ -n "${ONLY:-}" ] || { grep -q 'use-after-poison' build/course/class/*/told && grep -q 'enter every live box.*, /hand/strips.nw:[0-9]' build/course/class/*/told; } || fail "a write beyond what was pushed is not told with its chunk and line"
 [ -n "${ONLY:-}" ] || grep -q 'signed integer overflow\|Signed integer overflow' build/course/class/*/told || fail "an overflow is not told"

@@ -7,12 +7,14 @@
 
    The program writes one line for the criterion that its second argument names to standard output; the line is for tangle/course.lua.
 
-   Nobody who writes the code under test is trusted. Two processes run: the judge, which calls none of that code and holds the
-   descriptor of the verdict, and its child, which has no descriptor but that of its messages and, in Linux, no system call but those
-   for memory, for time and for its end, and one that adds to a counter. What the child tells lies in a page that both share. It is
-   text of a bounded length, and a claim: that a criterion is met counts only if the child ended by the criterion's last line, and if
-   it has met as many expectations as the solution meets (tests/course/expectations.csv). They are counted where no pointer leads:
-   in the kernel. */
+   Nobody who writes the code under test is trusted. A criterion runs twice, each time in a child of its own. The first child asks: it
+   calls the code under test, and what that answers is kept, byte by byte (asked, asked_and, done). Nothing else of that child counts,
+   whatever has become of its memory. The second one judges: it calls none of that code, takes the answers instead, and finds out
+   anew what should have been asked and what is right. So each call of the code under test goes through one of the three; tangle/course
+   prove links the judging child without that code. Both children have no descriptor but that of their messages and, in Linux, no
+   system call but those for memory, for time and for their end. Their parent holds the descriptor of the verdict. What they tell lies
+   in a page that it shares: text of a bounded length, and a claim. A criterion is met only if it was judged to its last line, and has
+   met as many expectations as with the solution (tests/course/expectations.csv), counted where no pointer leads: in the kernel. */
 #ifndef WEFT_COURSE_H
 #define WEFT_COURSE_H
 #define _GNU_SOURCE 1
@@ -70,9 +72,35 @@ typedef struct CoursePage {
 static CoursePage course_alone, *course_page = &course_alone;
 static const char *course_out = NULL;    /* where plots' data go, NULL: nowhere */
 
+/* The answers, in the order of the questions. */
+enum { COURSE_ANSWERS = 64 << 20 };
+typedef struct CourseAnswers { uint64_t used; uint8_t bytes[COURSE_ANSWERS]; } CourseAnswers;
+static CourseAnswers *course_answers;    /* NULL: nobody keeps them */
+static bool course_asks = true;          /* false: it is judged */
+static size_t course_at;
+static inline void course_answer(void *p, size_t size)
+{
+    if (!course_answers) return;
+    size_t end = course_asks || course_answers->used > COURSE_ANSWERS ? COURSE_ANSWERS : (size_t)course_answers->used;
+    if (course_at > end || size > end - course_at) _exit(6);                /* no room, or no answer */
+    if (course_asks) memcpy(course_answers->bytes + course_at, p, size);
+    else memcpy(p, course_answers->bytes + course_at, size);
+    course_at += size;
+    if (course_asks) course_answers->used = course_at;
+}
+/* asked(call) is the value of a call of the code under test; asked_and(call, left(x), left_many(p, n)) is that, and x and p[0..n) are
+   what it has left there; done(call, left(x)) is the same of a call that has no value. With nothing left: done(call, none_left). */
+#define left_many(p, n) course_answer((p), sizeof *(p) * (size_t)(n))
+#define left(x) course_answer(&(x), sizeof (x))
+#define none_left ((void)0)
+#define asked_and(call, ...) __extension__({ __typeof__(call) answer_; if (course_asks) answer_ = (call); else memset(&answer_, 0, sizeof answer_); left(answer_); (void)(__VA_ARGS__); answer_; })
+#define asked(call) asked_and(call, none_left)
+#define done(call, ...) __extension__({ if (course_asks) (void)(call); (void)(__VA_ARGS__); })
+
 enum { COURSE_COUNTER = 3 };             /* the child's descriptor of an eventfd, for writev alone: the library never calls that */
 static inline void course_met(void)
 {
+    if (course_asks && course_answers) return;             /* nobody counts what the code under test may have met */
     course_page->met++;
 #ifdef COURSE_FILTER
     uint64_t one = 1;
@@ -84,6 +112,7 @@ static inline void course_met(void)
 /* what, expected, got: one line, without tabs */
 static inline void course_fail(const char *what, const char *expected, const char *got)
 {
+    if (course_asks && course_answers) _exit(1);           /* the judge finds the same */
     snprintf(course_page->said, sizeof course_page->said, "fail\t%s\t%s\t%s", what, expected, got);
     if (course_page == &course_alone) fprintf(stderr, "%s\n", course_page->said);
     _exit(1);
@@ -435,34 +464,64 @@ static inline void course_child(const Criterion *c, int counter)
     _exit(0);
 }
 
-/* Runs one criterion and writes its line: its name, and "pass" and expectations, or what the child said. */
-static inline void course_run(const Criterion *c)
+/* One of the two children, from its beginning to its end: what it said, and the expectations that it met. Did it end as it should? */
+static inline bool course_half(const Criterion *c, bool asks, char said[sizeof course_page->said], uint64_t *met, int *status)
 {
-    int status = 0;
-    char said[sizeof course_page->said];
-    course_page = mmap(NULL, sizeof *course_page, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (course_page == MAP_FAILED) return;
     int counter = -1;
+    memset(course_page, 0, sizeof *course_page);
 #ifdef COURSE_FILTER
     counter = eventfd(0, EFD_NONBLOCK);
-    if (counter < 0) return;
-    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);                    /* nobody looks into the judge, or stops it */
+    if (counter < 0) return false;
 #endif
     fflush(NULL);
     pid_t pid = fork();
-    if (pid < 0) return;
-    if (pid == 0) course_child(c, counter);
-    waitpid(pid, &status, 0);
-    uint64_t met = course_page->met;
-    if (counter >= 0 && read(counter, &met, sizeof met) != (ssize_t)sizeof met) met = 0;
+    if (pid < 0) return false;
+    if (pid == 0) {
+        course_asks = asks;
+        if (asks) course_out = NULL;
+        course_child(c, asks ? -1 : counter);
+    }
+    waitpid(pid, status, 0);
+    *met = course_page->met;
+    if (counter >= 0 && read(counter, met, sizeof *met) != (ssize_t)sizeof *met) *met = 0;
     if (counter >= 0) close(counter);
-    memcpy(said, course_page->said, sizeof said);          /* the child is dead, and nobody else has that page */
-    said[sizeof said - 1] = 0;
+    memcpy(said, course_page->said, sizeof course_page->said);          /* the child is dead, and nobody else has that page */
+    said[sizeof course_page->said - 1] = 0;
     for (char *p = said; *p; p++) if ((unsigned char)*p < ' ' && *p != '\t') *p = ' ';
-    if (course_page->ended && WIFEXITED(status) && WEXITSTATUS(status) == 0 && !said[0])
-        printf("%s\tpass\t%llu\n", c->name, (unsigned long long)met);
+    int code = WIFEXITED(*status) ? WEXITSTATUS(*status) : -1;
+    return !said[0] && (asks ? code == 0 || code == 1 : code == 0 && course_page->ended);
+}
+/* COURSE_KEEP=file: the answers are written there, too. COURSE_GIVEN=file: they are read, and nobody is asked. */
+static inline bool course_kept(const char *variable, const char *mode)
+{
+    const char *path = getenv(variable);
+    FILE *f = path ? fopen(path, mode) : NULL;
+    if (!f) return false;
+    size_t size = sizeof course_answers->used + (size_t)course_answers->used;
+    if (*mode == 'w' && course_answers->used <= COURSE_ANSWERS) fwrite(course_answers, 1, size, f);
+    else if (*mode == 'r' && fread(course_answers, 1, sizeof *course_answers, f) == 0) course_answers->used = 0;
+    return fclose(f) == 0;
+}
+/* Runs one criterion and writes its line: its name, and "pass" and expectations, or what a child said. */
+static inline void course_run(const Criterion *c)
+{
+    int status = 0;
+    uint64_t met = 0;
+    char said[sizeof course_page->said] = "";
+    course_page = mmap(NULL, sizeof *course_page, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    course_answers = mmap(NULL, sizeof *course_answers, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (course_page == MAP_FAILED || course_answers == MAP_FAILED) return;
+#ifdef COURSE_FILTER
+    prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);                    /* nobody looks into the judge, or stops it */
+#endif
+    bool good = course_kept("COURSE_GIVEN", "r") || course_half(c, true, said, &met, &status);
+    course_kept("COURSE_KEEP", "w");
+    if (good && course_half(c, false, said, &met, &status)) printf("%s\tpass\t%llu\n", c->name, (unsigned long long)met);
     else printf("%s\t%s\n", c->name, strncmp(said, "pass", 4) && said[0] ? said : WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU ? "time\t0" : "crash\t0");
     fflush(stdout);
+    munmap(course_page, sizeof *course_page);
+    munmap(course_answers, sizeof *course_answers);
+    course_answers = NULL, course_page = &course_alone;
 }
 
 /* PROGRAM PLOTS NAME: the criterion of that name; PLOTS is a directory for the plots' data, or "". With a third argument it runs in

@@ -1,6 +1,7 @@
 /* Exercise numbers-polar. Oracle: counts in 8 rings of equal area times 8 sectors. */
 #include "course.h"
 wfVec2 exDiscPoint(wfRandom *r, wfReal radius);
+#define exDiscPoint(r, radius) asked_and(exDiscPoint(r, radius), left(*(r)))
 enum { N = 64000 };
 static void inside(void)
 {
@@ -15,6 +16,7 @@ static void even(void)
     for (int i = 0; i < N; i++) {
         wfVec2 p = exDiscPoint(&r, 1);
         double d = (double)wfLengthSq(p), a = atan2((double)p.y, (double)p.x) / 6.283185307179586 + 0.5;
+        if (!(d < 1.001)) course_failf(say("distance of point %d from the middle, radius 1", i), "at most 1", "%g", sqrt(d));
         int ring = (int)(d * 8), sector = (int)(a * 8);
         if (ring > 7) ring = 7;
         if (sector > 7) sector = 7;

@@ -2,7 +2,9 @@
 #include "course.h"
 typedef struct ExField { size_t offset, size, count; } ExField;
 bool exCovers(const ExField *f, int fields, size_t bytes, uint8_t *mark);
+#define exCovers(f, fields, bytes, mark) asked(exCovers(f, fields, bytes, mark))
 bool exTurn(uint8_t *image, size_t bytes, const ExField *f, int fields, uint8_t *mark);
+#define exTurn(image, bytes, f, fields, mark) asked_and(exTurn(image, bytes, f, fields, mark), left_many(image, bytes))
 static const ExField TABLE[4] = { { 24, 8, 2 }, { 0, 4, 3 }, { 12, 1, 4 }, { 16, 2, 4 } };
 static void turns(void)
 {

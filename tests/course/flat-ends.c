@@ -1,6 +1,7 @@
 /* Exercise draw-caps. Oracle: the area. */
 #include "course.h"
 wfReal exFlatCoverage(wfVec2 pixel, wfVec2 a, wfVec2 b, wfReal width);
+#define exFlatCoverage(pixel, a, b, width) asked(exFlatCoverage(pixel, a, b, width))
 static void area(void)
 {
     for (int k = 0; k < 24; k++)

@@ -7,7 +7,7 @@ static wfBodyProps props[N];
 static wfBodyForces sums[N];
 static wfForce galaxy(double g, double soft)
 {
-    wfForce f = { .kind = wfFindForce("galaxy"), .a = -1, .b = -1 };
+    wfForce f = { .kind = asked(wfFindForce("galaxy")), .a = -1, .b = -1 };
     if (f.kind < 0) course_fail("the row in the table of forces", "galaxy", "no row of that name");
     f.param[0] = (wfReal)g, f.param[1] = (wfReal)soft;
     return f;
@@ -22,12 +22,12 @@ static void accumulate(const wfForce *f, int n)
 {
     wfBodyView view = { .count = n, .state = state, .props = props };
     memset(sums, 0, sizeof sums);
-    wfAccumulateForces(f, 1, &view, 0, sums);
+    done(wfAccumulateForces(f, 1, &view, 0, sums), left(sums));
 }
 static double energy(const wfForce *f, int n)
 {
     wfBodyView view = { .count = n, .state = state, .props = props };
-    return (double)wfForceEnergy(f, 1, &view);
+    return (double)asked(wfForceEnergy(f, 1, &view));
 }
 static void scatter(int n)
 {

@@ -11,13 +11,14 @@ static wfVec2 at(const wfForce *f, int body, double time)
 {
     wfBodyView view = { .count = 2, .state = state, .props = props };
     wfBodyForces sums[2] = { { .torque = 0 } };
-    wfAccumulateForces(f, 1, &view, (wfReal)time, sums);
+    if (f->kind == wfWind(wfV2(0, 0), 0).kind) wfAccumulateForces(f, 1, &view, (wfReal)time, sums);
+    else done(wfAccumulateForces(f, 1, &view, (wfReal)time, sums), left(sums));
     return sums[body].force;
 }
 static wfForce gust(double s, double period)
 {
     wfForce f = wfWind(wfV2(8, -2), WF_R(0.5));
-    f.kind = wfFindForce("gust");
+    f.kind = asked(wfFindForce("gust"));
     if (f.kind < 0) course_fail("the row in the table of forces", "gust", "no row of that name");
     f.param[3] = (wfReal)s, f.param[4] = (wfReal)period;
     return f;

@@ -3,9 +3,9 @@
 #include "weft/resolve.h"
 static double mix(double a, double b)
 {
-    int row = wfFindMix("harmonic-mean");
+    int row = asked(wfFindMix("harmonic-mean"));
     if (row < 0) course_fail("the row in the table of mixing rules", "harmonic-mean", "no row of that name");
-    return (double)wfMixTable[row].mix((wfReal)a, (wfReal)b);
+    return (double)asked(wfMixTable[row].mix((wfReal)a, (wfReal)b));
 }
 static void equal(void)
 {

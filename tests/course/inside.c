@@ -2,6 +2,7 @@
 #include "course.h"
 #include "weft/math.h"
 bool exInside(const wfVec2 *ring, int n, wfVec2 p);
+#define exInside(ring, n, p) asked(exInside(ring, n, p))
 static void random_points(void)
 {
     wfRandom r = course_random(20);

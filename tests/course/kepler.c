@@ -1,7 +1,9 @@
 /* Exercise scenes-kepler. Oracles: the equation itself, in double; the law of areas. */
 #include "course.h"
 wfReal exEccentric(wfReal mean, wfReal e);
+#define exEccentric(mean, e) asked(exEccentric(mean, e))
 wfVec2 exKeplerPlace(wfReal a, wfReal e, wfReal turns);
+#define exKeplerPlace(a, e, turns) asked(exKeplerPlace(a, e, turns))
 static double truth(double m, double e)
 {
     double lo = m - e - 1e-9, hi = m + e + 1e-9;

@@ -2,7 +2,9 @@
 #include "course.h"
 enum { EX_ROWS = 32 };
 bool exFactor(wfReal a[EX_ROWS][EX_ROWS], int n);
+#define exFactor(a, n) asked(exFactor(a, n))
 void exSolve(wfReal a[EX_ROWS][EX_ROWS], int n, wfReal *x);
+#define exSolve(a, n, x) done(exSolve(a, n, x), left_many(x, n))
 static wfReal a[EX_ROWS][EX_ROWS], copy[EX_ROWS][EX_ROWS];
 static void fill(wfRandom *r, int n)
 {

@@ -3,6 +3,7 @@
 #include "weft/shape.h"
 typedef struct ExBox { wfVec2 axis, low, high; wfReal area; } ExBox;
 ExBox exLeastBox(const wfVec2 *ring, int n);
+#define exLeastBox(ring, n) asked(exLeastBox(ring, n))
 static int random_ring(wfRandom *r, wfVec2 *ring)
 {
     wfVec2 p[12];

@@ -2,6 +2,7 @@
 #include "course.h"
 #include "weft/weft.h"
 uint32_t exLeastNeeds(const wfBodyDef *d, int n);
+#define exLeastNeeds(d, n) asked(exLeastNeeds(d, n))
 static wfBodyDef body(int type, bool shaped)
 {
     wfBodyDef d = wfDefaultBodyDef();

@@ -1,7 +1,9 @@
 /* Exercise narrow-oracle. Oracle: sampled outlines, and the closed support functions. */
 #include "course.h"
 wfVec2 exEllipseSupport(wfReal a, wfReal b, wfVec2 m);
+#define exEllipseSupport(a, b, m) asked(exEllipseSupport(a, b, m))
 wfVec2 exCirclesSupport(wfCircle2 p, wfCircle2 q, wfVec2 m);
+#define exCirclesSupport(p, q, m) asked(exCirclesSupport(p, q, m))
 static wfVec2 direction(wfRandom *r, int i)
 {
     wfRot q = wfRotation(wfRandomReal(r, -3, 3));

@@ -2,6 +2,7 @@
 #include "course.h"
 #include "weft/body.h"
 void exDampQuadratic(wfBodyState *s, wfReal k, wfReal h);
+#define exDampQuadratic(s, k, h) done(exDampQuadratic(s, k, h), left(*(s)))
 static wfVec2 after(double x, double y, double k, double time, int steps)
 {
     wfBodyState s = { .v = { { (wfReal)x, (wfReal)y } } };

@@ -1,7 +1,9 @@
 /* Exercise sequential-relax. Oracles: the rest; the number of passes of the theory. */
 #include "course.h"
 void exRelaxPass(wfReal *v, int n, wfReal factor);
+#define exRelaxPass(v, n, factor) done(exRelaxPass(v, n, factor), left_many(v, n))
 wfReal exRelaxFactor(int n);
+#define exRelaxFactor(n) asked(exRelaxFactor(n))
 static int passes_of(int n, wfReal factor, FILE *plot, const char *name)
 {
     wfReal v[64];

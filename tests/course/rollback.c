@@ -4,7 +4,9 @@ enum { EX_BACK = 16, EX_BYTES = 256 };
 typedef void ExStepFn(void *state, const int32_t input[2]);
 typedef struct ExMatch { ExStepFn *step; size_t size; int32_t now; _Alignas(16) uint8_t state[EX_BYTES]; _Alignas(16) uint8_t before[EX_BACK][EX_BYTES]; int32_t input[EX_BACK][2]; } ExMatch;
 void exAdvance(ExMatch *m, int player, int32_t own);
+#define exAdvance(m, player, own) done(exAdvance(m, player, own), none_left)
 bool exArrive(ExMatch *m, int player, int32_t step, int32_t input);
+#define exArrive(m, player, step, input) asked(exArrive(m, player, step, input))
 static int steps_made;
 typedef struct Toy { uint64_t mixed; int32_t x[2], v[2]; } Toy;
 static void toy_step(void *state, const int32_t input[2])
@@ -33,8 +35,10 @@ static void agree(void)
                 if (s >= delay) expect_true("an input within reach is taken", exArrive(&m[p], 1 - p, s - delay, input[s - delay][1 - p]));
             }
         }
-        for (int p = 0; p < 2; p++)
+        for (int p = 0; p < 2; p++) {
+            done((void)0, left_many(m[p].state, sizeof(Toy)));
             expect_true(say("player %d's state is the referee's, delay %d", p, delay), memcmp(m[p].state, referee.state, sizeof(Toy)) == 0);
+        }
     }
 }
 static void guess(void)
@@ -44,8 +48,10 @@ static void guess(void)
     for (int s = 0; s < 10; s++) exAdvance(&m, 0, 1);
     steps_made = 0;
     exArrive(&m, 1, 4, 0);
+    done((void)0, left(steps_made));
     expect_int("steps made again for an input that was guessed rightly", steps_made, 0);
     exArrive(&m, 1, 4, 2);
+    done((void)0, left(steps_made));
     expect_int("steps made again for step 4 of 10", steps_made, 6);
 }
 static void late(void)
@@ -53,8 +59,10 @@ static void late(void)
     static ExMatch m, copy;
     begin(&m);
     for (int s = 0; s < 40; s++) exAdvance(&m, 0, s % 3);
+    done((void)0, left(m));
     copy = m;
     expect_false("an input for step 20 of 40 is taken, of which 16 are kept", exArrive(&m, 1, 20, 5));
+    done((void)0, left(m));
     expect_true("nothing has changed after it", memcmp(&copy, &m, sizeof m) == 0);
     expect_true("an input for step 24 is taken", exArrive(&m, 1, 24, 5));
 }

@@ -1,6 +1,7 @@
 /* Exercise numbers-slerp. Oracle: angles in double. */
 #include "course.h"
 wfRot exRotLerp(wfRot a, wfRot b, wfReal t);
+#define exRotLerp(a, b, t) asked(exRotLerp(a, b, t))
 
 static double apart(wfRot a, wfRot b)   /* the angle from a to b, in [-pi, pi] */
 {
@@ -35,7 +36,8 @@ static void short_way(void)
 {
     wfRot a = wfRotation(3), b = wfRotation(-3);
     expect_near("angle at t = 1/2 from 3 to -3, which is a short way across pi", fabs((double)wfRotAngle(exRotLerp(a, b, WF_R(0.5)))), 3.14159265, 1e-5);
-    wfRot q = exRotLerp(wfRotIdentity(), (wfRot){ -1, 0 }, WF_R(0.5));
+    const wfRot back = { -1, 0 };
+    wfRot q = exRotLerp(wfRotIdentity(), back, WF_R(0.5));
     expect_near("length of what lies between opposite rotations", hypot((double)q.c, (double)q.s), 1, 1e-5);
 }
 CRITERIA("rot-lerp",

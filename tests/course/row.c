@@ -3,6 +3,7 @@
 #include "weft/body.h"
 typedef struct ExRow { wfVec2 lA; wfReal aA; wfVec2 lB; wfReal aB; } ExRow;
 void exSolveRow(wfBodyState *a, wfBodyState *b, const ExRow *j, wfReal bias, wfReal low, wfReal high, wfReal *sum);
+#define exSolveRow(a, b, j, bias, low, high, sum) done(exSolveRow(a, b, j, bias, low, high, sum), left(*(a)), left(*(b)), left(*(sum)))
 static wfReal one(wfRandom *r) { return wfRandomReal(r, -2, 2); }
 static wfVec2 two(wfRandom *r) { wfReal x = one(r); return wfV2(x, one(r)); }
 static wfBodyState any(wfRandom *r)

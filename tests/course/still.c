@@ -2,6 +2,7 @@
 #include "course.h"
 #include "weft/body.h"
 bool exStillPoint(const wfBodyState *s, wfVec2 *out);
+#define exStillPoint(s, out) asked_and(exStillPoint(s, out), left(*(out)))
 static void rest(void)
 {
     wfRandom r = course_random(10);

@@ -3,8 +3,11 @@
 #include "weft/shape.h"
 typedef struct ExTapered { wfReal big, small, d; } ExTapered;
 wfReal exTaperedArea(const ExTapered *s);
+#define exTaperedArea(s) asked(exTaperedArea(s))
 wfReal exTaperedCentre(const ExTapered *s);
+#define exTaperedCentre(s) asked(exTaperedCentre(s))
 bool exTaperedContains(const ExTapered *s, wfVec2 p);
+#define exTaperedContains(s, p) asked(exTaperedContains(s, p))
 static const ExTapered SHAPES[5] = { { 1, WF_R(0.5), 2 }, { WF_R(0.3), 1, 3 }, { 1, 1, 2 }, { 1, WF_R(0.9), WF_R(0.2) }, { WF_R(0.2), WF_R(0.05), 5 } };
 
 /* The hull is the union of the disks that shrink evenly from one end to the other: find the t at which p is deepest. */

@@ -1,6 +1,7 @@
 /* Exercise scenes-rotate. Oracle: (1 + Omega t) exp(-Omega t). */
 #include "course.h"
 wfReal exTurnHand(wfReal angle, wfReal w, wfReal target, wfReal stiff, wfReal h);
+#define exTurnHand(angle, w, target, stiff, h) asked(exTurnHand(angle, w, target, stiff, h))
 static double after(double stiff, double h, int steps, double *overshoot)
 {
     wfReal angle = -1, w = 0;

@@ -1,6 +1,7 @@
 /* Exercise impact-circles. Oracle: the same roots in long double. */
 #include "course.h"
 wfReal exCircleImpact(wfVec2 p, wfVec2 v, wfReal radius);
+#define exCircleImpact(p, v, radius) asked(exCircleImpact(p, v, radius))
 static long double truth(wfVec2 p, wfVec2 v, wfReal radius)
 {
     long double px = p.x, py = p.y, vx = v.x, vy = v.y, R = radius, a = vx * vx + vy * vy, b = px * vx + py * vy, c = px * px + py * py - R * R;

@@ -1,6 +1,7 @@
 /* Exercise islands-walk. Oracle: names that are spread until nothing changes. */
 #include "course.h"
 void exWalk(int32_t n, const bool *moves, const int32_t *first, const int32_t *other, int32_t *island, int32_t *wait);
+#define exWalk(n, moves, first, other, island, wait) done(exWalk(n, moves, first, other, island, wait), left_many(island, n))
 enum { MOST = 100000 };
 static bool moves[MOST];
 static int32_t first[MOST + 1], other[2 * MOST], island[MOST], wait_for[MOST], want[MOST], fill[MOST];

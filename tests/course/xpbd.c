@@ -4,6 +4,7 @@
 enum { EX_ROPE = 64 };
 typedef struct ExRope { int n; wfVec2 x[EX_ROPE], v[EX_ROPE]; wfReal w[EX_ROPE]; wfReal length, compliance; } ExRope;
 void exXpbdStep(ExRope *r, wfVec2 g, wfReal h, int substeps, int passes);
+#define exXpbdStep(r, g, h, substeps, passes) done(exXpbdStep(r, g, h, substeps, passes), left(*(r)))
 static ExRope hung(int n, double end)
 {
     ExRope r = { .n = n, .length = WF_R(0.1) };
