@@ -28,17 +28,6 @@ static wfResult make_link(const wfVec2 *p, int n, bool loop, int i, wfShape *out
 }
 
 /* make a chain */
-wfResult wfMakeChainLink(const wfVec2 *points, int n, bool loop, int i, wfShape *out)
-{
-    wfShape link;
-    if (!points || !out) return WF_ERROR_NULL;
-    if (n < (loop ? 3 : 2)) return WF_ERROR_TOO_FEW;
-    if (i < 0 || i >= (loop ? n : n - 1)) return WF_ERROR_RANGE;
-    wfResult result = make_link(points, n, loop, i, &link);
-    if (result == WF_OK) *out = link;
-    return result;
-}
-
 wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int capacity,
                      int *count)
 {
@@ -56,7 +45,18 @@ wfResult wfMakeChain(const wfVec2 *points, int n, bool loop, wfShape *out, int c
     return WF_OK;
 }
 
-/* move and turn a shape */
+/* make shapes in other ways */
+wfResult wfMakeChainLink(const wfVec2 *points, int n, bool loop, int i, wfShape *out)
+{
+    wfShape link;
+    if (!points || !out) return WF_ERROR_NULL;
+    if (n < (loop ? 3 : 2)) return WF_ERROR_TOO_FEW;
+    if (i < 0 || i >= (loop ? n : n - 1)) return WF_ERROR_RANGE;
+    wfResult result = make_link(points, n, loop, i, &link);
+    if (result == WF_OK) *out = link;
+    return result;
+}
+
 void wfShapePlace(wfShape *shape, wfTransform by)
 {
     if (shape == NULL) return;

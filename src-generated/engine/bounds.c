@@ -16,7 +16,6 @@ uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
     bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
     /* see whether kinematic bodies are looked for */
     seen = seen || (b->head->sleepingCount > 0 && wfCanMove(&state[i]));
-    moves = moves || (b->head->roused && b->materials[k].sensor);
     return (uint8_t)(WF_PROXY_LIVE
                      | (moves || (kinematic && seen) ? WF_PROXY_MOVES : 0));
 }

@@ -148,8 +148,7 @@ const wfFlowRow wfFlowTable[] = {
     { "islands", WF_EITHER, { K(APPLIED), 0 }, { 0, 0 }, NULL },
     { "islands", WF_EITHER, { K(FORCE_SLOTS) | K(FORCES), 0 }, { 0, 0 }, NULL },
     { "islands", WF_SOLVER_MOVES, { 0, F(NEW_JOINTS) }, { 0, 0 }, NULL },
-    { "bounds", WF_EITHER, { K(ALIVE) | K(FLAGS) | K(SHAPE_PROPS), 0 }, { 0, 0 }, NULL },
-    { "broad phase", WF_EITHER, { K(PROPS), 0 }, { 0, 0 }, NULL },
+    { "bounds", WF_EITHER, { K(ALIVE) | K(FLAGS), 0 }, { 0, 0 }, NULL },
     { "impacts", WF_STAGES_MOVE, { K(ALIVE) | K(FLAGS), 0 }, { 0, 0 }, NULL },
 };
 const int wfFlowCount = (int)(sizeof wfFlowTable / sizeof *wfFlowTable);

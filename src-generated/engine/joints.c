@@ -50,14 +50,6 @@ static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 }
 
 /* join two bodies */
-static bool slides(const char *kind)
-{
-    static const char *const those[] = { "prismatic", "wheel", "rack", "linkage" };
-    for (int i = 0; i < 4; i++)
-        if (strcmp(kind, those[i]) == 0) return true;
-    return false;
-}
-
 wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out)
 {
@@ -69,14 +61,15 @@ wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
     int32_t i = wfBodyIndex(world, a), k = wfBodyIndex(world, b);
     if (i < 0 || k < 0)
         return wfRefuse(&block, WF_ERROR_STALE_ID, i < 0 ? "a" : "b", NULL);
-    if (wfFindJoint(kind) < 0)
+    int row = wfFindJoint(kind);
+    if (row < 0)
         return wfRefuse(&block, WF_ERROR_UNKNOWN, "kind", "wfJointTable has their names");
     result = wfCheckVector(&block, "anchorA.", anchorA);
     if (result == WF_OK) result = wfCheckVector(&block, "anchorB.", anchorB);
     if (result == WF_OK) result = wfCheckVector(&block, "axis.", axis);
     if (result != WF_OK) return result;
     if (i == k) return wfRefuse(&block, WF_ERROR_RANGE, "b", "it joins a body with itself");
-    if (axis.x == 0 && axis.y == 0 && !slides(kind)) axis = wfV2(1, 0);
+    if (axis.x == 0 && axis.y == 0 && !wfJointTable[row].slides) axis = wfV2(1, 0);
     if (!(wfLength(axis) > 0))
         return wfRefuse(&block, WF_ERROR_RANGE, "axis", "it has no length");
     wfJoint made = wfMakeJoint(kind, i, &block.state[i], k, &block.state[k], anchorA,

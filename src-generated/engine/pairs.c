@@ -9,6 +9,7 @@ typedef struct Bounding {
     struct wfStep *s;
     int32_t movers[WF_PARTS];
     bool followed[WF_PARTS];
+    uint8_t flags[WF_PARTS];    /* of all its shapes together */
     wfResult result[WF_PARTS];
 } Bounding;
 
@@ -20,15 +21,20 @@ static void place_bodies(void *context, int32_t part, int32_t begin, int32_t end
     for (int32_t i = begin; i < end; i++) {
         if (!s->present[i]) continue;
         s->places[i] = wfBodyTransform(&s->state[i]);
-        bool seen = s->b.props[i].type == WF_KINEMATIC && s->b.head->sensorCount > 0;
-        b->movers[part] += seen || wfCanMove(&s->state[i]);
+        b->movers[part] += wfCanMove(&s->state[i]);
     }
 }
 
-static wfResult bound_shapes(struct wfStep *s, int32_t begin, int32_t end, bool *followed)
+static void bound_part(void *context, int32_t part, int32_t begin, int32_t end)
 {
+    Bounding *b = (Bounding *)context;
+    struct wfStep *s = b->s;
+    wfResult result = WF_OK;
+    uint8_t all = 0;
+    b->followed[part] = false;
     for (int32_t k = begin; k < end; k++) {
         int32_t i = s->b.bodyOfShape[k];
+        bool rests = i >= 0 && !s->present[i];
         /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
         if (k + AHEAD < s->shapeCount) {
@@ -36,29 +42,26 @@ static wfResult bound_shapes(struct wfStep *s, int32_t begin, int32_t end, bool 
             WF_FETCH_SOON(soon);
             WF_FETCH_SOON(&soon->vertices[3]);
         }
-        if (i >= 0 && !s->present[i]) {
+        uint8_t flags = rests ? s->b.flags[k] & WF_PROXY_LIVE
+                              : wfFlagShape(&s->b, s->state, k);
+        /* let sensors look at what rests */
+        if (rests && s->b.head->roused && s->b.head->sensorCount > 0)
+            flags = wfFlagShape(&s->b, s->state, k);
+        s->flags[k] = flags, all |= flags;
+        if (rests) {
             s->bounds[k] = s->b.bounds[k];
-            s->flags[k] = s->b.flags[k] & WF_PROXY_LIVE;
             s->paces[k] = (wfPace){ s->state[i].v, 0, 0 };
             continue;
         }
-        s->flags[k] = wfFlagShape(&s->b, s->state, k);
-        s->bounds[k] = wfBoundOne(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
+        wfRect box = wfBoundOne(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
         bool ahead = i >= 0 && wfSolverIntegrates(s);
-        wfReal more = ahead ? wfSpeculativeMargin(s, k, followed) : 0;
-        s->bounds[k].min = wfSub(s->bounds[k].min, wfV2(more, more));
-        s->bounds[k].max = wfAdd(s->bounds[k].max, wfV2(more, more));
-        if (!wfIsFinite2(s->bounds[k].min) || !wfIsFinite2(s->bounds[k].max))
-            return WF_ERROR_NOT_FINITE;
+        wfReal more = ahead ? wfSpeculativeMargin(s, k, &b->followed[part]) : 0;
+        box.min = wfSub(box.min, wfV2(more, more));
+        box.max = wfAdd(box.max, wfV2(more, more));
+        if (!wfIsFinite2(box.min) || !wfIsFinite2(box.max)) result = WF_ERROR_NOT_FINITE;
+        s->bounds[k] = box;
     }
-    return WF_OK;
-}
-
-static void bound_part(void *context, int32_t part, int32_t begin, int32_t end)
-{
-    Bounding *b = (Bounding *)context;
-    b->followed[part] = false;
-    b->result[part] = bound_shapes(b->s, begin, end, &b->followed[part]);
+    b->flags[part] = all, b->result[part] = result;
 }
 
 wfResult wfBoundShapes(struct wfStep *s)
@@ -69,7 +72,7 @@ wfResult wfBoundShapes(struct wfStep *s)
     s->paces = wfTransient(&s->b, WF_REGION_PACES);
     s->bounds = wfTransient(&s->b, WF_REGION_NEW_BOUNDS);
     s->flags = wfTransient(&s->b, WF_REGION_NEW_FLAGS);
-    s->movers = 0;
+    s->movers = 0, s->proxyFlags = 0;
     /* what is known before the boxes */
     wfFindLinked(s);
     int32_t parts = wfInParts(&s->workers, s->count, WF_STEP_PART, place_bodies, &b);
@@ -81,6 +84,7 @@ wfResult wfBoundShapes(struct wfStep *s)
     for (int32_t part = parts - 1; part >= 0; part--) {
         /* note whether a shape of the part is followed */
         s->followed = s->followed || b.followed[part];
+        s->proxyFlags |= b.flags[part];
         if (b.result[part] != WF_OK) result = b.result[part];
     }
     return result;
@@ -97,9 +101,8 @@ static bool pair_rule(const void *context, int32_t a, int32_t b)
     senses = first || second;
     if (!senses && !wfHasMass(s, a) && !wfHasMass(s, b)) return false;
     /* refuse other pairs */
-    int32_t i = s->b.bodyOfShape[a], k = s->b.bodyOfShape[b];
-    if (!senses && !wfMovesNow(s, i) && !wfMovesNow(s, k)) return false;
-    if (s->b.props[i].type == WF_STATIC && s->b.props[k].type == WF_STATIC) return false;
+    if (!senses && !wfMovesNow(s, s->b.bodyOfShape[a]) && !wfMovesNow(s, s->b.bodyOfShape[b]))
+        return false;
     /* ask the user about the pair */
     const wfCallbacks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
@@ -123,13 +126,11 @@ static wfResult find_pairs(struct wfStep *s)
     rule = rule || head->sleepingCount > 0;
     /* see whether the index is needed */
     asked = head->queries && head->indexStale;
-    /* see whether the index is needed besides */
-    asked = asked || (head->roused && head->sensorCount > 0);
     if (rule) proxies.custom = pair_rule, proxies.context = s;
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
                              .capacity = head->pairCapacity - s->kept.pairs };
     size_t bytes = wfIndexBytes(head);
-    if (s->movers == 0 && !asked) return WF_OK;
+    if (!(s->proxyFlags & WF_PROXY_MOVES) && !asked) return WF_OK;
     bool meets = wfHas(head, WF_MODULE_CONTACTS);
     if (bytes == 0 && !meets) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);

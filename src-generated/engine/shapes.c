@@ -188,13 +188,17 @@ wfResult wfReweighBody(wfBlock *b, int32_t i, const wfBodyProps *changed)
     return result;
 }
 
+/* Half of it is lost to rounding beside WF_HUGE: so the origin of a body is finite as long
+ * as its centre is. */
+#define FARTHEST_CENTRE (WF_HUGE * WF_EPSILON / 8)
+
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data)
 {
     static const wfNumber numbers[] = {
         WF_NUMBER(wfMassData, mass, WF_FROM_ZERO),
         WF_NUMBER(wfMassData, inertia, WF_FROM_ZERO),
-        WF_NUMBER(wfMassData, centre.x, WF_ANY_REAL),
-        WF_NUMBER(wfMassData, centre.y, WF_ANY_REAL),
+        WF_NUMBER(wfMassData, centre.x, -FARTHEST_CENTRE, FARTHEST_CENTRE),
+        WF_NUMBER(wfMassData, centre.y, -FARTHEST_CENTRE, FARTHEST_CENTRE),
     };
     wfBlock b;
     int32_t i;

@@ -28,6 +28,7 @@ struct wfStep {
     /* arrays of the second half */
     int32_t          shapeCount;  /* places for shapes in use */
     int32_t          movers;      /* how many bodies can move, or do */
+    uint8_t          proxyFlags;  /* of all shapes together */
     wfSleepingLists  kept;        /* of the last step, and not to be looked at again */
     wfBodyForces    *sums;        /* of the forces, for a solver that steps */
     wfTransform     *places;      /* of the bodies, from the new states */

@@ -15,7 +15,7 @@ smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronou
 [ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
 [ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
 work=build/check/smallest; mkdir -p "$work"
-tangle/tangle --without "faults disabled growth frames world-drawing mover" "$work/tree" $(tangle/chapters) && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
+tangle/tangle --without "faults disabled growth frames world-drawing mover makers" "$work/tree" $(tangle/chapters) && tangle/amalgam "$work/tree" "$work" >/dev/null || exit 1
 scenes() {    # compiler and flags: the hashes of three scenes
   "$@" -I"$work" -c "$work/weft.c" -o "$work/weft.o" && "$@" -I"$work" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$work/scenes.o" &&
     gcc -no-pie "$work/weft.o" "$work/scenes.o" -o "$work/scenes" && "$work/scenes"

@@ -94,6 +94,7 @@ typedef struct wfJointKindRow {
     wfJointFn *build;
     void (*track)(wfJoint *joint);  /* after its turns were counted; NULL: nothing to do */
     bool holds;                 /* it keeps points of its two bodies together, or in line */
+    bool slides;                /* along its axis, which it needs */
 } wfJointKindRow;
 extern const wfJointKindRow wfJointTable[];
 extern const int wfJointKinds;
