@@ -1,5 +1,5 @@
-/* Weft: include/weft/spring.h, tangled from chapters/methods/26-joints-in-a-world.nw. Do not edit
- * this file: edit the chapter and type make. MIT licence. */
+/* Weft: include/weft/spring.h, tangled from chapters/methods/36-in-a-game.nw. Do not edit this
+ * file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_SPRING_H
 #define WEFT_SPRING_H
 #include "weft/world.h"
