@@ -705,7 +705,7 @@ local function only_declares(c)
   local code = table.concat(text, "\n"):gsub("/%*.-%*/", ""):gsub("\n#[^\n]*", "")
   for statement in (code:gsub("^#[^\n]*", "")):gmatch("[^;]+") do
     if statement:match("%S") then
-      if statement:match("[{}=]") or statement:match("typedef") or not statement:match("%)%s*[%u_]*$") then return false end
+      if statement:match("[{}=]") or statement:match("typedef") or statement:match("^%s*WF_[%u_]+%(") or not statement:match("%)%s*[%u_]*$") then return false end
       any = true
     end
   end
@@ -740,6 +740,22 @@ do
       end
     end
   end
+  -- how many lines of the described engine's C the first volume prints: {core-lines} and {core-printed} in a chapter's text
+  local all, printed = 0, 0
+  for index, c in ipairs(book.chunks) do
+    if not c.gone and c.roots and (not in_core or in_core[index]) then
+      for i, l in ipairs(lines_of(c)) do
+        if not l.use and l.text:match("%S") then
+          all = all + 1
+          if not c.web and i <= (c.printed or i) and volume_of[book.chapters[c.chapter].entry.page] == volumes[1].name then printed = printed + 1 end
+        end
+      end
+    end
+  end
+  local count = { ["{core-lines}"] = all, ["{core-printed}"] = printed }
+  local function fill(text) return (text:gsub("{core%-%a+}", function(k) return count[k] and (tostring(count[k]):gsub("^(%d+)(%d%d%d)$", "%1,%2")) end)) end
+  for _, c in ipairs(book.chapters) do for i, l in ipairs(c.md) do c.md[i] = fill(l) end end
+  for _, e in ipairs(search) do if e.text then e.text = fill(e.text) end end
 end
 
 ------------------------------------------------------------------------------------ identifiers, found by universal-ctags

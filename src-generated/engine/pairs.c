@@ -34,7 +34,7 @@ static void bound_part(void *context, int32_t part, int32_t begin, int32_t end)
     b->followed[part] = false;
     for (int32_t k = begin; k < end; k++) {
         int32_t i = s->b.bodyOfShape[k];
-        bool rests = i >= 0 && !s->present[i];
+        bool rests = i >= 0 && !s->present[i], seen = !rests;
         /* ask for the corners of a shape further on */
         enum { AHEAD = 6 };
         if (k + AHEAD < s->shapeCount) {
@@ -42,11 +42,10 @@ static void bound_part(void *context, int32_t part, int32_t begin, int32_t end)
             WF_FETCH_SOON(soon);
             WF_FETCH_SOON(&soon->vertices[3]);
         }
-        uint8_t flags = rests ? s->b.flags[k] & WF_PROXY_LIVE
-                              : wfFlagShape(&s->b, s->state, k);
         /* let sensors look at what rests */
-        if (rests && s->b.head->roused && s->b.head->sensorCount > 0)
-            flags = wfFlagShape(&s->b, s->state, k);
+        seen = seen || (s->b.head->roused && s->b.head->sensorCount > 0);
+        uint8_t flags = seen ? wfFlagShape(&s->b, s->state, k)
+                             : s->b.flags[k] & WF_PROXY_LIVE;
         s->flags[k] = flags, all |= flags;
         if (rests) {
             s->bounds[k] = s->b.bounds[k];

@@ -505,7 +505,8 @@ wfResult wfAddChainToBody(wfWorld *world, wfBodyId body, const wfVec2 *points, i
     if (points == NULL || like == NULL)
         return wfRefuse(&b, WF_ERROR_NULL, points == NULL ? "points" : "like", NULL);
     if (b.props[i].type == WF_DYNAMIC)
-        return wfRefuse(&b, WF_ERROR_RANGE, "body", "it is dynamic, and links weigh nothing");
+        return wfRefuse(&b, WF_ERROR_RANGE, "body",
+                        "it is dynamic, and links weigh nothing");
     if (links < (loop ? 3 : 1)) return wfRefuse(&b, WF_ERROR_TOO_FEW, "n", NULL);
     wfShapeDef d = *like;
     uint32_t modules = WF_MODULE_SHAPES | WF_MODULE_COMPOUNDS;
