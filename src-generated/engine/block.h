@@ -1,18 +1,18 @@
 /* Weft: engine/block.h, tangled from chapters/engine/20-world.nw. Chapters that add to it:
- * compound, bodies-in-a-world, step, looking, sensors-and-callbacks, mouse-joint, world-origin,
- * modules, joints-in-a-world, continuous-collision, sleep-in-a-world, save-files, in-a-game. Do not
- * edit this file: edit the chapter and type make. MIT licence. */
+ * bodies-in-a-world, step, looking, sensors-and-callbacks, mouse-joint, world-origin, modules,
+ * joints-in-a-world, continuous-collision, sleep-in-a-world, save-files, in-a-game. Do not edit
+ * this file: edit the chapter and type make. MIT licence. */
 #ifndef WEFT_ENGINE_BLOCK_H
 #define WEFT_ENGINE_BLOCK_H
 /* What lies in a world's two chunks. For the engine's own files; not installed. */
 #include "engine/regions.h"
-#include "weft/chain.h"
 #include "weft/world.h"
 #include "weft/inspect.h"
 #include "weft/modules.h"
 #include "weft/settings.h"
 #include "weft/material.h"
 #include "weft/callbacks.h"
+#include "weft/chain.h"
 #include "weft/mouse.h"
 #include "weft/origin.h"
 #include "weft/spring.h"

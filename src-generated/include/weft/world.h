@@ -312,7 +312,7 @@ enum { WF_JOINT_COLLIDE = 16 };  /* in wfJoint.flags: the bodies do collide */
 /* Fills *out with a joint of a kind ("revolute", "distance", ...: wfJointTable) between two
  * bodies at anchors in the world (m), along an axis (world, any length > 0; (0, 0) for a
  * kind that slides nowhere), at rest as the bodies are now. WF_ERROR_NULL, _STALE_ID,
- * _UNKNOWN (kind), _NOT_FINITE, _RANGE (a body with itself, an axis of no length), _BUSY. */
+ * _BUSY, _UNKNOWN (kind), _NOT_FINITE, _RANGE (a body with itself, an axis of length 0). */
 wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
                        wfVec2 anchorA, wfVec2 anchorB, wfVec2 axis, wfJoint *out);
 /* Adds a joint; its a and b are body indices (wfBodyIndex), as wfDefineJoint sets them.
