@@ -481,7 +481,7 @@ function Course.run(r, launch, place, tell)
 end
 
 -- At home: on this machine, with limits, and with the plots' data. In a class the programs run in a room (tangle/room).
-function Course.try(file, base, out, like, begin)
+function Course.try(file, base, out, like, begin, keep)
   local r = Course.build(file, base, out, like, not like)
   local tell = begin and begin(r)
   local output = out .. "/output"
@@ -494,7 +494,7 @@ function Course.try(file, base, out, like, begin)
     return t
   end
   return Course.run(r, function(program, criterion, slow, again)
-    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. (slow and "COURSE_SECONDS=2 " or "") .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
+    ok("( ulimit -f 65536 -c 0 2>/dev/null; exec timeout -k 2 180 env " .. (slow and "COURSE_SECONDS=2 " or "") .. (keep and not again and "COURSE_KEEP=" .. quote(keep .. criterion) .. " " or "") .. ASAN .. " " .. quote(program) .. " " .. quote(out) .. " " .. quote(criterion) .. " ) >" .. quote(out .. "/verdict") ..
       " 2>" .. quote(output .. (again and "" or ".of." .. criterion)) .. " </dev/null")
     return read(out .. "/verdict")
   end, function(program, at) return out_of("addr2line -e " .. quote(program) .. " " .. table.concat(at, " ") .. " 2>/dev/null") end, tell)
@@ -642,11 +642,12 @@ function Course.prove(e, say)
   local function bad(...) good = false; say("  " .. string.format(...)) end
   local dir = B .. "/course/prove/" .. base
   os.execute("rm -rf " .. quote(dir) .. "; mkdir -p " .. quote(dir))
+  local kept = dir .. "/answers."
   local function try(name, text, like)
     os.execute("mkdir -p " .. quote(dir .. "/" .. name))
     local file = dir .. "/" .. name .. "/" .. base .. ".nw"
     write(file, text)
-    return Course.try(file, base, dir .. "/" .. name .. "/out", like and dir .. "/" .. like .. "/out")
+    return Course.try(file, base, dir .. "/" .. name .. "/out", like and dir .. "/" .. like .. "/out", nil, name == "solution" and kept)
   end
   local total = 0
   for _, c in ipairs(criteria_of(base)) do total = total + c.points end
@@ -666,13 +667,12 @@ function Course.prove(e, say)
   if r.refused or r.earned < r.max or r.max == 0 then bad("the solution has %s of %s points:", points_text(r.earned), points_text(r.max)); Course.table(r, e, function(l) say("    " .. l) end) end
   for _, w in ipairs(r.warnings or {}) do bad("the solution: %s", w) end
   -- who judges needs no code of a submission: a program without any comes to the same, given what the solution has answered
-  local bare, kept = r.program and r.bare(), quote(dir .. "/answers")
+  local bare = r.program and r.bare()
   for _, c in ipairs(bare and r.criteria or {}) do
-    out_of("COURSE_KEEP=" .. kept .. " " .. quote(r.program) .. " '' " .. c.name)
-    local f = verdict_of(out_of("COURSE_GIVEN=" .. kept .. " " .. quote(bare) .. " '' " .. c.name .. " 2>/dev/null"), c.name)
+    local f = verdict_of(out_of("COURSE_GIVEN=" .. quote(kept .. c.name) .. " " .. quote(bare) .. " '' " .. c.name .. " 2>/dev/null"), c.name)
     if f[2] ~= "pass" or tonumber(f[3]) ~= passed[c.name] then bad("criterion %s cannot be judged without the solution's code: %s %s %s %s -- each call of it goes through asked or done (tests/course/course.h)", c.name, f[2] or "", f[3] or "", f[4] or "", f[5] or "") end
   end
-  os.execute("rm -f " .. kept)
+  os.execute("rm -f " .. quote(kept) .. "*")
   local wrong, errors = Course.wrong(base)
   for _, m in ipairs(errors) do bad("%s", m) end
   if #wrong < 2 then bad("%d wrong solutions are planted, two is the least", #wrong) end

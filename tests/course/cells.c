@@ -2,6 +2,7 @@
 #include "course.h"
 typedef struct ExCell { int32_t x, y; } ExCell;
 int exCells(wfRect box, wfReal side, ExCell *out, int most);
+#define exCells(box, side, out, most) asked_and(exCells(box, side, out, most), left_many(out, most))
 static ExCell cells[200];
 static wfRect box_of(wfRandom *r)
 {

@@ -1,6 +1,7 @@
 /* Exercise coursework-frame. Oracle: the border of the box, computed in double precision. */
 #include "course.h"
 bool exFrameCast(wfTransform box, wfVec2 half, wfVec2 from, wfVec2 way, wfReal *t, wfVec2 *normal);
+#define exFrameCast(box, half, from, way, t, normal) asked_and(exFrameCast(box, half, from, way, t, normal), left(*(t)), left(*(normal)))
 static void rays(bool normals)
 {
     wfRandom r = course_random(7);

@@ -2,6 +2,7 @@
 #include "course.h"
 #include "weft/body.h"
 void exSignPush(wfBodyState *a, wfBodyState *b, wfVec2 p, wfVec2 n, wfReal e);
+#define exSignPush(a, b, p, n, e) done(exSignPush(a, b, p, n, e), left(*(a)), left(*(b)))
 static wfBodyState body(wfRandom *r)
 {
     wfBodyState s = { .p = wfV2(wfRandomReal(r, -2, 2), 0), .w = wfRandomReal(r, -3, 3), .invMass = wfRandomReal(r, WF_R(0.5), 2), .invInertia = wfRandomReal(r, WF_R(0.5), 2) };

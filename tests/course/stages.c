@@ -2,6 +2,7 @@
 #include "course.h"
 typedef struct ExBall { wfReal y, v, push; } ExBall;
 void exStages(ExBall *b, wfReal h);
+#define exStages(b, h) done(exStages(b, h), left(*(b)))
 static const wfReal STEP = WF_R(1.0) / 64;
 static void ground(void)
 {

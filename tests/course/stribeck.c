@@ -5,7 +5,7 @@ static wfBodyState state;
 static wfBodyProps props;
 static wfForce bearing(double rest, double fast, double ws)
 {
-    wfForce f = { .kind = wfFindForce("stribeck"), .a = -1, .b = -1 };
+    wfForce f = { .kind = asked(wfFindForce("stribeck")), .a = -1, .b = -1 };
     if (f.kind < 0) course_fail("the row in the table of forces", "stribeck", "no row of that name");
     f.param[0] = (wfReal)rest, f.param[1] = (wfReal)fast, f.param[2] = (wfReal)ws;
     return f;
@@ -17,7 +17,7 @@ static double torque(const wfForce *f, int n, double w)
     wfSetMass(&state, &props, 1, 1);
     state.w = (wfReal)w;
     wfBodyView view = { .count = 1, .state = &state, .props = &props };
-    wfAccumulateForces(f, n, &view, 0, &sum);
+    done(wfAccumulateForces(f, n, &view, 0, &sum), left(sum));
     return (double)sum.torque;
 }
 static void law(void)
@@ -51,9 +51,9 @@ static void slows(void)
 static void row(void)
 {
     wfForce f = bearing(3, 1, 2), bad = bearing(3, 1, 0);
-    expect_int("parameters", wfForceTable[f.kind].params, 3);
-    expect_result("a bearing", wfCheckForce(&f), WF_OK);
-    expect_result("a bearing with a rate of 0", wfCheckForce(&bad), WF_ERROR_RANGE);
+    expect_int("parameters", asked((int)wfForceTable[f.kind].params), 3);
+    expect_result("a bearing", asked(wfCheckForce(&f)), WF_OK);
+    expect_result("a bearing with a rate of 0", asked(wfCheckForce(&bad)), WF_ERROR_RANGE);
 }
 CRITERIA("stribeck",
     { "law", 2, "stribeck: find the torque", "the torque is Stribeck's", law, 0 },

@@ -4,7 +4,7 @@
 static wfForce tunnel(double low, double high)
 {
     wfForce f = wfWind(wfV2(8, -2), WF_R(0.5));
-    f.kind = wfFindForce("tunnel");
+    f.kind = asked(wfFindForce("tunnel"));
     if (f.kind < 0) course_fail("the row in the table of forces", "tunnel", "no row of that name");
     f.param[3] = (wfReal)low, f.param[4] = (wfReal)high;
     return f;
@@ -19,7 +19,7 @@ static void blows(void)
         wfBodyForces got[3] = { { .torque = 0 } }, want[3] = { { .torque = 0 } };
         for (int i = 0; i < 3; i++) state[i].p = wfV2((wfReal)(k + 7 * i) / 8, 0);
         wfBodyView view = { .count = 3, .state = state, .props = props };
-        wfAccumulateForces(&f, 1, &view, 0, got);
+        done(wfAccumulateForces(&f, 1, &view, 0, got), left(got));
         wfAccumulateForces(&wind, 1, &view, 0, want);
         for (int i = 0; i < 3; i++) {
             bool in = state[i].p.x >= -1 && state[i].p.x <= WF_R(1.5);
@@ -30,12 +30,12 @@ static void blows(void)
 static void row(void)
 {
     wfForce f = tunnel(-1, 1);
-    expect_int("parameters", wfForceTable[f.kind].params, 5);
-    expect_result("a tunnel", wfCheckForce(&f), WF_OK);
+    expect_int("parameters", asked((int)wfForceTable[f.kind].params), 5);
+    expect_result("a tunnel", asked(wfCheckForce(&f)), WF_OK);
     f = tunnel(1, -1);
-    expect_result("a tunnel with its walls in the wrong order", wfCheckForce(&f), WF_ERROR_RANGE);
+    expect_result("a tunnel with its walls in the wrong order", asked(wfCheckForce(&f)), WF_ERROR_RANGE);
     f = tunnel(-1, 1), f.wind.coefficient = -1;
-    expect_result("a tunnel with a coefficient below 0", wfCheckForce(&f), WF_ERROR_RANGE);
+    expect_result("a tunnel with a coefficient below 0", asked(wfCheckForce(&f)), WF_ERROR_RANGE);
 }
 static void world(void)
 {
@@ -44,21 +44,21 @@ static void world(void)
     wfBodyId id[2];
     wfBodyInfo info;
     def.gravity = wfV2(0, 0);
-    expect_result("a world", wfCreateWorld(&def, &w), WF_OK);
+    expect_result("a world", asked(wfCreateWorld(&def, &w)), WF_OK);
     for (int i = 0; i < 2; i++) {
         wfBodyDef d = wfDefaultBodyDef();
         d.position = wfV2((wfReal)(10 * i), 0);
         wfMakeCircle(wfV2(0, 0), WF_R(0.5), &d.shape);
-        expect_result("a ball", wfAddBodyToWorld(&w, &d, &id[i]), WF_OK);
+        expect_result("a ball", asked(wfAddBodyToWorld(&w, &d, &id[i])), WF_OK);
     }
     wfForce f = tunnel(-5, 5);
-    expect_result("the tunnel", wfAddForceToWorld(&w, &f, NULL), WF_OK);
-    for (int i = 0; i < 30; i++) expect_result("a step", wfStepWorld(&w), WF_OK);
-    wfGetBody(&w, id[0], &info);
+    expect_result("the tunnel", asked(wfAddForceToWorld(&w, &f, NULL)), WF_OK);
+    for (int i = 0; i < 30; i++) expect_result("a step", asked(wfStepWorld(&w)), WF_OK);
+    asked_and(wfGetBody(&w, id[0], &info), left(info));
     expect_at_least("way of the ball inside after half a second, m", (double)info.position.x, 0.01);
-    wfGetBody(&w, id[1], &info);
+    asked_and(wfGetBody(&w, id[1], &info), left(info));
     expect_near("place of the ball outside", (double)info.position.x, 10, 1e-6);
-    wfDestroyWorld(&w);
+    done(wfDestroyWorld(&w), none_left);
 }
 CRITERIA("tunnel",
     { "blows", 2, "tunnel: blow on body [[i]]", "inside it is the wind's force, outside none", blows, 0 },

@@ -10,6 +10,7 @@
 #include "weft/settings.h"
 #include "weft/material.h"
 #include "weft/callbacks.h"
+#include "weft/chain.h"
 #include "weft/mouse.h"
 #include "weft/origin.h"
 #include "weft/disable.h"
