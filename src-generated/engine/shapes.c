@@ -505,50 +505,6 @@ wfResult wfAddChainToBody(wfWorld *world, wfBodyId body, const wfVec2 *points, i
     if (points == NULL || like == NULL)
         return wfRefuse(&b, WF_ERROR_NULL, points == NULL ? "points" : "like", NULL);
     if (b.props[i].type == WF_DYNAMIC)
-        return wfRefuse(&b, WF_ERROR_RANGE, "body", "it is dynamic; links weigh nothing");
-    if (links < (loop ? 3 : 1)) return wfRefuse(&b, WF_ERROR_TOO_FEW, "n", NULL);
-    wfShapeDef d = *like;
-    uint32_t modules = WF_MODULE_SHAPES | WF_MODULE_COMPOUNDS;
-    for (int32_t k = 0; k < links && result == WF_OK; k++) {
-        result = check_link(&b, i, k, &d, wfMakeChainLink(points, n, loop, k, &d.shape));
-        if (result == WF_OK) modules |= wfModulesOfShape(&d);
-    }
-    if (result == WF_OK) result = wfRequireModules(&b, modules);
-    if (result != WF_OK) return result;
-    if (links > wfFreeShapes(&b))
-        return wfGrew(world, &b, "shapeCapacity", b.head->shapeSlots.count + links)
-             ? wfAddChainToBody(world, body, points, n, loop, like, out)
-             : wfRefuseShapes(&b, links);
-    wfUse(&b, modules);
-    for (int32_t k = 0; k < links; k++) {
-        wfMakeChainLink(points, n, loop, k, &d.shape);
-        int32_t made = wfHangShape(&b, i, &d);
-        if (out != NULL) out[k] = wfIdOfShape(&b, made);
-    }
-    return WF_OK;
-}
-#include "weft/chain.h"
-
-static wfResult check_link(const wfBlock *b, int32_t body, int32_t k, const wfShapeDef *d,
-                           wfResult made)
-{
-    bodyPlan plan = { .b = b, .body = body, .without = -1, .more = d, .count = 1 };
-    wfResult result = wfRefuseOne(b, made, "points[]", k, NULL);
-    if (result == WF_OK) result = check_shape_def(b, false, 0, d);
-    if (result != WF_OK) return result;
-    return wfRefuse(b, check_forms(&plan, b->props[body].localCentre), "points", NULL);
-}
-
-wfResult wfAddChainToBody(wfWorld *world, wfBodyId body, const wfVec2 *points, int32_t n,
-                          bool loop, const wfShapeDef *like, wfShapeId *out)
-{
-    wfBlock b;
-    int32_t i, links = loop ? n : n - 1;
-    wfResult result = wfChangeBody(world, body, &b, &i);
-    if (result != WF_OK) return result;
-    if (points == NULL || like == NULL)
-        return wfRefuse(&b, WF_ERROR_NULL, points == NULL ? "points" : "like", NULL);
-    if (b.props[i].type == WF_DYNAMIC)
         return wfRefuse(&b, WF_ERROR_RANGE, "body",
                         "it is dynamic, and links weigh nothing");
     if (links < (loop ? 3 : 1)) return wfRefuse(&b, WF_ERROR_TOO_FEW, "n", NULL);

@@ -12,7 +12,6 @@
 #include "weft/settings.h"
 #include "weft/material.h"
 #include "weft/callbacks.h"
-#include "weft/chain.h"
 #include "weft/mouse.h"
 #include "weft/origin.h"
 #include "weft/disable.h"
