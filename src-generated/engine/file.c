@@ -271,31 +271,30 @@ wfResult wfReplaceFile(const char *path, const void *bytes, size_t size)
     return WF_ERROR_FILE;
 }
 
-/* save to a file */
-wfResult wfSaveToFile(const wfWorld *world, const char *path)
+/* A world, or a journal. */
+static wfResult save(const wfWorld *world, const wfJournal *journal, const char *path)
 {
     wfMemory memory;
-    size_t size = wfSaveSize(world);
+    bool notes = journal != NULL;
+    size_t size = notes ? wfJournalSaveSize(journal) : wfSaveSize(world);
     if (path == NULL) return WF_ERROR_NULL;
     wfResult result = wfAllocateMemory(&memory, size, 0);
     if (result != WF_OK) return result;
-    result = wfSaveToBytes(world, memory.permanent, size, &size);
+    result = notes ? wfSaveJournalToBytes(journal, memory.permanent, size, &size)
+                   : wfSaveToBytes(world, memory.permanent, size, &size);
     if (result == WF_OK) result = wfReplaceFile(path, memory.permanent, size);
     wfFreeMemory(&memory);
     return result;
 }
 
+wfResult wfSaveToFile(const wfWorld *world, const char *path)
+{
+    return save(world, NULL, path);
+}
+
 wfResult wfSaveJournalToFile(const wfJournal *journal, const char *path)
 {
-    wfMemory memory;
-    size_t size = wfJournalSaveSize(journal);
-    if (path == NULL || journal == NULL) return WF_ERROR_NULL;
-    wfResult result = wfAllocateMemory(&memory, size, 0);
-    if (result != WF_OK) return result;
-    result = wfSaveJournalToBytes(journal, memory.permanent, size, &size);
-    if (result == WF_OK) result = wfReplaceFile(path, memory.permanent, size);
-    wfFreeMemory(&memory);
-    return result;
+    return journal == NULL ? WF_ERROR_NULL : save(NULL, journal, path);
 }
 
 /* load from a file */

@@ -18,8 +18,8 @@
 #define WF_ASSERT(x) assert(x)
 #endif
 #endif
-/* The 64 bytes or so around this address will be read soon. */
-#if defined __GNUC__
+/* The 64 bytes or so around this address will be read soon. Nothing, where size counts. */
+#if defined __GNUC__ && !defined __OPTIMIZE_SIZE__
 #define WF_FETCH_SOON(address) __builtin_prefetch(address)
 #else
 #define WF_FETCH_SOON(address) ((void)(address))
