@@ -129,7 +129,8 @@ static wfResult find_pairs(struct wfStep *s)
     s->pairs = (wfPairList){ .pairs = wfTransient(&s->b, WF_REGION_NEW_PAIRS),
                              .capacity = head->pairCapacity - s->kept.pairs };
     size_t bytes = wfIndexBytes(head);
-    if (!(s->proxyFlags & WF_PROXY_MOVES) && !asked) return WF_OK;
+    asked = asked || s->movers > 0 || (s->proxyFlags & WF_PROXY_MOVES);
+    if (!asked) return WF_OK;
     bool meets = wfHas(head, WF_MODULE_CONTACTS);
     if (bytes == 0 && !meets) return WF_OK;
     if (bytes == 0) return wfFindPairs(head->broadPhase, &proxies, &s->scratch, &s->pairs);
