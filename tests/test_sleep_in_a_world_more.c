@@ -4,6 +4,7 @@
 #include "testing.h"
 #include "world.h"
 #include "weft/disable.h"
+#include "weft/save.h"
 #include "weft/weft.h"
 
 static wfWorld crate_asleep(wfBodyId *crate)
@@ -33,6 +34,14 @@ static wfBodyId wall(wfWorld *w, double y, bool sensor)
     return id;
 }
 
+/* A step, behind which the world keeps all its rules. */
+static void go_on(wfWorld *w)
+{
+    wfFault fault;
+    assert_ok(wfStepWorld(w));
+    assert_ok(wfCheckWorld(w, &fault));
+}
+
 static int32_t told(const wfWorld *w, int kind)
 {
     int32_t count;
@@ -58,14 +67,14 @@ static void a_sensor_put_onto_a_sleeper_lets_it_sleep(void **state)
         assert_int_equal(wfBodyIsAwake(&w, crate), !sensor);
         int32_t begun = 0;
         for (int i = 0; sensor && i < 60; i++) {
-            assert_ok(wfStepWorld(&w));
+            go_on(&w);
             assert_false(wfBodyIsAwake(&w, crate));
             begun += told(&w, WF_SENSOR_BEGIN);
             if (i == 0) assert_int_equal(begun, how == 2 ? 2 : 1);
         }
         if (sensor) {
             assert_ok(wfWakeBody(&w, crate));
-            assert_ok(wfStepWorld(&w));
+            go_on(&w);
             assert_int_equal(begun + told(&w, WF_SENSOR_BEGIN), how == 2 ? 2 : 1);
             assert_int_equal(told(&w, WF_SENSOR_END), 0);
         }
@@ -109,7 +118,7 @@ static void what_leaves_a_sleeper_is_told(void **state)
         if (way / WAYS / 2) assert_ok(wfChangeBodyType(&w, sensor, WF_KINEMATIC));
         int32_t begun = 0, ended = 0;
         for (int i = 0; i < 4; i++) {
-            assert_ok(wfStepWorld(&w));
+            go_on(&w);
             begun += told(&w, WF_SENSOR_BEGIN), ended += told(&w, WF_SENSOR_END);
         }
         assert_false(wfBodyIsAwake(&w, crate));
@@ -118,7 +127,7 @@ static void what_leaves_a_sleeper_is_told(void **state)
         assert_int_equal(ended, 0);
         take_apart(&w, way % WAYS, sensor, crate);
         for (int i = 0; i < 2; i++) {
-            assert_ok(wfStepWorld(&w));
+            go_on(&w);
             begun += told(&w, WF_SENSOR_BEGIN), ended += told(&w, WF_SENSOR_END);
         }
         bool floor = inside == 2 && way % WAYS >= SLEEPER_MOVED;        /* which is still inside */
@@ -139,7 +148,7 @@ static void a_still_sensor_goes_on_seeing(void **state)
         add(&w, floor_def());
         assert_ok(wfChangeBodyType(&w, wall(&w, 0.5, true), WF_KINEMATIC));
         for (int i = 0; i < 9; i++) {
-            assert_ok(wfStepWorld(&w));
+            go_on(&w);
             assert_int_equal(told(&w, i == 0 ? WF_SENSOR_BEGIN : WF_SENSOR_STAY), 1);
         }
         wfDestroyWorld(&w);

@@ -320,7 +320,10 @@ static int32_t squeeze(struct wfStep *s, const List *l, const List *with, uint8_
 /* Sorts out one list; *kept and *count are its two parts, before and after. */
 static void sort_out(struct wfStep *s, List l, List with, int32_t *kept, int32_t *count)
 {
-    int32_t a = squeeze(s, &l, &with, l.old, with.old, *kept, true) - 1, more = 0;
+    wfHeader *head = s->b.head;
+    int32_t roused = head->roused, more = 0;
+    int32_t a = squeeze(s, &l, &with, l.old, with.old, *kept, true) - 1;
+    head->roused = 0;           /* what this step's look at sensors found anew is kept again */
     for (int32_t i = 0; i < *count; i++) {
         wfPair p = key_of(&l, l.fresh, i);
         more += keeps(s, p.a, p.b);
@@ -336,6 +339,7 @@ static void sort_out(struct wfStep *s, List l, List with, int32_t *kept, int32_t
         put(&with, with.old, at, later ? with.old : with.fresh, later ? a-- : b--);
     }
     *count = squeeze(s, &l, &with, l.fresh, with.fresh, *count, false);
+    head->roused = roused;
 }
 
 static void sort_lists(struct wfStep *s)
@@ -386,8 +390,8 @@ void wfKeepRest(struct wfStep *s)
         if (s->woken[i]) wfWakeWholeIsland(&s->b, &r, i);
     head->islandCount = 0;
     if (s->islands.count > 0) lie_down(s, &r);
-    head->roused = 0;           /* from here on a sensor's touch of a sleeper is kept */
     if (s->roused || s->tired > 0) sort_lists(s);
+    head->roused = 0;
 }
 
 /* calls about rest */
