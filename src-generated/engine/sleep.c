@@ -323,7 +323,7 @@ static void sort_out(struct wfStep *s, List l, List with, int32_t *kept, int32_t
     wfHeader *head = s->b.head;
     int32_t roused = head->roused, more = 0;
     int32_t a = squeeze(s, &l, &with, l.old, with.old, *kept, true) - 1;
-    head->roused = 0;           /* what this step's look at sensors found anew is kept again */
+    head->roused = 0;           /* what sensors found anew in this step is kept again */
     for (int32_t i = 0; i < *count; i++) {
         wfPair p = key_of(&l, l.fresh, i);
         more += keeps(s, p.a, p.b);
