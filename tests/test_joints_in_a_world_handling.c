@@ -112,6 +112,30 @@ static void mass_data_can_be_set_by_hand(void **unused)
     wfDestroyWorld(&w);
 }
 
+/* However far its centre of mass is put, and wherever it is: the origin of a body can be told, before and after a step; farther is refused. */
+static void an_origin_is_never_lost(void **unused)
+{
+    (void)unused;
+    const wfReal most = WF_HUGE * WF_EPSILON / 8, places[] = { 0, 1, WF_HUGE / 2, -WF_HUGE, WF_HUGE };
+    for (int k = 0; k < 5 * 4 * 4; k++) {
+        wfWorld w = make(wfV2(0, 0));
+        wfBodyDef def = wfDefaultBodyDef();
+        def.position = wfV2(places[k % 5], k / 5 % 4 == 3 ? -places[k % 5] : places[k / 5 % 4]);
+        def.angle = (wfReal)(k / 20) * WF_R(0.7);
+        wfBodyId id = add(&w, def);
+        wfMassData data = { .mass = 2, .centre = wfV2(k & 1 ? most : -most, k & 2 ? most : -most) };
+        assert_ok(wfSetBodyMassData(&w, id, &data));
+        for (int i = 0; i < 3; i++) {
+            assert_true(wfIsFinite2(info(&w, id).position) && wfIsFinite2(info(&w, id).centre));
+            assert_ok(wfStepWorld(&w));
+        }
+        data.centre.y *= WF_R(1.01);
+        assert_result(WF_ERROR_RANGE, wfSetBodyMassData(&w, id, &data));
+        assert_string_equal(wfLastFault(&w)->field, "data->centre.y");
+        wfDestroyWorld(&w);
+    }
+}
+
 /* A kinematic body is where it was told to be after the step, whichever its turn: within the roundings of four substeps. */
 static void a_kinematic_body_reaches_its_target(void **unused)
 {
@@ -225,7 +249,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_body_gets_its_mass_from_shapes_added_later), cmocka_unit_test(gravity_can_be_scaled),
-        cmocka_unit_test(rotation_can_be_fixed_and_set_free), cmocka_unit_test(mass_data_can_be_set_by_hand),
+        cmocka_unit_test(rotation_can_be_fixed_and_set_free), cmocka_unit_test(mass_data_can_be_set_by_hand), cmocka_unit_test(an_origin_is_never_lost),
         cmocka_unit_test(a_kinematic_body_reaches_its_target), cmocka_unit_test(contacts_and_joints_of_a_body),
         cmocka_unit_test(a_joint_tells_its_coordinate_and_speed),
     };
