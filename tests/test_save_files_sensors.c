@@ -140,6 +140,33 @@ static void what_leaves_a_sleeper_is_told(void **state)
     }
 }
 
+/* What happens elsewhere makes the step look at sensors again: who was inside is inside, is told once, and is kept once. */
+static void what_happens_elsewhere_changes_nothing(void **state)
+{
+    (void)state;
+    int methods = wfBroadPhaseCount > wfSolverCount ? wfBroadPhaseCount : wfSolverCount;
+    for (int method = 0; method < methods; method++) {
+        wfBodyId crate;
+        wfWorld w = crate_asleep(method, &crate);
+        wall(&w, 1, true);
+        go_on(&w);
+        assert_int_equal(told(&w, WF_SENSOR_BEGIN), 1);
+        for (int i = 0; i < 12; i++) {
+            wfBodyId far = add(&w, ball_def(100, i, 0.5));
+            go_on(&w);
+            assert_int_equal(told(&w, WF_SENSOR_STAY), 1);
+            if (i % 3 == 0) assert_ok(wfSetBodyTransform(&w, far, wfV2(-100, 0), 0));
+            if (i % 3 == 1) go_on(&w);
+            assert_ok(wfRemoveBodyFromWorld(&w, far));
+            go_on(&w);
+            assert_int_equal(told(&w, WF_SENSOR_STAY), 1);
+            assert_int_equal(told(&w, WF_SENSOR_BEGIN) + told(&w, WF_SENSOR_END), 0);
+            assert_false(wfBodyIsAwake(&w, crate));
+        }
+        wfDestroyWorld(&w);
+    }
+}
+
 /* A kinematic sensor that stands still in a wall, where nothing else moves: it sees the wall in every step. */
 static void a_still_sensor_goes_on_seeing(void **state)
 {
@@ -163,6 +190,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(a_sensor_put_onto_a_sleeper_lets_it_sleep),
                                         cmocka_unit_test(what_leaves_a_sleeper_is_told),
+                                        cmocka_unit_test(what_happens_elsewhere_changes_nothing),
                                         cmocka_unit_test(a_still_sensor_goes_on_seeing) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
