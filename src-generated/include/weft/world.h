@@ -272,8 +272,8 @@ wfResult wfSetBodyUserData(wfWorld *world, wfBodyId id, uint64_t data);
 wfResult wfSetShapeUserData(wfWorld *world, wfShapeId id, uint64_t data);
 /* Mass > 0, centre (in the frame of its origin, each coordinate at most WF_HUGE WF_EPSILON
  * / 8) and inertia (about the centre, 0: nothing turns it) of a dynamic body, by hand; the
- * area is not looked at. The mass is a given one; when its shapes change, centre and inertia
- * follow from these again. Errors of wfSetMass and wfAddShapesToBody. */
+ * area is not looked at. The mass is a given one; when its shapes change, centre and
+ * inertia follow from these again. Errors of wfSetMass and wfAddShapesToBody. */
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
 /* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
 wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
