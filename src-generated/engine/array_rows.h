@@ -113,7 +113,7 @@ WF_FRESH(SPARED, "spared pairs", WF_PER_SHAPE, wfPair, WF_MODULE_FAST, "impacts"
 WF_FRESH(NEIGHBOURS, "shapes near a flight", WF_PER_SHAPE, int32_t, WF_MODULE_FAST,
          "impacts")
 WF_FRESH(FRESH, "fresh flights", WF_PER_BODY, int32_t, WF_MODULE_FAST, "impacts")
-WF_FRESH(LINKED, "bodies that joints hold", WF_PER_BODY, uint8_t, WF_MODULE_FAST, "bounds")
+WF_FRESH(LINKED, "bodies that others hold", WF_PER_BODY, uint8_t, WF_MODULE_FAST, "bounds")
 WF_FRESH(WOKEN, "woken", WF_PER_BODY, uint8_t, WF_MODULE_SLEEP, "copy")
 WF_FRESH(NEW_CLOCKS, "new clocks of rest", WF_PER_BODY, wfReal, WF_MODULE_SLEEP, "islands")
 WF_FRESH(NEW_ISLANDS, "new islands", WF_BYTES_OF_ISLANDS, uint8_t,

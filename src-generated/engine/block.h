@@ -61,7 +61,7 @@ typedef struct wfHeader {
     int32_t unsolved;          /* substeps of the last step not solved so */
     uint64_t machines;         /* of which joints the regions "alone" tell, or 0 */
     int32_t fastCount, impactCount, heldCount;  /* of the last step */
-    int32_t crowd;             /* 1: its fast bodies were too many, and struck too often */
+    int32_t crowd;             /* 1: those followed were too many, and struck too often */
     int32_t sleepingCount;     /* how many bodies sleep */
     int32_t roused;            /* 1: since the last step somebody may have woken */
     int32_t islandCount;       /* of the last step: islands that were awake, at its end */

@@ -5,6 +5,7 @@
 
 enum { FLIGHT_TURNS = 1000 };   /* of a sweep; who makes more is swept by so many */
 enum { FLIGHT_PASSES = 64 };    /* over what was struck before, after each impact */
+#define FLIGHT_LEFT WF_R(0.25)  /* of the least way: so much is left to the next step */
 enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the other */
 #define FLIGHT_WINDOW 16384     /* of reaches: looked at at once, eq:fast-window */
 #define FLIGHT_WINDOWS 256      /* and no smaller share of the step than one of so many */
@@ -136,6 +137,13 @@ static void slow_part(void *context, int32_t part, int32_t begin, int32_t end)
         if (!is_slow(slow->s, k, &slow->slack[part])) slow->all[part] = false;
 }
 
+/* Was the shape looked ahead for as far as it went? */
+static bool has_margin(const struct wfStep *s, int32_t k, wfReal way)
+{
+    wfReal foreseen = s->paces[k].way;
+    return way <= foreseen + s->b.materials[k].inner && !wfIsFollowed(s, k, foreseen);
+}
+
 static void find_flights(struct wfStep *s)
 {
     bool all = true;
@@ -150,8 +158,7 @@ static void find_flights(struct wfStep *s)
         if (is_slow(s, k, &s->slack)) continue;
         wfSweep w = sweep_of(s, i);
         wfReal way = way_of(s, k, w);
-        bool farther = s->linked != NULL && way > s->paces[k].way + s->b.materials[k].inner;
-        if (farther) s->linked[i] = 0;
+        if (s->linked != NULL && !has_margin(s, k, way)) s->linked[i] = 0;
         if (wfIsFollowed(s, k, way)) {
             if (s->flightCount == 0) start_flights(s);
             flight_of(s, i)->fast = true;
@@ -464,6 +471,50 @@ typedef struct Ahead {
     wfStop  stop;
 } Ahead;
 
+static bool comes_after(wfPair a, wfPair b)
+{
+    return a.a != b.a ? a.a > b.a : a.b > b.b;
+}
+
+/* Is a pair among those of the step, which are in the order of their shapes? */
+static bool is_pair(const struct wfStep *s, wfPair p)
+{
+    int32_t low = 0, high = s->pairs.count;
+    while (low < high) {
+        int32_t middle = low + (high - low) / 2;
+        if (comes_after(p, s->pairs.pairs[middle])) low = middle + 1;
+        else high = middle;
+    }
+    return low < s->pairs.count && !comes_after(s->pairs.pairs[low], p);
+}
+
+static wfReal start_of(const struct wfStep *s, int32_t i)
+{
+    return s->flightOf[i] >= 0 ? s->flights[s->flightOf[i]].since : 0;
+}
+
+static wfReal least_way(const struct wfStep *s, int32_t k)
+{
+    const wfShapeProps *m = &s->b.materials[k];
+    return wfMaxR(m->inner, WF_NEAR_WAY * m->reach);
+}
+
+/* Has the solver seen to a pair of movable bodies? */
+static bool is_solved(const struct wfStep *s, int32_t k, int32_t other)
+{
+    int32_t i = s->b.bodyOfShape[k], j = s->b.bodyOfShape[other];
+    if (!wfSolverIntegrates(s) || !can_change(s, i) || !can_change(s, j)) return false;
+    wfPair p = { k < other ? k : other, k < other ? other : k };
+    wfReal t = wfMaxR(start_of(s, i), start_of(s, j));
+    wfSweep a = leg_from(s, i, t), b = leg_from(s, j, t);
+    wfReal way = wfDistance(wfSub(a.to, a.from), wfSub(b.to, b.from))
+               + wfAbs(a.angleTo - a.angleFrom) * arm_of(s, k)
+               + wfAbs(b.angleTo - b.angleFrom) * arm_of(s, other);
+    wfReal least = wfMinR(least_way(s, k), least_way(s, other));
+    if (t > 0) least *= FLIGHT_LEFT;
+    return way <= least && is_pair(s, p) && wfKeptMargin(s, p);
+}
+
 /* A box round shape k on all of its leg, as though its centre stayed where the leg begins:
  * eq:fast-clear. */
 static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
@@ -480,11 +531,11 @@ static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
 
 static wfReal sum_of_sides(wfVec2 v) { return wfAbs(v.x) + wfAbs(v.y); }
 
-/* Do two shapes keep clear of each other on their legs? False: not known. */
-static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, int32_t other,
-                       wfSweep leg)
+/* Do two shapes, the first in box `a`, keep clear on their legs? False: not known. */
+static bool keep_clear(const struct wfStep *s, int32_t k, wfSweep own, wfRect a,
+                       int32_t other, wfSweep leg)
 {
-    wfRect a = box_on_leg(s, k, own), b = box_on_leg(s, other, leg);
+    wfRect b = box_on_leg(s, other, leg);
     wfVec2 way = wfSub(wfSub(leg.to, leg.from), wfSub(own.to, own.from));
     wfReal size = wfMinR(s->b.materials[k].reach, s->b.materials[other].reach);
     wfReal far = sum_of_sides(own.from) + sum_of_sides(leg.from) + sum_of_sides(own.to)
@@ -499,17 +550,21 @@ static wfResult look_ahead(struct wfStep *s, const wfSweptBody *f, const Near *n
                            int32_t k,
                            const wfReal span[2], Ahead *out)
 {
+    const wfSweep whole = leg_between(s, f->body, span[0], span[1]);
+    const wfRect box = box_on_leg(s, k, whole);
     *out = (Ahead){ .other = -1, .at = 2 };
     for (int32_t n = 0; n < near->count; n++) {
         int32_t j = near->list[n];
-        if (!may_meet(s, k, j)) continue;
+        if (is_solved(s, k, j) || !may_meet(s, k, j)) continue;
         Ahead one = { .other = j };
         wfReal from = is_deferred(s, k, j) ? comes_over(s, k, j, span) : span[0];
         if (from >= span[1]) continue;
-        wfSweep own = leg_between(s, f->body, from, span[1]);
+        bool late = from > span[0];
+        wfSweep own = late ? leg_between(s, f->body, from, span[1]) : whole;
+        wfRect in = late ? box_on_leg(s, k, own) : box;
         wfObstacle other = { .shape = &s->b.shapes[j] };
         other.sweep = leg_between(s, s->b.bodyOfShape[j], from, span[1]);
-        if (keep_clear(s, k, own, j, other.sweep)) continue;
+        if (keep_clear(s, k, own, in, j, other.sweep)) continue;
         wfResult result = wfStopAtOne(&s->b.shapes[k], own, &other, graze_share(s, k),
                                       &one.stop);
         if (result == WF_OK && (one.stop.stuck || one.stop.inner))
@@ -658,11 +713,6 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
             bend_leg(flight_of(s, who[i]), wfSub(rate[i].v, kept[i].v),
                      rate[i].w - kept[i].w, time);
     return result;
-}
-
-static bool comes_after(wfPair a, wfPair b)
-{
-    return a.a != b.a ? a.a > b.a : a.b > b.b;
 }
 
 static wfResult note_strike(struct wfStep *s, wfImpactEvent now)

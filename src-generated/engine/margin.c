@@ -37,24 +37,40 @@ wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k, bool *followed)
         wfReal reach = s->b.materials[k].reach;
         way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * reach) : s->b.head->slop * reach;
         *followed = true;
-        if (s->linked != NULL) s->linked[i] = 0;
     }
     return way;
 }
 
-wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
+static wfReal way_of_pair(const struct wfStep *s, const wfBodyState *state, wfPair p)
 {
     int32_t a = s->b.bodyOfShape[p.a], b = s->b.bodyOfShape[p.b];
-    wfVec2 va = s->state[a].v, vb = s->state[b].v;
+    wfVec2 va = state[a].v, vb = state[b].v;
     wfVec2 toA = s->paces[p.a].toBe, toB = s->paces[p.b].toBe;
     wfReal free = wfLengthSq(wfSub(toB, toA));
     wfReal held = wfMaxR(wfLengthSq(wfSub(toB, va)), wfLengthSq(wfSub(vb, toA)));
     wfReal u = wfSqrt(wfMaxR(free, held));
     wfReal rims = s->paces[p.a].rim + s->paces[p.b].rim;
-    wfReal way = s->b.head->timeStep * (u + rims);              /* eq:world-way */
+    return s->b.head->timeStep * (u + rims);                    /* eq:world-way */
+}
+
+/* find how far a pair goes */
+static bool one_is_followed(const struct wfStep *s, wfPair p, wfReal way)
+{
+    return wfIsFollowed(s, p.a, wfMinR(way, s->paces[p.a].way))
+        || wfIsFollowed(s, p.b, wfMinR(way, s->paces[p.b].way));
+}
+
+/* The same, asked behind the solver: the old velocities are in the block still. */
+bool wfKeptMargin(const struct wfStep *s, wfPair p)
+{
+    return !one_is_followed(s, p, way_of_pair(s, s->b.state, p));
+}
+
+wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
+{
+    wfReal way = way_of_pair(s, s->state, p);
     /* how far this pair is looked ahead */
-    wfReal ownA = wfMinR(way, s->paces[p.a].way), ownB = wfMinR(way, s->paces[p.b].way);
-    if (wfIsFollowed(s, p.a, ownA) || wfIsFollowed(s, p.b, ownB)) {
+    if (one_is_followed(s, p, way)) {
         wfReal reachA = s->b.materials[p.a].reach, reachB = s->b.materials[p.b].reach;
         way = wfIsCrowd(&s->b) ? wfMinR(way, 2 * (reachA + reachB))
                                 : s->b.head->slop * wfMinR(reachA, reachB);

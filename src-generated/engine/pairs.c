@@ -76,10 +76,7 @@ wfResult wfBoundShapes(struct wfStep *s)
     wfFindLinked(s);
     int32_t parts = wfInParts(&s->workers, s->count, WF_STEP_PART, place_bodies, &b);
     for (int32_t part = 0; part < parts; part++) s->movers += b.movers[part];
-    const wfWorkers *shared = &s->workers;
-    /* see whether shapes are bounded in one go */
-    if (s->linked != NULL) shared = NULL;       /* a shape tells the next one of its body */
-    parts = wfInParts(shared, s->shapeCount, WF_STEP_PART, bound_part, &b);
+    parts = wfInParts(&s->workers, s->shapeCount, WF_STEP_PART, bound_part, &b);
     for (int32_t part = parts - 1; part >= 0; part--) {
         /* note whether a shape of the part is followed */
         s->followed = s->followed || b.followed[part];

@@ -319,7 +319,7 @@ static wfResult commit(struct wfStep *s)
     head->fastCount = s->fastCount;
     head->impactCount = s->impactCount;
     head->heldCount = s->heldCount;
-    head->crowd = s->fastCount > WF_CROWD && (head->crowd || s->impactCount >= WF_STEP_ROOM);
+    head->crowd = s->flightCount > WF_CROWD && (head->crowd || s->impactCount >= WF_STEP_ROOM);
     if (s->followed || s->fastCount > 0) wfUse(&s->b, WF_MODULE_FAST);
     if (head->mostPairs < s->strikeCount) head->mostPairs = s->strikeCount;
     return WF_OK;

@@ -59,7 +59,7 @@ struct wfStep {
     wfConstraints    jointLaws;
     int32_t         *jointPlaces; /* from which place each of them was copied */
     uint64_t         machines;    /* a fingerprint of who is joined to whom */
-    uint8_t         *linked;      /* 1: a joint holds the body, and its margins stay; or NULL */
+    uint8_t         *linked;      /* up to so many reaches a step its margins stay; or NULL */
     wfSweptBody     *flights;
     int32_t         *flightOf;    /* of each body, or -1; valid when there are flights */
     int32_t          flightCount, fastCount, impactCount, heldCount;
@@ -124,17 +124,19 @@ wfResult wfTellEvents(struct wfStep *s);
 void wfNoteStep(const struct wfStep *s, wfResult result);
 #define WF_NEAR_WAY WF_R(0.5)       /* reaches in a step: no body is followed below */
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
+#define WF_PRESSED_WAY 1    /* and so are those that other movable bodies press */
 /* Does a shape with such a way (m) in a step go farther than its inner radius, and is it
  * therefore followed? eq:impact-fast */
 static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal way)
 {
     const wfShapeProps *m = &s->b.materials[k];
     wfReal least = (wfSolverIntegrates(s) ? WF_NEAR_WAY : s->b.head->slop) * m->reach;
-    bool linked = s->linked != NULL && s->linked[s->b.bodyOfShape[k]];
-    if (linked && way <= WF_LINKED_WAY * m->reach) return false;
+    int linked = s->linked != NULL ? s->linked[s->b.bodyOfShape[k]] : 0;
+    if (way <= (wfReal)linked * m->reach) return false;
     return s->b.head->maxImpacts > 0 && way > wfMaxR(m->inner, least);
 }
-void wfFindLinked(struct wfStep *s);    /* which bodies have a joint that holds */
+void wfFindLinked(struct wfStep *s);    /* which bodies have a joint or a contact that holds */
+bool wfKeptMargin(const struct wfStep *s, wfPair p);    /* has it points that far ahead? */
 /* Tiles. */
 void wfFindTiles(struct wfStep *s);
 void wfMendTile(const struct wfStep *s, wfPair p, wfReal margin, wfManifold *m);
