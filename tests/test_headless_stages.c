@@ -19,10 +19,17 @@ static bool is_in(wfArrays set, int array)
     return array < WF_REGION_KEPT ? set.kept >> array & 1 : set.fresh >> (array - WF_REGION_KEPT) & 1;
 }
 
-/* All rows of a stage on a page, taken together. Whoever writes may have to look at the header first, and scratch is everybody's. */
+/* Is this array scratch to a stage? The last one is to all; those that are filled after a solver that moves the bodies are to it. */
+static bool is_scratch(int stage, int page, int a)
+{
+    bool solves = page == 0 && strcmp(wfStageTable[stage].name, "velocities") == 0;
+    return a == WF_REGION_SCRATCH || (solves && a >= WF_REGION_LATE);
+}
+
+/* All rows of a stage on a page, taken together. Whoever writes may have to look at the header first. */
 static void declared(int stage, int page, bool reads[WF_REGION_COUNT], bool writes[WF_REGION_COUNT])
 {
-    for (int a = 0; a < WF_REGION_COUNT; a++) reads[a] = a == WF_REGION_HEADER, writes[a] = a == WF_REGION_SCRATCH;
+    for (int a = 0; a < WF_REGION_COUNT; a++) reads[a] = a == WF_REGION_HEADER, writes[a] = is_scratch(stage, page, a);
     for (int i = 0; i < wfFlowCount; i++) {
         const wfFlowRow *row = &wfFlowTable[i];
         if (strcmp(row->stage, wfStageTable[stage].name) != 0 || !(row->pages & 1 << page)) continue;
@@ -109,7 +116,7 @@ static void run_on_garbage(struct wfStep *step, const struct wfStep *start, int 
     for (int a = 0; a < WF_REGION_COUNT; a++) {
         const uint8_t *got = array_in(&now, a), *want = array_in(&after, a), *was = array_in(&before, a);
         bool kept = !differs(&after, &before, a);
-        if (a == WF_REGION_SCRATCH || length[a] == 0 || (reads[a] && !differs(&now, &after, a))) continue;
+        if (is_scratch(i, page, a) || length[a] == 0 || (reads[a] && !differs(&now, &after, a))) continue;
         if (!reads[a] && kept && got[0] == GARBAGE && memcmp(got, got + 1, length[a] - 1) == 0) continue;   /* all of it */
         for (size_t k = 0; k < length[a]; k++) {
             bool same = got[k] == want[k], left = !reads[a] && got[k] == GARBAGE && want[k] == was[k];

@@ -107,7 +107,7 @@ static void capacities_that_followed_follow_again(void **unused)
     now.bodyCapacity = 1000;
     assert_ok(wfGrowWorld(&w, &now));
     assert_ok(wfGetWorldDef(&w, &now));
-    assert_true(now.shapeCapacity == 1000 && now.advanced.pairCapacity == 16000 && now.advanced.contactCapacity == 16000);
+    assert_true(now.shapeCapacity == 1000 && now.advanced.pairCapacity == 16000 && now.advanced.contactCapacity == 4256);
     now.advanced.contactCapacity = 7000;                    /* by hand: it stays */
     assert_ok(wfGrowWorld(&w, &now));
     now.shapeCapacity = 2000;
@@ -118,6 +118,13 @@ static void capacities_that_followed_follow_again(void **unused)
     assert_ok(wfGrowWorld(&w, &now));
     assert_ok(wfGetWorldDef(&w, &now));
     assert_true(now.shapeCapacity == 2000 && now.advanced.pairCapacity == 32000);
+    now.advanced.pairCapacity = now.advanced.contactCapacity = 40000;       /* as if pairs were given, and contacts open */
+    assert_ok(wfGrowWorld(&w, &now));
+    now.shapeCapacity = 2100;
+    now.advanced.pairCapacity = 50000;
+    assert_ok(wfGrowWorld(&w, &now));
+    assert_ok(wfGetWorldDef(&w, &now));
+    assert_true(now.advanced.pairCapacity == 50000 && now.advanced.contactCapacity == 50000);
     wfDestroyWorld(&w);
 }
 
@@ -132,8 +139,8 @@ static void it_begins_small(void **unused)
     assert_ok(wfWorldSize(&def, &size[0], &size[1]));
     assert_ok(wfWorldSize(&more, &other[0], &other[1]));
     size_t real = sizeof(wfReal) / sizeof(float);           /* the book's numbers are of floats */
-    assert_true(size[0] + size[1] < real * 1250000);
-    assert_true((other[0] + other[1] - size[0] - size[1]) / 256 < real * 3950);
+    assert_true(size[0] + size[1] < real * 1100000);
+    assert_true((other[0] + other[1] - size[0] - size[1]) / 256 < real * 3500);
 }
 
 int main(void)

@@ -75,6 +75,7 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
     q->limb[body] = at;
     put_limb(&q->t->limb[at], contact, body, below);
     q->t->limb[at].over = at;
+    q->t->limb[at].trunk = &q->t->trunk[body];
     q->t->limb[at].root = below < 0 ? at : q->t->limb[below].root;
     q->t->limb[at].upside = ends_of(q->s, contact).a == body;
     return true;
@@ -220,13 +221,14 @@ wfResult wfFindStacks(const wfSubsteps *s, wfStacks *t)
     t->linked = t->alone = false;
     t->room = 2 * in->bodyCount;
     t->limb = wfPoolPushArray(in->scratch, t->room, wfLimb);
+    t->trunk = wfPoolPushArray(in->scratch, in->bodyCount, wfTrunk);
     t->answer = wfPoolPushArray(in->scratch, MOST_ANSWERS * in->bodyCount, wfReal);
     t->held = wfPoolPushArray(in->scratch, in->contactCount, uint8_t);
     q.first = wfPoolPushArray(in->scratch, in->bodyCount, int32_t);
     q.next = wfPoolPushArray(in->scratch, 2 * in->contactCount, int32_t);
     q.limb = wfPoolPushArray(in->scratch, in->bodyCount, int32_t);
-    if (t->limb == NULL || t->answer == NULL || t->held == NULL || q.first == NULL ||
-        q.next == NULL || q.limb == NULL)
+    if (t->limb == NULL || t->trunk == NULL || t->answer == NULL || t->held == NULL ||
+        q.first == NULL || q.next == NULL || q.limb == NULL)
         return WF_ERROR_MEMORY;
     list_touches(&q);
     for (int32_t i = 0; in->stackSolver != 0 && i < in->contactCount; i++) try_root(&q, i);
@@ -235,9 +237,10 @@ wfResult wfFindStacks(const wfSubsteps *s, wfStacks *t)
 
 size_t wfStackScratch(int32_t bodies, int32_t contacts)
 {
-    size_t body = 2 * sizeof(wfLimb) + MOST_ANSWERS * sizeof(wfReal) + 2 * sizeof(int32_t);
+    size_t body = 2 * sizeof(wfLimb) + sizeof(wfTrunk) + MOST_ANSWERS * sizeof(wfReal)
+                + 2 * sizeof(int32_t);
     size_t contact = 2 * sizeof(int32_t) + 1;
-    return body * (size_t)bodies + contact * (size_t)contacts + 6 * WF_POOL_ALIGN;
+    return body * (size_t)bodies + contact * (size_t)contacts + 7 * WF_POOL_ALIGN;
 }
 
 /* solve one limb */
@@ -503,18 +506,23 @@ static void close_limb(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
     wfGivePair(s->in, c, &m);
 }
 
+static WF_ONE_COPY wfWave *wave_of(wfLimb *l, bool extra)
+{
+    return l == NULL ? NULL : extra ? &l->trunk->extra : &l->wave;
+}
+
 static void run_wave(wfStacks *t, const wfLimb *root, int32_t gamma, bool extra)
 {
     int32_t from = root->root;
     for (int32_t i = root->end - 1; i >= from; i--) {
-        wfLimb *l = &t->limb[i], *below = below_of(t, l);
-        wfWave *under = below == NULL ? NULL : extra ? &below->extra : &below->wave;
-        carry_down(l, &l->fold[gamma], extra ? &l->extra : &l->wave, under);
+        wfLimb *l = &t->limb[i];
+        carry_down(l, &l->trunk->fold[gamma], wave_of(l, extra),
+                   wave_of(below_of(t, l), extra));
     }
     for (int32_t i = from; i < root->end; i++) {
-        wfLimb *l = &t->limb[i], *below = below_of(t, l);
-        const wfWave *under = below == NULL ? NULL : extra ? &below->extra : &below->wave;
-        carry_up(l, &l->fold[gamma], extra ? &l->extra : &l->wave, under);
+        wfLimb *l = &t->limb[i];
+        carry_up(l, &l->trunk->fold[gamma], wave_of(l, extra),
+                 wave_of(below_of(t, l), extra));
     }
 }
 
@@ -525,25 +533,23 @@ typedef struct LinkRow { int32_t limb, row; } LinkRow;
 /* The rate of a link's row, by what its limbs gain. */
 static wfReal link_rate(const wfStacks *t, const wfLimb *l, int32_t row, bool extra)
 {
-    const wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
-    wfReal rate = dot3(l->up[row], extra ? over->extra.gain : over->wave.gain);
-    if (below == NULL) return rate;
-    return rate - dot3(l->down[row], extra ? below->extra.gain : below->wave.gain);
+    const wfWave *over = wave_of(&t->limb[l->over], extra);
+    const wfWave *below = wave_of(below_of(t, l), extra);
+    wfReal rate = dot3(l->up[row], over->gain);
+    return below == NULL ? rate : rate - dot3(l->down[row], below->gain);
 }
 
 static void load_link(wfStacks *t, const wfLimb *l, int32_t row, wfReal push)
 {
-    wfLimb *over = &t->limb[l->over], *below = below_of(t, l);
-    for (int32_t k = 0; k < 3; k++) {
-        over->extra.load[k] += push * l->up[row][k];
-        if (below != NULL) below->extra.load[k] -= push * l->down[row][k];
-    }
+    wfWave *below = wave_of(below_of(t, l), true);
+    add3(wave_of(&t->limb[l->over], true)->load, push, l->up[row]);
+    if (below != NULL) add3(below->load, -push, l->down[row]);
 }
 
 static void clear_extra(wfStacks *t, const wfLimb *root)
 {
     for (int32_t i = root->root; i < root->end; i++)
-        memset(&t->limb[i].extra, 0, sizeof t->limb[i].extra);
+        memset(&t->limb[i].trunk->extra, 0, sizeof t->limb[i].trunk->extra);
 }
 #define ANSWER(row, column) (ANSWERS(row) + (column))
 
@@ -615,7 +621,8 @@ static void solve_links(wfStacks *t, const wfLimb *root, int32_t gamma)
     run_wave(t, root, gamma, true);
     for (int32_t i = root->root; i < root->end; i++) {
         wfLimb *l = &t->limb[i];
-        add3(l->wave.push, 1, l->extra.push), add3(l->wave.gain, 1, l->extra.gain);
+        add3(l->wave.push, 1, l->trunk->extra.push);
+        add3(l->wave.gain, 1, l->trunk->extra.gain);
     }
 }
 
@@ -641,11 +648,12 @@ static bool make_matrices(const wfSubsteps *s, wfStacks *t, wfLimb *root, int32_
 {
     for (int32_t i = root->root; i < root->links; i++) make_rows(s, &t->limb[i]);
     for (int32_t i = root->root; i < root->end; i++)
-        begin_mass(s, &t->limb[i], &t->limb[i].fold[gamma]);
+        begin_mass(s, &t->limb[i], &t->limb[i].trunk->fold[gamma]);
     for (int32_t i = root->end - 1; i >= root->root; i--) {
         wfLimb *l = &t->limb[i], *below = below_of(t, l);
-        wfFold *under = below == NULL ? NULL : &below->fold[gamma];
-        if (!fold(l, &l->fold[gamma], under, gamma * WF_STACK_COMPLIANCE)) return false;
+        wfFold *under = below == NULL ? NULL : &below->trunk->fold[gamma];
+        wfFold *own = &l->trunk->fold[gamma];
+        if (!fold(l, own, under, gamma * WF_STACK_COMPLIANCE)) return false;
     }
     root->made[gamma] = root->links == root->end || ask_links(t, root, gamma);
     return root->made[gamma];

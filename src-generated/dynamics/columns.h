@@ -16,6 +16,12 @@ typedef struct wfFold {
     wfReal hold[3][3];           /* inverse of S */
 } wfFold;
 
+/* What a limb has, and a link has not. */
+typedef struct wfTrunk {
+    wfFold fold[2];              /* for Gamma of the rigid sweep and of the soft one */
+    wfWave extra;                /* of a push at a link */
+} wfTrunk;
+
 /* A body that stands on one contact, and on it whatever stands there: a limb of a tree. Or
  * a link: a contact that closes a loop, between two limbs or a limb and the ground. */
 typedef struct wfLimb {
@@ -34,14 +40,15 @@ typedef struct wfLimb {
     int32_t answers;             /* of a root: where its part of answer[] begins */
     wfReal  up[3][3], down[3][3];           /* J and G */
     wfReal  ease[3];             /* 1/kg: K of the rows, which Gamma is a share of */
-    wfFold  fold[2];             /* for Gamma of the rigid sweep and of the soft one */
-    wfWave  wave, extra;         /* of the tree alone; of a push at a link */
+    wfWave  wave;                /* of the tree alone */
+    wfTrunk *trunk;              /* a limb's */
     wfReal  at[2];               /* N s: sums that are on their way, sec:soft-careful */
 } wfLimb;
 
 typedef struct wfStacks {
     wfLimb  *limb;               /* each after the one that it stands on */
     int32_t  count, room;
+    wfTrunk *trunk;              /* of each body, for its limb */
     wfReal  *answer;             /* what pushes at links do to links, sec:soft-again */
     int32_t  answers;
     uint8_t *held;               /* by place in c: is it solved here? */

@@ -743,7 +743,7 @@ static int32_t list_ties(void *context, const wfSolve *in, wfTie *ties)
     return count;
 }
 
-static wfTieRow tie_row(const wfLine *l, int32_t at)
+static WF_ONE_COPY wfTieRow tie_row(const wfLine *l, int32_t at)
 {
     return (wfTieRow){ .jA = { (double)l->jA.x, (double)l->jA.y, (double)l->wA },
         .jB = { (double)l->jB.x, (double)l->jB.y, (double)l->wB }, .index = at,

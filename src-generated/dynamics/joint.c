@@ -43,14 +43,14 @@ static void stops(const wfJointRow *row, wfReal coordinate, wfReal lower, wfReal
     rows[1].error = upper - coordinate;
 }
 
-static void spring(wfJointRow *row, wfReal k, wfReal c, wfReal most)
+static WF_ONE_COPY void spring(wfJointRow *row, wfReal k, wfReal c, wfReal most)
 {
     row->law = WF_ROW_SPRING;
     row->stiffness = k, row->damping = c;
     row->most = most, row->least = -most;
 }
 
-static void drive(wfJointRow *row, wfReal speed, wfReal most)
+static WF_ONE_COPY void drive(wfJointRow *row, wfReal speed, wfReal most)
 {
     row->law = WF_ROW_DRIVE;
     row->speed = speed;

@@ -138,11 +138,11 @@ static wfResult step_group(const Apart *p, const wfSolve *all, int32_t substeps,
 
 wfResult wfStepApart(struct wfStep *s, const wfSolve *solve)
 {
-    size_t mark = wfPoolMark(&s->scratch);
+    size_t mark = wfPoolMark(solve->scratch);
     Apart p = { .s = s, .told = solve->told,
-                .want = wfPoolPushArray(&s->scratch, s->count, int32_t),
-                .to = wfPoolPushArray(&s->scratch, s->contactCount, int32_t),
-                .here = wfPoolPushArray(&s->scratch, s->count, uint8_t) };
+                .want = wfPoolPushArray(solve->scratch, s->count, int32_t),
+                .to = wfPoolPushArray(solve->scratch, s->contactCount, int32_t),
+                .here = wfPoolPushArray(solve->scratch, s->count, uint8_t) };
     if (p.want == NULL || p.to == NULL || p.here == NULL) return WF_ERROR_MEMORY;
     wfResult result = WF_OK;
     int32_t first = 0;
@@ -150,7 +150,7 @@ wfResult wfStepApart(struct wfStep *s, const wfSolve *solve)
     for (int32_t n = next_group(&p, 0); n > 0 && result == WF_OK; n = next_group(&p, n))
         result = step_group(&p, solve, n, &first);
     sort_back(&p);
-    wfPoolRewind(&s->scratch, mark);
+    wfPoolRewind(solve->scratch, mark);
     return result;
 }
 

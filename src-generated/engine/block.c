@@ -27,7 +27,8 @@ static bool is_wanted(const wfWorldDef *d, int row, int chosen)
     return true;
 }
 
-static size_t stage_scratch(const wfWorldDef *d)
+/* late: of the arrays before it, whose room a solver that steps has as well */
+static size_t stage_scratch(const wfWorldDef *d, size_t late)
 {
     size_t most = 0;
     for (int i = 0; i < wfIntegratorCount; i++)
@@ -46,12 +47,14 @@ static size_t stage_scratch(const wfWorldDef *d)
     for (int i = 0; mends && i < wfSolverCount; i++) {
         bool large = i != d->solver && i == wfFindSolver(WF_SOLVER_LARGE);
         int32_t contacts = d->advanced.contactCapacity;
-        if (!large && is_wanted(d, i, d->solver))
-            most = larger(most, wfSolverTable[i].scratch(d->bodyCapacity, contacts));
+        if (large || !is_wanted(d, i, d->solver)) continue;
+        size_t need = wfSolverTable[i].scratch(d->bodyCapacity, contacts);
+        size_t lent = wfSolverTable[i].step != NULL ? late : 0;
+        most = larger(most + lent, need) - lent;
     }
     if (mends || boxed) most = larger(most, sizeof(wfBodyState) * bodies + WF_POOL_ALIGN);
-    if (d->events)
-        most = larger(most, 3 * (sizeof(wfTouchingPair) * (size_t)pairs + WF_POOL_ALIGN));
+    size_t touches = d->events ? (size_t)d->advanced.contactCapacity : 0;
+    most = larger(most, 3 * (sizeof(wfTouchingPair) * touches + WF_POOL_ALIGN));
     bool ties = d->advanced.directJoints != WF_JOINTS_ITERATIVE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);
@@ -90,14 +93,13 @@ static void list_regions(const wfWorldDef *d, wfRegion out[WF_REGION_COUNT])
     per[WF_PER_WORLD] = 1;
     per[WF_PER_BODY] = (size_t)d->bodyCapacity;
     per[WF_PER_ACTIVE_FORCE] = 1;       /* gravity */
-    per[WF_BYTES_OF_SCRATCH] = stage_scratch(d);
     per[WF_PER_FORCE] = (size_t)d->forceCapacity;
     per[WF_PER_ACTIVE_FORCE] += per[WF_PER_FORCE];
     per[WF_PER_SHAPE] = (size_t)d->shapeCapacity;
     per[WF_PER_PAIR] = (size_t)d->advanced.pairCapacity;
     per[WF_PER_CONTACT] = (size_t)d->advanced.contactCapacity;
     per[WF_BYTES_OF_INDEX] = index_size(d);
-    per[WF_PER_TOUCH] = d->events ? per[WF_PER_PAIR] : 0;
+    per[WF_PER_TOUCH] = d->events ? per[WF_PER_CONTACT] + 1 : 0;   /* one too many is seen */
     per[WF_PER_EVENT] = 2 * per[WF_PER_TOUCH];
     per[WF_PER_PAIR_MATERIAL] = (size_t)d->advanced.materialPairCapacity;
     per[WF_PER_FINE_BODY] = d->advanced.compensatedSums ? per[WF_PER_BODY] : 0;
@@ -126,11 +128,13 @@ static bool lay_out(const wfWorldDef *d, wfRegion region[WF_REGION_COUNT], size_
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         wfRegion *r = &region[i];
         size_t *end = &size[r->chunk];
+        r->offset = *end;
+        if (i == WF_REGION_SCRATCH)
+            r->count = stage_scratch(d, *end - region[WF_REGION_LATE].offset);
         if (r->count > (PTRDIFF_MAX - WF_POOL_ALIGN) / r->each) return false;
         size_t bytes = r->count * r->each + WF_POOL_ALIGN - 1;  /* eq:world-offset */
         bytes &= ~(size_t)(WF_POOL_ALIGN - 1);
         if (bytes > PTRDIFF_MAX - *end) return false;
-        r->offset = *end;
         *end += bytes;
     }
     return true;
@@ -278,6 +282,12 @@ wfResult wfOpenBlock(const wfWorld *world, wfBlock *out)
 void *wfTransient(const wfBlock *b, int region)
 {
     return b->transient + b->head->offset[region];
+}
+
+WF_ONE_COPY wfPool wfScratchFrom(const wfBlock *b, int region)
+{
+    size_t size = (size_t)(b->head->scratchBytes - b->head->offset[region]);
+    return (wfPool){ (uint8_t *)wfTransient(b, region), size, 0 };
 }
 
 wfBodyView wfViewOf(const wfBlock *b, const wfBodyState *state)

@@ -125,6 +125,8 @@ wfResult wfTakeMemory(const wfMemory *given, const size_t size[2], wfMemory *out
 WF_FOR_SCENES wfResult wfOpenBlock(const wfWorld *world, wfBlock *out);
 /* An array of the transient chunk. */
 void *wfTransient(const wfBlock *b, int region);
+/* That chunk from this array on, as a pool. */
+wfPool wfScratchFrom(const wfBlock *b, int region);
 /* The settings of a header, as a definition; and from a definition that was checked. */
 wfWorldDef wfSettings(const wfHeader *head);
 void wfKeepSettings(const wfWorldDef *def, wfHeader *head);

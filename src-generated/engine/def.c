@@ -22,21 +22,30 @@ wfWorldDef wfDefaultWorldDef(void)
     };
 }
 
-/* choose the capacities that were left open */
+/* room for pairs and contacts */
+enum { PAIRS_A_SHAPE = 16, CONTACTS_A_SHAPE = 4, MORE_CONTACTS = 256 };
+
+/* Chooses a capacity that was left open, at most `all`. */
+static WF_ONE_COPY void choose_room(int32_t *room, int64_t some, int64_t all)
+{
+    if (some > all) some = all;
+    if (some > WF_MAX_CAPACITY) some = WF_MAX_CAPACITY;
+    if (*room == 0) *room = some < 1 ? 1 : (int32_t)some;
+}
+
 wfWorldDef wfCompleteDef(const wfWorldDef *def)
 {
     wfWorldDef d = *def;
     /* leave no capacity open */
     if (d.shapeCapacity == 0) d.shapeCapacity = d.bodyCapacity;
-    int64_t n = d.shapeCapacity;
-    int64_t all = n * (n - 1) / 2, some = 16 * n;
+    int64_t n = d.shapeCapacity, all = n * (n - 1) / 2;
+    int64_t some = PAIRS_A_SHAPE * n, few = CONTACTS_A_SHAPE * n + MORE_CONTACTS;
     wfAdvancedDef *room = &d.advanced;
     /* begin small in a world that grows */
-    if (room->growth) some = 2 * n;
-    if (room->pairCapacity == 0) room->pairCapacity = (int32_t)(all < some ? all : some);
-    if (room->pairCapacity > WF_MAX_CAPACITY) room->pairCapacity = WF_MAX_CAPACITY;
-    if (room->pairCapacity < 1) room->pairCapacity = 1;
+    if (room->growth) some = few = 2 * n;
     if (room->contactCapacity == 0) room->contactCapacity = room->pairCapacity;
+    choose_room(&room->contactCapacity, few, all);
+    choose_room(&room->pairCapacity, some, all);
     /* leave out what is not needed */
     d.modules = wfModulesOf(&d);
     if (!(d.modules & WF_MODULE_FORCES)) d.forceCapacity = 0;

@@ -728,7 +728,7 @@ static wfResult note_strike(struct wfStep *s, wfImpactEvent now)
         *old = now;
         return WF_OK;
     }
-    if (s->strikeCount == s->b.head->pairCapacity) return WF_ERROR_FULL;
+    if (s->strikeCount == s->b.head->contactCapacity) return WF_ERROR_FULL;
     for (int32_t i = s->strikeCount++; i > at; i--) s->strikes[i] = s->strikes[i - 1];
     s->strikes[at] = now;
     return WF_OK;

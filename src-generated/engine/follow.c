@@ -15,10 +15,11 @@ void wfLetFollow(const wfWorldDef *now, wfWorldDef *to)
         return;
     if (to->bodyCapacity > now->bodyCapacity)
         follow(now->shapeCapacity, now->bodyCapacity, &to->shapeCapacity);
-    open.advanced.pairCapacity = 0;
+    open.advanced.pairCapacity = open.advanced.contactCapacity = 0;
     open = wfCompleteDef(&open);
-    follow(now->advanced.contactCapacity, now->advanced.pairCapacity,
+    int32_t pairs = now->advanced.pairCapacity, contacts = now->advanced.contactCapacity;
+    bool chosen = pairs != open.advanced.pairCapacity;
+    follow(contacts, chosen ? pairs : open.advanced.contactCapacity,
            &to->advanced.contactCapacity);
-    follow(now->advanced.pairCapacity, open.advanced.pairCapacity,
-           &to->advanced.pairCapacity);
+    follow(pairs, open.advanced.pairCapacity, &to->advanced.pairCapacity);
 }

@@ -208,13 +208,10 @@ wfResult wfPrepareIndex(struct wfStep *s)
 wfResult wfIndexWorld(wfWorld *world)
 {
     wfBlock b;
-    wfPool scratch;
     wfResult result = wfChangeBlock(world, &b);
     if (result == WF_OK) result = wfRequireModules(&b, WF_MODULE_QUERIES);
     if (result != WF_OK || wfIndexBytes(b.head) == 0) return result;
-    size_t size = (size_t)(b.head->scratchBytes - b.head->offset[WF_REGION_SCRATCH]);
-    result = wfPoolInit(&scratch, size, wfTransient(&b, WF_REGION_SCRATCH));
-    if (result != WF_OK) return result;
+    wfPool scratch = wfScratchFrom(&b, WF_REGION_SCRATCH);
     wfProxies proxies = wfProxiesOf(&b, b.bounds, b.flags);
     result = wfUpdateIndex(b.head->broadPhase, &proxies, b.index, wfIndexBytes(b.head),
                            &scratch);

@@ -11,6 +11,15 @@ enum {
 #include "engine/array_rows.h"
     WF_REGION_COUNT
 };
+/* The last before the scratch are filled after a solver that steps: it has their room. */
+enum {
+#define WF_KEPT(...)
+#define WF_FRESH(...)
+#define WF_LATE(NAME, name, per, type, modules, stage) WF_LATE_##NAME,
+#include "engine/array_rows.h"
+    WF_LATE_COUNT,
+    WF_REGION_LATE = WF_REGION_SCRATCH - WF_LATE_COUNT
+};
 /* Whom an array serves: any of these needs, or everybody if 0; the stage that fills it, or
  * NULL: calls between steps; the rule by which wfCheckWorld looks at it (arrays that make
  * sense only together share one; "any": no bits are wrong), or NULL: it is not kept. */

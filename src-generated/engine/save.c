@@ -170,7 +170,7 @@ size_t wfMemoryOf(const wfWorldDef *def)
 }
 
 /* load a world */
-static wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
+static WF_ONE_COPY wfResult fits_here(const wfSaveInfo *info, int holds, uint64_t layout)
 {
     if (info->version != WF_SAVE_VERSION) return WF_ERROR_VERSION;
     if (info->holds != holds) return WF_ERROR_NOT_A_SAVE;

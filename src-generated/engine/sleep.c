@@ -284,7 +284,7 @@ static bool pair_before(wfPair a, wfPair b)
     return a.a != b.a ? a.a < b.a : a.b < b.b;
 }
 
-static wfPair key_of(const List *l, const uint8_t *base, int32_t i)
+static WF_ONE_COPY wfPair key_of(const List *l, const uint8_t *base, int32_t i)
 {
     wfPair key;
     memcpy(&key, base + (size_t)i * l->each + l->key, sizeof key);

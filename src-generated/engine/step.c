@@ -23,9 +23,8 @@ static wfResult copy_states(struct wfStep *s)
     if (s->fine != NULL) memcpy(s->fine, s->b.fine, (size_t)s->count * sizeof *s->fine);
     wfLeaveOutSleeping(s);
     if (s->b.head->disabledCount > 0) wfLeaveOutDisabled(s);
-    const wfHeader *head = s->b.head;
-    size_t scratch = (size_t)(head->scratchBytes - head->offset[WF_REGION_SCRATCH]);
-    return wfPoolInit(&s->scratch, scratch, wfTransient(&s->b, WF_REGION_SCRATCH));
+    s->scratch = wfScratchFrom(&s->b, WF_REGION_SCRATCH);
+    return WF_OK;
 }
 
 /* list the forces of the step */
@@ -227,6 +226,8 @@ static wfResult solve_velocities(struct wfStep *s)
     if (!wfSolverIntegrates(s)) return wfSolveVelocities(s->b.head->solver, &solve);
     wfResult result = WF_OK;
     bool done = false;
+    wfPool room = wfScratchFrom(&s->b, WF_REGION_LATE);
+    solve.scratch = &room;
     /* let islands step by themselves */
     done = wfStepsApart(s);
     if (done) result = wfStepApart(s, &solve);
@@ -314,14 +315,14 @@ static wfResult commit(struct wfStep *s)
     if (head->mostContacts < head->contactCount) head->mostContacts = head->contactCount;
     head->report = s->report;      /* the solver's, sec:world-substeps */
     head->indexStale = !head->queries;
-    if (head->mostPairs < head->touchCount) head->mostPairs = head->touchCount;
-    if (head->mostPairs < head->hitCount) head->mostPairs = head->hitCount;
+    if (head->mostContacts < s->mostTouches) head->mostContacts = s->mostTouches;
     head->fastCount = s->fastCount;
     head->impactCount = s->impactCount;
     head->heldCount = s->heldCount;
     head->crowd = s->flightCount > WF_CROWD && (head->crowd || s->impactCount >= WF_STEP_ROOM);
     if (s->followed || s->fastCount > 0) wfUse(&s->b, WF_MODULE_FAST);
     if (head->mostPairs < s->strikeCount) head->mostPairs = s->strikeCount;
+    if (head->mostContacts < s->strikeCount) head->mostContacts = s->strikeCount;
     return WF_OK;
 }
 

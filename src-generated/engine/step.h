@@ -44,6 +44,7 @@ struct wfStep {
     wfManifoldCache *caches;      /* one for each pair */
     wfTouchingPair  *touches;
     int32_t          touchCount;
+    int32_t          mostTouches; /* before those in doubt were dropped, with those kept */
     wfTold          *told;        /* of each contact; NULL: nobody asks */
     wfContactHit    *hits;
     int32_t          hitCount;

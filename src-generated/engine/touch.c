@@ -110,6 +110,12 @@ static void note_hit(struct wfStep *s, const wfContact *c, const wfTouchingPair 
         .speed = hit.speed };
 }
 
+static bool has_too_many(const struct wfStep *s)
+{
+    return s->touchCount > s->b.head->contactCapacity - s->kept.touches;
+}
+
+
 static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
 {
     if (!s->b.head->events) return;
@@ -137,8 +143,9 @@ static wfResult touch_strikes(struct wfStep *s)
         if (known) s->touches[old].flags |= TOUCH_SURE;
         else fresh++;
     }
-    if (s->touchCount + fresh > s->b.head->pairCapacity) return WF_ERROR_FULL;
     at = s->touchCount + fresh - 1, old = s->touchCount - 1;
+    s->touchCount += fresh;
+    if (at >= s->b.head->contactCapacity - s->kept.touches) return WF_ERROR_FULL;
     for (int32_t i = s->strikeCount - 1; i >= 0; i--) {
         wfPair p = s->strikes[i].pair;
         while (old >= 0 && comes_after((wfPair){ s->touches[old].a, s->touches[old].b }, p))
@@ -146,7 +153,6 @@ static wfResult touch_strikes(struct wfStep *s)
         bool known = old >= 0 && s->touches[old].a == p.a && s->touches[old].b == p.b;
         if (!known) s->touches[at--] = stamp_touch(s, p, TOUCH_SURE);
     }
-    s->touchCount += fresh;
     return WF_OK;
 }
 
@@ -166,7 +172,7 @@ static wfResult hit_by_strike(struct wfStep *s, const wfImpactEvent *strike)
               && s->hits[at - 1].b.index == hit.b.index;
     if (known && s->hits[at - 1].speed < hit.speed) s->hits[at - 1] = hit;
     if (known) return WF_OK;
-    if (s->hitCount == s->b.head->pairCapacity) return WF_ERROR_FULL;
+    if (s->hitCount == s->b.head->contactCapacity) return WF_ERROR_FULL;
     for (int32_t i = s->hitCount++; i > at; i--) s->hits[i] = s->hits[i - 1];
     s->hits[at] = hit;
     return WF_OK;
@@ -342,7 +348,6 @@ static wfResult touch_pairs(struct wfStep *s, wfWalk walk, int32_t begin, int32_
 {
     wfResult result = WF_OK;
     for (int32_t i = begin; i < end && result == WF_OK; i++) {
-        /* ask for the shapes of a pair further on */
         enum { AHEAD = 6 };
         if (i + AHEAD < s->pairs.count) {
             const wfShape *soon = &s->b.shapes[s->pairs.pairs[i + AHEAD].b];
@@ -351,13 +356,14 @@ static wfResult touch_pairs(struct wfStep *s, wfWalk walk, int32_t begin, int32_
             WF_FETCH_SOON(&soon->normals[0]);
             WF_FETCH_SOON(&soon->normals[3]);
         }
+        bool solid = true;
         /* leave a sensor's pair to its own function */
         wfPair p = s->pairs.pairs[i];
-        if (wfIsSensor(&s->b, p.a) || wfIsSensor(&s->b, p.b)) {
-            result = sense_pair(s, i);
-            continue;
-        }
-        result = touch_pair(s, &walk, i);
+        solid = !wfIsSensor(&s->b, p.a) && !wfIsSensor(&s->b, p.b);
+        if (!solid) result = sense_pair(s, i);
+        if (solid) result = touch_pair(s, &walk, i);
+        /* see whether there is one touch too many */
+        if (has_too_many(s)) result = WF_ERROR_FULL;
     }
     return result;
 }
@@ -367,6 +373,9 @@ typedef struct Share {
     struct wfStep *s;
     const wfWalk *walk;
     wfContact *room;
+    /* where parts put what they find */
+    wfTouchingPair *touches;
+    wfContactHit *hits;
     int32_t first[WF_PARTS];    /* pair, then contact in the list */
     struct wfStep own[WF_PARTS];
     wfResult result[WF_PARTS];
@@ -402,8 +411,8 @@ static void touch_part(void *context, int32_t part, int32_t begin, int32_t end)
     FIRST_FROM(w.contact, w.contacts, own->b.contacts, shapeA, shapeB, p)
     /* begin the touches of a part */
     FIRST_FROM(w.touch, w.touches, own->b.touches, a, b, p)
-    if (own->touches != NULL) own->touches += begin;
-    if (own->hits != NULL) own->hits += begin;
+    own->touches = h->touches + begin;
+    own->hits = h->hits + begin;
     own->told = NULL;
     h->result[part] = touch_pairs(own, w, begin, end);
 }
@@ -417,20 +426,36 @@ static void move_part(void *context, int32_t part, int32_t begin, int32_t end)
            (size_t)own->contactCount * sizeof *h->room);
 }
 
-static wfResult share_pairs(struct wfStep *s, const wfWalk *walk, wfContact *room)
+/* Each pair may have a contact. */
+static bool take_room(Share *h, struct wfStep *s)
+{
+    int32_t count = s->pairs.count;
+    size_t each = sizeof *h->room;
+    /* see what else a pair may have */
+    each += sizeof *h->touches + sizeof *h->hits;
+    h->room = (wfContact *)wfPoolPushMany(&s->scratch, (size_t)count, each, WF_POOL_ALIGN);
+    /* give the touches of all pairs their place */
+    if (h->room == NULL) return false;
+    h->touches = (wfTouchingPair *)(void *)(h->room + count);
+    h->hits = (wfContactHit *)(void *)(h->touches + count);
+    return h->room != NULL;
+}
+
+static wfResult share_pairs(struct wfStep *s, const wfWalk *walk)
 {
     enum { LEAST = 64 };
     Share *h = wfPoolPushStruct(&s->scratch, Share);
-    if (h == NULL) return touch_pairs(s, *walk, 0, s->pairs.count);
-    h->s = s, h->walk = walk, h->room = room;
+    if (h == NULL || !take_room(h, s)) return touch_pairs(s, *walk, 0, s->pairs.count);
+    h->s = s, h->walk = walk;
     int32_t parts = wfInParts(&s->workers, s->pairs.count, LEAST, touch_part, h);
     for (int32_t part = 0; part < parts; part++) {
         const struct wfStep *own = &h->own[part];
         /* append the touches of a part */
-        memmove(s->touches + s->touchCount, own->touches,
-                (size_t)own->touchCount * sizeof *s->touches);
-        memmove(s->hits + s->hitCount, own->hits, (size_t)own->hitCount * sizeof *s->hits);
+        int32_t touches = s->touchCount;
         s->touchCount += own->touchCount;
+        if (has_too_many(s)) return WF_ERROR_FULL;
+        memcpy(s->touches + touches, own->touches, (size_t)own->touchCount * sizeof *s->touches);
+        memcpy(s->hits + s->hitCount, own->hits, (size_t)own->hitCount * sizeof *s->hits);
         s->hitCount += own->hitCount;
         h->first[part] = s->contactCount;
         s->contactCount += own->contactCount;
@@ -467,9 +492,7 @@ static wfResult find_contacts(struct wfStep *s)
     /* let workers share the pairs */
     if (can_share(s, &walk)) {
         size_t mark = wfPoolMark(&s->scratch);
-        wfContact *room = wfPoolPushArray(&s->scratch, s->pairs.count, wfContact);
-        wfResult result = room != NULL ? share_pairs(s, &walk, room)
-                                       : touch_pairs(s, walk, 0, s->pairs.count);
+        wfResult result = share_pairs(s, &walk);
         wfPoolRewind(&s->scratch, mark);
         return result;
     }
@@ -547,6 +570,7 @@ static uint32_t flags_after(uint32_t flags, const wfTouchingPair *old, const wfT
 static void keep_touches(struct wfStep *s)
 {
     int32_t kept = 0, at = 0, before = s->b.head->kept.touches, hits = 0, hit = 0;
+    s->mostTouches = s->kept.touches + s->touchCount;
     for (int32_t i = 0; i < s->touchCount; i++) {
         wfTouchingPair t = s->touches[i];
         wfTold told = told_of(s, &at, t.a, t.b);
@@ -612,7 +636,7 @@ wfResult wfTellEvents(struct wfStep *s)
 {
     if (!s->b.head->events) return WF_OK;
     size_t mark = wfPoolMark(&s->scratch);
-    int32_t most = s->b.head->pairCapacity;
+    int32_t most = s->b.head->contactCapacity;
     wfTouchingPair *list[3];
     for (int i = 0; i < 3; i++)
         list[i] = wfPoolPushArray(&s->scratch, most, wfTouchingPair);

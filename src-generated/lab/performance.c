@@ -342,6 +342,35 @@ static int measure_performance_memory(FILE *out)
         || memory_row(out, "default, four pairs a shape", plain, 4);
 }
 
+static int measure_performance_room(FILE *out)
+{
+    static const struct { const char *name; int32_t steps; } crowd[] = {
+        { "heap-1000", 180 }, { "large_pyramid", 60 }, { "tumbler", 300 },
+        { "compounds", 300 }, { "smash", 100 }, { "washer", 100 } };
+    fprintf(out, "scene,shapes,pairs,contacts\n");
+    for (size_t i = 0; i < sizeof crowd / sizeof *crowd; i++) {
+        const labHeavy *heavy = labFindHeavy(crowd[i].name);
+        wfWorldDef def = labHeavyDef(heavy);
+        int32_t pairs, contacts, most[2] = { 0, 0 };
+        wfWorld world;
+        wfResult result = wfCreateWorld(&def, &world);
+        if (result == WF_OK) result = labBuildHeavy(heavy, &world);
+        for (int32_t k = 0; k < crowd[i].steps && result == WF_OK; k++) {
+            result = wfStepWorld(&world);
+            wfWorldPairs(&world, &pairs);
+            wfWorldContacts(&world, &contacts);
+            if (pairs > most[0]) most[0] = pairs;
+            if (contacts > most[1]) most[1] = contacts;
+        }
+        if (result != WF_OK) return 1;
+        int32_t shapes = wfShapeCount(&world);
+        wfDestroyWorld(&world);
+        fprintf(out, "%s,%d,%.2f,%.2f\n", crowd[i].name, (int)shapes,
+                (double)most[0] / shapes, (double)most[1] / shapes);
+    }
+    return 0;
+}
+
 static int measure_performance_flight(FILE *out)
 {
     static const int32_t sizes[] = { 1000, 10000, 100000 };
@@ -612,6 +641,8 @@ static const wfMeasureRow rows[] = {
     { "performance-steered-time", "ms for a step of a scene that is steered",
       measure_performance_steered },
     { "performance-memory", "bytes for each body more", measure_performance_memory },
+    { "performance-room", "pairs and contacts a shape that crowds have at most",
+      measure_performance_room },
     { "performance-flight-time", "free flight against a copy of the states",
       measure_performance_flight },
     { "performance-bullets-time", "what a step with many bullets costs",

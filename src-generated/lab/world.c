@@ -255,6 +255,30 @@ static void name_modules(uint32_t modules, char text[64])
     }
 }
 
+static int measure_world_memory(FILE *out)
+{
+    enum { BASE = 256, MORE = 4096 };
+    wfRegion small[WF_REGION_COUNT], large[WF_REGION_COUNT];
+    double others[2] = { 0, 0 }, sum[2] = { 0, 0 };
+    wfWorldDef def = wfDefaultWorldDef();
+    def.bodyCapacity = BASE;
+    if (wfWorldRegions(&def, small) != WF_OK) return 1;
+    def.bodyCapacity = MORE;
+    if (wfWorldRegions(&def, large) != WF_OK) return 1;
+    fprintf(out, "array,permanent,transient\n");
+    for (int i = 0; i < WF_REGION_COUNT; i++) {
+        size_t more = large[i].count * large[i].each - small[i].count * small[i].each;
+        double each[2] = { 0, 0 }, bytes = (double)more / (MORE - BASE);
+        each[large[i].chunk] = bytes;
+        sum[large[i].chunk] += bytes;
+        if (bytes < 100) others[large[i].chunk] += bytes;
+        else fprintf(out, "%s,%.0f,%.0f\n", large[i].name, each[0], each[1]);
+    }
+    fprintf(out, "all others,%.0f,%.0f\n", others[0], others[1]);
+    fprintf(out, "all,%.0f,%.0f\n", sum[0], sum[1]);
+    return 0;
+}
+
 static int measure_world_pays(FILE *out)
 {
     wfWorldDef def = wfDefaultWorldDef();
@@ -575,6 +599,8 @@ static const wfMeasureRow rows[] = {
       measure_world_far_double },
     { "world-flight", "where a fast probe is, by how the origin moves along",
       measure_world_flight },
+    { "world-memory", "bytes of a default world for each body beyond 256",
+      measure_world_memory },
     { "world-pays", "bytes a body in a default world for 1000, by what they are for",
       measure_world_pays },
     { "world-needs", "bytes a body and stages of worlds that are made for more and more",

@@ -21,9 +21,10 @@ WF_SETTING(int32_t, forceCapacity, 64, "registered forces at most", WF_COUNTED,
 WF_SETTING(int32_t, shapeCapacity, 0, "shapes at most; 0: as many as bodies",
            WF_COUNTED, WF_CAPACITY(0), .modules = WF_MODULE_SHAPES)
 WF_ADVANCED(int32_t, pairCapacity, 0,
-            "pairs in one step; 0: 16 a shape, or all there can be", WF_COUNTED,
+            "pairs in one step; 0: by the shapes", WF_COUNTED,
             WF_CAPACITY(0), .modules = WF_MODULE_CONTACTS)
-WF_ADVANCED(int32_t, contactCapacity, 0, "contacts in one step; 0: as many as pairs",
+WF_ADVANCED(int32_t, contactCapacity, 0,
+            "contacts or touches in a step; 0: by the shapes, or as given pairs",
             WF_COUNTED, WF_CAPACITY(0), .modules = WF_MODULE_CONTACTS)
 WF_ADVANCED(int32_t, broadPhase, row_or_first(wfFindBroadPhase("dynamic-tree")),
             "finds pairs", WF_ROW(BroadPhase), .method = 1,
