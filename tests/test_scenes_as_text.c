@@ -745,7 +745,7 @@ static void uncounted(void *p)
 static void no_text_takes_more_than_it_may(void **unused)
 {
     (void)unused;
-    enum { N = 20000 };
+    enum { N = 2000 };
     static const struct { const char *begin, *each, *end; bool scene; } text[] = {
         { "[", "0,", "0]", false },
         { "[", "[],", "0]", false },
