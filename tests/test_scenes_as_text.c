@@ -753,6 +753,7 @@ static void no_text_takes_more_than_it_may(void **unused)
         { "{\"weft\": 1, \"bodies\": [", "{\"mass\":1},", "{\"mass\":1}]}", true, N },
         { "{\"weft\": 1, \"bodies\": [{\"type\":\"static\",\"shapes\":[", "{\"kind\":\"circle\",\"radius\":1},", "{\"kind\":\"circle\",\"radius\":1}]}]}", true, FEWER },
         { "{\"weft\": 1, \"bodies\": [{\"type\":\"static\",\"shapes\":[{\"kind\":\"chain\",\"vertices\":[", "[0,0],", "[1,0]]}]}]}", false, N },
+        { "{\"weft\": 1, \"bodies\": [{\"type\":\"static\",\"shapes\":[{\"kind\":\"chain\",\"vertices\":[", "[0,0],", "[1,0]]}]}]}", false, FEWER },
     };
     cJSON_Hooks hooks = { counted, uncounted };
     cJSON_InitHooks(&hooks);
