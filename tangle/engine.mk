@@ -44,13 +44,13 @@ engine: parts-tangled
 	@echo "engine: $(PART_DIR)/lib, headers in $(PART_DIR)/src/include; its parts: $$(tr '\n' ' ' < $(PART_DIR)/lines/parts | sed 's/^$$/none/')"
 endif
 programs: $(BUILD)/tangle.stamp
-	@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) programs
+	+@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) programs
 # the lab and the headless testbed with doubles: for golden hashes, and for measurements whose names end in -double
 programs-double: $(BUILD)/tangle.stamp
-	@$(MAKE) --no-print-directory -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD)/double CC="$(CC)" CFLAGS="$(CFLAGS) -DWF_DOUBLE" STD="$(STD)" WARN=-w \
+	@$(MAKE) --no-print-directory -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD)/double CC="$(CC)" CFLAGS="$(CFLAGS) -DWF_DOUBLE" STD="$(STD)" WARN="$(filter-out -Wdouble-promotion,$(WARN))" \
 	   $(BUILD)/double/bin/weft-lab $(BUILD)/double/bin/weft-headless
 game: $(BUILD)/tangle.stamp
-	@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) game
+	+@$(SUBMAKE) -f tangle/programs.mk SRC=$(LINES) OUT=$(BUILD) game
 test: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) test
 

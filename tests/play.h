@@ -6,8 +6,9 @@
 #include <string.h>
 #include "testbed/platform.h"
 
-/* in: of the next frame, for those who give frames one by one and not by a script. */
-typedef struct play { game_memory memory; frame_buffer buffer; game_file file; game_input in; char text[32768]; } play;
+/* in: of the next frame, for those who give frames one by one and not by a script. sparing: of a long wait each eighth picture is drawn,
+   and the last two, where a test is not about pictures. */
+typedef struct play { game_memory memory; frame_buffer buffer; game_file file; game_input in; bool sparing; char text[32768]; } play;
 
 static inline void play_begin(play *p, int width, int height, float scale)
 {
@@ -30,10 +31,12 @@ static inline void play_run(play *p, const char *script)
 {
     input_script s;
     game_input in;
+    frame_buffer unseen = p->buffer;
+    unseen.pixels = NULL;
     input_script_open(&s, script);
     int got;
     while ((got = input_script_next(&s, &in)) == 1)
-        game_update_and_render(&p->memory, &in, &p->buffer);
+        game_update_and_render(&p->memory, &in, p->sparing && s.waiting >= 2 && s.waiting % 8 != 0 ? &unseen : &p->buffer);
     if (got < 0) fail_msg("line %d of '%s': %s", (int)s.line, script, s.error);
     size_t n = game_describe(&p->memory, p->text, sizeof p->text);
     assert_true(n < sizeof p->text);

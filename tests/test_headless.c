@@ -13,15 +13,42 @@
 enum { STEPS = 600 };
 
 /* ---- every scene ---- */
+/* Steps and hash that were recorded for a scene; false: none. */
+static bool recorded(const char *scene, int *steps, unsigned long long *hash)
+{
+    FILE *f = fopen(sizeof(wfReal) == sizeof(double) ? "tests/golden/scenes-double.csv" : "tests/golden/scenes.csv", "r");
+    char line[200], name[100];
+    bool found = false;
+    while (f && !found && fgets(line, sizeof line, f))
+        found = sscanf(line, "%99[^,],%d,%llx", name, steps, hash) == 3 && strcmp(name, scene) == 0;
+    if (f) fclose(f);
+    return found;
+}
+
+/* A scene is run once, for as many steps as were recorded, and at least STEPS: for its promises and for its hash. */
+static wfSceneReport watched(int row, int *steps)
+{
+    static struct { wfSceneReport report; int steps; } kept[1000];
+    unsigned long long hash;
+    assert_true(row < 1000);
+    if (kept[row].steps == 0) {
+        kept[row].steps = recorded(wfSceneAt(row)->name, steps, &hash) && *steps > STEPS ? *steps : STEPS;
+        kept[row].report = wfWatchScene(wfSceneAt(row), kept[row].steps);
+    }
+    *steps = kept[row].steps;
+    return kept[row].report;
+}
+
 static void every_scene_keeps_its_promises(void **state)
 {
     (void)state;
     assert_true(wfSceneCount() >= 20);
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
-        wfSceneReport r = wfWatchScene(s, STEPS);
+        int steps;
+        wfSceneReport r = watched(i, &steps);
         if (r.result != WF_OK) fail_msg("%s: %s in step %d", s->name, wfResultName(r.result), (int)r.steps);
-        if (r.steps != STEPS) fail_msg("%s stopped after %d steps", s->name, (int)r.steps);
+        if (r.steps != steps) fail_msg("%s stopped after %d steps", s->name, (int)r.steps);
         if (!r.finite) fail_msg("%s: a number is not finite", s->name);
         if (s->energyBound >= 0 && !(r.gain <= (double)s->energyBound))
             fail_msg("%s gained %g J, promised %g (its row's energyBound; below 0: no promise)", s->name, r.gain, (double)s->energyBound);
@@ -64,9 +91,10 @@ static void every_scene_has_its_hash(void **state)
         int steps;
         unsigned long long hash;
         if (sscanf(line, "%99[^,],%d,%llx", name, &steps, &hash) != 3) continue;
-        int row = wfFindScene(name);
+        int row = wfFindScene(name), ran;
         if (row < 0) fail_msg("%s is in the file but not in the table: make golden", name);
-        wfSceneReport r = wfWatchScene(wfSceneAt(row), steps);
+        wfSceneReport r = watched(row, &ran);
+        assert_int_equal(ran, steps);
         if (r.hash != hash)
             fail_msg("%s: %016llx after %d steps, recorded %016llx; if the change is meant: make golden", name,
                      (unsigned long long)r.hash, steps, hash);

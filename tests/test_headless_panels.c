@@ -154,6 +154,7 @@ static void a_recorded_run_is_played_again_to_the_bit(const char *scene)
     play p;
     char script[400];
     play_begin(&p, 1100, 700, 1);
+    p.sparing = true;
     snprintf(script, sizeof script, "scene %s\nsteps 1\nwait 7\nkey f\nframe\n", scene);
     play_run(&p, script);
     assert_int_equal((int)play_fact(&p, "tape", 0), 2);

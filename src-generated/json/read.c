@@ -59,6 +59,7 @@ static bool read_points(Reader *r, const cJSON *item, wfVec2 **out, int *count)
     if (!cJSON_IsArray(item) || *count < 1 || *count > WF_MAX_CORNERS)
         return wfTextFail(&r->t, item, WF_ERROR_TEXT, "must be an array of 1 to %d points",
                           WF_MAX_CORNERS);
+    if (!wfTextTake(&r->t, item, (size_t)*count, sizeof **out)) return false;
     *out = cJSON_malloc(sizeof(wfVec2) * (size_t)*count);
     if (*out == NULL) return no_memory(r);
     int i = 0;
@@ -127,11 +128,13 @@ static bool make_shapes(Reader *r, const wfShapeText *s, const wfVec2 *points, i
 {
     int room = n > 1 ? n : 1, count = 0;
     if (!make_room(r, room)) return false;
+    if (!wfTextTake(&r->t, item, (size_t)room, sizeof(wfShape))) return false;
     wfShape *made = cJSON_malloc(sizeof *made * (size_t)room);
     if (made == NULL) return no_memory(r);
     wfResult result = wfShapeForms[s->form].make(s, points, n, made, room, &count);
     if (result == WF_OK) hang(r, s, made, count, body, item);
     cJSON_free(made);
+    r->t.taken -= sizeof *made * (size_t)room;
     return wfTextResult(&r->t, item, result);
 }
 
@@ -148,6 +151,7 @@ static bool read_shape(Reader *r, const cJSON *item, int32_t body)
     if (!read_points(r, wfChild(item, "vertices"), &points, &n)) return false;
     bool made = make_shapes(r, &s, points, n, body, item);
     cJSON_free(points);
+    r->t.taken -= sizeof *points * (size_t)n;
     return made;
 }
 
@@ -349,6 +353,7 @@ static bool read_corners(Reader *r, const cJSON *exact, const char *name, wfVec2
     if (!read_points(r, item, &points, &n)) return false;
     if (n > 0 && n <= most) memcpy(out, points, sizeof *out * (size_t)n);
     cJSON_free(points);
+    r->t.taken -= sizeof *points * (size_t)n;
     return item == NULL || n == most ||
         wfTextFail(&r->t, item, WF_ERROR_TEXT, "must be %d points", most);
 }

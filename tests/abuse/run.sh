@@ -14,14 +14,19 @@ for f in $(functions); do
   grep -qw "$f" tests/abuse/abuse.c tests/abuse/operations.h || { echo "abuse: no random call calls $f of weft/ -- give it an operation in tests/abuse/operations.h"; missing=1; }
 done
 [ -z "${missing-}" ] || exit 1
-build() {     # directory, compiler, flags
-  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$work/$1" CC="$2" CFLAGS="$3" WARN=-w "$work/$1/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+. tests/flags.sh
+build() {     # name, where the engine is or is made, compiler, flags
+  mkdir -p "$work/$1"
+  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$2" CC="$3" CFLAGS="$4" WARN="${warn:-$WARN_FLOAT}" "$2/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
   # shellcheck disable=SC2086
-  $2 -std=gnu11 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror $3 ${4-} -Ibuild/lines/include -Itests/abuse tests/abuse/abuse.c "tests/abuse/${5:-weft_abuse.c}" \
-    "$work/$1/lib/libweft.a" -lm -o "$work/$1/${6:-weft-abuse}" || exit 1
+  $3 -std=gnu11 -ffp-contract=off -fno-math-errno -Wall -Wextra -Werror $4 ${5-} -Ibuild/lines/include -Itests/abuse tests/abuse/abuse.c "tests/abuse/${6:-weft_abuse.c}" \
+    "$2/lib/libweft.a" -lm -o "$work/$1/${7:-weft-abuse}" || exit 1
 }
+plain()     { build plain build cc "-O2 -g"; }
+double()    { warn=$WARN_DOUBLE build double build/double cc "-O2 -g -DWF_DOUBLE"; }
+sanitized() { build sanitized "$work/sanitized" clang "$SANITIZED"; }
 if [ -n "${FUZZ-}" ]; then
-  build fuzz clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fsanitize=fuzzer-no-link" "-fsanitize=fuzzer" fuzz_world.c fuzz-world
+  build fuzz "$work/fuzz" clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fsanitize=fuzzer-no-link" "-fsanitize=fuzzer" fuzz_world.c fuzz-world
   mkdir -p "$work/found"
   "$work/fuzz/fuzz-world" -max_total_time="$FUZZ" -max_len=4096 -print_funcs=0 -artifact_prefix="$work/" "$work/found" >"$work/log" 2>&1 || { grep -vE '^#[0-9]+|^INFO' "$work/log" | head -30; exit 1; }
   echo "abuse: $(sed -nE 's/^Done ([0-9]+) runs in ([0-9]+) second.*/\1 sessions in \2 s/p' "$work/log"), chosen by libFuzzer: nothing is broken"
@@ -32,10 +37,10 @@ under_valgrind() {   # seed, calls
 }
 if [ $# -gt 0 ]; then
   seed=${2:-1} also="# besides:"
-  build plain gcc "-O2 -g"
+  plain
   "$work/plain/weft-abuse" "$seed" "$1" ${OUT:+--csv "$OUT.new"} || exit 1
   if command -v clang >/dev/null; then
-    build sanitized clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+    sanitized
     "$work/sanitized/weft-abuse" $((seed + 1)) $(($1 / 10)) || exit 1
     also="$also $(($1 / 10)) calls under the address and undefined-behaviour sanitizers, seed $((seed + 1));"
   fi
@@ -47,11 +52,11 @@ if [ $# -gt 0 ]; then
   echo "$also none was complained of"
   exit 0
 fi
-build sanitized clang "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
-build plain gcc "-O2 -g"
-build double gcc "-O2 -g -DWF_DOUBLE"
+sanitized
+plain
+double
 # the invariants of what a step tells, in all phases
-gcc -std=c11 -ffp-contract=off -O2 -Wall -Wextra -Ibuild/lines/include -Ibuild/lines -Itests tests/test_joints_in_a_world_told.c "$work/plain/lib/libweft.a" -lcmocka -lm -o "$work/told" &&
+gcc -std=c11 -ffp-contract=off -O2 -Wall -Wextra -Ibuild/lines/include -Ibuild/lines -Itests tests/test_joints_in_a_world_told.c build/lib/libweft.a -lcmocka -lm -o "$work/told" &&
   WEFT_WIDE=1 "$work/told" >"$work/told.log" 2>&1 || { grep -v OK "$work/told.log" | tail; exit 1; }
 "$work/sanitized/weft-abuse" 3 120000 || exit 1
 "$work/plain/weft-abuse" 4 150000 || exit 1

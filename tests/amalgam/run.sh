@@ -37,10 +37,10 @@ done
 # the library's hashes
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
 for precision in "" -double; do
-  flags=${precision:+-DWF_DOUBLE}
-  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$work/lib$precision" CC=gcc CFLAGS="-O2 -g $flags" WARN=-w "$work/lib$precision/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+  flags=${precision:+-DWF_DOUBLE} library=build${precision:+/double}
+  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT=$library CFLAGS="-O2 -g${flags:+ $flags}" "$library/lib/libweft.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
   # shellcheck disable=SC2086
-  gcc -std=c11 -O1 $flags -Ibuild/lines/include '-DWEFT_HEADER="weft/weft.h"' tests/amalgam/scenes.c "$work/lib$precision/lib/libweft.a" -lm -o "$work/library$precision" && "$work/library$precision" >"$work/library$precision.txt" || exit 1
+  gcc -std=c11 -O1 $flags -Ibuild/lines/include '-DWEFT_HEADER="weft/weft.h"' tests/amalgam/scenes.c $library/lib/libweft.a -lm -o "$work/library$precision" && "$work/library$precision" >"$work/library$precision.txt" || exit 1
 done
 for build in {gcc,clang}-{c,c++}{,-double}; do
   case $build in *-double) like=library-double ;; *) like=library ;; esac

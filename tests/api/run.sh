@@ -8,8 +8,8 @@ work=build/api; mkdir -p "$work"
 lua=$(tangle/lua) || exit 1
 # shellcheck disable=SC2046
 $lua tests/api/calls.lua $(ls build/lines/include/weft/*.h | grep -vE '_rows\.h|/json\.h') > "$work/calls.h" || exit 1
-make --no-print-directory -s -f tangle/compile.mk SRC=build/lines OUT=build/abuse/plain CC=gcc CFLAGS="-O2 -g" WARN=-w build/abuse/plain/lib/libweft.a >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
-gcc -std=c11 -Wall -Wextra -Wno-missing-field-initializers -Ibuild/lines/include -I"$work" tests/api/zero.c build/abuse/plain/lib/libweft.a -lm -o "$work/zero" || exit 1
+make --no-print-directory -s -f tangle/compile.mk SRC=build/lines OUT=build CFLAGS="-O2 -g" build/lib/libweft.a >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
+gcc -std=c11 -Wall -Wextra -Wno-missing-field-initializers -Ibuild/lines/include -I"$work" tests/api/zero.c build/lib/libweft.a -lm -o "$work/zero" || exit 1
 "$work/zero" > "$work/fallen" 2>"$work/count" || exit 1
 bad=0
 # shellcheck disable=SC2046

@@ -9,9 +9,9 @@ fuzz_build() {
   echo 'int LLVMFuzzerTestOneInput(const unsigned char *d, unsigned long n) { (void)d; (void)n; return 0; }' > "$work/probe.c"
   clang -fsanitize=fuzzer "$work/probe.c" -o "$work/probe" 2>/dev/null ||
     { echo "fuzz: clang has no libFuzzer here -- install libclang-rt-dev (tangle/install check)"; exit 77; }
-  tangle/tangle --lines "$work/lines" $(tangle/chapters) || exit 1
+  make --no-print-directory tangle || exit 1
   rm -f "$work"/crash-* "$work"/timeout-* "$work"/oom-*
-  make --no-print-directory -s -j2 -f tangle/compile.mk SRC="$work/lines" OUT="$work" CC=clang CFLAGS="-fsanitize=fuzzer-no-link $sanitize" \
+  make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$work" CC=clang CFLAGS="-fsanitize=fuzzer-no-link $sanitize" \
     "${@/#/$work/lib/}" >"$work/log" || { cat "$work/log"; exit 1; }
 }
 
@@ -19,7 +19,7 @@ fuzz_build() {
 fuzz_target() {
   local program=$work/$1 source=$2; shift 2
   # shellcheck disable=SC2086
-  clang -std=c11 -ffp-contract=off -fno-math-errno -fsanitize=fuzzer $sanitize -I"$work/lines/include" "$source" "$@" -lm -o "$program" || exit 1
+  clang -std=c11 -ffp-contract=off -fno-math-errno -fsanitize=fuzzer $sanitize -Ibuild/lines/include "$source" "$@" -lm -o "$program" || exit 1
 }
 
 # One run: fuzz_run PROGRAM OPTION ...   Ends with 1, and says which input it was, if a promise was broken.

@@ -12,7 +12,7 @@ pkg-config --exists libcjson || { echo "fuzz: no cJSON here -- install libcjson-
 fuzz_build libweft.a libweft-json.a
 mkdir -p "$work/found" "$work/seeds"
 # shellcheck disable=SC2046
-fuzz_target fuzz tests/json/fuzz.c "$work/lib/libweft-json.a" "$work/lib/libweft.a" -I"$work/lines" $(pkg-config --cflags --libs libcjson)
+fuzz_target fuzz tests/json/fuzz.c "$work/lib/libweft-json.a" "$work/lib/libweft.a" -Ibuild/lines $(pkg-config --cflags --libs libcjson)
 cp testbed/scenes/*.json tests/json/rube/*.json "$work/seeds/"; rm -f "$work/seeds/scene.schema.json"
 cp tests/json/corpus/* "$work/seeds/" 2>/dev/null
 grep -ohE '"[A-Za-z$-]+"' testbed/scenes/scene.schema.json tests/json/rube/*.json | sort -u | sed 's/"\(.*\)"/"\\"\1\\""/' > "$work/words"

@@ -58,7 +58,7 @@ build() {      # directory, compiler, flags: the program, anew when something ch
   case $cc in *wasm32*) ending=.wasm; ld=-Wl,-z,stack-size=1048576 ;; *mingw*) ending=.exe; ld=-static ;; esac
   # Debian's lib32 has no asm/: its files are the same for both
   case $flags in *-m32*) flags="$flags -idirafter /usr/include/$(gcc -print-multiarch)" ;; esac
-  printf '%s\n' "${sources[@]}" | D=$d CMD="$cc $std -w $flags -I$src/include -I$src" xargs -P "${JOBS:-2}" -I{} \
+  printf '%s\n' "${sources[@]}" | CCACHE_DISABLE=1 D=$d CMD="$cc $std -w $flags -I$src/include -I$src" xargs -P "${JOBS:-2}" -I{} \
     bash -c '$CMD -c "$1" -o "$D/$(echo "${1#"$src"/}" | tr / -).o"' _ {} || return 1
   # shellcheck disable=SC2086
   for p in scenes ends; do $cc $flags $ld $(ls "$d"/*.o | grep -vE '/(scenes|ends)\.c\.o$') "$d/$p.c.o" -lm -o "$d/$p$ending" || return 1; done

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # A student's chapter needs no edit elsewhere. The same files are tried in both ways: named with EXTRA=, and dropped into
 # chapters/ of a copy. One has an integrator, a scene, a figure and a measurement, one a broad phase, one everything else. Each must be in the
-# program, held to its promises by the tests that run over all rows, and in the book.
+# program, held to its promises by the tests that run over all rows, and in the book. The second way must give the C and the text of the first,
+of which program and book are made.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 chapter=tests/student/60-leapfrog.nw
@@ -38,12 +39,13 @@ one_page() {
   [ "$(wc -l < "$out.log")" -le 3 ] || { cat "$out.log"; echo "a page that is woven alone tells mistakes that are not its own"; return 1; }
   echo "PAGE=60: one page in $spent seconds of the processor (user, system)"
 }
-# The test of the integrators must measure the student's row, not only list it: a row that claims too high an order fails.
+# The test of the integrators must measure the student's row, not only list it: a row that claims too high an order fails. It is changed in
+# the tree of the whole, of which only what reads it is compiled again.
 boasting() {
-  local out=build/student/boast
-  mkdir -p "$out" && sed 's/drift", 2, true/drift", 3, true/' $chapter > "$out/60-leapfrog.nw"
-  cmp -s $chapter "$out/60-leapfrog.nw" && { echo "the row to be changed was not found"; return 1; }
-  tangle/tangle --lines "$out/lines" $(tangle/chapters) "$out/60-leapfrog.nw"
+  local out=$1 boast=$1/60-leapfrog.nw
+  sed 's/drift", 2, true/drift", 3, true/' $chapter > "$boast"
+  cmp -s $chapter "$boast" && { echo "the row to be changed was not found"; return 1; }
+  tangle/tangle --lines "$out/lines" $(tangle/chapters) ${both/$chapter/$boast}
   if make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS=tests/test_integration.c test >"$out.log" 2>&1; then
     echo "a student's integrator that claims order 3 and has order 2 passes the tests"; return 1; fi
   grep -q 'FAILED' "$out.log" || { tail -20 "$out.log"; return 1; }
@@ -90,11 +92,19 @@ one_line() {
   "$out/run" || { echo "a student's array, setting, module or hook: tests/student/traces.c failed at step $?"; return 1; }
   echo "tests/student/62-traces.nw: an array of the block, a setting, a module and a word with a body that is moved, each in one line"
 }
+# The same chapters, found in chapters/: the C and the text of every page are those that EXTRA= gave, but for where they say that they come from.
+dropped() {      # the copy, the directory of the first build
+  local copy=$1 first=$2 of
+  same() { diff -r <(normal "$copy/build/$1") <(normal "$first/$1") > "$first.log" || { head -20 "$first.log"; echo "$1 is not what EXTRA= makes"; return 1; }; }
+  # Without what the figures add, and without the head that says of what a file was tangled: where it is broken into lines depends on that.
+  normal() { (cd "$1" && find . -type f ! -name '.*' ! -name '*.stamp' ! -name '*.assets' ! -name live.list | LC_ALL=C sort | xargs awk 'FNR == 1 { print "== " FILENAME } { gsub(/(chapters|tests\/student)\/6[0-9]-/, "6-") } /tangled from 6/ { head = 1 } head { head = !/MIT licence/; next } { print }'); }
+  (cd "$copy" && make --no-print-directory tangle build/weave/.stamp) > "$first.log" 2>&1 || { tail -20 "$first.log"; return 1; }
+  for of in lines weave; do same "$of" || return 1; done
+}
 before=$(git status --porcelain -- chapters src-generated 2>/dev/null || true)
 rm -rf build/student; mkdir -p build/student
 check build/student EXTRA="$both"
 everything build/student
-boasting
 one_page
 one_line
 echo "EXTRA=\"$both\": in the program, the tests and the book"
@@ -103,5 +113,6 @@ echo "EXTRA=\"$both\": in the program, the tests and the book"
 copy=$(mktemp -d); trap 'rm -rf "$copy"' EXIT
 git ls-files -z | xargs -0 cp --parents -t "$copy"
 cp $both "$copy/chapters/"
-(cd "$copy" && mkdir -p build && check build)
-echo "dropped into chapters/: in the program, the tests and the book"
+dropped "$copy" build/student
+boasting build/student
+echo "dropped into chapters/: the same program, the same book"
