@@ -60,7 +60,7 @@ everything() {
   # its prices: bytes a body, lines; both stand in the list. Without the part the engine is the book's, file by file.
   mkdir -p "$out.prices"; cp book/data/*.csv "$out.prices/"; "$out/bin/weft-lab" run price-world > "$out.prices/price-world.csv"
   EXTRA=$all bash tests/parts/price.sh --lines > "$out.lines"; grep '^bumpers|' "$out.lines" | tr '|' ',' | sed 's/$/,,/' >> "$out.prices/price-parts.csv"
-  DATA=$out.prices bash tests/parts/list.sh "$out.list" && grep -q '^bumpers,4,,8,' "$out.list" || { grep bumpers "$out.prices/price-world.csv" "$out.lines" "$out.list"; echo "the module is not in the price list with 4 lines and 8 bytes a body"; return 1; }
+  DATA=$out.prices bash tests/parts/list.sh "$out.list" > "$out.log" && grep -q '^bumpers,4,,8,' "$out.list" || { grep bumpers "$out.prices/price-world.csv" "$out.lines" "$out.list"; echo "the module is not in the price list with 4 lines and 8 bytes a body"; return 1; }
   tangle/tangle --without bumpers "$out.none" $(tangle/chapters) "$all" && tangle/tangle --without "" "$out.book" $(tangle/chapters)
   for d in core math collision dynamics engine include; do diff -r "$out.none/$d" "$out.book/$d" > "$out.log" || { head -5 "$out.log"; echo "WITHOUT=bumpers leaves something of it in $d"; return 1; }; done
   grep -q '<svg' "$out/book/html/plots/bumper-fall.svg" && [ "$(wc -c < "$out/book/html/plots/bumper-fall.svg")" -gt 2000 ] || { echo "the plot whose script is a chunk was not drawn"; return 1; }
