@@ -42,7 +42,7 @@ help:
 	@echo "make parts              build and test the least engine, each part alone and left out;  make prices  what each costs"
 	@echo "make mutate             plant mutants and count how many the tests catch (long)"
 	@echo "make abuse CALLS=10000000 and make soak STEPS=1000000: random calls, and a long run, with everything checked"
-	@echo "make exercise | try | grade | weave E=10.2 [NAME=ada], progress: exercises;  make teacher | assignment E=\"...\" | grade-all DIR=... | feedback: for teachers; make course: proves them"
+	@echo "make exercise | try | grade | weave E=10.2 [NAME=ada], progress: exercises;  make teacher | assignment E=\"...\" | grade-all DIR=... | feedback | slides | papers: for teachers; make course: proves them"
 	@echo "make install PREFIX=... and make uninstall;  make dist: a tarball that builds with a compiler and make alone;  make deb: Debian packages"
 	@echo "make clean              remove build/"
 

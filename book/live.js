@@ -105,11 +105,11 @@
   };
 
   // -- figures: handles to drag, a time to run; one instance serves them all, since it keeps nothing between two drawings
-  let shared = null;
-  const figureModule = () => shared || (shared = instance('figures-' + window.WEFT_PAGE).then(part => part.x));
+  const shared = {};
+  const figureModule = name => shared[name] || (shared[name] = instance('figures-' + name).then(part => part.x));
   const ns = 'http://www.w3.org/2000/svg';
   const makeFigure = async figure => {
-    const x = await figureModule(), name = figure.dataset.live, svg = figure.querySelector('.pic svg');
+    const x = await figureModule(figure.dataset.of || window.WEFT_PAGE), name = figure.dataset.live, svg = figure.querySelector('.pic svg');
     put(x, x.live_text(), name);
     const row = x.live_find();
     if (row < 0 || !svg) return;

@@ -1,6 +1,6 @@
 # book.mk: the book. `make html`, `make pdf`, `make book` (both); with FOR=scene.json, ONLY="parts" or WITHOUT="parts" that of a smaller engine,
 # in build/parts/NAME/book. BUILD=dir puts it elsewhere; TOLERANT=1 tells errors and goes on;
-# PAGE=60 (a file's number, its name or its path) weaves one page alone, in seconds; TEACHER=1 keeps the solutions; STRICT=1 makes an equation that no code refers to an error.
+# PAGE=60 (a file's number, its name or its path) weaves one chapter alone, as a page or a PDF, in seconds; TEACHER=1 keeps the solutions; STRICT=1 makes an equation that no code refers to an error.
 BUILD    ?= build
 W        := $(BUILD)/weave
 HTML     := $(BUILD)/book/html
@@ -11,7 +11,7 @@ VOLUMES  := $(shell tangle/chapters --volumes | cut -f1)
 LOOM     := $(wildcard tangle/*.lua) tangle/weave tangle/markup tangle/page
 PAGEMETA  = -M figures=$(abspath $(HTML)) $(if $(TOLERANT),-M missing=true) $(if $(TEACHER),-M teacher=true) $(if $(filter chapters/testbed/%,$(NW)),-M testbed=true)
 
-.PHONY: book html pdf figures
+.PHONY: book html pdf figures slides
 ifneq ($(CHOSEN),)
 book html pdf: engine $(W)/figures.stamp
 	@tangle/shrunk '$(PART_DIR)' '$(if $(FOR),for $(basename $(notdir $(FOR))),$(subst only nothing,without parts,$(subst +, ,$(PART_NAME))))' $@ $(PART_CHOICE) -- $(HTML) $(NW)
@@ -37,10 +37,10 @@ $(W)/figures.stamp: $(W)/.stamp $(wildcard book/plots/*.gp book/data/*.csv) tang
 
 # -- HTML
 ifneq ($(PAGE),)
-html:
+html pdf:
 	@file='$(firstword $(filter $(PAGE),$(NW)) $(foreach f,$(NW),$(if $(filter $(PAGE) $(PAGE)-% %-$(PAGE),$(basename $(notdir $f))),$f)))'; \
 	[ -n "$$file" ] || { echo "book: no chapter $(PAGE) -- PAGE=60, PAGE=leapfrog or its file, with EXTRA= where it lives elsewhere" >&2; exit 2; }; \
-	tangle/preview "$$file" $(BUILD)/page
+	BUILD=$(BUILD) TEACHER=$(TEACHER) tangle/preview "$$file" $(BUILD)/page $@
 else ifeq ($(CHOSEN),)
 html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 endif
@@ -48,6 +48,11 @@ $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
 $(W)/bib.lua: $(W)/.stamp ;
+# -- slides: a page for each week of the course
+SLIDES := $(patsubst %,$(HTML)/slides-%.html,1 2 3 4 5 6 7 8 9 10 11 12)
+$(SLIDES): book/slides.html
+slides: html $(SLIDES)
+	@echo "slides: $(HTML)/slides-1.html to slides-12.html (blank, arrows; the browser prints them as a PDF)"
 $(HTML)/book.css $(HTML)/book.js $(HTML)/testbed.html: $(HTML)/%: book/%
 	@mkdir -p $(@D); cp $< $@
 $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js: $(HTML)/%: book/% tangle/bare
@@ -81,7 +86,7 @@ $(TEXDIR)/ch/%.tex: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/we
 # a PDF for each volume that has a chapter; what is not in the plan goes to the first
 define volume
 IN_$(1) := $(filter-out $(ONLINE),$(shell tangle/chapters --in $(1) $(NW)))
-ifneq ($$(if $(CHOSEN),,$$(IN_$(1))),)
+ifneq ($$(if $(CHOSEN)$(PAGE),,$$(IN_$(1))),)
 pdf: $(BUILD)/book/$(1).pdf
 endif
 $(BUILD)/book/$(1).pdf: $$(IN_$(1):%=$(TEXDIR)/ch/%.tex) $(TEXDIR)/ch/glossary.tex book/book.tex tangle/pdf $(W)/figures.stamp

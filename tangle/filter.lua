@@ -339,7 +339,7 @@ local function figure(el)
     if not file then picture = '<div class="missing">' .. Code.html(path) .. " is not drawn yet</div>"
     elseif path:match("%.svg$") then picture = inline_svg(Code.read(file), (id ~= "" and id or path):gsub("[^%w]+", "-"), caption_text)
     else picture = '<img src="' .. path .. '" alt="' .. Code.html(caption_text) .. '">' end
-    r:insert(rawb('<figure class="fig' .. (plot and " plot" or "") .. '"' .. live_data(path) .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><div class="pic"' ..
+    r:insert(rawb('<figure class="fig' .. (plot and " plot" or "") .. '"' .. live_data(path) .. (im.attributes.of and ' data-of="' .. im.attributes.of .. '"' or "") .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><div class="pic"' ..
       (width and ' style="width:' .. width .. '"' or "") .. ">" .. picture .. "</div><figcaption>" .. (l and (l.online and '<b class="online">' or "<b>") .. "Figure " .. l.num .. ".</b> " or "")))
     r:insert(pandoc.Plain(im.caption))
     r:insert(rawb(commands .. "</figcaption></figure>"))
@@ -567,7 +567,7 @@ local function div(el)
   elseif c:includes("solution") then
     if not teacher then return {} end
     local l = db.labels[a["for"] or ""]
-    return box("solution", "Solution of " .. (l and "Exercise " .. l.num or "an exercise"), nil, el.content)
+    return box("solution", "Solution of " .. (l and (l.kind == "sec" and l.title or "Exercise " .. l.num) or "an exercise"), nil, el.content)
   elseif c:includes("goals") then
     local told = a.report and "the report: " .. esc(a.report) or nil
     if a.part and a.part ~= "" then
@@ -658,14 +658,14 @@ local function meta(m)
     elseif e.name == me then m.prev, m.next = nav(e), nav(written[i + 1]) end
   end
   m.toc = pandoc.MetaBlocks { rawb(require "contents"(db, here, (mine.base:gsub("%.%a+$", "")))) }
-  m.pagetitle = pandoc.MetaString(title or "Formulas and their code")
+  m.pagetitle = pandoc.MetaString(title or mine.slides or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
 end
 
 -- The page's chunks and equations as a script, so that other pages can show them, from file:// too.
 local function write_previews()
-  if not html or not data_dir or #mine.chunks == 0 and #previews == 0 or mine.base == "formulas" then return end
+  if not html or not data_dir or #mine.chunks == 0 and #previews == 0 or mine.base == "formulas" or mine.slides then return end
   local function quote(s) return '"' .. s:gsub('[\\"]', "\\%0"):gsub("\n", "\\n"):gsub("</", "<\\/") .. '"' end
   local maths, n = {}, 0
   for _, p in ipairs(previews) do if type(p[2]) ~= "string" then maths[#maths + 1] = pandoc.Para { p[2] } end end

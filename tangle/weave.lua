@@ -140,7 +140,7 @@ for _, e in ipairs(entries) do taken[e.num] = "book/plan.tsv" end
 for _, c in ipairs(book.chapters) do
   local e = entry_of[c.name]
   local chapter = c.of and entry_of[c.of]
-  if reserved[c.name] then book:complain(c.file, 1, "no chapter can be called " .. c.name .. ", for a page of the book is", "give its file another name") end
+  if reserved[c.name] or c.name:match("^slides%-%d+$") then book:complain(c.file, 1, "no chapter can be called " .. c.name .. ", for a page of the book is", "give its file another name") end
   if chapter and not e then                                         -- NAME.figures, NAME.lab
     local kind = c.name:match("%.(%a+)$")
     e = { name = c.name, of = c.of, volume = chapter.volume, part = chapter.part, num = chapter.num .. "." .. kind:sub(1, 1):upper(),
@@ -267,7 +267,7 @@ local function heading(chapter, line, level, text)
   if print == "web" then chapter.web_level = chapter.web_level or level; chapter.web = true      -- print has its title alone
   elseif print then book:complain(chapter.file, line, 'print="' .. print .. '" says nothing', 'write print="web" at a section that only the pages have') end
   chapter.here = id
-  local h = { level = level, num = num, id = id, title = title, page = chapter.entry.page }
+  local h = { level = level, num = num, id = id, title = title, page = chapter.entry.page, web = chapter.web }
   if level == 1 then
     chapter.entry.id = id
     chapter.entry.title = title
@@ -400,7 +400,8 @@ local function doc_line(chapter, line, l)
     local solved = l:match("%.solution.-for=[\"']?([%w:_%-]+)")
     if solved then refs_seen[#refs_seen + 1] = { chapter.file, line, solved } end
     for id in l:gmatch("#(ex:[%w_%-]+)") do
-      count_label(chapter, line, id)
+      local label = count_label(chapter, line, id)
+      if label then label.exercise = l:match("kind=(%a+)") end
       if labels[id] then search[#search + 1] = { kind = "ex", title = "Exercise " .. labels[id].num, page = chapter.entry.page, id = id } end
     end
   end
@@ -1088,33 +1089,7 @@ for i, ch in ipairs(book.chapters) do
   Code.write_if_changed(out .. "/" .. ch.name .. ".uses", table.concat(ch.assets or {}, "\n") .. "\n")
   ::next_chapter::
 end
--- The course: the rows of the table in the chapter coursework, "| week | @sec:a, @sec:b to @sec:d | pages |", and of each chapter its week.
-db.weeks = {}
-for _, c in ipairs(book.chapters) do
-  if c.name == "coursework" and labels["sec:coursework-weeks"] then
-    for n, read, pages in table.concat(c.md):gmatch("\n| *(%d+) *|([^|\n]*@sec:[^|\n]*)| *(%d+) *|") do
-      local week, last = { n = n, title = "", pages = tonumber(pages), chapters = {} }, nil
-      for between, id in read:gmatch("(.-)@(sec:[%w_%-]*%w)") do
-        local l = labels[id]
-        for i, e in ipairs(entries) do
-          if l and e.page == l.page and not e.of then
-            for k = between == " to " and last and last + 1 or i, i do
-              local x = entries[k]
-              if not x.planned then
-                x.week = x.week or n
-                week.chapters[#week.chapters + 1] = x.name
-                week.title = week.title .. (week.title == "" and "" or ", ") .. x.num .. " " .. Code.plain(x.title)
-                week.page = week.page or x.page
-              end
-            end
-            last = i
-          end
-        end
-      end
-      if week.page then db.weeks[#db.weeks + 1] = week end
-    end
-  end
-end
+db.weeks = how and {} or require "weeks"(book, db, out, scenes)
 db.cited = {}
 for k in pairs(cited) do db.cited[#db.cited + 1] = k end
 table.sort(db.cited)

@@ -17,10 +17,11 @@ out=$(mktemp -d); trap 'rm -rf "$out" coursework/tester' EXIT
 if [ "${1-}" != class ]; then
   mkdir -p "$out/pages" "$out/html/data"
   for base in $(tangle/course list); do "$(tangle/lua)" tangle/course.lua composed "$base" "$out/pages/$base.nw"; done
-  cp chapters/solutions/answers.nw "$out/pages/"
+  cp chapters/solutions/{answers,weekly-tests}.nw "$out/pages/"
   tangle/bib "$out/weave"; tangle/weave --tolerant --html "$out/html" "$out/weave" "$out"/pages/*.nw 2> "$out/errors"
   ls "$out/pages" | xargs -P 2 -I{} sh -c 'b=${1%.nw}; TOLERANT=1 tangle/page html "$b" "$2/weave" "$2/html/$b.html" -M missing=true -M teacher=true > "$2/$b.said" 2>&1 || { head -3 "$2/$b.said"; exit 1; }' - {} "$out" || fail "a page of the teacher's edition cannot be woven"
   [ "$(grep -c 'Solution of' "$out/html/answers.html")" = "$(grep -c '{\.solution' chapters/solutions/answers.nw)" ] || fail "worked answers are missing on their page"
+  [ "$(grep -c 'Solution of Week' "$out/html/weekly-tests.html")" = 12 ] || fail "answers of the weekly tests are missing on their page"
 fi
 
 # -- begin, try, grade: what a student does, with a solution handed in hole by hole

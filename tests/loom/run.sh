@@ -625,7 +625,39 @@ int wfFirst(void) { return 1; }
 @
 <<lab/one.c>>=
 int lab = 1;
+<<rows of the scene table>>
 @
+<<rows of the scene table>>=
+/* { .category = "Motion", .name = "Fall", .build = wfFirst }, */
+@
+
+## Read {#sec:one-read}
+
+$$ a = 1 $$ {#eq:one-a}
+
+![A fall.](scenes/fall-10.svg){#fig:one-fall}
+
+<<functions of one>>=
+int wfThird(void) { return 3; }  /* eq:one-a */
+@
+
+## Left out {#sec:one-deep}
+
+![Another.](scenes/fall-20.svg){#fig:one-deep}
+
+## Exercises {#sec:one-exercises}
+
+::: {.exercise #ex:a kind=derive}
+One.
+:::
+
+::: {.exercise #ex:b kind=derive}
+Two.
+:::
+
+::: {.exercise #ex:c kind=program}
+Three.
+:::
 X
 chapter 02-more.nw <<'X'
 # More {#sec:more}
@@ -643,12 +675,12 @@ chapter A-coursework.nw <<'X'
 
 ## Weeks {#sec:coursework-weeks}
 
-| week | read | pages |
-|---|---|---|
-| 1 | @sec:one | 3 |
+| week | read | exercises | at its end |
+|---|---|---|---|
+| 1 | @sec:one without @sec:one-deep | @ex:a, @ex:b, *@ex:c* | it runs: `fall` |
 X
 if weave; then ok "a book of two volumes"; else bad "a book of two volumes"; fi
-for b in one more; do WEFT_ROOT=$dir tangle/page latex $b "$dir/out/weave" "$dir/out/$b.tex" >>"$work/log" 2>&1 || bad "TeX $b"; done
+for b in one more; do WEFT_ROOT=$dir tangle/page latex $b "$dir/out/weave" "$dir/out/$b.tex" -M missing=true >>"$work/log" 2>&1 || bad "TeX $b"; done
 WEFT_ROOT=$dir tangle/page html more "$dir/out/weave" "$dir/out/html/more.html" >>"$work/log" 2>&1
 has "$dir/out/one.tex" '\wFar{methods}{sec:more-code}{Section~M1.1} of \emph{Methods}' "the first reference names the volume"
 has "$dir/out/one.tex" '\wFar{methods}{sec:more}{Chapter~M1}.' "the next has its letter"
@@ -665,6 +697,16 @@ has "$dir/out/html/index.html" '<div class="door"><h2><small>Volume 2</small> <a
 has "$dir/out/html/index.html" '<a href="one.html" title="1 One">1</a>' "and one for the course"
 has "$dir/out/html/more.html" '<i class="wk" title="read in week 1 of the course">1</i>' "a chapter of the course has its week beside it"
 has "$dir/out/html/more.html" '<details open><summary><b>2</b> Methods' "the volume that is read is open"
+slides=$dir/out/weave/slides-1.md
+has "$slides" '## [1.1 Read](one.html#sec:one-read)' "a week's slides have its sections"; has "$slides" '$$ a = 1 $$ {#eq:one-a}' "their formulas"
+has "$slides" '![A fall.](scenes/fall-10.svg){#fig:one-fall of=one}' "and their figures"; hasnt "$slides" 'fall-20' "and nothing of what is left out"
+row='^| 1 |.*'
+week() { sed -i "s/$row/| 1 | $1 |/" "$dir/chapters/A-coursework.nw"; }
+week '@sec:one | @ex:a, *@ex:c* | it runs: `fall`'; refuse "a week with two exercises" A-coursework.nw 7 'week 1 of the course has 2 exercises' 'name three'
+week '@sec:one | @ex:a, @ex:b, @ex:a | it runs: `fall`'; refuse "a week without a program" A-coursework.nw 7 'no program among them' 'one of the kind program'
+week '@sec:one | @ex:a, @ex:b, *@ex:c* | it runs: `fell`'; refuse "a week that ends with nothing" A-coursework.nw 7 'ends with nothing that runs' 'name a scene'
+week '@sec:more | @ex:a, @ex:b, *@ex:c* | it runs: `fall`'; refuse "a week that reads another volume" A-coursework.nw 7 'reads sec:more, which is not in the first volume' 'name one of its sections'
+week '@sec:coursework | @ex:a, @ex:b, *@ex:c* | it runs: `fall`'; refuse "an exercise before its chapter" A-coursework.nw 7 'has ex:a, of a chapter that is read later' 'choose another'
 
 # ---- the book of a smaller engine
 book smaller; chapter 01-one.nw <<'X'

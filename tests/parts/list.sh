@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # The price list: for each need all that was measured of it, side by side. book/data/price-list.csv, from the tables of the chapter price-list that are
 # there already (price-parts, -world, -time, -buys, -whole, and of doubles price-world-double and price-double-time and accuracy-precision), so it is made in no time (make prices).
-#   tests/parts/list.sh [FILE]
+#   tests/parts/list.sh [FILE]      DATA=dir: the tables are there
 set -uo pipefail
 cd "$(dirname "$0")/../.."
-d=book/data to=${1:-book/data/price-list.csv}
+d=${DATA:-book/data} to=${1:-book/data/price-list.csv}
 awk -F, -v OFS=, -v machine="$(tangle/machine)" '
   FNR == 1 { file++ }
   /^#/ || /^(part|what|need|scene),/ { next }

@@ -12,13 +12,13 @@ to=${1:-book/data/price-parts.csv}
 dir=build/price; mkdir -p "$dir"
 lua=$(tangle/lua) || exit 1
 for d in /usr/lib/noweb /usr/local/lib/noweb /opt/homebrew/lib/noweb /opt/local/lib/noweb; do [ -z "${lib:-}" ] && [ -x "$d/markup" ] && lib=$d; done
-tangle/markup "${NOWEB_LIB:-$lib}" $(tangle/chapters) | $lua tangle/count.lua > "$dir/lines.txt" || exit 1
+tangle/markup "${NOWEB_LIB:-$lib}" $(tangle/chapters) ${EXTRA-} | $lua tangle/count.lua > "$dir/lines.txt" || exit 1
 [ "$to" = --lines ] && { cat "$dir/lines.txt"; exit 0; }
 flags="-std=c11 -Os -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-asynchronous-unwind-tables -fno-stack-protector"
 # bytes NAME how parts: of code and read-only data. An engine that was measured before is not measured again.
 bytes() {
   local name=$1 d=$dir/$1 key; shift
-  rm -rf "$d"; tangle/tangle --lines "$1" "$2" "$d" $(tangle/chapters) || exit 1
+  rm -rf "$d"; tangle/tangle --lines "$1" "$2" "$d" $(tangle/chapters) ${EXTRA-} || exit 1
   key=$dir/known.$(cksum < "$d/parts" | tr ' ' .)
   if [ -f "$key" ]; then cp "$key" "$dir/$name.bytes"; rm -rf "$d"; return; fi
   (cd "$d" && mkdir -p obj && { find core math collision dynamics engine -name "*.c" 2>/dev/null || true; } | sort |

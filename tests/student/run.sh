@@ -59,7 +59,12 @@ everything() {
   "$out/bin/weft-headless" --export bumper --steps 30 > "$out.json" && grep -q '"bumperForce": 2' "$out.json" || { echo "a scene as text lacks the setting"; return 1; }
   sed 's/"bumperForce": 2/"bumperForce": 5/' "$out.json" > "$out.5.json" && "$out/bin/weft-headless" --export "$out.5.json" 2>"$out.log" | grep -q '"bumperForce": 5' || { cat "$out.log"; echo "the setting isn't read from a scene's text"; return 1; }
   ${CC:-cc} -std=c11 -w -I"$out/lines/include" tests/student/bumper.c "$out/lib/libweft.a" -lm -o "$out/bumper" && "$out/bumper" "$out/bumper.save" || { echo "tests/student/bumper.c failed at step $?: the setting in a save"; return 1; }
-  "$out/bin/weft-lab" run price-world | grep -q '^bumpers,' || { echo "the module is not in the price list"; return 1; }
+  # its prices: bytes a body, lines; both stand in the list. Without the part the engine is the book's, file by file.
+  mkdir -p "$out.prices"; cp book/data/*.csv "$out.prices/"; "$out/bin/weft-lab" run price-world > "$out.prices/price-world.csv"
+  EXTRA=$all bash tests/parts/price.sh --lines > "$out.lines"; grep '^bumpers|' "$out.lines" | tr '|' ',' | sed 's/$/,,/' >> "$out.prices/price-parts.csv"
+  DATA=$out.prices bash tests/parts/list.sh "$out.list" > "$out.log" && grep -q '^bumpers,4,,8,' "$out.list" || { grep bumpers "$out.prices/price-world.csv" "$out.lines" "$out.list"; echo "the module is not in the price list with 4 lines and 8 bytes a body"; return 1; }
+  tangle/tangle --without bumpers "$out.none" $(tangle/chapters) "$all" && tangle/tangle --without "" "$out.book" $(tangle/chapters)
+  for d in core math collision dynamics engine include; do diff -r "$out.none/$d" "$out.book/$d" > "$out.log" || { head -5 "$out.log"; echo "WITHOUT=bumpers leaves something of it in $d"; return 1; }; done
   grep -q '<svg' "$out/book/html/plots/bumper-fall.svg" && [ "$(wc -c < "$out/book/html/plots/bumper-fall.svg")" -gt 2000 ] || { echo "the plot whose script is a chunk was not drawn"; return 1; }
   [ -s "$out/data/bumper-fall.csv" ] || { echo "the plot's data were not measured"; return 1; }
   grep -q 'plot' "$out/book/html/bumper.html" && [ -s "$out/book/html/scenes/bumper-30.svg" ] || { echo "plot and frozen scene are not on the page"; return 1; }
@@ -69,8 +74,15 @@ everything() {
   echo 'plot nonsense' > "$out.broken/weave/src/plots/bumper-fall.gp"
   tangle/figures "$out.broken/weave/src" "$out.broken" > "$out.log" 2>&1 || { cat "$out.log"; echo "a broken plot of an extender stops the book"; return 1; }
   grep -q 'warning: plots/bumper-fall.svg is an empty frame' "$out.log" && grep -q '<rect' "$out.broken/book/html/plots/bumper-fall.svg" || { cat "$out.log"; echo "a broken plot isn't told, or leaves no frame"; return 1; }
-  # in print
-  tangle/page latex bumper "$out/weave" "$out/bumper.tex" -M "figures=$PWD/$out/book/html" && grep -q 'includegraphics.*bumper-fall.pdf' "$out/bumper.tex" && [ -s "$out/book/html/plots/bumper-fall.pdf" ] || { echo "the chapter or its plot is not in print"; return 1; }
+  # in print: the chapter alone as a PDF, with its figures
+  make --no-print-directory pdf PAGE=63 EXTRA="$both" BUILD="$out" > "$out.log" 2>&1 && pdftotext -layout "$out/page/bumper.pdf" "$out.txt" || { tail -5 "$out.log"; echo "the chapter makes no PDF"; return 1; }
+  for want in 'Everything in one file, by a student' 'Figure 63.1' 'Figure 63.2' 'Exercise 63.1' 'WF_MODULE(BUMPERS'; do grep -qF "$want" "$out.txt" || { echo "the PDF lacks $want"; return 1; }; done
+  [ "$(grep -c 'includegraphics.*/\(scenes/bumper-30\|plots/bumper-fall\).pdf' "$out/page/tex/ch/bumper.tex")" = 2 ] || { echo "the scene or the plot is not in the PDF"; return 1; }
+  # on a page: the scene in WebAssembly has the hashes that it has natively
+  if [ -f "$out/web/whole.wasm" ] && command -v node > /dev/null; then
+    node tests/web/module.mjs "$out/web" "$out/bin/weft-headless" 100 bumper "leapfrog fountain" > "$out.log" || { cat "$out.log"; echo "a student's scene moves otherwise on a page"; return 1; }
+    wasm=wasm,
+  else echo "no clang for WebAssembly or no node here: the scene on the page was not run"; fi
   # the exercise: solution, starter and wrong solutions are chunks. It is graded with this build's engine, beside the step "course".
   local -x BUILD=$out EXTRA=$all COURSE_READY=1
   mkdir -p "$out/course"; nm -g --defined-only "$out"/lib/*.a 2>/dev/null | sed -nE 's/^.* [A-Z] //p' | sort -u > "$out/course/engine.names"
@@ -81,7 +93,7 @@ everything() {
     tangle/course grade-all "$out/class" > "$out.log" 2>&1 && grep -q '^ada,,bumper-bounce,2,2,graded' "$out/course/class/grades.csv" || { tail -5 "$out.log"; echo "an extender's exercise isn't graded"; return 1; }
   fi
   rm -rf coursework/extender
-  echo "$all: scene, overlay, setting, module, schema, text, save, price, plot, page, print, exercise"
+  echo "$all: scene, overlay, setting, module, array, schema, text, save, price, plot, page, ${wasm-} PDF, exercise"
 }
 # One line adds an array to the block of a world, one a setting, one a module; one hears that a body is moved.
 one_line() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The printed volumes (made by the step book, or here): their pages, the weeks of the course, sizes of letters, references
-# from one to another; and for three scenes the book of an engine that has what the scene requires and nothing else.
+# The printed volumes (made by the step book, or here): their pages, the weeks of the course with their slides and tests, sizes of
+# letters, references from one to another; and for three scenes the book of an engine that has what the scene requires and nothing else.
 #   tests/volumes/run.sh             all of that
 #   tests/volumes/run.sh --record    lowers the bounds of pages to what is there (tests/volumes/pages)
 set -uo pipefail
@@ -8,9 +8,10 @@ cd "$(dirname "$0")/../.."
 lua=$(tangle/lua) || exit 1
 M="make --no-print-directory"
 bad=0
-$M book STRICT=1 || exit 1                   # nothing, behind the step book
+$M book slides STRICT=1 || exit 1                   # nothing, behind the step book
 $lua tests/volumes/volumes.lua build tests/volumes/pages "$@" || bad=1
 [ $# -eq 0 ] || exit $bad
+bash tests/volumes/weeks.sh || bad=1
 # the same measured in a PDF: at three times its size no letter of code is below 22 (7.6 pt, cut to a whole number)
 least=$(pdftohtml -xml -i -zoom 3 -stdout build/book/engine.pdf 2>/dev/null | sed -nE 's/.*<fontspec[^>]* size="([0-9]+)" family="([A-Z]+\+)?JetBrains.*/\1/p' | sort -n | head -1)
 [ "${least:-0}" -ge 22 ] || { echo "FAIL  engine.pdf shows code of ${least:-no} thirds of a point"; bad=1; }

@@ -37,37 +37,28 @@ end
 print("pages: " .. table.concat(order, ", "))
 
 ----------------------------------------------------------------------------------------------- the weeks of the course
--- a chapter's first page, from the contents; it ends where the next chapter or part begins
-local function chapters(volume)
-  local starts, list = {}, {}
-  for l in (read(build .. "/tex/" .. volume .. ".toc") or ""):gmatch("[^\n]+") do
-    local kind, rest = l:match("^\\contentsline {(%a+)}(.*)$")
-    if kind == "chapter" or kind == "part" then
-      local page = rest:match("}{(%d+)}{[^{}]*}%%?$")
-      starts[#starts + 1] = { rest:match("\\chapternumberline {(.-)}"), tonumber(page) }
+-- A week reads from one heading to before another; where these stand is in the PDF, to the line. TOP, FOOT: of a page's text (book/book.tex).
+local MOST, TOP, FOOT = 40, 635, 65
+do
+  local first, place, said = db.volumes[1].name, {}, {}
+  for page, y, id in run("pdfinfo -dests '" .. build .. "/book/" .. first .. ".pdf' 2>/dev/null"):gmatch('(%d+) %[ XYZ +%-?%d+ +(%-?%d+) null *%] "(sec:[^"\n]+)"') do
+    place[id] = tonumber(page) + math.max(0, math.min(1, (TOP - tonumber(y)) / (TOP - FOOT)))
+  end
+  for _, h in ipairs(db.heads) do if h.level == 1 and place[h.id] then place[h.id] = math.floor(place[h.id]) end end     -- a chapter begins a page
+  if #db.weeks ~= 12 then bad("the course has %d weeks, not 12 -- see the table of the chapter coursework", #db.weeks) end
+  for i, w in ipairs(db.weeks) do
+    local n = 0
+    if tonumber(w.n) ~= i then bad("week %s of the course stands in place %d", w.n, i) end
+    for _, span in ipairs(w.spans) do
+      if place[span[1]] and place[span[2]] then n = n + place[span[2]] - place[span[1]]
+      else bad("week %s: %s or %s is not in %s.pdf", w.n, span[1], span[2] or "its end", first) end
     end
+    if n > MOST then bad("week %s reads %.1f pages, more than %d -- leave out a section, or move one to another week (coursework)", w.n, n, MOST) end
+    if n < MOST / 4 then bad("week %s reads %.1f pages: is its row right?", w.n, n) end
+    said[i] = string.format("%.1f", n)
   end
-  for i, s in ipairs(starts) do if s[1] and starts[i + 1] then list[s[1]] = starts[i + 1][2] - s[2] end end
-  return list
+  print("weeks: " .. table.concat(said, " ") .. " pages")
 end
-local printed = chapters(db.volumes[1].name)
-local entry = {}
-for _, e in ipairs(db.entries) do entry[e.name] = e end
-local said = {}
-if #db.weeks ~= 12 then bad("the course has %d weeks, not 12 -- see the table of the chapter coursework", #db.weeks) end
-for i, w in ipairs(db.weeks) do
-  local n = 0
-  if tonumber(w.n) ~= i then bad("week %s of the course stands in place %d", w.n, i) end
-  for _, name in ipairs(w.chapters) do
-    local e = entry[name]
-    if db.volume_of[e.page] ~= db.volumes[1].name then bad("week %s reads %s, which is not in the first volume", w.n, name) end
-    if not printed[e.num] then bad("the contents do not say where chapter %s begins", e.num) end
-    n = n + (printed[e.num] or 0)
-  end
-  if n > w.pages then bad("week %s reads %d pages, and its row says %d -- shorten, or move a chapter to another week (coursework)", w.n, n, w.pages) end
-  said[i] = n
-end
-print("weeks: " .. table.concat(said, " ") .. " pages")
 
 ---------------------------------------------------------------------------- letters: TeX has counted those that it has shipped
 -- kind font size count page; kind 1: tables, 2: chunks and blocks of code. Formulas are apart, for their indices are small.

@@ -1,11 +1,11 @@
 // module.mjs: the testbed's module in node: every scene's words must be those of weft-headless, digit for digit, in one piece and in two.
-//   node tests/web/module.mjs build/web build/bin/weft-headless [STEPS]
+//   node tests/web/module.mjs build/web build/bin/weft-headless [STEPS [SCENE ...]]      these scenes alone, and no visits
 import { readFileSync, existsSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { execFileSync } from 'node:child_process';
 import { named, described, visits } from './visit.mjs';
-const [dir, headless, steps = 100] = process.argv.slice(2);
+const [dir, headless, steps = 100, ...only] = process.argv.slice(2);
 const module = name => new WebAssembly.Module(readFileSync(join(dir, name)));
 let bad = 0;
 const fail = text => { bad++; console.log('module: ' + text); };
@@ -21,7 +21,7 @@ const alone = () => {
   return new WebAssembly.Instance(first, { placeholder }).exports;
 };
 let visited = 0;
-for (const [name, visit] of visits()) {
+for (const [name, visit] of only.length ? [] : visits()) {
   try { visit(alone()); visited++; } catch (e) { fail(`${name}: ${e.message} -- tests/web/weight.sh makes the list of the first part anew`); }
 }
 const both = () => {
@@ -32,7 +32,8 @@ const both = () => {
 
 const list = execFileSync(headless, ['--record', '--steps', '1'], { encoding: 'utf8' });
 const log = join(mkdtempSync(join(tmpdir(), 'weft-')), 'log');
-const rows = list.trim().split('\n').filter(l => !l.startsWith('#')).slice(1).map(l => l.split(','));
+const rows = list.trim().split('\n').filter(l => !l.startsWith('#')).slice(1).map(l => l.split(',')).filter(([scene]) => !only.length || only.includes(scene));
+if (only.length && rows.length < only.length) fail(`weft-headless knows not all of ${only.join(', ')}`);
 const hash = text => (text.match(/^hash ([0-9a-f]+)$/m) || [])[1];
 const played = (x, scene, frame) => {
   if (!named(x, scene)) return fail(`it does not know the scene ${scene}`);

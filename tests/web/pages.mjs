@@ -91,7 +91,9 @@ const tryScene = async (page, figure, name, where) => {
 
 // Pages with something alive. In a check every fifth of them; ALL_PAGES=1: all, some three minutes.
 const alive = readdirSync(html).filter(f => f.endsWith('.html') && /data-(live|scene)=/.test(readFileSync(join(html, f), 'utf8')));
-const pages = alive.filter((f, i) => only.length ? only.includes(f) : process.env.ALL_PAGES || i % 5 === 0);
+const slides = /^slides-\d+\.html$/, book = alive.filter(f => !slides.test(f));
+const pages = [...book.filter((f, i) => process.env.ALL_PAGES || i % 5 === 0), 'slides-7.html'];
+if (only.length) pages.splice(0, pages.length, ...alive.filter(f => only.includes(f)));
 const desk = await browser.newContext({ viewport: { width: 1100, height: 900 }, reducedMotion: 'no-preference' });
 const plain = await browser.newContext({ javaScriptEnabled: false });      // here no figure comes alive: what each draws when it is frozen
 for (const file of pages) {
@@ -171,6 +173,24 @@ await bed2.close();
 const still = await plain.newPage();
 await still.goto(url('narrow-phase.html'));
 check(await still.locator('figure[data-live] svg').count() > 3, 'narrow-phase.html: without JavaScript there is no figure');
+
+// slides: what is on one fits on it, no formula is cut off, and a figure has room; in print each is a page
+for (const file of readdirSync(html).filter(f => slides.test(f) && (!only.length || only.includes(f)))) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 } }), page = await open(context, file);
+  await page.evaluate(() => document.fonts.ready);
+  await page.waitForTimeout(300);
+  const found = await page.locator('.slide').evaluateAll(all => all.map((s, i) => [
+    s.scrollHeight > s.clientHeight + 1 && 'is too full',
+    [...s.querySelectorAll('.pic')].some(p => p.clientHeight < 200) && 'has no room for its figure',
+    [...s.querySelectorAll('.eqm')].some(e => e.scrollWidth > e.clientWidth + 1) && 'cuts off a formula',
+  ].filter(Boolean).map(t => `slide ${i + 1} ${t}`)).flat());
+  check(!found.length, `${file}: ${found.join('; ')}`);
+  const printed = (await page.pdf({ preferCSSPageSize: true })).toString('latin1').match(/\/Type \/Page\b/g).length, count = await page.locator('.slide').count();
+  check(printed === count, `${file}: ${count} slides are ${printed} pages in print`);
+  await page.keyboard.press('PageDown');
+  check(await page.evaluate(() => Math.round(scrollY / innerHeight)) === 1, `${file}: a key does not turn the slide`);
+  await context.close();
+}
 
 // accessibility, by axe
 for (const file of ['index.html', 'narrow-phase.html', 'testbed.html', 'gallery.html'].filter(f => !only.length || only.includes(f))) {
