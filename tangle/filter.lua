@@ -220,7 +220,7 @@ local function inlines(list)
         else
           local few = {}
           for k = 1, math.min(#links, 3) do few[k] = links[k] end
-          r:insert(raw("\\wLabel{" .. id .. "}" .. ((db.eqs[id] or {}).code and "\\label{" .. id .. "}" or "") .. "\\begin{equation}\\tag*{\\wTag{" .. l.num .. "}{" .. table.concat(few, ", ") .. (#links > 3 and ", \u{2026}" or "") .. "}}" .. m.text .. "\\end{equation}"))
+          r:insert(raw(((db.eqs[id] or {}).code and "\\label{" .. id .. "}" or "") .. "\\wLabel{" .. id .. "}\\begin{equation}\\tag*{\\wTag{" .. l.num .. "}{" .. table.concat(few, ", ") .. (#links > 3 and ", \u{2026}" or "") .. "}}" .. m.text .. "\\end{equation}"))
         end
         i = j + 1
       else
