@@ -152,7 +152,7 @@ do
     list[id], n = true, n + 1
     if name == "" or code == "" then bad("the list of formulas has no name or no function for (%s)", num) end
   end
-  local text = run("pdftotext '" .. build .. "/book/" .. first .. ".pdf' - 2>/dev/null"):match("Formulas and their code.*Formulas and their code(.*)") or ""
+  local text = run("pdftotext '" .. build .. "/book/" .. first .. ".pdf' - 2>/dev/null"):match("The numbered formulas that code(.*)") or ""
   for id, e in pairs(db.eqs) do
     if db.volume_of[e.page] == first and #(e.chunks or {}) > 0 and not db.labels[id].online then
       if not list[id] then bad("code computes (%s), %s, and the list of formulas has it not", e.num, id)
