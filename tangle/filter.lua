@@ -220,7 +220,7 @@ local function inlines(list)
         else
           local few = {}
           for k = 1, math.min(#links, 3) do few[k] = links[k] end
-          r:insert(raw("\\wLabel{" .. id .. "}\\begin{equation}\\tag*{\\wTag{" .. l.num .. "}{" .. table.concat(few, ", ") .. (#links > 3 and ", \u{2026}" or "") .. "}}" .. m.text .. "\\end{equation}"))
+          r:insert(raw(((db.eqs[id] or {}).code and "\\label{" .. id .. "}" or "") .. "\\wLabel{" .. id .. "}\\begin{equation}\\tag*{\\wTag{" .. l.num .. "}{" .. table.concat(few, ", ") .. (#links > 3 and ", \u{2026}" or "") .. "}}" .. m.text .. "\\end{equation}"))
         end
         i = j + 1
       else
@@ -550,6 +550,37 @@ local function listing(el)
   return { pandoc.Para { pandoc.Code(file), pandoc.Str ":" }, code_block(pandoc.CodeBlock(text:gsub("\n$", ""), pandoc.Attr("", classes))) }
 end
 
+-- [term]{.def}: in italics, the place that the subject index calls the first
+local function span(el)
+  if not el.classes:includes "def" then return nil end
+  local text = stringify(el.content)
+  if html then return { raw('<dfn class="term" id="' .. Code.term_id(text) .. '">'), table.unpack(el.content .. { raw("</dfn>") }) } end
+  return { raw("\\wLabel{" .. Code.term_id(text) .. "}" .. Code.tex_terms(el.attributes.index or text)), pandoc.Emph(el.content) }
+end
+-- Where a section uses a term of the index for the first time: a mark before that paragraph.
+local function mark_places(blocks)
+  local here, places = nil, mine.index or {}
+  local function look(list)
+    for _, b in ipairs(list) do
+      if b.t == "Header" and places[b.identifier] then
+        here = {}
+        for i, t in ipairs(places[b.identifier]) do here[i] = t end
+      elseif b.t == "Header" and db.labels[b.identifier] then here = nil
+      elseif b.t == "Para" and here and not (#b.content == 1 and b.content[1].t == "Image") then
+        local text = " " .. stringify(b):lower():gsub("[%s%-]+", " ") .. " "
+        for i = #here, 1, -1 do
+          if text:find(here[i][2]:gsub("[%s%-]+", " "), 1, true) then
+            b.content:insert(1, raw("\\wPlace{" .. Code.tex_term(here[i][1]) .. "}"))
+            table.remove(here, i)
+          end
+        end
+      elseif b.t == "Div" then look(b.content)
+      elseif b.t == "BulletList" or b.t == "OrderedList" then for _, item in ipairs(b.content) do look(item) end end
+    end
+  end
+  look(blocks)
+end
+
 local function div(el)
   local a, c = el.attributes, el.classes
   local function code(s) return html and "<code>" .. Code.html(s) .. "</code>" or "\\wInline{" .. Code.tex_code(s):gsub("\\_", "\\_\\wBreak{}") .. "}" end
@@ -619,6 +650,7 @@ local function header(el)
   if not l then return nil end
   el.attributes.print = nil
   if html then
+    el.attributes.index = nil
     el.content:insert(1, raw('<span class="secnum">' .. (el.level == 1 and Code.html(mine.exercise and "Exercise " .. l.num or Code.ref_text(l)) or l.num) .. "</span> "))
     if el.attributes.part then
       el.content:insert(raw('<span class="only">only with ' .. Code.html(el.attributes.part:gsub(" ", " and ")) .. "</span>"))
@@ -628,7 +660,7 @@ local function header(el)
     return el
   end
   local command = ({ "chapter", "section", "subsection", "subsubsection" })[el.level] or "paragraph"
-  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{\\wLabel{" .. el.identifier .. "}"))
+  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{\\wLabel{" .. el.identifier .. "}" .. Code.tex_terms(el.attributes.index or "")))
   el.content:insert(raw("}"))
   return pandoc.Plain(el.content)
 end
@@ -658,7 +690,7 @@ local function meta(m)
     elseif e.name == me then m.prev, m.next = nav(e), nav(written[i + 1]) end
   end
   m.toc = pandoc.MetaBlocks { rawb(require "contents"(db, here, (mine.base:gsub("%.%a+$", "")))) }
-  m.pagetitle = pandoc.MetaString(title or mine.slides or "Formulas and their code")
+  m.pagetitle = pandoc.MetaString(title or mine.slides or ({ glossary = "Glossary" })[mine.base] or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
 end
@@ -776,7 +808,10 @@ end
 return {
   { Meta = meta },
   { Pandoc = function(doc)
-    if tex then doc.blocks = leave_out(doc.blocks) end
+    if tex then
+      doc.blocks = leave_out(doc.blocks)
+      mark_places(doc.blocks)
+    end
     return doc
   end },
   { Cite = cite },
@@ -789,7 +824,7 @@ return {
       local l = db.labels[el.target:match("^#(.*)$") or ""]
       if l and (l.gone or tex and (l.online or Code.far(db, l.page))) then return el.content end
     end,
-    Para = figure, Div = div, Table = table_block },
+    Span = span, Para = figure, Div = div, Table = table_block },
   { Inlines = inlines, Header = header },
   { Pandoc = finish },
 }

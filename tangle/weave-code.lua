@@ -122,6 +122,10 @@ function M.lex(s, inside)
 end
 
 ----------------------------------------------------------------------------------------------------------- escapes
+function M.term_id(text) return "t-" .. text:lower():gsub("[^%w]+", "-") end
+-- What makeindex sorts and TeX writes: its own signs have a quote before them.
+function M.tex_term(term) return (M.tex(term):gsub('[!@|"]', '"%0')) end
+function M.tex_terms(list) return (list:gsub("%s*([^;]*[^;%s]);?", function(term) return "\\wTerm{" .. M.tex_term(term) .. "}" end)) end
 function M.tex_id(id) return (id:gsub("_", "=")) end
 function M.html(s) return (s:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;", ['"'] = "&quot;" })) end
 
@@ -151,7 +155,7 @@ end
 
 -- Markdown as plain words: for titles, tooltips, the search index.
 function M.plain(s)
-  s = s:gsub("%[%[(.-)%]%]", "%1"):gsub("`([^`]*)`{[^}]*}", "%1"):gsub("!?%[([^%]]*)%]%b()", "%1"):gsub("%s*{[#%.][^}]*}", "")
+  s = s:gsub("%[([^%[%]]+)%]{%.def[^}]*}", "%1"):gsub("%[%[(.-)%]%]", "%1"):gsub("`([^`]*)`{[^}]*}", "%1"):gsub("!?%[([^%]]*)%]%b()", "%1"):gsub("%s*{[#%.][^}]*}", "")
   s = s:gsub("%$(.-)%$", plain_math)
   s = s:gsub("%*%*?([^%*]+)%*%*?", "%1"):gsub("[`\\]", ""):gsub("%-%-%-", "\u{2014}"):gsub("%-%-", "\u{2013}")
   return s

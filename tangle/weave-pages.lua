@@ -14,17 +14,18 @@ local function fill(template, values)
   end))
 end
 
-local lists = { { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
+local lists = { { "subjects.html", "Subject index" }, { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
   { "sources.html", "Assembled sources" }, { "bibliography.html", "Bibliography" } }
 local function list_links(db)
   local t = {}
-  for i, l in ipairs(lists) do if i > 1 or #db.glossary > 0 then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
+  for i, l in ipairs(lists) do if i > 2 or i == 1 and db.indexed or i == 2 and #db.glossary > 0 then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
   return "<ul>" .. table.concat(t) .. "</ul>"
 end
 
 function Pages.write(w)
   local db, book, html_dir = w.db, w.book, w.html
   local template = Code.read(w.root .. "book/page.html") or "$body$"
+  db.indexed = #w.terms > 0
   local toc = contents(db, "")
   local testbed                                        -- has this book scenes, and so a testbed's page and a gallery?
   for _, e in ipairs(db.entries) do if e.volume == "testbed" and not e.planned then testbed = "yes" end end
@@ -121,6 +122,36 @@ function Pages.write(w)
     page("chunks.html", "List of chunks", table.concat(t))
   end
 
+  ------------------------------------------------------------------------------------------------------ subject index
+  do
+    local list = { table.unpack(w.terms) }
+    table.sort(list, function(a, b)
+      local x, y = a.term:lower():gsub("[^%w]+", " "), b.term:lower():gsub("[^%w]+", " ")
+      if x ~= y then return x < y end
+      return a.term < b.term
+    end)
+    local t, letter, letters = {}, nil, {}
+    local function place(id, anchor)
+      local l = db.labels[id]
+      return l and '<a href="' .. l.page .. "#" .. (anchor or id) .. '" title="' .. h(l.title or "") .. '">' .. l.num .. "</a>" or ""
+    end
+    for _, x in ipairs(list) do
+      local l = x.term:sub(1, 1):upper()
+      if l ~= letter then
+        letter = l
+        letters[#letters + 1] = '<a href="#' .. l .. '">' .. l .. "</a>"
+        t[#t + 1] = '<li class="letter" id="' .. l .. '">' .. h(l) .. "</li>"
+      end
+      local more = {}
+      for _, id in ipairs(x.more) do more[#more + 1] = place(id) end
+      t[#t + 1] = "<li>" .. h(x.term) .. " <b>" .. place(x.id, x.anchor) .. "</b>" .. (#more > 0 and ' <span class="uses">' .. table.concat(more, " ") .. "</span>" or "") .. "</li>"
+    end
+    if #list > 0 then
+      page("subjects.html", "Subject index", '<h1>Subject index</h1><p>Bold: the section that explains the term; then sections that say more of it. Names of the code are in the <a href="identifiers.html">index of identifiers</a>.</p><p class="abc">' ..
+        table.concat(letters, " ") .. '</p><ul class="plainlist idx">' .. table.concat(t) .. "</ul>")
+    end
+  end
+
   ---------------------------------------------------------------------------------------------- index of identifiers
   do
     local names = {}
@@ -214,10 +245,31 @@ function Pages.write(w)
       local any
       for math, id in text:gmatch("%$%$(.-)%$%$ {#(eq:[%w_%-]+)}") do
         if not any then t[#t + 1] = "\n## " .. ch.num .. " " .. ch.title .. "\n\n"; any = true end
+        local q, code = db.eqs[id] or {}, {}
+        for i, name in ipairs(q.code or {}) do code[i] = "`" .. name .. "`" end
+        if q.name or #code > 0 then t[#t + 1] = (q.name and q.name:gsub("^%l", string.upper) or "Code") .. (#code > 0 and ": " .. table.concat(code, ", ") or "") .. "\n\n" end
         t[#t + 1] = "$$" .. math .. "$$ {#" .. id .. "}\n\n"
       end
     end
     Code.write_if_changed(w.out .. "/formulas.md", table.concat(t))
+    -- in print: what code uses, with its name, its page and who computes it
+    for i, v in ipairs(db.volumes) do
+      local x = {}
+      for _, e in ipairs(db.entries) do
+        local mine = {}
+        for id, q in pairs(db.eqs) do
+          if e.page == q.page and db.volume_of[q.page] == v.name and q.name and #(q.chunks or {}) > 0 and not db.labels[id].online then mine[#mine + 1] = { tonumber(q.num:match("%d+$")), id, q } end
+        end
+        table.sort(mine, function(a, b) return a[1] < b[1] end)
+        for _, m in ipairs(mine) do
+          local code = {}
+          for k, name in ipairs(m[3].code) do if k <= 2 then code[k] = Code.tex_code(name):gsub("\\_", "\\_\\wBreak{}"):gsub("(%l%l)(%u%l)", "%1\\wBreak{}%2") end end
+          if #code == 0 then code[1] = "\\normalfont chunk " .. db.chunks[m[3].chunks[1]].num end
+          x[#x + 1] = "\\wFormula{" .. m[2] .. "}{" .. m[3].num .. "}{" .. Code.tex(m[3].name) .. "}{" .. table.concat(code, ", ") .. "}"
+        end
+      end
+      Code.write_if_changed(w.out .. "/formulas-" .. v.name .. ".tex", table.concat(x, "\n") .. "\n")
+    end
     Code.write_if_changed(w.out .. "/formulas.lua", 'return {["base"]="formulas",["chunks"]={},["file"]="formulas.md"}\n')
   end
 
@@ -302,7 +354,7 @@ function Pages.write(w)
       if j ~= i then others[#others + 1] = (o.letter == "" and "one without a letter is of" or "\\textsf{" .. o.letter .. "} means") .. " \\emph{" .. Code.tex(o.title) .. "}" end
     end
     Code.write_if_changed(w.out .. "/volume-" .. v.name .. ".tex", "\\renewcommand\\wVolume{" .. (#db.volumes > 1 and "Volume " .. i .. " of " .. #db.volumes or "") .. "}\\renewcommand\\wVolumeTitle{" .. Code.tex(v.title) .. "}\\renewcommand\\wVolumeWhat{" ..
-      Code.tex(v.what) .. "}\\renewcommand\\wVolumeOthers{" .. (#others > 0 and "A number with another letter before it is of another volume: " .. table.concat(others, ", ") or "A number that no page here has is of the whole book") .. "}\n" .. (i == 1 and #db.glossary > 0 and "\\renewcommand\\wGlossary{\\input{ch/glossary.tex}}\n" or "") .. "\\hypersetup{pdftitle={Weft" .. (#others > 0 and " " .. i or "") .. ": " .. Code.tex(v.title) .. "}}\n")
+      Code.tex(v.what) .. "}\\renewcommand\\wVolumeOthers{" .. (#others > 0 and "A number with another letter before it is of another volume: " .. table.concat(others, ", ") or "A number that no page here has is of the whole book") .. "}\n" .. (i == 1 and #db.glossary > 0 and "\\renewcommand\\wGlossary{\\input{ch/glossary.tex}}\n" or "") .. (i == 1 and #others > 0 and "\\wFormulastrue\n" or "") .. "\\hypersetup{pdftitle={Weft" .. (#others > 0 and " " .. i or "") .. ": " .. Code.tex(v.title) .. "}}\n")
   end
 end
 

@@ -133,7 +133,7 @@ do
   end
 end
 local volume_of = {}                       -- a page's volume; what is not in the plan goes to the first
-local reserved = { index = 1, glossary = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
+local reserved = { index = 1, subjects = 1, glossary = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
 local online = {}                          -- pages and anchors that the print has not
 local taken = {}                           -- a printed number: the file of its chapter
 for _, e in ipairs(entries) do taken[e.num] = "book/plan.tsv" end
@@ -226,6 +226,27 @@ local function count_label(chapter, line, id)
   return l
 end
 
+-- The subject index. A term is marked once, where it is explained: [term]{.def} in the text, where it stands in italics then, or index="term; term"
+-- at a heading; [text]{.def index="term"} if the index has it otherwise ("joint, rope"). The index finds the other places itself.
+local terms = {}                             -- in the book's order; terms[term]
+local function add_term(chapter, line, list, id, anchor)
+  if how and chapter.dropped then return end
+  for t in list:gmatch "%s*([^;]*[^;%s])" do
+    if terms[t] then
+      book:complain(chapter.file, line, "the term '" .. t .. "' is marked twice, first at " .. terms[t].where, "leave one mark: where the term is explained")
+    else
+      terms[t] = { term = t, id = id, anchor = anchor or id, page = chapter.entry.page, where = chapter.file .. ":" .. line, online = chapter.online or chapter.web }
+      terms[#terms + 1] = terms[t]
+    end
+  end
+end
+local function mark_terms(chapter, line, l)
+  for text, rest in l:gmatch("%[([^%[%]]+)%]{%.def([^}]*)}") do
+    text = Code.plain(text)
+    add_term(chapter, line, rest:match('index="([^"]*)"') or text, chapter.here, Code.term_id(text))
+  end
+end
+
 -- The first volume prints the engine that it describes, "core" (parts.lua); code and sections of other parts stand on the pages.
 local core = not how and book.parts.core and Parts.closure(book, { core = true })
 local in_core = core and Parts.reached(book, core)
@@ -274,6 +295,7 @@ local function heading(chapter, line, level, text)
   end
   if how and chapter.dropped then return text end
   heads[#heads + 1] = h
+  add_term(chapter, line, text:match('index="([^"]*)"') or "", id)
   search[#search + 1] = { kind = "sec", title = num .. " " .. Code.plain(title), page = h.page, id = id }
   return text
 end
@@ -364,7 +386,7 @@ local function doc_line(chapter, line, l)
     local e = count_label(chapter, line, id)
     if e then
       e.theory = rest:match("%.theory") and true or nil
-      db.eqs[id] = { page = chapter.entry.page, num = e.num }
+      db.eqs[id] = { page = chapter.entry.page, num = e.num, name = rest:match('name="([^"]*)"') }
       chapter.eq_lines = chapter.eq_lines or {}
       search[#search + 1] = { kind = "eq", title = "Eq. (" .. e.num .. ")", page = chapter.entry.page, id = id, text = id:sub(4):gsub("%-", " ") .. " " .. (chapter.title and Code.plain(chapter.title) or "") }
     end
@@ -405,6 +427,7 @@ local function doc_line(chapter, line, l)
       if labels[id] then search[#search + 1] = { kind = "ex", title = "Exercise " .. labels[id].num, page = chapter.entry.page, id = id } end
     end
   end
+  if not display then mark_terms(chapter, line, l) end
   if not display and dollars == 0 then check_prose(chapter, line, l) end
   -- the search index: paragraphs, each under the heading that it stands below
   if l:match("%S") and not display and not marks and not l:match("^:::") and not l:match("^%$%$") then
@@ -761,6 +784,7 @@ end
 
 ------------------------------------------------------------------------------------ identifiers, found by universal-ctags
 local tags, locals = {}, {}                    -- tags[name] = { definitions }; locals[file][line] = set of names
+local inside_of = {}                           -- inside_of[file][line] = the function that the line is in
 local priority = { f = 1, d = 2, s = 3, u = 3, g = 3, t = 4, e = 5, v = 6, p = 8, x = 9 }
 local kind_text = { f = "function", d = "macro", s = "struct", u = "union", g = "enum", t = "type", e = "constant", v = "variable", p = "prototype", x = "declaration" }
 do
@@ -778,7 +802,12 @@ do
       elseif priority[kind] then
         local r = roots[file]
         local src_line = r and r.lines[line]
-        if kind == "f" then functions[file .. ":" .. name] = { line, tonumber(rest:match("end:(%d+)")) or line } end
+        if kind == "f" then
+          local last = tonumber(rest:match("end:(%d+)")) or line
+          functions[file .. ":" .. name] = { line, last }
+          inside_of[file] = inside_of[file] or {}
+          for i = line, last do inside_of[file][i] = name end
+        end
         local guard = kind == "d" and name:match("_H$") and file:match("%.h$")
         if src_line and src_line.chunk and not src_line.comment and not guard then
           tags[name] = tags[name] or {}
@@ -865,13 +894,34 @@ end
 ----------------------------------------------------------------------------------- chunks: lexed, resolved, cross referenced
 local uses_of = {}                             -- uses_of[definition] = list of chunk indices
 local eq_users = {}                            -- eq_users[label] = list of chunk indices
+local eq_names = {}                            -- eq_names[label] = what computes it: functions, macros
 local function add_once(list, x) if list[#list] ~= x then list[#list + 1] = x end end
 local told = {}
+local defined_at = {}                          -- what a chunk's line defines
+for name, list in pairs(tags) do
+  for _, t in ipairs(list) do
+    local k = t.chunk .. ":" .. t.line
+    if t.main and (not defined_at[k] or name < defined_at[k]) then defined_at[k] = name end
+  end
+end
 local pointers = {}                            -- tokens and the definitions that they point at
 for index, c in ipairs(book.chunks) do
   c.tokens, c.defs, c.eqs = {}, {}, {}
   local root_name = c.roots and next(c.roots)
-  local function eq_use(id)
+  -- What computes it: the function in which the line stands, or what is defined there or on the `far` lines below it.
+  local function user(id, line, far)
+    local names = eq_names[id] or {}
+    local place, found = c.at and c.at[line], nil
+    if place then
+      local in_file = inside_of[place[1].name] or {}
+      found = in_file[place[2]]
+      for i = place[2], place[2] + far do found = found or (place[1].lines[i] and place[1].lines[i].chunk == index and (in_file[i] or defined_at[index .. ":" .. place[1].lines[i].line])) or nil end
+    end
+    if found and not names[found] then names[found] = true; names[#names + 1] = found end
+    eq_names[id] = names
+  end
+  local function eq_use(id, line, far)
+    if labels[id] and not labels[id].gone then user(id, line, far) end
     if labels[id] and not labels[id].gone and not c.eqs[id] then
       c.eqs[id] = true
       c.eqs[#c.eqs + 1] = id
@@ -879,7 +929,7 @@ for index, c in ipairs(book.chunks) do
       add_once(eq_users[id], index)
     end
   end
-  local function ref_in_code(id, line)
+  local function ref_in_code(id, line, at, far)
     id = id:sub(1, 1):lower() .. id:sub(2):gsub("[%-_]+$", "")
     if not labels[id] then
       local key = c.file .. line .. id
@@ -889,10 +939,10 @@ for index, c in ipairs(book.chunks) do
       end
       return
     end
-    if id:match("^eq:") then eq_use(id) end
+    if id:match("^eq:") then eq_use(id, at or line, far or 3) end
   end
   for id in c.name:gmatch("@(%a+:[%w_%-]+)") do
-    if Code.kind_name[id:match("^%a+"):lower()] then ref_in_code(id, c.line) end
+    if Code.kind_name[id:match("^%a+"):lower()] then ref_in_code(id, c.line, lines_of(c)[1] and lines_of(c)[1].line, 60) end
   end
   local inside = false
   for _, l in ipairs(c.gone and {} or lines_of(c)) do
@@ -985,6 +1035,11 @@ for id, e in pairs(db.eqs) do
   if l.gone then db.eqs[id] = nil goto next_eq end
   e.chunks = {}
   for _, k in ipairs(eq_users[id] or {}) do e.chunks[#e.chunks + 1] = book.chunks[k].id end
+  e.code = { table.unpack(eq_names[id] or {}) }
+  if #e.chunks > 0 and not e.name and not l.online and volume_of[e.page] == volumes[1].name and taken[l.num:match("^[^.]+")] == "book/plan.tsv" then
+    local file, line = where[id]:match("^(.*):(%d+)$")
+    warn(file, tonumber(line), "equation " .. id .. " has no name for the list of formulas", 'write {#' .. id .. ' name="..."}')
+  end
   if #e.chunks == 0 and not l.theory then
     local file, line = where[id]:match("^(.*):(%d+)$")
     warn(file, tonumber(line), "no code refers to equation " .. id,
@@ -1027,6 +1082,52 @@ if not how then
 end
 db.glossary = glossary
 
+---------------------------------------------------------------- the subject index: where else a term has something to say about it
+-- Sections that have it in their title, and the three that use it most, at least three times; in each volume.
+local index_in = {}                            -- index_in[section] = { terms }
+do
+  local said, order, title = {}, {}, {}
+  local dull = { ["exercises"] = 1, ["notes"] = 1, ["notes and sources"] = 1, ["how it is tested"] = 1, ["what you can build now"] = 1, ["the files"] = 1 }
+  for _, h in ipairs(heads) do
+    title[h.id] = " " .. Code.plain(h.title):lower() .. " "
+    if not dull[Code.plain(h.title):lower()] and not online[h.page] then order[#order + 1] = h.id; said[h.id] = {} end
+  end
+  for _, s in ipairs(search) do if s.kind == "text" and said[s.id] then table.insert(said[s.id], s.text:lower()) end end
+  for id, t in pairs(said) do said[id] = " " .. table.concat(t, " ") .. " " end
+  for _, t in ipairs(terms) do
+    local first, second = t.term:match("^(.-), (.*)$")
+    local words = (first and second .. " " .. first or t.term):lower()
+    local pattern = "%f[%w]" .. words:gsub("[^%w]", "%%%0"):gsub("[%- ]+", "[%%-%%s]") .. "e?s?%f[^%w]"
+    pattern = pattern:gsub("%%%[", "["):gsub("ye%?s%?", "[yi]e?s?")
+    t.more = {}
+    local found = {}
+    for i, id in ipairs(order) do
+      if id ~= t.id and labels[id] then
+        local _, n = said[id]:gsub(pattern, "")
+        local titled = title[id]:find(pattern) ~= nil
+        if titled or n >= 3 then found[#found + 1] = { id = id, n = n + (titled and 1000 or 0), i = i, volume = volume_of[labels[id].page] } end
+      end
+    end
+    table.sort(found, function(a, b) if a.n ~= b.n then return a.n > b.n end return a.i < b.i end)
+    local count, chosen = {}, {}
+    for _, f in ipairs(found) do
+      count[f.volume] = (count[f.volume] or 0) + 1
+      if count[f.volume] <= 3 then chosen[#chosen + 1] = f end
+    end
+    table.sort(chosen, function(a, b) return a.i < b.i end)
+    for _, f in ipairs(chosen) do
+      t.more[#t.more + 1] = f.id
+      index_in[f.id] = index_in[f.id] or {}
+      table.insert(index_in[f.id], { t.term, (words:gsub("y$", "")) })
+    end
+  end
+  if not how then
+    for _, g in ipairs(glossary) do
+      if #terms > 0 and not terms[g.term] then book:complain("book/glossary.tsv", 1, "the glossary's word '" .. g.term .. "' is not in the subject index", "mark it where it is explained: [" .. g.term .. "]{.def}, or index=\"" .. g.term .. "\" at a heading") end
+    end
+  end
+end
+
 ---------------------------------------------------------------------------------- the book of a smaller engine: what it is about
 if how then
   for i = #entries, 1, -1 do if entries[i].gone or entries[i].planned then table.remove(entries, i) end end
@@ -1066,7 +1167,8 @@ Code.write_if_changed(out .. "/scenes.list", table.concat(scene_lines, "\n") .. 
 
 for i, ch in ipairs(book.chapters) do
   if ch.gone then goto next_chapter end
-  local mine = { file = ch.file, base = ch.name, num = ch.num, exercise = ch.entry.exercise, chunks = {} }
+  local mine = { file = ch.file, base = ch.name, num = ch.num, exercise = ch.entry.exercise, chunks = {}, index = {} }
+  for _, h in ipairs(heads) do if h.page == ch.entry.page then mine.index[h.id] = index_in[h.id] end end
   for index, c in ipairs(book.chunks) do
     if c.chapter == i and c.gone then mine.chunks[c.k] = false
     elseif c.chapter == i then
@@ -1098,7 +1200,7 @@ Code.write_if_changed(out .. "/db.lua", "return " .. Code.serialise(db) .. "\n")
 
 local Pages = require "weave-pages"
 Pages.write { book = book, db = db, out = out, html = html_dir, root = root, roots = roots, tags = tags, uses_of = uses_of, keyed = keyed,
-  search = search, labels = labels, kind_text = kind_text, images = images, resolve = resolve, locals = locals }
+  search = search, terms = terms, labels = labels, kind_text = kind_text, images = images, resolve = resolve, locals = locals }
 
 table.sort(warnings)
 for _, w in ipairs(warnings) do io.stderr:write(w, "\n") end

@@ -129,7 +129,7 @@ static void figure_queries_disk(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, WF_XY(near), 7, WF_INK_LINE);
     wfVec2 half = wfLerp(from, near, WF_R(0.45)), side = wfLerp(near, c, WF_R(0.5));
     /* name the lengths and points of the ray at a disk */
-    wfDrawText(d, (float)half.x, (float)half.y + 0.15f, 16, WF_INK_TEXT, 0, "s");
+    wfDrawText(d, (float)half.x, (float)half.y + 0.15f, 16, WF_INK_TEXT, 0, "a");
     wfDrawText(d, (float)side.x + 0.12f, (float)side.y - 0.1f, 16, WF_INK_TEXT, -1, "h");
     wfDrawText(d, (float)c.x + 0.1f, (float)c.y + 0.15f, 16, WF_INK_TEXT, -1, "c");
     wfDrawText(d, (float)from.x - 0.1f, (float)from.y - 0.35f, 16, WF_INK_TEXT, 0, "o");

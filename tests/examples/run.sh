@@ -19,6 +19,10 @@ make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT=build 
 cc $flags -Ibuild/lines/include "$here/collision_only.c" build/lib/libweft-collision.a -lm -o "$work/collision_only" || exit 1
 expect collision_only.c "$work/collision_only"
 
+# a world in one file, of the engine's rows, against the engine's own
+cc $flags -Ibuild/lines/include "$here/small_world.c" build/lib/libweft.a -lm -o "$work/small_world" || exit 1
+expect small_world.c "$work/small_world"
+
 # a math header of one's own: the library is compiled with it, too
 make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT="$work/math" CFLAGS="-O1 -I$here -DWF_MATH_HEADER='\"counting_math.h\"'" WARN=-w "$work/math/lib/libweft-collision.a" >"$work/log" 2>&1 || { tail "$work/log"; exit 1; }
 cc $flags -I"$here" '-DWF_MATH_HEADER="counting_math.h"' -Ibuild/lines/include "$here/own_math.c" "$work/math/lib/libweft-collision.a" -lm -o "$work/own_math" || exit 1

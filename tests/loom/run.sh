@@ -312,7 +312,7 @@ $$ a = b $$ {#eq:lonely}
 
 $$ a = c $$ {#eq:thought .theory}
 
-$$ a = d $$ {#eq:used}
+$$ a = d $$ {#eq:used name="used"}
 
 <<core/a.c>>=
 int a; /* eq:used */
@@ -408,6 +408,23 @@ refuse "two chapters with one name" 02-one.nw 1 'chapter one is here and in chap
 book reserved; printf '# Index {#sec:index}\n' | chapter 60-index.nw
 refuse "a chapter with the name of a page" 60-index.nw 1 'no chapter can be called index' 'another name'
 
+book terms; chapter 01-one.nw <<'X'
+# One {#sec:one index="thing"}
+
+A [thing]{.def} is one.
+X
+refuse "a term that is marked twice" 01-one.nw 3 "the term 'thing' is marked twice, first at chapters/01-one.nw:1" 'leave one mark'
+book nameless; chapter 01-one.nw <<'X'
+# One {#sec:one}
+
+$$ y = 2 x $$ {#eq:twice}
+
+<<core/a.c>>=
+int wfTwice(int x) { return 2 * x; } /* eq:twice */
+@
+X
+strict=--strict refuse "a formula of the first volume without a name" 01-one.nw 3 'equation eq:twice has no name' 'name='
+
 # ---- a whole small book: numbers agree in HTML and TeX, links lead somewhere
 book whole; chapter 02-two.nw <<'X'
 # Two *things* {#sec:two}
@@ -416,9 +433,13 @@ book whole; chapter 02-two.nw <<'X'
 - see @eq:twice in @sec:two-code
 :::
 
-$$ y = 2 x $$ {#eq:twice}
+Twice a thing is its [double]{.def index="double; pair, same"}. A double is even.
 
-## Code {#sec:two-code}
+$$ y = 2 x $$ {#eq:twice name="what a double is"}
+
+## Code {#sec:two-code index="code"}
+
+The double of a double is two doubles more than a double. The same pair is a code.
 
 <<core/two.c>>=
 <<double by @eq:twice>>
@@ -488,6 +509,11 @@ has "$dir/out/html/primer.html" 'id="ref-newton1687"' "the source is listed on t
 hasnt "$html" 'Secret answer' "solutions stay away from readers"
 has "$dir/out/html/index.html" '<li class="planned"><span class="n">3</span> Three' "a planned chapter is listed without a link"
 has "$dir/out/html/formulas.html" 'two.html#c-double-by-eq-twice' "the list of formulas leads to the code"
+has "$dir/out/html/formulas.html" 'What a double is' "and has the formula's name"; has "$dir/out/html/formulas.html" '#d-wfDouble' "and the function that computes it"
+has "$dir/out/weave/formulas-engine.tex" '\wFormula{eq:twice}{2.1}{what a double is}{wf\wBreak{}Double' "the same for print"
+has "$html" '<dfn class="term" id="t-double">double</dfn>' "a marked term has an anchor"; has "$tex" '\wTerm{double}\wTerm{pair, same}\emph{double}' "and its page in print"
+has "$tex" '\wTerm{code}Code}' "a heading is in the index, too"; has "$tex" '\wPlace{double}The double of' "another place in print"
+has "$dir/out/html/subjects.html" '<li>double <b><a href="two.html#t-double" title="Two things">2</a></b> <span class="uses"><a href="two.html#sec:two-code" title="Code">2.1</a></span></li>' "the subject index leads to a term and to where more is said of it"
 has "$dir/out/html/source-core-two-c.html" 'two.html#c-double-by-eq-twice' "assembled lines lead to their chunk"
 has "$dir/out/weave/chapters-engine.tex" '\wPlanned{3}{Three}' "planned in the PDF's contents, too"
 WEFT_ROOT=$dir tangle/page html two "$dir/out/weave" "$dir/out/teacher.html" -M teacher=true >"$work/log" 2>&1

@@ -124,5 +124,35 @@ do
   print(#db.glossary .. " words in the glossary")
 end
 
+--------------------------------------------------- the subject index and the list of formulas: of the volumes as they are printed
+do
+  local said = {}
+  for i, v in ipairs(db.volumes) do
+    local index = read(build .. "/tex/" .. v.name .. ".ind") or ""
+    local terms, n = {}, 0
+    for term, pages in ("\n" .. index):gmatch("\n\\par ([^\n]-)\\enspace ([^\n]*)") do
+      terms[term], n = true, n + 1
+      if not pages:match("%d") then bad("%s.pdf: the index has no page for '%s'", v.name, term) end
+    end
+    said[i] = n
+    if n < (i == 1 and 150 or 10) then bad("the index of %s.pdf has %d terms", v.name, n) end
+    if i == 1 then for _, g in ipairs(db.glossary) do if not terms[g.term] then bad("the glossary's word '%s' is not in the index of %s.pdf", g.term, v.name) end end end
+  end
+  local first, list, n = db.volumes[1].name, {}, 0
+  for id, num, name, code in (read(build .. "/weave/formulas-" .. first .. ".tex") or ""):gmatch("\\wFormula{(.-)}{(.-)}{(.-)}{(.-)}\n") do
+    list[id], n = true, n + 1
+    if name == "" or code == "" then bad("the list of formulas has no name or no function for (%s)", num) end
+  end
+  local text = run("pdftotext '" .. build .. "/book/" .. first .. ".pdf' - 2>/dev/null"):match("The numbered formulas that code(.*)") or ""
+  for id, e in pairs(db.eqs) do
+    if db.volume_of[e.page] == first and #(e.chunks or {}) > 0 and not db.labels[id].online then
+      if not list[id] then bad("code computes (%s), %s, and the list of formulas has it not", e.num, id)
+      elseif not text:find("(" .. e.num .. ")", 1, true) then bad("the printed list of formulas lacks (%s)", e.num) end
+    end
+  end
+  if n < 150 then bad("the list of formulas has %d", n) end
+  print("index: " .. table.concat(said, ", ") .. " terms; " .. n .. " formulas with their code")
+end
+
 for i, e in ipairs(errors) do if i <= 30 then print("FAIL  " .. e) end end
 os.exit(#errors == 0)

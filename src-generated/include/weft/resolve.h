@@ -172,10 +172,10 @@ wfReal wfFrictionNow(wfReal slides, wfReal holds, wfReal wanted, wfReal normal);
 /* Takes the relative spin w_B - w_A away with an angular impulse of at most `limit`
  * (N m s, >= 0) either way; returns it, N m s. eq:friction-rolling */
 wfReal wfApplyRollingResistance(wfBodyState *a, wfBodyState *b, wfReal limit);
-/* One number for a pair of surfaces: the greater length of rolling resistance, m; the sum
- * of the speeds with which they run clockwise, m/s (eq:friction-belt). */
-static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
+/* One number for a pair of surfaces: the sum of the speeds with which they run clockwise,
+ * m/s (eq:friction-belt); the greater length of rolling resistance, m. */
 static inline wfReal wfMixSurfaceSpeed(wfReal a, wfReal b) { return a + b; }
+static inline wfReal wfMixRolling(wfReal a, wfReal b) { return wfMaxR(a, b); }
 
 /* Rules by which two materials' numbers (>= 0) become one for the pair. */
 typedef wfReal wfMixFn(wfReal a, wfReal b);
