@@ -67,6 +67,8 @@ typedef struct game_state {
     float asked_x, asked_y;             /* pixels: there */
     wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
     int32_t hint;                       /* nobody has grabbed anything yet */
+    int32_t driven;                     /* 1: somebody drives the scene, and not its demo */
+    int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
@@ -186,6 +188,7 @@ void game_replay_one(game *g);
 wfVec2 game_grip_place(const game *g);
 void game_pull(game *g, wfReal h);
 void game_step_world(game *g);
+void game_find_held(game *g);
 /* painting */
 bool game_may_take(const game *g);
 bool game_has_panes(const game_state *s);

@@ -11,6 +11,7 @@ void game_look_home(game *g)
     g->state->camera.x = (float)g->scene->viewX;
     g->state->camera.y = (float)g->scene->viewY;
     g->state->camera.height = (float)g->scene->viewHeight;
+    g->state->camera.shape = (float)g->scene->viewShape;
 }
 
 static void keep_wishes(game *g);
@@ -66,6 +67,7 @@ void game_open_scene(game *g, int row)
     s->posed = 0;
     s->undo_at = s->undo_count = s->editing = 0;
     s->input = (wfSceneInput){ 0 };
+    s->driven = s->grasped = 0;
     s->hover = s->follow = (wfBodyId){ 0 };
     s->plotted = (wfBodyId){ 0 };
     s->menu = 0;
@@ -82,6 +84,8 @@ void game_open_scene(game *g, int row)
         game_show_overlays(g);
         game_look_home(g);
     }
+    if (s->opened && g->scene->follow)
+        s->follow = wfBodyAt(&g->world, g->scene->follow - 1);
 }
 
 wfResult game_make_room(void *context, uint32_t modules)
