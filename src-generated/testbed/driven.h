@@ -50,6 +50,7 @@ static inline void set_force(wfWorld *world, int32_t i, wfReal speed, wfReal for
 {
     wfJoint j;
     if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) return;
+    if (j.motorSpeed == speed && j.motorForce == force) return;
     j.motorSpeed = speed;
     j.motorForce = force;
     wfSetJoint(world, wfJointAt(world, i), &j);

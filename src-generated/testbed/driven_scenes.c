@@ -19,11 +19,12 @@ static wfResult build_hills(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     wfVec2 point[CHAIN_MOST];
-    wfBodyDef body = box(&m, 0, WF_R(1.1), 1, WF_R(0.22));
+    wfBodyDef body = box(&m, -3, WF_R(1.1), 1, WF_R(0.22));
     wfBodyId car = put_ink(&m, &body, WF_INK_ACCENT);
     hang_box(&m, car, WF_R(-0.15), WF_R(0.42), WF_R(0.55), WF_R(0.22), WF_R(0.3));
     for (int i = 0; i < 2; i++) {
-        wfBodyDef wheel = ball(&m, i ? WF_R(0.75) : WF_R(-0.75), WF_R(0.6), WF_R(0.4));
+        wfBodyDef wheel = ball(&m, i ? WF_R(-2.25) : WF_R(-3.75), WF_R(0.6),
+                               WF_R(0.4));
         wheel.friction = WF_R(1.2);
         wfBodyId id = put_ink(&m, &wheel, WF_INK_BODY);
         wfJoint j = joint_from(&m, "wheel", car, id, wheel.position, wheel.position);
@@ -55,7 +56,8 @@ static void draw_hills(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfBodyState car = body_of(world, HILL_CAR);
     for (int x = 10; x <= 50; x += 10) {
         float y = (float)hill_at((wfReal)x);
-        float flag[] = { (float)x, y + 1.6f, (float)x + 0.7f, y + 1.35f, (float)x, y + 1.1f };
+        float flag[] = { (float)x, y + 1.6f, (float)x + 0.7f, y + 1.35f, (float)x,
+                         y + 1.1f };
         wfDrawLine(d, (float)x, y, (float)x, y + 1.6f, 2, WF_INK_LINE);
         wfDrawPolygon(d, flag, 3, 1.5f, WF_INK_BAD, WF_INK_BAD);
         wfDrawTextf(d, (float)x, y - 0.7f, 13, WF_INK_TEXT, 0, "%d m", x);
@@ -119,7 +121,8 @@ static wfResult build_race_track(wfWorld *world)
         wfReal x = i % 4 < 2 ? WF_R(-7.6) : WF_R(7.6), y = i % 2 ? WF_R(4.6) : WF_R(-4.6);
         wfReal k = (wfReal)(i / 4);
         wfBodyDef tyre = ball(&m, x - (x > 0 ? k : -k) * WF_R(0.55),
-                              y - (y > 0 ? WF_R(0.55) : WF_R(-0.55)) * (4 - k) / 2, WF_R(0.25));
+                              y - (y > 0 ? WF_R(0.55) : WF_R(-0.55)) * (4 - k) / 2,
+                                  WF_R(0.25));
         tyre.mass = WF_R(0.2);
         tyre.linearDamping = tyre.angularDamping = 2;
         put_ink(&m, &tyre, i % 3 ? WF_INK_BODY : WF_INK_BODY2);
@@ -155,7 +158,8 @@ static wfTransform belt_at(wfReal way, wfReal radius, wfReal base)
     bool upper = way >= flat + bend;
     wfReal left = upper ? way - flat - bend : way, side = upper ? -1 : 1;
     if (left < flat)                       /* below to the right, above to the left */
-        return wfMakeTransform(wfV2(side * (left - base), -side * radius), upper ? WF_PI : 0);
+        return wfMakeTransform(wfV2(side * (left - base), -side * radius),
+                               upper ? WF_PI : 0);
     wfReal turn = (left - flat) / radius;
     wfRot q = wfRotation(wfWrapAngle(turn - WF_PI / 2 + (upper ? WF_PI : 0)));
     return wfMakeTransform(wfV2(side * base + radius * q.c, radius * q.s),
@@ -238,7 +242,8 @@ static wfResult build_runner(wfWorld *world)
     wfBodyDef hero = body_at(-6, runner_half), b;
     hero.gravityScale = 0;
     hero.fixedRotation = 1;
-    note(&m, wfMakeCapsule(wfV2(0, WF_R(-0.6)), wfV2(0, WF_R(0.6)), WF_R(0.3), &hero.shape));
+    note(&m, wfMakeCapsule(wfV2(0, WF_R(-0.6)), wfV2(0, WF_R(0.6)), WF_R(0.3),
+                           &hero.shape));
     put_for(&m, &hero, WF_INK_ACCENT, RUNNER_KIND, 0);
     for (int i = 0; i < 2; i++) {
         b = box(&m, i ? 0 : -3, i ? WF_R(3.3) : 1, i ? WF_R(1.1) : 1, WF_R(0.15));
@@ -277,15 +282,19 @@ static wfMover runner_of(const wfWorld *world)
 static void drive_runner(wfWorld *world, const wfSceneInput *in)
 {
     wfReal h = step_of(world), t = (wfReal)(wfWorldSteps(world) % 100000) * h;
-    wfReal up = wfSin(wfWrapAngle(WF_R(0.9) * t)), across = wfSin(wfWrapAngle(WF_R(0.7) * t));
-    wfSetBodyTarget(world, wfBodyAt(world, RUNNER_LIFT), wfV2(-4, WF_R(1.7) + WF_R(1.5) * up),
+    wfReal up = wfSin(wfWrapAngle(WF_R(0.9) * t)),
+        across = wfSin(wfWrapAngle(WF_R(0.7) * t));
+    wfSetBodyTarget(world, wfBodyAt(world, RUNNER_LIFT), wfV2(-4,
+        WF_R(1.7) + WF_R(1.5) * up),
                     0, h);
-    wfSetBodyTarget(world, wfBodyAt(world, RUNNER_SHUTTLE), wfV2(WF_R(0.6) + WF_R(2.5) * across,
+    wfSetBodyTarget(world, wfBodyAt(world, RUNNER_SHUTTLE),
+                    wfV2(WF_R(0.6) + WF_R(2.5) * across,
                     WF_R(3.25)), 0, h);
     wfMover m = runner_of(world);
     bool stands = m.ground.index != 0;
     m.velocity.x = runner_speed * pulls(in, WF_LEFT, WF_RIGHT);
-    m.velocity.y = stands && holds(in, WF_UP) ? runner_jump : m.velocity.y - runner_gravity * h;
+    m.velocity.y -= runner_gravity * h;
+    if (stands && holds(in, WF_UP)) m.velocity.y = runner_jump;
     wfVec2 wanted = m.velocity;
     if (wfMoveMover(world, &m, h) != WF_OK) return;
     wfPushBodies(world, &m, wanted);
@@ -300,7 +309,8 @@ static void draw_runner(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     float x = (float)p.x, y = (float)p.y + 0.55f, look = 0.1f * (float)pulls(in, WF_LEFT,
                                                                              WF_RIGHT);
     for (int i = -1; i <= 1; i += 2) {
-        wfDrawCircle(d, x + look + 0.11f * (float)i, y, 0.08f, 1, WF_INK_LINE, WF_INK_PAPER);
+        wfDrawCircle(d, x + look + 0.11f * (float)i, y, 0.08f, 1, WF_INK_LINE,
+                     WF_INK_PAPER);
         wfDrawPoint(d, x + 1.4f * look + 0.11f * (float)i, y, 3, WF_INK_LINE);
     }
     float flag[] = { 7.6f, 4.8f, 7.0f, 4.55f, 7.6f, 4.3f };
@@ -313,19 +323,22 @@ static const wfScene row[] = {
       .text = "Two driven wheels on springs. Grip, not power, decides which hill is climbed.",
       .define = jointly, .build = build_hills, .update = drive_hills, .draw = draw_hills,
       .controls = { [WF_LEFT] = "back", [WF_RIGHT] = "gas", [WF_DOWN] = "brake" },
-      .demo = "..RRRRRRRRRRRRRRRRRRRRRDDDDDDDDDDDDDDDDDDDDDLLLLLLLLLLLLLLLLLLDDDDDDDD....", VIEW(0, 1.5, 9),
+      .demo = "..RRRRRRRRRRRRRRRRRRRRRDDDDDDDDDDDDDDDDDDDDDLLLLLLLLLLLLLLLLLLDDDDDDDD....",
+      VIEW(-3, 1.5, 9),
       PROMISE(-1, 0.25) },
     { .category = "Play", .name = "race car", .chapter = "friction",
-      .text = "Seen from above. Tyres push ahead and hold sideways, but not both with all force.",
+      .text = "Seen from above. Tyres push and hold, but not both with all their force.",
       .define = on_top, .build = build_race_track, .update = drive_race, .draw = draw_race_car,
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_UP] = "gas",
                     [WF_DOWN] = "brake" },
-      .demo = "UlUUlUllllllUlllUULllLLURRLURlUlllUUUllLLlLllUllUlllllllRlUl", VIEW(0, 0, 11.4), PROMISE(-1, 0.25) },
+      .demo = "UlUUlUllllllUlllUULllLLURRLURlUlllUUUllLLlLllUllUlllllllRlUl",
+      VIEW(0, 0, 11.4), PROMISE(-1, 0.25) },
     { .category = "Play", .name = "tank", .chapter = "joints-in-a-world", .follow = 1,
       .text = "Each track is a chain of links about four wheels, and drives by friction alone.",
       .define = many_links, .build = build_tank, .update = drive_tank,
       .controls = { [WF_LEFT] = "back", [WF_RIGHT] = "ahead" },
-      .demo = "..RRRRRRRRRRRRRRRRRRRRRRRRRRRRR...LLLLLLLLLLLLLLLLLLLLLLLLLLLLL...", VIEW(-5, 1.5, 7), PROMISE(-1, 0.25) },
+      .demo = "..RRRRRRRRRRRRRRRRRRRRRRRRRRRRR...LLLLLLLLLLLLLLLLLLLLLLLLLLLLL...",
+      VIEW(-5, 1.5, 7), PROMISE(-1, 0.25) },
     { .category = "Play", .name = "platforms", .chapter = "in-a-game",
       .text = "A character that casts its shape, climbs stairs and rides. Reach the flag.",
       .define = jointly, .build = build_runner, .update = drive_runner, .draw = draw_runner,

@@ -12,7 +12,7 @@ static wfResult build_trebuchet(wfWorld *world)
 {
     Maker m = { world, WF_OK };
     wfVec2 hub = wfV2(0, sling_height);
-    wfReal lean = WF_R(0.77);                                   /* rad: the arm when cocked */
+    wfReal lean = WF_R(0.77);                   /* rad: the arm when cocked */
     wfRot q = wfRotation(lean);
     wfVec2 tip = wfAddScaled(hub, -sling_long, wfV2(q.c, q.s));
     wfVec2 head = wfAddScaled(hub, sling_short, wfV2(q.c, q.s));
@@ -63,7 +63,8 @@ static void draw_trebuchet(const wfWorld *world, wfDraw *d, const wfSceneInput *
     (void)in;
     wfBodyState stone = body_of(world, SLING_STONE);
     float y = (float)sling_height;
-    for (int i = -1; i <= 1; i += 2) wfDrawLine(d, 0, y, 1.3f * (float)i, 0, 4, WF_INK_LINE);
+    for (int i = -1; i <= 1; i += 2) wfDrawLine(d, 0, y, 1.3f * (float)i, 0, 4,
+                                                WF_INK_LINE);
     wfDrawCircle(d, 0, y, 0.15f, 1.5f, WF_INK_LINE, WF_INK_PAPER);
     for (int x = 5; x <= 20; x += 5)
         wfDrawTextf(d, (float)x, -0.55f, 13, WF_INK_TEXT, 0, "%d m", x);
@@ -158,12 +159,14 @@ static wfResult build_goods_lift(wfWorld *world)
         j.lower = WF_R(-0.02), j.upper = goods_top + WF_R(0.05), j.motorForce = 60;
         join(&m, &j);
     }
-    wfJoint rope = joint_from(&m, "pulley", cabin, weight, wfV2(0, 0), wfV2(WF_R(1.5), WF_R(4.5)));
+    wfJoint rope = joint_from(&m, "pulley", cabin, weight, wfV2(0, 0), wfV2(WF_R(1.5),
+        WF_R(4.5)));
     rope.groundA = wfV2(0, 6), rope.groundB = wfV2(WF_R(1.5), 6);
     rope.rest = 6 + WF_R(1.5);
     join(&m, &rope);
     put_wall(&m, WF_R(-3.47), WF_R(-0.1), WF_R(2.54), WF_R(0.1), 0);
-    wfBodyId shelf = put_wall(&m, WF_R(3.4), goods_top - WF_R(0.1), WF_R(2.4), WF_R(0.1), 0);
+    wfBodyId shelf = put_wall(&m, WF_R(3.4), goods_top - WF_R(0.1), WF_R(2.4), WF_R(0.1),
+                              0);
     if (m.result == WF_OK) run_belt(world, shelf, 1), run_belt(world, cabin, 1);
     put_wall(&m, WF_R(-6.2), 1, WF_R(0.2), 1, 0);
     put_wall(&m, 6, goods_top + 1, WF_R(0.2), 1, 0);
@@ -222,7 +225,8 @@ static wfResult build_marbles(wfWorld *world)
     for (int i = 0; i < STAVES; i++)
         hang_bar(&m, drum, 2 * WF_PI * (wfReal)i / STAVES, drum_rim, 0, WF_R(0.44));
     for (int i = 0; i < SCOOPS; i++)
-        hang_bar(&m, drum, 2 * WF_PI * (wfReal)i / SCOOPS, drum_rim - WF_R(0.22), WF_R(0.75),
+        hang_bar(&m, drum, 2 * WF_PI * (wfReal)i / SCOOPS, drum_rim - WF_R(0.22),
+                 WF_R(0.75),
                  WF_R(0.3));
     put_slope(&m, WF_R(0.1), WF_R(4.85), WF_R(1.8), WF_R(0.05), WF_R(0.13));
     put_slope(&m, WF_R(-0.5), WF_R(3.7), WF_R(1.75), WF_R(0.05), WF_R(-0.13));
@@ -230,7 +234,8 @@ static wfResult build_marbles(wfWorld *world)
     put_wall(&m, WF_R(-2.2), WF_R(4.1), WF_R(0.05), WF_R(0.25), 0);
     put_wall(&m, WF_R(1.78), WF_R(2.95), WF_R(0.05), WF_R(0.25), 0);
     for (int i = 0; i < 3; i++) {           /* chimes over the upper way */
-        wfReal x = WF_R(-0.9) + WF_R(0.8) * (wfReal)i, y = WF_R(5.45) + WF_R(0.1) * (wfReal)i;
+        wfReal x = WF_R(-0.9) + WF_R(0.8) * (wfReal)i,
+            y = WF_R(5.45) + WF_R(0.1) * (wfReal)i;
         wfBodyId bar = put_box(&m, x, y - WF_R(0.2), WF_R(0.04), WF_R(0.2), WF_INK_ACCENT);
         pin(&m, put_nail(&m, x, y), bar, wfV2(x, y));
     }
@@ -319,7 +324,8 @@ static void tick_clock(wfWorld *world, const wfSceneInput *in)
     wfSetJoint(world, wfJointAt(world, CLOCK_PIVOT), &j);
 }
 
-static void draw_wheel_of(const wfWorld *world, wfDraw *d, int32_t body, float radius, int ink)
+static void draw_wheel_of(const wfWorld *world, wfDraw *d, int32_t body, float radius,
+                          int ink)
 {
     wfBodyState s = body_of(world, body);
     int teeth = (int)(radius * 40);
@@ -347,11 +353,14 @@ static void draw_clock(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     for (int i = 0; i < 12; i++) {
         wfRot q = wfRotation(WF_PI * (wfReal)(i - 5) / 6);
         float c = (float)q.c, s = (float)q.s;
-        wfDrawLine(d, x + 1.35f * c, y + 1.35f * s, x + 1.47f * c, y + 1.47f * s, 2, WF_INK_LINE);
+        wfDrawLine(d, x + 1.35f * c, y + 1.35f * s, x + 1.47f * c, y + 1.47f * s, 2,
+                   WF_INK_LINE);
     }
     for (int i = 2; i >= 0; i--) {
-        wfRot q = wfRotation(wfWrapAngle(body_of(world, CLOCK_SECONDS + i).angle + WF_PI / 2));
-        wfDrawLine(d, x, y, x + length[i] * (float)q.c, y + length[i] * (float)q.s, width[i],
+        wfRot q = wfRotation(wfWrapAngle(body_of(world,
+                                                 CLOCK_SECONDS + i).angle + WF_PI / 2));
+        wfDrawLine(d, x, y, x + length[i] * (float)q.c, y + length[i] * (float)q.s,
+                   width[i],
                    ink[i]);
     }
     wfVec2 bob = body_of(world, CLOCK_BOB).p;
@@ -359,7 +368,8 @@ static void draw_clock(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 }
 
 enum { GLASS, GRAINS = 200 };
-static const wfReal glass_neck = WF_R(0.17), glass_wide = WF_R(1.35), glass_high = WF_R(2.6),
+static const wfReal glass_neck = WF_R(0.17), glass_wide = WF_R(1.35),
+    glass_high = WF_R(2.6),
                     grain_radius = WF_R(0.055);
 
 /* A wall of the glass from a to b, in its frame, on all four sides. */
@@ -368,9 +378,10 @@ static void put_glass(Maker *m, wfBodyId glass, wfVec2 a, wfVec2 b)
     for (int i = 0; i < 4; i++) {
         wfShapeDef wall = wfDefaultShapeDef();
         wfVec2 flip = wfV2(i % 2 ? -1 : 1, i / 2 ? -1 : 1);
-        wfVec2 from = wfV2(a.x * flip.x, a.y * flip.y), to = wfV2(b.x * flip.x, b.y * flip.y);
+        wfVec2 from = wfV2(a.x * flip.x, a.y * flip.y), to = wfV2(b.x * flip.x,
+            b.y * flip.y);
         wall.friction = WF_R(0.05);
-        note(m, wfMakeCapsule(from, to, WF_R(0.07), &wall.shape));
+        note(m, wfMakeCapsule(from, to, WF_R(0.09), &wall.shape));
         hang(m, glass, &wall);
     }
 }
@@ -381,11 +392,12 @@ static wfResult build_hourglass(wfWorld *world)
     wfBodyDef b = body_at(0, 0);
     b.type = WF_KINEMATIC;
     wfBodyId glass = put_ink(&m, &b, WF_INK_LINE);
-    put_glass(&m, glass, wfV2(glass_neck + WF_R(0.07), 0), wfV2(glass_wide, WF_R(1.3)));
+    put_glass(&m, glass, wfV2(glass_neck + WF_R(0.09), 0), wfV2(glass_wide, WF_R(1.3)));
     put_glass(&m, glass, wfV2(glass_wide, WF_R(1.3)), wfV2(glass_wide, glass_high));
     put_glass(&m, glass, wfV2(glass_wide, glass_high), wfV2(0, glass_high));
     for (int i = 0; i < GRAINS; i++) {
-        wfReal x = WF_R(0.125) * (wfReal)(i % 16) - WF_R(0.94), y = WF_R(1.02) + WF_R(0.115) *
+        wfReal x = WF_R(0.125) * (wfReal)(i % 16) - WF_R(0.94),
+            y = WF_R(1.02) + WF_R(0.115) *
                    (wfReal)(i / 16);
         b = ball(&m, x + (i / 16 % 2 ? WF_R(0.03) : WF_R(-0.03)), y, grain_radius);
         b.friction = WF_R(0.1);
@@ -399,8 +411,9 @@ static wfResult build_hourglass(wfWorld *world)
 static void turn_hourglass(wfWorld *world, const wfSceneInput *in)
 {
     wfReal angle = body_of(world, GLASS).angle, half = wfFloor(angle / WF_PI + WF_R(0.5));
-    wfReal away = angle - half * WF_PI, speed = 2 * pulls(in, WF_RIGHT, WF_LEFT);
-    if (speed == 0) speed = wfClamp(-away / step_of(world), -2, 2);
+    wfReal away = angle - half * WF_PI;
+    wfReal speed = WF_R(0.7) * pulls(in, WF_RIGHT, WF_LEFT);
+    if (speed == 0) speed = wfClamp(-away / step_of(world), WF_R(-0.7), WF_R(0.7));
     wfSetBodyVelocity(world, wfBodyAt(world, GLASS), wfV2(0, 0), speed);
 }
 
@@ -427,10 +440,11 @@ static void many_grains(wfWorldDef *def)
 
 static const wfScene row[] = {
     { .category = "Play", .name = "trebuchet", .chapter = "joints-in-a-world",
-      .text = "Hold to let the weight fall; let go to open the sling. When is the throw longest?",
+      .text = "Hold to let the weight fall, let go to open the sling. How far?",
       .define = jointly, .build = build_trebuchet, .update = work_trebuchet,
       .draw = draw_trebuchet, .controls = { [WF_ENTER] = "throw" },
-      .demo = "....EEEEEEE......................................", VIEW(8.6, 4.6, 16), PROMISE(5, 0.6) },
+      .demo = "....EEEEEEE......................................",
+      VIEW(8.6, 4.6, 16), PROMISE(5, 0.6) },
     { .category = "Play", .name = "wrecking ball", .chapter = "joints",
       .text = "Ten kilograms on a winch, and a house without mortar.",
       .define = jointly, .build = build_wrecking, .update = work_wrecking,
@@ -443,19 +457,22 @@ static const wfScene row[] = {
       .controls = { [WF_UP] = "up", [WF_DOWN] = "down" },
       .demo = "......UUUUUUUUUUUU....DDDDDDDDDDDD....", VIEW(0, 2.7, 8.6), PROMISE(-1, 0.15) },
     { .category = "Play", .name = "marble machine", .chapter = "compound",
-      .text = "The drum lifts what has run down. How fast may it turn before marbles stay in it?",
+      .text = "The drum lifts what has run down. How fast may it turn?",
       .define = jointly, .build = build_marbles, .update = turn_marbles,
-      .controls = { [WF_LEFT] = "slower", [WF_RIGHT] = "faster" }, .viewShape = WF_R(1.0), VIEW(0, 3.5, 7.4),
+      .controls = { [WF_LEFT] = "slower", [WF_RIGHT] = "faster" }, .viewShape = WF_R(1.0),
+      VIEW(0, 3.5, 7.4),
       PROMISE(-1, 0.2) },
     { .category = "Play", .name = "clock", .chapter = "joints",
       .text = "A pendulum of two seconds lets the seconds go; gears make minutes and hours.",
       .define = jointly, .build = build_clock, .update = tick_clock, .draw = draw_clock,
-      .controls = { [WF_LEFT] = "slower", [WF_RIGHT] = "faster" }, .viewShape = WF_R(1.2), VIEW(0, 2.7, 6),
+      .controls = { [WF_LEFT] = "slower", [WF_RIGHT] = "faster" }, .viewShape = WF_R(1.2),
+      VIEW(0, 2.7, 6),
       PROMISE(-1, -1) },
     { .category = "Play", .name = "hourglass", .chapter = "contacts",
-      .text = "Sand runs as fast when the glass is full as when it is nearly empty. Turn it over.",
+      .text = "Sand runs as fast at the end as in the beginning. Turn it over.",
       .define = many_grains, .build = build_hourglass, .update = turn_hourglass,
-      .draw = draw_hourglass, .controls = { [WF_LEFT] = "turn left", [WF_RIGHT] = "turn right" },
+      .draw = draw_hourglass, .controls = { [WF_LEFT] = "turn left",
+                                            [WF_RIGHT] = "turn right" },
       .viewShape = WF_R(0.95), VIEW(0, 0, 6.2), PROMISE(-1, 0.15) },
 };
 const wfSceneGroup wfMachineScenes = { row, sizeof row / sizeof *row };

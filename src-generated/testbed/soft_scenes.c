@@ -47,7 +47,8 @@ static wfResult build_blob(wfWorld *world)
     for (int k = 1; k <= 2; k++)
         for (int i = 0; i < BLOB_RIM; i++) {
             wfBodyState a = body_of(world, i), b = body_of(world, (i + k) % BLOB_RIM);
-            wfJoint j = joint_from(&m, "distance", bead[i], bead[(i + k) % BLOB_RIM], a.p, b.p);
+            wfJoint j = joint_from(&m, "distance", bead[i], bead[(i + k) % BLOB_RIM], a.p,
+                                   b.p);
             wfSetJointSpring(&j, WF_R(0.05), k == 1 ? 12 : 3, WF_R(0.5));
             join(&m, &j);
         }
@@ -55,7 +56,8 @@ static wfResult build_blob(wfWorld *world)
     for (int i = -1; i <= 1; i += 2)
         put_wall(&m, WF_R(8.5) * (wfReal)i, 2, WF_R(0.5), 2, 0);
     for (int i = 0; i < 3; i++) {
-        wfBodyDef b = ball(&m, WF_R(-1.5) + 2 * (wfReal)i, 0, WF_R(0.3) + WF_R(0.15) * (wfReal)i);
+        wfBodyDef b = ball(&m, WF_R(-1.5) + 2 * (wfReal)i, 0,
+                           WF_R(0.3) + WF_R(0.15) * (wfReal)i);
         b.type = WF_STATIC;
         put(&m, &b);
     }
@@ -166,11 +168,12 @@ static wfReal circling(wfReal far) { return wfSqrt(sun_pull / far); }
 
 static wfResult build_planets(wfWorld *world)
 {
-    static const uint8_t ink[PLANETS] = { WF_INK_BODY2, WF_INK_GOOD, WF_INK_BODY, WF_INK_BAD };
+    static const uint8_t ink[PLANETS] = { WF_INK_BODY2, WF_INK_GOOD, WF_INK_BODY,
+                                          WF_INK_BAD };
     Maker m = { world, WF_OK };
     wfVec2 nose[3] = { wfV2(WF_R(0.28), 0), wfV2(WF_R(-0.16), WF_R(0.15)),
                        wfV2(WF_R(-0.16), WF_R(-0.15)) };
-    wfForce pull = wfPointGravity(wfV2(0, 0), sun_pull, WF_R(0.2));
+    wfForce pull = wfPointGravity(wfV2(0, 0), sun_pull, WF_R(0.05));
     wfBodyDef b = body_at(0, -ship_far);
     note(&m, wfMakePolygon(nose, 3, &b.shape));
     b.mass = 1;
@@ -240,7 +243,8 @@ static const wfScene row[] = {
       .text = "A curtain of threads that hold 20 N. The wind bends it, the ball tears it.",
       .define = woven, .build = build_cloth, .update = blow_cloth,
       .controls = { [WF_LEFT] = "wind left", [WF_RIGHT] = "wind right", [WF_ENTER] = "throw" },
-      .demo = "....RRRRRRRR........E......................", VIEW(0, 2.8, 8), PROMISE(-1, 0.3) },
+      .demo = "....RRRRRRRR........E......................",
+      VIEW(0, 2.8, 8), PROMISE(-1, 0.3) },
     { .category = "Play", .name = "planets", .chapter = "integration",
       .text = "Kepler's ellipses about a sun, and a ship that changes its own by thrust.",
       .define = integrated_freely, .build = build_planets, .update = fly_ship,

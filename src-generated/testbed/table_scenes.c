@@ -93,8 +93,8 @@ static void play_pinball(wfWorld *world, const wfSceneInput *in)
 {
     wfReal h = step_of(world), down = WF_R(0.65) - body_of(world, PIN_PLUNGER).p.y;
     wfReal pull = down < WF_R(0.5) ? WF_R(-0.8) : 0;
-    set_force(world, 0, holds(in, WF_LEFT) ? 18 : -18, 40);
-    set_force(world, 1, holds(in, WF_RIGHT) ? -18 : 18, 40);
+    set_force(world, 0, holds(in, WF_LEFT) ? 12 : -12, holds(in, WF_LEFT) ? 12 : 2);
+    set_force(world, 1, holds(in, WF_RIGHT) ? -12 : 12, holds(in, WF_RIGHT) ? 12 : 2);
     wfSetBodyVelocity(world, wfBodyAt(world, PIN_PLUNGER),
                       wfV2(0, holds(in, WF_DOWN) ? pull : wfMinR(22 * down, down / h)), 0);
     for (int i = 0; i < PIN_BUMPERS; i++) kick_ball(world, bumper_at[i]);
@@ -107,6 +107,7 @@ static void leaning(wfWorldDef *def)
 {
     jointly(def);
     def->gravity = wfV2(0, -4);
+    def->advanced.directJoints = WF_JOINTS_ITERATIVE;
 }
 
 enum { POOL_WHITE = 1, POOL_BALLS = 16, POOL_CUE = POOL_WHITE + POOL_BALLS, POCKETS = 6 };
@@ -130,7 +131,7 @@ static wfResult build_pool(wfWorld *world)
         wfBodyDef b = ball(&m, i ? x : -2, i ? y : 0, pool_radius);
         b.mass = WF_R(0.17);
         b.restitution = WF_R(0.95);
-        b.friction = WF_R(0.05);
+        b.friction = WF_R(0.01);
         wfBodyId id = put_ink(&m, &b, i ? ink[i % 4] : WF_INK_TEXT);
         wfJoint j = joint_from(&m, "friction", table, id, b.position, b.position);
         j.motorForce = b.mass * pool_rub;
@@ -142,9 +143,11 @@ static wfResult build_pool(wfWorld *world)
     cue.type = WF_KINEMATIC;
     put_for(&m, &cue, WF_INK_ACCENT, 2, 0);
     for (int i = -1; i <= 1; i += 2) {
-        put_wall(&m, 0, (pool_high + WF_R(0.2)) * (wfReal)i, pool_wide + WF_R(0.4), WF_R(0.2),
+        put_wall(&m, 0, (pool_high + WF_R(0.2)) * (wfReal)i, pool_wide + WF_R(0.4),
+                 WF_R(0.2),
                  WF_R(0.8));
-        put_wall(&m, (pool_wide + WF_R(0.2)) * (wfReal)i, 0, WF_R(0.2), pool_high, WF_R(0.8));
+        put_wall(&m, (pool_wide + WF_R(0.2)) * (wfReal)i, 0, WF_R(0.2), pool_high,
+                 WF_R(0.8));
     }
     return m.result;
 }
@@ -212,8 +215,10 @@ static wfResult build_maze(wfWorld *world)
 {
     static const float wall[][4] = {           /* middle, half width, half height */
         { -2, 1.5f, 0.1f, 2 }, { 0, -1.5f, 0.1f, 2 }, { 2, 1.5f, 0.1f, 2 },
-        { -3.45f, 1, 0.55f, 0.1f }, { -2.65f, -0.8f, 0.55f, 0.1f }, { -0.65f, 1, 0.55f, 0.1f },
-        { -1.35f, -1.2f, 0.55f, 0.1f }, { 0.65f, -1, 0.55f, 0.1f }, { 1.35f, 1, 0.55f, 0.1f },
+        { -3.45f, 1, 0.55f, 0.1f }, { -2.65f, -0.8f, 0.55f, 0.1f }, { -0.65f, 1, 0.55f,
+            0.1f },
+        { -1.35f, -1.2f, 0.55f, 0.1f }, { 0.65f, -1, 0.55f, 0.1f }, { 1.35f, 1, 0.55f,
+            0.1f },
         { 3.45f, 0.5f, 0.55f, 0.1f } };
     Maker m = { world, WF_OK };
     wfBodyDef b = ball(&m, WF_R(-3.4), WF_R(2.9), WF_R(0.25));
@@ -256,7 +261,8 @@ static const wfScene row[] = {
       .text = "Flippers are hinges with motors and stops. Draw the plunger, and keep it up.",
       .define = leaning, .build = build_pinball, .update = play_pinball,
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_DOWN] = "plunger" },
-      .demo = ".DDDD........L.R.L.R.L.R.L.R.L.R.L.R", .viewShape = WF_R(0.62), VIEW(0, 4.3, 9), PROMISE(-1, 0.3) },
+      .demo = ".DDDD........L.R.L.R.L.R.L.R.L.R.L.R", .viewShape = WF_R(0.62),
+      VIEW(0, 4.3, 9), PROMISE(-1, 0.3) },
     { .category = "Play", .name = "pool", .chapter = "impulses",
       .text = "Turn the cue, draw it back, let go. Equal balls part at a right angle.",
       .define = on_top, .build = build_pool, .update = play_pool, .draw = draw_pool,
@@ -269,6 +275,7 @@ static const wfScene row[] = {
       .define = on_top, .build = build_maze, .update = lean_maze, .draw = draw_maze,
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_UP] = "up",
                     [WF_DOWN] = "down" },
-      .demo = "DRDRDLLLL.LL.RRURUUUUUL.LRD.RDDDDDLDRRRDDR...", .viewShape = WF_R(1.1), VIEW(0, 0, 8.4), PROMISE(-1, 0.15) },
+      .demo = "DRDRDLLLL.LL.RRURUUUUUL.LRD.RDDDDDLDRRRDDR...", .viewShape = WF_R(1.1),
+      VIEW(0, 0, 8.4), PROMISE(-1, 0.15) },
 };
 const wfSceneGroup wfTableScenes = { row, sizeof row / sizeof *row };
