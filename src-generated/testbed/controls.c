@@ -190,45 +190,6 @@ void game_draw_mark(ui *u, const game_state *s)
 }
 
 /* the controls of a scene */
-enum { CONTROL_HIGH = 46, CONTROL_WIDE = 92 };
-
-static uint32_t controls_of(const wfScene *scene)
-{
-    uint32_t all = 0;
-    for (int i = 0; i < WF_CONTROLS; i++)
-        if (scene->controls[i]) all |= 1u << i;
-    return all;
-}
-
-/* Is it one of the scene's controls, and do the keys go to the scene? */
-static bool drives(const game *g, uint32_t bit)
-{
-    const game_state *s = g->state;
-    return !s->mark && !s->ui.focus && !s->ui.typing && (controls_of(g->scene) & bit);
-}
-
-float game_controls_high(const game *g)
-{
-    const game_state *s = g->state;
-    return s->opened && s->height >= LOW && controls_of(g->scene) ? CONTROL_HIGH + 6 : 0;
-}
-
-/* What is held at this step: by a key, by a tap within the frame, or by a button. */
-void game_find_held(game *g)
-{
-    game_state *s = g->state;
-    const game_input *in = g->input;
-    uint32_t keys = in->keys_held, all = controls_of(g->scene);
-    for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++)
-        keys |= game_key_bit(in->keys[i]);
-    if (!drives(g, all)) keys = 0;
-    if (s->grasped) keys |= 1u << (s->grasped - 1);
-    s->input.held = keys & all;
-    if (s->input.held) s->driven = 1, s->hint = 0;
-    if (!s->driven)
-        s->input.held = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world)).held;
-}
-
 static void draw_key_sign(ui *u, int control, float x, float y)
 {
     static const float arrow[4][2] = { { -1, 0 }, { 1, 0 }, { 0, -1 }, { 0, 1 } };
@@ -263,9 +224,8 @@ static void control_button(ui *u, game *g, int i, float x, float y, float w)
 void game_controls(ui *u, game *g)
 {
     game_state *s = g->state;
-    uint32_t all = s->opened ? controls_of(g->scene) : 0;
     int count = 0, k = 0;
-    for (int i = 0; i < WF_CONTROLS; i++) count += all >> i & 1;
+    for (int i = 0; i < WF_CONTROLS; i++) count += g->scene->controls[i] != NULL;
     float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8;
     float w = count ? (room + 6) / (float)count - 6 : 0;
     if (w > CONTROL_WIDE) w = CONTROL_WIDE;
@@ -273,7 +233,7 @@ void game_controls(ui *u, game *g)
     float y = s->height - CONTROL_HIGH - 4 - (s->bare ? 0 : FOOT + TIME_BAR);
     if (!u->draw && (!u->held || !count)) s->grasped = 0;
     for (int i = 0; i < WF_CONTROLS; i++)
-        if (all >> i & 1) control_button(u, g, i, x + (float)k++ * (w + 6), y, w);
+        if (g->scene->controls[i]) control_button(u, g, i, x + (float)k++ * (w + 6), y, w);
 }
 
 /* obey the keys */
@@ -344,7 +304,7 @@ void game_obey_key(game *g, int32_t key)
     case GAME_KEY_DELETE: remove_chosen(g); break;
     case GAME_KEY_ESCAPE: s->menu = 0; break;
     default:
-        if (!s->ui.focus && !drives(g, game_key_bit(key))) obey_view_key(g, key);
+        if (!s->ui.focus && !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
         break;
     }
     for (int i = 0; i < toolCount; i++)

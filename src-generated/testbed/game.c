@@ -21,7 +21,7 @@ static void interface(ui *u, game *g, double seconds)
     bar b = { x, s->width - 8, x, 10 };
     if (s->bare) {
         s->head = 0;
-        game_controls(u, g);
+        if (s->opened && game_drives_any(g)) game_controls(u, g);
         if (s->keys) game_key_sheet(u, s, 4);
         ui_finish(u, seconds);
         return;
@@ -44,7 +44,7 @@ static void interface(ui *u, game *g, double seconds)
     }
     game_state_line(u, g, x);
     game_time_bar(u, g);
-    game_controls(u, g);
+    if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, s, x);
     if (s->hint)
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,

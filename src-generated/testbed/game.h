@@ -177,6 +177,10 @@ void game_undo(game *g);
 void game_redo(game *g);
 wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
+bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */
+bool game_drives_any(const game *g);
+float game_controls_high(const game *g);                /* units: of the row below */
+void game_find_held(game *g);
 bool game_goes_along(const game_state *s, int i);
 void game_begin_others(game *g);
 int game_open_others(game *g, wfWorld out[OTHERS]);
@@ -188,7 +192,6 @@ void game_replay_one(game *g);
 wfVec2 game_grip_place(const game *g);
 void game_pull(game *g, wfReal h);
 void game_step_world(game *g);
-void game_find_held(game *g);
 /* painting */
 bool game_may_take(const game *g);
 bool game_has_panes(const game_state *s);

@@ -314,9 +314,8 @@ static void tick_clock(wfWorld *world, const wfSceneInput *in)
     wfReal swing = 1 - wfRotation(bob.angle).c, most = 1 - wfRotation(clock_swing).c;
     wfReal energy = WF_R(9.81) * clock_length * (swing - most) +
                     wfSquare(bob.w * clock_length) / 2;
-    if (energy < 0)
-        wfApplyAngularImpulseToBody(world, wfBodyAt(world, CLOCK_BOB),
-                                    (bob.w > 0 ? WF_R(0.02) : WF_R(-0.02)) * h);
+    wfReal push = (bob.w > 0 ? WF_R(0.02) : WF_R(-0.02)) * h * bob.invInertia;
+    if (energy < 0) wfSetBodyVelocity(world, wfBodyAt(world, CLOCK_BOB), bob.v, bob.w + push);
     if (wfGetJoint(world, wfJointAt(world, CLOCK_PIVOT), &j) != WF_OK) return;
     wfReal longer = WF_R(0.05) * h * pulls(in, WF_RIGHT, WF_LEFT);
     if (longer == 0) return;
