@@ -246,7 +246,8 @@ static wfResult build_runner(wfWorld *world)
                            &hero.shape));
     put_for(&m, &hero, WF_INK_ACCENT, RUNNER_KIND, 0);
     for (int i = 0; i < 2; i++) {
-        b = box(&m, i ? 0 : -3, i ? WF_R(3.3) : 1, i ? WF_R(1.1) : 1, WF_R(0.15));
+        b = box(&m, i ? WF_R(0.6) : -4, i ? WF_R(3.25) : WF_R(1.7), i ? WF_R(1.1) : 1,
+                WF_R(0.15));
         b.type = WF_KINEMATIC;
         put_ink(&m, &b, WF_INK_BODY2);
     }
@@ -342,6 +343,7 @@ static const wfScene row[] = {
     { .category = "Play", .name = "platforms", .chapter = "in-a-game",
       .text = "A character that casts its shape, climbs stairs and rides. Reach the flag.",
       .define = jointly, .build = build_runner, .update = drive_runner, .draw = draw_runner,
+      .asks = WF_MODULE_QUERIES,
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_UP] = "jump" },
       .demo = "RU.lURlRRlUUUUrRRLUUUlRUUUUURRRrRRrRR..................", VIEW(0, 3, 8.4),
       PROMISE(-1, 0.25) },

@@ -39,6 +39,7 @@ typedef struct wfScene {
     /* draws over the bodies; or NULL */
     void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);
     const wfCallbacks *hooks;               /* that each step asks; or NULL */
+    uint32_t asks;                          /* modules that update asks, as queries; 0: none */
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
     wfReal viewShape;                       /* its width to its height; 0: 1.59 */
     uint32_t show;                          /* overlays to begin with */
