@@ -258,6 +258,7 @@ static void turn_marbles(wfWorld *world, const wfSceneInput *in)
 enum { CLOCK_FRAME, CLOCK_BOB, CLOCK_SECONDS, CLOCK_MINUTES, CLOCK_HOURS, CLOCK_TRAIN,
        CLOCK_PIVOT = 0, CLOCK_ESCAPE = 1 };
 static const wfVec2 clock_dial = WF_V2(0, WF_R(3.6)), clock_pivot = WF_V2(0, WF_R(1.3));
+/* m, rad: eq:driven-pendulum for two seconds. */
 static const wfReal clock_length = WF_R(0.9672), clock_swing = WF_R(0.12),     /* m, rad */
                     clock_tick = WF_PI / 30, clock_wheel = WF_R(1.6);
 
@@ -315,7 +316,8 @@ static void tick_clock(wfWorld *world, const wfSceneInput *in)
     wfReal energy = WF_R(9.81) * clock_length * (swing - most) +
                     wfSquare(bob.w * clock_length) / 2;
     wfReal push = (bob.w > 0 ? WF_R(0.02) : WF_R(-0.02)) * h * bob.invInertia;
-    if (energy < 0) wfSetBodyVelocity(world, wfBodyAt(world, CLOCK_BOB), bob.v, bob.w + push);
+    if (energy < 0)
+        wfSetBodyVelocity(world, wfBodyAt(world, CLOCK_BOB), bob.v, bob.w + push);
     if (wfGetJoint(world, wfJointAt(world, CLOCK_PIVOT), &j) != WF_OK) return;
     wfReal longer = WF_R(0.05) * h * pulls(in, WF_RIGHT, WF_LEFT);
     if (longer == 0) return;
