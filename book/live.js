@@ -362,6 +362,8 @@
       more();
       act(x => x.web_key(k));
     });
+    canvas.addEventListener('keyup', e => { const k = keyOf(e); if (k === 13 || (k > 127 && k < 132)) act(x => x.web_key_up(k)); });
+    canvas.addEventListener('blur', () => { if (!log) act(x => x.web_key_up(0)); });
     const game = {
       frame, open, more, act, handOut,
       parts: () => log ? 1 : 2,

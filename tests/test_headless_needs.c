@@ -27,7 +27,7 @@ static void a_lean_world_has_the_same_bits(void **state)
             hashes[k] = wfHashWorld(&rich);
         }
         wfWorldDef def;
-        assert_ok(wfInferModules(&rich, s->hooks != NULL ? WF_MODULE_HOOKS : 0, &def));
+        assert_ok(wfInferModules(&rich, (s->hooks != NULL ? WF_MODULE_HOOKS : 0) | s->asks, &def));
         assert_ok(wfCheckWorldDef(&def, NULL));
         assert_ok(wfCreateWorld(&def, &lean));
         wfResult result = s->build(&lean);

@@ -184,7 +184,7 @@ static bool small_world(const wfScene *s, wfWorldDef *def)
         wfSceneInput in = wfSceneInputAt(s, k);
         assert_ok(wfStepScene(s, &world, &in));
     }
-    assert_ok(wfInferModules(&world, s->hooks != NULL ? WF_MODULE_HOOKS : 0, def));
+    assert_ok(wfInferModules(&world, (s->hooks != NULL ? WF_MODULE_HOOKS : 0) | s->asks, def));
     wfDestroyWorld(&world);
     def->modules = usual.modules;
     def->advanced.pairCapacity = 2 * def->advanced.pairCapacity + 64;

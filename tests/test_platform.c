@@ -299,6 +299,7 @@ static game_input random_input(game_input last)
         if (what == 2) in.pressed |= bit, in.released |= bit;
         in.held |= was;
     }
+    in.keys_held = dice(4) ? last.keys_held : dice(32);
     in.key_count = (int32_t)dice(3) ? 0 : (int32_t)dice(GAME_MAX_KEYS + 1);
     for (int i = 0; i < in.key_count; i++) in.keys[i] = random_key();
     if (!dice(20)) snprintf(in.scene, sizeof in.scene, "scene-%u", (unsigned)dice(1000));
@@ -309,7 +310,7 @@ static int same_input(const game_input *a, const game_input *b)
 {
     return a->seconds == b->seconds && a->steps == b->steps && a->mouse_x == b->mouse_x && a->mouse_y == b->mouse_y &&
            a->wheel == b->wheel && a->pan_x == b->pan_x && a->pan_y == b->pan_y && a->finger == b->finger && a->bare == b->bare && a->held == b->held && a->pressed == b->pressed && a->released == b->released &&
-           a->key_count == b->key_count && memcmp(a->keys, b->keys, (size_t)a->key_count * sizeof *a->keys) == 0 &&
+           a->keys_held == b->keys_held && a->key_count == b->key_count && memcmp(a->keys, b->keys, (size_t)a->key_count * sizeof *a->keys) == 0 &&
            strcmp(a->scene, b->scene) == 0;
 }
 

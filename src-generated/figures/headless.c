@@ -276,7 +276,7 @@ static void figure_scenes_window(wfDraw *d, const wfFigureInput *in)
         "Probe" };
     const wfScene *s = wfSceneAt(wfFindScene("shapes"));
     camera c = { (float)s->viewX, (float)s->viewY, (float)s->viewHeight, LIST_WIDTH, HEAD,
-                 1100 - LIST_WIDTH, 700 - HEAD - FOOT - TIME_BAR };
+                 1100 - LIST_WIDTH, 700 - HEAD - FOOT - TIME_BAR, 0 };
     float view[4];
     camera_window(&c, 1100, 700, view);
     wfDrawView(d, view[0], view[1], view[2], view[3]);
@@ -323,7 +323,7 @@ static void camera_mark(wfDraw *d, const camera *c, float x, float y, const char
 static void figure_scenes_camera(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
-    camera c = { 2.7f, 2.4f, 2, 1, 0.5f, 4, 2.5f };
+    camera c = { 2.7f, 2.4f, 2, 1, 0.5f, 4, 2.5f, 0 };
     float a[2], b[2];
     camera_pick(&c, 1, 3, a);
     camera_pick(&c, 5, 0.5f, b);

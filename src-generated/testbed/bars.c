@@ -263,7 +263,7 @@ void game_key_sheet(ui *u, const game_state *s, float x)
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
         { "[ and ]", "previous, next scene" }, { "Tab, \\", "hide or show the list" },
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
-        { "arrows", "move the view" },
+        { "arrows", "move the view, or drive" },
         { "Q and E", "turn the testing body" }, { "T", "change its shape" },
         { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "S", "the settings of the world" }, { "/", "find a scene" },

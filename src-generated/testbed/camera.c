@@ -2,11 +2,10 @@
  * the chapter and type make. MIT licence. */
 #include "testbed/camera.h"
 
-static const float view_shape = 1.59f;      /* width of a scene to its height, at most */
-
 float camera_scale(const camera *c)
 {
-    float high = c->high / c->height, wide = c->wide / (view_shape * c->height);
+    float shape = c->shape > 0 ? c->shape : 1.59f;
+    float high = c->high / c->height, wide = c->wide / (shape * c->height);
     return high < wide ? high : wide;       /* eq:camera-scale */
 }
 

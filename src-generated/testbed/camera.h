@@ -9,6 +9,7 @@ typedef struct camera {
     float x, y, height;         /* m: point in the middle; height to be shown, at least */
     float left, top;            /* pixels: corner of the part that is free for it */
     float wide, high;           /* pixels: size of that part, > 0 */
+    float shape;                /* width to be shown to that height; 0: 1.59 */
 } camera;
 
 enum { CAMERA_X, CAMERA_Y };

@@ -25,6 +25,12 @@ static bool move_to(game_input *in, float x, float y)
     return true;
 }
 
+uint32_t game_key_bit(int32_t key)
+{
+    if (key == GAME_KEY_ENTER) return 16;
+    return key >= GAME_KEY_LEFT && key <= GAME_KEY_DOWN ? 1u << (key - GAME_KEY_LEFT) : 0;
+}
+
 bool game_take_event(game_input *in, const game_event *e)
 {
     uint32_t button = (uint32_t)e->code;
@@ -45,10 +51,14 @@ bool game_take_event(game_input *in, const game_event *e)
     case GAME_EVENT_WHEEL:
         if (!acted) in->wheel += e->y;
         return !acted;
+    case GAME_EVENT_KEY_UP:
+        in->keys_held &= e->code ? ~game_key_bit(e->code) : 0;
+        return true;
     default:
         if (e->code == 0) return true;
         if (acted || in->wheel != 0 || in->key_count == GAME_MAX_KEYS) return false;
         in->keys[in->key_count++] = e->code;
+        in->keys_held |= game_key_bit(e->code);
         return true;
     }
 }

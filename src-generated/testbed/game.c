@@ -21,6 +21,7 @@ static void interface(ui *u, game *g, double seconds)
     bar b = { x, s->width - 8, x, 10 };
     if (s->bare) {
         s->head = 0;
+        if (s->opened && game_drives_any(g)) game_controls(u, g);
         if (s->keys) game_key_sheet(u, s, 4);
         ui_finish(u, seconds);
         return;
@@ -43,10 +44,12 @@ static void interface(ui *u, game *g, double seconds)
     }
     game_state_line(u, g, x);
     game_time_bar(u, g);
+    if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, s, x);
     if (s->hint)
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
-                s->height - FOOT - TIME_BAR - 14, 16, WF_INK_ACCENT, 0,
+                s->height - FOOT - TIME_BAR - 14 - game_controls_high(g), 16,
+                WF_INK_ACCENT, 0,
                 "Grab something: drag it, and throw it.");
     if (!drawer || s->menu) u->x = mouse;
     game_body_menu(u, g);

@@ -67,6 +67,8 @@ typedef struct game_state {
     float asked_x, asked_y;             /* pixels: there */
     wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
     int32_t hint;                       /* nobody has grabbed anything yet */
+    int32_t driven;                     /* 1: somebody drives the scene, and not its demo */
+    int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
@@ -175,6 +177,10 @@ void game_undo(game *g);
 void game_redo(game *g);
 wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
+bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */
+bool game_drives_any(const game *g);
+float game_controls_high(const game *g);                /* units: of the row below */
+void game_find_held(game *g);
 bool game_goes_along(const game_state *s, int i);
 void game_begin_others(game *g);
 int game_open_others(game *g, wfWorld out[OTHERS]);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "testbed/game.h"
+#include "testbed/layout.h"
 
 /* the world of the game */
 void game_look_home(game *g)
@@ -11,6 +12,7 @@ void game_look_home(game *g)
     g->state->camera.x = (float)g->scene->viewX;
     g->state->camera.y = (float)g->scene->viewY;
     g->state->camera.height = (float)g->scene->viewHeight;
+    g->state->camera.shape = (float)g->scene->viewShape;
 }
 
 static void keep_wishes(game *g);
@@ -66,6 +68,7 @@ void game_open_scene(game *g, int row)
     s->posed = 0;
     s->undo_at = s->undo_count = s->editing = 0;
     s->input = (wfSceneInput){ 0 };
+    s->driven = s->grasped = 0;
     s->hover = s->follow = (wfBodyId){ 0 };
     s->plotted = (wfBodyId){ 0 };
     s->menu = 0;
@@ -82,6 +85,48 @@ void game_open_scene(game *g, int row)
         game_show_overlays(g);
         game_look_home(g);
     }
+    if (s->opened && g->scene->follow)
+        s->follow = wfBodyAt(&g->world, g->scene->follow - 1);
+}
+
+static uint32_t controls_of(const wfScene *scene)
+{
+    uint32_t all = 0;
+    for (int i = 0; i < WF_CONTROLS; i++)
+        if (scene->controls[i]) all |= 1u << i;
+    return all;
+}
+
+/* Is it one of the scene's controls, and do the keys go to the scene? */
+bool game_drives(const game *g, uint32_t bit)
+{
+    const game_state *s = g->state;
+    return !s->mark && !s->ui.focus && !s->ui.typing && (controls_of(g->scene) & bit);
+}
+
+bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }
+
+float game_controls_high(const game *g)
+{
+    const game_state *s = g->state;
+    return s->opened && s->height >= LOW && controls_of(g->scene) ? CONTROL_HIGH + 6 : 0;
+}
+
+/* What is held at this step: by a key, by a tap within the frame, or by a button. */
+void game_find_held(game *g)
+{
+    game_state *s = g->state;
+    const game_input *in = g->input;
+    uint32_t keys = in->keys_held, all = controls_of(g->scene);
+    if (!all) return;
+    for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++)
+        keys |= game_key_bit(in->keys[i]);
+    if (!game_drives(g, all)) keys = 0;
+    if (s->grasped) keys |= 1u << (s->grasped - 1);
+    s->input.held = keys & all;
+    if (s->input.held) s->driven = 1, s->hint = 0;
+    if (!s->driven)
+        s->input.held = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world)).held;
 }
 
 wfResult game_make_room(void *context, uint32_t modules)

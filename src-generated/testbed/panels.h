@@ -68,5 +68,6 @@ void game_place_camera(game *g);
 void game_obey_mouse(game *g, bool over);
 void game_obey_mark(game_state *s, game_input *in);
 void game_obey_key(game *g, int32_t key);
+void game_controls(ui *u, game *g);
 void game_draw_mark(ui *u, const game_state *s);
 #endif

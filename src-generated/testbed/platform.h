@@ -57,6 +57,9 @@ enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
        GAME_KEY_FRAMES = '&' };
 
 enum { GAME_MAX_KEYS = 8 };
+/* The bit of a key that can be held: 1, 2, 4, 8 for left, right, up, down, 16 for Enter; 0
+   for any other. */
+uint32_t game_key_bit(int32_t key);
 
 /* All that the user and the clock did since the last call: plain data. */
 typedef struct game_input {
@@ -71,16 +74,19 @@ typedef struct game_input {
     uint32_t pressed, released; /* buttons that went down, up in this frame; or both */
     int32_t key_count;          /* keys that went down in this frame, in order */
     int32_t keys[GAME_MAX_KEYS];
+    uint32_t keys_held;         /* the bits of keys that are down at the end of this frame */
     int32_t moved;              /* for game_take_event: the mouse moved in this frame */
     char scene[GAME_NAME_SIZE]; /* a scene to be opened (by a command line); or "" */
 } game_input;
 
 /* events in their order */
-enum { GAME_EVENT_MOVE, GAME_EVENT_DOWN, GAME_EVENT_UP, GAME_EVENT_WHEEL, GAME_EVENT_KEY };
+enum { GAME_EVENT_MOVE, GAME_EVENT_DOWN, GAME_EVENT_UP, GAME_EVENT_WHEEL, GAME_EVENT_KEY,
+       GAME_EVENT_KEY_UP };
 typedef struct game_event {
     int32_t kind;
     float x, y;                 /* MOVE, DOWN, UP: pixels; WHEEL: y has the notches */
-    int32_t code;               /* DOWN, UP: a button; KEY: a key; 0 does nothing */
+    int32_t code;               /* DOWN, UP: a button; KEY: a key, 0 does nothing; KEY_UP:
+                                 * a key, 0: all of them, as when a window loses the keys */
 } game_event;
 
 /* Adds an event to a frame's input. False: it would come out of order or find no room;

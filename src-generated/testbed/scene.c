@@ -54,7 +54,17 @@ wfResult wfStepScene(const wfScene *scene, wfWorld *world, const wfSceneInput *i
     return wfStepWorldWithCallbacks(world, scene->hooks);
 }
 
-/* wander over the view */
+/* What the demo holds at a step. It begins anew when it is over. */
+static uint32_t demo_at(const wfScene *scene, int64_t step)
+{
+    static const char letters[] = "LRUDElr";
+    static const uint32_t held[] = { 1, 2, 4, 8, 16, 4 + 1, 4 + 2 };
+    if (!scene->demo) return 0;
+    char now = scene->demo[step / 15 % (int64_t)strlen(scene->demo)];
+    const char *at = strchr(letters, now);
+    return at ? held[at - letters] : 0;
+}
+
 wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step)
 {
     wfReal t = (wfReal)(step % 100000);
@@ -63,7 +73,8 @@ wfSceneInput wfSceneInputAt(const wfScene *scene, int64_t step)
                       WF_R(0.3) * h * wfSin(WF_R(0.0173) * t + 1));
     return (wfSceneInput){ .mouse = wfAdd(wfV2(scene->viewX, scene->viewY), off),
                            .turn = wfWrapAngle(WF_R(0.007) * t),
-                           .choice = (int32_t)(step / 150 % 5) };
+                           .choice = (int32_t)(step / 150 % 5),
+                           .held = demo_at(scene, step) };
 }
 
 /* watch a scene run */

@@ -6,11 +6,15 @@
 #include "weft/draw.h"
 #include "weft/weft.h"
 
+/* The controls of a scene that is driven: the arrow keys and Enter, and their buttons. */
+enum { WF_LEFT, WF_RIGHT, WF_UP, WF_DOWN, WF_ENTER, WF_CONTROLS };
+
 /* Of the user, a scene knows where the mouse is and how often some keys were pressed. */
 typedef struct wfSceneInput {
     wfVec2  mouse;              /* m, world coordinates */
     wfReal  turn;               /* rad: the keys Q and E turn the testing body */
     int32_t choice;             /* from 0: the key T changes its shape */
+    uint32_t held;              /* bit i: control i is held */
 } wfSceneInput;
 
 /* Overlays, to be switched on and off by the user; a scene says which it begins with. */
@@ -35,13 +39,20 @@ typedef struct wfScene {
     /* draws over the bodies; or NULL */
     void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);
     const wfCallbacks *hooks;               /* that each step asks; or NULL */
+    uint32_t asks;                          /* modules that update asks, as queries; 0: none */
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
+    wfReal viewShape;                       /* its width to its height; 0: 1.59 */
     uint32_t show;                          /* overlays to begin with */
     wfReal energyBound;                     /* J it may gain; negative: not checked */
     wfReal depthBound;                      /* m: deepest overlap; negative: not checked */
     /* instead of define and build: makes the world from a text; or NULL */
     wfResult (*open)(const struct wfScene *scene, const wfMemory *memory, wfWorld *out);
     const char *source;                     /* the text */
+    const char *controls[WF_CONTROLS];      /* a word each: what it does; or NULL */
+    /* what holds the controls until somebody takes them: a letter for a quarter second, L, R,
+       U, D, E for one of them, l and r together with up, others for none; or NULL */
+    const char *demo;
+    int32_t follow;             /* 1 + the body that the camera goes along with; 0: none */
 } wfScene;
 /* The scenes of a file. */
 typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup;

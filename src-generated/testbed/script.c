@@ -103,6 +103,15 @@ static const char *do_key(const script_line *line, game_input *now)
     return NULL;
 }
 
+static const char *do_hold(const script_line *line, game_input *now)
+{
+    uint32_t bit = game_key_bit(key_of(line->word[1]));
+    if (!bit) return "no such key: left, right, up, down or enter";
+    if (strcmp(line->word[0], "hold") == 0) now->keys_held |= bit;
+    else now->keys_held &= ~bit;
+    return NULL;
+}
+
 static const char *do_number(const script_line *line, input_script *script)
 {
     const char *word = line->word[0];
@@ -141,6 +150,7 @@ static bool is_one_of(const char *word, const char *const *list)
 static const char *do_line(const script_line *line, input_script *script)
 {
     static const char *const buttons[] = { "down", "up", "click", NULL };
+    static const char *const holds[] = { "hold", "let", NULL };
     static const char *const numbers[] = { "move", "pan", "wait", "steps", "wheel",
                                            "seconds", "finger", "bare", NULL };
     const char *word = line->word[0];
@@ -152,6 +162,7 @@ static const char *do_line(const script_line *line, input_script *script)
     if (line->count < 2 || line->count > (two ? 3 : 2))
         return "a word is missing, or one too many";
     if (is_one_of(word, buttons)) return do_button(line, &script->now);
+    if (is_one_of(word, holds)) return do_hold(line, &script->now);
     if (is_one_of(word, numbers)) return do_number(line, script);
     if (strcmp(word, "key") == 0) return do_key(line, &script->now);
     if (strcmp(word, "scene") != 0) return "no such word";
@@ -246,6 +257,11 @@ size_t input_script_write(char *text, size_t size, const game_input *last,
         char letter[2] = { (char)now->keys[i], 0 };
         const char *name = name_of(key_names, now->keys[i]);
         add_word(&end, "key", name ? name : letter);
+    }
+    for (const named_code *k = key_names; k->name; k++) {
+        uint32_t bit = game_key_bit(k->code);
+        if ((now->keys_held ^ last->keys_held) & bit)
+            add_word(&end, now->keys_held & bit ? "hold" : "let", k->name);
     }
     add_word(&end, "frame", "");
     return end.used;

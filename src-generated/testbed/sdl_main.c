@@ -133,6 +133,14 @@ static void take_event(sdl_app *app, const SDL_Event *e)
         take(app, GAME_EVENT_KEY, 0, 0, e->key.keysym.mod & (KMOD_CTRL | KMOD_GUI)
              ? with_control(&e->key) : key_of(e->key.keysym.sym));
         break;
+    case SDL_KEYUP:
+        if (key_of(e->key.keysym.sym))
+            take(app, GAME_EVENT_KEY_UP, 0, 0, key_of(e->key.keysym.sym));
+        break;
+    case SDL_WINDOWEVENT:
+        if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)
+            take(app, GAME_EVENT_KEY_UP, 0, 0, 0);
+        break;
     case SDL_TEXTINPUT:
         for (const char *c = e->text.text; *c; c++)
             if (*c >= 32 && *c < 127) take(app, GAME_EVENT_KEY, 0, 0, *c);

@@ -157,6 +157,7 @@ void game_step_world(game *g)
         } else {
             if (!s->moved)
                 s->input = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world));
+            game_find_held(g);
             game_pull(g, def.timeStep);
             pull_chosen(g, def.timeStep);
             s->result = step_one(g);

@@ -87,6 +87,7 @@ EXPORT("web_cursor") int web_cursor(void) { return memory.cursor; }
 EXPORT("web_letters") int web_letters(void) { return game_wants_letters(&memory); }
 
 EXPORT("web_key") void web_key(int key) { take(GAME_EVENT_KEY, 0, 0, key); }
+EXPORT("web_key_up") void web_key_up(int key) { take(GAME_EVENT_KEY_UP, 0, 0, key); }
 
 /* grant wishes in the page */
 EXPORT("web_wish") int web_wish(void) { return file.answer ? 0 : file.wish; }
