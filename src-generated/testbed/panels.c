@@ -57,7 +57,7 @@ static void change_setting(game *g, int i, int part, double value)
                    .generation = (uint32_t)part };
     if (i >= 128) return;
     in.with.x = (wfReal)value;
-    s->result = wfGiveInput(&g->world, game_begin_edit(g), &in, NULL);
+    s->result = wfGiveInput(&g->world, game_begin_edit(g, &in), &in, NULL);
     if (s->result != WF_OK || wfGetWorldDef(&g->world, &def) != WF_OK) return;
     s->changed[i] = 1;
     for (int k = 0; k < 2; k++) s->wanted[i][k] = wfSettingValue(&def, row, k);
@@ -142,7 +142,9 @@ size_t game_link(game_memory *memory, char *text, size_t size)
     wfWorldDef def;
     game_begin_call(&g, memory, &none);
     if (!g.state->opened || wfGetWorldDef(&g.world, &def) != WF_OK) return 0;
-    int n = snprintf(text, size, "scene=%s", g.scene->name);
+    const char *alias = g.scene->alias;
+    int n = snprintf(text, size, "%s%s", alias ? "" : "scene=",
+                     alias ? alias : g.scene->name);
     size_t used = n > 0 ? (size_t)n : 0;
     for (size_t i = 0; i < used && i < size; i++)
         if (text[i] == ' ') text[i] = '-';
@@ -293,7 +295,8 @@ static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, 
         ui_choice(u, "body type", x, y, w, &type,
                   (ui_names){ type_count, type_name, NULL }, false)) {
         in.with.number = type;
-        tell_change(g, wfGiveInput(&g->world, game_begin_edit(g), &in, NULL), "body type");
+        tell_change(g, wfGiveInput(&g->world, game_begin_edit(g, &in), &in, NULL),
+                    "body type");
     }
     return y + UI_LINE;
 }

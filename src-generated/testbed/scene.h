@@ -42,6 +42,7 @@ typedef struct wfScene {
     /* instead of define and build: makes the world from a text; or NULL */
     wfResult (*open)(const struct wfScene *scene, const wfMemory *memory, wfWorld *out);
     const char *source;                     /* the text */
+    const char *alias;                      /* another name: in addresses; or NULL */
 } wfScene;
 /* The scenes of a file. */
 typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup;
