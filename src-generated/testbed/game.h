@@ -37,6 +37,12 @@ typedef struct undo_moment { size_t at, size; uint64_t step; } undo_moment;
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
 #include "testbed/challenges.h"
+/* Is never made part of its caller, so that a page can leave it to its second part. */
+#ifdef __GNUC__
+#define WF_APART __attribute__((noinline))
+#else
+#define WF_APART
+#endif
 enum { FOUL_NONE, FOUL_CHANGE, FOUL_HAND, FOUL_TIME, FOUL_KICKS, FOUL_SETTINGS };
 
 typedef struct game_state {
@@ -206,9 +212,10 @@ void game_list_world(game *g, wfDraw *d, const float view[4]);
 void game_draw_world(game *g, frame_buffer *buffer, const wfPalette *palette);
 void game_draw_panes(game *g, frame_buffer *buffer, const wfPalette *palette);
 /* a try at a challenge; only where the scene is one */
-void game_look_at_change(game *g, const wfInput *in);
-void game_before_step(game *g);
-void game_after_step(game *g);
+WF_APART void game_begin_challenge(game *g);
+WF_APART void game_look_at_change(game *g, const wfInput *in);
+WF_APART void game_before_step(game *g);
+WF_APART void game_after_step(game *g);
 void game_restart_try(game *g);
 void game_try_again(game *g);
 #endif

@@ -69,5 +69,5 @@ void game_obey_mouse(game *g, bool over);
 void game_obey_mark(game_state *s, game_input *in);
 void game_obey_key(game *g, int32_t key);
 void game_draw_mark(ui *u, const game_state *s);
-float game_card(ui *u, game *g, float x);
+WF_APART float game_card(ui *u, game *g, float x);
 #endif

@@ -678,7 +678,7 @@ static wfVec2 kick_of(const tool_memory *m)
     return speed > 12 ? wfScale(12 / speed, v) : v;
 }
 
-static void kick(tool_work *w)
+static void give_kick(tool_work *w)
 {
     const tool_memory *m = w->memory;
     int32_t i = wfBodyIndex(w->world, m->body);
@@ -787,8 +787,8 @@ const tool_row toolTable[] = {
     { "Delete", "click a body or a joint", 'x', 0, nothing, nothing, away, NULL },
     { "Probe", "pull a ray or a shape through the world", 'v', 1 << TOOL_PROBE, begin_probe,
       nothing, nothing, draw_probe },
-    { "Kick", "press on a body, pull, let go: an impulse", ';', 0, nothing, nothing, kick,
-      draw_kick },
+    { "Kick", "press on a body, pull, let go: an impulse", ';', 0, nothing, nothing,
+      give_kick, draw_kick },
     { "Bar", "press, pull, let go: a bar, pinned at its ends to what is there", ':', 0,
       nothing, nothing, add_bar, draw_bar },
 };

@@ -9,6 +9,12 @@ static const wfChallenge *challenge_of(const game *g)
     return &wfChallengeTable[g->state->challenge - 1];
 }
 
+void game_begin_challenge(game *g)
+{
+    g->state->challenge = 1 + wfFindChallenge(g->scene->name);
+    g->state->given = g->state->opened ? wfHashWorld(&g->world) : 0;
+}
+
 /* A change by the user, before it is made. */
 void game_look_at_change(game *g, const wfInput *in)
 {
