@@ -52,6 +52,25 @@ static int state_of_try(const game *g, char *line, size_t size)
     return done ? WF_INK_GOOD : lost || s->foul ? WF_INK_BAD : WF_INK_TEXT;
 }
 
+/* As the scene has it; or at the first step, with all that was built there. */
+static void restart(game *g)
+{
+    memset(g->state->changed, 0, sizeof g->state->changed);
+    g->state->modules = 0;
+    game_open_scene(g, g->state->row);
+}
+
+static void try_again(game *g)
+{
+    uint64_t oldest, newest;
+    if (wfRewindReach(&g->ring, &oldest, &newest) != WF_OK || oldest > 0) {
+        game_tell(g, true, "the beginning is no longer kept: Restart");
+        return;
+    }
+    game_go_back(g, 1);
+    game_begin_try(g);
+}
+
 /* Makes ready what the row says it is done with. */
 static void take_tool(game *g, const wfChallenge *c)
 {
@@ -77,9 +96,9 @@ float game_card(ui *u, game *g, float x)
     bar b = { x, s->width - 8, x, y - 9 };
     if (first && bar_button(u, &b, "Start", false, "let time run")) s->paused = 0;
     if (!first && bar_button(u, &b, "Again", false, "to the first step, as it was built"))
-        game_try_again(g);
+        try_again(g);
     if (bar_button(u, &b, "Restart", false, "the challenge from its beginning"))
-        game_restart_try(g);
+        restart(g);
     snprintf(line, sizeof line, c->with ? "Use %s" : "Change it", c->with);
     if ((first || c->during || c->hand) &&
         bar_button(u, &b, line, false, "what it is done with")) take_tool(g, c);

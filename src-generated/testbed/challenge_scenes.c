@@ -263,7 +263,7 @@ static const wfScene row[] = {
       .text = "Bring the box to rest on the pad; it may touch nothing with more than 3 m/s.",
       .build = build_landing, VIEW(0, 5, 13), PROMISE(0.5, 0.3) },
     { .category = "Challenges", .name = "over the wall", .alias = "challenge=wall",
-      .chapter = "bodies",
+      .chapter = "forces",
       .text = "Get the ball over the wall, and into the basket to stay.",
       .build = build_throw, VIEW(0, 3, 9), PROMISE(0.1, 0.05) },
     { .category = "Challenges", .name = "a round orbit", .alias = "challenge=orbit",

@@ -216,6 +216,5 @@ WF_APART void game_begin_challenge(game *g);
 WF_APART void game_look_at_change(game *g, const wfInput *in);
 WF_APART void game_before_step(game *g);
 WF_APART void game_after_step(game *g);
-void game_restart_try(game *g);
-void game_try_again(game *g);
+void game_begin_try(game *g);
 #endif

@@ -129,6 +129,21 @@ static void keep_poses(game *g)
     s->posed = wfWorldSteps(&g->world) + 1;
 }
 
+static void begin_step(game *g, wfReal h)
+{
+    /* before each step */
+    keep_moment(g, h);
+    keep_poses(g);
+    if (g->state->challenge) game_before_step(g);
+}
+
+static void end_step(game *g, wfReal h)
+{
+    /* after each step */
+    step_others(g, h);
+    if (g->state->challenge) game_after_step(g);
+}
+
 void game_step_world(game *g)
 {
     game_state *s = g->state;
@@ -149,10 +164,7 @@ void game_step_world(game *g)
     s->single = 0;
     if (steps > 0) game_stay_there(g);
     for (; steps > 0; steps--) {
-        /* before each step */
-        keep_moment(g, def.timeStep);
-        keep_poses(g);
-        if (s->challenge) game_before_step(g);
+        begin_step(g, def.timeStep);
         double before = g->now ? g->now() : 0;
         if (s->tape == TAPE_REPLAYING) {
             game_replay_one(g);
@@ -168,9 +180,7 @@ void game_step_world(game *g)
             s->paused = 1;
             return;
         }
-        /* after each step */
-        step_others(g, def.timeStep);
-        if (s->challenge) game_after_step(g);
+        end_step(g, def.timeStep);
         if (!(g->input->held & GAME_BUTTON_LEFT) && s->tape != TAPE_REPLAYING)
             s->held = (wfBodyId){ 0 };
     }
