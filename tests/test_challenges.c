@@ -415,6 +415,66 @@ static void every_row_is_whole(void **unused)
     }
 }
 
+/* ---- what is offered where nothing moves, and the legend on the picture ---- */
+static void a_scene_at_rest_offers_something(void **unused)
+{
+    (void)unused;
+    play p;
+    play_begin(&p, WIDE, HIGH, 1);
+    play_run(&p, "scene tower\nsteps 1\nwait 200\nsteps 0\nframe\n");
+    assert_null(play_line(&p, "widget Throw a ball"));                  /* not yet */
+    play_run(&p, "steps 1\nwait 500\nsteps 0\nframe\nframe\n");
+    assert_non_null(play_line(&p, "widget Tilt"));
+    int bodies = (int)play_fact(&p, "bodies", 0);
+    play_click(&p, "Throw a ball");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
+    assert_null(play_line(&p, "widget Throw a ball"));                  /* something moves */
+    steps(&p, 5);
+    play_click(&p, "Undo");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    play_run(&p, "steps 1\nwait 500\nsteps 0\nframe\nframe\n");
+    play_click(&p, "Take one out");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies - 1);
+    play_run(&p, "steps 1\nwait 900\nsteps 0\nframe\nframe\n");
+    char hash[40];
+    snprintf(hash, sizeof hash, "%.22s", play_line(&p, "hash"));
+    play_click(&p, "Tilt");
+    assert_true(strncmp(play_line(&p, "hash"), hash, 22) != 0);
+    assert_true(play_says(&p, "said tilted"));
+    play_end(&p);
+    play_begin(&p, WIDE, HIGH, 1);                                      /* nothing can move: nothing to offer */
+    play_run(&p, "scene integrators\nsteps 1\nwait 500\nsteps 0\nframe\nframe\n");
+    assert_null(play_line(&p, "widget Tilt"));
+    play_end(&p);
+}
+
+static int pixels_of_legend(const char *scene, int width)
+{
+    play p;
+    char script[100];
+    play_begin(&p, width, HIGH, 1);
+    snprintf(script, sizeof script, "scene %s\nsteps 1\nwait 2\nsteps 0\nframe\nframe\n", scene);
+    play_run(&p, script);
+    size_t count = (size_t)width * HIGH;
+    uint32_t *with = malloc(count * sizeof *with);
+    memcpy(with, p.buffer.pixels, count * sizeof *with);
+    ((game_state *)p.memory.permanent)->no_legend = 1;
+    play_run(&p, "steps 0\nframe\n");
+    int differ = 0;
+    for (size_t i = 0; i < count; i++) differ += with[i] != p.buffer.pixels[i];
+    free(with);
+    play_end(&p);
+    return differ;
+}
+
+static void the_legend_says_what_is_there(void **unused)
+{
+    (void)unused;
+    assert_true(pixels_of_legend("moving-platforms", WIDE) > 200);
+    assert_int_equal(pixels_of_legend("free-fall", WIDE), 0);           /* moving and still need no words */
+    assert_int_equal(pixels_of_legend("moving-platforms", 390), 0);     /* a telephone has it in the panel */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -428,6 +488,8 @@ int main(void)
         cmocka_unit_test(a_try_begins_again),
         cmocka_unit_test(time_waits_for_the_reader),
         cmocka_unit_test(every_row_is_whole),
+        cmocka_unit_test(a_scene_at_rest_offers_something),
+        cmocka_unit_test(the_legend_says_what_is_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -221,7 +221,8 @@ static void load_bridge(wfWorld *world, const wfSceneInput *in)
     wfSetBodyGravityScale(world, wfBodyAt(world, 2), share < 1 ? share : 1);
     for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
         wfJoint j;
-        if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK || j.breakForce > 0) continue;
+        if (wfGetJoint(world, wfJointAt(world, i), &j) != WF_OK) continue;
+        if (j.breakForce > 0) continue;
         j.breakForce = 200000;
         wfSetJoint(world, wfJointAt(world, i), &j);
     }

@@ -69,7 +69,8 @@ static void judge_bounce(const wfWorld *world, wfTrial *t)
     t->shown = t->kept[2];
     bool over = (v <= 0 && t->kept[0] > 0 && t->kept[1] >= 2) || wfWorldTime(world) > 8;
     t->kept[0] = v;
-    if (over) t->verdict = t->kept[1] >= 2 && fabs(t->shown - 1) <= 0.05 ? WF_DONE : WF_LOST;
+    bool right = t->kept[1] >= 2 && fabs(t->shown - 1) <= 0.05;
+    if (over) t->verdict = right ? WF_DONE : WF_LOST;
 }
 
 static void judge_damper(const wfWorld *world, wfTrial *t)
@@ -167,7 +168,8 @@ static bool is_bridge(const wfWorld *world)
         if (!v.alive[i]) continue;
         if (v.props[i].shape < 0) return false;
         const wfShape *s = &v.shapes[v.props[i].shape];
-        bool one = v.next[v.props[i].shape] < 0, heavy = v.state[i].invMass < WF_R(1.0) / 120;
+        bool one = v.next[v.props[i].shape] < 0;
+        bool heavy = v.state[i].invMass < WF_R(1.0) / 120;
         if (!one || heavy || wfShapeMaxExtent(s) > WF_R(1.45)) return false;
     }
     for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
@@ -189,29 +191,32 @@ static void judge_bridge(const wfWorld *world, wfTrial *t)
 
 #define PLACED (WF_MAY(WF_INPUT_ADD_BODY) | WF_MAY(WF_INPUT_ADD_SHAPE) | \
                 WF_MAY(WF_INPUT_ADD_JOINT) | WF_MAY(WF_INPUT_REMOVE_BODY) | \
-                WF_MAY(WF_INPUT_REMOVE_JOINT))       /* what Place, Bar, Pin and Delete give */
+                WF_MAY(WF_INPUT_REMOVE_JOINT))      /* of Place, Bar, Pin, Delete */
 
 const wfChallenge wfChallengeTable[] = {
-    { "floor", "unknown floor", "You may change the friction of the lower floor, before time runs.",
+    { "floor", "unknown floor", "The friction of the lower floor is yours, before time runs.",
       NULL, "%+.2f m apart", WF_MAY(WF_INPUT_MATERIAL), 0, 4, 1, 0, false, judge_floor },
-    { "bounce", "up to the line", "You may change the restitution of the ball, before time runs.",
+    { "bounce", "up to the line", "The restitution of the ball is yours, before time runs.",
       NULL, "%.2f m high", WF_MAY(WF_INPUT_MATERIAL), 0, 2, 1, 0, false, judge_bounce },
-    { "damper", "no swing", "You may change the linear damping, before time runs.",
-      NULL, "%+.2f m from the line", WF_MAY(WF_INPUT_DAMPING), 0, 1, 0, 0, false, judge_damper },
-    { "clock", "one tick a second", "You may change the mass of the upper bob, before time runs.",
+    { "damper", "no swing", "The linear damping is yours, before time runs.",
+      NULL, "%+.2f m from the line", WF_MAY(WF_INPUT_DAMPING), 0, 1, 0, 0, false,
+      judge_damper },
+    { "clock", "one tick a second", "The mass of the upper bob is yours, before time runs.",
       NULL, "%.3f Hz", WF_MAY(WF_INPUT_MASS), 0, 4, 3, 0, false, judge_clock },
     { "landing", "land the box", "You have three kicks, at any time.", "Kick",
       "%.1f m/s", WF_MAY(WF_INPUT_IMPULSE), WF_MAY(WF_INPUT_IMPULSE), 3, 2, 3, false,
       judge_landing },
-    { "wall", "over the wall", "You have one kick, at any time.", "Kick", "%+.1f m from the basket",
+    { "wall", "over the wall", "You have one kick, at any time.", "Kick",
+      "%+.1f m from the basket",
       WF_MAY(WF_INPUT_IMPULSE), WF_MAY(WF_INPUT_IMPULSE), 5, 4, 1, false, judge_throw },
     { "orbit", "a round orbit", "You have one kick, before time runs.", "Kick",
       "farthest to nearest: %.2f", WF_MAY(WF_INPUT_IMPULSE), 0, 1, 0, 1, false, judge_orbit },
-    { "tower", "stack all five", "You may use the hand, while time runs.", "Hand", "%.2f m high", 0, 0, 6, -1, 0, true,
-      judge_tower },
-    { "beam", "a level beam", "You may place one body on the beam, before time runs.", "Place",
-      "%+.1f degrees", WF_MAY(WF_INPUT_ADD_BODY) | WF_MAY(WF_INPUT_REMOVE_BODY), 0, 3, -1, 1, false, judge_beam },
-    { "bridge", "ten tonnes", "You have 20 bars of at most 2.7 m each, before time runs.", "Bar",
+    { "tower", "stack all five", "You have your hand, while time runs.", "Hand",
+      "%.2f m high", 0, 0, 6, -1, 0, true, judge_tower },
+    { "beam", "a level beam", "You may place one body, before time runs.", "Place",
+      "%+.1f degrees", WF_MAY(WF_INPUT_ADD_BODY) | WF_MAY(WF_INPUT_REMOVE_BODY), 0, 3, -1, 1,
+      false, judge_beam },
+    { "bridge", "ten tonnes", "You have 20 bars of at most 2.7 m, before time runs.", "Bar",
       "load %+.2f m above the banks", PLACED, 0, 3, -1, 20, false, judge_bridge },
 };
 const int wfChallengeCount = (int)(sizeof wfChallengeTable / sizeof *wfChallengeTable);

@@ -43,7 +43,9 @@ static void interface(ui *u, game *g, double seconds)
         ui_fitted(u, x, s->head - 10, WF_INK_TEXT, s->width - x - 6, g->scene->text);
     }
     if (s->challenge) s->head += game_card(u, g, x);
+    else if (s->calm > 6) game_offer(u, g, x);
     game_state_line(u, g, x);
+    if (!game_has_panes(s)) game_draw_legend(u, g, x);
     game_time_bar(u, g);
     if (s->keys) game_key_sheet(u, s, x);
     if (s->hint)

@@ -77,6 +77,7 @@ typedef struct game_state {
     wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
     int32_t hint;                       /* nobody has grabbed anything yet */
     int32_t ends;                       /* 1: a scene that is empty stays so */
+    int32_t no_legend;                  /* 1: none stands on the picture */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
     int32_t quiet;                      /* frames in which nothing has happened */
@@ -139,6 +140,7 @@ typedef struct game_state {
     int32_t allowed;                    /* what changed since the last step was allowed */
     uint64_t given, tried;              /* hash of the scene as it was made; after a step */
     wfTrial trial;
+    double calm;                        /* s since anything moved */
 } game_state;
 
 /* What one call works with. Gone when it returns. */
@@ -217,4 +219,5 @@ WF_APART void game_look_at_change(game *g, const wfInput *in);
 WF_APART void game_before_step(game *g);
 WF_APART void game_after_step(game *g);
 void game_begin_try(game *g);
+bool game_is_calm(const game *g);
 #endif

@@ -80,6 +80,7 @@ void game_open_scene(game *g, int row)
     s->trial = (wfTrial){ 0 };
     s->challenge = 0;
     if (g->scene->alias) game_begin_challenge(g);
+    s->calm = 0;
     if (same) keep_wishes(g);
     if (s->opened) game_begin_others(g);
     s->plots.count = 0;

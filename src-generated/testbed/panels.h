@@ -62,6 +62,7 @@ uint32_t game_needs_now(const game *g);
 void game_file_key(game *g, int32_t key);               /* does what the key is for */
 void game_settings_panel(ui *u, game *g);
 void game_draw_curves(ui *u, const game *g);
+void game_draw_legend(ui *u, const game *g, float x);
 void game_time_bar(ui *u, game *g);
 /* controls */
 void game_place_camera(game *g);
@@ -70,4 +71,5 @@ void game_obey_mark(game_state *s, game_input *in);
 void game_obey_key(game *g, int32_t key);
 void game_draw_mark(ui *u, const game_state *s);
 WF_APART float game_card(ui *u, game *g, float x);
+WF_APART void game_offer(ui *u, game *g, float x);
 #endif

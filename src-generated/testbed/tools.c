@@ -750,7 +750,8 @@ static void add_bar(tool_work *w)
     if (result == WF_OK) result = tool_give(w, WF_MODULE_SHAPES, &in, NULL);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
         wfBodyId other = body_at(w, end[i], id);
-        if (other.index) result = join(w, wfFindJoint("revolute"), id, other, end[i], end[i]);
+        if (!other.index) continue;
+        result = join(w, wfFindJoint("revolute"), id, other, end[i], end[i]);
     }
     say(m, result, result ? "no bar" : "a bar of %.2f m",
         (double)wfLength(wfSub(end[1], end[0])));
