@@ -138,7 +138,7 @@ typedef struct game_state {
     int32_t foul, kicks;                /* FOUL_...: why this try doesn't count; kicks so far */
     int32_t foul_before, kicks_before;  /* the same at the first step */
     int32_t allowed;                    /* what changed since the last step was allowed */
-    uint64_t given, tried;              /* hash of the scene as it was made; after a step */
+    uint64_t given, tried;              /* checksum of the scene as made; after a step */
     wfTrial trial;
     double calm;                        /* s since anything moved */
 } game_state;

@@ -9,10 +9,22 @@ static const wfChallenge *challenge_of(const game *g)
     return &wfChallengeTable[g->state->challenge - 1];
 }
 
+/* Of all that there is of the world; 0: it didn't fit into the scratch memory. */
+static uint64_t sum_of(game *g)
+{
+    size_t mark = wfPoolMark(&g->scratch), size = wfSnapshotSize(&g->world);
+    void *bytes = wfPoolPush(&g->scratch, size, WF_POOL_ALIGN);
+    uint64_t sum = 0;
+    if (bytes && wfSnapshotWorld(&g->world, bytes, size, &size) == WF_OK)
+        sum = wfChecksum(bytes, size);
+    wfPoolRewind(&g->scratch, mark);
+    return sum;
+}
+
 void game_begin_challenge(game *g)
 {
     g->state->challenge = 1 + wfFindChallenge(g->scene->name);
-    g->state->given = g->state->opened ? wfHashWorld(&g->world) : 0;
+    g->state->given = g->state->opened ? sum_of(g) : 0;
 }
 
 /* A change by the user, before it is made. */
@@ -27,7 +39,7 @@ void game_look_at_change(game *g, const wfInput *in)
     bool given = i >= 0 && i < c->given && i != c->changed;
     bool fine = ((first ? c->before : c->during) & WF_MAY(in->kind)) && !given;
     s->allowed = 1;
-    if (first && wfHashWorld(&g->world) == s->given) s->foul_before = s->kicks_before = 0;
+    if (first && sum_of(g) == s->given) s->foul_before = s->kicks_before = 0;
     if (kick) *(first ? &s->kicks_before : &s->kicks) += 1;
     if (!fine) *(first ? &s->foul_before : &s->foul) = FOUL_CHANGE;
 }
@@ -54,10 +66,10 @@ bool game_is_calm(const game *g)
 void game_begin_try(game *g)
 {
     game_state *s = g->state;
-    uint64_t hash = wfHashWorld(&g->world);
+    uint64_t sum = sum_of(g);
     bool settings = s->read || s->modules;
     for (size_t i = 0; i < sizeof s->changed; i++) settings |= s->changed[i] != 0;
-    if (hash == s->given) s->foul_before = s->kicks_before = 0;
+    if (sum == s->given) s->foul_before = s->kicks_before = 0;
     s->foul = settings ? FOUL_SETTINGS : s->foul_before;
     s->kicks = s->kicks_before;
     s->trial = (wfTrial){ 0 };
@@ -67,10 +79,10 @@ void game_before_step(game *g)
 {
     game_state *s = g->state;
     const wfChallenge *c = challenge_of(g);
-    uint64_t hash = wfHashWorld(&g->world);
+    uint64_t sum = sum_of(g);
     bool hand = s->held.index || s->tools.dragging;
     if (wfWorldSteps(&g->world) == 0) game_begin_try(g);
-    else if (hash != s->tried && !s->allowed) s->foul = FOUL_TIME;
+    else if (sum != s->tried && !s->allowed) s->foul = FOUL_TIME;
     if (s->tape == TAPE_REPLAYING) s->foul = FOUL_TIME;
     if (hand && !c->hand) s->foul = FOUL_HAND;
     if (s->kicks > c->most && (c->before & WF_MAY(WF_INPUT_IMPULSE))) s->foul = FOUL_KICKS;
@@ -81,7 +93,7 @@ void game_before_step(game *g)
 void game_after_step(game *g)
 {
     game_state *s = g->state;
-    s->tried = wfHashWorld(&g->world);
+    s->tried = sum_of(g);
     s->empty = 0;                                   /* a lost try is looked at */
     if (s->foul && s->trial.verdict != WF_DONE) return;
     wfJudge(challenge_of(g), &g->world, &s->trial);
