@@ -86,12 +86,11 @@ float game_card(ui *u, game *g, float x)
 {
     game_state *s = g->state;
     const wfChallenge *c = &wfChallengeTable[s->challenge - 1];
-    float room = s->width - x - 8, y = s->head + 6;
-    bool cut = s->height < LOW || wfTextWidth(&wfBakedFont, 13, g->scene->text) > room - 6;
+    float room = s->width - x - 8, y = s->height < LOW ? s->head + 6 : s->head - 10;
     bool first = wfWorldSteps(&g->world) == 0;
     char line[160];
     if (!u->draw && first && !s->waits && g->input->steps < 0) s->paused = s->waits = 1;
-    if (cut) y = wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
+    y = wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
     y = wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
     bar b = { x, s->width - 8, x, y - 9 };
     if (first && bar_button(u, &b, "Start", false, "let time run")) s->paused = 0;

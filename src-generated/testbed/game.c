@@ -40,7 +40,8 @@ static void interface(ui *u, game *g, double seconds)
     /* name the scene */
     if (s->height >= LOW) {
         ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
-        ui_fitted(u, x, s->head - 10, WF_INK_TEXT, s->width - x - 6, g->scene->text);
+        if (!g->scene->alias)                               /* a task stands on its card */
+            ui_fitted(u, x, s->head - 10, WF_INK_TEXT, s->width - x - 6, g->scene->text);
     }
     if (s->challenge) s->head += game_card(u, g, x);
     else if (s->calm > 6) game_offer(u, g, x);
