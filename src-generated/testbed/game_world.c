@@ -79,8 +79,8 @@ void game_open_scene(game *g, int row)
     s->waits = s->foul = s->foul_before = s->kicks = s->kicks_before = 0;
     s->trial = (wfTrial){ 0 };
     s->challenge = 0;
-    if (g->scene->alias) game_begin_challenge(g);
     s->calm = 0;
+    if (g->scene->alias) game_begin_challenge(g);
     if (same) keep_wishes(g);
     if (s->opened) game_begin_others(g);
     s->plots.count = 0;

@@ -142,7 +142,7 @@ static void end_step(game *g, wfReal h)
     /* after each step */
     step_others(g, h);
     if (g->state->challenge) game_after_step(g);
-    g->state->calm = game_is_calm(g) ? g->state->calm + (double)h : 0;
+    g->state->calm = game_is_calm(g) ? g->state->calm + (double)h : 0; /* for the offers */
 }
 
 void game_step_world(game *g)
