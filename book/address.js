@@ -1,5 +1,5 @@
 // The testbed's address: it follows scene and settings, leads to them, and may hold a whole world.
-//   #ragdolls    #scene=ragdolls&gravity.y=-3    #scene=...&world=LETTERS
+//   #ragdolls    #scene=ragdolls&gravity.y=-3    #scene=...&world=LETTERS    #challenge=bridge
 (() => {
   'use strict';
   const game = document.getElementById('testbed').game, link = () => game.parts() > 1 ? game.say('web_link') : '', MOST = 8192;
@@ -21,9 +21,14 @@
     game.copied = location.href.replace(/#.*/, '') + '#' + link() + '&world=' + packed;
     try { await navigator.clipboard.writeText(game.copied); } catch (e) { window.prompt('the link', game.copied); }
   };
+  // the scene of an address; the name of a challenge's says so
+  const named = hash => {
+    const told = new URLSearchParams(hash.includes('=') ? hash : ''), task = told.get('challenge');
+    return task ? 'challenge=' + task : hash.includes('=') ? told.get('scene') : decodeURIComponent(hash);
+  };
   const go = async hash => {
-    const named = hash.includes('='), told = new URLSearchParams(named ? hash : ''), scene = named ? told.get('scene') : decodeURIComponent(hash), world = told.get('world');
-    told.delete('scene'); told.delete('world');
+    const told = new URLSearchParams(hash.includes('=') ? hash : ''), scene = named(hash), world = told.get('world');
+    told.delete('scene'); told.delete('challenge'); told.delete('world');
     if (scene) game.open(scene);
     await game.more();
     game.frame(0, 0);
@@ -38,7 +43,7 @@
   };
   // another scene is a step of the page's history, another setting is not
   const sceneOf = text => text.replace(/&.*/, '');
-  const begins = hash => 'scene=' + ((/=/.test(hash) ? new URLSearchParams(hash).get('scene') : decodeURIComponent(hash)) || 'tumbler').replace(/ /g, '-');
+  const begins = hash => { const scene = (named(hash) || 'tumbler').replace(/ /g, '-'); return (scene.startsWith('challenge=') ? '' : 'scene=') + scene; };
   let shown = begins(location.hash.slice(1)), going = false;
   const first = shown;
   const follow = () => {

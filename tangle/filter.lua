@@ -6,7 +6,7 @@ package.path = dir .. "?.lua;" .. package.path
 local Code, Csv = require "weave-code", require "csv"
 local html, tex = FORMAT:match("html") ~= nil, FORMAT:match("latex") ~= nil
 local esc = html and Code.html or Code.tex
-local db, mine, bib, here, weave, root, teacher, missing_allowed, figures_dir, data_dir
+local db, mine, bib, here, weave, root, has_testbed, teacher, missing_allowed, figures_dir, data_dir
 local stringify = pandoc.utils.stringify
 local errors, previews, cited, cited_order = {}, {}, {}, {}
 
@@ -669,6 +669,7 @@ local function meta(m)
   local function get(k, default) return m[k] and stringify(m[k]) or default end
   weave = get("weave", "build/weave")
   root = get("root", "") ~= "" and get("root") .. "/" or ""
+  has_testbed = m.testbed ~= nil
   teacher, missing_allowed = get("teacher") == "true", get("missing") == "true"
   figures_dir, data_dir = get("figures", "build/book/html") .. "/", get("data", nil)
   db = dofile(weave .. "/db.lua")
@@ -821,6 +822,7 @@ return {
       if el.text:match("^%s*\\newcommand") or el.text:match("^%s*\\renewcommand") then return {} end
     end,
     Link = function(el)                                    -- one that leads out of a printed volume is its words
+      if el.target:match("^testbed%.html") and (tex or not has_testbed) then return el.content end
       local l = db.labels[el.target:match("^#(.*)$") or ""]
       if l and (l.gone or tex and (l.online or Code.far(db, l.page))) then return el.content end
     end,

@@ -84,7 +84,7 @@ const wfFlowRow wfFlowTable[] = {
     { "velocities", WF_SOLVER_MOVES, { 0, F(NEW_JOINTS) | F(JOINT_WORK) },
       { 0, F(NEW_JOINTS) | F(JOINT_WORK) }, NULL },
     { "loads", WF_SOLVER_MOVES, { 0, F(NEW_STATE) | F(NEW_JOINTS) | F(JOINT_WORK) },
-      { 0, F(NEW_JOINTS) | F(JOINT_WORK) }, NULL },
+      { 0, F(NEW_STATE) | F(NEW_JOINTS) | F(JOINT_WORK) }, NULL },
     { "keep joints", WF_SOLVER_MOVES,
       { K(JOINT_SLOTS) | K(JOINTS), F(NEW_JOINTS) | F(JOINT_PLACES) },
       { K(HEADER) | K(JOINTS) | K(BROKEN), 0 }, NULL },

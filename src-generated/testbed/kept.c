@@ -13,6 +13,7 @@ enum { KEPT_CURVES = -8, KEPT_OVERLAYS = -9 };      /* a bit for each row of a t
 static const kept_number kept_table[] = {
     { "dark", FLAG(dark), 1 }, { "letters", FLAG(letters), UI_SIZES - 1 },
         { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 }, { "ends", FLAG(ends), 1 },
+    { "legend-not", FLAG(no_legend), 1 },
     { "panel", FLAG(panel), 1 }, { "tab", FLAG(tab), -1 },
     { "tool", FLAG(tools.tool), -2 }, { "shape", FLAG(tools.choice[TOOL_SHAPE]), -3 },
     { "stuff", FLAG(tools.choice[TOOL_STUFF]), -4 },

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "testbed/panels.h"
+#include "testbed/raster.h"
 #include "testbed/view.h"
 
 /* How much of the window's right side the panel takes from the world. */
@@ -57,7 +58,7 @@ static void change_setting(game *g, int i, int part, double value)
                    .generation = (uint32_t)part };
     if (i >= 128) return;
     in.with.x = (wfReal)value;
-    s->result = wfGiveInput(&g->world, game_begin_edit(g), &in, NULL);
+    s->result = wfGiveInput(&g->world, game_begin_edit(g, &in), &in, NULL);
     if (s->result != WF_OK || wfGetWorldDef(&g->world, &def) != WF_OK) return;
     s->changed[i] = 1;
     for (int k = 0; k < 2; k++) s->wanted[i][k] = wfSettingValue(&def, row, k);
@@ -142,7 +143,9 @@ size_t game_link(game_memory *memory, char *text, size_t size)
     wfWorldDef def;
     game_begin_call(&g, memory, &none);
     if (!g.state->opened || wfGetWorldDef(&g.world, &def) != WF_OK) return 0;
-    int n = snprintf(text, size, "scene=%s", g.scene->name);
+    const char *alias = g.scene->alias;
+    int n = snprintf(text, size, "%s%s", alias ? "" : "scene=",
+                     alias ? alias : g.scene->name);
     size_t used = n > 0 ? (size_t)n : 0;
     for (size_t i = 0; i < used && i < size; i++)
         if (text[i] == ' ') text[i] = '-';
@@ -293,7 +296,8 @@ static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, 
         ui_choice(u, "body type", x, y, w, &type,
                   (ui_names){ type_count, type_name, NULL }, false)) {
         in.with.number = type;
-        tell_change(g, wfGiveInput(&g->world, game_begin_edit(g), &in, NULL), "body type");
+        tell_change(g, wfGiveInput(&g->world, game_begin_edit(g, &in), &in, NULL),
+                    "body type");
     }
     return y + UI_LINE;
 }
@@ -457,6 +461,10 @@ static float see_panel(ui *u, game *g, float x, float y, float w)
         ui_tip(u, o->name, o->text, left, line, w / 2 - 8, ROW);
     }
     y += (float)((wfOverlayCount + 1) / 2 * ROW) + 10;
+    if (panel_shows(g, y, ROW) && ui_check(u, "Legend on the picture", x, y, w,
+                                           !s->no_legend))
+        s->no_legend = !s->no_legend;
+    y += ROW + 2;
     if (wfGetWorldDef(&g->world, &def) != WF_OK) return y;
     if (panel_shows(g, y, ROW) && ui_check(u, "Hold on to this pair", x, y, w, s->pinned))
         s->pinned = !s->pinned;
@@ -468,6 +476,21 @@ static float see_panel(ui *u, game *g, float x, float y, float w)
     look_number(u, g, "Substep", x, &y, w, &s->look.substep, 1, wfStepSubsteps(&def));
     look_number(u, g, "Pass", x, &y, w, &s->look.pass, 1, wfStepPasses(&def));
     return legend(u, g, x, y + 6);
+}
+
+/* Those kinds of bodies that the scene has, if there are others than moving and still. */
+void game_draw_legend(ui *u, const game *g, float x)
+{
+    const game_state *s = g->state;
+    uint32_t rows = u->draw ? wfLegendOf(&g->world) : 0;
+    float y = s->head + 14;
+    if (s->no_legend || s->curves || s->width < LIST_ROOM || !(rows & ~5u)) return;
+    for (int i = 0; i < WF_LEGEND_BODIES; i++) {
+        if (!(rows >> i & 1)) continue;
+        const char *word = wfDrawLegendBody(i, u->draw, x + 12, u->height - y + 4, 12);
+        ui_text(u, x + 32, y, 13, WF_INK_LINE, -1, word);
+        x += 48 + wfTextWidth(&wfBakedFont, 13, word);
+    }
 }
 
 static int32_t setting_count(const void *of) { return (void)of, wfSettingCount; }

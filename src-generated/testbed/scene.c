@@ -7,9 +7,9 @@
 int wfFindScene(const char *name)
 {
     for (int row = 0; row < wfSceneCount(); row++) {
-        const char *a = wfSceneAt(row)->name, *b = name;
+        const char *a = wfSceneAt(row)->name, *b = name, *alias = wfSceneAt(row)->alias;
         while (*a && (*a == *b || (*a == ' ' && *b == '-'))) a++, b++;
-        if (*a == 0 && *b == 0) return row;
+        if ((*a == 0 && *b == 0) || (alias && strcmp(alias, name) == 0)) return row;
     }
     return -1;
 }

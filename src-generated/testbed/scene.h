@@ -53,6 +53,7 @@ typedef struct wfScene {
        U, D, E for one of them, l and r together with up, others for none; or NULL */
     const char *demo;
     int32_t follow;             /* 1 + the body that the camera goes along with; 0: none */
+    const char *alias;                      /* another name: in addresses; or NULL */
 } wfScene;
 /* The scenes of a file. */
 typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup;

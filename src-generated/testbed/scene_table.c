@@ -1,6 +1,6 @@
 /* Weft: testbed/scene_table.c, tangled from chapters/testbed/11-first-scenes.nw. Chapters that add
- * to it: report-scenes, feature-scenes, classics, asked-scenes, driven-scenes. Do not edit this
- * file: edit the chapter and type make. MIT licence. */
+ * to it: report-scenes, feature-scenes, classics, asked-scenes, driven-scenes, challenges. Do not
+ * edit this file: edit the chapter and type make. MIT licence. */
 /* All scenes, by file, in the order of the list. */
 #include "testbed/scene.h"
 
@@ -23,6 +23,7 @@ GROUP(wfDrivenScenes)
 GROUP(wfTableScenes)
 GROUP(wfMachineScenes)
 GROUP(wfSoftScenes)
+GROUP(wfChallengeScenes)
 #undef GROUP
 #define GROUP(name) &name,
 static const wfSceneGroup *const group_table[] = {
@@ -44,6 +45,7 @@ static const wfSceneGroup *const group_table[] = {
     GROUP(wfTableScenes)
     GROUP(wfMachineScenes)
     GROUP(wfSoftScenes)
+    GROUP(wfChallengeScenes)
 };
 enum { GROUPS = sizeof group_table / sizeof *group_table };
 

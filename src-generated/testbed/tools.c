@@ -33,7 +33,7 @@ static void say_no(tool_memory *m, const char *why)
 /* give an input, with room */
 wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made)
 {
-    if (w->edit) w->journal = w->edit(w->context);
+    if (w->edit) w->journal = w->edit(w->context, in);
     return wfGiveInput(w->world, w->journal, in, made);
 }
 
@@ -670,6 +670,105 @@ static void draw_probe(const tool_work *w, wfDraw *d)
     else draw_cast(w, d);
 }
 
+/* What a pull changes a body's velocity by, m/s: 12 at most. */
+static wfVec2 kick_of(const tool_memory *m)
+{
+    wfVec2 v = wfScale(WF_R(0.1) / m->unit, wfSub(m->at, m->from));
+    wfReal speed = wfLength(v);
+    return speed > 12 ? wfScale(12 / speed, v) : v;
+}
+
+static void give_kick(tool_work *w)
+{
+    const tool_memory *m = w->memory;
+    int32_t i = wfBodyIndex(w->world, m->body);
+    wfReal share = i < 0 ? 0 : wfWorldBodies(w->world).state[i].invMass;
+    if (!(share > 0)) {
+        say_no(w->memory, "there is no body that moves");
+        return;
+    }
+    wfVec2 v = kick_of(m);
+    wfInput in = { .kind = WF_INPUT_IMPULSE, .index = m->body.index,
+                   .generation = m->body.generation };
+    in.with.at = wfWorldBodies(w->world).state[i].p;
+    in.with.by = wfScale(1 / share, v);
+    wfResult result = tool_put(w, &in, NULL);
+    say(w->memory, result, result ? "not kicked" : "kicked: %.1f m/s",
+        (double)wfLength(v));
+}
+
+static void draw_kick(const tool_work *w, wfDraw *d)
+{
+    const tool_memory *m = w->memory;
+    int32_t i = wfBodyIndex(w->world, m->body);
+    if (!m->down || i < 0) return;
+    wfVec2 from = wfWorldBodies(w->world).state[i].p, v = kick_of(m);
+    wfVec2 to = wfAddScaled(from, 10 * m->unit, v);
+    wfDrawArrow(d, WF_XY(from), WF_XY(to), 2, WF_INK_ACCENT);
+    wfDrawTextf(d, WF_XY(to), 13, WF_INK_TEXT, 0, "%.1f m/s", (double)wfLength(v));
+}
+
+/* build a bar */
+enum { BAR_GRID = 2 };              /* to a metre */
+static const wfReal bar_half = WF_R(0.08);      /* m: half its thickness */
+
+static wfVec2 bar_end(wfVec2 p)
+{
+    return wfV2(wfFloor(BAR_GRID * p.x + WF_R(0.5)) / BAR_GRID,
+                wfFloor(BAR_GRID * p.y + WF_R(0.5)) / BAR_GRID);
+}
+
+/* From a to b and a bit beyond both; in a frame whose origin is the middle. */
+static wfResult bar_shape(wfVec2 a, wfVec2 b, wfShape *out)
+{
+    wfVec2 d = wfScale(WF_R(0.5), wfSub(b, a));
+    wfReal length = wfLength(d);
+    if (!(length > 0)) return WF_ERROR_RANGE;
+    wfVec2 along = wfScale((length + bar_half) / length, d);
+    wfVec2 across = wfScale(bar_half / length, wfV2(-d.y, d.x));
+    wfVec2 corner[4] = { wfAdd(along, across), wfSub(across, along),
+                         wfScale(-1, wfAdd(along, across)), wfSub(along, across) };
+    return wfMakePolygon(corner, 4, out);
+}
+
+static void add_bar(tool_work *w)
+{
+    tool_memory *m = w->memory;
+    wfVec2 end[2] = { bar_end(m->from), bar_end(m->at) };
+    wfBodyDef def = wfDefaultBodyDef();
+    wfBodyId id = { 0, 0 };
+    wfInput in = { .kind = WF_INPUT_ADD_SHAPE };
+    in.shape = wfDefaultShapeDef();
+    wfResult result = bar_shape(end[0], end[1], &in.shape.shape);
+    def.position = wfScale(WF_R(0.5), wfAdd(end[0], end[1]));
+    def.userData = WF_INK_BODY2;
+    if (result == WF_OK) result = add_body(w, &def, &id);
+    in.index = id.index;
+    in.generation = id.generation;
+    in.shape.density = 40 / (2 * bar_half);
+    in.shape.filter.group = -1;
+    if (result == WF_OK) result = tool_give(w, WF_MODULE_SHAPES, &in, NULL);
+    for (int i = 0; i < 2 && result == WF_OK; i++) {
+        wfBodyId other = body_at(w, end[i], id);
+        if (!other.index) continue;
+        result = join(w, wfFindJoint("revolute"), id, other, end[i], end[i]);
+    }
+    say(m, result, result ? "no bar" : "a bar of %.2f m",
+        (double)wfLength(wfSub(end[1], end[0])));
+}
+
+static void draw_bar(const tool_work *w, wfDraw *d)
+{
+    const tool_memory *m = w->memory;
+    wfVec2 a = bar_end(m->from), b = bar_end(m->at);
+    wfShape shape;
+    wfTransform at = { .p = wfScale(WF_R(0.5), wfAdd(a, b)), .q = wfRotation(0) };
+    if (!m->down || bar_shape(a, b, &shape) != WF_OK) return;
+    wfDrawShape(d, &shape, at, WF_INK_ACCENT, WF_INK_NONE);
+    wfDrawTextf(d, (float)at.p.x, (float)at.p.y + 0.2f, 13, WF_INK_TEXT, 0, "%.2f m",
+                (double)wfLength(wfSub(b, a)));
+}
+
 static void nothing(tool_work *w) { (void)w; }
 
 const tool_row toolTable[] = {
@@ -689,6 +788,10 @@ const tool_row toolTable[] = {
     { "Delete", "click a body or a joint", 'x', 0, nothing, nothing, away, NULL },
     { "Probe", "pull a ray or a shape through the world", 'v', 1 << TOOL_PROBE, begin_probe,
       nothing, nothing, draw_probe },
+    { "Kick", "press on a body, pull, let go: an impulse", ';', 0, nothing, nothing,
+      give_kick, draw_kick },
+    { "Bar", "press, pull, let go: a bar, pinned at its ends to what is there", ':', 0,
+      nothing, nothing, add_bar, draw_bar },
 };
 const int toolCount = (int)(sizeof toolTable / sizeof *toolTable);
 #define NAMES(list) list, (int32_t)(sizeof list / sizeof *list)

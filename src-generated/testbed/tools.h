@@ -40,7 +40,7 @@ typedef struct tool_work {
     wfResult (*make_room)(void *context, uint32_t modules);
     void *context;
     /* Is told before each change, and returns the journal for it; or NULL: nobody is. */
-    wfJournal *(*edit)(void *context);
+    wfJournal *(*edit)(void *context, const wfInput *in);
 } tool_work;
 
 /* the table of tools */

@@ -170,6 +170,7 @@ static const struct { const char *name, *strokes; } icons[] = {
     { "Draw", "bkdfhclgkknm" }, { "Pin", "Fhbjckejghhfgeefc hhhn" },
     { "Connect", "Fbjejembm Fkcncnfkf dkle" }, { "Lasso", "hcddbgdjikminfldhc ejdn" },
     { "Delete", "ccmm mccm" }, { "Probe", "bmjf Fjcmcmfjf" },
+    { "Kick", "Fejdhbjdlgkgi fijf Fkcmdjgih" }, { "Bar", "cmmc Fbkelendnbl Fkbmbmekd" },
 };
 
 static const char *icon_of(const char *name)

@@ -584,35 +584,59 @@ static void draw_sample_joint(wfDraw *d, const char *kind, int32_t flags, wfVec2
     draw_joint(d, &s);
 }
 
-const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size)
+const char *wfDrawLegendBody(int row, wfDraw *d, float x, float y, float size)
 {
-    static const char *const words[] = {
-        "moves", "sleeps: nothing happens to it", "stands still",
-        "moved by the scene alone",
-        "a sensor: tells who is in it", "a rod", "a rope, slack", "a spring", "a hinge",
-        "a motor, and its way", "a pulley", "water", "what attracts" };
+    static const char *const words[] = { "moves", "sleeps", "stands still",
+                                         "moved by the scene", "a sensor" };
     static const BodyLook look[] = {
         { WF_DYNAMIC, WF_INK_BODY, WF_INK_BODY, true },
         { WF_DYNAMIC, WF_INK_BODY, WF_INK_BODY, false },
         { WF_STATIC, WF_INK_LINE, WF_INK_FAINT, true },
         { WF_KINEMATIC, WF_INK_LINE, WF_INK_FAINT, true },
         { WF_STATIC, WF_INK_LINE, WF_INK_FAINT, true } };
+    wfTransform at = { .p = wfV2((wfReal)x, (wfReal)y), .q = wfRotation(0) };
+    wfShape box;
+    if (!d || wfMakeBox((wfReal)size, (wfReal)size / 2, &box) != WF_OK) return words[row];
+    float high = d->view[3];
+    d->view[3] = d->view[1] + 25 * size;                /* what is small is smaller here */
+    draw_part(d, &box, at, &look[row], row == WF_LEGEND_BODIES - 1);
+    d->view[3] = high;
+    return words[row];
+}
+
+uint32_t wfLegendOf(const wfWorld *world)
+{
+    wfBodyView v = wfWorldBodies(world);
+    wfShapeView s = wfWorldShapes(world);
+    uint32_t rows = 0;
+    for (int32_t i = 0; i < v.count; i++) {
+        int32_t type = v.props[i].type, k = v.props[i].shape;
+        if (!v.alive[i] || k < 0) continue;
+        bool asleep = type == WF_DYNAMIC && !wfBodyIsAwake(world, wfBodyAt(world, i));
+        if (s.props[k].sensor) rows |= 1 << 4;
+        else rows |= type == WF_STATIC ? 4 : type == WF_KINEMATIC ? 8 : asleep ? 2 : 1;
+    }
+    return rows;
+}
+
+const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size)
+{
+    static const char *const words[] = {
+        "a rod", "a rope, slack", "a spring", "a hinge", "a motor, and its way", "a pulley",
+        "water", "what attracts" };
     static const struct { const char *kind; int32_t flags; } joint[] = {
         { "distance", 0 }, { "distance", WF_JOINT_LIMITS }, { "distance", WF_JOINT_SPRING },
         { "revolute", 0 }, { "revolute", WF_JOINT_MOTOR }, { "pulley", 0 } };
-    enum { BODIES = sizeof look / sizeof *look, JOINTS = sizeof joint / sizeof *joint };
-    if (row < 0 || row >= (int)(sizeof words / sizeof *words)) return NULL;
+    enum { JOINTS = sizeof joint / sizeof *joint };
+    int k = row - WF_LEGEND_BODIES;
+    if (row < 0 || k >= (int)(sizeof words / sizeof *words)) return NULL;
+    if (k < 0) return wfDrawLegendBody(row, d, x, y, size);
     wfReal r = (wfReal)size / 2;
     wfVec2 at = wfV2((wfReal)x, (wfReal)y);
-    wfShape box;
-    if (!d || wfMakeBox(2 * r, r, &box) != WF_OK) return words[row];
-    int k = row - BODIES;
+    if (!d) return words[k];
     float high = d->view[3];
-    d->view[3] = d->view[1] + 25 * size;                /* what is small is smaller here */
-    if (k < 0)
-        draw_part(d, &box, (wfTransform){ .p = at, .q = wfRotation(0) }, &look[row],
-                  row == BODIES - 1);
-    else if (k < JOINTS)
+    d->view[3] = d->view[1] + 25 * size;
+    if (k < JOINTS)
         draw_sample_joint(d, joint[k].kind, joint[k].flags, at, k < JOINTS - 1 ? 2 * r : r);
     else if (k > JOINTS) wfDrawCircle(d, x, y, size / 2, 1, WF_INK_FAINT, WF_INK_NONE);
     if (k == JOINTS) {
@@ -622,5 +646,5 @@ const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size)
         wfDrawLine(d, xy[4], xy[5], xy[6], xy[7], 2, WF_INK_GOOD);
     }
     d->view[3] = high;
-    return words[row];
+    return words[k];
 }

@@ -19,8 +19,12 @@ extern const int wfOverlayCount;
 void wfShowWorld(const wfWorld *world, uint32_t show, wfPool *scratch, wfDraw *d);
 /* The same without overlays, the first `count' bodies at other places, in their order. */
 void wfShowWorldAt(const wfWorld *world, const wfTransform *pose, int32_t count, wfDraw *d);
+enum { WF_LEGEND_BODIES = 5 };
 /* The legend: words about the row, NULL if there is none; d, unless NULL, gets a sample
-   about x, y, so large. */
+   about x, y, so large. Its first rows are kinds of bodies; which of them, a bit each, a
+   world has. */
+const char *wfDrawLegendBody(int row, wfDraw *d, float x, float y, float size);
+uint32_t wfLegendOf(const wfWorld *world);
 const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size);
 /* The outline of a rectangle. */
 void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role);

@@ -46,6 +46,22 @@ await page.evaluate(() => { location.hash = '#scene=nowhere'; });
 await page.until('said', 'there is no scene nowhere');
 check(await page.tell('scene') === 'pyramid', 'an unknown scene takes the other one away');
 
+// a challenge has an address of its own, and waits at its first step
+await page.evaluate(() => { location.hash = '#challenge=wall'; });
+await page.until('challenge', 'wall');
+await page.until('paused', '1');
+check(await page.tell('steps') === '0' && await page.link() === 'challenge=wall', `the challenge is at step ${await page.tell('steps')}, its link is ${await page.link()}`);
+await page.click1('Start');
+await page.until('paused', '0');
+await page.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
+await page.hash('#scene=dominoes');
+await page.goBack();
+await page.until('challenge', 'wall');
+await page.hash('#challenge=wall');
+const bridge = await open('#challenge=bridge');
+await bridge.until('challenge', 'bridge');
+await bridge.until('scene', 'ten tonnes');
+
 // a world that was changed, in a link
 const made = await open('#scene=stack-of-boxes&gravity.y=-5');
 await made.until('scene', 'stack of boxes');
