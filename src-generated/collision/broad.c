@@ -7,9 +7,19 @@
 bool wfPushPair(wfPairList *list, int32_t a, int32_t b)
 {
     if (list->count >= list->capacity) return false;
-    wfPair pair = { a < b ? a : b, a < b ? b : a };
-    list->pairs[list->count++] = pair;
+    list->pairs[list->count++] = wfMakePair(a, b);
     return true;
+}
+
+bool wfHasPair(const wfPair *list, int32_t count, wfPair pair)
+{
+    int32_t low = 0, high = count;
+    while (low < high) {
+        int32_t middle = low + (high - low) / 2;
+        if (wfPairPrecedes(list[middle], pair)) low = middle + 1;
+        else high = middle;
+    }
+    return low < count && !wfPairPrecedes(pair, list[low]);
 }
 
 bool wfPairAllowed(const wfProxies *in, int32_t a, int32_t b)

@@ -301,11 +301,6 @@ static bool add_near(const wfTree *tree, int32_t leaf, bool allNew, wfPairList *
     return true;
 }
 
-static bool comes_before(wfPair p, wfPair q)
-{
-    return p.a < q.a || (p.a == q.a && p.b < q.b);
-}
-
 static bool merge_near(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *scratch)
 {
     size_t mark = wfPoolMark(scratch);
@@ -315,7 +310,7 @@ static bool merge_near(wfTree *tree, wfPairList *more, int32_t proxies, wfPool *
     int32_t i = tree->head->nearCount - 1, k = room ? more->count - 1 : -1;
     for (int32_t m = 0; m <= k; m++) copy[m] = more->pairs[m];
     for (int32_t to = i + k + 1; k >= 0; to--) {
-        bool old = i >= 0 && comes_before(copy[k], tree->overlaps[i]);
+        bool old = i >= 0 && wfPairPrecedes(copy[k], tree->overlaps[i]);
         tree->overlaps[to] = old ? tree->overlaps[i--] : copy[k--];
     }
     tree->head->nearCount += more->count;

@@ -524,7 +524,7 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
 }
 
 /* look where the bodies will be */
-static inline wfJointFrame will_be(const wfJointFrame *at, const wfBodyState *s, wfReal h)
+static WF_ONE_COPY wfJointFrame will_be(const wfJointFrame *at, const wfBodyState *s, wfReal h)
 {
     wfReal turn = h * s->w;
     return (wfJointFrame){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),
@@ -906,7 +906,7 @@ static inline void push_pin(wfPin *q, wfVec2 j, wfBodyState *a, wfBodyState *b)
     b->w += b->invInertia * wfCross(q->rB, j);
 }
 
-static inline wfVec2 divide_pin(const wfPin *q, wfVec2 e)           /* K^-1 e */
+static WF_ONE_COPY wfVec2 divide_pin(const wfPin *q, wfVec2 e)           /* K^-1 e */
 {
     wfReal y = (e.y - q->l * e.x) * q->dy;
     return wfV2(e.x * q->dx - q->l * y, y);

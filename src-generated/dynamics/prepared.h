@@ -38,7 +38,7 @@ typedef struct wfPairMotion {
     wfReal m, iA, iB;         /* sum of the inverse masses; inverse inertias */
 } wfPairMotion;
 #define WF_FIRM_SLOPS 32    /* what can't move is pressed in by so many, eq:soft-firm */
-static inline wfReal wfFirmOf(const wfBodyState *a, const wfBodyState *b,
+static WF_ONE_COPY wfReal wfFirmOf(const wfBodyState *a, const wfBodyState *b,
                               const wfContact *c)
 {
     bool move = a->invMass > 0 && b->invMass > 0;
@@ -101,7 +101,7 @@ void wfStoreImpulses(const wfPrepared *c, wfReal share, wfContact *out);
 /* After the last pass: what it bore in all warm starts and passes. */
 void wfTellPrepared(const wfPrepared *c, wfTold *out);
 
-static inline wfReal wfSumOfNormals(const wfPrepared *c)
+static WF_ONE_COPY wfReal wfSumOfNormals(const wfPrepared *c)
 {
     wfReal sum = 0;
     for (int32_t i = 0; i < c->count; i++) sum += c->p[i].normal;

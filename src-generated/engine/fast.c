@@ -30,7 +30,7 @@ static wfReal arm_of(const struct wfStep *s, int32_t k)
     return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
 }
 
-static wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
+static WF_ONE_COPY wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
 {
     wfReal turn = wfAbs(w.angleTo - w.angleFrom);
     return wfDistance(w.from, w.to) + turn * arm_of(s, k);
@@ -193,7 +193,7 @@ static bool may_meet(const struct wfStep *s, int32_t k, int32_t other)
     if (i == j || !moves || wfIsSensor(&s->b, other)) return false;
     if (wfIsCrowd(&s->b) && can_change(s, i) && can_change(s, j)) return false;
     if (!wfFilterAllows(s->b.filters[k], s->b.filters[other])) return false;
-    wfPair p = { k < other ? k : other, k < other ? other : k };
+    wfPair p = wfMakePair(k, other);
     for (int32_t n = 0; n < s->sparedCount; n++)
         if (s->spared[n].a == p.a && s->spared[n].b == p.b) return false;
     bool may = true;
@@ -390,7 +390,7 @@ static bool do_press(const struct wfStep *s, const wfBodyState two[2], const wfC
 
 static wfResult press(const struct wfStep *s, int32_t k, int32_t other, wfReal t, bool *out)
 {
-    wfPair p = { k < other ? k : other, k < other ? other : k };
+    wfPair p = wfMakePair(k, other);
     wfBodyState two[2] = { state_at(s, s->b.bodyOfShape[p.a], t),
                            state_at(s, s->b.bodyOfShape[p.b], t) };
     wfContact c;
@@ -471,53 +471,34 @@ typedef struct Ahead {
     wfStop  stop;
 } Ahead;
 
-static bool comes_after(wfPair a, wfPair b)
-{
-    return a.a != b.a ? a.a > b.a : a.b > b.b;
-}
-
-/* Is a pair among those of the step, which are in the order of their shapes? */
-static bool is_pair(const struct wfStep *s, wfPair p)
-{
-    int32_t low = 0, high = s->pairs.count;
-    while (low < high) {
-        int32_t middle = low + (high - low) / 2;
-        if (comes_after(p, s->pairs.pairs[middle])) low = middle + 1;
-        else high = middle;
-    }
-    return low < s->pairs.count && !comes_after(s->pairs.pairs[low], p);
-}
-
 static wfReal start_of(const struct wfStep *s, int32_t i)
 {
     return s->flightOf[i] >= 0 ? s->flights[s->flightOf[i]].since : 0;
 }
 
-static wfReal least_way(const struct wfStep *s, int32_t k)
+static WF_ONE_COPY wfReal least_way(const struct wfStep *s, int32_t k)
 {
     const wfShapeProps *m = &s->b.materials[k];
     return wfMaxR(m->inner, WF_NEAR_WAY * m->reach);
 }
 
 /* Has the solver seen to a pair of movable bodies? */
-static bool is_solved(const struct wfStep *s, int32_t k, int32_t other)
+static WF_ONE_COPY bool is_solved(const struct wfStep *s, int32_t k, int32_t other)
 {
     int32_t i = s->b.bodyOfShape[k], j = s->b.bodyOfShape[other];
     if (!wfSolverIntegrates(s) || !can_change(s, i) || !can_change(s, j)) return false;
-    wfPair p = { k < other ? k : other, k < other ? other : k };
+    wfPair p = wfMakePair(k, other);
     wfReal t = wfMaxR(start_of(s, i), start_of(s, j));
     wfSweep a = leg_from(s, i, t), b = leg_from(s, j, t);
-    wfReal way = wfDistance(wfSub(a.to, a.from), wfSub(b.to, b.from))
-               + wfAbs(a.angleTo - a.angleFrom) * arm_of(s, k)
-               + wfAbs(b.angleTo - b.angleFrom) * arm_of(s, other);
-    wfReal least = wfMinR(least_way(s, k), least_way(s, other));
-    if (t > 0) least *= FLIGHT_LEFT;
-    return way <= least && is_pair(s, p) && wfKeptMargin(s, p);
+    wfReal least = wfMinR(least_way(s, k), least_way(s, other)) * (t > 0 ? FLIGHT_LEFT : 1);
+    a.from = wfSub(a.from, b.from), a.to = wfSub(a.to, b.to);
+    wfReal way = way_of(s, k, a) + wfAbs(b.angleTo - b.angleFrom) * arm_of(s, other);
+    return way <= least && wfHasPair(s->pairs.pairs, s->pairs.count, p) && wfKeptMargin(s, p);
 }
 
 /* A box round shape k on all of its leg, as though its centre stayed where the leg begins:
  * eq:fast-clear. */
-static wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
+static WF_ONE_COPY wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep leg)
 {
     const wfBodyState *old = &s->b.state[s->b.bodyOfShape[k]];
     wfReal turn = wfAbs(leg.angleFrom - old->angle) + wfAbs(leg.angleTo - leg.angleFrom);
@@ -718,8 +699,8 @@ static wfResult part_legs(struct wfStep *s, const wfContact *hit, wfReal t,
 static wfResult note_strike(struct wfStep *s, wfImpactEvent now)
 {
     int32_t at = s->strikeCount;
-    while (at > 0 && comes_after(s->strikes[at - 1].pair, now.pair)) at--;
-    bool known = at > 0 && !comes_after(now.pair, s->strikes[at - 1].pair);
+    while (at > 0 && wfPairPrecedes(now.pair, s->strikes[at - 1].pair)) at--;
+    bool known = at > 0 && !wfPairPrecedes(s->strikes[at - 1].pair, now.pair);
     if (known) {
         wfImpactEvent *old = &s->strikes[at - 1];
         now.impulse += old->impulse, now.bounced = now.bounced || old->bounced;
@@ -839,7 +820,7 @@ static wfResult settle(struct wfStep *s, wfReal t)
 static wfResult impact(struct wfStep *s, wfSweptBody *f)
 {
     int32_t own = f->own, other = f->other;
-    wfPair p = { own < other ? own : other, own < other ? other : own };
+    wfPair p = wfMakePair(own, other);
     int32_t who[2] = { s->b.bodyOfShape[p.a], s->b.bodyOfShape[p.b] };
     wfReal t = f->next;
     bool pass;

@@ -323,12 +323,6 @@ void wfMoveJoints(wfBlock *b, wfVec2 by)
         if (wfJointIsLive(&j, i)) wfMoveJoint(&j.joints[i], by);
 }
 
-/* leave out pairs that are joined */
-static bool comes_before(wfPair a, wfPair b)
-{
-    return a.a != b.a ? a.a < b.a : a.b < b.b;
-}
-
 /* sorted; -1: no memory */
 static int32_t list_joined(struct wfStep *s, wfPair *out)
 {
@@ -338,21 +332,10 @@ static int32_t list_joined(struct wfStep *s, wfPair *out)
         if (!wfJointIsLive(&j, i)) continue;
         if (j.joints[i].flags & (WF_JOINT_COLLIDE | WF_JOINT_BROKEN)) continue;
         int32_t a = j.joints[i].a, b = j.joints[i].b;
-        out[count++] = (wfPair){ a < b ? a : b, a < b ? b : a };
+        out[count++] = wfMakePair(a, b);
     }
     wfPairList list = { .pairs = out, .count = count, .capacity = count };
     return wfSortPairs(&list, s->count, &s->scratch) == WF_OK ? count : -1;
-}
-
-static bool is_joined(const wfPair *list, int32_t count, wfPair pair)
-{
-    int32_t low = 0, high = count;
-    while (low < high) {
-        int32_t middle = low + (high - low) / 2;
-        if (comes_before(list[middle], pair)) low = middle + 1;
-        else high = middle;
-    }
-    return low < count && !comes_before(pair, list[low]);
 }
 
 wfResult wfLeaveOutJoined(struct wfStep *s)
@@ -363,8 +346,7 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
     for (int32_t i = 0; count > 0 && i < s->pairs.count; i++) {
         wfPair p = s->pairs.pairs[i];
         int32_t a = s->b.bodyOfShape[p.a], b = s->b.bodyOfShape[p.b];
-        wfPair owners = { a < b ? a : b, a < b ? b : a };
-        if (!is_joined(list, count, owners)) s->pairs.pairs[kept++] = p;
+        if (!wfHasPair(list, count, wfMakePair(a, b))) s->pairs.pairs[kept++] = p;
     }
     if (count > 0) s->pairs.count = kept;
     s->joinedCount = count;
@@ -373,8 +355,7 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
 
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b)
 {
-    wfPair owners = { a < b ? a : b, a < b ? b : a };
-    return is_joined(wfTransient(&s->b, WF_REGION_JOINED), s->joinedCount, owners);
+    return wfHasPair(wfTransient(&s->b, WF_REGION_JOINED), s->joinedCount, wfMakePair(a, b));
 }
 
 /* A number for who is joined to whom and who can move; never 0. */

@@ -229,7 +229,7 @@ wfResult wfGetContact(const wfWorld *world, wfShapeId a, wfShapeId b, wfContact 
     if (result != WF_OK) return result;
     int32_t i = wfShapeIndex(world, a), k = wfShapeIndex(world, b);
     if (i < 0 || k < 0) return WF_ERROR_STALE_ID;
-    wfPair pair = { i < k ? i : k, i < k ? k : i };
+    wfPair pair = wfMakePair(i, k);
     int32_t kept = block.head->kept.contacts, count = block.head->contactCount;
     const wfContact *c = search(&block, kept, count, pair);
     if (c == NULL) c = search(&block, 0, kept, pair);

@@ -279,11 +279,6 @@ wfResult wfFindIslands(struct wfStep *s)
  * `with` is an array that goes along, entry by entry, or of size 0. */
 typedef struct List { uint8_t *old, *fresh; size_t each, key; } List;
 
-static bool pair_before(wfPair a, wfPair b)
-{
-    return a.a != b.a ? a.a < b.a : a.b < b.b;
-}
-
 static WF_ONE_COPY wfPair key_of(const List *l, const uint8_t *base, int32_t i)
 {
     wfPair key;
@@ -334,7 +329,7 @@ static void sort_out(struct wfStep *s, List l, List with, int32_t *kept, int32_t
         wfPair fresh = key_of(&l, l.fresh, b);
         while (!keeps(s, fresh.a, fresh.b)) fresh = key_of(&l, l.fresh, --b);
         wfPair old = a >= 0 ? key_of(&l, l.old, a) : fresh;
-        bool later = a >= 0 && pair_before(fresh, old);
+        bool later = a >= 0 && wfPairPrecedes(fresh, old);
         put(&l, l.old, at, later ? l.old : l.fresh, later ? a : b);
         put(&with, with.old, at, later ? with.old : with.fresh, later ? a-- : b--);
     }

@@ -125,11 +125,6 @@ static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
     if (wfHas(s->b.head, WF_MODULE_EVENTS)) note_hit(s, c, touch);
 }
 
-static bool comes_after(wfPair a, wfPair b)
-{
-    return a.a != b.a ? a.a > b.a : a.b > b.b;
-}
-
 /* Puts touches of those strikes in that have none yet. */
 static wfResult touch_strikes(struct wfStep *s)
 {
@@ -148,7 +143,7 @@ static wfResult touch_strikes(struct wfStep *s)
     if (at >= s->b.head->contactCapacity - s->kept.touches) return WF_ERROR_FULL;
     for (int32_t i = s->strikeCount - 1; i >= 0; i--) {
         wfPair p = s->strikes[i].pair;
-        while (old >= 0 && comes_after((wfPair){ s->touches[old].a, s->touches[old].b }, p))
+        while (old >= 0 && wfPairPrecedes(p, (wfPair){ s->touches[old].a, s->touches[old].b }))
             s->touches[at--] = s->touches[old--];
         bool known = old >= 0 && s->touches[old].a == p.a && s->touches[old].b == p.b;
         if (!known) s->touches[at--] = stamp_touch(s, p, TOUCH_SURE);
@@ -166,7 +161,7 @@ static wfResult hit_by_strike(struct wfStep *s, const wfImpactEvent *strike)
     for (; at > 0; at--) {
         const wfContactHit *h = &s->hits[at - 1];
         wfPair p = { (int32_t)h->a.index - 1, (int32_t)h->b.index - 1 };
-        if (!comes_after(p, strike->pair)) break;
+        if (!wfPairPrecedes(strike->pair, p)) break;
     }
     bool known = at > 0 && s->hits[at - 1].a.index == hit.a.index
               && s->hits[at - 1].b.index == hit.b.index;

@@ -56,7 +56,7 @@ typedef float wfReal;
 #define WF_SQUARE_HIGH 1.329227995784916e+36f   /* 2^120 */
 #endif
 
-static inline wfReal wfAbs(wfReal a)            { return WF_NATIVE_ABS(a); }
+static WF_ONE_COPY wfReal wfAbs(wfReal a)       { return WF_NATIVE_ABS(a); }
 static inline wfReal wfMinR(wfReal a, wfReal b) { return a < b ? a : b; }
 static inline wfReal wfMaxR(wfReal a, wfReal b) { return a > b ? a : b; }
 static inline wfReal wfSquare(wfReal a)         { return a * a; }

@@ -16,7 +16,7 @@ typedef union wfVec2 {
 #define WF_V2(x, y) { { (x), (y) } }    /* a vector in a list, or for a constant */
 
 static inline wfVec2 wfV2(wfReal x, wfReal y)  { wfVec2 v = { { x, y } }; return v; }
-static inline wfVec2 wfAdd(wfVec2 a, wfVec2 b) { return wfV2(a.x + b.x, a.y + b.y); }
+static WF_ONE_COPY wfVec2 wfAdd(wfVec2 a, wfVec2 b) { return wfV2(a.x + b.x, a.y + b.y); }
 static inline wfVec2 wfSub(wfVec2 a, wfVec2 b) { return wfV2(a.x - b.x, a.y - b.y); }
 static inline wfVec2 wfNeg(wfVec2 a)           { return wfV2(-a.x, -a.y); }
 static inline wfVec2 wfScale(wfReal s, wfVec2 a)      { return wfV2(s * a.x, s * a.y); }
@@ -34,8 +34,8 @@ static inline wfVec2 wfLerp(wfVec2 a, wfVec2 b, wfReal t)        /* eq:numbers-l
 static WF_ONE_COPY wfReal wfDot(wfVec2 a, wfVec2 b)  { return a.x * b.x + a.y * b.y; }
 static WF_ONE_COPY wfReal wfCross(wfVec2 a, wfVec2 b) { return a.x * b.y - a.y * b.x; }
 /* a quarter turn, to the left and to the right */
-static inline wfVec2 wfPerpCCW(wfVec2 a)         { return wfV2(-a.y, a.x); }
-static inline wfVec2 wfPerpCW(wfVec2 a)          { return wfV2(a.y, -a.x); }
+static WF_ONE_COPY wfVec2 wfPerpCCW(wfVec2 a)         { return wfV2(-a.y, a.x); }
+static WF_ONE_COPY wfVec2 wfPerpCW(wfVec2 a)          { return wfV2(a.y, -a.x); }
 /* eq:numbers-cross-scalar */
 static inline wfVec2 wfCrossSV(wfReal s, wfVec2 v) { return wfV2(-s * v.y, s * v.x); }
 static inline wfVec2 wfCrossVS(wfVec2 v, wfReal s) { return wfV2(s * v.y, -s * v.x); }
