@@ -503,7 +503,7 @@ static void keys_and_buttons_drive_alike(void **state)
             snprintf(label, sizeof label, "widget %s pixel", s->controls[i]);
             snprintf(press, sizeof press, "move %g %g\ndown left\nsteps 1\nframe\nwait 29\nup left\nwait 30\n", play_fact(&b, label, 0), play_fact(&b, label, 1));
             play_run(&b, press);
-            must(strcmp(play_line(&a, "hash") ? strndup(play_line(&a, "hash"), 21) : "", strndup(play_line(&b, "hash"), 21)) == 0,
+            must(strncmp(play_line(&a, "hash"), play_line(&b, "hash"), 21) == 0,
                  "%s: key and button %s drive differently", s->name, s->controls[i]);
             play_end(&a);
             play_end(&b);
