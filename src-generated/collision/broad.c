@@ -11,6 +11,16 @@ bool wfPushPair(wfPairList *list, int32_t a, int32_t b)
     return true;
 }
 
+wfPair wfMakePair(int32_t i, int32_t k)
+{
+    return (wfPair){ i < k ? i : k, i < k ? k : i };
+}
+
+bool wfPairPrecedes(wfPair p, wfPair q)
+{
+    return p.a != q.a ? p.a < q.a : p.b < q.b;
+}
+
 bool wfHasPair(const wfPair *list, int32_t count, wfPair pair)
 {
     int32_t low = 0, high = count;

@@ -9,17 +9,9 @@ WF_BEGIN_C
 
 /* Two proxies that may touch; a < b always.  Report 5.4.2: potential_contact_pair. */
 typedef struct wfPair { int32_t a, b; } wfPair;
-/* The pair of two, the lower first. The order of pairs: by their first, then by their second. */
-static WF_ONE_COPY wfPair wfMakePair(int32_t i, int32_t k)
-{
-    wfPair p = { i < k ? i : k, i < k ? k : i };
-    return p;
-}
-static WF_ONE_COPY bool wfPairPrecedes(wfPair p, wfPair q)
-{
-    return p.a != q.a ? p.a < q.a : p.b < q.b;
-}
-/* Is a pair in a list that is in order? */
+wfPair wfMakePair(int32_t i, int32_t k);    /* the lower first */
+/* The order of pairs, by a, then by b. Is a pair in a list that is in order? */
+bool wfPairPrecedes(wfPair p, wfPair q);
 bool wfHasPair(const wfPair *list, int32_t count, wfPair pair);
 
 enum { WF_PROXY_LIVE = 1, WF_PROXY_MOVES = 2 };
