@@ -758,7 +758,7 @@ static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
 {
     (void)state;
     play p;
-    play_begin(&p, 1100, 2400, 1);                          /* as high as the list of scenes is long */
+    play_begin(&p, 1100, 3200, 1);                          /* as high as the list of scenes is long */
     play_run(&p, "steps 0\nframe\n");
     assert_true(is_scene(&p, "tumbler"));                   /* something goes on there */
     play_run(&p, "scene free-fall\nframe\nkey [\nframe\n");
