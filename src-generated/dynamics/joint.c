@@ -524,7 +524,8 @@ static void solve_soft(wfJoint *j, const wfJointWork *w, int i, wfReal t,
 }
 
 /* look where the bodies will be */
-static WF_ONE_COPY wfJointFrame will_be(const wfJointFrame *at, const wfBodyState *s, wfReal h)
+static WF_ONE_COPY wfJointFrame will_be(const wfJointFrame *at, const wfBodyState *s,
+                                        wfReal h)
 {
     wfReal turn = h * s->w;
     return (wfJointFrame){ .p = at->p, .d = wfAddScaled(at->d, h, s->v),

@@ -493,7 +493,8 @@ static WF_ONE_COPY bool is_solved(const struct wfStep *s, int32_t k, int32_t oth
     wfReal least = wfMinR(least_way(s, k), least_way(s, other)) * (t > 0 ? FLIGHT_LEFT : 1);
     a.from = wfSub(a.from, b.from), a.to = wfSub(a.to, b.to);
     wfReal way = way_of(s, k, a) + wfAbs(b.angleTo - b.angleFrom) * arm_of(s, other);
-    return way <= least && wfHasPair(s->pairs.pairs, s->pairs.count, p) && wfKeptMargin(s, p);
+    if (!(way <= least)) return false;
+    return wfHasPair(s->pairs.pairs, s->pairs.count, p) && wfKeptMargin(s, p);
 }
 
 /* A box round shape k on all of its leg, as though its centre stayed where the leg begins:

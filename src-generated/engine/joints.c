@@ -355,7 +355,8 @@ wfResult wfLeaveOutJoined(struct wfStep *s)
 
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b)
 {
-    return wfHasPair(wfTransient(&s->b, WF_REGION_JOINED), s->joinedCount, wfMakePair(a, b));
+    const wfPair *list = wfTransient(&s->b, WF_REGION_JOINED);
+    return wfHasPair(list, s->joinedCount, wfMakePair(a, b));
 }
 
 /* A number for who is joined to whom and who can move; never 0. */

@@ -136,7 +136,7 @@ static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal w
     if (way <= (wfReal)linked * m->reach) return false;
     return s->b.head->maxImpacts > 0 && way > wfMaxR(m->inner, least);
 }
-void wfFindLinked(struct wfStep *s);    /* which bodies have a joint or a contact that holds */
+void wfFindLinked(struct wfStep *s);    /* whom joints and contacts hold */
 bool wfKeptMargin(const struct wfStep *s, wfPair p);    /* has it points that far ahead? */
 /* Tiles. */
 void wfFindTiles(struct wfStep *s);

@@ -143,7 +143,8 @@ static wfResult touch_strikes(struct wfStep *s)
     if (at >= s->b.head->contactCapacity - s->kept.touches) return WF_ERROR_FULL;
     for (int32_t i = s->strikeCount - 1; i >= 0; i--) {
         wfPair p = s->strikes[i].pair;
-        while (old >= 0 && wfPairPrecedes(p, (wfPair){ s->touches[old].a, s->touches[old].b }))
+        while (old >= 0
+               && wfPairPrecedes(p, (wfPair){ s->touches[old].a, s->touches[old].b }))
             s->touches[at--] = s->touches[old--];
         bool known = old >= 0 && s->touches[old].a == p.a && s->touches[old].b == p.b;
         if (!known) s->touches[at--] = stamp_touch(s, p, TOUCH_SURE);

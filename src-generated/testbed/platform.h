@@ -74,7 +74,7 @@ typedef struct game_input {
     uint32_t pressed, released; /* buttons that went down, up in this frame; or both */
     int32_t key_count;          /* keys that went down in this frame, in order */
     int32_t keys[GAME_MAX_KEYS];
-    uint32_t keys_held;         /* the bits of keys that are down at the end of this frame */
+    uint32_t keys_held;         /* the bits of keys that are down at its end */
     int32_t moved;              /* for game_take_event: the mouse moved in this frame */
     char scene[GAME_NAME_SIZE]; /* a scene to be opened (by a command line); or "" */
 } game_input;

@@ -39,7 +39,7 @@ typedef struct wfScene {
     /* draws over the bodies; or NULL */
     void (*draw)(const wfWorld *world, wfDraw *d, const wfSceneInput *in);
     const wfCallbacks *hooks;               /* that each step asks; or NULL */
-    uint32_t asks;                          /* modules that update asks, as queries; 0: none */
+    uint32_t asks;                          /* modules that update asks; 0: none */
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
     wfReal viewShape;                       /* its width to its height; 0: 1.59 */
     uint32_t show;                          /* overlays to begin with */
@@ -49,8 +49,8 @@ typedef struct wfScene {
     wfResult (*open)(const struct wfScene *scene, const wfMemory *memory, wfWorld *out);
     const char *source;                     /* the text */
     const char *controls[WF_CONTROLS];      /* a word each: what it does; or NULL */
-    /* what holds the controls until somebody takes them: a letter for a quarter second, L, R,
-       U, D, E for one of them, l and r together with up, others for none; or NULL */
+    /* what holds the controls until somebody takes them: a letter for a quarter second,
+       L, R, U, D, E for one of them, l and r together with up, others for none; or NULL */
     const char *demo;
     int32_t follow;             /* 1 + the body that the camera goes along with; 0: none */
     const char *alias;                      /* another name: in addresses; or NULL */
