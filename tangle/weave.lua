@@ -285,7 +285,9 @@ local function heading(chapter, line, level, text)
     print = "web"
     text = text:gsub("}%s*$", ' print="web"}')
   end
+  if chapter.code_level and level <= chapter.code_level then chapter.code_level = nil end
   if print == "web" then chapter.web_level = chapter.web_level or level; chapter.web = true      -- print has its title alone
+  elseif print == "code" then chapter.code_level = level      -- print has its code, too, whatever program it is of
   elseif print then book:complain(chapter.file, line, 'print="' .. print .. '" says nothing', 'write print="web" at a section that only the pages have') end
   chapter.here = id
   local h = { level = level, num = num, id = id, title = title, page = chapter.entry.page, web = chapter.web }
@@ -490,7 +492,7 @@ do
       text, quote = "", nil
       if kind == "code" then
         k = k + 1
-        if chapter.web then web_chunk(ci, k) end
+        if chapter.web then web_chunk(ci, k) elseif chapter.code_level then chunk_at[ci .. "." .. k].kept = true end
         if chapter.fence then
           book:complain(chapter.file, chapter.fence_line, "this fence is still open where a chunk begins", "close it with " .. chapter.fence)
           chapter.fence = nil
@@ -740,7 +742,7 @@ do
   for index, c in ipairs(book.chunks) do
     local chapter = book.chapters[c.chapter]
     local volume = volume_of[chapter.entry.page]
-    if not c.web and not chapter.online and chapter.entry.volume and next(c.roots or {}) then
+    if not c.web and not c.kept and not chapter.online and chapter.entry.volume and next(c.roots or {}) then
       local headers, foreign = true, true
       for root in pairs(c.roots) do
         headers = headers and root:match("%.h$") ~= nil

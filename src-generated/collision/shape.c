@@ -453,11 +453,11 @@ static wfReal coat_inertia(const wfShape *s, wfVec2 about)
 /* choose the inertia at unit density */
 static wfReal unit_inertia(const wfShape *shape, wfVec2 centroid)
 {
-    wfReal disk = WF_PI * wfSquare(wfSquare(shape->radius)) / 2;    /* eq:shapes-disk */
+    wfReal disc = WF_PI * wfSquare(wfSquare(shape->radius)) / 2;    /* eq:shapes-disk */
     wfReal core = polygon_inertia(shape->vertices, shape->count, centroid);
     /* add the coat to the inertia */
     if (shape->radius > 0 && shape->count > 0) core += coat_inertia(shape, centroid);
-    return shape->radius > 0 ? core + disk : core;
+    return shape->radius > 0 ? core + disc : core;
 }
 
 wfResult wfShapeMassOf(const wfShape *shape, wfReal mass, wfMassData *out)

@@ -667,6 +667,12 @@ $$ a = 1 $$ {#eq:one-a}
 int wfThird(void) { return 3; }  /* eq:one-a */
 @
 
+## Tried {#sec:one-tried print="code"}
+
+<<lab/two.c>>=
+int bench = 1;
+@
+
 ## Left out {#sec:one-deep}
 
 ![Another.](scenes/fall-20.svg){#fig:one-deep}
@@ -718,6 +724,7 @@ has "$dir/out/one.tex" '{declarations of one}' "a volume prints its first declar
 hasnt "$dir/out/one.tex" 'wfSecond' "the others are on the pages"
 has "$dir/out/one.tex" 'wfOne' "types are printed"
 hasnt "$dir/out/one.tex" '{lab}' "programs of another volume are not"
+has "$dir/out/one.tex" '{bench}' "unless their section says so"
 has "$dir/out/one.tex" '\wMore{3}{one.html}' "of a long table print has five rows"
 has "$dir/out/html/index.html" '<div class="door"><h2><small>Volume 2</small> <a href="more.html">Methods for the curious</a>' "the front page has a door for each volume"
 has "$dir/out/html/index.html" '<a href="one.html" title="1 One">1</a>' "and one for the course"

@@ -36,7 +36,7 @@ typedef struct wfBodyForces {
 /* What is read once a step or less. */
 typedef struct wfBodyProps {
     int32_t type;           /* a wfBodyType                                               */
-    int32_t substeps;       /* that suffice for it, of its world's; 0: as many as it has  */
+    int32_t substeps;       /* how many of its world's substeps it needs; 0: all         */
     wfReal mass, inertia;   /* kg, kg m^2; remembered while the type is not dynamic       */
     wfReal linearDamping;   /* 1/s, 0 or more: v shrinks by exp(-c h)                     */
     wfReal angularDamping;  /* 1/s, 0 or more                                             */

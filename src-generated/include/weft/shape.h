@@ -20,7 +20,7 @@ static const char *const wfLinkedReals __attribute__((used)) = &wfSameReals;
 #define WF_MIN_MASS    WF_R(1e-12)      /* kg                                             */
 #define WF_MAX_MASS    WF_R(1e25)       /* kg: the Earth is 6e24                          */
 #define WF_MIN_INERTIA WF_R(1e-24)      /* kg m^2                                         */
-#define WF_MAX_INERTIA WF_R(1e30)       /* kg m^2: no power overflows a float             */
+#define WF_MAX_INERTIA WF_R(1e30)       /* kg m^2: a float ends at 3e38                   */
 
 typedef enum wfShapeKind {
     WF_SHAPE_NONE,              /* no extent: a particle                                  */
