@@ -213,8 +213,8 @@ static wfResult build_tank(wfWorld *world)
     put_wall(&m, 9, WF_R(0.48), 2, WF_R(0.48), 0);
     put_wall(&m, WF_R(11.5), WF_R(1.5), WF_R(0.5), WF_R(2.5), 0);
     for (int i = 0; i < 3; i++)
-        put_box(&m, WF_R(0.4) + WF_R(0.62) * (wfReal)(i % 2), WF_R(0.3) + WF_R(0.6) *
-                (wfReal)(i / 2), WF_R(0.3), WF_R(0.3), WF_INK_BODY2);
+        put_box(&m, WF_R(0.4) + WF_R(0.5) * (wfReal)i, WF_R(0.2), WF_R(0.2), WF_R(0.2),
+                WF_INK_BODY2);
     return m.result;
 }
 
