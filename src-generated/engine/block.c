@@ -31,6 +31,7 @@ static bool is_wanted(const wfWorldDef *d, int row, int chosen)
 static size_t stage_scratch(const wfWorldDef *d, size_t late)
 {
     size_t most = 0;
+    (void)late;
     for (int i = 0; i < wfIntegratorCount; i++)
         if (is_wanted(d, i, d->integrator))
             most = larger(most, wfIntegratorTable[i].scratch(d->bodyCapacity));
