@@ -183,7 +183,7 @@ await play.getByRole('button', { name: 'run this simulation here' }).click();
 const field = play.locator('canvas');
 await field.waitFor();
 await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });
-if (two) check(page.scripts.sort().join() === 'figures-narrow-phase,testbed', `narrow-phase.html: a figure and a simulation load ${page.scripts.join(', ')}`);
+if (two) check(page.scripts.sort().join() === 'figures-narrow-phase,testbed,testbed-rest', `narrow-phase.html: a figure and a simulation load ${page.scripts.join(', ')}`);      // its scene, TC03, is of the second part
 for (const dark of [true, false, true]) {
   await page.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
   await page.waitForTimeout(400);
