@@ -168,13 +168,13 @@ const looks = async (page, what, dark) => {
   return { is, right, word };
 };
 const looked = async (page, figure, play, dark) => {
-  const { is, right, word } = await looks(page, 'narrow-phase.html', dark);
+  const { is, right, word } = await looks(page, 'sequential.html', dark);
   const texts = await inks(figure);
   check(texts.length > 0 && texts.every(t => contrast(light(t), is) >= 4.5), `a figure ${word}: words with the contrast ${Math.min(...texts.map(t => contrast(light(t), is))).toFixed(1)}`);
   const c = await canvas(play);
   check(right(c.paper) && c.contrast > 4.5, `a simulation ${word}: paper ${c.paper.toFixed(2)}, contrast ${c.contrast.toFixed(1)}`);
 };
-const page = await open(night, 'narrow-phase.html');
+const page = await open(night, 'sequential.html');
 const figure = page.locator('figure[data-live]').first(), play = page.locator('figure[data-scene]').first();
 await figure.scrollIntoViewIfNeeded();
 await page.waitForSelector('figure[data-live].live');
@@ -183,7 +183,7 @@ await play.getByRole('button', { name: 'run this simulation here' }).click();
 const field = play.locator('canvas');
 await field.waitFor();
 await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });
-if (two) check(page.scripts.sort().join() === 'figures-narrow-phase,testbed,testbed-rest', `narrow-phase.html: a figure and a simulation load ${page.scripts.join(', ')}`);      // its scene, TC03, is of the second part
+if (two) check(page.scripts.sort().join() === 'figures-sequential,testbed', `sequential.html: a figure and a simulation load ${page.scripts.join(', ')}`);
 for (const dark of [true, false, true]) {
   await page.emulateMedia({ colorScheme: dark ? 'dark' : 'light' });
   await page.waitForTimeout(400);
@@ -191,7 +191,7 @@ for (const dark of [true, false, true]) {
   if (!dark) continue;
   await page.evaluate(axe);
   const found = await page.evaluate(() => axe.run(document, { runOnly: ['color-contrast'], preload: false }));
-  for (const v of found.violations) fail(`narrow-phase.html by night: ${v.help}, ${v.nodes.length} times, first: ${v.nodes[0].html.slice(0, 140)}`);
+  for (const v of found.violations) fail(`sequential.html by night: ${v.help}, ${v.nodes.length} times, first: ${v.nodes[0].html.slice(0, 140)}`);
 }
 await page.close();
 const whole = await open(night, 'testbed.html#stack of boxes');
