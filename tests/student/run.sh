@@ -2,7 +2,7 @@
 # A student's chapter needs no edit elsewhere. The same files are tried in both ways: named with EXTRA=, and dropped into
 # chapters/ of a copy. One has an integrator, a scene, a figure and a measurement, one a broad phase, one everything else. Each must be in the
 # program, held to its promises by the tests that run over all rows, and in the book. The second way must give the C and the text of the first,
-of which program and book are made.
+# of which program and book are made.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 chapter=tests/student/60-leapfrog.nw
