@@ -319,7 +319,7 @@ typedef struct wfImpactEvent {
     wfPair pair;
     wfVec2 point, normal;      /* world, m; unit, from pair.a to pair.b */
     wfReal speed, impulse;     /* m/s before it; N s */
-    bool   bounced;
+    wfReal bounced;            /* 1: it bounced; a real, so that no byte is a hole */
 } wfImpactEvent;
 /* Stages of fast bodies, and what they need from others. */
 wfResult wfContinuousBefore(struct wfStep *s);

@@ -57,6 +57,7 @@ wfJournal *game_begin_edit(void *context, const wfInput *in)
     game_state *s = g->state;
     uint64_t now = wfWorldSteps(&g->world);
     /* look at a change */
+    (void)in;
     if (s->tape == TAPE_REPLAYING) s->tape = TAPE_DONE;
     if (s->challenge) game_look_at_change(g, in);
     if (s->editing) return g->noted;
