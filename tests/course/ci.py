@@ -2,7 +2,7 @@
      ci.py KIND FILE STUDENT TEACHER WORK [BUILT]      KIND: github or gitlab; STUDENT, TEACHER: git repositories; WORK: an empty folder;
                                                        BUILT: the engine that an earlier run has built from TEACHER; it is not built again
    Every command comes from FILE. What a service would do by itself (checkouts, graders that run a command, artifacts) is done here. A command
-   finds only programs that the image has, or that a package brings which the example installs: of those, what they depend on, and no more.
+   finds only programs (by PATH) that the image has, or that a package brings which the example installs, with what that depends on.
    The last line: points by the commands that ask for a criterion (github), tests and failures of the JUnit report (gitlab).
 """
 import glob, os, re, shlex, subprocess, sys, xml.etree.ElementTree as tree
