@@ -7,6 +7,9 @@
 
 /* inputs */
 typedef wfResult GiveFn(wfWorld *w, const wfInput *in, wfInputId *made);
+#define CALL(name, call) \
+    static wfResult name(wfWorld *w, const wfInput *in, wfInputId *made) \
+    { (void)made; return call; }
 
 static wfBodyId body_of(const wfInput *in)
 {
@@ -21,77 +24,18 @@ static wfResult add_body(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_body(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveBodyFromWorld(w, body_of(in));
-}
-
-static wfResult place_body(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyTransform(w, body_of(in), in->with.at, in->with.x);
-}
-
-static wfResult set_velocity(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyVelocity(w, body_of(in), in->with.by, in->with.x);
-}
-
-static wfResult set_mass(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyMass(w, body_of(in), in->with.x);
-}
-
-static wfResult set_type(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfChangeBodyType(w, body_of(in), in->with.number);
-}
-
-static wfResult set_damping(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyDamping(w, body_of(in), in->with.x, in->with.y);
-}
-
-static wfResult set_gravity(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetGravity(w, in->with.by);
-}
-
-static wfResult set_dt(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetTimeStep(w, in->with.x);
-}
-
-static wfResult push(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyForceToBody(w, body_of(in), in->with.by, in->with.at);
-}
-
-static wfResult twist(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyTorqueToBody(w, body_of(in), in->with.x);
-}
-
-static wfResult kick(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyImpulseToBody(w, body_of(in), in->with.by, in->with.at);
-}
-
-static wfResult spin(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyAngularImpulseToBody(w, body_of(in), in->with.x);
-}
+CALL(remove_body, wfRemoveBodyFromWorld(w, body_of(in)))
+CALL(place_body, wfSetBodyTransform(w, body_of(in), in->with.at, in->with.x))
+CALL(set_velocity, wfSetBodyVelocity(w, body_of(in), in->with.by, in->with.x))
+CALL(set_mass, wfSetBodyMass(w, body_of(in), in->with.x))
+CALL(set_type, wfChangeBodyType(w, body_of(in), in->with.number))
+CALL(set_damping, wfSetBodyDamping(w, body_of(in), in->with.x, in->with.y))
+CALL(set_gravity, wfSetGravity(w, in->with.by))
+CALL(set_dt, wfSetTimeStep(w, in->with.x))
+CALL(push, wfApplyForceToBody(w, body_of(in), in->with.by, in->with.at))
+CALL(twist, wfApplyTorqueToBody(w, body_of(in), in->with.x))
+CALL(kick, wfApplyImpulseToBody(w, body_of(in), in->with.by, in->with.at))
+CALL(spin, wfApplyAngularImpulseToBody(w, body_of(in), in->with.x))
 
 static wfResult set_more(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -128,23 +72,9 @@ static wfResult add_shape(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_shape(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveShapeFromWorld(w, shape_of(in));
-}
-
-static wfResult set_shape(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetShape(w, shape_of(in), &in->shape);
-}
-
-static wfResult set_material(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyMaterial(w, body_of(in), in->with.x, in->with.y);
-}
+CALL(remove_shape, wfRemoveShapeFromWorld(w, shape_of(in)))
+CALL(set_shape, wfSetShape(w, shape_of(in), &in->shape))
+CALL(set_material, wfSetBodyMaterial(w, body_of(in), in->with.x, in->with.y))
 
 static wfForceId force_of(const wfInput *in)
 {
@@ -161,11 +91,7 @@ static wfResult add_force(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_force(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveForceFromWorld(w, force_of(in));
-}
+CALL(remove_force, wfRemoveForceFromWorld(w, force_of(in)))
 
 static wfResult set_force(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -187,17 +113,8 @@ static wfResult add_joint(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_joint(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveJointFromWorld(w, joint_of(in));
-}
-
-static wfResult set_joint(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetJoint(w, joint_of(in), &in->joint);
-}
+CALL(remove_joint, wfRemoveJointFromWorld(w, joint_of(in)))
+CALL(set_joint, wfSetJoint(w, joint_of(in), &in->joint))
 
 static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -206,12 +123,7 @@ static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
     if (in->kind == WF_INPUT_SLEEP) return wfSetBodyAsleep(w, body_of(in));
     return wfDisableBodySleep(w, body_of(in), in->with.number);
 }
-
-static wfResult enable(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfEnableBody(w, body_of(in), in->with.number);
-}
+CALL(enable, wfEnableBody(w, body_of(in), in->with.number))
 
 static wfResult set_pair(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -234,23 +146,9 @@ static wfResult set_setting(wfWorld *w, const wfInput *in, wfInputId *made)
     return result == WF_OK ? wfSetWorldDef(w, &def) : result;
 }
 
-static wfResult move_origin(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfShiftOrigin(w, in->with.by, NULL);
-}
-
-static wfResult set_origin(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetWorldOrigin(w, in->global);
-}
-
-static wfResult set_substeps(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodySubsteps(w, body_of(in), in->with.number);
-}
+CALL(move_origin, wfShiftOrigin(w, in->with.by, NULL))
+CALL(set_origin, wfSetWorldOrigin(w, in->global))
+CALL(set_substeps, wfSetBodySubsteps(w, body_of(in), in->with.number))
 /* the table of inputs */
 #define NUMBERS sizeof(((wfInput *)0)->with)
 static const struct { const char *name; size_t size; GiveFn *give; }
