@@ -21,6 +21,7 @@ static inline void wfDoPart(void *context, int32_t part)
     int32_t begin = part * w->size, left = w->count - begin;
     w->work(w->context, part, begin, begin + (left < w->size ? left : w->size));
 }
+
 #ifndef WF_PARTS
 #define WF_PARTS 1              /* at most */
 #endif

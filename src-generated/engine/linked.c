@@ -33,6 +33,7 @@ static void find_jointed(struct wfStep *s)
                 s->linked[ends[k]] = WF_LINKED_WAY;
     }
 }
+
 void wfFindLinked(struct wfStep *s)
 {
     if (s->b.head->maxImpacts == 0 || !wfSolverIntegrates(s)) return;

@@ -65,6 +65,7 @@ bool wfKeptMargin(const struct wfStep *s, wfPair p)
 {
     return !one_is_followed(s, p, way_of_pair(s, s->b.state, p));
 }
+
 wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p)
 {
     wfReal way = way_of_pair(s, s->state, p);
