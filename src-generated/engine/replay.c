@@ -8,7 +8,7 @@
 /* inputs */
 typedef wfResult GiveFn(wfWorld *w, const wfInput *in, wfInputId *made);
 #define CALL(name, call) \
-    static wfResult name(wfWorld *w, const wfInput *in, wfInputId *made) \
+    static wfResult give_##name(wfWorld *w, const wfInput *in, wfInputId *made) \
     { (void)made; return call; }
 
 static wfBodyId body_of(const wfInput *in)
@@ -154,18 +154,18 @@ CALL(set_substeps, wfSetBodySubsteps(w, body_of(in), in->with.number))
 static const struct { const char *name; size_t size; GiveFn *give; }
 input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_ADD_BODY]    = { "add body", sizeof(wfBodyDef), add_body },
-    [WF_INPUT_REMOVE_BODY] = { "remove body", 0, remove_body },
-    [WF_INPUT_TRANSFORM]   = { "transform", NUMBERS, place_body },
-    [WF_INPUT_VELOCITY]    = { "velocity", NUMBERS, set_velocity },
-    [WF_INPUT_MASS]        = { "mass", NUMBERS, set_mass },
-    [WF_INPUT_TYPE]        = { "type", NUMBERS, set_type },
-    [WF_INPUT_DAMPING]     = { "damping", NUMBERS, set_damping },
-    [WF_INPUT_PUSH]        = { "push", NUMBERS, push },
-    [WF_INPUT_TWIST]       = { "twist", NUMBERS, twist },
-    [WF_INPUT_IMPULSE]     = { "impulse", NUMBERS, kick },
-    [WF_INPUT_SPIN]        = { "spin", NUMBERS, spin },
-    [WF_INPUT_GRAVITY]     = { "gravity", NUMBERS, set_gravity },
-    [WF_INPUT_DT]          = { "time step", NUMBERS, set_dt },
+    [WF_INPUT_REMOVE_BODY] = { "remove body", 0, give_remove_body },
+    [WF_INPUT_TRANSFORM]   = { "transform", NUMBERS, give_place_body },
+    [WF_INPUT_VELOCITY]    = { "velocity", NUMBERS, give_set_velocity },
+    [WF_INPUT_MASS]        = { "mass", NUMBERS, give_set_mass },
+    [WF_INPUT_TYPE]        = { "type", NUMBERS, give_set_type },
+    [WF_INPUT_DAMPING]     = { "damping", NUMBERS, give_set_damping },
+    [WF_INPUT_PUSH]        = { "push", NUMBERS, give_push },
+    [WF_INPUT_TWIST]       = { "twist", NUMBERS, give_twist },
+    [WF_INPUT_IMPULSE]     = { "impulse", NUMBERS, give_kick },
+    [WF_INPUT_SPIN]        = { "spin", NUMBERS, give_spin },
+    [WF_INPUT_GRAVITY]     = { "gravity", NUMBERS, give_set_gravity },
+    [WF_INPUT_DT]          = { "time step", NUMBERS, give_set_dt },
     [WF_INPUT_GRAVITY_SCALE]  = { "gravity scale", NUMBERS, set_more },
     [WF_INPUT_FIXED_ROTATION] = { "fixed rotation", NUMBERS, set_more },
     [WF_INPUT_MASS_DATA]      = { "mass data", NUMBERS, set_more },
@@ -174,27 +174,27 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_SHAPE_DATA]     = { "data of a shape", sizeof(uint64_t), set_data },
     [WF_INPUT_JOINT_DATA]     = { "data of a joint", sizeof(uint64_t), set_data },
     [WF_INPUT_ADD_SHAPE]    = { "add shape", sizeof(wfShapeDef), add_shape },
-    [WF_INPUT_REMOVE_SHAPE] = { "remove shape", 0, remove_shape },
-    [WF_INPUT_SET_SHAPE]    = { "set shape", sizeof(wfShapeDef), set_shape },
-    [WF_INPUT_MATERIAL]     = { "material", NUMBERS, set_material },
+    [WF_INPUT_REMOVE_SHAPE] = { "remove shape", 0, give_remove_shape },
+    [WF_INPUT_SET_SHAPE]    = { "set shape", sizeof(wfShapeDef), give_set_shape },
+    [WF_INPUT_MATERIAL]     = { "material", NUMBERS, give_set_material },
     [WF_INPUT_ADD_FORCE]    = { "add force", sizeof(wfForce), add_force },
-    [WF_INPUT_REMOVE_FORCE] = { "remove force", 0, remove_force },
+    [WF_INPUT_REMOVE_FORCE] = { "remove force", 0, give_remove_force },
     [WF_INPUT_SET_FORCE]    = { "set force", sizeof(wfForce), set_force },
     [WF_INPUT_GRAB]         = { "grab", NUMBERS, add_force },
     [WF_INPUT_DRAG]         = { "drag", NUMBERS, set_force },
     [WF_INPUT_ADD_JOINT]    = { "add joint", sizeof(wfJoint), add_joint },
-    [WF_INPUT_REMOVE_JOINT] = { "remove joint", 0, remove_joint },
-    [WF_INPUT_SET_JOINT]    = { "set joint", sizeof(wfJoint), set_joint },
+    [WF_INPUT_REMOVE_JOINT] = { "remove joint", 0, give_remove_joint },
+    [WF_INPUT_SET_JOINT]    = { "set joint", sizeof(wfJoint), give_set_joint },
     [WF_INPUT_WAKE]         = { "wake", 0, set_rest },
     [WF_INPUT_SLEEP]        = { "sleep", 0, set_rest },
     [WF_INPUT_NEVER_SLEEPS] = { "never sleeps", NUMBERS, set_rest },
-    [WF_INPUT_ENABLE]       = { "enable", NUMBERS, enable },
+    [WF_INPUT_ENABLE]       = { "enable", NUMBERS, give_enable },
     [WF_INPUT_PAIR]        = { "pair of materials", sizeof(wfPairMaterial), set_pair },
     [WF_INPUT_FORGET_PAIR] = { "forget a pair", 0, set_pair },
     [WF_INPUT_SETTING]     = { "setting", NUMBERS, set_setting },
-    [WF_INPUT_MOVE_ORIGIN] = { "move origin", NUMBERS, move_origin },
-    [WF_INPUT_SET_ORIGIN]  = { "set origin", sizeof(wfGlobalPoint), set_origin },
-    [WF_INPUT_SUBSTEPS] = { "substeps", NUMBERS, set_substeps },
+    [WF_INPUT_MOVE_ORIGIN] = { "move origin", NUMBERS, give_move_origin },
+    [WF_INPUT_SET_ORIGIN]  = { "set origin", sizeof(wfGlobalPoint), give_set_origin },
+    [WF_INPUT_SUBSTEPS] = { "substeps", NUMBERS, give_set_substeps },
 };
 
 static wfResult give(wfWorld *world, const wfInput *in, wfInputId *made)
